@@ -1,0 +1,52 @@
+// The one error type: what could not be read, rendered, compared or written, where, and why.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace parity::base {
+
+// Process exit codes (DESIGN 8). The highest that applies to a run wins; usage stands apart.
+enum class ExitCode : int {
+  withinBudget = 0,
+  warningsOnly = 1,
+  overBudget = 2,
+  notComparable = 3,
+  failed = 4, // something could not be read, rendered or written
+  usage = 64,
+};
+
+// Thrown for whatever can fail at run time. what() is one line: "subject: place: reason".
+class Error : public std::runtime_error {
+public:
+  // subject: the file, device or option; place: where in it (may be empty); reason: why, in words.
+  Error(ExitCode code, std::string subject, std::string place, std::string reason)
+      : std::runtime_error(oneLine(subject, place, reason)), m_code(code), m_subject(std::move(subject)),
+        m_place(std::move(place)), m_reason(std::move(reason)) {}
+
+  ExitCode code() const { return m_code; }
+  const std::string& subject() const { return m_subject; }
+  const std::string& place() const { return m_place; }
+  const std::string& reason() const { return m_reason; }
+
+private:
+  static std::string oneLine(const std::string& subject, const std::string& place, const std::string& reason) {
+    std::string line = subject;
+    for (const std::string* part : {&place, &reason})
+      if (!part->empty()) line += (line.empty() ? "" : ": ") + *part;
+    for (char& c : line)
+      if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+    return line;
+  }
+
+  ExitCode m_code;
+  std::string m_subject, m_place, m_reason;
+};
+
+// The common case: a file that cannot be used (exit 4).
+inline Error fileError(std::string file, std::string place, std::string reason) {
+  return Error(ExitCode::failed, std::move(file), std::move(place), std::move(reason));
+}
+
+} // namespace parity::base

@@ -1,0 +1,29 @@
+// Reading and writing whole files: limits before memory is taken, no half-written results.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace parity::base {
+
+inline constexpr std::size_t kMaxFileBytes = std::size_t{2} << 30;
+
+// Throw Error (exit 4) where the file is missing, not a regular file, unreadable or larger than maxBytes.
+std::vector<std::byte> readFile(const std::filesystem::path& file, std::size_t maxBytes = kMaxFileBytes);
+std::string readText(const std::filesystem::path& file, std::size_t maxBytes = kMaxFileBytes);
+
+// Calls `write` with a temporary path beside `file` (same extension), then renames it; removes it if `write` throws.
+// Makes the parent folder. Throws Error (exit 4).
+void writeAtomically(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& write);
+void writeText(const std::filesystem::path& file, std::string_view text);
+void writeBytes(const std::filesystem::path& file, std::span<const std::byte> bytes);
+
+// $XDG_CACHE_HOME/parity, or ~/.cache/parity.
+std::filesystem::path defaultCacheFolder();
+
+} // namespace parity::base

@@ -1,0 +1,33 @@
+// Images in memory: interleaved, row-major, the top row first.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace parity::base {
+
+// Largest side, and largest number of pixels, that any image file or render may have.
+inline constexpr int kMaxImageSide = 16384;
+inline constexpr std::size_t kMaxImagePixels = std::size_t{1} << 28;
+
+// Pixels of one type. width, height >= 1 unless empty; channels 1..4 (more only for layered files).
+template <typename T> struct BasicImage {
+  int width = 0, height = 0, channels = 0;
+  std::vector<T> pixels;
+
+  BasicImage() = default;
+  BasicImage(int w, int h, int c, T value = T{})
+      : width(w), height(h), channels(c), pixels(static_cast<std::size_t>(w) * h * c, value) {}
+
+  bool empty() const { return pixels.empty(); }
+  std::size_t pixelCount() const { return static_cast<std::size_t>(width) * height; }
+  T* at(int x, int y) { return pixels.data() + (static_cast<std::size_t>(y) * width + x) * channels; }
+  const T* at(int x, int y) const { return pixels.data() + (static_cast<std::size_t>(y) * width + x) * channels; }
+  bool operator==(const BasicImage&) const = default;
+};
+
+using Image = BasicImage<float>;         // linear light or data, unless a function says otherwise
+using Image8 = BasicImage<std::uint8_t>; // as stored in a file; the user knows the transfer function
+
+} // namespace parity::base

@@ -1,0 +1,29 @@
+// Loops over all cores, by TBB.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace parity::base {
+
+// Caps the worker threads of the whole process for its lifetime. threads <= 0: all cores.
+class ThreadLimit {
+public:
+  explicit ThreadLimit(int threads);
+  ~ThreadLimit();
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> m_impl;
+};
+
+// Calls body(begin, end) on disjoint ranges that cover [0, count), each of at most `grain` indices and starting at a
+// multiple of it: the split does not depend on the number of threads, so sums per range are reproducible.
+void parallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
+
+// Runs the tasks at the same time; rethrows the first exception after all have ended.
+void parallelInvoke(const std::vector<std::function<void()>>& tasks);
+
+} // namespace parity::base

@@ -1,0 +1,16 @@
+// Portable float maps (PFM), rows bottom-up: the format of the golden FLIP maps.
+#pragma once
+
+#include <filesystem>
+
+#include "base/image.h"
+
+namespace parity::base {
+
+// Reads 'Pf' (1 channel) or 'PF' (3), either byte order. Throws Error (exit 4).
+Image readPfm(const std::filesystem::path& file);
+
+// Writes 1 or 3 channels, little-endian, to exactly this path (no temporary name). Throws Error (exit 4).
+void writePfm(const std::filesystem::path& file, const Image& image);
+
+} // namespace parity::base

@@ -1,0 +1,42 @@
+# One INTERFACE target for language level, warnings and sanitizers.
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+# -O2 vectorises on this compiler; NDEBUG off in release: an assert guards numbers that users trust.
+set(CMAKE_CXX_FLAGS_RELEASE "-O2")
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g")
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_PROGRAM})
+endif()
+find_program(LLD_PROGRAM ld.lld)
+
+add_library(parity_flags INTERFACE)
+target_compile_options(parity_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+  # The single-source maths must round alike on CPU and GPU (DESIGN 5): no silent fused multiply-add.
+  -ffp-contract=off)
+if(CCACHE_PROGRAM)
+  target_compile_options(parity_flags INTERFACE -fpch-preprocess)
+endif()
+if(LLD_PROGRAM)
+  target_link_options(parity_flags INTERFACE -fuse-ld=lld)
+endif()
+if(PARITY_SANITIZE STREQUAL "address")
+  # vptr is off: the driver and the image library are not built with RTTI that the check could follow.
+  target_compile_options(parity_flags INTERFACE -fsanitize=address,undefined -fno-sanitize=vptr -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  target_link_options(parity_flags INTERFACE -fsanitize=address,undefined)
+elseif(PARITY_SANITIZE STREQUAL "thread")
+  target_compile_options(parity_flags INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+  target_link_options(parity_flags INTERFACE -fsanitize=thread)
+elseif(PARITY_SANITIZE)
+  message(FATAL_ERROR "PARITY_SANITIZE: '${PARITY_SANITIZE}' is neither 'address' nor 'thread'")
+endif()

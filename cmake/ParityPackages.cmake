@@ -1,0 +1,41 @@
+# Every third-party package, with the traps of Debian 12's own package files worked around in one place.
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_package(Threads REQUIRED) # before glslang, whose config names it without finding it
+find_package(Vulkan REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(TBB REQUIRED)
+find_package(glm REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(TinyGLTF REQUIRED)
+
+# OpenImageIO's exported target names an include folder that Debian does not ship.
+find_package(OpenImageIO REQUIRED)
+foreach(target OpenImageIO::OpenImageIO OpenImageIO::OpenImageIO_Util)
+  foreach(property INTERFACE_INCLUDE_DIRECTORIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES)
+    get_target_property(folders ${target} ${property})
+    if(folders)
+      list(FILTER folders EXCLUDE REGEX "opencv4")
+      set_target_properties(${target} PROPERTIES ${property} "${folders}")
+    endif()
+  endforeach()
+endforeach()
+
+# OpenColorIO's config is broken there: it names targets that no package defines.
+find_path(OPENCOLORIO_INCLUDE_DIR OpenColorIO/OpenColorIO.h REQUIRED)
+find_library(OPENCOLORIO_LIBRARY OpenColorIO REQUIRED)
+add_library(parity_opencolorio INTERFACE)
+target_include_directories(parity_opencolorio SYSTEM INTERFACE ${OPENCOLORIO_INCLUDE_DIR})
+target_link_libraries(parity_opencolorio INTERFACE ${OPENCOLORIO_LIBRARY})
+
+find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
+find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
+
+if(PARITY_TESTS)
+  find_package(GTest REQUIRED)
+endif()
+if(PARITY_BENCHMARKS)
+  find_package(benchmark REQUIRED)
+endif()

@@ -1,0 +1,42 @@
+# parity_shaders(TARGET [INCLUDE folders...] [DEFINES A=1...] SHADERS x.comp y.vert ...)
+#
+# Compiles each shader to SPIR-V at build time, with its includes as dependencies, and embeds it: the header
+# "<folder>/<file>.h" (made in the build folder) holds `inline constexpr uint32_t k<CamelName>[]`. A shader error is a
+# build error.
+function(parity_shaders target)
+  cmake_parse_arguments(ARG "" "" "INCLUDE;DEFINES;SHADERS" ${ARGN})
+  get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  set(out ${CMAKE_BINARY_DIR}/shaders/${target})
+  file(MAKE_DIRECTORY ${out}/${folder}_shaders)
+  set(includes)
+  foreach(dir ${ARG_INCLUDE})
+    list(APPEND includes -I${CMAKE_BINARY_DIR}/include/${dir})
+  endforeach()
+  set(defines ${ARG_DEFINES})
+  list(TRANSFORM defines PREPEND -D)
+  set(headers)
+  foreach(shader ${ARG_SHADERS})
+    get_filename_component(file ${shader} NAME)
+    string(REGEX REPLACE "[._]" ";" words ${file})
+    set(symbol k)
+    foreach(word ${words})
+      string(SUBSTRING ${word} 0 1 first)
+      string(SUBSTRING ${word} 1 -1 rest)
+      string(TOUPPER ${first} first)
+      string(APPEND symbol ${first}${rest})
+    endforeach()
+    set(header ${out}/${folder}_shaders/${file}.h)
+    add_custom_command(
+      OUTPUT ${header}
+      COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.2 ${includes} ${defines}
+              --depfile ${header}.d --vn ${symbol} -o ${header} ${CMAKE_CURRENT_SOURCE_DIR}/${shader}
+      COMMAND sed -i -e "1i #pragma once\\n#include <cstdint>" -e "s/^const uint32_t/inline constexpr std::uint32_t/" ${header}
+      DEPENDS ${shader}
+      DEPFILE ${header}.d
+      COMMENT "Shader ${folder}/${file}"
+      VERBATIM)
+    list(APPEND headers ${header})
+  endforeach()
+  target_sources(${target} PRIVATE ${headers})
+  target_include_directories(${target} PRIVATE ${out})
+endfunction()

@@ -1,0 +1,21 @@
+// Scenes from glTF files, HDR environments from image files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "scenes/scene.h"
+
+namespace parity::scenes {
+
+// Loads a .gltf or .glb (glTF 2.0), or "builtin:NAME". Everything is checked: what cannot be shown rightly is an Error
+// (exit 4: file, place in it such as "accessors[3]", reason), what is ignored is a line in Scene::warnings.
+Scene loadScene(const std::string& fileOrBuiltin);
+
+// Loads an equirectangular .hdr or .exr, or "builtin:sky" / "builtin:studio" / "builtin:white".
+// NaN, infinite and negative texels are set to 0 (NaN, negative) or the largest finite value (inf), counted, and
+// reported as one line appended to `warnings`. Throws Error (exit 4): unreadable, zero-sized, not 3 or 4 channels,
+// nothing finite.
+Environment loadEnvironment(const std::string& fileOrBuiltin, float rotationDeg, std::vector<std::string>& warnings);
+
+} // namespace parity::scenes

@@ -1,0 +1,155 @@
+// The scene: plain, validated, device-free data that every path is given unchanged.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "base/image.h"
+
+namespace parity::scenes {
+
+// ---- geometry
+// --------------------------------------------------------------------------------------------------------
+
+// A triangle list in object space; all attribute arrays have the same length. Metres, right-handed, +Y up.
+// The loader generates what a file lacks: flat normals (vertices split), tangents where a normal map needs them.
+struct Mesh {
+  std::string name;
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;     // unit length
+  std::vector<glm::vec4> tangents;    // xyz unit, w = +-1 handedness (bitangent = w * cross(n, t)); empty: none needed
+  std::vector<glm::vec2> uv0, uv1;    // empty where absent (read as 0)
+  std::vector<glm::vec4> colors;      // linear RGBA; empty where absent (read as 1)
+  std::vector<std::uint32_t> indices; // 3 per triangle, counter-clockwise seen from the front
+  std::uint32_t material = 0;         // index into Scene::materials
+};
+
+struct Instance {
+  std::uint32_t mesh = 0;
+  glm::mat4 toWorld{1.f}; // affine, finite; a negative determinant flips the winding
+  std::string node;       // path of node names, for messages
+};
+
+// ---- materials
+// -------------------------------------------------------------------------------------------------------
+
+enum class Wrap : std::uint8_t { repeat, mirroredRepeat, clampToEdge };
+enum class Filter : std::uint8_t { nearest, linear };
+
+// glTF's sampler. useMips false: only the base level is read.
+struct Sampler {
+  Wrap wrapU = Wrap::repeat, wrapV = Wrap::repeat;
+  Filter magFilter = Filter::linear, minFilter = Filter::linear, mipFilter = Filter::linear;
+  bool useMips = true;
+  bool operator==(const Sampler&) const = default;
+};
+
+// A texture as one material slot reads it. uv' = uvTransform * (u, v, 1), row-major 2x3 (KHR_texture_transform).
+struct TextureSlot {
+  int image = -1; // index into Scene::images; -1: none
+  int texCoord = 0;
+  Sampler sampler;
+  std::array<float, 6> uvTransform{1, 0, 0, 0, 1, 0};
+  bool present() const { return image >= 0; }
+};
+
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+// glTF metallic-roughness plus the supported extensions; factors as in the file.
+struct Material {
+  std::string name;         // unique in the scene: the loader appends " (2)" and so on
+  glm::vec4 baseColor{1.f}; // linear
+  float metallic = 1, roughness = 1;
+  float normalScale = 1, occlusionStrength = 1;
+  glm::vec3 emissive{0.f}; // linear; times emissiveStrength already
+  float alphaCutoff = 0.5f;
+  AlphaMode alphaMode = AlphaMode::opaque;
+  bool doubleSided = false, unlit = false;
+  bool fullyRough = false; // opt-in only: --fully-rough, suite file, or extras.fullyRough == true
+  float ior = 1.5f;        // KHR_materials_ior
+  float specular = 1;      // KHR_materials_specular
+  glm::vec3 specularColor{1.f};
+  TextureSlot baseColorTexture;         // RGB sRGB, A linear
+  TextureSlot metallicRoughnessTexture; // G roughness, B metallic
+  TextureSlot normalTexture;            // tangent space, +Y up (OpenGL)
+  TextureSlot occlusionTexture;         // R
+  TextureSlot emissiveTexture;          // sRGB
+  TextureSlot specularTexture;          // A
+  TextureSlot specularColorTexture;     // sRGB
+
+  // Dielectric F0 before textures, linear RGB, clamped to [0,1]: ((ior-1)/(ior+1))^2 * specularColor * specular.
+  // glTF's default gives exactly 0.04 = UE's Specular 0.5.
+  glm::vec3 dielectricF0() const;
+  // Metallic exactly 0 with no texture that could raise it, and F0 exactly 0.04 untinted (DESIGN 6).
+  bool isNonmetal() const;
+};
+
+// RGBA, 8 bit. The same image may be read as colour (sRGB) by one slot and as data by another.
+struct TextureImage {
+  std::string name;
+  base::Image8 pixels; // 4 channels
+};
+
+// ---- light
+// -----------------------------------------------------------------------------------------------------------
+
+enum class LightKind : std::uint8_t { directional, point, spot };
+
+struct Light {
+  std::string name;
+  LightKind kind = LightKind::point;
+  glm::vec3 color{1.f}; // linear Rec.709, times intensity: lux (directional) or candela (point, spot)
+  glm::vec3 position{0.f};
+  glm::vec3 direction{0.f, 0.f, -1.f};                   // unit; the way the light travels
+  float range = 0;                                       // metres; 0: infinite
+  float innerConeAngle = 0, outerConeAngle = 0.7853982f; // radians from the axis (spot)
+};
+
+// An HDR panorama, equirectangular: u = atan2(z,x)/2pi + 0.5, v from +Y down. Radiance, linear Rec.709.
+struct Environment {
+  std::string name;
+  base::Image radiance;  // 3 channels, finite, >= 0
+  float rotationDeg = 0; // turns the environment about +Y
+};
+
+// ---- views
+// -----------------------------------------------------------------------------------------------------------
+
+struct Camera {
+  std::string name;
+  glm::mat4 toWorld{1.f}; // rigid; looks along its -Z, +Y up
+  bool orthographic = false;
+  float fovYDeg = 45;   // perspective
+  float halfHeight = 1; // orthographic, metres
+  float zNear = 0.01f, zFar = 100;
+};
+
+struct Bounds {
+  glm::vec3 lower{0.f}, upper{0.f};
+  glm::vec3 center() const { return 0.5f * (lower + upper); }
+  float radius() const { return 0.5f * glm::length(upper - lower); }
+};
+
+struct Scene {
+  std::string name;           // short, for reports
+  std::filesystem::path file; // empty for built-in scenes
+  std::vector<Mesh> meshes;
+  std::vector<Instance> instances;
+  std::vector<Material> materials;
+  std::vector<TextureImage> images;
+  std::vector<Light> lights;
+  std::vector<Camera> cameras;
+  std::optional<Environment> environment;
+  std::vector<std::string> warnings; // one line each: what was ignored, replaced or cleaned
+
+  Bounds bounds() const;             // world space, over all instances' triangles
+  std::size_t triangleCount() const; // over instances
+};
+
+} // namespace parity::scenes

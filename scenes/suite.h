@@ -1,0 +1,39 @@
+// The suite file: many scenes with views, light, flags and budgets, for one report (TOML).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes/view.h"
+
+namespace parity::scenes {
+
+// One [[scene]] table. Paths are relative to the suite file's folder; "builtin:NAME" is taken as it is.
+struct SuiteEntry {
+  std::string name;        // default: the file's stem; unique
+  std::string scene;       // file or builtin:NAME
+  std::string environment; // "" = none
+  float environmentRotationDeg = 0;
+  std::optional<SunRequest> sun;
+  std::vector<ViewRequest> views;      // at least one after loading (auto)
+  std::vector<std::string> fullyRough; // globs over material names
+  std::optional<std::string> budgets;  // path of a budget file for this scene
+  std::optional<float> exposureEv;
+};
+
+struct Suite {
+  std::string name;
+  std::optional<std::string> budgets; // default for all scenes
+  std::vector<SuiteEntry> entries;
+};
+
+// Throws Error (exit 4) with file, line and the key for a syntax error, an unknown key (naming the nearest known one),
+// a wrong type, a value out of range, a duplicate name or an empty list of scenes.
+Suite loadSuite(const std::filesystem::path& file);
+
+// Shell-style match of a whole string: * ? [abc] [!abc]; case-sensitive.
+bool matchesGlob(const std::string& glob, const std::string& text);
+
+} // namespace parity::scenes

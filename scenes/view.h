@@ -1,0 +1,33 @@
+// Cameras and the sun from what the user writes.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "scenes/scene.h"
+
+namespace parity::scenes {
+
+// Where to look from. At most one of camera and orbit is set; neither: the automatic camera.
+struct ViewRequest {
+  std::string name = "auto";
+  std::string camera;              // a glTF camera's name or its index; "" or "auto": automatic
+  std::optional<glm::vec3> orbit;  // theta (deg), phi (deg), radius (metres; 0: fits the bounds)
+  std::optional<glm::vec3> target; // metres; default the centre of the bounds
+  float fovYDeg = 45;
+};
+
+// The camera of a view (DESIGN 8): eye = target + r*(sin phi sin theta, cos phi, sin phi cos theta), +Y up. The
+// automatic camera is the scene's own default where it names one, else orbit (30, 70) fitted to the bounds. Near and
+// far planes enclose the bounds. Throws Error (usage) naming the known cameras where `camera` is unknown; (exit 4) for
+// an empty scene.
+Camera makeCamera(const Scene& scene, const ViewRequest& request, float aspect);
+
+// --sun AZIMUTH,ELEVATION,LUX: degrees; azimuth from +X towards +Z as in the environment's u; elevation above the
+// horizon. Returns a white directional light of that illuminance on a surface facing it.
+struct SunRequest {
+  float azimuthDeg = 0, elevationDeg = 45, lux = 0;
+};
+Light makeSun(const SunRequest& sun);
+
+} // namespace parity::scenes

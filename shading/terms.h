@@ -1,0 +1,35 @@
+// The terms that a path's colour is the sum of (DESIGN 6): ids and names, for C++ and GLSL.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace parity::shading {
+
+// Order of the images in base::Frame::terms and of the planes that the shaders write (shading/terms.glsl).
+enum class Term : int {
+  sunDiffuse, // directional lights
+  sunSpecular,
+  localDiffuse, // point and spot lights
+  localSpecular,
+  lightmap,
+  skyDiffuse,  // environment, by SH
+  skySpecular, // environment, by the prefiltered cube
+  emissive,
+  fog, // inscattered light; all others are after fog transmittance
+};
+inline constexpr std::size_t kTermCount = 9;
+inline constexpr std::array<std::string_view, kTermCount> kTermNames = {"sunDiffuse",    "sunSpecular", "localDiffuse",
+                                                                        "localSpecular", "lightmap",    "skyDiffuse",
+                                                                        "skySpecular",   "emissive",    "fog"};
+
+// The term of that name, or nothing.
+constexpr std::optional<Term> termByName(std::string_view name) {
+  for (std::size_t i = 0; i < kTermCount; ++i)
+    if (kTermNames[i] == name) return static_cast<Term>(i);
+  return std::nullopt;
+}
+
+} // namespace parity::shading
