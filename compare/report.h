@@ -1,0 +1,100 @@
+// The result of a run as plain data: what report.json, junit.xml, index.html and the table are written from.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compare/figures.h"
+
+namespace parity::compare {
+
+// In order of gravity; the worst of its parts is the verdict of a whole.
+enum class Verdict { pass, notSeen, warn, fail, error };
+const char* nameOf(Verdict verdict); // "pass", "not seen", "warn", "fail", "error"
+
+// One budget check: `metric` names a figure ("flip.mean", "rmse", ...), `region` is "interior" or "all".
+struct CheckResult {
+  std::string metric, region;
+  double value = 0;
+  std::optional<double> warnAbove, failAbove; // psnr: below
+  Verdict verdict = Verdict::pass;
+};
+
+// Paths relative to the report folder, '/'-separated; empty where there is none.
+struct ImageSet {
+  std::string reference, test, flip; // PNG for display: high-end, mobile, FLIP in magma
+};
+
+// Mean scene-referred luminance of one term over the material's pixels, by both paths (only with --terms).
+struct TermFigures {
+  std::string term;
+  double reference = 0, test = 0;
+};
+
+struct MaterialResult {
+  std::string name;
+  RegionFigures figures;
+  std::vector<CheckResult> checks;
+  Verdict verdict = Verdict::pass;
+  std::string reason;             // one sentence: what decided the verdict; empty on a pass
+  std::vector<std::string> notes; // permutation ("nonmetal", "fully rough"), sampler excess, tinted F0, ...
+  std::vector<TermFigures> terms;
+  ImageSet crops; // around the material's pixels; empty where it is not seen
+};
+
+struct ViewResult {
+  std::string name;
+  int width = 0, height = 0;
+  RegionFigures whole; // all pixels of any material
+  std::vector<CheckResult> checks;
+  Verdict verdict = Verdict::pass;
+  std::vector<MaterialResult> materials; // in the scene's order
+  ImageSet images;
+  std::vector<std::string> skipped; // "no local lights: their loop" and so on
+};
+
+struct SceneResult {
+  std::string name, source, environment, sun; // as the user wrote them: no absolute paths
+  std::vector<std::string> warnings;
+  std::vector<ViewResult> views;
+  std::string error; // not empty: the scene could not be compared, this line says why; views hold what was done before
+  int errorExitCode = 0;
+  Verdict verdict = Verdict::pass;
+};
+
+struct Report {
+  std::string tool = "parity", version;
+  std::string device;                                        // Vulkan device name and driver
+  std::vector<std::pair<std::string, std::string>> settings; // name, value, in a fixed order
+  std::vector<SceneResult> scenes;
+  Verdict verdict = Verdict::pass;
+};
+
+// What differs from run to run, kept out of the report so that it is byte-identical.
+struct RunInfo {
+  std::string startedAt; // ISO 8601, UTC
+  std::string commandLine;
+  std::vector<std::pair<std::string, double>> timings; // stage, ms
+};
+
+// Sets every verdict above the checks' from its parts. A scene with an error is `error`; an empty report is `error`.
+void settleVerdicts(Report& report);
+
+// The exit code of a report (DESIGN 8): 0, 1 (only with warnExit), 2, or the scenes' own 3 or 4; the highest that
+// applies.
+int exitCode(const Report& report, bool warnExit);
+
+// JSON by compare/report.schema.json (versioned), UTF-8, keys in fixed order, no times: byte-identical for equal
+// reports.
+std::string toJson(const Report& report);
+std::string toJson(const RunInfo& run);
+// JUnit: a testcase per scene x material; failures and errors with their figures.
+std::string toJunit(const Report& report, const RunInfo& run);
+// One self-contained page beside images/: no network, works from file://, all names escaped.
+std::string toHtml(const Report& report, const RunInfo& run);
+// Per-material table for a terminal (parity diff), one row a material and view. color: ANSI.
+std::string toTable(const Report& report, bool color);
+
+} // namespace parity::compare
