@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace parity::base {
 
@@ -20,6 +21,7 @@ public:
 
   Hasher& add(std::span<const std::byte> bytes);
   Hasher& add(std::string_view text); // length first, so that ("a","bc") differs from ("ab","c")
+  // The bytes of a value; a struct must have no padding, whose content is undefined.
   template <typename T>
   requires std::is_trivially_copyable_v<T> Hasher& addValue(const T& value) {
     return add(std::as_bytes(std::span{&value, 1}));

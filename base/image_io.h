@@ -12,30 +12,35 @@
 namespace parity::base {
 
 // Reads any image that OpenImageIO knows, and .pfm. Integer files come as stored / maximum (no transfer function is
-// undone), float files as they are; all channels, in file order. Throws Error (exit 4).
+// undone), float files as they are; the first image of the file, all its channels, R,G,B,A first where they have these
+// names. A damaged or truncated file is an error, never a partial image. Throws Error (exit 4).
 Image readImage(const std::filesystem::path& file);
 
-// Reads an image as 8 bit, converted to exactly `channels` channels: grey is spread over RGB, a missing alpha is 255.
-// 16-bit files are rounded to 8. Throws Error (exit 4).
+// Reads an image as 8 bit, converted to exactly `channels` (1..4) channels: grey is spread over RGB, a missing alpha is
+// 255; 1 is the first channel, 2 the first and alpha. Alpha is not multiplied into the colour, whatever the format.
+// 16-bit files are rounded to 8, floats clamped to [0,1]. Throws Error (exit 4).
 Image8 readImage8(const std::filesystem::path& file, int channels = 4);
 
-// The same from memory (an embedded texture); `name` is for messages. Throws Error (exit 4).
+// The same from memory (an embedded texture: PNG, JPEG, WebP, BMP, HDR or EXR); `name` is for messages. Throws Error
+// (exit 4).
 Image8 decodeImage8(std::span<const std::byte> bytes, const std::string& name, int channels = 4);
 
 // Whether the file, by its format and stored type, holds display-referred 8- or 16-bit integers rather than floats.
 bool isIntegerImage(const std::filesystem::path& file);
 
 struct WriteOptions {
-  std::vector<std::string> channelNames; // empty: R,G,B,A or Y
-  bool half = false;                     // EXR only: store 16-bit floats
-  int pngCompression = 3;                // zlib level: 3 is 4x faster than the default 6 and 5 % larger
+  std::vector<std::string> channelNames; // EXR only, distinct; empty: R,G,B,A or Y or Y,A
+  bool half = false;                     // EXR only: store 16-bit floats; beyond 65504 they are infinite
+  int pngCompression = 1; // zlib level 1..9. With the one row filter used, 1024^2 RGB takes 24-43 ms; at 4
+                          // 40-76 ms for 9-15 % fewer bytes; OpenImageIO's defaults 155-275 ms for 20 %
 };
 
-// Writes by the extension: .png (8 bit, value*255+0.5, clamped; the caller has applied the transfer function), .exr and
-// .pfm (float; .pfm takes 1 or 3 channels), .hdr. Written to a temporary name and renamed. Throws Error (exit 4).
+// Writes by the extension: .png (8 bit, value*255+0.5, clamped, NaN as 0; the caller has applied the transfer
+// function), .exr and .pfm (float; .pfm takes 1 or 3 channels), .hdr (3 channels, neither negative nor non-finite). The
+// same image gives the same bytes. Written to a temporary name and renamed. Throws Error (exit 4).
 void writeImage(const std::filesystem::path& file, const Image& image, const WriteOptions& options = {});
 
-// The same for 8-bit data as it is.
+// The same for 8-bit data as it is, to .png.
 void writeImage8(const std::filesystem::path& file, const Image8& image, const WriteOptions& options = {});
 
 } // namespace parity::base

@@ -19,11 +19,15 @@ private:
   std::unique_ptr<Impl> m_impl;
 };
 
+// How many threads a loop may use now: the cores, or what the smallest living ThreadLimit allows.
+int threadCount();
+
 // Calls body(begin, end) on disjoint ranges that cover [0, count), each of at most `grain` indices and starting at a
 // multiple of it: the split does not depend on the number of threads, so sums per range are reproducible.
 void parallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 
-// Runs the tasks at the same time; rethrows the first exception after all have ended.
+// Runs the tasks at the same time as far as there are threads (so none may wait for another). When all have ended,
+// rethrows the exception of the first in the list that failed.
 void parallelInvoke(const std::vector<std::function<void()>>& tasks);
 
 } // namespace parity::base

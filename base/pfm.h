@@ -7,10 +7,10 @@
 
 namespace parity::base {
 
-// Reads 'Pf' (1 channel) or 'PF' (3), either byte order. Throws Error (exit 4).
+// Reads 'Pf' (1 channel) or 'PF' (3), either byte order; the scale's size is not applied. Throws Error (exit 4).
 Image readPfm(const std::filesystem::path& file);
 
-// Writes 1 or 3 channels, little-endian, to exactly this path (no temporary name). Throws Error (exit 4).
+// Writes 1 or 3 channels, little-endian, to a temporary name that is then renamed. Throws Error (exit 4).
 void writePfm(const std::filesystem::path& file, const Image& image);
 
 } // namespace parity::base

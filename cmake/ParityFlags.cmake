@@ -5,7 +5,6 @@ endif()
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 # -O2 vectorises on this compiler; NDEBUG off in release: an assert guards numbers that users trust.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2")
@@ -22,6 +21,8 @@ find_program(LLD_PROGRAM ld.lld)
 add_library(parity_flags INTERFACE)
 target_compile_options(parity_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+  # One flag for libraries and programs alike, so that both can use the same precompiled header.
+  -fPIC
   # The single-source maths must round alike on CPU and GPU (DESIGN 5): no silent fused multiply-add.
   -ffp-contract=off)
 if(CCACHE_PROGRAM)

@@ -1,6 +1,7 @@
 // The result of a run as plain data: what report.json, junit.xml, index.html and the table are written from.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,6 +21,7 @@ struct CheckResult {
   double value = 0;
   std::optional<double> warnAbove, failAbove; // psnr: below
   Verdict verdict = Verdict::pass;
+  std::string note; // not empty where the check had to do otherwise than asked: "no interior pixels: all instead"
 };
 
 // Paths relative to the report folder, '/'-separated; empty where there is none.
@@ -41,7 +43,10 @@ struct MaterialResult {
   std::string reason;             // one sentence: what decided the verdict; empty on a pass
   std::vector<std::string> notes; // permutation ("nonmetal", "fully rough"), sampler excess, tinted F0, ...
   std::vector<TermFigures> terms;
-  ImageSet crops; // around the material's pixels; empty where it is not seen
+  ImageSet crops;                          // around the material's pixels; empty where it is not seen
+  std::string budget, budgetReason, owner; // the rule that judged it: where it stands, why, whose it is; may be empty
+  bool requireSeen = false;                // by that rule
+  bool seenElsewhere = false; // set by settleVerdicts: not seen here, but in another view, so it does not count
 };
 
 struct ViewResult {
@@ -49,7 +54,9 @@ struct ViewResult {
   int width = 0, height = 0;
   RegionFigures whole; // all pixels of any material
   std::vector<CheckResult> checks;
-  Verdict verdict = Verdict::pass;
+  Verdict verdict = Verdict::pass;       // of the view: its whole image and its materials
+  Verdict wholeVerdict = Verdict::pass;  // of the whole image alone
+  std::string reason;                    // one sentence: what decided wholeVerdict; empty on a pass
   std::vector<MaterialResult> materials; // in the scene's order
   ImageSet images;
   std::vector<std::string> skipped; // "no local lights: their loop" and so on
@@ -60,7 +67,7 @@ struct SceneResult {
   std::vector<std::string> warnings;
   std::vector<ViewResult> views;
   std::string error; // not empty: the scene could not be compared, this line says why; views hold what was done before
-  int errorExitCode = 0;
+  int errorExitCode = 0; // 3 or 4 where there is an error (settleVerdicts makes 4 of anything else)
   Verdict verdict = Verdict::pass;
 };
 
@@ -79,11 +86,25 @@ struct RunInfo {
   std::vector<std::pair<std::string, double>> timings; // stage, ms
 };
 
-// Sets every verdict above the checks' from its parts. A scene with an error is `error`; an empty report is `error`.
+// How many rows (material x view) have each verdict; those not seen here but elsewhere are left out.
+struct VerdictCounts {
+  std::size_t pass = 0, notSeen = 0, warn = 0, fail = 0, error = 0;
+  std::size_t total() const { return pass + notSeen + warn + fail + error; }
+};
+VerdictCounts countVerdicts(const Report& report);
+
+// Sets one material's verdict and reason from its figures and checks, and `seenElsewhere` as given (it matters only
+// where there is no pixel): no pixel = notSeen, or fail where its budget requires it to be seen and no other view shows
+// it; non-finite pixels = fail; no checks, or a figure that is NaN = error; else the worst check.
+void settleMaterial(MaterialResult& material, bool seenElsewhere);
+
+// Sets every verdict above the checks' from its parts, also the materials' by settleMaterial (another view of the scene
+// may show what this one does not: same place in the list, same name). A scene with an error, or with no view, is
+// `error`; so are a view with no materials and a report with no scenes. Idempotent.
 void settleVerdicts(Report& report);
 
-// The exit code of a report (DESIGN 8): 0, 1 (only with warnExit), 2, or the scenes' own 3 or 4; the highest that
-// applies.
+// The exit code of a settled report (DESIGN 8): 0, 1 (only with warnExit; notSeen is a warning), 2, or the scenes' own
+// 3 or 4 (4 for any other errorExitCode, and for a verdict `error`); the highest that applies.
 int exitCode(const Report& report, bool warnExit);
 
 // JSON by compare/report.schema.json (versioned), UTF-8, keys in fixed order, no times: byte-identical for equal

@@ -125,9 +125,9 @@ struct Camera {
   std::string name;
   glm::mat4 toWorld{1.f}; // rigid; looks along its -Z, +Y up
   bool orthographic = false;
-  float fovYDeg = 45;   // perspective
-  float halfHeight = 1; // orthographic, metres
-  float zNear = 0.01f, zFar = 100;
+  float fovYDeg = 45;              // perspective
+  float halfHeight = 1;            // orthographic, metres
+  float zNear = 0.01f, zFar = 100; // zFar 0: infinite, as a file may say; makeCamera returns a finite one
 };
 
 struct Bounds {
@@ -144,7 +144,8 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<TextureImage> images;
   std::vector<Light> lights;
-  std::vector<Camera> cameras;
+  std::vector<Camera> cameras; // names are unique
+  int defaultCamera = -1;      // index into cameras of the one that the automatic view takes; -1: fit the bounds
   std::optional<Environment> environment;
   std::vector<std::string> warnings; // one line each: what was ignored, replaced or cleaned
 

@@ -33,7 +33,4 @@ struct Suite {
 // a wrong type, a value out of range, a duplicate name or an empty list of scenes.
 Suite loadSuite(const std::filesystem::path& file);
 
-// Shell-style match of a whole string: * ? [abc] [!abc]; case-sensitive.
-bool matchesGlob(const std::string& glob, const std::string& text);
-
 } // namespace parity::scenes

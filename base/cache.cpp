@@ -1,0 +1,151 @@
+// A folder of blobs kept between runs: checksummed files, evicted by the time of their last use.
+#include "base/cache.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/hash.h"
+#include "base/log.h"
+
+namespace parity::base {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Only files of this extension are ever counted or removed: --cache may name a folder that holds other things. The
+// temporary files of a process that was killed bear it too, and so grow old and go.
+constexpr const char* kExtension = ".parity-blob";
+constexpr std::string_view kMagic = "PARITYB1";
+
+// What stands before the content, in the machine's byte order: an entry of another machine fails the size check.
+struct Header {
+  char magic[8];
+  std::uint64_t contentBytes;
+  char checksum[32]; // Hasher of key and content
+};
+static_assert(sizeof(Header) == 48);
+
+Header makeHeader(const std::string& key, std::span<const std::byte> content) {
+  Header header{};
+  std::memcpy(header.magic, kMagic.data(), sizeof header.magic);
+  header.contentBytes = content.size();
+  const std::string checksum = Hasher().add(key).add(content).hex();
+  assert(checksum.size() == sizeof header.checksum);
+  std::memcpy(header.checksum, checksum.data(), sizeof header.checksum);
+  return header;
+}
+
+bool isWhole(const std::string& key, std::span<const std::byte> file) {
+  if (file.size() < sizeof(Header)) return false;
+  const Header expected = makeHeader(key, file.subspan(sizeof(Header)));
+  return std::memcmp(&expected, file.data(), sizeof expected) == 0;
+}
+
+bool isKeyCharacter(char c) {
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
+}
+
+struct Entry {
+  fs::file_time_type lastUse;
+  fs::path file;
+  std::uintmax_t size;
+};
+
+// What other processes remove or replace meanwhile is left out.
+std::vector<Entry> listEntries(const fs::path& folder) {
+  std::vector<Entry> entries;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (it->path().extension() != kExtension) continue;
+    std::error_code gone;
+    if (!it->is_regular_file(gone) || it->is_symlink(gone)) continue;
+    Entry entry{it->last_write_time(gone), it->path(), 0};
+    if (gone) continue;
+    entry.size = it->file_size(gone);
+    if (!gone) entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+} // namespace
+
+Cache::Cache(fs::path folder, std::uintmax_t maxBytes) : m_folder(std::move(folder)), m_maxBytes(maxBytes) {}
+
+Cache Cache::disabled() { return Cache({}, 0); }
+
+fs::path Cache::fileOf(const std::string& key) const {
+  assert(!key.empty() && key.size() <= 128 && std::all_of(key.begin(), key.end(), isKeyCharacter));
+  return m_folder / (key + kExtension);
+}
+
+std::optional<std::vector<std::byte>> Cache::find(const std::string& key) const {
+  if (!enabled()) return std::nullopt;
+  const fs::path file = fileOf(key);
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return std::nullopt;
+  std::vector<std::byte> bytes;
+  try {
+    bytes = readFile(file);
+  } catch (const Error& unreadable) { // or removed by another process just now
+    reportOnce(std::string("cache: ") + unreadable.what());
+    return std::nullopt;
+  }
+  if (!isWhole(key, bytes)) {
+    reportOnce("cache: a damaged entry was removed: " + file.string());
+    fs::remove(file, error);
+    return std::nullopt;
+  }
+  fs::last_write_time(file, fs::file_time_type::clock::now(), error); // a folder that is read-only still serves
+  bytes.erase(bytes.begin(), bytes.begin() + sizeof(Header));
+  return bytes;
+}
+
+void Cache::store(const std::string& key, std::span<const std::byte> bytes) const {
+  if (!enabled()) return;
+  const fs::path file = fileOf(key);
+  if (bytes.size() > m_maxBytes || m_maxBytes - bytes.size() < sizeof(Header)) {
+    reportOnce("cache: an entry larger than the whole cache was not stored: " + file.string());
+    return;
+  }
+  const Header header = makeHeader(key, bytes);
+  std::vector<std::byte> content(sizeof header + bytes.size());
+  std::memcpy(content.data(), &header, sizeof header);
+  if (!bytes.empty()) std::memcpy(content.data() + sizeof header, bytes.data(), bytes.size());
+  try {
+    writeBytes(file, content);
+  } catch (const Error& unwritable) {
+    reportOnce(std::string("cache: ") + unwritable.what());
+    return;
+  }
+  evictAllBut(file);
+}
+
+void Cache::evictAllBut(const fs::path& kept) const {
+  std::vector<Entry> entries = listEntries(m_folder);
+  std::uintmax_t sum = 0;
+  for (const Entry& entry : entries) sum += entry.size;
+  if (sum <= m_maxBytes) return;
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return a.lastUse != b.lastUse ? a.lastUse < b.lastUse : a.file < b.file;
+  });
+  for (const Entry& entry : entries) {
+    if (sum <= m_maxBytes) break;
+    if (entry.file == kept) continue;
+    std::error_code error;
+    fs::remove(entry.file, error); // gone already: another process evicts as well
+    if (!error) sum -= entry.size;
+  }
+}
+
+void Cache::reportOnce(const std::string& message) const {
+  if (!m_reported->exchange(true)) logVerbose(message);
+}
+
+} // namespace parity::base

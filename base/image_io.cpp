@@ -1,0 +1,161 @@
+// Image files: checks that need no library, PFM, and the way to the module that holds OpenImageIO.
+#include "base/image_io.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <set>
+#include <stdexcept>
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/image_module.h"
+#include "base/parallel.h"
+#include "base/pfm.h"
+#include "base/png_check.h"
+
+namespace parity::base {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kModuleFile = "parity_imageio.so";
+
+std::string extensionOf(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+// Beside the running program, beside the object that holds this code, or where an installation has it.
+std::vector<fs::path> moduleCandidates() {
+  std::error_code error;
+  std::vector<fs::path> folders;
+  if (const fs::path program = fs::read_symlink("/proc/self/exe", error); !error) {
+    folders.push_back(program.parent_path());
+    folders.push_back(program.parent_path().parent_path() / "lib" / "parity");
+  }
+  Dl_info info{};
+  if (dladdr(reinterpret_cast<const void*>(&moduleCandidates), &info) && info.dli_fname)
+    folders.insert(folders.begin() + (folders.empty() ? 0 : 1), fs::absolute(info.dli_fname, error).parent_path());
+  std::vector<fs::path> files;
+  for (const fs::path& folder : folders)
+    if (const fs::path file = folder / kModuleFile; std::find(files.begin(), files.end(), file) == files.end())
+      files.push_back(file);
+  return files;
+}
+
+const ImageModule& loadModule() {
+  std::error_code error;
+  for (const fs::path& file : moduleCandidates()) {
+    if (!fs::exists(file, error)) continue;
+    // Lazy: most of the functions of its many libraries are never called. It stays loaded for good: what it throws
+    // may outlive any scope here.
+    void* handle = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);
+    if (!handle)
+      throw Error(ExitCode::failed, file.string(), "cannot be loaded",
+                  fmt::format("{} (OpenImageIO 2.4 is needed: install libopenimageio2.4)", dlerror()));
+    const auto get = reinterpret_cast<GetImageModule>(dlsym(handle, kGetImageModule));
+    const ImageModule* module = get ? get() : nullptr;
+    if (!module || module->version != kImageModuleVersion)
+      throw Error(ExitCode::failed, file.string(), "",
+                  "belongs to another build of this program: build or install both");
+    module->limitThreads(threadCount());
+    return *module;
+  }
+  std::string searched;
+  for (const fs::path& file : moduleCandidates()) searched += (searched.empty() ? "" : ", ") + file.string();
+  throw Error(
+      ExitCode::failed, kModuleFile, "not found",
+      "image files cannot be read or written without it; build the target parity_imageio or install it beside the "
+      "program (searched: " +
+          searched + ")");
+}
+
+const ImageModule& imageModule() {
+  static const ImageModule& module = loadModule(); // once, whichever thread comes first; tried again after a failure
+  return module;
+}
+
+void checkReadable(const fs::path& file) {
+  if (regularFileSize(file) == 0) throw fileError(file.string(), "", "is empty");
+}
+
+void checkContent(const fs::path& file) {
+  checkReadable(file);
+  if (extensionOf(file) == ".png") checkPng(readFile(file), file.string());
+}
+
+void checkChannels(int channels) {
+  if (channels < 1 || channels > 4) throw std::invalid_argument("8-bit images have 1 to 4 channels");
+}
+
+template <typename T>
+void checkWritable(const fs::path& file, const BasicImage<T>& image, const WriteOptions& options) {
+  const std::string name = file.string(), extension = extensionOf(file);
+  checkImageSize(name, image.width, image.height, image.channels);
+  if (image.pixels.size() != image.pixelCount() * static_cast<std::size_t>(image.channels))
+    throw fileError(name, "", "the image's size does not fit its pixels");
+  struct Format {
+    const char* extension;
+    int minChannels, maxChannels;
+  };
+  constexpr std::array kFormats{Format{".png", 1, 4}, Format{".exr", 1, kMaxImageChannels}, Format{".hdr", 3, 3},
+                                Format{".pfm", 1, 3}};
+  const auto format =
+      std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& known) { return extension == known.extension; });
+  if (format == kFormats.end())
+    throw fileError(name, "", "cannot be written in this format; use .png, .exr, .hdr or .pfm");
+  if (image.channels < format->minChannels || image.channels > format->maxChannels)
+    throw fileError(name, "", fmt::format("{} cannot hold {} channels", extension, image.channels));
+  if (!options.channelNames.empty() && options.channelNames.size() != static_cast<std::size_t>(image.channels))
+    throw fileError(name, "",
+                    fmt::format("{} channel names for {} channels", options.channelNames.size(), image.channels));
+  // Two channels of one name would be one in the file.
+  const std::set<std::string> distinct(options.channelNames.begin(), options.channelNames.end());
+  if (distinct.size() != options.channelNames.size() || distinct.contains(""))
+    throw fileError(name, "", "a channel name is empty or stands twice");
+}
+
+} // namespace
+
+Image readImage(const fs::path& file) {
+  checkContent(file);
+  return extensionOf(file) == ".pfm" ? readPfm(file) : imageModule().read(file);
+}
+
+Image8 readImage8(const fs::path& file, int channels) {
+  checkChannels(channels);
+  checkContent(file);
+  return imageModule().read8(file, channels);
+}
+
+Image8 decodeImage8(std::span<const std::byte> bytes, const std::string& name, int channels) {
+  checkChannels(channels);
+  if (bytes.empty()) throw fileError(name, "", "is empty");
+  checkPng(bytes, name);
+  return imageModule().decode8(bytes, name, channels);
+}
+
+bool isIntegerImage(const fs::path& file) {
+  checkReadable(file);
+  return extensionOf(file) != ".pfm" && imageModule().isInteger(file);
+}
+
+void writeImage(const fs::path& file, const Image& image, const WriteOptions& options) {
+  checkWritable(file, image, options);
+  if (extensionOf(file) == ".pfm") return writePfm(file, image);
+  writeBytes(file, imageModule().encode(file, image, options));
+}
+
+void writeImage8(const fs::path& file, const Image8& image, const WriteOptions& options) {
+  checkWritable(file, image, options);
+  if (extensionOf(file) != ".png") throw fileError(file.string(), "", "8-bit images are written as .png only");
+  writeBytes(file, imageModule().encode8(file, image, options));
+}
+
+} // namespace parity::base

@@ -1,0 +1,261 @@
+// The module that holds OpenImageIO: image files of every kind to and from memory.
+#include "base/image_module.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <string_view>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
+#include <fmt/format.h>
+
+#include "base/error.h"
+
+namespace parity::base {
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace oiio = OIIO;
+
+// The first line of the library's own words, less the file's name, which Error carries.
+std::string reasonOf(std::string message, const std::string& path) {
+  if (message.empty()) return "the image library gives no reason";
+  const std::string quoted = "\"" + path + "\"";
+  if (const std::size_t at = message.find(quoted); at != std::string::npos)
+    message.replace(at, quoted.size(), "the file");
+  return message.substr(0, message.find('\n'));
+}
+
+// One opened image whose size has been checked.
+class Reader {
+public:
+  explicit Reader(const std::string& file) : m_name(file) {
+    const oiio::ImageSpec config = makeConfig();
+    open([&] { return oiio::ImageInput::open(file, &config); });
+  }
+
+  // format: as the library calls it. Only this one is tried: the others might look for a file.
+  Reader(std::string name, const std::string& format, oiio::Filesystem::IOProxy& memory) : m_name(std::move(name)) {
+    oiio::ImageSpec config = makeConfig(), spec;
+    oiio::Filesystem::IOProxy* proxy = &memory;
+    config.attribute("oiio:ioproxy", oiio::TypeDesc::PTR, &proxy);
+    open([&] {
+      oiio::ImageInput::unique_ptr input = oiio::ImageInput::create(format);
+      if (!input || !input->supports("ioproxy"))
+        throw fileError(m_name, "cannot be decoded", "the image library reads no " + format + " from memory");
+      if (!input->open(m_name, spec, config))
+        throw fileError(m_name, "cannot be decoded", reasonOf(input->geterror(), m_name));
+      return input;
+    });
+  }
+
+  const oiio::ImageSpec& spec() const { return m_input->spec(); }
+
+  template <typename T> BasicImage<T> read() {
+    const oiio::ImageSpec& spec = m_input->spec();
+    BasicImage<T> image(spec.width, spec.height, spec.nchannels);
+    const bool whole = m_input->read_image(0, 0, 0, spec.nchannels, oiio::BaseTypeFromC<T>::value, image.pixels.data());
+    // Some readers fill the rest of a truncated file and only leave a message.
+    if (!whole || m_input->has_error())
+      throw fileError(m_name, "damaged or truncated", reasonOf(m_input->geterror(), m_name));
+    return image;
+  }
+
+private:
+  static oiio::ImageSpec makeConfig() {
+    oiio::ImageSpec config;
+    config.attribute("oiio:UnassociatedAlpha", 1); // textures and pictures as stored, not multiplied by alpha
+    return config;
+  }
+
+  template <typename Open> void open(const Open& makeInput) {
+    m_input = makeInput();
+    if (!m_input) throw fileError(m_name, "cannot be decoded", reasonOf(oiio::geterror(), m_name));
+    const std::string_view format = m_input->format_name();
+    // A film's reader takes almost any bytes for a film, a text for a screen of letters; "null" invents its pixels.
+    if (format == "FFmpeg movie" || format == "null")
+      throw fileError(m_name, "cannot be decoded", "no image format that is known");
+    const oiio::ImageSpec& spec = m_input->spec();
+    checkImageSize(m_name, spec.width, spec.height, spec.nchannels);
+    if (spec.nchannels > kMaxImageChannels)
+      throw fileError(m_name, "", fmt::format("{} channels: more than {}", spec.nchannels, kMaxImageChannels));
+    if (spec.depth > 1 || spec.deep)
+      throw fileError(m_name, "", "is a volume or a deep image, which have no pixels to compare");
+  }
+
+  std::string m_name;
+  oiio::ImageInput::unique_ptr m_input;
+};
+
+// Whatever the library throws becomes an Error that names the file.
+template <typename Body> auto guarded(const std::string& name, Body&& body) {
+  try {
+    return body();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw fileError(name, "", "needs more memory than there is");
+  } catch (const std::exception& error) {
+    throw fileError(name, "", reasonOf(error.what(), name));
+  }
+}
+
+// Division, not multiplication with a reciprocal: v/255 is exact where other programs are.
+template <typename T> Image normalize(const BasicImage<T>& stored) {
+  Image image(stored.width, stored.height, stored.channels);
+  std::transform(stored.pixels.begin(), stored.pixels.end(), image.pixels.begin(),
+                 [](T v) { return static_cast<float>(v) / static_cast<float>(std::numeric_limits<T>::max()); });
+  return image;
+}
+
+Image8 convertChannels(Image8 image, int alphaChannel, int channels) {
+  const int from = image.channels;
+  const bool hasAlpha = alphaChannel >= 0;
+  const int colors = from - (hasAlpha ? 1 : 0);
+  if (from == channels && (!hasAlpha || alphaChannel == from - 1) && hasAlpha == (channels % 2 == 0)) return image;
+  const bool wantsAlpha = channels % 2 == 0;
+  const int wantedColors = channels - (wantsAlpha ? 1 : 0);
+  Image8 result(image.width, image.height, channels, 255);
+  const std::size_t count = image.pixelCount();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint8_t* in = image.pixels.data() + i * from;
+    std::uint8_t* out = result.pixels.data() + i * channels;
+    for (int c = 0; c < wantedColors; ++c) out[c] = in[colors >= 3 ? c : 0];
+    if (wantsAlpha && hasAlpha) out[wantedColors] = in[alphaChannel];
+  }
+  return result;
+}
+
+Image8 readAs8(Reader& reader, int channels) {
+  const int alphaChannel = reader.spec().alpha_channel;
+  if (reader.spec().format == oiio::TypeDesc::UINT16) {
+    const BasicImage<std::uint16_t> wide = reader.read<std::uint16_t>();
+    Image8 image(wide.width, wide.height, wide.channels);
+    // round(v / 257) in integers: 65535 = 255 * 257
+    std::transform(wide.pixels.begin(), wide.pixels.end(), image.pixels.begin(),
+                   [](std::uint16_t v) { return static_cast<std::uint8_t>((v + 128u) / 257u); });
+    return convertChannels(std::move(image), alphaChannel, channels);
+  }
+  return convertChannels(reader.read<std::uint8_t>(), alphaChannel, channels);
+}
+
+Image read(const fs::path& file) {
+  return guarded(file.string(), [&] {
+    Reader reader(file.string());
+    if (reader.spec().format == oiio::TypeDesc::UINT8) return normalize(reader.read<std::uint8_t>());
+    if (reader.spec().format == oiio::TypeDesc::UINT16) return normalize(reader.read<std::uint16_t>());
+    return reader.read<float>();
+  });
+}
+
+Image8 read8(const fs::path& file, int channels) {
+  return guarded(file.string(), [&] {
+    Reader reader(file.string());
+    return readAs8(reader, channels);
+  });
+}
+
+// The format that belongs to the first bytes; empty where it is none that textures come in.
+std::string sniffFormat(std::span<const std::byte> bytes) {
+  const std::string_view head(reinterpret_cast<const char*>(bytes.data()), std::min<std::size_t>(bytes.size(), 16));
+  struct Magic {
+    std::string_view bytes, format;
+  };
+  constexpr std::array kMagics{Magic{"\x89PNG\r\n\x1a\n", "png"}, Magic{"\xff\xd8\xff", "jpeg"}, Magic{"#?", "hdr"},
+                               Magic{"\x76\x2f\x31\x01", "openexr"}, Magic{"BM", "bmp"}};
+  for (const Magic& magic : kMagics)
+    if (head.starts_with(magic.bytes)) return std::string(magic.format);
+  return head.starts_with("RIFF") && head.substr(8).starts_with("WEBP") ? "webp" : "";
+}
+
+Image8 decode8(std::span<const std::byte> bytes, const std::string& name, int channels) {
+  return guarded(name, [&] {
+    const std::string format = sniffFormat(bytes);
+    if (format.empty()) throw fileError(name, "cannot be decoded", "is none of PNG, JPEG, WebP, BMP, HDR and EXR");
+    // Only read from; the interface has no const.
+    oiio::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size());
+    Reader reader(name, format, memory);
+    return readAs8(reader, channels);
+  });
+}
+
+bool isInteger(const fs::path& file) {
+  return guarded(file.string(), [&] {
+    const oiio::TypeDesc type = Reader(file.string()).spec().format;
+    return type == oiio::TypeDesc::UINT8 || type == oiio::TypeDesc::UINT16;
+  });
+}
+
+// Into memory: on a full disk the library's own files come out short, and it reports no error (found with PNG and HDR).
+template <typename T> std::vector<std::byte> encodePixels(const fs::path& file, const BasicImage<T>& image,
+                                                          oiio::TypeDesc stored, const WriteOptions& options) {
+  const std::string name = file.string();
+  return guarded(name, [&] {
+    const oiio::ImageOutput::unique_ptr output = oiio::ImageOutput::create(name);
+    if (!output || !output->supports("ioproxy"))
+      throw fileError(name, "cannot be written", output ? "not by way of memory" : reasonOf(oiio::geterror(), name));
+    oiio::ImageSpec spec(image.width, image.height, image.channels, stored);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    if (std::string_view(output->format_name()) == "png") {
+      constexpr int kAverageFilter = 64; // PNG_FILTER_AVG: trying all five for each row costs more than it saves
+      spec.attribute("png:compressionLevel", options.pngCompression);
+      spec.attribute("png:filter", kAverageFilter);
+    } else if (std::string_view(output->format_name()) == "openexr") {
+      spec.attribute("compression", "zip");
+      spec.attribute("DateTime", ""); // without one the library stores the present, and no two files would be equal
+      if (!options.channelNames.empty()) {
+        spec.channelnames = options.channelNames;
+        spec.alpha_channel = -1; // a name, not a position, tells
+      }
+    }
+    std::vector<unsigned char> bytes;
+    oiio::Filesystem::IOVecOutput memory(bytes);
+    // Closing is where the last bytes come out.
+    if (!output->set_ioproxy(&memory) || !output->open(name, spec) ||
+        !output->write_image(oiio::BaseTypeFromC<T>::value, image.pixels.data()) || !output->close())
+      throw fileError(name, "cannot be written", reasonOf(output->geterror(), name));
+    const auto* begin = reinterpret_cast<const std::byte*>(bytes.data());
+    return std::vector<std::byte>(begin, begin + bytes.size());
+  });
+}
+
+std::vector<std::byte> encode8(const fs::path& file, const Image8& image, const WriteOptions& options) {
+  return encodePixels(file, image, oiio::TypeDesc::UINT8, options);
+}
+
+std::vector<std::byte> encode(const fs::path& file, const Image& image, const WriteOptions& options) {
+  if (oiio::Strutil::iends_with(file.string(), ".png")) {
+    Image8 rounded(image.width, image.height, image.channels);
+    // Both comparisons are false for NaN, which is written as 0.
+    std::transform(image.pixels.begin(), image.pixels.end(), rounded.pixels.begin(), [](float v) {
+      return static_cast<std::uint8_t>(v >= 1 ? 255.0f : v > 0 ? v * 255.0f + 0.5f : 0.0f);
+    });
+    return encode8(file, rounded, options);
+  }
+  if (oiio::Strutil::iends_with(file.string(), ".hdr"))
+    for (const float v : image.pixels)
+      if (!(v >= 0) || !std::isfinite(v))
+        throw fileError(file.string(), "", "the format holds neither negative nor non-finite values; use .exr");
+  return encodePixels(file, image, options.half ? oiio::TypeDesc::HALF : oiio::TypeDesc::FLOAT, options);
+}
+
+void limitThreads(int threads) {
+  oiio::attribute("threads", threads);
+  oiio::attribute("exr_threads", threads);
+}
+
+constexpr ImageModule kModule{kImageModuleVersion, limitThreads, read, read8, decode8, isInteger, encode, encode8};
+
+} // namespace
+
+} // namespace parity::base
+
+extern "C" __attribute__((visibility("default"))) const parity::base::ImageModule* parityImageModule() {
+  return &parity::base::kModule;
+}

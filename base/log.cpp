@@ -1,0 +1,42 @@
+// Messages to stderr, each in one write, so that lines of different threads do not mix.
+#include "base/log.h"
+
+#include <atomic>
+#include <cstdio>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace parity::base {
+
+namespace {
+
+std::atomic<LogLevel> level = LogLevel::normal; // of the process, as stderr is
+
+void writeLine(std::string_view prefix, const std::string& message) {
+  // On a terminal a progress bar may stand on the line: wipe it first.
+  static const std::string_view kWipe = isatty(STDERR_FILENO) ? "\r\x1b[K" : "";
+  const std::string line = fmt::format("{}{}{}\n", kWipe, prefix, message);
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+} // namespace
+
+void setLogLevel(LogLevel newLevel) { level = newLevel; }
+
+void logVerbose(const std::string& message) {
+  if (level == LogLevel::verbose) writeLine("", message);
+}
+
+void logInfo(const std::string& message) {
+  if (level != LogLevel::quiet) writeLine("", message);
+}
+
+void logWarning(const std::string& message) {
+  if (level != LogLevel::quiet) writeLine("warning: ", message);
+}
+
+void logError(const std::string& message) { writeLine("error: ", message); }
+
+} // namespace parity::base

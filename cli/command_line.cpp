@@ -1,0 +1,259 @@
+// The only file that knows CLI11.
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "base/color.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "base/log.h"
+#include "cli/invocation.h"
+#include "job/version.h"
+
+namespace parity::cli {
+
+namespace {
+
+// What CLI11 fills in; turned into CommonOptions when all is known.
+struct RawOptions {
+  std::string size = "1024x1024", sun, orbit, target, background, geometryTerm = "height-correlated", camera = "auto",
+              precision = "fp32";
+  std::string cache;
+  bool noCompensation = false, noCache = false, quiet = false, verbose = false, validation = false;
+};
+
+CLI::ValidationError invalid(const std::string& option, const std::string& value, const std::string& wanted) {
+  return CLI::ValidationError(option, fmt::format("'{}' is not {}", value, wanted));
+}
+
+// "a,b,c" as exactly `count` finite numbers.
+std::vector<float> parseNumbers(const std::string& option, const std::string& text, std::size_t count,
+                                const std::string& wanted) {
+  std::vector<float> numbers;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');) {
+    char* end = nullptr;
+    const float value = std::strtof(part.c_str(), &end);
+    if (part.empty() || *end != '\0' || !std::isfinite(value)) throw invalid(option, text, wanted);
+    numbers.push_back(value);
+  }
+  if (numbers.size() != count || text.back() == ',') throw invalid(option, text, wanted);
+  return numbers;
+}
+
+glm::vec3 parseVec3(const std::string& option, const std::string& text, const std::string& wanted) {
+  const auto n = parseNumbers(option, text, 3, wanted);
+  return {n[0], n[1], n[2]};
+}
+
+void parseSize(const std::string& text, job::Settings& settings) {
+  int width = 0, height = 0, read = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &read) != 2 ||
+      static_cast<std::size_t>(read) != text.size() || width < 1 || height < 1 || width > base::kMaxImageSide ||
+      height > base::kMaxImageSide)
+    throw invalid("--size", text, fmt::format("WIDTHxHEIGHT with sides of 1 to {}", base::kMaxImageSide));
+  settings.width = width;
+  settings.height = height;
+}
+
+void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw) {
+  app.add_option("--device", device.name,
+                 "Vulkan device: part of its name, or its number in 'parity devices'. Default: the software device");
+  app.add_flag("--validation", raw.validation, "Run under the Khronos validation layer; any message is an error");
+}
+
+void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
+  job::Settings& s = common.settings;
+  app.add_option("--env", common.environment,
+                 "HDR environment: .hdr, .exr or builtin:sky, builtin:studio, builtin:white")
+      ->group("Scene");
+  app.add_option("--env-rotation", common.environmentRotationDeg, "Turn the environment about +Y, degrees")
+      ->group("Scene");
+  app.add_option("--sun", raw.sun, "Add a directional light: AZIMUTH,ELEVATION,LUX (degrees)")->group("Scene");
+  app.add_option("--fully-rough", s.fullyRough, "Materials that take the fully-rough shortcut (glob, repeatable)")
+      ->group("Scene");
+  app.add_option("--camera", raw.camera, "A glTF camera by name or number, or auto")
+      ->group("View")
+      ->capture_default_str();
+  app.add_option("--orbit", raw.orbit, "THETA,PHI,RADIUS: degrees, metres (radius 0 fits the scene)")->group("View");
+  app.add_option("--target", raw.target, "X,Y,Z to look at, metres. Default: the centre of the scene")->group("View");
+  app.add_option("--fov", common.view.fovYDeg, "Vertical field of view, degrees")
+      ->check(CLI::Range(1.0, 170.0))
+      ->group("View")
+      ->capture_default_str();
+  app.add_option("--size", raw.size, "WIDTHxHEIGHT in pixels")->group("Picture")->capture_default_str();
+  app.add_option("--samples", s.samples, "Samples per pixel")
+      ->check(CLI::Range(1, 64))
+      ->group("Picture")
+      ->capture_default_str();
+  app.add_option("--exposure", s.exposureEv, "Exposure, EV")
+      ->check(CLI::Range(-32.0, 32.0))
+      ->group("Picture")
+      ->capture_default_str();
+  app.add_option("--display", s.display, "Display transform")
+      ->check(CLI::IsMember(base::DisplayTransform::names()))
+      ->group("Picture")
+      ->capture_default_str();
+  app.add_option("--background", raw.background, "Linear R,G,B behind the scene, in every path. Default 0.18,0.18,0.18")
+      ->group("Picture");
+  app.add_option("--mobile-preset", s.mobilePresetName, "Formulas of the mobile path")
+      ->check(CLI::IsMember(mobile::presetNames()))
+      ->group("Paths")
+      ->capture_default_str();
+  app.add_option("--precision", raw.precision, "Precision of the mobile path; this version renders in fp32")
+      ->check(CLI::IsMember({"fp32"}))
+      ->group("Paths")
+      ->capture_default_str();
+  app.add_option("--geometry-term", raw.geometryTerm, "Geometry term of the high-end path")
+      ->check(CLI::IsMember({"height-correlated", "schlick-smith"}))
+      ->group("Paths")
+      ->capture_default_str();
+  app.add_flag("--no-compensation", raw.noCompensation, "High-end path without energy compensation")->group("Paths");
+  app.add_option("--material", s.materials, "Report only these materials (glob, repeatable)")->group("Verdict");
+  app.add_option("--budgets", s.budgets, "Budget file (TOML) instead of the built-in budgets")->group("Verdict");
+  addDeviceOptions(app, s.device, raw);
+  app.add_option("--threads", common.threads, "CPU threads; 0: all cores")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_option("--cache", raw.cache, "Cache folder. Default: $XDG_CACHE_HOME/parity");
+  app.add_flag("--no-cache", raw.noCache, "Neither read nor write the cache");
+  app.add_flag("--timings", common.timings, "Print time by stage to stderr");
+  app.add_flag("-q,--quiet", raw.quiet, "Errors only");
+  app.add_flag("-v,--verbose", raw.verbose, "Say more");
+}
+
+void settle(CommonOptions& common, const RawOptions& raw) {
+  job::Settings& s = common.settings;
+  parseSize(raw.size, s);
+  if (!raw.sun.empty()) {
+    const auto n = parseNumbers("--sun", raw.sun, 3, "AZIMUTH,ELEVATION,LUX");
+    if (n[2] < 0) throw invalid("--sun", raw.sun, "a light: LUX is negative");
+    common.sun = scenes::SunRequest{n[0], n[1], n[2]};
+  }
+  if (!raw.orbit.empty()) common.view.orbit = parseVec3("--orbit", raw.orbit, "THETA,PHI,RADIUS");
+  if (!raw.target.empty()) common.view.target = parseVec3("--target", raw.target, "X,Y,Z");
+  if (raw.camera != "auto") {
+    if (common.view.orbit) throw CLI::ValidationError("--camera", "cannot be combined with --orbit");
+    common.view.camera = common.view.name = raw.camera;
+  }
+  if (common.view.orbit) common.view.name = "orbit " + raw.orbit;
+  if (!raw.background.empty()) {
+    s.background = parseVec3("--background", raw.background, "three numbers R,G,B");
+    if (s.background.x < 0 || s.background.y < 0 || s.background.z < 0)
+      throw invalid("--background", raw.background, "a colour: a channel is negative");
+  }
+  s.mobilePreset = mobile::presetByName(s.mobilePresetName);
+  s.highend.geometryTerm = raw.geometryTerm == "schlick-smith" ? highend::GeometryTerm::schlickSmith
+                                                               : highend::GeometryTerm::heightCorrelated;
+  s.highend.compensate = !raw.noCompensation;
+  s.device.validation |= raw.validation;
+  if (!raw.noCache) s.cacheFolder = raw.cache.empty() ? base::defaultCacheFolder() : std::filesystem::path(raw.cache);
+  base::setLogLevel(raw.quiet ? base::LogLevel::quiet : raw.verbose ? base::LogLevel::verbose : base::LogLevel::normal);
+}
+
+constexpr const char* kIntro = R"(parity: does a material look the same on two shading paths?
+
+Renders a glTF scene by a high-end path (full GGX, tabulated environment BRDF, all lights) and by a mobile path (Karis 2014, UE4's
+mobile base pass), compares them per material by FLIP, and judges them against budgets.
+
+  parity report scene.glb --env studio.hdr --sun 30,50,4 -o out      a report with pictures: out/index.html
+  parity diff   scene.glb --env studio.hdr                           a table, one row a material
+  parity flip   reference.png test.png -o map.exr                    any two images
+)";
+
+constexpr const char* kFooter = R"(
+Exit codes: 0 within budget; 1 warnings only (with --warn-exit); 2 over budget; 3 not comparable; 4 something could not be read,
+rendered or written; 64 usage. The highest that applies wins; the other scenes still run. Scenes are .gltf or .glb files, or
+builtin:spheres, builtin:furnace, builtin:lights, builtin:materials.)";
+
+} // namespace
+
+Parsed parseCommandLine(int argc, const char* const* argv) {
+  CLI::App app(kIntro, "parity");
+  app.footer(kFooter);
+  app.require_subcommand(1);
+  app.set_version_flag("--version", std::string("parity ") + job::kVersion);
+  app.get_formatter()->column_width(34);
+
+  RawOptions raw;
+  ReportCommand report;
+  CLI::App& reportApp =
+      *app.add_subcommand("report", "Compare scenes and write a report: index.html, report.json, junit.xml, images");
+  reportApp.add_option("scenes", report.scenes, "Scene files or builtin:NAME");
+  CLI::Option* suite =
+      reportApp.add_option("--suite", report.suite, "Suite file (TOML): many scenes with views, light and budgets");
+  suite->excludes(reportApp.get_option("scenes"));
+  reportApp.add_option("-o,--output", report.folder, "Folder of the report")->required();
+  reportApp.add_flag("--warn-exit", report.warnExit, "Exit 1 where there are warnings only");
+  reportApp.add_flag("--terms", report.common.settings.terms,
+                     "Also measure the terms (sun, sky, lights... diffuse and specular)");
+  reportApp.add_option("--json", report.common.json, "Also write report.json there; - for stdout");
+  addCommonOptions(reportApp, report.common, raw);
+
+  DiffCommand diff;
+  CLI::App& diffApp = *app.add_subcommand("diff", "Compare one scene and print a table, one row a material");
+  diffApp.add_option("scene", diff.scene, "Scene file or builtin:NAME")->required();
+  diffApp.add_flag("--warn-exit", diff.warnExit, "Exit 1 where there are warnings only");
+  diffApp.add_flag("--terms", diff.common.settings.terms, "Also measure the terms");
+  diffApp.add_option("--json", diff.common.json, "Write the result as JSON there; - for stdout, instead of the table");
+  addCommonOptions(diffApp, diff.common, raw);
+
+  RenderCommand render;
+  CLI::App& renderApp = *app.add_subcommand("render", "Render one scene by one path");
+  renderApp.add_option("scene", render.scene, "Scene file or builtin:NAME")->required();
+  renderApp.add_option("--path", render.path, "highend or mobile")
+      ->required()
+      ->check(CLI::IsMember({"highend", "mobile"}));
+  renderApp.add_option("-o,--output", render.output, ".exr, .pfm, .hdr: linear scene-referred; .png: as displayed")
+      ->required();
+  renderApp.add_flag("--terms", render.common.settings.terms, "Write the terms as layers beside the colour (.exr)");
+  addCommonOptions(renderApp, render.common, raw);
+
+  FlipCommand flip;
+  CLI::App& flipApp = *app.add_subcommand("flip", "LDR-FLIP of any two images");
+  flipApp
+      .add_option("reference", flip.reference, "Reference image (8- or 16-bit sRGB; float images are taken as linear)")
+      ->required();
+  flipApp.add_option("test", flip.test, "Test image of the same size")->required();
+  flipApp.add_option("-o,--output", flip.output, "Error map: .exr or .pfm (values), .png (magma)");
+  flipApp.add_option("--ppd", flip.ppd, "Pixels per degree. Default 67.0206")->check(CLI::Range(1.0, 1000.0));
+  flipApp.add_option("--json", flip.json, "Write the figures as JSON there; - for stdout");
+  flipApp.add_flag("-q,--quiet", raw.quiet, "Errors only");
+
+  DevicesCommand devices;
+  CLI::App& devicesApp = *app.add_subcommand("devices", "List Vulkan devices, and why each is taken or not");
+  devicesApp.add_option("--device", devices.device.name, "Show what this choice leads to");
+  devicesApp.add_option("--json", devices.json, "Write the list as JSON there; - for stdout");
+
+  Parsed parsed;
+  try {
+    app.parse(argc, argv);
+    if (reportApp.parsed()) {
+      if (report.scenes.empty() && report.suite.empty()) throw CLI::RequiredError("report: a SCENE or --suite");
+      settle(report.common, raw);
+      parsed.command = report;
+    } else if (diffApp.parsed()) {
+      settle(diff.common, raw);
+      parsed.command = diff;
+    } else if (renderApp.parsed()) {
+      settle(render.common, raw);
+      parsed.command = render;
+    } else if (flipApp.parsed()) {
+      base::setLogLevel(raw.quiet ? base::LogLevel::quiet : base::LogLevel::normal);
+      parsed.command = flip;
+    } else {
+      parsed.command = devices;
+    }
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream out, err;
+    const bool asked = app.exit(error, out, err) == 0; // --help, --version
+    parsed.text = asked ? out.str() : err.str();
+    parsed.exitCode = asked ? 0 : static_cast<int>(base::ExitCode::usage);
+  }
+  return parsed;
+}
+
+} // namespace parity::cli

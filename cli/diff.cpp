@@ -1,0 +1,27 @@
+// parity diff: one scene, a table with one row a material.
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "cli/invocation.h"
+#include "cli/output.h"
+#include "cli/requests.h"
+#include "job/report_run.h"
+
+namespace parity::cli {
+
+int runDiffCommand(const DiffCommand& command, const std::string& commandLine) {
+  const base::ThreadLimit threads(command.common.threads);
+  job::ReportRequest request;
+  request.scenes = {sceneRequest(command.common, command.scene)};
+  request.commandLine = commandLine;
+  job::Context context(command.common.settings);
+  const job::ReportResult result = job::runReport(context, request, makeProgress());
+  if (!command.common.json.empty()) writeJson(command.common.json, compare::toJson(result.report));
+  if (command.common.json != "-" && result.report.scenes.front().error.empty())
+    fmt::print("{}\n", compare::toTable(result.report, stdoutIsTerminal()));
+  if (command.common.timings) printTimings(result.run.timings);
+  return compare::exitCode(result.report, command.warnExit);
+}
+
+} // namespace parity::cli

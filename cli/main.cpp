@@ -1,0 +1,50 @@
+// parity: one line of error and the exit code of DESIGN 8, whatever happens.
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+#include "base/error.h"
+#include "base/log.h"
+#include "cli/invocation.h"
+
+namespace {
+
+// As the user wrote it, program name without its folder: for run.json.
+std::string joinCommandLine(int argc, char** argv) {
+  std::string line = "parity";
+  for (int i = 1; i < argc; ++i) line += std::string(" ") + argv[i];
+  return line;
+}
+
+template <typename... F> struct Overloaded : F... { using F::operator()...; };
+
+int run(int argc, char** argv) {
+  using namespace parity::cli;
+  const Parsed parsed = parseCommandLine(argc, argv);
+  if (!parsed.command) {
+    std::fputs(parsed.text.c_str(), parsed.exitCode == 0 ? stdout : stderr);
+    return parsed.exitCode;
+  }
+  const std::string line = joinCommandLine(argc, argv);
+  return std::visit(Overloaded{[&](const ReportCommand& c) { return runReportCommand(c, line); },
+                               [&](const DiffCommand& c) { return runDiffCommand(c, line); },
+                               [](const RenderCommand& c) { return runRenderCommand(c); },
+                               [](const FlipCommand& c) { return runFlipCommand(c); },
+                               [](const DevicesCommand& c) { return runDevicesCommand(c); }},
+                    *parsed.command);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN); // a closed pager is not a crash
+  try {
+    return run(argc, argv);
+  } catch (const parity::base::Error& error) {
+    parity::base::logError(error.what());
+    return static_cast<int>(error.code());
+  } catch (const std::exception& error) {
+    parity::base::logError(error.what());
+    return static_cast<int>(parity::base::ExitCode::failed);
+  }
+}

@@ -1,0 +1,39 @@
+#include "cli/output.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/file.h"
+
+namespace parity::cli {
+
+job::Progress makeProgress() {
+  if (!isatty(STDERR_FILENO)) return {};
+  return [](const std::string& what, double done) {
+    constexpr int kWidth = 24;
+    const int filled = static_cast<int>(done * kWidth + 0.5);
+    std::string bar;
+    for (int i = 0; i < kWidth; ++i) bar += i < filled ? "█" : "░";
+    fmt::print(stderr, "\r\x1b[K{} {:3.0f} % {}", bar, done * 100, what);
+    if (done >= 1) fmt::print(stderr, "\r\x1b[K");
+    std::fflush(stderr);
+  };
+}
+
+void printTimings(const std::vector<std::pair<std::string, double>>& timings) {
+  for (const auto& [stage, timeMs] : timings) fmt::print(stderr, "{:>9.1f} ms  {}\n", timeMs, stage);
+}
+
+void writeJson(const std::string& target, const std::string& text) {
+  if (target != "-") return base::writeText(target, text);
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw base::fileError("stdout", "", "could not be written");
+}
+
+bool stdoutIsTerminal() { return isatty(STDOUT_FILENO) != 0; }
+
+} // namespace parity::cli

@@ -1,0 +1,23 @@
+// What subcommands print: progress, timings, JSON to a file or stdout.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "job/settings.h"
+
+namespace parity::cli {
+
+// A bar on stderr where that is a terminal and nothing asks for quiet; else nothing. Erases itself at 1.
+job::Progress makeProgress();
+
+// Stage by stage, to stderr.
+void printTimings(const std::vector<std::pair<std::string, double>>& timings);
+
+// Writes text to stdout for "-", else to the file. Throws Error (exit 4).
+void writeJson(const std::string& target, const std::string& text);
+
+bool stdoutIsTerminal();
+
+} // namespace parity::cli

@@ -1,0 +1,67 @@
+// parity render: one scene by one path, with its terms on request.
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/image_io.h"
+#include "base/log.h"
+#include "base/parallel.h"
+#include "cli/invocation.h"
+#include "cli/output.h"
+#include "cli/requests.h"
+#include "job/scene_renderer.h"
+#include "scenes/view.h"
+#include "shading/terms.h"
+
+namespace parity::cli {
+
+namespace {
+
+// Colour as R, G, B and each term as a layer: sunDiffuse.R and so on.
+base::Image layers(const base::Frame& frame, std::vector<std::string>& names) {
+  base::Image out(frame.color.width, frame.color.height, static_cast<int>(3 * (1 + frame.terms.size())));
+  names = {"R", "G", "B"};
+  for (const std::string_view term : shading::kTermNames)
+    for (const char* channel : {".R", ".G", ".B"}) names.push_back(std::string(term) + channel);
+  for (std::size_t p = 0; p < frame.color.pixelCount(); ++p) {
+    float* pixel = out.pixels.data() + p * out.channels;
+    std::copy_n(frame.color.pixels.data() + 3 * p, 3, pixel);
+    for (std::size_t t = 0; t < frame.terms.size(); ++t)
+      std::copy_n(frame.terms[t].pixels.data() + 3 * p, 3, pixel + 3 * (t + 1));
+  }
+  return out;
+}
+
+} // namespace
+
+int runRenderCommand(const RenderCommand& command) {
+  const job::Settings& settings = command.common.settings;
+  const std::string extension = std::filesystem::path(command.output).extension().string();
+  if (settings.terms && extension != ".exr")
+    throw base::Error(base::ExitCode::usage, "--terms", command.output, "layers need an .exr file");
+
+  const base::ThreadLimit threads(command.common.threads);
+  job::Context context(settings);
+  const job::SceneRequest request = sceneRequest(command.common, command.scene);
+  const job::PreparedScene prepared = job::prepareScene(context, request);
+  for (const std::string& warning : prepared.scene.warnings) base::logWarning(warning);
+  const bool highend = command.path == "highend";
+  job::SceneRenderer renderer(context, prepared, {.highend = highend, .mobile = !highend}, 1);
+  for (const std::string& note : renderer.notes()) base::logWarning("mobile: " + note);
+  const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
+  const job::ViewFrames frames = renderer.render(scenes::makeCamera(prepared.scene, request.views.front(), aspect));
+  const base::Frame& frame = highend ? frames.highend : frames.mobile;
+
+  if (extension == ".png") {
+    base::writeImage(command.output, context.display().apply(frame.color, settings.exposureEv));
+  } else if (settings.terms) {
+    base::WriteOptions options;
+    const base::Image image = layers(frame, options.channelNames);
+    base::writeImage(command.output, image, options);
+  } else {
+    base::writeImage(command.output, frame.color);
+  }
+  if (command.common.timings) printTimings(context.timings().stages());
+  return 0;
+}
+
+} // namespace parity::cli

@@ -1,0 +1,52 @@
+// parity report: scenes or a suite in, a folder with the report out.
+#include <set>
+
+#include <fmt/format.h>
+
+#include "base/log.h"
+#include "base/parallel.h"
+#include "cli/invocation.h"
+#include "cli/output.h"
+#include "cli/requests.h"
+#include "job/report_run.h"
+
+namespace parity::cli {
+
+namespace {
+
+job::ReportRequest makeRequest(const ReportCommand& command) {
+  job::ReportRequest request;
+  if (!command.suite.empty()) {
+    scenes::Suite suite = scenes::loadSuite(command.suite);
+    request.suiteBudgets = suite.budgets;
+    request.scenes = std::move(suite.entries);
+    return request;
+  }
+  std::set<std::string> names;
+  for (const std::string& scene : command.scenes) {
+    job::SceneRequest entry = sceneRequest(command.common, scene);
+    for (int copy = 2; !names.insert(entry.name).second; ++copy)
+      entry.name = fmt::format("{} ({})", sceneRequest(command.common, scene).name, copy);
+    request.scenes.push_back(entry);
+  }
+  return request;
+}
+
+} // namespace
+
+int runReportCommand(const ReportCommand& command, const std::string& commandLine) {
+  const base::ThreadLimit threads(command.common.threads);
+  job::ReportRequest request = makeRequest(command);
+  request.folder = command.folder;
+  request.commandLine = commandLine;
+  job::Context context(command.common.settings);
+  const job::ReportResult result = job::runReport(context, request, makeProgress());
+  if (!command.common.json.empty()) writeJson(command.common.json, compare::toJson(result.report));
+  if (command.common.json != "-")
+    fmt::print("{}\n{}\n", compare::toTable(result.report, stdoutIsTerminal()),
+               (request.folder / "index.html").string());
+  if (command.common.timings) printTimings(result.run.timings);
+  return compare::exitCode(result.report, command.warnExit);
+}
+
+} // namespace parity::cli

@@ -1,0 +1,20 @@
+#include "cli/requests.h"
+
+#include <filesystem>
+
+namespace parity::cli {
+
+job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& scene) {
+  constexpr std::string_view kBuiltin = "builtin:";
+  job::SceneRequest request;
+  request.name =
+      scene.starts_with(kBuiltin) ? scene.substr(kBuiltin.size()) : std::filesystem::path(scene).stem().string();
+  request.scene = scene;
+  request.environment = common.environment;
+  request.environmentRotationDeg = common.environmentRotationDeg;
+  request.sun = common.sun;
+  request.views = {common.view};
+  return request;
+}
+
+} // namespace parity::cli

@@ -1,0 +1,80 @@
+// Budgets: how far apart two paths may look, per material and for the whole image, and who is judged by which rule.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compare/report.h"
+
+namespace parity::compare {
+
+enum class Metric { flipMean, flipP50, flipP95, flipMax, rmse, psnr };
+inline constexpr std::array<std::string_view, 6> kMetricNames = {"flip.mean", "flip.p50", "flip.p95",
+                                                                 "flip.max",  "rmse",     "psnr"};
+std::string_view nameOf(Metric metric);
+std::optional<Metric> metricByName(std::string_view name);
+// What a sentence calls it: "mean FLIP", "PSNR".
+std::string_view labelOf(Metric metric);
+// The figure that it names. FLIP and RMSE 0..1 (less is better), PSNR in dB (more is better, +infinity if identical).
+double valueOf(const Figures& figures, Metric metric);
+
+enum class Region { interior, all };
+inline constexpr std::array<std::string_view, 2> kRegionNames = {"interior", "all"};
+std::string_view nameOf(Region region);
+
+// One limit on one figure. Above (psnr: below) `warn` it warns, above `fail` it fails; at least one is set.
+struct BudgetCheck {
+  Metric metric = Metric::flipMean;
+  Region region = Region::interior; // where the interior is empty, `all` is checked instead
+  std::optional<double> warn, fail;
+};
+
+// The limits for all materials (or whole images) whose names match.
+struct BudgetRule {
+  std::string material = "*", scene = "*"; // globs (base/glob.h); `material` is not used for whole images
+  std::vector<BudgetCheck> checks;         // never empty in a loaded file
+  bool requireSeen = false;                // a material that no view shows fails
+  std::string reason, owner;               // why these limits, and whom to ask; shown in the report
+  std::string origin;                      // "built-in", or "budgets.toml, line 12"
+};
+
+// The first rule that matches judges; a name that none matches cannot be judged, which is an error and never a pass.
+struct Budgets {
+  std::vector<BudgetRule> materials, wholes;
+};
+
+// Limits for a mobile path (ue4-2020) against the full high-end one. For an even grey, FLIP = 0.0575 dL*^0.7 (FLIP.md;
+// dL* of CIELAB), so at 20 % grey a mean of 0.03 is one step of 8 bit, 0.10 is 10 % more or less light, 0.20 is 29 %
+// more or 24 % less, 0.30 is 54 % more, 0.50 is 2.3 times as much or a third.
+// Materials, interior: flip.mean warns at 0.10 (seen side by side; approximated environment BRDFs stay below), fails at
+// 0.20 (seen without a side by side: a light or a lobe is missing). flip.p95 warns at 0.30, fails at 0.50: a twentieth
+// of the surface may hold displaced highlights, which a cheaper lobe always has, but not lost ones. Whole images, all
+// pixels: the same for p95; flip.mean 0.08 and 0.16, as errors of materials should average out.
+const Budgets& defaultBudgets();
+
+// Reads a budget file (format: budgets.example.toml). The built-in rules are appended, for what no rule of the file
+// matches. Throws Error (exit 4) "file: line N: reason" for: a syntax error; an unknown key, metric or region (with the
+// nearest known name); a wrong type; no rules; a rule without checks; a check without limit; the same check twice; a
+// limit that is NaN, infinite or outside its metric's range; warn beyond fail; a rule that an earlier one hides wholly.
+Budgets loadBudgets(const std::filesystem::path& file);
+
+// The first rule that matches, or null.
+const BudgetRule* findMaterialRule(const Budgets& budgets, std::string_view scene, std::string_view material);
+const BudgetRule* findWholeRule(const Budgets& budgets, std::string_view scene);
+
+// Checks figures against each limit of the rule, in its order. Empty where the region has no pixel. A value that is NaN
+// gives Verdict::error; an identical image (psnr = +infinity) passes any psnr limit.
+std::vector<CheckResult> runChecks(const BudgetRule& rule, const RegionFigures& figures);
+
+// Fills checks, budget, budgetReason, owner and requireSeen by the first rule that matches, then verdict and reason by
+// settleMaterial (as if no other view showed the material; settleVerdicts knows better).
+void judgeMaterial(MaterialResult& material, const Budgets& budgets, std::string_view scene);
+
+// Fills the checks of the view's whole image. settleVerdicts sets the verdicts.
+void judgeWhole(ViewResult& view, const Budgets& budgets, std::string_view scene);
+
+} // namespace parity::compare

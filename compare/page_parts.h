@@ -1,0 +1,38 @@
+// Pieces of the report page that materials and whole images share. Everything returned is escaped HTML.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compare/report.h"
+
+namespace parity::compare {
+
+// The verdict as a coloured label with a sign and its name: never colour alone.
+std::string verdictBadge(Verdict verdict);
+// The class name of a verdict in report_page.css: "pass", "not-seen", "warn", "fail", "error".
+std::string verdictClass(Verdict verdict);
+
+// Reference, test and FLIP side by side, each a link to the full-size file; a note where there is no image.
+// subject: what they show, for alt texts.
+std::string imageTrio(const ImageSet& images, const std::string& subject);
+
+// A bar for each budget check: the value, the limits as marks, and both in words.
+std::string checkBars(const std::vector<CheckResult>& checks);
+
+// Mean, median, p95, max, RMSE, PSNR, pixels: a column for interior pixels and one for all.
+std::string figureTable(const RegionFigures& regions);
+
+// The light of each term by both paths and what it adds to the difference; empty where there are none.
+std::string termTable(const std::vector<TermFigures>& terms);
+
+// The magma scale in which FLIP maps are drawn, 0..1.
+std::string magmaLegend();
+
+// <ul class=...> of texts; empty where there are none.
+std::string textList(const std::vector<std::string>& texts, const char* cssClass);
+
+// One material's row.
+std::string materialRow(const MaterialResult& material, const std::string& place, std::size_t order);
+
+} // namespace parity::compare

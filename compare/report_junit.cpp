@@ -1,0 +1,127 @@
+// junit.xml: what CI servers show. A suite a scene, a testcase a view x material and one for each whole image.
+#include <fmt/format.h>
+
+#include "compare/report.h"
+#include "compare/text.h"
+#include "compare/wording.h"
+
+namespace parity::compare {
+namespace {
+
+struct Tally {
+  std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
+
+  void add(const Tally& other) {
+    tests += other.tests;
+    failures += other.failures;
+    errors += other.errors;
+    skipped += other.skipped;
+  }
+  std::string attributes() const {
+    return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\"", tests, failures, errors, skipped);
+  }
+};
+
+struct Suite {
+  std::string name, cases;
+  Tally tally;
+};
+
+std::string figureLines(const RegionFigures& regions, const std::vector<CheckResult>& checks) {
+  std::string lines;
+  for (const CheckResult& check : checks)
+    lines += fmt::format("{}: {}{}\n", nameOf(check.verdict), describeCheck(check),
+                         check.note.empty() ? "" : " (" + check.note + ")");
+  for (const auto& [name, figures] : {std::pair{"interior", &regions.interior}, std::pair{"all", &regions.all}})
+    if (figures->pixels > 0)
+      lines += fmt::format(
+          "{}: {} pixels, FLIP mean {:.4f} p50 {:.4f} p95 {:.4f} max {:.4f}, RMSE {:.4f}, PSNR {}; {}\n", name,
+          figures->pixels, figures->flip.mean, figures->flip.p50, figures->flip.p95, figures->flip.max, figures->rmse,
+          formatFigure("psnr", figures->psnr), describeBrightness(*figures));
+  return lines;
+}
+
+void addCase(Suite& suite, const std::string& className, const std::string& name, Verdict verdict,
+             const std::string& reason, const std::string& details) {
+  ++suite.tally.tests;
+  suite.cases +=
+      fmt::format("    <testcase classname=\"{}\" name=\"{}\">\n", escapeMarkup(className), escapeMarkup(name));
+  const auto element = [&](const char* tag, const char* type) {
+    suite.cases += fmt::format("      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n", tag, type, escapeMarkup(reason),
+                               escapeMarkup(details));
+  };
+  switch (verdict) {
+  case Verdict::pass:
+    break;
+  case Verdict::notSeen:
+    ++suite.tally.skipped;
+    suite.cases += fmt::format("      <skipped message=\"not seen: {}\"/>\n", escapeMarkup(reason));
+    break;
+  case Verdict::warn: // JUnit knows no warnings: the case passes and says so
+    suite.cases += fmt::format("      <system-out>{}</system-out>\n",
+                               escapeMarkup(fmt::format("warning: {}\n{}", reason, details)));
+    break;
+  case Verdict::fail:
+    ++suite.tally.failures;
+    element("failure", "budget");
+    break;
+  case Verdict::error:
+    ++suite.tally.errors;
+    element("error", "error");
+    break;
+  }
+  suite.cases += "    </testcase>\n";
+}
+
+std::string materialDetails(const MaterialResult& material) {
+  std::string details = figureLines(material.figures, material.checks);
+  for (const std::string& note : material.notes) details += "note: " + note + "\n";
+  if (!material.budget.empty()) details += "budget: " + material.budget + "\n";
+  if (!material.budgetReason.empty()) details += "reason for the budget: " + material.budgetReason + "\n";
+  if (!material.owner.empty()) details += "owner: " + material.owner + "\n";
+  return details;
+}
+
+Suite makeSuite(const SceneResult& scene) {
+  Suite suite{scene.name, "", {}};
+  if (!scene.error.empty()) addCase(suite, scene.name, "scene", Verdict::error, scene.error, "");
+  for (const ViewResult& view : scene.views) {
+    const std::string className = scene.name + "." + view.name;
+    addCase(suite, className, "(whole image)", view.wholeVerdict, view.reason, figureLines(view.whole, view.checks));
+    for (const MaterialResult& material : view.materials)
+      addCase(suite, className, material.name, material.verdict, material.reason, materialDetails(material));
+  }
+  return suite;
+}
+
+} // namespace
+
+std::string toJunit(const Report& report, const RunInfo& run) {
+  std::vector<Suite> suites;
+  for (const SceneResult& scene : report.scenes) suites.push_back(makeSuite(scene));
+  if (suites.empty()) {
+    suites.push_back({"report", "", {}});
+    addCase(suites.back(), "report", "report", Verdict::error, "the report holds no scene", "");
+  }
+  Tally total;
+  for (const Suite& suite : suites) total.add(suite.tally);
+
+  std::string properties;
+  const auto property = [&](const std::string& name, const std::string& value) {
+    properties += fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", escapeMarkup(name), escapeMarkup(value));
+  };
+  property("version", report.version);
+  property("device", report.device);
+  for (const auto& [name, value] : report.settings) property(name, value);
+  const std::string timestamp =
+      run.startedAt.empty() ? "" : fmt::format(" timestamp=\"{}\"", escapeMarkup(run.startedAt));
+
+  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  xml += fmt::format("<testsuites name=\"{}\" {}>\n", escapeMarkup(report.tool), total.attributes());
+  for (const Suite& suite : suites)
+    xml += fmt::format("  <testsuite name=\"{}\" {}{}>\n    <properties>\n{}    </properties>\n{}  </testsuite>\n",
+                       escapeMarkup(suite.name), suite.tally.attributes(), timestamp, properties, suite.cases);
+  return xml + "</testsuites>\n";
+}
+
+} // namespace parity::compare

@@ -1,0 +1,38 @@
+#include "gpu/bins.h"
+
+#include "base/parallel.h"
+
+namespace parity::gpu {
+
+Bins makeBins(std::span<const glm::uvec2> ids, std::span<const std::uint32_t> keyOfInstance, std::uint32_t keyCount) {
+  constexpr std::size_t kChunk = 16384;
+  const std::size_t chunks = (ids.size() + kChunk - 1) / kChunk;
+  // counts[chunk * keyCount + key], then, after the scan over (key, chunk), the place of the chunk's first entry.
+  std::vector<std::uint32_t> counts(chunks * keyCount, 0);
+  base::parallelFor(ids.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t* count = counts.data() + begin / kChunk * keyCount;
+    for (std::size_t i = begin; i < end; ++i)
+      if (ids[i].x != 0) ++count[keyOfInstance[ids[i].x - 1]];
+  });
+  Bins result;
+  std::uint32_t total = 0;
+  for (std::uint32_t key = 0; key < keyCount; ++key) {
+    const std::uint32_t first = total;
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+      std::uint32_t& count = counts[chunk * keyCount + key];
+      const std::uint32_t place = total;
+      total += count;
+      count = place;
+    }
+    if (total > first) result.bins.push_back({key, first, total - first});
+  }
+  result.entries.resize(total);
+  base::parallelFor(ids.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t* place = counts.data() + begin / kChunk * keyCount;
+    for (std::size_t i = begin; i < end; ++i)
+      if (ids[i].x != 0) result.entries[place[keyOfInstance[ids[i].x - 1]]++] = static_cast<std::uint32_t>(i);
+  });
+  return result;
+}
+
+} // namespace parity::gpu

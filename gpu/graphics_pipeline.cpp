@@ -1,0 +1,42 @@
+#include "gpu/graphics_pipeline.h"
+
+#include <array>
+
+#include "gpu_shaders/visibility.frag.h"
+#include "gpu_shaders/visibility.vert.h"
+#include "gpu_shaders/visibility_mask.frag.h"
+
+namespace parity::gpu {
+
+vk::raii::Pipeline makeVisibilityPipeline(const Device& device, const vk::raii::PipelineLayout& layout,
+                                          bool alphaTested) {
+  const auto makeModule = [&](Spirv spirv) {
+    return vk::raii::ShaderModule(device.handle(), vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
+  };
+  const vk::raii::ShaderModule vertex = makeModule(kVisibilityVert);
+  const vk::raii::ShaderModule fragment = makeModule(alphaTested ? Spirv(kVisibilityMaskFrag) : Spirv(kVisibilityFrag));
+  const std::array stages = {
+      vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eVertex, *vertex, "main"),
+      vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eFragment, *fragment, "main")};
+  const vk::PipelineVertexInputStateCreateInfo vertexInput; // vertices are pulled
+  const vk::PipelineInputAssemblyStateCreateInfo assembly({}, vk::PrimitiveTopology::eTriangleList);
+  const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
+  vk::PipelineRasterizationStateCreateInfo rasterization;
+  rasterization.lineWidth = 1;
+  const vk::PipelineMultisampleStateCreateInfo multisample({}, vk::SampleCountFlagBits::e1);
+  const vk::PipelineDepthStencilStateCreateInfo depth({}, true, true, vk::CompareOp::eLess);
+  vk::PipelineColorBlendAttachmentState attachment;
+  attachment.colorWriteMask = vk::ColorComponentFlagBits::eR | vk::ColorComponentFlagBits::eG;
+  const vk::PipelineColorBlendStateCreateInfo blend({}, false, vk::LogicOp::eCopy, attachment);
+  const std::array dynamic = {vk::DynamicState::eViewport, vk::DynamicState::eScissor, vk::DynamicState::eCullMode,
+                              vk::DynamicState::eFrontFace};
+  const vk::PipelineDynamicStateCreateInfo dynamicState({}, dynamic);
+  const vk::Format idFormat = vk::Format::eR32G32Uint;
+  const vk::PipelineRenderingCreateInfo rendering(0, idFormat, vk::Format::eD32Sfloat);
+  const vk::GraphicsPipelineCreateInfo info({}, stages, &vertexInput, &assembly, nullptr, &viewport, &rasterization,
+                                            &multisample, &depth, &blend, &dynamicState, *layout, {}, 0, {}, {},
+                                            &rendering);
+  return vk::raii::Pipeline(device.handle(), nullptr, info);
+}
+
+} // namespace parity::gpu

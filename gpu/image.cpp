@@ -1,0 +1,69 @@
+#include "gpu/image.h"
+
+#include "base/error.h"
+
+namespace parity::gpu {
+
+namespace {
+
+bool isDepth(vk::Format format) { return format == vk::Format::eD32Sfloat; }
+
+vk::ImageSubresourceRange wholeOf(const DeviceImage::Shape& shape) {
+  return {isDepth(shape.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor, 0, shape.mips, 0,
+          shape.cube ? 6u : 1u};
+}
+
+} // namespace
+
+DeviceImage::DeviceImage(const Device& device, const Shape& shape) : m_shape(shape) {
+  vk::ImageCreateInfo info(shape.cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags{},
+                           vk::ImageType::e2D, shape.format, vk::Extent3D(shape.width, shape.height, 1), shape.mips,
+                           shape.cube ? 6 : 1, vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal, shape.usage);
+  m_image = vk::raii::Image(device.handle(), info);
+  const vk::MemoryRequirements needs = m_image.getMemoryRequirements();
+  try {
+    m_memory = vk::raii::DeviceMemory(
+        device.handle(),
+        vk::MemoryAllocateInfo(needs.size,
+                               device.memoryType(needs.memoryTypeBits, {}, vk::MemoryPropertyFlagBits::eDeviceLocal)));
+  } catch (const vk::SystemError& error) {
+    throw base::Error(base::ExitCode::failed, device.report().name,
+                      "image of " + std::to_string(shape.width) + "x" + std::to_string(shape.height), error.what());
+  }
+  m_image.bindMemory(*m_memory, 0);
+  m_view = vk::raii::ImageView(device.handle(),
+                               vk::ImageViewCreateInfo({}, *m_image,
+                                                       shape.cube ? vk::ImageViewType::eCube : vk::ImageViewType::e2D,
+                                                       shape.format, {}, wholeOf(shape)));
+}
+
+DeviceImage::DeviceImage(const Device& device, const Shape& shape, std::span<const std::span<const std::byte>> mips)
+    : DeviceImage(device, shape) {
+  std::vector<vk::BufferImageCopy> copies;
+  vk::DeviceSize total = 0;
+  for (std::uint32_t mip = 0; mip < mips.size(); ++mip) {
+    copies.emplace_back(
+        total, 0, 0, vk::ImageSubresourceLayers(vk::ImageAspectFlagBits::eColor, mip, 0, shape.cube ? 6 : 1),
+        vk::Offset3D(), vk::Extent3D(std::max(shape.width >> mip, 1u), std::max(shape.height >> mip, 1u), 1));
+    total += mips[mip].size();
+    total = (total + 15) / 16 * 16;
+  }
+  const Buffer staging(device, total);
+  for (std::size_t mip = 0; mip < mips.size(); ++mip) staging.upload(mips[mip], copies[mip].bufferOffset);
+  device.submit("upload", [&](const vk::raii::CommandBuffer& commands) {
+    changeLayout(commands, *this, vk::ImageLayout::eUndefined, vk::ImageLayout::eTransferDstOptimal);
+    commands.copyBufferToImage(staging.handle(), *m_image, vk::ImageLayout::eTransferDstOptimal, copies);
+    changeLayout(commands, *this, vk::ImageLayout::eTransferDstOptimal, vk::ImageLayout::eShaderReadOnlyOptimal);
+  });
+}
+
+void changeLayout(const vk::raii::CommandBuffer& commands, const DeviceImage& image, vk::ImageLayout from,
+                  vk::ImageLayout to) {
+  const vk::ImageMemoryBarrier2 barrier(
+      vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryWrite,
+      vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryRead | vk::AccessFlagBits2::eMemoryWrite,
+      from, to, VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED, image.handle(), wholeOf(image.shape()));
+  commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barrier));
+}
+
+} // namespace parity::gpu

@@ -1,0 +1,163 @@
+#include "gpu/scene_buffers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+
+namespace parity::gpu {
+
+namespace {
+
+const scenes::TextureSlot& slotOf(const scenes::Material& m, int slot) {
+  switch (slot) {
+  case kSlotBaseColor:
+    return m.baseColorTexture;
+  case kSlotMetallicRoughness:
+    return m.metallicRoughnessTexture;
+  case kSlotNormal:
+    return m.normalTexture;
+  case kSlotOcclusion:
+    return m.occlusionTexture;
+  case kSlotEmissive:
+    return m.emissiveTexture;
+  case kSlotSpecular:
+    return m.specularTexture;
+  default:
+    return m.specularColorTexture;
+  }
+}
+
+GpuMaterial pack(const scenes::Material& m) {
+  scenes::Material withoutFactor = m;
+  withoutFactor.specular = 1;
+  GpuMaterial out;
+  out.baseColor = m.baseColor;
+  out.emissiveMetallic = vec4(m.emissive, m.metallic);
+  out.f0Roughness = vec4(withoutFactor.dielectricF0(), m.roughness);
+  const float cutoff = m.alphaMode == scenes::AlphaMode::mask ? m.alphaCutoff : 1.f / 255;
+  out.factors = vec4(m.normalScale, m.occlusionStrength, m.specular, cutoff);
+  out.flags = uvec4(classify(m).features, 0, 0, 0);
+  for (int slot = 0; slot < kSlotCount; ++slot) {
+    const scenes::TextureSlot& texture = slotOf(m, slot);
+    const auto& t = texture.uvTransform;
+    out.slots[slot].uvRow0 = vec4(t[0], t[1], t[2], static_cast<float>(texture.texCoord));
+    out.slots[slot].uvRow1 = vec4(t[3], t[4], t[5], texture.present() ? 1.f : 0.f);
+  }
+  return out;
+}
+
+GpuInstance pack(const scenes::Instance& instance, const SceneBuffers::MeshRange& range, std::uint32_t material) {
+  const glm::mat4 rows = glm::transpose(instance.toWorld);
+  const glm::mat3 linear(instance.toWorld);
+  const float determinant = glm::determinant(linear);
+  // The cofactor matrix is the inverse transpose times the determinant: defined for flattened objects too, and scale
+  // does not matter.
+  const glm::mat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                            glm::cross(linear[0], linear[1]));
+  const float sign = determinant < 0 ? -1.f : 1.f;
+  float largest = 0;
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(cofactors[c][r]));
+  const glm::mat3 normalRows = glm::transpose(cofactors) * (largest > 0 ? sign / largest : 0.f);
+  GpuInstance out;
+  for (int r = 0; r < 3; ++r) {
+    out.toWorld[r] = rows[r];
+    out.normalToWorld[r] = vec4(normalRows[r], 0);
+  }
+  out.normalToWorld[0].w = sign;
+  out.geometry = uvec4(range.firstIndex, range.baseVertex, material, 0);
+  return out;
+}
+
+// Appends an attribute of `count` vertices, or a default where the mesh lacks it.
+template <typename To, typename From>
+void append(std::vector<To>& to, const std::vector<From>& from, std::size_t count, const To& missing) {
+  if (from.empty())
+    to.insert(to.end(), count, missing);
+  else
+    to.insert(to.end(), from.begin(), from.end());
+}
+
+template <typename T>
+Buffer makeBuffer(const Device& device, const std::vector<T>& content, const scenes::Scene& scene, const char* what) {
+  const std::size_t bytes = content.size() * sizeof(T), limit = device.properties().limits.maxStorageBufferRange;
+  if (bytes > limit)
+    throw base::fileError(scene.name, what,
+                          fmt::format("{} MiB of geometry, the device '{}' binds {} MiB at most", bytes >> 20,
+                                      device.report().name, limit >> 20));
+  return Buffer(device, std::span<const T>(content));
+}
+
+} // namespace
+
+MaterialClass classify(const scenes::Material& material) {
+  MaterialClass result;
+  if (material.unlit) {
+    // Unlit: base colour and nothing else is read.
+    result.features = kFeatureUnlit;
+    if (material.baseColorTexture.present()) result.textures = 1u << kSlotBaseColor;
+  } else {
+    for (int slot = 0; slot < kSlotCount; ++slot)
+      if (slotOf(material, slot).present()) result.textures |= 1u << slot;
+    if (material.isNonmetal()) result.features |= kFeatureNonmetal;
+    if (material.fullyRough) result.features |= kFeatureFullyRough;
+  }
+  if (material.alphaMode == scenes::AlphaMode::blend) result.features |= kFeatureBlend;
+  return result;
+}
+
+SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene)
+    : m_scene(scene), m_textures(device, scene) {
+  bool anyColors = false, anyUvs = false, anyTangents = false, anySecondUv = false;
+  for (const scenes::Mesh& mesh : scene.meshes) {
+    anyColors |= !mesh.colors.empty();
+    anyUvs |= !mesh.uv0.empty() || !mesh.uv1.empty();
+    anyTangents |= !mesh.tangents.empty();
+  }
+  std::vector<GpuMaterial> gpuMaterials;
+  for (const scenes::Material& material : scene.materials) {
+    m_classOfMaterial.push_back(classify(material));
+    gpuMaterials.push_back(pack(material));
+    for (int slot = 0; slot < kSlotCount; ++slot)
+      anySecondUv |= slotOf(material, slot).present() && slotOf(material, slot).texCoord == 1;
+  }
+  m_vertexData = (anyColors ? 1u : 0u) | (anyUvs ? 2u : 0u) | (anyTangents ? 4u : 0u) | (anySecondUv ? 8u : 0u);
+
+  std::vector<glm::vec3> allPositions, allNormals;
+  std::vector<glm::vec4> allTangents, allUvs, allColors;
+  std::vector<std::uint32_t> allIndices;
+  for (const scenes::Mesh& mesh : scene.meshes) {
+    const std::size_t count = mesh.positions.size();
+    m_meshes.push_back({static_cast<std::uint32_t>(allIndices.size()), static_cast<std::uint32_t>(mesh.indices.size()),
+                        static_cast<std::uint32_t>(allPositions.size())});
+    append(allPositions, mesh.positions, count, glm::vec3(0));
+    append(allNormals, mesh.normals, count, glm::vec3(0));
+    if (anyTangents) append(allTangents, mesh.tangents, count, glm::vec4(0));
+    if (anyColors) append(allColors, mesh.colors, count, glm::vec4(1));
+    if (anyUvs)
+      for (std::size_t i = 0; i < count; ++i)
+        allUvs.emplace_back(mesh.uv0.empty() ? glm::vec2(0) : mesh.uv0[i],
+                            mesh.uv1.empty() ? glm::vec2(0) : mesh.uv1[i]);
+    allIndices.insert(allIndices.end(), mesh.indices.begin(), mesh.indices.end());
+  }
+  std::vector<GpuInstance> gpuInstances;
+  for (const scenes::Instance& instance : scene.instances) {
+    const std::uint32_t material = scene.meshes[instance.mesh].material;
+    m_materialOfInstance.push_back(material);
+    gpuInstances.push_back(pack(instance, m_meshes[instance.mesh], material));
+  }
+
+  positions = makeBuffer(device, allPositions, scene, "positions");
+  normals = makeBuffer(device, allNormals, scene, "normals");
+  tangents = makeBuffer(device, allTangents, scene, "tangents");
+  uvs = makeBuffer(device, allUvs, scene, "uvs");
+  colors = makeBuffer(device, allColors, scene, "colours");
+  indices = makeBuffer(device, allIndices, scene, "indices");
+  instances = makeBuffer(device, gpuInstances, scene, "instances");
+  materials = makeBuffer(device, gpuMaterials, scene, "materials");
+}
+
+} // namespace parity::gpu

@@ -1,0 +1,51 @@
+// A scene on the device: geometry, instances, materials and textures, uploaded once and read by every path.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/shaders/interface.h"
+#include "gpu/textures.h"
+#include "scenes/scene.h"
+
+namespace parity::gpu {
+
+// What of a material asks for code of its own: texture slots and features, as bits (interface.h).
+struct MaterialClass {
+  std::uint32_t textures = 0, features = 0;
+  auto operator<=>(const MaterialClass&) const = default;
+};
+MaterialClass classify(const scenes::Material& material);
+
+class SceneBuffers {
+public:
+  // Throws Error (exit 4) where an attribute array exceeds what the device can bind (128 MiB on many).
+  SceneBuffers(const Device& device, const scenes::Scene& scene);
+
+  const scenes::Scene& scene() const { return m_scene; }
+  const Textures& textures() const { return m_textures; }
+  const std::vector<MaterialClass>& classOfMaterial() const { return m_classOfMaterial; }
+  // Material of each instance (that of its mesh).
+  const std::vector<std::uint32_t>& materialOfInstance() const { return m_materialOfInstance; }
+  // Bit 0: some mesh has vertex colours, bit 1: uvs, bit 2: tangents, bit 3: a texture reads the second uv set.
+  std::uint32_t vertexData() const { return m_vertexData; }
+  // First index and base vertex of each mesh in the shared buffers.
+  struct MeshRange {
+    std::uint32_t firstIndex = 0, indexCount = 0, baseVertex = 0;
+  };
+  const std::vector<MeshRange>& meshes() const { return m_meshes; }
+
+  Buffer positions, normals, tangents, uvs, colors, indices, instances, materials;
+
+private:
+  const scenes::Scene& m_scene;
+  Textures m_textures;
+  std::vector<MaterialClass> m_classOfMaterial;
+  std::vector<std::uint32_t> m_materialOfInstance;
+  std::vector<MeshRange> m_meshes;
+  std::uint32_t m_vertexData = 0;
+};
+
+} // namespace parity::gpu

@@ -1,0 +1,91 @@
+// What crosses the border between C++ and the shaders: structs, bindings, specialization constants. Included by both.
+#ifndef PARITY_GPU_INTERFACE_H
+#define PARITY_GPU_INTERFACE_H
+
+#ifdef __cplusplus
+#include <cstdint>
+#include <glm/glm.hpp>
+namespace parity::gpu {
+using vec4 = glm::vec4;
+using uvec4 = glm::uvec4;
+using uint = std::uint32_t;
+#define PARITY_CONST inline constexpr
+#else
+#define PARITY_CONST const
+#endif
+
+// Texture slots of a material, in the order of their bindings in set 1 and of the bits of a texture mask.
+PARITY_CONST int kSlotBaseColor = 0;
+PARITY_CONST int kSlotMetallicRoughness = 1;
+PARITY_CONST int kSlotNormal = 2;
+PARITY_CONST int kSlotOcclusion = 3;
+PARITY_CONST int kSlotEmissive = 4;
+PARITY_CONST int kSlotSpecular = 5;
+PARITY_CONST int kSlotSpecularColor = 6;
+PARITY_CONST int kSlotCount = 7;
+
+// Features of a material, as bits.
+PARITY_CONST uint kFeatureUnlit = 1u;
+PARITY_CONST uint kFeatureNonmetal = 2u;
+PARITY_CONST uint kFeatureFullyRough = 4u;
+PARITY_CONST uint kFeatureBlend = 8u;
+
+// Lights.
+PARITY_CONST uint kLightDirectional = 0u;
+PARITY_CONST uint kLightPoint = 1u;
+PARITY_CONST uint kLightSpot = 2u;
+
+// Specialization constants of every path shader; a path's own begin at kConstantPath.
+PARITY_CONST int kConstantTextures = 0;     // slots that some material of the permutation has
+PARITY_CONST int kConstantMayFeatures = 1;  // features that some material has
+PARITY_CONST int kConstantMustFeatures = 2; // features that all have: no test at run time
+PARITY_CONST int kConstantDirectional = 3;  // number of directional lights
+PARITY_CONST int kConstantLocal = 4;        // number of point and spot lights
+PARITY_CONST int kConstantEnvironment = 5;  // 1 where there is an environment
+PARITY_CONST int kConstantTerms = 6;        // 1 where terms are written
+PARITY_CONST int kConstantVertexData = 7;   // bit 0: vertex colours, bit 1: second uv set
+PARITY_CONST int kConstantPath = 8;
+
+PARITY_CONST uint kGroupSize = 64u;        // invocations of a compute group
+PARITY_CONST uint kMaxGroupsInRow = 32768u; // a dispatch is (row, rows, 1): devices stop at 65,535 groups in x
+
+struct GpuTextureSlot {
+  vec4 uvRow0; // m00, m01, m02, uv set (0 or 1)
+  vec4 uvRow1; // m10, m11, m12, 1 where the slot has a texture
+};
+
+struct GpuMaterial {
+  vec4 baseColor;        // linear RGBA
+  vec4 emissiveMetallic; // linear RGB; metallic
+  vec4 f0Roughness;      // dielectric F0 before `specular`, linear RGB; roughness
+  vec4 factors;          // normalScale, occlusionStrength, specular, alphaCutoff (blend: 1/255)
+  uvec4 flags;           // features; 0; 0; 0
+  GpuTextureSlot slots[kSlotCount];
+};
+
+struct GpuInstance {
+  vec4 toWorld[3];  // rows of an affine matrix
+  vec4 normalToWorld[3]; // rows of the inverse transpose; [0].w: sign of the determinant
+  uvec4 geometry;   // first index, base vertex, material, 0
+};
+
+struct GpuLight {
+  vec4 colorRange;        // linear RGB: lux or candela; range (0: infinite)
+  vec4 positionKind;      // world; kind as a number
+  vec4 directionCosOuter; // unit, the way light travels; cosine of the outer cone
+  vec4 cone;              // cosine of the inner cone; 0; 0; 0
+};
+
+// The camera's rays: pixel (x,y) looks along origin + x*originX + y*originY, direction + x*directionX + y*directionY.
+struct GpuView {
+  vec4 eye; // perspective: position; w = 1 where orthographic
+  vec4 origin, originX, originY;          // relative to eye
+  vec4 direction, directionX, directionY; // not normalised
+  vec4 sh[9];    // irradiance coefficients (shading/sh.glsl)
+};
+
+#ifdef __cplusplus
+} // namespace parity::gpu
+#endif
+#undef PARITY_CONST
+#endif

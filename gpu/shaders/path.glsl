@@ -1,0 +1,183 @@
+// What every path's shader begins with: the surface entry, the material resolved from its textures, the outputs.
+#include "gpu/shaders/interface.h"
+#include "shading/real.glsl"
+#include "shading/material.glsl"
+#include "shading/light.glsl"
+#include "shading/mips.glsl"
+#include "shading/sh.glsl"
+#include "shading/terms.glsl"
+
+layout(local_size_x = 64) in;
+
+// Ids: kConstant... in interface.h.
+layout(constant_id = 0) const uint kTextures = 0u;
+layout(constant_id = 1) const uint kMayFeatures = 0u;
+layout(constant_id = 2) const uint kMustFeatures = 0u;
+layout(constant_id = 3) const uint kDirectionalCount = 0u;
+layout(constant_id = 4) const uint kLocalCount = 0u;
+layout(constant_id = 5) const uint kHasEnvironment = 0u;
+layout(constant_id = 6) const uint kWriteTerms = 0u;
+layout(constant_id = 7) const uint kVertexData = 0u;
+
+layout(set = 0, binding = 0, std140) uniform View { GpuView view; };
+layout(set = 0, binding = 1, std430) readonly buffer Materials { GpuMaterial materials[]; };
+layout(set = 0, binding = 2, std430) readonly buffer Instances { GpuInstance instances[]; };
+layout(set = 0, binding = 3, std430) readonly buffer Lights { GpuLight lights[]; }; // directional ones first
+layout(set = 0, binding = 4, std430) readonly buffer PathData { uint pathData[]; };
+#define PARITY_SURFACE_ACCESS readonly
+#define PARITY_SURFACE_BINDING 5
+#include "gpu/shaders/surface.glsl"
+layout(set = 0, binding = 12, std430) writeonly buffer OutColor { vec4 outColor[]; };   // radiance, opacity
+layout(set = 0, binding = 13, std430) writeonly buffer OutTermsA { vec4 outTermsA[]; }; // terms 0..4, a plane each
+layout(set = 0, binding = 14, std430) writeonly buffer OutTermsB { vec4 outTermsB[]; }; // terms 5..8
+layout(set = 0, binding = 15) uniform samplerCube prefilteredEnvironment;
+layout(set = 0, binding = 16) uniform sampler2D pathTexture; // the path's own table, if it has one
+
+layout(set = 1, binding = 0) uniform sampler2D baseColorTexture;
+layout(set = 1, binding = 1) uniform sampler2D metallicRoughnessTexture;
+layout(set = 1, binding = 2) uniform sampler2D normalTexture;
+layout(set = 1, binding = 3) uniform sampler2D occlusionTexture;
+layout(set = 1, binding = 4) uniform sampler2D emissiveTexture;
+layout(set = 1, binding = 5) uniform sampler2D specularTexture;
+layout(set = 1, binding = 6) uniform sampler2D specularColorTexture;
+
+layout(push_constant) uniform Push {
+  uint first, count; // the bin's entries
+  uint planeSize;    // entries of the surface: stride of the term planes
+};
+
+struct Point {
+  vec3 position, V;         // world; V unit, towards the eye
+  vec3 normal, geometric;   // unit
+  uint instance, material;
+};
+
+struct Resolved {
+  vec3 baseColor;
+  float opacity, metallic, roughness, occlusion;
+  vec3 F0;      // of the dielectric, linear RGB
+  float F90;    // of the dielectric: KHR_materials_specular's factor
+  vec3 normal;  // after normal mapping, unit
+  vec3 emissive;
+};
+
+// Whether the material has the feature: known at compile time where all or none of the permutation's have.
+bool hasFeature(uint feature, uint material) {
+  if ((kMustFeatures & feature) != 0u) return true;
+  if ((kMayFeatures & feature) == 0u) return false;
+  return (materials[material].flags.x & feature) != 0u;
+}
+
+bool hasTexture(int slot, uint material) {
+  if ((kTextures & (1u << slot)) == 0u) return false;
+  return materials[material].slots[slot].uvRow1.w > 0.5;
+}
+
+// A texture by explicit derivatives: entries of a list have no neighbours.
+vec4 fetch(sampler2D tex, int slot, uint material, uint i) {
+  GpuTextureSlot s = materials[material].slots[slot];
+  vec2 uv = surfaceUv[i].xy;
+  vec4 d = surfaceUv0Derivatives[i];
+  if ((kVertexData & 8u) != 0u && s.uvRow0.w > 0.5) {
+    uv = surfaceUv[i].zw;
+    d = surfaceUv1Derivatives[i];
+  }
+  vec2 st = vec2(dot(s.uvRow0.xyz, vec3(uv, 1.0)), dot(s.uvRow1.xyz, vec3(uv, 1.0)));
+  vec2 dx = vec2(dot(s.uvRow0.xy, d.xy), dot(s.uvRow1.xy, d.xy));
+  vec2 dy = vec2(dot(s.uvRow0.xy, d.zw), dot(s.uvRow1.xy, d.zw));
+  return textureGrad(tex, st, dx, dy);
+}
+
+Point makePoint(uint i) {
+  Point p;
+  p.position = uintBitsToFloat(surfacePosition[i].xyz);
+  p.instance = surfacePosition[i].w;
+  p.material = instances[p.instance].geometry.z;
+  p.normal = uintBitsToFloat(surfaceNormal[i].xyz);
+  p.geometric = unpackOctahedral(surfaceNormal[i].w);
+  p.V = view.eye.w > 0.5 ? -normalize(view.direction.xyz) : normalize(view.eye.xyz - p.position);
+  return p;
+}
+
+// Any two axes that make a right-handed frame with n (Duff et al. 2017).
+vec3 anyTangent(vec3 n) {
+  float s = n.z >= 0.0 ? 1.0 : -1.0;
+  float a = -1.0 / (s + n.z);
+  return vec3(1.0 + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
+}
+
+vec3 mapNormal(Point p, uint i) {
+  if (!hasTexture(kSlotNormal, p.material)) return p.normal;
+  vec4 tangent = (kVertexData & 4u) != 0u ? surfaceTangent[i] : vec4(0.0);
+  if (dot(tangent.xyz, tangent.xyz) < 0.5) tangent = vec4(anyTangent(p.normal), 1.0);
+  vec3 bitangent = tangent.w * cross(p.normal, tangent.xyz);
+  vec3 t = fetch(normalTexture, kSlotNormal, p.material, i).xyz * 2.0 - 1.0;
+  t.xy *= materials[p.material].factors.x;
+  return safeNormalize(t.x * tangent.xyz + t.y * bitangent + t.z * p.normal, p.geometric);
+}
+
+Resolved resolveMaterial(Point p, uint i) {
+  uint m = p.material;
+  vec4 base = materials[m].baseColor;
+  if ((kVertexData & 1u) != 0u) base *= surfaceColor[i];
+  if (hasTexture(kSlotBaseColor, m)) base *= fetch(baseColorTexture, kSlotBaseColor, m, i);
+
+  Resolved r;
+  r.baseColor = base.xyz;
+  r.opacity = hasFeature(kFeatureBlend, m) ? clamp(base.w, 0.0, 1.0) : 1.0;
+  r.metallic = materials[m].emissiveMetallic.w;
+  r.roughness = materials[m].f0Roughness.w;
+  if (hasTexture(kSlotMetallicRoughness, m)) {
+    vec4 texel = fetch(metallicRoughnessTexture, kSlotMetallicRoughness, m, i);
+    r.metallic *= texel.z;
+    r.roughness *= texel.y;
+  }
+  r.roughness = clamp(r.roughness, 0.0, 1.0);
+  r.occlusion = 1.0;
+  if (hasTexture(kSlotOcclusion, m)) r.occlusion = 1.0 + materials[m].factors.y * (fetch(occlusionTexture, kSlotOcclusion, m, i).x - 1.0);
+  r.emissive = materials[m].emissiveMetallic.xyz;
+  if (hasTexture(kSlotEmissive, m)) r.emissive *= fetch(emissiveTexture, kSlotEmissive, m, i).xyz;
+
+  // KHR_materials_specular: F0 = min(F0(ior) specularColor, 1) specular; F90 = specular.
+  r.F0 = materials[m].f0Roughness.xyz;
+  if (hasTexture(kSlotSpecularColor, m)) r.F0 *= fetch(specularColorTexture, kSlotSpecularColor, m, i).xyz;
+  r.F90 = materials[m].factors.z;
+  if (hasTexture(kSlotSpecular, m)) r.F90 *= fetch(specularTexture, kSlotSpecular, m, i).w;
+  r.F0 = min(r.F0, vec3(1.0)) * r.F90;
+  r.normal = mapNormal(p, i);
+  return r;
+}
+
+// Irradiance of the environment over pi, per unit of diffuse colour.
+vec3 skyIrradianceOverPi(vec3 n) {
+  IrradianceSh sh;
+  for (int k = 0; k < 9; ++k) sh.c[k] = view.sh[k].xyz;
+  return evalIrradianceSH(sh, n) * kInvPi;
+}
+
+vec3 skyRadiance(vec3 direction, float roughness) {
+  return textureLod(prefilteredEnvironment, direction, mipFromRoughness(roughness)).xyz;
+}
+
+struct Terms {
+  vec3 t[kTermCount];
+};
+
+Terms noTerms() {
+  Terms terms;
+  for (int k = 0; k < kTermCount; ++k) terms.t[k] = vec3(0.0);
+  return terms;
+}
+
+uint entryIndex() { return (gl_WorkGroupID.y * kMaxGroupsInRow + gl_WorkGroupID.x) * kGroupSize + gl_LocalInvocationID.x; }
+
+// The colour is the sum of the terms, added in their order.
+void writeResult(uint i, Terms terms, float opacity) {
+  vec3 color = vec3(0.0);
+  for (int k = 0; k < kTermCount; ++k) color += terms.t[k];
+  outColor[i] = vec4(color, opacity);
+  if (kWriteTerms != 0u) {
+    for (uint k = 0u; k < 5u; ++k) outTermsA[k * planeSize + i] = vec4(terms.t[k], 0.0);
+    for (uint k = 5u; k < uint(kTermCount); ++k) outTermsB[(k - 5u) * planeSize + i] = vec4(terms.t[k], 0.0);
+  }
+}

@@ -1,0 +1,190 @@
+#include "gpu/shading_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "shading/terms.h"
+
+namespace parity::gpu {
+
+namespace {
+
+constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
+constexpr std::size_t kTermsInA = 5; // planes of the first term buffer: a buffer ends at 128 MiB
+
+struct Push {
+  std::uint32_t first = 0, count = 0, planeSize = 0;
+};
+
+DeviceImage makeBlackCube(const Device& device) {
+  const std::vector<std::uint8_t> black(6 * 4, 0);
+  const std::span<const std::byte> mip = std::as_bytes(std::span{black});
+  return DeviceImage(device, {.width = 1, .height = 1, .mips = 1, .cube = true}, std::span{&mip, 1});
+}
+
+DeviceImage makeWhite(const Device& device) {
+  const std::vector<std::uint8_t> white(4, 255);
+  const std::span<const std::byte> mip = std::as_bytes(std::span{white});
+  return DeviceImage(device, {.width = 1, .height = 1, .mips = 1}, std::span{&mip, 1});
+}
+
+vk::raii::Sampler makeLinearClamp(const Device& device) {
+  vk::SamplerCreateInfo info({}, vk::Filter::eLinear, vk::Filter::eLinear, vk::SamplerMipmapMode::eLinear);
+  info.addressModeU = info.addressModeV = info.addressModeW = vk::SamplerAddressMode::eClampToEdge;
+  info.maxLod = VK_LOD_CLAMP_NONE;
+  return vk::raii::Sampler(device.handle(), info);
+}
+
+} // namespace
+
+GpuLight packLight(const scenes::Light& light) {
+  GpuLight out;
+  const std::uint32_t kind = light.kind == scenes::LightKind::directional ? kLightDirectional
+                             : light.kind == scenes::LightKind::point     ? kLightPoint
+                                                                          : kLightSpot;
+  out.colorRange = vec4(light.color, light.range);
+  out.positionKind = vec4(light.position, static_cast<float>(kind));
+  out.directionCosOuter = vec4(light.direction, std::cos(light.outerConeAngle));
+  out.cone = vec4(std::cos(light.innerConeAngle), 0, 0, 0);
+  return out;
+}
+
+struct ShadingPass::Impl {
+  const Device& device;
+  const SceneBuffers& scene;
+  std::vector<BinKind> kinds;
+  PathProgram program;
+  DeviceImage blackCube, white;
+  vk::raii::Sampler linearClamp;
+  Buffer view, lights, pathData;
+  vk::raii::DescriptorSetLayout textureLayout{nullptr}, surfaceLayout{nullptr};
+  std::unique_ptr<DescriptorSets> textureSets;
+  vk::raii::PipelineLayout layout{nullptr};
+  std::map<MaterialClass, Permutation> plan;
+  std::vector<Permutation> compiled;
+  std::vector<vk::raii::Pipeline> pipelines;
+
+  Impl(const Device& dev, const SceneBuffers& buffers, const std::vector<BinKind>& binKinds, PathProgram p)
+      : device(dev), scene(buffers), kinds(binKinds), program(std::move(p)), blackCube(makeBlackCube(dev)),
+        white(makeWhite(dev)), linearClamp(makeLinearClamp(dev)), view(dev, sizeof(GpuView)),
+        lights(dev, std::span<const GpuLight>(program.lights)),
+        pathData(dev, std::span<const std::uint32_t>(program.pathData)) {
+    std::vector<std::vector<Binding>> sets;
+    for (std::uint32_t set = 0; set < scene.textures().setCount(); ++set) {
+      const auto infos = scene.textures().bindings(set);
+      sets.emplace_back(infos.begin(), infos.end());
+    }
+    textureLayout = makeSetLayout(device, sets.front(), kCompute);
+    textureSets = std::make_unique<DescriptorSets>(device, textureLayout, sets);
+  }
+
+  std::vector<Binding> surfaceBindings(const Surface& s, const Buffer& color, const Buffer& termsA,
+                                       const Buffer& termsB) const {
+    std::vector<Binding> bindings = {uniform(view), storage(scene.materials), storage(scene.instances), storage(lights),
+                                     storage(pathData)};
+    for (const Buffer* buffer : {&s.position, &s.normal, &s.tangent, &s.uv, &s.uv0Derivatives, &s.uv1Derivatives,
+                                 &s.color, &color, &termsA, &termsB})
+      bindings.push_back(storage(*buffer));
+    constexpr auto kReadOnly = vk::ImageLayout::eShaderReadOnlyOptimal;
+    bindings.push_back(program.environment ? vk::DescriptorImageInfo(*program.environment->sampler,
+                                                                     program.environment->cube.view(), kReadOnly)
+                                           : vk::DescriptorImageInfo(*linearClamp, blackCube.view(), kReadOnly));
+    bindings.push_back(vk::DescriptorImageInfo(
+        *linearClamp, program.pathTexture ? program.pathTexture->view() : white.view(), kReadOnly));
+    return bindings;
+  }
+
+  // Fixed by the first surface, scaled to what the whole run will shade; a class that shows up later gets a permutation
+  // wide enough for all classes of the scene.
+  void makePlan(const Surface& surface) {
+    std::map<MaterialClass, std::uint64_t> pixels;
+    for (const Bin& bin : surface.bins) pixels[kinds[bin.key].materialClass] += bin.count;
+    const double scale =
+        surface.size() == 0
+            ? 1
+            : std::max(1.0, static_cast<double>(program.expectedPixels) / static_cast<double>(surface.size()));
+    std::vector<ClassPixels> classes;
+    for (const auto& [c, count] : pixels)
+      classes.push_back({c, static_cast<std::uint64_t>(static_cast<double>(count) * scale)});
+    const std::vector<Permutation> permutations = planPermutations(classes);
+    for (std::size_t i = 0; i < classes.size(); ++i) plan[classes[i].materialClass] = permutations[i];
+  }
+
+  Permutation permutationFor(const MaterialClass& c) {
+    if (const auto found = plan.find(c); found != plan.end()) return found->second;
+    Permutation widest{0, 0, 0};
+    for (const BinKind& kind : kinds) {
+      widest.textures |= kind.materialClass.textures;
+      widest.mayFeatures |= kind.materialClass.features;
+    }
+    return plan[c] = widest;
+  }
+
+  vk::Pipeline pipelineFor(const MaterialClass& c) {
+    const Permutation permutation = permutationFor(c);
+    const auto found = std::find(compiled.begin(), compiled.end(), permutation);
+    if (found != compiled.end()) return *pipelines[static_cast<std::size_t>(found - compiled.begin())];
+    std::vector<std::uint32_t> constants = {
+        permutation.textures, permutation.mayFeatures,       permutation.mustFeatures, program.directionalCount,
+        program.localCount,   program.environment ? 1u : 0u, program.terms ? 1u : 0u,  scene.vertexData()};
+    constants.insert(constants.end(), program.constants.begin(), program.constants.end());
+    pipelines.push_back(makeComputePipeline(device, layout, program.spirv, constants));
+    compiled.push_back(permutation);
+    return *pipelines.back();
+  }
+
+  ShadedSurface shade(const Surface& surface, const scenes::Camera& camera);
+};
+
+ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Camera& camera) {
+  ShadedSurface result;
+  const std::size_t n = surface.size();
+  if (program.terms) result.terms.resize(shading::kTermCount);
+  if (n == 0) return result;
+
+  GpuView gpuView = makeView(camera, surface.width, surface.height);
+  if (program.environment) std::copy(program.environment->sh.begin(), program.environment->sh.end(), gpuView.sh);
+  view.upload(std::as_bytes(std::span{&gpuView, 1}));
+
+  constexpr std::size_t kTermsInB = shading::kTermCount - kTermsInA;
+  const vk::DeviceSize plane = n * sizeof(glm::vec4);
+  const Buffer color(device, plane), termsA(device, program.terms ? kTermsInA * plane : 0),
+      termsB(device, program.terms ? kTermsInB * plane : 0);
+  const std::vector<Binding> bindings = surfaceBindings(surface, color, termsA, termsB);
+  if (!*surfaceLayout) {
+    surfaceLayout = makeSetLayout(device, bindings, kCompute);
+    layout = makePipelineLayout(device, std::array{*surfaceLayout, *textureLayout}, sizeof(Push), kCompute);
+  }
+  if (plan.empty()) makePlan(surface);
+  const DescriptorSets set(device, surfaceLayout, std::span(&bindings, 1));
+
+  device.submit("shade " + program.name, [&](const vk::raii::CommandBuffer& commands) {
+    for (const Bin& bin : surface.bins) {
+      const BinKind& kind = kinds[bin.key];
+      commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipelineFor(kind.materialClass));
+      commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0,
+                                  {set[0], (*textureSets)[kind.textureSet]}, {});
+      commands.pushConstants<Push>(*layout, kCompute, 0, Push{bin.first, bin.count, static_cast<std::uint32_t>(n)});
+      const std::uint32_t groups = (bin.count + kGroupSize - 1) / kGroupSize;
+      commands.dispatch(std::min(groups, kMaxGroupsInRow), (groups + kMaxGroupsInRow - 1) / kMaxGroupsInRow, 1);
+    }
+    fullBarrier(commands);
+  });
+  result.color = color.downloadAs<glm::vec4>(n);
+  for (std::size_t t = 0; t < result.terms.size(); ++t)
+    result.terms[t] = t < kTermsInA ? termsA.downloadAs<glm::vec4>(n, t * plane)
+                                    : termsB.downloadAs<glm::vec4>(n, (t - kTermsInA) * plane);
+  return result;
+}
+
+ShadingPass::ShadingPass(const Device& device, const SceneBuffers& scene, const std::vector<BinKind>& binKinds,
+                         PathProgram program)
+    : m_impl(std::make_unique<Impl>(device, scene, binKinds, std::move(program))) {}
+ShadingPass::~ShadingPass() = default;
+ShadedSurface ShadingPass::shade(const Surface& surface, const scenes::Camera& camera) const {
+  return m_impl->shade(surface, camera);
+}
+const std::vector<Permutation>& ShadingPass::permutations() const { return m_impl->compiled; }
+
+} // namespace parity::gpu

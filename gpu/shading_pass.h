@@ -1,0 +1,63 @@
+// One path's shader run over a surface, bin by bin: what highend/ and mobile/ are built on.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gpu/permutations.h"
+#include "gpu/pipeline.h"
+#include "gpu/surface_pass.h"
+
+namespace parity::gpu {
+
+// The prefiltered cube on the device with its sampler, and the SH that go with it.
+struct EnvironmentMaps {
+  DeviceImage cube;
+  vk::raii::Sampler sampler{nullptr};
+  std::array<glm::vec4, 9> sh{};
+};
+
+// What a path brings along. Referenced objects must outlive the pass.
+struct PathProgram {
+  std::string name; // for timings
+  Spirv spirv;
+  std::vector<GpuLight> lights;       // directional ones first
+  std::uint32_t directionalCount = 0; // lights the shader loops over; constants 3 and 4
+  std::uint32_t localCount = 0;
+  std::vector<std::uint32_t> pathData;          // binding 4
+  const DeviceImage* pathTexture = nullptr;     // binding 16; null: white
+  const EnvironmentMaps* environment = nullptr; // null: no environment
+  std::vector<std::uint32_t> constants;         // the path's own specialization constants, from kConstantPath
+  bool terms = false;
+  std::uint64_t expectedPixels = 0; // that this run will shade by this path: decides what is worth compiling
+};
+
+// Per entry of a surface, in its order.
+struct ShadedSurface {
+  std::vector<glm::vec4> color;              // radiance, opacity
+  std::vector<std::vector<glm::vec4>> terms; // kTermCount planes, or none
+};
+
+class ShadingPass {
+public:
+  ShadingPass(const Device& device, const SceneBuffers& scene, const std::vector<BinKind>& binKinds,
+              PathProgram program);
+  ~ShadingPass();
+
+  ShadedSurface shade(const Surface& surface, const scenes::Camera& camera) const;
+
+  // Permutations compiled so far.
+  const std::vector<Permutation>& permutations() const;
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> m_impl;
+};
+
+// scenes::Light as the shaders read it.
+GpuLight packLight(const scenes::Light& light);
+
+} // namespace parity::gpu

@@ -1,0 +1,173 @@
+#include "gpu/textures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "base/parallel.h"
+#include "gpu/shaders/interface.h"
+
+namespace parity::gpu {
+
+namespace {
+
+// sRGB decode by code, and encode by a 16-bit linear index: a step is 0.05 codes at most.
+struct SrgbTables {
+  std::array<float, 256> decode;
+  std::vector<std::uint8_t> encode;
+  SrgbTables() : encode(65536) {
+    for (int i = 0; i < 256; ++i) {
+      const double c = i / 255.0;
+      decode[i] = static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+    }
+    for (int i = 0; i < 65536; ++i) {
+      const double l = i / 65535.0;
+      encode[i] =
+          static_cast<std::uint8_t>(255 * (l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055) + 0.5);
+    }
+  }
+};
+const SrgbTables& srgbTables() {
+  static const SrgbTables tables;
+  return tables;
+}
+
+// The source texels that a target texel covers along one axis: at most three.
+struct Taps {
+  int first = 0, count = 1;
+  std::array<float, 3> weights{1, 0, 0};
+};
+std::vector<Taps> makeTaps(int source, int target) {
+  std::vector<Taps> taps(target);
+  for (int i = 0; i < target; ++i) {
+    const double begin = static_cast<double>(i) * source / target, end = static_cast<double>(i + 1) * source / target;
+    Taps& tap = taps[i];
+    tap.first = static_cast<int>(begin);
+    tap.count = std::min(static_cast<int>(std::ceil(end)), source) - tap.first;
+    for (int k = 0; k < tap.count; ++k)
+      tap.weights[k] = static_cast<float>(
+          (std::min<double>(end, tap.first + k + 1) - std::max<double>(begin, tap.first + k)) / (end - begin));
+  }
+  return taps;
+}
+
+base::Image8 halve(const base::Image8& source, bool srgb) {
+  const SrgbTables& tables = srgbTables();
+  base::Image8 target(std::max(source.width / 2, 1), std::max(source.height / 2, 1), 4);
+  const std::vector<Taps> tapsX = makeTaps(source.width, target.width), tapsY = makeTaps(source.height, target.height);
+  base::parallelFor(target.height, 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t y = begin; y < end; ++y)
+      for (int x = 0; x < target.width; ++x) {
+        std::array<float, 4> sum{};
+        for (int ky = 0; ky < tapsY[y].count; ++ky)
+          for (int kx = 0; kx < tapsX[x].count; ++kx) {
+            const float weight = tapsY[y].weights[ky] * tapsX[x].weights[kx];
+            const std::uint8_t* texel = source.at(tapsX[x].first + kx, tapsY[y].first + ky);
+            for (int c = 0; c < 3; ++c)
+              sum[c] += weight * (srgb ? tables.decode[texel[c]] : static_cast<float>(texel[c]));
+            sum[3] += weight * static_cast<float>(texel[3]);
+          }
+        std::uint8_t* out = target.at(x, static_cast<int>(y));
+        for (int c = 0; c < 3; ++c)
+          out[c] = srgb ? tables.encode[static_cast<int>(std::min(sum[c], 1.f) * 65535 + 0.5f)]
+                        : static_cast<std::uint8_t>(std::min(sum[c], 255.f) + 0.5f);
+        out[3] = static_cast<std::uint8_t>(std::min(sum[3], 255.f) + 0.5f);
+      }
+  });
+  return target;
+}
+
+vk::raii::Sampler makeSampler(const Device& device, const scenes::Sampler& sampler) {
+  const auto wrap = [](scenes::Wrap w) {
+    return w == scenes::Wrap::repeat           ? vk::SamplerAddressMode::eRepeat
+           : w == scenes::Wrap::mirroredRepeat ? vk::SamplerAddressMode::eMirroredRepeat
+                                               : vk::SamplerAddressMode::eClampToEdge;
+  };
+  const auto filter = [](scenes::Filter f) {
+    return f == scenes::Filter::linear ? vk::Filter::eLinear : vk::Filter::eNearest;
+  };
+  vk::SamplerCreateInfo info;
+  info.setAddressModeU(wrap(sampler.wrapU)).setAddressModeV(wrap(sampler.wrapV));
+  info.setMagFilter(filter(sampler.magFilter)).setMinFilter(filter(sampler.minFilter));
+  info.setMipmapMode(sampler.mipFilter == scenes::Filter::linear ? vk::SamplerMipmapMode::eLinear
+                                                                 : vk::SamplerMipmapMode::eNearest);
+  // 0.25 reads the base level only, and still tells magnification from minification (the Vulkan specification's own
+  // advice).
+  info.setMaxLod(sampler.useMips ? VK_LOD_CLAMP_NONE : 0.25f);
+  return vk::raii::Sampler(device.handle(), info);
+}
+
+std::array<const scenes::TextureSlot*, kSlotCount> slotsOf(const scenes::Material& m) {
+  return {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture,       &m.occlusionTexture,
+          &m.emissiveTexture,  &m.specularTexture,          &m.specularColorTexture};
+}
+bool isColor(int slot) { return slot == kSlotBaseColor || slot == kSlotEmissive || slot == kSlotSpecularColor; }
+
+DeviceImage uploadImage(const Device& device, const std::vector<base::Image8>& mips, bool srgb) {
+  std::vector<std::span<const std::byte>> spans;
+  for (const base::Image8& mip : mips) spans.push_back(std::as_bytes(std::span{mip.pixels}));
+  const DeviceImage::Shape shape{.format = srgb ? vk::Format::eR8G8B8A8Srgb : vk::Format::eR8G8B8A8Unorm,
+                                 .width = static_cast<std::uint32_t>(mips.front().width),
+                                 .height = static_cast<std::uint32_t>(mips.front().height),
+                                 .mips = static_cast<std::uint32_t>(mips.size())};
+  return DeviceImage(device, shape, spans);
+}
+
+} // namespace
+
+std::vector<base::Image8> makeMips(const base::Image8& image, bool srgb) {
+  std::vector<base::Image8> mips{image};
+  while (mips.back().width > 1 || mips.back().height > 1) mips.push_back(halve(mips.back(), srgb));
+  return mips;
+}
+
+Textures::Textures(const Device& device, const scenes::Scene& scene) {
+  // An image that is read as colour and as data is uploaded once for each.
+  std::map<std::tuple<int, bool>, int> images;
+  std::vector<scenes::Sampler> samplers;
+  std::map<std::vector<Binding>, std::uint32_t> sets;
+  for (const scenes::Material& material : scene.materials) {
+    std::vector<Binding> set(kSlotCount);
+    for (int slot = 0; slot < kSlotCount; ++slot) {
+      const scenes::TextureSlot& texture = *slotsOf(material)[slot];
+      if (!texture.present()) continue;
+      set[slot].image =
+          images.try_emplace({texture.image, isColor(slot)}, static_cast<int>(images.size())).first->second;
+      const auto found = std::find(samplers.begin(), samplers.end(), texture.sampler);
+      set[slot].sampler = static_cast<int>(found - samplers.begin()) + 1;
+      if (found == samplers.end()) samplers.push_back(texture.sampler);
+    }
+    const auto [entry, isNew] = sets.try_emplace(set, static_cast<std::uint32_t>(m_sets.size()));
+    if (isNew) m_sets.push_back(set);
+    m_setOfMaterial.push_back(entry->second);
+  }
+
+  std::vector<std::vector<base::Image8>> mips(images.size());
+  std::vector<bool> srgb(images.size());
+  std::vector<std::function<void()>> tasks;
+  for (const auto& [key, index] : images) {
+    srgb[index] = std::get<bool>(key);
+    tasks.push_back([&, image = std::get<int>(key), index = index] {
+      mips[index] = makeMips(scene.images[image].pixels, srgb[index]);
+    });
+  }
+  base::parallelInvoke(tasks);
+  for (std::size_t i = 0; i < mips.size(); ++i) m_images.push_back(uploadImage(device, mips[i], srgb[i]));
+
+  m_samplers.push_back(makeSampler(device, {}));
+  for (const scenes::Sampler& sampler : samplers) m_samplers.push_back(makeSampler(device, sampler));
+  m_white = uploadImage(device, {base::Image8(1, 1, 4, 255)}, false);
+}
+
+std::vector<vk::DescriptorImageInfo> Textures::bindings(std::uint32_t set) const {
+  std::vector<vk::DescriptorImageInfo> infos;
+  for (const Binding& binding : m_sets[set])
+    infos.emplace_back(*m_samplers[binding.sampler],
+                       binding.image < 0 ? m_white.view() : m_images[binding.image].view(),
+                       vk::ImageLayout::eShaderReadOnlyOptimal);
+  return infos;
+}
+
+} // namespace parity::gpu

@@ -1,0 +1,71 @@
+#include "job/context.h"
+
+#include <cstring>
+
+#include "base/file.h"
+#include "base/hash.h"
+
+namespace parity::job {
+
+namespace {
+
+std::string hashOfThisBinary() { return base::Hasher().add(base::readFile("/proc/self/exe")).hex(); }
+
+} // namespace
+
+Context::Context(const Settings& settings)
+    : m_settings(settings), m_display(settings.display),
+      m_cache(settings.cacheFolder ? base::Cache(*settings.cacheFolder) : base::Cache::disabled()),
+      m_buildId(settings.cacheFolder ? hashOfThisBinary() : std::string()) {}
+
+gpu::Device& Context::device() {
+  if (!m_device) {
+    const base::Stopwatch watch(&m_timings, "device");
+    m_device = std::make_unique<gpu::Device>(m_settings.device);
+    m_device->setTimings(&m_timings);
+  }
+  return *m_device;
+}
+
+const base::Image& Context::envBrdfLut() {
+  if (!m_lut.empty()) return m_lut;
+  const base::Stopwatch watch(&m_timings, "environment BRDF table");
+  constexpr int kSize = 128;
+  const int term = static_cast<int>(m_settings.highend.geometryTerm);
+  const std::string key = base::Hasher().add(m_buildId).add("env-brdf-lut").addValue(term).addValue(kSize).hex();
+  base::Image lut(kSize, kSize, 2);
+  const std::size_t bytes = lut.pixels.size() * sizeof(float);
+  if (const auto cached = m_cache.find(key); cached && cached->size() == bytes) {
+    std::memcpy(lut.pixels.data(), cached->data(), bytes);
+  } else {
+    lut = highend::makeEnvBrdfLut(m_settings.highend.geometryTerm, kSize);
+    const auto content = std::as_bytes(std::span{lut.pixels});
+    m_cache.store(key, {content.begin(), content.end()});
+  }
+  m_lut = std::move(lut);
+  return m_lut;
+}
+
+lighting::EnvironmentLight Context::environmentLight(const scenes::Environment& environment) {
+  const base::Stopwatch watch(&m_timings, "environment");
+  const lighting::PrefilterOptions options;
+  std::string key;
+  if (m_settings.cacheFolder) {
+    base::Hasher hasher;
+    hasher.add(m_buildId)
+        .add("environment")
+        .addValue(options.faceSize)
+        .addValue(options.sampleCount)
+        .addValue(environment.rotationDeg);
+    hasher.addValue(environment.radiance.width)
+        .addValue(environment.radiance.height)
+        .add(std::as_bytes(std::span{environment.radiance.pixels}));
+    key = hasher.hex();
+    if (const auto cached = m_cache.find(key)) return lighting::environmentLightFromBytes(*cached);
+  }
+  lighting::EnvironmentLight light = lighting::makeEnvironmentLight(environment, options);
+  if (m_settings.cacheFolder) m_cache.store(key, lighting::toBytes(light));
+  return light;
+}
+
+} // namespace parity::job

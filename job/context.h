@@ -1,0 +1,45 @@
+// What the scenes of a run share: device, cache, display transform, timings.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "base/cache.h"
+#include "base/color.h"
+#include "base/image.h"
+#include "base/stopwatch.h"
+#include "gpu/device.h"
+#include "job/settings.h"
+#include "lighting/environment_light.h"
+
+namespace parity::job {
+
+// Made once a run; what it holds is made on first use.
+class Context {
+public:
+  explicit Context(const Settings& settings);
+
+  const Settings& settings() const { return m_settings; }
+  base::Timings& timings() { return m_timings; }
+  const base::DisplayTransform& display() const { return m_display; }
+
+  // Created on first use, within the stage "device". Throws Error (exit 4).
+  gpu::Device& device();
+
+  // The environment BRDF table of the settings' geometry term, made on first use or read from the cache.
+  const base::Image& envBrdfLut();
+
+  // Prefiltered cube and SH of an environment, from the cache where it holds them. Thread-safe.
+  lighting::EnvironmentLight environmentLight(const scenes::Environment& environment);
+
+private:
+  Settings m_settings;
+  base::Timings m_timings;
+  base::DisplayTransform m_display;
+  base::Cache m_cache;
+  std::string m_buildId; // of the running binary: what an older build has cached is not used
+  std::unique_ptr<gpu::Device> m_device;
+  base::Image m_lut;
+};
+
+} // namespace parity::job

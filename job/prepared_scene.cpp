@@ -1,0 +1,91 @@
+#include "job/prepared_scene.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/glob.h"
+#include "base/parallel.h"
+#include "scenes/load.h"
+
+namespace parity::job {
+
+namespace {
+
+void applyFullyRough(scenes::Scene& scene, const std::vector<std::string>& globs) {
+  for (const std::string& glob : globs) {
+    bool matched = false;
+    for (scenes::Material& material : scene.materials)
+      if (base::matchesGlob(glob, material.name)) material.fullyRough = matched = true;
+    if (!matched)
+      throw base::Error(base::ExitCode::usage, scene.name, fmt::format("fully rough '{}'", glob),
+                        "no material has such a name");
+  }
+}
+
+bool givesLight(const scenes::Material& m) {
+  return m.unlit || std::max({m.emissive.x, m.emissive.y, m.emissive.z}) > 0;
+}
+
+// Black pictures are alike by any metric: a scene that nothing lights is refused, not passed.
+void requireLight(PreparedScene& prepared) {
+  const bool lit =
+      prepared.environment || std::any_of(prepared.lights.begin(), prepared.lights.end(), [](const scenes::Light& l) {
+        return std::max({l.color.x, l.color.y, l.color.z}) > 0;
+      });
+  if (lit) return;
+  if (std::none_of(prepared.scene.materials.begin(), prepared.scene.materials.end(), givesLight))
+    throw base::fileError(prepared.scene.name, "light",
+                          "the scene has neither light nor environment; give --env or --sun");
+  prepared.scene.warnings.push_back("no light and no environment: only emissive and unlit materials are seen");
+}
+
+} // namespace
+
+PreparedScene prepareScene(Context& context, const SceneRequest& request) {
+  PreparedScene prepared;
+  std::optional<scenes::Environment> environment;
+  std::vector<std::string> warnings;
+  base::parallelInvoke({
+      [&] {
+        const base::Stopwatch watch(&context.timings(), "load scene");
+        prepared.scene = scenes::loadScene(request.scene);
+      },
+      [&] {
+        if (request.environment.empty()) return;
+        {
+          const base::Stopwatch watch(&context.timings(), "load environment");
+          environment = scenes::loadEnvironment(request.environment, request.environmentRotationDeg, warnings);
+        }
+        prepared.environment = context.environmentLight(*environment);
+      },
+  });
+  scenes::Scene& scene = prepared.scene;
+  if (!request.name.empty()) scene.name = request.name;
+  scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
+  if (scene.instances.empty() || scene.triangleCount() == 0)
+    throw base::fileError(request.scene, "scene", "it shows no triangles");
+
+  if (!environment && scene.environment) {
+    // A built-in scene's own environment; the request's goes first.
+    scene.environment->rotationDeg = request.environmentRotationDeg;
+    environment = scene.environment;
+    prepared.environment = context.environmentLight(*environment);
+  }
+  prepared.environmentName = environment ? environment->name : "none";
+  scene.environment.reset(); // its pixels are not needed any more
+
+  prepared.lights = scene.lights;
+  prepared.sunText = "none";
+  if (request.sun) {
+    prepared.lights.push_back(scenes::makeSun(*request.sun));
+    prepared.sunText = fmt::format("{},{},{}", request.sun->azimuthDeg, request.sun->elevationDeg, request.sun->lux);
+  }
+  applyFullyRough(scene, request.fullyRough);
+  applyFullyRough(scene, context.settings().fullyRough);
+  requireLight(prepared);
+  return prepared;
+}
+
+} // namespace parity::job

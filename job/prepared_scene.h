@@ -1,0 +1,28 @@
+// A scene made ready for both paths: loaded, lit, flagged.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "job/context.h"
+#include "scenes/scene.h"
+
+namespace parity::job {
+
+// What to load: a suite entry, or the command line's one scene in the same form.
+using SceneRequest = scenes::SuiteEntry;
+
+struct PreparedScene {
+  scenes::Scene scene;               // environment and fully-rough flags as requested
+  std::vector<scenes::Light> lights; // the scene's and the sun
+  std::optional<lighting::EnvironmentLight> environment;
+  std::string environmentName, sunText; // for the report; "none" where there is none
+};
+
+// Loads scene and environment (at the same time), applies flags and sun. Throws Error: exit 4 for what cannot be read,
+// for an empty scene and for one with nothing that gives light; usage for a glob that no material matches.
+PreparedScene prepareScene(Context& context, const SceneRequest& request);
+
+} // namespace parity::job

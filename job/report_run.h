@@ -1,0 +1,30 @@
+// A whole run: scenes in, report out.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "compare/report.h"
+#include "job/prepared_scene.h"
+
+namespace parity::job {
+
+struct ReportRequest {
+  std::vector<SceneRequest> scenes;        // in order; each is tried, whatever becomes of the others
+  std::optional<std::string> suiteBudgets; // the suite file's own default
+  std::filesystem::path folder;            // empty: nothing is written
+  std::string commandLine;                 // for run.json
+};
+
+struct ReportResult {
+  compare::Report report;
+  compare::RunInfo run;
+};
+
+// Compares every view of every scene. A scene that fails is an error in the report, with its reason, and the next one
+// runs. With a folder: images/, report.json, run.json, junit.xml and index.html are written there, whatever the
+// verdict. Throws Error for what concerns the whole run: no device, a budget file that cannot be used, a folder that
+// cannot be written.
+ReportResult runReport(Context& context, const ReportRequest& request, const Progress& progress);
+
+} // namespace parity::job

@@ -1,0 +1,117 @@
+#include "job/scene_renderer.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+
+namespace parity::job {
+
+namespace {
+
+gpu::EnvironmentMaps uploadEnvironment(const gpu::Device& device, const lighting::EnvironmentLight& light) {
+  constexpr auto kFormat = vk::Format::eR32G32B32A32Sfloat;
+  if (!device.filtersLinearly(kFormat))
+    throw base::Error(base::ExitCode::failed, device.report().name, "environment",
+                      "the device cannot filter 32-bit float textures");
+  std::vector<std::span<const std::byte>> mips;
+  for (const auto& mip : light.prefiltered.mips) mips.push_back(std::as_bytes(std::span{mip}));
+  const auto size = static_cast<std::uint32_t>(light.prefiltered.faceSize);
+  const gpu::DeviceImage::Shape shape{
+      .format = kFormat, .width = size, .height = size, .mips = static_cast<std::uint32_t>(mips.size()), .cube = true};
+  vk::SamplerCreateInfo sampler({}, vk::Filter::eLinear, vk::Filter::eLinear, vk::SamplerMipmapMode::eLinear);
+  sampler.addressModeU = sampler.addressModeV = sampler.addressModeW = vk::SamplerAddressMode::eClampToEdge;
+  sampler.maxLod = VK_LOD_CLAMP_NONE;
+  gpu::EnvironmentMaps maps{gpu::DeviceImage(device, shape, mips), vk::raii::Sampler(device.handle(), sampler), {}};
+  for (std::size_t i = 0; i < maps.sh.size(); ++i) maps.sh[i] = glm::vec4(light.irradianceSh[i], 0);
+  return maps;
+}
+
+} // namespace
+
+SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, const Paths& paths, std::size_t views)
+    : m_context(context), m_prepared(prepared), m_buffers([&] {
+        gpu::Device& device = context.device();
+        const base::Stopwatch watch(&context.timings(), "upload");
+        return gpu::SceneBuffers(device, prepared.scene);
+      }()),
+      m_surfacePass(context.device(), m_buffers, static_cast<std::uint32_t>(context.settings().width),
+                    static_cast<std::uint32_t>(context.settings().height)) {
+  const Settings& settings = context.settings();
+  const gpu::Device& device = context.device();
+  if (prepared.environment) {
+    const base::Stopwatch watch(&context.timings(), "upload");
+    m_environment = uploadEnvironment(device, *prepared.environment);
+  }
+  const gpu::EnvironmentMaps* maps = m_environment ? &*m_environment : nullptr;
+  const auto pixels = static_cast<std::uint64_t>(settings.width) * settings.height * settings.samples * views;
+  if (paths.highend) {
+    highend::Inputs inputs{.environment = maps,
+                           .lut = nullptr,
+                           .lights = prepared.lights,
+                           .terms = settings.terms,
+                           .expectedPixels = pixels};
+    if (highend::Renderer::needsLut(inputs, settings.highend)) inputs.lut = &context.envBrdfLut();
+    m_highend.emplace(device, m_buffers, m_surfacePass.binKinds(), inputs, settings.highend);
+  }
+  if (paths.mobile) {
+    const mobile::Inputs inputs{
+        .environment = maps, .lights = prepared.lights, .terms = settings.terms, .expectedPixels = pixels};
+    m_mobile.emplace(device, m_buffers, m_surfacePass.binKinds(), inputs, settings.mobilePreset);
+  }
+}
+
+ViewFrames SceneRenderer::render(const scenes::Camera& camera) {
+  const Settings& settings = m_context.settings();
+  const auto width = static_cast<std::uint32_t>(settings.width), height = static_cast<std::uint32_t>(settings.height);
+  gpu::FrameBuilder highendFrame(width, height, settings.samples, settings.terms, settings.background);
+  gpu::FrameBuilder mobileFrame = highendFrame;
+  gpu::CoverageBuilder coverage(m_buffers, width, height, settings.samples);
+
+  for (const gpu::Tile& tile : gpu::makeTiles(width, height))
+    for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
+      gpu::Surface opaque, blended;
+      {
+        const base::Stopwatch watch(&m_context.timings(), "surface");
+        opaque = m_surfacePass.render(camera, tile, sample, gpu::Layer::opaque);
+        if (m_surfacePass.hasBlended()) blended = m_surfacePass.render(camera, tile, sample, gpu::Layer::blended);
+      }
+      gpu::ShadedSurface lastBlended;
+      const auto shadeBy = [&](const auto& renderer, gpu::FrameBuilder& frame, const char* stage) {
+        const base::Stopwatch watch(&m_context.timings(), stage);
+        const gpu::ShadedSurface shaded = renderer.shade(opaque, camera);
+        if (m_surfacePass.hasBlended()) lastBlended = renderer.shade(blended, camera);
+        frame.add(opaque, shaded, m_surfacePass.hasBlended() ? &blended : nullptr, &lastBlended, tile);
+      };
+      if (m_highend) shadeBy(*m_highend, highendFrame, "shade highend");
+      if (m_mobile) shadeBy(*m_mobile, mobileFrame, "shade mobile");
+      // Opacity is the same in every path: it comes from the shared material.
+      const base::Stopwatch watch(&m_context.timings(), "masks");
+      coverage.add(opaque, m_surfacePass.hasBlended() ? &blended : nullptr, &lastBlended);
+    }
+  ViewFrames frames;
+  if (m_highend) frames.highend = highendFrame.take();
+  if (m_mobile) frames.mobile = mobileFrame.take();
+  const base::Stopwatch watch(&m_context.timings(), "masks");
+  frames.coverage = coverage.take();
+  return frames;
+}
+
+std::vector<std::string> SceneRenderer::notes() const {
+  return m_mobile ? m_mobile->notes() : std::vector<std::string>{};
+}
+
+std::vector<std::string> SceneRenderer::skipped() const {
+  std::vector<std::string> skipped;
+  if (!m_prepared.environment) skipped.push_back("no environment: no prefiltered cube, no SH");
+  if (!m_prepared.environment && !m_context.settings().highend.compensate)
+    skipped.push_back("no environment, no compensation: no environment BRDF table");
+  bool directional = false, local = false;
+  for (const scenes::Light& light : m_prepared.lights)
+    (light.kind == scenes::LightKind::directional ? directional : local) = true;
+  if (!directional) skipped.push_back("no directional light: no sun in the shaders");
+  if (!local) skipped.push_back("no local lights: no light loop in the shaders");
+  if (!m_surfacePass.hasBlended()) skipped.push_back("no blended material: no second surface");
+  if (!m_context.settings().terms) skipped.push_back("terms not asked for: not written");
+  return skipped;
+}
+
+} // namespace parity::job

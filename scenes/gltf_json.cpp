@@ -1,0 +1,57 @@
+// The JSON of a glTF file: parsed with limits.
+#include "scenes/gltf_json.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+
+namespace parity::scenes {
+namespace {
+
+// One pass over the text, aware of strings only: counts nesting and separators before anything is allocated.
+void checkLimits(std::string_view text, const std::string& label) {
+  int depth = 0;
+  std::size_t values = 0;
+  bool inString = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (inString) {
+      if (c == '\\')
+        ++i;
+      else if (c == '"')
+        inString = false;
+      continue;
+    }
+    if (c == '"')
+      inString = true;
+    else if (c == '{' || c == '[') {
+      if (++depth > kMaxJsonDepth)
+        throw base::fileError(label, "JSON", fmt::format("nested deeper than {} levels", kMaxJsonDepth));
+      ++values;
+    } else if (c == '}' || c == ']')
+      --depth;
+    else if (c == ',' || c == ':')
+      ++values;
+    if (values > kMaxJsonValues)
+      throw base::fileError(label, "JSON", fmt::format("more than {} values", kMaxJsonValues));
+  }
+}
+
+} // namespace
+
+nlohmann::json parseGltfJson(std::string_view text, const std::string& label) {
+  checkLimits(text, label);
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::exception& error) {
+    // "[json.exception.parse_error.101] parse error at line 3, column 7: syntax error ...": the tag says nothing to a
+    // user.
+    std::string_view reason = error.what();
+    if (const auto tag = reason.find("] "); tag != std::string_view::npos) reason.remove_prefix(tag + 2);
+    constexpr std::string_view kPrefix = "parse error at ";
+    if (reason.starts_with(kPrefix)) reason.remove_prefix(kPrefix.size());
+    throw base::fileError(label, "JSON", std::string(reason.substr(0, 300)));
+  }
+}
+
+} // namespace parity::scenes

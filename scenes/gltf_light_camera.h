@@ -1,0 +1,23 @@
+// Lights (KHR_lights_punctual) and cameras of a glTF file, placed in the world.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes/gltf_document.h"
+#include "scenes/gltf_nodes.h"
+#include "scenes/scene.h"
+
+namespace parity::scenes {
+
+// The light of a node, nothing where it has none. It shines along the node's -Z; scale changes neither range nor
+// intensity. Throws Error (exit 4): unknown type, values out of range, a node without a direction.
+std::optional<Light> readLight(const GltfDocument& document, const PlacedNode& node,
+                               std::vector<std::string>& warnings);
+
+// The camera of a node, nothing where it has none. toWorld is made rigid. An absent far plane comes out as zFar = 0.
+// Throws Error (exit 4): values out of range, a node without a direction.
+std::optional<Camera> readCamera(const GltfDocument& document, const PlacedNode& node);
+
+} // namespace parity::scenes

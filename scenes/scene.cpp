@@ -1,0 +1,46 @@
+// What a scene can say about itself: bounds, triangle count, the reflectance of a material.
+#include "scenes/scene.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace parity::scenes {
+
+// F0 of a dielectric against air: ((ior-1)/(ior+1))^2 (Fresnel at normal incidence), tinted and scaled as
+// KHR_materials_specular says: min(f0 * specularColor, 1) * specular. In double, so that the default ior of 1.5 rounds
+// to the very 0.04f that the nonmetal permutation stands for.
+glm::vec3 Material::dielectricF0() const {
+  const double root = (static_cast<double>(ior) - 1.0) / (static_cast<double>(ior) + 1.0);
+  glm::vec3 f0;
+  for (int i = 0; i < 3; ++i)
+    f0[i] = static_cast<float>(std::clamp(root * root * specularColor[i], 0.0, 1.0) * std::clamp(specular, 0.f, 1.f));
+  return f0;
+}
+
+bool Material::isNonmetal() const {
+  // A texture only ever scales the factor: metallic 0 stays 0. Specular textures could lower F0 below 0.04.
+  return metallic == 0.f && !specularTexture.present() && !specularColorTexture.present() &&
+         dielectricF0() == glm::vec3(0.04f);
+}
+
+Bounds Scene::bounds() const {
+  constexpr float kInf = std::numeric_limits<float>::infinity();
+  Bounds bounds{glm::vec3(kInf), glm::vec3(-kInf)};
+  for (const Instance& instance : instances) {
+    const Mesh& mesh = meshes[instance.mesh];
+    for (std::uint32_t index : mesh.indices) { // not over positions: a vertex that no triangle uses is not seen
+      const glm::vec3 p = glm::vec3(instance.toWorld * glm::vec4(mesh.positions[index], 1.f));
+      bounds.lower = glm::min(bounds.lower, p);
+      bounds.upper = glm::max(bounds.upper, p);
+    }
+  }
+  return bounds.lower.x <= bounds.upper.x ? bounds : Bounds{};
+}
+
+std::size_t Scene::triangleCount() const {
+  std::size_t count = 0;
+  for (const Instance& instance : instances) count += meshes[instance.mesh].indices.size() / 3;
+  return count;
+}
+
+} // namespace parity::scenes

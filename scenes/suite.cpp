@@ -1,0 +1,208 @@
+// The suite file: TOML, every key known, every value checked. docs/suite.md describes it.
+#include "scenes/suite.h"
+
+#include <array>
+#include <cmath>
+#include <set>
+#include <span>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/nearest.h"
+#include "scenes/names.h"
+
+namespace parity::scenes {
+namespace {
+
+constexpr std::size_t kMaxSuiteBytes = std::size_t{16} << 20;
+constexpr std::string_view kBuiltin = "builtin:";
+
+constexpr std::array<std::string_view, 3> kSuiteKeys = {"name", "budgets", "scene"};
+constexpr std::array<std::string_view, 9> kSceneKeys = {
+    "name", "file", "environment", "environment_rotation", "sun", "fully_rough", "budgets", "exposure", "view"};
+constexpr std::array<std::string_view, 5> kViewKeys = {"name", "camera", "orbit", "target", "fov"};
+
+// One table of the file: typed access with errors that name file, line and key.
+class TableReader {
+public:
+  TableReader(const std::string& label, const toml::table& table, std::string_view what,
+              std::span<const std::string_view> known)
+      : m_label(label), m_table(table) {
+    for (const auto& [key, node] : table) {
+      const std::string_view name = key.str();
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        throw errorAt(node, cleanName(name),
+                      fmt::format("no such key in {}; did you mean '{}'?", what, base::nearestName(name, known)));
+    }
+  }
+
+  base::Error errorAt(const toml::node& node, const std::string& key, const std::string& reason) const {
+    return base::fileError(m_label, fmt::format("line {}: {}", node.source().begin.line, key), reason);
+  }
+  base::Error errorAt(std::string_view key, const std::string& reason) const {
+    const toml::node* node = m_table.get(key);
+    return errorAt(node ? *node : static_cast<const toml::node&>(m_table), std::string(key), reason);
+  }
+
+  std::optional<std::string> text(std::string_view key) const {
+    const toml::node* node = m_table.get(key);
+    if (!node) return std::nullopt;
+    if (!node->is_string()) throw errorAt(key, "not a string");
+    std::string value = node->value_or(std::string{});
+    if (value.empty()) throw errorAt(key, "an empty string");
+    return value;
+  }
+
+  std::optional<float> number(std::string_view key, double least, double most) const {
+    const toml::node* node = m_table.get(key);
+    if (!node) return std::nullopt;
+    return numberOf(*node, key, least, most);
+  }
+
+  template <std::size_t kCount> std::optional<std::array<float, kCount>> numbers(std::string_view key) const {
+    const toml::node* node = m_table.get(key);
+    if (!node) return std::nullopt;
+    const toml::array* list = node->as_array();
+    if (!list || list->size() != kCount) throw errorAt(key, fmt::format("not a list of {} numbers", kCount));
+    std::array<float, kCount> values;
+    for (std::size_t i = 0; i < kCount; ++i) values[i] = numberOf((*list)[i], key, -1e30, 1e30);
+    return values;
+  }
+
+  std::vector<std::string> texts(std::string_view key) const {
+    const toml::node* node = m_table.get(key);
+    if (!node) return {};
+    const toml::array* list = node->as_array();
+    if (!list) throw errorAt(key, "not a list of strings");
+    std::vector<std::string> values;
+    for (const toml::node& entry : *list) {
+      if (!entry.is_string()) throw errorAt(entry, std::string(key), "not a list of strings");
+      values.push_back(entry.value_or(std::string{}));
+    }
+    return values;
+  }
+
+  // An array of tables ([[key]]); empty where it is absent.
+  std::vector<const toml::table*> tables(std::string_view key) const {
+    const toml::node* node = m_table.get(key);
+    if (!node) return {};
+    const toml::array* list = node->as_array();
+    if (!list) throw errorAt(key, fmt::format("not a list of tables: write [[{}]]", key));
+    std::vector<const toml::table*> values;
+    for (const toml::node& entry : *list) {
+      if (!entry.is_table()) throw errorAt(entry, std::string(key), fmt::format("not a table: write [[{}]]", key));
+      values.push_back(entry.as_table());
+    }
+    return values;
+  }
+
+private:
+  float numberOf(const toml::node& node, std::string_view key, double least, double most) const {
+    if (!node.is_number()) throw errorAt(node, std::string(key), "not a number");
+    const double value = node.value_or(0.0);
+    if (!(value >= least && value <= most)) // NaN too
+      throw errorAt(node, std::string(key), fmt::format("{} is not from {} to {}", value, least, most));
+    return static_cast<float>(value);
+  }
+
+  const std::string& m_label;
+  const toml::table& m_table;
+};
+
+std::string resolve(const std::filesystem::path& folder, const std::string& file) {
+  return file.starts_with(kBuiltin) ? file : (folder / file).lexically_normal().string();
+}
+
+std::string defaultName(const std::string& file) {
+  if (file.starts_with(kBuiltin)) return file.substr(kBuiltin.size());
+  return cleanName(std::filesystem::path(file).stem().string());
+}
+
+ViewRequest readView(const std::string& label, const toml::table& table, std::size_t number) {
+  const TableReader reader(label, table, "a view", kViewKeys);
+  ViewRequest view;
+  view.camera = reader.text("camera").value_or("");
+  if (const auto orbit = reader.numbers<3>("orbit")) {
+    if ((*orbit)[1] < 0 || (*orbit)[1] > 180 || (*orbit)[2] < 0)
+      throw reader.errorAt("orbit", "[theta, phi, radius]: phi is from 0 to 180, radius at least 0");
+    view.orbit = glm::vec3((*orbit)[0], (*orbit)[1], (*orbit)[2]);
+  }
+  if (const auto target = reader.numbers<3>("target"))
+    view.target = glm::vec3((*target)[0], (*target)[1], (*target)[2]);
+  const bool isNamed = !view.camera.empty() && view.camera != "auto";
+  if (isNamed && (view.orbit || view.target))
+    throw reader.errorAt("camera", "given together with an orbit or a target");
+  view.fovYDeg = reader.number("fov", 1, 170).value_or(view.fovYDeg);
+  view.name = cleanName(reader.text("name").value_or(isNamed      ? view.camera
+                                                     : view.orbit ? fmt::format("view {}", number)
+                                                                  : std::string("auto")));
+  return view;
+}
+
+SuiteEntry readEntry(const std::string& label, const std::filesystem::path& folder, const toml::table& table) {
+  const TableReader reader(label, table, "a scene", kSceneKeys);
+  SuiteEntry entry;
+  const auto file = reader.text("file");
+  if (!file) throw reader.errorAt("file", "is missing: a scene needs a file or \"builtin:NAME\"");
+  entry.scene = resolve(folder, *file);
+  entry.name = cleanName(reader.text("name").value_or(defaultName(*file)));
+  if (const auto environment = reader.text("environment")) entry.environment = resolve(folder, *environment);
+  entry.environmentRotationDeg = reader.number("environment_rotation", -3600, 3600).value_or(0.f);
+  if (const auto sun = reader.numbers<3>("sun")) {
+    if (std::abs((*sun)[1]) > 90 || (*sun)[2] < 0)
+      throw reader.errorAt("sun", "[azimuth, elevation, lux]: elevation is from -90 to 90, lux at least 0");
+    entry.sun = SunRequest{(*sun)[0], (*sun)[1], (*sun)[2]};
+  }
+  entry.fullyRough = reader.texts("fully_rough");
+  if (const auto budgets = reader.text("budgets")) entry.budgets = resolve(folder, *budgets);
+  entry.exposureEv = reader.number("exposure", -32, 32);
+  std::set<std::string> names;
+  for (const toml::table* view : reader.tables("view")) {
+    entry.views.push_back(readView(label, *view, entry.views.size() + 1));
+    if (!names.insert(entry.views.back().name).second)
+      throw reader.errorAt(*view, "view",
+                           fmt::format("a second view named '{}' in scene '{}'", entry.views.back().name, entry.name));
+  }
+  if (entry.views.empty()) entry.views.emplace_back();
+  return entry;
+}
+
+} // namespace
+
+Suite loadSuite(const std::filesystem::path& file) {
+  const std::string label = file.string();
+  std::string text;
+  try {
+    text = base::readText(file, kMaxSuiteBytes);
+  } catch (const base::Error& error) {
+    throw base::fileError(label, "", error.reason());
+  }
+  toml::table root;
+  try {
+    root = toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    throw base::fileError(label,
+                          fmt::format("line {}, column {}", error.source().begin.line, error.source().begin.column),
+                          std::string(error.description()));
+  }
+  const TableReader reader(label, root, "a suite", kSuiteKeys);
+  Suite suite;
+  const std::filesystem::path folder = file.parent_path();
+  suite.name = cleanName(reader.text("name").value_or(file.stem().string()));
+  if (const auto budgets = reader.text("budgets")) suite.budgets = resolve(folder, *budgets);
+  std::set<std::string> names;
+  for (const toml::table* table : reader.tables("scene")) {
+    suite.entries.push_back(readEntry(label, folder, *table));
+    if (!names.insert(suite.entries.back().name).second)
+      throw reader.errorAt(
+          *table, "scene",
+          fmt::format("a second scene named '{}': give it a name of its own", suite.entries.back().name));
+  }
+  if (suite.entries.empty()) throw base::fileError(label, "", "the suite lists no scene: write [[scene]]");
+  return suite;
+}
+
+} // namespace parity::scenes

@@ -1,0 +1,35 @@
+// Messages: which level lets which through, and that they go to stderr only.
+#include "base/log.h"
+
+#include <gtest/gtest.h>
+
+namespace parity::base {
+namespace {
+
+struct Output {
+  std::string out, err;
+};
+
+Output logAll(LogLevel level) {
+  setLogLevel(level);
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  logVerbose("detail");
+  logInfo("news");
+  logWarning("odd {}");
+  logError("broken %s");
+  Output output{testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+  setLogLevel(LogLevel::normal);
+  return output;
+}
+
+TEST(Log, WritesWhatTheLevelLetsThrough) {
+  EXPECT_EQ(logAll(LogLevel::quiet).err, "error: broken %s\n");
+  EXPECT_EQ(logAll(LogLevel::normal).err, "news\nwarning: odd {}\nerror: broken %s\n");
+  EXPECT_EQ(logAll(LogLevel::verbose).err, "detail\nnews\nwarning: odd {}\nerror: broken %s\n");
+}
+
+TEST(Log, LeavesStdoutToTheResults) { EXPECT_EQ(logAll(LogLevel::verbose).out, ""); }
+
+} // namespace
+} // namespace parity::base

@@ -1,0 +1,119 @@
+#include "compare/sample_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/budget.h"
+
+namespace parity::compare {
+namespace {
+
+// Hands out the given names, then "plain 1", "plain 2", ...
+class Namer {
+public:
+  explicit Namer(std::vector<std::string> names) : m_names(std::move(names)) {}
+  std::string next(const std::string& fallback) {
+    return m_next < m_names.size() ? m_names[m_next++] : fallback;
+  }
+
+private:
+  std::vector<std::string> m_names;
+  std::size_t m_next = 0;
+};
+
+MaterialResult makeMaterial(const std::string& name, double mean, std::uint64_t pixels, double gain,
+                            const std::string& scene, const std::string& file) {
+  MaterialResult material;
+  material.name = name;
+  material.figures = makeRegion(name, mean, pixels, gain);
+  if (pixels > 0)
+    material.crops = {"images/" + file + "_ref.png", "images/" + file + "_test.png", "images/" + file + "_flip.png"};
+  judgeMaterial(material, defaultBudgets(), scene);
+  return material;
+}
+
+} // namespace
+
+Figures makeFigures(double mean, std::uint64_t pixels, double gain) {
+  Figures figures;
+  figures.pixels = pixels;
+  if (pixels == 0) return figures;
+  figures.flip = {mean, 0.8 * mean, std::min(1.0, 2.5 * mean), std::min(1.0, 4 * mean)};
+  figures.rmse = 0.3 * mean;
+  figures.psnr = mean > 0 ? -20 * std::log10(figures.rmse) : INFINITY;
+  figures.referenceLuma = 0.42;
+  figures.testLuma = 0.42 * gain;
+  return figures;
+}
+
+RegionFigures makeRegion(const std::string& name, double mean, std::uint64_t pixels, double gain) {
+  return {name, makeFigures(1.1 * mean, pixels, gain), makeFigures(mean, pixels * 3 / 4, gain)};
+}
+
+Report makeSampleReport(const std::vector<std::string>& names) {
+  Namer namer(names);
+  Report report;
+  report.version = "0.1.0";
+  report.device = "llvmpipe (LLVM 15.0.6, 256 bits), Mesa 22.3.6";
+  report.settings = {{"size", "1024x1024"},   {"samples", "1"},        {"preset", "ue4-2020"}, {"precision", "fp32"},
+                     {"display", "sRGB"},     {"exposure", "0 EV"},    {"budgets", "built-in"}};
+
+  SceneResult lamp;
+  lamp.name = namer.next("Lamp");
+  lamp.source = "assets/Lamp.gltf";
+  lamp.environment = "studio_small_05_1k.hdr";
+  lamp.sun = "30,50,4";
+  lamp.warnings = {"KHR_materials_transmission is not supported: drawn opaque"};
+  ViewResult front;
+  front.name = "front";
+  front.width = front.height = 1024;
+  front.whole = makeRegion("whole", 0.06, 400000, 0.97);
+  front.images = {"images/lamp_ref.png", "images/lamp_test.png", "images/lamp_flip.png"};
+  front.skipped = {"no local lights: their loop"};
+  front.materials.push_back(makeMaterial(namer.next("Glass"), 0.03, 90000, 0.999, lamp.name, "glass"));
+  front.materials.push_back(makeMaterial(namer.next("Rough metal"), 0.27, 120000, 0.71, lamp.name, "metal"));
+  front.materials.back().notes = {"fully rough", "9 samplers: one more than mobile has"};
+  front.materials.back().terms = {{"sunDiffuse", 0, 0}, {"sunSpecular", 0.21, 0.11}, {"skySpecular", 0.34, 0.28}};
+  front.materials.push_back(makeMaterial(namer.next("Shade, cloth"), 0.14, 60000, 1.08, lamp.name, "cloth"));
+  front.materials.back().notes = {"nonmetal"};
+  front.materials.push_back(makeMaterial(namer.next("Screw"), 0, 0, 1, lamp.name, "screw"));
+  front.materials.push_back(makeMaterial(namer.next("Bulb"), 0, 900, 1, lamp.name, "bulb"));
+  judgeWhole(front, defaultBudgets(), lamp.name);
+  lamp.views.push_back(front);
+
+  ViewResult back = front;
+  back.name = namer.next("back");
+  back.materials[4].figures = makeRegion(back.materials[4].name, 0, 0);
+  back.materials[4].crops = {};
+  judgeMaterial(back.materials[4], defaultBudgets(), lamp.name);
+  lamp.views.push_back(back);
+  report.scenes.push_back(lamp);
+
+  SceneResult broken;
+  broken.name = namer.next("Broken");
+  broken.source = "assets/Broken.glb";
+  broken.error = "assets/Broken.glb: chunk 0: length 4096 runs past the end of the file";
+  broken.errorExitCode = 4;
+  report.scenes.push_back(broken);
+  settleVerdicts(report);
+  return report;
+}
+
+RunInfo makeSampleRun() {
+  return {"2024-05-01T12:00:00Z", "parity report Lamp.gltf -o out", {{"load", 120.5}, {"render", 830}}};
+}
+
+std::vector<std::string> hostileNames() {
+  return {"<script>alert(1)</script>",
+          "\"' onmouseover='alert(1)\" x=\"",
+          "</script><img src=x onerror=alert(1)>",
+          "javascript:alert(1)",
+          "line\nbreak\tand\rreturn",
+          "]]> &amp; & <!-- -->",
+          std::string("bell\a zero\0 escape\x1b[31m", 24),
+          "bad \xff\xc3 utf-8 \xed\xa0\x80",
+          "日本語 Ünïcödé \xE2\x80\xAEreversed",
+          "</style></title><svg onload=alert(1)>"};
+}
+
+} // namespace parity::compare

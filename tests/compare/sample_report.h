@@ -1,0 +1,23 @@
+// A report with one of everything: each verdict, several views, a broken scene, notes, terms; for the report tests.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compare/report.h"
+
+namespace parity::compare {
+
+// Figures whose every number differs, so that a swapped field shows. mean: FLIP; gain: test luma / reference luma.
+Figures makeFigures(double mean, std::uint64_t pixels, double gain = 0.95);
+RegionFigures makeRegion(const std::string& name, double mean, std::uint64_t pixels, double gain = 0.95);
+
+// Judged by the built-in budgets and settled. Material and scene names come from `names`, in order, for as long as there
+// are any; then harmless ones.
+Report makeSampleReport(const std::vector<std::string>& names = {});
+RunInfo makeSampleRun();
+
+// Names that break naive writers: markup, quotes, URLs, controls, invalid UTF-8, text direction.
+std::vector<std::string> hostileNames();
+
+} // namespace parity::compare

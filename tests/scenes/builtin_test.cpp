@@ -1,0 +1,160 @@
+// The built-in scenes hold what their names promise.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "scenes/builtin.h"
+#include "scenes/load.h"
+#include "scenes/shapes.h"
+#include "scenes/view.h"
+
+namespace parity::tests {
+namespace {
+
+using scenes::LightKind;
+using scenes::Mesh;
+using scenes::Scene;
+
+void expectSound(const Mesh& mesh, const std::string& what) {
+  ASSERT_EQ(mesh.normals.size(), mesh.positions.size()) << what;
+  ASSERT_FALSE(mesh.indices.empty()) << what;
+  for (const glm::vec3& n : mesh.normals) ASSERT_NEAR(glm::length(n), 1.f, 1e-4f) << what;
+  if (!mesh.tangents.empty()) {
+    ASSERT_EQ(mesh.tangents.size(), mesh.positions.size()) << what;
+  }
+  double area = 0, wrong = 0;
+  for (std::size_t t = 0; 3 * t < mesh.indices.size(); ++t) {
+    ASSERT_LT(mesh.indices[3 * t], mesh.positions.size());
+    const glm::vec3 a = mesh.positions[mesh.indices[3 * t]], b = mesh.positions[mesh.indices[3 * t + 1]],
+                    c = mesh.positions[mesh.indices[3 * t + 2]];
+    const glm::vec3 normal = glm::cross(b - a, c - a);
+    area += glm::length(normal);
+    if (glm::dot(normal, mesh.normals[mesh.indices[3 * t]]) < 0) wrong += glm::length(normal);
+  }
+  EXPECT_LT(wrong, 1e-3 * area) << what << ": triangles wound against their normals";
+}
+
+TEST(Builtin, EveryNameLoadsWithCameraEnvironmentAndUniqueMaterials) {
+  ASSERT_FALSE(scenes::builtinSceneNames().empty());
+  for (const std::string& name : scenes::builtinSceneNames()) {
+    const Scene scene = scenes::loadScene("builtin:" + name);
+    EXPECT_EQ(scene.name, name);
+    EXPECT_TRUE(scene.file.empty());
+    EXPECT_TRUE(scene.warnings.empty());
+    EXPECT_TRUE(scene.environment.has_value());
+    ASSERT_GE(scene.defaultCamera, 0);
+    ASSERT_LT(static_cast<std::size_t>(scene.defaultCamera), scene.cameras.size());
+    std::set<std::string> names;
+    for (const scenes::Material& material : scene.materials) {
+      EXPECT_TRUE(names.insert(material.name).second) << material.name;
+      for (const scenes::TextureSlot* slot : {&material.baseColorTexture, &material.normalTexture,
+                                              &material.metallicRoughnessTexture, &material.emissiveTexture})
+        EXPECT_LT(slot->image, static_cast<int>(scene.images.size()));
+    }
+    for (const Mesh& mesh : scene.meshes) {
+      expectSound(mesh, name + "/" + mesh.name);
+      ASSERT_LT(mesh.material, scene.materials.size());
+      EXPECT_EQ(mesh.tangents.empty(), !scene.materials[mesh.material].normalTexture.present()) << mesh.name;
+    }
+  }
+}
+
+TEST(Builtin, IsTheSameEveryTime) {
+  for (const std::string& name : scenes::builtinSceneNames()) {
+    const Scene a = scenes::makeBuiltinScene(name), b = scenes::makeBuiltinScene(name);
+    ASSERT_EQ(a.meshes.size(), b.meshes.size());
+    for (std::size_t i = 0; i < a.meshes.size(); ++i) EXPECT_EQ(a.meshes[i].positions, b.meshes[i].positions);
+    ASSERT_EQ(a.images.size(), b.images.size());
+    for (std::size_t i = 0; i < a.images.size(); ++i) EXPECT_EQ(a.images[i].pixels, b.images[i].pixels);
+  }
+}
+
+// All corners of the scene lie in the picture of its default camera.
+TEST(Builtin, DefaultCamerasShowTheWholeScene) {
+  for (const std::string& name : scenes::builtinSceneNames())
+    for (const float aspect : {1.f, 1.7f, 0.6f}) {
+      const Scene scene = scenes::makeBuiltinScene(name);
+      const scenes::Camera camera = scenes::makeCamera(scene, {}, aspect);
+      const glm::mat4 toView = glm::inverse(camera.toWorld);
+      const float tanY = std::tan(0.5f * glm::radians(camera.fovYDeg));
+      for (const scenes::Instance& instance : scene.instances)
+        for (const glm::vec3& p : scene.meshes[instance.mesh].positions) {
+          const glm::vec3 v = glm::vec3(toView * instance.toWorld * glm::vec4(p, 1));
+          const float half = camera.orthographic ? camera.halfHeight : -v.z * tanY;
+          ASSERT_GT(-v.z, camera.zNear) << name;
+          ASSERT_LT(-v.z, camera.zFar) << name;
+          ASSERT_LE(std::abs(v.y), half) << name << " " << aspect;
+          ASSERT_LE(std::abs(v.x), half * aspect * 1.0001f) << name << " " << aspect;
+        }
+    }
+}
+
+TEST(Builtin, FurnaceHasWhiteMetalsOfElevenRoughnessesThatDoNotOverlap) {
+  const Scene scene = scenes::makeBuiltinScene("furnace");
+  ASSERT_EQ(scene.materials.size(), 11u);
+  for (std::size_t i = 0; i < 11; ++i) {
+    EXPECT_FLOAT_EQ(scene.materials[i].roughness, static_cast<float>(i) / 10.f);
+    EXPECT_EQ(scene.materials[i].baseColor, glm::vec4(1));
+    EXPECT_EQ(scene.materials[i].metallic, 1.f);
+  }
+  EXPECT_EQ(scene.materials[3].name, "roughness 0.3");
+  EXPECT_TRUE(scene.cameras[0].orthographic);
+  EXPECT_EQ(scene.environment->name, "white");
+  EXPECT_TRUE(scene.lights.empty());
+  for (std::size_t i = 0; i < 11; ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_GT(glm::length(glm::vec2(scene.instances[i].toWorld[3] - scene.instances[k].toWorld[3])), 0.9f);
+}
+
+TEST(Builtin, LightsHasMoreLocalLightsThanTheMobilePathTakesAndADirectionalOne) {
+  const Scene scene = scenes::makeBuiltinScene("lights");
+  const auto count = [&](LightKind kind) {
+    return std::count_if(scene.lights.begin(), scene.lights.end(), [&](const auto& l) { return l.kind == kind; });
+  };
+  EXPECT_GT(count(LightKind::point) + count(LightKind::spot), 4);
+  EXPECT_GE(count(LightKind::spot), 1);
+  EXPECT_EQ(count(LightKind::directional), 1);
+  for (const scenes::Light& light : scene.lights) EXPECT_NEAR(glm::length(light.direction), 1.f, 1e-6f);
+}
+
+TEST(Builtin, SpheresShowEveryFeatureOnce) {
+  const Scene scene = scenes::makeBuiltinScene("spheres");
+  const auto any = [&](const auto& is) {
+    return std::count_if(scene.materials.begin(), scene.materials.end(), is) == 1;
+  };
+  using scenes::Material;
+  EXPECT_TRUE(any([](const Material& m) { return m.fullyRough; }));
+  EXPECT_TRUE(any([](const Material& m) { return m.unlit; }));
+  EXPECT_TRUE(any([](const Material& m) { return m.emissive != glm::vec3(0); }));
+  EXPECT_TRUE(any([](const Material& m) { return m.alphaMode == scenes::AlphaMode::mask; }));
+  EXPECT_TRUE(any([](const Material& m) { return m.specularColor != glm::vec3(1); }));
+  EXPECT_TRUE(any([](const Material& m) { return m.ior != 1.5f; }));
+  EXPECT_EQ(scene.materials.size(), 24u);
+}
+
+TEST(Shapes, SphereIsASphereToAThousandth) {
+  const Mesh sphere = scenes::makeSphere(2, 128, 64);
+  double area = 0;
+  for (std::size_t t = 0; 3 * t < sphere.indices.size(); ++t) {
+    const glm::dvec3 a = sphere.positions[sphere.indices[3 * t]], b = sphere.positions[sphere.indices[3 * t + 1]],
+                     c = sphere.positions[sphere.indices[3 * t + 2]];
+    area += 0.5 * glm::length(glm::cross(b - a, c - a));
+  }
+  EXPECT_NEAR(area / (16 * 3.14159265358979), 1, 1.2e-3); // 4 pi r^2
+  for (std::size_t i = 0; i < sphere.positions.size(); ++i)
+    EXPECT_NEAR(glm::length(sphere.positions[i] - 2.f * sphere.normals[i]), 0, 1e-6);
+}
+
+TEST(Shapes, RoundedBoxStaysWithinItsExtentAndTouchesIt) {
+  const glm::dvec3 half(1, 0.5, 0.25);
+  const Mesh box = scenes::makeRoundedBox(half, 0.1, 4);
+  glm::vec3 upper(0);
+  for (const glm::vec3& p : box.positions) upper = glm::max(upper, glm::abs(p));
+  EXPECT_NEAR(glm::length(upper - glm::vec3(half)), 0, 1e-6);
+  expectSound(box, "box");
+}
+
+} // namespace
+} // namespace parity::tests

@@ -1,0 +1,124 @@
+// The suite file: what it says, and what it must not say.
+#include "scenes/gltf_writer.h"
+#include "scenes/suite.h"
+
+namespace parity::tests {
+namespace {
+
+using scenes::Suite;
+
+Suite load(const std::string& text) {
+  const TempFolder folder;
+  writeFile(folder / "suite.toml", text);
+  return scenes::loadSuite(folder / "suite.toml");
+}
+
+void expectRefused(const std::string& text, std::vector<std::string> parts) {
+  parts.push_back("suite.toml: ");
+  expectError([&] { load(text); }, parts);
+}
+
+TEST(Suite, ReadsEveryKey) {
+  const TempFolder folder;
+  writeFile(folder / "suite.toml", std::string(R"(
+name = "all"
+budgets = "strict.toml"
+[[scene]]
+name = "bottle"
+file = "models/../WaterBottle.gltf"
+environment = "env/studio.hdr"
+environment_rotation = 90
+sun = [30, 50.5, 4]
+fully_rough = ["rubber*", "floor"]
+budgets = "bottle.toml"
+exposure = -1.5
+[[scene.view]]
+name = "front"
+orbit = [0, 90, 0]
+target = [1, 2, 3]
+fov = 30
+[[scene.view]]
+camera = "hero"
+[[scene]]
+file = "builtin:spheres"
+)"));
+  const Suite suite = scenes::loadSuite(folder / "suite.toml");
+  EXPECT_EQ(suite.name, "all");
+  EXPECT_EQ(suite.budgets, (folder / "strict.toml").string());
+  ASSERT_EQ(suite.entries.size(), 2u);
+  const scenes::SuiteEntry& bottle = suite.entries[0];
+  EXPECT_EQ(bottle.name, "bottle");
+  EXPECT_EQ(bottle.scene, (folder / "WaterBottle.gltf").string()) << "beside the suite";
+  EXPECT_EQ(bottle.environment, (folder / "env/studio.hdr").string());
+  EXPECT_EQ(bottle.environmentRotationDeg, 90.f);
+  ASSERT_TRUE(bottle.sun);
+  EXPECT_EQ(bottle.sun->elevationDeg, 50.5f);
+  EXPECT_EQ(bottle.sun->lux, 4.f);
+  EXPECT_EQ(bottle.fullyRough, (std::vector<std::string>{"rubber*", "floor"}));
+  EXPECT_EQ(bottle.budgets, (folder / "bottle.toml").string());
+  EXPECT_EQ(bottle.exposureEv, -1.5f);
+  ASSERT_EQ(bottle.views.size(), 2u);
+  EXPECT_EQ(bottle.views[0].name, "front");
+  EXPECT_EQ(bottle.views[0].orbit, glm::vec3(0, 90, 0));
+  EXPECT_EQ(bottle.views[0].target, glm::vec3(1, 2, 3));
+  EXPECT_EQ(bottle.views[0].fovYDeg, 30.f);
+  EXPECT_EQ(bottle.views[1].name, "hero");
+  EXPECT_EQ(bottle.views[1].camera, "hero");
+  const scenes::SuiteEntry& spheres = suite.entries[1];
+  EXPECT_EQ(spheres.name, "spheres");
+  EXPECT_EQ(spheres.scene, "builtin:spheres");
+  EXPECT_EQ(spheres.environment, "");
+  EXPECT_FALSE(spheres.sun || spheres.budgets || spheres.exposureEv);
+  ASSERT_EQ(spheres.views.size(), 1u) << "one automatic view";
+  EXPECT_EQ(spheres.views[0].name, "auto");
+}
+
+TEST(Suite, ShippedExampleLoads) {
+  const Suite suite = scenes::loadSuite(std::filesystem::path(PARITY_SOURCE_DIR) / "scenes/data/nightly.example.toml");
+  EXPECT_EQ(suite.name, "nightly");
+  ASSERT_EQ(suite.entries.size(), 4u);
+  for (const scenes::SuiteEntry& entry : suite.entries) EXPECT_TRUE(entry.scene.starts_with("builtin:"));
+}
+
+TEST(Suite, UnknownKeysNameTheLineAndTheNearestKnownKey) {
+  expectRefused("nmae = \"x\"\n[[scene]]\nfile = \"builtin:spheres\"\n", {"line 1: nmae", "did you mean 'name'?"});
+  expectRefused("[[scene]]\nfile = \"builtin:spheres\"\nenviroment = \"x.hdr\"\n",
+                {"line 3: enviroment: no such key in a scene; did you mean 'environment'?"});
+  expectRefused("[[scene]]\nfile = \"builtin:spheres\"\n[[scene.view]]\nfovy = 3\n",
+                {"line 4: fovy: no such key in a view; did you mean 'fov'?"});
+}
+
+TEST(Suite, SyntaxErrorsNameLineAndColumn) {
+  expectRefused("[[scene]]\nfile = \n", {"line 2, column"});
+  expectRefused("a = [1, 2\n", {"line"});
+}
+
+TEST(Suite, WrongTypesAndRangesNameTheLine) {
+  const std::string head = "[[scene]]\nfile = \"builtin:spheres\"\n";
+  expectRefused(head + "sun = [1, 2]\n", {"line 3: sun: not a list of 3 numbers"});
+  expectRefused(head + "sun = [1, 95, 2]\n", {"line 3: sun", "elevation"});
+  expectRefused(head + "sun = [1, nan, 2]\n", {"line 3: sun"});
+  expectRefused(head + "exposure = \"bright\"\n", {"line 3: exposure: not a number"});
+  expectRefused(head + "exposure = inf\n", {"line 3: exposure", "not from -32 to 32"});
+  expectRefused(head + "fully_rough = \"x\"\n", {"line 3: fully_rough: not a list of strings"});
+  expectRefused(head + "fully_rough = [1]\n", {"line 3: fully_rough"});
+  expectRefused(head + "name = 3\n", {"line 3: name: not a string"});
+  expectRefused(head + "[[scene.view]]\norbit = [0, 200, 1]\n", {"line 4: orbit", "phi"});
+  expectRefused(head + "[[scene.view]]\nfov = 0\n", {"line 4: fov"});
+  expectRefused(head + "[[scene.view]]\ncamera = \"a\"\norbit = [0, 90, 1]\n", {"line 4: camera", "together"});
+  expectRefused("scene = 3\n", {"line 1: scene", "[[scene]]"});
+  expectRefused("[[scene]]\nname = \"x\"\n", {"file: is missing"});
+  expectRefused("[[scene]]\nfile = \"\"\n", {"line 2: file: an empty string"});
+}
+
+TEST(Suite, NamesMustDifferAndSomethingMustBeListed) {
+  expectRefused("", {"the suite lists no scene"});
+  expectRefused("[[scene]]\nfile = \"a/x.glb\"\n[[scene]]\nfile = \"b/x.glb\"\n",
+                {"line 3", "a second scene named 'x'"});
+  expectRefused("[[scene]]\nfile = \"x.glb\"\n[[scene.view]]\n[[scene.view]]\n",
+                {"line 4", "second view named 'auto'"});
+  expectError([] { scenes::loadSuite("none.toml"); }, {"none.toml"});
+}
+
+} // namespace
+} // namespace parity::tests

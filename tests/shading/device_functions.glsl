@@ -1,0 +1,27 @@
+// One invocation a row: reads its inputs, calls the function that the specialization constant names, writes its outputs.
+#include "shading/brdf.glsl"
+#include "shading/env_brdf.glsl"
+#include "shading/light.glsl"
+#include "shading/material.glsl"
+#include "shading/mips.glsl"
+#include "shading/mobile_direct.glsl"
+#include "shading/sh.glsl"
+
+#include "function_ids.glsl"
+
+#include "evaluate.glsl"
+
+layout(constant_id = 0) const int kFunction = 0;
+layout(local_size_x = 64) in;
+layout(std430, set = 0, binding = 0) readonly buffer InputBuffer { float inputs[]; };
+layout(std430, set = 0, binding = 1) writeonly buffer OutputBuffer { float outputs[]; };
+layout(push_constant) uniform Push { uint rows; };
+
+void main() {
+  uint row = gl_GlobalInvocationID.x;
+  if (row >= rows) return;
+  Inputs i;
+  for (int k = 0; k < kInputs; ++k) i.x[k] = inputs[row * kInputs + k];
+  Outputs o = evaluate(kFunction, i);
+  for (int k = 0; k < kOutputs; ++k) outputs[row * kOutputs + k] = o.y[k];
+}

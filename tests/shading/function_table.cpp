@@ -1,0 +1,204 @@
+// Every function of shading/*.glsl with the rows it is tried on (see function_table.h).
+#include "shading/function_table.h"
+
+#include <cmath>
+#include <limits>
+
+#include "shading/shading.h"
+
+// evaluate.glsl is written in the shared subset; its macros mean what they mean in shading/shading.h.
+#define FN inline
+#define R(x) real(x)
+#define R32(x) real32(x)
+namespace parity::tests::at64 {
+using namespace parity::shading::f64;
+#include "shading/evaluate.glsl"
+} // namespace parity::tests::at64
+namespace parity::tests::at32 {
+using namespace parity::shading::f32;
+#include "shading/evaluate.glsl"
+} // namespace parity::tests::at32
+namespace parity::tests::at16 {
+using namespace parity::shading::f16;
+#include "shading/evaluate.glsl"
+} // namespace parity::tests::at16
+#undef FN
+#undef R
+#undef R32
+
+namespace parity::tests {
+namespace {
+
+using Maker = std::function<Row(Random&)>;
+
+double uniform(Random& random, double low, double high) { return low + (high - low) * (random() * 0x1p-32); }
+
+// Often 0 or 1, else in between: the ends are where guards act.
+double unit(Random& random) {
+  const auto pick = random() % 16;
+  return pick == 0 ? 0.0 : pick == 1 ? 1.0 : uniform(random, 0, 1);
+}
+
+// The first `count` inputs in [low, high].
+Maker uniforms(int count, double low, double high) {
+  return [=](Random& random) {
+    Row row{};
+    for (int i = 0; i < count; ++i) row[i] = uniform(random, low, high);
+    return row;
+  };
+}
+
+// The first `count` inputs in [0, 1], ends included.
+Maker units(int count) {
+  return [=](Random& random) {
+    Row row{};
+    for (int i = 0; i < count; ++i) row[i] = unit(random);
+    return row;
+  };
+}
+
+// Roughness in [low, 1], then a cosine in [cosineLow, 1] that is near 1 (within a smooth lobe) half of the time.
+Maker lobe(double low, double cosineLow) {
+  return [=](Random& random) {
+    Row row{};
+    row[0] = uniform(random, low, 1);
+    const double width = random() % 2 == 0 ? 1 : std::pow(row[0], 4);
+    row[1] = std::max(cosineLow, 1 - width * uniform(random, 0, 3));
+    return row;
+  };
+}
+
+// Roughness in [0, 1], within 1e-3 of 1 half of the time, where log2 is least exact.
+Row roughnessNearOne(Random& random) {
+  Row row{};
+  row[0] = random() % 2 == 0 ? unit(random) : uniform(random, 0.999, 1);
+  return row;
+}
+
+Row normalAndCoefficients(Random& random) {
+  Row row{};
+  const double z = uniform(random, -1, 1), phi = uniform(random, 0, 6.2831853);
+  row[0] = std::sqrt(1 - z * z) * std::cos(phi);
+  row[1] = std::sqrt(1 - z * z) * std::sin(phi);
+  row[2] = z;
+  for (int i = 3; i < 30; ++i) row[i] = uniform(random, -2, 4);
+  return row;
+}
+
+Row distanceAndRange(Random& random) {
+  Row row{};
+  row[0] = random() % 16 == 0 ? 0.0 : std::exp2(uniform(random, -20, 15)); // squared distance
+  row[1] = random() % 4 == 0 ? 0.0 : std::exp2(uniform(random, -3, 10));
+  if (random() % 16 == 0) row[1] = std::numeric_limits<double>::infinity();
+  return row;
+}
+
+Row spotCosines(Random& random) {
+  Row row{};
+  row[0] = uniform(random, -1, 1);
+  row[2] = uniform(random, -1, 1);
+  row[1] = random() % 8 == 0 ? row[2] : uniform(random, row[2], 1); // inner = outer now and then
+  if (random() % 2 == 0) row[0] = uniform(random, row[2], row[1]);
+  return row;
+}
+
+// Vectors of any length that fp32 or, for half, fp16 holds; zero, NaN and infinite ones too.
+Row vectorAndFallback(Random& random) {
+  Row row{};
+  const double length = std::exp2(uniform(random, -13, 15));
+  for (int i = 0; i < 3; ++i) row[i] = length * uniform(random, -1, 1);
+  const auto pick = random() % 16;
+  if (pick == 0) row[0] = row[1] = row[2] = 0;
+  if (pick == 1) row[random() % 3] = std::numeric_limits<double>::quiet_NaN();
+  if (pick == 2) row[random() % 3] = std::numeric_limits<double>::infinity();
+  row[5] = 1;
+  return row;
+}
+
+template <typename Out> Result toResult(const Out& out) {
+  Result result;
+  for (int i = 0; i < kOutputs; ++i) result[i] = out.y[i];
+  return result;
+}
+
+} // namespace
+
+std::vector<FunctionCase> functionTable() {
+  const Agreement exact{};
+  // lavapipe's exp2 is within 2.9 ulp; what is computed from it inherits that.
+  const Agreement envBrdf{8, 8, 1.04, "exp2; -1.04 a004 + r.z and 1.04 a004 + r.w cancel"};
+  const Agreement dApprox{8, 8, 1e-4, "exp2; its denormals are flushed, which 1/alpha^2 makes visible below 1e-4"};
+  const Agreement mip{8, 8, 5, "log2; near roughness 1 it is small beside the 5 it is added to"};
+  const Agreement roughness{8, 8, 0, "exp2"};
+  const Agreement transfer{22, 16, 0, "pow as exp2 of a product with log2: up to 22 ulp in wide sweeps"};
+  return {
+      {"D_GGX", kFnD_GGX, units(2), exact},
+      {"V_SmithGGXCorrelated", kFnV_SmithGGXCorrelated, units(3), exact},
+      {"V_SchlickSmith", kFnV_SchlickSmith, units(3), exact},
+      {"F_Schlick", kFnF_Schlick, units(6), exact},
+      {"Fd_Lambert", kFnFd_Lambert, units(1), exact},
+      {"energyCompensation", kFnEnergyCompensation, uniforms(6, 0.1, 0.5), exact},
+      {"EnvBRDFApproxAB", kFnEnvBRDFApproxAB, units(2), envBrdf},
+      {"EnvBRDFApprox", kFnEnvBRDFApprox, units(6), envBrdf},
+      {"EnvBRDFApproxUE4", kFnEnvBRDFApproxUE4, units(6), envBrdf},
+      {"EnvBRDFApproxNonmetal", kFnEnvBRDFApproxNonmetal, units(2), envBrdf},
+      {"FullyRough", kFnFullyRough, units(6), exact},
+      {"D_Approx", kFnD_Approx, lobe(0.0625, -1), dApprox},
+      {"GGX_Mobile", kFnGGX_Mobile, lobe(0.015625, 0), exact},
+      {"CalcSpecular", kFnCalcSpecular, lobe(0.015625, 0), exact},
+      {"shBasis", kFnShBasis, normalAndCoefficients, exact},
+      {"shCosineKernel", kFnShCosineKernel, units(1), exact},
+      {"evalIrradianceSH", kFnEvalIrradianceSH, normalAndCoefficients, exact},
+      {"squareFalloff", kFnSquareFalloff, distanceAndRange, exact},
+      {"squareFalloffUE4", kFnSquareFalloffUE4, distanceAndRange, exact},
+      {"spotAttenuation", kFnSpotAttenuation, spotCosines, exact},
+      {"clampContribution65000", kFnClampContribution65000, uniforms(3, 0, 65500), exact},
+      {"mipFromRoughness", kFnMipFromRoughness, roughnessNearOne, mip},
+      {"roughnessFromMip", kFnRoughnessFromMip, uniforms(1, 0, 5), roughness},
+      {"dielectricSpecular", kFnDielectricSpecular, units(1), exact},
+      {"diffuseColor", kFnDiffuseColor, units(7), exact},
+      {"specularColor", kFnSpecularColor, units(7), exact},
+      {"saturate", kFnSaturate, uniforms(3, -2, 3), exact},
+      {"safeNormalize", kFnSafeNormalize, vectorAndFallback, exact},
+      {"luminance", kFnLuminance, uniforms(3, 0, 100), exact},
+      {"srgbToLinear", kFnSrgbToLinear, units(3), transfer},
+      {"linearToSrgb", kFnLinearToSrgb, units(3), transfer},
+      {"constants", kFnConstants, units(1), exact},
+      {"dot3", kFnDot3, uniforms(6, -1, 1), exact},
+      {"sqr", kFnSqr, uniforms(1, -10, 10), exact},
+  };
+}
+
+Result evaluate64(int id, const Row& row) {
+  at64::Inputs inputs;
+  for (int i = 0; i < kInputs; ++i) inputs.x[i] = row[i];
+  return toResult(at64::evaluate(id, inputs));
+}
+
+Result evaluate32(int id, const Row& row) {
+  at32::Inputs inputs;
+  for (int i = 0; i < kInputs; ++i) inputs.x[i] = static_cast<float>(row[i]);
+  return toResult(at32::evaluate(id, inputs));
+}
+
+Result evaluate16(int id, const Row& row) {
+  at16::Inputs inputs;
+  for (int i = 0; i < kInputs; ++i) inputs.x[i] = shading::Half(row[i]);
+  return toResult(at16::evaluate(id, inputs));
+}
+
+Row roundToHalf(const Row& row) {
+  Row rounded;
+  for (int i = 0; i < kInputs; ++i) rounded[i] = shading::Half(row[i]);
+  return rounded;
+}
+
+double ulpDistance(double actual, double expected, double scale, int mantissaBits, int minExponent) {
+  if (actual == expected || (std::isnan(actual) && std::isnan(expected))) return 0;
+  if (!std::isfinite(actual) || !std::isfinite(expected)) return std::numeric_limits<double>::infinity();
+  const double magnitude = std::max(std::fabs(expected), scale);
+  const int exponent = magnitude > 0 ? std::max(std::ilogb(magnitude), minExponent) : minExponent;
+  return std::fabs(actual - expected) / std::ldexp(1.0, exponent - mantissaBits);
+}
+
+} // namespace parity::tests

@@ -1,0 +1,61 @@
+// Material inputs to lighting colours, and the mapping between roughness and mips of the prefiltered cube.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "shading/shading.h"
+
+namespace parity::tests {
+namespace {
+
+namespace f64 = shading::f64;
+
+TEST(Material, dielectricsReflectTheirSpecularAndKeepTheirColour) {
+  EXPECT_DOUBLE_EQ(f64::dielectricSpecular(0.5), 0.04); // glTF's default, index of refraction 1.5: ((n-1)/(n+1))^2
+  EXPECT_DOUBLE_EQ(f64::dielectricSpecular(0.5), std::pow(0.5 / 2.5, 2));
+  const f64::real3 F0(0.04, 0.05, 0.06), base(0.8, 0.2, 0.1);
+  const f64::real3 specular = f64::specularColor(F0, base, 0), diffuse = f64::diffuseColor(base, 0);
+  EXPECT_EQ(specular.x, 0.04);
+  EXPECT_EQ(specular.z, 0.06);
+  EXPECT_EQ(diffuse.x, 0.8);
+  EXPECT_EQ(diffuse.y, 0.2);
+}
+
+TEST(Material, metalsReflectTheirColourAndDiffuseNothing) {
+  const f64::real3 F0(0.04, 0.04, 0.04), base(0.9, 0.6, 0.2);
+  EXPECT_EQ(f64::specularColor(F0, base, 1).x, 0.9);
+  EXPECT_EQ(f64::specularColor(F0, base, 1).z, 0.2);
+  EXPECT_EQ(f64::diffuseColor(base, 1).x, 0);
+  // SHADING.md 8: metallic 1 over black is exactly 0.
+  EXPECT_EQ(f64::specularColor(F0, {0, 0, 0}, 1).y, 0);
+  EXPECT_EQ(shading::f32::specularColor({0.04f, 0.04f, 0.04f}, {0, 0, 0}, 1).y, 0);
+}
+
+TEST(Material, halfMetalIsTheMixOfBoth) {
+  const f64::real3 specular = f64::specularColor({0.04, 0.04, 0.04}, {1, 0.5, 0}, 0.5);
+  EXPECT_DOUBLE_EQ(specular.x, 0.52);
+  EXPECT_DOUBLE_EQ(specular.y, 0.27);
+  EXPECT_DOUBLE_EQ(specular.z, 0.02);
+  EXPECT_DOUBLE_EQ(f64::diffuseColor({1, 0.5, 0}, 0.5).y, 0.25);
+}
+
+TEST(Mips, roughnessOneIsTheRoughestMipAndEachHalvingIs1Point2MipsLess) {
+  EXPECT_DOUBLE_EQ(f64::mipFromRoughness(1), f64::kPrefilterRoughestMip);
+  EXPECT_DOUBLE_EQ(f64::mipFromRoughness(0.5), 5 - 1.2);
+  EXPECT_DOUBLE_EQ(f64::mipFromRoughness(0.25), 5 - 2.4);
+}
+
+TEST(Mips, smoothSurfacesReadTheSharpestMip) {
+  EXPECT_EQ(f64::mipFromRoughness(0), 0);
+  EXPECT_EQ(f64::mipFromRoughness(0.05), 0);
+  EXPECT_GT(f64::mipFromRoughness(0.06), 0);
+  EXPECT_EQ(float(shading::f16::mipFromRoughness(shading::Half(0))), 0);
+}
+
+TEST(Mips, mappingAndInverseAgree) {
+  for (int mip = 0; mip <= 5; ++mip) EXPECT_NEAR(f64::mipFromRoughness(f64::roughnessFromMip(mip)), mip, 1e-12);
+  for (double R = 0.06; R <= 1; R += 0.05) EXPECT_NEAR(f64::roughnessFromMip(f64::mipFromRoughness(R)), R, 1e-12);
+}
+
+} // namespace
+} // namespace parity::tests

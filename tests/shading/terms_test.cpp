@@ -1,0 +1,41 @@
+// The ids of the terms are the same for C++ and GLSL.
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include "shading/terms.h"
+
+namespace parity::tests {
+namespace {
+
+namespace glsl {
+#include "shading/terms.glsl"
+} // namespace glsl
+
+using shading::Term;
+
+TEST(Terms, glslHasTheIdsOfCpp) {
+  constexpr std::array<std::pair<int, Term>, shading::kTermCount> ids = {{
+      {glsl::kTermSunDiffuse, Term::sunDiffuse},
+      {glsl::kTermSunSpecular, Term::sunSpecular},
+      {glsl::kTermLocalDiffuse, Term::localDiffuse},
+      {glsl::kTermLocalSpecular, Term::localSpecular},
+      {glsl::kTermLightmap, Term::lightmap},
+      {glsl::kTermSkyDiffuse, Term::skyDiffuse},
+      {glsl::kTermSkySpecular, Term::skySpecular},
+      {glsl::kTermEmissive, Term::emissive},
+      {glsl::kTermFog, Term::fog},
+  }};
+  for (const auto& [id, term] : ids) EXPECT_EQ(id, static_cast<int>(term));
+  EXPECT_EQ(glsl::kTermCount, static_cast<int>(shading::kTermCount));
+}
+
+TEST(Terms, namesAndIdsMatchBothWays) {
+  for (std::size_t i = 0; i < shading::kTermCount; ++i)
+    EXPECT_EQ(static_cast<std::size_t>(*shading::termByName(shading::kTermNames[i])), i);
+  EXPECT_EQ(shading::kTermNames[static_cast<std::size_t>(Term::skySpecular)], "skySpecular");
+  EXPECT_FALSE(shading::termByName("specular"));
+}
+
+} // namespace
+} // namespace parity::tests

@@ -1,0 +1,31 @@
+// The Vulkan device of the GPU tests: under the validation layers, each of whose messages fails the test.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "base/error.h"
+#include "gpu/device.h"
+
+namespace parity::tests {
+
+// A test that needs a device derives from this; without one it is skipped, visibly.
+class DeviceTest : public testing::Test {
+protected:
+  void SetUp() override {
+    if (gpu::listDevices({}).empty()) GTEST_SKIP() << "no Vulkan device";
+    m_device = std::make_unique<gpu::Device>(gpu::DeviceOptions{.name = "", .validation = true});
+  }
+  void TearDown() override {
+    if (m_device) {
+      EXPECT_NO_THROW(m_device->checkValidation());
+    }
+  }
+  const gpu::Device& device() const { return *m_device; }
+
+private:
+  std::unique_ptr<gpu::Device> m_device;
+};
+
+} // namespace parity::tests
