@@ -57,7 +57,7 @@ BENCHMARK(flip)
 void hundredRegions(benchmark::State& state) {
   constexpr int kWidth = 1920, kHeight = 1080;
   const base::Image reference = makeImage(kWidth, kHeight, 1, true), test = makeImage(kWidth, kHeight, 2, true);
-  const base::Image map(kWidth, kHeight, 1, 0.25f);
+  const base::Image map = flipMap(reference, test);
   std::vector<base::PixelList> lists(100);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x)

@@ -35,7 +35,7 @@ std::string image(const std::string& path, const char* kind, const char* caption
   const std::string label = fmt::format("<figcaption>{}</figcaption>", caption);
   if (path.empty()) return fmt::format("<figure><div class=\"no-image\">no image</div>{}</figure>", label);
   return fmt::format("<figure><a class=\"shot\" href=\"{0}\" target=\"_blank\" rel=\"noopener\" data-kind=\"{1}\"><img "
-                     "src=\"{0}\" alt=\"{2}: {3}\" loading=\"lazy\" decoding=\"async\"/></a>{4}</figure>",
+                     "src=\"{0}\" alt=\"{2}: {3}\" loading=\"lazy\"/></a>{4}</figure>",
                      escapeMarkup(encodeUrlPath(path)), kind, escapeMarkup(subject), caption, label);
 }
 
@@ -103,15 +103,15 @@ std::string figureTable(const RegionFigures& regions) {
     const char* label;
     std::string (*cell)(const Figures&);
   };
-  static constexpr std::array<Row, 8> kRows = {{
+  static constexpr std::array<Row, 9> kRows = {{
       {"mean FLIP", [](const Figures& f) { return formatFigure("flip.mean", f.flip.mean); }},
       {"median", [](const Figures& f) { return formatFigure("flip.p50", f.flip.p50); }},
       {"p95", [](const Figures& f) { return formatFigure("flip.p95", f.flip.p95); }},
       {"max", [](const Figures& f) { return formatFigure("flip.max", f.flip.max); }},
       {"RMSE", [](const Figures& f) { return formatFigure("rmse", f.rmse); }},
       {"PSNR", [](const Figures& f) { return formatFigure("psnr", f.psnr); }},
-      {"luma, high-end → mobile",
-       [](const Figures& f) { return fmt::format("{:.3f} → {:.3f}", f.referenceLuma, f.testLuma); }},
+      {"luma, high-end", [](const Figures& f) { return fmt::format("{:.3f}", f.referenceLuma); }},
+      {"luma, mobile", [](const Figures& f) { return fmt::format("{:.3f}", f.testLuma); }},
       {"pixels", [](const Figures& f) { return fmt::format("{}", f.pixels); }},
   }};
   std::string html = "<table class=\"figures\"><thead><tr><th></th><th scope=\"col\">interior</th><th scope=\"col\">all"

@@ -140,7 +140,7 @@ compare::ViewResult compareView(Context& context, const scenes::Scene& scene, co
         compare::judgeMaterial(material, budgets, request.sceneName);
       }
     });
-    compare::judgeView(view, budgets, request.sceneName);
+    compare::judgeWhole(view, budgets, request.sceneName);
     if (request.reportFolder.empty()) return view;
 
     const std::string prefix = "images/" + request.imagePrefix;

@@ -33,7 +33,6 @@ Light makeSpot(const std::string& name, const glm::vec3& color, const glm::vec3&
 Scene makeLightsScene() {
   SceneBuilder builder("lights");
   const Mesh sphere = makeSphere(0.5, 96, 48);
-  builder.add(makeFloor(2.6, 1, 32), plastic("floor", glm::vec3(0.45f), 0.55f), {0, 0, 0});
   builder.add(makeTeapot(), plastic("glazed teapot", {0.55f, 0.56f, 0.58f}, 0.15f), {0, 0, 0}, 25);
   const auto onRing = [](float radius, float degrees, float height) {
     const float a = glm::radians(degrees);
@@ -63,7 +62,8 @@ Scene makeLightsScene() {
   moon.direction = glm::normalize(glm::vec3(0.4f, -1.f, -0.5f));
   builder.add(moon);
 
-  builder.setOrbitCamera(18, 58, 32);
+  builder.setOrbitCamera(18, 56, 32); // fits the objects; the floor may leave the picture
+  builder.add(makeFloor(3.2, 1, 32), plastic("floor", glm::vec3(0.45f), 0.55f), {0, 0, 0});
   return builder.finish(makeNight());
 }
 

@@ -46,13 +46,13 @@ struct SoftBox {
 
 Environment makeStudio() {
   // Key front left, cooler fill right, a rim strip behind, a large one overhead.
-  const SoftBox boxes[] = {{125, 38, 0.50, 0.50, {9.0, 8.6, 8.0}},
-                           {15, 20, 0.28, 0.80, {2.6, 2.9, 3.3}},
-                           {250, 30, 0.16, 0.90, {7.0, 7.0, 7.0}},
-                           {0, 89, 0.70, 0.45, {3.2, 3.2, 3.2}}};
+  const SoftBox boxes[] = {{125, 38, 0.50, 0.50, {3.6, 3.45, 3.2}},
+                           {15, 20, 0.28, 0.80, {1.2, 1.3, 1.5}},
+                           {250, 30, 0.16, 0.90, {4.0, 4.0, 4.0}},
+                           {0, 89, 0.70, 0.45, {1.1, 1.1, 1.1}}};
   return makeByFormula("studio", [&](const glm::dvec3& d) {
     glm::dvec3 radiance =
-        glm::mix(glm::dvec3(0.055, 0.053, 0.050), glm::dvec3(0.16, 0.165, 0.175), glm::smoothstep(-0.35, 0.9, d.y));
+        glm::mix(glm::dvec3(0.16, 0.155, 0.15), glm::dvec3(0.34, 0.35, 0.37), glm::smoothstep(-0.35, 0.9, d.y));
     for (const SoftBox& box : boxes) radiance += box.at(d);
     return radiance;
   });

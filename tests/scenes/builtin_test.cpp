@@ -31,7 +31,9 @@ void expectSound(const Mesh& mesh, const std::string& what) {
                     c = mesh.positions[mesh.indices[3 * t + 2]];
     const glm::vec3 normal = glm::cross(b - a, c - a);
     area += glm::length(normal);
-    if (glm::dot(normal, mesh.normals[mesh.indices[3 * t]]) < 0) wrong += glm::length(normal);
+    const glm::vec3 shading = mesh.normals[mesh.indices[3 * t]] + mesh.normals[mesh.indices[3 * t + 1]] +
+                              mesh.normals[mesh.indices[3 * t + 2]];
+    if (glm::dot(normal, shading) < 0) wrong += glm::length(normal);
   }
   EXPECT_LT(wrong, 1e-3 * area) << what << ": triangles wound against their normals";
 }
@@ -71,15 +73,16 @@ TEST(Builtin, IsTheSameEveryTime) {
   }
 }
 
-// All corners of the scene lie in the picture of its default camera.
-TEST(Builtin, DefaultCamerasShowTheWholeScene) {
+// Floors apart, which may leave the picture.
+TEST(Builtin, DefaultCamerasShowEveryObjectWhole) {
   for (const std::string& name : scenes::builtinSceneNames())
     for (const float aspect : {1.f, 1.7f, 0.6f}) {
       const Scene scene = scenes::makeBuiltinScene(name);
       const scenes::Camera camera = scenes::makeCamera(scene, {}, aspect);
       const glm::mat4 toView = glm::inverse(camera.toWorld);
       const float tanY = std::tan(0.5f * glm::radians(camera.fovYDeg));
-      for (const scenes::Instance& instance : scene.instances)
+      for (const scenes::Instance& instance : scene.instances) {
+        if (instance.node.ends_with("floor")) continue;
         for (const glm::vec3& p : scene.meshes[instance.mesh].positions) {
           const glm::vec3 v = glm::vec3(toView * instance.toWorld * glm::vec4(p, 1));
           const float half = camera.orthographic ? camera.halfHeight : -v.z * tanY;
@@ -88,6 +91,7 @@ TEST(Builtin, DefaultCamerasShowTheWholeScene) {
           ASSERT_LE(std::abs(v.y), half) << name << " " << aspect;
           ASSERT_LE(std::abs(v.x), half * aspect * 1.0001f) << name << " " << aspect;
         }
+      }
     }
 }
 

@@ -36,7 +36,7 @@ TEST(BadInput, MissingFileFolderAndEmptyFile) {
 }
 
 TEST(BadInput, JsonErrorsNameLineAndColumn) {
-  expectTextRefused("{\n \"asset\": {\"version\": \"2.0\",}\n}", {"JSON: line 2, column 30"});
+  expectTextRefused("{\n \"asset\": {\"version\": \"2.0\",}\n}", {"JSON: line 2, column 29"});
   expectTextRefused("{\"asset\": ", {"JSON: line 1, column 11"});
   expectTextRefused("[]", {"the root is not an object"});
   expectTextRefused("\"\xff\"", {"JSON"});
@@ -55,7 +55,7 @@ TEST(BadInput, WrongTypesNameThePlace) {
   expectRefused([](GltfFile& f) { f.json["nodes"][0]["mesh"] = 0.5; }, {"nodes[0].mesh: not a whole number"});
   expectRefused([](GltfFile& f) { f.json["nodes"][0]["mesh"] = -1; }, {"nodes[0].mesh"});
   expectRefused([](GltfFile& f) { f.json["accessors"][0]["count"] = 1e10; }, {"accessors[0].count: larger than 2^31"});
-  expectRefused([](GltfFile& f) { f.json["materials"] = 3; }, {"materials: not an array"});
+  expectRefused([](GltfFile& f) { f.json["skins"] = 3; }, {"skins: not an array"});
   expectRefused([](GltfFile& f) { f.json["meshes"][0] = 3; }, {"meshes[0]: not an object"});
   expectRefused(
       [](GltfFile& f) {

@@ -1,0 +1,41 @@
+// Edit distances by known answers, and the name that a user is told.
+#include <array>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "base/nearest.h"
+
+namespace parity::base {
+namespace {
+
+TEST(EditDistance, KnownAnswers) {
+  EXPECT_EQ(editDistance("", ""), 0u);
+  EXPECT_EQ(editDistance("abc", ""), 3u);
+  EXPECT_EQ(editDistance("", "abc"), 3u);
+  EXPECT_EQ(editDistance("kitten", "sitting"), 3u); // Levenshtein's textbook pair
+  EXPECT_EQ(editDistance("ca", "abc"), 3u);         // optimal string alignment; full Damerau-Levenshtein gives 2
+  EXPECT_EQ(editDistance("wran", "warn"), 1u);      // a swap is one edit
+  EXPECT_EQ(editDistance("FLIP.Mean", "flip.mean"), 0u);
+}
+
+TEST(EditDistance, IsSymmetric) {
+  for (const auto& [a, b] : {std::pair{"metric", "metrics"}, {"sunday", "saturday"}, {"abcd", "badc"}})
+    EXPECT_EQ(editDistance(a, b), editDistance(b, a));
+}
+
+TEST(EditDistance, HostileLengthsAreCut) {
+  EXPECT_EQ(editDistance(std::string(1 << 20, 'a'), std::string(1 << 20, 'b')), 256u);
+}
+
+TEST(NearestName, FindsTheLeastDistanceAndTheFirstOfEquals) {
+  constexpr std::array<std::string_view, 4> kKnown = {"metric", "region", "warn", "fail"};
+  EXPECT_EQ(nearestName("wran", kKnown), "warn");
+  EXPECT_EQ(nearestName("Metrics", kKnown), "metric");
+  EXPECT_EQ(nearestName("region", kKnown), "region");
+  EXPECT_EQ(nearestName("", kKnown), "warn"); // 4 inserts for warn and for fail
+  EXPECT_EQ(nearestName("x", {}), "");
+}
+
+} // namespace
+} // namespace parity::base

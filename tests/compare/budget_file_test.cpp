@@ -1,0 +1,149 @@
+// Budget files: what is read, and that every mistake is one clear line with file, line, key and the nearest known name.
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "base/expect_error.h"
+#include "base/file.h"
+#include "base/temp_folder.h"
+#include "compare/budget.h"
+
+namespace parity::compare {
+namespace {
+
+Budgets load(const std::string& text) {
+  const base::TempFolder folder;
+  base::writeText(folder / "b.toml", text);
+  return loadBudgets(folder / "b.toml");
+}
+
+void expectRefusal(const std::string& text, const std::string& line, const std::string& reason) {
+  base::expectError([&] { load(text); }, "b.toml: " + line, reason);
+}
+
+constexpr const char* kCheck = R"(checks = [ { metric = "flip.mean", warn = 0.1, fail = 0.2 } ]
+)";
+
+TEST(BudgetFile, TheShippedExampleIsReadAsItReads) {
+  const Budgets budgets = loadBudgets(std::string(PARITY_SOURCE_DIR) + "/compare/budgets.example.toml");
+  ASSERT_EQ(budgets.materials.size(), 4u); // three of its own and the built-in one
+  ASSERT_EQ(budgets.wholes.size(), 2u);
+
+  const BudgetRule* hero = findMaterialRule(budgets, "any", "The Hero face");
+  ASSERT_EQ(hero, &budgets.materials[0]);
+  EXPECT_TRUE(hero->requireSeen);
+  EXPECT_EQ(hero->owner, "characters");
+  EXPECT_FALSE(hero->reason.empty());
+  EXPECT_EQ(hero->origin.find("budgets.example.toml, line "), 0u);
+  ASSERT_EQ(hero->checks.size(), 3u);
+  EXPECT_EQ(hero->checks[0].metric, Metric::flipMean);
+  EXPECT_EQ(hero->checks[0].region, Region::interior);
+  EXPECT_EQ(hero->checks[0].warn, 0.05);
+  EXPECT_EQ(hero->checks[0].fail, 0.10);
+  EXPECT_EQ(hero->checks[2].metric, Metric::psnr);
+  EXPECT_EQ(hero->checks[2].region, Region::all);
+  EXPECT_EQ(hero->checks[2].warn, 32);
+
+  EXPECT_EQ(findMaterialRule(budgets, "MetalRoughSpheresNoTextures", "Metal 3"), &budgets.materials[1]);
+  EXPECT_FALSE(budgets.materials[1].checks[1].warn);
+  EXPECT_EQ(findMaterialRule(budgets, "Suzanne", "Metal 3"), &budgets.materials[2]);
+}
+
+TEST(BudgetFile, TheExampleShowsTheBuiltInLimits) {
+  const Budgets budgets = loadBudgets(std::string(PARITY_SOURCE_DIR) + "/compare/budgets.example.toml");
+  const auto expectSame = [](const BudgetRule& shown, const BudgetRule& real) {
+    ASSERT_EQ(shown.checks.size(), real.checks.size());
+    for (std::size_t i = 0; i < real.checks.size(); ++i) {
+      EXPECT_EQ(shown.checks[i].metric, real.checks[i].metric);
+      EXPECT_EQ(shown.checks[i].region, real.checks[i].region);
+      EXPECT_EQ(shown.checks[i].warn, real.checks[i].warn);
+      EXPECT_EQ(shown.checks[i].fail, real.checks[i].fail);
+    }
+  };
+  expectSame(budgets.materials[2], defaultBudgets().materials[0]);
+  expectSame(budgets.wholes[0], defaultBudgets().wholes[0]);
+}
+
+TEST(BudgetFile, WhatNoRuleMatchesIsJudgedByTheBuiltInOnes) {
+  const Budgets budgets = load(std::string("[[material]]\nname = \"Hero\"\n") + kCheck);
+  EXPECT_EQ(findMaterialRule(budgets, "s", "Hero")->origin, "b.toml, line 1");
+  EXPECT_EQ(findMaterialRule(budgets, "s", "other")->origin, "built-in");
+  EXPECT_EQ(findWholeRule(budgets, "s")->origin, "built-in");
+}
+
+TEST(BudgetFile, WholeImagesAreCheckedOverAllPixelsUnlessTheFileSaysOtherwise) {
+  const Budgets budgets = load(R"([[whole]]
+checks = [ { metric = "rmse", warn = 0.1 }, { metric = "rmse", region = "interior", fail = 1 } ])");
+  EXPECT_EQ(budgets.wholes[0].checks[0].region, Region::all);
+  EXPECT_EQ(budgets.wholes[0].checks[1].region, Region::interior);
+  EXPECT_EQ(budgets.wholes[0].checks[1].fail, 1.0); // an integer is a number too
+}
+
+TEST(BudgetFile, UnknownNamesAreRefusedWithTheNearestKnownOne) {
+  const std::string head = "[[material]]\nname = \"*\"\n";
+  expectRefusal("[[materials]]\nname = \"*\"\n", "line 1", "unknown key 'materials'; did you mean 'material'?");
+  expectRefusal(head + "requires_seen = true\n" + kCheck, "line 3", "unknown key 'requires_seen'; did you mean 'require_seen'?");
+  expectRefusal(head + "checks = [ { metric = \"flip.mean\", wran = 0.1 } ]", "line 3", "unknown key 'wran'; did you mean 'warn'?");
+  expectRefusal(head + "checks = [\n  { metric = \"flip.meen\", warn = 0.1 },\n]", "line 4",
+                "unknown metric 'flip.meen'; did you mean 'flip.mean'?");
+  expectRefusal(head + "checks = [ { metric = \"ssim\", warn = 0.1 } ]", "line 3",
+                "unknown metric 'ssim'; known: flip.mean, flip.p50, flip.p95, flip.max, rmse, psnr");
+  expectRefusal(head + "checks = [ { metric = \"rmse\", region = \"interor\", warn = 0.1 } ]", "line 3",
+                "unknown region 'interor'; did you mean 'interior'?");
+  expectRefusal("[[whole]]\nname = \"*\"\n" + std::string(kCheck), "line 2", "unknown key 'name'");
+}
+
+TEST(BudgetFile, ListsThatWouldPassEverythingAreRefused) {
+  expectRefusal("", "", "no rules");
+  expectRefusal("material = []", "", "no rules");
+  expectRefusal("[[material]]\nname = \"*\"\n", "line 1", "no 'checks'");
+  expectRefusal("[[material]]\nname = \"*\"\nchecks = []\n", "line 3", "'checks' is empty");
+  expectRefusal("[[material]]\nname = \"*\"\nchecks = [ { metric = \"rmse\" } ]\n", "line 3", "neither 'warn' nor 'fail'");
+  expectRefusal(std::string("[[material]]\n") + kCheck, "line 1", "no 'name'");
+  expectRefusal("[[material]]\nname = \"\"\n" + std::string(kCheck), "line 2", "'name' is empty");
+}
+
+TEST(BudgetFile, LimitsThatMakeNoSenseAreRefused) {
+  const auto refuse = [](const std::string& check, const std::string& reason) {
+    expectRefusal("[[material]]\nname = \"*\"\nchecks = [ { " + check + " } ]", "line 3", reason);
+  };
+  refuse(R"(metric = "rmse", warn = nan)", "not a finite number");
+  refuse(R"(metric = "rmse", fail = inf)", "not a finite number");
+  refuse(R"(metric = "rmse", warn = -0.1)", "outside the range 0..1");
+  refuse(R"(metric = "flip.mean", warn = 10)", "outside the range 0..1");
+  refuse(R"(metric = "psnr", warn = 1000)", "outside the range 0..200");
+  refuse(R"(metric = "rmse", warn = "0.1")", "'warn' must be a number");
+  refuse(R"(metric = "rmse", warn = true)", "'warn' must be a number");
+  refuse(R"(metric = "rmse", warn = 0.2, fail = 0.1)", "'warn' (0.2) lies above 'fail' (0.1)");
+  refuse(R"(metric = "psnr", warn = 28, fail = 32)", "'warn' (28) lies below 'fail' (32)");
+  refuse(R"(metric = 7, warn = 1)", "'metric' must be a string");
+  refuse(R"(warn = 1)", "no 'metric'");
+  refuse(R"(metric = "rmse", warn = 0.1 }, { metric = "rmse", fail = 0.2)", "'rmse' over interior pixels is checked twice");
+}
+
+TEST(BudgetFile, ARuleThatCanNeverMatchIsRefused) {
+  const std::string all = std::string("[[material]]\nname = \"*\"\n") + kCheck;
+  const std::string hero = std::string("[[material]]\nname = \"Hero\"\n") + kCheck;
+  expectRefusal(all + hero, "line 4", "the rule of line 1 matches all that this one could");
+  expectRefusal(hero + hero, "line 4", "line 1");
+  EXPECT_NO_THROW(load(hero + all));
+  EXPECT_NO_THROW(load(std::string("[[material]]\nname = \"Hero\"\nscene = \"Title\"\n") + kCheck + hero));
+}
+
+TEST(BudgetFile, WrongShapesAreRefused) {
+  expectRefusal("material = 3", "line 1", "'material' must be an array of tables");
+  expectRefusal("[material]\nname = \"*\"", "line 1", "[[material]]");
+  expectRefusal("material = [1]", "line 1", "not a table");
+  expectRefusal("[[material]]\nname = \"*\"\nchecks = { metric = \"rmse\" }", "line 3", "array of tables");
+  expectRefusal(std::string("[[material]]\nname = \"*\"\nrequire_seen = 1\n") + kCheck, "line 3", "true or false");
+}
+
+TEST(BudgetFile, SyntaxErrorsAndMissingFilesAreOneLine) {
+  expectRefusal("[[material]]\nname = \n", "line 2", "");
+  expectRefusal("[[material]]\nname = \"a\"\nname = \"b\"\n", "line 3", "");
+  expectRefusal("[[material]]\nname = \"\xff\"\n", "line 2", "");
+  const base::TempFolder folder;
+  base::expectError([&] { loadBudgets(folder / "none.toml"); }, "none.toml", "");
+}
+
+} // namespace
+} // namespace parity::compare
