@@ -84,15 +84,15 @@ struct Outputs {
 struct Job {
   const base::Image &reference, &test;
   const FlipFilters& filters;
-  const RowDecoder &referenceDecoder, &testDecoder;
+  const RowDecoder& decoder;
   Outputs out;
 };
 
 void runTile(const Job& job, int x0, int y0) {
   const int width = std::min(kTileWidth, job.reference.width - x0);
   const int y1 = std::min(y0 + kTileHeight, job.reference.height);
-  SlidingWindow reference(job.reference, job.referenceDecoder, job.filters, x0, width);
-  SlidingWindow test(job.test, job.testDecoder, job.filters, x0, width);
+  SlidingWindow reference(job.reference, job.decoder, job.filters, x0, width);
+  SlidingWindow test(job.test, job.decoder, job.filters, x0, width);
   std::vector<float> color(static_cast<std::size_t>(width)), feature(color.size());
   for (int y = y0; y < y1; ++y) {
     const FilteredRow &a = reference.filterRow(y), &b = test.filterRow(y);
@@ -117,8 +117,9 @@ void run(const base::Image& reference, const base::Image& test, const FlipOption
   for (base::Image* image : {out.flip, out.color, out.feature})
     if (image) *image = base::Image(reference.width, reference.height, 1);
   const FlipFilters filters = makeFlipFilters(options.ppd);
-  const RowDecoder referenceDecoder(isEightBit(reference)), testDecoder(isEightBit(test));
-  const Job job{reference, test, filters, referenceDecoder, testDecoder, out};
+  // One way of decoding for both: equal pixels must stay equal to the last bit.
+  const RowDecoder decoder(isEightBit(reference) && isEightBit(test));
+  const Job job{reference, test, filters, decoder, out};
   const int columns = (reference.width + kTileWidth - 1) / kTileWidth;
   const int rows = (reference.height + kTileHeight - 1) / kTileHeight;
   base::parallelFor(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 1,

@@ -99,7 +99,8 @@ RowDecoder::RowDecoder(bool eightBit) : m_eightBit(eightBit) {
   }
 }
 
-void RowDecoder::decode(const float* rgb, int count, float* y, float* cx, float* cz) const {
+void RowDecoder::decode(const float* rgb, int count, float* __restrict y, float* __restrict cx,
+                        float* __restrict cz) const {
   for (int begin = 0; begin < count; begin += kChunk) {
     const int n = std::min(kChunk, count - begin);
     const float* in = rgb + 3 * static_cast<std::ptrdiff_t>(begin);

@@ -92,8 +92,9 @@ std::string toolbar(const Report& report) {
       "aria-label=\"Filter materials by name\"/>";
   const auto chip = [&](Verdict verdict, std::size_t count) {
     if (count > 0)
-      html += fmt::format("<label class=\"chip {0}\"><input type=\"checkbox\" checked=\"\" value=\"{0}\"/> {1} {2}</label>",
-                          verdictClass(verdict), count, nameOf(verdict));
+      html +=
+          fmt::format("<label class=\"chip {0}\"><input type=\"checkbox\" checked=\"\" value=\"{0}\"/> {1} {2}</label>",
+                      verdictClass(verdict), count, nameOf(verdict));
   };
   chip(Verdict::error, counts.error);
   chip(Verdict::fail, counts.fail);

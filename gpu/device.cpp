@@ -262,7 +262,6 @@ std::uint32_t Device::memoryType(std::uint32_t typeBits, vk::MemoryPropertyFlags
 }
 
 void Device::submit(const std::string& stage, const std::function<void(const vk::raii::CommandBuffer&)>& record) const {
-  const base::Stopwatch wall(nullptr, stage);
   vk::raii::CommandBuffers buffers(m_device,
                                    vk::CommandBufferAllocateInfo(*m_commandPool, vk::CommandBufferLevel::ePrimary, 1));
   const vk::raii::CommandBuffer& commands = buffers.front();
@@ -278,6 +277,7 @@ void Device::submit(const std::string& stage, const std::function<void(const vk:
 
   const vk::raii::Fence fence(m_device, vk::FenceCreateInfo());
   const vk::CommandBuffer handle = *commands;
+  const base::Stopwatch wall(nullptr, stage);
   try {
     m_queue.submit(vk::SubmitInfo({}, {}, handle), *fence);
     if (m_device.waitForFences(*fence, true, UINT64_MAX) != vk::Result::eSuccess)
@@ -285,8 +285,11 @@ void Device::submit(const std::string& stage, const std::function<void(const vk:
   } catch (const vk::DeviceLostError&) {
     throw deviceError(stage, fmt::format("the device '{}' was lost", m_report.name));
   }
+  const double wallMs = wall.elapsedMs();
   checkValidation();
-  if (!m_timings || m_timestampBits == 0) return;
+  if (!m_timings) return;
+  if (m_properties.deviceType == vk::PhysicalDeviceType::eCpu) return m_timings->add("device: " + stage, wallMs);
+  if (m_timestampBits == 0) return;
   const auto [result, ticks] =
       m_queries.getResults<std::uint64_t>(0, 2, 2 * sizeof(std::uint64_t), sizeof(std::uint64_t),
                                           vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);

@@ -129,6 +129,7 @@ struct ShadingPass::Impl {
         permutation.textures, permutation.mayFeatures,       permutation.mustFeatures, program.directionalCount,
         program.localCount,   program.environment ? 1u : 0u, program.terms ? 1u : 0u,  scene.vertexData()};
     constants.insert(constants.end(), program.constants.begin(), program.constants.end());
+    const base::Stopwatch watch(device.timings(), "compile " + program.name);
     pipelines.push_back(makeComputePipeline(device, layout, program.spirv, constants));
     compiled.push_back(permutation);
     return *pipelines.back();

@@ -53,7 +53,32 @@ std::vector<Taps> makeTaps(int source, int target) {
   return taps;
 }
 
+// The common case, both sides even: the mean of 2x2 texels.
+base::Image8 halveEven(const base::Image8& source, bool srgb) {
+  const SrgbTables& tables = srgbTables();
+  base::Image8 target(source.width / 2, source.height / 2, 4);
+  base::parallelFor(target.height, 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t y = begin; y < end; ++y) {
+      const std::uint8_t* a = source.at(0, static_cast<int>(2 * y));
+      const std::uint8_t* b = source.at(0, static_cast<int>(2 * y + 1));
+      std::uint8_t* out = target.at(0, static_cast<int>(y));
+      for (int x = 0; x < target.width; ++x, a += 8, b += 8, out += 4)
+        for (int c = 0; c < 4; ++c) {
+          if (srgb && c < 3) {
+            const float sum =
+                tables.decode[a[c]] + tables.decode[a[c + 4]] + tables.decode[b[c]] + tables.decode[b[c + 4]];
+            out[c] = tables.encode[static_cast<int>(std::min(sum * 0.25f, 1.f) * 65535 + 0.5f)];
+          } else {
+            out[c] = static_cast<std::uint8_t>((a[c] + a[c + 4] + b[c] + b[c + 4] + 2) / 4);
+          }
+        }
+    }
+  });
+  return target;
+}
+
 base::Image8 halve(const base::Image8& source, bool srgb) {
+  if (source.width % 2 == 0 && source.height % 2 == 0) return halveEven(source, srgb);
   const SrgbTables& tables = srgbTables();
   base::Image8 target(std::max(source.width / 2, 1), std::max(source.height / 2, 1), 4);
   const std::vector<Taps> tapsX = makeTaps(source.width, target.width), tapsY = makeTaps(source.height, target.height);

@@ -10,12 +10,18 @@ namespace parity::lighting {
 
 glm::dvec3 directionOf(const FacePoint& p) {
   switch (p.face) {
-  case 0: return {1, -p.t, -p.s};
-  case 1: return {-1, -p.t, p.s};
-  case 2: return {p.s, 1, p.t};
-  case 3: return {p.s, -1, -p.t};
-  case 4: return {p.s, -p.t, 1};
-  default: return {-p.s, -p.t, -1};
+  case 0:
+    return {1, -p.t, -p.s};
+  case 1:
+    return {-1, -p.t, p.s};
+  case 2:
+    return {p.s, 1, p.t};
+  case 3:
+    return {p.s, -1, -p.t};
+  case 4:
+    return {p.s, -p.t, 1};
+  default:
+    return {-p.s, -p.t, -1};
   }
 }
 
@@ -27,8 +33,8 @@ FacePoint facePointOf(const glm::dvec3& d) {
 }
 
 std::vector<double> texelSolidAngles(int n) {
-  // The face's part between its middle and (s, t) subtends atan(s t / sqrt(s^2 + t^2 + 1)); a texel is the difference of
-  // four such corners.
+  // The face's part between its middle and (s, t) subtends atan(s t / sqrt(s^2 + t^2 + 1)); a texel is the difference
+  // of four such corners.
   const auto corner = [n](int x, int y) {
     const double s = 2.0 * x / n - 1, t = 2.0 * y / n - 1;
     return std::atan2(s * t, std::sqrt(s * s + t * t + 1));

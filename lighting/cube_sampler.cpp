@@ -2,10 +2,8 @@
 #include "lighting/cube_sampler.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstring>
-#include <cstdlib>
 #include <utility>
 
 namespace parity::lighting {
@@ -41,17 +39,34 @@ FloatFacePoint facePointOf(const glm::vec3& d) {
   return {d.z > 0 ? 4 : 5, (d.z > 0 ? d.x : -d.x) * k, -d.y * k};
 }
 
+// log2(x) for x in [1, 3], off by at most 0.006 (cubic through the Chebyshev nodes).
+float log2Coarse(float x) { return ((0.0708230f * x - 0.6317424f) * x + 2.3970716f) * x - 1.8303768f; }
+
+// faces: a level with its rim, n + 2 texels a row.
 Float4 bilinear(const glm::vec4* faces, int stride, const FloatFacePoint& p) {
   const float n = static_cast<float>(stride - 2);
-  // Rim and texel centres: the middle of the face's first texel lies at 1. Rounding may lead 1e-7 beyond [0, n + 1).
-  const float x = std::min(std::max((p.s * 0.5f + 0.5f) * n + 0.5f, 0.f), n + 0.5f);
-  const float y = std::min(std::max((p.t * 0.5f + 0.5f) * n + 0.5f, 0.f), n + 0.5f);
+  // The middle of the rim's first texel lies at 0, that of the face's first at 1. p is within 1e-7 of [-1, 1].
+  const float x = std::max((p.s * 0.5f + 0.5f) * n + 0.5f, 0.f), y = std::max((p.t * 0.5f + 0.5f) * n + 0.5f, 0.f);
   const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
   const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
   const glm::vec4* row = faces + (static_cast<std::size_t>(p.face) * stride + y0) * stride + x0;
   const Float4 upper = load(row) * (1 - fx) + load(row + 1) * fx;
   const Float4 lower = load(row + stride) * (1 - fx) + load(row + stride + 1) * fx;
   return upper * (1 - fy) + lower * fy;
+}
+
+// Between the two nearest of `levels` (Level::stride, Level::faces).
+template <typename Levels> Float4 trilinear(const Levels& levels, const glm::vec3& direction, float sizeLog2) {
+  const FloatFacePoint p = facePointOf(direction);
+  // A texel at (s, t) subtends (2/n)^2 (1 + s^2 + t^2)^(-3/2).
+  const float lod =
+      std::clamp(sizeLog2 + 0.75f * log2Coarse(1 + p.s * p.s + p.t * p.t), 0.f, static_cast<float>(levels.size() - 1));
+  const std::size_t level = std::min(static_cast<std::size_t>(lod), levels.size() - 2);
+  const float blend = lod - static_cast<float>(level);
+  const auto& fine = levels[level];
+  const auto& coarse = levels[level + 1];
+  return bilinear(fine.faces.data(), fine.stride, p) * (1 - blend) +
+         bilinear(coarse.faces.data(), coarse.stride, p) * blend;
 }
 
 } // namespace
@@ -103,22 +118,22 @@ CubeSampler::Level CubeSampler::makeLevel(const std::vector<glm::vec4>& mip, int
   return level;
 }
 
-// log2(x) for x in [1, 3], off by at most 0.004.
-static float log2Coarse(float x) { return ((0.0708230f * x - 0.6317424f) * x + 2.3970716f) * x - 1.8303768f; }
-static bool kDist = getenv("DIST") != nullptr;
-glm::vec4 CubeSampler::sample(const glm::vec3& direction, float lod0) const {
-  const FloatFacePoint p = facePointOf(direction);
-  float lod = lod0 + 0.75f*log2Coarse(1 + p.s * p.s + p.t * p.t);
-  if(!kDist) lod=lod0 + .467f;
-  lod=std::min(std::max(lod,0.f), float(levelCount())-1.001f);
-  const int level=(int)lod; const float blend=lod-level;
-  const Level& fine = m_levels[level];
-  const Level& coarse = m_levels[level + 1];
-  const Float4 value = bilinear(fine.faces.data(), fine.stride, p) * (1 - blend) +
-                       bilinear(coarse.faces.data(), coarse.stride, p) * blend;
-  glm::vec4 result;
-  std::memcpy(&result, &value, sizeof value);
-  return result;
+glm::vec3 CubeSampler::read(const glm::vec3& direction, float sizeLog2) const {
+  const Float4 value = trilinear(m_levels, direction, sizeLog2);
+  return {value[0], value[1], value[2]};
+}
+
+glm::vec3 CubeSampler::readSum(const glm::mat3& frame, std::span<const WeightedRead> reads) const {
+  // In parts: the rounding of thousands of additions to one float would show.
+  constexpr std::size_t kPart = 64;
+  glm::dvec3 total{0.0};
+  for (std::size_t begin = 0; begin < reads.size(); begin += kPart) {
+    Float4 sum{};
+    for (const WeightedRead& read : reads.subspan(begin, std::min(kPart, reads.size() - begin)))
+      sum += trilinear(m_levels, frame * read.direction, read.sizeLog2) * read.weight;
+    total += glm::dvec3(sum[0], sum[1], sum[2]);
+  }
+  return glm::vec3(total);
 }
 
 } // namespace parity::lighting

@@ -1,6 +1,7 @@
 // Trilinear reading of a cube map on the CPU, without seams.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -9,17 +10,28 @@
 
 namespace parity::lighting {
 
+// One reading of many: a direction in some frame, the size of what is to be averaged there, and its weight in the sum.
+struct WeightedRead {
+  glm::vec3 direction{0.f};
+  float sizeLog2 = 0; // log2 of the width of the footprint, sqrt(solid angle), over that of a base texel at a face's
+                      // middle, 2 / faceSize
+  float weight = 0;
+};
+
 // A cube with all mips down to 1x1, each face with a rim of its neighbours' texels: bilinear reading goes on across
 // edges, as Vulkan's does, and where three faces meet it takes the mean of the three corner texels.
 class CubeSampler {
 public:
-  // base: six faces of faceSize^2 texels (a power of two).
+  // base: six faces of faceSize^2 texels (a power of two, at least 2).
   CubeSampler(std::vector<glm::vec4> base, int faceSize);
 
-  int levelCount() const { return static_cast<int>(m_levels.size()); }
+  // The radiance in a direction (any length but 0) at the mip whose texels there are 2^sizeLog2 times as wide as a base
+  // texel at a face's middle. Texels towards a face's corners are smaller by up to 3^(3/4): a finer mip at the middle
+  // serves the same size at a corner.
+  glm::vec3 read(const glm::vec3& direction, float sizeLog2) const;
 
-  // direction: any length but 0. level: 0 .. levelCount() - 2; blends it with the next by `blend` in [0, 1].
-  glm::vec4 sample(const glm::vec3& direction, float lod) const;
+  // The weighted sum of many, their directions turned by `frame`. Finite where all texels and their sum are.
+  glm::vec3 readSum(const glm::mat3& frame, std::span<const WeightedRead> reads) const;
 
 private:
   struct Level {

@@ -16,7 +16,8 @@ namespace parity::lighting {
 EnvironmentLight makeEnvironmentLight(const scenes::Environment& environment, const PrefilterOptions& options) {
   const int size = options.faceSize;
   assert(size >= kMinFaceSize && size <= kMaxFaceSize && std::has_single_bit(static_cast<unsigned>(size)));
-  assert(options.sampleCount >= 1 && std::has_single_bit(static_cast<unsigned>(options.sampleCount)));
+  assert(options.sampleCount >= 1 && options.sampleCount <= kMaxSampleCount &&
+         std::has_single_bit(static_cast<unsigned>(options.sampleCount)));
 
   EnvironmentLight light;
   CubeMap& cube = light.prefiltered;
@@ -27,7 +28,7 @@ EnvironmentLight makeEnvironmentLight(const scenes::Environment& environment, co
   const CubeSampler source(cube.mips[0], size);
   for (int mip = 1; mip <= shading::f64::kPrefilterRoughestMip; ++mip) {
     const double roughness = shading::f64::roughnessFromMip(mip);
-    const auto samples = makeLobeSamples(roughness, options.sampleCount, size, source.levelCount());
+    const auto samples = makeLobeSamples(roughness, samplesOfMip(mip, options.sampleCount), size);
     cube.mips.push_back(prefilterMip(source, samples, size >> mip));
   }
   return light;

@@ -22,10 +22,12 @@ struct CubeMap {
 
 // Six mips need faces of at least 32 texels.
 inline constexpr int kMinFaceSize = 32, kMaxFaceSize = 1024;
+inline constexpr int kMaxSampleCount = 4096;
 
 struct PrefilterOptions {
   int faceSize = 256;    // a power of two, kMinFaceSize..kMaxFaceSize
-  int sampleCount = 128; // GGX importance samples per texel (a power of two)
+  int sampleCount = 128; // GGX importance samples per texel of mip 1 (a power of two, to kMaxSampleCount); the rougher
+                         // mips, whose texels are few, take more (lighting/prefilter.h)
 };
 
 // World space: the environment's rotation is applied already.

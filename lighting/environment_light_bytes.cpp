@@ -74,8 +74,8 @@ EnvironmentLight environmentLightFromBytes(std::span<const std::byte> bytes) {
   from += sizeof light.irradianceSh;
   requireFinite(&light.irradianceSh[0].x, 3 * light.irradianceSh.size());
   for (std::uint32_t m = 0; m < kMipCount; ++m) {
-    std::vector<glm::vec4>& mip = light.prefiltered.mips.emplace_back(
-        texelIndex(kCubeFaces, 0, 0, light.prefiltered.faceSize >> m));
+    std::vector<glm::vec4>& mip =
+        light.prefiltered.mips.emplace_back(texelIndex(kCubeFaces, 0, 0, light.prefiltered.faceSize >> m));
     std::memcpy(mip.data(), from, mip.size() * sizeof(glm::vec4));
     from += mip.size() * sizeof(glm::vec4);
     requireFinite(&mip[0].x, 4 * mip.size());

@@ -1,6 +1,6 @@
-// From an equirectangular panorama to a cube by exact areas. Along a meridian the texels of the cube and the rows of the
-// panorama cut the sphere at known heights y = cos(theta), and area is width in azimuth times difference in y: so each
-// face is summed meridian by meridian, and what one texel loses at a border its neighbour gains.
+// From an equirectangular panorama to a cube by exact areas. Along a meridian the texels of the cube and the rows of
+// the panorama cut the sphere at known heights y = cos(theta), and area is width in azimuth times difference in y: so
+// each face is summed meridian by meridian, and what one texel loses at a border its neighbour gains.
 #include "lighting/equirect.h"
 
 #include <algorithm>
@@ -141,7 +141,8 @@ void gatherSideColumn(const Panorama& p, double faceAzimuth, int x, int n, std::
     for (const double node : {0.5 - 0.5 / std::numbers::sqrt3, 0.5 + 0.5 / std::numbers::sqrt3}) {
       const double c = std::cos(azimuth + node * width - faceAzimuth);
       double y = c / std::sqrt(1 + c * c);
-      int row = static_cast<int>(std::upper_bound(p.rowY.begin(), p.rowY.end(), y, std::greater<>()) - p.rowY.begin()) - 1;
+      int row =
+          static_cast<int>(std::upper_bound(p.rowY.begin(), p.rowY.end(), y, std::greater<>()) - p.rowY.begin()) - 1;
       for (int i = 0; i < n; ++i) {
         const double tc = (2.0 * (i + 1) / n - 1) * c;
         const double bottom = -tc / std::sqrt(1 + tc * tc);
@@ -164,25 +165,26 @@ std::vector<Gathered> gatherPolarQuarter(const Panorama& p, bool top, int quarte
   // At the face's rim some 20 rays to a texel's width: the coverage of a texel is met to 1e-3, its radiance (divided by
   // that coverage) better.
   const int rays = std::max(1, (64 * n + p.width - 1) / p.width);
-  forEachColumn(p, quarter * kPi / 2, (quarter + 1) * kPi / 2, [&](double azimuth, double width, const glm::vec3* column) {
-    for (int ray = 0; ray < rays; ++ray) {
-      const double a = azimuth + (ray + 0.5) / rays * width, weight = width / rays;
-      const double stepX = 1 / (half * std::abs(std::cos(a))), stepZ = 1 / (half * std::abs(std::sin(a)));
-      double y = 1;
-      for (int x = 0, z = 0, row = 0; x < half && z < half;) {
-        const double tangentX = (x + 1) * stepX, tangentZ = (z + 1) * stepZ;
-        const double tangent = std::min(tangentX, tangentZ), bottom = 1 / std::sqrt(1 + tangent * tangent);
-        Gathered& texel = texels[static_cast<std::size_t>(z) * half + x];
-        for (; p.rowY[row + 1] > bottom; ++row) { // the rows lie alike around both poles
-          texel.add(weight * (y - p.rowY[row + 1]), column[top ? row : p.height - 1 - row]);
-          y = p.rowY[row + 1];
+  forEachColumn(
+      p, quarter * kPi / 2, (quarter + 1) * kPi / 2, [&](double azimuth, double width, const glm::vec3* column) {
+        for (int ray = 0; ray < rays; ++ray) {
+          const double a = azimuth + (ray + 0.5) / rays * width, weight = width / rays;
+          const double stepX = 1 / (half * std::abs(std::cos(a))), stepZ = 1 / (half * std::abs(std::sin(a)));
+          double y = 1;
+          for (int x = 0, z = 0, row = 0; x < half && z < half;) {
+            const double tangentX = (x + 1) * stepX, tangentZ = (z + 1) * stepZ;
+            const double tangent = std::min(tangentX, tangentZ), bottom = 1 / std::sqrt(1 + tangent * tangent);
+            Gathered& texel = texels[static_cast<std::size_t>(z) * half + x];
+            for (; p.rowY[row + 1] > bottom; ++row) { // the rows lie alike around both poles
+              texel.add(weight * (y - p.rowY[row + 1]), column[top ? row : p.height - 1 - row]);
+              y = p.rowY[row + 1];
+            }
+            texel.add(weight * (y - bottom), column[top ? row : p.height - 1 - row]);
+            y = bottom;
+            tangentX <= tangentZ ? ++x : ++z;
+          }
         }
-        texel.add(weight * (y - bottom), column[top ? row : p.height - 1 - row]);
-        y = bottom;
-        tangentX <= tangentZ ? ++x : ++z;
-      }
-    }
-  });
+      });
   return texels;
 }
 

@@ -9,20 +9,19 @@
 
 namespace parity::lighting {
 
-// One direction of the lobe around N = +Z in tangent space, and the mip that it reads.
-struct LobeSample {
-  glm::vec3 direction{0.f}; // unit, z > 0
-  float weight = 0;         // of the radiance; all weights sum to 1
-  int level = 0;            // reads this mip
-  float blend = 0;          // and as much of the next
-};
+// `count` samples of the lobe around N = V = +Z: half vectors by D_GGX at alpha = roughness^2 (Walter et al. 2007,
+// eq. 35) in Hammersley's sequence, weights NoL (Karis 2013, "PrefilterEnvMap") that sum to 1. Each reads a footprint
+// of the solid angle that it stands for, 1 / (count pdf) (Krivanek and Colbert 2008, "Real-time Shading with Filtered
+// Importance Sampling", eq. 10), widened a little so that neighbours overlap. count: a power of two; faceSize: of the
+// cube that is read.
+std::vector<WeightedRead> makeLobeSamples(double roughness, int count, int faceSize);
 
-// count samples of the lobe D_GGX(alpha, NoH) NoL with N = V (Karis 2013, "PrefilterEnvMap"), alpha = roughness^2, and
-// for each the mip whose texels are as large as the solid angle that the sample stands for (Krivanek and Colbert 2008,
-// "Real-time Shading with Filtered Importance Sampling", eq. 10). faceSize, levelCount: of the cube that is read.
-std::vector<LobeSample> makeLobeSamples(double roughness, int count, int faceSize, int levelCount);
+// How many samples mip `mip` >= 1 takes: sampleCount times 1, 2, 4, 16, 64. The mips shrink to a quarter each while
+// their lobes widen, so the rough ones, where a few samples would miss a small bright light, can have more and yet cost
+// no more than a quarter of mip 1.
+int samplesOfMip(int mip, int sampleCount);
 
-// Six faces of size^2 texels, filtered by these samples around each texel's direction; A = 1.
-std::vector<glm::vec4> prefilterMip(const CubeSampler& cube, const std::vector<LobeSample>& samples, int size);
+// Six faces of size^2 texels, each the sum of these samples around its direction; A = 1.
+std::vector<glm::vec4> prefilterMip(const CubeSampler& cube, const std::vector<WeightedRead>& samples, int size);
 
 } // namespace parity::lighting

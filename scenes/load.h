@@ -9,13 +9,14 @@
 namespace parity::scenes {
 
 // Loads a .gltf or .glb (glTF 2.0), or "builtin:NAME". Everything is checked: what cannot be shown rightly is an Error
-// (exit 4: file, place in it such as "accessors[3]", reason), what is ignored is a line in Scene::warnings.
+// (exit 4: file, place in it such as "accessors[3]", reason), what is ignored is a line in Scene::warnings. The names
+// are in scenes/builtin.h.
 Scene loadScene(const std::string& fileOrBuiltin);
 
-// Loads an equirectangular .hdr or .exr, or "builtin:sky" / "builtin:studio" / "builtin:white".
+// Loads an equirectangular .hdr or .exr, or "builtin:NAME" (scenes/builtin.h). 1 channel is spread, a 4th dropped.
 // NaN, infinite and negative texels are set to 0 (NaN, negative) or the largest finite value (inf), counted, and
-// reported as one line appended to `warnings`. Throws Error (exit 4): unreadable, zero-sized, not 3 or 4 channels,
-// nothing finite.
+// reported as one line appended to `warnings`. Throws Error (exit 4): unreadable, zero-sized, of integers, not 1, 3 or 4
+// channels, nothing finite.
 Environment loadEnvironment(const std::string& fileOrBuiltin, float rotationDeg, std::vector<std::string>& warnings);
 
 } // namespace parity::scenes

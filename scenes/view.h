@@ -18,9 +18,11 @@ struct ViewRequest {
 };
 
 // The camera of a view (DESIGN 8): eye = target + r*(sin phi sin theta, cos phi, sin phi cos theta), +Y up. The
-// automatic camera is the scene's own default where it names one, else orbit (30, 70) fitted to the bounds. Near and
-// far planes enclose the bounds. Throws Error (usage) naming the known cameras where `camera` is unknown; (exit 4) for
-// an empty scene.
+// automatic camera is the scene's own default where it names one (with its own field of view; a narrower image than
+// 1:1 shows as much of the width), else orbit (30, 70) fitted to the corners of the bounds; a target makes it an orbit.
+// Near and far planes enclose the bounds; a camera of a file keeps its own, but for an infinite far one. Throws Error
+// (usage) naming the known cameras where `camera` is unknown, for numbers without meaning, and where a camera is given
+// together with an orbit or a target; (exit 4) for an empty scene.
 Camera makeCamera(const Scene& scene, const ViewRequest& request, float aspect);
 
 // --sun AZIMUTH,ELEVATION,LUX: degrees; azimuth from +X towards +Z as in the environment's u; elevation above the

@@ -66,7 +66,8 @@ TEST(Glob, SpecialCharactersStandForThemselvesWhereNothingElseMakesSense) {
 }
 
 TEST(Glob, InvalidUtf8IsMatchedByteByByte) {
-  EXPECT_TRUE(matchesGlob("a?b", "a\xFF""b"));
+  EXPECT_TRUE(matchesGlob("a?b", "a\xFF"
+                                 "b"));
   EXPECT_TRUE(matchesGlob("a\xFF*", "a\xFF\xFE"));
   EXPECT_FALSE(matchesGlob("\xFF", "\xFE"));
   EXPECT_TRUE(matchesGlob("*", "\xE6\x97")); // a cut-off character

@@ -79,18 +79,22 @@ TEST(ParallelFor, TakesNoOuterTaskWhileItWaitsForInnerOnes) {
   const ThreadLimit limit(4);
   std::atomic<int> nested = 0, sum = 0;
   tbb::task_arena(4).execute([&] {
-    parallelFor(400, 1, [&](std::size_t, std::size_t) {
+    const std::thread::id self = std::this_thread::get_id();
+    parallelFor(600, 1, [&](std::size_t, std::size_t) {
       static thread_local int depth = 0;
       if (++depth > 1) ++nested;
-      parallelFor(8, 1, [&](std::size_t begin, std::size_t) {
-        std::this_thread::sleep_for(std::chrono::microseconds(50 * begin));
+      const std::thread::id owner = std::this_thread::get_id();
+      // One thread keeps outer tasks; what another takes of an inner loop, its owner must wait for.
+      if (owner == self) std::this_thread::sleep_for(std::chrono::microseconds(300));
+      parallelFor(8, 1, [&](std::size_t, std::size_t) {
+        std::this_thread::sleep_for(std::chrono::microseconds(std::this_thread::get_id() == owner ? 20 : 400));
         ++sum;
       });
       --depth;
     });
   });
   EXPECT_EQ(nested, 0);
-  EXPECT_EQ(sum, 400 * 8);
+  EXPECT_EQ(sum, 600 * 8);
 }
 
 TEST(ThreadLimit, HoldsForAsLongAsItLives) {
@@ -101,7 +105,7 @@ TEST(ThreadLimit, HoldsForAsLongAsItLives) {
     EXPECT_EQ(threadCount(), 1);
     const std::thread::id self = std::this_thread::get_id();
     std::atomic<int> elsewhere = 0;
-    parallelFor(400, 1, [&](std::size_t, std::size_t) {
+    parallelFor(64, 1, [&](std::size_t, std::size_t) {
       if (std::this_thread::get_id() != self) ++elsewhere;
       std::this_thread::sleep_for(std::chrono::microseconds(100));
     });

@@ -81,8 +81,10 @@ checks = [ { metric = "rmse", warn = 0.1 }, { metric = "rmse", region = "interio
 TEST(BudgetFile, UnknownNamesAreRefusedWithTheNearestKnownOne) {
   const std::string head = "[[material]]\nname = \"*\"\n";
   expectRefusal("[[materials]]\nname = \"*\"\n", "line 1", "unknown key 'materials'; did you mean 'material'?");
-  expectRefusal(head + "requires_seen = true\n" + kCheck, "line 3", "unknown key 'requires_seen'; did you mean 'require_seen'?");
-  expectRefusal(head + "checks = [ { metric = \"flip.mean\", wran = 0.1 } ]", "line 3", "unknown key 'wran'; did you mean 'warn'?");
+  expectRefusal(head + "requires_seen = true\n" + kCheck, "line 3",
+                "unknown key 'requires_seen'; did you mean 'require_seen'?");
+  expectRefusal(head + "checks = [ { metric = \"flip.mean\", wran = 0.1 } ]", "line 3",
+                "unknown key 'wran'; did you mean 'warn'?");
   expectRefusal(head + "checks = [\n  { metric = \"flip.meen\", warn = 0.1 },\n]", "line 4",
                 "unknown metric 'flip.meen'; did you mean 'flip.mean'?");
   expectRefusal(head + "checks = [ { metric = \"ssim\", warn = 0.1 } ]", "line 3",
@@ -97,7 +99,8 @@ TEST(BudgetFile, ListsThatWouldPassEverythingAreRefused) {
   expectRefusal("material = []", "", "no rules");
   expectRefusal("[[material]]\nname = \"*\"\n", "line 1", "no 'checks'");
   expectRefusal("[[material]]\nname = \"*\"\nchecks = []\n", "line 3", "'checks' is empty");
-  expectRefusal("[[material]]\nname = \"*\"\nchecks = [ { metric = \"rmse\" } ]\n", "line 3", "neither 'warn' nor 'fail'");
+  expectRefusal("[[material]]\nname = \"*\"\nchecks = [ { metric = \"rmse\" } ]\n", "line 3",
+                "neither 'warn' nor 'fail'");
   expectRefusal(std::string("[[material]]\n") + kCheck, "line 1", "no 'name'");
   expectRefusal("[[material]]\nname = \"\"\n" + std::string(kCheck), "line 2", "'name' is empty");
 }
@@ -117,7 +120,8 @@ TEST(BudgetFile, LimitsThatMakeNoSenseAreRefused) {
   refuse(R"(metric = "psnr", warn = 28, fail = 32)", "'warn' (28) lies below 'fail' (32)");
   refuse(R"(metric = 7, warn = 1)", "'metric' must be a string");
   refuse(R"(warn = 1)", "no 'metric'");
-  refuse(R"(metric = "rmse", warn = 0.1 }, { metric = "rmse", fail = 0.2)", "'rmse' over interior pixels is checked twice");
+  refuse(R"(metric = "rmse", warn = 0.1 }, { metric = "rmse", fail = 0.2)",
+         "'rmse' over interior pixels is checked twice");
 }
 
 TEST(BudgetFile, ARuleThatCanNeverMatchIsRefused) {

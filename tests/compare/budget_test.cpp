@@ -79,8 +79,8 @@ TEST(Budget, NotANumberIsAnErrorForEveryMetric) {
 TEST(Budget, ChecksLookAtTheirRegion) {
   RegionFigures figures = makeRegion("m", 0.1, 4000);
   figures.all.flip.mean = 0.9;
-  const auto results =
-      runChecks(ruleOf({{Metric::flipMean, Region::interior, 0.2, 0.5}, {Metric::flipMean, Region::all, 0.2, 0.5}}), figures);
+  const auto results = runChecks(
+      ruleOf({{Metric::flipMean, Region::interior, 0.2, 0.5}, {Metric::flipMean, Region::all, 0.2, 0.5}}), figures);
   ASSERT_EQ(results.size(), 2u);
   EXPECT_EQ(results[0].verdict, Verdict::pass);
   EXPECT_EQ(results[0].region, "interior");
@@ -113,7 +113,7 @@ TEST(Budget, TheFirstRuleThatMatchesJudges) {
   EXPECT_EQ(findMaterialRule(budgets, "Level 1", "Hero face"), &budgets.materials[1]);
   EXPECT_EQ(findMaterialRule(budgets, "Level 1", "hero face"), nullptr);
 
-  MaterialResult material{.name = "Hero face", .figures = makeRegion("Hero face", 0.1, 4000)};
+  MaterialResult material = makeMaterial("Hero face", 0.1, 4000);
   judgeMaterial(material, budgets, "Title screen");
   EXPECT_EQ(material.verdict, Verdict::fail);
   EXPECT_EQ(material.owner, "characters");
@@ -125,14 +125,14 @@ TEST(Budget, TheFirstRuleThatMatchesJudges) {
 }
 
 TEST(Budget, NoRuleThatMatchesIsAnErrorNotAPass) {
-  MaterialResult material{.name = "x", .figures = makeRegion("x", 0, 4000)};
+  MaterialResult material = makeMaterial("x", 0, 4000);
   judgeMaterial(material, Budgets{}, "scene");
   EXPECT_EQ(material.verdict, Verdict::error);
   EXPECT_EQ(material.reason, "no budget check applies");
 }
 
 TEST(Budget, NonFinitePixelsFailInWordsWhateverTheFiguresSay) {
-  MaterialResult material{.name = "x", .figures = makeRegion("x", 0, 4000)};
+  MaterialResult material = makeMaterial("x", 0, 4000);
   material.figures.all.nonFinite = 3;
   judgeMaterial(material, defaultBudgets(), "scene");
   EXPECT_EQ(material.verdict, Verdict::fail);
@@ -140,7 +140,7 @@ TEST(Budget, NonFinitePixelsFailInWordsWhateverTheFiguresSay) {
 }
 
 TEST(Budget, AFigureThatNoCheckLooksAtMayNotBeNanEither) {
-  MaterialResult material{.name = "x", .figures = makeRegion("x", 0, 4000)};
+  MaterialResult material = makeMaterial("x", 0, 4000);
   material.figures.interior.testLuma = kNan;
   judgeMaterial(material, defaultBudgets(), "scene");
   EXPECT_EQ(material.verdict, Verdict::error);
@@ -148,7 +148,7 @@ TEST(Budget, AFigureThatNoCheckLooksAtMayNotBeNanEither) {
 
 TEST(Budget, AMaterialWithoutPixelsIsNotSeenAndFailsWhereItMustBeSeen) {
   Budgets budgets = defaultBudgets();
-  MaterialResult material{.name = "x", .figures = makeRegion("x", 0, 0)};
+  MaterialResult material = makeMaterial("x", 0, 0);
   judgeMaterial(material, budgets, "scene");
   EXPECT_EQ(material.verdict, Verdict::notSeen);
   EXPECT_TRUE(material.checks.empty());
@@ -160,7 +160,7 @@ TEST(Budget, AMaterialWithoutPixelsIsNotSeenAndFailsWhereItMustBeSeen) {
 }
 
 TEST(Budget, TheReasonNamesTheWorstCheckAndCountsItsEquals) {
-  MaterialResult material{.name = "x", .figures = makeRegion("x", 0.25, 4000)};
+  MaterialResult material = makeMaterial("x", 0.25, 4000);
   judgeMaterial(material, defaultBudgets(), "scene"); // p95 is 0.625: both fail
   EXPECT_EQ(material.reason, "mean FLIP 0.250 over interior pixels is above 0.200 (and 1 more)");
 }
@@ -183,8 +183,8 @@ TEST(Budget, TheLimitsMeanWhatTheDocumentationSays) {
   const double slope = 0.95 / (0.4 * 41.2760963);
   EXPECT_NEAR(slope, 0.0575, 5e-5);
   const double grey = 0.2;
-  for (const auto& [gain, documented] : {std::pair{1.10, 0.10}, {1.29, 0.20}, {0.76, 0.20}, {1.54, 0.30}, {2.3, 0.50},
-                                         {1 / 3.2, 0.50}}) {
+  for (const auto& [gain, documented] :
+       {std::pair{1.10, 0.10}, {1.29, 0.20}, {0.76, 0.20}, {1.54, 0.30}, {2.3, 0.50}, {1 / 3.2, 0.50}}) {
     const double expected = slope * std::pow(std::abs(lightness(gain * grey) - lightness(grey)), 0.7);
     EXPECT_NEAR(expected, documented, 0.006) << gain;
     const base::Image map = flipMap(base::Image(8, 8, 3, encode(grey)), base::Image(8, 8, 3, encode(gain * grey)));

@@ -93,6 +93,18 @@ TEST(Flip, oneDifferingPixelReachesJustAsFarAsTheFilterRadius) {
   }
 }
 
+// An image of whole 255ths against one that is not: equal pixels must not come out of two decoders.
+TEST(Flip, equalPixelsStayEqualWhereOnlyOneImageIsOfEightBit) {
+  base::Image reference = makeNoise(64, 64, 12);
+  for (float& v : reference.pixels) v = std::round(255.f * v) / 255.f;
+  base::Image test = reference;
+  test.at(5, 5)[1] = 0.12345f;
+  const base::Image map = flipMap(reference, test);
+  EXPECT_GT(*map.at(5, 5), 0.f);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 16; x < 64; ++x) ASSERT_EQ(*map.at(x, y), 0.f) << x << ", " << y;
+}
+
 TEST(Flip, mirroredImagesGiveTheMirroredMap) {
   const auto mirror = [](const base::Image& image) {
     base::Image out = image;

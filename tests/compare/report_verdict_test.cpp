@@ -1,4 +1,6 @@
 // Verdicts of wholes from their parts, and exit codes.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "compare/budget.h"
@@ -9,20 +11,26 @@ namespace {
 
 // One scene, one view, one material of this mean FLIP; pixels = 0: not seen.
 Report reportOf(double mean, std::uint64_t pixels = 4000) {
-  MaterialResult material{.name = "m", .figures = makeRegion("m", mean, pixels)};
+  MaterialResult material = makeMaterial("m", mean, pixels);
   judgeMaterial(material, defaultBudgets(), "s");
-  ViewResult view{.name = "v", .width = 64, .height = 64, .whole = makeRegion("whole", 0.01, 4000)};
+  ViewResult view;
+  view.name = "v";
+  view.width = view.height = 64;
+  view.whole = makeRegion("whole", 0.01, 4000);
   view.materials = {material};
   judgeWhole(view, defaultBudgets(), "s");
   Report report;
-  report.scenes.push_back({.name = "s"});
+  report.scenes.emplace_back().name = "s";
   report.scenes[0].views = {view};
   settleVerdicts(report);
   return report;
 }
 
 Report withError(Report report, int code) {
-  report.scenes.push_back({.name = "broken", .error = "broken.glb: missing", .errorExitCode = code});
+  SceneResult& scene = report.scenes.emplace_back();
+  scene.name = "broken";
+  scene.error = "broken.glb: missing";
+  scene.errorExitCode = code;
   settleVerdicts(report);
   return report;
 }
@@ -61,7 +69,7 @@ TEST(Verdict, NothingIsAnErrorNeverAPass) {
   EXPECT_EQ(empty.verdict, Verdict::error);
 
   Report noViews;
-  noViews.scenes.push_back({.name = "s"});
+  noViews.scenes.emplace_back().name = "s";
   settleVerdicts(noViews);
   EXPECT_EQ(noViews.verdict, Verdict::error);
   EXPECT_FALSE(noViews.scenes[0].error.empty());
@@ -181,9 +189,9 @@ TEST(ExitCode, FiguresThatAreNotNumbersAreFour) {
 
 TEST(Verdict, CountsEachRowOnce) {
   const VerdictCounts counts = countVerdicts(makeSampleReport());
-  EXPECT_EQ(counts.pass, 3u); // Glass twice, Bulb in front
-  EXPECT_EQ(counts.fail, 2u); // Rough metal in both views
-  EXPECT_EQ(counts.warn, 2u); // Shade in both
+  EXPECT_EQ(counts.pass, 3u);    // Glass twice, Bulb in front
+  EXPECT_EQ(counts.fail, 2u);    // Rough metal in both views
+  EXPECT_EQ(counts.warn, 2u);    // Shade in both
   EXPECT_EQ(counts.notSeen, 2u); // Screw in neither; Bulb, not seen from behind, is seen in front
   EXPECT_EQ(counts.error, 0u);
   EXPECT_EQ(counts.total(), 9u);

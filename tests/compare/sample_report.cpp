@@ -12,20 +12,16 @@ namespace {
 class Namer {
 public:
   explicit Namer(std::vector<std::string> names) : m_names(std::move(names)) {}
-  std::string next(const std::string& fallback) {
-    return m_next < m_names.size() ? m_names[m_next++] : fallback;
-  }
+  std::string next(const std::string& fallback) { return m_next < m_names.size() ? m_names[m_next++] : fallback; }
 
 private:
   std::vector<std::string> m_names;
   std::size_t m_next = 0;
 };
 
-MaterialResult makeMaterial(const std::string& name, double mean, std::uint64_t pixels, double gain,
-                            const std::string& scene, const std::string& file) {
-  MaterialResult material;
-  material.name = name;
-  material.figures = makeRegion(name, mean, pixels, gain);
+MaterialResult makeJudged(const std::string& name, double mean, std::uint64_t pixels, double gain,
+                          const std::string& scene, const std::string& file) {
+  MaterialResult material = makeMaterial(name, mean, pixels, gain);
   if (pixels > 0)
     material.crops = {"images/" + file + "_ref.png", "images/" + file + "_test.png", "images/" + file + "_flip.png"};
   judgeMaterial(material, defaultBudgets(), scene);
@@ -50,13 +46,20 @@ RegionFigures makeRegion(const std::string& name, double mean, std::uint64_t pix
   return {name, makeFigures(1.1 * mean, pixels, gain), makeFigures(mean, pixels * 3 / 4, gain)};
 }
 
+MaterialResult makeMaterial(const std::string& name, double mean, std::uint64_t pixels, double gain) {
+  MaterialResult material;
+  material.name = name;
+  material.figures = makeRegion(name, mean, pixels, gain);
+  return material;
+}
+
 Report makeSampleReport(const std::vector<std::string>& names) {
   Namer namer(names);
   Report report;
   report.version = "0.1.0";
   report.device = "llvmpipe (LLVM 15.0.6, 256 bits), Mesa 22.3.6";
-  report.settings = {{"size", "1024x1024"},   {"samples", "1"},        {"preset", "ue4-2020"}, {"precision", "fp32"},
-                     {"display", "sRGB"},     {"exposure", "0 EV"},    {"budgets", "built-in"}};
+  report.settings = {{"size", "1024x1024"}, {"samples", "1"},     {"preset", "ue4-2020"}, {"precision", "fp32"},
+                     {"display", "sRGB"},   {"exposure", "0 EV"}, {"budgets", "built-in"}};
 
   SceneResult lamp;
   lamp.name = namer.next("Lamp");
@@ -70,14 +73,14 @@ Report makeSampleReport(const std::vector<std::string>& names) {
   front.whole = makeRegion("whole", 0.06, 400000, 0.97);
   front.images = {"images/lamp_ref.png", "images/lamp_test.png", "images/lamp_flip.png"};
   front.skipped = {"no local lights: their loop"};
-  front.materials.push_back(makeMaterial(namer.next("Glass"), 0.03, 90000, 0.999, lamp.name, "glass"));
-  front.materials.push_back(makeMaterial(namer.next("Rough metal"), 0.27, 120000, 0.71, lamp.name, "metal"));
+  front.materials.push_back(makeJudged(namer.next("Glass"), 0.03, 90000, 0.999, lamp.name, "glass"));
+  front.materials.push_back(makeJudged(namer.next("Rough metal"), 0.27, 120000, 0.71, lamp.name, "metal"));
   front.materials.back().notes = {"fully rough", "9 samplers: one more than mobile has"};
   front.materials.back().terms = {{"sunDiffuse", 0, 0}, {"sunSpecular", 0.21, 0.11}, {"skySpecular", 0.34, 0.28}};
-  front.materials.push_back(makeMaterial(namer.next("Shade, cloth"), 0.14, 60000, 1.08, lamp.name, "cloth"));
+  front.materials.push_back(makeJudged(namer.next("Shade, cloth"), 0.14, 60000, 1.08, lamp.name, "cloth"));
   front.materials.back().notes = {"nonmetal"};
-  front.materials.push_back(makeMaterial(namer.next("Screw"), 0, 0, 1, lamp.name, "screw"));
-  front.materials.push_back(makeMaterial(namer.next("Bulb"), 0, 900, 1, lamp.name, "bulb"));
+  front.materials.push_back(makeJudged(namer.next("Screw"), 0, 0, 1, lamp.name, "screw"));
+  front.materials.push_back(makeJudged(namer.next("Bulb"), 0, 900, 1, lamp.name, "bulb"));
   judgeWhole(front, defaultBudgets(), lamp.name);
   lamp.views.push_back(front);
 
@@ -110,7 +113,7 @@ std::vector<std::string> hostileNames() {
           "javascript:alert(1)",
           "line\nbreak\tand\rreturn",
           "]]> &amp; & <!-- -->",
-          std::string("bell\a zero\0 escape\x1b[31m", 24),
+          std::string("bell\a zero\0 escape\x1b[31m", 23),
           "bad \xff\xc3 utf-8 \xed\xa0\x80",
           "日本語 Ünïcödé \xE2\x80\xAEreversed",
           "</style></title><svg onload=alert(1)>"};

@@ -12,8 +12,11 @@ namespace parity::compare {
 Figures makeFigures(double mean, std::uint64_t pixels, double gain = 0.95);
 RegionFigures makeRegion(const std::string& name, double mean, std::uint64_t pixels, double gain = 0.95);
 
-// Judged by the built-in budgets and settled. Material and scene names come from `names`, in order, for as long as there
-// are any; then harmless ones.
+// Not judged yet.
+MaterialResult makeMaterial(const std::string& name, double mean, std::uint64_t pixels, double gain = 0.95);
+
+// Judged by the built-in budgets and settled. Material and scene names come from `names`, in order, for as long as
+// there are any; then harmless ones.
 Report makeSampleReport(const std::vector<std::string>& names = {});
 RunInfo makeSampleRun();
 

@@ -28,7 +28,7 @@ TEST(P,p){
     auto sa=om;
     for(int m=1;m<=5;m++){
       double R=shading::f64::roughnessFromMip(m),al=R*R; int n=256>>m;
-      double t3=now(); auto s=makeLobeSamples(R,getenv("MULT")?128<<(2*std::max(0,m-2)):128,256,cs.levelCount()); auto mip=prefilterMip(cs,s,n); double t4=now();
+      double t3=now(); auto s=makeLobeSamples(R,samplesOfMip(m,128),256); auto mip=prefilterMip(cs,s,n); double t4=now();
       std::mt19937 g(1); std::vector<double> tr,ap;
       std::vector<double> rel; double se2=0,st2=0;
       const int NP=160;

@@ -1,0 +1,91 @@
+#include "cli/checks.h"
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace parity::tests {
+
+void RenderingTest::SetUp() {
+  const RunResult devices = runParity({"devices"});
+  // Only the message of a missing driver counts: any other failure is for the tests to find.
+  if (devices.exitCode == 4 && contains(devices.err, "mesa-vulkan-drivers")) GTEST_SKIP() << devices.err;
+}
+
+testing::AssertionResult exitedWith(int code, const RunResult& result) {
+  if (result.exitCode == code && !result.timedOut) return testing::AssertionSuccess();
+  auto failure = testing::AssertionFailure() << "parity" << result.commandLine << "\n  ";
+  if (result.timedOut)
+    failure << "did not end in time";
+  else if (result.signal)
+    failure << "died of signal " << result.signal;
+  else
+    failure << "exit code " << result.exitCode << " instead of " << code;
+  return failure << "\nstdout: " << result.out << "\nstderr: " << result.err;
+}
+
+void expectRefused(const RunResult& result, int code, const std::vector<std::string>& parts) {
+  EXPECT_TRUE(exitedWith(code, result));
+  EXPECT_EQ(result.out, "") << result.commandLine;
+  const std::vector<std::string> lines = splitLines(result.err);
+  EXPECT_EQ(lines.size(), 1u) << result.commandLine << "\n" << result.err;
+  EXPECT_TRUE(result.err.starts_with("error: ")) << result.err;
+  for (const std::string& part : parts) EXPECT_TRUE(contains(result.err, part)) << part << " in: " << result.err;
+  EXPECT_LT(result.peakMiB, 2048) << result.commandLine;
+}
+
+std::vector<std::string> splitLines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::string readWholeFile(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  EXPECT_TRUE(stream) << file;
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+nlohmann::json readReport(const std::filesystem::path& folder) {
+  nlohmann::json report = nlohmann::json::parse(readWholeFile(folder / "report.json"), nullptr, false);
+  EXPECT_FALSE(report.is_discarded()) << "report.json is not JSON";
+  return report.is_discarded() ? nlohmann::json() : report;
+}
+
+std::vector<std::string> listFiles(const std::filesystem::path& folder) {
+  std::vector<std::string> files;
+  if (!std::filesystem::exists(folder)) return files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (!entry.is_directory()) files.push_back(entry.path().lexically_relative(folder).generic_string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<std::string> listPictures(const nlohmann::json& report) {
+  std::set<std::string> pictures;
+  const auto addAll = [&](const nlohmann::json& images) {
+    for (const char* key : {"reference", "test", "flip"})
+      if (images[key] != "") pictures.insert(images[key].get<std::string>());
+  };
+  for (const nlohmann::json& scene : report["scenes"])
+    for (const nlohmann::json& view : scene["views"]) {
+      addAll(view["images"]);
+      for (const nlohmann::json& material : view["materials"]) addAll(material["crops"]);
+    }
+  return {pictures.begin(), pictures.end()};
+}
+
+std::string writeBudgets(const TempFolder& folder, const std::string& limits) {
+  const std::filesystem::path file = folder / "budgets.toml";
+  const std::string check = "checks = [{ metric = \"flip.mean\", region = \"all\", " + limits + " }]\n";
+  writeFile(file, "[[material]]\nname = \"*\"\n" + check + "[[whole]]\n" + check);
+  return file.string();
+}
+
+} // namespace parity::tests

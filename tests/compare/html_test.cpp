@@ -1,0 +1,216 @@
+// index.html, read back as XML (it is well-formed): structure, order, policy, and names that try to become markup.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <pugixml.hpp>
+
+#include "compare/report.h"
+#include "compare/sample_report.h"
+
+namespace parity::compare {
+namespace {
+
+std::string cutBetween(std::string html, const std::string& open, const std::string& close) {
+  const std::size_t from = html.find(open) + open.size(), to = html.find(close, from);
+  return html.erase(from, to - from);
+}
+
+// Without the insides of <style> and <script>, which are raw text in HTML and not in XML.
+pugi::xml_document parse(const std::string& html) {
+  const std::string xml = cutBetween(cutBetween(html, "<style>\n", "</style>"), "<script>\n", "</script>");
+  pugi::xml_document document;
+  const pugi::xml_parse_result result =
+      document.load_buffer(xml.data(), xml.size(), pugi::parse_default | pugi::parse_doctype);
+  EXPECT_TRUE(result) << result.description() << ": "
+                      << xml.substr(std::max<std::ptrdiff_t>(result.offset, 60) - 60, 120);
+  return document;
+}
+
+// Every element and attribute name with its depth: what stays the same whatever the texts are.
+std::string outlineOf(const pugi::xml_node& root) {
+  struct Walker : pugi::xml_tree_walker {
+    std::string outline;
+    bool for_each(pugi::xml_node& node) override {
+      if (node.type() != pugi::node_element) return true;
+      outline += std::string(static_cast<std::size_t>(depth()), ' ') + node.name();
+      for (const auto& attribute : node.attributes()) outline += std::string(" @") + attribute.name();
+      outline += '\n';
+      return true;
+    }
+  } walker;
+  pugi::xml_node(root).traverse(walker);
+  return walker.outline;
+}
+
+std::vector<pugi::xpath_node> select(const pugi::xml_document& document, const char* path) {
+  const pugi::xpath_node_set nodes = document.select_nodes(path);
+  return {nodes.begin(), nodes.end()};
+}
+
+std::vector<pugi::xpath_node> select(pugi::xml_document&&, const char*) = delete; // the nodes would outlive it
+
+std::string page(const Report& report) { return toHtml(report, makeSampleRun()); }
+
+TEST(Html, HostileNamesAddNoElementAndNoAttribute) {
+  const std::vector<std::string> hostile = hostileNames(), harmless(hostile.size(), "harmless");
+  EXPECT_EQ(outlineOf(parse(page(makeSampleReport(hostile)))), outlineOf(parse(page(makeSampleReport(harmless)))));
+}
+
+TEST(Html, EveryTextOfAReportIsEscaped) {
+  const std::string evil = "</style></script><script>alert(1)</script>\"'><img src=x onerror=alert(1)>";
+  const auto poison = [](Report report, RunInfo run, const std::string& text) {
+    report.tool = report.version = report.device = text;
+    report.settings = {{text, text}};
+    run = {text, text, {{text, 1}}};
+    for (SceneResult& scene : report.scenes) {
+      scene.name = scene.source = scene.environment = scene.sun = scene.error = text;
+      scene.warnings = {text};
+      for (ViewResult& view : scene.views) {
+        view.name = view.reason = text;
+        view.images = {text, text, text};
+        view.skipped = {text};
+        for (MaterialResult& material : view.materials) {
+          material.name = material.reason = material.budget = material.budgetReason = material.owner = text;
+          material.notes = {text};
+          material.terms = {{text, 1, 2}};
+          material.crops = {text, text, text};
+          for (CheckResult& check : material.checks) check.metric = check.region = check.note = text;
+        }
+      }
+    }
+    return toHtml(report, run);
+  };
+  const std::string html = poison(makeSampleReport(), {}, evil);
+  EXPECT_EQ(outlineOf(parse(html)), outlineOf(parse(poison(makeSampleReport(), {}, "x"))));
+  EXPECT_EQ(html.find("<script>alert"), std::string::npos);
+  EXPECT_EQ(html.find("onerror=alert(1)>"), std::string::npos);
+  EXPECT_EQ(html.find("<script>", html.find("<script>") + 1), std::string::npos) << "there is exactly one script";
+}
+
+TEST(Html, NamesAreShownAsTheyAre) {
+  const std::vector<std::string> names = hostileNames();
+  const auto document = parse(page(makeSampleReport(names)));
+  std::vector<std::string> shown;
+  for (const auto& node : select(document, "//article/div/h4/bdi")) shown.push_back(node.node().child_value());
+  for (const std::size_t i : {1, 2, 3, 4, 5}) EXPECT_NE(std::ranges::find(shown, names[i]), shown.end()) << names[i];
+}
+
+TEST(Html, ImagePathsBecomeRelativeUrlsWithoutScheme) {
+  Report report = makeSampleReport();
+  report.scenes[0].views[0].images = {"javascript:alert(1)", "//example.org/x.png", "images/a b\"#?%&'é.png"};
+  const auto document = parse(page(report));
+  const auto links = select(document, "//a[@class='shot']");
+  ASSERT_GE(links.size(), 3u);
+  EXPECT_STREQ(links[0].node().attribute("href").value(), "javascript%3Aalert%281%29");
+  EXPECT_STREQ(links[1].node().attribute("href").value(), ".//example.org/x.png");
+  EXPECT_STREQ(links[2].node().attribute("href").value(), "images/a%20b%22%23%3F%25%26%27%C3%A9.png");
+  for (const auto& link : links) {
+    EXPECT_STREQ(link.node().attribute("href").value(), link.node().child("img").attribute("src").value());
+    EXPECT_STREQ(link.node().child("img").attribute("loading").value(), "lazy");
+    EXPECT_STRNE(link.node().child("img").attribute("alt").value(), "");
+  }
+}
+
+TEST(Html, NeedsNoNetworkAndForbidsIt) {
+  const std::string html = page(makeSampleReport());
+  for (const char* word : {"http:", "https:", "url(", "@import", "src=\"//"})
+    EXPECT_EQ(html.find(word), std::string::npos) << word;
+  const auto document = parse(html);
+  const auto policy = select(document, "//meta[@http-equiv='Content-Security-Policy']");
+  ASSERT_EQ(policy.size(), 1u);
+  const std::string content = policy[0].node().attribute("content").value();
+  EXPECT_EQ(
+      content.find(
+          "default-src 'none'; img-src 'self' data: file:; style-src 'unsafe-inline'; script-src 'unsafe-inline'"),
+      0u);
+}
+
+TEST(Html, TheWorstMaterialComesFirst) {
+  const auto document = parse(page(makeSampleReport()));
+  std::vector<std::string> names;
+  for (const auto& row : select(document, "//section[@id='scene-1-view-1']//article"))
+    names.push_back(row.node().attribute("data-name").value());
+  const std::vector<std::string> expected = {"Rough metal", "Shade, cloth", "Screw", "Glass", "Bulb"};
+  EXPECT_EQ(names, expected);
+}
+
+TEST(Html, EachRowHasItsVerdictInWordsImagesAndNumbers) {
+  const auto document = parse(page(makeSampleReport()));
+  const auto rows = select(document, "//article[@data-name='Rough metal']");
+  ASSERT_EQ(rows.size(), 2u);
+  const pugi::xml_node row = rows[0].node();
+  const auto textOf = [&](const char* path) { return std::string(row.select_node(path).node().text().get()); };
+  EXPECT_NE(row.select_node(".//span[contains(@class,'badge') and contains(.,'fail')]").node(), pugi::xml_node());
+  EXPECT_EQ(textOf(".//p[@class='reason']"), "mean FLIP 0.270 over interior pixels is above 0.200 (and 1 more)");
+  EXPECT_EQ(textOf(".//p[@class='light']"), "mobile is 29.0 % darker");
+  EXPECT_EQ(row.select_nodes(".//img").size(), 3u);
+  EXPECT_EQ(row.select_nodes(".//div[starts-with(@class,'check ')]").size(), 2u);
+  EXPECT_EQ(row.select_nodes(".//ul[@class='notes']/li").size(), 2u);
+  EXPECT_EQ(row.select_nodes(".//details[@class='terms']//tbody/tr").size(), 3u);
+  std::vector<std::string> cells;
+  for (const auto& cell : row.select_nodes("./div[@class='numbers']/table/tbody/tr[position()=1 or position()=9]/td"))
+    cells.push_back(cell.node().text().get());
+  const std::vector<std::string> expected = {"0.270", "0.297", "90000", "120000"};
+  EXPECT_EQ(cells, expected);
+}
+
+TEST(Html, BarsStayWithinTheirTrack) {
+  Report report = makeSampleReport();
+  for (MaterialResult& material : report.scenes[0].views[0].materials)
+    for (CheckResult& check : material.checks) {
+      check.value = material.name == "Glass" ? INFINITY : material.name == "Bulb" ? NAN : 1e9;
+      if (material.name == "Bulb") check.warnAbove = check.failAbove = 0;
+    }
+  const auto document = parse(page(report));
+  for (const auto& part : select(document, "//div[@class='bar']/i")) {
+    const std::string style = part.node().attribute("style").value();
+    const double percent = std::stod(style.substr(style.find(':') + 1));
+    EXPECT_GE(percent, 0) << style;
+    EXPECT_LE(percent, 100) << style;
+  }
+}
+
+TEST(Html, WhatIsNotSeenSaysSoAndShowsNoFigures) {
+  const auto document = parse(page(makeSampleReport()));
+  const auto rows = select(document, "//article[@data-name='Screw']");
+  ASSERT_FALSE(rows.empty());
+  EXPECT_EQ(rows[0].node().select_nodes(".//img").size(), 0u);
+  EXPECT_EQ(rows[0].node().select_nodes(".//table").size(), 0u);
+  EXPECT_STREQ(rows[0].node().select_node(".//p[@class='unseen']").node().text().get(),
+               "No pixel of this view shows it.");
+}
+
+TEST(Html, TheHeadlineSaysWhatHappened) {
+  const auto headline = [](const Report& report) {
+    const auto document = parse(page(report));
+    return std::string(select(document, "//title").at(0).node().text().get());
+  };
+  Report report = makeSampleReport();
+  EXPECT_EQ(headline(report), "parity: 1 scene could not be compared; 2 of 9 material views over budget");
+  report.scenes.pop_back();
+  settleVerdicts(report);
+  EXPECT_EQ(headline(report), "parity: 2 of 9 material views over budget");
+  report.scenes[0].views.pop_back();
+  report.scenes[0].views[0].materials.erase(report.scenes[0].views[0].materials.begin() + 1);
+  settleVerdicts(report);
+  EXPECT_EQ(headline(report), "parity: Within budget, with warnings for 1 of 4 materials");
+  report.scenes[0].views[0].materials.erase(report.scenes[0].views[0].materials.begin() + 1);
+  settleVerdicts(report);
+  EXPECT_EQ(headline(report), "parity: Within budget, but 1 of 3 materials not seen");
+  report.scenes[0].views[0].materials.erase(report.scenes[0].views[0].materials.begin() + 1);
+  settleVerdicts(report);
+  EXPECT_EQ(headline(report), "parity: All 2 materials are within budget");
+  report.scenes.clear();
+  settleVerdicts(report);
+  EXPECT_EQ(headline(report), "parity: Nothing was compared");
+}
+
+TEST(Html, ErrorsAndWarningsOfScenesAreShown) {
+  const std::string html = page(makeSampleReport());
+  EXPECT_NE(html.find("<b>Not compared:</b> assets/Broken.glb: chunk 0"), std::string::npos);
+  EXPECT_NE(html.find("<li>KHR_materials_transmission is not supported: drawn opaque</li>"), std::string::npos);
+}
+
+} // namespace
+} // namespace parity::compare

@@ -1,0 +1,133 @@
+// report.json and run.json: order, numbers, nulls, names; and that equal reports are equal bytes.
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "compare/json_writer.h"
+#include "compare/report.h"
+#include "compare/sample_report.h"
+
+namespace parity::compare {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string numberText(double value) {
+  JsonWriter json;
+  json.number(value);
+  return json.finish();
+}
+
+TEST(ReportJson, EqualReportsAreEqualBytes) {
+  EXPECT_EQ(toJson(makeSampleReport()), toJson(makeSampleReport()));
+  EXPECT_NE(toJson(makeSampleReport()), toJson(makeSampleReport({"Another name"})));
+}
+
+TEST(ReportJson, KeysStandInAFixedOrder) {
+  const ordered_json document = ordered_json::parse(toJson(makeSampleReport()));
+  const auto keys = [](const ordered_json& object) {
+    std::string names;
+    for (const auto& [key, value] : object.items()) names += (names.empty() ? "" : " ") + key;
+    return names;
+  };
+  EXPECT_EQ(keys(document), "schema tool version device verdict counts settings scenes");
+  EXPECT_EQ(keys(document["scenes"][0]), "name source environment sun verdict error warnings views");
+  EXPECT_EQ(keys(document["scenes"][0]["views"][0]), "name width height verdict whole materials images skipped");
+  EXPECT_EQ(keys(document["scenes"][0]["views"][0]["materials"][0]),
+            "name verdict reason seenElsewhere figures checks budget notes terms crops");
+}
+
+TEST(ReportJson, HoldsWhatTheReportHolds) {
+  const ordered_json document = ordered_json::parse(toJson(makeSampleReport()));
+  EXPECT_EQ(document["schema"], 1);
+  EXPECT_EQ(document["verdict"], "error");
+  EXPECT_EQ(document["counts"], ordered_json::parse(R"({"pass":3,"notSeen":2,"warn":2,"fail":2,"error":0})"));
+  EXPECT_EQ(document["settings"][2], ordered_json::parse(R"({"name":"preset","value":"ue4-2020"})"));
+  EXPECT_EQ(document["scenes"][1]["error"]["exitCode"], 4);
+  EXPECT_TRUE(document["scenes"][0]["error"].is_null());
+  const ordered_json& view = document["scenes"][0]["views"][0];
+  EXPECT_EQ(view["whole"]["figures"]["all"]["pixels"], 400000);
+  EXPECT_EQ(view["skipped"][0], "no local lights: their loop");
+  const ordered_json& metal = view["materials"][1];
+  EXPECT_EQ(metal["name"], "Rough metal");
+  EXPECT_EQ(metal["verdict"], "fail");
+  EXPECT_EQ(metal["figures"]["interior"]["pixels"], 90000);
+  EXPECT_EQ(metal["figures"]["interior"]["flip"]["mean"], 0.27);
+  EXPECT_EQ(metal["checks"][0]["metric"], "flip.mean");
+  EXPECT_EQ(metal["checks"][0]["fail"], 0.2);
+  EXPECT_EQ(metal["terms"][1]["term"], "sunSpecular");
+  EXPECT_EQ(metal["terms"][1]["test"], 0.11);
+  EXPECT_EQ(metal["crops"]["flip"], "images/metal_flip.png");
+  EXPECT_EQ(metal["budget"]["rule"], "built-in");
+}
+
+TEST(ReportJson, WhatIsNotSeenHasNoFiguresRatherThanZeros) {
+  const ordered_json document = ordered_json::parse(toJson(makeSampleReport()));
+  const ordered_json& screw = document["scenes"][0]["views"][0]["materials"][3];
+  EXPECT_EQ(screw["verdict"], "not seen");
+  EXPECT_TRUE(screw["figures"]["all"].is_null());
+  EXPECT_TRUE(screw["figures"]["interior"].is_null());
+}
+
+TEST(ReportJson, AnInfinitePsnrIsNull) {
+  const ordered_json document = ordered_json::parse(toJson(makeSampleReport()));
+  EXPECT_TRUE(document["scenes"][0]["views"][0]["materials"][4]["figures"]["all"]["psnr"].is_null());
+  EXPECT_TRUE(document["scenes"][0]["views"][0]["materials"][0]["figures"]["all"]["psnr"].is_number());
+}
+
+TEST(ReportJson, NamesOfAnyBytesComeBackAsUnicode) {
+  const std::vector<std::string> names = hostileNames();
+  const ordered_json document = ordered_json::parse(toJson(makeSampleReport(names))); // throws on invalid UTF-8
+  EXPECT_EQ(document["scenes"][0]["name"], names[0]);
+  EXPECT_EQ(document["scenes"][0]["views"][0]["materials"][0]["name"], names[1]);
+  EXPECT_EQ(document["scenes"][0]["views"][0]["materials"][3]["name"], "line\nbreak\tand\rreturn");
+  EXPECT_EQ(document["scenes"][0]["views"][1]["name"], names[6]); // bell, zero and escape survive as \u00xx
+  EXPECT_EQ(document["scenes"][1]["name"], "bad \uFFFD\uFFFD utf-8 \uFFFD\uFFFD\uFFFD");
+}
+
+TEST(ReportJson, RunInfoHoldsTimesAndNothingElseDoes) {
+  const ordered_json run = ordered_json::parse(toJson(makeSampleRun()));
+  EXPECT_EQ(run["startedAt"], "2024-05-01T12:00:00Z");
+  EXPECT_EQ(run["commandLine"], "parity report Lamp.gltf -o out");
+  EXPECT_EQ(run["timings"][0]["stage"], "load");
+  EXPECT_EQ(run["timings"][0]["timeMs"], 120.5);
+  EXPECT_EQ(toJson(makeSampleReport()).find("2024-05-01"), std::string::npos);
+}
+
+TEST(JsonWriter, NumbersAreTheShortestThatReadBackTheSame) {
+  EXPECT_EQ(numberText(0.1), "0.1\n");
+  EXPECT_EQ(numberText(0.1 + 0.2), "0.30000000000000004\n");
+  EXPECT_EQ(numberText(1), "1\n");
+  EXPECT_EQ(numberText(1e300), "1e+300\n");
+  EXPECT_EQ(numberText(5e-324), "5e-324\n");
+  EXPECT_EQ(numberText(9007199254740993.0), "9007199254740992\n");
+  for (const double value : {1.0 / 3, 0.142857, 6.02214076e23, -2.5e-7, std::numeric_limits<double>::max()})
+    EXPECT_EQ(nlohmann::json::parse(numberText(value)).get<double>(), value);
+}
+
+TEST(JsonWriter, WhatIsNotFiniteIsNull) {
+  EXPECT_EQ(numberText(NAN), "null\n");
+  EXPECT_EQ(numberText(INFINITY), "null\n");
+  EXPECT_EQ(numberText(-INFINITY), "null\n");
+}
+
+TEST(JsonWriter, WritesNestedValuesAsRfc8259SaysIt) {
+  JsonWriter json;
+  json.beginObject();
+  json.key("empty").beginArray();
+  json.endArray();
+  json.key("list").beginArray();
+  json.integer(-3);
+  json.boolean(true);
+  json.null();
+  json.endArray();
+  json.key("a\"b\\\n").text("\x01/");
+  json.endObject();
+  EXPECT_EQ(json.finish(), "{\n  \"empty\": [],\n  \"list\": [\n    -3,\n    true,\n    null\n  ],\n"
+                           "  \"a\\\"b\\\\\\u000a\": \"\\u0001/\"\n}\n");
+}
+
+} // namespace
+} // namespace parity::compare

@@ -1,0 +1,77 @@
+// The terminal's table: columns that line up, names that cannot steer the terminal.
+#include <algorithm>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "compare/report.h"
+#include "compare/sample_report.h"
+#include "compare/text.h"
+
+namespace parity::compare {
+namespace {
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+// The columns up to where `word` ends in a line.
+std::size_t endOf(const std::string& line, const std::string& word) {
+  const std::size_t at = line.find(word);
+  EXPECT_NE(at, std::string::npos) << word << " in: " << line;
+  return displayWidth(line.substr(0, at + word.size()));
+}
+
+TEST(ReportTable, EachMaterialAndViewIsARow) {
+  const auto lines = linesOf(toTable(makeSampleReport(), false));
+  const auto rows = [&](const std::string& name) {
+    return std::ranges::count_if(
+        lines, [&](const std::string& line) { return line.find("  " + name + " ") != std::string::npos; });
+  };
+  for (const char* name : {"Glass", "Rough metal", "Shade, cloth", "Screw", "Bulb", "whole image"})
+    EXPECT_EQ(rows(name), 2) << name;
+  EXPECT_EQ(lines[0], "Lamp, view front (1024x1024)");
+  EXPECT_EQ(lines[3].find("  fail      Rough metal"), 0u) << lines[3];
+  EXPECT_NE(lines[3].find(" 120000  0.270  0.675  1.000  0.297"), std::string::npos) << lines[3];
+  EXPECT_NE(lines[3].find("-29.0 %"), std::string::npos) << lines[3];
+  EXPECT_EQ(lines.back(), "verdict: error (3 pass, 2 not seen, 2 warn, 2 fail)");
+}
+
+TEST(ReportTable, ColumnsLineUpWhateverTheNamesAre) {
+  const auto lines =
+      linesOf(toTable(makeSampleReport({"scene", "日本語", "é́ combining", std::string(300, 'x')}), false));
+  for (std::size_t i = 2; i <= 4; ++i) { // 日本語 (fail), combining (warn), long (pass), in the scene's order
+    const std::string pixels = i == 2 ? "90000" : i == 3 ? "120000" : "60000";
+    EXPECT_EQ(endOf(lines[i], pixels), endOf(lines[1], "pixels")) << lines[i];
+  }
+}
+
+TEST(ReportTable, NamesCannotSteerTheTerminal) {
+  const std::string table = toTable(makeSampleReport(hostileNames()), false);
+  for (const char c : table) EXPECT_FALSE(static_cast<unsigned char>(c) < 0x20 && c != '\n') << static_cast<int>(c);
+  EXPECT_EQ(table.find("\xE2\x80\xAE"), std::string::npos); // right-to-left override
+  EXPECT_EQ(linesOf(table).size(), linesOf(toTable(makeSampleReport(), false)).size());
+}
+
+TEST(ReportTable, ColourChangesNothingElse) {
+  const std::string plain = toTable(makeSampleReport(), false);
+  EXPECT_EQ(plain.find('\x1b'), std::string::npos);
+  std::string stripped = toTable(makeSampleReport(), true);
+  EXPECT_NE(stripped.find("\x1b[1;31mfail"), std::string::npos);
+  for (std::size_t at; (at = stripped.find('\x1b')) != std::string::npos;)
+    stripped.erase(at, stripped.find('m', at) + 1 - at);
+  EXPECT_EQ(stripped, plain);
+}
+
+TEST(ReportTable, ErrorsAndEmptyReportsAreSaid) {
+  EXPECT_NE(toTable(makeSampleReport(), false).find("Broken: error: assets/Broken.glb: chunk 0"), std::string::npos);
+  Report empty;
+  settleVerdicts(empty);
+  EXPECT_NE(toTable(empty, false).find("verdict: error (nothing was compared)"), std::string::npos);
+}
+
+} // namespace
+} // namespace parity::compare

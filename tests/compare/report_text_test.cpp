@@ -1,0 +1,109 @@
+// Untrusted text: what becomes of each kind of byte.
+#include <cmath>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "compare/text.h"
+#include "compare/wording.h"
+
+namespace parity::compare {
+namespace {
+
+TEST(CleanUtf8, ValidTextIsKept) {
+  for (const char* text : {"", "plain", "é 日本語 \U0001F600", "\u0080\u07FF\u0800\uFFFF\U00010000\U0010FFFF"})
+    EXPECT_EQ(cleanUtf8(text), text);
+}
+
+// The Unicode Standard, chapter 3, table 3-7: well-formed byte sequences.
+TEST(CleanUtf8, IllFormedBytesAreReplacedOneByOne) {
+  EXPECT_EQ(cleanUtf8("a\x80z"), "a\uFFFDz");                 // a lone continuation
+  EXPECT_EQ(cleanUtf8("\xC0\xAF"), "\uFFFD\uFFFD");           // overlong '/'
+  EXPECT_EQ(cleanUtf8("\xE0\x9F\xBF"), "\uFFFD\uFFFD\uFFFD"); // overlong
+  EXPECT_EQ(cleanUtf8("\xED\xA0\x80"), "\uFFFD\uFFFD\uFFFD"); // a surrogate
+  EXPECT_EQ(cleanUtf8("\xF0\x8F\xBF\xBF"), "\uFFFD\uFFFD\uFFFD\uFFFD");
+  EXPECT_EQ(cleanUtf8("\xF4\x90\x80\x80"), "\uFFFD\uFFFD\uFFFD\uFFFD"); // above U+10FFFF
+  EXPECT_EQ(cleanUtf8("\xF5\x80"), "\uFFFD\uFFFD");
+  EXPECT_EQ(cleanUtf8("\xE6\x97"), "\uFFFD\uFFFD"); // cut off
+  EXPECT_EQ(cleanUtf8("\xE6\x97z"), "\uFFFD\uFFFDz");
+}
+
+TEST(EscapeMarkup, LeavesNothingThatMarkupCouldUse) {
+  EXPECT_EQ(escapeMarkup("<a href=\"x\">'&amp;'</a>"), "&lt;a href=&quot;x&quot;&gt;&#39;&amp;amp;&#39;&lt;/a&gt;");
+  EXPECT_EQ(escapeMarkup("]]>"), "]]&gt;");
+  EXPECT_EQ(escapeMarkup("a\nb\tc\rd"), "a&#10;b&#9;c&#13;d");
+  EXPECT_EQ(escapeMarkup(std::string_view("\0\x01\x1F", 3)), "\uFFFD\uFFFD\uFFFD");
+  EXPECT_EQ(escapeMarkup("\uFFFE\uFFFF"), "\uFFFD\uFFFD");
+  EXPECT_EQ(escapeMarkup("日本語"), "日本語");
+}
+
+TEST(EncodeUrlPath, KeepsOnlyUnreservedBytesAndSlashes) {
+  EXPECT_EQ(encodeUrlPath("images/Glass-1_a.b~.png"), "images/Glass-1_a.b~.png");
+  EXPECT_EQ(encodeUrlPath("a b?c#d%e"), "a%20b%3Fc%23d%25e");
+  EXPECT_EQ(encodeUrlPath("javascript:x"), "javascript%3Ax");
+  EXPECT_EQ(encodeUrlPath("//host/x"), ".//host/x");
+  EXPECT_EQ(encodeUrlPath("a\\b"), "a%5Cb");
+  EXPECT_EQ(encodeUrlPath("é\xFF"), "%C3%A9%FF");
+  EXPECT_EQ(encodeUrlPath(""), "");
+}
+
+TEST(PlainLine, HoldsNoControlCharacters) {
+  EXPECT_EQ(plainLine("a\x1b[31mb\nc\x7f"), "a\uFFFD[31mb\uFFFDc\uFFFD");
+  EXPECT_EQ(plainLine("\u0085\u009B"), "\uFFFD\uFFFD");   // C1: next line, CSI
+  EXPECT_EQ(plainLine("\u202Ex\u2066"), "\uFFFDx\uFFFD"); // bidirectional override, isolate
+  EXPECT_EQ(plainLine("é 日本語"), "é 日本語");
+}
+
+TEST(DisplayWidth, KnownWidths) {
+  EXPECT_EQ(displayWidth(""), 0u);
+  EXPECT_EQ(displayWidth("abc"), 3u);
+  EXPECT_EQ(displayWidth("é"), 1u);
+  EXPECT_EQ(displayWidth("e\u0301"), 1u); // combining acute
+  EXPECT_EQ(displayWidth("日本語"), 6u);
+  EXPECT_EQ(displayWidth("\U0001F600"), 2u);
+}
+
+TEST(FitColumns, PadsAndCutsToExactlyTheColumnsAsked) {
+  EXPECT_EQ(fitColumns("ab", 4), "ab  ");
+  EXPECT_EQ(fitColumns("abcd", 4), "abcd");
+  EXPECT_EQ(fitColumns("abcde", 4), "abc…");
+  EXPECT_EQ(fitColumns("日本語", 4), "日… "); // half of a wide character does not fit
+  for (std::size_t columns = 1; columns < 9; ++columns)
+    EXPECT_EQ(displayWidth(fitColumns("x日本e\u0301語y", columns)), columns);
+}
+
+TEST(Wording, BrightnessIsSaidAsPeopleSayIt) {
+  const auto say = [](double reference, double test) {
+    Figures figures;
+    figures.referenceLuma = reference;
+    figures.testLuma = test;
+    return describeBrightness(figures);
+  };
+  EXPECT_EQ(say(0.5, 0.4), "mobile is 20.0 % darker");
+  EXPECT_EQ(say(0.4, 0.5), "mobile is 25.0 % brighter");
+  EXPECT_EQ(say(0.4, 0.4001), "equally bright");
+  EXPECT_EQ(say(0, 0), "both are black");
+  EXPECT_EQ(say(0, 0.5), "the reference is black there");
+}
+
+TEST(Wording, ChecksAreSaidWithTheLimitThatDecided) {
+  const auto say = [](const char* metric, const char* region, double value, std::optional<double> warn, double fail,
+                      Verdict verdict) {
+    CheckResult check;
+    check.metric = metric;
+    check.region = region;
+    check.value = value;
+    check.warnAbove = warn;
+    check.failAbove = fail;
+    check.verdict = verdict;
+    return describeCheck(check);
+  };
+  EXPECT_EQ(say("psnr", "all", 30.04, 32, 28, Verdict::warn), "PSNR 30.0 dB over all pixels is below 32.0 dB");
+  EXPECT_EQ(say("flip.p95", "interior", 0.6, 0.3, 0.5, Verdict::fail),
+            "FLIP p95 0.600 over interior pixels is above 0.500");
+  EXPECT_EQ(say("rmse", "all", 0.1, std::nullopt, 0.5, Verdict::pass), "RMSE 0.100 over all pixels is within 0.500");
+  EXPECT_EQ(say("rmse", "all", NAN, 0.2, 0.5, Verdict::error), "RMSE not a number over all pixels");
+}
+
+} // namespace
+} // namespace parity::compare

@@ -1,0 +1,128 @@
+// report.json against its committed schema, and the validator against documents of known validity.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "base/file.h"
+#include "compare/budget.h"
+#include "compare/report.h"
+#include "compare/sample_report.h"
+#include "compare/schema_validator.h"
+
+namespace parity::compare {
+namespace {
+
+using nlohmann::json;
+
+json loadSchema() {
+  return json::parse(base::readText(std::string(PARITY_SOURCE_DIR) + "/compare/report.schema.json"));
+}
+
+std::string join(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+void expectValid(const Report& report) { EXPECT_EQ(join(validate(loadSchema(), json::parse(toJson(report)))), ""); }
+
+TEST(Schema, ReportsWithEveryVerdictAreValid) {
+  expectValid(makeSampleReport());
+  expectValid(makeSampleReport(hostileNames()));
+}
+
+TEST(Schema, AnEmptyReportIsValid) {
+  Report empty;
+  settleVerdicts(empty);
+  expectValid(empty);
+}
+
+TEST(Schema, BrokenFiguresAreValidAndNull) {
+  Report report = makeSampleReport();
+  MaterialResult& material = report.scenes[0].views[0].materials[0];
+  material.figures.interior.flip.mean = NAN;
+  material.figures.all.nonFinite = 7;
+  judgeMaterial(material, defaultBudgets(), "s");
+  settleVerdicts(report);
+  expectValid(report);
+  const json document = json::parse(toJson(report));
+  EXPECT_TRUE(document.at("/scenes/0/views/0/materials/0/figures/interior/flip/mean"_json_pointer).is_null());
+  EXPECT_EQ(document.at("/scenes/0/views/0/materials/0/checks/0/verdict"_json_pointer), "error");
+  EXPECT_EQ(document.at("/scenes/0/views/0/materials/0/verdict"_json_pointer), "fail");
+}
+
+TEST(Schema, AnErrorWithoutAnExitCodeGetsOne) {
+  Report report = makeSampleReport();
+  report.scenes[1].errorExitCode = 0;
+  settleVerdicts(report);
+  expectValid(report);
+}
+
+// Every single key of a valid report is required, and no other is allowed.
+void expectEachKeyMatters(const json& schema, const json& document, const json::json_pointer& where) {
+  const json& value = document.at(where);
+  if (value.is_object()) {
+    json extra = document;
+    extra.at(where)["surplus"] = 1;
+    EXPECT_FALSE(validate(schema, extra).empty()) << where.to_string();
+  }
+  if (!value.is_structured()) return;
+  for (const auto& [key, child] : value.items()) {
+    if (value.is_object()) {
+      json less = document;
+      less.at(where).erase(key);
+      EXPECT_FALSE(validate(schema, less).empty()) << where.to_string() << "/" << key;
+      json other = document;
+      other.at(where)[key] = json::array({"wrong"});
+      const bool holdsTexts = child.is_array() && (child.empty() || child[0].is_string());
+      if (!holdsTexts) {
+        EXPECT_FALSE(validate(schema, other).empty()) << where.to_string() << "/" << key;
+      }
+    }
+    if (value.is_object() || key == "0")
+      expectEachKeyMatters(schema, document, where / (value.is_object() ? key : "0"));
+  }
+}
+
+TEST(Schema, EachKeyIsRequiredTypedAndNoOtherIsAllowed) {
+  Report report = makeSampleReport();
+  std::swap(report.scenes[0].views[0].materials[0], report.scenes[0].views[0].materials[1]); // the one with terms
+  report.scenes[0].error = "broken half-way";
+  report.scenes[0].errorExitCode = 3;
+  settleVerdicts(report);
+  const json schema = loadSchema(), document = json::parse(toJson(report));
+  ASSERT_EQ(join(validate(schema, document)), "");
+  expectEachKeyMatters(schema, document, json::json_pointer());
+}
+
+TEST(SchemaValidator, KnowsValidFromInvalid) {
+  const auto valid = [](const char* schema, const char* document) {
+    return validate(json::parse(schema), json::parse(document)).empty();
+  };
+  EXPECT_TRUE(valid(R"({"type":"integer","minimum":1,"maximum":3})", "3"));
+  EXPECT_FALSE(valid(R"({"type":"integer","minimum":1,"maximum":3})", "4"));
+  EXPECT_FALSE(valid(R"({"type":"integer","minimum":1,"maximum":3})", "0"));
+  EXPECT_FALSE(valid(R"({"type":"integer"})", "1.5"));
+  EXPECT_TRUE(valid(R"({"type":["number","null"]})", "null"));
+  EXPECT_FALSE(valid(R"({"type":["number","null"]})", "\"1\""));
+  EXPECT_FALSE(valid(R"({"required":["a"]})", "{}"));
+  EXPECT_FALSE(valid(R"({"properties":{"a":{"type":"string"}}})", R"({"a":1})"));
+  EXPECT_FALSE(valid(R"({"properties":{"a":{}},"additionalProperties":false})", R"({"b":1})"));
+  EXPECT_FALSE(valid(R"({"items":{"enum":[1,2]}})", "[1,3]"));
+  EXPECT_TRUE(valid(R"({"items":{"enum":[1,2]}})", "[1,2]"));
+  EXPECT_FALSE(valid(R"({"const":1})", "2"));
+  EXPECT_FALSE(valid(R"({"minItems":1})", "[]"));
+  EXPECT_FALSE(valid(R"({"minLength":1})", "\"\""));
+  EXPECT_TRUE(valid(R"({"anyOf":[{"type":"null"},{"const":1}]})", "1"));
+  EXPECT_FALSE(valid(R"({"anyOf":[{"type":"null"},{"const":1}]})", "2"));
+  EXPECT_FALSE(valid(R"({"$ref":"#/$defs/a","$defs":{"a":{"const":1}}})", "2"));
+  EXPECT_TRUE(valid(R"({"$ref":"#/$defs/a","$defs":{"a":{"const":1}}})", "1"));
+}
+
+TEST(SchemaValidator, AnUnknownKeywordOrReferenceIsAFinding) {
+  EXPECT_FALSE(validate(json::parse(R"({"pattern":"^a"})"), "a").empty());
+  EXPECT_FALSE(validate(json::parse(R"({"$ref":"#/$defs/none"})"), "a").empty());
+}
+
+} // namespace
+} // namespace parity::compare

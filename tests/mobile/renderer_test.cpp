@@ -1,0 +1,196 @@
+// The mobile path against the seeds' formulas in double precision, put together here in the order of the base pass.
+#include "support/path_quad.h"
+
+#include "mobile/light_choice.h"
+#include "mobile/renderer.h"
+#include "shading/shading.h"
+
+namespace parity::mobile {
+namespace {
+
+using shading::Term;
+using tests::makeDirectional;
+using tests::makeLeaningQuad;
+using tests::ShadedPoint;
+namespace f64 = shading::f64;
+
+constexpr double kPi = 3.14159265358979;
+constexpr float kTolerance = 1e-4f; // fp32 exp2 against double
+
+class MobileTest : public tests::DeviceTest {
+protected:
+  ShadedPoint shade(const scenes::Scene& scene, Inputs inputs, Preset preset) {
+    inputs.terms = true;
+    return tests::shadeQuad(device(), scene, [&](const auto& buffers, const auto& kinds) {
+      return Renderer(device(), buffers, kinds, inputs, preset);
+    });
+  }
+};
+
+scenes::Light makePoint(const glm::vec3& position, float candela) {
+  scenes::Light light;
+  light.kind = scenes::LightKind::point;
+  light.position = position;
+  light.color = glm::vec3(candela);
+  return light;
+}
+
+// Any base colour and metallic that is not the nonmetal's.
+scenes::Scene makeMetal(float angle, float roughness) {
+  scenes::Scene scene = makeLeaningQuad(angle);
+  scene.materials[0].baseColor = glm::vec4(0.9f, 0.6f, 0.3f, 1);
+  scene.materials[0].metallic = 0.7f;
+  scene.materials[0].roughness = roughness;
+  return scene;
+}
+glm::dvec3 specularColorOf(const scenes::Material& m) {
+  return 0.04 * (1.0 - m.metallic) + glm::dvec3(glm::vec3(m.baseColor)) * static_cast<double>(m.metallic);
+}
+glm::dvec3 toGlm(const f64::real3& v) { return {v.x, v.y, v.z}; }
+f64::real3 fromGlm(const glm::dvec3& v) { return f64::real3(v.x, v.y, v.z); }
+
+TEST_F(MobileTest, sunOfKaris2014IsEnvBrdfTimesDApproxAroundTheReflection) {
+  const glm::vec3 lux(4, 3, 2), towards = glm::normalize(glm::vec3(0.9f, 0.2f, 0.9f));
+  for (const float roughness : {0.2f, 0.5f, 1.f}) {
+    const scenes::Scene scene = makeMetal(0.4f, roughness);
+    const ShadedPoint point = shade(scene, {.lights = {makeDirectional(towards, lux)}}, Preset::karis2014);
+    const glm::dvec3 N(std::sin(0.4f), 0, std::cos(0.4f)), V(0, 0, 1), R = 2 * glm::dot(N, V) * N - V, L = towards;
+    const glm::dvec3 environment =
+        toGlm(f64::EnvBRDFApprox(fromGlm(specularColorOf(scene.materials[0])), roughness, glm::dot(N, V)));
+    const double lobe = f64::D_Approx(roughness, glm::dot(R, L)), NoL = glm::dot(N, L);
+    tests::expectNear(point[Term::sunSpecular], glm::vec3(glm::dvec3(lux) / kPi * environment * lobe * NoL),
+                      kTolerance * 4, "specular");
+    tests::expectNear(
+        point[Term::sunDiffuse],
+        glm::vec3(glm::dvec3(lux) / kPi * glm::dvec3(glm::vec3(scene.materials[0].baseColor)) * 0.3 * NoL), kTolerance,
+        "diffuse");
+  }
+}
+
+TEST_F(MobileTest, sunOfUe4IsEnvBrdfTimesCalcSpecularAroundTheHalfVector) {
+  const glm::vec3 lux(4, 3, 2), towards = glm::normalize(glm::vec3(0.5f, 0.3f, 0.9f));
+  for (const float roughness : {0.3f, 0.6f, 1.f}) {
+    const scenes::Scene scene = makeMetal(0.4f, roughness);
+    const ShadedPoint point = shade(scene, {.lights = {makeDirectional(towards, lux)}}, Preset::ue4_2020);
+    const glm::dvec3 N(std::sin(0.4f), 0, std::cos(0.4f)), V(0, 0, 1), L = towards;
+    const double NoH = glm::dot(N, glm::normalize(V + L)), NoL = glm::dot(N, L);
+    const glm::dvec3 environment =
+        toGlm(f64::EnvBRDFApproxUE4(fromGlm(specularColorOf(scene.materials[0])), roughness, glm::dot(N, V)));
+    tests::expectNear(point[Term::sunSpecular],
+                      glm::vec3(glm::dvec3(lux) / kPi * environment * (NoL * f64::CalcSpecular(roughness, NoH))),
+                      kTolerance * 4, "specular");
+  }
+}
+
+TEST_F(MobileTest, skyIsOneFetchTimesEnvBrdf) {
+  const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1.5f);
+  const scenes::Scene scene = makeMetal(0.6f, 0.35f);
+  const double NoV = std::cos(0.6f);
+  const glm::dvec3 F0 = specularColorOf(scene.materials[0]);
+  const ShadedPoint ue4 = shade(scene, {.environment = &environment}, Preset::ue4_2020);
+  const ShadedPoint karis = shade(scene, {.environment = &environment}, Preset::karis2014);
+  tests::expectNear(ue4[Term::skySpecular], glm::vec3(1.5 * toGlm(f64::EnvBRDFApproxUE4(fromGlm(F0), 0.35, NoV))),
+                    kTolerance, "ue4-2020");
+  tests::expectNear(karis[Term::skySpecular], glm::vec3(1.5 * toGlm(f64::EnvBRDFApprox(fromGlm(F0), 0.35, NoV))),
+                    kTolerance, "karis2014");
+  tests::expectNear(ue4[Term::skyDiffuse], 1.5f * 0.3f * glm::vec3(scene.materials[0].baseColor), kTolerance,
+                    "diffuse");
+}
+
+TEST_F(MobileTest, nonmetalUsesItsOwnFunction) {
+  const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
+  scenes::Scene scene = makeLeaningQuad(1.2f);
+  scene.materials[0].metallic = 0;
+  scene.materials[0].roughness = 0.25f;
+  ASSERT_TRUE(scene.materials[0].isNonmetal());
+  const ShadedPoint point = shade(scene, {.environment = &environment}, Preset::ue4_2020);
+  const double NoV = std::cos(1.2f), own = f64::EnvBRDFApproxNonmetal(0.25, NoV),
+               general = f64::EnvBRDFApprox(f64::real3(0.04, 0.04, 0.04), 0.25, NoV).x;
+  ASSERT_GT(std::abs(own - general), 3e-5) << "the two must be told apart at this point";
+  EXPECT_NEAR(point[Term::skySpecular].x, own, 5e-6);
+  // A metallic of 1e-6 is not a nonmetal.
+  scene.materials[0].metallic = 1e-6f;
+  EXPECT_NEAR(shade(scene, {.environment = &environment}, Preset::ue4_2020)[Term::skySpecular].x, general, 5e-6);
+}
+
+TEST_F(MobileTest, fullyRoughMovesSpecularIntoDiffuseAndFetchesNoEnvironment) {
+  const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
+  for (const Preset preset : {Preset::karis2014, Preset::ue4_2020}) {
+    scenes::Scene scene = makeMetal(0.4f, 0.2f);
+    scene.materials[0].fullyRough = true;
+    const ShadedPoint point =
+        shade(scene, {.environment = &environment, .lights = {makeDirectional({0, 0, 1}, glm::vec3(2))}}, preset);
+    EXPECT_EQ(point[Term::skySpecular], glm::vec3(0));
+    EXPECT_EQ(point[Term::sunSpecular], glm::vec3(0));
+    const glm::dvec3 diffuse =
+        glm::dvec3(glm::vec3(scene.materials[0].baseColor)) * 0.3 + 0.45 * specularColorOf(scene.materials[0]);
+    tests::expectNear(point[Term::skyDiffuse], glm::vec3(diffuse), kTolerance, "DiffuseColor += SpecularColor * 0.45");
+  }
+}
+
+TEST_F(MobileTest, roughnessFloorKeepsUe4FiniteWhereKaris2014Fails) {
+  const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
+  const scenes::Scene scene = makeMetal(0, 0);
+  const Inputs inputs{.environment = &environment, .lights = {makeDirectional({0, 0, 1}, glm::vec3(2))}};
+  const ShadedPoint ue4 = shade(scene, inputs, Preset::ue4_2020), karis = shade(scene, inputs, Preset::karis2014);
+  EXPECT_TRUE(std::isfinite(ue4.color.x));
+  // The clamp of 2048 at NoH = 1, and (R/4 + 1/4) at R = 1/64.
+  const double lobe = (0.015625 * 0.25 + 0.25) * 2048;
+  const glm::dvec3 E = toGlm(f64::EnvBRDFApproxUE4(fromGlm(specularColorOf(scene.materials[0])), 0.015625, 1));
+  tests::expectNear(ue4[Term::sunSpecular], glm::vec3(2 / kPi * lobe * E), kTolerance, "clamped peak");
+  EXPECT_FALSE(std::isfinite(karis.color.x))
+      << "the article prints no floor: 1/R^4 is infinite, and the picture must show it";
+}
+
+TEST_F(MobileTest, localLightsAreTheFourBrightestWithUe4Attenuation) {
+  scenes::Scene scene = makeLeaningQuad(0);
+  scene.materials[0].metallic = 0;
+  std::vector<scenes::Light> lights;
+  for (int i = 0; i < 6; ++i) lights.push_back(makePoint({0, 0, 2000}, 1e6f * static_cast<float>(i + 1)));
+  const ShadedPoint point = shade(scene, {.lights = lights}, Preset::ue4_2020);
+  const double expected = (3e6 + 4e6 + 5e6 + 6e6) / (2000.0 * 2000.0) / kPi;
+  tests::expectNear(point[Term::localDiffuse], glm::vec3(static_cast<float>(expected)), 1e-3f, "diffuse");
+  EXPECT_EQ(shade(scene, {.lights = lights}, Preset::karis2014).color, glm::vec3(0)) << "baked there";
+}
+
+TEST_F(MobileTest, eachLocalLightIsClampedAt65000WithItsPartsInProportion) {
+  scenes::Scene scene = makeMetal(0.1f, 0.5f);
+  const glm::vec3 position(0, 0, 2000);
+  const ShadedPoint dim = shade(scene, {.lights = {makePoint(position, 1e6f)}}, Preset::ue4_2020);
+  const ShadedPoint bright = shade(scene, {.lights = {makePoint(position, 1e14f)}}, Preset::ue4_2020);
+  EXPECT_NEAR(bright[Term::localDiffuse].x + bright[Term::localSpecular].x, 65000, 0.5);
+  EXPECT_NEAR(bright[Term::localDiffuse].x / bright[Term::localSpecular].x,
+              dim[Term::localDiffuse].x / dim[Term::localSpecular].x, 1e-3);
+}
+
+TEST_F(MobileTest, termsAddUpToTheColourInBothPresets) {
+  const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0.7f);
+  scenes::Scene scene = makeMetal(0.3f, 0.4f);
+  scene.materials[0].emissive = glm::vec3(0.1f, 0.2f, 0.3f);
+  for (const Preset preset : {Preset::karis2014, Preset::ue4_2020}) {
+    const ShadedPoint point = shade(
+        scene,
+        {.environment = &environment, .lights = {makeDirectional({0, 1, 1}, glm::vec3(2)), makePoint({1, 2, 3}, 20)}},
+        preset);
+    glm::vec3 sum(0);
+    for (const glm::vec3& term : point.terms) sum += term;
+    tests::expectNear(sum, point.color, 1e-3f, "sum of the terms");
+  }
+}
+
+TEST_F(MobileTest, rendererSaysWhatItLeavesOut) {
+  const scenes::Scene scene = makeMetal(0, 0.5f);
+  const gpu::SceneBuffers buffers(device(), scene);
+  const gpu::SurfacePass pass(device(), buffers, 8, 8);
+  std::vector<scenes::Light> lights = {makeDirectional({0, 0, 1}, glm::vec3(1)),
+                                       makeDirectional({0, 1, 0}, glm::vec3(2))};
+  for (int i = 0; i < 5; ++i) lights.push_back(makePoint({0, 0, 3}, 10));
+  const Inputs inputs{.lights = lights};
+  EXPECT_EQ(Renderer(device(), buffers, pass.binKinds(), inputs, Preset::ue4_2020).notes().size(), 2u);
+  EXPECT_EQ(Renderer(device(), buffers, pass.binKinds(), inputs, Preset::karis2014).notes().size(), 2u);
+  const Inputs none{};
+  EXPECT_TRUE(Renderer(device(), buffers, pass.binKinds(), none, Preset::ue4_2020).notes().empty());
+}
+
+} // namespace
+} // namespace parity::mobile

@@ -1,0 +1,74 @@
+// One quad shaded by a path's renderer: every pixel sees the same surface, so one entry tells all.
+#pragma once
+
+#include "support/device.h"
+#include "support/small_scenes.h"
+
+#include "gpu/shading_pass.h"
+#include "shading/terms.h"
+
+namespace parity::tests {
+
+// An environment of constant radiance: a cube of one texel a face, and its SH (irradiance pi L: band 0 alone).
+inline gpu::EnvironmentMaps makeConstantEnvironment(const gpu::Device& device, float radiance) {
+  const std::vector<glm::vec4> texels(6, glm::vec4(radiance, radiance, radiance, 1));
+  const std::span<const std::byte> mip = std::as_bytes(std::span{texels});
+  gpu::EnvironmentMaps maps{
+      gpu::DeviceImage(device, {.format = vk::Format::eR32G32B32A32Sfloat, .cube = true}, std::span{&mip, 1}),
+      vk::raii::Sampler(device.handle(), vk::SamplerCreateInfo()),
+      {}};
+  // E(n) = pi L = c0 * 0.282095
+  maps.sh[0] = glm::vec4(3.14159265358979 * radiance / 0.282094791773878);
+  return maps;
+}
+
+struct ShadedPoint {
+  glm::vec3 color{0.f};
+  float opacity = 0;
+  std::array<glm::vec3, shading::kTermCount> terms{};
+  glm::vec3 operator[](shading::Term t) const { return terms[static_cast<std::size_t>(t)]; }
+};
+
+// makeRenderer: (const gpu::SceneBuffers&, const std::vector<gpu::BinKind>&) -> a renderer with shade(surface, camera).
+// The camera is orthographic along -Z: V = +Z at every pixel.
+template <typename MakeRenderer>
+ShadedPoint shadeQuad(const gpu::Device& device, const scenes::Scene& scene, const MakeRenderer& makeRenderer) {
+  constexpr std::uint32_t kSize = 8;
+  const scenes::Camera camera = makeFrontCamera(1, 3, true);
+  const gpu::SceneBuffers buffers(device, scene);
+  const gpu::SurfacePass pass(device, buffers, kSize, kSize);
+  const bool blended = pass.hasBlended();
+  gpu::Surface surface = pass.render(camera, {0, kSize}, glm::vec2(0.5f), gpu::Layer::opaque);
+  if (blended) surface = pass.render(camera, {0, kSize}, glm::vec2(0.5f), gpu::Layer::blended);
+  EXPECT_EQ(surface.size(), std::size_t{kSize} * kSize);
+  const auto renderer = makeRenderer(buffers, pass.binKinds());
+  const gpu::ShadedSurface shaded = renderer.shade(surface, camera);
+  ShadedPoint point;
+  point.color = glm::vec3(shaded.color.at(0));
+  point.opacity = shaded.color.at(0).w;
+  for (std::size_t t = 0; t < shaded.terms.size(); ++t) point.terms[t] = glm::vec3(shaded.terms[t].at(0));
+  return point;
+}
+
+// A quad whose shading normal leans by this angle from V towards +X, so that NoV = cos(angle).
+inline scenes::Scene makeLeaningQuad(float angle) {
+  scenes::Scene scene = makeQuadScene();
+  scene.meshes[0].normals.assign(4, glm::vec3(std::sin(angle), 0, std::cos(angle)));
+  scene.meshes[0].tangents.clear();
+  return scene;
+}
+
+inline scenes::Light makeDirectional(const glm::vec3& towards, const glm::vec3& color) {
+  scenes::Light light;
+  light.kind = scenes::LightKind::directional;
+  light.direction = -glm::normalize(towards);
+  light.color = color;
+  return light;
+}
+
+inline void expectNear(const glm::vec3& actual, const glm::vec3& expected, float relative, const char* what) {
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(actual[c], expected[c], relative * std::abs(expected[c]) + 1e-7f) << what << ", channel " << c;
+}
+
+} // namespace parity::tests
