@@ -19,7 +19,7 @@ struct Inputs {
   const gpu::EnvironmentMaps* environment = nullptr; // null: none
   const base::Image* lut =
       nullptr; // makeEnvBrdfLut of the same term; needed unless without environment and compensation
-  std::vector<scenes::Light> lights; // all of the scene's, and the sun
+  std::vector<scenes::Light> lights = {}; // all of the scene's, and the sun
   bool terms = false;
   std::uint64_t expectedPixels = 0; // that the run will shade
 };

@@ -38,7 +38,7 @@ void requireLight(PreparedScene& prepared) {
   if (std::none_of(prepared.scene.materials.begin(), prepared.scene.materials.end(), givesLight))
     throw base::fileError(prepared.scene.name, "light",
                           "the scene has neither light nor environment; give --env or --sun");
-  prepared.scene.warnings.push_back("no light and no environment: only emissive and unlit materials are seen");
+  prepared.scene.warnings.emplace_back("no light and no environment: only emissive and unlit materials are seen");
 }
 
 } // namespace

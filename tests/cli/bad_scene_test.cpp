@@ -31,9 +31,9 @@ std::string writeTextured(const TempFolder& folder, const std::string& uri) {
 
 // A PNG whose header says 0 x 4: written by hand, as nothing else would write it. The checksums are right.
 std::string zeroSizedPng() {
-  const unsigned char bytes[] = {0x89, 'P',  'N',  'G',  '\r', '\n', 0x1a, '\n', 0,    0,    0,   13,  'I', 'H', 'D',
-                                 'R',  0,    0,    0,    0,    0,    0,    0,    4,    8,    2,   0,   0,   0,   0x52,
-                                 0xaf, 0x8f, 0xd1, 0,    0,    0,    0,    'I',  'E',  'N',  'D', 0xae, 0x42, 0x60, 0x82};
+  const unsigned char bytes[] = {0x89, 'P',  'N',  'G', '\r', '\n', 0x1a, '\n', 0,   0,   0,   13,   'I',  'H',  'D',
+                                 'R',  0,    0,    0,   0,    0,    0,    0,    4,   8,   2,   0,    0,    0,    0x2f,
+                                 0x78, 0xa9, 0x53, 0,   0,    0,    0,    'I',  'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
   return {reinterpret_cast<const char*>(bytes), sizeof(bytes)};
 }
 
@@ -60,9 +60,7 @@ const BadScene kBadScenes[] = {
      {"scene.gltf", "meshes[0].primitives[0].material", "7"}},
     {"VertexIndexOutOfRange",
      [](const TempFolder& f) {
-       return writeEdited(f, [](GltfFile& g) {
-         g.primitive()["indices"] = g.add<std::uint16_t>({0, 1, 4}, "SCALAR");
-       });
+       return writeEdited(f, [](GltfFile& g) { g.primitive()["indices"] = g.add<std::uint16_t>({0, 1, 4}, "SCALAR"); });
      },
      {"scene.gltf", "accessors[4]", "4"}},
     {"NodeCycle",

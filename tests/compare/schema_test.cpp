@@ -86,7 +86,10 @@ void expectEachKeyMatters(const json& schema, const json& document, const json::
 
 TEST(Schema, EachKeyIsRequiredTypedAndNoOtherIsAllowed) {
   Report report = makeSampleReport();
-  std::swap(report.scenes[0].views[0].materials[0], report.scenes[0].views[0].materials[1]); // the one with terms
+  report.scenes.resize(1);
+  report.scenes[0].views.resize(1);
+  std::vector<MaterialResult>& materials = report.scenes[0].views[0].materials;
+  materials = {materials[1]}; // the one with terms
   report.scenes[0].error = "broken half-way";
   report.scenes[0].errorExitCode = 3;
   settleVerdicts(report);

@@ -1,0 +1,108 @@
+// Equal inputs give equal files, bit for bit: run again, with other threads, with and without a cache.
+#include "cli/checks.h"
+
+namespace parity::tests {
+namespace {
+
+class DeterminismTest : public RenderingTest {
+protected:
+  // Reports on two built-in scenes and returns the content of each file by its name.
+  std::map<std::string, std::string> report(const std::string& name, const std::vector<std::string>& more = {},
+                                            const RunOptions& options = {}) const {
+    const std::filesystem::path folder = m_folder / name;
+    const RunResult result =
+        runParity(join({{"report", "builtin:lights", "builtin:spheres", "--terms", "--samples", "2", "--budgets",
+                         writeBudgets(m_folder, "fail = 1.0"), "-o", folder.string()},
+                        kSun,
+                        kSmall,
+                        more}),
+                  options);
+    EXPECT_TRUE(exitedWith(0, result));
+    std::map<std::string, std::string> files;
+    for (const std::string& file : listFiles(folder)) files[file] = readWholeFile(folder / file);
+    EXPECT_EQ(files.count("report.json"), 1u);
+    EXPECT_GT(files.size(), 4u + 3 * 30) << "three pictures a view and a material";
+    return files;
+  }
+
+  static void expectSame(const std::map<std::string, std::string>& a, const std::map<std::string, std::string>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (const auto& [name, content] : a) {
+      ASSERT_EQ(b.count(name), 1u) << name;
+      if (name.ends_with(".png") || name == "report.json") {
+        EXPECT_TRUE(b.at(name) == content) << name << " differs";
+      }
+    }
+  }
+};
+
+TEST_F(DeterminismTest, SameRunTwiceGivesTheSameFiles) {
+  const auto first = report("first"), second = report("second");
+  expectSame(first, second);
+
+  // Times, dates and the command line are in run.json and nowhere else.
+  auto runs = std::make_pair(nlohmann::json::parse(first.at("run.json")), nlohmann::json::parse(second.at("run.json")));
+  for (nlohmann::json* run : {&runs.first, &runs.second}) {
+    EXPECT_TRUE(testing::internal::RE::FullMatch((*run)["startedAt"].get<std::string>(), "20..-..-..T..:..:..Z"));
+    run->erase("startedAt");
+    run->erase("commandLine");
+    for (nlohmann::json& timing : (*run)["timings"]) timing.erase("ms");
+  }
+  EXPECT_EQ(runs.first, runs.second);
+
+  const std::string& text = first.at("report.json");
+  EXPECT_FALSE(contains(text, m_folder.path().string()));
+  EXPECT_FALSE(testing::internal::RE::PartialMatch(text, "20[0-9][0-9]-[01][0-9]-[0-3][0-9]"));
+  EXPECT_FALSE(testing::internal::RE::PartialMatch(text, "\"/")) << "an absolute path";
+}
+
+TEST_F(DeterminismTest, NumberOfThreadsDoesNotShow) {
+  expectSame(report("one", {"--threads", "1"}), report("two", {"--threads", "2"}));
+}
+
+TEST_F(DeterminismTest, CacheDoesNotShow) {
+  const std::string cache = (m_folder / "cache").string();
+  const auto filled = report("filled", {"--cache", cache});
+  EXPECT_FALSE(listFiles(cache).empty());
+  expectSame(filled, report("found", {"--cache", cache}));
+  expectSame(filled, report("none", {"--no-cache"}));
+}
+
+class CacheTest : public RenderingTest {};
+
+TEST_F(CacheTest, NoCacheNeitherReadsNorWritesOne) {
+  RunOptions options;
+  options.environment = {{"XDG_CACHE_HOME", (m_folder / "caches").string()}};
+  const std::vector<std::string> command = join({{"diff", "builtin:furnace"}, kSmall});
+  EXPECT_NE(runParity(join({command, {"--no-cache"}}), options).exitCode, 4);
+  EXPECT_EQ(listFiles(m_folder / "caches" / "parity"), std::vector<std::string>());
+  EXPECT_NE(runParity(command, options).exitCode, 4);
+  EXPECT_FALSE(listFiles(m_folder / "caches" / "parity").empty());
+}
+
+TEST_F(CacheTest, DamagedEntryIsMadeAnewAndChangesNothing) {
+  const std::filesystem::path cache = m_folder / "cache";
+  const std::vector<std::string> command =
+      join({{"diff", "builtin:furnace", "--json", "-", "--cache", cache.string()}, kSmall});
+  const RunResult filled = runParity(command);
+  const std::vector<std::string> entries = listFiles(cache);
+  ASSERT_FALSE(entries.empty());
+  for (const std::string& entry : entries) {
+    const std::string content = readWholeFile(cache / entry);
+    writeFile(cache / entry, content.substr(0, content.size() / 2));
+  }
+  const RunResult again = runParity(command);
+  EXPECT_EQ(again.exitCode, filled.exitCode) << again.err;
+  EXPECT_TRUE(again.out == filled.out);
+}
+
+TEST_F(CacheTest, CacheThatCannotBeWrittenIsNoReasonToFail) {
+  writeFile(m_folder / "file", std::string("in the way"));
+  const RunResult result =
+      runParity(join({{"diff", "builtin:furnace", "--cache", (m_folder / "file").string()}, kSmall}));
+  EXPECT_NE(result.exitCode, 4) << result.err;
+  EXPECT_TRUE(contains(result.out, "roughness 0.3"));
+}
+
+} // namespace
+} // namespace parity::tests

@@ -1,0 +1,64 @@
+// Devices: which there are, which is taken and why; and what is said where there is none.
+#include "cli/checks.h"
+
+namespace parity::tests {
+namespace {
+
+class DevicesTest : public RenderingTest {};
+
+TEST_F(DevicesTest, AreListedWithReasons) {
+  const RunResult result = runParity({"devices", "--json", "-"});
+  ASSERT_TRUE(exitedWith(0, result));
+  const nlohmann::json devices = nlohmann::json::parse(result.out);
+  int taken = 0;
+  for (const nlohmann::json& device : devices) {
+    taken += device["taken"].get<bool>();
+    EXPECT_NE(device["reason"], "") << device;
+  }
+  EXPECT_EQ(taken, 1) << devices;
+}
+
+TEST_F(DevicesTest, SoftwareDeviceIsTheDefault) {
+  const RunResult result = runParity({"devices"});
+  ASSERT_TRUE(exitedWith(0, result));
+  if (!contains(result.out, "llvmpipe")) GTEST_SKIP() << "no lavapipe here:\n" << result.out;
+  bool found = false;
+  for (const std::string& line : splitLines(result.out)) found |= line.starts_with("* ") && contains(line, "llvmpipe");
+  EXPECT_TRUE(found) << result.out;
+  EXPECT_TRUE(contains(result.out, "taken: the software device is the default")) << result.out;
+  EXPECT_TRUE(exitedWith(0, runParity({"devices", "--device", "LLVMpipe"})));
+  EXPECT_TRUE(exitedWith(0, runParity({"devices", "--device", "0"})));
+}
+
+TEST_F(DevicesTest, UnknownNameIsRefusedWithTheDevicesThereAre) {
+  const std::filesystem::path folder = m_folder / "out";
+  const std::string first = nlohmann::json::parse(runParity({"devices", "--json", "-"}).out)[0]["name"];
+  expectRefused(runParity({"report", "builtin:furnace", "--device", "voodoo", "-o", folder.string()}), 4,
+                {"'voodoo'", first});
+  EXPECT_FALSE(std::filesystem::exists(folder));
+  expectRefused(runParity({"diff", "builtin:furnace", "--device", "99"}), 4, {"'99'", first});
+
+  const RunResult listed = runParity({"devices", "--device", "voodoo"});
+  EXPECT_TRUE(exitedWith(4, listed));
+  EXPECT_TRUE(contains(listed.out, first)) << listed.out;
+  EXPECT_EQ(splitLines(listed.err).size(), 1u) << listed.err;
+  EXPECT_TRUE(contains(listed.err, "voodoo")) << listed.err;
+}
+
+TEST(MissingDriver, IsAnErrorThatNamesThePackage) {
+  const TempFolder folder;
+  RunOptions options;
+  for (const char* variable : {"VK_ICD_FILENAMES", "VK_DRIVER_FILES", "VK_ADD_DRIVER_FILES"})
+    options.environment.emplace_back(variable, "/nonexistent.json");
+  const std::vector<std::string> parts = {"no driver", "mesa-vulkan-drivers"};
+  expectRefused(runParity({"devices"}, options), 4, parts);
+  expectRefused(runParity({"diff", "builtin:furnace"}, options), 4, parts);
+  expectRefused(runParity({"report", "builtin:furnace", "-o", (folder / "out").string()}, options), 4, parts);
+  expectRefused(
+      runParity({"render", "builtin:furnace", "--path", "mobile", "-o", (folder / "out.exr").string()}, options), 4,
+      parts);
+  EXPECT_EQ(listFiles(folder.path()), std::vector<std::string>());
+}
+
+} // namespace
+} // namespace parity::tests

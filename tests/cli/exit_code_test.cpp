@@ -1,0 +1,64 @@
+// The exit code says which kind of outcome it was, never how many (DESIGN 8).
+#include "base/image_io.h"
+#include "cli/checks.h"
+
+namespace parity::tests {
+namespace {
+
+// builtin:spheres has 24 materials, most of which the two paths show with a mean FLIP between 0.01 and 0.5.
+class ExitCodeTest : public RenderingTest {
+protected:
+  RunResult diffSpheres(const std::string& limits, const std::vector<std::string>& more = {}) const {
+    return runParity(join({{"diff", "builtin:spheres", "--budgets", writeBudgets(m_folder, limits)}, kSmall, more}));
+  }
+  std::string writePicture(const std::string& name, int width, int height) const {
+    base::writeImage8(m_folder / name, base::Image8(width, height, 3, 128));
+    return (m_folder / name).string();
+  }
+};
+
+TEST_F(ExitCodeTest, Is0WithinBudget) {
+  EXPECT_TRUE(exitedWith(0, diffSpheres("warn = 1.0, fail = 1.0")));
+  EXPECT_TRUE(exitedWith(0, diffSpheres("warn = 1.0, fail = 1.0", {"--warn-exit"})));
+}
+
+TEST_F(ExitCodeTest, Is1ForWarningsOnlyWhereAskedFor) {
+  const RunResult silent = diffSpheres("warn = 0.0001, fail = 1.0");
+  EXPECT_TRUE(exitedWith(0, silent));
+  EXPECT_TRUE(contains(silent.out, "verdict: warn")) << silent.out;
+  EXPECT_TRUE(exitedWith(1, diffSpheres("warn = 0.0001, fail = 1.0", {"--warn-exit"})));
+}
+
+TEST_F(ExitCodeTest, Is2OverBudgetHoweverManyMaterialsAre) {
+  const RunResult many = diffSpheres("fail = 0.0001");
+  EXPECT_TRUE(exitedWith(2, many));
+  EXPECT_TRUE(contains(many.out, "verdict: fail")) << many.out;
+  EXPECT_TRUE(exitedWith(2, diffSpheres("fail = 0.0001", {"--warn-exit"})));
+  EXPECT_TRUE(exitedWith(2, diffSpheres("fail = 0.0001", {"--material", "metal 1.0"})));
+}
+
+TEST_F(ExitCodeTest, Is3ForImagesOfDifferentSize) {
+  const std::string large = writePicture("large.png", 32, 16), small = writePicture("small.png", 16, 16);
+  const std::filesystem::path map = m_folder / "map.png";
+  expectRefused(runParity({"flip", large, small, "-o", map.string()}), 3, {"small.png", "16x16", "32x16"});
+  EXPECT_FALSE(std::filesystem::exists(map));
+}
+
+TEST_F(ExitCodeTest, Is4ForWhatCannotBeReadOrWritten) {
+  const std::string picture = writePicture("picture.png", 16, 16);
+  expectRefused(runParity({"flip", picture, (m_folder / "none.png").string()}), 4, {"none.png", "no such file"});
+  expectRefused(runParity({"flip", picture, picture, "-o", picture + "/map.exr"}), 4, {"picture.png"});
+  EXPECT_TRUE(exitedWith(4, diffSpheres("fail = 1.0", {"--material", "no such *"})));
+}
+
+// The highest that applies wins.
+TEST_F(ExitCodeTest, Is4WhereOneSceneIsOverBudgetAndAnotherFailed) {
+  const RunResult result = runParity(join({{"report", "builtin:furnace", "builtin:nothing", "--budgets",
+                                            writeBudgets(m_folder, "fail = 0.0"), "-o", (m_folder / "out").string()},
+                                           kSmall}));
+  EXPECT_TRUE(exitedWith(4, result));
+  EXPECT_EQ(readReport(m_folder / "out")["scenes"][0]["verdict"], "fail");
+}
+
+} // namespace
+} // namespace parity::tests

@@ -1,0 +1,113 @@
+// parity flip agrees with the published metric, and with what a report says of the pictures it writes.
+#include <cmath>
+
+#include "base/image_io.h"
+#include "cli/checks.h"
+
+namespace parity::tests {
+namespace {
+
+const std::string kGolden = std::string(PARITY_SOURCE_DIR) + "/tests/compare/golden/";
+
+nlohmann::json flipJson(const std::vector<std::string>& arguments) {
+  const RunResult result = runParity(join({{"flip"}, arguments, {"--json", "-"}}));
+  EXPECT_TRUE(exitedWith(0, result));
+  return nlohmann::json::parse(result.out, nullptr, false);
+}
+
+// Figures of FLIP.md for this pair, made with NVIDIA's tool.
+TEST(FlipCommand, GoldenPairHasThePublishedFigures) {
+  const TempFolder folder;
+  const std::string map = (folder / "map.pfm").string();
+  const std::vector<std::string> pair = {kGolden + "ldrsyn256.ref.png", kGolden + "ldrsyn256.test.png"};
+  const nlohmann::json json = flipJson(join({pair, {"-o", map}}));
+  EXPECT_NEAR(json["flip"]["mean"].get<double>(), .155656994, 1e-6);
+  EXPECT_NEAR(json["flip"]["weightedMedian"].get<double>(), .220928873, 1e-5);
+  EXPECT_NEAR(json["flip"]["max"].get<double>(), .998370, 1e-5);
+  EXPECT_NEAR(flipJson(join({pair, {"--ppd", "20"}}))["flip"]["mean"].get<double>(), .143722894, 1e-6);
+
+  const base::Image ours = base::readImage(map), golden = base::readImage(kGolden + "ldrsyn256.flip.pfm");
+  ASSERT_EQ(ours.pixelCount(), golden.pixelCount());
+  for (std::size_t i = 0; i < ours.pixels.size(); ++i) ASSERT_NEAR(ours.pixels[i], golden.pixels[i], 1e-4) << i;
+
+  const RunResult printed = runParity(join({{"flip"}, pair}));
+  EXPECT_TRUE(contains(printed.out, "0.155657")) << printed.out;
+}
+
+TEST(FlipCommand, MapIsTheSameInEveryKindOfFile) {
+  const TempFolder folder;
+  const std::vector<std::string> pair = {kGolden + "ldrext64.ref.png", kGolden + "ldrext64.test.png"};
+  for (const char* name : {"map.exr", "map.pfm", "map.png"}) flipJson(join({pair, {"-o", (folder / name).string()}}));
+  EXPECT_EQ(base::readImage(folder / "map.exr"), base::readImage(folder / "map.pfm"));
+  EXPECT_EQ(base::readImage8(folder / "map.png", 3).channels, 3);
+}
+
+TEST(FlipCommand, IdenticalImagesDifferByNothing) {
+  const std::string image = kGolden + "ldrext64.ref.png";
+  const nlohmann::json json = flipJson({image, image});
+  EXPECT_EQ(json["flip"]["max"], 0);
+  EXPECT_EQ(json["rmse"], 0);
+  EXPECT_TRUE(json["psnr"].is_null()) << "infinite";
+}
+
+// Float files are linear light: the EXR of a PNG's linear values is the same picture.
+TEST(FlipCommand, FloatFilesAreTakenAsLinear) {
+  const TempFolder folder;
+  base::Image image = base::readImage(kGolden + "ldrext64.ref.png");
+  for (float& v : image.pixels) v = v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+  base::writeImage(folder / "linear.exr", image);
+  const nlohmann::json json = flipJson({kGolden + "ldrext64.ref.png", (folder / "linear.exr").string()});
+  EXPECT_LT(json["flip"]["max"].get<double>(), 1e-3);
+}
+
+TEST(FlipCommand, NanIsRefusedWithItsPlace) {
+  const TempFolder folder;
+  base::Image image(8, 8, 3, 0.5f);
+  base::writeImage(folder / "good.exr", image);
+  image.at(3, 2)[1] = std::nanf("");
+  base::writeImage(folder / "bad.exr", image);
+  expectRefused(runParity({"flip", (folder / "good.exr").string(), (folder / "bad.exr").string()}), 4,
+                {"bad.exr", "x 3, y 2", "1 pixel"});
+}
+
+class FlipOfAReport : public RenderingTest {};
+
+// A quad that fills the picture: the whole image is the material, so the report's figures are those of the pictures.
+TEST_F(FlipOfAReport, IsTheFlipOfTheWrittenPictures) {
+  GltfFile file = makeQuad();
+  file.material()["pbrMetallicRoughness"] = {{"metallicFactor", 1}, {"roughnessFactor", 0.6}};
+  const std::filesystem::path folder = m_folder / "out";
+  const RunResult result = runParity(join({{"report", writeExternal(m_folder, file), "--env", "builtin:studio",
+                                            "--orbit", "0,90,0.4", "-o", folder.string()},
+                                           kSun,
+                                           kSmall}));
+  ASSERT_NE(result.exitCode, 4) << result.err;
+  const nlohmann::json report = readReport(folder), view = report["scenes"][0]["views"][0];
+  const nlohmann::json& figures = view["whole"]["figures"]["all"];
+  ASSERT_EQ(figures["pixels"], 64 * 64);
+  ASSERT_GT(figures["flip"]["mean"].get<double>(), 0.01) << "nothing differs: nothing is tested";
+
+  const auto picture = [&](const char* key) { return (folder / view["images"][key].get<std::string>()).string(); };
+  const std::string map = (m_folder / "map.png").string();
+  const nlohmann::json again = flipJson({picture("reference"), picture("test"), "-o", map});
+  EXPECT_NEAR(again["flip"]["mean"].get<double>(), figures["flip"]["mean"].get<double>(), 1e-6);
+  EXPECT_NEAR(again["flip"]["max"].get<double>(), figures["flip"]["max"].get<double>(), 1e-6);
+  EXPECT_NEAR(again["rmse"].get<double>(), figures["rmse"].get<double>(), 1e-6);
+  EXPECT_NEAR(again["psnr"].get<double>(), figures["psnr"].get<double>(), 1e-4);
+  EXPECT_EQ(base::readImage8(map, 3), base::readImage8(picture("flip"), 3));
+}
+
+TEST_F(FlipOfAReport, MapIsTheSameWithABackgroundToo) {
+  const std::filesystem::path folder = m_folder / "out";
+  const RunResult result = runParity(
+      join({{"report", "builtin:lights", "--background", "0.9,0.1,0.4", "-o", folder.string()}, kSun, kSmall}));
+  ASSERT_NE(result.exitCode, 4) << result.err;
+  const nlohmann::json view = readReport(folder)["scenes"][0]["views"][0];
+  const auto picture = [&](const char* key) { return (folder / view["images"][key].get<std::string>()).string(); };
+  const std::string map = (m_folder / "map.png").string();
+  flipJson({picture("reference"), picture("test"), "-o", map});
+  EXPECT_EQ(base::readImage8(map, 3), base::readImage8(picture("flip"), 3));
+}
+
+} // namespace
+} // namespace parity::tests

@@ -1,0 +1,98 @@
+// Help, version, and what goes to stdout and what to stderr.
+#include "cli/checks.h"
+
+namespace parity::tests {
+namespace {
+
+// The common options of DESIGN 8 as far as a subcommand has a use for them.
+const std::vector<std::string> kCommon = {
+    "--size",      "--env",         "--env-rotation", "--sun",     "--camera",     "--orbit",  "--target",
+    "--fov",       "--samples",     "--exposure",     "--display", "--background", "--device", "--mobile-preset",
+    "--precision", "--fully-rough", "--threads",      "--cache",   "--no-cache",   "-q",       "-v"};
+const std::vector<std::string> kVerdict = {"--material", "--budgets", "--json", "--warn-exit", "--terms"};
+
+void expectHelp(const std::vector<std::string>& arguments, const std::vector<std::string>& mentioned) {
+  const RunResult result = runParity(arguments);
+  EXPECT_TRUE(exitedWith(0, result));
+  EXPECT_EQ(result.err, "");
+  for (const std::string& word : mentioned)
+    EXPECT_TRUE(contains(result.out, word)) << "'" << word << "' is not in" << result.commandLine;
+  for (const std::string& line : splitLines(result.out)) EXPECT_LE(line.size(), 132u) << line;
+}
+
+TEST(Help, NamesTheSubcommandsAndTheExitCodes) {
+  for (const char* flag : {"--help", "-h"})
+    expectHelp({flag}, {"report", "diff", "render", "flip", "devices", "64", "over budget", "builtin:spheres"});
+}
+
+TEST(Help, OfEachSubcommandNamesItsOptions) {
+  expectHelp({"report", "--help"}, join({kCommon, kVerdict, {"--suite", "--output"}}));
+  expectHelp({"diff", "--help"}, join({kCommon, kVerdict}));
+  expectHelp({"render", "--help"}, join({kCommon, {"--path", "--output", "--terms"}}));
+  expectHelp({"flip", "--help"}, {"reference", "test", "--output", "--ppd", "--json", ".exr", ".pfm", ".png"});
+  expectHelp({"devices", "--help"}, {"--device", "--json"});
+}
+
+TEST(Help, VersionIsNameAndNumber) {
+  const RunResult result = runParity({"--version"});
+  EXPECT_TRUE(exitedWith(0, result));
+  EXPECT_TRUE(testing::internal::RE::PartialMatch(result.out, "^parity [0-9]+\\.[0-9]+\\.[0-9]+\n$")) << result.out;
+  EXPECT_EQ(result.err, "");
+}
+
+class StreamsTest : public RenderingTest {};
+
+TEST_F(StreamsTest, JsonOnStdoutIsJsonAlone) {
+  const std::string budgets = writeBudgets(m_folder, "fail = 1.0");
+  const std::filesystem::path folder = m_folder / "out";
+  const std::vector<std::vector<std::string>> commands = {
+      join({{"diff", "builtin:furnace", "--budgets", budgets, "--timings", "-v", "--json", "-"}, kSmall}),
+      join({{"report", "builtin:furnace", "--budgets", budgets, "-o", folder.string(), "--json", "-"}, kSmall}),
+      {"devices", "--json", "-"}};
+  for (const auto& command : commands) {
+    const RunResult result = runParity(command);
+    EXPECT_TRUE(exitedWith(0, result));
+    EXPECT_TRUE(nlohmann::json::accept(result.out)) << result.commandLine << "\n" << result.out;
+  }
+  EXPECT_EQ(runParity(commands[1]).out, readWholeFile(folder / "report.json"));
+}
+
+TEST_F(StreamsTest, JsonIntoAFileLeavesTheTableOnStdout) {
+  const std::filesystem::path file = m_folder / "deep" / "result.json";
+  const RunResult result = runParity(join({{"diff", "builtin:furnace", "--json", file.string()}, kSmall}));
+  EXPECT_TRUE(contains(result.out, "roughness 0.3")) << result.out;
+  EXPECT_TRUE(nlohmann::json::accept(readWholeFile(file)));
+  EXPECT_EQ(result.err, "") << "nothing to say";
+}
+
+TEST_F(StreamsTest, ReportPrintsItsTableAndWhereThePageLies) {
+  const std::filesystem::path folder = m_folder / "out";
+  const RunResult result = runParity(join({{"report", "builtin:furnace", "-o", folder.string()}, kSmall}));
+  ASSERT_FALSE(splitLines(result.out).empty());
+  EXPECT_EQ(splitLines(result.out).back(), (folder / "index.html").string());
+  EXPECT_FALSE(contains(result.out, "\x1b[")) << "colours are for terminals";
+}
+
+TEST_F(StreamsTest, ProgressIsDrawnOnATerminalOnStderrAndWipedAtTheEnd) {
+  RunOptions terminal;
+  terminal.terminal = true;
+  const std::vector<std::string> command = join({{"diff", "builtin:furnace", "--json", "-"}, kSmall});
+  const RunResult shown = runParity(command, terminal);
+  EXPECT_TRUE(contains(shown.err, "furnace")) << shown.err;
+  EXPECT_TRUE(contains(shown.err, " %")) << shown.err;
+  EXPECT_TRUE(shown.err.ends_with("\r\x1b[K")) << "the bar is left standing: " << shown.err;
+  EXPECT_TRUE(nlohmann::json::accept(shown.out)) << shown.out;
+  EXPECT_EQ(runParity(join({command, {"-q"}}), terminal).err, "") << "-q asks for errors only";
+}
+
+TEST_F(StreamsTest, QuietKeepsWarningsBackButNotErrors) {
+  GltfFile file = makeQuad();
+  file.json["extensionsUsed"] = {"KHR_materials_sheen"};
+  const std::vector<std::string> command = join({{"diff", writeExternal(m_folder, file)}, kSun, kSmall});
+  EXPECT_TRUE(contains(runParity(command).err, "KHR_materials_sheen"));
+  EXPECT_EQ(runParity(join({command, {"-q"}})).err, "");
+  expectRefused(runParity({"diff", "builtin:nothing", "-q"}), 4, {"builtin:nothing"});
+}
+
+} // namespace
+} // namespace parity::tests

@@ -1,0 +1,87 @@
+// What the user wrote cannot be meant: exit code 64, said on stderr, before any work is done.
+#include "cli/checks.h"
+
+namespace parity::tests {
+namespace {
+
+struct BadUsage {
+  const char* name;
+  std::vector<std::string> arguments;
+  std::vector<std::string> parts;
+};
+
+const BadUsage kBadUsages[] = {
+    {"NoCommand", {}, {"subcommand"}},
+    {"UnknownCommand", {"compare", "a", "b"}, {"compare"}},
+    {"UnknownOption", {"diff", "builtin:furnace", "--colour"}, {"--colour"}},
+    {"NoScene", {"diff"}, {"scene"}},
+    {"TwoScenesForDiff", {"diff", "builtin:furnace", "builtin:spheres"}, {"builtin:spheres"}},
+    {"ReportWithoutOutput", {"report", "builtin:furnace"}, {"--output"}},
+    {"ReportOfNothing", {"report", "-o", "out"}, {"SCENE", "--suite"}},
+    {"SuiteBesideScenes", {"report", "builtin:furnace", "--suite", "s.toml", "-o", "out"}, {"--suite"}},
+    {"RenderWithoutPath", {"render", "builtin:furnace", "-o", "out.exr"}, {"--path"}},
+    {"UnknownPath", {"render", "builtin:furnace", "-o", "out.exr", "--path", "middle"}, {"--path", "middle"}},
+    {"TermsInAPng", {"render", "builtin:furnace", "-o", "o.png", "--path", "mobile", "--terms"}, {"--terms", ".exr"}},
+    {"UnknownPicture", {"render", "builtin:furnace", "-o", "out.tga", "--path", "mobile"}, {"out.tga", ".exr", ".png"}},
+    {"PictureWithoutExtension", {"render", "builtin:furnace", "-o", "out", "--path", "mobile"}, {"out", ".exr"}},
+    {"UnknownMap", {"flip", "a.png", "b.png", "-o", "map.tga"}, {"map.tga", ".exr", ".png"}},
+    {"FlipOfOneImage", {"flip", "a.png"}, {"test"}},
+    {"FlipPpdOfNaN", {"flip", "a.png", "b.png", "--ppd", "nan"}, {"--ppd"}},
+    {"SizeOfOneNumber", {"diff", "builtin:furnace", "--size", "96"}, {"--size", "'96'"}},
+    {"SizeZero", {"diff", "builtin:furnace", "--size", "0x10"}, {"--size", "'0x10'"}},
+    {"SizeNegative", {"diff", "builtin:furnace", "--size", "-4x4"}, {"--size"}},
+    {"SizeWithATail", {"diff", "builtin:furnace", "--size", "96x96px"}, {"--size", "'96x96px'"}},
+    {"SizeTooLarge", {"diff", "builtin:furnace", "--size", "99999x10"}, {"--size", "16384"}},
+    {"SizeBeyondInt", {"diff", "builtin:furnace", "--size", "4294967297x1"}, {"--size"}},
+    {"SunOfTwoNumbers", {"diff", "builtin:furnace", "--sun", "30,50"}, {"--sun", "AZIMUTH,ELEVATION,LUX"}},
+    {"SunOfFourNumbers", {"diff", "builtin:furnace", "--sun", "30,50,4,1"}, {"--sun"}},
+    {"SunInWords", {"diff", "builtin:furnace", "--sun", "30,high,4"}, {"--sun", "30,high,4"}},
+    {"SunOfNaN", {"diff", "builtin:furnace", "--sun", "30,nan,4"}, {"--sun"}},
+    {"SunNegative", {"diff", "builtin:furnace", "--sun", "30,50,-4"}, {"--sun", "negative"}},
+    {"SunAboveTheZenith", {"diff", "builtin:furnace", "--sun", "30,500,4"}, {"--sun", "-90", "90"}},
+    {"OrbitBelowTheNadir", {"diff", "builtin:furnace", "--orbit", "30,200,4"}, {"--orbit", "180"}},
+    {"OrbitOfNegativeRadius", {"diff", "builtin:furnace", "--orbit", "30,70,-4"}, {"--orbit"}},
+    {"CameraAndOrbit", {"diff", "builtin:furnace", "--camera", "a", "--orbit", "1,2,3"}, {"--camera", "--orbit"}},
+    {"FovTooWide", {"diff", "builtin:furnace", "--fov", "180"}, {"--fov"}},
+    {"FovOfNaN", {"diff", "builtin:furnace", "--fov", "nan"}, {"--fov"}},
+    {"RotationInfinite", {"diff", "builtin:furnace", "--env-rotation", "inf"}, {"--env-rotation"}},
+    {"ExposureOfNaN", {"diff", "builtin:furnace", "--exposure", "nan"}, {"--exposure"}},
+    {"NoSamples", {"diff", "builtin:furnace", "--samples", "0"}, {"--samples"}},
+    {"NegativeBackground", {"diff", "builtin:furnace", "--background", "0,-1,0"}, {"--background", "negative"}},
+    {"UnknownDisplay", {"diff", "builtin:furnace", "--display", "Rec.2020"}, {"--display", "ACES SDR"}},
+    {"UnknownPreset", {"diff", "builtin:furnace", "--mobile-preset", "ue5"}, {"--mobile-preset", "ue4-2020"}},
+    {"UnknownPrecision", {"diff", "builtin:furnace", "--precision", "fp64"}, {"--precision", "fp32"}},
+    {"UnknownGeometryTerm", {"diff", "builtin:furnace", "--geometry-term", "smith"}, {"height-correlated"}},
+};
+
+class UsageTest : public testing::TestWithParam<BadUsage> {};
+
+TEST_P(UsageTest, Exits64WithTheReasonOnStderrAndWritesNothing) {
+  const TempFolder folder;
+  RunOptions options;
+  options.workingFolder = folder.path();
+  const RunResult result = runParity(GetParam().arguments, options);
+  EXPECT_TRUE(exitedWith(64, result));
+  EXPECT_EQ(result.out, "");
+  for (const std::string& part : GetParam().parts)
+    EXPECT_TRUE(contains(result.err, part)) << part << " in: " << result.err;
+  EXPECT_LE(splitLines(result.err).size(), 2u) << "a reason and where to find help: " << result.err;
+  EXPECT_EQ(listFiles(folder.path()), std::vector<std::string>());
+}
+
+INSTANTIATE_TEST_SUITE_P(, UsageTest, testing::ValuesIn(kBadUsages),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+class UnknownNameTest : public RenderingTest {};
+
+// Names that only the scene can tell from wrong ones.
+TEST_F(UnknownNameTest, CameraOrGlobThatTheSceneDoesNotKnowIsSaidWithTheKnownOnes) {
+  const std::string output = (m_folder / "out.exr").string();
+  const std::vector<std::string> render = {"render", "builtin:furnace", "--path", "mobile", "-o", output};
+  expectRefused(runParity(join({render, {"--camera", "left"}, kSmall})), 64, {"left", "default"});
+  expectRefused(runParity(join({render, {"--fully-rough", "rock*"}, kSmall})), 64, {"rock*", "no material"});
+  EXPECT_FALSE(std::filesystem::exists(output));
+}
+
+} // namespace
+} // namespace parity::tests
