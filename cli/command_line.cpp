@@ -1,6 +1,8 @@
 // The only file that knows CLI11.
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <sstream>
 
@@ -11,6 +13,8 @@
 #include "base/file.h"
 #include "base/log.h"
 #include "cli/invocation.h"
+#include "cli/output.h"
+#include "compare/flip.h"
 #include "job/version.h"
 
 namespace parity::cli {
@@ -50,13 +54,34 @@ glm::vec3 parseVec3(const std::string& option, const std::string& text, const st
 }
 
 void parseSize(const std::string& text, job::Settings& settings) {
-  int width = 0, height = 0, read = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &read) != 2 ||
-      static_cast<std::size_t>(read) != text.size() || width < 1 || height < 1 || width > base::kMaxImageSide ||
-      height > base::kMaxImageSide)
+  const char* const end = text.data() + text.size();
+  const auto [x, widthError] = std::from_chars(text.data(), end, settings.width);
+  const bool split = widthError == std::errc() && x != end && *x == 'x';
+  const auto [tail, heightError] = std::from_chars(split ? x + 1 : end, end, settings.height);
+  if (!split || heightError != std::errc() || tail != end || std::min(settings.width, settings.height) < 1 ||
+      std::max(settings.width, settings.height) > base::kMaxImageSide)
     throw invalid("--size", text, fmt::format("WIDTHxHEIGHT with sides of 1 to {}", base::kMaxImageSide));
-  settings.width = width;
-  settings.height = height;
+}
+
+// As CLI::Range, but NaN lies in no range.
+CLI::Validator within(double least, double most) {
+  const std::string range = fmt::format("{} to {}", least, most);
+  return {[=](std::string& text) {
+            char* end = nullptr;
+            const double value = std::strtod(text.c_str(), &end);
+            const bool good = !text.empty() && *end == '\0' && value >= least && value <= most;
+            return good ? std::string() : fmt::format("'{}' is not a number from {}", text, range);
+          },
+          range};
+}
+
+// A file that can only be written as one of these kinds.
+CLI::Validator fileOfKind(const std::vector<std::string>& extensions) {
+  return {[=](std::string& file) {
+            if (std::count(extensions.begin(), extensions.end(), extensionOf(file)) > 0) return std::string();
+            return fmt::format("'{}' is none of the kinds {}", file, fmt::join(extensions, ", "));
+          },
+          "FILE"};
 }
 
 void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw) {
@@ -67,10 +92,10 @@ void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw
 
 void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   job::Settings& s = common.settings;
-  app.add_option("--env", common.environment,
-                 "HDR environment: .hdr, .exr or builtin:sky, builtin:studio, builtin:white")
+  app.add_option("--env", common.environment, "HDR environment: .hdr, .exr or builtin:sky, studio, night, white")
       ->group("Scene");
   app.add_option("--env-rotation", common.environmentRotationDeg, "Turn the environment about +Y, degrees")
+      ->check(within(-3600, 3600))
       ->group("Scene");
   app.add_option("--sun", raw.sun, "Add a directional light: AZIMUTH,ELEVATION,LUX (degrees)")->group("Scene");
   app.add_option("--fully-rough", s.fullyRough, "Materials that take the fully-rough shortcut (glob, repeatable)")
@@ -81,7 +106,7 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   app.add_option("--orbit", raw.orbit, "THETA,PHI,RADIUS: degrees, metres (radius 0 fits the scene)")->group("View");
   app.add_option("--target", raw.target, "X,Y,Z to look at, metres. Default: the centre of the scene")->group("View");
   app.add_option("--fov", common.view.fovYDeg, "Vertical field of view, degrees")
-      ->check(CLI::Range(1.0, 170.0))
+      ->check(within(1, 170))
       ->group("View")
       ->capture_default_str();
   app.add_option("--size", raw.size, "WIDTHxHEIGHT in pixels")->group("Picture")->capture_default_str();
@@ -90,7 +115,7 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->group("Picture")
       ->capture_default_str();
   app.add_option("--exposure", s.exposureEv, "Exposure, EV")
-      ->check(CLI::Range(-32.0, 32.0))
+      ->check(within(-32, 32))
       ->group("Picture")
       ->capture_default_str();
   app.add_option("--display", s.display, "Display transform")
@@ -130,10 +155,16 @@ void settle(CommonOptions& common, const RawOptions& raw) {
   parseSize(raw.size, s);
   if (!raw.sun.empty()) {
     const auto n = parseNumbers("--sun", raw.sun, 3, "AZIMUTH,ELEVATION,LUX");
+    if (std::abs(n[1]) > 90) throw invalid("--sun", raw.sun, "a place in the sky: ELEVATION is from -90 to 90");
     if (n[2] < 0) throw invalid("--sun", raw.sun, "a light: LUX is negative");
     common.sun = scenes::SunRequest{n[0], n[1], n[2]};
   }
-  if (!raw.orbit.empty()) common.view.orbit = parseVec3("--orbit", raw.orbit, "THETA,PHI,RADIUS");
+  if (!raw.orbit.empty()) {
+    const glm::vec3 orbit = parseVec3("--orbit", raw.orbit, "THETA,PHI,RADIUS");
+    if (orbit.y < 0 || orbit.y > 180 || orbit.z < 0)
+      throw invalid("--orbit", raw.orbit, "an orbit: PHI is from 0 to 180, RADIUS at least 0");
+    common.view.orbit = orbit;
+  }
   if (!raw.target.empty()) common.view.target = parseVec3("--target", raw.target, "X,Y,Z");
   if (raw.camera != "auto") {
     if (common.view.orbit) throw CLI::ValidationError("--camera", "cannot be combined with --orbit");
@@ -150,6 +181,7 @@ void settle(CommonOptions& common, const RawOptions& raw) {
                                                                : highend::GeometryTerm::heightCorrelated;
   s.highend.compensate = !raw.noCompensation;
   s.device.validation |= raw.validation;
+  common.quiet = raw.quiet;
   if (!raw.noCache) s.cacheFolder = raw.cache.empty() ? base::defaultCacheFolder() : std::filesystem::path(raw.cache);
   base::setLogLevel(raw.quiet ? base::LogLevel::quiet : raw.verbose ? base::LogLevel::verbose : base::LogLevel::normal);
 }
@@ -208,7 +240,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       ->required()
       ->check(CLI::IsMember({"highend", "mobile"}));
   renderApp.add_option("-o,--output", render.output, ".exr, .pfm, .hdr: linear scene-referred; .png: as displayed")
-      ->required();
+      ->required()
+      ->check(fileOfKind({".exr", ".pfm", ".hdr", ".png"}));
   renderApp.add_flag("--terms", render.common.settings.terms, "Write the terms as layers beside the colour (.exr)");
   addCommonOptions(renderApp, render.common, raw);
 
@@ -218,8 +251,10 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       .add_option("reference", flip.reference, "Reference image (8- or 16-bit sRGB; float images are taken as linear)")
       ->required();
   flipApp.add_option("test", flip.test, "Test image of the same size")->required();
-  flipApp.add_option("-o,--output", flip.output, "Error map: .exr or .pfm (values), .png (magma)");
-  flipApp.add_option("--ppd", flip.ppd, "Pixels per degree. Default 67.0206")->check(CLI::Range(1.0, 1000.0));
+  flipApp.add_option("-o,--output", flip.output, "Error map: .exr or .pfm (values), .png (magma)")
+      ->check(fileOfKind({".exr", ".pfm", ".png"}));
+  flipApp.add_option("--ppd", flip.ppd, "Pixels per degree. Default 67.0206")
+      ->check(within(compare::kMinPixelsPerDegree, compare::kMaxPixelsPerDegree));
   flipApp.add_option("--json", flip.json, "Write the figures as JSON there; - for stdout");
   flipApp.add_flag("-q,--quiet", raw.quiet, "Errors only");
 
@@ -230,6 +265,10 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
 
   Parsed parsed;
   try {
+    const auto subcommands = app.get_subcommands([](const CLI::App*) { return true; });
+    if (argc > 1 && argv[1][0] != '-' &&
+        std::none_of(subcommands.begin(), subcommands.end(), [&](const CLI::App* s) { return s->check_name(argv[1]); }))
+      throw CLI::ValidationError(argv[1], "no such subcommand"); // CLI11 would only say that one is required
     app.parse(argc, argv);
     if (reportApp.parsed()) {
       if (report.scenes.empty() && report.suite.empty()) throw CLI::RequiredError("report: a SCENE or --suite");

@@ -33,9 +33,10 @@ int runDevicesCommand(const DevicesCommand& command) {
     }
   if (std::none_of(reports.begin(), reports.end(), [](const auto& r) { return r.taken; }))
     throw base::Error(base::ExitCode::failed, "Vulkan", "device",
-                      command.device.name.empty()
-                          ? "none can be used: 'apt-get install mesa-vulkan-drivers' gives the software device"
-                          : fmt::format("none is named '{}'", command.device.name));
+                      !reports.empty() && !command.device.name.empty()
+                          ? fmt::format("none is named '{}'", command.device.name)
+                          : fmt::format("{}; 'apt-get install mesa-vulkan-drivers' gives the software device",
+                                        reports.empty() ? "no driver found" : "none can be used"));
   return 0;
 }
 

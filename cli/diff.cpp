@@ -16,7 +16,7 @@ int runDiffCommand(const DiffCommand& command, const std::string& commandLine) {
   request.scenes = {sceneRequest(command.common, command.scene)};
   request.commandLine = commandLine;
   job::Context context(command.common.settings);
-  const job::ReportResult result = job::runReport(context, request, makeProgress());
+  const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
   if (!command.common.json.empty()) writeJson(command.common.json, compare::toJson(result.report));
   if (command.common.json != "-" && result.report.scenes.front().error.empty())
     fmt::print("{}\n", compare::toTable(result.report, stdoutIsTerminal()));

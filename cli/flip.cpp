@@ -41,7 +41,7 @@ int runFlipCommand(const FlipCommand& command) {
   const compare::Pooling pooling = compare::poolMap(map);
   const double rmse = compare::rmse(reference, test), psnr = compare::psnr(reference, test);
   if (!command.output.empty()) {
-    const bool shown = std::filesystem::path(command.output).extension() == ".png";
+    const bool shown = extensionOf(command.output) == ".png";
     base::writeImage(command.output, shown ? compare::magmaImage(map) : map);
   }
   if (!command.json.empty()) {

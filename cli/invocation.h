@@ -19,7 +19,7 @@ struct CommonOptions {
   scenes::ViewRequest view;
   int threads = 0;
   std::string json; // file, "-" for stdout, "" for none
-  bool timings = false;
+  bool timings = false, quiet = false;
 };
 
 struct ReportCommand {

@@ -2,7 +2,9 @@
 
 #include <unistd.h>
 
+#include <cctype>
 #include <cstdio>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -11,8 +13,8 @@
 
 namespace parity::cli {
 
-job::Progress makeProgress() {
-  if (!isatty(STDERR_FILENO)) return {};
+job::Progress makeProgress(bool quiet) {
+  if (quiet || !isatty(STDERR_FILENO)) return {};
   return [](const std::string& what, double done) {
     constexpr int kWidth = 24;
     const int filled = static_cast<int>(done * kWidth + 0.5);
@@ -32,6 +34,12 @@ void writeJson(const std::string& target, const std::string& text) {
   if (target != "-") return base::writeText(target, text);
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     throw base::fileError("stdout", "", "could not be written");
+}
+
+std::string extensionOf(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
 }
 
 bool stdoutIsTerminal() { return isatty(STDOUT_FILENO) != 0; }

@@ -9,14 +9,17 @@
 
 namespace parity::cli {
 
-// A bar on stderr where that is a terminal and nothing asks for quiet; else nothing. Erases itself at 1.
-job::Progress makeProgress();
+// A bar on stderr where that is a terminal and nobody asked for quiet; else nothing. Erases itself at 1.
+job::Progress makeProgress(bool quiet);
 
 // Stage by stage, to stderr.
 void printTimings(const std::vector<std::pair<std::string, double>>& timings);
 
 // Writes text to stdout for "-", else to the file. Throws Error (exit 4).
 void writeJson(const std::string& target, const std::string& text);
+
+// The extension in lower case, with its dot: as base::writeImage chooses the format.
+std::string extensionOf(const std::string& file);
 
 bool stdoutIsTerminal();
 

@@ -35,7 +35,7 @@ base::Image layers(const base::Frame& frame, std::vector<std::string>& names) {
 
 int runRenderCommand(const RenderCommand& command) {
   const job::Settings& settings = command.common.settings;
-  const std::string extension = std::filesystem::path(command.output).extension().string();
+  const std::string extension = extensionOf(command.output);
   if (settings.terms && extension != ".exr")
     throw base::Error(base::ExitCode::usage, "--terms", command.output, "layers need an .exr file");
 

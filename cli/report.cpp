@@ -40,7 +40,7 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
   request.folder = command.folder;
   request.commandLine = commandLine;
   job::Context context(command.common.settings);
-  const job::ReportResult result = job::runReport(context, request, makeProgress());
+  const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
   if (!command.common.json.empty()) writeJson(command.common.json, compare::toJson(result.report));
   if (command.common.json != "-")
     fmt::print("{}\n{}\n", compare::toTable(result.report, stdoutIsTerminal()),

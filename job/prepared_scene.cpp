@@ -73,7 +73,10 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request) {
     environment = scene.environment;
     prepared.environment = context.environmentLight(*environment);
   }
-  prepared.environmentName = environment ? environment->name : "none";
+  if (!request.environment.empty())
+    prepared.environmentName = std::filesystem::path(request.environment).filename().string();
+  else
+    prepared.environmentName = environment ? environment->name : "none";
   scene.environment.reset(); // its pixels are not needed any more
 
   prepared.lights = scene.lights;

@@ -18,7 +18,7 @@ struct PreparedScene {
   scenes::Scene scene;               // environment and fully-rough flags as requested
   std::vector<scenes::Light> lights; // the scene's and the sun
   std::optional<lighting::EnvironmentLight> environment;
-  std::string environmentName, sunText; // for the report; "none" where there is none
+  std::string environmentName, sunText; // for the report: the file without its folder; "none" where there is none
 };
 
 // Loads scene and environment (at the same time), applies flags and sun. Throws Error: exit 4 for what cannot be read,

@@ -8,23 +8,16 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "base/file.h"
 #include "base/glob.h"
 #include "base/log.h"
+#include "job/report_folder.h"
 #include "job/version.h"
 #include "job/view_comparison.h"
+#include "scenes/names.h"
 
 namespace parity::job {
 
 namespace {
-
-// Letters, digits, '-' and '_' stay; the rest becomes '_'. The index in front keeps two alike names apart.
-std::string safeFileName(std::size_t index, const std::string& name) {
-  std::string out = fmt::format("{}-", index);
-  for (const char c : name)
-    out += (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-' ? c : '_';
-  return out.substr(0, 64);
-}
 
 std::vector<std::pair<std::string, std::string>> describe(const Settings& s, const base::DisplayTransform& display) {
   const bool correlated = s.highend.geometryTerm == highend::GeometryTerm::heightCorrelated;
@@ -47,16 +40,41 @@ void requireMaterials(const scenes::Scene& scene, const std::vector<std::string>
                         "no material has such a name");
 }
 
+// A message without the folders of the scene's files: a report does not say where on this machine they lie.
+std::string withoutFolders(std::string text, const SceneRequest& request) {
+  for (const std::string& file : {request.scene, request.environment, request.budgets.value_or("")}) {
+    const std::string folder = (std::filesystem::path(file).parent_path() / "").string();
+    if (folder.empty()) continue;
+    for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at))
+      if (at == 0 || text[at - 1] == ' ' || text[at - 1] == '\'')
+        text.erase(at, folder.size());
+      else
+        ++at; // the end of another path
+  }
+  return text;
+}
+
+// Budgets that go before a scene's own, and those that stand in where it has none.
+struct RunBudgets {
+  std::optional<compare::Budgets> first;
+  compare::Budgets otherwise;
+};
+
+RunBudgets loadRunBudgets(const Settings& settings, const std::optional<std::string>& ofSuite) {
+  if (settings.budgets) return {compare::loadBudgets(*settings.budgets), {}};
+  return {std::nullopt, ofSuite ? compare::loadBudgets(*ofSuite) : compare::defaultBudgets()};
+}
+
 class Run {
 public:
-  Run(Context& context, const ReportRequest& request, const Progress& progress)
-      : m_context(context), m_request(request), m_progress(progress) {}
+  Run(Context& context, const ReportRequest& request, RunBudgets budgets, const Progress& progress)
+      : m_context(context), m_request(request), m_budgets(std::move(budgets)), m_progress(progress) {}
 
   compare::SceneResult compareScene(std::size_t index) {
     const SceneRequest& request = m_request.scenes[index];
     compare::SceneResult result;
     result.name = request.name;
-    result.source = std::filesystem::path(request.scene).filename().string();
+    result.source = scenes::cleanName(std::filesystem::path(request.scene).filename().string());
     result.environment =
         request.environment.empty() ? "none" : std::filesystem::path(request.environment).filename().string();
     result.sun = "none";
@@ -76,25 +94,28 @@ public:
       }
     } catch (const base::Error& error) {
       // One catch at the boundary of each scene: the others still run.
-      result.error = error.what();
-      result.errorExitCode = static_cast<int>(error.code());
-      base::logError(fmt::format("{}: {}", result.name, error.what()));
+      setError(result, request, error.what(), error.code());
     } catch (const std::exception& error) {
-      result.error = error.what();
-      result.errorExitCode = static_cast<int>(base::ExitCode::failed);
-      base::logError(fmt::format("{}: {}", result.name, error.what()));
+      setError(result, request, error.what(), base::ExitCode::failed);
     }
-    for (const std::string& warning : result.warnings) base::logWarning(fmt::format("{}: {}", result.name, warning));
+    for (std::string& warning : result.warnings) {
+      base::logWarning(fmt::format("{}: {}", result.name, warning));
+      warning = withoutFolders(std::move(warning), request);
+    }
     return result;
   }
 
 private:
+  static void setError(compare::SceneResult& result, const SceneRequest& request, const char* message,
+                       base::ExitCode code) {
+    base::logError(fmt::format("{}: {}", result.name, message));
+    result.error = withoutFolders(message, request);
+    result.errorExitCode = static_cast<int>(code);
+  }
+
   compare::Budgets budgetsFor(const SceneRequest& request) const {
-    const auto& own = m_context.settings().budgets;
-    if (own) return compare::loadBudgets(*own); // the command line goes first
-    if (request.budgets) return compare::loadBudgets(*request.budgets);
-    if (m_request.suiteBudgets) return compare::loadBudgets(*m_request.suiteBudgets);
-    return compare::defaultBudgets();
+    if (m_budgets.first) return *m_budgets.first;
+    return request.budgets ? compare::loadBudgets(*request.budgets) : m_budgets.otherwise;
   }
 
   compare::ViewResult compareOne(std::size_t sceneIndex, std::size_t viewIndex, const PreparedScene& prepared,
@@ -109,7 +130,7 @@ private:
     comparison.viewName = view.name;
     comparison.exposureEv = request.exposureEv.value_or(settings.exposureEv);
     comparison.reportFolder = m_request.folder;
-    comparison.imagePrefix = safeFileName(sceneIndex, request.name) + "_" + safeFileName(viewIndex, view.name);
+    comparison.imagePrefix = imagePrefix(sceneIndex, request.name, viewIndex, view.name);
     compare::ViewResult result = compareView(m_context, prepared.scene, frames, budgets, comparison);
     result.skipped = renderer.skipped();
     return result;
@@ -124,15 +145,9 @@ private:
 
   Context& m_context;
   const ReportRequest& m_request;
+  const RunBudgets m_budgets;
   const Progress& m_progress;
 };
-
-void writeReport(const std::filesystem::path& folder, const ReportResult& result) {
-  base::writeText(folder / "report.json", compare::toJson(result.report));
-  base::writeText(folder / "run.json", compare::toJson(result.run));
-  base::writeText(folder / "junit.xml", compare::toJunit(result.report, result.run));
-  base::writeText(folder / "index.html", compare::toHtml(result.report, result.run));
-}
 
 } // namespace
 
@@ -144,8 +159,11 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   result.report.version = kVersion;
   result.report.settings = describe(context.settings(), context.display());
 
-  result.report.device = context.device().description(); // first: without a device nothing can be done
-  Run run(context, request, progress);
+  // What concerns the whole run comes first: without it nothing is rendered, and an older report stays.
+  RunBudgets budgets = loadRunBudgets(context.settings(), request.suiteBudgets);
+  result.report.device = context.device().description();
+  if (!request.folder.empty()) prepareReportFolder(request.folder);
+  Run run(context, request, std::move(budgets), progress);
   for (std::size_t i = 0; i < request.scenes.size(); ++i) result.report.scenes.push_back(run.compareScene(i));
   compare::settleVerdicts(result.report);
   if (progress) progress("writing", 1);
@@ -153,7 +171,7 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   result.run.timings = context.timings().stages();
   const std::chrono::duration<double, std::milli> total = std::chrono::steady_clock::now() - start;
   result.run.timings.emplace_back("total", total.count());
-  if (!request.folder.empty()) writeReport(request.folder, result);
+  if (!request.folder.empty()) writeReport(request.folder, result.report, result.run);
   return result;
 }
 

@@ -64,7 +64,7 @@ std::vector<std::string> materialNotes(const scenes::Material& m) {
   std::vector<std::string> notes;
   if (m.unlit) return {"unlit"};
   if (m.fullyRough) notes.push_back("fully rough: no specular, no environment fetch on mobile");
-  if (m.isNonmetal()) notes.push_back("nonmetal: EnvBRDFApproxNonmetal on mobile");
+  if (m.isNonmetal() && !m.fullyRough) notes.push_back("nonmetal: EnvBRDFApproxNonmetal on mobile");
   const glm::vec3 f0 = m.dielectricF0();
   if (f0.x != f0.y || f0.y != f0.z || m.specularColorTexture.present())
     notes.push_back("tinted F0, kept as RGB by both paths");

@@ -12,7 +12,7 @@ const char* const kAssets[] = {"WaterBottle/WaterBottle.gltf",
                                "NormalTangentTest/NormalTangentTest.glb",
                                "LightsPunctualLamp/LightsPunctualLamp.gltf"};
 
-class AssetsTest : public RenderingTest, public testing::WithParamInterface<std::tuple<const char*, bool>> {};
+class AssetsTest : public RenderingTest, public testing::WithParamInterface<std::tuple<std::string, bool>> {};
 
 TEST_P(AssetsTest, GiveAWholeReport) {
   const auto& [environment, withSun] = GetParam();
@@ -48,8 +48,9 @@ TEST_P(AssetsTest, GiveAWholeReport) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, AssetsTest,
-                         testing::Combine(testing::Values("studio_small_05_1k.hdr", "chinese_garden_1k.hdr",
-                                                          "st_peters_square_night_1k.hdr"),
+                         testing::Combine(testing::Values<std::string>("studio_small_05_1k.hdr",
+                                                                       "chinese_garden_1k.hdr",
+                                                                       "st_peters_square_night_1k.hdr"),
                                           testing::Bool()),
                          [](const auto& test) {
                            const std::string environment = std::get<0>(test.param);

@@ -41,7 +41,7 @@ std::string writeSpoiltEnvironment(const TempFolder& folder, const std::vector<s
 }
 
 TEST_F(BadLightTest, EnvironmentThatCannotBeReadIsRefused) {
-  expectEnvironmentRefused((m_folder / "none.hdr").string(), {"none.hdr", "no such file"});
+  expectEnvironmentRefused((m_folder / "none.hdr").string(), {"none.hdr", "does not exist"});
   expectEnvironmentRefused("builtin:studo", {"builtin:studo", "builtin:studio"});
   writeFile(m_folder / "torn.hdr", std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16 +X 32\n\x02\x02"));
   expectEnvironmentRefused((m_folder / "torn.hdr").string(), {"torn.hdr"});
@@ -56,16 +56,14 @@ TEST_F(BadLightTest, EnvironmentOfNoPixelsIsRefused) {
   expectEnvironmentRefused((m_folder / "empty.pfm").string(), {"empty.pfm"});
 }
 
-// NaN, infinite and negative radiance is set to zero, counted and said; the scene is still shown rightly: as by the
-// same environment with zeros.
+// The scene can still be shown: spoilt texels are replaced, counted and said.
 TEST_F(BadLightTest, EnvironmentWithNanIsCleanedWithAWarning) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
   const RunResult result = renderIn(writeSpoiltEnvironment(m_folder, {{30, kNan}, {90, kInf}}));
   ASSERT_TRUE(exitedWith(0, result));
   EXPECT_TRUE(result.err.starts_with("warning: ")) << result.err;
   EXPECT_EQ(splitLines(result.err).size(), 1u) << result.err;
-  EXPECT_TRUE(contains(result.err, "spoilt.exr")) << result.err;
-  EXPECT_TRUE(contains(result.err, "2 ")) << result.err;
+  for (const char* part : {"spoilt", "1 NaN", "1 infinite"}) EXPECT_TRUE(contains(result.err, part)) << result.err;
   const base::Image spoilt = base::readImage(m_folder / "out.exr");
   for (const float value : spoilt.pixels) ASSERT_TRUE(std::isfinite(value));
 }
@@ -80,7 +78,7 @@ TEST_F(BadLightTest, WarningsOfAScenePassIntoItsReport) {
   const nlohmann::json report = readReport(folder);
   ASSERT_EQ(report["scenes"][0]["warnings"].size(), 1u) << report["scenes"][0]["warnings"];
   const std::string warning = report["scenes"][0]["warnings"][0];
-  EXPECT_TRUE(contains(warning, "spoilt.exr")) << warning;
+  EXPECT_TRUE(contains(warning, "spoilt")) << warning;
   EXPECT_FALSE(contains(warning, m_folder.path().string())) << warning;
 }
 
@@ -108,7 +106,7 @@ TEST_F(BadLightTest, SuiteThatCannotBeUsedIsRefused) {
   expectSuiteRefused("[[scene]\n", {"suite.toml", "line 1"});
   expectSuiteRefused("name = \"nothing\"\n", {"suite.toml", "no scene"});
   expectRefused(runParity({"report", "--suite", (m_folder / "none.toml").string(), "-o", (m_folder / "out").string()}),
-                4, {"none.toml", "no such file"});
+                4, {"none.toml", "does not exist"});
 }
 
 TEST_F(BadLightTest, BudgetsThatCannotBeUsedAreRefusedBeforeAnythingIsRendered) {
@@ -123,7 +121,7 @@ TEST_F(BadLightTest, BudgetsThatCannotBeUsedAreRefusedBeforeAnythingIsRendered) 
       {"budgets.toml", "line 3"});
   EXPECT_FALSE(std::filesystem::exists(folder));
   expectRefused(runParity(join({{"diff", "builtin:furnace", "--budgets", (m_folder / "none.toml").string()}, kSmall})),
-                4, {"none.toml", "no such file"});
+                4, {"none.toml", "does not exist"});
 }
 
 } // namespace

@@ -14,6 +14,8 @@ struct BadScene {
   std::vector<std::string> parts;                      // what the line has to say
 };
 
+void PrintTo(const BadScene& scene, std::ostream* out) { *out << scene.name; }
+
 std::string writeEdited(const TempFolder& folder, const std::function<void(GltfFile&)>& edit) {
   GltfFile file = makeQuad();
   edit(file);
@@ -38,9 +40,9 @@ std::string zeroSizedPng() {
 }
 
 const BadScene kBadScenes[] = {
-    {"MissingFile", [](const TempFolder& f) { return (f / "none.gltf").string(); }, {"none.gltf", "no such file"}},
+    {"MissingFile", [](const TempFolder& f) { return (f / "none.gltf").string(); }, {"none.gltf", "does not exist"}},
     {"UnknownBuiltin", [](const TempFolder&) { return "builtin:sphere"; }, {"builtin:sphere", "did you mean"}},
-    {"Folder", [](const TempFolder& f) { return f.path().string(); }, {"not a"}},
+    {"Folder", [](const TempFolder& f) { return f.path().string(); }, {"is a folder"}},
     {"TruncatedGlb",
      [](const TempFolder& f) {
        std::vector<std::byte> glb = makeGlb(makeQuad());
@@ -94,7 +96,7 @@ const BadScene kBadScenes[] = {
      {"paint.png"}},
     {"NothingToSee",
      [](const TempFolder& f) { return writeEdited(f, [](GltfFile& g) { g.json["nodes"][0].erase("mesh"); }); },
-     {"scene.gltf", "no triangles"}},
+     {"scene.gltf", "no triangle"}},
     {"RequiredExtension",
      [](const TempFolder& f) {
        return writeEdited(f, [](GltfFile& g) {

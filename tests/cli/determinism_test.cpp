@@ -1,4 +1,6 @@
 // Equal inputs give equal files, bit for bit: run again, with other threads, with and without a cache.
+#include <regex>
+
 #include "cli/checks.h"
 
 namespace parity::tests {
@@ -43,17 +45,17 @@ TEST_F(DeterminismTest, SameRunTwiceGivesTheSameFiles) {
   // Times, dates and the command line are in run.json and nowhere else.
   auto runs = std::make_pair(nlohmann::json::parse(first.at("run.json")), nlohmann::json::parse(second.at("run.json")));
   for (nlohmann::json* run : {&runs.first, &runs.second}) {
-    EXPECT_TRUE(testing::internal::RE::FullMatch((*run)["startedAt"].get<std::string>(), "20..-..-..T..:..:..Z"));
+    EXPECT_TRUE(std::regex_match((*run)["startedAt"].get<std::string>(), std::regex("20..-..-..T..:..:..Z")));
     run->erase("startedAt");
     run->erase("commandLine");
-    for (nlohmann::json& timing : (*run)["timings"]) timing.erase("ms");
+    for (nlohmann::json& timing : (*run)["timings"]) timing.erase("timeMs");
   }
   EXPECT_EQ(runs.first, runs.second);
 
   const std::string& text = first.at("report.json");
   EXPECT_FALSE(contains(text, m_folder.path().string()));
-  EXPECT_FALSE(testing::internal::RE::PartialMatch(text, "20[0-9][0-9]-[01][0-9]-[0-3][0-9]"));
-  EXPECT_FALSE(testing::internal::RE::PartialMatch(text, "\"/")) << "an absolute path";
+  EXPECT_FALSE(std::regex_search(text, std::regex("20[0-9][0-9]-[01][0-9]-[0-3][0-9]")));
+  EXPECT_FALSE(contains(text, "\"/")) << "an absolute path";
 }
 
 TEST_F(DeterminismTest, NumberOfThreadsDoesNotShow) {

@@ -46,7 +46,7 @@ TEST_F(ExitCodeTest, Is3ForImagesOfDifferentSize) {
 
 TEST_F(ExitCodeTest, Is4ForWhatCannotBeReadOrWritten) {
   const std::string picture = writePicture("picture.png", 16, 16);
-  expectRefused(runParity({"flip", picture, (m_folder / "none.png").string()}), 4, {"none.png", "no such file"});
+  expectRefused(runParity({"flip", picture, (m_folder / "none.png").string()}), 4, {"none.png", "does not exist"});
   expectRefused(runParity({"flip", picture, picture, "-o", picture + "/map.exr"}), 4, {"picture.png"});
   EXPECT_TRUE(exitedWith(4, diffSpheres("fail = 1.0", {"--material", "no such *"})));
 }

@@ -76,13 +76,14 @@ protected:
   }
 };
 
-// SHADING.md 5, in per cent: the quadrature that the pictures are held against meets the published losses.
+// SHADING.md 5, in per cent: the quadrature that the pictures are held against meets the losses given there. It is
+// converged to 0.001; the table is off by up to 0.12 (also in tests/shading).
 TEST_F(FurnaceTest, QuadratureMeetsThePublishedLosses) {
   const double roughness[] = {.2, .4, .6, .8, 1}, a[] = {3.6, 13.0, 27.8, 45.4, 62.3},
                b[] = {.6, 5.9, 19.8, 39.7, 59.1};
   for (int i = 0; i < 5; ++i) {
-    EXPECT_NEAR(100 * (1 - hemisphericalAlbedo(Geometry::schlickSmith, roughness[i])), a[i], 0.06);
-    EXPECT_NEAR(100 * (1 - hemisphericalAlbedo(Geometry::heightCorrelated, roughness[i])), b[i], 0.06);
+    EXPECT_NEAR(100 * (1 - hemisphericalAlbedo(Geometry::schlickSmith, roughness[i])), a[i], 0.15);
+    EXPECT_NEAR(100 * (1 - hemisphericalAlbedo(Geometry::heightCorrelated, roughness[i])), b[i], 0.15);
   }
 }
 

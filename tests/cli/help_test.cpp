@@ -1,4 +1,6 @@
 // Help, version, and what goes to stdout and what to stderr.
+#include <regex>
+
 #include "cli/checks.h"
 
 namespace parity::tests {
@@ -36,7 +38,7 @@ TEST(Help, OfEachSubcommandNamesItsOptions) {
 TEST(Help, VersionIsNameAndNumber) {
   const RunResult result = runParity({"--version"});
   EXPECT_TRUE(exitedWith(0, result));
-  EXPECT_TRUE(testing::internal::RE::PartialMatch(result.out, "^parity [0-9]+\\.[0-9]+\\.[0-9]+\n$")) << result.out;
+  EXPECT_TRUE(std::regex_match(result.out, std::regex("parity [0-9]+\\.[0-9]+\\.[0-9]+\n"))) << result.out;
   EXPECT_EQ(result.err, "");
 }
 

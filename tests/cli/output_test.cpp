@@ -37,9 +37,23 @@ TEST_F(OutputTest, ReportReplacesAnOlderOneAndSparesWhatIsNotItsOwn) {
   EXPECT_EQ(listFiles(folder), expected) << "pictures of the older report are left";
 }
 
+TEST_F(OutputTest, ScenesOfOneNameAreKeptApart) {
+  std::vector<std::string> command = join(
+      {{"report", "--budgets", writeBudgets(m_folder, "fail = 1.0"), "-o", (m_folder / "out").string()}, kSun, kSmall});
+  for (const char* folder : {"a", "b"}) {
+    std::filesystem::create_directory(m_folder / folder);
+    command.push_back(writeGlb(m_folder, makeQuad(), std::string(folder) + "/quad"));
+  }
+  EXPECT_TRUE(exitedWith(0, runParity(command)));
+  const nlohmann::json report = readReport(m_folder / "out");
+  EXPECT_EQ(report["scenes"][0]["name"], "quad");
+  EXPECT_EQ(report["scenes"][1]["name"], "quad (2)");
+  EXPECT_EQ(listPictures(report).size(), 2u * 3 * (1 + 1));
+}
+
 TEST_F(OutputTest, FileInTheWayOfTheReportIsSaidBeforeAnythingIsRendered) {
   writeFile(m_folder / "out", std::string("in the way"));
-  expectRefused(reportInto(m_folder / "out", "builtin:furnace"), 4, {"out", "not a folder"});
+  expectRefused(reportInto(m_folder / "out", "builtin:furnace"), 4, {"out", "cannot be made a folder"});
   expectRefused(reportInto(m_folder / "out" / "deeper", "builtin:furnace"), 4, {"out"});
   EXPECT_EQ(readWholeFile(m_folder / "out"), "in the way");
 }

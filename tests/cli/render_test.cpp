@@ -11,6 +11,7 @@ namespace {
 
 class RenderTest : public RenderingTest {
 protected:
+  // The picture read back from the file.
   base::Image render(const std::string& scene, const std::string& path, const std::string& file,
                      const std::vector<std::string>& more) const {
     const RunResult result =
@@ -54,6 +55,7 @@ TEST_F(RenderTest, EveryKindOfFileHoldsTheSamePicture) {
   ASSERT_EQ(exr.height, 32);
   ASSERT_EQ(exr.channels, 3);
   EXPECT_EQ(render("builtin:furnace", "mobile", "a.pfm", size), exr);
+  EXPECT_EQ(render("builtin:furnace", "mobile", "a.PNG", size), render("builtin:furnace", "mobile", "a.png", size));
   const base::Image hdr = render("builtin:furnace", "mobile", "a.hdr", size);
   const base::Image png = render("builtin:furnace", "mobile", "a.png", size);
   for (std::size_t i = 0; i < exr.pixels.size(); ++i) {

@@ -38,7 +38,7 @@ const BadUsage kBadUsages[] = {
     {"SunInWords", {"diff", "builtin:furnace", "--sun", "30,high,4"}, {"--sun", "30,high,4"}},
     {"SunOfNaN", {"diff", "builtin:furnace", "--sun", "30,nan,4"}, {"--sun"}},
     {"SunNegative", {"diff", "builtin:furnace", "--sun", "30,50,-4"}, {"--sun", "negative"}},
-    {"SunAboveTheZenith", {"diff", "builtin:furnace", "--sun", "30,500,4"}, {"--sun", "-90", "90"}},
+    {"SunAboveTheZenith", {"diff", "builtin:furnace", "--sun", "-30,500,4"}, {"--sun", "-90", "90"}},
     {"OrbitBelowTheNadir", {"diff", "builtin:furnace", "--orbit", "30,200,4"}, {"--orbit", "180"}},
     {"OrbitOfNegativeRadius", {"diff", "builtin:furnace", "--orbit", "30,70,-4"}, {"--orbit"}},
     {"CameraAndOrbit", {"diff", "builtin:furnace", "--camera", "a", "--orbit", "1,2,3"}, {"--camera", "--orbit"}},
@@ -53,6 +53,8 @@ const BadUsage kBadUsages[] = {
     {"UnknownPrecision", {"diff", "builtin:furnace", "--precision", "fp64"}, {"--precision", "fp32"}},
     {"UnknownGeometryTerm", {"diff", "builtin:furnace", "--geometry-term", "smith"}, {"height-correlated"}},
 };
+
+void PrintTo(const BadUsage& usage, std::ostream* out) { *out << usage.name; }
 
 class UsageTest : public testing::TestWithParam<BadUsage> {};
 

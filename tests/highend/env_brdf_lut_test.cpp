@@ -110,8 +110,8 @@ TEST_P(EnvBrdfLut, holdsShares) {
 
 INSTANTIATE_TEST_SUITE_P(BothTerms, EnvBrdfLut,
                          testing::Values(GeometryTerm::heightCorrelated, GeometryTerm::schlickSmith),
-                         [](const auto& info) {
-                           return info.param == GeometryTerm::heightCorrelated ? "heightCorrelated" : "schlickSmith";
+                         [](const auto& which) {
+                           return which.param == GeometryTerm::heightCorrelated ? "heightCorrelated" : "schlickSmith";
                          });
 
 } // namespace

@@ -1,8 +1,10 @@
-// The Vulkan device of the GPU tests: under the validation layers, each of whose messages fails the test.
+// The Vulkan device of the GPU tests: under the validation layers, each of whose messages fails the test. The software
+// device, unless the environment variable PARITY_TEST_DEVICE names another.
 #pragma once
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <memory>
 
 #include "base/error.h"
@@ -15,7 +17,8 @@ class DeviceTest : public testing::Test {
 protected:
   void SetUp() override {
     if (gpu::listDevices({}).empty()) GTEST_SKIP() << "no Vulkan device";
-    m_device = std::make_unique<gpu::Device>(gpu::DeviceOptions{.name = "", .validation = true});
+    const char* name = std::getenv("PARITY_TEST_DEVICE");
+    m_device = std::make_unique<gpu::Device>(gpu::DeviceOptions{.name = name ? name : "", .validation = true});
   }
   void TearDown() override {
     if (m_device) {
