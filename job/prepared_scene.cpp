@@ -29,15 +29,14 @@ bool givesLight(const scenes::Material& m) {
 }
 
 // Black pictures are alike by any metric: a scene that nothing lights is refused, not passed.
-void requireLight(PreparedScene& prepared) {
+void requireLight(PreparedScene& prepared, const std::string& file) {
   const bool lit =
       prepared.environment || std::any_of(prepared.lights.begin(), prepared.lights.end(), [](const scenes::Light& l) {
         return std::max({l.color.x, l.color.y, l.color.z}) > 0;
       });
   if (lit) return;
   if (std::none_of(prepared.scene.materials.begin(), prepared.scene.materials.end(), givesLight))
-    throw base::fileError(prepared.scene.name, "light",
-                          "the scene has neither light nor environment; give --env or --sun");
+    throw base::fileError(file, "light", "the scene has neither light nor environment; give --env or --sun");
   prepared.scene.warnings.emplace_back("no light and no environment: only emissive and unlit materials are seen");
 }
 
@@ -87,7 +86,7 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request) {
   }
   applyFullyRough(scene, request.fullyRough);
   applyFullyRough(scene, context.settings().fullyRough);
-  requireLight(prepared);
+  requireLight(prepared, request.scene);
   return prepared;
 }
 

@@ -84,7 +84,8 @@ TEST_F(BadLightTest, WarningsOfAScenePassIntoItsReport) {
 
 TEST_F(BadLightTest, SceneWithNeitherLightNorEnvironmentIsRefused) {
   const std::string scene = writeExternal(m_folder, makeQuad());
-  expectRefused(runParity(join({{"diff", scene}, kSmall})), 4, {"scene", "neither light nor environment", "--env"});
+  expectRefused(runParity(join({{"diff", scene}, kSmall})), 4,
+                {"scene.gltf", "neither light nor environment", "--env"});
   expectRefused(runParity(join({{"diff", scene, "--sun", "0,45,0"}, kSmall})), 4, {"neither light nor environment"});
 }
 

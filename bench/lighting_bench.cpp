@@ -1,0 +1,33 @@
+// Prefiltering an environment and tabulating the environment BRDF: what a first run pays.
+#include <benchmark/benchmark.h>
+
+#include "highend/env_brdf_lut.h"
+#include "lighting/environment_light.h"
+#include "scenes/builtin.h"
+
+namespace {
+
+using namespace parity;
+
+void prefilterEnvironment(benchmark::State& state) {
+  const scenes::Environment environment = scenes::makeBuiltinEnvironment("studio");
+  const lighting::PrefilterOptions options{.faceSize = static_cast<int>(state.range(0)),
+                                           .sampleCount = static_cast<int>(state.range(1))};
+  for (auto _ : state) benchmark::DoNotOptimize(lighting::makeEnvironmentLight(environment, options));
+}
+BENCHMARK(prefilterEnvironment)
+    ->Args({128, 128})
+    ->Args({256, 64})
+    ->Args({256, 128})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+void tabulateEnvironmentBrdf(benchmark::State& state) {
+  const auto term = state.range(0) == 0 ? highend::GeometryTerm::heightCorrelated : highend::GeometryTerm::schlickSmith;
+  for (auto _ : state) benchmark::DoNotOptimize(highend::makeEnvBrdfLut(term));
+}
+BENCHMARK(tabulateEnvironmentBrdf)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+} // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,214 @@
+// The prefiltered cube and the SH irradiance against closed forms and a brute-force integral.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "lighting/cube.h"
+#include "lighting/environment_light.h"
+#include "lighting/equirect.h"
+#include "shading/shading.h"
+
+namespace parity::lighting {
+namespace {
+
+namespace f64 = shading::f64;
+constexpr double kPi = std::numbers::pi;
+
+// A panorama of a function of direction.
+scenes::Environment makeEnvironment(int width, const std::function<glm::dvec3(const glm::dvec3&)>& radiance) {
+  scenes::Environment environment;
+  environment.name = "test";
+  environment.radiance = base::Image(width, width / 2, 3);
+  for (int y = 0; y < width / 2; ++y)
+    for (int x = 0; x < width; ++x) {
+      // u = atan2(z, x) / 2pi + 0.5, v from +Y down (DESIGN 8).
+      const double azimuth = ((x + 0.5) / width - 0.5) * 2 * kPi, polar = (y + 0.5) / (width / 2) * kPi;
+      const glm::dvec3 d(std::sin(polar) * std::cos(azimuth), std::cos(polar), std::sin(polar) * std::sin(azimuth));
+      const glm::dvec3 l = radiance(d);
+      for (int c = 0; c < 3; ++c) environment.radiance.at(x, y)[c] = static_cast<float>(l[c]);
+    }
+  return environment;
+}
+
+glm::dvec3 irradiance(const EnvironmentLight& light, const glm::dvec3& n) {
+  f64::IrradianceSh sh;
+  for (int i = 0; i < 9; ++i)
+    sh.c[i] = f64::real3(light.irradianceSh[i].x, light.irradianceSh[i].y, light.irradianceSh[i].z);
+  const f64::real3 e = f64::evalIrradianceSH(sh, f64::real3(n.x, n.y, n.z));
+  return {e.x, e.y, e.z};
+}
+
+const glm::vec4& texelAt(const EnvironmentLight& light, int mip, const glm::dvec3& direction) {
+  const int n = light.prefiltered.faceSize >> mip;
+  const FacePoint p = facePointOf(direction);
+  const auto index = [&](double s) { return std::clamp(static_cast<int>((s + 1) / 2 * n), 0, n - 1); };
+  return light.prefiltered.mips[mip][texelIndex(p.face, index(p.s), index(p.t), n)];
+}
+
+constexpr PrefilterOptions kSmall{.faceSize = 64, .sampleCount = 128};
+
+TEST(EnvironmentLight, ofAConstantSkyIsThatConstantInEveryMipAndPiTimesItAsIrradiance) {
+  const EnvironmentLight light =
+      makeEnvironmentLight(makeEnvironment(128, [](const auto&) { return glm::dvec3(0.25, 1, 40); }), kSmall);
+  ASSERT_EQ(light.prefiltered.mips.size(), 6u);
+  for (const auto& mip : light.prefiltered.mips)
+    for (const glm::vec4& texel : mip) {
+      ASSERT_NEAR(texel.x, 0.25, 0.25e-5);
+      ASSERT_NEAR(texel.y, 1, 1e-5);
+      ASSERT_NEAR(texel.z, 40, 40e-5);
+      ASSERT_EQ(texel.w, 1);
+    }
+  for (const glm::dvec3& n : {glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::normalize(glm::dvec3(1, 2, -3))})
+    EXPECT_NEAR(irradiance(light, n).y, kPi, 1e-4);
+}
+
+TEST(EnvironmentLight, ofALinearGradientHasTheClosedFormIrradiance) {
+  const glm::dvec3 g(0.3, -0.5, 0.2);
+  const EnvironmentLight light =
+      makeEnvironmentLight(makeEnvironment(256, [&](const auto& d) { return glm::dvec3(1 + glm::dot(g, d)); }), kSmall);
+  // integral (1 + g.l) max(n.l, 0) dl = pi + 2 pi/3 g.n
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 20; ++i) {
+    const glm::dvec3 n = glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
+    EXPECT_NEAR(irradiance(light, n).x, kPi + 2 * kPi / 3 * glm::dot(g, n), 2e-3);
+  }
+}
+
+TEST(EnvironmentLight, putsEachDirectionOfThePanoramaAtItsAxis) {
+  // Red grows towards +X, green towards +Y, blue towards +Z.
+  const EnvironmentLight light =
+      makeEnvironmentLight(makeEnvironment(256, [](const auto& d) { return glm::max(d, 0.0); }), kSmall);
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 d(0);
+    d[axis] = 1;
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(texelAt(light, 0, d)[c], c == axis ? 1 : 0, 0.02) << "axis " << axis;
+      EXPECT_NEAR(texelAt(light, 0, -d)[c], 0, 0.02) << "axis " << axis;
+    }
+  }
+}
+
+TEST(EnvironmentLight, turnsWithTheRotationAsGlmRotateDoes) {
+  scenes::Environment environment = makeEnvironment(256, [](const auto& d) { return glm::max(d, 0.0); });
+  environment.rotationDeg = 90; // +Z goes to +X
+  const EnvironmentLight light = makeEnvironmentLight(environment, kSmall);
+  EXPECT_NEAR(texelAt(light, 0, {1, 0, 0}).z, 1, 0.02);
+  EXPECT_NEAR(texelAt(light, 0, {0, 0, -1}).x, 1, 0.02);
+  EXPECT_NEAR(texelAt(light, 0, {0, 1, 0}).y, 1, 0.02);
+}
+
+TEST(EnvironmentLight, keepsTheEnergyOfASingleBrightTexelAnywhere) {
+  for (const auto& [x, y] : {std::pair(300, 100), std::pair(17, 255), std::pair(511, 3), std::pair(200, 1)}) {
+    scenes::Environment environment = makeEnvironment(1024, [](const auto&) { return glm::dvec3(0); });
+    environment.radiance.at(x, y)[1] = 68000;
+    const std::vector<glm::vec4> cube = resampleEquirect(environment, 256);
+    const std::vector<double> solidAngles = texelSolidAngles(256);
+    double energy = 0;
+    for (std::size_t i = 0; i < cube.size(); ++i) energy += solidAngles[i % solidAngles.size()] * cube[i].y;
+    const double truth = 68000 * (2 * kPi / 1024) * (std::cos(kPi * y / 512) - std::cos(kPi * (y + 1) / 512));
+    EXPECT_NEAR(energy / truth, 1, 1e-3) << x << ", " << y;
+  }
+}
+
+TEST(EnvironmentLight, mipsAreTheGgxLobesOfTheirRoughness) {
+  const auto radiance = [](const glm::dvec3& d) { return glm::dvec3(1 + 0.8 * d.x, 0.2 + d.y * d.y, std::exp(d.z)); };
+  const EnvironmentLight light =
+      makeEnvironmentLight(makeEnvironment(512, radiance), {.faceSize = 128, .sampleCount = 128});
+  for (int mip = 1; mip <= f64::kPrefilterRoughestMip; ++mip) {
+    const double alpha = std::pow(f64::roughnessFromMip(mip), 2);
+    const int n = 128 >> mip;
+    for (const auto& [face, x, y] : {std::tuple(0, 0, 0), std::tuple(2, n / 2, 1), std::tuple(5, n - 1, n / 2)}) {
+      const glm::dvec3 N = texelDirection(face, x, y, n);
+      const glm::dvec3 T = glm::normalize(
+                           glm::cross(N, std::abs(N.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0))),
+                       B = glm::cross(N, T);
+      // integral L D(h) n.l dl / integral D(h) n.l dl by the midpoint rule in (theta, phi), theta stretched to the
+      // lobe.
+      glm::dvec3 sum(0);
+      double weights = 0;
+      for (int i = 0; i < 400; ++i) {
+        const double s = (i + 0.5) / 400 * std::atan(1 / alpha * std::tan(kPi / 4)), tanH = alpha * std::tan(s),
+                     theta = 2 * std::atan(tanH);
+        const double dTheta = 2 * alpha / (std::cos(s) * std::cos(s)) / (1 + tanH * tanH);
+        const double weight = f64::D_GGX(alpha, std::cos(theta / 2)) * std::cos(theta) * std::sin(theta) * dTheta;
+        if (weight <= 0) continue;
+        for (int j = 0; j < 64; ++j) {
+          const double phi = 2 * kPi * (j + 0.5) / 64;
+          sum += weight * radiance(std::sin(theta) * (std::cos(phi) * T + std::sin(phi) * B) + std::cos(theta) * N);
+          weights += weight;
+        }
+      }
+      const glm::dvec3 expected = sum / weights;
+      const glm::vec4& actual = light.prefiltered.mips[mip][texelIndex(face, x, y, n)];
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(actual[c], expected[c], 0.01 * expected[c])
+            << "mip " << mip << " face " << face << " channel " << c;
+    }
+  }
+}
+
+TEST(EnvironmentLight, hasNoSeamsBetweenFaces) {
+  const EnvironmentLight light =
+      makeEnvironmentLight(makeEnvironment(256, [](const auto& d) { return glm::dvec3(2 + d.x + d.y * d.z); }), kSmall);
+  for (int mip = 0; mip <= f64::kPrefilterRoughestMip; ++mip) {
+    const int n = 64 >> mip;
+    // Texels on both sides of an edge are one texel apart: they differ no more than neighbours within a face do.
+    const double step = 2.5 * 2.0 / n; // largest gradient of the function times the width of a texel
+    for (int face = 0; face < 6; ++face)
+      for (int i = 0; i < n; ++i)
+        for (const auto& [x, y] : {std::pair(0, i), std::pair(n - 1, i), std::pair(i, 0), std::pair(i, n - 1)}) {
+          const double s = texelCenter(x, n), t = texelCenter(y, n), out = 1 + 1.0 / n;
+          // The point as far beyond the edge as this texel's middle lies before it.
+          FacePoint beyond{face, s, t};
+          if (x == 0) beyond.s = -out;
+          if (x == n - 1) beyond.s = out;
+          if (beyond.s == s) beyond.t = y == 0 ? -out : out;
+          const float here = light.prefiltered.mips[mip][texelIndex(face, x, y, n)].x,
+                      there = texelAt(light, mip, directionOf(beyond)).x;
+          ASSERT_LE(std::abs(here - there), step) << "mip " << mip << " face " << face << " texel " << x << "," << y;
+        }
+  }
+}
+
+TEST(EnvironmentLight, staysFiniteUnderASunBeyondHalfFloats) {
+  scenes::Environment environment = makeEnvironment(256, [](const auto&) { return glm::dvec3(1); });
+  for (int c = 0; c < 3; ++c) environment.radiance.at(100, 40)[c] = 3e38f;
+  const EnvironmentLight light = makeEnvironmentLight(environment, kSmall);
+  for (const auto& mip : light.prefiltered.mips)
+    for (const glm::vec4& texel : mip) ASSERT_TRUE(std::isfinite(texel.x) && texel.x >= 0);
+  EXPECT_TRUE(std::isfinite(light.irradianceSh[0].x));
+}
+
+TEST(EnvironmentLight, isBitIdenticalForAnyNumberOfThreads) {
+  const scenes::Environment environment =
+      makeEnvironment(128, [](const auto& d) { return glm::dvec3(1 + d.x, 2 + d.y, std::exp(3 * d.z)); });
+  const auto all = toBytes(makeEnvironmentLight(environment, kSmall));
+  const base::ThreadLimit one(1);
+  EXPECT_EQ(toBytes(makeEnvironmentLight(environment, kSmall)), all);
+}
+
+TEST(EnvironmentLight, comesBackFromItsBytesAndRefusesDamagedOnes) {
+  const EnvironmentLight light = makeEnvironmentLight(
+      makeEnvironment(64, [](const auto& d) { return glm::dvec3(1 + d.x); }), {.faceSize = 64, .sampleCount = 16});
+  std::vector<std::byte> bytes = toBytes(light);
+  const EnvironmentLight back = environmentLightFromBytes(bytes);
+  EXPECT_EQ(back.prefiltered.faceSize, 64);
+  EXPECT_EQ(back.prefiltered.mips, light.prefiltered.mips);
+  EXPECT_EQ(back.irradianceSh, light.irradianceSh);
+  for (const std::size_t size : {std::size_t{0}, std::size_t{5}, bytes.size() / 2, bytes.size() - 1})
+    EXPECT_THROW(environmentLightFromBytes(std::span(bytes).first(size)), base::Error) << size;
+  bytes.push_back(std::byte{0});
+  EXPECT_THROW(environmentLightFromBytes(bytes), base::Error);
+  bytes.pop_back();
+  bytes[0] ^= std::byte{1};
+  EXPECT_THROW(environmentLightFromBytes(bytes), base::Error);
+}
+
+} // namespace
+} // namespace parity::lighting
