@@ -105,7 +105,8 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->capture_default_str();
   app.add_option("--orbit", raw.orbit, "THETA,PHI,RADIUS: degrees, metres (radius 0 fits the scene)")->group("View");
   app.add_option("--target", raw.target, "X,Y,Z to look at, metres. Default: the centre of the scene")->group("View");
-  app.add_option("--fov", common.view.fovYDeg, "Vertical field of view, degrees")
+  app.add_option("--fov", common.view.fovYDeg,
+                 "Vertical field of view of an orbit or automatic camera, degrees; a scene's own camera keeps its own")
       ->check(within(1, 170))
       ->group("View")
       ->capture_default_str();
@@ -224,6 +225,9 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
                      "Also measure the terms (sun, sky, lights... diffuse and specular)");
   reportApp.add_option("--json", report.common.json, "Also write report.json there; - for stdout");
   addCommonOptions(reportApp, report.common, raw);
+  // A suite says for itself how each scene is lit and seen.
+  for (const char* option : {"--env", "--env-rotation", "--sun", "--camera", "--orbit", "--target", "--fov"})
+    suite->excludes(reportApp.get_option(option));
 
   DiffCommand diff;
   CLI::App& diffApp = *app.add_subcommand("diff", "Compare one scene and print a table, one row a material");

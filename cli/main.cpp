@@ -1,7 +1,10 @@
 // parity: one line of error and the exit code of DESIGN 8, whatever happens.
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <string_view>
 
 #include "base/error.h"
 #include "base/log.h"
@@ -9,11 +12,28 @@
 
 namespace {
 
-// As the user wrote it, program name without its folder: for run.json.
+// As a shell would take it again, program name without its folder: for run.json.
 std::string joinCommandLine(int argc, char** argv) {
   std::string line = "parity";
-  for (int i = 1; i < argc; ++i) line += std::string(" ") + argv[i];
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view argument = argv[i];
+    line += ' ';
+    if (!argument.empty() && argument.find_first_of(" \t\n'\"$`\\*?[]()<>|&;#~!") == std::string_view::npos) {
+      line += argument;
+      continue;
+    }
+    line += '\'';
+    for (const char c : argument) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += '\'';
+  }
   return line;
+}
+
+// What was printed has to have arrived (exit 4), except where the reader has gone, as a pager does.
+void requireStdoutWritten() {
+  errno = 0;
+  if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && errno != EPIPE)
+    throw parity::base::fileError("stdout", "", "could not be written");
 }
 
 template <typename... F> struct Overloaded : F... { using F::operator()...; };
@@ -39,7 +59,9 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN); // a closed pager is not a crash
   try {
-    return run(argc, argv);
+    const int exitCode = run(argc, argv);
+    requireStdoutWritten();
+    return exitCode;
   } catch (const parity::base::Error& error) {
     parity::base::logError(error.what());
     return static_cast<int>(error.code());

@@ -1,4 +1,6 @@
 // parity render: one scene by one path, with its terms on request.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -8,6 +10,8 @@
 #include "cli/invocation.h"
 #include "cli/output.h"
 #include "cli/requests.h"
+#include "compare/metrics.h"
+#include "job/displayed.h"
 #include "job/scene_renderer.h"
 #include "scenes/view.h"
 #include "shading/terms.h"
@@ -51,8 +55,11 @@ int runRenderCommand(const RenderCommand& command) {
   const job::ViewFrames frames = renderer.render(scenes::makeCamera(prepared.scene, request.views.front(), aspect));
   const base::Frame& frame = highend ? frames.highend : frames.mobile;
 
+  if (const compare::NonFinite bad = compare::countNonFinite(frame.color); bad.count > 0)
+    base::logWarning(fmt::format("{} of {} pixels are NaN or infinite, the first at x {}, y {}", bad.count,
+                                 frame.color.pixelCount(), bad.x, bad.y));
   if (extension == ".png") {
-    base::writeImage(command.output, context.display().apply(frame.color, settings.exposureEv));
+    base::writeImage8(command.output, job::displayImage(frame.color, context.display(), settings.exposureEv).pixels);
   } else if (settings.terms) {
     base::WriteOptions options;
     const base::Image image = layers(frame, options.channelNames);

@@ -3,13 +3,12 @@
 #include <dlfcn.h>
 
 #include <algorithm>
-#include <cctype>
 #include <mutex>
-#include <optional>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "gpu/device_choice.h"
 
 namespace parity::gpu {
 
@@ -32,116 +31,6 @@ vk::raii::Context makeContext() {
   } catch (const std::exception&) {
     throw deviceError("loader", "libvulkan.so.1 is not installed: 'apt-get install libvulkan1 mesa-vulkan-drivers'");
   }
-}
-
-std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
-const char* kindName(vk::PhysicalDeviceType type) {
-  switch (type) {
-  case vk::PhysicalDeviceType::eCpu:
-    return "cpu";
-  case vk::PhysicalDeviceType::eDiscreteGpu:
-    return "discrete";
-  case vk::PhysicalDeviceType::eIntegratedGpu:
-    return "integrated";
-  case vk::PhysicalDeviceType::eVirtualGpu:
-    return "virtual";
-  default:
-    return "other";
-  }
-}
-
-std::optional<std::uint32_t> queueFamily(const vk::raii::PhysicalDevice& device) {
-  const auto families = device.getQueueFamilyProperties();
-  constexpr auto wanted = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
-  for (std::uint32_t i = 0; i < families.size(); ++i)
-    if ((families[i].queueFlags & wanted) == wanted) return i;
-  return std::nullopt;
-}
-
-// Why the device cannot be used; empty where it can.
-std::string refusal(const vk::raii::PhysicalDevice& device) {
-  const auto properties = device.getProperties();
-  if (properties.apiVersion < VK_API_VERSION_1_3)
-    return fmt::format("Vulkan {}.{} only, 1.3 is needed", VK_API_VERSION_MAJOR(properties.apiVersion),
-                       VK_API_VERSION_MINOR(properties.apiVersion));
-  if (!queueFamily(device)) return "no queue with graphics and compute";
-  const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features>();
-  if (!features.get<vk::PhysicalDeviceFeatures2>().features.geometryShader)
-    return "no primitive ids in fragment shaders";
-  if (!features.get<vk::PhysicalDeviceVulkan13Features>().dynamicRendering) return "no dynamic rendering";
-  if (properties.limits.maxPerStageDescriptorStorageBuffers < 20)
-    return fmt::format("{} storage buffers a stage, 20 are needed",
-                       properties.limits.maxPerStageDescriptorStorageBuffers);
-  return {};
-}
-
-DeviceReport describe(const vk::raii::PhysicalDevice& device) {
-  const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
-  const auto& properties = chain.get<vk::PhysicalDeviceProperties2>().properties;
-  const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
-  const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
-                                            vk::PhysicalDeviceVulkan11Features>();
-  DeviceReport report;
-  report.name = properties.deviceName.data();
-  report.driver = fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
-  report.kind = kindName(properties.deviceType);
-  report.apiVersion =
-      fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(properties.apiVersion), VK_API_VERSION_MINOR(properties.apiVersion),
-                  VK_API_VERSION_PATCH(properties.apiVersion));
-  report.float16 = features.get<vk::PhysicalDeviceVulkan12Features>().shaderFloat16 &&
-                   features.get<vk::PhysicalDeviceVulkan11Features>().storageBuffer16BitAccess;
-  return report;
-}
-
-// Names the choice among usable devices: the one that the user names, else lavapipe, else another software device.
-// Hardware is taken only by name: pictures of software devices are the same on every machine, and so are the goldens.
-int choose(const std::vector<DeviceReport>& reports, const std::vector<std::string>& refusals,
-           const std::string& name) {
-  int best = -1, bestRank = 0;
-  for (std::size_t i = 0; i < reports.size(); ++i) {
-    if (!refusals[i].empty()) continue;
-    int rank = 0;
-    if (!name.empty())
-      rank = name == std::to_string(i) || lowered(reports[i].name).find(lowered(name)) != std::string::npos ? 3 : 0;
-    else if (reports[i].kind == "cpu")
-      rank = lowered(reports[i].name).find("llvmpipe") != std::string::npos ? 2 : 1;
-    if (rank > bestRank) best = static_cast<int>(i), bestRank = rank;
-  }
-  return best;
-}
-
-struct Choice {
-  std::vector<DeviceReport> reports;
-  int taken = -1;
-};
-
-Choice chooseDevice(const std::vector<vk::raii::PhysicalDevice>& devices, const DeviceOptions& options) {
-  Choice choice;
-  std::vector<std::string> refusals;
-  for (const auto& device : devices) {
-    choice.reports.push_back(describe(device));
-    refusals.push_back(refusal(device));
-  }
-  choice.taken = choose(choice.reports, refusals, options.name);
-  for (std::size_t i = 0; i < devices.size(); ++i) {
-    DeviceReport& report = choice.reports[i];
-    report.taken = static_cast<int>(i) == choice.taken;
-    if (!refusals[i].empty())
-      report.reason = "refused: " + refusals[i];
-    else if (report.taken)
-      report.reason = options.name.empty() ? "taken: the software device is the default, its pictures are reproducible"
-                                           : fmt::format("taken: named by '{}'", options.name);
-    else if (!options.name.empty())
-      report.reason = fmt::format("not taken: '{}' names another", options.name);
-    else
-      report.reason = report.kind == "cpu" ? "not taken: lavapipe goes first"
-                                           : "not taken: hardware is used only where --device names it";
-  }
-  return choice;
 }
 
 vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validation) {
@@ -204,14 +93,13 @@ Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messa
   }
 
   std::vector<vk::raii::PhysicalDevice> devices = m_instance.enumeratePhysicalDevices();
-  const Choice choice = chooseDevice(devices, options);
+  const DeviceChoice choice = chooseDevice(devices, options);
   if (choice.taken < 0) {
     std::string reasons;
     for (const DeviceReport& report : choice.reports) reasons += fmt::format("; {}: {}", report.name, report.reason);
     const std::string wanted =
         options.name.empty() ? "no software device" : fmt::format("no device named '{}'", options.name);
-    throw deviceError("device",
-                      wanted + (reasons.empty() ? fmt::format(", no driver found; {}", kInstallDriver) : reasons));
+    throw deviceError("device", wanted + reasons + (options.name.empty() ? fmt::format("; {}", kInstallDriver) : ""));
   }
   m_physical = std::move(devices[choice.taken]);
   m_report = choice.reports[choice.taken];
@@ -222,7 +110,7 @@ Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messa
   for (std::uint32_t i = 0; i < m_memory.memoryTypeCount; ++i)
     m_unifiedMemory |= (m_memory.memoryTypes[i].propertyFlags & unified) == unified;
 
-  m_queueFamily = *queueFamily(m_physical);
+  m_queueFamily = *graphicsQueueFamily(m_physical);
   m_timestampBits = m_physical.getQueueFamilyProperties()[m_queueFamily].timestampValidBits;
   const float priority = 1;
   const vk::DeviceQueueCreateInfo queue({}, m_queueFamily, 1, &priority);
@@ -271,6 +159,10 @@ void Device::submit(const std::string& stage, const std::function<void(const vk:
     commands.writeTimestamp2(vk::PipelineStageFlagBits2::eTopOfPipe, *m_queries, 0);
   }
   record(commands);
+  // A fence does not make the device's writes visible to the host; this does.
+  const vk::MemoryBarrier2 toHost(vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryWrite,
+                                  vk::PipelineStageFlagBits2::eHost, vk::AccessFlagBits2::eHostRead);
+  commands.pipelineBarrier2(vk::DependencyInfo({}, toHost));
   if (m_timestampBits > 0) commands.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *m_queries, 1);
   commands.end();
   checkValidation();

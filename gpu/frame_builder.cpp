@@ -1,6 +1,9 @@
 #include "gpu/frame_builder.h"
 
 #include <algorithm>
+#include <cassert>
+#include <limits>
+#include <tuple>
 
 #include "base/parallel.h"
 #include "shading/terms.h"
@@ -11,13 +14,15 @@ namespace {
 
 constexpr std::size_t kGrain = 16384;
 
-// target[pixel] = target[pixel] * keep + value * weight, over the entries of a surface.
-void blendInto(base::Image& target, const Surface& surface, const std::vector<glm::vec4>& values,
-               const auto& weightOf) {
+// target = value * weight + target * keep at the pixels of a surface; target begins at the tile's first pixel.
+// weightsOf: entry -> (keep, weight).
+void composite(float* target, std::size_t firstPixel, const Surface& surface, const std::vector<glm::vec4>& values,
+               const auto& weightsOf) {
   base::parallelFor(surface.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      float* out = target.pixels.data() + std::size_t{surface.pixels[i]} * 3;
-      const auto [keep, weight] = weightOf(i);
+      float* out = target + (surface.pixels[i] - firstPixel) * 3;
+      const auto [keep, weight] = weightsOf(i);
+      // What is hidden wholly is replaced, not multiplied by 0: it may be NaN.
       for (int c = 0; c < 3; ++c) out[c] = (keep == 0 ? 0 : out[c] * keep) + values[i][c] * weight;
     }
   });
@@ -27,7 +32,7 @@ void blendInto(base::Image& target, const Surface& surface, const std::vector<gl
 
 FrameBuilder::FrameBuilder(std::uint32_t width, std::uint32_t height, int samples, bool terms,
                            const glm::vec3& background)
-    : m_weight(1.f / static_cast<float>(samples)), m_background(background) {
+    : m_samples(samples), m_background(background) {
   const int w = static_cast<int>(width), h = static_cast<int>(height);
   m_frame.color = base::Image(w, h, 3);
   if (terms) m_frame.terms.assign(shading::kTermCount, base::Image(w, h, 3));
@@ -35,75 +40,116 @@ FrameBuilder::FrameBuilder(std::uint32_t width, std::uint32_t height, int sample
 
 void FrameBuilder::add(const Surface& opaque, const ShadedSurface& opaqueShaded, const Surface* blended,
                        const ShadedSurface* blendedShaded, const Tile& tile) {
-  // This sample's picture of the tile, then its share of the frame.
-  const std::size_t first = std::size_t{tile.firstRow} * opaque.width, count = std::size_t{tile.rows} * opaque.width;
-  const auto sampleInto = [&](base::Image& sum, const glm::vec3& behind, const std::vector<glm::vec4>* surface,
-                              const std::vector<glm::vec4>* layer) {
-    const bool single = m_weight == 1.f;
-    base::Image sample;
-    if (!single) sample = base::Image(sum.width, sum.height, 3);
-    base::Image& target = single ? sum : sample;
-    for (std::size_t p = first; p < first + count; ++p)
-      for (int c = 0; c < 3; ++c) target.pixels[p * 3 + c] = behind[c];
-    if (surface) blendInto(target, opaque, *surface, [](std::size_t) { return std::pair(0.f, 1.f); });
-    if (layer)
-      blendInto(target, *blended, *layer,
-                [&](std::size_t i) { return std::pair(1 - blendedShaded->color[i].w, blendedShaded->color[i].w); });
-    if (!single)
-      for (std::size_t k = first * 3; k < (first + count) * 3; ++k) sum.pixels[k] += m_weight * sample.pixels[k];
-  };
+  assert((blended == nullptr) == (blendedShaded == nullptr));
+  const std::size_t firstPixel = std::size_t{tile.firstRow} * opaque.width,
+                    count = std::size_t{tile.rows} * opaque.width;
   const bool layered = blended != nullptr && blended->size() > 0;
-  sampleInto(m_frame.color, m_background, opaque.size() ? &opaqueShaded.color : nullptr,
-             layered ? &blendedShaded->color : nullptr);
+  m_scratch.resize(count * 3);
+
+  const auto addSample = [&](base::Image& sum, const glm::vec3& behind, const auto& planeOf) {
+    for (std::size_t p = 0; p < count; ++p)
+      for (int c = 0; c < 3; ++c) m_scratch[p * 3 + c] = behind[c];
+    if (opaque.size() > 0)
+      composite(m_scratch.data(), firstPixel, opaque, planeOf(opaqueShaded),
+                [](std::size_t) { return std::pair(0.f, 1.f); });
+    if (layered)
+      composite(m_scratch.data(), firstPixel, *blended, planeOf(*blendedShaded), [&](std::size_t i) {
+        const float opacity = blendedShaded->color[i].w;
+        return std::pair(1 - opacity, opacity);
+      });
+    float* out = sum.pixels.data() + firstPixel * 3;
+    for (std::size_t k = 0; k < count * 3; ++k) out[k] += m_scratch[k];
+  };
+  addSample(
+      m_frame.color, m_background, [](const ShadedSurface& s) -> const auto& { return s.color; });
   for (std::size_t t = 0; t < m_frame.terms.size(); ++t)
-    sampleInto(m_frame.terms[t], glm::vec3(0), opaque.size() ? &opaqueShaded.terms[t] : nullptr,
-               layered ? &blendedShaded->terms[t] : nullptr);
+    addSample(
+        m_frame.terms[t], glm::vec3(0), [t](const ShadedSurface& s) -> const auto& { return s.terms[t]; });
 }
 
-CoverageBuilder::CoverageBuilder(const SceneBuffers& scene, std::uint32_t width, std::uint32_t height, int samples)
-    : m_scene(scene), m_width(width), m_height(height), m_weight(1.f / static_cast<float>(samples)) {}
+base::Frame FrameBuilder::take() {
+  const auto divide = [&](base::Image& image) {
+    for (float& value : image.pixels) value /= static_cast<float>(m_samples);
+  };
+  if (m_samples > 1) {
+    divide(m_frame.color);
+    for (base::Image& term : m_frame.terms) divide(term);
+  }
+  return std::move(m_frame);
+}
 
-void CoverageBuilder::add(const Surface& opaque, const Surface* blended, const ShadedSurface* blendedShaded) {
-  const auto materialOf = [&](const Surface& s, std::size_t i) { return m_scene.materialOfInstance()[s.instances[i]]; };
-  std::vector<float> through;
-  if (blended && blended->size() > 0) {
-    through.assign(std::size_t{m_width} * m_height, 1.f);
+CoverageBuilder::CoverageBuilder(const SceneBuffers& scene, int samples) : m_scene(scene), m_samples(samples) {
+  for (const scenes::Material& material : scene.scene().materials) m_lists.push_back({material.name, {}, {}});
+}
+
+std::vector<CoverageBuilder::Hit> CoverageBuilder::hitsOf(const Surface& opaque, const Surface* blended,
+                                                          const ShadedSurface* blendedShaded, const Tile& tile) const {
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  struct Seen {
+    std::uint32_t opaque = kNone, layer = kNone;
+    float opacity = 0;
+  };
+  const std::uint32_t first = tile.firstRow * opaque.width;
+  std::vector<Seen> seen(std::size_t{tile.rows} * opaque.width);
+  const std::vector<std::uint32_t>& materialOf = m_scene.materialOfInstance();
+  for (std::size_t i = 0; i < opaque.size(); ++i)
+    seen[opaque.pixels[i] - first].opaque = materialOf[opaque.instances[i]];
+  if (blended)
     for (std::size_t i = 0; i < blended->size(); ++i) {
-      const float opacity = blendedShaded->color[i].w;
-      through[blended->pixels[i]] = 1 - opacity;
-      if (opacity > 0) m_hits.push_back({materialOf(*blended, i), blended->pixels[i], m_weight * opacity});
+      Seen& s = seen[blended->pixels[i] - first];
+      s.layer = materialOf[blended->instances[i]];
+      s.opacity = blendedShaded->color[i].w;
+    }
+  std::vector<Hit> hits;
+  for (std::size_t p = 0; p < seen.size(); ++p) {
+    const Seen& s = seen[p];
+    const auto pixel = static_cast<std::uint32_t>(p) + first;
+    const Hit behind{pixel, s.opaque, 1 - s.opacity}, layer{pixel, s.layer, s.opacity};
+    const bool hasBehind = s.opaque != kNone && behind.weight > 0, hasLayer = s.layer != kNone && layer.weight > 0;
+    if (hasBehind && (!hasLayer || s.opaque < s.layer)) hits.push_back(behind);
+    if (hasLayer) hits.push_back(layer);
+    if (hasBehind && hasLayer && s.opaque > s.layer) hits.push_back(behind);
+  }
+  return hits;
+}
+
+void CoverageBuilder::add(const Surface& opaque, const Surface* blended, const ShadedSurface* blendedShaded,
+                          const Tile& tile) {
+  assert((blended == nullptr) == (blendedShaded == nullptr));
+  const std::vector<Hit> hits = hitsOf(opaque, blended, blendedShaded, tile);
+  std::vector<Hit> merged;
+  merged.reserve(std::max(m_tile.size(), hits.size()));
+  auto a = m_tile.begin();
+  auto b = hits.begin();
+  const auto key = [](const Hit& h) { return std::tuple(h.pixel, h.material); };
+  while (a != m_tile.end() || b != hits.end()) {
+    if (b == hits.end() || (a != m_tile.end() && key(*a) < key(*b)))
+      merged.push_back(*a++);
+    else if (a == m_tile.end() || key(*b) < key(*a))
+      merged.push_back(*b++);
+    else {
+      merged.push_back({a->pixel, a->material, a->weight + b->weight});
+      ++a, ++b;
     }
   }
-  for (std::size_t i = 0; i < opaque.size(); ++i) {
-    const float weight = m_weight * (through.empty() ? 1.f : through[opaque.pixels[i]]);
-    if (weight > 0) m_hits.push_back({materialOf(opaque, i), opaque.pixels[i], weight});
+  m_tile = std::move(merged);
+  if (++m_samplesOfTile == m_samples) finishTile();
+}
+
+void CoverageBuilder::finishTile() {
+  for (const Hit& hit : m_tile) {
+    base::PixelList& list = m_lists[hit.material];
+    list.pixels.push_back(hit.pixel);
+    list.weights.push_back(std::min(hit.weight / static_cast<float>(m_samples), 1.f));
   }
+  m_tile.clear();
+  m_samplesOfTile = 0;
 }
 
 std::vector<base::PixelList> CoverageBuilder::take() {
-  // By material, then pixel, hits of one pixel in order of arrival; then hits of one pixel are added up.
-  const auto& materials = m_scene.scene().materials;
-  std::vector<std::vector<Hit>> byMaterial(materials.size());
-  for (const Hit& hit : m_hits) byMaterial[hit.material].push_back(hit);
-  m_hits.clear();
-  std::vector<base::PixelList> lists(materials.size());
-  base::parallelFor(materials.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t m = begin; m < end; ++m) {
-      base::PixelList& list = lists[m];
-      list.name = materials[m].name;
-      std::vector<Hit>& hits = byMaterial[m];
-      std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.pixel < b.pixel; });
-      for (const Hit& hit : hits) {
-        if (list.pixels.empty() || list.pixels.back() != hit.pixel) {
-          list.pixels.push_back(hit.pixel);
-          list.weights.push_back(0);
-        }
-        list.weights.back() = std::min(list.weights.back() + hit.weight, 1.f);
-      }
-      if (std::all_of(list.weights.begin(), list.weights.end(), [](float w) { return w == 1.f; })) list.weights.clear();
-    }
-  });
-  return lists;
+  for (base::PixelList& list : m_lists)
+    if (std::all_of(list.weights.begin(), list.weights.end(), [](float w) { return w == 1.f; })) list.weights.clear();
+  return std::move(m_lists);
 }
 
 } // namespace parity::gpu

@@ -1,5 +1,7 @@
 #include "gpu/image.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 
 namespace parity::gpu {
@@ -16,6 +18,12 @@ vk::ImageSubresourceRange wholeOf(const DeviceImage::Shape& shape) {
 } // namespace
 
 DeviceImage::DeviceImage(const Device& device, const Shape& shape) : m_shape(shape) {
+  const std::uint32_t side = std::max(shape.width, shape.height);
+  const auto& limits = device.properties().limits;
+  if (const std::uint32_t limit = shape.cube ? limits.maxImageDimensionCube : limits.maxImageDimension2D; side > limit)
+    throw base::Error(base::ExitCode::failed, device.report().name,
+                      "image of " + std::to_string(shape.width) + "x" + std::to_string(shape.height),
+                      "the device takes " + std::to_string(limit) + " pixels a side at most");
   vk::ImageCreateInfo info(shape.cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags{},
                            vk::ImageType::e2D, shape.format, vk::Extent3D(shape.width, shape.height, 1), shape.mips,
                            shape.cube ? 6 : 1, vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal, shape.usage);

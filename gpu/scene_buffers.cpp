@@ -124,7 +124,8 @@ SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene)
     for (int slot = 0; slot < kSlotCount; ++slot)
       anySecondUv |= slotOf(material, slot).present() && slotOf(material, slot).texCoord == 1;
   }
-  m_vertexData = (anyColors ? 1u : 0u) | (anyUvs ? 2u : 0u) | (anyTangents ? 4u : 0u) | (anySecondUv ? 8u : 0u);
+  m_vertexData = (anyColors ? kVertexColors : 0u) | (anyUvs ? kVertexUvs : 0u) | (anyTangents ? kVertexTangents : 0u) |
+                 (anySecondUv ? kVertexSecondUv : 0u);
 
   std::vector<glm::vec3> allPositions, allNormals;
   std::vector<glm::vec4> allTangents, allUvs, allColors;

@@ -29,7 +29,7 @@ public:
   const std::vector<MaterialClass>& classOfMaterial() const { return m_classOfMaterial; }
   // Material of each instance (that of its mesh).
   const std::vector<std::uint32_t>& materialOfInstance() const { return m_materialOfInstance; }
-  // Bit 0: some mesh has vertex colours, bit 1: uvs, bit 2: tangents, bit 3: a texture reads the second uv set.
+  // kVertex... bits of interface.h: what some mesh has.
   std::uint32_t vertexData() const { return m_vertexData; }
   // First index and base vertex of each mesh in the shared buffers.
   struct MeshRange {

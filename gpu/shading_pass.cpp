@@ -11,7 +11,6 @@ namespace parity::gpu {
 namespace {
 
 constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
-constexpr std::size_t kTermsInA = 5; // planes of the first term buffer: a buffer ends at 128 MiB
 
 struct Push {
   std::uint32_t first = 0, count = 0, planeSize = 0;
@@ -95,15 +94,14 @@ struct ShadingPass::Impl {
     return bindings;
   }
 
-  // Fixed by the first surface, scaled to what the whole run will shade; a class that shows up later gets a permutation
-  // wide enough for all classes of the scene.
+  // Fixed by the first surface, scaled to what the whole run will shade; classes of the scene that it does not show
+  // count as having no pixels, so that the shared permutation serves them too.
   void makePlan(const Surface& surface) {
     std::map<MaterialClass, std::uint64_t> pixels;
+    for (const BinKind& kind : kinds) pixels[kind.materialClass] = 0;
     for (const Bin& bin : surface.bins) pixels[kinds[bin.key].materialClass] += bin.count;
     const double scale =
-        surface.size() == 0
-            ? 1
-            : std::max(1.0, static_cast<double>(program.expectedPixels) / static_cast<double>(surface.size()));
+        std::max(1.0, static_cast<double>(program.expectedPixels) / static_cast<double>(surface.size()));
     std::vector<ClassPixels> classes;
     for (const auto& [c, count] : pixels)
       classes.push_back({c, static_cast<std::uint64_t>(static_cast<double>(count) * scale)});
@@ -111,18 +109,8 @@ struct ShadingPass::Impl {
     for (std::size_t i = 0; i < classes.size(); ++i) plan[classes[i].materialClass] = permutations[i];
   }
 
-  Permutation permutationFor(const MaterialClass& c) {
-    if (const auto found = plan.find(c); found != plan.end()) return found->second;
-    Permutation widest{0, 0, 0};
-    for (const BinKind& kind : kinds) {
-      widest.textures |= kind.materialClass.textures;
-      widest.mayFeatures |= kind.materialClass.features;
-    }
-    return plan[c] = widest;
-  }
-
   vk::Pipeline pipelineFor(const MaterialClass& c) {
-    const Permutation permutation = permutationFor(c);
+    const Permutation permutation = plan.at(c);
     const auto found = std::find(compiled.begin(), compiled.end(), permutation);
     if (found != compiled.end()) return *pipelines[static_cast<std::size_t>(found - compiled.begin())];
     std::vector<std::uint32_t> constants = {

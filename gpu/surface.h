@@ -19,8 +19,8 @@ struct Tile {
 inline constexpr std::uint32_t kMaxTilePixels = 1u << 20;
 std::vector<Tile> makeTiles(std::uint32_t width, std::uint32_t height);
 
-// Sample positions in a pixel, [0,1)^2: Hammersley points, each in the middle of its stratum; the centre for one
-// sample.
+// Sample positions in a pixel, count >= 1, [0,1)^2: Hammersley points, each in the middle of its stratum; the centre
+// for one sample.
 std::vector<glm::vec2> samplePositions(int count);
 
 // Which surfaces: the nearest opaque or alpha-masked ones, or the nearest blended ones in front of them.
@@ -28,10 +28,9 @@ enum class Layer { opaque, blended };
 
 struct Surface {
   std::uint32_t width = 0, height = 0; // of the whole picture
-  Layer layer = Layer::opaque;
   // Per entry, in bin order: pixel index y*width+x in the whole picture, and the instance seen there.
   std::vector<std::uint32_t> pixels, instances;
-  // Bin keys index classesAndSets of the pass that made this surface.
+  // Bin keys index SurfacePass::binKinds() of the pass that made this surface.
   std::vector<Bin> bins;
   Buffer position, normal, tangent, uv, uv0Derivatives, uv1Derivatives,
       color; // shaders/surface.glsl; one element where the scene has none

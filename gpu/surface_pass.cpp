@@ -222,11 +222,11 @@ void SurfacePass::Impl::resolveInto(Surface& surface, const scenes::Camera& came
   const auto make = [&](bool needed) { return Buffer(device, needed ? bytes : 0); };
   surface.position = make(true);
   surface.normal = make(true);
-  surface.color = make(data & 1u);
-  surface.uv = make(data & 2u);
-  surface.uv0Derivatives = make(data & 2u);
-  surface.uv1Derivatives = make(data & 2u);
-  surface.tangent = make(data & 4u);
+  surface.color = make(data & kVertexColors);
+  surface.uv = make(data & kVertexUvs);
+  surface.uv0Derivatives = make(data & kVertexUvs);
+  surface.uv1Derivatives = make(data & kVertexUvs);
+  surface.tangent = make(data & kVertexTangents);
   if (entries.empty()) return;
 
   const Buffer entryBuffer(device, entries);
@@ -270,7 +270,6 @@ Surface SurfacePass::render(const scenes::Camera& camera, const Tile& tile, cons
   Surface surface;
   surface.width = m_impl->width;
   surface.height = m_impl->height;
-  surface.layer = layer;
   surface.bins = std::move(bins.bins);
   std::vector<glm::uvec4> entries(bins.entries.size());
   surface.pixels.resize(entries.size());

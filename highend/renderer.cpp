@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "base/error.h"
 #include "highend_shaders/highend.comp.h"
 
 namespace parity::highend {
@@ -11,7 +12,11 @@ namespace {
 
 gpu::DeviceImage uploadLut(const gpu::Device& device, const base::Image& lut) {
   assert(lut.channels == 2);
-  const gpu::DeviceImage::Shape shape{.format = vk::Format::eR32G32Sfloat,
+  constexpr auto kFormat = vk::Format::eR32G32Sfloat;
+  if (!device.filtersLinearly(kFormat))
+    throw base::Error(base::ExitCode::failed, device.report().name, "environment BRDF table",
+                      "the device cannot filter 32-bit float textures");
+  const gpu::DeviceImage::Shape shape{.format = kFormat,
                                       .width = static_cast<std::uint32_t>(lut.width),
                                       .height = static_cast<std::uint32_t>(lut.height)};
   const std::span<const std::byte> mip = std::as_bytes(std::span{lut.pixels});
@@ -38,7 +43,9 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
     program.pathTexture = &m_lut;
   }
   program.environment = inputs.environment;
-  program.constants = {options.geometryTerm == GeometryTerm::heightCorrelated ? 0u : 1u, options.compensate ? 1u : 0u};
+  program.constants = {options.geometryTerm == GeometryTerm::heightCorrelated ? gpu::kGeometryHeightCorrelated
+                                                                              : gpu::kGeometrySchlickSmith,
+                       options.compensate ? 1u : 0u};
   program.terms = inputs.terms;
   program.expectedPixels = inputs.expectedPixels;
   m_pass = std::make_unique<gpu::ShadingPass>(device, scene, binKinds, std::move(program));

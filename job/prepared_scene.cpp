@@ -3,11 +3,14 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#define GLM_ENABLE_EXPERIMENTAL
+#include <glm/gtx/component_wise.hpp>
 
 #include "base/error.h"
 #include "base/glob.h"
 #include "base/parallel.h"
 #include "scenes/load.h"
+#include "scenes/names.h"
 
 namespace parity::job {
 
@@ -30,14 +33,17 @@ bool givesLight(const scenes::Material& m) {
 
 // Black pictures are alike by any metric: a scene that nothing lights is refused, not passed.
 void requireLight(PreparedScene& prepared, const std::string& file) {
-  const bool lit =
-      prepared.environment || std::any_of(prepared.lights.begin(), prepared.lights.end(), [](const scenes::Light& l) {
-        return std::max({l.color.x, l.color.y, l.color.z}) > 0;
-      });
+  // Band 0 of the irradiance is the environment's mean: a black one gives no light.
+  const bool sky = prepared.environment && glm::compMax(prepared.environment->irradianceSh[0]) > 0;
+  const bool lit = sky || std::any_of(prepared.lights.begin(), prepared.lights.end(), [](const scenes::Light& l) {
+                     return std::max({l.color.x, l.color.y, l.color.z}) > 0;
+                   });
   if (lit) return;
   if (std::none_of(prepared.scene.materials.begin(), prepared.scene.materials.end(), givesLight))
-    throw base::fileError(file, "light", "the scene has neither light nor environment; give --env or --sun");
-  prepared.scene.warnings.emplace_back("no light and no environment: only emissive and unlit materials are seen");
+    throw base::fileError(file, "light",
+                          "the scene has neither light nor environment (or a black one); give --env or --sun");
+  prepared.scene.warnings.emplace_back(
+      "no light and no environment (or a black one): only emissive and unlit materials are seen");
 }
 
 } // namespace
@@ -73,7 +79,7 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request) {
     prepared.environment = context.environmentLight(*environment);
   }
   if (!request.environment.empty())
-    prepared.environmentName = std::filesystem::path(request.environment).filename().string();
+    prepared.environmentName = scenes::cleanName(std::filesystem::path(request.environment).filename().string());
   else
     prepared.environmentName = environment ? environment->name : "none";
   scene.environment.reset(); // its pixels are not needed any more

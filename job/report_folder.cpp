@@ -41,6 +41,8 @@ std::string imagePrefix(std::size_t sceneIndex, const std::string& scene, std::s
 void prepareReportFolder(const std::filesystem::path& folder) {
   const std::filesystem::path images = folder / "images";
   std::error_code error;
+  if (std::filesystem::exists(folder / "index.html", error) && !std::filesystem::exists(folder / "report.json", error))
+    throw base::fileError(folder.string(), "index.html", "is not a report's: give another folder");
   std::filesystem::create_directories(images, error);
   if (error) throw base::fileError(folder.string(), "", "cannot be made a folder: " + error.message());
 

@@ -75,8 +75,9 @@ public:
     compare::SceneResult result;
     result.name = request.name;
     result.source = scenes::cleanName(std::filesystem::path(request.scene).filename().string());
-    result.environment =
-        request.environment.empty() ? "none" : std::filesystem::path(request.environment).filename().string();
+    result.environment = request.environment.empty()
+                             ? "none"
+                             : scenes::cleanName(std::filesystem::path(request.environment).filename().string());
     result.sun = "none";
     try {
       tell(index, 0, request.views.size(), "loading");

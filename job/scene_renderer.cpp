@@ -64,7 +64,8 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera) {
   const auto width = static_cast<std::uint32_t>(settings.width), height = static_cast<std::uint32_t>(settings.height);
   gpu::FrameBuilder highendFrame(width, height, settings.samples, settings.terms, settings.background);
   gpu::FrameBuilder mobileFrame = highendFrame;
-  gpu::CoverageBuilder coverage(m_buffers, width, height, settings.samples);
+  gpu::CoverageBuilder coverage(m_buffers, settings.samples);
+  const bool compared = m_highend && m_mobile; // masks are for comparing
 
   for (const gpu::Tile& tile : gpu::makeTiles(width, height))
     for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
@@ -74,24 +75,25 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera) {
         opaque = m_surfacePass.render(camera, tile, sample, gpu::Layer::opaque);
         if (m_surfacePass.hasBlended()) blended = m_surfacePass.render(camera, tile, sample, gpu::Layer::blended);
       }
-      gpu::ShadedSurface lastBlended;
+      const gpu::Surface* layer = m_surfacePass.hasBlended() ? &blended : nullptr;
+      gpu::ShadedSurface shadedLayer;
       const auto shadeBy = [&](const auto& renderer, gpu::FrameBuilder& frame, const char* stage) {
         const base::Stopwatch watch(&m_context.timings(), stage);
         const gpu::ShadedSurface shaded = renderer.shade(opaque, camera);
-        if (m_surfacePass.hasBlended()) lastBlended = renderer.shade(blended, camera);
-        frame.add(opaque, shaded, m_surfacePass.hasBlended() ? &blended : nullptr, &lastBlended, tile);
+        if (layer) shadedLayer = renderer.shade(blended, camera);
+        frame.add(opaque, shaded, layer, layer ? &shadedLayer : nullptr, tile);
       };
       if (m_highend) shadeBy(*m_highend, highendFrame, "shade highend");
       if (m_mobile) shadeBy(*m_mobile, mobileFrame, "shade mobile");
-      // Opacity is the same in every path: it comes from the shared material.
+      if (!compared) continue;
+      // The layer's opacity is the same in every path: it comes from the shared material.
       const base::Stopwatch watch(&m_context.timings(), "masks");
-      coverage.add(opaque, m_surfacePass.hasBlended() ? &blended : nullptr, &lastBlended);
+      coverage.add(opaque, layer, layer ? &shadedLayer : nullptr, tile);
     }
   ViewFrames frames;
   if (m_highend) frames.highend = highendFrame.take();
   if (m_mobile) frames.mobile = mobileFrame.take();
-  const base::Stopwatch watch(&m_context.timings(), "masks");
-  frames.coverage = coverage.take();
+  if (compared) frames.coverage = coverage.take();
   return frames;
 }
 

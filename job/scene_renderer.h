@@ -19,7 +19,7 @@ struct Paths {
 
 struct ViewFrames {
   base::Frame highend, mobile;           // empty where not asked for
-  std::vector<base::PixelList> coverage; // a list per material
+  std::vector<base::PixelList> coverage; // a list per material; empty unless both paths are asked for
 };
 
 class SceneRenderer {

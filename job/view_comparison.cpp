@@ -43,13 +43,17 @@ base::Image8 crop(const base::Image8& image, const Box& box) {
   return out;
 }
 
-base::PixelList allPixels(const std::vector<base::PixelList>& coverage, std::size_t pixelCount) {
+// The pixels of these materials together.
+base::PixelList allPixels(const std::vector<base::PixelList>& coverage, const std::vector<std::size_t>& materials,
+                          std::size_t pixelCount) {
   std::vector<float> weight(pixelCount, 0.f);
-  for (const base::PixelList& list : coverage)
+  for (const std::size_t m : materials) {
+    const base::PixelList& list = coverage[m];
     for (std::size_t i = 0; i < list.pixels.size(); ++i) {
       float& w = weight[list.pixels[i]];
       w = std::min(w + (list.weights.empty() ? 1.f : list.weights[i]), 1.f);
     }
+  }
   base::PixelList all{"all materials", {}, {}};
   for (std::size_t p = 0; p < pixelCount; ++p)
     if (weight[p] > 0) {
@@ -58,6 +62,20 @@ base::PixelList allPixels(const std::vector<base::PixelList>& coverage, std::siz
     }
   if (std::all_of(all.weights.begin(), all.weights.end(), [](float w) { return w == 1; })) all.weights.clear();
   return all;
+}
+
+// Whether all of the list is black in both pictures, or all of it white.
+bool isFlat(const base::Image8& reference, const base::Image8& test, const base::PixelList& list) {
+  if (list.pixels.empty()) return false;
+  const std::uint8_t value = reference.pixels[std::size_t{list.pixels.front()} * 3];
+  if (value != 0 && value != 255) return false;
+  return std::all_of(list.pixels.begin(), list.pixels.end(), [&](std::uint32_t p) {
+    const auto isValue = [&](const base::Image8& image) {
+      const std::uint8_t* rgb = image.pixels.data() + std::size_t{p} * 3;
+      return rgb[0] == value && rgb[1] == value && rgb[2] == value;
+    };
+    return isValue(reference) && isValue(test);
+  });
 }
 
 std::vector<std::string> materialNotes(const scenes::Material& m) {
@@ -118,8 +136,6 @@ compare::ViewResult compareView(Context& context, const scenes::Scene& scene, co
   view.height = settings.height;
   {
     const base::Stopwatch watch(&context.timings(), "figures");
-    const base::PixelList whole = allPixels(frames.coverage, flip.pixelCount());
-    view.whole = compare::measureRegion(reference.measured, test.measured, flip, whole);
     std::vector<std::size_t> chosen;
     for (std::size_t m = 0; m < frames.coverage.size(); ++m) {
       const auto& globs = settings.materials;
@@ -128,6 +144,9 @@ compare::ViewResult compareView(Context& context, const scenes::Scene& scene, co
           }))
         chosen.push_back(m);
     }
+    // With --material the whole is what was chosen, not what else is in the picture.
+    const base::PixelList whole = allPixels(frames.coverage, chosen, flip.pixelCount());
+    view.whole = compare::measureRegion(reference.measured, test.measured, flip, whole);
     view.materials.resize(chosen.size());
     base::parallelFor(chosen.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -136,6 +155,8 @@ compare::ViewResult compareView(Context& context, const scenes::Scene& scene, co
         material.name = scene.materials[chosen[i]].name;
         material.figures = compare::measureRegion(reference.measured, test.measured, flip, list);
         material.notes = materialNotes(scene.materials[chosen[i]]);
+        if (isFlat(reference.pixels, test.pixels, list))
+          material.notes.push_back("all black or all white in both pictures: there is nothing to compare");
         material.terms = termFigures(frames, list);
         compare::judgeMaterial(material, budgets, request.sceneName);
       }

@@ -133,13 +133,16 @@ template <typename Visit> void forEachColumn(const Panorama& p, double from, dou
 }
 
 // Column x of a side face, whose middle looks to `faceAzimuth`: its texels' borders lie at y = -t c / sqrt(1 + t^2 c^2)
-// with c = cos(azimuth - faceAzimuth). That is smooth in the azimuth, so two Gauss-Legendre nodes a part suffice.
+// with c = cos(azimuth - faceAzimuth). Where such a border crosses one of the panorama's rows, within a part, the
+// shares have a kink: six meridians a part meet a texel's share in another to 1e-3, and the energy to 1e-6.
 void gatherSideColumn(const Panorama& p, double faceAzimuth, int x, int n, std::vector<Gathered>& texels) {
   texels.assign(n, {});
   const auto azimuthOfEdge = [&](int i) { return faceAzimuth - std::atan(2.0 * i / n - 1); };
   forEachColumn(p, azimuthOfEdge(x + 1), azimuthOfEdge(x), [&](double azimuth, double width, const glm::vec3* column) {
-    for (const double node : {0.5 - 0.5 / std::numbers::sqrt3, 0.5 + 0.5 / std::numbers::sqrt3}) {
-      const double c = std::cos(azimuth + node * width - faceAzimuth);
+    constexpr int kMeridians = 6;
+    const double weight = width / kMeridians;
+    for (int meridian = 0; meridian < kMeridians; ++meridian) {
+      const double c = std::cos(azimuth + (meridian + 0.5) * weight - faceAzimuth);
       double y = c / std::sqrt(1 + c * c);
       int row =
           static_cast<int>(std::upper_bound(p.rowY.begin(), p.rowY.end(), y, std::greater<>()) - p.rowY.begin()) - 1;
@@ -147,10 +150,10 @@ void gatherSideColumn(const Panorama& p, double faceAzimuth, int x, int n, std::
         const double tc = (2.0 * (i + 1) / n - 1) * c;
         const double bottom = -tc / std::sqrt(1 + tc * tc);
         for (; p.rowY[row + 1] > bottom; ++row) {
-          texels[i].add(0.5 * width * (y - p.rowY[row + 1]), column[row]);
+          texels[i].add(weight * (y - p.rowY[row + 1]), column[row]);
           y = p.rowY[row + 1];
         }
-        texels[i].add(0.5 * width * (y - bottom), column[row]);
+        texels[i].add(weight * (y - bottom), column[row]);
         y = bottom;
       }
     }

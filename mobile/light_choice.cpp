@@ -66,7 +66,8 @@ std::vector<std::array<std::uint32_t, kLightsPerObject>> chooseLocalLights(const
     std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     auto& slots = chosen.emplace_back();
     slots.fill(kNoLight);
-    for (std::size_t k = 0; k < std::min(ranked.size(), kLightsPerObject); ++k) slots[k] = ranked[k].second;
+    for (std::size_t k = 0; k < std::min<std::size_t>(ranked.size(), kLightsPerObject); ++k)
+      slots[k] = ranked[k].second;
   }
   return chosen;
 }

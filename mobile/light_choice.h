@@ -7,12 +7,13 @@
 #include <span>
 #include <vector>
 
+#include "gpu/shaders/interface.h"
 #include "scenes/scene.h"
 
 namespace parity::mobile {
 
-inline constexpr std::size_t kLightsPerObject = 4;
-inline constexpr std::uint32_t kNoLight = 0xffffffffu;
+using gpu::kLightsPerObject;
+using gpu::kNoLight;
 
 // Index of the brightest directional light by luminance (the first among equals), or nothing.
 std::optional<std::size_t> chooseSun(std::span<const scenes::Light> lights);

@@ -60,7 +60,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   for (const scenes::Light& light : lights) program.lights.push_back(gpu::packLight(light));
   program.directionalCount = sun ? 1 : 0;
   program.environment = inputs.environment;
-  program.constants = {preset == Preset::karis2014 ? 0u : 1u};
+  program.constants = {preset == Preset::karis2014 ? gpu::kPresetKaris2014 : gpu::kPresetUe42020};
   program.terms = inputs.terms;
   program.expectedPixels = inputs.expectedPixels;
   m_pass = std::make_unique<gpu::ShadingPass>(device, scene, binKinds, std::move(program));

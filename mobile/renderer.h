@@ -20,7 +20,7 @@ Preset presetByName(const std::string& name);
 
 struct Inputs {
   const gpu::EnvironmentMaps* environment = nullptr; // null: none
-  std::vector<scenes::Light> lights = {};                 // all of the scene's, and the sun; the path takes what it can
+  std::vector<scenes::Light> lights = {};            // all of the scene's, and the sun; the path takes what it can
   bool terms = false;
   std::uint64_t expectedPixels = 0;
 };

@@ -35,16 +35,23 @@ PARITY_CONST uint kLightDirectional = 0u;
 PARITY_CONST uint kLightPoint = 1u;
 PARITY_CONST uint kLightSpot = 2u;
 
-// Specialization constants of every path shader; a path's own begin at kConstantPath.
-PARITY_CONST int kConstantTextures = 0;     // slots that some material of the permutation has
-PARITY_CONST int kConstantMayFeatures = 1;  // features that some material has
-PARITY_CONST int kConstantMustFeatures = 2; // features that all have: no test at run time
-PARITY_CONST int kConstantDirectional = 3;  // number of directional lights
-PARITY_CONST int kConstantLocal = 4;        // number of point and spot lights
-PARITY_CONST int kConstantEnvironment = 5;  // 1 where there is an environment
-PARITY_CONST int kConstantTerms = 6;        // 1 where terms are written
-PARITY_CONST int kConstantVertexData = 7;   // bit 0: vertex colours, bit 1: second uv set
-PARITY_CONST int kConstantPath = 8;
+// What the vertices of a scene carry, as bits.
+PARITY_CONST uint kVertexColors = 1u;
+PARITY_CONST uint kVertexUvs = 2u;
+PARITY_CONST uint kVertexTangents = 4u;
+PARITY_CONST uint kVertexSecondUv = 8u; // some texture reads the second uv set
+
+PARITY_CONST uint kTermsInA = 5u; // planes of the first term buffer; the others are in the second: a buffer ends at 128 MiB
+
+// The mobile path: local lights of an object, and the index that means none.
+PARITY_CONST uint kLightsPerObject = 4u;
+PARITY_CONST uint kNoLight = 0xffffffffu;
+
+// Values of the paths' own constants.
+PARITY_CONST uint kGeometryHeightCorrelated = 0u;
+PARITY_CONST uint kGeometrySchlickSmith = 1u;
+PARITY_CONST uint kPresetKaris2014 = 0u;
+PARITY_CONST uint kPresetUe42020 = 1u;
 
 PARITY_CONST uint kGroupSize = 64u;        // invocations of a compute group
 PARITY_CONST uint kMaxGroupsInRow = 32768u; // a dispatch is (row, rows, 1): devices stop at 65,535 groups in x

@@ -9,7 +9,7 @@
 
 layout(local_size_x = 64) in;
 
-// Ids: kConstant... in interface.h.
+// In the order in which gpu/shading_pass.cpp gives their values; a path's own follow from 8.
 layout(constant_id = 0) const uint kTextures = 0u;
 layout(constant_id = 1) const uint kMayFeatures = 0u;
 layout(constant_id = 2) const uint kMustFeatures = 0u;
@@ -76,11 +76,15 @@ bool hasTexture(int slot, uint material) {
 // A texture by explicit derivatives: entries of a list have no neighbours.
 vec4 fetch(sampler2D tex, int slot, uint material, uint i) {
   GpuTextureSlot s = materials[material].slots[slot];
-  vec2 uv = surfaceUv[i].xy;
-  vec4 d = surfaceUv0Derivatives[i];
-  if ((kVertexData & 8u) != 0u && s.uvRow0.w > 0.5) {
-    uv = surfaceUv[i].zw;
-    d = surfaceUv1Derivatives[i];
+  vec2 uv = vec2(0.0); // a scene without uvs is read at (0,0)
+  vec4 d = vec4(0.0);
+  if ((kVertexData & kVertexUvs) != 0u) {
+    uv = surfaceUv[i].xy;
+    d = surfaceUv0Derivatives[i];
+    if ((kVertexData & kVertexSecondUv) != 0u && s.uvRow0.w > 0.5) {
+      uv = surfaceUv[i].zw;
+      d = surfaceUv1Derivatives[i];
+    }
   }
   vec2 st = vec2(dot(s.uvRow0.xyz, vec3(uv, 1.0)), dot(s.uvRow1.xyz, vec3(uv, 1.0)));
   vec2 dx = vec2(dot(s.uvRow0.xy, d.xy), dot(s.uvRow1.xy, d.xy));
@@ -108,7 +112,7 @@ vec3 anyTangent(vec3 n) {
 
 vec3 mapNormal(Point p, uint i) {
   if (!hasTexture(kSlotNormal, p.material)) return p.normal;
-  vec4 tangent = (kVertexData & 4u) != 0u ? surfaceTangent[i] : vec4(0.0);
+  vec4 tangent = (kVertexData & kVertexTangents) != 0u ? surfaceTangent[i] : vec4(0.0);
   if (dot(tangent.xyz, tangent.xyz) < 0.5) tangent = vec4(anyTangent(p.normal), 1.0);
   vec3 bitangent = tangent.w * cross(p.normal, tangent.xyz);
   vec3 t = fetch(normalTexture, kSlotNormal, p.material, i).xyz * 2.0 - 1.0;
@@ -119,7 +123,7 @@ vec3 mapNormal(Point p, uint i) {
 Resolved resolveMaterial(Point p, uint i) {
   uint m = p.material;
   vec4 base = materials[m].baseColor;
-  if ((kVertexData & 1u) != 0u) base *= surfaceColor[i];
+  if ((kVertexData & kVertexColors) != 0u) base *= surfaceColor[i];
   if (hasTexture(kSlotBaseColor, m)) base *= fetch(baseColorTexture, kSlotBaseColor, m, i);
 
   Resolved r;
@@ -177,7 +181,7 @@ void writeResult(uint i, Terms terms, float opacity) {
   for (int k = 0; k < kTermCount; ++k) color += terms.t[k];
   outColor[i] = vec4(color, opacity);
   if (kWriteTerms != 0u) {
-    for (uint k = 0u; k < 5u; ++k) outTermsA[k * planeSize + i] = vec4(terms.t[k], 0.0);
-    for (uint k = 5u; k < uint(kTermCount); ++k) outTermsB[(k - 5u) * planeSize + i] = vec4(terms.t[k], 0.0);
+    for (uint k = 0u; k < kTermsInA; ++k) outTermsA[k * planeSize + i] = vec4(terms.t[k], 0.0);
+    for (uint k = kTermsInA; k < uint(kTermCount); ++k) outTermsB[(k - kTermsInA) * planeSize + i] = vec4(terms.t[k], 0.0);
   }
 }

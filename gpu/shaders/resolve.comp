@@ -5,7 +5,7 @@
 #include "gpu/shaders/geometry.glsl"
 
 layout(local_size_x = 64) in;
-layout(constant_id = 0) const uint kVertexData = 0u; // bit 0: colours, bit 1: uvs, bit 2: tangents
+layout(constant_id = 0) const uint kVertexData = 0u; // kVertex... bits
 
 layout(set = 0, binding = 8, std430) readonly buffer Entries { uvec4 entries[]; }; // x | y << 16, instance, triangle, 0
 layout(set = 0, binding = 9, std140) uniform View { GpuView view; };
@@ -64,15 +64,15 @@ void main() {
   vec3 position = v0 + uc * e1 + vc * e2 + view.eye.xyz;
   surfacePosition[i] = uvec4(floatBitsToUint(position), entry.y);
   surfaceNormal[i] = uvec4(floatBitsToUint(normal), packOctahedral(geometric));
-  if ((kVertexData & 1u) != 0u) surfaceColor[i] = wc * colors[i0] + uc * colors[i1] + vc * colors[i2];
-  if ((kVertexData & 2u) != 0u) {
+  if ((kVertexData & kVertexColors) != 0u) surfaceColor[i] = wc * colors[i0] + uc * colors[i1] + vc * colors[i2];
+  if ((kVertexData & kVertexUvs) != 0u) {
     vec4 uv0 = uvs[i0], du = uvs[i1] - uv0, dv = uvs[i2] - uv0;
     surfaceUv[i] = uv0 + uc * du + vc * dv;
     vec4 uv_x = u_x * du + v_x * dv, uv_y = u_y * du + v_y * dv;
     surfaceUv0Derivatives[i] = vec4(uv_x.xy, uv_y.xy);
     surfaceUv1Derivatives[i] = vec4(uv_x.zw, uv_y.zw);
   }
-  if ((kVertexData & 4u) != 0u) {
+  if ((kVertexData & kVertexTangents) != 0u) {
     vec3 t = transformVector(instance.toWorld, wc * tangents[i0].xyz + uc * tangents[i1].xyz + vc * tangents[i2].xyz);
     // bitangent = w * cross(n, t): turning n and t round leaves it, so w turns too. A mirroring transform turns the cross product.
     float w = tangents[i0].w * side * instance.normalToWorld[0].w;

@@ -6,7 +6,7 @@
 layout(push_constant) uniform Push {
   mat4 toClip; // from object space
   uint instance;
-  uint vertexData; // bit 0: colours, bit 1: uvs
+  uint vertexData; // kVertex... bits
 };
 
 layout(location = 0) out vec4 outUv;
@@ -14,6 +14,6 @@ layout(location = 1) out float outAlpha;
 
 void main() {
   gl_Position = toClip * vec4(positionOf(gl_VertexIndex), 1.0);
-  outUv = (vertexData & 2u) != 0u ? uvs[gl_VertexIndex] : vec4(0.0);
-  outAlpha = (vertexData & 1u) != 0u ? colors[gl_VertexIndex].w : 1.0;
+  outUv = (vertexData & kVertexUvs) != 0u ? uvs[gl_VertexIndex] : vec4(0.0);
+  outAlpha = (vertexData & kVertexColors) != 0u ? colors[gl_VertexIndex].w : 1.0;
 }

@@ -7,7 +7,7 @@
 #include "gpu/shaders/path.glsl"
 #include "shading/brdf.glsl"
 
-layout(constant_id = 8) const uint kGeometryTerm = 0u;  // 0: height-correlated Smith, 1: Schlick-Smith
+layout(constant_id = 8) const uint kGeometryTerm = 0u;  // kGeometry... of interface.h
 layout(constant_id = 9) const uint kCompensate = 1u;    // energy compensation for multiple scattering
 
 // Of analytic lights only: alpha = 2.4e-4 keeps the peak of D (5e6) far from overflow. The image light has no floor.
@@ -31,7 +31,7 @@ Lobes lit(Shader s, vec3 L, vec3 illuminance) {
   if (NoL <= 0.0) return lobes;
   vec3 H = safeNormalize(s.V + L, s.N); // V = -L: the normal
   float NoH = saturate(dot(s.N, H)), VoH = saturate(dot(s.V, H));
-  float V = kGeometryTerm == 0u ? V_SmithGGXCorrelated(s.alpha, s.NoV, NoL) : V_SchlickSmith(s.alpha, s.NoV, NoL);
+  float V = kGeometryTerm == kGeometryHeightCorrelated ? V_SmithGGXCorrelated(s.alpha, s.NoV, NoL) : V_SchlickSmith(s.alpha, s.NoV, NoL);
   // F_Schlick with the material's F90: F_Schlick itself where that is 1.
   float f = F_Schlick(vec3(0.0), VoH).x;
   vec3 F = s.F0 * (1.0 - f) + s.F90 * f;
@@ -41,7 +41,7 @@ Lobes lit(Shader s, vec3 L, vec3 illuminance) {
   return lobes;
 }
 
-// Direction to a point or spot light, and its illuminance at the point.
+// Direction to a point or spot light, and its illuminance at the point (KHR_lights_punctual: candela over metres squared, range, cone).
 vec3 localLight(GpuLight light, vec3 position, out vec3 L) {
   vec3 d = light.positionKind.xyz - position;
   float d2 = dot(d, d);

@@ -6,11 +6,7 @@
 #include "shading/env_brdf.glsl"
 #include "shading/mobile_direct.glsl"
 
-layout(constant_id = 8) const uint kPreset = 1u; // 0: karis2014, 1: ue4-2020
-const uint kKaris2014 = 0u;
-
-const uint kNoLight = 0xffffffffu;
-const uint kLightsPerObject = 4u;
+layout(constant_id = 8) const uint kPreset = 1u; // kPreset... of interface.h
 
 void main() {
   uint local = entryIndex();
@@ -26,7 +22,7 @@ void main() {
   }
 
   // InitShadingModelContext. The base pass keeps roughness off 0 ("1/Roughness^4"); the article prints no floor, and has none here.
-  float Roughness = kPreset == kKaris2014 ? m.roughness : max(0.015625, m.roughness);
+  float Roughness = kPreset == kPresetKaris2014 ? m.roughness : max(0.015625, m.roughness);
   vec3 N = m.normal, V = p.V;
   float NoV = max(dot(N, V), 0.0);
   vec3 DiffuseColor = diffuseColor(m.baseColor, m.metallic);
@@ -37,7 +33,7 @@ void main() {
     FullyRough(DiffuseColor, SpecularColor);
   } else if (hasFeature(kFeatureNonmetal, p.material)) {
     SpecularColor = vec3(EnvBRDFApproxNonmetal(Roughness, NoV));
-  } else if (kPreset == kKaris2014) {
+  } else if (kPreset == kPresetKaris2014) {
     SpecularColor = EnvBRDFApprox(SpecularColor, Roughness, NoV);
   } else {
     SpecularColor = EnvBRDFApproxUE4(SpecularColor, Roughness, NoV);
@@ -52,7 +48,7 @@ void main() {
     terms.t[kTermSunDiffuse] = color * (NoL * DiffuseColor);
     if (!fullyRough && NoL > 0.0) {
       float specular;
-      if (kPreset == kKaris2014) {
+      if (kPreset == kPresetKaris2014) {
         specular = D_Approx(Roughness, dot(R, L));
       } else {
         float NoH = max(0.0, dot(N, safeNormalize(V + L, N)));
@@ -66,7 +62,7 @@ void main() {
   if (kHasEnvironment != 0u && !fullyRough) terms.t[kTermSkySpecular] = skyRadiance(R, Roughness) * SpecularColor * m.occlusion;
 
   // AccumulateLightingOfDynamicPointLight, for the lights chosen per object.
-  if (kLocalCount != 0u && kPreset != kKaris2014) {
+  if (kLocalCount != 0u && kPreset != kPresetKaris2014) {
     for (uint k = 0u; k < kLightsPerObject; ++k) {
       uint index = pathData[p.instance * kLightsPerObject + k];
       if (index == kNoLight) break;

@@ -1,8 +1,8 @@
 // Scenes that cannot be used: one line with file, place and reason, exit code 4, and nothing half-written.
+#include <functional>
+
 #include <pugixml.hpp>
 
-#include "base/file.h"
-#include "base/image_io.h"
 #include "cli/checks.h"
 
 namespace parity::tests {

@@ -1,4 +1,5 @@
 // Equal inputs give equal files, bit for bit: run again, with other threads, with and without a cache.
+#include <map>
 #include <regex>
 
 #include "cli/checks.h"

@@ -1,4 +1,6 @@
 // Names from files attack the formats that a report is written in, and come out as text.
+#include <algorithm>
+
 #include <pugixml.hpp>
 
 #include "cli/checks.h"

@@ -1,4 +1,6 @@
 // Where results go: an old report is replaced, and what stands in the way is an error.
+#include <algorithm>
+
 #include "cli/checks.h"
 
 namespace parity::tests {

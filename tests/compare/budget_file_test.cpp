@@ -24,7 +24,7 @@ constexpr const char* kCheck = R"(checks = [ { metric = "flip.mean", warn = 0.1,
 )";
 
 TEST(BudgetFile, TheShippedExampleIsReadAsItReads) {
-  const Budgets budgets = loadBudgets(std::string(PARITY_SOURCE_DIR) + "/compare/budgets.example.toml");
+  const Budgets budgets = loadBudgets(PARITY_SOURCE_DIR "/compare/budgets.example.toml");
   ASSERT_EQ(budgets.materials.size(), 4u); // three of its own and the built-in one
   ASSERT_EQ(budgets.wholes.size(), 2u);
 
@@ -49,7 +49,7 @@ TEST(BudgetFile, TheShippedExampleIsReadAsItReads) {
 }
 
 TEST(BudgetFile, TheExampleShowsTheBuiltInLimits) {
-  const Budgets budgets = loadBudgets(std::string(PARITY_SOURCE_DIR) + "/compare/budgets.example.toml");
+  const Budgets budgets = loadBudgets(PARITY_SOURCE_DIR "/compare/budgets.example.toml");
   const auto expectSame = [](const BudgetRule& shown, const BudgetRule& real) {
     ASSERT_EQ(shown.checks.size(), real.checks.size());
     for (std::size_t i = 0; i < real.checks.size(); ++i) {

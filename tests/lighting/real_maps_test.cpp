@@ -17,6 +17,20 @@ namespace {
 
 namespace f64 = shading::f64;
 
+double lobe(double alpha, double NoL) { return NoL > 0 ? f64::D_GGX(alpha, std::sqrt((1 + NoL) / 2)) * NoL : 0; }
+
+// The lobe around N = V averaged over 4 x 4 points of texel i of the base cube, which is not small against its peak.
+double meanLobe(double alpha, const glm::dvec3& N, std::size_t i) {
+  const int face = static_cast<int>(i / (256 * 256)), x = static_cast<int>(i % 256),
+            y = static_cast<int>(i / 256 % 256);
+  double sum = 0;
+  for (int k = 0; k < 16; ++k) {
+    const double s = (2 * x + 0.25 + 0.5 * (k % 4)) / 256 - 1, t = (2 * y + 0.25 + 0.5 * (k / 4)) / 256 - 1;
+    sum += lobe(alpha, glm::dot(N, glm::normalize(directionOf({face, s, t}))));
+  }
+  return sum / 16;
+}
+
 class RealMap : public testing::TestWithParam<const char*> {};
 
 TEST_P(RealMap, mipsAreWithinAFewPercentOfTheFullSum) {
@@ -33,11 +47,9 @@ TEST_P(RealMap, mipsAreWithinAFewPercentOfTheFullSum) {
     for (int i = 0; i < 256 * 256; ++i) directions.push_back(texelDirection(face, i % 256, i / 256, 256));
 
   std::mt19937 random(1);
-  // Lobes narrower than some texels of the base cube cannot be summed over texel middles: from mip 3 (roughness .31)
-  // on.
-  for (int mip = 3; mip <= f64::kPrefilterRoughestMip; ++mip) {
+  for (int mip = 1; mip <= f64::kPrefilterRoughestMip; ++mip) {
     const double alpha = std::pow(f64::roughnessFromMip(mip), 2);
-    constexpr int kPoints = 60;
+    constexpr int kPoints = 100;
     std::vector<double> errors(kPoints);
     std::vector<std::size_t> picks(kPoints);
     for (std::size_t& pick : picks) pick = random() % light.prefiltered.mips[mip].size();
@@ -49,7 +61,8 @@ TEST_P(RealMap, mipsAreWithinAFewPercentOfTheFullSum) {
       for (std::size_t i = 0; i < base.size(); ++i) {
         const double NoL = glm::dot(N, directions[i]);
         if (NoL <= 0) continue;
-        const double weight = f64::D_GGX(alpha, std::sqrt((1 + NoL) / 2)) * NoL * solidAngles[i % solidAngles.size()];
+        const double weight =
+            (NoL > 0.97 ? meanLobe(alpha, N, i) : lobe(alpha, NoL)) * solidAngles[i % solidAngles.size()];
         sum += weight * glm::dvec3(glm::vec3(base[i]));
         weights += weight;
       }
@@ -61,8 +74,9 @@ TEST_P(RealMap, mipsAreWithinAFewPercentOfTheFullSum) {
     RecordProperty("mip" + std::to_string(mip) + "_median", std::to_string(errors[kPoints / 2]));
     std::printf("%s roughness %.2f: median %.2f %%, p95 %.2f %%\n", GetParam(), f64::roughnessFromMip(mip),
                 100 * errors[kPoints / 2], 100 * errors[kPoints * 95 / 100]);
-    // SHADING 6: medians of 2.1 to 3.4 % at 256 samples; a wrong lobe or mip is off by 20 % and more.
-    EXPECT_LE(errors[kPoints / 2], 0.035) << "mip " << mip;
+    // SHADING 6: medians of 2.1 to 3.4 % at 256 samples; a wrong lobe or mip is off by 20 % and more. Mips 1 and 2 take
+    // 128 and 256 and blur each by its footprint, which the dark texels beside softboxes feel.
+    EXPECT_LE(errors[kPoints / 2], mip <= 2 ? 0.1 : 0.035) << "mip " << mip;
   }
 }
 
