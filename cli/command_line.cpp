@@ -105,8 +105,7 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->capture_default_str();
   app.add_option("--orbit", raw.orbit, "THETA,PHI,RADIUS: degrees, metres (radius 0 fits the scene)")->group("View");
   app.add_option("--target", raw.target, "X,Y,Z to look at, metres. Default: the centre of the scene")->group("View");
-  app.add_option("--fov", common.view.fovYDeg,
-                 "Vertical field of view of an orbit or automatic camera, degrees; a scene's own camera keeps its own")
+  app.add_option("--fov", common.view.fovYDeg, "Vertical field of view, degrees; a scene's own camera keeps its own")
       ->check(within(1, 170))
       ->group("View")
       ->capture_default_str();

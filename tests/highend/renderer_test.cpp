@@ -144,6 +144,19 @@ TEST_F(HighendTest, unlitShowsItsBaseColourAndNothingElse) {
   EXPECT_EQ(point.color, glm::vec3(0.2f, 0.4f, 0.6f));
 }
 
+TEST_F(HighendTest, textureOfAMeshWithoutUvsIsReadAtTheOrigin) {
+  scenes::Scene scene = makeLeaningQuad(0);
+  scene.meshes[0].uv0.clear();
+  scenes::TextureImage image{"two texels", base::Image8(2, 1, 4, 255)};
+  image.pixels.pixels = {255, 0, 0, 255, 0, 0, 255, 255};
+  scene.images = {image};
+  scenes::Material& material = scene.materials[0];
+  material.unlit = true;
+  material.baseColorTexture.image = 0;
+  material.baseColorTexture.sampler.magFilter = material.baseColorTexture.sampler.minFilter = scenes::Filter::nearest;
+  EXPECT_EQ(shade(scene, {}, kNoCompensation).color, glm::vec3(1, 0, 0));
+}
+
 TEST_F(HighendTest, backLitAndViewOpposedLightsAreFiniteAndDark) {
   scenes::Scene scene = makeLeaningQuad(0);
   scene.materials[0].roughness = 0;
