@@ -186,6 +186,14 @@ void settle(CommonOptions& common, const RawOptions& raw) {
   base::setLogLevel(raw.quiet ? base::LogLevel::quiet : raw.verbose ? base::LogLevel::verbose : base::LogLevel::normal);
 }
 
+// CLI11 would only say that a subcommand is required.
+void requireKnownSubcommand(const CLI::App& app, int argc, const char* const* argv) {
+  const auto known = app.get_subcommands([](const CLI::App*) { return true; });
+  if (argc > 1 && argv[1][0] != '-' &&
+      std::none_of(known.begin(), known.end(), [&](const CLI::App* s) { return s->check_name(argv[1]); }))
+    throw CLI::ValidationError(argv[1], "no such subcommand");
+}
+
 constexpr const char* kIntro = R"(parity: does a material look the same on two shading paths?
 
 Renders a glTF scene by a high-end path (full GGX, tabulated environment BRDF, all lights) and by a mobile path (Karis 2014, UE4's
@@ -268,10 +276,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
 
   Parsed parsed;
   try {
-    const auto subcommands = app.get_subcommands([](const CLI::App*) { return true; });
-    if (argc > 1 && argv[1][0] != '-' &&
-        std::none_of(subcommands.begin(), subcommands.end(), [&](const CLI::App* s) { return s->check_name(argv[1]); }))
-      throw CLI::ValidationError(argv[1], "no such subcommand"); // CLI11 would only say that one is required
+    requireKnownSubcommand(app, argc, argv);
     app.parse(argc, argv);
     if (reportApp.parsed()) {
       if (report.scenes.empty() && report.suite.empty()) throw CLI::RequiredError("report: a SCENE or --suite");

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
@@ -17,7 +18,7 @@ job::Progress makeProgress(bool quiet) {
   if (quiet || !isatty(STDERR_FILENO)) return {};
   return [](const std::string& what, double done) {
     constexpr int kWidth = 24;
-    const int filled = static_cast<int>(done * kWidth + 0.5);
+    const int filled = static_cast<int>(std::lround(done * kWidth));
     std::string bar;
     for (int i = 0; i < kWidth; ++i) bar += i < filled ? "█" : "░";
     fmt::print(stderr, "\r\x1b[K{} {:3.0f} % {}", bar, done * 100, what);

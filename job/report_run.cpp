@@ -126,6 +126,10 @@ private:
     const scenes::ViewRequest& view = request.views[viewIndex];
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
     const ViewFrames frames = renderer.render(scenes::makeCamera(prepared.scene, view, aspect));
+    // A picture of nothing but background compares as equal: that is no answer.
+    if (std::all_of(frames.coverage.begin(), frames.coverage.end(),
+                    [](const auto& list) { return list.pixels.empty(); }))
+      throw base::fileError(request.scene, fmt::format("view '{}'", view.name), "shows no part of the scene");
     ViewComparisonRequest comparison;
     comparison.sceneName = request.name;
     comparison.viewName = view.name;

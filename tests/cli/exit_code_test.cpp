@@ -51,6 +51,11 @@ TEST_F(ExitCodeTest, Is4ForWhatCannotBeReadOrWritten) {
   EXPECT_TRUE(exitedWith(4, diffSpheres("fail = 1.0", {"--material", "no such *"})));
 }
 
+// Two pictures of nothing but background are alike: that is no pass.
+TEST_F(ExitCodeTest, Is4WhereAViewShowsNothing) {
+  EXPECT_TRUE(exitedWith(4, diffSpheres("fail = 1.0", {"--orbit", "30,60,3", "--target", "0,500,0"})));
+}
+
 // The highest that applies wins.
 TEST_F(ExitCodeTest, Is4WhereOneSceneIsOverBudgetAndAnotherFailed) {
   const RunResult result = runParity(join({{"report", "builtin:furnace", "builtin:nothing", "--budgets",

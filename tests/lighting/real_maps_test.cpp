@@ -79,7 +79,7 @@ TEST_P(RealMap, mipsAreWithinAFewPercentOfTheFullSum) {
     RecordProperty("mip" + std::to_string(mip) + "_median", std::to_string(errors[kPoints / 2]));
     std::printf("%s roughness %.2f: median %.2f %%, p95 %.2f %%\n", GetParam().file, f64::roughnessFromMip(mip),
                 100 * errors[kPoints / 2], 100 * errors[kPoints * 95 / 100]);
-    // SHADING 6 gives 2.1 to 3.4 % at 256 samples. Measured: 2 to 5 % for mips 1 and 2 (studio 5 to 10 %: texels a
+    // SHADING 6 gives 2.1 to 3.4 % at 256 samples. Measured: 2 to 3 % for mips 1 and 2 (studio 5 to 10 %: texels a
     // hundred times darker than the softboxes beside them feel the footprints' blur), 0.1 to 3.4 % for the rest.
     // Against the neighbouring mip's roughness it would be 12 to 33 % (studio 43 and 55 %) and 31 to 59 %.
     EXPECT_LE(errors[kPoints / 2], mip <= 2 ? GetParam().narrowBound : 0.06) << "mip " << mip;
