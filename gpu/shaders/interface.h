@@ -41,7 +41,8 @@ PARITY_CONST uint kVertexUvs = 2u;
 PARITY_CONST uint kVertexTangents = 4u;
 PARITY_CONST uint kVertexSecondUv = 8u; // some texture reads the second uv set
 
-PARITY_CONST uint kTermsInA = 5u; // planes of the first term buffer; the others are in the second: a buffer ends at 128 MiB
+PARITY_CONST uint kTermsInA =
+    5u; // planes of the first term buffer; the others are in the second: a buffer ends at 128 MiB
 
 // The mobile path: local lights of an object, and the index that means none.
 PARITY_CONST uint kLightsPerObject = 4u;
@@ -53,7 +54,7 @@ PARITY_CONST uint kGeometrySchlickSmith = 1u;
 PARITY_CONST uint kPresetKaris2014 = 0u;
 PARITY_CONST uint kPresetUe42020 = 1u;
 
-PARITY_CONST uint kGroupSize = 64u;        // invocations of a compute group
+PARITY_CONST uint kGroupSize = 64u;         // invocations of a compute group
 PARITY_CONST uint kMaxGroupsInRow = 32768u; // a dispatch is (row, rows, 1): devices stop at 65,535 groups in x
 
 struct GpuTextureSlot {
@@ -71,9 +72,9 @@ struct GpuMaterial {
 };
 
 struct GpuInstance {
-  vec4 toWorld[3];  // rows of an affine matrix
+  vec4 toWorld[3];       // rows of an affine matrix
   vec4 normalToWorld[3]; // rows of the inverse transpose; [0].w: sign of the determinant
-  uvec4 geometry;   // first index, base vertex, material, 0
+  uvec4 geometry;        // first index, base vertex, material, 0
 };
 
 struct GpuLight {
@@ -85,10 +86,10 @@ struct GpuLight {
 
 // The camera's rays: pixel (x,y) looks along origin + x*originX + y*originY, direction + x*directionX + y*directionY.
 struct GpuView {
-  vec4 eye; // perspective: position; w = 1 where orthographic
+  vec4 eye;                               // perspective: position; w = 1 where orthographic
   vec4 origin, originX, originY;          // relative to eye
   vec4 direction, directionX, directionY; // not normalised
-  vec4 sh[9];    // irradiance coefficients (shading/sh.glsl)
+  vec4 sh[9];                             // irradiance coefficients (shading/sh.glsl)
 };
 
 #ifdef __cplusplus
