@@ -3,7 +3,6 @@ set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads REQUIRED) # before glslang, whose config names it without finding it
 find_package(Vulkan REQUIRED)
 find_package(fmt REQUIRED)
-find_package(spdlog REQUIRED)
 find_package(TBB REQUIRED)
 find_package(glm REQUIRED)
 find_package(CLI11 REQUIRED)
