@@ -116,6 +116,14 @@ TEST_F(HighendTest, constantEnvironmentIsReflectedByTheTableAndCompensated) {
                     "white sky, Lambert");
 }
 
+TEST_F(HighendTest, skyIsFetchedAroundTheReflection) {
+  const gpu::EnvironmentMaps environment = tests::makeRedTowardsX(device());
+  const base::Image lut = constantLut(0.5f, 0.1f);
+  const Inputs inputs{.environment = &environment, .lut = &lut};
+  EXPECT_NEAR(shade(makeLeaningQuad(0.7853982f), inputs, kNoCompensation)[Term::skySpecular].x, 0.6f, 1e-4f);
+  EXPECT_EQ(shade(makeLeaningQuad(0), inputs, kNoCompensation)[Term::skySpecular].x, 0);
+}
+
 TEST_F(HighendTest, termsAddUpToTheColour) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0.7f);
   const base::Image lut = constantLut(0.8f, 0.05f);

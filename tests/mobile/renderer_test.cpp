@@ -97,6 +97,14 @@ TEST_F(MobileTest, skyIsOneFetchTimesEnvBrdf) {
                     "diffuse");
 }
 
+TEST_F(MobileTest, skyIsFetchedAroundTheReflection) {
+  const gpu::EnvironmentMaps environment = tests::makeRedTowardsX(device());
+  // Leaning by 45 degrees towards +X, the quad reflects +X; upright it reflects +Z.
+  EXPECT_GT(shade(makeMetal(0.7853982f, 0.5f), {.environment = &environment}, Preset::ue4_2020)[Term::skySpecular].x,
+            0.2f);
+  EXPECT_EQ(shade(makeMetal(0, 0.5f), {.environment = &environment}, Preset::ue4_2020)[Term::skySpecular].x, 0);
+}
+
 TEST_F(MobileTest, nonmetalUsesItsOwnFunction) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
   scenes::Scene scene = makeLeaningQuad(1.2f);

@@ -22,6 +22,16 @@ inline gpu::EnvironmentMaps makeConstantEnvironment(const gpu::Device& device, f
   return maps;
 }
 
+// One that is red towards +X and black elsewhere, one texel a face.
+inline gpu::EnvironmentMaps makeRedTowardsX(const gpu::Device& device) {
+  gpu::EnvironmentMaps maps = makeConstantEnvironment(device, 0);
+  std::vector<glm::vec4> texels(6, glm::vec4(0, 0, 0, 1));
+  texels[0].x = 1; // the first face is +X
+  const std::span<const std::byte> mip = std::as_bytes(std::span{texels});
+  maps.cube = gpu::DeviceImage(device, {.format = vk::Format::eR32G32B32A32Sfloat, .cube = true}, std::span{&mip, 1});
+  return maps;
+}
+
 struct ShadedPoint {
   glm::vec3 color{0.f};
   float opacity = 0;
