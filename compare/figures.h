@@ -2,25 +2,29 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace parity::compare {
 
-// Of a per-pixel error map over a region, weighted by the region's pixel weights. Percentiles are exact order
-// statistics: the first value, ascending, whose running weight exceeds p times the total (FLIP.md, pooling).
-struct Distribution {
-  double mean = 0, p50 = 0, p95 = 0, max = 0;
+// One pooled figure by the name that budgets, reports and tables use: "flip.mean", "flip.fraction_over(0.1)", "psnr",
+// "bias.ev" (compare/statistic.h).
+struct Figure {
+  std::string name;
+  double value = 0;
 };
 
-// What is known of one region. Display-encoded images in [0,1].
+// What is known of one region.
 struct Figures {
   std::uint64_t pixels = 0;               // in the region (weight > 0); all else is meaningless where this is 0
-  Distribution flip;                      // LDR-FLIP, 0..1
-  double rmse = 0;                        // over pixels and RGB, display-encoded
-  double psnr = 0;                        // dB, 10*log10(1/mse); +infinity where identical (JSON: null)
-  double referenceLuma = 0, testLuma = 0; // mean Rec.709 luma of the displayed image: says which is darker
-  std::uint64_t nonFinite = 0;            // pixels of the region where either scene-referred image is NaN or infinite
+  std::uint64_t nonFinite = 0;            // pixels of the region where either image is NaN or infinite
+  double referenceLuma = 0, testLuma = 0; // mean Rec.709 luma of the displayed image, 0..1: says which is darker
+  std::vector<Figure> values;             // of the metrics that were asked for, in the registry's order
+
+  // The figure of that name, if it was measured.
+  std::optional<double> find(std::string_view name) const;
 };
 
 // A region's figures over all its pixels, and over interior ones: eroded by FLIP's filter radius, so that no neighbour

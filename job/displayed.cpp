@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 
 #include "base/parallel.h"
 
@@ -20,25 +20,19 @@ std::uint8_t toByte(float value) { return static_cast<std::uint8_t>(std::clamp(v
 
 Displayed displayImage(const base::Image& color, const base::DisplayTransform& display, float exposureEv) {
   const base::Image encoded = display.apply(color, exposureEv);
-  Displayed out{base::Image8(color.width, color.height, 3), base::Image(color.width, color.height, 3),
-                base::Image(color.width, color.height, 3)};
+  Displayed out{base::Image8(color.width, color.height, 3), {}};
+  std::vector<std::vector<std::uint32_t>> nonFinite(color.pixelCount() / kGrain + 1);
   base::parallelFor(color.pixelCount(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       // The frame decides, not the encoded value: an infinite radiance would be displayed as plain white.
-      const bool finite = isFinite(&color.pixels[3 * p]) && isFinite(&encoded.pixels[3 * p]);
-      for (std::size_t k = 3 * p; k < 3 * p + 3; ++k) {
-        out.pixels.pixels[k] = finite ? toByte(encoded.pixels[k]) : std::uint8_t{0};
-        out.finite.pixels[k] = static_cast<float>(out.pixels.pixels[k]) / 255;
-        out.measured.pixels[k] = finite ? out.finite.pixels[k] : std::numeric_limits<float>::quiet_NaN();
-      }
+      if (isFinite(&color.pixels[3 * p]) && isFinite(&encoded.pixels[3 * p]))
+        std::transform(&encoded.pixels[3 * p], &encoded.pixels[3 * p] + 3, &out.pixels.pixels[3 * p], toByte);
+      else
+        nonFinite[begin / kGrain].push_back(static_cast<std::uint32_t>(p));
     }
   });
+  for (const auto& part : nonFinite) out.nonFinite.insert(out.nonFinite.end(), part.begin(), part.end());
   return out;
-}
-
-void markNonFinite(base::Image& map, const base::Image& measured) {
-  for (std::size_t p = 0; p < map.pixels.size(); ++p)
-    if (!isFinite(&measured.pixels[3 * p])) map.pixels[p] = 1;
 }
 
 base::Image8 quantize(const base::Image& display) {

@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 
 #include "base/stopwatch.h"
+#include "compare/measure.h"
 #include "gpu/device.h"
 #include "highend/renderer.h"
 #include "mobile/renderer.h"
@@ -26,6 +27,7 @@ struct Settings {
   std::vector<std::string> materials;  // globs: only these are reported; empty: all
   std::vector<std::string> fullyRough; // globs: materials given the fully-rough flag
   std::optional<std::string> budgets;  // budget file; none: built-in defaults
+  std::vector<std::string> metrics = compare::defaultMetrics(); // reported, besides what the budgets name
   bool terms = false;
   mobile::Preset mobilePreset = mobile::Preset::ue4_2020;
   std::string mobilePresetName = "ue4-2020";

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "base/glob.h"
 #include "base/image_io.h"
 #include "base/parallel.h"
-#include "compare/flip.h"
 #include "compare/magma.h"
-#include "compare/metrics.h"
+#include "compare/measure.h"
 #include "compare/region.h"
 #include "job/displayed.h"
 #include "shading/terms.h"
@@ -19,27 +20,24 @@ namespace parity::job {
 
 namespace {
 
-struct Box {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0; // half open
-};
-
-// The list's pixels with a margin, so that the crop shows what surrounds them.
-Box boxAround(const base::PixelList& list, int width, int height) {
-  int x0 = width, y0 = height, x1 = 0, y1 = 0;
-  for (const std::uint32_t p : list.pixels) {
-    const int x = static_cast<int>(p) % width, y = static_cast<int>(p) / width;
-    x0 = std::min(x0, x), x1 = std::max(x1, x + 1);
-    y0 = std::min(y0, y), y1 = std::max(y1, y + 1);
-  }
-  const int margin = std::max(8, std::max(x1 - x0, y1 - y0) / 16);
-  return {std::max(x0 - margin, 0), std::max(y0 - margin, 0), std::min(x1 + margin, width),
-          std::min(y1 + margin, height)};
+// The list's pixels with a margin, so that the crop shows what surrounds them. Empty for an empty list.
+compare::Rect cropOf(const base::PixelList& list, int width, int height) {
+  const base::PixelList* lists[] = {&list};
+  const compare::Rect box = compare::boundsOf(lists, width, height);
+  return compare::boundsOf(lists, width, height, std::max(8, std::max(box.width, box.height) / 16));
 }
 
-base::Image8 crop(const base::Image8& image, const Box& box) {
-  base::Image8 out(box.x1 - box.x0, box.y1 - box.y0, image.channels);
+compare::Rect unionOf(const compare::Rect& a, const compare::Rect& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+  return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
+}
+
+base::Image8 crop(const base::Image8& image, const compare::Rect& box) {
+  base::Image8 out(box.width, box.height, image.channels);
   for (int y = 0; y < out.height; ++y)
-    std::copy_n(image.at(box.x0, box.y0 + y), static_cast<std::size_t>(out.width) * image.channels, out.at(0, y));
+    std::copy_n(image.at(box.x, box.y + y), static_cast<std::size_t>(out.width) * image.channels, out.at(0, y));
   return out;
 }
 
@@ -111,6 +109,96 @@ std::vector<compare::TermFigures> termFigures(const ViewFrames& frames, const ba
   return result;
 }
 
+// The materials that the report is about: their places in the scene.
+std::vector<std::size_t> chooseMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs,
+                                         std::size_t count) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t m = 0; m < count; ++m)
+    if (globs.empty() || std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) {
+          return base::matchesGlob(glob, scene.materials[m].name);
+        }))
+      chosen.push_back(m);
+  return chosen;
+}
+
+// The frame as the camera's exposure makes it: what linear figures are measured on.
+base::Image expose(const base::Image& color, float exposureEv) {
+  base::Image out = color;
+  const float gain = std::exp2(exposureEv);
+  for (float& v : out.pixels) v *= gain;
+  return out;
+}
+
+// What is measured where: the whole first, then each chosen material.
+struct Subject {
+  std::vector<base::PixelList> lists;
+  std::vector<compare::Rect> crops; // of the materials
+  std::optional<compare::Rect> box; // where the report shows only some materials
+};
+
+Subject makeSubject(const ViewFrames& frames, const std::vector<std::size_t>& chosen, bool restricted) {
+  const int width = frames.highend.color.width, height = frames.highend.color.height;
+  Subject subject;
+  // With --material the whole is what was chosen, not what else is in the picture.
+  subject.lists.push_back(allPixels(frames.coverage, chosen, frames.highend.color.pixelCount()));
+  compare::Rect box;
+  for (const std::size_t m : chosen) {
+    subject.lists.push_back(frames.coverage[m]);
+    subject.crops.push_back(cropOf(frames.coverage[m], width, height));
+    box = unionOf(box, subject.crops.back());
+  }
+  if (restricted && !box.empty()) subject.box = box;
+  return subject;
+}
+
+compare::Measurement measureView(const Settings& settings, const ViewFrames& frames, const Displayed& reference,
+                                 const Displayed& test, const Subject& subject, const compare::Budgets& budgets,
+                                 const ViewComparisonRequest& request) {
+  std::vector<std::uint32_t> invalid = reference.nonFinite;
+  invalid.insert(invalid.end(), test.nonFinite.begin(), test.nonFinite.end());
+  base::Image exposed[2];
+  const base::Image* linear[] = {&frames.highend.color, &frames.mobile.color};
+  if (request.exposureEv != 0)
+    for (int i = 0; i < 2; ++i) {
+      exposed[i] = expose(*linear[i], request.exposureEv);
+      linear[i] = &exposed[i];
+    }
+  compare::MeasureRequest measure;
+  measure.metrics = settings.metrics;
+  measure.statistics = compare::requiredStatistics(budgets);
+  measure.options.box = subject.box;
+  if (!request.reportFolder.empty()) measure.keepMaps = {"flip"}; // for the pictures
+  return compare::measureRegions({reference.pixels, test.pixels, linear[0], linear[1], invalid}, subject.lists,
+                                 measure);
+}
+
+struct Picture {
+  const base::Image8* whole;
+  std::string path;
+};
+
+// The three pictures of the view, and of each material that is seen a crop of each.
+void writePictures(const compare::ViewResult& view, const Subject& subject, const Displayed& reference,
+                   const Displayed& test, const base::Image& flip, const std::filesystem::path& folder) {
+  const base::Image8 heat = quantize(compare::magmaImage(flip));
+  std::vector<std::function<void()>> tasks;
+  const auto add = [&](const compare::ImageSet& set, const std::optional<compare::Rect>& box) {
+    for (const Picture& picture :
+         {Picture{&reference.pixels, set.reference}, Picture{&test.pixels, set.test}, Picture{&heat, set.flip}})
+      tasks.push_back([picture, box, &folder] {
+        base::writeImage8(folder / picture.path, box ? crop(*picture.whole, *box) : *picture.whole);
+      });
+  };
+  add(view.images, std::nullopt);
+  for (std::size_t i = 0; i < view.materials.size(); ++i)
+    if (!view.materials[i].crops.reference.empty()) add(view.materials[i].crops, subject.crops[i]);
+  base::parallelInvoke(tasks);
+}
+
+compare::ImageSet imageSet(const std::string& prefix) {
+  return {prefix + "_highend.png", prefix + "_mobile.png", prefix + "_flip.png"};
+}
+
 } // namespace
 
 compare::ViewResult compareView(Context& context, const scenes::Scene& scene, const ViewFrames& frames,
@@ -122,78 +210,41 @@ compare::ViewResult compareView(Context& context, const scenes::Scene& scene, co
     reference = displayImage(frames.highend.color, context.display(), request.exposureEv);
     test = displayImage(frames.mobile.color, context.display(), request.exposureEv);
   }
-  base::Image flip;
+  const std::vector<std::size_t> chosen = chooseMaterials(scene, settings.materials, frames.coverage.size());
+  Subject subject;
+  compare::Measurement measured;
   {
-    const base::Stopwatch watch(&context.timings(), "flip");
-    flip = compare::flipMap(reference.finite, test.finite);
-    markNonFinite(flip, reference.measured);
-    markNonFinite(flip, test.measured);
+    const base::Stopwatch watch(&context.timings(), "metrics");
+    subject = makeSubject(frames, chosen, !settings.materials.empty());
+    measured = measureView(settings, frames, reference, test, subject, budgets, request);
   }
 
   compare::ViewResult view;
   view.name = request.viewName;
   view.width = settings.width;
   view.height = settings.height;
-  {
-    const base::Stopwatch watch(&context.timings(), "figures");
-    std::vector<std::size_t> chosen;
-    for (std::size_t m = 0; m < frames.coverage.size(); ++m) {
-      const auto& globs = settings.materials;
-      if (globs.empty() || std::any_of(globs.begin(), globs.end(), [&](const std::string& g) {
-            return base::matchesGlob(g, scene.materials[m].name);
-          }))
-        chosen.push_back(m);
-    }
-    // With --material the whole is what was chosen, not what else is in the picture.
-    const base::PixelList whole = allPixels(frames.coverage, chosen, flip.pixelCount());
-    view.whole = compare::measureRegion(reference.measured, test.measured, flip, whole);
-    view.materials.resize(chosen.size());
-    base::parallelFor(chosen.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const base::PixelList& list = frames.coverage[chosen[i]];
-        compare::MaterialResult& material = view.materials[i];
-        material.name = scene.materials[chosen[i]].name;
-        material.figures = compare::measureRegion(reference.measured, test.measured, flip, list);
-        material.notes = materialNotes(scene.materials[chosen[i]]);
-        if (isFlat(reference.pixels, test.pixels, list))
-          material.notes.push_back("all black or all white in both pictures: there is nothing to compare");
-        material.terms = termFigures(frames, list);
-        compare::judgeMaterial(material, budgets, request.sceneName);
-      }
-    });
-    compare::judgeWhole(view, budgets, request.sceneName);
-    if (request.reportFolder.empty()) return view;
-
-    const std::string prefix = "images/" + request.imagePrefix;
-    view.images = {prefix + "_highend.png", prefix + "_mobile.png", prefix + "_flip.png"};
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-      if (frames.coverage[chosen[i]].pixels.empty()) continue;
-      const std::string crops = fmt::format("{}_m{}", prefix, chosen[i]);
-      view.materials[i].crops = {crops + "_highend.png", crops + "_mobile.png", crops + "_flip.png"};
-    }
-  }
+  view.whole = measured.regions[0];
+  view.materials.resize(chosen.size());
+  base::parallelFor(chosen.size(), 1, [&](std::size_t i, std::size_t) {
+    const base::PixelList& list = frames.coverage[chosen[i]];
+    compare::MaterialResult& material = view.materials[i];
+    material.name = scene.materials[chosen[i]].name;
+    material.figures = measured.regions[i + 1];
+    material.notes = materialNotes(scene.materials[chosen[i]]);
+    if (isFlat(reference.pixels, test.pixels, list))
+      material.notes.push_back("all black or all white in both pictures: there is nothing to compare");
+    material.terms = termFigures(frames, list);
+    compare::judgeMaterial(material, budgets, request.sceneName);
+  });
+  compare::judgeWhole(view, budgets, request.sceneName);
+  if (request.reportFolder.empty()) return view;
 
   const base::Stopwatch watch(&context.timings(), "write images");
-  const base::Image8 heat = quantize(compare::magmaImage(flip));
-  const base::Image8* pictures[] = {&reference.pixels, &test.pixels, &heat};
-  std::vector<std::function<void()>> tasks;
-  const auto write = [&](const std::string& path, base::Image8 image) {
-    base::writeImage8(request.reportFolder / path, image);
-  };
-  for (int k = 0; k < 3; ++k) {
-    const std::string& path = k == 0 ? view.images.reference : k == 1 ? view.images.test : view.images.flip;
-    tasks.push_back([&write, path, picture = pictures[k]] { write(path, *picture); });
-  }
-  for (const compare::MaterialResult& material : view.materials) {
-    if (material.crops.reference.empty()) continue;
-    const auto list = std::find_if(frames.coverage.begin(), frames.coverage.end(),
-                                   [&](const auto& l) { return l.name == material.name; });
-    const Box box = boxAround(*list, settings.width, settings.height);
-    const std::string* paths[] = {&material.crops.reference, &material.crops.test, &material.crops.flip};
-    for (int k = 0; k < 3; ++k)
-      tasks.push_back([&write, path = *paths[k], picture = pictures[k], box] { write(path, crop(*picture, box)); });
-  }
-  base::parallelInvoke(tasks);
+  const std::string prefix = "images/" + request.imagePrefix;
+  view.images = imageSet(prefix);
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    if (!subject.crops[i].empty()) view.materials[i].crops = imageSet(fmt::format("{}_m{}", prefix, chosen[i]));
+  writePictures(view, subject, reference, test, *measured.findMap("flip"), request.reportFolder);
   return view;
 }
 

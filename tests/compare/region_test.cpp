@@ -1,11 +1,10 @@
-// The interior of a region: what erosion keeps, and that no neighbour bleeds into it.
+// The interior of a region: what erosion keeps; and where regions lie.
 #include <algorithm>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "compare/flip.h"
 #include "compare/region.h"
 
 namespace parity::compare {
@@ -87,38 +86,12 @@ TEST(Erode, malformedListsAreErrors) {
   EXPECT_TRUE(erode({"m", {}, {}}, 2, 2, 1).pixels.empty());
 }
 
-// Two materials side by side; only the right one differs between the images. `all` of the left one sees it through the
-// filters, `interior` does not.
-TEST(MeasureRegion, aNeighboursErrorBleedsIntoAllButNotIntoTheInterior) {
-  const int size = 64, border = 32;
-  std::mt19937 random(8);
-  std::uniform_real_distribution<float> uniform(0.f, 1.f);
-  base::Image reference(size, size, 3);
-  for (float& v : reference.pixels) v = uniform(random);
-  base::Image test = reference;
-  std::vector<bool> left(static_cast<std::size_t>(size * size));
-  for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) {
-      left[static_cast<std::size_t>(y * size + x)] = x < border;
-      if (x >= border) test.at(x, y)[1] = 1.f - test.at(x, y)[1];
-    }
-  const RegionFigures figures = measureRegion(reference, test, flipMap(reference, test), listOf(left));
-  EXPECT_EQ(figures.name, "mask");
-  EXPECT_EQ(figures.all.pixels, static_cast<std::uint64_t>(border * size));
-  EXPECT_GT(figures.all.flip.max, 0.05);
-  EXPECT_EQ(figures.interior.pixels, static_cast<std::uint64_t>((border - flipFilterRadius({})) * size));
-  EXPECT_EQ(figures.interior.flip.max, 0);
-  EXPECT_EQ(figures.all.rmse, 0); // not filtered: no bleeding
-}
-
-TEST(MeasureRegion, theInteriorFollowsTheViewingDistance) {
-  const base::Image image(60, 60, 3), map(60, 60, 1);
-  std::vector<bool> mask(60 * 60);
-  for (std::size_t y = 10; y < 50; ++y)
-    for (std::size_t x = 10; x < 50; ++x) mask[y * 60 + x] = true;
-  EXPECT_EQ(measureRegion(image, image, map, listOf(mask)).interior.pixels, 20u * 20);
-  EXPECT_EQ(measureRegion(image, image, map, listOf(mask), {.ppd = 20}).interior.pixels, 34u * 34); // radius 3
-  EXPECT_EQ(measureRegion(image, image, map, listOf(mask), {.ppd = 200}).interior.pixels, 0u);      // radius 28
+TEST(Bounds, holdAllListsAndTheMarginWithinTheImage) {
+  const base::PixelList a{"a", {12, 33}, {}}, b{"b", {57}, {}}, none{"none", {}, {}};
+  const base::PixelList *both[] = {&a, &none, &b}, *nothing[] = {&none};
+  EXPECT_EQ(boundsOf(both, 10, 10), (Rect{2, 1, 6, 5}));
+  EXPECT_EQ(boundsOf(both, 10, 10, 3), (Rect{0, 0, 10, 9}));
+  EXPECT_TRUE(boundsOf(nothing, 10, 10, 3).empty());
 }
 
 } // namespace

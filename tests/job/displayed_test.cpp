@@ -1,7 +1,6 @@
 // What a screen shows of a frame, and what becomes of pixels that are not finite.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 
 #include "job/displayed.h"
@@ -15,24 +14,29 @@ TEST(Displayed, isTheSrgbEncodedColourInEightBits) {
   const Displayed shown = displayImage(color, base::DisplayTransform("sRGB"), 0);
   EXPECT_EQ(shown.pixels.pixels,
             (std::vector<std::uint8_t>{0, 0, 0, 188, 188, 188, 255, 255, 255})); // 0.5 -> 187.5: IEC 61966-2-1
-  EXPECT_EQ(shown.finite.pixels[3], 188 / 255.f);
-  EXPECT_EQ(shown.measured, shown.finite);
+  EXPECT_TRUE(shown.nonFinite.empty());
 }
 
 TEST(Displayed, neverShowsANonFinitePixelAsAPlainOne) {
   constexpr float kInf = std::numeric_limits<float>::infinity(), kNan = std::numeric_limits<float>::quiet_NaN();
-  base::Image color(2, 1, 3, 0.2f);
+  base::Image color(4, 1, 3, 0.2f);
   color.pixels[1] = kInf; // would be displayed as a plain 1
   color.pixels[5] = kNan;
-  const Displayed shown = displayImage(color, base::DisplayTransform("sRGB"), 0);
-  for (int k = 0; k < 6; ++k) {
-    EXPECT_EQ(shown.pixels.pixels[k], 0);
-    EXPECT_EQ(shown.finite.pixels[k], 0);
-    EXPECT_TRUE(std::isnan(shown.measured.pixels[k]));
+  color.pixels[11] = 3e38f; // finite until it is exposed
+  const Displayed shown = displayImage(color, base::DisplayTransform("sRGB"), 2);
+  for (std::size_t k : {0u, 1u, 2u, 3u, 4u, 5u, 9u, 10u, 11u}) EXPECT_EQ(shown.pixels.pixels[k], 0);
+  EXPECT_GT(shown.pixels.pixels[6], 0);
+  EXPECT_EQ(shown.nonFinite, (std::vector<std::uint32_t>{0, 1, 3}));
+}
+
+TEST(Displayed, findsNonFinitePixelsAllOverALargeFrame) {
+  base::Image color(300, 200, 3, 0.2f);
+  std::vector<std::uint32_t> expected;
+  for (std::uint32_t pixel = 7; pixel < 60000; pixel += 4999) {
+    color.pixels[3 * pixel + pixel % 3] = std::numeric_limits<float>::quiet_NaN();
+    expected.push_back(pixel);
   }
-  base::Image map(2, 1, 1, 0.f);
-  markNonFinite(map, shown.measured);
-  EXPECT_EQ(map.pixels, (std::vector<float>{1, 1}));
+  EXPECT_EQ(displayImage(color, base::DisplayTransform("raw"), 0).nonFinite, expected);
 }
 
 } // namespace

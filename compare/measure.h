@@ -1,0 +1,45 @@
+// Measuring: a pair of images and regions in, named figures per region out.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/frame.h"
+#include "compare/figures.h"
+#include "compare/metric.h"
+
+namespace parity::compare {
+
+struct MeasureRequest {
+  std::vector<std::string> metrics = {};    // all figures of these (compare/metric.h)
+  std::vector<std::string> statistics = {}; // and these, of any metric: what budgets name
+  MetricOptions options = {};
+  std::optional<int> interiorRadius = {}; // of the erosion; none: flipFilterRadius of the options' ppd
+  std::vector<std::string> keepMaps = {}; // metrics whose first map is wanted in Measurement::maps, measured or not
+};
+
+struct Measurement {
+  std::vector<RegionFigures> regions;                    // as many as lists, in their order
+  std::vector<std::pair<std::string, base::Image>> maps; // name of the metric, map: 1 channel, 0 outside the box
+  std::vector<std::string> notes;                        // of the metrics, "name: note"
+
+  // The kept map of that metric, or null.
+  const base::Image* findMap(std::string_view metric) const;
+};
+
+// The metrics of a run that names none: cheap ones, of which the verdicts by default need the first.
+std::vector<std::string> defaultMetrics();
+
+// Every map is made once, then all regions are pooled, on all threads; the result does not depend on their number. An
+// empty region (or one of weight 0) gives pixels = 0 and no values. Pixels that are not finite in any image are counted
+// in nonFinite and enter every figure as the metric's worst value, luma 0, so that no figure is NaN and none looks
+// better for them.
+// Throws Error: usage for an unknown metric or statistic, and for options out of range; notComparable for images that
+// do not fit each other (see MetricInput), and for a metric that needs linear images where there are none; failed for a
+// malformed list and for a region that reaches beyond options.box.
+Measurement measureRegions(const ImagePair& pair, const std::vector<base::PixelList>& lists,
+                           const MeasureRequest& request);
+
+} // namespace parity::compare

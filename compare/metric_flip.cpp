@@ -1,0 +1,34 @@
+// LDR-FLIP as a metric (Andersson et al. 2020).
+#include <array>
+
+#include "compare/flip.h"
+#include "compare/metric_makers.h"
+#include "compare/metric_parts.h"
+
+namespace parity::compare {
+namespace {
+
+MetricMaps makeMaps(const MetricInput& input, const MetricOptions& options) {
+  MetricMaps maps;
+  maps.planes.push_back(flipMap(input.reference, input.test, {.ppd = options.ppd, .region = options.box}));
+  setPixels(maps.planes[0], input.nonFinite, 1);
+  return maps;
+}
+
+} // namespace
+
+Metric makeFlipMetric() {
+  constexpr std::array<std::string_view, 5> kParts = {"mean", "p50", "p95", "p99", "max"};
+  Metric metric;
+  metric.name = "flip";
+  metric.label = "FLIP";
+  metric.description = "LDR-FLIP (Andersson et al. 2020) of the displayed images: how visible a difference is when one "
+                       "is swapped for the other; 0 none, 1 the largest";
+  metric.statistics = distributionStatistics(metric.name, metric.label, kParts, {});
+  metric.hasFractionOver = true;
+  metric.makeMaps = makeMaps;
+  metric.pool = poolDistribution;
+  return metric;
+}
+
+} // namespace parity::compare

@@ -1,0 +1,25 @@
+// Peak signal-to-noise ratio of displayed values.
+#include <limits>
+
+#include "compare/error_maps.h"
+#include "compare/metric_makers.h"
+#include "compare/metrics.h"
+#include "compare/pooling.h"
+
+namespace parity::compare {
+
+Metric makePsnrMetric() {
+  Metric metric;
+  metric.name = "psnr";
+  metric.label = "PSNR";
+  metric.description =
+      "10 log10(1 / mean squared difference of displayed values), dB; infinite where they are identical";
+  metric.statistics = {{"psnr", "psnr", "PSNR", "dB", Better::higher, 0, std::numeric_limits<double>::infinity(), 1}};
+  metric.makeMaps = squaredErrorMaps;
+  metric.pool = [](const MetricMaps& maps, const RegionRuns& region, std::span<const Statistic> wanted) {
+    return std::vector<double>(wanted.size(), psnrOfMse(meanOf(maps.planes[0], region)));
+  };
+  return metric;
+}
+
+} // namespace parity::compare

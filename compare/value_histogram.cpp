@@ -1,0 +1,82 @@
+#include "compare/value_histogram.h"
+
+#include <algorithm>
+
+namespace parity::compare {
+namespace {
+
+// The bits of a float as an integer of the same order.
+std::uint32_t orderedKey(float value) {
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+}
+
+// The 32 bits of a key in groups, from the leading one.
+struct Level {
+  int shift, bits;
+};
+constexpr std::array<Level, 3> kLevels = {{{21, 11}, {10, 11}, {0, 10}}};
+
+constexpr std::size_t kBlock = 256; // values whose bins are computed before any is counted
+
+template <bool kWeighted> void addBlocks(const float* values, const float* weights, std::size_t count,
+                                         ValueHistogram& even, ValueHistogram& odd) {
+  std::int32_t index[kBlock];
+  for (std::size_t begin = 0; begin < count; begin += kBlock) {
+    const std::size_t n = std::min(kBlock, count - begin);
+    const float* v = values + begin;
+    for (std::size_t i = 0; i < n; ++i) index[i] = ValueBins::indexOf(v[i]);
+    const auto weightOf = [&](std::size_t i) {
+      if constexpr (kWeighted) return static_cast<double>(weights[begin + i]);
+      return 1.;
+    };
+    std::size_t i = 0;
+    for (; i + 2 <= n; i += 2) {
+      even[static_cast<std::size_t>(index[i])] += weightOf(i);
+      odd[static_cast<std::size_t>(index[i + 1])] += weightOf(i + 1);
+    }
+    if (i < n) even[static_cast<std::size_t>(index[i])] += weightOf(i);
+  }
+}
+
+} // namespace
+
+void HistogramBuilder::add(const float* values, const float* weights, std::size_t count) {
+  if (weights)
+    addBlocks<true>(values, weights, count, m_even, m_odd);
+  else
+    addBlocks<false>(values, weights, count, m_even, m_odd);
+}
+
+ValueHistogram HistogramBuilder::total() const {
+  ValueHistogram sum;
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = m_even[i] + m_odd[i];
+  return sum;
+}
+
+FoundBin findBin(std::span<const double> weightPerBin, double before, double target) {
+  FoundBin last{0, before};
+  for (std::size_t i = 0; i < weightPerBin.size(); ++i) {
+    if (weightPerBin[i] <= 0) continue;
+    last = {i, before};
+    before += weightPerBin[i];
+    if (before > target) break;
+  }
+  return last;
+}
+
+float selectValue(std::vector<WeightedValue> values, double before, double target) {
+  for (const Level& level : kLevels) {
+    const auto binOf = [&](const WeightedValue& v) {
+      return orderedKey(v.value) >> level.shift & ((std::uint32_t{1} << level.bits) - 1);
+    };
+    std::array<double, std::size_t{1} << 11> bins{};
+    for (const WeightedValue& v : values) bins[binOf(v)] += static_cast<double>(v.weight);
+    const FoundBin found = findBin(bins, before, target);
+    before = found.before;
+    std::erase_if(values, [&](const WeightedValue& v) { return binOf(v) != found.bin; });
+  }
+  return values.front().value;
+}
+
+} // namespace parity::compare
