@@ -1,84 +1,69 @@
-// The built-in budgets, and figures judged by a budget's rule.
+// Figures judged by a budget's rule, and which rule that is.
 #include "compare/budget.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/glob.h"
 
 namespace parity::compare {
 namespace {
 
-Verdict judge(const BudgetCheck& check, double value) {
-  if (std::isnan(value)) return Verdict::error;
-  const bool lowerBound = check.metric == Metric::psnr;
-  const auto beyond = [&](const std::optional<double>& limit) {
-    return limit && (lowerBound ? value < *limit : value > *limit);
-  };
-  return beyond(check.fail) ? Verdict::fail : beyond(check.warn) ? Verdict::warn : Verdict::pass;
+// A check on the figure's own level; of a regression only what it would look at.
+CheckResult prepareCheck(const BudgetCheck& check, const RegionFigures& figures) {
+  CheckResult result;
+  const bool fallsBack = check.region == Region::interior && figures.interior.pixels == 0;
+  const Region region = fallsBack ? Region::all : check.region;
+  if (fallsBack) result.note = "no interior pixels: all pixels instead";
+  result.metric = check.statistic.name;
+  result.region = nameOf(region);
+  result.warnAbove = check.warn;
+  result.failAbove = check.fail;
+  const std::optional<double> value =
+      (region == Region::all ? figures.all : figures.interior).find(check.statistic.name);
+  result.value = value.value_or(NAN);
+  if (!value) result.note += result.note.empty() ? "not measured" : "; not measured";
+  return result;
 }
 
-Budgets makeDefaults() {
-  BudgetRule material;
-  material.origin = "built-in";
-  material.checks = {{Metric::flipMean, Region::interior, 0.10, 0.20}, {Metric::flipP95, Region::interior, 0.30, 0.50}};
-  BudgetRule whole;
-  whole.origin = "built-in";
-  whole.checks = {{Metric::flipMean, Region::all, 0.08, 0.16}, {Metric::flipP95, Region::all, 0.30, 0.50}};
-  return {{material}, {whole}};
+void apply(const BudgetRule* rule, const RegionFigures& figures, std::vector<CheckResult>& checks,
+           AppliedRule& applied) {
+  checks = rule ? runChecks(*rule, figures) : std::vector<CheckResult>{};
+  applied = rule ? AppliedRule{rule->origin, rule->reason, rule->owner, rule->requireSeen, rule->file, rule->line}
+                 : AppliedRule{};
+}
+
+bool isOf(const AppliedRule& applied, const BudgetRule& rule) {
+  return applied.line == rule.line && applied.file == rule.file;
+}
+
+// Whether the rule judged something in the report, or could have in a scene that was not compared.
+bool isUsed(const BudgetRule& rule, bool ofWholes, const Report& report) {
+  for (const SceneResult& scene : report.scenes) {
+    if (!scene.error.empty() && base::matchesGlob(rule.scene, scene.name)) return true;
+    for (const ViewResult& view : scene.views)
+      if (ofWholes ? isOf(view.rule, rule)
+                   : std::ranges::any_of(view.materials, [&](const auto& m) { return isOf(m.rule, rule); }))
+        return true;
+  }
+  return false;
 }
 
 } // namespace
 
-std::string_view nameOf(Metric metric) { return kMetricNames[static_cast<std::size_t>(metric)]; }
-
-std::optional<Metric> metricByName(std::string_view name) {
-  const auto found = std::ranges::find(kMetricNames, name);
-  if (found == kMetricNames.end()) return std::nullopt;
-  return static_cast<Metric>(found - kMetricNames.begin());
-}
-
-std::string_view labelOf(Metric metric) {
-  switch (metric) {
-  case Metric::flipMean:
-    return "mean FLIP";
-  case Metric::flipP50:
-    return "median FLIP";
-  case Metric::flipP95:
-    return "FLIP p95";
-  case Metric::flipMax:
-    return "largest FLIP";
-  case Metric::rmse:
-    return "RMSE";
-  case Metric::psnr:
-    return "PSNR";
-  }
-  return "";
-}
-
-double valueOf(const Figures& figures, Metric metric) {
-  switch (metric) {
-  case Metric::flipMean:
-    return figures.flip.mean;
-  case Metric::flipP50:
-    return figures.flip.p50;
-  case Metric::flipP95:
-    return figures.flip.p95;
-  case Metric::flipMax:
-    return figures.flip.max;
-  case Metric::rmse:
-    return figures.rmse;
-  case Metric::psnr:
-    return figures.psnr;
-  }
-  return NAN; // judged as an error
-}
-
 std::string_view nameOf(Region region) { return kRegionNames[static_cast<std::size_t>(region)]; }
 
-const Budgets& defaultBudgets() {
-  static const Budgets budgets = makeDefaults();
-  return budgets;
+std::vector<std::string> requiredStatistics(const Budgets& budgets) {
+  std::vector<std::string> names;
+  for (const std::vector<BudgetRule>* rules : {&budgets.materials, &budgets.wholes})
+    for (const BudgetRule& rule : *rules)
+      for (const std::vector<BudgetCheck>* checks : {&rule.checks, &rule.regress})
+        for (const BudgetCheck& check : *checks)
+          if (std::ranges::find(names, check.statistic.name) == names.end()) names.push_back(check.statistic.name);
+  return names;
 }
 
 const BudgetRule* findMaterialRule(const Budgets& budgets, std::string_view scene, std::string_view material) {
@@ -94,38 +79,64 @@ const BudgetRule* findWholeRule(const Budgets& budgets, std::string_view scene) 
   return rule == budgets.wholes.end() ? nullptr : &*rule;
 }
 
+Verdict judgeLevel(Better better, double value, const std::optional<double>& warn, const std::optional<double>& fail) {
+  if (std::isnan(value)) return Verdict::error;
+  const auto beyond = [&](const std::optional<double>& limit) {
+    if (!limit) return false;
+    if (better == Better::higher) return value < *limit;
+    return (better == Better::nearZero ? std::abs(value) : value) > *limit;
+  };
+  return beyond(fail) ? Verdict::fail : beyond(warn) ? Verdict::warn : Verdict::pass;
+}
+
 std::vector<CheckResult> runChecks(const BudgetRule& rule, const RegionFigures& figures) {
   std::vector<CheckResult> results;
   if (figures.all.pixels == 0) return results;
   for (const BudgetCheck& check : rule.checks) {
-    CheckResult result;
-    const bool fallsBack = check.region == Region::interior && figures.interior.pixels == 0;
-    const Region region = fallsBack ? Region::all : check.region;
-    if (fallsBack) result.note = "no interior pixels: all pixels instead";
-    result.metric = nameOf(check.metric);
-    result.region = nameOf(region);
-    result.value = valueOf(region == Region::all ? figures.all : figures.interior, check.metric);
-    result.warnAbove = check.warn;
-    result.failAbove = check.fail;
-    result.verdict = judge(check, result.value);
+    CheckResult result = prepareCheck(check, figures);
+    result.verdict = judgeLevel(check.statistic.better, result.value, check.warn, check.fail);
+    results.push_back(std::move(result));
+  }
+  for (const BudgetCheck& check : rule.regress) {
+    CheckResult result = prepareCheck(check, figures);
+    result.regress = true;
+    result.verdict = Verdict::error; // what it is worth where nothing else judges
+    // A figure that is not known cannot be judged whatever the baseline says, and says so.
+    result.judged = std::isnan(result.value);
+    result.value = NAN;
+    if (!result.judged) result.note += result.note.empty() ? "no baseline" : "; no baseline";
     results.push_back(std::move(result));
   }
   return results;
 }
 
 void judgeMaterial(MaterialResult& material, const Budgets& budgets, std::string_view scene) {
-  const BudgetRule* rule = findMaterialRule(budgets, scene, material.name);
-  material.checks = rule ? runChecks(*rule, material.figures) : std::vector<CheckResult>{};
-  material.budget = rule ? rule->origin : "";
-  material.budgetReason = rule ? rule->reason : "";
-  material.owner = rule ? rule->owner : "";
-  material.requireSeen = rule && rule->requireSeen;
+  apply(findMaterialRule(budgets, scene, material.name), material.figures, material.checks, material.rule);
   settleMaterial(material, false);
 }
 
 void judgeWhole(ViewResult& view, const Budgets& budgets, std::string_view scene) {
-  const BudgetRule* rule = findWholeRule(budgets, scene);
-  view.checks = rule ? runChecks(*rule, view.whole) : std::vector<CheckResult>{};
+  apply(findWholeRule(budgets, scene), view.whole, view.checks, view.rule);
+}
+
+std::string describeUnusedRules(const Budgets& budgets, const Report& report) {
+  std::vector<std::string> places;
+  std::string file;
+  const auto collect = [&](const std::vector<BudgetRule>& rules, bool ofWholes) {
+    for (const BudgetRule& rule : rules) {
+      if (rule.line == 0 || isUsed(rule, ofWholes, report)) continue;
+      file = std::filesystem::path(rule.file).filename().string();
+      const std::string scene = rule.scene == "*" ? "" : fmt::format(" of scenes '{}'", rule.scene);
+      places.push_back(ofWholes ? fmt::format("line {} (whole images{})", rule.line, scene)
+                                : fmt::format("line {} ('{}'{})", rule.line, rule.material, scene));
+    }
+  };
+  collect(budgets.materials, false);
+  collect(budgets.wholes, true);
+  if (places.empty()) return {};
+  return fmt::format("{}: {} nothing in this run: {}", file,
+                     places.size() == 1 ? "a rule judges" : fmt::format("{} rules judge", places.size()),
+                     fmt::join(places, ", "));
 }
 
 } // namespace parity::compare

@@ -9,37 +9,33 @@
 #include <vector>
 
 #include "compare/report.h"
+#include "compare/statistic.h"
 
 namespace parity::compare {
-
-enum class Metric { flipMean, flipP50, flipP95, flipMax, rmse, psnr };
-inline constexpr std::array<std::string_view, 6> kMetricNames = {"flip.mean", "flip.p50", "flip.p95",
-                                                                 "flip.max",  "rmse",     "psnr"};
-std::string_view nameOf(Metric metric);
-std::optional<Metric> metricByName(std::string_view name);
-// What a sentence calls it: "mean FLIP", "PSNR".
-std::string_view labelOf(Metric metric);
-// The figure that it names. FLIP and RMSE 0..1 (less is better), PSNR in dB (more is better, +infinity if identical).
-double valueOf(const Figures& figures, Metric metric);
 
 enum class Region { interior, all };
 inline constexpr std::array<std::string_view, 2> kRegionNames = {"interior", "all"};
 std::string_view nameOf(Region region);
 
-// One limit on one figure. Above (psnr: below) `warn` it warns, above `fail` it fails; at least one is set.
+// One limit on one figure. Beyond `warn` it warns, beyond `fail` it fails; at least one is set. Beyond is above for
+// figures of which less is better, below where more is (psnr, ssim), and above in absolute value for signed ones
+// (bias). As a regression: worse than in the baseline by more than the limit, in the figure's own unit.
 struct BudgetCheck {
-  Metric metric = Metric::flipMean;
+  Statistic statistic;
   Region region = Region::interior; // where the interior is empty, `all` is checked instead
   std::optional<double> warn, fail;
 };
 
-// The limits for all materials (or whole images) whose names match.
+// The limits for all materials (or whole images) whose names match. All of them have to hold.
 struct BudgetRule {
   std::string material = "*", scene = "*"; // globs (base/glob.h); `material` is not used for whole images
-  std::vector<BudgetCheck> checks;         // never empty in a loaded file
+  std::vector<BudgetCheck> checks;         // on the figures themselves
+  std::vector<BudgetCheck> regress;        // against a baseline; in a loaded file the two are never both empty
   bool requireSeen = false;                // a material that no view shows fails
   std::string reason, owner;               // why these limits, and whom to ask; shown in the report
   std::string origin;                      // "built-in", or "budgets.toml, line 12"
+  std::string file;                        // as it was given to loadBudgets; empty: built-in
+  int line = 0;
 };
 
 // The first rule that matches judges; a name that none matches cannot be judged, which is an error and never a pass.
@@ -56,25 +52,45 @@ struct Budgets {
 // pixels: the same for p95; flip.mean 0.08 and 0.16, as errors of materials should average out.
 const Budgets& defaultBudgets();
 
+// A named list of checks that rules refer to by `preset`.
+struct BudgetPreset {
+  std::string name, summary;
+  std::vector<BudgetCheck> materials, wholes; // for either kind of rule
+};
+// "default": the limits of defaultBudgets(); "strict": half of them; "identical": no pixel may differ.
+const std::vector<BudgetPreset>& builtInPresets();
+
 // Reads a budget file (format: budgets.example.toml). The built-in rules are appended, for what no rule of the file
-// matches. Throws Error (exit 4) "file: line N: reason" for: a syntax error; an unknown key, metric or region (with the
-// nearest known name); a wrong type; no rules; a rule without checks; a check without limit; the same check twice; a
-// limit that is NaN, infinite or outside its metric's range; warn beyond fail; a rule that an earlier one hides wholly.
+// matches. Throws Error (exit 4) "file: line N: reason" for: a syntax error; an unknown key, metric, region or preset
+// (with the nearest known name); a wrong type; no rules; a rule without checks; a check without limit; the same check
+// twice; a limit that is NaN, infinite or outside its figure's range; warn beyond fail; a rule that an earlier one
+// hides wholly.
 Budgets loadBudgets(const std::filesystem::path& file);
+
+// The figures that the rules' checks and regressions name, each once: what a run has to measure to be judged.
+std::vector<std::string> requiredStatistics(const Budgets& budgets);
 
 // The first rule that matches, or null.
 const BudgetRule* findMaterialRule(const Budgets& budgets, std::string_view scene, std::string_view material);
 const BudgetRule* findWholeRule(const Budgets& budgets, std::string_view scene);
 
-// Checks figures against each limit of the rule, in its order. Empty where the region has no pixel. A value that is NaN
-// gives Verdict::error; an identical image (psnr = +infinity) passes any psnr limit.
+// Holds figures against each limit of the rule, in its order, then the regressions, which stay not judged until
+// compareWithBaseline (compare/baseline.h) judges them. Empty where the region has no pixel. A figure that is NaN or
+// was not measured gives Verdict::error; an identical image (psnr = +infinity) passes any psnr limit.
 std::vector<CheckResult> runChecks(const BudgetRule& rule, const RegionFigures& figures);
 
-// Fills checks, budget, budgetReason, owner and requireSeen by the first rule that matches, then verdict and reason by
-// settleMaterial (as if no other view showed the material; settleVerdicts knows better).
+// The verdict on a value by a check's limits: error for NaN.
+Verdict judgeLevel(Better better, double value, const std::optional<double>& warn, const std::optional<double>& fail);
+
+// Fills checks and rule by the first rule that matches, then verdict and reason by settleMaterial (as if no other view
+// showed the material; settleVerdicts knows better).
 void judgeMaterial(MaterialResult& material, const Budgets& budgets, std::string_view scene);
 
-// Fills the checks of the view's whole image. settleVerdicts sets the verdicts.
+// Fills the checks and the rule of the view's whole image. settleVerdicts sets the verdicts.
 void judgeWhole(ViewResult& view, const Budgets& budgets, std::string_view scene);
+
+// One line for the rules of a file that judged nothing in this report, empty where there are none: a misspelt glob is
+// a limit that nobody checks. Rules for scenes that could not be compared are left out.
+std::string describeUnusedRules(const Budgets& budgets, const Report& report);
 
 } // namespace parity::compare

@@ -1,6 +1,7 @@
 // Reading a budget file (TOML): every key is known or refused, every limit makes sense or is refused.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <span>
 #include <utility>
@@ -20,17 +21,36 @@ namespace {
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
 using Names = std::span<const std::string_view>;
 
-constexpr std::string_view kRootKeys[] = {"material", "whole"};
-constexpr std::string_view kMaterialKeys[] = {"name", "scene", "checks", "require_seen", "reason", "owner"};
-constexpr std::string_view kWholeKeys[] = {"scene", "checks", "reason", "owner"};
+constexpr std::string_view kRootKeys[] = {"preset", "material", "whole"};
+constexpr std::string_view kPresetKeys[] = {"checks", "regress"};
+constexpr std::string_view kMaterialKeys[] = {"name",    "scene",        "preset", "checks",
+                                              "regress", "require_seen", "reason", "owner"};
+constexpr std::string_view kWholeKeys[] = {"scene", "preset", "checks", "regress", "reason", "owner"};
 constexpr std::string_view kCheckKeys[] = {"metric", "region", "warn", "fail"};
+
+// What a rule demands: its own lists and those of its preset.
+struct Checks {
+  std::vector<BudgetCheck> levels, regress;
+};
+
+// Those of a rule, and those of its preset over figures (and regions) that the rule does not name itself.
+std::vector<BudgetCheck> merge(std::vector<BudgetCheck> own, const std::vector<BudgetCheck>& preset) {
+  const std::size_t count = own.size();
+  for (const BudgetCheck& check : preset)
+    if (std::none_of(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(count), [&](const BudgetCheck& other) {
+          return other.statistic.name == check.statistic.name && other.region == check.region;
+        }))
+      own.push_back(check);
+  return own;
+}
 
 class Reader {
 public:
   explicit Reader(const std::filesystem::path& file) : m_file(file.string()), m_short(file.filename().string()) {}
 
-  Budgets read(const toml::table& root) const {
+  Budgets read(const toml::table& root) {
     refuseUnknown(root, kRootKeys);
+    readPresets(root);
     Budgets budgets;
     if (const toml::node* rules = root.get("material"))
       for (const toml::table* rule : tablesOf(*rules, "material")) budgets.materials.push_back(materialRule(*rule));
@@ -48,6 +68,64 @@ public:
   }
 
 private:
+  // Each preset is read once for either kind of rule, as the region that a check has by default differs.
+  void readPresets(const toml::table& root) {
+    for (const BudgetPreset& preset : builtInPresets()) {
+      m_presets[static_cast<int>(Region::interior)][preset.name] = {preset.materials, {}};
+      m_presets[static_cast<int>(Region::all)][preset.name] = {preset.wholes, {}};
+    }
+    const toml::node* node = root.get("preset");
+    if (!node) return;
+    if (!node->is_table()) refuse(node->source(), "'preset' must be tables: [preset.NAME]");
+    for (const auto& [key, value] : *node->as_table()) {
+      const std::string name(key.str());
+      if (!value.is_table()) refuse(key.source(), fmt::format("'{0}' must be a table: [preset.{0}]", name));
+      if (m_presets[0].contains(name))
+        refuse(key.source(), fmt::format("preset '{}' is built in: take another name", name));
+      const toml::table& table = *value.as_table();
+      refuseUnknown(table, kPresetKeys);
+      for (const Region region : {Region::interior, Region::all})
+        m_presets[static_cast<int>(region)][name] = readChecks(table, region, fmt::format("preset '{}'", name));
+    }
+  }
+
+  const Checks* presetOf(const toml::table& table, Region region) const {
+    if (!table.contains("preset")) return nullptr;
+    const std::string name = textOf(table, "preset", "");
+    const std::map<std::string, Checks>& presets = m_presets[static_cast<int>(region)];
+    const auto found = presets.find(name);
+    if (found != presets.end()) return &found->second;
+    std::vector<std::string_view> known;
+    for (const auto& [each, checks] : presets) known.push_back(each);
+    refuse(table.get("preset")->source(), fmt::format("unknown preset '{}'; {}", name, suggest(name, known)));
+  }
+
+  // Both lists of a table; `owner`, in words, has to have one of them.
+  Checks readChecks(const toml::table& table, Region region, const std::string& owner) const {
+    Checks checks;
+    if (!table.contains("checks") && !table.contains("regress"))
+      refuse(table.source(), fmt::format("{} has neither 'checks' nor 'regress'", owner));
+    checks.levels = readList(table, "checks", region);
+    checks.regress = readList(table, "regress", region);
+    return checks;
+  }
+
+  std::vector<BudgetCheck> readList(const toml::table& table, std::string_view key, Region region) const {
+    std::vector<BudgetCheck> list;
+    const toml::node* checks = table.get(key);
+    if (!checks) return list;
+    std::set<std::pair<std::string, Region>> seen;
+    for (const toml::table* check : tablesOf(*checks, key)) {
+      list.push_back(readCheck(*check, region, key == "regress"));
+      const BudgetCheck& last = list.back();
+      if (!seen.emplace(last.statistic.name, last.region).second)
+        refuse(check->source(),
+               fmt::format("'{}' over {} pixels is checked twice", last.statistic.name, nameOf(last.region)));
+    }
+    if (list.empty()) refuse(checks->source(), fmt::format("'{}' is empty: the rule would pass everything", key));
+    return list;
+  }
+
   static std::string suggest(std::string_view name, Names known) {
     const std::string nearest = base::nearestName(name, known);
     if (base::editDistance(name, nearest) * 2 <= std::max(name.size(), nearest.size()))
@@ -86,17 +164,14 @@ private:
     rule.scene = textOf(table, "scene", "*");
     rule.reason = textOf(table, "reason", "");
     rule.owner = textOf(table, "owner", "");
-    rule.origin = fmt::format("{}, line {}", m_short, table.source().begin.line);
-    const toml::node* checks = table.get("checks");
-    if (!checks) refuse(table.source(), "the rule has no 'checks'");
-    std::set<std::pair<Metric, Region>> seen;
-    for (const toml::table* check : tablesOf(*checks, "checks")) {
-      rule.checks.push_back(readCheck(*check, region));
-      if (!seen.emplace(rule.checks.back().metric, rule.checks.back().region).second)
-        refuse(check->source(), fmt::format("'{}' over {} pixels is checked twice", nameOf(rule.checks.back().metric),
-                                            nameOf(rule.checks.back().region)));
-    }
-    if (rule.checks.empty()) refuse(checks->source(), "'checks' is empty: the rule would pass everything");
+    rule.line = static_cast<int>(table.source().begin.line);
+    rule.origin = fmt::format("{}, line {}", m_short, rule.line);
+    rule.file = m_file;
+    const Checks* preset = presetOf(table, region);
+    const bool hasOwn = table.contains("checks") || table.contains("regress");
+    const Checks own = hasOwn || !preset ? readChecks(table, region, "the rule") : Checks{};
+    rule.checks = preset ? merge(own.levels, preset->levels) : own.levels;
+    rule.regress = preset ? merge(own.regress, preset->regress) : own.regress;
     return rule;
   }
 
@@ -118,43 +193,48 @@ private:
     return commonRule(table, Region::all);
   }
 
-  BudgetCheck readCheck(const toml::table& table, Region region) const {
+  BudgetCheck readCheck(const toml::table& table, Region region, bool regress) const {
     refuseUnknown(table, kCheckKeys);
     BudgetCheck check;
     if (!table.contains("metric")) refuse(table.source(), "the check has no 'metric'");
     const std::string metric = textOf(table, "metric", "");
-    const std::optional<Metric> known = metricByName(metric);
-    if (!known)
+    std::optional<Statistic> known = statisticByName(metric);
+    if (!known) {
+      const std::vector<std::string> names = knownStatistics();
       refuse(table.get("metric")->source(),
-             fmt::format("unknown metric '{}'; {}", metric, suggest(metric, kMetricNames)));
-    check.metric = *known;
+             fmt::format("unknown metric '{}'; {}", metric,
+                         suggest(metric, std::vector<std::string_view>(names.begin(), names.end()))));
+    }
+    check.statistic = std::move(*known);
     const std::string where = textOf(table, "region", std::string(nameOf(region)));
     const auto name = std::ranges::find(kRegionNames, where);
     if (name == kRegionNames.end())
       refuse(table.get("region")->source(),
              fmt::format("unknown region '{}'; {}", where, suggest(where, kRegionNames)));
     check.region = static_cast<Region>(name - kRegionNames.begin());
-    check.warn = readLimit(table, "warn", check.metric);
-    check.fail = readLimit(table, "fail", check.metric);
+    check.warn = readLimit(table, "warn", check.statistic, regress);
+    check.fail = readLimit(table, "fail", check.statistic, regress);
     if (!check.warn && !check.fail) refuse(table.source(), "the check has neither 'warn' nor 'fail'");
-    const bool lowerBound = check.metric == Metric::psnr;
+    const bool lowerBound = check.statistic.better == Better::higher && !regress;
     if (check.warn && check.fail && (lowerBound ? *check.warn < *check.fail : *check.warn > *check.fail))
       refuse(table.source(), fmt::format("'warn' ({}) lies {} 'fail' ({}): it could never warn", *check.warn,
                                          lowerBound ? "below" : "above", *check.fail));
     return check;
   }
 
-  std::optional<double> readLimit(const toml::table& table, std::string_view key, Metric metric) const {
+  // A limit of a regression is a distance, so it may be as large as the whole range.
+  std::optional<double> readLimit(const toml::table& table, std::string_view key, const Statistic& statistic,
+                                  bool regress) const {
     const toml::node* node = table.get(key);
     if (!node) return std::nullopt;
     const std::optional<double> value = node->value<double>();
     if (!node->is_number() || !value) refuse(node->source(), fmt::format("'{}' must be a number", key));
     if (!std::isfinite(*value)) refuse(node->source(), fmt::format("'{}' is not a finite number", key));
-    // 16-bit images that differ by one step in one channel of one of 2^28 pixels have 185 dB.
-    const double most = metric == Metric::psnr ? 200 : 1;
-    if (*value < 0 || *value > most)
-      refuse(node->source(),
-             fmt::format("'{}' is {}, outside the range 0..{} of {}", key, *value, most, nameOf(metric)));
+    const double least = regress ? 0 : statistic.least;
+    const double most = regress ? statistic.most - statistic.least : statistic.most;
+    if (*value < least || *value > most)
+      refuse(node->source(), fmt::format("'{}' is {}, outside the range {}..{} of {}{}", key, *value, least, most,
+                                         regress ? "changes of " : "", statistic.name));
     return value;
   }
 
@@ -173,13 +253,14 @@ private:
   }
 
   std::string m_file, m_short;
+  std::map<std::string, Checks> m_presets[kRegionNames.size()]; // by the default region of the rules that take them
 };
 
 } // namespace
 
 Budgets loadBudgets(const std::filesystem::path& file) {
   const std::string text = base::readText(file, kMaxBytes);
-  const Reader reader(file);
+  Reader reader(file);
   toml::table root;
   try {
     root = toml::parse(std::string_view(text), file.string());

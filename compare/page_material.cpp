@@ -13,25 +13,33 @@ std::string materialRow(const MaterialResult& material, const std::string& place
   const Figures& main = mainFigures(material.figures);
   const bool seen = material.figures.all.pixels > 0;
   const double light = main.referenceLuma > 0 ? std::abs(main.testLuma / main.referenceLuma - 1) : 0;
+  const double mean = main.find("flip.mean").value_or(0);
+  double change = 0;
+  if (material.baseline)
+    for (const FigureChange& each :
+         material.figures.interior.pixels > 0 ? material.baseline->interior : material.baseline->all)
+      if (each.metric == "flip.mean") change = each.change();
   std::string html = fmt::format(
       "<article class=\"material {}\" data-name=\"{}\" data-verdict=\"{}\" data-gravity=\"{}\" data-mean=\"{:.6f}\" "
-      "data-light=\"{:.6f}\" data-order=\"{}\"><div class=\"about\">{}<h4><bdi>{}</bdi></h4>",
+      "data-light=\"{:.6f}\" data-change=\"{:.6f}\" data-order=\"{}\"><div class=\"about\">{}<h4><bdi>{}</bdi></h4>",
       verdictClass(material.verdict), escapeMarkup(material.name), verdictClass(material.verdict),
-      static_cast<int>(material.verdict), seen && std::isfinite(main.flip.mean) ? main.flip.mean : 0,
-      seen && std::isfinite(light) ? light : 0, order, verdictBadge(material.verdict), escapeMarkup(material.name));
+      static_cast<int>(material.verdict), seen && std::isfinite(mean) ? mean : 0,
+      seen && std::isfinite(light) ? light : 0, std::isfinite(change) ? change : 0, order,
+      verdictBadge(material.verdict), escapeMarkup(material.name));
   if (!material.reason.empty()) html += fmt::format("<p class=\"reason\">{}</p>", escapeMarkup(material.reason));
-  if (seen) html += fmt::format("<p class=\"light\">{}</p>", describeBrightness(main));
+  if (seen) html += fmt::format("<p class=\"light\">{}</p>", describeBias(main));
+  html += baselineLine(material.baseline);
   html += textList(material.notes, "notes");
   std::string budget;
-  if (!material.budgetReason.empty()) budget += fmt::format("Limits: {}. ", escapeMarkup(material.budgetReason));
-  if (!material.owner.empty()) budget += fmt::format("Owner: {}. ", escapeMarkup(material.owner));
-  if (!material.budget.empty()) budget += fmt::format("Rule: {}.", escapeMarkup(material.budget));
+  if (!material.rule.reason.empty()) budget += fmt::format("Limits: {}. ", escapeMarkup(material.rule.reason));
+  if (!material.rule.owner.empty()) budget += fmt::format("Owner: {}. ", escapeMarkup(material.rule.owner));
+  if (!material.rule.origin.empty()) budget += fmt::format("Rule: {}.", escapeMarkup(material.rule.origin));
   if (!budget.empty()) html += fmt::format("<p class=\"aside\">{}</p>", budget);
   html += "</div>";
   if (!seen) return html + "<p class=\"unseen\">No pixel of this view shows it.</p></article>\n";
   html += imageTrio(material.crops, material.name + place);
   return html + fmt::format("<div class=\"numbers\">{}{}{}</div></article>\n", checkBars(material.checks),
-                            figureTable(material.figures), termTable(material.terms));
+                            figureTable(material.figures, material.baseline), termTable(material.terms));
 }
 
 } // namespace parity::compare

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "compare/budget.h"
 #include "compare/magma.h"
+#include "compare/statistic.h"
 #include "compare/text.h"
 #include "compare/wording.h"
 
@@ -40,17 +40,21 @@ std::string image(const std::string& path, const char* kind, const char* caption
 }
 
 std::string limitWords(const CheckResult& check) {
-  const char* side = isLowerBound(check) ? "below" : "above";
   std::string words;
-  if (check.warnAbove) words += fmt::format("warn {} {}", side, formatFigure(check.metric, *check.warnAbove));
-  if (check.failAbove)
-    words += fmt::format("{}fail {} {}", words.empty() ? "" : ", ", side, formatFigure(check.metric, *check.failAbove));
+  if (check.warnAbove) words += "warn " + formatLimit(check, *check.warnAbove);
+  if (check.failAbove) words += (words.empty() ? "fail " : ", fail ") + formatLimit(check, *check.failAbove);
   return words;
+}
+
+// What a bar shows of a value: signed figures are limited in size, and what has not become worse has no length.
+double barValue(const CheckResult& check) {
+  if (std::isnan(check.value)) return 0;
+  return check.regress ? std::max(check.value, 0.0) : std::abs(check.value);
 }
 
 // The right end of a bar: a little beyond whatever it has to show.
 double barScale(const CheckResult& check) {
-  double most = std::isfinite(check.value) ? check.value : 0;
+  double most = std::isfinite(check.value) ? barValue(check) : 0;
   for (const std::optional<double>& limit : {check.warnAbove, check.failAbove})
     most = std::max(most, limit.value_or(0));
   return most > 0 ? 1.15 * most : 1;
@@ -59,18 +63,18 @@ double barScale(const CheckResult& check) {
 std::string checkBar(const CheckResult& check) {
   const double scale = barScale(check);
   // Identical images have an infinite psnr: a full bar.
-  const double share = std::isnan(check.value) ? 0 : std::clamp(check.value / scale, 0.0, 1.0);
+  const double share = std::clamp(barValue(check) / scale, 0.0, 1.0);
   const auto mark = [&](const std::optional<double>& limit, const char* kind) {
     return limit ? fmt::format("<i class=\"mark {}\" style=\"left:{:.2f}%\"></i>", kind, 100 * *limit / scale) : "";
   };
-  const std::optional<Metric> metric = metricByName(check.metric);
-  std::string html =
-      fmt::format("<div class=\"check {}\"><div class=\"check-head\"><span>{} <small>{}</small></span><b>{}</b></div>"
-                  "<div class=\"bar\"><i class=\"fill\" style=\"width:{:.2f}%\"></i>{}{}</div><small>{} {}</small>",
-                  verdictClass(check.verdict), escapeMarkup(metric ? labelOf(*metric) : std::string_view(check.metric)),
-                  escapeMarkup(check.region), formatFigure(check.metric, check.value), 100 * share,
-                  mark(check.warnAbove, "warn"), mark(check.failAbove, "fail"), nameOf(check.verdict),
-                  limitWords(check).empty() ? "" : "(" + limitWords(check) + ")");
+  const char* verdict = check.judged ? nameOf(check.verdict) : "not judged";
+  std::string html = fmt::format(
+      "<div class=\"check {}\"><div class=\"check-head\"><span>{} <small>{}{}</small></span><b>{}</b></div>"
+      "<div class=\"bar\"><i class=\"fill\" style=\"width:{:.2f}%\"></i>{}{}</div><small>{} {}</small>",
+      check.judged ? verdictClass(check.verdict) : "not-seen", escapeMarkup(labelOf(check)), escapeMarkup(check.region),
+      check.regress ? ", regression" : "", escapeMarkup(formatCheckValue(check)), 100 * share,
+      mark(check.warnAbove, "warn"), mark(check.failAbove, "fail"), verdict,
+      limitWords(check).empty() ? "" : "(" + limitWords(check) + ")");
   if (!check.note.empty()) html += fmt::format(" <small class=\"aside\">{}</small>", escapeMarkup(check.note));
   return html + "</div>";
 }
@@ -97,29 +101,41 @@ std::string checkBars(const std::vector<CheckResult>& checks) {
   return html.empty() ? html : "<div class=\"checks\">" + html + "</div>";
 }
 
-std::string figureTable(const RegionFigures& regions) {
-  if (regions.all.pixels == 0) return {};
-  struct Row {
-    const char* label;
-    std::string (*cell)(const Figures&);
+std::string figureTable(const RegionFigures& regions, const std::optional<BaselineChange>& baseline) {
+  const std::vector<FigureChange>* changes = nullptr;
+  if (baseline && !baseline->isNew) changes = regions.interior.pixels > 0 ? &baseline->interior : &baseline->all;
+  std::string rows;
+  const auto addRow = [&](const std::string& label, const std::string& interior, const std::string& all,
+                          const std::string& change) {
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td>", escapeMarkup(label), interior, all);
+    rows += changes ? fmt::format("<td>{}</td></tr>", change) : "</tr>";
   };
-  static constexpr std::array<Row, 9> kRows = {{
-      {"mean FLIP", [](const Figures& f) { return formatFigure("flip.mean", f.flip.mean); }},
-      {"median", [](const Figures& f) { return formatFigure("flip.p50", f.flip.p50); }},
-      {"p95", [](const Figures& f) { return formatFigure("flip.p95", f.flip.p95); }},
-      {"max", [](const Figures& f) { return formatFigure("flip.max", f.flip.max); }},
-      {"RMSE", [](const Figures& f) { return formatFigure("rmse", f.rmse); }},
-      {"PSNR", [](const Figures& f) { return formatFigure("psnr", f.psnr); }},
-      {"luma, high-end", [](const Figures& f) { return fmt::format("{:.3f}", f.referenceLuma); }},
-      {"luma, mobile", [](const Figures& f) { return fmt::format("{:.3f}", f.testLuma); }},
-      {"pixels", [](const Figures& f) { return fmt::format("{}", f.pixels); }},
-  }};
-  std::string html = "<table class=\"figures\"><thead><tr><th></th><th scope=\"col\">interior</th><th scope=\"col\">all"
-                     "</th></tr></thead><tbody>";
-  for (const Row& row : kRows)
-    html += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>", row.label,
-                        regions.interior.pixels > 0 ? row.cell(regions.interior) : "–", row.cell(regions.all));
-  return html + "</tbody></table>";
+  for (const Figure& figure : regions.all.values) {
+    const std::optional<double> interior =
+        regions.interior.pixels > 0 ? regions.interior.find(figure.name) : std::nullopt;
+    const std::optional<Statistic> statistic = statisticByName(figure.name);
+    std::string change = "–";
+    if (changes)
+      for (const FigureChange& each : *changes)
+        if (each.metric == figure.name) change = formatChange(figure.name, each.change());
+    addRow(statistic ? statistic->label : figure.name, interior ? formatFigure(figure.name, *interior) : "–",
+           formatFigure(figure.name, figure.value), change);
+  }
+  const auto addCount = [&](const char* label, const auto& cell) {
+    addRow(label, regions.interior.pixels > 0 ? cell(regions.interior) : "–", cell(regions.all), "");
+  };
+  addCount("luma, high-end", [](const Figures& f) { return fmt::format("{:.3f}", f.referenceLuma); });
+  addCount("luma, mobile", [](const Figures& f) { return fmt::format("{:.3f}", f.testLuma); });
+  addCount("pixels", [](const Figures& f) { return fmt::format("{}", f.pixels); });
+  return fmt::format("<table class=\"figures\"><thead><tr><th></th><th scope=\"col\">interior</th><th "
+                     "scope=\"col\">all</th>{}</tr></thead><tbody>{}</tbody></table>",
+                     changes ? "<th scope=\"col\">since then</th>" : "", rows);
+}
+
+std::string baselineLine(const std::optional<BaselineChange>& baseline) {
+  if (!baseline) return {};
+  if (baseline->isNew) return "<p class=\"baseline\"><b>New</b>: the baseline does not show it.</p>";
+  return fmt::format("<p class=\"baseline\">In the baseline: {}.</p>", verdictBadge(baseline->before));
 }
 
 std::string termTable(const std::vector<TermFigures>& terms) {

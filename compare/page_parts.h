@@ -1,6 +1,7 @@
 // Pieces of the report page that materials and whole images share. Everything returned is escaped HTML.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,12 @@ std::string imageTrio(const ImageSet& images, const std::string& subject);
 // A bar for each budget check: the value, the limits as marks, and both in words.
 std::string checkBars(const std::vector<CheckResult>& checks);
 
-// Mean, median, p95, max, RMSE, PSNR, pixels: a column for interior pixels and one for all.
-std::string figureTable(const RegionFigures& regions);
+// Every figure: a column for interior pixels and one for all; with a baseline, the change since then (interior, or all
+// where there is no interior).
+std::string figureTable(const RegionFigures& regions, const std::optional<BaselineChange>& baseline);
+
+// What the baseline says of it, as a paragraph; empty where there is none.
+std::string baselineLine(const std::optional<BaselineChange>& baseline);
 
 // The light of each term by both paths and what it adds to the difference; empty where there are none.
 std::string termTable(const std::vector<TermFigures>& terms);

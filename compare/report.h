@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,13 +16,39 @@ namespace parity::compare {
 enum class Verdict { pass, notSeen, warn, fail, error };
 const char* nameOf(Verdict verdict); // "pass", "not seen", "warn", "fail", "error"
 
-// One budget check: `metric` names a figure ("flip.mean", "rmse", ...), `region` is "interior" or "all".
+// One budget check: `metric` names a figure ("flip.mean", "psnr", ...; compare/statistic.h), `region` is "interior" or
+// "all".
 struct CheckResult {
   std::string metric, region;
-  double value = 0;
-  std::optional<double> warnAbove, failAbove; // psnr: below
+  bool regress = false; // `value` is not the figure but by how much it is worse than in the baseline (negative: better)
+  double value = 0;     // NaN where it is not known
+  std::optional<double> warnAbove, failAbove; // of a figure of which more is better, not of a regression: below
   Verdict verdict = Verdict::pass;
-  std::string note; // not empty where the check had to do otherwise than asked: "no interior pixels: all instead"
+  bool judged = true; // false: there was nothing to judge by (a regression without a baseline); the verdict is no pass
+  std::string note;   // not empty where the check had to do otherwise than asked: "no interior pixels: all instead"
+};
+
+// The budget rule that judged something.
+struct AppliedRule {
+  std::string origin;        // "built-in", or "budgets.toml, line 12"; empty where no rule matched
+  std::string reason, owner; // why these limits, and whose they are; may be empty
+  bool requireSeen = false;
+  std::string file; // as the user named it, for annotations: may be absolute, so it is in no report
+  int line = 0;     // in it; 0: the rule stands in no file
+};
+
+// What a figure was in the baseline and is now; either may be infinite (psnr).
+struct FigureChange {
+  std::string metric;
+  double before = 0, now = 0;
+  double change() const { return before == now ? 0 : now - before; } // also of infinities
+};
+
+// How a material or a whole image compares to the baseline's of the same name.
+struct BaselineChange {
+  bool isNew = false;                      // the baseline does not show it: all else is empty
+  Verdict before = Verdict::pass;          // the verdict that it had there
+  std::vector<FigureChange> interior, all; // of figures that both have, in this report's order; empty without pixels
 };
 
 // Paths relative to the report folder, '/'-separated; empty where there is none.
@@ -43,9 +70,9 @@ struct MaterialResult {
   std::string reason;             // one sentence: what decided the verdict; empty on a pass
   std::vector<std::string> notes; // permutation ("nonmetal", "fully rough"), sampler excess, tinted F0, ...
   std::vector<TermFigures> terms;
-  ImageSet crops;                          // around the material's pixels; empty where it is not seen
-  std::string budget, budgetReason, owner; // the rule that judged it: where it stands, why, whose it is; may be empty
-  bool requireSeen = false;                // by that rule
+  ImageSet crops; // around the material's pixels; empty where it is not seen
+  AppliedRule rule;
+  std::optional<BaselineChange> baseline; // only where there is one
   bool seenElsewhere = false; // set by settleVerdicts: not seen here, but in another view, so it does not count
 };
 
@@ -54,10 +81,12 @@ struct ViewResult {
   int width = 0, height = 0;
   RegionFigures whole; // all pixels of any material
   std::vector<CheckResult> checks;
-  Verdict verdict = Verdict::pass;       // of the view: its whole image and its materials
-  Verdict wholeVerdict = Verdict::pass;  // of the whole image alone
-  std::string reason;                    // one sentence: what decided wholeVerdict; empty on a pass
-  std::vector<MaterialResult> materials; // in the scene's order
+  AppliedRule rule;                       // of the whole image
+  std::optional<BaselineChange> baseline; // of the whole image; only where there is one
+  Verdict verdict = Verdict::pass;        // of the view: its whole image and its materials
+  Verdict wholeVerdict = Verdict::pass;   // of the whole image alone
+  std::string reason;                     // one sentence: what decided wholeVerdict; empty on a pass
+  std::vector<MaterialResult> materials;  // in the scene's order
   ImageSet images;
   std::vector<std::string> skipped; // "no local lights: their loop" and so on
 };
@@ -71,10 +100,25 @@ struct SceneResult {
   Verdict verdict = Verdict::pass;
 };
 
+// What the baseline shows and this run does not: a material, a whole view (material empty) or a whole scene (both).
+struct GoneRow {
+  std::string scene, view, material;
+};
+
+// The earlier report that a run was held against (compare/baseline.h).
+struct BaselineSummary {
+  std::string source, version, device; // the file's name without its folder; what made it
+  std::size_t common = 0;              // material views that both show
+  std::vector<GoneRow> gone;           // not empty: at least a warning
+  std::string error;                   // not empty: it could not be used, this line says why
+};
+
 struct Report {
   std::string tool = "parity", version;
   std::string device;                                        // Vulkan device name and driver
   std::vector<std::pair<std::string, std::string>> settings; // name, value, in a fixed order
+  std::vector<std::string> warnings;                         // of the whole run: a rule that judges nothing, ...
+  std::optional<BaselineSummary> baseline;
   std::vector<SceneResult> scenes;
   Verdict verdict = Verdict::pass;
 };
@@ -86,28 +130,34 @@ struct RunInfo {
   std::vector<std::pair<std::string, double>> timings; // stage, ms
 };
 
-// How many rows (material x view) have each verdict; those not seen here but elsewhere are left out.
+// How many rows have each verdict.
 struct VerdictCounts {
   std::size_t pass = 0, notSeen = 0, warn = 0, fail = 0, error = 0;
   std::size_t total() const { return pass + notSeen + warn + fail + error; }
 };
-VerdictCounts countVerdicts(const Report& report);
+VerdictCounts countVerdicts(const Report& report); // material x view; those not seen here but elsewhere are left out
+VerdictCounts countWholes(const Report& report);   // whole images
 
 // Sets one material's verdict and reason from its figures and checks, and `seenElsewhere` as given (it matters only
 // where there is no pixel): no pixel = notSeen, or fail where its budget requires it to be seen and no other view shows
-// it; non-finite pixels = fail; no checks, or a figure that is NaN = error; else the worst check.
+// it; non-finite pixels = fail; no checks, none that could be judged, or a figure that is NaN = error; else the worst
+// check. (A rule of regressions alone, for a material that the baseline does not have: warn, as it is new.)
 void settleMaterial(MaterialResult& material, bool seenElsewhere);
 
 // Sets every verdict above the checks' from its parts, also the materials' by settleMaterial (another view of the scene
 // may show what this one does not: same place in the list, same name). A scene with an error, or with no view, is
-// `error`; so are a view with no materials and a report with no scenes. Idempotent.
+// `error`; so are a view with no materials, a report with no scenes, and one whose baseline has an error; rows that are
+// gone since the baseline are at least a warning. Idempotent.
 void settleVerdicts(Report& report);
 
 // The exit code of a settled report (DESIGN 8): 0, 1 (only with warnExit; notSeen is a warning), 2, or the scenes' own
 // 3 or 4 (4 for any other errorExitCode, and for a verdict `error`); the highest that applies.
 int exitCode(const Report& report, bool warnExit);
 
-// JSON by compare/report.schema.json (versioned), UTF-8, keys in fixed order, no times: byte-identical for equal
+// The version of compare/report.schema.json: raised when a reader of the old form could misread the new one.
+inline constexpr int kReportSchema = 2;
+
+// JSON by compare/report.schema.json, UTF-8, keys in fixed order, no times: byte-identical for equal
 // reports.
 std::string toJson(const Report& report);
 std::string toJson(const RunInfo& run);
@@ -117,5 +167,9 @@ std::string toJunit(const Report& report, const RunInfo& run);
 std::string toHtml(const Report& report, const RunInfo& run);
 // Per-material table for a terminal (parity diff), one row a material and view. color: ANSI.
 std::string toTable(const Report& report, bool color);
+// Workflow commands of GitHub Actions: "::error ..." for each row that failed or could not be judged, "::warning ..."
+// for each warning, the gravest first (only the first ten of a kind are shown), each with the place of its budget rule.
+// Files below `root` (the checkout) are named relative to it. Ends with a line feed, or is empty.
+std::string toGithubAnnotations(const Report& report, const std::filesystem::path& root);
 
 } // namespace parity::compare

@@ -40,15 +40,20 @@ std::string headline(const Report& report) {
   case Verdict::notSeen:
     return fmt::format("Within budget, but {} of {} {} not seen", counts.notSeen, counts.total(), rows);
   case Verdict::warn:
-    return counts.warn > 0
-               ? fmt::format("Within budget, with warnings for {} of {} {}", counts.warn, counts.total(), rows)
-               : "Within budget, with a warning for a whole image";
+    if (counts.warn > 0)
+      return fmt::format("Within budget, with warnings for {} of {} {}", counts.warn, counts.total(), rows);
+    return countWholes(report).warn > 0
+               ? "Within budget, with a warning for a whole image"
+               : fmt::format("Within budget, but {} of the baseline missing",
+                             plural(report.baseline ? report.baseline->gone.size() : 0, "entry is", "entries are"));
   case Verdict::fail:
     return counts.fail > 0 ? over : "A whole image is over budget";
   case Verdict::error:
     break;
   }
   if (report.scenes.empty()) return "Nothing was compared";
+  if (broken == 0 && counts.error == 0 && report.baseline && !report.baseline->error.empty())
+    return "The baseline could not be used";
   const std::string first = broken > 0
                                 ? fmt::format("{} could not be compared", plural(broken, "scene", "scenes"))
                                 : fmt::format("{} of {} {} could not be judged", counts.error, counts.total(), rows);
@@ -85,6 +90,21 @@ std::string header(const Report& report, const RunInfo& run) {
       escapeMarkup(headline(report)), escapeMarkup(report.device), magmaLegend(), details);
 }
 
+// What concerns the whole run: its warnings, and what it was held against.
+std::string runSection(const Report& report) {
+  std::string html = textList(report.warnings, "warnings");
+  if (!report.baseline) return html;
+  const BaselineSummary& baseline = *report.baseline;
+  html += "<section class=\"since\"><h2>Since the baseline</h2>\n<dl class=\"inline\">";
+  html += definition("Baseline", baseline.source) + definition("Version", baseline.version) +
+          definition("Device", baseline.device) + definition("In common", std::to_string(baseline.common)) + "</dl>\n";
+  if (!baseline.error.empty())
+    html += fmt::format("<p class=\"error-box\"><b>Not used:</b> {}</p>\n", escapeMarkup(baseline.error));
+  std::vector<std::string> gone;
+  for (const GoneRow& row : baseline.gone) gone.push_back(describeGone(row));
+  return html + textList(gone, "warnings") + "</section>\n";
+}
+
 std::string toolbar(const Report& report) {
   const VerdictCounts counts = countVerdicts(report);
   std::string html =
@@ -103,8 +123,10 @@ std::string toolbar(const Report& report) {
   chip(Verdict::pass, counts.pass);
   return html +
          "<label class=\"sort\">Sort by <select id=\"sort\"><option value=\"gravity\">verdict</option><option "
-         "value=\"mean\">mean FLIP</option><option value=\"light\">brightness difference</option><option "
-         "value=\"name\">name</option><option value=\"order\">order in the scene</option></select></label></div>\n";
+         "value=\"mean\">mean FLIP</option><option value=\"light\">brightness difference</option>" +
+         std::string(report.baseline ? "<option value=\"change\">change since the baseline</option>" : "") +
+         "<option value=\"name\">name</option><option value=\"order\">order in the "
+         "scene</option></select></label></div>\n";
 }
 
 // One line a view, for reports of several; the worst first.
@@ -128,14 +150,15 @@ std::string overview(const Report& report) {
       const auto over =
           std::ranges::count_if(view.materials, [](const MaterialResult& m) { return m.verdict >= Verdict::fail; });
       const bool seen = view.whole.all.pixels > 0;
+      const double wholeMean = seen ? view.whole.all.find("flip.mean").value_or(0) : 0;
       lines.push_back(
-          {view.verdict, seen ? view.whole.all.flip.mean : 0,
+          {view.verdict, wholeMean,
            fmt::format(
                "<tr><td>{}</td><td><a href=\"#{}\">{}</a></td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}"
                "</td></tr>",
                verdictBadge(view.verdict), anchor(s, v), escapeMarkup(scene.name), escapeMarkup(view.name),
-               view.materials.size(), over, seen ? formatFigure("flip.mean", view.whole.all.flip.mean) : "–",
-               seen ? describeBrightness(view.whole.all) : "nothing seen")});
+               view.materials.size(), over, seen ? formatFigure("flip.mean", wholeMean) : "–",
+               seen ? describeBias(view.whole.all) : "nothing seen")});
     }
   }
   std::ranges::stable_sort(lines, [](const Line& a, const Line& b) {
@@ -144,7 +167,7 @@ std::string overview(const Report& report) {
   std::string html =
       "<table class=\"overview\"><thead><tr><th scope=\"col\">verdict</th><th scope=\"col\">scene</th><th "
       "scope=\"col\">view</th><th scope=\"col\">materials</th><th scope=\"col\">over budget</th><th "
-      "scope=\"col\">mean FLIP</th><th scope=\"col\">brightness</th></tr></thead><tbody>";
+      "scope=\"col\">mean FLIP</th><th scope=\"col\">bias</th></tr></thead><tbody>";
   for (const Line& line : lines) html += line.html;
   return html + "</tbody></table>\n";
 }
@@ -157,8 +180,9 @@ std::string viewSection(const SceneResult& scene, const ViewResult& view, const 
       id, verdictBadge(view.verdict), escapeMarkup(view.name), view.width, view.height,
       imageTrio(view.images, "Whole image" + place), verdictBadge(view.wholeVerdict));
   if (!view.reason.empty()) html += fmt::format("<p class=\"reason\">{}</p>", escapeMarkup(view.reason));
-  if (view.whole.all.pixels > 0) html += fmt::format("<p class=\"light\">{}</p>", describeBrightness(view.whole.all));
-  html += checkBars(view.checks) + figureTable(view.whole) + "</div></div>\n";
+  if (view.whole.all.pixels > 0) html += fmt::format("<p class=\"light\">{}</p>", describeBias(view.whole.all));
+  html +=
+      baselineLine(view.baseline) + checkBars(view.checks) + figureTable(view.whole, view.baseline) + "</div></div>\n";
   if (!view.skipped.empty())
     html +=
         "<details><summary>Skipped, as nothing needed it</summary>" + textList(view.skipped, "skipped") + "</details>";
@@ -168,7 +192,8 @@ std::string viewSection(const SceneResult& scene, const ViewResult& view, const 
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
     const MaterialResult &left = view.materials[a], &right = view.materials[b];
     if (left.verdict != right.verdict) return left.verdict > right.verdict;
-    return mainFigures(left.figures).flip.mean > mainFigures(right.figures).flip.mean;
+    const auto mean = [](const MaterialResult& m) { return mainFigures(m.figures).find("flip.mean").value_or(0); };
+    return mean(left) > mean(right);
   });
   html += "<div class=\"materials\">\n";
   for (const std::size_t i : order) html += materialRow(view.materials[i], place, i);
@@ -199,7 +224,7 @@ std::string toHtml(const Report& report, const RunInfo& run) {
       "content=\"no-referrer\"/>\n<meta name=\"color-scheme\" content=\"light dark\"/>\n<title>{}: {}</title>\n",
       kPolicy, escapeMarkup(report.tool), escapeMarkup(headline(report)));
   html += fmt::format("<style>\n{}</style>\n</head>\n<body>\n<main>\n", kReportPageCss);
-  html += header(report, run) + overview(report) + toolbar(report);
+  html += header(report, run) + runSection(report) + overview(report) + toolbar(report);
   for (std::size_t s = 0; s < report.scenes.size(); ++s) html += sceneSection(report.scenes[s], s);
   html += "</main>\n<dialog id=\"viewer\"><div class=\"viewer-bar\"><b id=\"viewer-title\"></b><span "
           "id=\"viewer-tabs\"></span><a id=\"viewer-open\" target=\"_blank\" rel=\"noopener\">Open the file</a><button "

@@ -5,9 +5,6 @@
 namespace parity::compare {
 namespace {
 
-// Version of compare/report.schema.json: raised when a reader of the old form could misread the new one.
-constexpr int kSchemaVersion = 1;
-
 void writeTexts(JsonWriter& json, const std::vector<std::string>& texts) {
   json.beginArray();
   for (const std::string& text : texts) json.text(text);
@@ -19,14 +16,9 @@ void writeFigures(JsonWriter& json, const Figures& figures) {
   json.beginObject();
   json.key("pixels").integer(figures.pixels);
   json.key("nonFinite").integer(figures.nonFinite);
-  json.key("flip").beginObject();
-  json.key("mean").number(figures.flip.mean);
-  json.key("p50").number(figures.flip.p50);
-  json.key("p95").number(figures.flip.p95);
-  json.key("max").number(figures.flip.max);
+  json.key("metrics").beginObject();
+  for (const Figure& figure : figures.values) json.key(figure.name).number(figure.value);
   json.endObject();
-  json.key("rmse").number(figures.rmse);
-  json.key("psnr").number(figures.psnr);
   json.key("referenceLuma").number(figures.referenceLuma);
   json.key("testLuma").number(figures.testLuma);
   json.endObject();
@@ -54,12 +46,13 @@ void writeChecks(JsonWriter& json, const std::vector<CheckResult>& checks) {
     json.beginObject();
     json.key("metric").text(check.metric);
     json.key("region").text(check.region);
+    json.key("regress").boolean(check.regress);
     json.key("value").number(check.value);
     json.key("warn");
     writeLimit(json, check.warnAbove);
     json.key("fail");
     writeLimit(json, check.failAbove);
-    json.key("verdict").text(nameOf(check.verdict));
+    json.key("verdict").text(check.judged ? nameOf(check.verdict) : "not judged");
     json.key("note").text(check.note);
     json.endObject();
   }
@@ -74,6 +67,37 @@ void writeImages(JsonWriter& json, const ImageSet& images) {
   json.endObject();
 }
 
+void writeRule(JsonWriter& json, const AppliedRule& rule) {
+  json.beginObject();
+  json.key("rule").text(rule.origin);
+  json.key("reason").text(rule.reason);
+  json.key("owner").text(rule.owner);
+  json.key("requireSeen").boolean(rule.requireSeen);
+  json.endObject();
+}
+
+void writeChanges(JsonWriter& json, const std::vector<FigureChange>& changes) {
+  json.beginObject();
+  for (const FigureChange& change : changes) json.key(change.metric).number(change.change());
+  json.endObject();
+}
+
+void writeBaseline(JsonWriter& json, const std::optional<BaselineChange>& baseline) {
+  if (!baseline) return json.null();
+  json.beginObject();
+  json.key("new").boolean(baseline->isNew);
+  json.key("verdict");
+  if (baseline->isNew)
+    json.null();
+  else
+    json.text(nameOf(baseline->before));
+  json.key("interior");
+  writeChanges(json, baseline->interior);
+  json.key("all");
+  writeChanges(json, baseline->all);
+  json.endObject();
+}
+
 void writeMaterial(JsonWriter& json, const MaterialResult& material) {
   json.beginObject();
   json.key("name").text(material.name);
@@ -84,12 +108,10 @@ void writeMaterial(JsonWriter& json, const MaterialResult& material) {
   writeRegions(json, material.figures);
   json.key("checks");
   writeChecks(json, material.checks);
-  json.key("budget").beginObject();
-  json.key("rule").text(material.budget);
-  json.key("reason").text(material.budgetReason);
-  json.key("owner").text(material.owner);
-  json.key("requireSeen").boolean(material.requireSeen);
-  json.endObject();
+  json.key("budget");
+  writeRule(json, material.rule);
+  json.key("baseline");
+  writeBaseline(json, material.baseline);
   json.key("notes");
   writeTexts(json, material.notes);
   json.key("terms").beginArray();
@@ -119,6 +141,10 @@ void writeView(JsonWriter& json, const ViewResult& view) {
   writeRegions(json, view.whole);
   json.key("checks");
   writeChecks(json, view.checks);
+  json.key("budget");
+  writeRule(json, view.rule);
+  json.key("baseline");
+  writeBaseline(json, view.baseline);
   json.endObject();
   json.key("materials").beginArray();
   for (const MaterialResult& material : view.materials) writeMaterial(json, material);
@@ -154,24 +180,54 @@ void writeScene(JsonWriter& json, const SceneResult& scene) {
   json.endObject();
 }
 
-} // namespace
-
-std::string toJson(const Report& report) {
-  const VerdictCounts counts = countVerdicts(report);
-  JsonWriter json;
+void writeCounts(JsonWriter& json, const VerdictCounts& counts) {
   json.beginObject();
-  json.key("schema").integer(kSchemaVersion);
-  json.key("tool").text(report.tool);
-  json.key("version").text(report.version);
-  json.key("device").text(report.device);
-  json.key("verdict").text(nameOf(report.verdict));
-  json.key("counts").beginObject();
   json.key("pass").integer(counts.pass);
   json.key("notSeen").integer(counts.notSeen);
   json.key("warn").integer(counts.warn);
   json.key("fail").integer(counts.fail);
   json.key("error").integer(counts.error);
   json.endObject();
+}
+
+void writeSummary(JsonWriter& json, const std::optional<BaselineSummary>& baseline) {
+  if (!baseline) return json.null();
+  json.beginObject();
+  json.key("source").text(baseline->source);
+  json.key("version").text(baseline->version);
+  json.key("device").text(baseline->device);
+  json.key("common").integer(baseline->common);
+  json.key("gone").beginArray();
+  for (const GoneRow& row : baseline->gone) {
+    json.beginObject();
+    json.key("scene").text(row.scene);
+    json.key("view").text(row.view);
+    json.key("material").text(row.material);
+    json.endObject();
+  }
+  json.endArray();
+  json.key("error").text(baseline->error);
+  json.endObject();
+}
+
+} // namespace
+
+std::string toJson(const Report& report) {
+  JsonWriter json;
+  json.beginObject();
+  json.key("schema").integer(kReportSchema);
+  json.key("tool").text(report.tool);
+  json.key("version").text(report.version);
+  json.key("device").text(report.device);
+  json.key("verdict").text(nameOf(report.verdict));
+  json.key("counts");
+  writeCounts(json, countVerdicts(report));
+  json.key("wholeCounts");
+  writeCounts(json, countWholes(report));
+  json.key("warnings");
+  writeTexts(json, report.warnings);
+  json.key("baseline");
+  writeSummary(json, report.baseline);
   json.key("settings").beginArray();
   for (const auto& [name, value] : report.settings) {
     json.beginObject();
@@ -190,7 +246,7 @@ std::string toJson(const Report& report) {
 std::string toJson(const RunInfo& run) {
   JsonWriter json;
   json.beginObject();
-  json.key("schema").integer(kSchemaVersion);
+  json.key("schema").integer(kReportSchema);
   json.key("startedAt").text(run.startedAt);
   json.key("commandLine").text(run.commandLine);
   json.key("timings").beginArray();

@@ -1,4 +1,6 @@
 // junit.xml: what CI servers show. A suite a scene, a testcase a view x material and one for each whole image.
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "compare/report.h"
@@ -27,17 +29,37 @@ struct Suite {
   Tally tally;
 };
 
+std::string ruleLines(const AppliedRule& rule) {
+  std::string lines;
+  if (!rule.origin.empty()) lines += "budget: " + rule.origin + "\n";
+  if (!rule.reason.empty()) lines += "reason for the budget: " + rule.reason + "\n";
+  if (!rule.owner.empty()) lines += "owner: " + rule.owner + "\n";
+  return lines;
+}
+
+std::string baselineLines(const std::optional<BaselineChange>& baseline) {
+  if (!baseline) return {};
+  if (baseline->isNew) return "baseline: new, it does not show it\n";
+  std::string line = fmt::format("baseline: {}", nameOf(baseline->before));
+  for (const FigureChange& change : baseline->interior.empty() ? baseline->all : baseline->interior)
+    line += fmt::format(", {} {}", change.metric, formatChange(change.metric, change.change()));
+  return line + "\n";
+}
+
 std::string figureLines(const RegionFigures& regions, const std::vector<CheckResult>& checks) {
   std::string lines;
-  for (const CheckResult& check : checks)
-    lines += fmt::format("{}: {}{}\n", nameOf(check.verdict), describeCheck(check),
-                         check.note.empty() ? "" : " (" + check.note + ")");
+  for (const CheckResult& check : checks) {
+    const bool said = !check.judged || std::isnan(check.value); // the sentence holds the note
+    lines += fmt::format("{}: {}{}\n", check.judged ? nameOf(check.verdict) : "not judged", describeCheck(check),
+                         check.note.empty() || said ? "" : " (" + check.note + ")");
+  }
   for (const auto& [name, figures] : {std::pair{"interior", &regions.interior}, std::pair{"all", &regions.all}})
-    if (figures->pixels > 0)
-      lines += fmt::format(
-          "{}: {} pixels, FLIP mean {:.4f} p50 {:.4f} p95 {:.4f} max {:.4f}, RMSE {:.4f}, PSNR {}; {}\n", name,
-          figures->pixels, figures->flip.mean, figures->flip.p50, figures->flip.p95, figures->flip.max, figures->rmse,
-          formatFigure("psnr", figures->psnr), describeBrightness(*figures));
+    if (figures->pixels > 0) {
+      lines += fmt::format("{}: {} pixels", name, figures->pixels);
+      for (const Figure& figure : figures->values)
+        lines += fmt::format(", {} {}", figure.name, formatFigure(figure.name, figure.value));
+      lines += fmt::format("; {}\n", describeBias(*figures));
+    }
   return lines;
 }
 
@@ -76,10 +98,7 @@ void addCase(Suite& suite, const std::string& className, const std::string& name
 std::string materialDetails(const MaterialResult& material) {
   std::string details = figureLines(material.figures, material.checks);
   for (const std::string& note : material.notes) details += "note: " + note + "\n";
-  if (!material.budget.empty()) details += "budget: " + material.budget + "\n";
-  if (!material.budgetReason.empty()) details += "reason for the budget: " + material.budgetReason + "\n";
-  if (!material.owner.empty()) details += "owner: " + material.owner + "\n";
-  return details;
+  return details + baselineLines(material.baseline) + ruleLines(material.rule);
 }
 
 Suite makeSuite(const SceneResult& scene) {
@@ -87,10 +106,20 @@ Suite makeSuite(const SceneResult& scene) {
   if (!scene.error.empty()) addCase(suite, scene.name, "scene", Verdict::error, scene.error, "");
   for (const ViewResult& view : scene.views) {
     const std::string className = scene.name + "." + view.name;
-    addCase(suite, className, "(whole image)", view.wholeVerdict, view.reason, figureLines(view.whole, view.checks));
+    addCase(suite, className, "(whole image)", view.wholeVerdict, view.reason,
+            figureLines(view.whole, view.checks) + baselineLines(view.baseline) + ruleLines(view.rule));
     for (const MaterialResult& material : view.materials)
       addCase(suite, className, material.name, material.verdict, material.reason, materialDetails(material));
   }
+  return suite;
+}
+
+Suite makeBaselineSuite(const BaselineSummary& baseline) {
+  Suite suite{"baseline", "", {}};
+  addCase(suite, "baseline", baseline.source, baseline.error.empty() ? Verdict::pass : Verdict::error, baseline.error,
+          "");
+  for (const GoneRow& row : baseline.gone)
+    addCase(suite, "baseline", describeGone(row), Verdict::warn, describeGone(row), "");
   return suite;
 }
 
@@ -103,6 +132,7 @@ std::string toJunit(const Report& report, const RunInfo& run) {
     suites.push_back({"report", "", {}});
     addCase(suites.back(), "report", "report", Verdict::error, "the report holds no scene", "");
   }
+  if (report.baseline) suites.push_back(makeBaselineSuite(*report.baseline));
   Tally total;
   for (const Suite& suite : suites) total.add(suite.tally);
 

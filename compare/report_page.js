@@ -21,6 +21,7 @@
     const orders = {
       gravity: (a, b) => largestFirst("gravity")(a, b) || largestFirst("mean")(a, b) || inOrder(a, b),
       mean: (a, b) => largestFirst("mean")(a, b) || inOrder(a, b),
+      change: (a, b) => largestFirst("change")(a, b) || inOrder(a, b),
       light: (a, b) => largestFirst("light")(a, b) || inOrder(a, b),
       name: (a, b) => a.dataset.name.localeCompare(b.dataset.name) || inOrder(a, b),
       order: inOrder,

@@ -1,6 +1,7 @@
 // The table for a terminal: a row a material, a block a view, a line that sums up.
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -13,51 +14,99 @@ namespace {
 
 constexpr std::size_t kMaxNameColumns = 40, kMinNameColumns = 11;
 
+// One column of a view's table: a figure, over the pixels that the row is judged by or over all of them.
+struct Column {
+  std::string title, metric;
+  bool all = false;    // over every pixel
+  bool change = false; // since the baseline
+  std::size_t width = 5;
+};
+
+// The figures that are shown where they were measured, in this order; "rmse" only where its twin psnr is not.
+constexpr std::array<std::pair<std::string_view, const char*>, 8> kShown = {{{"hdrflip.mean", "hdrflip"},
+                                                                             {"ssim.mean", "ssim"},
+                                                                             {"msssim", "msssim"},
+                                                                             {"deltae.mean", "dE00"},
+                                                                             {"relmse", "relmse"},
+                                                                             {"maxabs", "maxabs"},
+                                                                             {"psnr", "psnr"},
+                                                                             {"rmse", "rmse"}}};
+
+std::vector<Column> columnsOf(const ViewResult& view, bool baseline) {
+  const Figures* sample = view.whole.all.values.empty() ? nullptr : &view.whole.all;
+  for (const MaterialResult& material : view.materials)
+    if (!sample && !material.figures.all.values.empty()) sample = &material.figures.all;
+  std::vector<Column> columns;
+  if (!sample) return columns;
+  if (sample->find("flip.mean"))
+    columns = {{"mean", "flip.mean"}, {"p95", "flip.p95"}, {"max", "flip.max"}, {"all", "flip.mean", true}};
+  if (baseline && sample->find("flip.mean")) columns.push_back({"since", "flip.mean", false, true, 6});
+  for (const auto& [metric, title] : kShown)
+    if (sample->find(metric) && !(metric == "rmse" && sample->find("psnr")))
+      columns.push_back({title, std::string(metric), false, false, metric == "psnr" ? 9u : 7u});
+  return columns;
+}
+
 std::string paint(Verdict verdict, const std::string& text, bool color) {
   if (!color) return text;
   const char* code = verdict == Verdict::pass ? "32" : verdict <= Verdict::warn ? "33" : "1;31";
   return fmt::format("\x1b[{}m{}\x1b[0m", code, text);
 }
 
-std::string formatLuma(const Figures& figures) {
-  if (figures.referenceLuma < 0.5 / 255) return "-";
-  return fmt::format("{:+.1f} %", 100 * (figures.testLuma / figures.referenceLuma - 1));
-}
+struct Row {
+  std::string name;
+  Verdict verdict;
+  const RegionFigures& regions;
+  const Figures& main; // what the row is judged by
+  const std::optional<BaselineChange>& baseline;
+  const std::string& reason;
+};
 
-std::string formatRow(const std::string& name, std::size_t nameColumns, Verdict verdict, const RegionFigures& regions,
-                      const Figures& main, const std::string& reason, bool color) {
-  std::string row = fmt::format("  {}  {}", paint(verdict, fitColumns(nameOf(verdict), 8), color),
-                                fitColumns(plainLine(name), nameColumns));
-  if (regions.all.pixels > 0) {
-    row += fmt::format(" {:>9}  {:.3f}  {:.3f}  {:.3f}  {:.3f}  {:>8}  {:>9}", regions.all.pixels, main.flip.mean,
-                       main.flip.p95, main.flip.max, regions.all.flip.mean, formatLuma(main),
-                       formatFigure("psnr", main.psnr));
-  } else {
-    row += fmt::format(" {:>9}  {:>5}  {:>5}  {:>5}  {:>5}  {:>8}  {:>9}", 0, "-", "-", "-", "-", "-", "-");
+std::string formatCell(const Column& column, const Row& row) {
+  if (row.regions.all.pixels == 0) return "-";
+  if (column.change) {
+    if (!row.baseline) return "-";
+    if (row.baseline->isNew) return "new";
+    const auto& changes = &row.main == &row.regions.all ? row.baseline->all : row.baseline->interior;
+    const auto change = std::ranges::find(changes, column.metric, &FigureChange::metric);
+    return change == changes.end() ? "-" : formatChange(column.metric, change->change());
   }
-  if (!reason.empty()) row += "  " + plainLine(reason);
-  return row + "\n";
+  const std::optional<double> value = (column.all ? row.regions.all : row.main).find(column.metric);
+  if (!value) return "-";
+  return std::isnan(*value) ? "NaN" : formatFigure(column.metric, *value);
 }
 
-std::string formatView(const SceneResult& scene, const ViewResult& view, bool color) {
-  std::size_t columns = kMinNameColumns;
+std::string formatRow(const Row& row, std::size_t nameColumns, const std::vector<Column>& columns, bool color) {
+  std::string line = fmt::format("  {}  {} {:>9}", paint(row.verdict, fitColumns(nameOf(row.verdict), 8), color),
+                                 fitColumns(plainLine(row.name), nameColumns), row.regions.all.pixels);
+  for (const Column& column : columns) line += fmt::format("  {:>{}}", formatCell(column, row), column.width);
+  std::string words = row.regions.all.pixels > 0 ? describeBias(row.main) : "";
+  if (!row.reason.empty()) words += (words.empty() ? "" : "; ") + plainLine(row.reason);
+  return line + (words.empty() ? "" : "  " + words) + "\n";
+}
+
+std::string formatView(const SceneResult& scene, const ViewResult& view, bool baseline, bool color) {
+  std::size_t nameColumns = kMinNameColumns;
   for (const MaterialResult& material : view.materials)
-    columns = std::max(columns, displayWidth(plainLine(material.name)));
-  columns = std::min(columns, kMaxNameColumns);
+    nameColumns = std::max(nameColumns, displayWidth(plainLine(material.name)));
+  nameColumns = std::min(nameColumns, kMaxNameColumns);
+  const std::vector<Column> columns = columnsOf(view, baseline);
 
   std::string out =
       fmt::format("{}, view {} ({}x{})\n", plainLine(scene.name), plainLine(view.name), view.width, view.height);
-  out += fmt::format("  {}  {} {:>9}  {:>5}  {:>5}  {:>5}  {:>5}  {:>8}  {:>9}\n", fitColumns("verdict", 8),
-                     fitColumns("material", columns), "pixels", "mean", "p95", "max", "all", "luma", "psnr");
+  out += fmt::format("  {}  {} {:>9}", fitColumns("verdict", 8), fitColumns("material", nameColumns), "pixels");
+  for (const Column& column : columns) out += fmt::format("  {:>{}}", column.title, column.width);
+  out += "\n";
   for (const MaterialResult& material : view.materials)
-    out += formatRow(material.name, columns, material.verdict, material.figures, mainFigures(material.figures),
-                     material.reason, color);
-  out += formatRow("whole image", columns, view.wholeVerdict, view.whole, view.whole.all, view.reason, color);
+    out += formatRow({material.name, material.verdict, material.figures, mainFigures(material.figures),
+                      material.baseline, material.reason},
+                     nameColumns, columns, color);
+  out += formatRow({"whole image", view.wholeVerdict, view.whole, view.whole.all, view.baseline, view.reason},
+                   nameColumns, columns, color);
   return out + "\n";
 }
 
-std::string summary(const Report& report) {
-  const VerdictCounts counts = countVerdicts(report);
+std::string formatCounts(const VerdictCounts& counts) {
   const std::array<std::pair<std::size_t, const char*>, 5> parts = {{{counts.pass, "pass"},
                                                                      {counts.notSeen, "not seen"},
                                                                      {counts.warn, "warn"},
@@ -66,7 +115,37 @@ std::string summary(const Report& report) {
   std::string text;
   for (const auto& [count, name] : parts)
     if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
-  return text.empty() ? "nothing was compared" : text;
+  return text.empty() ? "none" : text;
+}
+
+std::string summary(const Report& report) {
+  const VerdictCounts materials = countVerdicts(report), wholes = countWholes(report);
+  std::string text =
+      materials.total() + wholes.total() == 0
+          ? "nothing was compared"
+          : fmt::format("materials: {}; whole images: {}", formatCounts(materials), formatCounts(wholes));
+  const auto broken = std::ranges::count_if(report.scenes, [](const SceneResult& s) { return !s.error.empty(); });
+  if (broken > 0) text += fmt::format("; scenes not compared: {}", broken);
+  if (report.baseline && !report.baseline->error.empty()) text += "; the baseline could not be used";
+  if (report.baseline && !report.baseline->gone.empty())
+    text += fmt::format("; gone since the baseline: {}", report.baseline->gone.size());
+  return text;
+}
+
+// What the checks left open, so that nobody takes a regression for judged that was not.
+std::string unjudgedLine(const Report& report) {
+  std::size_t count = 0;
+  const auto add = [&](const std::vector<CheckResult>& checks) {
+    count += static_cast<std::size_t>(std::ranges::count(checks, false, &CheckResult::judged));
+  };
+  for (const SceneResult& scene : report.scenes)
+    for (const ViewResult& view : scene.views) {
+      add(view.checks);
+      for (const MaterialResult& material : view.materials) add(material.checks);
+    }
+  if (count == 0) return {};
+  return fmt::format("regressions not judged: {} ({})\n", count,
+                     report.baseline ? "the baseline does not have them" : "no --baseline was given");
 }
 
 } // namespace
@@ -74,11 +153,21 @@ std::string summary(const Report& report) {
 std::string toTable(const Report& report, bool color) {
   std::string out;
   for (const SceneResult& scene : report.scenes) {
-    for (const ViewResult& view : scene.views) out += formatView(scene, view, color);
+    for (const ViewResult& view : scene.views) out += formatView(scene, view, report.baseline.has_value(), color);
     if (!scene.error.empty())
       out += fmt::format("{}: {}: {}\n\n", plainLine(scene.name), paint(Verdict::error, "error", color),
                          plainLine(scene.error));
   }
+  for (const std::string& warning : report.warnings)
+    out += fmt::format("{}: {}\n", paint(Verdict::warn, "warning", color), plainLine(warning));
+  if (report.baseline) {
+    const BaselineSummary& baseline = *report.baseline;
+    if (!baseline.error.empty())
+      out += fmt::format("{}: baseline: {}\n", paint(Verdict::error, "error", color), plainLine(baseline.error));
+    for (const GoneRow& row : baseline.gone)
+      out += fmt::format("{}: {}\n", paint(Verdict::warn, "warning", color), plainLine(describeGone(row)));
+  }
+  out += unjudgedLine(report);
   out += "FLIP of the displayed images (0 alike, 1 far apart): mean, p95, max over interior pixels (whole image: "
          "all), 'all' the mean over every pixel.\n";
   return out + fmt::format("verdict: {} ({})\n", paint(report.verdict, nameOf(report.verdict), color), summary(report));

@@ -1,12 +1,12 @@
 // From checks to verdicts: of a material, a view, a scene, the report; and the exit code.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "compare/report.h"
+#include "compare/statistic.h"
 #include "compare/wording.h"
 
 namespace parity::compare {
@@ -14,10 +14,18 @@ namespace {
 
 Verdict worse(Verdict a, Verdict b) { return std::max(a, b); }
 
-bool holdsNumbers(const Figures& figures) {
-  const std::array values = {figures.flip.mean, figures.flip.p50,      figures.flip.p95, figures.flip.max,
-                             figures.rmse,      figures.referenceLuma, figures.testLuma};
-  return std::ranges::all_of(values, [](double v) { return std::isfinite(v); }) && !std::isnan(figures.psnr);
+// Infinite may only be what is better the more of it there is: psnr of identical images.
+bool isSound(const Figure& figure) {
+  if (std::isfinite(figure.value)) return true;
+  const std::optional<Statistic> statistic = statisticByName(figure.name);
+  return figure.value == INFINITY && statistic && statistic->better == Better::higher;
+}
+
+// The name of a figure that is no number; empty if there is none.
+std::string findUnsound(const Figures& figures) {
+  if (!std::isfinite(figures.referenceLuma) || !std::isfinite(figures.testLuma)) return "luma";
+  const auto unsound = std::ranges::find_if_not(figures.values, isSound);
+  return unsound == figures.values.end() ? "" : unsound->name;
 }
 
 struct Judgement {
@@ -25,18 +33,31 @@ struct Judgement {
   std::string reason;
 };
 
+// The worst of the checks that could be judged; of all where none could. Null where there are none.
+const CheckResult* findWorst(const std::vector<CheckResult>& checks) {
+  const bool anyJudged = std::ranges::any_of(checks, &CheckResult::judged);
+  const CheckResult* worst = nullptr;
+  for (const CheckResult& check : checks)
+    if ((check.judged || !anyJudged) && (!worst || check.verdict > worst->verdict)) worst = &check;
+  return worst;
+}
+
 // What holds for a material and for a whole image alike, once there is a pixel.
 Judgement judgeSeen(const RegionFigures& figures, const std::vector<CheckResult>& checks) {
   if (figures.all.nonFinite > 0)
     return {Verdict::fail, fmt::format("{} of {} pixels are NaN or infinite in one of the two renders",
                                        figures.all.nonFinite, figures.all.pixels)};
-  if (!holdsNumbers(figures.all) || (figures.interior.pixels > 0 && !holdsNumbers(figures.interior)))
-    return {Verdict::error, "a figure is not a number"};
-  if (checks.empty()) return {Verdict::error, "no budget check applies"};
+  std::string unsound = findUnsound(figures.all);
+  if (unsound.empty() && figures.interior.pixels > 0) unsound = findUnsound(figures.interior);
+  if (!unsound.empty()) return {Verdict::error, fmt::format("a figure is not a number: {}", unsound)};
+  if (figures.all.values.empty()) return {Verdict::error, "no figure was measured"};
 
-  const auto worst = std::ranges::max_element(checks, {}, &CheckResult::verdict);
+  const CheckResult* worst = findWorst(checks);
+  if (!worst) return {Verdict::error, "no budget check applies"};
+  if (!worst->judged) return {worst->verdict, "its budget holds regressions only: " + describeCheck(*worst)};
   if (worst->verdict == Verdict::pass) return {};
-  const auto equals = std::ranges::count(checks, worst->verdict, &CheckResult::verdict);
+  const auto equals = std::ranges::count_if(
+      checks, [&](const CheckResult& check) { return check.judged && check.verdict == worst->verdict; });
   return {worst->verdict, describeCheck(*worst) + (equals > 1 ? fmt::format(" (and {} more)", equals - 1) : "")};
 }
 
@@ -87,6 +108,31 @@ void settleScene(SceneResult& scene) {
   }
 }
 
+void count(VerdictCounts& counts, Verdict verdict) {
+  switch (verdict) {
+  case Verdict::pass:
+    ++counts.pass;
+    break;
+  case Verdict::notSeen:
+    ++counts.notSeen;
+    break;
+  case Verdict::warn:
+    ++counts.warn;
+    break;
+  case Verdict::fail:
+    ++counts.fail;
+    break;
+  case Verdict::error:
+    ++counts.error;
+    break;
+  }
+}
+
+Verdict verdictOf(const BaselineSummary& baseline) {
+  if (!baseline.error.empty()) return Verdict::error;
+  return baseline.gone.empty() ? Verdict::pass : Verdict::warn;
+}
+
 } // namespace
 
 const char* nameOf(Verdict verdict) {
@@ -109,26 +155,15 @@ VerdictCounts countVerdicts(const Report& report) {
   VerdictCounts counts;
   for (const SceneResult& scene : report.scenes)
     for (const ViewResult& view : scene.views)
-      for (const MaterialResult& material : view.materials) {
-        if (material.seenElsewhere) continue;
-        switch (material.verdict) {
-        case Verdict::pass:
-          ++counts.pass;
-          break;
-        case Verdict::notSeen:
-          ++counts.notSeen;
-          break;
-        case Verdict::warn:
-          ++counts.warn;
-          break;
-        case Verdict::fail:
-          ++counts.fail;
-          break;
-        case Verdict::error:
-          ++counts.error;
-          break;
-        }
-      }
+      for (const MaterialResult& material : view.materials)
+        if (!material.seenElsewhere) count(counts, material.verdict);
+  return counts;
+}
+
+VerdictCounts countWholes(const Report& report) {
+  VerdictCounts counts;
+  for (const SceneResult& scene : report.scenes)
+    for (const ViewResult& view : scene.views) count(counts, view.wholeVerdict);
   return counts;
 }
 
@@ -140,7 +175,7 @@ void settleMaterial(MaterialResult& material, bool seenElsewhere) {
   } else if (seenElsewhere) {
     material.seenElsewhere = true;
     judgement = {Verdict::notSeen, "not seen in this view; another view shows it"};
-  } else if (material.requireSeen) {
+  } else if (material.rule.requireSeen) {
     judgement = {Verdict::fail, "no view shows it, and its budget requires that it is seen"};
   } else {
     judgement = {Verdict::notSeen, "no view shows it"};
@@ -155,6 +190,7 @@ void settleVerdicts(Report& report) {
     settleScene(scene);
     report.verdict = worse(report.verdict, scene.verdict);
   }
+  if (report.baseline) report.verdict = worse(report.verdict, verdictOf(*report.baseline));
 }
 
 int exitCode(const Report& report, bool warnExit) {
@@ -162,6 +198,8 @@ int exitCode(const Report& report, bool warnExit) {
   ExitCode code = ExitCode::withinBudget;
   const auto raise = [&](ExitCode other) { code = std::max(code, other); };
   if (report.scenes.empty()) raise(ExitCode::failed);
+  if (report.baseline && verdictOf(*report.baseline) == Verdict::error) raise(ExitCode::failed);
+  if (report.baseline && warnExit && verdictOf(*report.baseline) == Verdict::warn) raise(ExitCode::warningsOnly);
   for (const SceneResult& scene : report.scenes) {
     if (!scene.error.empty())
       raise(scene.errorExitCode == static_cast<int>(ExitCode::notComparable) ? ExitCode::notComparable

@@ -2,27 +2,48 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "compare/report.h"
 
 namespace parity::compare {
 
-// Whether more of it is better (psnr), so that its limits are lower bounds.
+// Whether more of it is better (psnr), so that its limits are lower bounds. Never of a regression.
 bool isLowerBound(const CheckResult& check);
 
-// A figure as people read it: psnr "31.4 dB" or "identical", all else "0.142"; "not a number" for NaN. metric: as in
-// CheckResult.
+// What a sentence calls the figure of a check: "mean FLIP", "PSNR, against the baseline".
+std::string labelOf(const CheckResult& check);
+
+// A figure as people read it, with its unit and its statistic's digits: "0.142", "31.4 dB", "+0.31 EV" (signed ones);
+// "identical" for an infinite psnr, "not a number" for NaN. metric: as in CheckResult.
 std::string formatFigure(const std::string& metric, double value);
+
+// A difference of two figures, always signed: "+0.012", "-1.4 dB".
+std::string formatChange(const std::string& metric, double change);
+
+// The value of a check: a figure, or for a regression "0.012 worse", "0.3 dB better", "unchanged".
+std::string formatCheckValue(const CheckResult& check);
+
+// A limit of a check: "above 0.200", "below 28.0 dB", "beyond ±0.30 EV".
+std::string formatLimit(const CheckResult& check, double limit);
 
 // What a check found, without its verdict: "mean FLIP 0.142 over interior pixels is above 0.100", "... is within
 // 0.200".
 std::string describeCheck(const CheckResult& check);
 
+// "gone: material 'Lamp', scene Desk, view front: the baseline has it, this run does not".
+std::string describeGone(const GoneRow& row);
+
 // The interior's figures, or all where there is no interior.
 const Figures& mainFigures(const RegionFigures& figures);
 
-// On screen: "mobile is 4.2 % darker", "... brighter", "equally bright" (below 0.5 %), "the reference is black there"
-// or "both are black". Of displayed luma.
-std::string describeBrightness(const Figures& figures);
+// What artists ask first: "mobile is 0.3 EV darker and warmer", by bias.ev, bias.dl, bias.da, bias.db (test minus
+// reference, means over the region). Said is what most see where the two stand side by side: 0.05 EV of light (0.8 L*
+// at mid grey; 4 %), else 1 of L*; 1 of a* ("redder", "greener") and 1 of b* ("warmer" is yellower, "cooler" is bluer):
+// a dE*ab of 1 is about the least that is seen, of 2.3 what is seen without looking for it (Mahy et al. 1994). "equally
+// bright, same tint" below all of these. Where the bias was not measured: by displayed luma, "mobile is 4.2 % darker",
+// "equally bright" (below 0.5 %). Both: "the reference is black there", "both are black". test: what "mobile" is
+// called.
+std::string describeBias(const Figures& figures, std::string_view test = "mobile");
 
 } // namespace parity::compare

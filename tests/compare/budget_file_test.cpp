@@ -20,7 +20,7 @@ void expectRefusal(const std::string& text, const std::string& line, const std::
   base::expectError([&] { load(text); }, "b.toml: " + line, reason);
 }
 
-constexpr const char* kCheck = R"(checks = [ { metric = "flip.mean", warn = 0.1, fail = 0.2 } ]
+const std::string kCheck = R"(checks = [ { metric = "flip.mean", warn = 0.1, fail = 0.2 } ]
 )";
 
 TEST(BudgetFile, TheShippedExampleIsReadAsItReads) {
@@ -35,11 +35,11 @@ TEST(BudgetFile, TheShippedExampleIsReadAsItReads) {
   EXPECT_FALSE(hero->reason.empty());
   EXPECT_EQ(hero->origin.find("budgets.example.toml, line "), 0u);
   ASSERT_EQ(hero->checks.size(), 3u);
-  EXPECT_EQ(hero->checks[0].metric, Metric::flipMean);
+  EXPECT_EQ(hero->checks[0].statistic.name, "flip.mean");
   EXPECT_EQ(hero->checks[0].region, Region::interior);
   EXPECT_EQ(hero->checks[0].warn, 0.05);
   EXPECT_EQ(hero->checks[0].fail, 0.10);
-  EXPECT_EQ(hero->checks[2].metric, Metric::psnr);
+  EXPECT_EQ(hero->checks[2].statistic.name, "psnr");
   EXPECT_EQ(hero->checks[2].region, Region::all);
   EXPECT_EQ(hero->checks[2].warn, 32);
 
@@ -53,7 +53,7 @@ TEST(BudgetFile, TheExampleShowsTheBuiltInLimits) {
   const auto expectSame = [](const BudgetRule& shown, const BudgetRule& real) {
     ASSERT_EQ(shown.checks.size(), real.checks.size());
     for (std::size_t i = 0; i < real.checks.size(); ++i) {
-      EXPECT_EQ(shown.checks[i].metric, real.checks[i].metric);
+      EXPECT_EQ(shown.checks[i].statistic.name, real.checks[i].statistic.name);
       EXPECT_EQ(shown.checks[i].region, real.checks[i].region);
       EXPECT_EQ(shown.checks[i].warn, real.checks[i].warn);
       EXPECT_EQ(shown.checks[i].fail, real.checks[i].fail);
@@ -87,22 +87,26 @@ TEST(BudgetFile, UnknownNamesAreRefusedWithTheNearestKnownOne) {
                 "unknown key 'wran'; did you mean 'warn'?");
   expectRefusal(head + "checks = [\n  { metric = \"flip.meen\", warn = 0.1 },\n]", "line 4",
                 "unknown metric 'flip.meen'; did you mean 'flip.mean'?");
-  expectRefusal(head + "checks = [ { metric = \"ssim\", warn = 0.1 } ]", "line 3",
-                "unknown metric 'ssim'; known: flip.mean, flip.p50, flip.p95, flip.max, rmse, psnr");
+  expectRefusal(head + "checks = [ { metric = \"flip.fraction_over(7)\", warn = 0.1 } ]", "line 3",
+                "did you mean 'flip.fraction_over(X)'?");
+  expectRefusal(head + "checks = [ { metric = \"vmaf\", warn = 0.1 } ]", "line 3",
+                "unknown metric 'vmaf'; known: flip.");
+  expectRefusal(head + "preset = \"stric\"", "line 3", "unknown preset 'stric'; did you mean 'strict'?");
+  expectRefusal("[preset.a]\nreason = \"x\"\n", "line 2", "unknown key 'reason'");
   expectRefusal(head + "checks = [ { metric = \"rmse\", region = \"interor\", warn = 0.1 } ]", "line 3",
                 "unknown region 'interor'; did you mean 'interior'?");
-  expectRefusal("[[whole]]\nname = \"*\"\n" + std::string(kCheck), "line 2", "unknown key 'name'");
+  expectRefusal("[[whole]]\nname = \"*\"\n" + kCheck, "line 2", "unknown key 'name'");
 }
 
 TEST(BudgetFile, ListsThatWouldPassEverythingAreRefused) {
   expectRefusal("", "", "no rules");
   expectRefusal("material = []", "", "no rules");
-  expectRefusal("[[material]]\nname = \"*\"\n", "line 1", "no 'checks'");
+  expectRefusal("[[material]]\nname = \"*\"\n", "line 1", "the rule has neither 'checks' nor 'regress'");
   expectRefusal("[[material]]\nname = \"*\"\nchecks = []\n", "line 3", "'checks' is empty");
   expectRefusal("[[material]]\nname = \"*\"\nchecks = [ { metric = \"rmse\" } ]\n", "line 3",
                 "neither 'warn' nor 'fail'");
   expectRefusal(std::string("[[material]]\n") + kCheck, "line 1", "no 'name'");
-  expectRefusal("[[material]]\nname = \"\"\n" + std::string(kCheck), "line 2", "'name' is empty");
+  expectRefusal("[[material]]\nname = \"\"\n" + kCheck, "line 2", "'name' is empty");
 }
 
 TEST(BudgetFile, LimitsThatMakeNoSenseAreRefused) {
@@ -113,7 +117,7 @@ TEST(BudgetFile, LimitsThatMakeNoSenseAreRefused) {
   refuse(R"(metric = "rmse", fail = inf)", "not a finite number");
   refuse(R"(metric = "rmse", warn = -0.1)", "outside the range 0..1");
   refuse(R"(metric = "flip.mean", warn = 10)", "outside the range 0..1");
-  refuse(R"(metric = "psnr", warn = 1000)", "outside the range 0..200");
+  refuse(R"(metric = "psnr", warn = -1)", "outside the range 0..inf of psnr");
   refuse(R"(metric = "rmse", warn = "0.1")", "'warn' must be a number");
   refuse(R"(metric = "rmse", warn = true)", "'warn' must be a number");
   refuse(R"(metric = "rmse", warn = 0.2, fail = 0.1)", "'warn' (0.2) lies above 'fail' (0.1)");
@@ -122,6 +126,63 @@ TEST(BudgetFile, LimitsThatMakeNoSenseAreRefused) {
   refuse(R"(warn = 1)", "no 'metric'");
   refuse(R"(metric = "rmse", warn = 0.1 }, { metric = "rmse", fail = 0.2)",
          "'rmse' over interior pixels is checked twice");
+}
+
+TEST(BudgetFile, AnyFigureMayBeNamedAlsoWithAParameter) {
+  const Budgets budgets = load(R"TOML([[material]]
+name = "*"
+checks = [ { metric = "flip.fraction_over(0.10)", fail = 0.05 }, { metric = "bias.ev", warn = 0.3 } ])TOML");
+  EXPECT_EQ(budgets.materials[0].checks[0].statistic.name, "flip.fraction_over(0.1)");
+  EXPECT_EQ(budgets.materials[0].checks[1].statistic.better, Better::nearZero);
+}
+
+TEST(BudgetFile, ARuleTakesThePresetThatItNamesAndItsOwnChecksGoFirst) {
+  const Budgets budgets = load(R"([preset.hero]
+checks = [ { metric = "flip.mean", warn = 0.05 }, { metric = "rmse", fail = 0.1 } ]
+regress = [ { metric = "psnr", fail = 3 } ]
+[[material]]
+name = "Face"
+preset = "hero"
+checks = [ { metric = "flip.mean", warn = 0.08 } ]
+[[material]]
+name = "*"
+preset = "strict"
+[[whole]]
+preset = "hero")");
+  const BudgetRule& face = budgets.materials[0];
+  ASSERT_EQ(face.checks.size(), 2u);
+  EXPECT_EQ(face.checks[0].warn, 0.08) << "the rule's own limit stands in for the preset's";
+  EXPECT_EQ(face.checks[1].statistic.name, "rmse");
+  EXPECT_EQ(face.checks[1].region, Region::interior);
+  ASSERT_EQ(face.regress.size(), 1u);
+  EXPECT_EQ(face.regress[0].fail, 3);
+  EXPECT_EQ(budgets.materials[1].checks[0].fail, 0.10);
+  EXPECT_EQ(budgets.wholes[0].checks[0].region, Region::all) << "of whole images all pixels count";
+  EXPECT_EQ(face.line, 4);
+  EXPECT_TRUE(face.file.ends_with("b.toml"));
+}
+
+TEST(BudgetFile, PresetsThatMakeNoSenseAreRefused) {
+  const std::string rule = "[[material]]\nname = \"*\"\n";
+  expectRefusal("[preset.strict]\nchecks = [ { metric = \"rmse\", warn = 0.1 } ]\n" + rule, "line 1", "is built in");
+  expectRefusal("[preset.a]\n" + rule + kCheck, "line 1", "preset 'a' has neither 'checks' nor 'regress'");
+  expectRefusal("[preset.a]\nchecks = []\n" + rule + kCheck, "line 2", "'checks' is empty");
+  expectRefusal("preset = 3\n" + rule + kCheck, "line 1", "'preset' must be tables");
+  expectRefusal("[preset]\na = 3\n" + rule + kCheck, "line 2", "'a' must be a table");
+  expectRefusal(rule, "line 1", "the rule has neither 'checks' nor 'regress'");
+  expectRefusal(rule + "preset = \"\"", "line 3", "'preset' is empty");
+}
+
+TEST(BudgetFile, RegressionsAreDistancesAndMayStandAlone) {
+  const std::string head = "[[material]]\nname = \"*\"\n";
+  const Budgets budgets = load(head + "regress = [ { metric = \"psnr\", warn = 1, fail = 3 } ]");
+  EXPECT_TRUE(budgets.materials[0].checks.empty());
+  EXPECT_EQ(budgets.materials[0].regress[0].warn, 1) << "worse by more than it: not a lower bound";
+  expectRefusal(head + "regress = []", "line 3", "'regress' is empty");
+  expectRefusal(head + "regress = [ { metric = \"psnr\", warn = 3, fail = 1 } ]", "line 3",
+                "'warn' (3) lies above 'fail' (1)");
+  expectRefusal(head + "regress = [ { metric = \"flip.mean\", warn = -0.1 } ]", "line 3",
+                "outside the range 0..1 of changes of flip.mean");
 }
 
 TEST(BudgetFile, ARuleThatCanNeverMatchIsRefused) {

@@ -14,6 +14,10 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+BudgetCheck checkOf(const std::string& figure, Region region, std::optional<double> warn, std::optional<double> fail) {
+  return {requireStatistic(figure, "test"), region, warn, fail};
+}
+
 BudgetRule ruleOf(std::vector<BudgetCheck> checks) {
   BudgetRule rule;
   rule.checks = std::move(checks);
@@ -22,33 +26,12 @@ BudgetRule ruleOf(std::vector<BudgetCheck> checks) {
 
 Verdict verdictAt(const BudgetCheck& check, double value) {
   RegionFigures figures = makeRegion("m", 0.1, 4000);
-  for (Figures* part : {&figures.all, &figures.interior}) {
-    part->flip = {value, value, value, value};
-    part->rmse = part->psnr = value;
-  }
+  setFigure(figures, check.statistic.name, value);
   return runChecks(ruleOf({check}), figures).at(0).verdict;
 }
 
-TEST(Budget, EachMetricNamesItsOwnFigure) {
-  Figures figures;
-  figures.flip = {0.1, 0.2, 0.3, 0.4};
-  figures.rmse = 0.5;
-  figures.psnr = 60;
-  const std::vector<double> expected = {0.1, 0.2, 0.3, 0.4, 0.5, 60};
-  ASSERT_EQ(kMetricNames.size(), expected.size());
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    const auto metric = metricByName(kMetricNames[i]);
-    ASSERT_TRUE(metric) << kMetricNames[i];
-    EXPECT_EQ(valueOf(figures, *metric), expected[i]) << kMetricNames[i];
-    EXPECT_EQ(nameOf(*metric), kMetricNames[i]);
-    EXPECT_FALSE(labelOf(*metric).empty());
-  }
-  EXPECT_FALSE(metricByName("flip"));
-  EXPECT_FALSE(metricByName(""));
-}
-
 TEST(Budget, BeyondALimitIsStrictlyBeyondIt) {
-  const BudgetCheck check{Metric::flipMean, Region::interior, 0.1, 0.2};
+  const BudgetCheck check = checkOf("flip.mean", Region::interior, 0.1, 0.2);
   EXPECT_EQ(verdictAt(check, 0), Verdict::pass);
   EXPECT_EQ(verdictAt(check, 0.1), Verdict::pass);
   EXPECT_EQ(verdictAt(check, std::nextafter(0.1, 1)), Verdict::warn);
@@ -57,7 +40,7 @@ TEST(Budget, BeyondALimitIsStrictlyBeyondIt) {
 }
 
 TEST(Budget, PsnrIsALowerBoundAndIdenticalImagesPassAny) {
-  const BudgetCheck check{Metric::psnr, Region::interior, 32, 28};
+  const BudgetCheck check = checkOf("psnr", Region::interior, 32, 28);
   EXPECT_EQ(verdictAt(check, 40), Verdict::pass);
   EXPECT_EQ(verdictAt(check, 32), Verdict::pass);
   EXPECT_EQ(verdictAt(check, 31.9), Verdict::warn);
@@ -66,21 +49,80 @@ TEST(Budget, PsnrIsALowerBoundAndIdenticalImagesPassAny) {
 }
 
 TEST(Budget, EitherLimitMayStandAlone) {
-  EXPECT_EQ(verdictAt({Metric::rmse, Region::all, std::nullopt, 0.2}, 0.15), Verdict::pass);
-  EXPECT_EQ(verdictAt({Metric::rmse, Region::all, std::nullopt, 0.2}, 0.25), Verdict::fail);
-  EXPECT_EQ(verdictAt({Metric::rmse, Region::all, 0.1, std::nullopt}, 0.9), Verdict::warn);
+  EXPECT_EQ(verdictAt(checkOf("rmse", Region::all, std::nullopt, 0.2), 0.15), Verdict::pass);
+  EXPECT_EQ(verdictAt(checkOf("rmse", Region::all, std::nullopt, 0.2), 0.25), Verdict::fail);
+  EXPECT_EQ(verdictAt(checkOf("rmse", Region::all, 0.1, std::nullopt), 0.9), Verdict::warn);
 }
 
-TEST(Budget, NotANumberIsAnErrorForEveryMetric) {
-  for (const std::string_view name : kMetricNames)
-    EXPECT_EQ(verdictAt({*metricByName(name), Region::interior, 0.5, 0.5}, kNan), Verdict::error) << name;
+TEST(Budget, ASignedFigureIsBoundedOnEitherSide) {
+  const BudgetCheck check = checkOf("bias.ev", Region::interior, 0.1, 0.3);
+  for (const double sign : {-1., 1.}) {
+    EXPECT_EQ(verdictAt(check, sign * 0.1), Verdict::pass);
+    EXPECT_EQ(verdictAt(check, sign * 0.2), Verdict::warn);
+    EXPECT_EQ(verdictAt(check, sign * 0.4), Verdict::fail);
+  }
+}
+
+TEST(Budget, NotANumberIsAnErrorForEveryFigure) {
+  for (std::string name : knownStatistics()) {
+    if (name.ends_with("(X)")) name.replace(name.size() - 2, 1, "0.1");
+    EXPECT_EQ(verdictAt(checkOf(name, Region::interior, 0.5, 0.5), kNan), Verdict::error) << name;
+  }
+}
+
+TEST(Budget, AFigureThatWasNotMeasuredIsAnErrorInWords) {
+  MaterialResult material = makeMaterial("x", 0, 4000);
+  Budgets budgets;
+  budgets.materials = {ruleOf({checkOf("flip.mean", Region::interior, 0.1, 0.2),
+                               checkOf("flip.fraction_over(0.1)", Region::interior, 0.1, 0.2)})};
+  judgeMaterial(material, budgets, "scene");
+  EXPECT_EQ(material.verdict, Verdict::error);
+  EXPECT_EQ(material.reason, "share of pixels with FLIP over 0.1 over interior pixels: not measured");
+  EXPECT_EQ(material.checks.at(0).verdict, Verdict::pass);
+}
+
+TEST(Budget, NamesEachFigureThatARunHasToMeasureOnce) {
+  Budgets budgets = defaultBudgets();
+  budgets.materials[0].checks.push_back(checkOf("maxabs", Region::all, 0.1, 0.2));
+  budgets.materials[0].regress.push_back(checkOf("flip.mean", Region::all, 0.1, 0.2));
+  budgets.materials[0].regress.push_back(checkOf("psnr", Region::all, 1, 2));
+  const std::vector<std::string> expected = {"flip.mean", "flip.p95", "maxabs", "psnr"};
+  EXPECT_EQ(requiredStatistics(budgets), expected);
+}
+
+TEST(Budget, TheStrictPresetIsHalfOfTheDefault) {
+  const auto& presets = builtInPresets();
+  ASSERT_EQ(presets.size(), 3u);
+  const auto expectHalf = [](const std::vector<BudgetCheck>& whole, const std::vector<BudgetCheck>& half) {
+    ASSERT_EQ(whole.size(), half.size());
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      EXPECT_EQ(half[i].statistic.name, whole[i].statistic.name);
+      EXPECT_DOUBLE_EQ(*half[i].warn, *whole[i].warn / 2);
+      EXPECT_DOUBLE_EQ(*half[i].fail, *whole[i].fail / 2);
+    }
+  };
+  expectHalf(presets[0].materials, presets[1].materials);
+  expectHalf(presets[0].wholes, presets[1].wholes);
+  // budget.h says what these mean.
+  EXPECT_EQ(presets[0].materials[0].warn, 0.10);
+  EXPECT_EQ(presets[0].materials[0].fail, 0.20);
+  EXPECT_EQ(presets[0].materials[1].warn, 0.30);
+  EXPECT_EQ(presets[0].materials[1].fail, 0.50);
+  EXPECT_EQ(presets[0].wholes[0].warn, 0.08);
+  EXPECT_EQ(presets[0].wholes[0].fail, 0.16);
+}
+
+TEST(Budget, ThePresetIdenticalPassesNothingButIdentity) {
+  const BudgetPreset& identical = builtInPresets().at(2);
+  EXPECT_EQ(verdictAt(identical.materials.at(0), 0), Verdict::pass);
+  EXPECT_EQ(verdictAt(identical.materials.at(0), 1e-6), Verdict::fail);
 }
 
 TEST(Budget, ChecksLookAtTheirRegion) {
   RegionFigures figures = makeRegion("m", 0.1, 4000);
-  figures.all.flip.mean = 0.9;
+  setFigure(figures.all, "flip.mean", 0.9);
   const auto results = runChecks(
-      ruleOf({{Metric::flipMean, Region::interior, 0.2, 0.5}, {Metric::flipMean, Region::all, 0.2, 0.5}}), figures);
+      ruleOf({checkOf("flip.mean", Region::interior, 0.2, 0.5), checkOf("flip.mean", Region::all, 0.2, 0.5)}), figures);
   ASSERT_EQ(results.size(), 2u);
   EXPECT_EQ(results[0].verdict, Verdict::pass);
   EXPECT_EQ(results[0].region, "interior");
@@ -92,8 +134,8 @@ TEST(Budget, ChecksLookAtTheirRegion) {
 TEST(Budget, AnEmptyInteriorFallsBackToAllPixelsAndSaysSo) {
   RegionFigures figures = makeRegion("thin wire", 0.1, 40);
   figures.interior = {};
-  figures.all.flip.mean = 0.9;
-  const auto results = runChecks(ruleOf({{Metric::flipMean, Region::interior, 0.2, 0.5}}), figures);
+  setFigure(figures.all, "flip.mean", 0.9);
+  const auto results = runChecks(ruleOf({checkOf("flip.mean", Region::interior, 0.2, 0.5)}), figures);
   ASSERT_EQ(results.size(), 1u);
   EXPECT_EQ(results[0].verdict, Verdict::fail);
   EXPECT_EQ(results[0].region, "all");
@@ -102,11 +144,11 @@ TEST(Budget, AnEmptyInteriorFallsBackToAllPixelsAndSaysSo) {
 
 TEST(Budget, TheFirstRuleThatMatchesJudges) {
   Budgets budgets;
-  BudgetRule hero = ruleOf({{Metric::flipMean, Region::interior, 0.01, 0.02}});
+  BudgetRule hero = ruleOf({checkOf("flip.mean", Region::interior, 0.01, 0.02)});
   hero.material = "Hero*";
   hero.scene = "Title*";
   hero.owner = "characters";
-  BudgetRule loose = ruleOf({{Metric::flipMean, Region::interior, 0.8, 0.9}});
+  BudgetRule loose = ruleOf({checkOf("flip.mean", Region::interior, 0.8, 0.9)});
   loose.material = "Hero*";
   budgets.materials = {hero, loose};
   EXPECT_EQ(findMaterialRule(budgets, "Title screen", "Hero face"), &budgets.materials[0]);
@@ -116,11 +158,11 @@ TEST(Budget, TheFirstRuleThatMatchesJudges) {
   MaterialResult material = makeMaterial("Hero face", 0.1, 4000);
   judgeMaterial(material, budgets, "Title screen");
   EXPECT_EQ(material.verdict, Verdict::fail);
-  EXPECT_EQ(material.owner, "characters");
+  EXPECT_EQ(material.rule.owner, "characters");
   EXPECT_EQ(material.reason, "mean FLIP 0.100 over interior pixels is above 0.020");
   judgeMaterial(material, budgets, "Level 1");
   EXPECT_EQ(material.verdict, Verdict::pass);
-  EXPECT_EQ(material.owner, "");
+  EXPECT_EQ(material.rule.owner, "");
   EXPECT_EQ(material.reason, "");
 }
 
@@ -144,6 +186,51 @@ TEST(Budget, AFigureThatNoCheckLooksAtMayNotBeNanEither) {
   material.figures.interior.testLuma = kNan;
   judgeMaterial(material, defaultBudgets(), "scene");
   EXPECT_EQ(material.verdict, Verdict::error);
+}
+
+TEST(Budget, OnlyWhatIsBetterTheMoreOfItMayBeInfinite) {
+  MaterialResult material = makeMaterial("x", 0, 4000); // its psnr is infinite
+  judgeMaterial(material, defaultBudgets(), "scene");
+  EXPECT_EQ(material.verdict, Verdict::pass);
+  setFigure(material.figures, "rmse", kInfinity);
+  judgeMaterial(material, defaultBudgets(), "scene");
+  EXPECT_EQ(material.verdict, Verdict::error);
+  EXPECT_EQ(material.reason, "a figure is not a number: rmse");
+}
+
+TEST(Budget, ARegionOfWhichNothingWasMeasuredIsAnError) {
+  MaterialResult material = makeMaterial("x", 0, 4000);
+  material.figures.all.values.clear();
+  material.figures.interior.values.clear();
+  judgeMaterial(material, Budgets{}, "scene");
+  EXPECT_EQ(material.verdict, Verdict::error);
+  EXPECT_EQ(material.reason, "no figure was measured");
+}
+
+TEST(Budget, ARuleThatJudgesNothingIsSaidInWords) {
+  Report report = makeSampleReport();
+  Budgets budgets = defaultBudgets();
+  EXPECT_EQ(describeUnusedRules(budgets, report), "");
+  BudgetRule misspelt = budgets.materials[0];
+  misspelt.material = "Glasss";
+  misspelt.scene = "Lamp";
+  misspelt.file = "folder/b.toml";
+  misspelt.line = 3;
+  BudgetRule used = misspelt;
+  used.material = "Glass";
+  used.line = 7;
+  BudgetRule elsewhere = misspelt;
+  elsewhere.scene = "Broken"; // could not be compared: nobody knows
+  elsewhere.line = 9;
+  budgets.materials = {misspelt, used, elsewhere};
+  BudgetRule whole = misspelt;
+  whole.scene = "Lump";
+  whole.line = 12;
+  budgets.wholes = {whole};
+  for (ViewResult& view : report.scenes[0].views)
+    for (MaterialResult& material : view.materials) judgeMaterial(material, budgets, "Lamp");
+  EXPECT_EQ(describeUnusedRules(budgets, report), "b.toml: 2 rules judge nothing in this run: line 3 ('Glasss' of "
+                                                  "scenes 'Lamp'), line 12 (whole images of scenes 'Lump')");
 }
 
 TEST(Budget, AMaterialWithoutPixelsIsNotSeenAndFailsWhereItMustBeSeen) {

@@ -70,8 +70,10 @@ TEST(Html, EveryTextOfAReportIsEscaped) {
         view.name = view.reason = text;
         view.images = {text, text, text};
         view.skipped = {text};
+        view.rule = {text, text, text, false, text, 1};
         for (MaterialResult& material : view.materials) {
-          material.name = material.reason = material.budget = material.budgetReason = material.owner = text;
+          material.name = material.reason = text;
+          material.rule = {text, text, text, false, text, 1};
           material.notes = {text};
           material.terms = {{text, 1, 2}};
           material.crops = {text, text, text};

@@ -32,16 +32,16 @@ TEST(ReportJson, KeysStandInAFixedOrder) {
     for (const auto& [key, value] : object.items()) names += (names.empty() ? "" : " ") + key;
     return names;
   };
-  EXPECT_EQ(keys(document), "schema tool version device verdict counts settings scenes");
+  EXPECT_EQ(keys(document), "schema tool version device verdict counts wholeCounts warnings baseline settings scenes");
   EXPECT_EQ(keys(document["scenes"][0]), "name source environment sun verdict error warnings views");
   EXPECT_EQ(keys(document["scenes"][0]["views"][0]), "name width height verdict whole materials images skipped");
   EXPECT_EQ(keys(document["scenes"][0]["views"][0]["materials"][0]),
-            "name verdict reason seenElsewhere figures checks budget notes terms crops");
+            "name verdict reason seenElsewhere figures checks budget baseline notes terms crops");
 }
 
 TEST(ReportJson, HoldsWhatTheReportHolds) {
   const ordered_json document = ordered_json::parse(toJson(makeSampleReport()));
-  EXPECT_EQ(document["schema"], 1);
+  EXPECT_EQ(document["schema"], 2);
   EXPECT_EQ(document["verdict"], "error");
   EXPECT_EQ(document["counts"], ordered_json::parse(R"({"pass":3,"notSeen":2,"warn":2,"fail":2,"error":0})"));
   EXPECT_EQ(document["settings"][2], ordered_json::parse(R"({"name":"preset","value":"ue4-2020"})"));
@@ -54,7 +54,7 @@ TEST(ReportJson, HoldsWhatTheReportHolds) {
   EXPECT_EQ(metal["name"], "Rough metal");
   EXPECT_EQ(metal["verdict"], "fail");
   EXPECT_EQ(metal["figures"]["interior"]["pixels"], 90000);
-  EXPECT_EQ(metal["figures"]["interior"]["flip"]["mean"], 0.27);
+  EXPECT_EQ(metal["figures"]["interior"]["metrics"]["flip.mean"], 0.27);
   EXPECT_EQ(metal["checks"][0]["metric"], "flip.mean");
   EXPECT_EQ(metal["checks"][0]["fail"], 0.2);
   EXPECT_EQ(metal["terms"][1]["term"], "sunSpecular");
@@ -73,8 +73,8 @@ TEST(ReportJson, WhatIsNotSeenHasNoFiguresRatherThanZeros) {
 
 TEST(ReportJson, AnInfinitePsnrIsNull) {
   const ordered_json document = ordered_json::parse(toJson(makeSampleReport()));
-  EXPECT_TRUE(document["scenes"][0]["views"][0]["materials"][4]["figures"]["all"]["psnr"].is_null());
-  EXPECT_TRUE(document["scenes"][0]["views"][0]["materials"][0]["figures"]["all"]["psnr"].is_number());
+  EXPECT_TRUE(document["scenes"][0]["views"][0]["materials"][4]["figures"]["all"]["metrics"]["psnr"].is_null());
+  EXPECT_TRUE(document["scenes"][0]["views"][0]["materials"][0]["figures"]["all"]["metrics"]["psnr"].is_number());
 }
 
 TEST(ReportJson, NamesOfAnyBytesComeBackAsUnicode) {

@@ -1,11 +1,7 @@
 // Untrusted text: what becomes of each kind of byte.
-#include <cmath>
-#include <optional>
-
 #include <gtest/gtest.h>
 
 #include "compare/text.h"
-#include "compare/wording.h"
 
 namespace parity::compare {
 namespace {
@@ -70,39 +66,6 @@ TEST(FitColumns, PadsAndCutsToExactlyTheColumnsAsked) {
   EXPECT_EQ(fitColumns("日本語", 4), "日… "); // half of a wide character does not fit
   for (std::size_t columns = 1; columns < 9; ++columns)
     EXPECT_EQ(displayWidth(fitColumns("x日本e\u0301語y", columns)), columns);
-}
-
-TEST(Wording, BrightnessIsSaidAsPeopleSayIt) {
-  const auto say = [](double reference, double test) {
-    Figures figures;
-    figures.referenceLuma = reference;
-    figures.testLuma = test;
-    return describeBrightness(figures);
-  };
-  EXPECT_EQ(say(0.5, 0.4), "mobile is 20.0 % darker");
-  EXPECT_EQ(say(0.4, 0.5), "mobile is 25.0 % brighter");
-  EXPECT_EQ(say(0.4, 0.4001), "equally bright");
-  EXPECT_EQ(say(0, 0), "both are black");
-  EXPECT_EQ(say(0, 0.5), "the reference is black there");
-}
-
-TEST(Wording, ChecksAreSaidWithTheLimitThatDecided) {
-  const auto say = [](const char* metric, const char* region, double value, std::optional<double> warn, double fail,
-                      Verdict verdict) {
-    CheckResult check;
-    check.metric = metric;
-    check.region = region;
-    check.value = value;
-    check.warnAbove = warn;
-    check.failAbove = fail;
-    check.verdict = verdict;
-    return describeCheck(check);
-  };
-  EXPECT_EQ(say("psnr", "all", 30.04, 32, 28, Verdict::warn), "PSNR 30.0 dB over all pixels is below 32.0 dB");
-  EXPECT_EQ(say("flip.p95", "interior", 0.6, 0.3, 0.5, Verdict::fail),
-            "FLIP p95 0.600 over interior pixels is above 0.500");
-  EXPECT_EQ(say("rmse", "all", 0.1, std::nullopt, 0.5, Verdict::pass), "RMSE 0.100 over all pixels is within 0.500");
-  EXPECT_EQ(say("rmse", "all", NAN, 0.2, 0.5, Verdict::error), "RMSE not a number over all pixels");
 }
 
 } // namespace

@@ -124,7 +124,7 @@ TEST(Verdict, ANamesakeInAnotherPlaceDoesNotMakeAMaterialSeen) {
 
 TEST(Verdict, RequireSeenFailsOnlyWhereNoViewShowsIt) {
   Report report = reportOf(0.05, 0);
-  report.scenes[0].views[0].materials[0].requireSeen = true;
+  report.scenes[0].views[0].materials[0].rule.requireSeen = true;
   settleVerdicts(report);
   EXPECT_EQ(report.verdict, Verdict::fail);
   report.scenes[0].views.push_back(reportOf(0.05).scenes[0].views[0]);
@@ -182,7 +182,7 @@ TEST(ExitCode, AnErrorWithAnyOtherCodeIsFour) {
 
 TEST(ExitCode, FiguresThatAreNotNumbersAreFour) {
   Report report = reportOf(0.05);
-  report.scenes[0].views[0].materials[0].figures.all.rmse = NAN;
+  setFigure(report.scenes[0].views[0].materials[0].figures.all, "rmse", NAN);
   settleVerdicts(report);
   EXPECT_EQ(exitCode(report, false), 4);
 }

@@ -34,9 +34,13 @@ Figures makeFigures(double mean, std::uint64_t pixels, double gain) {
   Figures figures;
   figures.pixels = pixels;
   if (pixels == 0) return figures;
-  figures.flip = {mean, 0.8 * mean, std::min(1.0, 2.5 * mean), std::min(1.0, 4 * mean)};
-  figures.rmse = 0.3 * mean;
-  figures.psnr = mean > 0 ? -20 * std::log10(figures.rmse) : INFINITY;
+  const double rmse = 0.3 * mean;
+  figures.values = {{"flip.mean", mean},
+                    {"flip.p50", 0.8 * mean},
+                    {"flip.p95", std::min(1.0, 2.5 * mean)},
+                    {"flip.max", std::min(1.0, 4 * mean)},
+                    {"rmse", rmse},
+                    {"psnr", mean > 0 ? -20 * std::log10(rmse) : INFINITY}};
   figures.referenceLuma = 0.42;
   figures.testLuma = 0.42 * gain;
   return figures;
@@ -44,6 +48,17 @@ Figures makeFigures(double mean, std::uint64_t pixels, double gain) {
 
 RegionFigures makeRegion(const std::string& name, double mean, std::uint64_t pixels, double gain) {
   return {name, makeFigures(1.1 * mean, pixels, gain), makeFigures(mean, pixels * 3 / 4, gain)};
+}
+
+void setFigure(Figures& figures, const std::string& name, double value) {
+  for (Figure& figure : figures.values)
+    if (figure.name == name) return void(figure.value = value);
+  figures.values.push_back({name, value});
+}
+
+void setFigure(RegionFigures& figures, const std::string& name, double value) {
+  setFigure(figures.interior, name, value);
+  setFigure(figures.all, name, value);
 }
 
 MaterialResult makeMaterial(const std::string& name, double mean, std::uint64_t pixels, double gain) {

@@ -12,6 +12,10 @@ namespace parity::compare {
 Figures makeFigures(double mean, std::uint64_t pixels, double gain = 0.95);
 RegionFigures makeRegion(const std::string& name, double mean, std::uint64_t pixels, double gain = 0.95);
 
+// Sets a figure, which is added where it is not measured yet; of both regions.
+void setFigure(Figures& figures, const std::string& name, double value);
+void setFigure(RegionFigures& figures, const std::string& name, double value);
+
 // Not judged yet.
 MaterialResult makeMaterial(const std::string& name, double mean, std::uint64_t pixels, double gain = 0.95);
 

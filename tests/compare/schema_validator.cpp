@@ -43,10 +43,14 @@ public:
         for (const json& name : rule)
           if (value.is_object() && !value.contains(name.get<std::string>())) report("lacks " + name.dump());
       } else if (keyword == "additionalProperties") {
-        if (rule != false) report("schema: additionalProperties may only be false");
         if (value.is_object())
-          for (const auto& [name, child] : value.items())
-            if (!schema.value("properties", json::object()).contains(name)) report("has an unknown key '" + name + "'");
+          for (const auto& [name, child] : value.items()) {
+            if (schema.value("properties", json::object()).contains(name)) continue;
+            if (rule == false)
+              report("has an unknown key '" + name + "'");
+            else
+              descend(rule, child, name);
+          }
       } else if (keyword == "items") {
         if (value.is_array())
           for (std::size_t i = 0; i < value.size(); ++i) descend(rule, value[i], std::to_string(i));

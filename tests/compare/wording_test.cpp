@@ -1,0 +1,125 @@
+// Figures in words: the bias that artists ask for first, checks with the limit that decided, numbers with their units.
+#include <cmath>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "compare/sample_report.h"
+#include "compare/wording.h"
+
+namespace parity::compare {
+namespace {
+
+std::string describe(double ev, double lightness, double red, double yellow) {
+  Figures figures = makeFigures(0.1, 4000, 0.8);
+  figures.values.insert(figures.values.end(),
+                        {{"bias.ev", ev}, {"bias.dl", lightness}, {"bias.da", red}, {"bias.db", yellow}});
+  return describeBias(figures);
+}
+
+TEST(Wording, BiasIsSaidAsArtistsSayIt) {
+  EXPECT_EQ(describe(-0.3, -5, 0.2, 2.5), "mobile is 0.3 EV darker and warmer");
+  EXPECT_EQ(describe(1.24, 9, -3, -2), "mobile is 1.2 EV brighter, cooler and greener");
+  EXPECT_EQ(describe(0, 0, 1, 0), "mobile is redder");
+  EXPECT_EQ(describe(0, 0, 0, -1.5), "mobile is cooler");
+  EXPECT_EQ(describe(0.02, -1.6, 0, 0), "mobile is 2 L* darker") << "light hides a difference that is seen";
+}
+
+TEST(Wording, BiasThatNobodySeesIsNotSaid) {
+  EXPECT_EQ(describe(0.049, 0.9, 0.9, -0.9), "equally bright, same tint");
+  EXPECT_EQ(describe(0.05, 0, 0, 0), "mobile is 0.05 EV brighter");
+  EXPECT_EQ(describe(-0.05, 0, 0.99, 1), "mobile is 0.05 EV darker and warmer");
+}
+
+TEST(Wording, BiasNamesTheTestAsTold) {
+  EXPECT_EQ(describeBias(makeFigures(0.1, 4000, 0.8), "b.png"), "b.png is 20.0 % darker");
+}
+
+TEST(Wording, WithoutBiasTheLumaIsSaid) {
+  const auto say = [](double reference, double test) {
+    Figures figures;
+    figures.referenceLuma = reference;
+    figures.testLuma = test;
+    return describeBias(figures);
+  };
+  EXPECT_EQ(say(0.5, 0.4), "mobile is 20.0 % darker");
+  EXPECT_EQ(say(0.4, 0.5), "mobile is 25.0 % brighter");
+  EXPECT_EQ(say(0.4, 0.4001), "equally bright");
+  EXPECT_EQ(say(0, 0), "both are black");
+  EXPECT_EQ(say(0, 0.5), "the reference is black there");
+}
+
+TEST(Wording, BlackIsSaidWhateverTheBiasIs) {
+  Figures figures = makeFigures(0, 4000);
+  setFigure(figures, "bias.ev", 0);
+  figures.referenceLuma = figures.testLuma = 0;
+  EXPECT_EQ(describeBias(figures), "both are black");
+}
+
+CheckResult checkOf(const char* metric, const char* region, double value, std::optional<double> warn, double fail,
+                    Verdict verdict) {
+  CheckResult check;
+  check.metric = metric;
+  check.region = region;
+  check.value = value;
+  check.warnAbove = warn;
+  check.failAbove = fail;
+  check.verdict = verdict;
+  return check;
+}
+
+TEST(Wording, ChecksAreSaidWithTheLimitThatDecided) {
+  const auto say = [](auto... arguments) { return describeCheck(checkOf(arguments...)); };
+  EXPECT_EQ(say("psnr", "all", 30.04, 32, 28, Verdict::warn), "PSNR 30.0 dB over all pixels is below 32.0 dB");
+  EXPECT_EQ(say("flip.p95", "interior", 0.6, 0.3, 0.5, Verdict::fail),
+            "95th percentile of FLIP 0.600 over interior pixels is above 0.500");
+  EXPECT_EQ(say("rmse", "all", 0.1, std::nullopt, 0.5, Verdict::pass), "RMSE 0.1000 over all pixels is within 0.5000");
+  EXPECT_EQ(say("rmse", "all", NAN, 0.2, 0.5, Verdict::error), "RMSE not a number over all pixels");
+  EXPECT_EQ(say("bias.ev", "all", -0.4, 0.1, 0.3, Verdict::fail),
+            "mean exposure difference -0.40 EV over all pixels is beyond ±0.30 EV");
+  EXPECT_EQ(say("bias.ev", "all", -0.05, 0.1, 0.3, Verdict::pass),
+            "mean exposure difference -0.05 EV over all pixels is within ±0.10 EV");
+}
+
+TEST(Wording, RegressionsAreSaidAsChanges) {
+  CheckResult check = checkOf("flip.mean", "interior", 0.04, 0.01, 0.03, Verdict::fail);
+  check.regress = true;
+  EXPECT_EQ(describeCheck(check), "mean FLIP over interior pixels is 0.040 worse than in the baseline, above 0.030");
+  check.value = -0.01;
+  check.verdict = Verdict::pass;
+  EXPECT_EQ(describeCheck(check), "mean FLIP over interior pixels is 0.010 better than in the baseline");
+  check.value = 0;
+  EXPECT_EQ(describeCheck(check), "mean FLIP over interior pixels is as in the baseline");
+  check.judged = false;
+  check.note = "no baseline";
+  EXPECT_EQ(describeCheck(check), "regression of mean FLIP over interior pixels: no baseline");
+
+  check = checkOf("psnr", "all", INFINITY, 1, 3, Verdict::fail);
+  check.regress = true;
+  EXPECT_EQ(describeCheck(check), "PSNR over all pixels is no longer identical, above 3.0 dB");
+  EXPECT_FALSE(isLowerBound(check)) << "worse is worse, whatever the figure";
+}
+
+TEST(Wording, NumbersCarryTheirUnitAndSign) {
+  EXPECT_EQ(formatFigure("flip.mean", 0.1416), "0.142");
+  EXPECT_EQ(formatFigure("psnr", 31.42), "31.4 dB");
+  EXPECT_EQ(formatFigure("psnr", INFINITY), "identical");
+  EXPECT_EQ(formatFigure("rmse", INFINITY), "infinite");
+  EXPECT_EQ(formatFigure("bias.ev", 0.314), "+0.31 EV");
+  EXPECT_EQ(formatFigure("rmse", NAN), "not a number");
+  EXPECT_EQ(formatChange("flip.mean", 0.0123), "+0.012");
+  EXPECT_EQ(formatChange("psnr", -1.44), "-1.4 dB");
+  EXPECT_EQ(formatChange("psnr", -INFINITY), "no longer identical");
+  EXPECT_EQ(formatChange("flip.mean", -0.0), "+0.000");
+}
+
+TEST(Wording, WhatIsGoneIsNamedAsFarAsItIsKnown) {
+  EXPECT_EQ(describeGone({"Desk", "front", "Lamp"}),
+            "gone: material 'Lamp', scene Desk, view front: the baseline has it, this run does not");
+  EXPECT_EQ(describeGone({"Desk", "front", ""}),
+            "gone: view front of scene Desk: the baseline has it, this run does not");
+  EXPECT_EQ(describeGone({"Desk", "", ""}), "gone: scene Desk: the baseline has it, this run does not");
+}
+
+} // namespace
+} // namespace parity::compare
