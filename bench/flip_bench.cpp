@@ -1,83 +1,220 @@
-// Time of LDR-FLIP and of the figures per region, per pixel of a pair, sRGB decode included. "time/px" is
-// wall time; CPU (of all threads) is what counts on a busy machine.
+// FLIP's speed: LDR and HDR, sizes, threads, instruction sets, and pairs that differ in parts only. Beside each time
+// per pixel stands the share of the roofline: the time that the arithmetic alone would take at the best rate measured
+// here.
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <string>
+#include <vector>
+
+#include <sys/resource.h>
 
 #include <benchmark/benchmark.h>
 
 #include "base/parallel.h"
 #include "compare/flip.h"
-#include "compare/metrics.h"
-#include "compare/region.h"
+#include "compare/flip_filters.h"
+#include "compare/flip_hdr.h"
+#include "compare/flip_simd.h"
 
 namespace parity::compare {
 namespace {
 
-// Smooth waves with noise on them; eightBit: whole 255ths, as from a PNG.
-base::Image makeImage(int width, int height, std::uint32_t seed, bool eightBit) {
-  base::Image image(width, height, 3);
-  std::uint32_t state = seed;
+// Waves and noise, as a display shows them.
+base::Image8 makeImage(int width, int height, unsigned seed) {
+  base::Image8 image(width, height, 3);
+  unsigned state = seed;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       for (int c = 0; c < 3; ++c) {
         state = state * 1664525u + 1013904223u;
-        const float noise = static_cast<float>(state >> 8) / 16777216.f;
-        const float wave =
-            0.5f + 0.4f * std::sin(0.02f * static_cast<float>(x * (c + 1)) + 0.03f * static_cast<float>(y));
-        const float value = 0.9f * wave + 0.1f * noise;
-        image.at(x, y)[c] = eightBit ? std::round(255.f * value) / 255.f : value;
+        const int wave = (x * (c + 1) + 2 * y) / 4 % 400, ramp = wave < 200 ? wave : 400 - wave;
+        image.at(x, y)[c] = static_cast<std::uint8_t>(20 + ramp + static_cast<int>(state >> 27));
       }
   return image;
 }
 
-void reportPerPixel(benchmark::State& state, double pixels) {
-  state.counters["time/px"] =
-      benchmark::Counter(pixels, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+base::Image toFloats(const base::Image8& bytes, bool hdr) {
+  base::Image image(bytes.width, bytes.height, 3);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const float v = static_cast<float>(bytes.pixels[i]) / 255.f;
+    image.pixels[i] = hdr ? std::exp2(12.f * v - 8.f) : v;
+  }
+  return image;
 }
 
-// Arguments: width, height, threads, whether the images are of 8 bit.
-void flip(benchmark::State& state) {
+// Multiplications, additions and fused pairs of them that the filters alone take for a pixel of a pair, symmetric taps
+// being added before they are multiplied.
+double filterOperations() {
+  const FlipFilters f = makeFlipFilters(kDefaultPixelsPerDegree);
+  const auto taps = [](const std::vector<float>& half) { return static_cast<double>(half.size()) - 1; };
+  const double color = 2 * (taps(f.luma) + taps(f.redGreen)) + 3 * taps(f.blueYellowA);
+  const double acrossRows = color + 6 * taps(f.gauss);
+  const double alongRow =
+      2 * (taps(f.luma) + taps(f.redGreen) + taps(f.blueYellowA) + taps(f.blueYellowB)) + 9 * taps(f.gauss);
+  return 2 * (acrossRows + alongRow);
+}
+
+// Operations a second of one core, measured as FLIP's filter along a row over data in the first-level cache, which can
+// do no better: what the roofline stands for here. (For the instruction set in use.)
+double operationsPerSecond() {
+  const FlipFilters filters = makeFlipFilters(kDefaultPixelsPerDegree);
+  constexpr std::size_t kStride = 128, kColumns = 64;
+  std::vector<float> planes(kFilteredPlanes * kBatchRows * kStride + 64, 0.5f), out(5 * 256);
+  const FilteredRow row = {out.data(), out.data() + 256, out.data() + 512, out.data() + 768, out.data() + 1024};
+  const auto taps = [](const std::vector<float>& half) { return static_cast<double>(half.size()) - 1; };
+  const double operations =
+      kColumns *
+      (2 * (taps(filters.luma) + taps(filters.redGreen) + taps(filters.blueYellowA) + taps(filters.blueYellowB)) +
+       9 * taps(filters.gauss));
+  double best = 0;
+  for (int round = 0; round < 20; ++round) {
+    constexpr int kCalls = 2000;
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < kCalls; ++i) {
+      filterAlongRow(filters, planes.data(), kStride, 0, 32, kColumns, row);
+      benchmark::ClobberMemory();
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    best = std::max(best, kCalls * operations / seconds);
+  }
+  return best;
+}
+
+// Runs the benchmark's loop. time/px; roofline: the share of the time that the filters' arithmetic alone would need on
+// the threads in use. maps: exposures.
+template <typename Body> void measure(benchmark::State& state, double pixels, int threads, double maps, Body body) {
+  static const double rate = operationsPerSecond();
+  const auto start = std::chrono::steady_clock::now();
+  for (auto _ : state) body();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double each = seconds / static_cast<double>(state.iterations());
+  state.counters["ns/px"] = 1e9 * each / pixels;
+  state.counters["roofline"] = pixels * maps * filterOperations() / rate / threads / each;
+  state.SetLabel(simdLevels().front());
+}
+
+const std::vector<std::vector<std::int64_t>> kSizes = {{512, 512}, {1920, 1080}, {3840, 2160}, {7680, 4320}};
+
+void addSizes(benchmark::internal::Benchmark* bench) {
+  for (const auto& size : kSizes)
+    for (int threads : {1, 2}) bench->Args({size[0], size[1], threads});
+}
+
+// 8-bit sRGB in, map out.
+void ldr(benchmark::State& state) {
   const int width = static_cast<int>(state.range(0)), height = static_cast<int>(state.range(1));
-  const base::ThreadLimit limit(static_cast<int>(state.range(2)));
-  const base::Image reference = makeImage(width, height, 1, state.range(3) != 0);
-  const base::Image test = makeImage(width, height, 2, state.range(3) != 0);
-  for (auto _ : state) benchmark::DoNotOptimize(flipMap(reference, test).pixels.data());
-  reportPerPixel(state, static_cast<double>(width) * height);
+  const int threads = static_cast<int>(state.range(2));
+  const base::ThreadLimit limit(threads);
+  const base::Image8 reference = makeImage(width, height, 1), test = makeImage(width, height, 2);
+  measure(state, static_cast<double>(width) * height, threads, 1,
+          [&] { benchmark::DoNotOptimize(flipMap(reference, test).pixels.data()); });
 }
-BENCHMARK(flip)
-    ->ArgNames({"w", "h", "threads", "8bit"})
-    ->ArgsProduct({{512}, {512}, {1, 2}, {1, 0}})
-    ->ArgsProduct({{1920}, {1080}, {1, 2}, {1, 0}})
-    ->ArgsProduct({{3840}, {2160}, {1, 2}, {1, 0}})
-    ->MeasureProcessCPUTime()
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(ldr)->ArgNames({"w", "h", "threads"})->Apply(addSizes)->UseRealTime()->Unit(benchmark::kMillisecond);
 
-// A hundred materials in blocks that tile a 1920x1080 image: the cost of all their figures together, per image pixel.
-void hundredRegions(benchmark::State& state) {
-  constexpr int kWidth = 1920, kHeight = 1080;
-  const base::Image reference = makeImage(kWidth, kHeight, 1, true), test = makeImage(kWidth, kHeight, 2, true);
-  const base::Image map = flipMap(reference, test);
-  std::vector<base::PixelList> lists(100);
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x)
-      lists[static_cast<std::size_t>(y / 108 * 10 + x / 192)].pixels.push_back(
-          static_cast<std::uint32_t>(y * kWidth + x));
-  for (auto _ : state)
-    for (const base::PixelList& list : lists)
-      benchmark::DoNotOptimize(measureRegion(reference, test, map, list).interior.flip.mean);
-  reportPerPixel(state, static_cast<double>(kWidth) * kHeight);
+// The same from floats.
+void ldrFloats(benchmark::State& state) {
+  const int width = static_cast<int>(state.range(0)), height = static_cast<int>(state.range(1));
+  const base::ThreadLimit limit(1);
+  const base::Image reference = toFloats(makeImage(width, height, 1), false);
+  const base::Image test = toFloats(makeImage(width, height, 2), false);
+  measure(state, static_cast<double>(width) * height, 1, 1,
+          [&] { benchmark::DoNotOptimize(flipMap(reference, test).pixels.data()); });
 }
-BENCHMARK(hundredRegions)->Unit(benchmark::kMillisecond);
+BENCHMARK(ldrFloats)->ArgNames({"w", "h"})->Args({1920, 1080})->UseRealTime()->Unit(benchmark::kMillisecond);
 
-void pooling(benchmark::State& state) {
-  base::Image map(1920, 1080, 1);
-  const base::Image noise = makeImage(1920, 1080, 3, false);
-  for (std::size_t i = 0; i < map.pixels.size(); ++i) map.pixels[i] = noise.pixels[3 * i];
-  for (auto _ : state) benchmark::DoNotOptimize(poolMap(map).mean);
-  reportPerPixel(state, 1920. * 1080.);
+// Linear floats in; the number of exposures is the pair's own.
+void hdr(benchmark::State& state) {
+  const int width = static_cast<int>(state.range(0)), height = static_cast<int>(state.range(1));
+  const int threads = static_cast<int>(state.range(2));
+  const base::ThreadLimit limit(threads);
+  const base::Image reference = toFloats(makeImage(width, height, 1), true);
+  const base::Image test = toFloats(makeImage(width, height, 2), true);
+  const int exposures = exposureRange(reference, test, {}).count;
+  measure(state, static_cast<double>(width) * height, threads, exposures,
+          [&] { benchmark::DoNotOptimize(flipHdr(reference, test).flip.pixels.data()); });
+  state.counters["exposures"] = exposures;
+  state.counters["ns/px/exposure"] = state.counters["ns/px"].value / exposures;
 }
-BENCHMARK(pooling)->Unit(benchmark::kMillisecond);
+BENCHMARK(hdr)->ArgNames({"w", "h", "threads"})->Apply(addSizes)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+// One instruction set after another, 1080p.
+void ldrBySimdLevel(benchmark::State& state) {
+  const std::vector<std::string> levels = simdLevels();
+  const auto index = static_cast<std::size_t>(state.range(0));
+  if (index >= levels.size()) {
+    state.SkipWithError("this processor has no further instruction set");
+    return;
+  }
+  const base::ThreadLimit limit(1);
+  const base::Image8 reference = makeImage(1920, 1080, 1), test = makeImage(1920, 1080, 2);
+  useSimdLevel(levels[index]);
+  measure(state, 1920. * 1080., 1, 1, [&] { benchmark::DoNotOptimize(flipMap(reference, test).pixels.data()); });
+  useSimdLevel("");
+  state.SetLabel(levels[index]);
+}
+BENCHMARK(ldrBySimdLevel)->DenseRange(0, 3)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+// 4K pairs that differ everywhere, in one block of 5 % of the area, in one pixel of 10,000 (scattered), nowhere.
+enum class Differing { everywhere, block, scattered, nowhere };
+void partlyEqual(benchmark::State& state) {
+  constexpr int kWidth = 3840, kHeight = 2160;
+  const base::ThreadLimit limit(1);
+  const base::Image8 reference = makeImage(kWidth, kHeight, 1), other = makeImage(kWidth, kHeight, 2);
+  base::Image8 test = reference;
+  const auto take = [&](int x, int y) { std::copy_n(other.at(x, y), 3, test.at(x, y)); };
+  switch (static_cast<Differing>(state.range(0))) {
+  case Differing::everywhere:
+    test = other;
+    break;
+  case Differing::block: // 5 % of the area, 0.2236 of each side
+    for (int y = 700; y < 700 + 483; ++y)
+      for (int x = 1500; x < 1500 + 859; ++x) take(x, y);
+    break;
+  case Differing::scattered:
+    for (unsigned i = 0, state32 = 1; i < kWidth * kHeight / 10000; ++i) {
+      state32 = state32 * 1664525u + 1013904223u;
+      const unsigned pixel = (state32 >> 8) % (kWidth * kHeight);
+      take(static_cast<int>(pixel % kWidth), static_cast<int>(pixel / kWidth));
+    }
+    break;
+  case Differing::nowhere:
+    break;
+  }
+  constexpr double kPixels = static_cast<double>(kWidth) * kHeight;
+  const double filtered = static_cast<double>(flipMaps(reference, test).filteredPixels) / kPixels;
+  measure(state, kPixels, 1, filtered, [&] { benchmark::DoNotOptimize(flipMap(reference, test).pixels.data()); });
+  state.counters["filtered"] = filtered;
+  constexpr const char* kNames[] = {"everywhere", "a block of 5 %", "scattered, 1 in 10,000", "nowhere"};
+  state.SetLabel(kNames[state.range(0)]);
+}
+BENCHMARK(partlyEqual)->DenseRange(0, 3)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+// What the process holds at most while it compares a 4K pair, beyond what it held with the inputs: bytes a pixel.
+void memory(benchmark::State& state) {
+  constexpr int kWidth = 3840, kHeight = 2160;
+  const bool isHdr = state.range(0) != 0;
+  const auto peakBytes = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024. * static_cast<double>(usage.ru_maxrss);
+  };
+  const base::Image8 bytes = makeImage(kWidth, kHeight, 1), otherBytes = makeImage(kWidth, kHeight, 2);
+  const base::Image reference = isHdr ? toFloats(bytes, true) : base::Image();
+  const base::Image test = isHdr ? toFloats(otherBytes, true) : base::Image();
+  const double before = peakBytes();
+  for (auto _ : state) {
+    if (isHdr)
+      benchmark::DoNotOptimize(flipHdr(reference, test, {.start = 0.f, .stop = 2.f}).flip.pixels.data());
+    else
+      benchmark::DoNotOptimize(flipMap(bytes, otherBytes).pixels.data());
+  }
+  state.counters["bytes/px"] = (peakBytes() - before) / (static_cast<double>(kWidth) * kHeight);
+  state.SetLabel(isHdr ? "HDR: run it alone, the peak is the process's"
+                       : "LDR: run it alone, the peak is the process's");
+}
+BENCHMARK(memory)->Arg(0)->Arg(1)->Iterations(1)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace parity::compare

@@ -4,6 +4,7 @@ find_package(Threads REQUIRED) # before glslang, whose config names it without f
 find_package(Vulkan REQUIRED)
 find_package(fmt REQUIRED)
 find_package(TBB REQUIRED)
+find_package(hwy REQUIRED)
 find_package(glm REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)

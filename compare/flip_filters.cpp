@@ -1,5 +1,6 @@
 #include "compare/flip_filters.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -88,6 +89,9 @@ FlipFilters makeFlipFilters(float pixelsPerDegree) {
   out.gauss = scaled(gauss, 1 / sumOf(gauss));
   out.edge = scaled(edge, 1 / edgeSum);
   out.point = scaled(point, 1);
+  // The filters of Y are applied in one loop: luma's must be the shortest. (It is, but for ppd near 1.)
+  for (std::vector<float>* half : {&out.gauss, &out.edge, &out.point})
+    half->resize(std::max(half->size(), out.luma.size()), 0.f);
   return out;
 }
 

@@ -9,7 +9,6 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "compare/flip.h"
-#include "compare/magma.h"
 
 namespace parity::compare {
 namespace {
@@ -69,7 +68,8 @@ TEST(Flip, blackAgainstWhiteHasItsClosedForm) {
 
 TEST(Flip, swappedImagesGiveTheSameMap) {
   const base::Image a = makeNoise(70, 41, 2), b = makeNoise(70, 41, 3);
-  EXPECT_EQ(flipMap(a, b), flipMap(b, a));
+  const base::Image there = flipMap(a, b), back = flipMap(b, a);
+  for (std::size_t i = 0; i < there.pixels.size(); ++i) ASSERT_NEAR(there.pixels[i], back.pixels[i], 1e-6f) << i;
 }
 
 TEST(Flip, oneDifferingPixelReachesJustAsFarAsTheFilterRadius) {
@@ -91,18 +91,6 @@ TEST(Flip, oneDifferingPixelReachesJustAsFarAsTheFilterRadius) {
     EXPECT_GT(*map.at(centre, centre - radius), 0.f);
     EXPECT_GT(*map.at(centre, centre), 0.01f);
   }
-}
-
-// An image of whole 255ths against one that is not: equal pixels must not come out of two decoders.
-TEST(Flip, equalPixelsStayEqualWhereOnlyOneImageIsOfEightBit) {
-  base::Image reference = makeNoise(64, 64, 12);
-  for (float& v : reference.pixels) v = std::round(255.f * v) / 255.f;
-  base::Image test = reference;
-  test.at(5, 5)[1] = 0.12345f;
-  const base::Image map = flipMap(reference, test);
-  EXPECT_GT(*map.at(5, 5), 0.f);
-  for (int y = 0; y < 64; ++y)
-    for (int x = 16; x < 64; ++x) ASSERT_EQ(*map.at(x, y), 0.f) << x << ", " << y;
 }
 
 TEST(Flip, mirroredImagesGiveTheMirroredMap) {
@@ -130,11 +118,12 @@ TEST(Flip, theMapDoesNotDependOnThreadsOrRepetition) {
 
 TEST(Flip, unlikeImagesAreNotComparable) {
   const base::Image image(8, 8, 3);
-  for (const base::Image& other : {base::Image(8, 9, 3), base::Image(9, 8, 3), base::Image(8, 8, 4), base::Image()}) {
+  for (const base::Image& other :
+       {base::Image(8, 9, 3), base::Image(9, 8, 3), base::Image(8, 8, 4), base::Image(8, 8, 1), base::Image()}) {
     EXPECT_EQ(errorOf([&] { flipMap(image, other); }).code(), base::ExitCode::notComparable);
     EXPECT_EQ(errorOf([&] { flipMap(other, image); }).code(), base::ExitCode::notComparable);
   }
-  for (int channels : {1, 4}) {
+  for (int channels : {1, 2, 5}) {
     const base::Image unusable(8, 8, channels);
     EXPECT_EQ(errorOf([&] { flipMap(unusable, unusable); }).code(), base::ExitCode::notComparable);
   }
@@ -169,47 +158,6 @@ TEST(Flip, bothEndsOfTheDistanceRangeGiveFiniteMaps) {
   const base::Image a = makeNoise(12, 9, 9), b = makeNoise(12, 9, 10);
   for (float ppd : {kMinPixelsPerDegree, kMaxPixelsPerDegree})
     for (float v : flipMap(a, b, {.ppd = ppd}).pixels) ASSERT_TRUE(v >= 0.f && v <= 1.f) << ppd;
-}
-
-// matplotlib 3.6, cm.magma.colors: (0.001462, 0.000466, 0.013866), (0.716387, 0.214982, 0.475290), (0.987053, 0.991438,
-// 0.749504).
-TEST(Magma, endsAndMiddleAreThePublishedColors) {
-  EXPECT_EQ(magmaColor(0), (std::array<std::uint8_t, 3>{0, 0, 4}));
-  EXPECT_EQ(magmaColor(128), (std::array<std::uint8_t, 3>{183, 55, 121}));
-  EXPECT_EQ(magmaColor(255), (std::array<std::uint8_t, 3>{252, 253, 191}));
-}
-
-// Over all 256 entries of matplotlib's table, each value times 255 and rounded: the sums of red, green and blue.
-TEST(Magma, allEntriesAddUpToThePublishedTables) {
-  std::array<int, 3> sum{};
-  for (int i = 0; i < 256; ++i)
-    for (std::size_t c = 0; c < 3; ++c) sum[c] += magmaColor(i)[c];
-  EXPECT_EQ(sum, (std::array<int, 3>{41031, 21146, 27942}));
-}
-
-// The map is made to be perceptually even: lightness rises throughout, in steps of at most 2 of 255.
-TEST(Magma, getsBrighterFromEntryToEntry) {
-  const auto luma = [](int i) {
-    const auto c = magmaColor(i);
-    return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
-  };
-  for (int i = 1; i < 256; ++i) {
-    EXPECT_GT(luma(i), luma(i - 1) - 0.5) << i; // rounding to 8 bit
-    EXPECT_LT(luma(i), luma(i - 1) + 2) << i;
-  }
-}
-
-TEST(Magma, valuesTakeTheNearestEntryAndAreClamped) {
-  base::Image map(6, 1, 1);
-  map.pixels = {0.f, 1.f, -2.f, 3.f, 0.4999f / 255.f, 127.5f / 255.f};
-  const base::Image shown = magmaImage(map);
-  constexpr int kEntries[] = {0, 255, 0, 255, 0, 128};
-  for (int x = 0; x < 6; ++x)
-    for (std::size_t c = 0; c < 3; ++c)
-      EXPECT_EQ(std::lround(255.f * shown.at(x, 0)[c]), magmaColor(kEntries[x])[c]) << x;
-  map.pixels[2] = kNan;
-  EXPECT_EQ(errorOf([&] { magmaImage(map); }).code(), base::ExitCode::failed);
-  EXPECT_EQ(errorOf([] { magmaImage(base::Image(2, 2, 3)); }).code(), base::ExitCode::failed);
 }
 
 } // namespace

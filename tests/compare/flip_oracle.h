@@ -125,15 +125,29 @@ struct Seen { // one image as the eye's filters leave it
   std::vector<double> edge, point;
 };
 
-inline Seen see(const base::Image& image, double ppd) {
+// An image in linear light, [0,1].
+struct Linear {
+  int width, height;
+  std::vector<Pixel> pixels;
+};
+
+inline Linear decode(const base::Image& image) {
+  Linear out{image.width, image.height, {}};
+  for (std::size_t i = 0; i < image.pixelCount(); ++i) {
+    const auto linear = [&](std::size_t c) { return decodeSrgb(static_cast<double>(image.pixels[3 * i + c])); };
+    out.pixels.push_back({linear(0), linear(1), linear(2)});
+  }
+  return out;
+}
+
+inline Seen see(const Linear& image, double ppd) {
   constexpr double kPi = std::numbers::pi;
   const int w = image.width, h = image.height;
   std::array<Plane, 3> planes;
-  for (Plane& plane : planes) plane = {w, h, std::vector<double>(image.pixelCount())};
+  for (Plane& plane : planes) plane = {w, h, std::vector<double>(image.pixels.size())};
   Plane gray = planes[0];
-  for (std::size_t i = 0; i < image.pixelCount(); ++i) {
-    const auto linear = [&](std::size_t c) { return decodeSrgb(static_cast<double>(image.pixels[3 * i + c])); };
-    const Pixel color = toYCxCz({linear(0), linear(1), linear(2)});
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const Pixel color = toYCxCz(image.pixels[i]);
     for (std::size_t c = 0; c < 3; ++c) planes[c].values[i] = color[c];
     gray.values[i] = (color[0] + 16) / 116;
   }
@@ -166,7 +180,7 @@ inline Seen see(const base::Image& image, double ppd) {
   const Plane pointX = filter(gray, point, gauss), pointY = filter(gray, gauss, point);
 
   Seen seen;
-  for (std::size_t i = 0; i < image.pixelCount(); ++i) {
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     seen.lab.push_back(toHuntLab(fromYCxCz({y.values[i], cx.values[i], cz1.values[i] + cz2.values[i]})));
     seen.edge.push_back(std::hypot(edgeX.values[i], edgeY.values[i]));
     seen.point.push_back(std::hypot(pointX.values[i], pointY.values[i]));
@@ -178,7 +192,7 @@ struct Flip {
   std::vector<double> flip, color, feature;
 };
 
-inline Flip flip(const base::Image& reference, const base::Image& test, double ppd) {
+inline Flip flip(const Linear& reference, const Linear& test, double ppd) {
   const Seen a = see(reference, ppd), b = see(test, ppd);
   const double cMax = largestColorDifference();
   Flip out;
@@ -189,6 +203,11 @@ inline Flip flip(const base::Image& reference, const base::Image& test, double p
     out.flip.push_back(std::pow(out.color.back(), 1 - out.feature.back()));
   }
   return out;
+}
+
+// Of display-encoded images.
+inline Flip flip(const base::Image& reference, const base::Image& test, double ppd) {
+  return flip(decode(reference), decode(test), ppd);
 }
 
 } // namespace parity::oracle
