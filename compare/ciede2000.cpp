@@ -38,13 +38,15 @@ inline Hues compareHues(float a1, float b1, float c1, float a2, float b2, float 
           sign * std::sqrt(square > 0.f ? square : 0.f)};
 }
 
-// The angle of a unit vector in degrees, 0..360. Polynomial of atan on [0,1] after Hastings 1955 (sheet 13): within
-// 1e-5 radians, of which only a term of the rotation is made.
+// The angle of a unit vector in degrees, 0..360. atan on [0,1] by Abramowitz and Stegun 1964, 4.4.49: within 2e-8.
 inline float degreesOf(Direction d) {
   const float ax = std::fabs(d.c), ay = std::fabs(d.s);
   const float least = ax < ay ? ax : ay, most = ax < ay ? ay : ax;
   const float t = least / most, t2 = t * t;
-  const float octant = t * (0.9998660f + t2 * (-0.3302995f + t2 * (0.1801410f + t2 * (-0.0851330f + t2 * 0.0208351f))));
+  const float odd = -0.0752896400f + t2 * (0.0429096138f + t2 * (-0.0161657367f + t2 * 0.0028662257f));
+  const float series =
+      1.f + t2 * (-0.3333314528f + t2 * (0.1999355085f + t2 * (-0.1420889944f + t2 * (0.1065626393f + t2 * odd))));
+  const float octant = t * series;
   constexpr float kHalfPi = 1.57079632679f, kPi = 3.14159265359f;
   const float quadrant = ax < ay ? kHalfPi - octant : octant;
   const float half = d.c < 0.f ? kPi - quadrant : quadrant;

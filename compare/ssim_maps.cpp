@@ -15,8 +15,8 @@ constexpr float kC1 = 0.01f * 0.01f, kC2 = 0.03f * 0.03f;
 // A task's tile: the filtered rows of it stay in the second-level cache.
 constexpr int kTileWidth = 192, kTileHeight = 64;
 
-// Of the sums s = x + y and differences d = x - y, and of their squares: from these all moments follow, each without
-// the cancellation that their direct forms have, and d is exactly 0 where the images are identical.
+// Of the sums s = x + y - 1 and differences d = x - y, and of their squares: from these all moments follow. d is exactly
+// 0 where the images are identical, and s about 0 for mid-greys, so that less cancels in its variance.
 enum Plane { kSum, kDifference, kSumSquared, kDifferenceSquared, kPlanes };
 
 // exp(-i^2 / (2 1.5^2)), i = 0..5; the whole of 11 sums to 1.
@@ -67,12 +67,12 @@ private:
     float *s = m_in.data(), *d = s + m_padded, *ss = d + m_padded, *dd = ss + m_padded;
     const int left = m_area.x - kRadius, count = static_cast<int>(m_padded);
     const int begin = std::clamp(-left, 0, count), end = std::clamp(m_reference.width - left, begin, count);
-    for (int k = begin; k < end; ++k) s[k] = a[left + k] + b[left + k], d[k] = a[left + k] - b[left + k];
+    for (int k = begin; k < end; ++k) s[k] = a[left + k] + b[left + k] - 1.f, d[k] = a[left + k] - b[left + k];
     for (int k = 0; k < count; ++k) {
       if (k == begin) k = end;
       if (k >= count) break;
       const int x = mirror(left + k, m_reference.width);
-      s[k] = a[x] + b[x], d[k] = a[x] - b[x];
+      s[k] = a[x] + b[x] - 1.f, d[k] = a[x] - b[x];
     }
     for (int k = 0; k < count; ++k) ss[k] = s[k] * s[k], dd[k] = d[k] * d[k];
     for (std::size_t plane = 0; plane < kPlanes; ++plane) {
@@ -102,8 +102,8 @@ private:
     const float *s = m_out.data(), *d = s + m_width, *ss = d + m_width, *dd = ss + m_width;
     const int n = m_area.width;
     for (int x = 0; x < n; ++x) {
-      const float s2 = s[x] * s[x], d2 = d[x] * d[x];
-      const float sumVariance = ss[x] - s2, differenceVariance = dd[x] - d2;
+      const float sum = s[x] + 1.f, s2 = sum * sum, d2 = d[x] * d[x];
+      const float sumVariance = ss[x] - s[x] * s[x], differenceVariance = dd[x] - d2;
       const float vs = sumVariance > 0.f ? sumVariance : 0.f, vd = differenceVariance > 0.f ? differenceVariance : 0.f;
       const float cs = (0.5f * (vs - vd) + kC2) / (0.5f * (vs + vd) + kC2);
       structure[x] = cs;
