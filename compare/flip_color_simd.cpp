@@ -45,7 +45,7 @@ HWY_INLINE Lightness lightness(D d, V t, V dt) {
   const V p = fastCbrt(d, hn::Max(t, least)), q = fastCbrt(d, hn::Max(other, least));
   const V f = hn::IfThenElse(hn::Gt(t, bend), p, hn::MulAdd(t, slope, offset));
   const V fOther = hn::IfThenElse(hn::Gt(other, bend), q, hn::MulAdd(other, slope, offset));
-  const V ofRoots = hn::Div(dt, hn::MulAdd(p, hn::Add(p, q), hn::Mul(q, q)));
+  const V ofRoots = hn::Mul(dt, fastReciprocal(d, hn::MulAdd(p, hn::Add(p, q), hn::Mul(q, q))));
   const V ofLines = hn::Mul(dt, slope);
   V difference = hn::IfThenElse(hn::Gt(hn::Min(t, other), bend), ofRoots, hn::Sub(f, fOther));
   difference = hn::IfThenElse(hn::Le(hn::Max(t, other), bend), ofLines, difference);
@@ -68,6 +68,12 @@ HWY_INLINE Triple loadColors(D d, const FilteredRow& row, int i) {
   return {hn::LoadU(d, row.y + i), hn::LoadU(d, row.xMinusY + i), hn::LoadU(d, row.yMinusZ + i)};
 }
 
+HWY_INLINE void storeColors(D d, const Triple& v, const FilteredRow& row, int i) {
+  hn::StoreU(v.x, d, row.y + i);
+  hn::StoreU(v.y, d, row.xMinusY + i);
+  hn::StoreU(v.z, d, row.yMinusZ + i);
+}
+
 // (Y, X-Y, Y-Z) to XYZ, plus what clamping changes.
 HWY_INLINE Triple toXyz(D d, const Triple& opponent, const Triple& change) {
   const Triple xyz = transform(d, flip_constants::kRgbToXyz, change);
@@ -75,23 +81,36 @@ HWY_INLINE Triple toXyz(D d, const Triple& opponent, const Triple& change) {
           hn::Add(hn::Sub(opponent.x, opponent.z), xyz.z)};
 }
 
-// HyAB between CIELab colours whose a and b are scaled by 0.01 L (Hunt): |dL| + sqrt(da^2 + db^2). From the reference's
-// filtered (Y, X-Y, Y-Z) and its difference from the test's, in differences throughout: the power 0.7 that follows
-// would make the rounding of two colours of 100 visible where the images hardly differ. Linear RGB is clamped to [0,1]
-// on the way: XYZ is taken as it came, plus what clamping changes.
-HWY_INLINE V hyab(D d, const Triple& reference, const Triple& difference) {
-  const Triple rgb = transform(d, flip_constants::kOpponentToRgb, reference);
-  const Triple drgb = transform(d, flip_constants::kOpponentToRgb, difference);
-  const Clamping r = clamping(d, rgb.x, drgb.x), g = clamping(d, rgb.y, drgb.y), b = clamping(d, rgb.z, drgb.z);
-  const Triple xyz = toXyz(d, reference, {r.change, g.change, b.change});
-  const Triple dxyz = toXyz(d, difference, {r.difference, g.difference, b.difference});
-  const Lightness x = lightness(d, xyz.x, dxyz.x), y = lightness(d, xyz.y, dxyz.y), z = lightness(d, xyz.z, dxyz.z);
-  // With g = fx - fy, a = 5 L g: a difference of products, L dg + dL g'.
-  const V l = hn::MulSub(hn::Set(d, 116.f), y.f, hn::Set(d, 16.f)), dl = hn::Mul(hn::Set(d, 116.f), y.difference);
-  const V da = hn::MulAdd(l, hn::Sub(x.difference, y.difference), hn::Mul(dl, hn::Sub(x.fOther, y.fOther)));
-  const V db = hn::MulAdd(l, hn::Sub(y.difference, z.difference), hn::Mul(dl, hn::Sub(y.fOther, z.fOther)));
-  const V chroma2 = hn::MulAdd(hn::Mul(da, da), hn::Set(d, 25.f), hn::Mul(hn::Mul(db, db), hn::Set(d, 4.f)));
-  return hn::Add(hn::Abs(dl), hn::Sqrt(chroma2));
+// Of the reference's filtered (Y, X-Y, Y-Z), in place, XYZ; and of its difference from the test's the difference in
+// XYZ. Linear RGB is clamped to [0,1] on the way: XYZ is taken as it came, plus what clamping changes, which is mostly
+// nothing.
+HWY_INLINE void clampRow(const FilteredRow& reference, const FilteredRow& difference, int count) {
+  const D d;
+  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+    const Triple color = loadColors(d, reference, i), dcolor = loadColors(d, difference, i);
+    const Triple rgb = transform(d, flip_constants::kOpponentToRgb, color);
+    const Triple drgb = transform(d, flip_constants::kOpponentToRgb, dcolor);
+    const Clamping r = clamping(d, rgb.x, drgb.x), g = clamping(d, rgb.y, drgb.y), b = clamping(d, rgb.z, drgb.z);
+    storeColors(d, toXyz(d, color, {r.change, g.change, b.change}), reference, i);
+    storeColors(d, toXyz(d, dcolor, {r.difference, g.difference, b.difference}), difference, i);
+  }
+}
+
+// HyAB between CIELab colours whose a and b are scaled by 0.01 L (Hunt): |dL| + sqrt(da^2 + db^2). From XYZ and
+// differences, in differences throughout: the power 0.7 that follows would make the rounding of two colours of 100
+// visible where the images hardly differ.
+HWY_INLINE void hyabRow(const FilteredRow& reference, const FilteredRow& difference, int count, float* out) {
+  const D d;
+  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+    const Triple xyz = loadColors(d, reference, i), dxyz = loadColors(d, difference, i);
+    const Lightness x = lightness(d, xyz.x, dxyz.x), y = lightness(d, xyz.y, dxyz.y), z = lightness(d, xyz.z, dxyz.z);
+    // With g = fx - fy, a = 5 L g: a difference of products, L dg + dL g'.
+    const V l = hn::MulSub(hn::Set(d, 116.f), y.f, hn::Set(d, 16.f)), dl = hn::Mul(hn::Set(d, 116.f), y.difference);
+    const V da = hn::MulAdd(l, hn::Sub(x.difference, y.difference), hn::Mul(dl, hn::Sub(x.fOther, y.fOther)));
+    const V db = hn::MulAdd(l, hn::Sub(y.difference, z.difference), hn::Mul(dl, hn::Sub(y.fOther, z.fOther)));
+    const V chroma2 = hn::MulAdd(hn::Mul(da, da), hn::Set(d, 25.f), hn::Mul(hn::Mul(db, db), hn::Set(d, 4.f)));
+    hn::StoreU(hn::Add(hn::Abs(dl), hn::Sqrt(chroma2)), d, out + i);
+  }
 }
 
 HWY_INLINE V differ(D d, const float* a, const float* b) {
@@ -105,12 +124,6 @@ HWY_INLINE V featureDifference(D d, const FilteredRow& a, const FilteredRow& b, 
 }
 
 constexpr float kKnee = 0.4f * flip_constants::kMaxColorDifference; // this HyAB^0.7 goes to 0.95
-
-HWY_INLINE void hyabRow(const FilteredRow& reference, const FilteredRow& test, int count, float* out) {
-  const D d;
-  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d)))
-    hn::StoreU(hyab(d, loadColors(d, reference, i), loadColors(d, test, i)), d, out + i);
-}
 
 // out.flip holds HyAB, and is replaced.
 template <bool kParts> HWY_INLINE void combineRow(const FilteredRow& reference, const FilteredRow& test, int count,
@@ -145,9 +158,10 @@ template <bool kParts> HWY_INLINE void combineRow(const FilteredRow& reference, 
   }
 }
 
-// Two loops, because one would be a chain longer than what a processor looks ahead.
+// Three loops, because one would be a chain longer than what a processor looks ahead.
 void Differences(const FilteredRow& reference, const FilteredRow& test, int count, float log2OfLowSlope,
                  const DifferenceRow& out) {
+  clampRow(reference, test, count);
   hyabRow(reference, test, count, out.flip);
   if (out.color)
     combineRow<true>(reference, test, count, log2OfLowSlope, out);

@@ -13,6 +13,13 @@ namespace parity::compare::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+// 1/x for normal x, by a step of Newton's on the processor's estimate: 12 bits of it become 23 (on x86; where the
+// estimate has 8, 16 bits).
+template <class D, class V = hn::Vec<D>> HWY_INLINE V fastReciprocal(D d, V x) {
+  const V y = hn::ApproximateReciprocal(x);
+  return hn::Mul(y, hn::NegMulAdd(x, y, hn::Set(d, 2.f)));
+}
+
 // Cube root of x in [1e-3, 2]. Relative error below 2.5e-7 (tested). No division: y approximates x^(-1/3), first on the
 // bits of x (within 3.5 %), then by two steps y += y (r/3 + 2 r^2/9), r = 1 - x y^3, each of which leaves 14/81 r^3;
 // the root is x y^2.
@@ -37,7 +44,7 @@ template <class D, class V = hn::Vec<D>> HWY_INLINE V fastLog2(D d, V x) {
   const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(di, 0x3f3504f3)));
   const V m = hn::BitCast(d, hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
   const V one = hn::Set(d, 1.f);
-  const V s = hn::Div(hn::Sub(m, one), hn::Add(m, one)), s2 = hn::Mul(s, s);
+  const V s = hn::Mul(hn::Sub(m, one), fastReciprocal(d, hn::Add(m, one))), s2 = hn::Mul(s, s);
   V series = hn::MulAdd(s2, hn::Set(d, 0.320598898f), hn::Set(d, 0.412198583f));
   series = hn::MulAdd(s2, series, hn::Set(d, 0.577078016f));
   series = hn::MulAdd(s2, series, hn::Set(d, 0.961796694f));

@@ -85,8 +85,8 @@ void filterAlongRow(const FlipFilters& filters, const float* values, std::size_t
                     const FilteredRow& out);
 
 // The metric from two filtered rows (of kReferenceInput and kTestInput): colour and feature difference and what they
-// come to, each in [0,1] (Andersson 2020, sections 4.1.4 to 4.3). color and feature may be null. Overruns by
-// kMaxSimdStep.
+// come to, each in [0,1] (Andersson 2020, sections 4.1.4 to 4.3). color and feature may be null. The rows' colours are
+// overwritten. Overruns by kMaxSimdStep.
 struct DifferenceRow {
   float *flip, *color, *feature;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <hwy/cache_control.h>
+
 namespace parity::compare {
 namespace {
 
@@ -12,6 +14,15 @@ constexpr int kFilteredRows = 5; // of FilteredRow
 constexpr int kResultRows = 3;   // of DifferenceRow
 
 int roundUp(int value, int multiple) { return (value + multiple - 1) / multiple * multiple; }
+
+void prefetchRow(const PixelView& image, const Rect& box, int y) {
+  constexpr std::ptrdiff_t kCacheLine = 64;
+  const auto size = static_cast<std::ptrdiff_t>(image.floats ? sizeof(float) : sizeof(std::uint8_t));
+  const auto* pixels = image.floats ? reinterpret_cast<const std::uint8_t*>(image.floats) : image.bytes;
+  const std::uint8_t* row = pixels + size * (y * image.stride + static_cast<std::ptrdiff_t>(box.x) * image.channels);
+  const std::ptrdiff_t bytes = size * box.width * image.channels;
+  for (std::ptrdiff_t at = 0; at < bytes; at += kCacheLine) hwy::Prefetch(row + at);
+}
 
 hwy::AlignedFreeUniquePtr<float[]> allocate(std::size_t count) {
   auto memory = hwy::AllocateAligned<float>(count);
@@ -71,6 +82,9 @@ void TileWorkspace::fillWindow(const TileJob& job, const RowDecoder& decoder, co
     m_pointers[static_cast<std::size_t>(i)] = row;
     if (m_heldRow[slot] == source) continue;
     m_heldRow[slot] = source;
+    // Rows of a tile are short and far apart: the processor does not foresee the next one.
+    if (source + 1 < job.reference.height)
+      for (const PixelView* image : {&job.reference, &job.test}) prefetchRow(*image, box, source + 1);
     const auto plane = [&](SourcePlane p) { return row + p * m_stride; };
     decodeInto({plane(kReferenceY), plane(kReferenceXMinusY), plane(kReferenceYMinusZ)}, job.reference, decoder, box,
                source);
