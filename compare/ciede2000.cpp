@@ -4,8 +4,14 @@
 
 #include "compare/vector_math.h"
 
-namespace parity::compare {
-namespace {
+// Plain loops without branches: the compiler makes vectors of them for each instruction set that Highway names.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "compare/ciede2000.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace parity::compare::HWY_NAMESPACE {
 
 struct Direction {
   float c, s; // cosine, sine
@@ -72,9 +78,7 @@ inline float sineOf(float x) {
   return x * (1.f + x2 * (-1.f / 6 + x2 * (1.f / 120 + x2 * (-1.f / 5040 + x2 * (1.f / 362880)))));
 }
 
-} // namespace
-
-void ciede2000Row(const LabRow& reference, const LabRow& test, int count, float* __restrict out) {
+void Ciede2000(const LabRow& reference, const LabRow& test, int count, float* __restrict out) {
   // Cosines and sines of 30, 6 and 63 degrees, for the phases of T.
   constexpr Direction k30 = {0.866025404f, 0.5f}, k6 = {0.994521895f, 0.104528463f}, k63 = {0.453990500f, 0.891006524f};
   for (int i = 0; i < count; ++i) {
@@ -106,4 +110,17 @@ void ciede2000Row(const LabRow& reference, const LabRow& test, int count, float*
   }
 }
 
+} // namespace parity::compare::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace parity::compare {
+
+HWY_EXPORT(Ciede2000);
+
+void ciede2000Row(const LabRow& reference, const LabRow& test, int count, float* out) {
+  HWY_DYNAMIC_DISPATCH(Ciede2000)(reference, test, count, out);
+}
+
 } // namespace parity::compare
+#endif

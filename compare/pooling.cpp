@@ -155,32 +155,47 @@ Sums poolPieces(const Pieces& pieces, const Task& task) {
   return sums;
 }
 
-// The values in one bin, of all pieces in order.
-std::vector<WeightedValue> valuesOfBin(const Pieces& pieces, std::size_t bin) {
-  std::vector<std::vector<WeightedValue>> found(pieces.size());
+// The values of weight > 0 in the bins, one list a bin. bins: ascending, each once.
+std::vector<std::vector<WeightedValue>> valuesOfBins(const Pieces& pieces, const std::vector<std::size_t>& bins) {
+  std::array<std::uint8_t, ValueBins::kCount> listOf{}; // 1 + the place of the bin's list; 0: not wanted
+  for (std::size_t i = 0; i < bins.size(); ++i) listOf[bins[i]] = static_cast<std::uint8_t>(i + 1);
+  std::vector<std::vector<std::vector<WeightedValue>>> found(pieces.size());
   base::parallelFor(pieces.size(), 1, [&](std::size_t piece, std::size_t) {
+    auto& lists = found[piece];
+    lists.resize(bins.size());
     for (const Stretch& s : pieces[piece])
-      for (std::size_t i = 0; i < s.count; ++i)
-        if (static_cast<std::size_t>(ValueBins::indexOf(s.values[i])) == bin)
-          found[piece].push_back({s.values[i], s.weights ? s.weights[i] : 1.f});
+      for (std::size_t i = 0; i < s.count; ++i) {
+        const std::uint8_t list = listOf[static_cast<std::size_t>(ValueBins::indexOf(s.values[i]))];
+        if (list == 0) continue;
+        const float weight = s.weights ? s.weights[i] : 1.f;
+        if (weight > 0) lists[list - 1u].push_back({s.values[i], weight});
+      }
   });
-  std::vector<WeightedValue> all;
-  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+  std::vector<std::vector<WeightedValue>> all(bins.size());
+  for (const auto& lists : found)
+    for (std::size_t i = 0; i < lists.size(); ++i) all[i].insert(all[i].end(), lists[i].begin(), lists[i].end());
   return all;
 }
 
 std::vector<double> percentilesOf(const Pieces& pieces, const Sums& sums, std::span<const double> fractions) {
+  if (fractions.empty()) return {};
   if (sums.all.min == sums.all.max) // nothing to look for
     return std::vector<double>(fractions.size(), static_cast<double>(sums.all.max));
   const double total = std::accumulate(sums.histogram.begin(), sums.histogram.end(), 0.);
-  std::vector<double> out;
-  std::vector<WeightedValue> candidates;
-  std::size_t candidatesBin = sums.histogram.size();
+  std::vector<FoundBin> found;
+  std::vector<std::size_t> bins;
   for (const double fraction : fractions) {
-    const double target = fraction * total;
-    const FoundBin found = findBin(sums.histogram, 0, target);
-    if (found.bin != candidatesBin) candidates = valuesOfBin(pieces, candidatesBin = found.bin);
-    out.push_back(static_cast<double>(selectValue(candidates, found.before, target)));
+    found.push_back(findBin(sums.histogram, 0, fraction * total));
+    bins.push_back(found.back().bin);
+  }
+  std::sort(bins.begin(), bins.end());
+  bins.erase(std::unique(bins.begin(), bins.end()), bins.end());
+  std::vector<std::vector<WeightedValue>> values = valuesOfBins(pieces, bins);
+  std::vector<double> out;
+  for (std::size_t i = 0; i < fractions.size(); ++i) {
+    const auto list = std::lower_bound(bins.begin(), bins.end(), found[i].bin) - bins.begin();
+    out.push_back(static_cast<double>(
+        selectValue(values[static_cast<std::size_t>(list)], found[i].before, fractions[i] * total)));
   }
   return out;
 }

@@ -7,16 +7,65 @@
 
 #include "base/parallel.h"
 
+// The inner loops are plain: the compiler makes vectors of them for each instruction set that Highway names.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "compare/ssim_maps.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace parity::compare::HWY_NAMESPACE {
+
+// k: the kernel's middle and five weights to one side.
+void FilterAlong(const float* __restrict in, const float* k, int count, float* __restrict out) {
+  const float k0 = k[0], k1 = k[1], k2 = k[2], k3 = k[3], k4 = k[4], k5 = k[5];
+  for (int x = 0; x < count; ++x)
+    out[x] = k0 * in[x] + k1 * (in[x - 1] + in[x + 1]) + k2 * (in[x - 2] + in[x + 2]) + k3 * (in[x - 3] + in[x + 3]) +
+             k4 * (in[x - 4] + in[x + 4]) + k5 * (in[x - 5] + in[x + 5]);
+}
+
+// rows: eleven, the middle one is the sixth.
+void FilterAcross(const float* const* rows, const float* k, int count, float* __restrict out) {
+  const float k0 = k[0], k1 = k[1], k2 = k[2], k3 = k[3], k4 = k[4], k5 = k[5];
+  const float *a = rows[0], *b = rows[1], *c = rows[2], *d = rows[3], *e = rows[4], *f = rows[5], *g = rows[6],
+              *h = rows[7], *i = rows[8], *j = rows[9], *l = rows[10];
+  for (int x = 0; x < count; ++x)
+    out[x] = k0 * f[x] + k1 * (e[x] + g[x]) + k2 * (d[x] + h[x]) + k3 * (c[x] + i[x]) + k4 * (b[x] + j[x]) +
+             k5 * (a[x] + l[x]);
+}
+
+// Of the filtered planes of compare/ssim_maps.cpp's order: 2 mx my = (s^2 - d^2)/2, mx^2 + my^2 = (s^2 + d^2)/2, and
+// the same of the variances of s and d.
+void CompareRow(const float* const* planes, int count, float* __restrict ssim, float* __restrict structure) {
+  constexpr float kC1 = 0.01f * 0.01f, kC2 = 0.03f * 0.03f;
+  const float *s = planes[0], *d = planes[1], *ss = planes[2], *dd = planes[3];
+  for (int x = 0; x < count; ++x) {
+    const float sum = s[x] + 1.f, s2 = sum * sum, d2 = d[x] * d[x];
+    const float sumVariance = ss[x] - s[x] * s[x], differenceVariance = dd[x] - d2;
+    const float vs = sumVariance > 0.f ? sumVariance : 0.f, vd = differenceVariance > 0.f ? differenceVariance : 0.f;
+    const float cs = (0.5f * (vs - vd) + kC2) / (0.5f * (vs + vd) + kC2);
+    structure[x] = cs;
+    ssim[x] = cs * ((0.5f * (s2 - d2) + kC1) / (0.5f * (s2 + d2) + kC1));
+  }
+}
+
+} // namespace parity::compare::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace parity::compare {
 namespace {
 
+HWY_EXPORT(FilterAlong);
+HWY_EXPORT(FilterAcross);
+HWY_EXPORT(CompareRow);
+
 constexpr int kRadius = 5;
-constexpr float kC1 = 0.01f * 0.01f, kC2 = 0.03f * 0.03f;
 // A task's tile: the filtered rows of it stay in the second-level cache.
 constexpr int kTileWidth = 192, kTileHeight = 64;
 
-// Of the sums s = x + y - 1 and differences d = x - y, and of their squares: from these all moments follow. d is exactly
-// 0 where the images are identical, and s about 0 for mid-greys, so that less cancels in its variance.
+// Of the sums s = x + y - 1 and differences d = x - y, and of their squares: from these all moments follow. d is
+// exactly 0 where the images are identical, and s about 0 for mid-greys, so that less cancels in its variance.
 enum Plane { kSum, kDifference, kSumSquared, kDifferenceSquared, kPlanes };
 
 // exp(-i^2 / (2 1.5^2)), i = 0..5; the whole of 11 sums to 1.
@@ -76,39 +125,21 @@ private:
     }
     for (int k = 0; k < count; ++k) ss[k] = s[k] * s[k], dd[k] = d[k] * d[k];
     for (std::size_t plane = 0; plane < kPlanes; ++plane) {
-      const float* in = m_in.data() + plane * m_padded + kRadius;
-      float* __restrict out = rowOf(i, plane);
-      const int n = m_area.width;
-      for (int x = 0; x < n; ++x)
-        out[x] = m_kernel[0] * in[x] + m_kernel[1] * (in[x - 1] + in[x + 1]) + m_kernel[2] * (in[x - 2] + in[x + 2]) +
-                 m_kernel[3] * (in[x - 3] + in[x + 3]) + m_kernel[4] * (in[x - 4] + in[x + 4]) +
-                 m_kernel[5] * (in[x - 5] + in[x + 5]);
+      HWY_DYNAMIC_DISPATCH(FilterAlong)
+      (m_in.data() + plane * m_padded + kRadius, m_kernel.data(), m_area.width, rowOf(i, plane));
     }
   }
 
   void filterColumns(int i, std::size_t plane) {
     const float* rows[2 * kRadius + 1];
     for (int k = 0; k <= 2 * kRadius; ++k) rows[k] = rowOf(i + k, plane);
-    float* __restrict out = m_out.data() + plane * m_width;
-    const int n = m_area.width;
-    for (int x = 0; x < n; ++x)
-      out[x] = m_kernel[0] * rows[5][x] + m_kernel[1] * (rows[4][x] + rows[6][x]) +
-               m_kernel[2] * (rows[3][x] + rows[7][x]) + m_kernel[3] * (rows[2][x] + rows[8][x]) +
-               m_kernel[4] * (rows[1][x] + rows[9][x]) + m_kernel[5] * (rows[0][x] + rows[10][x]);
+    HWY_DYNAMIC_DISPATCH(FilterAcross)(rows, m_kernel.data(), m_area.width, m_out.data() + plane * m_width);
   }
 
-  // 2 mx my = (s^2 - d^2)/2, mx^2 + my^2 = (s^2 + d^2)/2, and the same of the variances of s and d.
-  void compareRow(float* __restrict ssim, float* __restrict structure) const {
-    const float *s = m_out.data(), *d = s + m_width, *ss = d + m_width, *dd = ss + m_width;
-    const int n = m_area.width;
-    for (int x = 0; x < n; ++x) {
-      const float sum = s[x] + 1.f, s2 = sum * sum, d2 = d[x] * d[x];
-      const float sumVariance = ss[x] - s[x] * s[x], differenceVariance = dd[x] - d2;
-      const float vs = sumVariance > 0.f ? sumVariance : 0.f, vd = differenceVariance > 0.f ? differenceVariance : 0.f;
-      const float cs = (0.5f * (vs - vd) + kC2) / (0.5f * (vs + vd) + kC2);
-      structure[x] = cs;
-      ssim[x] = cs * ((0.5f * (s2 - d2) + kC1) / (0.5f * (s2 + d2) + kC1));
-    }
+  void compareRow(float* ssim, float* structure) const {
+    const float* planes[kPlanes];
+    for (std::size_t plane = 0; plane < kPlanes; ++plane) planes[plane] = m_out.data() + plane * m_width;
+    HWY_DYNAMIC_DISPATCH(CompareRow)(planes, m_area.width, ssim, structure);
   }
 
   const base::Image &m_reference, &m_test;
@@ -136,3 +167,4 @@ SsimMaps ssimMaps(const base::Image& reference, const base::Image& test, const R
 }
 
 } // namespace parity::compare
+#endif

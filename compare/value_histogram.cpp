@@ -5,18 +5,6 @@
 namespace parity::compare {
 namespace {
 
-// The bits of a float as an integer of the same order.
-std::uint32_t orderedKey(float value) {
-  const auto bits = std::bit_cast<std::uint32_t>(value);
-  return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
-}
-
-// The 32 bits of a key in groups, from the leading one.
-struct Level {
-  int shift, bits;
-};
-constexpr std::array<Level, 3> kLevels = {{{21, 11}, {10, 11}, {0, 10}}};
-
 constexpr std::size_t kBlock = 256; // values whose bins are computed before any is counted
 
 template <bool kWeighted> void addBlocks(const float* values, const float* weights, std::size_t count,
@@ -65,16 +53,20 @@ FoundBin findBin(std::span<const double> weightPerBin, double before, double tar
   return last;
 }
 
-float selectValue(std::vector<WeightedValue> values, double before, double target) {
-  for (const Level& level : kLevels) {
-    const auto binOf = [&](const WeightedValue& v) {
-      return orderedKey(v.value) >> level.shift & ((std::uint32_t{1} << level.bits) - 1);
-    };
-    std::array<double, std::size_t{1} << 11> bins{};
-    for (const WeightedValue& v : values) bins[binOf(v)] += static_cast<double>(v.weight);
-    const FoundBin found = findBin(bins, before, target);
-    before = found.before;
-    std::erase_if(values, [&](const WeightedValue& v) { return binOf(v) != found.bin; });
+float selectValue(std::span<WeightedValue> values, double before, double target) {
+  while (values.size() > 1) {
+    const auto middle = static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), values.begin() + middle, values.end(),
+                     [](const WeightedValue& a, const WeightedValue& b) { return a.value < b.value; });
+    double lower = 0;
+    for (const WeightedValue& v : values.first(static_cast<std::size_t>(middle)))
+      lower += static_cast<double>(v.weight);
+    if (before + lower > target) {
+      values = values.first(static_cast<std::size_t>(middle));
+    } else {
+      before += lower;
+      values = values.subspan(static_cast<std::size_t>(middle));
+    }
   }
   return values.front().value;
 }

@@ -51,7 +51,7 @@ struct FoundBin {
 FoundBin findBin(std::span<const double> weightPerBin, double before, double target);
 
 // The first value, ascending, at which `before` plus the running weight exceeds `target`; the largest where rounding
-// lets none. By histograms of 11, 11 and 10 bits: O(values). values: not empty, of weight > 0, no NaN.
-float selectValue(std::vector<WeightedValue> values, double before, double target);
+// lets none. By halves: O(values). values: not empty, no NaN, all of weight > 0; are put into another order.
+float selectValue(std::span<WeightedValue> values, double before, double target);
 
 } // namespace parity::compare

@@ -6,17 +6,17 @@
 
 namespace parity::compare {
 
-// Cube root of x in [1e-6, 2]. Relative error below 1.5e-7. The exponent is divided by 3 on the bits (within 4 %; after
-// W. Kahan 1991); two steps of Halley's iteration, y - y (y^3 - x)/(2 y^3 + x), cube the error each.
+// Cube root of x in [1e-3, 2]. Relative error below 4e-7. No division: y approximates x^(-1/3), first on the bits of x
+// (within 3.5 %), then by two steps y += y (r/3 + 2 r^2/9), r = 1 - x y^3, each of which leaves 14/81 r^3; the root is
+// x y^2.
 inline float fastCbrt(float x) {
-  constexpr float kBias = 709958130.f; // 2/3 of the bits of 1, less what centres the error
-  float y =
-      std::bit_cast<float>(static_cast<std::int32_t>(static_cast<float>(std::bit_cast<std::int32_t>(x)) / 3.f + kBias));
+  const float bits = static_cast<float>(std::bit_cast<std::int32_t>(x));
+  float y = std::bit_cast<float>(static_cast<std::int32_t>(1419966092.f - bits * (1.f / 3.f)));
   for (int step = 0; step < 2; ++step) {
-    const float y3 = y * y * y;
-    y -= y * (y3 - x) / (y3 + y3 + x);
+    const float r = 1.f - x * y * (y * y);
+    y += y * r * (1.f / 3.f + r * (2.f / 9.f));
   }
-  return y;
+  return x * (y * y);
 }
 
 // log2 of a positive normal x. Absolute error below 2e-7 + 6e-8 |log2 x|. x = 2^e m with m in [sqrt(1/2), sqrt(2));
