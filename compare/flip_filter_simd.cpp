@@ -36,24 +36,29 @@ HWY_INLINE Pair sumOfSquares(const Pair& x, const Pair& y) {
   return {hn::MulAdd(x.a, x.a, hn::Mul(y.a, y.a)), hn::MulAdd(x.b, x.b, hn::Mul(y.b, y.b))};
 }
 
-// Taps `step` values apart about a centre. Symmetric kernels take sums of mirrored taps, the antisymmetric (edge) ones
-// differences. The point kernel, whose weights sum to 0, takes the sums relative to the centre, so that a constant
-// gives exactly 0: the feature difference is under a square root, where noise of 1e-8 would show as 1e-4.
-HWY_INLINE Pair filterSymmetric(D d, const std::vector<float>& half, const float* centre, std::ptrdiff_t step) {
-  Pair sum = multiply(d, half[0], load(d, centre));
-  const auto radius = static_cast<std::ptrdiff_t>(half.size()) - 1;
-  for (std::ptrdiff_t k = 1; k <= radius; ++k)
-    sum = multiplyAdd(d, half[static_cast<std::size_t>(k)], add(load(d, centre + k * step), load(d, centre - k * step)),
-                      sum);
-  return sum;
+// Four vectors side by side, for filters that take one sum each: weights are fetched half as often.
+struct Quad {
+  Pair a, b;
+};
+HWY_INLINE Quad loadQuad(D d, const float* p) { return {load(d, p), load(d, p + 2 * hn::Lanes(d))}; }
+HWY_INLINE void store(D d, const Quad& v, float* p) {
+  store(d, v.a, p);
+  store(d, v.b, p + 2 * hn::Lanes(d));
+}
+HWY_INLINE Quad add(const Quad& x, const Quad& y) { return {add(x.a, y.a), add(x.b, y.b)}; }
+HWY_INLINE Quad multiply(D d, float w, const Quad& x) { return {multiply(d, w, x.a), multiply(d, w, x.b)}; }
+HWY_INLINE Quad multiplyAdd(D d, float w, const Quad& x, const Quad& sum) {
+  return {multiplyAdd(d, w, x.a, sum.a), multiplyAdd(d, w, x.b, sum.b)};
 }
 
-// As filterSymmetric(), but taps lie in rows: at column x of centre[k].
-HWY_INLINE Pair filterColumn(D d, const std::vector<float>& half, const float* const* centre, std::size_t x) {
-  Pair sum = multiply(d, half[0], load(d, centre[0] + x));
+// Symmetric kernels take sums of mirrored taps, the antisymmetric (edge) ones differences. The point kernel, whose
+// weights sum to 0, takes the sums relative to the centre, so that a constant gives exactly 0: the feature difference
+// is under a square root, where noise of 1e-8 would show as 1e-4. tap(k): the values k steps away.
+template <typename Tap> HWY_INLINE Quad filterSymmetric(D d, const std::vector<float>& half, Tap tap) {
+  Quad sum = multiply(d, half[0], tap(0));
   const auto radius = static_cast<std::ptrdiff_t>(half.size()) - 1;
   for (std::ptrdiff_t k = 1; k <= radius; ++k)
-    sum = multiplyAdd(d, half[static_cast<std::size_t>(k)], add(load(d, centre[k] + x), load(d, centre[-k] + x)), sum);
+    sum = multiplyAdd(d, half[static_cast<std::size_t>(k)], add(tap(k), tap(-k)), sum);
   return sum;
 }
 
@@ -88,20 +93,25 @@ HWY_INLINE void filterColumnsOfRow(const FlipFilters& f, const FilterInput& inpu
                                    std::size_t stride, std::size_t x, float* values, std::size_t planeStride) {
   const D d;
   const auto columnOf = [&](SourcePlane plane) { return plane * stride + x; };
-  if (input.y == input.featureY) {
-    filterFeatures<true>(d, f, centre, columnOf(input.y), values, planeStride);
-  } else {
-    filterFeatures<false>(d, f, centre, columnOf(input.featureY), values, planeStride);
-    store(d, filterColumn(d, f.luma, centre, columnOf(input.y)), values + kLuma * planeStride);
+  const auto tapsOf = [&](SourcePlane plane) {
+    const std::size_t column = columnOf(plane);
+    return [=](std::ptrdiff_t k) HWY_ATTR { return loadQuad(d, centre[k] + column); };
+  };
+  for (const std::size_t half : {std::size_t{0}, 2 * hn::Lanes(d)}) {
+    if (input.y == input.featureY)
+      filterFeatures<true>(d, f, centre, columnOf(input.featureY) + half, values + half, planeStride);
+    else
+      filterFeatures<false>(d, f, centre, columnOf(input.featureY) + half, values + half, planeStride);
   }
-  store(d, filterColumn(d, f.redGreen, centre, columnOf(input.xMinusY)), values + kRedGreen * planeStride);
+  if (input.y != input.featureY) store(d, filterSymmetric(d, f.luma, tapsOf(input.y)), values + kLuma * planeStride);
+  store(d, filterSymmetric(d, f.redGreen, tapsOf(input.xMinusY)), values + kRedGreen * planeStride);
 
-  const std::size_t blueYellow = columnOf(input.yMinusZ);
-  const Pair mid = load(d, centre[0] + blueYellow);
-  Pair a = multiply(d, f.blueYellowA[0], mid), b = multiply(d, f.blueYellowB[0], mid);
+  const auto tap = tapsOf(input.yMinusZ);
+  const Quad mid = tap(0);
+  Quad a = multiply(d, f.blueYellowA[0], mid), b = multiply(d, f.blueYellowB[0], mid);
   const auto radius = static_cast<std::ptrdiff_t>(f.blueYellowA.size()) - 1;
   for (std::ptrdiff_t k = 1; k <= radius; ++k) {
-    const Pair sum = add(load(d, centre[k] + blueYellow), load(d, centre[-k] + blueYellow));
+    const Quad sum = add(tap(k), tap(-k));
     a = multiplyAdd(d, f.blueYellowA[static_cast<std::size_t>(k)], sum, a);
     b = multiplyAdd(d, f.blueYellowB[static_cast<std::size_t>(k)], sum, b);
   }
@@ -111,43 +121,52 @@ HWY_INLINE void filterColumnsOfRow(const FlipFilters& f, const FilterInput& inpu
 
 void FilterAcrossRows(const FlipFilters& f, const FilterInput& input, const float* const* rows, std::size_t stride,
                       int begin, int end, float* values) {
-  const int step = 2 * static_cast<int>(hn::Lanes(D()));
+  const int step = 4 * static_cast<int>(hn::Lanes(D()));
   for (int x = begin; x < end; x += step)
     for (int r = 0; r < kBatchRows; ++r)
       filterColumnsOfRow(f, input, rows + f.radius + r, stride, static_cast<std::size_t>(x),
                          values + static_cast<std::size_t>(r) * stride + x, kBatchRows * stride);
 }
 
+// The features along a row, of the planes at `gauss`, `edge` and `point`.
+HWY_INLINE void filterFeaturesAlong(D d, const FlipFilters& f, const float* gauss, const float* edge,
+                                    const float* point, float* edge2, float* point2) {
+  const Pair mid = load(d, gauss), twice = add(mid, mid);
+  Pair edgeX = {hn::Zero(d), hn::Zero(d)}, pointX = edgeX;
+  Pair edgeY = multiply(d, f.gauss[0], load(d, edge)), pointY = multiply(d, f.gauss[0], load(d, point));
+  const auto radius = static_cast<std::ptrdiff_t>(f.gauss.size()) - 1;
+  for (std::ptrdiff_t k = 1; k <= radius; ++k) {
+    const auto w = static_cast<std::size_t>(k);
+    const Pair right = load(d, gauss + k), left = load(d, gauss - k);
+    edgeX = multiplyAdd(d, f.edge[w], subtract(right, left), edgeX);
+    pointX = multiplyAdd(d, f.point[w], subtract(add(right, left), twice), pointX);
+    edgeY = multiplyAdd(d, f.gauss[w], add(load(d, edge + k), load(d, edge - k)), edgeY);
+    pointY = multiplyAdd(d, f.gauss[w], add(load(d, point + k), load(d, point - k)), pointY);
+  }
+  store(d, sumOfSquares(edgeX, edgeY), edge2);
+  store(d, sumOfSquares(pointX, pointY), point2);
+}
+
 void FilterAlongRow(const FlipFilters& f, const float* values, std::size_t stride, int begin, int count,
                     const FilteredRow& out) {
   const D d;
-  const int step = 2 * static_cast<int>(hn::Lanes(d));
+  const int half = 2 * static_cast<int>(hn::Lanes(d)), step = 2 * half;
   const std::size_t planeStride = kBatchRows * stride;
-  const auto radius = static_cast<std::ptrdiff_t>(f.gauss.size()) - 1;
   for (int i = 0; i < count; i += step) {
     const float* at = values + begin + i;
-    store(d, filterSymmetric(d, f.luma, at + kLuma * planeStride, 1), out.y + i);
-    store(d, filterSymmetric(d, f.redGreen, at + kRedGreen * planeStride, 1), out.xMinusY + i);
+    const auto tapsOf = [&](FilteredPlane plane) {
+      const float* centre = at + plane * planeStride;
+      return [=](std::ptrdiff_t k) HWY_ATTR { return loadQuad(d, centre + k); };
+    };
+    store(d, filterSymmetric(d, f.luma, tapsOf(kLuma)), out.y + i);
+    store(d, filterSymmetric(d, f.redGreen, tapsOf(kRedGreen)), out.xMinusY + i);
     store(d,
-          add(filterSymmetric(d, f.blueYellowA, at + kBlueYellowA * planeStride, 1),
-              filterSymmetric(d, f.blueYellowB, at + kBlueYellowB * planeStride, 1)),
+          add(filterSymmetric(d, f.blueYellowA, tapsOf(kBlueYellowA)),
+              filterSymmetric(d, f.blueYellowB, tapsOf(kBlueYellowB))),
           out.yMinusZ + i);
-
-    const float *gauss = at + kGauss * planeStride, *edge = at + kEdge * planeStride,
-                *point = at + kPoint * planeStride;
-    const Pair mid = load(d, gauss), twice = add(mid, mid);
-    Pair edgeX = {hn::Zero(d), hn::Zero(d)}, pointX = edgeX;
-    Pair edgeY = multiply(d, f.gauss[0], load(d, edge)), pointY = multiply(d, f.gauss[0], load(d, point));
-    for (std::ptrdiff_t k = 1; k <= radius; ++k) {
-      const auto w = static_cast<std::size_t>(k);
-      const Pair right = load(d, gauss + k), left = load(d, gauss - k);
-      edgeX = multiplyAdd(d, f.edge[w], subtract(right, left), edgeX);
-      pointX = multiplyAdd(d, f.point[w], subtract(add(right, left), twice), pointX);
-      edgeY = multiplyAdd(d, f.gauss[w], add(load(d, edge + k), load(d, edge - k)), edgeY);
-      pointY = multiplyAdd(d, f.gauss[w], add(load(d, point + k), load(d, point - k)), pointY);
-    }
-    store(d, sumOfSquares(edgeX, edgeY), out.edge2 + i);
-    store(d, sumOfSquares(pointX, pointY), out.point2 + i);
+    for (const int j : {i, i + half})
+      filterFeaturesAlong(d, f, values + begin + j + kGauss * planeStride, values + begin + j + kEdge * planeStride,
+                          values + begin + j + kPoint * planeStride, out.edge2 + j, out.point2 + j);
   }
 }
 
