@@ -101,10 +101,9 @@ std::vector<CheckResult> runChecks(const BudgetRule& rule, const RegionFigures& 
     CheckResult result = prepareCheck(check, figures);
     result.regress = true;
     result.verdict = Verdict::error; // what it is worth where nothing else judges
-    // A figure that is not known cannot be judged whatever the baseline says, and says so.
-    result.judged = std::isnan(result.value);
+    // A figure that is not known cannot be judged whatever the baseline says: that is an error already.
+    if (!std::isnan(result.value)) result.unjudged = "no baseline";
     result.value = NAN;
-    if (!result.judged) result.note += result.note.empty() ? "no baseline" : "; no baseline";
     results.push_back(std::move(result));
   }
   return results;

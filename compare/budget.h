@@ -67,6 +67,9 @@ const std::vector<BudgetPreset>& builtInPresets();
 // hides wholly.
 Budgets loadBudgets(const std::filesystem::path& file);
 
+// The rules in words, one a line in the order in which they are tried, their limits below them: parity budget check.
+std::string describeBudgets(const Budgets& budgets);
+
 // The figures that the rules' checks and regressions name, each once: what a run has to measure to be judged.
 std::vector<std::string> requiredStatistics(const Budgets& budgets);
 

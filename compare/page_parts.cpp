@@ -67,14 +67,15 @@ std::string checkBar(const CheckResult& check) {
   const auto mark = [&](const std::optional<double>& limit, const char* kind) {
     return limit ? fmt::format("<i class=\"mark {}\" style=\"left:{:.2f}%\"></i>", kind, 100 * *limit / scale) : "";
   };
-  const char* verdict = check.judged ? nameOf(check.verdict) : "not judged";
+  const char* verdict = check.judged() ? nameOf(check.verdict) : "not judged";
   std::string html = fmt::format(
       "<div class=\"check {}\"><div class=\"check-head\"><span>{} <small>{}{}</small></span><b>{}</b></div>"
       "<div class=\"bar\"><i class=\"fill\" style=\"width:{:.2f}%\"></i>{}{}</div><small>{} {}</small>",
-      check.judged ? verdictClass(check.verdict) : "not-seen", escapeMarkup(labelOf(check)), escapeMarkup(check.region),
-      check.regress ? ", regression" : "", escapeMarkup(formatCheckValue(check)), 100 * share,
-      mark(check.warnAbove, "warn"), mark(check.failAbove, "fail"), verdict,
+      check.judged() ? verdictClass(check.verdict) : "not-seen", escapeMarkup(labelOf(check)),
+      escapeMarkup(check.region), check.regress ? ", regression" : "", escapeMarkup(formatCheckValue(check)),
+      100 * share, mark(check.warnAbove, "warn"), mark(check.failAbove, "fail"), verdict,
       limitWords(check).empty() ? "" : "(" + limitWords(check) + ")");
+  if (!check.judged()) html += fmt::format(" <small class=\"aside\">{}</small>", escapeMarkup(check.unjudged));
   if (!check.note.empty()) html += fmt::format(" <small class=\"aside\">{}</small>", escapeMarkup(check.note));
   return html + "</div>";
 }

@@ -24,8 +24,10 @@ struct CheckResult {
   double value = 0;     // NaN where it is not known
   std::optional<double> warnAbove, failAbove; // of a figure of which more is better, not of a regression: below
   Verdict verdict = Verdict::pass;
-  bool judged = true; // false: there was nothing to judge by (a regression without a baseline); the verdict is no pass
-  std::string note;   // not empty where the check had to do otherwise than asked: "no interior pixels: all instead"
+  std::string note;     // not empty where the check had to do otherwise than asked: "no interior pixels: all instead"
+  std::string unjudged; // not empty: there was nothing to judge by (a regression without a baseline), this says why;
+                        // the verdict then is what that is worth where nothing else judges
+  bool judged() const { return unjudged.empty(); }
 };
 
 // The budget rule that judged something.

@@ -52,8 +52,8 @@ void writeChecks(JsonWriter& json, const std::vector<CheckResult>& checks) {
     writeLimit(json, check.warnAbove);
     json.key("fail");
     writeLimit(json, check.failAbove);
-    json.key("verdict").text(check.judged ? nameOf(check.verdict) : "not judged");
-    json.key("note").text(check.note);
+    json.key("verdict").text(check.judged() ? nameOf(check.verdict) : "not judged");
+    json.key("note").text(check.judged() ? check.note : check.unjudged);
     json.endObject();
   }
   json.endArray();

@@ -49,8 +49,8 @@ std::string baselineLines(const std::optional<BaselineChange>& baseline) {
 std::string figureLines(const RegionFigures& regions, const std::vector<CheckResult>& checks) {
   std::string lines;
   for (const CheckResult& check : checks) {
-    const bool said = !check.judged || std::isnan(check.value); // the sentence holds the note
-    lines += fmt::format("{}: {}{}\n", check.judged ? nameOf(check.verdict) : "not judged", describeCheck(check),
+    const bool said = !check.judged() || std::isnan(check.value); // the sentence holds the note
+    lines += fmt::format("{}: {}{}\n", check.judged() ? nameOf(check.verdict) : "not judged", describeCheck(check),
                          check.note.empty() || said ? "" : " (" + check.note + ")");
   }
   for (const auto& [name, figures] : {std::pair{"interior", &regions.interior}, std::pair{"all", &regions.all}})

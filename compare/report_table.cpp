@@ -158,8 +158,6 @@ std::string toTable(const Report& report, bool color) {
       out += fmt::format("{}: {}: {}\n\n", plainLine(scene.name), paint(Verdict::error, "error", color),
                          plainLine(scene.error));
   }
-  for (const std::string& warning : report.warnings)
-    out += fmt::format("{}: {}\n", paint(Verdict::warn, "warning", color), plainLine(warning));
   if (report.baseline) {
     const BaselineSummary& baseline = *report.baseline;
     if (!baseline.error.empty())

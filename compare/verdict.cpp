@@ -38,7 +38,7 @@ const CheckResult* findWorst(const std::vector<CheckResult>& checks) {
   const bool anyJudged = std::ranges::any_of(checks, &CheckResult::judged);
   const CheckResult* worst = nullptr;
   for (const CheckResult& check : checks)
-    if ((check.judged || !anyJudged) && (!worst || check.verdict > worst->verdict)) worst = &check;
+    if ((check.judged() || !anyJudged) && (!worst || check.verdict > worst->verdict)) worst = &check;
   return worst;
 }
 
@@ -54,10 +54,10 @@ Judgement judgeSeen(const RegionFigures& figures, const std::vector<CheckResult>
 
   const CheckResult* worst = findWorst(checks);
   if (!worst) return {Verdict::error, "no budget check applies"};
-  if (!worst->judged) return {worst->verdict, "its budget holds regressions only: " + describeCheck(*worst)};
+  if (!worst->judged()) return {worst->verdict, "its budget holds regressions only: " + describeCheck(*worst)};
   if (worst->verdict == Verdict::pass) return {};
   const auto equals = std::ranges::count_if(
-      checks, [&](const CheckResult& check) { return check.judged && check.verdict == worst->verdict; });
+      checks, [&](const CheckResult& check) { return check.judged() && check.verdict == worst->verdict; });
   return {worst->verdict, describeCheck(*worst) + (equals > 1 ? fmt::format(" (and {} more)", equals - 1) : "")};
 }
 

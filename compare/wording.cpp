@@ -28,7 +28,7 @@ std::string formatNumber(const std::string& metric, double value, bool sign) {
 }
 
 std::string describeRegression(const CheckResult& check, const std::string& what) {
-  if (!check.judged) return fmt::format("regression of {} over {} pixels: {}", what, check.region, check.note);
+  if (!check.judged()) return fmt::format("regression of {} over {} pixels: {}", what, check.region, check.unjudged);
   if (std::isnan(check.value)) return fmt::format("{} over {} pixels: {}", what, check.region, check.note);
   const std::string found = fmt::format("{} over {} pixels is {}", what, check.region, formatCheckValue(check));
   const bool beyond = check.verdict == Verdict::fail || check.verdict == Verdict::warn;
@@ -76,7 +76,7 @@ std::string formatChange(const std::string& metric, double change) {
 
 std::string formatCheckValue(const CheckResult& check) {
   if (!check.regress) return formatFigure(check.metric, check.value);
-  if (!check.judged) return "not judged";
+  if (!check.judged()) return "not judged";
   if (std::isnan(check.value)) return "not known";
   if (std::isinf(check.value)) return check.value > 0 ? "no longer identical" : "now identical";
   if (check.value == 0) return "as in the baseline";

@@ -90,8 +90,7 @@ TEST(Wording, RegressionsAreSaidAsChanges) {
   EXPECT_EQ(describeCheck(check), "mean FLIP over interior pixels is 0.010 better than in the baseline");
   check.value = 0;
   EXPECT_EQ(describeCheck(check), "mean FLIP over interior pixels is as in the baseline");
-  check.judged = false;
-  check.note = "no baseline";
+  check.unjudged = "no baseline";
   EXPECT_EQ(describeCheck(check), "regression of mean FLIP over interior pixels: no baseline");
 
   check = checkOf("psnr", "all", INFINITY, 1, 3, Verdict::fail);

@@ -1,0 +1,212 @@
+// What was observed, gathered by scene and material, and written as rules.
+#include "compare/budget_suggest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "compare/statistic.h"
+#include "compare/text.h"
+#include "compare/wording.h"
+
+namespace parity::compare {
+namespace {
+
+// A material of a scene, or its whole images, over all runs.
+struct Subject {
+  std::string scene, material;
+  bool whole = false;
+  bool inThisRun = false;                  // while runs are gathered
+  std::vector<std::vector<double>> values; // by figure: one a run, its worst over the views
+  std::size_t runs() const { return values.front().size(); }
+};
+
+// How far from the best a value is, so that more is worse; infinite ones too.
+double errorOf(const Statistic& statistic, double value) {
+  return statistic.better == Better::higher ? -value : std::abs(value);
+}
+
+double valueOf(const Statistic& statistic, double error) { return statistic.better == Better::higher ? -error : error; }
+
+class Observation {
+public:
+  Observation(const std::vector<ObservedRun>& runs, const std::vector<Statistic>& figures) : m_figures(figures) {
+    for (const ObservedRun& run : runs) {
+      for (Subject& subject : m_subjects) subject.inThisRun = false;
+      for (const SceneResult& scene : run.report.scenes) addScene(run, scene);
+    }
+  }
+  const std::vector<Subject>& subjects() const { return m_subjects; }
+  const std::vector<std::string>& leftOut() const { return m_leftOut; }
+
+private:
+  void addScene(const ObservedRun& run, const SceneResult& scene) {
+    if (!scene.error.empty()) leaveOut(fmt::format("scene '{}' could not be compared in {}", scene.name, run.source));
+    for (const ViewResult& view : scene.views) {
+      const std::string place = fmt::format("scene {}, view {}", scene.name, view.name);
+      for (const MaterialResult& material : view.materials) {
+        if (material.figures.all.pixels > 0)
+          add(run, place + ", material " + material.name, {scene.name, material.name, false, false, {}},
+              mainFigures(material.figures));
+        else if (!isShown(scene, material.name))
+          leaveOut(fmt::format("no view shows '{}' of scene '{}' in {}", material.name, scene.name, run.source));
+      }
+      if (view.whole.all.pixels > 0)
+        add(run, place + ", whole image", {scene.name, "", true, false, {}}, view.whole.all);
+    }
+  }
+
+  static bool isShown(const SceneResult& scene, const std::string& name) {
+    return std::ranges::any_of(scene.views, [&](const ViewResult& view) {
+      return std::ranges::any_of(view.materials, [&](const MaterialResult& material) {
+        return material.name == name && material.figures.all.pixels > 0;
+      });
+    });
+  }
+
+  void leaveOut(std::string why) {
+    if (std::ranges::find(m_leftOut, why) == m_leftOut.end()) m_leftOut.push_back(std::move(why));
+  }
+
+  void add(const ObservedRun& run, const std::string& place, Subject key, const Figures& figures) {
+    auto subject = std::ranges::find_if(m_subjects, [&](const Subject& each) {
+      return each.whole == key.whole && each.scene == key.scene && each.material == key.material;
+    });
+    if (subject == m_subjects.end()) {
+      key.values.resize(m_figures.size());
+      subject = m_subjects.insert(m_subjects.end(), std::move(key));
+    }
+    const bool first = !std::exchange(subject->inThisRun, true);
+    for (std::size_t i = 0; i < m_figures.size(); ++i) {
+      const std::optional<double> value = figures.find(m_figures[i].name);
+      if (!value) throw base::fileError(run.source, place, m_figures[i].name + " was not measured");
+      if (std::isnan(*value)) throw base::fileError(run.source, place, m_figures[i].name + " is not a number");
+      const double error = errorOf(m_figures[i], *value);
+      std::vector<double>& errors = subject->values[i];
+      if (first)
+        errors.push_back(error);
+      else
+        errors.back() = std::max(errors.back(), error);
+    }
+  }
+
+  const std::vector<Statistic>& m_figures;
+  std::vector<Subject> m_subjects;
+  std::vector<std::string> m_leftOut;
+};
+
+// The value below which 95 % of them lie: the one of rank ceil(0.95 n).
+double percentile95(std::vector<double> values) {
+  std::ranges::sort(values);
+  const auto rank = static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(values.size())));
+  return values[rank - 1];
+}
+
+// `value` worsened by a share of its error.
+double worsen(const Statistic& statistic, double value, double share) {
+  if (statistic.better != Better::higher) return value * (1 + share);
+  if (statistic.unit == "dB") return value - 20 * std::log10(1 + share);
+  return std::isfinite(statistic.most) ? statistic.most - (statistic.most - value) * (1 + share) : value / (1 + share);
+}
+
+// Away from the best, to the digits that people read; at least `steps` of the last of them away from `value`.
+double roundWorse(const Statistic& statistic, double value, double limit, int steps) {
+  const double step = std::pow(10, -statistic.digits), tiny = 1e-6; // 0.123 is no more than 123 steps of 0.001
+  const bool up = statistic.better != Better::higher;
+  const double rounded = up ? std::max(std::ceil(limit / step - tiny), std::ceil(value / step - tiny) + steps)
+                            : std::min(std::floor(limit / step + tiny), std::floor(value / step + tiny) - steps);
+  return std::clamp(rounded * step, statistic.least, statistic.most);
+}
+
+std::string quoteToml(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : cleanUtf8(text)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\')
+      (out += '\\') += c;
+    else if (byte < 0x20 || byte == 0x7F)
+      out += fmt::format("\\u{:04X}", byte);
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
+// A glob that matches this name alone.
+std::string exactGlob(std::string_view name) {
+  std::string glob;
+  for (const char c : name) glob += c == '*' || c == '?' || c == '[' ? fmt::format("[{}]", c) : std::string(1, c);
+  return glob;
+}
+
+std::string countRuns(std::size_t count) { return fmt::format("{} {}", count, count == 1 ? "run" : "runs"); }
+
+// Empty where no figure of it has a limit.
+std::string formatRule(const Subject& subject, const std::vector<Statistic>& figures, double margin) {
+  std::string checks, observed;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const Statistic& figure = figures[i];
+    const auto [least, most] = std::ranges::minmax(subject.values[i]);
+    observed += fmt::format("{}{} {} to {}", observed.empty() ? "" : ", ", figure.name,
+                            formatFigure(figure.name, valueOf(figure, least)),
+                            formatFigure(figure.name, valueOf(figure, most)));
+    const double value = valueOf(figure, percentile95(subject.values[i]));
+    if (!std::isfinite(value)) continue;
+    checks += fmt::format("  {{ metric = {}, warn = {:.{}f}, fail = {:.{}f} }},\n", quoteToml(figure.name),
+                          roundWorse(figure, value, worsen(figure, value, margin), 1), figure.digits,
+                          roundWorse(figure, value, worsen(figure, value, 2 * margin), 2), figure.digits);
+  }
+  if (checks.empty()) return {};
+  std::string rule = fmt::format("\n# {}: {}\n", countRuns(subject.runs()), observed);
+  rule +=
+      subject.whole ? "[[whole]]\n" : fmt::format("[[material]]\nname = {}\n", quoteToml(exactGlob(subject.material)));
+  rule += fmt::format("scene = {}\n", quoteToml(exactGlob(subject.scene)));
+  rule += fmt::format("reason = \"suggested from {}: observed p95 plus a margin of {:g} %\"\n",
+                      countRuns(subject.runs()), 100 * margin);
+  return rule + "checks = [\n" + checks + "]\n";
+}
+
+} // namespace
+
+std::string suggestBudgets(const std::vector<ObservedRun>& runs, const SuggestOptions& options) {
+  if (runs.empty()) throw base::fileError("budget suggest", "", "no report was given");
+  if (!(options.margin >= 0 && options.margin <= 10))
+    throw base::Error(base::ExitCode::usage, "budget suggest", "margin", "is not from 0 to 10");
+  if (options.figures.empty()) throw base::Error(base::ExitCode::usage, "budget suggest", "", "no figure was named");
+  std::vector<Statistic> figures;
+  for (const std::string& name : options.figures) figures.push_back(requireStatistic(name, "budget suggest"));
+
+  const Observation observation(runs, figures);
+  std::vector<std::string> leftOut = observation.leftOut();
+  std::string rules, wholes;
+  for (const Subject& subject : observation.subjects()) {
+    const std::string name =
+        fmt::format("'{}' of scene '{}'", subject.whole ? "whole image" : subject.material, subject.scene);
+    if (subject.scene.empty() || (!subject.whole && subject.material.empty())) {
+      leftOut.push_back(name + " has no name that a rule could match");
+      continue;
+    }
+    const std::string rule = formatRule(subject, figures, options.margin);
+    if (rule.empty()) leftOut.push_back(name + " was identical: nothing to limit");
+    (subject.whole ? wholes : rules) += rule;
+  }
+  if (rules.empty() && wholes.empty())
+    throw base::fileError(runs.front().source, "", "no material was compared in it: nothing to suggest");
+
+  std::string text = fmt::format("# Budgets suggested from {}", countRuns(runs.size()));
+  for (const ObservedRun& run : runs) text += "\n#   " + plainLine(run.source);
+  text += fmt::format(
+      "\n# Limits: the 95th percentile of the runs, each at its worst view, plus {:g} % to warn and {:g} % to "
+      "fail.\n",
+      100 * options.margin, 200 * options.margin);
+  if (runs.size() < 20)
+    text += "# Of fewer than 20 runs the 95th percentile is the largest value: more runs say more.\n";
+  for (const std::string& each : leftOut) text += "# Left out: " + plainLine(each) + "\n";
+  return text + rules + wholes;
+}
+
+} // namespace parity::compare

@@ -1,0 +1,101 @@
+// GitHub annotations: one workflow command a row that is not well, at the line of the budget rule that said so.
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "compare/report.h"
+#include "compare/text.h"
+#include "compare/wording.h"
+
+namespace parity::compare {
+namespace {
+
+struct Annotation {
+  Verdict verdict;
+  std::string title, message; // the message may have several lines
+  const AppliedRule* rule = nullptr;
+};
+
+// What the runner decodes again (actions/toolkit, command.ts: escapeData, escapeProperty): '%' and line ends, and in
+// properties also what ends one. Other control characters and those that reorder text never get that far.
+std::string escape(std::string_view text, bool property) {
+  std::string out;
+  const auto append = [&](std::string_view part) {
+    for (const char c : plainLine(part)) {
+      if (c == '%')
+        out += "%25";
+      else if (property && c == ':')
+        out += "%3A";
+      else if (property && c == ',')
+        out += "%2C";
+      else
+        out += c;
+    }
+  };
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+    append(text.substr(at, end - at));
+    if (end < text.size()) out += text[end] == '\r' ? "%0D" : "%0A";
+    at = end + 1;
+  }
+  return out;
+}
+
+// The place of a rule as GitHub names files: relative to the checkout, with '/'. Empty for one outside it.
+std::string placeOf(const AppliedRule& rule, const std::filesystem::path& root) {
+  const std::filesystem::path file = (root / rule.file).lexically_normal().lexically_relative(root.lexically_normal());
+  if (file.empty() || *file.begin() == "..") return {};
+  return fmt::format("file={},line={},", escape(file.generic_string(), true), rule.line);
+}
+
+std::string format(const Annotation& annotation, const std::filesystem::path& root) {
+  const std::string place = annotation.rule && annotation.rule->line > 0 ? placeOf(*annotation.rule, root) : "";
+  return fmt::format("::{} {}title={}::{}\n", annotation.verdict >= Verdict::fail ? "error" : "warning", place,
+                     escape(annotation.title, true), escape(annotation.message, false));
+}
+
+std::string describe(Verdict verdict, const std::string& reason, const RegionFigures& figures,
+                     const AppliedRule& rule) {
+  std::string message = fmt::format("{}: {}", nameOf(verdict), reason);
+  if (figures.all.pixels > 0) message += "\n" + describeBias(mainFigures(figures));
+  if (!rule.reason.empty()) message += "\nReason for the budget: " + rule.reason;
+  if (!rule.owner.empty()) message += "\nOwner: " + rule.owner;
+  return message;
+}
+
+std::vector<Annotation> collect(const Report& report) {
+  std::vector<Annotation> all;
+  if (report.scenes.empty()) all.push_back({Verdict::error, "parity", "nothing was compared"});
+  if (report.baseline) {
+    if (!report.baseline->error.empty()) all.push_back({Verdict::error, "parity: baseline", report.baseline->error});
+    for (const GoneRow& row : report.baseline->gone)
+      all.push_back({Verdict::warn, "parity: baseline", describeGone(row)});
+  }
+  for (const std::string& warning : report.warnings) all.push_back({Verdict::warn, "parity", warning});
+  for (const SceneResult& scene : report.scenes) {
+    if (!scene.error.empty()) all.push_back({Verdict::error, "parity: " + scene.name, scene.error});
+    for (const ViewResult& view : scene.views) {
+      const std::string place = fmt::format("{}, view {}", scene.name, view.name);
+      if (view.wholeVerdict != Verdict::pass)
+        all.push_back({view.wholeVerdict, fmt::format("parity: whole image ({})", place),
+                       describe(view.wholeVerdict, view.reason, view.whole, view.rule), &view.rule});
+      for (const MaterialResult& material : view.materials)
+        if (material.verdict != Verdict::pass && !material.seenElsewhere)
+          all.push_back({material.verdict, fmt::format("parity: {} ({})", material.name, place),
+                         describe(material.verdict, material.reason, material.figures, material.rule), &material.rule});
+    }
+  }
+  std::ranges::stable_sort(all, std::ranges::greater{}, &Annotation::verdict);
+  return all;
+}
+
+} // namespace
+
+std::string toGithubAnnotations(const Report& report, const std::filesystem::path& root) {
+  std::string out;
+  for (const Annotation& annotation : collect(report)) out += format(annotation, root);
+  return out;
+}
+
+} // namespace parity::compare

@@ -1,0 +1,17 @@
+// An earlier report read back from its report.json.
+#pragma once
+
+#include <filesystem>
+
+#include "compare/report.h"
+
+namespace parity::compare {
+
+// What later runs ask of an earlier one: version, device, settings; of each scene name, environment, sun and whether it
+// failed; of each view and material name, verdict and figures. All else stays empty. `file` may be the report's folder.
+// An infinite psnr, null in the file, is infinite again; any other null is NaN. Throws Error (exit 4) "file:
+// /json/pointer: reason" where it cannot be read, is no JSON, lacks something or holds a wrong type, or is of another
+// schema version than kReportSchema.
+Report readReport(const std::filesystem::path& file);
+
+} // namespace parity::compare

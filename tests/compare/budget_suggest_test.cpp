@@ -1,0 +1,148 @@
+// Suggested budgets: the percentile and the margin on known values, files that loadBudgets reads, and what is refused.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "base/expect_error.h"
+#include "base/file.h"
+#include "base/temp_folder.h"
+#include "compare/budget.h"
+#include "compare/budget_suggest.h"
+#include "compare/sample_report.h"
+#include "compare/text.h"
+
+namespace parity::compare {
+namespace {
+
+// One view of a scene with one material of this mean FLIP (interior; 1.1 times as much over all pixels).
+ObservedRun runOf(double mean, const std::string& material = "a", const std::string& scene = "s") {
+  ViewResult view;
+  view.name = "v";
+  view.whole = makeRegion("whole", 0.05, 8000);
+  view.materials = {makeMaterial(material, mean, 4000)};
+  ObservedRun run;
+  run.source = "run.json";
+  run.report.scenes.emplace_back().name = scene;
+  run.report.scenes[0].views = {view};
+  return run;
+}
+
+Budgets load(const std::string& text) {
+  const base::TempFolder folder;
+  base::writeText(folder / "b.toml", text);
+  return loadBudgets(folder / "b.toml");
+}
+
+Budgets suggest(const std::vector<ObservedRun>& runs, const std::vector<std::string>& figures = {"flip.mean"},
+                double margin = 0.5) {
+  return load(suggestBudgets(runs, {margin, figures}));
+}
+
+const BudgetCheck& checkOf(const Budgets& budgets) { return budgets.materials.at(0).checks.at(0); }
+
+TEST(BudgetSuggest, LimitsAreTheLargestOfFewRunsPlusTheMargin) {
+  const Budgets budgets = suggest({runOf(0.10), runOf(0.20), runOf(0.15)});
+  EXPECT_NEAR(*checkOf(budgets).warn, 0.30, 1e-9);
+  EXPECT_NEAR(*checkOf(budgets).fail, 0.40, 1e-9);
+  EXPECT_EQ(checkOf(budgets).region, Region::interior);
+  EXPECT_EQ(budgets.materials[0].reason, "suggested from 3 runs: observed p95 plus a margin of 50 %");
+  EXPECT_EQ(budgets.materials[0].material, "a");
+  EXPECT_EQ(budgets.materials[0].scene, "s");
+  EXPECT_NEAR(*budgets.wholes[0].checks[0].fail, 0.11, 1e-9); // 0.055 over all pixels, twice
+}
+
+// Of 1..40 hundredths the one of rank ceil(0.95 * 40) = 38; two outliers do not count.
+TEST(BudgetSuggest, OfManyRunsThe95thPercentileCounts) {
+  std::vector<ObservedRun> runs;
+  for (int i = 40; i >= 1; --i) runs.push_back(runOf(0.01 * i));
+  EXPECT_NEAR(*checkOf(suggest(runs, {"flip.mean"}, 0.1)).warn, 0.418, 1e-9);
+}
+
+TEST(BudgetSuggest, TheWorstViewOfARunCounts) {
+  ObservedRun run = runOf(0.10);
+  run.report.scenes[0].views.push_back(runOf(0.20).report.scenes[0].views[0]);
+  EXPECT_NEAR(*checkOf(suggest({run, runOf(0.12)})).warn, 0.30, 1e-9);
+}
+
+TEST(BudgetSuggest, MoreThanTheDisplayedDigitsIsRoundedAwayFromTheBest) {
+  EXPECT_NEAR(*checkOf(suggest({runOf(0.10021)}, {"flip.mean"}, 0)).warn, 0.102, 1e-9); // 0.101 and a step
+  EXPECT_NEAR(*checkOf(suggest({runOf(0)}, {"flip.mean"})).warn, 0.001, 1e-9) << "identical: one step is the margin";
+  EXPECT_NEAR(*checkOf(suggest({runOf(0)}, {"flip.mean"})).fail, 0.002, 1e-9);
+}
+
+TEST(BudgetSuggest, TheMarginIsAShareOfTheErrorWhicheverWayIsBetter) {
+  ObservedRun run = runOf(0.10);
+  setFigure(run.report.scenes[0].views[0].materials[0].figures, "psnr", 30);
+  setFigure(run.report.scenes[0].views[0].materials[0].figures, "ssim.mean", 0.9);
+  setFigure(run.report.scenes[0].views[0].materials[0].figures, "bias.ev", -0.2);
+  run.report.scenes[0].views[0].whole = {};
+  const Budgets budgets = suggest({run}, {"psnr", "ssim.mean", "bias.ev"});
+  const std::vector<BudgetCheck>& checks = budgets.materials.at(0).checks;
+  EXPECT_NEAR(*checks[0].warn, 26.4, 1e-9); // 30 - 20 log10(1.5) = 26.48
+  EXPECT_NEAR(*checks[0].fail, 23.9, 1e-9); // 30 - 20 log10(2) = 23.98
+  EXPECT_NEAR(*checks[1].warn, 0.85, 1e-9); // 1 - 0.1 * 1.5
+  EXPECT_NEAR(*checks[1].fail, 0.80, 1e-9);
+  EXPECT_NEAR(*checks[2].warn, 0.30, 1e-9);
+  EXPECT_NEAR(*checks[2].fail, 0.40, 1e-9);
+}
+
+TEST(BudgetSuggest, WhatWasObservedPassesWhatIsSuggested) {
+  ObservedRun run{"sample.json", makeSampleReport()};
+  const Budgets budgets = suggest({run}, {"flip.mean", "flip.p95", "rmse"}, 0);
+  for (ViewResult& view : run.report.scenes[0].views) {
+    judgeWhole(view, budgets, "Lamp");
+    for (MaterialResult& material : view.materials) judgeMaterial(material, budgets, "Lamp");
+  }
+  run.report.scenes.pop_back();
+  settleVerdicts(run.report);
+  EXPECT_EQ(run.report.verdict, Verdict::notSeen) << "only the screw, which no view shows, is not judged";
+}
+
+TEST(BudgetSuggest, HostileNamesMatchThemselvesAlone) {
+  for (const std::string& raw : hostileNames()) {
+    const std::string name = cleanUtf8(raw); // as report.json has it
+    const Budgets budgets = suggest({runOf(0.1, name, name)});
+    EXPECT_EQ(findMaterialRule(budgets, name, name), &budgets.materials[0]) << name;
+  }
+  const Budgets budgets = suggest({runOf(0.1, "a*[b]?\\\"", "s")});
+  EXPECT_EQ(findMaterialRule(budgets, "s", "a*[b]?\\\""), &budgets.materials[0]);
+  EXPECT_NE(findMaterialRule(budgets, "s", "aXbY\\\""), &budgets.materials[0]);
+}
+
+TEST(BudgetSuggest, SaysWhatItRestsOnAndWhatItLeavesOut) {
+  ObservedRun run{"sample.json", makeSampleReport()};
+  const std::string text = suggestBudgets({run, run}, {});
+  for (const char* part : {"# Budgets suggested from 2 runs", "#   sample.json", "Of fewer than 20 runs",
+                           "# Left out: scene 'Broken' could not be compared in sample.json",
+                           "# Left out: no view shows 'Screw' of scene 'Lamp' in sample.json",
+                           "# 2 runs: flip.mean 0.270 to 0.270, flip.p95 0.675 to 0.675"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(BudgetSuggest, IdenticalImagesLeaveNoPsnrToLimit) {
+  ObservedRun run = runOf(0); // its psnr is infinite
+  EXPECT_NE(suggestBudgets({run}, {0.5, {"psnr"}}).find("'a' of scene 's' was identical"), std::string::npos);
+}
+
+TEST(BudgetSuggest, RefusesWhatItCannotRestOn) {
+  base::expectError([] { suggestBudgets({}, {}); }, "budget suggest", "no report was given");
+  base::expectError([] { suggestBudgets({{"r.json", Report{}}}, {}); }, "r.json", "nothing to suggest");
+  base::expectError([] { suggestBudgets({runOf(0.1)}, {0.5, {"maxabs"}}); }, "run.json", "maxabs was not measured");
+  base::expectError(
+      [] {
+        suggestBudgets({runOf(0.1)}, {0.5, {"flip.meen"}});
+      },
+      "budget suggest", "flip.mean", base::ExitCode::usage);
+  base::expectError(
+      [] {
+        suggestBudgets({runOf(0.1)}, {0.5, {}});
+      },
+      "budget suggest", "no figure", base::ExitCode::usage);
+  base::expectError([] { suggestBudgets({runOf(0.1)}, {NAN, {"rmse"}}); }, "margin", "0 to 10", base::ExitCode::usage);
+  ObservedRun broken = runOf(0.1);
+  setFigure(broken.report.scenes[0].views[0].materials[0].figures, "flip.mean", NAN);
+  base::expectError([&] { suggestBudgets({broken}, {}); }, "scene s, view v, material a", "is not a number");
+}
+
+} // namespace
+} // namespace parity::compare

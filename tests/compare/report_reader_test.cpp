@@ -1,0 +1,101 @@
+// An earlier report read back: all that matters survives, and every fault is one line with its place.
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "base/expect_error.h"
+#include "base/file.h"
+#include "base/temp_folder.h"
+#include "compare/report_reader.h"
+#include "compare/sample_report.h"
+
+namespace parity::compare {
+namespace {
+
+using nlohmann::json;
+
+Report readText(const std::string& text) {
+  const base::TempFolder folder;
+  base::writeText(folder / "report.json", text);
+  return readReport(folder / "report.json");
+}
+
+// Of the sample report, spoilt.
+void expectRefusal(const std::function<void(json&)>& spoil, const std::string& place, const std::string& reason) {
+  json document = json::parse(toJson(makeSampleReport()));
+  spoil(document);
+  base::expectError([&] { readText(document.dump()); }, "report.json: " + place, reason);
+}
+
+TEST(ReportReader, FiguresAndVerdictsSurvive) {
+  const Report written = makeSampleReport(), read = readText(toJson(written));
+  EXPECT_EQ(read.version, written.version);
+  EXPECT_EQ(read.device, written.device);
+  EXPECT_EQ(read.settings, written.settings);
+  EXPECT_EQ(read.verdict, written.verdict);
+  ASSERT_EQ(read.scenes.size(), 2u);
+  EXPECT_EQ(read.scenes[0].environment, written.scenes[0].environment);
+  EXPECT_EQ(read.scenes[0].sun, written.scenes[0].sun);
+  EXPECT_EQ(read.scenes[1].error, written.scenes[1].error);
+  ASSERT_EQ(read.scenes[0].views.size(), 2u);
+  for (std::size_t v = 0; v < 2; ++v) {
+    const ViewResult &view = read.scenes[0].views[v], &original = written.scenes[0].views[v];
+    EXPECT_EQ(view.name, original.name);
+    EXPECT_EQ(view.wholeVerdict, original.wholeVerdict);
+    ASSERT_EQ(view.materials.size(), original.materials.size());
+    for (std::size_t m = 0; m < view.materials.size(); ++m) {
+      const MaterialResult &material = view.materials[m], &source = original.materials[m];
+      EXPECT_EQ(material.name, source.name);
+      EXPECT_EQ(material.verdict, source.verdict);
+      EXPECT_EQ(material.figures.all.pixels, source.figures.all.pixels);
+      if (source.figures.interior.pixels == 0) continue;
+      for (const Figure& figure : source.figures.interior.values)
+        EXPECT_EQ(material.figures.interior.find(figure.name), figure.value) << figure.name; // also infinite ones
+    }
+  }
+}
+
+TEST(ReportReader, ANullThatIsNotIdentityIsNotANumber) {
+  Report report = makeSampleReport();
+  setFigure(report.scenes[0].views[0].whole, "rmse", NAN);
+  EXPECT_TRUE(std::isnan(*readText(toJson(report)).scenes[0].views[0].whole.all.find("rmse")));
+}
+
+TEST(ReportReader, TakesTheFolderToo) {
+  const base::TempFolder folder;
+  base::writeText(folder / "report.json", toJson(makeSampleReport()));
+  EXPECT_EQ(readReport(folder.path()).scenes.size(), 2u);
+}
+
+TEST(ReportReader, OtherSchemasAreRefusedInWords) {
+  expectRefusal([](json& d) { d["schema"] = kReportSchema + 1; }, "/schema", "a newer version of parity");
+  expectRefusal([](json& d) { d["schema"] = kReportSchema - 1; }, "/schema", "an older version of parity");
+  expectRefusal([](json& d) { d["schema"] = "2"; }, "/schema", "is not a whole number");
+  expectRefusal([](json& d) { d.erase("schema"); }, "/", "lacks 'schema'");
+}
+
+TEST(ReportReader, EveryFaultIsNamedWithItsPlace) {
+  expectRefusal([](json& d) { d["scenes"][0]["views"][1].erase("whole"); }, "/scenes/0/views/1", "lacks 'whole'");
+  expectRefusal([](json& d) { d["scenes"][0]["views"] = 3; }, "/scenes/0/views", "is not a list");
+  expectRefusal([](json& d) { d["scenes"][0]["name"] = nullptr; }, "/scenes/0/name", "is not a text");
+  expectRefusal([](json& d) { d["verdict"] = "fine"; }, "/verdict", "'fine' is no verdict");
+  expectRefusal([](json& d) { d["scenes"][0]["views"][0]["whole"]["figures"]["all"]["pixels"] = -1; },
+                "/scenes/0/views/0/whole/figures/all/pixels", "at least 0");
+  expectRefusal([](json& d) { d["scenes"][0]["views"][0]["whole"]["figures"]["all"]["metrics"]["rmse"] = "0.1"; },
+                "/scenes/0/views/0/whole/figures/all/metrics/rmse", "is not a number");
+  expectRefusal([](json& d) { d["settings"] = json::array({7}); }, "/settings/0", "is not an object");
+}
+
+TEST(ReportReader, WhatIsNoReportIsRefused) {
+  base::expectError([] { readText("{ \"schema\": "); }, "report.json: byte 13", "is no JSON");
+  base::expectError([] { readText(""); }, "report.json: byte 1", "is no JSON");
+  base::expectError([] { readText("[]"); }, "report.json: /", "is not an object");
+  base::expectError([] { readText(std::string(100000, '[')); }, "report.json: byte", "is no JSON");
+  const base::TempFolder folder;
+  base::expectError([&] { readReport(folder / "none.json"); }, "none.json", "does not exist");
+  base::expectError([&] { readReport(folder.path()); }, "report.json", "does not exist");
+}
+
+} // namespace
+} // namespace parity::compare
