@@ -1,9 +1,9 @@
-// The display transforms by OpenColorIO. Version 2.1 ships no configs, so each transform is put together here.
+// The colour transforms by OpenColorIO. Version 2.1 ships no configs, so each transform is put together here.
 #include "base/color.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <limits>
 
 #include <OpenColorIO/OpenColorIO.h>
 #include <fmt/format.h>
@@ -50,6 +50,21 @@ ocio::ConstTransformRcPtr makeAcesSdr() {
   group->appendTransform(
       builtin("ACES-OUTPUT - ACES2065-1_to_CIE-XYZ-D65 - SDR-VIDEO_1.0", ocio::TRANSFORM_DIR_FORWARD));
   group->appendTransform(builtin("DISPLAY - CIE-XYZ-D65_to_sRGB", ocio::TRANSFORM_DIR_FORWARD));
+  return group;
+}
+
+// From a file's space to linear Rec.709.
+ocio::ConstTransformRcPtr makeDecoder(const std::string& colorSpace) {
+  const ocio::GroupTransformRcPtr group = ocio::GroupTransform::Create();
+  if (colorSpace == "srgb") {
+    const ocio::ExponentWithLinearTransformRcPtr decode = ocio::ExponentWithLinearTransform::Create();
+    decode->setGamma({2.4, 2.4, 2.4, 1});
+    decode->setOffset({0.055, 0.055, 0.055, 0});
+    group->appendTransform(decode);
+    return group;
+  }
+  if (colorSpace == "aces2065-1") group->appendTransform(builtin("ACEScg_to_ACES2065-1", ocio::TRANSFORM_DIR_INVERSE));
+  group->appendTransform(builtin("UTILITY - ACES-AP1_to_LINEAR-REC709_BFD", ocio::TRANSFORM_DIR_FORWARD));
   return group;
 }
 
@@ -110,6 +125,40 @@ Image DisplayTransform::apply(const Image& linear, float exposureEv) const {
     }
   });
   return encoded;
+}
+
+const std::vector<std::string>& colorSpaceNames() {
+  static const std::vector<std::string> kNames = {"linear", "srgb", "acescg", "aces2065-1"};
+  return kNames;
+}
+
+Image toLinearRec709(const Image& rgb, const std::string& colorSpace) {
+  if (std::find(colorSpaceNames().begin(), colorSpaceNames().end(), colorSpace) == colorSpaceNames().end())
+    throw Error(ExitCode::usage, "colour space", "'" + colorSpace + "'",
+                fmt::format("unknown; known are {}", fmt::join(colorSpaceNames(), ", ")));
+  if (rgb.channels != 3 || rgb.empty())
+    throw Error(ExitCode::failed, "colour space '" + colorSpace + "'", "",
+                fmt::format("needs an RGB image, not one of {} channels", rgb.channels));
+  if (colorSpace == "linear") return rgb;
+  Image linear = rgb;
+  try {
+    const ocio::ConstCPUProcessorRcPtr processor = makeProcessor(makeDecoder(colorSpace));
+    constexpr std::size_t kBandRows = 16;
+    parallelFor(static_cast<std::size_t>(rgb.height), kBandRows, [&](std::size_t begin, std::size_t end) {
+      const float* in = rgb.at(0, static_cast<int>(begin));
+      float* out = linear.at(0, static_cast<int>(begin));
+      ocio::PackedImageDesc band(out, rgb.width, static_cast<long>(end - begin), 3);
+      processor->apply(band);
+      // Approximate powers and clamps may make numbers of what is none.
+      const std::size_t count = (end - begin) * rgb.width;
+      for (std::size_t i = 0; i < 3 * count; i += 3)
+        if (!std::isfinite(in[i]) || !std::isfinite(in[i + 1]) || !std::isfinite(in[i + 2]))
+          std::fill_n(out + i, 3, std::numeric_limits<float>::quiet_NaN());
+    });
+  } catch (const ocio::Exception& error) {
+    throw Error(ExitCode::failed, "OpenColorIO", "colour space '" + colorSpace + "'", error.what());
+  }
+  return linear;
 }
 
 } // namespace parity::base

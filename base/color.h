@@ -1,4 +1,5 @@
-// The display transform: what turns scene-referred colour into what a screen shows, for both paths alike.
+// Colour: the display transform, which turns scene-referred colour into what a screen shows, for both paths alike; and
+// from what files hold to scene-referred colour.
 #pragma once
 
 #include <memory>
@@ -32,5 +33,13 @@ private:
   std::string m_name;
   std::unique_ptr<Impl> m_impl;
 };
+
+// Colour spaces of files: "linear" (Rec.709 primaries), "srgb" (the same, by the sRGB transfer function), "acescg",
+// "aces2065-1" (both linear, ACES white adapted by Bradford).
+const std::vector<std::string>& colorSpaceNames();
+
+// rgb: 3 channels in that space. Returns linear Rec.709, unbounded on either side; non-finite pixels come out with all
+// three channels NaN. Throws Error: usage for an unknown space, failed for other than 3 channels.
+Image toLinearRec709(const Image& rgb, const std::string& colorSpace);
 
 } // namespace parity::base

@@ -123,9 +123,22 @@ void checkWritable(const fs::path& file, const BasicImage<T>& image, const Write
 
 } // namespace
 
-Image readImage(const fs::path& file) {
+Image readImage(const fs::path& file) { return readImageFile(file).pixels; }
+
+ImageFile readImageFile(const fs::path& file) {
   checkContent(file);
-  return extensionOf(file) == ".pfm" ? readPfm(file) : imageModule().read(file);
+  if (extensionOf(file) != ".pfm") return imageModule().read(file);
+  ImageFile result{readPfm(file), {}};
+  result.info.bits = 32;
+  result.info.channelNames =
+      result.pixels.channels == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};
+  return result;
+}
+
+BasicImage<std::uint32_t> readIntegers(const fs::path& file) {
+  checkContent(file);
+  if (extensionOf(file) == ".pfm") throw fileError(file.string(), "", "holds floats, not integers");
+  return imageModule().readIntegers(file);
 }
 
 Image8 readImage8(const fs::path& file, int channels) {

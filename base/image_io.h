@@ -1,8 +1,11 @@
 // Image files by OpenImageIO, which is loaded on first use: its 261 shared libraries would cost every start 0.3 s.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +18,29 @@ namespace parity::base {
 // undone), float files as they are; the first image of the file, all its channels, R,G,B,A first where they have these
 // names. A damaged or truncated file is an error, never a partial image. Throws Error (exit 4).
 Image readImage(const std::filesystem::path& file);
+
+// What a file says of its pixels beyond their values.
+struct ImageInfo {
+  bool integer = false; // stored as integers of any width; else half or float
+  int bits = 0;         // of one stored value
+  std::vector<std::string> channelNames;
+  int alphaChannel = -1;        // -1: none
+  bool alphaAssociated = false; // the colour has been multiplied by alpha, as OpenEXR demands and PNG forbids
+  bool declaredLinear = false;  // the file itself says that its values are linear light
+  std::optional<std::array<float, 8>> chromaticities; // x, y of red, green, blue and white, where the file has them
+};
+
+struct ImageFile {
+  Image pixels; // as readImage() gives them
+  ImageInfo info;
+};
+
+// readImage(), and what else the file says. Throws Error (exit 4).
+ImageFile readImageFile(const std::filesystem::path& file);
+
+// The integers that an integer file (8, 16 or 32 bit) stores, all channels, unscaled: ids. Throws Error (exit 4), also
+// for a file of floats.
+BasicImage<std::uint32_t> readIntegers(const std::filesystem::path& file);
 
 // Reads an image as 8 bit, converted to exactly `channels` (1..4) channels: grey is spread over RGB, a missing alpha is
 // 255; 1 is the first channel, 2 the first and alpha. Alpha is not multiplied into the colour, whatever the format.

@@ -57,6 +57,24 @@ public:
 
   const oiio::ImageSpec& spec() const { return m_input->spec(); }
 
+  ImageInfo info() const {
+    const oiio::ImageSpec& spec = m_input->spec();
+    ImageInfo info;
+    info.integer = !spec.format.is_floating_point();
+    info.bits = static_cast<int>(spec.format.size()) * 8;
+    info.channelNames = spec.channelnames;
+    info.alphaChannel = spec.alpha_channel;
+    // Of the integer formats only TIFF tells the two apart; the others leave alpha out of the colour.
+    const bool tells = std::string_view(m_input->format_name()) == "tiff";
+    info.alphaAssociated =
+        spec.alpha_channel >= 0 && (!info.integer || tells) && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0;
+    info.declaredLinear = oiio::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
+    std::array<float, 8> chromaticities{};
+    if (spec.getattribute("chromaticities", oiio::TypeDesc(oiio::TypeDesc::FLOAT, 8), chromaticities.data()))
+      info.chromaticities = chromaticities;
+    return info;
+  }
+
   template <typename T> BasicImage<T> read() {
     const oiio::ImageSpec& spec = m_input->spec();
     BasicImage<T> image(spec.width, spec.height, spec.nchannels);
@@ -145,12 +163,33 @@ Image8 readAs8(Reader& reader, int channels) {
   return convertChannels(reader.read<std::uint8_t>(), alphaChannel, channels);
 }
 
-Image read(const fs::path& file) {
+Image readPixels(Reader& reader) {
+  if (reader.spec().format == oiio::TypeDesc::UINT8) return normalize(reader.read<std::uint8_t>());
+  if (reader.spec().format == oiio::TypeDesc::UINT16) return normalize(reader.read<std::uint16_t>());
+  return reader.read<float>();
+}
+
+ImageFile read(const fs::path& file) {
   return guarded(file.string(), [&] {
     Reader reader(file.string());
-    if (reader.spec().format == oiio::TypeDesc::UINT8) return normalize(reader.read<std::uint8_t>());
-    if (reader.spec().format == oiio::TypeDesc::UINT16) return normalize(reader.read<std::uint16_t>());
-    return reader.read<float>();
+    const ImageInfo info = reader.info();
+    return ImageFile{readPixels(reader), info};
+  });
+}
+
+template <typename T> BasicImage<std::uint32_t> widen(const BasicImage<T>& stored) {
+  BasicImage<std::uint32_t> wide(stored.width, stored.height, stored.channels);
+  std::copy(stored.pixels.begin(), stored.pixels.end(), wide.pixels.begin());
+  return wide;
+}
+
+BasicImage<std::uint32_t> readIntegers(const fs::path& file) {
+  return guarded(file.string(), [&] {
+    Reader reader(file.string());
+    if (reader.spec().format == oiio::TypeDesc::UINT8) return widen(reader.read<std::uint8_t>());
+    if (reader.spec().format == oiio::TypeDesc::UINT16) return widen(reader.read<std::uint16_t>());
+    if (reader.spec().format == oiio::TypeDesc::UINT32) return reader.read<std::uint32_t>();
+    throw fileError(file.string(), "", "holds no unsigned integers");
   });
 }
 
@@ -250,7 +289,8 @@ void limitThreads(int threads) {
   oiio::attribute("exr_threads", threads);
 }
 
-constexpr ImageModule kModule{kImageModuleVersion, limitThreads, read, read8, decode8, isInteger, encode, encode8};
+constexpr ImageModule kModule{kImageModuleVersion, limitThreads, read,   readIntegers, read8, decode8,
+                              isInteger,           encode,       encode8};
 
 } // namespace
 

@@ -12,7 +12,7 @@
 
 namespace parity::base {
 
-inline constexpr int kImageModuleVersion = 1; // counts the changes of the struct below
+inline constexpr int kImageModuleVersion = 2; // counts the changes of the struct below
 inline constexpr int kMaxImageChannels = 1024;
 
 // What the module offers. Every function throws Error. Files have been checked to be regular and not empty; images and
@@ -20,7 +20,8 @@ inline constexpr int kMaxImageChannels = 1024;
 struct ImageModule {
   int version;
   void (*limitThreads)(int threads); // of the library's own pool
-  Image (*read)(const std::filesystem::path& file);
+  ImageFile (*read)(const std::filesystem::path& file);
+  BasicImage<std::uint32_t> (*readIntegers)(const std::filesystem::path& file);
   Image8 (*read8)(const std::filesystem::path& file, int channels);
   Image8 (*decode8)(std::span<const std::byte> bytes, const std::string& name, int channels);
   bool (*isInteger)(const std::filesystem::path& file);

@@ -160,5 +160,44 @@ TEST(DisplayTransform, RefusesImagesThatAreNotRgb) {
   expectError([&] { display.apply(Image()); }, "sRGB", "RGB");
 }
 
+TEST(ColorSpace, SrgbIsDecodedByTheStandard) {
+  const Image ramp = makeRamp(0.0f, 1.0f), linear = toLinearRec709(ramp, "srgb");
+  for (std::size_t i = 0; i < ramp.pixels.size(); ++i) {
+    const double v = ramp.pixels[i], expected = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    ASSERT_NEAR(linear.pixels[i], expected, 1e-5) << "of " << v;
+  }
+}
+
+// The Academy's matrices, Bradford-adapted (aces-dev, ACEScsc; four digits of AP1 to Rec.709).
+TEST(ColorSpace, AcesPrimariesComeOutInRec709) {
+  const double matrix[3][3] = {
+      {1.70505, -0.62179, -0.08326}, {-0.13026, 1.14080, -0.01055}, {-0.02400, -0.12897, 1.15297}};
+  for (int c = 0; c < 3; ++c) {
+    Image one(1, 1, 3);
+    one.pixels[c] = 2;
+    const Image linear = toLinearRec709(one, "acescg");
+    for (int row = 0; row < 3; ++row) EXPECT_NEAR(linear.pixels[row], 2 * matrix[row][c], 1e-4) << row << " of " << c;
+  }
+  // Greys are greys in each of them.
+  for (const char* space : {"linear", "acescg", "aces2065-1"})
+    for (const float v : toLinearRec709(Image(1, 1, 3, 0.18f), space).pixels) EXPECT_NEAR(v, 0.18f, 1e-5) << space;
+}
+
+TEST(ColorSpace, NonFinitePixelsStayUnusable) {
+  Image image(3, 1, 3, 0.5f);
+  image.at(1, 0)[2] = std::numeric_limits<float>::infinity();
+  image.at(2, 0)[0] = std::numeric_limits<float>::quiet_NaN();
+  for (const char* space : {"srgb", "acescg"}) {
+    const Image linear = toLinearRec709(image, space);
+    EXPECT_TRUE(std::isfinite(linear.at(0, 0)[0]));
+    for (const int x : {1, 2})
+      for (int c = 0; c < 3; ++c) EXPECT_FALSE(std::isfinite(linear.at(x, 0)[c])) << space << x << c;
+  }
+}
+
+TEST(ColorSpace, UnknownOneIsRefusedWithTheKnownOnes) {
+  expectError([] { toLinearRec709(Image(1, 1, 3), "rec2020"); }, "rec2020", "acescg", ExitCode::usage);
+}
+
 } // namespace
 } // namespace parity::base

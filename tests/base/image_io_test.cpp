@@ -258,5 +258,39 @@ TEST(WriteImage, GivesTheSameBytesForTheSameImage) {
   }
 }
 
+TEST(ReadImageFile, SaysHowPixelsAreStoredAndWhatAlphaMeans) {
+  const TempFolder folder;
+  writeImage8(folder / "a.png", makeNoise8(5, 4, 4));
+  writeImage(folder / "a.exr", makeNoise(5, 4, 4, 0, 1));
+  writeImage(folder / "grey.pfm", makeNoise(5, 4, 1, 0, 1));
+  const ImageFile png = readImageFile(folder / "a.png"), exr = readImageFile(folder / "a.exr"),
+                  pfm = readImageFile(folder / "grey.pfm");
+  EXPECT_EQ(png.pixels, readImage(folder / "a.png"));
+  EXPECT_TRUE(png.info.integer);
+  EXPECT_EQ(png.info.bits, 8);
+  EXPECT_EQ(png.info.alphaChannel, 3);
+  EXPECT_FALSE(png.info.alphaAssociated) << "PNG leaves alpha out of the colour";
+  EXPECT_FALSE(exr.info.integer);
+  EXPECT_EQ(exr.info.bits, 32);
+  EXPECT_EQ(exr.info.channelNames, (std::vector<std::string>{"R", "G", "B", "A"}));
+  EXPECT_TRUE(exr.info.alphaAssociated) << "OpenEXR multiplies it in";
+  EXPECT_FALSE(exr.info.chromaticities);
+  EXPECT_EQ(pfm.info.alphaChannel, -1);
+  EXPECT_EQ(pfm.pixels.channels, 1);
+}
+
+TEST(ReadIntegers, AreWhatTheFileStores) {
+  const TempFolder folder;
+  const Image8 image = makeNoise8(9, 7, 3);
+  writeImage8(folder / "a.png", image);
+  const BasicImage<std::uint32_t> integers = readIntegers(folder / "a.png");
+  ASSERT_EQ(integers.pixels.size(), image.pixels.size());
+  EXPECT_TRUE(std::equal(image.pixels.begin(), image.pixels.end(), integers.pixels.begin()));
+  for (const char* name : {"a.exr", "a.pfm"}) {
+    writeImage(folder / name, makeNoise(5, 4, 3, 0, 1));
+    EXPECT_THROW(readIntegers(folder / name), Error) << name;
+  }
+}
+
 } // namespace
 } // namespace parity::base
