@@ -1,0 +1,105 @@
+#include "job/flip_checks.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "compare/metric.h"
+
+namespace parity::job {
+
+namespace {
+
+base::Error misuse(const std::string& option, const std::string& place, const std::string& reason) {
+  return base::Error(base::ExitCode::usage, option, place, reason);
+}
+
+std::string joinFigures(const compare::Metric& metric) {
+  std::vector<std::string> names;
+  for (const compare::Statistic& statistic : metric.statistics) names.push_back(statistic.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+void requireInRange(const std::string& option, const compare::Statistic& statistic, double limit) {
+  if (!(limit >= statistic.least && limit <= statistic.most))
+    throw misuse(
+        option, fmt::format("{}", limit),
+        fmt::format("no limit for {}, which lies from {} to {}", statistic.name, statistic.least, statistic.most));
+}
+
+// warn and fail limits on one figure, where there are any.
+void addLimits(std::vector<compare::BudgetCheck>& checks, const compare::Statistic& statistic,
+               const std::optional<double>& warn, const std::optional<double>& fail, const char* prefix) {
+  if (!warn && !fail) return;
+  if (warn) requireInRange(fmt::format("--{}warn", prefix), statistic, *warn);
+  if (fail) requireInRange(fmt::format("--{}fail", prefix), statistic, *fail);
+  compare::BudgetCheck check;
+  check.statistic = statistic;
+  check.region = compare::Region::all;
+  check.warn = warn;
+  check.fail = fail;
+  checks.push_back(check);
+}
+
+// At most `percent` of the pixels may be beyond `limit`.
+void addPixelwise(std::vector<compare::BudgetCheck>& checks, const compare::Metric& metric, const std::string& level,
+                  const std::optional<double>& limit, const std::optional<double>& percent) {
+  if (!limit) return;
+  const std::string name = fmt::format("{}.fraction_over({})", metric.name, *limit);
+  const auto statistic = compare::statisticByName(name);
+  if (!statistic || !std::isfinite(*limit))
+    throw misuse("--" + level, fmt::format("{}", *limit), fmt::format("no limit for a pixel's {}", metric.label));
+  const double share = percent.value_or(0) / 100;
+  if (!(share >= 0 && share <= 1))
+    throw misuse(fmt::format("--{}percent", level), fmt::format("{}", *percent), "is no percentage of 0 to 100");
+  const bool fails = level == "fail";
+  addLimits(checks, *statistic, fails ? std::nullopt : std::optional(share),
+            fails ? std::optional(share) : std::nullopt, "");
+}
+
+// No pixel may be beyond: a limit on the extreme that is worst.
+void addHard(std::vector<compare::BudgetCheck>& checks, const compare::Metric& metric, const Threshold& threshold) {
+  if (!threshold.hardFail && !threshold.hardWarn) return;
+  for (const compare::Statistic& statistic : metric.statistics)
+    if (statistic.name == metric.name + ".max" || statistic.name == metric.name + ".min" || statistic.name == "maxabs")
+      return addLimits(checks, statistic, threshold.hardWarn, threshold.hardFail, "hard");
+  throw misuse(threshold.hardFail ? "--hardfail" : "--hardwarn", metric.name, "has no value for a single pixel");
+}
+
+void requireSense(const std::string& name, const Threshold& t) {
+  if (t.failPercent && !t.fail) throw misuse("--failpercent", name, "of the pixels over what? It belongs to a --fail");
+  if (t.warnPercent && !t.warn) throw misuse("--warnpercent", name, "of the pixels over what? It belongs to a --warn");
+  if (!t.fail && !t.warn && !t.hardFail && !t.hardWarn)
+    throw misuse("--metric", name, "no limit stands behind it: --fail, --warn, --hardfail or --hardwarn");
+}
+
+} // namespace
+
+std::vector<compare::BudgetCheck> makeChecks(const std::vector<Threshold>& thresholds, bool hdr) {
+  std::vector<compare::BudgetCheck> checks;
+  for (const Threshold& threshold : thresholds) {
+    const std::string name = !threshold.metric.empty() ? threshold.metric : hdr ? "hdrflip" : "flip";
+    const compare::Metric* metric = compare::findMetric(name);
+    const bool pixelwise = metric && metric->hasFractionOver;
+    if (metric && !pixelwise && !compare::statisticByName(name))
+      throw misuse("--metric", name, fmt::format("which of its figures? {}", joinFigures(*metric)));
+    requireSense(name, threshold);
+    if (pixelwise) {
+      addPixelwise(checks, *metric, "fail", threshold.fail, threshold.failPercent);
+      addPixelwise(checks, *metric, "warn", threshold.warn, threshold.warnPercent);
+    } else {
+      const compare::Statistic statistic = compare::requireStatistic(name, "--metric");
+      if (threshold.failPercent || threshold.warnPercent)
+        throw misuse(threshold.failPercent ? "--failpercent" : "--warnpercent", name,
+                     "is one figure of the whole region; percents count the pixels of a metric such as flip");
+      addLimits(checks, statistic, threshold.warn, threshold.fail, "");
+      metric = &compare::requireMetric(statistic.metric, "--metric");
+    }
+    addHard(checks, *metric, threshold);
+  }
+  return checks;
+}
+
+} // namespace parity::job

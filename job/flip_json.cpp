@@ -1,0 +1,173 @@
+// The result of parity flip as JSON and as CSV.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "compare/json_writer.h"
+#include "compare/text.h"
+#include "job/flip_text.h"
+#include "job/version.h"
+
+namespace parity::job {
+
+namespace {
+
+void addFigures(compare::JsonWriter& json, const char* key, const compare::Figures& figures) {
+  json.key(key);
+  if (figures.pixels == 0) return json.null();
+  json.beginObject();
+  json.key("pixels").integer(figures.pixels);
+  json.key("nonFinite").integer(figures.nonFinite);
+  json.key("metrics").beginObject();
+  for (const compare::Figure& figure : figures.values) json.key(figure.name).number(figure.value);
+  json.endObject();
+  json.key("referenceLuma").number(figures.referenceLuma);
+  json.key("testLuma").number(figures.testLuma);
+  json.endObject();
+}
+
+void addLimit(compare::JsonWriter& json, const char* key, const std::optional<double>& limit) {
+  json.key(key);
+  if (limit)
+    json.number(*limit);
+  else
+    json.null();
+}
+
+void addRow(compare::JsonWriter& json, const FlipRow& row) {
+  json.beginObject();
+  json.key("name").text(row.figures.name);
+  json.key("verdict").text(compare::nameOf(row.verdict));
+  json.key("reason").text(row.reason);
+  addFigures(json, "all", row.figures.all);
+  addFigures(json, "interior", row.figures.interior);
+  json.key("checks").beginArray();
+  for (const compare::CheckResult& check : row.checks) {
+    json.beginObject();
+    json.key("metric").text(check.metric);
+    json.key("region").text(check.region);
+    json.key("value").number(check.value);
+    addLimit(json, "warn", check.warnAbove);
+    addLimit(json, "fail", check.failAbove);
+    json.key("verdict").text(compare::nameOf(check.verdict));
+    json.key("note").text(check.note);
+    json.endObject();
+  }
+  json.endArray();
+  json.endObject();
+}
+
+void addPooling(compare::JsonWriter& json, const std::optional<compare::Pooling>& pooling) {
+  json.key("pooling");
+  if (!pooling) return json.null();
+  json.beginObject();
+  json.key("mean").number(pooling->mean);
+  json.key("weightedMedian").number(pooling->weightedMedian);
+  json.key("weightedQ1").number(pooling->weightedQ1);
+  json.key("weightedQ3").number(pooling->weightedQ3);
+  json.key("min").number(pooling->min);
+  json.key("max").number(pooling->max);
+  json.key("histogram").beginArray();
+  for (const std::uint64_t count : pooling->histogram) json.integer(count);
+  json.endArray();
+  json.endObject();
+}
+
+void addTexts(compare::JsonWriter& json, const char* key, const std::vector<std::string>& texts) {
+  json.key(key).beginArray();
+  for (const std::string& text : texts) json.text(text);
+  json.endArray();
+}
+
+void addPair(compare::JsonWriter& json, const FlipPair& pair, bool warnExit) {
+  json.beginObject();
+  json.key("name").text(pair.files.name);
+  json.key("reference").text(pair.files.reference.generic_string());
+  json.key("test").text(pair.files.test.generic_string());
+  if (pair.width > 0) {
+    json.key("width").integer(pair.width);
+    json.key("height").integer(pair.height);
+    json.key("channels").text(pair.channels);
+    json.key("range").text(pair.hdr ? "hdr" : "ldr");
+    json.key("rangeReason").text(pair.rangeReason);
+    json.key("referenceSpace").text(pair.referenceSpace);
+    json.key("testSpace").text(pair.testSpace);
+    json.key("identical").boolean(pair.identical);
+  }
+  addTexts(json, "notes", pair.notes);
+  json.key("verdict").text(compare::nameOf(pair.verdict));
+  json.key("exitCode").integer(exitCode(pair, warnExit));
+  json.key("reason").text(pair.reason);
+  std::vector<std::string> files;
+  for (const auto& file : pair.written) files.push_back(file.generic_string());
+  addTexts(json, "files", files);
+  addPooling(json, pair.pooling);
+  json.key("regions").beginArray();
+  for (const FlipRow& row : pair.rows) addRow(json, row);
+  json.endArray();
+  json.endObject();
+}
+
+// RFC 4180: quoted where it has to be. One line a row, also for programs that read line by line.
+std::string cell(const std::string& raw) {
+  const std::string text = compare::plainLine(raw);
+  if (text.find_first_of(",\"") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+// The figures that any row has, in the order of the first that has them.
+std::vector<std::string> figureNames(const FlipResult& result) {
+  std::vector<std::string> names;
+  for (const FlipPair& pair : result.pairs)
+    for (const FlipRow& row : pair.rows)
+      for (const compare::Figure& figure : row.figures.all.values)
+        if (std::find(names.begin(), names.end(), figure.name) == names.end()) names.push_back(figure.name);
+  return names;
+}
+
+} // namespace
+
+std::string toJson(const FlipResult& result, bool warnExit) {
+  compare::JsonWriter json;
+  json.beginObject();
+  json.key("tool").text("parity");
+  json.key("version").text(kVersion);
+  json.key("format").integer(1);
+  json.key("verdict").text(compare::nameOf(worstVerdict(result)));
+  json.key("exitCode").integer(exitCode(result, warnExit));
+  json.key("pairs").beginArray();
+  for (const FlipPair& pair : result.pairs) addPair(json, pair, warnExit);
+  json.endArray();
+  json.endObject();
+  return json.finish();
+}
+
+std::string toCsv(const FlipResult& result, bool warnExit) {
+  const std::vector<std::string> names = figureNames(result);
+  std::string out = "pair,reference,test,region,range,verdict,exit_code,pixels,non_finite";
+  for (const std::string& name : names) out += ',' + cell(name);
+  out += ",reason\r\n";
+  for (const FlipPair& pair : result.pairs) {
+    const std::string head = fmt::format("{},{},{}", cell(pair.files.name), cell(pair.files.reference.generic_string()),
+                                         cell(pair.files.test.generic_string()));
+    const int code = exitCode(pair, warnExit);
+    if (pair.rows.empty())
+      out += fmt::format("{},,,{},{},,{},{}\r\n", head, compare::nameOf(pair.verdict), code,
+                         std::string(names.size(), ','), cell(pair.reason));
+    for (const FlipRow& row : pair.rows) {
+      const compare::Figures& all = row.figures.all;
+      out += fmt::format("{},{},{},{},{},{},{}", head, cell(row.figures.name), pair.hdr ? "hdr" : "ldr",
+                         compare::nameOf(row.verdict), code, all.pixels, all.nonFinite);
+      for (const std::string& name : names) {
+        const auto value = all.find(name);
+        out += value ? fmt::format(",{}", *value) : ",";
+      }
+      out += ',' + cell(row.reason) + "\r\n";
+    }
+  }
+  return out;
+}
+
+} // namespace parity::job

@@ -1,0 +1,94 @@
+// parity flip: pairs of pictures in, figures, verdicts and maps out, one pair after the other.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/budget.h"
+#include "compare/figures.h"
+#include "compare/metric.h"
+#include "compare/pooling.h"
+#include "job/flip_checks.h"
+#include "job/image_pairs.h"
+#include "job/mask_file.h"
+#include "job/plain_image.h"
+
+namespace parity::job {
+
+enum class DynamicRange { automatic, ldr, hdr };
+
+// Files to write; empty paths: none. With many pairs each is a folder that gets one file a pair, of that kind.
+struct FlipOutputs {
+  std::filesystem::path map;         // FLIP of the pair: .png in magma, .exr and .pfm as values; 0 outside the area
+  std::filesystem::path exposureMap; // HDR pairs: which exposure the error is worst at, i/(n-1); same kinds
+  std::filesystem::path histogram;   // .svg
+  std::string mapKind = ".png";      // of map and exposureMap in folders
+};
+
+struct FlipRequest {
+  FilePairs files;
+  PlainImageOptions image;
+  DynamicRange range = DynamicRange::automatic;
+  std::vector<std::string> metrics; // empty: defaultMetrics(); what limits name is added
+  compare::MetricOptions metric;    // its box is set for each pair
+  MaskRequest mask;
+  std::vector<Threshold> thresholds;
+  std::optional<compare::Budgets> budgets;
+  bool worstNonFinite = false; // pixels that are NaN or infinite count as the worst error and fail; else an error
+  FlipOutputs outputs;
+};
+
+// One region of one pair.
+struct FlipRow {
+  compare::RegionFigures figures; // its name: "image", "area", "mask", "id 7", "alpha", "alpha, id 7"
+  std::vector<compare::CheckResult> checks;
+  compare::Verdict verdict = compare::Verdict::pass;
+  std::string reason; // one sentence: what decided the verdict; empty on a pass
+  compare::AppliedRule rule;
+};
+
+struct FlipPair {
+  FilePair files;
+  int width = 0, height = 0;
+  std::string channels; // "RGB + alpha"
+  bool hdr = false;
+  std::string rangeReason;                 // why LDR or HDR
+  std::string referenceSpace, testSpace;   // "srgb, assumed of 8-bit integers"
+  std::vector<std::string> notes;          // what else was assumed or left out
+  bool identical = false, black = false;   // every pixel is the same; all of them are black, in both
+  std::optional<compare::Pooling> pooling; // of the FLIP map over the image; none with a mask or an area
+  std::vector<FlipRow> rows;
+  std::vector<std::filesystem::path> written; // files
+  compare::Verdict verdict = compare::Verdict::pass;
+  std::string reason; // one sentence: the first row's that decided the verdict, or the error
+  int errorCode = 0;  // 3 or 4 where the verdict is `error`
+};
+
+struct FlipResult {
+  std::vector<FlipPair> pairs;
+  bool judged = false; // any limits were given
+};
+
+// What a run measures that names no metrics, the cheap ones: flip, rmse, psnr, bias; of HDR pairs hdrflip, relmse,
+// bias.
+std::vector<std::string> defaultFlipMetrics(bool hdr);
+
+// What makes sense for no pair at all: limits and metrics that are unknown, or need HDR where LDR is asked for. Throws
+// Error (usage).
+void requireSense(const FlipRequest& request);
+
+// What is wrong with one pair (missing, unreadable, not comparable, non-finite) is its own result, and the others still
+// run. Memory is that of one pair. Throws Error as requireSense().
+// progress (may be empty) is told the name of the pair at work, and how much of all is done, 0..1.
+FlipResult runFlip(const FlipRequest& request, const std::function<void(const std::string&, double)>& progress = {});
+
+compare::Verdict worstVerdict(const FlipResult& result);
+
+// Of one pair: 0, 1 (warnings, only with warnExit), 2, 3 or 4; of all, the highest (DESIGN 8).
+int exitCode(const FlipPair& pair, bool warnExit);
+int exitCode(const FlipResult& result, bool warnExit);
+
+} // namespace parity::job

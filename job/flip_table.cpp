@@ -1,0 +1,164 @@
+// The result of parity flip for people.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "compare/metric.h"
+#include "compare/text.h"
+#include "compare/wording.h"
+#include "job/flip_text.h"
+
+namespace parity::job {
+
+namespace {
+
+using compare::Verdict;
+
+std::string word(Verdict verdict) {
+  return verdict == Verdict::fail ? "FAIL" : verdict == Verdict::error ? "ERROR" : compare::nameOf(verdict);
+}
+
+// Six digits where a figure has no unit: this is where one looks for the last ones.
+std::string preciseFigure(const std::string& name, double value) {
+  const auto statistic = compare::statisticByName(name);
+  const bool plain = statistic && statistic->unit.empty() && std::isfinite(value);
+  return plain ? fmt::format("{:.6f}", value) : compare::formatFigure(name, value);
+}
+
+std::string describePair(const FlipPair& pair) {
+  std::string out = fmt::format("{}x{}, {}, {}: {}\n", pair.width, pair.height, pair.channels, pair.hdr ? "HDR" : "LDR",
+                                pair.rangeReason);
+  const bool same = pair.referenceSpace == pair.testSpace;
+  out += same ? fmt::format("colour: {}\n", pair.referenceSpace)
+              : fmt::format("colour: {}; the test: {}\n", pair.referenceSpace, pair.testSpace);
+  for (const std::string& note : pair.notes) out += fmt::format("note: {}\n", compare::plainLine(note));
+  return out;
+}
+
+std::string listFigures(const FlipPair& pair) {
+  std::string out = describePair(pair);
+  const FlipRow& row = pair.rows.front();
+  for (const compare::Figure& figure : row.figures.all.values)
+    out += fmt::format("{} {}\n", compare::fitColumns(figure.name, 24), preciseFigure(figure.name, figure.value));
+  if (pair.pooling) {
+    const std::string flip = pair.hdr ? "hdrflip" : "flip";
+    for (const auto& [name, value] : {std::pair{"weighted median", pair.pooling->weightedMedian},
+                                      {"weighted Q1", pair.pooling->weightedQ1},
+                                      {"weighted Q3", pair.pooling->weightedQ3},
+                                      {"min", pair.pooling->min}})
+      out += fmt::format("{} {:.6f}\n", compare::fitColumns(flip + " " + name, 24), value);
+  }
+  if (row.figures.all.find("bias.ev")) out += compare::describeBias(row.figures.all, "the test") + "\n";
+  return out;
+}
+
+// What a table has room for: what is judged, each metric's first figure, and FLIP's tail.
+std::vector<std::string> columnsOf(const FlipResult& result) {
+  std::vector<std::string> columns;
+  const auto add = [&](const std::string& name) {
+    if (std::find(columns.begin(), columns.end(), name) == columns.end()) columns.push_back(name);
+  };
+  for (const FlipPair& pair : result.pairs)
+    for (const FlipRow& row : pair.rows)
+      for (const compare::CheckResult& check : row.checks) add(check.metric);
+  for (const compare::Metric& metric : compare::metricRegistry())
+    for (const FlipPair& pair : result.pairs)
+      for (const FlipRow& row : pair.rows)
+        for (std::size_t i = 0; i < metric.statistics.size(); ++i) {
+          const std::string& name = metric.statistics[i].name;
+          if ((i == 0 || name.ends_with("flip.p95") || name.ends_with("flip.max")) && row.figures.all.find(name))
+            add(name);
+        }
+  return columns;
+}
+
+using Cells = std::vector<std::string>;
+
+// The first `left` columns flush left, the others flush right; the last one is free text.
+std::string layOut(const std::vector<Cells>& lines, std::size_t left) {
+  std::vector<std::size_t> widths(lines.front().size(), 0);
+  for (const Cells& line : lines)
+    for (std::size_t c = 0; c + 1 < line.size(); ++c) widths[c] = std::max(widths[c], compare::displayWidth(line[c]));
+  std::string out;
+  for (const Cells& line : lines) {
+    std::string text;
+    for (std::size_t c = 0; c + 1 < line.size(); ++c) {
+      const std::string padding(widths[c] - compare::displayWidth(line[c]), ' ');
+      text += c < left ? line[c] + padding + "  " : padding + line[c] + "  ";
+    }
+    text += line.back();
+    text.erase(text.find_last_not_of(' ') + 1);
+    out += text + '\n';
+  }
+  return out;
+}
+
+std::string tabulate(const FlipResult& result) {
+  const std::vector<std::string> columns = columnsOf(result);
+  Cells head = {"verdict", "pair", "region"};
+  head.insert(head.end(), columns.begin(), columns.end());
+  head.push_back("");
+  std::vector<Cells> lines = {head};
+  for (const FlipPair& pair : result.pairs) {
+    const std::string name = compare::plainLine(pair.files.name);
+    if (pair.rows.empty()) {
+      Cells line(head.size());
+      line[0] = word(pair.verdict), line[1] = name, line.back() = compare::plainLine(pair.reason);
+      lines.push_back(line);
+    }
+    for (const FlipRow& row : pair.rows) {
+      Cells line = {word(row.verdict), name, compare::plainLine(row.figures.name)};
+      for (const std::string& column : columns) {
+        const auto value = row.figures.all.find(column);
+        line.push_back(value ? compare::formatFigure(column, *value) : "");
+      }
+      line.push_back(row.reason.empty() && pair.identical ? "identical" : compare::plainLine(row.reason));
+      lines.push_back(line);
+    }
+  }
+  std::string out = layOut(lines, 3);
+  for (const FlipPair& pair : result.pairs)
+    for (const std::string& note : pair.notes)
+      out += fmt::format("note: {}: {}\n", compare::plainLine(pair.files.name), compare::plainLine(note));
+  return out;
+}
+
+std::string describeOutcome(const FlipResult& result) {
+  std::size_t bad = 0, warned = 0;
+  const FlipPair* first = nullptr;
+  const Verdict worst = worstVerdict(result);
+  for (const FlipPair& pair : result.pairs) {
+    bad += pair.verdict == Verdict::fail || pair.verdict == Verdict::error;
+    warned += pair.verdict == Verdict::warn;
+    if (!first && pair.verdict == worst) first = &pair;
+  }
+  const std::size_t count = result.pairs.size();
+  const std::string reason = first ? compare::plainLine(first->reason) : "";
+  if (count > 1 && bad > 0)
+    return fmt::format("FAIL: {} of {} pairs; {}: {}", bad, count, compare::plainLine(first->files.name), reason);
+  if (bad > 0) return fmt::format("{}: {}", word(worst), reason);
+  if (warned > 0)
+    return count > 1 ? fmt::format("warning: {} of {} pairs; {}: {}", warned, count,
+                                   compare::plainLine(first->files.name), reason)
+                     : fmt::format("warning: {}", reason);
+  if (count == 1 && result.pairs[0].identical)
+    return fmt::format("{}: every pixel is the same{}", result.judged ? "pass, identical" : "identical",
+                       result.pairs[0].black ? ", and black, in both" : "");
+  const auto same = static_cast<std::size_t>(
+      std::count_if(result.pairs.begin(), result.pairs.end(), [](const FlipPair& p) { return p.identical; }));
+  const std::string identical = same > 0 ? fmt::format(", {} of them identical", same) : "";
+  if (count > 1)
+    return fmt::format("{}: {} pairs{}", result.judged ? "pass, within the limits" : "compared, no limits were given",
+                       count, identical);
+  return result.judged ? "pass: within the limits" : "compared: no limits were given";
+}
+
+} // namespace
+
+std::string toTable(const FlipResult& result) {
+  const bool single = result.pairs.size() == 1 && result.pairs[0].rows.size() == 1;
+  return (single ? listFigures(result.pairs[0]) : tabulate(result)) + describeOutcome(result) + "\n";
+}
+
+} // namespace parity::job
