@@ -1,0 +1,25 @@
+// What options have in common: values with checks, and how a wrong one is refused. Only for the files that know CLI11.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace parity::cli {
+
+// "--option: 'value' is not WANTED".
+CLI::ValidationError invalid(const std::string& option, const std::string& value, const std::string& wanted);
+
+// "a,b,c" as exactly `count` finite numbers. Throws invalid().
+std::vector<float> parseNumbers(const std::string& option, const std::string& text, std::size_t count,
+                                const std::string& wanted);
+
+// As CLI::Range, but NaN lies in no range.
+CLI::Validator within(double least, double most);
+
+// A file that can only be written as one of these kinds (extensions with their dots, in lower case).
+CLI::Validator fileOfKind(const std::vector<std::string>& extensions);
+
+} // namespace parity::cli

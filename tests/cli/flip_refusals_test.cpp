@@ -1,0 +1,96 @@
+// parity flip never passes what it could not compare.
+#include <limits>
+
+#include "base/image_io.h"
+#include "cli/flip_pictures.h"
+
+namespace parity::tests {
+namespace {
+
+class FlipRefusals : public testing::Test {
+protected:
+  std::string write(const std::string& name, const base::Image& image) const {
+    base::writeImage(m_folder / name, image);
+    return (m_folder / name).string();
+  }
+  const TempFolder m_folder;
+};
+
+TEST_F(FlipRefusals, NanOrInfinityInEitherImageIsAnErrorWithCountAndPlace) {
+  const std::string good = write("good.exr", makePicture(8, 8));
+  for (const float value : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    base::Image image = makePicture(8, 8);
+    image.at(3, 2)[1] = image.at(5, 6)[0] = value;
+    const std::string bad = write("bad.exr", image);
+    for (const std::vector<std::string>& pair : {std::vector{good, bad}, {bad, good}, {bad, bad}})
+      expectRefused(runParity(join({{"flip"}, pair})), 4, {"bad.exr", "x 3, y 2", "2 pixels are NaN or infinite"});
+  }
+}
+
+TEST_F(FlipRefusals, NonFinitePixelsCountedAsTheWorstErrorStillFail) {
+  base::Image image = makePicture(8, 8);
+  const std::string good = write("good.exr", image);
+  image.at(3, 2)[1] = std::nanf("");
+  const std::string bad = write("bad.exr", image);
+  for (const std::vector<std::string>& pair : {std::vector{good, bad}, {bad, good}, {bad, bad}}) {
+    const nlohmann::json json =
+        flipJson(join({pair, {"--non-finite", "worst", "--metric", "flip.mean", "--fail", "1"}}), 2);
+    EXPECT_EQ(json["pairs"][0]["regions"][0]["all"]["nonFinite"], 1);
+    EXPECT_EQ(firstFigures(json)["flip.max"], 1);
+    EXPECT_TRUE(contains(json["pairs"][0]["reason"], "NaN")) << json["pairs"][0]["reason"];
+  }
+}
+
+TEST_F(FlipRefusals, DifferentSizesAndChannelsAreNotComparable) {
+  const std::string rgb = write("rgb.png", makePicture(16, 8)), other = write("other.png", makePicture(8, 16)),
+                    grey = write("grey.png", base::Image(16, 8, 1, 0.5f)),
+                    rgba = write("rgba.png", base::Image(16, 8, 4, 1.f));
+  expectRefused(runParity({"flip", rgb, other}), 3, {"other.png", "8x16", "16x8"});
+  expectRefused(runParity({"flip", rgb, grey}), 3, {"grey.png", "grey", "RGB"});
+  expectRefused(runParity({"flip", rgb, rgba}), 3, {"rgba.png", "RGB + alpha", "--alpha ignore"});
+  EXPECT_TRUE(exitedWith(0, runParity({"flip", rgb, rgba, "--alpha", "ignore"})));
+}
+
+TEST_F(FlipRefusals, EmptyMaskAndMaskOfAnotherSizeAreErrors) {
+  const std::string a = write("a.png", makePicture(16, 8)), b = write("b.png", makePicture(16, 8, 0.8f));
+  const std::string black = write("black.png", base::Image(16, 8, 1, 0.f)),
+                    small = write("small.png", base::Image(8, 8, 1, 1.f)),
+                    half = write("half.exr", base::Image(16, 8, 1, 0.5f));
+  expectRefused(runParity({"flip", a, b, "--mask", black}), 4, {"black.png", "empty"});
+  expectRefused(runParity({"flip", a, b, "--mask", small}), 3, {"small.png", "8x8", "16x8"});
+  expectRefused(runParity({"flip", a, b, "--mask", half}), 4, {"half.exr", "x 0, y 0", "0.5", "whole numbers"});
+  expectRefused(runParity({"flip", a, b, "--mask", (m_folder / "no.png").string()}), 4, {"no.png", "exist"});
+  expectRefused(runParity({"flip", a, b, "--region", "8,0,9,8"}), 3, {"--region", "16x8"});
+}
+
+TEST_F(FlipRefusals, HdrPairThatIsMostlyBlackIsStillMeasured) {
+  base::Image image(64, 64, 3);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x)
+      for (int c = 0; c < 3; ++c) image.at(x, y)[c] = 4 + 0.1f * static_cast<float>(x + y);
+  const std::string a = write("a.exr", image), b = write("b.exr", changed(image, [](float v) { return 0.3f * v; }));
+  const nlohmann::json json = flipJson({a, b, "--metric", "hdrflip.max", "--fail", "0.1"}, 2);
+  EXPECT_EQ(json["pairs"][0]["range"], "hdr");
+  EXPECT_GT(firstFigures(json)["hdrflip.max"].get<double>(), 0.1);
+}
+
+TEST_F(FlipRefusals, TwoBlackImagesAreIdenticalAndSaySo) {
+  for (const char* name : {"black.png", "black.exr"}) {
+    const std::string black = write(name, base::Image(16, 16, 3));
+    const RunResult result = runParity({"flip", black, black, "--metric", "flip.mean", "--fail", "0.1"});
+    EXPECT_TRUE(exitedWith(0, result));
+    EXPECT_TRUE(contains(result.out, "identical")) << result.out;
+    EXPECT_TRUE(contains(result.out, "black")) << result.out;
+    EXPECT_TRUE(exitedWith(0, runParity({"flip", black, black, "--hdr"})));
+  }
+}
+
+TEST_F(FlipRefusals, OutputThatWouldOverwriteAnInputIsAUsageError) {
+  const std::string a = write("a.png", makePicture(16, 8)), b = write("b.png", makePicture(16, 8));
+  const RunResult result = runParity({"flip", a, b, "-o", a});
+  EXPECT_TRUE(exitedWith(64, result));
+  EXPECT_TRUE(contains(result.err, "one of the images")) << result.err;
+}
+
+} // namespace
+} // namespace parity::tests
