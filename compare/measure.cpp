@@ -127,15 +127,21 @@ Measurement measureRegions(const ImagePair& pair, const std::vector<base::PixelL
       figures.testLuma = meanOf(test, region);
     });
   }
+  MetricMaps maps;
+  std::string mapsName;
   for (const Plan& plan : plans) {
-    MetricMaps maps = plan.metric->makeMaps(input, request.options);
+    if (mapsName.empty() || mapsName != plan.metric->mapsName) {
+      maps = {}; // before the next ones are made
+      maps = plan.metric->makeMaps(input, request.options);
+    }
+    mapsName = plan.metric->mapsName;
     if (!plan.statistics.empty())
       forParts(regions, out.regions, [&](const RegionRuns& region, Figures& figures) {
         const std::vector<double> values = plan.metric->pool(maps, region, plan.statistics);
         for (std::size_t i = 0; i < values.size(); ++i) figures.values.push_back({plan.statistics[i].name, values[i]});
       });
     if (!maps.note.empty()) out.notes.push_back(plan.metric->name + ": " + maps.note);
-    if (plan.keepMap) out.maps.emplace_back(plan.metric->name, std::move(maps.planes[0]));
+    if (plan.keepMap) out.maps.emplace_back(plan.metric->name, maps.planes[0]);
   }
   return out;
 }

@@ -39,6 +39,8 @@ struct Metric {
   std::vector<Statistic> statistics; // its figures, in the order of reports
   bool hasFractionOver = false;      // also fraction_over(X): the share of weight strictly above X
 
+  // Metrics that name the same maps, and stand one after the other in the registry, share them. Empty: none.
+  std::string mapsName;
   // The maps of a pair. At input.nonFinite they hold the metric's worst value.
   std::function<MetricMaps(const MetricInput& input, const MetricOptions& options)> makeMaps;
   // One value for each wanted statistic of this metric, over a region of at least one pixel that lies within the box.

@@ -22,7 +22,8 @@ constexpr double kWorstEv = 13, kWorstLab = 100;
 MetricMaps makeMaps(const MetricInput& input, const MetricOptions& options) {
   const Rect box = boxOf(input, options);
   MetricMaps maps;
-  maps.planes.assign(input.nonFinite.empty() ? kUnusable : kPlanes, base::Image(input.width(), input.height(), 1));
+  for (int plane = 0; plane < (input.nonFinite.empty() ? kUnusable : kPlanes); ++plane)
+    maps.planes.emplace_back(input.width(), input.height(), 1);
   const int n = box.width;
   forRows(box, [&](int y) {
     std::vector<float> rows(9 * static_cast<std::size_t>(n));

@@ -15,6 +15,7 @@ Metric makePsnrMetric() {
   metric.description =
       "10 log10(1 / mean squared difference of displayed values), dB; infinite where they are identical";
   metric.statistics = {{"psnr", "psnr", "PSNR", "dB", Better::higher, 0, std::numeric_limits<double>::infinity(), 1}};
+  metric.mapsName = "squared error";
   metric.makeMaps = squaredErrorMaps;
   metric.pool = [](const MetricMaps& maps, const RegionRuns& region, std::span<const Statistic> wanted) {
     return std::vector<double>(wanted.size(), psnrOfMse(meanOf(maps.planes[0], region)));

@@ -10,8 +10,8 @@ namespace parity::compare {
 
 const std::vector<Metric>& metricRegistry() {
   static const std::vector<Metric> kMetrics = {
-      makeFlipMetric(), makeHdrFlipMetric(), makeSsimMetric(), makeMsSsimMetric(), makeDeltaEMetric(),
-      makeRmseMetric(), makeRelMseMetric(),  makePsnrMetric(), makeMaxAbsMetric(), makeBiasMetric(),
+      makeFlipMetric(), makeHdrFlipMetric(), makeSsimMetric(),   makeMsSsimMetric(), makeDeltaEMetric(),
+      makeRmseMetric(), makePsnrMetric(),    makeRelMseMetric(), makeMaxAbsMetric(), makeBiasMetric(),
   };
   return kMetrics;
 }

@@ -25,6 +25,7 @@ Metric makeRmseMetric() {
   metric.label = "RMSE";
   metric.description = "root of the mean squared difference of displayed values, over pixels and RGB; 0..1";
   metric.statistics = {{"rmse", "rmse", "RMSE", "", Better::lower, 0, 1, 4}};
+  metric.mapsName = "squared error";
   metric.makeMaps = squaredErrorMaps;
   metric.pool = [](const MetricMaps& maps, const RegionRuns& region, std::span<const Statistic> wanted) {
     return std::vector<double>(wanted.size(), std::sqrt(meanOf(maps.planes[0], region)));

@@ -10,18 +10,13 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "compare/metrics.h"
+#include "compare/stretch.h"
 #include "compare/value_histogram.h"
 
 namespace parity::compare {
 namespace {
 
 constexpr std::size_t kPiecePixels = 65536; // about; one task, with a histogram of its own
-
-// A stretch of values with their weights (null: all 1).
-struct Stretch {
-  const float *values, *weights;
-  std::size_t count;
-};
 
 using Buckets = std::array<std::uint64_t, 100>;
 
@@ -38,40 +33,8 @@ struct Partial {
 struct Task {
   const DistributionRequest& request;
   bool plain = false;
+  bool sumOnly = false;
 };
-
-void addSums(Partial& partial, const Stretch& s) {
-  // Lanes of their own, so that the compiler may take them at once without changing the order of any sum.
-  double sums[4] = {};
-  float low[4], high[4];
-  std::fill_n(low, 4, partial.min);
-  std::fill_n(high, 4, partial.max);
-  const auto take = [&](std::size_t i, int lane) {
-    const float v = s.values[i];
-    sums[lane] += s.weights ? static_cast<double>(v) * static_cast<double>(s.weights[i]) : static_cast<double>(v);
-    low[lane] = v < low[lane] ? v : low[lane];
-    high[lane] = v > high[lane] ? v : high[lane];
-  };
-  std::size_t i = 0;
-  for (; i + 4 <= s.count; i += 4)
-    for (int lane = 0; lane < 4; ++lane) take(i + static_cast<std::size_t>(lane), lane);
-  for (; i < s.count; ++i) take(i, 0);
-  partial.sum += (sums[0] + sums[1]) + (sums[2] + sums[3]);
-  partial.min = *std::min_element(low, low + 4);
-  partial.max = *std::max_element(high, high + 4);
-}
-
-double weightAbove(const Stretch& s, float threshold) {
-  double sum = 0;
-  if (s.weights)
-    for (std::size_t i = 0; i < s.count; ++i) sum += s.values[i] > threshold ? static_cast<double>(s.weights[i]) : 0.;
-  else {
-    std::uint32_t count = 0;
-    for (std::size_t i = 0; i < s.count; ++i) count += s.values[i] > threshold;
-    sum = count;
-  }
-  return sum;
-}
 
 // A region's values cut into tasks, the same whatever the number of threads.
 class Pieces {
@@ -120,7 +83,11 @@ Partial poolPiece(std::span<const Stretch> stretches, const Task& task) {
   partial.above.assign(request.thresholds.size(), 0.);
   if (!request.fractions.empty()) partial.histogram = std::make_unique<HistogramBuilder>();
   for (const Stretch& s : stretches) {
-    addSums(partial, task.plain ? Stretch{s.values, nullptr, s.count} : s);
+    partial.sum += sumOf(task.plain ? Stretch{s.values, nullptr, s.count} : s);
+    if (task.sumOnly) continue;
+    const Extremes extremes = extremesOf(s);
+    partial.min = std::min(partial.min, extremes.min);
+    partial.max = std::max(partial.max, extremes.max);
     for (std::size_t t = 0; t < request.thresholds.size(); ++t)
       partial.above[t] += weightAbove(s, static_cast<float>(request.thresholds[t]));
     if (partial.histogram) partial.histogram->add(s.values, s.weights, s.count);
@@ -214,7 +181,10 @@ Distribution poolPlane(const base::Image& plane, const RegionRuns& region, const
   return out;
 }
 
-double meanOf(const base::Image& plane, const RegionRuns& region) { return poolPlane(plane, region).mean; }
+double meanOf(const base::Image& plane, const RegionRuns& region) {
+  const DistributionRequest nothing;
+  return poolPieces(Pieces(plane, region), {nothing, false, true}).all.sum / region.weight;
+}
 
 double largestOf(const base::Image& plane, const RegionRuns& region) { return poolPlane(plane, region).max; }
 
