@@ -51,6 +51,11 @@ const BadUsage kBadUsages[] = {
     {"UnknownDisplay", {"diff", "builtin:furnace", "--display", "Rec.2020"}, {"--display", "ACES SDR"}},
     {"UnknownPreset", {"diff", "builtin:furnace", "--mobile-preset", "ue5"}, {"--mobile-preset", "ue4-2020"}},
     {"UnknownPrecision", {"diff", "builtin:furnace", "--precision", "fp64"}, {"--precision", "fp32"}},
+    {"UnknownMetric", {"diff", "builtin:furnace", "--metrics", "flip,pnsr"}, {"--metrics", "'pnsr'", "'psnr'"}},
+    {"NoMetric", {"diff", "builtin:furnace", "--metrics", ""}, {"--metrics"}},
+    {"MetricsOfARender",
+     {"render", "builtin:furnace", "--path", "mobile", "-o", "o.exr", "--metrics", "flip"},
+     {"--metrics"}},
     {"UnknownGeometryTerm", {"diff", "builtin:furnace", "--geometry-term", "smith"}, {"height-correlated"}},
 };
 
