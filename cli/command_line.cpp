@@ -1,4 +1,4 @@
-// The only file that knows CLI11.
+// The subcommands and their options, by CLI11.
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -7,14 +7,19 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/color.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/log.h"
+#include "cli/budget_options.h"
+#include "cli/flip_options.h"
 #include "cli/invocation.h"
+#include "cli/option_parts.h"
 #include "cli/output.h"
 #include "compare/flip.h"
+#include "compare/measure.h"
 #include "job/version.h"
 
 namespace parity::cli {
@@ -26,27 +31,9 @@ struct RawOptions {
   std::string size = "1024x1024", sun, orbit, target, background, geometryTerm = "height-correlated", camera = "auto",
               precision = "fp32";
   std::string cache;
+  std::string metrics = fmt::format("{}", fmt::join(compare::defaultMetrics(), ","));
   bool noCompensation = false, noCache = false, quiet = false, verbose = false, validation = false;
 };
-
-CLI::ValidationError invalid(const std::string& option, const std::string& value, const std::string& wanted) {
-  return CLI::ValidationError(option, fmt::format("'{}' is not {}", value, wanted));
-}
-
-// "a,b,c" as exactly `count` finite numbers.
-std::vector<float> parseNumbers(const std::string& option, const std::string& text, std::size_t count,
-                                const std::string& wanted) {
-  std::vector<float> numbers;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, ',');) {
-    char* end = nullptr;
-    const float value = std::strtof(part.c_str(), &end);
-    if (part.empty() || *end != '\0' || !std::isfinite(value)) throw invalid(option, text, wanted);
-    numbers.push_back(value);
-  }
-  if (numbers.size() != count || text.back() == ',') throw invalid(option, text, wanted);
-  return numbers;
-}
 
 glm::vec3 parseVec3(const std::string& option, const std::string& text, const std::string& wanted) {
   const auto n = parseNumbers(option, text, 3, wanted);
@@ -63,25 +50,18 @@ void parseSize(const std::string& text, job::Settings& settings) {
     throw invalid("--size", text, fmt::format("WIDTHxHEIGHT with sides of 1 to {}", base::kMaxImageSide));
 }
 
-// As CLI::Range, but NaN lies in no range.
-CLI::Validator within(double least, double most) {
-  const std::string range = fmt::format("{} to {}", least, most);
-  return {[=](std::string& text) {
-            char* end = nullptr;
-            const double value = std::strtod(text.c_str(), &end);
-            const bool good = !text.empty() && *end == '\0' && value >= least && value <= most;
-            return good ? std::string() : fmt::format("'{}' is not a number from {}", text, range);
-          },
-          range};
+std::string metricNames() {
+  std::vector<std::string> names;
+  for (const compare::Metric& metric : compare::metricRegistry()) names.push_back(metric.name);
+  return fmt::format("{}", fmt::join(names, ","));
 }
 
-// A file that can only be written as one of these kinds.
-CLI::Validator fileOfKind(const std::vector<std::string>& extensions) {
-  return {[=](std::string& file) {
-            if (std::count(extensions.begin(), extensions.end(), extensionOf(file)) > 0) return std::string();
-            return fmt::format("'{}' is none of the kinds {}", file, fmt::join(extensions, ", "));
-          },
-          "FILE"};
+std::vector<std::string> parseMetrics(const std::string& option, const std::string& text) {
+  try {
+    return compare::parseMetricNames(text, option);
+  } catch (const base::Error& error) {
+    throw CLI::ValidationError(option, error.place() + ": " + error.reason());
+  }
 }
 
 void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw) {
@@ -150,6 +130,13 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   app.add_flag("-v,--verbose", raw.verbose, "Say more");
 }
 
+// What is measured; nothing is by `render`.
+void addMetricsOption(CLI::App& app, RawOptions& raw) {
+  app.add_option("--metrics", raw.metrics, "Metrics to report, of " + metricNames())
+      ->group("Verdict")
+      ->capture_default_str();
+}
+
 void settle(CommonOptions& common, const RawOptions& raw) {
   job::Settings& s = common.settings;
   parseSize(raw.size, s);
@@ -176,6 +163,7 @@ void settle(CommonOptions& common, const RawOptions& raw) {
     if (s.background.x < 0 || s.background.y < 0 || s.background.z < 0)
       throw invalid("--background", raw.background, "a colour: a channel is negative");
   }
+  s.metrics = parseMetrics("--metrics", raw.metrics);
   s.mobilePreset = mobile::presetByName(s.mobilePresetName);
   s.highend.geometryTerm = raw.geometryTerm == "schlick-smith" ? highend::GeometryTerm::schlickSmith
                                                                : highend::GeometryTerm::heightCorrelated;
@@ -202,6 +190,7 @@ mobile base pass), compares them per material by FLIP, and judges them against b
   parity report scene.glb --env studio.hdr --sun 30,50,4 -o out      a report with pictures: out/index.html
   parity diff   scene.glb --env studio.hdr                           a table, one row a material
   parity flip   reference.png test.png -o map.exr                    any two images
+  parity budget suggest out/report.json -o budgets.toml              limits from what was observed
 )";
 
 constexpr const char* kFooter = R"(
@@ -227,11 +216,12 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       reportApp.add_option("--suite", report.suite, "Suite file (TOML): many scenes with views, light and budgets");
   suite->excludes(reportApp.get_option("scenes"));
   reportApp.add_option("-o,--output", report.folder, "Folder of the report")->required();
-  reportApp.add_flag("--warn-exit", report.warnExit, "Exit 1 where there are warnings only");
+  addVerdictOptions(reportApp, report.verdict);
   reportApp.add_flag("--terms", report.common.settings.terms,
                      "Also measure the terms (sun, sky, lights... diffuse and specular)");
   reportApp.add_option("--json", report.common.json, "Also write report.json there; - for stdout");
   addCommonOptions(reportApp, report.common, raw);
+  addMetricsOption(reportApp, raw);
   // A suite says for itself how each scene is lit and seen.
   for (const char* option : {"--env", "--env-rotation", "--sun", "--camera", "--orbit", "--target", "--fov"})
     suite->excludes(reportApp.get_option(option));
@@ -239,10 +229,11 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   DiffCommand diff;
   CLI::App& diffApp = *app.add_subcommand("diff", "Compare one scene and print a table, one row a material");
   diffApp.add_option("scene", diff.scene, "Scene file or builtin:NAME")->required();
-  diffApp.add_flag("--warn-exit", diff.warnExit, "Exit 1 where there are warnings only");
+  addVerdictOptions(diffApp, diff.verdict);
   diffApp.add_flag("--terms", diff.common.settings.terms, "Also measure the terms");
   diffApp.add_option("--json", diff.common.json, "Write the result as JSON there; - for stdout, instead of the table");
   addCommonOptions(diffApp, diff.common, raw);
+  addMetricsOption(diffApp, raw);
 
   RenderCommand render;
   CLI::App& renderApp = *app.add_subcommand("render", "Render one scene by one path");
@@ -257,17 +248,13 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addCommonOptions(renderApp, render.common, raw);
 
   FlipCommand flip;
-  CLI::App& flipApp = *app.add_subcommand("flip", "LDR-FLIP of any two images");
-  flipApp
-      .add_option("reference", flip.reference, "Reference image (8- or 16-bit sRGB; float images are taken as linear)")
-      ->required();
-  flipApp.add_option("test", flip.test, "Test image of the same size")->required();
-  flipApp.add_option("-o,--output", flip.output, "Error map: .exr or .pfm (values), .png (magma)")
-      ->check(fileOfKind({".exr", ".pfm", ".png"}));
-  flipApp.add_option("--ppd", flip.ppd, "Pixels per degree. Default 67.0206")
-      ->check(within(compare::kMinPixelsPerDegree, compare::kMaxPixelsPerDegree));
-  flipApp.add_option("--json", flip.json, "Write the figures as JSON there; - for stdout");
-  flipApp.add_flag("-q,--quiet", raw.quiet, "Errors only");
+  RawFlipOptions rawFlip;
+  CLI::App& flipApp = *app.add_subcommand("flip", "Compare any two images, two folders of images, or a list of pairs");
+  addFlipOptions(flipApp, flip, rawFlip);
+
+  RawBudgetOptions budget;
+  CLI::App& budgetApp = *app.add_subcommand("budget", "Propose a budget file from earlier reports, or check one");
+  addBudgetOptions(budgetApp, budget);
 
   DevicesCommand devices;
   CLI::App& devicesApp = *app.add_subcommand("devices", "List Vulkan devices, and why each is taken or not");
@@ -289,8 +276,10 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       settle(render.common, raw);
       parsed.command = render;
     } else if (flipApp.parsed()) {
-      base::setLogLevel(raw.quiet ? base::LogLevel::quiet : base::LogLevel::normal);
+      settleFlip(flipApp, flip, rawFlip);
       parsed.command = flip;
+    } else if (budgetApp.parsed()) {
+      parsed.command = settleBudget(budgetApp, budget);
     } else {
       parsed.command = devices;
     }

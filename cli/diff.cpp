@@ -15,13 +15,16 @@ int runDiffCommand(const DiffCommand& command, const std::string& commandLine) {
   job::ReportRequest request;
   request.scenes = {sceneRequest(command.common, command.scene)};
   request.commandLine = commandLine;
+  request.oneOfMany = true;
+  request.baseline = command.verdict.baseline;
   job::Context context(command.common.settings);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
   if (!command.common.json.empty()) writeJson(command.common.json, compare::toJson(result.report));
   if (command.common.json != "-" && result.report.scenes.front().error.empty())
     fmt::print("{}\n", compare::toTable(result.report, stdoutIsTerminal()));
+  printAnnotations(command.verdict.annotate, result.report, command.common.json == "-");
   if (command.common.timings) printTimings(result.run.timings);
-  return compare::exitCode(result.report, command.warnExit);
+  return compare::exitCode(result.report, command.verdict.warnExit);
 }
 
 } // namespace parity::cli

@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "compare/budget_suggest.h"
+#include "job/flip_run.h"
 #include "job/settings.h"
 #include "scenes/suite.h"
 
@@ -22,17 +24,24 @@ struct CommonOptions {
   bool timings = false, quiet = false;
 };
 
+// What a verdict is held against, and how it is told.
+struct VerdictOptions {
+  bool warnExit = false;
+  std::string baseline; // earlier report.json or its folder; empty: none
+  std::string annotate; // "github", or empty
+};
+
 struct ReportCommand {
   CommonOptions common;
+  VerdictOptions verdict;
   std::vector<std::string> scenes;
   std::string suite, folder;
-  bool warnExit = false;
 };
 
 struct DiffCommand {
   CommonOptions common;
+  VerdictOptions verdict;
   std::string scene;
-  bool warnExit = false;
 };
 
 struct RenderCommand {
@@ -41,8 +50,22 @@ struct RenderCommand {
 };
 
 struct FlipCommand {
-  std::string reference, test, output, json;
-  float ppd = 0; // 0: the default
+  std::string reference, test, pairList; // the first two, or the last
+  job::FlipRequest request;              // all but its files, metrics and budgets
+  std::string metrics, budgets;          // as they were written; empty: none were named
+  std::string json, csv, junit;          // file, "-" for stdout (not junit), "" for none
+  bool githubAnnotations = false, warnExit = false, quiet = false;
+  int threads = 0;
+};
+
+struct BudgetSuggestCommand {
+  std::vector<std::string> reports;
+  std::string output; // empty: stdout
+  compare::SuggestOptions options;
+};
+
+struct BudgetCheckCommand {
+  std::string file;
 };
 
 struct DevicesCommand {
@@ -50,7 +73,8 @@ struct DevicesCommand {
   std::string json;
 };
 
-using Invocation = std::variant<ReportCommand, DiffCommand, RenderCommand, FlipCommand, DevicesCommand>;
+using Invocation = std::variant<ReportCommand, DiffCommand, RenderCommand, FlipCommand, BudgetSuggestCommand,
+                                BudgetCheckCommand, DevicesCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, version, a usage error) with its
 // exit code.
@@ -68,6 +92,8 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
 int runDiffCommand(const DiffCommand& command, const std::string& commandLine);
 int runRenderCommand(const RenderCommand& command);
 int runFlipCommand(const FlipCommand& command);
+int runBudgetSuggestCommand(const BudgetSuggestCommand& command);
+int runBudgetCheckCommand(const BudgetCheckCommand& command);
 int runDevicesCommand(const DevicesCommand& command);
 
 } // namespace parity::cli

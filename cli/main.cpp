@@ -50,6 +50,8 @@ int run(int argc, char** argv) {
                                [&](const DiffCommand& c) { return runDiffCommand(c, line); },
                                [](const RenderCommand& c) { return runRenderCommand(c); },
                                [](const FlipCommand& c) { return runFlipCommand(c); },
+                               [](const BudgetSuggestCommand& c) { return runBudgetSuggestCommand(c); },
+                               [](const BudgetCheckCommand& c) { return runBudgetCheckCommand(c); },
                                [](const DevicesCommand& c) { return runDevicesCommand(c); }},
                     *parsed.command);
 }

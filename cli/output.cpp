@@ -43,6 +43,12 @@ std::string extensionOf(const std::string& file) {
   return extension;
 }
 
+void printAnnotations(const std::string& annotate, const compare::Report& report, bool stdoutTaken) {
+  if (annotate == "github")
+    fmt::print(stdoutTaken ? stderr : stdout, "{}",
+               compare::toGithubAnnotations(report, std::filesystem::current_path()));
+}
+
 bool stdoutIsTerminal() { return isatty(STDOUT_FILENO) != 0; }
 
 } // namespace parity::cli

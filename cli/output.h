@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "compare/report.h"
 #include "job/settings.h"
 
 namespace parity::cli {
@@ -22,5 +23,9 @@ void writeJson(const std::string& target, const std::string& text);
 std::string extensionOf(const std::string& file);
 
 bool stdoutIsTerminal();
+
+// GitHub annotations of a report, where `annotate` is "github": to stdout, or to stderr where stdout is taken by JSON
+// (GitHub reads either).
+void printAnnotations(const std::string& annotate, const compare::Report& report, bool stdoutTaken);
 
 } // namespace parity::cli

@@ -39,14 +39,16 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
   job::ReportRequest request = makeRequest(command);
   request.folder = command.folder;
   request.commandLine = commandLine;
+  request.baseline = command.verdict.baseline;
   job::Context context(command.common.settings);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
   if (!command.common.json.empty()) writeJson(command.common.json, compare::toJson(result.report));
   if (command.common.json != "-")
     fmt::print("{}\n{}\n", compare::toTable(result.report, stdoutIsTerminal()),
                (request.folder / "index.html").string());
+  printAnnotations(command.verdict.annotate, result.report, command.common.json == "-");
   if (command.common.timings) printTimings(result.run.timings);
-  return compare::exitCode(result.report, command.warnExit);
+  return compare::exitCode(result.report, command.verdict.warnExit);
 }
 
 } // namespace parity::cli

@@ -125,9 +125,13 @@ SceneResult readScene(const Node& node) {
 
 } // namespace
 
-Report readReport(const std::filesystem::path& file) {
+std::filesystem::path reportFileOf(const std::filesystem::path& fileOrFolder) {
   std::error_code ignored;
-  const std::filesystem::path path = std::filesystem::is_directory(file, ignored) ? file / "report.json" : file;
+  return std::filesystem::is_directory(fileOrFolder, ignored) ? fileOrFolder / "report.json" : fileOrFolder;
+}
+
+Report readReport(const std::filesystem::path& fileOrFolder) {
+  const std::filesystem::path path = reportFileOf(fileOrFolder);
   const std::string text = base::readText(path, kMaxBytes);
   json document;
   try {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <set>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -10,6 +11,8 @@
 #include "base/error.h"
 #include "base/glob.h"
 #include "base/log.h"
+#include "compare/baseline.h"
+#include "compare/report_reader.h"
 #include "job/report_folder.h"
 #include "job/version.h"
 #include "job/view_comparison.h"
@@ -63,6 +66,29 @@ struct RunBudgets {
 RunBudgets loadRunBudgets(const Settings& settings, const std::optional<std::string>& ofSuite) {
   if (settings.budgets) return {compare::loadBudgets(*settings.budgets), {}};
   return {std::nullopt, ofSuite ? compare::loadBudgets(*ofSuite) : compare::defaultBudgets()};
+}
+
+// Rules that judged nothing, a line a budget file. With --material nobody knows what they could have judged.
+std::vector<std::string> warningsOfBudgets(const Settings& settings, const ReportRequest& request,
+                                           const compare::Report& report) {
+  std::vector<std::string> warnings;
+  if (!settings.materials.empty()) return warnings;
+  std::set<std::string> files;
+  for (const SceneRequest& scene : request.scenes)
+    for (const std::optional<std::string>& file : {settings.budgets, scene.budgets, request.suiteBudgets}) {
+      if (!file) continue;
+      files.insert(*file);
+      break;
+    }
+  for (const std::string& file : files) {
+    try {
+      if (std::string line = compare::describeUnusedRules(compare::loadBudgets(file), report); !line.empty())
+        warnings.push_back(std::move(line));
+    } catch (const base::Error&) {
+      // A scene's own file that cannot be used is that scene's error already.
+    }
+  }
+  return warnings;
 }
 
 class Run {
@@ -166,11 +192,21 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
 
   // What concerns the whole run comes first: without it nothing is rendered, and an older report stays.
   RunBudgets budgets = loadRunBudgets(context.settings(), request.suiteBudgets);
+  std::optional<compare::Report> baseline;
+  if (!request.baseline.empty()) baseline = compare::readReport(request.baseline);
   result.report.device = context.device().description();
   if (!request.folder.empty()) prepareReportFolder(request.folder);
   Run run(context, request, std::move(budgets), progress);
   for (std::size_t i = 0; i < request.scenes.size(); ++i) result.report.scenes.push_back(run.compareScene(i));
+  result.report.warnings = warningsOfBudgets(context.settings(), request, result.report);
   compare::settleVerdicts(result.report);
+  if (baseline)
+    compare::compareWithBaseline(
+        result.report, *baseline,
+        {compare::reportFileOf(request.baseline).string(), context.settings().materials, request.oneOfMany});
+  for (const std::string& warning : result.report.warnings) base::logWarning(warning);
+  if (result.report.baseline && !result.report.baseline->error.empty())
+    base::logError(fmt::format("{}: {}", request.baseline.string(), result.report.baseline->error));
   if (progress) progress("writing", 1);
 
   result.run.timings = context.timings().stages();

@@ -13,6 +13,8 @@ struct ReportRequest {
   std::vector<SceneRequest> scenes;        // in order; each is tried, whatever becomes of the others
   std::optional<std::string> suiteBudgets; // the suite file's own default
   std::filesystem::path folder;            // empty: nothing is written
+  std::filesystem::path baseline;          // an earlier report.json or its folder; empty: none
+  bool oneOfMany = false;                  // scenes of the baseline that this run does not show are not gone
   std::string commandLine;                 // for run.json
 };
 
@@ -23,8 +25,8 @@ struct ReportResult {
 
 // Compares every view of every scene. A scene that fails is an error in the report, with its reason, and the next one
 // runs. With a folder: images/, report.json, run.json, junit.xml and index.html are written there, whatever the
-// verdict. Throws Error for what concerns the whole run: no device, a budget file that cannot be used, a folder that
-// cannot be written.
+// verdict. A baseline may lie in that same folder: it is read first. Throws Error for what concerns the whole run: no
+// device, a budget file or a baseline that cannot be used, a folder that cannot be written.
 ReportResult runReport(Context& context, const ReportRequest& request, const Progress& progress);
 
 } // namespace parity::job

@@ -11,7 +11,8 @@ const std::vector<std::string> kCommon = {
     "--size",      "--env",         "--env-rotation", "--sun",     "--camera",     "--orbit",  "--target",
     "--fov",       "--samples",     "--exposure",     "--display", "--background", "--device", "--mobile-preset",
     "--precision", "--fully-rough", "--threads",      "--cache",   "--no-cache",   "-q",       "-v"};
-const std::vector<std::string> kVerdict = {"--material", "--budgets", "--json", "--warn-exit", "--terms"};
+const std::vector<std::string> kVerdict = {"--material", "--budgets",  "--json",     "--warn-exit",
+                                           "--terms",    "--baseline", "--annotate", "--metrics"};
 
 void expectHelp(const std::vector<std::string>& arguments, const std::vector<std::string>& mentioned) {
   const RunResult result = runParity(arguments);
@@ -31,7 +32,12 @@ TEST(Help, OfEachSubcommandNamesItsOptions) {
   expectHelp({"report", "--help"}, join({kCommon, kVerdict, {"--suite", "--output"}}));
   expectHelp({"diff", "--help"}, join({kCommon, kVerdict}));
   expectHelp({"render", "--help"}, join({kCommon, {"--path", "--output", "--terms"}}));
-  expectHelp({"flip", "--help"}, {"reference", "test", "--output", "--ppd", "--json", ".exr", ".pfm", ".png"});
+  expectHelp({"flip", "--help"}, {"reference",  "test",         "--output",     "--ppd",          "--json",
+                                  ".exr",       ".pfm",         ".png",         "--pairs",        "--mask",
+                                  "--alpha",    "--background", "--colorspace", "--fail",         "--failpercent",
+                                  "--hardfail", "--metric",     "--tonemapper", "linear Rec.709", "fails above 0.05"});
+  expectHelp({"budget", "--help"}, {"suggest", "check"});
+  expectHelp({"budget", "suggest", "--help"}, {"reports", "--output", "--margin", "--metrics"});
   expectHelp({"devices", "--help"}, {"--device", "--json"});
 }
 

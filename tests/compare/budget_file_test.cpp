@@ -34,7 +34,7 @@ TEST(BudgetFile, TheShippedExampleIsReadAsItReads) {
   EXPECT_EQ(hero->owner, "characters");
   EXPECT_FALSE(hero->reason.empty());
   EXPECT_EQ(hero->origin.find("budgets.example.toml, line "), 0u);
-  ASSERT_EQ(hero->checks.size(), 3u);
+  ASSERT_EQ(hero->checks.size(), 4u);
   EXPECT_EQ(hero->checks[0].statistic.name, "flip.mean");
   EXPECT_EQ(hero->checks[0].region, Region::interior);
   EXPECT_EQ(hero->checks[0].warn, 0.05);
@@ -42,6 +42,9 @@ TEST(BudgetFile, TheShippedExampleIsReadAsItReads) {
   EXPECT_EQ(hero->checks[2].statistic.name, "psnr");
   EXPECT_EQ(hero->checks[2].region, Region::all);
   EXPECT_EQ(hero->checks[2].warn, 32);
+  EXPECT_EQ(hero->checks[3].statistic.better, Better::nearZero);
+  ASSERT_EQ(hero->regress.size(), 1u);
+  EXPECT_EQ(hero->regress[0].fail, 0.03);
 
   EXPECT_EQ(findMaterialRule(budgets, "MetalRoughSpheresNoTextures", "Metal 3"), &budgets.materials[1]);
   EXPECT_FALSE(budgets.materials[1].checks[1].warn);
@@ -61,6 +64,30 @@ TEST(BudgetFile, TheExampleShowsTheBuiltInLimits) {
   };
   expectSame(budgets.materials[2], defaultBudgets().materials[0]);
   expectSame(budgets.wholes[0], defaultBudgets().wholes[0]);
+}
+
+// Every name that the example's head lists is one, and every figure there is, is listed.
+TEST(BudgetFile, TheExampleListsTheFiguresThatThereAre) {
+  const std::string text = base::readText(PARITY_SOURCE_DIR "/compare/budgets.example.toml");
+  const std::string head =
+      text.substr(text.find("#   metric  "), text.find("#   region  ") - text.find("#   metric  "));
+  for (const std::string& name : knownStatistics()) {
+    if (name.starts_with("hdrflip.")) continue; // as hdrflip.*
+    const std::string listed = name.substr(0, name.find("(X)"));
+    EXPECT_NE(head.find(" " + listed), std::string::npos) << name;
+  }
+}
+
+TEST(BudgetFile, ItsRulesAreToldInWords) {
+  const std::string text = describeBudgets(loadBudgets(PARITY_SOURCE_DIR "/compare/budgets.example.toml"));
+  for (const char* part :
+       {": materials '*Hero*', which a view has to show, owner characters: shown on the title screen",
+        "    mean FLIP (flip.mean) over interior pixels: warn above 0.050, fail above 0.100\n",
+        "    PSNR (psnr) over all pixels: warn below 32.0 dB, fail below 28.0 dB\n",
+        "    regression of mean FLIP (flip.mean) over interior pixels: warn above 0.010, fail above 0.030\n",
+        "materials '*[Mm]etal*' of scenes 'MetalRoughSpheres*'", "built-in: all materials\n",
+        "built-in: whole images\n"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
 TEST(BudgetFile, WhatNoRuleMatchesIsJudgedByTheBuiltInOnes) {

@@ -62,6 +62,8 @@ TEST(Html, EveryTextOfAReportIsEscaped) {
   const auto poison = [](Report report, RunInfo run, const std::string& text) {
     report.tool = report.version = report.device = text;
     report.settings = {{text, text}};
+    report.warnings = {text};
+    report.baseline = BaselineSummary{text, text, text, 1, {{text, text, text}}, text};
     run = {text, text, {{text, 1}}};
     for (SceneResult& scene : report.scenes) {
       scene.name = scene.source = scene.environment = scene.sun = scene.error = text;
@@ -77,7 +79,7 @@ TEST(Html, EveryTextOfAReportIsEscaped) {
           material.notes = {text};
           material.terms = {{text, 1, 2}};
           material.crops = {text, text, text};
-          for (CheckResult& check : material.checks) check.metric = check.region = check.note = text;
+          for (CheckResult& check : material.checks) check.metric = check.region = check.note = check.unjudged = text;
         }
       }
     }
@@ -206,6 +208,31 @@ TEST(Html, TheHeadlineSaysWhatHappened) {
   report.scenes.clear();
   settleVerdicts(report);
   EXPECT_EQ(headline(report), "parity: Nothing was compared");
+}
+
+TEST(Html, ABaselineShowsWhatChangedWhatIsNewAndWhatIsGone) {
+  const auto document = parse(page(makeSampleReportSince()));
+  const auto textOf = [&](const std::string& path) {
+    const auto found = select(document, path.c_str());
+    return found.empty() ? "nothing at " + path : std::string(found[0].node().text().get());
+  };
+  EXPECT_EQ(textOf("//section[@class='since']//li"),
+            "gone: material 'Old lamp', scene Lamp, view front: the baseline has it, this run does not");
+  EXPECT_NE(textOf("//main/ul[@class='warnings']/li").find("size was '512x512', is '1024x1024'"), std::string::npos);
+  const std::string metal = "//section[@id='scene-1-view-1']//article[@data-name='Rough metal']";
+  EXPECT_EQ(textOf(metal + "//table[@class='figures']/thead//th[4]"), "since then");
+  EXPECT_EQ(textOf(metal + "/div[@class='numbers']/table/tbody/tr[1]/td[3]"), "+0.070");
+  EXPECT_EQ(select(document, (metal + "[@data-change='0.070000']").c_str()).size(), 1u);
+  EXPECT_EQ(textOf("//article[@data-name='Bulb']//p[@class='baseline']/b"), "New");
+  EXPECT_EQ(select(document, "//select[@id='sort']/option[@value='change']").size(), 1u);
+  EXPECT_EQ(select(document, "//article[@data-name='Bulb']//div[@class='check not-seen']").size(), 1u)
+      << "what is not judged does not look as if it had passed";
+}
+
+TEST(Html, HostileNamesOfABaselineAddNothing) {
+  const std::string harmless = outlineOf(parse(page(makeSampleReportSince())));
+  for (const std::string& name : hostileNames())
+    EXPECT_TRUE(outlineOf(parse(page(makeSampleReportSince({}, name)))) == harmless) << name;
 }
 
 TEST(Html, ErrorsAndWarningsOfScenesAreShown) {

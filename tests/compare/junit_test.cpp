@@ -96,6 +96,24 @@ TEST(Junit, AnEmptyReportIsAnError) {
   EXPECT_EQ(document.child("testsuites").attribute("errors").as_int(), 1);
 }
 
+TEST(Junit, ABaselineIsASuiteOfItsOwn) {
+  Report report = makeSampleReportSince();
+  auto document = parse(toJunit(report, makeSampleRun()));
+  expectCountsFit(document);
+  EXPECT_FALSE(findCase(document, "baseline", "report.json").first_child());
+  const std::string gone = "gone: material 'Old lamp', scene Lamp, view front: the baseline has it, this run does not";
+  EXPECT_TRUE(findCase(document, "baseline", gone).child("system-out"));
+  const std::string details = findCase(document, "Lamp.front", "Rough metal").child("failure").child_value();
+  EXPECT_NE(details.find("baseline: fail, flip.mean +0.070"), std::string::npos) << details;
+
+  report.baseline->error = "nothing in common";
+  settleVerdicts(report);
+  document = parse(toJunit(report, makeSampleRun()));
+  expectCountsFit(document);
+  EXPECT_STREQ(findCase(document, "baseline", "report.json").child("error").attribute("message").value(),
+               "nothing in common");
+}
+
 TEST(Junit, HostileNamesAreOnlyEverNames) {
   const std::vector<std::string> names = hostileNames();
   const auto document = parse(toJunit(makeSampleReport(names), makeSampleRun()));

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "compare/budget.h"
 #include "compare/report.h"
 #include "compare/sample_report.h"
 #include "compare/text.h"
@@ -39,6 +40,33 @@ TEST(ReportTable, EachMaterialAndViewIsARow) {
   EXPECT_NE(lines[3].find("mobile is 29.0 % darker; mean FLIP 0.270"), std::string::npos) << lines[3];
   EXPECT_EQ(lines.back(), "verdict: error (materials: 3 pass, 2 not seen, 2 warn, 2 fail; whole images: 2 pass; scenes "
                           "not compared: 1)");
+}
+
+TEST(ReportTable, ABaselineAddsAColumn) {
+  const auto lines = linesOf(toTable(makeSampleReportSince(), false));
+  for (const std::size_t row : {3, 6}) // Rough metal, Bulb
+    EXPECT_EQ(endOf(lines[row], row == 3 ? "+0.070" : "   new"), endOf(lines[1], "since")) << lines[row];
+  EXPECT_NE(lines.back().find("gone since the baseline: 1"), std::string::npos) << lines.back();
+}
+
+TEST(ReportTable, AWholeImageThatDecidesIsCounted) {
+  Report report = makeSampleReport();
+  report.scenes.pop_back();
+  report.scenes[0].views.pop_back();
+  ViewResult& view = report.scenes[0].views[0];
+  view.materials.resize(1);
+  view.whole = makeRegion("whole", 0.3, 4000);
+  judgeWhole(view, defaultBudgets(), "Lamp");
+  settleVerdicts(report);
+  EXPECT_EQ(linesOf(toTable(report, false)).back(), "verdict: fail (materials: 1 pass; whole images: 1 fail)");
+}
+
+TEST(ReportTable, ShowsTheFiguresThatWereMeasured) {
+  Report report = makeSampleReport();
+  for (ViewResult& view : report.scenes[0].views) setFigure(view.whole, "ssim.mean", 0.987);
+  const auto lines = linesOf(toTable(report, false));
+  EXPECT_EQ(endOf(lines[7], "0.9870"), endOf(lines[1], "ssim")) << lines[7];
+  EXPECT_EQ(lines[2].find("0.987"), std::string::npos) << "of that material it was not measured: " << lines[2];
 }
 
 TEST(ReportTable, ColumnsLineUpWhateverTheNamesAre) {

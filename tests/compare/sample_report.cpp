@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/baseline.h"
 #include "compare/budget.h"
 
 namespace parity::compare {
@@ -115,6 +116,21 @@ Report makeSampleReport(const std::vector<std::string>& names) {
   report.scenes.push_back(broken);
   settleVerdicts(report);
   return report;
+}
+
+Report makeSampleReportSince(const std::vector<std::string>& names, const std::string& gone) {
+  Report now = makeSampleReport(names), before = now;
+  before.settings[0].second = "512x512";
+  ViewResult& front = before.scenes[0].views[0];
+  front.materials[1].figures = makeRegion(front.materials[1].name, 0.20, 120000);
+  for (ViewResult& view : before.scenes[0].views) view.materials.pop_back();
+  front.materials.push_back(makeMaterial(gone, 0.1, 4000));
+
+  Budgets regressions = defaultBudgets();
+  regressions.materials[0].regress = {{requireStatistic("flip.mean", "test"), Region::interior, 0.01, 0.03}};
+  for (const std::size_t i : {2, 4}) judgeMaterial(now.scenes[0].views[0].materials[i], regressions, "Lamp");
+  compareWithBaseline(now, before, {"old/report.json", {}, false});
+  return now;
 }
 
 RunInfo makeSampleRun() {

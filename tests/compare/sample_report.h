@@ -22,6 +22,9 @@ MaterialResult makeMaterial(const std::string& name, double mean, std::uint64_t 
 // Judged by the built-in budgets and settled. Material and scene names come from `names`, in order, for as long as
 // there are any; then harmless ones.
 Report makeSampleReport(const std::vector<std::string>& names = {});
+// The same, held against an earlier run: Rough metal was at 0.20, Bulb is new, `gone` is gone from the view in front, a
+// regression of Shade is judged and one of Bulb is not, and the size was another.
+Report makeSampleReportSince(const std::vector<std::string>& names = {}, const std::string& gone = "Old lamp");
 RunInfo makeSampleRun();
 
 // Names that break naive writers: markup, quotes, URLs, controls, invalid UTF-8, text direction.

@@ -29,6 +29,7 @@ void expectValid(const Report& report) { EXPECT_EQ(join(validate(loadSchema(), j
 TEST(Schema, ReportsWithEveryVerdictAreValid) {
   expectValid(makeSampleReport());
   expectValid(makeSampleReport(hostileNames()));
+  expectValid(makeSampleReportSince(hostileNames(), hostileNames()[4]));
 }
 
 TEST(Schema, AnEmptyReportIsValid) {
@@ -98,7 +99,7 @@ void expectEachKeyMatters(const json& schema, const json& document, const json::
 }
 
 TEST(Schema, EachKeyIsRequiredTypedAndNoOtherIsAllowed) {
-  Report report = makeSampleReport();
+  Report report = makeSampleReportSince();
   report.scenes.resize(1);
   report.scenes[0].views.resize(1);
   std::vector<MaterialResult>& materials = report.scenes[0].views[0].materials;

@@ -1,0 +1,27 @@
+// parity budget: limits proposed from what was observed, and what a budget file says.
+#include <fmt/format.h>
+
+#include "base/file.h"
+#include "cli/invocation.h"
+#include "compare/budget.h"
+#include "compare/report_reader.h"
+
+namespace parity::cli {
+
+int runBudgetSuggestCommand(const BudgetSuggestCommand& command) {
+  std::vector<compare::ObservedRun> runs;
+  for (const std::string& file : command.reports) runs.push_back({file, compare::readReport(file)});
+  const std::string text = compare::suggestBudgets(runs, command.options);
+  if (command.output.empty())
+    fmt::print("{}", text);
+  else
+    base::writeText(command.output, text);
+  return 0;
+}
+
+int runBudgetCheckCommand(const BudgetCheckCommand& command) {
+  fmt::print("{}", compare::describeBudgets(compare::loadBudgets(command.file)));
+  return 0;
+}
+
+} // namespace parity::cli

@@ -1,0 +1,175 @@
+// Baselines, annotations and parity budget, as a user meets them.
+#include "cli/checks.h"
+
+namespace parity::tests {
+namespace {
+
+class VerdictTest : public RenderingTest {
+protected:
+  RunResult report(const std::string& folder, const std::vector<std::string>& more = {}) const {
+    return runParity(join({{"report", "builtin:furnace", "-o", (m_folder / folder).string()}, kSmall, more}));
+  }
+  std::string write(const std::string& name, const std::string& text) const {
+    writeFile(m_folder / name, text);
+    return (m_folder / name).string();
+  }
+  std::string path(const std::string& name) const { return (m_folder / name).string(); }
+};
+
+TEST_F(VerdictTest, AnUnchangedRunHasChangesOfZeroAndNoRegression) {
+  const std::string budgets = write("b.toml", R"(
+[[material]]
+name = "*"
+regress = [ { metric = "flip.mean", fail = 0 }, { metric = "psnr", fail = 0 } ]
+[[whole]]
+checks = [ { metric = "flip.mean", fail = 1 } ])");
+  ASSERT_TRUE(exitedWith(4, report("old", {"--budgets", budgets}))) << "nothing else judges without a baseline";
+  EXPECT_TRUE(exitedWith(0, report("new", {"--budgets", budgets, "--baseline", path("old")})));
+  const nlohmann::json now = readReport(m_folder / "new");
+  EXPECT_EQ(now["baseline"]["source"], "report.json");
+  EXPECT_EQ(now["baseline"]["gone"].size(), 0u);
+  for (const nlohmann::json& material : now["scenes"][0]["views"][0]["materials"]) {
+    EXPECT_EQ(material["baseline"]["new"], false);
+    EXPECT_EQ(material["baseline"]["all"]["flip.mean"], 0);
+  }
+  // The report's own folder may hold the baseline: it is read first.
+  EXPECT_TRUE(exitedWith(0, report("new", {"--budgets", budgets, "--baseline", path("new")})));
+}
+
+TEST_F(VerdictTest, ARegressionFailsWithTheFigureInWords) {
+  ASSERT_NE(report("old").exitCode, 4);
+  nlohmann::json old = readReport(m_folder / "old");
+  for (nlohmann::json& material : old["scenes"][0]["views"][0]["materials"])
+    for (const char* region : {"interior", "all"})
+      if (material["figures"][region].is_object()) material["figures"][region]["metrics"]["flip.mean"] = -1;
+  const std::string baseline = write("old.json", old.dump());
+  const std::string budgets = write("b.toml", R"(
+[[material]]
+name = "*"
+regress = [ { metric = "flip.mean", warn = 0.1, fail = 0.5 } ])");
+  const RunResult result =
+      runParity(join({{"diff", "builtin:furnace", "--budgets", budgets, "--baseline", baseline}, kSmall}));
+  EXPECT_TRUE(exitedWith(2, result));
+  EXPECT_TRUE(contains(result.out, "worse than in the baseline, above 0.500")) << result.out;
+}
+
+TEST_F(VerdictTest, WhatIsGoneIsAWarning) {
+  const std::string budgets = writeBudgets(m_folder, "fail = 1.0");
+  ASSERT_TRUE(exitedWith(0, report("old", {"--budgets", budgets})));
+  nlohmann::json old = readReport(m_folder / "old");
+  nlohmann::json& materials = old["scenes"][0]["views"][0]["materials"];
+  materials.push_back(materials[0]);
+  materials.back()["name"] = "Lamp";
+  const std::string baseline = write("old.json", old.dump());
+  const RunResult result = report("new", {"--budgets", budgets, "--baseline", baseline, "--warn-exit"});
+  EXPECT_TRUE(exitedWith(1, result));
+  EXPECT_TRUE(contains(result.out, "gone: material 'Lamp'")) << result.out;
+  EXPECT_TRUE(contains(readWholeFile(m_folder / "new" / "index.html"), "gone: material &#39;Lamp&#39;"));
+  EXPECT_TRUE(contains(readWholeFile(m_folder / "new" / "junit.xml"), "gone: material &#39;Lamp&#39;"));
+}
+
+TEST_F(VerdictTest, ABaselineThatCannotBeUsedIsRefusedBeforeAnythingIsRendered) {
+  ASSERT_NE(report("old").exitCode, 4);
+  const nlohmann::json old = readReport(m_folder / "old");
+  expectRefused(report("new", {"--baseline", path("none.json")}), 4, {"none.json", "does not exist"});
+  expectRefused(report("new", {"--baseline", write("broken.json", "{")}), 4, {"broken.json", "is no JSON"});
+  nlohmann::json newer = old;
+  newer["schema"] = 1000;
+  expectRefused(report("new", {"--baseline", write("newer.json", newer.dump())}), 4,
+                {"newer.json", "/schema", "a newer version"});
+  EXPECT_FALSE(std::filesystem::exists(m_folder / "new"));
+}
+
+TEST_F(VerdictTest, ABaselineWithNothingInCommonIsAnError) {
+  ASSERT_NE(report("old").exitCode, 4);
+  nlohmann::json old = readReport(m_folder / "old");
+  old["scenes"][0]["name"] = "another";
+  const RunResult result = report("new", {"--baseline", write("old.json", old.dump())});
+  EXPECT_TRUE(exitedWith(4, result));
+  EXPECT_TRUE(contains(result.err, "nothing in common")) << result.err;
+  EXPECT_TRUE(
+      contains(readWholeFile(m_folder / "new" / "junit.xml"), "<error type=\"error\" message=\"nothing in common"));
+}
+
+TEST_F(VerdictTest, ARuleThatJudgesNothingIsAWarningInWords) {
+  const std::string budgets = write("b.toml", R"(
+[[material]]
+name = "Heroo"
+preset = "strict"
+[[material]]
+name = "*"
+checks = [ { metric = "flip.mean", fail = 1 } ])");
+  const std::vector<std::string> diff = join({{"diff", "builtin:furnace", "--budgets", budgets}, kSmall});
+  const RunResult result = runParity(diff);
+  EXPECT_TRUE(contains(result.err, "b.toml: a rule judges nothing in this run: line 2 ('Heroo')")) << result.err;
+  EXPECT_FALSE(contains(runParity(join({diff, {"--material", "*"}})).err, "judges nothing"))
+      << "with --material nobody knows";
+}
+
+TEST_F(VerdictTest, AnnotationsPointAtTheRule) {
+  const std::string budgets = write("b.toml", R"(
+[[material]]
+name = "*"
+owner = "lighting"
+checks = [ { metric = "flip.max", region = "all", fail = 0 } ])");
+  RunOptions here;
+  here.workingFolder = m_folder.path();
+  const std::vector<std::string> diff =
+      join({{"diff", "builtin:spheres", "--budgets", "b.toml", "--annotate", "github"}, kSmall});
+  const RunResult result = runParity(diff, here);
+  EXPECT_TRUE(exitedWith(2, result));
+  EXPECT_TRUE(contains(result.out, "\n::error file=b.toml,line=2,title=parity%3A ")) << result.out;
+  EXPECT_TRUE(contains(result.out, "%0AOwner: lighting\n")) << result.out;
+  const RunResult json = runParity(join({diff, {"--json", "-"}}), here);
+  EXPECT_TRUE(nlohmann::json::accept(json.out)) << "stdout is JSON alone";
+  EXPECT_TRUE(contains(json.err, "::error file=b.toml,line=2")) << json.err;
+  EXPECT_EQ(runParity({"diff", "builtin:spheres", "--annotate", "gitlab"}).exitCode, 64);
+}
+
+TEST_F(VerdictTest, TheTableSaysTheBiasInWords) {
+  const RunResult result =
+      runParity(join({{"diff", "builtin:spheres", "--budgets", writeBudgets(m_folder, "fail = 1.0")}, kSmall}));
+  EXPECT_TRUE(contains(result.out, " EV darker") || contains(result.out, " EV brighter") ||
+              contains(result.out, "equally bright, same tint"))
+      << result.out;
+  const std::vector<std::string> lines = splitLines(result.out);
+  EXPECT_TRUE(contains(lines.back() + lines[lines.size() - 2], "whole images: 1 pass")) << result.out;
+}
+
+TEST_F(VerdictTest, SuggestedBudgetsPassTheRunTheyCameFrom) {
+  ASSERT_NE(report("old").exitCode, 4);
+  const std::string budgets = path("suggested.toml");
+  const RunResult result =
+      runParity({"budget", "suggest", path("old"), (m_folder / "old" / "report.json").string(), "-o", budgets});
+  EXPECT_TRUE(exitedWith(0, result));
+  EXPECT_EQ(result.out, "");
+  EXPECT_TRUE(contains(readWholeFile(budgets), "# 2 runs: flip.mean ")) << readWholeFile(budgets);
+  EXPECT_TRUE(exitedWith(0, report("new", {"--budgets", budgets, "--warn-exit"})));
+  const RunResult checked = runParity({"budget", "check", budgets});
+  EXPECT_TRUE(exitedWith(0, checked));
+  EXPECT_TRUE(contains(checked.out, "suggested.toml, line ")) << checked.out;
+  EXPECT_EQ(runParity({"budget", "suggest", path("old"), path("old")}).out.substr(0, 16), "# Budgets sugges");
+}
+
+TEST(BudgetCommand, RefusesWhatItCannotUse) {
+  const TempFolder folder;
+  writeFile(folder / "b.toml", "[[material]]\nname = \"*\"\nchecks = []\n");
+  expectRefused(runParity({"budget", "check", (folder / "b.toml").string()}), 4, {"b.toml", "line 3", "is empty"});
+  expectRefused(runParity({"budget", "check", (folder / "none.toml").string()}), 4, {"none.toml"});
+  expectRefused(runParity({"budget", "suggest", (folder / "none.json").string()}), 4, {"none.json", "does not exist"});
+  writeFile(folder / "list.json", "[]");
+  expectRefused(runParity({"budget", "suggest", (folder / "list.json").string()}), 4,
+                {"list.json", "is not an object"});
+  for (const std::vector<std::string>& usage : {std::vector<std::string>{"budget"},
+                                                {"budget", "suggest"},
+                                                {"budget", "check"},
+                                                {"budget", "suggset"},
+                                                {"budget", "suggest", "x.json", "--margin", "-1"},
+                                                {"budget", "suggest", "x.json", "--margin", "nan"},
+                                                {"budget", "suggest", "x.json", "--metrics", "flip.meen"},
+                                                {"budget", "suggest", "x.json", "--metrics", ","}})
+    EXPECT_EQ(runParity(usage).exitCode, 64) << runParity(usage).commandLine << runParity(usage).err;
+}
+
+} // namespace
+} // namespace parity::tests
