@@ -124,15 +124,19 @@ void requireApplicable(const compare::MeasureRequest& measure, const FlipPair& r
 
 compare::Measurement measureColors(const Pictures& pictures, const std::vector<base::PixelList>& regions,
                                    const compare::MeasureRequest& request, bool hdr) {
-  // Values that the display clamps away are not finite for it either.
-  base::Image display[2], linear[2];
+  base::Image display[2], linear[2]; // only what is not at hand
   const PlainImage* const images[] = {&pictures.reference, &pictures.test};
+  const base::Image *shown[2], *light[2];
   for (int i = 0; i < 2; ++i) {
-    display[i] = toDisplay(*images[i]);
-    if (hdr) linear[i] = toLinear(*images[i]);
+    const PlainImage& image = *images[i];
+    const bool isShown = image.encoded && image.integer; // floats may lie outside [0,1]
+    if (!isShown) display[i] = toDisplay(image);
+    shown[i] = isShown ? &image.color : &display[i];
+    if (hdr && image.encoded) linear[i] = toLinear(image);
+    light[i] = image.encoded ? &linear[i] : &image.color;
   }
-  compare::ImagePair pair{display[0], display[1]};
-  if (hdr) pair.referenceLinear = &linear[0], pair.testLinear = &linear[1];
+  compare::ImagePair pair{*shown[0], *shown[1]};
+  if (hdr) pair.referenceLinear = light[0], pair.testLinear = light[1];
   return compare::measureRegions(pair, regions, request);
 }
 

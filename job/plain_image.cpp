@@ -132,7 +132,7 @@ void composite(PlainImage& image, const base::Image& alpha, bool associated, con
 } // namespace
 
 PlainImage readPlainImage(const std::filesystem::path& file, const PlainImageOptions& options) {
-  const base::ImageFile stored = base::readImageFile(file);
+  base::ImageFile stored = base::readImageFile(file);
   PlainImage image;
   image.file = file.string();
   image.integer = stored.info.integer;
@@ -140,8 +140,11 @@ PlainImage readPlainImage(const std::filesystem::path& file, const PlainImageOpt
   chooseColorSpace(image, stored.info, options.colorSpace);
   const Layout layout = findChannels(image, stored.info, stored.pixels.channels);
   image.encoded = image.colorSpace == "srgb" || image.colorSpace == "raw";
-  image.color = pickChannels(stored.pixels, {layout.color.begin(), layout.color.end()});
-  if (!image.encoded) image.color = base::toLinearRec709(image.color, image.colorSpace);
+  // The common case is not copied: a picture of 4K is 100 MB.
+  image.color = stored.pixels.channels == 3 && image.colorChannels == 3
+                    ? std::move(stored.pixels)
+                    : pickChannels(stored.pixels, {layout.color.begin(), layout.color.end()});
+  if (!image.encoded && image.colorSpace != "linear") image.color = base::toLinearRec709(image.color, image.colorSpace);
   if (!image.hasAlpha || options.alpha == AlphaMode::ignore) return image;
   base::Image alpha = pickChannels(stored.pixels, {layout.alpha});
   if (options.alpha == AlphaMode::channel)
