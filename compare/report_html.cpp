@@ -84,7 +84,8 @@ std::string header(const Report& report, const RunInfo& run) {
       "or less light (seen side by side), 0.20 about 25 % (seen at a glance), 0.50 twice as much or a third.</p><p>"
       "<b>interior</b> leaves out a rim of 10 pixels, where FLIP also sees the neighbours. <b>p95</b>: a twentieth of "
       "the "
-      "pixels is worse than this. Click an image to flip between the two renders; keys 1, 2, 3 and the arrows work "
+      "pixels is worse than this. <b>Warmer</b> is yellower, <b>cooler</b> bluer, on average. Click an image to flip "
+      "between the two renders; keys 1, 2, 3 and the arrows work "
       "there.</p></div></details></div>\n",
       verdictClass(report.verdict), escapeMarkup(report.tool), verdictBadge(report.verdict),
       escapeMarkup(headline(report)), escapeMarkup(report.device), magmaLegend(), details);

@@ -149,6 +149,21 @@ TEST(Verdict, NonFinitePixelsInTheWholeImageFail) {
   EXPECT_EQ(report.verdict, Verdict::fail);
 }
 
+TEST(Verdict, BothAllBlackIsIdenticalSoItPassesAndSaysSo) {
+  Report report = reportOf(0);
+  ViewResult& view = report.scenes[0].views[0];
+  for (RegionFigures* figures : {&view.whole, &view.materials[0].figures}) {
+    *figures = makeRegion("black", 0, 4000);
+    for (Figures* part : {&figures->interior, &figures->all}) part->referenceLuma = part->testLuma = 0;
+  }
+  judgeMaterial(view.materials[0], defaultBudgets(), "s");
+  judgeWhole(view, defaultBudgets(), "s");
+  settleVerdicts(report);
+  EXPECT_EQ(report.verdict, Verdict::pass);
+  EXPECT_NE(toTable(report, false).find("identical  both are black"), std::string::npos) << toTable(report, false);
+  EXPECT_NE(toHtml(report, {}).find("both are black"), std::string::npos);
+}
+
 TEST(Verdict, SettlingTwiceChangesNothing) {
   Report report = makeSampleReport();
   const std::string once = toJson(report);
