@@ -145,15 +145,20 @@ std::string exactGlob(std::string_view name) {
 
 std::string countRuns(std::size_t count) { return fmt::format("{} {}", count, count == 1 ? "run" : "runs"); }
 
+// As people read it; of a signed figure only the size is known here.
+std::string formatError(const Statistic& statistic, double error) {
+  const std::string text = formatFigure(statistic.name, valueOf(statistic, error));
+  return statistic.better == Better::nearZero && std::isfinite(error) ? "±" + text.substr(1) : text;
+}
+
 // Empty where no figure of it has a limit.
 std::string formatRule(const Subject& subject, const std::vector<Statistic>& figures, double margin) {
   std::string checks, observed;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const Statistic& figure = figures[i];
     const auto [least, most] = std::ranges::minmax(subject.values[i]);
-    observed += fmt::format("{}{} {} to {}", observed.empty() ? "" : ", ", figure.name,
-                            formatFigure(figure.name, valueOf(figure, least)),
-                            formatFigure(figure.name, valueOf(figure, most)));
+    observed += fmt::format("{}{} {} to {}", observed.empty() ? "" : ", ", figure.name, formatError(figure, least),
+                            formatError(figure, most));
     const double value = valueOf(figure, percentile95(subject.values[i]));
     if (!std::isfinite(value)) continue;
     checks += fmt::format("  {{ metric = {}, warn = {:.{}f}, fail = {:.{}f} }},\n", quoteToml(figure.name),

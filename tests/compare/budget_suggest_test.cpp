@@ -76,6 +76,7 @@ TEST(BudgetSuggest, TheMarginIsAShareOfTheErrorWhicheverWayIsBetter) {
   setFigure(run.report.scenes[0].views[0].materials[0].figures, "ssim.mean", 0.9);
   setFigure(run.report.scenes[0].views[0].materials[0].figures, "bias.ev", -0.2);
   run.report.scenes[0].views[0].whole = {};
+  EXPECT_NE(suggestBudgets({run}, {0, {"bias.ev"}}).find("bias.ev ±0.20 EV to ±0.20 EV"), std::string::npos);
   const Budgets budgets = suggest({run}, {"psnr", "ssim.mean", "bias.ev"});
   const std::vector<BudgetCheck>& checks = budgets.materials.at(0).checks;
   EXPECT_NEAR(*checks[0].warn, 26.4, 1e-9); // 30 - 20 log10(1.5) = 26.48
