@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "base/error.h"
@@ -34,7 +35,8 @@ Luminances measureLuminances(const PixelView& image) {
       }
     }
   });
-  std::erase_if(values, [](float v) { return !(v > 0); });
+  // A denormal one would be exposed by more than a float can hold.
+  std::erase_if(values, [](float v) { return !(v >= std::numeric_limits<float>::min()); });
   if (values.empty()) return {};
   const auto median = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), median, values.end());
@@ -53,7 +55,8 @@ bool areEqual(const PixelView& a, const PixelView& b) {
 void requireUsable(const HdrFlipOptions& options) {
   requireUsablePpd(options.ppd);
   for (const std::optional<float>& end : {options.start, options.stop})
-    if (end && !std::isfinite(*end)) refuse("exposure", std::to_string(*end), "is not a finite number");
+    if (end && !(std::fabs(*end) <= kMaxExposureEv))
+      refuse("exposure", std::to_string(*end), "is not a number of EV from -127 to 127");
   if (options.exposures && (*options.exposures < 2 || *options.exposures > kMaxExposures))
     refuse("exposures", std::to_string(*options.exposures), "must be from 2 to " + std::to_string(kMaxExposures));
 }
@@ -120,8 +123,12 @@ ExposureRange exposureRange(const PixelView& reference, const PixelView& test, c
     }
     if (found.max > 0) {
       const double brightest = brightestExposed(options.tonemapper);
-      range.start = static_cast<float>(std::log2(brightest / static_cast<double>(found.max)));
-      range.stop = static_cast<float>(std::log2(brightest / static_cast<double>(found.median)));
+      const auto exposureFor = [&](float luminance) {
+        const double ev = std::log2(brightest / static_cast<double>(luminance));
+        return static_cast<float>(std::clamp<double>(ev, -kMaxExposureEv, kMaxExposureEv));
+      };
+      range.start = exposureFor(found.max);
+      range.stop = exposureFor(found.median);
     } else {
       if (!areEqual(reference, test))
         throw base::Error(base::ExitCode::notComparable, "HDR-FLIP", "",

@@ -19,6 +19,9 @@ inline constexpr std::array<std::string_view, 3> kTonemapperNames = {"aces", "ha
 // More exposures than this are never taken: a range that would need them is sampled more coarsely, which is noted.
 inline constexpr int kMaxExposures = 100;
 
+// Exposures lie within +-127 EV: 2^EV is then a normal float, and black stays black.
+inline constexpr float kMaxExposureEv = 127;
+
 struct HdrFlipOptions {
   float ppd = kDefaultPixelsPerDegree; // pixels per degree, 1..1000
   Tonemapper tonemapper = Tonemapper::aces;
@@ -51,7 +54,7 @@ RowDecoder makeRowDecoder(Tonemapper tonemapper);
 // a reference over half black would have no end). A reference without a positive luminance gives the test's range,
 // which is noted; where neither has one, -1..1 if they are equal. Options given override. Throws Error: notComparable
 // where neither has one and they differ; failed for NaN or infinite values; usage for a start above the stop, exposures
-// out of range or given values that are not finite.
+// out of range or given values beyond +-kMaxExposureEv.
 ExposureRange exposureRange(const PixelView& reference, const PixelView& test, const HdrFlipOptions& options);
 
 // reference, test: linear scene-referred Rec.709, 3 channels, or 4 whose last is passed over, floats. Negative values

@@ -1,4 +1,5 @@
 // Relative mean squared error of linear light.
+#include <algorithm>
 #include <limits>
 
 #include "compare/metric_makers.h"
@@ -10,19 +11,23 @@ namespace {
 
 // (t-r)^2 / (r^2 + 0.01), the mean of R, G, B (Rousselle, Knaus, Zwicker 2011, section 5: the 0.01 keeps dark pixels
 // from deciding alone).
-constexpr float kEpsilon = 0.01f;
+constexpr double kEpsilon = 0.01;
 
-// A white pixel where black was due: the largest error that a displayed image can have.
-constexpr float kWorst = 1.f / kEpsilon;
+// A white pixel where black was due: the largest error that a displayed image can have. (Light beyond white can have
+// more; pixels that are not finite fail whatever they add here.)
+constexpr float kWorst = 100;
+
+constexpr double kMost = static_cast<double>(std::numeric_limits<float>::max());
 
 void relativeErrorRow(const RowPair& rows, int count, float* out) {
   for (int i = 0; i < count; ++i) {
-    float sum = 0;
+    double sum = 0; // squares of large floats are none
     for (int c = 0; c < 3; ++c) {
-      const float r = rows.reference[3 * i + c], d = rows.test[3 * i + c] - r;
+      const double r = static_cast<double>(rows.reference[3 * i + c]);
+      const double d = static_cast<double>(rows.test[3 * i + c]) - r;
       sum += d * d / (r * r + kEpsilon);
     }
-    out[i] = sum * (1.f / 3.f);
+    out[i] = static_cast<float>(std::min(sum * (1. / 3.), kMost));
   }
 }
 

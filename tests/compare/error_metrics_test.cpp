@@ -24,6 +24,12 @@ TEST(RelMse, dividesTheSquaredErrorByTheReferencesSquare) {
   EXPECT_NEAR(measureWhole({display, display, &reference, &test}, {"relmse"}).find("relmse").value(), expected, 1e-7);
 }
 
+// Squares of 1e20 are no floats: the figure is still a number. (0.5e20)^2 / (1e20)^2 = 0.25.
+TEST(RelMse, lightOf1e20IsComparedAsAnyOther) {
+  const base::Image display(4, 4, 3, 1.f), reference(4, 4, 3, 1e20f), test(4, 4, 3, 0.5e20f);
+  EXPECT_NEAR(measureWhole({display, display, &reference, &test}, {"relmse"}).find("relmse").value(), 0.25, 1e-7);
+}
+
 TEST(RelMse, decodesDisplayedImagesWhereThereAreNoLinearOnes) {
   const base::Image reference(2, 2, 3, 188 / 255.f), test(2, 2, 3, 1.f);
   const double r = std::pow((188 / 255. + 0.055) / 1.055, 2.4); // IEC 61966-2-1

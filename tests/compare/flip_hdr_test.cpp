@@ -171,6 +171,23 @@ TEST(HdrFlip, aBlackReferenceTakesTheTestsExposuresAndSaysSo) {
   EXPECT_GT(poolMap(flipHdr(lit, black).flip).min, 0.5);
 }
 
+// A denormal luminance asks for more exposure than a float holds: 0 times infinity would make both images white.
+TEST(HdrFlip, aReferenceOfDenormalsIsBlackAndNotIdenticalToAnything) {
+  const base::Image lit(32, 32, 3, 0.3f);
+  base::Image onePixel(32, 32, 3);
+  *onePixel.at(5, 5) = 1e-40f;
+  for (const base::Image& dark : {onePixel, base::Image(32, 32, 3, 1e-39f)}) {
+    const HdrFlip found = flipHdr(dark, lit);
+    EXPECT_NE(found.range.note, "");
+    EXPECT_GT(poolMap(found.flip).min, 0.5);
+  }
+  for (float ev : {-kMaxExposureEv, kMaxExposureEv}) {
+    const HdrFlip found = flipHdr(base::Image(8, 8, 3), base::Image(8, 8, 3, 1e30f), {.start = ev, .stop = ev});
+    for (float v : found.flip.pixels) ASSERT_TRUE(std::isfinite(v));
+    EXPECT_EQ(poolMap(found.flip).min > 0.5, ev > 0) << ev;
+  }
+}
+
 TEST(HdrFlip, twoBlackImagesAreIdenticalAndSaidToBeBlack) {
   const base::Image black(8, 8, 3);
   const HdrFlip found = flipHdr(black, black);
@@ -214,9 +231,9 @@ TEST(HdrFlip, nanAndInfinityAreErrorsInEitherImage) {
 TEST(HdrFlip, optionsOutOfRangeAreAUsageError) {
   const base::Image image = makeHdrImage(8, 8, 1);
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  for (const HdrFlipOptions& options :
-       {HdrFlipOptions{.start = 3.f, .stop = 2.f}, HdrFlipOptions{.exposures = 1},
-        HdrFlipOptions{.exposures = kMaxExposures + 1}, HdrFlipOptions{.start = nan}, HdrFlipOptions{.ppd = 0}})
+  for (const HdrFlipOptions& options : {HdrFlipOptions{.start = 3.f, .stop = 2.f}, HdrFlipOptions{.exposures = 1},
+                                        HdrFlipOptions{.exposures = kMaxExposures + 1}, HdrFlipOptions{.start = nan},
+                                        HdrFlipOptions{.stop = 128.f}, HdrFlipOptions{.ppd = 0}})
     EXPECT_EQ(codeOf(image, image, options), base::ExitCode::usage);
 }
 

@@ -123,18 +123,20 @@ TEST_P(FlipDecoding, toneCurvesAreTheDefinitions) {
     }
 }
 
-// Where a value overflows when exposed, or is negative: still numbers.
-TEST_P(FlipDecoding, noValueBecomesNan) {
+// Where a value overflows when exposed, or is negative: still numbers; and black stays black.
+TEST_P(FlipDecoding, noValueBecomesNanAtAnyExposure) {
   base::Image image(64, 1, 3);
   const float values[] = {0, -0.f, 1e-40f, 3e38f, -3e38f, -1, 1e10f};
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = values[(i * i + i / 3) % 7];
-  for (Tonemapper tonemapper : {Tonemapper::aces, Tonemapper::hable, Tonemapper::reinhard}) {
-    RowDecoder decoder = makeRowDecoder(tonemapper);
-    decoder.exposure = 1e5f;
-    std::vector<float> planes(3 * 192);
-    decodeRow(decoder, image.pixels.data(), 3, 64, {planes.data(), planes.data() + 192, planes.data() + 384});
-    for (float v : planes) ASSERT_TRUE(std::isfinite(v));
-  }
+  for (std::size_t i = 3; i < image.pixels.size(); ++i) image.pixels[i] = values[(i * i + i / 3) % 7];
+  for (Tonemapper tonemapper : {Tonemapper::aces, Tonemapper::hable, Tonemapper::reinhard})
+    for (float ev : {-kMaxExposureEv, 0.f, 17.f, kMaxExposureEv}) {
+      RowDecoder decoder = makeRowDecoder(tonemapper);
+      decoder.exposure = std::exp2(ev);
+      std::vector<float> planes(3 * 192);
+      decodeRow(decoder, image.pixels.data(), 3, 64, {planes.data(), planes.data() + 192, planes.data() + 384});
+      for (float v : planes) ASSERT_TRUE(std::isfinite(v)) << ev;
+      for (std::size_t p = 0; p < 3; ++p) ASSERT_EQ(planes[192 * p], 0.f) << ev; // the first pixel
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(SimdLevels, FlipDecoding, ::testing::ValuesIn(simdLevels()),

@@ -1,6 +1,8 @@
 // What FLIP leaves out: equal parts are not filtered, regions are computed alone; and neither changes a pixel nor hides
 // a NaN.
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <random>
 #include <string>
@@ -47,6 +49,32 @@ TEST(FlipSkip, equalPartsAreNotFilteredAndTheRestIsTheOracles) {
   // Whole blocks of 32 x 8 with their surroundings are taken: here not even three times what is reached.
   EXPECT_LT(maps.filteredPixels, 3 * reached);
   EXPECT_EQ(flipMaps(reference, reference).filteredPixels, 0u);
+}
+
+// Few changes at random, in corners, and where blocks and tiles meet: none is overlooked.
+TEST(FlipSkip, sparseChangesAnywhereGiveTheOraclesMap) {
+  std::mt19937 random(31);
+  const int sizes[][2] = {{600, 9}, {257, 40}, {33, 70}, {64, 64}, {300, 20}};
+  for (unsigned round = 0; round < 40; ++round) {
+    const auto& [width, height] = sizes[round % std::size(sizes)];
+    const float ppd = std::array{1.f, 10.f, kDefaultPixelsPerDegree, 200.f}[round / 5 % 4];
+    const base::Image reference = makeImage(Kind::noise8, width, height, round);
+    base::Image test = reference;
+    const int places[][2] = {{0, 0},  {width - 1, 0}, {0, height - 1}, {width - 1, height - 1},
+                             {31, 4}, {32, 5},        {255, 7},        {256, 8},
+                             {7, 7},  {8, 8},         {width / 2, 3},  {static_cast<int>(random() % 600), 6}};
+    for (unsigned change = 0; change <= round % 3; ++change) {
+      const auto& [x, y] = places[random() % std::size(places)];
+      float* pixel = test.at(std::min(x, width - 1), std::min(y, height - 1));
+      pixel[random() % 3] = static_cast<float>(random() % 256) / 255.f;
+    }
+    const base::Image map = flipMap(reference, test, {.ppd = ppd});
+    const std::vector<double> exact = oracle::flip(reference, test, static_cast<double>(ppd)).flip;
+    for (std::size_t i = 0; i < exact.size(); ++i)
+      ASSERT_NEAR(static_cast<double>(map.pixels[i]), exact[i], 2e-5)
+          << "round " << round << ", x " << i % static_cast<std::size_t>(width) << ", y "
+          << i / static_cast<std::size_t>(width);
+  }
 }
 
 TEST(FlipSkip, aRegionIsTheWholesPixelsAndNothingElse) {
