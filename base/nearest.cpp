@@ -48,4 +48,13 @@ std::string nearestName(std::string_view name, std::span<const std::string_view>
   return std::string(best);
 }
 
+std::string describeNearest(std::string_view name, std::span<const std::string_view> known, std::string_view prefix) {
+  const std::string nearest = nearestName(name, known);
+  if (!nearest.empty() && editDistance(name, nearest) * 2 <= std::max(name.size(), nearest.size()))
+    return "did you mean '" + std::string(prefix) + nearest + "'?";
+  std::string list = "known:";
+  for (const std::string_view each : known) ((list += each == known.front() ? " " : ", ") += prefix) += each;
+  return list;
+}
+
 } // namespace parity::base

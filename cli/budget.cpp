@@ -2,20 +2,23 @@
 #include <fmt/format.h>
 
 #include "base/file.h"
+#include "base/log.h"
 #include "cli/invocation.h"
 #include "compare/budget.h"
 #include "compare/report_reader.h"
+#include "compare/text.h"
 
 namespace parity::cli {
 
 int runBudgetSuggestCommand(const BudgetSuggestCommand& command) {
   std::vector<compare::ObservedRun> runs;
   for (const std::string& file : command.reports) runs.push_back({file, compare::readReport(file)});
-  const std::string text = compare::suggestBudgets(runs, command.options);
+  const compare::SuggestedBudgets suggested = compare::suggestBudgets(runs, command.options);
+  for (const std::string& each : suggested.leftOut) base::logWarning("left out: " + compare::plainLine(each));
   if (command.output.empty())
-    fmt::print("{}", text);
+    fmt::print("{}", suggested.text);
   else
-    base::writeText(command.output, text);
+    base::writeText(command.output, suggested.text);
   return 0;
 }
 

@@ -2,7 +2,9 @@
 #include "compare/baseline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,7 +34,7 @@ const MaterialResult* findNamesake(const std::vector<MaterialResult>& list, cons
 
 std::vector<FigureChange> changesOf(const Figures& before, const Figures& now) {
   std::vector<FigureChange> changes;
-  if (before.pixels == 0 || now.pixels == 0) return changes;
+  if (before.pixels == 0 || now.pixels == 0 || before.nonFinite > 0) return changes;
   for (const Figure& figure : now.values)
     if (const std::optional<double> then = before.find(figure.name))
       changes.push_back({figure.name, *then, figure.value});
@@ -52,9 +54,32 @@ double worseBy(Better better, double before, double now) {
   return NAN;
 }
 
+// The settings that say which surfaces are in a whole image, and how they are shaded on request.
+constexpr std::array<std::string_view, 2> kSettingsOfWholes = {"materials", "fully rough"};
+
+std::string settingOf(const Report& report, std::string_view name) {
+  const auto found = std::ranges::find(report.settings, name, [](const auto& setting) { return setting.first; });
+  return found == report.settings.end() ? "not recorded" : found->second;
+}
+
+// Why the whole images are not the same thing in both, empty where they are.
+std::string describeOtherWholes(const Report& report, const Report& baseline) {
+  for (const std::string_view name : kSettingsOfWholes)
+    if (const std::string then = settingOf(baseline, name), now = settingOf(report, name); then != now)
+      return fmt::format("the whole image was of another choice ({} '{}', now '{}')", name, then, now);
+  return {};
+}
+
 // before: null where the baseline does not have it. A check that is judged already could not be (not measured now).
-void judgeRegression(CheckResult& check, const RegionFigures* before, const RegionFigures& now) {
+// other: not empty where the two cannot be held against each other, says why.
+void judgeRegression(CheckResult& check, const RegionFigures* before, const RegionFigures& now,
+                     const std::string& other) {
   if (!check.regress || check.judged()) return;
+  if (before && !other.empty()) {
+    check.verdict = Verdict::warn;
+    check.unjudged = other;
+    return;
+  }
   const bool interior = check.region == nameOf(Region::interior);
   const Figures* then = !before ? nullptr : interior ? &before->interior : &before->all;
   if (!then || then->pixels == 0) {
@@ -65,6 +90,12 @@ void judgeRegression(CheckResult& check, const RegionFigures* before, const Regi
     return;
   }
   check.unjudged.clear();
+  // Its figures hold the worst value there: against them a regression would look like an improvement.
+  if (before->all.nonFinite > 0) {
+    check.verdict = Verdict::error;
+    check.note = "non-finite pixels in the baseline";
+    return;
+  }
   const std::optional<double> old = then->find(check.metric);
   const std::optional<Statistic> statistic = statisticByName(check.metric);
   if (!old || std::isnan(*old) || !statistic) {
@@ -77,12 +108,13 @@ void judgeRegression(CheckResult& check, const RegionFigures* before, const Regi
 }
 
 BaselineChange hold(const RegionFigures& now, std::vector<CheckResult>& checks, const RegionFigures* before,
-                    Verdict verdict) {
-  for (CheckResult& check : checks) judgeRegression(check, before, now);
+                    Verdict verdict, const std::string& other = {}) {
+  for (CheckResult& check : checks) judgeRegression(check, before, now, other);
   BaselineChange change;
   change.isNew = before == nullptr;
   if (!before) return change;
   change.before = verdict;
+  if (!other.empty()) return change;
   change.interior = changesOf(before->interior, now.interior);
   change.all = changesOf(before->all, now.all);
   return change;
@@ -94,9 +126,9 @@ bool isAskedFor(const BaselineOptions& options, const std::string& material) {
          });
 }
 
-void holdView(ViewResult& view, const ViewResult* before, BaselineSummary& summary) {
-  view.baseline =
-      hold(view.whole, view.checks, before ? &before->whole : nullptr, before ? before->wholeVerdict : Verdict::pass);
+void holdView(ViewResult& view, const ViewResult* before, const std::string& otherWholes, BaselineSummary& summary) {
+  view.baseline = hold(view.whole, view.checks, before ? &before->whole : nullptr,
+                       before ? before->wholeVerdict : Verdict::pass, otherWholes);
   for (std::size_t i = 0; i < view.materials.size(); ++i) {
     MaterialResult& material = view.materials[i];
     const MaterialResult* then = before ? findNamesake(before->materials, view.materials, i) : nullptr;
@@ -127,8 +159,11 @@ std::string describeOtherConditions(const Report& report, const Report& baseline
     if (then != now) parts.push_back(fmt::format("{} was '{}', is '{}'", what, then, now));
   };
   for (const auto& [name, value] : report.settings)
-    for (const auto& [oldName, oldValue] : baseline.settings)
-      if (name == oldName) compare(name, oldValue, value);
+    if (std::ranges::find(kSettingsOfWholes, name) != kSettingsOfWholes.end())
+      compare(name, settingOf(baseline, name), value);
+    else
+      for (const auto& [oldName, oldValue] : baseline.settings)
+        if (name == oldName) compare(name, oldValue, value);
   compare("device", baseline.device, report.device);
   for (const SceneResult& scene : report.scenes)
     if (const SceneResult* before = findByName(baseline.scenes, scene.name);
@@ -145,13 +180,15 @@ std::string describeOtherConditions(const Report& report, const Report& baseline
 
 void compareWithBaseline(Report& report, const Report& baseline, const BaselineOptions& options) {
   BaselineSummary summary;
-  summary.source = std::filesystem::path(options.source).filename().string();
+  const std::filesystem::path source(options.source);
+  summary.source = (source.is_absolute() ? source.filename() : source).generic_string();
   summary.version = baseline.version;
   summary.device = baseline.device;
+  const std::string otherWholes = describeOtherWholes(report, baseline);
   for (SceneResult& scene : report.scenes) {
     const SceneResult* before = findByName(baseline.scenes, scene.name);
     for (ViewResult& view : scene.views)
-      holdView(view, before ? findByName(before->views, view.name) : nullptr, summary);
+      holdView(view, before ? findByName(before->views, view.name) : nullptr, otherWholes, summary);
   }
   for (const SceneResult& before : baseline.scenes) {
     const SceneResult* now = findByName(report.scenes, before.name);

@@ -9,7 +9,7 @@
 namespace parity::compare {
 
 struct BaselineOptions {
-  std::string source;                 // the baseline's file, of which the report says the name without folders
+  std::string source; // the baseline's file as given; of an absolute path the report says the name alone
   std::vector<std::string> materials; // globs: only these were asked for, so others are not gone; empty: all
   bool sameScenesOnly = false;        // other scenes are not gone: this run was never to show them
 };
@@ -18,10 +18,11 @@ struct BaselineOptions {
 // of the report, of its whole images and of its materials, judges the regressions among their checks, warns of
 // settings, devices and light that differ, and settles the verdicts. A regression is judged by how much worse the
 // figure is than then: more where less is better, less where more is better, further from 0 where it is signed. One
-// that was not measured then, or was no number, is an error; of something that the baseline does not show it stays not
-// judged. What the baseline has and this run has not is gone, which is a warning at least; not of scenes that could not
-// be compared in either. Where the two share no material that both show, the baseline has an error: nothing was held
-// against it.
+// that was not measured then, was no number, or is of something that had NaN or infinite pixels then, is an error; of
+// something that the baseline does not show it stays not judged. So do those of whole images where the settings
+// "materials" or "fully rough" differ: those are then not of the same surfaces, and their changes are left out. What
+// the baseline has and this run has not is gone, which is a warning at least; not of scenes that could not be compared
+// in either. Where the two share no material that both show, the baseline has an error: nothing was held against it.
 void compareWithBaseline(Report& report, const Report& baseline, const BaselineOptions& options);
 
 } // namespace parity::compare

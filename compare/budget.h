@@ -63,8 +63,8 @@ const std::vector<BudgetPreset>& builtInPresets();
 // Reads a budget file (format: budgets.example.toml). The built-in rules are appended, for what no rule of the file
 // matches. Throws Error (exit 4) "file: line N: reason" for: a syntax error; an unknown key, metric, region or preset
 // (with the nearest known name); a wrong type; no rules; a rule without checks; a check without limit; the same check
-// twice; a limit that is NaN, infinite or outside its figure's range; warn beyond fail; a rule that an earlier one
-// hides wholly.
+// twice; a limit that is NaN, infinite, outside its figure's range or so at its end that no value is beyond it; warn
+// beyond fail; a rule that an earlier one hides wholly.
 Budgets loadBudgets(const std::filesystem::path& file);
 
 // The rules in words, one a line in the order in which they are tried, their limits below them: parity budget check.

@@ -97,7 +97,8 @@ private:
     if (found != presets.end()) return &found->second;
     std::vector<std::string_view> known;
     for (const auto& [each, checks] : presets) known.push_back(each);
-    refuse(table.get("preset")->source(), fmt::format("unknown preset '{}'; {}", name, suggest(name, known)));
+    refuse(table.get("preset")->source(),
+           fmt::format("unknown preset '{}'; {}", name, base::describeNearest(name, known)));
   }
 
   // Both lists of a table; `owner`, in words, has to have one of them.
@@ -126,17 +127,10 @@ private:
     return list;
   }
 
-  static std::string suggest(std::string_view name, Names known) {
-    const std::string nearest = base::nearestName(name, known);
-    if (base::editDistance(name, nearest) * 2 <= std::max(name.size(), nearest.size()))
-      return fmt::format("did you mean '{}'?", nearest);
-    return fmt::format("known: {}", fmt::join(known, ", "));
-  }
-
   void refuseUnknown(const toml::table& table, Names known) const {
     for (const auto& [key, node] : table)
       if (std::ranges::find(known, key.str()) == known.end())
-        refuse(key.source(), fmt::format("unknown key '{}'; {}", key.str(), suggest(key.str(), known)));
+        refuse(key.source(), fmt::format("unknown key '{}'; {}", key.str(), base::describeNearest(key.str(), known)));
   }
 
   std::vector<const toml::table*> tablesOf(const toml::node& node, std::string_view key) const {
@@ -203,14 +197,14 @@ private:
       const std::vector<std::string> names = knownStatistics();
       refuse(table.get("metric")->source(),
              fmt::format("unknown metric '{}'; {}", metric,
-                         suggest(metric, std::vector<std::string_view>(names.begin(), names.end()))));
+                         base::describeNearest(metric, std::vector<std::string_view>(names.begin(), names.end()))));
     }
     check.statistic = std::move(*known);
     const std::string where = textOf(table, "region", std::string(nameOf(region)));
     const auto name = std::ranges::find(kRegionNames, where);
     if (name == kRegionNames.end())
       refuse(table.get("region")->source(),
-             fmt::format("unknown region '{}'; {}", where, suggest(where, kRegionNames)));
+             fmt::format("unknown region '{}'; {}", where, base::describeNearest(where, kRegionNames)));
     check.region = static_cast<Region>(name - kRegionNames.begin());
     check.warn = readLimit(table, "warn", check.statistic, regress);
     check.fail = readLimit(table, "fail", check.statistic, regress);
@@ -222,7 +216,7 @@ private:
     return check;
   }
 
-  // A limit of a regression is a distance, so it may be as large as the whole range.
+  // A limit of a regression is a distance, so it may be almost as large as the whole range.
   std::optional<double> readLimit(const toml::table& table, std::string_view key, const Statistic& statistic,
                                   bool regress) const {
     const toml::node* node = table.get(key);
@@ -235,6 +229,10 @@ private:
     if (*value < least || *value > most)
       refuse(node->source(), fmt::format("'{}' is {}, outside the range {}..{} of {}{}", key, *value, least, most,
                                          regress ? "changes of " : "", statistic.name));
+    if (regress ? *value >= most : !canBeBeyond(statistic, *value))
+      refuse(node->source(), fmt::format("'{}' is {}: {} can never be {} it, so this would always pass", key, *value,
+                                         regress ? "a change of " + statistic.name : statistic.name,
+                                         statistic.better == Better::higher && !regress ? "below" : "above"));
     return value;
   }
 

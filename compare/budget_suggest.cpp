@@ -21,6 +21,7 @@ struct Subject {
   std::string scene, material;
   bool whole = false;
   bool inThisRun = false;                  // while runs are gathered
+  bool nonFinite = false;                  // NaN or infinite pixels in some run: its figures say nothing
   std::vector<std::vector<double>> values; // by figure: one a run, its worst over the views
   std::size_t runs() const { return values.front().size(); }
 };
@@ -50,13 +51,13 @@ private:
       const std::string place = fmt::format("scene {}, view {}", scene.name, view.name);
       for (const MaterialResult& material : view.materials) {
         if (material.figures.all.pixels > 0)
-          add(run, place + ", material " + material.name, {scene.name, material.name, false, false, {}},
-              mainFigures(material.figures));
+          add(run, place + ", material " + material.name, {scene.name, material.name, false, false, false, {}},
+              material.figures, mainFigures(material.figures));
         else if (!isShown(scene, material.name))
           leaveOut(fmt::format("no view shows '{}' of scene '{}' in {}", material.name, scene.name, run.source));
       }
       if (view.whole.all.pixels > 0)
-        add(run, place + ", whole image", {scene.name, "", true, false, {}}, view.whole.all);
+        add(run, place + ", whole image", {scene.name, "", true, false, false, {}}, view.whole, view.whole.all);
     }
   }
 
@@ -72,7 +73,8 @@ private:
     if (std::ranges::find(m_leftOut, why) == m_leftOut.end()) m_leftOut.push_back(std::move(why));
   }
 
-  void add(const ObservedRun& run, const std::string& place, Subject key, const Figures& figures) {
+  void add(const ObservedRun& run, const std::string& place, Subject key, const RegionFigures& regions,
+           const Figures& figures) {
     auto subject = std::ranges::find_if(m_subjects, [&](const Subject& each) {
       return each.whole == key.whole && each.scene == key.scene && each.material == key.material;
     });
@@ -81,6 +83,11 @@ private:
       subject = m_subjects.insert(m_subjects.end(), std::move(key));
     }
     const bool first = !std::exchange(subject->inThisRun, true);
+    if (regions.all.nonFinite > 0) {
+      leaveOut(fmt::format("{} has {} NaN or infinite pixels in {}", place, regions.all.nonFinite, run.source));
+      subject->nonFinite = true;
+    }
+    if (subject->nonFinite) return;
     for (std::size_t i = 0; i < m_figures.size(); ++i) {
       const std::optional<double> value = figures.find(m_figures[i].name);
       if (!value) throw base::fileError(run.source, place, m_figures[i].name + " was not measured");
@@ -151,8 +158,45 @@ std::string formatError(const Statistic& statistic, double error) {
   return statistic.better == Better::nearZero && std::isfinite(error) ? "±" + text.substr(1) : text;
 }
 
-// Empty where no figure of it has a limit.
-std::string formatRule(const Subject& subject, const std::vector<Statistic>& figures, double margin) {
+// Whether no figure has a limit, as most of the runs were identical images.
+bool isIdentical(const Subject& subject) {
+  return std::ranges::all_of(subject.values,
+                             [](const std::vector<double>& errors) { return !std::isfinite(percentile95(errors)); });
+}
+
+// A report that is given twice is one run, as it says nothing new.
+std::vector<ObservedRun> dropRepeated(const std::vector<ObservedRun>& runs, std::vector<std::string>& leftOut) {
+  std::vector<ObservedRun> once;
+  std::vector<std::string> texts;
+  for (const ObservedRun& run : runs) {
+    std::string text = toJson(run.report);
+    const auto same = std::ranges::find(texts, text);
+    if (same == texts.end()) {
+      texts.push_back(std::move(text));
+      once.push_back(run);
+    } else {
+      leftOut.push_back(fmt::format("{} is the same as {}: one run", run.source,
+                                    once[static_cast<std::size_t>(same - texts.begin())].source));
+    }
+  }
+  return once;
+}
+
+// "warn = 0.120, fail = 0.140", without what nothing could be beyond; empty where neither is left.
+std::string formatLimits(const Statistic& figure, double value, double margin) {
+  std::string limits;
+  for (const int steps : {1, 2}) {
+    const std::string limit =
+        fmt::format("{:.{}f}", roundWorse(figure, value, worsen(figure, value, steps * margin), steps), figure.digits);
+    if (canBeBeyond(figure, std::stod(limit)))
+      limits += fmt::format("{}{} = {}", limits.empty() ? "" : ", ", steps == 1 ? "warn" : "fail", limit);
+  }
+  return limits;
+}
+
+// Empty where no figure of it has a limit. leftOut: told of limits that would never have been judged.
+std::string formatRule(const Subject& subject, const std::string& name, const std::vector<Statistic>& figures,
+                       double margin, std::vector<std::string>& leftOut) {
   std::string checks, observed;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const Statistic& figure = figures[i];
@@ -161,9 +205,12 @@ std::string formatRule(const Subject& subject, const std::vector<Statistic>& fig
                             formatError(figure, most));
     const double value = valueOf(figure, percentile95(subject.values[i]));
     if (!std::isfinite(value)) continue;
-    checks += fmt::format("  {{ metric = {}, warn = {:.{}f}, fail = {:.{}f} }},\n", quoteToml(figure.name),
-                          roundWorse(figure, value, worsen(figure, value, margin), 1), figure.digits,
-                          roundWorse(figure, value, worsen(figure, value, 2 * margin), 2), figure.digits);
+    const std::string limits = formatLimits(figure, value, margin);
+    if (limits.find("fail") == std::string::npos)
+      leftOut.push_back(fmt::format("{}: no {} of {} is suggested, nothing could be beyond it (observed: {})", name,
+                                    limits.empty() ? "limit" : "'fail'", figure.name,
+                                    formatFigure(figure.name, value)));
+    if (!limits.empty()) checks += fmt::format("  {{ metric = {}, {} }},\n", quoteToml(figure.name), limits);
   }
   if (checks.empty()) return {};
   std::string rule = fmt::format("\n# {}: {}\n", countRuns(subject.runs()), observed);
@@ -177,16 +224,18 @@ std::string formatRule(const Subject& subject, const std::vector<Statistic>& fig
 
 } // namespace
 
-std::string suggestBudgets(const std::vector<ObservedRun>& runs, const SuggestOptions& options) {
-  if (runs.empty()) throw base::fileError("budget suggest", "", "no report was given");
+SuggestedBudgets suggestBudgets(const std::vector<ObservedRun>& given, const SuggestOptions& options) {
+  if (given.empty()) throw base::fileError("budget suggest", "", "no report was given");
   if (!(options.margin >= 0 && options.margin <= 10))
     throw base::Error(base::ExitCode::usage, "budget suggest", "margin", "is not from 0 to 10");
   if (options.figures.empty()) throw base::Error(base::ExitCode::usage, "budget suggest", "", "no figure was named");
   std::vector<Statistic> figures;
   for (const std::string& name : options.figures) figures.push_back(requireStatistic(name, "budget suggest"));
 
+  std::vector<std::string> leftOut;
+  const std::vector<ObservedRun> runs = dropRepeated(given, leftOut);
   const Observation observation(runs, figures);
-  std::vector<std::string> leftOut = observation.leftOut();
+  leftOut.insert(leftOut.end(), observation.leftOut().begin(), observation.leftOut().end());
   std::string rules, wholes;
   for (const Subject& subject : observation.subjects()) {
     const std::string name =
@@ -195,12 +244,15 @@ std::string suggestBudgets(const std::vector<ObservedRun>& runs, const SuggestOp
       leftOut.push_back(name + " has no name that a rule could match");
       continue;
     }
-    const std::string rule = formatRule(subject, figures, options.margin);
-    if (rule.empty()) leftOut.push_back(name + " was identical: nothing to limit");
+    if (subject.nonFinite) continue; // said while it was gathered
+    if (isIdentical(subject)) leftOut.push_back(name + " was identical: nothing to limit");
+    const std::string rule = formatRule(subject, name, figures, options.margin, leftOut);
     (subject.whole ? wholes : rules) += rule;
   }
   if (rules.empty() && wholes.empty())
-    throw base::fileError(runs.front().source, "", "no material was compared in it: nothing to suggest");
+    throw base::fileError(runs.front().source, "",
+                          leftOut.empty() ? "no material was compared in it: nothing to suggest"
+                                          : fmt::format("nothing to suggest: {}", fmt::join(leftOut, "; ")));
 
   std::string text = fmt::format("# Budgets suggested from {}", countRuns(runs.size()));
   for (const ObservedRun& run : runs) text += "\n#   " + plainLine(run.source);
@@ -211,7 +263,7 @@ std::string suggestBudgets(const std::vector<ObservedRun>& runs, const SuggestOp
   if (runs.size() < 20)
     text += "# Of fewer than 20 runs the 95th percentile is the largest value: more runs say more.\n";
   for (const std::string& each : leftOut) text += "# Left out: " + plainLine(each) + "\n";
-  return text + rules + wholes;
+  return {text + rules + wholes, std::move(leftOut)};
 }
 
 } // namespace parity::compare

@@ -27,7 +27,7 @@ const Metric& requireMetric(std::string_view name, const std::string& subject) {
   std::vector<std::string_view> known;
   for (const Metric& metric : metricRegistry()) known.push_back(metric.name);
   throw base::Error(base::ExitCode::usage, subject, "'" + std::string(name) + "'",
-                    "unknown metric; the nearest known is '" + base::nearestName(name, known) + "'");
+                    "unknown metric; " + base::describeNearest(name, known));
 }
 
 std::vector<std::string> parseMetricNames(std::string_view commaSeparated, const std::string& subject) {

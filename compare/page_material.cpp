@@ -13,17 +13,17 @@ std::string materialRow(const MaterialResult& material, const std::string& place
   const Figures& main = mainFigures(material.figures);
   const bool seen = material.figures.all.pixels > 0;
   const double light = main.referenceLuma > 0 ? std::abs(main.testLuma / main.referenceLuma - 1) : 0;
-  const double mean = main.find("flip.mean").value_or(0);
+  const std::optional<double> mean = seen ? main.find("flip.mean") : std::nullopt;
   double change = 0;
   if (material.baseline)
     for (const FigureChange& each :
          material.figures.interior.pixels > 0 ? material.baseline->interior : material.baseline->all)
       if (each.metric == "flip.mean") change = each.change();
   std::string html = fmt::format(
-      "<article class=\"material {}\" data-name=\"{}\" data-verdict=\"{}\" data-gravity=\"{}\" data-mean=\"{:.6f}\" "
+      "<article class=\"material {}\" data-name=\"{}\" data-verdict=\"{}\" data-gravity=\"{}\" data-mean=\"{}\" "
       "data-light=\"{:.6f}\" data-change=\"{:.6f}\" data-order=\"{}\"><div class=\"about\">{}<h4><bdi>{}</bdi></h4>",
       verdictClass(material.verdict), escapeMarkup(material.name), verdictClass(material.verdict),
-      static_cast<int>(material.verdict), seen && std::isfinite(mean) ? mean : 0,
+      static_cast<int>(material.verdict), mean && std::isfinite(*mean) ? fmt::format("{:.6f}", *mean) : "",
       seen && std::isfinite(light) ? light : 0, std::isfinite(change) ? change : 0, order,
       verdictBadge(material.verdict), escapeMarkup(material.name));
   if (!material.reason.empty()) html += fmt::format("<p class=\"reason\">{}</p>", escapeMarkup(material.reason));

@@ -168,6 +168,10 @@ std::string magmaLegend() {
                      stops);
 }
 
+std::string definition(const std::string& name, const std::string& value) {
+  return value.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>", escapeMarkup(name), escapeMarkup(value));
+}
+
 std::string textList(const std::vector<std::string>& texts, const char* cssClass) {
   if (texts.empty()) return {};
   std::string html = fmt::format("<ul class=\"{}\">", cssClass);

@@ -37,6 +37,12 @@ std::string magmaLegend();
 // <ul class=...> of texts; empty where there are none.
 std::string textList(const std::vector<std::string>& texts, const char* cssClass);
 
+// <dt> and <dd> of a list of facts; empty where there is no value.
+std::string definition(const std::string& name, const std::string& value);
+
+// What the run was held against, the largest changes since then, and what is gone; empty where there is no baseline.
+std::string baselineSection(const Report& report);
+
 // One material's row.
 std::string materialRow(const MaterialResult& material, const std::string& place, std::size_t order);
 

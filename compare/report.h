@@ -50,7 +50,8 @@ struct FigureChange {
 struct BaselineChange {
   bool isNew = false;                      // the baseline does not show it: all else is empty
   Verdict before = Verdict::pass;          // the verdict that it had there
-  std::vector<FigureChange> interior, all; // of figures that both have, in this report's order; empty without pixels
+  std::vector<FigureChange> interior, all; // of figures that both have, in this report's order; empty without
+                                           // pixels, and where the baseline's were NaN or infinite
 };
 
 // Paths relative to the report folder, '/'-separated; empty where there is none.
@@ -109,7 +110,7 @@ struct GoneRow {
 
 // The earlier report that a run was held against (compare/baseline.h).
 struct BaselineSummary {
-  std::string source, version, device; // the file's name without its folder; what made it
+  std::string source, version, device; // the file as given (without its folder, if that is absolute); what made it
   std::size_t common = 0;              // material views that both show
   std::vector<GoneRow> gone;           // not empty: at least a warning
   std::string error;                   // not empty: it could not be used, this line says why

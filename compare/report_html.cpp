@@ -44,8 +44,9 @@ std::string headline(const Report& report) {
       return fmt::format("Within budget, with warnings for {} of {} {}", counts.warn, counts.total(), rows);
     return countWholes(report).warn > 0
                ? "Within budget, with a warning for a whole image"
-               : fmt::format("Within budget, but {} of the baseline missing",
-                             plural(report.baseline ? report.baseline->gone.size() : 0, "entry is", "entries are"));
+               : fmt::format("Within budget, but {} missing",
+                             plural(report.baseline ? report.baseline->gone.size() : 0, "entry of the baseline is",
+                                    "entries of the baseline are"));
   case Verdict::fail:
     return counts.fail > 0 ? over : "A whole image is over budget";
   case Verdict::error:
@@ -61,10 +62,6 @@ std::string headline(const Report& report) {
 }
 
 std::string anchor(std::size_t scene, std::size_t view) { return fmt::format("scene-{}-view-{}", scene + 1, view + 1); }
-
-std::string definition(const std::string& name, const std::string& value) {
-  return value.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>", escapeMarkup(name), escapeMarkup(value));
-}
 
 std::string header(const Report& report, const RunInfo& run) {
   std::string details = definition("Version", report.version) + definition("Device", report.device) +
@@ -89,21 +86,6 @@ std::string header(const Report& report, const RunInfo& run) {
       "there.</p></div></details></div>\n",
       verdictClass(report.verdict), escapeMarkup(report.tool), verdictBadge(report.verdict),
       escapeMarkup(headline(report)), escapeMarkup(report.device), magmaLegend(), details);
-}
-
-// What concerns the whole run: its warnings, and what it was held against.
-std::string runSection(const Report& report) {
-  std::string html = textList(report.warnings, "warnings");
-  if (!report.baseline) return html;
-  const BaselineSummary& baseline = *report.baseline;
-  html += "<section class=\"since\"><h2>Since the baseline</h2>\n<dl class=\"inline\">";
-  html += definition("Baseline", baseline.source) + definition("Version", baseline.version) +
-          definition("Device", baseline.device) + definition("In common", std::to_string(baseline.common)) + "</dl>\n";
-  if (!baseline.error.empty())
-    html += fmt::format("<p class=\"error-box\"><b>Not used:</b> {}</p>\n", escapeMarkup(baseline.error));
-  std::vector<std::string> gone;
-  for (const GoneRow& row : baseline.gone) gone.push_back(describeGone(row));
-  return html + textList(gone, "warnings") + "</section>\n";
 }
 
 std::string toolbar(const Report& report) {
@@ -151,14 +133,14 @@ std::string overview(const Report& report) {
       const auto over =
           std::ranges::count_if(view.materials, [](const MaterialResult& m) { return m.verdict >= Verdict::fail; });
       const bool seen = view.whole.all.pixels > 0;
-      const double wholeMean = seen ? view.whole.all.find("flip.mean").value_or(0) : 0;
+      const std::optional<double> mean = seen ? view.whole.all.find("flip.mean") : std::nullopt;
       lines.push_back(
-          {view.verdict, wholeMean,
+          {view.verdict, mean.value_or(0), // unmeasured ones sort last
            fmt::format(
                "<tr><td>{}</td><td><a href=\"#{}\">{}</a></td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}"
                "</td></tr>",
                verdictBadge(view.verdict), anchor(s, v), escapeMarkup(scene.name), escapeMarkup(view.name),
-               view.materials.size(), over, seen ? formatFigure("flip.mean", wholeMean) : "–",
+               view.materials.size(), over, mean ? formatFigure("flip.mean", *mean) : "–",
                seen ? describeBias(view.whole.all) : "nothing seen")});
     }
   }
@@ -225,7 +207,8 @@ std::string toHtml(const Report& report, const RunInfo& run) {
       "content=\"no-referrer\"/>\n<meta name=\"color-scheme\" content=\"light dark\"/>\n<title>{}: {}</title>\n",
       kPolicy, escapeMarkup(report.tool), escapeMarkup(headline(report)));
   html += fmt::format("<style>\n{}</style>\n</head>\n<body>\n<main>\n", kReportPageCss);
-  html += header(report, run) + runSection(report) + overview(report) + toolbar(report);
+  html += header(report, run) + textList(report.warnings, "warnings") + baselineSection(report) + overview(report) +
+          toolbar(report);
   for (std::size_t s = 0; s < report.scenes.size(); ++s) html += sceneSection(report.scenes[s], s);
   html += "</main>\n<dialog id=\"viewer\"><div class=\"viewer-bar\"><b id=\"viewer-title\"></b><span "
           "id=\"viewer-tabs\"></span><a id=\"viewer-open\" target=\"_blank\" rel=\"noopener\">Open the file</a><button "

@@ -145,7 +145,7 @@ std::string unjudgedLine(const Report& report) {
     }
   if (count == 0) return {};
   return fmt::format("regressions not judged: {} ({})\n", count,
-                     report.baseline ? "the baseline does not have them" : "no --baseline was given");
+                     report.baseline ? "the baseline has nothing to hold them against" : "no --baseline was given");
 }
 
 } // namespace

@@ -51,6 +51,12 @@ std::optional<Statistic> statisticByName(std::string_view name) {
   return fractionOver(name);
 }
 
+bool canBeBeyond(const Statistic& statistic, double limit) {
+  return statistic.better == Better::higher ? limit > statistic.least : limit < statistic.most;
+}
+
+bool isShare(std::string_view name) { return name.find(kFractionOver) != std::string_view::npos; }
+
 std::vector<std::string> knownStatistics() {
   std::vector<std::string> names;
   for (const Metric& metric : metricRegistry()) {
@@ -65,7 +71,7 @@ Statistic requireStatistic(std::string_view name, const std::string& subject) {
   const std::vector<std::string> known = knownStatistics();
   const std::vector<std::string_view> views(known.begin(), known.end());
   throw base::Error(base::ExitCode::usage, subject, "'" + std::string(name) + "'",
-                    "unknown figure; the nearest known is '" + base::nearestName(name, views) + "'");
+                    "unknown figure; " + base::describeNearest(name, views));
 }
 
 } // namespace parity::compare

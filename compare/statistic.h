@@ -12,10 +12,10 @@ namespace parity::compare {
 enum class Better { lower, higher, nearZero }; // nearZero: a signed figure; a limit bounds its absolute value
 
 struct Statistic {
-  std::string name;         // "flip.mean", "flip.fraction_over(0.1)", "psnr": canonical spelling
-  std::string metric;       // "flip"
-  std::string label;        // in a sentence: "mean FLIP", "share of pixels with FLIP over 0.1", "PSNR"
-  std::string unit;         // "", "dB", "EV", "%"
+  std::string name;   // "flip.mean", "flip.fraction_over(0.1)", "psnr": canonical spelling
+  std::string metric; // "flip"
+  std::string label;  // in a sentence: "mean FLIP", "share of pixels with FLIP over 0.1", "PSNR"
+  std::string unit;   // "", "dB", "EV", "%"
   Better better = Better::lower;
   double least = 0, most = 1; // the range a limit may have; +infinity where there is no bound
   int digits = 3;             // after the point, where people read it
@@ -25,11 +25,18 @@ struct Statistic {
 // "flip.fraction_over(0.1)". Empty for a name that is not known.
 std::optional<Statistic> statisticByName(std::string_view name);
 
+// Whether any value of the figure's range could be beyond the limit. One that none could be can never trip: a check
+// that always passes.
+bool canBeBeyond(const Statistic& statistic, double limit);
+
+// The share of pixels above a threshold, "flip.fraction_over(0.1)": read best as a percentage.
+bool isShare(std::string_view name);
+
 // All names without parameters, in the registry's order, and "M.fraction_over(X)" for metrics that have it: for
 // messages and the nearest known name.
 std::vector<std::string> knownStatistics();
 
-// As statisticByName, but throws Error (usage) naming `subject` and the nearest known name.
+// As statisticByName, but throws Error (usage) naming `subject` and the nearest known name, or all where none is near.
 Statistic requireStatistic(std::string_view name, const std::string& subject);
 
 } // namespace parity::compare

@@ -13,18 +13,55 @@ namespace parity::compare {
 namespace {
 
 constexpr double kLeastEv = 0.05, kLeastLab = 1; // wording.h says why
+constexpr int kShareDigits = 1;                  // of a percentage
+constexpr int kMostDigits = 8;                   // after the point
 
 Better betterOf(const CheckResult& check) {
   const std::optional<Statistic> statistic = statisticByName(check.metric);
   return statistic && !check.regress ? statistic->better : Better::lower;
 }
 
-std::string formatNumber(const std::string& metric, double value, bool sign) {
+constexpr int kFewDigits = -1; // as many as the statistic has
+
+std::string formatNumber(const std::string& metric, double value, bool sign, int digits = kFewDigits) {
   const std::optional<Statistic> statistic = statisticByName(metric);
-  const int digits = statistic ? statistic->digits : 3;
+  const bool share = isShare(metric);
+  if (share) value *= 100;
   if (value == 0) value = 0; // no "-0.000"
-  const std::string number = sign ? fmt::format("{:+.{}f}", value, digits) : fmt::format("{:.{}f}", value, digits);
+  if (digits == kFewDigits) digits = share ? kShareDigits : statistic ? statistic->digits : 3;
+  std::string number = digits > kMostDigits ? fmt::format("{}", value) : fmt::format("{:.{}f}", value, digits);
+  if (sign && value >= 0) number.insert(0, 1, '+');
+  if (share) return number + " %";
   return statistic && !statistic->unit.empty() ? number + " " + statistic->unit : number;
+}
+
+// As few digits as tell the check's value from its limits, so that nothing is said to be "below 20.9" at 20.9; beyond
+// kMostDigits the shortest text that reads back as the very number.
+int digitsOf(const CheckResult& check) {
+  const std::optional<Statistic> statistic = statisticByName(check.metric);
+  int digits = isShare(check.metric) ? kShareDigits : statistic ? statistic->digits : 3;
+  if (!std::isfinite(check.value)) return digits;
+  const double held = betterOf(check) == Better::nearZero ? std::abs(check.value) : check.value; // what limits bound
+  const auto text = [&](double value) { return formatNumber(check.metric, value, false, digits); };
+  for (const std::optional<double>& limit : {check.warnAbove, check.failAbove})
+    while (limit && *limit != held && digits <= kMostDigits && text(*limit) == text(held)) ++digits;
+  return digits;
+}
+
+bool isSigned(const std::string& metric) {
+  const std::optional<Statistic> statistic = statisticByName(metric);
+  return statistic && statistic->better == Better::nearZero;
+}
+
+// "of the interior pixels", "of all pixels".
+std::string ofPixels(const std::string& region) { return region == "all" ? "of all pixels" : "of the interior pixels"; }
+
+// "FLIP over 0.2", of a share.
+std::string overThreshold(const CheckResult& check) {
+  const std::string label = labelOf(check);
+  constexpr std::string_view kWith = " with ";
+  const std::size_t at = label.find(kWith);
+  return at == std::string::npos ? label : label.substr(at + kWith.size());
 }
 
 std::string describeRegression(const CheckResult& check, const std::string& what) {
@@ -37,12 +74,19 @@ std::string describeRegression(const CheckResult& check, const std::string& what
   return fmt::format("{}, {}", found, formatLimit(check, *limit));
 }
 
+// By how much the test is darker or brighter, with its verb; empty where nobody sees it. A few bright highlights may
+// hold more light than all else: where light and lightness disagree, both are said.
 std::string describeLight(const Figures& figures, double ev) {
-  if (std::abs(ev) >= kLeastEv)
-    return fmt::format("{:.{}f} EV {}", std::abs(ev), std::abs(ev) < 0.1 ? 2 : 1, ev < 0 ? "darker" : "brighter");
   const double lightness = figures.find("bias.dl").value_or(0);
+  if (std::abs(ev) >= kLeastEv) {
+    const std::string size = fmt::format("{:.{}f} EV", std::abs(ev), std::abs(ev) < 0.1 ? 2 : 1);
+    if (ev * lightness >= 0) return fmt::format("is {} {}", size, ev < 0 ? "darker" : "brighter");
+    const char* seen = std::abs(lightness) < kLeastLab ? "equally bright" : lightness < 0 ? "darker" : "brighter";
+    return fmt::format("has {} {} light in all, but is {} on the whole (dL* {:+.1f})", size, ev < 0 ? "less" : "more",
+                       seen, lightness);
+  }
   if (std::abs(lightness) < kLeastLab) return {};
-  return fmt::format("{:.0f} L* {}", std::abs(lightness), lightness < 0 ? "darker" : "brighter");
+  return fmt::format("is {:.0f} L* {}", std::abs(lightness), lightness < 0 ? "darker" : "brighter");
 }
 
 std::string describeLuma(const Figures& figures, std::string_view test) {
@@ -65,7 +109,7 @@ std::string formatFigure(const std::string& metric, double value) {
   const std::optional<Statistic> statistic = statisticByName(metric);
   if (std::isinf(value))
     return statistic && statistic->better == Better::higher && value > 0 ? "identical" : "infinite";
-  return formatNumber(metric, value, statistic && statistic->better == Better::nearZero);
+  return formatNumber(metric, value, isSigned(metric));
 }
 
 std::string formatChange(const std::string& metric, double change) {
@@ -75,17 +119,21 @@ std::string formatChange(const std::string& metric, double change) {
 }
 
 std::string formatCheckValue(const CheckResult& check) {
-  if (!check.regress) return formatFigure(check.metric, check.value);
+  if (!check.regress)
+    return std::isfinite(check.value) ? formatNumber(check.metric, check.value, isSigned(check.metric), digitsOf(check))
+                                      : formatFigure(check.metric, check.value);
   if (!check.judged()) return "not judged";
   if (std::isnan(check.value)) return "not known";
   if (std::isinf(check.value)) return check.value > 0 ? "no longer identical" : "now identical";
   if (check.value == 0) return "as in the baseline";
-  return fmt::format("{} {} than in the baseline", formatNumber(check.metric, std::abs(check.value), false),
-                     check.value > 0 ? "worse" : "better");
+  const std::string size = formatNumber(check.metric, std::abs(check.value), false, digitsOf(check));
+  if (isSigned(check.metric))
+    return fmt::format("{} {} 0 than in the baseline", size, check.value > 0 ? "further from" : "nearer to");
+  return fmt::format("{} {} than in the baseline", size, check.value > 0 ? "worse" : "better");
 }
 
 std::string formatLimit(const CheckResult& check, double limit) {
-  const std::string number = formatNumber(check.metric, limit, false);
+  const std::string number = formatNumber(check.metric, limit, false, digitsOf(check));
   if (check.regress) return "above " + number;
   switch (betterOf(check)) {
   case Better::lower:
@@ -103,16 +151,19 @@ std::string describeCheck(const CheckResult& check) {
   if (check.regress) return describeRegression(check, what);
   if (std::isnan(check.value) && !check.note.empty())
     return fmt::format("{} over {} pixels: {}", what, check.region, check.note);
-  const std::string found =
-      fmt::format("{} {} over {} pixels", what, formatFigure(check.metric, check.value), check.region);
   const bool beyond = check.verdict == Verdict::fail || check.verdict == Verdict::warn;
   const std::optional<double>& limit = check.verdict == Verdict::fail                      ? check.failAbove
                                        : check.verdict == Verdict::warn || check.warnAbove ? check.warnAbove
                                                                                            : check.failAbove;
+  const bool share = isShare(check.metric) && !std::isnan(check.value);
+  const std::string found =
+      share ? fmt::format("{} {} have {}", formatCheckValue(check), ofPixels(check.region), overThreshold(check))
+            : fmt::format("{} {} over {} pixels", what, formatCheckValue(check), check.region);
   if (std::isnan(check.value) || !limit) return found;
+  const std::string number = formatNumber(check.metric, *limit, false, digitsOf(check));
+  if (share) return fmt::format("{}, {} {}", found, beyond ? "more than" : "within", number);
   if (beyond) return fmt::format("{} is {}", found, formatLimit(check, *limit));
-  return fmt::format("{} is within {}{}", found, betterOf(check) == Better::nearZero ? "±" : "",
-                     formatNumber(check.metric, *limit, false));
+  return fmt::format("{} is within {}{}", found, betterOf(check) == Better::nearZero ? "±" : "", number);
 }
 
 std::string describeGone(const GoneRow& row) {
@@ -128,23 +179,25 @@ const Figures& mainFigures(const RegionFigures& figures) {
 }
 
 std::string describeBias(const Figures& figures, std::string_view test) {
+  if (figures.nonFinite > 0) return "bias not known: some pixels are NaN or infinite";
   constexpr double kBlack = 0.5 / 255; // shown as 0
-  if (figures.referenceLuma < kBlack)
-    return figures.testLuma < kBlack ? "both are black" : "the reference is black there";
   const std::optional<double> ev = figures.find("bias.ev");
+  if (figures.referenceLuma < kBlack && figures.testLuma >= kBlack) return "the reference is black there";
+  if (figures.referenceLuma < kBlack && (!ev || std::abs(*ev) < kLeastEv)) return "both are black";
   if (!ev || !std::isfinite(*ev)) return describeLuma(figures, test);
 
-  std::vector<std::string> parts;
-  if (std::string light = describeLight(figures, *ev); !light.empty()) parts.push_back(std::move(light));
+  std::string text(test), light = describeLight(figures, *ev);
+  std::vector<std::string> tints;
   const auto addTint = [&](const char* figure, const char* more, const char* less) {
     const double bias = figures.find(figure).value_or(0);
-    if (std::abs(bias) >= kLeastLab) parts.emplace_back(bias > 0 ? more : less);
+    if (std::abs(bias) >= kLeastLab) tints.emplace_back(bias > 0 ? more : less);
   };
   addTint("bias.db", "warmer", "cooler");
   addTint("bias.da", "redder", "greener");
-  if (parts.empty()) return "equally bright, same tint";
-  std::string text = fmt::format("{} is {}", test, parts.front());
-  for (std::size_t i = 1; i < parts.size(); ++i) text += (i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  if (light.empty() && tints.empty()) return "equally bright, same tint";
+  text += " " + (light.empty() ? "is " + tints.front() : light);
+  for (std::size_t i = light.empty() ? 1 : 0; i < tints.size(); ++i)
+    text += (i + 1 == tints.size() ? " and " : ", ") + tints[i];
   return text;
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/error.h"
 #include "base/glob.h"
@@ -32,7 +33,9 @@ std::vector<std::pair<std::string, std::string>> describe(const Settings& s, con
           {"highend geometry term", correlated ? "height-correlated Smith" : "Schlick-Smith"},
           {"highend energy compensation", s.highend.compensate ? "on" : "off"},
           {"mobile preset", s.mobilePresetName},
-          {"mobile precision", "fp32"}};
+          {"mobile precision", "fp32"},
+          {"materials", s.materials.empty() ? "all" : fmt::format("{}", fmt::join(s.materials, ", "))},
+          {"fully rough", s.fullyRough.empty() ? "none" : fmt::format("{}", fmt::join(s.fullyRough, ", "))}};
 }
 
 void requireMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs) {

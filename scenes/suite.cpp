@@ -35,7 +35,7 @@ public:
       const std::string_view name = key.str();
       if (std::find(known.begin(), known.end(), name) == known.end())
         throw errorAt(node, cleanName(name),
-                      fmt::format("no such key in {}; did you mean '{}'?", what, base::nearestName(name, known)));
+                      fmt::format("no such key in {}; {}", what, base::describeNearest(name, known)));
     }
   }
 

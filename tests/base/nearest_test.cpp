@@ -37,5 +37,14 @@ TEST(NearestName, FindsTheLeastDistanceAndTheFirstOfEquals) {
   EXPECT_EQ(nearestName("x", {}), "");
 }
 
+TEST(NearestName, IsProposedOnlyWhereItIsNear) {
+  constexpr std::array<std::string_view, 3> kKnown = {"flip", "rmse", "psnr"};
+  EXPECT_EQ(describeNearest("flop", kKnown), "did you mean 'flip'?");
+  EXPECT_EQ(describeNearest("rsme", kKnown, "builtin:"), "did you mean 'builtin:rmse'?");
+  EXPECT_EQ(describeNearest("nope", kKnown), "known: flip, rmse, psnr") << "3 of 4 letters differ from rmse";
+  EXPECT_EQ(describeNearest("nope", kKnown, "builtin:"), "known: builtin:flip, builtin:rmse, builtin:psnr");
+  EXPECT_EQ(describeNearest("", {}), "known:");
+}
+
 } // namespace
 } // namespace parity::base

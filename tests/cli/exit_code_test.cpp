@@ -18,15 +18,15 @@ protected:
 };
 
 TEST_F(ExitCodeTest, Is0WithinBudget) {
-  EXPECT_TRUE(exitedWith(0, diffSpheres("warn = 1.0, fail = 1.0")));
-  EXPECT_TRUE(exitedWith(0, diffSpheres("warn = 1.0, fail = 1.0", {"--warn-exit"})));
+  EXPECT_TRUE(exitedWith(0, diffSpheres("warn = 0.999, fail = 0.999")));
+  EXPECT_TRUE(exitedWith(0, diffSpheres("warn = 0.999, fail = 0.999", {"--warn-exit"})));
 }
 
 TEST_F(ExitCodeTest, Is1ForWarningsOnlyWhereAskedFor) {
-  const RunResult silent = diffSpheres("warn = 0.0001, fail = 1.0");
+  const RunResult silent = diffSpheres("warn = 0.0001, fail = 0.999");
   EXPECT_TRUE(exitedWith(0, silent));
   EXPECT_TRUE(contains(silent.out, "verdict: warn")) << silent.out;
-  EXPECT_TRUE(exitedWith(1, diffSpheres("warn = 0.0001, fail = 1.0", {"--warn-exit"})));
+  EXPECT_TRUE(exitedWith(1, diffSpheres("warn = 0.0001, fail = 0.999", {"--warn-exit"})));
 }
 
 TEST_F(ExitCodeTest, Is2OverBudgetHoweverManyMaterialsAre) {
@@ -48,12 +48,12 @@ TEST_F(ExitCodeTest, Is4ForWhatCannotBeReadOrWritten) {
   const std::string picture = writePicture("picture.png", 16, 16);
   expectRefused(runParity({"flip", picture, (m_folder / "none.png").string()}), 4, {"none.png", "does not exist"});
   expectRefused(runParity({"flip", picture, picture, "-o", picture + "/map.exr"}), 4, {"picture.png"});
-  EXPECT_TRUE(exitedWith(4, diffSpheres("fail = 1.0", {"--material", "no such *"})));
+  EXPECT_TRUE(exitedWith(4, diffSpheres("fail = 0.999", {"--material", "no such *"})));
 }
 
 // Two pictures of nothing but background are alike: that is no pass.
 TEST_F(ExitCodeTest, Is4WhereAViewShowsNothing) {
-  EXPECT_TRUE(exitedWith(4, diffSpheres("fail = 1.0", {"--orbit", "30,60,3", "--target", "0,500,0"})));
+  EXPECT_TRUE(exitedWith(4, diffSpheres("fail = 0.999", {"--orbit", "30,60,3", "--target", "0,500,0"})));
 }
 
 // The highest that applies wins.

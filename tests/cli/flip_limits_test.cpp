@@ -82,7 +82,7 @@ TEST_F(FlipLimits, LimitThatCannotBeMeantIsAUsageError) {
     for (const std::string& part : parts) EXPECT_TRUE(contains(result.err, part)) << part << " in " << result.err;
   };
   refused({"--metric", "flip.meen", "--fail", "0.1"}, {"flip.meen", "'flip.mean'"});
-  refused({"--metrics", "flip,ssym"}, {"ssym", "nearest"});
+  refused({"--metrics", "flip,ssym"}, {"ssym", "did you mean 'ssim'"});
   refused({"--metric", "bias", "--fail", "0.1"}, {"bias.ev", "which of its figures"});
   refused({"--metric", "flip.mean"}, {"no limit stands behind it"});
   refused({"--metric", "flip", "--failpercent", "5"}, {"--failpercent", "--fail"});

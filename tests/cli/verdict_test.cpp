@@ -22,7 +22,7 @@ TEST_F(VerdictTest, AnUnchangedRunHasChangesOfZeroAndNoRegression) {
 name = "*"
 regress = [ { metric = "flip.mean", fail = 0 }, { metric = "psnr", fail = 0 } ]
 [[whole]]
-checks = [ { metric = "flip.mean", fail = 1 } ])");
+checks = [ { metric = "flip.mean", fail = 0.999 } ])");
   ASSERT_TRUE(exitedWith(4, report("old", {"--budgets", budgets}))) << "nothing else judges without a baseline";
   EXPECT_TRUE(exitedWith(0, report("new", {"--budgets", budgets, "--baseline", path("old")})));
   const nlohmann::json now = readReport(m_folder / "new");
@@ -54,7 +54,7 @@ regress = [ { metric = "flip.mean", warn = 0.1, fail = 0.5 } ])");
 }
 
 TEST_F(VerdictTest, WhatIsGoneIsAWarning) {
-  const std::string budgets = writeBudgets(m_folder, "fail = 1.0");
+  const std::string budgets = writeBudgets(m_folder, "fail = 0.999");
   ASSERT_TRUE(exitedWith(0, report("old", {"--budgets", budgets})));
   nlohmann::json old = readReport(m_folder / "old");
   nlohmann::json& materials = old["scenes"][0]["views"][0]["materials"];
@@ -98,7 +98,7 @@ name = "Heroo"
 preset = "strict"
 [[material]]
 name = "*"
-checks = [ { metric = "flip.mean", fail = 1 } ])");
+checks = [ { metric = "flip.mean", fail = 0.999 } ])");
   const std::vector<std::string> diff = join({{"diff", "builtin:furnace", "--budgets", budgets}, kSmall});
   const RunResult result = runParity(diff);
   EXPECT_TRUE(contains(result.err, "b.toml: a rule judges nothing in this run: line 2 ('Heroo')")) << result.err;
@@ -128,7 +128,7 @@ checks = [ { metric = "flip.max", region = "all", fail = 0 } ])");
 
 TEST_F(VerdictTest, TheTableSaysTheBiasInWords) {
   const RunResult result =
-      runParity(join({{"diff", "builtin:spheres", "--budgets", writeBudgets(m_folder, "fail = 1.0")}, kSmall}));
+      runParity(join({{"diff", "builtin:spheres", "--budgets", writeBudgets(m_folder, "fail = 0.999")}, kSmall}));
   EXPECT_TRUE(contains(result.out, " EV darker") || contains(result.out, " EV brighter") ||
               contains(result.out, "equally bright, same tint"))
       << result.out;

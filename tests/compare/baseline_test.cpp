@@ -45,7 +45,8 @@ Report makeRun(const std::vector<std::pair<std::string, double>>& materials, con
   return report;
 }
 
-Report hold(Report report, const Report& baseline, const BaselineOptions& options = {"folder/report.json", {}, false}) {
+Report hold(Report report, const Report& baseline,
+            const BaselineOptions& options = {"/here/old/report.json", {}, false}) {
   compareWithBaseline(report, baseline, options);
   return report;
 }
@@ -66,6 +67,8 @@ TEST(Baseline, ChangesAreNowMinusThen) {
   EXPECT_EQ(report.baseline->common, 1u);
   EXPECT_EQ(report.baseline->source, "report.json") << "no folder of this machine";
   EXPECT_EQ(report.verdict, Verdict::pass);
+  EXPECT_EQ(hold(report, report, {"old/report.json", {}, false}).baseline->source, "old/report.json")
+      << "as it was given: old and new have the same name";
 }
 
 TEST(Baseline, ARegressionIsJudgedByHowMuchWorseItIs) {
@@ -207,6 +210,18 @@ TEST(Baseline, AFigureThatWasNotMeasuredThenIsAnError) {
   EXPECT_EQ(materialOf(hold(makeRun({{"a", 0.10}}), broken)).verdict, Verdict::error);
 }
 
+// Non-finite pixels count as the worst error, so that against them any regression looks like an improvement.
+TEST(Baseline, NonFinitePixelsInItHideNoRegression) {
+  Report before = makeRun({{"a", 0.40}});
+  before.scenes[0].views[0].materials[0].figures.all.nonFinite = 3; // in the rim, whose neighbours are in the interior
+  const Report report = hold(makeRun({{"a", 0.30}}), before);
+  EXPECT_EQ(materialOf(report).verdict, Verdict::error);
+  EXPECT_EQ(materialOf(report).reason, "mean FLIP over interior pixels: non-finite pixels in the baseline");
+  EXPECT_EQ(exitCode(report, false), 4);
+  before.scenes[0].views[0].materials[0].figures.interior.nonFinite = 3;
+  EXPECT_TRUE(materialOf(hold(makeRun({{"a", 0.30}}), before)).baseline->interior.empty()) << "no change to speak of";
+}
+
 TEST(Baseline, AFigureThatIsNotMeasuredNowIsAnErrorWithAndWithoutOne) {
   Budgets budgets = makeBudgets();
   budgets.materials[0].regress = {limit("maxabs", 0.01, 0.03)};
@@ -232,6 +247,35 @@ TEST(Baseline, WholeImagesRegressToo) {
   const Report report = hold(now, makeRun({{"a", 0.1}}));
   EXPECT_EQ(report.scenes[0].views[0].wholeVerdict, Verdict::fail);
   EXPECT_EQ(report.verdict, Verdict::fail);
+}
+
+// With --material or --fully-rough the whole image is of other surfaces: a change of it says nothing.
+TEST(Baseline, WholeImagesOfOtherMaterialsAreNotHeldAgainstEachOther) {
+  Budgets budgets = makeBudgets();
+  budgets.wholes[0].regress = {limit("flip.mean", 0.01, 0.03, Region::all)};
+  for (const char* name : {"materials", "fully rough"}) {
+    Report before = makeRun({{"a", 0.1}}, budgets), now = before;
+    before.settings = {{"materials", "all"}, {"fully rough", "all"}};
+    now.settings = before.settings;
+    (name == std::string("materials") ? now.settings[0] : now.settings[1]).second = "Hero*";
+    const Report report = hold(now, before);
+    const ViewResult& view = report.scenes[0].views[0];
+    const std::string why = std::string("the whole image was of another choice (") + name + " 'all', now 'Hero*')";
+    EXPECT_EQ(view.checks.at(1).unjudged, why);
+    EXPECT_EQ(view.wholeVerdict, Verdict::pass) << "its level was judged";
+    EXPECT_TRUE(view.baseline->all.empty());
+    EXPECT_FALSE(materialOf(report).baseline->all.empty());
+    ASSERT_EQ(report.warnings.size(), 1u);
+    EXPECT_NE(report.warnings[0].find(name + std::string(" was 'all', is 'Hero*'")), std::string::npos);
+
+    Budgets only = budgets;
+    only.wholes[0].checks.clear();
+    judgeWhole(now.scenes[0].views[0], only, "s");
+    EXPECT_EQ(hold(now, before).scenes[0].views[0].wholeVerdict, Verdict::warn) << "nothing else judges it";
+
+    before.settings.clear();
+    EXPECT_FALSE(hold(now, before).scenes[0].views[0].checks.at(0).judged()) << "a baseline that does not say";
+  }
 }
 
 TEST(Baseline, OtherConditionsAreAWarningInWords) {

@@ -99,10 +99,10 @@ TEST(BudgetFile, WhatNoRuleMatchesIsJudgedByTheBuiltInOnes) {
 
 TEST(BudgetFile, WholeImagesAreCheckedOverAllPixelsUnlessTheFileSaysOtherwise) {
   const Budgets budgets = load(R"([[whole]]
-checks = [ { metric = "rmse", warn = 0.1 }, { metric = "rmse", region = "interior", fail = 1 } ])");
+checks = [ { metric = "rmse", warn = 0.1 }, { metric = "rmse", region = "interior", fail = 0 } ])");
   EXPECT_EQ(budgets.wholes[0].checks[0].region, Region::all);
   EXPECT_EQ(budgets.wholes[0].checks[1].region, Region::interior);
-  EXPECT_EQ(budgets.wholes[0].checks[1].fail, 1.0); // an integer is a number too
+  EXPECT_EQ(budgets.wholes[0].checks[1].fail, 0.0); // an integer is a number too
 }
 
 TEST(BudgetFile, UnknownNamesAreRefusedWithTheNearestKnownOne) {
@@ -153,6 +153,27 @@ TEST(BudgetFile, LimitsThatMakeNoSenseAreRefused) {
   refuse(R"(warn = 1)", "no 'metric'");
   refuse(R"(metric = "rmse", warn = 0.1 }, { metric = "rmse", fail = 0.2)",
          "'rmse' over interior pixels is checked twice");
+}
+
+// At the end of the range nothing is beyond the limit: it would always pass.
+TEST(BudgetFile, LimitsThatNothingCanBeBeyondAreRefused) {
+  const std::string head = "[[material]]\nname = \"*\"\n";
+  const auto refuse = [&](const std::string& figure, const std::string& limit, const std::string& list = "checks") {
+    expectRefusal(head + list + " = [ { metric = \"" + figure + "\", " + limit + " } ]", "line 3", "would always pass");
+  };
+  for (const char* figure : {"flip.mean", "flip.max", "hdrflip.p95", "flip.fraction_over(0.1)", "rmse", "maxabs"}) {
+    refuse(figure, "fail = 1");
+    refuse(figure, "warn = 0.5, fail = 1.0");
+    refuse(figure, "warn = 1", "regress");
+  }
+  refuse("psnr", "fail = 0");
+  refuse("ssim.mean", "fail = -1");
+  refuse("msssim", "warn = 0");
+  refuse("bias.dl", "fail = 100");
+  refuse("ssim.mean", "fail = 2", "regress");
+  EXPECT_NO_THROW(load(head + "checks = [ { metric = \"flip.mean\", fail = 0.999999 } ]"));
+  EXPECT_NO_THROW(load(head + "checks = [ { metric = \"psnr\", fail = 0.1 }, { metric = \"relmse\", fail = 1e9 } ]"));
+  EXPECT_NO_THROW(load(head + "regress = [ { metric = \"ssim.mean\", fail = 1.5 } ]"));
 }
 
 TEST(BudgetFile, AnyFigureMayBeNamedAlsoWithAParameter) {

@@ -35,7 +35,7 @@ Budgets load(const std::string& text) {
 
 Budgets suggest(const std::vector<ObservedRun>& runs, const std::vector<std::string>& figures = {"flip.mean"},
                 double margin = 0.5) {
-  return load(suggestBudgets(runs, {margin, figures}));
+  return load(suggestBudgets(runs, {margin, figures}).text);
 }
 
 const BudgetCheck& checkOf(const Budgets& budgets) { return budgets.materials.at(0).checks.at(0); }
@@ -76,7 +76,7 @@ TEST(BudgetSuggest, TheMarginIsAShareOfTheErrorWhicheverWayIsBetter) {
   setFigure(run.report.scenes[0].views[0].materials[0].figures, "ssim.mean", 0.9);
   setFigure(run.report.scenes[0].views[0].materials[0].figures, "bias.ev", -0.2);
   run.report.scenes[0].views[0].whole = {};
-  EXPECT_NE(suggestBudgets({run}, {0, {"bias.ev"}}).find("bias.ev ±0.20 EV to ±0.20 EV"), std::string::npos);
+  EXPECT_NE(suggestBudgets({run}, {0, {"bias.ev"}}).text.find("bias.ev ±0.20 EV to ±0.20 EV"), std::string::npos);
   const Budgets budgets = suggest({run}, {"psnr", "ssim.mean", "bias.ev"});
   const std::vector<BudgetCheck>& checks = budgets.materials.at(0).checks;
   EXPECT_NEAR(*checks[0].warn, 26.4, 1e-9); // 30 - 20 log10(1.5) = 26.48
@@ -112,7 +112,9 @@ TEST(BudgetSuggest, HostileNamesMatchThemselvesAlone) {
 
 TEST(BudgetSuggest, SaysWhatItRestsOnAndWhatItLeavesOut) {
   ObservedRun run{"sample.json", makeSampleReport()};
-  const std::string text = suggestBudgets({run, run}, {});
+  ObservedRun other = run;
+  other.report.version = "0.2.0";
+  const std::string text = suggestBudgets({run, other, run}, {}).text;
   for (const char* part : {"# Budgets suggested from 2 runs", "#   sample.json", "Of fewer than 20 runs",
                            "# Left out: scene 'Broken' could not be compared in sample.json",
                            "# Left out: no view shows 'Screw' of scene 'Lamp' in sample.json",
@@ -122,7 +124,46 @@ TEST(BudgetSuggest, SaysWhatItRestsOnAndWhatItLeavesOut) {
 
 TEST(BudgetSuggest, IdenticalImagesLeaveNoPsnrToLimit) {
   ObservedRun run = runOf(0); // its psnr is infinite
-  EXPECT_NE(suggestBudgets({run}, {0.5, {"psnr"}}).find("'a' of scene 's' was identical"), std::string::npos);
+  EXPECT_NE(suggestBudgets({run}, {0.5, {"psnr"}}).text.find("'a' of scene 's' was identical"), std::string::npos);
+}
+
+// A run with NaN pixels holds their worst value: its limits would let through what they are to stop.
+TEST(BudgetSuggest, WhatHadNonFinitePixelsInAnyRunIsLeftOutAndSaid) {
+  ObservedRun broken = runOf(0.9, "a");
+  broken.source = "nan.json";
+  broken.report.scenes[0].views[0].materials[0].figures.all.nonFinite = 5;
+  broken.report.scenes[0].views[0].materials.push_back(makeMaterial("b", 0.2, 4000));
+  for (const std::vector<ObservedRun>& runs : {std::vector{runOf(0.1), broken}, {broken, runOf(0.1)}}) {
+    const SuggestedBudgets suggested = suggestBudgets(runs, {0.5, {"flip.mean"}});
+    const Budgets budgets = load(suggested.text);
+    EXPECT_EQ(budgets.materials.at(0).material, "b");
+    const std::string line = "scene s, view v, material a has 5 NaN or infinite pixels in nan.json";
+    EXPECT_EQ(suggested.leftOut, std::vector<std::string>{line});
+    EXPECT_NE(suggested.text.find("# Left out: " + line + "\n"), std::string::npos);
+  }
+  broken.report.scenes[0].views[0].materials.pop_back();
+  broken.report.scenes[0].views[0].whole = {};
+  base::expectError([&] { suggestBudgets({broken}, {}); }, "nan.json", "5 NaN or infinite pixels");
+}
+
+TEST(BudgetSuggest, NoLimitIsSuggestedThatNothingCouldBeBeyond) {
+  const SuggestedBudgets suggested = suggestBudgets({runOf(0.6, "a"), runOf(0.8, "b")}, {0.5, {"flip.mean"}});
+  const Budgets budgets = load(suggested.text); // which refuses such limits
+  EXPECT_EQ(budgets.materials.at(0).checks[0].warn, 0.9);
+  EXPECT_FALSE(budgets.materials.at(0).checks[0].fail) << "1.2 is none";
+  EXPECT_EQ(findMaterialRule(budgets, "s", "b")->origin, "built-in") << "its limits would be 1.2 and 1.6";
+  const std::vector<std::string> said = {
+      "'a' of scene 's': no 'fail' of flip.mean is suggested, nothing could be beyond it (observed: 0.600)",
+      "'b' of scene 's': no limit of flip.mean is suggested, nothing could be beyond it (observed: 0.800)"};
+  EXPECT_EQ(suggested.leftOut, said);
+}
+
+TEST(BudgetSuggest, TheSameReportTwiceIsOneRun) {
+  ObservedRun copy = runOf(0.1);
+  copy.source = "copy.json";
+  const SuggestedBudgets suggested = suggestBudgets({runOf(0.1), copy}, {0.5, {"flip.mean"}});
+  EXPECT_EQ(suggested.leftOut, std::vector<std::string>{"copy.json is the same as run.json: one run"});
+  EXPECT_NE(suggested.text.find("# Budgets suggested from 1 run\n"), std::string::npos);
 }
 
 TEST(BudgetSuggest, RefusesWhatItCannotRestOn) {

@@ -205,6 +205,13 @@ TEST(Html, TheHeadlineSaysWhatHappened) {
   report.scenes[0].views[0].materials.erase(report.scenes[0].views[0].materials.begin() + 1);
   settleVerdicts(report);
   EXPECT_EQ(headline(report), "parity: All 2 materials are within budget");
+  Report since = report;
+  since.baseline = BaselineSummary{};
+  since.baseline->gone = {{"s", "v", "m"}};
+  settleVerdicts(since);
+  EXPECT_EQ(headline(since), "parity: Within budget, but 1 entry of the baseline is missing");
+  since.baseline->gone.push_back({"s", "v", "n"});
+  EXPECT_EQ(headline(since), "parity: Within budget, but 2 entries of the baseline are missing");
   report.scenes.clear();
   settleVerdicts(report);
   EXPECT_EQ(headline(report), "parity: Nothing was compared");
@@ -216,8 +223,12 @@ TEST(Html, ABaselineShowsWhatChangedWhatIsNewAndWhatIsGone) {
     const auto found = select(document, path.c_str());
     return found.empty() ? "nothing at " + path : std::string(found[0].node().text().get());
   };
-  EXPECT_EQ(textOf("//section[@class='since']//li"),
+  EXPECT_EQ(textOf("//section[@class='since']//ul[@class='warnings']/li"),
             "gone: material 'Old lamp', scene Lamp, view front: the baseline has it, this run does not");
+  EXPECT_EQ(select(document, "//section[@class='since']//ul[@class='changes']/li").size(), 1u) << "only one changed";
+  EXPECT_EQ(textOf("//section[@class='since']//ul[@class='changes']/li"),
+            "Rough metal (scene Lamp, view front): 0.200 to 0.270, +0.070");
+  EXPECT_EQ(textOf("//section[@class='since']//dd[1]"), "old/report.json");
   EXPECT_NE(textOf("//main/ul[@class='warnings']/li").find("size was '512x512', is '1024x1024'"), std::string::npos);
   const std::string metal = "//section[@id='scene-1-view-1']//article[@data-name='Rough metal']";
   EXPECT_EQ(textOf(metal + "//table[@class='figures']/thead//th[4]"), "since then");
@@ -227,6 +238,45 @@ TEST(Html, ABaselineShowsWhatChangedWhatIsNewAndWhatIsGone) {
   EXPECT_EQ(select(document, "//select[@id='sort']/option[@value='change']").size(), 1u);
   EXPECT_EQ(select(document, "//article[@data-name='Bulb']//div[@class='check not-seen']").size(), 1u)
       << "what is not judged does not look as if it had passed";
+}
+
+TEST(Html, TheLargestChangesSinceTheBaselineComeFirstAndNotAll) {
+  Report report = makeSampleReport();
+  ViewResult& view = report.scenes[0].views[0];
+  const MaterialResult sample = view.materials[0];
+  view.materials.clear();
+  for (int i = -7; i <= 7; ++i) {
+    view.materials.push_back(sample);
+    view.materials.back().name = "m" + std::to_string(i);
+    view.materials.back().baseline = BaselineChange{};
+    view.materials.back().baseline->interior = {{"flip.mean", 0.3, 0.3 + 0.01 * i}};
+  }
+  report.baseline = BaselineSummary{};
+  const auto document = parse(page(report));
+  std::vector<std::string> names;
+  for (const auto& line : select(document, "//ul[@class='changes']/li")) {
+    const std::string text = line.node().text().get();
+    names.push_back(text.substr(0, text.find(' ')));
+  }
+  const std::vector<std::string> expected = {"m7", "m6", "m5", "m4", "m3", "m-7", "m-6", "m-5", "m-4", "m-3"};
+  EXPECT_EQ(names, expected);
+  EXPECT_STREQ(select(document, "//section[@class='since']/h3")[1].node().text().get(),
+               "Better by mean FLIP: 7, the 5 largest");
+}
+
+TEST(Html, AnUnmeasuredFlipIsNotShownAsZero) {
+  Report report = makeSampleReport();
+  for (ViewResult& view : report.scenes[0].views) {
+    std::erase_if(view.whole.all.values, [](const Figure& f) { return f.name == "flip.mean"; });
+    for (MaterialResult& material : view.materials)
+      for (Figures* figures : {&material.figures.all, &material.figures.interior})
+        std::erase_if(figures->values, [](const Figure& f) { return f.name == "flip.mean"; });
+  }
+  const auto document = parse(page(report));
+  const auto cells = select(document, "//table[@class='overview']/tbody/tr[td[3]='front' or td[3]='back']/td[6]");
+  ASSERT_EQ(cells.size(), 2u);
+  for (const auto& cell : cells) EXPECT_STREQ(cell.node().text().get(), "–");
+  for (const auto& row : select(document, "//article")) EXPECT_STREQ(row.node().attribute("data-mean").value(), "");
 }
 
 TEST(Html, HostileNamesOfABaselineAddNothing) {

@@ -100,7 +100,7 @@ TEST(Junit, ABaselineIsASuiteOfItsOwn) {
   Report report = makeSampleReportSince();
   auto document = parse(toJunit(report, makeSampleRun()));
   expectCountsFit(document);
-  EXPECT_FALSE(findCase(document, "baseline", "report.json").first_child());
+  EXPECT_FALSE(findCase(document, "baseline", "old/report.json").first_child());
   const std::string gone = "gone: material 'Old lamp', scene Lamp, view front: the baseline has it, this run does not";
   EXPECT_TRUE(findCase(document, "baseline", gone).child("system-out"));
   const std::string details = findCase(document, "Lamp.front", "Rough metal").child("failure").child_value();
@@ -110,7 +110,7 @@ TEST(Junit, ABaselineIsASuiteOfItsOwn) {
   settleVerdicts(report);
   document = parse(toJunit(report, makeSampleRun()));
   expectCountsFit(document);
-  EXPECT_STREQ(findCase(document, "baseline", "report.json").child("error").attribute("message").value(),
+  EXPECT_STREQ(findCase(document, "baseline", "old/report.json").child("error").attribute("message").value(),
                "nothing in common");
 }
 

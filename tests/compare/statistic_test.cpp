@@ -49,6 +49,20 @@ TEST(Statistic, fractionOverIsKnownForAnyThresholdInRangeInOneSpelling) {
     EXPECT_FALSE(statisticByName(wrong)) << wrong;
 }
 
+TEST(Statistic, aLimitAtTheEndOfTheRangeCanNotBeBeyond) {
+  const auto can = [](const char* name, double limit) { return canBeBeyond(*statisticByName(name), limit); };
+  EXPECT_FALSE(can("flip.mean", 1));
+  EXPECT_TRUE(can("flip.mean", 0.9999));
+  EXPECT_FALSE(can("flip.fraction_over(0.2)", 1));
+  EXPECT_FALSE(can("psnr", 0));
+  EXPECT_TRUE(can("psnr", 1e-9));
+  EXPECT_FALSE(can("ssim.mean", -1));
+  EXPECT_TRUE(can("ssim.mean", -0.999));
+  EXPECT_TRUE(can("relmse", 1e300)) << "it has no end";
+  EXPECT_TRUE(can("bias.ev", 1e300));
+  EXPECT_FALSE(can("bias.dl", 100));
+}
+
 TEST(Statistic, anUnknownNameIsToldTheNearestKnownOne) {
   try {
     requireStatistic("flip.men", "budgets.toml");

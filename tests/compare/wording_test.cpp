@@ -49,11 +49,27 @@ TEST(Wording, WithoutBiasTheLumaIsSaid) {
   EXPECT_EQ(say(0, 0.5), "the reference is black there");
 }
 
-TEST(Wording, BlackIsSaidWhateverTheBiasIs) {
+TEST(Wording, BlackIsSaidOnlyWhereTheLightIsTheSameToo) {
   Figures figures = makeFigures(0, 4000);
   setFigure(figures, "bias.ev", 0);
   figures.referenceLuma = figures.testLuma = 0;
   EXPECT_EQ(describeBias(figures), "both are black");
+  setFigure(figures, "bias.ev", -2);
+  EXPECT_EQ(describeBias(figures), "mobile is 2.0 EV darker") << "below what the display shows";
+}
+
+TEST(Wording, FewHighlightsDoNotMakeADarkerImageBrighter) {
+  EXPECT_EQ(describe(0.4, -4, 0, 0), "mobile has 0.4 EV more light in all, but is darker on the whole (dL* -4.0)");
+  EXPECT_EQ(describe(-0.4, 4, 1.5, 2),
+            "mobile has 0.4 EV less light in all, but is brighter on the whole (dL* +4.0), warmer and redder");
+  EXPECT_EQ(describe(0.4, -0.5, 0, 0),
+            "mobile has 0.4 EV more light in all, but is equally bright on the whole (dL* -0.5)");
+}
+
+TEST(Wording, OfNonFinitePixelsNoBiasIsSaid) {
+  Figures figures = makeFigures(0.1, 4000, 0.8);
+  figures.nonFinite = 1;
+  EXPECT_EQ(describeBias(figures), "bias not known: some pixels are NaN or infinite");
 }
 
 CheckResult checkOf(const char* metric, const char* region, double value, std::optional<double> warn, double fail,
@@ -79,6 +95,40 @@ TEST(Wording, ChecksAreSaidWithTheLimitThatDecided) {
             "mean exposure difference -0.40 EV over all pixels is beyond ±0.30 EV");
   EXPECT_EQ(say("bias.ev", "all", -0.05, 0.1, 0.3, Verdict::pass),
             "mean exposure difference -0.05 EV over all pixels is within ±0.10 EV");
+}
+
+TEST(Wording, SharesAreSaidAsPercentagesOfThePixels) {
+  const auto say = [](auto... arguments) { return describeCheck(checkOf(arguments...)); };
+  EXPECT_EQ(say("flip.fraction_over(0.2)", "all", 0.325, std::nullopt, 0, Verdict::fail),
+            "32.5 % of all pixels have FLIP over 0.2, more than 0.0 %");
+  EXPECT_EQ(say("deltae.fraction_over(2.3)", "interior", 0.02, 0.1, 0.2, Verdict::pass),
+            "2.0 % of the interior pixels have CIEDE2000 over 2.3, within 10.0 %");
+  EXPECT_EQ(say("flip.fraction_over(0.2)", "all", 0.00004, std::nullopt, 0, Verdict::fail),
+            "0.004 % of all pixels have FLIP over 0.2, more than 0.000 %");
+  EXPECT_EQ(formatFigure("flip.fraction_over(0.2)", 0.325), "32.5 %");
+}
+
+TEST(Wording, AValueBeyondItsLimitNeverReadsAsTheLimit) {
+  const auto say = [](auto... arguments) { return describeCheck(checkOf(arguments...)); };
+  EXPECT_EQ(say("psnr", "all", 20.88, std::nullopt, 20.9, Verdict::fail),
+            "PSNR 20.88 dB over all pixels is below 20.90 dB");
+  EXPECT_EQ(say("flip.mean", "all", 0.20004, 0.1, 0.2, Verdict::fail),
+            "mean FLIP 0.20004 over all pixels is above 0.20000");
+  EXPECT_EQ(say("flip.mean", "all", std::nextafter(0.2, 1), std::nullopt, 0.2, Verdict::fail),
+            "mean FLIP 0.20000000000000004 over all pixels is above 0.2");
+  EXPECT_EQ(say("flip.mean", "all", 0.2, std::nullopt, 0.2, Verdict::pass),
+            "mean FLIP 0.200 over all pixels is within 0.200");
+  CheckResult check = checkOf("flip.mean", "all", 0.0104, std::nullopt, 0.01, Verdict::fail);
+  check.regress = true;
+  EXPECT_EQ(describeCheck(check), "mean FLIP over all pixels is 0.0104 worse than in the baseline, above 0.0100");
+}
+
+TEST(Wording, ASignedFigureGetsFurtherFromZero) {
+  CheckResult check = checkOf("bias.ev", "all", 0.1, std::nullopt, 0.05, Verdict::fail);
+  check.regress = true;
+  EXPECT_EQ(formatCheckValue(check), "0.10 EV further from 0 than in the baseline");
+  check.value = -0.1;
+  EXPECT_EQ(formatCheckValue(check), "0.10 EV nearer to 0 than in the baseline");
 }
 
 TEST(Wording, RegressionsAreSaidAsChanges) {
