@@ -126,7 +126,7 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   app.add_option("--cache", raw.cache, "Cache folder. Default: $XDG_CACHE_HOME/parity");
   app.add_flag("--no-cache", raw.noCache, "Neither read nor write the cache");
   app.add_flag("--timings", common.timings, "Print time by stage to stderr");
-  app.add_flag("-q,--quiet", raw.quiet, "Errors only");
+  app.add_flag("-q,--quiet", raw.quiet, "Errors only: no table either, the verdict is the exit code");
   app.add_flag("-v,--verbose", raw.verbose, "Say more");
 }
 
@@ -194,8 +194,9 @@ mobile base pass), compares them per material by FLIP, and judges them against b
 )";
 
 constexpr const char* kFooter = R"(
-Exit codes: 0 within budget; 1 warnings only (with --warn-exit); 2 over budget; 3 not comparable; 4 something could not be read,
-rendered or written; 64 usage. The highest that applies wins; the other scenes still run. Scenes are .gltf or .glb files, or
+Exit codes: 0 within budget; 1 warnings only (with --warn-exit); 2 over budget; 3 not comparable (sizes, channels, layers, a metric
+that does not apply); 4 something is missing, not finite, or could not be read, rendered, judged or written; 64 usage. The highest
+that applies wins; the other scenes still run. Scenes are .gltf or .glb files, or
 builtin:spheres, builtin:furnace, builtin:lights, builtin:materials.)";
 
 } // namespace

@@ -20,7 +20,7 @@ int runDiffCommand(const DiffCommand& command, const std::string& commandLine) {
   job::Context context(command.common.settings);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
   if (!command.common.json.empty()) writeJson(command.common.json, compare::toJson(result.report));
-  if (command.common.json != "-" && result.report.scenes.front().error.empty())
+  if (command.common.json != "-" && !command.common.quiet && result.report.scenes.front().error.empty())
     fmt::print("{}\n", compare::toTable(result.report, stdoutIsTerminal()));
   printAnnotations(command.verdict.annotate, result.report, command.common.json == "-");
   if (command.common.timings) printTimings(result.run.timings);

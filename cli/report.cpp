@@ -43,7 +43,7 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
   job::Context context(command.common.settings);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
   if (!command.common.json.empty()) writeJson(command.common.json, compare::toJson(result.report));
-  if (command.common.json != "-")
+  if (command.common.json != "-" && !command.common.quiet)
     fmt::print("{}\n{}\n", compare::toTable(result.report, stdoutIsTerminal()),
                (request.folder / "index.html").string());
   printAnnotations(command.verdict.annotate, result.report, command.common.json == "-");

@@ -40,8 +40,10 @@ TEST_F(OutputTest, ReportReplacesAnOlderOneAndSparesWhatIsNotItsOwn) {
 }
 
 TEST_F(OutputTest, ScenesOfOneNameAreKeptApart) {
-  std::vector<std::string> command = join(
-      {{"report", "--budgets", writeBudgets(m_folder, "fail = 0.999"), "-o", (m_folder / "out").string()}, kSun, kSmall});
+  std::vector<std::string> command =
+      join({{"report", "--budgets", writeBudgets(m_folder, "fail = 0.999"), "-o", (m_folder / "out").string()},
+            kSun,
+            kSmall});
   for (const char* folder : {"a", "b"}) {
     std::filesystem::create_directory(m_folder / folder);
     command.push_back(writeGlb(m_folder, makeQuad(), std::string(folder) + "/quad"));
