@@ -130,6 +130,8 @@ ImageFile readImageFile(const fs::path& file) {
   if (extensionOf(file) != ".pfm") return imageModule().read(file);
   ImageFile result{readPfm(file), {}};
   result.info.bits = 32;
+  result.info.fullWidth = result.pixels.width;
+  result.info.fullHeight = result.pixels.height;
   result.info.channelNames =
       result.pixels.channels == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};
   return result;

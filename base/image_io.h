@@ -28,7 +28,12 @@ struct ImageInfo {
   bool alphaAssociated = false; // the colour has been multiplied by alpha, as OpenEXR demands and PNG forbids
   bool declaredLinear = false;  // the file itself says that its values are linear light
   std::optional<std::array<float, 8>> chromaticities; // x, y of red, green, blue and white, where the file has them
+  int x = 0, y = 0;                                   // where the pixels lie (the data window of OpenEXR) ...
+  int fullX = 0, fullY = 0, fullWidth = 0, fullHeight = 0; // ... and the picture that they are a part of
+  int orientation = 1; // how the pixels are to be turned to be seen (EXIF: 1, not at all, to 8); reading does not
+  int images = 1;      // in the file, of which the first one is read; kMaxCountedImages stands for more
 };
+inline constexpr int kMaxCountedImages = 100;
 
 struct ImageFile {
   Image pixels; // as readImage() gives them

@@ -72,7 +72,19 @@ public:
     std::array<float, 8> chromaticities{};
     if (spec.getattribute("chromaticities", oiio::TypeDesc(oiio::TypeDesc::FLOAT, 8), chromaticities.data()))
       info.chromaticities = chromaticities;
+    info.x = spec.x, info.y = spec.y;
+    info.fullX = spec.full_x, info.fullY = spec.full_y;
+    info.fullWidth = spec.full_width, info.fullHeight = spec.full_height;
+    info.orientation = spec.get_int_attribute("Orientation", 1);
     return info;
+  }
+
+  // To be called last: the reader then is past the first image.
+  int countImages() {
+    int count = 1;
+    while (count < kMaxCountedImages && m_input->seek_subimage(count, 0)) ++count;
+    m_input->geterror(); // that there is no further one is no error
+    return count;
   }
 
   template <typename T> BasicImage<T> read() {
@@ -172,8 +184,10 @@ Image readPixels(Reader& reader) {
 ImageFile read(const fs::path& file) {
   return guarded(file.string(), [&] {
     Reader reader(file.string());
-    const ImageInfo info = reader.info();
-    return ImageFile{readPixels(reader), info};
+    ImageFile result{{}, reader.info()};
+    result.pixels = readPixels(reader);
+    result.info.images = reader.countImages();
+    return result;
   });
 }
 

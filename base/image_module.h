@@ -12,7 +12,7 @@
 
 namespace parity::base {
 
-inline constexpr int kImageModuleVersion = 2; // counts the changes of the struct below
+inline constexpr int kImageModuleVersion = 3; // counts the changes of the struct below
 inline constexpr int kMaxImageChannels = 1024;
 
 // What the module offers. Every function throws Error. Files have been checked to be regular and not empty; images and

@@ -10,8 +10,10 @@
 #include "base/file.h"
 #include "base/log.h"
 #include "base/parallel.h"
+#include "cli/file_conflicts.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
+#include "job/flip_files.h"
 #include "job/flip_text.h"
 
 namespace parity::cli {
@@ -30,39 +32,66 @@ void requireFolders(const job::FlipOutputs& outputs) {
                         "is a file's name; many pairs need a folder (--map-kind tells the kind of its maps)");
 }
 
-// Of a single pair each output is a file of a kind that can be written, and none of the two that are compared.
-void requireWritable(const FlipCommand& command) {
+// Of a single pair each output is a file of a kind that can be written.
+void requireKinds(const job::FlipOutputs& outputs) {
   const auto require = [&](const char* option, const fs::path& file, const std::vector<std::string>& kinds) {
-    if (file.empty()) return;
-    if (std::find(kinds.begin(), kinds.end(), extensionOf(file.string())) == kinds.end())
+    if (!file.empty() && std::find(kinds.begin(), kinds.end(), extensionOf(file.string())) == kinds.end())
       throw base::Error(base::ExitCode::usage, option, "'" + file.string() + "'",
                         fmt::format("is none of the kinds {}", fmt::join(kinds, ", ")));
-    std::error_code error;
-    for (const std::string& input : {command.reference, command.test})
-      if (fs::equivalent(file, input, error))
-        throw base::Error(base::ExitCode::usage, option, "'" + file.string() + "'", "is one of the images compared");
   };
-  const job::FlipOutputs& outputs = command.request.outputs;
   require("--output", outputs.map, {".exr", ".pfm", ".png"});
   require("--exposure-map", outputs.exposureMap, {".exr", ".pfm", ".png"});
   require("--histogram", outputs.histogram, {".svg"});
 }
 
+// Maps among the pictures of a folder would be pictures of the next run.
+void requireOutside(const job::FlipOutputs& outputs, const FlipCommand& command) {
+  for (const fs::path& output : {outputs.map, outputs.exposureMap, outputs.histogram})
+    for (const std::string& input : {command.reference, command.test})
+      if (!output.empty() && liesIn(output, input))
+        throw base::Error(base::ExitCode::usage, "output", "'" + output.string() + "'",
+                          fmt::format("lies in '{}', whose pictures are compared", input));
+}
+
+void requireSeparateFiles(const FlipCommand& command, const job::FlipRequest& request) {
+  std::vector<NamedFile> inputs = {
+      {"the mask", request.mask.file}, {"the budgets", command.budgets}, {"the list of pairs", command.pairList}};
+  for (const job::FilePair& pair : request.files.pairs) {
+    inputs.push_back({"a reference, one of the images compared", pair.reference});
+    inputs.push_back({"a test image, one of the images compared", pair.test});
+  }
+  std::vector<NamedFile> outputs = {{"--json", command.json}, {"--csv", command.csv}, {"--junit", command.junit}};
+  for (const job::OutputFile& file : job::listFlipFiles(request)) outputs.push_back({file.option, file.file});
+  requireSeparate(outputs, inputs);
+}
+
+// At most a few names: a folder may hold thousands of other files.
+void warnOfSkipped(const std::vector<std::string>& skipped) {
+  constexpr std::size_t kMostNamed = 5;
+  if (skipped.empty()) return;
+  const std::size_t named = std::min(skipped.size(), kMostNamed);
+  const std::vector<std::string> names(skipped.begin(), skipped.begin() + static_cast<std::ptrdiff_t>(named));
+  base::logWarning(fmt::format("{} file{} not compared, of no kind that pictures have, or hidden: {}{}", skipped.size(),
+                               skipped.size() == 1 ? " was" : "s were", fmt::join(names, ", "),
+                               named < skipped.size() ? fmt::format(" and {} more", skipped.size() - named) : ""));
+}
+
 job::FlipRequest makeRequest(const FlipCommand& command) {
   job::FlipRequest request = command.request;
-  if (!command.metrics.empty()) request.metrics = compare::parseMetricNames(command.metrics, "--metrics");
+  if (command.metrics) request.metrics = compare::parseMetricNames(*command.metrics, "--metrics");
   job::requireSense(request);
   std::error_code error;
   const bool folders = fs::is_directory(command.reference, error) || fs::is_directory(command.test, error);
   if (command.pairList.empty() && !folders)
-    requireWritable(command);
+    requireKinds(request.outputs);
   else
     requireFolders(request.outputs);
+  if (folders) requireOutside(request.outputs, command);
   if (!command.budgets.empty()) request.budgets = compare::loadBudgets(command.budgets);
   request.files =
       command.pairList.empty() ? job::findPairs(command.reference, command.test) : job::readPairList(command.pairList);
-  if (request.files.skippedFiles > 0)
-    base::logVerbose(fmt::format("{} files of no kind that images have were passed over", request.files.skippedFiles));
+  requireSeparateFiles(command, request);
+  warnOfSkipped(request.files.skipped);
   return request;
 }
 
@@ -74,15 +103,20 @@ int runFlipCommand(const FlipCommand& command) {
   const job::FlipResult result = job::runFlip(request, makeProgress(command.quiet));
   for (const job::FlipPair& pair : result.pairs)
     if (pair.verdict == compare::Verdict::error) base::logError(pair.reason);
+  for (const std::string& warning : result.warnings) base::logWarning(warning);
 
-  if (!command.json.empty()) writeJson(command.json, job::toJson(result, command.warnExit));
-  if (!command.csv.empty()) writeJson(command.csv, job::toCsv(result, command.warnExit));
+  // Files first: what cannot be written is told before anything that reads as a result.
   if (!command.junit.empty()) base::writeText(command.junit, job::toJunit(result));
+  if (!command.csv.empty() && command.csv != "-") base::writeText(command.csv, job::toCsv(result, command.warnExit));
+  if (!command.json.empty()) writeJson(command.json, job::toJson(result, command.warnExit));
+  if (command.csv == "-") writeJson(command.csv, job::toCsv(result, command.warnExit));
   const bool stdoutTaken = command.json == "-" || command.csv == "-";
-  const bool nothingToShow = result.pairs.size() == 1 && !request.files.many && result.pairs[0].rows.empty();
-  if (!stdoutTaken && !nothingToShow) fmt::print("{}", job::toTable(result));
+  // The one pair's error has been printed, and what was found before it is no result.
+  const bool nothingToShow = !request.files.many && result.pairs[0].errorCode != 0;
+  if (!stdoutTaken && !nothingToShow && !command.quiet) fmt::print("{}", job::toTable(result));
   // GitHub reads them from either stream.
-  if (command.githubAnnotations) fmt::print(stdoutTaken ? stderr : stdout, "{}", job::toAnnotations(result));
+  if (command.githubAnnotations)
+    fmt::print(stdoutTaken ? stderr : stdout, "{}", job::toAnnotations(result, fs::current_path()));
   return job::exitCode(result, command.warnExit);
 }
 

@@ -20,10 +20,13 @@ namespace {
 
 constexpr const char* kFooter = R"(
 Two folders are matched by relative path, or by stem where that leaves no choice; a picture without counterpart fails (exit 4),
-and the others still run. A list has two paths a line, "..." around spaces, # before comments, relative to the list's folder.
+and the others still run; other files are passed over, with a warning. A list has two paths a line, "..." around spaces, # before
+comments, relative to the list's folder.
 
 Colour: integers are sRGB, floats linear Rec.709, unless the file or --colorspace says otherwise. A pair is HDR where both files
 hold floats and any value is above 1; then hdrflip takes the place of flip. Grey is spread over RGB; channels must be the same.
+Files that differ in what they hold beyond that (layers, further images, the place of the pixels in a larger picture, their
+orientation) are not comparable; --ignore-layers compares the colour and alpha of the first image alone.
 Alpha: both are composited over --background, linear Rec.709 in any case: C + (1-a) B where colour is multiplied by alpha
 (OpenEXR, some TIFF), a C + (1-a) B elsewhere (PNG). With --alpha channel, colour is compared as stored, and alpha as a grey
 picture in a row of its own.
@@ -31,10 +34,12 @@ picture in a row of its own.
 Limits belong to the --metric before them; without one, to the pair's FLIP, pixel by pixel.
   --metric flip.mean --fail 0.05             a pooled figure: fails above 0.05 (psnr, ssim...: below; bias: in absolute value)
   --metric flip --fail 0.2 --failpercent 1   pixel by pixel, as idiff: fails if more than 1 % of the pixels are over 0.2
+  --metric maxabs --fail 0.01 --failpercent 1  likewise by the largest difference of R, G, B, which is idiff's own
   --metric flip --hardfail 0.9               fails if any pixel is over 0.9
   --fail 0.2                                 the same as --metric flip --fail 0.2 --failpercent 0
---warn, --warnpercent and --hardwarn warn in the same way. Every region has to hold all limits. Without limits nothing is judged,
-and any two finite pictures of one size exit with 0. Pixels that are NaN or infinite never pass.
+--warn, --warnpercent and --hardwarn warn in the same way. Every region has to hold all limits; a limit that nothing can be beyond
+is an error. Budgets: without a mask a pair is judged by [[whole]] rules, with one each region by [[material]] rules. Without limits
+nothing is judged, and any two finite pictures of one size exit with 0. Pixels that are NaN or infinite never pass.
 Exit codes: 0 within limits; 1 warnings only (with --warn-exit); 2 over a limit; 3 not comparable; 4 unreadable, missing or not
 finite; 64 usage. The highest that applies wins.)";
 
@@ -78,6 +83,9 @@ void addPictureOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
   app.add_flag("--ldr", raw.ldr, "Compare as displayed (sRGB, clamped), whatever the files hold")
       ->excludes(hdr)
       ->group("Pictures");
+  app.add_flag("--ignore-layers", request.image.ignoreLayers,
+               "Layers and images of a file beyond its first colour and alpha may differ")
+      ->group("Pictures");
   app.add_option("--mask", raw.mask, "Compare by region: ids (floats, 32 bit) or weights (white is in)")
       ->group("Pictures");
   app.add_option("--mask-kind", raw.maskKind, "How the mask is meant")
@@ -117,9 +125,11 @@ void addMetricOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
       ->group("Metrics");
   compare::HdrFlipOptions& hdr = flip.request.metric.hdr;
   app.add_option("--start-exposure", hdr.start, "First exposure of HDR-FLIP, EV. Default: by the reference")
-      ->check(within(-128, 128))
+      ->check(within(-compare::kMaxExposureEv, compare::kMaxExposureEv))
       ->group("Metrics");
-  app.add_option("--stop-exposure", hdr.stop, "Last exposure, EV")->check(within(-128, 128))->group("Metrics");
+  app.add_option("--stop-exposure", hdr.stop, "Last exposure, EV")
+      ->check(within(-compare::kMaxExposureEv, compare::kMaxExposureEv))
+      ->group("Metrics");
   app.add_option("--exposures", hdr.exposures, "How many, both included. Default: one a stop")
       ->check(CLI::Range(2, compare::kMaxExposures))
       ->group("Metrics");
@@ -231,7 +241,7 @@ void addFlipOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
   app.add_option("--threads", flip.threads, "CPU threads; 0: all cores")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  app.add_flag("-q,--quiet", raw.quiet, "Errors only");
+  app.add_flag("-q,--quiet", raw.quiet, "Errors only: no table, the exit code tells");
   app.add_flag("-v,--verbose", raw.verbose, "Say more");
 }
 
@@ -259,6 +269,8 @@ void settleFlip(const CLI::App& app, FlipCommand& flip, const RawFlipOptions& ra
         static_cast<compare::Tonemapper>(indexIn(compare::kTonemapperNames, raw.tonemapper));
   request.thresholds = collectThresholds(app, raw);
   request.outputs = {raw.map, raw.exposureMap, raw.histogram, "." + raw.mapKind};
+  for (const char* option : {"--tonemapper", "--start-exposure", "--stop-exposure", "--exposures"})
+    if (app.count(option) > 0) request.hdrOptions.emplace_back(option);
   flip.githubAnnotations = !raw.annotate.empty();
   flip.quiet = raw.quiet;
   base::setLogLevel(raw.quiet ? base::LogLevel::quiet : raw.verbose ? base::LogLevel::verbose : base::LogLevel::normal);

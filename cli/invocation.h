@@ -52,7 +52,8 @@ struct RenderCommand {
 struct FlipCommand {
   std::string reference, test, pairList; // the first two, or the last
   job::FlipRequest request;              // all but its files, metrics and budgets
-  std::string metrics, budgets;          // as they were written; empty: none were named
+  std::optional<std::string> metrics;    // as they were written; none: the default ones
+  std::string budgets;                   // file; empty: none
   std::string json, csv, junit;          // file, "-" for stdout (not junit), "" for none
   bool githubAnnotations = false, warnExit = false, quiet = false;
   int threads = 0;

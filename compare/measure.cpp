@@ -95,9 +95,9 @@ void forParts(const std::vector<Region>& regions, std::vector<RegionFigures>& fi
 
 } // namespace
 
-const base::Image* Measurement::findMap(std::string_view metric) const {
-  for (const auto& [name, map] : maps)
-    if (name == metric) return &map;
+const base::Image* Measurement::findMap(std::string_view metric, std::size_t plane) const {
+  for (const auto& [name, planes] : maps)
+    if (name == metric && plane < planes.size()) return &planes[plane];
   return nullptr;
 }
 
@@ -141,7 +141,7 @@ Measurement measureRegions(const ImagePair& pair, const std::vector<base::PixelL
         for (std::size_t i = 0; i < values.size(); ++i) figures.values.push_back({plan.statistics[i].name, values[i]});
       });
     if (!maps.note.empty()) out.notes.push_back(plan.metric->name + ": " + maps.note);
-    if (plan.keepMap) out.maps.emplace_back(plan.metric->name, maps.planes[0]);
+    if (plan.keepMap) out.maps.emplace_back(plan.metric->name, maps.planes);
   }
   return out;
 }

@@ -17,16 +17,17 @@ struct MeasureRequest {
   std::vector<std::string> statistics = {}; // and these, of any metric: what budgets name
   MetricOptions options = {};
   std::optional<int> interiorRadius = {}; // of the erosion; none: flipFilterRadius of the options' ppd
-  std::vector<std::string> keepMaps = {}; // metrics whose first map is wanted in Measurement::maps, measured or not
+  std::vector<std::string> keepMaps = {}; // metrics whose maps are wanted in Measurement::maps, measured or not
 };
 
 struct Measurement {
-  std::vector<RegionFigures> regions;                    // as many as lists, in their order
-  std::vector<std::pair<std::string, base::Image>> maps; // name of the metric, map: 1 channel, 0 outside the box
-  std::vector<std::string> notes;                        // of the metrics, "name: note"
+  std::vector<RegionFigures> regions;                                 // as many as lists, in their order
+  std::vector<std::pair<std::string, std::vector<base::Image>>> maps; // name of the metric, its planes (metric.h)
+  std::vector<std::string> notes;                                     // of the metrics, "name: note"
 
-  // The kept map of that metric, or null.
-  const base::Image* findMap(std::string_view metric) const;
+  // A kept plane of that metric, or null: 1 channel, 0 outside the box. The first one is what the metric is pooled
+  // from; the second of HDR-FLIP is its exposure map.
+  const base::Image* findMap(std::string_view metric, std::size_t plane = 0) const;
 };
 
 // The metrics of a run that names none: cheap ones, of which the verdicts by default need the first.

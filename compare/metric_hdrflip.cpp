@@ -18,6 +18,7 @@ MetricMaps makeMaps(const MetricInput& input, const MetricOptions& options) {
   MetricMaps maps;
   maps.planes.push_back(std::move(found.flip));
   setPixels(maps.planes[0], input.nonFinite, 1);
+  maps.planes.push_back(std::move(found.exposure)); // not pooled: for who asks which exposure is worst
   const ExposureRange& range = found.range;
   maps.note = fmt::format("{} exposures from {:.4g} to {:.4g} EV, tone curve {}", range.count, range.start, range.stop,
                           kTonemapperNames[static_cast<std::size_t>(hdr.tonemapper)]);

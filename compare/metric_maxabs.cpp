@@ -29,8 +29,13 @@ Metric makeMaxAbsMetric() {
     maps.planes.push_back(mapOfDisplayed(input, options, 1, largestDifferenceRow));
     return maps;
   };
+  metric.hasFractionOver = true;
   metric.pool = [](const MetricMaps& maps, const RegionRuns& region, std::span<const Statistic> wanted) {
-    return std::vector<double>(wanted.size(), largestOf(maps.planes[0], region));
+    // One figure is the largest value, the others are shares of pixels above something.
+    std::vector<double> values = poolDistribution(maps, region, wanted);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (wanted[i].name == "maxabs") values[i] = largestOf(maps.planes[0], region);
+    return values;
   };
   return metric;
 }

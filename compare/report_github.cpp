@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "compare/github_command.h"
 #include "compare/report.h"
-#include "compare/text.h"
 #include "compare/wording.h"
 
 namespace parity::compare {
@@ -17,42 +17,10 @@ struct Annotation {
   const AppliedRule* rule = nullptr;
 };
 
-// What the runner decodes again (actions/toolkit, command.ts: escapeData, escapeProperty): '%' and line ends, and in
-// properties also what ends one. Other control characters and those that reorder text never get that far.
-std::string escape(std::string_view text, bool property) {
-  std::string out;
-  const auto append = [&](std::string_view part) {
-    for (const char c : plainLine(part)) {
-      if (c == '%')
-        out += "%25";
-      else if (property && c == ':')
-        out += "%3A";
-      else if (property && c == ',')
-        out += "%2C";
-      else
-        out += c;
-    }
-  };
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
-    append(text.substr(at, end - at));
-    if (end < text.size()) out += text[end] == '\r' ? "%0D" : "%0A";
-    at = end + 1;
-  }
-  return out;
-}
-
-// The place of a rule as GitHub names files: relative to the checkout, with '/'. Empty for one outside it.
-std::string placeOf(const AppliedRule& rule, const std::filesystem::path& root) {
-  const std::filesystem::path file = (root / rule.file).lexically_normal().lexically_relative(root.lexically_normal());
-  if (file.empty() || *file.begin() == "..") return {};
-  return fmt::format("file={},line={},", escape(file.generic_string(), true), rule.line);
-}
-
 std::string format(const Annotation& annotation, const std::filesystem::path& root) {
-  const std::string place = annotation.rule && annotation.rule->line > 0 ? placeOf(*annotation.rule, root) : "";
-  return fmt::format("::{} {}title={}::{}\n", annotation.verdict >= Verdict::fail ? "error" : "warning", place,
-                     escape(annotation.title, true), escape(annotation.message, false));
+  GithubCommand command{annotation.verdict >= Verdict::fail, annotation.title, annotation.message, "", 0};
+  if (annotation.rule) command.file = annotation.rule->file, command.line = annotation.rule->line;
+  return toText(command, root);
 }
 
 std::string describe(Verdict verdict, const std::string& reason, const RegionFigures& figures,

@@ -20,7 +20,12 @@ struct Threshold {
 
 // As checks over all pixels of a region. A pixelwise limit becomes one on "flip.fraction_over(LIMIT)". Throws Error
 // (usage) for an unknown name (with the nearest known one), a metric that has no such limits, percents without their
-// limit or of a pooled figure, a limit that is not finite or outside its figure's range, and a threshold without any.
+// limit or of a pooled figure, a limit that is not finite, outside its figure's range or that nothing can be beyond, a
+// warning that could only come with a failure, and a threshold without any.
 std::vector<compare::BudgetCheck> makeChecks(const std::vector<Threshold>& thresholds, bool hdr);
+
+// The same limits for an alpha channel, which is measured as a displayed picture: FLIP in the place of HDR-FLIP.
+std::vector<compare::BudgetCheck> checksOfAlpha(std::vector<compare::BudgetCheck> checks);
+std::string figureOfAlpha(const std::string& figure); // "flip.mean" of "hdrflip.mean"; else the same
 
 } // namespace parity::job

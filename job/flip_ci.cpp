@@ -1,7 +1,7 @@
 // The result of parity flip for CI servers: JUnit XML and annotations.
 #include <fmt/format.h>
 
-#include "compare/report.h"
+#include "compare/github_command.h"
 #include "compare/text.h"
 #include "compare/wording.h"
 #include "job/flip_text.h"
@@ -22,7 +22,7 @@ std::string describeFigures(const FlipRow& row) {
 }
 
 std::string makeCase(const std::string& pair, const std::string& name, Verdict verdict, const std::string& reason,
-                     const std::string& details) {
+                     const std::string& details, bool judged) {
   const std::string message = escapeMarkup(reason), text = escapeMarkup(details);
   std::string inner;
   if (verdict == Verdict::fail)
@@ -31,34 +31,38 @@ std::string makeCase(const std::string& pair, const std::string& name, Verdict v
     inner = fmt::format("      <error type=\"error\" message=\"{}\">{}</error>\n", message, text);
   else if (verdict != Verdict::pass)
     inner = fmt::format("      <system-out>warning: {}\n{}</system-out>\n", message, text);
+  else if (!judged)
+    inner = "      <skipped message=\"not judged: no limits were given\"/>\n";
   return fmt::format("    <testcase classname=\"{}\" name=\"{}\">\n{}    </testcase>\n", escapeMarkup(pair),
                      escapeMarkup(name), inner);
 }
 
 struct Tally {
-  std::size_t tests = 0, failures = 0, errors = 0;
+  bool judged = true;
+  std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
   void count(Verdict verdict) {
     ++tests;
     failures += verdict == Verdict::fail;
     errors += verdict == Verdict::error;
+    skipped += verdict == Verdict::pass && !judged;
   }
   std::string attributes() const {
-    return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\"", tests, failures, errors);
+    return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\"", tests, failures, errors, skipped);
   }
 };
 
 } // namespace
 
 std::string toJunit(const FlipResult& result) {
-  Tally total;
+  Tally total{result.judged};
   std::string suites;
   for (const FlipPair& pair : result.pairs) {
-    Tally tally;
+    Tally tally{result.judged};
     std::string cases;
     const auto add = [&](const std::string& name, Verdict verdict, const std::string& reason, const std::string& text) {
       tally.count(verdict);
       total.count(verdict);
-      cases += makeCase(pair.files.name, name, verdict, reason, text);
+      cases += makeCase(pair.files.name, name, verdict, reason, text, result.judged);
     };
     for (const FlipRow& row : pair.rows) add(row.figures.name, row.verdict, row.reason, describeFigures(row));
     // Also where an error came after the figures: a map that could not be written.
@@ -71,25 +75,30 @@ std::string toJunit(const FlipResult& result) {
       total.attributes(), suites);
 }
 
-std::string toAnnotations(const FlipResult& result) {
-  // What failed goes where a report has scenes that could not be compared: the writer escapes and orders.
-  compare::Report report;
-  const auto add = [&](Verdict verdict, const std::string& name, const std::string& reason) {
+std::string toAnnotations(const FlipResult& result, const std::filesystem::path& root) {
+  std::string errors, warnings;
+  const auto add = [&](const FlipPair& pair, Verdict verdict, const std::string& name, const std::string& reason,
+                       const compare::AppliedRule& rule) {
     if (verdict == Verdict::pass) return;
-    if (verdict < Verdict::fail) return report.warnings.push_back(name + ": " + reason);
-    compare::SceneResult failed;
-    failed.name = name;
-    failed.error = reason;
-    report.scenes.push_back(std::move(failed));
+    compare::GithubCommand command{verdict >= Verdict::fail, "parity: " + name,
+                                   fmt::format("{}: {}", compare::nameOf(verdict), reason), rule.file, rule.line};
+    if (rule.line == 0) command.file = pair.files.list.string(), command.line = pair.files.line;
+    if (!rule.reason.empty()) command.message += "\nReason for the budget: " + rule.reason;
+    if (!rule.owner.empty()) command.message += "\nOwner: " + rule.owner;
+    (command.error ? errors : warnings) += compare::toText(command, root);
   };
   for (const FlipPair& pair : result.pairs) {
+    if (pair.errorCode != 0) {
+      add(pair, pair.verdict, pair.files.name, pair.reason, {});
+      continue;
+    }
     for (const FlipRow& row : pair.rows)
-      add(row.verdict, pair.rows.size() > 1 ? pair.files.name + ", " + row.figures.name : pair.files.name, row.reason);
-    if (pair.verdict == Verdict::error) add(pair.verdict, pair.files.name, pair.reason);
+      add(pair, row.verdict, pair.rows.size() > 1 ? pair.files.name + ", " + row.figures.name : pair.files.name,
+          row.reason, row.rule);
   }
-  // A report without scenes is an error of its own, which a run without failures is not.
-  if (report.scenes.empty() && !result.pairs.empty()) report.scenes.emplace_back();
-  return compare::toGithubAnnotations(report, {});
+  for (const std::string& warning : result.warnings)
+    warnings += compare::toText({false, "parity", warning, "", 0}, root);
+  return errors + warnings; // GitHub shows the first ten of a kind
 }
 
 } // namespace parity::job

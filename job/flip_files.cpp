@@ -18,10 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kHistogramEnding = ".flip.svg";
+
 // Of one pair the file itself; of many a file in the folder, named by the pair.
-fs::path fileFor(const FlipRequest& request, const fs::path& output, const FlipPair& pair, const std::string& ending) {
+fs::path fileFor(const FlipRequest& request, const fs::path& output, const FilePair& pair, const std::string& ending) {
   if (!request.files.many) return output;
-  fs::path file = output / pair.files.name;
+  fs::path file = output / pair.name;
   file += ending;
   return file;
 }
@@ -73,15 +75,29 @@ std::string drawHistogram(const FlipImages& images, const FlipPair& pair) {
 
 } // namespace
 
+std::vector<OutputFile> listFlipFiles(const FlipRequest& request) {
+  const FlipOutputs& outputs = request.outputs;
+  std::vector<OutputFile> files;
+  for (const FilePair& pair : request.files.pairs) {
+    const auto add = [&](const char* option, const fs::path& output, const std::string& ending) {
+      if (!output.empty()) files.push_back({option, fileFor(request, output, pair, ending)});
+    };
+    add("--output", outputs.map, ".flip" + outputs.mapKind);
+    add("--exposure-map", outputs.exposureMap, ".exposure" + outputs.mapKind);
+    add("--histogram", outputs.histogram, kHistogramEnding);
+  }
+  return files;
+}
+
 void writeFlipFiles(const FlipRequest& request, const FlipImages& images, FlipPair& result) {
   const FlipOutputs& outputs = request.outputs;
   if (!outputs.map.empty())
-    writeMap(fileFor(request, outputs.map, result, ".flip" + outputs.mapKind), images.flip, result);
+    writeMap(fileFor(request, outputs.map, result.files, ".flip" + outputs.mapKind), images.flip, result);
   if (!outputs.exposureMap.empty() && images.exposure)
-    writeMap(fileFor(request, outputs.exposureMap, result, ".exposure" + outputs.mapKind), *images.exposure, result);
-  if (!outputs.exposureMap.empty() && !images.exposure) result.notes.emplace_back("no exposure map: the pair is LDR");
+    writeMap(fileFor(request, outputs.exposureMap, result.files, ".exposure" + outputs.mapKind), *images.exposure,
+             result);
   if (!outputs.histogram.empty()) {
-    const fs::path file = fileFor(request, outputs.histogram, result, ".flip.svg");
+    const fs::path file = fileFor(request, outputs.histogram, result.files, kHistogramEnding);
     base::writeText(file, drawHistogram(images, result));
     result.written.push_back(file);
   }

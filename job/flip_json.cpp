@@ -34,10 +34,10 @@ void addLimit(compare::JsonWriter& json, const char* key, const std::optional<do
     json.null();
 }
 
-void addRow(compare::JsonWriter& json, const FlipRow& row) {
+void addRow(compare::JsonWriter& json, const FlipResult& result, const FlipRow& row) {
   json.beginObject();
   json.key("name").text(row.figures.name);
-  json.key("verdict").text(compare::nameOf(row.verdict));
+  json.key("verdict").text(nameOf(result, row.verdict));
   json.key("reason").text(row.reason);
   addFigures(json, "all", row.figures.all);
   addFigures(json, "interior", row.figures.interior);
@@ -50,6 +50,8 @@ void addRow(compare::JsonWriter& json, const FlipRow& row) {
     addLimit(json, "warn", check.warnAbove);
     addLimit(json, "fail", check.failAbove);
     json.key("verdict").text(compare::nameOf(check.verdict));
+    json.key("regress").boolean(check.regress);
+    json.key("unjudged").text(check.unjudged);
     json.key("note").text(check.note);
     json.endObject();
   }
@@ -79,7 +81,7 @@ void addTexts(compare::JsonWriter& json, const char* key, const std::vector<std:
   json.endArray();
 }
 
-void addPair(compare::JsonWriter& json, const FlipPair& pair, bool warnExit) {
+void addPair(compare::JsonWriter& json, const FlipResult& result, const FlipPair& pair, bool warnExit) {
   json.beginObject();
   json.key("name").text(pair.files.name);
   json.key("reference").text(pair.files.reference.generic_string());
@@ -92,10 +94,11 @@ void addPair(compare::JsonWriter& json, const FlipPair& pair, bool warnExit) {
     json.key("rangeReason").text(pair.rangeReason);
     json.key("referenceSpace").text(pair.referenceSpace);
     json.key("testSpace").text(pair.testSpace);
-    json.key("identical").boolean(pair.identical);
+    json.key("identical").boolean(pair.identical && !pair.partial);
+    json.key("area").text(pair.where);
   }
   addTexts(json, "notes", pair.notes);
-  json.key("verdict").text(compare::nameOf(pair.verdict));
+  json.key("verdict").text(nameOf(result, pair.verdict));
   json.key("exitCode").integer(exitCode(pair, warnExit));
   json.key("reason").text(pair.reason);
   std::vector<std::string> files;
@@ -103,7 +106,7 @@ void addPair(compare::JsonWriter& json, const FlipPair& pair, bool warnExit) {
   addTexts(json, "files", files);
   addPooling(json, pair.pooling);
   json.key("regions").beginArray();
-  for (const FlipRow& row : pair.rows) addRow(json, row);
+  for (const FlipRow& row : pair.rows) addRow(json, result, row);
   json.endArray();
   json.endObject();
 }
@@ -129,16 +132,22 @@ std::vector<std::string> figureNames(const FlipResult& result) {
 
 } // namespace
 
+std::string nameOf(const FlipResult& result, compare::Verdict verdict) {
+  return verdict == compare::Verdict::pass && !result.judged ? "not judged" : compare::nameOf(verdict);
+}
+
 std::string toJson(const FlipResult& result, bool warnExit) {
   compare::JsonWriter json;
   json.beginObject();
   json.key("tool").text("parity");
   json.key("version").text(kVersion);
   json.key("format").integer(1);
-  json.key("verdict").text(compare::nameOf(worstVerdict(result)));
+  json.key("verdict").text(nameOf(result, worstVerdict(result)));
   json.key("exitCode").integer(exitCode(result, warnExit));
+  addTexts(json, "warnings", result.warnings);
+  addTexts(json, "skippedFiles", result.skipped);
   json.key("pairs").beginArray();
-  for (const FlipPair& pair : result.pairs) addPair(json, pair, warnExit);
+  for (const FlipPair& pair : result.pairs) addPair(json, result, pair, warnExit);
   json.endArray();
   json.endObject();
   return json.finish();
@@ -154,12 +163,12 @@ std::string toCsv(const FlipResult& result, bool warnExit) {
                                          cell(pair.files.test.generic_string()));
     const int code = exitCode(pair, warnExit);
     if (pair.rows.empty())
-      out += fmt::format("{},,,{},{},,{},{}\r\n", head, compare::nameOf(pair.verdict), code,
+      out += fmt::format("{},,,{},{},,{},{}\r\n", head, nameOf(result, pair.verdict), code,
                          std::string(names.size(), ','), cell(pair.reason));
     for (const FlipRow& row : pair.rows) {
       const compare::Figures& all = row.figures.all;
       out += fmt::format("{},{},{},{},{},{},{}", head, cell(row.figures.name), pair.hdr ? "hdr" : "ldr",
-                         compare::nameOf(row.verdict), code, all.pixels, all.nonFinite);
+                         nameOf(result, row.verdict), code, all.pixels, all.nonFinite);
       for (const std::string& name : names) {
         const auto value = all.find(name);
         out += value ? fmt::format(",{}", *value) : ",";

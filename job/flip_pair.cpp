@@ -4,15 +4,16 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "compare/flip_hdr.h"
 #include "compare/measure.h"
 #include "compare/metrics.h"
 #include "compare/region.h"
-#include "compare/wording.h"
+#include "job/flip_checks.h"
 #include "job/flip_files.h"
+#include "job/flip_judge.h"
 
 namespace parity::job {
 
@@ -105,7 +106,13 @@ compare::MeasureRequest measureRequest(const FlipRequest& request, const FlipPai
   if (request.budgets)
     for (const std::string& name : compare::requiredStatistics(*request.budgets)) measure.statistics.push_back(name);
   measure.options = request.metric;
-  measure.keepMaps = {flipOf(result.hdr)};
+  const std::string flip = flipOf(result.hdr);
+  const FlipOutputs& files = request.outputs;
+  const auto isFlip = [&](const std::string& name) { return name == flip || name.starts_with(flip + "."); };
+  // Its map is pooled and written; where nobody asks for any of it, FLIP is not computed.
+  if (!files.map.empty() || !files.histogram.empty() || (result.hdr && !files.exposureMap.empty()) ||
+      std::ranges::any_of(measure.metrics, isFlip) || std::ranges::any_of(measure.statistics, isFlip))
+    measure.keepMaps = {flip};
   return measure;
 }
 
@@ -116,7 +123,8 @@ void requireApplicable(const compare::MeasureRequest& measure, const FlipPair& r
   for (const std::string& name : measure.statistics) metrics.push_back(compare::requireStatistic(name, "limit").metric);
   for (const std::string& name : metrics)
     if (compare::requireMetric(name, "--metrics").needsLinear)
-      throw base::Error(base::ExitCode::notComparable, result.files.test.string(), name,
+      throw base::Error(base::ExitCode::notComparable,
+                        result.files.reference.string() + ", " + result.files.test.string(), name,
                         fmt::format("does not apply to an LDR pair ({}); --hdr compares it as linear light all the "
                                     "same",
                                     result.rangeReason));
@@ -140,17 +148,6 @@ compare::Measurement measureColors(const Pictures& pictures, const std::vector<b
   return compare::measureRegions(pair, regions, request);
 }
 
-// The metric keeps no more than its map, so the rare wish for this one costs a second pass.
-base::Image makeExposureMap(const Pictures& pictures, const compare::MetricOptions& options) {
-  compare::HdrFlipOptions hdr = options.hdr;
-  hdr.ppd = options.ppd;
-  hdr.region = options.box;
-  const base::Image linear[] = {toLinear(pictures.reference), toLinear(pictures.test)};
-  const compare::ImagePair pair{linear[0], linear[1]};
-  const compare::MetricInput input(pair); // numbers in place of NaN
-  return compare::flipHdr(input.reference, input.test, hdr).exposure;
-}
-
 base::Image spreadGrey(const base::Image& grey) {
   base::Image rgb(grey.width, grey.height, 3);
   for (std::size_t p = 0; p < grey.pixels.size(); ++p) std::fill_n(rgb.pixels.data() + 3 * p, 3, grey.pixels[p]);
@@ -161,11 +158,9 @@ base::Image spreadGrey(const base::Image& grey) {
 std::vector<compare::RegionFigures> measureAlpha(const Pictures& pictures, const std::vector<base::PixelList>& regions,
                                                  compare::MeasureRequest request) {
   const base::Image reference = spreadGrey(pictures.reference.alpha), test = spreadGrey(pictures.test.alpha);
-  const auto needsLinear = [](const std::string& name) { return compare::requireMetric(name, "metric").needsLinear; };
-  std::erase_if(request.metrics, needsLinear);
-  std::erase_if(request.statistics,
-                [&](const std::string& name) { return needsLinear(compare::requireStatistic(name, "limit").metric); });
-  request.metrics.push_back("flip");
+  for (std::string& name : request.metrics)
+    if (name == "hdrflip") name = "flip";
+  for (std::string& name : request.statistics) name = figureOfAlpha(name);
   request.keepMaps.clear();
   auto figures = compare::measureRegions({reference, test}, regions, request).regions;
   for (compare::RegionFigures& region : figures)
@@ -173,87 +168,76 @@ std::vector<compare::RegionFigures> measureAlpha(const Pictures& pictures, const
   return figures;
 }
 
-void judgeRow(FlipRow& row, const FlipRequest& request, const std::vector<compare::BudgetCheck>& checks,
-              const FlipPair& pair) {
-  compare::BudgetRule limits;
-  const bool alpha = row.figures.name.starts_with("alpha");
-  for (const compare::BudgetCheck& check : checks)
-    if (!alpha || row.figures.all.find(check.statistic.name)) limits.checks.push_back(check);
-  row.checks = compare::runChecks(limits, row.figures);
-  if (request.budgets) {
-    // A region is to its pair what a material is to its scene; a whole image is one to both.
-    const bool whole = row.figures.name == "image" || row.figures.name == "alpha";
-    const compare::BudgetRule* rule =
-        whole ? compare::findWholeRule(*request.budgets, pair.files.name)
-              : compare::findMaterialRule(*request.budgets, pair.files.name, row.figures.name);
-    if (!rule) throw base::Error(base::ExitCode::failed, "budgets", row.figures.name, "no rule judges it");
-    for (compare::CheckResult& check : compare::runChecks(*rule, row.figures)) row.checks.push_back(std::move(check));
-    row.rule = {rule->origin, rule->reason, rule->owner, rule->requireSeen, rule->file, rule->line};
-  }
-  for (const compare::CheckResult& check : row.checks)
-    if (check.verdict > row.verdict) {
-      row.verdict = check.verdict;
-      row.reason = compare::describeCheck(check);
-    }
-  if (row.figures.all.nonFinite > 0 && row.verdict < Verdict::fail) {
-    row.verdict = Verdict::fail;
-    row.reason = fmt::format("{} pixel{} NaN or infinite", row.figures.all.nonFinite,
-                             row.figures.all.nonFinite == 1 ? " is" : "s are");
+// HDR-FLIP's options have no part in an LDR pair, which may surprise.
+void noteUnusedOptions(const FlipRequest& request, FlipPair& result) {
+  if (!result.hdr && !request.outputs.exposureMap.empty())
+    result.notes.emplace_back("no exposure map: the pair is LDR");
+  if (!result.hdr && !request.hdrOptions.empty())
+    result.notes.push_back(
+        fmt::format("{}: no part in an LDR pair; --hdr compares it as HDR", fmt::join(request.hdrOptions, ", ")));
+}
+
+// Where a file of the pair could not be written, none of its rows may read as a pass.
+void writeFiles(const FlipRequest& request, const FlipImages& images, FlipPair& result) {
+  try {
+    writeFlipFiles(request, images, result);
+  } catch (const base::Error& error) {
+    for (FlipRow& row : result.rows)
+      if (row.verdict < Verdict::fail) row.verdict = Verdict::error, row.reason = error.what();
+    throw;
   }
 }
 
 } // namespace
 
 void compareFiles(const FlipRequest& request, FlipPair& result) {
-  if (!result.files.missing.empty()) {
-    const auto& present = result.files.reference.empty() ? result.files.test : result.files.reference;
-    throw base::fileError(present.string(), "", result.files.missing);
-  }
+  if (!result.files.missing.empty()) throw base::Error(base::ExitCode::failed, result.files.missing, "", "");
   Pictures pictures = readPictures(request, result.files);
-  requireComparable(pictures.reference, pictures.test, request.image.alpha);
+  requireComparable(pictures.reference, pictures.test, request.image);
   result.width = pictures.reference.color.width;
   result.height = pictures.reference.color.height;
   describe(pictures, result);
   checkFinite(request, pictures, result);
   chooseRange(request, pictures, result);
+  noteUnusedOptions(request, result);
   const auto isZero = [](float v) { return v == 0; };
   result.identical = pictures.reference.color == pictures.test.color && pictures.reference.alpha == pictures.test.alpha;
   result.black =
       result.identical && std::all_of(pictures.test.color.pixels.begin(), pictures.test.color.pixels.end(), isZero);
+  result.invisible = pictures.reference.invisible && pictures.test.invisible;
+  result.partial = isPartial(pictures.reference, request.image) || isPartial(pictures.test, request.image);
 
-  const std::vector<base::PixelList> regions = findRegions(request.mask, result.width, result.height);
+  const MaskRegions regions = findRegions(request.mask, result.width, result.height);
+  result.where = regions.where;
+  result.notes.insert(result.notes.end(), regions.notes.begin(), regions.notes.end());
   const std::vector<compare::BudgetCheck> checks = makeChecks(request.thresholds, result.hdr);
   compare::MeasureRequest measure = measureRequest(request, result, checks);
   requireApplicable(measure, result);
   std::vector<const base::PixelList*> lists;
-  for (const base::PixelList& region : regions) lists.push_back(&region);
+  for (const base::PixelList& region : regions.lists) lists.push_back(&region);
   const compare::Rect box = compare::boundsOf(lists, result.width, result.height);
   const bool whole = box == compare::Rect{0, 0, result.width, result.height};
   if (!whole) measure.options.box = box;
 
-  const compare::Measurement colors = measureColors(pictures, regions, measure, result.hdr);
+  const compare::Measurement colors = measureColors(pictures, regions.lists, measure, result.hdr);
   std::vector<compare::RegionFigures> figures = colors.regions;
   for (const std::string& note : colors.notes) result.notes.push_back(note);
   if (!pictures.reference.alpha.empty())
-    for (compare::RegionFigures& region : measureAlpha(pictures, regions, measure))
+    for (compare::RegionFigures& region : measureAlpha(pictures, regions.lists, measure))
       figures.push_back(std::move(region));
-  base::Image exposure;
-  if (result.hdr && !request.outputs.exposureMap.empty()) exposure = makeExposureMap(pictures, measure.options);
   pictures = {}; // the maps are large enough
-  for (compare::RegionFigures& region : figures) {
+  for (std::size_t i = 0; i < figures.size(); ++i) {
     FlipRow row;
-    row.figures = std::move(region);
-    judgeRow(row, request, checks, result);
+    row.figures = std::move(figures[i]);
+    row.whole = request.mask.file.empty();
+    judgeRow(row, request, i < colors.regions.size() ? checks : checksOfAlpha(checks), result.files.name);
     result.rows.push_back(std::move(row));
   }
-  const base::Image* map = colors.findMap(flipOf(result.hdr));
-  if (regions.size() == 1 && regions[0].name == "image") result.pooling = compare::poolMap(*map);
-  for (const FlipRow& row : result.rows)
-    if (row.verdict > result.verdict) {
-      result.verdict = row.verdict;
-      result.reason = result.rows.size() > 1 ? row.figures.name + ": " + row.reason : row.reason;
-    }
-  writeFlipFiles(request, {*map, exposure.empty() ? nullptr : &exposure, regions}, result);
+  const std::string flip = flipOf(result.hdr);
+  const base::Image* map = colors.findMap(flip);
+  if (map && regions.where.empty()) result.pooling = compare::poolMap(*map);
+  settlePair(result);
+  if (map) writeFiles(request, {*map, colors.findMap(flip, 1), regions.lists}, result);
 }
 
 } // namespace parity::job

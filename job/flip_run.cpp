@@ -1,6 +1,7 @@
 #include "job/flip_run.h"
 
 #include <algorithm>
+#include <exception>
 #include <new>
 
 #include <fmt/format.h>
@@ -16,6 +17,34 @@ using compare::Verdict;
 
 bool isUsage(const base::Error& error) { return error.code() == base::ExitCode::usage; }
 
+void setError(FlipPair& pair, const std::string& reason, int exitCode) {
+  pair.verdict = Verdict::error;
+  pair.reason = reason;
+  pair.errorCode = exitCode;
+}
+
+// The rules that judged nothing, by the means of a report: its scenes are the pairs, its materials the regions.
+std::string describeUnusedRules(const compare::Budgets& budgets, const FlipResult& result) {
+  compare::Report report;
+  for (const FlipPair& pair : result.pairs) {
+    compare::SceneResult scene;
+    scene.name = pair.files.name;
+    scene.error = pair.rows.empty() ? pair.reason : "";
+    for (const FlipRow& row : pair.rows) {
+      compare::ViewResult view;
+      if (row.whole) {
+        view.rule = row.rule;
+      } else {
+        view.materials.emplace_back();
+        view.materials.back().rule = row.rule;
+      }
+      scene.views.push_back(std::move(view));
+    }
+    report.scenes.push_back(std::move(scene));
+  }
+  return compare::describeUnusedRules(budgets, report);
+}
+
 } // namespace
 
 std::vector<std::string> defaultFlipMetrics(bool hdr) {
@@ -29,6 +58,8 @@ void requireSense(const FlipRequest& request) {
     if (metric.needsLinear && request.range == DynamicRange::ldr)
       throw base::Error(base::ExitCode::usage, "--ldr", name, "does not apply to LDR: it needs linear light");
   }
+  if (request.range == DynamicRange::ldr && !request.hdrOptions.empty())
+    throw base::Error(base::ExitCode::usage, "--ldr", request.hdrOptions.front(), "is for HDR-FLIP alone");
   for (const compare::BudgetCheck& check : makeChecks(request.thresholds, request.range == DynamicRange::hdr))
     if (request.range == DynamicRange::ldr && compare::requireMetric(check.statistic.metric, "--metric").needsLinear)
       throw base::Error(base::ExitCode::usage, "--ldr", check.statistic.name,
@@ -47,18 +78,22 @@ FlipResult runFlip(const FlipRequest& request, const std::function<void(const st
     try {
       compareFiles(request, pair);
     } catch (const base::Error& error) {
-      if (isUsage(error)) throw;
-      pair.verdict = Verdict::error;
-      pair.reason = error.what();
-      pair.errorCode = error.code() == base::ExitCode::notComparable ? 3 : 4;
+      // One of many pairs is no reason to lose what was found of the others.
+      if (isUsage(error) && !request.files.many) throw;
+      setError(pair, error.what(), error.code() == base::ExitCode::notComparable ? 3 : 4);
     } catch (const std::bad_alloc&) {
-      pair.verdict = Verdict::error;
-      pair.reason = files.name + ": needs more memory than there is";
-      pair.errorCode = 4;
+      setError(pair, files.name + ": needs more memory than there is", 4);
+    } catch (const std::exception& error) {
+      setError(pair, files.name + ": " + error.what(), 4);
     }
     result.pairs.push_back(std::move(pair));
   }
   if (progress) progress("", 1);
+  result.skipped = request.files.skipped;
+  if (request.budgets)
+    if (std::string line = describeUnusedRules(*request.budgets, result); !line.empty())
+      result.warnings.push_back(std::move(line) +
+                                (request.mask.file.empty() ? " (without a mask, pairs are whole images)" : ""));
   return result;
 }
 

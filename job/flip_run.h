@@ -37,6 +37,7 @@ struct FlipRequest {
   MaskRequest mask;
   std::vector<Threshold> thresholds;
   std::optional<compare::Budgets> budgets;
+  std::vector<std::string> hdrOptions; // of the command line, given for HDR-FLIP: a note where a pair has none
   bool worstNonFinite = false; // pixels that are NaN or infinite count as the worst error and fail; else an error
   FlipOutputs outputs;
 };
@@ -44,10 +45,11 @@ struct FlipRequest {
 // One region of one pair.
 struct FlipRow {
   compare::RegionFigures figures; // its name: "image", "area", "mask", "id 7", "alpha", "alpha, id 7"
+  bool whole = false;             // no mask divides the picture: to budgets it is a whole image, else a material
   std::vector<compare::CheckResult> checks;
   compare::Verdict verdict = compare::Verdict::pass;
-  std::string reason; // one sentence: what decided the verdict; empty on a pass
-  compare::AppliedRule rule;
+  std::string reason;        // one sentence: what decided the verdict; empty on a pass
+  compare::AppliedRule rule; // of the budgets
 };
 
 struct FlipPair {
@@ -55,11 +57,15 @@ struct FlipPair {
   int width = 0, height = 0;
   std::string channels; // "RGB + alpha"
   bool hdr = false;
-  std::string rangeReason;                 // why LDR or HDR
-  std::string referenceSpace, testSpace;   // "srgb, assumed of 8-bit integers"
-  std::vector<std::string> notes;          // what else was assumed or left out
-  bool identical = false, black = false;   // every pixel is the same; all of them are black, in both
-  std::optional<compare::Pooling> pooling; // of the FLIP map over the image; none with a mask or an area
+  std::string rangeReason;               // why LDR or HDR
+  std::string referenceSpace, testSpace; // "srgb, assumed of 8-bit integers"
+  std::vector<std::string> notes;        // what else was assumed or left out
+  bool identical = false, black = false; // every pixel is the same; all of them are black, in both
+  bool invisible = false;                // nothing but the background is seen, in both
+  bool partial = false;                  // the files hold more than was compared: layers, further images
+  std::string where;                     // "area 24,8,10,4 of mask ids.exr"; empty: the whole picture
+  std::optional<compare::Pooling>
+      pooling; // of the FLIP map over the image; none with a mask or an area, or where FLIP was not measured
   std::vector<FlipRow> rows;
   std::vector<std::filesystem::path> written; // files
   compare::Verdict verdict = compare::Verdict::pass;
@@ -69,7 +75,9 @@ struct FlipPair {
 
 struct FlipResult {
   std::vector<FlipPair> pairs;
-  bool judged = false; // any limits were given
+  bool judged = false;               // any limits were given; else a verdict `pass` says no more than "compared"
+  std::vector<std::string> skipped;  // files of the folders that were passed over
+  std::vector<std::string> warnings; // of the whole run: rules of the budgets that judged nothing
 };
 
 // What a run measures that names no metrics, the cheap ones: flip, rmse, psnr, bias; of HDR pairs hdrflip, relmse,
@@ -80,9 +88,10 @@ std::vector<std::string> defaultFlipMetrics(bool hdr);
 // Error (usage).
 void requireSense(const FlipRequest& request);
 
-// What is wrong with one pair (missing, unreadable, not comparable, non-finite) is its own result, and the others still
-// run. Memory is that of one pair. Throws Error as requireSense().
-// progress (may be empty) is told the name of the pair at work, and how much of all is done, 0..1.
+// What is wrong with one pair (missing, unreadable, not comparable, non-finite, not writable) is its own result, and
+// the others still run. Memory is that of one pair. Throws Error (usage) as requireSense(), and where options make no
+// sense for the only pair there is. progress (may be empty) is told the name of the pair at work, and how much of all
+// is done, 0..1.
 FlipResult runFlip(const FlipRequest& request, const std::function<void(const std::string&, double)>& progress = {});
 
 compare::Verdict worstVerdict(const FlipResult& result);

@@ -15,8 +15,8 @@ namespace {
 
 using compare::Verdict;
 
-std::string word(Verdict verdict) {
-  return verdict == Verdict::fail ? "FAIL" : verdict == Verdict::error ? "ERROR" : compare::nameOf(verdict);
+std::string word(const FlipResult& result, Verdict verdict) {
+  return verdict == Verdict::fail ? "FAIL" : verdict == Verdict::error ? "ERROR" : nameOf(result, verdict);
 }
 
 // Six digits where a figure has no unit: this is where one looks for the last ones.
@@ -32,6 +32,9 @@ std::string describePair(const FlipPair& pair) {
   const bool same = pair.referenceSpace == pair.testSpace;
   out += same ? fmt::format("colour: {}\n", pair.referenceSpace)
               : fmt::format("colour: {}; the test: {}\n", pair.referenceSpace, pair.testSpace);
+  if (!pair.where.empty())
+    out += fmt::format("region: {}, {} pixels ({})\n", compare::plainLine(pair.rows.front().figures.name),
+                       pair.rows.front().figures.all.pixels, compare::plainLine(pair.where));
   for (const std::string& note : pair.notes) out += fmt::format("note: {}\n", compare::plainLine(note));
   return out;
 }
@@ -39,15 +42,18 @@ std::string describePair(const FlipPair& pair) {
 std::string listFigures(const FlipPair& pair) {
   std::string out = describePair(pair);
   const FlipRow& row = pair.rows.front();
+  std::size_t width = 24;
+  for (const compare::Figure& figure : row.figures.all.values) width = std::max(width, figure.name.size());
   for (const compare::Figure& figure : row.figures.all.values)
-    out += fmt::format("{} {}\n", compare::fitColumns(figure.name, 24), preciseFigure(figure.name, figure.value));
+    out += fmt::format("{} {}\n", compare::fitColumns(figure.name, width), preciseFigure(figure.name, figure.value));
   if (pair.pooling) {
     const std::string flip = pair.hdr ? "hdrflip" : "flip";
     for (const auto& [name, value] : {std::pair{"weighted median", pair.pooling->weightedMedian},
                                       {"weighted Q1", pair.pooling->weightedQ1},
                                       {"weighted Q3", pair.pooling->weightedQ3},
                                       {"min", pair.pooling->min}})
-      out += fmt::format("{} {:.6f}\n", compare::fitColumns(flip + " " + name, 24), value);
+      out += fmt::format("{} {:.6f}\n", compare::fitColumns(flip + " " + name, width), value);
+    out += fmt::format("(weighted: by the error itself, as NVIDIA's tool; {}.p50 counts every pixel alike)\n", flip);
   }
   if (row.figures.all.find("bias.ev")) out += compare::describeBias(row.figures.all, "the test") + "\n";
   return out;
@@ -71,6 +77,12 @@ std::vector<std::string> columnsOf(const FlipResult& result) {
             add(name);
         }
   return columns;
+}
+
+// What may be said of a pair whose compared pixels are all the same.
+std::string sameness(const FlipPair& pair) {
+  return std::string(pair.partial ? "what was compared is the same" : "identical") +
+         (pair.invisible ? ", transparent" : "");
 }
 
 using Cells = std::vector<std::string>;
@@ -102,18 +114,19 @@ std::string tabulate(const FlipResult& result) {
   std::vector<Cells> lines = {head};
   for (const FlipPair& pair : result.pairs) {
     const std::string name = compare::plainLine(pair.files.name);
-    if (pair.rows.empty()) {
+    if (pair.errorCode != 0) { // whatever was found before is no result
       Cells line(head.size());
-      line[0] = word(pair.verdict), line[1] = name, line.back() = compare::plainLine(pair.reason);
+      line[0] = word(result, pair.verdict), line[1] = name, line.back() = compare::plainLine(pair.reason);
       lines.push_back(line);
+      continue;
     }
     for (const FlipRow& row : pair.rows) {
-      Cells line = {word(row.verdict), name, compare::plainLine(row.figures.name)};
+      Cells line = {word(result, row.verdict), name, compare::plainLine(row.figures.name)};
       for (const std::string& column : columns) {
         const auto value = row.figures.all.find(column);
         line.push_back(value ? compare::formatFigure(column, *value) : "");
       }
-      line.push_back(row.reason.empty() && pair.identical ? "identical" : compare::plainLine(row.reason));
+      line.push_back(row.reason.empty() && pair.identical ? sameness(pair) : compare::plainLine(row.reason));
       lines.push_back(line);
     }
   }
@@ -125,28 +138,39 @@ std::string tabulate(const FlipResult& result) {
 }
 
 std::string describeOutcome(const FlipResult& result) {
-  std::size_t bad = 0, warned = 0;
+  std::size_t failed = 0, errors = 0, warned = 0;
   const FlipPair* first = nullptr;
   const Verdict worst = worstVerdict(result);
   for (const FlipPair& pair : result.pairs) {
-    bad += pair.verdict == Verdict::fail || pair.verdict == Verdict::error;
+    failed += pair.verdict == Verdict::fail;
+    errors += pair.verdict == Verdict::error;
     warned += pair.verdict == Verdict::warn;
     if (!first && pair.verdict == worst) first = &pair;
   }
   const std::size_t count = result.pairs.size();
   const std::string reason = first ? compare::plainLine(first->reason) : "";
-  if (count > 1 && bad > 0)
-    return fmt::format("FAIL: {} of {} pairs; {}: {}", bad, count, compare::plainLine(first->files.name), reason);
-  if (bad > 0) return fmt::format("{}: {}", word(worst), reason);
+  if (count > 1 && failed + errors > 0) {
+    std::string what = failed > 0 ? fmt::format("FAIL: {} of {} pairs", failed, count) : "";
+    if (errors > 0)
+      what += failed > 0 ? fmt::format(", and {} could not be judged", errors)
+                         : fmt::format("ERROR: {} of {} pairs could not be judged", errors, count);
+    return fmt::format("{}; {}: {}", what, compare::plainLine(first->files.name), reason);
+  }
+  if (failed + errors > 0) return fmt::format("{}: {}", word(result, worst), reason);
   if (warned > 0)
     return count > 1 ? fmt::format("warning: {} of {} pairs; {}: {}", warned, count,
                                    compare::plainLine(first->files.name), reason)
                      : fmt::format("warning: {}", reason);
-  if (count == 1 && result.pairs[0].identical)
-    return fmt::format("{}: every pixel is the same{}", result.judged ? "pass, identical" : "identical",
-                       result.pairs[0].black ? ", and black, in both" : "");
-  const auto same = static_cast<std::size_t>(
-      std::count_if(result.pairs.begin(), result.pairs.end(), [](const FlipPair& p) { return p.identical; }));
+  if (count == 1 && result.pairs[0].identical) {
+    const FlipPair& pair = result.pairs[0];
+    const char* what = pair.partial ? "what was compared of the files is identical" : "identical";
+    return fmt::format("{}{}: every pixel is the same{}", result.judged ? "pass, " : "", what,
+                       pair.invisible ? ", but all are transparent: nothing was seen"
+                       : pair.black   ? ", and black, in both"
+                                      : "");
+  }
+  const auto same = static_cast<std::size_t>(std::count_if(
+      result.pairs.begin(), result.pairs.end(), [](const FlipPair& p) { return p.identical && !p.partial; }));
   const std::string identical = same > 0 ? fmt::format(", {} of them identical", same) : "";
   if (count > 1)
     return fmt::format("{}: {} pairs{}", result.judged ? "pass, within the limits" : "compared, no limits were given",

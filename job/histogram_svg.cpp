@@ -64,9 +64,22 @@ std::string drawAxes(const std::string& axis) {
   return out;
 }
 
+// Marks that would stand on each other, as all of them do for identical pictures, become one of all their names.
+std::vector<std::pair<std::string, double>> mergeMarks(const std::vector<std::pair<std::string, double>>& marks) {
+  constexpr double kLeastDistance = 5e-5; // the labels have four digits
+  std::vector<std::pair<std::string, double>> merged;
+  for (const auto& [name, value] : marks)
+    if (!merged.empty() && value - merged.back().second < kLeastDistance)
+      merged.back().first += ", " + name;
+    else
+      merged.emplace_back(name, value);
+  return merged;
+}
+
 // Labels take turns in three rows, so that neighbours do not overlap; a halo keeps them readable on the lines.
 std::string drawMarks(std::vector<std::pair<std::string, double>> marks) {
   std::stable_sort(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  marks = mergeMarks(marks);
   std::string lines, labels;
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const double x = xOf(marks[i].second), y = kTop - 8 - 15.0 * static_cast<double>((marks.size() - 1 - i) % 3);

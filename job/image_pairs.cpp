@@ -1,12 +1,12 @@
 #include "job/image_pairs.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <map>
 #include <optional>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -19,34 +19,53 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// What OpenImageIO 2.4 reads (its extension_list, less films, text screens and volumes), and .pfm.
 bool isPicture(const fs::path& file) {
-  constexpr std::array kExtensions = {".png",  ".jpg",  ".jpeg", ".exr", ".hdr", ".pfm",  ".tif",  ".tiff",
-                                      ".webp", ".bmp",  ".tga",  ".dpx", ".cin", ".gif",  ".jp2",  ".j2k",
-                                      ".heic", ".heif", ".pnm",  ".ppm", ".pgm", ".psd",  ".sgi",  ".rgb",
-                                      ".rgba", ".rla",  ".dds",  ".ico", ".iff", ".fits", ".avif", ".rgbe"};
+  constexpr std::string_view kExtensions =
+      " exr sxr mxr tif tiff tx env sm vsm jpg jpe jpeg jif jfif jfi bmp dib cin dds dcm dpx fits gif heic heif heics "
+      "avif hdr rgbe ico iff z jp2 j2k j2c png ppm pgm pbm pnm pfm psd pdd psb bay bmq cr2 cr3 crw cs1 dc2 dcr dng erf "
+      "fff k25 kdc mdc mos mrw nef orf pef pxn raf raw rdc sr2 srf x3f arw 3fr cine ia kc2 mef nrw qtk rw2 sti rwl srw "
+      "drf dsc ptx cap iiq rwz rla sgi rgb rgba bw int inta pic tga tpic webp zfile ";
   std::string extension = file.extension().string();
+  if (extension.size() < 2 || extension.find(' ') != std::string::npos) return false;
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+  return kExtensions.find(" " + extension.substr(1) + " ") != std::string_view::npos;
 }
 
-// Relative paths of all pictures below a folder, sorted.
-std::set<fs::path> listPictures(const fs::path& folder, std::size_t& skipped) {
+// The pictures below a folder, by their relative paths, and what else lies there.
+class Listing {
+public:
+  explicit Listing(const fs::path& folder) : m_root(folder) { visit(folder, {}); }
+
   std::set<fs::path> pictures;
-  std::error_code error;
-  fs::recursive_directory_iterator it(folder, error);
-  for (; !error && it != fs::recursive_directory_iterator(); it.increment(error)) {
-    const bool hidden = it->path().filename().string().starts_with('.');
-    std::error_code ignored;
-    if (hidden && it->is_directory(ignored)) it.disable_recursion_pending();
-    if (hidden || it->is_directory(ignored)) continue;
-    if (isPicture(it->path()))
-      pictures.insert(it->path().lexically_relative(folder));
-    else
-      ++skipped;
+  std::vector<std::string> skipped; // in words
+
+private:
+  // outer: the folders on the way, with all links resolved: one of them again would never end.
+  void visit(const fs::path& folder, std::set<fs::path> outer) {
+    std::error_code error;
+    if (!outer.insert(fs::canonical(folder, error)).second) {
+      skipped.push_back(folder.string() + " (a link back to a folder around it)");
+      return;
+    }
+    fs::directory_iterator it(folder, error);
+    for (; !error && it != fs::directory_iterator(); it.increment(error)) {
+      const fs::path& path = it->path();
+      std::error_code ignored;
+      if (path.filename().string().starts_with('.'))
+        skipped.push_back(path.string() + " (hidden)");
+      else if (it->is_directory(ignored))
+        visit(path, outer);
+      else if (isPicture(path))
+        pictures.insert(path.lexically_relative(m_root));
+      else
+        skipped.push_back(path.string());
+    }
+    if (error) throw base::fileError(folder.string(), "cannot be listed", error.message());
   }
-  if (error) throw base::fileError(folder.string(), "cannot be listed", error.message());
-  return pictures;
-}
+
+  fs::path m_root;
+};
 
 fs::path stemOf(const fs::path& relative) { return relative.parent_path() / relative.stem(); }
 
@@ -57,10 +76,14 @@ std::map<fs::path, std::vector<fs::path>> groupByStem(const std::set<fs::path>& 
   return groups;
 }
 
-// Names without extension where that tells the pairs apart.
+// Names without extension where that tells the pairs apart, also from the whole names of others: beside a.pfm and
+// a.exr, a.pfm.exr keeps its own.
 void nameByStem(std::vector<FilePair>& pairs) {
   std::map<std::string, int> uses;
-  for (const FilePair& pair : pairs) ++uses[stemOf(pair.name).generic_string()];
+  for (const FilePair& pair : pairs) {
+    ++uses[stemOf(pair.name).generic_string()];
+    ++uses[pair.name];
+  }
   for (FilePair& pair : pairs)
     if (const std::string stem = stemOf(pair.name).generic_string(); uses[stem] == 1) pair.name = stem;
   std::sort(pairs.begin(), pairs.end(), [](const FilePair& a, const FilePair& b) { return a.name < b.name; });
@@ -69,8 +92,11 @@ void nameByStem(std::vector<FilePair>& pairs) {
 FilePairs matchFolders(const fs::path& reference, const fs::path& test) {
   FilePairs result;
   result.many = true;
-  std::set<fs::path> references = listPictures(reference, result.skippedFiles);
-  std::set<fs::path> tests = listPictures(test, result.skippedFiles);
+  const Listing referenceFiles(reference), testFiles(test);
+  std::set<fs::path> references = referenceFiles.pictures, tests = testFiles.pictures;
+  for (const Listing* listing : {&referenceFiles, &testFiles})
+    result.skipped.insert(result.skipped.end(), listing->skipped.begin(), listing->skipped.end());
+  std::sort(result.skipped.begin(), result.skipped.end());
   if (references.empty() && tests.empty())
     throw base::fileError(reference.string(), "", fmt::format("neither it nor {} holds a picture", test.string()));
   for (auto it = references.begin(); it != references.end();) {
@@ -92,8 +118,10 @@ FilePairs matchFolders(const fs::path& reference, const fs::path& test) {
     }
     const std::string why = others.empty() ? "no counterpart" : "more than one possible counterpart";
     for (const fs::path& picture : group)
-      result.pairs.push_back(
-          {picture.generic_string(), reference / picture, {}, fmt::format("{} in {}", why, test.string())});
+      result.pairs.push_back({picture.generic_string(),
+                              reference / picture,
+                              {},
+                              fmt::format("{}: {} in {}", (reference / picture).string(), why, test.string())});
   }
   const bool anyPair =
       std::any_of(result.pairs.begin(), result.pairs.end(), [](const FilePair& p) { return p.missing.empty(); });
@@ -102,8 +130,10 @@ FilePairs matchFolders(const fs::path& reference, const fs::path& test) {
                           fmt::format("no picture has a counterpart in {}: nothing to compare", test.string()));
   for (const auto& [stem, group] : testGroups)
     for (const fs::path& picture : group)
-      result.pairs.push_back(
-          {picture.generic_string(), {}, test / picture, fmt::format("no counterpart in {}", reference.string())});
+      result.pairs.push_back({picture.generic_string(),
+                              {},
+                              test / picture,
+                              fmt::format("{}: no counterpart in {}", (test / picture).string(), reference.string())});
   // One name on both sides, both without a counterpart, cannot be: they would be a pair.
   nameByStem(result.pairs);
   return result;
@@ -162,7 +192,9 @@ FilePairs findPairs(const fs::path& reference, const fs::path& test) {
 
 FilePairs readPairList(const fs::path& list) {
   constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
-  std::istringstream lines(base::readText(list, kMaxBytes));
+  constexpr std::string_view kMark = "\xef\xbb\xbf"; // Windows programs begin UTF-8 with it
+  const std::string text = base::readText(list, kMaxBytes);
+  std::istringstream lines(text.starts_with(kMark) ? text.substr(kMark.size()) : text);
   FilePairs result;
   result.many = true;
   std::set<std::pair<fs::path, fs::path>> seen;
@@ -182,10 +214,11 @@ FilePairs readPairList(const fs::path& list) {
     if (paths[0].empty() || paths[1].empty()) refuse("a path is empty");
     const fs::path reference = list.parent_path() / paths[0], test = list.parent_path() / paths[1];
     if (!seen.insert({reference, test}).second) refuse("the same pair stands above");
-    FilePair pair{pairName(paths[0]), reference, test, ""};
+    FilePair pair{pairName(paths[0]), reference, test, "", list, number};
     for (const fs::path& file : {reference, test}) {
       std::error_code error;
-      if (!fs::exists(file, error) && pair.missing.empty()) pair.missing = file.string() + " does not exist";
+      if (!fs::exists(file, error))
+        pair.missing += (pair.missing.empty() ? "" : "; ") + file.string() + ": does not exist";
     }
     result.pairs.push_back(pair);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -79,6 +80,25 @@ std::vector<base::PixelList> regionsOfIds(const MaskRequest& request, const Ids&
   return sorted;
 }
 
+// The ids that lie outside the area, in words; empty: none.
+std::string describeAbsent(const MaskRequest& request, const Ids& ids, const std::vector<base::PixelList>& regions) {
+  constexpr std::size_t kMostNamed = 16;
+  if (!request.area) return {};
+  std::set<std::uint32_t> absent;
+  for (std::size_t p = 0; p < ids.pixels.size(); ++p)
+    if (p == 0 || ids.pixels[p] != ids.pixels[p - 1]) absent.insert(ids.pixels[p]);
+  for (const std::uint32_t id : request.ignoredIds) absent.erase(id);
+  std::set<std::string> present;
+  for (const base::PixelList& region : regions) present.insert(region.name);
+  std::string names;
+  std::size_t count = 0;
+  for (const std::uint32_t id : absent)
+    if (const std::string name = fmt::format("id {}", id); !present.contains(name) && ++count <= kMostNamed)
+      names += (names.empty() ? "" : ", ") + name;
+  if (count > kMostNamed) names += fmt::format(" and {} more", count - kMostNamed);
+  return count == 0 ? "" : "without a pixel in the area, so not compared: " + names;
+}
+
 // One weight a pixel, from grey of one or three equal channels.
 base::PixelList regionOfWeights(const std::string& file, const base::ImageFile& stored, const compare::Rect& area) {
   const base::Image& image = stored.pixels;
@@ -119,24 +139,38 @@ base::PixelList regionOfArea(const compare::Rect& area, int width, int height) {
 
 } // namespace
 
-std::vector<base::PixelList> findRegions(const MaskRequest& request, int width, int height) {
+MaskRegions findRegions(const MaskRequest& request, int width, int height) {
   const compare::Rect area = request.area.value_or(compare::Rect{0, 0, width, height});
   // Compared without sums, which could overflow.
   if (area.empty() || area.x < 0 || area.y < 0 || area.width > width - area.x || area.height > height - area.y)
     throw base::Error(base::ExitCode::notComparable, "--region",
                       fmt::format("{},{},{},{}", area.x, area.y, area.width, area.height),
                       fmt::format("reaches beyond the pictures, which are {}x{}", width, height));
-  if (request.file.empty()) return {regionOfArea(area, width, height)};
+  MaskRegions result;
+  if (area != compare::Rect{0, 0, width, height})
+    result.where = fmt::format("area {},{},{},{}", area.x, area.y, area.width, area.height);
+  if (request.file.empty()) {
+    result.lists = {regionOfArea(area, width, height)};
+    return result;
+  }
   const std::string file = request.file.string();
+  result.where += (result.where.empty() ? "mask " : " of mask ") + file;
   const base::ImageFile stored = base::readImageFile(request.file);
   requireSize(file, stored.pixels.width, stored.pixels.height, width, height);
   const bool ids = request.kind == MaskKind::ids ||
                    (request.kind == MaskKind::automatic && (!stored.info.integer || stored.info.bits > 16));
-  if (ids) return regionsOfIds(request, idsOf(file, stored), area);
+  if (ids) {
+    const Ids values = idsOf(file, stored);
+    result.lists = regionsOfIds(request, values, area);
+    if (std::string absent = describeAbsent(request, values, result.lists); !absent.empty())
+      result.notes.push_back(std::move(absent));
+    return result;
+  }
   if (!request.ignoredIds.empty())
     throw base::Error(base::ExitCode::usage, "--ignore-id", file,
                       "is a mask of weights; --mask-kind ids reads it as ids");
-  return {regionOfWeights(file, stored, area)};
+  result.lists = {regionOfWeights(file, stored, area)};
+  return result;
 }
 
 } // namespace parity::job

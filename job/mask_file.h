@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,11 +28,17 @@ struct MaskRequest {
   std::optional<compare::Rect> area; // only pixels in it count
 };
 
+struct MaskRegions {
+  std::vector<base::PixelList> lists;
+  std::string where;              // "area 24,8,10,4 of mask ids.exr"; empty: the whole picture
+  std::vector<std::string> notes; // which ids have no pixel in the area
+};
+
 // The regions of a picture of that size: "id 7" for each id in ascending order (its first channel counts), "mask" for
 // weights, "area" or "image" without a mask. None is empty. Throws Error: notComparable where the mask has another size
 // or the area reaches beyond the picture; failed (exit 4) where the file cannot be read, no pixel is left, an id is no
 // whole number of 0 to 2^32-1 (with its place) or there are more than 65536 of them, weights are not grey, not opaque
 // or outside [0,1], or an ignored id does not occur in the mask.
-std::vector<base::PixelList> findRegions(const MaskRequest& request, int width, int height);
+MaskRegions findRegions(const MaskRequest& request, int width, int height);
 
 } // namespace parity::job

@@ -1,7 +1,9 @@
 #include "job/plain_image.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include <fmt/format.h>
@@ -61,6 +63,7 @@ void chooseColorSpace(PlainImage& image, const base::ImageInfo& info, const std:
 struct Layout {
   std::array<int, 3> color{};
   int alpha = -1;
+  std::vector<int> further;
 };
 
 Layout findChannels(PlainImage& image, const base::ImageInfo& info, int channels) {
@@ -80,7 +83,8 @@ Layout findChannels(PlainImage& image, const base::ImageInfo& info, int channels
                                              nameOf(layout.color[2])} != std::array<std::string, 3>{"R", "G", "B"})
     image.notes.push_back(fmt::format("the channels {}, {}, {} are taken for R, G, B", nameOf(layout.color[0]),
                                       nameOf(layout.color[1]), nameOf(layout.color[2])));
-  if (colors.size() > 3) image.notes.push_back(fmt::format("{} further channels are not compared", colors.size() - 3));
+  if (colors.size() > 3) layout.further.assign(colors.begin() + 3, colors.end());
+  for (const int c : layout.further) image.furtherNames.push_back(nameOf(c));
   return layout;
 }
 
@@ -116,6 +120,10 @@ void dissociate(base::Image& color, const base::Image& alpha) {
 }
 
 void composite(PlainImage& image, const base::Image& alpha, bool associated, const std::array<float, 3>& background) {
+  const auto isZero = [](float v) { return v == 0; };
+  image.invisible = std::all_of(alpha.pixels.begin(), alpha.pixels.end(), isZero) &&
+                    (!associated || std::all_of(image.color.pixels.begin(), image.color.pixels.end(), isZero));
+  if (image.invisible) image.notes.emplace_back("every pixel is transparent: nothing but the background is seen");
   if (std::all_of(alpha.pixels.begin(), alpha.pixels.end(), [](float a) { return a == 1; })) return;
   if (!image.encoded || image.colorSpace == "raw") {
     image.color = compositeOver(image.color, alpha, associated, background);
@@ -129,6 +137,54 @@ void composite(PlainImage& image, const base::Image& alpha, bool associated, con
     if (alpha.pixels[p] != 1) std::copy_n(shown.pixels.data() + 3 * p, 3, image.color.pixels.data() + 3 * p);
 }
 
+std::string describeWindows(const PlainImage& image) {
+  const base::ImageInfo& info = image.info;
+  return fmt::format("{}x{} at {:+}{:+} of a picture of {}x{} at {:+}{:+}", image.color.width, image.color.height,
+                     info.x, info.y, info.fullWidth, info.fullHeight, info.fullX, info.fullY);
+}
+
+bool windowsDiffer(const base::ImageInfo& a, const base::ImageInfo& b) {
+  return a.x != b.x || a.y != b.y || a.fullX != b.fullX || a.fullY != b.fullY || a.fullWidth != b.fullWidth ||
+         a.fullHeight != b.fullHeight;
+}
+
+std::string listChannels(const PlainImage& image) {
+  return image.furtherNames.empty() ? "none" : fmt::format("{}", fmt::join(image.furtherNames, ", "));
+}
+
+// The names of the further channels whose bits differ; both have the same ones.
+std::vector<std::string> differingChannels(const PlainImage& reference, const PlainImage& test) {
+  const std::size_t channels = test.furtherNames.size();
+  std::vector<std::string> names;
+  for (std::size_t c = 0; c < channels; ++c)
+    for (std::size_t i = c; i < test.further.pixels.size(); i += channels)
+      if (std::bit_cast<std::uint32_t>(reference.further.pixels[i]) !=
+          std::bit_cast<std::uint32_t>(test.further.pixels[i])) {
+        names.push_back(test.furtherNames[c]);
+        break;
+      }
+  return names;
+}
+
+std::string countImages(const PlainImage& image) {
+  const int images = image.info.images;
+  return fmt::format("{}{} image{}", images, images == base::kMaxCountedImages ? " or more" : "",
+                     images == 1 ? "" : "s");
+}
+
+void requireSameLayers(const PlainImage& reference, const PlainImage& test) {
+  const auto refuse = [&](const std::string& what, const std::string& reason) {
+    throw base::Error(base::ExitCode::notComparable, test.file, what,
+                      reason + " (--ignore-layers compares the colour of the first image alone)");
+  };
+  if (reference.info.images != test.info.images)
+    refuse("holds " + countImages(test), "the reference " + countImages(reference));
+  if (reference.furtherNames != test.furtherNames)
+    refuse("further channels " + listChannels(test), "the reference has " + listChannels(reference));
+  if (const auto differing = differingChannels(reference, test); !differing.empty())
+    refuse(fmt::format("{}", fmt::join(differing, ", ")), "differs from the reference, and no metric measures it");
+}
+
 } // namespace
 
 PlainImage readPlainImage(const std::filesystem::path& file, const PlainImageOptions& options) {
@@ -137,8 +193,18 @@ PlainImage readPlainImage(const std::filesystem::path& file, const PlainImageOpt
   image.file = file.string();
   image.integer = stored.info.integer;
   image.bits = stored.info.bits;
+  image.info = stored.info;
   chooseColorSpace(image, stored.info, options.colorSpace);
   const Layout layout = findChannels(image, stored.info, stored.pixels.channels);
+  if (!layout.further.empty()) image.further = pickChannels(stored.pixels, layout.further);
+  if (!image.furtherNames.empty())
+    image.notes.push_back(fmt::format("the channels {} {}", listChannels(image),
+                                      options.ignoreLayers ? "are not compared" : "hold the same bits in both"));
+  if (image.info.images > 1)
+    image.notes.push_back(fmt::format("holds {}, of which the first is compared", countImages(image)));
+  if (image.info.orientation != 1)
+    image.notes.push_back(
+        fmt::format("is compared as stored; its orientation ({}) is not applied", image.info.orientation));
   image.encoded = image.colorSpace == "srgb" || image.colorSpace == "raw";
   // The common case is not copied: a picture of 4K is 100 MB.
   image.color = stored.pixels.channels == 3 && image.colorChannels == 3
@@ -166,17 +232,27 @@ std::string describeChannels(const PlainImage& image) {
   return fmt::format("{}{}", image.colorChannels == 1 ? "grey" : "RGB", image.hasAlpha ? " + alpha" : "");
 }
 
-void requireComparable(const PlainImage& reference, const PlainImage& test, AlphaMode alpha) {
+bool isPartial(const PlainImage& image, const PlainImageOptions& options) {
+  return image.info.images > 1 || (options.ignoreLayers && !image.furtherNames.empty());
+}
+
+void requireComparable(const PlainImage& reference, const PlainImage& test, const PlainImageOptions& options) {
   const auto refuse = [&](const std::string& what, const std::string& reason) {
     throw base::Error(base::ExitCode::notComparable, test.file, what, reason);
   };
   if (reference.color.width != test.color.width || reference.color.height != test.color.height)
     refuse(fmt::format("{}x{}", test.color.width, test.color.height),
            fmt::format("the reference is {}x{}", reference.color.width, reference.color.height));
-  const bool alphaDiffers = reference.hasAlpha != test.hasAlpha && alpha != AlphaMode::ignore;
+  if (windowsDiffer(reference.info, test.info))
+    refuse(describeWindows(test), "the reference is " + describeWindows(reference));
+  if (reference.info.orientation != test.info.orientation)
+    refuse(fmt::format("orientation {}", test.info.orientation),
+           fmt::format("the reference has orientation {}", reference.info.orientation));
+  const bool alphaDiffers = reference.hasAlpha != test.hasAlpha && options.alpha != AlphaMode::ignore;
   if (reference.colorChannels != test.colorChannels || alphaDiffers)
     refuse(describeChannels(test), fmt::format("the reference is {}{}", describeChannels(reference),
                                                alphaDiffers ? " (--alpha ignore compares colour alone)" : ""));
+  if (!options.ignoreLayers) requireSameLayers(reference, test);
 }
 
 } // namespace parity::job

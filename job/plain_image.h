@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "base/image_io.h"
 
 namespace parity::job {
 
@@ -25,20 +26,25 @@ struct PlainImageOptions {
   std::string colorSpace = "auto";
   AlphaMode alpha = AlphaMode::composite;
   std::array<float, 3> background{}; // linear Rec.709 (with "raw": stored values)
+  bool ignoreLayers = false;         // what a file holds beyond the colour and alpha of its first image may differ
 };
 
 struct PlainImage {
   std::string file;
-  base::Image color;              // RGB; display-encoded sRGB where `encoded`, else linear Rec.709; not checked for NaN
-  base::Image alpha;              // 1 channel; only with AlphaMode::channel, and where the file has one
-  bool encoded = false;           // what `color` holds
-  bool integer = false;           // how the file stores it
-  int bits = 0;                   // of one stored value
-  int colorChannels = 0;          // 1 or 3 in the file; grey has been spread
-  bool hasAlpha = false;          // in the file
-  std::string colorSpace;         // "srgb", "linear", ...: what was taken
-  std::string colorReason;        // "declared on the command line", "assumed of 8-bit integers"
-  std::vector<std::string> notes; // what was left out or taken for something else
+  base::Image color;      // RGB; display-encoded sRGB where `encoded`, else linear Rec.709; not checked for NaN
+  base::Image alpha;      // 1 channel; only with AlphaMode::channel, and where the file has one
+  bool encoded = false;   // what `color` holds
+  bool integer = false;   // how the file stores it
+  int bits = 0;           // of one stored value
+  int colorChannels = 0;  // 1 or 3 in the file; grey has been spread
+  bool hasAlpha = false;  // in the file
+  bool invisible = false; // every pixel was wholly transparent: the background is all that `color` holds
+  base::ImageInfo info;   // what else the file says
+  base::Image further;    // the channels beyond colour and alpha; as stored, empty: none
+  std::vector<std::string> furtherNames; // theirs
+  std::string colorSpace;                // "srgb", "linear", ...: what was taken
+  std::string colorReason;               // "declared on the command line", "assumed of 8-bit integers"
+  std::vector<std::string> notes;        // what was left out or taken for something else
 };
 
 // Colour that is associated with alpha (OpenEXR, some TIFF) is composited as C + (1-a) B, else as a C + (1-a) B
@@ -55,8 +61,13 @@ base::Image toLinear(const PlainImage& image);
 // "grey", "RGB + alpha", ...: the channels in words.
 std::string describeChannels(const PlainImage& image);
 
-// Throws Error (notComparable), naming the test's file, where sizes differ, or channels do: grey against RGB, and alpha
-// in one file alone unless it is ignored.
-void requireComparable(const PlainImage& reference, const PlainImage& test, AlphaMode alpha);
+// Throws Error (notComparable), naming the test's file, where these differ: sizes; the place of the pixels in the whole
+// picture (the windows of OpenEXR) and their orientation; channels: grey against RGB, and alpha in one file alone
+// unless it is ignored; unless layers are ignored, the names and bits of further channels, and how many images the
+// files hold.
+void requireComparable(const PlainImage& reference, const PlainImage& test, const PlainImageOptions& options);
+
+// Whether the files hold something that is not compared: further images, layers that are ignored.
+bool isPartial(const PlainImage& image, const PlainImageOptions& options);
 
 } // namespace parity::job

@@ -52,8 +52,8 @@ TEST_F(FlipPairs, MissingCounterpartFailsAndTheOthersStillRun) {
     verdicts[pair["name"]] = pair["verdict"];
     reasons[pair["name"]] = pair["reason"];
   }
-  EXPECT_EQ(verdicts["a"], "pass");
-  EXPECT_EQ(verdicts["sub/b"], "pass");
+  EXPECT_EQ(verdicts["a"], "not judged");
+  EXPECT_EQ(verdicts["sub/b"], "not judged");
   for (const char* name : {"only", "extra"}) {
     EXPECT_EQ(verdicts[name], "error");
     EXPECT_TRUE(contains(reasons[name], "no counterpart")) << reasons[name];
@@ -61,7 +61,7 @@ TEST_F(FlipPairs, MissingCounterpartFailsAndTheOthersStillRun) {
     EXPECT_TRUE(contains(result.out, name)) << result.out;
   }
   EXPECT_TRUE(contains(reasons["d.png"], "more than one possible counterpart")) << reasons["d.png"];
-  EXPECT_TRUE(contains(splitLines(result.out).back(), "FAIL")) << result.out;
+  EXPECT_TRUE(contains(splitLines(result.out).back(), "ERROR: 5 of 7 pairs")) << result.out;
 }
 
 TEST_F(FlipPairs, UnreadableFileAmongGoodPairsIsItsOwnFailure) {
@@ -70,7 +70,7 @@ TEST_F(FlipPairs, UnreadableFileAmongGoodPairsIsItsOwnFailure) {
   const std::string csv = path("out.csv");
   const nlohmann::json json = flip(4, {"--csv", csv});
   EXPECT_EQ(names(json), (std::vector<std::string>{"a", "sub/b", "z"}));
-  EXPECT_EQ(json["pairs"][0]["verdict"], "pass");
+  EXPECT_EQ(json["pairs"][0]["verdict"], "not judged");
   EXPECT_EQ(json["pairs"][2]["verdict"], "error");
   EXPECT_EQ(json["pairs"][2]["exitCode"], 4);
   EXPECT_EQ(splitLines(readWholeFile(csv)).size(), 4u) << "a head and a line a pair";
@@ -82,6 +82,29 @@ TEST_F(FlipPairs, FoldersWithoutAnyPairAreAnError) {
   expectRefused(runParity({"flip", path("ref"), path("none")}), 4, {"ref", "nothing to compare"});
   expectRefused(runParity({"flip", path("ref"), path("test/a.png")}), 64, {"a.png", "folder"});
   expectRefused(runParity({"flip", path("ref"), path("nowhere")}), 4, {"nowhere", "does not exist"});
+}
+
+TEST_F(FlipPairs, FilesThatArePassedOverAreNamed) {
+  writeFile(m_folder / "ref/c.unknown", std::string("x"));
+  const nlohmann::json json = flip(0);
+  ASSERT_EQ(json["skippedFiles"].size(), 1u);
+  EXPECT_TRUE(contains(json["skippedFiles"][0], "c.unknown"));
+  EXPECT_TRUE(contains(runParity({"flip", path("ref"), path("test")}).err, "c.unknown"));
+}
+
+// What only one pair cannot be compared with is that pair's error.
+TEST_F(FlipPairs, OptionThatMakesNoSenseForOnePairLeavesTheOthers) {
+  for (const char* side : {"ref", "test"}) {
+    const std::string folder = side;
+    base::writeImage(m_folder / (folder + "/a.exr"), makePicture(24, 16, 2));
+    base::writeImage(m_folder / (folder + "/far.exr"), makePicture(24, 16, 1e-6f));
+  }
+  const nlohmann::json json =
+      flipJson({path("ref"), path("test"), "--hdr", "--metrics", "hdrflip", "--stop-exposure", "5"}, 4);
+  std::map<std::string, std::string> verdicts;
+  for (const auto& pair : json["pairs"]) verdicts[pair["name"]] = pair["verdict"];
+  EXPECT_EQ(verdicts["far"], "error");
+  EXPECT_EQ(verdicts["a.exr"], "not judged");
 }
 
 TEST_F(FlipPairs, WorstPairDecidesTheExitCode) {
@@ -96,12 +119,12 @@ TEST_F(FlipPairs, WorstPairDecidesTheExitCode) {
 TEST_F(FlipPairs, ListNamesPairsWithCommentsAndQuotes) {
   write("with space.png", 1);
   writeFile(m_folder / "list.txt",
-            std::string("# nightly\n\nref/a.png test/a.png # one\n\"with space.png\"\tref/a.png\n"
+            std::string("\xef\xbb\xbf# nightly\n\nref/a.png test/a.png # one\n\"with space.png\"\tref/a.png\n"
                         "ref/a.png gone.png\n"));
   const nlohmann::json json = flipJson({"--pairs", path("list.txt")}, 4);
   EXPECT_EQ(names(json), (std::vector<std::string>{"ref/a.png", "with space.png", "ref/a.png (2)"}));
   EXPECT_EQ(json["pairs"][1]["identical"], true);
-  EXPECT_TRUE(contains(json["pairs"][2]["reason"], "gone.png")) << json["pairs"][2]["reason"];
+  EXPECT_EQ(json["pairs"][2]["reason"], path("gone.png") + ": does not exist");
 }
 
 TEST_F(FlipPairs, ListThatCannotBeMeantIsAnErrorWithItsLine) {
@@ -129,6 +152,11 @@ TEST_F(FlipPairs, EachPairHasItsFilesInTheFolders) {
   for (const char* word : {"LDR-FLIP of a", "mean 0.", "p95 0.", "share of pixels"})
     EXPECT_TRUE(contains(text, word)) << word;
   EXPECT_TRUE(exitedWith(64, runParity({"flip", path("ref"), path("test"), "-o", path("map.png")})));
+  for (const char* folder : {"ref", "test/sub", "test/../ref/new"}) {
+    const RunResult result = runParity({"flip", path("ref"), path("test"), "-o", path(folder)});
+    EXPECT_TRUE(exitedWith(64, result));
+    EXPECT_TRUE(contains(result.err, "whose pictures are compared")) << result.err;
+  }
 }
 
 TEST_F(FlipPairs, CsvHasALineARegionWithAllFigures) {
@@ -141,7 +169,7 @@ TEST_F(FlipPairs, CsvHasALineARegionWithAllFigures) {
   ASSERT_EQ(lines.size(), 4u) << result.out;
   EXPECT_TRUE(lines[0].starts_with("pair,reference,test,region,range,verdict,exit_code,pixels,non_finite,flip.mean,"));
   EXPECT_TRUE(lines[1].starts_with("a,")) << lines[1];
-  EXPECT_TRUE(contains(lines[1], ",image,ldr,pass,0,384,0,0.")) << lines[1];
+  EXPECT_TRUE(contains(lines[1], ",image,ldr,not judged,0,384,0,0.")) << lines[1];
   EXPECT_TRUE(lines[3].starts_with("\"x, \"\"y\"\"\",")) << lines[3];
 }
 

@@ -34,7 +34,7 @@ TEST_F(FlipRefusals, NonFinitePixelsCountedAsTheWorstErrorStillFail) {
   const std::string bad = write("bad.exr", image);
   for (const std::vector<std::string>& pair : {std::vector{good, bad}, {bad, good}, {bad, bad}}) {
     const nlohmann::json json =
-        flipJson(join({pair, {"--non-finite", "worst", "--metric", "flip.mean", "--fail", "1"}}), 2);
+        flipJson(join({pair, {"--non-finite", "worst", "--metric", "flip.mean", "--fail", "0.99"}}), 2);
     EXPECT_EQ(json["pairs"][0]["regions"][0]["all"]["nonFinite"], 1);
     EXPECT_EQ(firstFigures(json)["flip.max"], 1);
     EXPECT_TRUE(contains(json["pairs"][0]["reason"], "NaN")) << json["pairs"][0]["reason"];
@@ -85,11 +85,27 @@ TEST_F(FlipRefusals, TwoBlackImagesAreIdenticalAndSaySo) {
   }
 }
 
+TEST_F(FlipRefusals, TransparentImagesAreIdenticalButNothingWasSeen) {
+  const std::string clear = write("clear.png", base::Image(16, 16, 4, 0.f));
+  const RunResult result = runParity({"flip", clear, clear, "--metric", "flip.mean", "--fail", "0.1"});
+  EXPECT_TRUE(contains(splitLines(result.out).back(), "nothing was seen")) << result.out;
+}
+
 TEST_F(FlipRefusals, OutputThatWouldOverwriteAnInputIsAUsageError) {
   const std::string a = write("a.png", makePicture(16, 8)), b = write("b.png", makePicture(16, 8));
   const RunResult result = runParity({"flip", a, b, "-o", a});
   EXPECT_TRUE(exitedWith(64, result));
   EXPECT_TRUE(contains(result.err, "one of the images")) << result.err;
+  const std::string mask = write("mask.png", base::Image(16, 8, 1, 1.f)), both = (m_folder / "both").string();
+  std::filesystem::create_symlink("a.png", m_folder / "link.png");
+  const std::string link = (m_folder / "link.png").string();
+  for (const std::vector<std::string>& outputs : std::vector<std::vector<std::string>>{
+           {"--json", b}, {"--csv", a}, {"--junit", mask}, {"-o", link}, {"--json", both, "--csv", both}}) {
+    const RunResult other = runParity(join({{"flip", a, b, "--mask", mask}, outputs}));
+    EXPECT_TRUE(exitedWith(64, other)) << outputs[0];
+  }
+  EXPECT_FALSE(std::filesystem::exists(both));
+  EXPECT_EQ(base::readImage(b).width, 16);
 }
 
 } // namespace

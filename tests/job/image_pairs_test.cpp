@@ -47,7 +47,28 @@ TEST_F(ImagePairs, OtherAndHiddenFilesArePassedOver) {
   fs::create_directories(m_folder / "r" / ".git");
   touch("r/.git/b.png");
   EXPECT_EQ(match(), (std::vector<std::string>{"a"}));
-  EXPECT_EQ(findPairs(m_folder / "r", m_folder / "t").skippedFiles, 1u);
+  const std::vector<std::string> skipped = findPairs(m_folder / "r", m_folder / "t").skipped;
+  EXPECT_EQ(skipped,
+            (std::vector<std::string>{(m_folder / "r/.git").string() + " (hidden)", (m_folder / "r/notes.txt").string(),
+                                      (m_folder / "t/.a.png").string() + " (hidden)"}));
+}
+
+TEST_F(ImagePairs, RarerKindsAndLinkedFoldersAreFound) {
+  fs::create_directories(m_folder / "elsewhere");
+  for (const char* name : {"r/a.tx", "r/b.JPE", "r/c.pbm", "r/d.jfif", "r/e.dib", "elsewhere/f.png"}) touch(name);
+  fs::create_directory_symlink("../elsewhere", m_folder / "r" / "linked");
+  fs::create_directory_symlink("..", m_folder / "r" / "deep" / "loop");
+  for (const char* name : {"t/a.tx", "t/b.JPE", "t/c.pbm", "t/d.jfif", "t/e.dib"}) touch(name);
+  EXPECT_EQ(match(), (std::vector<std::string>{"a", "b", "c", "d", "e", "linked/f !"}));
+  const std::vector<std::string> skipped = findPairs(m_folder / "r", m_folder / "t").skipped;
+  ASSERT_EQ(skipped.size(), 1u);
+  EXPECT_NE(skipped[0].find("loop"), std::string::npos);
+}
+
+TEST_F(ImagePairs, NamesAreUniqueThoughOneIsTheStemOfAnother) {
+  for (const char* side : {"r/", "t/"})
+    for (const char* name : {"a.pfm", "a.exr", "a.pfm.exr"}) touch(std::string(side) + name);
+  EXPECT_EQ(match(), (std::vector<std::string>{"a.exr", "a.pfm", "a.pfm.exr"}));
 }
 
 TEST_F(ImagePairs, NamesOfAListNeverLeaveTheFolderOfTheResults) {
