@@ -3,6 +3,7 @@
 
 #include "base/file.h"
 #include "base/log.h"
+#include "cli/file_conflicts.h"
 #include "cli/invocation.h"
 #include "compare/budget.h"
 #include "compare/report_reader.h"
@@ -11,6 +12,9 @@
 namespace parity::cli {
 
 int runBudgetSuggestCommand(const BudgetSuggestCommand& command) {
+  std::vector<NamedFile> inputs;
+  for (const std::string& file : command.reports) inputs.push_back({"a report", compare::reportFileOf(file)});
+  requireSeparate({{"-o", command.output}}, inputs);
   std::vector<compare::ObservedRun> runs;
   for (const std::string& file : command.reports) runs.push_back({file, compare::readReport(file)});
   const compare::SuggestedBudgets suggested = compare::suggestBudgets(runs, command.options);

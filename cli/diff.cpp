@@ -17,6 +17,7 @@ int runDiffCommand(const DiffCommand& command, const std::string& commandLine) {
   request.commandLine = commandLine;
   request.oneOfMany = true;
   request.baseline = command.verdict.baseline;
+  requireSeparate({{"--json", command.common.json}}, inputFiles(command.common, command.verdict, request.scenes));
   job::Context context(command.common.settings);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
   if (!command.common.json.empty()) writeJson(command.common.json, compare::toJson(result.report));

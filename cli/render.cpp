@@ -43,9 +43,10 @@ int runRenderCommand(const RenderCommand& command) {
   if (settings.terms && extension != ".exr")
     throw base::Error(base::ExitCode::usage, "--terms", command.output, "layers need an .exr file");
 
+  const job::SceneRequest request = sceneRequest(command.common, command.scene);
+  requireSeparate({{"-o", command.output}}, inputFiles(command.common, {request}));
   const base::ThreadLimit threads(command.common.threads);
   job::Context context(settings);
-  const job::SceneRequest request = sceneRequest(command.common, command.scene);
   const job::PreparedScene prepared = job::prepareScene(context, request);
   for (const std::string& warning : prepared.scene.warnings) base::logWarning(warning);
   const bool highend = command.path == "highend";

@@ -8,6 +8,7 @@
 #include "cli/invocation.h"
 #include "cli/output.h"
 #include "cli/requests.h"
+#include "job/report_folder.h"
 #include "job/report_run.h"
 
 namespace parity::cli {
@@ -32,6 +33,18 @@ job::ReportRequest makeRequest(const ReportCommand& command) {
   return request;
 }
 
+// The baseline may lie in the report's own folder, as it is read first; all else that is read must stay.
+void requireSeparateFiles(const ReportCommand& command, const job::ReportRequest& request) {
+  std::vector<NamedFile> inputs = inputFiles(command.common, request.scenes);
+  inputs.push_back({"the suite", command.suite});
+  inputs.push_back({"the suite's budgets", request.suiteBudgets.value_or("")});
+  std::vector<NamedFile> outputs;
+  for (const char* file : job::kReportFiles) outputs.push_back({"-o", request.folder / file});
+  outputs.push_back({"--json", command.common.json});
+  requireSeparate(outputs, inputs);
+  requireSeparate({outputs.back()}, inputFiles(command.common, command.verdict, {}));
+}
+
 } // namespace
 
 int runReportCommand(const ReportCommand& command, const std::string& commandLine) {
@@ -40,6 +53,7 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
   request.folder = command.folder;
   request.commandLine = commandLine;
   request.baseline = command.verdict.baseline;
+  requireSeparateFiles(command, request);
   job::Context context(command.common.settings);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
   if (!command.common.json.empty()) writeJson(command.common.json, compare::toJson(result.report));

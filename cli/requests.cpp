@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "compare/report_reader.h"
 #include "scenes/names.h"
 
 namespace parity::cli {
@@ -17,6 +18,24 @@ job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& s
   request.sun = common.sun;
   request.views = {common.view};
   return request;
+}
+
+std::vector<NamedFile> inputFiles(const CommonOptions& common, const std::vector<job::SceneRequest>& scenes) {
+  std::vector<NamedFile> files = {{"the environment", common.environment},
+                                  {"the budgets", common.settings.budgets.value_or("")}};
+  for (const job::SceneRequest& scene : scenes) {
+    files.push_back({"the scene", scene.scene});
+    files.push_back({"the environment", scene.environment});
+    files.push_back({"the budgets", scene.budgets.value_or("")});
+  }
+  return files;
+}
+
+std::vector<NamedFile> inputFiles(const CommonOptions& common, const VerdictOptions& verdict,
+                                  const std::vector<job::SceneRequest>& scenes) {
+  std::vector<NamedFile> files = inputFiles(common, scenes);
+  if (!verdict.baseline.empty()) files.push_back({"the baseline", compare::reportFileOf(verdict.baseline)});
+  return files;
 }
 
 } // namespace parity::cli

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/file_conflicts.h"
 #include "cli/invocation.h"
 #include "job/prepared_scene.h"
 
@@ -10,5 +11,10 @@ namespace parity::cli {
 
 // The one view, environment and sun of the command line for this scene; named by the file's stem.
 job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& scene);
+
+// The files that a run reads: its scenes and what each has, budgets, baseline; for requireSeparate.
+std::vector<NamedFile> inputFiles(const CommonOptions& common, const std::vector<job::SceneRequest>& scenes);
+std::vector<NamedFile> inputFiles(const CommonOptions& common, const VerdictOptions& verdict,
+                                  const std::vector<job::SceneRequest>& scenes);
 
 } // namespace parity::cli

@@ -14,8 +14,6 @@ namespace parity::job {
 
 namespace {
 
-constexpr std::array<const char*, 4> kFiles = {"report.json", "run.json", "junit.xml", "index.html"};
-
 // Letters, digits and '-' stay; the rest becomes '_'. The index in front keeps two alike names apart.
 std::string safeFileName(std::size_t index, const std::string& name) {
   std::string out = fmt::format("{}-", index);
@@ -46,7 +44,7 @@ void prepareReportFolder(const std::filesystem::path& folder) {
   std::filesystem::create_directories(images, error);
   if (error) throw base::fileError(folder.string(), "", "cannot be made a folder: " + error.message());
 
-  for (const char* file : kFiles)
+  for (const char* file : kReportFiles)
     if (!error) std::filesystem::remove(folder / file, error);
   std::filesystem::directory_iterator entry(images, error);
   for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error))
@@ -55,9 +53,9 @@ void prepareReportFolder(const std::filesystem::path& folder) {
 }
 
 void writeReport(const std::filesystem::path& folder, const compare::Report& report, const compare::RunInfo& run) {
-  const std::array<std::string, kFiles.size()> contents = {compare::toJson(report), compare::toJson(run),
-                                                           compare::toJunit(report, run), compare::toHtml(report, run)};
-  for (std::size_t i = 0; i < kFiles.size(); ++i) base::writeText(folder / kFiles[i], contents[i]);
+  const std::array<std::string, kReportFiles.size()> contents = {
+      compare::toJson(report), compare::toJson(run), compare::toJunit(report, run), compare::toHtml(report, run)};
+  for (std::size_t i = 0; i < kReportFiles.size(); ++i) base::writeText(folder / kReportFiles[i], contents[i]);
 }
 
 } // namespace parity::job

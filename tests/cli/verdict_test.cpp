@@ -147,6 +147,30 @@ TEST_F(VerdictTest, TheTableSaysTheBiasInWords) {
   EXPECT_TRUE(contains(lines.back() + lines[lines.size() - 2], "whole images: 1 pass")) << result.out;
 }
 
+// What is read stays: a report as JSON over the budgets that judged it would take the limits away.
+TEST_F(VerdictTest, NoOutputOverwritesAnInput) {
+  const std::string budgets = writeBudgets(m_folder, "fail = 0.999"), text = readWholeFile(budgets);
+  ASSERT_TRUE(exitedWith(0, report("old", {"--budgets", budgets})));
+  const std::string old = (m_folder / "old" / "report.json").string(), oldText = readWholeFile(old);
+  const std::string detour = (m_folder / "old" / ".." / std::filesystem::path(budgets).filename()).string();
+  for (const char* command : {"report", "diff"}) {
+    const std::vector<std::string> base = join(
+        {{command, "builtin:furnace", "--budgets", budgets, "--baseline", path("old")},
+         std::string(command) == "report" ? std::vector<std::string>{"-o", path("new")} : std::vector<std::string>{}});
+    for (const std::string& target : {budgets, detour})
+      expectRefused(runParity(join({base, {"--json", target}})), 64, {"--json", "would overwrite the budgets"});
+    expectRefused(runParity(join({base, {"--json", old}})), 64, {"--json", "would overwrite the baseline"});
+  }
+  const std::string suite = write("suite.toml", "[[scene]]\nfile = \"builtin:furnace\"\n");
+  expectRefused(runParity({"report", "--suite", suite, "-o", path("new"), "--json", suite}), 64,
+                {"would overwrite the suite"});
+  expectRefused(report("new", {"--json", (m_folder / "new" / "index.html").string()}), 64, {"what -o writes, too"});
+  expectRefused(runParity({"budget", "suggest", path("old"), "-o", old}), 64, {"would overwrite a report"});
+  EXPECT_FALSE(std::filesystem::exists(m_folder / "new"));
+  EXPECT_EQ(readWholeFile(budgets), text);
+  EXPECT_EQ(readWholeFile(old), oldText);
+}
+
 TEST_F(VerdictTest, QuietPrintsErrorsAloneAndTheExitCodeIsTheVerdict) {
   const std::string budgets = writeBudgets(m_folder, "fail = 0");
   const RunResult result = report("out", {"-q", "--budgets", budgets, "--json", path("copy.json")});
