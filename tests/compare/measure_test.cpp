@@ -147,6 +147,28 @@ TEST(Measure, nonFinitePixelsAreCountedAndEnterAsTheWorstErrorOfEveryMetric) {
   EXPECT_EQ(*kept.findMap("flip")->at(9, 3), 1.f);
 }
 
+TEST(Measure, theExposureMapIsKeptBesideHdrFlip) {
+  Pair p;
+  for (std::size_t i = 0; i < p.test.pixels.size(); ++i) p.test.pixels[i] = 0.3f + 0.4f * static_cast<float>(i);
+  const Measurement kept = measureRegions({p.reference, p.test, &p.test, &p.reference}, {}, {.keepMaps = {"hdrflip"}});
+  const HdrFlip direct = flipHdr(p.test, p.reference);
+  ASSERT_NE(kept.findMap("hdrflip", 1), nullptr);
+  EXPECT_EQ(*kept.findMap("hdrflip"), direct.flip);
+  EXPECT_EQ(*kept.findMap("hdrflip", 1), direct.exposure);
+  EXPECT_EQ(kept.findMap("hdrflip", 2), nullptr);
+}
+
+TEST(Measure, sharesOfPixelsByTheirLargestDifferenceAreCounted) {
+  Pair p;
+  p.test.at(0, 0)[1] = 0.75f, p.test.at(1, 0)[2] = 0.375f; // differences of 1/4 and 1/8, of 8 pixels
+  const Measurement m =
+      measureRegions(p.images(), {{"m", {0, 1, 2, 3, 4, 5, 6, 7}, {}}},
+                     {.statistics = {"maxabs", "maxabs.fraction_over(0.1)", "maxabs.fraction_over(0.125)"}});
+  EXPECT_EQ(valueOf(m.regions[0].all, "maxabs"), 0.25);
+  EXPECT_EQ(valueOf(m.regions[0].all, "maxabs.fraction_over(0.1)"), 0.25);
+  EXPECT_EQ(valueOf(m.regions[0].all, "maxabs.fraction_over(0.125)"), 0.125) << "strictly above";
+}
+
 TEST(Measure, aRegionOfNothingButNonFinitePixelsHasTheWorstFigures) {
   Pair p;
   p.reference.at(0, 0)[0] = kNan;
