@@ -162,8 +162,7 @@ double parseShare(const std::string& option, const std::string& text) {
 void settle(CommonOptions& common, const RawOptions& raw) {
   job::Settings& s = common.settings;
   s.reference.integral.relativeError = parseShare("--error", raw.error);
-  s.reference.scattering =
-      raw.scattering == "single" ? reference::Scattering::single : reference::Scattering::multiple;
+  s.reference.scattering = raw.scattering == "single" ? reference::Scattering::single : reference::Scattering::multiple;
   s.reference.geometryTerm = raw.geometryTerm == "schlick-smith" ? reference::GeometryTerm::schlickSmith
                                                                  : reference::GeometryTerm::heightCorrelated;
   parseSize(raw.size, s);

@@ -35,9 +35,9 @@ bool givesLight(const scenes::Material& m) {
 void requireLight(PreparedScene& prepared, const std::string& file) {
   // Band 0 of the irradiance is the environment's mean: a black one gives no light.
   const bool sky = (prepared.environment && glm::compMax(prepared.environment->irradianceSh[0]) > 0) ||
-                   (prepared.panorama && std::any_of(prepared.panorama->radiance.pixels.begin(),
-                                                     prepared.panorama->radiance.pixels.end(),
-                                                     [](float value) { return value > 0; }));
+                   (prepared.panorama &&
+                    std::any_of(prepared.panorama->radiance.pixels.begin(), prepared.panorama->radiance.pixels.end(),
+                                [](float value) { return value > 0; }));
   const bool lit = sky || std::any_of(prepared.lights.begin(), prepared.lights.end(), [](const scenes::Light& l) {
                      return std::max({l.color.x, l.color.y, l.color.z}) > 0;
                    });

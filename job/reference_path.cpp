@@ -59,23 +59,21 @@ std::string makeLightKey(const std::string& buildId, const PreparedScene& prepar
 ReferencePath::ReferencePath(Context& context, const PreparedScene& prepared, const gpu::SceneBuffers& buffers,
                              const std::vector<gpu::BinKind>& binKinds, std::uint64_t expectedEntries)
     : m_context(context), m_prepared(prepared), m_materials(context.device(), buffers, binKinds, expectedEntries) {
-  if (context.cache().enabled())
-    m_lightKey = makeLightKey(context.buildId(), prepared, context.settings().reference);
+  if (context.cache().enabled()) m_lightKey = makeLightKey(context.buildId(), prepared, context.settings().reference);
 }
 
 std::string ReferencePath::keyOf(const std::vector<reference::SurfaceSample>& samples) const {
   return base::Hasher().add(m_lightKey).add(std::as_bytes(std::span{samples})).hex();
 }
 
-std::vector<reference::ShadedSample>
-ReferencePath::integrate(const std::vector<reference::SurfaceSample>& samples, const reference::Progress& progress) {
+std::vector<reference::ShadedSample> ReferencePath::integrate(const std::vector<reference::SurfaceSample>& samples,
+                                                              const reference::Progress& progress) {
   const reference::Options& options = m_context.settings().reference;
   if (m_prepared.panorama && !m_sampler)
     m_sampler = std::make_unique<reference::EnvironmentSampler>(*m_prepared.panorama);
   if (options.scattering == reference::Scattering::multiple && !m_albedo)
     m_albedo = std::make_unique<reference::DirectionalAlbedo>(options.geometryTerm);
-  const reference::Inputs inputs{
-      .environment = m_sampler.get(), .albedo = m_albedo.get(), .lights = m_prepared.lights};
+  const reference::Inputs inputs{.environment = m_sampler.get(), .albedo = m_albedo.get(), .lights = m_prepared.lights};
   return reference::shade(samples, inputs, options, progress);
 }
 
@@ -132,8 +130,7 @@ base::Image ErrorBuilder::take(const base::Image& color) const {
   for (std::size_t p = 0; p < m_squares.size(); ++p) {
     const float* rgb = color.pixels.data() + 3 * p;
     if (m_squares[p] > 0)
-      error.pixels[p] =
-          static_cast<float>(std::sqrt(m_squares[p]) / m_samples / std::max({rgb[0], rgb[1], rgb[2]}));
+      error.pixels[p] = static_cast<float>(std::sqrt(m_squares[p]) / m_samples / std::max({rgb[0], rgb[1], rgb[2]}));
   }
   return error;
 }

@@ -35,8 +35,8 @@ private:
   Context& m_context;
   const PreparedScene& m_prepared;
   gpu::MaterialPass m_materials;
-  std::string m_lightKey;                                     // of environment, lights and options
-  std::unique_ptr<reference::EnvironmentSampler> m_sampler;   // made on first use: a cached result needs neither
+  std::string m_lightKey;                                   // of environment, lights and options
+  std::unique_ptr<reference::EnvironmentSampler> m_sampler; // made on first use: a cached result needs neither
   std::unique_ptr<reference::DirectionalAlbedo> m_albedo;
 };
 
@@ -47,7 +47,8 @@ public:
   // One (tile, sample), as gpu::FrameBuilder::add takes them.
   void add(const gpu::Surface& opaque, const ReferenceSurface& opaqueShaded, const gpu::Surface* blended,
            const ReferenceSurface* blendedShaded);
-  // One channel: standard error of the worst channel over the brightest channel of this colour; 0 where nothing is seen.
+  // One channel: standard error of the worst channel over the brightest channel of this colour; 0 where nothing is
+  // seen.
   base::Image take(const base::Image& color) const;
 
 private:

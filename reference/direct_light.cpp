@@ -15,8 +15,7 @@ namespace f64 = shading::f64;
 constexpr double kMinLightRoughness = 0.015625;
 
 glm::dvec3 safeNormalize(const glm::dvec3& v, const glm::dvec3& fallback) {
-  const f64::real3 n =
-      f64::safeNormalize(f64::real3(v.x, v.y, v.z), f64::real3(fallback.x, fallback.y, fallback.z));
+  const f64::real3 n = f64::safeNormalize(f64::real3(v.x, v.y, v.z), f64::real3(fallback.x, fallback.y, fallback.z));
   return {n.x, n.y, n.z};
 }
 
@@ -45,13 +44,14 @@ DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::L
   const Lobes lobes(sample, term, std::max<double>(sample.roughness, kMinLightRoughness), albedo);
   const glm::dvec3 N = glm::normalize(glm::dvec3(sample.normal)), V = glm::normalize(glm::dvec3(sample.view));
   const double NoV = std::clamp(glm::dot(N, V), kMinNoV, 1.0);
+  const double lostAtView = lobes.lostAt(NoV);
   for (const scenes::Light& light : lights) {
     const Incident incident = incidentFrom(light, sample.position);
     const double NoL = f64::saturate(glm::dot(N, incident.direction));
     if (!(NoL > 0)) continue;
     const glm::dvec3 H = safeNormalize(V + incident.direction, N); // V = -L: the normal
     const LobeValues values =
-        lobes.evaluate(NoV, NoL, f64::saturate(glm::dot(N, H)), f64::saturate(glm::dot(V, H)));
+        lobes.evaluate(NoV, NoL, f64::saturate(glm::dot(N, H)), f64::saturate(glm::dot(V, H)), lostAtView);
     const bool isSun = light.kind == scenes::LightKind::directional;
     (isSun ? sum.sunDiffuse : sum.localDiffuse) += values.diffuse * incident.illuminance;
     (isSun ? sum.sunSpecular : sum.localSpecular) += values.specular * incident.illuminance;

@@ -25,12 +25,12 @@ struct Integral {
 inline constexpr int kReplicates = 16;
 
 // Three ways of sampling - the environment, the cosine, GGX's visible normals - each with the same number of points,
-// joined by the balance heuristic (Veach and Guibas 1995, eq. 9); the ways that cannot help are left out. The points are
-// kReplicates independently scrambled Sobol sequences, doubled until the error is reached: the estimate is their mean,
-// its standard error comes from their scatter (randomised quasi-Monte Carlo; Owen 1997), with kReplicates - 1 degrees
-// of freedom. A mirror is read in closed form. pixel: picks the scramblings. otherLight: what the pixel shows besides,
-// which the relative error counts in. view, normal as in the sample; a normal turned away from the eye has the lobe of
-// the last visible direction. Occlusion is not applied.
+// joined by the balance heuristic (Veach and Guibas 1995, eq. 9); the ways that cannot help are left out. The points
+// are kReplicates independently scrambled Sobol sequences, doubled until the error is reached: the estimate is their
+// mean, its standard error comes from their scatter (randomised quasi-Monte Carlo; Owen 1997), with kReplicates - 1
+// degrees of freedom. A mirror is read in closed form. pixel: picks the scramblings. otherLight: what the pixel shows
+// besides, which the relative error counts in. view, normal as in the sample; a normal turned away from the eye has the
+// lobe of the last visible direction. Occlusion is not applied.
 Integral integrateEnvironment(const SurfaceSample& sample, const Lobes& lobes, const EnvironmentSampler& environment,
                               const glm::dvec3& otherLight, const IntegralOptions& options);
 

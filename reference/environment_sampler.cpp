@@ -50,10 +50,13 @@ struct Interval {
   int index;
   double place;
 };
+double placeIn(const double* cdf, int i, double u) {
+  return std::clamp((u - cdf[i]) / (cdf[i + 1] - cdf[i]), 0.0, 1.0);
+}
 Interval invert(const double* cdf, int count, double u) {
   const double* above = std::upper_bound(cdf, cdf + count + 1, u);
   const int i = std::clamp(static_cast<int>(above - cdf) - 1, 0, count - 1);
-  return {i, std::clamp((u - cdf[i]) / (cdf[i + 1] - cdf[i]), 0.0, 1.0)};
+  return {i, placeIn(cdf, i, u)};
 }
 
 // Turns the masses in cdf[1 .. count] into a distribution; returns their sum. All 0: left as zeros.
@@ -80,28 +83,34 @@ EnvironmentSampler::EnvironmentSampler(const scenes::Environment& environment) {
   for (int y = 0; y <= m_height; ++y) m_rowY[y] = std::cos(kPi * y / m_height);
   m_rowCdf.assign(m_height + std::size_t{1}, 0);
   m_columnCdf.assign((m_width + std::size_t{1}) * m_height, 0);
+  m_columnGuide.resize(m_cells.size());
   base::parallelFor(static_cast<std::size_t>(m_height), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t y = begin; y < end; ++y) {
       double* cdf = m_columnCdf.data() + y * (m_width + std::size_t{1});
       for (int x = 0; x < m_width; ++x) {
-        glm::vec3& cell = m_cells[y * m_width + x];
-        cell = growX == 1 && growY == 1
-                   ? glm::vec3(texel(image, x, static_cast<int>(y)))
-                   : interpolate(image, (x + 0.5) / growX, (static_cast<double>(y) + 0.5) / growY);
+        const glm::vec3 cell = growX == 1 && growY == 1
+                                   ? glm::vec3(texel(image, x, static_cast<int>(y)))
+                                   : interpolate(image, (x + 0.5) / growX, (static_cast<double>(y) + 0.5) / growY);
         cdf[x + 1] = luminanceOf(cell);
+        m_cells[y * m_width + x] = glm::vec4(cell, 0);
       }
       const double cellArea = (m_rowY[y] - m_rowY[y + 1]) * 2 * kPi / m_width;
       m_rowCdf[y + 1] = accumulate(cdf, m_width) * cellArea;
+      std::uint32_t column = 0;
+      for (int i = 0; i < m_width; ++i) {
+        while (column + 1 < static_cast<std::uint32_t>(m_width) && cdf[column + 1] * m_width <= i) ++column;
+        m_columnGuide[y * m_width + i] = column;
+      }
     }
   });
   m_total = accumulate(m_rowCdf.data(), m_height);
+  if (isBlack()) return;
+  for (glm::vec4& cell : m_cells) cell.w = static_cast<float>(luminanceOf(glm::vec3(cell)) / m_total);
 }
 
 EnvironmentSample EnvironmentSampler::atCell(int x, int y) const {
-  EnvironmentSample s;
-  s.radiance = m_cells[static_cast<std::size_t>(y) * m_width + x];
-  s.pdf = m_total > 0 ? luminanceOf(s.radiance) / m_total : 0;
-  return s;
+  const glm::vec4& cell = m_cells[static_cast<std::size_t>(y) * m_width + x];
+  return {.radiance = glm::vec3(cell), .pdf = cell.w};
 }
 
 EnvironmentSample EnvironmentSampler::evaluate(const glm::dvec3& direction) const {
@@ -116,8 +125,11 @@ EnvironmentSample EnvironmentSampler::evaluate(const glm::dvec3& direction) cons
 
 EnvironmentSample EnvironmentSampler::sample(const glm::dvec2& u) const {
   const Interval row = invert(m_rowCdf.data(), m_height, u.y);
-  const Interval column =
-      invert(m_columnCdf.data() + static_cast<std::size_t>(row.index) * (m_width + std::size_t{1}), m_width, u.x);
+  const double* cdf = m_columnCdf.data() + static_cast<std::size_t>(row.index) * (m_width + std::size_t{1});
+  const std::size_t guide = static_cast<std::size_t>(row.index) * m_width + static_cast<std::size_t>(u.x * m_width);
+  int first = static_cast<int>(m_columnGuide[guide]);
+  while (first + 1 < m_width && cdf[first + 1] <= u.x) ++first;
+  const Interval column{first, placeIn(cdf, first, u.x)};
   EnvironmentSample s = atCell(column.index, row.index);
   const double azimuth = ((column.index + column.place) / m_width - 0.5) * 2 * kPi - m_rotation;
   const double y = m_rowY[row.index] + (m_rowY[row.index + 1] - m_rowY[row.index]) * row.place;

@@ -1,6 +1,7 @@
 // An unfiltered panorama to be read and importance-sampled.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -39,12 +40,13 @@ private:
   EnvironmentSample atCell(int x, int y) const;
 
   int m_width = 0, m_height = 0;
-  double m_rotation = 0;           // radians: azimuth in the panorama less that in the world
-  double m_total = 0;              // the integral of luminance over the sphere
-  std::vector<glm::vec3> m_cells;  // row by row, the top first
-  std::vector<double> m_rowY;      // bounds of the rows, cos(theta): 1 .. -1
-  std::vector<double> m_rowCdf;    // 0 .. 1, m_height + 1
-  std::vector<double> m_columnCdf; // 0 .. 1, m_width + 1 a row
+  double m_rotation = 0;                    // radians: azimuth in the panorama less that in the world
+  double m_total = 0;                       // the integral of luminance over the sphere
+  std::vector<glm::vec4> m_cells;           // radiance and density, row by row, the top first
+  std::vector<double> m_rowY;               // bounds of the rows, cos(theta): 1 .. -1
+  std::vector<double> m_rowCdf;             // 0 .. 1, m_height + 1
+  std::vector<double> m_columnCdf;          // 0 .. 1, m_width + 1 a row
+  std::vector<std::uint32_t> m_columnGuide; // m_width a row: where the search for u in [i, i + 1) / m_width begins
 };
 
 } // namespace parity::reference

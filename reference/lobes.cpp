@@ -39,7 +39,7 @@ glm::dvec3 Lobes::fresnel(double VoH) const {
   return m_F0 * (1 - f) + m_F90 * f;
 }
 
-LobeValues Lobes::evaluate(double NoV, double NoL, double NoH, double VoH) const {
+LobeValues Lobes::evaluate(double NoV, double NoL, double NoH, double VoH, double lostAtView) const {
   LobeValues values;
   values.diffuse = m_diffuseColor * (f64::Fd_Lambert() * NoL);
   if (!hasSpecular() || isMirror()) return values;
@@ -47,14 +47,14 @@ LobeValues Lobes::evaluate(double NoV, double NoL, double NoH, double VoH) const
   const double V = m_term == GeometryTerm::heightCorrelated ? f64::V_SmithGGXCorrelated(m_alpha, NoV, NoL)
                                                             : f64::V_SchlickSmith(m_alpha, NoV, NoL);
   values.specular = fresnel(VoH) * (D * V * NoL);
-  if (m_row) values.specular += m_multiple * ((1 - m_row->at(NoV)) * (1 - m_row->at(NoL)) * NoL);
+  if (m_row) values.specular += m_multiple * (lostAtView * lostAt(NoL) * NoL);
   values.pdfSpecular = pdfVisibleNormal(D, m_alpha, NoV);
   return values;
 }
 
-LobeValues Lobes::evaluate(const glm::dvec3& view, const glm::dvec3& light) const {
+LobeValues Lobes::evaluate(const glm::dvec3& view, const glm::dvec3& light, double lostAtView) const {
   const glm::dvec3 h = glm::normalize(view + light);
-  return evaluate(view.z, light.z, std::min(h.z, 1.0), glm::clamp(glm::dot(view, h), 0.0, 1.0));
+  return evaluate(view.z, light.z, std::min(h.z, 1.0), glm::clamp(glm::dot(view, h), 0.0, 1.0), lostAtView);
 }
 
 } // namespace parity::reference

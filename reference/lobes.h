@@ -24,10 +24,13 @@ public:
   // albedo: null for single scattering.
   Lobes(const SurfaceSample& sample, GeometryTerm term, double roughness, const DirectionalAlbedo* albedo);
 
+  // 1 - E of this cosine: what evaluate() takes, so that a view's is looked up once. 0 for single scattering.
+  double lostAt(double mu) const { return m_row ? 1 - m_row->at(mu) : 0; }
+
   // view, light: unit, in a frame whose +Z is the normal; both cosines positive.
-  LobeValues evaluate(const glm::dvec3& view, const glm::dvec3& light) const;
+  LobeValues evaluate(const glm::dvec3& view, const glm::dvec3& light, double lostAtView) const;
   // The same from cosines, where half vector and view are not of one frame (closed-form lights).
-  LobeValues evaluate(double NoV, double NoL, double NoH, double VoH) const;
+  LobeValues evaluate(double NoV, double NoL, double NoH, double VoH, double lostAtView) const;
 
   // Fresnel's reflectance alone.
   glm::dvec3 fresnel(double VoH) const;

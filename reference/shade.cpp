@@ -29,11 +29,10 @@ ShadedSample shadeOne(const SurfaceSample& sample, const Inputs& inputs, const O
   const double occlusion = sample.occlusion;
   if (!inputs.environment || !(occlusion > 0)) return result;
 
-  const glm::dvec3 other = direct.sunDiffuse + direct.sunSpecular + direct.localDiffuse + direct.localSpecular +
-                           glm::dvec3(sample.emissive);
+  const glm::dvec3 other =
+      direct.sunDiffuse + direct.sunSpecular + direct.localDiffuse + direct.localSpecular + glm::dvec3(sample.emissive);
   const Lobes lobes(sample, options.geometryTerm, sample.roughness, albedo);
-  const Integral sky =
-      integrateEnvironment(sample, lobes, *inputs.environment, other / occlusion, options.integral);
+  const Integral sky = integrateEnvironment(sample, lobes, *inputs.environment, other / occlusion, options.integral);
   term(Term::skyDiffuse) = sky.diffuse * occlusion;
   term(Term::skySpecular) = sky.specular * occlusion;
   const glm::dvec3 color = other + (sky.diffuse + sky.specular) * occlusion, error = sky.standardError * occlusion;
