@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -147,16 +146,6 @@ void addReferenceOptions(CLI::App& app, RawOptions& raw) {
       ->check(CLI::IsMember({"multiple", "single"}))
       ->group("Reference")
       ->capture_default_str();
-}
-
-// "0.5%" or "0.005".
-double parseShare(const std::string& option, const std::string& text) {
-  char* end = nullptr;
-  double share = std::strtod(text.c_str(), &end);
-  if (end != text.c_str() && *end == '%') share /= 100, ++end;
-  if (end == text.c_str() || *end != '\0' || !(share >= 1e-6 && share <= 1))
-    throw invalid(option, text, "a share of 0.0001% to 100%, as 0.5% or 0.005");
-  return share;
 }
 
 void settle(CommonOptions& common, const RawOptions& raw) {
