@@ -30,6 +30,7 @@ namespace {
 struct RawOptions {
   std::string size = "1024x1024", sun, orbit, target, background, geometryTerm = "height-correlated", camera = "auto",
               precision = "fp32";
+  std::string error = "0.5%", scattering = "multiple"; // of the reference
   std::string cache;
   std::string metrics = fmt::format("{}", fmt::join(compare::defaultMetrics(), ","));
   bool noCompensation = false, noCache = false, quiet = false, verbose = false, validation = false;
@@ -112,7 +113,7 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->check(CLI::IsMember({"fp32"}))
       ->group("Paths")
       ->capture_default_str();
-  app.add_option("--geometry-term", raw.geometryTerm, "Geometry term of the high-end path")
+  app.add_option("--geometry-term", raw.geometryTerm, "Geometry term of the high-end path and the reference")
       ->check(CLI::IsMember({"height-correlated", "schlick-smith"}))
       ->group("Paths")
       ->capture_default_str();
@@ -137,8 +138,22 @@ void addMetricsOption(CLI::App& app, RawOptions& raw) {
       ->capture_default_str();
 }
 
+void addReferenceOptions(CLI::App& app, RawOptions& raw) {
+  app.add_option("--error", raw.error, "Relative standard error at which a pixel of the reference is done")
+      ->group("Reference")
+      ->capture_default_str();
+  app.add_option("--scattering", raw.scattering, "Light between microfacets: multiple (Kulla-Conty) or single")
+      ->check(CLI::IsMember({"multiple", "single"}))
+      ->group("Reference")
+      ->capture_default_str();
+}
+
 void settle(CommonOptions& common, const RawOptions& raw) {
   job::Settings& s = common.settings;
+  s.reference.integral.relativeError = parseShare("--error", raw.error);
+  s.reference.scattering = raw.scattering == "single" ? reference::Scattering::single : reference::Scattering::multiple;
+  s.reference.geometryTerm = raw.geometryTerm == "schlick-smith" ? reference::GeometryTerm::schlickSmith
+                                                                 : reference::GeometryTerm::heightCorrelated;
   parseSize(raw.size, s);
   if (!raw.sun.empty()) {
     const auto n = parseNumbers("--sun", raw.sun, 3, "AZIMUTH,ELEVATION,LUX");
@@ -239,13 +254,17 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   RenderCommand render;
   CLI::App& renderApp = *app.add_subcommand("render", "Render one scene by one path");
   renderApp.add_option("scene", render.scene, "Scene file or builtin:NAME")->required();
-  renderApp.add_option("--path", render.path, "highend or mobile")
+  renderApp.add_option("--path", render.path, "highend, mobile or reference (the ground truth: exact integrals, slow)")
       ->required()
-      ->check(CLI::IsMember({"highend", "mobile"}));
+      ->check(CLI::IsMember({"highend", "mobile", "reference"}));
   renderApp.add_option("-o,--output", render.output, ".exr, .pfm, .hdr: linear scene-referred; .png: as displayed")
       ->required()
       ->check(fileOfKind({".exr", ".pfm", ".hdr", ".png"}));
   renderApp.add_flag("--terms", render.common.settings.terms, "Write the terms as layers beside the colour (.exr)");
+  addReferenceOptions(renderApp, raw);
+  renderApp.add_option("--error-map", render.errorMap, "Write the achieved relative standard error of each pixel")
+      ->check(fileOfKind({".exr", ".pfm"}))
+      ->group("Reference");
   addCommonOptions(renderApp, render.common, raw);
 
   FlipCommand flip;

@@ -47,6 +47,7 @@ struct DiffCommand {
 struct RenderCommand {
   CommonOptions common;
   std::string scene, path, output;
+  std::string errorMap; // of the reference path; empty: none
 };
 
 struct FlipCommand {

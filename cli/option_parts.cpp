@@ -30,6 +30,15 @@ std::vector<float> parseNumbers(const std::string& option, const std::string& te
   return numbers;
 }
 
+double parseShare(const std::string& option, const std::string& text) {
+  char* end = nullptr;
+  double share = std::strtod(text.c_str(), &end);
+  if (end != text.c_str() && *end == '%') share /= 100, ++end;
+  if (end == text.c_str() || *end != '\0' || !(share >= 1e-6 && share <= 1))
+    throw invalid(option, text, "a share of 0.0001% to 100%, as 0.5% or 0.005");
+  return share;
+}
+
 CLI::Validator within(double least, double most) {
   const std::string range = fmt::format("{} to {}", least, most);
   return {[=](std::string& text) {

@@ -16,6 +16,9 @@ CLI::ValidationError invalid(const std::string& option, const std::string& value
 std::vector<float> parseNumbers(const std::string& option, const std::string& text, std::size_t count,
                                 const std::string& wanted);
 
+// "0.5%" or "0.005": a share of 1e-6 to 1. Throws invalid().
+double parseShare(const std::string& option, const std::string& text);
+
 // As CLI::Range, but NaN lies in no range.
 CLI::Validator within(double least, double most);
 

@@ -35,6 +35,23 @@ base::Image layers(const base::Frame& frame, std::vector<std::string>& names) {
   return out;
 }
 
+// How well the wanted error was met, in a line.
+void reportError(const job::ViewFrames& frames, double wanted) {
+  std::vector<float> errors;
+  for (const float error : frames.referenceError.pixels)
+    if (error > 0) errors.push_back(error);
+  if (errors.empty()) return; // all is in closed form
+  std::sort(errors.begin(), errors.end());
+  const auto over = errors.end() - std::upper_bound(errors.begin(), errors.end(), static_cast<float>(wanted));
+  const std::string text = fmt::format(
+      "reference: standard error {:.3g} % in the median, {:.3g} % at worst; {:.0f} samples a pixel in each way",
+      100 * errors[errors.size() / 2], 100 * errors.back(), frames.referenceSamples);
+  base::logInfo(text);
+  if (over > 0)
+    base::logWarning(fmt::format("reference: {} of {} pixels did not reach a standard error of {:.3g} %", over,
+                                 errors.size(), 100 * wanted));
+}
+
 } // namespace
 
 int runRenderCommand(const RenderCommand& command) {
@@ -42,19 +59,26 @@ int runRenderCommand(const RenderCommand& command) {
   const std::string extension = extensionOf(command.output);
   if (settings.terms && extension != ".exr")
     throw base::Error(base::ExitCode::usage, "--terms", command.output, "layers need an .exr file");
+  if (!command.errorMap.empty() && command.path != "reference")
+    throw base::Error(base::ExitCode::usage, "--error-map", command.path, "only the reference has an error");
 
   const job::SceneRequest request = sceneRequest(command.common, command.scene);
-  requireSeparate({{"-o", command.output}}, inputFiles(command.common, {request}));
+  requireSeparate({{"-o", command.output}, {"--error-map", command.errorMap}}, inputFiles(command.common, {request}));
   const base::ThreadLimit threads(command.common.threads);
   job::Context context(settings);
-  const job::PreparedScene prepared = job::prepareScene(context, request);
+  const bool highend = command.path == "highend", reference = command.path == "reference";
+  const job::PreparedScene prepared =
+      job::prepareScene(context, request, {.filtered = !reference, .panorama = reference});
   for (const std::string& warning : prepared.scene.warnings) base::logWarning(warning);
-  const bool highend = command.path == "highend";
-  job::SceneRenderer renderer(context, prepared, {.highend = highend, .mobile = !highend}, 1);
+  const job::Paths paths{.highend = highend, .mobile = !highend && !reference, .reference = reference};
+  job::SceneRenderer renderer(context, prepared, paths, 1);
   for (const std::string& note : renderer.notes()) base::logWarning("mobile: " + note);
   const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
-  const job::ViewFrames frames = renderer.render(scenes::makeCamera(prepared.scene, request.views.front(), aspect));
-  const base::Frame& frame = highend ? frames.highend : frames.mobile;
+  const job::ViewFrames frames = renderer.render(scenes::makeCamera(prepared.scene, request.views.front(), aspect),
+                                                 makeProgress(command.common.quiet));
+  const base::Frame& frame = highend ? frames.highend : reference ? frames.reference : frames.mobile;
+  if (reference) reportError(frames, settings.reference.integral.relativeError);
+  if (!command.errorMap.empty()) base::writeImage(command.errorMap, frames.referenceError);
 
   if (const compare::NonFinite bad = compare::countNonFinite(frame.color); bad.count > 0)
     base::logWarning(fmt::format("{} of {} pixels are NaN or infinite, the first at x {}, y {}", bad.count,

@@ -29,6 +29,11 @@ public:
   // The environment BRDF table of the settings' geometry term, made on first use or read from the cache.
   const base::Image& envBrdfLut();
 
+  // For results that are too large, or too particular, to be held here. The build id of the running binary belongs in
+  // every key: what an older build has cached is not used. It is empty where the cache is disabled.
+  const base::Cache& cache() const { return m_cache; }
+  const std::string& buildId() const { return m_buildId; }
+
   // Prefiltered cube and SH of an environment, from the cache where it holds them. Thread-safe.
   lighting::EnvironmentLight environmentLight(const scenes::Environment& environment);
 
@@ -37,7 +42,7 @@ private:
   base::Timings m_timings;
   base::DisplayTransform m_display;
   base::Cache m_cache;
-  std::string m_buildId; // of the running binary: what an older build has cached is not used
+  std::string m_buildId;
   std::unique_ptr<gpu::Device> m_device;
   base::Image m_lut;
 };

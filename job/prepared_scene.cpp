@@ -34,7 +34,10 @@ bool givesLight(const scenes::Material& m) {
 // Black pictures are alike by any metric: a scene that nothing lights is refused, not passed.
 void requireLight(PreparedScene& prepared, const std::string& file) {
   // Band 0 of the irradiance is the environment's mean: a black one gives no light.
-  const bool sky = prepared.environment && glm::compMax(prepared.environment->irradianceSh[0]) > 0;
+  const bool sky = (prepared.environment && glm::compMax(prepared.environment->irradianceSh[0]) > 0) ||
+                   (prepared.panorama &&
+                    std::any_of(prepared.panorama->radiance.pixels.begin(), prepared.panorama->radiance.pixels.end(),
+                                [](float value) { return value > 0; }));
   const bool lit = sky || std::any_of(prepared.lights.begin(), prepared.lights.end(), [](const scenes::Light& l) {
                      return std::max({l.color.x, l.color.y, l.color.z}) > 0;
                    });
@@ -48,7 +51,7 @@ void requireLight(PreparedScene& prepared, const std::string& file) {
 
 } // namespace
 
-PreparedScene prepareScene(Context& context, const SceneRequest& request) {
+PreparedScene prepareScene(Context& context, const SceneRequest& request, const EnvironmentForms& forms) {
   PreparedScene prepared;
   std::optional<scenes::Environment> environment;
   std::vector<std::string> warnings;
@@ -63,7 +66,7 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request) {
           const base::Stopwatch watch(&context.timings(), "load environment");
           environment = scenes::loadEnvironment(request.environment, request.environmentRotationDeg, warnings);
         }
-        prepared.environment = context.environmentLight(*environment);
+        if (forms.filtered) prepared.environment = context.environmentLight(*environment);
       },
   });
   scenes::Scene& scene = prepared.scene;
@@ -76,13 +79,14 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request) {
     // A built-in scene's own environment; the request's goes first.
     scene.environment->rotationDeg = request.environmentRotationDeg;
     environment = scene.environment;
-    prepared.environment = context.environmentLight(*environment);
+    if (forms.filtered) prepared.environment = context.environmentLight(*environment);
   }
   if (!request.environment.empty())
     prepared.environmentName = scenes::cleanName(std::filesystem::path(request.environment).filename().string());
   else
     prepared.environmentName = environment ? environment->name : "none";
   scene.environment.reset(); // its pixels are not needed any more
+  if (forms.panorama) prepared.panorama = std::move(environment);
 
   prepared.lights = scene.lights;
   prepared.sunText = "none";

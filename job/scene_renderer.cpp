@@ -57,17 +57,24 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
         .environment = maps, .lights = prepared.lights, .terms = settings.terms, .expectedPixels = pixels};
     m_mobile.emplace(device, m_buffers, m_surfacePass.binKinds(), inputs, settings.mobilePreset);
   }
+  if (paths.reference) m_reference.emplace(context, prepared, m_buffers, m_surfacePass.binKinds(), pixels);
 }
 
-ViewFrames SceneRenderer::render(const scenes::Camera& camera) {
+ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& progress) {
   const Settings& settings = m_context.settings();
   const auto width = static_cast<std::uint32_t>(settings.width), height = static_cast<std::uint32_t>(settings.height);
   gpu::FrameBuilder highendFrame(width, height, settings.samples, settings.terms, settings.background);
   gpu::FrameBuilder mobileFrame = highendFrame;
+  gpu::FrameBuilder referenceFrame = highendFrame;
+  ErrorBuilder referenceError(m_reference ? settings.width : 0, m_reference ? settings.height : 0, settings.samples);
+  std::uint64_t sampledPoints = 0, lightSamples = 0;
   gpu::CoverageBuilder coverage(m_buffers, settings.samples);
   const bool compared = m_highend && m_mobile; // masks are for comparing
 
-  for (const gpu::Tile& tile : gpu::makeTiles(width, height))
+  const std::vector<gpu::Tile> tiles = gpu::makeTiles(width, height);
+  const double parts = static_cast<double>(tiles.size()) * settings.samples;
+  double partsDone = 0;
+  for (const gpu::Tile& tile : tiles)
     for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
       gpu::Surface opaque, blended;
       {
@@ -85,6 +92,20 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera) {
       };
       if (m_highend) shadeBy(*m_highend, highendFrame, "shade highend");
       if (m_mobile) shadeBy(*m_mobile, mobileFrame, "shade mobile");
+      if (m_reference) {
+        const base::Stopwatch watch(&m_context.timings(), "shade reference");
+        const reference::Progress told = [&](double done) {
+          if (progress) progress("reference", (partsDone + done) / parts);
+        };
+        const ReferenceSurface shaded = m_reference->shade(opaque, camera, told);
+        std::optional<ReferenceSurface> over;
+        if (layer) over = m_reference->shade(blended, camera, {});
+        referenceFrame.add(opaque, shaded.shaded, layer, layer ? &over->shaded : nullptr, tile);
+        referenceError.add(opaque, shaded, layer, layer ? &*over : nullptr);
+        sampledPoints += shaded.sampledPoints;
+        lightSamples += shaded.lightSamples;
+      }
+      ++partsDone;
       if (!compared) continue;
       // The layer's opacity is the same in every path: it comes from the shared material.
       const base::Stopwatch watch(&m_context.timings(), "masks");
@@ -93,6 +114,13 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera) {
   ViewFrames frames;
   if (m_highend) frames.highend = highendFrame.take();
   if (m_mobile) frames.mobile = mobileFrame.take();
+  if (m_reference) {
+    frames.reference = referenceFrame.take();
+    frames.referenceError = referenceError.take(frames.reference.color);
+    frames.referenceSamples =
+        sampledPoints > 0 ? static_cast<double>(lightSamples) / static_cast<double>(sampledPoints) : 0;
+    if (progress) progress("reference", 1);
+  }
   if (compared) frames.coverage = coverage.take();
   return frames;
 }

@@ -1,4 +1,4 @@
-// Renders views of a prepared scene by both paths over the very same surfaces.
+// Renders views of a prepared scene by every path over the very same surfaces.
 #pragma once
 
 #include <memory>
@@ -9,17 +9,20 @@
 #include "base/frame.h"
 #include "gpu/frame_builder.h"
 #include "job/prepared_scene.h"
+#include "job/reference_path.h"
 
 namespace parity::job {
 
 // Which paths to shade.
 struct Paths {
-  bool highend = true, mobile = true;
+  bool highend = true, mobile = true, reference = false;
 };
 
 struct ViewFrames {
-  base::Frame highend, mobile;           // empty where not asked for
-  std::vector<base::PixelList> coverage; // a list per material; empty unless both paths are asked for
+  base::Frame highend, mobile, reference; // empty where not asked for
+  base::Image referenceError;             // relative standard error of each pixel (job/reference_path.h)
+  double referenceSamples = 0;            // taken of the environment, a point and way of sampling
+  std::vector<base::PixelList> coverage;  // a list per material; empty unless highend and mobile are asked for
 };
 
 class SceneRenderer {
@@ -27,7 +30,8 @@ public:
   // views: how many will be rendered, for the choice of permutations. `prepared` must outlive the renderer.
   SceneRenderer(Context& context, const PreparedScene& prepared, const Paths& paths, std::size_t views);
 
-  ViewFrames render(const scenes::Camera& camera);
+  // progress: of the reference path, which alone takes long.
+  ViewFrames render(const scenes::Camera& camera, const Progress& progress = {});
 
   // What the mobile path leaves out, and what this scene did not need.
   std::vector<std::string> notes() const;
@@ -41,6 +45,7 @@ private:
   std::optional<gpu::EnvironmentMaps> m_environment;
   std::optional<highend::Renderer> m_highend;
   std::optional<mobile::Renderer> m_mobile;
+  std::optional<ReferencePath> m_reference;
 };
 
 } // namespace parity::job

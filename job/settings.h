@@ -14,6 +14,7 @@
 #include "gpu/device.h"
 #include "highend/renderer.h"
 #include "mobile/renderer.h"
+#include "reference/shade.h"
 #include "scenes/suite.h"
 
 namespace parity::job {
@@ -32,11 +33,12 @@ struct Settings {
   mobile::Preset mobilePreset = mobile::Preset::ue4_2020;
   std::string mobilePresetName = "ue4-2020";
   highend::Options highend;
+  reference::Options reference;
   gpu::DeviceOptions device;
   std::optional<std::filesystem::path> cacheFolder; // none: nothing is cached
 };
 
-// Told of progress: what is being done, and how much of the run that is, 0..1. Called from one thread.
+// Told of progress: what is being done, and how much of the run that is, 0..1. One call at a time.
 using Progress = std::function<void(const std::string& what, double done)>;
 
 } // namespace parity::job

@@ -44,6 +44,13 @@ PARITY_CONST uint kVertexSecondUv = 8u; // some texture reads the second uv set
 PARITY_CONST uint kTermsInA =
     5u; // planes of the first term buffer; the others are in the second: a buffer ends at 128 MiB
 
+// Planes of resolved materials (shaders/material.comp), in the first term buffer.
+PARITY_CONST uint kPlanePosition = 0u; // w: 1 where unlit
+PARITY_CONST uint kPlaneNormal = 1u;   // w: metallic
+PARITY_CONST uint kPlaneView = 2u;     // w: roughness
+PARITY_CONST uint kPlaneF0 = 3u;       // w: F90
+PARITY_CONST uint kPlaneEmissive = 4u; // w: occlusion
+
 // The mobile path: local lights of an object, and the index that means none.
 PARITY_CONST uint kLightsPerObject = 4u;
 PARITY_CONST uint kNoLight = 0xffffffffu;

@@ -1,0 +1,138 @@
+#include "job/reference_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "base/hash.h"
+
+namespace parity::job {
+
+namespace {
+
+static_assert(sizeof(reference::ShadedSample) == (3 * shading::kTermCount + 3) * sizeof(float), "no padding: cached");
+
+std::vector<reference::SurfaceSample> samplesOf(const gpu::Surface& surface,
+                                                const std::vector<gpu::ResolvedMaterial>& materials) {
+  std::vector<reference::SurfaceSample> samples(materials.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const gpu::ResolvedMaterial& m = materials[i];
+    samples[i] = {.pixel = surface.pixels[i],
+                  .unlit = m.unlit ? 1u : 0u,
+                  .position = m.position,
+                  .normal = m.normal,
+                  .view = m.view,
+                  .baseColor = m.baseColor,
+                  .metallic = m.metallic,
+                  .roughness = m.roughness,
+                  .dielectricF0 = m.F0,
+                  .dielectricF90 = m.F90,
+                  .occlusion = m.occlusion,
+                  .emissive = m.emissive};
+  }
+  return samples;
+}
+
+std::string makeLightKey(const std::string& buildId, const PreparedScene& prepared, const reference::Options& o) {
+  base::Hasher hasher;
+  hasher.add(buildId).add("reference").addValue(o.geometryTerm).addValue(o.scattering);
+  hasher.addValue(o.integral.relativeError).addValue(o.integral.minSamples).addValue(o.integral.maxSamples);
+  hasher.addValue(o.integral.seed).addValue(prepared.panorama.has_value());
+  if (prepared.panorama)
+    hasher.addValue(prepared.panorama->rotationDeg)
+        .addValue(prepared.panorama->radiance.width)
+        .addValue(prepared.panorama->radiance.height)
+        .add(std::as_bytes(std::span{prepared.panorama->radiance.pixels}));
+  for (const scenes::Light& light : prepared.lights)
+    hasher.addValue(light.kind)
+        .addValue(light.color)
+        .addValue(light.position)
+        .addValue(light.direction)
+        .addValue(light.range)
+        .addValue(light.innerConeAngle)
+        .addValue(light.outerConeAngle);
+  return hasher.hex();
+}
+
+} // namespace
+
+ReferencePath::ReferencePath(Context& context, const PreparedScene& prepared, const gpu::SceneBuffers& buffers,
+                             const std::vector<gpu::BinKind>& binKinds, std::uint64_t expectedEntries)
+    : m_context(context), m_prepared(prepared), m_materials(context.device(), buffers, binKinds, expectedEntries) {
+  if (context.cache().enabled()) m_lightKey = makeLightKey(context.buildId(), prepared, context.settings().reference);
+}
+
+std::string ReferencePath::keyOf(const std::vector<reference::SurfaceSample>& samples) const {
+  return base::Hasher().add(m_lightKey).add(std::as_bytes(std::span{samples})).hex();
+}
+
+std::vector<reference::ShadedSample> ReferencePath::integrate(const std::vector<reference::SurfaceSample>& samples,
+                                                              const reference::Progress& progress) {
+  const reference::Options& options = m_context.settings().reference;
+  if (m_prepared.panorama && !m_sampler)
+    m_sampler = std::make_unique<reference::EnvironmentSampler>(*m_prepared.panorama);
+  if (options.scattering == reference::Scattering::multiple && !m_albedo)
+    m_albedo = std::make_unique<reference::DirectionalAlbedo>(options.geometryTerm);
+  const reference::Inputs inputs{.environment = m_sampler.get(), .albedo = m_albedo.get(), .lights = m_prepared.lights};
+  return reference::shade(samples, inputs, options, progress);
+}
+
+ReferenceSurface ReferencePath::shade(const gpu::Surface& surface, const scenes::Camera& camera,
+                                      const reference::Progress& progress) {
+  const std::vector<gpu::ResolvedMaterial> materials = m_materials.resolve(surface, camera);
+  const std::vector<reference::SurfaceSample> samples = samplesOf(surface, materials);
+  std::vector<reference::ShadedSample> points(samples.size());
+  const std::size_t bytes = points.size() * sizeof(reference::ShadedSample);
+  const std::string key = m_context.cache().enabled() ? keyOf(samples) : std::string();
+  if (const auto cached = key.empty() ? std::nullopt : m_context.cache().find(key); cached && cached->size() == bytes) {
+    std::memcpy(points.data(), cached->data(), bytes);
+  } else {
+    points = integrate(samples, progress);
+    if (!key.empty()) m_context.cache().store(key, std::as_bytes(std::span{points}));
+  }
+
+  ReferenceSurface result;
+  if (m_context.settings().terms) result.shaded.terms.assign(shading::kTermCount, {});
+  for (auto& plane : result.shaded.terms) plane.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    glm::vec3 color(0);
+    for (const glm::vec3& term : points[i].terms) color += term;
+    result.shaded.color.emplace_back(color, materials[i].opacity);
+    for (std::size_t t = 0; t < result.shaded.terms.size(); ++t)
+      result.shaded.terms[t].emplace_back(points[i].terms[t], 0.f);
+    result.standardErrors.push_back(points[i].standardError);
+    result.sampledPoints += points[i].samples > 0;
+    result.lightSamples += points[i].samples;
+  }
+  return result;
+}
+
+ErrorBuilder::ErrorBuilder(int width, int height, int samples)
+    : m_samples(samples), m_squares(static_cast<std::size_t>(width) * height, 0.0), m_error(width, height, 1) {}
+
+void ErrorBuilder::add(const gpu::Surface& opaque, const ReferenceSurface& opaqueShaded, const gpu::Surface* blended,
+                       const ReferenceSurface* blendedShaded) {
+  std::vector<double> layerOpacity(blended ? m_squares.size() : 0, 0.0);
+  for (std::size_t i = 0; blended && i < blended->size(); ++i) {
+    const double opacity = layerOpacity[blended->pixels[i]] = blendedShaded->shaded.color[i].w;
+    const double error = opacity * blendedShaded->standardErrors[i];
+    m_squares[blended->pixels[i]] += error * error;
+  }
+  for (std::size_t i = 0; i < opaque.size(); ++i) {
+    const std::uint32_t pixel = opaque.pixels[i];
+    const double error = (blended ? 1 - layerOpacity[pixel] : 1) * opaqueShaded.standardErrors[i];
+    m_squares[pixel] += error * error;
+  }
+}
+
+base::Image ErrorBuilder::take(const base::Image& color) const {
+  base::Image error = m_error;
+  for (std::size_t p = 0; p < m_squares.size(); ++p) {
+    const float* rgb = color.pixels.data() + 3 * p;
+    if (m_squares[p] > 0)
+      error.pixels[p] = static_cast<float>(std::sqrt(m_squares[p]) / m_samples / std::max({rgb[0], rgb[1], rgb[2]}));
+  }
+  return error;
+}
+
+} // namespace parity::job

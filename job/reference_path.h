@@ -1,0 +1,60 @@
+// The reference path over a surface: material values from the device, integrals on the CPU, results cached by content.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "gpu/material_pass.h"
+#include "job/prepared_scene.h"
+#include "reference/shade.h"
+
+namespace parity::job {
+
+// A surface shaded by the reference, and how well.
+struct ReferenceSurface {
+  gpu::ShadedSurface shaded;
+  std::vector<float> standardErrors; // of the colour, absolute, the worst channel; in the surface's order
+  std::uint64_t sampledPoints = 0;   // that were not in closed form
+  std::uint64_t lightSamples = 0;    // taken for those, for each way of sampling
+};
+
+class ReferencePath {
+public:
+  // `prepared` must outlive it and hold the panorama, if there is an environment.
+  ReferencePath(Context& context, const PreparedScene& prepared, const gpu::SceneBuffers& buffers,
+                const std::vector<gpu::BinKind>& binKinds, std::uint64_t expectedEntries);
+
+  ReferenceSurface shade(const gpu::Surface& surface, const scenes::Camera& camera,
+                         const reference::Progress& progress);
+
+private:
+  std::string keyOf(const std::vector<reference::SurfaceSample>& samples) const;
+  std::vector<reference::ShadedSample> integrate(const std::vector<reference::SurfaceSample>& samples,
+                                                 const reference::Progress& progress);
+
+  Context& m_context;
+  const PreparedScene& m_prepared;
+  gpu::MaterialPass m_materials;
+  std::string m_lightKey;                                   // of environment, lights and options
+  std::unique_ptr<reference::EnvironmentSampler> m_sampler; // made on first use: a cached result needs neither
+  std::unique_ptr<reference::DirectionalAlbedo> m_albedo;
+};
+
+// Gathers the error of a picture from those of its surfaces.
+class ErrorBuilder {
+public:
+  ErrorBuilder(int width, int height, int samples);
+  // One (tile, sample), as gpu::FrameBuilder::add takes them.
+  void add(const gpu::Surface& opaque, const ReferenceSurface& opaqueShaded, const gpu::Surface* blended,
+           const ReferenceSurface* blendedShaded);
+  // One channel: standard error of the worst channel over the brightest channel of this colour; 0 where nothing is
+  // seen.
+  base::Image take(const base::Image& color) const;
+
+private:
+  int m_samples;
+  std::vector<double> m_squares; // of the standard error, summed: the scramblings of samples and layers are apart
+  base::Image m_error;
+};
+
+} // namespace parity::job

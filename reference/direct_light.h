@@ -1,0 +1,25 @@
+// Suns, point and spot lights in closed form.
+#pragma once
+
+#include <vector>
+
+#include "reference/lobes.h"
+#include "scenes/scene.h"
+
+namespace parity::reference {
+
+// Reflected radiance, by the kind of light.
+struct DirectLight {
+  glm::dvec3 sunDiffuse{0.0}, sunSpecular{0.0}, localDiffuse{0.0}, localSpecular{0.0};
+};
+
+// The high-end path's formulas in double, its conventions included: analytic lights see no roughness below 1/64, NoV is
+// at least 1e-4, occlusion does not act on them; KHR_lights_punctual's falloff and cones. albedo: null for single
+// scattering.
+DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::Light>& lights, GeometryTerm term,
+                        const DirectionalAlbedo* albedo);
+
+// Of shading normals at or beyond grazing: the lobe of the last visible direction.
+inline constexpr double kMinNoV = 1e-4;
+
+} // namespace parity::reference

@@ -1,0 +1,161 @@
+// The integral runs over half vectors distributed as D NoH (Walter et al. 2007, eq. 35), which leaves V 4 NoL VoH / NoH
+// (Karis 2013); for each azimuth the polar angle ends in closed form where the light sets, so the integrand is smooth.
+// Near grazing that end jumps where the azimuth passes a right angle: panels narrow geometrically towards it.
+#include "reference/directional_albedo.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "base/parallel.h"
+#include "shading/shading.h"
+
+namespace parity::reference {
+
+namespace {
+
+namespace f64 = shading::f64;
+constexpr double kPi = std::numbers::pi;
+// Row 0 stands for the limit of small roughness at fixed mu / alpha.
+constexpr double kLeastRoughness = 1e-3;
+
+struct Rule {
+  std::vector<double> x, weight;
+};
+
+// Gauss and Legendre's rule on [0, 1] (Press et al., Numerical Recipes, section 4.6).
+Rule makeGaussRule(int n) {
+  Rule rule;
+  for (int i = 0; i < n; ++i) {
+    double x = std::cos(kPi * (i + 0.75) / (n + 0.5)), derivative = 1;
+    for (int step = 0; step < 20; ++step) {
+      double p0 = 1, p1 = x;
+      for (int k = 2; k <= n; ++k) p0 = std::exchange(p1, ((2 * k - 1) * x * p1 - (k - 1) * p0) / k);
+      derivative = n * (x * p1 - p0) / (x * x - 1);
+      x -= p1 / derivative;
+    }
+    rule.x.push_back(0.5 * (1 - x));
+    rule.weight.push_back(1 / ((1 - x * x) * derivative * derivative));
+  }
+  return rule;
+}
+
+// [0, pi], divided at pi/2 -+ pi/2 4^-k; weights sum to 1.
+Rule makeAzimuths() {
+  constexpr int kPanels = 8;
+  const Rule gauss = makeGaussRule(8);
+  Rule rule;
+  double width = kPi / 2;
+  for (int panel = 0; panel < kPanels; ++panel) {
+    const double next = panel + 1 < kPanels ? width / 4 : 0;
+    for (std::size_t i = 0; i < gauss.x.size(); ++i)
+      for (const double side : {-1.0, 1.0}) {
+        rule.x.push_back(kPi / 2 + side * (next + (width - next) * gauss.x[i]));
+        rule.weight.push_back(gauss.weight[i] * (width - next) / kPi);
+      }
+    width = next;
+  }
+  return rule;
+}
+
+// [0, 1], divided at 1 - 4^-k: towards the end a smooth lobe's tail is squeezed together.
+Rule makePolar() {
+  constexpr int kPanels = 5;
+  const Rule gauss = makeGaussRule(10);
+  Rule rule;
+  double width = 1;
+  for (int panel = 0; panel < kPanels; ++panel) {
+    const double next = panel + 1 < kPanels ? width / 4 : 0;
+    for (std::size_t i = 0; i < gauss.x.size(); ++i) {
+      rule.x.push_back(1 - width + (width - next) * gauss.x[i]);
+      rule.weight.push_back(gauss.weight[i] * (width - next));
+    }
+    width = next;
+  }
+  return rule;
+}
+
+double integrate(GeometryTerm term, double alpha, double NoV, const Rule& azimuths, const Rule& polar) {
+  const double a2 = alpha * alpha, sinV = std::sqrt(std::max(0.0, 1 - NoV * NoV));
+  double E = 0;
+  for (std::size_t a = 0; a < azimuths.x.size(); ++a) {
+    const double cosPhi = std::cos(azimuths.x[a]);
+    // NoL = sinV cosPhi sin 2t + NoV cos 2t is positive up to 2t = atan2(sinV cosPhi, NoV) + pi/2.
+    const double limit = 0.5 * (std::atan2(sinV * cosPhi, NoV) + kPi / 2), s = std::sin(limit);
+    // tan t = alpha tan psi: the share of D NoH within psi is sin^2 psi.
+    const double psiLimit = std::atan2(s, alpha * std::cos(limit));
+    for (std::size_t i = 0; i < polar.x.size(); ++i) {
+      const double psi = psiLimit * polar.x[i], sinPsi = std::sin(psi), cosPsi = std::cos(psi);
+      const double length = std::sqrt(cosPsi * cosPsi + a2 * sinPsi * sinPsi);
+      const double NoH = cosPsi / length, sinH = alpha * sinPsi / length;
+      const double VoH = sinV * sinH * cosPhi + NoV * NoH, NoL = 2 * VoH * NoH - NoV;
+      if (NoL <= 0 || VoH <= 0) continue; // a rounding beyond the limit
+      const double V = term == GeometryTerm::heightCorrelated ? f64::V_SmithGGXCorrelated(alpha, NoV, NoL)
+                                                              : f64::V_SchlickSmith(alpha, NoV, NoL);
+      E += azimuths.weight[a] * polar.weight[i] * psiLimit * 2 * sinPsi * cosPsi * V * 4 * NoL * VoH / NoH;
+    }
+  }
+  return std::min(E, 1.0);
+}
+
+// Weights of the four nodes from `first` on, for position x in units of nodes.
+struct Stencil {
+  int first;
+  std::array<double, 4> weight;
+};
+Stencil makeStencil(double x) {
+  const int first = std::clamp(static_cast<int>(x) - 1, 0, kAlbedoNodes - 4);
+  const double t = x - first;
+  return {first,
+          {(t - 1) * (t - 2) * (t - 3) / -6, t * (t - 2) * (t - 3) / 2, t * (t - 1) * (t - 3) / -2,
+           t * (t - 1) * (t - 2) / 6}};
+}
+
+double muOfNode(int node, double alpha) {
+  const double q = node / (kAlbedoNodes - 1.0), s = q * q;
+  return s * alpha / (1 + alpha - s);
+}
+
+} // namespace
+
+double AlbedoRow::at(double mu) const {
+  if (!(m_alpha > 0)) return 1;
+  const double s = mu * (1 + m_alpha) / (mu + m_alpha);
+  const Stencil stencil = makeStencil(std::sqrt(std::clamp(s, 0.0, 1.0)) * (kAlbedoNodes - 1));
+  double E = 0;
+  for (int k = 0; k < 4; ++k) E += stencil.weight[k] * m_values[stencil.first + k];
+  return std::min(E, 1.0);
+}
+
+DirectionalAlbedo::DirectionalAlbedo(GeometryTerm term) : m_rows(kAlbedoNodes) {
+  const Rule azimuths = makeAzimuths(), polar = makePolar(), gauss = makeGaussRule(128);
+  base::parallelFor(kAlbedoNodes, 1, [&](std::size_t j, std::size_t) {
+    const double roughness = std::max(static_cast<double>(j) / (kAlbedoNodes - 1), kLeastRoughness);
+    const double alpha = roughness * roughness;
+    for (int i = 0; i < kAlbedoNodes; ++i)
+      m_rows[j][i] = integrate(term, alpha, std::max(muOfNode(i, alpha), 1e-9 * alpha), azimuths, polar);
+    // In s, where the row is a smooth curve: dmu/ds = alpha (1 + alpha) / (1 + alpha - s)^2.
+    const AlbedoRow row(alpha, m_rows[j], 1);
+    double lost = 0;
+    for (std::size_t k = 0; k < gauss.x.size(); ++k) {
+      const double s = gauss.x[k], rest = 1 + alpha - s, mu = s * alpha / rest;
+      lost += gauss.weight[k] * 2 * mu * (1 - row.at(mu)) * alpha * (1 + alpha) / (rest * rest);
+    }
+    m_averages[j] = 1 - lost;
+  });
+}
+
+AlbedoRow DirectionalAlbedo::row(double roughness) const {
+  const Stencil stencil = makeStencil(std::clamp(roughness, 0.0, 1.0) * (kAlbedoNodes - 1));
+  std::array<double, kAlbedoNodes> values{};
+  double average = 0;
+  for (int k = 0; k < 4; ++k) {
+    const int j = stencil.first + k;
+    for (int i = 0; i < kAlbedoNodes; ++i) values[i] += stencil.weight[k] * m_rows[j][i];
+    average += stencil.weight[k] * m_averages[j];
+  }
+  return {std::max(roughness * roughness, kLeastRoughness * kLeastRoughness), values, std::min(average, 1.0)};
+}
+
+} // namespace parity::reference

@@ -1,0 +1,88 @@
+// Sample points (Owen-scrambled Sobol) and the ways to turn them into directions, each with its density.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include <glm/glm.hpp>
+
+namespace parity::reference {
+
+// A mix of two words into one that depends on every bit of both (the finaliser of MurmurHash3, Appleby 2011).
+constexpr std::uint32_t hashCombine(std::uint32_t a, std::uint32_t b) {
+  std::uint32_t h = a ^ (b + 0x9e3779b9u + (a << 6) + (a >> 2));
+  h = (h ^ (h >> 16)) * 0x85ebca6bu;
+  h = (h ^ (h >> 13)) * 0xc2b2ae35u;
+  return h ^ (h >> 16);
+}
+
+constexpr std::uint32_t reverseBits(std::uint32_t x) {
+  x = (x << 16) | (x >> 16);
+  x = ((x & 0x00ff00ffu) << 8) | ((x & 0xff00ff00u) >> 8);
+  x = ((x & 0x0f0f0f0fu) << 4) | ((x & 0xf0f0f0f0u) >> 4);
+  x = ((x & 0x33333333u) << 2) | ((x & 0xccccccccu) >> 2);
+  return ((x & 0x55555555u) << 1) | ((x & 0xaaaaaaaau) >> 1);
+}
+
+// Nested uniform scrambling of a number whose bits are reversed, by hashing: each bit is flipped depending on those
+// below it alone (Laine and Karras 2011; Burley 2020, "Practical Hash-based Owen Scrambling", section 3; constants of
+// Vegdahl 2021, "Building a Better LK Hash").
+constexpr std::uint32_t scrambleReversed(std::uint32_t x, std::uint32_t seed) {
+  x ^= x * 0x3d20adeau;
+  x += seed;
+  x *= (seed >> 16) | 1u;
+  x ^= x * 0x05526c56u;
+  x ^= x * 0x53a22864u;
+  return x;
+}
+
+// The second dimension of Sobol's sequence as a 32-bit fraction: the index's bits times Pascal's triangle modulo 2, a
+// polynomial shifted by 1 in halves (the first dimension is reverseBits(index)).
+constexpr std::uint32_t sobolSecond(std::uint32_t index) {
+  std::uint32_t x = reverseBits(index);
+  x ^= x << 16;
+  x ^= (x & 0x00ff00ffu) << 8;
+  x ^= (x & 0x0f0f0f0fu) << 4;
+  x ^= (x & 0x33333333u) << 2;
+  x ^= (x & 0x55555555u) << 1;
+  return x;
+}
+
+// Point `index` of the Owen-scrambled Sobol (0,2)-sequence of this seed, in (0, 1)^2. Any 2^k first points are
+// stratified in all elementary intervals; sequences of different seeds are independent.
+inline glm::dvec2 sobolPoint(std::uint32_t index, std::uint32_t seed) {
+  const std::uint32_t x = reverseBits(scrambleReversed(index, hashCombine(seed, 1)));
+  const std::uint32_t y = reverseBits(scrambleReversed(reverseBits(sobolSecond(index)), hashCombine(seed, 2)));
+  return {(x + 0.5) * 0x1p-32, (y + 0.5) * 0x1p-32};
+}
+
+// ---- directions about +Z
+
+// Cosine-distributed over the upper hemisphere; density pdfCosine.
+inline glm::dvec3 sampleCosine(const glm::dvec2& u) {
+  const double r = std::sqrt(u.x), phi = 2 * std::numbers::pi * u.y;
+  return {r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - u.x)};
+}
+inline double pdfCosine(double NoL) { return NoL > 0 ? NoL * std::numbers::inv_pi : 0; }
+
+// A half vector of GGX as seen from `view` (unit, view.z > 0): distributed as D G1 max(0, v.h) / v.z (Heitz 2018, eq.
+// 2), by spherical caps (Dupuy and Benyoub 2023, listing 3). alpha in (0, 1].
+inline glm::dvec3 sampleVisibleNormal(double alpha, const glm::dvec3& view, const glm::dvec2& u) {
+  const glm::dvec3 v = glm::normalize(glm::dvec3(alpha * view.x, alpha * view.y, view.z));
+  const double phi = 2 * std::numbers::pi * u.x;
+  const double z = (1 - u.y) * (1 + v.z) - v.z;
+  const double r = std::sqrt(glm::clamp(1 - z * z, 0.0, 1.0));
+  const glm::dvec3 h = glm::dvec3(r * std::cos(phi), r * std::sin(phi), z) + v;
+  return glm::normalize(glm::dvec3(alpha * h.x, alpha * h.y, h.z));
+}
+
+// Density, per steradian of light directions, of the view's mirror image in such a half vector:
+//   D G1 / (4 NoV) = D / (2 (NoV + sqrt(alpha^2 + (1 - alpha^2) NoV^2)))
+// Heitz 2018, eq. 17, with Smith's G1 of GGX (Walter et al. 2007, eq. 34). D = D_GGX(alpha, NoH).
+inline double pdfVisibleNormal(double D, double alpha, double NoV) {
+  const double a2 = alpha * alpha;
+  return D / (2 * (NoV + std::sqrt(a2 + (1 - a2) * NoV * NoV)));
+}
+
+} // namespace parity::reference

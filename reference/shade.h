@@ -1,0 +1,46 @@
+// The reference path: every term of every point, in double, with the error that was achieved.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "reference/direct_light.h"
+#include "reference/environment_integral.h"
+#include "shading/terms.h"
+
+namespace parity::reference {
+
+// Whether light that scatters more than once between microfacets is counted (Kulla and Conty 2017).
+enum class Scattering { multiple, single };
+
+struct Inputs {
+  const EnvironmentSampler* environment = nullptr; // null: none
+  const DirectionalAlbedo* albedo = nullptr;       // of the same geometry term; needed for multiple scattering
+  std::vector<scenes::Light> lights = {};          // all of the scene's, and the sun
+};
+
+struct Options {
+  GeometryTerm geometryTerm = GeometryTerm::heightCorrelated;
+  Scattering scattering = Scattering::multiple;
+  IntegralOptions integral;
+};
+
+// One point. The terms are those of shading/terms.h; their sum is the colour.
+struct ShadedSample {
+  std::array<glm::vec3, shading::kTermCount> terms{};
+  float standardError = 0; // of the colour, absolute: the worst channel
+  float relativeError = 0; // that over the brightest channel of the colour; 0 where all is exact
+  std::uint32_t samples = 0;
+};
+
+// Told the share that is done, 0..1; called by any thread, one at a time.
+using Progress = std::function<void(double done)>;
+
+// Occlusion multiplies what comes from the environment, diffuse and specular alike, as in the high-end path, and
+// nothing else. Deterministic: the result for a point depends on the point, the inputs and the options alone, not on
+// the number of threads or on the other points.
+std::vector<ShadedSample> shade(std::span<const SurfaceSample> samples, const Inputs& inputs, const Options& options,
+                                const Progress& progress = {});
+
+} // namespace parity::reference

@@ -1,0 +1,101 @@
+// Resolved materials against materials whose every value is known.
+#include "support/device.h"
+#include "support/small_scenes.h"
+
+#include "gpu/material_pass.h"
+
+namespace parity::gpu {
+namespace {
+
+constexpr std::uint32_t kSize = 8;
+
+class MaterialPassTest : public tests::DeviceTest {
+protected:
+  std::vector<ResolvedMaterial> resolve(const scenes::Scene& scene, Layer layer = Layer::opaque) {
+    const SceneBuffers buffers(device(), scene);
+    const SurfacePass surfaces(device(), buffers, kSize, kSize);
+    const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
+    Surface surface = surfaces.render(camera, {0, kSize}, glm::vec2(0.5f), Layer::opaque);
+    if (layer == Layer::blended) surface = surfaces.render(camera, {0, kSize}, glm::vec2(0.5f), layer);
+    EXPECT_EQ(surface.size(), std::size_t{kSize} * kSize);
+    return MaterialPass(device(), buffers, surfaces.binKinds(), surface.size()).resolve(surface, camera);
+  }
+};
+
+void expectNear(const glm::vec3& actual, const glm::vec3& expected, float tolerance, const char* what) {
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(actual[c], expected[c], tolerance) << what << ", channel " << c;
+}
+
+int addTexel(scenes::Scene& scene, std::array<std::uint8_t, 4> rgba) {
+  scenes::TextureImage& image = scene.images.emplace_back();
+  image.name = "texel";
+  image.pixels = base::Image8(1, 1, 4);
+  std::copy(rgba.begin(), rgba.end(), image.pixels.pixels.begin());
+  return static_cast<int>(scene.images.size()) - 1;
+}
+
+TEST_F(MaterialPassTest, factorsComeBackAsTheMaterialHasThem) {
+  scenes::Scene scene = tests::makeQuadScene();
+  scenes::Material& material = scene.materials[0];
+  material.baseColor = glm::vec4(0.8f, 0.5f, 0.2f, 1);
+  material.metallic = 0.3f;
+  material.roughness = 0.7f;
+  material.emissive = glm::vec3(1.5f, 0, 0.25f);
+  material.specular = 0.5f;
+  material.specularColor = glm::vec3(1, 0.5f, 0.25f);
+  material.ior = 2; // F0 = (1/3)^2
+  const auto resolved = resolve(scene);
+  for (std::size_t i = 0; i < resolved.size(); ++i) {
+    const ResolvedMaterial& m = resolved[i];
+    expectNear(m.baseColor, {0.8f, 0.5f, 0.2f}, 1e-6f, "base colour");
+    expectNear(m.emissive, {1.5f, 0, 0.25f}, 1e-6f, "emissive");
+    expectNear(m.F0, glm::vec3(1, 0.5f, 0.25f) * (0.5f / 9), 1e-6f, "F0");
+    expectNear(m.normal, {0, 0, 1}, 1e-6f, "normal");
+    expectNear(m.view, {0, 0, 1}, 1e-6f, "view of an orthographic camera");
+    EXPECT_NEAR(m.position.z, 0, 1e-6f);
+    EXPECT_LT(std::max(std::abs(m.position.x), std::abs(m.position.y)), 1);
+    EXPECT_NEAR(m.F90, 0.5f, 1e-6f);
+    EXPECT_EQ(m.metallic, 0.3f);
+    EXPECT_EQ(m.roughness, 0.7f);
+    EXPECT_EQ(m.occlusion, 1);
+    EXPECT_EQ(m.opacity, 1);
+    EXPECT_FALSE(m.unlit);
+  }
+}
+
+// Each texture multiplies its factor: sRGB 188 is 0.5029 linear (IEC 61966-2-1), data is code / 255.
+TEST_F(MaterialPassTest, texturesMultiplyTheirFactorsAndTurnTheNormal) {
+  scenes::Scene scene = tests::makeQuadScene();
+  const int color = addTexel(scene, {188, 255, 0, 255}), data = addTexel(scene, {102, 51, 204, 255});
+  const int normal = addTexel(scene, {204, 128, 230, 255}); // (0.6, 0, 0.8) within 0.3 degrees
+  scenes::Material& material = scene.materials[0];
+  material.baseColor = glm::vec4(1, 0.5f, 1, 1);
+  material.emissive = glm::vec3(2);
+  material.occlusionStrength = 0.5f;
+  material.metallic = 0.5f;
+  material.baseColorTexture.image = material.emissiveTexture.image = color;
+  material.metallicRoughnessTexture.image = material.occlusionTexture.image = data;
+  material.normalTexture.image = normal;
+  const ResolvedMaterial m = resolve(scene).front();
+  expectNear(m.baseColor, {0.5029f, 0.5f, 0}, 1e-3f, "base colour");
+  expectNear(m.emissive, {1.0058f, 2, 0}, 2e-3f, "emissive");
+  EXPECT_NEAR(m.roughness, 51 / 255.f, 1e-5f);
+  EXPECT_NEAR(m.metallic, 0.5f * 204 / 255, 1e-5f);
+  EXPECT_NEAR(m.occlusion, 1 + 0.5f * (102 / 255.f - 1), 1e-5f);
+  expectNear(m.normal, {0.6f, 0, 0.8f}, 0.006f, "mapped normal");
+  EXPECT_NEAR(glm::length(m.normal), 1, 1e-5f);
+}
+
+TEST_F(MaterialPassTest, unlitAndOpacityAreTold) {
+  scenes::Scene scene = tests::makeQuadScene();
+  scene.materials[0].unlit = true;
+  scene.materials[0].alphaMode = scenes::AlphaMode::blend;
+  scene.materials[0].baseColor = glm::vec4(0.1f, 0.2f, 0.3f, 0.25f);
+  const ResolvedMaterial m = resolve(scene, Layer::blended).front();
+  EXPECT_TRUE(m.unlit);
+  EXPECT_EQ(m.opacity, 0.25f);
+  expectNear(m.baseColor, {0.1f, 0.2f, 0.3f}, 1e-6f, "base colour");
+}
+
+} // namespace
+} // namespace parity::gpu

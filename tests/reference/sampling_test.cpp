@@ -1,0 +1,160 @@
+// Sample points are stratified, and directions follow their densities.
+#include "reference/sampling.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "shading/shading.h"
+
+namespace parity::reference {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// A (0,2)-sequence: the first 2^k points put exactly one into each elementary interval of area 2^-k (Sobol 1967), which
+// Owen's scrambling keeps.
+TEST(Sobol, firstPointsFillEveryElementaryIntervalOnce) {
+  for (const std::uint32_t seed : {0u, 1u, 77u, 0xdeadbeefu})
+    for (const int k : {1, 4, 10}) {
+      const std::uint32_t count = 1u << k;
+      for (int a = 0; a <= k; ++a) {
+        std::set<std::uint32_t> hit;
+        for (std::uint32_t i = 0; i < count; ++i) {
+          const glm::dvec2 p = sobolPoint(i, seed);
+          ASSERT_TRUE(p.x > 0 && p.x < 1 && p.y > 0 && p.y < 1);
+          hit.insert(static_cast<std::uint32_t>(std::ldexp(p.x, a)) << (k - a) |
+                     static_cast<std::uint32_t>(std::ldexp(p.y, k - a)));
+        }
+        ASSERT_EQ(hit.size(), count) << "seed " << seed << ", 2^" << k << " points, split " << a;
+      }
+    }
+}
+
+// Direction numbers of Sobol's second dimension, v_k = v_(k-1) ^ v_(k-1) >> 1, added bit by bit.
+TEST(Sobol, secondDimensionIsThatOfTheDirectionNumbers) {
+  for (const std::uint32_t index : {0u, 1u, 2u, 3u, 4u, 5u, 100u, 65535u, 0x12345678u, 0xffffffffu}) {
+    std::uint32_t direction = 0x80000000u, expected = 0;
+    for (std::uint32_t bits = index; bits != 0; bits >>= 1, direction ^= direction >> 1)
+      if (bits & 1u) expected ^= direction;
+    EXPECT_EQ(sobolSecond(index), expected) << index;
+  }
+}
+
+// Scrambled numbers are uniform and independent between seeds: mean and correlation over 4096 seeds, 5 sigma.
+TEST(Sobol, scramblingsAreUniformAndIndependent) {
+  constexpr int kSeeds = 4096;
+  double sumX = 0, sumY = 0, sumXY = 0, sumNext = 0, previous = 0.5;
+  for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+    const glm::dvec2 p = sobolPoint(5, hashCombine(9, seed));
+    sumX += p.x - 0.5;
+    sumY += p.y - 0.5;
+    sumXY += (p.x - 0.5) * (p.y - 0.5);
+    sumNext += (p.x - 0.5) * (previous - 0.5);
+    previous = p.x;
+  }
+  const double root = std::sqrt(kSeeds);
+  EXPECT_LT(std::abs(sumX) / root, 5 * std::sqrt(1 / 12.0));
+  EXPECT_LT(std::abs(sumY) / root, 5 * std::sqrt(1 / 12.0));
+  EXPECT_LT(std::abs(sumXY) / root, 5 / 12.0);
+  EXPECT_LT(std::abs(sumNext) / root, 5 / 12.0);
+}
+
+// Chi^2 of a histogram over (height, azimuth) of the hemisphere against the integral of the density, by independent
+// random points; the statistic is within 5 sigma of its mean, the degrees of freedom.
+template <typename Sample, typename Pdf>
+void expectDensity(const Sample& sample, const Pdf& pdf, double total, double slack) {
+  constexpr int kRows = 12, kColumns = 16, kSub = 24, kCount = 200000;
+  std::vector<double> expected(kRows * kColumns, 0.0), seen(kRows * kColumns, 0.0);
+  double integral = 0;
+  for (int r = 0; r < kRows * kSub; ++r)
+    for (int c = 0; c < kColumns * kSub; ++c) {
+      const double z = (r + 0.5) / (kRows * kSub), phi = (c + 0.5) / (kColumns * kSub) * 2 * kPi;
+      const double s = std::sqrt(1 - z * z);
+      const double mass = pdf({s * std::cos(phi), s * std::sin(phi), z}) * 2 * kPi / (kRows * kSub * kColumns * kSub);
+      expected[static_cast<std::size_t>(r / kSub * kColumns + c / kSub)] += mass;
+      integral += mass;
+    }
+  EXPECT_NEAR(integral, total, slack);
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform;
+  for (int i = 0; i < kCount; ++i) {
+    const double u = uniform(random), v = uniform(random);
+    const glm::dvec3 d = sample(glm::dvec2(u, v));
+    ASSERT_NEAR(glm::length(d), 1, 1e-9);
+    if (!(d.z > 0)) continue;
+    const int row = std::min(static_cast<int>(d.z * kRows), kRows - 1);
+    double phi = std::atan2(d.y, d.x);
+    if (phi < 0) phi += 2 * kPi;
+    const int column = std::min(static_cast<int>(phi / (2 * kPi) * kColumns), kColumns - 1);
+    seen[static_cast<std::size_t>(row * kColumns + column)] += 1.0 / kCount;
+  }
+  double chi2 = 0;
+  int cells = 0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    if (expected[i] * kCount < 10) continue;
+    const double d = (seen[i] - expected[i]) * kCount;
+    chi2 += d * d / (expected[i] * kCount);
+    ++cells;
+  }
+  ASSERT_GT(cells, 20);
+  EXPECT_LT(std::abs(chi2 - cells), 5 * std::sqrt(2.0 * cells)) << cells << " cells";
+}
+
+TEST(Cosine, followsItsDensity) {
+  expectDensity(
+      sampleCosine, [](const glm::dvec3& d) { return pdfCosine(d.z); }, 1, 1e-4);
+}
+
+// Some reflections point below the surface: the density over the upper hemisphere integrates to the share of those that
+// do not, which is counted here.
+TEST(VisibleNormals, reflectionsFollowTheirDensity) {
+  for (const double alpha : {0.25, 0.6, 1.0})
+    for (const double NoV : {0.15, 0.6, 1.0}) {
+      const glm::dvec3 view(std::sqrt(1 - NoV * NoV), 0, NoV);
+      const auto pdf = [&](const glm::dvec3& l) {
+        const glm::dvec3 h = glm::normalize(view + l);
+        return pdfVisibleNormal(shading::f64::D_GGX(alpha, h.z), alpha, NoV);
+      };
+      std::mt19937_64 random(2);
+      std::uniform_real_distribution<double> uniform;
+      const auto reflect = [&](const glm::dvec2& u) {
+        const glm::dvec3 h = sampleVisibleNormal(alpha, view, u);
+        return 2 * glm::dot(view, h) * h - view;
+      };
+      double upward = 0;
+      for (int i = 0; i < 100000; ++i) {
+        const double u = uniform(random), v = uniform(random);
+        upward += reflect(glm::dvec2(u, v)).z > 0 ? 1e-5 : 0;
+      }
+      SCOPED_TRACE(testing::Message() << "alpha " << alpha << ", NoV " << NoV);
+      expectDensity(reflect, pdf, upward, 5 * 0.5 / std::sqrt(1e5)); // 5 sigma of a share at most
+    }
+}
+
+// Over half vectors the density D G1 v.h / NoV integrates to 1 (Heitz 2018, eq. 2): every normal that is seen.
+TEST(VisibleNormals, densityOfHalfVectorsIntegratesToOne) {
+  for (const double alpha : {0.1, 0.5, 1.0})
+    for (const double NoV : {0.1, 0.5, 0.95}) {
+      const double sinV = std::sqrt(1 - NoV * NoV);
+      double sum = 0;
+      constexpr int kPolar = 4000, kAzimuth = 256;
+      for (int i = 0; i < kPolar; ++i) {
+        const double psi = (i + 0.5) / kPolar * kPi / 2, tanH = alpha * std::tan(psi); // tan theta = alpha tan psi
+        const double cosH = 1 / std::sqrt(1 + tanH * tanH), sinH = tanH * cosH;
+        const double dTheta = alpha * cosH * cosH / (std::cos(psi) * std::cos(psi)) * (kPi / 2 / kPolar);
+        for (int j = 0; j < kAzimuth; ++j) {
+          const double VoH = sinV * sinH * std::cos((j + 0.5) / kAzimuth * 2 * kPi) + NoV * cosH;
+          if (VoH > 0)
+            sum += 4 * VoH * pdfVisibleNormal(shading::f64::D_GGX(alpha, cosH), alpha, NoV) * sinH * dTheta * 2 * kPi /
+                   kAzimuth;
+        }
+      }
+      EXPECT_NEAR(sum, 1, 2e-4) << "alpha " << alpha << ", NoV " << NoV;
+    }
+}
+
+} // namespace
+} // namespace parity::reference
