@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/hash.h"
+#include "reference/sampling.h"
 
 namespace parity::job {
 
@@ -12,12 +13,12 @@ namespace {
 
 static_assert(sizeof(reference::ShadedSample) == (3 * shading::kTermCount + 3) * sizeof(float), "no padding: cached");
 
-std::vector<reference::SurfaceSample> samplesOf(const gpu::Surface& surface,
-                                                const std::vector<gpu::ResolvedMaterial>& materials) {
+std::vector<reference::SurfaceSample>
+samplesOf(const gpu::Surface& surface, const std::vector<gpu::ResolvedMaterial>& materials, std::uint32_t stream) {
   std::vector<reference::SurfaceSample> samples(materials.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const gpu::ResolvedMaterial& m = materials[i];
-    samples[i] = {.pixel = surface.pixels[i],
+    samples[i] = {.pixel = reference::hashCombine(surface.pixels[i], stream),
                   .unlit = m.unlit ? 1u : 0u,
                   .position = m.position,
                   .normal = m.normal,
@@ -77,10 +78,10 @@ std::vector<reference::ShadedSample> ReferencePath::integrate(const std::vector<
   return reference::shade(samples, inputs, options, progress);
 }
 
-ReferenceSurface ReferencePath::shade(const gpu::Surface& surface, const scenes::Camera& camera,
+ReferenceSurface ReferencePath::shade(const gpu::Surface& surface, const scenes::Camera& camera, std::uint32_t stream,
                                       const reference::Progress& progress) {
   const std::vector<gpu::ResolvedMaterial> materials = m_materials.resolve(surface, camera);
-  const std::vector<reference::SurfaceSample> samples = samplesOf(surface, materials);
+  const std::vector<reference::SurfaceSample> samples = samplesOf(surface, materials, stream);
   std::vector<reference::ShadedSample> points(samples.size());
   const std::size_t bytes = points.size() * sizeof(reference::ShadedSample);
   const std::string key = m_context.cache().enabled() ? keyOf(samples) : std::string();

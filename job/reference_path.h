@@ -24,7 +24,8 @@ public:
   ReferencePath(Context& context, const PreparedScene& prepared, const gpu::SceneBuffers& buffers,
                 const std::vector<gpu::BinKind>& binKinds, std::uint64_t expectedEntries);
 
-  ReferenceSurface shade(const gpu::Surface& surface, const scenes::Camera& camera,
+  // stream: tells apart the surfaces that share pixels (samples, layers), so that their noise is independent.
+  ReferenceSurface shade(const gpu::Surface& surface, const scenes::Camera& camera, std::uint32_t stream,
                          const reference::Progress& progress);
 
 private:

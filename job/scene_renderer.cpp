@@ -74,6 +74,7 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
   const std::vector<gpu::Tile> tiles = gpu::makeTiles(width, height);
   const double parts = static_cast<double>(tiles.size()) * settings.samples;
   double partsDone = 0;
+  std::uint32_t stream = 0;
   for (const gpu::Tile& tile : tiles)
     for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
       gpu::Surface opaque, blended;
@@ -97,15 +98,16 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
         const reference::Progress told = [&](double done) {
           if (progress) progress("reference", (partsDone + done) / parts);
         };
-        const ReferenceSurface shaded = m_reference->shade(opaque, camera, told);
+        const ReferenceSurface shaded = m_reference->shade(opaque, camera, stream, told);
         std::optional<ReferenceSurface> over;
-        if (layer) over = m_reference->shade(blended, camera, {});
+        if (layer) over = m_reference->shade(blended, camera, stream + 1, {});
         referenceFrame.add(opaque, shaded.shaded, layer, layer ? &over->shaded : nullptr, tile);
         referenceError.add(opaque, shaded, layer, layer ? &*over : nullptr);
         sampledPoints += shaded.sampledPoints;
         lightSamples += shaded.lightSamples;
       }
       ++partsDone;
+      stream += 2;
       if (!compared) continue;
       // The layer's opacity is the same in every path: it comes from the shared material.
       const base::Stopwatch watch(&m_context.timings(), "masks");
