@@ -141,7 +141,9 @@ TEST_F(VerdictTest, TheTableSaysTheBiasInWords) {
       {{"diff", writeGlb(m_folder, quad), "--background", "0,0,0", "--budgets", writeBudgets(m_folder, "fail = 0.999")},
        kSmall}));
   for (const std::string& line : splitLines(result.out))
-    if (contains(line, "paint")) EXPECT_TRUE(contains(line, "mobile is 1.0 EV darker")) << result.out;
+    if (contains(line, "paint")) {
+      EXPECT_TRUE(contains(line, "mobile is 1.0 EV darker")) << result.out;
+    }
   EXPECT_TRUE(contains(result.out, "  paint ")) << result.out << result.err;
   const std::vector<std::string> lines = splitLines(result.out);
   EXPECT_TRUE(contains(lines.back() + lines[lines.size() - 2], "whole images: 1 pass")) << result.out;
