@@ -52,16 +52,14 @@ HWY_INLINE Lightness lightness(D d, V t, V dt) {
   return {f, fOther, difference};
 }
 
-// What clamping RGB to [0,1] adds to it, and how much more it adds to c than to c - dc: where both are clamped to the
-// same side, -dc.
+// What clamping RGB to [0,1] adds to it, and how much more it adds to c than to c - dc.
 struct Clamping {
   V change, difference;
 };
 HWY_INLINE Clamping clamping(D d, V c, V dc) {
   const V other = hn::Sub(c, dc);
   const V change = hn::Sub(clamp01(d, c), c), otherChange = hn::Sub(clamp01(d, other), other);
-  const auto sameSide = hn::Gt(hn::Mul(change, otherChange), hn::Zero(d));
-  return {change, hn::IfThenElse(sameSide, hn::Neg(dc), hn::Sub(change, otherChange))};
+  return {change, hn::Sub(change, otherChange)};
 }
 
 HWY_INLINE Triple loadColors(D d, const FilteredRow& row, int i) {

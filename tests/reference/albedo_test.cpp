@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "reference/lobes.h"
 #include "shading/quadrature.h"
 
 namespace parity::reference {
@@ -55,6 +56,37 @@ TEST(DirectionalAlbedo, neverExceedsOneAndAMirrorLosesNothing) {
     }
   }
   EXPECT_EQ(AlbedoRow().at(0.3), 1);
+}
+
+// What multiple scattering adds to a coloured metal: bounce after bounce, with Fresnel's mean by quadrature instead of
+// its closed form.
+TEST(Lobes, multipleScatteringIsTheSumOfItsBounces) {
+  const DirectionalAlbedo table(GeometryTerm::heightCorrelated);
+  SurfaceSample sample;
+  sample.baseColor = {0.2f, 0.5f, 0.9f};
+  sample.metallic = 1;
+  constexpr double kRoughness = 0.8, kNoV = 0.6, kNoL = 0.45, kNoH = 0.9, kVoH = 0.7;
+  const AlbedoRow row = table.row(kRoughness);
+  const double lost = 1 - row.average(), lostAtView = 1 - row.at(kNoV);
+  const glm::dvec3 added =
+      Lobes(sample, GeometryTerm::heightCorrelated, kRoughness, &table)
+          .evaluate(kNoV, kNoL, kNoH, kVoH, lostAtView)
+          .specular -
+      Lobes(sample, GeometryTerm::heightCorrelated, kRoughness, nullptr).evaluate(kNoV, kNoL, kNoH, kVoH, 0).specular;
+  for (int c = 0; c < 3; ++c) {
+    const double F0 = static_cast<double>(sample.baseColor[c]);
+    double Favg = 0;
+    constexpr int kSteps = 4000;
+    for (int i = 0; i < kSteps; ++i) {
+      const double mu = (i + 0.5) / kSteps;
+      Favg += 2 * mu * (F0 + (1 - F0) * std::pow(1 - mu, 5)) / kSteps;
+    }
+    // Each bounce reflects Favg; a share Eavg of what was reflected leaves, the rest bounces again.
+    double sum = 0, onItsWay = Favg * Favg;
+    for (int bounce = 0; bounce < 200; ++bounce, onItsWay *= Favg * lost) sum += onItsWay * row.average();
+    const double expected = sum * lostAtView * (1 - row.at(kNoL)) / (3.14159265358979 * lost) * kNoL;
+    EXPECT_NEAR(added[c] / expected, 1, 1e-5) << c;
+  }
 }
 
 } // namespace
