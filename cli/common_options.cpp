@@ -1,0 +1,178 @@
+// The options that the subcommands share, by CLI11.
+#include "cli/common_options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/color.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "base/log.h"
+#include "cli/option_parts.h"
+#include "compare/measure.h"
+
+namespace parity::cli {
+
+namespace {
+
+glm::vec3 parseVec3(const std::string& option, const std::string& text, const std::string& wanted) {
+  const auto n = parseNumbers(option, text, 3, wanted);
+  return {n[0], n[1], n[2]};
+}
+
+void parseSize(const std::string& text, job::Settings& settings) {
+  const char* const end = text.data() + text.size();
+  const auto [x, widthError] = std::from_chars(text.data(), end, settings.width);
+  const bool split = widthError == std::errc() && x != end && *x == 'x';
+  const auto [tail, heightError] = std::from_chars(split ? x + 1 : end, end, settings.height);
+  if (!split || heightError != std::errc() || tail != end || std::min(settings.width, settings.height) < 1 ||
+      std::max(settings.width, settings.height) > base::kMaxImageSide)
+    throw invalid("--size", text, fmt::format("WIDTHxHEIGHT with sides of 1 to {}", base::kMaxImageSide));
+}
+
+std::string metricNames() {
+  std::vector<std::string> names;
+  for (const compare::Metric& metric : compare::metricRegistry()) names.push_back(metric.name);
+  return fmt::format("{}", fmt::join(names, ","));
+}
+
+std::vector<std::string> parseMetrics(const std::string& option, const std::string& text) {
+  try {
+    return compare::parseMetricNames(text, option);
+  } catch (const base::Error& error) {
+    throw CLI::ValidationError(option, error.place() + ": " + error.reason());
+  }
+}
+
+} // namespace
+
+std::string defaultMetricList() { return fmt::format("{}", fmt::join(compare::defaultMetrics(), ",")); }
+
+void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw) {
+  app.add_option("--device", device.name,
+                 "Vulkan device: part of its name, or its number in 'parity devices'. Default: the software device");
+  app.add_flag("--validation", raw.validation, "Run under the Khronos validation layer; any message is an error");
+}
+
+void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
+  job::Settings& s = common.settings;
+  app.add_option("--env", common.environment, "HDR environment: .hdr, .exr or builtin:sky, studio, night, white")
+      ->group("Scene");
+  app.add_option("--env-rotation", common.environmentRotationDeg, "Turn the environment about +Y, degrees")
+      ->check(within(-3600, 3600))
+      ->group("Scene");
+  app.add_option("--sun", raw.sun, "Add a directional light: AZIMUTH,ELEVATION,LUX (degrees)")->group("Scene");
+  app.add_option("--fully-rough", s.fullyRough, "Materials that take the fully-rough shortcut (glob, repeatable)")
+      ->group("Scene");
+  app.add_option("--camera", raw.camera, "A glTF camera by name or number, or auto")
+      ->group("View")
+      ->capture_default_str();
+  app.add_option("--orbit", raw.orbit, "THETA,PHI,RADIUS: degrees, metres (radius 0 fits the scene)")->group("View");
+  app.add_option("--target", raw.target, "X,Y,Z to look at, metres. Default: the centre of the scene")->group("View");
+  app.add_option("--fov", common.view.fovYDeg, "Vertical field of view, degrees; a scene's own camera keeps its own")
+      ->check(within(1, 170))
+      ->group("View")
+      ->capture_default_str();
+  app.add_option("--size", raw.size, "WIDTHxHEIGHT in pixels")->group("Picture")->capture_default_str();
+  app.add_option("--samples", s.samples, "Samples per pixel")
+      ->check(CLI::Range(1, 64))
+      ->group("Picture")
+      ->capture_default_str();
+  app.add_option("--exposure", s.exposureEv, "Exposure, EV")
+      ->check(within(-32, 32))
+      ->group("Picture")
+      ->capture_default_str();
+  app.add_option("--display", s.display, "Display transform")
+      ->check(CLI::IsMember(base::DisplayTransform::names()))
+      ->group("Picture")
+      ->capture_default_str();
+  app.add_option("--background", raw.background, "Linear R,G,B behind the scene, in every path. Default 0.18,0.18,0.18")
+      ->group("Picture");
+  app.add_option("--mobile-preset", s.mobilePresetName, "Formulas of the mobile path")
+      ->check(CLI::IsMember(mobile::presetNames()))
+      ->group("Paths")
+      ->capture_default_str();
+  app.add_option("--precision", raw.precision, "Precision of the mobile path; this version renders in fp32")
+      ->check(CLI::IsMember({"fp32"}))
+      ->group("Paths")
+      ->capture_default_str();
+  app.add_option("--geometry-term", raw.geometryTerm, "Geometry term of the high-end path and the reference")
+      ->check(CLI::IsMember({"height-correlated", "schlick-smith"}))
+      ->group("Paths")
+      ->capture_default_str();
+  app.add_flag("--no-compensation", raw.noCompensation, "High-end path without energy compensation")->group("Paths");
+  app.add_option("--material", s.materials, "Report only these materials (glob, repeatable)")->group("Verdict");
+  app.add_option("--budgets", s.budgets, "Budget file (TOML) instead of the built-in budgets")->group("Verdict");
+  addDeviceOptions(app, s.device, raw);
+  app.add_option("--threads", common.threads, "CPU threads; 0: all cores")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_option("--cache", raw.cache, "Cache folder. Default: $XDG_CACHE_HOME/parity");
+  app.add_flag("--no-cache", raw.noCache, "Neither read nor write the cache");
+  app.add_flag("--timings", common.timings, "Print time by stage to stderr");
+  app.add_flag("-q,--quiet", raw.quiet, "Errors only: no table either, the verdict is the exit code");
+  app.add_flag("-v,--verbose", raw.verbose, "Say more");
+}
+
+void addMetricsOption(CLI::App& app, RawOptions& raw) {
+  app.add_option("--metrics", raw.metrics, "Metrics to report, of " + metricNames())
+      ->group("Verdict")
+      ->capture_default_str();
+}
+
+void addReferenceOptions(CLI::App& app, RawOptions& raw) {
+  app.add_option("--error", raw.error, "Relative standard error at which a pixel of the reference is done")
+      ->group("Reference")
+      ->capture_default_str();
+  app.add_option("--scattering", raw.scattering, "Light between microfacets: multiple (Kulla-Conty) or single")
+      ->check(CLI::IsMember({"multiple", "single"}))
+      ->group("Reference")
+      ->capture_default_str();
+}
+
+void settle(CommonOptions& common, const RawOptions& raw) {
+  job::Settings& s = common.settings;
+  s.reference.integral.relativeError = parseShare("--error", raw.error);
+  s.reference.scattering = raw.scattering == "single" ? reference::Scattering::single : reference::Scattering::multiple;
+  s.reference.geometryTerm = raw.geometryTerm == "schlick-smith" ? reference::GeometryTerm::schlickSmith
+                                                                 : reference::GeometryTerm::heightCorrelated;
+  parseSize(raw.size, s);
+  if (!raw.sun.empty()) {
+    const auto n = parseNumbers("--sun", raw.sun, 3, "AZIMUTH,ELEVATION,LUX");
+    if (std::abs(n[1]) > 90) throw invalid("--sun", raw.sun, "a place in the sky: ELEVATION is from -90 to 90");
+    if (n[2] < 0) throw invalid("--sun", raw.sun, "a light: LUX is negative");
+    common.sun = scenes::SunRequest{n[0], n[1], n[2]};
+  }
+  if (!raw.orbit.empty()) {
+    const glm::vec3 orbit = parseVec3("--orbit", raw.orbit, "THETA,PHI,RADIUS");
+    if (orbit.y < 0 || orbit.y > 180 || orbit.z < 0)
+      throw invalid("--orbit", raw.orbit, "an orbit: PHI is from 0 to 180, RADIUS at least 0");
+    common.view.orbit = orbit;
+  }
+  if (!raw.target.empty()) common.view.target = parseVec3("--target", raw.target, "X,Y,Z");
+  if (raw.camera != "auto") {
+    if (common.view.orbit) throw CLI::ValidationError("--camera", "cannot be combined with --orbit");
+    common.view.camera = common.view.name = raw.camera;
+  }
+  if (common.view.orbit) common.view.name = "orbit " + raw.orbit;
+  if (!raw.background.empty()) {
+    s.background = parseVec3("--background", raw.background, "three numbers R,G,B");
+    if (s.background.x < 0 || s.background.y < 0 || s.background.z < 0)
+      throw invalid("--background", raw.background, "a colour: a channel is negative");
+  }
+  s.metrics = parseMetrics("--metrics", raw.metrics);
+  s.mobilePreset = mobile::presetByName(s.mobilePresetName);
+  s.highend.geometryTerm = raw.geometryTerm == "schlick-smith" ? highend::GeometryTerm::schlickSmith
+                                                               : highend::GeometryTerm::heightCorrelated;
+  s.highend.compensate = !raw.noCompensation;
+  s.device.validation |= raw.validation;
+  common.quiet = raw.quiet;
+  if (!raw.noCache) s.cacheFolder = raw.cache.empty() ? base::defaultCacheFolder() : std::filesystem::path(raw.cache);
+  base::setLogLevel(raw.quiet ? base::LogLevel::quiet : raw.verbose ? base::LogLevel::verbose : base::LogLevel::normal);
+}
+
+} // namespace parity::cli

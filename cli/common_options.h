@@ -1,0 +1,37 @@
+// The options that the subcommands share: scene, view, picture, paths, verdict, machine. Only for the files that know
+// CLI11.
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/invocation.h"
+
+namespace parity::cli {
+
+std::string defaultMetricList();
+
+// What CLI11 fills in; turned into CommonOptions when all is known.
+struct RawOptions {
+  std::string size = "1024x1024", sun, orbit, target, background, geometryTerm = "height-correlated", camera = "auto",
+              precision = "fp32";
+  std::string error = "0.5%", scattering = "multiple"; // of the reference
+  std::string cache;
+  std::string metrics = defaultMetricList(); // comma-separated
+  bool noCompensation = false, noCache = false, quiet = false, verbose = false, validation = false;
+};
+
+// Scene, view, picture, paths, device, cache, verbosity.
+void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
+// --device and --validation alone.
+void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw);
+// What is measured; nothing is by `render`.
+void addMetricsOption(CLI::App& app, RawOptions& raw);
+// How the ground truth is made.
+void addReferenceOptions(CLI::App& app, RawOptions& raw);
+
+// Checks what CLI11 has filled in, and turns it into settings. Throws CLI::ValidationError.
+void settle(CommonOptions& common, const RawOptions& raw);
+
+} // namespace parity::cli
