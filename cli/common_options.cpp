@@ -48,6 +48,45 @@ std::vector<std::string> parseMetrics(const std::string& option, const std::stri
   }
 }
 
+// An option that takes one of an enumeration's names; `text` begins as the default's.
+template <typename Enum> void addNamed(CLI::App& app, const std::string& option, std::string& text,
+                                       const std::vector<std::string>& names, Enum chosen,
+                                       const std::string& description) {
+  text = names[static_cast<std::size_t>(chosen)];
+  app.add_option(option, text, description)->check(CLI::IsMember(names))->group("Paths")->capture_default_str();
+}
+
+template <typename Enum> Enum enumOf(const std::string& text, const std::vector<std::string>& names) {
+  return static_cast<Enum>(std::find(names.begin(), names.end(), text) - names.begin());
+}
+
+void addModelOptions(CLI::App& app, const highend::Options& defaults, RawOptions& raw) {
+  addNamed(app, "--geometry-term", raw.geometryTerm, highend::geometryTermNames(), defaults.geometryTerm,
+           "Geometry term of the high-end path and the reference");
+  addNamed(app, "--fresnel", raw.fresnel, highend::fresnelNames(), defaults.fresnel,
+           "Fresnel's curve, in the high-end path and the reference");
+  addNamed(
+      app, "--diffuse", raw.diffuse, highend::diffuseNames(), defaults.diffuse,
+      "Diffuse light of the high-end path and the reference: what the specular lobe leaves (balanced), or all of it "
+      "(lambert, as UE4)");
+  addNamed(app, "--compensation", raw.compensation, highend::compensationNames(), defaults.compensation,
+           "High-end path: what returns the light that single scattering loses");
+  addNamed(app, "--off-specular", raw.offSpecular, highend::offSpecularNames(), defaults.offSpecular,
+           "High-end path: how the prefiltered environment is read away from N = V = R");
+}
+
+void settleModel(job::Settings& s, const RawOptions& raw) {
+  s.highend.geometryTerm = enumOf<highend::GeometryTerm>(raw.geometryTerm, highend::geometryTermNames());
+  s.highend.fresnel = enumOf<highend::FresnelCurve>(raw.fresnel, highend::fresnelNames());
+  s.highend.diffuse = enumOf<highend::DiffuseLobe>(raw.diffuse, highend::diffuseNames());
+  s.highend.compensation = enumOf<highend::Compensation>(raw.compensation, highend::compensationNames());
+  s.highend.offSpecular = enumOf<highend::OffSpecular>(raw.offSpecular, highend::offSpecularNames());
+  reference::Model& model = s.reference.model;
+  model.geometryTerm = s.highend.geometryTerm;
+  model.fresnel = s.highend.fresnel;
+  model.diffuse = s.highend.diffuse;
+}
+
 } // namespace
 
 std::string defaultMetricList() { return fmt::format("{}", fmt::join(compare::defaultMetrics(), ",")); }
@@ -100,11 +139,7 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->check(CLI::IsMember({"fp32"}))
       ->group("Paths")
       ->capture_default_str();
-  app.add_option("--geometry-term", raw.geometryTerm, "Geometry term of the high-end path and the reference")
-      ->check(CLI::IsMember({"height-correlated", "schlick-smith"}))
-      ->group("Paths")
-      ->capture_default_str();
-  app.add_flag("--no-compensation", raw.noCompensation, "High-end path without energy compensation")->group("Paths");
+  addModelOptions(app, s.highend, raw);
   app.add_option("--material", s.materials, "Report only these materials (glob, repeatable)")->group("Verdict");
   app.add_option("--budgets", s.budgets, "Budget file (TOML) instead of the built-in budgets")->group("Verdict");
   addDeviceOptions(app, s.device, raw);
@@ -137,9 +172,8 @@ void addReferenceOptions(CLI::App& app, RawOptions& raw) {
 void settle(CommonOptions& common, const RawOptions& raw) {
   job::Settings& s = common.settings;
   s.reference.integral.relativeError = parseShare("--error", raw.error);
-  s.reference.scattering = raw.scattering == "single" ? reference::Scattering::single : reference::Scattering::multiple;
-  s.reference.geometryTerm = raw.geometryTerm == "schlick-smith" ? reference::GeometryTerm::schlickSmith
-                                                                 : reference::GeometryTerm::heightCorrelated;
+  s.reference.model.scattering =
+      raw.scattering == "single" ? reference::Scattering::single : reference::Scattering::multiple;
   parseSize(raw.size, s);
   if (!raw.sun.empty()) {
     const auto n = parseNumbers("--sun", raw.sun, 3, "AZIMUTH,ELEVATION,LUX");
@@ -166,9 +200,7 @@ void settle(CommonOptions& common, const RawOptions& raw) {
   }
   s.metrics = parseMetrics("--metrics", raw.metrics);
   s.mobilePreset = mobile::presetByName(s.mobilePresetName);
-  s.highend.geometryTerm = raw.geometryTerm == "schlick-smith" ? highend::GeometryTerm::schlickSmith
-                                                               : highend::GeometryTerm::heightCorrelated;
-  s.highend.compensate = !raw.noCompensation;
+  settleModel(s, raw);
   s.device.validation |= raw.validation;
   common.quiet = raw.quiet;
   if (!raw.noCache) s.cacheFolder = raw.cache.empty() ? base::defaultCacheFolder() : std::filesystem::path(raw.cache);

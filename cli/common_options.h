@@ -14,12 +14,12 @@ std::string defaultMetricList();
 
 // What CLI11 fills in; turned into CommonOptions when all is known.
 struct RawOptions {
-  std::string size = "1024x1024", sun, orbit, target, background, geometryTerm = "height-correlated", camera = "auto",
-              precision = "fp32";
-  std::string error = "0.5%", scattering = "multiple"; // of the reference
+  std::string size = "1024x1024", sun, orbit, target, background, camera = "auto", precision = "fp32";
+  std::string geometryTerm, fresnel, diffuse, compensation, offSpecular; // of the high-end path and the reference
+  std::string error = "0.5%", scattering = "multiple";                   // of the reference
   std::string cache;
   std::string metrics = defaultMetricList(); // comma-separated
-  bool noCompensation = false, noCache = false, quiet = false, verbose = false, validation = false;
+  bool noCache = false, quiet = false, verbose = false, validation = false;
 };
 
 // Scene, view, picture, paths, device, cache, verbosity.

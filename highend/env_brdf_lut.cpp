@@ -60,7 +60,13 @@ struct Rule {
   }
 };
 
-template <GeometryTerm term> real2 integrate(double NoV, double roughness, const Rule& rule) {
+template <FresnelCurve curve> double fresnelWeight(double VoH) {
+  if constexpr (curve == FresnelCurve::sphericalGaussian) return sphericalGaussianWeight(VoH);
+  if constexpr (curve == FresnelCurve::dielectric) return dielectricWeight(VoH);
+  return schlickWeight(VoH);
+}
+
+template <GeometryTerm term, FresnelCurve curve> real2 integrate(double NoV, double roughness, const Rule& rule) {
   const double alpha = roughness * roughness, a2 = alpha * alpha, sinV = std::sqrt(1 - NoV * NoV);
   const auto shareWithin = [a2](double cos2) { return (1 - cos2) / (1 - cos2 * (1 - a2)); };
   const auto cos2Of = [a2](double xi) { return (1 - xi) / (1 - (1 - a2) * xi); };
@@ -72,7 +78,7 @@ template <GeometryTerm term> real2 integrate(double NoV, double roughness, const
     const double V =
         term == GeometryTerm::schlickSmith ? V_SchlickSmith(alpha, NoV, NoL) : V_SmithGGXCorrelated(alpha, NoV, NoL);
     const double value = weight * 4 * V * NoL * VoH / cosTheta;
-    const double F = F_Schlick(real3(0.0, 0.0, 0.0), VoH).x;
+    const double F = fresnelWeight<curve>(VoH);
     sumA += value * (1 - F);
     sumB += value * F;
   };
@@ -99,20 +105,36 @@ template <GeometryTerm term> real2 integrate(double NoV, double roughness, const
   return {sumA, sumB};
 }
 
+using Integrate = real2 (*)(double NoV, double roughness, const Rule& rule);
+
+template <GeometryTerm term> Integrate chooseIntegral(FresnelCurve curve) {
+  if (curve == FresnelCurve::sphericalGaussian) return integrate<term, FresnelCurve::sphericalGaussian>;
+  if (curve == FresnelCurve::dielectric) return integrate<term, FresnelCurve::dielectric>;
+  return integrate<term, FresnelCurve::schlick>;
+}
+
 } // namespace
 
-base::Image makeEnvBrdfLut(GeometryTerm term, int size) {
+base::Image makeEnvBrdfLut(GeometryTerm term, FresnelCurve fresnel, int size) {
   assert(size >= 1 && size <= base::kMaxImageSide);
-  base::Image lut(size, size, 2);
+  base::Image lut(size, size, 4);
   const Rule rule;
-  const auto integrateTerm = term == GeometryTerm::schlickSmith ? integrate<GeometryTerm::schlickSmith>
-                                                                : integrate<GeometryTerm::heightCorrelated>;
+  const Integrate integrateTexel = term == GeometryTerm::schlickSmith
+                                       ? chooseIntegral<GeometryTerm::schlickSmith>(fresnel)
+                                       : chooseIntegral<GeometryTerm::heightCorrelated>(fresnel);
   base::parallelFor(size, 1, [&](std::size_t row, std::size_t) {
     const int y = static_cast<int>(row);
+    double average = 0;
     for (int x = 0; x < size; ++x) {
-      const real2 ab = integrateTerm((x + 0.5) / size, (y + 0.5) / size, rule);
+      const double NoV = (x + 0.5) / size;
+      const real2 ab = integrateTexel(NoV, (y + 0.5) / size, rule);
       lut.at(x, y)[0] = static_cast<float>(ab.x);
       lut.at(x, y)[1] = static_cast<float>(ab.y);
+      average += 2 * NoV * (ab.x + ab.y) / size;
+    }
+    for (int x = 0; x < size; ++x) {
+      lut.at(x, y)[2] = static_cast<float>(average);
+      lut.at(x, y)[3] = 1;
     }
   });
   return lut;

@@ -2,15 +2,17 @@
 #pragma once
 
 #include "base/image.h"
+#include "shading/surface_model.h"
 
 namespace parity::highend {
 
-// Geometry term of the specular lobe (SHADING.md 1).
-enum class GeometryTerm { heightCorrelated, schlickSmith };
+using shading::FresnelCurve;
+using shading::GeometryTerm;
 
-// A size x size image of 2 channels (A, B), F0*A + B (Karis 2013): x -> NoV, y -> roughness, both at texel centres
-// ((i + 0.5) / size). Reads at other values are bilinear with clamped edges. Converged quadrature of each texel: rms
-// error after bilinear reading <= 2e-4 over NoV, roughness >= 0.05. Bit-identical for any number of threads.
-base::Image makeEnvBrdfLut(GeometryTerm term, int size = 128);
+// A size x size image of 4 channels: A, B of F0 A + F90 B (Karis 2013), the cosine-weighted mean of A + B at this
+// roughness (what Kulla and Conty's compensation takes), and 1. x -> NoV, y -> roughness, both at texel centres ((i +
+// 0.5) / size). Reads at other values are bilinear with clamped edges. Converged quadrature of each texel: rms error
+// after bilinear reading <= 2e-4 over NoV, roughness >= 0.05. Bit-identical for any number of threads.
+base::Image makeEnvBrdfLut(GeometryTerm term, FresnelCurve fresnel = FresnelCurve::schlick, int size = 128);
 
 } // namespace parity::highend

@@ -11,8 +11,8 @@ namespace parity::highend {
 namespace {
 
 gpu::DeviceImage uploadLut(const gpu::Device& device, const base::Image& lut) {
-  assert(lut.channels == 2);
-  constexpr auto kFormat = vk::Format::eR32G32Sfloat;
+  assert(lut.channels == 4);
+  constexpr auto kFormat = vk::Format::eR32G32B32A32Sfloat;
   if (!device.filtersLinearly(kFormat))
     throw base::Error(base::ExitCode::failed, device.report().name, "environment BRDF table",
                       "the device cannot filter 32-bit float textures");
@@ -23,7 +23,42 @@ gpu::DeviceImage uploadLut(const gpu::Device& device, const base::Image& lut) {
   return gpu::DeviceImage(device, shape, std::span{&mip, 1});
 }
 
+// The shader is given the enumerators' numbers.
+constexpr bool is(auto enumerator, std::uint32_t value) { return static_cast<std::uint32_t>(enumerator) == value; }
+static_assert(is(GeometryTerm::schlickSmith, gpu::kGeometrySchlickSmith));
+static_assert(is(FresnelCurve::sphericalGaussian, gpu::kFresnelSphericalGaussian) &&
+              is(FresnelCurve::dielectric, gpu::kFresnelDielectric));
+static_assert(is(DiffuseLobe::lambert, gpu::kDiffuseLambert));
+static_assert(is(Compensation::turquin, gpu::kCompensationTurquin) &&
+              is(Compensation::fdezAguera, gpu::kCompensationFdezAguera) &&
+              is(Compensation::kullaConty, gpu::kCompensationKullaConty));
+static_assert(is(OffSpecular::dominant, gpu::kOffSpecularDominant) &&
+              is(OffSpecular::stretched, gpu::kOffSpecularStretched) &&
+              is(OffSpecular::twoTaps, gpu::kOffSpecularTwoTaps) &&
+              is(OffSpecular::threeTaps, gpu::kOffSpecularThreeTaps));
+
 } // namespace
+
+const std::vector<std::string>& geometryTermNames() {
+  static const std::vector<std::string> names = {"height-correlated", "schlick-smith"};
+  return names;
+}
+const std::vector<std::string>& fresnelNames() {
+  static const std::vector<std::string> names = {"schlick", "spherical-gaussian", "dielectric"};
+  return names;
+}
+const std::vector<std::string>& diffuseNames() {
+  static const std::vector<std::string> names = {"balanced", "lambert"};
+  return names;
+}
+const std::vector<std::string>& compensationNames() {
+  static const std::vector<std::string> names = {"none", "turquin", "fdez-aguera", "kulla-conty"};
+  return names;
+}
+const std::vector<std::string>& offSpecularNames() {
+  static const std::vector<std::string> names = {"none", "dominant", "stretched", "two-taps", "three-taps"};
+  return names;
+}
 
 Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, const std::vector<gpu::BinKind>& binKinds,
                    const Inputs& inputs, const Options& options) {
@@ -43,9 +78,9 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
     program.pathTexture = &m_lut;
   }
   program.environment = inputs.environment;
-  program.constants = {options.geometryTerm == GeometryTerm::heightCorrelated ? gpu::kGeometryHeightCorrelated
-                                                                              : gpu::kGeometrySchlickSmith,
-                       options.compensate ? 1u : 0u};
+  program.constants = {static_cast<std::uint32_t>(options.geometryTerm), static_cast<std::uint32_t>(options.fresnel),
+                       static_cast<std::uint32_t>(options.diffuse), static_cast<std::uint32_t>(options.compensation),
+                       static_cast<std::uint32_t>(options.offSpecular)};
   program.terms = inputs.terms;
   program.expectedPixels = inputs.expectedPixels;
   m_pass = std::make_unique<gpu::ShadingPass>(device, scene, binKinds, std::move(program));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "gpu/shading_pass.h"
@@ -9,16 +10,44 @@
 
 namespace parity::highend {
 
+using shading::DiffuseLobe;
+
+// What returns the light that single scattering loses between microfacets (shading/brdf.glsl).
+enum class Compensation {
+  none,
+  turquin,    // a factor on the specular lobe (Turquin 2019)
+  fdezAguera, // a Lambertian lobe (Fdez-Aguera 2019)
+  kullaConty, // a lobe of its own, as the reference has it (Kulla and Conty 2017)
+};
+
+// How the prefiltered environment is read where the view is not along the normal (shading/off_specular.glsl).
+enum class OffSpecular {
+  none,      // in the mirror direction: N = V = R (Karis 2013)
+  dominant,  // in the lobe's dominant direction (Lagarde and de Rousiers 2014)
+  stretched, // twice, along the plane of incidence
+  twoTaps,   // twice, by two lobes fitted to the true one
+  threeTaps, // three times, so too
+};
+
 struct Options {
   GeometryTerm geometryTerm = GeometryTerm::heightCorrelated;
-  bool compensate = true; // energy compensation for multiple scattering (Turquin 2019)
+  FresnelCurve fresnel = FresnelCurve::schlick;
+  DiffuseLobe diffuse = DiffuseLobe::balanced;
+  Compensation compensation = Compensation::kullaConty;
+  OffSpecular offSpecular = OffSpecular::threeTaps;
 };
+
+// Names as the command line and reports have them, in the order of the enumerators.
+const std::vector<std::string>& geometryTermNames(); // "height-correlated", "schlick-smith"
+const std::vector<std::string>& fresnelNames();      // "schlick", "spherical-gaussian", "dielectric"
+const std::vector<std::string>& diffuseNames();      // "balanced", "lambert"
+const std::vector<std::string>& compensationNames(); // "none", "turquin", "fdez-aguera", "kulla-conty"
+const std::vector<std::string>& offSpecularNames();  // "none", "dominant", "stretched", "two-taps", "three-taps"
 
 // What the renderer is given besides the scene; all of it shared with the other paths.
 struct Inputs {
   const gpu::EnvironmentMaps* environment = nullptr; // null: none
-  const base::Image* lut =
-      nullptr; // makeEnvBrdfLut of the same term; needed unless without environment and compensation
+  const base::Image* lut = nullptr;       // makeEnvBrdfLut of the same term and curve; null only where needsLut says so
   std::vector<scenes::Light> lights = {}; // all of the scene's, and the sun
   bool terms = false;
   std::uint64_t expectedPixels = 0; // that the run will shade
@@ -34,7 +63,8 @@ public:
 
   // Whether the table is read at all with these inputs.
   static bool needsLut(const Inputs& inputs, const Options& options) {
-    return inputs.environment != nullptr || options.compensate;
+    return inputs.environment != nullptr || options.compensation != Compensation::none ||
+           options.diffuse == DiffuseLobe::balanced;
   }
 
 private:

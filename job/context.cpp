@@ -31,14 +31,20 @@ const base::Image& Context::envBrdfLut() {
   if (!m_lut.empty()) return m_lut;
   const base::Stopwatch watch(&m_timings, "environment BRDF table");
   constexpr int kSize = 128;
-  const int term = static_cast<int>(m_settings.highend.geometryTerm);
-  const std::string key = base::Hasher().add(m_buildId).add("env-brdf-lut").addValue(term).addValue(kSize).hex();
-  base::Image lut(kSize, kSize, 2);
+  const highend::Options& options = m_settings.highend;
+  const std::string key = base::Hasher()
+                              .add(m_buildId)
+                              .add("env-brdf-lut")
+                              .addValue(options.geometryTerm)
+                              .addValue(options.fresnel)
+                              .addValue(kSize)
+                              .hex();
+  base::Image lut(kSize, kSize, 4);
   const std::size_t bytes = lut.pixels.size() * sizeof(float);
   if (const auto cached = m_cache.find(key); cached && cached->size() == bytes) {
     std::memcpy(lut.pixels.data(), cached->data(), bytes);
   } else {
-    lut = highend::makeEnvBrdfLut(m_settings.highend.geometryTerm, kSize);
+    lut = highend::makeEnvBrdfLut(options.geometryTerm, options.fresnel, kSize);
     const auto content = std::as_bytes(std::span{lut.pixels});
     m_cache.store(key, {content.begin(), content.end()});
   }

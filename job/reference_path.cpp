@@ -36,7 +36,12 @@ samplesOf(const gpu::Surface& surface, const std::vector<gpu::ResolvedMaterial>&
 
 std::string makeLightKey(const std::string& buildId, const PreparedScene& prepared, const reference::Options& o) {
   base::Hasher hasher;
-  hasher.add(buildId).add("reference").addValue(o.geometryTerm).addValue(o.scattering);
+  hasher.add(buildId)
+      .add("reference")
+      .addValue(o.model.geometryTerm)
+      .addValue(o.model.fresnel)
+      .addValue(o.model.diffuse);
+  hasher.addValue(o.model.scattering);
   hasher.addValue(o.integral.relativeError).addValue(o.integral.minSamples).addValue(o.integral.maxSamples);
   hasher.addValue(o.integral.seed).addValue(prepared.panorama.has_value());
   if (prepared.panorama)
@@ -72,8 +77,8 @@ std::vector<reference::ShadedSample> ReferencePath::integrate(const std::vector<
   const reference::Options& options = m_context.settings().reference;
   if (m_prepared.panorama && !m_sampler)
     m_sampler = std::make_unique<reference::EnvironmentSampler>(*m_prepared.panorama);
-  if (options.scattering == reference::Scattering::multiple && !m_albedo)
-    m_albedo = std::make_unique<reference::DirectionalAlbedo>(options.geometryTerm);
+  if (options.model.needsAlbedo() && !m_albedo)
+    m_albedo = std::make_unique<reference::DirectionalAlbedo>(options.model.geometryTerm, options.model.fresnel);
   const reference::Inputs inputs{.environment = m_sampler.get(), .albedo = m_albedo.get(), .lights = m_prepared.lights};
   return reference::shade(samples, inputs, options, progress);
 }

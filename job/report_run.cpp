@@ -24,14 +24,19 @@ namespace parity::job {
 namespace {
 
 std::vector<std::pair<std::string, std::string>> describe(const Settings& s, const base::DisplayTransform& display) {
-  const bool correlated = s.highend.geometryTerm == highend::GeometryTerm::heightCorrelated;
+  const auto nameOf = [](const std::vector<std::string>& names, auto value) {
+    return names[static_cast<std::size_t>(value)];
+  };
   return {{"size", fmt::format("{}x{}", s.width, s.height)},
           {"samples", std::to_string(s.samples)},
           {"display", display.name()},
           {"exposure", fmt::format("{} EV", s.exposureEv)},
           {"background", fmt::format("{},{},{}", s.background.x, s.background.y, s.background.z)},
-          {"highend geometry term", correlated ? "height-correlated Smith" : "Schlick-Smith"},
-          {"highend energy compensation", s.highend.compensate ? "on" : "off"},
+          {"highend geometry term", nameOf(highend::geometryTermNames(), s.highend.geometryTerm)},
+          {"highend fresnel", nameOf(highend::fresnelNames(), s.highend.fresnel)},
+          {"highend diffuse", nameOf(highend::diffuseNames(), s.highend.diffuse)},
+          {"highend compensation", nameOf(highend::compensationNames(), s.highend.compensation)},
+          {"highend off-specular", nameOf(highend::offSpecularNames(), s.highend.offSpecular)},
           {"mobile preset", s.mobilePresetName},
           {"mobile precision", "fp32"},
           {"materials", s.materials.empty() ? "all" : fmt::format("{}", fmt::join(s.materials, ", "))},

@@ -134,8 +134,9 @@ std::vector<std::string> SceneRenderer::notes() const {
 std::vector<std::string> SceneRenderer::skipped() const {
   std::vector<std::string> skipped;
   if (!m_prepared.environment) skipped.push_back("no environment: no prefiltered cube, no SH");
-  if (!m_prepared.environment && !m_context.settings().highend.compensate)
-    skipped.push_back("no environment, no compensation: no environment BRDF table");
+  if (!highend::Renderer::needsLut({.environment = m_environment ? &*m_environment : nullptr},
+                                   m_context.settings().highend))
+    skipped.push_back("no environment, no compensation, no balance: no environment BRDF table");
   bool directional = false, local = false;
   for (const scenes::Light& light : m_prepared.lights)
     (light.kind == scenes::LightKind::directional ? directional : local) = true;

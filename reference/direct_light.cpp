@@ -37,21 +37,21 @@ Incident incidentFrom(const scenes::Light& light, const glm::dvec3& position) {
 
 } // namespace
 
-DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::Light>& lights, GeometryTerm term,
+DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::Light>& lights, const Model& model,
                         const DirectionalAlbedo* albedo) {
   DirectLight sum;
   if (lights.empty()) return sum;
-  const Lobes lobes(sample, term, std::max<double>(sample.roughness, kMinLightRoughness), albedo);
+  const Lobes lobes(sample, model, std::max<double>(sample.roughness, kMinLightRoughness), albedo);
   const glm::dvec3 N = glm::normalize(glm::dvec3(sample.normal)), V = glm::normalize(glm::dvec3(sample.view));
   const double NoV = std::clamp(glm::dot(N, V), kMinNoV, 1.0);
-  const double lostAtView = lobes.lostAt(NoV);
+  const LobeView atView = lobes.viewAt(NoV);
   for (const scenes::Light& light : lights) {
     const Incident incident = incidentFrom(light, sample.position);
     const double NoL = f64::saturate(glm::dot(N, incident.direction));
     if (!(NoL > 0)) continue;
     const glm::dvec3 H = safeNormalize(V + incident.direction, N); // V = -L: the normal
     const LobeValues values =
-        lobes.evaluate(NoV, NoL, f64::saturate(glm::dot(N, H)), f64::saturate(glm::dot(V, H)), lostAtView);
+        lobes.evaluate(NoV, NoL, f64::saturate(glm::dot(N, H)), f64::saturate(glm::dot(V, H)), atView);
     const bool isSun = light.kind == scenes::LightKind::directional;
     (isSun ? sum.sunDiffuse : sum.localDiffuse) += values.diffuse * incident.illuminance;
     (isSun ? sum.sunSpecular : sum.localSpecular) += values.specular * incident.illuminance;

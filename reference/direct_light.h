@@ -14,9 +14,8 @@ struct DirectLight {
 };
 
 // The high-end path's formulas in double, its conventions included: analytic lights see no roughness below 1/64, NoV is
-// at least 1e-4, occlusion does not act on them; KHR_lights_punctual's falloff and cones. albedo: null for single
-// scattering.
-DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::Light>& lights, GeometryTerm term,
+// at least 1e-4, occlusion does not act on them; KHR_lights_punctual's falloff and cones. albedo: as for Lobes.
+DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::Light>& lights, const Model& model,
                         const DirectionalAlbedo* albedo);
 
 // Of shading normals at or beyond grazing: the lobe of the last visible direction.

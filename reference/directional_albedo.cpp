@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "reference/fresnel.h"
 #include "shading/shading.h"
 
 namespace parity::reference {
@@ -76,9 +77,14 @@ Rule makePolar() {
   return rule;
 }
 
-double integrate(GeometryTerm term, double alpha, double NoV, const Rule& azimuths, const Rule& polar) {
+struct Albedo {
+  double E = 0, fresnelWeight = 0; // fresnelWeight: its mean
+};
+
+Albedo integrate(GeometryTerm term, FresnelCurve fresnel, double alpha, double NoV, const Rule& azimuths,
+                 const Rule& polar) {
   const double a2 = alpha * alpha, sinV = std::sqrt(std::max(0.0, 1 - NoV * NoV));
-  double E = 0;
+  Albedo sum;
   for (std::size_t a = 0; a < azimuths.x.size(); ++a) {
     const double cosPhi = std::cos(azimuths.x[a]);
     // NoL = sinV cosPhi sin 2t + NoV cos 2t is positive up to 2t = atan2(sinV cosPhi, NoV) + pi/2.
@@ -93,10 +99,13 @@ double integrate(GeometryTerm term, double alpha, double NoV, const Rule& azimut
       if (NoL <= 0 || VoH <= 0) continue; // a rounding beyond the limit
       const double V = term == GeometryTerm::heightCorrelated ? f64::V_SmithGGXCorrelated(alpha, NoV, NoL)
                                                               : f64::V_SchlickSmith(alpha, NoV, NoL);
-      E += azimuths.weight[a] * polar.weight[i] * psiLimit * 2 * sinPsi * cosPsi * V * 4 * NoL * VoH / NoH;
+      const double share =
+          azimuths.weight[a] * polar.weight[i] * psiLimit * 2 * sinPsi * cosPsi * V * 4 * NoL * VoH / NoH;
+      sum.E += share;
+      sum.fresnelWeight += share * fresnelWeight(fresnel, VoH);
     }
   }
-  return std::min(E, 1.0);
+  return {std::min(sum.E, 1.0), sum.fresnelWeight / sum.E};
 }
 
 // Weights of the four nodes from `first` on, for position x in units of nodes.
@@ -112,6 +121,13 @@ Stencil makeStencil(double x) {
            t * (t - 1) * (t - 2) / 6}};
 }
 
+double read(const AlbedoNodes& nodes, double q) {
+  const Stencil stencil = makeStencil(q * (kAlbedoNodes - 1));
+  double value = 0;
+  for (int k = 0; k < 4; ++k) value += stencil.weight[k] * nodes[stencil.first + k];
+  return value;
+}
+
 double muOfNode(int node, double alpha) {
   const double q = node / (kAlbedoNodes - 1.0), s = q * q;
   return s * alpha / (1 + alpha - s);
@@ -120,23 +136,27 @@ double muOfNode(int node, double alpha) {
 } // namespace
 
 double AlbedoRow::at(double mu) const {
-  if (!(m_alpha > 0)) return 1;
   const double s = mu * (1 + m_alpha) / (mu + m_alpha);
-  const Stencil stencil = makeStencil(std::sqrt(std::clamp(s, 0.0, 1.0)) * (kAlbedoNodes - 1));
-  double E = 0;
-  for (int k = 0; k < 4; ++k) E += stencil.weight[k] * m_values[stencil.first + k];
-  return std::min(E, 1.0);
+  return std::min(read(m_values, std::sqrt(std::clamp(s, 0.0, 1.0))), 1.0);
 }
 
-DirectionalAlbedo::DirectionalAlbedo(GeometryTerm term) : m_rows(kAlbedoNodes) {
+double AlbedoRow::fresnelWeightAt(double mu) const {
+  return std::clamp(read(m_fresnelWeights, std::sqrt(std::clamp(mu, 0.0, 1.0))), 0.0, 1.0);
+}
+
+DirectionalAlbedo::DirectionalAlbedo(GeometryTerm term, FresnelCurve fresnel)
+    : m_rows(kAlbedoNodes), m_fresnelWeights(kAlbedoNodes) {
   const Rule azimuths = makeAzimuths(), polar = makePolar(), gauss = makeGaussRule(128);
   base::parallelFor(kAlbedoNodes, 1, [&](std::size_t j, std::size_t) {
     const double roughness = std::max(static_cast<double>(j) / (kAlbedoNodes - 1), kLeastRoughness);
-    const double alpha = roughness * roughness;
-    for (int i = 0; i < kAlbedoNodes; ++i)
-      m_rows[j][i] = integrate(term, alpha, std::max(muOfNode(i, alpha), 1e-9 * alpha), azimuths, polar);
+    const double alpha = roughness * roughness, leastMu = 1e-9 * alpha;
+    for (int i = 0; i < kAlbedoNodes; ++i) {
+      const double q = i / (kAlbedoNodes - 1.0);
+      m_rows[j][i] = integrate(term, fresnel, alpha, std::max(muOfNode(i, alpha), leastMu), azimuths, polar).E;
+      m_fresnelWeights[j][i] = integrate(term, fresnel, alpha, std::max(q * q, leastMu), azimuths, polar).fresnelWeight;
+    }
     // In s, where the row is a smooth curve: dmu/ds = alpha (1 + alpha) / (1 + alpha - s)^2.
-    const AlbedoRow row(alpha, m_rows[j], 1);
+    const AlbedoRow row(alpha, m_rows[j], m_fresnelWeights[j], 1);
     double lost = 0;
     for (std::size_t k = 0; k < gauss.x.size(); ++k) {
       const double s = gauss.x[k], rest = 1 + alpha - s, mu = s * alpha / rest;
@@ -148,14 +168,18 @@ DirectionalAlbedo::DirectionalAlbedo(GeometryTerm term) : m_rows(kAlbedoNodes) {
 
 AlbedoRow DirectionalAlbedo::row(double roughness) const {
   const Stencil stencil = makeStencil(std::clamp(roughness, 0.0, 1.0) * (kAlbedoNodes - 1));
-  std::array<double, kAlbedoNodes> values{};
+  AlbedoNodes values{}, fresnelWeights{};
   double average = 0;
   for (int k = 0; k < 4; ++k) {
     const int j = stencil.first + k;
-    for (int i = 0; i < kAlbedoNodes; ++i) values[i] += stencil.weight[k] * m_rows[j][i];
+    for (int i = 0; i < kAlbedoNodes; ++i) {
+      values[i] += stencil.weight[k] * m_rows[j][i];
+      fresnelWeights[i] += stencil.weight[k] * m_fresnelWeights[j][i];
+    }
     average += stencil.weight[k] * m_averages[j];
   }
-  return {std::max(roughness * roughness, kLeastRoughness * kLeastRoughness), values, std::min(average, 1.0)};
+  const double alpha = std::max(roughness * roughness, kLeastRoughness * kLeastRoughness);
+  return {alpha, values, fresnelWeights, std::min(average, 1.0)};
 }
 
 } // namespace parity::reference

@@ -41,8 +41,8 @@ class Integrator {
 public:
   Integrator(const SurfaceSample& sample, const Lobes& lobes, const EnvironmentSampler& environment, std::uint32_t seed)
       : m_lobes(lobes), m_environment(environment), m_frame(glm::normalize(glm::dvec3(sample.normal))),
-        m_view(visibleView(m_frame.toLocal(glm::normalize(glm::dvec3(sample.view))))),
-        m_lostAtView(lobes.lostAt(m_view.z)), m_seed(hashCombine(sample.pixel, seed)) {
+        m_view(visibleView(m_frame.toLocal(glm::normalize(glm::dvec3(sample.view))))), m_atView(lobes.viewAt(m_view.z)),
+        m_seed(hashCombine(sample.pixel, seed)) {
     const bool glossy = lobes.hasSpecular() && !lobes.isMirror();
     // Wide lobes, and the nearly diffuse light that scatters more than once, profit from the cosine.
     constexpr double kWideAlpha = 0.1;
@@ -82,7 +82,7 @@ private:
     }
     if (!(local.z > 0)) return;
     if (way != kByEnvironment) light = m_environment.evaluate(m_frame.toWorld(local));
-    const LobeValues values = m_lobes.evaluate(m_view, local, m_lostAtView);
+    const LobeValues values = m_lobes.evaluate(m_view, local, m_atView);
     const double pdf = (m_uses[kByEnvironment] ? light.pdf : 0) + (m_uses[kByCosine] ? pdfCosine(local.z) : 0) +
                        (m_uses[kByVisibleNormal] ? values.pdfSpecular : 0);
     if (!(pdf > 0)) return; // a rounding off the support of all
@@ -94,7 +94,7 @@ private:
   const EnvironmentSampler& m_environment;
   Frame m_frame;
   glm::dvec3 m_view;
-  double m_lostAtView;
+  LobeView m_atView;
   std::uint32_t m_seed;
   std::array<bool, kWays> m_uses{};
 };

@@ -1,9 +1,11 @@
 #include "reference/lobes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
+#include "reference/fresnel.h"
 #include "reference/sampling.h"
 #include "shading/shading.h"
 
@@ -18,43 +20,53 @@ glm::dvec3 toGlm(const f64::real3& v) { return {v.x, v.y, v.z}; }
 
 } // namespace
 
-Lobes::Lobes(const SurfaceSample& sample, GeometryTerm term, double roughness, const DirectionalAlbedo* albedo)
-    : m_term(term), m_alpha(f64::sqr(roughness)),
+Lobes::Lobes(const SurfaceSample& sample, const Model& model, double roughness, const DirectionalAlbedo* albedo)
+    : m_model(model), m_alpha(f64::sqr(roughness)),
       m_F90(sample.dielectricF90 * (1.0 - sample.metallic) + sample.metallic),
       m_diffuseColor(toGlm(f64::diffuseColor(toReal3(sample.baseColor), sample.metallic))),
       m_F0(toGlm(f64::specularColor(toReal3(sample.dielectricF0), toReal3(sample.baseColor), sample.metallic))) {
-  if (!albedo || isMirror() || !hasSpecular()) return;
+  assert(albedo || !model.needsAlbedo());
+  if (!model.needsAlbedo() || isMirror() || !hasSpecular()) return;
   m_row = albedo->row(roughness);
-  const double Eavg = m_row->average(), lost = 1 - Eavg;
-  if (!(lost > 1e-12)) {
-    m_row.reset();
-    return;
-  }
-  const glm::dvec3 Favg = m_F0 + (m_F90 - m_F0) / 21.0;
-  m_multiple = Favg * Favg * Eavg / (1.0 - Favg * lost) * std::numbers::inv_pi / lost;
+  m_lostOnAverage = 1 - m_row->average();
+  if (model.scattering == Scattering::single || !(m_lostOnAverage > 1e-12)) return;
+  m_hasMultiple = true;
+  const glm::dvec3 Favg = m_F0 + (m_F90 - m_F0) * fresnelMean(model.fresnel);
+  m_Fms = Favg * Favg * m_row->average() / (1.0 - Favg * m_lostOnAverage);
+}
+
+LobeView Lobes::viewAt(double NoV) const {
+  LobeView view{.lost = lostAt(NoV)};
+  if (m_model.diffuse == shading::DiffuseLobe::lambert || !hasSpecular()) return view;
+  const double E = m_row ? m_row->at(NoV) : 1;
+  const double f = m_row ? m_row->fresnelWeightAt(NoV) : fresnelWeight(m_model.fresnel, NoV);
+  const glm::dvec3 reflected = E * (m_F0 + (m_F90 - m_F0) * f) + m_Fms * view.lost;
+  view.diffuse = glm::clamp(1.0 - reflected, 0.0, 1.0);
+  return view;
 }
 
 glm::dvec3 Lobes::fresnel(double VoH) const {
-  const double f = f64::F_Schlick(f64::real3(0, 0, 0), VoH).x;
+  const double f = fresnelWeight(m_model.fresnel, VoH);
   return m_F0 * (1 - f) + m_F90 * f;
 }
 
-LobeValues Lobes::evaluate(double NoV, double NoL, double NoH, double VoH, double lostAtView) const {
+LobeValues Lobes::evaluate(double NoV, double NoL, double NoH, double VoH, const LobeView& atView) const {
   LobeValues values;
-  values.diffuse = m_diffuseColor * (f64::Fd_Lambert() * NoL);
+  values.diffuse = m_diffuseColor * atView.diffuse * (f64::Fd_Lambert() * NoL);
   if (!hasSpecular() || isMirror()) return values;
   const double D = f64::D_GGX(m_alpha, NoH);
-  const double V = m_term == GeometryTerm::heightCorrelated ? f64::V_SmithGGXCorrelated(m_alpha, NoV, NoL)
-                                                            : f64::V_SchlickSmith(m_alpha, NoV, NoL);
+  const double V = m_model.geometryTerm == GeometryTerm::heightCorrelated ? f64::V_SmithGGXCorrelated(m_alpha, NoV, NoL)
+                                                                          : f64::V_SchlickSmith(m_alpha, NoV, NoL);
   values.specular = fresnel(VoH) * (D * V * NoL);
-  if (m_row) values.specular += m_multiple * (lostAtView * lostAt(NoL) * NoL);
+  if (m_hasMultiple)
+    values.specular += m_Fms * (atView.lost * lostAt(NoL) / m_lostOnAverage * std::numbers::inv_pi * NoL);
   values.pdfSpecular = pdfVisibleNormal(D, m_alpha, NoV);
   return values;
 }
 
-LobeValues Lobes::evaluate(const glm::dvec3& view, const glm::dvec3& light, double lostAtView) const {
+LobeValues Lobes::evaluate(const glm::dvec3& view, const glm::dvec3& light, const LobeView& atView) const {
   const glm::dvec3 h = glm::normalize(view + light);
-  return evaluate(view.z, light.z, std::min(h.z, 1.0), glm::clamp(glm::dot(view, h), 0.0, 1.0), lostAtView);
+  return evaluate(view.z, light.z, std::min(h.z, 1.0), glm::clamp(glm::dot(view, h), 0.0, 1.0), atView);
 }
 
 } // namespace parity::reference

@@ -14,23 +14,41 @@ struct LobeValues {
   double pdfSpecular = 0; // of sampleVisibleNormal
 };
 
-// Colour = diffuse + specular, without 1 - F on the diffuse lobe, as the high-end path has it (Unreal Engine 4's base
-// pass). Multiple scattering after Kulla and Conty 2017 ("Revisiting Physically Based Shading at Imageworks"):
+// Whether light that scatters more than once between microfacets is counted (Kulla and Conty 2017).
+enum class Scattering { multiple, single };
+
+struct Model {
+  GeometryTerm geometryTerm = GeometryTerm::heightCorrelated;
+  FresnelCurve fresnel = FresnelCurve::schlick;
+  shading::DiffuseLobe diffuse = shading::DiffuseLobe::balanced;
+  Scattering scattering = Scattering::multiple;
+
+  bool needsAlbedo() const { return scattering == Scattering::multiple || diffuse == shading::DiffuseLobe::balanced; }
+};
+
+// What depends on the view alone.
+struct LobeView {
+  double lost = 0;         // 1 - E(NoV); 0 for single scattering
+  glm::dvec3 diffuse{1.0}; // share of the light that the diffuse lobe gets
+};
+
+// Colour = diffuse + specular, as the high-end path has it; the diffuse lobe is Lambert's times what the specular one
+// leaves at NoV (albedo scaling; Portsmouth, Kutz and Hill 2024, "OpenPBR Surface"), or Lambert's alone. Multiple
+// scattering after Kulla and Conty 2017 ("Revisiting Physically Based Shading at Imageworks"):
 //   f_ms = Fms (1 - E(NoV)) (1 - E(NoL)) / (pi (1 - Eavg)),  Fms = Favg^2 Eavg / (1 - Favg (1 - Eavg)),
 // the latter as Hill 2018 has it ("A Multi-Faceted Exploration", part 3): the bounces after the first, of which Favg
-// (1 - Eavg) goes on each time. Favg = F0 + (F90 - F0) / 21, Schlick's cosine-weighted mean. At F0 = 1 nothing is lost.
+// (1 - Eavg) goes on each time. Favg: the cosine-weighted mean of Fresnel's reflectance. At F0 = 1 nothing is lost.
 class Lobes {
 public:
-  // albedo: null for single scattering.
-  Lobes(const SurfaceSample& sample, GeometryTerm term, double roughness, const DirectionalAlbedo* albedo);
+  // albedo: of the model's geometry term and curve; may be null where the model does not need one.
+  Lobes(const SurfaceSample& sample, const Model& model, double roughness, const DirectionalAlbedo* albedo);
 
-  // 1 - E of this cosine: what evaluate() takes, so that a view's is looked up once. 0 for single scattering.
-  double lostAt(double mu) const { return m_row ? 1 - m_row->at(mu) : 0; }
+  LobeView viewAt(double NoV) const;
 
   // view, light: unit, in a frame whose +Z is the normal; both cosines positive.
-  LobeValues evaluate(const glm::dvec3& view, const glm::dvec3& light, double lostAtView) const;
+  LobeValues evaluate(const glm::dvec3& view, const glm::dvec3& light, const LobeView& atView) const;
   // The same from cosines, where half vector and view are not of one frame (closed-form lights).
-  LobeValues evaluate(double NoV, double NoL, double NoH, double VoH, double lostAtView) const;
+  LobeValues evaluate(double NoV, double NoL, double NoH, double VoH, const LobeView& atView) const;
 
   // Fresnel's reflectance alone.
   glm::dvec3 fresnel(double VoH) const;
@@ -45,11 +63,15 @@ public:
   static constexpr double kMirrorAlpha = 1e-6;
 
 private:
-  GeometryTerm m_term;
+  double lostAt(double mu) const { return m_hasMultiple ? 1 - m_row->at(mu) : 0; }
+
+  Model m_model;
   double m_alpha = 0, m_F90 = 1;
   glm::dvec3 m_diffuseColor{0.0}, m_F0{0.0};
   std::optional<AlbedoRow> m_row;
-  glm::dvec3 m_multiple{0.0}; // Fms / (pi (1 - Eavg))
+  bool m_hasMultiple = false;
+  glm::dvec3 m_Fms{0.0};
+  double m_lostOnAverage = 1; // 1 - Eavg
 };
 
 } // namespace parity::reference

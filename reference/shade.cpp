@@ -19,8 +19,7 @@ ShadedSample shadeOne(const SurfaceSample& sample, const Inputs& inputs, const O
     term(Term::emissive) = sample.baseColor;
     return result;
   }
-  const DirectionalAlbedo* albedo = options.scattering == Scattering::multiple ? inputs.albedo : nullptr;
-  const DirectLight direct = shadeDirect(sample, inputs.lights, options.geometryTerm, albedo);
+  const DirectLight direct = shadeDirect(sample, inputs.lights, options.model, inputs.albedo);
   term(Term::sunDiffuse) = direct.sunDiffuse;
   term(Term::sunSpecular) = direct.sunSpecular;
   term(Term::localDiffuse) = direct.localDiffuse;
@@ -31,7 +30,7 @@ ShadedSample shadeOne(const SurfaceSample& sample, const Inputs& inputs, const O
 
   const glm::dvec3 other =
       direct.sunDiffuse + direct.sunSpecular + direct.localDiffuse + direct.localSpecular + glm::dvec3(sample.emissive);
-  const Lobes lobes(sample, options.geometryTerm, sample.roughness, albedo);
+  const Lobes lobes(sample, options.model, sample.roughness, inputs.albedo);
   const Integral sky = integrateEnvironment(sample, lobes, *inputs.environment, other / occlusion, options.integral);
   term(Term::skyDiffuse) = sky.diffuse * occlusion;
   term(Term::skySpecular) = sky.specular * occlusion;
@@ -47,7 +46,7 @@ ShadedSample shadeOne(const SurfaceSample& sample, const Inputs& inputs, const O
 
 std::vector<ShadedSample> shade(std::span<const SurfaceSample> samples, const Inputs& inputs, const Options& options,
                                 const Progress& progress) {
-  assert(options.scattering == Scattering::single || inputs.albedo != nullptr);
+  assert(!options.model.needsAlbedo() || inputs.albedo != nullptr);
   constexpr std::size_t kGrain = 16; // points differ in cost by a hundredfold
   std::vector<ShadedSample> shaded(samples.size());
   std::mutex mutex;

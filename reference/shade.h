@@ -11,18 +11,14 @@
 
 namespace parity::reference {
 
-// Whether light that scatters more than once between microfacets is counted (Kulla and Conty 2017).
-enum class Scattering { multiple, single };
-
 struct Inputs {
   const EnvironmentSampler* environment = nullptr; // null: none
-  const DirectionalAlbedo* albedo = nullptr;       // of the same geometry term; needed for multiple scattering
+  const DirectionalAlbedo* albedo = nullptr;       // of the model's term and curve, where it needs one
   std::vector<scenes::Light> lights = {};          // all of the scene's, and the sun
 };
 
 struct Options {
-  GeometryTerm geometryTerm = GeometryTerm::heightCorrelated;
-  Scattering scattering = Scattering::multiple;
+  Model model;
   IntegralOptions integral;
 };
 

@@ -24,7 +24,4 @@ struct SurfaceSample {
 };
 static_assert(sizeof(SurfaceSample) == 24 * sizeof(float));
 
-// The geometry terms of shading/brdf.glsl.
-enum class GeometryTerm { heightCorrelated, schlickSmith };
-
 } // namespace parity::reference

@@ -58,6 +58,20 @@ PARITY_CONST uint kNoLight = 0xffffffffu;
 // Values of the paths' own constants.
 PARITY_CONST uint kGeometryHeightCorrelated = 0u;
 PARITY_CONST uint kGeometrySchlickSmith = 1u;
+PARITY_CONST uint kFresnelSchlick = 0u;
+PARITY_CONST uint kFresnelSphericalGaussian = 1u;
+PARITY_CONST uint kFresnelDielectric = 2u;
+PARITY_CONST uint kDiffuseBalanced = 0u;
+PARITY_CONST uint kDiffuseLambert = 1u;
+PARITY_CONST uint kCompensationNone = 0u;
+PARITY_CONST uint kCompensationTurquin = 1u;
+PARITY_CONST uint kCompensationFdezAguera = 2u;
+PARITY_CONST uint kCompensationKullaConty = 3u;
+PARITY_CONST uint kOffSpecularNone = 0u;
+PARITY_CONST uint kOffSpecularDominant = 1u;
+PARITY_CONST uint kOffSpecularStretched = 2u;
+PARITY_CONST uint kOffSpecularTwoTaps = 3u;
+PARITY_CONST uint kOffSpecularThreeTaps = 4u;
 PARITY_CONST uint kPresetKaris2014 = 0u;
 PARITY_CONST uint kPresetUe42020 = 1u;
 

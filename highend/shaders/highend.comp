@@ -1,14 +1,18 @@
 // The high-end path: full GGX for every light, environment by prefiltered cube, tabulated environment BRDF and SH.
 //
-// Colour = diffuse + specular, added as Unreal Engine 4 adds them (no 1 - F on the diffuse lobe), so that the material model is the
-// mobile path's own.
+// Colour = diffuse + specular; the diffuse lobe gets what the specular one leaves (kDiffuse).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "gpu/shaders/path.glsl"
 #include "shading/brdf.glsl"
+#include "shading/off_specular.glsl"
 
-layout(constant_id = 8) const uint kGeometryTerm = 0u;  // kGeometry... of interface.h
-layout(constant_id = 9) const uint kCompensate = 1u;    // energy compensation for multiple scattering
+// Values: kGeometry... and so on of interface.h.
+layout(constant_id = 8) const uint kGeometryTerm = 0u;
+layout(constant_id = 9) const uint kFresnel = 0u;
+layout(constant_id = 10) const uint kDiffuse = 0u;
+layout(constant_id = 11) const uint kCompensation = 0u;
+layout(constant_id = 12) const uint kOffSpecular = 0u;
 
 // Of analytic lights only: alpha = 2.4e-4 keeps the peak of D (5e6) far from overflow. The image light has no floor.
 const float kMinLightRoughness = 0.015625;
@@ -20,9 +24,59 @@ struct Lobes {
 };
 
 struct Shader {
-  vec3 N, V, diffuseColor, F0, compensation;
-  float F90, NoV, alpha;
+  vec3 N, V, diffuseColor, F0;
+  float F90, NoV, roughness, alpha; // alpha: of analytic lights
+  vec3 single;   // directional albedo of light scattered once, with Turquin's factor where that is chosen
+  vec3 factor;   // that factor
+  vec3 multiple; // directional albedo of what scatters more often, where it has a lobe of its own
+  float Eavg;
 };
+
+bool hasOwnLobe() { return kCompensation == kCompensationFdezAguera || kCompensation == kCompensationKullaConty; }
+
+// A, B and the average of A + B at this roughness.
+vec3 environmentBrdf(float cosine, float roughness) { return textureLod(pathTexture, vec2(cosine, roughness), 0.0).xyz; }
+
+float fresnelWeight(float VoH) {
+  if (kFresnel == kFresnelSphericalGaussian) return sphericalGaussianWeight(VoH);
+  if (kFresnel == kFresnelDielectric) return dielectricWeight(VoH);
+  return schlickWeight(VoH);
+}
+
+float fresnelMean() {
+  if (kFresnel == kFresnelSphericalGaussian) return sphericalGaussianMean();
+  if (kFresnel == kFresnelDielectric) return dielectricMean();
+  return schlickMean();
+}
+
+Shader makeShader(Point p, Resolved m) {
+  Shader s;
+  s.N = m.normal;
+  s.V = p.V;
+  s.NoV = clamp(dot(s.N, s.V), kMinNoV, 1.0);
+  s.roughness = m.roughness;
+  s.alpha = sqr(max(m.roughness, kMinLightRoughness));
+  s.diffuseColor = diffuseColor(m.baseColor, m.metallic);
+  s.F0 = specularColor(m.F0, m.baseColor, m.metallic);
+  s.F90 = mix(m.F90, 1.0, m.metallic);
+  s.factor = vec3(1.0);
+  s.multiple = s.single = vec3(0.0);
+  s.Eavg = 1.0;
+  if (kHasEnvironment == 0u && kCompensation == kCompensationNone && kDiffuse == kDiffuseLambert) return s;
+
+  vec3 ABavg = environmentBrdf(s.NoV, s.roughness);
+  vec2 AB = ABavg.xy;
+  s.Eavg = ABavg.z;
+  if (kCompensation == kCompensationTurquin) s.factor = energyCompensation(s.F0, AB);
+  s.single = (s.F0 * AB.x + s.F90 * AB.y) * s.factor;
+  if (hasOwnLobe()) {
+    vec3 Favg = mixFresnel(s.F0, s.F90, fresnelMean());
+    s.multiple = kCompensation == kCompensationFdezAguera ? fdezAgueraAlbedo(s.F0, s.F90, Favg, AB)
+                                                          : kullaContyAlbedo(Favg, AB.x + AB.y, s.Eavg);
+  }
+  if (kDiffuse == kDiffuseBalanced) s.diffuseColor *= albedoScaling(s.single + s.multiple);
+  return s;
+}
 
 // Reflected radiance for an illuminance (on a surface facing the light) from direction L.
 Lobes lit(Shader s, vec3 L, vec3 illuminance) {
@@ -32,12 +86,15 @@ Lobes lit(Shader s, vec3 L, vec3 illuminance) {
   vec3 H = safeNormalize(s.V + L, s.N); // V = -L: the normal
   float NoH = saturate(dot(s.N, H)), VoH = saturate(dot(s.V, H));
   float V = kGeometryTerm == kGeometryHeightCorrelated ? V_SmithGGXCorrelated(s.alpha, s.NoV, NoL) : V_SchlickSmith(s.alpha, s.NoV, NoL);
-  // F_Schlick with the material's F90: F_Schlick itself where that is 1.
-  float f = F_Schlick(vec3(0.0), VoH).x;
-  vec3 F = s.F0 * (1.0 - f) + s.F90 * f;
+  vec3 F = mixFresnel(s.F0, s.F90, fresnelWeight(VoH));
   vec3 E = illuminance * NoL;
   lobes.diffuse = E * s.diffuseColor * Fd_Lambert();
-  lobes.specular = E * (D_GGX(s.alpha, NoH) * V) * F * s.compensation;
+  lobes.specular = E * (D_GGX(s.alpha, NoH) * V) * F * s.factor;
+  if (kCompensation == kCompensationFdezAguera) lobes.specular += E * s.multiple * Fd_Lambert();
+  if (kCompensation == kCompensationKullaConty) {
+    vec2 AB = environmentBrdf(NoL, s.roughness).xy;
+    lobes.specular += E * s.multiple * kullaContyLobe(AB.x + AB.y, s.Eavg);
+  }
   return lobes;
 }
 
@@ -49,6 +106,27 @@ vec3 localLight(GpuLight light, vec3 position, out vec3 L) {
   float attenuation = squareFalloff(d2, light.colorRange.w);
   if (uint(light.positionKind.w) == kLightSpot) attenuation *= spotAttenuation(dot(-L, light.directionCosOuter.xyz), light.cone.x, light.directionCosOuter.w);
   return light.colorRange.xyz * attenuation;
+}
+
+vec3 readTap(Shader s, vec3 R, LobeTap tap) {
+  vec3 direction = safeNormalize(mix(s.N, R, tap.blend), s.N);
+  return textureLod(prefilteredEnvironment, direction, tap.mip).xyz * tap.weight;
+}
+
+// Mean radiance over the specular lobe.
+vec3 reflectedRadiance(Shader s) {
+  vec3 R = 2.0 * dot(s.N, s.V) * s.N - s.V;
+  if (kOffSpecular == kOffSpecularNone) return skyRadiance(R, s.roughness);
+  if (kOffSpecular == kOffSpecularDominant) return skyRadiance(safeNormalize(mix(s.N, R, dominantBlend(sqr(s.roughness))), s.N), s.roughness);
+  vec3 radiance = vec3(0.0);
+  if (kOffSpecular == kOffSpecularStretched) {
+    for (int i = 0; i < 2; ++i) radiance += readTap(s, R, stretchedTap(i, s.NoV, s.roughness));
+  } else if (kOffSpecular == kOffSpecularTwoTaps) {
+    for (int i = 0; i < 2; ++i) radiance += readTap(s, R, twoTap(i, s.NoV, s.roughness));
+  } else {
+    for (int i = 0; i < 3; ++i) radiance += readTap(s, R, threeTap(i, s.NoV, s.roughness));
+  }
+  return radiance;
 }
 
 void main() {
@@ -64,19 +142,7 @@ void main() {
     return;
   }
 
-  Shader s;
-  s.N = m.normal;
-  s.V = p.V;
-  s.NoV = clamp(dot(s.N, s.V), kMinNoV, 1.0);
-  s.diffuseColor = diffuseColor(m.baseColor, m.metallic);
-  s.F0 = specularColor(m.F0, m.baseColor, m.metallic);
-  s.F90 = mix(m.F90, 1.0, m.metallic);
-  vec2 AB = vec2(0.0);
-  s.compensation = vec3(1.0);
-  if (kHasEnvironment != 0u || kCompensate != 0u) AB = textureLod(pathTexture, vec2(s.NoV, m.roughness), 0.0).xy;
-  if (kCompensate != 0u) s.compensation = energyCompensation(s.F0, AB);
-  s.alpha = sqr(max(m.roughness, kMinLightRoughness));
-
+  Shader s = makeShader(p, m);
   for (uint k = 0u; k < kDirectionalCount; ++k) {
     Lobes lobes = lit(s, -lights[k].directionCosOuter.xyz, lights[k].colorRange.xyz);
     terms.t[kTermSunDiffuse] += lobes.diffuse;
@@ -90,9 +156,9 @@ void main() {
     terms.t[kTermLocalSpecular] += lobes.specular;
   }
   if (kHasEnvironment != 0u) {
-    terms.t[kTermSkyDiffuse] = skyIrradianceOverPi(s.N) * s.diffuseColor * m.occlusion;
-    vec3 R = 2.0 * dot(s.N, s.V) * s.N - s.V;
-    terms.t[kTermSkySpecular] = skyRadiance(R, m.roughness) * (s.F0 * AB.x + s.F90 * AB.y) * s.compensation * m.occlusion;
+    vec3 irradianceOverPi = skyIrradianceOverPi(s.N);
+    terms.t[kTermSkyDiffuse] = irradianceOverPi * s.diffuseColor * m.occlusion;
+    terms.t[kTermSkySpecular] = (reflectedRadiance(s) * s.single + irradianceOverPi * s.multiple) * m.occlusion;
   }
   terms.t[kTermEmissive] = m.emissive;
   writeResult(i, terms, m.opacity);

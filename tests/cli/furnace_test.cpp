@@ -56,7 +56,7 @@ protected:
   }
 
   void expectLosses(const std::string& term, Geometry geometry) const {
-    for (const Disc& disc : renderDiscs({"--no-compensation", "--geometry-term", term}))
+    for (const Disc& disc : renderDiscs({"--compensation", "none", "--geometry-term", term}))
       EXPECT_NEAR(disc.mean, hemisphericalAlbedo(geometry, disc.roughness), 0.01)
           << term << ", roughness " << disc.roughness;
   }

@@ -43,11 +43,13 @@ int channelOf(shading::Term term) {
   return 3 * (1 + static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin()));
 }
 
-// Lights in closed form, emissive and unlit: nothing is approximated by highend with single scattering but fp32.
+// Lights in closed form, emissive and unlit: with Lambert's diffuse lobe and single scattering nothing is approximated
+// by highend but fp32.
 TEST_F(ReferenceTest, IsHighendWhereNothingIsIntegrated) {
-  const std::vector<std::string> options = {"--size", "96x64", "--terms", "--background",
-                                            "0,0,0",  "--sun", "30,50,4", "--no-compensation"};
-  const base::Image highend = render("builtin:spheres", "highend", "a.exr", options);
+  const std::vector<std::string> options = {"--size", "96x64",   "--terms",   "--background", "0,0,0",
+                                            "--sun",  "30,50,4", "--diffuse", "lambert"};
+  const base::Image highend =
+      render("builtin:spheres", "highend", "a.exr", join({options, {"--compensation", "none"}}));
   const base::Image truth =
       render("builtin:spheres", "reference", "b.exr", join({options, {"--scattering", "single", "--error", "5%"}}));
   ASSERT_EQ(truth.channels, highend.channels);

@@ -33,7 +33,7 @@ TEST(DirectLight, sunIsTheClosedFormForBothGeometryTerms) {
           term == GeometryTerm::heightCorrelated ? tests::Geometry::heightCorrelated : tests::Geometry::schlickSmith,
           alpha, NoV, NoL);
       const double lobe = tests::distribution(alpha, glm::dot(N, H)) * G / (4 * NoV);
-      const DirectLight result = shadeDirect(sample, {sun}, term, nullptr);
+      const DirectLight result = shadeDirect(sample, {sun}, tests::plainModel(term), nullptr);
       for (int c = 0; c < 3; ++c) {
         const double base = sample.baseColor[c], metallic = sample.metallic;
         const double F0 = sample.dielectricF0[c] * (1 - metallic) + base * metallic;
@@ -64,8 +64,8 @@ TEST(DirectLight, multipleScatteringAddsKullaAndContysLobe) {
       average += gauss.weights[i] * 0.5 * (1 + gauss.nodes[i]) * lost(0.5 * (1 + gauss.nodes[i]));
     const double NoL = -sun.direction.y, NoV = glm::normalize(sample.view).y;
     const double expected = kPi * NoL * lost(NoV) * lost(NoL) / (kPi * average);
-    const double added = shadeDirect(sample, {sun}, GeometryTerm::heightCorrelated, &table).sunSpecular.x -
-                         shadeDirect(sample, {sun}, GeometryTerm::heightCorrelated, nullptr).sunSpecular.x;
+    const double added = shadeDirect(sample, {sun}, Model{}, &table).sunSpecular.x -
+                         shadeDirect(sample, {sun}, tests::plainModel(), nullptr).sunSpecular.x;
     EXPECT_NEAR(added, expected, 2e-4 * expected) << roughness;
   }
 }
@@ -76,7 +76,7 @@ TEST(DirectLight, pointAndSpotFollowKhrLightsPunctual) {
   light.position = {0, 2, 0};
   light.color = {8, 4, 2};
   light.range = 4;
-  const glm::dvec3 point = shadeDirect(sample, {light}, GeometryTerm::heightCorrelated, nullptr).localDiffuse;
+  const glm::dvec3 point = shadeDirect(sample, {light}, tests::plainModel(), nullptr).localDiffuse;
   // window 1 - (2/4)^4 = 15/16; over d^2 = 4; Lambert's 1/pi.
   EXPECT_NEAR(point.x, 8 * (15.0 / 16) / 4 / kPi, 1e-12);
   EXPECT_NEAR(point.z, 2 * (15.0 / 16) / 4 / kPi, 1e-12);
@@ -84,7 +84,7 @@ TEST(DirectLight, pointAndSpotFollowKhrLightsPunctual) {
   light.direction = glm::normalize(glm::vec3(0.2f, -1, 0));
   light.innerConeAngle = 0.1f;
   light.outerConeAngle = 0.3f;
-  const glm::dvec3 spot = shadeDirect(sample, {light}, GeometryTerm::heightCorrelated, nullptr).localDiffuse;
+  const glm::dvec3 spot = shadeDirect(sample, {light}, tests::plainModel(), nullptr).localDiffuse;
   const double x =
       (-double(light.direction.y) - std::cos(double(0.3f))) / (std::cos(double(0.1f)) - std::cos(double(0.3f)));
   ASSERT_TRUE(x > 0.1 && x < 0.9);
@@ -93,12 +93,11 @@ TEST(DirectLight, pointAndSpotFollowKhrLightsPunctual) {
 
 TEST(DirectLight, fromBehindIsDarkAndAtTheLightFinite) {
   SurfaceSample sample = tests::makePoint(0.5, 0, 1);
-  EXPECT_EQ(
-      shadeDirect(sample, {makeSun({0, -1, 0}, glm::vec3(5))}, GeometryTerm::heightCorrelated, nullptr).sunSpecular,
-      glm::dvec3(0));
+  EXPECT_EQ(shadeDirect(sample, {makeSun({0, -1, 0}, glm::vec3(5))}, tests::plainModel(), nullptr).sunSpecular,
+            glm::dvec3(0));
   scenes::Light light;
   light.direction = {0, -1, 0};
-  const DirectLight at = shadeDirect(sample, {light}, GeometryTerm::heightCorrelated, nullptr);
+  const DirectLight at = shadeDirect(sample, {light}, tests::plainModel(), nullptr);
   EXPECT_TRUE(std::isfinite(at.localSpecular.x) && at.localSpecular.x >= 0);
 }
 

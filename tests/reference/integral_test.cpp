@@ -30,7 +30,7 @@ TEST_F(IntegralTest, whiteMetalInAWhiteFurnaceIsWhiteToFourDigits) {
     for (const float roughness : {0.f, 0.02f, 0.1f, 0.25f, 0.5f, 0.75f, 1.f})
       for (const double NoV : {0.05, 0.4, 1.0}) {
         SurfaceSample sample = tests::makePoint(NoV, roughness, 1);
-        const Lobes lobes(sample, term, roughness, &albedo(term));
+        const Lobes lobes(sample, Model{.geometryTerm = term}, roughness, &albedo(term));
         const Integral result = integrateEnvironment(sample, lobes, white(), glm::dvec3(0), fixed(1 << 16));
         EXPECT_NEAR(result.specular.x, 1, 1e-4) << "roughness " << roughness << ", NoV " << NoV;
         // The error it reports bounds what is left, but for the table's 1.5e-5: t of 15 degrees, 5 sigma.
@@ -39,10 +39,26 @@ TEST_F(IntegralTest, whiteMetalInAWhiteFurnaceIsWhiteToFourDigits) {
       }
 }
 
+// Diffuse light is what the specular lobe leaves: a white dielectric sends out all that it receives, and no more.
+TEST_F(IntegralTest, whiteDielectricInAWhiteFurnaceIsWhiteToFourDigits) {
+  for (const FresnelCurve curve : {FresnelCurve::schlick, FresnelCurve::dielectric}) {
+    const Model model{.fresnel = curve};
+    const DirectionalAlbedo table(model.geometryTerm, curve);
+    for (const float roughness : {0.f, 0.05f, 0.4f, 1.f})
+      for (const double NoV : {0.05, 0.6}) {
+        const SurfaceSample sample = tests::makePoint(NoV, roughness, 0);
+        const Lobes lobes(sample, model, roughness, &table);
+        const Integral result = integrateEnvironment(sample, lobes, white(), glm::dvec3(0), fixed(1 << 14));
+        EXPECT_NEAR(result.diffuse.x + result.specular.x, 1, 1e-4) << "roughness " << roughness << ", NoV " << NoV;
+        EXPECT_GT(result.specular.x, 0.01);
+      }
+  }
+}
+
 // Without it, what is lost is 1 - E: height-correlated at roughness 1, E(1) = 1 - ln 2.
 TEST_F(IntegralTest, singleScatteringLosesWhatTheAlbedoSays) {
   const SurfaceSample sample = tests::makePoint(1, 1, 1);
-  const Lobes lobes(sample, GeometryTerm::heightCorrelated, 1, nullptr);
+  const Lobes lobes(sample, tests::plainModel(), 1, nullptr);
   const Integral result = integrateEnvironment(sample, lobes, white(), glm::dvec3(0), fixed(1 << 16));
   EXPECT_NEAR(result.specular.x, 1 - std::log(2.0), 1e-4);
 }
@@ -51,7 +67,7 @@ TEST_F(IntegralTest, singleScatteringLosesWhatTheAlbedoSays) {
 TEST_F(IntegralTest, diffuseUnderAConstantAndACosineIsTheClosedForm) {
   SurfaceSample sample = tests::makePoint(0.7, 0.5f, 0);
   sample.baseColor = {0.8f, 0.5f, 0.25f};
-  const Lobes lobes(sample, GeometryTerm::heightCorrelated, 0.5, nullptr);
+  const Lobes lobes(sample, tests::plainModel(), 0.5, nullptr);
   const EnvironmentSampler sky(tests::makePanorama([](const glm::dvec3& d) { return glm::vec3(1 + d.y); }));
   const glm::dvec3 constant = integrateEnvironment(sample, lobes, white(), glm::dvec3(0), fixed(1 << 15)).diffuse;
   const glm::dvec3 cosine = integrateEnvironment(sample, lobes, sky, glm::dvec3(0), fixed(1 << 15)).diffuse;
@@ -68,11 +84,11 @@ TEST_F(IntegralTest, mirrorShowsTheEnvironmentTimesFresnel) {
     sample.baseColor = {0.9f, 0.6f, 0.3f};
     const glm::dvec3 V = glm::normalize(glm::dvec3(sample.view)), R(-V.x, V.y, V.z);
     const glm::dvec3 seen = sky.evaluate(R).radiance;
-    const Integral mirror = integrateEnvironment(sample, Lobes(sample, GeometryTerm::heightCorrelated, 0, nullptr), sky,
+    const Integral mirror = integrateEnvironment(sample, Lobes(sample, tests::plainModel(), 0, nullptr), sky,
                                                  glm::dvec3(0), IntegralOptions{});
     // Nearly a mirror: the lobe, of 0.02 degrees, stays within the sky's gradient.
-    const Integral nearly = integrateEnvironment(sample, Lobes(sample, GeometryTerm::heightCorrelated, 0.015, nullptr),
-                                                 sky, glm::dvec3(0), fixed(1 << 12));
+    const Integral nearly = integrateEnvironment(sample, Lobes(sample, tests::plainModel(), 0.015, nullptr), sky,
+                                                 glm::dvec3(0), fixed(1 << 12));
     for (int c = 0; c < 3; ++c) {
       const double F0 = sample.baseColor[c], F = F0 + (1 - F0) * std::pow(1 - V.y, 5);
       EXPECT_NEAR(mirror.specular[c], F * seen[c], 1e-7);
@@ -86,7 +102,7 @@ TEST_F(IntegralTest, mirrorShowsTheEnvironmentTimesFresnel) {
 TEST_F(IntegralTest, stopsAtTheWantedErrorAndSaysWhatItReached) {
   const EnvironmentSampler sky(tests::makeSunnyPanorama());
   const SurfaceSample sample = tests::makePoint(0.6, 0.4f, 0);
-  const Lobes lobes(sample, GeometryTerm::heightCorrelated, 0.4, nullptr);
+  const Lobes lobes(sample, tests::plainModel(), 0.4, nullptr);
   int previous = 0;
   for (const double wanted : {0.02, 0.005, 0.001}) {
     const Integral result = integrateEnvironment(sample, lobes, sky, glm::dvec3(0), {.relativeError = wanted});
@@ -122,7 +138,7 @@ TEST_F(IntegralTest, nothingOfAnyMaterialIsNanOrNegative) {
   light.color = glm::vec3(1e6f);
   for (const GeometryTerm term : {GeometryTerm::heightCorrelated, GeometryTerm::schlickSmith}) {
     Options options;
-    options.geometryTerm = term;
+    options.model.geometryTerm = term;
     options.integral.maxSamples = 256;
     const Inputs inputs{.environment = &sky, .albedo = &albedo(term), .lights = {light}};
     for (const ShadedSample& result : shade(samples, inputs, options)) {

@@ -21,7 +21,7 @@ protected:
     }
   }
   Integral integrate(const SurfaceSample& sample, int count, std::uint32_t seed) const {
-    return integrateEnvironment(sample, Lobes(sample, GeometryTerm::heightCorrelated, sample.roughness, nullptr), m_sky,
+    return integrateEnvironment(sample, Lobes(sample, tests::plainModel(), sample.roughness, nullptr), m_sky,
                                 glm::dvec3(0),
                                 {.relativeError = 0, .minSamples = count, .maxSamples = count, .seed = seed});
   }
@@ -76,7 +76,7 @@ TEST_F(StatisticsTest, stoppingEarlyNeitherBiasesNorUnderstatesTheError) {
   double squares = 0, sum = 0;
   int count = 0;
   for (std::size_t i = 0; i < m_samples.size(); i += 4, ++count) {
-    const Lobes lobes(m_samples[i], GeometryTerm::heightCorrelated, m_samples[i].roughness, nullptr);
+    const Lobes lobes(m_samples[i], tests::plainModel(), m_samples[i].roughness, nullptr);
     const Integral result =
         integrateEnvironment(m_samples[i], lobes, m_sky, glm::dvec3(0), {.relativeError = 0.01, .seed = 4});
     const double relative = green(result) / green(integrate(m_samples[i], 1 << 15, 9)) - 1;

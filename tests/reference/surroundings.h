@@ -11,6 +11,11 @@ namespace parity::tests {
 
 inline constexpr int kPanoramaWidth = 1024, kPanoramaHeight = 512; // not interpolated by the sampler
 
+// Lambert and single scattering: what needs no table of albedos.
+inline reference::Model plainModel(reference::GeometryTerm term = reference::GeometryTerm::heightCorrelated) {
+  return {.geometryTerm = term, .diffuse = shading::DiffuseLobe::lambert, .scattering = reference::Scattering::single};
+}
+
 // The middle of a panorama's cell, as a direction: u = atan2(z, x) / 2 pi + 0.5, v from +Y down.
 inline glm::dvec3 cellDirection(double x, double y) {
   const double azimuth = ((x + 0.5) / kPanoramaWidth - 0.5) * 2 * std::numbers::pi;

@@ -144,6 +144,87 @@ TEST(FSchlick, runsFromF0ToOne) {
   EXPECT_NEAR(between.z, 1, 1e-15);
 }
 
+// By Snell's law and the amplitudes of both polarisations.
+TEST(FresnelWeights, dielectricIsFresnelsReflectanceOfIndexOneAndAHalf) {
+  for (const double c : {0.0, 0.05, 0.3, 0.7, 1.0}) {
+    const double t = std::sqrt(1 - (1 - c * c) / 2.25);
+    const double s = (c - 1.5 * t) / (c + 1.5 * t), p = (1.5 * c - t) / (1.5 * c + t);
+    EXPECT_NEAR(0.04 + 0.96 * f64::dielectricWeight(c), 0.5 * (s * s + p * p), 1e-12) << c;
+  }
+}
+
+TEST(FresnelWeights, runFromOneToNearlyZeroAndStayCloseToSchlick) {
+  for (int i = 0; i <= 1000; ++i) {
+    const double c = i / 1000.0, schlick = std::pow(1 - c, 5);
+    EXPECT_NEAR(f64::schlickWeight(c), schlick, 1e-15);
+    EXPECT_NEAR(f64::sphericalGaussianWeight(c), schlick, 0.004);
+    EXPECT_NEAR(f64::dielectricWeight(c), schlick, 0.04);
+    EXPECT_GE(f64::dielectricWeight(c), 0);
+  }
+  EXPECT_EQ(f64::sphericalGaussianWeight(0), 1);
+  EXPECT_NEAR(f64::dielectricWeight(0), 1, 1e-15);
+  EXPECT_NEAR(f64::dielectricWeight(1), 0, 1e-15);
+}
+
+TEST(FresnelWeights, meansAreTheCosineWeightedIntegrals) {
+  const GaussRule rule(64);
+  double schlick = 0, gaussian = 0, dielectric = 0;
+  for (int i = 0; i < 64; ++i) {
+    const double mu = 0.5 + 0.5 * rule.nodes[i], weight = rule.weights[i] * mu;
+    schlick += weight * f64::schlickWeight(mu);
+    gaussian += weight * f64::sphericalGaussianWeight(mu);
+    dielectric += weight * f64::dielectricWeight(mu);
+  }
+  EXPECT_NEAR(f64::schlickMean(), schlick, 1e-9);
+  EXPECT_NEAR(f64::sphericalGaussianMean(), gaussian, 1e-9);
+  EXPECT_NEAR(f64::dielectricMean(), dielectric, 1e-9);
+}
+
+TEST(AlbedoScaling, leavesWhatIsNotReflectedAndIsNeverNegative) {
+  const f64::real3 rest = f64::albedoScaling({0.25, 1.0, 1.0000001});
+  EXPECT_EQ(rest.x, 0.75);
+  EXPECT_EQ(rest.y, 0);
+  EXPECT_EQ(rest.z, 0);
+}
+
+// Both models of multiple scattering close the furnace of a white metal, whatever the roughness.
+TEST(MultipleScattering, givesAWhiteMetalWhatSingleScatteringLoses) {
+  for (const double roughness : {0.2, 0.6, 1.0}) {
+    const EnvBrdf e = integrateEnvBrdf(Geometry::heightCorrelated, roughness, 0.4);
+    const double Eavg = 1 - furnaceLossPercent(Geometry::heightCorrelated, roughness) / 100;
+    const f64::real3 white(1, 1, 1);
+    EXPECT_NEAR(f64::fdezAgueraAlbedo(white, 1, white, {e.A, e.B}).x, 1 - e.A - e.B, 1e-12);
+    EXPECT_NEAR(f64::kullaContyAlbedo(white, e.A + e.B, Eavg).x, 1 - e.A - e.B, 1e-12);
+  }
+  EXPECT_TRUE(std::isfinite(f32::kullaContyLobe(1, 1)));
+}
+
+// The lobe sends out, over all lights, what the albedo says: integral of lobe NoL over the hemisphere is 1.
+TEST(MultipleScattering, lobeOfKullaAndContyIntegratesToOne) {
+  constexpr double kRoughness = 0.7;
+  const double Eavg = 1 - furnaceLossPercent(Geometry::heightCorrelated, kRoughness) / 100;
+  const GaussRule rule(48);
+  double sum = 0;
+  for (int i = 0; i < 48; ++i) {
+    const double mu = 0.5 + 0.5 * rule.nodes[i];
+    sum += 0.5 * rule.weights[i] * 2 * kPi * mu *
+           f64::kullaContyLobe(albedo(Geometry::heightCorrelated, kRoughness, mu), Eavg);
+  }
+  EXPECT_NEAR(sum, 1, 1e-3); // furnaceLossPercent's own 16 nodes
+}
+
+// Few bounces, summed one by one: each reflects Favg, a share Eavg of which leaves.
+TEST(MultipleScattering, colouredBouncesAddUp) {
+  constexpr double kF = 0.6, kE = 0.55, kEavg = 0.5;
+  double sum = 0, onItsWay = (1 - kE) * kF * kF;
+  for (int i = 0; i < 100; ++i, onItsWay *= kF * (1 - kEavg)) sum += onItsWay * kEavg;
+  EXPECT_NEAR(f64::kullaContyAlbedo({kF, 1, 0}, kE, kEavg).x, sum, 1e-12);
+  // Fdez-Aguera: Fss Favg (1 - E) / (1 - Favg (1 - E)) with Fss = F0 A + F90 B.
+  const f64::real3 F0(0.5, 0.5, 0.5), Favg(kF, kF, kF);
+  EXPECT_NEAR(f64::fdezAgueraAlbedo(F0, 0.9, Favg, {0.4, 0.15}).y,
+              (0.5 * 0.4 + 0.9 * 0.15) * kF * 0.45 / (1 - kF * 0.45), 1e-12);
+}
+
 TEST(FdLambert, reflectsAWhiteSkyWhole) { EXPECT_NEAR(f64::Fd_Lambert() * kPi, 1, 1e-15); }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "shading/material.glsl"
 #include "shading/mips.glsl"
 #include "shading/mobile_direct.glsl"
+#include "shading/off_specular.glsl"
 #include "shading/sh.glsl"
 
 #include "function_ids.glsl"

@@ -27,6 +27,8 @@ FN Outputs outputs3(real3 a) {
   return o;
 }
 
+FN Outputs outputsTap(LobeTap tap) { return outputs3(real3(tap.blend, tap.mip, tap.weight)); }
+
 FN Outputs evaluate(int function, Inputs i) {
   real a = real1At(i, 0);
   real b = real1At(i, 1);
@@ -86,6 +88,19 @@ FN Outputs evaluate(int function, Inputs i) {
   if (function == kFnLinearToSrgb) return outputs3(linearToSrgb(u));
   if (function == kFnDot3) return outputs1(dot3(u, v));
   if (function == kFnSqr) return outputs1(sqr(a));
+  if (function == kFnSchlickWeight) return outputs1(schlickWeight(a));
+  if (function == kFnSphericalGaussianWeight) return outputs1(sphericalGaussianWeight(a));
+  if (function == kFnDielectricWeight) return outputs1(dielectricWeight(a));
+  if (function == kFnFresnelMeans) return outputs3(real3(schlickMean(), sphericalGaussianMean(), dielectricMean()));
+  if (function == kFnMixFresnel) return outputs3(mixFresnel(u, real1At(i, 3), real1At(i, 4)));
+  if (function == kFnAlbedoScaling) return outputs3(albedoScaling(u));
+  if (function == kFnFdezAgueraAlbedo) return outputs3(fdezAgueraAlbedo(u, w, v, real2(real1At(i, 7), real1At(i, 8))));
+  if (function == kFnKullaContyAlbedo) return outputs3(kullaContyAlbedo(u, real1At(i, 3), real1At(i, 4)));
+  if (function == kFnKullaContyLobe) return outputs1(kullaContyLobe(a, b));
+  if (function == kFnDominantBlend) return outputs1(dominantBlend(a));
+  if (function == kFnStretchedTap) return outputsTap(stretchedTap(i.x[2] < R32(0.5) ? 0 : 1, a, b));
+  if (function == kFnTwoTap) return outputsTap(twoTap(i.x[2] < R32(0.5) ? 0 : 1, a, b));
+  if (function == kFnThreeTap) return outputsTap(threeTap(i.x[2] < R32(0.33) ? 0 : i.x[2] < R32(0.67) ? 1 : 2, a, b));
   // kFnConstants: literals whose nearest half is not the truncated one, and the named constants.
   Outputs o = outputs3(real3(R(0.7), R(0.0275), R(-9.28)));
   o.y[3] = real32(R(0.0722));

@@ -166,6 +166,19 @@ std::vector<FunctionCase> functionTable() {
       {"constants", kFnConstants, units(1), exact},
       {"dot3", kFnDot3, uniforms(6, -1, 1), exact},
       {"sqr", kFnSqr, uniforms(1, -10, 10), exact},
+      {"schlickWeight", kFnSchlickWeight, units(1), exact},
+      {"sphericalGaussianWeight", kFnSphericalGaussianWeight, units(1), roughness},
+      {"dielectricWeight", kFnDielectricWeight, units(1), exact},
+      {"Fresnel's means", kFnFresnelMeans, units(1), exact},
+      {"mixFresnel", kFnMixFresnel, units(5), exact},
+      {"albedoScaling", kFnAlbedoScaling, uniforms(3, -0.5, 1.5), exact},
+      {"fdezAgueraAlbedo", kFnFdezAgueraAlbedo, uniforms(9, 0, 0.5), exact},
+      {"kullaContyAlbedo", kFnKullaContyAlbedo, uniforms(5, 0, 1), exact},
+      {"kullaContyLobe", kFnKullaContyLobe, units(2), exact},
+      {"dominantBlend", kFnDominantBlend, units(1), exact},
+      {"stretchedTap", kFnStretchedTap, units(3), mip},
+      {"twoTap", kFnTwoTap, units(3), mip},
+      {"threeTap", kFnThreeTap, units(3), mip},
   };
 }
 

@@ -1,0 +1,310 @@
+// Fits the taps of shading/off_specular.glsl: prints the coefficients that stand there. build/fit_lobe_taps
+//
+// The light that GGX reflects is the environment weighted by the lobe D V NoL. A few reads of the prefiltered cube are
+// to stand for it: each is the environment weighted by a rotationally symmetric lobe (N = V = R) of some mip around
+// some direction in the plane of incidence. In spherical harmonics both are known, and the error that an environment
+// makes of their difference is a sum over bands, weighted by the environment's power there. Natural light falls off as
+// (l + 1/2)^-2.5 (Dror, Willsky and Adelson 2004, "Statistical characterization of real-world illumination"): no
+// particular map is fitted. The taps' parameters are quadratic in roughness and NoV; Levenberg and Marquardt's method
+// finds the coefficients that make the sum over a grid of both least.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "base/parallel.h"
+#include "shading/shading.h"
+
+namespace {
+
+namespace f64 = parity::shading::f64;
+using Vector = std::vector<double>;
+constexpr double kPi = std::numbers::pi, kPower = 2.5;
+constexpr int kBands = 40, kTerms = 6;
+
+constexpr int indexOf(int l, int m) { return l * (l + 1) / 2 + m; }
+constexpr int kHarmonics = indexOf(kBands, kBands) + 1; // those even in azimuth: lobes mirror in the plane of incidence
+
+// Normalised Legendre functions K_lm P_lm(cosTheta), times sqrt 2 for m > 0 (no Condon-Shortley phase).
+void harmonicsAt(double cosTheta, Vector& y) {
+  y.resize(kHarmonics);
+  const double sinTheta = std::sqrt(std::max(0.0, 1 - cosTheta * cosTheta));
+  double diagonal = std::sqrt(1 / (4 * kPi));
+  for (int m = 0; m <= kBands; ++m) {
+    if (m > 0) diagonal *= sinTheta * std::sqrt((2 * m + 1.0) / (2.0 * m));
+    double below = 0, at = diagonal;
+    for (int l = m; l <= kBands; ++l) {
+      y[indexOf(l, m)] = at * (m > 0 ? std::numbers::sqrt2 : 1);
+      const double n = l + 1, a = std::sqrt((4 * n * n - 1) / (n * n - m * m));
+      const double b = l > m ? std::sqrt((static_cast<double>(l) * l - m * m) / (4.0 * l * l - 1)) : 0;
+      const double above = a * (cosTheta * at - b * below);
+      below = at;
+      at = above;
+    }
+  }
+}
+
+// The half vectors of GGX at equal shares of D NoH: cos^2 of the angle to the normal.
+double cos2Of(double alpha, double share) { return (1 - share) / (1 + (alpha * alpha - 1) * share); }
+
+// The lobe D V NoL seen at NoV, its mirror direction at azimuth 0; integral 1.
+Vector projectLobe(double roughness, double NoV) {
+  constexpr int kPolar = 300, kAzimuth = 200;
+  const double alpha = roughness * roughness, sinV = std::sqrt(1 - NoV * NoV);
+  Vector lobe(kHarmonics, 0.0), y;
+  double total = 0;
+  for (int i = 0; i < kPolar; ++i) {
+    const double cos2 = cos2Of(alpha, (i + 0.5) / kPolar), NoH = std::sqrt(cos2), sinH = std::sqrt(1 - cos2);
+    for (int j = 0; j < kAzimuth; ++j) {
+      const double phi = kPi * (j + 0.5) / kAzimuth;
+      const double VoH = NoV * NoH - sinV * sinH * std::cos(phi), NoL = 2 * VoH * NoH - NoV;
+      if (VoH <= 0 || NoL <= 0) continue;
+      const double weight = f64::V_SmithGGXCorrelated(alpha, NoV, NoL) * NoL * VoH / NoH;
+      const double x = 2 * VoH * sinH * std::cos(phi) + sinV, z = 2 * VoH * sinH * std::sin(phi);
+      harmonicsAt(std::min(NoL, 1.0), y);
+      const double cosine = std::cos(std::atan2(z, x));
+      double previous = cosine, current = 1; // cos((m - 1) azimuth), cos(m azimuth)
+      for (int m = 0; m <= kBands; ++m) {
+        for (int l = m; l <= kBands; ++l) lobe[indexOf(l, m)] += weight * y[indexOf(l, m)] * current;
+        const double next = 2 * cosine * current - previous;
+        previous = current;
+        current = next;
+      }
+      total += weight;
+    }
+  }
+  for (double& c : lobe) c /= total;
+  return lobe;
+}
+
+// By how much a mip of the prefiltered cube damps each band: the mean of P_l over its lobe.
+using Zonal = std::array<double, kBands + 1>;
+Zonal dampingOf(double roughness) {
+  constexpr int kSteps = 6000;
+  Zonal sum{};
+  double total = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double c = 2 * cos2Of(roughness * roughness, (i + 0.5) / kSteps) - 1;
+    if (c <= 0) continue;
+    double below = 1, at = c;
+    sum[0] += c;
+    for (int l = 1; l <= kBands; ++l) {
+      sum[l] += c * at;
+      const double above = ((2 * l + 1) * c * at - l * below) / (l + 1);
+      below = at;
+      at = above;
+    }
+    total += c;
+  }
+  for (double& z : sum) z /= total;
+  return sum;
+}
+
+struct Cube {
+  std::array<Zonal, f64::kPrefilterRoughestMip + 1> mips;
+  Cube() {
+    for (std::size_t m = 0; m < mips.size(); ++m) mips[m] = dampingOf(f64::roughnessFromMip(static_cast<double>(m)));
+  }
+  Zonal at(double mip) const { // as a sampler blends two mips
+    mip = std::clamp(mip, 0.0, mips.size() - 1.0);
+    const std::size_t m = std::min(static_cast<std::size_t>(mip), mips.size() - 2);
+    Zonal z;
+    for (int l = 0; l <= kBands; ++l)
+      z[l] = mips[m][l] + (mips[m + 1][l] - mips[m][l]) * (mip - static_cast<double>(m));
+    return z;
+  }
+};
+
+enum class Form { stretched, two, three };
+
+struct Tap {
+  double angle, mip, weight;
+};
+
+// As the functions of shading/off_specular.glsl turn their polynomials q into taps.
+std::vector<Tap> tapsOf(Form form, const Vector& q, double roughness, double NoV) {
+  const double theta = std::acos(NoV), alpha = roughness * roughness, mip = f64::mipFromRoughness(roughness);
+  const auto tap = [&](double lean, double mipOffset, double weight) {
+    const double blend = 1 - alpha * lean;
+    return Tap{std::atan2(blend * std::sin(theta), 1 - blend + blend * NoV), mip + mipOffset, weight};
+  };
+  if (form == Form::stretched) return {tap(q[0] + q[1], q[2], 0.5), tap(q[0] - q[1], q[2], 0.5)};
+  if (form == Form::two) {
+    const double w = std::clamp(q[4], 0.0, 1.0);
+    return {tap(q[0], q[2], w), tap(q[1], q[3], 1 - w)};
+  }
+  const double w = std::clamp(q[6], 0.0, 1.0), v = (1 - w) * std::clamp(q[7], 0.0, 1.0);
+  return {tap(q[0], q[3], w), tap(q[1], q[4], v), tap(q[2], q[5], 1 - w - v)};
+}
+
+struct Point {
+  double roughness, NoV, weight;
+  Vector lobe;
+  std::array<double, kTerms> powers;
+};
+
+class Fit {
+public:
+  Fit(Form form, Vector start) : m_form(form), m_unknowns(start.size()), m_x(start.size() * kTerms, 0.0) {
+    for (std::size_t j = 0; j < start.size(); ++j) m_x[j * kTerms] = start[j];
+    for (int i = 2; i <= 20; ++i)
+      for (const double NoV : {.04, .1, .18, .27, .37, .48, .6, .72, .84, .93, .99}) {
+        const double R = 0.05 * i;
+        // A sphere shows NoV in proportion to itself; what is grazing must not be forgotten.
+        m_points.push_back({R, NoV, NoV + 0.1, {}, {1, NoV, NoV * NoV, R, R * NoV, R * R}});
+      }
+    parity::base::parallelFor(m_points.size(), 1, [&](std::size_t i, std::size_t) {
+      m_points[i].lobe = projectLobe(m_points[i].roughness, m_points[i].NoV);
+    });
+    for (int l = 1; l <= kBands; ++l)
+      for (int m = 0; m <= l; ++m) m_scale[indexOf(l, m)] = std::pow(l + 0.5, -kPower / 2);
+  }
+
+  double cost() const { return cost(m_x); }
+
+  // One step downhill; false where none is found.
+  bool step() {
+    const std::size_t n = m_x.size();
+    std::vector<Vector> normal(n, Vector(n, 0.0));
+    Vector gradient(n, 0.0);
+    accumulate(normal, gradient);
+    double mean = 0;
+    for (std::size_t i = 0; i < n; ++i) mean += normal[i][i] / static_cast<double>(n);
+    const double before = cost(m_x);
+    for (int attempt = 0; attempt < 10; ++attempt, m_damping *= 4) {
+      std::vector<Vector> damped = normal;
+      for (std::size_t i = 0; i < n; ++i) damped[i][i] += m_damping * (normal[i][i] + 1e-6 * mean);
+      const Vector change = solve(std::move(damped), gradient);
+      if (change.empty()) continue;
+      Vector next = m_x;
+      for (std::size_t i = 0; i < n; ++i) next[i] -= change[i];
+      if (const double after = cost(next); after < before) {
+        m_x = next;
+        m_damping = std::max(m_damping / 3, 1e-9);
+        return before - after > 1e-6 * before;
+      }
+    }
+    return false;
+  }
+
+  void print(const char* name) const {
+    std::printf("%s: cost %.4g\n", name, cost());
+    for (std::size_t j = 0; j < m_unknowns; ++j) {
+      for (int k = 0; k < kTerms; ++k) std::printf("%sR(%.4f)", k ? ", " : "  ", m_x[j * kTerms + k]);
+      std::printf("\n");
+    }
+  }
+
+private:
+  Vector parametersAt(const Vector& x, const Point& p) const {
+    Vector q(m_unknowns, 0.0);
+    for (std::size_t j = 0; j < m_unknowns; ++j)
+      for (int k = 0; k < kTerms; ++k) q[j] += x[j * kTerms + k] * p.powers[k];
+    return q;
+  }
+
+  Vector residual(const Vector& q, const Point& p) const {
+    Vector d = p.lobe, y;
+    for (const Tap& tap : tapsOf(m_form, q, p.roughness, p.NoV)) {
+      const Zonal z = m_cube.at(tap.mip);
+      harmonicsAt(std::cos(tap.angle), y);
+      for (int l = 0; l <= kBands; ++l)
+        for (int m = 0; m <= l; ++m) // beyond the normal the azimuth is pi
+          d[indexOf(l, m)] -= tap.weight * z[l] * y[indexOf(l, m)] * (tap.angle < 0 && m % 2 == 1 ? -1 : 1);
+    }
+    for (int i = 0; i < kHarmonics; ++i) d[i] *= m_scale[i];
+    return d;
+  }
+
+  double cost(const Vector& x) const {
+    Vector parts(m_points.size());
+    parity::base::parallelFor(m_points.size(), 1, [&](std::size_t i, std::size_t) {
+      for (const double r : residual(parametersAt(x, m_points[i]), m_points[i])) parts[i] += m_points[i].weight * r * r;
+    });
+    double sum = 0;
+    for (const double part : parts) sum += part;
+    return sum;
+  }
+
+  void accumulate(std::vector<Vector>& normal, Vector& gradient) const {
+    std::vector<std::vector<Vector>> slopes(m_points.size());
+    std::vector<Vector> residuals(m_points.size());
+    parity::base::parallelFor(m_points.size(), 1, [&](std::size_t i, std::size_t) {
+      const Vector q = parametersAt(m_x, m_points[i]);
+      residuals[i] = residual(q, m_points[i]);
+      for (std::size_t j = 0; j < m_unknowns; ++j) {
+        constexpr double kStep = 1e-4;
+        Vector low = q, high = q;
+        low[j] -= kStep;
+        high[j] += kStep;
+        const Vector a = residual(low, m_points[i]), b = residual(high, m_points[i]);
+        Vector& slope = slopes[i].emplace_back(kHarmonics);
+        for (int h = 0; h < kHarmonics; ++h) slope[h] = (b[h] - a[h]) / (2 * kStep);
+      }
+    });
+    const auto dot = [](const Vector& a, const Vector& b) {
+      double sum = 0;
+      for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+      return sum;
+    };
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      for (std::size_t j = 0; j < m_unknowns; ++j) {
+        const Point& p = m_points[i];
+        const double g = p.weight * dot(slopes[i][j], residuals[i]);
+        for (int a = 0; a < kTerms; ++a) gradient[j * kTerms + a] += g * p.powers[a];
+        for (std::size_t k = 0; k < m_unknowns; ++k) {
+          const double h = p.weight * dot(slopes[i][j], slopes[i][k]);
+          for (int a = 0; a < kTerms; ++a)
+            for (int b = 0; b < kTerms; ++b) normal[j * kTerms + a][k * kTerms + b] += h * p.powers[a] * p.powers[b];
+        }
+      }
+  }
+
+  // A x = b by Cholesky's decomposition; empty where A is not positive definite.
+  static Vector solve(std::vector<Vector> A, Vector b) {
+    const std::size_t n = b.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        double s = A[i][j];
+        for (std::size_t k = 0; k < j; ++k) s -= A[i][k] * A[j][k];
+        if (i == j && !(s > 0)) return {};
+        A[i][j] = i == j ? std::sqrt(s) : s / A[j][j];
+      }
+      for (std::size_t k = 0; k < i; ++k) b[i] -= A[i][k] * b[k];
+      b[i] /= A[i][i];
+    }
+    for (std::size_t i = n; i-- > 0;) {
+      for (std::size_t k = i + 1; k < n; ++k) b[i] -= A[k][i] * b[k];
+      b[i] /= A[i][i];
+    }
+    return b;
+  }
+
+  Form m_form;
+  std::size_t m_unknowns;
+  Vector m_x;
+  std::vector<Point> m_points;
+  Vector m_scale = Vector(kHarmonics, 0.0);
+  Cube m_cube;
+  double m_damping = 1e-3;
+};
+
+void run(const char* name, Form form, const Vector& start) {
+  Fit fit(form, start);
+  for (int i = 0; i < 100 && fit.step(); ++i) {
+  }
+  fit.print(name);
+}
+
+} // namespace
+
+int main() {
+  std::printf("a row a polynomial in (1, NoV, NoV^2, roughness, roughness NoV, roughness^2)\n");
+  run("stretched (lean, spread, mip)", Form::stretched, {1, 0.5, -0.4});
+  run("two taps (lean, lean, mip, mip, weight)", Form::two, {1.6, 0.6, 0.1, -0.7, 0.5});
+  run("three taps (lean x 3, mip x 3, weight, share of the rest)", Form::three,
+      {1.8, 1, 0.5, 0.1, -0.3, -0.9, 0.33, 0.5});
+}
