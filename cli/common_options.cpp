@@ -132,12 +132,15 @@ void addReferenceOptions(CLI::App& app, RawOptions& raw) {
       ->check(CLI::IsMember({"multiple", "single"}))
       ->group("Reference")
       ->capture_default_str();
+  app.add_flag("--shadows", raw.shadows, "The reference tests visibility, of the environment too; no other path does")
+      ->group("Reference");
 }
 
 void settle(CommonOptions& common, const RawOptions& raw) {
   job::Settings& s = common.settings;
   s.reference.integral.relativeError = parseShare("--error", raw.error);
   s.reference.scattering = raw.scattering == "single" ? reference::Scattering::single : reference::Scattering::multiple;
+  s.referenceShadows = raw.shadows;
   s.reference.geometryTerm = raw.geometryTerm == "schlick-smith" ? reference::GeometryTerm::schlickSmith
                                                                  : reference::GeometryTerm::heightCorrelated;
   parseSize(raw.size, s);

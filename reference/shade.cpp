@@ -20,7 +20,7 @@ ShadedSample shadeOne(const SurfaceSample& sample, const Inputs& inputs, const O
     return result;
   }
   const DirectionalAlbedo* albedo = options.scattering == Scattering::multiple ? inputs.albedo : nullptr;
-  const DirectLight direct = shadeDirect(sample, inputs.lights, options.geometryTerm, albedo);
+  const DirectLight direct = shadeDirect(sample, inputs.lights, options.geometryTerm, albedo, inputs.visibility);
   term(Term::sunDiffuse) = direct.sunDiffuse;
   term(Term::sunSpecular) = direct.sunSpecular;
   term(Term::localDiffuse) = direct.localDiffuse;
@@ -32,7 +32,8 @@ ShadedSample shadeOne(const SurfaceSample& sample, const Inputs& inputs, const O
   const glm::dvec3 other =
       direct.sunDiffuse + direct.sunSpecular + direct.localDiffuse + direct.localSpecular + glm::dvec3(sample.emissive);
   const Lobes lobes(sample, options.geometryTerm, sample.roughness, albedo);
-  const Integral sky = integrateEnvironment(sample, lobes, *inputs.environment, other / occlusion, options.integral);
+  const Integral sky =
+      integrateEnvironment(sample, lobes, *inputs.environment, other / occlusion, options.integral, inputs.visibility);
   term(Term::skyDiffuse) = sky.diffuse * occlusion;
   term(Term::skySpecular) = sky.specular * occlusion;
   const glm::dvec3 color = other + (sky.diffuse + sky.specular) * occlusion, error = sky.standardError * occlusion;

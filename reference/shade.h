@@ -15,9 +15,10 @@ namespace parity::reference {
 enum class Scattering { multiple, single };
 
 struct Inputs {
-  const EnvironmentSampler* environment = nullptr; // null: none
-  const DirectionalAlbedo* albedo = nullptr;       // of the same geometry term; needed for multiple scattering
-  std::vector<scenes::Light> lights = {};          // all of the scene's, and the sun
+  const EnvironmentSampler* environment = nullptr;  // null: none
+  const DirectionalAlbedo* albedo = nullptr;        // of the same geometry term; needed for multiple scattering
+  std::vector<scenes::Light> lights = {};           // all of the scene's, and the sun
+  const lighting::Visibility* visibility = nullptr; // null: nothing casts shadows
 };
 
 struct Options {
@@ -38,8 +39,9 @@ struct ShadedSample {
 using Progress = std::function<void(double done)>;
 
 // Occlusion multiplies what comes from the environment, diffuse and specular alike, as in the high-end path, and
-// nothing else. Deterministic: the result for a point depends on the point, the inputs and the options alone, not on
-// the number of threads or on the other points.
+// nothing else; it does so with shadows, too: a material's occlusion is of details that its mesh does not have.
+// Deterministic: the result for a point depends on the point, the inputs and the options alone, not on the number of
+// threads or on the other points.
 std::vector<ShadedSample> shade(std::span<const SurfaceSample> samples, const Inputs& inputs, const Options& options,
                                 const Progress& progress = {});
 
