@@ -167,6 +167,8 @@ void addReferenceOptions(CLI::App& app, RawOptions& raw) {
       ->check(CLI::IsMember({"multiple", "single"}))
       ->group("Reference")
       ->capture_default_str();
+  app.add_flag("--shadows", raw.shadows, "The reference tests visibility, of the environment too; no other path does")
+      ->group("Reference");
 }
 
 void settle(CommonOptions& common, const RawOptions& raw) {
@@ -174,6 +176,7 @@ void settle(CommonOptions& common, const RawOptions& raw) {
   s.reference.integral.relativeError = parseShare("--error", raw.error);
   s.reference.model.scattering =
       raw.scattering == "single" ? reference::Scattering::single : reference::Scattering::multiple;
+  s.referenceShadows = raw.shadows;
   parseSize(raw.size, s);
   if (!raw.sun.empty()) {
     const auto n = parseNumbers("--sun", raw.sun, 3, "AZIMUTH,ELEVATION,LUX");

@@ -61,6 +61,9 @@ int runRenderCommand(const RenderCommand& command) {
     throw base::Error(base::ExitCode::usage, "--terms", command.output, "layers need an .exr file");
   if (!command.errorMap.empty() && command.path != "reference")
     throw base::Error(base::ExitCode::usage, "--error-map", command.path, "only the reference has an error");
+  if (settings.referenceShadows && command.path != "reference")
+    throw base::Error(base::ExitCode::usage, "--shadows", command.path,
+                      "only the reference has shadows in this version");
 
   const job::SceneRequest request = sceneRequest(command.common, command.scene);
   requireSeparate({{"-o", command.output}, {"--error-map", command.errorMap}}, inputFiles(command.common, {request}));

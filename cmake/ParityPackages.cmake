@@ -10,6 +10,7 @@ find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(TinyGLTF REQUIRED)
+find_package(embree 3 REQUIRED)
 
 # OpenImageIO's exported target names an include folder that Debian does not ship.
 find_package(OpenImageIO REQUIRED)

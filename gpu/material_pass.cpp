@@ -39,6 +39,7 @@ std::vector<ResolvedMaterial> MaterialPass::resolve(const Surface& surface, cons
     m.F90 = plane(kPlaneF0).w;
     m.emissive = glm::vec3(plane(kPlaneEmissive));
     m.occlusion = plane(kPlaneEmissive).w;
+    m.geometricNormal = glm::vec3(plane(kPlaneGeometricNormal));
   }
   return resolved;
 }

@@ -11,6 +11,7 @@ namespace parity::gpu {
 // Rec.709, metres, world space.
 struct ResolvedMaterial {
   glm::vec3 position{0.f}, normal{0.f}, view{0.f};  // normal: shading, mapped, unit; view: towards the eye, unit
+  glm::vec3 geometricNormal{0.f};                   // unit, on the side of the eye; within 5e-5 radians
   glm::vec3 baseColor{0.f}, F0{0.f}, emissive{0.f}; // F0: of the dielectric
   float opacity = 1, metallic = 0, roughness = 1, F90 = 1, occlusion = 1;
   bool unlit = false;

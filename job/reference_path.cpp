@@ -22,6 +22,7 @@ samplesOf(const gpu::Surface& surface, const std::vector<gpu::ResolvedMaterial>&
                   .unlit = m.unlit ? 1u : 0u,
                   .position = m.position,
                   .normal = m.normal,
+                  .geometricNormal = m.geometricNormal,
                   .view = m.view,
                   .baseColor = m.baseColor,
                   .metallic = m.metallic,
@@ -34,7 +35,8 @@ samplesOf(const gpu::Surface& surface, const std::vector<gpu::ResolvedMaterial>&
   return samples;
 }
 
-std::string makeLightKey(const std::string& buildId, const PreparedScene& prepared, const reference::Options& o) {
+std::string makeLightKey(const std::string& buildId, const PreparedScene& prepared, const Settings& settings) {
+  const reference::Options& o = settings.reference;
   base::Hasher hasher;
   hasher.add(buildId)
       .add("reference")
@@ -57,6 +59,7 @@ std::string makeLightKey(const std::string& buildId, const PreparedScene& prepar
         .addValue(light.range)
         .addValue(light.innerConeAngle)
         .addValue(light.outerConeAngle);
+  hasher.add(settings.referenceShadows ? lighting::hashOfOccluders(prepared.scene) : "no shadows");
   return hasher.hex();
 }
 
@@ -65,7 +68,7 @@ std::string makeLightKey(const std::string& buildId, const PreparedScene& prepar
 ReferencePath::ReferencePath(Context& context, const PreparedScene& prepared, const gpu::SceneBuffers& buffers,
                              const std::vector<gpu::BinKind>& binKinds, std::uint64_t expectedEntries)
     : m_context(context), m_prepared(prepared), m_materials(context.device(), buffers, binKinds, expectedEntries) {
-  if (context.cache().enabled()) m_lightKey = makeLightKey(context.buildId(), prepared, context.settings().reference);
+  if (context.cache().enabled()) m_lightKey = makeLightKey(context.buildId(), prepared, context.settings());
 }
 
 std::string ReferencePath::keyOf(const std::vector<reference::SurfaceSample>& samples) const {
@@ -79,7 +82,12 @@ std::vector<reference::ShadedSample> ReferencePath::integrate(const std::vector<
     m_sampler = std::make_unique<reference::EnvironmentSampler>(*m_prepared.panorama);
   if (options.model.needsAlbedo() && !m_albedo)
     m_albedo = std::make_unique<reference::DirectionalAlbedo>(options.model.geometryTerm, options.model.fresnel);
-  const reference::Inputs inputs{.environment = m_sampler.get(), .albedo = m_albedo.get(), .lights = m_prepared.lights};
+  if (m_context.settings().referenceShadows && !m_visibility)
+    m_visibility = std::make_unique<lighting::Visibility>(m_prepared.scene);
+  const reference::Inputs inputs{.environment = m_sampler.get(),
+                                 .albedo = m_albedo.get(),
+                                 .lights = m_prepared.lights,
+                                 .visibility = m_visibility.get()};
   return reference::shade(samples, inputs, options, progress);
 }
 

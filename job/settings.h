@@ -34,6 +34,7 @@ struct Settings {
   std::string mobilePresetName = "ue4-2020";
   highend::Options highend;
   reference::Options reference;
+  bool referenceShadows = false;
   gpu::DeviceOptions device;
   std::optional<std::filesystem::path> cacheFolder; // none: nothing is cached
 };

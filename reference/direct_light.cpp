@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "reference/point_visibility.h"
 #include "shading/shading.h"
 
 namespace parity::reference {
@@ -19,36 +21,38 @@ glm::dvec3 safeNormalize(const glm::dvec3& v, const glm::dvec3& fallback) {
   return {n.x, n.y, n.z};
 }
 
-// Illuminance at the point, on a surface facing the light, and the direction to it (KHR_lights_punctual).
+// Illuminance at the point, on a surface facing the light, and the way to it (KHR_lights_punctual).
 struct Incident {
   glm::dvec3 direction, illuminance;
+  double distance;
 };
 Incident incidentFrom(const scenes::Light& light, const glm::dvec3& position) {
   const glm::dvec3 axis(light.direction), color(light.color);
-  if (light.kind == scenes::LightKind::directional) return {-axis, color};
+  if (light.kind == scenes::LightKind::directional) return {-axis, color, std::numeric_limits<double>::infinity()};
   const glm::dvec3 d = glm::dvec3(light.position) - position;
   const glm::dvec3 L = safeNormalize(d, -axis); // at the light itself: as if from its axis
   double attenuation = f64::squareFalloff(glm::dot(d, d), light.range);
   if (light.kind == scenes::LightKind::spot)
     attenuation *= f64::spotAttenuation(glm::dot(-L, axis), std::cos(static_cast<double>(light.innerConeAngle)),
                                         std::cos(static_cast<double>(light.outerConeAngle)));
-  return {L, color * attenuation};
+  return {L, color * attenuation, glm::length(d)};
 }
 
 } // namespace
 
 DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::Light>& lights, const Model& model,
-                        const DirectionalAlbedo* albedo) {
+                        const DirectionalAlbedo* albedo, const lighting::Visibility* visibility) {
   DirectLight sum;
   if (lights.empty()) return sum;
   const Lobes lobes(sample, model, std::max<double>(sample.roughness, kMinLightRoughness), albedo);
   const glm::dvec3 N = glm::normalize(glm::dvec3(sample.normal)), V = glm::normalize(glm::dvec3(sample.view));
   const double NoV = std::clamp(glm::dot(N, V), kMinNoV, 1.0);
   const LobeView atView = lobes.viewAt(NoV);
+  const PointVisibility fromHere(visibility, sample);
   for (const scenes::Light& light : lights) {
     const Incident incident = incidentFrom(light, sample.position);
     const double NoL = f64::saturate(glm::dot(N, incident.direction));
-    if (!(NoL > 0)) continue;
+    if (!(NoL > 0) || !fromHere.reaches(incident.direction, incident.distance)) continue;
     const glm::dvec3 H = safeNormalize(V + incident.direction, N); // V = -L: the normal
     const LobeValues values =
         lobes.evaluate(NoV, NoL, f64::saturate(glm::dot(N, H)), f64::saturate(glm::dot(V, H)), atView);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "lighting/visibility.h"
 #include "reference/lobes.h"
 #include "scenes/scene.h"
 
@@ -15,8 +16,9 @@ struct DirectLight {
 
 // The high-end path's formulas in double, its conventions included: analytic lights see no roughness below 1/64, NoV is
 // at least 1e-4, occlusion does not act on them; KHR_lights_punctual's falloff and cones. albedo: as for Lobes.
+// visibility: null where nothing casts shadows.
 DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::Light>& lights, const Model& model,
-                        const DirectionalAlbedo* albedo);
+                        const DirectionalAlbedo* albedo, const lighting::Visibility* visibility = nullptr);
 
 // Of shading normals at or beyond grazing: the lobe of the last visible direction.
 inline constexpr double kMinNoV = 1e-4;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "reference/direct_light.h"
+#include "reference/point_visibility.h"
 #include "reference/sampling.h"
 
 namespace parity::reference {
@@ -39,8 +40,10 @@ enum Way { kByEnvironment, kByCosine, kByVisibleNormal, kWays };
 
 class Integrator {
 public:
-  Integrator(const SurfaceSample& sample, const Lobes& lobes, const EnvironmentSampler& environment, std::uint32_t seed)
-      : m_lobes(lobes), m_environment(environment), m_frame(glm::normalize(glm::dvec3(sample.normal))),
+  Integrator(const SurfaceSample& sample, const Lobes& lobes, const EnvironmentSampler& environment, std::uint32_t seed,
+             const lighting::Visibility* visibility)
+      : m_lobes(lobes), m_environment(environment), m_fromHere(visibility, sample),
+        m_frame(glm::normalize(glm::dvec3(sample.normal))),
         m_view(visibleView(m_frame.toLocal(glm::normalize(glm::dvec3(sample.view))))), m_atView(lobes.viewAt(m_view.z)),
         m_seed(hashCombine(sample.pixel, seed)) {
     const bool glossy = lobes.hasSpecular() && !lobes.isMirror();
@@ -54,8 +57,9 @@ public:
   bool needsSamples() const { return m_uses[kByEnvironment]; }
 
   glm::dvec3 reflectedByMirror() const {
-    const glm::dvec3 mirrored(-m_view.x, -m_view.y, m_view.z);
-    return m_lobes.fresnel(m_view.z) * m_environment.evaluate(m_frame.toWorld(mirrored)).radiance;
+    const glm::dvec3 mirrored = m_frame.toWorld({-m_view.x, -m_view.y, m_view.z});
+    if (!m_fromHere.reaches(mirrored)) return glm::dvec3(0.0);
+    return m_lobes.fresnel(m_view.z) * m_environment.evaluate(mirrored).radiance;
   }
 
   // Points [begin, end) of one replicate, all ways.
@@ -82,6 +86,7 @@ private:
     }
     if (!(local.z > 0)) return;
     if (way != kByEnvironment) light = m_environment.evaluate(m_frame.toWorld(local));
+    if (!m_fromHere.reaches(light.direction)) return;
     const LobeValues values = m_lobes.evaluate(m_view, local, m_atView);
     const double pdf = (m_uses[kByEnvironment] ? light.pdf : 0) + (m_uses[kByCosine] ? pdfCosine(local.z) : 0) +
                        (m_uses[kByVisibleNormal] ? values.pdfSpecular : 0);
@@ -92,6 +97,7 @@ private:
 
   const Lobes& m_lobes;
   const EnvironmentSampler& m_environment;
+  PointVisibility m_fromHere;
   Frame m_frame;
   glm::dvec3 m_view;
   LobeView m_atView;
@@ -124,10 +130,11 @@ Integral estimate(const std::array<Sum, kReplicates>& sums, std::uint32_t points
 } // namespace
 
 Integral integrateEnvironment(const SurfaceSample& sample, const Lobes& lobes, const EnvironmentSampler& environment,
-                              const glm::dvec3& otherLight, const IntegralOptions& options) {
+                              const glm::dvec3& otherLight, const IntegralOptions& options,
+                              const lighting::Visibility* visibility) {
   Integral result;
   if (environment.isBlack()) return result;
-  const Integrator integrator(sample, lobes, environment, options.seed);
+  const Integrator integrator(sample, lobes, environment, options.seed, visibility);
   const glm::dvec3 mirrored =
       lobes.hasSpecular() && lobes.isMirror() ? integrator.reflectedByMirror() : glm::dvec3(0.0);
   if (integrator.needsSamples()) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "lighting/visibility.h"
 #include "reference/environment_sampler.h"
 #include "reference/lobes.h"
 
@@ -30,8 +31,10 @@ inline constexpr int kReplicates = 16;
 // mean, its standard error comes from their scatter (randomised quasi-Monte Carlo; Owen 1997), with kReplicates - 1
 // degrees of freedom. A mirror is read in closed form. pixel: picks the scramblings. otherLight: what the pixel shows
 // besides, which the relative error counts in. view, normal as in the sample; a normal turned away from the eye has the
-// lobe of the last visible direction. Occlusion is not applied.
+// lobe of the last visible direction. Occlusion is not applied. visibility: null where nothing casts shadows; else
+// every direction is tested, a mirror's too.
 Integral integrateEnvironment(const SurfaceSample& sample, const Lobes& lobes, const EnvironmentSampler& environment,
-                              const glm::dvec3& otherLight, const IntegralOptions& options);
+                              const glm::dvec3& otherLight, const IntegralOptions& options,
+                              const lighting::Visibility* visibility = nullptr);
 
 } // namespace parity::reference

@@ -19,7 +19,7 @@ ShadedSample shadeOne(const SurfaceSample& sample, const Inputs& inputs, const O
     term(Term::emissive) = sample.baseColor;
     return result;
   }
-  const DirectLight direct = shadeDirect(sample, inputs.lights, options.model, inputs.albedo);
+  const DirectLight direct = shadeDirect(sample, inputs.lights, options.model, inputs.albedo, inputs.visibility);
   term(Term::sunDiffuse) = direct.sunDiffuse;
   term(Term::sunSpecular) = direct.sunSpecular;
   term(Term::localDiffuse) = direct.localDiffuse;
@@ -31,7 +31,8 @@ ShadedSample shadeOne(const SurfaceSample& sample, const Inputs& inputs, const O
   const glm::dvec3 other =
       direct.sunDiffuse + direct.sunSpecular + direct.localDiffuse + direct.localSpecular + glm::dvec3(sample.emissive);
   const Lobes lobes(sample, options.model, sample.roughness, inputs.albedo);
-  const Integral sky = integrateEnvironment(sample, lobes, *inputs.environment, other / occlusion, options.integral);
+  const Integral sky =
+      integrateEnvironment(sample, lobes, *inputs.environment, other / occlusion, options.integral, inputs.visibility);
   term(Term::skyDiffuse) = sky.diffuse * occlusion;
   term(Term::skySpecular) = sky.specular * occlusion;
   const glm::dvec3 color = other + (sky.diffuse + sky.specular) * occlusion, error = sky.standardError * occlusion;

@@ -12,9 +12,10 @@
 namespace parity::reference {
 
 struct Inputs {
-  const EnvironmentSampler* environment = nullptr; // null: none
-  const DirectionalAlbedo* albedo = nullptr;       // of the model's term and curve, where it needs one
-  std::vector<scenes::Light> lights = {};          // all of the scene's, and the sun
+  const EnvironmentSampler* environment = nullptr;  // null: none
+  const DirectionalAlbedo* albedo = nullptr;        // of the model's term and curve, where it needs one
+  std::vector<scenes::Light> lights = {};           // all of the scene's, and the sun
+  const lighting::Visibility* visibility = nullptr; // null: nothing casts shadows
 };
 
 struct Options {
@@ -34,8 +35,9 @@ struct ShadedSample {
 using Progress = std::function<void(double done)>;
 
 // Occlusion multiplies what comes from the environment, diffuse and specular alike, as in the high-end path, and
-// nothing else. Deterministic: the result for a point depends on the point, the inputs and the options alone, not on
-// the number of threads or on the other points.
+// nothing else; it does so with shadows, too: a material's occlusion is of details that its mesh does not have.
+// Deterministic: the result for a point depends on the point, the inputs and the options alone, not on the number of
+// threads or on the other points.
 std::vector<ShadedSample> shade(std::span<const SurfaceSample> samples, const Inputs& inputs, const Options& options,
                                 const Progress& progress = {});
 

@@ -9,19 +9,20 @@ namespace parity::reference {
 
 // Plain data without padding, so that its bytes can be hashed. Colours are linear Rec.709, lengths metres, world space.
 struct SurfaceSample {
-  std::uint32_t pixel = 0;         // seeds the sample points: the same pixel gets the same ones
-  std::uint32_t unlit = 0;         // 1: shows its base colour and nothing else
-  glm::vec3 position{0.f};         //
-  glm::vec3 normal{0.f, 0.f, 1.f}; // after normal mapping
-  glm::vec3 view{0.f, 0.f, 1.f};   // towards the eye
-  glm::vec3 baseColor{1.f};        //
-  float metallic = 0;              // [0, 1]
-  float roughness = 0.5f;          // perceptual, [0, 1]: alpha = roughness^2
-  glm::vec3 dielectricF0{0.04f};   // reflectance of the dielectric at normal incidence
-  float dielectricF90 = 1;         // and at grazing incidence (KHR_materials_specular's factor)
-  float occlusion = 1;             // [0, 1]
-  glm::vec3 emissive{0.f};         //
+  std::uint32_t pixel = 0;                  // seeds the sample points: the same pixel gets the same ones
+  std::uint32_t unlit = 0;                  // 1: shows its base colour and nothing else
+  glm::vec3 position{0.f};                  //
+  glm::vec3 normal{0.f, 0.f, 1.f};          // after normal mapping
+  glm::vec3 geometricNormal{0.f, 0.f, 1.f}; // unit, on the side of the eye; read for shadows alone
+  glm::vec3 view{0.f, 0.f, 1.f};            // towards the eye
+  glm::vec3 baseColor{1.f};                 //
+  float metallic = 0;                       // [0, 1]
+  float roughness = 0.5f;                   // perceptual, [0, 1]: alpha = roughness^2
+  glm::vec3 dielectricF0{0.04f};            // reflectance of the dielectric at normal incidence
+  float dielectricF90 = 1;                  // and at grazing incidence (KHR_materials_specular's factor)
+  float occlusion = 1;                      // [0, 1]
+  glm::vec3 emissive{0.f};                  //
 };
-static_assert(sizeof(SurfaceSample) == 24 * sizeof(float));
+static_assert(sizeof(SurfaceSample) == 27 * sizeof(float));
 
 } // namespace parity::reference

@@ -50,6 +50,8 @@ PARITY_CONST uint kPlaneNormal = 1u;   // w: metallic
 PARITY_CONST uint kPlaneView = 2u;     // w: roughness
 PARITY_CONST uint kPlaneF0 = 3u;       // w: F90
 PARITY_CONST uint kPlaneEmissive = 4u; // w: occlusion
+// In the second.
+PARITY_CONST uint kPlaneGeometricNormal = 5u;
 
 // The mobile path: local lights of an object, and the index that means none.
 PARITY_CONST uint kLightsPerObject = 4u;

@@ -16,4 +16,5 @@ void main() {
   outTermsA[kPlaneView * planeSize + i] = vec4(p.V, m.roughness);
   outTermsA[kPlaneF0 * planeSize + i] = vec4(m.F0, m.F90);
   outTermsA[kPlaneEmissive * planeSize + i] = vec4(m.emissive, m.occlusion);
+  outTermsB[(kPlaneGeometricNormal - kTermsInA) * planeSize + i] = vec4(p.geometric, 0.0);
 }

@@ -31,8 +31,9 @@ TEST(Help, NamesTheSubcommandsAndTheExitCodes) {
 TEST(Help, OfEachSubcommandNamesItsOptions) {
   expectHelp({"report", "--help"}, join({kCommon, kVerdict, {"--suite", "--output"}}));
   expectHelp({"diff", "--help"}, join({kCommon, kVerdict}));
-  expectHelp({"render", "--help"},
-             join({kCommon, {"--path", "--output", "--terms", "--error", "--error-map", "--scattering", "reference"}}));
+  expectHelp({"render", "--help"}, join({kCommon,
+                                         {"--path", "--output", "--terms", "--error", "--error-map", "--scattering",
+                                          "--shadows", "reference"}}));
   expectHelp({"flip", "--help"}, {"reference",  "test",         "--output",     "--ppd",          "--json",
                                   ".exr",       ".pfm",         ".png",         "--pairs",        "--mask",
                                   "--alpha",    "--background", "--colorspace", "--fail",         "--failpercent",

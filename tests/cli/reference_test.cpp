@@ -122,6 +122,29 @@ TEST_F(ReferenceTest, SecondRunComesFromTheCacheAndIsTheSame) {
   EXPECT_EQ(readWholeFile(m_folder / "e.exr"), stored);
 }
 
+// The sun's terms lose whole pixels and change nowhere else; the sky's lose light, within the error that was asked for.
+TEST_F(ReferenceTest, ShadowsTakeLightAwayAndAddNone) {
+  const std::vector<std::string> options =
+      join({{"--size", "60x40", "--terms", "--error", "5%", "--sun", "60,30,3", "--background", "0,0,0"},
+            {"--env", "builtin:sky", "--cache", (m_folder / "cache").string()}});
+  const base::Image open = render("builtin:lights", "reference", "open.exr", options);
+  const base::Image shadowed = render("builtin:lights", "reference", "shadowed.exr", join({options, {"--shadows"}}));
+  ASSERT_EQ(open.pixels.size(), shadowed.pixels.size()) << "and not the cached one:";
+  const int sun = channelOf(shading::Term::sunDiffuse), sky = channelOf(shading::Term::skyDiffuse);
+  int inShadow = 0;
+  for (std::size_t p = 0; p < open.pixelCount(); ++p) {
+    const float* a = open.pixels.data() + p * open.channels;
+    const float* b = shadowed.pixels.data() + p * open.channels;
+    for (int c = 0; c < 3; ++c) EXPECT_LE(b[c], a[c] * 1.2f) << "pixel " << p;
+    // Under the sun and the moon (a directional light, too) a pixel sees both, one or none.
+    EXPECT_LE(b[sun], a[sun] * (1 + 1e-6f)) << "pixel " << p;
+    inShadow += a[sun] > 0 && b[sun] < 0.7f * a[sun];
+  }
+  EXPECT_GT(inShadow, 20);
+  EXPECT_LT(sumOf(shadowed, sun), 0.97 * sumOf(open, sun));
+  EXPECT_LT(sumOf(shadowed, sky), 0.97 * sumOf(open, sky));
+}
+
 TEST_F(ReferenceTest, WrongOptionsAreRefused) {
   const auto refused = [&](const std::vector<std::string>& more, const std::string& part) {
     const RunResult result =
@@ -133,6 +156,8 @@ TEST_F(ReferenceTest, WrongOptionsAreRefused) {
     refused({"--path", "reference", "--error", bad}, "--error");
   refused({"--path", "reference", "--scattering", "double"}, "--scattering");
   refused({"--path", "highend", "--error-map", (m_folder / "e.exr").string()}, "--error-map");
+  for (const char* path : {"highend", "mobile"})
+    refused({"--path", path, "--shadows"}, "only the reference has shadows");
 }
 
 } // namespace

@@ -2,6 +2,8 @@
 #include "support/device.h"
 #include "support/small_scenes.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "gpu/material_pass.h"
 
 namespace parity::gpu {
@@ -51,6 +53,7 @@ TEST_F(MaterialPassTest, factorsComeBackAsTheMaterialHasThem) {
     expectNear(m.emissive, {1.5f, 0, 0.25f}, 1e-6f, "emissive");
     expectNear(m.F0, glm::vec3(1, 0.5f, 0.25f) * (0.5f / 9), 1e-6f, "F0");
     expectNear(m.normal, {0, 0, 1}, 1e-6f, "normal");
+    expectNear(m.geometricNormal, {0, 0, 1}, 1e-6f, "geometric normal");
     expectNear(m.view, {0, 0, 1}, 1e-6f, "view of an orthographic camera");
     EXPECT_NEAR(m.position.z, 0, 1e-6f);
     EXPECT_LT(std::max(std::abs(m.position.x), std::abs(m.position.y)), 1);
@@ -84,6 +87,19 @@ TEST_F(MaterialPassTest, texturesMultiplyTheirFactorsAndTurnTheNormal) {
   EXPECT_NEAR(m.occlusion, 1 + 0.5f * (102 / 255.f - 1), 1e-5f);
   expectNear(m.normal, {0.6f, 0, 0.8f}, 0.006f, "mapped normal");
   EXPECT_NEAR(glm::length(m.normal), 1, 1e-5f);
+}
+
+// Shading normals lean, the surface does not; a back face shows its other side.
+TEST_F(MaterialPassTest, geometricNormalIsTheTrianglesOnTheSideOfTheEye) {
+  scenes::Scene scene = tests::makeQuadScene();
+  scene.meshes[0].normals.assign(4, glm::normalize(glm::vec3(0.6f, 0, 0.8f)));
+  const glm::vec3 axis = glm::normalize(glm::vec3(0, 1, 0));
+  for (const float degrees : {35.f, 145.f}) {
+    scene.instances[0].toWorld =
+        glm::rotate(glm::scale(glm::mat4(1.f), glm::vec3(1.5f)), glm::radians(degrees), axis); // fills the picture
+    const float a = glm::radians(degrees), side = degrees < 90 ? 1.f : -1.f;
+    expectNear(resolve(scene).front().geometricNormal, side * glm::vec3(std::sin(a), 0, std::cos(a)), 1e-4f, "tilted");
+  }
 }
 
 TEST_F(MaterialPassTest, unlitAndOpacityAreTold) {

@@ -1,0 +1,235 @@
+// Rays against the scene: a double-precision loop over all triangles, and scenes whose shadows are known.
+#include "lighting/visibility.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "base/parallel.h"
+#include "scenes/builtin.h"
+#include "scenes/shapes.h"
+#include "support/small_scenes.h"
+
+namespace parity::lighting {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+scenes::Scene makeScene(const scenes::Mesh& mesh, const glm::mat4& toWorld = glm::mat4(1.f)) {
+  scenes::Scene scene;
+  scene.name = "test";
+  scene.meshes = {mesh};
+  scene.instances = {{0, toWorld, "node"}};
+  scene.materials.emplace_back().name = "grey";
+  return scene;
+}
+
+glm::dvec3 randomDirection(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
+}
+
+struct Ray {
+  glm::dvec3 origin, direction;
+  double maxDistance;
+};
+
+// Moeller and Trumbore 1997 over every triangle, in double. margin: by how much, in barycentric coordinates and
+// metres, a hit must lie within; a negative one counts near misses.
+bool isOccludedNaively(const scenes::Scene& scene, const Ray& ray, double margin) {
+  for (const scenes::Instance& instance : scene.instances) {
+    const scenes::Mesh& mesh = scene.meshes[instance.mesh];
+    const glm::dmat4 toWorld(instance.toWorld);
+    const auto vertex = [&](std::size_t i) {
+      return glm::dvec3(toWorld * glm::dvec4(mesh.positions[mesh.indices[i]], 1));
+    };
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+      const glm::dvec3 v0 = vertex(i), e1 = vertex(i + 1) - v0, e2 = vertex(i + 2) - v0;
+      const glm::dvec3 P = glm::cross(ray.direction, e2), T = ray.origin - v0, Q = glm::cross(T, e1);
+      const double det = glm::dot(e1, P);
+      if (det == 0) continue;
+      const double u = glm::dot(P, T) / det, v = glm::dot(ray.direction, Q) / det, t = glm::dot(e2, Q) / det;
+      if (u >= margin && v >= margin && u + v <= 1 - margin && t >= margin && t <= ray.maxDistance - margin)
+        return true;
+    }
+  }
+  return false;
+}
+
+TEST(Visibility, isWhatEveryTriangleInTurnSays) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform;
+  for (const char* name : {"spheres", "lights", "materials"}) {
+    const scenes::Scene scene = scenes::makeBuiltinScene(name);
+    const Visibility visibility(scene);
+    const scenes::Bounds bounds = scene.bounds();
+    int hits = 0, misses = 0;
+    for (int i = 0; i < 150; ++i) {
+      const glm::dvec3 inBounds(uniform(random), uniform(random), uniform(random));
+      const Ray ray{glm::mix(glm::dvec3(bounds.lower), glm::dvec3(bounds.upper), inBounds), randomDirection(random),
+                    i % 3 == 0 ? kInfinity : bounds.radius() * uniform(random)};
+      const bool surely = isOccludedNaively(scene, ray, 1e-4), perhaps = isOccludedNaively(scene, ray, -1e-4);
+      if (surely != perhaps) continue; // too close to an edge for 32 bits
+      ++(surely ? hits : misses);
+      ASSERT_EQ(visibility.isOccluded(ray.origin, ray.direction, ray.maxDistance), surely) << name << ", ray " << i;
+    }
+    EXPECT_GT(hits, 20) << name;
+    EXPECT_GT(misses, 20) << name;
+    EXPECT_GT(hits + misses, 140) << name;
+  }
+}
+
+// The plane y = 0 under a sphere: in shadow where the way to the sun passes the centre within the radius.
+TEST(Visibility, shadowOfASphereIsACylinder) {
+  const double radius = 0.7;
+  const scenes::Scene scene = makeScene(scenes::makeSphere(radius, 512, 256), tests::translation(2, 3, -1));
+  const Visibility visibility(scene);
+  const glm::dvec3 centre(2, 3, -1), sun = glm::normalize(glm::dvec3(0.5, 1, 0.3));
+  const glm::dvec3 middle = centre - sun * (centre.y / sun.y);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> around(-1.2, 1.2);
+  int shadowed = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const glm::dvec3 p = middle + glm::dvec3(around(random), 0, around(random));
+    const double distance = glm::length(glm::cross(centre - p, sun));
+    if (std::abs(distance - radius) < 1e-4) continue; // the mesh lies within 5e-5 of the sphere
+    EXPECT_EQ(visibility.isOccluded(p, sun), distance < radius) << distance;
+    EXPECT_FALSE(visibility.isOccluded(p, -sun));
+    shadowed += distance < radius;
+  }
+  EXPECT_GT(shadowed, 200);
+}
+
+TEST(Visibility, lightInAClosedBoxIsSeenFromWithinAlone) {
+  const scenes::Scene scene = makeScene(scenes::makeRoundedBox(glm::dvec3(1), 0.1, 3));
+  const Visibility visibility(scene);
+  const glm::dvec3 light(0.3, -0.2, 0.1);
+  std::mt19937 random(9);
+  for (int i = 0; i < 500; ++i) {
+    const glm::dvec3 d = randomDirection(random), outside = light + d * 3.0, within = light + d * 0.6;
+    EXPECT_TRUE(visibility.isOccluded(outside, -d, 3.0));
+    EXPECT_FALSE(visibility.isOccluded(within, -d, 0.6));
+    EXPECT_FALSE(visibility.isOccluded(outside, -d, 0.9)) << "ends before the wall";
+    EXPECT_FALSE(visibility.isOccluded(outside, d));
+  }
+}
+
+// Points interpolated in 32 bits as the surface pass does, far from the origin too.
+TEST(Visibility, convexSurfacesDoNotShadowThemselvesAtGrazingLight) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> uniform;
+  for (const float away : {0.f, 50.f, 3000.f})
+    for (const scenes::Mesh& mesh : {scenes::makeSphere(0.8, 96, 48), scenes::makeFloor(40, 1, 3)}) {
+      const glm::mat4 toWorld = glm::mat4(glm::mat3(0.8f, 0, 0.6f, 0, 1, 0, -0.6f, 0, 0.8f)) +
+                                tests::translation(away, -away / 3, 0.7f * away) - glm::mat4(1.f);
+      const scenes::Scene scene = makeScene(mesh, toWorld);
+      const Visibility visibility(scene);
+      for (int i = 0; i < 4000; ++i) {
+        const std::size_t first = 3 * (random() % (mesh.indices.size() / 3));
+        const auto vertex = [&](std::size_t k) {
+          return glm::vec3(toWorld * glm::vec4(mesh.positions[mesh.indices[first + k]], 1));
+        };
+        const glm::vec3 v0 = vertex(0), e1 = vertex(1) - v0, e2 = vertex(2) - v0;
+        const float u = uniform(random), v = uniform(random) * (1 - u);
+        const glm::vec3 p = v0 + u * e1 + v * e2;
+        const glm::dvec3 d1(e1), d2(e2), normal = glm::normalize(glm::cross(d1, d2));
+        const glm::dvec3 along = glm::normalize(d1 * std::cos(6.3 * u) + glm::cross(normal, d1) * std::sin(6.3 * u));
+        const double sine = i % 2 == 0 ? 0.002 : 0.3;
+        const glm::dvec3 light = glm::normalize(along + normal * sine), from = visibility.leaveSurface(p, normal);
+        ASSERT_FALSE(visibility.isOccluded(from, light)) << away << ", point " << i;
+        ASSERT_TRUE(visibility.isOccluded(from, -normal)) << "the surface is right below";
+      }
+    }
+}
+
+TEST(Visibility, bothSidesOccludeAndBlendedMaterialsDoNot) {
+  scenes::Scene scene = makeScene(tests::makeQuad(0));
+  scene.materials[0].doubleSided = false;
+  for (const double side : {1.0, -1.0}) EXPECT_TRUE(Visibility(scene).isOccluded({0.2, 0.1, side}, {0, 0, -side}));
+  scene.materials[0].alphaMode = scenes::AlphaMode::blend;
+  EXPECT_FALSE(Visibility(scene).isOccluded({0.2, 0.1, 1}, {0, 0, -1}));
+}
+
+TEST(Visibility, nothingAndTrianglesOfNoUseOccludeNothing) {
+  EXPECT_FALSE(Visibility(scenes::Scene()).isOccluded({0, 0, 0}, {0, 0, 1}));
+  scenes::Scene scene = makeScene(tests::makeQuad(0));
+  scene.meshes[0].positions = {{-1, -1, 0}, {1, 1, 0}, {1, 1, 0}, {3, 3, 0}};
+  EXPECT_FALSE(Visibility(scene).isOccluded({0.5, 0.5, 1}, {0, 0, -1})) << "lines";
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  scene.meshes[0].positions = {{nan, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, INFINITY, 0}};
+  EXPECT_FALSE(Visibility(scene).isOccluded({0.5, 0, 1}, {0, 0, -1})) << "not finite";
+  // A whole triangle beside a broken one still counts.
+  scene.meshes[0] = tests::makeQuad(0);
+  scene.meshes[0].positions[3].x = nan; // (1, 1), (-1, -1) and this
+  const Visibility half(scene);
+  EXPECT_TRUE(half.isOccluded({0.5, -0.5, 1}, {0, 0, -1}));
+  EXPECT_FALSE(half.isOccluded({-0.5, 0.5, 1}, {0, 0, -1}));
+}
+
+TEST(Visibility, moreTrianglesThanItTakesAreRefusedInWords) {
+  scenes::Scene scene = makeScene(scenes::makeFloor(1, 1, 512)); // 2^19 triangles
+  scene.instances.assign(17, scene.instances[0]);
+  try {
+    const Visibility visibility(scene);
+    FAIL();
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ExitCode::failed);
+    EXPECT_NE(std::string(error.what()).find("triangles over all instances"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Visibility, answersAllThreadsAlike) {
+  const scenes::Scene scene = scenes::makeBuiltinScene("lights");
+  const Visibility visibility(scene);
+  std::mt19937 random(1);
+  std::vector<glm::dvec3> directions(20000);
+  for (glm::dvec3& d : directions) d = randomDirection(random);
+  std::vector<char> alone(directions.size()), together(directions.size());
+  const glm::dvec3 from(0.1, 1.2, 0.2);
+  for (std::size_t i = 0; i < alone.size(); ++i) alone[i] = visibility.isOccluded(from, directions[i]);
+  base::parallelFor(together.size(), 100, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) together[i] = visibility.isOccluded(from, directions[i]);
+  });
+  EXPECT_EQ(alone, together);
+}
+
+TEST(Visibility, hashCoversWhatDecidesAndNothingElse) {
+  scenes::Scene scene = makeScene(tests::makeQuad(0));
+  scene.images.resize(1);
+  scene.images[0].pixels = base::Image8(2, 2, 4, 255);
+  scene.materials[0].baseColorTexture.image = 0;
+  scene.materials[0].alphaMode = scenes::AlphaMode::mask;
+  const std::string original = hashOfOccluders(scene);
+  const auto hashWith = [&](const auto& change) {
+    scenes::Scene other = scene;
+    change(other);
+    return hashOfOccluders(other);
+  };
+  EXPECT_EQ(hashWith([](scenes::Scene& s) { s.materials[0].roughness = 0.3f; }), original);
+  EXPECT_EQ(hashWith([](scenes::Scene& s) { s.materials[0].name = "other"; }), original);
+  const std::function<void(scenes::Scene&)> changes[] = {
+      [](scenes::Scene& s) { s.instances[0].toWorld[3].x = 1; },
+      [](scenes::Scene& s) { s.instances.push_back(s.instances[0]); },
+      [](scenes::Scene& s) { s.meshes[0].positions[2].x = 2; },
+      [](scenes::Scene& s) { s.meshes[0].indices[5] = 1; },
+      [](scenes::Scene& s) { s.meshes[0].uv0[1].x = 0.5f; },
+      [](scenes::Scene& s) { s.meshes[0].colors.assign(4, glm::vec4(0.5f)); },
+      [](scenes::Scene& s) { s.materials[0].alphaMode = scenes::AlphaMode::opaque; },
+      [](scenes::Scene& s) { s.materials[0].alphaMode = scenes::AlphaMode::blend; },
+      [](scenes::Scene& s) { s.materials[0].alphaCutoff = 0.4f; },
+      [](scenes::Scene& s) { s.materials[0].baseColor.a = 0.4f; },
+      [](scenes::Scene& s) { s.materials[0].baseColorTexture.image = -1; },
+      [](scenes::Scene& s) { s.materials[0].baseColorTexture.uvTransform[2] = 0.5f; },
+      [](scenes::Scene& s) { s.materials[0].baseColorTexture.sampler.wrapV = scenes::Wrap::clampToEdge; },
+      [](scenes::Scene& s) { s.materials[0].baseColorTexture.sampler.magFilter = scenes::Filter::nearest; },
+      [](scenes::Scene& s) { s.images[0].pixels.pixels[7] = 0; }};
+  int index = 0;
+  for (const auto& change : changes) EXPECT_NE(hashWith(change), original) << "change " << index++;
+}
+
+} // namespace
+} // namespace parity::lighting
