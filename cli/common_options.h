@@ -19,7 +19,8 @@ struct RawOptions {
   std::string error = "0.5%", scattering = "multiple"; // of the reference
   std::string cache;
   std::string metrics = defaultMetricList(); // comma-separated
-  bool noCompensation = false, noCache = false, quiet = false, verbose = false, validation = false;
+  bool noCompensation = false, noSunExtraction = false, noCache = false, quiet = false, verbose = false,
+       validation = false;
 };
 
 // Scene, view, picture, paths, device, cache, verbosity.
