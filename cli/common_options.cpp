@@ -105,6 +105,9 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->check(within(-3600, 3600))
       ->group("Scene");
   app.add_option("--sun", raw.sun, "Add a directional light: AZIMUTH,ELEVATION,LUX (degrees)")->group("Scene");
+  app.add_flag("--no-sun-extraction", raw.noSunExtraction,
+               "Leave bright compact sources (the sun) in the environment instead of making them lights")
+      ->group("Scene");
   app.add_option("--fully-rough", s.fullyRough, "Materials that take the fully-rough shortcut (glob, repeatable)")
       ->group("Scene");
   app.add_option("--camera", raw.camera, "A glTF camera by name or number, or auto")
@@ -178,6 +181,7 @@ void settle(CommonOptions& common, const RawOptions& raw) {
       raw.scattering == "single" ? reference::Scattering::single : reference::Scattering::multiple;
   s.referenceShadows = raw.shadows;
   parseSize(raw.size, s);
+  s.extractSun = !raw.noSunExtraction;
   if (!raw.sun.empty()) {
     const auto n = parseNumbers("--sun", raw.sun, 3, "AZIMUTH,ELEVATION,LUX");
     if (std::abs(n[1]) > 90) throw invalid("--sun", raw.sun, "a place in the sky: ELEVATION is from -90 to 90");

@@ -19,7 +19,7 @@ struct RawOptions {
   std::string error = "0.5%", scattering = "multiple";                   // of the reference
   std::string cache;
   std::string metrics = defaultMetricList(); // comma-separated
-  bool shadows = false, noCache = false, quiet = false, verbose = false, validation = false;
+  bool shadows = false, noSunExtraction = false, noCache = false, quiet = false, verbose = false, validation = false;
 };
 
 // Scene, view, picture, paths, device, cache, verbosity.

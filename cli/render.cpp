@@ -70,10 +70,9 @@ int runRenderCommand(const RenderCommand& command) {
   const base::ThreadLimit threads(command.common.threads);
   job::Context context(settings);
   const bool highend = command.path == "highend", reference = command.path == "reference";
-  const job::PreparedScene prepared =
-      job::prepareScene(context, request, {.filtered = !reference, .panorama = reference});
-  for (const std::string& warning : prepared.scene.warnings) base::logWarning(warning);
   const job::Paths paths{.highend = highend, .mobile = !highend && !reference, .reference = reference};
+  const job::PreparedScene prepared = job::prepareScene(context, request, paths);
+  for (const std::string& warning : prepared.scene.warnings) base::logWarning(warning);
   job::SceneRenderer renderer(context, prepared, paths, 1);
   for (const std::string& note : renderer.notes()) base::logWarning("mobile: " + note);
   const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);

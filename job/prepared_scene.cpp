@@ -1,6 +1,7 @@
 #include "job/prepared_scene.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #define GLM_ENABLE_EXPERIMENTAL
@@ -9,6 +10,8 @@
 #include "base/error.h"
 #include "base/glob.h"
 #include "base/parallel.h"
+#include "lighting/sun_extraction.h"
+#include "mobile/light_choice.h"
 #include "scenes/load.h"
 #include "scenes/names.h"
 
@@ -34,7 +37,10 @@ bool givesLight(const scenes::Material& m) {
 // Black pictures are alike by any metric: a scene that nothing lights is refused, not passed.
 void requireLight(PreparedScene& prepared, const std::string& file) {
   // Band 0 of the irradiance is the environment's mean: a black one gives no light.
-  const bool sky = (prepared.environment && glm::compMax(prepared.environment->irradianceSh[0]) > 0) ||
+  const auto shines = [](const auto& environment) {
+    return environment && glm::compMax(environment->irradianceSh[0]) > 0;
+  };
+  const bool sky = shines(prepared.environment) || shines(prepared.mobileEnvironment) ||
                    (prepared.panorama &&
                     std::any_of(prepared.panorama->radiance.pixels.begin(), prepared.panorama->radiance.pixels.end(),
                                 [](float value) { return value > 0; }));
@@ -49,11 +55,70 @@ void requireLight(PreparedScene& prepared, const std::string& file) {
       "no light and no environment (or a black one): only emissive and unlit materials are seen");
 }
 
+float luminanceOf(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
+
+std::string describe(const lighting::SunExtraction& extraction) {
+  const scenes::Light& sun = extraction.suns.front().light;
+  const glm::vec3 towards = -sun.direction;
+  std::string text = fmt::format("extracted from {}: azimuth {:.2f}, elevation {:.2f}, {:.4g} lux",
+                                 extraction.environment.name, glm::degrees(std::atan2(towards.z, towards.x)),
+                                 glm::degrees(std::asin(std::clamp(towards.y, -1.f, 1.f))), luminanceOf(sun.color));
+  if (extraction.suns.size() > 1) text += fmt::format(", and {} fainter", extraction.suns.size() - 1);
+  return text;
+}
+
+// A request's environment: what was extracted from it, and the rest as the high-end path reads it, if it does.
+struct LoadedEnvironment {
+  lighting::SunExtraction extraction;
+  std::shared_ptr<const lighting::EnvironmentLight> filtered;
+};
+
+std::shared_ptr<const lighting::EnvironmentLight> filter(Context& context, const scenes::Environment& environment) {
+  return std::make_shared<const lighting::EnvironmentLight>(context.environmentLight(environment));
+}
+
+LoadedEnvironment makeEnvironment(Context& context, const SceneRequest& request, scenes::Environment environment,
+                                  const Paths& paths) {
+  LoadedEnvironment loaded;
+  if (request.extractSun && context.settings().extractSun) {
+    const base::Stopwatch watch(&context.timings(), "sun extraction");
+    loaded.extraction = lighting::extractSuns(std::move(environment));
+  } else {
+    loaded.extraction.environment = std::move(environment);
+  }
+  if (paths.highend) loaded.filtered = filter(context, loaded.extraction.environment);
+  return loaded;
+}
+
+// To `lights`, which all paths have, come what was extracted, and the environments that go with them.
+void addEnvironment(Context& context, LoadedEnvironment loaded, const Paths& paths, PreparedScene& prepared) {
+  const std::vector<lighting::ExtractedSun>& suns = loaded.extraction.suns;
+  const std::size_t own = prepared.lights.size();
+  for (const lighting::ExtractedSun& sun : suns) prepared.lights.push_back(sun.light);
+  std::optional<std::size_t> mobileSun;
+  if (const auto brightest = mobile::chooseSun(prepared.lights); brightest >= own) {
+    mobileSun = *brightest - own;
+    prepared.mobileLights.push_back(prepared.lights[*brightest]);
+  }
+  prepared.environment = std::move(loaded.filtered);
+  if (paths.mobile) {
+    const bool isShared = suns.size() == (mobileSun ? 1 : 0);
+    prepared.mobileEnvironment = isShared && prepared.environment
+                                     ? prepared.environment
+                                     : filter(context, lighting::putBackSuns(loaded.extraction, mobileSun));
+  }
+  if (!suns.empty()) {
+    const std::string text = describe(loaded.extraction);
+    prepared.sunText = prepared.sunText == "none" ? text : prepared.sunText + "; " + text;
+  }
+  if (paths.reference) prepared.panorama = std::move(loaded.extraction.environment);
+}
+
 } // namespace
 
-PreparedScene prepareScene(Context& context, const SceneRequest& request, const EnvironmentForms& forms) {
+PreparedScene prepareScene(Context& context, const SceneRequest& request, const Paths& paths) {
   PreparedScene prepared;
-  std::optional<scenes::Environment> environment;
+  std::optional<LoadedEnvironment> environment;
   std::vector<std::string> warnings;
   base::parallelInvoke({
       [&] {
@@ -62,11 +127,12 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
       },
       [&] {
         if (request.environment.empty()) return;
+        scenes::Environment panorama;
         {
           const base::Stopwatch watch(&context.timings(), "load environment");
-          environment = scenes::loadEnvironment(request.environment, request.environmentRotationDeg, warnings);
+          panorama = scenes::loadEnvironment(request.environment, request.environmentRotationDeg, warnings);
         }
-        if (forms.filtered) prepared.environment = context.environmentLight(*environment);
+        environment = makeEnvironment(context, request, std::move(panorama), paths);
       },
   });
   scenes::Scene& scene = prepared.scene;
@@ -78,15 +144,13 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
   if (!environment && scene.environment) {
     // A built-in scene's own environment; the request's goes first.
     scene.environment->rotationDeg = request.environmentRotationDeg;
-    environment = scene.environment;
-    if (forms.filtered) prepared.environment = context.environmentLight(*environment);
+    environment = makeEnvironment(context, request, std::move(*scene.environment), paths);
   }
   if (!request.environment.empty())
     prepared.environmentName = scenes::cleanName(std::filesystem::path(request.environment).filename().string());
   else
-    prepared.environmentName = environment ? environment->name : "none";
+    prepared.environmentName = environment ? environment->extraction.environment.name : "none";
   scene.environment.reset(); // its pixels are not needed any more
-  if (forms.panorama) prepared.panorama = std::move(environment);
 
   prepared.lights = scene.lights;
   prepared.sunText = "none";
@@ -94,6 +158,8 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
     prepared.lights.push_back(scenes::makeSun(*request.sun));
     prepared.sunText = fmt::format("{},{},{}", request.sun->azimuthDeg, request.sun->elevationDeg, request.sun->lux);
   }
+  prepared.mobileLights = prepared.lights;
+  if (environment) addEnvironment(context, std::move(*environment), paths, prepared);
   applyFullyRough(scene, request.fullyRough);
   applyFullyRough(scene, context.settings().fullyRough);
   requireLight(prepared, request.scene);

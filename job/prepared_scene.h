@@ -14,22 +14,25 @@ namespace parity::job {
 // What to load: a suite entry, or the command line's one scene in the same form.
 using SceneRequest = scenes::SuiteEntry;
 
+// Which paths to shade.
+struct Paths {
+  bool highend = true, mobile = true, reference = false;
+};
+
+// The light is the same for all paths, but what one has in its environment another may have as a directional light
+// (lighting/sun_extraction.h). Mobile has one sun: only if the brightest directional light of all was extracted, it is
+// missing in mobile's environment.
 struct PreparedScene {
-  scenes::Scene scene;               // environment and fully-rough flags as requested
-  std::vector<scenes::Light> lights; // the scene's and the sun
-  std::optional<lighting::EnvironmentLight> environment;
-  std::optional<scenes::Environment> panorama; // unfiltered; kept for the reference alone
+  scenes::Scene scene;                             // environment and fully-rough flags as requested
+  std::vector<scenes::Light> lights, mobileLights; // the scene's, --sun and what was extracted
+  // Prefiltered, for the paths asked for: the same one where nothing tells them apart. None: no environment.
+  std::shared_ptr<const lighting::EnvironmentLight> environment, mobileEnvironment;
+  std::optional<scenes::Environment> panorama; // unfiltered, to go with `lights`; kept for the reference alone
   std::string environmentName, sunText; // for the report: the file without its folder; "none" where there is none
 };
 
-// Which forms of the environment the paths of a run read.
-struct EnvironmentForms {
-  bool filtered = true;  // highend and mobile
-  bool panorama = false; // the reference
-};
-
-// Loads scene and environment (at the same time), applies flags and sun. Throws Error: exit 4 for what cannot be read,
-// for an empty scene and for one with nothing that gives light; usage for a glob that no material matches.
-PreparedScene prepareScene(Context& context, const SceneRequest& request, const EnvironmentForms& forms = {});
+// Loads scene and environment (at the same time), extracts suns, applies flags. Throws Error: exit 4 for what cannot
+// be read, for an empty scene and for one with nothing that gives light; usage for a glob that no material matches.
+PreparedScene prepareScene(Context& context, const SceneRequest& request, const Paths& paths = {});
 
 } // namespace parity::job

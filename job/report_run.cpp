@@ -32,6 +32,7 @@ std::vector<std::pair<std::string, std::string>> describe(const Settings& s, con
           {"display", display.name()},
           {"exposure", fmt::format("{} EV", s.exposureEv)},
           {"background", fmt::format("{},{},{}", s.background.x, s.background.y, s.background.z)},
+          {"sun extraction", s.extractSun ? "on" : "off"},
           {"highend geometry term", nameOf(highend::geometryTermNames(), s.highend.geometryTerm)},
           {"highend fresnel", nameOf(highend::fresnelNames(), s.highend.fresnel)},
           {"highend diffuse", nameOf(highend::diffuseNames(), s.highend.diffuse)},

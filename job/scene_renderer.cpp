@@ -37,11 +37,17 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
                     static_cast<std::uint32_t>(context.settings().height)) {
   const Settings& settings = context.settings();
   const gpu::Device& device = context.device();
-  if (prepared.environment) {
+  const auto upload = [&](const auto& light, std::optional<gpu::EnvironmentMaps>& maps) {
     const base::Stopwatch watch(&context.timings(), "upload");
-    m_environment = uploadEnvironment(device, *prepared.environment);
-  }
-  const gpu::EnvironmentMaps* maps = m_environment ? &*m_environment : nullptr;
+    maps = uploadEnvironment(device, *light);
+    return &*maps;
+  };
+  const bool isShared = prepared.mobileEnvironment == prepared.environment;
+  const gpu::EnvironmentMaps* maps = prepared.environment ? upload(prepared.environment, m_environment) : nullptr;
+  const gpu::EnvironmentMaps* mobileMaps = isShared ? maps
+                                           : prepared.mobileEnvironment
+                                               ? upload(prepared.mobileEnvironment, m_mobileEnvironment)
+                                               : nullptr;
   const auto pixels = static_cast<std::uint64_t>(settings.width) * settings.height * settings.samples * views;
   if (paths.highend) {
     highend::Inputs inputs{.environment = maps,
@@ -54,7 +60,7 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
   }
   if (paths.mobile) {
     const mobile::Inputs inputs{
-        .environment = maps, .lights = prepared.lights, .terms = settings.terms, .expectedPixels = pixels};
+        .environment = mobileMaps, .lights = prepared.mobileLights, .terms = settings.terms, .expectedPixels = pixels};
     m_mobile.emplace(device, m_buffers, m_surfacePass.binKinds(), inputs, settings.mobilePreset);
   }
   if (paths.reference) m_reference.emplace(context, prepared, m_buffers, m_surfacePass.binKinds(), pixels);

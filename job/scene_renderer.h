@@ -13,11 +13,6 @@
 
 namespace parity::job {
 
-// Which paths to shade.
-struct Paths {
-  bool highend = true, mobile = true, reference = false;
-};
-
 struct ViewFrames {
   base::Frame highend, mobile, reference; // empty where not asked for
   base::Image referenceError;             // relative standard error of each pixel (job/reference_path.h)
@@ -42,7 +37,8 @@ private:
   const PreparedScene& m_prepared;
   gpu::SceneBuffers m_buffers;
   gpu::SurfacePass m_surfacePass;
-  std::optional<gpu::EnvironmentMaps> m_environment;
+  // m_mobileEnvironment: only where mobile's is not highend's.
+  std::optional<gpu::EnvironmentMaps> m_environment, m_mobileEnvironment;
   std::optional<highend::Renderer> m_highend;
   std::optional<mobile::Renderer> m_mobile;
   std::optional<ReferencePath> m_reference;

@@ -21,8 +21,9 @@ constexpr std::size_t kMaxSuiteBytes = std::size_t{16} << 20;
 constexpr std::string_view kBuiltin = "builtin:";
 
 constexpr std::array<std::string_view, 3> kSuiteKeys = {"name", "budgets", "scene"};
-constexpr std::array<std::string_view, 9> kSceneKeys = {
-    "name", "file", "environment", "environment_rotation", "sun", "fully_rough", "budgets", "exposure", "view"};
+constexpr std::array<std::string_view, 10> kSceneKeys = {
+    "name",    "file",     "environment", "environment_rotation", "sun_extraction", "sun", "fully_rough",
+    "budgets", "exposure", "view"};
 constexpr std::array<std::string_view, 5> kViewKeys = {"name", "camera", "orbit", "target", "fov"};
 
 // One table of the file: typed access with errors that name file, line and key.
@@ -70,6 +71,13 @@ public:
     std::array<float, kCount> values;
     for (std::size_t i = 0; i < kCount; ++i) values[i] = numberOf((*list)[i], key, -1e30, 1e30);
     return values;
+  }
+
+  std::optional<bool> truth(std::string_view key) const {
+    const toml::node* node = m_table.get(key);
+    if (!node) return std::nullopt;
+    if (!node->is_boolean()) throw errorAt(key, "neither true nor false");
+    return node->value<bool>();
   }
 
   std::vector<std::string> texts(std::string_view key) const {
@@ -151,6 +159,7 @@ SuiteEntry readEntry(const std::string& label, const std::filesystem::path& fold
   entry.name = cleanName(reader.text("name").value_or(defaultName(*file)));
   if (const auto environment = reader.text("environment")) entry.environment = resolve(folder, *environment);
   entry.environmentRotationDeg = reader.number("environment_rotation", -3600, 3600).value_or(0.f);
+  entry.extractSun = reader.truth("sun_extraction").value_or(true);
   if (const auto sun = reader.numbers<3>("sun")) {
     if (std::abs((*sun)[1]) > 90 || (*sun)[2] < 0)
       throw reader.errorAt("sun", "[azimuth, elevation, lux]: elevation is from -90 to 90, lux at least 0");

@@ -16,6 +16,7 @@ struct SuiteEntry {
   std::string scene;       // file or builtin:NAME
   std::string environment; // "" = none
   float environmentRotationDeg = 0;
+  bool extractSun = true; // bright compact sources of the environment become lights
   std::optional<SunRequest> sun;
   std::vector<ViewRequest> views;      // at least one after loading (auto)
   std::vector<std::string> fullyRough; // globs over material names

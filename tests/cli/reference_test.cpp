@@ -1,12 +1,10 @@
 // parity render --path reference: close to highend where theory says so, errors, cache, refusals.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
 
 #include "base/image_io.h"
 #include "cli/checks.h"
-#include "shading/terms.h"
+#include "cli/layers.h"
 
 namespace parity::tests {
 namespace {
@@ -27,21 +25,6 @@ protected:
     return base::readImage(m_folder / file);
   }
 };
-
-double sumOf(const base::Image& image, int firstChannel) {
-  double sum = 0;
-  for (std::size_t p = 0; p < image.pixelCount(); ++p)
-    for (int c = 0; c < 3; ++c) sum += image.pixels[p * image.channels + static_cast<std::size_t>(firstChannel + c)];
-  return sum;
-}
-
-// First channel of a term's layer: the file's layers come back sorted by name.
-int channelOf(shading::Term term) {
-  std::array<std::string_view, shading::kTermCount> names = shading::kTermNames;
-  std::sort(names.begin(), names.end());
-  const std::string_view name = shading::kTermNames[static_cast<std::size_t>(term)];
-  return 3 * (1 + static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin()));
-}
 
 // Lights in closed form, emissive and unlit: with Lambert's diffuse lobe and single scattering nothing is approximated
 // by highend but fp32.

@@ -56,7 +56,7 @@ protected:
   // What a white Lambertian floor at the origin reflects of a white sky: the share that is not hidden.
   static Integral skyShare(const scenes::Scene& scene, const SurfaceSample& sample) {
     const lighting::Visibility visibility(scene);
-    const Lobes lobes(sample, GeometryTerm::heightCorrelated, sample.roughness, nullptr);
+    const Lobes lobes(sample, tests::plainModel(), sample.roughness, nullptr);
     const IntegralOptions options{.relativeError = 0, .minSamples = 1 << 15, .maxSamples = 1 << 15, .seed = 0};
     return integrateEnvironment(sample, lobes, white(), glm::dvec3(0), options, &visibility);
   }
@@ -104,7 +104,7 @@ scenes::Light makeSun(const glm::vec3& towards) {
 
 DirectLight directLight(const scenes::Scene& scene, const SurfaceSample& sample, const scenes::Light& light) {
   const lighting::Visibility visibility(scene);
-  return shadeDirect(sample, {light}, GeometryTerm::heightCorrelated, nullptr, &visibility);
+  return shadeDirect(sample, {light}, tests::plainModel(), nullptr, &visibility);
 }
 
 TEST_F(ShadowTest, sunIsAllOrNothing) {
@@ -112,7 +112,7 @@ TEST_F(ShadowTest, sunIsAllOrNothing) {
   const scenes::Scene wall = makeWall(1, 1); // hides what is lower than 45 degrees towards +X
   for (const float elevation : {0.9f, 1.1f}) {
     const DirectLight light = directLight(wall, floor, makeSun({1, elevation, 0}));
-    const DirectLight open = shadeDirect(floor, {makeSun({1, elevation, 0})}, GeometryTerm::heightCorrelated, nullptr);
+    const DirectLight open = shadeDirect(floor, {makeSun({1, elevation, 0})}, tests::plainModel(), nullptr);
     EXPECT_EQ(light.sunDiffuse, elevation > 1 ? open.sunDiffuse : glm::dvec3(0));
     EXPECT_EQ(light.sunSpecular, elevation > 1 ? open.sunSpecular : glm::dvec3(0));
     EXPECT_GT(open.sunDiffuse.x, 0.1);
@@ -127,7 +127,7 @@ TEST_F(ShadowTest, lampIsHiddenByWhatStandsBeforeItAlone) {
   lamp.direction = {0, -1, 0};
   for (const scenes::LightKind kind : {scenes::LightKind::point, scenes::LightKind::spot}) {
     lamp.kind = kind;
-    const double open = shadeDirect(floor, {lamp}, GeometryTerm::heightCorrelated, nullptr).localDiffuse.x;
+    const double open = shadeDirect(floor, {lamp}, tests::plainModel(), nullptr).localDiffuse.x;
     EXPECT_GT(open, 0.01);
     EXPECT_EQ(directLight(makeDisk(1, 1), floor, lamp).localDiffuse.x, 0);
     EXPECT_EQ(directLight(makeDisk(1, 3), floor, lamp).localDiffuse.x, open) << "behind it";
@@ -140,7 +140,7 @@ TEST_F(ShadowTest, whatIsBelowTheGeometricSurfaceIsHidden) {
   SurfaceSample sample = makeFloorPoint(0.5f, 0);
   sample.normal = glm::normalize(glm::vec3(1, 1, 0));
   const scenes::Light low = makeSun({1, -0.05f, 0}), high = makeSun({1, 0.05f, 0});
-  EXPECT_GT(shadeDirect(sample, {low}, GeometryTerm::heightCorrelated, nullptr).sunDiffuse.x, 0.1);
+  EXPECT_GT(shadeDirect(sample, {low}, tests::plainModel(), nullptr).sunDiffuse.x, 0.1);
   EXPECT_EQ(directLight(scenes::Scene(), sample, low).sunDiffuse.x, 0);
   EXPECT_GT(directLight(scenes::Scene(), sample, high).sunDiffuse.x, 0.1);
   // Of the white sky about a normal of 45 degrees, (1 + cos 45) / 2 lies above the floor.

@@ -32,6 +32,7 @@ sun = [30, 50.5, 4]
 fully_rough = ["rubber*", "floor"]
 budgets = "bottle.toml"
 exposure = -1.5
+sun_extraction = false
 [[scene.view]]
 name = "front"
 orbit = [0, 90, 0]
@@ -57,6 +58,7 @@ file = "builtin:spheres"
   EXPECT_EQ(bottle.fullyRough, (std::vector<std::string>{"rubber*", "floor"}));
   EXPECT_EQ(bottle.budgets, (folder / "bottle.toml").string());
   EXPECT_EQ(bottle.exposureEv, -1.5f);
+  EXPECT_FALSE(bottle.extractSun);
   ASSERT_EQ(bottle.views.size(), 2u);
   EXPECT_EQ(bottle.views[0].name, "front");
   EXPECT_EQ(bottle.views[0].orbit, glm::vec3(0, 90, 0));
@@ -68,6 +70,7 @@ file = "builtin:spheres"
   EXPECT_EQ(spheres.name, "spheres");
   EXPECT_EQ(spheres.scene, "builtin:spheres");
   EXPECT_EQ(spheres.environment, "");
+  EXPECT_TRUE(spheres.extractSun);
   EXPECT_FALSE(spheres.sun || spheres.budgets || spheres.exposureEv);
   ASSERT_EQ(spheres.views.size(), 1u) << "one automatic view";
   EXPECT_EQ(spheres.views[0].name, "auto");
@@ -102,6 +105,7 @@ TEST(Suite, WrongTypesAndRangesNameTheLine) {
   expectRefused(head + "exposure = inf\n", {"line 3: exposure", "not from -32 to 32"});
   expectRefused(head + "fully_rough = \"x\"\n", {"line 3: fully_rough: not a list of strings"});
   expectRefused(head + "fully_rough = [1]\n", {"line 3: fully_rough"});
+  expectRefused(head + "sun_extraction = 0\n", {"line 3: sun_extraction: neither true nor false"});
   expectRefused(head + "name = 3\n", {"line 3: name: not a string"});
   expectRefused(head + "[[scene.view]]\norbit = [0, 200, 1]\n", {"line 4: orbit", "phi"});
   expectRefused(head + "[[scene.view]]\nfov = 0\n", {"line 4: fov"});
