@@ -112,6 +112,8 @@ std::string formatFigure(const std::string& metric, double value) {
   return formatNumber(metric, value, isSigned(metric));
 }
 
+std::string formatRelMse(double value) { return std::isnan(value) ? "not known" : fmt::format("{:.2g}", value); }
+
 std::string formatChange(const std::string& metric, double change) {
   if (std::isnan(change)) return "not a number";
   if (std::isinf(change)) return change > 0 ? "now identical" : "no longer identical";

@@ -30,6 +30,7 @@ struct Settings {
   std::optional<std::string> budgets;  // budget file; none: built-in defaults
   std::vector<std::string> metrics = compare::defaultMetrics(); // reported, besides what the budgets name
   bool terms = false;
+  bool truth = false; // also hold both paths against the reference; needs the terms
   mobile::Preset mobilePreset = mobile::Preset::ue4_2020;
   std::string mobilePresetName = "ue4-2020";
   highend::Options highend;
