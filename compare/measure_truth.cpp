@@ -47,9 +47,11 @@ ErrorPlanes makePlanes(const TruthInput& input, const base::Image& error, double
     }
     planes.over.pixels[p] = relative > static_cast<float>(wanted) ? 1.f : 0.f;
     const float* rgb = input.truth.linear->pixels.data() + 3 * p;
-    const double s = double{relative} * double{std::max({rgb[0], rgb[1], rgb[2]})};
     double sum = 0;
-    for (int c = 0; c < 3; ++c) sum += s * s / (double{rgb[c]} * double{rgb[c]} + kEpsilon);
+    for (int c = 0; c < 3; ++c) {
+      const double r = double{rgb[c]}, s = double{relative} * r;
+      sum += s * s / (r * r + kEpsilon);
+    }
     planes.relmse.pixels[p] = static_cast<float>(sum / 3);
   }
   return planes;
@@ -86,7 +88,9 @@ void noteCloseness(std::vector<std::string>& notes, const char* path, const Figu
                                 formatRelMse(error.relmse)));
 }
 
-std::vector<std::string> notesOf(const Truth& truth, const ErrorPlanes& planes, const RegionRuns& all, double wanted) {
+// main: the region by which the figures are read.
+std::vector<std::string> notesOf(const TruthRegion& main, const ErrorPlanes& planes, const RegionRuns& all,
+                                 double wanted) {
   std::vector<std::string> notes;
   const std::uint64_t unknown = countSet(planes.unknown, all), over = countSet(planes.over, all);
   if (unknown > 0)
@@ -94,7 +98,6 @@ std::vector<std::string> notesOf(const Truth& truth, const ErrorPlanes& planes, 
   if (over > 0)
     notes.push_back(fmt::format("the truth did not reach a standard error of {:.3g} % at {} of {} pixels", 100 * wanted,
                                 over, all.pixels));
-  const TruthRegion& main = mainRegion(truth);
   noteCloseness(notes, "high-end", main.highend, main.error);
   noteCloseness(notes, "mobile", main.mobile, main.error);
   return notes;
@@ -122,7 +125,7 @@ TruthMeasurement measureTruth(const TruthInput& input, const TruthErrorMaps& map
     truth.all.mobile = mobile.regions[i].all;
     truth.interior.highend = highend.regions[i].interior;
     truth.interior.mobile = mobile.regions[i].interior;
-    if (all.pixels > 0) truth.notes = notesOf(truth, planes, all, request.wantedError);
+    if (all.pixels > 0) truth.notes = notesOf(i == 0 ? truth.all : mainRegion(truth), planes, all, request.wantedError);
     out.regions.push_back(std::move(truth));
   }
   if (request.keepMaps) {

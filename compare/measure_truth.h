@@ -40,11 +40,12 @@ struct TruthMeasurement {
   base::Image highendFlip, mobileFlip; // of each path against the truth; empty unless asked for
 };
 
-// Figures "flip", "relmse" and "bias". The truth's noise as relMSE: mean over pixels and RGB of s^2 / (r^2 + 0.01), s
-// being the standard error of the pixel's worst channel, so that it is an upper bound; 0.01 as in compare/
-// metric_relmse.cpp. The measured relMSE holds it: E[(t-r)^2] = (t-E[r])^2 + s^2. A path whose relMSE is at most 4
-// times that (2 standard errors in root mean square) gets a note, and so do pixels that did not reach the wanted error,
-// and those whose error is not known. Throws Error as measureRegions does.
+// lists: the first is the whole image, read over all its pixels; the others over their interior, where they have one.
+// Figures "flip", "relmse" and "bias". The truth's noise as relMSE: mean over pixels and RGB of (e r)^2 / (r^2 + 0.01),
+// e being the pixel's relative standard error: an estimate, as each channel is taken to be off by the same share; 0.01
+// as in compare/metric_relmse.cpp. The measured relMSE holds that noise: E[(t-r)^2] = (t-E[r])^2 + s^2. Notes: a path
+// that isWithinNoise, pixels that did not reach the wanted error, and those whose error is not known. Throws Error as
+// measureRegions does.
 TruthMeasurement measureTruth(const TruthInput& input, const TruthErrorMaps& maps,
                               const std::vector<base::PixelList>& lists, const TruthMeasureRequest& request);
 

@@ -41,9 +41,10 @@ std::string materialRow(const MaterialResult& material, const std::string& place
   html += "</div>";
   if (!seen) return html + "<p class=\"unseen\">No pixel of this view shows it.</p></article>\n";
   html += imageTrio(material.crops, material.truth, material.name + place);
-  return html + fmt::format("<div class=\"numbers\">{}{}{}{}</div>{}</article>\n", checkBars(material.checks),
-                            figureTable(material.figures, material.baseline), truthNumbers(material.truth),
-                            material.truth ? "" : termTable(material.terms), truthTerms(material.truth));
+  return html + fmt::format("<div class=\"numbers\">{}{}{}{}</div>{}</article>\n",
+                            checkBars(material.checks) + pairHeading(material.truth),
+                            figureTable(material.figures, material.baseline), truthNumbers(material.truth, false),
+                            material.truth ? "" : termTable(material.terms), truthTerms(material.truth, false));
 }
 
 } // namespace parity::compare

@@ -32,8 +32,12 @@ std::string baselineLine(const std::optional<BaselineChange>& baseline);
 std::string termTable(const std::vector<TermFigures>& terms);
 
 // Both paths against the truth, in words and figures; and their light by terms beside its. Empty where there is none.
-std::string truthNumbers(const std::optional<Truth>& truth);
-std::string truthTerms(const std::optional<Truth>& truth);
+// whole: of a whole image, over all pixels; else over the interior, where there is one.
+std::string truthNumbers(const std::optional<Truth>& truth, bool whole);
+std::string truthTerms(const std::optional<Truth>& truth, bool whole);
+
+// What the figures above those are of; empty where there is no truth.
+std::string pairHeading(const std::optional<Truth>& truth);
 
 // What the reader has to know of the truth, as a paragraph; empty where there is none.
 std::string truthHelp(const Report& report);

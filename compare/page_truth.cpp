@@ -25,12 +25,18 @@ std::string percent(double share) { return std::isnan(share) ? "not known" : fmt
 // How well the truth is known.
 std::string describeError(const TruthRegion& region) {
   const TruthError& error = region.error;
-  const std::string luma = fmt::format("The truth: luma {:.3f}", region.highend.referenceLuma);
-  if (error.worst == 0) return luma + "; in closed form, without noise.";
+  const std::string luma = fmt::format("The truth's luma is {:.3f}", region.highend.referenceLuma);
+  if (error.worst == 0) return luma + "; it is in closed form, without noise.";
   return fmt::format(
-      "{}; standard error {} in the median, {} at worst, relMSE {} from it alone; {:.0f} samples a pixel "
-      "in each way.",
+      "{}; its standard error {} in the median, {} at worst, which alone gives relMSE {}; {:.0f} samples "
+      "a pixel in each way.",
       luma, percent(error.median), percent(error.worst), formatRelMse(error.relmse), error.samples);
+}
+
+// "high-end is 0.1 EV darker", "mobile: equally bright, same tint".
+std::string biasOf(const char* path, const Figures& figures) {
+  const std::string words = describeBias(figures, path);
+  return words.starts_with(path) ? words : fmt::format("{}: {}", path, words);
 }
 
 // Which terms no row is about.
@@ -44,10 +50,11 @@ std::string blackTerms(const std::vector<TruthTerm>& terms) {
 
 } // namespace
 
-std::string truthNumbers(const std::optional<Truth>& truth) {
+std::string pairHeading(const std::optional<Truth>& truth) { return truth ? "<h5>Mobile against high-end</h5>" : ""; }
+
+std::string truthNumbers(const std::optional<Truth>& truth, bool whole) {
   if (!truth) return {};
-  const bool interior = truth->interior.highend.pixels > 0;
-  const TruthRegion& main = mainRegion(*truth);
+  const TruthRegion& main = whole ? truth->all : mainRegion(*truth);
   std::string rows;
   for (const Figure& figure : main.highend.values) {
     const std::optional<Statistic> statistic = statisticByName(figure.name);
@@ -58,20 +65,23 @@ std::string truthNumbers(const std::optional<Truth>& truth) {
   return fmt::format("<div class=\"truth\"><h5>Against the truth</h5><p class=\"light\">{}; {}</p><table "
                      "class=\"figures\"><thead><tr><th scope=\"col\">{}</th><th scope=\"col\">high-end</th><th "
                      "scope=\"col\">mobile</th></tr></thead><tbody>{}</tbody></table><p class=\"aside\">{}</p>{}</div>",
-                     describeBias(main.highend, "high-end"), describeBias(main.mobile), interior ? "interior" : "all",
-                     rows, describeError(main), textList(truth->notes, "warnings"));
+                     biasOf("high-end", main.highend), biasOf("mobile", main.mobile),
+                     &main == &truth->interior ? "interior" : "all", rows, describeError(main),
+                     textList(truth->notes, "warnings"));
 }
 
-std::string truthTerms(const std::optional<Truth>& truth) {
+std::string truthTerms(const std::optional<Truth>& truth, bool whole) {
   if (!truth) return {};
   double total = 0;
   for (const TruthTerm& term : truth->terms) total += term.truth;
   const auto share = [&](double light) {
-    return total > 0 ? fmt::format("{:+.1f} %", 100 * light / total) : std::string("–");
+    const std::string text = total > 0 ? fmt::format("{:+.1f} %", 100 * light / total) : std::string("–");
+    return text == "-0.0 %" ? "+0.0 %" : text;
   };
   std::string rows;
   for (const TruthTerm& term : truth->terms) {
-    const Figures &highend = mainFigures(term.highendFigures), &mobile = mainFigures(term.mobileFigures);
+    const auto main = [&](const RegionFigures& f) -> const Figures& { return whole ? f.all : mainFigures(f); };
+    const Figures &highend = main(term.highendFigures), &mobile = main(term.mobileFigures);
     rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{:.4f}</td><td>{:.4f}</td><td>{:.4f}</td><td>{}</td><td>{}"
                         "</td>{}{}{}{}</tr>",
                         escapeMarkup(term.name), term.truth, term.highend, term.mobile,
@@ -81,7 +91,7 @@ std::string truthTerms(const std::optional<Truth>& truth) {
   return fmt::format(
       "<details class=\"terms truth-terms\" open=\"\"><summary>Where the light comes from, against the truth</summary>"
       "<table class=\"figures\"><thead><tr><th></th><th scope=\"colgroup\" colspan=\"3\">mean luminance</th><th "
-      "scope=\"colgroup\" colspan=\"2\">too much or too little, of all light</th><th scope=\"colgroup\" "
+      "scope=\"colgroup\" colspan=\"2\">more or less than the truth, of all light</th><th scope=\"colgroup\" "
       "colspan=\"2\">mean FLIP</th><th scope=\"colgroup\" colspan=\"2\">relMSE</th></tr><tr><th "
       "scope=\"col\">term</th><th scope=\"col\">truth</th>{0}{0}{0}{0}</tr></thead><tbody>{1}</tbody></table>{2}"
       "</details>",

@@ -185,8 +185,9 @@ std::string viewSection(const SceneResult& scene, const ViewResult& view, const 
       imageTrio(view.images, view.truth, "Whole image" + place), verdictBadge(view.wholeVerdict));
   if (!view.reason.empty()) html += fmt::format("<p class=\"reason\">{}</p>", escapeMarkup(view.reason));
   if (view.whole.all.pixels > 0) html += fmt::format("<p class=\"light\">{}</p>", describeBias(view.whole.all));
-  html += baselineLine(view.baseline) + checkBars(view.checks) + figureTable(view.whole, view.baseline) +
-          truthNumbers(view.truth) + "</div>" + truthTerms(view.truth) + "</div>\n";
+  html += baselineLine(view.baseline) + checkBars(view.checks) + pairHeading(view.truth) +
+          figureTable(view.whole, view.baseline) + truthNumbers(view.truth, true) + "</div>" +
+          truthTerms(view.truth, true) + "</div>\n";
   if (!view.skipped.empty())
     html +=
         "<details><summary>Skipped, as nothing needed it</summary>" + textList(view.skipped, "skipped") + "</details>";

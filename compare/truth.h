@@ -13,7 +13,7 @@ namespace parity::compare {
 // How well the truth is known over a region. All 0: exactly. NaN: a pixel's error is not known.
 struct TruthError {
   double median = 0, worst = 0; // relative standard error of its pixels
-  double relmse = 0;            // what that error alone would give, at most
+  double relmse = 0;            // that this error alone would give (compare/measure_truth.h)
   double samples = 0;           // of the environment, a pixel and way of sampling, on average; 0: all in closed form
 };
 

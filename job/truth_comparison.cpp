@@ -74,7 +74,7 @@ TruthComparison compareWithTruth(Context& context, const ViewFrames& frames, con
 std::string describeTruth(const reference::Options& options) {
   const bool multiple = options.scattering == reference::Scattering::multiple;
   const bool correlated = options.geometryTerm == reference::GeometryTerm::heightCorrelated;
-  return fmt::format("exact integrals, {} scattering between microfacets{}, {}, standard error {:.3g} %",
+  return fmt::format("exact integrals, {} scattering between microfacets{}, {}, to a standard error of {:.3g} %",
                      multiple ? "multiple" : "single", multiple ? " (Kulla-Conty)" : "",
                      correlated ? "height-correlated Smith" : "Schlick-Smith", 100 * options.integral.relativeError);
 }
