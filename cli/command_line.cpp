@@ -64,6 +64,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   reportApp.add_flag("--terms", report.common.settings.terms,
                      "Also measure the terms (sun, sky, lights... diffuse and specular)");
   reportApp.add_option("--json", report.common.json, "Also write report.json there; - for stdout");
+  addTruthOptions(reportApp, report.common, raw);
   addCommonOptions(reportApp, report.common, raw);
   addMetricsOption(reportApp, raw);
   // A suite says for itself how each scene is lit and seen.
@@ -76,6 +77,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addVerdictOptions(diffApp, diff.verdict);
   diffApp.add_flag("--terms", diff.common.settings.terms, "Also measure the terms");
   diffApp.add_option("--json", diff.common.json, "Write the result as JSON there; - for stdout, instead of the table");
+  addTruthOptions(diffApp, diff.common, raw);
   addCommonOptions(diffApp, diff.common, raw);
   addMetricsOption(diffApp, raw);
 

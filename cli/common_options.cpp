@@ -174,6 +174,14 @@ void addReferenceOptions(CLI::App& app, RawOptions& raw) {
       ->group("Reference");
 }
 
+void addTruthOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
+  app.add_flag("--reference", common.settings.truth,
+               "Also hold both paths against the ground truth, term by term: exact integrals, slow; judges nothing")
+      ->group("Reference");
+  addReferenceOptions(app, raw);
+  for (const char* option : {"--error", "--scattering"}) app.get_option(option)->needs("--reference");
+}
+
 void settle(CommonOptions& common, const RawOptions& raw) {
   job::Settings& s = common.settings;
   s.reference.integral.relativeError = parseShare("--error", raw.error);
@@ -205,6 +213,7 @@ void settle(CommonOptions& common, const RawOptions& raw) {
     if (s.background.x < 0 || s.background.y < 0 || s.background.z < 0)
       throw invalid("--background", raw.background, "a colour: a channel is negative");
   }
+  s.terms |= s.truth;
   s.metrics = parseMetrics("--metrics", raw.metrics);
   s.mobilePreset = mobile::presetByName(s.mobilePresetName);
   settleModel(s, raw);

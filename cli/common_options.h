@@ -28,8 +28,10 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
 void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw);
 // What is measured; nothing is by `render`.
 void addMetricsOption(CLI::App& app, RawOptions& raw);
-// How the ground truth is made.
+// How the ground truth is made: --error, --scattering.
 void addReferenceOptions(CLI::App& app, RawOptions& raw);
+// --reference, which those need.
+void addTruthOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
 
 // Checks what CLI11 has filled in, and turns it into settings. Throws CLI::ValidationError.
 void settle(CommonOptions& common, const RawOptions& raw);

@@ -57,6 +57,9 @@ double worseBy(Better better, double before, double now) {
 // The settings that say which surfaces are in a whole image, and how they are shaded on request.
 constexpr std::array<std::string_view, 2> kSettingsOfWholes = {"materials", "fully rough"};
 
+// The truth judges nothing, and none of the figures that are held against the baseline's depends on it.
+constexpr std::string_view kSettingOfTruth = "truth";
+
 std::string settingOf(const Report& report, std::string_view name) {
   const auto found = std::ranges::find(report.settings, name, [](const auto& setting) { return setting.first; });
   return found == report.settings.end() ? "not recorded" : found->second;
@@ -161,7 +164,7 @@ std::string describeOtherConditions(const Report& report, const Report& baseline
   for (const auto& [name, value] : report.settings)
     if (std::ranges::find(kSettingsOfWholes, name) != kSettingsOfWholes.end())
       compare(name, settingOf(baseline, name), value);
-    else
+    else if (name != kSettingOfTruth)
       for (const auto& [oldName, oldValue] : baseline.settings)
         if (name == oldName) compare(name, oldValue, value);
   compare("device", baseline.device, report.device);

@@ -19,12 +19,15 @@ std::string materialRow(const MaterialResult& material, const std::string& place
     for (const FigureChange& each :
          material.figures.interior.pixels > 0 ? material.baseline->interior : material.baseline->all)
       if (each.metric == "flip.mean") change = each.change();
+  std::string ofTruth; // for sorting
+  if (material.truth)
+    ofTruth = fmt::format(" data-truth=\"{:.6f}\"", mainRegion(*material.truth).highend.find("flip.mean").value_or(0));
   std::string html = fmt::format(
       "<article class=\"material {}\" data-name=\"{}\" data-verdict=\"{}\" data-gravity=\"{}\" data-mean=\"{}\" "
-      "data-light=\"{:.6f}\" data-change=\"{:.6f}\" data-order=\"{}\"><div class=\"about\">{}<h4><bdi>{}</bdi></h4>",
+      "data-light=\"{:.6f}\" data-change=\"{:.6f}\"{} data-order=\"{}\"><div class=\"about\">{}<h4><bdi>{}</bdi></h4>",
       verdictClass(material.verdict), escapeMarkup(material.name), verdictClass(material.verdict),
       static_cast<int>(material.verdict), mean && std::isfinite(*mean) ? fmt::format("{:.6f}", *mean) : "",
-      seen && std::isfinite(light) ? light : 0, std::isfinite(change) ? change : 0, order,
+      seen && std::isfinite(light) ? light : 0, std::isfinite(change) ? change : 0, ofTruth, order,
       verdictBadge(material.verdict), escapeMarkup(material.name));
   if (!material.reason.empty()) html += fmt::format("<p class=\"reason\">{}</p>", escapeMarkup(material.reason));
   if (seen) html += fmt::format("<p class=\"light\">{}</p>", describeBias(main));
@@ -37,9 +40,11 @@ std::string materialRow(const MaterialResult& material, const std::string& place
   if (!budget.empty()) html += fmt::format("<p class=\"aside\">{}</p>", budget);
   html += "</div>";
   if (!seen) return html + "<p class=\"unseen\">No pixel of this view shows it.</p></article>\n";
-  html += imageTrio(material.crops, material.name + place);
-  return html + fmt::format("<div class=\"numbers\">{}{}{}</div></article>\n", checkBars(material.checks),
-                            figureTable(material.figures, material.baseline), termTable(material.terms));
+  html += imageTrio(material.crops, material.truth, material.name + place);
+  return html + fmt::format("<div class=\"numbers\">{}{}{}{}</div>{}</article>\n",
+                            checkBars(material.checks) + pairHeading(material.truth),
+                            figureTable(material.figures, material.baseline), truthNumbers(material.truth, false),
+                            material.truth ? "" : termTable(material.terms), truthTerms(material.truth, false));
 }
 
 } // namespace parity::compare

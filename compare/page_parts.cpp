@@ -89,11 +89,18 @@ std::string verdictBadge(Verdict verdict) {
                      signOf(verdict), nameOf(verdict));
 }
 
-std::string imageTrio(const ImageSet& images, const std::string& subject) {
-  return fmt::format("<div class=\"trio\" data-title=\"{}\">{}{}{}</div>", escapeMarkup(subject),
-                     image(images.reference, "reference", "High-end (reference)", subject),
-                     image(images.test, "test", "Mobile", subject),
-                     image(images.flip, "flip", "Difference (FLIP)", subject));
+std::string imageTrio(const ImageSet& images, const std::optional<Truth>& truth, const std::string& subject) {
+  std::string html;
+  if (!truth)
+    html = image(images.reference, "reference", "High-end (reference)", subject) +
+           image(images.test, "test", "Mobile", subject) + image(images.flip, "flip", "Difference (FLIP)", subject);
+  else
+    html = image(truth->images.truth, "truth", "Truth", subject) +
+           image(images.reference, "reference", "High-end", subject) + image(images.test, "test", "Mobile", subject) +
+           image(images.flip, "flip", "FLIP, mobile against high-end", subject) +
+           image(truth->images.highendFlip, "highend-truth-flip", "FLIP, high-end against truth", subject) +
+           image(truth->images.mobileFlip, "mobile-truth-flip", "FLIP, mobile against truth", subject);
+  return fmt::format("<div class=\"trio\" data-title=\"{}\">{}</div>", escapeMarkup(subject), html);
 }
 
 std::string checkBars(const std::vector<CheckResult>& checks) {

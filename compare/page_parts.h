@@ -14,9 +14,9 @@ std::string verdictBadge(Verdict verdict);
 // The class name of a verdict in report_page.css: "pass", "not-seen", "warn", "fail", "error".
 std::string verdictClass(Verdict verdict);
 
-// Reference, test and FLIP side by side, each a link to the full-size file; a note where there is no image.
-// subject: what they show, for alt texts.
-std::string imageTrio(const ImageSet& images, const std::string& subject);
+// Reference, test and FLIP side by side, each a link to the full-size file; a note where there is no image. With a
+// truth two rows: the three pictures, below them how far apart they are. subject: what they show, for alt texts.
+std::string imageTrio(const ImageSet& images, const std::optional<Truth>& truth, const std::string& subject);
 
 // A bar for each budget check: the value, the limits as marks, and both in words.
 std::string checkBars(const std::vector<CheckResult>& checks);
@@ -30,6 +30,17 @@ std::string baselineLine(const std::optional<BaselineChange>& baseline);
 
 // The light of each term by both paths and what it adds to the difference; empty where there are none.
 std::string termTable(const std::vector<TermFigures>& terms);
+
+// Both paths against the truth, in words and figures; and their light by terms beside its. Empty where there is none.
+// whole: of a whole image, over all pixels; else over the interior, where there is one.
+std::string truthNumbers(const std::optional<Truth>& truth, bool whole);
+std::string truthTerms(const std::optional<Truth>& truth, bool whole);
+
+// What the figures above those are of; empty where there is no truth.
+std::string pairHeading(const std::optional<Truth>& truth);
+
+// What the reader has to know of the truth, as a paragraph; empty where there is none.
+std::string truthHelp(const Report& report);
 
 // The magma scale in which FLIP maps are drawn, 0..1.
 std::string magmaLegend();

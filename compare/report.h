@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compare/figures.h"
+#include "compare/truth.h"
 
 namespace parity::compare {
 
@@ -76,6 +77,7 @@ struct MaterialResult {
   ImageSet crops; // around the material's pixels; empty where it is not seen
   AppliedRule rule;
   std::optional<BaselineChange> baseline; // only where there is one
+  std::optional<Truth> truth;             // only with --reference
   bool seenElsewhere = false; // set by settleVerdicts: not seen here, but in another view, so it does not count
 };
 
@@ -86,6 +88,7 @@ struct ViewResult {
   std::vector<CheckResult> checks;
   AppliedRule rule;                       // of the whole image
   std::optional<BaselineChange> baseline; // of the whole image; only where there is one
+  std::optional<Truth> truth;             // of the whole image; only with --reference
   Verdict verdict = Verdict::pass;        // of the view: its whole image and its materials
   Verdict wholeVerdict = Verdict::pass;   // of the whole image alone
   std::string reason;                     // one sentence: what decided wholeVerdict; empty on a pass
@@ -141,10 +144,14 @@ struct VerdictCounts {
 VerdictCounts countVerdicts(const Report& report); // material x view; those not seen here but elsewhere are left out
 VerdictCounts countWholes(const Report& report);   // whole images
 
+// Whether any view was held against the ground truth.
+bool hasTruth(const Report& report);
+
 // Sets one material's verdict and reason from its figures and checks, and `seenElsewhere` as given (it matters only
 // where there is no pixel): no pixel = notSeen, or fail where its budget requires it to be seen and no other view shows
-// it; non-finite pixels = fail; no checks, none that could be judged, or a figure that is NaN = error; else the worst
-// check. (A rule of regressions alone, for a material that the baseline does not have: warn, as it is new.)
+// it; non-finite pixels = fail; no checks, none that could be judged, a figure that is NaN or a truth that is not
+// finite = error; else the worst check. (A rule of regressions alone, for a material that the baseline does not have:
+// warn, as it is new.)
 void settleMaterial(MaterialResult& material, bool seenElsewhere);
 
 // Sets every verdict above the checks' from its parts, also the materials' by settleMaterial (another view of the scene

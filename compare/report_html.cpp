@@ -63,6 +63,12 @@ std::string headline(const Report& report) {
 
 std::string anchor(std::size_t scene, std::size_t view) { return fmt::format("scene-{}-view-{}", scene + 1, view + 1); }
 
+// Which truth it is, in the header: it decides what its figures mean.
+std::string truthLine(const Report& report) {
+  const auto setting = std::ranges::find(report.settings, "truth", [](const auto& each) { return each.first; });
+  return setting == report.settings.end() ? "" : fmt::format("<br/>Truth: {}", escapeMarkup(setting->second));
+}
+
 std::string header(const Report& report, const RunInfo& run) {
   std::string details = definition("Version", report.version) + definition("Device", report.device) +
                         definition("Started", run.startedAt);
@@ -71,7 +77,7 @@ std::string header(const Report& report, const RunInfo& run) {
   for (const auto& [stage, timeMs] : run.timings) details += definition(stage, fmt::format("{:.0f} ms", timeMs));
   return fmt::format(
       "<header class=\"{}\"><div><p class=\"kicker\">{} report</p><h1>{} {}</h1><p "
-      "class=\"sub\">{}</p></div>{}</header>\n"
+      "class=\"sub\">{}{}</p></div>{}</header>\n"
       "<div class=\"two\"><details><summary>Settings, device, times</summary><dl>{}</dl></details>\n"
       "<details><summary>How to read this page</summary><div class=\"help\"><p>Every material is shaded twice at the "
       "very "
@@ -82,10 +88,11 @@ std::string header(const Report& report, const RunInfo& run) {
       "<b>interior</b> leaves out a rim of 10 pixels, where FLIP also sees the neighbours. <b>p95</b>: a twentieth of "
       "the "
       "pixels is worse than this. <b>Warmer</b> is yellower, <b>cooler</b> bluer, on average. Click an image to flip "
-      "between the two renders; keys 1, 2, 3 and the arrows work "
-      "there.</p></div></details></div>\n",
+      "between the renders; the number keys and the arrows work "
+      "there.</p>{}</div></details></div>\n",
       verdictClass(report.verdict), escapeMarkup(report.tool), verdictBadge(report.verdict),
-      escapeMarkup(headline(report)), escapeMarkup(report.device), magmaLegend(), details);
+      escapeMarkup(headline(report)), escapeMarkup(report.device), truthLine(report), magmaLegend(), details,
+      truthHelp(report));
 }
 
 std::string toolbar(const Report& report) {
@@ -107,6 +114,7 @@ std::string toolbar(const Report& report) {
   return html +
          "<label class=\"sort\">Sort by <select id=\"sort\"><option value=\"gravity\">verdict</option><option "
          "value=\"mean\">mean FLIP</option><option value=\"light\">brightness difference</option>" +
+         std::string(hasTruth(report) ? "<option value=\"truth\">high-end against truth</option>" : "") +
          std::string(report.baseline ? "<option value=\"change\">change since the baseline</option>" : "") +
          "<option value=\"name\">name</option><option value=\"order\">order in the "
          "scene</option></select></label></div>\n";
@@ -120,14 +128,26 @@ std::string overview(const Report& report) {
     double mean;
     std::string html;
   };
+  const bool truth = hasTruth(report);
+  const auto meanCell = [](const std::optional<double>& mean) {
+    return fmt::format("<td>{}</td>", mean ? formatFigure("flip.mean", *mean) : "–");
+  };
+  const auto truthCells = [&](const ViewResult& view) {
+    if (!truth) return std::string();
+    const auto mean = [&](Figures TruthRegion::*path) {
+      return view.truth ? (view.truth->all.*path).find("flip.mean") : std::nullopt;
+    };
+    return meanCell(mean(&TruthRegion::highend)) + meanCell(mean(&TruthRegion::mobile));
+  };
   std::vector<Line> lines;
   for (std::size_t s = 0; s < report.scenes.size(); ++s) {
     const SceneResult& scene = report.scenes[s];
     if (!scene.error.empty())
       lines.push_back(
           {Verdict::error, 0,
-           fmt::format("<tr><td>{}</td><td><a href=\"#scene-{}\">{}</a></td><td colspan=\"5\">{}</td></tr>",
-                       verdictBadge(Verdict::error), s + 1, escapeMarkup(scene.name), escapeMarkup(scene.error))});
+           fmt::format("<tr><td>{}</td><td><a href=\"#scene-{}\">{}</a></td><td colspan=\"{}\">{}</td></tr>",
+                       verdictBadge(Verdict::error), s + 1, escapeMarkup(scene.name), truth ? 7 : 5,
+                       escapeMarkup(scene.error))});
     for (std::size_t v = 0; v < scene.views.size(); ++v) {
       const ViewResult& view = scene.views[v];
       const auto over =
@@ -136,12 +156,11 @@ std::string overview(const Report& report) {
       const std::optional<double> mean = seen ? view.whole.all.find("flip.mean") : std::nullopt;
       lines.push_back(
           {view.verdict, mean.value_or(0), // unmeasured ones sort last
-           fmt::format(
-               "<tr><td>{}</td><td><a href=\"#{}\">{}</a></td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}"
-               "</td></tr>",
-               verdictBadge(view.verdict), anchor(s, v), escapeMarkup(scene.name), escapeMarkup(view.name),
-               view.materials.size(), over, mean ? formatFigure("flip.mean", *mean) : "–",
-               seen ? describeBias(view.whole.all) : "nothing seen")});
+           fmt::format("<tr><td>{}</td><td><a href=\"#{}\">{}</a></td><td>{}</td><td>{}</td><td>{}</td>{}{}<td>{}"
+                       "</td></tr>",
+                       verdictBadge(view.verdict), anchor(s, v), escapeMarkup(scene.name), escapeMarkup(view.name),
+                       view.materials.size(), over, meanCell(mean), truthCells(view),
+                       seen ? describeBias(view.whole.all) : "nothing seen")});
     }
   }
   std::ranges::stable_sort(lines, [](const Line& a, const Line& b) {
@@ -150,7 +169,9 @@ std::string overview(const Report& report) {
   std::string html =
       "<table class=\"overview\"><thead><tr><th scope=\"col\">verdict</th><th scope=\"col\">scene</th><th "
       "scope=\"col\">view</th><th scope=\"col\">materials</th><th scope=\"col\">over budget</th><th "
-      "scope=\"col\">mean FLIP</th><th scope=\"col\">bias</th></tr></thead><tbody>";
+      "scope=\"col\">mean FLIP</th>" +
+      std::string(truth ? "<th scope=\"col\">high-end / truth</th><th scope=\"col\">mobile / truth</th>" : "") +
+      "<th scope=\"col\">bias</th></tr></thead><tbody>";
   for (const Line& line : lines) html += line.html;
   return html + "</tbody></table>\n";
 }
@@ -161,11 +182,12 @@ std::string viewSection(const SceneResult& scene, const ViewResult& view, const 
       "<section class=\"view\" id=\"{}\"><h3>{} View <bdi>{}</bdi> <small>{} × {} pixels</small></h3>\n<div "
       "class=\"whole\">{}<div class=\"numbers\"><h4>Whole image {}</h4>",
       id, verdictBadge(view.verdict), escapeMarkup(view.name), view.width, view.height,
-      imageTrio(view.images, "Whole image" + place), verdictBadge(view.wholeVerdict));
+      imageTrio(view.images, view.truth, "Whole image" + place), verdictBadge(view.wholeVerdict));
   if (!view.reason.empty()) html += fmt::format("<p class=\"reason\">{}</p>", escapeMarkup(view.reason));
   if (view.whole.all.pixels > 0) html += fmt::format("<p class=\"light\">{}</p>", describeBias(view.whole.all));
-  html +=
-      baselineLine(view.baseline) + checkBars(view.checks) + figureTable(view.whole, view.baseline) + "</div></div>\n";
+  html += baselineLine(view.baseline) + checkBars(view.checks) + pairHeading(view.truth) +
+          figureTable(view.whole, view.baseline) + truthNumbers(view.truth, true) + "</div>" +
+          truthTerms(view.truth, true) + "</div>\n";
   if (!view.skipped.empty())
     html +=
         "<details><summary>Skipped, as nothing needed it</summary>" + textList(view.skipped, "skipped") + "</details>";

@@ -1,37 +1,10 @@
 // report.json (compare/report.schema.json) and run.json.
+#include "compare/json_figures.h"
 #include "compare/json_writer.h"
 #include "compare/report.h"
 
 namespace parity::compare {
 namespace {
-
-void writeTexts(JsonWriter& json, const std::vector<std::string>& texts) {
-  json.beginArray();
-  for (const std::string& text : texts) json.text(text);
-  json.endArray();
-}
-
-void writeFigures(JsonWriter& json, const Figures& figures) {
-  if (figures.pixels == 0) return json.null(); // a zero there would read as "alike"
-  json.beginObject();
-  json.key("pixels").integer(figures.pixels);
-  json.key("nonFinite").integer(figures.nonFinite);
-  json.key("metrics").beginObject();
-  for (const Figure& figure : figures.values) json.key(figure.name).number(figure.value);
-  json.endObject();
-  json.key("referenceLuma").number(figures.referenceLuma);
-  json.key("testLuma").number(figures.testLuma);
-  json.endObject();
-}
-
-void writeRegions(JsonWriter& json, const RegionFigures& regions) {
-  json.beginObject();
-  json.key("interior");
-  writeFigures(json, regions.interior);
-  json.key("all");
-  writeFigures(json, regions.all);
-  json.endObject();
-}
 
 void writeLimit(JsonWriter& json, const std::optional<double>& limit) {
   if (limit)
@@ -125,6 +98,10 @@ void writeMaterial(JsonWriter& json, const MaterialResult& material) {
   json.endArray();
   json.key("crops");
   writeImages(json, material.crops);
+  if (material.truth) {
+    json.key("truth");
+    writeTruth(json, *material.truth);
+  }
   json.endObject();
 }
 
@@ -145,6 +122,10 @@ void writeView(JsonWriter& json, const ViewResult& view) {
   writeRule(json, view.rule);
   json.key("baseline");
   writeBaseline(json, view.baseline);
+  if (view.truth) {
+    json.key("truth");
+    writeTruth(json, *view.truth);
+  }
   json.endObject();
   json.key("materials").beginArray();
   for (const MaterialResult& material : view.materials) writeMaterial(json, material);

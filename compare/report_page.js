@@ -23,6 +23,7 @@
       mean: (a, b) => largestFirst("mean")(a, b) || inOrder(a, b),
       change: (a, b) => largestFirst("change")(a, b) || inOrder(a, b),
       light: (a, b) => largestFirst("light")(a, b) || inOrder(a, b),
+      truth: (a, b) => largestFirst("truth")(a, b) || inOrder(a, b),
       name: (a, b) => a.dataset.name.localeCompare(b.dataset.name) || inOrder(a, b),
       order: inOrder,
     };

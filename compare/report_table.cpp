@@ -20,6 +20,7 @@ struct Column {
   bool all = false;    // over every pixel
   bool change = false; // since the baseline
   std::size_t width = 5;
+  Figures TruthRegion::*path = nullptr; // against the truth: this path's
 };
 
 // The figures that are shown where they were measured, in this order; "rmse" only where its twin psnr is not.
@@ -41,6 +42,10 @@ std::vector<Column> columnsOf(const ViewResult& view, bool baseline) {
   if (sample->find("flip.mean"))
     columns = {{"mean", "flip.mean"}, {"p95", "flip.p95"}, {"max", "flip.max"}, {"all", "flip.mean", true}};
   if (baseline && sample->find("flip.mean")) columns.push_back({"since", "flip.mean", false, true, 6});
+  if (view.truth) {
+    columns.push_back({"hi/truth ", "flip.mean", false, false, 9, &TruthRegion::highend});
+    columns.push_back({"mo/truth ", "flip.mean", false, false, 9, &TruthRegion::mobile});
+  }
   for (const auto& [metric, title] : kShown)
     if (sample->find(metric) && !(metric == "rmse" && sample->find("psnr")))
       columns.push_back({title, std::string(metric), false, false, metric == "psnr" ? 9u : 7u});
@@ -59,6 +64,7 @@ struct Row {
   const RegionFigures& regions;
   const Figures& main; // what the row is judged by
   const std::optional<BaselineChange>& baseline;
+  const std::optional<Truth>& truth;
   const std::string& reason;
 };
 
@@ -71,7 +77,15 @@ std::string formatCell(const Column& column, const Row& row) {
     const auto change = std::ranges::find(changes, column.metric, &FigureChange::metric);
     return change == changes.end() ? "-" : formatChange(column.metric, change->change());
   }
-  const std::optional<double> value = (column.all ? row.regions.all : row.main).find(column.metric);
+  const bool all = column.all || &row.main == &row.regions.all;
+  if (column.path) {
+    if (!row.truth) return "- ";
+    const TruthRegion& region = all ? row.truth->all : row.truth->interior;
+    const std::optional<double> mean = (region.*column.path).find(column.metric);
+    if (!mean) return "- ";
+    return formatFigure(column.metric, *mean) + (isWithinNoise(region.*column.path, region.error) ? "~" : " ");
+  }
+  const std::optional<double> value = (all ? row.regions.all : row.main).find(column.metric);
   if (!value) return "-";
   return std::isnan(*value) ? "NaN" : formatFigure(column.metric, *value);
 }
@@ -99,10 +113,13 @@ std::string formatView(const SceneResult& scene, const ViewResult& view, bool ba
   out += "\n";
   for (const MaterialResult& material : view.materials)
     out += formatRow({material.name, material.verdict, material.figures, mainFigures(material.figures),
-                      material.baseline, material.reason},
+                      material.baseline, material.truth, material.reason},
                      nameColumns, columns, color);
-  out += formatRow({"whole image", view.wholeVerdict, view.whole, view.whole.all, view.baseline, view.reason},
-                   nameColumns, columns, color);
+  out +=
+      formatRow({"whole image", view.wholeVerdict, view.whole, view.whole.all, view.baseline, view.truth, view.reason},
+                nameColumns, columns, color);
+  if (view.truth)
+    for (const std::string& note : view.truth->notes) out += fmt::format("  {}\n", plainLine(note));
   return out + "\n";
 }
 
@@ -168,6 +185,10 @@ std::string toTable(const Report& report, bool color) {
   out += unjudgedLine(report);
   out += "FLIP of the displayed images (0 alike, 1 far apart): mean, p95, max over interior pixels (whole image: "
          "all), 'all' the mean over every pixel.\n";
+  if (hasTruth(report))
+    out +=
+        "hi/truth, mo/truth: mean FLIP of high-end and of mobile against the truth; ~ where the difference is within 2 "
+        "standard errors of the truth.\n";
   return out + fmt::format("verdict: {} ({})\n", paint(report.verdict, nameOf(report.verdict), color), summary(report));
 }
 

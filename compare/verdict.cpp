@@ -61,6 +61,15 @@ Judgement judgeSeen(const RegionFigures& figures, const std::vector<CheckResult>
   return {worst->verdict, describeCheck(*worst) + (equals > 1 ? fmt::format(" (and {} more)", equals - 1) : "")};
 }
 
+// A truth that is no number measured nothing: an error, whatever was judged besides.
+Judgement withTruth(Judgement judgement, const std::optional<Truth>& truth) {
+  if (!truth || truth->all.nonFinite == 0) return judgement;
+  std::string reason =
+      fmt::format("{} of {} pixels of the truth are NaN or infinite", truth->all.nonFinite, truth->all.highend.pixels);
+  if (!judgement.reason.empty()) reason += "; " + judgement.reason;
+  return {worse(judgement.verdict, Verdict::error), std::move(reason)};
+}
+
 // The name of another view of the scene that shows the material; empty if there is none.
 std::string findOtherView(const SceneResult& scene, const ViewResult& here, std::size_t index) {
   for (const ViewResult& view : scene.views)
@@ -77,7 +86,7 @@ void settleWhole(ViewResult& view) {
   else if (view.whole.all.pixels == 0)
     judgement = {Verdict::notSeen, "no pixel of this view shows any material"};
   else
-    judgement = judgeSeen(view.whole, view.checks);
+    judgement = withTruth(judgeSeen(view.whole, view.checks), view.truth);
   view.wholeVerdict = judgement.verdict;
   view.reason = std::move(judgement.reason);
 }
@@ -167,11 +176,17 @@ VerdictCounts countWholes(const Report& report) {
   return counts;
 }
 
+bool hasTruth(const Report& report) {
+  return std::ranges::any_of(report.scenes, [](const SceneResult& scene) {
+    return std::ranges::any_of(scene.views, [](const ViewResult& view) { return view.truth.has_value(); });
+  });
+}
+
 void settleMaterial(MaterialResult& material, bool seenElsewhere) {
   material.seenElsewhere = false;
   Judgement judgement;
   if (material.figures.all.pixels > 0) {
-    judgement = judgeSeen(material.figures, material.checks);
+    judgement = withTruth(judgeSeen(material.figures, material.checks), material.truth);
   } else if (seenElsewhere) {
     material.seenElsewhere = true;
     judgement = {Verdict::notSeen, "not seen in this view; another view shows it"};

@@ -13,6 +13,7 @@ namespace parity::compare {
 namespace {
 
 constexpr double kLeastEv = 0.05, kLeastLab = 1; // wording.h says why
+constexpr double kLeastRelMse = 1e-6;            // of rounding in fp32, not of shading
 constexpr int kShareDigits = 1;                  // of a percentage
 constexpr int kMostDigits = 8;                   // after the point
 
@@ -110,6 +111,11 @@ std::string formatFigure(const std::string& metric, double value) {
   if (std::isinf(value))
     return statistic && statistic->better == Better::higher && value > 0 ? "identical" : "infinite";
   return formatNumber(metric, value, isSigned(metric));
+}
+
+std::string formatRelMse(double value) {
+  if (std::isnan(value)) return "not known";
+  return value > 0 && value < kLeastRelMse ? "under 1e-06" : fmt::format("{:.2g}", value);
 }
 
 std::string formatChange(const std::string& metric, double change) {

@@ -18,6 +18,10 @@ std::string labelOf(const CheckResult& check);
 // "32.5 %" (shares of pixels); "identical" for an infinite psnr, "not a number" for NaN. metric: as in CheckResult.
 std::string formatFigure(const std::string& metric, double value);
 
+// A relMSE with two significant digits, as it may be very small: "0.012", "3.1e-05", "under 1e-06";
+// "not known" for NaN.
+std::string formatRelMse(double value);
+
 // A difference of two figures, always signed: "+0.012", "-1.4 dB".
 std::string formatChange(const std::string& metric, double change);
 

@@ -35,6 +35,13 @@ Displayed displayImage(const base::Image& color, const base::DisplayTransform& d
   return out;
 }
 
+base::Image expose(const base::Image& color, float exposureEv) {
+  base::Image out = color;
+  const float gain = std::exp2(exposureEv);
+  for (float& v : out.pixels) v *= gain;
+  return out;
+}
+
 base::Image8 quantize(const base::Image& display) {
   base::Image8 out(display.width, display.height, display.channels);
   std::transform(display.pixels.begin(), display.pixels.end(), out.pixels.begin(), toByte);

@@ -18,6 +18,9 @@ struct Displayed {
 // color: linear scene-referred RGB.
 Displayed displayImage(const base::Image& color, const base::DisplayTransform& display, float exposureEv);
 
+// The frame as the camera's exposure makes it: what linear figures are measured on.
+base::Image expose(const base::Image& color, float exposureEv);
+
 // value * 255 + 0.5, clamped to [0,255].
 base::Image8 quantize(const base::Image& display);
 

@@ -115,6 +115,7 @@ ReferenceSurface ReferencePath::shade(const gpu::Surface& surface, const scenes:
     for (std::size_t t = 0; t < result.shaded.terms.size(); ++t)
       result.shaded.terms[t].emplace_back(points[i].terms[t], 0.f);
     result.standardErrors.push_back(points[i].standardError);
+    result.samples.push_back(points[i].samples);
     result.sampledPoints += points[i].samples > 0;
     result.lightSamples += points[i].samples;
   }
@@ -122,7 +123,8 @@ ReferenceSurface ReferencePath::shade(const gpu::Surface& surface, const scenes:
 }
 
 ErrorBuilder::ErrorBuilder(int width, int height, int samples)
-    : m_samples(samples), m_squares(static_cast<std::size_t>(width) * height, 0.0), m_error(width, height, 1) {}
+    : m_samples(samples), m_squares(static_cast<std::size_t>(width) * height, 0.0), m_error(width, height, 1),
+      m_taken(width, height, 1) {}
 
 void ErrorBuilder::add(const gpu::Surface& opaque, const ReferenceSurface& opaqueShaded, const gpu::Surface* blended,
                        const ReferenceSurface* blendedShaded) {
@@ -131,11 +133,13 @@ void ErrorBuilder::add(const gpu::Surface& opaque, const ReferenceSurface& opaqu
     const double opacity = layerOpacity[blended->pixels[i]] = blendedShaded->shaded.color[i].w;
     const double error = opacity * blendedShaded->standardErrors[i];
     m_squares[blended->pixels[i]] += error * error;
+    m_taken.pixels[blended->pixels[i]] += static_cast<float>(blendedShaded->samples[i]);
   }
   for (std::size_t i = 0; i < opaque.size(); ++i) {
     const std::uint32_t pixel = opaque.pixels[i];
     const double error = (blended ? 1 - layerOpacity[pixel] : 1) * opaqueShaded.standardErrors[i];
     m_squares[pixel] += error * error;
+    m_taken.pixels[pixel] += static_cast<float>(opaqueShaded.samples[i]);
   }
 }
 

@@ -13,9 +13,10 @@ namespace parity::job {
 // A surface shaded by the reference, and how well.
 struct ReferenceSurface {
   gpu::ShadedSurface shaded;
-  std::vector<float> standardErrors; // of the colour, absolute, the worst channel; in the surface's order
-  std::uint64_t sampledPoints = 0;   // that were not in closed form
-  std::uint64_t lightSamples = 0;    // taken for those, for each way of sampling
+  std::vector<float> standardErrors;  // of the colour, absolute, the worst channel; in the surface's order
+  std::vector<std::uint32_t> samples; // taken of the environment for each way of sampling; in the surface's order
+  std::uint64_t sampledPoints = 0;    // that were not in closed form
+  std::uint64_t lightSamples = 0;     // taken for those, for each way of sampling
 };
 
 class ReferencePath {
@@ -52,11 +53,13 @@ public:
   // One channel: standard error of the worst channel over the brightest channel of this colour; 0 where nothing is
   // seen.
   base::Image take(const base::Image& color) const;
+  // One channel: samples taken of the environment for each way of sampling.
+  const base::Image& samples() const { return m_taken; }
 
 private:
   int m_samples;
   std::vector<double> m_squares; // of the standard error, summed: the scramblings of samples and layers are apart
-  base::Image m_error;
+  base::Image m_error, m_taken;
 };
 
 } // namespace parity::job

@@ -26,7 +26,8 @@ std::string safeFileName(std::size_t index, const std::string& name) {
 bool isPictureOfAReport(std::string_view name) {
   const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
   return digits > 0 && name.substr(digits).starts_with('-') &&
-         (name.ends_with("_highend.png") || name.ends_with("_mobile.png") || name.ends_with("_flip.png"));
+         (name.ends_with("_highend.png") || name.ends_with("_mobile.png") || name.ends_with("_flip.png") ||
+          name.ends_with("_truth.png"));
 }
 
 } // namespace

@@ -15,6 +15,7 @@
 #include "compare/baseline.h"
 #include "compare/report_reader.h"
 #include "job/report_folder.h"
+#include "job/truth_comparison.h"
 #include "job/version.h"
 #include "job/view_comparison.h"
 #include "scenes/names.h"
@@ -27,21 +28,24 @@ std::vector<std::pair<std::string, std::string>> describe(const Settings& s, con
   const auto nameOf = [](const std::vector<std::string>& names, auto value) {
     return names[static_cast<std::size_t>(value)];
   };
-  return {{"size", fmt::format("{}x{}", s.width, s.height)},
-          {"samples", std::to_string(s.samples)},
-          {"display", display.name()},
-          {"exposure", fmt::format("{} EV", s.exposureEv)},
-          {"background", fmt::format("{},{},{}", s.background.x, s.background.y, s.background.z)},
-          {"sun extraction", s.extractSun ? "on" : "off"},
-          {"highend geometry term", nameOf(highend::geometryTermNames(), s.highend.geometryTerm)},
-          {"highend fresnel", nameOf(highend::fresnelNames(), s.highend.fresnel)},
-          {"highend diffuse", nameOf(highend::diffuseNames(), s.highend.diffuse)},
-          {"highend compensation", nameOf(highend::compensationNames(), s.highend.compensation)},
-          {"highend off-specular", nameOf(highend::offSpecularNames(), s.highend.offSpecular)},
-          {"mobile preset", s.mobilePresetName},
-          {"mobile precision", "fp32"},
-          {"materials", s.materials.empty() ? "all" : fmt::format("{}", fmt::join(s.materials, ", "))},
-          {"fully rough", s.fullyRough.empty() ? "none" : fmt::format("{}", fmt::join(s.fullyRough, ", "))}};
+  std::vector<std::pair<std::string, std::string>> settings = {
+      {"size", fmt::format("{}x{}", s.width, s.height)},
+      {"samples", std::to_string(s.samples)},
+      {"display", display.name()},
+      {"exposure", fmt::format("{} EV", s.exposureEv)},
+      {"background", fmt::format("{},{},{}", s.background.x, s.background.y, s.background.z)},
+      {"sun extraction", s.extractSun ? "on" : "off"},
+      {"highend geometry term", nameOf(highend::geometryTermNames(), s.highend.geometryTerm)},
+      {"highend fresnel", nameOf(highend::fresnelNames(), s.highend.fresnel)},
+      {"highend diffuse", nameOf(highend::diffuseNames(), s.highend.diffuse)},
+      {"highend compensation", nameOf(highend::compensationNames(), s.highend.compensation)},
+      {"highend off-specular", nameOf(highend::offSpecularNames(), s.highend.offSpecular)},
+      {"mobile preset", s.mobilePresetName},
+      {"mobile precision", "fp32"},
+      {"materials", s.materials.empty() ? "all" : fmt::format("{}", fmt::join(s.materials, ", "))},
+      {"fully rough", s.fullyRough.empty() ? "none" : fmt::format("{}", fmt::join(s.fullyRough, ", "))}};
+  if (s.truth) settings.emplace_back("truth", describeTruth(s.reference));
+  return settings;
 }
 
 void requireMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs) {
@@ -116,16 +120,17 @@ public:
     result.sun = "none";
     try {
       tell(index, 0, request.views.size(), "loading");
-      const PreparedScene prepared = prepareScene(m_context, request);
+      const PreparedScene prepared =
+          prepareScene(m_context, request, {.filtered = true, .panorama = m_context.settings().truth});
       result.environment = prepared.environmentName;
       result.sun = prepared.sunText;
       result.warnings = prepared.scene.warnings;
       requireMaterials(prepared.scene, m_context.settings().materials);
       const compare::Budgets budgets = budgetsFor(request);
-      SceneRenderer renderer(m_context, prepared, Paths{}, request.views.size());
+      SceneRenderer renderer(m_context, prepared, Paths{.reference = m_context.settings().truth}, request.views.size());
       for (const std::string& note : renderer.notes()) result.warnings.push_back("mobile: " + note);
       for (std::size_t v = 0; v < request.views.size(); ++v) {
-        tell(index, v, request.views.size(), request.views[v].name);
+        tell(index, static_cast<double>(v), request.views.size(), request.views[v].name);
         result.views.push_back(compareOne(index, v, prepared, renderer, budgets));
       }
     } catch (const base::Error& error) {
@@ -160,7 +165,10 @@ private:
     const Settings& settings = m_context.settings();
     const scenes::ViewRequest& view = request.views[viewIndex];
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
-    const ViewFrames frames = renderer.render(scenes::makeCamera(prepared.scene, view, aspect));
+    const Progress tellReference = [&](const std::string& what, double done) {
+      tell(sceneIndex, static_cast<double>(viewIndex) + done, request.views.size(), view.name + ", " + what);
+    };
+    const ViewFrames frames = renderer.render(scenes::makeCamera(prepared.scene, view, aspect), tellReference);
     // A picture of nothing but background compares as equal: that is no answer.
     if (std::all_of(frames.coverage.begin(), frames.coverage.end(),
                     [](const auto& list) { return list.pixels.empty(); }))
@@ -176,9 +184,10 @@ private:
     return result;
   }
 
-  void tell(std::size_t scene, std::size_t view, std::size_t views, const std::string& what) const {
+  // view: how many are done.
+  void tell(std::size_t scene, double view, std::size_t views, const std::string& what) const {
     if (!m_progress) return;
-    const double share = views == 0 ? 0 : static_cast<double>(view) / static_cast<double>(views);
+    const double share = views == 0 ? 0 : view / static_cast<double>(views);
     m_progress(fmt::format("{}: {}", m_request.scenes[scene].name, what),
                (static_cast<double>(scene) + share) / static_cast<double>(m_request.scenes.size()));
   }

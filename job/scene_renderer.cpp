@@ -125,6 +125,7 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
   if (m_reference) {
     frames.reference = referenceFrame.take();
     frames.referenceError = referenceError.take(frames.reference.color);
+    frames.referenceTaken = referenceError.samples();
     frames.referenceSamples =
         sampledPoints > 0 ? static_cast<double>(lightSamples) / static_cast<double>(sampledPoints) : 0;
     if (progress) progress("reference", 1);

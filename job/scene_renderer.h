@@ -16,6 +16,7 @@ namespace parity::job {
 struct ViewFrames {
   base::Frame highend, mobile, reference; // empty where not asked for
   base::Image referenceError;             // relative standard error of each pixel (job/reference_path.h)
+  base::Image referenceTaken;             // samples of each pixel, of the environment, for each way of sampling
   double referenceSamples = 0;            // taken of the environment, a point and way of sampling
   std::vector<base::PixelList> coverage;  // a list per material; empty unless highend and mobile are asked for
 };

@@ -1,19 +1,16 @@
 #include "job/view_comparison.h"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <optional>
 
-#include <fmt/format.h>
-
 #include "base/glob.h"
-#include "base/image_io.h"
 #include "base/parallel.h"
-#include "compare/magma.h"
 #include "compare/measure.h"
+#include "compare/measure_truth.h"
 #include "compare/region.h"
 #include "job/displayed.h"
+#include "job/truth_comparison.h"
+#include "job/view_pictures.h"
 #include "shading/terms.h"
 
 namespace parity::job {
@@ -32,13 +29,6 @@ compare::Rect unionOf(const compare::Rect& a, const compare::Rect& b) {
   if (b.empty()) return a;
   const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
   return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
-}
-
-base::Image8 crop(const base::Image8& image, const compare::Rect& box) {
-  base::Image8 out(box.width, box.height, image.channels);
-  for (int y = 0; y < out.height; ++y)
-    std::copy_n(image.at(box.x, box.y + y), static_cast<std::size_t>(out.width) * image.channels, out.at(0, y));
-  return out;
 }
 
 // The pixels of these materials together.
@@ -93,19 +83,9 @@ std::vector<std::string> materialNotes(const scenes::Material& m) {
 std::vector<compare::TermFigures> termFigures(const ViewFrames& frames, const base::PixelList& list) {
   std::vector<compare::TermFigures> result;
   if (frames.highend.terms.empty() || list.pixels.empty()) return result;
-  const auto mean = [&](const base::Image& term) {
-    double sum = 0, total = 0;
-    for (std::size_t i = 0; i < list.pixels.size(); ++i) {
-      const float* p = term.pixels.data() + std::size_t{list.pixels[i]} * 3;
-      const double weight = list.weights.empty() ? 1 : list.weights[i];
-      sum += weight * (0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]);
-      total += weight;
-    }
-    return sum / total;
-  };
   for (std::size_t t = 0; t < shading::kTermCount; ++t)
-    result.push_back(
-        {std::string(shading::kTermNames[t]), mean(frames.highend.terms[t]), mean(frames.mobile.terms[t])});
+    result.push_back({std::string(shading::kTermNames[t]), compare::meanLuminance(frames.highend.terms[t], list),
+                      compare::meanLuminance(frames.mobile.terms[t], list)});
   return result;
 }
 
@@ -119,14 +99,6 @@ std::vector<std::size_t> chooseMaterials(const scenes::Scene& scene, const std::
         }))
       chosen.push_back(m);
   return chosen;
-}
-
-// The frame as the camera's exposure makes it: what linear figures are measured on.
-base::Image expose(const base::Image& color, float exposureEv) {
-  base::Image out = color;
-  const float gain = std::exp2(exposureEv);
-  for (float& v : out.pixels) v *= gain;
-  return out;
 }
 
 // What is measured where: the whole first, then each chosen material.
@@ -172,33 +144,6 @@ compare::Measurement measureView(const Settings& settings, const ViewFrames& fra
                                  measure);
 }
 
-struct Picture {
-  const base::Image8* whole;
-  std::string path;
-};
-
-// The three pictures of the view, and of each material that is seen a crop of each.
-void writePictures(const compare::ViewResult& view, const Subject& subject, const Displayed& reference,
-                   const Displayed& test, const base::Image& flip, const std::filesystem::path& folder) {
-  const base::Image8 heat = quantize(compare::magmaImage(flip));
-  std::vector<std::function<void()>> tasks;
-  const auto add = [&](const compare::ImageSet& set, const std::optional<compare::Rect>& box) {
-    for (const Picture& picture :
-         {Picture{&reference.pixels, set.reference}, Picture{&test.pixels, set.test}, Picture{&heat, set.flip}})
-      tasks.push_back([picture, box, &folder] {
-        base::writeImage8(folder / picture.path, box ? crop(*picture.whole, *box) : *picture.whole);
-      });
-  };
-  add(view.images, std::nullopt);
-  for (std::size_t i = 0; i < view.materials.size(); ++i)
-    if (!view.materials[i].crops.reference.empty()) add(view.materials[i].crops, subject.crops[i]);
-  base::parallelInvoke(tasks);
-}
-
-compare::ImageSet imageSet(const std::string& prefix) {
-  return {prefix + "_highend.png", prefix + "_mobile.png", prefix + "_flip.png"};
-}
-
 } // namespace
 
 compare::ViewResult compareView(Context& context, const scenes::Scene& scene, const ViewFrames& frames,
@@ -219,11 +164,18 @@ compare::ViewResult compareView(Context& context, const scenes::Scene& scene, co
     measured = measureView(settings, frames, reference, test, subject, budgets, request);
   }
 
+  std::optional<TruthComparison> truth;
+  if (settings.truth)
+    truth = compareWithTruth(
+        context, frames,
+        {reference, test, subject.lists, subject.box, request.exposureEv, !request.reportFolder.empty()});
+
   compare::ViewResult view;
   view.name = request.viewName;
   view.width = settings.width;
   view.height = settings.height;
   view.whole = measured.regions[0];
+  if (truth) view.truth = truth->regions[0];
   view.materials.resize(chosen.size());
   base::parallelFor(chosen.size(), 1, [&](std::size_t i, std::size_t) {
     const base::PixelList& list = frames.coverage[chosen[i]];
@@ -234,17 +186,20 @@ compare::ViewResult compareView(Context& context, const scenes::Scene& scene, co
     if (isFlat(reference.pixels, test.pixels, list))
       material.notes.push_back("all black or all white in both pictures: there is nothing to compare");
     material.terms = termFigures(frames, list);
+    if (truth) material.truth = truth->regions[i + 1];
     compare::judgeMaterial(material, budgets, request.sceneName);
   });
   compare::judgeWhole(view, budgets, request.sceneName);
   if (request.reportFolder.empty()) return view;
 
   const base::Stopwatch watch(&context.timings(), "write images");
-  const std::string prefix = "images/" + request.imagePrefix;
-  view.images = imageSet(prefix);
-  for (std::size_t i = 0; i < chosen.size(); ++i)
-    if (!subject.crops[i].empty()) view.materials[i].crops = imageSet(fmt::format("{}_m{}", prefix, chosen[i]));
-  writePictures(view, subject, reference, test, *measured.findMap("flip"), request.reportFolder);
+  ViewPictures pictures{.highend = &reference.pixels, .mobile = &test.pixels, .flip = measured.findMap("flip")};
+  if (truth) {
+    pictures.truth = &truth->truth.pixels;
+    pictures.highendTruthFlip = &truth->highendFlip;
+    pictures.mobileTruthFlip = &truth->mobileFlip;
+  }
+  writeViewPictures(view, pictures, subject.crops, chosen, request.reportFolder, request.imagePrefix);
   return view;
 }
 

@@ -56,6 +56,14 @@ const BadUsage kBadUsages[] = {
     {"MetricsOfARender",
      {"render", "builtin:furnace", "--path", "mobile", "-o", "o.exr", "--metrics", "flip"},
      {"--metrics"}},
+    {"ErrorWithoutReference", {"diff", "builtin:furnace", "--error", "1%"}, {"--error", "--reference"}},
+    {"ScatteringWithoutReference",
+     {"report", "builtin:furnace", "-o", "out", "--scattering", "single"},
+     {"--scattering", "--reference"}},
+    {"ReferenceErrorOfNothing", {"diff", "builtin:furnace", "--reference", "--error", "0"}, {"--error", "'0'"}},
+    {"ReferenceOfARender",
+     {"render", "builtin:furnace", "--path", "mobile", "-o", "o.exr", "--reference"},
+     {"--reference"}},
     {"UnknownGeometryTerm", {"diff", "builtin:furnace", "--geometry-term", "smith"}, {"height-correlated"}},
 };
 

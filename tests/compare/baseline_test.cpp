@@ -292,5 +292,17 @@ TEST(Baseline, OtherConditionsAreAWarningInWords) {
   EXPECT_TRUE(hold(now, now).warnings.empty());
 }
 
+TEST(Baseline, ATruthOnEitherSideMakesNoDifference) {
+  Report before = makeSampleReportWithTruth();
+  before.settings.back().second = "single scattering"; // what is held against it does not depend on the truth
+  for (Report now : {makeSampleReport(), makeSampleReportWithTruth()}) {
+    compareWithBaseline(now, before, {"old.json", {}, false});
+    EXPECT_TRUE(now.warnings.empty()) << now.warnings[0];
+    EXPECT_EQ(now.baseline->error, "");
+    for (const FigureChange& change : now.scenes[0].views[0].materials[1].baseline->interior)
+      EXPECT_EQ(change.change(), 0) << change.metric;
+  }
+}
+
 } // namespace
 } // namespace parity::compare

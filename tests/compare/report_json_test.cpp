@@ -71,6 +71,27 @@ TEST(ReportJson, WhatIsNotSeenHasNoFiguresRatherThanZeros) {
   EXPECT_TRUE(screw["figures"]["interior"].is_null());
 }
 
+TEST(ReportJson, TheTruthStandsBesideWhatItIsOf) {
+  const Report report = makeSampleReportWithTruth();
+  const ordered_json document = ordered_json::parse(toJson(report)), &view = document["scenes"][0]["views"][0];
+  EXPECT_EQ(view["whole"]["truth"]["images"]["truth"], "images/lamp_truth.png");
+  const ordered_json& truth = view["materials"][1]["truth"];
+  EXPECT_EQ(truth["interior"]["mobile"]["metrics"]["flip.mean"], 0.27);
+  EXPECT_EQ(truth["interior"]["highend"]["metrics"]["flip.mean"], 0.27 / 3);
+  EXPECT_EQ(truth["interior"]["highend"]["metrics"]["relmse"], 0.04 / 3);
+  EXPECT_EQ(truth["all"]["error"],
+            ordered_json::parse(R"({"median":0.011,"worst":0.02,"relmse":0.0001,"samples":420})"));
+  EXPECT_EQ(truth["all"]["nonFinite"], 0);
+  ASSERT_EQ(truth["terms"].size(), 2u);
+  EXPECT_EQ(truth["terms"][1]["term"], "skySpecular");
+  EXPECT_EQ(truth["terms"][1]["luminance"], ordered_json::parse(R"({"truth":0.3,"highend":0.27,"mobile":0.15})"));
+  EXPECT_EQ(truth["terms"][1]["interior"]["highend"]["flip.mean"], 0.12);
+  EXPECT_EQ(truth["terms"][1]["all"]["mobile"]["relmse"], 0.034);
+  EXPECT_EQ(view["materials"][0]["truth"]["notes"][0], "high-end: within 2 standard errors");
+  EXPECT_TRUE(view["materials"][3]["truth"]["all"].is_null()) << "not seen";
+  EXPECT_EQ(toJson(makeSampleReport()).find("truth"), std::string::npos) << "only where it was asked for";
+}
+
 TEST(ReportJson, AnInfinitePsnrIsNull) {
   const ordered_json document = ordered_json::parse(toJson(makeSampleReport()));
   EXPECT_TRUE(document["scenes"][0]["views"][0]["materials"][4]["figures"]["all"]["metrics"]["psnr"].is_null());

@@ -56,6 +56,14 @@ TEST(ReportReader, FiguresAndVerdictsSurvive) {
   }
 }
 
+TEST(ReportReader, ATruthIsPassedOver) {
+  const Report with = readText(toJson(makeSampleReportWithTruth())), without = readText(toJson(makeSampleReport()));
+  const MaterialResult& metal = with.scenes[0].views[0].materials[1];
+  EXPECT_EQ(metal.figures.interior.find("flip.mean"), 0.27) << "not a truth's";
+  EXPECT_EQ(metal.figures.all.find("relmse"), without.scenes[0].views[0].materials[1].figures.all.find("relmse"));
+  EXPECT_FALSE(metal.truth);
+}
+
 TEST(ReportReader, ANullThatIsNotIdentityIsNotANumber) {
   Report report = makeSampleReport();
   setFigure(report.scenes[0].views[0].whole, "rmse", NAN);

@@ -49,6 +49,17 @@ TEST(ReportTable, ABaselineAddsAColumn) {
   EXPECT_NE(lines.back().find("gone since the baseline: 1"), std::string::npos) << lines.back();
 }
 
+TEST(ReportTable, ATruthAddsTwoColumnsAndMarksWhatItsNoiseHides) {
+  const auto lines = linesOf(toTable(makeSampleReportWithTruth(), false));
+  EXPECT_EQ(endOf(lines[3], "0.090      0.270"), endOf(lines[1], "mo/truth")) << lines[3]; // Rough metal, interior
+  EXPECT_NE(lines[2].find("0.010~"), std::string::npos) << lines[2];
+  EXPECT_EQ(lines[2].find("0.030~"), std::string::npos) << "mobile is further away: " << lines[2];
+  EXPECT_EQ(lines[3].find('~'), std::string::npos) << lines[3];
+  EXPECT_NE(toTable(makeSampleReportWithTruth(), false).find("~ where the difference is within 2 standard errors"),
+            std::string::npos);
+  EXPECT_EQ(toTable(makeSampleReport(), false).find("truth"), std::string::npos);
+}
+
 TEST(ReportTable, AWholeImageThatDecidesIsCounted) {
   Report report = makeSampleReport();
   report.scenes.pop_back();

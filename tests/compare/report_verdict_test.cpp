@@ -212,5 +212,31 @@ TEST(Verdict, CountsEachRowOnce) {
   EXPECT_EQ(counts.total(), 9u);
 }
 
+TEST(Verdict, ATruthJudgesNothing) {
+  const Report without = makeSampleReport(), with = makeSampleReportWithTruth();
+  EXPECT_EQ(with.verdict, without.verdict);
+  for (std::size_t i = 0; i < without.scenes[0].views[0].materials.size(); ++i)
+    EXPECT_EQ(with.scenes[0].views[0].materials[i].verdict, without.scenes[0].views[0].materials[i].verdict);
+  EXPECT_EQ(exitCode(with, false), exitCode(without, false));
+}
+
+TEST(Verdict, ATruthThatIsNotFiniteIsAnError) {
+  Report report = makeSampleReportWithTruth();
+  report.scenes.resize(1);
+  ViewResult& view = report.scenes[0].views[0];
+  view.truth->all.nonFinite = 3;
+  view.materials[0].truth->all.nonFinite = 3; // passed
+  view.materials[1].truth->all.nonFinite = 1; // failed
+  settleVerdicts(report);
+  EXPECT_EQ(view.materials[0].verdict, Verdict::error);
+  EXPECT_EQ(view.materials[0].reason, "3 of 90000 pixels of the truth are NaN or infinite");
+  EXPECT_EQ(view.materials[1].verdict, Verdict::error);
+  EXPECT_EQ(view.materials[1].reason.find("1 of 120000 pixels of the truth are NaN or infinite; mean FLIP 0.270"), 0u)
+      << view.materials[1].reason;
+  EXPECT_EQ(view.wholeVerdict, Verdict::error);
+  EXPECT_EQ(view.reason, "3 of 400000 pixels of the truth are NaN or infinite");
+  EXPECT_EQ(exitCode(report, false), 4);
+}
+
 } // namespace
 } // namespace parity::compare

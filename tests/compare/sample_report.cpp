@@ -29,6 +29,32 @@ MaterialResult makeJudged(const std::string& name, double mean, std::uint64_t pi
   return material;
 }
 
+TruthRegion makeTruthRegion(const Figures& figures) {
+  TruthRegion region;
+  if (figures.pixels == 0) return region;
+  region.mobile = figures;
+  setFigure(region.mobile, "relmse", 0.04);
+  region.highend = region.mobile;
+  for (Figure& figure : region.highend.values) figure.value /= 3;
+  region.error = {0.011, 0.02, 1e-4, 420};
+  return region;
+}
+
+Truth makeTruth(const RegionFigures& figures) {
+  Truth truth;
+  truth.interior = makeTruthRegion(figures.interior);
+  truth.all = makeTruthRegion(figures.all);
+  return truth;
+}
+
+TruthTerm makeTerm(const std::string& name, double truth) {
+  const auto region = [](double mean) {
+    const Figures figures{90000, 0, 0.1, 0.2, {{"flip.mean", mean}, {"relmse", mean / 10}}};
+    return RegionFigures{"", figures, figures};
+  };
+  return {name, truth, 0.9 * truth, 0.5 * truth, region(0.12), region(0.34)};
+}
+
 } // namespace
 
 Figures makeFigures(double mean, std::uint64_t pixels, double gain) {
@@ -131,6 +157,25 @@ Report makeSampleReportSince(const std::vector<std::string>& names, const std::s
   for (const std::size_t i : {2, 4}) judgeMaterial(now.scenes[0].views[0].materials[i], regressions, "Lamp");
   compareWithBaseline(now, before, {"old/report.json", {}, false});
   return now;
+}
+
+Report makeSampleReportWithTruth(const std::vector<std::string>& names) {
+  Report report = makeSampleReport(names);
+  report.settings.emplace_back("truth", "exact integrals, multiple scattering");
+  for (ViewResult& view : report.scenes[0].views) {
+    view.truth = makeTruth(view.whole);
+    view.truth->images = {"images/lamp_truth.png", "images/lamp_hi.png", "images/lamp_mo.png"};
+    for (MaterialResult& material : view.materials) {
+      material.truth = makeTruth(material.figures);
+      if (material.figures.all.pixels > 0) material.truth->images = {"images/t.png", "images/h.png", "images/m.png"};
+    }
+    Truth& glass = *view.materials[0].truth;
+    glass.interior.error.relmse = *glass.interior.highend.find("relmse") / 3; // of 4 that are within two errors
+    glass.notes = {"high-end: within 2 standard errors"};
+    view.materials[1].truth->terms = {makeTerm("sunSpecular", 0.2), makeTerm("skySpecular", 0.3)};
+  }
+  settleVerdicts(report);
+  return report;
 }
 
 RunInfo makeSampleRun() {

@@ -25,6 +25,10 @@ Report makeSampleReport(const std::vector<std::string>& names = {});
 // The same, held against an earlier run: Rough metal was at 0.20, Bulb is new, `gone` is gone from the view in front, a
 // regression of Shade is judged and one of Bulb is not, and the size was another.
 Report makeSampleReportSince(const std::vector<std::string>& names = {}, const std::string& gone = "Old lamp");
+// The same, with a truth of the first scene's views and of each material that they show: high-end is at a third, mobile
+// at all of the FLIP between the two. The truth of Glass is as noisy as high-end's difference to it; that of Rough
+// metal has the terms sunSpecular and skySpecular.
+Report makeSampleReportWithTruth(const std::vector<std::string>& names = {});
 RunInfo makeSampleRun();
 
 // Names that break naive writers: markup, quotes, URLs, controls, invalid UTF-8, text direction.

@@ -30,6 +30,7 @@ TEST(Schema, ReportsWithEveryVerdictAreValid) {
   expectValid(makeSampleReport());
   expectValid(makeSampleReport(hostileNames()));
   expectValid(makeSampleReportSince(hostileNames(), hostileNames()[4]));
+  expectValid(makeSampleReportWithTruth(hostileNames()));
 }
 
 TEST(Schema, AnEmptyReportIsValid) {
@@ -68,11 +69,14 @@ void expectNumbersOnly(const json& schema, const json& document, const json::jso
   EXPECT_FALSE(validate(schema, more).empty()) << where.to_string();
 }
 
-// Every single key of a valid report is required, and no other is allowed.
+// Every single key of a valid report is required but "truth", and no other is allowed.
 void expectEachKeyMatters(const json& schema, const json& document, const json::json_pointer& where) {
   const json& value = document.at(where);
-  const bool ofFigures = where.to_string().ends_with("/metrics") ||
-                         (where.to_string().find("/baseline/") != std::string::npos && value.is_object() &&
+  const std::string name = where.to_string();
+  const bool ofTerm = name.find("/truth/terms/") != std::string::npos && value.is_object() &&
+                      (where.back() == "highend" || where.back() == "mobile");
+  const bool ofFigures = ofTerm || name.ends_with("/metrics") ||
+                         (name.find("/baseline/") != std::string::npos && value.is_object() &&
                           (where.back() == "interior" || where.back() == "all"));
   if (ofFigures) return expectNumbersOnly(schema, document, where);
   if (value.is_object()) {
@@ -85,7 +89,8 @@ void expectEachKeyMatters(const json& schema, const json& document, const json::
     if (value.is_object()) {
       json less = document;
       less.at(where).erase(key);
-      EXPECT_FALSE(validate(schema, less).empty()) << where.to_string() << "/" << key;
+      const bool optional = key == "truth" && child.contains("images"); // not the luminance, not the image
+      EXPECT_EQ(validate(schema, less).empty(), optional) << where.to_string() << "/" << key;
       json other = document;
       other.at(where)[key] = json::array({"wrong"});
       const bool holdsTexts = child.is_array() && (child.empty() || child[0].is_string());
@@ -106,6 +111,9 @@ TEST(Schema, EachKeyIsRequiredTypedAndNoOtherIsAllowed) {
   materials = {materials[1]}; // the one with terms
   report.scenes[0].error = "broken half-way";
   report.scenes[0].errorExitCode = 3;
+  const ViewResult truth = makeSampleReportWithTruth().scenes[0].views[0];
+  report.scenes[0].views[0].truth = truth.truth;
+  materials[0].truth = truth.materials[1].truth;
   settleVerdicts(report);
   const json schema = loadSchema(), document = json::parse(toJson(report));
   ASSERT_EQ(join(validate(schema, document)), "");

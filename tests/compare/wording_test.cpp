@@ -170,5 +170,13 @@ TEST(Wording, WhatIsGoneIsNamedAsFarAsItIsKnown) {
   EXPECT_EQ(describeGone({"Desk", "", ""}), "gone: scene Desk: the baseline has it, this run does not");
 }
 
+TEST(Wording, ARelMseKeepsTwoDigitsHoweverSmallItIs) {
+  EXPECT_EQ(formatRelMse(0.01234), "0.012");
+  EXPECT_EQ(formatRelMse(0.0000312), "3.1e-05");
+  EXPECT_EQ(formatRelMse(7e-16), "under 1e-06");
+  EXPECT_EQ(formatRelMse(0), "0");
+  EXPECT_EQ(formatRelMse(NAN), "not known");
+}
+
 } // namespace
 } // namespace parity::compare

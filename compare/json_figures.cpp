@@ -1,0 +1,102 @@
+#include "compare/json_figures.h"
+
+namespace parity::compare {
+namespace {
+
+void writeMetrics(JsonWriter& json, const Figures& figures) {
+  json.beginObject();
+  for (const Figure& figure : figures.values) json.key(figure.name).number(figure.value);
+  json.endObject();
+}
+
+void writeTruthRegion(JsonWriter& json, const TruthRegion& region) {
+  if (region.highend.pixels == 0) return json.null();
+  json.beginObject();
+  json.key("nonFinite").integer(region.nonFinite);
+  json.key("highend");
+  writeFigures(json, region.highend);
+  json.key("mobile");
+  writeFigures(json, region.mobile);
+  json.key("error").beginObject();
+  json.key("median").number(region.error.median);
+  json.key("worst").number(region.error.worst);
+  json.key("relmse").number(region.error.relmse);
+  json.key("samples").number(region.error.samples);
+  json.endObject();
+  json.endObject();
+}
+
+void writeTermRegion(JsonWriter& json, const Figures& highend, const Figures& mobile) {
+  if (highend.pixels == 0) return json.null();
+  json.beginObject();
+  json.key("highend");
+  writeMetrics(json, highend);
+  json.key("mobile");
+  writeMetrics(json, mobile);
+  json.endObject();
+}
+
+void writeTerm(JsonWriter& json, const TruthTerm& term) {
+  json.beginObject();
+  json.key("term").text(term.name);
+  json.key("luminance").beginObject();
+  json.key("truth").number(term.truth);
+  json.key("highend").number(term.highend);
+  json.key("mobile").number(term.mobile);
+  json.endObject();
+  json.key("interior");
+  writeTermRegion(json, term.highendFigures.interior, term.mobileFigures.interior);
+  json.key("all");
+  writeTermRegion(json, term.highendFigures.all, term.mobileFigures.all);
+  json.endObject();
+}
+
+} // namespace
+
+void writeTexts(JsonWriter& json, const std::vector<std::string>& texts) {
+  json.beginArray();
+  for (const std::string& text : texts) json.text(text);
+  json.endArray();
+}
+
+void writeFigures(JsonWriter& json, const Figures& figures) {
+  if (figures.pixels == 0) return json.null(); // a zero there would read as "alike"
+  json.beginObject();
+  json.key("pixels").integer(figures.pixels);
+  json.key("nonFinite").integer(figures.nonFinite);
+  json.key("metrics");
+  writeMetrics(json, figures);
+  json.key("referenceLuma").number(figures.referenceLuma);
+  json.key("testLuma").number(figures.testLuma);
+  json.endObject();
+}
+
+void writeRegions(JsonWriter& json, const RegionFigures& regions) {
+  json.beginObject();
+  json.key("interior");
+  writeFigures(json, regions.interior);
+  json.key("all");
+  writeFigures(json, regions.all);
+  json.endObject();
+}
+
+void writeTruth(JsonWriter& json, const Truth& truth) {
+  json.beginObject();
+  json.key("interior");
+  writeTruthRegion(json, truth.interior);
+  json.key("all");
+  writeTruthRegion(json, truth.all);
+  json.key("terms").beginArray();
+  for (const TruthTerm& term : truth.terms) writeTerm(json, term);
+  json.endArray();
+  json.key("notes");
+  writeTexts(json, truth.notes);
+  json.key("images").beginObject();
+  json.key("truth").text(truth.images.truth);
+  json.key("highendFlip").text(truth.images.highendFlip);
+  json.key("mobileFlip").text(truth.images.mobileFlip);
+  json.endObject();
+  json.endObject();
+}
+
+} // namespace parity::compare

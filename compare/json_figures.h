@@ -1,0 +1,22 @@
+// Parts of report.json that several of its objects hold: texts, figures, the ground truth.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compare/figures.h"
+#include "compare/json_writer.h"
+#include "compare/truth.h"
+
+namespace parity::compare {
+
+void writeTexts(JsonWriter& json, const std::vector<std::string>& texts);
+
+// null where there is no pixel.
+void writeFigures(JsonWriter& json, const Figures& figures);
+
+void writeRegions(JsonWriter& json, const RegionFigures& regions);
+
+void writeTruth(JsonWriter& json, const Truth& truth);
+
+} // namespace parity::compare

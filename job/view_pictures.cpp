@@ -1,0 +1,73 @@
+#include "job/view_pictures.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/image_io.h"
+#include "base/parallel.h"
+#include "compare/magma.h"
+#include "job/displayed.h"
+
+namespace parity::job {
+
+namespace {
+
+base::Image8 crop(const base::Image8& image, const compare::Rect& box) {
+  base::Image8 out(box.width, box.height, image.channels);
+  for (int y = 0; y < out.height; ++y)
+    std::copy_n(image.at(box.x, box.y + y), static_cast<std::size_t>(out.width) * image.channels, out.at(0, y));
+  return out;
+}
+
+struct Picture {
+  const base::Image8* whole;
+  std::string path;
+};
+
+void nameImages(compare::ImageSet& images, std::optional<compare::Truth>& truth, const std::string& prefix) {
+  images = {prefix + "_highend.png", prefix + "_mobile.png", prefix + "_flip.png"};
+  if (truth)
+    truth->images = {prefix + "_truth.png", prefix + "_highend_truth_flip.png", prefix + "_mobile_truth_flip.png"};
+}
+
+} // namespace
+
+void writeViewPictures(compare::ViewResult& view, const ViewPictures& pictures, const std::vector<compare::Rect>& crops,
+                       const std::vector<std::size_t>& numbers, const std::filesystem::path& folder,
+                       const std::string& prefix) {
+  const std::string stem = "images/" + prefix;
+  nameImages(view.images, view.truth, stem);
+  for (std::size_t i = 0; i < view.materials.size(); ++i)
+    if (!crops[i].empty())
+      nameImages(view.materials[i].crops, view.materials[i].truth, fmt::format("{}_m{}", stem, numbers[i]));
+
+  const base::Image8 heat = quantize(compare::magmaImage(*pictures.flip));
+  base::Image8 highendHeat, mobileHeat;
+  if (view.truth) {
+    highendHeat = quantize(compare::magmaImage(*pictures.highendTruthFlip));
+    mobileHeat = quantize(compare::magmaImage(*pictures.mobileTruthFlip));
+  }
+  std::vector<std::function<void()>> tasks;
+  const auto add = [&](const compare::ImageSet& set, const std::optional<compare::Truth>& truth,
+                       const std::optional<compare::Rect>& box) {
+    std::vector<Picture> all = {{pictures.highend, set.reference}, {pictures.mobile, set.test}, {&heat, set.flip}};
+    if (truth) {
+      all.push_back({pictures.truth, truth->images.truth});
+      all.push_back({&highendHeat, truth->images.highendFlip});
+      all.push_back({&mobileHeat, truth->images.mobileFlip});
+    }
+    for (const Picture& picture : all)
+      tasks.push_back([picture, box, &folder] {
+        base::writeImage8(folder / picture.path, box ? crop(*picture.whole, *box) : *picture.whole);
+      });
+  };
+  add(view.images, view.truth, std::nullopt);
+  for (std::size_t i = 0; i < view.materials.size(); ++i)
+    if (!crops[i].empty()) add(view.materials[i].crops, view.materials[i].truth, crops[i]);
+  base::parallelInvoke(tasks);
+}
+
+} // namespace parity::job

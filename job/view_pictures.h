@@ -1,0 +1,28 @@
+// The pictures of a view, and of each material that it shows a crop of each.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/image.h"
+#include "compare/pixel_view.h"
+#include "compare/report.h"
+
+namespace parity::job {
+
+// What is written, as PNG. The last three are set where there is a truth.
+struct ViewPictures {
+  const base::Image8 *highend = nullptr, *mobile = nullptr; // as displayed
+  const base::Image* flip = nullptr;                        // of mobile against high-end
+  const base::Image8* truth = nullptr;                      // as displayed
+  const base::Image *highendTruthFlip = nullptr, *mobileTruthFlip = nullptr;
+};
+
+// Writes images/PREFIX_*.png below the folder and names them in the view; of each material whose crop is not empty
+// images/PREFIX_mNUMBER_*.png. crops and numbers: as many as the view has materials. Throws Error (exit 4).
+void writeViewPictures(compare::ViewResult& view, const ViewPictures& pictures, const std::vector<compare::Rect>& crops,
+                       const std::vector<std::size_t>& numbers, const std::filesystem::path& folder,
+                       const std::string& prefix);
+
+} // namespace parity::job
