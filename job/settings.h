@@ -23,11 +23,11 @@ struct Settings {
   int width = 1024, height = 1024;
   int samples = 1; // per pixel, 1..64
   float exposureEv = 0;
-  std::string display = "sRGB";                                 // base::DisplayTransform::names()
-  glm::vec3 background{0.18f};                                  // linear Rec.709, the same in every path
-  std::vector<std::string> materials;                           // globs: only these are reported; empty: all
-  std::vector<std::string> fullyRough;                          // globs: materials given the fully-rough flag
-  std::optional<std::string> budgets;                           // budget file; none: built-in defaults
+  std::string display = "sRGB";        // base::DisplayTransform::names()
+  glm::vec3 background{0.18f};         // linear Rec.709, the same in every path
+  std::vector<std::string> materials;  // globs: only these are reported; empty: all
+  std::vector<std::string> fullyRough; // globs: materials given the fully-rough flag
+  std::optional<std::string> budgets;  // budget file; none: built-in defaults
   std::vector<std::string> metrics = compare::defaultMetrics(); // reported, besides what the budgets name
   bool terms = false;
   bool truth = false; // also hold both paths against the reference; needs the terms
