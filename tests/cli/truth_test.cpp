@@ -83,13 +83,14 @@ TEST_F(TruthTest, StandsBesideBothPathsAndChangesNothingElse) {
 }
 
 TEST_F(TruthTest, DependsNeitherOnTheCacheNorOnThreads) {
-  const std::vector<std::string> options = {"--reference", "--error", "5%", "--exposure", "0.7", "--size", "32x24"};
+  const std::vector<std::string> options = {"--reference", "--error", "5%",     "--scattering", "single",
+                                            "--exposure",  "0.7",     "--size", "32x24"};
   const std::vector<std::string> cached = join({options, {"--cache", (m_folder / "cache").string()}});
-  run("builtin:spheres", "first", cached);
+  run("builtin:furnace", "first", cached);
   const std::string first = readWholeFile(m_folder / "first" / "report.json");
-  run("builtin:spheres", "again", join({cached, {"--threads", "1"}}));
+  run("builtin:furnace", "again", join({cached, {"--threads", "1"}}));
   EXPECT_TRUE(readWholeFile(m_folder / "again" / "report.json") == first);
-  run("builtin:spheres", "anew", join({options, {"--no-cache", "--threads", "1"}}));
+  run("builtin:furnace", "anew", join({options, {"--no-cache", "--threads", "1"}}));
   EXPECT_TRUE(readWholeFile(m_folder / "anew" / "report.json") == first);
 }
 
