@@ -179,7 +179,7 @@ private:
     std::unique_ptr<job::SceneRenderer> renderer;
     scenes::Camera camera;
     Renderer(const Lit& lit, const job::Settings& settings, const job::Paths& paths)
-        : context(settings), prepared(job::prepareScene(context, requestOf(lit), {true, paths.reference})),
+        : context(settings), prepared(job::prepareScene(context, requestOf(lit), paths)),
           renderer(std::make_unique<job::SceneRenderer>(context, prepared, paths, 1)),
           camera(scenes::makeCamera(prepared.scene, {}, 1)) {}
   };

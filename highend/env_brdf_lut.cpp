@@ -26,6 +26,8 @@ using namespace shading::f64;
 constexpr double kPi = std::numbers::pi;
 // With 16 x 8 nodes in each part a texel is within 1e-4 (rms 2e-5) of 200 x 200; with 12 x 8, within 8e-4 (1e-4).
 constexpr int kThetaNodes = 16, kPhiNodes = 8;
+// Stand for 0 and, along the normal, for 1, where the integrand is 0/0.
+constexpr double kLeastNoV = 1e-4, kMostNoV = 1 - 1e-8, kLeastRoughness = 1e-3;
 
 // Gauss-Legendre on [0, 1].
 template <int count> struct Nodes { std::array<double, count> x{}, weight{}; };
@@ -116,7 +118,7 @@ template <GeometryTerm term> Integrate chooseIntegral(FresnelCurve curve) {
 } // namespace
 
 base::Image makeEnvBrdfLut(GeometryTerm term, FresnelCurve fresnel, int size) {
-  assert(size >= 1 && size <= base::kMaxImageSide);
+  assert(size >= 2 && size <= base::kMaxImageSide);
   base::Image lut(size, size, 4);
   const Rule rule;
   const Integrate integrateTexel = term == GeometryTerm::schlickSmith
@@ -125,12 +127,13 @@ base::Image makeEnvBrdfLut(GeometryTerm term, FresnelCurve fresnel, int size) {
   base::parallelFor(size, 1, [&](std::size_t row, std::size_t) {
     const int y = static_cast<int>(row);
     double average = 0;
+    const double roughness = std::max(y / (size - 1.0), kLeastRoughness);
     for (int x = 0; x < size; ++x) {
-      const double NoV = (x + 0.5) / size;
-      const real2 ab = integrateTexel(NoV, (y + 0.5) / size, rule);
+      const double NoV = x / (size - 1.0), weight = x == 0 || x == size - 1 ? 0.5 : 1;
+      const real2 ab = integrateTexel(std::clamp(NoV, kLeastNoV, kMostNoV), roughness, rule);
       lut.at(x, y)[0] = static_cast<float>(ab.x);
       lut.at(x, y)[1] = static_cast<float>(ab.y);
-      average += 2 * NoV * (ab.x + ab.y) / size;
+      average += weight * 2 * NoV * (ab.x + ab.y) / (size - 1);
     }
     for (int x = 0; x < size; ++x) {
       lut.at(x, y)[2] = static_cast<float>(average);

@@ -44,7 +44,7 @@ std::vector<std::pair<std::string, std::string>> describe(const Settings& s, con
       {"mobile precision", "fp32"},
       {"materials", s.materials.empty() ? "all" : fmt::format("{}", fmt::join(s.materials, ", "))},
       {"fully rough", s.fullyRough.empty() ? "none" : fmt::format("{}", fmt::join(s.fullyRough, ", "))}};
-  if (s.truth) settings.emplace_back("truth", describeTruth(s.reference));
+  if (s.truth) settings.emplace_back("truth", describeTruth(s));
   return settings;
 }
 
@@ -120,14 +120,14 @@ public:
     result.sun = "none";
     try {
       tell(index, 0, request.views.size(), "loading");
-      const PreparedScene prepared =
-          prepareScene(m_context, request, {.filtered = true, .panorama = m_context.settings().truth});
+      const Paths paths{.reference = m_context.settings().truth};
+      const PreparedScene prepared = prepareScene(m_context, request, paths);
       result.environment = prepared.environmentName;
       result.sun = prepared.sunText;
       result.warnings = prepared.scene.warnings;
       requireMaterials(prepared.scene, m_context.settings().materials);
       const compare::Budgets budgets = budgetsFor(request);
-      SceneRenderer renderer(m_context, prepared, Paths{.reference = m_context.settings().truth}, request.views.size());
+      SceneRenderer renderer(m_context, prepared, paths, request.views.size());
       for (const std::string& note : renderer.notes()) result.warnings.push_back("mobile: " + note);
       for (std::size_t v = 0; v < request.views.size(); ++v) {
         tell(index, static_cast<double>(v), request.views.size(), request.views[v].name);

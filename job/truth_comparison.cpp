@@ -71,12 +71,19 @@ TruthComparison compareWithTruth(Context& context, const ViewFrames& frames, con
           std::move(measured.mobileFlip)};
 }
 
-std::string describeTruth(const reference::Options& options) {
-  const bool multiple = options.model.scattering == reference::Scattering::multiple;
-  const bool correlated = options.model.geometryTerm == reference::GeometryTerm::heightCorrelated;
-  return fmt::format("exact integrals, {} scattering between microfacets{}, {}, to a standard error of {:.3g} %",
-                     multiple ? "multiple" : "single", multiple ? " (Kulla-Conty)" : "",
-                     correlated ? "height-correlated Smith" : "Schlick-Smith", 100 * options.integral.relativeError);
+std::string describeTruth(const Settings& settings) {
+  const reference::Options& options = settings.reference;
+  const reference::Model& model = options.model;
+  const bool multiple = model.scattering == reference::Scattering::multiple;
+  const bool correlated = model.geometryTerm == reference::GeometryTerm::heightCorrelated;
+  return fmt::format(
+      "exact integrals, {} scattering between microfacets{}, {}, {} Fresnel curve, {} diffuse lobe{}, to "
+      "a standard error of {:.3g} %",
+      multiple ? "multiple" : "single", multiple ? " (Kulla-Conty)" : "",
+      correlated ? "height-correlated Smith" : "Schlick-Smith",
+      highend::fresnelNames()[static_cast<std::size_t>(model.fresnel)],
+      highend::diffuseNames()[static_cast<std::size_t>(model.diffuse)],
+      settings.referenceShadows ? ", with shadows" : "", 100 * options.integral.relativeError);
 }
 
 } // namespace parity::job

@@ -30,6 +30,6 @@ struct TruthComparison {
 TruthComparison compareWithTruth(Context& context, const ViewFrames& frames, const TruthRequest& request);
 
 // Which truth it is, in words: for the settings of a report.
-std::string describeTruth(const reference::Options& options);
+std::string describeTruth(const Settings& settings);
 
 } // namespace parity::job

@@ -35,7 +35,10 @@ struct Shader {
 bool hasOwnLobe() { return kCompensation == kCompensationFdezAguera || kCompensation == kCompensationKullaConty; }
 
 // A, B and the average of A + B at this roughness.
-vec3 environmentBrdf(float cosine, float roughness) { return textureLod(pathTexture, vec2(cosine, roughness), 0.0).xyz; }
+vec3 environmentBrdf(float cosine, float roughness) {
+  vec2 size = vec2(textureSize(pathTexture, 0));
+  return textureLod(pathTexture, (vec2(cosine, roughness) * (size - 1.0) + 0.5) / size, 0.0).xyz;
+}
 
 float fresnelWeight(float VoH) {
   if (kFresnel == kFresnelSphericalGaussian) return sphericalGaussianWeight(VoH);

@@ -45,7 +45,8 @@ TEST_F(TruthTest, StandsBesideBothPathsAndChangesNothingElse) {
   const json report = readReport(m_folder / "with"), view = viewOf(report);
   EXPECT_EQ(withoutTruth(report), readReport(m_folder / "plain"));
   EXPECT_EQ(settingOf(report, "truth"), "exact integrals, multiple scattering between microfacets (Kulla-Conty), "
-                                        "height-correlated Smith, to a standard error of 5 %");
+                                        "height-correlated Smith, schlick Fresnel curve, balanced diffuse lobe, to a "
+                                        "standard error of 5 %");
 
   std::size_t seen = 0;
   for (const json& material : view["materials"]) {
@@ -99,7 +100,8 @@ TEST_F(TruthTest, NamesSingleScatteringAndTheGeometryTerm) {
       {"--reference", "--error", "10%", "--scattering", "single", "--geometry-term", "schlick-smith", "--size",
        "16x16"});
   EXPECT_EQ(settingOf(readReport(m_folder / "single"), "truth"),
-            "exact integrals, single scattering between microfacets, Schlick-Smith, to a standard error of 10 %");
+            "exact integrals, single scattering between microfacets, Schlick-Smith, schlick Fresnel curve, balanced diffuse "
+            "lobe, to a standard error of 10 %");
 }
 
 // A white furnace: both high-end and truth are 1 (SHADING 1), so what is between them is the truth's noise and nothing

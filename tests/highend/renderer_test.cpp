@@ -15,8 +15,9 @@ namespace f64 = shading::f64;
 
 // fp32 against double over some twenty operations, exp2 and divisions among them.
 constexpr float kTolerance = 2e-5f;
-// Without it and without an environment no table is read.
-constexpr Options kNoCompensation{.geometryTerm = GeometryTerm::heightCorrelated, .compensate = false};
+// Lambert, single scattering, N = V = R: without an environment no table is read.
+constexpr Options kPlain{
+    .diffuse = DiffuseLobe::lambert, .compensation = Compensation::none, .offSpecular = OffSpecular::none};
 
 class HighendTest : public tests::DeviceTest {
 protected:
@@ -26,10 +27,13 @@ protected:
       return Renderer(device(), buffers, kinds, inputs, options);
     });
   }
-  // A table with the same A, B everywhere.
-  static base::Image constantLut(float a, float b) {
-    base::Image lut(2, 2, 2);
-    for (int i = 0; i < 4; ++i) lut.pixels[2 * i] = a, lut.pixels[2 * i + 1] = b;
+  // A table with the same A, B and average everywhere.
+  static base::Image constantLut(float a, float b, float average = 0.5f) {
+    base::Image lut(2, 2, 4);
+    for (int i = 0; i < 4; ++i) {
+      const float texel[] = {a, b, average, 1};
+      std::copy_n(texel, 4, lut.pixels.data() + 4 * i);
+    }
     return lut;
   }
 };
@@ -43,11 +47,13 @@ TEST_F(HighendTest, directionalLightIsFullGgxWithSchlickAndLambert) {
   const glm::vec3 towards = glm::normalize(glm::vec3(0.3f, 0.5f, 0.9f)), lux(4, 3, 2), base(0.8f, 0.5f, 0.2f);
   for (const Case& c : kCases)
     for (const GeometryTerm term : {GeometryTerm::heightCorrelated, GeometryTerm::schlickSmith}) {
+      Options options = kPlain;
+      options.geometryTerm = term;
       scenes::Scene scene = makeLeaningQuad(c.angle);
       scene.materials[0].baseColor = glm::vec4(base, 1);
       scene.materials[0].metallic = c.metallic;
       scene.materials[0].roughness = c.roughness;
-      const ShadedPoint point = shade(scene, {.lights = {makeDirectional(towards, lux)}}, {term, false});
+      const ShadedPoint point = shade(scene, {.lights = {makeDirectional(towards, lux)}}, options);
 
       const glm::dvec3 N(std::sin(c.angle), 0, std::cos(c.angle)), V(0, 0, 1), L = towards, H = glm::normalize(V + L);
       const double NoL = glm::dot(N, L), NoV = glm::dot(N, V), NoH = glm::dot(N, H), VoH = glm::dot(V, H);
@@ -80,8 +86,8 @@ TEST_F(HighendTest, pointAndSpotLightsFollowKhrLightsPunctual) {
   spot.innerConeAngle = 0.1f;
   spot.outerConeAngle = 0.3f;
   for (scenes::Light* light : {&point, &spot}) light->color *= 1e6f;
-  const ShadedPoint byPoint = shade(scene, {.lights = {point}}, {GeometryTerm::heightCorrelated, false});
-  const ShadedPoint bySpot = shade(scene, {.lights = {spot}}, {GeometryTerm::heightCorrelated, false});
+  const ShadedPoint byPoint = shade(scene, {.lights = {point}}, kPlain);
+  const ShadedPoint bySpot = shade(scene, {.lights = {spot}}, kPlain);
   // max(min(1 - (d/r)^4, 1), 0) / d^2 at half the range; Lambert's 1/pi; NoL = 1.
   const double illuminance = 50e6 * (1 - std::pow(0.5, 4)) / (2000.0 * 2000.0);
   tests::expectNear(byPoint[Term::localDiffuse], glm::vec3(illuminance / 3.14159265358979), 1e-3f, "point");
@@ -93,35 +99,93 @@ TEST_F(HighendTest, pointAndSpotLightsFollowKhrLightsPunctual) {
   EXPECT_EQ(byPoint[Term::sunDiffuse], glm::vec3(0));
 }
 
+// A sky of 2 everywhere: A = 0.5, B = 0.1, Eavg = 0.5, so single scattering reflects F0 A + B.
 TEST_F(HighendTest, constantEnvironmentIsReflectedByTheTableAndCompensated) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 2);
   const base::Image lut = constantLut(0.5f, 0.1f);
+  const Inputs inputs{.environment = &environment, .lut = &lut};
   scenes::Scene scene = makeLeaningQuad(0.5f);
   scene.materials[0].baseColor = glm::vec4(0.9f, 0.6f, 0.3f, 1);
   scene.materials[0].metallic = 1;
-  const ShadedPoint single =
-      shade(scene, {.environment = &environment, .lut = &lut}, {GeometryTerm::heightCorrelated, false});
-  const ShadedPoint all =
-      shade(scene, {.environment = &environment, .lut = &lut}, {GeometryTerm::heightCorrelated, true});
-  for (int k = 0; k < 3; ++k) {
-    const float F0 = scene.materials[0].baseColor[k], reflected = F0 * 0.5f + 0.1f;
-    EXPECT_NEAR(single[Term::skySpecular][k], 2 * reflected, 1e-5f);
-    EXPECT_NEAR(all[Term::skySpecular][k], 2 * reflected * (1 + F0 * (1 / 0.6f - 1)), 1e-5f);
-  }
-  EXPECT_EQ(single[Term::skyDiffuse], glm::vec3(0)) << "a metal has no diffuse lobe";
+  const auto skySpecular = [&](Compensation compensation, OffSpecular offSpecular) {
+    Options options = kPlain;
+    options.compensation = compensation;
+    options.offSpecular = offSpecular;
+    return shade(scene, inputs, options)[Term::skySpecular];
+  };
+  for (const OffSpecular offSpecular :
+       {OffSpecular::none, OffSpecular::dominant, OffSpecular::stretched, OffSpecular::twoTaps, OffSpecular::threeTaps})
+    for (int k = 0; k < 3; ++k) {
+      const float F0 = scene.materials[0].baseColor[k], reflected = F0 * 0.5f + 0.1f, Favg = F0 + (1 - F0) / 21;
+      const auto expect = [&](Compensation compensation, float factor) {
+        EXPECT_NEAR(skySpecular(compensation, offSpecular)[k], 2 * factor, 2e-5f)
+            << static_cast<int>(compensation) << ", " << static_cast<int>(offSpecular);
+      };
+      expect(Compensation::none, reflected);
+      expect(Compensation::turquin, reflected * (1 + F0 * (1 / 0.6f - 1)));
+      expect(Compensation::fdezAguera, reflected + reflected * Favg * 0.4f / (1 - Favg * 0.4f));
+      expect(Compensation::kullaConty, reflected + Favg * Favg * 0.5f * 0.4f / (1 - Favg * 0.5f));
+    }
+  EXPECT_EQ(shade(scene, inputs, kPlain)[Term::skyDiffuse], glm::vec3(0)) << "a metal has no diffuse lobe";
+
   scene.materials[0].metallic = 0;
-  const ShadedPoint dielectric =
-      shade(scene, {.environment = &environment, .lut = &lut}, {GeometryTerm::heightCorrelated, false});
-  tests::expectNear(dielectric[Term::skyDiffuse], 2.f * glm::vec3(scene.materials[0].baseColor), 1e-5f,
-                    "white sky, Lambert");
+  const glm::vec3 base(scene.materials[0].baseColor);
+  tests::expectNear(shade(scene, inputs, kPlain)[Term::skyDiffuse], 2.f * base, 1e-5f, "white sky, Lambert");
+  Options balanced = kPlain;
+  balanced.diffuse = DiffuseLobe::balanced;
+  tests::expectNear(shade(scene, inputs, balanced)[Term::skyDiffuse], 2.f * base * (1 - 0.04f * 0.5f - 0.1f), 1e-5f,
+                    "what the specular lobe leaves");
+}
+
+// A light's share of Kulla and Conty's lobe: Fms (1 - E) (1 - E) / (pi (1 - Eavg)), with E from the table at both
+// cosines. Fdez-Aguera's is Lambert's.
+TEST_F(HighendTest, lightsScatterMoreThanOnceByTheLobeOfTheirModel) {
+  const base::Image lut = constantLut(0.5f, 0.1f);
+  scenes::Scene scene = makeLeaningQuad(0.4f);
+  scene.materials[0].baseColor = glm::vec4(0.8f, 0.8f, 0.8f, 1);
+  scene.materials[0].metallic = 1;
+  scene.materials[0].roughness = 0.6f;
+  const glm::vec3 towards = glm::normalize(glm::vec3(0.5f, 0.2f, 1));
+  const auto specular = [&](Compensation compensation) {
+    Options options = kPlain;
+    options.compensation = compensation;
+    return shade(scene, {.lut = &lut, .lights = {makeDirectional(towards, glm::vec3(3))}}, options)[Term::sunSpecular]
+        .x;
+  };
+  const float NoL = glm::dot(towards, glm::vec3(std::sin(0.4f), 0, std::cos(0.4f))), pi = 3.14159265f;
+  const float Favg = 0.8f + 0.2f / 21, single = specular(Compensation::none);
+  const float kullaConty = Favg * Favg * 0.5f * 0.4f / (1 - Favg * 0.5f) * 0.4f / (pi * 0.5f);
+  EXPECT_NEAR(specular(Compensation::kullaConty) - single, 3 * NoL * kullaConty, 2e-4f * single);
+  const float fdezAguera = (0.8f * 0.5f + 0.1f) * Favg * 0.4f / (1 - Favg * 0.4f) / pi;
+  EXPECT_NEAR(specular(Compensation::fdezAguera) - single, 3 * NoL * fdezAguera, 2e-4f * single);
+  EXPECT_NEAR(specular(Compensation::turquin) / single, 1 + 0.8f * (1 / 0.6f - 1), 1e-4f);
+}
+
+TEST_F(HighendTest, fresnelsCurveIsTheOneAskedFor) {
+  scenes::Scene scene = makeLeaningQuad(1.2f); // V and L far apart: the curves differ
+  scene.materials[0].metallic = 0;
+  scene.materials[0].roughness = 0.5f;
+  const glm::vec3 towards = glm::normalize(glm::vec3(0.95f, 0, -0.25f));
+  const double VoH = glm::dot(glm::normalize(glm::vec3(0, 0, 1) + towards), towards);
+  const auto specular = [&](FresnelCurve curve) {
+    Options options = kPlain;
+    options.fresnel = curve;
+    return shade(scene, {.lights = {makeDirectional(towards, glm::vec3(3))}}, options)[Term::sunSpecular].x;
+  };
+  const double schlick = specular(FresnelCurve::schlick) / (0.04 + 0.96 * f64::schlickWeight(VoH));
+  ASSERT_GT(schlick, 0);
+  EXPECT_NEAR(specular(FresnelCurve::sphericalGaussian) / (0.04 + 0.96 * f64::sphericalGaussianWeight(VoH)) / schlick,
+              1, 1e-4);
+  EXPECT_NEAR(specular(FresnelCurve::dielectric) / (0.04 + 0.96 * f64::dielectricWeight(VoH)) / schlick, 1, 1e-4);
+  EXPECT_GT(std::abs(specular(FresnelCurve::dielectric) / specular(FresnelCurve::schlick) - 1), 0.02);
 }
 
 TEST_F(HighendTest, skyIsFetchedAroundTheReflection) {
   const gpu::EnvironmentMaps environment = tests::makeRedTowardsX(device());
   const base::Image lut = constantLut(0.5f, 0.1f);
   const Inputs inputs{.environment = &environment, .lut = &lut};
-  EXPECT_NEAR(shade(makeLeaningQuad(0.7853982f), inputs, kNoCompensation)[Term::skySpecular].x, 0.6f, 1e-4f);
-  EXPECT_EQ(shade(makeLeaningQuad(0), inputs, kNoCompensation)[Term::skySpecular].x, 0);
+  EXPECT_NEAR(shade(makeLeaningQuad(0.7853982f), inputs, kPlain)[Term::skySpecular].x, 0.6f, 1e-4f);
+  EXPECT_EQ(shade(makeLeaningQuad(0), inputs, kPlain)[Term::skySpecular].x, 0);
 }
 
 TEST_F(HighendTest, termsAddUpToTheColour) {
@@ -148,7 +212,7 @@ TEST_F(HighendTest, unlitShowsItsBaseColourAndNothingElse) {
   scenes::Scene scene = makeLeaningQuad(0);
   scene.materials[0].unlit = true;
   scene.materials[0].baseColor = glm::vec4(0.2f, 0.4f, 0.6f, 1);
-  const ShadedPoint point = shade(scene, {.lights = {makeDirectional({0, 0, 1}, glm::vec3(5))}}, kNoCompensation);
+  const ShadedPoint point = shade(scene, {.lights = {makeDirectional({0, 0, 1}, glm::vec3(5))}}, kPlain);
   EXPECT_EQ(point.color, glm::vec3(0.2f, 0.4f, 0.6f));
 }
 
@@ -162,7 +226,7 @@ TEST_F(HighendTest, textureOfAMeshWithoutUvsIsReadAtTheOrigin) {
   material.unlit = true;
   material.baseColorTexture.image = 0;
   material.baseColorTexture.sampler.magFilter = material.baseColorTexture.sampler.minFilter = scenes::Filter::nearest;
-  EXPECT_EQ(shade(scene, {}, kNoCompensation).color, glm::vec3(1, 0, 0));
+  EXPECT_EQ(shade(scene, {}, kPlain).color, glm::vec3(1, 0, 0));
 }
 
 TEST_F(HighendTest, backLitAndViewOpposedLightsAreFiniteAndDark) {
@@ -171,7 +235,7 @@ TEST_F(HighendTest, backLitAndViewOpposedLightsAreFiniteAndDark) {
   // From behind, and exactly against the view: V = -L has no half vector.
   const ShadedPoint point = shade(
       scene, {.lights = {makeDirectional({0, 0, -1}, glm::vec3(5)), makeDirectional({0.1f, 0, -1}, glm::vec3(5))}},
-      kNoCompensation);
+      kPlain);
   EXPECT_EQ(point.color, glm::vec3(0));
 }
 
@@ -184,9 +248,7 @@ TEST_F(HighendTest, normalMapTurnsTheNormalInItsTangentFrame) {
   scene.materials[0].normalTexture.image = 0;
   scene.materials[0].metallic = 0;
   const auto diffuseFrom = [&](const glm::vec3& towards) {
-    return shade(scene, {.lights = {makeDirectional(towards, glm::vec3(3.14159265f))}},
-                 {GeometryTerm::heightCorrelated, false})[Term::sunDiffuse]
-        .x;
+    return shade(scene, {.lights = {makeDirectional(towards, glm::vec3(3.14159265f))}}, kPlain)[Term::sunDiffuse].x;
   };
   EXPECT_NEAR(diffuseFrom({0.6f, 0, 0.8f}), 1, 0.01f);
   EXPECT_NEAR(diffuseFrom({0, 0, 1}), 0.8f, 0.01f);
