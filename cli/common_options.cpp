@@ -104,6 +104,10 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->check(CLI::IsMember({"height-correlated", "schlick-smith"}))
       ->group("Paths")
       ->capture_default_str();
+  app.add_option("--specular-aa", raw.specularAa, "Roughness from minified normal maps, in every path: toksvig or off")
+      ->check(CLI::IsMember({"off", "toksvig"}))
+      ->group("Paths")
+      ->capture_default_str();
   app.add_flag("--no-compensation", raw.noCompensation, "High-end path without energy compensation")->group("Paths");
   app.add_option("--material", s.materials, "Report only these materials (glob, repeatable)")->group("Verdict");
   app.add_option("--budgets", s.budgets, "Budget file (TOML) instead of the built-in budgets")->group("Verdict");
@@ -171,6 +175,7 @@ void settle(CommonOptions& common, const RawOptions& raw) {
   s.mobilePreset = mobile::presetByName(s.mobilePresetName);
   s.highend.geometryTerm = raw.geometryTerm == "schlick-smith" ? highend::GeometryTerm::schlickSmith
                                                                : highend::GeometryTerm::heightCorrelated;
+  s.specularAa = raw.specularAa == "toksvig" ? gpu::SpecularAa::toksvig : gpu::SpecularAa::off;
   s.highend.compensate = !raw.noCompensation;
   s.device.validation |= raw.validation;
   common.quiet = raw.quiet;

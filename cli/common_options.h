@@ -15,7 +15,7 @@ std::string defaultMetricList();
 // What CLI11 fills in; turned into CommonOptions when all is known.
 struct RawOptions {
   std::string size = "1024x1024", sun, orbit, target, background, geometryTerm = "height-correlated", camera = "auto",
-              precision = "fp32";
+              precision = "fp32", specularAa = "off";
   std::string error = "0.5%", scattering = "multiple"; // of the reference
   std::string cache;
   std::string metrics = defaultMetricList(); // comma-separated

@@ -30,6 +30,7 @@ std::vector<std::pair<std::string, std::string>> describe(const Settings& s, con
           {"display", display.name()},
           {"exposure", fmt::format("{} EV", s.exposureEv)},
           {"background", fmt::format("{},{},{}", s.background.x, s.background.y, s.background.z)},
+          {"specular anti-aliasing", s.specularAa == gpu::SpecularAa::toksvig ? "Toksvig" : "off"},
           {"highend geometry term", correlated ? "height-correlated Smith" : "Schlick-Smith"},
           {"highend energy compensation", s.highend.compensate ? "on" : "off"},
           {"mobile preset", s.mobilePresetName},

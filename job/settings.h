@@ -32,6 +32,7 @@ struct Settings {
   bool terms = false;
   mobile::Preset mobilePreset = mobile::Preset::ue4_2020;
   std::string mobilePresetName = "ue4-2020";
+  gpu::SpecularAa specularAa = gpu::SpecularAa::off; // of all paths
   highend::Options highend;
   reference::Options reference;
   bool referenceShadows = false;

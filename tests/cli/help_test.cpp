@@ -8,9 +8,10 @@ namespace {
 
 // The common options of DESIGN 8 as far as a subcommand has a use for them.
 const std::vector<std::string> kCommon = {
-    "--size",      "--env",         "--env-rotation", "--sun",     "--camera",     "--orbit",  "--target",
-    "--fov",       "--samples",     "--exposure",     "--display", "--background", "--device", "--mobile-preset",
-    "--precision", "--fully-rough", "--threads",      "--cache",   "--no-cache",   "-q",       "-v"};
+    "--size",      "--env",         "--env-rotation", "--sun",     "--camera",     "--orbit",    "--target",
+    "--fov",       "--samples",     "--exposure",     "--display", "--background", "--device",   "--mobile-preset",
+    "--precision", "--fully-rough", "--specular-aa",  "--threads", "--cache",      "--no-cache", "-q",
+    "-v"};
 const std::vector<std::string> kVerdict = {"--material", "--budgets",  "--json",     "--warn-exit",
                                            "--terms",    "--baseline", "--annotate", "--metrics"};
 

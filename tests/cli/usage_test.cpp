@@ -56,6 +56,7 @@ const BadUsage kBadUsages[] = {
     {"MetricsOfARender",
      {"render", "builtin:furnace", "--path", "mobile", "-o", "o.exr", "--metrics", "flip"},
      {"--metrics"}},
+    {"UnknownSpecularAa", {"diff", "builtin:furnace", "--specular-aa", "lean"}, {"--specular-aa", "toksvig"}},
     {"UnknownGeometryTerm", {"diff", "builtin:furnace", "--geometry-term", "smith"}, {"height-correlated"}},
 };
 

@@ -6,6 +6,7 @@
 #include "shading/mips.glsl"
 #include "shading/mobile_direct.glsl"
 #include "shading/sh.glsl"
+#include "shading/specular_aa.glsl"
 
 #include "function_ids.glsl"
 

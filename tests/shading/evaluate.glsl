@@ -86,6 +86,8 @@ FN Outputs evaluate(int function, Inputs i) {
   if (function == kFnLinearToSrgb) return outputs3(linearToSrgb(u));
   if (function == kFnDot3) return outputs1(dot3(u, v));
   if (function == kFnSqr) return outputs1(sqr(a));
+  if (function == kFnAlphaSquaredOfNormals) return outputs1(alphaSquaredOfNormals(a));
+  if (function == kFnWidenRoughness) return outputs1(widenRoughness(a, b));
   // kFnConstants: literals whose nearest half is not the truncated one, and the named constants.
   Outputs o = outputs3(real3(R(0.7), R(0.0275), R(-9.28)));
   o.y[3] = real32(R(0.0722));

@@ -36,7 +36,9 @@ const int kFnLinearToSrgb = 30;
 const int kFnConstants = 31;
 const int kFnDot3 = 32;
 const int kFnSqr = 33;
-const int kFunctionCount = 34;
+const int kFnAlphaSquaredOfNormals = 34;
+const int kFnWidenRoughness = 35;
+const int kFunctionCount = 36;
 
 const int kInputs = 32;  // numbers a row going in
 const int kOutputs = 12; // and coming out

@@ -166,6 +166,8 @@ std::vector<FunctionCase> functionTable() {
       {"constants", kFnConstants, units(1), exact},
       {"dot3", kFnDot3, uniforms(6, -1, 1), exact},
       {"sqr", kFnSqr, uniforms(1, -10, 10), exact},
+      {"alphaSquaredOfNormals", kFnAlphaSquaredOfNormals, units(1), exact},
+      {"widenRoughness", kFnWidenRoughness, units(2), exact},
   };
 }
 
