@@ -143,6 +143,10 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->group("Paths")
       ->capture_default_str();
   addModelOptions(app, s.highend, raw);
+  app.add_option("--specular-aa", raw.specularAa, "Roughness from minified normal maps, in every path: toksvig or off")
+      ->check(CLI::IsMember({"off", "toksvig"}))
+      ->group("Paths")
+      ->capture_default_str();
   app.add_option("--material", s.materials, "Report only these materials (glob, repeatable)")->group("Verdict");
   app.add_option("--budgets", s.budgets, "Budget file (TOML) instead of the built-in budgets")->group("Verdict");
   addDeviceOptions(app, s.device, raw);
@@ -217,6 +221,7 @@ void settle(CommonOptions& common, const RawOptions& raw) {
   s.metrics = parseMetrics("--metrics", raw.metrics);
   s.mobilePreset = mobile::presetByName(s.mobilePresetName);
   settleModel(s, raw);
+  s.specularAa = raw.specularAa == "toksvig" ? gpu::SpecularAa::toksvig : gpu::SpecularAa::off;
   s.device.validation |= raw.validation;
   common.quiet = raw.quiet;
   if (!raw.noCache) s.cacheFolder = raw.cache.empty() ? base::defaultCacheFolder() : std::filesystem::path(raw.cache);

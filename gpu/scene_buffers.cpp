@@ -109,8 +109,8 @@ MaterialClass classify(const scenes::Material& material) {
   return result;
 }
 
-SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene)
-    : m_scene(scene), m_textures(device, scene) {
+SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene, SpecularAa specularAa)
+    : m_scene(scene), m_textures(device, scene, specularAa == SpecularAa::toksvig) {
   bool anyColors = false, anyUvs = false, anyTangents = false, anySecondUv = false;
   for (const scenes::Mesh& mesh : scene.meshes) {
     anyColors |= !mesh.colors.empty();
@@ -119,7 +119,9 @@ SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene)
   }
   std::vector<GpuMaterial> gpuMaterials;
   for (const scenes::Material& material : scene.materials) {
-    m_classOfMaterial.push_back(classify(material));
+    MaterialClass& materialClass = m_classOfMaterial.emplace_back(classify(material));
+    if (specularAa == SpecularAa::toksvig && (materialClass.textures & 1u << kSlotNormal) != 0)
+      materialClass.textures |= kNormalVariance;
     gpuMaterials.push_back(pack(material));
     for (int slot = 0; slot < kSlotCount; ++slot)
       anySecondUv |= slotOf(material, slot).present() && slotOf(material, slot).texCoord == 1;

@@ -12,17 +12,21 @@
 
 namespace parity::gpu {
 
-// What of a material asks for code of its own: texture slots and features, as bits (interface.h).
+// What of a material asks for code of its own: texture slots (and kNormalVariance) and features, as bits
+// (interface.h).
 struct MaterialClass {
   std::uint32_t textures = 0, features = 0;
   auto operator<=>(const MaterialClass&) const = default;
 };
 MaterialClass classify(const scenes::Material& material);
 
+// Roughness that grows where a normal map is minified (shading/specular_aa.glsl), alike in every path.
+enum class SpecularAa { off, toksvig };
+
 class SceneBuffers {
 public:
   // Throws Error (exit 4) where an attribute array exceeds what the device can bind (128 MiB on many).
-  SceneBuffers(const Device& device, const scenes::Scene& scene);
+  SceneBuffers(const Device& device, const scenes::Scene& scene, SpecularAa specularAa = SpecularAa::off);
 
   const scenes::Scene& scene() const { return m_scene; }
   const Textures& textures() const { return m_textures; }

@@ -8,6 +8,8 @@
 #include <tuple>
 
 #include "base/parallel.h"
+#include "gpu/mip_taps.h"
+#include "gpu/normal_variance.h"
 #include "gpu/shaders/interface.h"
 
 namespace parity::gpu {
@@ -33,25 +35,6 @@ struct SrgbTables {
 const SrgbTables& srgbTables() {
   static const SrgbTables tables;
   return tables;
-}
-
-// The source texels that a target texel covers along one axis: at most three.
-struct Taps {
-  int first = 0, count = 1;
-  std::array<float, 3> weights{1, 0, 0};
-};
-std::vector<Taps> makeTaps(int source, int target) {
-  std::vector<Taps> taps(target);
-  for (int i = 0; i < target; ++i) {
-    const double begin = static_cast<double>(i) * source / target, end = static_cast<double>(i + 1) * source / target;
-    Taps& tap = taps[i];
-    tap.first = static_cast<int>(begin);
-    tap.count = std::min(static_cast<int>(std::ceil(end)), source) - tap.first;
-    for (int k = 0; k < tap.count; ++k)
-      tap.weights[k] = static_cast<float>(
-          (std::min<double>(end, tap.first + k + 1) - std::max<double>(begin, tap.first + k)) / (end - begin));
-  }
-  return taps;
 }
 
 // The common case, both sides even: the mean of 2x2 texels.
@@ -89,7 +72,7 @@ base::Image8 halve(const base::Image8& source, bool srgb) {
         std::array<float, 4> sum{};
         for (int ky = 0; ky < tapsY[y].count; ++ky)
           for (int kx = 0; kx < tapsX[x].count; ++kx) {
-            const float weight = tapsY[y].weights[ky] * tapsX[x].weights[kx];
+            const float weight = static_cast<float>(tapsY[y].weights[ky]) * static_cast<float>(tapsX[x].weights[kx]);
             const std::uint8_t* texel = source.at(tapsX[x].first + kx, tapsY[y].first + ky);
             for (int c = 0; c < 3; ++c)
               sum[c] += weight * (srgb ? tables.decode[texel[c]] : static_cast<float>(texel[c]));
@@ -129,7 +112,13 @@ std::array<const scenes::TextureSlot*, kSlotCount> slotsOf(const scenes::Materia
   return {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture,       &m.occlusionTexture,
           &m.emissiveTexture,  &m.specularTexture,          &m.specularColorTexture};
 }
-bool isColor(int slot) { return slot == kSlotBaseColor || slot == kSlotEmissive || slot == kSlotSpecularColor; }
+
+// What an image is uploaded as: its encoding, and what its mips hold.
+enum class Use { color, data, normalVariance };
+Use useOf(int slot, bool normalVariance) {
+  if (slot == kSlotBaseColor || slot == kSlotEmissive || slot == kSlotSpecularColor) return Use::color;
+  return slot == kSlotNormal && normalVariance ? Use::normalVariance : Use::data;
+}
 
 DeviceImage uploadImage(const Device& device, const std::vector<base::Image8>& mips, bool srgb) {
   std::vector<std::span<const std::byte>> spans;
@@ -149,9 +138,9 @@ std::vector<base::Image8> makeMips(const base::Image8& image, bool srgb) {
   return mips;
 }
 
-Textures::Textures(const Device& device, const scenes::Scene& scene) {
+Textures::Textures(const Device& device, const scenes::Scene& scene, bool normalVariance) {
   // An image that is read as colour and as data is uploaded once for each.
-  std::map<std::tuple<int, bool>, int> images;
+  std::map<std::tuple<int, Use>, int> images;
   std::vector<scenes::Sampler> samplers;
   std::map<std::vector<Binding>, std::uint32_t> sets;
   for (const scenes::Material& material : scene.materials) {
@@ -160,7 +149,8 @@ Textures::Textures(const Device& device, const scenes::Scene& scene) {
       const scenes::TextureSlot& texture = *slotsOf(material)[slot];
       if (!texture.present()) continue;
       set[slot].image =
-          images.try_emplace({texture.image, isColor(slot)}, static_cast<int>(images.size())).first->second;
+          images.try_emplace({texture.image, useOf(slot, normalVariance)}, static_cast<int>(images.size()))
+              .first->second;
       const auto found = std::find(samplers.begin(), samplers.end(), texture.sampler);
       set[slot].sampler = static_cast<int>(found - samplers.begin()) + 1;
       if (found == samplers.end()) samplers.push_back(texture.sampler);
@@ -174,9 +164,11 @@ Textures::Textures(const Device& device, const scenes::Scene& scene) {
   std::vector<bool> srgb(images.size());
   std::vector<std::function<void()>> tasks;
   for (const auto& [key, index] : images) {
-    srgb[index] = std::get<bool>(key);
-    tasks.push_back([&, image = std::get<int>(key), index = index] {
-      mips[index] = makeMips(scene.images[image].pixels, srgb[index]);
+    const Use use = std::get<Use>(key);
+    srgb[index] = use == Use::color;
+    tasks.push_back([&, image = std::get<int>(key), index = index, use] {
+      mips[index] = makeMips(scene.images[image].pixels, use == Use::color);
+      if (use == Use::normalVariance) writeNormalVariance(mips[index]);
     });
   }
   base::parallelInvoke(tasks);

@@ -13,7 +13,9 @@ namespace parity::gpu {
 // set.
 class Textures {
 public:
-  Textures(const Device& device, const scenes::Scene& scene);
+  // normalVariance: normal maps get the spread of their normals as alpha (gpu/normal_variance.h). An image that another
+  // slot reads, too, keeps its alpha there.
+  Textures(const Device& device, const scenes::Scene& scene, bool normalVariance);
 
   // Index of each material's texture set.
   const std::vector<std::uint32_t>& setOfMaterial() const { return m_setOfMaterial; }

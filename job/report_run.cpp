@@ -35,6 +35,7 @@ std::vector<std::pair<std::string, std::string>> describe(const Settings& s, con
       {"exposure", fmt::format("{} EV", s.exposureEv)},
       {"background", fmt::format("{},{},{}", s.background.x, s.background.y, s.background.z)},
       {"sun extraction", s.extractSun ? "on" : "off"},
+      {"specular anti-aliasing", s.specularAa == gpu::SpecularAa::toksvig ? "Toksvig" : "off"},
       {"highend geometry term", nameOf(highend::geometryTermNames(), s.highend.geometryTerm)},
       {"highend fresnel", nameOf(highend::fresnelNames(), s.highend.fresnel)},
       {"highend diffuse", nameOf(highend::diffuseNames(), s.highend.diffuse)},

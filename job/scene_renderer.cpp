@@ -31,7 +31,7 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
     : m_context(context), m_prepared(prepared), m_buffers([&] {
         gpu::Device& device = context.device();
         const base::Stopwatch watch(&context.timings(), "upload");
-        return gpu::SceneBuffers(device, prepared.scene);
+        return gpu::SceneBuffers(device, prepared.scene, context.settings().specularAa);
       }()),
       m_surfacePass(context.device(), m_buffers, static_cast<std::uint32_t>(context.settings().width),
                     static_cast<std::uint32_t>(context.settings().height)) {

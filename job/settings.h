@@ -34,6 +34,7 @@ struct Settings {
   bool truth = false;     // also hold both paths against the reference; needs the terms
   mobile::Preset mobilePreset = mobile::Preset::ue4_2020;
   std::string mobilePresetName = "ue4-2020";
+  gpu::SpecularAa specularAa = gpu::SpecularAa::off; // of all paths
   highend::Options highend;
   reference::Options reference;
   bool referenceShadows = false;

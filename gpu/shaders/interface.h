@@ -23,6 +23,8 @@ PARITY_CONST int kSlotEmissive = 4;
 PARITY_CONST int kSlotSpecular = 5;
 PARITY_CONST int kSlotSpecularColor = 6;
 PARITY_CONST int kSlotCount = 7;
+// In a texture mask, besides the slots: the normal map's alpha holds the spread of its normals (gpu/normal_variance.h).
+PARITY_CONST uint kNormalVariance = 1u << kSlotCount;
 
 // Features of a material, as bits.
 PARITY_CONST uint kFeatureUnlit = 1u;

@@ -5,6 +5,7 @@
 #include "shading/light.glsl"
 #include "shading/mips.glsl"
 #include "shading/sh.glsl"
+#include "shading/specular_aa.glsl"
 #include "shading/terms.glsl"
 
 layout(local_size_x = 64) in;
@@ -110,12 +111,12 @@ vec3 anyTangent(vec3 n) {
   return vec3(1.0 + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
 }
 
-vec3 mapNormal(Point p, uint i) {
-  if (!hasTexture(kSlotNormal, p.material)) return p.normal;
+// texel: of the normal map.
+vec3 mapNormal(Point p, uint i, vec4 texel) {
   vec4 tangent = (kVertexData & kVertexTangents) != 0u ? surfaceTangent[i] : vec4(0.0);
   if (dot(tangent.xyz, tangent.xyz) < 0.5) tangent = vec4(anyTangent(p.normal), 1.0);
   vec3 bitangent = tangent.w * cross(p.normal, tangent.xyz);
-  vec3 t = fetch(normalTexture, kSlotNormal, p.material, i).xyz * 2.0 - 1.0;
+  vec3 t = texel.xyz * 2.0 - 1.0;
   t.xy *= materials[p.material].factors.x;
   return safeNormalize(t.x * tangent.xyz + t.y * bitangent + t.z * p.normal, p.geometric);
 }
@@ -148,7 +149,13 @@ Resolved resolveMaterial(Point p, uint i) {
   r.F90 = materials[m].factors.z;
   if (hasTexture(kSlotSpecular, m)) r.F90 *= fetch(specularTexture, kSlotSpecular, m, i).w;
   r.F0 = min(r.F0, vec3(1.0)) * r.F90;
-  r.normal = mapNormal(p, i);
+  r.normal = p.normal;
+  if (hasTexture(kSlotNormal, m)) {
+    vec4 texel = fetch(normalTexture, kSlotNormal, m, i);
+    r.normal = mapNormal(p, i, texel);
+    // Slopes, and so the root of their variance, scale with normalScale.
+    if ((kTextures & kNormalVariance) != 0u) r.roughness = widenRoughness(r.roughness, saturate(sqr(texel.w * materials[m].factors.x)));
+  }
   return r;
 }
 

@@ -28,7 +28,13 @@ const std::vector<std::string> kCommon = {"--size",
                                           "--no-cache",
                                           "-q",
                                           "-v",
-                                          "--no-sun-extraction"};
+                                          "--no-sun-extraction",
+                                          "--specular-aa",
+                                          "--geometry-term",
+                                          "--fresnel",
+                                          "--diffuse",
+                                          "--compensation",
+                                          "--off-specular"};
 const std::vector<std::string> kVerdict = {"--material", "--budgets",  "--json",     "--warn-exit",
                                            "--terms",    "--baseline", "--annotate", "--metrics"};
 

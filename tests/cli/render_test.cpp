@@ -100,6 +100,13 @@ TEST_F(RenderTest, FourSamplesMakeEdgesOfQuarters) {
   }
 }
 
+TEST_F(RenderTest, SpecularAaIsOffUnlessAskedFor) {
+  const std::vector<std::string> options = {"--size", "48x48", "--sun", "30,50,4"};
+  const base::Image plain = render("builtin:spheres", "mobile", "a.exr", options);
+  EXPECT_EQ(render("builtin:spheres", "mobile", "b.exr", join({options, {"--specular-aa", "off"}})), plain);
+  EXPECT_NE(render("builtin:spheres", "mobile", "c.exr", join({options, {"--specular-aa", "toksvig"}})), plain);
+}
+
 TEST_F(RenderTest, PathsAndPresetsDiffer) {
   const std::vector<std::string> options = {"--size", "48x48", "--sun", "30,50,4"};
   const base::Image highend = render("builtin:spheres", "highend", "a.exr", options);

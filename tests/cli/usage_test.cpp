@@ -64,6 +64,7 @@ const BadUsage kBadUsages[] = {
     {"ReferenceOfARender",
      {"render", "builtin:furnace", "--path", "mobile", "-o", "o.exr", "--reference"},
      {"--reference"}},
+    {"UnknownSpecularAa", {"diff", "builtin:furnace", "--specular-aa", "lean"}, {"--specular-aa", "toksvig"}},
     {"UnknownGeometryTerm", {"diff", "builtin:furnace", "--geometry-term", "smith"}, {"height-correlated"}},
 };
 

@@ -1,4 +1,5 @@
 // The mobile path against the seeds' formulas in double precision, put together here in the order of the base pass.
+#include "support/bumpy_quad.h"
 #include "support/path_quad.h"
 
 #include "mobile/light_choice.h"
@@ -183,6 +184,28 @@ TEST_F(MobileTest, termsAddUpToTheColourInBothPresets) {
     glm::vec3 sum(0);
     for (const glm::vec3& term : point.terms) sum += term;
     tests::expectNear(sum, point.color, 1e-3f, "sum of the terms");
+  }
+}
+
+// What the path shows of two tilts in turn is a smooth surface of the widened roughness (tests/highend has the same).
+TEST_F(MobileTest, specularAaWidensTheRoughnessThatThePathSees) {
+  scenes::Scene checker = tests::makeQuadScene(), smooth = checker;
+  checker.images = {tests::makeChecker(256)};
+  checker.materials[0].normalTexture.image = 0;
+  checker.materials[0].roughness = 0.25f;
+  const double tilt = 39.5 / 120.5, length = 1 / std::sqrt(1 + tilt * tilt); // codes 88, 167; 248
+  smooth.materials[0].roughness = static_cast<float>(std::pow(std::pow(0.25, 4) + 2 * (1 - length) / length, 0.25));
+  const Inputs inputs{.lights = {makeDirectional({0.3f, 0.2f, 1}, glm::vec3(1))}};
+  for (const Preset preset : {Preset::karis2014, Preset::ue4_2020}) {
+    const auto shadeWith = [&](gpu::SpecularAa specularAa) {
+      return tests::shadeQuad(
+          device(), checker,
+          [&](const auto& buffers, const auto& kinds) { return Renderer(device(), buffers, kinds, inputs, preset); },
+          specularAa);
+    };
+    const glm::vec3 expected = shade(smooth, inputs, preset).color;
+    tests::expectNear(shadeWith(gpu::SpecularAa::toksvig).color, expected, 0.03f, "widened");
+    EXPECT_GT(std::abs(shadeWith(gpu::SpecularAa::off).color.x / expected.x - 1), 0.2);
   }
 }
 

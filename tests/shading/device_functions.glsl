@@ -7,6 +7,7 @@
 #include "shading/mobile_direct.glsl"
 #include "shading/off_specular.glsl"
 #include "shading/sh.glsl"
+#include "shading/specular_aa.glsl"
 
 #include "function_ids.glsl"
 

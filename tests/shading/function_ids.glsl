@@ -49,7 +49,9 @@ const int kFnDominantBlend = 43;
 const int kFnStretchedTap = 44;
 const int kFnTwoTap = 45;
 const int kFnThreeTap = 46;
-const int kFunctionCount = 47;
+const int kFnAlphaSquaredOfNormals = 47;
+const int kFnWidenRoughness = 48;
+const int kFunctionCount = 49;
 
 const int kInputs = 32;  // numbers a row going in
 const int kOutputs = 12; // and coming out

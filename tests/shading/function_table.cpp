@@ -179,6 +179,8 @@ std::vector<FunctionCase> functionTable() {
       {"stretchedTap", kFnStretchedTap, units(3), mip},
       {"twoTap", kFnTwoTap, units(3), mip},
       {"threeTap", kFnThreeTap, units(3), mip},
+      {"alphaSquaredOfNormals", kFnAlphaSquaredOfNormals, units(1), exact},
+      {"widenRoughness", kFnWidenRoughness, units(2), exact},
   };
 }
 

@@ -41,11 +41,12 @@ struct ShadedPoint {
 
 // makeRenderer: (const gpu::SceneBuffers&, const std::vector<gpu::BinKind>&) -> a renderer with shade(surface, camera).
 // The camera is orthographic along -Z: V = +Z at every pixel.
-template <typename MakeRenderer>
-ShadedPoint shadeQuad(const gpu::Device& device, const scenes::Scene& scene, const MakeRenderer& makeRenderer) {
+template <typename MakeRenderer> ShadedPoint shadeQuad(const gpu::Device& device, const scenes::Scene& scene,
+                                                       const MakeRenderer& makeRenderer,
+                                                       gpu::SpecularAa specularAa = gpu::SpecularAa::off) {
   constexpr std::uint32_t kSize = 8;
   const scenes::Camera camera = makeFrontCamera(1, 3, true);
-  const gpu::SceneBuffers buffers(device, scene);
+  const gpu::SceneBuffers buffers(device, scene, specularAa);
   const gpu::SurfacePass pass(device, buffers, kSize, kSize);
   const bool blended = pass.hasBlended();
   gpu::Surface surface = pass.render(camera, {0, kSize}, glm::vec2(0.5f), gpu::Layer::opaque);
