@@ -38,24 +38,36 @@ struct Ray {
   double maxDistance;
 };
 
-// Moeller and Trumbore 1997 over every triangle, in double. margin: by how much, in barycentric coordinates and
-// metres, a hit must lie within; a negative one counts near misses.
-bool isOccludedNaively(const scenes::Scene& scene, const Ray& ray, double margin) {
+struct Triangle {
+  glm::dvec3 corner, edge1, edge2;
+};
+
+std::vector<Triangle> trianglesOf(const scenes::Scene& scene) {
+  std::vector<Triangle> triangles;
   for (const scenes::Instance& instance : scene.instances) {
     const scenes::Mesh& mesh = scene.meshes[instance.mesh];
     const glm::dmat4 toWorld(instance.toWorld);
     const auto vertex = [&](std::size_t i) {
       return glm::dvec3(toWorld * glm::dvec4(mesh.positions[mesh.indices[i]], 1));
     };
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-      const glm::dvec3 v0 = vertex(i), e1 = vertex(i + 1) - v0, e2 = vertex(i + 2) - v0;
-      const glm::dvec3 P = glm::cross(ray.direction, e2), T = ray.origin - v0, Q = glm::cross(T, e1);
-      const double det = glm::dot(e1, P);
-      if (det == 0) continue;
-      const double u = glm::dot(P, T) / det, v = glm::dot(ray.direction, Q) / det, t = glm::dot(e2, Q) / det;
-      if (u >= margin && v >= margin && u + v <= 1 - margin && t >= margin && t <= ray.maxDistance - margin)
-        return true;
-    }
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+      triangles.push_back({vertex(i), vertex(i + 1) - vertex(i), vertex(i + 2) - vertex(i)});
+  }
+  return triangles;
+}
+
+// Moeller and Trumbore 1997 over every triangle, in double. margin: by how much, in barycentric coordinates and
+// metres, a hit must lie within; a negative one counts near misses.
+bool isOccludedNaively(const std::vector<Triangle>& triangles, const Ray& ray, double margin) {
+  for (const Triangle& triangle : triangles) {
+    const glm::dvec3 P = glm::cross(ray.direction, triangle.edge2), T = ray.origin - triangle.corner;
+    const double det = glm::dot(triangle.edge1, P);
+    if (det == 0) continue;
+    const double u = glm::dot(P, T) / det;
+    if (!(u >= margin && u <= 1 - margin)) continue;
+    const glm::dvec3 Q = glm::cross(T, triangle.edge1);
+    const double v = glm::dot(ray.direction, Q) / det, t = glm::dot(triangle.edge2, Q) / det;
+    if (v >= margin && u + v <= 1 - margin && t >= margin && t <= ray.maxDistance - margin) return true;
   }
   return false;
 }
@@ -67,12 +79,13 @@ TEST(Visibility, isWhatEveryTriangleInTurnSays) {
     const scenes::Scene scene = scenes::makeBuiltinScene(name);
     const Visibility visibility(scene);
     const scenes::Bounds bounds = scene.bounds();
+    const std::vector<Triangle> triangles = trianglesOf(scene);
     int hits = 0, misses = 0;
     for (int i = 0; i < 150; ++i) {
       const glm::dvec3 inBounds(uniform(random), uniform(random), uniform(random));
       const Ray ray{glm::mix(glm::dvec3(bounds.lower), glm::dvec3(bounds.upper), inBounds), randomDirection(random),
                     i % 3 == 0 ? kInfinity : bounds.radius() * uniform(random)};
-      const bool surely = isOccludedNaively(scene, ray, 1e-4), perhaps = isOccludedNaively(scene, ray, -1e-4);
+      const bool surely = isOccludedNaively(triangles, ray, 1e-4), perhaps = isOccludedNaively(triangles, ray, -1e-4);
       if (surely != perhaps) continue; // too close to an edge for 32 bits
       ++(surely ? hits : misses);
       ASSERT_EQ(visibility.isOccluded(ray.origin, ray.direction, ray.maxDistance), surely) << name << ", ray " << i;
