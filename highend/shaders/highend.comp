@@ -92,7 +92,7 @@ void main() {
   if (kHasEnvironment != 0u) {
     terms.t[kTermSkyDiffuse] = skyIrradianceOverPi(s.N) * s.diffuseColor * m.occlusion;
     vec3 R = 2.0 * dot(s.N, s.V) * s.N - s.V;
-    terms.t[kTermSkySpecular] = skyRadiance(R, m.roughness) * (s.F0 * AB.x + s.F90 * AB.y) * s.compensation * m.occlusion;
+    terms.t[kTermSkySpecular] = skyRadianceBetweenLevels(R, m.roughness) * (s.F0 * AB.x + s.F90 * AB.y) * s.compensation * m.occlusion;
   }
   terms.t[kTermEmissive] = m.emissive;
   writeResult(i, terms, m.opacity);
