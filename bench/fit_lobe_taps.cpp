@@ -103,17 +103,19 @@ Zonal dampingOf(double roughness) {
   return sum;
 }
 
+// The levels of the prefiltered cube array: all layers of every mip from 1 on.
 struct Cube {
-  std::array<Zonal, f64::kPrefilterRoughestMip + 1> mips;
+  std::array<Zonal, f64::kPrefilterLayers * f64::kPrefilterRoughestMip + 1> levels;
   Cube() {
-    for (std::size_t m = 0; m < mips.size(); ++m) mips[m] = dampingOf(f64::roughnessFromMip(static_cast<double>(m)));
+    for (std::size_t l = 0; l < levels.size(); ++l)
+      levels[l] = dampingOf(f64::roughnessFromMip(static_cast<double>(l) / f64::kPrefilterLayers));
   }
-  Zonal at(double mip) const { // as a sampler blends two mips
-    mip = std::clamp(mip, 0.0, mips.size() - 1.0);
-    const std::size_t m = std::min(static_cast<std::size_t>(mip), mips.size() - 2);
+  Zonal at(double mip) const { // as the shader blends two levels
+    const f64::PrefilterBlend blend =
+        f64::prefilterBlend(std::clamp(mip, 0.0, static_cast<double>(f64::kPrefilterRoughestMip)));
     Zonal z;
     for (int l = 0; l <= kBands; ++l)
-      z[l] = mips[m][l] + (mips[m + 1][l] - mips[m][l]) * (mip - static_cast<double>(m));
+      z[l] = levels[blend.lower][l] + (levels[blend.upper][l] - levels[blend.lower][l]) * blend.upperShare;
     return z;
   }
 };

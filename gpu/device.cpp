@@ -117,6 +117,7 @@ Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messa
   vk::StructureChain<vk::DeviceCreateInfo, vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features> info;
   info.get<vk::DeviceCreateInfo>().setQueueCreateInfos(queue);
   info.get<vk::PhysicalDeviceFeatures2>().features.geometryShader = true; // gl_PrimitiveID in fragment shaders
+  info.get<vk::PhysicalDeviceFeatures2>().features.imageCubeArray = true; // the prefiltered environment
   info.get<vk::PhysicalDeviceVulkan13Features>().dynamicRendering = true;
   info.get<vk::PhysicalDeviceVulkan13Features>().synchronization2 = true;
   info.get<vk::PhysicalDeviceVulkan13Features>().maintenance4 = true; // a vertex output that no fragment shader reads

@@ -42,6 +42,7 @@ std::string refusal(const vk::raii::PhysicalDevice& device) {
   const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features>();
   if (!features.get<vk::PhysicalDeviceFeatures2>().features.geometryShader)
     return "no primitive ids in fragment shaders";
+  if (!features.get<vk::PhysicalDeviceFeatures2>().features.imageCubeArray) return "no arrays of cubes";
   if (!features.get<vk::PhysicalDeviceVulkan13Features>().dynamicRendering) return "no dynamic rendering";
   if (properties.limits.maxPerStageDescriptorStorageBuffers < kStorageBuffers)
     return fmt::format("{} storage buffers a stage, {} are needed",

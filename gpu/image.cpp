@@ -10,9 +10,11 @@ namespace {
 
 bool isDepth(vk::Format format) { return format == vk::Format::eD32Sfloat; }
 
+std::uint32_t layersOf(const DeviceImage::Shape& shape) { return shape.cube ? 6 * shape.arraySize : 1; }
+
 vk::ImageSubresourceRange wholeOf(const DeviceImage::Shape& shape) {
   return {isDepth(shape.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor, 0, shape.mips, 0,
-          shape.cube ? 6u : 1u};
+          layersOf(shape)};
 }
 
 } // namespace
@@ -26,7 +28,7 @@ DeviceImage::DeviceImage(const Device& device, const Shape& shape) : m_shape(sha
                       "the device takes " + std::to_string(limit) + " pixels a side at most");
   vk::ImageCreateInfo info(shape.cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags{},
                            vk::ImageType::e2D, shape.format, vk::Extent3D(shape.width, shape.height, 1), shape.mips,
-                           shape.cube ? 6 : 1, vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal, shape.usage);
+                           layersOf(shape), vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal, shape.usage);
   m_image = vk::raii::Image(device.handle(), info);
   const vk::MemoryRequirements needs = m_image.getMemoryRequirements();
   try {
@@ -39,10 +41,10 @@ DeviceImage::DeviceImage(const Device& device, const Shape& shape) : m_shape(sha
                       "image of " + std::to_string(shape.width) + "x" + std::to_string(shape.height), error.what());
   }
   m_image.bindMemory(*m_memory, 0);
-  m_view = vk::raii::ImageView(device.handle(),
-                               vk::ImageViewCreateInfo({}, *m_image,
-                                                       shape.cube ? vk::ImageViewType::eCube : vk::ImageViewType::e2D,
-                                                       shape.format, {}, wholeOf(shape)));
+  m_view = vk::raii::ImageView(
+      device.handle(),
+      vk::ImageViewCreateInfo({}, *m_image, shape.cube ? vk::ImageViewType::eCubeArray : vk::ImageViewType::e2D,
+                              shape.format, {}, wholeOf(shape)));
 }
 
 DeviceImage::DeviceImage(const Device& device, const Shape& shape, std::span<const std::span<const std::byte>> mips)
@@ -51,7 +53,7 @@ DeviceImage::DeviceImage(const Device& device, const Shape& shape, std::span<con
   vk::DeviceSize total = 0;
   for (std::uint32_t mip = 0; mip < mips.size(); ++mip) {
     copies.emplace_back(
-        total, 0, 0, vk::ImageSubresourceLayers(vk::ImageAspectFlagBits::eColor, mip, 0, shape.cube ? 6 : 1),
+        total, 0, 0, vk::ImageSubresourceLayers(vk::ImageAspectFlagBits::eColor, mip, 0, layersOf(shape)),
         vk::Offset3D(), vk::Extent3D(std::max(shape.width >> mip, 1u), std::max(shape.height >> mip, 1u), 1));
     total += mips[mip].size();
     total = (total + 15) / 16 * 16;

@@ -16,7 +16,8 @@ public:
   struct Shape {
     vk::Format format = vk::Format::eR8G8B8A8Unorm;
     std::uint32_t width = 1, height = 1, mips = 1;
-    bool cube = false; // 6 layers
+    bool cube = false;           // 6 layers an array element, seen as a cube array
+    std::uint32_t arraySize = 1; // of cubes
     vk::ImageUsageFlags usage = vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst;
   };
 

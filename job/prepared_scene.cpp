@@ -67,32 +67,15 @@ std::string describe(const lighting::SunExtraction& extraction) {
   return text;
 }
 
-// A request's environment: what was extracted from it, and the rest as the high-end path reads it, if it does.
-struct LoadedEnvironment {
-  lighting::SunExtraction extraction;
-  std::shared_ptr<const lighting::EnvironmentLight> filtered;
-};
-
-std::shared_ptr<const lighting::EnvironmentLight> filter(Context& context, const scenes::Environment& environment) {
-  return std::make_shared<const lighting::EnvironmentLight>(context.environmentLight(environment));
-}
-
-LoadedEnvironment makeEnvironment(Context& context, const SceneRequest& request, scenes::Environment environment,
-                                  const Paths& paths) {
-  LoadedEnvironment loaded;
-  if (request.extractSun && context.settings().extractSun) {
-    const base::Stopwatch watch(&context.timings(), "sun extraction");
-    loaded.extraction = lighting::extractSuns(std::move(environment));
-  } else {
-    loaded.extraction.environment = std::move(environment);
-  }
-  if (paths.highend) loaded.filtered = filter(context, loaded.extraction.environment);
-  return loaded;
+lighting::SunExtraction extractSuns(Context& context, const SceneRequest& request, scenes::Environment environment) {
+  if (!request.extractSun || !context.settings().extractSun) return {.environment = std::move(environment), .suns = {}};
+  const base::Stopwatch watch(&context.timings(), "sun extraction");
+  return lighting::extractSuns(std::move(environment));
 }
 
 // To `lights`, which all paths have, come what was extracted, and the environments that go with them.
-void addEnvironment(Context& context, LoadedEnvironment loaded, const Paths& paths, PreparedScene& prepared) {
-  const std::vector<lighting::ExtractedSun>& suns = loaded.extraction.suns;
+void addEnvironment(Context& context, lighting::SunExtraction extraction, const Paths& paths, PreparedScene& prepared) {
+  const std::vector<lighting::ExtractedSun>& suns = extraction.suns;
   const std::size_t own = prepared.lights.size();
   for (const lighting::ExtractedSun& sun : suns) prepared.lights.push_back(sun.light);
   std::optional<std::size_t> mobileSun;
@@ -100,25 +83,27 @@ void addEnvironment(Context& context, LoadedEnvironment loaded, const Paths& pat
     mobileSun = *brightest - own;
     prepared.mobileLights.push_back(prepared.lights[*brightest]);
   }
-  prepared.environment = std::move(loaded.filtered);
+  const auto filter = [&](const scenes::Environment& environment) {
+    return std::make_shared<const lighting::EnvironmentLight>(context.environmentLight(environment));
+  };
+  if (paths.highend) prepared.environment = filter(extraction.environment);
   if (paths.mobile) {
     const bool isShared = suns.size() == (mobileSun ? 1 : 0);
-    prepared.mobileEnvironment = isShared && prepared.environment
-                                     ? prepared.environment
-                                     : filter(context, lighting::putBackSuns(loaded.extraction, mobileSun));
+    prepared.mobileEnvironment =
+        isShared && prepared.environment ? prepared.environment : filter(lighting::putBackSuns(extraction, mobileSun));
   }
   if (!suns.empty()) {
-    const std::string text = describe(loaded.extraction);
+    const std::string text = describe(extraction);
     prepared.sunText = prepared.sunText == "none" ? text : prepared.sunText + "; " + text;
   }
-  if (paths.reference) prepared.panorama = std::move(loaded.extraction.environment);
+  if (paths.reference) prepared.panorama = std::move(extraction.environment);
 }
 
 } // namespace
 
 PreparedScene prepareScene(Context& context, const SceneRequest& request, const Paths& paths) {
   PreparedScene prepared;
-  std::optional<LoadedEnvironment> environment;
+  std::optional<lighting::SunExtraction> environment;
   std::vector<std::string> warnings;
   base::parallelInvoke({
       [&] {
@@ -132,7 +117,8 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
           const base::Stopwatch watch(&context.timings(), "load environment");
           panorama = scenes::loadEnvironment(request.environment, request.environmentRotationDeg, warnings);
         }
-        environment = makeEnvironment(context, request, std::move(panorama), paths);
+        // Filtered below: a loop within one of these tasks would not have all threads.
+        environment = extractSuns(context, request, std::move(panorama));
       },
   });
   scenes::Scene& scene = prepared.scene;
@@ -144,12 +130,12 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
   if (!environment && scene.environment) {
     // A built-in scene's own environment; the request's goes first.
     scene.environment->rotationDeg = request.environmentRotationDeg;
-    environment = makeEnvironment(context, request, std::move(*scene.environment), paths);
+    environment = extractSuns(context, request, std::move(*scene.environment));
   }
   if (!request.environment.empty())
     prepared.environmentName = scenes::cleanName(std::filesystem::path(request.environment).filename().string());
   else
-    prepared.environmentName = environment ? environment->extraction.environment.name : "none";
+    prepared.environmentName = environment ? environment->environment.name : "none";
   scene.environment.reset(); // its pixels are not needed any more
 
   prepared.lights = scene.lights;

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "shading/shading.h"
 
 namespace parity::job {
 
@@ -12,11 +13,24 @@ gpu::EnvironmentMaps uploadEnvironment(const gpu::Device& device, const lighting
   if (!device.filtersLinearly(kFormat))
     throw base::Error(base::ExitCode::failed, device.report().name, "environment",
                       "the device cannot filter 32-bit float textures");
+  std::vector<std::vector<glm::vec4>> texels;
+  texels.reserve(light.prefiltered.mips.size()); // the spans stay where they are
   std::vector<std::span<const std::byte>> mips;
-  for (const auto& mip : light.prefiltered.mips) mips.push_back(std::as_bytes(std::span{mip}));
+  for (const auto& mip : light.prefiltered.mips) {
+    // Mips of one layer hold it in place of those that are not read, too.
+    std::vector<glm::vec4>& layers = texels.emplace_back(mip);
+    for (int layer = lighting::layersOfMip(static_cast<int>(mips.size())); layer < shading::f32::kPrefilterLayers;
+         ++layer)
+      layers.insert(layers.end(), mip.begin(), mip.end());
+    mips.push_back(std::as_bytes(std::span{layers}));
+  }
   const auto size = static_cast<std::uint32_t>(light.prefiltered.faceSize);
-  const gpu::DeviceImage::Shape shape{
-      .format = kFormat, .width = size, .height = size, .mips = static_cast<std::uint32_t>(mips.size()), .cube = true};
+  const gpu::DeviceImage::Shape shape{.format = kFormat,
+                                      .width = size,
+                                      .height = size,
+                                      .mips = static_cast<std::uint32_t>(mips.size()),
+                                      .cube = true,
+                                      .arraySize = shading::f32::kPrefilterLayers};
   vk::SamplerCreateInfo sampler({}, vk::Filter::eLinear, vk::Filter::eLinear, vk::SamplerMipmapMode::eLinear);
   sampler.addressModeU = sampler.addressModeV = sampler.addressModeW = vk::SamplerAddressMode::eClampToEdge;
   sampler.maxLod = VK_LOD_CLAMP_NONE;

@@ -2,16 +2,16 @@
 #include "lighting/cube_sampler.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <utility>
 
+#include "lighting/float4.h"
+
 namespace parity::lighting {
 
 namespace {
-
-// Four floats that the compiler keeps in one register, as it does not with glm's vectors.
-using Float4 = float __attribute__((vector_size(16)));
 
 Float4 load(const glm::vec4* p) {
   Float4 v;
@@ -40,7 +40,7 @@ FloatFacePoint facePointOf(const glm::vec3& d) {
 }
 
 // log2(x) for x in [1, 3], off by at most 0.006 (cubic through the Chebyshev nodes).
-float log2Coarse(float x) { return ((0.0708230f * x - 0.6317424f) * x + 2.3970716f) * x - 1.8303768f; }
+template <typename T> T log2Coarse(T x) { return ((0.0708230f * x - 0.6317424f) * x + 2.3970716f) * x - 1.8303768f; }
 
 // faces: a level with its rim, n + 2 texels a row.
 Float4 bilinear(const glm::vec4* faces, int stride, const FloatFacePoint& p) {
@@ -55,12 +55,8 @@ Float4 bilinear(const glm::vec4* faces, int stride, const FloatFacePoint& p) {
   return upper * (1 - fy) + lower * fy;
 }
 
-// Between the two nearest of `levels` (Level::stride, Level::faces).
-template <typename Levels> Float4 trilinear(const Levels& levels, const glm::vec3& direction, float sizeLog2) {
-  const FloatFacePoint p = facePointOf(direction);
-  // A texel at (s, t) subtends (2/n)^2 (1 + s^2 + t^2)^(-3/2).
-  const float lod =
-      std::clamp(sizeLog2 + 0.75f * log2Coarse(1 + p.s * p.s + p.t * p.t), 0.f, static_cast<float>(levels.size() - 1));
+// Between the two nearest of `levels`; lod within them.
+Float4 trilinear(const std::vector<CubeLevel>& levels, const FloatFacePoint& p, float lod) {
   const std::size_t level = std::min(static_cast<std::size_t>(lod), levels.size() - 2);
   const float blend = lod - static_cast<float>(level);
   const auto& fine = levels[level];
@@ -69,19 +65,30 @@ template <typename Levels> Float4 trilinear(const Levels& levels, const glm::vec
          bilinear(coarse.faces.data(), coarse.stride, p) * blend;
 }
 
-} // namespace
+// Four directions at once: where they hit, and at which of the levels 0..last.
+struct FourPoints {
+  Int4 face;
+  Float4 s, t, lod;
+};
 
-CubeSampler::CubeSampler(std::vector<glm::vec4> base, int faceSize) {
-  std::vector<glm::vec4> mip = std::move(base);
-  for (int n = faceSize;; n /= 2) {
-    m_levels.push_back(makeLevel(mip, n));
-    if (n == 1) break;
-    mip = halveMip(mip, n);
-  }
+FourPoints facePointsOf(const std::array<Float4, 3>& d, const Float4& sizeLog2, float last) {
+  const Float4 ax = d[0] < 0 ? -d[0] : d[0], ay = d[1] < 0 ? -d[1] : d[1], az = d[2] < 0 ? -d[2] : d[2];
+  const Int4 isX = (ax >= ay) & (ax >= az), isY = ~isX & (ay >= az);
+  const Float4 k = 1 / (isX ? ax : isY ? ay : az);
+  FourPoints p;
+  p.face = isX ? -(d[0] < 0) : isY ? 2 - (d[1] < 0) : 4 - (d[2] < 0); // a comparison that holds is -1
+  p.s = (isX ? (d[0] > 0 ? -d[2] : d[2]) : isY ? d[0] : d[2] > 0 ? d[0] : -d[0]) * k;
+  p.t = (isY ? (d[1] > 0 ? d[2] : -d[2]) : -d[1]) * k;
+  // A texel at (s, t) subtends (2/n)^2 (1 + s^2 + t^2)^(-3/2).
+  const Float4 lod = sizeLog2 + 0.75f * log2Coarse(1 + p.s * p.s + p.t * p.t);
+  p.lod = lod < 0 ? Float4{} : lod > last ? Float4{} + last : lod;
+  return p;
 }
 
-CubeSampler::Level CubeSampler::makeLevel(const std::vector<glm::vec4>& mip, int n) {
-  Level level;
+} // namespace
+
+CubeLevel makeCubeLevel(const std::vector<glm::vec4>& mip, int n) {
+  CubeLevel level;
   level.stride = n + 2;
   const auto indexOf = [&](int face, int x, int y) {
     return (static_cast<std::size_t>(face) * level.stride + y + 1) * level.stride + x + 1;
@@ -118,19 +125,53 @@ CubeSampler::Level CubeSampler::makeLevel(const std::vector<glm::vec4>& mip, int
   return level;
 }
 
-glm::vec3 CubeSampler::read(const glm::vec3& direction, float sizeLog2) const {
-  const Float4 value = trilinear(m_levels, direction, sizeLog2);
-  return {value[0], value[1], value[2]};
+glm::vec4 readLevel(const CubeLevel& level, const glm::vec3& direction) {
+  const Float4 value = bilinear(level.faces.data(), level.stride, facePointOf(direction));
+  return {value[0], value[1], value[2], value[3]};
 }
 
-glm::vec3 CubeSampler::readSum(const glm::mat3& frame, std::span<const WeightedRead> reads) const {
+CubeSampler::CubeSampler(std::vector<glm::vec4> base, int faceSize) {
+  std::vector<glm::vec4> mip = std::move(base);
+  for (int n = faceSize;; n /= 2) {
+    m_levels.push_back(makeCubeLevel(mip, n));
+    if (n == 1) break;
+    mip = halveMip(mip, n);
+  }
+}
+
+glm::vec3 CubeSampler::read(const glm::vec3& direction, float sizeLog2) const {
+  return readSum(glm::mat3(1), packReads({{direction, sizeLog2, 1}}));
+}
+
+std::vector<FourReads> packReads(const std::vector<WeightedRead>& reads) {
+  std::vector<FourReads> packed((reads.size() + 3) / 4);
+  for (std::size_t i = 0; i < 4 * packed.size(); ++i) {
+    // What is left over of the last four repeats the first read at no weight.
+    const WeightedRead& read = reads[i < reads.size() ? i : 0];
+    FourReads& four = packed[i / 4];
+    for (int c = 0; c < 3; ++c) four.direction[c][i % 4] = read.direction[c];
+    four.sizeLog2[i % 4] = read.sizeLog2;
+    four.weight[i % 4] = i < reads.size() ? read.weight : 0;
+  }
+  return packed;
+}
+
+glm::vec3 CubeSampler::readSum(const glm::mat3& frame, std::span<const FourReads> reads) const {
   // In parts: the rounding of thousands of additions to one float would show.
-  constexpr std::size_t kPart = 64;
+  constexpr std::size_t kPart = 16;
+  const auto last = static_cast<float>(m_levels.size() - 1);
   glm::dvec3 total{0.0};
   for (std::size_t begin = 0; begin < reads.size(); begin += kPart) {
     Float4 sum{};
-    for (const WeightedRead& read : reads.subspan(begin, std::min(kPart, reads.size() - begin)))
-      sum += trilinear(m_levels, frame * read.direction, read.sizeLog2) * read.weight;
+    for (const FourReads& four : reads.subspan(begin, std::min(kPart, reads.size() - begin))) {
+      std::array<Float4, 3> direction;
+      for (int c = 0; c < 3; ++c)
+        direction[c] =
+            frame[0][c] * four.direction[0] + frame[1][c] * four.direction[1] + frame[2][c] * four.direction[2];
+      const FourPoints points = facePointsOf(direction, four.sizeLog2, last);
+      for (int i = 0; i < 4; ++i)
+        sum += trilinear(m_levels, {points.face[i], points.s[i], points.t[i]}, points.lod[i]) * four.weight[i];
+    }
     total += glm::dvec3(sum[0], sum[1], sum[2]);
   }
   return glm::vec3(total);

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <utility>
 
+#include "lighting/bright_texels.h"
 #include "lighting/cube_sampler.h"
 #include "lighting/equirect.h"
 #include "lighting/irradiance_sh.h"
@@ -12,6 +13,10 @@
 #include "shading/shading.h"
 
 namespace parity::lighting {
+
+int layersOfMip(int mip) {
+  return mip == 0 || mip == shading::f64::kPrefilterRoughestMip ? 1 : shading::f64::kPrefilterLayers;
+}
 
 EnvironmentLight makeEnvironmentLight(const scenes::Environment& environment, const PrefilterOptions& options) {
   const int size = options.faceSize;
@@ -25,11 +30,15 @@ EnvironmentLight makeEnvironmentLight(const scenes::Environment& environment, co
   cube.mips.push_back(resampleEquirect(environment, size));
   light.irradianceSh = projectIrradiance(cube.mips[0], size);
 
-  const CubeSampler source(cube.mips[0], size);
+  std::vector<glm::vec4> rest = cube.mips[0];
+  const BrightTexels bright = takeBrightTexels(rest, size);
+  const CubeSampler source(std::move(rest), size);
   for (int mip = 1; mip <= shading::f64::kPrefilterRoughestMip; ++mip) {
-    const double roughness = shading::f64::roughnessFromMip(mip);
-    const auto samples = makeLobeSamples(roughness, samplesOfMip(mip, options.sampleCount), size);
-    cube.mips.push_back(prefilterMip(source, samples, size >> mip));
+    std::vector<glm::vec4>& layers = cube.mips.emplace_back();
+    for (int layer = 0; layer < layersOfMip(mip); ++layer) {
+      const std::vector<glm::vec4> fitted = fitBilinear(prefilter(source, bright, mip, layer, options), size >> mip);
+      layers.insert(layers.end(), fitted.begin(), fitted.end());
+    }
   }
   return light;
 }

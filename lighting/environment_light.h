@@ -13,8 +13,8 @@
 
 namespace parity::lighting {
 
-// A cube map with mips, RGBA float (A = 1), linear Rec.709 radiance. Vulkan's face order and orientation: +X -X +Y -Y
-// +Z -Z; mips[m] holds 6 faces of (faceSize >> m)^2 texels, face after face, rows top-down.
+// A cube map array with mips, RGBA float (A = 1), linear Rec.709 radiance. Vulkan's face order and orientation: +X -X
+// +Y -Y +Z -Z; mips[m] holds layer after layer 6 faces of (faceSize >> m)^2 texels, face after face, rows top-down.
 struct CubeMap {
   int faceSize = 0;
   std::vector<std::vector<glm::vec4>> mips;
@@ -25,15 +25,21 @@ inline constexpr int kMinFaceSize = 32, kMaxFaceSize = 1024;
 inline constexpr int kMaxSampleCount = 4096;
 
 struct PrefilterOptions {
-  int faceSize = 256;    // a power of two, kMinFaceSize..kMaxFaceSize
-  int sampleCount = 128; // GGX importance samples per texel of mip 1 (a power of two, to kMaxSampleCount); the rougher
-                         // mips, whose texels are few, take more (lighting/prefilter.h)
+  int faceSize = 256; // a power of two, kMinFaceSize..kMaxFaceSize
+  // GGX importance samples per texel of mip 1 (a power of two, to kMaxSampleCount); the rougher mips, whose texels are
+  // few, take more (lighting/prefilter.h).
+  int sampleCount = 64;
+  double footprintLog2 = 0.3; // samples read footprints 2^this as wide as they stand apart
 };
+
+// Cubes that mip m of the prefiltered array has: one of the first and of the last mip, else shading's kPrefilterLayers.
+int layersOfMip(int mip);
 
 // World space: the environment's rotation is applied already.
 struct EnvironmentLight {
-  // Mip m holds the GGX-prefiltered radiance (N = V = R) of roughness shading::roughnessFromMip(m); mip 0 is
-  // unfiltered; the last is shading's kPrefilterRoughestMip (roughness 1).
+  // Layer j of mip m holds the GGX-prefiltered radiance (N = V = R) of roughness shading::roughnessFromMip(m + j /
+  // kPrefilterLayers), layersOfMip(m) of them. Mip 0 is unfiltered; the last is shading's kPrefilterRoughestMip
+  // (roughness 1).
   CubeMap prefiltered;
   // Irradiance coefficients, order 2, as shading/sh.glsl evaluates them (cosine kernel applied: irradiance, not
   // radiance).

@@ -14,7 +14,7 @@ namespace parity::lighting {
 
 namespace {
 
-constexpr std::uint32_t kMagic = 0x31564e45; // "ENV1"; another byte order reads as another number
+constexpr std::uint32_t kMagic = 0x32564e45; // "ENV2"; another byte order reads as another number
 constexpr std::uint32_t kMipCount = shading::f64::kPrefilterRoughestMip + 1;
 
 struct Header {
@@ -65,7 +65,8 @@ EnvironmentLight environmentLightFromBytes(std::span<const std::byte> bytes) {
   light.prefiltered.faceSize = static_cast<int>(header.faceSize);
   std::size_t expected = sizeof header + sizeof light.irradianceSh;
   for (std::uint32_t m = 0; m < kMipCount; ++m)
-    expected += texelIndex(kCubeFaces, 0, 0, light.prefiltered.faceSize >> m) * sizeof(glm::vec4);
+    expected += texelIndex(kCubeFaces * layersOfMip(static_cast<int>(m)), 0, 0, light.prefiltered.faceSize >> m) *
+                sizeof(glm::vec4);
   if (bytes.size() != expected)
     fail("has " + std::to_string(bytes.size()) + " bytes instead of " + std::to_string(expected));
 
@@ -74,8 +75,8 @@ EnvironmentLight environmentLightFromBytes(std::span<const std::byte> bytes) {
   from += sizeof light.irradianceSh;
   requireFinite(&light.irradianceSh[0].x, 3 * light.irradianceSh.size());
   for (std::uint32_t m = 0; m < kMipCount; ++m) {
-    std::vector<glm::vec4>& mip =
-        light.prefiltered.mips.emplace_back(texelIndex(kCubeFaces, 0, 0, light.prefiltered.faceSize >> m));
+    std::vector<glm::vec4>& mip = light.prefiltered.mips.emplace_back(
+        texelIndex(kCubeFaces * layersOfMip(static_cast<int>(m)), 0, 0, light.prefiltered.faceSize >> m));
     std::memcpy(mip.data(), from, mip.size() * sizeof(glm::vec4));
     from += mip.size() * sizeof(glm::vec4);
     requireFinite(&mip[0].x, 4 * mip.size());

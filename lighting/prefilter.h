@@ -5,23 +5,32 @@
 
 #include <glm/glm.hpp>
 
+#include "lighting/bright_texels.h"
 #include "lighting/cube_sampler.h"
+#include "lighting/environment_light.h"
 
 namespace parity::lighting {
 
 // `count` samples of the lobe around N = V = +Z: half vectors by D_GGX at alpha = roughness^2 (Walter et al. 2007,
 // eq. 35) in Hammersley's sequence, weights NoL (Karis 2013, "PrefilterEnvMap") that sum to 1. Each reads a footprint
 // of the solid angle that it stands for, 1 / (count pdf) (Krivanek and Colbert 2008, "Real-time Shading with Filtered
-// Importance Sampling", eq. 10), widened a little so that neighbours overlap. count: a power of two; faceSize: of the
-// cube that is read.
-std::vector<WeightedRead> makeLobeSamples(double roughness, int count, int faceSize);
+// Importance Sampling", eq. 10), 2^footprintLog2 times as wide so that neighbours overlap. count: a power of two;
+// faceSize: of the cube that is read.
+std::vector<WeightedRead> makeLobeSamples(double roughness, int count, int faceSize, double footprintLog2);
 
-// How many samples mip `mip` >= 1 takes: sampleCount times 1, 2, 4, 16, 64. The mips shrink to a quarter each while
-// their lobes widen, so the rough ones, where a few samples would miss a small bright light, can have more and yet cost
-// no more than a quarter of mip 1.
+// How many samples mip `mip` >= 1 takes: sampleCount times 1, 4, 8, 16, 64. The mips shrink to a quarter each while
+// their lobes widen, so the rough ones can have more and yet cost no more.
 int samplesOfMip(int mip, int sampleCount);
 
-// Six faces of size^2 texels, each the sum of these samples around its direction; A = 1.
-std::vector<glm::vec4> prefilterMip(const CubeSampler& cube, const std::vector<WeightedRead>& samples, int size);
+// A level's six faces of (faceSize >> mip)^2 texels, filtered for N = V = R around their middles; A = 1. The bright
+// texels, which `cube` lacks, are summed exactly.
+std::vector<glm::vec4> prefilter(const CubeSampler& cube, const BrightTexels& bright, int mip, int layer,
+                                 const PrefilterOptions& options);
+
+// Texels for bilinear reading: where the radiance curves, interpolation between its values at the texels' middles is
+// off to one side everywhere between, by h^2/12 of the second derivative on average. Each texel is moved as far to the
+// other side (the projection onto linear splines, to second order), but not below its half: T - (sum of 4 neighbours -
+// 4 T)/12.
+std::vector<glm::vec4> fitBilinear(const std::vector<glm::vec4>& mip, int size);
 
 } // namespace parity::lighting

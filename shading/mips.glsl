@@ -24,4 +24,35 @@ FN real roughnessFromMip(real mip) {
   return exp2(x);
 }
 
+// Between two mips alpha grows threefold, and a blend of two such lobes is not the lobe between: read trilinearly, a
+// picture of roughness 0.25 is 4 to 46 % off (docs/environments.md). So the cube is an array, whose layer j of mip m,
+// 1 <= m < kPrefilterRoughestMip, is filtered with roughnessFromMip(m + j / kPrefilterLayers). Layer 0 alone, read
+// trilinearly by mipFromRoughness, is what Unreal Engine 4 has.
+CONSTANT int kPrefilterLayers = 4;
+
+// Two levels, layer l % kPrefilterLayers of mip l / kPrefilterLayers each, and the share of the second.
+struct PrefilterBlend {
+  int lower;
+  int upper;
+  real upperShare;
+};
+
+// The levels next to a mip in [0, kPrefilterRoughestMip] (mipFromRoughness), linear between them. Below mip 1, where
+// lobes are narrower than the texels of 256x256 faces, there is layer 0 alone.
+FN PrefilterBlend prefilterBlend(real mip) {
+  PrefilterBlend blend;
+  blend.lower = 0;
+  blend.upper = kPrefilterLayers;
+  blend.upperShare = mip;
+  if (mip >= R(1.0)) {
+    PRECISE real level = mip * real(real32(kPrefilterLayers));
+    blend.lower = int(real32(level));
+    if (blend.lower >= kPrefilterLayers * kPrefilterRoughestMip) blend.lower = kPrefilterLayers * kPrefilterRoughestMip - 1;
+    blend.upper = blend.lower + 1;
+    PRECISE real share = level - real(real32(blend.lower));
+    blend.upperShare = min(share, R(1.0));
+  }
+  return blend;
+}
+
 #endif

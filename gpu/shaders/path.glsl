@@ -31,7 +31,7 @@ layout(set = 0, binding = 4, std430) readonly buffer PathData { uint pathData[];
 layout(set = 0, binding = 12, std430) writeonly buffer OutColor { vec4 outColor[]; };   // radiance, opacity
 layout(set = 0, binding = 13, std430) writeonly buffer OutTermsA { vec4 outTermsA[]; }; // terms 0..4, a plane each
 layout(set = 0, binding = 14, std430) writeonly buffer OutTermsB { vec4 outTermsB[]; }; // terms 5..8
-layout(set = 0, binding = 15) uniform samplerCube prefilteredEnvironment;
+layout(set = 0, binding = 15) uniform samplerCubeArray prefilteredEnvironment;
 layout(set = 0, binding = 16) uniform sampler2D pathTexture; // the path's own table, if it has one
 
 layout(set = 1, binding = 0) uniform sampler2D baseColorTexture;
@@ -166,9 +166,22 @@ vec3 skyIrradianceOverPi(vec3 n) {
   return evalIrradianceSH(sh, n) * kInvPi;
 }
 
+// As Unreal Engine 4 reads its captures: trilinearly, from one lobe to one three times as wide.
 vec3 skyRadiance(vec3 direction, float roughness) {
-  return textureLod(prefilteredEnvironment, direction, mipFromRoughness(roughness)).xyz;
+  return textureLod(prefilteredEnvironment, vec4(direction, 0.0), mipFromRoughness(roughness)).xyz;
 }
+
+vec3 skyRadianceOfLevel(vec3 direction, int level) {
+  return textureLod(prefilteredEnvironment, vec4(direction, float(level % kPrefilterLayers)), float(level / kPrefilterLayers)).xyz;
+}
+
+// From the lobes in between, too (shading/mips.glsl): for as many texels read, a tenth of the error.
+vec3 skyRadianceAtMip(vec3 direction, float mip) {
+  PrefilterBlend blend = prefilterBlend(mip);
+  return mix(skyRadianceOfLevel(direction, blend.lower), skyRadianceOfLevel(direction, blend.upper), blend.upperShare);
+}
+
+vec3 skyRadianceBetweenLevels(vec3 direction, float roughness) { return skyRadianceAtMip(direction, mipFromRoughness(roughness)); }
 
 struct Terms {
   vec3 t[kTermCount];

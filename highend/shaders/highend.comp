@@ -113,14 +113,14 @@ vec3 localLight(GpuLight light, vec3 position, out vec3 L) {
 
 vec3 readTap(Shader s, vec3 R, LobeTap tap) {
   vec3 direction = safeNormalize(mix(s.N, R, tap.blend), s.N);
-  return textureLod(prefilteredEnvironment, direction, tap.mip).xyz * tap.weight;
+  return skyRadianceAtMip(direction, tap.mip) * tap.weight;
 }
 
 // Mean radiance over the specular lobe.
 vec3 reflectedRadiance(Shader s) {
   vec3 R = 2.0 * dot(s.N, s.V) * s.N - s.V;
-  if (kOffSpecular == kOffSpecularNone) return skyRadiance(R, s.roughness);
-  if (kOffSpecular == kOffSpecularDominant) return skyRadiance(safeNormalize(mix(s.N, R, dominantBlend(sqr(s.roughness))), s.N), s.roughness);
+  if (kOffSpecular == kOffSpecularNone) return skyRadianceBetweenLevels(R, s.roughness);
+  if (kOffSpecular == kOffSpecularDominant) return skyRadianceBetweenLevels(safeNormalize(mix(s.N, R, dominantBlend(sqr(s.roughness))), s.N), s.roughness);
   vec3 radiance = vec3(0.0);
   if (kOffSpecular == kOffSpecularStretched) {
     for (int i = 0; i < 2; ++i) radiance += readTap(s, R, stretchedTap(i, s.NoV, s.roughness));

@@ -188,6 +188,38 @@ TEST_F(HighendTest, skyIsFetchedAroundTheReflection) {
   EXPECT_EQ(shade(makeLeaningQuad(0), inputs, kPlain)[Term::skySpecular].x, 0);
 }
 
+// A cube array whose level l is of radiance l: what is read is the level itself, between mips too.
+TEST_F(HighendTest, skyIsBlendedFromTheTwoNearestLevels) {
+  constexpr int kLayers = shading::f32::kPrefilterLayers, kMips = shading::f32::kPrefilterRoughestMip + 1;
+  std::vector<std::vector<glm::vec4>> texels(kMips);
+  std::vector<std::span<const std::byte>> mips;
+  for (int mip = 0; mip < kMips; ++mip) {
+    const int n = 32 >> mip;
+    for (int layer = 0; layer < kLayers; ++layer)
+      texels[mip].insert(texels[mip].end(), static_cast<std::size_t>(6) * n * n, glm::vec4(mip * kLayers + layer));
+    mips.push_back(std::as_bytes(std::span{texels[mip]}));
+  }
+  gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0);
+  environment.cube = gpu::DeviceImage(device(),
+                                      {.format = vk::Format::eR32G32B32A32Sfloat,
+                                       .width = 32,
+                                       .height = 32,
+                                       .mips = kMips,
+                                       .cube = true,
+                                       .arraySize = kLayers},
+                                      mips);
+  vk::SamplerCreateInfo sampler({}, vk::Filter::eLinear, vk::Filter::eLinear, vk::SamplerMipmapMode::eLinear);
+  sampler.maxLod = VK_LOD_CLAMP_NONE;
+  environment.sampler = vk::raii::Sampler(device().handle(), sampler);
+  const base::Image lut = constantLut(0.f, 1.f);
+  scenes::Scene scene = makeLeaningQuad(0.5f);
+  for (const float roughness : {0.f, 0.08f, 0.1f, 0.3f, 0.5f, 0.77f, 1.f}) {
+    scene.materials[0].roughness = roughness;
+    const ShadedPoint point = shade(scene, {.environment = &environment, .lut = &lut}, kNoCompensation);
+    EXPECT_NEAR(point[Term::skySpecular].x, kLayers * shading::f64::mipFromRoughness(roughness), 1e-3f) << roughness;
+  }
+}
+
 TEST_F(HighendTest, termsAddUpToTheColour) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0.7f);
   const base::Image lut = constantLut(0.8f, 0.05f);

@@ -25,7 +25,8 @@ protected:
     Inputs inputs;
     inputs.lights = {sun};
     inputs.terms = true;
-    const Renderer renderer(device(), buffers, pass.binKinds(), inputs, {.compensate = false});
+    const Renderer renderer(device(), buffers, pass.binKinds(), inputs,
+                            {.diffuse = DiffuseLobe::lambert, .compensation = Compensation::none});
     const gpu::ShadedSurface shaded = renderer.shade(surface, camera);
     std::vector<double> means(64);
     const std::uint32_t block = size / 8;
@@ -74,7 +75,8 @@ TEST_F(SpecularAaTest, pathSeesTheWidenedRoughness) {
     return tests::shadeQuad(
         device(), scene,
         [&](const auto& buffers, const auto& kinds) {
-          return Renderer(device(), buffers, kinds, inputs, {.compensate = false});
+          return Renderer(device(), buffers, kinds, inputs,
+                          {.diffuse = DiffuseLobe::lambert, .compensation = Compensation::none});
         },
         specularAa);
   };

@@ -147,7 +147,8 @@ TEST(EnvironmentLight, mipsAreTheGgxLobesOfTheirRoughness) {
       const glm::dvec3 expected = sum / weights;
       const glm::vec4& actual = light.prefiltered.mips[mip][texelIndex(face, x, y, n)];
       for (int c = 0; c < 3; ++c)
-        EXPECT_NEAR(actual[c], expected[c], 0.01 * expected[c])
+        // The fit for bilinear reading moves texels by 1/12 of the curvature: 1.5 % in the smallest mip.
+        EXPECT_NEAR(actual[c], expected[c], 0.02 * expected[c])
             << "mip " << mip << " face " << face << " channel " << c;
     }
   }

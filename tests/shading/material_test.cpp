@@ -52,6 +52,26 @@ TEST(Mips, smoothSurfacesReadTheSharpestMip) {
   EXPECT_EQ(float(shading::f16::mipFromRoughness(shading::Half(0))), 0);
 }
 
+// The blend of the two levels' mips, as layer j of mip m stands for mip m + j / layers, is the mip of the roughness.
+TEST(Mips, levelsBetweenMipsEncloseTheRoughness) {
+  constexpr int kLast = f64::kPrefilterLayers * f64::kPrefilterRoughestMip;
+  for (double R = 0; R <= 1; R += 0.001) {
+    const f64::PrefilterBlend blend = f64::prefilterBlend(f64::mipFromRoughness(R));
+    ASSERT_GE(blend.lower, 0);
+    ASSERT_LE(blend.upper, kLast);
+    ASSERT_GE(blend.upperShare, 0);
+    ASSERT_LE(blend.upperShare, 1);
+    const double level = blend.lower + (blend.upper - blend.lower) * blend.upperShare;
+    ASSERT_NEAR(level / f64::kPrefilterLayers, f64::mipFromRoughness(R), 1e-12) << R;
+    if (f64::mipFromRoughness(R) < 1) // there is one layer of mip 0
+      ASSERT_TRUE(blend.lower == 0 && blend.upper == f64::kPrefilterLayers) << R;
+    else
+      ASSERT_EQ(blend.upper, blend.lower + 1) << R;
+  }
+  EXPECT_EQ(f64::prefilterBlend(f64::mipFromRoughness(1)).upper, kLast);
+  EXPECT_EQ(f64::prefilterBlend(f64::mipFromRoughness(1)).upperShare, 1);
+}
+
 TEST(Mips, mappingAndInverseAgree) {
   for (int mip = 0; mip <= 5; ++mip) EXPECT_NEAR(f64::mipFromRoughness(f64::roughnessFromMip(mip)), mip, 1e-12);
   for (double R = 0.06; R <= 1; R += 0.05) EXPECT_NEAR(f64::roughnessFromMip(f64::mipFromRoughness(R)), R, 1e-12);
