@@ -48,42 +48,42 @@ FN LobeTap makeLobeTap(real Roughness, real lean, real mipOffset, real weight) {
 
 // Tap i (0, 1) of two alike, in front of and behind the lobe's middle: a lookup stretched along the plane of incidence.
 FN LobeTap stretchedTap(int i, real NoV, real Roughness) {
-  real lean = lobePolynomial(NoV, Roughness, R(0.9231), R(-3.2466), R(1.1710), R(1.9002), R(1.7233), R(-1.2402));
-  real spread = lobePolynomial(NoV, Roughness, R(1.3447), R(-0.1010), R(1.5337), R(-1.8684), R(-1.7172), R(1.5857));
-  real mip = lobePolynomial(NoV, Roughness, R(-0.8941), R(0.1435), R(0.6757), R(0.9519), R(-0.6116), R(0.3765));
+  real lean = lobePolynomial(NoV, Roughness, R(0.9196), R(-3.2503), R(1.1663), R(1.9350), R(1.7287), R(-1.2695));
+  real spread = lobePolynomial(NoV, Roughness, R(1.4088), R(-0.1085), R(1.4872), R(-1.9448), R(-1.6611), R(1.5925));
+  real mip = lobePolynomial(NoV, Roughness, R(-0.8826), R(0.2488), R(0.6165), R(0.9339), R(-0.6975), R(0.2773));
   return makeLobeTap(Roughness, i == 0 ? lean + spread : lean - spread, mip, R(0.5));
 }
 
 // Tap i (0, 1) of two: a wide one near the normal, a narrow one near the mirror direction.
 FN LobeTap twoTap(int i, real NoV, real Roughness) {
-  real w = saturate(lobePolynomial(NoV, Roughness, R(0.3411), R(0.1572), R(0.6737), R(0.1062), R(-1.0587), R(0.4283)));
+  real w = saturate(lobePolynomial(NoV, Roughness, R(0.2134), R(-0.2496), R(1.0027), R(0.5036), R(-0.9497), R(0.1791)));
   if (i == 0) {
-    real lean = lobePolynomial(NoV, Roughness, R(2.8612), R(-3.6892), R(-0.0280), R(0.6544), R(4.0643), R(-2.2392));
-    real mip = lobePolynomial(NoV, Roughness, R(-0.5037), R(-0.5482), R(0.9258), R(1.5884), R(-1.0882), R(0.6632));
+    real lean = lobePolynomial(NoV, Roughness, R(3.6989), R(-2.8216), R(-1.1560), R(-1.3150), R(4.2741), R(-1.2442));
+    real mip = lobePolynomial(NoV, Roughness, R(-0.7229), R(-0.1376), R(0.6652), R(2.3394), R(-1.2927), R(-0.0948));
     return makeLobeTap(Roughness, lean, mip, w);
   }
-  real lean = lobePolynomial(NoV, Roughness, R(0.0457), R(-4.3565), R(-1.1449), R(3.9264), R(5.8192), R(-3.9779));
-  real mip = lobePolynomial(NoV, Roughness, R(-0.8946), R(0.5034), R(0.6361), R(-1.0681), R(-0.6430), R(1.9841));
+  real lean = lobePolynomial(NoV, Roughness, R(0.2395), R(-3.6758), R(-1.0128), R(3.1380), R(4.9176), R(-3.2695));
+  real mip = lobePolynomial(NoV, Roughness, R(-0.6333), R(0.7682), R(0.1930), R(-1.6122), R(-0.4843), R(2.1424));
   return makeLobeTap(Roughness, lean, mip, R(1.0) - w);
 }
 
 // Tap i (0, 1, 2) of three, from the normal to the mirror direction.
 FN LobeTap threeTap(int i, real NoV, real Roughness) {
-  real w = saturate(lobePolynomial(NoV, Roughness, R(0.1214), R(-0.6256), R(0.8476), R(0.7602), R(-0.5394), R(-0.0392)));
-  real v = saturate(lobePolynomial(NoV, Roughness, R(0.4288), R(0.2204), R(0.7790), R(-0.4598), R(-0.9750), R(1.1723)));
+  real w = saturate(lobePolynomial(NoV, Roughness, R(0.0939), R(-0.5231), R(0.5741), R(0.6033), R(-0.4456), R(0.1984)));
+  real v = saturate(lobePolynomial(NoV, Roughness, R(0.3761), R(0.1262), R(0.9141), R(-0.2393), R(-1.1901), R(1.1501)));
   real rest = R(1.0) - w;
   if (i == 0) {
-    real lean = lobePolynomial(NoV, Roughness, R(5.8501), R(-2.2242), R(-1.0148), R(-6.7486), R(3.9609), R(2.0431));
-    real mip = lobePolynomial(NoV, Roughness, R(-0.2359), R(-0.4853), R(0.3075), R(2.1652), R(-0.1785), R(-0.5884));
+    real lean = lobePolynomial(NoV, Roughness, R(7.0413), R(-0.8935), R(-0.2359), R(-9.7266), R(1.8344), R(3.8547));
+    real mip = lobePolynomial(NoV, Roughness, R(-0.2822), R(-0.0907), R(0.1311), R(2.7163), R(0.1935), R(-1.7665));
     return makeLobeTap(Roughness, lean, mip, w);
   }
   if (i == 1) {
-    real lean = lobePolynomial(NoV, Roughness, R(1.9229), R(-2.1163), R(-1.9948), R(-0.1656), R(4.3330), R(-1.7305));
-    real mip = lobePolynomial(NoV, Roughness, R(-1.9035), R(2.2273), R(-0.2566), R(1.0435), R(-1.6163), R(1.0156));
+    real lean = lobePolynomial(NoV, Roughness, R(2.2777), R(-1.9183), R(-1.8268), R(-0.9681), R(4.0994), R(-1.3967));
+    real mip = lobePolynomial(NoV, Roughness, R(-1.4292), R(1.7663), R(-0.2942), R(0.2954), R(-0.9144), R(1.0718));
     return makeLobeTap(Roughness, lean, mip, rest * v);
   }
-  real lean = lobePolynomial(NoV, Roughness, R(-0.4366), R(-5.9539), R(-0.5462), R(5.3818), R(7.3919), R(-5.5463));
-  real mip = lobePolynomial(NoV, Roughness, R(-1.4094), R(2.0355), R(0.1884), R(-0.4432), R(-2.0142), R(1.0200));
+  real lean = lobePolynomial(NoV, Roughness, R(-0.2529), R(-5.4903), R(-0.4012), R(4.5968), R(6.6926), R(-4.8456));
+  real mip = lobePolynomial(NoV, Roughness, R(-1.3575), R(1.8193), R(0.4041), R(-0.0818), R(-1.7934), R(0.2594));
   return makeLobeTap(Roughness, lean, mip, rest * (R(1.0) - v));
 }
 

@@ -46,7 +46,7 @@ double reflect(const Sky& sky, double roughness, double NoV) {
   return sum / total;
 }
 
-// The prefiltered cube: the sky's mean over the lobe of N = V = R about a direction, at a mip between two.
+// The prefiltered cube: the sky's mean over the lobe of N = V = R about a direction, between its levels.
 double readCube(const Sky& sky, const Vec& direction, double mip) {
   const auto atMip = [&](double level) {
     constexpr int kSteps = 48;
@@ -67,8 +67,10 @@ double readCube(const Sky& sky, const Vec& direction, double mip) {
       }
     return sum / total;
   };
-  const double lower = std::min(std::floor(mip), 4.0), blend = mip - lower;
-  return atMip(lower) * (1 - blend) + atMip(lower + 1) * blend;
+  const f64::PrefilterBlend blend = f64::prefilterBlend(mip);
+  const double lower = atMip(1. * blend.lower / f64::kPrefilterLayers),
+               upper = atMip(1. * blend.upper / f64::kPrefilterLayers);
+  return lower * (1 - blend.upperShare) + upper * blend.upperShare;
 }
 
 // Root mean square error over views, roughnesses and skies, of one way to read.
