@@ -6,13 +6,14 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "base/file.h"
-#include "base/image_io.h"
+#include "bench/pareto_picture.h"
 #include "compare/measure.h"
 #include "job/displayed.h"
 #include "job/scene_renderer.h"
@@ -22,13 +23,14 @@
 namespace {
 
 using namespace parity;
+using bench::Row;
 using highend::Compensation;
 using highend::DiffuseLobe;
 using highend::FresnelCurve;
 using highend::GeometryTerm;
 using highend::OffSpecular;
 
-constexpr int kErrorSize = 144, kTimeSize = 512, kTimeRounds = 9;
+constexpr int kErrorSize = 128, kTimeSize = 448, kTimeRounds = 7;
 constexpr double kTruthError = 0.02;
 
 struct Setting {
@@ -157,13 +159,15 @@ Errors errorsOf(const base::Frame& truth, const base::Frame& test, const base::P
 double shadingTimeMs(const base::Timings& timings) {
   for (const auto& [stage, timeMs] : timings.stages())
     if (stage == "device: shade highend") return timeMs;
-  return 0;
+  throw std::runtime_error("no stage 'device: shade highend' was timed");
 }
 
 // A scene under an environment by every setting.
 class Trial {
 public:
-  Trial(const Lit& lit, const std::vector<Setting>& all) : m_lit(lit), m_all(all) {}
+  Trial(const Lit& lit, const std::vector<Setting>& all)
+      : m_all(all), m_context(jobSettings({}, kErrorSize)),
+        m_prepared(job::prepareScene(m_context, requestOf(lit), {.reference = true})) {}
 
   std::vector<Outcome> run() {
     std::vector<Outcome> outcomes(m_all.size());
@@ -175,12 +179,10 @@ public:
 private:
   struct Renderer {
     job::Context context;
-    job::PreparedScene prepared;
     std::unique_ptr<job::SceneRenderer> renderer;
     scenes::Camera camera;
-    Renderer(const Lit& lit, const job::Settings& settings, const job::Paths& paths)
-        : context(settings), prepared(job::prepareScene(context, requestOf(lit), paths)),
-          renderer(std::make_unique<job::SceneRenderer>(context, prepared, paths, 1)),
+    Renderer(const job::PreparedScene& prepared, const job::Settings& settings, const job::Paths& paths)
+        : context(settings), renderer(std::make_unique<job::SceneRenderer>(context, prepared, paths, 1)),
           camera(scenes::makeCamera(prepared.scene, {}, 1)) {}
   };
 
@@ -190,7 +192,7 @@ private:
     for (std::size_t i = 0; i < m_all.size(); ++i) {
       const highend::Options& options = m_all[i].options;
       base::Frame& truth = truths[modelOf(options)];
-      Renderer r(m_lit, jobSettings(options, kErrorSize),
+      Renderer r(m_prepared, jobSettings(options, kErrorSize),
                  {.highend = true, .mobile = where.pixels.empty(), .reference = truth.color.empty()});
       job::ViewFrames frames = r.renderer->render(r.camera);
       if (where.pixels.empty()) where = coveredPixels(frames.coverage);
@@ -207,7 +209,7 @@ private:
     std::vector<std::size_t> order;
     for (const Setting& setting : m_all) {
       order.push_back(renderers.size());
-      renderers.push_back(std::make_unique<Renderer>(m_lit, jobSettings(setting.options, kTimeSize),
+      renderers.push_back(std::make_unique<Renderer>(m_prepared, jobSettings(setting.options, kTimeSize),
                                                      job::Paths{.highend = true, .mobile = false}));
     }
     std::mt19937 random(1);
@@ -226,8 +228,9 @@ private:
     }
   }
 
-  const Lit& m_lit;
   const std::vector<Setting>& m_all;
+  job::Context m_context;
+  const job::PreparedScene m_prepared;
 };
 
 double medianOf(std::vector<double> values) {
@@ -235,11 +238,6 @@ double medianOf(std::vector<double> values) {
   const std::size_t n = values.size();
   return n % 2 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
 }
-
-struct Row {
-  std::string name;
-  double ratio, relMse, worstRelMse, relMseSpecular, worstSpecular, flip, worstFlip;
-};
 
 std::vector<Row> summarise(const std::vector<Setting>& all, const std::vector<std::vector<Outcome>>& trials) {
   std::vector<Row> rows;
@@ -258,60 +256,6 @@ std::vector<Row> summarise(const std::vector<Setting>& all, const std::vector<st
                     medianOf(flip), worst(flip)});
   }
   return rows;
-}
-
-// Cheaper or as cheap, and nearer to the truth.
-bool isDominated(const Row& row, const std::vector<Row>& rows) {
-  return std::any_of(rows.begin(), rows.end(),
-                     [&](const Row& other) { return other.ratio < row.ratio && other.relMse < row.relMse; });
-}
-
-std::string paretoPicture(const std::vector<Row>& rows) {
-  constexpr double kLeft = 70, kTop = 20, kWidth = 560, kHeight = 360;
-  double least = 1e9, most = 0, fastest = 1e9, slowest = 0;
-  for (const Row& row : rows) {
-    least = std::min(least, row.relMse);
-    most = std::max(most, row.relMse);
-    fastest = std::min(fastest, row.ratio);
-    slowest = std::max(slowest, row.ratio);
-  }
-  least /= 1.3, most *= 1.3, fastest -= 0.03, slowest += 0.03;
-  const auto x = [&](double ratio) { return kLeft + (ratio - fastest) / (slowest - fastest) * kWidth; };
-  const auto y = [&](double error) { return kTop + std::log(most / error) / std::log(most / least) * kHeight; };
-  std::string svg =
-      fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 980 {}\" font-family=\"sans-serif\" "
-                  "font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-                  kTop + kHeight + 50);
-  for (double tick = 1e-6; tick < 10; tick *= std::sqrt(10.0))
-    if (tick > least && tick < most)
-      svg += fmt::format("<path d=\"M{} {:.1f}h{}\" stroke=\"#ddd\"/><text x=\"{}\" y=\"{:.1f}\" "
-                         "text-anchor=\"end\">{:.1e}</text>\n",
-                         kLeft, y(tick), kWidth, kLeft - 6, y(tick) + 4, tick);
-  for (double tick = std::ceil(fastest * 10) / 10; tick < slowest; tick += 0.1)
-    svg += fmt::format("<path d=\"M{:.1f} {}v{}\" stroke=\"#ddd\"/><text x=\"{:.1f}\" y=\"{}\" "
-                       "text-anchor=\"middle\">{:.1f}</text>\n",
-                       x(tick), kTop, kHeight, x(tick), kTop + kHeight + 16, tick);
-  svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">time of shading over the default's</text>\n",
-                     kLeft + kWidth / 2, kTop + kHeight + 36);
-  svg +=
-      fmt::format("<text x=\"14\" y=\"{0}\" text-anchor=\"middle\" transform=\"rotate(-90 14 {0})\">relMSE against the "
-                  "truth, median</text>\n",
-                  kTop + kHeight / 2);
-  std::vector<const Row*> sorted;
-  for (const Row& row : rows) sorted.push_back(&row);
-  std::sort(sorted.begin(), sorted.end(), [](const Row* a, const Row* b) { return a->relMse > b->relMse; });
-  double lastLabel = 0; // labels stand in a column of their own, in the order of the points
-  for (const Row* row : sorted) {
-    const bool dominated = isDominated(*row, rows);
-    const char* colour = row == &rows[0] ? "#c03020" : dominated ? "#999" : "#2060b0";
-    const double label = std::max(lastLabel + 17, y(row->relMse) + 4);
-    lastLabel = label;
-    svg += fmt::format(
-        "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"5\" fill=\"{2}\"/><path d=\"M{0:.1f} {1:.1f}L{3} {4:.1f}\" "
-        "stroke=\"{2}\" stroke-width=\".4\"/><text x=\"{5}\" y=\"{6:.1f}\" fill=\"{2}\">{7}</text>\n",
-        x(row->ratio), y(row->relMse), colour, kLeft + kWidth + 8, label - 4, kLeft + kWidth + 12, label, row->name);
-  }
-  return svg + "</svg>\n";
 }
 
 std::string table(const std::vector<Row>& rows, const std::vector<Lit>& lits, const std::vector<Setting>& all,
@@ -361,6 +305,6 @@ int main(int argc, char** argv) {
   }
   const std::vector<Row> rows = summarise(all, trials);
   base::writeText(folder / "highend-error.md", table(rows, lits, all, trials));
-  base::writeText(folder / "highend-pareto.svg", paretoPicture(rows));
+  base::writeText(folder / "highend-pareto.svg", bench::paretoPicture(rows));
   return 0;
 }

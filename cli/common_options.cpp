@@ -65,10 +65,8 @@ void addModelOptions(CLI::App& app, const highend::Options& defaults, RawOptions
            "Geometry term of the high-end path and the reference");
   addNamed(app, "--fresnel", raw.fresnel, highend::fresnelNames(), defaults.fresnel,
            "Fresnel's curve, in the high-end path and the reference");
-  addNamed(
-      app, "--diffuse", raw.diffuse, highend::diffuseNames(), defaults.diffuse,
-      "Diffuse light of the high-end path and the reference: what the specular lobe leaves (balanced), or all of it "
-      "(lambert, as UE4)");
+  addNamed(app, "--diffuse", raw.diffuse, highend::diffuseNames(), defaults.diffuse,
+           "Diffuse lobe of both: what the specular lobe leaves of the light, or all of it");
   addNamed(app, "--compensation", raw.compensation, highend::compensationNames(), defaults.compensation,
            "High-end path: what returns the light that single scattering loses");
   addNamed(app, "--off-specular", raw.offSpecular, highend::offSpecularNames(), defaults.offSpecular,
@@ -183,7 +181,7 @@ void addTruthOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
                "Also hold both paths against the ground truth, term by term: exact integrals, slow; judges nothing")
       ->group("Reference");
   addReferenceOptions(app, raw);
-  for (const char* option : {"--error", "--scattering"}) app.get_option(option)->needs("--reference");
+  for (const char* option : {"--error", "--scattering", "--shadows"}) app.get_option(option)->needs("--reference");
 }
 
 void settle(CommonOptions& common, const RawOptions& raw) {

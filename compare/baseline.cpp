@@ -164,6 +164,8 @@ std::string describeOtherConditions(const Report& report, const Report& baseline
   for (const auto& [name, value] : report.settings)
     if (std::ranges::find(kSettingsOfWholes, name) != kSettingsOfWholes.end())
       compare(name, settingOf(baseline, name), value);
+    else if (name.starts_with("highend ") || name == "specular anti-aliasing" || name == "sun extraction")
+      compare(name, settingOf(baseline, name), value); // also where an older version had none
     else if (name != kSettingOfTruth)
       for (const auto& [oldName, oldValue] : baseline.settings)
         if (name == oldName) compare(name, oldValue, value);

@@ -26,7 +26,10 @@ std::string percent(double share) { return std::isnan(share) ? "not known" : fmt
 std::string describeError(const TruthRegion& region) {
   const TruthError& error = region.error;
   const std::string luma = fmt::format("The truth's luma is {:.3f}", region.highend.referenceLuma);
-  if (error.worst == 0) return luma + "; it is in closed form, without noise.";
+  if (error.worst == 0)
+    return luma + (error.samples > 0
+                       ? fmt::format("; its {:.0f} samples a pixel in each way did not scatter.", error.samples)
+                       : std::string("; it is in closed form, without noise."));
   return fmt::format(
       "{}; its standard error {} in the median, {} at worst, which alone gives relMSE {}; {:.0f} samples "
       "a pixel in each way.",

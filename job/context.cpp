@@ -62,6 +62,7 @@ lighting::EnvironmentLight Context::environmentLight(const scenes::Environment& 
         .add("environment")
         .addValue(options.faceSize)
         .addValue(options.sampleCount)
+        .addValue(options.footprintLog2)
         .addValue(environment.rotationDeg);
     hasher.addValue(environment.radiance.width)
         .addValue(environment.radiance.height)

@@ -125,6 +125,10 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
         referenceError.add(opaque, shaded, layer, layer ? &*over : nullptr);
         sampledPoints += shaded.sampledPoints;
         lightSamples += shaded.lightSamples;
+        if (over) {
+          sampledPoints += over->sampledPoints;
+          lightSamples += over->lightSamples;
+        }
       }
       ++partsDone;
       stream += 2;

@@ -34,7 +34,7 @@ struct SunExtraction {
 
 // What counts as a source, in terms of the map's mean luminance M over solid angle: cells that hang together (by edge
 // or corner, around the seam) above a level of at least 10 M, all within 3 degrees of their centre, with a peak of at
-// least 8 times that level; of the levels 10 M, 20 M, 40 M.. the lowest that so holds. And it gives at least 1/200 of
+// least 8 times that level; of the levels 10 M, 20 M, 40 M.. the lowest that so holds. And it gives at least 1/50 of
 // all the light of the map. So a softbox, a window or a white sky is no source, whatever its radiance, nor is a glint.
 // The source and a cell's width around it (which may share its edge) are filled with what is around, and where that is
 // darker than before the difference becomes the light: the sum of radiance times solid angle and light is kept, per

@@ -1,4 +1,4 @@
-// The material model of one point: Lambert + GGX with Schlick's Fresnel + what scatters more than once.
+// The material model of one point: Lambert + GGX with a Fresnel curve + what scatters more than once.
 #pragma once
 
 #include <optional>

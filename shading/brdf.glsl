@@ -147,9 +147,10 @@ FN real3 kullaContyAlbedo(real3 Favg, real E, real Eavg) {
 }
 
 // How Kulla and Conty's light spreads, per steradian and without the cosine: (1 - E(NoL)) / (pi (1 - Eavg)). max(.,
-// kSmallest): a mirror loses nothing, and 0/0 is 0.
+// 2^-14): below roughness 0.055 the average of a table in single precision is 1 by rounding while E at grazing is not;
+// what is lost there is under 1e-4 of the light.
 FN real kullaContyLobe(real EofNoL, real Eavg) {
-  PRECISE real lobe = max(R(1.0) - EofNoL, R(0.0)) / max(R(1.0) - Eavg, kSmallest) * kInvPi;
+  PRECISE real lobe = max(R(1.0) - EofNoL, R(0.0)) / max(R(1.0) - Eavg, R(6.103515625e-5)) * kInvPi;
   return lobe;
 }
 

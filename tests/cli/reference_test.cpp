@@ -69,8 +69,8 @@ TEST_F(ReferenceTest, DiffuseIsHighendsWithinWhatShLeavesOut) {
   const base::Image truth = render("builtin:spheres", "reference", "b.exr", join({options, {"--error", "1%"}}));
   const int diffuse = channelOf(shading::Term::skyDiffuse);
   const int specular = channelOf(shading::Term::skySpecular);
-  EXPECT_NEAR(sumOf(highend, diffuse) / sumOf(truth, diffuse), 1, 0.1);
-  EXPECT_NEAR(sumOf(highend, specular) / sumOf(truth, specular), 1, 0.25); // N = V = R among the rest
+  EXPECT_NEAR(sumOf(highend, diffuse) / sumOf(truth, diffuse), 1, 0.02);
+  EXPECT_NEAR(sumOf(highend, specular) / sumOf(truth, specular), 1, 0.03);
 }
 
 TEST_F(ReferenceTest, ReportsItsErrorAndReachesWhatWasAsked) {

@@ -97,11 +97,12 @@ TEST_F(TruthTest, DependsNeitherOnTheCacheNorOnThreads) {
 
 TEST_F(TruthTest, NamesSingleScatteringAndTheGeometryTerm) {
   run("builtin:furnace", "single",
-      {"--reference", "--error", "10%", "--scattering", "single", "--geometry-term", "schlick-smith", "--size",
-       "16x16"});
-  EXPECT_EQ(settingOf(readReport(m_folder / "single"), "truth"),
-            "exact integrals, single scattering between microfacets, Schlick-Smith, schlick Fresnel curve, balanced diffuse "
-            "lobe, to a standard error of 10 %");
+      {"--reference", "--error", "10%", "--scattering", "single", "--geometry-term", "schlick-smith", "--shadows",
+       "--size", "16x16"});
+  EXPECT_EQ(
+      settingOf(readReport(m_folder / "single"), "truth"),
+      "exact integrals, single scattering between microfacets, Schlick-Smith, schlick Fresnel curve, balanced diffuse "
+      "lobe, with shadows, to a standard error of 10 %");
 }
 
 // A white furnace: both high-end and truth are 1 (SHADING 1), so what is between them is the truth's noise and nothing

@@ -60,6 +60,7 @@ const BadUsage kBadUsages[] = {
     {"ScatteringWithoutReference",
      {"report", "builtin:furnace", "-o", "out", "--scattering", "single"},
      {"--scattering", "--reference"}},
+    {"ShadowsWithoutReference", {"diff", "builtin:furnace", "--shadows"}, {"--shadows", "--reference"}},
     {"ReferenceErrorOfNothing", {"diff", "builtin:furnace", "--reference", "--error", "0"}, {"--error", "'0'"}},
     {"ReferenceOfARender",
      {"render", "builtin:furnace", "--path", "mobile", "-o", "o.exr", "--reference"},
