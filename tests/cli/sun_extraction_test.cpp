@@ -19,15 +19,14 @@ protected:
     const std::filesystem::path file = m_folder / "render.exr";
     const RunResult result =
         runParity(join({{"render", "builtin:spheres", "--path", path, "-o", file.string(), "--terms", "--background",
-                         "0,0,0", "--error", "10%", "--cache", cache(), "--size", "48x32", "--validation"},
+                         "0,0,0", "--error", "10%", "--size", "48x32", "--validation"},
                         more}));
     EXPECT_TRUE(exitedWith(0, result));
     return base::readImage(file);
   }
-  std::string cache() const { return (m_folder / "cache").string(); }
   nlohmann::json report(const std::vector<std::string>& more) const {
-    const RunResult result = runParity(
-        join({{"report", "-o", (m_folder / "report").string(), "--cache", cache(), "--size", "16x16"}, more}));
+    const RunResult result =
+        runParity(join({{"report", "-o", (m_folder / "report").string(), "--size", "16x16"}, more}));
     EXPECT_TRUE(result.exitCode <= 2) << result.err;
     return readReport(m_folder / "report");
   }
