@@ -30,7 +30,7 @@ std::string paretoPicture(const std::vector<Row>& rows) {
   const auto x = [&](double ratio) { return kLeft + (ratio - fastest) / (slowest - fastest) * kWidth; };
   const auto y = [&](double error) { return kTop + std::log(most / error) / std::log(most / least) * kHeight; };
   std::string svg =
-      fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 980 {}\" font-family=\"sans-serif\" "
+      fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1160 {}\" font-family=\"sans-serif\" "
                   "font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
                   kTop + kHeight + 50);
   for (double tick = 1e-6; tick < 10; tick *= std::sqrt(10.0))
