@@ -270,7 +270,10 @@ std::string table(const std::vector<Row>& rows, const std::vector<Lit>& lits, co
       "same model).\n"
       "Time: shading alone at {}x{}, median of {} interleaved rounds, over that of the default. relMSE and FLIP over "
       "the\n"
-      "covered pixels: median and worst of the pairs. The truth's own noise adds about {:.0e} to relMSE.\n\n"
+      "covered pixels: median and worst of the pairs. The truth's own noise adds about {:.0e} to relMSE. A mirror "
+      "beside\n"
+      "a lamp of one texel is far off by any setting: the cube's faces are read bilinearly, the truth reads one "
+      "cell.\n\n"
       "![Pareto front](highend-pareto.svg)\n\n"
       "| setting | time | relMSE median | worst | relMSE of skySpecular | worst | FLIP mean | worst |\n"
       "|---|---|---|---|---|---|---|---|\n",
