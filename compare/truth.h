@@ -10,7 +10,8 @@
 
 namespace parity::compare {
 
-// How well the truth is known over a region. All 0: exactly, or none of its samples met any light. NaN: a pixel's error is not known.
+// How well the truth is known over a region. All 0: exactly, or none of its samples met any light. NaN: a pixel's error
+// is not known.
 struct TruthError {
   double median = 0, worst = 0; // relative standard error of its pixels
   double relmse = 0;            // that this error alone would give (compare/measure_truth.h)

@@ -26,7 +26,8 @@ public:
   // Created on first use, within the stage "device". Throws Error (exit 4).
   gpu::Device& device();
 
-  // The environment BRDF table of the settings' geometry term and Fresnel curve, made on first use or read from the cache.
+  // The environment BRDF table of the settings' geometry term and Fresnel curve, made on first use or read from the
+  // cache.
   const base::Image& envBrdfLut();
 
   // For results that are too large, or too particular, to be held here. The build id of the running binary belongs in
