@@ -114,13 +114,16 @@ Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messa
   m_timestampBits = m_physical.getQueueFamilyProperties()[m_queueFamily].timestampValidBits;
   const float priority = 1;
   const vk::DeviceQueueCreateInfo queue({}, m_queueFamily, 1, &priority);
-  vk::StructureChain<vk::DeviceCreateInfo, vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features> info;
+  vk::StructureChain<vk::DeviceCreateInfo, vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
+                     vk::PhysicalDeviceVulkan13Features>
+      info;
   info.get<vk::DeviceCreateInfo>().setQueueCreateInfos(queue);
   info.get<vk::PhysicalDeviceFeatures2>().features.geometryShader = true; // gl_PrimitiveID in fragment shaders
   info.get<vk::PhysicalDeviceFeatures2>().features.imageCubeArray = true; // the prefiltered environment
   info.get<vk::PhysicalDeviceVulkan13Features>().dynamicRendering = true;
   info.get<vk::PhysicalDeviceVulkan13Features>().synchronization2 = true;
   info.get<vk::PhysicalDeviceVulkan13Features>().maintenance4 = true; // a vertex output that no fragment shader reads
+  info.get<vk::PhysicalDeviceVulkan12Features>().shaderFloat16 = m_report.float16;
   m_device = vk::raii::Device(m_physical, info.get<vk::DeviceCreateInfo>());
   m_queue = m_device.getQueue(m_queueFamily, 0);
   m_commandPool = vk::raii::CommandPool(

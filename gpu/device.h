@@ -22,7 +22,7 @@ struct DeviceOptions {
 struct DeviceReport {
   std::string name, driver, kind; // kind: "cpu", "discrete", "integrated", "virtual", "other"
   std::string apiVersion;
-  bool float16 = false; // shaderFloat16 and 16-bit storage
+  bool float16 = false; // shaderFloat16: the mobile path can run in half
   bool taken = false;
   std::string reason; // one line
 };

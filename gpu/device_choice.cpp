@@ -54,8 +54,7 @@ DeviceReport describe(const vk::raii::PhysicalDevice& device) {
   const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
   const auto& properties = chain.get<vk::PhysicalDeviceProperties2>().properties;
   const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
-  const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
-                                            vk::PhysicalDeviceVulkan11Features>();
+  const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
   DeviceReport report;
   report.name = properties.deviceName.data();
   report.driver = fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
@@ -63,8 +62,7 @@ DeviceReport describe(const vk::raii::PhysicalDevice& device) {
   report.apiVersion =
       fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(properties.apiVersion), VK_API_VERSION_MINOR(properties.apiVersion),
                   VK_API_VERSION_PATCH(properties.apiVersion));
-  report.float16 = features.get<vk::PhysicalDeviceVulkan12Features>().shaderFloat16 &&
-                   features.get<vk::PhysicalDeviceVulkan11Features>().storageBuffer16BitAccess;
+  report.float16 = features.get<vk::PhysicalDeviceVulkan12Features>().shaderFloat16;
   return report;
 }
 

@@ -134,6 +134,7 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
 
   GpuView gpuView = makeView(camera, surface.width, surface.height);
   if (program.environment) std::copy(program.environment->sh.begin(), program.environment->sh.end(), gpuView.sh);
+  std::copy(program.numbers.begin(), program.numbers.end(), gpuView.path);
   view.upload(std::as_bytes(std::span{&gpuView, 1}));
 
   constexpr std::size_t kTermsInB = shading::kTermCount - kTermsInA;

@@ -30,7 +30,8 @@ struct PathProgram {
   std::vector<std::uint32_t> pathData;          // binding 4
   const DeviceImage* pathTexture = nullptr;     // binding 16; null: white
   const EnvironmentMaps* environment = nullptr; // null: no environment
-  std::vector<std::uint32_t> constants;         // the path's own specialization constants, from kConstantPath
+  std::array<glm::vec4, kPathNumbers> numbers{}; // the path's own, GpuView::path
+  std::vector<std::uint32_t> constants;          // the path's own specialization constants, from kConstantPath
   bool terms = false;
   std::uint64_t expectedPixels = 0; // that this run will shade by this path: decides what is worth compiling
 };

@@ -1,19 +1,20 @@
 // How point and spot lights fade: with distance, at the edge of their range, outside their cone.
 //
-// Distances stay in real32 whatever the working precision: half overflows at a distance of 256 m (SHADING 4).
+// Distances and what is divided by their squares stay in real32 whatever the working precision: the square is infinite in
+// half from 256 m on (SHADING 4), its reciprocal a denormal.
 #ifndef PARITY_SHADING_LIGHT
 #define PARITY_SHADING_LIGHT
 
 #include "shading/real.glsl"
 
-// The nearest that a light can come: (1 cm)^2. Keeps 1/d^2 finite at the light, and within half (1e4 < 65504).
+// The nearest that a light can come: (1 cm)^2. Keeps 1/d^2 finite at the light.
 CONSTANT real32 kMinDistanceSquared = R32(1e-4);
 
 // Attenuation of a point light, 1/m^2:
 //   max(min(1 - (d / range)^4, 1), 0) / d^2
 // KHR_lights_punctual, "Range Property". d2 = d^2 in m^2, finite and >= 0, clamped at kMinDistanceSquared in the denominator; range
 // in m, 0 or infinite: no window (the extension's "undefined" range).
-FN real squareFalloff(real32 d2, real32 range) {
+FN real32 squareFalloff(real32 d2, real32 range) {
   real32 window = R32(1.0);
   if (range > R32(0.0)) {
     PRECISE real32 q = d2 / range / range;
@@ -21,14 +22,14 @@ FN real squareFalloff(real32 d2, real32 range) {
     window = max(min(w, R32(1.0)), R32(0.0));
   }
   PRECISE real32 attenuation = window / max(d2, kMinDistanceSquared);
-  return real(attenuation);
+  return attenuation;
 }
 
 // Attenuation of a point light as Unreal Engine 4 has it, 1/m^2:
 //   saturate(1 - (d / range)^4)^2 / (d^2 + 1 cm^2)
 // Karis 2013, eq. 9, whose 1 is in cm^2: 1e-4 m^2. d2 in m^2, finite and >= 0; range in m, 0 or infinite: no window.
 // From squareFalloff: the window is squared, and the light itself is softened instead of clamped (50 % less at 1 cm).
-FN real squareFalloffUE4(real32 d2, real32 range) {
+FN real32 squareFalloffUE4(real32 d2, real32 range) {
   real32 window = R32(1.0);
   if (range > R32(0.0)) {
     PRECISE real32 q = d2 / range / range;
@@ -36,7 +37,7 @@ FN real squareFalloffUE4(real32 d2, real32 range) {
     window = max(min(w, R32(1.0)), R32(0.0));
   }
   PRECISE real32 attenuation = window * window / (d2 + R32(1e-4));
-  return real(attenuation);
+  return attenuation;
 }
 
 // Attenuation of a spot light across its cone, in [0, 1]:

@@ -19,6 +19,9 @@ inline double sqrt(double x) { return std::sqrt(x); }
 inline float sqrt(float x) { return std::sqrt(x); }
 inline Half sqrt(Half x) { return Half(std::sqrt(float(x))); }
 
+inline double ceil(double x) { return std::ceil(x); }
+inline float ceil(float x) { return std::ceil(x); }
+
 inline double exp2(double x) { return std::exp2(x); }
 inline float exp2(float x) { return std::exp2(x); }
 inline Half exp2(Half x) { return Half(std::exp2(float(x))); }

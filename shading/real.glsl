@@ -3,7 +3,7 @@
 // Every shading/*.glsl is compiled by glslang and, three times (f64, f32, f16), by g++ through shading/shading.h. The
 // subset that both take:
 //   real, real2, real3, real4   the working precision: float, or float16_t where PARITY_FP16 is defined
-//   real32                      at least fp32: what the sources declare `float` inside half code
+//   real32, real32x3            at least fp32: what the sources declare `float` inside half code
 //   R(0.5), R32(0.5)            every literal; no bare ones
 //   FN, CONSTANT                before functions and before constants
 //   OUT(T), INOUT(T)            parameters that are written
@@ -20,6 +20,7 @@
 #define INOUT(T) inout T
 #define PRECISE precise
 #define real32 float
+#define real32x3 vec3
 #define R32(x) float(x)
 #ifdef PARITY_FP16
 #extension GL_EXT_shader_explicit_arithmetic_types_float16 : require
@@ -67,19 +68,34 @@ FN real dot3(real3 a, real3 b) {
   return d;
 }
 
-// v / |v|; `fallback` where v is zero or has a NaN or infinite component. Any finite length works in any precision: v is
-// scaled by its largest component first, where normalize(half3) fails for lengths <= 4.8e-4 and >= 257 (SHADING 4).
+FN real32 dot32(real32x3 a, real32x3 b) {
+  PRECISE real32 d = a.x * b.x + a.y * b.y + a.z * b.z;
+  return d;
+}
+FN real32x3 widen(real3 v) { return real32x3(real32(v.x), real32(v.y), real32(v.z)); }
+
+// The nearest number of the working precision; what is above the largest finite one becomes that: a sum of lights
+// saturates in half and is never infinite. NaN stays NaN, so that it is seen; the comparison is written so that no
+// fast-math makes a min of it.
+FN real narrow(real32 x) {
+  PRECISE real32 y = x > real32(kLargest) ? real32(kLargest) : x;
+  return real(y);
+}
+FN real3 narrow(real32x3 v) { return real3(narrow(v.x), narrow(v.y), narrow(v.z)); }
+
+// v / |v|; `fallback` where v is zero or has a NaN or infinite component. In at least fp32: normalize(half3) fails for
+// lengths <= 4.8e-4 and >= 257 (SHADING 4). Any finite length works, as v is scaled by its largest component first.
 // Comparisons are written so that NaN takes the fallback without negating one: fast-math may turn !(a >= b) into a < b.
-FN real3 safeNormalize(real3 v, real3 fallback) {
-  real m = max(max(abs(v.x), abs(v.y)), abs(v.z));
-  if (m > R(0.0) && m <= kLargest) {
-    PRECISE real x = v.x / m;
-    PRECISE real y = v.y / m;
-    PRECISE real z = v.z / m;
-    PRECISE real d = x * x + y * y + z * z; // in [1, 3], or NaN
-    if (d >= R(1.0)) {
-      PRECISE real l = sqrt(d);
-      PRECISE real3 n = real3(x / l, y / l, z / l);
+FN real32x3 safeNormalize(real32x3 v, real32x3 fallback) {
+  real32 m = max(max(abs(v.x), abs(v.y)), abs(v.z));
+  if (m > R32(0.0) && m <= R32(3.40282347e38)) {
+    PRECISE real32 x = v.x / m;
+    PRECISE real32 y = v.y / m;
+    PRECISE real32 z = v.z / m;
+    PRECISE real32 d = x * x + y * y + z * z; // in [1, 3], or NaN
+    if (d >= R32(1.0)) {
+      PRECISE real32 l = sqrt(d);
+      PRECISE real32x3 n = real32x3(x / l, y / l, z / l);
       return n;
     }
   }

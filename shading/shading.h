@@ -21,6 +21,7 @@
 namespace parity::shading::f64 {
 using real = double;
 using real32 = double;
+using real32x3 = Vec3<real32>;
 using real2 = Vec2<real>;
 using real3 = Vec3<real>;
 using real4 = Vec4<real>;
@@ -32,6 +33,7 @@ inline constexpr real kLargest = kLargestFinite<real>;
 namespace parity::shading::f32 {
 using real = float;
 using real32 = float;
+using real32x3 = Vec3<real32>;
 using real2 = Vec2<real>;
 using real3 = Vec3<real>;
 using real4 = Vec4<real>;
@@ -43,6 +45,7 @@ inline constexpr real kLargest = kLargestFinite<real>;
 namespace parity::shading::f16 {
 using real = Half;
 using real32 = float;
+using real32x3 = Vec3<real32>;
 using real2 = Vec2<real>;
 using real3 = Vec3<real>;
 using real4 = Vec4<real>;

@@ -20,13 +20,13 @@ FN real alphaSquaredOfNormals(real length) {
 
 // Perceptual roughness, in [0, 1], after alpha^2 has grown:
 //   R' = (min(R^4 + grown, 1))^(1/4)
-// grown in [0, 1]; 0 leaves R as it is, to the last bit. max(., R): where half denormals are flushed, a sum below 6.1e-5
-// (R <= 0.088) is 0.
-FN real widenRoughness(real Roughness, real grown) {
-  if (!(grown > R(0.0))) return Roughness;
-  PRECISE real alpha = Roughness * Roughness;
-  PRECISE real a2 = alpha * alpha + grown;
-  PRECISE real wider = sqrt(sqrt(min(a2, R(1.0))));
+// grown in [0, 1]; 0 leaves R as it is, to the last bit. In at least fp32 whatever the path's precision: alpha^2 of half
+// is a denormal for R <= 0.088, and the widening is to be alike in every path.
+FN real32 widenRoughness(real32 Roughness, real32 grown) {
+  if (!(grown > R32(0.0))) return Roughness;
+  PRECISE real32 alpha = Roughness * Roughness;
+  PRECISE real32 a2 = alpha * alpha + grown;
+  PRECISE real32 wider = sqrt(sqrt(min(a2, R32(1.0))));
   return max(wider, Roughness);
 }
 

@@ -76,8 +76,11 @@ PARITY_CONST uint kOffSpecularDominant = 1u;
 PARITY_CONST uint kOffSpecularStretched = 2u;
 PARITY_CONST uint kOffSpecularTwoTaps = 3u;
 PARITY_CONST uint kOffSpecularThreeTaps = 4u;
-PARITY_CONST uint kPresetKaris2014 = 0u;
-PARITY_CONST uint kPresetUe42020 = 1u;
+
+PARITY_CONST int kPathNumbers = 10;
+// Those of the mobile path.
+PARITY_CONST int kPathSkySh = 0;             // nine, shading/sky_sh.glsl
+PARITY_CONST int kPathAverageBrightness = 9; // x: of the capture
 
 PARITY_CONST uint kGroupSize = 64u;         // invocations of a compute group
 PARITY_CONST uint kMaxGroupsInRow = 32768u; // a dispatch is (row, rows, 1): devices stop at 65,535 groups in x
@@ -115,6 +118,7 @@ struct GpuView {
   vec4 origin, originX, originY;          // relative to eye
   vec4 direction, directionX, directionY; // not normalised
   vec4 sh[9];                             // irradiance coefficients (shading/sh.glsl)
+  vec4 path[kPathNumbers];                // the path's own
 };
 
 #ifdef __cplusplus

@@ -1,10 +1,9 @@
-// What every path's shader begins with: the surface entry, the material resolved from its textures, the outputs.
+// What every path's shader begins with: the surface entry, the material resolved from its textures, the outputs. In fp32
+// whatever the path's own precision: of the shading maths it calls only what is in real32.
 #include "gpu/shaders/interface.h"
 #include "shading/real.glsl"
 #include "shading/material.glsl"
 #include "shading/light.glsl"
-#include "shading/mips.glsl"
-#include "shading/sh.glsl"
 #include "shading/specular_aa.glsl"
 #include "shading/terms.glsl"
 
@@ -154,34 +153,10 @@ Resolved resolveMaterial(Point p, uint i) {
     vec4 texel = fetch(normalTexture, kSlotNormal, m, i);
     r.normal = mapNormal(p, i, texel);
     // Slopes, and so the root of their variance, scale with normalScale.
-    if ((kTextures & kNormalVariance) != 0u) r.roughness = widenRoughness(r.roughness, saturate(sqr(texel.w * materials[m].factors.x)));
+    if ((kTextures & kNormalVariance) != 0u) r.roughness = widenRoughness(r.roughness, clamp(texel.w * texel.w * materials[m].factors.x * materials[m].factors.x, 0.0, 1.0));
   }
   return r;
 }
-
-// Irradiance of the environment over pi, per unit of diffuse colour.
-vec3 skyIrradianceOverPi(vec3 n) {
-  IrradianceSh sh;
-  for (int k = 0; k < 9; ++k) sh.c[k] = view.sh[k].xyz;
-  return evalIrradianceSH(sh, n) * kInvPi;
-}
-
-// As Unreal Engine 4 reads its captures: trilinearly, from one lobe to one three times as wide.
-vec3 skyRadiance(vec3 direction, float roughness) {
-  return textureLod(prefilteredEnvironment, vec4(direction, 0.0), mipFromRoughness(roughness)).xyz;
-}
-
-vec3 skyRadianceOfLevel(vec3 direction, int level) {
-  return textureLod(prefilteredEnvironment, vec4(direction, float(level % kPrefilterLayers)), float(level / kPrefilterLayers)).xyz;
-}
-
-// From the lobes in between, too (shading/mips.glsl): for as many texels read, a tenth of the error.
-vec3 skyRadianceAtMip(vec3 direction, float mip) {
-  PrefilterBlend blend = prefilterBlend(mip);
-  return mix(skyRadianceOfLevel(direction, blend.lower), skyRadianceOfLevel(direction, blend.upper), blend.upperShare);
-}
-
-vec3 skyRadianceBetweenLevels(vec3 direction, float roughness) { return skyRadianceAtMip(direction, mipFromRoughness(roughness)); }
 
 struct Terms {
   vec3 t[kTermCount];
@@ -195,13 +170,16 @@ Terms noTerms() {
 
 uint entryIndex() { return (gl_WorkGroupID.y * kMaxGroupsInRow + gl_WorkGroupID.x) * kGroupSize + gl_LocalInvocationID.x; }
 
+void writeTerms(uint i, Terms terms) {
+  if (kWriteTerms == 0u) return;
+  for (uint k = 0u; k < kTermsInA; ++k) outTermsA[k * planeSize + i] = vec4(terms.t[k], 0.0);
+  for (uint k = kTermsInA; k < uint(kTermCount); ++k) outTermsB[(k - kTermsInA) * planeSize + i] = vec4(terms.t[k], 0.0);
+}
+
 // The colour is the sum of the terms, added in their order.
 void writeResult(uint i, Terms terms, float opacity) {
   vec3 color = vec3(0.0);
   for (int k = 0; k < kTermCount; ++k) color += terms.t[k];
   outColor[i] = vec4(color, opacity);
-  if (kWriteTerms != 0u) {
-    for (uint k = 0u; k < kTermsInA; ++k) outTermsA[k * planeSize + i] = vec4(terms.t[k], 0.0);
-    for (uint k = kTermsInA; k < uint(kTermCount); ++k) outTermsB[(k - kTermsInA) * planeSize + i] = vec4(terms.t[k], 0.0);
-  }
+  writeTerms(i, terms);
 }

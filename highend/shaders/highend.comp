@@ -4,6 +4,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "gpu/shaders/path.glsl"
+#include "highend/shaders/sky.glsl"
 #include "shading/brdf.glsl"
 #include "shading/off_specular.glsl"
 

@@ -13,6 +13,8 @@ FN real real1At(Inputs i, int at) { return real(i.x[at]); }
 
 FN real3 real3At(Inputs i, int at) { return real3(real(i.x[at]), real(i.x[at + 1]), real(i.x[at + 2])); }
 
+FN real32x3 real32x3At(Inputs i, int at) { return real32x3(i.x[at], i.x[at + 1], i.x[at + 2]); }
+
 FN Outputs outputs1(real a) {
   Outputs o;
   for (int k = 0; k < kOutputs; ++k) o.y[k] = R32(0.0);
@@ -72,8 +74,8 @@ FN Outputs evaluate(int function, Inputs i) {
     for (int k = 0; k < 9; ++k) sh.c[k] = real3At(i, 3 + 3 * k);
     return outputs3(evalIrradianceSH(sh, u));
   }
-  if (function == kFnSquareFalloff) return outputs1(squareFalloff(i.x[0], i.x[1]));
-  if (function == kFnSquareFalloffUE4) return outputs1(squareFalloffUE4(i.x[0], i.x[1]));
+  if (function == kFnSquareFalloff) return outputs1(narrow(squareFalloff(i.x[0], i.x[1])));
+  if (function == kFnSquareFalloffUE4) return outputs1(narrow(squareFalloffUE4(i.x[0], i.x[1])));
   if (function == kFnSpotAttenuation) return outputs1(spotAttenuation(a, b, c));
   if (function == kFnClampContribution65000) return outputs3(clampContribution65000(u));
   if (function == kFnMipFromRoughness) return outputs1(mipFromRoughness(a));
@@ -82,7 +84,7 @@ FN Outputs evaluate(int function, Inputs i) {
   if (function == kFnDiffuseColor) return outputs3(diffuseColor(u, w));
   if (function == kFnSpecularColor) return outputs3(specularColor(u, v, w));
   if (function == kFnSaturate) return outputs3(saturate(u));
-  if (function == kFnSafeNormalize) return outputs3(safeNormalize(u, v));
+  if (function == kFnSafeNormalize) return outputs3(narrow(safeNormalize(real32x3At(i, 0), real32x3At(i, 3))));
   if (function == kFnLuminance) return outputs1(luminance(u));
   if (function == kFnSrgbToLinear) return outputs3(srgbToLinear(u));
   if (function == kFnLinearToSrgb) return outputs3(linearToSrgb(u));
@@ -102,7 +104,7 @@ FN Outputs evaluate(int function, Inputs i) {
   if (function == kFnTwoTap) return outputsTap(twoTap(i.x[2] < R32(0.5) ? 0 : 1, a, b));
   if (function == kFnThreeTap) return outputsTap(threeTap(i.x[2] < R32(0.33) ? 0 : i.x[2] < R32(0.67) ? 1 : 2, a, b));
   if (function == kFnAlphaSquaredOfNormals) return outputs1(alphaSquaredOfNormals(a));
-  if (function == kFnWidenRoughness) return outputs1(widenRoughness(a, b));
+  if (function == kFnWidenRoughness) return outputs1(real(widenRoughness(i.x[0], i.x[1])));
   // kFnConstants: literals whose nearest half is not the truncated one, and the named constants.
   Outputs o = outputs3(real3(R(0.7), R(0.0275), R(-9.28)));
   o.y[3] = real32(R(0.0722));

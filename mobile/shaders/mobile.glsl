@@ -1,0 +1,209 @@
+// The mobile path: Karis 2014 ("Physically Based Shading on Mobile") and Unreal Engine 4's mobile base pass (2020), in
+// the order in which the base pass adds up. Compiled in fp32 and, with PARITY_FP16, in half.
+#include "gpu/shaders/path.glsl"
+#include "mobile/shaders/views.h"
+#include "shading/mips.glsl"
+#include "shading/mobile_base_pass.glsl"
+#include "shading/rgbm.glsl"
+#include "shading/sky_sh.glsl"
+
+// The knobs of a preset (mobile/options.h).
+layout(constant_id = 8) const int kEnvironmentBrdf = 0; // kEnvironmentBrdf... of shading/mobile_base_pass.glsl
+layout(constant_id = 9) const int kSun = 0;             // kSun...
+layout(constant_id = 10) const int kCaptureScale = 0;   // kCaptureScale...
+layout(constant_id = 11) const int kSkyCoefficients = 4;
+layout(constant_id = 12) const uint kRgbmCapture = 1u;
+layout(constant_id = 13) const float kRoughnessFloor = 0.0;
+layout(constant_id = 14) const uint kView = 0u; // kView... of mobile/shaders/views.h
+
+vec3 shown = vec3(0.0);
+void show(uint view, real3 value) {
+  if (kView == view) shown = vec3(value);
+}
+void show(uint view, real value) { show(view, real3(value)); }
+
+real3 product(real3 a, real b) {
+  PRECISE real3 p = real3(a.x * b, a.y * b, a.z * b);
+  return p;
+}
+real3 add(real3 a, real3 b) {
+  PRECISE real3 sum = real3(a.x + b.x, a.y + b.y, a.z + b.z);
+  return sum;
+}
+
+struct BasePass {
+  real3 Color;
+  Terms terms; // the same by term, as far as they are written
+};
+
+void addTerm(inout BasePass pass, int term, real3 value) {
+  if (kWriteTerms != 0u) pass.terms.t[term] = vec3(narrow(widen(add(real3(pass.terms.t[term]), value))));
+}
+
+// What has been added up leaves as the target holds it: finite, unless it is NaN. After the fog of the vertices.
+void writePass(uint i, BasePass pass, float opacity) {
+  real3 Color = narrow(widen(pass.Color));
+  outColor[i] = vec4(kView == kViewLit ? vec3(Color) : shown, opacity);
+  writeTerms(i, pass.terms);
+}
+
+MobileMaterial makeMaterial(Resolved r) {
+  MobileMaterial m;
+  m.BaseColor = real3(r.baseColor);
+  m.Metallic = real(r.metallic);
+  m.DielectricSpecular = real3(r.F0);
+  m.Roughness = real(max(kRoughnessFloor, r.roughness));
+  return m;
+}
+
+SkySh skySh() {
+  SkySh sky;
+  for (int k = 0; k < 9; ++k) sky.c[k] = view.path[kPathSkySh + k].xyz;
+  return sky;
+}
+
+// One fetch of the capture, trilinear, from one lobe to one three times as wide.
+real3 fetchCapture(vec3 direction, real mip) {
+  vec4 texel = textureLod(prefilteredEnvironment, vec4(direction, 0.0), float(mip));
+  if (kRgbmCapture != 0u) return decodeRgbm(real3(texel.xyz), real(texel.w));
+  return real3(texel.xyz);
+}
+
+// The terms of a light whose colour's parts the sum's clamp has left in proportion. Written on request only.
+void addLight(inout BasePass pass, int diffuseTerm, vec3 color, MobileDirectLighting lighting, real specularScale, real3 sum) {
+  pass.Color = add(pass.Color, sum);
+  if (kWriteTerms == 0u) return;
+  MobileDirectLighting part = lighting;
+  part.Specular = real3(R(0.0));
+  vec3 diffuse = vec3(lightWith(color, part, R(0.0)));
+  part.Specular = lighting.Specular;
+  part.Diffuse = real3(R(0.0));
+  vec3 specular = vec3(lightWith(color, part, specularScale));
+  vec3 whole = diffuse + specular;
+  vec3 kept = vec3(sum);
+  vec3 share = vec3(whole.x > kept.x ? kept.x / whole.x : 1.0, whole.y > kept.y ? kept.y / whole.y : 1.0,
+                    whole.z > kept.z ? kept.z / whole.z : 1.0);
+  addTerm(pass, diffuseTerm, real3(diffuse * share));
+  addTerm(pass, diffuseTerm + 1, real3(specular * share));
+}
+
+void main() {
+  uint local = entryIndex();
+  if (local >= count) return;
+  uint i = first + local;
+  Point p = makePoint(i);
+  Resolved r = resolveMaterial(p, i);
+  BasePass pass;
+  pass.Color = real3(R(0.0));
+  pass.terms = noTerms();
+  if (hasFeature(kFeatureUnlit, p.material)) {
+    pass.Color = narrow(r.baseColor);
+    addTerm(pass, kTermEmissive, pass.Color);
+    writePass(i, pass, r.opacity);
+    return;
+  }
+
+  bool fullyRough = hasFeature(kFeatureFullyRough, p.material), nonmetal = hasFeature(kFeatureNonmetal, p.material);
+  MobileMaterial GBuffer = makeMaterial(r);
+  real MaterialAO = real(r.occlusion);
+  real3 N = real3(r.normal), V = real3(p.V);
+  real NoV = max(dot3(N, V), R(0.0));
+  real3 ReflectionVector = reflectionVector(N, V);
+  MobileShadingModelContext ShadingModelContext = initShadingModelContext(kEnvironmentBrdf, nonmetal, fullyRough, GBuffer, NoV);
+  real3 DiffuseColor = ShadingModelContext.DiffuseColor;
+
+  // ComputeIndirect. No lightmap is read yet: the sky alone gives irradiance.
+  real4 LightmapColor = real4(R(0.0));
+  real3 IndirectColor = modulate(LightmapColor.xyz, DiffuseColor);
+  real IndirectIrradiance = LightmapColor.w;
+  real3 SkyDiffuseLighting = real3(R(0.0));
+  real3 SkyLightColor = real3(view.skyLightColor.xyz);
+  if (kHasEnvironment != 0u) SkyDiffuseLighting = kSkyCoefficients == 9 ? GetSkySHDiffuse(skySh(), N) : GetSkySHDiffuseSimple(skySh(), N);
+  real3 DiffuseLookup = modulate(SkyDiffuseLighting, SkyLightColor);
+  IndirectIrradiance += luminanceUE4(DiffuseLookup);
+  IndirectColor = product(IndirectColor, MaterialAO);
+  IndirectIrradiance *= MaterialAO;
+  pass.Color = IndirectColor;
+  addTerm(pass, kTermLightmap, IndirectColor);
+
+  // The directional light; 1/pi is in its colour.
+  real Shadow = R(1.0); // of a distance field, where one is baked
+  if (kDirectionalCount != 0u) {
+    vec3 L = -lights[0].directionCosOuter.xyz;
+    vec3 DirectionalLightColor = lights[0].colorRange.xyz * 0.318309886183790672 * float(Shadow);
+    real SpecularScale = real(lights[0].cone.y);
+    MobileDirectLighting Lighting = mobileIntegrateBxDF(kSun, fullyRough, ShadingModelContext, N, V, ReflectionVector, L);
+    real3 lit = lightWith(DirectionalLightColor, Lighting, SpecularScale);
+    addLight(pass, kTermSunDiffuse, DirectionalLightColor, Lighting, SpecularScale, lit);
+    show(kViewDirectionalLight, lit);
+    show(kViewLightingDiffuse, Lighting.Diffuse);
+    show(kViewLightingSpecular, Lighting.Specular);
+    show(kViewLighting, add(Lighting.Diffuse, Lighting.Specular));
+    show(kViewNoL, cosineOf(N, L));
+    show(kViewH, halfVector(N, V, L));
+    show(kViewNoH, max(dot3(N, halfVector(N, V, L)), R(0.0)));
+  }
+
+  // GetImageBasedReflectionLighting: one fetch, none for fully rough materials.
+  if (kHasEnvironment != 0u && !fullyRough) {
+    real3 radiance = fetchCapture(vec3(ReflectionVector), mipFromRoughness(ShadingModelContext.Roughness));
+    real scale = captureScale(kCaptureScale, IndirectIrradiance, view.path[kPathAverageBrightness].x, ShadingModelContext.Roughness);
+    real3 SpecularIBL = specularIBL(radiance, scale);
+    real3 lit = modulate(SpecularIBL, ShadingModelContext.SpecularColor);
+    pass.Color = add(pass.Color, lit);
+    addTerm(pass, kTermSkySpecular, lit);
+    show(kViewSpecularIBL, SpecularIBL);
+    show(kViewSpecularIBLLit, lit);
+  }
+  show(kViewColorAfterIBL, pass.Color);
+
+  // AccumulateLightingOfDynamicPointLight, for the lights chosen per object.
+  if (kLocalCount != 0u) {
+    real3 sum = real3(R(0.0));
+    for (uint k = 0u; k < kLightsPerObject; ++k) {
+      uint index = pathData[p.instance * kLightsPerObject + k];
+      if (index == kNoLight) break;
+      GpuLight light = lights[index];
+      MobileLocalLight seen = localLightAt(light.positionKind.xyz - p.position, light.colorRange.xyz, light.colorRange.w,
+                                           uint(light.positionKind.w) == kLightSpot, light.directionCosOuter.xyz, light.cone.x,
+                                           light.directionCosOuter.w);
+      real SpecularScale = real(light.cone.y);
+      MobileDirectLighting Lighting = mobileIntegrateBxDF(kSun, fullyRough, ShadingModelContext, N, V, ReflectionVector, seen.L);
+      real3 lit = clampContribution65000(lightWith(seen.color, Lighting, SpecularScale));
+      addLight(pass, kTermLocalDiffuse, seen.color, Lighting, SpecularScale, lit);
+      sum = add(sum, lit);
+    }
+    show(kViewDynamicPointLights, sum);
+  }
+
+  // The sky light.
+  if (kHasEnvironment != 0u) {
+    real3 lit = product(modulate(DiffuseLookup, DiffuseColor), MaterialAO);
+    pass.Color = add(pass.Color, lit);
+    addTerm(pass, kTermSkyDiffuse, lit);
+    show(kViewSkyLight, lit);
+  }
+  real3 Emissive = narrow(r.emissive);
+  pass.Color = add(pass.Color, Emissive);
+  addTerm(pass, kTermEmissive, Emissive);
+
+  show(kViewIndirectColor, IndirectColor);
+  show(kViewSkyDiffuseLighting, SkyDiffuseLighting);
+  show(kViewDiffuseLookup, DiffuseLookup);
+  show(kViewIndirectIrradiance, IndirectIrradiance);
+  show(kViewEmissive, Emissive);
+  show(kViewDiffuseColor, DiffuseColor);
+  show(kViewSpecPreEnvBrdf, ShadingModelContext.SpecPreEnvBrdf);
+  show(kViewSpecularColor, ShadingModelContext.SpecularColor);
+  show(kViewDielectricSpecular, GBuffer.DielectricSpecular);
+  show(kViewBaseColor, GBuffer.BaseColor);
+  show(kViewMetallic, GBuffer.Metallic);
+  show(kViewRoughness, ShadingModelContext.Roughness);
+  show(kViewMaterialAO, MaterialAO);
+  show(kViewOpacity, real(r.opacity));
+  show(kViewShadow, Shadow);
+  show(kViewNoV, NoV);
+  show(kViewWorldNormal, N);
+  show(kViewReflectionVector, ReflectionVector);
+  writePass(i, pass, r.opacity);
+}

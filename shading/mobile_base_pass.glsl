@@ -1,0 +1,178 @@
+// The mobile base pass, piece by piece and with the names of Unreal Engine 4's MobileBasePassPixelShader.usf and
+// MobileShadingModels.ush (2020), for every preset: what differs between presets is an argument. The order in which the
+// pieces are added up is the shader's (mobile/shaders/mobile.glsl).
+//
+// Types are those of the sources: half but for positions, normalisation, squared distances and uniforms (colours of
+// lights, SH), and for a product of such a uniform with a half, which is stored by narrow().
+#ifndef PARITY_SHADING_MOBILE_BASE_PASS
+#define PARITY_SHADING_MOBILE_BASE_PASS
+
+#include "shading/real.glsl"
+#include "shading/env_brdf.glsl"
+#include "shading/light.glsl"
+#include "shading/material.glsl"
+#include "shading/mobile_direct.glsl"
+
+// Which environment BRDF.
+CONSTANT int kEnvironmentBrdfKaris2014 = 0; // EnvBRDFApprox
+CONSTANT int kEnvironmentBrdfUE4 = 1;       // AB.y *= saturate(50 g)
+
+// Which lobe direct light has.
+CONSTANT int kSunDApprox = 0;      // around the reflection vector (Karis 2014)
+CONSTANT int kSunCalcSpecular = 1; // GGX_Mobile around the half vector (UE4 2020)
+
+// How the environment follows the baked light (captureScale).
+CONSTANT int kCaptureScaleNone = 0;
+CONSTANT int kCaptureScaleFull = 1;
+CONSTANT int kCaptureScaleByRoughness = 2;
+
+// The material's outputs that the base pass reads (GBuffer), after texturing.
+struct MobileMaterial {
+  real3 BaseColor;
+  real Metallic;
+  real3 DielectricSpecular; // 0.08 Specular, RGB: a tinted KHR_materials_specular keeps its colour
+  real Roughness;           // not below the preset's floor
+};
+
+// FMobileShadingModelContext.
+struct MobileShadingModelContext {
+  real3 DiffuseColor;
+  real3 SpecPreEnvBrdf;
+  real3 SpecularColor; // SpecPreEnvBrdf through the environment BRDF
+  real Roughness;
+};
+
+// FMobileDirectLighting: what one light is multiplied with.
+struct MobileDirectLighting {
+  real3 Diffuse;
+  real3 Specular;
+};
+
+// InitShadingModelContext. nonmetal: EnvBRDFApproxNonmetal takes the place of the general form; fullyRough: FullyRough, and
+// the environment is not to be fetched. NoV in [0, 1].
+FN MobileShadingModelContext initShadingModelContext(int environmentBrdf, bool nonmetal, bool fullyRough, MobileMaterial m,
+                                                     real NoV) {
+  MobileShadingModelContext c;
+  c.Roughness = m.Roughness;
+  c.DiffuseColor = diffuseColor(m.BaseColor, m.Metallic);
+  c.SpecularColor = specularColor(m.DielectricSpecular, m.BaseColor, m.Metallic);
+  c.SpecPreEnvBrdf = c.SpecularColor;
+  if (fullyRough) {
+    c.Roughness = R(1.0);
+    FullyRough(c.DiffuseColor, c.SpecularColor);
+  } else if (nonmetal) {
+    real E = EnvBRDFApproxNonmetal(c.Roughness, NoV);
+    c.SpecularColor = real3(E, E, E);
+  } else if (environmentBrdf == kEnvironmentBrdfKaris2014) {
+    c.SpecularColor = EnvBRDFApprox(c.SpecPreEnvBrdf, c.Roughness, NoV);
+  } else {
+    c.SpecularColor = EnvBRDFApproxUE4(c.SpecPreEnvBrdf, c.Roughness, NoV);
+  }
+  return c;
+}
+
+// 2 (N.V) N - V, not cut off below the horizon. Unit vectors; in the working precision, as UE4's ReflectionVector.
+FN real3 reflectionVector(real3 N, real3 V) {
+  PRECISE real twice = R(2.0) * dot3(N, V);
+  PRECISE real3 r = real3(twice * N.x - V.x, twice * N.y - V.y, twice * N.z - V.z);
+  return r;
+}
+
+// The half vector H = (V + L)/|V + L|, normalised in fp32; N where V = -L.
+FN real3 halfVector(real3 N, real3 V, real32x3 L) {
+  PRECISE real32x3 sum = real32x3(real32(V.x) + L.x, real32(V.y) + L.y, real32(V.z) + L.z);
+  return narrow(safeNormalize(sum, widen(N)));
+}
+
+// max(0, N.L): half times float is float, then stored as half.
+FN real cosineOf(real3 N, real32x3 L) { return narrow(max(dot32(widen(N), L), R32(0.0))); }
+
+// MobileIntegrateBxDF:
+//   Specular = SpecularColor (NoL lobe),  Diffuse = NoL DiffuseColor
+// lobe: D_Approx(Roughness, R.L) or CalcSpecular(Roughness, N.H). 1/pi is in the light's colour. reflection:
+// reflectionVector(N, V). NoH is a half in the source, and GGX_Mobile's float parameter does not bring back its digits:
+// smooth highlights have bands in half.
+FN MobileDirectLighting mobileIntegrateBxDF(int sun, bool fullyRough, MobileShadingModelContext c, real3 N, real3 V,
+                                            real3 reflection, real32x3 L) {
+  MobileDirectLighting lighting;
+  real NoL = cosineOf(N, L);
+  PRECISE real3 diffuse = real3(NoL * c.DiffuseColor.x, NoL * c.DiffuseColor.y, NoL * c.DiffuseColor.z);
+  lighting.Diffuse = diffuse;
+  lighting.Specular = real3(R(0.0), R(0.0), R(0.0));
+  if (fullyRough) return lighting;
+  real lobe;
+  if (sun == kSunDApprox) {
+    lobe = D_Approx(c.Roughness, real(dot32(widen(reflection), L)));
+  } else {
+    lobe = CalcSpecular(c.Roughness, real32(max(dot3(N, halfVector(N, V, L)), R(0.0))));
+  }
+  PRECISE real k = NoL * lobe;
+  PRECISE real3 specular = real3(c.SpecularColor.x * k, c.SpecularColor.y * k, c.SpecularColor.z * k);
+  lighting.Specular = specular;
+  return lighting;
+}
+
+// Shadow color (Diffuse + Specular specularScale). color: the light's over pi, in at least fp32; the result saturates.
+FN real3 lightWith(real32x3 color, MobileDirectLighting lighting, real specularScale) {
+  PRECISE real3 sum = real3(lighting.Diffuse.x + lighting.Specular.x * specularScale,
+                            lighting.Diffuse.y + lighting.Specular.y * specularScale,
+                            lighting.Diffuse.z + lighting.Specular.z * specularScale);
+  PRECISE real32x3 lit = real32x3(color.x * real32(sum.x), color.y * real32(sum.y), color.z * real32(sum.z));
+  return narrow(lit);
+}
+
+// Luminance, in the weights of Unreal Engine 4 (.3, .59, .11).
+FN real luminanceUE4(real3 c) {
+  PRECISE real y = R(0.3) * c.x + R(0.59) * c.y + R(0.11) * c.z;
+  return y;
+}
+
+// What the environment's reflection is multiplied with, so that it follows the baked light ("they are similarly normalized
+// and scaled by the lightmap", Karis 2014; UE4's ComputeMixingWeight): with w = IndirectIrradiance / averageBrightness,
+//   kCaptureScaleFull         w
+//   kCaptureScaleByRoughness  lerp(1, w, smoothstep(0, 1, Roughness))   (SHADING 7)
+// IndirectIrradiance: luminance of the indirect diffuse light over pi, material AO included. averageBrightness: of the
+// capture, as UE4 cut off below 1e-4. In fp32, and saturating: a black capture's 0 must not become 0 times infinity.
+FN real captureScale(int mode, real IndirectIrradiance, real32 averageBrightness, real Roughness) {
+  if (mode == kCaptureScaleNone) return R(1.0);
+  PRECISE real32 w32 = real32(IndirectIrradiance) / max(averageBrightness, R32(1e-4));
+  real w = narrow(w32);
+  if (mode == kCaptureScaleFull) return w;
+  PRECISE real s = Roughness * Roughness * (R(3.0) - R(2.0) * Roughness);
+  PRECISE real scale = (R(1.0) - s) + w * s;
+  return scale;
+}
+
+// SpecularIBL: what is fetched, in its scale. Saturates, so that a black SpecularColor gives 0.
+FN real3 specularIBL(real3 radiance, real scale) {
+  PRECISE real3 scaled = real3(radiance.x * scale, radiance.y * scale, radiance.z * scale);
+  return narrow(widen(scaled));
+}
+
+// a b, component by component, saturating.
+FN real3 modulate(real3 a, real3 b) {
+  PRECISE real3 product = real3(a.x * b.x, a.y * b.y, a.z * b.z);
+  return narrow(widen(product));
+}
+
+// A movable light of AccumulateLightingOfDynamicPointLight, as seen from a point.
+struct MobileLocalLight {
+  real32x3 L;     // unit, towards it
+  real32x3 color; // candela, times attenuation, over pi
+};
+
+// The inverse square window and the cone. toLight: metres; range 0: infinite; isSpot: else the cone is not read.
+FN MobileLocalLight localLightAt(real32x3 toLight, real32x3 candela, real32 range, bool isSpot, real32x3 direction,
+                                 real32 cosInner, real32 cosOuter) {
+  MobileLocalLight light;
+  real32x3 back = real32x3(-direction.x, -direction.y, -direction.z);
+  light.L = safeNormalize(toLight, back);
+  real32 attenuation = squareFalloffUE4(dot32(toLight, toLight), range);
+  if (isSpot) attenuation = attenuation * real32(spotAttenuation(real(dot32(light.L, back)), real(cosInner), real(cosOuter)));
+  PRECISE real32 k = attenuation * R32(0.318309886183790672);
+  PRECISE real32x3 color = real32x3(candela.x * k, candela.y * k, candela.z * k);
+  light.color = color;
+  return light;
+}
+
+#endif
