@@ -45,7 +45,7 @@ GpuLight packLight(const scenes::Light& light) {
   out.colorRange = vec4(light.color, light.range);
   out.positionKind = vec4(light.position, static_cast<float>(kind));
   out.directionCosOuter = vec4(light.direction, std::cos(light.outerConeAngle));
-  out.cone = vec4(std::cos(light.innerConeAngle), 0, 0, 0);
+  out.cone = vec4(std::cos(light.innerConeAngle), 1, 0, 0);
   return out;
 }
 
@@ -83,7 +83,7 @@ struct ShadingPass::Impl {
     std::vector<Binding> bindings = {uniform(view), storage(scene.materials), storage(scene.instances), storage(lights),
                                      storage(pathData)};
     for (const Buffer* buffer : {&s.position, &s.normal, &s.tangent, &s.uv, &s.uv0Derivatives, &s.uv1Derivatives,
-                                 &s.color, &color, &termsA, &termsB})
+                                 &s.color, &s.fog, &color, &termsA, &termsB})
       bindings.push_back(storage(*buffer));
     constexpr auto kReadOnly = vk::ImageLayout::eShaderReadOnlyOptimal;
     bindings.push_back(program.environment ? vk::DescriptorImageInfo(*program.environment->sampler,
@@ -134,6 +134,7 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
 
   GpuView gpuView = makeView(camera, surface.width, surface.height);
   if (program.environment) std::copy(program.environment->sh.begin(), program.environment->sh.end(), gpuView.sh);
+  gpuView.skyLightColor = gpuView.indirectColorScale = vec4(1);
   std::copy(program.numbers.begin(), program.numbers.end(), gpuView.path);
   view.upload(std::as_bytes(std::span{&gpuView, 1}));
 

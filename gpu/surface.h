@@ -33,7 +33,7 @@ struct Surface {
   // Bin keys index SurfacePass::binKinds() of the pass that made this surface.
   std::vector<Bin> bins;
   Buffer position, normal, tangent, uv, uv0Derivatives, uv1Derivatives,
-      color; // shaders/surface.glsl; one element where the scene has none
+      color, fog; // shaders/surface.glsl; one element where the scene has none
   std::size_t size() const { return pixels.size(); }
 };
 

@@ -223,6 +223,7 @@ void SurfacePass::Impl::resolveInto(Surface& surface, const scenes::Camera& came
   surface.position = make(true);
   surface.normal = make(true);
   surface.color = make(data & kVertexColors);
+  surface.fog = make(data & kVertexFog);
   surface.uv = make(data & kVertexUvs);
   surface.uv0Derivatives = make(data & kVertexUvs);
   surface.uv1Derivatives = make(data & kVertexUvs);
@@ -232,11 +233,11 @@ void SurfacePass::Impl::resolveInto(Surface& surface, const scenes::Camera& came
   const Buffer entryBuffer(device, entries);
   const GpuView view = makeView(camera, width, height);
   viewBuffer.upload(std::as_bytes(std::span(&view, 1)));
-  std::vector<Binding> bindings = geometry;
+  std::vector<Binding> bindings(geometry.begin(), geometry.end() - 1); // without the materials
   bindings.push_back(storage(entryBuffer));
   bindings.push_back(uniform(viewBuffer));
   for (const Buffer* buffer : {&surface.position, &surface.normal, &surface.tangent, &surface.uv,
-                               &surface.uv0Derivatives, &surface.uv1Derivatives, &surface.color})
+                               &surface.uv0Derivatives, &surface.uv1Derivatives, &surface.color, &surface.fog})
     bindings.push_back(storage(*buffer));
   if (!*resolve) {
     resolveSetLayout = makeSetLayout(device, bindings, vk::ShaderStageFlagBits::eCompute);

@@ -1,4 +1,4 @@
-// Set 0 of the surface pass: geometry, pulled by index.
+// Set 0 of the surface pass: geometry, pulled by index. The raster shaders have the materials besides, in binding 7.
 #include "gpu/shaders/interface.h"
 
 layout(set = 0, binding = 0, std430) readonly buffer Positions { float positions[]; };
@@ -8,7 +8,6 @@ layout(set = 0, binding = 3, std430) readonly buffer Uvs { vec4 uvs[]; }; // uv0
 layout(set = 0, binding = 4, std430) readonly buffer Colors { vec4 colors[]; };
 layout(set = 0, binding = 5, std430) readonly buffer Indices { uint indices[]; };
 layout(set = 0, binding = 6, std430) readonly buffer Instances { GpuInstance instances[]; };
-layout(set = 0, binding = 7, std430) readonly buffer Materials { GpuMaterial materials[]; };
 
 vec3 positionOf(uint v) { return vec3(positions[3u * v], positions[3u * v + 1u], positions[3u * v + 2u]); }
 vec3 normalOf(uint v) { return vec3(normals[3u * v], normals[3u * v + 1u], normals[3u * v + 2u]); }

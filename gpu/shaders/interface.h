@@ -42,6 +42,7 @@ PARITY_CONST uint kVertexColors = 1u;
 PARITY_CONST uint kVertexUvs = 2u;
 PARITY_CONST uint kVertexTangents = 4u;
 PARITY_CONST uint kVertexSecondUv = 8u; // some texture reads the second uv set
+PARITY_CONST uint kVertexFog = 16u;     // the scene has fog
 
 PARITY_CONST uint kTermsInA =
     5u; // planes of the first term buffer; the others are in the second: a buffer ends at 128 MiB
@@ -109,15 +110,19 @@ struct GpuLight {
   vec4 colorRange;        // linear RGB: lux or candela; range (0: infinite)
   vec4 positionKind;      // world; kind as a number
   vec4 directionCosOuter; // unit, the way light travels; cosine of the outer cone
-  vec4 cone;              // cosine of the inner cone; 0; 0; 0
+  vec4 cone;              // cosine of the inner cone; scale of its specular light; 0; 0
 };
 
-// The camera's rays: pixel (x,y) looks along origin + x*originX + y*originY, direction + x*directionX + y*directionY.
+// What a view's shaders need. The camera's rays: pixel (x,y) looks along origin + x*originX + y*originY, direction + x*directionX + y*directionY.
 struct GpuView {
   vec4 eye;                               // perspective: position; w = 1 where orthographic
   vec4 origin, originX, originY;          // relative to eye
   vec4 direction, directionX, directionY; // not normalised
   vec4 sh[9];                             // irradiance coefficients (shading/sh.glsl)
+  vec4 skyLightColor;                     // rgb: scales the sky's light (scenes::LightScales)
+  vec4 indirectColorScale;                // rgb: scales the lightmap
+  vec4 fog;                               // density, height falloff, height, start distance (shading/fog.glsl)
+  vec4 fogColor;                          // rgb: radiance where the fog is dense; its maximum opacity
   vec4 path[kPathNumbers];                // the path's own
 };
 

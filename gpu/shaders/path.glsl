@@ -27,11 +27,11 @@ layout(set = 0, binding = 4, std430) readonly buffer PathData { uint pathData[];
 #define PARITY_SURFACE_ACCESS readonly
 #define PARITY_SURFACE_BINDING 5
 #include "gpu/shaders/surface.glsl"
-layout(set = 0, binding = 12, std430) writeonly buffer OutColor { vec4 outColor[]; };   // radiance, opacity
-layout(set = 0, binding = 13, std430) writeonly buffer OutTermsA { vec4 outTermsA[]; }; // terms 0..4, a plane each
-layout(set = 0, binding = 14, std430) writeonly buffer OutTermsB { vec4 outTermsB[]; }; // terms 5..8
-layout(set = 0, binding = 15) uniform samplerCubeArray prefilteredEnvironment;
-layout(set = 0, binding = 16) uniform sampler2D pathTexture; // the path's own table, if it has one
+layout(set = 0, binding = 13, std430) writeonly buffer OutColor { vec4 outColor[]; };   // radiance, opacity
+layout(set = 0, binding = 14, std430) writeonly buffer OutTermsA { vec4 outTermsA[]; }; // terms 0..4, a plane each
+layout(set = 0, binding = 15, std430) writeonly buffer OutTermsB { vec4 outTermsB[]; }; // terms 5..8
+layout(set = 0, binding = 16) uniform samplerCubeArray prefilteredEnvironment;
+layout(set = 0, binding = 17) uniform sampler2D pathTexture; // the path's own table, if it has one
 
 layout(set = 1, binding = 0) uniform sampler2D baseColorTexture;
 layout(set = 1, binding = 1) uniform sampler2D metallicRoughnessTexture;
@@ -101,6 +101,12 @@ Point makePoint(uint i) {
   p.geometric = unpackOctahedral(surfaceNormal[i].w);
   p.V = view.eye.w > 0.5 ? -normalize(view.direction.xyz) : normalize(view.eye.xyz - p.position);
   return p;
+}
+
+// The fog of the triangle's vertices, interpolated: inscattered radiance, transmittance.
+vec4 vertexFog(uint i) {
+  if ((kVertexData & kVertexFog) == 0u) return vec4(0.0, 0.0, 0.0, 1.0);
+  return surfaceFog[i];
 }
 
 // Any two axes that make a right-handed frame with n (Duff et al. 2017).

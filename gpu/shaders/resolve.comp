@@ -7,10 +7,10 @@
 layout(local_size_x = 64) in;
 layout(constant_id = 0) const uint kVertexData = 0u; // kVertex... bits
 
-layout(set = 0, binding = 8, std430) readonly buffer Entries { uvec4 entries[]; }; // x | y << 16, instance, triangle, 0
-layout(set = 0, binding = 9, std140) uniform View { GpuView view; };
+layout(set = 0, binding = 7, std430) readonly buffer Entries { uvec4 entries[]; }; // x | y << 16, instance, triangle, 0
+layout(set = 0, binding = 8, std140) uniform View { GpuView view; };
 #define PARITY_SURFACE_ACCESS writeonly
-#define PARITY_SURFACE_BINDING 10
+#define PARITY_SURFACE_BINDING 9
 #include "gpu/shaders/surface.glsl"
 
 layout(push_constant) uniform Push {

@@ -9,6 +9,7 @@ PARITY_SURFACE(3, SurfaceUv, vec4, surfaceUv);              // uv0, uv1
 PARITY_SURFACE(4, SurfaceUv0Derivatives, vec4, surfaceUv0Derivatives); // d/dx, d/dy in pixels
 PARITY_SURFACE(5, SurfaceUv1Derivatives, vec4, surfaceUv1Derivatives);
 PARITY_SURFACE(6, SurfaceColor, vec4, surfaceColor);        // vertex colour, linear RGBA
+PARITY_SURFACE(7, SurfaceFog, vec4, surfaceFog);            // of the vertices: inscattered radiance, transmittance
 
 uint packOctahedral(vec3 n) {
   vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));

@@ -9,6 +9,7 @@ layout(push_constant) uniform Push {
   uint instance;
   uint vertexData;
 };
+layout(set = 0, binding = 7, std430) readonly buffer Materials { GpuMaterial materials[]; };
 layout(set = 1, binding = 0) uniform sampler2D baseColorTexture;
 
 layout(location = 0) in vec4 inUv;
