@@ -1,0 +1,147 @@
+// The mobile preset `refit`: as cheap as Unreal Engine 4's mobile formulas, and close to this program's own high-end path
+// as it is by default: GGX, height-correlated Smith, Schlick's Fresnel, what scatters more than once after Kulla and
+// Conty, balanced diffuse light, off-specular reads of the environment.
+//
+// All constants are printed by build/fit_refit (bench/fit), which says what is fitted to what; docs/refit.md has the errors
+// of every form. Everything is finite, not negative and below 65504 for roughness, F0, F90 and cosines in [0, 1], in f64,
+// f32 and half with or without denormals.
+#ifndef PARITY_SHADING_REFIT
+#define PARITY_SHADING_REFIT
+
+#include "shading/real.glsl"
+
+// The high-end path's floor for lights, 1/64, as alpha: half holds it as a normal number.
+CONSTANT real kRefitLeastAlpha = R(2.44140625e-4);
+
+// The specular lobe at one view: what does not depend on the light.
+struct RefitLobe {
+  real3 single;   // directional albedo of light scattered once: F0 A + F90 B; the factor of the environment
+  real3 multiple; // of what scatters more than once: the factor of the irradiance over pi (or, cheaper, of the same fetch)
+  real3 F0;
+  real3 rise; // F90 - F0
+  real alpha;
+  real NoV;
+  real rootV; // sqrt(alpha^2 + (1 - alpha^2) NoV^2), of Smith's term
+};
+
+// B of the environment BRDF, the part of F90:
+//   B = 2^(R (b0 + R (b1 + b2 R)) + N (b3 + R (b4 + b5 R) + b6 N))
+// and w = 1 - A - B, what is lost between microfacets at F = 1, with t = N / alpha:
+//   w = N / (w0 + t (w1 + w2 t))
+// Both in [0, 1].
+FN real refitB(real Roughness, real NoV) {
+  PRECISE real r = Roughness * (R(-1.63625) + Roughness * (R(-10.4726) + R(7.36145) * Roughness));
+  PRECISE real n = R(-6.29967) + Roughness * (R(14.0931) + R(-10.3529) * Roughness) + R(-8.59563) * NoV;
+  PRECISE real e = r + n * NoV;
+  return exp2(e);
+}
+
+// max(., 2^-8): t^2 stays in half. alpha in [0, 1].
+FN real refitLoss(real alpha, real NoV) {
+  PRECISE real t = NoV / max(alpha, R(0.00390625));
+  PRECISE real w = NoV / (R(0.500909) + t * (R(0.651387) + R(0.413975) * t));
+  return w;
+}
+
+// The lobe of a material at a view. F0 <= F90 in [0, 1] (F90 is 1 but for KHR_materials_specular); Roughness, NoV in [0,
+// 1]. With single scattering S = F0 (1 - w) + (F90 - F0) B and Kulla and Conty's sum replaced by
+//   M = w F0^2 (1 - k (F90 - F0)),  k = c alpha
+// S + M is 1 at F0 = 1 for every view, as it must be.
+FN RefitLobe refitLobe(real3 F0, real F90, real Roughness, real NoV) {
+  RefitLobe lobe;
+  PRECISE real alpha = max(Roughness * Roughness, kRefitLeastAlpha);
+  real B = refitB(Roughness, NoV);
+  real w = refitLoss(alpha, NoV);
+  PRECISE real k = R(0.726703) * alpha;
+  PRECISE real3 rise = real3(F90 - F0.x, F90 - F0.y, F90 - F0.z);
+  PRECISE real3 lost = real3(F0.x * w, F0.y * w, F0.z * w);
+  PRECISE real3 single = real3(F0.x - lost.x + rise.x * B, F0.y - lost.y + rise.y * B, F0.z - lost.z + rise.z * B);
+  PRECISE real3 multiple = real3(lost.x * (F0.x * (R(1.0) - k * rise.x)), lost.y * (F0.y * (R(1.0) - k * rise.y)),
+                                 lost.z * (F0.z * (R(1.0) - k * rise.z)));
+  PRECISE real a2 = alpha * alpha;
+  PRECISE real s = (NoV - a2 * NoV) * NoV + a2;
+  lobe.single = single;
+  lobe.multiple = multiple;
+  lobe.F0 = F0;
+  lobe.rise = rise;
+  lobe.alpha = alpha;
+  lobe.NoV = NoV;
+  lobe.rootV = sqrt(s);
+  return lobe;
+}
+
+// What the diffuse lobe gets of the light, 1 - (S + M), by the green channel: where diffuse light matters, F0 is grey.
+FN real refitDiffuseShare(RefitLobe lobe) {
+  PRECISE real rest = R(1.0) - (lobe.single.y + lobe.multiple.y);
+  return max(rest, R(0.0));
+}
+
+// The one read of the environment, trilinear between the mips of layer 0: not V's mirror direction R at mipFromRoughness
+// but, between it and the normal, R + lean N (which needs no normalising) at
+//   lean = alpha (d0 - d1 NoV + d2 alpha^2),  mip = m0 + m1 log2(Roughness)
+// Over natural skies the rms error is a third of a read at R, and three quarters of one in the GGX dominant direction
+// (bench/fit). mip runs from below 0 to above the last one: the sampler clamps it. Roughness, NoV in [0, 1].
+struct RefitTap {
+  real lean;
+  real mip;
+};
+FN RefitTap refitTap(real Roughness, real NoV) {
+  RefitTap tap;
+  PRECISE real alpha = Roughness * Roughness;
+  PRECISE real lean = alpha * (R(1.37933) - R(1.96497) * NoV + R(7.42457) * (alpha * alpha));
+  PRECISE real mip = R(5.34273) + R(1.44407) * log2(max(Roughness, R(0.015625)));
+  tap.lean = lean;
+  tap.mip = mip;
+  return tap;
+}
+
+// R + lean N with R = 2 (N.V) N - V.
+FN real3 refitDirection(real3 N, real3 V, real lean) {
+  PRECISE real n = R(2.0) * dot3(N, V) + lean;
+  PRECISE real3 d = real3(n * N.x - V.x, n * N.y - V.y, n * N.z - V.z);
+  return d;
+}
+
+// The half vector's cosines without the vector: with h = V + L,  NoH = N.h/|h|,  VoH = |h|/2. Unit vectors, in at least
+// fp32: halves are unit to 5e-4 only, which is more than 1 - NoH over a smooth lobe. V = -L: both 0.
+struct RefitHalfVector {
+  real32 NoH;
+  real32 VoH;
+};
+FN RefitHalfVector refitHalfVector(real32x3 N, real32x3 V, real32x3 L) {
+  RefitHalfVector cosines;
+  PRECISE real32x3 h = real32x3(V.x + L.x, V.y + L.y, V.z + L.z);
+  real32 length = sqrt(dot32(h, h));
+  PRECISE real32 NoH = dot32(N, h) / max(length, R32(1e-6));
+  PRECISE real32 VoH = R32(0.5) * length;
+  cosines.NoH = min(NoH, R32(1.0));
+  cosines.VoH = VoH;
+  return cosines;
+}
+
+// pi times the specular BRDF, times NoL: 1/pi is in the light's colour.
+//   F D V NoL pi + M (g0 + g1 NoL) NoL
+// D: GGX in fp32, as D_GGX; V: height-correlated Smith (V_SmithGGXCorrelated); F: Schlick. What scatters more than once
+// leaves as g0 + g1 NoL, which integrates to 1, in place of Kulla and Conty's (1 - E(NoL)) / (1 - Eavg). NoL in [0, 1];
+// cosines.NoH in [-1, 1], VoH in [0, 1] but for rounding. A smooth peak is cut at 65000 in every precision.
+FN real3 refitLight(RefitLobe lobe, real NoL, RefitHalfVector cosines) {
+  PRECISE real32 n = real32(lobe.alpha) * cosines.NoH;
+  PRECISE real32 d = (R32(1.0) - cosines.NoH) * (R32(1.0) + cosines.NoH) + n * n;
+  PRECISE real32 p = real32(lobe.alpha) / d;
+  PRECISE real a2 = lobe.alpha * lobe.alpha;
+  PRECISE real s = (NoL - a2 * NoL) * NoL + a2;
+  PRECISE real sum = NoL * lobe.rootV + lobe.NoV * sqrt(s);
+  PRECISE real V = R(0.5) * NoL / max(sum, kSmallest);
+  PRECISE real32 peak = p * p * real32(V);
+  PRECISE real DV = real(min(peak, R32(65000.0)));
+  PRECISE real x = R(1.0) - real(cosines.VoH);
+  PRECISE real x2 = x * x;
+  PRECISE real f = x2 * x2 * x;
+  PRECISE real g = (R(0.6374) + R(0.5439) * NoL) * NoL;
+  PRECISE real3 specular = real3((lobe.F0.x + lobe.rise.x * f) * DV + lobe.multiple.x * g,
+                                 (lobe.F0.y + lobe.rise.y * f) * DV + lobe.multiple.y * g,
+                                 (lobe.F0.z + lobe.rise.z * f) * DV + lobe.multiple.z * g);
+  return specular;
+}
+
+#endif
