@@ -11,97 +11,19 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "base/parallel.h"
+#include "fit/harmonics.h"
 #include "shading/shading.h"
 
 namespace {
 
 namespace f64 = parity::shading::f64;
+using namespace parity::fit;
 using Vector = std::vector<double>;
-constexpr double kPi = std::numbers::pi, kPower = 2.5;
-constexpr int kBands = 40, kTerms = 6;
-
-constexpr int indexOf(int l, int m) { return l * (l + 1) / 2 + m; }
-constexpr int kHarmonics = indexOf(kBands, kBands) + 1; // those even in azimuth: lobes mirror in the plane of incidence
-
-// Normalised Legendre functions K_lm P_lm(cosTheta), times sqrt 2 for m > 0 (no Condon-Shortley phase).
-void harmonicsAt(double cosTheta, Vector& y) {
-  y.resize(kHarmonics);
-  const double sinTheta = std::sqrt(std::max(0.0, 1 - cosTheta * cosTheta));
-  double diagonal = std::sqrt(1 / (4 * kPi));
-  for (int m = 0; m <= kBands; ++m) {
-    if (m > 0) diagonal *= sinTheta * std::sqrt((2 * m + 1.0) / (2.0 * m));
-    double below = 0, at = diagonal;
-    for (int l = m; l <= kBands; ++l) {
-      y[indexOf(l, m)] = at * (m > 0 ? std::numbers::sqrt2 : 1);
-      const double n = l + 1, a = std::sqrt((4 * n * n - 1) / (n * n - m * m));
-      const double b = l > m ? std::sqrt((static_cast<double>(l) * l - m * m) / (4.0 * l * l - 1)) : 0;
-      const double above = a * (cosTheta * at - b * below);
-      below = at;
-      at = above;
-    }
-  }
-}
-
-// The half vectors of GGX at equal shares of D NoH: cos^2 of the angle to the normal.
-double cos2Of(double alpha, double share) { return (1 - share) / (1 + (alpha * alpha - 1) * share); }
-
-// The lobe D V NoL seen at NoV, its mirror direction at azimuth 0; integral 1.
-Vector projectLobe(double roughness, double NoV) {
-  constexpr int kPolar = 300, kAzimuth = 200;
-  const double alpha = roughness * roughness, sinV = std::sqrt(1 - NoV * NoV);
-  Vector lobe(kHarmonics, 0.0), y;
-  double total = 0;
-  for (int i = 0; i < kPolar; ++i) {
-    const double cos2 = cos2Of(alpha, (i + 0.5) / kPolar), NoH = std::sqrt(cos2), sinH = std::sqrt(1 - cos2);
-    for (int j = 0; j < kAzimuth; ++j) {
-      const double phi = kPi * (j + 0.5) / kAzimuth;
-      const double VoH = NoV * NoH - sinV * sinH * std::cos(phi), NoL = 2 * VoH * NoH - NoV;
-      if (VoH <= 0 || NoL <= 0) continue;
-      const double weight = f64::V_SmithGGXCorrelated(alpha, NoV, NoL) * NoL * VoH / NoH;
-      const double x = 2 * VoH * sinH * std::cos(phi) + sinV, z = 2 * VoH * sinH * std::sin(phi);
-      harmonicsAt(std::min(NoL, 1.0), y);
-      const double cosine = std::cos(std::atan2(z, x));
-      double previous = cosine, current = 1; // cos((m - 1) azimuth), cos(m azimuth)
-      for (int m = 0; m <= kBands; ++m) {
-        for (int l = m; l <= kBands; ++l) lobe[indexOf(l, m)] += weight * y[indexOf(l, m)] * current;
-        const double next = 2 * cosine * current - previous;
-        previous = current;
-        current = next;
-      }
-      total += weight;
-    }
-  }
-  for (double& c : lobe) c /= total;
-  return lobe;
-}
-
-// By how much a mip of the prefiltered cube damps each band: the mean of P_l over its lobe.
-using Zonal = std::array<double, kBands + 1>;
-Zonal dampingOf(double roughness) {
-  constexpr int kSteps = 6000;
-  Zonal sum{};
-  double total = 0;
-  for (int i = 0; i < kSteps; ++i) {
-    const double c = 2 * cos2Of(roughness * roughness, (i + 0.5) / kSteps) - 1;
-    if (c <= 0) continue;
-    double below = 1, at = c;
-    sum[0] += c;
-    for (int l = 1; l <= kBands; ++l) {
-      sum[l] += c * at;
-      const double above = ((2 * l + 1) * c * at - l * below) / (l + 1);
-      below = at;
-      at = above;
-    }
-    total += c;
-  }
-  for (double& z : sum) z /= total;
-  return sum;
-}
+constexpr int kTerms = 6;
 
 // The levels of the prefiltered cube array: all layers of every mip from 1 on.
 struct Cube {
@@ -128,10 +50,10 @@ struct Tap {
 
 // As the functions of shading/off_specular.glsl turn their polynomials q into taps.
 std::vector<Tap> tapsOf(Form form, const Vector& q, double roughness, double NoV) {
-  const double theta = std::acos(NoV), alpha = roughness * roughness, mip = f64::mipFromRoughness(roughness);
+  const double alpha = roughness * roughness, mip = f64::mipFromRoughness(roughness);
   const auto tap = [&](double lean, double mipOffset, double weight) {
     const double blend = 1 - alpha * lean;
-    return Tap{std::atan2(blend * std::sin(theta), 1 - blend + blend * NoV), mip + mipOffset, weight};
+    return Tap{angleOfBlend(NoV, blend), mip + mipOffset, weight};
   };
   if (form == Form::stretched) return {tap(q[0] + q[1], q[2], 0.5), tap(q[0] - q[1], q[2], 0.5)};
   if (form == Form::two) {
@@ -159,10 +81,11 @@ public:
         m_points.push_back({R, NoV, NoV + 0.1, {}, {1, NoV, NoV * NoV, R, R * NoV, R * R}});
       }
     parity::base::parallelFor(m_points.size(), 1, [&](std::size_t i, std::size_t) {
-      m_points[i].lobe = projectLobe(m_points[i].roughness, m_points[i].NoV);
+      m_points[i].lobe =
+          projectLobe(parity::shading::GeometryTerm::heightCorrelated, m_points[i].roughness, m_points[i].NoV);
     });
     for (int l = 1; l <= kBands; ++l)
-      for (int m = 0; m <= l; ++m) m_scale[indexOf(l, m)] = std::pow(l + 0.5, -kPower / 2);
+      for (int m = 0; m <= l; ++m) m_scale[indexOf(l, m)] = std::sqrt(naturalPower(l));
   }
 
   double cost() const { return cost(m_x); }
@@ -209,10 +132,10 @@ private:
   }
 
   Vector residual(const Vector& q, const Point& p) const {
-    Vector d = p.lobe, y;
+    Vector d = p.lobe;
     for (const Tap& tap : tapsOf(m_form, q, p.roughness, p.NoV)) {
       const Zonal z = m_cube.at(tap.mip);
-      harmonicsAt(std::cos(tap.angle), y);
+      const Vector y = harmonicsAt(std::cos(tap.angle));
       for (int l = 0; l <= kBands; ++l)
         for (int m = 0; m <= l; ++m) // beyond the normal the azimuth is pi
           d[indexOf(l, m)] -= tap.weight * z[l] * y[indexOf(l, m)] * (tap.angle < 0 && m % 2 == 1 ? -1 : 1);

@@ -1,7 +1,7 @@
 # parity_folder(NAME [VULKAN] SOURCES ... HEADERS ... [USES folders...] [LIBRARIES targets...] [PRIVATE_LIBRARIES targets...])
 #
 # One folder = one static library parity_NAME. Its only public include path is a folder that holds a link to
-# NAME/ and nothing else, so "#include "other/x.h"" compiles only where `other` is among USES (transitively):
+# the folder under NAME and nothing else, so "#include "other/x.h"" compiles only where `other` is among USES (transitively):
 # the direction of the arrows is a compile error, not a habit. Every header is also compiled alone. VULKAN: the folder
 # includes Vulkan-Hpp, 1 MB of header, which gpu/ precompiles for all.
 function(parity_folder name)
@@ -9,7 +9,7 @@ function(parity_folder name)
   set(root ${CMAKE_BINARY_DIR}/include/${name})
   file(MAKE_DIRECTORY ${root})
   if(NOT EXISTS ${root}/${name})
-    file(CREATE_LINK ${CMAKE_SOURCE_DIR}/${name} ${root}/${name} SYMBOLIC)
+    file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${root}/${name} SYMBOLIC)
   endif()
 
   set(uses ${ARG_USES})

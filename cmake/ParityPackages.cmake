@@ -12,6 +12,10 @@ find_package(tomlplusplus REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(embree 3 REQUIRED)
 
+# NLopt's config names its C library only; the C++ one holds both.
+find_path(NLOPT_INCLUDE_DIR nlopt.hpp REQUIRED)
+find_library(NLOPT_LIBRARY nlopt_cxx REQUIRED)
+
 # OpenImageIO's exported target names an include folder that Debian does not ship.
 find_package(OpenImageIO REQUIRED)
 foreach(target OpenImageIO::OpenImageIO OpenImageIO::OpenImageIO_Util)

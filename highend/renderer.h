@@ -10,15 +10,8 @@
 
 namespace parity::highend {
 
+using shading::Compensation;
 using shading::DiffuseLobe;
-
-// What returns the light that single scattering loses between microfacets (shading/brdf.glsl).
-enum class Compensation {
-  none,
-  turquin,    // a factor on the specular lobe (Turquin 2019)
-  fdezAguera, // a Lambertian lobe (Fdez-Aguera 2019)
-  kullaConty, // a lobe of its own, as the reference has it (Kulla and Conty 2017)
-};
 
 // How the prefiltered environment is read where the view is not along the normal (shading/off_specular.glsl).
 enum class OffSpecular {

@@ -1,4 +1,4 @@
-// The choices of the material model that the high-end path and the reference make alike.
+// The choices of the material model: of the high-end path and, but for Compensation, of the reference alike.
 #pragma once
 
 namespace parity::shading {
@@ -12,5 +12,13 @@ enum class FresnelCurve { schlick, sphericalGaussian, dielectric };
 
 // What the diffuse lobe gets: what the specular one leaves (albedoScaling), or all the light, as in Unreal Engine 4.
 enum class DiffuseLobe { balanced, lambert };
+
+// What returns the light that single scattering loses between microfacets (shading/brdf.glsl).
+enum class Compensation {
+  none,
+  turquin,    // a factor on the specular lobe (Turquin 2019)
+  fdezAguera, // a Lambertian lobe (Fdez-Aguera 2019)
+  kullaConty, // a lobe of its own, as the reference has it (Kulla and Conty 2017)
+};
 
 } // namespace parity::shading

@@ -1,0 +1,35 @@
+// All fits of the preset, one after the other (see refit.h).
+#include "fit/refit.h"
+
+#include "fit/refit_text.h"
+#include "shading/shading.h"
+
+namespace parity::fit {
+
+namespace f64 = shading::f64;
+
+Refit fitRefit(const Settings& settings, const Say& say) {
+  Refit refit{};
+  refit.settings = settings;
+  say("fitting the specular lobe");
+  refit.lobe = fitLobe(settings);
+  refit.spread = roundConstant(fitSpread(settings));
+  say("projecting lobes for the environment's read");
+  const TapFit taps(settings.geometryTerm);
+  say("fitting the environment's read");
+  refit.tap = taps.fit();
+  say("measuring errors");
+  refit.tapError = taps.errorOf([&](double R, double N) { return evaluateTap(refit.tap, R, N); });
+  refit.mirrorError = taps.errorOf([](double R, double) { return Tap{1, f64::mipFromRoughness(R)}; });
+  refit.dominantError = taps.errorOf([](double R, double) {
+    return Tap{f64::dominantBlend(R * R), f64::mipFromRoughness(R)};
+  });
+  const LobeModel model = [&](double F0, double R, double N) {
+    return evaluateLobe(refit.lobe, settings.compensation, F0, R, N);
+  };
+  refit.albedo = albedoErrors(settings, model);
+  refit.direct = directError(settings, model);
+  return refit;
+}
+
+} // namespace parity::fit
