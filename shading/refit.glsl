@@ -30,8 +30,8 @@ struct RefitLobe {
 //   w = N / (w0 + t (w1 + w2 t))
 // Both in [0, 1].
 FN real refitB(real Roughness, real NoV) {
-  PRECISE real r = Roughness * (R(-1.63625) + Roughness * (R(-10.4726) + R(7.36145) * Roughness));
-  PRECISE real n = R(-6.29967) + Roughness * (R(14.0931) + R(-10.3529) * Roughness) + R(-8.59563) * NoV;
+  PRECISE real r = Roughness * (R(-1.63625) + Roughness * (R(-10.4726) + R(7.36146) * Roughness));
+  PRECISE real n = R(-6.2997) + Roughness * (R(14.0932) + R(-10.353) * Roughness) + R(-8.59562) * NoV;
   PRECISE real e = r + n * NoV;
   return exp2(e);
 }
@@ -39,7 +39,7 @@ FN real refitB(real Roughness, real NoV) {
 // max(., 2^-8): t^2 stays in half. alpha in [0, 1].
 FN real refitLoss(real alpha, real NoV) {
   PRECISE real t = NoV / max(alpha, R(0.00390625));
-  PRECISE real w = NoV / (R(0.500909) + t * (R(0.651387) + R(0.413975) * t));
+  PRECISE real w = NoV / (R(0.50091) + t * (R(0.651387) + R(0.413974) * t));
   return w;
 }
 
@@ -52,7 +52,7 @@ FN RefitLobe refitLobe(real3 F0, real F90, real Roughness, real NoV) {
   PRECISE real alpha = max(Roughness * Roughness, kRefitLeastAlpha);
   real B = refitB(Roughness, NoV);
   real w = refitLoss(alpha, NoV);
-  PRECISE real k = R(0.726703) * alpha;
+  PRECISE real k = R(0.726702) * alpha;
   PRECISE real3 rise = real3(F90 - F0.x, F90 - F0.y, F90 - F0.z);
   PRECISE real3 lost = real3(F0.x * w, F0.y * w, F0.z * w);
   PRECISE real3 single = real3(F0.x - lost.x + rise.x * B, F0.y - lost.y + rise.y * B, F0.z - lost.z + rise.z * B);
@@ -88,8 +88,8 @@ struct RefitTap {
 FN RefitTap refitTap(real Roughness, real NoV) {
   RefitTap tap;
   PRECISE real alpha = Roughness * Roughness;
-  PRECISE real lean = alpha * (R(1.37933) - R(1.96497) * NoV + R(7.42457) * (alpha * alpha));
-  PRECISE real mip = R(5.34273) + R(1.44407) * log2(max(Roughness, R(0.015625)));
+  PRECISE real lean = alpha * (R(1.38043) - R(1.96748) * NoV + R(7.42884) * (alpha * alpha));
+  PRECISE real mip = R(5.3431) + R(1.44437) * log2(max(Roughness, R(0.015625)));
   tap.lean = lean;
   tap.mip = mip;
   return tap;
@@ -137,7 +137,7 @@ FN real3 refitLight(RefitLobe lobe, real NoL, RefitHalfVector cosines) {
   PRECISE real x = R(1.0) - real(cosines.VoH);
   PRECISE real x2 = x * x;
   PRECISE real f = x2 * x2 * x;
-  PRECISE real g = (R(0.6374) + R(0.5439) * NoL) * NoL;
+  PRECISE real g = (R(0.637703) + R(0.543446) * NoL) * NoL;
   PRECISE real3 specular = real3((lobe.F0.x + lobe.rise.x * f) * DV + lobe.multiple.x * g,
                                  (lobe.F0.y + lobe.rise.y * f) * DV + lobe.multiple.y * g,
                                  (lobe.F0.z + lobe.rise.z * f) * DV + lobe.multiple.z * g);

@@ -16,10 +16,10 @@ struct AlbedoError {
 };
 
 // The rows F0 = .04 .5 1 and gold (1, .71, .29), of the full domain in 96 x 96 points.
-std::vector<AlbedoError> albedoErrors(const Settings& settings, const LobeModel& model);
+std::vector<AlbedoError> albedoErrors(const Truth& truth, const LobeModel& model);
 
 // One row, for any form that has just a total: F0 of one or three channels.
-AlbedoError albedoError(const Settings& settings, const std::vector<Point>& points, const std::vector<double>& F0,
+AlbedoError albedoError(const Truth& truth, const std::vector<Point>& points, const std::vector<double>& F0,
                         const LobeModel& model);
 
 // Of direct light at F0 = 1: what is reflected of light from everywhere, over the truth. As refitLight's D, V and F are
@@ -28,6 +28,6 @@ struct DirectError {
   double rmsLogRatio, least, most; // over the core
   double exitanceMax;              // over the full domain
 };
-DirectError directError(const Settings& settings, const LobeModel& model);
+DirectError directError(const Truth& truth, const LobeModel& model);
 
 } // namespace parity::fit

@@ -38,12 +38,12 @@ LobeAlbedo evaluateLobe(const LobeConstants& c, Compensation compensation, doubl
   return albedo;
 }
 
-double lobeObjective(const Settings& settings, const std::vector<Point>& points, const LobeModel& model) {
+double lobeObjective(const Truth& truth, const std::vector<Point>& points, const LobeModel& model) {
   constexpr double kEven = 0.1;
   double sum = 0;
   for (const Point& p : points)
     for (const double F0 : {0.02, 0.04, 0.08, 0.2, 0.4, 0.6, 0.8, 1.0}) {
-      const double multiple = multipleAlbedo(settings, p, F0), total = singleAlbedo(p, F0) + multiple;
+      const double multiple = truth.multiple(p, F0), total = truth.single(p, F0) + multiple;
       const LobeAlbedo albedo = model(F0, p.roughness, p.NoV);
       const double error = albedo.total() - total, inMultiple = albedo.multiple - multiple;
       sum += error * error * (1 + kEven) / (total + kEven);
@@ -52,16 +52,16 @@ double lobeObjective(const Settings& settings, const std::vector<Point>& points,
   return sum / static_cast<double>(points.size());
 }
 
-std::vector<Point> makeLobePoints(const Settings& settings) { return makePoints(settings, Domain::full, 32); }
+std::vector<Point> lobePointsOf(const Truth& truth) { return truth.pointsOf(Domain::full, 32); }
 
-LobeConstants fitLobe(const Settings& settings) {
-  const std::vector<Point> points = makeLobePoints(settings);
-  const bool compensated = settings.compensation != Compensation::none;
+LobeConstants fitLobe(const Truth& truth) {
+  const std::vector<Point> points = lobePointsOf(truth);
+  const Compensation compensation = truth.settings().compensation;
+  const bool compensated = compensation != Compensation::none;
   const auto objective = [&](const Unknowns& x) {
     const LobeConstants c = toConstants(x);
-    return lobeObjective(settings, points, [&](double F0, double R, double N) {
-      return evaluateLobe(c, settings.compensation, F0, R, N);
-    });
+    return lobeObjective(truth, points,
+                         [&](double F0, double R, double N) { return evaluateLobe(c, compensation, F0, R, N); });
   };
   const LobeConstants start{{-1.6, -10.5, 7.4, -6.3, 14, -10, -8.6}, {0.5, 0.65, 0.4}, compensated ? 0.7 : 0};
   LobeConstants c = toConstants(minimise(objective, toUnknowns(start)).x);

@@ -31,12 +31,12 @@ using LobeModel = std::function<LobeAlbedo(double F0, double roughness, double N
 // What is made least: the mean over `points` of the sum over F0 = .02 .04 .08 .2 .4 .6 .8 1 of
 //   (error of the total)^2 (1 + e) / (total + e), e = 0.1,  and, from F0 = .2 on, half the squared error of `multiple`
 // so that what is dim counts for more than its share, and both lobes are right on their own.
-double lobeObjective(const Settings& settings, const std::vector<Point>& points, const LobeModel& model);
+double lobeObjective(const Truth& truth, const std::vector<Point>& points, const LobeModel& model);
 
 // The points that the fit uses: 32 x 32 over the full domain.
-std::vector<Point> makeLobePoints(const Settings& settings);
+std::vector<Point> lobePointsOf(const Truth& truth);
 
 // The constants at the minimum that the default's constants lead to, rounded to six digits. About 2 s.
-LobeConstants fitLobe(const Settings& settings);
+LobeConstants fitLobe(const Truth& truth);
 
 } // namespace parity::fit

@@ -12,8 +12,9 @@ Refit fitRefit(const Settings& settings, const Say& say) {
   Refit refit{};
   refit.settings = settings;
   say("fitting the specular lobe");
-  refit.lobe = fitLobe(settings);
-  refit.spread = roundConstant(fitSpread(settings));
+  const Truth truth(settings);
+  refit.lobe = fitLobe(truth);
+  refit.spread = roundConstant(truth.spread());
   say("projecting lobes for the environment's read");
   const TapFit taps(settings.geometryTerm);
   say("fitting the environment's read");
@@ -27,8 +28,8 @@ Refit fitRefit(const Settings& settings, const Say& say) {
   const LobeModel model = [&](double F0, double R, double N) {
     return evaluateLobe(refit.lobe, settings.compensation, F0, R, N);
   };
-  refit.albedo = albedoErrors(settings, model);
-  refit.direct = directError(settings, model);
+  refit.albedo = albedoErrors(truth, model);
+  refit.direct = directError(truth, model);
   return refit;
 }
 

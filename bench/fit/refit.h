@@ -15,7 +15,7 @@ namespace parity::fit {
 struct Refit {
   Settings settings;
   LobeConstants lobe;
-  double spread; // fitSpread
+  double spread; // Truth::spread
   TapConstants tap;
   std::vector<AlbedoError> albedo;
   DirectError direct;
