@@ -91,6 +91,18 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       ->required()
       ->check(fileOfKind({".exr", ".pfm", ".hdr", ".png"}));
   renderApp.add_flag("--terms", render.common.settings.terms, "Write the terms as layers beside the colour (.exr)");
+  renderApp
+      .add_option("--term", render.term,
+                  "Write one term, or an intermediate of the mobile base pass, in place of the colour; --list-terms")
+      ->check(CLI::IsMember(termNames()));
+  bool listTerms = false;
+  renderApp.add_flag_callback(
+      "--list-terms",
+      [&listTerms] {
+        listTerms = true;
+        throw CLI::Success(); // needs no scene
+      },
+      "List what --term takes");
   addReferenceOptions(renderApp, raw);
   renderApp.add_option("--error-map", render.errorMap, "Write the achieved relative standard error of each pixel")
       ->check(fileOfKind({".exr", ".pfm"}))
@@ -134,6 +146,10 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = devices;
     }
   } catch (const CLI::ParseError& error) {
+    if (listTerms) {
+      parsed.command = ListTermsCommand();
+      return parsed;
+    }
     std::ostringstream out, err;
     const bool asked = app.exit(error, out, err) == 0; // --help, --version
     parsed.text = asked ? out.str() : err.str();

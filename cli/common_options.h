@@ -2,6 +2,7 @@
 // CLI11.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -14,8 +15,10 @@ std::string defaultMetricList();
 
 // What CLI11 fills in; turned into CommonOptions when all is known.
 struct RawOptions {
-  std::string size = "1024x1024", sun, orbit, target, background, camera = "auto", precision = "fp32",
+  std::string size = "1024x1024", sun, orbit, target, background, camera = "auto", precision = "fp16",
               specularAa = "off";
+  std::string mobilePreset = "ue4-2020", capture, captureScale; // the last two: empty is the preset's
+  std::optional<int> skyCoefficients;
   std::string geometryTerm, fresnel, diffuse, compensation, offSpecular; // of the high-end path and the reference
   std::string error = "0.5%", scattering = "multiple";                   // of the reference
   std::string cache;

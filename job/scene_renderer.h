@@ -38,7 +38,7 @@ private:
   const PreparedScene& m_prepared;
   gpu::SceneBuffers m_buffers;
   gpu::SurfacePass m_surfacePass;
-  // m_mobileEnvironment: only where mobile's is not highend's.
+  // Each path reads its own kind.
   std::optional<gpu::EnvironmentMaps> m_environment, m_mobileEnvironment;
   std::optional<highend::Renderer> m_highend;
   std::optional<mobile::Renderer> m_mobile;

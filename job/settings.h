@@ -32,8 +32,8 @@ struct Settings {
   bool terms = false;
   bool extractSun = true; // bright compact sources of environments become lights; scene by scene: SuiteEntry
   bool truth = false;     // also hold both paths against the reference; needs the terms
-  mobile::Preset mobilePreset = mobile::Preset::ue4_2020;
-  std::string mobilePresetName = "ue4-2020";
+  mobile::Options mobile;
+  std::uint32_t mobileView = mobile::kViewLit; // what the mobile path's colour shows (mobile/views.h)
   gpu::SpecularAa specularAa = gpu::SpecularAa::off; // of all paths
   highend::Options highend;
   reference::Options reference;
