@@ -63,6 +63,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addVerdictOptions(reportApp, report.verdict);
   reportApp.add_flag("--terms", report.common.settings.terms,
                      "Also measure the terms (sun, sky, lights... diffuse and specular)");
+  addCostsOption(reportApp, report.common);
   reportApp.add_option("--json", report.common.json, "Also write report.json there; - for stdout");
   addTruthOptions(reportApp, report.common, raw);
   addCommonOptions(reportApp, report.common, raw);
@@ -76,6 +77,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   diffApp.add_option("scene", diff.scene, "Scene file or builtin:NAME")->required();
   addVerdictOptions(diffApp, diff.verdict);
   diffApp.add_flag("--terms", diff.common.settings.terms, "Also measure the terms");
+  addCostsOption(diffApp, diff.common);
   diffApp.add_option("--json", diff.common.json, "Write the result as JSON there; - for stdout, instead of the table");
   addTruthOptions(diffApp, diff.common, raw);
   addCommonOptions(diffApp, diff.common, raw);

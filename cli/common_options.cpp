@@ -189,6 +189,12 @@ void addMetricsOption(CLI::App& app, RawOptions& raw) {
       ->capture_default_str();
 }
 
+void addCostsOption(CLI::App& app, CommonOptions& common) {
+  app.add_flag("--costs", common.settings.costs,
+               "Also count each specialised shader's operations, texture fetches and samplers")
+      ->group("Paths");
+}
+
 void addReferenceOptions(CLI::App& app, RawOptions& raw) {
   app.add_option("--error", raw.error, "Relative standard error at which a pixel of the reference is done")
       ->group("Reference")

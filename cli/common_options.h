@@ -32,6 +32,8 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
 void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw);
 // What is measured; nothing is by `render`.
 void addMetricsOption(CLI::App& app, RawOptions& raw);
+// --costs: what each specialised shader costs.
+void addCostsOption(CLI::App& app, CommonOptions& common);
 // How the ground truth is made: --error, --scattering.
 void addReferenceOptions(CLI::App& app, RawOptions& raw);
 // --reference, which those need.

@@ -213,7 +213,7 @@ std::string sceneSection(const SceneResult& scene, std::size_t index) {
                   definition("Environment", scene.environment), definition("Sun", scene.sun));
   if (!scene.error.empty())
     html += fmt::format("<p class=\"error-box\"><b>Not compared:</b> {}</p>\n", escapeMarkup(scene.error));
-  html += textList(scene.warnings, "warnings");
+  html += textList(scene.warnings, "warnings") + permutationTable(scene.permutations);
   for (std::size_t v = 0; v < scene.views.size(); ++v) html += viewSection(scene, scene.views[v], anchor(index, v));
   return html + "</section>\n";
 }

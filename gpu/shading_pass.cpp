@@ -61,7 +61,7 @@ struct ShadingPass::Impl {
   std::unique_ptr<DescriptorSets> textureSets;
   vk::raii::PipelineLayout layout{nullptr};
   std::map<MaterialClass, Permutation> plan;
-  std::vector<Permutation> compiled;
+  std::vector<CompiledPermutation> compiled;
   std::vector<vk::raii::Pipeline> pipelines;
 
   Impl(const Device& dev, const SceneBuffers& buffers, const std::vector<BinKind>& binKinds, PathProgram p)
@@ -109,17 +109,22 @@ struct ShadingPass::Impl {
     for (std::size_t i = 0; i < classes.size(); ++i) plan[classes[i].materialClass] = permutations[i];
   }
 
-  vk::Pipeline pipelineFor(const MaterialClass& c) {
+  // entries: that it is wanted for.
+  vk::Pipeline pipelineFor(const MaterialClass& c, std::uint32_t entries) {
     const Permutation permutation = plan.at(c);
-    const auto found = std::find(compiled.begin(), compiled.end(), permutation);
-    if (found != compiled.end()) return *pipelines[static_cast<std::size_t>(found - compiled.begin())];
+    const auto found =
+        std::ranges::find(compiled, permutation, [](const CompiledPermutation& each) { return each.permutation; });
+    if (found != compiled.end()) {
+      found->entries += entries;
+      return *pipelines[static_cast<std::size_t>(found - compiled.begin())];
+    }
     std::vector<std::uint32_t> constants = {
         permutation.textures, permutation.mayFeatures,       permutation.mustFeatures, program.directionalCount,
         program.localCount,   program.environment ? 1u : 0u, program.terms ? 1u : 0u,  scene.vertexData()};
     constants.insert(constants.end(), program.constants.begin(), program.constants.end());
     const base::Stopwatch watch(device.timings(), "compile " + program.name);
     pipelines.push_back(makeComputePipeline(device, layout, program.spirv, constants));
-    compiled.push_back(permutation);
+    compiled.push_back({permutation, constants, entries});
     return *pipelines.back();
   }
 
@@ -153,7 +158,7 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   device.submit("shade " + program.name, [&](const vk::raii::CommandBuffer& commands) {
     for (const Bin& bin : surface.bins) {
       const BinKind& kind = kinds[bin.key];
-      commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipelineFor(kind.materialClass));
+      commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipelineFor(kind.materialClass, bin.count));
       commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0,
                                   {set[0], (*textureSets)[kind.textureSet]}, {});
       commands.pushConstants<Push>(*layout, kCompute, 0, Push{bin.first, bin.count, static_cast<std::uint32_t>(n)});
@@ -176,6 +181,7 @@ ShadingPass::~ShadingPass() = default;
 ShadedSurface ShadingPass::shade(const Surface& surface, const scenes::Camera& camera) const {
   return m_impl->shade(surface, camera);
 }
-const std::vector<Permutation>& ShadingPass::permutations() const { return m_impl->compiled; }
+const std::vector<CompiledPermutation>& ShadingPass::compiled() const { return m_impl->compiled; }
+Spirv ShadingPass::spirv() const { return m_impl->program.spirv; }
 
 } // namespace parity::gpu

@@ -42,6 +42,13 @@ struct ShadedSurface {
   std::vector<std::vector<glm::vec4>> terms; // kTermCount planes, or none
 };
 
+// A permutation that was needed, and for how much.
+struct CompiledPermutation {
+  Permutation permutation;
+  std::vector<std::uint32_t> constants; // all specialization constants, from 0
+  std::uint64_t entries = 0;            // of surfaces, shaded by it
+};
+
 class ShadingPass {
 public:
   ShadingPass(const Device& device, const SceneBuffers& scene, const std::vector<BinKind>& binKinds,
@@ -50,8 +57,9 @@ public:
 
   ShadedSurface shade(const Surface& surface, const scenes::Camera& camera) const;
 
-  // Permutations compiled so far.
-  const std::vector<Permutation>& permutations() const;
+  // In order of their first use.
+  const std::vector<CompiledPermutation>& compiled() const;
+  Spirv spirv() const;
 
 private:
   struct Impl;

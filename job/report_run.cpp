@@ -140,10 +140,13 @@ public:
       const compare::Budgets budgets = budgetsFor(request);
       SceneRenderer renderer(m_context, prepared, paths, request.views.size());
       for (const std::string& note : renderer.notes()) result.warnings.push_back("mobile: " + note);
+      for (std::string& excess : mobile::samplerWarnings(prepared.scene, samplerInputs(prepared)))
+        result.warnings.push_back(std::move(excess));
       for (std::size_t v = 0; v < request.views.size(); ++v) {
         tell(index, static_cast<double>(v), request.views.size(), request.views[v].name);
         result.views.push_back(compareOne(index, v, prepared, renderer, budgets));
       }
+      result.permutations = renderer.permutations();
     } catch (const base::Error& error) {
       // One catch at the boundary of each scene: the others still run.
       setError(result, request, error.what(), error.code());
@@ -163,6 +166,11 @@ private:
     base::logError(fmt::format("{}: {}", result.name, message));
     result.error = withoutFolders(message, request);
     result.errorExitCode = static_cast<int>(code);
+  }
+
+  mobile::SamplerInputs samplerInputs(const PreparedScene& prepared) const {
+    return {.environment = prepared.mobileEnvironment != nullptr,
+            .normalVariance = m_context.settings().specularAa == gpu::SpecularAa::toksvig};
   }
 
   compare::Budgets budgetsFor(const SceneRequest& request) const {
@@ -188,6 +196,7 @@ private:
     comparison.sceneName = request.name;
     comparison.viewName = view.name;
     comparison.exposureEv = request.exposureEv.value_or(settings.exposureEv);
+    comparison.samplers = samplerInputs(prepared);
     comparison.reportFolder = m_request.folder;
     comparison.imagePrefix = imagePrefix(sceneIndex, request.name, viewIndex, view.name);
     compare::ViewResult result = compareView(m_context, prepared.scene, frames, budgets, comparison);

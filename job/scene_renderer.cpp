@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "job/permutation_costs.h"
 #include "lighting/capture.h"
 #include "shading/shading.h"
 
@@ -180,6 +181,15 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
 
 std::vector<std::string> SceneRenderer::notes() const {
   return m_mobile ? m_mobile->notes() : std::vector<std::string>{};
+}
+
+std::vector<compare::PermutationResult> SceneRenderer::permutations() const {
+  std::vector<compare::PermutationResult> all;
+  if (m_highend) all = describePermutations(m_context, "highend", m_highend->pass());
+  if (m_mobile)
+    for (compare::PermutationResult& each : describePermutations(m_context, "mobile", m_mobile->pass()))
+      all.push_back(std::move(each));
+  return all;
 }
 
 std::vector<std::string> SceneRenderer::skipped() const {

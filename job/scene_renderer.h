@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/frame.h"
+#include "compare/permutation.h"
 #include "gpu/frame_builder.h"
 #include "job/prepared_scene.h"
 #include "job/reference_path.h"
@@ -32,6 +33,9 @@ public:
   // What the mobile path leaves out, and what this scene did not need.
   std::vector<std::string> notes() const;
   std::vector<std::string> skipped() const;
+
+  // The shaders of the two paths so far.
+  std::vector<compare::PermutationResult> permutations() const;
 
 private:
   Context& m_context;

@@ -30,6 +30,7 @@ struct Settings {
   std::optional<std::string> budgets;                           // budget file; none: built-in defaults
   std::vector<std::string> metrics = compare::defaultMetrics(); // reported, besides what the budgets name
   bool terms = false;
+  bool costs = false;     // count what each permutation costs
   bool extractSun = true; // bright compact sources of environments become lights; scene by scene: SuiteEntry
   bool truth = false;     // also hold both paths against the reference; needs the terms
   mobile::Options mobile;

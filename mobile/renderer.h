@@ -29,6 +29,7 @@ public:
   gpu::ShadedSurface shade(const gpu::Surface& surface, const scenes::Camera& camera) const {
     return m_pass->shade(surface, camera);
   }
+  const gpu::ShadingPass& pass() const { return *m_pass; }
 
   // What the path leaves out, in words for the report ("2 of 6 local lights: ..."); empty where it leaves out nothing.
   const std::vector<std::string>& notes() const { return m_notes; }

@@ -35,8 +35,8 @@ const std::vector<std::string> kCommon = {"--size",
                                           "--diffuse",
                                           "--compensation",
                                           "--off-specular"};
-const std::vector<std::string> kVerdict = {"--material", "--budgets",  "--json",     "--warn-exit",
-                                           "--terms",    "--baseline", "--annotate", "--metrics"};
+const std::vector<std::string> kVerdict = {"--material", "--budgets",  "--json",    "--warn-exit", "--terms",
+                                           "--baseline", "--annotate", "--metrics", "--costs"};
 
 void expectHelp(const std::vector<std::string>& arguments, const std::vector<std::string>& mentioned) {
   const RunResult result = runParity(arguments);
