@@ -62,6 +62,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   program.environment = inputs.environment;
   program.constants = {preset == Preset::karis2014 ? gpu::kPresetKaris2014 : gpu::kPresetUe42020};
   program.terms = inputs.terms;
+  program.premultiplied = true;
   program.expectedPixels = inputs.expectedPixels;
   m_pass = std::make_unique<gpu::ShadingPass>(device, scene, binKinds, std::move(program));
 }

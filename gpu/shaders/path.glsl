@@ -199,7 +199,20 @@ Terms noTerms() {
   return terms;
 }
 
+// Behind fog (inscattered radiance, transmittance): what the other terms have left of them, and its own.
+Terms seenThrough(vec4 fog, Terms terms) {
+  for (int k = 0; k < kTermCount; ++k) terms.t[k] *= fog.w;
+  terms.t[kTermFog] = fog.xyz;
+  return terms;
+}
+
 uint entryIndex() { return (gl_WorkGroupID.y * kMaxGroupsInRow + gl_WorkGroupID.x) * kGroupSize + gl_LocalInvocationID.x; }
+
+// For blending by (one, 1 - opacity): PathProgram::premultiplied.
+Terms premultiply(Terms terms, float opacity) {
+  for (int k = 0; k < kTermCount; ++k) terms.t[k] *= opacity;
+  return terms;
+}
 
 // The colour is the sum of the terms, added in their order.
 void writeResult(uint i, Terms terms, float opacity) {

@@ -17,7 +17,7 @@ void main() {
   Terms terms = noTerms();
   if (hasFeature(kFeatureUnlit, p.material)) {
     terms.t[kTermEmissive] = m.baseColor;
-    writeResult(i, terms, m.opacity);
+    writeResult(i, premultiply(seenThrough(vertexFog(i), terms), m.opacity), m.opacity);
     return;
   }
 
@@ -54,7 +54,7 @@ void main() {
         float NoH = max(0.0, dot(N, safeNormalize(V + L, N)));
         specular = CalcSpecular(Roughness, NoH);
       }
-      terms.t[kTermSunSpecular] = color * (SpecularColor * (NoL * specular));
+      terms.t[kTermSunSpecular] = color * (SpecularColor * (NoL * specular)) * lights[0].cone.y;
     }
   }
 
@@ -75,7 +75,7 @@ void main() {
       float NoL = max(0.0, dot(N, L));
       float NoH = max(0.0, dot(N, safeNormalize(V + L, N)));
       vec3 diffuse = color * (NoL * DiffuseColor);
-      vec3 specular = fullyRough ? vec3(0.0) : color * (SpecularColor * (NoL * CalcSpecular(Roughness, NoH)));
+      vec3 specular = fullyRough ? vec3(0.0) : color * (SpecularColor * (NoL * CalcSpecular(Roughness, NoH))) * light.cone.y;
       // The clamp is on their sum; both are scaled by what it leaves.
       vec3 sum = diffuse + specular;
       vec3 kept = clampContribution65000(sum);
@@ -85,7 +85,7 @@ void main() {
     }
   }
 
-  if (kHasEnvironment != 0u) terms.t[kTermSkyDiffuse] = skyIrradianceOverPi(N) * DiffuseColor * m.occlusion;
+  if (kHasEnvironment != 0u) terms.t[kTermSkyDiffuse] = skyIrradianceOverPi(N) * view.skyLightColor.xyz * DiffuseColor * m.occlusion;
   terms.t[kTermEmissive] = m.emissive;
-  writeResult(i, terms, m.opacity);
+  writeResult(i, premultiply(seenThrough(vertexFog(i), terms), m.opacity), m.opacity);
 }

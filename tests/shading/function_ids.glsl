@@ -51,7 +51,8 @@ const int kFnTwoTap = 45;
 const int kFnThreeTap = 46;
 const int kFnAlphaSquaredOfNormals = 47;
 const int kFnWidenRoughness = 48;
-const int kFunctionCount = 49;
+const int kFnHeightFogTransmittance = 49;
+const int kFunctionCount = 50;
 
 const int kInputs = 32;  // numbers a row going in
 const int kOutputs = 12; // and coming out
