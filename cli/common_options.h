@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/invocation.h"
+#include "cli/light_options.h"
 
 namespace parity::cli {
 
@@ -17,6 +18,7 @@ struct RawOptions {
   std::string size = "1024x1024", sun, orbit, target, background, camera = "auto", precision = "fp32",
               specularAa = "off";
   std::string geometryTerm, fresnel, diffuse, compensation, offSpecular; // of the high-end path and the reference
+  RawLightOptions light;
   std::string error = "0.5%", scattering = "multiple";                   // of the reference
   std::string cache;
   std::string metrics = defaultMetricList(); // comma-separated

@@ -99,6 +99,7 @@ struct ViewResult {
 
 struct SceneResult {
   std::string name, source, environment, sun; // as the user wrote them: no absolute paths
+  std::string light;                          // its scales and fog in words; empty: the defaults
   std::vector<std::string> warnings;
   std::vector<ViewResult> views;
   std::string error; // not empty: the scene could not be compared, this line says why; views hold what was done before

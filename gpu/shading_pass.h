@@ -32,7 +32,7 @@ struct PathProgram {
   const EnvironmentMaps* environment = nullptr; // null: no environment
   std::vector<std::uint32_t> constants;         // the path's own specialization constants, from kConstantPath
   bool terms = false;
-  bool premultiplied = false; // the shader multiplies colour and terms by the opacity
+  bool premultiplied = false;       // the shader multiplies colour and terms by the opacity
   std::uint64_t expectedPixels = 0; // that this run will shade by this path: decides what is worth compiling
 };
 

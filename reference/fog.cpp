@@ -14,9 +14,9 @@ FogBetween fogBetween(const scenes::Fog& fog, const scenes::Camera& camera, cons
     const glm::dvec3 direction = -glm::normalize(glm::dvec3(camera.toWorld[2]));
     way = std::max(glm::dot(way, direction), 0.0) * direction;
   }
-  const double transmittance = f64::heightFogTransmittance(
-      {fog.density, fog.heightFalloff, fog.height, fog.startDistance, fog.maxOpacity}, place.y - way.y, way.y,
-      glm::length(way));
+  const double transmittance =
+      f64::heightFogTransmittance({fog.density, fog.heightFalloff, fog.height, fog.startDistance, fog.maxOpacity},
+                                  place.y - way.y, way.y, glm::length(way));
   return {glm::dvec3(fog.color) * (1 - transmittance), transmittance};
 }
 

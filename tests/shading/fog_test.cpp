@@ -30,7 +30,7 @@ double transmittanceByQuadrature(const f64::HeightFog& fog, double eyeHeight, do
 struct Way {
   double eyeHeight, rise, distance;
 };
-constexpr Way kWays[] = {{1.7, 0, 40}, {1.7, -1.7, 12}, {30, -28, 60},  {-5, 4, 9},   {2, 90, 95},
+constexpr Way kWays[] = {{1.7, 0, 40},  {1.7, -1.7, 12}, {30, -28, 60},  {-5, 4, 9},   {2, 90, 95},
                          {2, 1e-5, 50}, {50, -55, 80},   {3, 0.004, 30}, {12, 11, 11}, {0, -3, 25}};
 
 TEST(HeightFog, isTheIntegralOfTheExtinctionAlongTheWay) {
