@@ -71,6 +71,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   // A suite says for itself how each scene is lit and seen.
   for (const char* option : {"--env", "--env-rotation", "--sun", "--camera", "--orbit", "--target", "--fov"})
     suite->excludes(reportApp.get_option(option));
+  for (const std::string& option : lightOptionNames()) suite->excludes(reportApp.get_option(option));
 
   DiffCommand diff;
   CLI::App& diffApp = *app.add_subcommand("diff", "Compare one scene and print a table, one row a material");

@@ -138,6 +138,7 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   app.add_flag("--no-sun-extraction", raw.noSunExtraction,
                "Leave bright compact sources (the sun) in the environment instead of making them lights")
       ->group("Scene");
+  addLightOptions(app, raw.light);
   app.add_option("--fully-rough", s.fullyRough, "Materials that take the fully-rough shortcut (glob, repeatable)")
       ->group("Scene");
   app.add_option("--camera", raw.camera, "A glTF camera by name or number, or auto")
@@ -229,6 +230,7 @@ void settle(CommonOptions& common, const RawOptions& raw) {
     if (n[2] < 0) throw invalid("--sun", raw.sun, "a light: LUX is negative");
     common.sun = scenes::SunRequest{n[0], n[1], n[2]};
   }
+  settleLight(common, raw.light);
   if (!raw.orbit.empty()) {
     const glm::vec3 orbit = parseVec3("--orbit", raw.orbit, "THETA,PHI,RADIUS");
     if (orbit.y < 0 || orbit.y > 180 || orbit.z < 0)

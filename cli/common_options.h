@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/invocation.h"
+#include "cli/light_options.h"
 
 namespace parity::cli {
 
@@ -20,6 +21,7 @@ struct RawOptions {
   std::string mobilePreset = "ue4-2020", capture, captureScale; // the last two: empty is the preset's
   std::optional<int> skyCoefficients;
   std::string geometryTerm, fresnel, diffuse, compensation, offSpecular; // of the high-end path and the reference
+  RawLightOptions light;
   std::string error = "0.5%", scattering = "multiple";                   // of the reference
   std::string cache;
   std::string metrics = defaultMetricList(); // comma-separated

@@ -18,6 +18,8 @@ struct CommonOptions {
   std::string environment;
   float environmentRotationDeg = 0;
   std::optional<scenes::SunRequest> sun;
+  scenes::LightScales lightScales;
+  std::optional<scenes::Fog> fog;
   scenes::ViewRequest view;
   int threads = 0;
   std::string json; // file, "-" for stdout, "" for none

@@ -100,6 +100,7 @@ struct ViewResult {
 
 struct SceneResult {
   std::string name, source, environment, sun; // as the user wrote them: no absolute paths
+  std::string light;                          // its scales and fog in words; empty: the defaults
   std::vector<std::string> warnings;
   std::vector<ViewResult> views;
   std::vector<PermutationResult> permutations; // by path, in order of their first use

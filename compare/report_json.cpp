@@ -162,6 +162,7 @@ void writeScene(JsonWriter& json, const SceneResult& scene) {
   json.key("source").text(scene.source);
   json.key("environment").text(scene.environment);
   json.key("sun").text(scene.sun);
+  if (!scene.light.empty()) json.key("light").text(scene.light);
   json.key("verdict").text(nameOf(scene.verdict));
   json.key("error");
   if (scene.error.empty()) {

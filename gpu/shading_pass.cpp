@@ -45,7 +45,7 @@ GpuLight packLight(const scenes::Light& light) {
   out.colorRange = vec4(light.color, light.range);
   out.positionKind = vec4(light.position, static_cast<float>(kind));
   out.directionCosOuter = vec4(light.direction, std::cos(light.outerConeAngle));
-  out.cone = vec4(std::cos(light.innerConeAngle), 1, 0, 0);
+  out.cone = vec4(std::cos(light.innerConeAngle), light.specularScale, 0, 0);
   return out;
 }
 
@@ -132,14 +132,13 @@ struct ShadingPass::Impl {
 };
 
 ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Camera& camera) {
-  ShadedSurface result;
+  ShadedSurface result{.premultiplied = program.premultiplied};
   const std::size_t n = surface.size();
   if (program.terms) result.terms.resize(shading::kTermCount);
   if (n == 0) return result;
 
-  GpuView gpuView = makeView(camera, surface.width, surface.height);
+  GpuView gpuView = makeView(scene.scene(), camera, surface.width, surface.height);
   if (program.environment) std::copy(program.environment->sh.begin(), program.environment->sh.end(), gpuView.sh);
-  gpuView.skyLightColor = gpuView.indirectColorScale = vec4(1);
   std::copy(program.numbers.begin(), program.numbers.end(), gpuView.path);
   view.upload(std::as_bytes(std::span{&gpuView, 1}));
 

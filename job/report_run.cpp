@@ -129,6 +129,7 @@ public:
                              ? "none"
                              : scenes::cleanName(std::filesystem::path(request.environment).filename().string());
     result.sun = "none";
+    result.light = scenes::describe(request.lightScales, request.fog);
     try {
       tell(index, 0, request.views.size(), "loading");
       const Paths paths{.reference = m_context.settings().truth};

@@ -203,6 +203,7 @@ std::vector<std::string> SceneRenderer::skipped() const {
     (light.kind == scenes::LightKind::directional ? directional : local) = true;
   if (!directional) skipped.push_back("no directional light: no sun in the shaders");
   if (!local) skipped.push_back("no local lights: no light loop in the shaders");
+  if (!m_prepared.scene.fog) skipped.push_back("no fog: none at vertices, none in the shaders");
   if (!m_surfacePass.hasBlended()) skipped.push_back("no blended material: no second surface");
   if (!m_context.settings().terms) skipped.push_back("terms not asked for: not written");
   return skipped;

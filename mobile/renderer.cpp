@@ -98,6 +98,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   if (inputs.environment) program.numbers = numbersOf(*inputs.environment, options.skyCoefficients);
   program.constants = constantsOf(options, inputs.view);
   program.terms = inputs.terms;
+  program.premultiplied = true;
   program.expectedPixels = inputs.expectedPixels;
   m_pass = std::make_unique<gpu::ShadingPass>(device, scene, binKinds, std::move(program));
 }

@@ -40,7 +40,8 @@ void addTerm(inout BasePass pass, int term, real3 value) {
   if (kWriteTerms != 0u) pass.terms.t[term] = vec3(narrow(widen(add(real3(pass.terms.t[term]), value))));
 }
 
-// What has been added up leaves as the target holds it: finite, unless it is NaN. Behind the fog of the vertices.
+// What has been added up leaves as the target holds it: behind the fog of the vertices, premultiplied, and finite unless
+// it is NaN.
 void writePass(uint i, BasePass pass, float opacity) {
   real3 Color = narrow(widen(pass.Color));
   if ((kVertexData & kVertexFog) != 0u) {
@@ -52,6 +53,11 @@ void writePass(uint i, BasePass pass, float opacity) {
     addTerm(pass, kTermFog, VertexFog);
     show(kViewVertexFog, VertexFog);
     show(kViewVertexFogA, VertexFogA);
+  }
+  if ((kMayFeatures & kFeatureBlend) != 0u) { // opacity is 1 else
+    Color = product(Color, real(opacity));
+    shown *= opacity;
+    for (int k = 0; k < kTermCount; ++k) pass.terms.t[k] *= opacity;
   }
   outColor[i] = vec4(kView == kViewLit ? vec3(Color) : shown, opacity);
   writeTerms(i, pass.terms);

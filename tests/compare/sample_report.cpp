@@ -108,6 +108,7 @@ Report makeSampleReport(const std::vector<std::string>& names) {
   lamp.source = "assets/Lamp.gltf";
   lamp.environment = "studio_small_05_1k.hdr";
   lamp.sun = "30,50,4";
+  lamp.light = "sky light x 1,1,0.5";
   lamp.warnings = {"KHR_materials_transmission is not supported: drawn opaque"};
   ViewResult front;
   front.name = "front";

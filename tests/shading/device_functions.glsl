@@ -1,6 +1,7 @@
 // One invocation a row: reads its inputs, calls the function that the specialization constant names, writes its outputs.
 #include "shading/brdf.glsl"
 #include "shading/env_brdf.glsl"
+#include "shading/fog.glsl"
 #include "shading/light.glsl"
 #include "shading/material.glsl"
 #include "shading/mips.glsl"

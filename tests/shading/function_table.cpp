@@ -167,6 +167,20 @@ Row radiance(Random& random) {
   return row;
 }
 
+// Fog from thin to thick, ways from a decimetre to kilometres, up, down and level.
+Row fogAndWay(Random& random) {
+  Row row{};
+  row[0] = random() % 16 == 0 ? 0.0 : std::exp2(uniform(random, -12, 2));
+  row[1] = random() % 4 == 0 ? 0.0 : std::exp2(uniform(random, -10, 3));
+  row[2] = uniform(random, -50, 50);
+  row[3] = random() % 2 == 0 ? 0.0 : uniform(random, 0, 100);
+  row[4] = unit(random);
+  row[5] = uniform(random, -100, 100);
+  row[7] = std::exp2(uniform(random, -4, 12));
+  row[6] = row[7] * (random() % 8 == 0 ? 0.0 : uniform(random, -1, 1));
+  return row;
+}
+
 template <typename Out> Result toResult(const Out& out) {
   Result result;
   for (int i = 0; i < kOutputs; ++i) result[i] = out.y[i];
@@ -182,6 +196,7 @@ std::vector<FunctionCase> functionTable() {
   const Agreement dApprox{8, 8, 1e-4, "exp2; its denormals are flushed, which 1/alpha^2 makes visible below 1e-4"};
   const Agreement mip{8, 8, 5, "log2; near roughness 1 it is small beside the 5 it is added to"};
   const Agreement roughness{8, 8, 0, "exp2"};
+  const Agreement fog{12, 1, 1, "exp2 of a product with exp2: an error of the exponent is one of the transmittance"};
   const Agreement transfer{22, 16, 0, "pow as exp2 of a product with log2: up to 22 ulp in wide sweeps"};
   return {
       {"D_GGX", kFnD_GGX, units(2), exact},
@@ -233,6 +248,7 @@ std::vector<FunctionCase> functionTable() {
       {"threeTap", kFnThreeTap, units(3), mip},
       {"alphaSquaredOfNormals", kFnAlphaSquaredOfNormals, units(1), exact},
       {"widenRoughness", kFnWidenRoughness, units(2), exact},
+      {"heightFogTransmittance", kFnHeightFogTransmittance, fogAndWay, fog},
       {"narrow", kFnNarrow, uniforms(1, 0, 65504), exact},
       {"dot32", kFnDot32, uniforms(6, -1, 1), exact},
       {"encodeRgbm", kFnEncodeRgbm, radiance, exact},
