@@ -63,6 +63,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addVerdictOptions(reportApp, report.verdict);
   reportApp.add_flag("--terms", report.common.settings.terms,
                      "Also measure the terms (sun, sky, lights... diffuse and specular)");
+  addCostsOption(reportApp, report.common);
   reportApp.add_option("--json", report.common.json, "Also write report.json there; - for stdout");
   addTruthOptions(reportApp, report.common, raw);
   addCommonOptions(reportApp, report.common, raw);
@@ -70,12 +71,14 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   // A suite says for itself how each scene is lit and seen.
   for (const char* option : {"--env", "--env-rotation", "--sun", "--camera", "--orbit", "--target", "--fov"})
     suite->excludes(reportApp.get_option(option));
+  for (const std::string& option : lightOptionNames()) suite->excludes(reportApp.get_option(option));
 
   DiffCommand diff;
   CLI::App& diffApp = *app.add_subcommand("diff", "Compare one scene and print a table, one row a material");
   diffApp.add_option("scene", diff.scene, "Scene file or builtin:NAME")->required();
   addVerdictOptions(diffApp, diff.verdict);
   diffApp.add_flag("--terms", diff.common.settings.terms, "Also measure the terms");
+  addCostsOption(diffApp, diff.common);
   diffApp.add_option("--json", diff.common.json, "Write the result as JSON there; - for stdout, instead of the table");
   addTruthOptions(diffApp, diff.common, raw);
   addCommonOptions(diffApp, diff.common, raw);
@@ -91,6 +94,18 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       ->required()
       ->check(fileOfKind({".exr", ".pfm", ".hdr", ".png"}));
   renderApp.add_flag("--terms", render.common.settings.terms, "Write the terms as layers beside the colour (.exr)");
+  renderApp
+      .add_option("--term", render.term,
+                  "Write one term, or an intermediate of the mobile base pass, in place of the colour; --list-terms")
+      ->check(CLI::IsMember(termNames()));
+  bool listTerms = false;
+  renderApp.add_flag_callback(
+      "--list-terms",
+      [&listTerms] {
+        listTerms = true;
+        throw CLI::Success(); // needs no scene
+      },
+      "List what --term takes");
   addReferenceOptions(renderApp, raw);
   renderApp.add_option("--error-map", render.errorMap, "Write the achieved relative standard error of each pixel")
       ->check(fileOfKind({".exr", ".pfm"}))
@@ -134,6 +149,10 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = devices;
     }
   } catch (const CLI::ParseError& error) {
+    if (listTerms) {
+      parsed.command = ListTermsCommand();
+      return parsed;
+    }
     std::ostringstream out, err;
     const bool asked = app.exit(error, out, err) == 0; // --help, --version
     parsed.text = asked ? out.str() : err.str();

@@ -73,6 +73,38 @@ void addModelOptions(CLI::App& app, const highend::Options& defaults, RawOptions
            "High-end path: how the prefiltered environment is read away from N = V = R");
 }
 
+void addMobileOptions(CLI::App& app, RawOptions& raw) {
+  app.add_option("--mobile-preset", raw.mobilePreset, "Formulas of the mobile path")
+      ->check(CLI::IsMember(mobile::presetNames()))
+      ->group("Paths")
+      ->capture_default_str();
+  app.add_option("--precision", raw.precision, "Of the mobile path; fp16 falls back to fp32 where the device lacks it")
+      ->check(CLI::IsMember(mobile::precisionNames()))
+      ->group("Paths")
+      ->capture_default_str();
+  app.add_option("--sky-sh", raw.skyCoefficients,
+                 "Mobile path: SH coefficients of the sky light, 4 or 9 (the preset's)")
+      ->check(CLI::IsMember({4, 9}))
+      ->group("Paths");
+  app.add_option("--capture", raw.capture, "Mobile path: the environment in 8-bit rgbm or in fp16 (the preset's)")
+      ->check(CLI::IsMember(mobile::captureEncodingNames()))
+      ->group("Paths");
+  app.add_option("--capture-scale", raw.captureScale,
+                 "Mobile path: how the environment follows the indirect light: none, full, by-roughness (the preset's)")
+      ->check(CLI::IsMember(mobile::captureScaleNames()))
+      ->group("Paths");
+}
+
+void settleMobile(mobile::Options& options, const RawOptions& raw) {
+  options = mobile::presetByName(raw.mobilePreset);
+  options.precision = enumOf<mobile::Precision>(raw.precision, mobile::precisionNames());
+  if (raw.skyCoefficients) options.skyCoefficients = *raw.skyCoefficients;
+  if (!raw.capture.empty())
+    options.capture = enumOf<mobile::CaptureEncoding>(raw.capture, mobile::captureEncodingNames());
+  if (!raw.captureScale.empty())
+    options.captureScale = enumOf<mobile::CaptureScale>(raw.captureScale, mobile::captureScaleNames());
+}
+
 void settleModel(job::Settings& s, const RawOptions& raw) {
   s.highend.geometryTerm = enumOf<highend::GeometryTerm>(raw.geometryTerm, highend::geometryTermNames());
   s.highend.fresnel = enumOf<highend::FresnelCurve>(raw.fresnel, highend::fresnelNames());
@@ -106,6 +138,7 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   app.add_flag("--no-sun-extraction", raw.noSunExtraction,
                "Leave bright compact sources (the sun) in the environment instead of making them lights")
       ->group("Scene");
+  addLightOptions(app, raw.light);
   app.add_option("--fully-rough", s.fullyRough, "Materials that take the fully-rough shortcut (glob, repeatable)")
       ->group("Scene");
   app.add_option("--camera", raw.camera, "A glTF camera by name or number, or auto")
@@ -132,14 +165,7 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->capture_default_str();
   app.add_option("--background", raw.background, "Linear R,G,B behind the scene, in every path. Default 0.18,0.18,0.18")
       ->group("Picture");
-  app.add_option("--mobile-preset", s.mobilePresetName, "Formulas of the mobile path")
-      ->check(CLI::IsMember(mobile::presetNames()))
-      ->group("Paths")
-      ->capture_default_str();
-  app.add_option("--precision", raw.precision, "Precision of the mobile path; this version renders in fp32")
-      ->check(CLI::IsMember({"fp32"}))
-      ->group("Paths")
-      ->capture_default_str();
+  addMobileOptions(app, raw);
   addModelOptions(app, s.highend, raw);
   app.add_option("--specular-aa", raw.specularAa, "Roughness from minified normal maps, in every path: toksvig or off")
       ->check(CLI::IsMember({"off", "toksvig"}))
@@ -162,6 +188,12 @@ void addMetricsOption(CLI::App& app, RawOptions& raw) {
   app.add_option("--metrics", raw.metrics, "Metrics to report, of " + metricNames())
       ->group("Verdict")
       ->capture_default_str();
+}
+
+void addCostsOption(CLI::App& app, CommonOptions& common) {
+  app.add_flag("--costs", common.settings.costs,
+               "Also count each specialised shader's operations, texture fetches and samplers")
+      ->group("Paths");
 }
 
 void addReferenceOptions(CLI::App& app, RawOptions& raw) {
@@ -198,6 +230,7 @@ void settle(CommonOptions& common, const RawOptions& raw) {
     if (n[2] < 0) throw invalid("--sun", raw.sun, "a light: LUX is negative");
     common.sun = scenes::SunRequest{n[0], n[1], n[2]};
   }
+  settleLight(common, raw.light);
   if (!raw.orbit.empty()) {
     const glm::vec3 orbit = parseVec3("--orbit", raw.orbit, "THETA,PHI,RADIUS");
     if (orbit.y < 0 || orbit.y > 180 || orbit.z < 0)
@@ -217,7 +250,7 @@ void settle(CommonOptions& common, const RawOptions& raw) {
   }
   s.terms |= s.truth;
   s.metrics = parseMetrics("--metrics", raw.metrics);
-  s.mobilePreset = mobile::presetByName(s.mobilePresetName);
+  settleMobile(s.mobile, raw);
   settleModel(s, raw);
   s.specularAa = raw.specularAa == "toksvig" ? gpu::SpecularAa::toksvig : gpu::SpecularAa::off;
   s.device.validation |= raw.validation;

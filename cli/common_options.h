@@ -2,11 +2,13 @@
 // CLI11.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/invocation.h"
+#include "cli/light_options.h"
 
 namespace parity::cli {
 
@@ -14,9 +16,12 @@ std::string defaultMetricList();
 
 // What CLI11 fills in; turned into CommonOptions when all is known.
 struct RawOptions {
-  std::string size = "1024x1024", sun, orbit, target, background, camera = "auto", precision = "fp32",
+  std::string size = "1024x1024", sun, orbit, target, background, camera = "auto", precision = "fp16",
               specularAa = "off";
+  std::string mobilePreset = "ue4-2020", capture, captureScale; // the last two: empty is the preset's
+  std::optional<int> skyCoefficients;
   std::string geometryTerm, fresnel, diffuse, compensation, offSpecular; // of the high-end path and the reference
+  RawLightOptions light;
   std::string error = "0.5%", scattering = "multiple";                   // of the reference
   std::string cache;
   std::string metrics = defaultMetricList(); // comma-separated
@@ -29,6 +34,8 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
 void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw);
 // What is measured; nothing is by `render`.
 void addMetricsOption(CLI::App& app, RawOptions& raw);
+// --costs: what each specialised shader costs.
+void addCostsOption(CLI::App& app, CommonOptions& common);
 // How the ground truth is made: --error, --scattering.
 void addReferenceOptions(CLI::App& app, RawOptions& raw);
 // --reference, which those need.

@@ -18,6 +18,8 @@ struct CommonOptions {
   std::string environment;
   float environmentRotationDeg = 0;
   std::optional<scenes::SunRequest> sun;
+  scenes::LightScales lightScales;
+  std::optional<scenes::Fog> fog;
   scenes::ViewRequest view;
   int threads = 0;
   std::string json; // file, "-" for stdout, "" for none
@@ -48,7 +50,11 @@ struct RenderCommand {
   CommonOptions common;
   std::string scene, path, output;
   std::string errorMap; // of the reference path; empty: none
+  std::string term;     // a term, or an intermediate of the mobile path; empty: the picture
 };
+
+// parity render --list-terms.
+struct ListTermsCommand {};
 
 struct FlipCommand {
   std::string reference, test, pairList; // the first two, or the last
@@ -75,8 +81,8 @@ struct DevicesCommand {
   std::string json;
 };
 
-using Invocation = std::variant<ReportCommand, DiffCommand, RenderCommand, FlipCommand, BudgetSuggestCommand,
-                                BudgetCheckCommand, DevicesCommand>;
+using Invocation = std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand,
+                                BudgetSuggestCommand, BudgetCheckCommand, DevicesCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, version, a usage error) with its
 // exit code.
@@ -89,10 +95,14 @@ struct Parsed {
 // Never throws for user input: a usage error is text and exit code 64.
 Parsed parseCommandLine(int argc, const char* const* argv);
 
+// What `parity render --term` takes: the terms, then the intermediates of the mobile base pass.
+std::vector<std::string> termNames();
+
 // The subcommands. Each returns its exit code and throws base::Error for what it could not do.
 int runReportCommand(const ReportCommand& command, const std::string& commandLine);
 int runDiffCommand(const DiffCommand& command, const std::string& commandLine);
 int runRenderCommand(const RenderCommand& command);
+int runListTermsCommand();
 int runFlipCommand(const FlipCommand& command);
 int runBudgetSuggestCommand(const BudgetSuggestCommand& command);
 int runBudgetCheckCommand(const BudgetCheckCommand& command);

@@ -49,6 +49,7 @@ int run(int argc, char** argv) {
   return std::visit(Overloaded{[&](const ReportCommand& c) { return runReportCommand(c, line); },
                                [&](const DiffCommand& c) { return runDiffCommand(c, line); },
                                [](const RenderCommand& c) { return runRenderCommand(c); },
+                               [](const ListTermsCommand&) { return runListTermsCommand(); },
                                [](const FlipCommand& c) { return runFlipCommand(c); },
                                [](const BudgetSuggestCommand& c) { return runBudgetSuggestCommand(c); },
                                [](const BudgetCheckCommand& c) { return runBudgetCheckCommand(c); },

@@ -1,4 +1,4 @@
-// parity render: one scene by one path, with its terms on request.
+// parity render: one scene by one path, with its terms or one intermediate on request.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -52,12 +52,45 @@ void reportError(const job::ViewFrames& frames, double wanted) {
                                  errors.size(), 100 * wanted));
 }
 
+// The settings that the command asks for: a term needs all of them, an intermediate is what the shader writes.
+job::Settings settingsOf(const RenderCommand& command) {
+  job::Settings settings = command.common.settings;
+  if (command.term.empty()) return settings;
+  settings.background = glm::vec3(0);
+  if (shading::termByName(command.term)) {
+    settings.terms = true;
+    return settings;
+  }
+  if (command.path != "mobile")
+    throw base::Error(base::ExitCode::usage, "--term", command.term,
+                      "is an intermediate of the mobile path; the other paths have terms only (--list-terms)");
+  settings.mobileView = mobile::viewByName(command.term).value();
+  return settings;
+}
+
 } // namespace
 
+std::vector<std::string> termNames() {
+  std::vector<std::string> names(shading::kTermNames.begin(), shading::kTermNames.end());
+  for (const mobile::View& view : mobile::kViews) names.emplace_back(view.name);
+  return names;
+}
+
+int runListTermsCommand() {
+  fmt::print("Terms, of every path:\n");
+  for (const std::string_view name : shading::kTermNames) fmt::print("  {}\n", name);
+  fmt::print("Intermediates of the mobile base pass (--path mobile):\n");
+  for (const mobile::View& view : mobile::kViews) fmt::print("  {:<20} {}\n", view.name, view.meaning);
+  return 0;
+}
+
 int runRenderCommand(const RenderCommand& command) {
-  const job::Settings& settings = command.common.settings;
+  const job::Settings settings = settingsOf(command);
   const std::string extension = extensionOf(command.output);
-  if (settings.terms && extension != ".exr")
+  const bool layered = settings.terms && command.term.empty();
+  if (command.common.settings.terms && !command.term.empty())
+    throw base::Error(base::ExitCode::usage, "--term", command.term, "excludes --terms");
+  if (layered && extension != ".exr")
     throw base::Error(base::ExitCode::usage, "--terms", command.output, "layers need an .exr file");
   if (!command.errorMap.empty() && command.path != "reference")
     throw base::Error(base::ExitCode::usage, "--error-map", command.path, "only the reference has an error");
@@ -79,20 +112,22 @@ int runRenderCommand(const RenderCommand& command) {
   const job::ViewFrames frames = renderer.render(scenes::makeCamera(prepared.scene, request.views.front(), aspect),
                                                  makeProgress(command.common.quiet));
   const base::Frame& frame = highend ? frames.highend : reference ? frames.reference : frames.mobile;
+  const auto term = command.term.empty() ? std::nullopt : shading::termByName(command.term);
+  const base::Image& color = term ? frame.terms[static_cast<std::size_t>(*term)] : frame.color;
   if (reference) reportError(frames, settings.reference.integral.relativeError);
   if (!command.errorMap.empty()) base::writeImage(command.errorMap, frames.referenceError);
 
-  if (const compare::NonFinite bad = compare::countNonFinite(frame.color); bad.count > 0)
+  if (const compare::NonFinite bad = compare::countNonFinite(color); bad.count > 0)
     base::logWarning(fmt::format("{} of {} pixels are NaN or infinite, the first at x {}, y {}", bad.count,
-                                 frame.color.pixelCount(), bad.x, bad.y));
+                                 color.pixelCount(), bad.x, bad.y));
   if (extension == ".png") {
-    base::writeImage8(command.output, job::displayImage(frame.color, context.display(), settings.exposureEv).pixels);
-  } else if (settings.terms) {
+    base::writeImage8(command.output, job::displayImage(color, context.display(), settings.exposureEv).pixels);
+  } else if (layered) {
     base::WriteOptions options;
     const base::Image image = layers(frame, options.channelNames);
     base::writeImage(command.output, image, options);
   } else {
-    base::writeImage(command.output, frame.color);
+    base::writeImage(command.output, color);
   }
   if (command.common.timings) printTimings(context.timings().stages());
   return 0;

@@ -16,6 +16,8 @@ job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& s
   request.environment = common.environment;
   request.environmentRotationDeg = common.environmentRotationDeg;
   request.sun = common.sun;
+  request.lightScales = common.lightScales;
+  request.fog = common.fog;
   request.views = {common.view};
   return request;
 }

@@ -11,6 +11,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(embree 3 REQUIRED)
+find_package(SPIRV-Tools-opt REQUIRED)
 
 # NLopt's config names its C library only; the C++ one holds both.
 find_path(NLOPT_INCLUDE_DIR nlopt.hpp REQUIRED)
@@ -36,6 +37,8 @@ target_include_directories(parity_opencolorio SYSTEM INTERFACE ${OPENCOLORIO_INC
 target_link_libraries(parity_opencolorio INTERFACE ${OPENCOLORIO_LIBRARY})
 
 find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
+# SPIR-V's numbers, which spirv-tools does not bring along.
+find_path(GLSLANG_INCLUDE_DIR glslang/SPIRV/spirv.hpp REQUIRED)
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 
 if(PARITY_TESTS)

@@ -175,6 +175,7 @@ std::string describeOtherConditions(const Report& report, const Report& baseline
         before && before->error.empty() && scene.error.empty()) {
       compare("environment of scene " + scene.name, before->environment, scene.environment);
       compare("sun of scene " + scene.name, before->sun, scene.sun);
+      compare("light of scene " + scene.name, before->light, scene.light);
     }
   if (parts.empty()) return {};
   return fmt::format("the baseline was made otherwise, so changes are not of shading alone: {}",

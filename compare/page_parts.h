@@ -54,6 +54,9 @@ std::string definition(const std::string& name, const std::string& value);
 // What the run was held against, the largest changes since then, and what is gone; empty where there is no baseline.
 std::string baselineSection(const Report& report);
 
+// The shaders that ran, with their costs where they are known; empty where there are none.
+std::string permutationTable(const std::vector<PermutationResult>& permutations);
+
 // One material's row.
 std::string materialRow(const MaterialResult& material, const std::string& place, std::size_t order);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compare/figures.h"
+#include "compare/permutation.h"
 #include "compare/truth.h"
 
 namespace parity::compare {
@@ -99,8 +100,10 @@ struct ViewResult {
 
 struct SceneResult {
   std::string name, source, environment, sun; // as the user wrote them: no absolute paths
+  std::string light;                          // its scales and fog in words; empty: the defaults
   std::vector<std::string> warnings;
   std::vector<ViewResult> views;
+  std::vector<PermutationResult> permutations; // by path, in order of their first use
   std::string error; // not empty: the scene could not be compared, this line says why; views hold what was done before
   int errorExitCode = 0; // 3 or 4 where there is an error (settleVerdicts makes 4 of anything else)
   Verdict verdict = Verdict::pass;

@@ -208,12 +208,13 @@ std::string viewSection(const SceneResult& scene, const ViewResult& view, const 
 std::string sceneSection(const SceneResult& scene, std::size_t index) {
   std::string html =
       fmt::format("<section class=\"scene\" id=\"scene-{}\"><h2>{} <bdi>{}</bdi></h2>\n<dl "
-                  "class=\"inline\">{}{}{}</dl>\n",
+                  "class=\"inline\">{}{}{}{}</dl>\n",
                   index + 1, verdictBadge(scene.verdict), escapeMarkup(scene.name), definition("Source", scene.source),
-                  definition("Environment", scene.environment), definition("Sun", scene.sun));
+                  definition("Environment", scene.environment), definition("Sun", scene.sun),
+                  scene.light.empty() ? std::string() : definition("Light", scene.light));
   if (!scene.error.empty())
     html += fmt::format("<p class=\"error-box\"><b>Not compared:</b> {}</p>\n", escapeMarkup(scene.error));
-  html += textList(scene.warnings, "warnings");
+  html += textList(scene.warnings, "warnings") + permutationTable(scene.permutations);
   for (std::size_t v = 0; v < scene.views.size(); ++v) html += viewSection(scene, scene.views[v], anchor(index, v));
   return html + "</section>\n";
 }

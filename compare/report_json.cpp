@@ -137,12 +137,32 @@ void writeView(JsonWriter& json, const ViewResult& view) {
   json.endObject();
 }
 
+void writePermutation(JsonWriter& json, const PermutationResult& permutation) {
+  json.beginObject();
+  json.key("path").text(permutation.path);
+  json.key("textures").text(permutation.textures);
+  json.key("features").text(permutation.features);
+  json.key("pixels").integer(permutation.pixels);
+  if (permutation.cost) {
+    json.key("cost").beginObject();
+    json.key("fp32").integer(permutation.cost->fp32);
+    json.key("fp16").integer(permutation.cost->fp16);
+    json.key("integer").integer(permutation.cost->integer);
+    json.key("fetches").integer(permutation.cost->fetches);
+    json.key("samplers").integer(permutation.cost->samplers);
+    json.key("openLoops").integer(permutation.cost->openLoops);
+    json.endObject();
+  }
+  json.endObject();
+}
+
 void writeScene(JsonWriter& json, const SceneResult& scene) {
   json.beginObject();
   json.key("name").text(scene.name);
   json.key("source").text(scene.source);
   json.key("environment").text(scene.environment);
   json.key("sun").text(scene.sun);
+  if (!scene.light.empty()) json.key("light").text(scene.light);
   json.key("verdict").text(nameOf(scene.verdict));
   json.key("error");
   if (scene.error.empty()) {
@@ -157,6 +177,9 @@ void writeScene(JsonWriter& json, const SceneResult& scene) {
   writeTexts(json, scene.warnings);
   json.key("views").beginArray();
   for (const ViewResult& view : scene.views) writeView(json, view);
+  json.endArray();
+  json.key("permutations").beginArray();
+  for (const PermutationResult& permutation : scene.permutations) writePermutation(json, permutation);
   json.endArray();
   json.endObject();
 }

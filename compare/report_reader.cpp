@@ -35,6 +35,7 @@ public:
     if (found == m_value.end()) refuse(fmt::format("lacks '{}'", key));
     return {*found, m_file, m_place + "/" + key};
   }
+  bool has(const std::string& key) const { return m_value.is_object() && m_value.contains(key); }
   std::vector<Node> items() const {
     if (!m_value.is_array()) refuse("is not a list");
     std::vector<Node> nodes;
@@ -117,6 +118,7 @@ SceneResult readScene(const Node& node) {
   scene.name = node.at("name").text();
   scene.environment = node.at("environment").text();
   scene.sun = node.at("sun").text();
+  if (node.has("light")) scene.light = node.at("light").text();
   scene.verdict = readVerdict(node.at("verdict"));
   if (!node.at("error").isNull()) scene.error = node.at("error").at("message").text();
   for (const Node& view : node.at("views").items()) scene.views.push_back(readView(view));

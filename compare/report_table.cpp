@@ -171,6 +171,8 @@ std::string toTable(const Report& report, bool color) {
   std::string out;
   for (const SceneResult& scene : report.scenes) {
     for (const ViewResult& view : scene.views) out += formatView(scene, view, report.baseline.has_value(), color);
+    if (const std::string costs = describeCosts(scene.permutations); !costs.empty())
+      out += fmt::format("{}: {}\n\n", plainLine(scene.name), costs);
     if (!scene.error.empty())
       out += fmt::format("{}: {}: {}\n\n", plainLine(scene.name), paint(Verdict::error, "error", color),
                          plainLine(scene.error));

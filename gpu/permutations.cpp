@@ -1,9 +1,28 @@
 #include "gpu/permutations.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace parity::gpu {
+
+namespace {
+
+// Bits of a texture mask and of features, from the lowest.
+constexpr std::array<const char*, kSlotCount + 1> kTextureNames = {"base colour",     "metallic-roughness", "normal",
+                                                                   "occlusion",       "emissive",           "specular",
+                                                                   "specular colour", "spread of normals"};
+constexpr std::array<const char*, 4> kFeatureNames = {"unlit", "nonmetal", "fully rough", "blended"};
+static_assert(kNormalVariance == 1u << (kTextureNames.size() - 1) && kFeatureBlend == 1u << (kFeatureNames.size() - 1));
+
+std::string join(const std::vector<std::string>& words) {
+  return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
+}
+
+} // namespace
 
 std::vector<Permutation> planPermutations(std::span<const ClassPixels> classes) {
   std::vector<std::size_t> order(classes.size());
@@ -28,6 +47,23 @@ std::vector<Permutation> planPermutations(std::span<const ClassPixels> classes) 
   }
   for (const std::size_t i : shared) plan[i] = wide;
   return plan;
+}
+
+std::string describeTextures(std::uint32_t textures) {
+  std::vector<std::string> words;
+  for (std::size_t bit = 0; bit < kTextureNames.size(); ++bit)
+    if ((textures >> bit & 1u) != 0) words.emplace_back(kTextureNames[bit]);
+  return join(words);
+}
+
+std::string describeFeatures(const Permutation& permutation) {
+  std::vector<std::string> words;
+  for (std::size_t bit = 0; bit < kFeatureNames.size(); ++bit)
+    if ((permutation.mustFeatures >> bit & 1u) != 0)
+      words.emplace_back(kFeatureNames[bit]);
+    else if ((permutation.mayFeatures >> bit & 1u) != 0)
+      words.push_back(std::string("some ") + kFeatureNames[bit]);
+  return join(words);
 }
 
 } // namespace parity::gpu

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "gpu/scene_buffers.h"
@@ -28,5 +29,10 @@ inline constexpr double kPermutationSavingNsPerPixel = 100; // exact against wid
 // largest first, kMaxPermutations - 1 at most), the others share the union of what they need. One class alone is always
 // exact.
 std::vector<Permutation> planPermutations(std::span<const ClassPixels> classes);
+
+// "base colour, normal": the texture slots that it reads; "none".
+std::string describeTextures(std::uint32_t textures);
+// "nonmetal, some unlit": what all of its materials have, and what some of them may; "none".
+std::string describeFeatures(const Permutation& permutation);
 
 } // namespace parity::gpu

@@ -127,7 +127,7 @@ SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene, Spe
       anySecondUv |= slotOf(material, slot).present() && slotOf(material, slot).texCoord == 1;
   }
   m_vertexData = (anyColors ? kVertexColors : 0u) | (anyUvs ? kVertexUvs : 0u) | (anyTangents ? kVertexTangents : 0u) |
-                 (anySecondUv ? kVertexSecondUv : 0u);
+                 (anySecondUv ? kVertexSecondUv : 0u) | (scene.fog ? kVertexFog : 0u);
 
   std::vector<glm::vec3> allPositions, allNormals;
   std::vector<glm::vec4> allTangents, allUvs, allColors;

@@ -33,7 +33,7 @@ public:
   const std::vector<MaterialClass>& classOfMaterial() const { return m_classOfMaterial; }
   // Material of each instance (that of its mesh).
   const std::vector<std::uint32_t>& materialOfInstance() const { return m_materialOfInstance; }
-  // kVertex... bits of interface.h: what some mesh has.
+  // kVertex... bits of interface.h: what some mesh has, and whether there is fog.
   std::uint32_t vertexData() const { return m_vertexData; }
   // First index and base vertex of each mesh in the shared buffers.
   struct MeshRange {

@@ -45,7 +45,7 @@ GpuLight packLight(const scenes::Light& light) {
   out.colorRange = vec4(light.color, light.range);
   out.positionKind = vec4(light.position, static_cast<float>(kind));
   out.directionCosOuter = vec4(light.direction, std::cos(light.outerConeAngle));
-  out.cone = vec4(std::cos(light.innerConeAngle), 1, 0, 0);
+  out.cone = vec4(std::cos(light.innerConeAngle), light.specularScale, 0, 0);
   return out;
 }
 
@@ -61,7 +61,7 @@ struct ShadingPass::Impl {
   std::unique_ptr<DescriptorSets> textureSets;
   vk::raii::PipelineLayout layout{nullptr};
   std::map<MaterialClass, Permutation> plan;
-  std::vector<Permutation> compiled;
+  std::vector<CompiledPermutation> compiled;
   std::vector<vk::raii::Pipeline> pipelines;
 
   Impl(const Device& dev, const SceneBuffers& buffers, const std::vector<BinKind>& binKinds, PathProgram p)
@@ -109,17 +109,22 @@ struct ShadingPass::Impl {
     for (std::size_t i = 0; i < classes.size(); ++i) plan[classes[i].materialClass] = permutations[i];
   }
 
-  vk::Pipeline pipelineFor(const MaterialClass& c) {
+  // entries: that it is wanted for.
+  vk::Pipeline pipelineFor(const MaterialClass& c, std::uint32_t entries) {
     const Permutation permutation = plan.at(c);
-    const auto found = std::find(compiled.begin(), compiled.end(), permutation);
-    if (found != compiled.end()) return *pipelines[static_cast<std::size_t>(found - compiled.begin())];
+    const auto found =
+        std::ranges::find(compiled, permutation, [](const CompiledPermutation& each) { return each.permutation; });
+    if (found != compiled.end()) {
+      found->entries += entries;
+      return *pipelines[static_cast<std::size_t>(found - compiled.begin())];
+    }
     std::vector<std::uint32_t> constants = {
         permutation.textures, permutation.mayFeatures,       permutation.mustFeatures, program.directionalCount,
         program.localCount,   program.environment ? 1u : 0u, program.terms ? 1u : 0u,  scene.vertexData()};
     constants.insert(constants.end(), program.constants.begin(), program.constants.end());
     const base::Stopwatch watch(device.timings(), "compile " + program.name);
     pipelines.push_back(makeComputePipeline(device, layout, program.spirv, constants));
-    compiled.push_back(permutation);
+    compiled.push_back({permutation, constants, entries});
     return *pipelines.back();
   }
 
@@ -127,14 +132,13 @@ struct ShadingPass::Impl {
 };
 
 ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Camera& camera) {
-  ShadedSurface result;
+  ShadedSurface result{.premultiplied = program.premultiplied};
   const std::size_t n = surface.size();
   if (program.terms) result.terms.resize(shading::kTermCount);
   if (n == 0) return result;
 
-  GpuView gpuView = makeView(camera, surface.width, surface.height);
+  GpuView gpuView = makeView(scene.scene(), camera, surface.width, surface.height);
   if (program.environment) std::copy(program.environment->sh.begin(), program.environment->sh.end(), gpuView.sh);
-  gpuView.skyLightColor = gpuView.indirectColorScale = vec4(1);
   std::copy(program.numbers.begin(), program.numbers.end(), gpuView.path);
   view.upload(std::as_bytes(std::span{&gpuView, 1}));
 
@@ -153,7 +157,7 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   device.submit("shade " + program.name, [&](const vk::raii::CommandBuffer& commands) {
     for (const Bin& bin : surface.bins) {
       const BinKind& kind = kinds[bin.key];
-      commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipelineFor(kind.materialClass));
+      commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipelineFor(kind.materialClass, bin.count));
       commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0,
                                   {set[0], (*textureSets)[kind.textureSet]}, {});
       commands.pushConstants<Push>(*layout, kCompute, 0, Push{bin.first, bin.count, static_cast<std::uint32_t>(n)});
@@ -176,6 +180,7 @@ ShadingPass::~ShadingPass() = default;
 ShadedSurface ShadingPass::shade(const Surface& surface, const scenes::Camera& camera) const {
   return m_impl->shade(surface, camera);
 }
-const std::vector<Permutation>& ShadingPass::permutations() const { return m_impl->compiled; }
+const std::vector<CompiledPermutation>& ShadingPass::compiled() const { return m_impl->compiled; }
+Spirv ShadingPass::spirv() const { return m_impl->program.spirv; }
 
 } // namespace parity::gpu

@@ -33,6 +33,7 @@ struct PathProgram {
   std::array<glm::vec4, kPathNumbers> numbers{}; // the path's own, GpuView::path
   std::vector<std::uint32_t> constants;          // the path's own specialization constants, from kConstantPath
   bool terms = false;
+  bool premultiplied = false;       // the shader multiplies colour and terms by the opacity
   std::uint64_t expectedPixels = 0; // that this run will shade by this path: decides what is worth compiling
 };
 
@@ -40,6 +41,14 @@ struct PathProgram {
 struct ShadedSurface {
   std::vector<glm::vec4> color;              // radiance, opacity
   std::vector<std::vector<glm::vec4>> terms; // kTermCount planes, or none
+  bool premultiplied = false;                // radiance and terms are times the opacity already
+};
+
+// A permutation that was needed, and for how much.
+struct CompiledPermutation {
+  Permutation permutation;
+  std::vector<std::uint32_t> constants; // all specialization constants, from 0
+  std::uint64_t entries = 0;            // of surfaces, shaded by it
 };
 
 class ShadingPass {
@@ -50,8 +59,9 @@ public:
 
   ShadedSurface shade(const Surface& surface, const scenes::Camera& camera) const;
 
-  // Permutations compiled so far.
-  const std::vector<Permutation>& permutations() const;
+  // In order of their first use.
+  const std::vector<CompiledPermutation>& compiled() const;
+  Spirv spirv() const;
 
 private:
   struct Impl;

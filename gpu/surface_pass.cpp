@@ -66,7 +66,7 @@ glm::mat4 makeWorldToClip(const scenes::Camera& camera, float aspect) {
   return projection * glm::inverse(camera.toWorld);
 }
 
-GpuView makeView(const scenes::Camera& camera, std::uint32_t width, std::uint32_t height) {
+GpuView makeView(const scenes::Scene& scene, const scenes::Camera& camera, std::uint32_t width, std::uint32_t height) {
   const glm::vec3 right(camera.toWorld[0]), up(camera.toWorld[1]), back(camera.toWorld[2]), eye(camera.toWorld[3]);
   const float aspect = static_cast<float>(width) / static_cast<float>(height);
   const float halfHeight = camera.orthographic ? camera.halfHeight : std::tan(glm::radians(camera.fovYDeg) / 2);
@@ -85,6 +85,12 @@ GpuView makeView(const scenes::Camera& camera, std::uint32_t width, std::uint32_
   view.direction = vec4(o ? -back : corner - back, 0);
   view.directionX = o ? zero : vec4(stepX, 0);
   view.directionY = o ? zero : vec4(stepY, 0);
+  view.skyLightColor = vec4(scene.lightScales.skyLightColor, 0);
+  view.indirectColorScale = vec4(scene.lightScales.indirectColorScale, 0);
+  if (const auto& fog = scene.fog) {
+    view.fog = vec4(fog->density, fog->heightFalloff, fog->height, fog->startDistance);
+    view.fogColor = vec4(fog->color, fog->maxOpacity);
+  }
   return view;
 }
 
@@ -231,7 +237,7 @@ void SurfacePass::Impl::resolveInto(Surface& surface, const scenes::Camera& came
   if (entries.empty()) return;
 
   const Buffer entryBuffer(device, entries);
-  const GpuView view = makeView(camera, width, height);
+  const GpuView view = makeView(scene.scene(), camera, width, height);
   viewBuffer.upload(std::as_bytes(std::span(&view, 1)));
   std::vector<Binding> bindings(geometry.begin(), geometry.end() - 1); // without the materials
   bindings.push_back(storage(entryBuffer));

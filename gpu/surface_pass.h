@@ -33,8 +33,8 @@ private:
   std::unique_ptr<Impl> m_impl;
 };
 
-// The rays of a camera in a picture of this size (interface.h, without sh).
-GpuView makeView(const scenes::Camera& camera, std::uint32_t width, std::uint32_t height);
+// The rays of a camera in a picture of this size, and what the scene says about its light (interface.h, without sh).
+GpuView makeView(const scenes::Scene& scene, const scenes::Camera& camera, std::uint32_t width, std::uint32_t height);
 
 // World to clip space (Vulkan: depth 0..1; +Y up in clip space, for a viewport of negative height).
 glm::mat4 makeWorldToClip(const scenes::Camera& camera, float aspect);

@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "gpu/mip_taps.h"
 #include "gpu/normal_variance.h"
+#include "gpu/scene_buffers.h"
 #include "gpu/shaders/interface.h"
 
 namespace parity::gpu {
@@ -136,6 +137,18 @@ std::vector<base::Image8> makeMips(const base::Image8& image, bool srgb) {
   std::vector<base::Image8> mips{image};
   while (mips.back().width > 1 || mips.back().height > 1) mips.push_back(halve(mips.back(), srgb));
   return mips;
+}
+
+std::size_t countSamplers(const scenes::Material& material, bool normalVariance) {
+  std::vector<std::tuple<int, Use, scenes::Sampler>> pairs;
+  const std::uint32_t read = classify(material).textures;
+  for (int slot = 0; slot < kSlotCount; ++slot) {
+    if ((read >> slot & 1u) == 0) continue;
+    const scenes::TextureSlot& texture = *slotsOf(material)[slot];
+    const std::tuple pair(texture.image, useOf(slot, normalVariance), texture.sampler);
+    if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) pairs.push_back(pair);
+  }
+  return pairs.size();
 }
 
 Textures::Textures(const Device& device, const scenes::Scene& scene, bool normalVariance) {

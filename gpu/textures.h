@@ -36,6 +36,10 @@ private:
   DeviceImage m_white;
 };
 
+// How many pairs of an image and a sampler a material's shader reads: a pair that several slots share counts once, an
+// image that is read as colour and as data is two.
+std::size_t countSamplers(const scenes::Material& material, bool normalVariance);
+
 // All mips of an RGBA8 image down to 1x1, base level first: area-weighted averages (exact for odd sizes too), in linear
 // light where srgb says that RGB is sRGB-encoded.
 std::vector<base::Image8> makeMips(const base::Image8& image, bool srgb);

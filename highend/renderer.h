@@ -53,6 +53,7 @@ public:
   gpu::ShadedSurface shade(const gpu::Surface& surface, const scenes::Camera& camera) const {
     return m_pass->shade(surface, camera);
   }
+  const gpu::ShadingPass& pass() const { return *m_pass; }
 
   // Whether the table is read at all with these inputs.
   static bool needsLut(const Inputs& inputs, const Options& options) {

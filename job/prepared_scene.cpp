@@ -34,11 +34,26 @@ bool givesLight(const scenes::Material& m) {
   return m.unlit || std::max({m.emissive.x, m.emissive.y, m.emissive.z}) > 0;
 }
 
+// What the request says about the scene's light as a whole.
+void applySceneLight(PreparedScene& prepared, const SceneRequest& request) {
+  prepared.scene.lightScales = request.lightScales;
+  if (request.fog && request.fog->isSeen()) prepared.scene.fog = request.fog;
+  for (auto* lights : {&prepared.lights, &prepared.mobileLights})
+    for (scenes::Light& light : *lights)
+      if (light.kind == scenes::LightKind::directional)
+        light.specularScale *= request.lightScales.directionalSpecularScale;
+  if (!prepared.panorama || request.lightScales.skyLightColor == glm::vec3(1)) return;
+  std::vector<float>& pixels = prepared.panorama->radiance.pixels;
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    pixels[i] *= request.lightScales.skyLightColor[static_cast<int>(i % 3)];
+}
+
 // Black pictures are alike by any metric: a scene that nothing lights is refused, not passed.
 void requireLight(PreparedScene& prepared, const std::string& file) {
   // Band 0 of the irradiance is the environment's mean: a black one gives no light.
-  const auto shines = [](const auto& environment) {
-    return environment && glm::compMax(environment->irradianceSh[0]) > 0;
+  const glm::vec3 scale = prepared.scene.lightScales.skyLightColor;
+  const auto shines = [&](const auto& environment) {
+    return environment && glm::compMax(environment->irradianceSh[0] * scale) > 0;
   };
   const bool sky = shines(prepared.environment) || shines(prepared.mobileEnvironment) ||
                    (prepared.panorama &&
@@ -146,6 +161,7 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
   }
   prepared.mobileLights = prepared.lights;
   if (environment) addEnvironment(context, std::move(*environment), paths, prepared);
+  applySceneLight(prepared, request);
   applyFullyRough(scene, request.fullyRough);
   applyFullyRough(scene, context.settings().fullyRough);
   requireLight(prepared, request.scene);

@@ -23,11 +23,12 @@ struct Paths {
 // (lighting/sun_extraction.h). Mobile has one sun: only if the brightest directional light of all was extracted, it is
 // missing in mobile's environment.
 struct PreparedScene {
-  scenes::Scene scene;                             // environment and fully-rough flags as requested
+  scenes::Scene scene;                             // fully-rough flags, fog and scales of light as requested
   std::vector<scenes::Light> lights, mobileLights; // the scene's, --sun and what was extracted
   // Prefiltered, for the paths asked for: the same one where nothing tells them apart. None: no environment.
   std::shared_ptr<const lighting::EnvironmentLight> environment, mobileEnvironment;
-  std::optional<scenes::Environment> panorama; // unfiltered, to go with `lights`; kept for the reference alone
+  // Unfiltered, times the sky light's colour, to go with `lights`; kept for the reference alone.
+  std::optional<scenes::Environment> panorama;
   std::string environmentName, sunText; // for the report: the file without its folder; "none" where there is none
 };
 

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/hash.h"
+#include "reference/fog.h"
 #include "reference/sampling.h"
 
 namespace parity::job {
@@ -58,7 +59,8 @@ std::string makeLightKey(const std::string& buildId, const PreparedScene& prepar
         .addValue(light.direction)
         .addValue(light.range)
         .addValue(light.innerConeAngle)
-        .addValue(light.outerConeAngle);
+        .addValue(light.outerConeAngle)
+        .addValue(light.specularScale);
   hasher.add(settings.referenceShadows ? lighting::hashOfOccluders(prepared.scene) : "no shadows");
   return hasher.hex();
 }
@@ -104,6 +106,11 @@ ReferenceSurface ReferencePath::shade(const gpu::Surface& surface, const scenes:
     points = integrate(samples, progress);
     if (!key.empty()) m_context.cache().store(key, std::as_bytes(std::span{points}));
   }
+
+  // After the cache: how far away a point is decides nothing else.
+  if (const auto& fog = m_prepared.scene.fog)
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i] = reference::seenThrough(reference::fogBetween(*fog, camera, materials[i].position), points[i]);
 
   ReferenceSurface result;
   if (m_context.settings().terms) result.shaded.terms.assign(shading::kTermCount, {});

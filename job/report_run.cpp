@@ -24,7 +24,14 @@ namespace parity::job {
 
 namespace {
 
-std::vector<std::pair<std::string, std::string>> describe(const Settings& s, const base::DisplayTransform& display) {
+std::string describePrecision(const mobile::Options& options, const gpu::Device& device) {
+  const mobile::Precision precision = mobile::precisionOn(device, options);
+  const std::string name = mobile::precisionNames()[static_cast<std::size_t>(precision)];
+  return precision == options.precision ? name : name + ", as the device has no shaderFloat16";
+}
+
+std::vector<std::pair<std::string, std::string>> describe(const Settings& s, const base::DisplayTransform& display,
+                                                          const gpu::Device& device) {
   const auto nameOf = [](const std::vector<std::string>& names, auto value) {
     return names[static_cast<std::size_t>(value)];
   };
@@ -41,8 +48,11 @@ std::vector<std::pair<std::string, std::string>> describe(const Settings& s, con
       {"highend diffuse", nameOf(highend::diffuseNames(), s.highend.diffuse)},
       {"highend compensation", nameOf(highend::compensationNames(), s.highend.compensation)},
       {"highend off-specular", nameOf(highend::offSpecularNames(), s.highend.offSpecular)},
-      {"mobile preset", s.mobilePresetName},
-      {"mobile precision", "fp32"},
+      {"mobile preset", s.mobile.preset},
+      {"mobile precision", describePrecision(s.mobile, device)},
+      {"mobile sky", fmt::format("{} SH coefficients", s.mobile.skyCoefficients)},
+      {"mobile capture", fmt::format("{}, scaled: {}", nameOf(mobile::captureEncodingNames(), s.mobile.capture),
+                                     nameOf(mobile::captureScaleNames(), s.mobile.captureScale))},
       {"materials", s.materials.empty() ? "all" : fmt::format("{}", fmt::join(s.materials, ", "))},
       {"fully rough", s.fullyRough.empty() ? "none" : fmt::format("{}", fmt::join(s.fullyRough, ", "))}};
   if (s.truth) settings.emplace_back("truth", describeTruth(s));
@@ -119,6 +129,7 @@ public:
                              ? "none"
                              : scenes::cleanName(std::filesystem::path(request.environment).filename().string());
     result.sun = "none";
+    result.light = scenes::describe(request.lightScales, request.fog);
     try {
       tell(index, 0, request.views.size(), "loading");
       const Paths paths{.reference = m_context.settings().truth};
@@ -130,10 +141,13 @@ public:
       const compare::Budgets budgets = budgetsFor(request);
       SceneRenderer renderer(m_context, prepared, paths, request.views.size());
       for (const std::string& note : renderer.notes()) result.warnings.push_back("mobile: " + note);
+      for (std::string& excess : mobile::samplerWarnings(prepared.scene, samplerInputs(prepared)))
+        result.warnings.push_back(std::move(excess));
       for (std::size_t v = 0; v < request.views.size(); ++v) {
         tell(index, static_cast<double>(v), request.views.size(), request.views[v].name);
         result.views.push_back(compareOne(index, v, prepared, renderer, budgets));
       }
+      result.permutations = renderer.permutations();
     } catch (const base::Error& error) {
       // One catch at the boundary of each scene: the others still run.
       setError(result, request, error.what(), error.code());
@@ -153,6 +167,11 @@ private:
     base::logError(fmt::format("{}: {}", result.name, message));
     result.error = withoutFolders(message, request);
     result.errorExitCode = static_cast<int>(code);
+  }
+
+  mobile::SamplerInputs samplerInputs(const PreparedScene& prepared) const {
+    return {.environment = prepared.mobileEnvironment != nullptr,
+            .normalVariance = m_context.settings().specularAa == gpu::SpecularAa::toksvig};
   }
 
   compare::Budgets budgetsFor(const SceneRequest& request) const {
@@ -178,6 +197,7 @@ private:
     comparison.sceneName = request.name;
     comparison.viewName = view.name;
     comparison.exposureEv = request.exposureEv.value_or(settings.exposureEv);
+    comparison.samplers = samplerInputs(prepared);
     comparison.reportFolder = m_request.folder;
     comparison.imagePrefix = imagePrefix(sceneIndex, request.name, viewIndex, view.name);
     compare::ViewResult result = compareView(m_context, prepared.scene, frames, budgets, comparison);
@@ -207,13 +227,13 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   result.run.startedAt = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   result.run.commandLine = request.commandLine;
   result.report.version = kVersion;
-  result.report.settings = describe(context.settings(), context.display());
 
   // What concerns the whole run comes first: without it nothing is rendered, and an older report stays.
   RunBudgets budgets = loadRunBudgets(context.settings(), request.suiteBudgets);
   std::optional<compare::Report> baseline;
   if (!request.baseline.empty()) baseline = compare::readReport(request.baseline);
   result.report.device = context.device().description();
+  result.report.settings = describe(context.settings(), context.display(), context.device());
   if (!request.folder.empty()) prepareReportFolder(request.folder);
   Run run(context, request, std::move(budgets), progress);
   for (std::size_t i = 0; i < request.scenes.size(); ++i) result.report.scenes.push_back(run.compareScene(i));

@@ -1,18 +1,32 @@
 #include "job/scene_renderer.h"
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/parallel.h"
+#include "job/permutation_costs.h"
+#include "lighting/capture.h"
 #include "shading/shading.h"
 
 namespace parity::job {
 
 namespace {
 
-gpu::EnvironmentMaps uploadEnvironment(const gpu::Device& device, const lighting::EnvironmentLight& light) {
-  constexpr auto kFormat = vk::Format::eR32G32B32A32Sfloat;
-  if (!device.filtersLinearly(kFormat))
+gpu::EnvironmentMaps makeMaps(const gpu::Device& device, const lighting::EnvironmentLight& light,
+                              const gpu::DeviceImage::Shape& shape, std::span<const std::span<const std::byte>> mips) {
+  if (!device.filtersLinearly(shape.format))
     throw base::Error(base::ExitCode::failed, device.report().name, "environment",
-                      "the device cannot filter 32-bit float textures");
+                      fmt::format("the device cannot filter textures of {}", vk::to_string(shape.format)));
+  vk::SamplerCreateInfo sampler({}, vk::Filter::eLinear, vk::Filter::eLinear, vk::SamplerMipmapMode::eLinear);
+  sampler.addressModeU = sampler.addressModeV = sampler.addressModeW = vk::SamplerAddressMode::eClampToEdge;
+  sampler.maxLod = VK_LOD_CLAMP_NONE;
+  gpu::EnvironmentMaps maps{gpu::DeviceImage(device, shape, mips), vk::raii::Sampler(device.handle(), sampler), {}};
+  for (std::size_t i = 0; i < maps.sh.size(); ++i) maps.sh[i] = glm::vec4(light.irradianceSh[i], 0);
+  return maps;
+}
+
+// The high-end path's: every level, in 32-bit floats.
+gpu::EnvironmentMaps uploadEnvironment(const gpu::Device& device, const lighting::EnvironmentLight& light) {
   std::vector<std::vector<glm::vec4>> texels;
   texels.reserve(light.prefiltered.mips.size()); // the spans stay where they are
   std::vector<std::span<const std::byte>> mips;
@@ -25,18 +39,31 @@ gpu::EnvironmentMaps uploadEnvironment(const gpu::Device& device, const lighting
     mips.push_back(std::as_bytes(std::span{layers}));
   }
   const auto size = static_cast<std::uint32_t>(light.prefiltered.faceSize);
-  const gpu::DeviceImage::Shape shape{.format = kFormat,
-                                      .width = size,
-                                      .height = size,
-                                      .mips = static_cast<std::uint32_t>(mips.size()),
-                                      .cube = true,
-                                      .arraySize = shading::f32::kPrefilterLayers};
-  vk::SamplerCreateInfo sampler({}, vk::Filter::eLinear, vk::Filter::eLinear, vk::SamplerMipmapMode::eLinear);
-  sampler.addressModeU = sampler.addressModeV = sampler.addressModeW = vk::SamplerAddressMode::eClampToEdge;
-  sampler.maxLod = VK_LOD_CLAMP_NONE;
-  gpu::EnvironmentMaps maps{gpu::DeviceImage(device, shape, mips), vk::raii::Sampler(device.handle(), sampler), {}};
-  for (std::size_t i = 0; i < maps.sh.size(); ++i) maps.sh[i] = glm::vec4(light.irradianceSh[i], 0);
-  return maps;
+  return makeMaps(device, light,
+                  {.format = vk::Format::eR32G32B32A32Sfloat,
+                   .width = size,
+                   .height = size,
+                   .mips = static_cast<std::uint32_t>(mips.size()),
+                   .cube = true,
+                   .arraySize = shading::f32::kPrefilterLayers},
+                  mips);
+}
+
+// The mobile path's.
+gpu::EnvironmentMaps uploadCapture(const gpu::Device& device, const lighting::EnvironmentLight& light,
+                                   mobile::CaptureEncoding encoding) {
+  const bool rgbm = encoding == mobile::CaptureEncoding::rgbm;
+  const lighting::Capture capture =
+      rgbm ? lighting::encodeRgbm(light.prefiltered) : lighting::encodeHalf(light.prefiltered);
+  const std::vector<std::span<const std::byte>> mips(capture.mips.begin(), capture.mips.end());
+  const auto size = static_cast<std::uint32_t>(capture.faceSize);
+  return makeMaps(device, light,
+                  {.format = rgbm ? vk::Format::eR8G8B8A8Unorm : vk::Format::eR16G16B16A16Sfloat,
+                   .width = size,
+                   .height = size,
+                   .mips = static_cast<std::uint32_t>(mips.size()),
+                   .cube = true},
+                  mips);
 }
 
 } // namespace
@@ -51,20 +78,17 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
                     static_cast<std::uint32_t>(context.settings().height)) {
   const Settings& settings = context.settings();
   const gpu::Device& device = context.device();
-  const auto upload = [&](const auto& light, std::optional<gpu::EnvironmentMaps>& maps) {
-    const base::Stopwatch watch(&context.timings(), "upload");
-    maps = uploadEnvironment(device, *light);
-    return &*maps;
-  };
-  const bool isShared = prepared.mobileEnvironment == prepared.environment;
-  const gpu::EnvironmentMaps* maps = prepared.environment ? upload(prepared.environment, m_environment) : nullptr;
-  const gpu::EnvironmentMaps* mobileMaps = isShared ? maps
-                                           : prepared.mobileEnvironment
-                                               ? upload(prepared.mobileEnvironment, m_mobileEnvironment)
-                                               : nullptr;
   const auto pixels = static_cast<std::uint64_t>(settings.width) * settings.height * settings.samples * views;
+  if (prepared.environment) {
+    const base::Stopwatch watch(&context.timings(), "upload");
+    m_environment = uploadEnvironment(device, *prepared.environment);
+  }
+  if (prepared.mobileEnvironment) {
+    const base::Stopwatch watch(&context.timings(), "upload");
+    m_mobileEnvironment = uploadCapture(device, *prepared.mobileEnvironment, settings.mobile.capture);
+  }
   if (paths.highend) {
-    highend::Inputs inputs{.environment = maps,
+    highend::Inputs inputs{.environment = m_environment ? &*m_environment : nullptr,
                            .lut = nullptr,
                            .lights = prepared.lights,
                            .terms = settings.terms,
@@ -73,9 +97,12 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
     m_highend.emplace(device, m_buffers, m_surfacePass.binKinds(), inputs, settings.highend);
   }
   if (paths.mobile) {
-    const mobile::Inputs inputs{
-        .environment = mobileMaps, .lights = prepared.mobileLights, .terms = settings.terms, .expectedPixels = pixels};
-    m_mobile.emplace(device, m_buffers, m_surfacePass.binKinds(), inputs, settings.mobilePreset);
+    const mobile::Inputs inputs{.environment = m_mobileEnvironment ? &*m_mobileEnvironment : nullptr,
+                                .lights = prepared.mobileLights,
+                                .terms = settings.terms,
+                                .view = settings.mobileView,
+                                .expectedPixels = pixels};
+    m_mobile.emplace(device, m_buffers, m_surfacePass.binKinds(), inputs, settings.mobile);
   }
   if (paths.reference) m_reference.emplace(context, prepared, m_buffers, m_surfacePass.binKinds(), pixels);
 }
@@ -156,6 +183,15 @@ std::vector<std::string> SceneRenderer::notes() const {
   return m_mobile ? m_mobile->notes() : std::vector<std::string>{};
 }
 
+std::vector<compare::PermutationResult> SceneRenderer::permutations() const {
+  std::vector<compare::PermutationResult> all;
+  if (m_highend) all = describePermutations(m_context, "highend", m_highend->pass());
+  if (m_mobile)
+    for (compare::PermutationResult& each : describePermutations(m_context, "mobile", m_mobile->pass()))
+      all.push_back(std::move(each));
+  return all;
+}
+
 std::vector<std::string> SceneRenderer::skipped() const {
   std::vector<std::string> skipped;
   if (!m_prepared.environment) skipped.push_back("no environment: no prefiltered cube, no SH");
@@ -167,6 +203,7 @@ std::vector<std::string> SceneRenderer::skipped() const {
     (light.kind == scenes::LightKind::directional ? directional : local) = true;
   if (!directional) skipped.push_back("no directional light: no sun in the shaders");
   if (!local) skipped.push_back("no local lights: no light loop in the shaders");
+  if (!m_prepared.scene.fog) skipped.push_back("no fog: none at vertices, none in the shaders");
   if (!m_surfacePass.hasBlended()) skipped.push_back("no blended material: no second surface");
   if (!m_context.settings().terms) skipped.push_back("terms not asked for: not written");
   return skipped;

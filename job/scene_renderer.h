@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/frame.h"
+#include "compare/permutation.h"
 #include "gpu/frame_builder.h"
 #include "job/prepared_scene.h"
 #include "job/reference_path.h"
@@ -33,12 +34,15 @@ public:
   std::vector<std::string> notes() const;
   std::vector<std::string> skipped() const;
 
+  // The shaders of the two paths so far.
+  std::vector<compare::PermutationResult> permutations() const;
+
 private:
   Context& m_context;
   const PreparedScene& m_prepared;
   gpu::SceneBuffers m_buffers;
   gpu::SurfacePass m_surfacePass;
-  // m_mobileEnvironment: only where mobile's is not highend's.
+  // Each path reads its own kind.
   std::optional<gpu::EnvironmentMaps> m_environment, m_mobileEnvironment;
   std::optional<highend::Renderer> m_highend;
   std::optional<mobile::Renderer> m_mobile;

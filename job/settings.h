@@ -30,10 +30,11 @@ struct Settings {
   std::optional<std::string> budgets;                           // budget file; none: built-in defaults
   std::vector<std::string> metrics = compare::defaultMetrics(); // reported, besides what the budgets name
   bool terms = false;
+  bool costs = false;     // count what each permutation costs
   bool extractSun = true; // bright compact sources of environments become lights; scene by scene: SuiteEntry
   bool truth = false;     // also hold both paths against the reference; needs the terms
-  mobile::Preset mobilePreset = mobile::Preset::ue4_2020;
-  std::string mobilePresetName = "ue4-2020";
+  mobile::Options mobile;
+  std::uint32_t mobileView = mobile::kViewLit; // what the mobile path's colour shows (mobile/views.h)
   gpu::SpecularAa specularAa = gpu::SpecularAa::off; // of all paths
   highend::Options highend;
   reference::Options reference;

@@ -183,6 +183,8 @@ compare::ViewResult compareView(Context& context, const scenes::Scene& scene, co
     material.name = scene.materials[chosen[i]].name;
     material.figures = measured.regions[i + 1];
     material.notes = materialNotes(scene.materials[chosen[i]]);
+    if (std::string excess = mobile::describeExcess(scene.materials[chosen[i]], request.samplers); !excess.empty())
+      material.notes.push_back(std::move(excess));
     if (isFlat(reference.pixels, test.pixels, list))
       material.notes.push_back("all black or all white in both pictures: there is nothing to compare");
     material.terms = termFigures(frames, list);

@@ -8,6 +8,7 @@
 #include "compare/budget.h"
 #include "compare/report.h"
 #include "job/scene_renderer.h"
+#include "mobile/sampler_rule.h"
 
 namespace parity::job {
 
@@ -16,6 +17,7 @@ struct ViewComparisonRequest {
   float exposureEv = 0;
   std::filesystem::path reportFolder; // where images/ lies; empty: no pictures are written
   std::string imagePrefix;            // unique to scene and view, safe in file names
+  mobile::SamplerInputs samplers;     // what the mobile path fetches besides the material's textures
 };
 
 // frames: both paths' and the coverage. The displayed images are compared as 8-bit pictures: `parity flip` on the

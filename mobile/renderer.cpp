@@ -1,33 +1,68 @@
 #include "mobile/renderer.h"
 
 #include <algorithm>
+#include <bit>
 #include <set>
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "mobile/light_choice.h"
-#include "mobile_shaders/mobile.comp.h"
+#include "mobile_shaders/mobile_fp16.comp.h"
+#include "mobile_shaders/mobile_fp32.comp.h"
+#include "shading/shading.h"
 
 namespace parity::mobile {
 
-const std::vector<std::string>& presetNames() {
-  static const std::vector<std::string> names = {"karis2014", "ue4-2020"};
-  return names;
+namespace {
+
+// The shader is given the enumerators' numbers.
+constexpr bool is(auto enumerator, int value) { return static_cast<int>(enumerator) == value; }
+namespace numbers = shading::f32;
+static_assert(is(EnvironmentBrdf::karis2014, numbers::kEnvironmentBrdfKaris2014) &&
+              is(EnvironmentBrdf::ue4, numbers::kEnvironmentBrdfUE4));
+static_assert(is(DirectLobe::dApprox, numbers::kSunDApprox) && is(DirectLobe::calcSpecular, numbers::kSunCalcSpecular));
+static_assert(is(CaptureScale::none, numbers::kCaptureScaleNone) &&
+              is(CaptureScale::full, numbers::kCaptureScaleFull) &&
+              is(CaptureScale::byRoughness, numbers::kCaptureScaleByRoughness));
+
+std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t view) {
+  return {static_cast<std::uint32_t>(options.environmentBrdf),
+          static_cast<std::uint32_t>(options.directLobe),
+          static_cast<std::uint32_t>(options.captureScale),
+          static_cast<std::uint32_t>(options.skyCoefficients),
+          options.capture == CaptureEncoding::rgbm ? 1u : 0u,
+          std::bit_cast<std::uint32_t>(options.roughnessFloor),
+          view};
 }
 
-Preset presetByName(const std::string& name) {
-  if (name == "karis2014") return Preset::karis2014;
-  if (name == "ue4-2020") return Preset::ue4_2020;
-  throw base::Error(base::ExitCode::usage, "--mobile-preset", name,
-                    fmt::format("unknown; the presets are {}", fmt::join(presetNames(), ", ")));
+// The SH of the sky light, and the capture's average brightness: the luminance of the mean radiance, which is the
+// irradiance's first coefficient times Y_0 over pi.
+std::array<glm::vec4, gpu::kPathNumbers> numbersOf(const gpu::EnvironmentMaps& environment, int skyCoefficients) {
+  std::array<glm::vec4, gpu::kPathNumbers> result{};
+  shading::f32::IrradianceSh sh;
+  for (std::size_t i = 0; i < environment.sh.size(); ++i)
+    sh.c[i] = {environment.sh[i].x, environment.sh[i].y, environment.sh[i].z};
+  const shading::f32::SkySh sky = shading::f32::packSkySh(sh, skyCoefficients);
+  for (int i = 0; i < 9; ++i) result[gpu::kPathSkySh + i] = glm::vec4(sky.c[i].x, sky.c[i].y, sky.c[i].z, 0);
+  const shading::f32::SkySh mean = shading::f32::packSkySh(sh, 4);
+  result[gpu::kPathAverageBrightness].x = shading::f32::luminanceUE4(mean.c[0]);
+  return result;
+}
+
+} // namespace
+
+Precision precisionOn(const gpu::Device& device, const Options& options) {
+  return device.report().float16 ? options.precision : Precision::fp32;
 }
 
 Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, const std::vector<gpu::BinKind>& binKinds,
-                   const Inputs& inputs, Preset preset) {
+                   const Inputs& inputs, const Options& options) {
   gpu::PathProgram program;
   program.name = "mobile";
-  program.spirv = kMobileComp;
+  const Precision precision = precisionOn(device, options);
+  program.spirv = precision == Precision::fp16 ? gpu::Spirv(kMobileFp16Comp) : gpu::Spirv(kMobileFp32Comp);
+  if (precision != options.precision)
+    m_notes.push_back(fmt::format("fp32 in place of fp16: {} has no shaderFloat16", device.report().name));
 
   // The sun comes first, the local lights keep their order; pathData holds indices into this list.
   std::vector<scenes::Light> lights;
@@ -41,9 +76,9 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   for (const scenes::Light& light : inputs.lights)
     if (light.kind != scenes::LightKind::directional) lights.push_back(light);
   const std::size_t localCount = lights.size() - (sun ? 1 : 0);
-  if (preset == Preset::karis2014) {
+  if (!options.localLights) {
     if (localCount > 0)
-      m_notes.push_back(fmt::format("{} local lights are left out: karis2014 has them baked", localCount));
+      m_notes.push_back(fmt::format("{} local lights are left out: {} has them baked", localCount, options.preset));
     lights.resize(sun ? 1 : 0);
   } else if (localCount > 0) {
     std::set<std::uint32_t> used;
@@ -60,8 +95,10 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   for (const scenes::Light& light : lights) program.lights.push_back(gpu::packLight(light));
   program.directionalCount = sun ? 1 : 0;
   program.environment = inputs.environment;
-  program.constants = {preset == Preset::karis2014 ? gpu::kPresetKaris2014 : gpu::kPresetUe42020};
+  if (inputs.environment) program.numbers = numbersOf(*inputs.environment, options.skyCoefficients);
+  program.constants = constantsOf(options, inputs.view);
   program.terms = inputs.terms;
+  program.premultiplied = true;
   program.expectedPixels = inputs.expectedPixels;
   m_pass = std::make_unique<gpu::ShadingPass>(device, scene, binKinds, std::move(program));
 }

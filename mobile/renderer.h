@@ -6,32 +6,30 @@
 #include <vector>
 
 #include "gpu/shading_pass.h"
+#include "mobile/options.h"
+#include "mobile/views.h"
 
 namespace parity::mobile {
 
-// Named sets of formulas (DESIGN 6).
-enum class Preset {
-  karis2014, // the article: EnvBRDFApprox, D_Approx sun, no local lights (baked), no roughness floor
-  ue4_2020,  // UE4's base pass: AB.y * saturate(50 g), CalcSpecular, up to 4 local lights, roughness >= 0.015625
-};
-const std::vector<std::string>& presetNames(); // "karis2014", "ue4-2020"
-// Throws Error (usage) naming the known presets.
-Preset presetByName(const std::string& name);
-
 struct Inputs {
-  const gpu::EnvironmentMaps* environment = nullptr; // null: none
+  const gpu::EnvironmentMaps* environment = nullptr; // the capture, in the options' encoding; null: none
   std::vector<scenes::Light> lights = {};            // all of the scene's, and the sun; the path takes what it can
   bool terms = false;
+  std::uint32_t view = kViewLit; // what the colour shows (mobile/views.h)
   std::uint64_t expectedPixels = 0;
 };
+
+// What the device computes in: fp32 where it has no shaderFloat16, whatever the options ask for.
+Precision precisionOn(const gpu::Device& device, const Options& options);
 
 class Renderer {
 public:
   Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, const std::vector<gpu::BinKind>& binKinds,
-           const Inputs& inputs, Preset preset);
+           const Inputs& inputs, const Options& options);
   gpu::ShadedSurface shade(const gpu::Surface& surface, const scenes::Camera& camera) const {
     return m_pass->shade(surface, camera);
   }
+  const gpu::ShadingPass& pass() const { return *m_pass; }
 
   // What the path leaves out, in words for the report ("2 of 6 local lights: ..."); empty where it leaves out nothing.
   const std::vector<std::string>& notes() const { return m_notes; }

@@ -11,6 +11,7 @@
 #include <glm/glm.hpp>
 
 #include "base/image.h"
+#include "scenes/scene_light.h"
 
 namespace parity::scenes {
 
@@ -109,6 +110,7 @@ struct Light {
   glm::vec3 direction{0.f, 0.f, -1.f};                   // unit; the way the light travels
   float range = 0;                                       // metres; 0: infinite
   float innerConeAngle = 0, outerConeAngle = 0.7853982f; // radians from the axis (spot)
+  float specularScale = 1;                               // of its specular light, >= 0: Unreal Engine 4's SpecularScale
 };
 
 // An HDR panorama, equirectangular: u = atan2(z,x)/2pi + 0.5, v from +Y down. Radiance, linear Rec.709.
@@ -147,6 +149,8 @@ struct Scene {
   std::vector<Camera> cameras; // names are unique
   int defaultCamera = -1;      // index into cameras of the one that the automatic view takes; -1: fit the bounds
   std::optional<Environment> environment;
+  LightScales lightScales;
+  std::optional<Fog> fog;
   std::vector<std::string> warnings; // one line each: what was ignored, replaced or cleaned
 
   Bounds bounds() const;             // world space, over all instances' triangles

@@ -21,9 +21,22 @@ constexpr std::size_t kMaxSuiteBytes = std::size_t{16} << 20;
 constexpr std::string_view kBuiltin = "builtin:";
 
 constexpr std::array<std::string_view, 3> kSuiteKeys = {"name", "budgets", "scene"};
-constexpr std::array<std::string_view, 10> kSceneKeys = {
-    "name",    "file",     "environment", "environment_rotation", "sun_extraction", "sun", "fully_rough",
-    "budgets", "exposure", "view"};
+constexpr std::array<std::string_view, 14> kSceneKeys = {"name",
+                                                         "file",
+                                                         "environment",
+                                                         "environment_rotation",
+                                                         "sun_extraction",
+                                                         "sun",
+                                                         "sky_light_color",
+                                                         "indirect_lighting_color_scale",
+                                                         "directional_specular_scale",
+                                                         "fog",
+                                                         "fully_rough",
+                                                         "budgets",
+                                                         "exposure",
+                                                         "view"};
+constexpr std::array<std::string_view, 6> kFogKeys = {"density", "height_falloff", "height",
+                                                      "color",   "start_distance", "max_opacity"};
 constexpr std::array<std::string_view, 5> kViewKeys = {"name", "camera", "orbit", "target", "fov"};
 
 // One table of the file: typed access with errors that name file, line and key.
@@ -63,14 +76,20 @@ public:
     return numberOf(*node, key, least, most);
   }
 
-  template <std::size_t kCount> std::optional<std::array<float, kCount>> numbers(std::string_view key) const {
+  template <std::size_t kCount> std::optional<std::array<float, kCount>>
+  numbers(std::string_view key, double least = -1e30, double most = 1e30) const {
     const toml::node* node = m_table.get(key);
     if (!node) return std::nullopt;
     const toml::array* list = node->as_array();
     if (!list || list->size() != kCount) throw errorAt(key, fmt::format("not a list of {} numbers", kCount));
     std::array<float, kCount> values;
-    for (std::size_t i = 0; i < kCount; ++i) values[i] = numberOf((*list)[i], key, -1e30, 1e30);
+    for (std::size_t i = 0; i < kCount; ++i) values[i] = numberOf((*list)[i], key, least, most);
     return values;
+  }
+
+  std::optional<glm::vec3> color(std::string_view key, double most) const {
+    const auto rgb = numbers<3>(key, 0, most);
+    return rgb ? std::optional(glm::vec3((*rgb)[0], (*rgb)[1], (*rgb)[2])) : std::nullopt;
   }
 
   std::optional<bool> truth(std::string_view key) const {
@@ -91,6 +110,13 @@ public:
       values.push_back(entry.value_or(std::string{}));
     }
     return values;
+  }
+
+  // [key]; null where it is absent.
+  const toml::table* table(std::string_view key) const {
+    const toml::node* node = m_table.get(key);
+    if (node && !node->is_table()) throw errorAt(key, fmt::format("not a table: write [scene.{}]", key));
+    return node ? node->as_table() : nullptr;
   }
 
   // An array of tables ([[key]]); empty where it is absent.
@@ -150,6 +176,30 @@ ViewRequest readView(const std::string& label, const toml::table& table, std::si
   return view;
 }
 
+Fog readFog(const std::string& label, const toml::table& table) {
+  const TableReader reader(label, table, "a fog", kFogKeys);
+  Fog fog;
+  const auto density = reader.number("density", 0, kMaxFogDensity);
+  if (!density) throw reader.errorAt("density", "is missing: the extinction in 1/m");
+  fog.density = *density;
+  fog.heightFalloff = reader.number("height_falloff", 0, kMaxFogFalloff).value_or(fog.heightFalloff);
+  fog.height = reader.number("height", -kMaxFogLength, kMaxFogLength).value_or(fog.height);
+  fog.color = reader.color("color", kMaxFogRadiance).value_or(fog.color);
+  fog.startDistance = reader.number("start_distance", 0, kMaxFogLength).value_or(fog.startDistance);
+  fog.maxOpacity = reader.number("max_opacity", 0, 1).value_or(fog.maxOpacity);
+  return fog;
+}
+
+LightScales readLightScales(const TableReader& reader) {
+  LightScales scales;
+  scales.skyLightColor = reader.color("sky_light_color", kMaxLightScale).value_or(scales.skyLightColor);
+  scales.indirectColorScale =
+      reader.color("indirect_lighting_color_scale", kMaxLightScale).value_or(scales.indirectColorScale);
+  scales.directionalSpecularScale =
+      reader.number("directional_specular_scale", 0, kMaxLightScale).value_or(scales.directionalSpecularScale);
+  return scales;
+}
+
 SuiteEntry readEntry(const std::string& label, const std::filesystem::path& folder, const toml::table& table) {
   const TableReader reader(label, table, "a scene", kSceneKeys);
   SuiteEntry entry;
@@ -165,6 +215,8 @@ SuiteEntry readEntry(const std::string& label, const std::filesystem::path& fold
       throw reader.errorAt("sun", "[azimuth, elevation, lux]: elevation is from -90 to 90, lux at least 0");
     entry.sun = SunRequest{(*sun)[0], (*sun)[1], (*sun)[2]};
   }
+  entry.lightScales = readLightScales(reader);
+  if (const toml::table* fog = reader.table("fog")) entry.fog = readFog(label, *fog);
   entry.fullyRough = reader.texts("fully_rough");
   if (const auto budgets = reader.text("budgets")) entry.budgets = resolve(folder, *budgets);
   entry.exposureEv = reader.number("exposure", -32, 32);

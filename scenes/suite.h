@@ -18,6 +18,8 @@ struct SuiteEntry {
   float environmentRotationDeg = 0;
   bool extractSun = true; // bright compact sources of the environment become lights
   std::optional<SunRequest> sun;
+  LightScales lightScales;
+  std::optional<Fog> fog;
   std::vector<ViewRequest> views;      // at least one after loading (auto)
   std::vector<std::string> fullyRough; // globs over material names
   std::optional<std::string> budgets;  // path of a budget file for this scene

@@ -174,6 +174,13 @@ Terms noTerms() {
   return terms;
 }
 
+// Behind fog (inscattered radiance, transmittance): what the other terms have left of them, and its own.
+Terms seenThrough(vec4 fog, Terms terms) {
+  for (int k = 0; k < kTermCount; ++k) terms.t[k] *= fog.w;
+  terms.t[kTermFog] = fog.xyz;
+  return terms;
+}
+
 uint entryIndex() { return (gl_WorkGroupID.y * kMaxGroupsInRow + gl_WorkGroupID.x) * kGroupSize + gl_LocalInvocationID.x; }
 
 void writeTerms(uint i, Terms terms) {

@@ -12,6 +12,7 @@ layout(set = 0, binding = 8, std140) uniform View { GpuView view; };
 #define PARITY_SURFACE_ACCESS writeonly
 #define PARITY_SURFACE_BINDING 9
 #include "gpu/shaders/surface.glsl"
+#include "gpu/shaders/fog.glsl"
 
 layout(push_constant) uniform Push {
   uint count;
@@ -61,6 +62,8 @@ void main() {
   vec3 normal = transformVector(instance.normalToWorld, wc * normalOf(i0) + uc * normalOf(i1) + vc * normalOf(i2));
   normal = safeNormal(side * normal, geometric);
 
+  // As a vertex shader does it, so that a coarse mesh shows it coarsely; the barycentrics are perspective-correct.
+  if ((kVertexData & kVertexFog) != 0u) surfaceFog[i] = wc * fogAt(v0 + view.eye.xyz) + uc * fogAt(v0 + e1 + view.eye.xyz) + vc * fogAt(v0 + e2 + view.eye.xyz);
   vec3 position = v0 + uc * e1 + vc * e2 + view.eye.xyz;
   surfacePosition[i] = uvec4(floatBitsToUint(position), entry.y);
   surfaceNormal[i] = uvec4(floatBitsToUint(normal), packOctahedral(geometric));

@@ -4,6 +4,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "gpu/shaders/path.glsl"
+#include "gpu/shaders/fog.glsl"
 #include "highend/shaders/sky.glsl"
 #include "shading/brdf.glsl"
 #include "shading/off_specular.glsl"
@@ -133,6 +134,12 @@ vec3 reflectedRadiance(Shader s) {
   return radiance;
 }
 
+// Evaluated at the pixel.
+Terms inFog(Terms terms, Point p) {
+  if ((kVertexData & kVertexFog) == 0u) return terms;
+  return seenThrough(fogAt(p.position), terms);
+}
+
 void main() {
   uint local = entryIndex();
   if (local >= count) return;
@@ -142,7 +149,7 @@ void main() {
   Terms terms = noTerms();
   if (hasFeature(kFeatureUnlit, p.material)) {
     terms.t[kTermEmissive] = m.baseColor;
-    writeResult(i, terms, m.opacity);
+    writeResult(i, inFog(terms, p), m.opacity);
     return;
   }
 
@@ -150,20 +157,21 @@ void main() {
   for (uint k = 0u; k < kDirectionalCount; ++k) {
     Lobes lobes = lit(s, -lights[k].directionCosOuter.xyz, lights[k].colorRange.xyz);
     terms.t[kTermSunDiffuse] += lobes.diffuse;
-    terms.t[kTermSunSpecular] += lobes.specular;
+    terms.t[kTermSunSpecular] += lobes.specular * lights[k].cone.y;
   }
   for (uint k = kDirectionalCount; k < kDirectionalCount + kLocalCount; ++k) {
     vec3 L;
     vec3 illuminance = localLight(lights[k], p.position, L);
     Lobes lobes = lit(s, L, illuminance);
     terms.t[kTermLocalDiffuse] += lobes.diffuse;
-    terms.t[kTermLocalSpecular] += lobes.specular;
+    terms.t[kTermLocalSpecular] += lobes.specular * lights[k].cone.y;
   }
   if (kHasEnvironment != 0u) {
     vec3 irradianceOverPi = skyIrradianceOverPi(s.N);
-    terms.t[kTermSkyDiffuse] = irradianceOverPi * s.diffuseColor * m.occlusion;
-    terms.t[kTermSkySpecular] = (reflectedRadiance(s) * s.single + irradianceOverPi * s.multiple) * m.occlusion;
+    vec3 scale = view.skyLightColor.xyz * m.occlusion;
+    terms.t[kTermSkyDiffuse] = irradianceOverPi * s.diffuseColor * scale;
+    terms.t[kTermSkySpecular] = (reflectedRadiance(s) * s.single + irradianceOverPi * s.multiple) * scale;
   }
   terms.t[kTermEmissive] = m.emissive;
-  writeResult(i, terms, m.opacity);
+  writeResult(i, inFog(terms, p), m.opacity);
 }

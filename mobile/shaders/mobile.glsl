@@ -40,9 +40,25 @@ void addTerm(inout BasePass pass, int term, real3 value) {
   if (kWriteTerms != 0u) pass.terms.t[term] = vec3(narrow(widen(add(real3(pass.terms.t[term]), value))));
 }
 
-// What has been added up leaves as the target holds it: finite, unless it is NaN. After the fog of the vertices.
+// What has been added up leaves as the target holds it: behind the fog of the vertices, premultiplied, and finite unless
+// it is NaN.
 void writePass(uint i, BasePass pass, float opacity) {
   real3 Color = narrow(widen(pass.Color));
+  if ((kVertexData & kVertexFog) != 0u) {
+    vec4 fog = vertexFog(i);
+    real3 VertexFog = narrow(fog.xyz);
+    real VertexFogA = real(fog.w);
+    Color = narrow(widen(add(product(Color, VertexFogA), VertexFog)));
+    for (int k = 0; k < kTermCount; ++k) pass.terms.t[k] *= float(VertexFogA);
+    addTerm(pass, kTermFog, VertexFog);
+    show(kViewVertexFog, VertexFog);
+    show(kViewVertexFogA, VertexFogA);
+  }
+  if ((kMayFeatures & kFeatureBlend) != 0u) { // opacity is 1 else
+    Color = product(Color, real(opacity));
+    shown *= opacity;
+    for (int k = 0; k < kTermCount; ++k) pass.terms.t[k] *= opacity;
+  }
   outColor[i] = vec4(kView == kViewLit ? vec3(Color) : shown, opacity);
   writeTerms(i, pass.terms);
 }
@@ -114,7 +130,7 @@ void main() {
 
   // ComputeIndirect. No lightmap is read yet: the sky alone gives irradiance.
   real4 LightmapColor = real4(R(0.0));
-  real3 IndirectColor = modulate(LightmapColor.xyz, DiffuseColor);
+  real3 IndirectColor = modulate(modulate(LightmapColor.xyz, DiffuseColor), real3(view.indirectColorScale.xyz));
   real IndirectIrradiance = LightmapColor.w;
   real3 SkyDiffuseLighting = real3(R(0.0));
   real3 SkyLightColor = real3(view.skyLightColor.xyz);

@@ -11,6 +11,13 @@ const std::vector<std::string> kCommon = {"--size",
                                           "--env",
                                           "--env-rotation",
                                           "--sun",
+                                          "--sky-light-color",
+                                          "--indirect-color-scale",
+                                          "--sun-specular-scale",
+                                          "--fog",
+                                          "--fog-color",
+                                          "--fog-start",
+                                          "--fog-opacity",
                                           "--camera",
                                           "--orbit",
                                           "--target",
@@ -35,8 +42,8 @@ const std::vector<std::string> kCommon = {"--size",
                                           "--diffuse",
                                           "--compensation",
                                           "--off-specular"};
-const std::vector<std::string> kVerdict = {"--material", "--budgets",  "--json",     "--warn-exit",
-                                           "--terms",    "--baseline", "--annotate", "--metrics"};
+const std::vector<std::string> kVerdict = {"--material", "--budgets",  "--json",    "--warn-exit", "--terms",
+                                           "--baseline", "--annotate", "--metrics", "--costs"};
 
 void expectHelp(const std::vector<std::string>& arguments, const std::vector<std::string>& mentioned) {
   const RunResult result = runParity(arguments);

@@ -284,9 +284,11 @@ TEST(Baseline, OtherConditionsAreAWarningInWords) {
   now.settings = {{"size", "128x128"}, {"samples", "1"}};
   before.scenes[0].sun = "none";
   now.scenes[0].sun = "30,50,4";
+  now.scenes[0].light = "fog";
   const Report report = hold(now, before);
   ASSERT_EQ(report.warnings.size(), 1u);
-  EXPECT_NE(report.warnings[0].find("size was '64x64', is '128x128'; sun of scene s was 'none', is '30,50,4'"),
+  EXPECT_NE(report.warnings[0].find("size was '64x64', is '128x128'; sun of scene s was 'none', is '30,50,4'; light of "
+                                    "scene s was '', is 'fog'"),
             std::string::npos)
       << report.warnings[0];
   EXPECT_TRUE(hold(now, now).warnings.empty());

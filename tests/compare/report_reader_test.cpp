@@ -37,6 +37,8 @@ TEST(ReportReader, FiguresAndVerdictsSurvive) {
   ASSERT_EQ(read.scenes.size(), 2u);
   EXPECT_EQ(read.scenes[0].environment, written.scenes[0].environment);
   EXPECT_EQ(read.scenes[0].sun, written.scenes[0].sun);
+  EXPECT_EQ(read.scenes[0].light, "sky light x 1,1,0.5");
+  EXPECT_EQ(read.scenes[1].light, "") << "not written";
   EXPECT_EQ(read.scenes[1].error, written.scenes[1].error);
   ASSERT_EQ(read.scenes[0].views.size(), 2u);
   for (std::size_t v = 0; v < 2; ++v) {

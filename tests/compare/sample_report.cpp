@@ -108,6 +108,7 @@ Report makeSampleReport(const std::vector<std::string>& names) {
   lamp.source = "assets/Lamp.gltf";
   lamp.environment = "studio_small_05_1k.hdr";
   lamp.sun = "30,50,4";
+  lamp.light = "sky light x 1,1,0.5";
   lamp.warnings = {"KHR_materials_transmission is not supported: drawn opaque"};
   ViewResult front;
   front.name = "front";
@@ -132,6 +133,10 @@ Report makeSampleReport(const std::vector<std::string>& names) {
   back.materials[4].crops = {};
   judgeMaterial(back.materials[4], defaultBudgets(), lamp.name);
   lamp.views.push_back(back);
+  const PermutationCost dear{900, 0, 20, 11, 5, 0}, cheap{100, 200, 10, 4, 4, 0}, wide{400, 200, 30, 6, 6, 1};
+  lamp.permutations = {{"highend", "base colour", "none", 400000, dear},
+                       {"mobile", "base colour", "none", 300000, cheap},
+                       {"mobile", "base colour, normal", "some nonmetal", 100000, wide}};
   report.scenes.push_back(lamp);
 
   SceneResult broken;

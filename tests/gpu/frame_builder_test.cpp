@@ -48,5 +48,18 @@ TEST(FrameBuilder, laysTheBlendedLayerOverColourAndTermsAlike) {
   EXPECT_EQ(frame.terms[7].pixels[3], 4);
 }
 
+TEST(FrameBuilder, addsPremultipliedColourAndTermsAsTheyAre) {
+  FrameBuilder builder(2, 1, 1, true, glm::vec3(1));
+  const auto terms = [](float value) {
+    return std::vector<std::vector<glm::vec4>>(shading::kTermCount, {glm::vec4(value)});
+  };
+  const ShadedSurface below{{glm::vec4(4, 4, 4, 1)}, terms(4)}, above{{glm::vec4(2, 2, 2, 0.25f)}, terms(2), true};
+  const Surface opaque = makeSurface({0}), blended = makeSurface({0});
+  builder.add(opaque, below, &blended, &above, {0, 1});
+  const base::Frame frame = builder.take();
+  EXPECT_EQ(frame.color.pixels, (std::vector<float>{5, 5, 5, 1, 1, 1}));
+  for (const base::Image& term : frame.terms) EXPECT_EQ(term.pixels[0], 5);
+}
+
 } // namespace
 } // namespace parity::gpu

@@ -44,5 +44,14 @@ TEST(Permutations, areAtMostEightAndCoverEveryClass) {
   }
 }
 
+TEST(Permutations, areSaidInWords) {
+  EXPECT_EQ(describeTextures(0), "none");
+  EXPECT_EQ(describeTextures(1u << kSlotBaseColor | 1u << kSlotNormal | 1u << kSlotSpecularColor | kNormalVariance),
+            "base colour, normal, specular colour, spread of normals");
+  EXPECT_EQ(describeFeatures({0, 0, 0}), "none");
+  EXPECT_EQ(describeFeatures({0, kFeatureNonmetal | kFeatureBlend, kFeatureBlend}), "some nonmetal, blended");
+  EXPECT_EQ(describeFeatures({0, kFeatureUnlit, kFeatureUnlit}), "unlit");
+}
+
 } // namespace
 } // namespace parity::gpu

@@ -57,8 +57,9 @@ TEST(LightChoice, isMadePerObject) {
 }
 
 TEST(Presets, areFoundByNameAndUnknownOnesNameTheKnown) {
-  EXPECT_EQ(presetByName("karis2014"), Preset::karis2014);
-  EXPECT_EQ(presetByName("ue4-2020"), Preset::ue4_2020);
+  for (const std::string& name : presetNames()) EXPECT_EQ(presetByName(name).preset, name);
+  EXPECT_EQ(presetByName("karis2014").environmentBrdf, EnvironmentBrdf::karis2014);
+  EXPECT_EQ(presetByName("ue4-2020").roughnessFloor, 0.015625f);
   try {
     presetByName("ue5");
     FAIL();

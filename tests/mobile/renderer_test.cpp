@@ -20,13 +20,22 @@ constexpr float kTolerance = 1e-4f; // fp32 exp2 against double
 
 class MobileTest : public tests::DeviceTest {
 protected:
-  ShadedPoint shade(const scenes::Scene& scene, Inputs inputs, Preset preset) {
-    inputs.terms = true;
+  ShadedPoint shade(const scenes::Scene& scene, Inputs inputs, const Options& options) {
+    inputs.terms = inputs.view == kViewLit;
     return tests::shadeQuad(device(), scene, [&](const auto& buffers, const auto& kinds) {
-      return Renderer(device(), buffers, kinds, inputs, preset);
+      return Renderer(device(), buffers, kinds, inputs, options);
     });
   }
 };
+
+// A preset in fp32, whose formulas are held against double here; the environments of these tests hold floats.
+Options inFp32(const char* preset) {
+  Options options = presetByName(preset);
+  options.precision = Precision::fp32;
+  options.capture = CaptureEncoding::fp16;
+  return options;
+}
+const Options kKaris2014 = inFp32("karis2014"), kUe42020 = inFp32("ue4-2020");
 
 scenes::Light makePoint(const glm::vec3& position, float candela) {
   scenes::Light light;
@@ -54,7 +63,7 @@ TEST_F(MobileTest, sunOfKaris2014IsEnvBrdfTimesDApproxAroundTheReflection) {
   const glm::vec3 lux(4, 3, 2), towards = glm::normalize(glm::vec3(0.9f, 0.2f, 0.9f));
   for (const float roughness : {0.2f, 0.5f, 1.f}) {
     const scenes::Scene scene = makeMetal(0.4f, roughness);
-    const ShadedPoint point = shade(scene, {.lights = {makeDirectional(towards, lux)}}, Preset::karis2014);
+    const ShadedPoint point = shade(scene, {.lights = {makeDirectional(towards, lux)}}, kKaris2014);
     const glm::dvec3 N(std::sin(0.4f), 0, std::cos(0.4f)), V(0, 0, 1), R = 2 * glm::dot(N, V) * N - V, L = towards;
     const glm::dvec3 environment =
         toGlm(f64::EnvBRDFApprox(fromGlm(specularColorOf(scene.materials[0])), roughness, glm::dot(N, V)));
@@ -72,7 +81,7 @@ TEST_F(MobileTest, sunOfUe4IsEnvBrdfTimesCalcSpecularAroundTheHalfVector) {
   const glm::vec3 lux(4, 3, 2), towards = glm::normalize(glm::vec3(0.5f, 0.3f, 0.9f));
   for (const float roughness : {0.3f, 0.6f, 1.f}) {
     const scenes::Scene scene = makeMetal(0.4f, roughness);
-    const ShadedPoint point = shade(scene, {.lights = {makeDirectional(towards, lux)}}, Preset::ue4_2020);
+    const ShadedPoint point = shade(scene, {.lights = {makeDirectional(towards, lux)}}, kUe42020);
     const glm::dvec3 N(std::sin(0.4f), 0, std::cos(0.4f)), V(0, 0, 1), L = towards;
     const double NoH = glm::dot(N, glm::normalize(V + L)), NoL = glm::dot(N, L);
     const glm::dvec3 environment =
@@ -88,8 +97,8 @@ TEST_F(MobileTest, skyIsOneFetchTimesEnvBrdf) {
   const scenes::Scene scene = makeMetal(0.6f, 0.35f);
   const double NoV = std::cos(0.6f);
   const glm::dvec3 F0 = specularColorOf(scene.materials[0]);
-  const ShadedPoint ue4 = shade(scene, {.environment = &environment}, Preset::ue4_2020);
-  const ShadedPoint karis = shade(scene, {.environment = &environment}, Preset::karis2014);
+  const ShadedPoint ue4 = shade(scene, {.environment = &environment}, kUe42020);
+  const ShadedPoint karis = shade(scene, {.environment = &environment}, kKaris2014);
   tests::expectNear(ue4[Term::skySpecular], glm::vec3(1.5 * toGlm(f64::EnvBRDFApproxUE4(fromGlm(F0), 0.35, NoV))),
                     kTolerance, "ue4-2020");
   tests::expectNear(karis[Term::skySpecular], glm::vec3(1.5 * toGlm(f64::EnvBRDFApprox(fromGlm(F0), 0.35, NoV))),
@@ -101,9 +110,8 @@ TEST_F(MobileTest, skyIsOneFetchTimesEnvBrdf) {
 TEST_F(MobileTest, skyIsFetchedAroundTheReflection) {
   const gpu::EnvironmentMaps environment = tests::makeRedTowardsX(device());
   // Leaning by 45 degrees towards +X, the quad reflects +X; upright it reflects +Z.
-  EXPECT_GT(shade(makeMetal(0.7853982f, 0.5f), {.environment = &environment}, Preset::ue4_2020)[Term::skySpecular].x,
-            0.2f);
-  EXPECT_EQ(shade(makeMetal(0, 0.5f), {.environment = &environment}, Preset::ue4_2020)[Term::skySpecular].x, 0);
+  EXPECT_GT(shade(makeMetal(0.7853982f, 0.5f), {.environment = &environment}, kUe42020)[Term::skySpecular].x, 0.2f);
+  EXPECT_EQ(shade(makeMetal(0, 0.5f), {.environment = &environment}, kUe42020)[Term::skySpecular].x, 0);
 }
 
 TEST_F(MobileTest, nonmetalUsesItsOwnFunction) {
@@ -112,19 +120,19 @@ TEST_F(MobileTest, nonmetalUsesItsOwnFunction) {
   scene.materials[0].metallic = 0;
   scene.materials[0].roughness = 0.25f;
   ASSERT_TRUE(scene.materials[0].isNonmetal());
-  const ShadedPoint point = shade(scene, {.environment = &environment}, Preset::ue4_2020);
+  const ShadedPoint point = shade(scene, {.environment = &environment}, kUe42020);
   const double NoV = std::cos(1.2f), own = f64::EnvBRDFApproxNonmetal(0.25, NoV),
                general = f64::EnvBRDFApprox(f64::real3(0.04, 0.04, 0.04), 0.25, NoV).x;
   ASSERT_GT(std::abs(own - general), 3e-5) << "the two must be told apart at this point";
   EXPECT_NEAR(point[Term::skySpecular].x, own, 5e-6);
   // A metallic of 1e-6 is not a nonmetal.
   scene.materials[0].metallic = 1e-6f;
-  EXPECT_NEAR(shade(scene, {.environment = &environment}, Preset::ue4_2020)[Term::skySpecular].x, general, 5e-6);
+  EXPECT_NEAR(shade(scene, {.environment = &environment}, kUe42020)[Term::skySpecular].x, general, 5e-6);
 }
 
 TEST_F(MobileTest, fullyRoughMovesSpecularIntoDiffuseAndFetchesNoEnvironment) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
-  for (const Preset preset : {Preset::karis2014, Preset::ue4_2020}) {
+  for (const Options& preset : {kKaris2014, kUe42020}) {
     scenes::Scene scene = makeMetal(0.4f, 0.2f);
     scene.materials[0].fullyRough = true;
     const ShadedPoint point =
@@ -141,7 +149,7 @@ TEST_F(MobileTest, roughnessFloorKeepsUe4FiniteWhereKaris2014Fails) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
   const scenes::Scene scene = makeMetal(0, 0);
   const Inputs inputs{.environment = &environment, .lights = {makeDirectional({0, 0, 1}, glm::vec3(2))}};
-  const ShadedPoint ue4 = shade(scene, inputs, Preset::ue4_2020), karis = shade(scene, inputs, Preset::karis2014);
+  const ShadedPoint ue4 = shade(scene, inputs, kUe42020), karis = shade(scene, inputs, kKaris2014);
   EXPECT_TRUE(std::isfinite(ue4.color.x));
   // The clamp of 2048 at NoH = 1, and (R/4 + 1/4) at R = 1/64.
   const double lobe = (0.015625 * 0.25 + 0.25) * 2048;
@@ -156,17 +164,17 @@ TEST_F(MobileTest, localLightsAreTheFourBrightestWithUe4Attenuation) {
   scene.materials[0].metallic = 0;
   std::vector<scenes::Light> lights;
   for (int i = 0; i < 6; ++i) lights.push_back(makePoint({0, 0, 2000}, 1e6f * static_cast<float>(i + 1)));
-  const ShadedPoint point = shade(scene, {.lights = lights}, Preset::ue4_2020);
+  const ShadedPoint point = shade(scene, {.lights = lights}, kUe42020);
   const double expected = (3e6 + 4e6 + 5e6 + 6e6) / (2000.0 * 2000.0) / kPi;
   tests::expectNear(point[Term::localDiffuse], glm::vec3(static_cast<float>(expected)), 1e-3f, "diffuse");
-  EXPECT_EQ(shade(scene, {.lights = lights}, Preset::karis2014).color, glm::vec3(0)) << "baked there";
+  EXPECT_EQ(shade(scene, {.lights = lights}, kKaris2014).color, glm::vec3(0)) << "baked there";
 }
 
 TEST_F(MobileTest, eachLocalLightIsClampedAt65000WithItsPartsInProportion) {
   scenes::Scene scene = makeMetal(0.1f, 0.5f);
   const glm::vec3 position(0, 0, 2000);
-  const ShadedPoint dim = shade(scene, {.lights = {makePoint(position, 1e6f)}}, Preset::ue4_2020);
-  const ShadedPoint bright = shade(scene, {.lights = {makePoint(position, 1e14f)}}, Preset::ue4_2020);
+  const ShadedPoint dim = shade(scene, {.lights = {makePoint(position, 1e6f)}}, kUe42020);
+  const ShadedPoint bright = shade(scene, {.lights = {makePoint(position, 1e14f)}}, kUe42020);
   EXPECT_NEAR(bright[Term::localDiffuse].x + bright[Term::localSpecular].x, 65000, 0.5);
   EXPECT_NEAR(bright[Term::localDiffuse].x / bright[Term::localSpecular].x,
               dim[Term::localDiffuse].x / dim[Term::localSpecular].x, 1e-3);
@@ -176,7 +184,7 @@ TEST_F(MobileTest, termsAddUpToTheColourInBothPresets) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0.7f);
   scenes::Scene scene = makeMetal(0.3f, 0.4f);
   scene.materials[0].emissive = glm::vec3(0.1f, 0.2f, 0.3f);
-  for (const Preset preset : {Preset::karis2014, Preset::ue4_2020}) {
+  for (const Options& preset : {kKaris2014, kUe42020}) {
     const ShadedPoint point = shade(
         scene,
         {.environment = &environment, .lights = {makeDirectional({0, 1, 1}, glm::vec3(2)), makePoint({1, 2, 3}, 20)}},
@@ -196,7 +204,7 @@ TEST_F(MobileTest, specularAaWidensTheRoughnessThatThePathSees) {
   const double tilt = 39.5 / 120.5, length = 1 / std::sqrt(1 + tilt * tilt); // codes 88, 167; 248
   smooth.materials[0].roughness = static_cast<float>(std::pow(std::pow(0.25, 4) + 2 * (1 - length) / length, 0.25));
   const Inputs inputs{.lights = {makeDirectional({0.3f, 0.2f, 1}, glm::vec3(1))}};
-  for (const Preset preset : {Preset::karis2014, Preset::ue4_2020}) {
+  for (const Options& preset : {kKaris2014, kUe42020}) {
     const auto shadeWith = [&](gpu::SpecularAa specularAa) {
       return tests::shadeQuad(
           device(), checker,
@@ -217,10 +225,10 @@ TEST_F(MobileTest, rendererSaysWhatItLeavesOut) {
                                        makeDirectional({0, 1, 0}, glm::vec3(2))};
   for (int i = 0; i < 5; ++i) lights.push_back(makePoint({0, 0, 3}, 10));
   const Inputs inputs{.lights = lights};
-  EXPECT_EQ(Renderer(device(), buffers, pass.binKinds(), inputs, Preset::ue4_2020).notes().size(), 2u);
-  EXPECT_EQ(Renderer(device(), buffers, pass.binKinds(), inputs, Preset::karis2014).notes().size(), 2u);
+  EXPECT_EQ(Renderer(device(), buffers, pass.binKinds(), inputs, kUe42020).notes().size(), 2u);
+  EXPECT_EQ(Renderer(device(), buffers, pass.binKinds(), inputs, kKaris2014).notes().size(), 2u);
   const Inputs none{};
-  EXPECT_TRUE(Renderer(device(), buffers, pass.binKinds(), none, Preset::ue4_2020).notes().empty());
+  EXPECT_TRUE(Renderer(device(), buffers, pass.binKinds(), none, kUe42020).notes().empty());
 }
 
 } // namespace

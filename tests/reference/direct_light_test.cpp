@@ -47,6 +47,23 @@ TEST(DirectLight, sunIsTheClosedFormForBothGeometryTerms) {
     }
 }
 
+TEST(DirectLight, specularScaleOfALightIsOfItsSpecularLightAlone) {
+  scenes::Light sun = makeSun({0.3f, 0.8f, 0.4f}, {3, 2, 1}), lamp;
+  lamp.position = {0.4f, 1, 0.3f};
+  const SurfaceSample sample = tests::makePoint(0.6, 0.5f, 0.25f);
+  const Model model = tests::plainModel(GeometryTerm::heightCorrelated);
+  const DirectLight plain = shadeDirect(sample, {sun, lamp}, model, nullptr);
+  sun.specularScale = 0.25f;
+  lamp.specularScale = 3;
+  const DirectLight scaled = shadeDirect(sample, {sun, lamp}, model, nullptr);
+  ASSERT_GT(plain.sunSpecular.x, 0);
+  ASSERT_GT(plain.localSpecular.x, 0);
+  EXPECT_EQ(scaled.sunSpecular, 0.25 * plain.sunSpecular);
+  EXPECT_NEAR(scaled.localSpecular.x, 3 * plain.localSpecular.x, 1e-12 * plain.localSpecular.x);
+  EXPECT_EQ(scaled.sunDiffuse, plain.sunDiffuse);
+  EXPECT_EQ(scaled.localDiffuse, plain.localDiffuse);
+}
+
 // What Kulla and Conty add, with the albedos by quadrature instead of the table; at F0 = 1 Fms is 1.
 TEST(DirectLight, multipleScatteringAddsKullaAndContysLobe) {
   const DirectionalAlbedo table(GeometryTerm::heightCorrelated);

@@ -33,6 +33,16 @@ fully_rough = ["rubber*", "floor"]
 budgets = "bottle.toml"
 exposure = -1.5
 sun_extraction = false
+sky_light_color = [1, 0.5, 2]
+indirect_lighting_color_scale = [3, 2, 1]
+directional_specular_scale = 0.25
+[scene.fog]
+density = 0.02
+height_falloff = 0.1
+height = -3
+color = [0.5, 0.6, 0.7]
+start_distance = 8
+max_opacity = 0.9
 [[scene.view]]
 name = "front"
 orbit = [0, 90, 0]
@@ -52,6 +62,15 @@ file = "builtin:spheres"
   EXPECT_EQ(bottle.scene, (folder / "WaterBottle.gltf").string()) << "beside the suite";
   EXPECT_EQ(bottle.environment, (folder / "env/studio.hdr").string());
   EXPECT_EQ(bottle.environmentRotationDeg, 90.f);
+  EXPECT_EQ(bottle.lightScales,
+            (scenes::LightScales{
+                .skyLightColor = {1, 0.5f, 2}, .indirectColorScale = {3, 2, 1}, .directionalSpecularScale = 0.25f}));
+  EXPECT_EQ(bottle.fog, (scenes::Fog{.density = 0.02f,
+                                     .heightFalloff = 0.1f,
+                                     .height = -3,
+                                     .color = {0.5f, 0.6f, 0.7f},
+                                     .startDistance = 8,
+                                     .maxOpacity = 0.9f}));
   ASSERT_TRUE(bottle.sun);
   EXPECT_EQ(bottle.sun->elevationDeg, 50.5f);
   EXPECT_EQ(bottle.sun->lux, 4.f);
@@ -74,6 +93,8 @@ file = "builtin:spheres"
   EXPECT_FALSE(spheres.sun || spheres.budgets || spheres.exposureEv);
   ASSERT_EQ(spheres.views.size(), 1u) << "one automatic view";
   EXPECT_EQ(spheres.views[0].name, "auto");
+  EXPECT_EQ(spheres.lightScales, scenes::LightScales());
+  EXPECT_FALSE(spheres.fog);
 }
 
 TEST(Suite, ShippedExampleLoads) {
@@ -107,6 +128,14 @@ TEST(Suite, WrongTypesAndRangesNameTheLine) {
   expectRefused(head + "fully_rough = [1]\n", {"line 3: fully_rough"});
   expectRefused(head + "sun_extraction = 0\n", {"line 3: sun_extraction: neither true nor false"});
   expectRefused(head + "name = 3\n", {"line 3: name: not a string"});
+  expectRefused(head + "sky_light_color = [1, -1, 1]\n", {"line 3: sky_light_color", "not from 0 to 1000"});
+  expectRefused(head + "indirect_lighting_color_scale = 2\n", {"line 3: indirect_lighting_color_scale", "3 numbers"});
+  expectRefused(head + "directional_specular_scale = -1\n", {"line 3: directional_specular_scale"});
+  expectRefused(head + "fog = 3\n", {"line 3: fog: not a table", "[scene.fog]"});
+  expectRefused(head + "[scene.fog]\nheight = 1\n", {"density: is missing"});
+  expectRefused(head + "[scene.fog]\ndensity = -1\n", {"line 4: density", "not from 0 to 1000"});
+  expectRefused(head + "[scene.fog]\ndensity = 1\nfalloff = 1\n", {"line 5: falloff", "'height_falloff'"});
+  expectRefused(head + "[scene.fog]\ndensity = 1\nmax_opacity = 1.5\n", {"line 5: max_opacity"});
   expectRefused(head + "[[scene.view]]\norbit = [0, 200, 1]\n", {"line 4: orbit", "phi"});
   expectRefused(head + "[[scene.view]]\nfov = 0\n", {"line 4: fov"});
   expectRefused(head + "[[scene.view]]\ncamera = \"a\"\norbit = [0, 90, 1]\n", {"line 4: camera", "together"});

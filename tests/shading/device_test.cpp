@@ -7,6 +7,8 @@
 
 #include "shading/device_harness.h"
 #include "shading/function_table.h"
+#include "shading_shaders/base_pass_fp16.comp.h"
+#include "shading_shaders/base_pass_fp32.comp.h"
 #include "shading_shaders/functions_fp16.comp.h"
 #include "shading_shaders/functions_fp32.comp.h"
 #include "shading_shaders/unbound_buffer.comp.h"
@@ -17,6 +19,12 @@ namespace {
 constexpr std::uint32_t kRows = 4096;
 
 enum class Precision { fp32, fp16 };
+
+std::span<const std::uint32_t> spirvOf(int function, bool half) {
+  if (function < kFirstOfBasePass)
+    return half ? std::span<const std::uint32_t>(kFunctionsFp16Comp) : kFunctionsFp32Comp;
+  return half ? std::span<const std::uint32_t>(kBasePassFp16Comp) : kBasePassFp32Comp;
+}
 
 // Opens the device once for all cases; each case runs every row of one function.
 class ShadingOnDevice : public testing::Test {
@@ -39,9 +47,8 @@ protected:
         if (half) row = roundToHalf(row);
         for (double value : row) inputs.push_back(static_cast<float>(value));
       }
-      const std::span<const std::uint32_t> spirv = half ? std::span<const std::uint32_t>(kFunctionsFp16Comp)
-                                                        : std::span<const std::uint32_t>(kFunctionsFp32Comp);
-      const std::vector<float> outputs = s_harness->run(spirv, function.id, inputs, kRows, kOutputs);
+      const std::vector<float> outputs =
+          s_harness->run(spirvOf(function.id, half), function.id, inputs, kRows, kOutputs);
       ASSERT_EQ(outputs.size(), std::size_t{kRows} * kOutputs);
 
       double worst = 0;

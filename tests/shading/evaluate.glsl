@@ -29,7 +29,24 @@ FN Outputs outputs3(real3 a) {
   return o;
 }
 
+FN Outputs outputs33(real32x3 a, real32x3 b) {
+  Outputs o = outputs1(R(0.0));
+  o.y[0] = a.x;
+  o.y[1] = a.y;
+  o.y[2] = a.z;
+  o.y[3] = b.x;
+  o.y[4] = b.y;
+  o.y[5] = b.z;
+  return o;
+}
+
 FN Outputs outputsTap(LobeTap tap) { return outputs3(real3(tap.blend, tap.mip, tap.weight)); }
+
+FN IrradianceSh irradianceShAt(Inputs i, int at) {
+  IrradianceSh sh;
+  for (int k = 0; k < 9; ++k) sh.c[k] = real3At(i, at + 3 * k);
+  return sh;
+}
 
 FN Outputs evaluate(int function, Inputs i) {
   real a = real1At(i, 0);
@@ -69,11 +86,7 @@ FN Outputs evaluate(int function, Inputs i) {
     return o;
   }
   if (function == kFnShCosineKernel) return outputs3(real3(shCosineKernel(0), shCosineKernel(1), shCosineKernel(2)));
-  if (function == kFnEvalIrradianceSH) {
-    IrradianceSh sh;
-    for (int k = 0; k < 9; ++k) sh.c[k] = real3At(i, 3 + 3 * k);
-    return outputs3(evalIrradianceSH(sh, u));
-  }
+  if (function == kFnEvalIrradianceSH) return outputs3(evalIrradianceSH(irradianceShAt(i, 3), u));
   if (function == kFnSquareFalloff) return outputs1(narrow(squareFalloff(i.x[0], i.x[1])));
   if (function == kFnSquareFalloffUE4) return outputs1(narrow(squareFalloffUE4(i.x[0], i.x[1])));
   if (function == kFnSpotAttenuation) return outputs1(spotAttenuation(a, b, c));
@@ -105,6 +118,7 @@ FN Outputs evaluate(int function, Inputs i) {
   if (function == kFnThreeTap) return outputsTap(threeTap(i.x[2] < R32(0.33) ? 0 : i.x[2] < R32(0.67) ? 1 : 2, a, b));
   if (function == kFnAlphaSquaredOfNormals) return outputs1(alphaSquaredOfNormals(a));
   if (function == kFnWidenRoughness) return outputs1(real(widenRoughness(i.x[0], i.x[1])));
+  if (function == kFnHeightFogTransmittance) return outputs1(heightFogTransmittance(HeightFog(i.x[0], i.x[1], i.x[2], i.x[3], i.x[4]), i.x[5], i.x[6], i.x[7]));
   // kFnConstants: literals whose nearest half is not the truncated one, and the named constants.
   Outputs o = outputs3(real3(R(0.7), R(0.0275), R(-9.28)));
   o.y[3] = real32(R(0.0722));

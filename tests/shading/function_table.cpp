@@ -13,14 +13,17 @@
 namespace parity::tests::at64 {
 using namespace parity::shading::f64;
 #include "shading/evaluate.glsl"
+#include "shading/evaluate_base_pass.glsl"
 } // namespace parity::tests::at64
 namespace parity::tests::at32 {
 using namespace parity::shading::f32;
 #include "shading/evaluate.glsl"
+#include "shading/evaluate_base_pass.glsl"
 } // namespace parity::tests::at32
 namespace parity::tests::at16 {
 using namespace parity::shading::f16;
 #include "shading/evaluate.glsl"
+#include "shading/evaluate_base_pass.glsl"
 } // namespace parity::tests::at16
 #undef FN
 #undef R
@@ -115,6 +118,69 @@ Row vectorAndFallback(Random& random) {
   return row;
 }
 
+void putDirection(Random& random, Row& row, int at) {
+  const double z = uniform(random, -1, 1), phi = uniform(random, 0, 6.2831853);
+  row[at] = std::sqrt(1 - z * z) * std::cos(phi);
+  row[at + 1] = std::sqrt(1 - z * z) * std::sin(phi);
+  row[at + 2] = z;
+}
+
+// `count` unit vectors, one after the other.
+Maker directions(int count) {
+  return [=](Random& random) {
+    Row row{};
+    for (int i = 0; i < count; ++i) putDirection(random, row, 3 * i);
+    return row;
+  };
+}
+
+// Colours, roughness, N, V, L, the lobe, fully rough.
+Row litPoint(Random& random) {
+  Row row{};
+  for (int i = 0; i < 6; ++i) row[i] = unit(random);
+  row[6] = uniform(random, 0.0626, 1);
+  for (const int at : {7, 10, 13}) putDirection(random, row, at);
+  row[16] = unit(random);
+  row[17] = unit(random);
+  return row;
+}
+
+// The way to a light of up to 1e6 candela, its range, axis and cone.
+Row localLight(Random& random) {
+  Row row{};
+  const double distance = std::exp2(uniform(random, -8, 10));
+  putDirection(random, row, 0);
+  for (int i = 0; i < 3; ++i) row[i] *= distance;
+  for (int i = 3; i < 6; ++i) row[i] = std::exp2(uniform(random, -20, 15));
+  row[6] = random() % 4 == 0 ? 0.0 : std::exp2(uniform(random, -3, 10));
+  row[7] = unit(random);
+  putDirection(random, row, 8);
+  row[12] = uniform(random, -1, 1);
+  row[11] = uniform(random, row[12], 1);
+  return row;
+}
+
+// Radiance over the whole range of RGBM and beyond, black too.
+Row radiance(Random& random) {
+  Row row{};
+  for (int i = 0; i < 3; ++i) row[i] = random() % 8 == 0 ? 0.0 : std::exp2(uniform(random, -14, 10));
+  return row;
+}
+
+// Fog from thin to thick, ways from a decimetre to kilometres, up, down and level.
+Row fogAndWay(Random& random) {
+  Row row{};
+  row[0] = random() % 16 == 0 ? 0.0 : std::exp2(uniform(random, -12, 2));
+  row[1] = random() % 4 == 0 ? 0.0 : std::exp2(uniform(random, -10, 3));
+  row[2] = uniform(random, -50, 50);
+  row[3] = random() % 2 == 0 ? 0.0 : uniform(random, 0, 100);
+  row[4] = unit(random);
+  row[5] = uniform(random, -100, 100);
+  row[7] = std::exp2(uniform(random, -4, 12));
+  row[6] = row[7] * (random() % 8 == 0 ? 0.0 : uniform(random, -1, 1));
+  return row;
+}
+
 template <typename Out> Result toResult(const Out& out) {
   Result result;
   for (int i = 0; i < kOutputs; ++i) result[i] = out.y[i];
@@ -130,6 +196,7 @@ std::vector<FunctionCase> functionTable() {
   const Agreement dApprox{8, 8, 1e-4, "exp2; its denormals are flushed, which 1/alpha^2 makes visible below 1e-4"};
   const Agreement mip{8, 8, 5, "log2; near roughness 1 it is small beside the 5 it is added to"};
   const Agreement roughness{8, 8, 0, "exp2"};
+  const Agreement fog{12, 1, 1, "exp2 of a product with exp2: an error of the exponent is one of the transmittance"};
   const Agreement transfer{22, 16, 0, "pow as exp2 of a product with log2: up to 22 ulp in wide sweeps"};
   return {
       {"D_GGX", kFnD_GGX, units(2), exact},
@@ -181,25 +248,44 @@ std::vector<FunctionCase> functionTable() {
       {"threeTap", kFnThreeTap, units(3), mip},
       {"alphaSquaredOfNormals", kFnAlphaSquaredOfNormals, units(1), exact},
       {"widenRoughness", kFnWidenRoughness, units(2), exact},
+      {"heightFogTransmittance", kFnHeightFogTransmittance, fogAndWay, fog},
+      {"narrow", kFnNarrow, uniforms(1, 0, 65504), exact},
+      {"dot32", kFnDot32, uniforms(6, -1, 1), exact},
+      {"encodeRgbm", kFnEncodeRgbm, radiance, exact},
+      {"decodeRgbm", kFnDecodeRgbm, units(4), exact},
+      {"GetSkySHDiffuseSimple", kFnGetSkySHDiffuseSimple, normalAndCoefficients, exact},
+      {"GetSkySHDiffuse", kFnGetSkySHDiffuse, normalAndCoefficients, exact},
+      {"packSkySh", kFnPackSkySh, uniforms(28, -1, 1), exact},
+      {"initShadingModelContext", kFnInitShadingModelContext, units(12), envBrdf},
+      {"reflectionVector", kFnReflectionVector, directions(2), exact},
+      {"halfVector", kFnHalfVector, directions(3), exact},
+      {"cosineOf", kFnCosineOf, directions(2), exact},
+      {"mobileIntegrateBxDF", kFnMobileIntegrateBxDF, litPoint, dApprox},
+      {"lightWith", kFnLightWith, uniforms(10, 0, 100), exact},
+      {"luminanceUE4", kFnLuminanceUE4, uniforms(3, 0, 100), exact},
+      {"captureScale", kFnCaptureScale, units(4), exact},
+      {"specularIBL", kFnSpecularIBL, uniforms(4, 0, 300), exact},
+      {"modulate", kFnModulate, uniforms(6, 0, 300), exact},
+      {"localLightAt", kFnLocalLightAt, localLight, exact},
   };
 }
 
 Result evaluate64(int id, const Row& row) {
   at64::Inputs inputs;
   for (int i = 0; i < kInputs; ++i) inputs.x[i] = row[i];
-  return toResult(at64::evaluate(id, inputs));
+  return toResult(id < kFirstOfBasePass ? at64::evaluate(id, inputs) : at64::evaluateBasePass(id, inputs));
 }
 
 Result evaluate32(int id, const Row& row) {
   at32::Inputs inputs;
   for (int i = 0; i < kInputs; ++i) inputs.x[i] = static_cast<float>(row[i]);
-  return toResult(at32::evaluate(id, inputs));
+  return toResult(id < kFirstOfBasePass ? at32::evaluate(id, inputs) : at32::evaluateBasePass(id, inputs));
 }
 
 Result evaluate16(int id, const Row& row) {
   at16::Inputs inputs;
   for (int i = 0; i < kInputs; ++i) inputs.x[i] = shading::Half(row[i]);
-  return toResult(at16::evaluate(id, inputs));
+  return toResult(id < kFirstOfBasePass ? at16::evaluate(id, inputs) : at16::evaluateBasePass(id, inputs));
 }
 
 Row roundToHalf(const Row& row) {

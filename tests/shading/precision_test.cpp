@@ -34,6 +34,8 @@ TEST(Fp32, agreesWithFp64OnEveryFunction) {
       {kFnGGX_Mobile, 2e-3}, // 1 - NoH^2 cancels near the peak
       {kFnCalcSpecular, 2e-3},
       {kFnSpotAttenuation, 2e-3}, // divided by as little as 0.001
+      {kFnMobileIntegrateBxDF, 2e-3},
+      {kFnLocalLightAt, 2e-3}, // which contain them
       {kFnClampContribution65000, 1e-6},
   };
   for (const FunctionCase& function : functionTable()) {

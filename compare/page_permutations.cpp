@@ -1,0 +1,35 @@
+// The shaders that a scene's paths ran, as a table of the page.
+#include <fmt/format.h>
+
+#include "compare/page_parts.h"
+#include "compare/text.h"
+
+namespace parity::compare {
+
+std::string permutationTable(const std::vector<PermutationResult>& permutations) {
+  if (permutations.empty()) return {};
+  const std::string words = describeCosts(permutations);
+  const bool costs = !words.empty();
+  std::string rows;
+  for (const PermutationResult& each : permutations) {
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td>", escapeMarkup(each.path),
+                        escapeMarkup(each.textures), escapeMarkup(each.features), each.pixels);
+    if (each.cost)
+      rows += fmt::format("<td>{}{}</td><td>{}</td><td>{}</td><td>{}</td>", each.cost->openLoops > 0 ? "≥ " : "",
+                          each.cost->fp32, each.cost->fp16, each.cost->fetches, each.cost->samplers);
+    else if (costs)
+      rows += "<td>–</td><td>–</td><td>–</td><td>–</td>";
+    rows += "</tr>";
+  }
+  return fmt::format(
+      "<details><summary>Shaders</summary>{}<table class=\"figures\"><thead><tr><th scope=\"col\">path</th><th "
+      "scope=\"col\">textures</th><th scope=\"col\">features</th><th scope=\"col\">pixels</th>{}</tr></thead><tbody>{}"
+      "</tbody></table></details>\n",
+      costs ? "<p>On average " + escapeMarkup(words) + ".</p>" : "",
+      costs ? "<th scope=\"col\">fp32 operations</th><th scope=\"col\">fp16 operations</th><th "
+              "scope=\"col\">fetches</th><th scope=\"col\">samplers</th>"
+            : "",
+      rows);
+}
+
+} // namespace parity::compare

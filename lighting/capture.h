@@ -1,0 +1,23 @@
+// The environment as a mobile device holds it: one cube, trilinear, in few bits.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lighting/environment_light.h"
+
+namespace parity::lighting {
+
+// The first layer of each mip of the prefiltered array, six faces of (faceSize >> m)^2 texels in the cube's order.
+struct Capture {
+  int faceSize = 0;
+  std::vector<std::vector<std::byte>> mips;
+};
+
+// RGBA8 that decodes by shading/rgbm.glsl; radiance above 256 saturates.
+Capture encodeRgbm(const CubeMap& prefiltered);
+
+// RGBA16F, A = 1; radiance above 65504 saturates.
+Capture encodeHalf(const CubeMap& prefiltered);
+
+} // namespace parity::lighting

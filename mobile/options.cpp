@@ -1,0 +1,40 @@
+#include "mobile/options.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+
+namespace parity::mobile {
+
+const std::vector<std::string>& presetNames() {
+  static const std::vector<std::string> names = {"karis2014", "ue4-2020"};
+  return names;
+}
+
+Options presetByName(const std::string& name) {
+  if (name == "ue4-2020") return {};
+  if (name == "karis2014")
+    return {.preset = name,
+            .environmentBrdf = EnvironmentBrdf::karis2014,
+            .directLobe = DirectLobe::dApprox,
+            .captureScale = CaptureScale::full,
+            .localLights = false,
+            .roughnessFloor = 0};
+  throw base::Error(base::ExitCode::usage, "--mobile-preset", name,
+                    fmt::format("unknown; the presets are {}", fmt::join(presetNames(), ", ")));
+}
+
+const std::vector<std::string>& precisionNames() {
+  static const std::vector<std::string> names = {"fp16", "fp32"};
+  return names;
+}
+const std::vector<std::string>& captureScaleNames() {
+  static const std::vector<std::string> names = {"none", "full", "by-roughness"};
+  return names;
+}
+const std::vector<std::string>& captureEncodingNames() {
+  static const std::vector<std::string> names = {"rgbm", "fp16"};
+  return names;
+}
+
+} // namespace parity::mobile

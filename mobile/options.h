@@ -1,0 +1,48 @@
+// Presets of the mobile path, and the knobs that they set.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace parity::mobile {
+
+// What the device computes in: half wherever Unreal Engine 4 would (shading/mobile_base_pass.glsl), or the same code in
+// fp32.
+enum class Precision { fp16, fp32 };
+
+// The environment BRDF: Karis' EnvBRDFApprox, or UE4's with AB.y *= saturate(50 g).
+enum class EnvironmentBrdf { karis2014, ue4 };
+
+// The lobe of direct light: D_Approx around the reflection vector, or CalcSpecular around the half vector.
+enum class DirectLobe { dApprox, calcSpecular };
+
+// How the reflected environment follows the baked light (captureScale of shading/mobile_base_pass.glsl).
+enum class CaptureScale { none, full, byRoughness };
+
+// How the capture is stored: RGBM in 8 bits, or 16-bit floats.
+enum class CaptureEncoding { rgbm, fp16 };
+
+struct Options {
+  std::string preset = "ue4-2020"; // the name of the set that the knobs began as
+  EnvironmentBrdf environmentBrdf = EnvironmentBrdf::ue4;
+  DirectLobe directLobe = DirectLobe::calcSpecular;
+  CaptureScale captureScale = CaptureScale::byRoughness;
+  CaptureEncoding capture = CaptureEncoding::rgbm;
+  int skyCoefficients = 4;          // of the SH irradiance: 4 or 9
+  bool localLights = true;          // up to four an object; false: all are baked
+  float roughnessFloor = 0.015625f; // 0.015625^4 = 2^-24
+  Precision precision = Precision::fp16;
+};
+
+// "karis2014": the article. EnvBRDFApprox, D_Approx, no local lights, the environment scaled fully by the baked light,
+// no roughness floor. "ue4-2020": UE4's base pass.
+const std::vector<std::string>& presetNames();
+// Throws Error (usage) naming the known presets.
+Options presetByName(const std::string& name);
+
+// Names as the command line and reports have them, in the order of the enumerators.
+const std::vector<std::string>& precisionNames();       // "fp16", "fp32"
+const std::vector<std::string>& captureScaleNames();    // "none", "full", "by-roughness"
+const std::vector<std::string>& captureEncodingNames(); // "rgbm", "fp16"
+
+} // namespace parity::mobile

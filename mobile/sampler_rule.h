@@ -1,0 +1,33 @@
+// The article's limit on samplers: at most 8 a material (Karis 2014).
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "scenes/scene.h"
+
+namespace parity::mobile {
+
+// "8 samplers total": 16 is what OpenGL ES 3 grants, the article's engine leaves half of them to the material.
+inline constexpr std::size_t kMaxSamplers = 8;
+
+struct SamplerInputs {
+  bool environment = false;    // there is one to be fetched
+  bool normalVariance = false; // normal maps carry the spread of their normals (gpu/normal_variance.h)
+};
+
+// Pairs of an image and a sampler that the path reads for a material, the environment's included: unlit and fully rough
+// materials do without that. Seven slots and one environment are 8 at most: it takes what later stages add to exceed
+// the limit.
+std::size_t countSamplers(const scenes::Material& material, const SamplerInputs& inputs);
+
+// "needs 9 samplers on mobile, of at most 8"; empty where it does not.
+std::string describeExcess(const scenes::Material& material, const SamplerInputs& inputs,
+                           std::size_t limit = kMaxSamplers);
+
+// A line for each such material of the scene, naming it.
+std::vector<std::string> samplerWarnings(const scenes::Scene& scene, const SamplerInputs& inputs,
+                                         std::size_t limit = kMaxSamplers);
+
+} // namespace parity::mobile

@@ -1,0 +1,26 @@
+#include "scenes/scene_light.h"
+
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace parity::scenes {
+
+std::string describe(const LightScales& scales, const std::optional<Fog>& fog) {
+  const auto rgb = [](const glm::vec3& c) { return fmt::format("{},{},{}", c.x, c.y, c.z); };
+  const LightScales plain;
+  std::vector<std::string> parts;
+  if (scales.skyLightColor != plain.skyLightColor) parts.push_back("sky light x " + rgb(scales.skyLightColor));
+  if (scales.indirectColorScale != plain.indirectColorScale)
+    parts.push_back("lightmaps x " + rgb(scales.indirectColorScale));
+  if (scales.directionalSpecularScale != plain.directionalSpecularScale)
+    parts.push_back(fmt::format("specular of directional lights x {}", scales.directionalSpecularScale));
+  if (fog && fog->isSeen())
+    parts.push_back(fmt::format("fog of {} per m at {} m, falloff {} per m, colour {}, from {} m on, opacity to {}",
+                                fog->density, fog->height, fog->heightFalloff, rgb(fog->color), fog->startDistance,
+                                fog->maxOpacity));
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+} // namespace parity::scenes

@@ -1,0 +1,67 @@
+// How many samplers a material takes on mobile, and what is said of one that takes too many.
+#include <gtest/gtest.h>
+
+#include "mobile/sampler_rule.h"
+
+namespace parity::mobile {
+namespace {
+
+// All seven slots, each with an image of its own.
+scenes::Material makeFull() {
+  scenes::Material m;
+  m.name = "full";
+  int image = 0;
+  for (scenes::TextureSlot* slot :
+       {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture, &m.emissiveTexture,
+        &m.specularTexture, &m.specularColorTexture})
+    slot->image = image++;
+  return m;
+}
+
+TEST(SamplerRule, countsTheEnvironmentWhereItIsFetched) {
+  scenes::Material m = makeFull();
+  EXPECT_EQ(countSamplers(m, {.environment = false}), 7u);
+  EXPECT_EQ(countSamplers(m, {.environment = true}), 8u);
+  m.fullyRough = true;
+  EXPECT_EQ(countSamplers(m, {.environment = true}), 7u);
+}
+
+TEST(SamplerRule, countsAPairOfImageAndSamplerOnce) {
+  scenes::Material m = makeFull();
+  m.occlusionTexture.image = m.metallicRoughnessTexture.image; // as glTF packs them
+  EXPECT_EQ(countSamplers(m, {}), 6u);
+  m.occlusionTexture.sampler.wrapU = scenes::Wrap::clampToEdge;
+  EXPECT_EQ(countSamplers(m, {}), 7u) << "another sampler";
+  m.occlusionTexture.sampler = {};
+  m.emissiveTexture.image = m.metallicRoughnessTexture.image;
+  EXPECT_EQ(countSamplers(m, {}), 6u) << "as colour it is another view of the image";
+  m.emissiveTexture.image = m.baseColorTexture.image;
+  EXPECT_EQ(countSamplers(m, {}), 5u);
+}
+
+TEST(SamplerRule, aNormalMapWithItsSpreadIsAViewOfItsOwn) {
+  scenes::Material m = makeFull();
+  m.normalTexture.image = m.occlusionTexture.image;
+  EXPECT_EQ(countSamplers(m, {.normalVariance = false}), 6u);
+  EXPECT_EQ(countSamplers(m, {.normalVariance = true}), 7u);
+}
+
+TEST(SamplerRule, anUnlitMaterialReadsItsColourAlone) {
+  scenes::Material m = makeFull();
+  m.unlit = true;
+  EXPECT_EQ(countSamplers(m, {.environment = true}), 1u);
+}
+
+TEST(SamplerRule, namesTheMaterialsThatExceedTheLimit) {
+  scenes::Scene scene;
+  scene.materials = {scenes::Material{}, makeFull()};
+  const SamplerInputs inputs{.environment = true};
+  EXPECT_TRUE(samplerWarnings(scene, inputs).empty()) << "8 are allowed";
+  ASSERT_EQ(samplerWarnings(scene, inputs, 7).size(), 1u);
+  EXPECT_EQ(samplerWarnings(scene, inputs, 7)[0], "material 'full' needs 8 samplers on mobile, of at most 7");
+  EXPECT_EQ(describeExcess(scene.materials[0], inputs, 7), "");
+  EXPECT_EQ(describeExcess(scene.materials[1], inputs, 7), "needs 8 samplers on mobile, of at most 7");
+}
+
+} // namespace
+} // namespace parity::mobile

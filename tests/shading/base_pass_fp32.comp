@@ -1,0 +1,5 @@
+// The pieces of the mobile base pass in fp32.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define PARITY_BASE_PASS
+#include "device_functions.glsl"

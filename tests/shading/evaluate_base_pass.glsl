@@ -1,0 +1,76 @@
+// As evaluate.glsl, for the pieces of the mobile base pass. A shader of its own: a driver compiles all that a shader holds
+// before it drops what the specialization constant does not name.
+
+FN SkySh skyShAt(Inputs i, int at) {
+  SkySh sky;
+  for (int k = 0; k < 9; ++k) sky.c[k] = real32x3At(i, at + 3 * k);
+  return sky;
+}
+
+// The pieces of the mobile base pass, which take structs.
+FN Outputs evaluateBasePass(int function, Inputs i) {
+  real3 u = real3At(i, 0), v = real3At(i, 3);
+  if (function == kFnNarrow) return outputs1(narrow(i.x[0]));
+  if (function == kFnDot32) return outputs33(real32x3(dot32(real32x3At(i, 0), real32x3At(i, 3)), R32(0.0), R32(0.0)), widen(v));
+  if (function == kFnDecodeRgbm) return outputs3(decodeRgbm(u, real1At(i, 3)));
+  if (function == kFnReflectionVector) return outputs3(reflectionVector(u, v));
+  if (function == kFnHalfVector) return outputs3(halfVector(real3At(i, 6), u, real32x3At(i, 3)));
+  if (function == kFnCosineOf) return outputs1(cosineOf(u, real32x3At(i, 3)));
+  if (function == kFnLuminanceUE4) return outputs1(luminanceUE4(u));
+  if (function == kFnCaptureScale) {
+    int mode = i.x[3] < R32(0.33) ? kCaptureScaleNone : i.x[3] < R32(0.67) ? kCaptureScaleFull : kCaptureScaleByRoughness;
+    return outputs1(captureScale(mode, u.x, i.x[1], u.z));
+  }
+  if (function == kFnSpecularIBL) return outputs3(specularIBL(u, real1At(i, 3)));
+  if (function == kFnModulate) return outputs3(modulate(u, v));
+  if (function == kFnPackSkySh) { // the coefficients that the packing mixes
+    SkySh sky = packSkySh(irradianceShAt(i, 0), i.x[27] < R32(0.5) ? 4 : 9);
+    Outputs o = outputs33(sky.c[0], sky.c[1]);
+    o.y[6] = sky.c[6].x;
+    o.y[7] = sky.c[8].y;
+    return o;
+  }
+  if (function == kFnGetSkySHDiffuseSimple) return outputs3(GetSkySHDiffuseSimple(skyShAt(i, 3), real3At(i, 0)));
+  if (function == kFnGetSkySHDiffuse) return outputs3(GetSkySHDiffuse(skyShAt(i, 3), real3At(i, 0)));
+  if (function == kFnEncodeRgbm) {
+    Rgbm m = encodeRgbm(real32x3At(i, 0));
+    return outputs33(real32x3(m.r, m.g, m.b), real32x3(m.a, R32(0.0), R32(0.0)));
+  }
+  if (function == kFnInitShadingModelContext) {
+    MobileMaterial m;
+    m.BaseColor = real3At(i, 0);
+    m.DielectricSpecular = real3At(i, 3);
+    m.Metallic = real1At(i, 6);
+    m.Roughness = real1At(i, 7);
+    int form = i.x[9] < R32(0.5) ? kEnvironmentBrdfKaris2014 : kEnvironmentBrdfUE4;
+    MobileShadingModelContext c =
+        initShadingModelContext(form, i.x[10] > R32(0.75), i.x[11] > R32(0.75), m, real1At(i, 8));
+    Outputs o = outputs33(widen(c.DiffuseColor), widen(c.SpecPreEnvBrdf));
+    o.y[6] = real32(c.SpecularColor.x);
+    o.y[7] = real32(c.SpecularColor.y);
+    o.y[8] = real32(c.SpecularColor.z);
+    o.y[9] = real32(c.Roughness);
+    return o;
+  }
+  if (function == kFnMobileIntegrateBxDF) {
+    MobileShadingModelContext c;
+    c.DiffuseColor = real3At(i, 0);
+    c.SpecPreEnvBrdf = real3At(i, 3);
+    c.SpecularColor = real3At(i, 3);
+    c.Roughness = real1At(i, 6);
+    real3 N = real3At(i, 7), V = real3At(i, 10);
+    int sun = i.x[16] < R32(0.5) ? kSunDApprox : kSunCalcSpecular;
+    MobileDirectLighting lighting =
+        mobileIntegrateBxDF(sun, i.x[17] > R32(0.75), c, N, V, reflectionVector(N, V), real32x3At(i, 13));
+    return outputs33(widen(lighting.Diffuse), widen(lighting.Specular));
+  }
+  if (function == kFnLightWith) {
+    MobileDirectLighting lighting;
+    lighting.Diffuse = real3At(i, 3);
+    lighting.Specular = real3At(i, 6);
+    return outputs3(lightWith(real32x3At(i, 0), lighting, real1At(i, 9)));
+  }
+  // kFnLocalLightAt
+  MobileLocalLight light = localLightAt(real32x3At(i, 0), real32x3At(i, 3), i.x[6], i.x[7] > R32(0.5), real32x3At(i, 8), i.x[11], i.x[12]);
+  return outputs33(light.L, light.color);
+}

@@ -1,0 +1,145 @@
+// The pieces of the mobile base pass against the sources' formulas, written out again, and at the ends of their ranges.
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "shading/shading.h"
+
+namespace parity::tests {
+namespace {
+
+namespace f64 = shading::f64;
+namespace f32 = shading::f32;
+namespace f16 = shading::f16;
+using shading::Half;
+
+const float kInf = std::numeric_limits<float>::infinity();
+const float kNan = std::numeric_limits<float>::quiet_NaN();
+
+f64::MobileMaterial copper() {
+  f64::MobileMaterial m;
+  m.BaseColor = {0.9, 0.5, 0.25};
+  m.Metallic = 0.75;
+  m.DielectricSpecular = {0.04, 0.04, 0.04};
+  m.Roughness = 0.4;
+  return m;
+}
+
+TEST(Narrow, saturatesAtTheLargestHalfAndKeepsNan) {
+  EXPECT_EQ(float(f16::narrow(1e6f)), 65504);
+  EXPECT_EQ(float(f16::narrow(kInf)), 65504);
+  EXPECT_TRUE(std::isnan(float(f16::narrow(kNan))));
+  EXPECT_EQ(float(f16::narrow(1e-9f)), 0) << "a denormal light is none";
+  EXPECT_EQ(f32::narrow(kInf), std::numeric_limits<float>::max());
+  EXPECT_EQ(f32::narrow(1e6f), 1e6f);
+}
+
+// UE4, MobileShadingModels.ush: the three colours of the context.
+TEST(MobileShadingModelContext, hasTheColoursOfTheSource) {
+  const f64::MobileMaterial m = copper();
+  const double NoV = 0.6;
+  const f64::MobileShadingModelContext c = f64::initShadingModelContext(f64::kEnvironmentBrdfUE4, false, false, m, NoV);
+  EXPECT_NEAR(c.DiffuseColor.x, 0.9 - 0.9 * 0.75, 1e-15);
+  EXPECT_NEAR(c.SpecPreEnvBrdf.y, (0.04 - 0.04 * 0.75) + 0.5 * 0.75, 1e-15);
+  const double R = 0.4, rx = 1 - R, ry = 0.0425 - 0.0275 * R, rz = 1.04 - 0.572 * R, rw = -0.04 + 0.022 * R;
+  const double a004 = std::min(rx * rx, std::exp2(-9.28 * NoV)) * rx + ry;
+  EXPECT_NEAR(c.SpecularColor.z, c.SpecPreEnvBrdf.z * (-1.04 * a004 + rz) + (1.04 * a004 + rw), 1e-15);
+}
+
+TEST(MobileShadingModelContext, nonmetalAndFullyRoughTakeTheirShortcuts) {
+  const f64::MobileMaterial m = copper();
+  const auto nonmetal = f64::initShadingModelContext(f64::kEnvironmentBrdfUE4, true, false, m, 0.3);
+  EXPECT_EQ(nonmetal.SpecularColor.x, f64::EnvBRDFApproxNonmetal(0.4, 0.3));
+  const auto rough = f64::initShadingModelContext(f64::kEnvironmentBrdfUE4, false, true, m, 0.3);
+  EXPECT_EQ(rough.SpecularColor.x, 0);
+  EXPECT_EQ(rough.Roughness, 1);
+  EXPECT_NEAR(rough.DiffuseColor.x, 0.225 + 0.45 * rough.SpecPreEnvBrdf.x, 1e-15);
+}
+
+// Below 2 % the UE4 form fades specular out: at 0 it is off, where Karis 2014 leaves B.
+TEST(MobileShadingModelContext, specularOfZeroIsOffInUe4Alone) {
+  f64::MobileMaterial black = copper();
+  black.BaseColor = {0, 0, 0};
+  black.Metallic = 1;
+  EXPECT_EQ(f64::initShadingModelContext(f64::kEnvironmentBrdfUE4, false, false, black, 0.2).SpecularColor.y, 0);
+  EXPECT_GT(f64::initShadingModelContext(f64::kEnvironmentBrdfKaris2014, false, false, black, 0.2).SpecularColor.y,
+            0.02);
+}
+
+TEST(MobileIntegrateBxDF, isSpecularColorTimesNoLTimesTheLobe) {
+  f64::MobileShadingModelContext c =
+      f64::initShadingModelContext(f64::kEnvironmentBrdfUE4, false, false, copper(), 0.8);
+  const f64::real3 N(0, 0, 1), V(0.6, 0, 0.8), R = f64::reflectionVector(N, V), L(0, 0.6, 0.8);
+  EXPECT_NEAR(R.x, -0.6, 1e-15);
+  EXPECT_NEAR(R.z, 0.8, 1e-15);
+  const double RoL = 0.64, NoH = 1.6 / std::sqrt(0.36 + 0.36 + 2.56);
+  const auto ue4 = f64::mobileIntegrateBxDF(f64::kSunCalcSpecular, false, c, N, V, R, L);
+  const double a = 0.16, p = a / (1 - NoH * NoH + NoH * a * NoH * a);
+  EXPECT_NEAR(ue4.Specular.x, c.SpecularColor.x * 0.8 * (0.4 * 0.25 + 0.25) * p * p, 1e-14);
+  EXPECT_NEAR(ue4.Diffuse.y, c.DiffuseColor.y * 0.8, 1e-15);
+  const auto karis = f64::mobileIntegrateBxDF(f64::kSunDApprox, false, c, N, V, R, L);
+  const double k = 0.72134752 / (a * a) + 0.39674113;
+  EXPECT_NEAR(karis.Specular.x, c.SpecularColor.x * 0.8 * std::exp2(k * RoL - k) / (a * a), 1e-14);
+}
+
+// SHADING 8: N flipped, direct light 0; V = -L, H = N.
+TEST(MobileIntegrateBxDF, givesNothingFromBehindAndSurvivesLightAgainstTheView) {
+  const f64::MobileShadingModelContext c = f64::initShadingModelContext(1, false, false, copper(), 1);
+  const f64::real3 N(0, 0, 1), V(0, 0, 1), R = f64::reflectionVector(N, V), L(0, 0, -1);
+  const auto behind = f64::mobileIntegrateBxDF(f64::kSunCalcSpecular, false, c, N, V, R, L);
+  EXPECT_EQ(behind.Specular.x + behind.Diffuse.x, 0);
+  EXPECT_EQ(f64::halfVector(N, V, L).z, 1);
+}
+
+TEST(LightWith, saturatesInHalf) {
+  f16::MobileDirectLighting lighting;
+  lighting.Diffuse = {Half(0.5), Half(0.5), Half(0)};
+  lighting.Specular = {Half(100), Half(0), Half(0)};
+  const f16::real3 lit = f16::lightWith({1e6f, 10, 1e6f}, lighting, Half(1));
+  EXPECT_EQ(float(lit.x), 65504);
+  EXPECT_EQ(float(lit.y), 5);
+  EXPECT_EQ(float(lit.z), 0);
+}
+
+// SHADING 7: lerp(1, irradiance / averageBrightness, smoothstep(R)).
+TEST(CaptureScale, followsTheIndirectLightByRoughness) {
+  EXPECT_EQ(f64::captureScale(f64::kCaptureScaleNone, 0.1, 5, 1), 1);
+  EXPECT_DOUBLE_EQ(f64::captureScale(f64::kCaptureScaleFull, 0.5, 2, 0.1), 0.25);
+  EXPECT_DOUBLE_EQ(f64::captureScale(f64::kCaptureScaleByRoughness, 0.5, 2, 0), 1);
+  EXPECT_DOUBLE_EQ(f64::captureScale(f64::kCaptureScaleByRoughness, 0.5, 2, 1), 0.25);
+  EXPECT_DOUBLE_EQ(f64::captureScale(f64::kCaptureScaleByRoughness, 0.5, 2, 0.5), 0.625);
+}
+
+// SHADING 8: "Average brightness 0: guarded", and what is black stays black.
+TEST(CaptureScale, ofABlackCaptureIsFiniteAndItsReflectionBlack) {
+  const Half scale = f16::captureScale(f16::kCaptureScaleFull, Half(60000), 0, Half(1));
+  EXPECT_EQ(float(scale), 65504);
+  const f16::real3 ibl = f16::specularIBL({Half(0), Half(200), Half(1)}, scale);
+  EXPECT_EQ(float(ibl.x), 0);
+  EXPECT_EQ(float(ibl.y), 65504);
+  EXPECT_EQ(float(f16::modulate(ibl, {Half(1), Half(0), Half(1)}).y), 0) << "0 times what saturated";
+}
+
+TEST(LuminanceUE4, hasTheEnginesWeights) {
+  EXPECT_NEAR(f64::luminanceUE4({1, 0, 0}), 0.3, 1e-15);
+  EXPECT_NEAR(f64::luminanceUE4({0, 1, 0}), 0.59, 1e-15);
+  EXPECT_NEAR(f64::luminanceUE4({1, 1, 1}), 1, 1e-15);
+}
+
+TEST(LocalLightAt, attenuatesBySquareWindowConeAndPi) {
+  const double pi = 3.14159265358979324, cosInner = std::cos(0.3), cosOuter = std::cos(0.5);
+  const auto light =
+      f64::localLightAt({0, 0, 2}, {10, 20, 30}, 4, true, {std::sin(0.4), 0, -std::cos(0.4)}, cosInner, cosOuter);
+  EXPECT_EQ(light.L.z, 1);
+  const double window = 1 - std::pow(0.5, 4), cone = (std::cos(0.4) - cosOuter) / (cosInner - cosOuter);
+  EXPECT_NEAR(light.color.y, 20 / pi * window * window / 4.0001 * cone * cone, 1e-12);
+  EXPECT_NEAR(f64::localLightAt({0, 0, 2}, {10, 20, 30}, 0, false, {0, 0, -1}, 0, 0).color.x, 10 / pi / 4.0001, 1e-12);
+  EXPECT_EQ(f64::localLightAt({0, 0, 5}, {10, 20, 30}, 4, false, {0, 0, -1}, 0, 0).color.x, 0) << "out of range";
+  const auto at = f64::localLightAt({0, 0, 0}, {1, 1, 1}, 0, false, {0, 0, -1}, 0, 0);
+  EXPECT_EQ(at.L.z, 1) << "at the light itself: from its axis";
+  EXPECT_NEAR(at.color.x, 1e4 / pi, 1e-6);
+}
+
+} // namespace
+} // namespace parity::tests
