@@ -69,7 +69,7 @@ void expectNumbersOnly(const json& schema, const json& document, const json::jso
   EXPECT_FALSE(validate(schema, more).empty()) << where.to_string();
 }
 
-// Every single key of a valid report is required but "truth", and no other is allowed.
+// Every single key of a valid report is required but "truth" and "light", and no other is allowed.
 void expectEachKeyMatters(const json& schema, const json& document, const json::json_pointer& where) {
   const json& value = document.at(where);
   const std::string name = where.to_string();
@@ -89,7 +89,8 @@ void expectEachKeyMatters(const json& schema, const json& document, const json::
     if (value.is_object()) {
       json less = document;
       less.at(where).erase(key);
-      const bool optional = key == "truth" && child.contains("images"); // not the luminance, not the image
+      // A view's truth, not the luminance and not the image.
+      const bool optional = key == "light" || (key == "truth" && child.contains("images"));
       EXPECT_EQ(validate(schema, less).empty(), optional) << where.to_string() << "/" << key;
       json other = document;
       other.at(where)[key] = json::array({"wrong"});
