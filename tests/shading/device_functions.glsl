@@ -8,6 +8,7 @@
 #include "shading/off_specular.glsl"
 #include "shading/sh.glsl"
 #include "shading/specular_aa.glsl"
+#include "shading/target.glsl"
 
 #include "function_ids.glsl"
 

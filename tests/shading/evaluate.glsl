@@ -103,6 +103,8 @@ FN Outputs evaluate(int function, Inputs i) {
   if (function == kFnThreeTap) return outputsTap(threeTap(i.x[2] < R32(0.33) ? 0 : i.x[2] < R32(0.67) ? 1 : 2, a, b));
   if (function == kFnAlphaSquaredOfNormals) return outputs1(alphaSquaredOfNormals(a));
   if (function == kFnWidenRoughness) return outputs1(widenRoughness(a, b));
+  if (function == kFnEncodeGamma2) return outputs3(encodeGamma2(u));
+  if (function == kFnSaturateToHalf) return outputs3(saturateToHalf(u));
   // kFnConstants: literals whose nearest half is not the truncated one, and the named constants.
   Outputs o = outputs3(real3(R(0.7), R(0.0275), R(-9.28)));
   o.y[3] = real32(R(0.0722));

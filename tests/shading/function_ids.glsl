@@ -51,7 +51,9 @@ const int kFnTwoTap = 45;
 const int kFnThreeTap = 46;
 const int kFnAlphaSquaredOfNormals = 47;
 const int kFnWidenRoughness = 48;
-const int kFunctionCount = 49;
+const int kFnEncodeGamma2 = 49;
+const int kFnSaturateToHalf = 50;
+const int kFunctionCount = 51;
 
 const int kInputs = 32;  // numbers a row going in
 const int kOutputs = 12; // and coming out

@@ -181,6 +181,8 @@ std::vector<FunctionCase> functionTable() {
       {"threeTap", kFnThreeTap, units(3), mip},
       {"alphaSquaredOfNormals", kFnAlphaSquaredOfNormals, units(1), exact},
       {"widenRoughness", kFnWidenRoughness, units(2), exact},
+      {"encodeGamma2", kFnEncodeGamma2, uniforms(3, -0.5, 1.5), exact},
+      {"saturateToHalf", kFnSaturateToHalf, uniforms(3, -1e5, 1e5), exact},
   };
 }
 
