@@ -140,6 +140,8 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->check(CLI::IsMember({"fp32"}))
       ->group("Paths")
       ->capture_default_str();
+  addNamed(app, "--mobile-target", raw.mobileTarget, gpu::outputTargetNames(), s.mobileTarget,
+           "Render target of the mobile path: what its colour is stored in");
   addModelOptions(app, s.highend, raw);
   app.add_option("--specular-aa", raw.specularAa, "Roughness from minified normal maps, in every path: toksvig or off")
       ->check(CLI::IsMember({"off", "toksvig"}))
@@ -224,6 +226,11 @@ void settle(CommonOptions& common, const RawOptions& raw) {
   s.terms |= s.truth;
   s.metrics = parseMetrics("--metrics", raw.metrics);
   s.mobilePreset = mobile::presetByName(s.mobilePresetName);
+  s.mobileTarget = enumOf<gpu::OutputTarget>(raw.mobileTarget, gpu::outputTargetNames());
+  if (gpu::isDisplayed(s.mobileTarget) && s.display != "sRGB")
+    throw CLI::ValidationError("--mobile-target", fmt::format("'{}' is what the screen shows, as sRGB: the display "
+                                                              "transform '{}' needs a float target",
+                                                              raw.mobileTarget, s.display));
   settleModel(s, raw);
   s.specularAa = raw.specularAa == "toksvig" ? gpu::SpecularAa::toksvig : gpu::SpecularAa::off;
   s.device.validation |= raw.validation;

@@ -15,7 +15,7 @@ std::string defaultMetricList();
 // What CLI11 fills in; turned into CommonOptions when all is known.
 struct RawOptions {
   std::string size = "1024x1024", sun, orbit, target, background, camera = "auto", precision = "fp32",
-              specularAa = "off";
+              specularAa = "off", mobileTarget;
   std::string geometryTerm, fresnel, diffuse, compensation, offSpecular; // of the high-end path and the reference
   std::string error = "0.5%", scattering = "multiple";                   // of the reference
   std::string cache;

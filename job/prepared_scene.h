@@ -28,6 +28,7 @@ struct PreparedScene {
   // Prefiltered, for the paths asked for: the same one where nothing tells them apart. None: no environment.
   std::shared_ptr<const lighting::EnvironmentLight> environment, mobileEnvironment;
   std::optional<scenes::Environment> panorama; // unfiltered, to go with `lights`; kept for the reference alone
+  float exposureEv = 0;                        // of the camera
   std::string environmentName, sunText; // for the report: the file without its folder; "none" where there is none
 };
 
