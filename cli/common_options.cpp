@@ -252,6 +252,11 @@ void settle(CommonOptions& common, const RawOptions& raw) {
   s.terms |= s.truth;
   s.metrics = parseMetrics("--metrics", raw.metrics);
   settleMobile(s.mobile, raw);
+  s.mobileTarget = enumOf<gpu::OutputTarget>(raw.mobileTarget, gpu::outputTargetNames());
+  if (gpu::isDisplayed(s.mobileTarget) && s.display != "sRGB")
+    throw CLI::ValidationError("--mobile-target", fmt::format("'{}' is what the screen shows, as sRGB: the display "
+                                                              "transform '{}' needs a float target",
+                                                              raw.mobileTarget, s.display));
   settleModel(s, raw);
   s.specularAa = raw.specularAa == "toksvig" ? gpu::SpecularAa::toksvig : gpu::SpecularAa::off;
   s.device.validation |= raw.validation;

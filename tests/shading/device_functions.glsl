@@ -12,6 +12,7 @@
 #include "shading/sh.glsl"
 #include "shading/sky_sh.glsl"
 #include "shading/specular_aa.glsl"
+#include "shading/target.glsl"
 
 #include "function_ids.glsl"
 

@@ -51,6 +51,7 @@ const int kFnTwoTap = 45;
 const int kFnThreeTap = 46;
 const int kFnAlphaSquaredOfNormals = 47;
 const int kFnWidenRoughness = 48;
+<<<<<<< HEAD
 const int kFnHeightFogTransmittance = 49;
 // From here to kFunctionCount by evaluate_base_pass.glsl.
 const int kFnNarrow = 50;
@@ -73,6 +74,11 @@ const int kFnSpecularIBL = 65;
 const int kFnModulate = 66;
 const int kFnLocalLightAt = 67;
 const int kFunctionCount = 68;
+=======
+const int kFnEncodeGamma2 = 49;
+const int kFnSaturateToHalf = 50;
+const int kFunctionCount = 51;
+>>>>>>> h2
 
 const int kInputs = 32;  // numbers a row going in
 const int kOutputs = 12; // and coming out
