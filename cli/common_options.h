@@ -16,15 +16,10 @@ std::string defaultMetricList();
 
 // What CLI11 fills in; turned into CommonOptions when all is known.
 struct RawOptions {
-<<<<<<< HEAD
   std::string size = "1024x1024", sun, orbit, target, background, camera = "auto", precision = "fp16",
-              specularAa = "off";
+              specularAa = "off", mobileTarget;
   std::string mobilePreset = "ue4-2020", capture, captureScale; // the last two: empty is the preset's
   std::optional<int> skyCoefficients;
-=======
-  std::string size = "1024x1024", sun, orbit, target, background, camera = "auto", precision = "fp32",
-              specularAa = "off", mobileTarget;
->>>>>>> h2
   std::string geometryTerm, fresnel, diffuse, compensation, offSpecular; // of the high-end path and the reference
   RawLightOptions light;
   std::string error = "0.5%", scattering = "multiple"; // of the reference

@@ -60,20 +60,13 @@ void FrameBuilder::add(const Surface& opaque, const ShadedSurface& opaqueShaded,
           m_scratch.data(), firstPixel, opaque, planeOf(opaqueShaded), [](std::size_t) { return std::pair(0.f, 1.f); },
           target);
     if (layered)
-<<<<<<< HEAD
-      composite(m_scratch.data(), firstPixel, *blended, planeOf(*blendedShaded), [&](std::size_t i) {
-        const float opacity = blendedShaded->color[i].w;
-        return std::pair(1 - opacity, blendedShaded->premultiplied ? 1.f : opacity);
-      });
-=======
       composite(
           m_scratch.data(), firstPixel, *blended, planeOf(*blendedShaded),
           [&](std::size_t i) {
             const float opacity = blendedShaded->color[i].w;
-            return std::pair(1 - opacity, opacity);
+            return std::pair(1 - opacity, blendedShaded->premultiplied ? 1.f : opacity);
           },
           target);
->>>>>>> h2
     float* out = sum.pixels.data() + firstPixel * 3;
     for (std::size_t k = 0; k < count * 3; ++k) out[k] += m_scratch[k];
   };

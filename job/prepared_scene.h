@@ -27,13 +27,9 @@ struct PreparedScene {
   std::vector<scenes::Light> lights, mobileLights; // the scene's, --sun and what was extracted
   // Prefiltered, for the paths asked for: the same one where nothing tells them apart. None: no environment.
   std::shared_ptr<const lighting::EnvironmentLight> environment, mobileEnvironment;
-<<<<<<< HEAD
   // Unfiltered, times the sky light's colour, to go with `lights`; kept for the reference alone.
   std::optional<scenes::Environment> panorama;
-=======
-  std::optional<scenes::Environment> panorama; // unfiltered, to go with `lights`; kept for the reference alone
   float exposureEv = 0;                        // of the camera
->>>>>>> h2
   std::string environmentName, sunText; // for the report: the file without its folder; "none" where there is none
 };
 

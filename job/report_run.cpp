@@ -48,18 +48,13 @@ std::vector<std::pair<std::string, std::string>> describe(const Settings& s, con
       {"highend diffuse", nameOf(highend::diffuseNames(), s.highend.diffuse)},
       {"highend compensation", nameOf(highend::compensationNames(), s.highend.compensation)},
       {"highend off-specular", nameOf(highend::offSpecularNames(), s.highend.offSpecular)},
-<<<<<<< HEAD
       {"mobile preset", s.mobile.preset},
       {"mobile precision", describePrecision(s.mobile, device)},
       {"mobile sky", fmt::format("{} SH coefficients", s.mobile.skyCoefficients)},
       {"mobile capture", fmt::format("{}, scaled: {}", nameOf(mobile::captureEncodingNames(), s.mobile.capture),
                                      nameOf(mobile::captureScaleNames(), s.mobile.captureScale))},
-=======
-      {"mobile preset", s.mobilePresetName},
-      {"mobile precision", "fp32"},
       {"mobile target", nameOf(gpu::outputTargetNames(), s.mobileTarget) +
                             (gpu::isDisplayed(s.mobileTarget) ? ", as displayed: light above white is cut off" : "")},
->>>>>>> h2
       {"materials", s.materials.empty() ? "all" : fmt::format("{}", fmt::join(s.materials, ", "))},
       {"fully rough", s.fullyRough.empty() ? "none" : fmt::format("{}", fmt::join(s.fullyRough, ", "))}};
   if (s.truth) settings.emplace_back("truth", describeTruth(s));

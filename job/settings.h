@@ -34,16 +34,10 @@ struct Settings {
   bool costs = false;     // count what each permutation costs
   bool extractSun = true; // bright compact sources of environments become lights; scene by scene: SuiteEntry
   bool truth = false;     // also hold both paths against the reference; needs the terms
-<<<<<<< HEAD
   mobile::Options mobile;
   std::uint32_t mobileView = mobile::kViewLit; // what the mobile path's colour shows (mobile/views.h)
-  gpu::SpecularAa specularAa = gpu::SpecularAa::off; // of all paths
-=======
-  mobile::Preset mobilePreset = mobile::Preset::ue4_2020;
-  std::string mobilePresetName = "ue4-2020";
   gpu::OutputTarget mobileTarget = gpu::OutputTarget::rgba16f; // what the mobile path's colour is stored in
   gpu::SpecularAa specularAa = gpu::SpecularAa::off;           // of all paths
->>>>>>> h2
   highend::Options highend;
   reference::Options reference;
   bool referenceShadows = false;

@@ -51,7 +51,6 @@ TEST(FrameBuilder, laysTheBlendedLayerOverColourAndTermsAlike) {
   EXPECT_EQ(frame.terms[7].pixels[3], 4);
 }
 
-<<<<<<< HEAD
 TEST(FrameBuilder, addsPremultipliedColourAndTermsAsTheyAre) {
   FrameBuilder builder(2, 1, 1, true, glm::vec3(1));
   const auto terms = [](float value) {
@@ -63,7 +62,8 @@ TEST(FrameBuilder, addsPremultipliedColourAndTermsAsTheyAre) {
   const base::Frame frame = builder.take();
   EXPECT_EQ(frame.color.pixels, (std::vector<float>{5, 5, 5, 1, 1, 1}));
   for (const base::Image& term : frame.terms) EXPECT_EQ(term.pixels[0], 5);
-=======
+}
+
 // One pixel: an opaque surface of light 0.64, over it a layer of light 0.04 at half opacity.
 glm::vec3 blend(const std::optional<TargetCodec>& target) {
   FrameBuilder builder(2, 1, 1, false, glm::vec3(0), target);
@@ -112,7 +112,6 @@ TEST(FrameBuilder, aTargetLeavesTermsAndNonFinitePixelsAlone) {
   const base::Frame frame = builder.take();
   EXPECT_TRUE(std::isnan(frame.color.pixels[0]));
   EXPECT_EQ(frame.terms[2].pixels[3], 0.3f);
->>>>>>> h2
 }
 
 } // namespace

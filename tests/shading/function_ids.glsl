@@ -51,34 +51,30 @@ const int kFnTwoTap = 45;
 const int kFnThreeTap = 46;
 const int kFnAlphaSquaredOfNormals = 47;
 const int kFnWidenRoughness = 48;
-<<<<<<< HEAD
 const int kFnHeightFogTransmittance = 49;
+const int kFnEncodeGamma2 = 50;
+const int kFnSaturateToHalf = 51;
 // From here to kFunctionCount by evaluate_base_pass.glsl.
-const int kFnNarrow = 50;
-const int kFirstOfBasePass = 50;
-const int kFnDot32 = 51;
-const int kFnEncodeRgbm = 52;
-const int kFnDecodeRgbm = 53;
-const int kFnGetSkySHDiffuseSimple = 54;
-const int kFnGetSkySHDiffuse = 55;
-const int kFnPackSkySh = 56;
-const int kFnInitShadingModelContext = 57;
-const int kFnReflectionVector = 58;
-const int kFnHalfVector = 59;
-const int kFnCosineOf = 60;
-const int kFnMobileIntegrateBxDF = 61;
-const int kFnLightWith = 62;
-const int kFnLuminanceUE4 = 63;
-const int kFnCaptureScale = 64;
-const int kFnSpecularIBL = 65;
-const int kFnModulate = 66;
-const int kFnLocalLightAt = 67;
-const int kFunctionCount = 68;
-=======
-const int kFnEncodeGamma2 = 49;
-const int kFnSaturateToHalf = 50;
-const int kFunctionCount = 51;
->>>>>>> h2
+const int kFnNarrow = 52;
+const int kFirstOfBasePass = 52;
+const int kFnDot32 = 53;
+const int kFnEncodeRgbm = 54;
+const int kFnDecodeRgbm = 55;
+const int kFnGetSkySHDiffuseSimple = 56;
+const int kFnGetSkySHDiffuse = 57;
+const int kFnPackSkySh = 58;
+const int kFnInitShadingModelContext = 59;
+const int kFnReflectionVector = 60;
+const int kFnHalfVector = 61;
+const int kFnCosineOf = 62;
+const int kFnMobileIntegrateBxDF = 63;
+const int kFnLightWith = 64;
+const int kFnLuminanceUE4 = 65;
+const int kFnCaptureScale = 66;
+const int kFnSpecularIBL = 67;
+const int kFnModulate = 68;
+const int kFnLocalLightAt = 69;
+const int kFunctionCount = 70;
 
 const int kInputs = 32;  // numbers a row going in
 const int kOutputs = 12; // and coming out

@@ -248,8 +248,9 @@ std::vector<FunctionCase> functionTable() {
       {"threeTap", kFnThreeTap, units(3), mip},
       {"alphaSquaredOfNormals", kFnAlphaSquaredOfNormals, units(1), exact},
       {"widenRoughness", kFnWidenRoughness, units(2), exact},
-<<<<<<< HEAD
       {"heightFogTransmittance", kFnHeightFogTransmittance, fogAndWay, fog},
+      {"encodeGamma2", kFnEncodeGamma2, uniforms(3, -0.5, 1.5), exact},
+      {"saturateToHalf", kFnSaturateToHalf, uniforms(3, -1e5, 1e5), exact},
       {"narrow", kFnNarrow, uniforms(1, 0, 65504), exact},
       {"dot32", kFnDot32, uniforms(6, -1, 1), exact},
       {"encodeRgbm", kFnEncodeRgbm, radiance, exact},
@@ -268,10 +269,6 @@ std::vector<FunctionCase> functionTable() {
       {"specularIBL", kFnSpecularIBL, uniforms(4, 0, 300), exact},
       {"modulate", kFnModulate, uniforms(6, 0, 300), exact},
       {"localLightAt", kFnLocalLightAt, localLight, exact},
-=======
-      {"encodeGamma2", kFnEncodeGamma2, uniforms(3, -0.5, 1.5), exact},
-      {"saturateToHalf", kFnSaturateToHalf, uniforms(3, -1e5, 1e5), exact},
->>>>>>> h2
   };
 }
 
