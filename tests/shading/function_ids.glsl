@@ -72,7 +72,12 @@ const int kFnCaptureScale = 64;
 const int kFnSpecularIBL = 65;
 const int kFnModulate = 66;
 const int kFnLocalLightAt = 67;
-const int kFunctionCount = 68;
+const int kFnRefitLobe = 68;
+const int kFnRefitTap = 69;
+const int kFnRefitDirection = 70;
+const int kFnRefitHalfVector = 71;
+const int kFnRefitLight = 72;
+const int kFunctionCount = 73;
 
 const int kInputs = 32;  // numbers a row going in
 const int kOutputs = 12; // and coming out
