@@ -90,7 +90,8 @@ void addMobileOptions(CLI::App& app, RawOptions& raw) {
       ->check(CLI::IsMember(mobile::captureEncodingNames()))
       ->group("Paths");
   app.add_option("--capture-scale", raw.captureScale,
-                 "Mobile path: how the environment follows the indirect light: none, full, by-roughness (the preset's)")
+                 "Mobile path: how the environment follows the indirect light: none, full, by-roughness, occlusion "
+                 "(the preset's)")
       ->check(CLI::IsMember(mobile::captureScaleNames()))
       ->group("Paths");
 }

@@ -7,7 +7,7 @@
 namespace parity::mobile {
 
 const std::vector<std::string>& presetNames() {
-  static const std::vector<std::string> names = {"karis2014", "ue4-2020"};
+  static const std::vector<std::string> names = {"karis2014", "ue4-2020", "refit"};
   return names;
 }
 
@@ -20,6 +20,13 @@ Options presetByName(const std::string& name) {
             .captureScale = CaptureScale::full,
             .localLights = false,
             .roughnessFloor = 0};
+  if (name == "refit")
+    return {.preset = name,
+            .environmentBrdf = EnvironmentBrdf::refit,
+            .directLobe = DirectLobe::refit,
+            .captureScale = CaptureScale::occlusion,
+            .skyCoefficients = 9,
+            .roughnessFloor = 0};
   throw base::Error(base::ExitCode::usage, "--mobile-preset", name,
                     fmt::format("unknown; the presets are {}", fmt::join(presetNames(), ", ")));
 }
@@ -29,7 +36,7 @@ const std::vector<std::string>& precisionNames() {
   return names;
 }
 const std::vector<std::string>& captureScaleNames() {
-  static const std::vector<std::string> names = {"none", "full", "by-roughness"};
+  static const std::vector<std::string> names = {"none", "full", "by-roughness", "occlusion"};
   return names;
 }
 const std::vector<std::string>& captureEncodingNames() {

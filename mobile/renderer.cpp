@@ -19,11 +19,14 @@ namespace {
 constexpr bool is(auto enumerator, int value) { return static_cast<int>(enumerator) == value; }
 namespace numbers = shading::f32;
 static_assert(is(EnvironmentBrdf::karis2014, numbers::kEnvironmentBrdfKaris2014) &&
-              is(EnvironmentBrdf::ue4, numbers::kEnvironmentBrdfUE4));
-static_assert(is(DirectLobe::dApprox, numbers::kSunDApprox) && is(DirectLobe::calcSpecular, numbers::kSunCalcSpecular));
+              is(EnvironmentBrdf::ue4, numbers::kEnvironmentBrdfUE4) &&
+              is(EnvironmentBrdf::refit, numbers::kEnvironmentBrdfRefit));
+static_assert(is(DirectLobe::dApprox, numbers::kSunDApprox) &&
+              is(DirectLobe::calcSpecular, numbers::kSunCalcSpecular) && is(DirectLobe::refit, numbers::kSunRefit));
 static_assert(is(CaptureScale::none, numbers::kCaptureScaleNone) &&
               is(CaptureScale::full, numbers::kCaptureScaleFull) &&
-              is(CaptureScale::byRoughness, numbers::kCaptureScaleByRoughness));
+              is(CaptureScale::byRoughness, numbers::kCaptureScaleByRoughness) &&
+              is(CaptureScale::occlusion, numbers::kCaptureScaleOcclusion));
 
 std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t view) {
   return {static_cast<std::uint32_t>(options.environmentBrdf),

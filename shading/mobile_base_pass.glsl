@@ -12,25 +12,30 @@
 #include "shading/light.glsl"
 #include "shading/material.glsl"
 #include "shading/mobile_direct.glsl"
+#include "shading/refit.glsl"
 
 // Which environment BRDF.
 CONSTANT int kEnvironmentBrdfKaris2014 = 0; // EnvBRDFApprox
 CONSTANT int kEnvironmentBrdfUE4 = 1;       // AB.y *= saturate(50 g)
+CONSTANT int kEnvironmentBrdfRefit = 2;     // shading/refit.glsl: with what scatters more than once, and what diffuse light has left
 
 // Which lobe direct light has.
 CONSTANT int kSunDApprox = 0;      // around the reflection vector (Karis 2014)
 CONSTANT int kSunCalcSpecular = 1; // GGX_Mobile around the half vector (UE4 2020)
+CONSTANT int kSunRefit = 2;        // shading/refit.glsl; goes with kEnvironmentBrdfRefit
 
 // How the environment follows the baked light (captureScale).
 CONSTANT int kCaptureScaleNone = 0;
 CONSTANT int kCaptureScaleFull = 1;
 CONSTANT int kCaptureScaleByRoughness = 2;
+CONSTANT int kCaptureScaleOcclusion = 3;
 
 // The material's outputs that the base pass reads (GBuffer), after texturing.
 struct MobileMaterial {
   real3 BaseColor;
   real Metallic;
   real3 DielectricSpecular; // 0.08 Specular, RGB: a tinted KHR_materials_specular keeps its colour
+  real F90;                 // of a dielectric: 1 but for KHR_materials_specular; read by refit alone
   real Roughness;           // not below the preset's floor
 };
 
@@ -40,6 +45,16 @@ struct MobileShadingModelContext {
   real3 SpecPreEnvBrdf;
   real3 SpecularColor; // SpecPreEnvBrdf through the environment BRDF
   real Roughness;
+  RefitLobe lobe; // with kEnvironmentBrdfRefit alone
+};
+
+// A shading point's directions, unit: as the engine has them, and before they were rounded.
+struct MobileFrame {
+  real3 N;
+  real3 V;
+  real3 reflection; // reflectionVector(N, V)
+  real32x3 N32;
+  real32x3 V32;
 };
 
 // FMobileDirectLighting: what one light is multiplied with.
@@ -49,7 +64,7 @@ struct MobileDirectLighting {
 };
 
 // InitShadingModelContext. nonmetal: EnvBRDFApproxNonmetal takes the place of the general form; fullyRough: FullyRough, and
-// the environment is not to be fetched. NoV in [0, 1].
+// the environment is not to be fetched. NoV in [0, 1]. Of refit, SpecularColor is the albedo of light scattered once.
 FN MobileShadingModelContext initShadingModelContext(int environmentBrdf, bool nonmetal, bool fullyRough, MobileMaterial m,
                                                      real NoV) {
   MobileShadingModelContext c;
@@ -60,6 +75,13 @@ FN MobileShadingModelContext initShadingModelContext(int environmentBrdf, bool n
   if (fullyRough) {
     c.Roughness = R(1.0);
     FullyRough(c.DiffuseColor, c.SpecularColor);
+  } else if (environmentBrdf == kEnvironmentBrdfRefit) {
+    PRECISE real F90 = m.F90 + (R(1.0) - m.F90) * m.Metallic;
+    c.lobe = refitLobe(c.SpecPreEnvBrdf, F90, c.Roughness, NoV);
+    c.SpecularColor = c.lobe.single;
+    real share = refitDiffuseShare(c.lobe);
+    PRECISE real3 diffuse = real3(c.DiffuseColor.x * share, c.DiffuseColor.y * share, c.DiffuseColor.z * share);
+    c.DiffuseColor = diffuse;
   } else if (nonmetal) {
     real E = EnvBRDFApproxNonmetal(c.Roughness, NoV);
     c.SpecularColor = real3(E, E, E);
@@ -87,24 +109,43 @@ FN real3 halfVector(real3 N, real3 V, real32x3 L) {
 // max(0, N.L): half times float is float, then stored as half.
 FN real cosineOf(real3 N, real32x3 L) { return narrow(max(dot32(widen(N), L), R32(0.0))); }
 
+FN MobileFrame mobileFrame(real32x3 N, real32x3 V) {
+  MobileFrame f;
+  f.N32 = N;
+  f.V32 = V;
+  f.N = narrow(N);
+  f.V = narrow(V);
+  f.reflection = reflectionVector(f.N, f.V);
+  return f;
+}
+
+// max(0, N.V): in half, as in the source; refit keeps the digits that a grazing view needs.
+FN real viewCosine(int environmentBrdf, MobileFrame f) {
+  if (environmentBrdf == kEnvironmentBrdfRefit) return narrow(min(max(dot32(f.N32, f.V32), R32(0.0)), R32(1.0)));
+  return max(dot3(f.N, f.V), R(0.0));
+}
+
 // MobileIntegrateBxDF:
 //   Specular = SpecularColor (NoL lobe),  Diffuse = NoL DiffuseColor
-// lobe: D_Approx(Roughness, R.L) or CalcSpecular(Roughness, N.H). 1/pi is in the light's colour. reflection:
-// reflectionVector(N, V). NoH is a half in the source, and GGX_Mobile's float parameter does not bring back its digits:
-// smooth highlights have bands in half.
-FN MobileDirectLighting mobileIntegrateBxDF(int sun, bool fullyRough, MobileShadingModelContext c, real3 N, real3 V,
-                                            real3 reflection, real32x3 L) {
+// lobe: D_Approx(Roughness, R.L) or CalcSpecular(Roughness, N.H). 1/pi is in the light's colour. NoH is a half in the
+// source, and GGX_Mobile's float parameter does not bring back its digits: smooth highlights have bands in half. Of refit
+// the specular part is refitLight.
+FN MobileDirectLighting mobileIntegrateBxDF(int sun, bool fullyRough, MobileShadingModelContext c, MobileFrame f, real32x3 L) {
   MobileDirectLighting lighting;
-  real NoL = cosineOf(N, L);
+  real NoL = cosineOf(f.N, L);
   PRECISE real3 diffuse = real3(NoL * c.DiffuseColor.x, NoL * c.DiffuseColor.y, NoL * c.DiffuseColor.z);
   lighting.Diffuse = diffuse;
   lighting.Specular = real3(R(0.0), R(0.0), R(0.0));
   if (fullyRough) return lighting;
+  if (sun == kSunRefit) {
+    lighting.Specular = refitLight(c.lobe, min(NoL, R(1.0)), refitHalfVector(f.N32, f.V32, L));
+    return lighting;
+  }
   real lobe;
   if (sun == kSunDApprox) {
-    lobe = D_Approx(c.Roughness, real(dot32(widen(reflection), L)));
+    lobe = D_Approx(c.Roughness, real(dot32(widen(f.reflection), L)));
   } else {
-    lobe = CalcSpecular(c.Roughness, real32(max(dot3(N, halfVector(N, V, L)), R(0.0))));
+    lobe = CalcSpecular(c.Roughness, real32(max(dot3(f.N, halfVector(f.N, f.V, L)), R(0.0))));
   }
   PRECISE real k = NoL * lobe;
   PRECISE real3 specular = real3(c.SpecularColor.x * k, c.SpecularColor.y * k, c.SpecularColor.z * k);
@@ -131,10 +172,13 @@ FN real luminanceUE4(real3 c) {
 // and scaled by the lightmap", Karis 2014; UE4's ComputeMixingWeight): with w = IndirectIrradiance / averageBrightness,
 //   kCaptureScaleFull         w
 //   kCaptureScaleByRoughness  lerp(1, w, smoothstep(0, 1, Roughness))   (SHADING 7)
+//   kCaptureScaleOcclusion    MaterialAO, as the high-end path has it
 // IndirectIrradiance: luminance of the indirect diffuse light over pi, material AO included. averageBrightness: of the
 // capture, as UE4 cut off below 1e-4. In fp32, and saturating: a black capture's 0 must not become 0 times infinity.
-FN real captureScale(int mode, real IndirectIrradiance, real32 averageBrightness, real Roughness) {
+FN real captureScale(int mode, real IndirectIrradiance, real32 averageBrightness, real Roughness,
+                     real MaterialAO) {
   if (mode == kCaptureScaleNone) return R(1.0);
+  if (mode == kCaptureScaleOcclusion) return MaterialAO;
   PRECISE real32 w32 = real32(IndirectIrradiance) / max(averageBrightness, R32(1e-4));
   real w = narrow(w32);
   if (mode == kCaptureScaleFull) return w;
@@ -161,13 +205,15 @@ struct MobileLocalLight {
   real32x3 color; // candela, times attenuation, over pi
 };
 
-// The inverse square window and the cone. toLight: metres; range 0: infinite; isSpot: else the cone is not read.
-FN MobileLocalLight localLightAt(real32x3 toLight, real32x3 candela, real32 range, bool isSpot, real32x3 direction,
+// The fall-off and the cone. toLight: metres; range 0: infinite; isSpot: else the cone is not read. ue4: the engine's
+// squared window over d^2 + 1 cm^2, else KHR_lights_punctual's, as the high-end path has it.
+FN MobileLocalLight localLightAt(bool ue4, real32x3 toLight, real32x3 candela, real32 range, bool isSpot, real32x3 direction,
                                  real32 cosInner, real32 cosOuter) {
   MobileLocalLight light;
   real32x3 back = real32x3(-direction.x, -direction.y, -direction.z);
   light.L = safeNormalize(toLight, back);
-  real32 attenuation = squareFalloffUE4(dot32(toLight, toLight), range);
+  real32 d2 = dot32(toLight, toLight);
+  real32 attenuation = ue4 ? squareFalloffUE4(d2, range) : squareFalloff(d2, range);
   if (isSpot) attenuation = attenuation * real32(spotAttenuation(real(dot32(light.L, back)), real(cosInner), real(cosOuter)));
   PRECISE real32 k = attenuation * R32(0.318309886183790672);
   PRECISE real32x3 color = real32x3(candela.x * k, candela.y * k, candela.z * k);

@@ -68,6 +68,7 @@ MobileMaterial makeMaterial(Resolved r) {
   m.BaseColor = real3(r.baseColor);
   m.Metallic = real(r.metallic);
   m.DielectricSpecular = real3(r.F0);
+  m.F90 = real(r.F90);
   m.Roughness = real(max(kRoughnessFloor, r.roughness));
   return m;
 }
@@ -122,9 +123,9 @@ void main() {
   bool fullyRough = hasFeature(kFeatureFullyRough, p.material), nonmetal = hasFeature(kFeatureNonmetal, p.material);
   MobileMaterial GBuffer = makeMaterial(r);
   real MaterialAO = real(r.occlusion);
-  real3 N = real3(r.normal), V = real3(p.V);
-  real NoV = max(dot3(N, V), R(0.0));
-  real3 ReflectionVector = reflectionVector(N, V);
+  MobileFrame frame = mobileFrame(r.normal, p.V);
+  real3 N = frame.N;
+  real NoV = viewCosine(kEnvironmentBrdf, frame);
   MobileShadingModelContext ShadingModelContext = initShadingModelContext(kEnvironmentBrdf, nonmetal, fullyRough, GBuffer, NoV);
   real3 DiffuseColor = ShadingModelContext.DiffuseColor;
 
@@ -148,7 +149,7 @@ void main() {
     vec3 L = -lights[0].directionCosOuter.xyz;
     vec3 DirectionalLightColor = lights[0].colorRange.xyz * 0.318309886183790672 * float(Shadow);
     real SpecularScale = real(lights[0].cone.y);
-    MobileDirectLighting Lighting = mobileIntegrateBxDF(kSun, fullyRough, ShadingModelContext, N, V, ReflectionVector, L);
+    MobileDirectLighting Lighting = mobileIntegrateBxDF(kSun, fullyRough, ShadingModelContext, frame, L);
     real3 lit = lightWith(DirectionalLightColor, Lighting, SpecularScale);
     addLight(pass, kTermSunDiffuse, DirectionalLightColor, Lighting, SpecularScale, lit);
     show(kViewDirectionalLight, lit);
@@ -156,16 +157,24 @@ void main() {
     show(kViewLightingSpecular, Lighting.Specular);
     show(kViewLighting, add(Lighting.Diffuse, Lighting.Specular));
     show(kViewNoL, cosineOf(N, L));
-    show(kViewH, halfVector(N, V, L));
-    show(kViewNoH, max(dot3(N, halfVector(N, V, L)), R(0.0)));
+    show(kViewH, halfVector(N, frame.V, L));
+    show(kViewNoH, max(dot3(N, halfVector(N, frame.V, L)), R(0.0)));
   }
 
   // GetImageBasedReflectionLighting: one fetch, none for fully rough materials.
   if (kHasEnvironment != 0u && !fullyRough) {
-    real3 radiance = fetchCapture(vec3(ReflectionVector), mipFromRoughness(ShadingModelContext.Roughness));
-    real scale = captureScale(kCaptureScale, IndirectIrradiance, view.path[kPathAverageBrightness].x, ShadingModelContext.Roughness);
-    real3 SpecularIBL = specularIBL(radiance, scale);
+    real3 direction = frame.reflection;
+    real mip = mipFromRoughness(ShadingModelContext.Roughness);
+    if (kEnvironmentBrdf == kEnvironmentBrdfRefit) {
+      RefitTap tap = refitTap(ShadingModelContext.Roughness, NoV);
+      direction = refitDirection(N, frame.V, tap.lean);
+      mip = tap.mip;
+    }
+    real scale = captureScale(kCaptureScale, IndirectIrradiance, view.path[kPathAverageBrightness].x, ShadingModelContext.Roughness, MaterialAO);
+    real3 SpecularIBL = specularIBL(fetchCapture(vec3(direction), mip), scale);
+    if (kEnvironmentBrdf == kEnvironmentBrdfRefit) SpecularIBL = modulate(SpecularIBL, SkyLightColor);
     real3 lit = modulate(SpecularIBL, ShadingModelContext.SpecularColor);
+    if (kEnvironmentBrdf == kEnvironmentBrdfRefit) lit = add(lit, modulate(product(DiffuseLookup, scale), ShadingModelContext.lobe.multiple));
     pass.Color = add(pass.Color, lit);
     addTerm(pass, kTermSkySpecular, lit);
     show(kViewSpecularIBL, SpecularIBL);
@@ -180,11 +189,11 @@ void main() {
       uint index = pathData[p.instance * kLightsPerObject + k];
       if (index == kNoLight) break;
       GpuLight light = lights[index];
-      MobileLocalLight seen = localLightAt(light.positionKind.xyz - p.position, light.colorRange.xyz, light.colorRange.w,
+      MobileLocalLight seen = localLightAt(kSun != kSunRefit, light.positionKind.xyz - p.position, light.colorRange.xyz, light.colorRange.w,
                                            uint(light.positionKind.w) == kLightSpot, light.directionCosOuter.xyz, light.cone.x,
                                            light.directionCosOuter.w);
       real SpecularScale = real(light.cone.y);
-      MobileDirectLighting Lighting = mobileIntegrateBxDF(kSun, fullyRough, ShadingModelContext, N, V, ReflectionVector, seen.L);
+      MobileDirectLighting Lighting = mobileIntegrateBxDF(kSun, fullyRough, ShadingModelContext, frame, seen.L);
       real3 lit = clampContribution65000(lightWith(seen.color, Lighting, SpecularScale));
       addLight(pass, kTermLocalDiffuse, seen.color, Lighting, SpecularScale, lit);
       sum = add(sum, lit);
@@ -220,6 +229,6 @@ void main() {
   show(kViewShadow, Shadow);
   show(kViewNoV, NoV);
   show(kViewWorldNormal, N);
-  show(kViewReflectionVector, ReflectionVector);
+  show(kViewReflectionVector, frame.reflection);
   writePass(i, pass, r.opacity);
 }

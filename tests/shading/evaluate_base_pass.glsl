@@ -18,8 +18,8 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
   if (function == kFnCosineOf) return outputs1(cosineOf(u, real32x3At(i, 3)));
   if (function == kFnLuminanceUE4) return outputs1(luminanceUE4(u));
   if (function == kFnCaptureScale) {
-    int mode = i.x[3] < R32(0.33) ? kCaptureScaleNone : i.x[3] < R32(0.67) ? kCaptureScaleFull : kCaptureScaleByRoughness;
-    return outputs1(captureScale(mode, u.x, i.x[1], u.z));
+    int mode = i.x[3] < R32(0.33) ? kCaptureScaleNone : i.x[3] < R32(0.5) ? kCaptureScaleFull : i.x[3] < R32(0.9) ? kCaptureScaleByRoughness : kCaptureScaleOcclusion;
+    return outputs1(captureScale(mode, u.x, i.x[1], u.z, real1At(i, 4)));
   }
   if (function == kFnSpecularIBL) return outputs3(specularIBL(u, real1At(i, 3)));
   if (function == kFnModulate) return outputs3(modulate(u, v));
@@ -42,7 +42,8 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
     m.DielectricSpecular = real3At(i, 3);
     m.Metallic = real1At(i, 6);
     m.Roughness = real1At(i, 7);
-    int form = i.x[9] < R32(0.5) ? kEnvironmentBrdfKaris2014 : kEnvironmentBrdfUE4;
+    m.F90 = R(1.0);
+    int form = i.x[9] < R32(0.33) ? kEnvironmentBrdfKaris2014 : i.x[9] < R32(0.67) ? kEnvironmentBrdfUE4 : kEnvironmentBrdfRefit;
     MobileShadingModelContext c =
         initShadingModelContext(form, i.x[10] > R32(0.75), i.x[11] > R32(0.75), m, real1At(i, 8));
     Outputs o = outputs33(widen(c.DiffuseColor), widen(c.SpecPreEnvBrdf));
@@ -53,15 +54,17 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
     return o;
   }
   if (function == kFnMobileIntegrateBxDF) {
-    MobileShadingModelContext c;
-    c.DiffuseColor = real3At(i, 0);
-    c.SpecPreEnvBrdf = real3At(i, 3);
-    c.SpecularColor = real3At(i, 3);
-    c.Roughness = real1At(i, 6);
-    real3 N = real3At(i, 7), V = real3At(i, 10);
-    int sun = i.x[16] < R32(0.5) ? kSunDApprox : kSunCalcSpecular;
-    MobileDirectLighting lighting =
-        mobileIntegrateBxDF(sun, i.x[17] > R32(0.75), c, N, V, reflectionVector(N, V), real32x3At(i, 13));
+    MobileMaterial m;
+    m.BaseColor = real3At(i, 0);
+    m.DielectricSpecular = real3At(i, 3);
+    m.Metallic = real1At(i, 18);
+    m.Roughness = real1At(i, 6);
+    m.F90 = R(1.0);
+    int form = i.x[16] < R32(0.33) ? 0 : i.x[16] < R32(0.67) ? 1 : 2; // karis2014, UE4, refit in both enumerations
+    bool fullyRough = i.x[17] > R32(0.75);
+    MobileFrame f = mobileFrame(real32x3At(i, 7), real32x3At(i, 10));
+    MobileShadingModelContext c = initShadingModelContext(form, false, fullyRough, m, viewCosine(form, f));
+    MobileDirectLighting lighting = mobileIntegrateBxDF(form, fullyRough, c, f, real32x3At(i, 13));
     return outputs33(widen(lighting.Diffuse), widen(lighting.Specular));
   }
   if (function == kFnLightWith) {
@@ -97,6 +100,6 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
     return outputs3(refitLight(lobe, real1At(i, 12), cosines));
   }
   // kFnLocalLightAt
-  MobileLocalLight light = localLightAt(real32x3At(i, 0), real32x3At(i, 3), i.x[6], i.x[7] > R32(0.5), real32x3At(i, 8), i.x[11], i.x[12]);
+  MobileLocalLight light = localLightAt(i.x[13] < R32(0.5), real32x3At(i, 0), real32x3At(i, 3), i.x[6], i.x[7] > R32(0.5), real32x3At(i, 8), i.x[11], i.x[12]);
   return outputs33(light.L, light.color);
 }

@@ -134,14 +134,13 @@ Maker directions(int count) {
   };
 }
 
-// Colours, roughness, N, V, L, the lobe, fully rough.
+// Base colour, dielectric F0, roughness, N, V, L, the preset, fully rough, metallic.
 Row litPoint(Random& random) {
   Row row{};
   for (int i = 0; i < 6; ++i) row[i] = unit(random);
   row[6] = uniform(random, 0.0626, 1);
   for (const int at : {7, 10, 13}) putDirection(random, row, at);
-  row[16] = unit(random);
-  row[17] = unit(random);
+  for (const int at : {16, 17, 18}) row[at] = unit(random);
   return row;
 }
 
@@ -164,6 +163,7 @@ Row localLight(Random& random) {
   putDirection(random, row, 8);
   row[12] = uniform(random, -1, 1);
   row[11] = uniform(random, row[12], 1);
+  row[13] = unit(random);
   return row;
 }
 
@@ -270,7 +270,7 @@ std::vector<FunctionCase> functionTable() {
       {"mobileIntegrateBxDF", kFnMobileIntegrateBxDF, litPoint, dApprox},
       {"lightWith", kFnLightWith, uniforms(10, 0, 100), exact},
       {"luminanceUE4", kFnLuminanceUE4, uniforms(3, 0, 100), exact},
-      {"captureScale", kFnCaptureScale, units(4), exact},
+      {"captureScale", kFnCaptureScale, units(5), exact},
       {"specularIBL", kFnSpecularIBL, uniforms(4, 0, 300), exact},
       {"modulate", kFnModulate, uniforms(6, 0, 300), exact},
       {"localLightAt", kFnLocalLightAt, localLight, exact},

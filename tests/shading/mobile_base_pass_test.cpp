@@ -22,6 +22,7 @@ f64::MobileMaterial copper() {
   m.BaseColor = {0.9, 0.5, 0.25};
   m.Metallic = 0.75;
   m.DielectricSpecular = {0.04, 0.04, 0.04};
+  m.F90 = 1;
   m.Roughness = 0.4;
   return m;
 }
@@ -70,15 +71,16 @@ TEST(MobileShadingModelContext, specularOfZeroIsOffInUe4Alone) {
 TEST(MobileIntegrateBxDF, isSpecularColorTimesNoLTimesTheLobe) {
   f64::MobileShadingModelContext c =
       f64::initShadingModelContext(f64::kEnvironmentBrdfUE4, false, false, copper(), 0.8);
-  const f64::real3 N(0, 0, 1), V(0.6, 0, 0.8), R = f64::reflectionVector(N, V), L(0, 0.6, 0.8);
+  const f64::MobileFrame frame = f64::mobileFrame({0, 0, 1}, {0.6, 0, 0.8});
+  const f64::real3 R = frame.reflection, L(0, 0.6, 0.8);
   EXPECT_NEAR(R.x, -0.6, 1e-15);
   EXPECT_NEAR(R.z, 0.8, 1e-15);
   const double RoL = 0.64, NoH = 1.6 / std::sqrt(0.36 + 0.36 + 2.56);
-  const auto ue4 = f64::mobileIntegrateBxDF(f64::kSunCalcSpecular, false, c, N, V, R, L);
+  const auto ue4 = f64::mobileIntegrateBxDF(f64::kSunCalcSpecular, false, c, frame, L);
   const double a = 0.16, p = a / (1 - NoH * NoH + NoH * a * NoH * a);
   EXPECT_NEAR(ue4.Specular.x, c.SpecularColor.x * 0.8 * (0.4 * 0.25 + 0.25) * p * p, 1e-14);
   EXPECT_NEAR(ue4.Diffuse.y, c.DiffuseColor.y * 0.8, 1e-15);
-  const auto karis = f64::mobileIntegrateBxDF(f64::kSunDApprox, false, c, N, V, R, L);
+  const auto karis = f64::mobileIntegrateBxDF(f64::kSunDApprox, false, c, frame, L);
   const double k = 0.72134752 / (a * a) + 0.39674113;
   EXPECT_NEAR(karis.Specular.x, c.SpecularColor.x * 0.8 * std::exp2(k * RoL - k) / (a * a), 1e-14);
 }
@@ -86,10 +88,11 @@ TEST(MobileIntegrateBxDF, isSpecularColorTimesNoLTimesTheLobe) {
 // SHADING 8: N flipped, direct light 0; V = -L, H = N.
 TEST(MobileIntegrateBxDF, givesNothingFromBehindAndSurvivesLightAgainstTheView) {
   const f64::MobileShadingModelContext c = f64::initShadingModelContext(1, false, false, copper(), 1);
-  const f64::real3 N(0, 0, 1), V(0, 0, 1), R = f64::reflectionVector(N, V), L(0, 0, -1);
-  const auto behind = f64::mobileIntegrateBxDF(f64::kSunCalcSpecular, false, c, N, V, R, L);
+  const f64::MobileFrame frame = f64::mobileFrame({0, 0, 1}, {0, 0, 1});
+  const f64::real3 L(0, 0, -1);
+  const auto behind = f64::mobileIntegrateBxDF(f64::kSunCalcSpecular, false, c, frame, L);
   EXPECT_EQ(behind.Specular.x + behind.Diffuse.x, 0);
-  EXPECT_EQ(f64::halfVector(N, V, L).z, 1);
+  EXPECT_EQ(f64::halfVector(frame.N, frame.V, L).z, 1);
 }
 
 TEST(LightWith, saturatesInHalf) {
@@ -104,16 +107,17 @@ TEST(LightWith, saturatesInHalf) {
 
 // SHADING 7: lerp(1, irradiance / averageBrightness, smoothstep(R)).
 TEST(CaptureScale, followsTheIndirectLightByRoughness) {
-  EXPECT_EQ(f64::captureScale(f64::kCaptureScaleNone, 0.1, 5, 1), 1);
-  EXPECT_DOUBLE_EQ(f64::captureScale(f64::kCaptureScaleFull, 0.5, 2, 0.1), 0.25);
-  EXPECT_DOUBLE_EQ(f64::captureScale(f64::kCaptureScaleByRoughness, 0.5, 2, 0), 1);
-  EXPECT_DOUBLE_EQ(f64::captureScale(f64::kCaptureScaleByRoughness, 0.5, 2, 1), 0.25);
-  EXPECT_DOUBLE_EQ(f64::captureScale(f64::kCaptureScaleByRoughness, 0.5, 2, 0.5), 0.625);
+  EXPECT_EQ(f64::captureScale(f64::kCaptureScaleNone, 0.1, 5, 1, 0.7), 1);
+  EXPECT_DOUBLE_EQ(f64::captureScale(f64::kCaptureScaleFull, 0.5, 2, 0.1, 0.7), 0.25);
+  EXPECT_DOUBLE_EQ(f64::captureScale(f64::kCaptureScaleByRoughness, 0.5, 2, 0, 0.7), 1);
+  EXPECT_DOUBLE_EQ(f64::captureScale(f64::kCaptureScaleByRoughness, 0.5, 2, 1, 0.7), 0.25);
+  EXPECT_DOUBLE_EQ(f64::captureScale(f64::kCaptureScaleByRoughness, 0.5, 2, 0.5, 0.7), 0.625);
+  EXPECT_EQ(f64::captureScale(f64::kCaptureScaleOcclusion, 0.5, 2, 0.5, 0.7), 0.7);
 }
 
 // SHADING 8: "Average brightness 0: guarded", and what is black stays black.
 TEST(CaptureScale, ofABlackCaptureIsFiniteAndItsReflectionBlack) {
-  const Half scale = f16::captureScale(f16::kCaptureScaleFull, Half(60000), 0, Half(1));
+  const Half scale = f16::captureScale(f16::kCaptureScaleFull, Half(60000), 0, Half(1), Half(1));
   EXPECT_EQ(float(scale), 65504);
   const f16::real3 ibl = f16::specularIBL({Half(0), Half(200), Half(1)}, scale);
   EXPECT_EQ(float(ibl.x), 0);
@@ -130,13 +134,17 @@ TEST(LuminanceUE4, hasTheEnginesWeights) {
 TEST(LocalLightAt, attenuatesBySquareWindowConeAndPi) {
   const double pi = 3.14159265358979324, cosInner = std::cos(0.3), cosOuter = std::cos(0.5);
   const auto light =
-      f64::localLightAt({0, 0, 2}, {10, 20, 30}, 4, true, {std::sin(0.4), 0, -std::cos(0.4)}, cosInner, cosOuter);
+      f64::localLightAt(true, {0, 0, 2}, {10, 20, 30}, 4, true, {std::sin(0.4), 0, -std::cos(0.4)}, cosInner, cosOuter);
   EXPECT_EQ(light.L.z, 1);
   const double window = 1 - std::pow(0.5, 4), cone = (std::cos(0.4) - cosOuter) / (cosInner - cosOuter);
   EXPECT_NEAR(light.color.y, 20 / pi * window * window / 4.0001 * cone * cone, 1e-12);
-  EXPECT_NEAR(f64::localLightAt({0, 0, 2}, {10, 20, 30}, 0, false, {0, 0, -1}, 0, 0).color.x, 10 / pi / 4.0001, 1e-12);
-  EXPECT_EQ(f64::localLightAt({0, 0, 5}, {10, 20, 30}, 4, false, {0, 0, -1}, 0, 0).color.x, 0) << "out of range";
-  const auto at = f64::localLightAt({0, 0, 0}, {1, 1, 1}, 0, false, {0, 0, -1}, 0, 0);
+  EXPECT_NEAR(f64::localLightAt(true, {0, 0, 2}, {10, 20, 30}, 0, false, {0, 0, -1}, 0, 0).color.x, 10 / pi / 4.0001,
+              1e-12);
+  EXPECT_EQ(f64::localLightAt(true, {0, 0, 5}, {10, 20, 30}, 4, false, {0, 0, -1}, 0, 0).color.x, 0) << "out of range";
+  const auto at = f64::localLightAt(true, {0, 0, 0}, {1, 1, 1}, 0, false, {0, 0, -1}, 0, 0);
+  EXPECT_NEAR(f64::localLightAt(false, {0, 0, 2}, {10, 20, 30}, 4, false, {0, 0, -1}, 0, 0).color.x,
+              10 / pi * window / 4, 1e-12)
+      << "as KHR_lights_punctual";
   EXPECT_EQ(at.L.z, 1) << "at the light itself: from its axis";
   EXPECT_NEAR(at.color.x, 1e4 / pi, 1e-6);
 }
