@@ -111,8 +111,7 @@ TEST(Refit, isSoundOverItsWholeDomainInEveryPrecision) {
   expectSound("f16, flushed", PARITY_SWEEP(flushed, FlushedHalf, float));
 }
 
-// What half costs, as a result: against f64 at the same halves, of what is above 1/1024 and not cut
-// off.
+// What half costs, as a result: against f64 at the same halves, of what is above 1/1024 and not cut off.
 TEST(Refit, losesLittleInHalf) {
   double lobes = 0, lights = 0;
   for (int i = 6; i <= 64; ++i)
