@@ -41,7 +41,7 @@ FN real refitB(real Roughness, real NoV) {
 // max(., 2^-8): t^2 stays in half. alpha in [0, 1].
 FN real refitLoss(real alpha, real NoV) {
   PRECISE real t = NoV / max(alpha, R(0.00390625));
-  PRECISE real w = NoV / (R(0.50091) + t * (R(0.651387) + R(0.413974) * t));
+  PRECISE real w = NoV / (R(0.500909) + t * (R(0.651387) + R(0.413974) * t));
   return w;
 }
 
