@@ -73,7 +73,6 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   // A suite says for itself how each scene is lit and seen.
   for (const char* option : {"--env", "--env-rotation", "--sun", "--camera", "--orbit", "--target", "--fov"})
     suite->excludes(reportApp.get_option(option));
-  for (const std::string& option : lightOptionNames()) suite->excludes(reportApp.get_option(option));
 
   DiffCommand diff;
   CLI::App& diffApp = *app.add_subcommand("diff", "Compare one scene and print a table, one row a material");
@@ -139,6 +138,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
     app.parse(argc, argv);
     if (reportApp.parsed()) {
       if (report.scenes.empty() && report.suite.empty()) throw CLI::RequiredError("report: a SCENE or --suite");
+      for (const std::string& option : lightOptionNames()) // as `excludes`, which would list them all in the help
+        if (!report.suite.empty() && reportApp.count(option) > 0) throw CLI::ExcludesError("--suite", option);
       settle(report.common, raw);
       parsed.command = report;
     } else if (diffApp.parsed()) {

@@ -58,7 +58,8 @@ DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::L
         lobes.evaluate(NoV, NoL, f64::saturate(glm::dot(N, H)), f64::saturate(glm::dot(V, H)), atView);
     const bool isSun = light.kind == scenes::LightKind::directional;
     (isSun ? sum.sunDiffuse : sum.localDiffuse) += values.diffuse * incident.illuminance;
-    (isSun ? sum.sunSpecular : sum.localSpecular) += values.specular * incident.illuminance * static_cast<double>(light.specularScale);
+    (isSun ? sum.sunSpecular : sum.localSpecular) +=
+        values.specular * incident.illuminance * static_cast<double>(light.specularScale);
   }
   return sum;
 }

@@ -1,6 +1,8 @@
 // Fog and the scales of light, from the command line and suites to the pictures, the reports and the cache.
 #include <algorithm>
 
+#include <glm/glm.hpp>
+
 #include "base/image_io.h"
 #include "cli/checks.h"
 #include "cli/layers.h"
@@ -9,6 +11,15 @@ namespace parity::tests {
 namespace {
 
 using shading::Term;
+
+// Over all pixels, by channel.
+glm::dvec3 sumsOf(const base::Image& image, int firstChannel) {
+  glm::dvec3 sums(0.0);
+  for (std::size_t p = 0; p < image.pixelCount(); ++p)
+    for (int c = 0; c < 3; ++c)
+      sums[c] += image.pixels[p * image.channels + static_cast<std::size_t>(firstChannel + c)];
+  return sums;
+}
 
 const std::vector<std::string> kFog = {"--fog", "0.2,0.5,0", "--fog-color", "0.3,0.4,1"};
 const std::vector<std::string> kPicture = {"--size", "48x32", "--terms", "--background", "0,0,0", "--error", "4%"};
@@ -28,12 +39,10 @@ protected:
   std::size_t cached() const { return listFiles(m_folder / "cache").size(); }
 };
 
-// Beyond the mesh there is none, the reference has high-end's per pixel, mobile's is near it on these meshes; and every
-// path keeps the same share of its other light.
-TEST_F(FogOfTheProgram, LiesOverEveryPathAndNotOverTheBackground) {
+// Beyond the meshes there is none, and every path keeps the same share of its other light.
+TEST_F(FogOfTheProgram, LiesOverBothPathsAndNotOverTheBackground) {
   const int fog = channelOf(Term::fog), sky = channelOf(Term::skyDiffuse);
-  const base::Image truth = render("reference", kFog);
-  for (const char* path : {"highend", "mobile", "reference"}) {
+  for (const char* path : {"highend", "mobile"}) {
     const base::Image clear = render(path, {}), foggy = render(path, kFog);
     ASSERT_EQ(clear.pixels.size(), foggy.pixels.size());
     EXPECT_EQ(sumOf(clear, fog), 0);
@@ -47,64 +56,54 @@ TEST_F(FogOfTheProgram, LiesOverEveryPathAndNotOverTheBackground) {
         continue;
       }
       ++seen;
-      EXPECT_NEAR(with[sky], without[sky] * (1 - with[fog + 2]), 1e-4f * without[sky] + 1e-6f)
-          << path << ", pixel " << p;
-      if (std::string(path) == "highend")
-        EXPECT_NEAR(with[fog], truth.pixels[p * truth.channels + static_cast<std::size_t>(fog)], 1e-5f);
+      EXPECT_NEAR(with[sky], without[sky] * (1 - with[fog + 2]), 1e-4f * without[sky] + 1e-6f) << path << ", " << p;
     }
     EXPECT_GT(seen, 200);
     EXPECT_LT(seen, 48 * 32);
   }
 }
 
-TEST_F(FogOfTheProgram, TheReferencesErrorIsLessBehindItAndItsIntegralsAreTheCached) {
+TEST_F(FogOfTheProgram, OfTheReferenceIsHighendsAndLiesOverWhatIsCached) {
   const std::string map = (m_folder / "error.exr").string();
   const base::Image clear = render("reference", {"--error-map", map}), clearError = base::readImage(map);
   const std::size_t files = cached();
   EXPECT_GT(files, 0u);
-  const base::Image foggy = render("reference", join({kFog, {"--error-map", map}})), foggyError = base::readImage(map);
-  EXPECT_EQ(cached(), files) << "fog is laid over what was integrated";
+  const base::Image foggy = render("reference", join({kFog, {"--error-map", map}})), error = base::readImage(map);
+  EXPECT_EQ(cached(), files) << "the integrals are the same";
+  const base::Image highend = render("highend", kFog);
   const int fog = channelOf(Term::fog);
   int held = 0;
   for (std::size_t p = 0; p < foggy.pixelCount(); ++p) {
-    if (clearError.pixels[p] == 0) continue;
     const float* with = foggy.pixels.data() + p * foggy.channels;
     const float* without = clear.pixels.data() + p * clear.channels;
+    EXPECT_NEAR(with[fog], highend.pixels[p * highend.channels + static_cast<std::size_t>(fog)], 1e-5f) << p;
+    if (clearError.pixels[p] == 0) continue;
     const auto brightest = [](const float* c) { return std::max({c[0], c[1], c[2]}); };
     const float expected = clearError.pixels[p] * brightest(without) * (1 - with[fog + 2]) / brightest(with);
-    EXPECT_NEAR(foggyError.pixels[p], expected, 1e-3f * expected) << "pixel " << p;
+    EXPECT_NEAR(error.pixels[p], expected, 1e-3f * expected) << "the error keeps its share, too; pixel " << p;
     ++held;
   }
   EXPECT_GT(held, 100);
 }
 
-TEST_F(FogOfTheProgram, TheSkyLightsColorIsOfEveryPathAndOfTheCachesKey) {
-  const std::vector<std::string> red = {"--sky-light-color", "2,0.5,0"};
-  for (const char* path : {"highend", "reference", "mobile"}) {
-    const base::Image plain = render(path, {});
-    const std::size_t files = cached();
-    const base::Image scaled = render(path, red);
-    if (std::string(path) == "reference") EXPECT_EQ(cached(), files + 1) << "another environment";
-    const int sky = channelOf(Term::skyDiffuse);
-    EXPECT_NEAR(sumOf(scaled, sky) / sumOf(plain, sky), 2.5 / 3, 0.03) << path;
-    double blue = 0;
-    for (std::size_t p = 0; p < scaled.pixelCount(); ++p)
-      blue += scaled.pixels[p * scaled.channels + static_cast<std::size_t>(sky) + 2];
-    EXPECT_EQ(blue, 0) << path;
-  }
-}
+// The shaders' own part is held in tests/mobile/light_scales_test.cpp.
+TEST_F(FogOfTheProgram, ScalesOfLightAreOfTheReferenceAndOfItsCachesKey) {
+  const base::Image plain = render("reference", kSun);
+  const std::size_t files = cached();
+  const base::Image tinted = render("reference", join({kSun, {"--sky-light-color", "2,0.5,0"}}));
+  EXPECT_EQ(cached(), files + 1) << "another environment";
+  const base::Image matte = render("reference", join({kSun, {"--sun-specular-scale", "0.5"}}));
+  EXPECT_EQ(cached(), files + 2) << "other lights";
 
-TEST_F(FogOfTheProgram, SunsSpecularScaleIsOfEveryPathAndOfTheCachesKey) {
-  const std::vector<std::string> half = {"--sun-specular-scale", "0.5"};
-  for (const char* path : {"highend", "reference", "mobile"}) {
-    const base::Image plain = render(path, kSun);
-    const std::size_t files = cached();
-    const base::Image scaled = render(path, join({kSun, half}));
-    if (std::string(path) == "reference") EXPECT_EQ(cached(), files + 1) << "other lights";
-    const int specular = channelOf(Term::sunSpecular), diffuse = channelOf(Term::sunDiffuse);
-    EXPECT_NEAR(sumOf(scaled, specular) / sumOf(plain, specular), 0.5, 1e-5) << path;
-    EXPECT_EQ(sumOf(scaled, diffuse), sumOf(plain, diffuse)) << path;
-  }
+  const int sky = channelOf(Term::skyDiffuse), specular = channelOf(Term::sunSpecular),
+            diffuse = channelOf(Term::sunDiffuse);
+  const glm::dvec3 before = sumsOf(plain, sky), after = sumsOf(tinted, sky);
+  EXPECT_NEAR(after.x / before.x, 2, 0.02);
+  EXPECT_NEAR(after.y / before.y, 0.5, 0.005);
+  EXPECT_EQ(after.z, 0);
+  EXPECT_EQ(sumOf(tinted, diffuse), sumOf(plain, diffuse));
+  EXPECT_NEAR(sumOf(matte, specular) / sumOf(plain, specular), 0.5, 1e-5);
+  EXPECT_EQ(sumOf(matte, diffuse), sumOf(plain, diffuse));
 }
 
 TEST_F(FogOfTheProgram, IsNamedInTheReportWhereItIsNotTheDefault) {

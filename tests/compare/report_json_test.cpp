@@ -33,7 +33,7 @@ TEST(ReportJson, KeysStandInAFixedOrder) {
     return names;
   };
   EXPECT_EQ(keys(document), "schema tool version device verdict counts wholeCounts warnings baseline settings scenes");
-  EXPECT_EQ(keys(document["scenes"][0]), "name source environment sun verdict error warnings views permutations");
+  EXPECT_EQ(keys(document["scenes"][0]), "name source environment sun light verdict error warnings views permutations");
   EXPECT_EQ(keys(document["scenes"][0]["views"][0]), "name width height verdict whole materials images skipped");
   EXPECT_EQ(keys(document["scenes"][0]["views"][0]["materials"][0]),
             "name verdict reason seenElsewhere figures checks budget baseline notes terms crops");

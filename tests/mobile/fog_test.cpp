@@ -2,6 +2,7 @@
 #include "support/path_quad.h"
 
 #include "highend/renderer.h"
+#include "mobile/presets.h"
 #include "mobile/renderer.h"
 #include "shading/shading.h"
 
@@ -87,7 +88,7 @@ protected:
   }
   std::vector<SeenPoint> shadeMobile(const scenes::Scene& scene, const scenes::Camera& camera) {
     return shadeAll(scene, camera, [&](const auto& buffers, const auto& kinds) {
-      return Renderer(device(), buffers, kinds, {.terms = true}, Preset::ue4_2020);
+      return Renderer(device(), buffers, kinds, {.terms = true}, tests::inFp32("ue4-2020"));
     });
   }
   static void expectFog(const SeenPoint& point, double transmittance) {
@@ -173,7 +174,7 @@ TEST_F(FogTest, takesTheSameShareOfEveryTerm) {
       highend::makeEnvBrdfLut(highend::GeometryTerm::heightCorrelated, highend::FresnelCurve::schlick, 32);
   check([&](const auto& buffers, const auto& kinds) {
     return Renderer(device(), buffers, kinds, {.environment = &environment, .lights = lights, .terms = true},
-                    Preset::ue4_2020);
+                    tests::inFp32("ue4-2020"));
   });
   check([&](const auto& buffers, const auto& kinds) {
     return highend::Renderer(device(), buffers, kinds,

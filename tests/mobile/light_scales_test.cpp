@@ -3,6 +3,7 @@
 
 #include "gpu/frame_builder.h"
 #include "highend/renderer.h"
+#include "mobile/presets.h"
 #include "mobile/renderer.h"
 
 namespace parity::mobile {
@@ -30,7 +31,7 @@ protected:
     const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
     return tests::shadeQuad(device(), scene, [&](const auto& buffers, const auto& kinds) {
       return Renderer(device(), buffers, kinds, {.environment = &environment, .lights = lights, .terms = true},
-                      Preset::ue4_2020);
+                      tests::inFp32("ue4-2020"));
     });
   }
   static std::vector<scenes::Light> makeLights(float sunScale, float lampScale) {
@@ -124,7 +125,8 @@ TEST_F(LightScalesTest, mobileMarksItsColourAsPremultipliedAndHighendDoesNot) {
   const gpu::SurfacePass pass(device(), buffers, 4, 4);
   const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
   const gpu::Surface surface = pass.render(camera, {0, 4}, glm::vec2(0.5f), gpu::Layer::opaque);
-  EXPECT_TRUE(Renderer(device(), buffers, pass.binKinds(), {}, Preset::ue4_2020).shade(surface, camera).premultiplied);
+  EXPECT_TRUE(
+      Renderer(device(), buffers, pass.binKinds(), {}, tests::inFp32("ue4-2020")).shade(surface, camera).premultiplied);
   EXPECT_FALSE(
       highend::Renderer(device(), buffers, pass.binKinds(), {.lut = &m_lut}, {}).shade(surface, camera).premultiplied);
 }

@@ -3,6 +3,7 @@
 #include "support/path_quad.h"
 
 #include "mobile/light_choice.h"
+#include "mobile/presets.h"
 #include "mobile/renderer.h"
 #include "shading/shading.h"
 
@@ -28,14 +29,8 @@ protected:
   }
 };
 
-// A preset in fp32, whose formulas are held against double here; the environments of these tests hold floats.
-Options inFp32(const char* preset) {
-  Options options = presetByName(preset);
-  options.precision = Precision::fp32;
-  options.capture = CaptureEncoding::fp16;
-  return options;
-}
-const Options kKaris2014 = inFp32("karis2014"), kUe42020 = inFp32("ue4-2020");
+const Options kKaris2014 = tests::inFp32("karis2014"), kUe42020 = tests::inFp32("ue4-2020"),
+              kRefit = tests::inFp32("refit");
 
 scenes::Light makePoint(const glm::vec3& position, float candela) {
   scenes::Light light;

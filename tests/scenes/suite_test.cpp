@@ -134,7 +134,7 @@ TEST(Suite, WrongTypesAndRangesNameTheLine) {
   expectRefused(head + "fog = 3\n", {"line 3: fog: not a table", "[scene.fog]"});
   expectRefused(head + "[scene.fog]\nheight = 1\n", {"density: is missing"});
   expectRefused(head + "[scene.fog]\ndensity = -1\n", {"line 4: density", "not from 0 to 1000"});
-  expectRefused(head + "[scene.fog]\ndensity = 1\nfalloff = 1\n", {"line 5: falloff", "'height_falloff'"});
+  expectRefused(head + "[scene.fog]\ndensity = 1\nfalloff = 1\n", {"line 5: falloff", "no such key in a fog"});
   expectRefused(head + "[scene.fog]\ndensity = 1\nmax_opacity = 1.5\n", {"line 5: max_opacity"});
   expectRefused(head + "[[scene.view]]\norbit = [0, 200, 1]\n", {"line 4: orbit", "phi"});
   expectRefused(head + "[[scene.view]]\nfov = 0\n", {"line 4: fov"});
