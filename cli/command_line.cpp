@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "cli/budget_options.h"
 #include "cli/common_options.h"
+#include "cli/fit_options.h"
 #include "cli/flip_options.h"
 #include "cli/invocation.h"
 #include "cli/option_parts.h"
@@ -34,6 +35,7 @@ mobile base pass), compares them per material by FLIP, and judges them against b
   parity diff   scene.glb --env studio.hdr                           a table, one row a material
   parity flip   reference.png test.png -o map.exr                    any two images
   parity budget suggest out/report.json -o budgets.toml              limits from what was observed
+  parity fit --geometry-term schlick-smith --format hlsl             mobile constants for your own high-end path
 )";
 
 constexpr const char* kFooter = R"(
@@ -120,6 +122,11 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   CLI::App& budgetApp = *app.add_subcommand("budget", "Propose a budget file from earlier reports, or check one");
   addBudgetOptions(budgetApp, budget);
 
+  RawFitOptions rawFit;
+  CLI::App& fitApp =
+      *app.add_subcommand("fit", "Fit the mobile preset refit to a high-end path's settings and print its constants");
+  addFitOptions(fitApp, rawFit);
+
   DevicesCommand devices;
   CLI::App& devicesApp = *app.add_subcommand("devices", "List Vulkan devices, and why each is taken or not");
   devicesApp.add_option("--device", devices.device.name, "Show what this choice leads to");
@@ -146,6 +153,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = flip;
     } else if (budgetApp.parsed()) {
       parsed.command = settleBudget(budgetApp, budget);
+    } else if (fitApp.parsed()) {
+      parsed.command = settleFit(rawFit);
     } else {
       parsed.command = devices;
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/budget_suggest.h"
+#include "fit/truth.h"
 #include "job/flip_run.h"
 #include "job/settings.h"
 #include "scenes/suite.h"
@@ -76,13 +77,21 @@ struct BudgetCheckCommand {
   std::string file;
 };
 
+struct FitCommand {
+  fit::Settings settings;
+  std::string format = "glsl"; // or "hlsl", "json"
+  std::string output;          // empty: stdout
+  int threads = 0;
+  bool quiet = false;
+};
+
 struct DevicesCommand {
   gpu::DeviceOptions device;
   std::string json;
 };
 
 using Invocation = std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand,
-                                BudgetSuggestCommand, BudgetCheckCommand, DevicesCommand>;
+                                BudgetSuggestCommand, BudgetCheckCommand, FitCommand, DevicesCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, version, a usage error) with its
 // exit code.
@@ -106,6 +115,7 @@ int runListTermsCommand();
 int runFlipCommand(const FlipCommand& command);
 int runBudgetSuggestCommand(const BudgetSuggestCommand& command);
 int runBudgetCheckCommand(const BudgetCheckCommand& command);
+int runFitCommand(const FitCommand& command);
 int runDevicesCommand(const DevicesCommand& command);
 
 } // namespace parity::cli

@@ -53,6 +53,7 @@ int run(int argc, char** argv) {
                                [](const FlipCommand& c) { return runFlipCommand(c); },
                                [](const BudgetSuggestCommand& c) { return runBudgetSuggestCommand(c); },
                                [](const BudgetCheckCommand& c) { return runBudgetCheckCommand(c); },
+                               [](const FitCommand& c) { return runFitCommand(c); },
                                [](const DevicesCommand& c) { return runDevicesCommand(c); }},
                     *parsed.command);
 }

@@ -3,8 +3,8 @@
 // Conty, balanced diffuse light, off-specular reads of the environment.
 //
 // All constants are printed by build/fit_refit (bench/fit), which says what is fitted to what; docs/refit.md has the errors
-// of every form. Everything is finite, not negative and below 65504 for roughness, F0, F90 and cosines in [0, 1], in f64,
-// f32 and half with or without denormals.
+// of every form. Everything is finite and not negative for roughness, F0 <= F90 and cosines in [0, 1], in f64, f32 and half
+// with or without denormals.
 #ifndef PARITY_SHADING_REFIT
 #define PARITY_SHADING_REFIT
 
@@ -12,6 +12,8 @@
 
 // The high-end path's floor for lights, 1/64, as alpha: half holds it as a normal number.
 CONSTANT real kRefitLeastAlpha = R(2.44140625e-4);
+// Where a peak is cut off: in half it would be infinite otherwise. 0.9: F may round to above 1.
+CONSTANT real32 kRefitMost = real32(kLargest) * R32(0.9);
 
 // The specular lobe at one view: what does not depend on the light.
 struct RefitLobe {
@@ -39,7 +41,7 @@ FN real refitB(real Roughness, real NoV) {
 // max(., 2^-8): t^2 stays in half. alpha in [0, 1].
 FN real refitLoss(real alpha, real NoV) {
   PRECISE real t = NoV / max(alpha, R(0.00390625));
-  PRECISE real w = NoV / (R(0.50091) + t * (R(0.651387) + R(0.413974) * t));
+  PRECISE real w = NoV / (R(0.500909) + t * (R(0.651387) + R(0.413974) * t));
   return w;
 }
 
@@ -123,7 +125,8 @@ FN RefitHalfVector refitHalfVector(real32x3 N, real32x3 V, real32x3 L) {
 //   F D V NoL pi + M (g0 + g1 NoL) NoL
 // D: GGX in fp32, as D_GGX; V: height-correlated Smith (V_SmithGGXCorrelated); F: Schlick. What scatters more than once
 // leaves as g0 + g1 NoL, which integrates to 1, in place of Kulla and Conty's (1 - E(NoL)) / (1 - Eavg). NoL in [0, 1];
-// cosines.NoH in [-1, 1], VoH in [0, 1] but for rounding. A smooth peak is cut at 65000 in every precision.
+// cosines.NoH in [-1, 1], VoH in [0, 1] but for rounding. In half a smooth peak is cut at
+// 58954.
 FN real3 refitLight(RefitLobe lobe, real NoL, RefitHalfVector cosines) {
   PRECISE real32 n = real32(lobe.alpha) * cosines.NoH;
   PRECISE real32 d = (R32(1.0) - cosines.NoH) * (R32(1.0) + cosines.NoH) + n * n;
@@ -133,7 +136,7 @@ FN real3 refitLight(RefitLobe lobe, real NoL, RefitHalfVector cosines) {
   PRECISE real sum = NoL * lobe.rootV + lobe.NoV * sqrt(s);
   PRECISE real V = R(0.5) * NoL / max(sum, kSmallest);
   PRECISE real32 peak = p * p * real32(V);
-  PRECISE real DV = real(min(peak, R32(65000.0)));
+  PRECISE real DV = real(min(peak, kRefitMost));
   PRECISE real x = R(1.0) - real(cosines.VoH);
   PRECISE real x2 = x * x;
   PRECISE real f = x2 * x2 * x;

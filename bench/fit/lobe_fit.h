@@ -28,15 +28,22 @@ LobeAlbedo evaluateLobe(const LobeConstants& c, Compensation compensation, doubl
 
 using LobeModel = std::function<LobeAlbedo(double F0, double roughness, double NoV)>;
 
-// What is made least: the mean over `points` of the sum over F0 = .02 .04 .08 .2 .4 .6 .8 1 of
+// The F0 that count, and what is to come out for them at one place.
+inline constexpr std::array kFittedF0 = {0.02, 0.04, 0.08, 0.2, 0.4, 0.6, 0.8, 1.0};
+struct LobeTarget {
+  double roughness, NoV;
+  std::array<double, kFittedF0.size()> total, multiple;
+};
+
+// At 32 x 32 points over the full domain.
+std::vector<LobeTarget> lobeTargetsOf(const Truth& truth);
+
+// What is made least: the mean over the targets of the sum over kFittedF0 of
 //   (error of the total)^2 (1 + e) / (total + e), e = 0.1,  and, from F0 = .2 on, half the squared error of `multiple`
 // so that what is dim counts for more than its share, and both lobes are right on their own.
-double lobeObjective(const Truth& truth, const std::vector<Point>& points, const LobeModel& model);
+double lobeObjective(const std::vector<LobeTarget>& targets, const LobeModel& model);
 
-// The points that the fit uses: 32 x 32 over the full domain.
-std::vector<Point> lobePointsOf(const Truth& truth);
-
-// The constants at the minimum that the default's constants lead to, rounded to six digits. About 2 s.
+// The constants at the minimum that the default's constants lead to, rounded to six digits. About 1 s.
 LobeConstants fitLobe(const Truth& truth);
 
 } // namespace parity::fit

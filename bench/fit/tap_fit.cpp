@@ -31,7 +31,7 @@ Tap evaluateTap(const TapConstants& c, double roughness, double NoV) {
   return {1 / (1 + lean), c.mip[0] + c.mip[1] * std::log2(std::max(roughness, 1.0 / 64))};
 }
 
-TapFit::TapFit(GeometryTerm term) {
+TapFit::TapFit(GeometryTerm term, const LobeSteps& steps) {
   std::array<Zonal, kLastMip + 1> mips;
   for (int j = 0; j <= kLastMip; ++j) mips[j] = dampingOf(f64::roughnessFromMip(j));
   for (int j = 0; j <= kLastMip; ++j)
@@ -47,7 +47,7 @@ TapFit::TapFit(GeometryTerm term) {
   for (int a = 0; a < kAngles; ++a) directions[a] = harmonicsAt(std::cos(angleOfNode(a)));
   base::parallelFor(m_points.size(), 1, [&](std::size_t i, std::size_t) {
     Point& p = m_points[i];
-    const Harmonics lobe = projectLobe(term, p.roughness, p.NoV, {150, 100});
+    const Harmonics lobe = projectLobe(term, p.roughness, p.NoV, steps);
     p.products.resize(kAngles);
     for (int l = 1; l <= kBands; ++l) {
       for (int m = 0; m <= l; ++m) p.power += naturalPower(l) * lobe[indexOf(l, m)] * lobe[indexOf(l, m)];

@@ -33,7 +33,7 @@ class TapFit {
 public:
   // Over roughness 0.1, 0.15 ... 1 and NoV from 0.04 to 0.99, weighted with NoV + 0.1, as a sphere shows them. About 10
   // s of one core; the result does not depend on how many there are.
-  explicit TapFit(GeometryTerm term);
+  explicit TapFit(GeometryTerm term, const LobeSteps& steps = {150, 100});
 
   // Root mean square error of the light read, over that of the light itself about its mean.
   double errorOf(const TapModel& model) const;

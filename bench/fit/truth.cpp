@@ -10,6 +10,12 @@ namespace f64 = shading::f64;
 
 Truth::Truth(const Settings& settings) : m_settings(settings), m_albedo(settings.geometryTerm, settings.fresnel) {}
 
+Truth Truth::with(Compensation compensation) const {
+  Truth other = *this;
+  other.m_settings.compensation = compensation;
+  return other;
+}
+
 std::vector<Point> Truth::pointsOf(Domain domain, int n) const {
   const double leastRoughness = domain == Domain::full ? 1.0 / 64 : 0.05;
   const double leastNoV = domain == Domain::full ? 1.0 / 256 : 0.05;

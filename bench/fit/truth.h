@@ -34,6 +34,8 @@ class Truth {
 public:
   explicit Truth(const Settings& settings);
   const Settings& settings() const { return m_settings; }
+  // The same, but for the compensation, by the same table.
+  Truth with(Compensation compensation) const;
 
   // The middles of n x n equal cells of the domain, so that a mean over them is one over its area. n >= 1.
   std::vector<Point> pointsOf(Domain domain, int n) const;

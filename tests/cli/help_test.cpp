@@ -57,7 +57,7 @@ void expectHelp(const std::vector<std::string>& arguments, const std::vector<std
 
 TEST(Help, NamesTheSubcommandsAndTheExitCodes) {
   for (const char* flag : {"--help", "-h"})
-    expectHelp({flag}, {"report", "diff", "render", "flip", "devices", "64", "over budget", "builtin:spheres"});
+    expectHelp({flag}, {"report", "diff", "render", "flip", "fit", "devices", "64", "over budget", "builtin:spheres"});
 }
 
 TEST(Help, OfEachSubcommandNamesItsOptions) {
@@ -72,6 +72,7 @@ TEST(Help, OfEachSubcommandNamesItsOptions) {
                                   "--hardfail", "--metric",     "--tonemapper", "linear Rec.709", "fails above 0.05"});
   expectHelp({"budget", "--help"}, {"suggest", "check"});
   expectHelp({"budget", "suggest", "--help"}, {"reports", "--output", "--margin", "--metrics"});
+  expectHelp({"fit", "--help"}, {"--geometry-term", "--fresnel", "--compensation", "--format", "hlsl", "--output"});
   expectHelp({"devices", "--help"}, {"--device", "--json"});
 }
 

@@ -83,6 +83,8 @@ const BadUsage kBadUsages[] = {
      {"render", "builtin:furnace", "--path", "mobile", "-o", "o.exr", "--reference"},
      {"--reference"}},
     {"UnknownSpecularAa", {"diff", "builtin:furnace", "--specular-aa", "lean"}, {"--specular-aa", "toksvig"}},
+    {"UnknownFitFormat", {"fit", "--format", "wgsl"}, {"--format", "hlsl"}},
+    {"UnknownFitCompensation", {"fit", "--compensation", "all"}, {"--compensation", "turquin"}},
     {"UnknownGeometryTerm", {"diff", "builtin:furnace", "--geometry-term", "smith"}, {"height-correlated"}},
 };
 

@@ -8,6 +8,7 @@
 #include "shading/mobile_direct.glsl"
 #include "shading/mobile_base_pass.glsl"
 #include "shading/off_specular.glsl"
+#include "shading/refit.glsl"
 #include "shading/rgbm.glsl"
 #include "shading/sh.glsl"
 #include "shading/sky_sh.glsl"

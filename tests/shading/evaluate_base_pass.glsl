@@ -73,6 +73,32 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
     lighting.Specular = real3At(i, 6);
     return outputs3(lightWith(real32x3At(i, 0), lighting, real1At(i, 9)));
   }
+  if (function == kFnRefitLobe) {
+    RefitLobe lobe = refitLobe(u, v.x, v.y, v.z);
+    Outputs o = outputs33(widen(lobe.single), widen(lobe.multiple));
+    o.y[6] = real32(lobe.alpha);
+    o.y[7] = real32(lobe.rootV);
+    o.y[8] = real32(lobe.rise.y);
+    o.y[9] = real32(refitDiffuseShare(lobe));
+    return o;
+  }
+  if (function == kFnRefitTap) {
+    RefitTap tap = refitTap(u.x, u.y);
+    return outputs3(real3(tap.lean, tap.mip, R(0.0)));
+  }
+  if (function == kFnRefitDirection) return outputs3(refitDirection(u, v, real1At(i, 6)));
+  if (function == kFnRefitHalfVector) {
+    RefitHalfVector cosines = refitHalfVector(real32x3At(i, 6), real32x3At(i, 0), real32x3At(i, 3));
+    return outputs33(real32x3(cosines.NoH, cosines.VoH, R32(0.0)), widen(u));
+  }
+  if (function == kFnRefitLight) {
+    RefitLobe lobe = refitLobe(real3At(i, 3), R(1.0), real1At(i, 0), real1At(i, 13));
+    lobe.single = lobe.multiple = real3At(i, 9); // not what has gone through exp2
+    RefitHalfVector cosines;
+    cosines.NoH = i.x[1];
+    cosines.VoH = i.x[2];
+    return outputs3(refitLight(lobe, real1At(i, 12), cosines));
+  }
   // kFnLocalLightAt
   MobileLocalLight light = localLightAt(i.x[13] < R32(0.5), real32x3At(i, 0), real32x3At(i, 3), i.x[6], i.x[7] > R32(0.5), real32x3At(i, 8), i.x[11], i.x[12]);
   return outputs33(light.L, light.color);

@@ -74,7 +74,12 @@ const int kFnCaptureScale = 66;
 const int kFnSpecularIBL = 67;
 const int kFnModulate = 68;
 const int kFnLocalLightAt = 69;
-const int kFunctionCount = 70;
+const int kFnRefitLobe = 70;
+const int kFnRefitTap = 71;
+const int kFnRefitDirection = 72;
+const int kFnRefitHalfVector = 73;
+const int kFnRefitLight = 74;
+const int kFunctionCount = 75;
 
 const int kInputs = 32;  // numbers a row going in
 const int kOutputs = 12; // and coming out

@@ -144,6 +144,13 @@ Row litPoint(Random& random) {
   return row;
 }
 
+// Roughness and NoH within a lobe, VoH, colours, NoL and NoV.
+Row litLobe(Random& random) {
+  Row row = lobe(0.015625, 0)(random);
+  for (int i = 2; i < 14; ++i) row[i] = unit(random);
+  return row;
+}
+
 // The way to a light of up to 1e6 candela, its range, axis and cone.
 Row localLight(Random& random) {
   Row row{};
@@ -269,6 +276,11 @@ std::vector<FunctionCase> functionTable() {
       {"specularIBL", kFnSpecularIBL, uniforms(4, 0, 300), exact},
       {"modulate", kFnModulate, uniforms(6, 0, 300), exact},
       {"localLightAt", kFnLocalLightAt, localLight, exact},
+      {"refitLobe", kFnRefitLobe, units(6), {8, 8, 1, "exp2"}},
+      {"refitTap", kFnRefitTap, units(2), mip},
+      {"refitDirection", kFnRefitDirection, directions(2), exact},
+      {"refitHalfVector", kFnRefitHalfVector, directions(3), exact},
+      {"refitLight", kFnRefitLight, litLobe, exact},
   };
 }
 
