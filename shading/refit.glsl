@@ -90,8 +90,8 @@ struct RefitTap {
 FN RefitTap refitTap(real Roughness, real NoV) {
   RefitTap tap;
   PRECISE real alpha = Roughness * Roughness;
-  PRECISE real lean = alpha * (R(1.38043) - R(1.96748) * NoV + R(7.42884) * (alpha * alpha));
-  PRECISE real mip = R(5.3431) + R(1.44437) * log2(max(Roughness, R(0.015625)));
+  PRECISE real lean = alpha * (R(1.38125) - R(1.96943) * NoV + R(7.43462) * (alpha * alpha));
+  PRECISE real mip = R(5.34346) + R(1.44467) * log2(max(Roughness, R(0.015625)));
   tap.lean = lean;
   tap.mip = mip;
   return tap;
