@@ -73,7 +73,7 @@ void addModelOptions(CLI::App& app, const highend::Options& defaults, RawOptions
            "High-end path: how the prefiltered environment is read away from N = V = R");
 }
 
-void addMobileOptions(CLI::App& app, RawOptions& raw) {
+void addMobileOptions(CLI::App& app, gpu::OutputTarget target, RawOptions& raw) {
   app.add_option("--mobile-preset", raw.mobilePreset, "Formulas of the mobile path")
       ->check(CLI::IsMember(mobile::presetNames()))
       ->group("Paths")
@@ -94,6 +94,8 @@ void addMobileOptions(CLI::App& app, RawOptions& raw) {
                  "(the preset's)")
       ->check(CLI::IsMember(mobile::captureScaleNames()))
       ->group("Paths");
+  addNamed(app, "--mobile-target", raw.mobileTarget, gpu::outputTargetNames(), target,
+           "Render target of the mobile path: what its colour is stored in");
 }
 
 void settleMobile(mobile::Options& options, const RawOptions& raw) {
@@ -166,7 +168,7 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->capture_default_str();
   app.add_option("--background", raw.background, "Linear R,G,B behind the scene, in every path. Default 0.18,0.18,0.18")
       ->group("Picture");
-  addMobileOptions(app, raw);
+  addMobileOptions(app, s.mobileTarget, raw);
   addModelOptions(app, s.highend, raw);
   app.add_option("--specular-aa", raw.specularAa, "Roughness from minified normal maps, in every path: toksvig or off")
       ->check(CLI::IsMember({"off", "toksvig"}))
@@ -252,6 +254,11 @@ void settle(CommonOptions& common, const RawOptions& raw) {
   s.terms |= s.truth;
   s.metrics = parseMetrics("--metrics", raw.metrics);
   settleMobile(s.mobile, raw);
+  s.mobileTarget = enumOf<gpu::OutputTarget>(raw.mobileTarget, gpu::outputTargetNames());
+  if (gpu::isDisplayed(s.mobileTarget) && s.display != "sRGB")
+    throw CLI::ValidationError("--mobile-target", fmt::format("'{}' is what the screen shows, as sRGB: the display "
+                                                              "transform '{}' needs a float target",
+                                                              raw.mobileTarget, s.display));
   settleModel(s, raw);
   s.specularAa = raw.specularAa == "toksvig" ? gpu::SpecularAa::toksvig : gpu::SpecularAa::off;
   s.device.validation |= raw.validation;

@@ -17,7 +17,7 @@ std::string defaultMetricList();
 // What CLI11 fills in; turned into CommonOptions when all is known.
 struct RawOptions {
   std::string size = "1024x1024", sun, orbit, target, background, camera = "auto", precision = "fp16",
-              specularAa = "off";
+              specularAa = "off", mobileTarget;
   std::string mobilePreset = "ue4-2020", capture, captureScale; // the last two: empty is the preset's
   std::optional<int> skyCoefficients;
   std::string geometryTerm, fresnel, diffuse, compensation, offSpecular; // of the high-end path and the reference

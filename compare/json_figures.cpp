@@ -80,6 +80,14 @@ void writeRegions(JsonWriter& json, const RegionFigures& regions) {
   json.endObject();
 }
 
+void writeEncoding(JsonWriter& json, const Encoding& encoding) {
+  json.beginObject();
+  json.key("target").text(encoding.target);
+  json.key("figures");
+  writeRegions(json, encoding.figures);
+  json.endObject();
+}
+
 void writeTruth(JsonWriter& json, const Truth& truth) {
   json.beginObject();
   json.key("interior");

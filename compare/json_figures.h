@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/encoding.h"
 #include "compare/figures.h"
 #include "compare/json_writer.h"
 #include "compare/truth.h"
@@ -17,6 +18,8 @@ void writeFigures(JsonWriter& json, const Figures& figures);
 
 void writeRegions(JsonWriter& json, const RegionFigures& regions);
 
+// The stage's target and figures.
+void writeEncoding(JsonWriter& json, const Encoding& encoding);
 void writeTruth(JsonWriter& json, const Truth& truth);
 
 } // namespace parity::compare

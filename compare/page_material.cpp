@@ -43,8 +43,9 @@ std::string materialRow(const MaterialResult& material, const std::string& place
   html += imageTrio(material.crops, material.truth, material.name + place);
   return html + fmt::format("<div class=\"numbers\">{}{}{}{}</div>{}</article>\n",
                             checkBars(material.checks) + pairHeading(material.truth),
-                            figureTable(material.figures, material.baseline), truthNumbers(material.truth, false),
-                            material.truth ? "" : termTable(material.terms), truthTerms(material.truth, false));
+                            figureTable(material.figures, material.baseline) + encodingLine(material.encoding, false),
+                            truthNumbers(material.truth, false), material.truth ? "" : termTable(material.terms),
+                            truthTerms(material.truth, false));
 }
 
 } // namespace parity::compare

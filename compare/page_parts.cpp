@@ -148,6 +148,11 @@ std::string baselineLine(const std::optional<BaselineChange>& baseline) {
   return fmt::format("<p class=\"baseline\">In the baseline: {}.</p>", verdictBadge(baseline->before));
 }
 
+std::string encodingLine(const std::optional<Encoding>& encoding, bool whole) {
+  const std::string words = describeEncoding(encoding, whole);
+  return words.empty() ? "" : fmt::format("<p class=\"aside encoding\">Mobile {}.</p>", escapeMarkup(words));
+}
+
 std::string termTable(const std::vector<TermFigures>& terms) {
   if (terms.empty()) return {};
   double total = 0;

@@ -36,6 +36,9 @@ std::string termTable(const std::vector<TermFigures>& terms);
 std::string truthNumbers(const std::optional<Truth>& truth, bool whole);
 std::string truthTerms(const std::optional<Truth>& truth, bool whole);
 
+// What mobile's render target alone makes, as a paragraph; empty where it was not measured. whole: as truthNumbers.
+std::string encodingLine(const std::optional<Encoding>& encoding, bool whole);
+
 // What the figures above those are of; empty where there is no truth.
 std::string pairHeading(const std::optional<Truth>& truth);
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "compare/encoding.h"
 #include "compare/figures.h"
 #include "compare/permutation.h"
 #include "compare/truth.h"
@@ -79,6 +80,7 @@ struct MaterialResult {
   AppliedRule rule;
   std::optional<BaselineChange> baseline; // only where there is one
   std::optional<Truth> truth;             // only with --reference
+  std::optional<Encoding> encoding;       // what mobile's render target alone makes; none in older reports
   bool seenElsewhere = false; // set by settleVerdicts: not seen here, but in another view, so it does not count
 };
 
@@ -90,6 +92,7 @@ struct ViewResult {
   AppliedRule rule;                       // of the whole image
   std::optional<BaselineChange> baseline; // of the whole image; only where there is one
   std::optional<Truth> truth;             // of the whole image; only with --reference
+  std::optional<Encoding> encoding;       // of the whole image
   Verdict verdict = Verdict::pass;        // of the view: its whole image and its materials
   Verdict wholeVerdict = Verdict::pass;   // of the whole image alone
   std::string reason;                     // one sentence: what decided wholeVerdict; empty on a pass

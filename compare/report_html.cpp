@@ -186,8 +186,8 @@ std::string viewSection(const SceneResult& scene, const ViewResult& view, const 
   if (!view.reason.empty()) html += fmt::format("<p class=\"reason\">{}</p>", escapeMarkup(view.reason));
   if (view.whole.all.pixels > 0) html += fmt::format("<p class=\"light\">{}</p>", describeBias(view.whole.all));
   html += baselineLine(view.baseline) + checkBars(view.checks) + pairHeading(view.truth) +
-          figureTable(view.whole, view.baseline) + truthNumbers(view.truth, true) + "</div>" +
-          truthTerms(view.truth, true) + "</div>\n";
+          figureTable(view.whole, view.baseline) + encodingLine(view.encoding, true) + truthNumbers(view.truth, true) +
+          "</div>" + truthTerms(view.truth, true) + "</div>\n";
   if (!view.skipped.empty())
     html +=
         "<details><summary>Skipped, as nothing needed it</summary>" + textList(view.skipped, "skipped") + "</details>";

@@ -102,6 +102,10 @@ void writeMaterial(JsonWriter& json, const MaterialResult& material) {
     json.key("truth");
     writeTruth(json, *material.truth);
   }
+  if (material.encoding) {
+    json.key("encoding");
+    writeEncoding(json, *material.encoding);
+  }
   json.endObject();
 }
 
@@ -125,6 +129,10 @@ void writeView(JsonWriter& json, const ViewResult& view) {
   if (view.truth) {
     json.key("truth");
     writeTruth(json, *view.truth);
+  }
+  if (view.encoding) {
+    json.key("encoding");
+    writeEncoding(json, *view.encoding);
   }
   json.endObject();
   json.key("materials").beginArray();

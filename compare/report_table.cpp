@@ -21,6 +21,7 @@ struct Column {
   bool change = false; // since the baseline
   std::size_t width = 5;
   Figures TruthRegion::*path = nullptr; // against the truth: this path's
+  bool encoding = false;                // of the stage `encoding`
 };
 
 // The figures that are shown where they were measured, in this order; "rmse" only where its twin psnr is not.
@@ -32,6 +33,10 @@ constexpr std::array<std::pair<std::string_view, const char*>, 8> kShown = {{{"h
                                                                              {"maxabs", "maxabs"},
                                                                              {"psnr", "psnr"},
                                                                              {"rmse", "rmse"}}};
+
+bool hasNotableEncoding(const ViewResult& view) {
+  return isNotable(view.encoding) || std::ranges::any_of(view.materials, isNotable, &MaterialResult::encoding);
+}
 
 std::vector<Column> columnsOf(const ViewResult& view, bool baseline) {
   const Figures* sample = view.whole.all.values.empty() ? nullptr : &view.whole.all;
@@ -45,6 +50,10 @@ std::vector<Column> columnsOf(const ViewResult& view, bool baseline) {
   if (view.truth) {
     columns.push_back({"hi/truth ", "flip.mean", false, false, 9, &TruthRegion::highend});
     columns.push_back({"mo/truth ", "flip.mean", false, false, 9, &TruthRegion::mobile});
+  }
+  if (hasNotableEncoding(view)) {
+    columns.push_back({.title = "target", .metric = "flip.mean", .width = 6});
+    columns.back().encoding = true;
   }
   for (const auto& [metric, title] : kShown)
     if (sample->find(metric) && !(metric == "rmse" && sample->find("psnr")))
@@ -65,6 +74,7 @@ struct Row {
   const Figures& main; // what the row is judged by
   const std::optional<BaselineChange>& baseline;
   const std::optional<Truth>& truth;
+  const std::optional<Encoding>& encoding;
   const std::string& reason;
 };
 
@@ -84,6 +94,12 @@ std::string formatCell(const Column& column, const Row& row) {
     const std::optional<double> mean = (region.*column.path).find(column.metric);
     if (!mean) return "- ";
     return formatFigure(column.metric, *mean) + (isWithinNoise(region.*column.path, region.error) ? "~" : " ");
+  }
+  if (column.encoding) {
+    if (!row.encoding) return "-";
+    const RegionFigures& stage = row.encoding->figures;
+    const std::optional<double> mean = (all ? stage.all : stage.interior).find(column.metric);
+    return mean ? formatFigure(column.metric, *mean) : "-";
   }
   const std::optional<double> value = (all ? row.regions.all : row.main).find(column.metric);
   if (!value) return "-";
@@ -113,11 +129,11 @@ std::string formatView(const SceneResult& scene, const ViewResult& view, bool ba
   out += "\n";
   for (const MaterialResult& material : view.materials)
     out += formatRow({material.name, material.verdict, material.figures, mainFigures(material.figures),
-                      material.baseline, material.truth, material.reason},
+                      material.baseline, material.truth, material.encoding, material.reason},
                      nameColumns, columns, color);
-  out +=
-      formatRow({"whole image", view.wholeVerdict, view.whole, view.whole.all, view.baseline, view.truth, view.reason},
-                nameColumns, columns, color);
+  out += formatRow({"whole image", view.wholeVerdict, view.whole, view.whole.all, view.baseline, view.truth,
+                    view.encoding, view.reason},
+                   nameColumns, columns, color);
   if (view.truth)
     for (const std::string& note : view.truth->notes) out += fmt::format("  {}\n", plainLine(note));
   return out + "\n";
@@ -187,6 +203,13 @@ std::string toTable(const Report& report, bool color) {
   out += unjudgedLine(report);
   out += "FLIP of the displayed images (0 alike, 1 far apart): mean, p95, max over interior pixels (whole image: "
          "all), 'all' the mean over every pixel.\n";
+  for (const SceneResult& scene : report.scenes) {
+    const auto view = std::ranges::find_if(scene.views, hasNotableEncoding);
+    if (view == scene.views.end() || !view->encoding) continue;
+    out +=
+        fmt::format("target: mean FLIP that storing mobile's colour in {} makes by itself.\n", view->encoding->target);
+    break;
+  }
   if (hasTruth(report))
     out +=
         "hi/truth, mo/truth: mean FLIP of high-end and of mobile against the truth; ~ where the difference is within 2 "

@@ -14,16 +14,20 @@ namespace {
 
 constexpr std::size_t kGrain = 16384;
 
-// target = value * weight + target * keep at the pixels of a surface; target begins at the tile's first pixel.
-// weightsOf: entry -> (keep, weight).
-void composite(float* target, std::size_t firstPixel, const Surface& surface, const std::vector<glm::vec4>& values,
-               const auto& weightsOf) {
+// plane = value * weight + plane * keep at the pixels of a surface, in the target's numbers where there is one; the
+// plane begins at the tile's first pixel. weightsOf: entry -> (keep, weight).
+void composite(float* plane, std::size_t firstPixel, const Surface& surface, const std::vector<glm::vec4>& values,
+               const auto& weightsOf, const TargetCodec* target) {
   base::parallelFor(surface.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      float* out = target + (surface.pixels[i] - firstPixel) * 3;
+      float* out = plane + (surface.pixels[i] - firstPixel) * 3;
       const auto [keep, weight] = weightsOf(i);
       // What is hidden wholly is replaced, not multiplied by 0: it may be NaN.
-      for (int c = 0; c < 3; ++c) out[c] = (keep == 0 ? 0 : out[c] * keep) + values[i][c] * weight;
+      glm::vec3 value(values[i]);
+      if (target) value = target->write(value);
+      for (int c = 0; c < 3; ++c) value[c] = (keep == 0 ? 0 : out[c] * keep) + value[c] * weight;
+      if (target) value = target->store(value);
+      for (int c = 0; c < 3; ++c) out[c] = value[c];
     }
   });
 }
@@ -31,8 +35,9 @@ void composite(float* target, std::size_t firstPixel, const Surface& surface, co
 } // namespace
 
 FrameBuilder::FrameBuilder(std::uint32_t width, std::uint32_t height, int samples, bool terms,
-                           const glm::vec3& background)
-    : m_samples(samples), m_background(background) {
+                           const glm::vec3& background, const std::optional<TargetCodec>& target)
+    : m_samples(samples), m_background(target ? target->store(target->write(background)) : background),
+      m_target(target) {
   const int w = static_cast<int>(width), h = static_cast<int>(height);
   m_frame.color = base::Image(w, h, 3);
   if (terms) m_frame.terms.assign(shading::kTermCount, base::Image(w, h, 3));
@@ -46,25 +51,31 @@ void FrameBuilder::add(const Surface& opaque, const ShadedSurface& opaqueShaded,
   const bool layered = blended != nullptr && blended->size() > 0;
   m_scratch.resize(count * 3);
 
-  const auto addSample = [&](base::Image& sum, const glm::vec3& behind, const auto& planeOf) {
+  const auto addSample = [&](base::Image& sum, const glm::vec3& behind, const TargetCodec* target,
+                             const auto& planeOf) {
     for (std::size_t p = 0; p < count; ++p)
       for (int c = 0; c < 3; ++c) m_scratch[p * 3 + c] = behind[c];
     if (opaque.size() > 0)
-      composite(m_scratch.data(), firstPixel, opaque, planeOf(opaqueShaded),
-                [](std::size_t) { return std::pair(0.f, 1.f); });
+      composite(
+          m_scratch.data(), firstPixel, opaque, planeOf(opaqueShaded), [](std::size_t) { return std::pair(0.f, 1.f); },
+          target);
     if (layered)
-      composite(m_scratch.data(), firstPixel, *blended, planeOf(*blendedShaded), [&](std::size_t i) {
-        const float opacity = blendedShaded->color[i].w;
-        return std::pair(1 - opacity, blendedShaded->premultiplied ? 1.f : opacity);
-      });
+      composite(
+          m_scratch.data(), firstPixel, *blended, planeOf(*blendedShaded),
+          [&](std::size_t i) {
+            const float opacity = blendedShaded->color[i].w;
+            return std::pair(1 - opacity, blendedShaded->premultiplied ? 1.f : opacity);
+          },
+          target);
     float* out = sum.pixels.data() + firstPixel * 3;
     for (std::size_t k = 0; k < count * 3; ++k) out[k] += m_scratch[k];
   };
   addSample(
-      m_frame.color, m_background, [](const ShadedSurface& s) -> const auto& { return s.color; });
+      m_frame.color, m_background, m_target ? &*m_target : nullptr,
+      [](const ShadedSurface& s) -> const auto& { return s.color; });
   for (std::size_t t = 0; t < m_frame.terms.size(); ++t)
     addSample(
-        m_frame.terms[t], glm::vec3(0), [t](const ShadedSurface& s) -> const auto& { return s.terms[t]; });
+        m_frame.terms[t], glm::vec3(0), nullptr, [t](const ShadedSurface& s) -> const auto& { return s.terms[t]; });
 }
 
 base::Frame FrameBuilder::take() {
@@ -75,6 +86,13 @@ base::Frame FrameBuilder::take() {
     divide(m_frame.color);
     for (base::Image& term : m_frame.terms) divide(term);
   }
+  if (m_target)
+    base::parallelFor(m_frame.color.pixelCount(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (float* p = m_frame.color.pixels.data() + 3 * begin; p != m_frame.color.pixels.data() + 3 * end; p += 3) {
+        const glm::vec3 light = m_target->read(m_target->store({p[0], p[1], p[2]}));
+        for (int c = 0; c < 3; ++c) p[c] = light[c];
+      }
+    });
   return std::move(m_frame);
 }
 

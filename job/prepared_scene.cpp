@@ -118,6 +118,7 @@ void addEnvironment(Context& context, lighting::SunExtraction extraction, const 
 
 PreparedScene prepareScene(Context& context, const SceneRequest& request, const Paths& paths) {
   PreparedScene prepared;
+  prepared.exposureEv = request.exposureEv.value_or(context.settings().exposureEv);
   std::optional<lighting::SunExtraction> environment;
   std::vector<std::string> warnings;
   base::parallelInvoke({

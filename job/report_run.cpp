@@ -53,6 +53,8 @@ std::vector<std::pair<std::string, std::string>> describe(const Settings& s, con
       {"mobile sky", fmt::format("{} SH coefficients", s.mobile.skyCoefficients)},
       {"mobile capture", fmt::format("{}, scaled: {}", nameOf(mobile::captureEncodingNames(), s.mobile.capture),
                                      nameOf(mobile::captureScaleNames(), s.mobile.captureScale))},
+      {"mobile target", nameOf(gpu::outputTargetNames(), s.mobileTarget) +
+                            (gpu::isDisplayed(s.mobileTarget) ? ", as displayed: light above white is cut off" : "")},
       {"materials", s.materials.empty() ? "all" : fmt::format("{}", fmt::join(s.materials, ", "))},
       {"fully rough", s.fullyRough.empty() ? "none" : fmt::format("{}", fmt::join(s.fullyRough, ", "))}};
   if (s.truth) settings.emplace_back("truth", describeTruth(s));
@@ -196,7 +198,7 @@ private:
     ViewComparisonRequest comparison;
     comparison.sceneName = request.name;
     comparison.viewName = view.name;
-    comparison.exposureEv = request.exposureEv.value_or(settings.exposureEv);
+    comparison.exposureEv = prepared.exposureEv;
     comparison.samplers = samplerInputs(prepared);
     comparison.reportFolder = m_request.folder;
     comparison.imagePrefix = imagePrefix(sceneIndex, request.name, viewIndex, view.name);

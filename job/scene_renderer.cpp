@@ -111,8 +111,10 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
   const Settings& settings = m_context.settings();
   const auto width = static_cast<std::uint32_t>(settings.width), height = static_cast<std::uint32_t>(settings.height);
   gpu::FrameBuilder highendFrame(width, height, settings.samples, settings.terms, settings.background);
-  gpu::FrameBuilder mobileFrame = highendFrame;
   gpu::FrameBuilder referenceFrame = highendFrame;
+  gpu::FrameBuilder mobileFrame(width, height, settings.samples, settings.terms, settings.background,
+                                gpu::TargetCodec(settings.mobileTarget, m_prepared.exposureEv));
+  gpu::FrameBuilder beforeTarget(width, height, settings.samples, false, settings.background);
   ErrorBuilder referenceError(m_reference ? settings.width : 0, m_reference ? settings.height : 0, settings.samples);
   std::uint64_t sampledPoints = 0, lightSamples = 0;
   gpu::CoverageBuilder coverage(m_buffers, settings.samples);
@@ -132,14 +134,16 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
       }
       const gpu::Surface* layer = m_surfacePass.hasBlended() ? &blended : nullptr;
       gpu::ShadedSurface shadedLayer;
-      const auto shadeBy = [&](const auto& renderer, gpu::FrameBuilder& frame, const char* stage) {
+      const auto shadeBy = [&](const auto& renderer, const char* stage,
+                               std::initializer_list<gpu::FrameBuilder*> builders) {
         const base::Stopwatch watch(&m_context.timings(), stage);
         const gpu::ShadedSurface shaded = renderer.shade(opaque, camera);
         if (layer) shadedLayer = renderer.shade(blended, camera);
-        frame.add(opaque, shaded, layer, layer ? &shadedLayer : nullptr, tile);
+        for (gpu::FrameBuilder* builder : builders)
+          if (builder) builder->add(opaque, shaded, layer, layer ? &shadedLayer : nullptr, tile);
       };
-      if (m_highend) shadeBy(*m_highend, highendFrame, "shade highend");
-      if (m_mobile) shadeBy(*m_mobile, mobileFrame, "shade mobile");
+      if (m_highend) shadeBy(*m_highend, "shade highend", {&highendFrame});
+      if (m_mobile) shadeBy(*m_mobile, "shade mobile", {&mobileFrame, compared ? &beforeTarget : nullptr});
       if (m_reference) {
         const base::Stopwatch watch(&m_context.timings(), "shade reference");
         const reference::Progress told = [&](double done) {
@@ -175,7 +179,10 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
         sampledPoints > 0 ? static_cast<double>(lightSamples) / static_cast<double>(sampledPoints) : 0;
     if (progress) progress("reference", 1);
   }
-  if (compared) frames.coverage = coverage.take();
+  if (compared) {
+    frames.coverage = coverage.take();
+    frames.mobileBeforeTarget = beforeTarget.take().color;
+  }
   return frames;
 }
 

@@ -20,6 +20,7 @@ struct ViewFrames {
   base::Image referenceTaken;             // samples of each pixel, of the environment, for each way of sampling
   double referenceSamples = 0;            // taken of the environment, a point and way of sampling
   std::vector<base::PixelList> coverage;  // a list per material; empty unless highend and mobile are asked for
+  base::Image mobileBeforeTarget;         // mobile's colour as if nothing were stored; empty like coverage
 };
 
 class SceneRenderer {

@@ -12,6 +12,7 @@
 #include "base/stopwatch.h"
 #include "compare/measure.h"
 #include "gpu/device.h"
+#include "gpu/output_target.h"
 #include "highend/renderer.h"
 #include "mobile/renderer.h"
 #include "reference/shade.h"
@@ -35,7 +36,8 @@ struct Settings {
   bool truth = false;     // also hold both paths against the reference; needs the terms
   mobile::Options mobile;
   std::uint32_t mobileView = mobile::kViewLit; // what the mobile path's colour shows (mobile/views.h)
-  gpu::SpecularAa specularAa = gpu::SpecularAa::off; // of all paths
+  gpu::OutputTarget mobileTarget = gpu::OutputTarget::rgba16f; // what the mobile path's colour is stored in
+  gpu::SpecularAa specularAa = gpu::SpecularAa::off;           // of all paths
   highend::Options highend;
   reference::Options reference;
   bool referenceShadows = false;

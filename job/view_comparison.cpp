@@ -9,6 +9,7 @@
 #include "compare/measure_truth.h"
 #include "compare/region.h"
 #include "job/displayed.h"
+#include "job/encoding_stage.h"
 #include "job/truth_comparison.h"
 #include "job/view_pictures.h"
 #include "shading/terms.h"
@@ -164,6 +165,9 @@ compare::ViewResult compareView(Context& context, const scenes::Scene& scene, co
     measured = measureView(settings, frames, reference, test, subject, budgets, request);
   }
 
+  std::vector<compare::Encoding> encoding = measureEncoding(
+      context, {frames.mobileBeforeTarget, frames.mobile.color, test, subject.lists, subject.box, request.exposureEv});
+
   std::optional<TruthComparison> truth;
   if (settings.truth)
     truth = compareWithTruth(
@@ -175,6 +179,7 @@ compare::ViewResult compareView(Context& context, const scenes::Scene& scene, co
   view.width = settings.width;
   view.height = settings.height;
   view.whole = measured.regions[0];
+  view.encoding = std::move(encoding[0]);
   if (truth) view.truth = truth->regions[0];
   view.materials.resize(chosen.size());
   base::parallelFor(chosen.size(), 1, [&](std::size_t i, std::size_t) {
@@ -188,6 +193,7 @@ compare::ViewResult compareView(Context& context, const scenes::Scene& scene, co
     if (isFlat(reference.pixels, test.pixels, list))
       material.notes.push_back("all black or all white in both pictures: there is nothing to compare");
     material.terms = termFigures(frames, list);
+    material.encoding = std::move(encoding[i + 1]);
     if (truth) material.truth = truth->regions[i + 1];
     compare::judgeMaterial(material, budgets, request.sceneName);
   });

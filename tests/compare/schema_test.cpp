@@ -90,7 +90,8 @@ void expectEachKeyMatters(const json& schema, const json& document, const json::
       json less = document;
       less.at(where).erase(key);
       const bool optional = (key == "truth" && child.contains("images")) || // not the luminance, not the image
-                            key == "permutations" || key == "cost" || key == "light";
+                            key == "permutations" || key == "cost" || key == "light" ||
+                            key == "encoding";
       EXPECT_EQ(validate(schema, less).empty(), optional) << where.to_string() << "/" << key;
       json other = document;
       other.at(where)[key] = json::array({"wrong"});
@@ -115,6 +116,8 @@ TEST(Schema, EachKeyIsRequiredTypedAndNoOtherIsAllowed) {
   const ViewResult truth = makeSampleReportWithTruth().scenes[0].views[0];
   report.scenes[0].views[0].truth = truth.truth;
   materials[0].truth = truth.materials[1].truth;
+  materials[0].encoding = Encoding{"rgba16f", makeRegion("stage", 0.01, 9000)};
+  report.scenes[0].views[0].encoding = Encoding{"rgba16f", makeRegion("stage", 0.01, 9000)};
   settleVerdicts(report);
   const json schema = loadSchema(), document = json::parse(toJson(report));
   ASSERT_EQ(join(validate(schema, document)), "");

@@ -1,6 +1,9 @@
 // Frames from shaded surfaces: samples, layers, background, terms.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "gpu/frame_builder.h"
 #include "shading/terms.h"
 
@@ -59,6 +62,56 @@ TEST(FrameBuilder, addsPremultipliedColourAndTermsAsTheyAre) {
   const base::Frame frame = builder.take();
   EXPECT_EQ(frame.color.pixels, (std::vector<float>{5, 5, 5, 1, 1, 1}));
   for (const base::Image& term : frame.terms) EXPECT_EQ(term.pixels[0], 5);
+}
+
+// One pixel: an opaque surface of light 0.64, over it a layer of light 0.04 at half opacity.
+glm::vec3 blend(const std::optional<TargetCodec>& target) {
+  FrameBuilder builder(2, 1, 1, false, glm::vec3(0), target);
+  const Surface surface = makeSurface({0});
+  const ShadedSurface below{{glm::vec4(0.64f, 0.64f, 0.64f, 1)}, {}}, above{{glm::vec4(0.04f, 0.04f, 0.04f, 0.5f)}, {}};
+  builder.add(surface, below, &surface, &above, {0, 1});
+  const base::Frame frame = builder.take();
+  return {frame.color.pixels[0], frame.color.pixels[1], frame.color.pixels[2]};
+}
+
+TEST(FrameBuilder, blendsInTheNumbersOfItsTarget) {
+  EXPECT_FLOAT_EQ(blend(std::nullopt).x, 0.34f);
+  // Halves: 0.64 is 1311/2048; half of it and 0.02 is 0.340068, 1393 of 2^-12.
+  EXPECT_EQ(blend(TargetCodec(OutputTarget::rgba16f, 0)).x, 1393 * 0x1p-12f);
+  // sRGB: 0.64 is code 209, of light 0.63760; half of it and 0.02 is 0.33880: code 157, of light 0.337164.
+  EXPECT_NEAR(blend(TargetCodec(OutputTarget::rgba8Srgb, 0)).x, 0.337164f, 1e-6f);
+  // Gamma 2.0: codes 204 (0.8) and 51 (0.2) blend as they are: 127.5 is 128, shown as light 0.21586.
+  EXPECT_NEAR(blend(TargetCodec(OutputTarget::rgba8Gamma2, 0)).x, 0.215861f, 1e-6f);
+}
+
+TEST(FrameBuilder, resolvesSamplesAsItsTargetWould) {
+  const auto resolve = [](OutputTarget target) {
+    FrameBuilder builder(2, 1, 2, false, glm::vec3(0), TargetCodec(target, 0));
+    builder.add(makeSurface({0}), {{glm::vec4(1)}, {}}, nullptr, nullptr, {0, 1});
+    builder.add(makeSurface({}), {}, nullptr, nullptr, {0, 1});
+    return builder.take().color.pixels[0];
+  };
+  EXPECT_EQ(resolve(OutputTarget::rgba16f), 0.5f);
+  EXPECT_NEAR(resolve(OutputTarget::rgba8Srgb), 0.502886f, 1e-6f) << "half the light is code 187.5, so 188";
+  EXPECT_NEAR(resolve(OutputTarget::rgba8Gamma2), 0.215861f, 1e-6f) << "half of the codes is 128";
+}
+
+TEST(FrameBuilder, storesTheBackgroundInItsTarget) {
+  FrameBuilder builder(2, 1, 1, false, glm::vec3(0.18f), TargetCodec(OutputTarget::rgba8Gamma2, 0));
+  builder.add(makeSurface({}), {}, nullptr, nullptr, {0, 1});
+  EXPECT_NEAR(builder.take().color.pixels[0], 0.149960f, 1e-6f) << "code 108";
+}
+
+TEST(FrameBuilder, aTargetLeavesTermsAndNonFinitePixelsAlone) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  FrameBuilder builder(2, 1, 1, true, glm::vec3(0), TargetCodec(OutputTarget::rgba8Gamma2, 0));
+  ShadedSurface shaded{{glm::vec4(kNan, 1, 1, 1), glm::vec4(0.3f, 0.3f, 0.3f, 1)},
+                       std::vector<std::vector<glm::vec4>>(shading::kTermCount, {glm::vec4(0), glm::vec4(0)})};
+  shaded.terms[2][1] = glm::vec4(0.3f);
+  builder.add(makeSurface({0, 1}), shaded, nullptr, nullptr, {0, 1});
+  const base::Frame frame = builder.take();
+  EXPECT_TRUE(std::isnan(frame.color.pixels[0]));
+  EXPECT_EQ(frame.terms[2].pixels[3], 0.3f);
 }
 
 } // namespace

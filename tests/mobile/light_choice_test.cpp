@@ -33,6 +33,14 @@ TEST(LightChoice, countsBrightnessAtTheObjectNotAtTheLight) {
   EXPECT_EQ(chosen[0], (std::array<std::uint32_t, 4>{1, 0, kNoLight, kNoLight}));
 }
 
+// 23 equal lights and a brighter one: which of the equal ones are taken must not depend on how they are sorted.
+TEST(LightChoice, takesTheLowerIndicesAmongEqualLights) {
+  const scenes::Scene scene = tests::makeQuadScene();
+  std::vector<scenes::Light> lights(24, makeLight(scenes::LightKind::point, 10));
+  lights[17] = makeLight(scenes::LightKind::point, 20);
+  EXPECT_EQ(chooseLocalLights(scene, lights)[0], (std::array<std::uint32_t, 4>{17, 0, 1, 2}));
+}
+
 TEST(LightChoice, leavesOutLightsWhoseRangeOrConeDoesNotReach) {
   const scenes::Scene scene = tests::makeQuadScene();
   std::vector<scenes::Light> lights = {makeLight(scenes::LightKind::point, 100, {0, 0, 10}),

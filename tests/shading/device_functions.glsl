@@ -13,6 +13,7 @@
 #include "shading/sh.glsl"
 #include "shading/sky_sh.glsl"
 #include "shading/specular_aa.glsl"
+#include "shading/target.glsl"
 
 #include "function_ids.glsl"
 

@@ -256,6 +256,8 @@ std::vector<FunctionCase> functionTable() {
       {"alphaSquaredOfNormals", kFnAlphaSquaredOfNormals, units(1), exact},
       {"widenRoughness", kFnWidenRoughness, units(2), exact},
       {"heightFogTransmittance", kFnHeightFogTransmittance, fogAndWay, fog},
+      {"encodeGamma2", kFnEncodeGamma2, uniforms(3, -0.5, 1.5), exact},
+      {"saturateToHalf", kFnSaturateToHalf, uniforms(3, -1e5, 1e5), exact},
       {"narrow", kFnNarrow, uniforms(1, 0, 65504), exact},
       {"dot32", kFnDot32, uniforms(6, -1, 1), exact},
       {"encodeRgbm", kFnEncodeRgbm, radiance, exact},
