@@ -125,8 +125,7 @@ FN RefitHalfVector refitHalfVector(real32x3 N, real32x3 V, real32x3 L) {
 //   F D V NoL pi + M (g0 + g1 NoL) NoL
 // D: GGX in fp32, as D_GGX; V: height-correlated Smith (V_SmithGGXCorrelated); F: Schlick. What scatters more than once
 // leaves as g0 + g1 NoL, which integrates to 1, in place of Kulla and Conty's (1 - E(NoL)) / (1 - Eavg). NoL in [0, 1];
-// cosines.NoH in [-1, 1], VoH in [0, 1] but for rounding. In half a smooth peak is cut at
-// 58954.
+// cosines.NoH in [-1, 1], VoH in [0, 1] but for rounding. In half a smooth peak is cut at 58954.
 FN real3 refitLight(RefitLobe lobe, real NoL, RefitHalfVector cosines) {
   PRECISE real32 n = real32(lobe.alpha) * cosines.NoH;
   PRECISE real32 d = (R32(1.0) - cosines.NoH) * (R32(1.0) + cosines.NoH) + n * n;
