@@ -90,8 +90,8 @@ struct RefitTap {
 FN RefitTap refitTap(real Roughness, real NoV) {
   RefitTap tap;
   PRECISE real alpha = Roughness * Roughness;
-  PRECISE real lean = alpha * (R(1.38043) - R(1.96748) * NoV + R(7.42884) * (alpha * alpha));
-  PRECISE real mip = R(5.3431) + R(1.44437) * log2(max(Roughness, R(0.015625)));
+  PRECISE real lean = alpha * (R(1.38125) - R(1.96943) * NoV + R(7.43462) * (alpha * alpha));
+  PRECISE real mip = R(5.34346) + R(1.44467) * log2(max(Roughness, R(0.015625)));
   tap.lean = lean;
   tap.mip = mip;
   return tap;
@@ -125,8 +125,7 @@ FN RefitHalfVector refitHalfVector(real32x3 N, real32x3 V, real32x3 L) {
 //   F D V NoL pi + M (g0 + g1 NoL) NoL
 // D: GGX in fp32, as D_GGX; V: height-correlated Smith (V_SmithGGXCorrelated); F: Schlick. What scatters more than once
 // leaves as g0 + g1 NoL, which integrates to 1, in place of Kulla and Conty's (1 - E(NoL)) / (1 - Eavg). NoL in [0, 1];
-// cosines.NoH in [-1, 1], VoH in [0, 1] but for rounding. In half a smooth peak is cut at
-// 58954.
+// cosines.NoH in [-1, 1], VoH in [0, 1] but for rounding. In half a smooth peak is cut at 58954.
 FN real3 refitLight(RefitLobe lobe, real NoL, RefitHalfVector cosines) {
   PRECISE real32 n = real32(lobe.alpha) * cosines.NoH;
   PRECISE real32 d = (R32(1.0) - cosines.NoH) * (R32(1.0) + cosines.NoH) + n * n;

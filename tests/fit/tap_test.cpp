@@ -33,9 +33,8 @@ TEST(Harmonics, ofASmoothLobeAlongTheNormalAreThoseOfItsMip) {
   for (int l = 0; l <= kBands; ++l) EXPECT_NEAR(lobe[indexOf(l, 0)], mip[l] * up[indexOf(l, 0)], 0.02);
 }
 
-// With a quarter of the program's samples, for speed.
 TEST(TapFit, shaderHoldsTheConstantsOfTheFitAndLeansBetterThanTheDominantDirection) {
-  const TapFit taps(GeometryTerm::heightCorrelated, {75, 50});
+  const TapFit taps(GeometryTerm::heightCorrelated);
   const TapConstants c = taps.fit();
   const double best = taps.errorOf([&](double R, double N) { return evaluateTap(c, R, N); });
   const double held = taps.errorOf([](double R, double N) {

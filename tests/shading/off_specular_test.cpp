@@ -1,4 +1,5 @@
 // The taps against the integral that they stand for, under a soft light at many places.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -46,8 +47,9 @@ double reflect(const Sky& sky, double roughness, double NoV) {
   return sum / total;
 }
 
-// The prefiltered cube: the sky's mean over the lobe of N = V = R about a direction, between its levels.
-double readCube(const Sky& sky, const Vec& direction, double mip) {
+// The prefiltered cube: the sky's mean over the lobe of N = V = R about a direction, between its levels; or trilinear
+// in layer 0, as the mobile path reads it.
+double readCube(const Sky& sky, const Vec& direction, double mip, bool layered) {
   const auto atMip = [&](double level) {
     constexpr int kSteps = 48;
     const double alpha = f64::sqr(f64::roughnessFromMip(level));
@@ -67,6 +69,11 @@ double readCube(const Sky& sky, const Vec& direction, double mip) {
       }
     return sum / total;
   };
+  if (!layered) {
+    const double clamped = std::clamp(mip, 0.0, 1. * f64::kPrefilterRoughestMip), floor = std::floor(clamped);
+    const double share = clamped - floor;
+    return share > 0 ? atMip(floor) * (1 - share) + atMip(floor + 1) * share : atMip(floor);
+  }
   const f64::PrefilterBlend blend = f64::prefilterBlend(mip);
   const double lower = atMip(1. * blend.lower / f64::kPrefilterLayers),
                upper = atMip(1. * blend.upper / f64::kPrefilterLayers);
@@ -74,7 +81,8 @@ double readCube(const Sky& sky, const Vec& direction, double mip) {
 }
 
 // Root mean square error over views, roughnesses and skies, of one way to read.
-double errorOf(const std::function<std::vector<f64::LobeTap>(double NoV, double roughness)>& taps) {
+double errorOf(const std::function<std::vector<f64::LobeTap>(double NoV, double roughness)>& taps,
+               bool layered = true) {
   double squares = 0;
   int count = 0;
   for (const double roughness : {0.25, 0.45, 0.65, 0.85, 1.0})
@@ -86,7 +94,7 @@ double errorOf(const std::function<std::vector<f64::LobeTap>(double NoV, double 
         const Sky sky = [&](const Vec& d) { return 0.2 + 2 * std::exp(8 * (dot(d, towards) - 1)); };
         double read = 0;
         for (const f64::LobeTap& tap : taps(NoV, roughness))
-          read += tap.weight * readCube(sky, (1 - tap.blend) * Vec{0, 0, 1} + tap.blend * mirrored, tap.mip);
+          read += tap.weight * readCube(sky, (1 - tap.blend) * Vec{0, 0, 1} + tap.blend * mirrored, tap.mip, layered);
         squares += std::pow(read / reflect(sky, roughness, NoV) - 1, 2);
         ++count;
       }
@@ -140,6 +148,23 @@ TEST(OffSpecular, weightsAddUpToOneAndMipsExist) {
         }
       }
     }
+}
+
+// The mobile path's one read, trilinear: between the dominant direction and two reads of the layered cube.
+TEST(RefitTap, isBetterThanADominantReadOfTheSameCube) {
+  const auto at = [](double blend, double mip) { return std::vector<f64::LobeTap>{{blend, mip, 1}}; };
+  const double none = errorOf([&](double, double R) { return at(1, f64::mipFromRoughness(R)); }, false);
+  const double dominant =
+      errorOf([&](double, double R) { return at(f64::dominantBlend(R * R), f64::mipFromRoughness(R)); }, false);
+  const double refit = errorOf(
+      [&](double N, double R) {
+        const f64::RefitTap tap = f64::refitTap(R, N);
+        return at(1 / (1 + tap.lean), tap.mip);
+      },
+      false);
+  std::printf("trilinear: none %.3f, dominant %.3f, refit %.3f\n", none, dominant, refit);
+  EXPECT_LT(dominant, 0.6 * none);
+  EXPECT_LT(refit, 0.75 * dominant);
 }
 
 // Lagarde and de Rousiers' listing: a mirror at 1, the normal at full roughness.
