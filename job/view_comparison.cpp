@@ -67,11 +67,12 @@ bool isFlat(const base::Image8& reference, const base::Image8& test, const base:
   });
 }
 
-std::vector<std::string> materialNotes(const scenes::Material& m) {
+std::vector<std::string> materialNotes(const scenes::Material& m, const mobile::Options& mobile) {
   std::vector<std::string> notes;
   if (m.unlit) return {"unlit"};
   if (m.fullyRough) notes.push_back("fully rough: no specular, no environment fetch on mobile");
-  if (m.isNonmetal() && !m.fullyRough) notes.push_back("nonmetal: EnvBRDFApproxNonmetal on mobile");
+  if (m.isNonmetal() && !m.fullyRough && mobile.environmentBrdf != mobile::EnvironmentBrdf::refit)
+    notes.push_back("nonmetal: EnvBRDFApproxNonmetal on mobile");
   const glm::vec3 f0 = m.dielectricF0();
   if (f0.x != f0.y || f0.y != f0.z || m.specularColorTexture.present())
     notes.push_back("tinted F0, kept as RGB by both paths");
@@ -187,7 +188,7 @@ compare::ViewResult compareView(Context& context, const scenes::Scene& scene, co
     compare::MaterialResult& material = view.materials[i];
     material.name = scene.materials[chosen[i]].name;
     material.figures = measured.regions[i + 1];
-    material.notes = materialNotes(scene.materials[chosen[i]]);
+    material.notes = materialNotes(scene.materials[chosen[i]], settings.mobile);
     if (std::string excess = mobile::describeExcess(scene.materials[chosen[i]], request.samplers); !excess.empty())
       material.notes.push_back(std::move(excess));
     if (isFlat(reference.pixels, test.pixels, list))

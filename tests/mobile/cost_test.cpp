@@ -4,6 +4,7 @@
 #include "support/path_quad.h"
 
 #include "gpu/spirv_cost.h"
+#include "mobile/presets.h"
 #include "mobile/renderer.h"
 #include "mobile/sampler_rule.h"
 #include "scenes/builtin.h"
@@ -32,7 +33,7 @@ TEST_F(MobileCostTest, everyPermutationOfEveryBuiltInSceneHasAtMostEightSamplers
       Inputs inputs;
       inputs.environment = &environment;
       inputs.lights = lights;
-      const Renderer renderer(device(), buffers, pass.binKinds(), inputs, presetByName(preset));
+      const Renderer renderer(device(), buffers, pass.binKinds(), inputs, tests::inFp32(preset.c_str()));
       renderer.shade(surface, camera);
       for (const gpu::CompiledPermutation& each : renderer.pass().compiled()) {
         if (!costs.contains(each.constants))
@@ -61,7 +62,7 @@ TEST_F(MobileCostTest, aFullyRoughMaterialPaysForNoEnvironmentFetch) {
     const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
     Inputs inputs;
     inputs.environment = &environment;
-    const Renderer renderer(device(), buffers, pass.binKinds(), inputs, presetByName("ue4-2020"));
+    const Renderer renderer(device(), buffers, pass.binKinds(), inputs, tests::inFp32("ue4-2020"));
     renderer.shade(pass.render(camera, {0, 8}, glm::vec2(0.5f), gpu::Layer::opaque), camera);
     EXPECT_EQ(renderer.pass().compiled().size(), 1u);
     EXPECT_EQ(renderer.pass().compiled().at(0).entries, 64u);
