@@ -18,11 +18,13 @@
 CONSTANT int kEnvironmentBrdfKaris2014 = 0; // EnvBRDFApprox
 CONSTANT int kEnvironmentBrdfUE4 = 1;       // AB.y *= saturate(50 g)
 CONSTANT int kEnvironmentBrdfRefit = 2;     // shading/refit.glsl: with what scatters more than once, and what diffuse light has left
+CONSTANT int kEnvironmentBrdfRefitNonmetal = 3; // the same where all materials are nonmetals
 
 // Which lobe direct light has.
 CONSTANT int kSunDApprox = 0;      // around the reflection vector (Karis 2014)
 CONSTANT int kSunCalcSpecular = 1; // GGX_Mobile around the half vector (UE4 2020)
 CONSTANT int kSunRefit = 2;        // shading/refit.glsl; goes with kEnvironmentBrdfRefit
+CONSTANT int kSunRefitNonmetal = 3; // the same with kEnvironmentBrdfRefitNonmetal
 
 // How the environment follows the baked light (captureScale).
 CONSTANT int kCaptureScaleNone = 0;
@@ -45,7 +47,7 @@ struct MobileShadingModelContext {
   real3 SpecPreEnvBrdf;
   real3 SpecularColor; // SpecPreEnvBrdf through the environment BRDF
   real Roughness;
-  RefitLobe lobe; // with kEnvironmentBrdfRefit alone
+  RefitLobe lobe; // with kEnvironmentBrdfRefit... alone
 };
 
 // A shading point's directions, unit: as the engine has them, and before they were rounded.
@@ -75,9 +77,14 @@ FN MobileShadingModelContext initShadingModelContext(int environmentBrdf, bool n
   if (fullyRough) {
     c.Roughness = R(1.0);
     FullyRough(c.DiffuseColor, c.SpecularColor);
-  } else if (environmentBrdf == kEnvironmentBrdfRefit) {
-    PRECISE real F90 = m.F90 + (R(1.0) - m.F90) * m.Metallic;
-    c.lobe = refitLobe(c.SpecPreEnvBrdf, F90, c.Roughness, NoV);
+  } else if (environmentBrdf == kEnvironmentBrdfRefit || environmentBrdf == kEnvironmentBrdfRefitNonmetal) {
+    if (environmentBrdf == kEnvironmentBrdfRefitNonmetal) {
+      c.lobe = refitNonmetalLobe(c.Roughness, NoV);
+    } else {
+      PRECISE real F90 = m.F90 + (R(1.0) - m.F90) * m.Metallic;
+      c.lobe = refitLobe(c.SpecPreEnvBrdf, F90, c.Roughness, NoV);
+      if (nonmetal) c.lobe.multiple = real3(R(0.0), R(0.0), R(0.0)); // so that both have the same colour
+    }
     c.SpecularColor = c.lobe.single;
     real share = refitDiffuseShare(c.lobe);
     PRECISE real3 diffuse = real3(c.DiffuseColor.x * share, c.DiffuseColor.y * share, c.DiffuseColor.z * share);
@@ -121,7 +128,7 @@ FN MobileFrame mobileFrame(real32x3 N, real32x3 V) {
 
 // max(0, N.V): in half, as in the source; refit keeps the digits that a grazing view needs.
 FN real viewCosine(int environmentBrdf, MobileFrame f) {
-  if (environmentBrdf == kEnvironmentBrdfRefit) return narrow(min(max(dot32(f.N32, f.V32), R32(0.0)), R32(1.0)));
+  if (environmentBrdf == kEnvironmentBrdfRefit) return real(min(max(dot32(f.N32, f.V32), R32(0.0)), R32(1.0)));
   return max(dot3(f.N, f.V), R(0.0));
 }
 
@@ -138,7 +145,12 @@ FN MobileDirectLighting mobileIntegrateBxDF(int sun, bool fullyRough, MobileShad
   lighting.Specular = real3(R(0.0), R(0.0), R(0.0));
   if (fullyRough) return lighting;
   if (sun == kSunRefit) {
-    lighting.Specular = refitLight(c.lobe, min(NoL, R(1.0)), refitHalfVector(f.N32, f.V32, L));
+    lighting.Specular = refitLight(c.lobe, NoL, refitHalfVector(f.N32, f.V32, L));
+    return lighting;
+  }
+  if (sun == kSunRefitNonmetal) {
+    real grey = refitNonmetalLight(c.lobe, NoL, refitHalfVector(f.N32, f.V32, L));
+    lighting.Specular = real3(grey, grey, grey);
     return lighting;
   }
   real lobe;

@@ -23,7 +23,7 @@ struct RefitLobe {
   real3 rise; // F90 - F0
   real alpha;
   real NoV;
-  real rootV; // sqrt(alpha^2 + (1 - alpha^2) NoV^2), of Smith's term
+  real rootV; // refitRoot of NoV
 };
 
 // B of the environment BRDF, the part of F90:
@@ -45,6 +45,13 @@ FN real refitLoss(real alpha, real NoV) {
   return w;
 }
 
+// sqrt(alpha^2 + (1 - alpha^2) cosine^2), of Smith's term.
+FN real refitRoot(real alpha, real cosine) {
+  PRECISE real a2 = alpha * alpha;
+  PRECISE real s = (cosine - a2 * cosine) * cosine + a2;
+  return sqrt(s);
+}
+
 // The lobe of a material at a view. F0 <= F90 in [0, 1] (F90 is 1 but for KHR_materials_specular); Roughness, NoV in [0,
 // 1]. With single scattering S = F0 (1 - w) + (F90 - F0) B and Kulla and Conty's sum replaced by
 //   M = w F0^2 (1 - k (F90 - F0)),  k = c alpha
@@ -60,15 +67,30 @@ FN RefitLobe refitLobe(real3 F0, real F90, real Roughness, real NoV) {
   PRECISE real3 single = real3(F0.x - lost.x + rise.x * B, F0.y - lost.y + rise.y * B, F0.z - lost.z + rise.z * B);
   PRECISE real3 multiple = real3(lost.x * (F0.x * (R(1.0) - k * rise.x)), lost.y * (F0.y * (R(1.0) - k * rise.y)),
                                  lost.z * (F0.z * (R(1.0) - k * rise.z)));
-  PRECISE real a2 = alpha * alpha;
-  PRECISE real s = (NoV - a2 * NoV) * NoV + a2;
   lobe.single = single;
   lobe.multiple = multiple;
   lobe.F0 = F0;
   lobe.rise = rise;
   lobe.alpha = alpha;
   lobe.NoV = NoV;
-  lobe.rootV = sqrt(s);
+  lobe.rootV = refitRoot(alpha, NoV);
+  return lobe;
+}
+
+// The same where F0 is known to be .04 and grey and F90 1, bit for bit, but that `multiple`, which is below .0011, is 0.
+FN RefitLobe refitNonmetalLobe(real Roughness, real NoV) {
+  RefitLobe lobe;
+  PRECISE real alpha = max(Roughness * Roughness, kRefitLeastAlpha);
+  PRECISE real lost = R(0.04) * refitLoss(alpha, NoV);
+  PRECISE real rise = R(1.0) - R(0.04);
+  PRECISE real E = R(0.04) - lost + rise * refitB(Roughness, NoV);
+  lobe.single = real3(E, E, E);
+  lobe.multiple = real3(R(0.0), R(0.0), R(0.0));
+  lobe.F0 = real3(R(0.04), R(0.04), R(0.04));
+  lobe.rise = real3(rise, rise, rise);
+  lobe.alpha = alpha;
+  lobe.NoV = NoV;
+  lobe.rootV = refitRoot(alpha, NoV);
   return lobe;
 }
 
@@ -97,9 +119,9 @@ FN RefitTap refitTap(real Roughness, real NoV) {
   return tap;
 }
 
-// R + lean N with R = 2 (N.V) N - V.
-FN real3 refitDirection(real3 N, real3 V, real lean) {
-  PRECISE real n = R(2.0) * dot3(N, V) + lean;
+// R + lean N with R = 2 NoV N - V. NoV: N.V, 0 where that is negative.
+FN real3 refitDirection(real3 N, real3 V, real NoV, real lean) {
+  PRECISE real n = R(2.0) * NoV + lean;
   PRECISE real3 d = real3(n * N.x - V.x, n * N.y - V.y, n * N.z - V.z);
   return d;
 }
@@ -121,28 +143,43 @@ FN RefitHalfVector refitHalfVector(real32x3 N, real32x3 V, real32x3 L) {
   return cosines;
 }
 
-// pi times the specular BRDF, times NoL: 1/pi is in the light's colour.
-//   F D V NoL pi + M (g0 + g1 NoL) NoL
-// D: GGX in fp32, as D_GGX; V: height-correlated Smith (V_SmithGGXCorrelated); F: Schlick. What scatters more than once
-// leaves as g0 + g1 NoL, which integrates to 1, in place of Kulla and Conty's (1 - E(NoL)) / (1 - Eavg). NoL in [0, 1];
-// cosines.NoH in [-1, 1], VoH in [0, 1] but for rounding. In half a smooth peak is cut at 58954.
-FN real3 refitLight(RefitLobe lobe, real NoL, RefitHalfVector cosines) {
-  PRECISE real32 n = real32(lobe.alpha) * cosines.NoH;
-  PRECISE real32 d = (R32(1.0) - cosines.NoH) * (R32(1.0) + cosines.NoH) + n * n;
+// pi D V NoL, D: GGX in fp32, as D_GGX; V: height-correlated Smith (V_SmithGGXCorrelated). In half a smooth peak is cut at
+// 58954. NoL in [0, 1]; NoH in [-1, 1].
+FN real refitPeak(RefitLobe lobe, real NoL, real32 NoH) {
+  PRECISE real32 n = real32(lobe.alpha) * NoH;
+  PRECISE real32 d = (R32(1.0) - NoH) * (R32(1.0) + NoH) + n * n;
   PRECISE real32 p = real32(lobe.alpha) / d;
-  PRECISE real a2 = lobe.alpha * lobe.alpha;
-  PRECISE real s = (NoL - a2 * NoL) * NoL + a2;
-  PRECISE real sum = NoL * lobe.rootV + lobe.NoV * sqrt(s);
+  PRECISE real sum = NoL * lobe.rootV + lobe.NoV * refitRoot(lobe.alpha, NoL);
   PRECISE real V = R(0.5) * NoL / max(sum, kSmallest);
   PRECISE real32 peak = p * p * real32(V);
-  PRECISE real DV = real(min(peak, kRefitMost));
-  PRECISE real x = R(1.0) - real(cosines.VoH);
+  return real(min(peak, kRefitMost));
+}
+
+// Schlick's (1 - VoH)^5. VoH in [0, 1] but for rounding.
+FN real refitFresnel(real32 VoH) {
+  PRECISE real x = R(1.0) - real(VoH);
   PRECISE real x2 = x * x;
   PRECISE real f = x2 * x2 * x;
+  return f;
+}
+
+// pi times the specular BRDF, times NoL: 1/pi is in the light's colour.
+//   F D V NoL pi + M (g0 + g1 NoL) NoL
+// What scatters more than once leaves as g0 + g1 NoL, which integrates to 1, in place of Kulla and Conty's (1 - E(NoL)) /
+// (1 - Eavg). Ranges as refitPeak and refitFresnel.
+FN real3 refitLight(RefitLobe lobe, real NoL, RefitHalfVector cosines) {
+  real peak = refitPeak(lobe, NoL, cosines.NoH);
+  real f = refitFresnel(cosines.VoH);
   PRECISE real g = (R(0.637703) + R(0.543446) * NoL) * NoL;
-  PRECISE real3 specular = real3((lobe.F0.x + lobe.rise.x * f) * DV + lobe.multiple.x * g,
-                                 (lobe.F0.y + lobe.rise.y * f) * DV + lobe.multiple.y * g,
-                                 (lobe.F0.z + lobe.rise.z * f) * DV + lobe.multiple.z * g);
+  PRECISE real3 specular = real3((lobe.F0.x + lobe.rise.x * f) * peak + lobe.multiple.x * g,
+                                 (lobe.F0.y + lobe.rise.y * f) * peak + lobe.multiple.y * g,
+                                 (lobe.F0.z + lobe.rise.z * f) * peak + lobe.multiple.z * g);
+  return specular;
+}
+
+// The same of refitNonmetalLobe, alike in every channel, bit for bit.
+FN real refitNonmetalLight(RefitLobe lobe, real NoL, RefitHalfVector cosines) {
+  PRECISE real specular = (lobe.F0.x + lobe.rise.x * refitFresnel(cosines.VoH)) * refitPeak(lobe, NoL, cosines.NoH);
   return specular;
 }
 

@@ -121,12 +121,16 @@ void main() {
   }
 
   bool fullyRough = hasFeature(kFeatureFullyRough, p.material), nonmetal = hasFeature(kFeatureNonmetal, p.material);
+  // Nonmetals of a bin of their own: fewer operations, the same colour.
+  bool onlyNonmetals = (kMustFeatures & kFeatureNonmetal) != 0u;
+  int environmentBrdf = kEnvironmentBrdf == kEnvironmentBrdfRefit && onlyNonmetals ? kEnvironmentBrdfRefitNonmetal : kEnvironmentBrdf;
+  int sun = kSun == kSunRefit && onlyNonmetals ? kSunRefitNonmetal : kSun;
   MobileMaterial GBuffer = makeMaterial(r);
   real MaterialAO = real(r.occlusion);
   MobileFrame frame = mobileFrame(r.normal, p.V);
   real3 N = frame.N;
   real NoV = viewCosine(kEnvironmentBrdf, frame);
-  MobileShadingModelContext ShadingModelContext = initShadingModelContext(kEnvironmentBrdf, nonmetal, fullyRough, GBuffer, NoV);
+  MobileShadingModelContext ShadingModelContext = initShadingModelContext(environmentBrdf, nonmetal, fullyRough, GBuffer, NoV);
   real3 DiffuseColor = ShadingModelContext.DiffuseColor;
 
   // ComputeIndirect. No lightmap is read yet: the sky alone gives irradiance.
@@ -149,7 +153,7 @@ void main() {
     vec3 L = -lights[0].directionCosOuter.xyz;
     vec3 DirectionalLightColor = lights[0].colorRange.xyz * 0.318309886183790672 * float(Shadow);
     real SpecularScale = real(lights[0].cone.y);
-    MobileDirectLighting Lighting = mobileIntegrateBxDF(kSun, fullyRough, ShadingModelContext, frame, L);
+    MobileDirectLighting Lighting = mobileIntegrateBxDF(sun, fullyRough, ShadingModelContext, frame, L);
     real3 lit = lightWith(DirectionalLightColor, Lighting, SpecularScale);
     addLight(pass, kTermSunDiffuse, DirectionalLightColor, Lighting, SpecularScale, lit);
     show(kViewDirectionalLight, lit);
@@ -167,14 +171,18 @@ void main() {
     real mip = mipFromRoughness(ShadingModelContext.Roughness);
     if (kEnvironmentBrdf == kEnvironmentBrdfRefit) {
       RefitTap tap = refitTap(ShadingModelContext.Roughness, NoV);
-      direction = refitDirection(N, frame.V, tap.lean);
+      direction = refitDirection(N, frame.V, NoV, tap.lean);
       mip = tap.mip;
     }
     real scale = captureScale(kCaptureScale, IndirectIrradiance, view.path[kPathAverageBrightness].x, ShadingModelContext.Roughness, MaterialAO);
-    real3 SpecularIBL = specularIBL(fetchCapture(vec3(direction), mip), scale);
-    if (kEnvironmentBrdf == kEnvironmentBrdfRefit) SpecularIBL = modulate(SpecularIBL, SkyLightColor);
+    real3 radiance = fetchCapture(vec3(direction), mip);
+    real3 SpecularIBL = specularIBL(radiance, scale);
     real3 lit = modulate(SpecularIBL, ShadingModelContext.SpecularColor);
-    if (kEnvironmentBrdf == kEnvironmentBrdfRefit) lit = add(lit, modulate(product(DiffuseLookup, scale), ShadingModelContext.lobe.multiple));
+    if (kEnvironmentBrdf == kEnvironmentBrdfRefit) {
+      real3 share = product(ShadingModelContext.SpecularColor, scale);
+      PRECISE real3 factor = real3(share.x * SkyLightColor.x, share.y * SkyLightColor.y, share.z * SkyLightColor.z);
+      lit = modulate(radiance, factor);
+    }
     pass.Color = add(pass.Color, lit);
     addTerm(pass, kTermSkySpecular, lit);
     show(kViewSpecularIBL, SpecularIBL);
@@ -193,7 +201,7 @@ void main() {
                                            uint(light.positionKind.w) == kLightSpot, light.directionCosOuter.xyz, light.cone.x,
                                            light.directionCosOuter.w);
       real SpecularScale = real(light.cone.y);
-      MobileDirectLighting Lighting = mobileIntegrateBxDF(kSun, fullyRough, ShadingModelContext, frame, seen.L);
+      MobileDirectLighting Lighting = mobileIntegrateBxDF(sun, fullyRough, ShadingModelContext, frame, seen.L);
       real3 lit = clampContribution65000(lightWith(seen.color, Lighting, SpecularScale));
       addLight(pass, kTermLocalDiffuse, seen.color, Lighting, SpecularScale, lit);
       sum = add(sum, lit);
@@ -201,11 +209,14 @@ void main() {
     show(kViewDynamicPointLights, sum);
   }
 
-  // The sky light.
+  // The sky light. Of refit it also scatters more than once between microfacets.
   if (kHasEnvironment != 0u) {
-    real3 lit = product(modulate(DiffuseLookup, DiffuseColor), MaterialAO);
+    bool scatters = kEnvironmentBrdf == kEnvironmentBrdfRefit && !fullyRough && !onlyNonmetals;
+    real3 color = scatters ? add(DiffuseColor, ShadingModelContext.lobe.multiple) : DiffuseColor;
+    real3 lit = product(modulate(DiffuseLookup, color), MaterialAO);
     pass.Color = add(pass.Color, lit);
-    addTerm(pass, kTermSkyDiffuse, lit);
+    addTerm(pass, kTermSkyDiffuse, product(modulate(DiffuseLookup, DiffuseColor), MaterialAO));
+    if (scatters) addTerm(pass, kTermSkySpecular, product(modulate(DiffuseLookup, ShadingModelContext.lobe.multiple), MaterialAO));
     show(kViewSkyLight, lit);
   }
   real3 Emissive = narrow(r.emissive);

@@ -82,11 +82,18 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
     o.y[9] = real32(refitDiffuseShare(lobe));
     return o;
   }
+  if (function == kFnRefitNonmetal) {
+    RefitLobe lobe = refitNonmetalLobe(u.x, real1At(i, 13));
+    RefitHalfVector cosines;
+    cosines.NoH = i.x[1];
+    cosines.VoH = i.x[2];
+    return outputs3(real3(lobe.single.x, refitNonmetalLight(lobe, real1At(i, 12), cosines), lobe.rise.z));
+  }
   if (function == kFnRefitTap) {
     RefitTap tap = refitTap(u.x, u.y);
     return outputs3(real3(tap.lean, tap.mip, R(0.0)));
   }
-  if (function == kFnRefitDirection) return outputs3(refitDirection(u, v, real1At(i, 6)));
+  if (function == kFnRefitDirection) return outputs3(refitDirection(u, v, dot3(u, v), real1At(i, 6)));
   if (function == kFnRefitHalfVector) {
     RefitHalfVector cosines = refitHalfVector(real32x3At(i, 6), real32x3At(i, 0), real32x3At(i, 3));
     return outputs33(real32x3(cosines.NoH, cosines.VoH, R32(0.0)), widen(u));

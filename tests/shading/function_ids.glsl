@@ -79,7 +79,8 @@ const int kFnRefitTap = 71;
 const int kFnRefitDirection = 72;
 const int kFnRefitHalfVector = 73;
 const int kFnRefitLight = 74;
-const int kFunctionCount = 75;
+const int kFnRefitNonmetal = 75;
+const int kFunctionCount = 76;
 
 const int kInputs = 32;  // numbers a row going in
 const int kOutputs = 12; // and coming out

@@ -281,6 +281,7 @@ std::vector<FunctionCase> functionTable() {
       {"refitDirection", kFnRefitDirection, directions(2), exact},
       {"refitHalfVector", kFnRefitHalfVector, directions(3), exact},
       {"refitLight", kFnRefitLight, litLobe, exact},
+      {"refitNonmetal", kFnRefitNonmetal, litLobe, {8, 8, 1, "exp2"}},
   };
 }
 

@@ -112,6 +112,26 @@ TEST(RefitLobe, givesEachChannelItsOwnColourAndFollowsF90) {
   EXPECT_EQ(f64::refitDiffuseShare(off), 1);
 }
 
+// Whichever bin a nonmetal falls into, it has the same colour.
+template <typename Real, typename Lobe, typename Nonmetal, typename Light, typename NonmetalLight>
+void expectSameNonmetal(Lobe makeLobe, Nonmetal makeNonmetal, Light light, NonmetalLight nonmetalLight) {
+  for (int r = 0; r <= 16; ++r)
+    for (int n = 0; n <= 16; ++n) {
+      auto general = makeLobe({Real(0.04), Real(0.04), Real(0.04)}, Real(1), Real(r / 16.0), Real(n / 16.0));
+      const auto nonmetal = makeNonmetal(Real(r / 16.0), Real(n / 16.0));
+      EXPECT_EQ(general.single.y, nonmetal.single.y);
+      EXPECT_LT(float(general.multiple.y), 1.2e-3f);
+      general.multiple = {};
+      EXPECT_EQ(light(general, Real(0.7), {0.9, 0.6}).z, nonmetalLight(nonmetal, Real(0.7), {0.9, 0.6}));
+    }
+}
+TEST(RefitNonmetal, isTheGeneralFormBitForBit) {
+  namespace f32 = shading::f32;
+  expectSameNonmetal<double>(f64::refitLobe, f64::refitNonmetalLobe, f64::refitLight, f64::refitNonmetalLight);
+  expectSameNonmetal<float>(f32::refitLobe, f32::refitNonmetalLobe, f32::refitLight, f32::refitNonmetalLight);
+  expectSameNonmetal<Half>(f16::refitLobe, f16::refitNonmetalLobe, f16::refitLight, f16::refitNonmetalLight);
+}
+
 // Light from everywhere at F0 = 1, and at F0 = .04: what leaves over what should. Wanted: rms log ratio <= .2, exitance
 // <= 1.05.
 TEST(RefitLight, reflectsWhatTheCompensatedHighEndLightDoes) {
@@ -191,7 +211,7 @@ TEST(RefitHalfVector, hasTheCosinesOfTheHalfVector) {
 TEST(RefitDirection, isTheMirrorDirectionPlusTheNormal) {
   const f64::real3 N(0, 0.6, 0.8), V(0.6, 0, 0.8);
   const double twice = 2 * 0.64;
-  const f64::real3 d = f64::refitDirection(N, V, 0.5);
+  const f64::real3 d = f64::refitDirection(N, V, 0.64, 0.5);
   EXPECT_NEAR(d.x, -0.6, 1e-15);
   EXPECT_NEAR(d.y, twice * 0.6 + 0.5 * 0.6, 1e-15);
   EXPECT_NEAR(d.z, twice * 0.8 - 0.8 + 0.5 * 0.8, 1e-15);
