@@ -86,7 +86,8 @@ job::SceneRequest requestOf(const std::string& scene, const std::string& environ
 // One row of the contact sheet: the high-end path, each preset, each preset's FLIP map.
 using Strip = std::vector<base::Image8>;
 
-Strip compareScene(const job::PreparedScene& prepared, const std::string& scene, bool sun, bench::ParityTable& table) {
+Strip compareScene(const job::PreparedScene& prepared, const std::string& scene, const std::string& environment,
+                   bool sun, bench::ParityTable& table) {
   base::Image8 highend;
   base::Image highendLinear;
   std::vector<base::PixelList> coverage;
@@ -100,7 +101,8 @@ Strip compareScene(const job::PreparedScene& prepared, const std::string& scene,
       highendLinear = std::move(frames.highend.color);
       coverage = std::move(frames.coverage);
       std::erase_if(coverage, [](const base::PixelList& list) { return list.pixels.empty(); });
-      for (const base::PixelList& list : coverage) rows.push_back({shortName(scene), list.name, sun, {}, {}});
+      for (const base::PixelList& list : coverage)
+        rows.push_back({shortName(scene), list.name, shortName(environment), sun, {}, {}});
       strip.push_back(highend);
     }
     const job::Displayed test = job::displayImage(frames.mobile.color, bench.context.display(), 0);
@@ -189,7 +191,7 @@ int main(int argc, char** argv) {
       for (const bool sun : {false, true}) {
         job::Context context(settingsOf("ue4-2020", kErrorSize));
         const job::PreparedScene prepared = job::prepareScene(context, requestOf(scene, environment, sun));
-        Strip strip = compareScene(prepared, scene, sun, table);
+        Strip strip = compareScene(prepared, scene, environment, sun, table);
         const bool last = environment == inputs.environments.back() && sun;
         if (last && std::find(shown.begin(), shown.end(), shortName(scene)) != shown.end())
           strips.push_back(std::move(strip));

@@ -1,8 +1,11 @@
 #include "bench/parity_table.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,29 +15,65 @@ namespace {
 
 constexpr std::size_t kUe4 = 1, kRefit = 2, kHighend = kPresetCount;
 
+// A line of the summary.
+std::string summariseRows(const std::string& name, const std::vector<MaterialFlip>& rows) {
+  if (rows.empty()) return "";
+  std::array<double, kPresetCount> medians;
+  for (std::size_t p = 0; p < kPresetCount; ++p) {
+    std::vector<double> flips;
+    for (const MaterialFlip& m : rows) flips.push_back(m.flip[p]);
+    medians[p] = medianOf(flips);
+  }
+  const auto lower =
+      std::count_if(rows.begin(), rows.end(), [](const MaterialFlip& m) { return m.flip[kRefit] < m.flip[kUe4]; });
+  return fmt::format("| {} | {} | {:.4f} | {:.4f} | {:.4f} | {:.2f} | {:.1f} % |\n", name, rows.size(), medians[0],
+                     medians[kUe4], medians[kRefit], medians[kRefit] / medians[kUe4],
+                     100.0 * static_cast<double>(lower) / static_cast<double>(rows.size()));
+}
+
+// One row a material and kind of light: the mean over the environments.
+std::vector<MaterialFlip> meansOf(const ParityTable& table) {
+  std::map<std::tuple<std::string, std::string, bool>, std::pair<MaterialFlip, int>> sums;
+  for (const MaterialFlip& m : table.materials) {
+    auto& [sum, count] = sums[{m.scene, m.material, m.sun}];
+    sum.scene = m.scene;
+    sum.material = m.material;
+    sum.sun = m.sun;
+    for (std::size_t p = 0; p < kPresetCount; ++p) {
+      sum.flip[p] += m.flip[p];
+      sum.nonFinite[p] += m.nonFinite[p];
+    }
+    ++count;
+  }
+  std::vector<MaterialFlip> means;
+  for (auto& [key, sum] : sums) {
+    for (double& flip : sum.first.flip) flip /= sum.second;
+    means.push_back(sum.first);
+  }
+  return means;
+}
+
 std::string summarise(const ParityTable& table) {
   std::string text =
-      "| | comparisons | median karis2014 | median ue4-2020 | median refit | refit over ue4-2020 | refit is "
-      "lower than ue4-2020 |\n|---|---|---|---|---|---|---|\n";
-  for (const int which : {0, 1, 2}) {
-    std::array<std::vector<double>, kPresetCount> flips;
-    std::size_t lower = 0, count = 0;
-    for (const MaterialFlip& m : table.materials) {
-      if ((which == 0 && m.sun) || (which == 1 && !m.sun)) continue;
-      for (std::size_t p = 0; p < kPresetCount; ++p) flips[p].push_back(m.flip[p]);
-      lower += m.flip[kRefit] < m.flip[kUe4];
-      ++count;
-    }
-    if (count == 0) continue;
-    std::array<double, kPresetCount> medians;
-    for (std::size_t p = 0; p < kPresetCount; ++p) medians[p] = medianOf(flips[p]);
-    text += fmt::format("| {} | {} | {:.4f} | {:.4f} | {:.4f} | {:.2f} | {:.1f} % |\n",
-                        which == 0   ? "environment only"
-                        : which == 1 ? "environment + sun"
-                                     : "both",
-                        count, medians[0], medians[kUe4], medians[kRefit], medians[kRefit] / medians[kUe4],
-                        100.0 * static_cast<double>(lower) / static_cast<double>(count));
-  }
+      "| | rows | median karis2014 | median ue4-2020 | median refit | refit over ue4-2020 | refit is lower "
+      "than ue4-2020 |\n|---|---|---|---|---|---|---|\n";
+  const std::vector<MaterialFlip> means = meansOf(table);
+  const auto select = [](const std::vector<MaterialFlip>& rows, auto wanted) {
+    std::vector<MaterialFlip> chosen;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(chosen), wanted);
+    return chosen;
+  };
+  text += summariseRows("**materials, all**", means);
+  for (const bool sun : {false, true})
+    text += summariseRows(sun ? "materials, environment + sun" : "materials, environment only",
+                          select(means, [&](const MaterialFlip& m) { return m.sun == sun; }));
+  std::set<std::string> environments;
+  for (const MaterialFlip& m : table.materials) environments.insert(m.environment);
+  for (const std::string& environment : environments)
+    for (const bool sun : {false, true})
+      text += summariseRows(environment + (sun ? " + sun" : ""), select(table.materials, [&](const MaterialFlip& m) {
+                              return m.sun == sun && m.environment == environment;
+                            }));
   return text;
 }
 
@@ -56,38 +95,19 @@ std::string costTable(const ParityTable& table) {
   return text;
 }
 
-// By scene and material: mean over the environments, without and with the sun.
 std::string materialTable(const ParityTable& table) {
-  struct Sum {
-    std::array<std::array<double, kPresetCount>, 2> flip{};
-    std::array<int, 2> count{};
-    std::array<std::uint64_t, kPresetCount> nonFinite{};
-  };
-  std::map<std::pair<std::string, std::string>, Sum> sums;
-  for (const MaterialFlip& m : table.materials) {
-    Sum& sum = sums[{m.scene, m.material}];
-    for (std::size_t p = 0; p < kPresetCount; ++p) {
-      sum.flip[m.sun][p] += m.flip[p];
-      sum.nonFinite[p] += m.nonFinite[p];
-    }
-    ++sum.count[m.sun];
-  }
-  std::string text =
-      "| scene | material | environment only: karis2014 | ue4-2020 | refit | + sun: karis2014 | ue4-2020 | "
-      "refit |\n|---|---|---|---|---|---|---|---|\n";
-  for (const auto& [key, sum] : sums) {
-    text += fmt::format("| {} | {} |", key.first, key.second);
-    for (int sun = 0; sun < 2; ++sun)
-      for (std::size_t p = 0; p < kPresetCount; ++p)
-        text += fmt::format(" {:.4f}{} |", sum.flip[sun][p] / std::max(sum.count[sun], 1),
-                            sum.nonFinite[p] > 0 && sun == 1 ? " (NaN)" : "");
+  std::string text = "| scene | material | sun | karis2014 | ue4-2020 | refit |\n|---|---|---|---|---|---|\n";
+  for (const MaterialFlip& m : meansOf(table)) {
+    text += fmt::format("| {} | {} | {} |", m.scene, m.material, m.sun ? "yes" : "");
+    for (std::size_t p = 0; p < kPresetCount; ++p)
+      text += fmt::format(" {:.4f}{} |", m.flip[p], m.nonFinite[p] > 0 ? " (NaN)" : "");
     text += "\n";
   }
   return text;
 }
 
 std::string worstTable(const ParityTable& table) {
-  std::vector<MaterialFlip> sorted = table.materials;
+  std::vector<MaterialFlip> sorted = meansOf(table);
   std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.flip[kRefit] > b.flip[kRefit]; });
   std::string text = "| scene | material | sun | karis2014 | ue4-2020 | refit |\n|---|---|---|---|---|---|\n";
   std::map<std::pair<std::string, std::string>, bool> seen;
@@ -125,7 +145,9 @@ std::string toMarkdown(const ParityTable& table) {
          "the "
          "same as shares of the high-end path's; samplers.\n\n" +
          costTable(table) + "\n## The worst of refit\n\n" + worstTable(table) +
-         "\n## Every material\n\nMean over the environments.\n\n" + materialTable(table);
+         "\n## Every material\n\nMean over the environments. NaN: some pixels are not finite; they count as what is "
+         "shown of them, black.\n\n" +
+         materialTable(table);
 }
 
 } // namespace parity::bench

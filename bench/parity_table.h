@@ -13,7 +13,7 @@ inline constexpr std::size_t kPresetCount = kPresets.size();
 
 // One material in one scene under one environment.
 struct MaterialFlip {
-  std::string scene, material;
+  std::string scene, material, environment;
   bool sun = false; // of --sun, besides what the environment holds
   std::array<double, kPresetCount> flip{};
   std::array<std::uint64_t, kPresetCount> nonFinite{}; // pixels

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/nearest.h"
 #include "cli/budget_options.h"
 #include "cli/common_options.h"
 #include "cli/fit_options.h"
@@ -98,7 +99,15 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   renderApp
       .add_option("--term", render.term,
                   "Write one term, or an intermediate of the mobile base pass, in place of the colour; --list-terms")
-      ->check(CLI::IsMember(termNames()));
+      ->check(CLI::Validator(
+          [](const std::string& name) {
+            const std::vector<std::string> names = termNames();
+            const std::vector<std::string_view> known(names.begin(), names.end());
+            return std::find(known.begin(), known.end(), name) != known.end()
+                       ? std::string()
+                       : name + ": no such term; " + base::describeNearest(name, known);
+          },
+          "NAME"));
   bool listTerms = false;
   renderApp.add_flag_callback(
       "--list-terms",

@@ -90,8 +90,7 @@ void addMobileOptions(CLI::App& app, gpu::OutputTarget target, RawOptions& raw) 
       ->check(CLI::IsMember(mobile::captureEncodingNames()))
       ->group("Paths");
   app.add_option("--capture-scale", raw.captureScale,
-                 "Mobile path: how the environment follows the indirect light: none, full, by-roughness, occlusion "
-                 "(the preset's)")
+                 "Mobile path: how the environment follows the indirect light (the preset's)")
       ->check(CLI::IsMember(mobile::captureScaleNames()))
       ->group("Paths");
   addNamed(app, "--mobile-target", raw.mobileTarget, gpu::outputTargetNames(), target,

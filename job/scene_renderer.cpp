@@ -112,8 +112,12 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
   const auto width = static_cast<std::uint32_t>(settings.width), height = static_cast<std::uint32_t>(settings.height);
   gpu::FrameBuilder highendFrame(width, height, settings.samples, settings.terms, settings.background);
   gpu::FrameBuilder referenceFrame = highendFrame;
-  gpu::FrameBuilder mobileFrame(width, height, settings.samples, settings.terms, settings.background,
-                                gpu::TargetCodec(settings.mobileTarget, m_prepared.exposureEv));
+  // An intermediate is looked at as it was computed.
+  std::optional<gpu::TargetCodec> target;
+  if (settings.mobileView == mobile::kViewLit)
+    target.emplace(settings.mobileTarget, m_prepared.exposureEv,
+                   mobile::precisionOn(m_context.device(), settings.mobile) == mobile::Precision::fp16);
+  gpu::FrameBuilder mobileFrame(width, height, settings.samples, settings.terms, settings.background, target);
   gpu::FrameBuilder beforeTarget(width, height, settings.samples, false, settings.background);
   ErrorBuilder referenceError(m_reference ? settings.width : 0, m_reference ? settings.height : 0, settings.samples);
   std::uint64_t sampledPoints = 0, lightSamples = 0;
