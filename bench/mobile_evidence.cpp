@@ -83,6 +83,12 @@ job::SceneRequest requestOf(const std::string& scene, const std::string& environ
   return request;
 }
 
+bool leavesSunOut(const job::SceneRenderer& renderer) {
+  const std::vector<std::string> notes = renderer.notes();
+  return std::any_of(notes.begin(), notes.end(),
+                     [](const std::string& note) { return note.find("directional") != std::string::npos; });
+}
+
 // One row of the contact sheet: the high-end path, each preset, each preset's FLIP map.
 using Strip = std::vector<base::Image8>;
 
@@ -102,7 +108,8 @@ Strip compareScene(const job::PreparedScene& prepared, const std::string& scene,
       coverage = std::move(frames.coverage);
       std::erase_if(coverage, [](const base::PixelList& list) { return list.pixels.empty(); });
       for (const base::PixelList& list : coverage)
-        rows.push_back({shortName(scene), list.name, shortName(environment), sun, {}, {}});
+        rows.push_back(
+            {shortName(scene), list.name, shortName(environment), sun, leavesSunOut(bench.renderer), {}, {}});
       strip.push_back(highend);
     }
     const job::Displayed test = job::displayImage(frames.mobile.color, bench.context.display(), 0);
@@ -163,7 +170,7 @@ bench::SceneCost costsOf(const job::PreparedScene& prepared, const std::string& 
   return result;
 }
 
-// Every strip a row, each picture halved until it fits.
+// Every strip a row, each picture scaled down by whole pixels.
 void writeSheet(const std::filesystem::path& file, const std::vector<Strip>& strips) {
   constexpr int kStep = kErrorSize / kPictureSize > 1 ? kErrorSize / kPictureSize : 1;
   const int side = kErrorSize / kStep, columns = static_cast<int>(strips.front().size());

@@ -33,12 +33,13 @@ std::string summariseRows(const std::string& name, const std::vector<MaterialFli
 
 // One row a material and kind of light: the mean over the environments.
 std::vector<MaterialFlip> meansOf(const ParityTable& table) {
-  std::map<std::tuple<std::string, std::string, bool>, std::pair<MaterialFlip, int>> sums;
+  std::map<std::tuple<std::string, std::string, bool, bool>, std::pair<MaterialFlip, int>> sums;
   for (const MaterialFlip& m : table.materials) {
-    auto& [sum, count] = sums[{m.scene, m.material, m.sun}];
+    auto& [sum, count] = sums[{m.scene, m.material, m.sun, m.sunLeftOut}];
     sum.scene = m.scene;
     sum.material = m.material;
     sum.sun = m.sun;
+    sum.sunLeftOut = m.sunLeftOut;
     for (std::size_t p = 0; p < kPresetCount; ++p) {
       sum.flip[p] += m.flip[p];
       sum.nonFinite[p] += m.nonFinite[p];
@@ -63,10 +64,12 @@ std::string summarise(const ParityTable& table) {
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(chosen), wanted);
     return chosen;
   };
-  text += summariseRows("**materials, all**", means);
-  for (const bool sun : {false, true})
-    text += summariseRows(sun ? "materials, environment + sun" : "materials, environment only",
-                          select(means, [&](const MaterialFlip& m) { return m.sun == sun; }));
+  text += summariseRows("**all**", means);
+  text += summariseRows("environment only", select(means, [](const MaterialFlip& m) { return !m.sun; }));
+  text +=
+      summariseRows("environment + sun", select(means, [](const MaterialFlip& m) { return m.sun && !m.sunLeftOut; }));
+  text += summariseRows("environment with a sun of its own + sun: two, of which the path has one",
+                        select(means, [](const MaterialFlip& m) { return m.sunLeftOut; }));
   std::set<std::string> environments;
   for (const MaterialFlip& m : table.materials) environments.insert(m.environment);
   for (const std::string& environment : environments)
@@ -98,7 +101,7 @@ std::string costTable(const ParityTable& table) {
 std::string materialTable(const ParityTable& table) {
   std::string text = "| scene | material | sun | karis2014 | ue4-2020 | refit |\n|---|---|---|---|---|---|\n";
   for (const MaterialFlip& m : meansOf(table)) {
-    text += fmt::format("| {} | {} | {} |", m.scene, m.material, m.sun ? "yes" : "");
+    text += fmt::format("| {} | {} | {} |", m.scene, m.material, m.sunLeftOut ? "two" : m.sun ? "yes" : "");
     for (std::size_t p = 0; p < kPresetCount; ++p)
       text += fmt::format(" {:.4f}{} |", m.flip[p], m.nonFinite[p] > 0 ? " (NaN)" : "");
     text += "\n";

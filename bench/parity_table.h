@@ -14,7 +14,8 @@ inline constexpr std::size_t kPresetCount = kPresets.size();
 // One material in one scene under one environment.
 struct MaterialFlip {
   std::string scene, material, environment;
-  bool sun = false; // of --sun, besides what the environment holds
+  bool sun = false;        // of --sun, besides what the environment holds
+  bool sunLeftOut = false; // there were two, and the path has one
   std::array<double, kPresetCount> flip{};
   std::array<std::uint64_t, kPresetCount> nonFinite{}; // pixels
 };

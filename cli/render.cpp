@@ -90,6 +90,9 @@ int runRenderCommand(const RenderCommand& command) {
   const bool layered = settings.terms && command.term.empty();
   if (command.common.settings.terms && !command.term.empty())
     throw base::Error(base::ExitCode::usage, "--term", command.term, "excludes --terms");
+  if (settings.mobileView != mobile::kViewLit && settings.mobileTarget != job::Settings().mobileTarget)
+    throw base::Error(base::ExitCode::usage, "--mobile-target", command.term,
+                      "an intermediate is written as it was computed: no target stores it");
   if (layered && extension != ".exr")
     throw base::Error(base::ExitCode::usage, "--terms", command.output, "layers need an .exr file");
   if (!command.errorMap.empty() && command.path != "reference")

@@ -15,7 +15,7 @@ const std::array<View, kViewCount> kViews = {{
     {"Lighting.Specular", "SpecularColor NoL lobe, of the directional light"},
     {"Lighting", "Lighting.Diffuse + Lighting.Specular"},
     {"SpecularIBL", "GetImageBasedReflectionLighting: the environment as fetched, in its scale"},
-    {"SpecularIBL.Lit", "SpecularIBL times SpecularColor"},
+    {"SpecularIBL.Lit", "SpecularIBL times SpecularColor; of refit in the sky light's colour, too"},
     {"Color.AfterIBL", "what has been added up once SpecularIBL is in"},
     {"DynamicPointLights", "AccumulateLightingOfDynamicPointLight, of all local lights"},
     {"SkyLight", "SkyDiffuseLighting SkyLightColor DiffuseColor MaterialAO"},
@@ -38,6 +38,7 @@ const std::array<View, kViewCount> kViews = {{
     {"H", "half vector of the directional light"},
     {"WorldNormal", "after normal mapping"},
     {"ReflectionVector", "2 (N.V) N - V"},
+    {"SkyLightColor", "the scale of the sky's light"},
 }};
 
 std::optional<std::uint32_t> viewByName(const std::string& name) {

@@ -35,7 +35,7 @@ FN real32 meanOfFalloff(real32 F) {
 // 1/(ln 2) of the integral and takes 2^-x for e^-x, so that its density d, per unit of length, is an extinction of ln(2)^2 d.
 // Any finite inputs give a finite result: exponents end at +-126, where a density is nothing or a wall.
 FN real heightFogTransmittance(HeightFog fog, real32 eyeHeight, real32 rise, real32 distance) {
-  if (!(fog.density > R32(0.0)) || !(distance > fog.startDistance)) return R(1.0);
+  if (fog.density <= R32(0.0) || distance <= fog.startDistance) return R(1.0);
   PRECISE real32 without = fog.startDistance / distance; // the share of the way without fog
   PRECISE real32 y0 = eyeHeight + without * rise - fog.height;
   PRECISE real32 y1 = eyeHeight + rise - fog.height;

@@ -78,17 +78,21 @@ FN MobileShadingModelContext initShadingModelContext(int environmentBrdf, bool n
     c.Roughness = R(1.0);
     FullyRough(c.DiffuseColor, c.SpecularColor);
   } else if (environmentBrdf == kEnvironmentBrdfRefit || environmentBrdf == kEnvironmentBrdfRefitNonmetal) {
+    real3 share;
     if (environmentBrdf == kEnvironmentBrdfRefitNonmetal) {
       c.lobe = refitNonmetalLobe(c.Roughness, NoV);
+      real grey = refitDiffuseShare(c.lobe.single.y, R(0.0));
+      share = real3(grey, grey, grey);
     } else {
       PRECISE real F90 = m.F90 + (R(1.0) - m.F90) * m.Metallic;
+      c.SpecPreEnvBrdf = refitSpecularColor(m.DielectricSpecular, m.BaseColor, m.Metallic);
       c.lobe = refitLobe(c.SpecPreEnvBrdf, F90, c.Roughness, NoV);
       if (nonmetal) c.lobe.multiple = real3(R(0.0), R(0.0), R(0.0)); // so that both have the same colour
+      share = real3(refitDiffuseShare(c.lobe.single.x, c.lobe.multiple.x), refitDiffuseShare(c.lobe.single.y, c.lobe.multiple.y),
+                    refitDiffuseShare(c.lobe.single.z, c.lobe.multiple.z));
     }
     c.SpecularColor = c.lobe.single;
-    real share = refitDiffuseShare(c.lobe);
-    PRECISE real3 diffuse = real3(c.DiffuseColor.x * share, c.DiffuseColor.y * share, c.DiffuseColor.z * share);
-    c.DiffuseColor = diffuse;
+    c.DiffuseColor = refitDiffuseColor(m.BaseColor, m.Metallic, share);
   } else if (nonmetal) {
     real E = EnvBRDFApproxNonmetal(c.Roughness, NoV);
     c.SpecularColor = real3(E, E, E);
@@ -128,7 +132,7 @@ FN MobileFrame mobileFrame(real32x3 N, real32x3 V) {
 
 // max(0, N.V): in half, as in the source; refit keeps the digits that a grazing view needs.
 FN real viewCosine(int environmentBrdf, MobileFrame f) {
-  if (environmentBrdf == kEnvironmentBrdfRefit) return real(min(max(dot32(f.N32, f.V32), R32(0.0)), R32(1.0)));
+  if (environmentBrdf == kEnvironmentBrdfRefit) return real(max(dot32(f.N32, f.V32), R32(0.0)));
   return max(dot3(f.N, f.V), R(0.0));
 }
 
@@ -165,13 +169,17 @@ FN MobileDirectLighting mobileIntegrateBxDF(int sun, bool fullyRough, MobileShad
   return lighting;
 }
 
-// Shadow color (Diffuse + Specular specularScale). color: the light's over pi, in at least fp32; the result saturates.
+FN real32 lightChannel(real32 color, real Diffuse, real Specular, real specularScale) {
+  PRECISE real32 lit = color * (real32(Diffuse) + real32(Specular) * real32(specularScale));
+  return lit;
+}
+
+// Shadow color (Diffuse + Specular specularScale). color: the light's over pi. Summed in at least fp32, as a lobe's peak in
+// a scale may be beyond half where its light is dim; the result saturates.
 FN real3 lightWith(real32x3 color, MobileDirectLighting lighting, real specularScale) {
-  PRECISE real3 sum = real3(lighting.Diffuse.x + lighting.Specular.x * specularScale,
-                            lighting.Diffuse.y + lighting.Specular.y * specularScale,
-                            lighting.Diffuse.z + lighting.Specular.z * specularScale);
-  PRECISE real32x3 lit = real32x3(color.x * real32(sum.x), color.y * real32(sum.y), color.z * real32(sum.z));
-  return narrow(lit);
+  return narrow(real32x3(lightChannel(color.x, lighting.Diffuse.x, lighting.Specular.x, specularScale),
+                         lightChannel(color.y, lighting.Diffuse.y, lighting.Specular.y, specularScale),
+                         lightChannel(color.z, lighting.Diffuse.z, lighting.Specular.z, specularScale)));
 }
 
 // Luminance, in the weights of Unreal Engine 4 (.3, .59, .11).

@@ -94,14 +94,29 @@ FN RefitLobe refitNonmetalLobe(real Roughness, real NoV) {
   return lobe;
 }
 
-// What the diffuse lobe gets of the light, 1 - (S + M), by the green channel: where diffuse light matters, F0 is grey.
-FN real refitDiffuseShare(RefitLobe lobe) {
-  PRECISE real rest = R(1.0) - (lobe.single.y + lobe.multiple.y);
+// What the diffuse lobe gets of a channel's light, 1 - (S + M).
+FN real refitDiffuseShare(real single, real multiple) {
+  PRECISE real rest = R(1.0) - (single + multiple);
   return max(rest, R(0.0));
 }
 
+// specularColor by fewer operations: DielectricSpecular (1 - Metallic) + BaseColor Metallic.
+FN real3 refitSpecularColor(real3 DielectricSpecular, real3 BaseColor, real Metallic) {
+  PRECISE real keep = R(1.0) - Metallic;
+  PRECISE real3 F0 = real3(DielectricSpecular.x * keep + BaseColor.x * Metallic, DielectricSpecular.y * keep + BaseColor.y * Metallic,
+                           DielectricSpecular.z * keep + BaseColor.z * Metallic);
+  return F0;
+}
+
+// What is left of the base colour for diffuse light: BaseColor (1 - Metallic) share.
+FN real3 refitDiffuseColor(real3 BaseColor, real Metallic, real3 share) {
+  PRECISE real keep = R(1.0) - Metallic;
+  PRECISE real3 diffuse = real3(BaseColor.x * keep * share.x, BaseColor.y * keep * share.y, BaseColor.z * keep * share.z);
+  return diffuse;
+}
+
 // The one read of the environment, trilinear between the mips of layer 0: not V's mirror direction R at mipFromRoughness
-// but, between it and the normal, R + lean N (which needs no normalising) at
+// but R + lean N (which needs no normalising), towards the normal but for smooth surfaces seen frontally, at
 //   lean = alpha (d0 - d1 NoV + d2 alpha^2),  mip = m0 + m1 log2(Roughness)
 // Over natural skies the rms error is a third of a read at R, and three quarters of one in the GGX dominant direction
 // (bench/fit). mip runs from below 0 to above the last one: the sampler clamps it. Roughness, NoV in [0, 1].
@@ -137,7 +152,7 @@ FN RefitHalfVector refitHalfVector(real32x3 N, real32x3 V, real32x3 L) {
   PRECISE real32x3 h = real32x3(V.x + L.x, V.y + L.y, V.z + L.z);
   real32 length = sqrt(dot32(h, h));
   PRECISE real32 NoH = dot32(N, h) / max(length, R32(1e-6));
-  PRECISE real32 VoH = R32(0.5) * length;
+  PRECISE real32 VoH = min(R32(0.5) * length, R32(1.0));
   cosines.NoH = min(NoH, R32(1.0));
   cosines.VoH = VoH;
   return cosines;

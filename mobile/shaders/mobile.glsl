@@ -116,6 +116,9 @@ void main() {
   if (hasFeature(kFeatureUnlit, p.material)) {
     pass.Color = narrow(r.baseColor);
     addTerm(pass, kTermEmissive, pass.Color);
+    show(kViewEmissive, pass.Color);
+    show(kViewBaseColor, pass.Color);
+    show(kViewOpacity, real(r.opacity));
     writePass(i, pass, r.opacity);
     return;
   }
@@ -141,6 +144,8 @@ void main() {
   real3 SkyLightColor = real3(view.skyLightColor.xyz);
   if (kHasEnvironment != 0u) SkyDiffuseLighting = kSkyCoefficients == 9 ? GetSkySHDiffuse(skySh(), N) : GetSkySHDiffuseSimple(skySh(), N);
   real3 DiffuseLookup = modulate(SkyDiffuseLighting, SkyLightColor);
+  bool isRefit = kEnvironmentBrdf == kEnvironmentBrdfRefit;
+  real3 skyInOcclusion = product(SkyLightColor, MaterialAO); // of refit
   IndirectIrradiance += luminanceUE4(DiffuseLookup);
   IndirectColor = product(IndirectColor, MaterialAO);
   IndirectIrradiance *= MaterialAO;
@@ -169,7 +174,7 @@ void main() {
   if (kHasEnvironment != 0u && !fullyRough) {
     real3 direction = frame.reflection;
     real mip = mipFromRoughness(ShadingModelContext.Roughness);
-    if (kEnvironmentBrdf == kEnvironmentBrdfRefit) {
+    if (isRefit) {
       RefitTap tap = refitTap(ShadingModelContext.Roughness, NoV);
       direction = refitDirection(N, frame.V, NoV, tap.lean);
       mip = tap.mip;
@@ -178,9 +183,10 @@ void main() {
     real3 radiance = fetchCapture(vec3(direction), mip);
     real3 SpecularIBL = specularIBL(radiance, scale);
     real3 lit = modulate(SpecularIBL, ShadingModelContext.SpecularColor);
-    if (kEnvironmentBrdf == kEnvironmentBrdfRefit) {
-      real3 share = product(ShadingModelContext.SpecularColor, scale);
-      PRECISE real3 factor = real3(share.x * SkyLightColor.x, share.y * SkyLightColor.y, share.z * SkyLightColor.z);
+    if (isRefit) {
+      real3 sky = kCaptureScale == kCaptureScaleOcclusion ? skyInOcclusion : product(SkyLightColor, scale);
+      real3 S = ShadingModelContext.SpecularColor;
+      PRECISE real3 factor = real3(S.x * sky.x, S.y * sky.y, S.z * sky.z);
       lit = modulate(radiance, factor);
     }
     pass.Color = add(pass.Color, lit);
@@ -188,7 +194,7 @@ void main() {
     show(kViewSpecularIBL, SpecularIBL);
     show(kViewSpecularIBLLit, lit);
   }
-  show(kViewColorAfterIBL, pass.Color);
+  show(kViewColorAfterIBL, narrow(widen(pass.Color)));
 
   // AccumulateLightingOfDynamicPointLight, for the lights chosen per object.
   if (kLocalCount != 0u) {
@@ -206,17 +212,19 @@ void main() {
       addLight(pass, kTermLocalDiffuse, seen.color, Lighting, SpecularScale, lit);
       sum = add(sum, lit);
     }
-    show(kViewDynamicPointLights, sum);
+    show(kViewDynamicPointLights, narrow(widen(sum)));
   }
 
   // The sky light. Of refit it also scatters more than once between microfacets.
   if (kHasEnvironment != 0u) {
-    bool scatters = kEnvironmentBrdf == kEnvironmentBrdfRefit && !fullyRough && !onlyNonmetals;
-    real3 color = scatters ? add(DiffuseColor, ShadingModelContext.lobe.multiple) : DiffuseColor;
-    real3 lit = product(modulate(DiffuseLookup, color), MaterialAO);
+    bool scatters = isRefit && !fullyRough && !onlyNonmetals;
+    real3 lookup = isRefit ? modulate(SkyDiffuseLighting, skyInOcclusion) : DiffuseLookup;
+    real3 lit = modulate(lookup, scatters ? add(DiffuseColor, ShadingModelContext.lobe.multiple) : DiffuseColor);
+    if (!isRefit) lit = product(lit, MaterialAO);
     pass.Color = add(pass.Color, lit);
-    addTerm(pass, kTermSkyDiffuse, product(modulate(DiffuseLookup, DiffuseColor), MaterialAO));
-    if (scatters) addTerm(pass, kTermSkySpecular, product(modulate(DiffuseLookup, ShadingModelContext.lobe.multiple), MaterialAO));
+    real3 scattered = scatters ? modulate(lookup, ShadingModelContext.lobe.multiple) : real3(R(0.0));
+    addTerm(pass, kTermSkyDiffuse, scatters ? modulate(lookup, DiffuseColor) : lit);
+    addTerm(pass, kTermSkySpecular, scattered);
     show(kViewSkyLight, lit);
   }
   real3 Emissive = narrow(r.emissive);
@@ -226,6 +234,7 @@ void main() {
   show(kViewIndirectColor, IndirectColor);
   show(kViewSkyDiffuseLighting, SkyDiffuseLighting);
   show(kViewDiffuseLookup, DiffuseLookup);
+  show(kViewSkyLightColor, SkyLightColor);
   show(kViewIndirectIrradiance, IndirectIrradiance);
   show(kViewEmissive, Emissive);
   show(kViewDiffuseColor, DiffuseColor);

@@ -43,7 +43,8 @@ PARITY_CONST kViewNoV = 29u;
 PARITY_CONST kViewH = 30u;
 PARITY_CONST kViewWorldNormal = 31u;
 PARITY_CONST kViewReflectionVector = 32u;
-PARITY_CONST kViewCount = 33u;
+PARITY_CONST kViewSkyLightColor = 33u;
+PARITY_CONST kViewCount = 34u;
 
 #ifdef __cplusplus
 } // namespace parity::mobile

@@ -39,7 +39,9 @@ TEST_F(RenderTest, TermsAddUpToTheColorOnBothPaths) {
             ASSERT_GE(pixel[3 * t + static_cast<std::size_t>(c)], 0) << scene << " " << path << " pixel " << p;
             sum += pixel[3 * t + static_cast<std::size_t>(c)];
           }
-          ASSERT_NEAR(sum, pixel[c], 1e-3 * std::abs(pixel[c]) + 1e-7) << scene << " " << path << " pixel " << p;
+          // DESIGN 6: 1e-3 in fp32, 4e-3 in half, the mobile path's default.
+          const double limit = path == "mobile" ? 4e-3 : 1e-3;
+          ASSERT_NEAR(sum, pixel[c], limit * std::abs(pixel[c]) + 1e-7) << scene << " " << path << " pixel " << p;
           lit += c == 0 && sum > 0;
         }
       EXPECT_GT(lit, image.pixelCount() / 3) << scene << " " << path;

@@ -50,6 +50,37 @@ TEST_F(MobileCostTest, everyPermutationOfEveryBuiltInSceneHasAtMostEightSamplers
   EXPECT_GT(costs.size(), presetNames().size());
 }
 
+// The preset refit against the base pass, permutation by permutation, each with and without sun, lamp and environment.
+TEST_F(MobileCostTest, refitTakesNoMoreFetchesAndAQuarterMoreOperationsThanUe4AtMost) {
+  const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
+  const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
+  for (const bool nonmetal : {false, true})
+    for (const int light : {1, 2, 3, 7}) {
+      scenes::Scene scene = tests::makeQuadScene();
+      scene.materials[0].metallic = nonmetal ? 0.f : 0.5f;
+      const gpu::SceneBuffers buffers(device(), scene);
+      const gpu::SurfacePass pass(device(), buffers, 8, 8);
+      const gpu::Surface surface = pass.render(camera, {0, 8}, glm::vec2(0.5f), gpu::Layer::opaque);
+      Inputs inputs;
+      if (light & 1) inputs.environment = &environment;
+      if (light & 2) inputs.lights.push_back(tests::makeDirectional({1, 1, 1}, glm::vec3(1)));
+      if (light & 4) {
+        scenes::Light& lamp = inputs.lights.emplace_back();
+        lamp.position = {0, 0, 2};
+      }
+      const auto costOf = [&](const char* preset) {
+        const Renderer renderer(device(), buffers, pass.binKinds(), inputs, tests::inFp32(preset));
+        renderer.shade(surface, camera);
+        return gpu::costOf(renderer.pass().spirv(), renderer.pass().compiled().at(0).constants);
+      };
+      const gpu::ShaderCost ue4 = costOf("ue4-2020"), refit = costOf("refit");
+      EXPECT_LE(static_cast<double>(refit.operations()), 1.25 * static_cast<double>(ue4.operations()))
+          << "nonmetal " << nonmetal << ", light " << light << ": " << refit.operations() << " / " << ue4.operations();
+      EXPECT_LE(refit.fetches(), ue4.fetches());
+      EXPECT_LE(refit.samplers(), ue4.samplers());
+    }
+}
+
 // The environment is bound by the others, and read by none of these.
 TEST_F(MobileCostTest, aFullyRoughMaterialPaysForNoEnvironmentFetch) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);

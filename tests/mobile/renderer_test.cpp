@@ -175,19 +175,54 @@ TEST_F(MobileTest, eachLocalLightIsClampedAt65000WithItsPartsInProportion) {
               dim[Term::localDiffuse].x / dim[Term::localSpecular].x, 1e-3);
 }
 
-TEST_F(MobileTest, termsAddUpToTheColourInBothPresets) {
+TEST_F(MobileTest, termsAddUpToTheColourInEveryPresetAndPrecision) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0.7f);
-  scenes::Scene scene = makeMetal(0.3f, 0.4f);
-  scene.materials[0].emissive = glm::vec3(0.1f, 0.2f, 0.3f);
-  for (const Options& preset : {kKaris2014, kUe42020}) {
-    const ShadedPoint point = shade(
-        scene,
-        {.environment = &environment, .lights = {makeDirectional({0, 1, 1}, glm::vec3(2)), makePoint({1, 2, 3}, 20)}},
-        preset);
-    glm::vec3 sum(0);
-    for (const glm::vec3& term : point.terms) sum += term;
-    tests::expectNear(sum, point.color, 1e-3f, "sum of the terms");
+  for (const float metallic : {0.7f, 0.f}) { // refit has a shader of its own for nonmetals
+    scenes::Scene scene = makeMetal(0.3f, 0.4f);
+    scene.materials[0].metallic = metallic;
+    scene.materials[0].emissive = glm::vec3(0.1f, 0.2f, 0.3f);
+    for (Options options : {kKaris2014, kUe42020, kRefit})
+      for (const Precision precision : {Precision::fp32, Precision::fp16}) {
+        if (precision == Precision::fp16 && !device().report().float16) continue;
+        options.precision = precision;
+        const ShadedPoint point =
+            shade(scene,
+                  {.environment = &environment,
+                   .lights = {makeDirectional({0, 1, 1}, glm::vec3(2)), makePoint({1, 2, 3}, 20)}},
+                  options);
+        glm::vec3 sum(0);
+        for (const glm::vec3& term : point.terms) sum += term;
+        tests::expectNear(sum, point.color, precision == Precision::fp16 ? 4e-3f : 1e-3f, "sum of the terms");
+        EXPECT_GT(point[Term::skySpecular].x, 0);
+      }
   }
+}
+
+// Half rounds: what both precisions show of a material that is not smooth differs by little.
+TEST_F(MobileTest, halfShowsWhatSingleShows) {
+  if (!device().report().float16) GTEST_SKIP() << "no shaderFloat16";
+  const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0.7f);
+  for (Options options : {kKaris2014, kUe42020, kRefit}) {
+    const Inputs inputs{.environment = &environment, .lights = {makeDirectional({0.2f, 1, 1}, glm::vec3(2))}};
+    const glm::vec3 single = shade(makeMetal(0.3f, 0.5f), inputs, options).color;
+    options.precision = Precision::fp16;
+    const glm::vec3 half = shade(makeMetal(0.3f, 0.5f), inputs, options).color;
+    tests::expectNear(half, single, 5e-3f, "colour");
+    EXPECT_NE(half, single) << "half it is";
+  }
+}
+
+// A sun's scale of 1000 on a peak of half's size: beyond half before the light, within it after.
+TEST_F(MobileTest, aStrongSpecularScaleUnderADimSunStaysWhatItIs) {
+  if (!device().report().float16) GTEST_SKIP() << "no shaderFloat16";
+  scenes::Light sun = makeDirectional({0, 0, 1}, glm::vec3(0.01f, 0, 0.01f));
+  sun.specularScale = 1000;
+  Options options = kUe42020;
+  const glm::vec3 single = shade(makeMetal(0, 0.1f), {.lights = {sun}}, options)[Term::sunSpecular];
+  options.precision = Precision::fp16;
+  const glm::vec3 half = shade(makeMetal(0, 0.1f), {.lights = {sun}}, options)[Term::sunSpecular];
+  tests::expectNear(half, single, 5e-3f, "specular");
+  EXPECT_EQ(half.y, 0) << "no light in this channel";
 }
 
 // What the path shows of two tilts in turn is a smooth surface of the widened roughness (tests/highend has the same).

@@ -79,7 +79,7 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
     o.y[6] = real32(lobe.alpha);
     o.y[7] = real32(lobe.rootV);
     o.y[8] = real32(lobe.rise.y);
-    o.y[9] = real32(refitDiffuseShare(lobe));
+    o.y[9] = real32(refitDiffuseShare(lobe.single.y, lobe.multiple.y));
     return o;
   }
   if (function == kFnRefitNonmetal) {

@@ -102,14 +102,23 @@ TEST(RefitLobe, givesEachChannelItsOwnColourAndFollowsF90) {
   EXPECT_EQ(lobe.single.x + lobe.multiple.x, total64(0.1, 0.4, 0.3));
   EXPECT_EQ(lobe.single.y + lobe.multiple.y, total64(0.5, 0.4, 0.3));
   EXPECT_EQ(lobe.single.z + lobe.multiple.z, total64(0.9, 0.4, 0.3));
-  EXPECT_DOUBLE_EQ(f64::refitDiffuseShare(lobe), 1 - total64(0.5, 0.4, 0.3));
+  EXPECT_DOUBLE_EQ(f64::refitDiffuseShare(lobe.single.y, lobe.multiple.y), 1 - total64(0.5, 0.4, 0.3));
   // KHR_materials_specular: a factor on F0 and F90 alike is one on what scatters once.
   const f64::RefitLobe dim = f64::refitLobe({0.02, 0.02, 0.02}, 0.5, 0.4, 0.3);
   EXPECT_NEAR(dim.single.x, 0.5 * f64::refitLobe({0.04, 0.04, 0.04}, 1, 0.4, 0.3).single.x, 1e-15);
   const f64::RefitLobe off = f64::refitLobe({0, 0, 0}, 0, 0.4, 0.3);
   EXPECT_EQ(off.single.x, 0);
   EXPECT_EQ(off.multiple.x, 0);
-  EXPECT_EQ(f64::refitDiffuseShare(off), 1);
+  EXPECT_EQ(f64::refitDiffuseShare(off.single.y, off.multiple.y), 1);
+}
+
+// A half metal's diffuse light is dimmed channel by channel, by what its own F0 sends back.
+TEST(RefitLobe, dimsDiffuseLightChannelByChannel) {
+  const f64::real3 base(0.9, 0.5, 0.1), F0 = f64::refitSpecularColor({0.04, 0.04, 0.04}, base, 0.5);
+  EXPECT_NEAR(F0.x, f64::specularColor({0.04, 0.04, 0.04}, base, 0.5).x, 1e-15);
+  const f64::real3 diffuse = f64::refitDiffuseColor(base, 0.5, {0.5, 0.75, 1});
+  EXPECT_DOUBLE_EQ(diffuse.x, 0.9 * 0.5 * 0.5);
+  EXPECT_DOUBLE_EQ(diffuse.z, 0.1 * 0.5);
 }
 
 // Whichever bin a nonmetal falls into, it has the same colour.
