@@ -269,7 +269,7 @@ std::vector<FunctionCase> functionTable() {
       {"reflectionVector", kFnReflectionVector, directions(2), exact},
       {"halfVector", kFnHalfVector, directions(3), exact},
       {"cosineOf", kFnCosineOf, directions(2), exact},
-      {"mobileIntegrateBxDF", kFnMobileIntegrateBxDF, litPoint, {8, 8, 0.05, "exp2; 1 - (S + M) cancels"}},
+      {"mobileIntegrateBxDF", kFnMobileIntegrateBxDF, litPoint, {8, 8, 0.25, "exp2; 1 - (S + M) cancels"}},
       {"lightWith", kFnLightWith, uniforms(10, 0, 100), exact},
       {"luminanceUE4", kFnLuminanceUE4, uniforms(3, 0, 100), exact},
       {"captureScale", kFnCaptureScale, units(5), exact},
