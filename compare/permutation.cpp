@@ -17,7 +17,7 @@ std::vector<PathCost> costsByPath(const std::vector<PermutationResult>& permutat
     path->operations += pixels * static_cast<double>(each.cost->operations());
     path->fp16 += pixels * static_cast<double>(each.cost->fp16);
     path->fetches += pixels * static_cast<double>(each.cost->fetches);
-    path->samplers = std::max(path->samplers, each.cost->samplers);
+    path->samplers = std::max(path->samplers, each.samplers);
   }
   for (PathCost& path : paths)
     for (double* sum : {&path.operations, &path.fp16, &path.fetches}) *sum /= static_cast<double>(path.pixels);

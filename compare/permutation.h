@@ -12,7 +12,7 @@ namespace parity::compare {
 struct PermutationCost {
   std::uint64_t fp32 = 0, fp16 = 0; // scalar operations on reals
   std::uint64_t integer = 0;        // and on integers and booleans
-  std::uint64_t fetches = 0, samplers = 0;
+  std::uint64_t fetches = 0;
   std::uint64_t openLoops = 0; // loops whose number of turns is not known: their bodies count once
   std::uint64_t operations() const { return fp32 + fp16; }
 };
@@ -22,6 +22,7 @@ struct PermutationResult {
   std::string path;                    // "highend", "mobile"
   std::string textures, features;      // what it reads and what it is made for, in words
   std::uint64_t pixels = 0;            // surface samples that it shaded, over all views
+  std::uint64_t samplers = 0;          // that it binds: its materials' textures, and what else the path reads
   std::optional<PermutationCost> cost; // only of a run that was asked for it
 };
 

@@ -151,13 +151,13 @@ void writePermutation(JsonWriter& json, const PermutationResult& permutation) {
   json.key("textures").text(permutation.textures);
   json.key("features").text(permutation.features);
   json.key("pixels").integer(permutation.pixels);
+  json.key("samplers").integer(permutation.samplers);
   if (permutation.cost) {
     json.key("cost").beginObject();
     json.key("fp32").integer(permutation.cost->fp32);
     json.key("fp16").integer(permutation.cost->fp16);
     json.key("integer").integer(permutation.cost->integer);
     json.key("fetches").integer(permutation.cost->fetches);
-    json.key("samplers").integer(permutation.cost->samplers);
     json.key("openLoops").integer(permutation.cost->openLoops);
     json.endObject();
   }

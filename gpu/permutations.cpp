@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -47,6 +48,10 @@ std::vector<Permutation> planPermutations(std::span<const ClassPixels> classes) 
   }
   for (const std::size_t i : shared) plan[i] = wide;
   return plan;
+}
+
+std::size_t countTextures(std::uint32_t textures) {
+  return static_cast<std::size_t>(std::popcount(textures & ((1u << kSlotCount) - 1)));
 }
 
 std::string describeTextures(std::uint32_t textures) {

@@ -30,6 +30,8 @@ inline constexpr double kPermutationSavingNsPerPixel = 100; // exact against wid
 // exact.
 std::vector<Permutation> planPermutations(std::span<const ClassPixels> classes);
 
+// How many textures these bits name (kNormalVariance is none of its own).
+std::size_t countTextures(std::uint32_t textures);
 // "base colour, normal": the texture slots that it reads; "none".
 std::string describeTextures(std::uint32_t textures);
 // "nonmetal, some unlit": what all of its materials have, and what some of them may; "none".

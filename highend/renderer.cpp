@@ -76,14 +76,21 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
     assert(inputs.lut != nullptr);
     m_lut = uploadLut(device, *inputs.lut);
     program.pathTexture = &m_lut;
+    ++m_ownSamplers;
   }
   program.environment = inputs.environment;
+  if (inputs.environment) ++m_ownSamplers;
   program.constants = {static_cast<std::uint32_t>(options.geometryTerm), static_cast<std::uint32_t>(options.fresnel),
                        static_cast<std::uint32_t>(options.diffuse), static_cast<std::uint32_t>(options.compensation),
                        static_cast<std::uint32_t>(options.offSpecular)};
   program.terms = inputs.terms;
   program.expectedPixels = inputs.expectedPixels;
   m_pass = std::make_unique<gpu::ShadingPass>(device, scene, binKinds, std::move(program));
+}
+
+std::size_t Renderer::countSamplers(const gpu::Permutation& permutation) const {
+  const bool lit = (permutation.mustFeatures & gpu::kFeatureUnlit) == 0;
+  return gpu::countTextures(permutation.textures) + (lit ? m_ownSamplers : 0);
 }
 
 } // namespace parity::highend

@@ -54,6 +54,8 @@ public:
     return m_pass->shade(surface, camera);
   }
   const gpu::ShadingPass& pass() const { return *m_pass; }
+  // Samplers that a permutation binds, the environment's and the table's among them.
+  std::size_t countSamplers(const gpu::Permutation& permutation) const;
 
   // Whether the table is read at all with these inputs.
   static bool needsLut(const Inputs& inputs, const Options& options) {
@@ -62,6 +64,7 @@ public:
   }
 
 private:
+  std::size_t m_ownSamplers = 0; // besides the materials'
   gpu::DeviceImage m_lut;
   std::unique_ptr<gpu::ShadingPass> m_pass;
 };

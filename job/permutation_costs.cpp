@@ -26,7 +26,7 @@ compare::PermutationCost countOrRecall(const Context& context, gpu::Spirv spirv,
     return cost;
   }
   const gpu::ShaderCost counted = gpu::costOf(spirv, constants);
-  cost = {counted.fp32, counted.fp16, counted.integer, counted.fetches(), counted.samplers(), counted.openLoops};
+  cost = {counted.fp32, counted.fp16, counted.integer, counted.fetches(), counted.openLoops};
   context.cache().store(key, std::as_bytes(std::span{&cost, 1}));
   return cost;
 }
@@ -34,14 +34,15 @@ compare::PermutationCost countOrRecall(const Context& context, gpu::Spirv spirv,
 } // namespace
 
 std::vector<compare::PermutationResult> describePermutations(Context& context, const std::string& path,
-                                                             const gpu::ShadingPass& pass) {
+                                                             const gpu::ShadingPass& pass,
+                                                             const CountSamplers& countSamplers) {
   const base::Stopwatch watch(&context.timings(), "shader costs");
   const std::vector<gpu::CompiledPermutation>& compiled = pass.compiled();
   std::vector<compare::PermutationResult> results(compiled.size());
   base::parallelFor(compiled.size(), 1, [&](std::size_t i, std::size_t) {
     const gpu::Permutation& permutation = compiled[i].permutation;
     results[i] = {path, gpu::describeTextures(permutation.textures), gpu::describeFeatures(permutation),
-                  compiled[i].entries, std::nullopt};
+                  compiled[i].entries, countSamplers(permutation), std::nullopt};
     if (context.settings().costs) results[i].cost = countOrRecall(context, pass.spirv(), compiled[i].constants);
   });
   return results;

@@ -196,10 +196,13 @@ std::vector<std::string> SceneRenderer::notes() const {
 
 std::vector<compare::PermutationResult> SceneRenderer::permutations() const {
   std::vector<compare::PermutationResult> all;
-  if (m_highend) all = describePermutations(m_context, "highend", m_highend->pass());
-  if (m_mobile)
-    for (compare::PermutationResult& each : describePermutations(m_context, "mobile", m_mobile->pass()))
-      all.push_back(std::move(each));
+  const auto append = [&](const char* path, const auto& renderer) {
+    const auto described = describePermutations(
+        m_context, path, renderer.pass(), [&](const gpu::Permutation& each) { return renderer.countSamplers(each); });
+    all.insert(all.end(), described.begin(), described.end());
+  };
+  if (m_highend) append("highend", *m_highend);
+  if (m_mobile) append("mobile", *m_mobile);
   return all;
 }
 

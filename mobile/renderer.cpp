@@ -59,7 +59,8 @@ Precision precisionOn(const gpu::Device& device, const Options& options) {
 }
 
 Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, const std::vector<gpu::BinKind>& binKinds,
-                   const Inputs& inputs, const Options& options) {
+                   const Inputs& inputs, const Options& options)
+    : m_hasEnvironment(inputs.environment != nullptr) {
   gpu::PathProgram program;
   program.name = "mobile";
   const Precision precision = precisionOn(device, options);
@@ -104,6 +105,11 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   program.premultiplied = true;
   program.expectedPixels = inputs.expectedPixels;
   m_pass = std::make_unique<gpu::ShadingPass>(device, scene, binKinds, std::move(program));
+}
+
+std::size_t Renderer::countSamplers(const gpu::Permutation& permutation) const {
+  const bool fetches = (permutation.mustFeatures & (gpu::kFeatureUnlit | gpu::kFeatureFullyRough)) == 0;
+  return gpu::countTextures(permutation.textures) + (m_hasEnvironment && fetches ? 1 : 0);
 }
 
 } // namespace parity::mobile

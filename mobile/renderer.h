@@ -30,11 +30,14 @@ public:
     return m_pass->shade(surface, camera);
   }
   const gpu::ShadingPass& pass() const { return *m_pass; }
+  // Samplers that a permutation binds; what the optimizer finds to be unused is not taken off.
+  std::size_t countSamplers(const gpu::Permutation& permutation) const;
 
   // What the path leaves out, in words for the report ("2 of 6 local lights: ..."); empty where it leaves out nothing.
   const std::vector<std::string>& notes() const { return m_notes; }
 
 private:
+  bool m_hasEnvironment;
   std::vector<std::string> m_notes;
   std::unique_ptr<gpu::ShadingPass> m_pass;
 };

@@ -133,10 +133,10 @@ Report makeSampleReport(const std::vector<std::string>& names) {
   back.materials[4].crops = {};
   judgeMaterial(back.materials[4], defaultBudgets(), lamp.name);
   lamp.views.push_back(back);
-  const PermutationCost dear{900, 0, 20, 11, 5, 0}, cheap{100, 200, 10, 4, 4, 0}, wide{400, 200, 30, 6, 6, 1};
-  lamp.permutations = {{"highend", "base colour", "none", 400000, dear},
-                       {"mobile", "base colour", "none", 300000, cheap},
-                       {"mobile", "base colour, normal", "some nonmetal", 100000, wide}};
+  const PermutationCost dear{900, 0, 20, 11, 0}, cheap{100, 200, 10, 4, 0}, wide{400, 200, 30, 6, 1};
+  lamp.permutations = {{"highend", "base colour", "none", 400000, 5, dear},
+                       {"mobile", "base colour", "none", 300000, 4, cheap},
+                       {"mobile", "base colour, normal", "some nonmetal", 100000, 6, wide}};
   report.scenes.push_back(lamp);
 
   SceneResult broken;

@@ -39,6 +39,7 @@ TEST_F(MobileCostTest, everyPermutationOfEveryBuiltInSceneHasAtMostEightSamplers
         if (!costs.contains(each.constants))
           costs[each.constants] = gpu::costOf(renderer.pass().spirv(), each.constants);
         const gpu::ShaderCost& cost = costs[each.constants];
+        EXPECT_EQ(cost.samplers(), renderer.countSamplers(each.permutation)) << name << ", " << preset;
         EXPECT_LE(cost.samplers(), kMaxSamplers) << name << ", " << preset;
         EXPECT_EQ(cost.openLoops, 0u) << name << ", " << preset;
         EXPECT_GT(cost.operations(), (each.permutation.mustFeatures & gpu::kFeatureUnlit) != 0 ? 0u : 100u) << name;
