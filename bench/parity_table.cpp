@@ -64,12 +64,14 @@ std::string summarise(const ParityTable& table) {
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(chosen), wanted);
     return chosen;
   };
-  text += summariseRows("**all**", means);
+  text += summariseRows("**the lights of both paths are the same**",
+                        select(means, [](const MaterialFlip& m) { return !m.sunLeftOut; }));
   text += summariseRows("environment only", select(means, [](const MaterialFlip& m) { return !m.sun; }));
   text +=
       summariseRows("environment + sun", select(means, [](const MaterialFlip& m) { return m.sun && !m.sunLeftOut; }));
   text += summariseRows("environment with a sun of its own + sun: two, of which the path has one",
                         select(means, [](const MaterialFlip& m) { return m.sunLeftOut; }));
+  text += summariseRows("all of these", means);
   std::set<std::string> environments;
   for (const MaterialFlip& m : table.materials) environments.insert(m.environment);
   for (const std::string& environment : environments)

@@ -12,18 +12,20 @@ std::string permutationTable(const std::vector<PermutationResult>& permutations)
   const bool costs = !words.empty();
   std::string rows;
   for (const PermutationResult& each : permutations) {
-    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td>", escapeMarkup(each.path),
-                        escapeMarkup(each.textures), escapeMarkup(each.features), each.pixels, each.samplers);
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
+                        escapeMarkup(each.path), escapeMarkup(each.textures), escapeMarkup(each.features), each.pixels,
+                        each.samplers);
     if (each.cost)
-      rows += fmt::format("<td>{}{}</td><td>{}</td><td>{}</td>", each.cost->openLoops > 0 ? "≥ " : "",
-                          each.cost->fp32, each.cost->fp16, each.cost->fetches);
+      rows += fmt::format("<td>{}{}</td><td>{}</td><td>{}</td>", each.cost->openLoops > 0 ? "≥ " : "", each.cost->fp32,
+                          each.cost->fp16, each.cost->fetches);
     else if (costs)
       rows += "<td>–</td><td>–</td><td>–</td>";
     rows += "</tr>";
   }
   return fmt::format(
       "<details><summary>Shaders</summary>{}<table class=\"figures\"><thead><tr><th scope=\"col\">path</th><th "
-      "scope=\"col\">textures</th><th scope=\"col\">features</th><th scope=\"col\">pixels</th><th scope=\"col\">samplers</th>{}</tr></thead><tbody>{}"
+      "scope=\"col\">textures</th><th scope=\"col\">features</th><th scope=\"col\">pixels</th><th "
+      "scope=\"col\">samplers</th>{}</tr></thead><tbody>{}"
       "</tbody></table></details>\n",
       costs ? "<p>On average " + escapeMarkup(words) + ".</p>" : "",
       costs ? "<th scope=\"col\">fp32 operations</th><th scope=\"col\">fp16 operations</th><th "

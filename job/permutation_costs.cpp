@@ -41,8 +41,12 @@ std::vector<compare::PermutationResult> describePermutations(Context& context, c
   std::vector<compare::PermutationResult> results(compiled.size());
   base::parallelFor(compiled.size(), 1, [&](std::size_t i, std::size_t) {
     const gpu::Permutation& permutation = compiled[i].permutation;
-    results[i] = {path, gpu::describeTextures(permutation.textures), gpu::describeFeatures(permutation),
-                  compiled[i].entries, countSamplers(permutation), std::nullopt};
+    results[i] = {path,
+                  gpu::describeTextures(permutation.textures),
+                  gpu::describeFeatures(permutation),
+                  compiled[i].entries,
+                  countSamplers(permutation),
+                  std::nullopt};
     if (context.settings().costs) results[i].cost = countOrRecall(context, pass.spirv(), compiled[i].constants);
   });
   return results;

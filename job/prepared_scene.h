@@ -29,7 +29,7 @@ struct PreparedScene {
   std::shared_ptr<const lighting::EnvironmentLight> environment, mobileEnvironment;
   // Unfiltered, times the sky light's colour, to go with `lights`; kept for the reference alone.
   std::optional<scenes::Environment> panorama;
-  float exposureEv = 0;                        // of the camera
+  float exposureEv = 0;                 // of the camera
   std::string environmentName, sunText; // for the report: the file without its folder; "none" where there is none
 };
 

@@ -35,7 +35,7 @@ struct Settings {
   bool extractSun = true; // bright compact sources of environments become lights; scene by scene: SuiteEntry
   bool truth = false;     // also hold both paths against the reference; needs the terms
   mobile::Options mobile;
-  std::uint32_t mobileView = mobile::kViewLit; // what the mobile path's colour shows (mobile/views.h)
+  std::uint32_t mobileView = mobile::kViewLit;                 // what the mobile path's colour shows (mobile/views.h)
   gpu::OutputTarget mobileTarget = gpu::OutputTarget::rgba16f; // what the mobile path's colour is stored in
   gpu::SpecularAa specularAa = gpu::SpecularAa::off;           // of all paths
   highend::Options highend;

@@ -18,7 +18,8 @@ glm::vec3 Material::dielectricF0() const {
 }
 
 bool Material::isNonmetal() const {
-  // A texture only ever scales the factor: metallic 0 stays 0. Specular textures could lower F0 below 0.04, specular F90.
+  // A texture only ever scales the factor: metallic 0 stays 0. Specular textures could lower F0 below 0.04, specular
+  // F90.
   return metallic == 0.f && specular >= 1.f && !specularTexture.present() && !specularColorTexture.present() &&
          dielectricF0() == glm::vec3(0.04f);
 }

@@ -31,8 +31,8 @@ Tap evaluateTap(const TapConstants& c, double roughness, double NoV);
 
 class TapFit {
 public:
-  // Over roughness 0.1, 0.15 ... 1 and NoV from 0.04 to 0.99, weighted with NoV + 0.1, as a sphere shows them. About 3 s
-  // of one core; the result does not depend on how many there are.
+  // Over roughness 0.1, 0.15 ... 1 and NoV from 0.04 to 0.99, weighted with NoV + 0.1, as a sphere shows them. About 3
+  // s of one core; the result does not depend on how many there are.
   explicit TapFit(GeometryTerm term, const LobeSteps& steps = {90, 60});
 
   // Root mean square error of the light read, over that of the light itself about its mean.

@@ -40,20 +40,22 @@ void addTerm(inout BasePass pass, int term, real3 value) {
   if (kWriteTerms != 0u) pass.terms.t[term] = vec3(narrow(widen(add(real3(pass.terms.t[term]), value))));
 }
 
-// What has been added up leaves as the target holds it: behind the fog of the vertices, premultiplied, and finite unless
+// What has been added up leaves as the target holds it: behind the vertices' fog, premultiplied, and finite unless
 // it is NaN.
 void writePass(uint i, BasePass pass, float opacity) {
   real3 Color = narrow(widen(pass.Color));
+  real3 VertexFog = real3(R(0.0));
+  real VertexFogA = R(1.0);
   if ((kVertexData & kVertexFog) != 0u) {
     vec4 fog = vertexFog(i);
-    real3 VertexFog = narrow(fog.xyz);
-    real VertexFogA = real(fog.w);
+    VertexFog = narrow(fog.xyz);
+    VertexFogA = real(fog.w);
     Color = narrow(widen(add(product(Color, VertexFogA), VertexFog)));
     for (int k = 0; k < kTermCount; ++k) pass.terms.t[k] *= float(VertexFogA);
     addTerm(pass, kTermFog, VertexFog);
-    show(kViewVertexFog, VertexFog);
-    show(kViewVertexFogA, VertexFogA);
   }
+  show(kViewVertexFog, VertexFog);
+  show(kViewVertexFogA, VertexFogA);
   if ((kMayFeatures & kFeatureBlend) != 0u) { // opacity is 1 else
     Color = product(Color, real(opacity));
     shown *= opacity;
@@ -87,7 +89,8 @@ real3 fetchCapture(vec3 direction, real mip) {
 }
 
 // The terms of a light whose colour's parts the sum's clamp has left in proportion. Written on request only.
-void addLight(inout BasePass pass, int diffuseTerm, vec3 color, MobileDirectLighting lighting, real specularScale, real3 sum) {
+void addLight(inout BasePass pass, int diffuseTerm, vec3 color, MobileDirectLighting lighting, real specularScale,
+              real3 sum) {
   pass.Color = add(pass.Color, sum);
   if (kWriteTerms == 0u) return;
   MobileDirectLighting part = lighting;
@@ -102,6 +105,156 @@ void addLight(inout BasePass pass, int diffuseTerm, vec3 color, MobileDirectLigh
                     whole.z > kept.z ? kept.z / whole.z : 1.0);
   addTerm(pass, diffuseTerm, real3(diffuse * share));
   addTerm(pass, diffuseTerm + 1, real3(specular * share));
+}
+
+// What the lights read of one pixel.
+struct Shaded {
+  MobileMaterial GBuffer;
+  MobileFrame frame;
+  MobileShadingModelContext context;
+  real NoV, MaterialAO, IndirectIrradiance;
+  real3 SkyDiffuseLighting, DiffuseLookup;
+  int sun; // kSun... of the pixel's material
+  bool fullyRough, onlyNonmetals;
+};
+
+const bool kIsRefit = kEnvironmentBrdf == kEnvironmentBrdfRefit;
+
+real3 skyInOcclusion(Shaded s) { return product(real3(view.skyLightColor.xyz), s.MaterialAO); } // of refit
+
+Shaded makeShaded(Point p, Resolved r) {
+  Shaded s;
+  s.fullyRough = hasFeature(kFeatureFullyRough, p.material);
+  // Nonmetals of a bin of their own: fewer operations, the same colour.
+  s.onlyNonmetals = (kMustFeatures & kFeatureNonmetal) != 0u;
+  int environmentBrdf = kIsRefit && s.onlyNonmetals ? kEnvironmentBrdfRefitNonmetal : kEnvironmentBrdf;
+  s.sun = kSun == kSunRefit && s.onlyNonmetals ? kSunRefitNonmetal : kSun;
+  s.GBuffer = makeMaterial(r);
+  s.MaterialAO = real(r.occlusion);
+  s.frame = mobileFrame(r.normal, p.V);
+  s.NoV = viewCosine(kEnvironmentBrdf, s.frame);
+  bool nonmetal = hasFeature(kFeatureNonmetal, p.material);
+  s.context = initShadingModelContext(environmentBrdf, nonmetal, s.fullyRough, s.GBuffer, s.NoV);
+  return s;
+}
+
+// ComputeIndirect. No lightmap is read yet: the sky alone gives irradiance.
+void computeIndirect(inout BasePass pass, inout Shaded s) {
+  real4 LightmapColor = real4(R(0.0));
+  real3 IndirectColor =
+      modulate(modulate(LightmapColor.xyz, s.context.DiffuseColor), real3(view.indirectColorScale.xyz));
+  s.SkyDiffuseLighting = real3(R(0.0));
+  if (kHasEnvironment != 0u)
+    s.SkyDiffuseLighting =
+        kSkyCoefficients == 9 ? GetSkySHDiffuse(skySh(), s.frame.N) : GetSkySHDiffuseSimple(skySh(), s.frame.N);
+  s.DiffuseLookup = modulate(s.SkyDiffuseLighting, real3(view.skyLightColor.xyz));
+  s.IndirectIrradiance = LightmapColor.w;
+  s.IndirectIrradiance += luminanceUE4(s.DiffuseLookup);
+  IndirectColor = product(IndirectColor, s.MaterialAO);
+  s.IndirectIrradiance *= s.MaterialAO;
+  pass.Color = IndirectColor;
+  addTerm(pass, kTermLightmap, IndirectColor);
+  show(kViewIndirectColor, IndirectColor);
+}
+
+// The directional light; 1/pi is in its colour.
+void addDirectionalLight(inout BasePass pass, Shaded s) {
+  real Shadow = R(1.0); // of a distance field, where one is baked
+  show(kViewShadow, Shadow);
+  if (kDirectionalCount == 0u) return;
+  real3 N = s.frame.N;
+  vec3 L = -lights[0].directionCosOuter.xyz;
+  vec3 DirectionalLightColor = lights[0].colorRange.xyz * 0.318309886183790672 * float(Shadow);
+  real SpecularScale = real(lights[0].cone.y);
+  MobileDirectLighting Lighting = mobileIntegrateBxDF(s.sun, s.fullyRough, s.context, s.frame, L);
+  real3 lit = lightWith(DirectionalLightColor, Lighting, SpecularScale);
+  addLight(pass, kTermSunDiffuse, DirectionalLightColor, Lighting, SpecularScale, lit);
+  show(kViewDirectionalLight, lit);
+  show(kViewLightingDiffuse, Lighting.Diffuse);
+  show(kViewLightingSpecular, Lighting.Specular);
+  show(kViewLighting, add(Lighting.Diffuse, Lighting.Specular));
+  show(kViewNoL, cosineOf(N, L));
+  show(kViewH, halfVector(N, s.frame.V, L));
+  show(kViewNoH, max(dot3(N, halfVector(N, s.frame.V, L)), R(0.0)));
+}
+
+// GetImageBasedReflectionLighting: one fetch, none for fully rough materials.
+void addReflectedEnvironment(inout BasePass pass, Shaded s) {
+  real3 direction = s.frame.reflection;
+  real mip = mipFromRoughness(s.context.Roughness);
+  if (kIsRefit) {
+    RefitTap tap = refitTap(s.context.Roughness, s.NoV);
+    direction = refitDirection(s.frame.N, s.frame.V, s.NoV, tap.lean);
+    mip = tap.mip;
+  }
+  real scale = captureScale(kCaptureScale, s.IndirectIrradiance, view.path[kPathAverageBrightness].x,
+                            s.context.Roughness, s.MaterialAO);
+  real3 radiance = fetchCapture(vec3(direction), mip);
+  real3 SpecularIBL = specularIBL(radiance, scale);
+  real3 lit = modulate(SpecularIBL, s.context.SpecularColor);
+  if (kIsRefit) {
+    real3 sky = kCaptureScale == kCaptureScaleOcclusion ? skyInOcclusion(s)
+                                                        : product(real3(view.skyLightColor.xyz), scale);
+    real3 S = s.context.SpecularColor;
+    PRECISE real3 factor = real3(S.x * sky.x, S.y * sky.y, S.z * sky.z);
+    lit = modulate(radiance, factor);
+  }
+  pass.Color = add(pass.Color, lit);
+  addTerm(pass, kTermSkySpecular, lit);
+  show(kViewSpecularIBL, SpecularIBL);
+  show(kViewSpecularIBLLit, lit);
+}
+
+// AccumulateLightingOfDynamicPointLight, for the lights chosen per object.
+void addLocalLights(inout BasePass pass, Shaded s, Point p) {
+  real3 sum = real3(R(0.0));
+  for (uint k = 0u; k < kLightsPerObject; ++k) {
+    uint index = pathData[p.instance * kLightsPerObject + k];
+    if (index == kNoLight) break;
+    GpuLight light = lights[index];
+    MobileLocalLight seen =
+        localLightAt(kSun != kSunRefit, light.positionKind.xyz - p.position, light.colorRange.xyz, light.colorRange.w,
+                     uint(light.positionKind.w) == kLightSpot, light.directionCosOuter.xyz, light.cone.x,
+                     light.directionCosOuter.w);
+    real SpecularScale = real(light.cone.y);
+    MobileDirectLighting Lighting = mobileIntegrateBxDF(s.sun, s.fullyRough, s.context, s.frame, seen.L);
+    real3 lit = clampContribution65000(lightWith(seen.color, Lighting, SpecularScale));
+    addLight(pass, kTermLocalDiffuse, seen.color, Lighting, SpecularScale, lit);
+    sum = add(sum, lit);
+  }
+  show(kViewDynamicPointLights, narrow(widen(sum)));
+}
+
+// The sky light. Of refit it also scatters more than once between microfacets.
+void addSkyLight(inout BasePass pass, Shaded s) {
+  real3 DiffuseColor = s.context.DiffuseColor, multiple = s.context.lobe.multiple;
+  bool scatters = kIsRefit && !s.fullyRough && !s.onlyNonmetals;
+  real3 lookup = kIsRefit ? modulate(s.SkyDiffuseLighting, skyInOcclusion(s)) : s.DiffuseLookup;
+  real3 lit = modulate(lookup, scatters ? add(DiffuseColor, multiple) : DiffuseColor);
+  if (!kIsRefit) lit = product(lit, s.MaterialAO);
+  pass.Color = add(pass.Color, lit);
+  addTerm(pass, kTermSkyDiffuse, scatters ? modulate(lookup, DiffuseColor) : lit);
+  addTerm(pass, kTermSkySpecular, scatters ? modulate(lookup, multiple) : real3(R(0.0)));
+  show(kViewSkyLight, lit);
+}
+
+void showShaded(Shaded s, Resolved r) {
+  show(kViewSkyDiffuseLighting, s.SkyDiffuseLighting);
+  show(kViewDiffuseLookup, s.DiffuseLookup);
+  show(kViewSkyLightColor, real3(view.skyLightColor.xyz));
+  show(kViewIndirectIrradiance, s.IndirectIrradiance);
+  show(kViewDiffuseColor, s.context.DiffuseColor);
+  show(kViewSpecPreEnvBrdf, s.context.SpecPreEnvBrdf);
+  show(kViewSpecularColor, s.context.SpecularColor);
+  show(kViewDielectricSpecular, s.GBuffer.DielectricSpecular);
+  show(kViewBaseColor, s.GBuffer.BaseColor);
+  show(kViewMetallic, s.GBuffer.Metallic);
+  show(kViewRoughness, s.context.Roughness);
+  show(kViewMaterialAO, s.MaterialAO);
+  show(kViewOpacity, real(r.opacity));
+  show(kViewNoV, s.NoV);
+  show(kViewWorldNormal, s.frame.N);
+  show(kViewReflectionVector, s.frame.reflection);
 }
 
 void main() {
@@ -123,132 +276,17 @@ void main() {
     return;
   }
 
-  bool fullyRough = hasFeature(kFeatureFullyRough, p.material), nonmetal = hasFeature(kFeatureNonmetal, p.material);
-  // Nonmetals of a bin of their own: fewer operations, the same colour.
-  bool onlyNonmetals = (kMustFeatures & kFeatureNonmetal) != 0u;
-  int environmentBrdf = kEnvironmentBrdf == kEnvironmentBrdfRefit && onlyNonmetals ? kEnvironmentBrdfRefitNonmetal : kEnvironmentBrdf;
-  int sun = kSun == kSunRefit && onlyNonmetals ? kSunRefitNonmetal : kSun;
-  MobileMaterial GBuffer = makeMaterial(r);
-  real MaterialAO = real(r.occlusion);
-  MobileFrame frame = mobileFrame(r.normal, p.V);
-  real3 N = frame.N;
-  real NoV = viewCosine(kEnvironmentBrdf, frame);
-  MobileShadingModelContext ShadingModelContext = initShadingModelContext(environmentBrdf, nonmetal, fullyRough, GBuffer, NoV);
-  real3 DiffuseColor = ShadingModelContext.DiffuseColor;
-
-  // ComputeIndirect. No lightmap is read yet: the sky alone gives irradiance.
-  real4 LightmapColor = real4(R(0.0));
-  real3 IndirectColor = modulate(modulate(LightmapColor.xyz, DiffuseColor), real3(view.indirectColorScale.xyz));
-  real IndirectIrradiance = LightmapColor.w;
-  real3 SkyDiffuseLighting = real3(R(0.0));
-  real3 SkyLightColor = real3(view.skyLightColor.xyz);
-  if (kHasEnvironment != 0u) SkyDiffuseLighting = kSkyCoefficients == 9 ? GetSkySHDiffuse(skySh(), N) : GetSkySHDiffuseSimple(skySh(), N);
-  real3 DiffuseLookup = modulate(SkyDiffuseLighting, SkyLightColor);
-  bool isRefit = kEnvironmentBrdf == kEnvironmentBrdfRefit;
-  real3 skyInOcclusion = product(SkyLightColor, MaterialAO); // of refit
-  IndirectIrradiance += luminanceUE4(DiffuseLookup);
-  IndirectColor = product(IndirectColor, MaterialAO);
-  IndirectIrradiance *= MaterialAO;
-  pass.Color = IndirectColor;
-  addTerm(pass, kTermLightmap, IndirectColor);
-
-  // The directional light; 1/pi is in its colour.
-  real Shadow = R(1.0); // of a distance field, where one is baked
-  if (kDirectionalCount != 0u) {
-    vec3 L = -lights[0].directionCosOuter.xyz;
-    vec3 DirectionalLightColor = lights[0].colorRange.xyz * 0.318309886183790672 * float(Shadow);
-    real SpecularScale = real(lights[0].cone.y);
-    MobileDirectLighting Lighting = mobileIntegrateBxDF(sun, fullyRough, ShadingModelContext, frame, L);
-    real3 lit = lightWith(DirectionalLightColor, Lighting, SpecularScale);
-    addLight(pass, kTermSunDiffuse, DirectionalLightColor, Lighting, SpecularScale, lit);
-    show(kViewDirectionalLight, lit);
-    show(kViewLightingDiffuse, Lighting.Diffuse);
-    show(kViewLightingSpecular, Lighting.Specular);
-    show(kViewLighting, add(Lighting.Diffuse, Lighting.Specular));
-    show(kViewNoL, cosineOf(N, L));
-    show(kViewH, halfVector(N, frame.V, L));
-    show(kViewNoH, max(dot3(N, halfVector(N, frame.V, L)), R(0.0)));
-  }
-
-  // GetImageBasedReflectionLighting: one fetch, none for fully rough materials.
-  if (kHasEnvironment != 0u && !fullyRough) {
-    real3 direction = frame.reflection;
-    real mip = mipFromRoughness(ShadingModelContext.Roughness);
-    if (isRefit) {
-      RefitTap tap = refitTap(ShadingModelContext.Roughness, NoV);
-      direction = refitDirection(N, frame.V, NoV, tap.lean);
-      mip = tap.mip;
-    }
-    real scale = captureScale(kCaptureScale, IndirectIrradiance, view.path[kPathAverageBrightness].x, ShadingModelContext.Roughness, MaterialAO);
-    real3 radiance = fetchCapture(vec3(direction), mip);
-    real3 SpecularIBL = specularIBL(radiance, scale);
-    real3 lit = modulate(SpecularIBL, ShadingModelContext.SpecularColor);
-    if (isRefit) {
-      real3 sky = kCaptureScale == kCaptureScaleOcclusion ? skyInOcclusion : product(SkyLightColor, scale);
-      real3 S = ShadingModelContext.SpecularColor;
-      PRECISE real3 factor = real3(S.x * sky.x, S.y * sky.y, S.z * sky.z);
-      lit = modulate(radiance, factor);
-    }
-    pass.Color = add(pass.Color, lit);
-    addTerm(pass, kTermSkySpecular, lit);
-    show(kViewSpecularIBL, SpecularIBL);
-    show(kViewSpecularIBLLit, lit);
-  }
+  Shaded s = makeShaded(p, r);
+  computeIndirect(pass, s);
+  addDirectionalLight(pass, s);
+  if (kHasEnvironment != 0u && !s.fullyRough) addReflectedEnvironment(pass, s);
   show(kViewColorAfterIBL, narrow(widen(pass.Color)));
-
-  // AccumulateLightingOfDynamicPointLight, for the lights chosen per object.
-  if (kLocalCount != 0u) {
-    real3 sum = real3(R(0.0));
-    for (uint k = 0u; k < kLightsPerObject; ++k) {
-      uint index = pathData[p.instance * kLightsPerObject + k];
-      if (index == kNoLight) break;
-      GpuLight light = lights[index];
-      MobileLocalLight seen = localLightAt(kSun != kSunRefit, light.positionKind.xyz - p.position, light.colorRange.xyz, light.colorRange.w,
-                                           uint(light.positionKind.w) == kLightSpot, light.directionCosOuter.xyz, light.cone.x,
-                                           light.directionCosOuter.w);
-      real SpecularScale = real(light.cone.y);
-      MobileDirectLighting Lighting = mobileIntegrateBxDF(sun, fullyRough, ShadingModelContext, frame, seen.L);
-      real3 lit = clampContribution65000(lightWith(seen.color, Lighting, SpecularScale));
-      addLight(pass, kTermLocalDiffuse, seen.color, Lighting, SpecularScale, lit);
-      sum = add(sum, lit);
-    }
-    show(kViewDynamicPointLights, narrow(widen(sum)));
-  }
-
-  // The sky light. Of refit it also scatters more than once between microfacets.
-  if (kHasEnvironment != 0u) {
-    bool scatters = isRefit && !fullyRough && !onlyNonmetals;
-    real3 lookup = isRefit ? modulate(SkyDiffuseLighting, skyInOcclusion) : DiffuseLookup;
-    real3 lit = modulate(lookup, scatters ? add(DiffuseColor, ShadingModelContext.lobe.multiple) : DiffuseColor);
-    if (!isRefit) lit = product(lit, MaterialAO);
-    pass.Color = add(pass.Color, lit);
-    real3 scattered = scatters ? modulate(lookup, ShadingModelContext.lobe.multiple) : real3(R(0.0));
-    addTerm(pass, kTermSkyDiffuse, scatters ? modulate(lookup, DiffuseColor) : lit);
-    addTerm(pass, kTermSkySpecular, scattered);
-    show(kViewSkyLight, lit);
-  }
+  if (kLocalCount != 0u) addLocalLights(pass, s, p);
+  if (kHasEnvironment != 0u) addSkyLight(pass, s);
   real3 Emissive = narrow(r.emissive);
   pass.Color = add(pass.Color, Emissive);
   addTerm(pass, kTermEmissive, Emissive);
-
-  show(kViewIndirectColor, IndirectColor);
-  show(kViewSkyDiffuseLighting, SkyDiffuseLighting);
-  show(kViewDiffuseLookup, DiffuseLookup);
-  show(kViewSkyLightColor, SkyLightColor);
-  show(kViewIndirectIrradiance, IndirectIrradiance);
   show(kViewEmissive, Emissive);
-  show(kViewDiffuseColor, DiffuseColor);
-  show(kViewSpecPreEnvBrdf, ShadingModelContext.SpecPreEnvBrdf);
-  show(kViewSpecularColor, ShadingModelContext.SpecularColor);
-  show(kViewDielectricSpecular, GBuffer.DielectricSpecular);
-  show(kViewBaseColor, GBuffer.BaseColor);
-  show(kViewMetallic, GBuffer.Metallic);
-  show(kViewRoughness, ShadingModelContext.Roughness);
-  show(kViewMaterialAO, MaterialAO);
-  show(kViewOpacity, real(r.opacity));
-  show(kViewShadow, Shadow);
-  show(kViewNoV, NoV);
-  show(kViewWorldNormal, N);
-  show(kViewReflectionVector, frame.reflection);
+  showShaded(s, r);
   writePass(i, pass, r.opacity);
 }

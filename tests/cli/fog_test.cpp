@@ -44,7 +44,7 @@ TEST_F(FogOfTheProgram, LiesOverBothPathsAndNotOverTheBackground) {
   const int fog = channelOf(Term::fog), sky = channelOf(Term::skyDiffuse);
   const struct {
     const char *path, *precision;
-    float roundings;  // relative: of what is kept before fog, of the product and of the fog's own share
+    float roundings; // relative: of what is kept before fog, of the product and of the fog's own share
   } runs[] = {{"highend", "fp16", 1e-4f}, {"mobile", "fp32", 1e-4f}, {"mobile", "fp16", 3 * 0x1p-11f}};
   for (const auto& [path, precision, roundings] : runs) {
     const std::vector<std::string> in = {"--precision", precision};

@@ -41,8 +41,7 @@ TEST(PermutationCosts, standInTheJsonWithTheirPermutation) {
   EXPECT_EQ(permutations[2].at("pixels"), 100000);
   EXPECT_EQ(permutations[2].at("samplers"), 6);
   EXPECT_EQ(permutations[2].at("cost"),
-            (nlohmann::json{
-                {"fp32", 400}, {"fp16", 200}, {"integer", 30}, {"fetches", 6}, {"openLoops", 1}}));
+            (nlohmann::json{{"fp32", 400}, {"fp16", 200}, {"integer", 30}, {"fetches", 6}, {"openLoops", 1}}));
   Report plain = makeSampleReport();
   plain.scenes[0].permutations[2].cost.reset();
   EXPECT_FALSE(nlohmann::json::parse(toJson(plain)).at("/scenes/0/permutations/2"_json_pointer).contains("cost"));

@@ -77,7 +77,7 @@ TEST_F(ViewTest, eachShowsWhatItsNameSays) {
       {"SkyLight", kRadiance * diffuse},
       {"Emissive", emissive},
       {"VertexFog", glm::dvec3(0)},
-      {"VertexFog.a", glm::dvec3(0)}, // no fog is evaluated where the scene has none
+      {"VertexFog.a", glm::dvec3(1)}, // no fog: nothing is lost behind it
       {"DiffuseColor", diffuse},
       {"SpecPreEnvBrdf", F0},
       {"SpecularColor", specular},
