@@ -26,22 +26,28 @@ struct RefitLobe {
   real rootV; // refitRoot of NoV
 };
 
+// alpha = max(Roughness^2, 2^-12). The lobe and the read share it.
+FN real refitAlpha(real Roughness) {
+  PRECISE real alpha = Roughness * Roughness;
+  return max(alpha, kRefitLeastAlpha);
+}
+
 // B of the environment BRDF, the part of F90:
 //   B = 2^(R (b0 + R (b1 + b2 R)) + N (b3 + R (b4 + b5 R) + b6 N))
 // and w = 1 - A - B, what is lost between microfacets at F = 1, with t = N / alpha:
 //   w = N / (w0 + t (w1 + w2 t))
 // Both in [0, 1].
 FN real refitB(real Roughness, real NoV) {
-  PRECISE real r = Roughness * (R(-1.63625) + Roughness * (R(-10.4726) + R(7.36146) * Roughness));
-  PRECISE real n = R(-6.2997) + Roughness * (R(14.0932) + R(-10.353) * Roughness) + R(-8.59562) * NoV;
+  PRECISE real r = Roughness * (R(-1.6362) + Roughness * (R(-10.4728) + R(7.36178) * Roughness));
+  PRECISE real n = R(-6.30003) + Roughness * (R(14.0948) + R(-10.3549) * Roughness) + R(-8.5954) * NoV;
   PRECISE real e = r + n * NoV;
   return exp2(e);
 }
 
-// max(., 2^-8): t^2 stays in half. alpha in [0, 1].
+// In half t^2 of a smooth surface is infinite, and w then 0. alpha in [kRefitLeastAlpha, 1].
 FN real refitLoss(real alpha, real NoV) {
-  PRECISE real t = NoV / max(alpha, R(0.00390625));
-  PRECISE real w = NoV / (R(0.500909) + t * (R(0.651387) + R(0.413974) * t));
+  PRECISE real t = NoV / alpha;
+  PRECISE real w = NoV / (R(0.500909) + t * (R(0.651395) + R(0.413968) * t));
   return w;
 }
 
@@ -58,10 +64,10 @@ FN real refitRoot(real alpha, real cosine) {
 // S + M is 1 at F0 = 1 for every view, as it must be.
 FN RefitLobe refitLobe(real3 F0, real F90, real Roughness, real NoV) {
   RefitLobe lobe;
-  PRECISE real alpha = max(Roughness * Roughness, kRefitLeastAlpha);
+  real alpha = refitAlpha(Roughness);
   real B = refitB(Roughness, NoV);
   real w = refitLoss(alpha, NoV);
-  PRECISE real k = R(0.726702) * alpha;
+  PRECISE real k = R(0.726701) * alpha;
   PRECISE real3 rise = real3(F90 - F0.x, F90 - F0.y, F90 - F0.z);
   PRECISE real3 lost = real3(F0.x * w, F0.y * w, F0.z * w);
   PRECISE real3 single = real3(F0.x - lost.x + rise.x * B, F0.y - lost.y + rise.y * B, F0.z - lost.z + rise.z * B);
@@ -80,7 +86,7 @@ FN RefitLobe refitLobe(real3 F0, real F90, real Roughness, real NoV) {
 // The same where F0 is known to be .04 and grey and F90 1, bit for bit, but that `multiple`, which is below .0011, is 0.
 FN RefitLobe refitNonmetalLobe(real Roughness, real NoV) {
   RefitLobe lobe;
-  PRECISE real alpha = max(Roughness * Roughness, kRefitLeastAlpha);
+  real alpha = refitAlpha(Roughness);
   PRECISE real lost = R(0.04) * refitLoss(alpha, NoV);
   PRECISE real rise = R(1.0) - R(0.04);
   PRECISE real E = R(0.04) - lost + rise * refitB(Roughness, NoV);
@@ -117,7 +123,7 @@ FN real3 refitDiffuseColor(real3 BaseColor, real Metallic, real3 share) {
 
 // The one read of the environment, trilinear between the mips of layer 0: not V's mirror direction R at mipFromRoughness
 // but R + lean N (which needs no normalising), towards the normal but for smooth surfaces seen frontally, at
-//   lean = alpha (d0 - d1 NoV + d2 alpha^2),  mip = m0 + m1 log2(Roughness)
+//   lean = alpha (d0 - d1 NoV + d2 alpha^2),  mip = m0 + m1 log2(alpha)
 // Over natural skies the rms error is a third of a read at R, and three quarters of one in the GGX dominant direction
 // (bench/fit). mip runs from below 0 to above the last one: the sampler clamps it. Roughness, NoV in [0, 1].
 struct RefitTap {
@@ -126,9 +132,9 @@ struct RefitTap {
 };
 FN RefitTap refitTap(real Roughness, real NoV) {
   RefitTap tap;
-  PRECISE real alpha = Roughness * Roughness;
-  PRECISE real lean = alpha * (R(1.38125) - R(1.96943) * NoV + R(7.43462) * (alpha * alpha));
-  PRECISE real mip = R(5.34346) + R(1.44467) * log2(max(Roughness, R(0.015625)));
+  real alpha = refitAlpha(Roughness);
+  PRECISE real lean = alpha * (R(1.38125) - R(1.96943) * NoV + R(7.43461) * (alpha * alpha));
+  PRECISE real mip = R(5.34346) + R(0.722336) * log2(alpha);
   tap.lean = lean;
   tap.mip = mip;
   return tap;

@@ -32,7 +32,7 @@ struct Place {
 };
 
 Place placeOf(const LobeConstants& c, double R, double N) {
-  const double alpha = std::max(R * R, 1.0 / 4096), t = N / std::max(alpha, 1.0 / 256);
+  const double alpha = std::max(R * R, 1.0 / 4096), t = N / alpha;
   const double B =
       std::exp2(R * (c.B[0] + R * (c.B[1] + c.B[2] * R)) + N * (c.B[3] + R * (c.B[4] + c.B[5] * R) + c.B[6] * N));
   return {B, N / (c.loss[0] + t * (c.loss[1] + c.loss[2] * t)), c.k * alpha};

@@ -80,12 +80,12 @@ std::string formatShader(const Refit& r, Language language) {
                   nameOf(r.settings.geometryTerm), nameOf(r.settings.fresnel), nameOf(r.settings.compensation));
   text += "// R: roughness in [0, 1], N: NoV in [0, 1], alpha = max(R^2, 2^-12), b, w, d, m: the constants in order.\n"
           "//   B = exp2(R (b0 + R (b1 + b2 R)) + N (b3 + R (b4 + b5 R) + b6 N))\n"
-          "//   loss = N / (w0 + t (w1 + w2 t)), t = N / max(alpha, 2^-8)\n"
+          "//   loss = N / (w0 + t (w1 + w2 t)), t = N / alpha\n"
           "//   S = F0 (1 - loss) + (F90 - F0) B                        scattered once\n";
   text += compensated ? "//   M = loss F0^2 (1 - k alpha (F90 - F0))                  scattered more than once\n"
                       : "//   M = 0\n";
   text += "//   environment: fetch along R + lean N at mip, times S; irradiance / pi times M\n"
-          "//   lean = alpha (d0 + d1 N + d2 alpha^2), mip = m0 + m1 log2(max(R, 2^-6)) of 6 mips\n"
+          "//   lean = alpha (d0 + d1 N + d2 alpha^2), mip = m0 + m1 log2(alpha) of 6 mips\n"
           "//   diffuse colour times 1 - (S + M)\n";
   text += fmt::format("//   light: {}\n//\n", describeDirect(r.settings));
   text += "// Error of S + M, NoV in [1/256, 1], roughness in [1/64, 1]:\n";

@@ -26,9 +26,9 @@ double angleOfNode(int i) { return kLeastAngle + (kMostAngle - kLeastAngle) * i 
 } // namespace
 
 Tap evaluateTap(const TapConstants& c, double roughness, double NoV) {
-  const double alpha = roughness * roughness;
+  const double alpha = std::max(roughness * roughness, 1.0 / 4096);
   const double lean = alpha * (c.lean[0] + c.lean[1] * NoV + c.lean[2] * alpha * alpha);
-  return {1 / (1 + lean), c.mip[0] + c.mip[1] * std::log2(std::max(roughness, 1.0 / 64))};
+  return {1 / (1 + lean), c.mip[0] + c.mip[1] * std::log2(alpha)};
 }
 
 TapFit::TapFit(GeometryTerm term, const LobeSteps& steps) {
@@ -88,7 +88,7 @@ TapConstants TapFit::fit() const {
         const TapConstants c = toConstants(x);
         return errorOf([&](double R, double N) { return evaluateTap(c, R, N); });
       },
-      {1.4, -2, 7, 5, 1.2});
+      {1.4, -2, 7, 5, 0.6});
   TapConstants c = toConstants(best.x);
   for (double& d : c.lean) d = roundConstant(d);
   for (double& m : c.mip) m = roundConstant(m);

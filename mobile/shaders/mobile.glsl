@@ -71,7 +71,7 @@ MobileMaterial makeMaterial(Resolved r) {
   m.Metallic = real(r.metallic);
   m.DielectricSpecular = real3(r.F0);
   m.F90 = real(r.F90);
-  m.Roughness = real(max(kRoughnessFloor, r.roughness));
+  m.Roughness = real(kRoughnessFloor > 0.0 ? max(kRoughnessFloor, r.roughness) : r.roughness);
   return m;
 }
 
@@ -114,13 +114,12 @@ struct Shaded {
   MobileShadingModelContext context;
   real NoV, MaterialAO, IndirectIrradiance;
   real3 SkyDiffuseLighting, DiffuseLookup;
+  real3 skyInOcclusion; // of refit
   int sun; // kSun... of the pixel's material
   bool fullyRough, onlyNonmetals;
 };
 
 const bool kIsRefit = kEnvironmentBrdf == kEnvironmentBrdfRefit;
-
-real3 skyInOcclusion(Shaded s) { return product(real3(view.skyLightColor.xyz), s.MaterialAO); } // of refit
 
 Shaded makeShaded(Point p, Resolved r) {
   Shaded s;
@@ -131,6 +130,7 @@ Shaded makeShaded(Point p, Resolved r) {
   s.sun = kSun == kSunRefit && s.onlyNonmetals ? kSunRefitNonmetal : kSun;
   s.GBuffer = makeMaterial(r);
   s.MaterialAO = real(r.occlusion);
+  s.skyInOcclusion = product(real3(view.skyLightColor.xyz), s.MaterialAO);
   s.frame = mobileFrame(r.normal, p.V);
   s.NoV = viewCosine(kEnvironmentBrdf, s.frame);
   bool nonmetal = hasFeature(kFeatureNonmetal, p.material);
@@ -193,8 +193,8 @@ void addReflectedEnvironment(inout BasePass pass, Shaded s) {
   real3 SpecularIBL = specularIBL(radiance, scale);
   real3 lit = modulate(SpecularIBL, s.context.SpecularColor);
   if (kIsRefit) {
-    real3 sky = kCaptureScale == kCaptureScaleOcclusion ? skyInOcclusion(s)
-                                                        : product(real3(view.skyLightColor.xyz), scale);
+    real3 sky =
+        kCaptureScale == kCaptureScaleOcclusion ? s.skyInOcclusion : product(real3(view.skyLightColor.xyz), scale);
     real3 S = s.context.SpecularColor;
     PRECISE real3 factor = real3(S.x * sky.x, S.y * sky.y, S.z * sky.z);
     lit = modulate(radiance, factor);
@@ -229,7 +229,7 @@ void addLocalLights(inout BasePass pass, Shaded s, Point p) {
 void addSkyLight(inout BasePass pass, Shaded s) {
   real3 DiffuseColor = s.context.DiffuseColor, multiple = s.context.lobe.multiple;
   bool scatters = kIsRefit && !s.fullyRough && !s.onlyNonmetals;
-  real3 lookup = kIsRefit ? modulate(s.SkyDiffuseLighting, skyInOcclusion(s)) : s.DiffuseLookup;
+  real3 lookup = kIsRefit ? modulate(s.SkyDiffuseLighting, s.skyInOcclusion) : s.DiffuseLookup;
   real3 lit = modulate(lookup, scatters ? add(DiffuseColor, multiple) : DiffuseColor);
   if (!kIsRefit) lit = product(lit, s.MaterialAO);
   pass.Color = add(pass.Color, lit);

@@ -3,6 +3,7 @@
 // to 3.7 %.
 #include <cmath>
 #include <map>
+#include <ostream>
 
 #include "base/image_io.h"
 #include "cli/checks.h"
@@ -20,6 +21,9 @@ struct TermCase {
   // has to be black in both.
   std::map<Term, double> limits;
 };
+
+// Names the case where a test fails.
+void PrintTo(const TermCase& c, std::ostream* out) { *out << c.name; }
 
 class TermsAgainstTruth : public RenderingTest, public testing::WithParamInterface<TermCase> {};
 
