@@ -1,4 +1,5 @@
 // What the mobile path's shaders cost on the built-in scenes: the article's 8 samplers, whatever the preset.
+#include <cstdio>
 #include <map>
 
 #include "support/path_quad.h"
@@ -75,6 +76,8 @@ TEST_F(MobileCostTest, refitTakesNoMoreFetchesAndAQuarterMoreOperationsThanUe4At
         return gpu::costOf(renderer.pass().spirv(), renderer.pass().compiled().at(0).constants);
       };
       const gpu::ShaderCost ue4 = costOf("ue4-2020"), refit = costOf("refit");
+      std::printf("%s, lights %d: %.0f %.0f\n", nonmetal ? "nonmetals" : "any", light,
+                  static_cast<double>(ue4.operations()), static_cast<double>(refit.operations()));
       EXPECT_LE(static_cast<double>(refit.operations()), 1.25 * static_cast<double>(ue4.operations()))
           << "nonmetal " << nonmetal << ", light " << light << ": " << refit.operations() << " / " << ue4.operations();
       EXPECT_LE(refit.fetches(), ue4.fetches());
