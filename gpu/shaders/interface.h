@@ -113,7 +113,8 @@ struct GpuLight {
   vec4 cone;              // cosine of the inner cone; scale of its specular light; 0; 0
 };
 
-// What a view's shaders need. The camera's rays: pixel (x,y) looks along origin + x*originX + y*originY, direction + x*directionX + y*directionY.
+// What a view's shaders need. The camera's rays: pixel (x,y) looks from origin + x*originX + y*originY along
+// direction + x*directionX + y*directionY.
 struct GpuView {
   vec4 eye;                               // perspective: position; w = 1 where orthographic
   vec4 origin, originX, originY;          // relative to eye

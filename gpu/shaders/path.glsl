@@ -159,7 +159,9 @@ Resolved resolveMaterial(Point p, uint i) {
     vec4 texel = fetch(normalTexture, kSlotNormal, m, i);
     r.normal = mapNormal(p, i, texel);
     // Slopes, and so the root of their variance, scale with normalScale.
-    if ((kTextures & kNormalVariance) != 0u) r.roughness = widenRoughness(r.roughness, clamp(texel.w * texel.w * materials[m].factors.x * materials[m].factors.x, 0.0, 1.0));
+    if ((kTextures & kNormalVariance) != 0u)
+      r.roughness = widenRoughness(
+          r.roughness, clamp(texel.w * texel.w * materials[m].factors.x * materials[m].factors.x, 0.0, 1.0));
   }
   return r;
 }

@@ -118,7 +118,8 @@ FN Outputs evaluate(int function, Inputs i) {
   if (function == kFnThreeTap) return outputsTap(threeTap(i.x[2] < R32(0.33) ? 0 : i.x[2] < R32(0.67) ? 1 : 2, a, b));
   if (function == kFnAlphaSquaredOfNormals) return outputs1(alphaSquaredOfNormals(a));
   if (function == kFnWidenRoughness) return outputs1(real(widenRoughness(i.x[0], i.x[1])));
-  if (function == kFnHeightFogTransmittance) return outputs1(heightFogTransmittance(HeightFog(i.x[0], i.x[1], i.x[2], i.x[3], i.x[4]), i.x[5], i.x[6], i.x[7]));
+  if (function == kFnHeightFogTransmittance)
+    return outputs1(heightFogTransmittance(HeightFog(i.x[0], i.x[1], i.x[2], i.x[3], i.x[4]), i.x[5], i.x[6], i.x[7]));
   if (function == kFnEncodeGamma2) return outputs3(encodeGamma2(u));
   if (function == kFnSaturateToHalf) return outputs3(saturateToHalf(u));
   // kFnConstants: literals whose nearest half is not the truncated one, and the named constants.

@@ -18,7 +18,10 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
   if (function == kFnCosineOf) return outputs1(cosineOf(u, real32x3At(i, 3)));
   if (function == kFnLuminanceUE4) return outputs1(luminanceUE4(u));
   if (function == kFnCaptureScale) {
-    int mode = i.x[3] < R32(0.33) ? kCaptureScaleNone : i.x[3] < R32(0.5) ? kCaptureScaleFull : i.x[3] < R32(0.9) ? kCaptureScaleByRoughness : kCaptureScaleOcclusion;
+    int mode = i.x[3] < R32(0.33)  ? kCaptureScaleNone
+               : i.x[3] < R32(0.5) ? kCaptureScaleFull
+               : i.x[3] < R32(0.9) ? kCaptureScaleByRoughness
+                                   : kCaptureScaleOcclusion;
     return outputs1(captureScale(mode, u.x, i.x[1], u.z, real1At(i, 4)));
   }
   if (function == kFnSpecularIBL) return outputs3(specularIBL(u, real1At(i, 3)));
@@ -107,6 +110,7 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
     return outputs3(refitLight(lobe, real1At(i, 12), cosines));
   }
   // kFnLocalLightAt
-  MobileLocalLight light = localLightAt(i.x[13] < R32(0.5), real32x3At(i, 0), real32x3At(i, 3), i.x[6], i.x[7] > R32(0.5), real32x3At(i, 8), i.x[11], i.x[12]);
+  MobileLocalLight light = localLightAt(i.x[13] < R32(0.5), real32x3At(i, 0), real32x3At(i, 3), i.x[6],
+                                        i.x[7] > R32(0.5), real32x3At(i, 8), i.x[11], i.x[12]);
   return outputs33(light.L, light.color);
 }
