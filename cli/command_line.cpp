@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
+#include "cli/bench_options.h"
 #include "cli/budget_options.h"
 #include "cli/common_options.h"
 #include "cli/fit_options.h"
@@ -37,6 +38,7 @@ mobile base pass), compares them per material by FLIP, and judges them against b
   parity flip   reference.png test.png -o map.exr                    any two images
   parity budget suggest out/report.json -o budgets.toml              limits from what was observed
   parity fit --geometry-term schlick-smith --format hlsl             mobile constants for your own high-end path
+  parity bench scene.glb --env studio.hdr --budget flip.mean=0.02 -o out   what each setting costs, and is worth
 )";
 
 constexpr const char* kFooter = R"(
@@ -136,6 +138,11 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       *app.add_subcommand("fit", "Fit the mobile preset refit to a high-end path's settings and print its constants");
   addFitOptions(fitApp, rawFit);
 
+  RawBenchOptions rawBench;
+  CLI::App& benchApp =
+      *app.add_subcommand("bench", "Error against run time: every setting over the same surfaces; Pareto pictures");
+  addBenchOptions(benchApp, rawBench);
+
   DevicesCommand devices;
   CLI::App& devicesApp = *app.add_subcommand("devices", "List Vulkan devices, and why each is taken or not");
   devicesApp.add_option("--device", devices.device.name, "Show what this choice leads to");
@@ -164,6 +171,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = settleBudget(budgetApp, budget);
     } else if (fitApp.parsed()) {
       parsed.command = settleFit(rawFit);
+    } else if (benchApp.parsed()) {
+      parsed.command = settleBench(rawBench);
     } else {
       parsed.command = devices;
     }

@@ -11,6 +11,8 @@
 #include "job/flip_run.h"
 #include "job/settings.h"
 #include "scenes/suite.h"
+#include "sweep/pareto.h"
+#include "sweep/trial.h"
 
 namespace parity::cli {
 
@@ -85,13 +87,22 @@ struct FitCommand {
   bool quiet = false;
 };
 
+struct BenchCommand {
+  CommonOptions common;
+  std::vector<std::string> scenes;
+  sweep::TrialOptions trial;
+  std::optional<sweep::ErrorBudget> budget;
+  std::string folder, csv, compare; // empty: none; csv "-" for stdout
+  bool scaling = false, list = false;
+};
+
 struct DevicesCommand {
   gpu::DeviceOptions device;
   std::string json;
 };
 
 using Invocation = std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand,
-                                BudgetSuggestCommand, BudgetCheckCommand, FitCommand, DevicesCommand>;
+                                BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand, DevicesCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, version, a usage error) with its
 // exit code.
@@ -116,6 +127,7 @@ int runFlipCommand(const FlipCommand& command);
 int runBudgetSuggestCommand(const BudgetSuggestCommand& command);
 int runBudgetCheckCommand(const BudgetCheckCommand& command);
 int runFitCommand(const FitCommand& command);
+int runBenchCommand(const BenchCommand& command, const std::string& commandLine);
 int runDevicesCommand(const DevicesCommand& command);
 
 } // namespace parity::cli

@@ -54,6 +54,7 @@ int run(int argc, char** argv) {
                                [](const BudgetSuggestCommand& c) { return runBudgetSuggestCommand(c); },
                                [](const BudgetCheckCommand& c) { return runBudgetCheckCommand(c); },
                                [](const FitCommand& c) { return runFitCommand(c); },
+                               [&](const BenchCommand& c) { return runBenchCommand(c, line); },
                                [](const DevicesCommand& c) { return runDevicesCommand(c); }},
                     *parsed.command);
 }
