@@ -11,7 +11,8 @@ namespace parity::stress {
 
 namespace {
 
-constexpr std::size_t kCpuRows = 2048;          // a piece of work for one core
+constexpr std::size_t kCpuRows = 16384;         // a piece of work for one core
+constexpr std::size_t kBatchRows = 256;         // of it at once, so that all stays in its cache
 constexpr std::uint64_t kDeviceRows = 1u << 17; // a dispatch
 constexpr std::uint64_t kPairEvery = 4;         // every fourth point is held against a claim
 
@@ -113,25 +114,32 @@ Column makeColumn(const FunctionCase& function, Precision precision, bool onDevi
   return {.precision = precision, .onDevice = onDevice, .skipped = {}, .tally = Tally(function)};
 }
 
+// tallies: one for each of kPrecisions.
+void countOnCpu(const FunctionCase& function, const Batch& batch, std::vector<Tally>& tallies) {
+  std::vector<Row> rows;
+  std::vector<Result> references;
+  for (const Precision precision : kPrecisions) {
+    if (precision != Precision::f32) { // which has the rows of f64
+      rows = roundRows(precision, function.domain, batch.rows);
+      references = evaluateAll(Precision::f64, function.id, rows);
+    }
+    Tally& tally = tallies[static_cast<std::size_t>(precision)];
+    if (precision == Precision::f64)
+      countBatch(function, precision, batch, rows, references, references, nullptr, tally);
+    else
+      countBatch(function, precision, batch, rows, evaluateAll(precision, function.id, rows), references, nullptr,
+                 tally);
+  }
+}
+
 std::vector<Column> stressOnCpu(const FunctionCase& function, const RowSource& source) {
   std::vector<Column> columns;
   for (const Precision precision : kPrecisions) columns.push_back(makeColumn(function, precision, false));
   std::mutex mutex;
   base::parallelFor(static_cast<std::size_t>(source.size()), kCpuRows, [&](std::size_t begin, std::size_t end) {
-    const Batch batch = makeBatch(source, begin, end);
     std::vector<Tally> tallies(columns.size(), Tally(function));
-    std::vector<Row> rows;
-    std::vector<Result> references;
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      const Precision precision = columns[c].precision;
-      if (precision != Precision::f32) { // which has the rows of f64
-        rows = roundRows(precision, function.domain, batch.rows);
-        references = evaluateAll(Precision::f64, function.id, rows);
-      }
-      const std::vector<Result> results =
-          precision == Precision::f64 ? references : evaluateAll(precision, function.id, rows);
-      countBatch(function, precision, batch, rows, results, references, nullptr, tallies[c]);
-    }
+    for (std::size_t first = begin; first < end; first += kBatchRows)
+      countOnCpu(function, makeBatch(source, first, std::min(first + kBatchRows, end)), tallies);
     // Sums and maxima, of equals the first row: in whatever order they come.
     std::lock_guard lock(mutex);
     for (std::size_t c = 0; c < columns.size(); ++c) columns[c].tally.merge(tallies[c]);

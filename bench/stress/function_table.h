@@ -42,7 +42,7 @@ struct Claim {
   int input;             // index into Domain::inputs
   int other = -1;        // the one it is swapped with (symmetric)
   std::uint32_t outputs; // bits: of which outputs
-  double slackUlps = 8;  // rounding: of max(|values|, scale)
+  double slackUlps = 16; // rounding: of max(|values|, scale)
   double scale = 0;
   double above = -1e300; // only where the input exceeds this
 };

@@ -131,6 +131,10 @@ std::vector<FunctionCase> environmentBrdfFunctions() {
                      rowOf({{3, 0.04}, {4, 0.04}, {5, 0.04}})})
             .expect({Fault::notMonotone, kInAll, grazing, "roughness < 0.09 and NoV < 0.09", kA,
                      rowOf({{3, 0.04}, {4, 0.04}, {5, 0.04}})}));
+  all.back().expect(
+      {Fault::negative, kInAll, [](const Row& r) { return isSmoothAndGrazing(r[0], r[1]) && r[4] < 0.02; },
+       "roughness < 0.09 and NoV < 0.09, green of F0 < 0.02",
+       "A falls to -0.044 there, and saturate(50 g) takes away the B that outweighs it", rowOf({{3, 1}})});
   all.push_back(entry("FullyRough", kFnFullyRough, units(6))
                     .takes(join({rgb(unit(0, "DiffuseColor")), rgb(unit(3, "SpecularColor"))}))
                     .gives(6, first(6))

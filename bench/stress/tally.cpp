@@ -106,41 +106,39 @@ void Tally::merge(const Tally& other) {
 
 void countRow(const FunctionCase& function, Precision precision, std::uint64_t index, const Row& row,
               const Result& result, const Result& reference, const Result* cpu, Tally& tally) {
-  const auto outputs = static_cast<std::size_t>(function.outputs);
+  const auto exampleOf = [&](double value, int output) { return Example{value, output, index, row, {}}; };
   const bool finite =
       std::all_of(result.begin(), result.begin() + function.outputs, [](double value) { return std::isfinite(value); });
-  Example example{.index = index, .row = row, .second = {}};
   if (!function.domain.contains(row)) {
     ++tally.outside;
     if (finite) return;
     ++tally.outsideNotFinite;
     if (keepsContract(function.contract, row, function.domain))
-      addFault(function, precision, Fault::brokenContract, example, tally);
+      addFault(function, precision, Fault::brokenContract, exampleOf(0, 0), tally);
     return;
   }
   ++tally.inside;
   const Format format = formatOf(precision);
-  if (!finite) addFault(function, precision, Fault::notFinite, example, tally);
-  double greatestError = -1;
-  std::optional<Example> negative, overUnity;
-  for (std::size_t k = 0; k < outputs; ++k) {
+  if (!finite) addFault(function, precision, Fault::notFinite, exampleOf(0, 0), tally);
+  const double mostOne = 1 + std::ldexp(4.0, -format.mantissaBits);
+  double greatestError = -1, lowest = 0, highest = mostOne;
+  int lowestAt = 0, highestAt = 0;
+  for (int k = 0; k < function.outputs; ++k) {
     const double value = result[k];
-    example.output = static_cast<int>(k);
-    if (function.nonNegative >> k & 1u && value < 0) {
-      example.value = -value;
-      keepWorst(negative, example);
+    if (function.nonNegative >> k & 1u && value < lowest) {
+      lowest = value;
+      lowestAt = k;
     }
-    if (function.atMostOne >> k & 1u && value > 1 + std::ldexp(4.0, -format.mantissaBits)) {
-      example.value = value;
-      keepWorst(overUnity, example);
+    if (function.atMostOne >> k & 1u && value > highest) {
+      highest = value;
+      highestAt = k;
     }
     if (cpu) {
       const double ulps =
           ulpDistance(value, (*cpu)[k], function.agreement.scale, format.mantissaBits, format.minExponent);
       if (ulps > tally.greatestUlps || (ulps > 0 && ulps == tally.greatestUlps)) {
         tally.greatestUlps = ulps;
-        example.value = ulps;
-        keepWorst(tally.worstUlps, example);
+        keepWorst(tally.worstUlps, exampleOf(ulps, k));
       }
     }
     if (!std::isfinite(value) || !(std::fabs(reference[k]) <= format.largest)) {
@@ -151,13 +149,11 @@ void countRow(const FunctionCase& function, Precision precision, std::uint64_t i
     const double error = std::fabs(value - reference[k]) / scale;
     tally.errors.add(error);
     greatestError = std::max(greatestError, error);
-    if (error > 0 && (!tally.worstError || error >= tally.worstError->value)) {
-      example.value = error;
-      keepWorst(tally.worstError, example);
-    }
+    if (error > 0 && (!tally.worstError || error >= tally.worstError->value))
+      keepWorst(tally.worstError, exampleOf(error, k));
   }
-  if (negative) addFault(function, precision, Fault::negative, *negative, tally);
-  if (overUnity) addFault(function, precision, Fault::overUnity, *overUnity, tally);
+  if (lowest < 0) addFault(function, precision, Fault::negative, exampleOf(-lowest, lowestAt), tally);
+  if (highest > mostOne) addFault(function, precision, Fault::overUnity, exampleOf(highest, highestAt), tally);
   if (!tally.map.empty() && greatestError >= 0) {
     double& cell = tally.map[static_cast<std::size_t>(cellOf(row[function.map.roughness]) * kMapSize +
                                                       cellOf(row[function.map.cosine]))];
