@@ -13,6 +13,7 @@
 #include "cli/invocation.h"
 #include "cli/option_parts.h"
 #include "cli/output.h"
+#include "cli/stress_options.h"
 #include "job/version.h"
 
 namespace parity::cli {
@@ -37,6 +38,7 @@ mobile base pass), compares them per material by FLIP, and judges them against b
   parity flip   reference.png test.png -o map.exr                    any two images
   parity budget suggest out/report.json -o budgets.toml              limits from what was observed
   parity fit --geometry-term schlick-smith --format hlsl             mobile constants for your own high-end path
+  parity stress -o stress                                            what is not finite, negative or wrong, and where
 )";
 
 constexpr const char* kFooter = R"(
@@ -136,6 +138,11 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       *app.add_subcommand("fit", "Fit the mobile preset refit to a high-end path's settings and print its constants");
   addFitOptions(fitApp, rawFit);
 
+  RawStressOptions rawStress;
+  CLI::App& stressApp = *app.add_subcommand(
+      "stress", "Try every shading function and whole renders at the edges of their domains; 2: something new");
+  addStressOptions(stressApp, rawStress);
+
   DevicesCommand devices;
   CLI::App& devicesApp = *app.add_subcommand("devices", "List Vulkan devices, and why each is taken or not");
   devicesApp.add_option("--device", devices.device.name, "Show what this choice leads to");
@@ -164,6 +171,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = settleBudget(budgetApp, budget);
     } else if (fitApp.parsed()) {
       parsed.command = settleFit(rawFit);
+    } else if (stressApp.parsed()) {
+      parsed.command = settleStress(rawStress);
     } else {
       parsed.command = devices;
     }

@@ -11,6 +11,7 @@
 #include "job/flip_run.h"
 #include "job/settings.h"
 #include "scenes/suite.h"
+#include "stress/stress_run.h"
 
 namespace parity::cli {
 
@@ -85,13 +86,21 @@ struct FitCommand {
   bool quiet = false;
 };
 
+struct StressCommand {
+  stress::Options options;
+  std::string at;           // one input by hand; empty: none
+  std::string folder, json; // "-" for stdout, "" for none
+  bool list = false, quiet = false;
+  int threads = 0;
+};
+
 struct DevicesCommand {
   gpu::DeviceOptions device;
   std::string json;
 };
 
 using Invocation = std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand,
-                                BudgetSuggestCommand, BudgetCheckCommand, FitCommand, DevicesCommand>;
+                                BudgetSuggestCommand, BudgetCheckCommand, FitCommand, StressCommand, DevicesCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, version, a usage error) with its
 // exit code.
@@ -116,6 +125,7 @@ int runFlipCommand(const FlipCommand& command);
 int runBudgetSuggestCommand(const BudgetSuggestCommand& command);
 int runBudgetCheckCommand(const BudgetCheckCommand& command);
 int runFitCommand(const FitCommand& command);
+int runStressCommand(const StressCommand& command);
 int runDevicesCommand(const DevicesCommand& command);
 
 } // namespace parity::cli

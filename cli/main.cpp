@@ -54,6 +54,7 @@ int run(int argc, char** argv) {
                                [](const BudgetSuggestCommand& c) { return runBudgetSuggestCommand(c); },
                                [](const BudgetCheckCommand& c) { return runBudgetCheckCommand(c); },
                                [](const FitCommand& c) { return runFitCommand(c); },
+                               [](const StressCommand& c) { return runStressCommand(c); },
                                [](const DevicesCommand& c) { return runDevicesCommand(c); }},
                     *parsed.command);
 }

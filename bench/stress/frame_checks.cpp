@@ -40,25 +40,39 @@ bool isFinite(const base::Image& image, std::size_t pixel) {
   return std::all_of(p, p + image.channels, [](float value) { return std::isfinite(value); });
 }
 
+// Above which magnitude of a pixel's terms half has saturated on the way: the colour of a surface stops at 65504, then
+// fog and opacity take their share of it; the terms, one by one, do not stop. One number a pixel.
+std::vector<double> saturationOf(const StressScene& scene, const SceneFrames& frames, const PathFrame& path) {
+  std::vector<double> limits(path.frame.color.pixelCount(), 65504);
+  for (const base::PixelList& list : frames.coverage)
+    for (std::size_t i = 0; i < list.weights.size(); ++i)
+      limits[list.pixels[i]] = std::min(limits[list.pixels[i]], 65504.0 * list.weights[i]);
+  if (!scene.scene.fog) return limits;
+  const base::Image& fog = path.frame.terms[static_cast<std::size_t>(shading::Term::fog)];
+  for (std::size_t p = 0; p < limits.size(); ++p) {
+    const double transmittance = 1 - fog.pixels[3 * p] / scene.scene.fog->color.x;
+    limits[p] *= std::clamp(transmittance, 0.0, 1.0) * (limits[p] < 65504 ? 0.1 : 1); // layers differ in their fog
+  }
+  return limits;
+}
+
 // By how much the terms miss the colour, relative to the sum of their magnitudes.
-double missOf(const PathFrame& path, std::size_t value) {
+double missOf(const PathFrame& path, std::size_t value, double saturation) {
   double sum = 0, magnitude = 0;
   for (const base::Image& term : path.frame.terms) {
     sum += term.pixels[value];
     magnitude += std::fabs(term.pixels[value]);
   }
-  const double color = path.frame.color.pixels[value];
-  if (!path.preset.empty()) { // what is stored in a half target saturates
-    sum = std::clamp(sum, -65504.0, 65504.0);
-    magnitude = std::min(magnitude, 65504.0);
-  }
   constexpr double kDenormals = 1e-6; // a dozen roundings of a half denormal
-  return std::max(0.0, std::fabs(sum - color) - kDenormals) / std::max(magnitude, kDenormals);
+  double miss = std::fabs(sum - path.frame.color.pixels[value]);
+  if (!path.preset.empty() && magnitude > 0.99 * saturation) miss = std::max(0.0, path.frame.color.pixels[value] - sum);
+  return std::max(0.0, miss - kDenormals) / std::max(magnitude, kDenormals);
 }
 
 void checkPath(const StressScene& scene, const SceneFrames& frames, const PathFrame& path,
                std::vector<Finding>& findings) {
   const std::vector<bool> karis = pixelsOfKaris(scene, frames, path);
+  const std::vector<double> saturation = saturationOf(scene, frames, path);
   const base::Image& color = path.frame.color;
   const double tolerance = path.half ? 4e-3 : 1e-3;
   std::uint64_t bad = 0, known = 0, apart = 0;
@@ -74,7 +88,7 @@ void checkPath(const StressScene& scene, const SceneFrames& frames, const PathFr
     }
     if (karis[p]) continue; // terms that saturated on their way to infinity
     double miss = 0;
-    for (std::size_t c = 0; c < 3; ++c) miss = std::max(miss, missOf(path, 3 * p + c));
+    for (std::size_t c = 0; c < 3; ++c) miss = std::max(miss, missOf(path, 3 * p + c, saturation[p]));
     if (miss > tolerance) ++apart;
     if (miss > worst) {
       worst = miss;

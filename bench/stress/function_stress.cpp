@@ -90,10 +90,10 @@ std::vector<Row> roundRows(Precision precision, const Domain& domain, const std:
   return rounded;
 }
 
-std::vector<Result> evaluateAll(Precision precision, int id, const std::vector<Row>& rows) {
+std::vector<Result> evaluateAll(Precision precision, const CpuFunction& evaluate, const std::vector<Row>& rows) {
   std::vector<Result> results;
   results.reserve(rows.size());
-  for (const Row& row : rows) results.push_back(evaluateRounded(precision, id, row));
+  for (const Row& row : rows) results.push_back(evaluate(precision, row));
   return results;
 }
 
@@ -115,31 +115,31 @@ Column makeColumn(const FunctionCase& function, Precision precision, bool onDevi
 }
 
 // tallies: one for each of kPrecisions.
-void countOnCpu(const FunctionCase& function, const Batch& batch, std::vector<Tally>& tallies) {
+void countOnCpu(const FunctionCase& function, const CpuFunction& evaluate, const Batch& batch,
+                std::vector<Tally>& tallies) {
   std::vector<Row> rows;
   std::vector<Result> references;
   for (const Precision precision : kPrecisions) {
     if (precision != Precision::f32) { // which has the rows of f64
       rows = roundRows(precision, function.domain, batch.rows);
-      references = evaluateAll(Precision::f64, function.id, rows);
+      references = evaluateAll(Precision::f64, evaluate, rows);
     }
     Tally& tally = tallies[static_cast<std::size_t>(precision)];
     if (precision == Precision::f64)
       countBatch(function, precision, batch, rows, references, references, nullptr, tally);
     else
-      countBatch(function, precision, batch, rows, evaluateAll(precision, function.id, rows), references, nullptr,
-                 tally);
+      countBatch(function, precision, batch, rows, evaluateAll(precision, evaluate, rows), references, nullptr, tally);
   }
 }
 
-std::vector<Column> stressOnCpu(const FunctionCase& function, const RowSource& source) {
+std::vector<Column> columnsOnCpu(const FunctionCase& function, const RowSource& source, const CpuFunction& evaluate) {
   std::vector<Column> columns;
   for (const Precision precision : kPrecisions) columns.push_back(makeColumn(function, precision, false));
   std::mutex mutex;
   base::parallelFor(static_cast<std::size_t>(source.size()), kCpuRows, [&](std::size_t begin, std::size_t end) {
     std::vector<Tally> tallies(columns.size(), Tally(function));
     for (std::size_t first = begin; first < end; first += kBatchRows)
-      countOnCpu(function, makeBatch(source, first, std::min(first + kBatchRows, end)), tallies);
+      countOnCpu(function, evaluate, makeBatch(source, first, std::min(first + kBatchRows, end)), tallies);
     // Sums and maxima, of equals the first row: in whatever order they come.
     std::lock_guard lock(mutex);
     for (std::size_t c = 0; c < columns.size(); ++c) columns[c].tally.merge(tallies[c]);
@@ -190,23 +190,30 @@ Evaluate deviceEvaluator(const gpu::Device& device, int id, Precision precision)
   };
 }
 
-FunctionResult stressFunction(const FunctionCase& function, const FunctionOptions& options, const gpu::Device* device) {
-  base::Timings timings;
+FunctionResult stressOnCpu(const FunctionCase& function, std::uint32_t points, const CpuFunction& evaluate) {
+  const base::Stopwatch watch(nullptr, "");
   FunctionResult result;
   result.function = function;
-  {
-    const base::Stopwatch watch(&timings, "all");
-    const RowSource source(result.function, options.points);
-    result.points = source.points();
-    result.columns = stressOnCpu(result.function, source);
-    if (device && options.devicePoints > 0) {
-      const RowSource onDevice(result.function, options.devicePoints);
-      result.devicePoints = onDevice.points();
-      for (const Precision precision : {Precision::f32, Precision::f16})
-        result.columns.push_back(stressOnDevice(result.function, onDevice, *device, precision));
-    }
+  const RowSource source(result.function, points);
+  result.points = source.points();
+  result.columns = columnsOnCpu(result.function, source, evaluate);
+  result.timeMs = watch.elapsedMs();
+  return result;
+}
+
+FunctionResult stressFunction(const FunctionCase& function, const FunctionOptions& options, const gpu::Device* device) {
+  const base::Stopwatch watch(nullptr, "");
+  FunctionResult result =
+      stressOnCpu(function, options.points, [id = function.id](Precision precision, const Row& row) {
+        return evaluateRounded(precision, id, row);
+      });
+  if (device && options.devicePoints > 0) {
+    const RowSource onDevice(result.function, options.devicePoints);
+    result.devicePoints = onDevice.points();
+    for (const Precision precision : {Precision::f32, Precision::f16})
+      result.columns.push_back(stressOnDevice(result.function, onDevice, *device, precision));
   }
-  result.timeMs = timings.stages().front().second;
+  result.timeMs = watch.elapsedMs();
   return result;
 }
 

@@ -12,6 +12,9 @@
 
 namespace parity::stress {
 
+// A function on the CPU, for a row that is rounded to the precision already.
+using CpuFunction = std::function<Result(Precision, const Row&)>;
+
 // Evaluates rows that are rounded to the precision already.
 using Evaluate = std::function<std::vector<Result>(const std::vector<Row>&)>;
 
@@ -36,6 +39,9 @@ struct FunctionResult {
   std::vector<Column> columns;
   double timeMs = 0;
 };
+
+// The CPU's columns alone, of any function: `evaluate` in place of the one that function.id names.
+FunctionResult stressOnCpu(const FunctionCase& function, std::uint32_t points, const CpuFunction& evaluate);
 
 // device: null where options.devicePoints is 0. The result does not depend on the number of threads. Throws Error (exit
 // 4) for a lost device or a message of the validation layer.

@@ -96,7 +96,7 @@ scenes::Material randomMaterial(Dice& dice, StressScene& s) {
   for (scenes::TextureSlot* slot :
        {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture, &m.emissiveTexture,
         &m.specularTexture, &m.specularColorTexture})
-    if (dice.chance(5)) {
+    if (dice.chance(8)) { // few: a driver takes long over shaders that read many
       *slot = randomTexture(dice, s.scene);
       if (slot == &m.metallicRoughnessTexture) least *= leastGreen(s.scene.images.back());
     }
@@ -180,7 +180,7 @@ StressScene randomScene(std::uint64_t seed) {
   s.wants = "finite, terms add up, the same bits twice";
   s.scene.name = s.name;
   s.reproduce = fmt::format("--only renders --renders random-{} --seed {} --scenes 1", seed, seed);
-  const int objects = 1 + dice.below(4), lights = dice.below(7);
+  const int objects = 1 + dice.below(3), lights = dice.below(7);
   for (int i = 0; i < objects; ++i) addObject(dice, s);
   for (int i = 0; i < lights; ++i) s.scene.lights.push_back(randomLight(dice, i));
   if (lights == 0 || !dice.chance(3)) s.scene.environment = randomEnvironment(dice);

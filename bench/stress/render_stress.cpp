@@ -39,7 +39,7 @@ RenderStress::RenderStress(const RenderOptions& options) : m_options(options) { 
 void RenderStress::openDevices() {
   m_contexts.clear();
   for (const mobile::Precision precision : {mobile::Precision::fp32, mobile::Precision::fp16})
-    for (const std::string& preset : mobile::presetNames()) {
+    for (const std::string& preset : m_options.presets) {
       if (precision == mobile::Precision::fp16 && !m_halfSkipped.empty()) continue;
       job::Settings settings;
       settings.width = settings.height = m_options.size;
@@ -78,10 +78,9 @@ SceneFrames RenderStress::render(const StressScene& scene, std::vector<Finding>&
 }
 
 SceneResult RenderStress::stress(const StressScene& scene) {
-  base::Timings timings;
+  const base::Stopwatch watch(nullptr, "");
   SceneResult result{.name = scene.name, .wants = scene.wants, .paths = {}, .findings = {}};
   try {
-    const base::Stopwatch watch(&timings, "all");
     const SceneFrames frames = render(scene, result.findings);
     SceneFrames twin;
     if (scene.twin) twin = render(*scene.twin, result.findings);
@@ -98,7 +97,7 @@ SceneResult RenderStress::stress(const StressScene& scene) {
     result.findings.push_back(finding);
     openDevices(); // what was refused or lost leaves its traces
   }
-  result.timeMs = timings.stages().front().second;
+  result.timeMs = watch.elapsedMs();
   return result;
 }
 

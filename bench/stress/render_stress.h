@@ -14,6 +14,7 @@ namespace parity::stress {
 struct RenderOptions {
   gpu::DeviceOptions device;
   int size = 64; // pixels a side
+  std::vector<std::string> presets = mobile::presetNames();
 };
 
 struct SceneResult {

@@ -163,6 +163,7 @@ std::vector<FunctionCase> basePassFunctions() {
           .takes({radianceInput(0, "IndirectIrradiance"), wide(powers(1, "averageBrightness", 0, 1e6, 0x1p-30, 1e6)),
                   unit(2, "Roughness"), choice(3, "mode", {0, 0.4, 0.6, 1}), unit(4, "MaterialAO")})
           .gives(1, 1)
+          .relativeTo(1) // 1 - s cancels
           .increases("IndirectIrradiance"),
       entry("specularIBL", kFnSpecularIBL, uniforms(4, 0, 300))
           .takes(join({rgb(radianceInput(0, "radiance")), {radianceInput(3, "scale")}}))

@@ -33,6 +33,9 @@ inline Row rowOf(std::initializer_list<std::pair<int, double>> numbers) {
 // Outputs 0 to count - 1, as bits.
 constexpr std::uint32_t first(int count) { return (1u << count) - 1; }
 
+// Below one code of 8 bits an error of an albedo shows nowhere: it is relative to no less.
+inline constexpr double kCode = 1.0 / 255;
+
 // lavapipe's exp2 is within 2.9 ulp; what is computed from it inherits that.
 inline const Agreement kEnvBrdf{8, 8, 1.04, "exp2; -1.04 a004 + r.z and 1.04 a004 + r.w cancel"};
 inline const Agreement kMip{8, 8, 5, "log2; near roughness 1 it is small beside the 5 it is added to"};

@@ -71,11 +71,13 @@ std::vector<FunctionCase> brdfFunctions() {
           .where([](const Row& r) { return r[7] + r[8] > 0 && r[7] + r[8] <= 1; })
           .settledBy([](Row& r, double) { r[8] = std::min(r[8], 1 - r[7]); })
           .gives(3, first(3))
+          .relativeTo(kCode)
           .increases("F0.r"),
       entry("kullaContyAlbedo", kFnKullaContyAlbedo, uniforms(5, 0, 1))
           .takes(join({rgb(unit(0, "Favg")), {unit(3, "E"), unit(4, "Eavg")}}))
           .where([](const Row& r) { return r[3] > 0 && r[4] > 0; })
           .gives(3, first(3), first(3))
+          .relativeTo(kCode)
           .decreases("E", first(3))
           .increases("Favg.r"),
       entry("kullaContyLobe", kFnKullaContyLobe, units(2))
