@@ -14,6 +14,7 @@
 #include "cli/invocation.h"
 #include "cli/option_parts.h"
 #include "cli/output.h"
+#include "cli/stress_options.h"
 #include "job/version.h"
 
 namespace parity::cli {
@@ -39,6 +40,7 @@ mobile base pass), compares them per material by FLIP, and judges them against b
   parity budget suggest out/report.json -o budgets.toml              limits from what was observed
   parity fit --geometry-term schlick-smith --format hlsl             mobile constants for your own high-end path
   parity bench scene.glb --env studio.hdr --budget flip.mean=0.02 -o out   what each setting costs, and is worth
+  parity stress -o stress                                            what is not finite, negative or wrong, and where
 )";
 
 constexpr const char* kFooter = R"(
@@ -143,6 +145,11 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       *app.add_subcommand("bench", "Error against run time: every setting over the same surfaces; Pareto pictures");
   addBenchOptions(benchApp, rawBench);
 
+  RawStressOptions rawStress;
+  CLI::App& stressApp = *app.add_subcommand(
+      "stress", "Try every shading function and whole renders at the edges of their domains; 2: something new");
+  addStressOptions(stressApp, rawStress);
+
   DevicesCommand devices;
   CLI::App& devicesApp = *app.add_subcommand("devices", "List Vulkan devices, and why each is taken or not");
   devicesApp.add_option("--device", devices.device.name, "Show what this choice leads to");
@@ -173,6 +180,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = settleFit(rawFit);
     } else if (benchApp.parsed()) {
       parsed.command = settleBench(rawBench);
+    } else if (stressApp.parsed()) {
+      parsed.command = settleStress(rawStress);
     } else {
       parsed.command = devices;
     }

@@ -13,6 +13,7 @@
 #include "scenes/suite.h"
 #include "sweep/pareto.h"
 #include "sweep/trial.h"
+#include "stress/stress_run.h"
 
 namespace parity::cli {
 
@@ -96,13 +97,22 @@ struct BenchCommand {
   bool scaling = false, list = false;
 };
 
+struct StressCommand {
+  stress::Options options;
+  std::string at;           // one input by hand; empty: none
+  std::string folder, json; // "-" for stdout, "" for none
+  bool list = false, quiet = false;
+  int threads = 0;
+};
+
 struct DevicesCommand {
   gpu::DeviceOptions device;
   std::string json;
 };
 
 using Invocation = std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand,
-                                BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand, DevicesCommand>;
+                                BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand, StressCommand,
+                                DevicesCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, version, a usage error) with its
 // exit code.
@@ -128,6 +138,7 @@ int runBudgetSuggestCommand(const BudgetSuggestCommand& command);
 int runBudgetCheckCommand(const BudgetCheckCommand& command);
 int runFitCommand(const FitCommand& command);
 int runBenchCommand(const BenchCommand& command, const std::string& commandLine);
+int runStressCommand(const StressCommand& command);
 int runDevicesCommand(const DevicesCommand& command);
 
 } // namespace parity::cli

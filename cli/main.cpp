@@ -55,6 +55,7 @@ int run(int argc, char** argv) {
                                [](const BudgetCheckCommand& c) { return runBudgetCheckCommand(c); },
                                [](const FitCommand& c) { return runFitCommand(c); },
                                [&](const BenchCommand& c) { return runBenchCommand(c, line); },
+                               [](const StressCommand& c) { return runStressCommand(c); },
                                [](const DevicesCommand& c) { return runDevicesCommand(c); }},
                     *parsed.command);
 }
