@@ -57,7 +57,8 @@ void expectHelp(const std::vector<std::string>& arguments, const std::vector<std
 
 TEST(Help, NamesTheSubcommandsAndTheExitCodes) {
   for (const char* flag : {"--help", "-h"})
-    expectHelp({flag}, {"report", "diff", "render", "flip", "fit", "devices", "64", "over budget", "builtin:spheres"});
+    expectHelp({flag},
+               {"report", "diff", "render", "flip", "fit", "bench", "devices", "64", "over budget", "builtin:spheres"});
 }
 
 TEST(Help, OfEachSubcommandNamesItsOptions) {
@@ -73,6 +74,9 @@ TEST(Help, OfEachSubcommandNamesItsOptions) {
   expectHelp({"budget", "--help"}, {"suggest", "check"});
   expectHelp({"budget", "suggest", "--help"}, {"reports", "--output", "--margin", "--metrics"});
   expectHelp({"fit", "--help"}, {"--geometry-term", "--fresnel", "--compensation", "--format", "hlsl", "--output"});
+  expectHelp({"bench", "--help"}, join({kCommon,
+                                        {"--budget", "--compare", "--settings", "--rounds", "--scaling",
+                                         "--no-reference", "--csv", "--output"}}));
   expectHelp({"devices", "--help"}, {"--device", "--json"});
 }
 
