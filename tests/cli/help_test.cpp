@@ -57,7 +57,7 @@ void expectHelp(const std::vector<std::string>& arguments, const std::vector<std
 
 TEST(Help, NamesTheSubcommandsAndTheExitCodes) {
   for (const char* flag : {"--help", "-h"})
-    expectHelp({flag}, {"report", "diff", "render", "flip", "fit", "devices", "64", "over budget", "builtin:spheres"});
+    expectHelp({flag}, {"report", "diff", "render", "flip", "fit", "stress", "devices", "64", "over budget", "builtin:spheres"});
 }
 
 TEST(Help, OfEachSubcommandNamesItsOptions) {
@@ -73,6 +73,8 @@ TEST(Help, OfEachSubcommandNamesItsOptions) {
   expectHelp({"budget", "--help"}, {"suggest", "check"});
   expectHelp({"budget", "suggest", "--help"}, {"reports", "--output", "--margin", "--metrics"});
   expectHelp({"fit", "--help"}, {"--geometry-term", "--fresnel", "--compensation", "--format", "hlsl", "--output"});
+  expectHelp({"stress", "--help"}, {"--only", "--list", "--at", "--functions", "--points", "--device-points", "--renders",
+                                    "--scenes", "--seed", "--seconds", "--output", "--json", "--no-validation"});
   expectHelp({"devices", "--help"}, {"--device", "--json"});
 }
 
