@@ -40,7 +40,10 @@ int runStressCommand(const StressCommand& command) {
     base::writeText(folder / "index.html", stress::formatPage(report));
   }
   if (!command.json.empty()) writeJson(command.json, stress::formatJson(report));
-  if (command.json != "-" && !command.quiet) fmt::print("{}", stress::formatReport(report));
+  if (command.json != "-" && !command.quiet) {
+    fmt::print("{}", stress::formatReport(report));
+    if (!command.folder.empty()) fmt::print("{}\n", (std::filesystem::path(command.folder) / "index.html").string());
+  }
   return static_cast<int>(report.unexpected() > 0 ? base::ExitCode::overBudget : base::ExitCode::withinBudget);
 }
 

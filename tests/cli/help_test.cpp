@@ -57,8 +57,8 @@ void expectHelp(const std::vector<std::string>& arguments, const std::vector<std
 
 TEST(Help, NamesTheSubcommandsAndTheExitCodes) {
   for (const char* flag : {"--help", "-h"})
-    expectHelp({flag},
-               {"report", "diff", "render", "flip", "fit", "bench", "devices", "64", "over budget", "builtin:spheres"});
+    expectHelp({flag}, {"report", "diff", "render", "flip", "fit", "bench", "stress", "devices", "64", "over budget",
+                        "builtin:spheres"});
 }
 
 TEST(Help, OfEachSubcommandNamesItsOptions) {
@@ -77,6 +77,9 @@ TEST(Help, OfEachSubcommandNamesItsOptions) {
   expectHelp({"bench", "--help"}, join({kCommon,
                                         {"--budget", "--compare", "--settings", "--rounds", "--scaling",
                                          "--no-reference", "--csv", "--output"}}));
+  expectHelp({"stress", "--help"},
+             {"--only", "--list", "--at", "--functions", "--points", "--device-points", "--renders", "--scenes",
+              "--seed", "--seconds", "--output", "--json", "--no-validation"});
   expectHelp({"devices", "--help"}, {"--device", "--json"});
 }
 
