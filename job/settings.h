@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include "base/cache.h"
 #include "base/stopwatch.h"
 #include "compare/measure.h"
 #include "gpu/device.h"
@@ -35,7 +36,7 @@ struct Settings {
   bool extractSun = true; // bright compact sources of environments become lights; scene by scene: SuiteEntry
   bool truth = false;     // also hold both paths against the reference; needs the terms
   mobile::Options mobile;
-  std::uint32_t mobileView = mobile::kViewLit; // what the mobile path's colour shows (mobile/views.h)
+  std::uint32_t mobileView = mobile::kViewLit;                 // what the mobile path's colour shows (mobile/views.h)
   gpu::OutputTarget mobileTarget = gpu::OutputTarget::rgba16f; // what the mobile path's colour is stored in
   gpu::SpecularAa specularAa = gpu::SpecularAa::off;           // of all paths
   highend::Options highend;
@@ -43,6 +44,7 @@ struct Settings {
   bool referenceShadows = false;
   gpu::DeviceOptions device;
   std::optional<std::filesystem::path> cacheFolder; // none: nothing is cached
+  std::uintmax_t cacheBytes = base::Cache::kDefaultMaxBytes;
 };
 
 // Told of progress: what is being done, and how much of the run that is, 0..1. One call at a time.
