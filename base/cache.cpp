@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 #include <cstring>
 #include <map>
 #include <string_view>
@@ -74,11 +75,14 @@ std::vector<Entry> listEntries(const fs::path& folder, std::error_code& error) {
   return entries;
 }
 
-// Hidden files are the temporary ones of writeBytes.
+// Of writeBytes: of another process that is writing, or of one that was killed.
+bool isTemporary(const fs::path& file) { return file.filename().string().starts_with('.'); }
+constexpr std::chrono::minutes kLongestWrite{10};
+
 std::string kindOf(const fs::path& file) {
   const std::string key = file.stem().string();
   const std::size_t dash = key.find('-');
-  return key.starts_with('.') || dash == std::string::npos ? "other" : key.substr(0, dash);
+  return isTemporary(file) || dash == std::string::npos ? "other" : key.substr(0, dash);
 }
 
 CacheContents summarize(const std::vector<Entry>& entries) {
@@ -128,13 +132,13 @@ std::optional<std::vector<std::byte>> Cache::find(const std::string& key) const 
   return bytes;
 }
 
-void Cache::store(const std::string& key, std::span<const std::byte> bytes) const {
-  if (!enabled()) return;
+bool Cache::store(const std::string& key, std::span<const std::byte> bytes) const {
+  if (!enabled()) return false;
   const fs::path file = fileOf(key);
   if (const std::uintmax_t most = std::min<std::uintmax_t>(m_maxBytes, kMaxFileBytes);
       bytes.size() > most || most - bytes.size() < sizeof(Header)) {
     reportOnce("cache: an entry larger than the cache may be was not stored: " + file.string());
-    return;
+    return false;
   }
   const Header header = makeHeader(key, bytes);
   std::vector<std::byte> content(sizeof header + bytes.size());
@@ -144,14 +148,18 @@ void Cache::store(const std::string& key, std::span<const std::byte> bytes) cons
     writeBytes(file, content);
   } catch (const Error& unwritable) {
     reportOnce(std::string("cache: ") + unwritable.what());
-    return;
+    return false;
   }
   evictAllBut(file);
+  return true;
 }
 
 void Cache::evictAllBut(const fs::path& kept) const {
   std::error_code unlisted;
   std::vector<Entry> entries = listEntries(m_folder, unlisted);
+  // Files that another process is about to rename are left alone, and count when they have become entries.
+  const auto writtenSince = fs::file_time_type::clock::now() - kLongestWrite;
+  std::erase_if(entries, [&](const Entry& e) { return isTemporary(e.file) && e.lastUse > writtenSince; });
   std::uintmax_t sum = 0;
   for (const Entry& entry : entries) sum += entry.size;
   if (sum <= m_maxBytes) return;

@@ -45,8 +45,8 @@ public:
   std::optional<std::vector<std::byte>> find(const std::string& key) const;
 
   // Keeps the bytes, then removes the entries used longest ago until the folder is within maxBytes. More bytes than
-  // that are not stored.
-  void store(const std::string& key, std::span<const std::byte> bytes) const;
+  // that are not stored. Returns whether it could keep them.
+  bool store(const std::string& key, std::span<const std::byte> bytes) const;
 
   // What lies there now; empty where there is no such folder. Throws Error (exit 4) where the folder cannot be listed.
   CacheContents describe() const;

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/nearest.h"
 #include "cli/budget_options.h"
+#include "cli/cache_options.h"
 #include "cli/common_options.h"
 #include "cli/fit_options.h"
 #include "cli/flip_options.h"
@@ -141,6 +142,10 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   devicesApp.add_option("--device", devices.device.name, "Show what this choice leads to");
   devicesApp.add_option("--json", devices.json, "Write the list as JSON there; - for stdout");
 
+  RawCacheOptions rawCache;
+  CLI::App& cacheApp = *app.add_subcommand("cache", "Say what is kept between runs, or remove it");
+  addCacheOptions(cacheApp, rawCache);
+
   Parsed parsed;
   try {
     requireKnownSubcommand(app, argc, argv);
@@ -164,6 +169,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = settleBudget(budgetApp, budget);
     } else if (fitApp.parsed()) {
       parsed.command = settleFit(rawFit);
+    } else if (cacheApp.parsed()) {
+      parsed.command = settleCache(cacheApp, rawCache);
     } else {
       parsed.command = devices;
     }

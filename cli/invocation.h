@@ -1,6 +1,7 @@
 // The command line as plain data: what each subcommand is asked to do.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
@@ -90,8 +91,14 @@ struct DevicesCommand {
   std::string json;
 };
 
+struct CacheCommand {
+  bool clear = false; // else it is described
+  std::filesystem::path folder;
+  std::string json;
+};
+
 using Invocation = std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand,
-                                BudgetSuggestCommand, BudgetCheckCommand, FitCommand, DevicesCommand>;
+                                BudgetSuggestCommand, BudgetCheckCommand, FitCommand, DevicesCommand, CacheCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, version, a usage error) with its
 // exit code.
@@ -117,5 +124,6 @@ int runBudgetSuggestCommand(const BudgetSuggestCommand& command);
 int runBudgetCheckCommand(const BudgetCheckCommand& command);
 int runFitCommand(const FitCommand& command);
 int runDevicesCommand(const DevicesCommand& command);
+int runCacheCommand(const CacheCommand& command);
 
 } // namespace parity::cli

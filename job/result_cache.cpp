@@ -166,8 +166,7 @@ void storeResult(const base::Cache& cache, const std::string& key, const SceneRe
   }
   Writer write;
   write(files);
-  cache.store(wanted, toBytes(record));
-  cache.store("files-" + key, write.bytes());
+  if (cache.store(wanted, toBytes(record))) cache.store("files-" + key, write.bytes());
 }
 
 } // namespace parity::job
