@@ -8,6 +8,7 @@
 #include "base/nearest.h"
 #include "cli/bench_options.h"
 #include "cli/budget_options.h"
+#include "cli/cache_options.h"
 #include "cli/common_options.h"
 #include "cli/fit_options.h"
 #include "cli/flip_options.h"
@@ -155,6 +156,10 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   devicesApp.add_option("--device", devices.device.name, "Show what this choice leads to");
   devicesApp.add_option("--json", devices.json, "Write the list as JSON there; - for stdout");
 
+  RawCacheOptions rawCache;
+  CLI::App& cacheApp = *app.add_subcommand("cache", "Say what is kept between runs, or remove it");
+  addCacheOptions(cacheApp, rawCache);
+
   Parsed parsed;
   try {
     requireKnownSubcommand(app, argc, argv);
@@ -182,6 +187,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = settleBench(rawBench);
     } else if (stressApp.parsed()) {
       parsed.command = settleStress(rawStress);
+    } else if (cacheApp.parsed()) {
+      parsed.command = settleCache(cacheApp, rawCache);
     } else {
       parsed.command = devices;
     }

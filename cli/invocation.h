@@ -1,6 +1,7 @@
 // The command line as plain data: what each subcommand is asked to do.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
@@ -11,9 +12,9 @@
 #include "job/flip_run.h"
 #include "job/settings.h"
 #include "scenes/suite.h"
+#include "stress/stress_run.h"
 #include "sweep/pareto.h"
 #include "sweep/trial.h"
-#include "stress/stress_run.h"
 
 namespace parity::cli {
 
@@ -110,9 +111,15 @@ struct DevicesCommand {
   std::string json;
 };
 
-using Invocation = std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand,
-                                BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand, StressCommand,
-                                DevicesCommand>;
+struct CacheCommand {
+  bool clear = false; // else it is described
+  std::filesystem::path folder;
+  std::string json;
+};
+
+using Invocation =
+    std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand, BudgetSuggestCommand,
+                 BudgetCheckCommand, FitCommand, BenchCommand, StressCommand, DevicesCommand, CacheCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, version, a usage error) with its
 // exit code.
@@ -140,5 +147,6 @@ int runFitCommand(const FitCommand& command);
 int runBenchCommand(const BenchCommand& command, const std::string& commandLine);
 int runStressCommand(const StressCommand& command);
 int runDevicesCommand(const DevicesCommand& command);
+int runCacheCommand(const CacheCommand& command);
 
 } // namespace parity::cli

@@ -56,7 +56,8 @@ int run(int argc, char** argv) {
                                [](const FitCommand& c) { return runFitCommand(c); },
                                [&](const BenchCommand& c) { return runBenchCommand(c, line); },
                                [](const StressCommand& c) { return runStressCommand(c); },
-                               [](const DevicesCommand& c) { return runDevicesCommand(c); }},
+                               [](const DevicesCommand& c) { return runDevicesCommand(c); },
+                               [](const CacheCommand& c) { return runCacheCommand(c); }},
                     *parsed.command);
 }
 

@@ -140,6 +140,7 @@ struct RunInfo {
   std::string startedAt; // ISO 8601, UTC
   std::string commandLine;
   std::vector<std::pair<std::string, double>> timings; // stage, ms
+  std::vector<std::string> cachedScenes;               // whose results were taken from the cache, unchanged
 };
 
 // How many rows have each verdict.

@@ -269,6 +269,8 @@ std::string toJson(const RunInfo& run) {
     json.endObject();
   }
   json.endArray();
+  json.key("cachedScenes");
+  writeTexts(json, run.cachedScenes);
   json.endObject();
   return json.finish();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/cache.h"
@@ -25,13 +26,16 @@ public:
 
   // Created on first use, within the stage "device". Throws Error (exit 4).
   gpu::Device& device();
+  // What that device is, without making it: for a run whose results may all be cached.
+  const gpu::DeviceReport& deviceReport();
 
   // The environment BRDF table of the settings' geometry term and Fresnel curve, made on first use or read from the
   // cache.
   const base::Image& envBrdfLut();
 
   // For results that are too large, or too particular, to be held here. The build id of the running binary belongs in
-  // every key: what an older build has cached is not used. It is empty where the cache is disabled.
+  // every key: what an older build has cached is not used. It covers the module of the image files. Empty where the
+  // cache is disabled.
   const base::Cache& cache() const { return m_cache; }
   const std::string& buildId() const { return m_buildId; }
 
@@ -45,6 +49,7 @@ private:
   base::Cache m_cache;
   std::string m_buildId;
   std::unique_ptr<gpu::Device> m_device;
+  std::optional<gpu::DeviceReport> m_deviceReport;
   base::Image m_lut;
 };
 

@@ -74,7 +74,7 @@ ReferencePath::ReferencePath(Context& context, const PreparedScene& prepared, co
 }
 
 std::string ReferencePath::keyOf(const std::vector<reference::SurfaceSample>& samples) const {
-  return base::Hasher().add(m_lightKey).add(std::as_bytes(std::span{samples})).hex();
+  return "reference-" + base::Hasher().add(m_lightKey).add(std::as_bytes(std::span{samples})).hex();
 }
 
 std::vector<reference::ShadedSample> ReferencePath::integrate(const std::vector<reference::SurfaceSample>& samples,

@@ -54,7 +54,7 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
   std::optional<gpu::TargetCodec> target;
   if (settings.mobileView == mobile::kViewLit)
     target.emplace(settings.mobileTarget, m_prepared.exposureEv,
-                   mobile::precisionOn(m_context.device(), settings.mobile) == mobile::Precision::fp16);
+                   mobile::precisionOn(m_context.device().report(), settings.mobile) == mobile::Precision::fp16);
   gpu::FrameBuilder mobileFrame(width, height, settings.samples, settings.terms, settings.background, target);
   gpu::FrameBuilder beforeTarget(width, height, settings.samples, false, settings.background);
   ErrorBuilder referenceError(m_reference ? settings.width : 0, m_reference ? settings.height : 0, settings.samples);

@@ -20,7 +20,7 @@ struct Inputs {
 };
 
 // What the device computes in: fp32 where it has no shaderFloat16, whatever the options ask for.
-Precision precisionOn(const gpu::Device& device, const Options& options);
+Precision precisionOn(const gpu::DeviceReport& device, const Options& options);
 
 class Renderer {
 public:

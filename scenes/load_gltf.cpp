@@ -128,7 +128,11 @@ Scene loadGltf(const std::string& file) {
       }
     });
   };
-  base::parallelInvoke({buildMeshes, [&] { scene.images = decodeImages(document, images); }});
+  DecodedImages decoded;
+  base::parallelInvoke({buildMeshes, [&] { decoded = decodeImages(document, images); }});
+  scene.images = std::move(decoded.images);
+  scene.sources = document.sources;
+  scene.sources.insert(scene.sources.end(), decoded.sources.begin(), decoded.sources.end());
 
   std::map<int, std::vector<std::uint32_t>> meshesOf;
   for (std::size_t i = 0; i < built.size(); ++i) {
