@@ -17,6 +17,7 @@
 #include "compare/text.h"
 #include "job/version.h"
 #include "sweep/machine.h"
+#include "sweep/pareto_svg.h"
 #include "sweep/scaling.h"
 #include "sweep/statistics.h"
 #include "sweep/sweep_json.h"
@@ -156,6 +157,11 @@ int runBenchCommand(const BenchCommand& command, const std::string& commandLine)
       base::writeText(folder / "bench.json", json);
       base::writeText(folder / "bench.csv", csv);
       base::writeText(folder / "index.html", sweep::toPage(report, conclusions));
+      for (std::size_t i = 0; i < report.scenes.size(); ++i) {
+        const std::string svg =
+            sweep::paretoFile(report.scenes[i], sweep::Stage::shading, conclusions.against, conclusions.figure);
+        if (!svg.empty()) base::writeText(folder / fmt::format("pareto-{}.svg", i + 1), svg);
+      }
     }
     if (!command.common.json.empty()) writeJson(command.common.json, json);
     if (!command.csv.empty()) writeJson(command.csv, csv);

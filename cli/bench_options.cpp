@@ -11,7 +11,7 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
   raw.common.precision = "fp32"; // a software device emulates half; every preset is tried in both
   BenchCommand& bench = raw.bench;
   app.add_option("scenes", bench.scenes, "Scene files or builtin:NAME");
-  app.add_option("-o,--output", bench.folder, "Folder for index.html, bench.json and bench.csv")->group("Output");
+  app.add_option("-o,--output", bench.folder, "Folder for index.html, bench.json, bench.csv and pictures")->group("Output");
   app.add_option("--json", bench.common.json, "Write bench.json there; - for stdout, instead of the table")
       ->group("Output");
   app.add_option("--csv", bench.csv, "Write bench.csv there; - for stdout, instead of the table")->group("Output");

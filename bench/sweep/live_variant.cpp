@@ -78,7 +78,8 @@ base::Image LiveVariant::compose(const std::vector<Surfaces::Shaded>& shaded) co
   std::optional<gpu::TargetCodec> target;
   if (m_mobile)
     target.emplace(m_variant.target, m_shared.prepared().exposureEv,
-                   mobile::precisionOn(m_shared.context().device(), m_variant.mobile) == mobile::Precision::fp16);
+                   mobile::precisionOn(m_shared.context().device().report(), m_variant.mobile) ==
+                       mobile::Precision::fp16);
   return m_surfaces.compose(shaded, target);
 }
 

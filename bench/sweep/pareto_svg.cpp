@@ -102,7 +102,20 @@ std::string tooltip(const Dot& dot) {
   return text;
 }
 
+constexpr const char* kFileStyle =
+    "<style>svg{background:#fff}text{font:11px sans-serif;fill:#667}.title{font-size:12px}.grid{stroke:#d8dce6}"
+    "circle.highend{fill:#c2410c}circle.mobile{fill:#2563eb}circle.dominated{fill:#667;opacity:.45}"
+    ".front{fill:none;stroke-width:1.5;stroke-dasharray:4 3}.front.highend{stroke:#c2410c}"
+    ".front.mobile{stroke:#2563eb}</style>";
+
 } // namespace
+
+std::string paretoFile(const SceneSweep& scene, Stage stage, Against against, const std::string& figure) {
+  std::string svg = paretoSvg(scene, stage, against, figure);
+  if (svg.empty()) return svg;
+  svg.insert(svg.find('>') + 1, kFileStyle);
+  return svg.insert(4, " xmlns=\"http://www.w3.org/2000/svg\"");
+}
 
 std::string paretoSvg(const SceneSweep& scene, Stage stage, Against against, const std::string& figure) {
   const std::vector<bool> dominated = findDominated(scene, against, figure);

@@ -12,4 +12,7 @@ namespace parity::sweep {
 // settings can be shown: an error of 0 cannot.
 std::string paretoSvg(const SceneSweep& scene, Stage stage, Against against, const std::string& figure);
 
+// The same as a file of its own: with its colours, on white. Empty where that is.
+std::string paretoFile(const SceneSweep& scene, Stage stage, Against against, const std::string& figure);
+
 } // namespace parity::sweep

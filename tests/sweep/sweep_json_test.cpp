@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "sweep/pareto_svg.h"
 #include "sweep/samples.h"
 #include "sweep/sweep_json.h"
 #include "sweep/sweep_page.h"
@@ -107,6 +108,9 @@ TEST_F(SweepFiles, pageShowsTheFrontAndEscapesNames) {
   EXPECT_NE(page.find("&lt;b&gt;"), std::string::npos);
   EXPECT_EQ(page.find("<b>no"), std::string::npos);
   EXPECT_NE(page.find("brass, &quot;old&quot;"), std::string::npos);
+  const std::string picture = paretoFile(report.scenes[0], Stage::shading, Against::truth, "flip.mean");
+  EXPECT_TRUE(picture.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"pareto\"")) << picture;
+  EXPECT_EQ(paretoFile(report.scenes[1], Stage::shading, Against::truth, "flip.mean"), "");
   EXPECT_EQ(page.find("http"), page.find("http-equiv")) << "nothing is fetched";
 }
 
