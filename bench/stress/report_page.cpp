@@ -1,6 +1,8 @@
 // index.html of a stress run: findings, every function's figures, maps of errors, scenes. Self-contained.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -22,7 +24,7 @@ main > section { margin-top: 26px; } .panel { padding: 14px 16px; background: va
 .stress code, .finding code { overflow-wrap: anywhere; font-size: 12px; } .bad { color: var(--fail); font-weight: 650; }
 .finding { margin: 8px 0; padding: 10px 14px; background: var(--card); border: 1px solid var(--line); border-left: 5px solid var(--tone); border-radius: 8px; }
 .maps { display: grid; grid-template-columns: repeat(auto-fill, minmax(330px, 1fr)); gap: 14px; } .maps figure { padding: 10px; background: var(--card); border: 1px solid var(--line); border-radius: 10px; }
-.maps svg { width: 48%; height: auto; } .maps figcaption { text-align: left; color: var(--ink); font-size: 13px; margin: 0 0 6px; } .axis { fill: var(--quiet); font-size: 9px; }
+.maps svg { width: 48%; height: auto; } .maps figcaption { text-align: left; color: var(--ink); font-size: 13px; margin: 0 0 6px; } .known td:nth-child(3) { min-width: 300px; } .known td:nth-child(6) { min-width: 220px; } .maps rect { width: 6px; height: 6px; } .axis { fill: var(--quiet); font-size: 9px; }
 )";
 
 // log10 of the error from 1e-8 (black) to 1 (white), as the difference maps are drawn.
@@ -40,11 +42,9 @@ std::string drawMap(const Column& column, const std::string& roughness, const st
     for (int c = 0; c < kMapSize; ++c) {
       const double error = column.tally.map[static_cast<std::size_t>(r * kMapSize + c)];
       if (error < 0) continue;
-      svg +=
-          fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"><title>{} {:.2f}, {} {:.2f}: "
-                      "{:.3g}</title></rect>",
-                      kLeft + c * kCell, (kMapSize - 1 - r) * kCell, kCell, kCell, colorOf(error),
-                      escapeMarkup(roughness), (r + 0.5) / kMapSize, escapeMarkup(cosine), (c + 0.5) / kMapSize, error);
+      svg += fmt::format("<rect x=\"{}\" y=\"{}\" fill=\"{}\"><title>{:.2f}, {:.2f}: {:.2g}</title></rect>",
+                         kLeft + c * kCell, (kMapSize - 1 - r) * kCell, colorOf(error), (r + 0.5) / kMapSize,
+                         (c + 0.5) / kMapSize, error);
     }
   svg += fmt::format("<text class=\"axis\" x=\"{}\" y=\"{}\">{} from 0 to 1</text>", kLeft, kSide + 10,
                      escapeMarkup(cosine));
@@ -61,19 +61,42 @@ std::string inputAt(const Domain& domain, int at) {
   return "";
 }
 
-std::string findingList(const Report& report) {
+// What is new, a card each.
+std::string unexpectedList(const Report& report) {
   std::string html;
   for (const Finding& finding : report.findings) {
-    html += fmt::format("<div class=\"finding {}\"><b>{}</b> {} <span class=\"badge\">{}</span> {}",
-                        finding.expected ? "warn" : "fail", escapeMarkup(finding.subject), escapeMarkup(finding.place),
-                        finding.expected ? "~ expected" : "✗ unexpected", escapeMarkup(finding.fault));
+    if (finding.expected) continue;
+    html += fmt::format("<div class=\"finding fail\"><b>{}</b> {} <span class=\"badge\">✗ unexpected</span> {}",
+                        escapeMarkup(finding.subject), escapeMarkup(finding.place), escapeMarkup(finding.fault));
     if (finding.count > 0) html += fmt::format(", {} times", finding.count);
     if (!finding.region.empty())
-      html += fmt::format("<br>Where: {}. {}", escapeMarkup(finding.region), escapeMarkup(finding.reason));
+      html +=
+          fmt::format("<br>It was expected where {}: {}", escapeMarkup(finding.region), escapeMarkup(finding.reason));
     if (!finding.example.empty()) html += "<br><small>Worst: " + escapeMarkup(finding.example) + "</small>";
     html += "<br><code>parity stress " + escapeMarkup(finding.reproduce) + "</code></div>";
   }
   return html.empty() ? "<p>None.</p>" : html;
+}
+
+// What is known: a row for each cause, whatever the precisions and sides.
+std::string expectedTable(const Report& report) {
+  std::map<std::array<std::string, 3>, std::vector<const Finding*>> known;
+  for (const Finding& finding : report.findings)
+    if (finding.expected) known[{finding.subject, finding.fault, finding.region}].push_back(&finding);
+  std::string html = "<table class=\"stress known\"><thead><tr><th>Of<th>What<th>Where and why<th>Rows or pixels<th>Worst of "
+                     "the first<th>Repeat</tr></thead><tbody>";
+  for (const auto& [what, findings] : known) {
+    std::string counts;
+    for (const Finding* finding : findings)
+      counts += fmt::format("{}: {}<br>", escapeMarkup(finding->place), finding->count);
+    const Finding& first = *findings.front();
+    html +=
+        fmt::format("<tr><td><b>{}</b></td><td>{}</td><td>{}. {}</td><td class=\"n\">{}</td><td><small>{}</small></td>"
+                    "<td><code>{}</code></td></tr>",
+                    escapeMarkup(what[0]), escapeMarkup(what[1]), escapeMarkup(what[2]), escapeMarkup(first.reason),
+                    counts, escapeMarkup(first.example), escapeMarkup(first.reproduce));
+  }
+  return html + "</tbody></table>";
 }
 
 std::string faultCells(const Tally& tally) {
@@ -160,7 +183,9 @@ std::string formatPage(const Report& report) {
                         report.scenes.size(), report.rendersMs / 1000);
   html += escapeMarkup(report.deviceName);
   if (!report.halfSkipped.empty()) html += ". Skipped: fp16 on the device: " + escapeMarkup(report.halfSkipped);
-  html += "</p></div></header><section><h2>Findings</h2>" + findingList(report) + "</section>";
+  html += "</p></div></header><section><h2>New</h2>" + unexpectedList(report) + "</section>";
+  if (unexpected < report.findings.size())
+    html += "<section><h2>Known</h2><div class=\"panel\">" + expectedTable(report) + "</div></section>";
   if (!report.functions.empty()) {
     html += "<section><h2>Errors over roughness and cosine</h2><p class=\"aside\">Greatest error against fp64 at the "
             "same inputs, relative to the value (or to the scale that the table states), from 1e-8 (black) to 1 and "
