@@ -63,25 +63,32 @@ const base::Image& Context::envBrdfLut() {
   return m_lut;
 }
 
-lighting::EnvironmentLight Context::environmentLight(const scenes::Environment& environment) {
+std::shared_ptr<const lighting::EnvironmentLight> Context::environmentLight(const scenes::Environment& environment) {
   const base::Stopwatch watch(&m_timings, "environment");
+  constexpr std::size_t kKept = 2; // a scene has two at most: with the sun that mobile cannot have, and without
   const lighting::PrefilterOptions options;
-  std::string key;
-  if (m_settings.cacheFolder) {
-    base::Hasher hasher;
-    hasher.add(m_buildId)
-        .addValue(options.faceSize)
-        .addValue(options.sampleCount)
-        .addValue(options.footprintLog2)
-        .addValue(environment.rotationDeg);
-    hasher.addValue(environment.radiance.width)
-        .addValue(environment.radiance.height)
-        .add(std::as_bytes(std::span{environment.radiance.pixels}));
-    key = "environment-" + hasher.hex();
-    if (const auto cached = m_cache.find(key)) return lighting::environmentLightFromBytes(*cached);
+  const std::string key = "environment-" + base::Hasher()
+                                               .add(m_buildId)
+                                               .addValue(options.faceSize)
+                                               .addValue(options.sampleCount)
+                                               .addValue(options.footprintLog2)
+                                               .addValue(environment.rotationDeg)
+                                               .addValue(environment.radiance.width)
+                                               .addValue(environment.radiance.height)
+                                               .add(std::as_bytes(std::span{environment.radiance.pixels}))
+                                               .hex();
+  const std::lock_guard lock(m_lightsMutex); // two scenes in the same light wait for one another
+  for (const auto& [known, light] : m_lights)
+    if (known == key) return light;
+  std::shared_ptr<const lighting::EnvironmentLight> light;
+  if (const auto cached = m_cache.find(key)) {
+    light = std::make_shared<const lighting::EnvironmentLight>(lighting::environmentLightFromBytes(*cached));
+  } else {
+    light = std::make_shared<const lighting::EnvironmentLight>(lighting::makeEnvironmentLight(environment, options));
+    m_cache.store(key, lighting::toBytes(*light));
   }
-  lighting::EnvironmentLight light = lighting::makeEnvironmentLight(environment, options);
-  if (m_settings.cacheFolder) m_cache.store(key, lighting::toBytes(light));
+  m_lights.emplace_front(key, light);
+  if (m_lights.size() > kKept) m_lights.pop_back();
   return light;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <future>
 #include <set>
 
 #include <fmt/chrono.h>
@@ -11,6 +12,7 @@
 #include "base/error.h"
 #include "base/glob.h"
 #include "base/log.h"
+#include "base/parallel.h"
 #include "compare/baseline.h"
 #include "compare/budget.h"
 #include "compare/report_reader.h"
@@ -91,7 +93,7 @@ public:
     compare::SceneResult result = startScene(request);
     try {
       const compare::Budgets budgets = budgetsFor(request);
-      const ResultWish wish{compare::requiredStatistics(budgets), !m_request.folder.empty()};
+      const ResultWish wish = wishFor(index, budgets);
       const std::optional<std::string> key = resultKey(m_context, request, wish);
       std::optional<SceneRecord> cached = key ? recall(*key, index) : std::nullopt;
       if (cached) {
@@ -144,43 +146,69 @@ private:
   // The scene as an earlier run has left it, its pictures written.
   std::optional<SceneRecord> recall(const std::string& key, std::size_t index) {
     const base::Stopwatch watch(&m_context.timings(), "recall results");
-    tell(index, 0, 1, "from the cache");
     std::optional<SceneRecord> record = findResult(m_context.cache(), key, m_request.scenes[index]);
-    if (!record) return record;
-    renamePictures(*record, prefixesOf(index));
-    writePictures(record->pictures, m_request.folder);
+    if (record) {
+      renamePictures(*record, prefixesOf(index));
+      writePictures(record->pictures, m_request.folder);
+    }
     return record;
+  }
+
+  Paths paths() const { return {.reference = m_context.settings().truth}; }
+  PreparedScene prepare(std::size_t index) { return prepareScene(m_context, m_request.scenes[index], paths()); }
+
+  // Loads the next scene while this one is shaded: the driver compiles shaders on one core.
+  void prepareAhead(std::size_t index) {
+    if (index >= m_request.scenes.size() || base::threadCount() == 1) return;
+    try {
+      const SceneRequest& request = m_request.scenes[index];
+      const auto key = resultKey(m_context, request, wishFor(index, budgetsFor(request)));
+      if (key && findResult(m_context.cache(), *key, request)) return;
+    } catch (const base::Error&) { // the scene will say so when its turn comes
+      return;
+    }
+    m_aheadIndex = index;
+    m_ahead = std::async(std::launch::async, [this, index] { return prepare(index); });
+  }
+
+  ResultWish wishFor(std::size_t index, const compare::Budgets& budgets) const {
+    return {compare::requiredStatistics(budgets), !m_request.folder.empty(),
+            gpu::shareOf(index, m_request.scenes.size())};
   }
 
   // Fills the result, view by view: what was done before an error stays. Keeps it for later runs.
   void measureScene(std::size_t index, const ResultWish& wish, const std::optional<std::string>& key,
                     compare::SceneResult& result) {
     const SceneRequest& request = m_request.scenes[index];
-    tell(index, 0, request.views.size(), "loading");
-    const Paths paths{.reference = m_context.settings().truth};
-    const PreparedScene prepared = prepareScene(m_context, request, paths);
+    tell(index, 0, 1, "loading");
+    const PreparedScene prepared = m_ahead.valid() && m_aheadIndex == index ? m_ahead.get() : prepare(index);
+    prepareAhead(index + 1);
     result.environment = prepared.environmentName;
     result.sun = prepared.sunText;
     result.warnings = prepared.scene.warnings;
     requireMaterials(prepared.scene, m_context.settings().materials);
-    SceneRenderer renderer(m_context, prepared, paths, request.views.size());
+    SceneRenderer renderer(m_context, prepared, paths(), request.views.size(), wish.permutations);
     for (const std::string& note : renderer.notes()) result.warnings.push_back("mobile: " + note);
     for (std::string& excess : mobile::samplerWarnings(prepared.scene, samplerInputs(prepared)))
       result.warnings.push_back(std::move(excess));
     std::vector<EncodedPicture> pictures;
+    std::uint64_t comparedPixels = 0;
     for (std::size_t v = 0; v < request.views.size(); ++v) {
       tell(index, static_cast<double>(v), request.views.size(), request.views[v].name);
       ComparedView compared = compareOne(index, v, prepared, renderer, wish);
-      {
-        const base::Stopwatch watch(&m_context.timings(), "write images");
-        writePictures(compared.pictures, m_request.folder);
-      }
+      writePictures(compared.pictures, m_request.folder);
+      comparedPixels += compared.view.whole.all.pixels;
       result.views.push_back(std::move(compared.view));
       if (key)
         pictures.insert(pictures.end(), std::make_move_iterator(compared.pictures.begin()),
                         std::make_move_iterator(compared.pictures.end()));
     }
     result.permutations = renderer.permutations();
+    Work work = renderer.work();
+    work.comparedPixels = comparedPixels;
+    if (m_context.settings().truth) work.comparedWithTruth = comparedPixels;
+    if (m_context.settings().costs) work.countedShaders = result.permutations.size();
+    result.passes = describePasses(work, renderer.reasons());
     // The same key again: the environment is still what it was when the scene was lit by it.
     if (!key || resultKey(m_context, request, wish) != key) return;
     const base::Stopwatch watch(&m_context.timings(), "keep results");
@@ -227,7 +255,6 @@ private:
     comparison.pictures = wish.pictures;
     comparison.imagePrefix = imagePrefix(sceneIndex, request.name, viewIndex, view.name);
     ComparedView compared = compareView(m_context, prepared.scene, frames, comparison);
-    compared.view.skipped = renderer.skipped();
     return compared;
   }
 
@@ -244,6 +271,8 @@ private:
   const RunBudgets m_budgets;
   const Progress& m_progress;
   std::vector<std::string> m_cached;
+  std::future<PreparedScene> m_ahead; // its exceptions are its scene's
+  std::size_t m_aheadIndex = 0;
 };
 
 } // namespace
@@ -265,6 +294,7 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   Run run(context, request, std::move(budgets), progress);
   for (std::size_t i = 0; i < request.scenes.size(); ++i) result.report.scenes.push_back(run.compareScene(i));
   result.run.cachedScenes = run.cached();
+  result.run.compiledShaders = context.pipelines().size();
   if (!run.cached().empty())
     base::logInfo(
         fmt::format("{} of {} scenes are unchanged: taken from the cache", run.cached().size(), request.scenes.size()));

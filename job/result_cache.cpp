@@ -127,6 +127,8 @@ std::optional<std::string> resultKey(Context& context, const SceneRequest& reque
   write(request);
   write(wish.statistics);
   write(wish.pictures);
+  write(static_cast<std::uint64_t>(wish.permutations.own));
+  write(wish.permutations.shares);
   try {
     if (!request.environment.empty() && !request.environment.starts_with("builtin:"))
       write(hashOf(request.environment));

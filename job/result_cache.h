@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "gpu/permutations.h"
 #include "job/prepared_scene.h"
 #include "job/scene_record.h"
 
@@ -14,6 +15,7 @@ namespace parity::job {
 struct ResultWish {
   std::vector<std::string> statistics; // that are measured for budgets
   bool pictures = false;
+  gpu::PermutationBudget permutations; // specialised shaders need not round alike
 };
 
 // The key of all that decides the result but the content of the files that the scene is read from: build, device and

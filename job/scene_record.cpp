@@ -59,8 +59,12 @@ template <Is<MaterialResult> T> auto fields(T& material) {
 }
 template <Is<ViewResult> T> auto fields(T& view) {
   auto& [name, width, height, whole, checks, rule, baseline, truth, encoding, verdict, wholeVerdict, reason, materials,
-         images, skipped] = view;
-  return std::tie(name, width, height, whole, truth, encoding, materials, images, skipped);
+         images] = view;
+  return std::tie(name, width, height, whole, truth, encoding, materials, images);
+}
+template <Is<PassResult> T> auto fields(T& pass) {
+  auto& [name, unit, count, skipped] = pass;
+  return std::tie(name, unit, count, skipped);
 }
 template <Is<PermutationCost> T> auto fields(T& cost) {
   auto& [fp32, fp16, integer, fetches, openLoops] = cost;
@@ -72,8 +76,9 @@ template <Is<PermutationResult> T> auto fields(T& permutation) {
 }
 // Scenes with an error are not kept.
 template <Is<SceneResult> T> auto fields(T& scene) {
-  auto& [name, source, environment, sun, light, warnings, views, permutations, error, errorExitCode, verdict] = scene;
-  return std::tie(name, source, environment, sun, light, warnings, views, permutations);
+  auto& [name, source, environment, sun, light, warnings, views, passes, permutations, error, errorExitCode, verdict] =
+      scene;
+  return std::tie(name, source, environment, sun, light, warnings, views, passes, permutations);
 }
 
 } // namespace parity::compare

@@ -91,6 +91,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
         program.pathData.push_back(index);
         if (index != kNoLight) used.insert(index);
       }
+    m_lightChoices = program.pathData.size() / kLightsPerObject;
     program.localCount = static_cast<std::uint32_t>(used.size());
     if (localCount > kLightsPerObject)
       m_notes.push_back(
@@ -104,6 +105,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   program.terms = inputs.terms;
   program.premultiplied = true;
   program.expectedPixels = inputs.expectedPixels;
+  program.compilation = inputs.compilation;
   m_pass = std::make_unique<gpu::ShadingPass>(device, scene, binKinds, std::move(program));
 }
 

@@ -142,6 +142,24 @@ TEST_F(ResultCacheTest, LinkThatLeadsElsewhereIsAnotherScene) {
   EXPECT_TRUE(exitedWith(4, refused)) << "the link leaves the asset's folder";
 }
 
+TEST_F(ResultCacheTest, ManyScenesShareTheShadersOfARun) {
+  // Ten scenes: at most eight permutations a path; here none pays for one of its own.
+  std::vector<std::string> scenes;
+  for (int i = 0; i < 10; ++i) {
+    GltfFile file = makeQuad();
+    file.material()["pbrMetallicRoughness"]["metallicFactor"] = i % 2;
+    if (i % 3 == 0) file.material()["extensions"]["KHR_materials_unlit"] = nlohmann::json::object();
+    if (i % 3 == 0) file.json["extensionsUsed"] = {"KHR_materials_unlit"};
+    if (i % 5 == 0) file.material()["alphaMode"] = "BLEND";
+    scenes.push_back(writeEmbedded(m_folder, std::move(file), "scene" + std::to_string(i)));
+  }
+  const Report many = report(scenes, {"--no-cache"});
+  EXPECT_EQ(many.info["compiledShaders"], 2) << "one of each path, which asks at run time";
+  const Report few = report({scenes[1], scenes[2], scenes[3]}, {"--no-cache"});
+  EXPECT_LE(few.info["compiledShaders"], 2 * 3);
+  EXPECT_GT(few.info["compiledShaders"], 2);
+}
+
 TEST_F(ResultCacheTest, EveryKindOfOptionCounts) {
   const std::string scene = writeQuad();
   report({scene});
