@@ -49,7 +49,7 @@ void RenderStress::openDevices() {
       settings.mobile = mobile::presetByName(preset);
       settings.mobile.precision = precision;
       auto context = std::make_unique<job::Context>(settings);
-      m_deviceName = context->device().description();
+      m_deviceName = context->device().report().description();
       if (!context->device().report().float16) m_halfSkipped = m_deviceName + " has no shaderFloat16";
       m_contexts.push_back(std::move(context));
     }

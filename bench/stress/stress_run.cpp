@@ -45,7 +45,7 @@ void stressFunctions(const Options& options, Report& report, const Progress& pro
   std::unique_ptr<gpu::Device> device;
   if (options.points.devicePoints > 0) {
     device = std::make_unique<gpu::Device>(options.render.device);
-    report.deviceName = device->description();
+    report.deviceName = device->report().description();
     if (!device->report().float16) report.halfSkipped = device->report().name + " has no shaderFloat16";
   }
   for (std::size_t i = 0; i < functions.size(); ++i) {
