@@ -157,7 +157,8 @@ private:
 
   std::optional<base::Image> renderTruth() {
     if (!m_options.truth) return std::nullopt;
-    job::ReferencePath reference(m_context, m_prepared, m_surfaces.buffers(), m_surfaces.binKinds(), m_sweep.pixels);
+    job::ReferencePath reference(m_context, m_prepared, m_surfaces.buffers(), m_surfaces.binKinds(), m_sweep.pixels,
+                                 {});
     std::vector<Surfaces::Shaded> shaded;
     std::vector<double> errors;
     std::uint32_t stream = 0;
