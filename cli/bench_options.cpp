@@ -11,7 +11,8 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
   raw.common.precision = "fp32"; // a software device emulates half; every preset is tried in both
   BenchCommand& bench = raw.bench;
   app.add_option("scenes", bench.scenes, "Scene files or builtin:NAME");
-  app.add_option("-o,--output", bench.folder, "Folder for index.html, bench.json, bench.csv and pictures")->group("Output");
+  app.add_option("-o,--output", bench.folder, "Folder for index.html, bench.json, bench.csv and pictures")
+      ->group("Output");
   app.add_option("--json", bench.common.json, "Write bench.json there; - for stdout, instead of the table")
       ->group("Output");
   app.add_option("--csv", bench.csv, "Write bench.csv there; - for stdout, instead of the table")->group("Output");
@@ -22,9 +23,7 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
                  "bench.json of an earlier run: ratios with confidence intervals; exit 2 where a setting is slower")
       ->group("Bench");
   app.add_option("--settings", bench.trial.settings,
-                 "Only these settings, and the defaults: globs as 'mobile: refit*' (repeatable; --list); of --scaling: "
-                 "of pixels, "
-                 "triangles, lights, materials, textures")
+                 "Only these and the defaults: globs as 'mobile: refit*'; of --scaling: as 'lights'; repeatable")
       ->group("Bench");
   app.add_flag("--list", bench.list, "List the settings")->group("Bench");
   app.add_option("--rounds", bench.trial.rounds, "Timed rounds, in random order, after one that compiles")
@@ -34,8 +33,7 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
   app.add_flag("--no-reference", raw.noReference, "No errors against the reference, which takes most of the time")
       ->group("Bench");
   app.add_flag("--scaling", bench.scaling,
-               "Instead: cost of each stage against pixels, triangles, lights, materials and textures, on generated "
-               "scenes")
+               "Instead: each stage against pixels, triangles, lights, materials, textures; generated scenes")
       ->group("Bench")
       ->excludes(app.get_option("scenes"))
       ->excludes(app.get_option("--compare"));
