@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 #include <cstring>
+#include <map>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -59,9 +61,8 @@ struct Entry {
 };
 
 // What other processes remove or replace meanwhile is left out.
-std::vector<Entry> listEntries(const fs::path& folder) {
+std::vector<Entry> listEntries(const fs::path& folder, std::error_code& error) {
   std::vector<Entry> entries;
-  std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     if (it->path().extension() != kExtension) continue;
     std::error_code gone;
@@ -72,6 +73,30 @@ std::vector<Entry> listEntries(const fs::path& folder) {
     if (!gone) entries.push_back(std::move(entry));
   }
   return entries;
+}
+
+// Of writeBytes: of another process that is writing, or of one that was killed.
+bool isTemporary(const fs::path& file) { return file.filename().string().starts_with('.'); }
+constexpr std::chrono::minutes kLongestWrite{10};
+
+std::string kindOf(const fs::path& file) {
+  const std::string key = file.stem().string();
+  const std::size_t dash = key.find('-');
+  return isTemporary(file) || dash == std::string::npos ? "other" : key.substr(0, dash);
+}
+
+CacheContents summarize(const std::vector<Entry>& entries) {
+  std::map<std::string, CacheKind> kinds;
+  CacheContents contents;
+  for (const Entry& entry : entries) {
+    CacheKind& kind = kinds[kindOf(entry.file)];
+    ++kind.entries;
+    kind.bytes += entry.size;
+    ++contents.entries;
+    contents.bytes += entry.size;
+  }
+  for (auto& [name, kind] : kinds) contents.kinds.push_back({name, kind.entries, kind.bytes});
+  return contents;
 }
 
 } // namespace
@@ -94,7 +119,7 @@ std::optional<std::vector<std::byte>> Cache::find(const std::string& key) const 
   try {
     bytes = readFile(file);
   } catch (const Error& unreadable) { // or removed by another process just now
-    reportOnce(std::string("cache: ") + unreadable.what());
+    if (fs::exists(file, error)) reportOnce(std::string("cache: ") + unreadable.what());
     return std::nullopt;
   }
   if (!isWhole(key, bytes)) {
@@ -107,12 +132,13 @@ std::optional<std::vector<std::byte>> Cache::find(const std::string& key) const 
   return bytes;
 }
 
-void Cache::store(const std::string& key, std::span<const std::byte> bytes) const {
-  if (!enabled()) return;
+bool Cache::store(const std::string& key, std::span<const std::byte> bytes) const {
+  if (!enabled()) return false;
   const fs::path file = fileOf(key);
-  if (bytes.size() > m_maxBytes || m_maxBytes - bytes.size() < sizeof(Header)) {
-    reportOnce("cache: an entry larger than the whole cache was not stored: " + file.string());
-    return;
+  if (const std::uintmax_t most = std::min<std::uintmax_t>(m_maxBytes, kMaxFileBytes);
+      bytes.size() > most || most - bytes.size() < sizeof(Header)) {
+    reportOnce("cache: an entry larger than the cache may be was not stored: " + file.string());
+    return false;
   }
   const Header header = makeHeader(key, bytes);
   std::vector<std::byte> content(sizeof header + bytes.size());
@@ -122,13 +148,18 @@ void Cache::store(const std::string& key, std::span<const std::byte> bytes) cons
     writeBytes(file, content);
   } catch (const Error& unwritable) {
     reportOnce(std::string("cache: ") + unwritable.what());
-    return;
+    return false;
   }
   evictAllBut(file);
+  return true;
 }
 
 void Cache::evictAllBut(const fs::path& kept) const {
-  std::vector<Entry> entries = listEntries(m_folder);
+  std::error_code unlisted;
+  std::vector<Entry> entries = listEntries(m_folder, unlisted);
+  // Files that another process is about to rename are left alone, and count when they have become entries.
+  const auto writtenSince = fs::file_time_type::clock::now() - kLongestWrite;
+  std::erase_if(entries, [&](const Entry& e) { return isTemporary(e.file) && e.lastUse > writtenSince; });
   std::uintmax_t sum = 0;
   for (const Entry& entry : entries) sum += entry.size;
   if (sum <= m_maxBytes) return;
@@ -144,8 +175,28 @@ void Cache::evictAllBut(const fs::path& kept) const {
   }
 }
 
+CacheContents Cache::describe() const {
+  std::error_code error;
+  if (!enabled() || !fs::exists(m_folder, error)) return {};
+  const std::vector<Entry> entries = listEntries(m_folder, error);
+  if (error) throw fileError(m_folder.string(), "the cache cannot be listed", error.message());
+  return summarize(entries);
+}
+
+CacheContents Cache::clear() const {
+  std::error_code error;
+  if (!enabled() || !fs::exists(m_folder, error)) return {};
+  const std::vector<Entry> entries = listEntries(m_folder, error);
+  if (error) throw fileError(m_folder.string(), "the cache cannot be listed", error.message());
+  for (const Entry& entry : entries) {
+    fs::remove(entry.file, error); // no error where it is gone already
+    if (error) throw fileError(entry.file.string(), "cannot be removed", error.message());
+  }
+  return summarize(entries);
+}
+
 void Cache::reportOnce(const std::string& message) const {
-  if (!m_reported->exchange(true)) logVerbose(message);
+  if (!m_reported->exchange(true)) logWarning(message);
 }
 
 } // namespace parity::base

@@ -168,9 +168,20 @@ void writeImage(const fs::path& file, const Image& image, const WriteOptions& op
 }
 
 void writeImage8(const fs::path& file, const Image8& image, const WriteOptions& options) {
+  writeBytes(file, encodeImage8(file, image, options));
+}
+
+std::vector<std::byte> encodeImage8(const fs::path& file, const Image8& image, const WriteOptions& options) {
   checkWritable(file, image, options);
   if (extensionOf(file) != ".png") throw fileError(file.string(), "", "8-bit images are written as .png only");
-  writeBytes(file, imageModule().encode8(file, image, options));
+  return imageModule().encode8(file, image, options);
+}
+
+fs::path imageModuleFile() {
+  std::error_code error;
+  for (fs::path& file : moduleCandidates())
+    if (fs::exists(file, error)) return std::move(file);
+  return {};
 }
 
 } // namespace parity::base

@@ -73,5 +73,11 @@ void writeImage(const std::filesystem::path& file, const Image& image, const Wri
 
 // The same for 8-bit data as it is, to .png.
 void writeImage8(const std::filesystem::path& file, const Image8& image, const WriteOptions& options = {});
+// The bytes of that file, which is not written; `file` is for messages and must end in .png. Throws Error (exit 4).
+std::vector<std::byte> encodeImage8(const std::filesystem::path& file, const Image8& image,
+                                    const WriteOptions& options = {});
+
+// The file of the module that holds OpenImageIO, which is loaded on first use; empty where there is none.
+std::filesystem::path imageModuleFile();
 
 } // namespace parity::base

@@ -6,13 +6,16 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
+#include "cli/bench_options.h"
 #include "cli/budget_options.h"
+#include "cli/cache_options.h"
 #include "cli/common_options.h"
 #include "cli/fit_options.h"
 #include "cli/flip_options.h"
 #include "cli/invocation.h"
 #include "cli/option_parts.h"
 #include "cli/output.h"
+#include "cli/stress_options.h"
 #include "job/version.h"
 
 namespace parity::cli {
@@ -37,12 +40,14 @@ mobile base pass), compares them per material by FLIP, and judges them against b
   parity flip   reference.png test.png -o map.exr                    any two images
   parity budget suggest out/report.json -o budgets.toml              limits from what was observed
   parity fit --geometry-term schlick-smith --format hlsl             mobile constants for your own high-end path
+  parity bench scene.glb --env studio.hdr --budget flip.mean=0.02 -o out   what each setting costs, and is worth
+  parity stress -o stress                                            what is not finite, negative or wrong, and where
 )";
 
 constexpr const char* kFooter = R"(
-Exit codes: 0 within budget; 1 warnings only (with --warn-exit); 2 over budget; 3 not comparable (sizes, channels, layers, a metric
-that does not apply); 4 something is missing, not finite, or could not be read, rendered, judged or written; 64 usage. The highest
-that applies wins; the other scenes still run. Scenes are .gltf or .glb files, or
+Exit codes: 0 within budget; 1 warnings only (with --warn-exit); 2 over budget, or for stress something that is not known;
+3 not comparable (sizes, channels, layers, a metric that does not apply); 4 something is missing, not finite, or could not be read,
+rendered, judged or written; 64 usage. The highest that applies wins; the other scenes still run. Scenes are .gltf or .glb files, or
 builtin:spheres, builtin:furnace, builtin:lights, builtin:materials.)";
 
 } // namespace
@@ -136,10 +141,24 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       *app.add_subcommand("fit", "Fit the mobile preset refit to a high-end path's settings and print its constants");
   addFitOptions(fitApp, rawFit);
 
+  RawBenchOptions rawBench;
+  CLI::App& benchApp =
+      *app.add_subcommand("bench", "Error against run time: every setting over the same surfaces; Pareto pictures");
+  addBenchOptions(benchApp, rawBench);
+
+  RawStressOptions rawStress;
+  CLI::App& stressApp = *app.add_subcommand(
+      "stress", "Try every shading function and whole renders at the edges of their domains; 2: something new");
+  addStressOptions(stressApp, rawStress);
+
   DevicesCommand devices;
   CLI::App& devicesApp = *app.add_subcommand("devices", "List Vulkan devices, and why each is taken or not");
   devicesApp.add_option("--device", devices.device.name, "Show what this choice leads to");
   devicesApp.add_option("--json", devices.json, "Write the list as JSON there; - for stdout");
+
+  RawCacheOptions rawCache;
+  CLI::App& cacheApp = *app.add_subcommand("cache", "Say what is kept between runs, or remove it");
+  addCacheOptions(cacheApp, rawCache);
 
   Parsed parsed;
   try {
@@ -164,6 +183,12 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = settleBudget(budgetApp, budget);
     } else if (fitApp.parsed()) {
       parsed.command = settleFit(rawFit);
+    } else if (benchApp.parsed()) {
+      parsed.command = settleBench(rawBench);
+    } else if (stressApp.parsed()) {
+      parsed.command = settleStress(rawStress);
+    } else if (cacheApp.parsed()) {
+      parsed.command = settleCache(cacheApp, rawCache);
     } else {
       parsed.command = devices;
     }

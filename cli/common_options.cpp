@@ -180,6 +180,9 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   app.add_option("--cache", raw.cache, "Cache folder. Default: $XDG_CACHE_HOME/parity");
+  app.add_option("--cache-size", raw.cacheSize,
+                 "Bound of the cache, as 500M or 4G: what was used longest ago goes first")
+      ->capture_default_str();
   app.add_flag("--no-cache", raw.noCache, "Neither read nor write the cache");
   app.add_flag("--timings", common.timings, "Print time by stage to stderr");
   app.add_flag("-q,--quiet", raw.quiet, "Errors only: no table either, the verdict is the exit code");
@@ -263,6 +266,7 @@ void settle(CommonOptions& common, const RawOptions& raw) {
   s.device.validation |= raw.validation;
   common.quiet = raw.quiet;
   if (!raw.noCache) s.cacheFolder = raw.cache.empty() ? base::defaultCacheFolder() : std::filesystem::path(raw.cache);
+  s.cacheBytes = parseBytes("--cache-size", raw.cacheSize);
   base::setLogLevel(raw.quiet ? base::LogLevel::quiet : raw.verbose ? base::LogLevel::verbose : base::LogLevel::normal);
 }
 

@@ -23,7 +23,7 @@ struct RawOptions {
   std::string geometryTerm, fresnel, diffuse, compensation, offSpecular; // of the high-end path and the reference
   RawLightOptions light;
   std::string error = "0.5%", scattering = "multiple"; // of the reference
-  std::string cache;
+  std::string cache, cacheSize = "4G";
   std::string metrics = defaultMetricList(); // comma-separated
   bool shadows = false, noSunExtraction = false, noCache = false, quiet = false, verbose = false, validation = false;
 };

@@ -1,6 +1,7 @@
 // The command line as plain data: what each subcommand is asked to do.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
@@ -11,6 +12,9 @@
 #include "job/flip_run.h"
 #include "job/settings.h"
 #include "scenes/suite.h"
+#include "stress/stress_run.h"
+#include "sweep/pareto.h"
+#include "sweep/trial.h"
 
 namespace parity::cli {
 
@@ -85,13 +89,37 @@ struct FitCommand {
   bool quiet = false;
 };
 
+struct BenchCommand {
+  CommonOptions common;
+  std::vector<std::string> scenes;
+  sweep::TrialOptions trial;
+  std::optional<sweep::ErrorBudget> budget;
+  std::string folder, csv, compare; // empty: none; csv "-" for stdout
+  bool scaling = false, list = false;
+};
+
+struct StressCommand {
+  stress::Options options;
+  std::string at;           // one input by hand; empty: none
+  std::string folder, json; // "-" for stdout, "" for none
+  bool list = false, quiet = false;
+  int threads = 0;
+};
+
 struct DevicesCommand {
   gpu::DeviceOptions device;
   std::string json;
 };
 
-using Invocation = std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand,
-                                BudgetSuggestCommand, BudgetCheckCommand, FitCommand, DevicesCommand>;
+struct CacheCommand {
+  bool clear = false; // else it is described
+  std::filesystem::path folder;
+  std::string json;
+};
+
+using Invocation =
+    std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand, BudgetSuggestCommand,
+                 BudgetCheckCommand, FitCommand, BenchCommand, StressCommand, DevicesCommand, CacheCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, version, a usage error) with its
 // exit code.
@@ -116,6 +144,9 @@ int runFlipCommand(const FlipCommand& command);
 int runBudgetSuggestCommand(const BudgetSuggestCommand& command);
 int runBudgetCheckCommand(const BudgetCheckCommand& command);
 int runFitCommand(const FitCommand& command);
+int runBenchCommand(const BenchCommand& command, const std::string& commandLine);
+int runStressCommand(const StressCommand& command);
 int runDevicesCommand(const DevicesCommand& command);
+int runCacheCommand(const CacheCommand& command);
 
 } // namespace parity::cli

@@ -54,7 +54,10 @@ int run(int argc, char** argv) {
                                [](const BudgetSuggestCommand& c) { return runBudgetSuggestCommand(c); },
                                [](const BudgetCheckCommand& c) { return runBudgetCheckCommand(c); },
                                [](const FitCommand& c) { return runFitCommand(c); },
-                               [](const DevicesCommand& c) { return runDevicesCommand(c); }},
+                               [&](const BenchCommand& c) { return runBenchCommand(c, line); },
+                               [](const StressCommand& c) { return runStressCommand(c); },
+                               [](const DevicesCommand& c) { return runDevicesCommand(c); },
+                               [](const CacheCommand& c) { return runCacheCommand(c); }},
                     *parsed.command);
 }
 

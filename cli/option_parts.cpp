@@ -1,9 +1,13 @@
 #include "cli/option_parts.h"
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <sstream>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -37,6 +41,21 @@ double parseShare(const std::string& option, const std::string& text) {
   if (end == text.c_str() || *end != '\0' || !(share >= 1e-6 && share <= 1))
     throw invalid(option, text, "a share of 0.0001% to 100%, as 0.5% or 0.005");
   return share;
+}
+
+std::uintmax_t parseBytes(const std::string& option, const std::string& text) {
+  constexpr std::string_view kUnits = "KMGT";
+  const char* const end = text.data() + text.size();
+  std::uintmax_t count = 0;
+  auto [rest, error] = std::from_chars(text.data(), end, count);
+  int shift = 0;
+  if (error == std::errc() && rest != end)
+    if (const auto unit = kUnits.find(static_cast<char>(std::toupper(static_cast<unsigned char>(*rest))));
+        unit != std::string_view::npos)
+      shift = 10 * (static_cast<int>(unit) + 1), ++rest;
+  if (error != std::errc() || rest != end || count == 0 || count > std::numeric_limits<std::uintmax_t>::max() >> shift)
+    throw invalid(option, text, "a size of at least a byte, as 500M or 4G");
+  return count << shift;
 }
 
 CLI::Validator within(double least, double most) {

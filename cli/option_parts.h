@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ std::vector<float> parseNumbers(const std::string& option, const std::string& te
 
 // "0.5%" or "0.005": a share of 1e-6 to 1. Throws invalid().
 double parseShare(const std::string& option, const std::string& text);
+
+// "500M", "4G", "1048576": bytes; K, M, G and T are powers of 1024. At least 1. Throws invalid().
+std::uintmax_t parseBytes(const std::string& option, const std::string& text);
 
 // As CLI::Range, but NaN lies in no range.
 CLI::Validator within(double least, double most);

@@ -57,6 +57,9 @@ std::string definition(const std::string& name, const std::string& value);
 // What the run was held against, the largest changes since then, and what is gone; empty where there is no baseline.
 std::string baselineSection(const Report& report);
 
+// What a scene's run did, and what it skipped and why; empty where nothing is known of it.
+std::string passTable(const std::vector<PassResult>& passes);
+
 // The shaders that ran, with their costs where they are known; empty where there are none.
 std::string permutationTable(const std::vector<PermutationResult>& permutations);
 

@@ -1,10 +1,25 @@
-// The shaders that a scene's paths ran, as a table of the page.
+// The passes and the shaders that a scene's paths ran, as tables of the page.
 #include <fmt/format.h>
 
 #include "compare/page_parts.h"
 #include "compare/text.h"
 
 namespace parity::compare {
+
+std::string passTable(const std::vector<PassResult>& passes) {
+  std::string rows;
+  std::size_t skipped = 0;
+  for (const PassResult& pass : passes) {
+    skipped += pass.count == 0;
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>", escapeMarkup(pass.name),
+                        pass.count > 0 ? fmt::format("{} {}", pass.count, escapeMarkup(pass.unit))
+                                       : "skipped: " + escapeMarkup(pass.skipped));
+  }
+  if (rows.empty()) return {};
+  return fmt::format("<details><summary>Passes: {} run, {} skipped as nothing needed them</summary><table "
+                     "class=\"figures\"><tbody>{}</tbody></table></details>\n",
+                     passes.size() - skipped, skipped, rows);
+}
 
 std::string permutationTable(const std::vector<PermutationResult>& permutations) {
   if (permutations.empty()) return {};

@@ -10,6 +10,7 @@
 
 #include "compare/encoding.h"
 #include "compare/figures.h"
+#include "compare/pass.h"
 #include "compare/permutation.h"
 #include "compare/truth.h"
 
@@ -98,7 +99,6 @@ struct ViewResult {
   std::string reason;                     // one sentence: what decided wholeVerdict; empty on a pass
   std::vector<MaterialResult> materials;  // in the scene's order
   ImageSet images;
-  std::vector<std::string> skipped; // "no local lights: their loop" and so on
 };
 
 struct SceneResult {
@@ -106,6 +106,7 @@ struct SceneResult {
   std::string light;                          // its scales and fog in words; empty: the defaults
   std::vector<std::string> warnings;
   std::vector<ViewResult> views;
+  std::vector<PassResult> passes;              // in the order of the work, over all views
   std::vector<PermutationResult> permutations; // by path, in order of their first use
   std::string error; // not empty: the scene could not be compared, this line says why; views hold what was done before
   int errorExitCode = 0; // 3 or 4 where there is an error (settleVerdicts makes 4 of anything else)
@@ -140,6 +141,8 @@ struct RunInfo {
   std::string startedAt; // ISO 8601, UTC
   std::string commandLine;
   std::vector<std::pair<std::string, double>> timings; // stage, ms
+  std::size_t compiledShaders = 0;                     // of all paths
+  std::vector<std::string> cachedScenes;               // whose results were taken from the cache, unchanged
 };
 
 // How many rows have each verdict.

@@ -188,9 +188,6 @@ std::string viewSection(const SceneResult& scene, const ViewResult& view, const 
   html += baselineLine(view.baseline) + checkBars(view.checks) + pairHeading(view.truth) +
           figureTable(view.whole, view.baseline) + encodingLine(view.encoding, true) + truthNumbers(view.truth, true) +
           "</div>" + truthTerms(view.truth, true) + "</div>\n";
-  if (!view.skipped.empty())
-    html +=
-        "<details><summary>Skipped, as nothing needed it</summary>" + textList(view.skipped, "skipped") + "</details>";
 
   std::vector<std::size_t> order(view.materials.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -214,7 +211,7 @@ std::string sceneSection(const SceneResult& scene, std::size_t index) {
                   scene.light.empty() ? std::string() : definition("Light", scene.light));
   if (!scene.error.empty())
     html += fmt::format("<p class=\"error-box\"><b>Not compared:</b> {}</p>\n", escapeMarkup(scene.error));
-  html += textList(scene.warnings, "warnings") + permutationTable(scene.permutations);
+  html += textList(scene.warnings, "warnings") + passTable(scene.passes) + permutationTable(scene.permutations);
   for (std::size_t v = 0; v < scene.views.size(); ++v) html += viewSection(scene, scene.views[v], anchor(index, v));
   return html + "</section>\n";
 }

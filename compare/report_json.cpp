@@ -140,8 +140,6 @@ void writeView(JsonWriter& json, const ViewResult& view) {
   json.endArray();
   json.key("images");
   writeImages(json, view.images);
-  json.key("skipped");
-  writeTexts(json, view.skipped);
   json.endObject();
 }
 
@@ -161,6 +159,19 @@ void writePermutation(JsonWriter& json, const PermutationResult& permutation) {
     json.key("openLoops").integer(permutation.cost->openLoops);
     json.endObject();
   }
+  json.endObject();
+}
+
+void writePass(JsonWriter& json, const PassResult& pass) {
+  json.beginObject();
+  json.key("name").text(pass.name);
+  json.key("count").integer(pass.count);
+  json.key("unit").text(pass.unit);
+  json.key("skipped");
+  if (pass.skipped.empty())
+    json.null();
+  else
+    json.text(pass.skipped);
   json.endObject();
 }
 
@@ -185,6 +196,9 @@ void writeScene(JsonWriter& json, const SceneResult& scene) {
   writeTexts(json, scene.warnings);
   json.key("views").beginArray();
   for (const ViewResult& view : scene.views) writeView(json, view);
+  json.endArray();
+  json.key("passes").beginArray();
+  for (const PassResult& pass : scene.passes) writePass(json, pass);
   json.endArray();
   json.key("permutations").beginArray();
   for (const PermutationResult& permutation : scene.permutations) writePermutation(json, permutation);
@@ -269,6 +283,9 @@ std::string toJson(const RunInfo& run) {
     json.endObject();
   }
   json.endArray();
+  json.key("compiledShaders").integer(run.compiledShaders);
+  json.key("cachedScenes");
+  writeTexts(json, run.cachedScenes);
   json.endObject();
   return json.finish();
 }

@@ -56,6 +56,17 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validatio
   }
 }
 
+// Throws Error with the reasons of every refusal.
+DeviceChoice requireChoice(const std::vector<vk::raii::PhysicalDevice>& devices, const DeviceOptions& options) {
+  DeviceChoice choice = chooseDevice(devices, options);
+  if (choice.taken >= 0) return choice;
+  std::string reasons;
+  for (const DeviceReport& report : choice.reports) reasons += fmt::format("; {}: {}", report.name, report.reason);
+  const std::string wanted =
+      options.name.empty() ? "no software device" : fmt::format("no device named '{}'", options.name);
+  throw deviceError("device", wanted + reasons + (options.name.empty() ? fmt::format("; {}", kInstallDriver) : ""));
+}
+
 } // namespace
 
 struct Device::Messages {
@@ -81,6 +92,13 @@ std::vector<DeviceReport> listDevices(const DeviceOptions& options) {
   }
 }
 
+DeviceReport findDevice(const DeviceOptions& options) {
+  const vk::raii::Context context = makeContext();
+  const vk::raii::Instance instance = makeInstance(context, options.validation);
+  const DeviceChoice choice = requireChoice(instance.enumeratePhysicalDevices(), options);
+  return choice.reports[static_cast<std::size_t>(choice.taken)];
+}
+
 Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messages(std::make_unique<Messages>()) {
   m_instance = makeInstance(m_context, options.validation);
   if (options.validation) {
@@ -93,14 +111,7 @@ Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messa
   }
 
   std::vector<vk::raii::PhysicalDevice> devices = m_instance.enumeratePhysicalDevices();
-  const DeviceChoice choice = chooseDevice(devices, options);
-  if (choice.taken < 0) {
-    std::string reasons;
-    for (const DeviceReport& report : choice.reports) reasons += fmt::format("; {}: {}", report.name, report.reason);
-    const std::string wanted =
-        options.name.empty() ? "no software device" : fmt::format("no device named '{}'", options.name);
-    throw deviceError("device", wanted + reasons + (options.name.empty() ? fmt::format("; {}", kInstallDriver) : ""));
-  }
+  const DeviceChoice choice = requireChoice(devices, options);
   m_physical = std::move(devices[choice.taken]);
   m_report = choice.reports[choice.taken];
   m_properties = m_physical.getProperties();
@@ -138,7 +149,7 @@ Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messa
 
 Device::~Device() = default;
 
-std::string Device::description() const { return fmt::format("{} ({})", m_report.name, m_report.driver); }
+std::string DeviceReport::description() const { return fmt::format("{} ({})", name, driver); }
 
 bool Device::filtersLinearly(vk::Format format) const {
   return static_cast<bool>(m_physical.getFormatProperties(format).optimalTilingFeatures &

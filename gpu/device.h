@@ -24,12 +24,17 @@ struct DeviceReport {
   std::string apiVersion;
   bool float16 = false; // shaderFloat16: the mobile path can run in half
   bool taken = false;
-  std::string reason; // one line
+  std::string reason;              // one line
+  std::string build;               // tells apart the builds of a driver, whose pictures may differ: hexadecimal digits
+  std::string description() const; // "name (driver)"
 };
 
 // All devices in the driver's order with the choice that `options` leads to. Empty where there is none. Throws Error
 // (exit 4) where the Vulkan loader itself is missing, naming the packages to install.
 std::vector<DeviceReport> listDevices(const DeviceOptions& options);
+
+// The one that Device(options) would take, without making it: half the time. Throws Error (exit 4) as that does.
+DeviceReport findDevice(const DeviceOptions& options);
 
 // Owns instance, device and queue. Not thread-safe: one thread submits.
 class Device {
@@ -44,7 +49,6 @@ public:
   const vk::raii::Device& handle() const { return m_device; }
   const vk::PhysicalDeviceProperties& properties() const { return m_properties; }
   const DeviceReport& report() const { return m_report; }
-  std::string description() const; // "name (driver)"
   // Whether this format can be read with linear filtering.
   bool filtersLinearly(vk::Format format) const;
 

@@ -62,6 +62,8 @@ DeviceReport describe(const vk::raii::PhysicalDevice& device) {
   report.apiVersion =
       fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(properties.apiVersion), VK_API_VERSION_MINOR(properties.apiVersion),
                   VK_API_VERSION_PATCH(properties.apiVersion));
+  report.build = fmt::format("{:08x}", properties.driverVersion);
+  for (const std::uint8_t byte : properties.pipelineCacheUUID) report.build += fmt::format("{:02x}", byte);
   report.float16 = features.get<vk::PhysicalDeviceVulkan12Features>().shaderFloat16;
   return report;
 }

@@ -6,20 +6,21 @@ namespace parity::gpu {
 
 namespace {
 
-PathProgram makeProgram(std::uint64_t expectedEntries) {
+PathProgram makeProgram(std::uint64_t expectedEntries, const Compilation& compilation) {
   PathProgram program;
   program.name = "materials";
   program.spirv = kMaterialComp;
   program.terms = true; // their buffers take the values
   program.expectedPixels = expectedEntries;
+  program.compilation = compilation;
   return program;
 }
 
 } // namespace
 
 MaterialPass::MaterialPass(const Device& device, const SceneBuffers& scene, const std::vector<BinKind>& binKinds,
-                           std::uint64_t expectedEntries)
-    : m_pass(device, scene, binKinds, makeProgram(expectedEntries)) {}
+                           std::uint64_t expectedEntries, const Compilation& compilation)
+    : m_pass(device, scene, binKinds, makeProgram(expectedEntries, compilation)) {}
 
 std::vector<ResolvedMaterial> MaterialPass::resolve(const Surface& surface, const scenes::Camera& camera) const {
   const ShadedSurface planes = m_pass.shade(surface, camera);

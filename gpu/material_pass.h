@@ -21,7 +21,7 @@ class MaterialPass {
 public:
   // expectedEntries: that the run will resolve, for the choice of permutations.
   MaterialPass(const Device& device, const SceneBuffers& scene, const std::vector<BinKind>& binKinds,
-               std::uint64_t expectedEntries);
+               std::uint64_t expectedEntries, const Compilation& compilation = {});
 
   // In the surface's order.
   std::vector<ResolvedMaterial> resolve(const Surface& surface, const scenes::Camera& camera) const;

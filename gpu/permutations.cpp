@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <numeric>
+#include <functional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,31 +23,65 @@ std::string join(const std::vector<std::string>& words) {
   return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
 }
 
+// Whether the permutation is right for the class, if not exact.
+bool serves(const Permutation& p, const MaterialClass& c) {
+  return (c.textures & ~p.textures) == 0 && (c.features & ~p.mayFeatures) == 0 && (p.mustFeatures & ~c.features) == 0;
+}
+
 } // namespace
 
-std::vector<Permutation> planPermutations(std::span<const ClassPixels> classes) {
-  std::vector<std::size_t> order(classes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return classes[a].pixels > classes[b].pixels; });
+Permutation everyScenePermutation(std::uint32_t textures) {
+  return {textures, kFeatureUnlit | kFeatureNonmetal | kFeatureFullyRough | kFeatureBlend, 0, true};
+}
 
-  std::vector<Permutation> plan(classes.size());
-  std::vector<std::size_t> shared;
-  for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    const ClassPixels& c = classes[order[rank]];
-    const double savingMs = static_cast<double>(c.pixels) * kPermutationSavingNsPerPixel * 1e-6;
-    if (rank + 1 < kMaxPermutations && savingMs > kPermutationCostMs)
-      plan[order[rank]] = {c.materialClass.textures, c.materialClass.features, c.materialClass.features};
-    else
-      shared.push_back(order[rank]);
+PermutationBudget shareOf(std::size_t scene, std::size_t sceneCount) {
+  const bool shares = sceneCount > kMaxPermutations;
+  const std::size_t own = shares ? kMaxPermutations - 1 : kMaxPermutations;
+  return {.own = own * (scene + 1) / sceneCount - own * scene / sceneCount, .shares = shares};
+}
+
+PermutationPlan::PermutationPlan(const PermutationBudget& budget, std::uint32_t textures,
+                                 std::vector<MaterialClass> classes)
+    : m_budget(budget), m_textures(textures), m_classes(std::move(classes)) {}
+
+void PermutationPlan::add(std::vector<ClassPixels> seen) {
+  std::erase_if(seen, [&](const ClassPixels& c) { return has(c.materialClass); });
+  std::ranges::stable_sort(seen, std::ranges::greater(), &ClassPixels::pixels);
+  std::vector<MaterialClass> rest;
+  for (const auto& [c, pixels] : seen) {
+    const Permutation exact{c.textures, c.features, c.features};
+    const double savingMs = static_cast<double>(pixels) * kPermutationSavingNsPerPixel * 1e-6;
+    const bool isLeft = m_budget.shares ? m_own.size() < m_budget.own : !isLast();
+    if (std::ranges::find(m_own, exact) == m_own.end()) {
+      if (!isLeft || savingMs <= kPermutationCostMs) {
+        rest.push_back(c);
+        continue;
+      }
+      m_own.push_back(exact);
+    }
+    m_planned[c] = exact;
   }
+  if (m_budget.shares) {
+    for (const MaterialClass& c : rest) m_planned[c] = everyScenePermutation(m_textures);
+    return;
+  }
+  std::erase_if(rest, [&](const MaterialClass& c) {
+    const auto found = std::ranges::find_if(m_own, [&](const Permutation& p) { return serves(p, c); });
+    if (found != m_own.end()) m_planned[c] = *found;
+    return found != m_own.end();
+  });
+  if (rest.empty()) return;
+  if (isLast())
+    for (const MaterialClass& c : m_classes)
+      if (!has(c) && std::ranges::find(rest, c) == rest.end()) rest.push_back(c);
   Permutation wide{0, 0, ~0u};
-  for (const std::size_t i : shared) {
-    wide.textures |= classes[i].materialClass.textures;
-    wide.mayFeatures |= classes[i].materialClass.features;
-    wide.mustFeatures &= classes[i].materialClass.features;
+  for (const MaterialClass& c : rest) {
+    wide.textures |= c.textures;
+    wide.mayFeatures |= c.features;
+    wide.mustFeatures &= c.features;
   }
-  for (const std::size_t i : shared) plan[i] = wide;
-  return plan;
+  m_own.push_back(wide);
+  for (const MaterialClass& c : rest) m_planned[c] = wide;
 }
 
 std::size_t countTextures(std::uint32_t textures) {

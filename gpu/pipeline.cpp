@@ -1,5 +1,7 @@
 #include "gpu/pipeline.h"
 
+#include <algorithm>
+
 namespace parity::gpu {
 
 namespace {
@@ -66,6 +68,18 @@ vk::raii::Pipeline makeComputePipeline(const Device& device, const vk::raii::Pip
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
                                                 &specialization);
   return vk::raii::Pipeline(device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout));
+}
+
+vk::Pipeline PipelineStore::find(Spirv spirv, std::span<const std::uint32_t> constants) const {
+  const auto found = std::ranges::find_if(m_entries, [&](const Entry& each) {
+    return each.spirv == spirv.data() && std::ranges::equal(each.constants, constants);
+  });
+  return found == m_entries.end() ? vk::Pipeline() : *found->pipeline;
+}
+
+vk::Pipeline PipelineStore::add(Spirv spirv, std::span<const std::uint32_t> constants, vk::raii::Pipeline pipeline) {
+  m_entries.push_back({spirv.data(), {constants.begin(), constants.end()}, std::move(pipeline)});
+  return *m_entries.back().pipeline;
 }
 
 } // namespace parity::gpu

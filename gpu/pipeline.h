@@ -47,4 +47,22 @@ vk::raii::PipelineLayout makePipelineLayout(const Device& device, std::span<cons
 vk::raii::Pipeline makeComputePipeline(const Device& device, const vk::raii::PipelineLayout& layout, Spirv spirv,
                                        std::span<const std::uint32_t> constants);
 
+// Compute pipelines by what they are made of, kept for the next pass that needs one: those of a run. Must end before
+// the device does.
+class PipelineStore {
+public:
+  // Null where there is none. `spirv` is told apart by its address: shaders are compiled into the program.
+  vk::Pipeline find(Spirv spirv, std::span<const std::uint32_t> constants) const;
+  vk::Pipeline add(Spirv spirv, std::span<const std::uint32_t> constants, vk::raii::Pipeline pipeline);
+  std::size_t size() const { return m_entries.size(); }
+
+private:
+  struct Entry {
+    const std::uint32_t* spirv;
+    std::vector<std::uint32_t> constants;
+    vk::raii::Pipeline pipeline;
+  };
+  std::vector<Entry> m_entries;
+};
+
 } // namespace parity::gpu

@@ -117,6 +117,7 @@ SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene, Spe
     anyUvs |= !mesh.uv0.empty() || !mesh.uv1.empty();
     anyTangents |= !mesh.tangents.empty();
   }
+  m_textureBits = ((1u << kSlotCount) - 1) | (specularAa == SpecularAa::toksvig ? kNormalVariance : 0u);
   std::vector<GpuMaterial> gpuMaterials;
   for (const scenes::Material& material : scene.materials) {
     MaterialClass& materialClass = m_classOfMaterial.emplace_back(classify(material));

@@ -35,6 +35,8 @@ public:
   const std::vector<std::uint32_t>& materialOfInstance() const { return m_materialOfInstance; }
   // kVertex... bits of interface.h: what some mesh has, and whether there is fog.
   std::uint32_t vertexData() const { return m_vertexData; }
+  // All bits of a texture mask that a scene of these settings may have.
+  std::uint32_t textureBits() const { return m_textureBits; }
   // First index and base vertex of each mesh in the shared buffers.
   struct MeshRange {
     std::uint32_t firstIndex = 0, indexCount = 0, baseVertex = 0;
@@ -49,7 +51,7 @@ private:
   std::vector<MaterialClass> m_classOfMaterial;
   std::vector<std::uint32_t> m_materialOfInstance;
   std::vector<MeshRange> m_meshes;
-  std::uint32_t m_vertexData = 0;
+  std::uint32_t m_vertexData = 0, m_textureBits = 0;
 };
 
 } // namespace parity::gpu

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "shading/terms.h"
 
@@ -35,7 +36,21 @@ vk::raii::Sampler makeLinearClamp(const Device& device) {
   return vk::raii::Sampler(device.handle(), info);
 }
 
+std::vector<MaterialClass> classesOf(const std::vector<BinKind>& kinds) {
+  std::set<MaterialClass> classes;
+  for (const BinKind& kind : kinds) classes.insert(kind.materialClass);
+  return {classes.begin(), classes.end()};
+}
+
+Textures::Need needOf(const BinKind& kind) { return {kind.textureSet, kind.materialClass.textures}; }
+
 } // namespace
+
+std::vector<Textures::Need> texturesOf(const Surface& surface, std::span<const BinKind> kinds) {
+  std::vector<Textures::Need> needs;
+  for (const Bin& bin : surface.bins) needs.push_back(needOf(kinds[bin.key]));
+  return needs;
+}
 
 GpuLight packLight(const scenes::Light& light) {
   GpuLight out;
@@ -58,24 +73,35 @@ struct ShadingPass::Impl {
   vk::raii::Sampler linearClamp;
   Buffer view, lights, pathData;
   vk::raii::DescriptorSetLayout textureLayout{nullptr}, surfaceLayout{nullptr};
-  std::unique_ptr<DescriptorSets> textureSets;
+  std::vector<std::unique_ptr<DescriptorSets>> textureSets; // of each kind of bin that was seen
   vk::raii::PipelineLayout layout{nullptr};
-  std::map<MaterialClass, Permutation> plan;
+  PermutationPlan plan;
   std::vector<CompiledPermutation> compiled;
-  std::vector<vk::raii::Pipeline> pipelines;
+  std::vector<vk::Pipeline> pipelines; // of those, in the store
+  PipelineStore ownStore;
+  PipelineStore& store;
 
   Impl(const Device& dev, const SceneBuffers& buffers, const std::vector<BinKind>& binKinds, PathProgram p)
       : device(dev), scene(buffers), kinds(binKinds), program(std::move(p)), blackCube(makeBlackCube(dev)),
         white(makeWhite(dev)), linearClamp(makeLinearClamp(dev)), view(dev, sizeof(GpuView)),
         lights(dev, std::span<const GpuLight>(program.lights)),
-        pathData(dev, std::span<const std::uint32_t>(program.pathData)) {
-    std::vector<std::vector<Binding>> sets;
-    for (std::uint32_t set = 0; set < scene.textures().setCount(); ++set) {
-      const auto infos = scene.textures().bindings(set);
-      sets.emplace_back(infos.begin(), infos.end());
+        pathData(dev, std::span<const std::uint32_t>(program.pathData)),
+        plan(program.compilation.budget, buffers.textureBits(), classesOf(kinds)),
+        store(program.compilation.store ? *program.compilation.store : ownStore) {
+    const auto none = scene.textures().bindings({});
+    textureLayout = makeSetLayout(device, std::vector<Binding>(none.begin(), none.end()), kCompute);
+    textureSets.resize(kinds.size());
+  }
+
+  // Textures of the bins' materials, and of no others.
+  void bindTextures(const Surface& surface) {
+    scene.textures().require(texturesOf(surface, kinds));
+    for (const Bin& bin : surface.bins) {
+      if (textureSets[bin.key]) continue;
+      const auto infos = scene.textures().bindings(needOf(kinds[bin.key]));
+      const std::vector<Binding> bindings(infos.begin(), infos.end());
+      textureSets[bin.key] = std::make_unique<DescriptorSets>(device, textureLayout, std::span(&bindings, 1));
     }
-    textureLayout = makeSetLayout(device, sets.front(), kCompute);
-    textureSets = std::make_unique<DescriptorSets>(device, textureLayout, sets);
   }
 
   std::vector<Binding> surfaceBindings(const Surface& s, const Buffer& color, const Buffer& termsA,
@@ -94,45 +120,62 @@ struct ShadingPass::Impl {
     return bindings;
   }
 
-  // Fixed by the first surface, scaled to what the whole run will shade; classes of the scene that it does not show
-  // count as having no pixels, so that the shared permutation serves them too.
-  void makePlan(const Surface& surface) {
+  // For the classes that this surface is the first to show, scaled to what the whole run will shade.
+  void planFor(const Surface& surface) {
     std::map<MaterialClass, std::uint64_t> pixels;
-    for (const BinKind& kind : kinds) pixels[kind.materialClass] = 0;
-    for (const Bin& bin : surface.bins) pixels[kinds[bin.key].materialClass] += bin.count;
+    for (const Bin& bin : surface.bins)
+      if (const MaterialClass& c = kinds[bin.key].materialClass; !plan.has(c)) pixels[c] += bin.count;
     const double scale =
         std::max(1.0, static_cast<double>(program.expectedPixels) / static_cast<double>(surface.size()));
     std::vector<ClassPixels> classes;
     for (const auto& [c, count] : pixels)
       classes.push_back({c, static_cast<std::uint64_t>(static_cast<double>(count) * scale)});
-    const std::vector<Permutation> permutations = planPermutations(classes);
-    for (std::size_t i = 0; i < classes.size(); ++i) plan[classes[i].materialClass] = permutations[i];
+    plan.add(std::move(classes));
+  }
+
+  std::vector<std::uint32_t> constantsOf(const Permutation& permutation) const {
+    const bool any = permutation.everyScene;
+    const std::uint32_t vertexData = scene.vertexData();
+    std::vector<std::uint32_t> constants = {permutation.textures,
+                                            permutation.mayFeatures,
+                                            permutation.mustFeatures,
+                                            any ? kUnknown : program.directionalCount,
+                                            any ? kUnknown : program.localCount,
+                                            any                   ? kUnknown
+                                            : program.environment ? 1u
+                                                                  : 0u,
+                                            program.terms ? 1u : 0u,
+                                            any ? kVertexAll : vertexData | vertexData << kVertexMustShift};
+    constants.insert(constants.end(), program.constants.begin(), program.constants.end());
+    return constants;
   }
 
   // entries: that it is wanted for.
   vk::Pipeline pipelineFor(const MaterialClass& c, std::uint32_t entries) {
-    const Permutation permutation = plan.at(c);
+    const Permutation permutation = plan.of(c);
     const auto found =
         std::ranges::find(compiled, permutation, [](const CompiledPermutation& each) { return each.permutation; });
     if (found != compiled.end()) {
       found->entries += entries;
-      return *pipelines[static_cast<std::size_t>(found - compiled.begin())];
+      return pipelines[static_cast<std::size_t>(found - compiled.begin())];
     }
-    std::vector<std::uint32_t> constants = {
-        permutation.textures, permutation.mayFeatures,       permutation.mustFeatures, program.directionalCount,
-        program.localCount,   program.environment ? 1u : 0u, program.terms ? 1u : 0u,  scene.vertexData()};
-    constants.insert(constants.end(), program.constants.begin(), program.constants.end());
-    const base::Stopwatch watch(device.timings(), "compile " + program.name);
-    pipelines.push_back(makeComputePipeline(device, layout, program.spirv, constants));
+    const std::vector<std::uint32_t> constants = constantsOf(permutation);
+    vk::Pipeline pipeline = store.find(program.spirv, constants);
+    if (!pipeline) {
+      const base::Stopwatch watch(device.timings(), "compile " + program.name);
+      pipeline = store.add(program.spirv, constants, makeComputePipeline(device, layout, program.spirv, constants));
+    }
+    pipelines.push_back(pipeline);
     compiled.push_back({permutation, constants, entries});
-    return *pipelines.back();
+    return pipeline;
   }
 
   ShadedSurface shade(const Surface& surface, const scenes::Camera& camera);
 };
 
 ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Camera& camera) {
-  ShadedSurface result{.premultiplied = program.premultiplied};
+  ShadedSurface result;
+  result.premultiplied = program.premultiplied;
   const std::size_t n = surface.size();
   if (program.terms) result.terms.resize(shading::kTermCount);
   if (n == 0) return result;
@@ -140,6 +183,7 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   GpuView gpuView = makeView(scene.scene(), camera, surface.width, surface.height);
   if (program.environment) std::copy(program.environment->sh.begin(), program.environment->sh.end(), gpuView.sh);
   std::copy(program.numbers.begin(), program.numbers.end(), gpuView.path);
+  gpuView.counts = uvec4(program.directionalCount, program.localCount, program.environment ? 1 : 0, scene.vertexData());
   view.upload(std::as_bytes(std::span{&gpuView, 1}));
 
   constexpr std::size_t kTermsInB = shading::kTermCount - kTermsInA;
@@ -151,15 +195,16 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
     surfaceLayout = makeSetLayout(device, bindings, kCompute);
     layout = makePipelineLayout(device, std::array{*surfaceLayout, *textureLayout}, sizeof(Push), kCompute);
   }
-  if (plan.empty()) makePlan(surface);
+  planFor(surface);
+  bindTextures(surface);
   const DescriptorSets set(device, surfaceLayout, std::span(&bindings, 1));
 
   device.submit("shade " + program.name, [&](const vk::raii::CommandBuffer& commands) {
     for (const Bin& bin : surface.bins) {
       const BinKind& kind = kinds[bin.key];
       commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipelineFor(kind.materialClass, bin.count));
-      commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0,
-                                  {set[0], (*textureSets)[kind.textureSet]}, {});
+      commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, {set[0], (*textureSets[bin.key])[0]},
+                                  {});
       commands.pushConstants<Push>(*layout, kCompute, 0, Push{bin.first, bin.count, static_cast<std::uint32_t>(n)});
       const std::uint32_t groups = (bin.count + kGroupSize - 1) / kGroupSize;
       commands.dispatch(std::min(groups, kMaxGroupsInRow), (groups + kMaxGroupsInRow - 1) / kMaxGroupsInRow, 1);
@@ -182,5 +227,7 @@ ShadedSurface ShadingPass::shade(const Surface& surface, const scenes::Camera& c
 }
 const std::vector<CompiledPermutation>& ShadingPass::compiled() const { return m_impl->compiled; }
 Spirv ShadingPass::spirv() const { return m_impl->program.spirv; }
+std::uint32_t ShadingPass::directionalCount() const { return m_impl->program.directionalCount; }
+std::uint32_t ShadingPass::localCount() const { return m_impl->program.localCount; }
 
 } // namespace parity::gpu

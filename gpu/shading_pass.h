@@ -20,6 +20,12 @@ struct EnvironmentMaps {
   std::array<glm::vec4, 9> sh{};
 };
 
+// What a scene may compile, and what its run has compiled already.
+struct Compilation {
+  PermutationBudget budget;
+  PipelineStore* store = nullptr; // of the run; null: the pass has its own
+};
+
 // What a path brings along. Referenced objects must outlive the pass.
 struct PathProgram {
   std::string name; // for timings
@@ -35,6 +41,7 @@ struct PathProgram {
   bool terms = false;
   bool premultiplied = false;       // the shader multiplies colour and terms by the opacity
   std::uint64_t expectedPixels = 0; // that this run will shade by this path: decides what is worth compiling
+  Compilation compilation;
 };
 
 // Per entry of a surface, in its order.
@@ -62,11 +69,17 @@ public:
   // In order of their first use.
   const std::vector<CompiledPermutation>& compiled() const;
   Spirv spirv() const;
+  // Lights that its shaders loop over.
+  std::uint32_t directionalCount() const;
+  std::uint32_t localCount() const;
 
 private:
   struct Impl;
   std::unique_ptr<Impl> m_impl;
 };
+
+// What shading a surface reads of the scene's textures: for Textures::require, whichever path comes first.
+std::vector<Textures::Need> texturesOf(const Surface& surface, std::span<const BinKind> kinds);
 
 // scenes::Light as the shaders read it.
 GpuLight packLight(const scenes::Light& light);

@@ -126,20 +126,26 @@ struct SurfacePass::Impl {
                     .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment}),
         idsOut(dev, vk::DeviceSize{w} * tileRows * sizeof(glm::uvec2)), viewBuffer(dev, sizeof(GpuView)),
         geometry(geometryBindings(buffers)), geometryLayout(makeSetLayout(dev, geometry, kRasterStages)),
-        textureLayout(makeSetLayout(dev, std::vector<Binding>{buffers.textures().bindings(0).front()}, kRasterStages)),
+        textureLayout(makeSetLayout(dev, std::vector<Binding>{buffers.textures().bindings({}).front()}, kRasterStages)),
         rasterLayout(
             makePipelineLayout(dev, std::array{*geometryLayout, *textureLayout}, sizeof(RasterPush), kRasterStages)) {
     groupMaterials();
     plain = makeVisibilityPipeline(device, rasterLayout, false);
     geometrySet = std::make_unique<DescriptorSets>(device, geometryLayout, std::span(&geometry, 1));
+    // Only alpha is read here, and only where it decides what is seen.
+    std::vector<Textures::Need> needs(scene.textures().setCount());
+    for (std::uint32_t set = 0; set < needs.size(); ++set) needs[set].set = set;
+    bool anyTested = false;
+    for (const std::uint32_t m : scene.materialOfInstance()) {
+      if (scene.scene().materials[m].alphaMode == scenes::AlphaMode::opaque) continue;
+      needs[scene.textures().setOfMaterial()[m]].slots = 1u << kSlotBaseColor;
+      anyTested = true;
+    }
+    scene.textures().require(needs);
     std::vector<std::vector<Binding>> sets;
-    for (std::uint32_t set = 0; set < scene.textures().setCount(); ++set)
-      sets.push_back({scene.textures().bindings(set).front()});
+    for (const Textures::Need& need : needs) sets.push_back({scene.textures().bindings(need).front()});
     textureSets = std::make_unique<DescriptorSets>(device, textureLayout, sets);
-    const auto& materials = scene.scene().materials;
-    if (std::any_of(materials.begin(), materials.end(),
-                    [](const auto& m) { return m.alphaMode != scenes::AlphaMode::opaque; }))
-      masked = makeVisibilityPipeline(device, rasterLayout, true);
+    if (anyTested) masked = makeVisibilityPipeline(device, rasterLayout, true);
   }
 
   void groupMaterials() {

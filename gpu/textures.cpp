@@ -4,8 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <optional>
-#include <tuple>
+#include <set>
 
 #include "base/parallel.h"
 #include "gpu/mip_taps.h"
@@ -114,13 +113,6 @@ std::array<const scenes::TextureSlot*, kSlotCount> slotsOf(const scenes::Materia
           &m.emissiveTexture,  &m.specularTexture,          &m.specularColorTexture};
 }
 
-// What an image is uploaded as: its encoding, and what its mips hold.
-enum class Use { color, data, normalVariance };
-Use useOf(int slot, bool normalVariance) {
-  if (slot == kSlotBaseColor || slot == kSlotEmissive || slot == kSlotSpecularColor) return Use::color;
-  return slot == kSlotNormal && normalVariance ? Use::normalVariance : Use::data;
-}
-
 DeviceImage uploadImage(const Device& device, const std::vector<base::Image8>& mips, bool srgb) {
   std::vector<std::span<const std::byte>> spans;
   for (const base::Image8& mip : mips) spans.push_back(std::as_bytes(std::span{mip.pixels}));
@@ -133,6 +125,11 @@ DeviceImage uploadImage(const Device& device, const std::vector<base::Image8>& m
 
 } // namespace
 
+Textures::Use Textures::useOf(int slot, bool normalVariance) {
+  if (slot == kSlotBaseColor || slot == kSlotEmissive || slot == kSlotSpecularColor) return Use::color;
+  return slot == kSlotNormal && normalVariance ? Use::normalVariance : Use::data;
+}
+
 std::vector<base::Image8> makeMips(const base::Image8& image, bool srgb) {
   std::vector<base::Image8> mips{image};
   while (mips.back().width > 1 || mips.back().height > 1) mips.push_back(halve(mips.back(), srgb));
@@ -140,20 +137,19 @@ std::vector<base::Image8> makeMips(const base::Image8& image, bool srgb) {
 }
 
 std::size_t countSamplers(const scenes::Material& material, bool normalVariance) {
-  std::vector<std::tuple<int, Use, scenes::Sampler>> pairs;
+  std::vector<std::tuple<int, Textures::Use, scenes::Sampler>> pairs;
   const std::uint32_t read = classify(material).textures;
   for (int slot = 0; slot < kSlotCount; ++slot) {
     if ((read >> slot & 1u) == 0) continue;
     const scenes::TextureSlot& texture = *slotsOf(material)[slot];
-    const std::tuple pair(texture.image, useOf(slot, normalVariance), texture.sampler);
+    const std::tuple pair(texture.image, Textures::useOf(slot, normalVariance), texture.sampler);
     if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) pairs.push_back(pair);
   }
   return pairs.size();
 }
 
-Textures::Textures(const Device& device, const scenes::Scene& scene, bool normalVariance) {
-  // An image that is read as colour and as data is uploaded once for each.
-  std::map<std::tuple<int, Use>, int> images;
+Textures::Textures(const Device& device, const scenes::Scene& scene, bool normalVariance)
+    : m_device(device), m_scene(scene) {
   std::vector<scenes::Sampler> samplers;
   std::map<std::vector<Binding>, std::uint32_t> sets;
   for (const scenes::Material& material : scene.materials) {
@@ -161,9 +157,11 @@ Textures::Textures(const Device& device, const scenes::Scene& scene, bool normal
     for (int slot = 0; slot < kSlotCount; ++slot) {
       const scenes::TextureSlot& texture = *slotsOf(material)[slot];
       if (!texture.present()) continue;
-      set[slot].image =
-          images.try_emplace({texture.image, useOf(slot, normalVariance)}, static_cast<int>(images.size()))
-              .first->second;
+      // An image that is read as colour and as data is uploaded once for each.
+      const Source source{texture.image, useOf(slot, normalVariance)};
+      const auto known = std::find(m_sources.begin(), m_sources.end(), source);
+      set[slot].image = static_cast<int>(known - m_sources.begin());
+      if (known == m_sources.end()) m_sources.push_back(source);
       const auto found = std::find(samplers.begin(), samplers.end(), texture.sampler);
       set[slot].sampler = static_cast<int>(found - samplers.begin()) + 1;
       if (found == samplers.end()) samplers.push_back(texture.sampler);
@@ -172,33 +170,59 @@ Textures::Textures(const Device& device, const scenes::Scene& scene, bool normal
     if (isNew) m_sets.push_back(set);
     m_setOfMaterial.push_back(entry->second);
   }
-
-  std::vector<std::vector<base::Image8>> mips(images.size());
-  std::vector<bool> srgb(images.size());
-  std::vector<std::function<void()>> tasks;
-  for (const auto& [key, index] : images) {
-    const Use use = std::get<Use>(key);
-    srgb[index] = use == Use::color;
-    tasks.push_back([&, image = std::get<int>(key), index = index, use] {
-      mips[index] = makeMips(scene.images[image].pixels, use == Use::color);
-      if (use == Use::normalVariance) writeNormalVariance(mips[index]);
-    });
-  }
-  base::parallelInvoke(tasks);
-  for (std::size_t i = 0; i < mips.size(); ++i) m_images.push_back(uploadImage(device, mips[i], srgb[i]));
-
+  m_images.resize(m_sources.size());
   m_samplers.push_back(makeSampler(device, {}));
   for (const scenes::Sampler& sampler : samplers) m_samplers.push_back(makeSampler(device, sampler));
-  m_white = uploadImage(device, {base::Image8(1, 1, 4, 255)}, false);
+  const std::vector<base::Image8> white = {base::Image8(2, 2, 4, 255), base::Image8(1, 1, 4, 255)};
+  m_whiteColor = uploadImage(device, white, true);
+  m_whiteData = uploadImage(device, white, false);
 }
 
-std::vector<vk::DescriptorImageInfo> Textures::bindings(std::uint32_t set) const {
+void Textures::require(std::span<const Need> needs) const {
+  std::set<int> missing;
+  for (const Need& need : needs)
+    for (int slot = 0; slot < kSlotCount; ++slot)
+      if (const int image = m_sets[need.set][slot].image; (need.slots >> slot & 1u) != 0 && image >= 0)
+        if (!m_images[image]) missing.insert(image);
+  if (missing.empty()) return;
+  const std::vector<int> list(missing.begin(), missing.end());
+  std::vector<std::vector<base::Image8>> mips(list.size());
+  std::vector<std::function<void()>> tasks;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    tasks.push_back([&, i] {
+      const auto [image, use] = m_sources[list[i]];
+      mips[i] = makeMips(m_scene.images[image].pixels, use == Use::color);
+      if (use == Use::normalVariance) writeNormalVariance(mips[i]);
+    });
+  base::parallelInvoke(tasks);
+  for (std::size_t i = 0; i < list.size(); ++i)
+    m_images[list[i]] = uploadImage(m_device, mips[i], m_sources[list[i]].use == Use::color);
+}
+
+std::vector<vk::DescriptorImageInfo> Textures::bindings(const Need& need) const {
+  require(std::span(&need, 1));
   std::vector<vk::DescriptorImageInfo> infos;
-  for (const Binding& binding : m_sets[set])
-    infos.emplace_back(*m_samplers[binding.sampler],
-                       binding.image < 0 ? m_white.view() : m_images[binding.image].view(),
+  for (int slot = 0; slot < kSlotCount; ++slot) {
+    const Binding& binding = m_sets[need.set][slot];
+    const bool isNeeded = (need.slots >> slot & 1u) != 0 && binding.image >= 0;
+    const DeviceImage& white = useOf(slot, false) == Use::color ? m_whiteColor : m_whiteData;
+    infos.emplace_back(*m_samplers[isNeeded ? binding.sampler : 0],
+                       isNeeded ? m_images[binding.image]->view() : white.view(),
                        vk::ImageLayout::eShaderReadOnlyOptimal);
+  }
   return infos;
+}
+
+std::size_t Textures::uploadedCount() const {
+  return static_cast<std::size_t>(
+      std::count_if(m_images.begin(), m_images.end(), [](const auto& image) { return image.has_value(); }));
+}
+
+std::size_t Textures::varianceCount() const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < m_images.size(); ++i)
+    count += m_images[i].has_value() && m_sources[i].use == Use::normalVariance;
+  return count;
 }
 
 } // namespace parity::gpu

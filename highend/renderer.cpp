@@ -85,6 +85,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
                        static_cast<std::uint32_t>(options.offSpecular)};
   program.terms = inputs.terms;
   program.expectedPixels = inputs.expectedPixels;
+  program.compilation = inputs.compilation;
   m_pass = std::make_unique<gpu::ShadingPass>(device, scene, binKinds, std::move(program));
 }
 

@@ -43,6 +43,7 @@ struct Inputs {
   const base::Image* lut = nullptr;       // makeEnvBrdfLut of the same term and curve; null only where needsLut says so
   std::vector<scenes::Light> lights = {}; // all of the scene's, and the sun
   bool terms = false;
+  gpu::Compilation compilation = {};
   std::uint64_t expectedPixels = 0; // that the run will shade
 };
 
@@ -59,8 +60,8 @@ public:
 
   // Whether the table is read at all with these inputs.
   static bool needsLut(const Inputs& inputs, const Options& options) {
-    return inputs.environment != nullptr || options.compensation != Compensation::none ||
-           options.diffuse == DiffuseLobe::balanced;
+    return inputs.environment != nullptr || (!inputs.lights.empty() && (options.compensation != Compensation::none ||
+                                                                        options.diffuse == DiffuseLobe::balanced));
   }
 
 private:

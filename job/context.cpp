@@ -4,19 +4,25 @@
 
 #include "base/file.h"
 #include "base/hash.h"
+#include "base/image_io.h"
 
 namespace parity::job {
 
 namespace {
 
-std::string hashOfThisBinary() { return base::Hasher().add(base::readFile("/proc/self/exe")).hex(); }
+std::string hashOfThisBuild() {
+  base::Hasher hasher;
+  hasher.add(base::readFile("/proc/self/exe"));
+  if (const auto module = base::imageModuleFile(); !module.empty()) hasher.add(base::readFile(module));
+  return hasher.hex();
+}
 
 } // namespace
 
 Context::Context(const Settings& settings)
     : m_settings(settings), m_display(settings.display),
-      m_cache(settings.cacheFolder ? base::Cache(*settings.cacheFolder) : base::Cache::disabled()),
-      m_buildId(settings.cacheFolder ? hashOfThisBinary() : std::string()) {}
+      m_cache(settings.cacheFolder ? base::Cache(*settings.cacheFolder, settings.cacheBytes) : base::Cache::disabled()),
+      m_buildId(settings.cacheFolder ? hashOfThisBuild() : std::string()) {}
 
 gpu::Device& Context::device() {
   if (!m_device) {
@@ -27,18 +33,23 @@ gpu::Device& Context::device() {
   return *m_device;
 }
 
+const gpu::DeviceReport& Context::deviceReport() {
+  if (m_device) return m_device->report();
+  if (!m_deviceReport) {
+    const base::Stopwatch watch(&m_timings, "device");
+    m_deviceReport = gpu::findDevice(m_settings.device);
+  }
+  return *m_deviceReport;
+}
+
 const base::Image& Context::envBrdfLut() {
   if (!m_lut.empty()) return m_lut;
   const base::Stopwatch watch(&m_timings, "environment BRDF table");
   constexpr int kSize = 128;
   const highend::Options& options = m_settings.highend;
-  const std::string key = base::Hasher()
-                              .add(m_buildId)
-                              .add("env-brdf-lut")
-                              .addValue(options.geometryTerm)
-                              .addValue(options.fresnel)
-                              .addValue(kSize)
-                              .hex();
+  const std::string key =
+      "lut-" +
+      base::Hasher().add(m_buildId).addValue(options.geometryTerm).addValue(options.fresnel).addValue(kSize).hex();
   base::Image lut(kSize, kSize, 4);
   const std::size_t bytes = lut.pixels.size() * sizeof(float);
   if (const auto cached = m_cache.find(key); cached && cached->size() == bytes) {
@@ -52,26 +63,32 @@ const base::Image& Context::envBrdfLut() {
   return m_lut;
 }
 
-lighting::EnvironmentLight Context::environmentLight(const scenes::Environment& environment) {
+std::shared_ptr<const lighting::EnvironmentLight> Context::environmentLight(const scenes::Environment& environment) {
   const base::Stopwatch watch(&m_timings, "environment");
+  constexpr std::size_t kKept = 2; // a scene has two at most: with the sun that mobile cannot have, and without
   const lighting::PrefilterOptions options;
-  std::string key;
-  if (m_settings.cacheFolder) {
-    base::Hasher hasher;
-    hasher.add(m_buildId)
-        .add("environment")
-        .addValue(options.faceSize)
-        .addValue(options.sampleCount)
-        .addValue(options.footprintLog2)
-        .addValue(environment.rotationDeg);
-    hasher.addValue(environment.radiance.width)
-        .addValue(environment.radiance.height)
-        .add(std::as_bytes(std::span{environment.radiance.pixels}));
-    key = hasher.hex();
-    if (const auto cached = m_cache.find(key)) return lighting::environmentLightFromBytes(*cached);
+  const std::string key = "environment-" + base::Hasher()
+                                               .add(m_buildId)
+                                               .addValue(options.faceSize)
+                                               .addValue(options.sampleCount)
+                                               .addValue(options.footprintLog2)
+                                               .addValue(environment.rotationDeg)
+                                               .addValue(environment.radiance.width)
+                                               .addValue(environment.radiance.height)
+                                               .add(std::as_bytes(std::span{environment.radiance.pixels}))
+                                               .hex();
+  const std::lock_guard lock(m_lightsMutex); // two scenes in the same light wait for one another
+  for (const auto& [known, light] : m_lights)
+    if (known == key) return light;
+  std::shared_ptr<const lighting::EnvironmentLight> light;
+  if (const auto cached = m_cache.find(key)) {
+    light = std::make_shared<const lighting::EnvironmentLight>(lighting::environmentLightFromBytes(*cached));
+  } else {
+    light = std::make_shared<const lighting::EnvironmentLight>(lighting::makeEnvironmentLight(environment, options));
+    m_cache.store(key, lighting::toBytes(*light));
   }
-  lighting::EnvironmentLight light = lighting::makeEnvironmentLight(environment, options);
-  if (m_settings.cacheFolder) m_cache.store(key, lighting::toBytes(light));
+  m_lights.emplace_front(key, light);
+  if (m_lights.size() > kKept) m_lights.pop_back();
   return light;
 }
 

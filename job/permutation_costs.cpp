@@ -13,13 +13,12 @@ namespace {
 compare::PermutationCost countOrRecall(const Context& context, gpu::Spirv spirv,
                                        const std::vector<std::uint32_t>& constants) {
   static_assert(std::is_trivially_copyable_v<compare::PermutationCost>);
-  const std::string key = base::Hasher()
-                              .add(context.buildId())
-                              .add("shader cost")
-                              .add(std::as_bytes(spirv))
-                              .addValue(constants.size())
-                              .add(std::as_bytes(std::span{constants}))
-                              .hex();
+  const std::string key = "costs-" + base::Hasher()
+                                         .add(context.buildId())
+                                         .add(std::as_bytes(spirv))
+                                         .addValue(constants.size())
+                                         .add(std::as_bytes(std::span{constants}))
+                                         .hex();
   compare::PermutationCost cost;
   if (const auto cached = context.cache().find(key); cached && cached->size() == sizeof cost) {
     std::memcpy(&cost, cached->data(), sizeof cost);

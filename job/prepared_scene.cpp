@@ -82,9 +82,17 @@ std::string describe(const lighting::SunExtraction& extraction) {
   return text;
 }
 
-lighting::SunExtraction extractSuns(Context& context, const SceneRequest& request, scenes::Environment environment) {
+bool isLit(const scenes::Scene& scene) {
+  return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const scenes::Instance& instance) {
+    return !scene.materials[scene.meshes[instance.mesh].material].unlit;
+  });
+}
+
+lighting::SunExtraction extractSuns(Context& context, const SceneRequest& request, scenes::Environment environment,
+                                    Work& work) {
   if (!request.extractSun || !context.settings().extractSun) return {.environment = std::move(environment), .suns = {}};
   const base::Stopwatch watch(&context.timings(), "sun extraction");
+  ++work.sunSearches;
   return lighting::extractSuns(std::move(environment));
 }
 
@@ -99,7 +107,8 @@ void addEnvironment(Context& context, lighting::SunExtraction extraction, const 
     prepared.mobileLights.push_back(prepared.lights[*brightest]);
   }
   const auto filter = [&](const scenes::Environment& environment) {
-    return std::make_shared<const lighting::EnvironmentLight>(context.environmentLight(environment));
+    ++prepared.work.prefilteredMaps;
+    return context.environmentLight(environment);
   };
   if (paths.highend) prepared.environment = filter(extraction.environment);
   if (paths.mobile) {
@@ -119,7 +128,7 @@ void addEnvironment(Context& context, lighting::SunExtraction extraction, const 
 PreparedScene prepareScene(Context& context, const SceneRequest& request, const Paths& paths) {
   PreparedScene prepared;
   prepared.exposureEv = request.exposureEv.value_or(context.settings().exposureEv);
-  std::optional<lighting::SunExtraction> environment;
+  std::optional<scenes::Environment> panorama;
   std::vector<std::string> warnings;
   base::parallelInvoke({
       [&] {
@@ -128,13 +137,8 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
       },
       [&] {
         if (request.environment.empty()) return;
-        scenes::Environment panorama;
-        {
-          const base::Stopwatch watch(&context.timings(), "load environment");
-          panorama = scenes::loadEnvironment(request.environment, request.environmentRotationDeg, warnings);
-        }
-        // Filtered below: a loop within one of these tasks would not have all threads.
-        environment = extractSuns(context, request, std::move(panorama));
+        const base::Stopwatch watch(&context.timings(), "load environment");
+        panorama = scenes::loadEnvironment(request.environment, request.environmentRotationDeg, warnings);
       },
   });
   scenes::Scene& scene = prepared.scene;
@@ -143,15 +147,15 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
   if (scene.instances.empty() || scene.triangleCount() == 0)
     throw base::fileError(request.scene, "scene", "it shows no triangles");
 
-  if (!environment && scene.environment) {
+  if (!panorama && scene.environment) {
     // A built-in scene's own environment; the request's goes first.
     scene.environment->rotationDeg = request.environmentRotationDeg;
-    environment = extractSuns(context, request, std::move(*scene.environment));
+    panorama = std::move(scene.environment);
   }
   if (!request.environment.empty())
     prepared.environmentName = scenes::cleanName(std::filesystem::path(request.environment).filename().string());
   else
-    prepared.environmentName = environment ? environment->environment.name : "none";
+    prepared.environmentName = panorama ? panorama->name : "none";
   scene.environment.reset(); // its pixels are not needed any more
 
   prepared.lights = scene.lights;
@@ -161,11 +165,13 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
     prepared.sunText = fmt::format("{},{},{}", request.sun->azimuthDeg, request.sun->elevationDeg, request.sun->lux);
   }
   prepared.mobileLights = prepared.lights;
-  if (environment) addEnvironment(context, std::move(*environment), paths, prepared);
+  prepared.isLit = isLit(scene);
+  if (panorama && prepared.isLit)
+    addEnvironment(context, extractSuns(context, request, std::move(*panorama), prepared.work), paths, prepared);
   applySceneLight(prepared, request);
   applyFullyRough(scene, request.fullyRough);
   applyFullyRough(scene, context.settings().fullyRough);
-  requireLight(prepared, request.scene);
+  if (prepared.isLit) requireLight(prepared, request.scene);
   return prepared;
 }
 

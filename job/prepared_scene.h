@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "job/context.h"
+#include "job/passes.h"
 #include "scenes/scene.h"
 
 namespace parity::job {
@@ -30,6 +31,8 @@ struct PreparedScene {
   // Unfiltered, times the sky light's colour, to go with `lights`; kept for the reference alone.
   std::optional<scenes::Environment> panorama;
   float exposureEv = 0;                 // of the camera
+  bool isLit = true;                    // some object's material is not unlit: light is needed at all
+  Work work;                            // done so far
   std::string environmentName, sunText; // for the report: the file without its folder; "none" where there is none
 };
 

@@ -68,13 +68,15 @@ std::string makeLightKey(const std::string& buildId, const PreparedScene& prepar
 } // namespace
 
 ReferencePath::ReferencePath(Context& context, const PreparedScene& prepared, const gpu::SceneBuffers& buffers,
-                             const std::vector<gpu::BinKind>& binKinds, std::uint64_t expectedEntries)
-    : m_context(context), m_prepared(prepared), m_materials(context.device(), buffers, binKinds, expectedEntries) {
+                             const std::vector<gpu::BinKind>& binKinds, std::uint64_t expectedEntries,
+                             const gpu::Compilation& compilation)
+    : m_context(context), m_prepared(prepared),
+      m_materials(context.device(), buffers, binKinds, expectedEntries, compilation) {
   if (context.cache().enabled()) m_lightKey = makeLightKey(context.buildId(), prepared, context.settings());
 }
 
 std::string ReferencePath::keyOf(const std::vector<reference::SurfaceSample>& samples) const {
-  return base::Hasher().add(m_lightKey).add(std::as_bytes(std::span{samples})).hex();
+  return "reference-" + base::Hasher().add(m_lightKey).add(std::as_bytes(std::span{samples})).hex();
 }
 
 std::vector<reference::ShadedSample> ReferencePath::integrate(const std::vector<reference::SurfaceSample>& samples,

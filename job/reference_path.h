@@ -23,7 +23,8 @@ class ReferencePath {
 public:
   // `prepared` must outlive it and hold the panorama, if there is an environment.
   ReferencePath(Context& context, const PreparedScene& prepared, const gpu::SceneBuffers& buffers,
-                const std::vector<gpu::BinKind>& binKinds, std::uint64_t expectedEntries);
+                const std::vector<gpu::BinKind>& binKinds, std::uint64_t expectedEntries,
+                const gpu::Compilation& compilation);
 
   // stream: tells apart the surfaces that share pixels (samples, layers), so that their noise is independent.
   ReferenceSurface shade(const gpu::Surface& surface, const scenes::Camera& camera, std::uint32_t stream,

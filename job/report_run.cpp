@@ -3,19 +3,22 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <future>
 #include <set>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/error.h"
 #include "base/glob.h"
 #include "base/log.h"
+#include "base/parallel.h"
 #include "compare/baseline.h"
+#include "compare/budget.h"
 #include "compare/report_reader.h"
 #include "job/report_folder.h"
-#include "job/truth_comparison.h"
+#include "job/result_cache.h"
+#include "job/settings_text.h"
 #include "job/version.h"
 #include "job/view_comparison.h"
 #include "scenes/names.h"
@@ -23,43 +26,6 @@
 namespace parity::job {
 
 namespace {
-
-std::string describePrecision(const mobile::Options& options, const gpu::Device& device) {
-  const mobile::Precision precision = mobile::precisionOn(device, options);
-  const std::string name = mobile::precisionNames()[static_cast<std::size_t>(precision)];
-  return precision == options.precision ? name : name + ", as the device has no shaderFloat16";
-}
-
-std::vector<std::pair<std::string, std::string>> describe(const Settings& s, const base::DisplayTransform& display,
-                                                          const gpu::Device& device) {
-  const auto nameOf = [](const std::vector<std::string>& names, auto value) {
-    return names[static_cast<std::size_t>(value)];
-  };
-  std::vector<std::pair<std::string, std::string>> settings = {
-      {"size", fmt::format("{}x{}", s.width, s.height)},
-      {"samples", std::to_string(s.samples)},
-      {"display", display.name()},
-      {"exposure", fmt::format("{} EV", s.exposureEv)},
-      {"background", fmt::format("{},{},{}", s.background.x, s.background.y, s.background.z)},
-      {"sun extraction", s.extractSun ? "on" : "off"},
-      {"specular anti-aliasing", s.specularAa == gpu::SpecularAa::toksvig ? "Toksvig" : "off"},
-      {"highend geometry term", nameOf(highend::geometryTermNames(), s.highend.geometryTerm)},
-      {"highend fresnel", nameOf(highend::fresnelNames(), s.highend.fresnel)},
-      {"highend diffuse", nameOf(highend::diffuseNames(), s.highend.diffuse)},
-      {"highend compensation", nameOf(highend::compensationNames(), s.highend.compensation)},
-      {"highend off-specular", nameOf(highend::offSpecularNames(), s.highend.offSpecular)},
-      {"mobile preset", s.mobile.preset},
-      {"mobile precision", describePrecision(s.mobile, device)},
-      {"mobile sky", fmt::format("{} SH coefficients", s.mobile.skyCoefficients)},
-      {"mobile capture", fmt::format("{}, scaled: {}", nameOf(mobile::captureEncodingNames(), s.mobile.capture),
-                                     nameOf(mobile::captureScaleNames(), s.mobile.captureScale))},
-      {"mobile target", nameOf(gpu::outputTargetNames(), s.mobileTarget) +
-                            (gpu::isDisplayed(s.mobileTarget) ? ", as displayed: light above white is cut off" : "")},
-      {"materials", s.materials.empty() ? "all" : fmt::format("{}", fmt::join(s.materials, ", "))},
-      {"fully rough", s.fullyRough.empty() ? "none" : fmt::format("{}", fmt::join(s.fullyRough, ", "))}};
-  if (s.truth) settings.emplace_back("truth", describeTruth(s));
-  return settings;
-}
 
 void requireMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs) {
   for (const std::string& glob : globs)
@@ -124,32 +90,23 @@ public:
 
   compare::SceneResult compareScene(std::size_t index) {
     const SceneRequest& request = m_request.scenes[index];
-    compare::SceneResult result;
-    result.name = request.name;
-    result.source = scenes::cleanName(std::filesystem::path(request.scene).filename().string());
-    result.environment = request.environment.empty()
-                             ? "none"
-                             : scenes::cleanName(std::filesystem::path(request.environment).filename().string());
-    result.sun = "none";
-    result.light = scenes::describe(request.lightScales, request.fog);
+    compare::SceneResult result = startScene(request);
     try {
-      tell(index, 0, request.views.size(), "loading");
-      const Paths paths{.reference = m_context.settings().truth};
-      const PreparedScene prepared = prepareScene(m_context, request, paths);
-      result.environment = prepared.environmentName;
-      result.sun = prepared.sunText;
-      result.warnings = prepared.scene.warnings;
-      requireMaterials(prepared.scene, m_context.settings().materials);
       const compare::Budgets budgets = budgetsFor(request);
-      SceneRenderer renderer(m_context, prepared, paths, request.views.size());
-      for (const std::string& note : renderer.notes()) result.warnings.push_back("mobile: " + note);
-      for (std::string& excess : mobile::samplerWarnings(prepared.scene, samplerInputs(prepared)))
-        result.warnings.push_back(std::move(excess));
-      for (std::size_t v = 0; v < request.views.size(); ++v) {
-        tell(index, static_cast<double>(v), request.views.size(), request.views[v].name);
-        result.views.push_back(compareOne(index, v, prepared, renderer, budgets));
+      const ResultWish wish = wishFor(index, budgets);
+      const std::optional<std::string> key = resultKey(m_context, request, wish);
+      std::optional<SceneRecord> cached = key ? recall(*key, index) : std::nullopt;
+      if (cached) {
+        result = std::move(cached->result);
+        m_cached.push_back(request.name);
+      } else {
+        measureScene(index, wish, key, result);
       }
-      result.permutations = renderer.permutations();
+      for (compare::ViewResult& view : result.views) {
+        for (compare::MaterialResult& material : view.materials)
+          compare::judgeMaterial(material, budgets, request.name);
+        compare::judgeWhole(view, budgets, request.name);
+      }
     } catch (const base::Error& error) {
       // One catch at the boundary of each scene: the others still run.
       setError(result, request, error.what(), error.code());
@@ -163,7 +120,102 @@ public:
     return result;
   }
 
+  const std::vector<std::string>& cached() const { return m_cached; }
+
 private:
+  static compare::SceneResult startScene(const SceneRequest& request) {
+    compare::SceneResult result;
+    result.name = request.name;
+    result.source = scenes::cleanName(std::filesystem::path(request.scene).filename().string());
+    result.environment = request.environment.empty()
+                             ? "none"
+                             : scenes::cleanName(std::filesystem::path(request.environment).filename().string());
+    result.sun = "none";
+    result.light = scenes::describe(request.lightScales, request.fog);
+    return result;
+  }
+
+  std::vector<std::string> prefixesOf(std::size_t index) const {
+    const SceneRequest& request = m_request.scenes[index];
+    std::vector<std::string> prefixes;
+    for (std::size_t v = 0; v < request.views.size(); ++v)
+      prefixes.push_back(imagePrefix(index, request.name, v, request.views[v].name));
+    return prefixes;
+  }
+
+  // The scene as an earlier run has left it, its pictures written.
+  std::optional<SceneRecord> recall(const std::string& key, std::size_t index) {
+    const base::Stopwatch watch(&m_context.timings(), "recall results");
+    std::optional<SceneRecord> record = findResult(m_context.cache(), key, m_request.scenes[index]);
+    if (record) {
+      renamePictures(*record, prefixesOf(index));
+      writePictures(record->pictures, m_request.folder);
+    }
+    return record;
+  }
+
+  Paths paths() const { return {.reference = m_context.settings().truth}; }
+  PreparedScene prepare(std::size_t index) { return prepareScene(m_context, m_request.scenes[index], paths()); }
+
+  // Loads the next scene while this one is shaded: the driver compiles shaders on one core.
+  void prepareAhead(std::size_t index) {
+    if (index >= m_request.scenes.size() || base::threadCount() == 1) return;
+    try {
+      const SceneRequest& request = m_request.scenes[index];
+      const auto key = resultKey(m_context, request, wishFor(index, budgetsFor(request)));
+      if (key && findResult(m_context.cache(), *key, request)) return;
+    } catch (const base::Error&) { // the scene will say so when its turn comes
+      return;
+    }
+    m_aheadIndex = index;
+    m_ahead = std::async(std::launch::async, [this, index] { return prepare(index); });
+  }
+
+  ResultWish wishFor(std::size_t index, const compare::Budgets& budgets) const {
+    return {compare::requiredStatistics(budgets), !m_request.folder.empty(),
+            gpu::shareOf(index, m_request.scenes.size())};
+  }
+
+  // Fills the result, view by view: what was done before an error stays. Keeps it for later runs.
+  void measureScene(std::size_t index, const ResultWish& wish, const std::optional<std::string>& key,
+                    compare::SceneResult& result) {
+    const SceneRequest& request = m_request.scenes[index];
+    tell(index, 0, 1, "loading");
+    const PreparedScene prepared = m_ahead.valid() && m_aheadIndex == index ? m_ahead.get() : prepare(index);
+    prepareAhead(index + 1);
+    result.environment = prepared.environmentName;
+    result.sun = prepared.sunText;
+    result.warnings = prepared.scene.warnings;
+    requireMaterials(prepared.scene, m_context.settings().materials);
+    SceneRenderer renderer(m_context, prepared, paths(), request.views.size(), wish.permutations);
+    for (const std::string& note : renderer.notes()) result.warnings.push_back("mobile: " + note);
+    for (std::string& excess : mobile::samplerWarnings(prepared.scene, samplerInputs(prepared)))
+      result.warnings.push_back(std::move(excess));
+    std::vector<EncodedPicture> pictures;
+    std::uint64_t comparedPixels = 0;
+    for (std::size_t v = 0; v < request.views.size(); ++v) {
+      tell(index, static_cast<double>(v), request.views.size(), request.views[v].name);
+      ComparedView compared = compareOne(index, v, prepared, renderer, wish);
+      writePictures(compared.pictures, m_request.folder);
+      comparedPixels += compared.view.whole.all.pixels;
+      result.views.push_back(std::move(compared.view));
+      if (key)
+        pictures.insert(pictures.end(), std::make_move_iterator(compared.pictures.begin()),
+                        std::make_move_iterator(compared.pictures.end()));
+    }
+    result.permutations = renderer.permutations();
+    Work work = renderer.work();
+    work.comparedPixels = comparedPixels;
+    if (m_context.settings().truth) work.comparedWithTruth = comparedPixels;
+    if (m_context.settings().costs) work.countedShaders = result.permutations.size();
+    result.passes = describePasses(work, renderer.reasons());
+    // The same key again: the environment is still what it was when the scene was lit by it.
+    if (!key || resultKey(m_context, request, wish) != key) return;
+    const base::Stopwatch watch(&m_context.timings(), "keep results");
+    storeResult(m_context.cache(), *key, request, prepared.scene.sources,
+                {result, prefixesOf(index), std::move(pictures)});
+  }
+
   static void setError(compare::SceneResult& result, const SceneRequest& request, const char* message,
                        base::ExitCode code) {
     base::logError(fmt::format("{}: {}", result.name, message));
@@ -181,8 +233,8 @@ private:
     return request.budgets ? compare::loadBudgets(*request.budgets) : m_budgets.otherwise;
   }
 
-  compare::ViewResult compareOne(std::size_t sceneIndex, std::size_t viewIndex, const PreparedScene& prepared,
-                                 SceneRenderer& renderer, const compare::Budgets& budgets) {
+  ComparedView compareOne(std::size_t sceneIndex, std::size_t viewIndex, const PreparedScene& prepared,
+                          SceneRenderer& renderer, const ResultWish& wish) {
     const SceneRequest& request = m_request.scenes[sceneIndex];
     const Settings& settings = m_context.settings();
     const scenes::ViewRequest& view = request.views[viewIndex];
@@ -196,15 +248,14 @@ private:
                     [](const auto& list) { return list.pixels.empty(); }))
       throw base::fileError(request.scene, fmt::format("view '{}'", view.name), "shows no part of the scene");
     ViewComparisonRequest comparison;
-    comparison.sceneName = request.name;
     comparison.viewName = view.name;
     comparison.exposureEv = prepared.exposureEv;
     comparison.samplers = samplerInputs(prepared);
-    comparison.reportFolder = m_request.folder;
+    comparison.statistics = wish.statistics;
+    comparison.pictures = wish.pictures;
     comparison.imagePrefix = imagePrefix(sceneIndex, request.name, viewIndex, view.name);
-    compare::ViewResult result = compareView(m_context, prepared.scene, frames, budgets, comparison);
-    result.skipped = renderer.skipped();
-    return result;
+    ComparedView compared = compareView(m_context, prepared.scene, frames, comparison);
+    return compared;
   }
 
   // view: how many are done.
@@ -219,6 +270,9 @@ private:
   const ReportRequest& m_request;
   const RunBudgets m_budgets;
   const Progress& m_progress;
+  std::vector<std::string> m_cached;
+  std::future<PreparedScene> m_ahead; // its exceptions are its scene's
+  std::size_t m_aheadIndex = 0;
 };
 
 } // namespace
@@ -234,11 +288,16 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   RunBudgets budgets = loadRunBudgets(context.settings(), request.suiteBudgets);
   std::optional<compare::Report> baseline;
   if (!request.baseline.empty()) baseline = compare::readReport(request.baseline);
-  result.report.device = context.device().description();
-  result.report.settings = describe(context.settings(), context.display(), context.device());
+  result.report.device = context.deviceReport().description();
+  result.report.settings = describeSettings(context.settings(), context.display(), context.deviceReport());
   if (!request.folder.empty()) prepareReportFolder(request.folder);
   Run run(context, request, std::move(budgets), progress);
   for (std::size_t i = 0; i < request.scenes.size(); ++i) result.report.scenes.push_back(run.compareScene(i));
+  result.run.cachedScenes = run.cached();
+  result.run.compiledShaders = context.pipelines().size();
+  if (!run.cached().empty())
+    base::logInfo(
+        fmt::format("{} of {} scenes are unchanged: taken from the cache", run.cached().size(), request.scenes.size()));
   result.report.warnings = warningsOfBudgets(context.settings(), request, result.report);
   compare::settleVerdicts(result.report);
   if (baseline)

@@ -1,75 +1,14 @@
 #include "job/scene_renderer.h"
 
-#include <fmt/format.h>
-
-#include "base/error.h"
 #include "base/parallel.h"
+#include "job/environment_upload.h"
 #include "job/permutation_costs.h"
-#include "lighting/capture.h"
-#include "shading/shading.h"
 
 namespace parity::job {
 
-namespace {
-
-gpu::EnvironmentMaps makeMaps(const gpu::Device& device, const lighting::EnvironmentLight& light,
-                              const gpu::DeviceImage::Shape& shape, std::span<const std::span<const std::byte>> mips) {
-  if (!device.filtersLinearly(shape.format))
-    throw base::Error(base::ExitCode::failed, device.report().name, "environment",
-                      fmt::format("the device cannot filter textures of {}", vk::to_string(shape.format)));
-  vk::SamplerCreateInfo sampler({}, vk::Filter::eLinear, vk::Filter::eLinear, vk::SamplerMipmapMode::eLinear);
-  sampler.addressModeU = sampler.addressModeV = sampler.addressModeW = vk::SamplerAddressMode::eClampToEdge;
-  sampler.maxLod = VK_LOD_CLAMP_NONE;
-  gpu::EnvironmentMaps maps{gpu::DeviceImage(device, shape, mips), vk::raii::Sampler(device.handle(), sampler), {}};
-  for (std::size_t i = 0; i < maps.sh.size(); ++i) maps.sh[i] = glm::vec4(light.irradianceSh[i], 0);
-  return maps;
-}
-
-// The high-end path's: every level, in 32-bit floats.
-gpu::EnvironmentMaps uploadEnvironment(const gpu::Device& device, const lighting::EnvironmentLight& light) {
-  std::vector<std::vector<glm::vec4>> texels;
-  texels.reserve(light.prefiltered.mips.size()); // the spans stay where they are
-  std::vector<std::span<const std::byte>> mips;
-  for (const auto& mip : light.prefiltered.mips) {
-    // Mips of one layer hold it in place of those that are not read, too.
-    std::vector<glm::vec4>& layers = texels.emplace_back(mip);
-    for (int layer = lighting::layersOfMip(static_cast<int>(mips.size())); layer < shading::f32::kPrefilterLayers;
-         ++layer)
-      layers.insert(layers.end(), mip.begin(), mip.end());
-    mips.push_back(std::as_bytes(std::span{layers}));
-  }
-  const auto size = static_cast<std::uint32_t>(light.prefiltered.faceSize);
-  return makeMaps(device, light,
-                  {.format = vk::Format::eR32G32B32A32Sfloat,
-                   .width = size,
-                   .height = size,
-                   .mips = static_cast<std::uint32_t>(mips.size()),
-                   .cube = true,
-                   .arraySize = shading::f32::kPrefilterLayers},
-                  mips);
-}
-
-// The mobile path's.
-gpu::EnvironmentMaps uploadCapture(const gpu::Device& device, const lighting::EnvironmentLight& light,
-                                   mobile::CaptureEncoding encoding) {
-  const bool rgbm = encoding == mobile::CaptureEncoding::rgbm;
-  const lighting::Capture capture =
-      rgbm ? lighting::encodeRgbm(light.prefiltered) : lighting::encodeHalf(light.prefiltered);
-  const std::vector<std::span<const std::byte>> mips(capture.mips.begin(), capture.mips.end());
-  const auto size = static_cast<std::uint32_t>(capture.faceSize);
-  return makeMaps(device, light,
-                  {.format = rgbm ? vk::Format::eR8G8B8A8Unorm : vk::Format::eR16G16B16A16Sfloat,
-                   .width = size,
-                   .height = size,
-                   .mips = static_cast<std::uint32_t>(mips.size()),
-                   .cube = true},
-                  mips);
-}
-
-} // namespace
-
-SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, const Paths& paths, std::size_t views)
-    : m_context(context), m_prepared(prepared), m_buffers([&] {
+SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, const Paths& paths, std::size_t views,
+                             const gpu::PermutationBudget& budget)
+    : m_context(context), m_prepared(prepared), m_work(prepared.work), m_buffers([&] {
         gpu::Device& device = context.device();
         const base::Stopwatch watch(&context.timings(), "upload");
         return gpu::SceneBuffers(device, prepared.scene, context.settings().specularAa);
@@ -78,6 +17,9 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
                     static_cast<std::uint32_t>(context.settings().height)) {
   const Settings& settings = context.settings();
   const gpu::Device& device = context.device();
+  // What is unlit reads no light.
+  const std::vector<scenes::Light> none;
+  const gpu::Compilation compilation{budget, &context.pipelines()};
   const auto pixels = static_cast<std::uint64_t>(settings.width) * settings.height * settings.samples * views;
   if (prepared.environment) {
     const base::Stopwatch watch(&context.timings(), "upload");
@@ -90,21 +32,43 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
   if (paths.highend) {
     highend::Inputs inputs{.environment = m_environment ? &*m_environment : nullptr,
                            .lut = nullptr,
-                           .lights = prepared.lights,
+                           .lights = prepared.isLit ? prepared.lights : none,
                            .terms = settings.terms,
+                           .compilation = compilation,
                            .expectedPixels = pixels};
-    if (highend::Renderer::needsLut(inputs, settings.highend)) inputs.lut = &context.envBrdfLut();
+    if (highend::Renderer::needsLut(inputs, settings.highend)) {
+      inputs.lut = &context.envBrdfLut();
+      ++m_work.brdfTables;
+    }
     m_highend.emplace(device, m_buffers, m_surfacePass.binKinds(), inputs, settings.highend);
   }
   if (paths.mobile) {
     const mobile::Inputs inputs{.environment = m_mobileEnvironment ? &*m_mobileEnvironment : nullptr,
-                                .lights = prepared.mobileLights,
+                                .lights = prepared.isLit ? prepared.mobileLights : none,
                                 .terms = settings.terms,
                                 .view = settings.mobileView,
+                                .compilation = compilation,
                                 .expectedPixels = pixels};
     m_mobile.emplace(device, m_buffers, m_surfacePass.binKinds(), inputs, settings.mobile);
   }
-  if (paths.reference) m_reference.emplace(context, prepared, m_buffers, m_surfacePass.binKinds(), pixels);
+  if (paths.reference) {
+    m_reference.emplace(context, prepared, m_buffers, m_surfacePass.binKinds(), pixels, compilation);
+    if (settings.referenceShadows) m_work.occluderMeshes = prepared.scene.meshes.size();
+  }
+}
+
+// And uploads what shading them will read, once for all paths.
+void SceneRenderer::countSurfaces(const gpu::Surface& opaque, const gpu::Surface& blended) {
+  m_work.surfaceSamples += opaque.size();
+  m_work.blendedSamples += blended.size();
+  const std::uint64_t samples = opaque.size() + blended.size();
+  if ((m_buffers.vertexData() & gpu::kVertexFog) != 0) m_work.fogSamples += samples;
+  const std::uint64_t paths = (m_highend ? 1 : 0) + (m_mobile ? 1 : 0) + (m_reference ? 1 : 0);
+  if (m_context.settings().terms) m_work.termSamples += paths * samples;
+  if (m_reference) m_work.resolvedSamples += samples;
+  const base::Stopwatch watch(&m_context.timings(), "upload");
+  for (const gpu::Surface* surface : {&opaque, &blended})
+    m_buffers.textures().require(gpu::texturesOf(*surface, m_surfacePass.binKinds()));
 }
 
 ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& progress) {
@@ -116,7 +80,7 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
   std::optional<gpu::TargetCodec> target;
   if (settings.mobileView == mobile::kViewLit)
     target.emplace(settings.mobileTarget, m_prepared.exposureEv,
-                   mobile::precisionOn(m_context.device(), settings.mobile) == mobile::Precision::fp16);
+                   mobile::precisionOn(m_context.device().report(), settings.mobile) == mobile::Precision::fp16);
   gpu::FrameBuilder mobileFrame(width, height, settings.samples, settings.terms, settings.background, target);
   gpu::FrameBuilder beforeTarget(width, height, settings.samples, false, settings.background);
   ErrorBuilder referenceError(m_reference ? settings.width : 0, m_reference ? settings.height : 0, settings.samples);
@@ -136,6 +100,7 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
         opaque = m_surfacePass.render(camera, tile, sample, gpu::Layer::opaque);
         if (m_surfacePass.hasBlended()) blended = m_surfacePass.render(camera, tile, sample, gpu::Layer::blended);
       }
+      countSurfaces(opaque, blended);
       const gpu::Surface* layer = m_surfacePass.hasBlended() ? &blended : nullptr;
       gpu::ShadedSurface shadedLayer;
       const auto shadeBy = [&](const auto& renderer, const char* stage,
@@ -181,6 +146,7 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
     frames.referenceTaken = referenceError.samples();
     frames.referenceSamples =
         sampledPoints > 0 ? static_cast<double>(lightSamples) / static_cast<double>(sampledPoints) : 0;
+    m_work.integratedSamples += sampledPoints;
     if (progress) progress("reference", 1);
   }
   if (compared) {
@@ -206,21 +172,45 @@ std::vector<compare::PermutationResult> SceneRenderer::permutations() const {
   return all;
 }
 
-std::vector<std::string> SceneRenderer::skipped() const {
-  std::vector<std::string> skipped;
-  if (!m_prepared.environment) skipped.push_back("no environment: no prefiltered cube, no SH");
-  if (!highend::Renderer::needsLut({.environment = m_environment ? &*m_environment : nullptr},
-                                   m_context.settings().highend))
-    skipped.push_back("no environment, no compensation, no balance: no environment BRDF table");
-  bool directional = false, local = false;
-  for (const scenes::Light& light : m_prepared.lights)
-    (light.kind == scenes::LightKind::directional ? directional : local) = true;
-  if (!directional) skipped.push_back("no directional light: no sun in the shaders");
-  if (!local) skipped.push_back("no local lights: no light loop in the shaders");
-  if (!m_prepared.scene.fog) skipped.push_back("no fog: none at vertices, none in the shaders");
-  if (!m_surfacePass.hasBlended()) skipped.push_back("no blended material: no second surface");
-  if (!m_context.settings().terms) skipped.push_back("terms not asked for: not written");
-  return skipped;
+Work SceneRenderer::work() const {
+  Work work = m_work;
+  work.images = m_buffers.textures().uploadedCount();
+  work.varianceImages = m_buffers.textures().varianceCount();
+  const auto count = [](const auto& renderer) {
+    std::uint64_t samples = 0;
+    if (renderer)
+      for (const gpu::CompiledPermutation& each : renderer->pass().compiled()) samples += each.entries;
+    return samples;
+  };
+  work.highendSamples = count(m_highend);
+  work.mobileSamples = count(m_mobile);
+  if (m_highend) {
+    work.directionalLights = m_highend->pass().directionalCount();
+    work.localLights = m_highend->pass().localCount();
+  }
+  if (m_mobile) work.lightChoices = m_mobile->lightChoices();
+  return work;
+}
+
+NoNeed SceneRenderer::reasons() const {
+  const Settings& settings = m_context.settings();
+  const std::string none = m_prepared.environmentName == "none" ? "no environment" : "",
+                    unlit = m_prepared.isLit ? "" : "all that is placed is unlit";
+  NoNeed why;
+  why.environment = !none.empty() ? none : unlit;
+  why.suns = !why.environment.empty() ? why.environment : "switched off";
+  why.table = !unlit.empty()              ? unlit
+              : m_prepared.lights.empty() ? "no environment and no lights"
+                                          : "no environment, no compensation, no balance";
+  why.texture = "no material that is seen has one";
+  why.variance = settings.specularAa == gpu::SpecularAa::off ? "not asked for" : "no normal map is seen";
+  why.blended = "no blended material";
+  why.fog = "no fog";
+  why.directional = !unlit.empty() ? unlit : "no directional light";
+  why.local = !unlit.empty() ? unlit : "no local lights";
+  why.lightChoice = work().localLights == 0 ? why.local : "the preset has them baked";
+  why.terms = why.truth = why.occluders = why.costs = "not asked for";
+  return why;
 }
 
 } // namespace parity::job

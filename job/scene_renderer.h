@@ -25,22 +25,29 @@ struct ViewFrames {
 
 class SceneRenderer {
 public:
-  // views: how many will be rendered, for the choice of permutations. `prepared` must outlive the renderer.
-  SceneRenderer(Context& context, const PreparedScene& prepared, const Paths& paths, std::size_t views);
+  // views: how many will be rendered, for the choice of permutations. budget: the scene's share of them in its run.
+  // `prepared` must outlive the renderer.
+  SceneRenderer(Context& context, const PreparedScene& prepared, const Paths& paths, std::size_t views,
+                const gpu::PermutationBudget& budget = {});
 
   // progress: of the reference path, which alone takes long.
   ViewFrames render(const scenes::Camera& camera, const Progress& progress = {});
 
-  // What the mobile path leaves out, and what this scene did not need.
+  // What the mobile path leaves out.
   std::vector<std::string> notes() const;
-  std::vector<std::string> skipped() const;
+  // What has been done so far, the scene's preparation included; and why the rest was not needed.
+  Work work() const;
+  NoNeed reasons() const;
 
   // The shaders of the two paths so far.
   std::vector<compare::PermutationResult> permutations() const;
 
 private:
+  void countSurfaces(const gpu::Surface& opaque, const gpu::Surface& blended);
+
   Context& m_context;
   const PreparedScene& m_prepared;
+  Work m_work;
   gpu::SceneBuffers m_buffers;
   gpu::SurfacePass m_surfacePass;
   // Each path reads its own kind.

@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include "base/cache.h"
 #include "base/stopwatch.h"
 #include "compare/measure.h"
 #include "gpu/device.h"
@@ -43,6 +44,7 @@ struct Settings {
   bool referenceShadows = false;
   gpu::DeviceOptions device;
   std::optional<std::filesystem::path> cacheFolder; // none: nothing is cached
+  std::uintmax_t cacheBytes = base::Cache::kDefaultMaxBytes;
 };
 
 // Told of progress: what is being done, and how much of the run that is, 0..1. One call at a time.

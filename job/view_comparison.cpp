@@ -11,7 +11,6 @@
 #include "job/displayed.h"
 #include "job/encoding_stage.h"
 #include "job/truth_comparison.h"
-#include "job/view_pictures.h"
 #include "shading/terms.h"
 
 namespace parity::job {
@@ -126,8 +125,7 @@ Subject makeSubject(const ViewFrames& frames, const std::vector<std::size_t>& ch
 }
 
 compare::Measurement measureView(const Settings& settings, const ViewFrames& frames, const Displayed& reference,
-                                 const Displayed& test, const Subject& subject, const compare::Budgets& budgets,
-                                 const ViewComparisonRequest& request) {
+                                 const Displayed& test, const Subject& subject, const ViewComparisonRequest& request) {
   std::vector<std::uint32_t> invalid = reference.nonFinite;
   invalid.insert(invalid.end(), test.nonFinite.begin(), test.nonFinite.end());
   base::Image exposed[2];
@@ -139,17 +137,17 @@ compare::Measurement measureView(const Settings& settings, const ViewFrames& fra
     }
   compare::MeasureRequest measure;
   measure.metrics = settings.metrics;
-  measure.statistics = compare::requiredStatistics(budgets);
+  measure.statistics = request.statistics;
   measure.options.box = subject.box;
-  if (!request.reportFolder.empty()) measure.keepMaps = {"flip"}; // for the pictures
+  if (request.pictures) measure.keepMaps = {"flip"}; // for the pictures
   return compare::measureRegions({reference.pixels, test.pixels, linear[0], linear[1], invalid}, subject.lists,
                                  measure);
 }
 
 } // namespace
 
-compare::ViewResult compareView(Context& context, const scenes::Scene& scene, const ViewFrames& frames,
-                                const compare::Budgets& budgets, const ViewComparisonRequest& request) {
+ComparedView compareView(Context& context, const scenes::Scene& scene, const ViewFrames& frames,
+                         const ViewComparisonRequest& request) {
   const Settings& settings = context.settings();
   Displayed reference, test;
   {
@@ -163,7 +161,7 @@ compare::ViewResult compareView(Context& context, const scenes::Scene& scene, co
   {
     const base::Stopwatch watch(&context.timings(), "metrics");
     subject = makeSubject(frames, chosen, !settings.materials.empty());
-    measured = measureView(settings, frames, reference, test, subject, budgets, request);
+    measured = measureView(settings, frames, reference, test, subject, request);
   }
 
   std::vector<compare::Encoding> encoding = measureEncoding(
@@ -171,11 +169,11 @@ compare::ViewResult compareView(Context& context, const scenes::Scene& scene, co
 
   std::optional<TruthComparison> truth;
   if (settings.truth)
-    truth = compareWithTruth(
-        context, frames,
-        {reference, test, subject.lists, subject.box, request.exposureEv, !request.reportFolder.empty()});
+    truth = compareWithTruth(context, frames,
+                             {reference, test, subject.lists, subject.box, request.exposureEv, request.pictures});
 
-  compare::ViewResult view;
+  ComparedView compared;
+  compare::ViewResult& view = compared.view;
   view.name = request.viewName;
   view.width = settings.width;
   view.height = settings.height;
@@ -196,20 +194,18 @@ compare::ViewResult compareView(Context& context, const scenes::Scene& scene, co
     material.terms = termFigures(frames, list);
     material.encoding = std::move(encoding[i + 1]);
     if (truth) material.truth = truth->regions[i + 1];
-    compare::judgeMaterial(material, budgets, request.sceneName);
   });
-  compare::judgeWhole(view, budgets, request.sceneName);
-  if (request.reportFolder.empty()) return view;
+  if (!request.pictures) return compared;
 
-  const base::Stopwatch watch(&context.timings(), "write images");
+  const base::Stopwatch watch(&context.timings(), "encode images");
   ViewPictures pictures{.highend = &reference.pixels, .mobile = &test.pixels, .flip = measured.findMap("flip")};
   if (truth) {
     pictures.truth = &truth->truth.pixels;
     pictures.highendTruthFlip = &truth->highendFlip;
     pictures.mobileTruthFlip = &truth->mobileFlip;
   }
-  writeViewPictures(view, pictures, subject.crops, chosen, request.reportFolder, request.imagePrefix);
-  return view;
+  compared.pictures = encodeViewPictures(view, pictures, subject.crops, chosen, request.imagePrefix);
+  return compared;
 }
 
 } // namespace parity::job

@@ -1,28 +1,33 @@
-// One view compared: displayed images, FLIP map, figures per material, pictures written.
+// One view compared: displayed images, FLIP map, figures per material, pictures.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "compare/budget.h"
 #include "compare/report.h"
 #include "job/scene_renderer.h"
+#include "job/view_pictures.h"
 #include "mobile/sampler_rule.h"
 
 namespace parity::job {
 
 struct ViewComparisonRequest {
-  std::string sceneName, viewName;
+  std::string viewName;
   float exposureEv = 0;
-  std::filesystem::path reportFolder; // where images/ lies; empty: no pictures are written
-  std::string imagePrefix;            // unique to scene and view, safe in file names
-  mobile::SamplerInputs samplers;     // what the mobile path fetches besides the material's textures
+  std::vector<std::string> statistics; // wanted by budgets, besides the settings' metrics
+  bool pictures = false;
+  std::string imagePrefix;        // unique to scene and view, safe in file names
+  mobile::SamplerInputs samplers; // what the mobile path fetches besides the material's textures
+};
+
+struct ComparedView {
+  compare::ViewResult view; // not judged
+  std::vector<EncodedPicture> pictures;
 };
 
 // frames: both paths' and the coverage. The displayed images are compared as 8-bit pictures: `parity flip` on the
-// written PNGs gives the same map. Throws Error (exit 4) where a picture cannot be written.
-compare::ViewResult compareView(Context& context, const scenes::Scene& scene, const ViewFrames& frames,
-                                const compare::Budgets& budgets, const ViewComparisonRequest& request);
+// written PNGs gives the same map. Throws Error (exit 4) where a picture cannot be made.
+ComparedView compareView(Context& context, const scenes::Scene& scene, const ViewFrames& frames,
+                         const ViewComparisonRequest& request);
 
 } // namespace parity::job

@@ -1,11 +1,11 @@
 #include "job/view_pictures.h"
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "base/file.h"
 #include "base/image_io.h"
 #include "base/parallel.h"
 #include "compare/magma.h"
@@ -35,9 +35,9 @@ void nameImages(compare::ImageSet& images, std::optional<compare::Truth>& truth,
 
 } // namespace
 
-void writeViewPictures(compare::ViewResult& view, const ViewPictures& pictures, const std::vector<compare::Rect>& crops,
-                       const std::vector<std::size_t>& numbers, const std::filesystem::path& folder,
-                       const std::string& prefix) {
+std::vector<EncodedPicture> encodeViewPictures(compare::ViewResult& view, const ViewPictures& pictures,
+                                               const std::vector<compare::Rect>& crops,
+                                               const std::vector<std::size_t>& numbers, const std::string& prefix) {
   const std::string stem = "images/" + prefix;
   nameImages(view.images, view.truth, stem);
   for (std::size_t i = 0; i < view.materials.size(); ++i)
@@ -50,7 +50,11 @@ void writeViewPictures(compare::ViewResult& view, const ViewPictures& pictures, 
     highendHeat = quantize(compare::magmaImage(*pictures.highendTruthFlip));
     mobileHeat = quantize(compare::magmaImage(*pictures.mobileTruthFlip));
   }
-  std::vector<std::function<void()>> tasks;
+  struct Task {
+    Picture picture;
+    std::optional<compare::Rect> box;
+  };
+  std::vector<Task> tasks;
   const auto add = [&](const compare::ImageSet& set, const std::optional<compare::Truth>& truth,
                        const std::optional<compare::Rect>& box) {
     std::vector<Picture> all = {{pictures.highend, set.reference}, {pictures.mobile, set.test}, {&heat, set.flip}};
@@ -59,15 +63,25 @@ void writeViewPictures(compare::ViewResult& view, const ViewPictures& pictures, 
       all.push_back({&highendHeat, truth->images.highendFlip});
       all.push_back({&mobileHeat, truth->images.mobileFlip});
     }
-    for (const Picture& picture : all)
-      tasks.push_back([picture, box, &folder] {
-        base::writeImage8(folder / picture.path, box ? crop(*picture.whole, *box) : *picture.whole);
-      });
+    for (const Picture& picture : all) tasks.push_back({picture, box});
   };
   add(view.images, view.truth, std::nullopt);
   for (std::size_t i = 0; i < view.materials.size(); ++i)
     if (!crops[i].empty()) add(view.materials[i].crops, view.materials[i].truth, crops[i]);
-  base::parallelInvoke(tasks);
+  std::vector<EncodedPicture> encoded(tasks.size());
+  base::parallelFor(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto& [picture, box] = tasks[i];
+      encoded[i] = {picture.path, base::encodeImage8(picture.path, box ? crop(*picture.whole, *box) : *picture.whole)};
+    }
+  });
+  return encoded;
+}
+
+void writePictures(const std::vector<EncodedPicture>& pictures, const std::filesystem::path& folder) {
+  base::parallelFor(pictures.size(), 8, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) base::writeBytes(folder / pictures[i].file, pictures[i].bytes);
+  });
 }
 
 } // namespace parity::job

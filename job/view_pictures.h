@@ -1,6 +1,7 @@
 // The pictures of a view, and of each material that it shows a crop of each.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -19,10 +20,19 @@ struct ViewPictures {
   const base::Image *highendTruthFlip = nullptr, *mobileTruthFlip = nullptr;
 };
 
-// Writes images/PREFIX_*.png below the folder and names them in the view; of each material whose crop is not empty
+// A file of a report, not yet written.
+struct EncodedPicture {
+  std::string file; // relative to the report's folder, as the report names it
+  std::vector<std::byte> bytes;
+};
+
+// Makes images/PREFIX_*.png and names them in the view; of each material whose crop is not empty
 // images/PREFIX_mNUMBER_*.png. crops and numbers: as many as the view has materials. Throws Error (exit 4).
-void writeViewPictures(compare::ViewResult& view, const ViewPictures& pictures, const std::vector<compare::Rect>& crops,
-                       const std::vector<std::size_t>& numbers, const std::filesystem::path& folder,
-                       const std::string& prefix);
+std::vector<EncodedPicture> encodeViewPictures(compare::ViewResult& view, const ViewPictures& pictures,
+                                               const std::vector<compare::Rect>& crops,
+                                               const std::vector<std::size_t>& numbers, const std::string& prefix);
+
+// Writes them below the report's folder, all at the same time. Throws Error (exit 4).
+void writePictures(const std::vector<EncodedPicture>& pictures, const std::filesystem::path& folder);
 
 } // namespace parity::job

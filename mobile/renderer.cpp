@@ -54,8 +54,8 @@ std::array<glm::vec4, gpu::kPathNumbers> numbersOf(const gpu::EnvironmentMaps& e
 
 } // namespace
 
-Precision precisionOn(const gpu::Device& device, const Options& options) {
-  return device.report().float16 ? options.precision : Precision::fp32;
+Precision precisionOn(const gpu::DeviceReport& device, const Options& options) {
+  return device.float16 ? options.precision : Precision::fp32;
 }
 
 Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, const std::vector<gpu::BinKind>& binKinds,
@@ -63,7 +63,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
     : m_hasEnvironment(inputs.environment != nullptr) {
   gpu::PathProgram program;
   program.name = "mobile";
-  const Precision precision = precisionOn(device, options);
+  const Precision precision = precisionOn(device.report(), options);
   program.spirv = precision == Precision::fp16 ? gpu::Spirv(kMobileFp16Comp) : gpu::Spirv(kMobileFp32Comp);
   if (precision != options.precision)
     m_notes.push_back(fmt::format("fp32 in place of fp16: {} has no shaderFloat16", device.report().name));
@@ -91,6 +91,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
         program.pathData.push_back(index);
         if (index != kNoLight) used.insert(index);
       }
+    m_lightChoices = program.pathData.size() / kLightsPerObject;
     program.localCount = static_cast<std::uint32_t>(used.size());
     if (localCount > kLightsPerObject)
       m_notes.push_back(
@@ -104,6 +105,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   program.terms = inputs.terms;
   program.premultiplied = true;
   program.expectedPixels = inputs.expectedPixels;
+  program.compilation = inputs.compilation;
   m_pass = std::make_unique<gpu::ShadingPass>(device, scene, binKinds, std::move(program));
 }
 

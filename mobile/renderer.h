@@ -16,11 +16,12 @@ struct Inputs {
   std::vector<scenes::Light> lights = {};            // all of the scene's, and the sun; the path takes what it can
   bool terms = false;
   std::uint32_t view = kViewLit; // what the colour shows (mobile/views.h)
+  gpu::Compilation compilation = {};
   std::uint64_t expectedPixels = 0;
 };
 
 // What the device computes in: fp32 where it has no shaderFloat16, whatever the options ask for.
-Precision precisionOn(const gpu::Device& device, const Options& options);
+Precision precisionOn(const gpu::DeviceReport& device, const Options& options);
 
 class Renderer {
 public:
@@ -33,11 +34,15 @@ public:
   // Samplers that a permutation binds; what the optimizer finds to be unused is not taken off.
   std::size_t countSamplers(const gpu::Permutation& permutation) const;
 
+  // Objects for which local lights were chosen: none where the path loops over none.
+  std::size_t lightChoices() const { return m_lightChoices; }
+
   // What the path leaves out, in words for the report ("2 of 6 local lights: ..."); empty where it leaves out nothing.
   const std::vector<std::string>& notes() const { return m_notes; }
 
 private:
   bool m_hasEnvironment;
+  std::size_t m_lightChoices = 0;
   std::vector<std::string> m_notes;
   std::unique_ptr<gpu::ShadingPass> m_pass;
 };

@@ -63,6 +63,8 @@ void readBuffers(GltfDocument& document, const Json& json, const std::filesystem
         const std::filesystem::path path = resolve(document, folder, uri, place + ".uri");
         try {
           document.storage.push_back(base::readFile(path, base::kMaxFileBytes - std::min(total, base::kMaxFileBytes)));
+          const std::filesystem::path asset = std::filesystem::path(document.label).parent_path();
+          document.sources.push_back(sourceFile(nameOfUri(asset, uri), document.storage.back()));
         } catch (const base::Error& error) {
           throw document.error(place + ".uri", fmt::format("'{}': {}", cleanName(uri), error.reason()));
         }
@@ -119,6 +121,7 @@ void listImages(GltfDocument& document, const Json& json, const std::filesystem:
         source.embedded = decodeData(document, text, place + ".uri");
       else {
         source.file = resolve(document, folder, text, place + ".uri");
+        source.named = nameOfUri(std::filesystem::path(document.label).parent_path(), text);
         if (source.name.empty()) source.name = cleanName(text);
       }
     }
@@ -181,6 +184,7 @@ GltfDocument readGltfDocument(const std::string& file) {
   } catch (const base::Error& error) {
     throw document.error("", error.reason());
   }
+  document.sources.push_back(sourceFile(path, bytes));
   if (failed) throw document.error("", "its folder cannot be resolved: " + failed.message());
   if (bytes.empty()) throw document.error("", "the file is empty");
 

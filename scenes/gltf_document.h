@@ -10,6 +10,8 @@
 #include <tiny_gltf.h>
 
 #include "base/error.h"
+#include "base/hash.h"
+#include "scenes/scene.h"
 
 namespace parity::scenes {
 
@@ -17,9 +19,14 @@ namespace parity::scenes {
 struct GltfImageSource {
   std::string name;
   std::filesystem::path file;      // an external file, within the asset's folder
+  std::filesystem::path named;     // the same, links not resolved
   int bufferView = -1;             // part of a buffer
   std::vector<std::byte> embedded; // a data uri
 };
+
+inline SourceFile sourceFile(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+  return {file, base::Hasher().add(bytes).hex()};
+}
 
 struct GltfDocument {
   std::string label;                               // the file as the user wrote it, for messages
@@ -27,6 +34,7 @@ struct GltfDocument {
   std::vector<std::vector<std::byte>> storage;     // what the spans of `buffers` look at
   std::vector<std::span<const std::byte>> buffers; // each of exactly its byteLength
   std::vector<GltfImageSource> images;
+  std::vector<SourceFile> sources; // the file and its buffers
   std::vector<std::string> warnings;
 
   // An error of this file (exit 4); place: "accessors[3]".

@@ -75,10 +75,11 @@ ImageSize sniffImageSize(std::span<const std::byte> bytes) {
   return {};
 }
 
-std::vector<TextureImage> decodeImages(const GltfDocument& document, const std::vector<int>& used) {
+DecodedImages decodeImages(const GltfDocument& document, const std::vector<int>& used) {
   std::vector<std::vector<std::byte>> files(used.size());
   std::vector<std::span<const std::byte>> encoded(used.size());
   std::vector<std::string> places(used.size());
+  DecodedImages decoded;
   std::size_t texels = 0;
   for (std::size_t i = 0; i < used.size(); ++i) {
     const GltfImageSource& source = document.images[static_cast<std::size_t>(used[i])];
@@ -92,6 +93,7 @@ std::vector<TextureImage> decodeImages(const GltfDocument& document, const std::
         throw document.error(places[i], error.reason());
       }
       encoded[i] = files[i];
+      decoded.sources.push_back(sourceFile(source.named, files[i]));
     } else
       encoded[i] = source.embedded;
 
@@ -109,7 +111,8 @@ std::vector<TextureImage> decodeImages(const GltfDocument& document, const std::
     if (isJpeg(encoded[i]) && endsEarly(encoded[i])) throw document.error(places[i], "truncated: no end marker");
   }
 
-  std::vector<TextureImage> images(used.size());
+  std::vector<TextureImage>& images = decoded.images;
+  images.resize(used.size());
   base::parallelFor(used.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       images[i].name = document.images[static_cast<std::size_t>(used[i])].name;
@@ -120,7 +123,7 @@ std::vector<TextureImage> decodeImages(const GltfDocument& document, const std::
       }
     }
   });
-  return images;
+  return decoded;
 }
 
 } // namespace parity::scenes

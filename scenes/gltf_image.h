@@ -19,8 +19,13 @@ struct ImageSize {
 };
 ImageSize sniffImageSize(std::span<const std::byte> bytes);
 
+struct DecodedImages {
+  std::vector<TextureImage> images;
+  std::vector<SourceFile> sources; // of those that have a file of their own
+};
+
 // Decodes those images that `used` lists (indices into document.images), at the same time. Throws Error (exit 4): not
 // there, neither PNG nor JPEG, too large, truncated, not decodable.
-std::vector<TextureImage> decodeImages(const GltfDocument& document, const std::vector<int>& used);
+DecodedImages decodeImages(const GltfDocument& document, const std::vector<int>& used);
 
 } // namespace parity::scenes

@@ -123,4 +123,8 @@ std::filesystem::path resolveUri(const std::filesystem::path& folder, std::strin
   return file;
 }
 
+std::filesystem::path nameOfUri(const std::filesystem::path& folder, std::string_view uri) {
+  return folder / decodePercent(uri);
+}
+
 } // namespace parity::scenes

@@ -19,4 +19,8 @@ std::vector<std::byte> decodeDataUri(std::string_view uri);
 // folder: by "..", by percent-encoding or through symbolic links.
 std::filesystem::path resolveUri(const std::filesystem::path& folder, std::string_view uri);
 
+// The same file by the name that the asset has for it, links and all. Throws std::invalid_argument where its
+// percent-encoding is none.
+std::filesystem::path nameOfUri(const std::filesystem::path& folder, std::string_view uri);
+
 } // namespace parity::scenes

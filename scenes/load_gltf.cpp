@@ -56,24 +56,46 @@ std::vector<UsedPrimitive> listPrimitives(const GltfDocument& document, const st
   return used;
 }
 
-template <typename Body> void forEachSlot(std::vector<Material>& materials, const Body& body) {
-  for (Material& material : materials)
-    for (TextureSlot* slot : {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-                              &material.occlusionTexture, &material.emissiveTexture, &material.specularTexture,
-                              &material.specularColorTexture})
-      if (slot->present()) body(*slot);
+template <typename Body> void forEachSlot(Material& material, const Body& body) {
+  for (TextureSlot* slot : {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
+                            &material.occlusionTexture, &material.emissiveTexture, &material.specularTexture,
+                            &material.specularColorTexture})
+    if (slot->present()) body(*slot);
 }
 
 // Renumbers the slots to the images that are used, and returns those, as indices into document.images.
 std::vector<int> collectImages(std::vector<Material>& materials) {
   std::vector<int> used;
-  forEachSlot(materials, [&](const TextureSlot& slot) { used.push_back(slot.image); });
+  for (Material& material : materials)
+    forEachSlot(material, [&](const TextureSlot& slot) { used.push_back(slot.image); });
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
-  forEachSlot(materials, [&](TextureSlot& slot) {
-    slot.image = static_cast<int>(std::lower_bound(used.begin(), used.end(), slot.image) - used.begin());
-  });
+  for (Material& material : materials)
+    forEachSlot(material, [&](TextureSlot& slot) {
+      slot.image = static_cast<int>(std::lower_bound(used.begin(), used.end(), slot.image) - used.begin());
+    });
   return used;
+}
+
+// The images of materials that some primitive shows; the others keep their places, without pixels.
+std::vector<SourceFile> readImages(const GltfDocument& document, const std::vector<UsedPrimitive>& primitives,
+                                   const std::vector<int>& images, Scene& scene) {
+  std::vector<bool> isShown(scene.materials.size()), isRead(images.size());
+  for (const UsedPrimitive& used : primitives) isShown[used.material] = true;
+  for (std::size_t m = 0; m < isShown.size(); ++m)
+    if (isShown[m])
+      forEachSlot(scene.materials[m],
+                  [&](const TextureSlot& slot) { isRead[static_cast<std::size_t>(slot.image)] = true; });
+  std::vector<int> read;
+  for (std::size_t i = 0; i < images.size(); ++i)
+    if (isRead[i]) read.push_back(images[i]);
+  DecodedImages decoded = decodeImages(document, read);
+  for (std::size_t i = 0, next = 0; i < images.size(); ++i)
+    if (isRead[i])
+      scene.images.push_back(std::move(decoded.images[next++]));
+    else
+      scene.images.push_back({document.images[static_cast<std::size_t>(images[i])].name, {}});
+  return std::move(decoded.sources);
 }
 
 // Lights, cameras and instances of all nodes. meshesOf: the scene's meshes that stand for a mesh of the file.
@@ -128,7 +150,10 @@ Scene loadGltf(const std::string& file) {
       }
     });
   };
-  base::parallelInvoke({buildMeshes, [&] { scene.images = decodeImages(document, images); }});
+  std::vector<SourceFile> imageFiles;
+  base::parallelInvoke({buildMeshes, [&] { imageFiles = readImages(document, primitives, images, scene); }});
+  scene.sources = document.sources;
+  scene.sources.insert(scene.sources.end(), imageFiles.begin(), imageFiles.end());
 
   std::map<int, std::vector<std::uint32_t>> meshesOf;
   for (std::size_t i = 0; i < built.size(); ++i) {

@@ -91,7 +91,7 @@ struct Material {
   bool isNonmetal() const;
 };
 
-// RGBA, 8 bit. The same image may be read as colour (sRGB) by one slot and as data by another.
+// RGBA, 8 bit; no pixels where only materials that no mesh shows read it. The same image may be read as colour (sRGB) by one slot and as data by another.
 struct TextureImage {
   std::string name;
   base::Image8 pixels; // 4 channels
@@ -138,9 +138,17 @@ struct Bounds {
   float radius() const { return 0.5f * glm::length(upper - lower); }
 };
 
+// A file that a scene was read from, as the scene names it, links not resolved; and the hash (base::Hasher) of the very
+// bytes that were read.
+struct SourceFile {
+  std::filesystem::path file;
+  std::string hash;
+};
+
 struct Scene {
-  std::string name;           // short, for reports
-  std::filesystem::path file; // empty for built-in scenes
+  std::string name;                // short, for reports
+  std::filesystem::path file;      // empty for built-in scenes
+  std::vector<SourceFile> sources; // that file first, then its buffers and images
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
   std::vector<Material> materials;

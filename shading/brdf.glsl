@@ -122,27 +122,29 @@ FN real3 energyCompensation(real3 F0, real2 dfg) {
 // Directional albedo of what scatters more than once, as Fdez-Aguera 2019 ("A Multiple-Scattering Microfacet Model for
 // Real-Time Image-based Lighting", section 3) has it:
 //   Fms Ems,  Fms = FssEss Favg / (1 - Favg Ems),  FssEss = F0 A + F90 B,  Ems = 1 - (A + B)
-// spread as by a Lambertian surface. dfg = (A, B); Favg: cosine-weighted mean of Fresnel's reflectance. At F0 = 1 what
-// single scattering loses. From Kulla and Conty's (kullaContyAlbedo) it differs where A + B is far from its average.
+// spread as by a Lambertian surface. dfg = (A, B), A + B in (0, 1]; Favg: cosine-weighted mean of Fresnel's reflectance.
+// The divisor is written 1 - Favg + Favg (A + B), which does not cancel: else 0 for Favg = 1 and a small A + B. At F0 = 1
+// what single scattering loses. From Kulla and Conty's (kullaContyAlbedo) it differs where A + B is far from its average.
 FN real3 fdezAgueraAlbedo(real3 F0, real F90, real3 Favg, real2 dfg) {
-  PRECISE real Ems = max(R(1.0) - (dfg.x + dfg.y), R(0.0));
+  PRECISE real Ess = dfg.x + dfg.y;
+  PRECISE real Ems = max(R(1.0) - Ess, R(0.0));
   PRECISE real h = F90 * dfg.y;
   PRECISE real3 Fss = real3(F0.x * dfg.x + h, F0.y * dfg.x + h, F0.z * dfg.x + h);
-  PRECISE real3 E = real3(Fss.x * Favg.x * Ems / (R(1.0) - Favg.x * Ems), Fss.y * Favg.y * Ems / (R(1.0) - Favg.y * Ems),
-                          Fss.z * Favg.z * Ems / (R(1.0) - Favg.z * Ems));
+  PRECISE real3 E = real3(Fss.x * Favg.x * Ems / (R(1.0) - Favg.x + Favg.x * Ess), Fss.y * Favg.y * Ems / (R(1.0) - Favg.y + Favg.y * Ess),
+                          Fss.z * Favg.z * Ems / (R(1.0) - Favg.z + Favg.z * Ess));
   return E;
 }
 
 // The same after Kulla and Conty 2017 ("Revisiting Physically Based Shading at Imageworks"), the bounces summed as Hill
 // 2018 does ("A Multi-Faceted Exploration", part 3):
 //   Favg^2 Eavg / (1 - Favg (1 - Eavg)) (1 - E),  E = A + B at NoV, Eavg = its cosine-weighted mean
-// spread over light directions as (1 - E(NoL)) NoL / (pi (1 - Eavg)): see kullaContyLobe. E, Eavg in (0, 1].
+// spread over light directions as (1 - E(NoL)) NoL / (pi (1 - Eavg)): see kullaContyLobe. E, Eavg in (0, 1]. The divisor as
+// in fdezAgueraAlbedo.
 FN real3 kullaContyAlbedo(real3 Favg, real E, real Eavg) {
   PRECISE real lost = max(R(1.0) - E, R(0.0));
-  PRECISE real lostAvg = R(1.0) - Eavg;
   PRECISE real k = Eavg * lost;
-  PRECISE real3 albedo = real3(Favg.x * Favg.x * k / (R(1.0) - Favg.x * lostAvg), Favg.y * Favg.y * k / (R(1.0) - Favg.y * lostAvg),
-                               Favg.z * Favg.z * k / (R(1.0) - Favg.z * lostAvg));
+  PRECISE real3 albedo = real3(Favg.x * Favg.x * k / (R(1.0) - Favg.x + Favg.x * Eavg), Favg.y * Favg.y * k / (R(1.0) - Favg.y + Favg.y * Eavg),
+                               Favg.z * Favg.z * k / (R(1.0) - Favg.z + Favg.z * Eavg));
   return albedo;
 }
 

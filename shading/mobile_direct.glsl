@@ -16,7 +16,7 @@
 // Karis 2014 ("Physically Based Shading on Mobile"). Roughness in (0, 1], RoL in [-1, 1]. Lacks the 1/4 of the microfacet
 // denominator, so smooth lobes are about 4 N too bright (rms log ratio .78, range .15-4.4, exitance up to 3.89). No
 // epsilon, because the article has none: in half it is inf for R <= .0625 at RoL = 1 and NaN for R <= .0574, where c is
-// inf (SHADING 4).
+// inf (SHADING 4). RoL above 1 by a rounding makes 2^(c RoL - c) grow: inf up to roughness .13 in half, .006 in single.
 FN real D_Approx(real Roughness, real RoL) {
   PRECISE real a = Roughness * Roughness;
   PRECISE real a2 = a * a;

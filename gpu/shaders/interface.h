@@ -43,6 +43,11 @@ PARITY_CONST uint kVertexUvs = 2u;
 PARITY_CONST uint kVertexTangents = 4u;
 PARITY_CONST uint kVertexSecondUv = 8u; // some texture reads the second uv set
 PARITY_CONST uint kVertexFog = 16u;     // the scene has fog
+PARITY_CONST uint kVertexAll = 31u;
+PARITY_CONST uint kVertexMustShift = 16u; // in the constant: what all scenes have, above what some may
+
+// Instead of a number known when a shader is specialised: GpuView::counts says it.
+PARITY_CONST uint kUnknown = 0xffffffffu;
 
 PARITY_CONST uint kTermsInA =
     5u; // planes of the first term buffer; the others are in the second: a buffer ends at 128 MiB
@@ -125,6 +130,7 @@ struct GpuView {
   vec4 fog;                               // density, height falloff, height, start distance (shading/fog.glsl)
   vec4 fogColor;                          // rgb: radiance where the fog is dense; its maximum opacity
   vec4 path[kPathNumbers];                // the path's own
+  uvec4 counts;                           // directional lights, local lights, 1 with an environment, kVertex... bits
 };
 
 #ifdef __cplusplus

@@ -13,11 +13,11 @@ layout(local_size_x = 64) in;
 layout(constant_id = 0) const uint kTextures = 0u;
 layout(constant_id = 1) const uint kMayFeatures = 0u;
 layout(constant_id = 2) const uint kMustFeatures = 0u;
-layout(constant_id = 3) const uint kDirectionalCount = 0u;
+layout(constant_id = 3) const uint kDirectionalCount = 0u; // these three may be kUnknown
 layout(constant_id = 4) const uint kLocalCount = 0u;
 layout(constant_id = 5) const uint kHasEnvironment = 0u;
 layout(constant_id = 6) const uint kWriteTerms = 0u;
-layout(constant_id = 7) const uint kVertexData = 0u;
+layout(constant_id = 7) const uint kVertexData = 0u; // what some scenes have, and what all have, above kVertexMustShift
 
 layout(set = 0, binding = 0, std140) uniform View { GpuView view; };
 layout(set = 0, binding = 1, std430) readonly buffer Materials { GpuMaterial materials[]; };
@@ -68,6 +68,15 @@ bool hasFeature(uint feature, uint material) {
   return (materials[material].flags.x & feature) != 0u;
 }
 
+uint directionalCount() { return kDirectionalCount == kUnknown ? view.counts.x : kDirectionalCount; }
+uint localCount() { return kLocalCount == kUnknown ? view.counts.y : kLocalCount; }
+bool hasEnvironment() { return kHasEnvironment == kUnknown ? view.counts.z != 0u : kHasEnvironment != 0u; }
+bool hasVertexData(uint bits) {
+  if ((kVertexData & (bits << kVertexMustShift)) != 0u) return true;
+  if ((kVertexData & bits) == 0u) return false;
+  return (view.counts.w & bits) != 0u;
+}
+
 bool hasTexture(int slot, uint material) {
   if ((kTextures & (1u << slot)) == 0u) return false;
   return materials[material].slots[slot].uvRow1.w > 0.5;
@@ -78,10 +87,10 @@ vec4 fetch(sampler2D tex, int slot, uint material, uint i) {
   GpuTextureSlot s = materials[material].slots[slot];
   vec2 uv = vec2(0.0); // a scene without uvs is read at (0,0)
   vec4 d = vec4(0.0);
-  if ((kVertexData & kVertexUvs) != 0u) {
+  if (hasVertexData(kVertexUvs)) {
     uv = surfaceUv[i].xy;
     d = surfaceUv0Derivatives[i];
-    if ((kVertexData & kVertexSecondUv) != 0u && s.uvRow0.w > 0.5) {
+    if (hasVertexData(kVertexSecondUv) && s.uvRow0.w > 0.5) {
       uv = surfaceUv[i].zw;
       d = surfaceUv1Derivatives[i];
     }
@@ -105,7 +114,7 @@ Point makePoint(uint i) {
 
 // The fog of the triangle's vertices, interpolated: inscattered radiance, transmittance.
 vec4 vertexFog(uint i) {
-  if ((kVertexData & kVertexFog) == 0u) return vec4(0.0, 0.0, 0.0, 1.0);
+  if (!hasVertexData(kVertexFog)) return vec4(0.0, 0.0, 0.0, 1.0);
   return surfaceFog[i];
 }
 
@@ -118,7 +127,7 @@ vec3 anyTangent(vec3 n) {
 
 // texel: of the normal map.
 vec3 mapNormal(Point p, uint i, vec4 texel) {
-  vec4 tangent = (kVertexData & kVertexTangents) != 0u ? surfaceTangent[i] : vec4(0.0);
+  vec4 tangent = hasVertexData(kVertexTangents) ? surfaceTangent[i] : vec4(0.0);
   if (dot(tangent.xyz, tangent.xyz) < 0.5) tangent = vec4(anyTangent(p.normal), 1.0);
   vec3 bitangent = tangent.w * cross(p.normal, tangent.xyz);
   vec3 t = texel.xyz * 2.0 - 1.0;
@@ -129,7 +138,7 @@ vec3 mapNormal(Point p, uint i, vec4 texel) {
 Resolved resolveMaterial(Point p, uint i) {
   uint m = p.material;
   vec4 base = materials[m].baseColor;
-  if ((kVertexData & kVertexColors) != 0u) base *= surfaceColor[i];
+  if (hasVertexData(kVertexColors)) base *= surfaceColor[i];
   if (hasTexture(kSlotBaseColor, m)) base *= fetch(baseColorTexture, kSlotBaseColor, m, i);
 
   Resolved r;

@@ -67,7 +67,7 @@ Shader makeShader(Point p, Resolved m) {
   s.factor = vec3(1.0);
   s.multiple = s.single = vec3(0.0);
   s.Eavg = 1.0;
-  if (kHasEnvironment == 0u && kCompensation == kCompensationNone && kDiffuse == kDiffuseLambert) return s;
+  if (!hasEnvironment() && kCompensation == kCompensationNone && kDiffuse == kDiffuseLambert) return s;
 
   vec3 ABavg = environmentBrdf(s.NoV, s.roughness);
   vec2 AB = ABavg.xy;
@@ -136,7 +136,7 @@ vec3 reflectedRadiance(Shader s) {
 
 // Evaluated at the pixel.
 Terms inFog(Terms terms, Point p) {
-  if ((kVertexData & kVertexFog) == 0u) return terms;
+  if (!hasVertexData(kVertexFog)) return terms;
   return seenThrough(fogAt(p.position), terms);
 }
 
@@ -154,19 +154,19 @@ void main() {
   }
 
   Shader s = makeShader(p, m);
-  for (uint k = 0u; k < kDirectionalCount; ++k) {
+  for (uint k = 0u; k < directionalCount(); ++k) {
     Lobes lobes = lit(s, -lights[k].directionCosOuter.xyz, lights[k].colorRange.xyz);
     terms.t[kTermSunDiffuse] += lobes.diffuse;
     terms.t[kTermSunSpecular] += lobes.specular * lights[k].cone.y;
   }
-  for (uint k = kDirectionalCount; k < kDirectionalCount + kLocalCount; ++k) {
+  for (uint k = directionalCount(); k < directionalCount() + localCount(); ++k) {
     vec3 L;
     vec3 illuminance = localLight(lights[k], p.position, L);
     Lobes lobes = lit(s, L, illuminance);
     terms.t[kTermLocalDiffuse] += lobes.diffuse;
     terms.t[kTermLocalSpecular] += lobes.specular * lights[k].cone.y;
   }
-  if (kHasEnvironment != 0u) {
+  if (hasEnvironment()) {
     vec3 irradianceOverPi = skyIrradianceOverPi(s.N);
     vec3 scale = view.skyLightColor.xyz * m.occlusion;
     terms.t[kTermSkyDiffuse] = irradianceOverPi * s.diffuseColor * scale;

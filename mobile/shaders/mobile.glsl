@@ -46,7 +46,7 @@ void writePass(uint i, BasePass pass, float opacity) {
   real3 Color = narrow(widen(pass.Color));
   real3 VertexFog = real3(R(0.0));
   real VertexFogA = R(1.0);
-  if ((kVertexData & kVertexFog) != 0u) {
+  if (hasVertexData(kVertexFog)) {
     vec4 fog = vertexFog(i);
     VertexFog = narrow(fog.xyz);
     VertexFogA = real(fog.w);
@@ -144,7 +144,7 @@ void computeIndirect(inout BasePass pass, inout Shaded s) {
   real3 IndirectColor =
       modulate(modulate(LightmapColor.xyz, s.context.DiffuseColor), real3(view.indirectColorScale.xyz));
   s.SkyDiffuseLighting = real3(R(0.0));
-  if (kHasEnvironment != 0u)
+  if (hasEnvironment())
     s.SkyDiffuseLighting =
         kSkyCoefficients == 9 ? GetSkySHDiffuse(skySh(), s.frame.N) : GetSkySHDiffuseSimple(skySh(), s.frame.N);
   s.DiffuseLookup = modulate(s.SkyDiffuseLighting, real3(view.skyLightColor.xyz));
@@ -161,7 +161,7 @@ void computeIndirect(inout BasePass pass, inout Shaded s) {
 void addDirectionalLight(inout BasePass pass, Shaded s) {
   real Shadow = R(1.0); // of a distance field, where one is baked
   show(kViewShadow, Shadow);
-  if (kDirectionalCount == 0u) return;
+  if (directionalCount() == 0u) return;
   real3 N = s.frame.N;
   vec3 L = -lights[0].directionCosOuter.xyz;
   vec3 DirectionalLightColor = lights[0].colorRange.xyz * 0.318309886183790672 * float(Shadow);
@@ -279,10 +279,10 @@ void main() {
   Shaded s = makeShaded(p, r);
   computeIndirect(pass, s);
   addDirectionalLight(pass, s);
-  if (kHasEnvironment != 0u && !s.fullyRough) addReflectedEnvironment(pass, s);
+  if (hasEnvironment() && !s.fullyRough) addReflectedEnvironment(pass, s);
   show(kViewColorAfterIBL, narrow(widen(pass.Color)));
-  if (kLocalCount != 0u) addLocalLights(pass, s, p);
-  if (kHasEnvironment != 0u) addSkyLight(pass, s);
+  if (localCount() != 0u) addLocalLights(pass, s, p);
+  if (hasEnvironment()) addSkyLight(pass, s);
   real3 Emissive = narrow(r.emissive);
   pass.Color = add(pass.Color, Emissive);
   addTerm(pass, kTermEmissive, Emissive);

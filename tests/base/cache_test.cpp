@@ -13,9 +13,9 @@
 #include <unistd.h>
 
 #include "base/cache.h"
+#include "base/error.h"
 #include "base/file.h"
 #include "base/hash.h"
-#include "base/log.h"
 #include "base/temp_folder.h"
 
 namespace parity::base {
@@ -186,22 +186,41 @@ TEST(Cache, mayBeDeletedAtAnyTime) {
   EXPECT_TRUE(cache.find("a"));
 }
 
-TEST(Cache, aFolderThatCannotBeWrittenIsOneVerboseLineAndNoError) {
+TEST(Cache, aFolderThatCannotBeWrittenIsOneWarningAndNoError) {
   const TempFolder temp;
   writeText(temp.path() / "file", "not a folder");
   const Cache cache(temp.path() / "file");
-  setLogLevel(LogLevel::verbose);
   testing::internal::CaptureStderr();
   cache.store("a", makeBytes(10, 1));
   cache.store("b", makeBytes(10, 1));
   EXPECT_FALSE(cache.find("a"));
   const std::string log = testing::internal::GetCapturedStderr();
-  setLogLevel(LogLevel::normal);
   EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 1) << log;
-  EXPECT_NE(log.find("cache"), std::string::npos) << log;
-  testing::internal::CaptureStderr();
-  Cache(temp.path() / "file").store("a", makeBytes(10, 1));
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_TRUE(log.starts_with("warning: cache: ")) << log;
+}
+
+TEST(Cache, describesItsEntriesByKindAndRemovesThemAlone) {
+  const TempFolder temp;
+  const Cache cache(temp.path() / "cache");
+  EXPECT_EQ(cache.describe().entries, 0u);
+  EXPECT_EQ(cache.clear().entries, 0u);
+  cache.store("lut-1", makeBytes(100, 1));
+  cache.store("lut-2", makeBytes(200, 2));
+  cache.store("plain", makeBytes(10, 3));
+  writeText(temp.path() / "cache" / ".lut-3.999-0.parity-blob", "left by a killed process");
+  writeText(temp.path() / "cache" / "notes.txt", "the user's own");
+  const CacheContents contents = cache.describe();
+  ASSERT_EQ(contents.kinds.size(), 2u);
+  EXPECT_EQ(contents.kinds[0].name, "lut");
+  EXPECT_EQ(contents.kinds[0].entries, 2u);
+  EXPECT_EQ(contents.kinds[0].bytes, 100u + 200u + 2 * 48u);
+  EXPECT_EQ(contents.kinds[1].name, "other");
+  EXPECT_EQ(contents.kinds[1].bytes, 10u + 48u + 24u);
+  EXPECT_EQ(contents.bytes, bytesIn(temp.path() / "cache") - 14);
+  EXPECT_EQ(cache.clear().bytes, contents.bytes);
+  EXPECT_EQ(filesIn(temp.path() / "cache"), std::vector<fs::path>{temp.path() / "cache" / "notes.txt"});
+  writeText(temp.path() / "file", "no folder");
+  EXPECT_THROW(Cache(temp.path() / "file").describe(), Error);
 }
 
 // Each process stores and finds the same few keys in a cache too small for all of them: every hit is whole and right.

@@ -33,6 +33,7 @@ const std::vector<std::string> kCommon = {"--size",
                                           "--threads",
                                           "--cache",
                                           "--no-cache",
+                                          "--cache-size",
                                           "-q",
                                           "-v",
                                           "--no-sun-extraction",
@@ -57,7 +58,8 @@ void expectHelp(const std::vector<std::string>& arguments, const std::vector<std
 
 TEST(Help, NamesTheSubcommandsAndTheExitCodes) {
   for (const char* flag : {"--help", "-h"})
-    expectHelp({flag}, {"report", "diff", "render", "flip", "fit", "devices", "64", "over budget", "builtin:spheres"});
+    expectHelp({flag}, {"report", "diff", "render", "flip", "fit", "bench", "stress", "devices", "cache", "64",
+                        "over budget", "builtin:spheres"});
 }
 
 TEST(Help, OfEachSubcommandNamesItsOptions) {
@@ -73,6 +75,14 @@ TEST(Help, OfEachSubcommandNamesItsOptions) {
   expectHelp({"budget", "--help"}, {"suggest", "check"});
   expectHelp({"budget", "suggest", "--help"}, {"reports", "--output", "--margin", "--metrics"});
   expectHelp({"fit", "--help"}, {"--geometry-term", "--fresnel", "--compensation", "--format", "hlsl", "--output"});
+  expectHelp({"bench", "--help"}, join({kCommon,
+                                        {"--budget", "--compare", "--settings", "--rounds", "--scaling",
+                                         "--no-reference", "--csv", "--output"}}));
+  expectHelp({"stress", "--help"},
+             {"--only", "--list", "--at", "--functions", "--points", "--device-points", "--renders", "--scenes",
+              "--seed", "--seconds", "--output", "--json", "--no-validation"});
+  expectHelp({"cache", "--help"}, {"info", "clear"});
+  expectHelp({"cache", "clear", "--help"}, {"--cache", "--json"});
   expectHelp({"devices", "--help"}, {"--device", "--json"});
 }
 

@@ -26,14 +26,14 @@ TEST(Html, EveryTextOfAReportIsEscaped) {
     report.settings = {{text, text}, {"truth", text}};
     report.warnings = {text};
     report.baseline = BaselineSummary{text, text, text, 1, {{text, text, text}}, text};
-    run = {text, text, {{text, 1}}};
+    run = {text, text, {{text, 1}}, 1, {text}};
     for (SceneResult& scene : report.scenes) {
       scene.name = scene.source = scene.environment = scene.sun = scene.error = text;
       scene.warnings = {text};
+      scene.passes = {{text, text, 0, text}};
       for (ViewResult& view : scene.views) {
         view.name = view.reason = text;
         view.images = {text, text, text};
-        view.skipped = {text};
         view.truth = Truth{{}, {}, {{text, 1, 2, 3, {}, {}}}, {text}, {text, text, text}};
         view.rule = {text, text, text, false, text, 1};
         for (MaterialResult& material : view.materials) {

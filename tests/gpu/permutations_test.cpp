@@ -11,36 +11,103 @@ namespace {
 
 constexpr std::uint64_t kBig = 10'000'000, kSmall = 1000;
 
+constexpr std::uint32_t kAllTextures = 0xff;
+
+// The permutations of these classes, seen at once, in their order.
+std::vector<Permutation> planAll(const std::vector<ClassPixels>& classes, const PermutationBudget& budget = {}) {
+  std::vector<MaterialClass> all;
+  for (const ClassPixels& c : classes) all.push_back(c.materialClass);
+  PermutationPlan plan(budget, kAllTextures, all);
+  plan.add(classes);
+  std::vector<Permutation> permutations;
+  for (const MaterialClass& c : all) permutations.push_back(plan.of(c));
+  return permutations;
+}
+
+std::vector<ClassPixels> makeClasses(std::uint32_t count, std::uint64_t pixels) {
+  std::vector<ClassPixels> classes;
+  for (std::uint32_t i = 0; i < count; ++i) classes.push_back({{i, i % 8}, pixels + i});
+  return classes;
+}
+
+void expectServes(const Permutation& permutation, const MaterialClass& c) {
+  EXPECT_EQ(permutation.textures & c.textures, c.textures);
+  EXPECT_EQ(permutation.mayFeatures & c.features, c.features);
+  EXPECT_EQ(permutation.mustFeatures & ~c.features, 0u) << "a feature that the class lacks must not be compiled in";
+}
+
 TEST(Permutations, areExactForASingleClassHoweverSmall) {
-  const ClassPixels classes[] = {{{5, kFeatureNonmetal}, kSmall}};
-  const auto plan = planPermutations(classes);
-  EXPECT_EQ(plan[0], (Permutation{5, kFeatureNonmetal, kFeatureNonmetal}));
+  EXPECT_EQ(planAll({{{5, kFeatureNonmetal}, kSmall}})[0], (Permutation{5, kFeatureNonmetal, kFeatureNonmetal}));
 }
 
 TEST(Permutations, mergeClassesWhoseSavingDoesNotPayForTheCompilation) {
-  const ClassPixels classes[] = {{{1, kFeatureNonmetal}, kSmall}, {{2, 0}, kSmall}};
-  const auto plan = planPermutations(classes);
+  const auto plan = planAll({{{1, kFeatureNonmetal}, kSmall}, {{2, 0}, kSmall}});
   EXPECT_EQ(plan[0], plan[1]);
   EXPECT_EQ(plan[0], (Permutation{3, kFeatureNonmetal, 0}));
 }
 
-TEST(Permutations, splitOffAClassOfManyPixels) {
-  const ClassPixels classes[] = {{{1, kFeatureNonmetal}, kSmall}, {{2, 0}, kBig}};
-  const auto plan = planPermutations(classes);
-  EXPECT_EQ(plan[1], (Permutation{2, 0, 0}));
-  EXPECT_EQ(plan[0], (Permutation{1, kFeatureNonmetal, kFeatureNonmetal}));
+TEST(Permutations, splitOffAClassWhoseSavingPaysForTheCompilation) {
+  // The rule of DESIGN 7: pixels x saving against the time of compiling.
+  const auto enough = static_cast<std::uint64_t>(kPermutationCostMs * 1e6 / kPermutationSavingNsPerPixel);
+  for (const bool pays : {true, false}) {
+    const auto plan = planAll({{{1, kFeatureNonmetal}, kSmall}, {{2, 0}, pays ? enough + 1 : enough}});
+    EXPECT_EQ(plan[1], pays ? (Permutation{2, 0, 0}) : (Permutation{3, kFeatureNonmetal, 0}));
+    EXPECT_EQ(plan[0], pays ? (Permutation{1, kFeatureNonmetal, kFeatureNonmetal}) : plan[1]);
+  }
 }
 
-TEST(Permutations, areAtMostEightAndCoverEveryClass) {
-  std::vector<ClassPixels> classes;
-  for (std::uint32_t i = 0; i < 30; ++i) classes.push_back({{i, i % 8}, kBig + i});
-  const auto plan = planPermutations(classes);
-  EXPECT_EQ(std::set<Permutation>(plan.begin(), plan.end()).size(), kMaxPermutations);
+TEST(Permutations, areAtMostEightAndServeEveryClass) {
+  for (const std::uint64_t pixels : {kSmall, kBig}) {
+    const std::vector<ClassPixels> classes = makeClasses(30, pixels);
+    const auto plan = planAll(classes);
+    EXPECT_EQ(std::set<Permutation>(plan.begin(), plan.end()).size(), pixels == kBig ? kMaxPermutations : 1);
+    for (std::size_t i = 0; i < classes.size(); ++i) expectServes(plan[i], classes[i].materialClass);
+  }
+}
+
+TEST(Permutations, areMadeForWhatIsSeenAndAtMostEightWhateverIsSeenLater) {
+  for (const std::uint64_t pixels : {kSmall, kBig}) {
+    const std::vector<ClassPixels> classes = makeClasses(30, pixels);
+    std::vector<MaterialClass> all;
+    for (const ClassPixels& c : classes) all.push_back(c.materialClass);
+    PermutationPlan plan({}, kAllTextures, all);
+    std::set<Permutation> made;
+    for (const ClassPixels& c : classes) {
+      if (made.size() + 1 < kMaxPermutations && pixels == kBig) {
+        EXPECT_FALSE(plan.has(c.materialClass)) << "nothing shows it yet";
+      }
+      plan.add({c});
+      made.insert(plan.of(c.materialClass));
+      expectServes(plan.of(c.materialClass), c.materialClass);
+    }
+    EXPECT_LE(made.size(), kMaxPermutations);
+    EXPECT_EQ(plan.of(classes[0].materialClass), (Permutation{0, 0, 0})) << "the first was alone";
+  }
+}
+
+TEST(Permutations, ofASceneWithoutItsOwnAreThatOfEveryScene) {
+  const std::vector<ClassPixels> classes = makeClasses(30, kBig);
+  const Permutation every = everyScenePermutation(kAllTextures);
+  const auto none = planAll(classes, {.own = 0, .shares = true}), two = planAll(classes, {.own = 2, .shares = true});
   for (std::size_t i = 0; i < classes.size(); ++i) {
-    const MaterialClass& c = classes[i].materialClass;
-    EXPECT_EQ(plan[i].textures & c.textures, c.textures);
-    EXPECT_EQ(plan[i].mayFeatures & c.features, c.features);
-    EXPECT_EQ(plan[i].mustFeatures & ~c.features, 0u) << "a feature that the class lacks must not be compiled in";
+    EXPECT_EQ(none[i], every);
+    expectServes(none[i], classes[i].materialClass);
+    EXPECT_EQ(two[i] == every, i < 28) << "the two largest have their own";
+  }
+  EXPECT_EQ(planAll({{{5, 0}, kSmall}}, {.own = 2, .shares = true})[0], every) << "it does not pay";
+}
+
+TEST(Permutations, ofARunAreEightHoweverManyScenesItHas) {
+  EXPECT_EQ(shareOf(0, 1), PermutationBudget{});
+  for (const std::size_t scenes : {2u, 3u, 7u, 8u, 9u, 100u}) {
+    const bool shares = scenes > kMaxPermutations;
+    std::size_t own = 0;
+    for (std::size_t i = 0; i < scenes; ++i) {
+      EXPECT_EQ(shareOf(i, scenes).shares, shares);
+      EXPECT_GE(shareOf(i, scenes).own, kMaxPermutations / scenes) << "else it has none";
+      own += shareOf(i, scenes).own;
+    }
+    EXPECT_EQ(own + (shares ? 1 : 0), kMaxPermutations) << scenes;
   }
 }
 

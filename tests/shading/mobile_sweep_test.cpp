@@ -5,9 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "shading/device_harness.h"
 #include "shading_shaders/sweep_fp16.comp.h"
 #include "shading_shaders/sweep_fp32.comp.h"
+#include "stress/device_rows.h"
+#include "support/device.h"
 
 namespace parity::tests {
 namespace {
@@ -22,20 +23,13 @@ struct Findings {
 };
 
 // What each point of the sequence came to, summed up.
-class MobileSweep : public testing::Test {
+class MobileSweep : public DeviceTest {
 protected:
-  static void SetUpTestSuite() { s_harness = DeviceHarness::open(); }
-  static void TearDownTestSuite() { s_harness.reset(); }
-  void SetUp() override {
-    if (!s_harness) GTEST_SKIP() << "no Vulkan device: install mesa-vulkan-drivers";
-  }
-
-  static Findings sweep(int preset, bool half) {
+  Findings sweep(int preset, bool half) const {
     constexpr std::uint32_t kStride = 6;
-    const std::span<const std::uint32_t> spirv =
-        half ? std::span<const std::uint32_t>(kSweepFp16Comp) : std::span<const std::uint32_t>(kSweepFp32Comp);
+    const gpu::Spirv shader = half ? gpu::Spirv(kSweepFp16Comp) : gpu::Spirv(kSweepFp32Comp);
     const float unused = 0;
-    const std::vector<float> rows = s_harness->run(spirv, preset, {&unused, 1}, kRows, kStride);
+    const std::vector<float> rows = stress::DeviceRows(device(), shader, preset).run({&unused, 1}, kRows, kStride);
     Findings found;
     for (std::uint32_t r = 0; r < kRows; ++r) {
       const float* row = rows.data() + std::size_t{r} * kStride;
@@ -54,19 +48,15 @@ protected:
     return found;
   }
 
-  static void expectClean(int preset, bool half) {
+  void expectClean(int preset, bool half) const {
     const Findings found = sweep(preset, half);
     EXPECT_EQ(found.notANumber, 0);
     EXPECT_EQ(found.infinite, 0);
     EXPECT_EQ(found.negative, 0);
   }
 
-  static bool hasHalf() { return s_harness->hasShaderFloat16(); }
-
-private:
-  static std::unique_ptr<DeviceHarness> s_harness;
+  bool hasHalf() const { return device().report().float16; }
 };
-std::unique_ptr<DeviceHarness> MobileSweep::s_harness;
 
 TEST_F(MobileSweep, ue42020IsFiniteAndNotNegativeInSingle) { expectClean(kUe42020, false); }
 TEST_F(MobileSweep, refitIsFiniteAndNotNegativeInSingle) { expectClean(kRefit, false); }

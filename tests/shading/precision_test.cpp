@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "shading/function_table.h"
 #include "shading/shading.h"
+#include "stress/function_table.h"
 
 namespace parity::tests {
 namespace {
@@ -14,6 +14,7 @@ namespace {
 namespace f64 = shading::f64;
 namespace f16 = shading::f16;
 using shading::Half;
+using namespace stress;
 
 float dApproxHalf(double roughness, double RoL) { return float(f16::D_Approx(Half(roughness), Half(RoL))); }
 

@@ -85,6 +85,11 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
     o.y[9] = real32(refitDiffuseShare(lobe.single.y, lobe.multiple.y));
     return o;
   }
+  if (function == kFnRgbmRoundTrip) {
+    Rgbm m = encodeRgbm(real32x3At(i, 0));
+    return outputs3(decodeRgbm(real3(real(m.r), real(m.g), real(m.b)), real(m.a)));
+  }
+  if (function == kFnSrgbRoundTrip) return outputs3(srgbToLinear(linearToSrgb(u)));
   if (function == kFnRefitNonmetal) {
     RefitLobe lobe = refitNonmetalLobe(u.x, real1At(i, 13));
     RefitHalfVector cosines;

@@ -1,6 +1,6 @@
-// The functions that the device test runs, by number: for GLSL (a specialization constant picks one) and C++.
-#ifndef PARITY_TESTS_FUNCTION_IDS
-#define PARITY_TESTS_FUNCTION_IDS
+// The functions of the table, by number: for GLSL (a specialization constant picks one) and C++.
+#ifndef PARITY_STRESS_FUNCTION_IDS
+#define PARITY_STRESS_FUNCTION_IDS
 
 const int kFnD_GGX = 0;
 const int kFnV_SmithGGXCorrelated = 1;
@@ -80,7 +80,9 @@ const int kFnRefitDirection = 72;
 const int kFnRefitHalfVector = 73;
 const int kFnRefitLight = 74;
 const int kFnRefitNonmetal = 75;
-const int kFunctionCount = 76;
+const int kFnRgbmRoundTrip = 76;
+const int kFnSrgbRoundTrip = 77;
+const int kFunctionCount = 78;
 
 const int kInputs = 32;  // numbers a row going in
 const int kOutputs = 12; // and coming out

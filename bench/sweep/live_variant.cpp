@@ -1,0 +1,96 @@
+#include "sweep/live_variant.h"
+
+#include "highend/env_brdf_lut.h"
+#include "job/environment_upload.h"
+#include "job/permutation_costs.h"
+
+namespace parity::sweep {
+
+namespace {
+
+bool isDefault(const lighting::PrefilterOptions& o) {
+  const lighting::PrefilterOptions plain;
+  return o.sampleCount == plain.sampleCount && o.faceSize == plain.faceSize;
+}
+
+} // namespace
+
+const gpu::EnvironmentMaps* Shared::highendEnvironment(const lighting::PrefilterOptions& options) {
+  if (!m_prepared.environment) return nullptr;
+  const std::pair key(options.sampleCount, options.faceSize);
+  if (const auto found = m_highend.find(key); found != m_highend.end()) return &found->second;
+  const gpu::Device& device = m_context.device();
+  gpu::EnvironmentMaps maps =
+      isDefault(options)
+          ? job::uploadEnvironment(device, *m_prepared.environment)
+          : job::uploadEnvironment(device, lighting::makeEnvironmentLight(*m_prepared.panorama, options));
+  return &m_highend.emplace(key, std::move(maps)).first->second;
+}
+
+const gpu::EnvironmentMaps* Shared::mobileEnvironment(mobile::CaptureEncoding encoding) {
+  if (!m_prepared.mobileEnvironment) return nullptr;
+  const auto found = m_mobile.find(encoding);
+  if (found != m_mobile.end()) return &found->second;
+  return &m_mobile.emplace(encoding, job::uploadCapture(m_context.device(), *m_prepared.mobileEnvironment, encoding))
+              .first->second;
+}
+
+const base::Image& Shared::lut(const highend::Options& o, int size) {
+  const std::tuple key(o.geometryTerm, o.fresnel, size);
+  const auto found = m_luts.find(key);
+  if (found != m_luts.end()) return found->second;
+  return m_luts.emplace(key, highend::makeEnvBrdfLut(o.geometryTerm, o.fresnel, size)).first->second;
+}
+
+void Shared::prepareAgain(const Variant& v) const {
+  if (v.knob == "lut-size")
+    highend::makeEnvBrdfLut(v.highend.geometryTerm, v.highend.fresnel, v.lutSize);
+  else
+    lighting::makeEnvironmentLight(*m_prepared.panorama, v.prefilter);
+}
+
+LiveVariant::LiveVariant(const Variant& variant, const Surfaces& surfaces, Shared& shared)
+    : m_variant(variant), m_surfaces(surfaces), m_shared(shared) {
+  const gpu::Device& device = shared.context().device();
+  const job::PreparedScene& prepared = shared.prepared();
+  // As many as if it were shaded often: each setting gets the permutations that suit it.
+  constexpr std::uint64_t kMany = std::uint64_t{1} << 40;
+  if (variant.path == "highend") {
+    highend::Inputs inputs{.environment = shared.highendEnvironment(variant.prefilter),
+                           .lut = nullptr,
+                           .lights = prepared.lights,
+                           .terms = false,
+                           .expectedPixels = kMany};
+    if (highend::Renderer::needsLut(inputs, variant.highend))
+      inputs.lut = &shared.lut(variant.highend, variant.lutSize);
+    m_highend.emplace(device, surfaces.buffers(), surfaces.binKinds(), inputs, variant.highend);
+  } else {
+    const mobile::Inputs inputs{.environment = shared.mobileEnvironment(variant.mobile.capture),
+                                .lights = prepared.mobileLights,
+                                .terms = false,
+                                .view = mobile::kViewLit,
+                                .expectedPixels = kMany};
+    m_mobile.emplace(device, surfaces.buffers(), surfaces.binKinds(), inputs, variant.mobile);
+  }
+}
+
+base::Image LiveVariant::compose(const std::vector<Surfaces::Shaded>& shaded) const {
+  std::optional<gpu::TargetCodec> target;
+  if (m_mobile)
+    target.emplace(m_variant.target, m_shared.prepared().exposureEv,
+                   mobile::precisionOn(m_shared.context().device().report(), m_variant.mobile) ==
+                       mobile::Precision::fp16);
+  return m_surfaces.compose(shaded, target);
+}
+
+compare::PathCost LiveVariant::cost() const {
+  const auto described = [&](const auto& renderer) {
+    return job::describePermutations(
+        m_shared.context(), m_variant.path, renderer.pass(),
+        [&](const gpu::Permutation& permutation) { return renderer.countSamplers(permutation); });
+  };
+  const auto costs = compare::costsByPath(m_highend ? described(*m_highend) : described(*m_mobile));
+  return costs.empty() ? compare::PathCost{} : costs.front();
+}
+
+} // namespace parity::sweep

@@ -1,0 +1,62 @@
+// A setting ready to be shaded, with all that it refers to.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <tuple>
+
+#include "compare/permutation.h"
+#include "highend/renderer.h"
+#include "mobile/renderer.h"
+#include "sweep/surfaces.h"
+#include "sweep/variants.h"
+
+namespace parity::sweep {
+
+// What settings share: tables and prefiltered environments, each made once.
+class Shared {
+public:
+  // Both must outlive it.
+  Shared(job::Context& context, const job::PreparedScene& prepared) : m_context(context), m_prepared(prepared) {}
+
+  // Null where the scene has no environment.
+  const gpu::EnvironmentMaps* highendEnvironment(const lighting::PrefilterOptions& options);
+  const gpu::EnvironmentMaps* mobileEnvironment(mobile::CaptureEncoding encoding);
+  const base::Image& lut(const highend::Options& options, int size);
+  // Does again what a setting of the stage preparation prepares, and forgets it.
+  void prepareAgain(const Variant& v) const;
+
+  job::Context& context() const { return m_context; }
+  const job::PreparedScene& prepared() const { return m_prepared; }
+
+private:
+  job::Context& m_context;
+  const job::PreparedScene& m_prepared;
+  std::map<std::pair<int, int>, gpu::EnvironmentMaps> m_highend; // by samples and face size
+  std::map<mobile::CaptureEncoding, gpu::EnvironmentMaps> m_mobile;
+  std::map<std::tuple<highend::GeometryTerm, highend::FresnelCurve, int>, base::Image> m_luts;
+};
+
+class LiveVariant {
+public:
+  LiveVariant(const Variant& variant, const Surfaces& surfaces, Shared& shared);
+
+  const Variant& variant() const { return m_variant; }
+  std::vector<Surfaces::Shaded> shade() const {
+    return m_highend ? m_surfaces.shade(*m_highend) : m_surfaces.shade(*m_mobile);
+  }
+  // The picture of what shade() gave.
+  base::Image compose(const std::vector<Surfaces::Shaded>& shaded) const;
+  // Counted; of one that has shaded.
+  compare::PathCost cost() const;
+
+private:
+  Variant m_variant;
+  const Surfaces& m_surfaces;
+  Shared& m_shared;
+  std::optional<highend::Renderer> m_highend; // or
+  std::optional<mobile::Renderer> m_mobile;
+};
+
+} // namespace parity::sweep

@@ -1,0 +1,33 @@
+#include "sweep/machine.h"
+
+#include <fstream>
+
+#include "base/parallel.h"
+#include "compare/flip_simd.h"
+
+namespace parity::sweep {
+
+namespace {
+
+std::string processorName() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with("model name"))
+      if (const auto colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
+  return "unknown";
+}
+
+} // namespace
+
+Machine describeMachine(const gpu::Device& device) {
+  Machine machine;
+  machine.processor = processorName();
+  machine.device = device.report().name;
+  machine.driver = device.report().driver;
+  machine.deviceKind = device.report().kind;
+  machine.simd = compare::simdLevels().front();
+  machine.threads = base::threadCount();
+  return machine;
+}
+
+} // namespace parity::sweep

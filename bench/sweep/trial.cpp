@@ -1,0 +1,283 @@
+#include "sweep/trial.h"
+
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+#include <random>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/glob.h"
+#include "compare/measure.h"
+#include "job/displayed.h"
+#include "job/reference_path.h"
+#include "sweep/live_variant.h"
+#include "sweep/statistics.h"
+
+namespace parity::sweep {
+
+namespace {
+
+// Of all threads of this process: a software device's are among them.
+double processCpuMs() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+double sumOf(const base::Timings& timings, std::string_view prefix) {
+  double sum = 0;
+  for (const auto& [stage, timeMs] : timings.stages())
+    if (stage.starts_with(prefix)) sum += timeMs;
+  return sum;
+}
+
+// Names of what the scene has, of what variants may need.
+std::set<std::string> haves(const job::PreparedScene& prepared) {
+  std::set<std::string> all = {""};
+  if (prepared.environment) all.insert("environment");
+  for (const auto* lights : {&prepared.lights, &prepared.mobileLights})
+    for (const scenes::Light& light : *lights)
+      all.insert(light.kind == scenes::LightKind::directional ? "directional light" : "local light");
+  return all;
+}
+
+base::PixelList coveredPixels(const std::vector<base::PixelList>& coverage) {
+  base::PixelList all{"", {}, {}};
+  for (const base::PixelList& list : coverage)
+    all.pixels.insert(all.pixels.end(), list.pixels.begin(), list.pixels.end());
+  std::ranges::sort(all.pixels);
+  const auto repeated = std::ranges::unique(all.pixels);
+  all.pixels.erase(repeated.begin(), repeated.end());
+  return all;
+}
+
+// A picture as the screen shows it, and as exposed light.
+struct Shown {
+  job::Displayed displayed;
+  base::Image linear;
+  Shown(const base::Image& color, const job::Context& context, float exposureEv)
+      : displayed(job::displayImage(color, context.display(), exposureEv)), linear(job::expose(color, exposureEv)) {}
+};
+
+std::vector<Errors> errorsOf(const Shown& right, const Shown& test, const std::vector<base::PixelList>& regions) {
+  compare::MeasureRequest request;
+  request.metrics = {"flip", "relmse"};
+  request.statistics = {"flip.p95"};
+  std::vector<std::uint32_t> nonFinite = right.displayed.nonFinite;
+  nonFinite.insert(nonFinite.end(), test.displayed.nonFinite.begin(), test.displayed.nonFinite.end());
+  std::ranges::sort(nonFinite);
+  const auto repeated = std::ranges::unique(nonFinite);
+  nonFinite.erase(repeated.begin(), repeated.end());
+  const compare::Measurement measured = compare::measureRegions(
+      {right.displayed.pixels, test.displayed.pixels, &right.linear, &test.linear, nonFinite}, regions, request);
+  std::vector<Errors> errors;
+  for (const compare::RegionFigures& region : measured.regions) {
+    const compare::Figures& f = region.all;
+    errors.push_back({f.find("flip.mean").value(), f.find("flip.p95").value(), f.find("relmse").value(), f.nonFinite});
+  }
+  return errors;
+}
+
+class Trial {
+public:
+  Trial(job::Context& context, const job::SceneRequest& request, const TrialOptions& options,
+        const job::Progress& progress)
+      : m_context(context), m_options(options), m_progress(progress),
+        m_prepared(job::prepareScene(context, request, {.highend = true, .mobile = true, .reference = true})),
+        m_surfaces(context, m_prepared, request.views.front()), m_shared(context, m_prepared) {
+    m_sweep.scene = m_prepared.scene.name;
+    m_sweep.environment = m_prepared.environmentName;
+    m_sweep.sun = m_prepared.sunText;
+    m_sweep.width = context.settings().width;
+    m_sweep.height = context.settings().height;
+    m_sweep.pixels = m_surfaces.size();
+    if (m_sweep.pixels == 0) throw base::fileError(request.scene, "view", "no pixel shows any of it");
+  }
+
+  SceneSweep run() {
+    choose();
+    warmUp();
+    measureErrors();
+    measureTimes();
+    measurePreparation();
+    return std::move(m_sweep);
+  }
+
+private:
+  bool isWanted(const Variant& v) const {
+    return v.name == "default" || m_options.settings.empty() ||
+           std::ranges::any_of(m_options.settings,
+                               [&](const std::string& glob) { return base::matchesGlob(glob, v.id()); });
+  }
+
+  // Live settings, but for those that the scene does not need.
+  void choose() {
+    const job::Settings& settings = m_context.settings();
+    const std::set<std::string> has = haves(m_prepared);
+    std::set<std::string> skipped;
+    const std::vector<Variant> all = makeVariants(settings.highend, settings.mobile, settings.mobileTarget);
+    for (const std::string& glob : m_options.settings)
+      if (std::ranges::none_of(all, [&](const Variant& v) { return base::matchesGlob(glob, v.id()); }))
+        throw base::Error(base::ExitCode::usage, "bench", "--settings " + glob, "no setting has such a name; --list");
+    for (const Variant& v : all) {
+      if (!isWanted(v)) continue;
+      if (!has.contains(v.needs)) {
+        const std::string what = v.path + " " + (v.knob.empty() ? v.name : v.knob);
+        if (skipped.insert(what).second) m_sweep.skipped.push_back(fmt::format("{}: no {}", what, v.needs));
+        continue;
+      }
+      m_live.push_back(std::make_unique<LiveVariant>(v, m_surfaces, m_shared));
+      VariantResult& result = m_sweep.variants.emplace_back();
+      result.path = v.path;
+      result.name = v.name;
+      result.knob = v.knob;
+      result.stage = v.stage;
+      result.knobs = v.knobs();
+    }
+  }
+
+  // Shades once, which compiles (the driver at the first dispatch), and keeps the pictures.
+  void warmUp() {
+    for (std::size_t i = 0; i < m_live.size(); ++i) {
+      tell("compiling and first pictures", i, m_live.size());
+      const base::Stopwatch watch(nullptr, "");
+      const auto shaded = m_live[i]->shade();
+      m_firstMs.push_back(watch.elapsedMs());
+      m_pictures.push_back(m_live[i]->compose(shaded));
+      if (i == 0) m_coverage = m_surfaces.coverage(shaded);
+    }
+    for (std::size_t i = 0; i < m_live.size(); ++i) {
+      const compare::PathCost cost = m_live[i]->cost();
+      m_sweep.variants[i].cost = {cost.operations, cost.fetches, cost.samplers};
+    }
+  }
+
+  std::optional<base::Image> renderTruth() {
+    if (!m_options.truth) return std::nullopt;
+    job::ReferencePath reference(m_context, m_prepared, m_surfaces.buffers(), m_surfaces.binKinds(), m_sweep.pixels,
+                                 {});
+    std::vector<Surfaces::Shaded> shaded;
+    std::vector<double> errors;
+    std::uint32_t stream = 0;
+    for (const Surfaces::Part& part : m_surfaces.parts()) {
+      const auto told = [&](double done) {
+        if (m_progress) m_progress(m_sweep.scene + ": reference", done);
+      };
+      const auto keep = [&](const job::ReferenceSurface& surface) {
+        for (std::size_t k = 0; k < surface.standardErrors.size(); ++k) {
+          const glm::vec4& c = surface.shaded.color[k];
+          if (const float most = std::max({c.x, c.y, c.z}); most > 0)
+            errors.push_back(surface.standardErrors[k] / most);
+        }
+      };
+      Surfaces::Shaded& both = shaded.emplace_back();
+      job::ReferenceSurface opaque = reference.shade(part.opaque, m_surfaces.camera(), stream++, told);
+      keep(opaque);
+      both.opaque = std::move(opaque.shaded);
+      if (!part.blended) continue;
+      job::ReferenceSurface blended = reference.shade(*part.blended, m_surfaces.camera(), stream++, told);
+      keep(blended);
+      both.blended = std::move(blended.shaded);
+    }
+    m_sweep.truthError = errors.empty() ? 0 : quantileOf(errors, 0.5);
+    return m_surfaces.compose(shaded, std::nullopt);
+  }
+
+  void measureErrors() {
+    std::vector<base::PixelList> regions = {coveredPixels(m_coverage)};
+    for (base::PixelList& list : m_coverage)
+      if (!list.pixels.empty()) regions.push_back(std::move(list));
+    const std::optional<base::Image> picture = renderTruth();
+    const float exposure = m_prepared.exposureEv;
+    std::optional<Shown> truth;
+    if (picture) truth.emplace(*picture, m_context, exposure);
+    const Shown highend(m_pictures.front(), m_context, exposure);
+    for (std::size_t i = 0; i < m_pictures.size(); ++i) {
+      tell("errors", i, m_pictures.size());
+      const Shown test(m_pictures[i], m_context, exposure);
+      const std::vector<Errors> toHighend = errorsOf(highend, test, regions);
+      const std::vector<Errors> toTruth = truth ? errorsOf(*truth, test, regions) : std::vector<Errors>();
+      for (std::size_t r = 0; r < regions.size(); ++r) {
+        RegionErrors region{regions[r].name, regions[r].pixels.size(), std::nullopt, toHighend[r]};
+        if (truth) region.truth = toTruth[r];
+        if (r == 0)
+          m_sweep.variants[i].whole = region;
+        else
+          m_sweep.variants[i].materials.push_back(region);
+      }
+      m_pictures[i] = {};
+    }
+  }
+
+  void measureTimes() {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < m_live.size(); ++i)
+      if (m_live[i]->variant().stage == Stage::shading) order.push_back(i);
+    std::mt19937 random(1);
+    for (int round = 0; round < m_options.rounds; ++round) {
+      tell("timing", static_cast<std::size_t>(round), static_cast<std::size_t>(m_options.rounds));
+      std::shuffle(order.begin(), order.end(), random);
+      for (const std::size_t i : order) {
+        base::Timings timings;
+        m_context.device().setTimings(&timings);
+        const double cpu = processCpuMs();
+        const base::Stopwatch watch(nullptr, "");
+        m_live[i]->shade();
+        Times& times = m_sweep.variants[i].times;
+        times.wallMs.push_back(watch.elapsedMs());
+        times.cpuMs.push_back(processCpuMs() - cpu);
+        times.deviceMs.push_back(sumOf(timings, "device: shade"));
+      }
+    }
+    m_context.device().setTimings(&m_context.timings());
+    for (const std::size_t i : order) {
+      Times& times = m_sweep.variants[i].times;
+      times.compileMs = std::max(0.0, m_firstMs[i] - spreadOf(times.wallMs).median);
+    }
+  }
+
+  void measurePreparation() {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < m_live.size(); ++i)
+      if (m_live[i]->variant().stage == Stage::preparation) order.push_back(i);
+    std::mt19937 random(2);
+    for (int round = 0; round < m_options.preparationRounds; ++round) {
+      tell("timing preparation", static_cast<std::size_t>(round),
+           static_cast<std::size_t>(m_options.preparationRounds));
+      std::shuffle(order.begin(), order.end(), random);
+      for (const std::size_t i : order) {
+        const base::Stopwatch watch(nullptr, "");
+        m_shared.prepareAgain(m_live[i]->variant());
+        m_sweep.variants[i].prepareMs.push_back(watch.elapsedMs());
+      }
+    }
+  }
+
+  void tell(const char* what, std::size_t done, std::size_t of) const {
+    if (m_progress) m_progress(m_sweep.scene + ": " + what, static_cast<double>(done) / static_cast<double>(of));
+  }
+
+  job::Context& m_context;
+  const TrialOptions& m_options;
+  const job::Progress& m_progress;
+  job::PreparedScene m_prepared;
+  Surfaces m_surfaces;
+  Shared m_shared;
+  std::vector<std::unique_ptr<LiveVariant>> m_live;
+  std::vector<base::Image> m_pictures;
+  std::vector<base::PixelList> m_coverage;
+  std::vector<double> m_firstMs; // with compiling
+  SceneSweep m_sweep;
+};
+
+} // namespace
+
+SceneSweep runTrial(job::Context& context, const job::SceneRequest& request, const TrialOptions& options,
+                    const job::Progress& progress) {
+  return Trial(context, request, options, progress).run();
+}
+
+} // namespace parity::sweep

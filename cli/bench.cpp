@@ -1,0 +1,184 @@
+// parity bench: what each setting costs and what it is worth.
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+#include <set>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/log.h"
+#include "base/parallel.h"
+#include "cli/invocation.h"
+#include "cli/output.h"
+#include "cli/requests.h"
+#include "compare/text.h"
+#include "job/version.h"
+#include "sweep/machine.h"
+#include "sweep/pareto_svg.h"
+#include "sweep/scaling.h"
+#include "sweep/statistics.h"
+#include "sweep/sweep_json.h"
+#include "sweep/sweep_page.h"
+
+namespace parity::cli {
+
+namespace {
+
+int listSettings(const BenchCommand& command) {
+  const job::Settings& s = command.common.settings;
+  for (const sweep::Variant& v : sweep::makeVariants(s.highend, s.mobile, s.mobileTarget)) {
+    const std::string needs = v.needs.empty() ? "" : "   (needs: " + v.needs + ")";
+    fmt::print("{}{}\n", v.id(), needs);
+  }
+  return 0;
+}
+
+int runScaling(const BenchCommand& command) {
+  const auto series = sweep::measureScaling(
+      command.common.settings, {.series = command.trial.settings, .rounds = std::min(command.trial.rounds, 5)},
+      makeProgress(command.common.quiet));
+  if (!command.folder.empty()) base::writeText(std::filesystem::path(command.folder) / "scaling.json", toJson(series));
+  if (!command.common.json.empty()) writeJson(command.common.json, toJson(series));
+  if (command.common.json != "-" && !command.common.quiet) fmt::print("{}", toText(series));
+  return 0;
+}
+
+std::vector<job::SceneRequest> makeRequests(const BenchCommand& command) {
+  std::vector<job::SceneRequest> requests;
+  std::set<std::string> names;
+  for (const std::string& scene : command.scenes) {
+    job::SceneRequest& request = requests.emplace_back(sceneRequest(command.common, scene));
+    const std::string stem = request.name;
+    for (int copy = 2; !names.insert(request.name).second; ++copy) request.name = fmt::format("{} ({})", stem, copy);
+  }
+  return requests;
+}
+
+// What was given to read must not be written over.
+void requireSeparateFiles(const BenchCommand& command, const std::vector<job::SceneRequest>& requests) {
+  std::vector<NamedFile> inputs = inputFiles(command.common, requests), outputs;
+  inputs.push_back({"--compare", command.compare});
+  if (!command.folder.empty())
+    for (const char* file : {"index.html", "bench.json", "bench.csv"})
+      outputs.push_back({"-o", std::filesystem::path(command.folder) / file});
+  outputs.push_back({"--json", command.common.json});
+  outputs.push_back({"--csv", command.csv});
+  requireSeparate(outputs, inputs);
+}
+
+sweep::SweepReport measure(const BenchCommand& command, const std::vector<job::SceneRequest>& requests,
+                           const std::string& commandLine) {
+  job::Context context(command.common.settings);
+  sweep::SweepReport report;
+  report.version = job::kVersion;
+  report.commandLine = commandLine;
+  report.startedAt = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  report.machine = sweep::describeMachine(context.device());
+  report.rounds = command.trial.rounds;
+  const job::Progress progress = makeProgress(command.common.quiet);
+  for (const job::SceneRequest& request : requests) {
+    try {
+      report.scenes.push_back(sweep::runTrial(context, request, command.trial, progress));
+    } catch (const base::Error& error) {
+      if (error.code() == base::ExitCode::usage) throw;
+      base::logError(error.what());
+      sweep::SceneSweep& scene = report.scenes.emplace_back();
+      scene.scene = request.name;
+      scene.failure = error.what();
+    }
+  }
+  return report;
+}
+
+// The settings that are worth their time, the fastest first.
+void printScene(const sweep::SceneSweep& scene, const sweep::Conclusions& c) {
+  if (!scene.failure.empty()) return;
+  fmt::print("{} ({}, {} samples): worth their time by {} against the {}\n", compare::plainLine(scene.scene),
+             compare::plainLine(scene.environment), scene.pixels, c.figure,
+             c.against == sweep::Against::truth ? "reference" : "high-end default");
+  fmt::print("{:>10} {:>10} {:>10} {:>11}  setting\n", "device ms", c.figure, "operations", "compile ms");
+  const std::vector<bool> dominated = sweep::findDominated(scene, c.against, c.figure);
+  std::vector<const sweep::VariantResult*> front;
+  for (std::size_t i = 0; i < dominated.size(); ++i)
+    if (scene.variants[i].stage == sweep::Stage::shading && (!dominated[i] || scene.variants[i].name == "default"))
+      front.push_back(&scene.variants[i]);
+  std::ranges::sort(front, {}, [](const auto* v) { return std::pair(v->path, sweep::timeOf(*v)); });
+  for (const sweep::VariantResult* v : front)
+    fmt::print("{:>10.2f} {:>10.5f} {:>10.0f} {:>11.0f}  {}{}\n", sweep::timeOf(*v),
+               sweep::errorOf(v->whole, c.against, c.figure).value_or(0), v->cost.operations, v->times.compileMs,
+               v->id(), dominated[static_cast<std::size_t>(v - scene.variants.data())] ? " (dominated)" : "");
+  fmt::print("\n");
+}
+
+void printConclusions(const sweep::Conclusions& c) {
+  for (const auto& each : c.cheapest)
+    fmt::print("within {} <= {:g}, {}: {} {}\n", c.budget->figure, c.budget->limit,
+               each.scene.empty() ? "all scenes" : compare::plainLine(each.scene), each.path,
+               each.setting.value_or("none"));
+  for (const std::string& id : c.dominated) fmt::print("dominated in every scene: {}\n", id);
+  if (!c.ratios) return;
+  for (const std::string& note : c.ratios->notes) fmt::print("note: {}\n", compare::plainLine(note));
+  for (const sweep::VariantRatio& v : c.ratios->variants)
+    if (v.time.isSlower() || v.time.isFaster())
+      fmt::print("{}: {} {} ({:.3f} of the time, {:.3f} to {:.3f})\n", v.time.isSlower() ? "slower" : "faster",
+                 compare::plainLine(v.scene), v.id, v.time.ratio, v.time.low, v.time.high);
+  if (std::ranges::none_of(c.ratios->variants, [](const auto& v) { return v.time.isSlower() || v.time.isFaster(); }))
+    fmt::print("none of {} settings has become slower or faster\n", c.ratios->variants.size());
+}
+
+int exitCodeOf(const sweep::SweepReport& report, const sweep::Conclusions& c) {
+  const bool failed = std::ranges::any_of(report.scenes, [](const auto& scene) { return !scene.failure.empty(); });
+  const bool over = (c.ratios && c.ratios->anySlower()) ||
+                    std::ranges::any_of(c.cheapest, [](const auto& each) { return !each.setting; });
+  return static_cast<int>(failed ? base::ExitCode::failed
+                          : over ? base::ExitCode::overBudget
+                                 : base::ExitCode::withinBudget);
+}
+
+} // namespace
+
+int runBenchCommand(const BenchCommand& command, const std::string& commandLine) {
+  if (command.list) return listSettings(command);
+  const base::ThreadLimit threads(command.common.threads);
+  if (command.scaling) return runScaling(command);
+  const std::vector<job::SceneRequest> requests = makeRequests(command);
+  requireSeparateFiles(command, requests);
+  std::optional<sweep::SweepReport> earlier;
+  if (!command.compare.empty()) earlier = sweep::readSweep(command.compare); // before the minutes that follow
+  const sweep::SweepReport report = measure(command, requests, commandLine);
+  sweep::Conclusions conclusions = sweep::conclude(report, command.budget);
+  const auto write = [&] {
+    const std::string json = sweep::toJson(report, conclusions), csv = sweep::toCsv(report);
+    if (!command.folder.empty()) {
+      const std::filesystem::path folder = command.folder;
+      base::writeText(folder / "bench.json", json);
+      base::writeText(folder / "bench.csv", csv);
+      base::writeText(folder / "index.html", sweep::toPage(report, conclusions));
+      for (std::size_t i = 0; i < report.scenes.size(); ++i) {
+        const std::string svg =
+            sweep::paretoFile(report.scenes[i], sweep::Stage::shading, conclusions.against, conclusions.figure);
+        if (!svg.empty()) base::writeText(folder / fmt::format("pareto-{}.svg", i + 1), svg);
+      }
+    }
+    if (!command.common.json.empty()) writeJson(command.common.json, json);
+    if (!command.csv.empty()) writeJson(command.csv, csv);
+  };
+  try {
+    if (earlier) conclusions.ratios = sweep::compareSweeps(*earlier, report);
+  } catch (const base::Error&) {
+    write(); // what was measured is not lost
+    throw;
+  }
+  write();
+  if (command.common.json != "-" && command.csv != "-" && !command.common.quiet) {
+    for (const sweep::SceneSweep& scene : report.scenes) printScene(scene, conclusions);
+    printConclusions(conclusions);
+    if (!command.folder.empty()) fmt::print("{}\n", (std::filesystem::path(command.folder) / "index.html").string());
+  }
+  return exitCodeOf(report, conclusions);
+}
+
+} // namespace parity::cli

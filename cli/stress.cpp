@@ -1,0 +1,50 @@
+// parity stress: every shading function over its domain, and whole renders at the edges.
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/log.h"
+#include "base/parallel.h"
+#include "cli/invocation.h"
+#include "cli/output.h"
+
+namespace parity::cli {
+
+namespace {
+
+int printAt(const StressCommand& command) {
+  const stress::At at = stress::parseAt(command.at);
+  std::unique_ptr<gpu::Device> device;
+  if (command.options.points.devicePoints > 0) device = std::make_unique<gpu::Device>(command.options.render.device);
+  fmt::print("{}", stress::describeAt(at, device.get()));
+  return 0;
+}
+
+} // namespace
+
+int runStressCommand(const StressCommand& command) {
+  if (command.quiet) base::setLogLevel(base::LogLevel::quiet);
+  const base::ThreadLimit threads(command.threads);
+  if (command.list) {
+    fmt::print("{}", stress::formatList(command.options));
+    return 0;
+  }
+  if (!command.at.empty()) return printAt(command);
+  const stress::Report report = stress::runStress(command.options, makeProgress(command.quiet));
+  if (!command.folder.empty()) {
+    const std::filesystem::path folder = command.folder;
+    base::writeText(folder / "stress.json", stress::formatJson(report));
+    base::writeText(folder / "index.html", stress::formatPage(report));
+  }
+  if (!command.json.empty()) writeJson(command.json, stress::formatJson(report));
+  if (command.json != "-" && !command.quiet) {
+    fmt::print("{}", stress::formatReport(report));
+    if (!command.folder.empty()) fmt::print("{}\n", (std::filesystem::path(command.folder) / "index.html").string());
+  }
+  return static_cast<int>(report.unexpected() > 0 ? base::ExitCode::overBudget : base::ExitCode::withinBudget);
+}
+
+} // namespace parity::cli

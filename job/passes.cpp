@@ -1,0 +1,33 @@
+#include "job/passes.h"
+
+namespace parity::job {
+
+std::vector<compare::PassResult> describePasses(const Work& work, const NoNeed& why) {
+  std::vector<compare::PassResult> passes;
+  const auto add = [&](const char* name, const char* unit, std::uint64_t count, const std::string& reason) {
+    passes.push_back({name, unit, count, count > 0 ? "" : reason.empty() ? "nothing seen needs it" : reason});
+  };
+  add("sun extraction", "environments", work.sunSearches, why.suns);
+  add("environment prefilter and SH", "maps", work.prefilteredMaps, why.environment);
+  add("environment BRDF table", "tables", work.brdfTables, why.table);
+  add("surface", "samples", work.surfaceSamples, "");
+  add("blended surface", "samples", work.blendedSamples, why.blended);
+  add("fog at vertices", "samples", work.fogSamples, why.fog);
+  add("textures", "images", work.images, why.texture);
+  add("spread of normals", "images", work.varianceImages, why.variance);
+  add("directional lights", "lights", work.directionalLights, why.directional);
+  add("local lights", "lights", work.localLights, why.local);
+  add("choice of local lights", "objects", work.lightChoices, why.lightChoice);
+  add("shade highend", "samples", work.highendSamples, "");
+  add("shade mobile", "samples", work.mobileSamples, "");
+  add("terms", "samples", work.termSamples, why.terms);
+  add("reference materials", "samples", work.resolvedSamples, why.truth);
+  add("reference integrals", "samples", work.integratedSamples, why.truth);
+  add("reference occluders", "meshes", work.occluderMeshes, why.occluders);
+  add("compare", "pixels", work.comparedPixels, "");
+  add("compare with the truth", "pixels", work.comparedWithTruth, why.truth);
+  add("shader costs", "shaders", work.countedShaders, why.costs);
+  return passes;
+}
+
+} // namespace parity::job

@@ -1,0 +1,41 @@
+// What a scene's run did and left undone: counters filled where the work is done, and the reason for each that stayed
+// 0.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "compare/pass.h"
+
+namespace parity::job {
+
+// Work of one scene, over all its views. What a cache gave counts as done: counts do not depend on it.
+struct Work {
+  std::uint64_t sunSearches = 0;     // environments searched for suns
+  std::uint64_t prefilteredMaps = 0; // each with its SH
+  std::uint64_t brdfTables = 0;      // of the environment BRDF
+  std::uint64_t images = 0;          // decoded, given mips and uploaded
+  std::uint64_t varianceImages = 0;  // normal maps whose spread was measured
+  std::uint64_t surfaceSamples = 0, blendedSamples = 0;
+  std::uint64_t fogSamples = 0;                             // given the fog of their vertices
+  std::uint64_t directionalLights = 0, localLights = 0;     // that the high-end path's shaders loop over
+  std::uint64_t lightChoices = 0;                           // objects for which the mobile path chose local lights
+  std::uint64_t highendSamples = 0, mobileSamples = 0;      // shaded
+  std::uint64_t termSamples = 0;                            // shaded with their terms written, over all paths
+  std::uint64_t resolvedSamples = 0, integratedSamples = 0; // by the reference
+  std::uint64_t occluderMeshes = 0;                         // built for the reference's shadows
+  std::uint64_t comparedPixels = 0, comparedWithTruth = 0;
+  std::uint64_t countedShaders = 0; // whose costs were counted
+};
+
+// Why there was no such work; each is empty where there may have been.
+struct NoNeed {
+  std::string environment, suns, table, texture, variance, blended, fog, directional, local, lightChoice, terms, truth,
+      occluders, costs;
+};
+
+// In the order of the work. A count of 0 has a reason.
+std::vector<compare::PassResult> describePasses(const Work& work, const NoNeed& reasons);
+
+} // namespace parity::job

@@ -1,0 +1,33 @@
+// Whole results kept between runs: a scene that would come out as before is not rendered again.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gpu/permutations.h"
+#include "job/prepared_scene.h"
+#include "job/scene_record.h"
+
+namespace parity::job {
+
+// What of a run decides a scene's result, besides the settings and the scene's own request.
+struct ResultWish {
+  std::vector<std::string> statistics; // that are measured for budgets
+  bool pictures = false;
+  gpu::PermutationBudget permutations; // specialised shaders need not round alike
+};
+
+// The key of all that decides the result but the content of the files that the scene is read from: build, device and
+// driver, the CPU's instruction sets, every option, the environment's content. Budgets are not in it: they judge
+// afterwards. Nothing where results are not kept (no cache, the validation layer) or a file cannot be read.
+std::optional<std::string> resultKey(Context& context, const SceneRequest& request, const ResultWish& wish);
+
+// The result of that key, if the scene's files are what they were: all that its first run has read, by content.
+std::optional<SceneRecord> findResult(const base::Cache& cache, const std::string& key, const SceneRequest& request);
+
+// sources: the files that the scene was read from. Without effect where one of them is out of reach by now.
+void storeResult(const base::Cache& cache, const std::string& key, const SceneRequest& request,
+                 const std::vector<scenes::SourceFile>& sources, const SceneRecord& record);
+
+} // namespace parity::job

@@ -1,0 +1,142 @@
+#include "job/scene_record.h"
+
+#include <cassert>
+
+#include "job/archive.h"
+
+namespace parity::compare {
+
+using job::Is;
+
+template <Is<Figure> T> auto fields(T& figure) {
+  auto& [name, value] = figure;
+  return std::tie(name, value);
+}
+template <Is<Figures> T> auto fields(T& figures) {
+  auto& [pixels, nonFinite, referenceLuma, testLuma, values] = figures;
+  return std::tie(pixels, nonFinite, referenceLuma, testLuma, values);
+}
+template <Is<RegionFigures> T> auto fields(T& regions) {
+  auto& [name, all, interior] = regions;
+  return std::tie(name, all, interior);
+}
+template <Is<TruthError> T> auto fields(T& error) {
+  auto& [median, worst, relmse, samples] = error;
+  return std::tie(median, worst, relmse, samples);
+}
+template <Is<TruthRegion> T> auto fields(T& region) {
+  auto& [highend, mobile, error, nonFinite] = region;
+  return std::tie(highend, mobile, error, nonFinite);
+}
+template <Is<TruthTerm> T> auto fields(T& term) {
+  auto& [name, truth, highend, mobile, highendFigures, mobileFigures] = term;
+  return std::tie(name, truth, highend, mobile, highendFigures, mobileFigures);
+}
+template <Is<TruthImages> T> auto fields(T& images) {
+  auto& [truth, highendFlip, mobileFlip] = images;
+  return std::tie(truth, highendFlip, mobileFlip);
+}
+template <Is<Truth> T> auto fields(T& truth) {
+  auto& [interior, all, terms, notes, images] = truth;
+  return std::tie(interior, all, terms, notes, images);
+}
+template <Is<Encoding> T> auto fields(T& encoding) {
+  auto& [target, figures] = encoding;
+  return std::tie(target, figures);
+}
+template <Is<ImageSet> T> auto fields(T& images) {
+  auto& [reference, test, flip] = images;
+  return std::tie(reference, test, flip);
+}
+template <Is<TermFigures> T> auto fields(T& figures) {
+  auto& [term, reference, test] = figures;
+  return std::tie(term, reference, test);
+}
+template <Is<MaterialResult> T> auto fields(T& material) {
+  auto& [name, figures, checks, verdict, reason, notes, terms, crops, rule, baseline, truth, encoding, seenElsewhere] =
+      material;
+  return std::tie(name, figures, notes, terms, crops, truth, encoding);
+}
+template <Is<ViewResult> T> auto fields(T& view) {
+  auto& [name, width, height, whole, checks, rule, baseline, truth, encoding, verdict, wholeVerdict, reason, materials,
+         images] = view;
+  return std::tie(name, width, height, whole, truth, encoding, materials, images);
+}
+template <Is<PassResult> T> auto fields(T& pass) {
+  auto& [name, unit, count, skipped] = pass;
+  return std::tie(name, unit, count, skipped);
+}
+template <Is<PermutationCost> T> auto fields(T& cost) {
+  auto& [fp32, fp16, integer, fetches, openLoops] = cost;
+  return std::tie(fp32, fp16, integer, fetches, openLoops);
+}
+template <Is<PermutationResult> T> auto fields(T& permutation) {
+  auto& [path, textures, features, pixels, samplers, cost] = permutation;
+  return std::tie(path, textures, features, pixels, samplers, cost);
+}
+// Scenes with an error are not kept.
+template <Is<SceneResult> T> auto fields(T& scene) {
+  auto& [name, source, environment, sun, light, warnings, views, passes, permutations, error, errorExitCode, verdict] =
+      scene;
+  return std::tie(name, source, environment, sun, light, warnings, views, passes, permutations);
+}
+
+} // namespace parity::compare
+
+namespace parity::job {
+
+template <Is<EncodedPicture> T> auto fields(T& picture) {
+  auto& [file, bytes] = picture;
+  return std::tie(file, bytes);
+}
+template <Is<SceneRecord> T> auto fields(T& record) {
+  auto& [result, prefixes, pictures] = record;
+  return std::tie(result, prefixes, pictures);
+}
+
+std::vector<std::byte> toBytes(const SceneRecord& record) {
+  assert(record.result.error.empty());
+  Writer write;
+  write(record);
+  return write.bytes();
+}
+
+std::optional<SceneRecord> recordFromBytes(std::span<const std::byte> bytes) {
+  try {
+    Reader read(bytes);
+    SceneRecord record;
+    read(record);
+    if (read.atEnd() && record.prefixes.size() == record.result.views.size()) return record;
+  } catch (const std::out_of_range&) { // not whole
+  }
+  return std::nullopt;
+}
+
+void renamePictures(SceneRecord& record, const std::vector<std::string>& prefixes) {
+  assert(prefixes.size() == record.prefixes.size());
+  const auto rename = [&](std::string& name, std::size_t view) {
+    const std::string before = "images/" + record.prefixes[view] + "_";
+    if (name.starts_with(before)) name.replace(0, before.size(), "images/" + prefixes[view] + "_");
+  };
+  const auto renameAll = [&](compare::ImageSet& images, std::optional<compare::Truth>& truth, std::size_t view) {
+    for (std::string* name : {&images.reference, &images.test, &images.flip}) rename(*name, view);
+    if (!truth) return;
+    for (std::string* name : {&truth->images.truth, &truth->images.highendFlip, &truth->images.mobileFlip})
+      rename(*name, view);
+  };
+  for (std::size_t v = 0; v < prefixes.size(); ++v) {
+    compare::ViewResult& view = record.result.views[v];
+    renameAll(view.images, view.truth, v);
+    for (compare::MaterialResult& material : view.materials) renameAll(material.crops, material.truth, v);
+  }
+  for (EncodedPicture& picture : record.pictures)
+    for (std::size_t v = 0; v < prefixes.size(); ++v) {
+      const std::string before = "images/" + record.prefixes[v] + "_";
+      if (!picture.file.starts_with(before)) continue;
+      rename(picture.file, v);
+      break; // its new name may begin as another view's old one
+    }
+  record.prefixes = prefixes;
+}
+
+} // namespace parity::job

@@ -1,0 +1,65 @@
+// parity bench: short sweeps by the real program.
+#include "base/file.h"
+#include "cli/checks.h"
+
+namespace parity::tests {
+namespace {
+
+const std::vector<std::string> kShort = {
+    "bench",      "builtin:furnace",      "--size",      "24x24", "--rounds", "2", "--no-reference",
+    "--settings", "mobile: capture fp16", "--validation"};
+
+class BenchOnDevice : public RenderingTest {};
+
+TEST_F(BenchOnDevice, writesItsFilesAndAJudgementOfAnEarlierRun) {
+  const RunResult first = runParity(join({kShort, {"-o", (m_folder / "a").string(), "--budget", "flip.mean=0.9"}}));
+  ASSERT_TRUE(exitedWith(0, first));
+  EXPECT_EQ(listFiles(m_folder / "a"),
+            (std::vector<std::string>{"bench.csv", "bench.json", "index.html", "pareto-1.svg"}));
+  EXPECT_TRUE(contains(first.out, "within flip.mean <= 0.9, furnace: mobile ")) << first.out;
+  nlohmann::json json = nlohmann::json::parse(readWholeFile(m_folder / "a" / "bench.json"));
+  ASSERT_EQ(json["scenes"].size(), 1u);
+  EXPECT_EQ(json["scenes"][0]["variants"].size(), 3u) << "both defaults and the one asked for";
+  EXPECT_FALSE(json["machine"]["device"].get<std::string>().empty());
+
+  // As if all had been a thousand times as fast, or as slow, before.
+  for (const double factor : {1e-3, 1e3}) {
+    nlohmann::json other = json;
+    for (nlohmann::json& variant : other["scenes"][0]["variants"])
+      for (nlohmann::json& time : variant["timeMs"]["device"]["rounds"]) time = time.get<double>() * factor;
+    const std::string file = (m_folder / "other.json").string();
+    base::writeText(file, other.dump());
+    const RunResult second = runParity(join({kShort, {"--compare", file}}));
+    EXPECT_TRUE(exitedWith(factor < 1 ? 2 : 0, second));
+    EXPECT_TRUE(contains(second.out, factor < 1 ? "slower: furnace highend: default" : "faster: furnace"))
+        << second.out;
+  }
+}
+
+TEST_F(BenchOnDevice, aBudgetThatNoSettingKeepsIsTwoAndABrokenSceneIsFourButLosesNothing) {
+  EXPECT_TRUE(exitedWith(2, runParity(join({kShort, {"--budget", "flip.mean=1e-9"}}))));
+  const RunResult result = runParity(join({kShort, {"no-such.gltf", "--json", "-"}}));
+  ASSERT_TRUE(exitedWith(4, result));
+  const nlohmann::json json = nlohmann::json::parse(result.out);
+  ASSERT_EQ(json["scenes"].size(), 2u);
+  EXPECT_EQ(json["scenes"][0]["variants"].size(), 3u);
+  EXPECT_TRUE(contains(json["scenes"][1]["failure"], "no-such.gltf"));
+}
+
+TEST(Bench, listsItsSettings) {
+  const RunResult result = runParity({"bench", "--list"});
+  ASSERT_TRUE(exitedWith(0, result));
+  for (const char* part :
+       {"highend: default\n", "mobile: karis2014 fp16\n", "off-specular none", "(needs: environment)"})
+    EXPECT_TRUE(contains(result.out, part)) << part;
+}
+
+TEST(Bench, refusesWhatItCannotDo) {
+  EXPECT_TRUE(exitedWith(64, runParity({"bench"})));
+  EXPECT_TRUE(exitedWith(64, runParity({"bench", "builtin:furnace", "--budget", "ssim=1"})));
+  EXPECT_TRUE(exitedWith(64, runParity({"bench", "builtin:furnace", "--scaling"})));
+  expectRefused(runParity({"bench", "builtin:furnace", "--compare", "no-such.json"}), 4, {"no-such.json"});
+}
+
+} // namespace
+} // namespace parity::tests

@@ -1,0 +1,73 @@
+// parity stress: short runs of the real program.
+#include "cli/checks.h"
+
+namespace parity::tests {
+namespace {
+
+const std::vector<std::string> kShort = {
+    "stress", "--only", "functions", "--functions", "EnvBRDF*", "--points", "2000", "--device-points", "0"};
+
+TEST(Stress, jsonAloneOnStdoutAndKnownFailuresExitZero) {
+  const RunResult result = runParity(join({kShort, {"--json", "-"}}));
+  ASSERT_TRUE(exitedWith(0, result));
+  const nlohmann::json json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["unexpected"], 0);
+  EXPECT_GT(json["expected"], 5);
+  EXPECT_EQ(json["functions"].size(), 4u);
+  EXPECT_EQ(json["functions"][0]["columns"].size(), 3u) << "no device";
+}
+
+TEST(Stress, writesAFolderThatIsTheSameWithOneThread) {
+  const TempFolder folder;
+  ASSERT_TRUE(exitedWith(0, runParity(join({kShort, {"-o", (folder / "a").string()}}))));
+  ASSERT_TRUE(exitedWith(0, runParity(join({kShort, {"-o", (folder / "b").string(), "--threads", "1"}}))));
+  EXPECT_EQ(listFiles(folder / "a"), (std::vector<std::string>{"index.html", "stress.json"}));
+  EXPECT_EQ(readWholeFile(folder / "a" / "stress.json"), readWholeFile(folder / "b" / "stress.json"));
+}
+
+TEST(Stress, whatItReportsCanBeReproduced) {
+  const RunResult run = runParity(join({kShort, {"--json", "-"}}));
+  ASSERT_TRUE(exitedWith(0, run));
+  const nlohmann::json json = nlohmann::json::parse(run.out);
+  const std::string at = json["functions"][0]["columns"][2]["worstError"]["at"];
+  const RunResult result = runParity({"stress", "--device-points", "0", "--at", at});
+  ASSERT_TRUE(exitedWith(0, result));
+  for (const char* part : {"cpu fp64", "cpu fp32", "cpu fp16"}) EXPECT_TRUE(contains(result.out, part)) << result.out;
+  EXPECT_EQ(splitLines(result.out).front(), at);
+}
+
+TEST(Stress, listNamesFunctionsAndScenes) {
+  const RunResult result = runParity({"stress", "--list"});
+  ASSERT_TRUE(exitedWith(0, result));
+  for (const char* part : {"D_Approx", "roughness <= 0.0625", "grows with NoH", "roughness-0", "black-environment"})
+    EXPECT_TRUE(contains(result.out, part)) << part;
+}
+
+TEST(Stress, refusesWhatItDoesNotKnow) {
+  expectRefused(runParity({"stress", "--functions", "D_GXG", "--only", "functions", "--device-points", "0"}), 64,
+                {"D_GXG", "D_GGX"});
+  expectRefused(runParity({"stress", "--at", "D_GGX:1"}), 64, {"D_GGX", "takes 2: alpha, NoH"});
+  expectRefused(runParity({"stress", "--only", "renders", "--renders", "nothing"}), 64, {"nothing"});
+  EXPECT_TRUE(exitedWith(64, runParity({"stress", "--only", "everything"})));
+  EXPECT_TRUE(exitedWith(64, runParity({"stress", "--seconds", "1", "--scenes", "2"})));
+}
+
+class StressOnDevice : public RenderingTest {};
+
+TEST_F(StressOnDevice, functionsAndASceneOnTheDevice) {
+  const RunResult result = runParity({"stress", "--functions", "GGX_Mobile", "--points", "1000", "--device-points",
+                                      "1000", "--renders", "denormal-light", "--json", "-"});
+  ASSERT_TRUE(exitedWith(0, result));
+  const nlohmann::json json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["functions"][0]["columns"].size(), 5u);
+  EXPECT_EQ(json["functions"][0]["columns"][3]["maxUlps"], 0) << "GGX_Mobile is exact in fp32";
+  EXPECT_EQ(json["scenes"].size(), 1u);
+}
+
+TEST_F(StressOnDevice, anUnknownDeviceIsAnErrorNotASkip) {
+  EXPECT_TRUE(
+      exitedWith(4, runParity({"stress", "--only", "renders", "--renders", "backlight", "--device", "no such"})));
+}
+
+} // namespace
+} // namespace parity::tests
