@@ -15,6 +15,7 @@
 #include "cli/output.h"
 #include "cli/requests.h"
 #include "compare/text.h"
+#include "job/context.h"
 #include "job/version.h"
 #include "sweep/machine.h"
 #include "sweep/pareto_svg.h"
@@ -22,6 +23,7 @@
 #include "sweep/statistics.h"
 #include "sweep/sweep_json.h"
 #include "sweep/sweep_page.h"
+#include "sweep/trial.h"
 
 namespace parity::cli {
 
@@ -76,7 +78,7 @@ sweep::SweepReport measure(const BenchCommand& command, const std::vector<job::S
   report.version = job::kVersion;
   report.commandLine = commandLine;
   report.startedAt = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-  report.machine = sweep::describeMachine(context.device());
+  report.machine = sweep::describeMachine(context.deviceReport());
   report.rounds = command.trial.rounds;
   const job::Progress progress = makeProgress(command.common.quiet);
   for (const job::SceneRequest& request : requests) {

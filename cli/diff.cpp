@@ -6,6 +6,7 @@
 #include "cli/invocation.h"
 #include "cli/output.h"
 #include "cli/requests.h"
+#include "job/context.h"
 #include "job/report_run.h"
 
 namespace parity::cli {

@@ -18,7 +18,7 @@ namespace parity::cli {
 
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kFlipFooter = R"(
 Two folders are matched by relative path, or by stem where that leaves no choice; a picture without counterpart fails (exit 4),
 and the others still run; other files are passed over, with a warning. A list has two paths a line, "..." around spaces, # before
 comments, relative to the list's folder.
@@ -230,7 +230,7 @@ void requireFiles(const FlipCommand& flip) {
 } // namespace
 
 void addFlipOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
-  app.footer(kFooter);
+  app.footer(kFlipFooter);
   app.add_option("reference", flip.reference, "Reference image or folder");
   app.add_option("test", flip.test, "Test image or folder");
   app.add_option("--pairs", flip.pairList, "A list of pairs instead");

@@ -14,7 +14,7 @@
 #include "scenes/suite.h"
 #include "stress/stress_run.h"
 #include "sweep/pareto.h"
-#include "sweep/trial.h"
+#include "sweep/trial_options.h"
 
 namespace parity::cli {
 

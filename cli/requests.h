@@ -5,7 +5,7 @@
 
 #include "cli/file_conflicts.h"
 #include "cli/invocation.h"
-#include "job/prepared_scene.h"
+#include "job/scene_request.h"
 
 namespace parity::cli {
 

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "gpu/shaders/interface.h"
+
 namespace parity::gpu {
 
 namespace {

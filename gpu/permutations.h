@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "gpu/scene_buffers.h"
+#include "gpu/material_class.h"
 
 namespace parity::gpu {
 

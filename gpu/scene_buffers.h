@@ -6,22 +6,12 @@
 #include <vector>
 
 #include "gpu/buffer.h"
+#include "gpu/material_class.h"
 #include "gpu/shaders/interface.h"
 #include "gpu/textures.h"
 #include "scenes/scene.h"
 
 namespace parity::gpu {
-
-// What of a material asks for code of its own: texture slots (and kNormalVariance) and features, as bits
-// (interface.h).
-struct MaterialClass {
-  std::uint32_t textures = 0, features = 0;
-  auto operator<=>(const MaterialClass&) const = default;
-};
-MaterialClass classify(const scenes::Material& material);
-
-// Roughness that grows where a normal map is minified (shading/specular_aa.glsl), alike in every path.
-enum class SpecularAa { off, toksvig };
 
 class SceneBuffers {
 public:

@@ -2,40 +2,12 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "gpu/shading_pass.h"
-#include "highend/env_brdf_lut.h"
+#include "highend/options.h"
 
 namespace parity::highend {
-
-using shading::Compensation;
-using shading::DiffuseLobe;
-
-// How the prefiltered environment is read where the view is not along the normal (shading/off_specular.glsl).
-enum class OffSpecular {
-  none,      // in the mirror direction: N = V = R (Karis 2013)
-  dominant,  // in the lobe's dominant direction (Lagarde and de Rousiers 2014)
-  stretched, // twice, along the plane of incidence
-  twoTaps,   // twice, by two lobes fitted to the true one
-  threeTaps, // three times, so too
-};
-
-struct Options {
-  GeometryTerm geometryTerm = GeometryTerm::heightCorrelated;
-  FresnelCurve fresnel = FresnelCurve::schlick;
-  DiffuseLobe diffuse = DiffuseLobe::balanced;
-  Compensation compensation = Compensation::kullaConty;
-  OffSpecular offSpecular = OffSpecular::threeTaps;
-};
-
-// Names as the command line and reports have them, in the order of the enumerators.
-const std::vector<std::string>& geometryTermNames(); // "height-correlated", "schlick-smith"
-const std::vector<std::string>& fresnelNames();      // "schlick", "spherical-gaussian", "dielectric"
-const std::vector<std::string>& diffuseNames();      // "balanced", "lambert"
-const std::vector<std::string>& compensationNames(); // "none", "turquin", "fdez-aguera", "kulla-conty"
-const std::vector<std::string>& offSpecularNames();  // "none", "dominant", "stretched", "two-taps", "three-taps"
 
 // What the renderer is given besides the scene; all of it shared with the other paths.
 struct Inputs {

@@ -166,12 +166,13 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
   }
   prepared.mobileLights = prepared.lights;
   prepared.isLit = isLit(scene);
-  if (panorama && prepared.isLit)
+  const bool hasSky = panorama.has_value();
+  if (hasSky && prepared.isLit)
     addEnvironment(context, extractSuns(context, request, std::move(*panorama), prepared.work), paths, prepared);
   applySceneLight(prepared, request);
   applyFullyRough(scene, request.fullyRough);
   applyFullyRough(scene, context.settings().fullyRough);
-  if (prepared.isLit) requireLight(prepared, request.scene);
+  if (prepared.isLit || !hasSky) requireLight(prepared, request.scene); // an unlit scene's sky was not filtered
   return prepared;
 }
 

@@ -8,12 +8,10 @@
 
 #include "job/context.h"
 #include "job/passes.h"
+#include "job/scene_request.h"
 #include "scenes/scene.h"
 
 namespace parity::job {
-
-// What to load: a suite entry, or the command line's one scene in the same form.
-using SceneRequest = scenes::SuiteEntry;
 
 // Which paths to shade.
 struct Paths {

@@ -2,12 +2,17 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "compare/report.h"
-#include "job/prepared_scene.h"
+#include "job/scene_request.h"
+#include "job/settings.h"
 
 namespace parity::job {
+
+class Context;
 
 struct ReportRequest {
   std::vector<SceneRequest> scenes;        // in order; each is tried, whatever becomes of the others

@@ -9,8 +9,10 @@
 #include "base/frame.h"
 #include "compare/permutation.h"
 #include "gpu/frame_builder.h"
+#include "highend/renderer.h"
 #include "job/prepared_scene.h"
 #include "job/reference_path.h"
+#include "mobile/renderer.h"
 
 namespace parity::job {
 

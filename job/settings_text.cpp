@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "job/truth_comparison.h"
+#include "mobile/renderer.h"
 
 namespace parity::job {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/color.h"
-#include "gpu/device.h"
+#include "gpu/device_report.h"
 #include "job/settings.h"
 
 namespace parity::job {

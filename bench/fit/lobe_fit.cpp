@@ -21,7 +21,8 @@ Unknowns toUnknowns(const LobeConstants& c) {
 LobeConstants toConstants(const Unknowns& x) {
   LobeConstants c{};
   std::copy_n(x.begin(), 7, c.B.begin());
-  std::copy_n(x.begin() + 7, 3, c.loss.begin());
+  // Below 0 the loss has a pole, maybe between the points that are fitted.
+  std::transform(x.begin() + 7, x.begin() + 10, c.loss.begin(), [](double value) { return std::abs(value); });
   c.k = x[10];
   return c;
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "gpu/device.h"
 #include "stress/function_stress.h"
 
 namespace parity::stress {

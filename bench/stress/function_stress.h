@@ -6,9 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "gpu/device.h"
 #include "stress/finding.h"
 #include "stress/tally.h"
+
+namespace parity::gpu {
+class Device;
+}
 
 namespace parity::stress {
 

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "job/context.h"
 #include "job/scene_renderer.h"
 
 namespace parity::stress {
@@ -35,6 +36,8 @@ PathFrame pathFrame(const job::Settings& settings, bool highend, base::Frame fra
 } // namespace
 
 RenderStress::RenderStress(const RenderOptions& options) : m_options(options) { openDevices(); }
+
+RenderStress::~RenderStress() = default;
 
 void RenderStress::openDevices() {
   m_contexts.clear();

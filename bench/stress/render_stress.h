@@ -5,9 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "job/context.h"
+#include "gpu/device_report.h"
+#include "mobile/options.h"
 #include "stress/finding.h"
 #include "stress/stress_scene.h"
+
+namespace parity::job {
+class Context;
+}
 
 namespace parity::stress {
 
@@ -29,6 +34,7 @@ struct SceneResult {
 class RenderStress {
 public:
   explicit RenderStress(const RenderOptions& options);
+  ~RenderStress();
 
   // Everything that goes wrong is a finding, messages of the validation layer among it; nothing is thrown but where no
   // device can be opened (Error, exit 4).

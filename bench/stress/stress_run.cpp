@@ -8,6 +8,7 @@
 #include "base/glob.h"
 #include "base/log.h"
 #include "base/stopwatch.h"
+#include "gpu/device.h"
 #include "job/version.h"
 
 namespace parity::stress {

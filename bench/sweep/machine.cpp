@@ -19,12 +19,12 @@ std::string processorName() {
 
 } // namespace
 
-Machine describeMachine(const gpu::Device& device) {
+Machine describeMachine(const gpu::DeviceReport& device) {
   Machine machine;
   machine.processor = processorName();
-  machine.device = device.report().name;
-  machine.driver = device.report().driver;
-  machine.deviceKind = device.report().kind;
+  machine.device = device.name;
+  machine.driver = device.driver;
+  machine.deviceKind = device.kind;
   machine.simd = compare::simdLevels().front();
   machine.threads = base::threadCount();
   return machine;

@@ -1,13 +1,13 @@
 // On what machine a sweep was taken.
 #pragma once
 
-#include "gpu/device.h"
+#include "gpu/device_report.h"
 #include "sweep/sweep_report.h"
 
 namespace parity::sweep {
 
 // The processor's name as Linux tells it ("unknown" where it does not), threads as ThreadLimit allows, the best SIMD
 // level that compare/ uses.
-Machine describeMachine(const gpu::Device& device);
+Machine describeMachine(const gpu::DeviceReport& device);
 
 } // namespace parity::sweep

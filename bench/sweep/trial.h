@@ -1,19 +1,16 @@
 // One scene by every setting, over the very same surface buffer: times, costs and errors.
 #pragma once
 
-#include "job/context.h"
-#include "job/prepared_scene.h"
+#include "job/scene_request.h"
 #include "job/settings.h"
 #include "sweep/sweep_report.h"
+#include "sweep/trial_options.h"
+
+namespace parity::job {
+class Context;
+}
 
 namespace parity::sweep {
-
-struct TrialOptions {
-  int rounds = 9;                    // that are timed, after one that warms up
-  int preparationRounds = 3;         // of what is prepared once
-  bool truth = true;                 // also shade the reference path, for errors against it
-  std::vector<std::string> settings; // globs over ids ("mobile: refit*"); empty: all. Both defaults are always there
-};
 
 // Shades every setting in random order, round after round, so that drift falls on all alike. Errors are of what the
 // screen shows (FLIP) and of exposed light (relMSE), over the pixels that the scene covers and by material. context:

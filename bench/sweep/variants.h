@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gpu/output_target.h"
-#include "highend/renderer.h"
+#include "highend/options.h"
 #include "lighting/environment_light.h"
 #include "mobile/options.h"
 

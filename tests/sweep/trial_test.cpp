@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "job/context.h"
 #include "sweep/scaling_scene.h"
 #include "sweep/trial.h"
 
