@@ -1,6 +1,6 @@
 // What a scene's features cost where they are present, against the same scene without them: device time of shading, by
 // interleaved medians. And a permutation made for a plain nonmetal against the one that does everything.
-//   build/bench_skip [SIZE [ROUNDS]]      a table in Markdown; by default 512 pixels a side, 15 rounds
+//   build/bench_skip [SIZE [ROUNDS [GLOB]]]      a table in Markdown; by default 512 pixels a side, 15 rounds, all features
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/glob.h"
 #include "job/scene_renderer.h"
 #include "scenes/builtin.h"
 #include "scenes/view.h"
@@ -22,6 +23,7 @@ namespace {
 
 struct Settings {
   int size = 512, rounds = 15;
+  std::string features = "*";
 };
 
 // A scene to shade, all of whose parts a feature may change.
@@ -186,15 +188,17 @@ int main(int argc, char** argv) {
   bench::Settings settings;
   if (argc > 1) settings.size = std::atoi(argv[1]);
   if (argc > 2) settings.rounds = std::atoi(argv[2]);
+  if (argc > 3) settings.features = argv[3];
   if (settings.size < 16 || settings.size > 4096 || settings.rounds < 1) {
-    fmt::print(stderr, "bench_skip [SIZE [ROUNDS]]: 16 to 4096 pixels, at least 1 round\n");
+    fmt::print(stderr, "bench_skip [SIZE [ROUNDS [GLOB]]]: 16 to 4096 pixels, at least 1 round\n");
     return static_cast<int>(base::ExitCode::usage);
   }
   try {
     fmt::print(
         "| feature | high-end with, ms | without | ratio | mobile with, ms | without | ratio | compiling high-end, "
         "ms | compiling mobile |\n|---|---|---|---|---|---|---|---|---|\n");
-    for (const bench::Feature& feature : bench::listFeatures()) bench::compare(feature, settings);
+    for (const bench::Feature& feature : bench::listFeatures())
+      if (base::matchesGlob(settings.features, feature.name)) bench::compare(feature, settings);
   } catch (const base::Error& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return static_cast<int>(error.code());

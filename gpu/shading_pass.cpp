@@ -64,6 +64,18 @@ GpuLight packLight(const scenes::Light& light) {
   return out;
 }
 
+namespace {
+
+// Binding 4: the scene's counts (path.glsl), then the path's own data.
+std::vector<std::uint32_t> withCounts(const SceneBuffers& scene, const PathProgram& program) {
+  std::vector<std::uint32_t> data = {program.directionalCount, program.localCount, program.environment ? 1u : 0u,
+                                     scene.vertexData()};
+  data.insert(data.end(), program.pathData.begin(), program.pathData.end());
+  return data;
+}
+
+} // namespace
+
 struct ShadingPass::Impl {
   const Device& device;
   const SceneBuffers& scene;
@@ -85,7 +97,7 @@ struct ShadingPass::Impl {
       : device(dev), scene(buffers), kinds(binKinds), program(std::move(p)), blackCube(makeBlackCube(dev)),
         white(makeWhite(dev)), linearClamp(makeLinearClamp(dev)), view(dev, sizeof(GpuView)),
         lights(dev, std::span<const GpuLight>(program.lights)),
-        pathData(dev, std::span<const std::uint32_t>(program.pathData)),
+        pathData(dev, std::span<const std::uint32_t>(withCounts(buffers, program))),
         plan(program.compilation.budget, buffers.textureBits(), classesOf(kinds)),
         store(program.compilation.store ? *program.compilation.store : ownStore) {
     const auto none = scene.textures().bindings({});
@@ -183,7 +195,6 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   GpuView gpuView = makeView(scene.scene(), camera, surface.width, surface.height);
   if (program.environment) std::copy(program.environment->sh.begin(), program.environment->sh.end(), gpuView.sh);
   std::copy(program.numbers.begin(), program.numbers.end(), gpuView.path);
-  gpuView.counts = uvec4(program.directionalCount, program.localCount, program.environment ? 1 : 0, scene.vertexData());
   view.upload(std::as_bytes(std::span{&gpuView, 1}));
 
   constexpr std::size_t kTermsInB = shading::kTermCount - kTermsInA;

@@ -33,7 +33,7 @@ struct PathProgram {
   std::vector<GpuLight> lights;       // directional ones first
   std::uint32_t directionalCount = 0; // lights the shader loops over; constants 3 and 4
   std::uint32_t localCount = 0;
-  std::vector<std::uint32_t> pathData;           // binding 4
+  std::vector<std::uint32_t> pathData;           // binding 4, behind the counts
   const DeviceImage* pathTexture = nullptr;      // binding 16; null: white
   const EnvironmentMaps* environment = nullptr;  // null: no environment
   std::array<glm::vec4, kPathNumbers> numbers{}; // the path's own, GpuView::path

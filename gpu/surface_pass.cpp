@@ -78,6 +78,7 @@ GpuView makeView(const scenes::Scene& scene, const scenes::Camera& camera, std::
   GpuView view{};
   view.eye = vec4(eye, camera.orthographic ? 1.f : 0.f);
   const bool o = camera.orthographic;
+  view.viewer = o ? vec4(back, 0) : vec4(eye, 1);
   const vec4 zero(0.f);
   view.origin = o ? vec4(corner, 0) : zero;
   view.originX = o ? vec4(stepX, 0) : zero;

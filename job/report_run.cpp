@@ -172,8 +172,11 @@ private:
   }
 
   ResultWish wishFor(std::size_t index, const compare::Budgets& budgets) const {
+    const Settings& settings = m_context.settings();
+    const std::uint64_t pixels = static_cast<std::uint64_t>(settings.width) * static_cast<std::uint64_t>(settings.height) *
+                                 static_cast<std::uint64_t>(settings.samples) * m_request.scenes[index].views.size();
     return {compare::requiredStatistics(budgets), !m_request.folder.empty(),
-            gpu::shareOf(index, m_request.scenes.size())};
+            gpu::shareOf(index, m_request.scenes.size(), pixels)};
   }
 
   // Fills the result, view by view: what was done before an error stays. Keeps it for later runs.

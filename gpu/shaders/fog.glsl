@@ -3,11 +3,8 @@
 
 // Between the eye (orthographic: the plane of the eye) and a place of the world: inscattered radiance, transmittance.
 vec4 fogAt(vec3 place) {
-  vec3 way = place - view.eye.xyz;
-  if (view.eye.w > 0.5) {
-    vec3 direction = normalize(view.direction.xyz);
-    way = max(dot(way, direction), 0.0) * direction;
-  }
+  vec3 fromEye = place - view.eye.xyz, direction = normalize(view.direction.xyz);
+  vec3 way = mix(fromEye, max(dot(fromEye, direction), 0.0) * direction, bvec3(view.eye.w > 0.5));
   HeightFog fog = HeightFog(view.fog.x, view.fog.y, view.fog.z, view.fog.w, view.fogColor.w);
   float transmittance = float(heightFogTransmittance(fog, place.y - way.y, way.y, length(way)));
   return vec4(view.fogColor.xyz * (1.0 - transmittance), transmittance);

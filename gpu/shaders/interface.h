@@ -46,7 +46,7 @@ PARITY_CONST uint kVertexFog = 16u;     // the scene has fog
 PARITY_CONST uint kVertexAll = 31u;
 PARITY_CONST uint kVertexMustShift = 16u; // in the constant: what all scenes have, above what some may
 
-// Instead of a number known when a shader is specialised: GpuView::counts says it.
+// Instead of a number known when a shader is specialised: sceneCounts (path.glsl) says it.
 PARITY_CONST uint kUnknown = 0xffffffffu;
 
 PARITY_CONST uint kTermsInA =
@@ -119,9 +119,11 @@ struct GpuLight {
 };
 
 // What a view's shaders need. The camera's rays: pixel (x,y) looks from origin + x*originX + y*originY along
-// direction + x*directionX + y*directionY.
+// direction + x*directionX + y*directionY. No shader may branch by it (mix selects): lavapipe compiles one that does anew
+// for each value, so for each camera.
 struct GpuView {
   vec4 eye;                               // perspective: position; w = 1 where orthographic
+  vec4 viewer;                            // xyz - w place points from a place to the eye
   vec4 origin, originX, originY;          // relative to eye
   vec4 direction, directionX, directionY; // not normalised
   vec4 sh[9];                             // irradiance coefficients (shading/sh.glsl)
@@ -130,7 +132,6 @@ struct GpuView {
   vec4 fog;                               // density, height falloff, height, start distance (shading/fog.glsl)
   vec4 fogColor;                          // rgb: radiance where the fog is dense; its maximum opacity
   vec4 path[kPathNumbers];                // the path's own
-  uvec4 counts;                           // directional lights, local lights, 1 with an environment, kVertex... bits
 };
 
 #ifdef __cplusplus

@@ -23,7 +23,9 @@ layout(set = 0, binding = 0, std140) uniform View { GpuView view; };
 layout(set = 0, binding = 1, std430) readonly buffer Materials { GpuMaterial materials[]; };
 layout(set = 0, binding = 2, std430) readonly buffer Instances { GpuInstance instances[]; };
 layout(set = 0, binding = 3, std430) readonly buffer Lights { GpuLight lights[]; }; // directional ones first
-layout(set = 0, binding = 4, std430) readonly buffer PathData { uint pathData[]; };
+// sceneCounts: directional lights, local lights, 1 with an environment, kVertex... bits. Branches depend on them: not in
+// GpuView.
+layout(set = 0, binding = 4, std430) readonly buffer PathData { uvec4 sceneCounts; uint pathData[]; };
 #define PARITY_SURFACE_ACCESS readonly
 #define PARITY_SURFACE_BINDING 5
 #include "gpu/shaders/surface.glsl"
@@ -68,13 +70,13 @@ bool hasFeature(uint feature, uint material) {
   return (materials[material].flags.x & feature) != 0u;
 }
 
-uint directionalCount() { return kDirectionalCount == kUnknown ? view.counts.x : kDirectionalCount; }
-uint localCount() { return kLocalCount == kUnknown ? view.counts.y : kLocalCount; }
-bool hasEnvironment() { return kHasEnvironment == kUnknown ? view.counts.z != 0u : kHasEnvironment != 0u; }
+uint directionalCount() { return kDirectionalCount == kUnknown ? sceneCounts.x : kDirectionalCount; }
+uint localCount() { return kLocalCount == kUnknown ? sceneCounts.y : kLocalCount; }
+bool hasEnvironment() { return kHasEnvironment == kUnknown ? sceneCounts.z != 0u : kHasEnvironment != 0u; }
 bool hasVertexData(uint bits) {
   if ((kVertexData & (bits << kVertexMustShift)) != 0u) return true;
   if ((kVertexData & bits) == 0u) return false;
-  return (view.counts.w & bits) != 0u;
+  return (sceneCounts.w & bits) != 0u;
 }
 
 bool hasTexture(int slot, uint material) {
@@ -108,7 +110,7 @@ Point makePoint(uint i) {
   p.material = instances[p.instance].geometry.z;
   p.normal = uintBitsToFloat(surfaceNormal[i].xyz);
   p.geometric = unpackOctahedral(surfaceNormal[i].w);
-  p.V = view.eye.w > 0.5 ? -normalize(view.direction.xyz) : normalize(view.eye.xyz - p.position);
+  p.V = normalize(view.viewer.xyz - view.viewer.w * p.position);
   return p;
 }
 
