@@ -30,17 +30,13 @@ bool serves(const Permutation& p, const MaterialClass& c) {
   return (c.textures & ~p.textures) == 0 && (c.features & ~p.mayFeatures) == 0 && (p.mustFeatures & ~c.features) == 0;
 }
 
-double savingMs(std::uint64_t pixels) { return static_cast<double>(pixels) * kPermutationSavingNsPerPixel * 1e-6; }
-
 } // namespace
 
 Permutation everyScenePermutation(std::uint32_t textures) {
   return {textures, kFeatureUnlit | kFeatureNonmetal | kFeatureFullyRough | kFeatureBlend, 0, true};
 }
 
-PermutationBudget shareOf(std::size_t scene, std::size_t sceneCount, std::uint64_t pixels) {
-  const double costMs = kPermutationCostMs - kEverySceneCostMs / static_cast<double>(sceneCount);
-  if (savingMs(pixels) < costMs) return {.own = 0, .shares = true};
+PermutationBudget shareOf(std::size_t scene, std::size_t sceneCount) {
   const bool shares = sceneCount > kMaxPermutations;
   const std::size_t own = shares ? kMaxPermutations - 1 : kMaxPermutations;
   return {.own = own * (scene + 1) / sceneCount - own * scene / sceneCount, .shares = shares};
@@ -56,9 +52,10 @@ void PermutationPlan::add(std::vector<ClassPixels> seen) {
   std::vector<MaterialClass> rest;
   for (const auto& [c, pixels] : seen) {
     const Permutation exact{c.textures, c.features, c.features};
+    const double savingMs = static_cast<double>(pixels) * kPermutationSavingNsPerPixel * 1e-6;
     const bool isLeft = m_budget.shares ? m_own.size() < m_budget.own : !isLast();
     if (std::ranges::find(m_own, exact) == m_own.end()) {
-      if (!isLeft || savingMs(pixels) <= kPermutationCostMs) {
+      if (!isLeft || savingMs <= kPermutationCostMs) {
         rest.push_back(c);
         continue;
       }

@@ -28,7 +28,6 @@ struct ClassPixels {
 // As build/bench_skip finds them on lavapipe, where nothing is cached; docs/benchmarks.md.
 inline constexpr std::size_t kMaxPermutations = 8;          // a path and run
 inline constexpr double kPermutationCostMs = 500;           // compiling one more
-inline constexpr double kEverySceneCostMs = 1600;           // compiling the one that does everything
 inline constexpr double kPermutationSavingNsPerPixel = 150; // exact against wide
 
 // What of its run's permutations a scene may have.
@@ -38,10 +37,8 @@ struct PermutationBudget {
   bool operator==(const PermutationBudget&) const = default;
 };
 // Of the scene at this place among so many: all are dealt out evenly; among more scenes than there are permutations one
-// is every scene's. A scene of so few pixels that one of its own would save less time than it costs has none of its own
-// where enough scenes share the cost of every scene's. pixels: of all its views, covered or not. It depends on nothing
-// that the scenes hold, so no scene's picture depends on another scene.
-PermutationBudget shareOf(std::size_t scene, std::size_t sceneCount, std::uint64_t pixels);
+// is every scene's. It depends on nothing that the scenes hold, so no scene's picture depends on another scene.
+PermutationBudget shareOf(std::size_t scene, std::size_t sceneCount);
 
 // Which permutation serves each class of a scene's materials, decided when the class is first seen.
 class PermutationPlan {

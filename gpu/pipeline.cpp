@@ -82,4 +82,10 @@ vk::Pipeline PipelineStore::add(Spirv spirv, std::span<const std::uint32_t> cons
   return *m_entries.back().pipeline;
 }
 
+std::set<PipelineStore::Key> PipelineStore::keys() const {
+  std::set<Key> keys;
+  for (const Entry& entry : m_entries) keys.emplace(entry.spirv, entry.constants);
+  return keys;
+}
+
 } // namespace parity::gpu

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -54,7 +56,9 @@ public:
   // Null where there is none. `spirv` is told apart by its address: shaders are compiled into the program.
   vk::Pipeline find(Spirv spirv, std::span<const std::uint32_t> constants) const;
   vk::Pipeline add(Spirv spirv, std::span<const std::uint32_t> constants, vk::raii::Pipeline pipeline);
-  std::size_t size() const { return m_entries.size(); }
+  // What each is made of.
+  using Key = std::pair<const std::uint32_t*, std::vector<std::uint32_t>>;
+  std::set<Key> keys() const;
 
 private:
   struct Entry {

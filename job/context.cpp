@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/image_io.h"
+#include "scenes/load.h"
 
 namespace parity::job {
 
@@ -23,6 +24,21 @@ Context::Context(const Settings& settings)
     : m_settings(settings), m_display(settings.display),
       m_cache(settings.cacheFolder ? base::Cache(*settings.cacheFolder, settings.cacheBytes) : base::Cache::disabled()),
       m_buildId(settings.cacheFolder ? hashOfThisBuild() : std::string()) {}
+
+Context::Context(const Context& first, ForAnotherThread)
+    : m_settings(first.m_settings), m_display(first.m_settings.display), m_cache(first.m_cache),
+      m_buildId(first.m_buildId), m_deviceReport(first.m_deviceReport), m_lights(first.m_lights) {}
+
+void Context::take(const Context& other) {
+  for (const auto& [stage, timeMs] : other.m_timings.stages()) m_timings.add(stage, timeMs);
+  m_takenShaders.merge(other.compiledShaders());
+}
+
+std::set<gpu::PipelineStore::Key> Context::compiledShaders() const {
+  std::set<gpu::PipelineStore::Key> keys = m_pipelines.keys();
+  keys.insert(m_takenShaders.begin(), m_takenShaders.end());
+  return keys;
+}
 
 gpu::Device& Context::device() {
   if (!m_device) {
@@ -63,9 +79,22 @@ const base::Image& Context::envBrdfLut() {
   return m_lut;
 }
 
+std::shared_ptr<const Context::LoadedEnvironment> Context::environment(const std::string& file, float rotationDeg) {
+  const base::Stopwatch watch(&m_timings, "load environment");
+  const std::lock_guard lock(m_lights->loadMutex);
+  std::shared_ptr<const LoadedEnvironment>& last = m_lights->loaded;
+  if (!last || last->file != file || last->rotationDeg != rotationDeg) {
+    auto loaded = std::make_shared<LoadedEnvironment>(LoadedEnvironment{file, rotationDeg, {}, {}});
+    loaded->environment = scenes::loadEnvironment(file, rotationDeg, loaded->warnings);
+    last = std::move(loaded);
+  }
+  return last;
+}
+
 std::shared_ptr<const lighting::EnvironmentLight> Context::environmentLight(const scenes::Environment& environment) {
   const base::Stopwatch watch(&m_timings, "environment");
-  constexpr std::size_t kKept = 2; // a scene has two at most: with the sun that mobile cannot have, and without
+  // A scene has two at most, with the sun that mobile cannot have and without; two scenes are lit at the same time.
+  constexpr std::size_t kKept = 4;
   const lighting::PrefilterOptions options;
   const std::string key = "environment-" + base::Hasher()
                                                .add(m_buildId)
@@ -77,8 +106,8 @@ std::shared_ptr<const lighting::EnvironmentLight> Context::environmentLight(cons
                                                .addValue(environment.radiance.height)
                                                .add(std::as_bytes(std::span{environment.radiance.pixels}))
                                                .hex();
-  const std::lock_guard lock(m_lightsMutex); // two scenes in the same light wait for one another
-  for (const auto& [known, light] : m_lights)
+  const std::lock_guard lock(m_lights->mutex); // two scenes in the same light wait for one another
+  for (const auto& [known, light] : m_lights->latest)
     if (known == key) return light;
   std::shared_ptr<const lighting::EnvironmentLight> light;
   if (const auto cached = m_cache.find(key)) {
@@ -87,8 +116,8 @@ std::shared_ptr<const lighting::EnvironmentLight> Context::environmentLight(cons
     light = std::make_shared<const lighting::EnvironmentLight>(lighting::makeEnvironmentLight(environment, options));
     m_cache.store(key, lighting::toBytes(*light));
   }
-  m_lights.emplace_front(key, light);
-  if (m_lights.size() > kKept) m_lights.pop_back();
+  m_lights->latest.emplace_front(key, light);
+  if (m_lights->latest.size() > kKept) m_lights->latest.pop_back();
   return light;
 }
 

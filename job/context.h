@@ -5,8 +5,10 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/cache.h"
 #include "base/color.h"
@@ -23,6 +25,11 @@ namespace parity::job {
 class Context {
 public:
   explicit Context(const Settings& settings);
+  // The same run's, with a device and timings of its own: scenes may be rendered at the same time.
+  struct ForAnotherThread {};
+  Context(const Context& first, ForAnotherThread);
+  // Adds what another thread's has timed and compiled.
+  void take(const Context& other);
 
   const Settings& settings() const { return m_settings; }
   base::Timings& timings() { return m_timings; }
@@ -32,6 +39,8 @@ public:
   gpu::Device& device();
   // The shaders that the run has compiled for it.
   gpu::PipelineStore& pipelines() { return m_pipelines; }
+  // The same without the pipelines, and those of contexts that were taken in.
+  std::set<gpu::PipelineStore::Key> compiledShaders() const;
   // What that device is, without making it: for a run whose results may all be cached.
   const gpu::DeviceReport& deviceReport();
 
@@ -44,6 +53,16 @@ public:
   // cache is disabled.
   const base::Cache& cache() const { return m_cache; }
   const std::string& buildId() const { return m_buildId; }
+
+  // The environment of a file, with the warnings that reading it gave; the last one of the run is at hand. Thread-safe.
+  // Throws Error as scenes::loadEnvironment does.
+  struct LoadedEnvironment {
+    std::string file;
+    float rotationDeg = 0;
+    scenes::Environment environment;
+    std::vector<std::string> warnings;
+  };
+  std::shared_ptr<const LoadedEnvironment> environment(const std::string& file, float rotationDeg);
 
   // Prefiltered cube and SH of an environment, from the cache where it holds them; the last one of the run is at hand.
   // Thread-safe.
@@ -59,8 +78,14 @@ private:
   gpu::PipelineStore m_pipelines; // ends before the device
   std::optional<gpu::DeviceReport> m_deviceReport;
   base::Image m_lut;
-  std::mutex m_lightsMutex;
-  std::deque<std::pair<std::string, std::shared_ptr<const lighting::EnvironmentLight>>> m_lights; // the latest first
+  std::set<gpu::PipelineStore::Key> m_takenShaders;
+  struct Lights { // of all contexts of a run
+    std::mutex loadMutex;
+    std::shared_ptr<const LoadedEnvironment> loaded;
+    std::mutex mutex;
+    std::deque<std::pair<std::string, std::shared_ptr<const lighting::EnvironmentLight>>> latest; // the first is
+  };
+  std::shared_ptr<Lights> m_lights = std::make_shared<Lights>();
 };
 
 } // namespace parity::job

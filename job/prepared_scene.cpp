@@ -137,8 +137,9 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
       },
       [&] {
         if (request.environment.empty()) return;
-        const base::Stopwatch watch(&context.timings(), "load environment");
-        panorama = scenes::loadEnvironment(request.environment, request.environmentRotationDeg, warnings);
+        const auto loaded = context.environment(request.environment, request.environmentRotationDeg);
+        panorama = loaded->environment;
+        warnings = loaded->warnings;
       },
   });
   scenes::Scene& scene = prepared.scene;

@@ -1,0 +1,36 @@
+// One scene of a report: rendered, compared and judged, or recalled from the cache.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/budget.h"
+#include "compare/report.h"
+#include "job/report_run.h"
+
+namespace parity::job {
+
+// Budgets that go before a scene's own, and those that stand in where it has none.
+struct RunBudgets {
+  std::optional<compare::Budgets> first;
+  compare::Budgets otherwise;
+};
+
+struct ComparedScene {
+  compare::SceneResult result;
+  bool isCached = false;             // taken from the cache, unchanged
+  std::string error;                 // for the log; empty: none
+  std::vector<std::string> warnings; // for the log, as the result has them but with the folders of files
+};
+
+// Told how much of the scene is done, 0..1, and what comes next.
+using Tell = std::function<void(double done, const std::string& what)>;
+
+// The scene at this place of the request. What goes wrong is the result's error. Pictures are written to the request's
+// folder.
+ComparedScene compareScene(Context& context, const ReportRequest& request, std::size_t index, const RunBudgets& budgets,
+                           const Tell& tell);
+
+} // namespace parity::job
