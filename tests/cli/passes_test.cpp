@@ -147,5 +147,22 @@ TEST_F(PassesTest, HiddenMaterialCostsNeitherTexturesNorShading) {
   EXPECT_EQ(seen["surface"], hidden["surface"]);
 }
 
+// A shader that branches by the camera would be compiled anew for each: the driver inlines uniforms that decide much.
+TEST_F(PassesTest, AnotherCameraCompilesNothing) {
+  const std::filesystem::path driver = m_folder / "driver";
+  std::filesystem::create_directory(driver);
+  RunOptions options;
+  options.environment = {{"MESA_SHADER_CACHE_DIR", driver.string()}};
+  const auto countAfter = [&](const std::string& orbit) {
+    const RunResult result = runParity(
+        join({{"diff", "builtin:spheres", "--no-cache", "--size", "48x32", "--orbit", orbit}, kSun}), options);
+    EXPECT_LE(result.exitCode, 2) << result.err;
+    return listFiles(driver).size();
+  };
+  const std::size_t compiled = countAfter("0,90,0");
+  if (compiled == 0) GTEST_SKIP() << "the driver keeps no compiled shaders";
+  EXPECT_EQ(countAfter("30,70,0"), compiled);
+}
+
 } // namespace
 } // namespace parity::tests
