@@ -15,6 +15,7 @@
 #include "cli/output.h"
 #include "cli/requests.h"
 #include "compare/text.h"
+#include "gpu/device_report.h"
 #include "job/context.h"
 #include "job/version.h"
 #include "sweep/machine.h"
@@ -42,8 +43,9 @@ int runScaling(const BenchCommand& command) {
   const auto series = sweep::measureScaling(
       command.common.settings, {.series = command.trial.settings, .rounds = std::min(command.trial.rounds, 5)},
       makeProgress(command.common.quiet));
-  if (!command.folder.empty()) base::writeText(std::filesystem::path(command.folder) / "scaling.json", toJson(series));
-  if (!command.common.json.empty()) writeJson(command.common.json, toJson(series));
+  const std::string json = toJson(series, sweep::describeMachine(gpu::findDevice(command.common.settings.device)));
+  if (!command.folder.empty()) base::writeText(std::filesystem::path(command.folder) / "scaling.json", json);
+  if (!command.common.json.empty()) writeJson(command.common.json, json);
   if (command.common.json != "-" && !command.common.quiet) fmt::print("{}", toText(series));
   return 0;
 }
@@ -59,6 +61,8 @@ std::vector<job::SceneRequest> makeRequests(const BenchCommand& command) {
   return requests;
 }
 
+std::string paretoName(std::size_t scene) { return fmt::format("pareto-{}.svg", scene + 1); }
+
 // What was given to read must not be written over.
 void requireSeparateFiles(const BenchCommand& command, const std::vector<job::SceneRequest>& requests) {
   std::vector<NamedFile> inputs = inputFiles(command.common, requests), outputs;
@@ -66,6 +70,9 @@ void requireSeparateFiles(const BenchCommand& command, const std::vector<job::Sc
   if (!command.folder.empty())
     for (const char* file : {"index.html", "bench.json", "bench.csv"})
       outputs.push_back({"-o", std::filesystem::path(command.folder) / file});
+  if (!command.folder.empty())
+    for (std::size_t i = 0; i < requests.size(); ++i)
+      outputs.push_back({"-o", std::filesystem::path(command.folder) / paretoName(i)});
   outputs.push_back({"--json", command.common.json});
   outputs.push_back({"--csv", command.csv});
   requireSeparate(outputs, inputs);
@@ -84,8 +91,10 @@ sweep::SweepReport measure(const BenchCommand& command, const std::vector<job::S
   for (const job::SceneRequest& request : requests) {
     try {
       report.scenes.push_back(sweep::runTrial(context, request, command.trial, progress));
-    } catch (const base::Error& error) {
-      if (error.code() == base::ExitCode::usage) throw;
+    } catch (const std::exception& error) {
+      // What was measured so far is not lost; what every scene would be refused for is said of the first.
+      const auto* known = dynamic_cast<const base::Error*>(&error);
+      if (known && known->code() == base::ExitCode::usage && report.scenes.empty()) throw;
       base::logError(error.what());
       sweep::SceneSweep& scene = report.scenes.emplace_back();
       scene.scene = request.name;
@@ -162,14 +171,18 @@ int runBenchCommand(const BenchCommand& command, const std::string& commandLine)
       for (std::size_t i = 0; i < report.scenes.size(); ++i) {
         const std::string svg =
             sweep::paretoFile(report.scenes[i], sweep::Stage::shading, conclusions.against, conclusions.figure);
-        if (!svg.empty()) base::writeText(folder / fmt::format("pareto-{}.svg", i + 1), svg);
+        if (!svg.empty()) base::writeText(folder / paretoName(i), svg);
       }
+      for (std::size_t i = report.scenes.size(); std::filesystem::remove(folder / paretoName(i)); ++i) {
+      } // an earlier sweep's
     }
     if (!command.common.json.empty()) writeJson(command.common.json, json);
     if (!command.csv.empty()) writeJson(command.csv, csv);
   };
   try {
-    if (earlier) conclusions.ratios = sweep::compareSweeps(*earlier, report);
+    const auto isMeasured = [](const sweep::SceneSweep& scene) { return scene.failure.empty(); };
+    if (earlier && std::ranges::any_of(report.scenes, isMeasured))
+      conclusions.ratios = sweep::compareSweeps(*earlier, report);
   } catch (const base::Error&) {
     write(); // what was measured is not lost
     throw;

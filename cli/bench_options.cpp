@@ -30,15 +30,23 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
       ->check(CLI::Range(2, 1000))
       ->group("Bench")
       ->capture_default_str();
+  app.add_option("--preparation-rounds", bench.trial.preparationRounds,
+                 "The same of what is prepared once, as tables; --compare judges from about 9 on")
+      ->check(CLI::Range(2, 1000))
+      ->group("Bench")
+      ->capture_default_str();
   app.add_flag("--no-reference", raw.noReference, "No errors against the reference, which takes most of the time")
       ->group("Bench");
   app.add_flag("--scaling", bench.scaling,
                "Instead: each stage against pixels, triangles, lights, materials, textures; generated scenes")
       ->group("Bench")
       ->excludes(app.get_option("scenes"))
-      ->excludes(app.get_option("--compare"));
+      ->excludes(app.get_option("--compare"))
+      ->excludes(app.get_option("--budget"))
+      ->excludes(app.get_option("--csv"));
   addReferenceOptions(app, raw.common);
   addCommonOptions(app, bench.common, raw.common);
+  for (const char* useless : {"--material", "--budgets", "--timings"}) app.remove_option(app.get_option(useless));
 }
 
 BenchCommand settleBench(const RawBenchOptions& raw) {

@@ -34,6 +34,9 @@ int runStressCommand(const StressCommand& command) {
     return 0;
   }
   if (!command.at.empty()) return printAt(command);
+  std::error_code problem; // found before the minutes that follow
+  if (!command.folder.empty()) std::filesystem::create_directories(command.folder, problem);
+  if (problem) throw base::fileError(command.folder, "", problem.message());
   const stress::Report report = stress::runStress(command.options, makeProgress(command.quiet));
   if (!command.folder.empty()) {
     const std::filesystem::path folder = command.folder;
@@ -44,6 +47,10 @@ int runStressCommand(const StressCommand& command) {
   if (command.json != "-" && !command.quiet) {
     fmt::print("{}", stress::formatReport(report));
     if (!command.folder.empty()) fmt::print("{}\n", (std::filesystem::path(command.folder) / "index.html").string());
+  }
+  if (!report.failure.empty()) {
+    base::logError(report.failure);
+    return static_cast<int>(base::ExitCode::failed);
   }
   return static_cast<int>(report.unexpected() > 0 ? base::ExitCode::overBudget : base::ExitCode::withinBudget);
 }

@@ -141,7 +141,7 @@ struct RunInfo {
   std::string startedAt; // ISO 8601, UTC
   std::string commandLine;
   std::vector<std::pair<std::string, double>> timings; // stage, ms
-  std::size_t compiledShaders = 0;                     // of all paths
+  std::size_t compiledShaders = 0;                     // of all paths, the same one once
   std::vector<std::string> cachedScenes;               // whose results were taken from the cache, unchanged
 };
 

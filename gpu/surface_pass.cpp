@@ -76,10 +76,10 @@ GpuView makeView(const scenes::Scene& scene, const scenes::Camera& camera, std::
   const glm::vec3 stepX = 2 * halfWidth / static_cast<float>(width) * right,
                   stepY = -2 * halfHeight / static_cast<float>(height) * up;
   GpuView view{};
-  view.eye = vec4(eye, camera.orthographic ? 1.f : 0.f);
   const bool o = camera.orthographic;
-  view.viewer = o ? vec4(back, 0) : vec4(eye, 1);
+  view.eye = vec4(eye, o ? 1.f : 0.f);
   const vec4 zero(0.f);
+  view.viewer = o ? vec4(back, 0) : vec4(eye, 1);
   view.origin = o ? vec4(corner, 0) : zero;
   view.originX = o ? vec4(stepX, 0) : zero;
   view.originY = o ? vec4(stepY, 0) : zero;

@@ -1,6 +1,7 @@
 #include "job/context.h"
 
 #include <cstring>
+#include <filesystem>
 
 #include "base/file.h"
 #include "base/hash.h"
@@ -82,9 +83,14 @@ const base::Image& Context::envBrdfLut() {
 std::shared_ptr<const Context::LoadedEnvironment> Context::environment(const std::string& file, float rotationDeg) {
   const base::Stopwatch watch(&m_timings, "load environment");
   const std::lock_guard lock(m_lights->loadMutex);
+  base::Hasher hasher;
+  hasher.add(file);
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(file, ignored)) hasher.add(base::readFile(file));
+  const std::string key = hasher.hex();
   std::shared_ptr<const LoadedEnvironment>& last = m_lights->loaded;
-  if (!last || last->file != file || last->rotationDeg != rotationDeg) {
-    auto loaded = std::make_shared<LoadedEnvironment>(LoadedEnvironment{file, rotationDeg, {}, {}});
+  if (!last || last->key != key || last->rotationDeg != rotationDeg) {
+    auto loaded = std::make_shared<LoadedEnvironment>(LoadedEnvironment{key, rotationDeg, {}, {}});
     loaded->environment = scenes::loadEnvironment(file, rotationDeg, loaded->warnings);
     last = std::move(loaded);
   }
@@ -106,7 +112,7 @@ std::shared_ptr<const lighting::EnvironmentLight> Context::environmentLight(cons
                                                .addValue(environment.radiance.height)
                                                .add(std::as_bytes(std::span{environment.radiance.pixels}))
                                                .hex();
-  const std::lock_guard lock(m_lights->mutex); // two scenes in the same light wait for one another
+  const std::lock_guard lock(m_lights->mutex); // prefiltering takes all cores: one at a time
   for (const auto& [known, light] : m_lights->latest)
     if (known == key) return light;
   std::shared_ptr<const lighting::EnvironmentLight> light;

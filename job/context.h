@@ -54,10 +54,10 @@ public:
   const base::Cache& cache() const { return m_cache; }
   const std::string& buildId() const { return m_buildId; }
 
-  // The environment of a file, with the warnings that reading it gave; the last one of the run is at hand. Thread-safe.
-  // Throws Error as scenes::loadEnvironment does.
+  // The environment of a file as it is now, with the warnings that reading it gave; the last one that the run has read
+  // is at hand, known by its content. Thread-safe. Throws Error as scenes::loadEnvironment does.
   struct LoadedEnvironment {
-    std::string file;
+    std::string key; // of name and content
     float rotationDeg = 0;
     scenes::Environment environment;
     std::vector<std::string> warnings;

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/glob.h"
+#include "base/stopwatch.h"
 #include "compare/budget.h"
 #include "job/context.h"
 #include "job/report_folder.h"
@@ -139,7 +140,10 @@ private:
     for (std::size_t v = 0; v < request.views.size(); ++v) {
       m_tell(static_cast<double>(v) / static_cast<double>(request.views.size()), request.views[v].name);
       ComparedView compared = compareOne(index, v, prepared, renderer, wish);
-      writePictures(compared.pictures, m_request.folder);
+      {
+        const base::Stopwatch watch(&m_context.timings(), "write images");
+        writePictures(compared.pictures, m_request.folder);
+      }
       comparedPixels += compared.view.whole.all.pixels;
       result.views.push_back(std::move(compared.view));
       if (key)

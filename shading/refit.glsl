@@ -61,18 +61,21 @@ FN real refitRoot(real alpha, real cosine) {
 // The lobe of a material at a view. F0 <= F90 in [0, 1] (F90 is 1 but for KHR_materials_specular); Roughness, NoV in [0,
 // 1]. With single scattering S = F0 (1 - w) + (F90 - F0) B and Kulla and Conty's sum replaced by
 //   M = w F0^2 (1 - k (F90 - F0)),  k = c alpha
-// S + M is 1 at F0 = 1 for every view, as it must be.
+// S + M is 1 at F0 = 1 for every view, as it must be. Written as polynomials of F0, whose coefficients are the same for
+// every channel; S is not negative, as F0 (1 - w - B) is never below -F90 B, rounded or not.
 FN RefitLobe refitLobe(real3 F0, real F90, real Roughness, real NoV) {
   RefitLobe lobe;
   real alpha = refitAlpha(Roughness);
   real B = refitB(Roughness, NoV);
   real w = refitLoss(alpha, NoV);
   PRECISE real k = R(0.726701) * alpha;
+  PRECISE real s1 = R(1.0) - w - B;
+  PRECISE real s0 = F90 * B;
+  PRECISE real m2 = w * (R(1.0) - k * F90);
+  PRECISE real m3 = w * k;
+  PRECISE real3 single = real3(F0.x * s1 + s0, F0.y * s1 + s0, F0.z * s1 + s0);
+  PRECISE real3 multiple = real3(F0.x * F0.x * (m3 * F0.x + m2), F0.y * F0.y * (m3 * F0.y + m2), F0.z * F0.z * (m3 * F0.z + m2));
   PRECISE real3 rise = real3(F90 - F0.x, F90 - F0.y, F90 - F0.z);
-  PRECISE real3 lost = real3(F0.x * w, F0.y * w, F0.z * w);
-  PRECISE real3 single = real3(F0.x - lost.x + rise.x * B, F0.y - lost.y + rise.y * B, F0.z - lost.z + rise.z * B);
-  PRECISE real3 multiple = real3(lost.x * (F0.x * (R(1.0) - k * rise.x)), lost.y * (F0.y * (R(1.0) - k * rise.y)),
-                                 lost.z * (F0.z * (R(1.0) - k * rise.z)));
   lobe.single = single;
   lobe.multiple = multiple;
   lobe.F0 = F0;
@@ -87,9 +90,10 @@ FN RefitLobe refitLobe(real3 F0, real F90, real Roughness, real NoV) {
 FN RefitLobe refitNonmetalLobe(real Roughness, real NoV) {
   RefitLobe lobe;
   real alpha = refitAlpha(Roughness);
-  PRECISE real lost = R(0.04) * refitLoss(alpha, NoV);
   PRECISE real rise = R(1.0) - R(0.04);
-  PRECISE real E = R(0.04) - lost + rise * refitB(Roughness, NoV);
+  real B = refitB(Roughness, NoV);
+  PRECISE real s1 = R(1.0) - refitLoss(alpha, NoV) - B;
+  PRECISE real E = R(0.04) * s1 + B;
   lobe.single = real3(E, E, E);
   lobe.multiple = real3(R(0.0), R(0.0), R(0.0));
   lobe.F0 = real3(R(0.04), R(0.04), R(0.04));

@@ -58,14 +58,17 @@ std::vector<double> saturationOf(const StressScene& scene, const SceneFrames& fr
 
 // By how much the terms miss the colour, relative to the sum of their magnitudes.
 double missOf(const PathFrame& path, std::size_t value, double saturation) {
-  double sum = 0, magnitude = 0;
+  double sum = 0, magnitude = 0, ofSurface = 0;
   for (const base::Image& term : path.frame.terms) {
     sum += term.pixels[value];
     magnitude += std::fabs(term.pixels[value]);
+    if (&term != &path.frame.terms[static_cast<std::size_t>(shading::Term::fog)])
+      ofSurface += std::fabs(term.pixels[value]);
   }
   constexpr double kDenormals = 1e-6; // a dozen roundings of a half denormal
   double miss = std::fabs(sum - path.frame.color.pixels[value]);
-  if (!path.preset.empty() && magnitude > 0.99 * saturation) miss = std::max(0.0, path.frame.color.pixels[value] - sum);
+  if (!path.preset.empty() && ofSurface > std::max(0.99 * saturation, 1e-3))
+    miss = std::max(0.0, path.frame.color.pixels[value] - sum);
   return std::max(0.0, miss - kDenormals) / std::max(magnitude, kDenormals);
 }
 

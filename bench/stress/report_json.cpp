@@ -109,6 +109,11 @@ std::string formatJson(const Report& report) {
   json.beginObject();
   json.key("version").text(report.version);
   json.key("device").text(report.deviceName);
+  json.key("failure");
+  if (report.failure.empty())
+    json.null();
+  else
+    json.text(report.failure);
   json.key("fp16Skipped");
   if (report.halfSkipped.empty())
     json.null();

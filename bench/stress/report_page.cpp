@@ -83,8 +83,9 @@ std::string expectedTable(const Report& report) {
   std::map<std::array<std::string, 3>, std::vector<const Finding*>> known;
   for (const Finding& finding : report.findings)
     if (finding.expected) known[{finding.subject, finding.fault, finding.region}].push_back(&finding);
-  std::string html = "<table class=\"stress known\"><thead><tr><th>Of<th>What<th>Where and why<th>Rows or pixels<th>Worst of "
-                     "the first<th>Repeat</tr></thead><tbody>";
+  std::string html =
+      "<table class=\"stress known\"><thead><tr><th>Of<th>What<th>Where and why<th>Rows or pixels<th>Worst of "
+      "the first<th>Repeat</tr></thead><tbody>";
   for (const auto& [what, findings] : known) {
     std::string counts;
     for (const Finding* finding : findings)
@@ -182,6 +183,7 @@ std::string formatPage(const Report& report) {
     html += fmt::format("{} scenes by every path, twice, under the validation layers ({:.0f} s). ",
                         report.scenes.size(), report.rendersMs / 1000);
   html += escapeMarkup(report.deviceName);
+  if (!report.failure.empty()) html += ". Ended early: " + escapeMarkup(report.failure);
   if (!report.halfSkipped.empty()) html += ". Skipped: fp16 on the device: " + escapeMarkup(report.halfSkipped);
   html += "</p></div></header><section><h2>New</h2>" + unexpectedList(report) + "</section>";
   if (unexpected < report.findings.size())

@@ -79,6 +79,7 @@ std::string formatReport(const Report& report) {
   if (!report.scenes.empty())
     text += fmt::format("{} scenes by {} paths each, twice, under the validation layers ({})\n", report.scenes.size(),
                         report.scenes.front().paths.size(), report.deviceName);
+  if (!report.failure.empty()) text += fmt::format("ended early: {}\n", report.failure);
   if (!report.halfSkipped.empty()) text += fmt::format("skipped: fp16 on the device: {}\n", report.halfSkipped);
   text += fmt::format("{} unexpected, {} expected findings\n", report.unexpected(),
                       report.findings.size() - report.unexpected());

@@ -23,10 +23,19 @@ public:
       if (base::matchesGlob(options.renderGlob, scene.name)) m_named.push_back(std::move(scene));
     // A random scene is named by its seed: the glob picks out of those that are due.
     for (std::uint32_t i = 0; i < options.scenes && options.seconds <= 0; ++i)
-      if (base::matchesGlob(options.renderGlob, nameOf(options.seed + i))) m_seeds.push_back(options.seed + i);
-    if (m_named.empty() && m_seeds.empty() && options.seconds <= 0)
+      if (isWanted(options.seed + i)) m_seeds.push_back(options.seed + i);
+    const bool soaks = options.seconds > 0 && [&] {
+      for (std::uint64_t i = 0; i < kSeedsTried; ++i)
+        if (isWanted(options.seed + i)) return true;
+      return false;
+    }();
+    if (m_named.empty() && m_seeds.empty() && !soaks)
       throw base::Error(base::ExitCode::usage, "--renders", options.renderGlob,
                         "no such scene; parity stress --list names them");
+  }
+  // Whether the glob names the random scene of this seed.
+  bool isWanted(std::uint64_t seed) const {
+    return base::matchesGlob(m_options.renderGlob, fmt::format("random-{}", seed));
   }
   std::size_t count() const { return m_named.size() + m_seeds.size(); }
   StressScene scene(std::size_t index) const {
@@ -34,32 +43,25 @@ public:
   }
 
 private:
-  static std::string nameOf(std::uint64_t seed) { return fmt::format("random-{}", seed); }
+  static constexpr std::uint64_t kSeedsTried = 100000;
 
   const Options& m_options;
   std::vector<StressScene> m_named;
   std::vector<std::uint64_t> m_seeds;
 };
 
-void stressFunctions(const Options& options, Report& report, const Progress& progress, double share) {
-  const std::vector<FunctionCase> functions = functionsNamed(options.functionGlob);
-  std::unique_ptr<gpu::Device> device;
-  if (options.points.devicePoints > 0) {
-    device = std::make_unique<gpu::Device>(options.render.device);
-    report.deviceName = device->report().description();
-    if (!device->report().float16) report.halfSkipped = device->report().name + " has no shaderFloat16";
-  }
+void stressFunctions(const std::vector<FunctionCase>& functions, const Options& options, const gpu::Device* device,
+                     Report& report, const Progress& progress, double share) {
   for (std::size_t i = 0; i < functions.size(); ++i) {
     if (progress) progress(functions[i].name, share * static_cast<double>(i) / static_cast<double>(functions.size()));
-    report.functions.push_back(stressFunction(functions[i], options.points, device.get()));
+    report.functions.push_back(stressFunction(functions[i], options.points, device));
     for (const Finding& finding : findingsOf(report.functions.back())) report.findings.push_back(finding);
     report.functionsMs += report.functions.back().timeMs;
   }
 }
 
-void stressRenders(const Options& options, const SceneSource& source, Report& report, const Progress& progress,
-                   double share) {
-  RenderStress renders(options.render);
+void stressRenders(const Options& options, RenderStress& renders, const SceneSource& source, Report& report,
+                   const Progress& progress, double share) {
   report.deviceName = renders.deviceName();
   report.halfSkipped = renders.halfSkipped();
   const auto add = [&](const StressScene& scene) {
@@ -80,6 +82,7 @@ void stressRenders(const Options& options, const SceneSource& source, Report& re
   }
   const base::Stopwatch watch(nullptr, "soak");
   for (std::uint64_t seed = options.seed; watch.elapsedMs() < 1000 * options.seconds; ++seed) {
+    if (!source.isWanted(seed)) continue;
     const StressScene scene = randomScene(seed);
     if (progress) progress(scene.name, watch.elapsedMs() / (1000 * options.seconds));
     add(scene);
@@ -101,9 +104,25 @@ Report runStress(const Options& options, const Progress& progress) {
   report.devicePoints = options.points.devicePoints;
   const double share = !options.renders ? 1 : !options.functions ? 0 : 0.8;
   std::unique_ptr<SceneSource> source;
-  if (options.renders) source = std::make_unique<SceneSource>(options); // refuses a glob before hours of functions
-  if (options.functions) stressFunctions(options, report, progress, share);
-  if (options.renders) stressRenders(options, *source, report, progress, 1 - share);
+  std::unique_ptr<RenderStress> renders;
+  if (options.renders) { // what refuses it does so before hours of functions
+    source = std::make_unique<SceneSource>(options);
+    renders = std::make_unique<RenderStress>(options.render);
+  }
+  const std::vector<FunctionCase> functions =
+      options.functions ? functionsNamed(options.functionGlob) : std::vector<FunctionCase>();
+  std::unique_ptr<gpu::Device> device;
+  if (options.functions && options.points.devicePoints > 0) {
+    device = std::make_unique<gpu::Device>(options.render.device);
+    report.deviceName = device->report().description();
+    if (!device->report().float16) report.halfSkipped = device->report().name + " has no shaderFloat16";
+  }
+  try {
+    stressFunctions(functions, options, device.get(), report, progress, share);
+    if (options.renders) stressRenders(options, *renders, *source, report, progress, 1 - share);
+  } catch (const std::exception& error) {
+    report.failure = error.what();
+  }
   if (progress) progress("", 1);
   sortFindings(report.findings);
   return report;

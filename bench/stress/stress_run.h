@@ -30,6 +30,7 @@ struct Report {
   std::vector<Finding> findings; // of both, sorted: unexpected ones first
   double functionsMs = 0, rendersMs = 0;
   std::uint64_t points = 0, devicePoints = 0; // asked for a function
+  std::string failure;                        // what ended it early, as a lost device; empty: nothing
 
   std::size_t unexpected() const;
 };

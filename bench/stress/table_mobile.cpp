@@ -26,8 +26,6 @@ double leastF0(const Row& r, int base, int dielectric, int metallic) {
   return least;
 }
 
-const char* const kGrazing = "A falls to -0.044 there, and saturate(50 g) takes away the B that outweighs it";
-
 bool isGreenless(const Row& r, int base, int dielectric, int metallic) {
   return r[dielectric + 1] * (1 - r[metallic]) + r[base + 1] * r[metallic] < 0.02;
 }

@@ -6,8 +6,6 @@
 #include <limits>
 #include <map>
 
-#include <fmt/format.h>
-
 #include "base/error.h"
 #include "sweep/statistics.h"
 
@@ -62,6 +60,7 @@ std::vector<bool> findDominated(const SceneSweep& scene, Against against, const 
     }
     dominated.push_back(std::isinf(error) || std::ranges::any_of(scene.variants, [&](const VariantResult& other) {
                           if (other.path != v.path || other.stage != v.stage) return false;
+                          if (v.stage == Stage::preparation && other.knob != v.knob) return false; // another work
                           const double t = timeOf(other), e = errorOrInfinite(other, against, figure);
                           return t <= time && e <= error && (t < time || e < error);
                         }));

@@ -13,10 +13,12 @@
 #include "compare/measure.h"
 #include "job/displayed.h"
 #include "job/report_run.h"
+#include "job/version.h"
 #include "scenes/load.h"
 #include "sweep/live_variant.h"
 #include "sweep/scaling_scene.h"
 #include "sweep/statistics.h"
+#include "sweep/sweep_json.h"
 
 namespace parity::sweep {
 
@@ -58,13 +60,12 @@ double deviceMs(gpu::Device& device, const LiveVariant& variant, int rounds, bas
   std::vector<double> times;
   for (int round = 0; round <= rounds; ++round) {
     base::Timings timings;
-    device.setTimings(&timings);
+    const DeviceTimings redirected(device, timings, usual);
     variant.shade();
     if (round == 0) continue; // compiles
     for (const auto& [stage, timeMs] : timings.stages())
       if (stage.starts_with("device: shade")) times.push_back(timeMs);
   }
-  device.setTimings(&usual);
   return spreadOf(times).median;
 }
 
@@ -81,11 +82,15 @@ StageTimes measurePoint(const std::filesystem::path& file, job::Settings setting
   times.load = medianMs(rounds, [&] { scenes::loadScene(file.string()); });
   const job::PreparedScene prepared = job::prepareScene(context, request);
   gpu::Device& device = context.device();
-  times.upload = medianMs(rounds, [&] { gpu::SceneBuffers(device, prepared.scene, settings.specularAa); });
-  const double uploadAndSurface = medianMs(rounds, [&] { Surfaces(context, prepared, {}); });
-  times.surface = std::max(0.0, uploadAndSurface - times.upload);
-
+  times.upload = medianMs(rounds, [&] {
+    const gpu::SceneBuffers buffers(device, prepared.scene, settings.specularAa);
+    std::vector<gpu::Textures::Need> all;
+    for (std::uint32_t set = 0; set < buffers.textures().setCount(); ++set) all.push_back({set, ~0u});
+    buffers.textures().require(all);
+  });
   const Surfaces surfaces(context, prepared, {});
+  times.surface = medianMs(rounds, [&] { surfaces.rasteriseAgain(); });
+
   Shared shared(context, prepared);
   Variant highendDefault, mobileDefault;
   highendDefault.path = "highend";
@@ -112,7 +117,7 @@ StageTimes measurePoint(const std::filesystem::path& file, job::Settings setting
   report.folder = file.parent_path() / "report";
   const job::ReportResult result = job::runReport(context, report, {});
   for (const auto& [stage, timeMs] : result.run.timings)
-    if (stage == "write images") times.report += timeMs;
+    if (stage == "encode images" || stage == "write images") times.report += timeMs;
   return times;
 }
 
@@ -205,11 +210,13 @@ std::string toText(const std::vector<ScalingSeries>& all) {
   return text;
 }
 
-std::string toJson(const std::vector<ScalingSeries>& all) {
+std::string toJson(const std::vector<ScalingSeries>& all, const Machine& machine) {
   compare::JsonWriter json;
   json.beginObject();
   json.key("tool").text("parity bench --scaling");
   json.key("schema").integer(1);
+  json.key("version").text(job::kVersion);
+  writeMachine(json, machine);
   json.key("series").beginArray();
   for (const ScalingSeries& series : all) {
     json.beginObject();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "job/settings.h"
+#include "sweep/sweep_report.h"
 
 namespace parity::sweep {
 
@@ -49,6 +50,6 @@ std::vector<ScalingSeries> measureScaling(const job::Settings& settings, const S
 
 // A table a series: n, the stages' times, and the exponents.
 std::string toText(const std::vector<ScalingSeries>& series);
-std::string toJson(const std::vector<ScalingSeries>& series);
+std::string toJson(const std::vector<ScalingSeries>& series, const Machine& machine);
 
 } // namespace parity::sweep

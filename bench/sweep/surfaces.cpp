@@ -19,6 +19,14 @@ Surfaces::Surfaces(job::Context& context, const job::PreparedScene& prepared, co
     }
 }
 
+void Surfaces::rasteriseAgain() const {
+  const auto samples = gpu::samplePositions(m_settings.samples);
+  for (std::size_t i = 0; i < m_parts.size(); ++i) {
+    m_pass.render(m_camera, m_parts[i].tile, samples[i % samples.size()], gpu::Layer::opaque);
+    if (m_pass.hasBlended()) m_pass.render(m_camera, m_parts[i].tile, samples[i % samples.size()], gpu::Layer::blended);
+  }
+}
+
 std::uint64_t Surfaces::size() const {
   std::uint64_t entries = 0;
   for (const Part& part : m_parts) entries += part.opaque.size() + (part.blended ? part.blended->size() : 0);

@@ -29,6 +29,9 @@ public:
   };
   const std::vector<Part>& parts() const { return m_parts; }
 
+  // All parts anew, for nothing but the time that it takes.
+  void rasteriseAgain() const;
+
   struct Shaded {
     gpu::ShadedSurface opaque;
     std::optional<gpu::ShadedSurface> blended;

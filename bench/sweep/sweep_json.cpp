@@ -197,6 +197,17 @@ Conclusions conclude(const SweepReport& report, const std::optional<ErrorBudget>
   return c;
 }
 
+void writeMachine(compare::JsonWriter& json, const Machine& machine) {
+  json.key("machine").beginObject();
+  json.key("processor").text(machine.processor);
+  json.key("threads").integer(machine.threads);
+  json.key("device").text(machine.device);
+  json.key("driver").text(machine.driver);
+  json.key("deviceKind").text(machine.deviceKind);
+  json.key("simd").text(machine.simd);
+  json.endObject();
+}
+
 std::string toJson(const SweepReport& report, const Conclusions& conclusions) {
   JsonWriter json;
   json.beginObject();
@@ -205,14 +216,7 @@ std::string toJson(const SweepReport& report, const Conclusions& conclusions) {
   json.key("version").text(report.version);
   json.key("commandLine").text(report.commandLine);
   json.key("startedAt").text(report.startedAt);
-  json.key("machine").beginObject();
-  json.key("processor").text(report.machine.processor);
-  json.key("threads").integer(report.machine.threads);
-  json.key("device").text(report.machine.device);
-  json.key("driver").text(report.machine.driver);
-  json.key("deviceKind").text(report.machine.deviceKind);
-  json.key("simd").text(report.machine.simd);
-  json.endObject();
+  writeMachine(json, report.machine);
   json.key("rounds").integer(report.rounds);
   json.key("scenes").beginArray();
   for (const SceneSweep& scene : report.scenes) writeScene(json, scene, conclusions);

@@ -9,7 +9,14 @@
 #include "sweep/ratios.h"
 #include "sweep/sweep_report.h"
 
+namespace parity::compare {
+class JsonWriter;
+}
+
 namespace parity::sweep {
+
+// The key "machine" of an object that is being written.
+void writeMachine(compare::JsonWriter& json, const Machine& machine);
 
 // What is drawn from a sweep.
 struct Conclusions {

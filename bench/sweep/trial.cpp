@@ -222,7 +222,7 @@ private:
       std::shuffle(order.begin(), order.end(), random);
       for (const std::size_t i : order) {
         base::Timings timings;
-        m_context.device().setTimings(&timings);
+        const DeviceTimings redirected(m_context.device(), timings, m_context.timings());
         const double cpu = processCpuMs();
         const base::Stopwatch watch(nullptr, "");
         m_live[i]->shade();
@@ -232,7 +232,6 @@ private:
         times.deviceMs.push_back(sumOf(timings, "device: shade"));
       }
     }
-    m_context.device().setTimings(&m_context.timings());
     for (const std::size_t i : order) {
       Times& times = m_sweep.variants[i].times;
       times.compileMs = std::max(0.0, m_firstMs[i] - spreadOf(times.wallMs).median);

@@ -34,7 +34,8 @@ struct Collector {
   void add(const std::string& knob, const std::string& value, const std::string& needs, auto turn) {
     Variant v = plain;
     turn(v);
-    if (v.knobs() == plain.knobs()) return; // it is the default's value
+    // The default's value is there already, but for what is prepared, which has times of its own.
+    if (v.knobs() == plain.knobs() && plain.stage != Stage::preparation) return;
     v.knob = knob;
     v.name = knob + " " + value;
     v.needs = needs;

@@ -6,7 +6,7 @@ namespace parity::tests {
 namespace {
 
 const std::vector<std::string> kShort = {
-    "bench",      "builtin:furnace",      "--size",      "24x24", "--rounds", "2", "--no-reference",
+    "bench",      "builtin:furnace",      "--size",      "24x24", "--rounds", "5", "--no-reference",
     "--settings", "mobile: capture fp16", "--validation"};
 
 class BenchOnDevice : public RenderingTest {};

@@ -184,7 +184,7 @@ Report makeSampleReportWithTruth(const std::vector<std::string>& names) {
 }
 
 RunInfo makeSampleRun() {
-  return {"2024-05-01T12:00:00Z", "parity report Lamp.gltf -o out", {{"load", 120.5}, {"render", 830}}};
+  return {"2024-05-01T12:00:00Z", "parity report Lamp.gltf -o out", {{"load", 120.5}, {"render", 830}}, 0, {}};
 }
 
 std::vector<std::string> hostileNames() {

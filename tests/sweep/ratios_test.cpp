@@ -1,4 +1,6 @@
 // A sweep against an earlier one.
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -13,7 +15,7 @@ SweepReport makeReport(double slowdown) {
   VariantResult table = makeVariant("highend", "lut-size 8", 0, 0.5);
   table.stage = Stage::preparation;
   table.times = {};
-  table.prepareMs = {3, 3.1, 3.2};
+  table.prepareMs = aboutMs(3.1);
   report.scenes = {makeSceneSweep(
       "a", {makeVariant("highend", "default", 10, 0.2), makeVariant("mobile", "default", 5 * slowdown, 0.3), table})};
   return report;
@@ -44,6 +46,52 @@ TEST(Ratios, whatOnlyOneHasAndWhatDiffersIsSaid) {
   EXPECT_EQ(ratios.notes[0], "another processor: old then, new now");
   EXPECT_EQ(ratios.notes[1], "a, mobile: new one: not in the earlier sweep");
   EXPECT_EQ(ratios.notes[2], "b: not in the earlier sweep");
+}
+
+TEST(Ratios, anotherSettingOfTheSameNameIsLeftOut) {
+  SweepReport before = makeReport(1), now = makeReport(1.2);
+  before.scenes[0].variants[1].knobs = {{"preset", "another"}};
+  before.scenes[0].variants.push_back(makeVariant("mobile", "old one", 3, 0.1));
+  before.scenes.push_back(makeSceneSweep("old", {makeVariant("mobile", "default", 3, 0.1)}));
+  now.scenes.push_back(makeSceneSweep("failed", {}));
+  now.scenes.back().failure = "lost";
+  const SweepRatios ratios = compareSweeps(before, now);
+  EXPECT_FALSE(ratios.anySlower());
+  EXPECT_EQ(ratios.notes,
+            (std::vector<std::string>{"a, mobile: default: was another setting then; left out",
+                                      "a, mobile: old one: in the earlier sweep alone",
+                                      "failed: could not be measured now", "old: in the earlier sweep alone"}));
+}
+
+// Three times against three lie apart by chance once in ten.
+TEST(Ratios, fewRoundsAreNotJudged) {
+  SweepReport before = makeReport(1), now = makeReport(2);
+  for (SweepReport* report : {&before, &now})
+    for (VariantResult& v : report->scenes[0].variants)
+      v.times.deviceMs.resize(std::min<std::size_t>(3, v.times.deviceMs.size()));
+  const SweepRatios ratios = compareSweeps(before, now);
+  EXPECT_FALSE(ratios.anySlower());
+  ASSERT_EQ(ratios.variants.size(), 1u) << "the table's nine rounds";
+  EXPECT_EQ(ratios.notes, std::vector<std::string>{"2 settings are not judged: too few rounds"});
+}
+
+// Sixty settings that are what they were: how often is any called slower? Wanted: at most one sweep in twenty.
+TEST(Ratios, chanceAloneIsSeldomCalledASlowDown) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(1, 0.05);
+  const auto make = [&] {
+    SweepReport report;
+    std::vector<VariantResult> variants;
+    for (int i = 0; i < 60; ++i) {
+      variants.push_back(makeVariant("mobile", "setting " + std::to_string(i), 1, 0.1));
+      for (double& time : variants.back().times.deviceMs) time = 10 * noise(random);
+    }
+    report.scenes = {makeSceneSweep("a", variants)};
+    return report;
+  };
+  int called = 0;
+  for (int sweep = 0; sweep < 20; ++sweep) called += compareSweeps(make(), make()).anySlower();
+  EXPECT_LE(called, 3);
 }
 
 TEST(Ratios, nothingInCommonIsAnError) {
