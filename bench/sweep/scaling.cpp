@@ -115,9 +115,15 @@ StageTimes measurePoint(const std::filesystem::path& file, job::Settings setting
   job::ReportRequest report;
   report.scenes = {request};
   report.folder = file.parent_path() / "report";
-  const job::ReportResult result = job::runReport(context, report, {});
-  for (const auto& [stage, timeMs] : result.run.timings)
-    if (stage == "encode images" || stage == "write images") times.report += timeMs;
+  // Twice: the first one loads the module that encodes.
+  const auto reportMs = [&] {
+    double sum = 0; // of all that the context has done
+    for (const auto& [stage, timeMs] : job::runReport(context, report, {}).run.timings)
+      if (stage == "encode images" || stage == "write images") sum += timeMs;
+    return sum;
+  };
+  const double first = reportMs();
+  times.report = reportMs() - first;
   return times;
 }
 

@@ -1,11 +1,9 @@
 // Small glTF files made by the tests themselves.
 #include "scenes/gltf_writer.h"
 
-#include <atomic>
 #include <cstdlib>
 #include <fstream>
-
-#include <unistd.h>
+#include <stdexcept>
 
 #include "base/file.h"
 #include "base/image_io.h"
@@ -14,10 +12,10 @@
 namespace parity::tests {
 
 TempFolder::TempFolder() {
-  static std::atomic<int> number = 0;
-  m_path = std::filesystem::temp_directory_path() /
-           ("parity-test-" + std::to_string(getpid()) + "-" + std::to_string(number++));
-  std::filesystem::create_directories(m_path);
+  // Not named by the process: a killed one's folder would be found full when its number comes round again.
+  std::string name = (std::filesystem::temp_directory_path() / "parity-test-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder: " + name);
+  m_path = name;
 }
 
 TempFolder::~TempFolder() {
