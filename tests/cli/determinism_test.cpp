@@ -67,6 +67,28 @@ TEST_F(DeterminismTest, NumberOfThreadsDoesNotShow) {
   expectSame(report("one", {"--threads", "1"}), report("two", {"--threads", "2"}));
 }
 
+// Two at a time: scenes that fail or warn keep their places, on stderr too, and cost the others nothing.
+TEST_F(DeterminismTest, BrokenScenesKeepTheirPlaces) {
+  const auto run = [&](const std::string& threads) {
+    const std::filesystem::path folder = m_folder / ("threads" + threads);
+    const RunResult result = runParity(join({{"report", "no-such.gltf", "builtin:lights", "gone.glb", "builtin:furnace",
+                                              "lost.gltf", "-o", folder.string(), "--threads", threads},
+                                             kSun,
+                                             kSmall}));
+    EXPECT_TRUE(exitedWith(4, result));
+    std::vector<std::string> messages;
+    for (const std::string& line : splitLines(result.err))
+      if (line.starts_with("error") || line.starts_with("warning")) messages.push_back(line);
+    return std::pair(messages, readWholeFile(folder / "report.json"));
+  };
+  const auto one = run("1"), two = run("2");
+  EXPECT_EQ(one, two);
+  ASSERT_GE(one.first.size(), 4u);
+  EXPECT_TRUE(contains(one.first.front(), "no-such.gltf")) << one.first.front();
+  EXPECT_TRUE(contains(one.first[1], "lights: mobile")) << one.first[1];
+  EXPECT_TRUE(contains(one.first.back(), "lost.gltf")) << one.first.back();
+}
+
 TEST_F(DeterminismTest, CacheDoesNotShow) {
   const std::string cache = (m_folder / "cache").string();
   const auto filled = report("filled", {"--cache", cache});
