@@ -78,14 +78,13 @@ GpuView makeView(const scenes::Scene& scene, const scenes::Camera& camera, std::
   GpuView view{};
   const bool o = camera.orthographic;
   view.eye = vec4(eye, o ? 1.f : 0.f);
-  const vec4 zero(0.f);
   view.viewer = o ? vec4(back, 0) : vec4(eye, 1);
-  view.origin = o ? vec4(corner, 0) : zero;
-  view.originX = o ? vec4(stepX, 0) : zero;
-  view.originY = o ? vec4(stepY, 0) : zero;
+  view.origin = o ? vec4(corner, 0) : vec4(0.f);
+  view.originX = o ? vec4(stepX, 0) : vec4(0.f);
+  view.originY = o ? vec4(stepY, 0) : vec4(0.f);
   view.direction = vec4(o ? -back : corner - back, 0);
-  view.directionX = o ? zero : vec4(stepX, 0);
-  view.directionY = o ? zero : vec4(stepY, 0);
+  view.directionX = o ? vec4(0.f) : vec4(stepX, 0);
+  view.directionY = o ? vec4(0.f) : vec4(stepY, 0);
   view.skyLightColor = vec4(scene.lightScales.skyLightColor, 0);
   view.indirectColorScale = vec4(scene.lightScales.indirectColorScale, 0);
   if (const auto& fog = scene.fog) {
