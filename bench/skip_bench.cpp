@@ -1,6 +1,7 @@
 // What a scene's features cost where they are present, against the same scene without them: device time of shading, by
 // interleaved medians. And a permutation made for a plain nonmetal against the one that does everything.
-//   build/bench_skip [SIZE [ROUNDS [GLOB]]]      a table in Markdown; by default 512 pixels a side, 15 rounds, all features
+//   build/bench_skip [SIZE [ROUNDS [GLOB]]]
+// A table in Markdown; by default 512 pixels a side, 15 rounds, all features.
 #include <algorithm>
 #include <cstdlib>
 #include <functional>

@@ -91,7 +91,8 @@ struct Material {
   bool isNonmetal() const;
 };
 
-// RGBA, 8 bit; no pixels where only materials that no mesh shows read it. The same image may be read as colour (sRGB) by one slot and as data by another.
+// RGBA, 8 bit; no pixels where only materials that no mesh shows read it. The same image may be read as colour (sRGB)
+// by one slot and as data by another.
 struct TextureImage {
   std::string name;
   base::Image8 pixels; // 4 channels

@@ -18,13 +18,25 @@ namespace {
 using compare::escapeMarkup;
 
 constexpr const char* kOwnStyle = R"(
-main > section { margin-top: 26px; } .panel { padding: 14px 16px; background: var(--card); border: 1px solid var(--line); border-radius: 10px; overflow-x: auto; }
-.stress { border-collapse: collapse; width: 100%; font-size: 13px; font-variant-numeric: tabular-nums; } .stress th { text-align: left; color: var(--quiet); font-weight: 500; }
-.stress th, .stress td { padding: 3px 12px 3px 0; border-bottom: 1px solid var(--line); vertical-align: top; } .stress td.n { text-align: right; white-space: nowrap; }
-.stress code, .finding code { overflow-wrap: anywhere; font-size: 12px; } .bad { color: var(--fail); font-weight: 650; }
-.finding { margin: 8px 0; padding: 10px 14px; background: var(--card); border: 1px solid var(--line); border-left: 5px solid var(--tone); border-radius: 8px; }
-.maps { display: grid; grid-template-columns: repeat(auto-fill, minmax(330px, 1fr)); gap: 14px; } .maps figure { padding: 10px; background: var(--card); border: 1px solid var(--line); border-radius: 10px; }
-.maps svg { width: 48%; height: auto; } .maps figcaption { text-align: left; color: var(--ink); font-size: 13px; margin: 0 0 6px; } .known td:nth-child(3) { min-width: 300px; } .known td:nth-child(n+5) { min-width: 220px; overflow-wrap: anywhere; } .maps rect { width: 6px; height: 6px; } .axis { fill: var(--quiet); font-size: 9px; }
+main > section { margin-top: 26px; }
+.panel { padding: 14px 16px; background: var(--card); border: 1px solid var(--line); border-radius: 10px; overflow-x:
+  auto; }
+.stress { border-collapse: collapse; width: 100%; font-size: 13px; font-variant-numeric: tabular-nums; }
+.stress th { text-align: left; color: var(--quiet); font-weight: 500; }
+.stress th, .stress td { padding: 3px 12px 3px 0; border-bottom: 1px solid var(--line); vertical-align: top; }
+.stress td.n { text-align: right; white-space: nowrap; }
+.stress code, .finding code { overflow-wrap: anywhere; font-size: 12px; }
+.bad { color: var(--fail); font-weight: 650; }
+.finding { margin: 8px 0; padding: 10px 14px; background: var(--card); border: 1px solid var(--line); border-left:
+  5px solid var(--tone); border-radius: 8px; }
+.maps { display: grid; grid-template-columns: repeat(auto-fill, minmax(330px, 1fr)); gap: 14px; }
+.maps figure { padding: 10px; background: var(--card); border: 1px solid var(--line); border-radius: 10px; }
+.maps svg { width: 48%; height: auto; }
+.maps figcaption { text-align: left; color: var(--ink); font-size: 13px; margin: 0 0 6px; }
+.known td:nth-child(3) { min-width: 300px; }
+.known td:nth-child(n+5) { min-width: 220px; overflow-wrap: anywhere; }
+.maps rect { width: 6px; height: 6px; }
+.axis { fill: var(--quiet); font-size: 9px; }
 )";
 
 // log10 of the error from 1e-8 (black) to 1 (white), as the difference maps are drawn.

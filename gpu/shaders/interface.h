@@ -119,8 +119,8 @@ struct GpuLight {
 };
 
 // What a view's shaders need. The camera's rays: pixel (x,y) looks from origin + x*originX + y*originY along
-// direction + x*directionX + y*directionY. No shader may branch by it (mix selects): lavapipe compiles one that does anew
-// for each value, so for each camera.
+// direction + x*directionX + y*directionY. No shader may branch by it (mix selects): lavapipe compiles one that does
+// anew for each value, so for each camera.
 struct GpuView {
   vec4 eye;                               // perspective: position; w = 1 where orthographic
   vec4 viewer;                            // xyz - w place points from a place to the eye
