@@ -69,6 +69,27 @@ struct TermFigures {
   double reference = 0, test = 0;
 };
 
+// What the mobile path's FLIP becomes once one of its terms is the high-end path's: its colour less the one, plus the
+// other, displayed and compared again (compare/attribution.h).
+struct TermEffect {
+  std::string term;
+  double flip = 0; // mean, over the region of the attribution
+};
+
+// Which term makes a material differ.
+struct Attribution {
+  std::string region;            // "interior", or "all" where there is no interior
+  double flip = 0;               // mean, as it is, over that region
+  std::vector<TermEffect> terms; // those that are not the same in both paths there, in the order of shading::Term
+};
+
+// Files of the values behind a view's pictures (compare/pixel_chunk.h), relative to the report folder; empty where
+// there is none.
+struct PixelFiles {
+  std::string color; // both paths (and the truth), FLIP, which material is where
+  std::string terms; // both paths' terms
+};
+
 struct MaterialResult {
   std::string name;
   RegionFigures figures;
@@ -82,6 +103,7 @@ struct MaterialResult {
   std::optional<BaselineChange> baseline; // only where there is one
   std::optional<Truth> truth;             // only with --reference
   std::optional<Encoding> encoding;       // what mobile's render target alone makes; none in older reports
+  std::optional<Attribution> attribution; // of a material over budget, or as the run was asked
   bool seenElsewhere = false; // set by settleVerdicts: not seen here, but in another view, so it does not count
 };
 
@@ -99,6 +121,8 @@ struct ViewResult {
   std::string reason;                     // one sentence: what decided wholeVerdict; empty on a pass
   std::vector<MaterialResult> materials;  // in the scene's order
   ImageSet images;
+  PixelFiles pixels;
+  double exposureEv = 0; // of its pictures: what the values of `pixels` are exposed by
 };
 
 struct SceneResult {
@@ -130,6 +154,7 @@ struct Report {
   std::string tool = "parity", version;
   std::string device;                                        // Vulkan device name and driver
   std::vector<std::pair<std::string, std::string>> settings; // name, value, in a fixed order
+  std::string displayTable;                                  // file of the display transform as a table (PixelFiles)
   std::vector<std::string> warnings;                         // of the whole run: a rule that judges nothing, ...
   std::optional<BaselineSummary> baseline;
   std::vector<SceneResult> scenes;
@@ -172,6 +197,9 @@ void settleVerdicts(Report& report);
 // The exit code of a settled report (DESIGN 8): 0, 1 (only with warnExit; notSeen is a warning), 2, or the scenes' own
 // 3 or 4 (4 for any other errorExitCode, and for a verdict `error`); the highest that applies.
 int exitCode(const Report& report, bool warnExit);
+
+// The whole report in a sentence: "3 of 40 materials over budget".
+std::string headline(const Report& report);
 
 // The version of compare/report.schema.json: raised when a reader of the old form could misread the new one.
 inline constexpr int kReportSchema = 2;

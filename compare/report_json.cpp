@@ -2,6 +2,7 @@
 #include "compare/json_figures.h"
 #include "compare/json_writer.h"
 #include "compare/report.h"
+#include "compare/wording.h"
 
 namespace parity::compare {
 namespace {
@@ -71,12 +72,33 @@ void writeBaseline(JsonWriter& json, const std::optional<BaselineChange>& baseli
   json.endObject();
 }
 
+// In words; empty without pixels.
+std::string describeBiasOf(const RegionFigures& figures) {
+  return figures.all.pixels > 0 ? describeBias(mainFigures(figures)) : std::string();
+}
+
+void writeAttribution(JsonWriter& json, const Attribution& attribution) {
+  json.beginObject();
+  json.key("region").text(attribution.region);
+  json.key("flip").number(attribution.flip);
+  json.key("terms").beginArray();
+  for (const TermEffect& effect : attribution.terms) {
+    json.beginObject();
+    json.key("term").text(effect.term);
+    json.key("flip").number(effect.flip);
+    json.endObject();
+  }
+  json.endArray();
+  json.endObject();
+}
+
 void writeMaterial(JsonWriter& json, const MaterialResult& material) {
   json.beginObject();
   json.key("name").text(material.name);
   json.key("verdict").text(nameOf(material.verdict));
   json.key("reason").text(material.reason);
   json.key("seenElsewhere").boolean(material.seenElsewhere);
+  json.key("bias").text(describeBiasOf(material.figures));
   json.key("figures");
   writeRegions(json, material.figures);
   json.key("checks");
@@ -106,6 +128,10 @@ void writeMaterial(JsonWriter& json, const MaterialResult& material) {
     json.key("encoding");
     writeEncoding(json, *material.encoding);
   }
+  if (material.attribution) {
+    json.key("attribution");
+    writeAttribution(json, *material.attribution);
+  }
   json.endObject();
 }
 
@@ -118,6 +144,7 @@ void writeView(JsonWriter& json, const ViewResult& view) {
   json.key("whole").beginObject();
   json.key("verdict").text(nameOf(view.wholeVerdict));
   json.key("reason").text(view.reason);
+  json.key("bias").text(describeBiasOf(view.whole));
   json.key("figures");
   writeRegions(json, view.whole);
   json.key("checks");
@@ -140,6 +167,11 @@ void writeView(JsonWriter& json, const ViewResult& view) {
   json.endArray();
   json.key("images");
   writeImages(json, view.images);
+  json.key("exposureEv").number(view.exposureEv);
+  json.key("pixels").beginObject();
+  json.key("color").text(view.pixels.color);
+  json.key("terms").text(view.pixels.terms);
+  json.endObject();
   json.endObject();
 }
 
@@ -246,10 +278,12 @@ std::string toJson(const Report& report) {
   json.key("version").text(report.version);
   json.key("device").text(report.device);
   json.key("verdict").text(nameOf(report.verdict));
+  json.key("headline").text(headline(report));
   json.key("counts");
   writeCounts(json, countVerdicts(report));
   json.key("wholeCounts");
   writeCounts(json, countWholes(report));
+  json.key("displayTable").text(report.displayTable);
   json.key("warnings");
   writeTexts(json, report.warnings);
   json.key("baseline");

@@ -52,15 +52,27 @@ template <Is<TermFigures> T> auto fields(T& figures) {
   auto& [term, reference, test] = figures;
   return std::tie(term, reference, test);
 }
+template <Is<TermEffect> T> auto fields(T& effect) {
+  auto& [term, flip] = effect;
+  return std::tie(term, flip);
+}
+template <Is<Attribution> T> auto fields(T& attribution) {
+  auto& [region, flip, terms] = attribution;
+  return std::tie(region, flip, terms);
+}
+template <Is<PixelFiles> T> auto fields(T& files) {
+  auto& [color, terms] = files;
+  return std::tie(color, terms);
+}
 template <Is<MaterialResult> T> auto fields(T& material) {
-  auto& [name, figures, checks, verdict, reason, notes, terms, crops, rule, baseline, truth, encoding, seenElsewhere] =
-      material;
-  return std::tie(name, figures, notes, terms, crops, truth, encoding);
+  auto& [name, figures, checks, verdict, reason, notes, terms, crops, rule, baseline, truth, encoding, attribution,
+         seenElsewhere] = material;
+  return std::tie(name, figures, notes, terms, crops, truth, encoding, attribution);
 }
 template <Is<ViewResult> T> auto fields(T& view) {
   auto& [name, width, height, whole, checks, rule, baseline, truth, encoding, verdict, wholeVerdict, reason, materials,
-         images] = view;
-  return std::tie(name, width, height, whole, truth, encoding, materials, images);
+         images, pixels, exposureEv] = view;
+  return std::tie(name, width, height, whole, truth, encoding, materials, images, pixels, exposureEv);
 }
 template <Is<PassResult> T> auto fields(T& pass) {
   auto& [name, unit, count, skipped] = pass;

@@ -1,0 +1,198 @@
+// report.json, run.json and bench.json as the page reads them (compare/report.schema.json is the contract).
+
+export type Verdict = "pass" | "not seen" | "warn" | "fail" | "error";
+export const kVerdicts: readonly Verdict[] = ["error", "fail", "warn", "not seen", "pass"]; // gravest first
+
+/** By the figure's name: "flip.mean", "psnr", "bias.ev"; null: not finite (psnr of equal pictures). */
+export type Metrics = Record<string, number | null>;
+
+export interface Figures {
+  pixels: number;
+  nonFinite: number;
+  metrics: Metrics;
+  referenceLuma: number | null;
+  testLuma: number | null;
+}
+
+/** null: the region has no pixel. */
+export interface Regions {
+  interior: Figures | null;
+  all: Figures | null;
+}
+
+export interface Check {
+  metric: string;
+  region: string;
+  regress: boolean;
+  value: number | null;
+  warn: number | null;
+  fail: number | null;
+  verdict: Verdict | "not judged";
+  note: string;
+}
+
+export interface Rule {
+  rule: string;
+  reason: string;
+  owner: string;
+  requireSeen: boolean;
+}
+
+export interface Change {
+  new: boolean;
+  verdict: Verdict | null;
+  interior: Metrics;
+  all: Metrics;
+}
+
+export interface Images {
+  reference: string;
+  test: string;
+  flip: string;
+}
+
+export interface TruthTerm {
+  term: string;
+  luminance: { truth: number | null; highend: number | null; mobile: number | null };
+  interior: { highend: Metrics; mobile: Metrics } | null;
+  all: { highend: Metrics; mobile: Metrics } | null;
+}
+
+export interface TruthRegion {
+  nonFinite: number;
+  highend: Figures;
+  mobile: Figures;
+  error: { median: number | null; worst: number | null; relmse: number | null; samples: number | null };
+}
+
+export interface Truth {
+  interior: TruthRegion | null;
+  all: TruthRegion | null;
+  terms: TruthTerm[];
+  notes: string[];
+  images: { truth: string; highendFlip: string; mobileFlip: string };
+}
+
+export interface Encoding {
+  target: string;
+  figures: Regions;
+}
+
+/** What mobile's mean FLIP becomes once one of its terms is high-end's. */
+export interface Attribution {
+  region: "interior" | "all";
+  flip: number | null;
+  terms: { term: string; flip: number | null }[];
+}
+
+export interface TermLight {
+  term: string;
+  reference: number | null;
+  test: number | null;
+}
+
+/** What materials and whole images have in common. */
+export interface Judged {
+  verdict: Verdict;
+  reason: string;
+  bias: string;
+  figures: Regions;
+  checks: Check[];
+  budget: Rule;
+  baseline: Change | null;
+  truth?: Truth;
+  encoding?: Encoding;
+}
+
+export interface Material extends Judged {
+  name: string;
+  seenElsewhere: boolean;
+  notes: string[];
+  terms: TermLight[];
+  crops: Images;
+  attribution?: Attribution;
+}
+
+export interface View {
+  name: string;
+  width: number;
+  height: number;
+  verdict: Verdict;
+  whole: Judged;
+  materials: Material[];
+  images: Images;
+  exposureEv: number;
+  pixels: { color: string; terms: string };
+}
+
+export interface Pass {
+  name: string;
+  count: number;
+  unit: string;
+  skipped: string | null;
+}
+
+export interface Permutation {
+  path: string;
+  textures: string;
+  features: string;
+  pixels: number;
+  samplers: number;
+  cost?: { fp32: number; fp16: number; integer: number; fetches: number; openLoops: number };
+}
+
+export interface Scene {
+  name: string;
+  source: string;
+  environment: string;
+  sun: string;
+  light?: string;
+  verdict: Verdict;
+  error: { message: string; exitCode: number } | null;
+  warnings: string[];
+  views: View[];
+  passes: Pass[];
+  permutations: Permutation[];
+}
+
+export interface Counts {
+  pass: number;
+  notSeen: number;
+  warn: number;
+  fail: number;
+  error: number;
+}
+
+export interface Baseline {
+  source: string;
+  version: string;
+  device: string;
+  common: number;
+  gone: { scene: string; view: string; material: string }[];
+  error: string;
+}
+
+export interface Report {
+  schema: number;
+  tool: string;
+  version: string;
+  device: string;
+  verdict: Verdict;
+  headline: string;
+  displayTable: string;
+  counts: Counts;
+  wholeCounts: Counts;
+  warnings: string[];
+  baseline: Baseline | null;
+  settings: { name: string; value: string }[];
+  scenes: Scene[];
+}
+
+export interface Run {
+  schema: number;
+  startedAt: string;
+  commandLine: string;
+  timings: { stage: string; timeMs: number | null }[];
+  compiledShaders: number;
+  cachedScenes: string[];
+}

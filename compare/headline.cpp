@@ -1,0 +1,55 @@
+// A report in a sentence.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "compare/report.h"
+
+namespace parity::compare {
+namespace {
+
+std::size_t countViews(const Report& report) {
+  std::size_t views = 0;
+  for (const SceneResult& scene : report.scenes) views += scene.views.size();
+  return views;
+}
+
+std::string plural(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+} // namespace
+
+std::string headline(const Report& report) {
+  const VerdictCounts counts = countVerdicts(report);
+  const auto broken = std::ranges::count_if(report.scenes, [](const SceneResult& s) { return !s.error.empty(); });
+  const std::string rows = countViews(report) > 1 ? "material views" : "materials";
+  const std::string over = fmt::format("{} of {} {} over budget", counts.fail, counts.total(), rows);
+  switch (report.verdict) {
+  case Verdict::pass:
+    return fmt::format("All {} {} are within budget", counts.total(), rows);
+  case Verdict::notSeen:
+    return fmt::format("Within budget, but {} of {} {} not seen", counts.notSeen, counts.total(), rows);
+  case Verdict::warn:
+    if (counts.warn > 0)
+      return fmt::format("Within budget, with warnings for {} of {} {}", counts.warn, counts.total(), rows);
+    return countWholes(report).warn > 0
+               ? "Within budget, with a warning for a whole image"
+               : fmt::format("Within budget, but {} missing",
+                             plural(report.baseline ? report.baseline->gone.size() : 0, "entry of the baseline is",
+                                    "entries of the baseline are"));
+  case Verdict::fail:
+    return counts.fail > 0 ? over : "A whole image is over budget";
+  case Verdict::error:
+    break;
+  }
+  if (report.scenes.empty()) return "Nothing was compared";
+  if (broken == 0 && counts.error == 0 && report.baseline && !report.baseline->error.empty())
+    return "The baseline could not be used";
+  const std::string first = broken > 0
+                                ? fmt::format("{} could not be compared", plural(broken, "scene", "scenes"))
+                                : fmt::format("{} of {} {} could not be judged", counts.error, counts.total(), rows);
+  return counts.fail > 0 ? first + "; " + over : first;
+}
+
+} // namespace parity::compare
