@@ -69,6 +69,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       reportApp.add_option("--suite", report.suite, "Suite file (TOML): many scenes with views, light and budgets");
   suite->excludes(reportApp.get_option("scenes"));
   reportApp.add_option("-o,--output", report.folder, "Folder of the report")->required();
+  addPageOptions(reportApp, report, raw);
   addVerdictOptions(reportApp, report.verdict);
   reportApp.add_flag("--terms", report.common.settings.terms,
                      "Also measure the terms (sun, sky, lights... diffuse and specular)");
@@ -170,6 +171,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       for (const std::string& option : lightOptionNames()) // as `excludes`, which would list them all in the help
         if (!report.suite.empty() && reportApp.count(option) > 0) throw CLI::ExcludesError("--suite", option);
       settle(report.common, raw);
+      report.pixelData = raw.pixelData == "all";
       parsed.command = report;
     } else if (diffApp.parsed()) {
       settle(diff.common, raw);

@@ -25,6 +25,7 @@ struct RawOptions {
   std::string error = "0.5%", scattering = "multiple"; // of the reference
   std::string cache, cacheSize = "4G";
   std::string metrics = defaultMetricList(); // comma-separated
+  std::string pixelData = "all";
   bool shadows = false, noSunExtraction = false, noCache = false, quiet = false, verbose = false, validation = false;
 };
 
@@ -38,6 +39,8 @@ void addMetricsOption(CLI::App& app, RawOptions& raw);
 void addCostsOption(CLI::App& app, CommonOptions& common);
 // How the ground truth is made: --error, --scattering.
 void addReferenceOptions(CLI::App& app, RawOptions& raw);
+// What a report's page holds: --single-file, --pixel-data, --bench.
+void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw);
 // --reference, which those need.
 void addTruthOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
 

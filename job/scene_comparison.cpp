@@ -60,9 +60,10 @@ public:
       const std::optional<std::string> key = resultKey(m_context, request, wish);
       if (std::optional<SceneRecord> cached = key ? recall(*key, index) : std::nullopt) {
         result = std::move(cached->result);
+        if (m_request.singleFile) scene.pictures = std::move(cached->pictures);
         scene.isCached = true;
       } else {
-        measureScene(index, wish, key, result);
+        measureScene(index, wish, key, scene);
       }
       for (compare::ViewResult& view : result.views) {
         for (compare::MaterialResult& material : view.materials)
@@ -75,6 +76,7 @@ public:
     } catch (const std::exception& error) {
       setError(error.what(), base::ExitCode::failed);
     }
+    if (!m_request.singleFile) scene.pictures = {};
     for (std::string& warning : result.warnings) {
       scene.warnings.push_back(fmt::format("{}: {}", result.name, warning));
       warning = withoutFolders(std::move(warning), request);
@@ -109,7 +111,7 @@ private:
     std::optional<SceneRecord> record = findResult(m_context.cache(), key, m_request.scenes[index]);
     if (record) {
       renamePictures(*record, prefixesOf(index));
-      writePictures(record->pictures, m_request.folder);
+      if (!m_request.singleFile) writePictures(record->pictures, m_request.folder);
     }
     return record;
   }
@@ -117,14 +119,15 @@ private:
   Paths paths() const { return {.reference = m_context.settings().truth}; }
 
   ResultWish wishFor(std::size_t index, const compare::Budgets& budgets) const {
-    return {compare::requiredStatistics(budgets), !m_request.folder.empty(),
+    return {compare::requiredStatistics(budgets), !m_request.folder.empty(), m_request.pixelData,
             gpu::shareOf(index, m_request.scenes.size())};
   }
 
   // Fills the result, view by view: what was done before an error stays. Keeps it for later runs.
   void measureScene(std::size_t index, const ResultWish& wish, const std::optional<std::string>& key,
-                    compare::SceneResult& result) {
+                    ComparedScene& scene) {
     const SceneRequest& request = m_request.scenes[index];
+    compare::SceneResult& result = scene.result;
     m_tell(0, "loading");
     const PreparedScene prepared = prepareScene(m_context, request, paths());
     result.environment = prepared.environmentName;
@@ -135,18 +138,18 @@ private:
     for (const std::string& note : renderer.notes()) result.warnings.push_back("mobile: " + note);
     for (std::string& excess : mobile::samplerWarnings(prepared.scene, samplerInputs(prepared)))
       result.warnings.push_back(std::move(excess));
-    std::vector<EncodedPicture> pictures;
+    std::vector<EncodedPicture>& pictures = scene.pictures;
     std::uint64_t comparedPixels = 0;
     for (std::size_t v = 0; v < request.views.size(); ++v) {
       m_tell(static_cast<double>(v) / static_cast<double>(request.views.size()), request.views[v].name);
       ComparedView compared = compareOne(index, v, prepared, renderer, wish);
-      {
+      if (!m_request.singleFile) {
         const base::Stopwatch watch(&m_context.timings(), "write images");
         writePictures(compared.pictures, m_request.folder);
       }
       comparedPixels += compared.view.whole.all.pixels;
       result.views.push_back(std::move(compared.view));
-      if (key)
+      if (key || m_request.singleFile)
         pictures.insert(pictures.end(), std::make_move_iterator(compared.pictures.begin()),
                         std::make_move_iterator(compared.pictures.end()));
     }
@@ -159,8 +162,9 @@ private:
     // The same key again: the environment is still what it was when the scene was lit by it.
     if (!key || resultKey(m_context, request, wish) != key) return;
     const base::Stopwatch watch(&m_context.timings(), "keep results");
-    storeResult(m_context.cache(), *key, request, prepared.scene.sources,
-                {result, prefixesOf(index), std::move(pictures)});
+    SceneRecord record{result, prefixesOf(index), std::move(pictures)};
+    storeResult(m_context.cache(), *key, request, prepared.scene.sources, record);
+    pictures = std::move(record.pictures);
   }
 
   mobile::SamplerInputs samplerInputs(const PreparedScene& prepared) const {
@@ -194,6 +198,7 @@ private:
     comparison.samplers = samplerInputs(prepared);
     comparison.statistics = wish.statistics;
     comparison.pictures = wish.pictures;
+    comparison.pixelData = wish.pixelData;
     comparison.imagePrefix = imagePrefix(sceneIndex, request.name, viewIndex, view.name);
     ComparedView compared = compareView(m_context, prepared.scene, frames, comparison);
     return compared;
