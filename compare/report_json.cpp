@@ -44,6 +44,7 @@ void writeImages(JsonWriter& json, const ImageSet& images) {
 void writeRule(JsonWriter& json, const AppliedRule& rule) {
   json.beginObject();
   json.key("rule").text(rule.origin);
+  json.key("preset").text(rule.preset);
   json.key("reason").text(rule.reason);
   json.key("owner").text(rule.owner);
   json.key("requireSeen").boolean(rule.requireSeen);

@@ -33,6 +33,7 @@ export interface Check {
 
 export interface Rule {
   rule: string;
+  preset: string;
   reason: string;
   owner: string;
   requireSeen: boolean;
