@@ -295,8 +295,8 @@ void writeStatistics(JsonWriter& json, const std::set<std::string>& names) {
     if (const std::optional<Statistic> statistic = statisticByName(name)) {
       json.key(name).beginObject();
       json.key("label").text(statistic->label);
-      json.key("unit").text(statistic->unit);
-      json.key("digits").integer(statistic->digits);
+      json.key("unit").text(isShare(name) ? "%" : statistic->unit);
+      json.key("digits").integer(isShare(name) ? 1 : statistic->digits);
       json.key("better").text(statistic->better == Better::lower    ? "lower"
                               : statistic->better == Better::higher ? "higher"
                                                                     : "near zero");

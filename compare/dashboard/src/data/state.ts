@@ -30,7 +30,7 @@ export interface State extends ViewerState {
   tab: Tab;
   query: string;
   verdicts: string[]; // shown; empty: all
-  term0: string; // the overview's filter: only rows whose worst term this is; "": all
+  causedBy: string; // the overview's filter: only rows that this term explains; "": all
   preset: string; // "": all
   sort: string; // "gravity", "name", "order", or a column's figure: "flip.mean"
   ascending: boolean;
@@ -57,7 +57,7 @@ export const kDefaultState: Readonly<State> = {
   tab: "compare",
   query: "",
   verdicts: [],
-  term0: "",
+  causedBy: "",
   preset: "",
   sort: "gravity",
   ascending: false,
