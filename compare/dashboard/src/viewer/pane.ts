@@ -40,7 +40,8 @@ export interface Layer {
 
 const kUsual: Look = { zoom: 1, panX: 0.5, panY: 0.5 };
 
-function isUsual(look: Look): boolean {
+/** Nobody has moved or zoomed it: what is chosen fits its pane. */
+export function isUsual(look: Look): boolean {
   return look.zoom === kUsual.zoom && look.panX === kUsual.panX && look.panY === kUsual.panY;
 }
 
@@ -48,7 +49,7 @@ function isTouch(event: Event): event is TouchEvent {
   return event.type.startsWith("touch");
 }
 
-/** Events: "pane-look" (Look), "pane-hover" (Point or null), "pane-pick" (Point), "pane-split" (0..1). */
+/** Events: "pane-size" (Size), "pane-look" (Look), "pane-hover" (Point or null), "pane-pick" (Point), "pane-split" (0..1). */
 @customElement("parity-pane")
 export class ParityPane extends LitElement {
   @property({ attribute: false }) label = "";
@@ -63,11 +64,13 @@ export class ParityPane extends LitElement {
   @property({ attribute: false }) subject: Box | null = null; // what the usual look fits into the pane; null: all
   @property({ attribute: false }) mark: Point | null = null;
   @property({ attribute: false }) split: number | null = null; // where the divider is; null: none
-  @state() size: Size = { width: 0, height: 0 };
+  @state() private size: Size = { width: 0, height: 0 };
   @query(".stage") private stage!: HTMLElement;
 
   private readonly resizing = new ResizeObserver(([entry]) => {
-    if (entry) this.size = { width: entry.contentRect.width, height: entry.contentRect.height };
+    if (!entry) return;
+    this.size = { width: entry.contentRect.width, height: entry.contentRect.height };
+    this.send("pane-size", this.size);
   });
   private behavior: ZoomBehavior<HTMLElement, unknown> | null = null;
 
@@ -76,7 +79,7 @@ export class ParityPane extends LitElement {
   }
 
   /** What is really looked at. */
-  get shownLook(): Look {
+  private get shownLook(): Look {
     return this.subject !== null && isUsual(this.look) ? lookAt(this.subject, this.size, this.picture) : this.look;
   }
 
@@ -106,8 +109,8 @@ export class ParityPane extends LitElement {
     select<HTMLElement, unknown>(this.stage).call(this.behavior);
   }
 
-  protected override updated(changed: PropertyValues<this>): void {
-    if (!["look", "subject", "size", "picture"].some((key) => changed.has(key as keyof this))) return;
+  protected override updated(changed: PropertyValues): void {
+    if (!["look", "subject", "size", "picture"].some((key) => changed.has(key))) return;
     const { x, y, scale } = this.placement;
     // Set as d3-zoom keeps it: its own call would end a gesture that is under way.
     const k = scale / fitScale(this.size, this.picture);

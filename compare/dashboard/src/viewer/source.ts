@@ -23,7 +23,7 @@ function reason(error: unknown): string {
 }
 
 /** How the report displays linear values: the display setting, by its table where it is no formula. */
-async function loadDisplay(report: Report): Promise<Display> {
+export async function loadDisplay(report: Report): Promise<Display> {
   const name = report.settings.find((setting) => setting.name === "display")?.value ?? "sRGB";
   if (name === "sRGB" || name === "raw") return { kind: name };
   if (report.displayTable === "") throw new Error(`this report has no table of its display transform "${name}"`);
