@@ -32,7 +32,8 @@ CheckResult prepareCheck(const BudgetCheck& check, const RegionFigures& figures)
 void apply(const BudgetRule* rule, const RegionFigures& figures, std::vector<CheckResult>& checks,
            AppliedRule& applied) {
   checks = rule ? runChecks(*rule, figures) : std::vector<CheckResult>{};
-  applied = rule ? AppliedRule{rule->origin, rule->reason, rule->owner, rule->requireSeen, rule->file, rule->line}
+  applied = rule ? AppliedRule{rule->origin, rule->reason, rule->owner, rule->requireSeen,
+                               rule->file,   rule->line,   rule->preset}
                  : AppliedRule{};
 }
 

@@ -36,6 +36,7 @@ struct BudgetRule {
   std::string origin;                      // "built-in", or "budgets.toml, line 12"
   std::string file;                        // as it was given to loadBudgets; empty: built-in
   int line = 0;
+  std::string preset = {}; // whose limits it took; empty: none
 };
 
 // The first rule that matches judges; a name that none matches cannot be judged, which is an error and never a pass.

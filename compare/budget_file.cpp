@@ -161,6 +161,7 @@ private:
     rule.line = static_cast<int>(table.source().begin.line);
     rule.origin = fmt::format("{}, line {}", m_short, rule.line);
     rule.file = m_file;
+    rule.preset = textOf(table, "preset", "");
     const Checks* preset = presetOf(table, region);
     const bool hasOwn = table.contains("checks") || table.contains("regress");
     const Checks own = hasOwn || !preset ? readChecks(table, region, "the rule") : Checks{};

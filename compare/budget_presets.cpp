@@ -27,6 +27,7 @@ Budgets makeDefaults() {
   const BudgetPreset& preset = builtInPresets().front();
   BudgetRule material, whole;
   material.origin = whole.origin = "built-in";
+  material.preset = whole.preset = preset.name;
   material.checks = preset.materials;
   whole.checks = preset.wholes;
   return {{material}, {whole}};

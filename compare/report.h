@@ -40,8 +40,9 @@ struct AppliedRule {
   std::string origin;        // "built-in", or "budgets.toml, line 12"; empty where no rule matched
   std::string reason, owner; // why these limits, and whose they are; may be empty
   bool requireSeen = false;
-  std::string file; // as the user named it, for annotations: may be absolute, so it is in no report
-  int line = 0;     // in it; 0: the rule stands in no file
+  std::string file;        // as the user named it, for annotations: may be absolute, so it is in no report
+  int line = 0;            // in it; 0: the rule stands in no file
+  std::string preset = {}; // whose limits it took; empty: none, all are its own
 };
 
 // What a figure was in the baseline and is now; either may be infinite (psnr).

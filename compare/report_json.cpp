@@ -1,7 +1,10 @@
 // report.json (compare/report.schema.json) and run.json.
+#include <set>
+
 #include "compare/json_figures.h"
 #include "compare/json_writer.h"
 #include "compare/report.h"
+#include "compare/statistic.h"
 #include "compare/wording.h"
 
 namespace parity::compare {
@@ -44,6 +47,7 @@ void writeImages(JsonWriter& json, const ImageSet& images) {
 void writeRule(JsonWriter& json, const AppliedRule& rule) {
   json.beginObject();
   json.key("rule").text(rule.origin);
+  json.key("preset").text(rule.preset);
   json.key("reason").text(rule.reason);
   json.key("owner").text(rule.owner);
   json.key("requireSeen").boolean(rule.requireSeen);
@@ -268,6 +272,39 @@ void writeSummary(JsonWriter& json, const std::optional<BaselineSummary>& baseli
   json.endObject();
 }
 
+// Every figure that the report has or judges, by name.
+std::set<std::string> figureNames(const Report& report) {
+  std::set<std::string> names;
+  const auto add = [&](const RegionFigures& figures, const std::vector<CheckResult>& checks) {
+    for (const Figures* region : {&figures.interior, &figures.all})
+      for (const Figure& figure : region->values) names.insert(figure.name);
+    for (const CheckResult& check : checks) names.insert(check.metric);
+  };
+  for (const SceneResult& scene : report.scenes)
+    for (const ViewResult& view : scene.views) {
+      add(view.whole, view.checks);
+      for (const MaterialResult& material : view.materials) add(material.figures, material.checks);
+    }
+  return names;
+}
+
+// How to read and to write each of them.
+void writeStatistics(JsonWriter& json, const std::set<std::string>& names) {
+  json.beginObject();
+  for (const std::string& name : names)
+    if (const std::optional<Statistic> statistic = statisticByName(name)) {
+      json.key(name).beginObject();
+      json.key("label").text(statistic->label);
+      json.key("unit").text(isShare(name) ? "%" : statistic->unit);
+      json.key("digits").integer(isShare(name) ? 1 : statistic->digits);
+      json.key("better").text(statistic->better == Better::lower    ? "lower"
+                              : statistic->better == Better::higher ? "higher"
+                                                                    : "near zero");
+      json.endObject();
+    }
+  json.endObject();
+}
+
 } // namespace
 
 std::string toJson(const Report& report, JsonLayout layout) {
@@ -296,6 +333,8 @@ std::string toJson(const Report& report, JsonLayout layout) {
     json.endObject();
   }
   json.endArray();
+  json.key("statistics");
+  writeStatistics(json, figureNames(report));
   json.key("scenes").beginArray();
   for (const SceneResult& scene : report.scenes) writeScene(json, scene);
   json.endArray();

@@ -28,6 +28,14 @@ export const kHelp = {
   timings: "Wall time by stage of the run; stages of two scenes may run at the same time.",
   encoding: "What the mobile path's render target alone changes in its own picture.",
   pareto: "Each setting's time against its error; the ones on the line have no better rival at their price.",
+  zoom: "All panes move together: wheel or pinch zooms, dragging moves, a double click goes closer; 100 % is one picture pixel to one screen pixel.",
+  split: "What is left of the divider is one picture, what is right of it the other; drag the divider or this slider.",
+  opacity: "How much of the mobile picture lies over the other one: a shifted edge or highlight shows twice.",
+  flicker: "The pictures at the same place in turn, which shows the least change: hold the button or the key F, or press once to stay.",
+  showTerm: "One part of the light alone, by both paths: the colour is the sum of all parts.",
+  showTruth: "Also the reference path; where two pictures share a pane it takes the high-end picture's place.",
+  dimOthers: "Darkens what is not this material.",
+  magma: "Black is alike, bright yellow is far apart; grey lies below the threshold.",
   relmse: "Mean squared error relative to the truth's own brightness.",
 } as const;
 export type Topic = keyof typeof kHelp;

@@ -3,6 +3,8 @@
 export const kModes = ["side", "slider", "onion", "flicker", "difference", "flip"] as const;
 export type Mode = (typeof kModes)[number];
 export const kTabs = ["compare", "terms", "numbers"] as const;
+export const kLists = ["materials", "views"] as const;
+export type List = (typeof kLists)[number];
 export type Tab = (typeof kTabs)[number];
 
 /** The comparison view's part of the state. */
@@ -28,9 +30,10 @@ export interface State extends ViewerState {
   view: number;
   material: number; // in the view; -1: the whole image
   tab: Tab;
+  list: List;
   query: string;
   verdicts: string[]; // shown; empty: all
-  term0: string; // the overview's filter: only rows whose worst term this is; "": all
+  causedBy: string; // the overview's filter: only rows that this term explains; "": all
   preset: string; // "": all
   sort: string; // "gravity", "name", "order", or a column's figure: "flip.mean"
   ascending: boolean;
@@ -55,9 +58,10 @@ export const kDefaultState: Readonly<State> = {
   view: -1,
   material: -1,
   tab: "compare",
+  list: "materials",
   query: "",
   verdicts: [],
-  term0: "",
+  causedBy: "",
   preset: "",
   sort: "gravity",
   ascending: false,
@@ -114,6 +118,8 @@ export function fromHash(hash: string): State {
         target[key] = value;
     } else if (key === "mode") {
       if ((kModes as readonly string[]).includes(text)) target[key] = text;
+    } else if (key === "list") {
+      if ((kLists as readonly string[]).includes(text)) target[key] = text;
     } else if (key === "tab") {
       if ((kTabs as readonly string[]).includes(text)) target[key] = text;
     } else target[key] = text;

@@ -33,6 +33,7 @@ export interface Check {
 
 export interface Rule {
   rule: string;
+  preset: string;
   reason: string;
   owner: string;
   requireSeen: boolean;
@@ -172,6 +173,14 @@ export interface Baseline {
   error: string;
 }
 
+/** How to read a figure. */
+export interface Statistic {
+  label: string;
+  unit: string;
+  digits: number;
+  better: "lower" | "higher" | "near zero";
+}
+
 export interface Report {
   schema: number;
   tool: string;
@@ -185,6 +194,7 @@ export interface Report {
   warnings: string[];
   baseline: Baseline | null;
   settings: { name: string; value: string }[];
+  statistics: Record<string, Statistic>;
   scenes: Scene[];
 }
 

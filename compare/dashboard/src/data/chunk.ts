@@ -1,0 +1,128 @@
+// One pixel file: planes of 16-bit values, each base64 of a DEFLATE stream of byte planes of differences.
+
+export type PlaneKind = "rgb16f" | "unorm16" | "uint16";
+const kChannels: Readonly<Record<PlaneKind, number>> = { rgb16f: 3, unorm16: 1, uint16: 1 };
+const kFormat = 1;
+const kMaxPixels = 2 ** 27; // beyond any picture: damaged figures must not ask for all memory
+
+/** Values of one plane: channel after channel, each top row first. */
+export interface Plane {
+  name: string;
+  kind: PlaneKind;
+  width: number;
+  height: number;
+  values: Uint16Array;
+}
+
+interface PackedPlane {
+  name: string;
+  kind: PlaneKind;
+  data: string;
+}
+
+/** A file as it is stored; minLog2 and maxLog2 only in a display table. */
+export interface Chunk {
+  file: string;
+  width: number;
+  height: number;
+  planes: PackedPlane[];
+  minLog2: number | null;
+  maxLog2: number | null;
+}
+
+function isObject(value: unknown): value is Record<string, unknown> {
+  return typeof value === "object" && value !== null;
+}
+
+function checkPlane(value: unknown, file: string): PackedPlane {
+  if (!isObject(value) || typeof value.name !== "string" || typeof value.data !== "string")
+    throw new Error(`${file} is damaged: a plane has no name or no data`);
+  if (typeof value.kind !== "string" || !Object.hasOwn(kChannels, value.kind))
+    throw new Error(`${file}: the plane ${value.name} is of a kind that this page does not know`);
+  return { name: value.name, kind: value.kind as PlaneKind, data: value.data };
+}
+
+/** What a file hands over, checked. Throws Error in words for another format version or what is not a chunk. */
+export function checkChunk(value: unknown, file: string): Chunk {
+  if (!isObject(value)) throw new Error(`${file} holds no pixel values`);
+  if (value.format !== kFormat)
+    throw new Error(`${file} is of format ${String(value.format)}, this page reads format ${kFormat}`);
+  if (value.file !== file) throw new Error(`${file} holds the values of another file`);
+  const { width, height, planes } = value;
+  const isSize = (n: unknown): n is number => typeof n === "number" && Number.isInteger(n) && n > 0;
+  if (!isSize(width) || !isSize(height) || width * height > kMaxPixels)
+    throw new Error(`${file} is damaged: its size is wrong`);
+  if (!Array.isArray(planes)) throw new Error(`${file} is damaged: it has no planes`);
+  const numberOrNull = (n: unknown): number | null => (typeof n === "number" ? n : null);
+  return {
+    file,
+    width,
+    height,
+    planes: planes.map((plane: unknown) => checkPlane(plane, file)),
+    minLog2: numberOrNull(value.minLog2),
+    maxLog2: numberOrNull(value.maxLog2),
+  };
+}
+
+function fromBase64(text: string): Uint8Array<ArrayBuffer> {
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
+
+/** The stream's bytes; throws where they are not exactly `size`. */
+async function inflate(packed: Uint8Array<ArrayBuffer>, size: number): Promise<Uint8Array> {
+  const bytes = new Uint8Array(size);
+  let filled = 0;
+  const reader = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate-raw")).getReader();
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) break;
+    if (filled + value.length > size) {
+      await reader.cancel();
+      throw new Error("more values than its size says");
+    }
+    bytes.set(value, filled);
+    filled += value.length;
+  }
+  if (filled !== size) throw new Error("fewer values than its size says");
+  return bytes;
+}
+
+/** Sums of differences, row by row: a row starts from the first value of the row above. */
+function undoDifferences(bytes: Uint8Array, width: number, height: number, channels: number): Uint16Array {
+  const count = width * height;
+  const values = new Uint16Array(count * channels);
+  for (let channel = 0; channel < channels; ++channel) {
+    const low = 2 * count * channel;
+    const high = low + count;
+    const first = count * channel;
+    let rowStart = 0;
+    for (let y = 0, i = 0; y < height; ++y) {
+      let value = rowStart;
+      for (let x = 0; x < width; ++x, ++i) {
+        value = (value + (bytes[low + i]! | (bytes[high + i]! << 8))) & 0xffff;
+        if (x === 0) rowStart = value;
+        values[first + i] = value;
+      }
+    }
+  }
+  return values;
+}
+
+/** Unpacks one plane. Rejects in words where its data is damaged. */
+export async function decodePlane(chunk: Chunk, name: string): Promise<Plane> {
+  const packed = chunk.planes.find((plane) => plane.name === name);
+  if (packed === undefined) throw new Error(`${chunk.file} has no plane ${name}`);
+  const channels = kChannels[packed.kind];
+  const { width, height } = chunk;
+  let bytes: Uint8Array;
+  try {
+    bytes = await inflate(fromBase64(packed.data), 2 * width * height * channels);
+  } catch (error) {
+    const why = error instanceof Error ? error.message : String(error);
+    throw new Error(`${chunk.file} is damaged: the plane ${name} cannot be unpacked (${why})`);
+  }
+  return { name, kind: packed.kind, width, height, values: undoDifferences(bytes, width, height, channels) };
+}

@@ -1,0 +1,121 @@
+// The report as a flat list: a row for each material in each view, for each whole image, for each scene that failed.
+import type { Attribution, Check, Figures, Judged, Material, Metrics, Regions, Report, Scene, Verdict, View } from "./types";
+
+export type Kind = "material" | "whole" | "scene";
+
+export interface Row {
+  kind: Kind;
+  scene: number; // places in the report; -1 where there is none
+  view: number;
+  material: number;
+  order: number; // in the report
+  name: string; // of the material, or what the row is
+  place: string; // scene and view
+  verdict: Verdict;
+  gravity: number; // larger is graver
+  reason: string;
+  bias: string;
+  region: "interior" | "all" | "";
+  pixels: number;
+  judged: Judged | null; // null: a scene that failed
+  cause: Cause | null;
+  preset: string; // of budgets
+  isNew: boolean;
+  change: number | null; // of mean FLIP since the baseline
+  text: string; // what a search looks at, in lower case
+}
+
+/** The one term whose swap helps most. */
+export interface Cause {
+  term: string;
+  before: number;
+  after: number;
+}
+
+const kGravity: Record<Verdict, number> = { pass: 0, "not seen": 1, warn: 2, fail: 3, error: 4 };
+/** A swap that lowers FLIP by less than this share explains nothing (compare/wording.h says the same). */
+export const kLeastShare = 0.1;
+
+export function gravityOf(verdict: Verdict): number {
+  return kGravity[verdict] ?? 4;
+}
+
+/** The interior's figures, or all where there is no interior. */
+export function mainFigures(regions: Regions): { figures: Figures; region: "interior" | "all" } | null {
+  if (regions.interior) return { figures: regions.interior, region: "interior" };
+  return regions.all ? { figures: regions.all, region: "all" } : null;
+}
+
+/** The term that lowers FLIP most, where it does so by a tenth at least. */
+export function causeOf(attribution: Attribution | undefined): Cause | null {
+  if (!attribution || attribution.flip === null) return null;
+  let best: Cause | null = null;
+  for (const each of attribution.terms)
+    if (each.flip !== null && each.flip <= attribution.flip * (1 - kLeastShare) && (!best || each.flip < best.after))
+      best = { term: each.term, before: attribution.flip, after: each.flip };
+  return best;
+}
+
+/** A figure of a row, or null where it is not known. */
+export function figureOf(row: Row, name: string): number | null {
+  const main = row.judged ? mainFigures(row.judged.figures) : null;
+  return main?.figures.metrics[name] ?? null;
+}
+
+/** The check that judges a figure itself, not its regression. */
+export function checkOf(judged: Judged | null, metric: string): Check | null {
+  return judged?.checks.find((check) => check.metric === metric && !check.regress) ?? null;
+}
+
+function changeOf(judged: Judged): number | null {
+  if (!judged.baseline || judged.baseline.new) return null;
+  const metrics: Metrics = judged.figures.interior ? judged.baseline.interior : judged.baseline.all;
+  return metrics["flip.mean"] ?? null;
+}
+
+type Judgement = Omit<Row, "scene" | "view" | "material" | "order">;
+
+function judgedRow(kind: Kind, scene: Scene, view: View, judged: Judged, name: string): Judgement {
+  const main = mainFigures(judged.figures);
+  const cause = causeOf((judged as Partial<Material>).attribution);
+  const place = kind === "whole" ? scene.name : `${scene.name} · ${view.name}`;
+  return {
+    kind,
+    name,
+    place,
+    verdict: judged.verdict,
+    gravity: gravityOf(judged.verdict),
+    reason: judged.reason,
+    bias: judged.bias,
+    region: main?.region ?? "",
+    pixels: judged.figures.all?.pixels ?? 0,
+    judged,
+    cause,
+    preset: judged.budget.preset ?? "",
+    isNew: judged.baseline?.new ?? false,
+    change: changeOf(judged),
+    text: `${name} ${place} ${judged.reason} ${cause?.term ?? ""}`.toLowerCase(),
+  };
+}
+
+/** Materials not seen in a view but in another one do not count, and have no row. */
+export function makeRows(report: Report): Row[] {
+  const rows: Row[] = [];
+  report.scenes.forEach((scene, s) => {
+    if (scene.error)
+      rows.push({
+        kind: "scene", scene: s, view: -1, material: -1, order: rows.length, name: scene.name, place: scene.source,
+        verdict: "error", gravity: gravityOf("error"), reason: scene.error.message, bias: "", region: "", pixels: 0,
+        judged: null, cause: null, preset: "", isNew: false, change: null,
+        text: `${scene.name} ${scene.source} ${scene.error.message}`.toLowerCase(),
+      });
+    scene.views.forEach((view, v) => {
+      view.materials.forEach((material, m) => {
+        if (material.seenElsewhere) return;
+        rows.push({ scene: s, view: v, material: m, order: rows.length, ...judgedRow("material", scene, view, material, material.name) });
+      });
+      rows.push({ scene: s, view: v, material: -1, order: rows.length, ...judgedRow("whole", scene, view, view.whole, view.name) });
+    });
+  });
+  return rows;
+}

@@ -1,0 +1,111 @@
+// One row opened: what was decided and why, and three tabs of evidence.
+import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { customElement, property, query } from "lit/decorators.js";
+
+import type { Page } from "../data/page";
+import { mainFigures, type Row } from "../data/rows";
+import { kTabs, type State, type Tab } from "../data/state";
+import type { Material } from "../data/types";
+import { count, figure } from "../format";
+import { help } from "../help";
+import { badge } from "../parts";
+import "../viewer/viewer";
+import type { ParityViewer } from "../viewer/viewer";
+import { checkTable } from "./checks";
+import "./numbers";
+import "./terms";
+
+const kTabNames: Record<Tab, string> = { compare: "Compare", terms: "Terms", numbers: "Numbers" };
+
+@customElement("parity-item")
+export class ParityItem extends LitElement {
+  @property({ attribute: false }) page!: Page;
+  @property({ attribute: false }) row!: Row;
+  @property({ attribute: false }) state!: State;
+  @property() place = "";
+  @query("parity-viewer") private viewer!: ParityViewer | null;
+
+  protected override createRenderRoot(): this {
+    return this;
+  }
+
+  /** Whether the comparison view took the key. */
+  handleKey(event: KeyboardEvent): boolean {
+    return this.viewer?.handleKey(event) ?? false;
+  }
+
+  handleKeyUp(event: KeyboardEvent): void {
+    this.viewer?.handleKeyUp(event);
+  }
+
+  private set(patch: Partial<State>): void {
+    this.dispatchEvent(new CustomEvent("parity-state", { bubbles: true, detail: patch }));
+  }
+
+  protected override render(): TemplateResult {
+    const { row, state } = this;
+    const scene = this.page.report.scenes[row.scene];
+    const step = (by: number) => (): boolean => this.dispatchEvent(new CustomEvent("parity-step", { detail: by }));
+    return html`<article class="item" aria-labelledby="item-title">
+      <nav class="item-nav" aria-label="Items">
+        <button type="button" @click=${() => this.dispatchEvent(new CustomEvent("parity-close"))} title="Esc">← Overview</button>
+        <span class="place">${this.place}</span>
+        <button type="button" @click=${step(-1)} title="Key ↑" aria-label="Previous item">↑</button>
+        <button type="button" @click=${step(1)} title="Key ↓" aria-label="Next item">↓</button>
+      </nav>
+      <header class="item-head">
+        <h2 id="item-title">${badge(row.verdict)} <bdi>${row.name === "" ? "(no name)" : row.name}</bdi></h2>
+        <p class="place"><bdi>${row.place}</bdi>${scene ? html` · <bdi>${scene.environment}</bdi>${scene.sun === "none" ? nothing : html` · sun <bdi>${scene.sun}</bdi>`}` : nothing}</p>
+        ${row.reason === "" ? nothing : html`<p class="reason">${row.reason}</p>`}
+      </header>
+      ${row.judged ? this.renderTabs(state.tab) : html`<p class="notice error" role="alert"><b>Not compared:</b> ${row.reason}</p>`}
+    </article>`;
+  }
+
+  private renderTabs(tab: Tab): TemplateResult {
+    const onKey = (event: KeyboardEvent): void => {
+      const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
+      const next = kTabs[(kTabs.indexOf(tab) + by + kTabs.length) % kTabs.length];
+      if (by === 0 || !next) return;
+      event.preventDefault();
+      event.stopPropagation();
+      this.set({ tab: next });
+      void this.updateComplete.then(() => this.querySelector<HTMLElement>(`#tab-${next}`)?.focus());
+    };
+    return html`
+      <div class="tabs" role="tablist" aria-label="Evidence" @keydown=${onKey}>
+        ${kTabs.map((each) => html`<button type="button" role="tab" id="tab-${each}" aria-controls="panel" aria-selected=${each === tab ? "true" : "false"}
+          tabindex=${each === tab ? 0 : -1} @click=${() => this.set({ tab: each })}>${kTabNames[each]}</button>`)}
+      </div>
+      <div role="tabpanel" id="panel" aria-labelledby="tab-${tab}">${tab === "compare" ? this.renderCompare() : tab === "terms" ? this.renderTerms() : this.renderNumbers()}</div>
+    `;
+  }
+
+  private renderCompare(): TemplateResult {
+    const { report } = this.page;
+    const { row } = this;
+    const main = row.judged ? mainFigures(row.judged.figures) : null;
+    const value = (name: string): string => figure(main?.figures.metrics[name], report.statistics[name]);
+    const notes = row.kind === "material" ? (row.judged as Material).notes : [];
+    return html`
+      <p class="facts">
+        <b>${row.bias === "" ? "No pixel of this view shows it." : row.bias}</b>${row.bias === "" ? nothing : help("bias")}
+        ${main
+          ? html`<span>FLIP mean ${value("flip.mean")}${help("mean")}, p95 ${value("flip.p95")}${help("p95")}, max ${value("flip.max")}${help("max")} over ${main.region === "interior" ? "interior pixels" : "all pixels"}${help(main.region)} of ${count(row.pixels)}${help("pixels")}</span>`
+          : nothing}
+        ${row.cause ? html`<span>Cause: <b>${row.cause.term}</b>, ${figure(row.cause.before, report.statistics["flip.mean"])} → ${figure(row.cause.after, report.statistics["flip.mean"])} with high-end's${help("worstTerm")}</span>` : nothing}
+      </p>
+      <parity-viewer .report=${report} .scene=${row.scene} .view=${row.view} .material=${row.material} .state=${this.state}></parity-viewer>
+      ${row.judged ? checkTable(row.judged, report) : nothing}
+      ${notes.length > 0 ? html`<ul class="notes">${notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
+    `;
+  }
+
+  private renderTerms(): TemplateResult {
+    return html`<parity-terms .report=${this.page.report} .row=${this.row} .state=${this.state}></parity-terms>`;
+  }
+
+  private renderNumbers(): TemplateResult {
+    return html`<parity-numbers .page=${this.page} .row=${this.row}></parity-numbers>`;
+  }
+}

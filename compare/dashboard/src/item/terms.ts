@@ -1,0 +1,95 @@
+// Which term makes the two differ: in words first, then what each swap does, then the terms' pictures.
+import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { customElement, property } from "lit/decorators.js";
+
+import type { Row } from "../data/rows";
+import { toHash, type State } from "../data/state";
+import type { Attribution, Material, Report, TermLight } from "../data/types";
+import { figure, fixed, signed } from "../format";
+import { help } from "../help";
+import "../viewer/term_image";
+
+/** log2(test/reference); null where either is dark. */
+export function termBiasEv(term: TermLight): number | null {
+  if (term.reference === null || term.test === null || term.reference <= 1e-6 || term.test <= 1e-6) return null;
+  return Math.log2(term.test / term.reference);
+}
+
+/** How a term's light differs, in words. */
+export function describeTerm(term: TermLight): string {
+  const dark = (value: number | null): boolean => value === null || value <= 1e-6;
+  if (dark(term.reference) && dark(term.test)) return "black in both";
+  if (dark(term.test)) return "mobile has none";
+  if (dark(term.reference)) return "only mobile has it";
+  const ev = termBiasEv(term) ?? 0;
+  return Math.abs(ev) < 0.005 ? "equal" : `mobile ${fixed(Math.abs(ev), 2)} EV ${ev < 0 ? "darker" : "brighter"}`;
+}
+
+@customElement("parity-terms")
+export class ParityTerms extends LitElement {
+  @property({ attribute: false }) report!: Report;
+  @property({ attribute: false }) row!: Row;
+  @property({ attribute: false }) state!: State;
+
+  protected override createRenderRoot(): this {
+    return this;
+  }
+
+  private get material(): Material | null {
+    return this.report.scenes[this.row.scene]?.views[this.row.view]?.materials[this.row.material] ?? null;
+  }
+
+  protected override render(): TemplateResult {
+    const { material, row } = this;
+    return html`<section class="terms">
+      <p class="bias-words"><b>${row.bias === "" ? "Nothing is seen of it." : row.bias}</b>${row.bias === "" ? nothing : help("bias")}</p>
+      ${material?.attribution ? this.renderAttribution(material.attribution) : this.renderWhyNone(material)}
+      ${this.renderTerms(material)}
+    </section>`;
+  }
+
+  private renderWhyNone(material: Material | null): TemplateResult {
+    if (!material) return html`<p class="aside">Causes are found per material: open one of this view's.</p>`;
+    return html`<p class="aside">Which term is the cause is worked out for materials over budget, or for all with <code>--attribution all</code>.</p>`;
+  }
+
+  private renderAttribution({ flip, terms, region }: Attribution): TemplateResult {
+    const statistic = this.report.statistics["flip.mean"];
+    const most = Math.max(flip ?? 0, ...terms.map((each) => each.flip ?? 0), 1e-6);
+    const { cause } = this.row;
+    const line = (label: TemplateResult | string, value: number | null, kind: string): TemplateResult => html`<tr class=${kind}>
+      <th scope="row">${label}</th>
+      <td class="swap"><span class="bar"><i class="fill ${kind}" .style=${`width:${((value ?? 0) / most) * 100}%`}></i></span></td>
+      <td class="number">${figure(value ?? undefined, statistic)}</td>
+      <td class="number">${kind === "now" || flip === null || value === null ? nothing : `${signed(((value - flip) / Math.max(flip, 1e-9)) * 100, 0)} %`}</td></tr>`;
+    const sorted = [...terms].sort((a, b) => (a.flip ?? Infinity) - (b.flip ?? Infinity));
+    return html`<h3>Mean FLIP with one term of high-end's ${help("attribution")}</h3>
+      <p>${
+        cause
+          ? html`The cause: <b>${cause.term}</b>. With high-end's, mean FLIP would be ${figure(cause.after, statistic)} in place of ${figure(cause.before, statistic)}.`
+          : "No single term explains it: no swap lowers FLIP by a tenth."
+      }</p>
+      <div class="table-scroll"><table class="attribution">
+        <thead><tr><th scope="col">swapped</th><th scope="col"><span class="sr">bar</span></th><th scope="col">mean FLIP, ${region}</th><th scope="col">change</th></tr></thead>
+        <tbody>${line("nothing, as it is", flip, "now")}${sorted.map((each) => line(each.term, each.flip, each.flip !== null && flip !== null && each.flip < flip ? "better" : "worse"))}</tbody>
+      </table></div>`;
+  }
+
+  private renderTerms(material: Material | null): TemplateResult | typeof nothing {
+    const view = this.report.scenes[this.row.scene]?.views[this.row.view];
+    const lights = material?.terms ?? [];
+    const names = lights.filter((each) => describeTerm(each) !== "black in both").map((each) => each.term);
+    if (!view || (names.length === 0 && view.pixels.terms === "")) return nothing;
+    const shown = names.length > 0 ? names : [...new Set(view.materials.flatMap((each) => each.terms.filter((term) => describeTerm(term) !== "black in both").map((term) => term.term)))];
+    return html`<h3>The terms of both paths ${help("termLight")}</h3>
+      <div class="term-grid">${shown.map((term) => {
+        const light = lights.find((each) => each.term === term);
+        const hash = toHash({ ...this.state, term, tab: "compare", mode: "side" });
+        const image = (path: "highend" | "mobile", label: string): TemplateResult => html`<figure>
+          <parity-term-image .report=${this.report} .scene=${this.row.scene} .view=${this.row.view} .material=${this.row.material} .plane=${`${path}.${term}`} .exposure=${this.state.exposure} .label=${`${label} ${term}`}></parity-term-image>
+          <figcaption>${label} ${light ? html`<span class="number">${fixed(path === "highend" ? light.reference : light.test, 4)}</span>` : nothing}</figcaption></figure>`;
+        return html`<section class="term"><h4><a href=${hash}>${term}</a>${light ? html` <small>${describeTerm(light)}</small>` : nothing}</h4>
+          ${view.pixels.terms === "" ? html`<p class="aside">${light ? `high-end ${fixed(light.reference, 4)}, mobile ${fixed(light.test, 4)}` : ""}</p>` : html`<div class="pair">${image("highend", "High-end")}${image("mobile", "Mobile")}</div>`}</section>`;
+      })}</div>`;
+  }
+}

@@ -1,0 +1,84 @@
+// Keys that work everywhere; those of the comparison view are the view's own (viewer/keys).
+import { html, type TemplateResult } from "lit";
+
+import type { Tab } from "./data/state";
+
+export type Action =
+  | { kind: "help" | "search" | "close" | "theme" }
+  | { kind: "step"; by: number }
+  | { kind: "category"; index: number }
+  | { kind: "tab"; tab: Tab };
+
+/** Whether keys belong to what has the focus: text is typed there, or a control moves. */
+function isTaken(event: KeyboardEvent): boolean {
+  const target = event.target;
+  if (!(target instanceof HTMLElement)) return false;
+  if (target instanceof HTMLInputElement) {
+    if (target.type !== "range" && target.type !== "checkbox" && target.type !== "radio") return true;
+    return event.key.startsWith("Arrow") || event.key === "Home" || event.key === "End";
+  }
+  if (target.dataset["keys"] === "own") return event.key.startsWith("Arrow");
+  return target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement || target.isContentEditable;
+}
+
+/** What a key asks for, whatever is shown; null: nothing of these. */
+export function actionOf(event: KeyboardEvent): Action | null {
+  if (event.ctrlKey || event.metaKey || event.altKey) return null;
+  if (event.key === "Escape") {
+    if (event.target instanceof HTMLInputElement && event.target.type === "search") {
+      event.target.blur();
+      return null;
+    }
+    return { kind: "close" };
+  }
+  if (isTaken(event)) return null;
+  if (event.shiftKey && event.key !== "?") return null;
+  if (event.key >= "1" && event.key <= "7") return { kind: "category", index: Number(event.key) - 1 };
+  switch (event.key) {
+    case "?": return { kind: "help" };
+    case "/": return { kind: "search" };
+    case "ArrowUp": case "k": return { kind: "step", by: -1 };
+    case "ArrowDown": case "j": return { kind: "step", by: 1 };
+    case "c": return { kind: "tab", tab: "compare" };
+    case "t": return { kind: "tab", tab: "terms" };
+    case "n": return { kind: "tab", tab: "numbers" };
+    case "l": return { kind: "theme" };
+    default: return null;
+  }
+}
+
+const kShortcuts: readonly (readonly [string, string])[] = [
+  ["↑ ↓ or k j", "previous, next item"],
+  ["1 – 7", "all, failed, warned, not judged, not seen, passed, new"],
+  ["/", "search"],
+  ["C T N", "compare, terms, numbers"],
+  ["S", "side by side or slider"],
+  ["O", "onion skin"],
+  ["D", "difference"],
+  ["H", "FLIP map"],
+  ["F, held", "flicker: mobile while held"],
+  ["← →", "only high-end, only mobile"],
+  ["+ −, Shift + arrows", "zoom, move"],
+  ["W", "fit the width"],
+  ["0", "fit all, exposure 0"],
+  ["[ ]", "exposure down, up"],
+  ["L", "dark, light, as the system"],
+  ["Esc", "back to the overview"],
+  ["?", "this list"],
+];
+
+export function shortcutsDialog(): TemplateResult {
+  return html`<dialog id="shortcuts" aria-labelledby="shortcuts-title">
+    <form method="dialog">
+      <h2 id="shortcuts-title">Keys</h2>
+      <dl class="keys">${kShortcuts.map(([keys, what]) => html`<div><dt><kbd>${keys}</kbd></dt><dd>${what}</dd></div>`)}</dl>
+      <h2>How to read this page</h2>
+      <p>
+        Every material is shaded twice at the very same surface points: by the high-end path and by the mobile path. FLIP says how
+        different the two look when one flips between them: 0 is alike, 1 is far apart. On an even mid grey, .03 is one step of 8 bit,
+        .10 is 10 % more or less light (seen side by side), .20 about 25 % (seen at a glance), .50 twice as much or a third.
+      </p>
+      <button autofocus>Close</button>
+    </form>
+  </dialog>`;
+}

@@ -1,0 +1,30 @@
+// The page: data blocks in, <parity-app> in place of what index.html showed at first.
+import "./style/tokens.css";
+import "./style/base.css";
+import "./style/list.css";
+import "./style/item.css";
+import "./style/print.css";
+import "./app";
+
+import { readPage } from "./data/page";
+import type { ParityApp } from "./app";
+import { failurePage } from "./failure";
+import { render } from "lit";
+
+function start(): void {
+  const root = document.getElementById("app");
+  if (!root) return;
+  const page = readPage(document);
+  root.replaceChildren();
+  if ("problem" in page) {
+    render(failurePage(page.problem), root);
+  } else {
+    const app = document.createElement("parity-app") as ParityApp;
+    app.page = page;
+    root.append(app);
+  }
+  // Once the rows in sight are drawn, keys and clicks are answered (bench/page.mjs reads it).
+  requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("parity-interactive")));
+}
+
+start();

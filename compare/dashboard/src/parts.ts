@@ -1,0 +1,32 @@
+// Small pieces that every part of the page uses.
+import { html, nothing, type TemplateResult } from "lit";
+
+import type { Verdict } from "./data/types";
+
+const kSigns: Record<string, string> = { pass: "✓", warn: "!", fail: "✕", error: "⚠", "not seen": "○", "not judged": "–" };
+
+/** A verdict as a sign and its name: never colour alone. */
+export function badge(verdict: Verdict | "not judged", short = false): TemplateResult {
+  return html`<span class="badge ${verdict.replace(" ", "-")}"
+    ><span aria-hidden="true">${kSigns[verdict] ?? "?"}</span>${short ? html`<span class="sr">${verdict}</span>` : html` ${verdict}`}</span
+  >`;
+}
+
+/** A definition list of what is not empty. */
+export function definitions(entries: readonly (readonly [string, string])[]): TemplateResult {
+  return html`<dl class="definitions">${entries.map(([name, value]) => (value === "" ? nothing : html`<div><dt>${name}</dt><dd><bdi>${value}</bdi></dd></div>`))}</dl>`;
+}
+
+/** A text that a click copies. */
+export function copyable(text: string, label: string): TemplateResult {
+  const copy = (event: Event): void => {
+    const button = event.currentTarget as HTMLButtonElement;
+    const done = (what: string): void => {
+      button.textContent = what;
+      setTimeout(() => (button.textContent = "Copy"), 1500);
+    };
+    if (navigator.clipboard) navigator.clipboard.writeText(text).then(() => done("Copied"), () => done("Not allowed"));
+    else done("Not allowed");
+  };
+  return html`<div class="command"><code>${text}</code><button type="button" @click=${copy} aria-label=${"Copy: " + label}>Copy</button></div>`;
+}
