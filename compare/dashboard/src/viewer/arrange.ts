@@ -17,6 +17,7 @@ export interface Scenery {
 export interface PaneModel {
   key: string;
   label: string;
+  right: string; // of what is at the right of a divider; "": one label for all
   note: string;
   message: string; // not empty: instead of pictures
   isWaiting: boolean; // for values; until then the image file is shown, if there is one
@@ -105,6 +106,7 @@ function onePane(key: string, label: string, note: string, parts: Part[], more: 
   return {
     key,
     label,
+    right: "",
     note,
     message: parts.find((part) => part.message !== "")?.message ?? "",
     isWaiting: parts.some((part) => part.isWaiting),
@@ -122,7 +124,7 @@ function differencePane(scenery: Scenery): PaneModel {
   const [first, second] = [planeOf(scenery, base), planeOf(scenery, "mobile")];
   const [reference, test, display] = [valueOf(first), valueOf(second), valueOf(source.display)];
   const label = `Difference × ${state.gain}`;
-  const note = [`${labelOf(scenery, "mobile")} less ${labelOf(scenery, base)}`, exposureText(state.exposure)];
+  const note = [`mobile less ${kLabels[base].toLowerCase()}`, exposureText(state.exposure)];
   const exposureEv = view.exposureEv + state.exposure;
   const job: Job | null =
     reference && test && display
@@ -170,9 +172,9 @@ export function arrange(scenery: Scenery): PaneModel[] {
     case "slider":
       return pair(
         "slider",
-        `${labelOf(scenery, base)} left, ${labelOf(scenery, "mobile")} right`,
+        labelOf(scenery, base),
         () => ({ from: state.split }),
-        { split: state.split },
+        { split: state.split, right: labelOf(scenery, "mobile") },
       );
     case "onion":
       return pair("onion", `${labelOf(scenery, "mobile")} over ${labelOf(scenery, base)}`, () => ({

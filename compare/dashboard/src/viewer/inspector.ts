@@ -1,7 +1,6 @@
 // The values of one pixel: both paths (and the truth), FLIP, the material, and what each term adds.
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
-import { styleMap } from "lit/directives/style-map.js";
 
 import type { Plane } from "../data/chunk";
 import type { Display } from "../data/display";
@@ -11,6 +10,7 @@ import { help } from "../help";
 import type { Point } from "./pane";
 import { cssColor, linearText, samplePlane, type Rgb, type Sample } from "./sample";
 import { termLabel } from "./terms";
+import { styleText } from "./style_text";
 
 export interface Inspected {
   pixel: Point;
@@ -101,9 +101,9 @@ export class ParityInspector extends LitElement {
   }
 
   private renderSample({ name, linear, display }: Sample & { name: string }): TemplateResult {
-    const swatch = display ? styleMap({ background: cssColor(display) }) : nothing;
+    const swatch = display ? styleText({ background: cssColor(display) }) : "";
     return html`<tr>
-      <th scope="row">${display ? html`<i class="swatch" style=${swatch} aria-hidden="true"></i>` : nothing}${name}</th>
+      <th scope="row">${display ? html`<i class="swatch" .style=${swatch} aria-hidden="true"></i>` : nothing}${name}</th>
       <td class="number">${linear.map((value) => html`<span>${linearText(value)}</span>`)}</td>
       <td class="number">${display?.map((value) => html`<span>${value}</span>`) ?? "–"}</td>
     </tr>`;

@@ -4,7 +4,6 @@ import { zoom, zoomIdentity, type D3ZoomEvent, type ZoomBehavior, type ZoomTrans
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
-import { styleMap } from "lit/directives/style-map.js";
 
 import type { Job } from "./paint";
 import "./picture";
@@ -21,6 +20,7 @@ import {
   type Placement,
   type Size,
 } from "./transform";
+import { styleText } from "./style_text";
 
 export interface Point {
   x: number;
@@ -53,6 +53,7 @@ function isTouch(event: Event): event is TouchEvent {
 @customElement("parity-pane")
 export class ParityPane extends LitElement {
   @property({ attribute: false }) label = "";
+  @property({ attribute: false }) right = ""; // of what is right of the divider
   @property({ attribute: false }) note = "";
   @property({ attribute: false }) message = ""; // instead of pictures
   @property({ attribute: false }) isWaiting = false;
@@ -159,11 +160,11 @@ export class ParityPane extends LitElement {
   private renderLayer(layer: Layer): TemplateResult {
     const styles = {
       opacity: String(layer.opacity ?? 1),
-      clipPath: layer.from === undefined ? "none" : `inset(0 0 0 ${100 * layer.from}%)`,
+      "clip-path": layer.from === undefined ? "none" : `inset(0 0 0 ${100 * layer.from}%)`,
       filter: layer.filter ?? "none",
     };
     return html`<parity-picture
-      style=${styleMap(styles)}
+      .style=${styleText(styles)}
       .image=${layer.image}
       .job=${layer.job}
       .label=${layer.label}
@@ -178,7 +179,7 @@ export class ParityPane extends LitElement {
       transform: `translate(${x}px, ${y}px) scale(${scale})`,
       filter: this.filter === "" ? "none" : this.filter,
     };
-    return html`<div class="world ${scale * devicePixelRatio > 2 ? "magnified" : ""}" style=${styleMap(styles)}>
+    return html`<div class="world ${scale * devicePixelRatio > 2 ? "magnified" : ""}" .style=${styleText(styles)}>
       ${repeat(
         this.layers,
         (layer) => layer.key,
@@ -197,7 +198,7 @@ export class ParityPane extends LitElement {
       width: `${size}px`,
       height: `${size}px`,
     };
-    return html`<div class="mark" style=${styleMap(styles)}></div>`;
+    return html`<div class="mark" .style=${styleText(styles)}></div>`;
   }
 
   private renderGrip({ x, scale }: Placement): TemplateResult | typeof nothing {
@@ -207,7 +208,7 @@ export class ParityPane extends LitElement {
     return html`<div
       class="grip"
       aria-hidden="true"
-      style=${styleMap({ left: `${left}px` })}
+      .style=${styleText({ left: `${left}px` })}
       @pointerdown=${this.onGrip}
       @pointermove=${this.onGrip}
       @mousedown=${stop}
@@ -225,15 +226,16 @@ export class ParityPane extends LitElement {
         <strong>${this.label}</strong>
         ${this.note === "" ? nothing : html`<span class="note">${this.note}</span>`}
         ${this.isWaiting ? html`<span class="note" role="status">loading values…</span>` : nothing}
+        ${this.right === "" ? nothing : html`<strong class="right">${this.right}</strong>`}
       </figcaption>
       <div
         class="stage"
-        style=${styleMap({ "--aspect": aspect })}
+        .style=${styleText({ "--aspect": aspect })}
         tabindex="0"
         role="application"
         data-keys="own"
         ?data-free=${isUsual(this.look)}
-        aria-label=${`${this.label}: plus and minus zoom, Shift and arrows move, arrows move the inspected pixel`}
+        aria-label=${`${this.label}${this.right === "" ? "" : ` left, ${this.right} right`}: plus and minus zoom, Shift and arrows move, arrows move the inspected pixel`}
         @pointermove=${this.onMove}
         @pointerleave=${this.onLeave}
         @click=${this.onClick}

@@ -210,6 +210,7 @@ export class ParityViewer extends LitElement {
   private renderPane(model: PaneModel, view: View, subject: Box | null, cover: Job | null): TemplateResult {
     return html`<parity-pane
       .label=${model.label}
+      .right=${model.right}
       .note=${model.note}
       .message=${model.message}
       .isWaiting=${model.isWaiting}
