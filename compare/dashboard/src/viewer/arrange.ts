@@ -77,7 +77,13 @@ function makePicture(scenery: Scenery, picture: Picture): Part {
   const [values, display] = [valueOf(plane), valueOf(source.display)];
   const job: Job | null = values && display ? { kind: "display", plane: values, display, exposureEv } : null;
   const message = messageOf(plane) || messageOf(source.display);
-  return makePart(scenery, layer, true, job, message && state.term === "" ? missingText(scenery, image, message) : message);
+  return makePart(
+    scenery,
+    layer,
+    true,
+    job,
+    message && state.term === "" ? missingText(scenery, image, message) : message,
+  );
 }
 
 function labelOf({ state }: Scenery, picture: Picture): string {
@@ -159,7 +165,12 @@ export function arrange(scenery: Scenery): PaneModel[] {
   const flip = (): PaneModel =>
     onePane("flip", "FLIP map", exposure && "at the report's exposure", [makeFlip(scenery)]);
   const base = baseOf(scenery);
-  const pair = (key: string, label: string, change: (layer: Layer) => Partial<Layer>, more: Partial<PaneModel> = {}) => {
+  const pair = (
+    key: string,
+    label: string,
+    change: (layer: Layer) => Partial<Layer>,
+    more: Partial<PaneModel> = {},
+  ) => {
     const mobile = makePicture(scenery, "mobile");
     mobile.layer = { ...mobile.layer, ...change(mobile.layer) };
     return [onePane(key, label, exposure, [makePicture(scenery, base), mobile], more)];
@@ -170,12 +181,10 @@ export function arrange(scenery: Scenery): PaneModel[] {
       return [pane("highend"), pane("mobile"), ...truth, state.term === "" ? flip() : differencePane(scenery)];
     }
     case "slider":
-      return pair(
-        "slider",
-        labelOf(scenery, base),
-        () => ({ from: state.split }),
-        { split: state.split, right: labelOf(scenery, "mobile") },
-      );
+      return pair("slider", labelOf(scenery, base), () => ({ from: state.split }), {
+        split: state.split,
+        right: labelOf(scenery, "mobile"),
+      });
     case "onion":
       return pair("onion", `${labelOf(scenery, "mobile")} over ${labelOf(scenery, base)}`, () => ({
         opacity: state.opacity,

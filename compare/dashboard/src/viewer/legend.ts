@@ -17,9 +17,16 @@ export function legend(threshold: number): TemplateResult {
   const words = threshold > 0 ? `; below the threshold ${threshold.toFixed(2)} it is grey` : "";
   return html`<div class="legend">
     <span class="legend-name">FLIP${help("magma")}</span>
-    <div class="legend-scale" role="img" aria-label=${`FLIP from 0, black, alike, to 1, bright yellow, far apart${words}`}>
+    <div
+      class="legend-scale"
+      role="img"
+      aria-label=${`FLIP from 0, black, alike, to 1, bright yellow, far apart${words}`}
+    >
       <div class="legend-bar" .style=${styleText({ background: kGradient })}>
-        ${threshold > 0 ? html`<i class="alike" .style=${styleText({ width: `${100 * threshold}%` })}></i><i class="cut" .style=${at(threshold)}></i>` : nothing}
+        ${threshold > 0
+          ? html`<i class="alike" .style=${styleText({ width: `${100 * threshold}%` })}></i
+              ><i class="cut" .style=${at(threshold)}></i>`
+          : nothing}
       </div>
       ${kTicks.map((tick) => html`<span class="tick" .style=${at(tick)}>${tick}</span>`)}
     </div>

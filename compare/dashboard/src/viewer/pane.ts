@@ -185,7 +185,9 @@ export class ParityPane extends LitElement {
         (layer) => layer.key,
         (layer) => this.renderLayer(layer),
       )}
-      ${this.cover === null ? nothing : html`<parity-picture class="cover" .job=${this.cover} aria-hidden="true"></parity-picture>`}
+      ${this.cover === null
+        ? nothing
+        : html`<parity-picture class="cover" .job=${this.cover} aria-hidden="true"></parity-picture>`}
     </div>`;
   }
 

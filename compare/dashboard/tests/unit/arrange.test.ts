@@ -28,21 +28,29 @@ function makePictured(): View {
   return view;
 }
 
-function panes(state: Partial<ViewerState>, planes: readonly string[] | string, missing: string[] = [], view = makePictured()) {
+function panes(
+  state: Partial<ViewerState>,
+  planes: readonly string[] | string,
+  missing: string[] = [],
+  view = makePictured(),
+) {
   const { source, asked } = makeSource(planes);
   const all = { view, state: { ...kDefaultState, ...state }, source, missing: new Set(missing), showsMobile: false };
   return { models: arrange(all), asked };
 }
 
 const labels = (models: PaneModel[]): string[] => models.map((model) => model.label);
-const jobs = (models: PaneModel[]): (string | undefined)[] => models.flatMap((model) => model.layers.map((layer) => layer.job?.kind));
+const jobs = (models: PaneModel[]): (string | undefined)[] =>
+  models.flatMap((model) => model.layers.map((layer) => layer.job?.kind));
 
 describe("panes of the comparison", () => {
   it("shows image files, and asks for no values, as the report judged them", () => {
     for (const mode of kModes.filter((each) => each !== "difference")) {
       const { models, asked } = panes({ mode }, "none");
       expect(asked).toEqual([]);
-      expect(models.every((model) => model.message === "" && model.layers.every((layer) => layer.image !== ""))).toBe(true);
+      expect(models.every((model) => model.message === "" && model.layers.every((layer) => layer.image !== ""))).toBe(
+        true,
+      );
     }
     expect(labels(panes({}, "none").models)).toEqual(["High-end", "Mobile", "FLIP map"]);
   });
@@ -63,7 +71,11 @@ describe("panes of the comparison", () => {
   it("paints from values what image file is missing, and says so where there are none", () => {
     expect(jobs(panes({}, ["mobile"], ["images/b.png"]).models)).toEqual([undefined, "display", undefined]);
     const { models } = panes({}, "no values", ["images/b.png", "images/f.png"]);
-    expect(models.map((model) => model.message)).toEqual(["", "images/b.png is missing. no values", "images/f.png is missing. no values"]);
+    expect(models.map((model) => model.message)).toEqual([
+      "",
+      "images/b.png is missing. no values",
+      "images/f.png is missing. no values",
+    ]);
   });
 
   it("shows a difference of the image files while there are no values", () => {
@@ -83,8 +95,19 @@ describe("panes of the comparison", () => {
   it("has the truth only where there is one", () => {
     expect(labels(panes({ showTruth: true }, "none").models)).toEqual(["High-end", "Mobile", "FLIP map"]);
     const view = makePictured();
-    view.whole.truth = { interior: null, all: null, terms: [], notes: [], images: { truth: "images/t.png", highendFlip: "", mobileFlip: "" } };
-    expect(labels(panes({ showTruth: true }, "none", [], view).models)).toEqual(["High-end", "Mobile", "Truth", "FLIP map"]);
+    view.whole.truth = {
+      interior: null,
+      all: null,
+      terms: [],
+      notes: [],
+      images: { truth: "images/t.png", highendFlip: "", mobileFlip: "" },
+    };
+    expect(labels(panes({ showTruth: true }, "none", [], view).models)).toEqual([
+      "High-end",
+      "Mobile",
+      "Truth",
+      "FLIP map",
+    ]);
     const slider = panes({ showTruth: true, mode: "slider" }, "none", [], view).models[0]!;
     expect([slider.label, slider.right]).toEqual(["Truth", "Mobile"]);
   });

@@ -62,7 +62,9 @@ describe("display transform", () => {
 
   it("has known sRGB values", () => {
     // 18 % grey is 118 of 255 in sRGB; 0.5 is 188.
-    expect(displayPixel([halfBits(0.1800537109375), halfBits(0.5), halfBits(1)], { kind: "sRGB" }, 0)).toEqual([118, 188, 255]);
+    expect(displayPixel([halfBits(0.1800537109375), halfBits(0.5), halfBits(1)], { kind: "sRGB" }, 0)).toEqual([
+      118, 188, 255,
+    ]);
   });
 
   it("finds the nodes of a table, red fastest", async () => {
@@ -74,7 +76,11 @@ describe("display transform", () => {
     expect(at(0.5, 2, 1)).toEqual([0, byte(0.5), byte(0.125)]);
     expect(at(1, 1, 2)).toEqual([byte(0.5), byte(0.25), byte(0.25)]);
     expect(at(0, -1, 8)).toEqual([0, 0, byte(0.25)]); // outside of the range: its ends
-    expect(displayPixel([halfBits(1), halfBits(0.5), halfBits(0.5)], display, 1)).toEqual([255, byte(0.25), byte(0.125)]);
+    expect(displayPixel([halfBits(1), halfBits(0.5), halfBits(0.5)], display, 1)).toEqual([
+      255,
+      byte(0.25),
+      byte(0.125),
+    ]);
   });
 
   it("is trilinear between the nodes", async () => {
@@ -82,7 +88,11 @@ describe("display transform", () => {
     const display = await makeTable((r, g, b) => [corner(r, g, b), corner(g, b, r), corner(b, r, g)], 2, 0, 2);
     // log2 of 2, 2.828, 1.1895 in 0..2 are shares of 0.5, 0.75, 0.125.
     const shares = [0.5, 0.75, 0.125] as const;
-    const bits = shares.map((share) => halfBits(halfToNumber(Math.round(halfBits(2 ** (2 * share)))))) as [number, number, number];
+    const bits = shares.map((share) => halfBits(halfToNumber(Math.round(halfBits(2 ** (2 * share)))))) as [
+      number,
+      number,
+      number,
+    ];
     const real = bits.map((each) => Math.log2(halfToNumber(each)) / 2) as [number, number, number];
     const blend = (r: number, g: number, b: number) => (r + 2 * g + 4 * b + r * g * b) / 16; // linear in each
     const [r, g, b] = real;

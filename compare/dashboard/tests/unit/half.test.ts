@@ -24,7 +24,8 @@ describe("half floats", () => {
 
   it("comes back to the same bits for every finite value", () => {
     const values = halfValues();
-    const isKept = (bits: number): boolean => !isFiniteHalf(bits) || bits === 0x8000 || halfBits(values[bits]!) === bits;
+    const isKept = (bits: number): boolean =>
+      !isFiniteHalf(bits) || bits === 0x8000 || halfBits(values[bits]!) === bits;
     expect(Array.from(values.keys()).filter((bits) => !isKept(bits))).toEqual([]);
   });
 });

@@ -30,8 +30,16 @@ describe("painting", () => {
   });
 
   it("shows FLIP as the report's maps do, and grey below the threshold", () => {
-    const plane = makePlane("unorm16", [0, 0.3, 0.5, 1].map((v) => Math.round(v * 65535)));
-    const rgb = (index: number): number[] => [magmaColor(index) >> 16, (magmaColor(index) >> 8) & 255, magmaColor(index) & 255, 255];
+    const plane = makePlane(
+      "unorm16",
+      [0, 0.3, 0.5, 1].map((v) => Math.round(v * 65535)),
+    );
+    const rgb = (index: number): number[] => [
+      magmaColor(index) >> 16,
+      (magmaColor(index) >> 8) & 255,
+      magmaColor(index) & 255,
+      255,
+    ];
     expect(paint({ kind: "flip", plane, threshold: 0 }, 4)).toEqual([rgb(0), rgb(77), rgb(128), rgb(255)]);
     const cut = paint({ kind: "flip", plane, threshold: 0.4 }, 4);
     expect(cut.slice(2)).toEqual([rgb(128), rgb(255)]);

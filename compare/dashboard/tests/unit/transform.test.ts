@@ -1,6 +1,16 @@
 import { describe, expect, it } from "vitest";
 
-import { boundsOf, clampLook, fitScale, lookAt, lookAtWidth, lookOf, movedBy, pixelAt, place } from "../../src/viewer/transform";
+import {
+  boundsOf,
+  clampLook,
+  fitScale,
+  lookAt,
+  lookAtWidth,
+  lookOf,
+  movedBy,
+  pixelAt,
+  place,
+} from "../../src/viewer/transform";
 
 const kPane = { width: 600, height: 400 };
 const kPicture = { width: 200, height: 100 };
