@@ -77,6 +77,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addTruthOptions(reportApp, report.common, raw);
   addCommonOptions(reportApp, report.common, raw);
   addMetricsOption(reportApp, raw);
+  addAttributionOption(reportApp, raw);
   // A suite says for itself how each scene is lit and seen.
   for (const char* option : {"--env", "--env-rotation", "--sun", "--camera", "--orbit", "--target", "--fov"})
     suite->excludes(reportApp.get_option(option));
@@ -91,6 +92,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addTruthOptions(diffApp, diff.common, raw);
   addCommonOptions(diffApp, diff.common, raw);
   addMetricsOption(diffApp, raw);
+  addAttributionOption(diffApp, raw);
 
   RenderCommand render;
   CLI::App& renderApp = *app.add_subcommand("render", "Render one scene by one path");
@@ -169,9 +171,11 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       if (report.scenes.empty() && report.suite.empty()) throw CLI::RequiredError("report: a SCENE or --suite");
       for (const std::string& option : lightOptionNames()) // as `excludes`, which would list them all in the help
         if (!report.suite.empty() && reportApp.count(option) > 0) throw CLI::ExcludesError("--suite", option);
+      settleAttribution(report.common.settings, raw);
       settle(report.common, raw);
       parsed.command = report;
     } else if (diffApp.parsed()) {
+      settleAttribution(diff.common.settings, raw);
       settle(diff.common, raw);
       parsed.command = diff;
     } else if (renderApp.parsed()) {

@@ -195,6 +195,20 @@ void addMetricsOption(CLI::App& app, RawOptions& raw) {
       ->capture_default_str();
 }
 
+void addAttributionOption(CLI::App& app, RawOptions& raw) {
+  app.add_option("--attribution", raw.attribution,
+                 "Name the term that makes these materials differ: over-budget, all or none")
+      ->check(CLI::IsMember(std::vector<std::string>(job::kAttributionNames.begin(), job::kAttributionNames.end())))
+      ->group("Verdict")
+      ->capture_default_str();
+}
+
+void settleAttribution(job::Settings& settings, const RawOptions& raw) {
+  settings.attribution =
+      enumOf<job::Attribution>(raw.attribution, {job::kAttributionNames.begin(), job::kAttributionNames.end()});
+  settings.terms |= settings.attribution == job::Attribution::all;
+}
+
 void addCostsOption(CLI::App& app, CommonOptions& common) {
   app.add_flag("--costs", common.settings.costs,
                "Also count each specialised shader's operations, texture fetches and samplers")

@@ -23,10 +23,12 @@ std::string format(const Annotation& annotation, const std::filesystem::path& ro
   return toText(command, root);
 }
 
-std::string describe(Verdict verdict, const std::string& reason, const RegionFigures& figures,
-                     const AppliedRule& rule) {
+std::string describe(Verdict verdict, const std::string& reason, const RegionFigures& figures, const AppliedRule& rule,
+                     const std::optional<Attribution>& attribution) {
   std::string message = fmt::format("{}: {}", nameOf(verdict), reason);
   if (figures.all.pixels > 0) message += "\n" + describeBias(mainFigures(figures));
+  const std::string cause = attribution ? describeCause(*attribution) : "";
+  if (!cause.empty()) message += "\nCause: " + cause;
   if (!rule.reason.empty()) message += "\nReason for the budget: " + rule.reason;
   if (!rule.owner.empty()) message += "\nOwner: " + rule.owner;
   return message;
@@ -47,11 +49,13 @@ std::vector<Annotation> collect(const Report& report) {
       const std::string place = fmt::format("{}, view {}", scene.name, view.name);
       if (view.wholeVerdict != Verdict::pass)
         all.push_back({view.wholeVerdict, fmt::format("parity: whole image ({})", place),
-                       describe(view.wholeVerdict, view.reason, view.whole, view.rule), &view.rule});
+                       describe(view.wholeVerdict, view.reason, view.whole, view.rule, std::nullopt), &view.rule});
       for (const MaterialResult& material : view.materials)
         if (material.verdict != Verdict::pass && !material.seenElsewhere)
-          all.push_back({material.verdict, fmt::format("parity: {} ({})", material.name, place),
-                         describe(material.verdict, material.reason, material.figures, material.rule), &material.rule});
+          all.push_back(
+              {material.verdict, fmt::format("parity: {} ({})", material.name, place),
+               describe(material.verdict, material.reason, material.figures, material.rule, material.attribution),
+               &material.rule});
     }
   }
   std::ranges::stable_sort(all, std::ranges::greater{}, &Annotation::verdict);

@@ -97,6 +97,8 @@ void addCase(Suite& suite, const std::string& className, const std::string& name
 
 std::string materialDetails(const MaterialResult& material) {
   std::string details = figureLines(material.figures, material.checks);
+  const std::string cause = material.attribution ? describeCause(*material.attribution) : "";
+  if (!cause.empty()) details += "cause: " + cause + "\n";
   for (const std::string& note : material.notes) details += "note: " + note + "\n";
   return details + baselineLines(material.baseline) + ruleLines(material.rule);
 }

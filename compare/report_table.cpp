@@ -76,6 +76,7 @@ struct Row {
   const std::optional<Truth>& truth;
   const std::optional<Encoding>& encoding;
   const std::string& reason;
+  std::string cause; // in words; empty where it was not looked for
 };
 
 std::string formatCell(const Column& column, const Row& row) {
@@ -111,7 +112,8 @@ std::string formatRow(const Row& row, std::size_t nameColumns, const std::vector
                                  fitColumns(plainLine(row.name), nameColumns), row.regions.all.pixels);
   for (const Column& column : columns) line += fmt::format("  {:>{}}", formatCell(column, row), column.width);
   std::string words = row.regions.all.pixels > 0 ? describeBias(row.main) : "";
-  if (!row.reason.empty()) words += (words.empty() ? "" : "; ") + plainLine(row.reason);
+  for (const std::string& more : {row.reason, row.cause})
+    if (!more.empty()) words += (words.empty() ? "" : "; ") + plainLine(more);
   return line + (words.empty() ? "" : "  " + words) + "\n";
 }
 
@@ -129,10 +131,11 @@ std::string formatView(const SceneResult& scene, const ViewResult& view, bool ba
   out += "\n";
   for (const MaterialResult& material : view.materials)
     out += formatRow({material.name, material.verdict, material.figures, mainFigures(material.figures),
-                      material.baseline, material.truth, material.encoding, material.reason},
+                      material.baseline, material.truth, material.encoding, material.reason,
+                      material.attribution ? describeCause(*material.attribution) : ""},
                      nameColumns, columns, color);
   out += formatRow({"whole image", view.wholeVerdict, view.whole, view.whole.all, view.baseline, view.truth,
-                    view.encoding, view.reason},
+                    view.encoding, view.reason, ""},
                    nameColumns, columns, color);
   if (view.truth)
     for (const std::string& note : view.truth->notes) out += fmt::format("  {}\n", plainLine(note));

@@ -1,6 +1,7 @@
 // The sentences that an art lead reads.
 #include "compare/wording.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kLeastEv = 0.05, kLeastLab = 1; // wording.h says why
 constexpr double kLeastRelMse = 1e-6;            // of rounding in fp32, not of shading
+constexpr double kLeastExplained = 0.1;          // of FLIP
 constexpr int kShareDigits = 1;                  // of a percentage
 constexpr int kMostDigits = 8;                   // after the point
 
@@ -205,6 +207,15 @@ std::string describeBias(const Figures& figures, std::string_view test) {
   for (std::size_t i = light.empty() ? 1 : 0; i < tints.size(); ++i)
     text += (i + 1 == tints.size() ? " and " : ", ") + tints[i];
   return text;
+}
+
+std::string describeCause(const Attribution& attribution) {
+  const std::string flip = formatFigure("flip.mean", attribution.flip);
+  if (flip == formatFigure("flip.mean", 0)) return {};
+  const auto best = std::ranges::min_element(attribution.terms, {}, &TermEffect::flip);
+  if (best == attribution.terms.end() || !(best->flip <= (1 - kLeastExplained) * attribution.flip))
+    return "no single term explains it";
+  return fmt::format("{}: FLIP {} -> {} with high-end's", best->term, flip, formatFigure("flip.mean", best->flip));
 }
 
 } // namespace parity::compare

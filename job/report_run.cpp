@@ -28,8 +28,8 @@ namespace parity::job {
 namespace {
 
 RunBudgets loadRunBudgets(const Settings& settings, const std::optional<std::string>& ofSuite) {
-  if (settings.budgets) return {compare::loadBudgets(*settings.budgets), {}};
-  return {std::nullopt, ofSuite ? compare::loadBudgets(*ofSuite) : compare::defaultBudgets()};
+  if (settings.budgets) return {.first = compare::loadBudgets(*settings.budgets), .otherwise = {}};
+  return {.first = std::nullopt, .otherwise = ofSuite ? compare::loadBudgets(*ofSuite) : compare::defaultBudgets()};
 }
 
 // Rules that judged nothing, a line a budget file. With --material nobody knows what they could have judged.
@@ -130,6 +130,7 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   RunBudgets budgets = loadRunBudgets(context.settings(), request.suiteBudgets);
   std::optional<compare::Report> baseline;
   if (!request.baseline.empty()) baseline = compare::readReport(request.baseline);
+  if (baseline) budgets.baseline = &*baseline;
   result.report.device = context.deviceReport().description();
   result.report.settings = describeSettings(context.settings(), context.display(), context.deviceReport());
   if (!request.folder.empty()) prepareReportFolder(request.folder);

@@ -81,11 +81,12 @@ template <Is<Options> T> auto fields(T& options) {
 
 namespace parity::job {
 
-// All but the budgets, the cache itself, and the choice of a device, in whose place stands the device.
+// All but the budgets and what they lead to be attributed, the cache itself, and the choice of a device, in whose place
+// stands the device.
 template <Is<Settings> T> auto fields(T& settings) {
-  auto& [width, height, samples, exposureEv, display, background, materials, fullyRough, budgets, metrics, terms, costs,
-         extractSun, truth, mobileOptions, mobileView, mobileTarget, specularAa, highendOptions, referenceOptions,
-         referenceShadows, device, cacheFolder, cacheBytes] = settings;
+  auto& [width, height, samples, exposureEv, display, background, materials, fullyRough, budgets, metrics, terms,
+         attribution, costs, extractSun, truth, mobileOptions, mobileView, mobileTarget, specularAa, highendOptions,
+         referenceOptions, referenceShadows, device, cacheFolder, cacheBytes] = settings;
   return std::tie(width, height, samples, exposureEv, display, background, materials, fullyRough, metrics, terms, costs,
                   extractSun, truth, mobileOptions, mobileView, mobileTarget, specularAa, highendOptions,
                   referenceOptions, referenceShadows);
@@ -136,6 +137,14 @@ std::optional<std::string> resultKey(Context& context, const SceneRequest& reque
     return std::nullopt;
   }
   return base::Hasher().add(write.bytes()).hex();
+}
+
+std::string attributedKey(const std::string& key, const std::vector<std::vector<std::size_t>>& materials) {
+  base::Hasher hasher;
+  hasher.add(key).add("attributed");
+  for (std::size_t view = 0; view < materials.size(); ++view)
+    for (const std::size_t material : materials[view]) hasher.add(std::to_string(view)).add(std::to_string(material));
+  return hasher.hex();
 }
 
 std::optional<SceneRecord> findResult(const base::Cache& cache, const std::string& key, const SceneRequest& request) {

@@ -23,6 +23,10 @@ struct ResultWish {
 // afterwards. Nothing where results are not kept (no cache, the validation layer) or a file cannot be read.
 std::optional<std::string> resultKey(Context& context, const SceneRequest& request, const ResultWish& wish);
 
+// The key of the same result with these materials attributed by their terms, as materialsToAttribute lists them view
+// by view: what the budgets lead to.
+std::string attributedKey(const std::string& key, const std::vector<std::vector<std::size_t>>& materials);
+
 // The result of that key, if the scene's files are what they were: all that its first run has read, by content.
 std::optional<SceneRecord> findResult(const base::Cache& cache, const std::string& key, const SceneRequest& request);
 

@@ -1,6 +1,7 @@
 #include "job/scene_comparison.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "job/context.h"
 #include "job/report_folder.h"
 #include "job/result_cache.h"
+#include "job/view_attribution.h"
 #include "job/view_comparison.h"
 #include "scenes/names.h"
 
@@ -40,6 +42,13 @@ std::string withoutFolders(std::string text, const SceneRequest& request) {
   return text;
 }
 
+// For each view the materials that are attributed.
+using MaterialsByView = std::vector<std::vector<std::size_t>>;
+
+bool isEmpty(const MaterialsByView& materials) {
+  return std::ranges::all_of(materials, [](const auto& list) { return list.empty(); });
+}
+
 class SceneComparison {
 public:
   SceneComparison(Context& context, const ReportRequest& request, const RunBudgets& budgets, const Tell& tell)
@@ -56,14 +65,16 @@ public:
     };
     try {
       const compare::Budgets budgets = budgetsFor(request);
+      const Judges judges{budgets, m_budgets.baseline, request.name};
       const ResultWish wish = wishFor(index, budgets);
       const std::optional<std::string> key = resultKey(m_context, request, wish);
-      if (std::optional<SceneRecord> cached = key ? recall(*key, index) : std::nullopt) {
+      if (std::optional<SceneRecord> cached = key ? recall(*key, index, judges) : std::nullopt) {
         result = std::move(cached->result);
         scene.isCached = true;
       } else {
-        measureScene(index, wish, key, result);
+        measureScene(index, wish, key, judges, result);
       }
+      result.passes.push_back(attributionPass(m_context.settings().attribution, result));
       for (compare::ViewResult& view : result.views) {
         for (compare::MaterialResult& material : view.materials)
           compare::judgeMaterial(material, budgets, request.name);
@@ -103,14 +114,26 @@ private:
     return prefixes;
   }
 
-  // The scene as an earlier run has left it, its pictures written.
-  std::optional<SceneRecord> recall(const std::string& key, std::size_t index) {
+  // The scene as an earlier run has left it, its pictures written: with the attributions that this run's judges ask
+  // for, and no others.
+  std::optional<SceneRecord> recall(const std::string& key, std::size_t index, const Judges& judges) {
     const base::Stopwatch watch(&m_context.timings(), "recall results");
     std::optional<SceneRecord> record = findResult(m_context.cache(), key, m_request.scenes[index]);
-    if (record) {
-      renamePictures(*record, prefixesOf(index));
-      writePictures(record->pictures, m_request.folder);
+    if (!record) return std::nullopt;
+    MaterialsByView attributed;
+    for (const compare::ViewResult& view : record->result.views)
+      attributed.push_back(materialsToAttribute(m_context.settings().attribution, view, judges));
+    const std::vector<std::string> prefixes = prefixesOf(index);
+    renamePictures(*record, prefixes);
+    if (!isEmpty(attributed)) {
+      std::optional<SceneRecord> more =
+          findResult(m_context.cache(), attributedKey(key, attributed), m_request.scenes[index]);
+      if (!more) return std::nullopt;
+      renamePictures(*more, prefixes);
+      record->result = std::move(more->result);
+      std::ranges::move(more->pictures, std::back_inserter(record->pictures));
     }
+    writePictures(record->pictures, m_request.folder);
     return record;
   }
 
@@ -123,7 +146,7 @@ private:
 
   // Fills the result, view by view: what was done before an error stays. Keeps it for later runs.
   void measureScene(std::size_t index, const ResultWish& wish, const std::optional<std::string>& key,
-                    compare::SceneResult& result) {
+                    const Judges& judges, compare::SceneResult& result) {
     const SceneRequest& request = m_request.scenes[index];
     m_tell(0, "loading");
     const PreparedScene prepared = prepareScene(m_context, request, paths());
@@ -135,32 +158,50 @@ private:
     for (const std::string& note : renderer.notes()) result.warnings.push_back("mobile: " + note);
     for (std::string& excess : mobile::samplerWarnings(prepared.scene, samplerInputs(prepared)))
       result.warnings.push_back(std::move(excess));
-    std::vector<EncodedPicture> pictures;
+    // As if nothing were attributed, and what attribution adds: another run's budgets may ask for the one alone.
+    std::vector<compare::ViewResult> plainViews;
+    std::vector<EncodedPicture> plainPictures, addedPictures;
+    MaterialsByView attributed;
     std::uint64_t comparedPixels = 0;
     for (std::size_t v = 0; v < request.views.size(); ++v) {
       m_tell(static_cast<double>(v) / static_cast<double>(request.views.size()), request.views[v].name);
-      ComparedView compared = compareOne(index, v, prepared, renderer, wish);
-      {
-        const base::Stopwatch watch(&m_context.timings(), "write images");
-        writePictures(compared.pictures, m_request.folder);
-      }
+      ViewFrames frames = renderView(request, v, prepared, renderer);
+      ComparedView compared = compareOne(index, v, prepared, frames, wish);
       comparedPixels += compared.view.whole.all.pixels;
+      if (key) plainViews.push_back(compared.view);
+      keepPictures(std::move(compared.pictures), key ? &plainPictures : nullptr);
+      attributed.push_back(materialsToAttribute(m_context.settings().attribution, compared.view, judges));
+      if (!attributed[v].empty()) {
+        if (frames.highend.terms.empty()) renderer.addTerms(frames, cameraOf(request, v, prepared));
+        attributeView(m_context, frames, attributed[v], prepared.exposureEv, compared);
+      }
       result.views.push_back(std::move(compared.view));
-      if (key)
-        pictures.insert(pictures.end(), std::make_move_iterator(compared.pictures.begin()),
-                        std::make_move_iterator(compared.pictures.end()));
     }
     result.permutations = renderer.permutations();
-    Work work = renderer.work();
-    work.comparedPixels = comparedPixels;
-    if (m_context.settings().truth) work.comparedWithTruth = comparedPixels;
-    if (m_context.settings().costs) work.countedShaders = result.permutations.size();
-    result.passes = describePasses(work, renderer.reasons());
+    const auto passesOf = [&](Work work) {
+      work.comparedPixels = comparedPixels;
+      if (m_context.settings().truth) work.comparedWithTruth = comparedPixels;
+      if (m_context.settings().costs) work.countedShaders = result.permutations.size();
+      return describePasses(work, renderer.reasons());
+    };
+    result.passes = passesOf(renderer.workWithTerms());
     // The same key again: the environment is still what it was when the scene was lit by it.
     if (!key || resultKey(m_context, request, wish) != key) return;
     const base::Stopwatch watch(&m_context.timings(), "keep results");
-    storeResult(m_context.cache(), *key, request, prepared.scene.sources,
-                {result, prefixesOf(index), std::move(pictures)});
+    SceneRecord plain{result, prefixesOf(index), std::move(plainPictures)};
+    plain.result.views = std::move(plainViews);
+    plain.result.passes = passesOf(renderer.work());
+    storeResult(m_context.cache(), *key, request, prepared.scene.sources, plain);
+    if (!isEmpty(attributed))
+      storeResult(m_context.cache(), attributedKey(*key, attributed), request, prepared.scene.sources,
+                  {result, plain.prefixes, std::move(addedPictures)});
+  }
+
+  // Writes them, and puts them with what is to be kept.
+  void keepPictures(std::vector<EncodedPicture> pictures, std::vector<EncodedPicture>* kept) {
+    const base::Stopwatch watch(&m_context.timings(), "write images");
+    writePictures(pictures, m_request.folder);
+    if (kept) std::ranges::move(pictures, std::back_inserter(*kept));
   }
 
   mobile::SamplerInputs samplerInputs(const PreparedScene& prepared) const {
@@ -173,30 +214,37 @@ private:
     return request.budgets ? compare::loadBudgets(*request.budgets) : m_budgets.otherwise;
   }
 
-  ComparedView compareOne(std::size_t sceneIndex, std::size_t viewIndex, const PreparedScene& prepared,
-                          SceneRenderer& renderer, const ResultWish& wish) {
-    const SceneRequest& request = m_request.scenes[sceneIndex];
+  scenes::Camera cameraOf(const SceneRequest& request, std::size_t view, const PreparedScene& prepared) const {
     const Settings& settings = m_context.settings();
-    const scenes::ViewRequest& view = request.views[viewIndex];
-    const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
+    return scenes::makeCamera(prepared.scene, request.views[view],
+                              static_cast<float>(settings.width) / static_cast<float>(settings.height));
+  }
+
+  ViewFrames renderView(const SceneRequest& request, std::size_t index, const PreparedScene& prepared,
+                        SceneRenderer& renderer) {
+    const scenes::ViewRequest& view = request.views[index];
     const Progress tellReference = [&](const std::string& what, double done) {
-      m_tell((static_cast<double>(viewIndex) + done) / static_cast<double>(request.views.size()),
-             view.name + ", " + what);
+      m_tell((static_cast<double>(index) + done) / static_cast<double>(request.views.size()), view.name + ", " + what);
     };
-    const ViewFrames frames = renderer.render(scenes::makeCamera(prepared.scene, view, aspect), tellReference);
+    ViewFrames frames = renderer.render(cameraOf(request, index, prepared), tellReference);
     // A picture of nothing but background compares as equal: that is no answer.
     if (std::all_of(frames.coverage.begin(), frames.coverage.end(),
                     [](const auto& list) { return list.pixels.empty(); }))
       throw base::fileError(request.scene, fmt::format("view '{}'", view.name), "shows no part of the scene");
+    return frames;
+  }
+
+  ComparedView compareOne(std::size_t sceneIndex, std::size_t viewIndex, const PreparedScene& prepared,
+                          const ViewFrames& frames, const ResultWish& wish) {
+    const SceneRequest& request = m_request.scenes[sceneIndex];
     ViewComparisonRequest comparison;
-    comparison.viewName = view.name;
+    comparison.viewName = request.views[viewIndex].name;
     comparison.exposureEv = prepared.exposureEv;
     comparison.samplers = samplerInputs(prepared);
     comparison.statistics = wish.statistics;
     comparison.pictures = wish.pictures;
-    comparison.imagePrefix = imagePrefix(sceneIndex, request.name, viewIndex, view.name);
-    ComparedView compared = compareView(m_context, prepared.scene, frames, comparison);
-    return compared;
+    comparison.imagePrefix = imagePrefix(sceneIndex, request.name, viewIndex, comparison.viewName);
+    return compareView(m_context, prepared.scene, frames, comparison);
   }
 
   Context& m_context;

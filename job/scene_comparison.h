@@ -16,6 +16,7 @@ namespace parity::job {
 struct RunBudgets {
   std::optional<compare::Budgets> first;
   compare::Budgets otherwise;
+  const compare::Report* baseline = nullptr; // that the run will be held against; null: none
 };
 
 struct ComparedScene {

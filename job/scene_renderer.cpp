@@ -1,60 +1,80 @@
 #include "job/scene_renderer.h"
 
+#include <cassert>
+
 #include "base/parallel.h"
 #include "job/environment_upload.h"
 #include "job/permutation_costs.h"
 
 namespace parity::job {
 
+namespace {
+
+std::uint64_t pixelsOf(const Settings& settings, std::size_t views) {
+  return static_cast<std::uint64_t>(settings.width) * settings.height * settings.samples * views;
+}
+
+std::uint64_t samplesOf(const gpu::ShadingPass& pass) {
+  std::uint64_t samples = 0;
+  for (const gpu::CompiledPermutation& each : pass.compiled()) samples += each.entries;
+  return samples;
+}
+
+} // namespace
+
 SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, const Paths& paths, std::size_t views,
                              const gpu::PermutationBudget& budget)
-    : m_context(context), m_prepared(prepared), m_work(prepared.work), m_buffers([&] {
+    : m_context(context), m_prepared(prepared), m_budget(budget), m_work(prepared.work), m_buffers([&] {
         gpu::Device& device = context.device();
         const base::Stopwatch watch(&context.timings(), "upload");
         return gpu::SceneBuffers(device, prepared.scene, context.settings().specularAa);
       }()),
       m_surfacePass(context.device(), m_buffers, static_cast<std::uint32_t>(context.settings().width),
                     static_cast<std::uint32_t>(context.settings().height)) {
-  const Settings& settings = context.settings();
   const gpu::Device& device = context.device();
-  // What is unlit reads no light.
-  const std::vector<scenes::Light> none;
-  const gpu::Compilation compilation{budget, &context.pipelines()};
-  const auto pixels = static_cast<std::uint64_t>(settings.width) * settings.height * settings.samples * views;
   if (prepared.environment) {
     const base::Stopwatch watch(&context.timings(), "upload");
     m_environment = uploadEnvironment(device, *prepared.environment);
   }
   if (prepared.mobileEnvironment) {
     const base::Stopwatch watch(&context.timings(), "upload");
-    m_mobileEnvironment = uploadCapture(device, *prepared.mobileEnvironment, settings.mobile.capture);
+    m_mobileEnvironment = uploadCapture(device, *prepared.mobileEnvironment, context.settings().mobile.capture);
   }
-  if (paths.highend) {
-    highend::Inputs inputs{.environment = m_environment ? &*m_environment : nullptr,
-                           .lut = nullptr,
-                           .lights = prepared.isLit ? prepared.lights : none,
-                           .terms = settings.terms,
-                           .compilation = compilation,
-                           .expectedPixels = pixels};
-    if (highend::Renderer::needsLut(inputs, settings.highend)) {
-      inputs.lut = &context.envBrdfLut();
-      ++m_work.brdfTables;
-    }
-    m_highend.emplace(device, m_buffers, m_surfacePass.binKinds(), inputs, settings.highend);
-  }
-  if (paths.mobile) {
-    const mobile::Inputs inputs{.environment = m_mobileEnvironment ? &*m_mobileEnvironment : nullptr,
-                                .lights = prepared.isLit ? prepared.mobileLights : none,
-                                .terms = settings.terms,
-                                .view = settings.mobileView,
-                                .compilation = compilation,
-                                .expectedPixels = pixels};
-    m_mobile.emplace(device, m_buffers, m_surfacePass.binKinds(), inputs, settings.mobile);
-  }
+  if (paths.highend) m_highend = makeHighend(context.settings().terms, views);
+  if (paths.mobile) m_mobile = makeMobile(context.settings().terms, views);
   if (paths.reference) {
-    m_reference.emplace(context, prepared, m_buffers, m_surfacePass.binKinds(), pixels, compilation);
-    if (settings.referenceShadows) m_work.occluderMeshes = prepared.scene.meshes.size();
+    m_reference.emplace(context, prepared, m_buffers, m_surfacePass.binKinds(), pixelsOf(context.settings(), views),
+                        gpu::Compilation{budget, &context.pipelines()});
+    if (context.settings().referenceShadows) m_work.occluderMeshes = prepared.scene.meshes.size();
   }
+}
+
+std::unique_ptr<highend::Renderer> SceneRenderer::makeHighend(bool terms, std::size_t views) {
+  const Settings& settings = m_context.settings();
+  highend::Inputs inputs{.environment = m_environment ? &*m_environment : nullptr,
+                         .lut = nullptr,
+                         .lights = m_prepared.isLit ? m_prepared.lights : std::vector<scenes::Light>(),
+                         .terms = terms,
+                         .compilation = {m_budget, &m_context.pipelines()},
+                         .expectedPixels = pixelsOf(settings, views)};
+  if (highend::Renderer::needsLut(inputs, settings.highend)) {
+    inputs.lut = &m_context.envBrdfLut();
+    m_work.brdfTables = 1;
+  }
+  return std::make_unique<highend::Renderer>(m_context.device(), m_buffers, m_surfacePass.binKinds(), inputs,
+                                             settings.highend);
+}
+
+std::unique_ptr<mobile::Renderer> SceneRenderer::makeMobile(bool terms, std::size_t views) const {
+  const Settings& settings = m_context.settings();
+  const mobile::Inputs inputs{.environment = m_mobileEnvironment ? &*m_mobileEnvironment : nullptr,
+                              .lights = m_prepared.isLit ? m_prepared.mobileLights : std::vector<scenes::Light>(),
+                              .terms = terms,
+                              .view = settings.mobileView,
+                              .compilation = {m_budget, &m_context.pipelines()},
+                              .expectedPixels = pixelsOf(settings, views)};
+  return std::make_unique<mobile::Renderer>(m_context.device(), m_buffers, m_surfacePass.binKinds(), inputs,
+                                            settings.mobile);
 }
 
 // And uploads what shading them will read, once for all paths.
@@ -156,6 +176,40 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
   return frames;
 }
 
+void SceneRenderer::addTerms(ViewFrames& frames, const scenes::Camera& camera) {
+  const Settings& settings = m_context.settings();
+  assert(m_highend && m_mobile && !settings.terms);
+  if (!m_highendTerms) { // for one view: whether there will be another is not known
+    m_highendTerms = makeHighend(true, 1);
+    m_mobileTerms = makeMobile(true, 1);
+  }
+  const auto width = static_cast<std::uint32_t>(settings.width), height = static_cast<std::uint32_t>(settings.height);
+  gpu::FrameBuilder highendFrame(width, height, settings.samples, true, settings.background);
+  gpu::FrameBuilder mobileFrame = highendFrame;
+  for (const gpu::Tile& tile : gpu::makeTiles(width, height))
+    for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
+      const base::Stopwatch watch(&m_context.timings(), "shade terms");
+      const gpu::Surface opaque = m_surfacePass.render(camera, tile, sample, gpu::Layer::opaque);
+      std::optional<gpu::Surface> layer;
+      if (m_surfacePass.hasBlended()) layer = m_surfacePass.render(camera, tile, sample, gpu::Layer::blended);
+      const std::uint64_t blended = layer ? layer->size() : 0, samples = opaque.size() + blended;
+      m_again.surfaceSamples += opaque.size();
+      m_again.blendedSamples += blended;
+      if ((m_buffers.vertexData() & gpu::kVertexFog) != 0) m_again.fogSamples += samples;
+      m_again.termSamples += 2 * samples;
+      const auto shadeBy = [&](const auto& renderer, gpu::FrameBuilder& frame) {
+        const gpu::ShadedSurface shaded = renderer.shade(opaque, camera);
+        std::optional<gpu::ShadedSurface> shadedLayer;
+        if (layer) shadedLayer = renderer.shade(*layer, camera);
+        frame.add(opaque, shaded, layer ? &*layer : nullptr, layer ? &*shadedLayer : nullptr, tile);
+      };
+      shadeBy(*m_highendTerms, highendFrame);
+      shadeBy(*m_mobileTerms, mobileFrame);
+    }
+  frames.highend.terms = highendFrame.take().terms;
+  frames.mobile.terms = mobileFrame.take().terms;
+}
+
 std::vector<std::string> SceneRenderer::notes() const {
   return m_mobile ? m_mobile->notes() : std::vector<std::string>{};
 }
@@ -176,19 +230,26 @@ Work SceneRenderer::work() const {
   Work work = m_work;
   work.images = m_buffers.textures().uploadedCount();
   work.varianceImages = m_buffers.textures().varianceCount();
-  const auto count = [](const auto& renderer) {
-    std::uint64_t samples = 0;
-    if (renderer)
-      for (const gpu::CompiledPermutation& each : renderer->pass().compiled()) samples += each.entries;
-    return samples;
-  };
-  work.highendSamples = count(m_highend);
-  work.mobileSamples = count(m_mobile);
+  work.highendSamples = m_highend ? samplesOf(m_highend->pass()) : 0;
+  work.mobileSamples = m_mobile ? samplesOf(m_mobile->pass()) : 0;
   if (m_highend) {
     work.directionalLights = m_highend->pass().directionalCount();
     work.localLights = m_highend->pass().localCount();
   }
   if (m_mobile) work.lightChoices = m_mobile->lightChoices();
+  return work;
+}
+
+Work SceneRenderer::workWithTerms() const {
+  Work work = this->work();
+  if (!m_highendTerms) return work;
+  work.surfaceSamples += m_again.surfaceSamples;
+  work.blendedSamples += m_again.blendedSamples;
+  work.fogSamples += m_again.fogSamples;
+  work.termSamples += m_again.termSamples;
+  work.highendSamples += samplesOf(m_highendTerms->pass());
+  work.mobileSamples += samplesOf(m_mobileTerms->pass());
+  work.lightChoices += m_mobileTerms->lightChoices();
   return work;
 }
 

@@ -35,27 +35,35 @@ public:
   // progress: of the reference path, which alone takes long.
   ViewFrames render(const scenes::Camera& camera, const Progress& progress = {});
 
+  // Gives the frames of that camera's view their terms, by shading it once more: the colours stay as they are. For runs
+  // without settings.terms.
+  void addTerms(ViewFrames& frames, const scenes::Camera& camera);
+
   // What the mobile path leaves out.
   std::vector<std::string> notes() const;
   // What has been done so far, the scene's preparation included; and why the rest was not needed.
-  Work work() const;
+  Work work() const;          // without addTerms
+  Work workWithTerms() const; // with it
   NoNeed reasons() const;
 
-  // The shaders of the two paths so far.
+  // The shaders of the two paths so far, without those of addTerms.
   std::vector<compare::PermutationResult> permutations() const;
 
 private:
+  std::unique_ptr<highend::Renderer> makeHighend(bool terms, std::size_t views);
+  std::unique_ptr<mobile::Renderer> makeMobile(bool terms, std::size_t views) const;
   void countSurfaces(const gpu::Surface& opaque, const gpu::Surface& blended);
 
   Context& m_context;
   const PreparedScene& m_prepared;
-  Work m_work;
+  gpu::PermutationBudget m_budget;
+  Work m_work, m_again; // by render and by addTerms
   gpu::SceneBuffers m_buffers;
   gpu::SurfacePass m_surfacePass;
   // Each path reads its own kind.
   std::optional<gpu::EnvironmentMaps> m_environment, m_mobileEnvironment;
-  std::optional<highend::Renderer> m_highend;
-  std::optional<mobile::Renderer> m_mobile;
+  std::unique_ptr<highend::Renderer> m_highend, m_highendTerms; // those with terms are made when first needed
+  std::unique_ptr<mobile::Renderer> m_mobile, m_mobileTerms;
   std::optional<ReferencePath> m_reference;
 };
 

@@ -1,6 +1,7 @@
 // What a run is asked to do: the command line's common options as plain data.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -23,6 +24,11 @@
 
 namespace parity::job {
 
+// Which materials are attributed by their terms (compare/attribution.h): those that fail or cannot be judged, or each
+// that is seen, whose views are then rendered with their terms at once.
+enum class Attribution { none, overBudget, all };
+inline constexpr std::array<const char*, 3> kAttributionNames = {"none", "over-budget", "all"};
+
 struct Settings {
   int width = 1024, height = 1024;
   int samples = 1; // per pixel, 1..64
@@ -34,7 +40,8 @@ struct Settings {
   std::optional<std::string> budgets;                           // budget file; none: built-in defaults
   std::vector<std::string> metrics = compare::defaultMetrics(); // reported, besides what the budgets name
   bool terms = false;
-  bool costs = false;     // count what each permutation costs
+  Attribution attribution = Attribution::none; // `all` needs the terms
+  bool costs = false;                          // count what each permutation costs
   bool extractSun = true; // bright compact sources of environments become lights; scene by scene: SuiteEntry
   bool truth = false;     // also hold both paths against the reference; needs the terms
   mobile::Options mobile;

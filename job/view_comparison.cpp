@@ -80,16 +80,6 @@ std::vector<std::string> materialNotes(const scenes::Material& m, const mobile::
   return notes;
 }
 
-// Mean scene-referred luminance of each term over the region.
-std::vector<compare::TermFigures> termFigures(const ViewFrames& frames, const base::PixelList& list) {
-  std::vector<compare::TermFigures> result;
-  if (frames.highend.terms.empty() || list.pixels.empty()) return result;
-  for (std::size_t t = 0; t < shading::kTermCount; ++t)
-    result.push_back({std::string(shading::kTermNames[t]), compare::meanLuminance(frames.highend.terms[t], list),
-                      compare::meanLuminance(frames.mobile.terms[t], list)});
-  return result;
-}
-
 // The materials that the report is about: their places in the scene.
 std::vector<std::size_t> chooseMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs,
                                          std::size_t count) {
@@ -146,16 +136,27 @@ compare::Measurement measureView(const Settings& settings, const ViewFrames& fra
 
 } // namespace
 
+std::vector<compare::TermFigures> termFigures(const ViewFrames& frames, const base::PixelList& list) {
+  std::vector<compare::TermFigures> result;
+  if (frames.highend.terms.empty() || list.pixels.empty()) return result;
+  for (std::size_t t = 0; t < shading::kTermCount; ++t)
+    result.push_back({std::string(shading::kTermNames[t]), compare::meanLuminance(frames.highend.terms[t], list),
+                      compare::meanLuminance(frames.mobile.terms[t], list)});
+  return result;
+}
+
 ComparedView compareView(Context& context, const scenes::Scene& scene, const ViewFrames& frames,
                          const ViewComparisonRequest& request) {
   const Settings& settings = context.settings();
-  Displayed reference, test;
+  ComparedView compared;
+  Displayed &reference = compared.highend, &test = compared.mobile;
   {
     const base::Stopwatch watch(&context.timings(), "display transform");
     reference = displayImage(frames.highend.color, context.display(), request.exposureEv);
     test = displayImage(frames.mobile.color, context.display(), request.exposureEv);
   }
-  const std::vector<std::size_t> chosen = chooseMaterials(scene, settings.materials, frames.coverage.size());
+  const std::vector<std::size_t>& chosen = compared.materials =
+      chooseMaterials(scene, settings.materials, frames.coverage.size());
   Subject subject;
   compare::Measurement measured;
   {
@@ -172,7 +173,6 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
     truth = compareWithTruth(context, frames,
                              {reference, test, subject.lists, subject.box, request.exposureEv, request.pictures});
 
-  ComparedView compared;
   compare::ViewResult& view = compared.view;
   view.name = request.viewName;
   view.width = settings.width;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/report.h"
+#include "job/displayed.h"
 #include "job/scene_renderer.h"
 #include "job/view_pictures.h"
 #include "mobile/sampler_rule.h"
@@ -23,11 +24,16 @@ struct ViewComparisonRequest {
 struct ComparedView {
   compare::ViewResult view; // not judged
   std::vector<EncodedPicture> pictures;
+  std::vector<std::size_t> materials; // of the view's materials their places in the scene
+  Displayed highend, mobile;          // what was compared
 };
 
 // frames: both paths' and the coverage. The displayed images are compared as 8-bit pictures: `parity flip` on the
 // written PNGs gives the same map. Throws Error (exit 4) where a picture cannot be made.
 ComparedView compareView(Context& context, const scenes::Scene& scene, const ViewFrames& frames,
                          const ViewComparisonRequest& request);
+
+// Mean scene-referred luminance of each term over the region; empty where the frames have no terms or it no pixels.
+std::vector<compare::TermFigures> termFigures(const ViewFrames& frames, const base::PixelList& list);
 
 } // namespace parity::job

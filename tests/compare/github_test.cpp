@@ -23,8 +23,11 @@ TEST(GithubAnnotations, EachRowThatIsNotWellIsOneCommandTheGravestFirst) {
   ASSERT_EQ(lines.size(), 7u);
   EXPECT_EQ(lines[0],
             "::error title=parity%3A Broken::assets/Broken.glb: chunk 0: length 4096 runs past the end of the file");
-  EXPECT_EQ(lines[1], "::error title=parity%3A Rough metal (Lamp%2C view front)::fail: mean FLIP 0.270 over interior "
-                      "pixels is above 0.200 (and 1 more)%0Amobile is 29.0 %25 darker");
+  EXPECT_EQ(
+      lines[1],
+      "::error title=parity%3A Rough metal (Lamp%2C view front)::fail: mean FLIP 0.270 over interior "
+      "pixels is above 0.200 (and 1 more)%0Amobile is 29.0 %25 darker%0ACause: skySpecular: FLIP 0.270 -> 0.061 with "
+      "high-end's");
   EXPECT_EQ(lines[3].find("::warning title=parity%3A Shade%2C cloth (Lamp%2C view front)::warn: "), 0u) << lines[3];
   EXPECT_EQ(lines[5], "::warning title=parity%3A Screw (Lamp%2C view front)::not seen: no view shows it");
 }

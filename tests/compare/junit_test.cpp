@@ -65,6 +65,7 @@ TEST(Junit, VerdictsBecomeFailuresErrorsAndSkips) {
                "mean FLIP 0.270 over interior pixels is above 0.200 (and 1 more)");
   const std::string details = failure.child_value();
   EXPECT_NE(details.find("interior: 90000 pixels, flip.mean 0.270"), std::string::npos) << details;
+  EXPECT_NE(details.find("cause: skySpecular: FLIP 0.270 -> 0.061 with high-end's\n"), std::string::npos) << details;
   EXPECT_NE(details.find("mobile is 29.0 % darker"), std::string::npos) << details;
   EXPECT_NE(details.find("note: fully rough\n"), std::string::npos) << details;
 

@@ -32,12 +32,15 @@ TEST(ReportJson, KeysStandInAFixedOrder) {
     for (const auto& [key, value] : object.items()) names += (names.empty() ? "" : " ") + key;
     return names;
   };
-  EXPECT_EQ(keys(document), "schema tool version device verdict counts wholeCounts warnings baseline settings scenes");
+  EXPECT_EQ(
+      keys(document),
+      "schema tool version device verdict headline counts wholeCounts displayTable warnings baseline settings scenes");
   EXPECT_EQ(keys(document["scenes"][0]),
             "name source environment sun light verdict error warnings views passes permutations");
-  EXPECT_EQ(keys(document["scenes"][0]["views"][0]), "name width height verdict whole materials images");
+  EXPECT_EQ(keys(document["scenes"][0]["views"][0]),
+            "name width height verdict whole materials images exposureEv pixels");
   EXPECT_EQ(keys(document["scenes"][0]["views"][0]["materials"][0]),
-            "name verdict reason seenElsewhere figures checks budget baseline notes terms crops");
+            "name verdict reason seenElsewhere bias figures checks budget baseline notes terms crops");
 }
 
 TEST(ReportJson, HoldsWhatTheReportHolds) {
@@ -62,6 +65,8 @@ TEST(ReportJson, HoldsWhatTheReportHolds) {
   EXPECT_EQ(metal["checks"][0]["fail"], 0.2);
   EXPECT_EQ(metal["terms"][1]["term"], "sunSpecular");
   EXPECT_EQ(metal["terms"][1]["test"], 0.11);
+  EXPECT_EQ(metal["attribution"], ordered_json::parse(R"({"region":"interior","flip":0.27,"terms":[
+    {"term":"sunSpecular","flip":0.264},{"term":"skySpecular","flip":0.061}]})"));
   EXPECT_EQ(metal["crops"]["flip"], "images/metal_flip.png");
   EXPECT_EQ(metal["budget"]["rule"], "built-in");
 }

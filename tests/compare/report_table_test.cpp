@@ -38,6 +38,7 @@ TEST(ReportTable, EachMaterialAndViewIsARow) {
   EXPECT_EQ(lines[3].find("  fail      Rough metal"), 0u) << lines[3];
   EXPECT_NE(lines[3].find(" 120000  0.270  0.675  1.000  0.297"), std::string::npos) << lines[3];
   EXPECT_NE(lines[3].find("mobile is 29.0 % darker; mean FLIP 0.270"), std::string::npos) << lines[3];
+  EXPECT_TRUE(lines[3].ends_with("; skySpecular: FLIP 0.270 -> 0.061 with high-end's")) << lines[3];
   EXPECT_EQ(lines.back(), "verdict: error (materials: 3 pass, 2 not seen, 2 warn, 2 fail; whole images: 2 pass; scenes "
                           "not compared: 1)");
 }

@@ -120,6 +120,7 @@ Report makeSampleReport(const std::vector<std::string>& names) {
   front.materials.push_back(makeJudged(namer.next("Rough metal"), 0.27, 120000, 0.71, lamp.name, "metal"));
   front.materials.back().notes = {"fully rough", "9 samplers: one more than mobile has"};
   front.materials.back().terms = {{"sunDiffuse", 0, 0}, {"sunSpecular", 0.21, 0.11}, {"skySpecular", 0.34, 0.28}};
+  front.materials.back().attribution = {"interior", 0.27, {{"sunSpecular", 0.264}, {"skySpecular", 0.061}}};
   front.materials.push_back(makeJudged(namer.next("Shade, cloth"), 0.14, 60000, 1.08, lamp.name, "cloth"));
   front.materials.back().notes = {"nonmetal"};
   front.materials.push_back(makeJudged(namer.next("Screw"), 0, 0, 1, lamp.name, "screw"));

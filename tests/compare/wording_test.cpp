@@ -178,5 +178,15 @@ TEST(Wording, ARelMseKeepsTwoDigitsHoweverSmallItIs) {
   EXPECT_EQ(formatRelMse(NAN), "not known");
 }
 
+TEST(Wording, CauseIsTheTermThatExplainsMost) {
+  const Attribution sky{"interior", 0.142, {{"sunSpecular", 0.1}, {"skySpecular", 0.031}, {"emissive", 0.142}}};
+  EXPECT_EQ(describeCause(sky), "skySpecular: FLIP 0.142 -> 0.031 with high-end's");
+  const std::string none = "no single term explains it";
+  EXPECT_EQ(describeCause({"all", 0.2, {{"fog", 0.181}, {"skySpecular", 0.3}}}), none);
+  EXPECT_EQ(describeCause({"all", 0.2, {{"fog", 0.18}}}), "fog: FLIP 0.200 -> 0.180 with high-end's");
+  EXPECT_EQ(describeCause({"all", 0.2, {}}), none);
+  EXPECT_EQ(describeCause({"all", 0.0004, {{"fog", 0}}}), "") << "there is nothing to explain";
+}
+
 } // namespace
 } // namespace parity::compare

@@ -167,7 +167,7 @@ export class ParityApp extends LitElement {
     const open = this.openRow();
     const { report, run } = this.page;
     return html`
-      ${header(report, run, this.theme, () => this.shortcuts.showModal())}
+      ${header(report, run, open !== null, this.theme, () => this.shortcuts.showModal())}
       <div class="layout ${open ? "with-item" : ""}">
         <section class="overview" aria-label="Overview">
           ${filters(report, this.rows, rows.length, this.state, (patch) => this.set(patch))}

@@ -70,7 +70,7 @@ export class ParityBenchPlot extends LitElement {
       {
         width: Math.max(280, this.place.clientWidth),
         height: 320,
-        scales: { x: { time: false, distr: 3 }, y: { auto: true } },
+        scales: { x: { time: false, distr: 3, range: (_plot, least, most) => [least * 0.9, most * 1.1] }, y: { auto: true } },
         axes: [{ ...axis, label: "device time, ms" }, { ...axis, label: `${this.bench.figure} against the ${this.bench.against}` }],
         series: [{ label: "ms" }, ...series],
         cursor: { drag: { setScale: false } },

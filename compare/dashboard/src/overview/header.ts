@@ -28,7 +28,8 @@ function baselineNotice(report: Report): TemplateResult | typeof nothing {
   `;
 }
 
-export function header(report: Report, run: Run | null, theme: Theme, openKeys: () => void): TemplateResult {
+/** brief: beside an open item, without what concerns the whole run. */
+export function header(report: Report, run: Run | null, brief: boolean, theme: Theme, openKeys: () => void): TemplateResult {
   return html`<header class="page-head ${report.verdict.replace(" ", "-")}">
     <div class="head-line">
       <h1>${badge(report.verdict)} <span>${report.headline}</span></h1>
@@ -40,13 +41,17 @@ export function header(report: Report, run: Run | null, theme: Theme, openKeys: 
       </div>
     </div>
     <p class="sub">${report.device}${run && run.startedAt !== "" ? html` · <time datetime=${run.startedAt}>${run.startedAt.replace("T", " ").replace("Z", " UTC")}</time>` : nothing} · ${report.tool} ${report.version} · <a href="report.json">report.json</a></p>
-    ${baselineNotice(report)}${warnings("Warnings", allWarnings(report))}
+    ${brief ? nothing : notices(report)}
+  </header>`;
+}
+
+function notices(report: Report): TemplateResult {
+  return html`${baselineNotice(report)}${warnings("Warnings", allWarnings(report))}
     <details class="notice quiet">
       <summary>Settings</summary>
       ${definitions([
         ...report.settings.map(({ name, value }) => [name, value] as const),
         ["baseline", report.baseline ? `${report.baseline.source} (${report.baseline.version}, ${report.baseline.device})` : ""],
       ])}
-    </details>
-  </header>`;
+    </details>`;
 }

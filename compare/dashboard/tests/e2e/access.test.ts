@@ -1,0 +1,95 @@
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import type { AxeResults } from "axe-core";
+import type { Browser, Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+
+import { openReport, reportFolder, startBrowser } from "./browser";
+
+let browser: Browser;
+beforeAll(async () => (browser = await startBrowser()));
+afterAll(async () => browser.close());
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** Rules of axe-core that are broken seriously or critically, each with the first place. */
+async function violations(page: Page): Promise<string[]> {
+  await page.evaluate(axe);
+  const results = await page.evaluate(() => (window as unknown as { axe: { run(): Promise<AxeResults> } }).axe.run());
+  return results.violations
+    .filter((each) => each.impact === "serious" || each.impact === "critical")
+    .map((each) => `${each.id}: ${each.help}: ${each.nodes[0]?.html.slice(0, 200)} ${each.nodes[0]?.failureSummary ?? ""}`);
+}
+
+const kPages = [
+  ["the overview", "many", ""],
+  ["the views", "many", "#list=views"],
+  ["an item compared", "real", "#scene=0&view=0&material=0"],
+  ["its slider", "real", "#scene=0&view=0&material=0&mode=slider"],
+  ["its FLIP map", "real", "#scene=0&view=0&material=0&mode=flip&threshold=0.1"],
+  ["its pixels", "real", "#scene=0&view=0&material=0&pixelX=128&pixelY=128"],
+  ["its terms", "real", "#scene=0&view=0&material=0&tab=terms"],
+  ["its numbers", "real", "#scene=0&view=0&material=0&tab=numbers"],
+  ["names that try to break out", "evil", ""],
+  ["a report that cannot be shown", "empty", ""],
+] as const;
+
+describe.each(["light", "dark"] as const)("in the %s scheme, axe-core finds nothing serious in", (colorScheme) => {
+  it.each(kPages)("%s", async (_what, report, hash) => {
+    const { page } = await openReport(browser, reportFolder(report), hash, { colorScheme });
+    await page.waitForTimeout(300);
+    expect(await violations(page)).toEqual([]);
+    await page.context().close();
+  });
+});
+
+describe("on a phone", () => {
+  it.each(kPages)("%s is no wider than the screen, and nothing serious is wrong", async (_what, report, hash) => {
+    const { page } = await openReport(browser, reportFolder(report), hash, { viewport: { width: 360, height: 740 }, hasTouch: true });
+    await page.waitForTimeout(300);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(360);
+    expect(await violations(page)).toEqual([]);
+    await page.context().close();
+  });
+});
+
+describe("by keyboard alone", () => {
+  it("every control of the overview is reached by Tab, and shows its focus", async () => {
+    const { page } = await openReport(browser, reportFolder("many"));
+    const reached = new Set<string>();
+    for (let i = 0; i < 60; ++i) {
+      await page.keyboard.press("Tab");
+      const { what, outlined } = await page.evaluate(() => {
+        const focused = document.activeElement as HTMLElement;
+        return { what: `${focused.tagName} ${focused.className} ${focused.id}`, outlined: getComputedStyle(focused).outlineStyle !== "none" };
+      });
+      reached.add(what.split(" ")[0] === "A" ? "A" : what);
+      if (what.startsWith("BODY")) break;
+      expect(outlined, what).toBe(true);
+    }
+    for (const what of ["INPUT  search", "A"]) expect([...reached].some((each) => each.startsWith(what)), what).toBe(true);
+    expect([...reached].filter((each) => each.startsWith("BUTTON chip")).length).toBeGreaterThan(1);
+    expect([...reached].some((each) => each.startsWith("BUTTON sort"))).toBe(true);
+  });
+
+  it("a ? says what a number means, and Escape puts it away", async () => {
+    const { page } = await openReport(browser, reportFolder("many"));
+    await page.focus("button.help[data-help=mean]");
+    await page.keyboard.press("Enter");
+    expect(await page.textContent(".help-bubble:not([hidden])")).toContain("mean of FLIP");
+    await page.keyboard.press("Escape");
+    await page.waitForSelector(".help-bubble", { state: "hidden" });
+    expect(await page.locator("button.help:not([aria-label])").count()).toBe(0);
+  });
+});
+
+describe("on paper", () => {
+  it("the overview prints its rows in full, without controls", async () => {
+    const { page } = await openReport(browser, reportFolder("many"), "#sort=order&ascending=true");
+    await page.emulateMedia({ media: "print" });
+    await page.waitForFunction(() => document.querySelectorAll(".list .row").length === 500);
+    expect(await page.isVisible("#search")).toBe(false);
+    const pdf = await page.pdf({ format: "A4" });
+    expect(pdf.toString("latin1").match(/\/Type\s*\/Page\b/g)?.length ?? 0).toBeGreaterThan(20);
+  });
+});

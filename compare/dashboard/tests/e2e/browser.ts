@@ -1,0 +1,51 @@
+// Reports opened in real headless Chromium, from a folder, without a server.
+import { existsSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
+
+const kPrograms = [process.env["PARITY_CHROMIUM"] ?? "", "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+
+/** Debian's chromium, or the program that PARITY_CHROMIUM names. */
+export function chromiumProgram(): string {
+  const found = kPrograms.find((each) => each !== "" && existsSync(each));
+  if (found === undefined) throw new Error("there is no chromium: scripts/install-deps installs it, PARITY_CHROMIUM names another");
+  return found;
+}
+
+/** Made by tests/dashboard: make_reports, and two real ones by parity. */
+export function reportFolder(name: string): string {
+  const root = process.env["PARITY_REPORTS"];
+  if (!root) throw new Error("PARITY_REPORTS must name the folder of the reports: ctest -R dashboard makes it");
+  return resolve(join(root, name));
+}
+
+export interface Opened {
+  page: Page;
+  problems: string[]; // errors of scripts, of the policy, and of the page's console
+  requests: string[]; // all that the page asked for
+}
+
+export async function startBrowser(): Promise<Browser> {
+  return chromium.launch({ executablePath: chromiumProgram(), args: ["--no-sandbox", "--disable-background-networking"] });
+}
+
+/** The page of a report, once it is drawn. hash: with "#". */
+export async function openReport(browser: Browser, folder: string, hash = "", options: BrowserContextOptions = {}): Promise<Opened> {
+  const context = await browser.newContext({ viewport: { width: 1400, height: 900 }, ...options });
+  const page = await context.newPage();
+  const opened: Opened = { page, problems: [], requests: [] };
+  page.on("pageerror", (error) => opened.problems.push(String(error.stack ?? error)));
+  page.on("console", (message) => {
+    if (message.type() === "error") opened.problems.push(message.text());
+  });
+  page.on("request", (request) => opened.requests.push(request.url()));
+  await page.goto(pathToFileURL(join(folder, "index.html")).href + hash);
+  await page.waitForSelector("parity-app h1, .failure h1");
+  return opened;
+}
+
+/** Problems that are not the missing of a file that the test left out. */
+export function realProblems(opened: Opened): string[] {
+  return opened.problems.filter((text) => !text.includes("ERR_FILE_NOT_FOUND"));
+}

@@ -1,0 +1,115 @@
+import type { Browser } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+
+import { openReport, realProblems, reportFolder, startBrowser } from "./browser";
+
+let browser: Browser;
+beforeAll(async () => (browser = await startBrowser()));
+afterAll(async () => browser.close());
+
+describe("the overview of 500 materials", () => {
+  it("says the verdict and lists what failed first, from a folder, asking for nothing outside of it", async () => {
+    const opened = await openReport(browser, reportFolder("many"));
+    const { page } = opened;
+    expect(await page.textContent("h1")).toContain("over budget");
+    expect(await page.getAttribute(".list", "aria-rowcount")).toBe("501");
+    const first = await page.textContent(".list .row >> nth=0");
+    expect(first).toContain("fail");
+    const root = new URL(".", page.url()).href;
+    expect(opened.requests.filter((url) => !url.startsWith(root) && !url.startsWith("data:"))).toEqual([]);
+    expect(opened.problems).toEqual([]);
+  });
+
+  it("finds by words, filters by verdict and cause, and says how many are left", async () => {
+    const { page } = await openReport(browser, reportFolder("many"));
+    await page.fill("#search", "Material 17");
+    await page.waitForFunction(() => document.querySelector(".shown")?.textContent?.startsWith("12 of 500"));
+    expect(await page.textContent(".shown")).toBe("12 of 500 rows"); // 17, 117, 217, ... and 170 to 179, as words
+    await page.fill("#search", "");
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("6");
+    await page.waitForFunction(() => document.querySelector(".shown")?.textContent?.includes(" of 500"));
+    expect(await page.textContent(".list .row >> nth=0")).toContain("pass");
+    await page.keyboard.press("1");
+    await page.selectOption("text=Cause >> select", "skySpecular");
+    await page.waitForFunction(() => document.querySelector(".shown")?.textContent?.includes(" of 500"));
+    expect(await page.textContent(".list .row >> nth=0")).toContain("skySpecular");
+    expect(realProblems({ page, problems: [], requests: [] })).toEqual([]);
+  });
+
+  it("sorts by a column, both ways", async () => {
+    const { page } = await openReport(browser, reportFolder("many"));
+    const top = async (): Promise<number> => Number(await page.textContent(".list .row >> nth=0 >> .cell-flip-mean .value"));
+    await page.click("button.sort:has-text('Mean FLIP')");
+    await page.waitForSelector("[aria-sort=descending]:has-text('Mean FLIP')");
+    const most = await top();
+    await page.click("button.sort:has-text('Mean FLIP')");
+    await page.waitForSelector("[aria-sort=ascending]:has-text('Mean FLIP')");
+    expect(most).toBeGreaterThan(0.29);
+    expect(await top()).toBeLessThan(0.01);
+  });
+
+  it("lists views, and opens one", async () => {
+    const { page } = await openReport(browser, reportFolder("many"));
+    await page.click(".lists button:has-text('Views')");
+    expect(await page.getAttribute(".list", "aria-rowcount")).toBe("51");
+    await page.click(".list .row .name >> nth=0");
+    await page.waitForSelector("parity-item h2");
+    expect(page.url()).toContain("list=views");
+  });
+
+  it("keeps what is shown in the URL: a link shows it to others, and back goes back", async () => {
+    const { page } = await openReport(browser, reportFolder("many"), "#query=Material+17&sort=name&ascending=true");
+    expect(await page.inputValue("#search")).toBe("Material 17");
+    await page.click(".list .row .name >> nth=0");
+    await page.waitForSelector("parity-item h2");
+    const title = await page.textContent("parity-item h2");
+    expect(title).toContain("Material 117");
+    const { page: other } = await openReport(browser, reportFolder("many"), new URL(page.url()).hash);
+    expect(await other.textContent("parity-item h2")).toBe(title);
+    await page.goBack();
+    await page.waitForSelector("parity-item", { state: "detached" });
+    expect(await page.inputValue("#search")).toBe("Material 17");
+  });
+
+  it("goes through the items by keys, shows tabs, and comes back", async () => {
+    const { page } = await openReport(browser, reportFolder("many"), "#sort=order&ascending=true");
+    const title = async (): Promise<string | null> => page.textContent("parity-item h2 bdi");
+    await page.keyboard.press("ArrowDown");
+    await page.waitForSelector("parity-item h2");
+    expect(await title()).toBe("Material 1");
+    await page.keyboard.press("j");
+    await page.waitForFunction(() => document.querySelector("parity-item h2 bdi")?.textContent === "Material 2");
+    await page.keyboard.press("ArrowUp");
+    await page.waitForFunction(() => document.querySelector("parity-item h2 bdi")?.textContent === "Material 1");
+    await page.keyboard.press("n");
+    await page.waitForSelector("parity-numbers table");
+    expect(await page.textContent("parity-numbers")).toContain("no local lights");
+    await page.keyboard.press("t");
+    await page.waitForSelector("parity-terms");
+    await page.keyboard.press("?");
+    await page.waitForSelector("dialog#shortcuts[open]");
+    await page.keyboard.press("Escape");
+    await page.waitForSelector("dialog#shortcuts:not([open])", { state: "attached" });
+    await page.keyboard.press("Escape");
+    await page.waitForSelector("parity-item", { state: "detached" });
+  });
+});
+
+describe("5,000 rows", () => {
+  it("keep only those in sight in the page, wherever one scrolls", async () => {
+    const { page, problems } = await openReport(browser, reportFolder("huge"), "#sort=order&ascending=true");
+    await page.waitForSelector(".list .row");
+    expect(await page.getAttribute(".list", "aria-rowcount")).toBe("5001");
+    for (const share of [0.5, 1, 0]) {
+      await page.evaluate((at) => {
+        const list = document.querySelector(".list-scroll") as HTMLElement;
+        list.scrollTop = at * list.scrollHeight;
+      }, share);
+      const expected = share === 1 ? "Material 5000" : share === 0 ? "Material 1" : "Material 2500";
+      await page.waitForFunction((name) => [...document.querySelectorAll(".list .row .name")].some((each) => each.textContent === name), expected);
+      expect(await page.locator(".list .row").count()).toBeLessThan(40);
+    }
+    expect(problems).toEqual([]);
+  });
+});

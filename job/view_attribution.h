@@ -1,0 +1,36 @@
+// Which materials' terms are to be swapped, and the swapping: which term makes a material differ.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "compare/budget.h"
+#include "compare/report.h"
+#include "job/context.h"
+#include "job/scene_renderer.h"
+#include "job/view_comparison.h"
+
+namespace parity::job {
+
+// What a view's materials are judged by.
+struct Judges {
+  const compare::Budgets& budgets;
+  const compare::Report* baseline = nullptr; // for the budgets' regressions; null: none
+  std::string scene;
+};
+
+// The places in view.materials of those to attribute, of those that show a pixel: all, or those that are over budget
+// (also by a regression since the baseline) or without a verdict. view: need not be judged.
+std::vector<std::size_t> materialsToAttribute(Attribution wanted, const compare::ViewResult& view,
+                                              const Judges& judges);
+
+// Sets the attribution of those materials of compared.view, and the terms' figures of all where they are missing.
+// frames: with their terms, as compareView was given them or since shaded again.
+void attributeView(Context& context, const ViewFrames& frames, const std::vector<std::size_t>& materials,
+                   float exposureEv, ComparedView& compared);
+
+// The pass that the report lists: how many terms were swapped, one count a view and term, or why none was.
+compare::PassResult attributionPass(Attribution wanted, const compare::SceneResult& result);
+
+} // namespace parity::job

@@ -1,0 +1,223 @@
+// Report folders for the page's tests in a browser: large ones, empty ones, and names that try to break out.
+//   make_reports FOLDER: FOLDER/many, huge, evil, broken, empty
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/image_io.h"
+#include "compare/budget.h"
+#include "compare/sample_report.h"
+#include "job/report_folder.h"
+
+namespace {
+
+using namespace parity;
+namespace fs = std::filesystem;
+
+constexpr int kSide = 128;
+
+// A disc, so that pictures of different tints are told apart.
+base::Image8 disc(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
+  base::Image8 image(kSide, kSide, 3);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const bool inside = std::hypot(x - kSide / 2, y - kSide / 2) < kSide * 0.4;
+      std::uint8_t* pixel = image.at(x, y);
+      pixel[0] = inside ? red : 118;
+      pixel[1] = inside ? green : 118;
+      pixel[2] = inside ? blue : 118;
+    }
+  return image;
+}
+
+compare::ImageSet writePictures(const fs::path& folder, const std::string& prefix, int tint) {
+  const compare::ImageSet images = {"images/" + prefix + "_highend.png", "images/" + prefix + "_mobile.png",
+                                    "images/" + prefix + "_flip.png"};
+  const auto shade = [&](int base) { return static_cast<std::uint8_t>(base + 37 * tint % 60); };
+  base::writeImage8(folder / images.reference, disc(shade(180), 140, shade(60)));
+  base::writeImage8(folder / images.test, disc(shade(150), 120, shade(50)));
+  base::writeImage8(folder / images.flip, disc(shade(90), 20, 90));
+  return images;
+}
+
+compare::Report emptyReport() {
+  compare::Report report;
+  report.version = "0.1.0";
+  report.device = "a test's device";
+  report.settings = {{"size", "128x128"}, {"display", "sRGB"}};
+  return report;
+}
+
+compare::ViewResult makeView(const std::string& name) {
+  compare::ViewResult view;
+  view.name = name;
+  view.width = view.height = kSide;
+  view.whole = compare::makeRegion("whole", 0.05, kSide * kSide / 2, 0.95);
+  return view;
+}
+
+// As many terms, notes and causes as a real report of materials over budget has.
+void addEvidence(compare::MaterialResult& material) {
+  for (const char* term : {"sunDiffuse", "sunSpecular", "localDiffuse", "localSpecular", "skyDiffuse", "skySpecular"})
+    material.terms.push_back({term, 0.2, 0.15});
+  material.notes = {"nonmetal: EnvBRDFApproxNonmetal on mobile"};
+  if (material.verdict == compare::Verdict::fail || material.figures.interior.find("flip.mean").value_or(0) > 0.2) {
+    const double flip = *material.figures.interior.find("flip.mean");
+    material.attribution = {"interior", flip, {{"skySpecular", flip / 4}, {"sunDiffuse", flip * 0.97}}};
+  }
+}
+
+void write(const fs::path& folder, compare::Report& report, const std::string& commandLine) {
+  compare::settleVerdicts(report);
+  compare::RunInfo run;
+  run.startedAt = "2026-01-02T03:04:05Z";
+  run.commandLine = commandLine;
+  run.timings = {{"surface", 12.5}, {"total", 1234}};
+  job::writeReport(folder, report, run, {.bench = {}, .pictures = {}});
+}
+
+void writeGrid(const fs::path& folder, int scenes, int viewsEach, int materialsEach) {
+  job::prepareReportFolder(folder, false);
+  compare::Report report = emptyReport();
+  int number = 0;
+  for (int s = 0; s < scenes; ++s) {
+    compare::SceneResult scene;
+    scene.name = fmt::format("Scene {}", s + 1);
+    scene.source = fmt::format("scene{}.glb", s + 1);
+    scene.environment = scene.sun = "none";
+    scene.passes = {{"surface", "samples", 1000, ""}, {"local lights", "lights", 0, "no local lights"}};
+    for (int v = 0; v < viewsEach; ++v) {
+      compare::ViewResult view = makeView(fmt::format("view {}", v + 1));
+      view.images = writePictures(folder, fmt::format("{}-s_{}-v", s, v), s * viewsEach + v);
+      compare::judgeWhole(view, compare::defaultBudgets(), scene.name);
+      for (int m = 0; m < materialsEach; ++m, ++number) {
+        const double mean = 0.3 * std::abs(std::sin(number * 0.7));
+        compare::MaterialResult material =
+            compare::makeMaterial(fmt::format("Material {}", number + 1), mean, 500 + number, 1 - mean);
+        material.crops = view.images;
+        compare::judgeMaterial(material, compare::defaultBudgets(), scene.name);
+        addEvidence(material);
+        view.materials.push_back(std::move(material));
+      }
+      scene.views.push_back(std::move(view));
+    }
+    report.scenes.push_back(std::move(scene));
+  }
+  write(folder, report, "parity report scene1.glb -o out");
+}
+
+// As a browser may misread them; and those that break naive writers.
+std::vector<std::string> evilNames() {
+  std::vector<std::string> names = {"<script>window.broken = 1</script>",
+                                    "</script><script>window.broken = 2</script>",
+                                    "\"><img src=x onerror=\"window.broken = 3\">",
+                                    "' onmouseover='window.broken = 4' x='",
+                                    "${window.broken = 5} {{window.broken = 5}}",
+                                    "javascript:window.broken = 6",
+                                    "<!-- --><![CDATA[ ]]> &lt; &amp;#60;",
+                                    "🎨🧑‍🎨 emoji",
+                                    "خشب لامع",
+                                    "\u202Etfel ot thgir\u202C",
+                                    "line\nbreak\ttab \u2028 separator",
+                                    std::string(10000, 'x'),
+                                    "",
+                                    "twice",
+                                    "twice"};
+  for (std::string& name : compare::hostileNames()) names.push_back(std::move(name));
+  return names;
+}
+
+void writeEvil(const fs::path& folder) {
+  job::prepareReportFolder(folder, false);
+  compare::Report report = emptyReport();
+  const std::string attack = "<img src=x onerror=\"window.broken = 7\"></script>";
+  report.device = report.version = attack;
+  report.warnings = {attack};
+  report.settings.emplace_back(attack, attack);
+  compare::SceneResult scene;
+  scene.name = scene.source = scene.environment = scene.sun = scene.light = attack;
+  scene.warnings = {attack};
+  scene.passes = {{attack, attack, 0, attack}};
+  scene.permutations = {{attack, attack, attack, 1, 1, std::nullopt}};
+  compare::ViewResult view = makeView(attack);
+  view.images = {"images/none_highend.png", "images/none_mobile.png", "images/none_flip.png"}; // none of them is there
+  view.pixels = {"pixels/none.js", "pixels/none_terms.js"};
+  compare::judgeWhole(view, compare::defaultBudgets(), scene.name);
+  for (const std::string& name : evilNames()) {
+    compare::MaterialResult material = compare::makeMaterial(name, 0.3, 100, 0.8);
+    material.crops = view.images;
+    material.notes = {attack};
+    compare::judgeMaterial(material, compare::defaultBudgets(), scene.name);
+    addEvidence(material);
+    material.rule.reason = material.rule.owner = attack;
+    view.materials.push_back(std::move(material));
+  }
+  scene.views.push_back(std::move(view));
+  compare::SceneResult failed;
+  failed.name = failed.source = attack;
+  failed.error = attack;
+  failed.errorExitCode = 4;
+  report.scenes = {std::move(scene), std::move(failed)};
+  write(folder, report, "parity report '" + attack + "' -o out");
+}
+
+// Figures that are not finite, materials that nothing shows, files that are missing.
+void writeBroken(const fs::path& folder) {
+  job::prepareReportFolder(folder, false);
+  compare::Report report = emptyReport();
+  compare::SceneResult scene;
+  scene.name = "Broken";
+  scene.source = "broken.glb";
+  scene.environment = scene.sun = "none";
+  compare::ViewResult view = makeView("auto");
+  view.images = {"images/none_highend.png", "images/none_mobile.png", "images/none_flip.png"};
+  view.pixels = {"pixels/none.js", ""};
+  compare::judgeWhole(view, compare::defaultBudgets(), scene.name);
+  compare::MaterialResult nan = compare::makeMaterial("not a number", 0.1, 50, 1);
+  for (compare::Figures* figures : {&nan.figures.all, &nan.figures.interior}) {
+    for (compare::Figure& figure : figures->values) figure.value = std::nan("");
+    figures->nonFinite = 50;
+    figures->referenceLuma = INFINITY;
+  }
+  compare::MaterialResult same = compare::makeMaterial("identical", 0, 50, 1);
+  compare::MaterialResult unseen = compare::makeMaterial("not seen", 0, 0, 1);
+  compare::MaterialResult rim = compare::makeMaterial("rim only", 0.3, 50, 1);
+  rim.figures.interior = {};
+  for (compare::MaterialResult* material : {&nan, &same, &unseen, &rim}) {
+    compare::judgeMaterial(*material, compare::defaultBudgets(), scene.name);
+    view.materials.push_back(*material);
+  }
+  scene.views.push_back(std::move(view));
+  report.scenes.push_back(std::move(scene));
+  write(folder, report, "");
+}
+
+void writeEmpty(const fs::path& folder) {
+  job::prepareReportFolder(folder, false);
+  compare::Report report = emptyReport();
+  write(folder, report, "parity report -o out");
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "make_reports FOLDER\n";
+    return 64;
+  }
+  const fs::path folder = argv[1];
+  try {
+    writeGrid(folder / "many", 10, 5, 10);
+    writeGrid(folder / "huge", 10, 5, 100);
+    writeEvil(folder / "evil");
+    writeBroken(folder / "broken");
+    writeEmpty(folder / "empty");
+  } catch (const base::Error& error) {
+    std::cerr << error.what() << '\n';
+    return static_cast<int>(error.code());
+  }
+}
