@@ -69,6 +69,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       reportApp.add_option("--suite", report.suite, "Suite file (TOML): many scenes with views, light and budgets");
   suite->excludes(reportApp.get_option("scenes"));
   reportApp.add_option("-o,--output", report.folder, "Folder of the report")->required();
+  addPageOptions(reportApp, report, raw);
   addVerdictOptions(reportApp, report.verdict);
   reportApp.add_flag("--terms", report.common.settings.terms,
                      "Also measure the terms (sun, sky, lights... diffuse and specular)");
@@ -173,6 +174,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
         if (!report.suite.empty() && reportApp.count(option) > 0) throw CLI::ExcludesError("--suite", option);
       settleAttribution(report.common.settings, raw);
       settle(report.common, raw);
+      report.pixelData = raw.pixelData == "all";
       parsed.command = report;
     } else if (diffApp.parsed()) {
       settleAttribution(diff.common.settings, raw);

@@ -227,6 +227,19 @@ void addReferenceOptions(CLI::App& app, RawOptions& raw) {
       ->group("Reference");
 }
 
+void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw) {
+  app.add_flag("--single-file", report.singleFile,
+               "Put all that index.html shows into it: pictures, values, script; then it can be sent alone")
+      ->group("Page");
+  app.add_option("--pixel-data", raw.pixelData,
+                 "all: also write the values behind the pictures, for the page's inspector, exposure and threshold")
+      ->check(CLI::IsMember({"all", "none"}))
+      ->group("Page")
+      ->capture_default_str();
+  app.add_option("--bench", report.bench, "Show the error-against-time plot of this bench.json, or of its folder")
+      ->group("Page");
+}
+
 void addTruthOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   app.add_flag("--reference", common.settings.truth,
                "Also hold both paths against the ground truth, term by term: exact integrals, slow; judges nothing")

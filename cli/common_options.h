@@ -26,6 +26,7 @@ struct RawOptions {
   std::string cache, cacheSize = "4G";
   std::string attribution = "over-budget";   // of report and diff
   std::string metrics = defaultMetricList(); // comma-separated
+  std::string pixelData = "all";
   bool shadows = false, noSunExtraction = false, noCache = false, quiet = false, verbose = false, validation = false;
 };
 
@@ -42,6 +43,8 @@ void settleAttribution(job::Settings& settings, const RawOptions& raw);
 void addCostsOption(CLI::App& app, CommonOptions& common);
 // How the ground truth is made: --error, --scattering.
 void addReferenceOptions(CLI::App& app, RawOptions& raw);
+// What a report's page holds: --single-file, --pixel-data, --bench.
+void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw);
 // --reference, which those need.
 void addTruthOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
 

@@ -43,6 +43,8 @@ struct ReportCommand {
   VerdictOptions verdict;
   std::vector<std::string> scenes;
   std::string suite, folder;
+  bool singleFile = false, pixelData = true;
+  std::string bench; // bench.json of `parity bench` or its folder; empty: none
 };
 
 struct DiffCommand {

@@ -3,14 +3,18 @@
 
 #include <fmt/format.h>
 
+#include "base/error.h"
+#include "base/file.h"
 #include "base/log.h"
 #include "base/parallel.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
 #include "cli/requests.h"
+#include "compare/dashboard_files.h"
 #include "job/context.h"
 #include "job/report_folder.h"
 #include "job/report_run.h"
+#include "sweep/sweep_json.h"
 
 namespace parity::cli {
 
@@ -34,16 +38,32 @@ job::ReportRequest makeRequest(const ReportCommand& command) {
   return request;
 }
 
+std::filesystem::path benchFile(const ReportCommand& command) {
+  const std::filesystem::path file = command.bench;
+  return std::filesystem::is_directory(file) ? file / "bench.json" : file;
+}
+
 // The baseline may lie in the report's own folder, as it is read first; all else that is read must stay.
 void requireSeparateFiles(const ReportCommand& command, const job::ReportRequest& request) {
   std::vector<NamedFile> inputs = inputFiles(command.common, request.scenes);
   inputs.push_back({"the suite", command.suite});
   inputs.push_back({"the suite's budgets", request.suiteBudgets.value_or("")});
+  inputs.push_back({"--bench", benchFile(command)});
   std::vector<NamedFile> outputs;
   for (const char* file : job::kReportFiles) outputs.push_back({"-o", request.folder / file});
   outputs.push_back({"--json", command.common.json});
   requireSeparate(outputs, inputs);
   requireSeparate({outputs.back()}, inputFiles(command.common, command.verdict, {}));
+}
+
+// What it is is known here, and anything else refused, before anything is rendered.
+std::string readBench(const ReportCommand& command) {
+  if (command.bench.empty()) return {};
+  constexpr std::size_t kMaxBytes = std::size_t{64} << 20; // the page carries it
+  std::string text = base::readText(benchFile(command), kMaxBytes);
+  sweep::readSweep(benchFile(command));
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3); // a mark of the byte order, which JSON has none of
+  return text;
 }
 
 } // namespace
@@ -54,13 +74,20 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
   request.folder = command.folder;
   request.commandLine = commandLine;
   request.baseline = command.verdict.baseline;
+  request.singleFile = command.singleFile;
+  request.pixelData = command.pixelData;
+  if (command.singleFile && !compare::hasDashboard())
+    throw base::Error(base::ExitCode::usage, "--single-file", "", "this parity was built without the page index.html");
   requireSeparateFiles(command, request);
+  request.bench = readBench(command);
   job::Context context(command.common.settings);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
   if (!command.common.json.empty()) writeJson(command.common.json, compare::toJson(result.report));
   if (command.common.json != "-" && !command.common.quiet)
     fmt::print("{}\n{}\n", compare::toTable(result.report, stdoutIsTerminal()),
-               (request.folder / "index.html").string());
+               compare::hasDashboard() ? (request.folder / "index.html").string()
+                                       : (request.folder / "report.json").string() +
+                                             " (this parity was built without the page index.html)");
   printAnnotations(command.verdict.annotate, result.report, command.common.json == "-");
   if (command.common.timings) printTimings(result.run.timings);
   return compare::exitCode(result.report, command.verdict.warnExit);

@@ -36,6 +36,10 @@ add_library(parity_opencolorio INTERFACE)
 target_include_directories(parity_opencolorio SYSTEM INTERFACE ${OPENCOLORIO_INCLUDE_DIR})
 target_link_libraries(parity_opencolorio INTERFACE ${OPENCOLORIO_LIBRARY})
 
+# libdeflate has a config only from 1.15 on.
+find_path(LIBDEFLATE_INCLUDE_DIR libdeflate.h REQUIRED)
+find_library(LIBDEFLATE_LIBRARY deflate REQUIRED)
+
 find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
 # SPIR-V's numbers, which spirv-tools does not bring along.
 find_path(GLSLANG_INCLUDE_DIR glslang/SPIRV/spirv.hpp REQUIRED)

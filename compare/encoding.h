@@ -18,8 +18,4 @@ struct Encoding {
 // Whether anything of it would show in a table: a mean FLIP of at least 0.0005, or one that is not known.
 bool isNotable(const std::optional<Encoding>& encoding);
 
-// "stored in rgba8-gamma2: FLIP 0.031 on average, 0.052 p95, 0.071 at most; 0.3 EV darker": the interior's, or of all
-// pixels where `whole` or where there is no interior. Empty where there are none.
-std::string describeEncoding(const std::optional<Encoding>& encoding, bool whole);
-
 } // namespace parity::compare

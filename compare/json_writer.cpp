@@ -18,6 +18,11 @@ void JsonWriter::beforeValue() {
   if (m_filled.empty()) return;
   if (m_filled.back()) m_out += ',';
   m_filled.back() = true;
+  breakLine();
+}
+
+void JsonWriter::breakLine() {
+  if (m_layout == JsonLayout::compact) return;
   m_out += '\n';
   m_out.append(2 * m_filled.size(), ' ');
 }
@@ -32,17 +37,14 @@ void JsonWriter::end(char bracket) {
   assert(!m_filled.empty() && !m_afterKey);
   const bool filled = m_filled.back();
   m_filled.pop_back();
-  if (filled) {
-    m_out += '\n';
-    m_out.append(2 * m_filled.size(), ' ');
-  }
+  if (filled) breakLine();
   m_out += bracket;
 }
 
 JsonWriter& JsonWriter::key(std::string_view name) {
   beforeValue();
   appendQuoted(name);
-  m_out += ": ";
+  m_out += m_layout == JsonLayout::compact ? ":" : ": ";
   m_afterKey = true;
   return *this;
 }

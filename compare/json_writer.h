@@ -8,11 +8,18 @@
 
 namespace parity::compare {
 
-// Two spaces of indent, UTF-8 (invalid bytes become U+FFFD), "\n" line ends. Values that are not finite become null,
+enum class JsonLayout {
+  indented, // by two spaces
+  compact,  // no spaces, one line
+};
+
+// UTF-8 (invalid bytes become U+FFFD), "\n" line ends. Values that are not finite become null,
 // which the schema allows where they can occur. (nlohmann's dump is not used here: its numbers are not always the
 // shortest, so their text could change with its version.)
 class JsonWriter {
 public:
+  explicit JsonWriter(JsonLayout layout = JsonLayout::indented) : m_layout(layout) {}
+
   void beginObject() { begin('{'); }
   void endObject() { end('}'); }
   void beginArray() { begin('['); }
@@ -34,8 +41,10 @@ private:
   void begin(char bracket);
   void end(char bracket);
   void beforeValue();
+  void breakLine();
   void appendQuoted(std::string_view value);
 
+  JsonLayout m_layout;
   std::string m_out;
   std::vector<bool> m_filled; // for each open object or array: whether it holds anything yet
   bool m_afterKey = false;

@@ -10,6 +10,7 @@
 
 #include "compare/encoding.h"
 #include "compare/figures.h"
+#include "compare/json_writer.h"
 #include "compare/pass.h"
 #include "compare/permutation.h"
 #include "compare/truth.h"
@@ -207,12 +208,10 @@ inline constexpr int kReportSchema = 2;
 
 // JSON by compare/report.schema.json, UTF-8, keys in fixed order, no times: byte-identical for equal
 // reports.
-std::string toJson(const Report& report);
-std::string toJson(const RunInfo& run);
+std::string toJson(const Report& report, JsonLayout layout = JsonLayout::indented);
+std::string toJson(const RunInfo& run, JsonLayout layout = JsonLayout::indented);
 // JUnit: a testcase per scene x material; failures and errors with their figures.
 std::string toJunit(const Report& report, const RunInfo& run);
-// One self-contained page beside images/: no network, works from file://, all names escaped.
-std::string toHtml(const Report& report, const RunInfo& run);
 // Per-material table for a terminal (parity diff), one row a material and view. color: ANSI.
 std::string toTable(const Report& report, bool color);
 // Workflow commands of GitHub Actions: "::error ..." for each row that failed or could not be judged, "::warning ..."

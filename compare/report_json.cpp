@@ -307,8 +307,8 @@ void writeStatistics(JsonWriter& json, const std::set<std::string>& names) {
 
 } // namespace
 
-std::string toJson(const Report& report) {
-  JsonWriter json;
+std::string toJson(const Report& report, JsonLayout layout) {
+  JsonWriter json(layout);
   json.beginObject();
   json.key("schema").integer(kReportSchema);
   json.key("tool").text(report.tool);
@@ -342,8 +342,8 @@ std::string toJson(const Report& report) {
   return json.finish();
 }
 
-std::string toJson(const RunInfo& run) {
-  JsonWriter json;
+std::string toJson(const RunInfo& run, JsonLayout layout) {
+  JsonWriter json(layout);
   json.beginObject();
   json.key("schema").integer(kReportSchema);
   json.key("startedAt").text(run.startedAt);

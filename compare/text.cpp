@@ -120,21 +120,6 @@ std::string escapeMarkup(std::string_view text) {
   return out;
 }
 
-std::string encodeUrlPath(std::string_view path) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
-  std::string out = path.starts_with('/') ? "." : "";
-  for (const char c : path) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
-                       std::string_view("-._~/").find(c) != std::string_view::npos;
-    if (plain)
-      out += c;
-    else
-      (out += '%').append({kDigits[byte >> 4], kDigits[byte & 15]});
-  }
-  return out;
-}
-
 std::string plainLine(std::string_view text) {
   std::string out;
   forEachCode(text, [&](std::uint32_t code) {

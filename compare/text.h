@@ -15,10 +15,6 @@ std::string cleanUtf8(std::string_view text);
 // U+FFFF) as U+FFFD.
 std::string escapeMarkup(std::string_view text);
 
-// A relative URL of a '/'-separated path: all bytes but unreserved ones (RFC 3986, 2.3) and '/' are percent-encoded, so
-// it can hold no scheme, query or fragment; a leading '/' gets a '.' before it, so it names no host.
-std::string encodeUrlPath(std::string_view path);
-
 // One line for a terminal: clean UTF-8 without control characters (C0, DEL, C1) and without those that reorder text
 // (bidirectional controls): each becomes U+FFFD.
 std::string plainLine(std::string_view text);

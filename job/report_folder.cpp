@@ -9,6 +9,9 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "compare/dashboard_files.h"
+#include "compare/report_page.h"
+#include "job/display_table.h"
 
 namespace parity::job {
 
@@ -22,12 +25,34 @@ std::string safeFileName(std::size_t index, const std::string& name) {
   return out.substr(0, 64);
 }
 
+bool isOfAView(std::string_view name) {
+  const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+  return digits > 0 && name.substr(digits).starts_with('-');
+}
+
 // Whether a report could have given this name to a picture: "0-scene_0-view_m3_flip.png".
 bool isPictureOfAReport(std::string_view name) {
-  const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
-  return digits > 0 && name.substr(digits).starts_with('-') &&
-         (name.ends_with("_highend.png") || name.ends_with("_mobile.png") || name.ends_with("_flip.png") ||
-          name.ends_with("_truth.png"));
+  return isOfAView(name) && (name.ends_with("_highend.png") || name.ends_with("_mobile.png") ||
+                             name.ends_with("_flip.png") || name.ends_with("_truth.png"));
+}
+
+// The same of a pixel file: "0-scene_0-view.js".
+bool isPixelFileOfAReport(std::string_view name) {
+  return (isOfAView(name) && name.ends_with(".js")) || "pixels/" + std::string(name) == kDisplayTableFile;
+}
+
+// Removes the files that a report has left in a folder of its own, and the folder itself unless it holds others.
+std::error_code clean(const std::filesystem::path& folder, bool (*isOwn)(std::string_view name)) {
+  std::error_code error, isNotEmpty;
+  if (!std::filesystem::exists(folder, error) || error) return error;
+  std::vector<std::filesystem::path> own;
+  std::filesystem::directory_iterator entry(folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error))
+    if (isOwn(entry->path().filename().string())) own.push_back(entry->path());
+  for (const std::filesystem::path& file : own)
+    if (!error) std::filesystem::remove(file, error);
+  if (!error) std::filesystem::remove(folder, isNotEmpty);
+  return error;
 }
 
 } // namespace
@@ -37,26 +62,38 @@ std::string imagePrefix(std::size_t sceneIndex, const std::string& scene, std::s
   return safeFileName(sceneIndex, scene) + "_" + safeFileName(viewIndex, view);
 }
 
-void prepareReportFolder(const std::filesystem::path& folder) {
-  const std::filesystem::path images = folder / "images";
+void prepareReportFolder(const std::filesystem::path& folder, bool singleFile) {
   std::error_code error;
   if (std::filesystem::exists(folder / "index.html", error) && !std::filesystem::exists(folder / "report.json", error))
     throw base::fileError(folder.string(), "index.html", "is not a report's: give another folder");
-  std::filesystem::create_directories(images, error);
+  std::filesystem::create_directories(folder, error);
   if (error) throw base::fileError(folder.string(), "", "cannot be made a folder: " + error.message());
 
   for (const char* file : kReportFiles)
     if (!error) std::filesystem::remove(folder / file, error);
-  std::filesystem::directory_iterator entry(images, error);
-  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error))
-    if (isPictureOfAReport(entry->path().filename().string())) std::filesystem::remove(entry->path(), error);
+  if (!error) error = clean(folder / "images", isPictureOfAReport);
+  if (!error) error = clean(folder / "pixels", isPixelFileOfAReport);
   if (error) throw base::fileError(folder.string(), "", "an older report cannot be removed: " + error.message());
+  // What is in the way of the pictures is said before anything is rendered.
+  if (!singleFile) std::filesystem::create_directories(folder / "images", error);
+  if (error) throw base::fileError(folder.string(), "images", "cannot be made a folder: " + error.message());
 }
 
-void writeReport(const std::filesystem::path& folder, const compare::Report& report, const compare::RunInfo& run) {
-  const std::array<std::string, kReportFiles.size()> contents = {
-      compare::toJson(report), compare::toJson(run), compare::toJunit(report, run), compare::toHtml(report, run)};
-  for (std::size_t i = 0; i < kReportFiles.size(); ++i) base::writeText(folder / kReportFiles[i], contents[i]);
+void writeReport(const std::filesystem::path& folder, const compare::Report& report, const compare::RunInfo& run,
+                 const ReportParts& parts) {
+  base::writeText(folder / "report.json", compare::toJson(report));
+  base::writeText(folder / "run.json", compare::toJson(run));
+  base::writeText(folder / "junit.xml", compare::toJunit(report, run));
+  if (!parts.bench.empty() && !parts.singleFile) base::writeText(folder / "bench.json", parts.bench);
+  if (!compare::hasDashboard()) return;
+  compare::PageRequest page{.bench = parts.bench, .singleFile = parts.singleFile, .files = {}};
+  if (parts.singleFile)
+    for (const EncodedPicture& picture : parts.pictures) page.files.push_back({picture.file, picture.bytes});
+  if (!parts.singleFile) {
+    base::writeText(folder / "dashboard.js", compare::dashboardScript().text);
+    base::writeText(folder / "dashboard.css", compare::dashboardStyle().text);
+  }
+  base::writeText(folder / "index.html", compare::toHtml(report, run, page));
 }
 
 } // namespace parity::job

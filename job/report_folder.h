@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "compare/report.h"
+#include "job/view_pictures.h"
 
 namespace parity::job {
 
@@ -15,14 +17,24 @@ namespace parity::job {
 std::string imagePrefix(std::size_t sceneIndex, const std::string& scene, std::size_t viewIndex,
                         const std::string& view);
 
-// What a report's folder holds besides images/.
-inline constexpr std::array<const char*, 4> kReportFiles = {"report.json", "run.json", "junit.xml", "index.html"};
+// What a report's folder may hold besides images/ and pixels/.
+inline constexpr std::array<const char*, 7> kReportFiles = {"report.json",  "run.json",      "junit.xml", "index.html",
+                                                            "dashboard.js", "dashboard.css", "bench.json"};
 
 // Makes the folder, and removes what an older report has left in it: a run that dies midway leaves no old verdict
-// beside new pictures. Files that no report writes stay. Throws Error (exit 4).
-void prepareReportFolder(const std::filesystem::path& folder);
+// beside new pictures. Files that no report writes stay. singleFile: images/ and pixels/ are not needed. Throws Error
+// (exit 4).
+void prepareReportFolder(const std::filesystem::path& folder, bool singleFile);
 
-// report.json, run.json, junit.xml and index.html. Throws Error (exit 4).
-void writeReport(const std::filesystem::path& folder, const compare::Report& report, const compare::RunInfo& run);
+struct ReportParts {
+  const std::string& bench;                    // bench.json; empty: none
+  bool singleFile = false;                     // index.html holds the bench, the pictures, script and style
+  const std::vector<EncodedPicture>& pictures; // of a single file
+};
+
+// report.json, run.json, junit.xml and, where the build has the page, index.html with dashboard.js and dashboard.css;
+// bench.json where there is one. Throws Error (exit 4).
+void writeReport(const std::filesystem::path& folder, const compare::Report& report, const compare::RunInfo& run,
+                 const ReportParts& parts);
 
 } // namespace parity::job

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <ctime>
 #include <future>
+#include <iterator>
 #include <mutex>
 #include <numeric>
 #include <set>
@@ -18,6 +19,7 @@
 #include "compare/budget.h"
 #include "compare/report_reader.h"
 #include "job/context.h"
+#include "job/display_table.h"
 #include "job/report_folder.h"
 #include "job/scene_comparison.h"
 #include "job/settings_text.h"
@@ -133,9 +135,11 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   if (baseline) budgets.baseline = &*baseline;
   result.report.device = context.deviceReport().description();
   result.report.settings = describeSettings(context.settings(), context.display(), context.deviceReport());
-  if (!request.folder.empty()) prepareReportFolder(request.folder);
+  if (!request.folder.empty()) prepareReportFolder(request.folder, request.singleFile);
   Run run(context, request, std::move(budgets), progress);
+  std::vector<EncodedPicture> pictures; // not written yet
   for (ComparedScene& scene : run.compareScenes()) {
+    std::ranges::move(scene.pictures, std::back_inserter(pictures));
     if (scene.isCached) result.run.cachedScenes.push_back(scene.result.name);
     result.report.scenes.push_back(std::move(scene.result));
   }
@@ -153,10 +157,17 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
     base::logError(fmt::format("{}: {}", request.baseline.string(), result.report.baseline->error));
   if (progress) progress("writing", 1);
 
+  if (!request.folder.empty() && request.pixelData && needsDisplayTable(context.display())) {
+    const base::Stopwatch watch(&context.timings(), "display table");
+    result.report.displayTable = kDisplayTableFile;
+    pictures.push_back({kDisplayTableFile, encodeDisplayTable(context.display())});
+    if (!request.singleFile) writePictures({pictures.back()}, request.folder);
+  }
   result.run.timings = context.timings().stages();
   const std::chrono::duration<double, std::milli> total = std::chrono::steady_clock::now() - start;
   result.run.timings.emplace_back("total", total.count());
-  if (!request.folder.empty()) writeReport(request.folder, result.report, result.run);
+  if (!request.folder.empty())
+    writeReport(request.folder, result.report, result.run, {request.bench, request.singleFile, pictures});
   return result;
 }
 

@@ -20,6 +20,9 @@ struct ReportRequest {
   std::filesystem::path folder;            // empty: nothing is written
   std::filesystem::path baseline;          // an earlier report.json or its folder; empty: none
   bool oneOfMany = false;                  // scenes of the baseline that this run does not show are not gone
+  bool pixelData = true;                   // the values behind the pictures are written, too: pixels/
+  bool singleFile = false;                 // index.html holds everything that it shows
+  std::string bench;                       // bench.json of `parity bench`, for the page and the folder; empty: none
   std::string commandLine;                 // for run.json
 };
 
@@ -29,7 +32,7 @@ struct ReportResult {
 };
 
 // Compares every view of every scene. A scene that fails is an error in the report, with its reason, and the next one
-// runs. With a folder: images/, report.json, run.json, junit.xml and index.html are written there, whatever the
+// runs. With a folder: what job/report_folder.h says is written there, whatever the
 // verdict. A baseline may lie in that same folder: it is read first. Throws Error for what concerns the whole run: no
 // device, a budget file or a baseline that cannot be used, a folder that cannot be written.
 ReportResult runReport(Context& context, const ReportRequest& request, const Progress& progress);

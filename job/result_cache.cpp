@@ -128,6 +128,7 @@ std::optional<std::string> resultKey(Context& context, const SceneRequest& reque
   write(request);
   write(wish.statistics);
   write(wish.pictures);
+  write(wish.pixelData);
   write(static_cast<std::uint64_t>(wish.permutations.own));
   write(wish.permutations.shares);
   try {

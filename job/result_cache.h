@@ -15,6 +15,7 @@ namespace parity::job {
 struct ResultWish {
   std::vector<std::string> statistics; // that are measured for budgets
   bool pictures = false;
+  bool pixelData = false;              // beside the pictures
   gpu::PermutationBudget permutations; // specialised shaders need not round alike
 };
 

@@ -70,9 +70,10 @@ public:
       const std::optional<std::string> key = resultKey(m_context, request, wish);
       if (std::optional<SceneRecord> cached = key ? recall(*key, index, judges) : std::nullopt) {
         result = std::move(cached->result);
+        if (m_request.singleFile) scene.pictures = std::move(cached->pictures);
         scene.isCached = true;
       } else {
-        measureScene(index, wish, key, judges, result);
+        measureScene(index, wish, key, judges, scene);
       }
       result.passes.push_back(attributionPass(m_context.settings().attribution, result));
       for (compare::ViewResult& view : result.views) {
@@ -133,21 +134,22 @@ private:
       record->result = std::move(more->result);
       std::ranges::move(more->pictures, std::back_inserter(record->pictures));
     }
-    writePictures(record->pictures, m_request.folder);
+    if (!m_request.singleFile) writePictures(record->pictures, m_request.folder);
     return record;
   }
 
   Paths paths() const { return {.reference = m_context.settings().truth}; }
 
   ResultWish wishFor(std::size_t index, const compare::Budgets& budgets) const {
-    return {compare::requiredStatistics(budgets), !m_request.folder.empty(),
+    return {compare::requiredStatistics(budgets), !m_request.folder.empty(), m_request.pixelData,
             gpu::shareOf(index, m_request.scenes.size())};
   }
 
   // Fills the result, view by view: what was done before an error stays. Keeps it for later runs.
   void measureScene(std::size_t index, const ResultWish& wish, const std::optional<std::string>& key,
-                    const Judges& judges, compare::SceneResult& result) {
+                    const Judges& judges, ComparedScene& scene) {
     const SceneRequest& request = m_request.scenes[index];
+    compare::SceneResult& result = scene.result;
     m_tell(0, "loading");
     const PreparedScene prepared = prepareScene(m_context, request, paths());
     result.environment = prepared.environmentName;
@@ -169,11 +171,16 @@ private:
       ComparedView compared = compareOne(index, v, prepared, frames, wish);
       comparedPixels += compared.view.whole.all.pixels;
       if (key) plainViews.push_back(compared.view);
-      keepPictures(std::move(compared.pictures), key ? &plainPictures : nullptr);
+      keepPictures(std::move(compared.pictures), scene, key ? &plainPictures : nullptr);
       attributed.push_back(materialsToAttribute(m_context.settings().attribution, compared.view, judges));
       if (!attributed[v].empty()) {
-        if (frames.highend.terms.empty()) renderer.addTerms(frames, cameraOf(request, v, prepared));
+        const bool isLate = frames.highend.terms.empty(); // compareView had none to write
+        if (isLate) renderer.addTerms(frames, cameraOf(request, v, prepared));
         attributeView(m_context, frames, attributed[v], prepared.exposureEv, compared);
+        if (isLate && wish.pictures && wish.pixelData) {
+          const base::Stopwatch watch(&m_context.timings(), "encode images");
+          keepPictures(encodeTerms(compared.view, frames, prefixesOf(index)[v]), scene, key ? &addedPictures : nullptr);
+        }
       }
       result.views.push_back(std::move(compared.view));
     }
@@ -197,10 +204,14 @@ private:
                   {result, plain.prefixes, std::move(addedPictures)});
   }
 
-  // Writes them, and puts them with what is to be kept.
-  void keepPictures(std::vector<EncodedPicture> pictures, std::vector<EncodedPicture>* kept) {
-    const base::Stopwatch watch(&m_context.timings(), "write images");
-    writePictures(pictures, m_request.folder);
+  // Writes them, or leaves them with the scene for a single file; and puts them with what is to be kept.
+  void keepPictures(std::vector<EncodedPicture> pictures, ComparedScene& scene, std::vector<EncodedPicture>* kept) {
+    if (m_request.singleFile) {
+      scene.pictures.insert(scene.pictures.end(), pictures.begin(), pictures.end());
+    } else {
+      const base::Stopwatch watch(&m_context.timings(), "write images");
+      writePictures(pictures, m_request.folder);
+    }
     if (kept) std::ranges::move(pictures, std::back_inserter(*kept));
   }
 
@@ -243,6 +254,7 @@ private:
     comparison.samplers = samplerInputs(prepared);
     comparison.statistics = wish.statistics;
     comparison.pictures = wish.pictures;
+    comparison.pixelData = wish.pixelData;
     comparison.imagePrefix = imagePrefix(sceneIndex, request.name, viewIndex, comparison.viewName);
     return compareView(m_context, prepared.scene, frames, comparison);
   }

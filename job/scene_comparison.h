@@ -9,6 +9,7 @@
 #include "compare/budget.h"
 #include "compare/report.h"
 #include "job/report_run.h"
+#include "job/view_pictures.h"
 
 namespace parity::job {
 
@@ -21,16 +22,17 @@ struct RunBudgets {
 
 struct ComparedScene {
   compare::SceneResult result;
-  bool isCached = false;             // taken from the cache, unchanged
-  std::string error;                 // for the log; empty: none
-  std::vector<std::string> warnings; // for the log, as the result has them but with the folders of files
+  std::vector<EncodedPicture> pictures; // for a report in a single file; else they are written already
+  bool isCached = false;                // taken from the cache, unchanged
+  std::string error;                    // for the log; empty: none
+  std::vector<std::string> warnings;    // for the log, as the result has them but with the folders of files
 };
 
 // Told how much of the scene is done, 0..1, and what comes next.
 using Tell = std::function<void(double done, const std::string& what)>;
 
 // The scene at this place of the request. What goes wrong is the result's error. Pictures are written to the request's
-// folder.
+// folder, unless it wants a single file.
 ComparedScene compareScene(Context& context, const ReportRequest& request, std::size_t index, const RunBudgets& budgets,
                            const Tell& tell);
 

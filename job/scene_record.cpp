@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "compare/pixel_chunk.h"
 #include "job/archive.h"
 
 namespace parity::compare {
@@ -130,6 +131,14 @@ void renamePictures(SceneRecord& record, const std::vector<std::string>& prefixe
     const std::string before = "images/" + record.prefixes[view] + "_";
     if (name.starts_with(before)) name.replace(0, before.size(), "images/" + prefixes[view] + "_");
   };
+  const auto renamePixels = [&](std::string& name, std::size_t view) {
+    for (const char* end : {".js", "_terms.js"})
+      if (name == "pixels/" + record.prefixes[view] + end) {
+        name = "pixels/" + prefixes[view] + end;
+        return true;
+      }
+    return false;
+  };
   const auto renameAll = [&](compare::ImageSet& images, std::optional<compare::Truth>& truth, std::size_t view) {
     for (std::string* name : {&images.reference, &images.test, &images.flip}) rename(*name, view);
     if (!truth) return;
@@ -139,10 +148,15 @@ void renamePictures(SceneRecord& record, const std::vector<std::string>& prefixe
   for (std::size_t v = 0; v < prefixes.size(); ++v) {
     compare::ViewResult& view = record.result.views[v];
     renameAll(view.images, view.truth, v);
+    for (std::string* name : {&view.pixels.color, &view.pixels.terms}) renamePixels(*name, v);
     for (compare::MaterialResult& material : view.materials) renameAll(material.crops, material.truth, v);
   }
   for (EncodedPicture& picture : record.pictures)
     for (std::size_t v = 0; v < prefixes.size(); ++v) {
+      if (renamePixels(picture.file, v)) {
+        compare::renameChunk(picture.bytes, picture.file);
+        break;
+      }
       const std::string before = "images/" + record.prefixes[v] + "_";
       if (!picture.file.starts_with(before)) continue;
       rename(picture.file, v);

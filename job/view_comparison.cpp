@@ -177,6 +177,7 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
   view.name = request.viewName;
   view.width = settings.width;
   view.height = settings.height;
+  view.exposureEv = request.exposureEv;
   view.whole = measured.regions[0];
   view.encoding = std::move(encoding[0]);
   if (truth) view.truth = truth->regions[0];
@@ -204,6 +205,7 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
     pictures.highendTruthFlip = &truth->highendFlip;
     pictures.mobileTruthFlip = &truth->mobileFlip;
   }
+  if (request.pixelData) pictures.planes = planesOf(frames, *pictures.flip, chosen);
   compared.pictures = encodeViewPictures(view, pictures, subject.crops, chosen, request.imagePrefix);
   return compared;
 }

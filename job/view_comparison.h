@@ -17,6 +17,7 @@ struct ViewComparisonRequest {
   float exposureEv = 0;
   std::vector<std::string> statistics; // wanted by budgets, besides the settings' metrics
   bool pictures = false;
+  bool pixelData = false;         // also the values behind the pictures
   std::string imagePrefix;        // unique to scene and view, safe in file names
   mobile::SamplerInputs samplers; // what the mobile path fetches besides the material's textures
 };

@@ -9,6 +9,7 @@
 #include "base/image_io.h"
 #include "base/parallel.h"
 #include "compare/magma.h"
+#include "compare/pixel_chunk.h"
 #include "job/displayed.h"
 
 namespace parity::job {
@@ -31,6 +32,15 @@ void nameImages(compare::ImageSet& images, std::optional<compare::Truth>& truth,
   images = {prefix + "_highend.png", prefix + "_mobile.png", prefix + "_flip.png"};
   if (truth)
     truth->images = {prefix + "_truth.png", prefix + "_highend_truth_flip.png", prefix + "_mobile_truth_flip.png"};
+}
+
+// The file of these planes, encoded from `first` on; nothing where there are none.
+void appendChunk(std::vector<EncodedPicture>& files, std::string& name, const std::string& file,
+                 const std::vector<compare::PixelPlane>& planes, const compare::EncodedPlane* first) {
+  if (planes.empty()) return;
+  name = file;
+  const base::Image& shape = *planes.front().values;
+  files.push_back({file, compare::makeChunk(file, shape.width, shape.height, {first, planes.size()})});
 }
 
 } // namespace
@@ -68,13 +78,26 @@ std::vector<EncodedPicture> encodeViewPictures(compare::ViewResult& view, const 
   add(view.images, view.truth, std::nullopt);
   for (std::size_t i = 0; i < view.materials.size(); ++i)
     if (!crops[i].empty()) add(view.materials[i].crops, view.materials[i].truth, crops[i]);
+  std::vector<compare::PixelPlane> planes = pictures.planes.color;
+  planes.insert(planes.end(), pictures.planes.terms.begin(), pictures.planes.terms.end());
   std::vector<EncodedPicture> encoded(tasks.size());
-  base::parallelFor(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto& [picture, box] = tasks[i];
-      encoded[i] = {picture.path, base::encodeImage8(picture.path, box ? crop(*picture.whole, *box) : *picture.whole)};
+  std::vector<compare::EncodedPlane> encodedPlanes(planes.size());
+  const auto encode = [&](std::size_t i) { // planes first: they take longest
+    if (i < planes.size()) {
+      encodedPlanes[i] = compare::encodePlane(planes[i]);
+      return;
     }
+    const auto& [picture, box] = tasks[i - planes.size()];
+    encoded[i - planes.size()] = {picture.path,
+                                  base::encodeImage8(picture.path, box ? crop(*picture.whole, *box) : *picture.whole)};
+  };
+  base::parallelFor(planes.size() + tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) encode(i);
   });
+  const compare::EncodedPlane* const first = encodedPlanes.data();
+  appendChunk(encoded, view.pixels.color, "pixels/" + prefix + ".js", pictures.planes.color, first);
+  appendChunk(encoded, view.pixels.terms, "pixels/" + prefix + "_terms.js", pictures.planes.terms,
+              first + pictures.planes.color.size());
   return encoded;
 }
 

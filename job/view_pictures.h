@@ -1,4 +1,4 @@
-// The pictures of a view, and of each material that it shows a crop of each.
+// The pictures of a view, and of each material that it shows a crop of each; and the values behind them.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,17 @@
 #include "base/image.h"
 #include "compare/pixel_view.h"
 #include "compare/report.h"
+#include "job/view_planes.h"
 
 namespace parity::job {
 
-// What is written, as PNG. The last three are set where there is a truth.
+// What is written, as PNG; the three after `flip` are set where there is a truth. And as pixel files.
 struct ViewPictures {
   const base::Image8 *highend = nullptr, *mobile = nullptr; // as displayed
   const base::Image* flip = nullptr;                        // of mobile against high-end
   const base::Image8* truth = nullptr;                      // as displayed
   const base::Image *highendTruthFlip = nullptr, *mobileTruthFlip = nullptr;
+  ViewPlanes planes; // none: no such files
 };
 
 // A file of a report, not yet written.
@@ -27,7 +29,8 @@ struct EncodedPicture {
 };
 
 // Makes images/PREFIX_*.png and names them in the view; of each material whose crop is not empty
-// images/PREFIX_mNUMBER_*.png. crops and numbers: as many as the view has materials. Throws Error (exit 4).
+// images/PREFIX_mNUMBER_*.png. crops and numbers: as many as the view has materials. Of planes pixels/PREFIX.js and
+// pixels/PREFIX_terms.js. Throws Error (exit 4).
 std::vector<EncodedPicture> encodeViewPictures(compare::ViewResult& view, const ViewPictures& pictures,
                                                const std::vector<compare::Rect>& crops,
                                                const std::vector<std::size_t>& numbers, const std::string& prefix);

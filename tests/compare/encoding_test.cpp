@@ -1,8 +1,8 @@
-// The stage `encoding` in words, JSON, page and table.
+// The stage `encoding` in JSON and table.
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "compare/encoding.h"
-#include "compare/html_reader.h"
 #include "compare/report.h"
 #include "compare/sample_report.h"
 
@@ -23,18 +23,6 @@ Report makeReport(double glass, double whole) {
   return report;
 }
 
-TEST(EncodingStage, isSaidInWords) {
-  EXPECT_EQ(describeEncoding(makeStage(0.04), false),
-            "stored in rgba8-gamma2: FLIP 0.040 on average, 0.100 p95, 0.160 at most; it is 10.0 % darker");
-  EXPECT_EQ(describeEncoding(makeStage(0.04), true).substr(0, 36), "stored in rgba8-gamma2: FLIP 0.044 o") << "of all";
-  EXPECT_EQ(describeEncoding(makeStage(0), false), "stored in rgba8-gamma2: no difference");
-  EXPECT_EQ(describeEncoding(makeStage(0.04, 0), false), "") << "no pixels";
-  EXPECT_EQ(describeEncoding(std::nullopt, true), "");
-  Encoding broken = makeStage(0);
-  broken.figures.interior.nonFinite = 3;
-  EXPECT_NE(describeEncoding(broken, false).find("NaN or infinite"), std::string::npos) << "never 'no difference'";
-}
-
 TEST(EncodingStage, isNotableWhereThreeDigitsShowIt) {
   EXPECT_FALSE(isNotable(std::nullopt));
   EXPECT_FALSE(isNotable(makeStage(0.0004)));
@@ -49,16 +37,6 @@ TEST(EncodingStage, standsInTheJsonByMaterialAndWhole) {
   EXPECT_EQ(stage.at("figures").at("interior").at("metrics").at("flip.mean"), 0.04);
   EXPECT_EQ(view.at("whole").at("encoding").at("figures").at("interior").at("metrics").at("flip.mean"), 0.02);
   EXPECT_FALSE(view.at("materials").at(1).contains("encoding"));
-}
-
-TEST(EncodingStage, standsOnThePage) {
-  const auto document = parse(toHtml(makeReport(0.04, 0), makeSampleRun()));
-  const auto lines = select(document, "//section[@id='scene-1-view-1']//p[@class='aside encoding']");
-  ASSERT_EQ(lines.size(), 2u);
-  EXPECT_STREQ(lines[0].node().text().get(), "Mobile stored in rgba8-gamma2: no difference.");
-  EXPECT_EQ(std::string(lines[1].node().text().get()).substr(0, 41), "Mobile stored in rgba8-gamma2: FLIP 0.040");
-  const auto plain = parse(toHtml(makeSampleReport(), makeSampleRun()));
-  EXPECT_EQ(select(plain, "//p[@class='aside encoding']").size(), 0u);
 }
 
 TEST(EncodingStage, isAColumnOfTheTableWhereItIsNotable) {

@@ -11,14 +11,17 @@
 
 namespace parity::compare {
 
+// Without what stands between the tags, which is raw text in HTML and not in XML; nothing where there are none.
 inline std::string cutBetween(std::string html, const std::string& open, const std::string& close) {
-  const std::size_t from = html.find(open) + open.size(), to = html.find(close, from);
-  return html.erase(from, to - from);
+  const std::size_t at = html.find(open);
+  if (at == std::string::npos) return html;
+  const std::size_t from = at + open.size();
+  return html.erase(from, html.find(close, from) - from);
 }
 
-// Without the insides of <style> and <script>, which are raw text in HTML and not in XML.
+// The insides of a single file's <style> and <script> are left out; blocks of data are well-formed by themselves.
 inline pugi::xml_document parse(const std::string& html) {
-  const std::string xml = cutBetween(cutBetween(html, "<style>\n", "</style>"), "<script>\n", "</script>");
+  const std::string xml = cutBetween(cutBetween(html, "<style>", "</style>"), "<script>", "</script>");
   pugi::xml_document document;
   const pugi::xml_parse_result result =
       document.load_buffer(xml.data(), xml.size(), pugi::parse_default | pugi::parse_doctype);
@@ -49,5 +52,12 @@ inline std::vector<pugi::xpath_node> select(const pugi::xml_document& document, 
 }
 
 std::vector<pugi::xpath_node> select(pugi::xml_document&&, const char*) = delete; // the nodes would outlive it
+
+// The text of the one element there.
+inline std::string textAt(const pugi::xml_document& document, const char* path) {
+  const auto nodes = select(document, path);
+  EXPECT_EQ(nodes.size(), 1u) << path;
+  return nodes.empty() ? std::string() : nodes.front().node().text().get();
+}
 
 } // namespace parity::compare

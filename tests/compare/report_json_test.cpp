@@ -158,5 +158,21 @@ TEST(JsonWriter, WritesNestedValuesAsRfc8259SaysIt) {
                            "  \"a\\\"b\\\\\\u000a\": \"\\u0001/\"\n}\n");
 }
 
+TEST(JsonWriter, CompactIsTheSameWithoutSpaces) {
+  const Report report = makeSampleReport(hostileNames());
+  const std::string compact = toJson(report, JsonLayout::compact);
+  EXPECT_EQ(nlohmann::ordered_json::parse(compact), nlohmann::ordered_json::parse(toJson(report)));
+  EXPECT_EQ(compact.find('\n'), compact.size() - 1);
+  JsonWriter json(JsonLayout::compact);
+  json.beginObject();
+  json.key("a").beginArray();
+  json.integer(1);
+  json.number(0.1);
+  json.endArray();
+  json.key("b").null();
+  json.endObject();
+  EXPECT_EQ(json.finish(), "{\"a\":[1,0.1],\"b\":null}\n");
+}
+
 } // namespace
 } // namespace parity::compare

@@ -33,16 +33,6 @@ TEST(EscapeMarkup, LeavesNothingThatMarkupCouldUse) {
   EXPECT_EQ(escapeMarkup("日本語"), "日本語");
 }
 
-TEST(EncodeUrlPath, KeepsOnlyUnreservedBytesAndSlashes) {
-  EXPECT_EQ(encodeUrlPath("images/Glass-1_a.b~.png"), "images/Glass-1_a.b~.png");
-  EXPECT_EQ(encodeUrlPath("a b?c#d%e"), "a%20b%3Fc%23d%25e");
-  EXPECT_EQ(encodeUrlPath("javascript:x"), "javascript%3Ax");
-  EXPECT_EQ(encodeUrlPath("//host/x"), ".//host/x");
-  EXPECT_EQ(encodeUrlPath("a\\b"), "a%5Cb");
-  EXPECT_EQ(encodeUrlPath("é\xFF"), "%C3%A9%FF");
-  EXPECT_EQ(encodeUrlPath(""), "");
-}
-
 TEST(PlainLine, HoldsNoControlCharacters) {
   EXPECT_EQ(plainLine("a\x1b[31mb\nc\x7f"), "a\uFFFD[31mb\uFFFDc\uFFFD");
   EXPECT_EQ(plainLine("\u0085\u009B"), "\uFFFD\uFFFD");   // C1: next line, CSI

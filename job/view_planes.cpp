@@ -1,0 +1,52 @@
+#include "job/view_planes.h"
+
+#include <algorithm>
+#include <string>
+
+#include "shading/terms.h"
+
+namespace parity::job {
+
+namespace {
+
+base::Image materialNumbers(const ViewFrames& frames, const std::vector<std::size_t>& chosen) {
+  base::Image numbers(frames.highend.color.width, frames.highend.color.height, 1);
+  std::vector<float> most(numbers.pixelCount(), 0.f);
+  for (std::size_t i = 0; i < chosen.size() && i < 65535; ++i) { // more have no number
+    const base::PixelList& list = frames.coverage[chosen[i]];
+    for (std::size_t k = 0; k < list.pixels.size(); ++k) {
+      const float weight = list.weights.empty() ? 1.f : list.weights[k];
+      const std::uint32_t p = list.pixels[k];
+      if (weight <= most[p]) continue;
+      most[p] = weight;
+      numbers.pixels[p] = static_cast<float>(i + 1);
+    }
+  }
+  return numbers;
+}
+
+bool isBlack(const base::Image& image) {
+  return std::all_of(image.pixels.begin(), image.pixels.end(), [](float v) { return v == 0; });
+}
+
+} // namespace
+
+ViewPlanes planesOf(const ViewFrames& frames, const base::Image& flip, const std::vector<std::size_t>& chosen) {
+  using compare::PlaneKind;
+  ViewPlanes planes;
+  planes.color = {{"highend", PlaneKind::rgb16f, &frames.highend.color},
+                  {"mobile", PlaneKind::rgb16f, &frames.mobile.color}};
+  if (!frames.reference.color.empty()) planes.color.push_back({"truth", PlaneKind::rgb16f, &frames.reference.color});
+  planes.color.push_back({"flip", PlaneKind::unorm16, &flip});
+  planes.color.push_back({"material", PlaneKind::uint16, &planes.made.emplace_back(materialNumbers(frames, chosen))});
+  for (std::size_t t = 0; t < frames.highend.terms.size(); ++t) {
+    const base::Image &highend = frames.highend.terms[t], &mobile = frames.mobile.terms[t];
+    if (isBlack(highend) && isBlack(mobile)) continue;
+    const std::string name(shading::kTermNames[t]);
+    planes.terms.push_back({"highend." + name, PlaneKind::rgb16f, &highend});
+    planes.terms.push_back({"mobile." + name, PlaneKind::rgb16f, &mobile});
+  }
+  return planes;
+}
+
+} // namespace parity::job

@@ -1,0 +1,23 @@
+// The values behind a view's pictures, as planes of a pixel file.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+#include "compare/pixel_chunk.h"
+#include "job/scene_renderer.h"
+
+namespace parity::job {
+
+struct ViewPlanes {
+  std::vector<compare::PixelPlane> color, terms; // of frames and maps that must outlive them, and of those below
+  std::deque<base::Image> made;
+};
+
+// color: highend, mobile, truth where there is one (linear, before exposure), flip, material: 1 + the place in `chosen`
+// of the one that covers most of the pixel, 0 where none does. terms, where the frames have any: highend.TERM and
+// mobile.TERM of each that is not black in both. chosen: materials by their places in the coverage.
+ViewPlanes planesOf(const ViewFrames& frames, const base::Image& flip, const std::vector<std::size_t>& chosen);
+
+} // namespace parity::job
