@@ -40,7 +40,8 @@ job::ReportRequest makeRequest(const ReportCommand& command) {
 
 std::filesystem::path benchFile(const ReportCommand& command) {
   const std::filesystem::path file = command.bench;
-  return std::filesystem::is_directory(file) ? file / "bench.json" : file;
+  std::error_code none;
+  return std::filesystem::is_directory(file, none) ? file / "bench.json" : file;
 }
 
 // The baseline may lie in the report's own folder, as it is read first; all else that is read must stay.

@@ -34,6 +34,8 @@ void nameImages(compare::ImageSet& images, std::optional<compare::Truth>& truth,
     truth->images = {prefix + "_truth.png", prefix + "_highend_truth_flip.png", prefix + "_mobile_truth_flip.png"};
 }
 
+std::string termFileOf(const std::string& prefix) { return "pixels/" + prefix + "_terms.js"; }
+
 // The file of these planes, encoded from `first` on; nothing where there are none.
 void appendChunk(std::vector<EncodedPicture>& files, std::string& name, const std::string& file,
                  const std::vector<compare::PixelPlane>& planes, const compare::EncodedPlane* first) {
@@ -96,9 +98,20 @@ std::vector<EncodedPicture> encodeViewPictures(compare::ViewResult& view, const 
   });
   const compare::EncodedPlane* const first = encodedPlanes.data();
   appendChunk(encoded, view.pixels.color, "pixels/" + prefix + ".js", pictures.planes.color, first);
-  appendChunk(encoded, view.pixels.terms, "pixels/" + prefix + "_terms.js", pictures.planes.terms,
+  appendChunk(encoded, view.pixels.terms, termFileOf(prefix), pictures.planes.terms,
               first + pictures.planes.color.size());
   return encoded;
+}
+
+std::vector<EncodedPicture> encodeTerms(compare::ViewResult& view, const ViewFrames& frames,
+                                        const std::string& prefix) {
+  const std::vector<compare::PixelPlane> planes = termPlanesOf(frames);
+  std::vector<compare::EncodedPlane> encoded(planes.size());
+  base::parallelFor(planes.size(), 1,
+                    [&](std::size_t i, std::size_t) { encoded[i] = compare::encodePlane(planes[i]); });
+  std::vector<EncodedPicture> files;
+  appendChunk(files, view.pixels.terms, termFileOf(prefix), planes, encoded.data());
+  return files;
 }
 
 void writePictures(const std::vector<EncodedPicture>& pictures, const std::filesystem::path& folder) {

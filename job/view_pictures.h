@@ -35,6 +35,10 @@ std::vector<EncodedPicture> encodeViewPictures(compare::ViewResult& view, const 
                                                const std::vector<compare::Rect>& crops,
                                                const std::vector<std::size_t>& numbers, const std::string& prefix);
 
+// pixels/PREFIX_terms.js alone, named in the view, of frames that had no terms when its pictures were made; nothing
+// where every term is black.
+std::vector<EncodedPicture> encodeTerms(compare::ViewResult& view, const ViewFrames& frames, const std::string& prefix);
+
 // Writes them below the report's folder, all at the same time. Throws Error (exit 4).
 void writePictures(const std::vector<EncodedPicture>& pictures, const std::filesystem::path& folder);
 

@@ -31,6 +31,18 @@ bool isBlack(const base::Image& image) {
 
 } // namespace
 
+std::vector<compare::PixelPlane> termPlanesOf(const ViewFrames& frames) {
+  std::vector<compare::PixelPlane> planes;
+  for (std::size_t t = 0; t < frames.highend.terms.size(); ++t) {
+    const base::Image &highend = frames.highend.terms[t], &mobile = frames.mobile.terms[t];
+    if (isBlack(highend) && isBlack(mobile)) continue;
+    const std::string name(shading::kTermNames[t]);
+    planes.push_back({"highend." + name, compare::PlaneKind::rgb16f, &highend});
+    planes.push_back({"mobile." + name, compare::PlaneKind::rgb16f, &mobile});
+  }
+  return planes;
+}
+
 ViewPlanes planesOf(const ViewFrames& frames, const base::Image& flip, const std::vector<std::size_t>& chosen) {
   using compare::PlaneKind;
   ViewPlanes planes;
@@ -39,13 +51,7 @@ ViewPlanes planesOf(const ViewFrames& frames, const base::Image& flip, const std
   if (!frames.reference.color.empty()) planes.color.push_back({"truth", PlaneKind::rgb16f, &frames.reference.color});
   planes.color.push_back({"flip", PlaneKind::unorm16, &flip});
   planes.color.push_back({"material", PlaneKind::uint16, &planes.made.emplace_back(materialNumbers(frames, chosen))});
-  for (std::size_t t = 0; t < frames.highend.terms.size(); ++t) {
-    const base::Image &highend = frames.highend.terms[t], &mobile = frames.mobile.terms[t];
-    if (isBlack(highend) && isBlack(mobile)) continue;
-    const std::string name(shading::kTermNames[t]);
-    planes.terms.push_back({"highend." + name, PlaneKind::rgb16f, &highend});
-    planes.terms.push_back({"mobile." + name, PlaneKind::rgb16f, &mobile});
-  }
+  planes.terms = termPlanesOf(frames);
   return planes;
 }
 

@@ -16,8 +16,11 @@ struct ViewPlanes {
 };
 
 // color: highend, mobile, truth where there is one (linear, before exposure), flip, material: 1 + the place in `chosen`
-// of the one that covers most of the pixel, 0 where none does. terms, where the frames have any: highend.TERM and
-// mobile.TERM of each that is not black in both. chosen: materials by their places in the coverage.
+// of the one that covers most of the pixel, 0 where none does. terms: as below. chosen: materials by their places in
+// the coverage.
 ViewPlanes planesOf(const ViewFrames& frames, const base::Image& flip, const std::vector<std::size_t>& chosen);
+
+// highend.TERM and mobile.TERM of each term that is not black in both; empty where the frames have no terms.
+std::vector<compare::PixelPlane> termPlanesOf(const ViewFrames& frames);
 
 } // namespace parity::job

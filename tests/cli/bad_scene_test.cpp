@@ -125,7 +125,7 @@ TEST_P(BadSceneTest, IsAnErrorInAReportThatIsWhole) {
   const RunResult result = runParity(join({{"report", scene, "-o", folder.string()}, kSun, kSmall}));
   EXPECT_TRUE(exitedWith(4, result));
   EXPECT_EQ(splitLines(result.err).size(), 1u) << result.err;
-  EXPECT_EQ(listFiles(folder), (std::vector<std::string>{"index.html", "junit.xml", "report.json", "run.json"}));
+  EXPECT_EQ(listFiles(folder), reportFiles());
 
   const nlohmann::json report = readReport(folder);
   EXPECT_EQ(report["verdict"], "error");

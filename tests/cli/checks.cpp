@@ -81,6 +81,20 @@ std::vector<std::string> listPictures(const nlohmann::json& report) {
   return {pictures.begin(), pictures.end()};
 }
 
+std::vector<std::string> listPixelFiles(const nlohmann::json& report) {
+  std::set<std::string> files = {report["displayTable"].get<std::string>()};
+  for (const nlohmann::json& scene : report["scenes"])
+    for (const nlohmann::json& view : scene["views"])
+      for (const nlohmann::json& file : view["pixels"]) files.insert(file.get<std::string>());
+  files.erase("");
+  return {files.begin(), files.end()};
+}
+
+std::vector<std::string> reportFiles() {
+  if (!kHasPage) return {"junit.xml", "report.json", "run.json"};
+  return {"dashboard.css", "dashboard.js", "index.html", "junit.xml", "report.json", "run.json"};
+}
+
 std::string writeBudgets(const TempFolder& folder, const std::string& limits) {
   const std::filesystem::path file = folder / "budgets.toml";
   const std::string check = "checks = [{ metric = \"flip.mean\", region = \"all\", " + limits + " }]\n";

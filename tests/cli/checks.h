@@ -44,6 +44,19 @@ std::vector<std::string> listFiles(const std::filesystem::path& folder);
 // Every picture that report.json names, sorted.
 std::vector<std::string> listPictures(const nlohmann::json& report);
 
+// The files of values that report.json names, sorted.
+std::vector<std::string> listPixelFiles(const nlohmann::json& report);
+
+// Whether the program was built with the report's page.
+#ifdef PARITY_DASHBOARD
+inline constexpr bool kHasPage = true;
+#else
+inline constexpr bool kHasPage = false;
+#endif
+
+// What a report's folder holds besides pictures and values, sorted.
+std::vector<std::string> reportFiles();
+
 // A budget file that judges everything by its mean FLIP alone; `limits` as in "warn = 0.1, fail = 0.2".
 std::string writeBudgets(const TempFolder& folder, const std::string& limits);
 

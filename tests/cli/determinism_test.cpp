@@ -33,7 +33,7 @@ protected:
     ASSERT_EQ(a.size(), b.size());
     for (const auto& [name, content] : a) {
       ASSERT_EQ(b.count(name), 1u) << name;
-      if (name.ends_with(".png") || name == "report.json") {
+      if (name.ends_with(".png") || name.ends_with(".js") || name == "report.json") {
         EXPECT_TRUE(b.at(name) == content) << name << " differs";
       }
     }

@@ -61,11 +61,13 @@ TEST_F(NamesTest, ThatAttackComeOutAsTextInEveryFormat) {
   for (const std::string name : {kNames[0], kNames[1], kNames[3]})
     EXPECT_TRUE(std::any_of(cases.begin(), cases.end(), [&](const auto& c) { return contains(c, name); })) << name;
 
-  const std::string page = readWholeFile(folder / "index.html");
+  const std::string page = kHasPage ? readWholeFile(folder / "index.html") : std::string();
   for (const char* raw :
        {"<script>alert", "' <b>", "<b onclick", "<img src=x", "]]> -->", "</style></title>", "\x1b", "\xff"})
     EXPECT_FALSE(contains(page, raw)) << raw;
-  EXPECT_TRUE(contains(page, "&lt;script&gt;alert(1)&lt;/script&gt;"));
+  if (kHasPage) {
+    EXPECT_TRUE(contains(page, "\\u003cscript\\u003ealert(1)\\u003c/script\\u003e"));
+  }
   for (const std::string& picture : listPictures(report)) {
     EXPECT_TRUE(picture.starts_with("images/") && !contains(picture.substr(7), "/")) << picture;
     EXPECT_TRUE(std::filesystem::exists(folder / picture)) << picture;

@@ -14,7 +14,7 @@ using Files = std::map<std::string, std::string>;
 
 struct Report {
   RunResult run;
-  Files files; // report.json and the pictures
+  Files files; // report.json, the pictures and the values behind them
   nlohmann::json info;
   std::vector<std::string> cached() const { return info["cachedScenes"].get<std::vector<std::string>>(); }
   bool did(const std::string& stage) const {
@@ -34,7 +34,8 @@ protected:
     Report result{.run = runParity(join({{"report"}, scenes, options, more})), .files = {}, .info = {}};
     EXPECT_GE(result.run.exitCode, 0) << result.run.err;
     for (const std::string& file : listFiles(folder))
-      if (file == "report.json" || file.ends_with(".png")) result.files[file] = readWholeFile(folder / file);
+      if (file == "report.json" || file.ends_with(".png") || file.ends_with(".js"))
+        result.files[file] = readWholeFile(folder / file);
     EXPECT_GE(result.files.size(), 4u) << result.run.err;
     result.info = nlohmann::json::parse(readWholeFile(folder / "run.json"));
     return result;
@@ -249,7 +250,7 @@ TEST_F(ResultCacheTest, TwoProcessesShareOne) {
   const std::vector<std::string> files = listFiles(folders[0]);
   ASSERT_EQ(listFiles(folders[1]), files);
   for (const std::string& file : files)
-    if (file == "report.json" || file.ends_with(".png")) {
+    if (file == "report.json" || file.ends_with(".png") || file.ends_with(".js")) {
       EXPECT_TRUE(readWholeFile(folders[0] / file) == readWholeFile(folders[1] / file)) << file;
     }
 }

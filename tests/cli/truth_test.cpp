@@ -82,7 +82,7 @@ TEST_F(TruthTest, StandsBesideBothPathsAndChangesNothingElse) {
   }
   EXPECT_GT(seen, 20u);
   EXPECT_GT(view["whole"]["truth"]["all"]["error"]["samples"], 200);
-  EXPECT_TRUE(contains(readWholeFile(m_folder / "with" / "index.html"), "Truth: exact integrals, multiple scattering"));
+  EXPECT_TRUE(contains(readWholeFile(m_folder / "with" / "report.json"), "exact integrals, multiple scattering"));
 
   // A later run without it leaves none of its pictures.
   run("builtin:furnace", "with", {"--size", "16x16"});

@@ -131,7 +131,7 @@ export class ParityInspector extends LitElement {
       ${this.termsMessage === "" ? nothing : html`<p class="aside">${this.termsMessage}</p>`}
       ${this.terms.length === 0
         ? nothing
-        : html`<div class="table-scroll">
+        : html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table">
             <table>
               <thead>
                 <tr>
@@ -167,7 +167,7 @@ export class ParityInspector extends LitElement {
             : html`<bdi>${at.material === "" ? "(no name)" : at.material}</bdi>`}</span
         >
       </p>
-      <div class="table-scroll">
+      <div class="table-scroll" tabindex="0" role="group" aria-label="Table">
         <table>
           <thead>
             <tr>

@@ -1,0 +1,68 @@
+// Which values of a view are written beside its pictures.
+#include "job/view_planes.h"
+
+#include <gtest/gtest.h>
+
+#include "shading/terms.h"
+
+namespace parity::job {
+namespace {
+
+ViewFrames makeFrames() {
+  ViewFrames frames;
+  frames.highend.color = base::Image(3, 2, 3, 0.5f);
+  frames.mobile.color = base::Image(3, 2, 3, 0.25f);
+  frames.coverage = {
+      {"first", {0, 1, 4}, {1, 0.4f, 0.5f}}, {"second", {1, 2}, {}}, {"third", {1, 4, 5}, {0.6f, 0.5f, 1}}};
+  return frames;
+}
+
+std::vector<std::string> namesOf(const std::vector<compare::PixelPlane>& planes) {
+  std::vector<std::string> names;
+  for (const compare::PixelPlane& plane : planes) names.push_back(plane.name);
+  return names;
+}
+
+TEST(ViewPlanes, AreBothPathsFlipAndMaterials) {
+  ViewFrames frames = makeFrames();
+  const base::Image flip(3, 2, 1, 0.1f);
+  const ViewPlanes planes = planesOf(frames, flip, {0, 1, 2});
+  EXPECT_EQ(namesOf(planes.color), (std::vector<std::string>{"highend", "mobile", "flip", "material"}));
+  EXPECT_EQ(planes.color[0].values, &frames.highend.color);
+  EXPECT_EQ(planes.color[1].values, &frames.mobile.color);
+  EXPECT_EQ(planes.color[2].values, &flip);
+  EXPECT_EQ(planes.color[2].kind, compare::PlaneKind::unorm16);
+  EXPECT_TRUE(planes.terms.empty());
+  frames.reference.color = base::Image(3, 2, 3, 1.f);
+  EXPECT_EQ(namesOf(planesOf(frames, flip, {0}).color),
+            (std::vector<std::string>{"highend", "mobile", "truth", "flip", "material"}));
+}
+
+TEST(ViewPlanes, APixelIsOfTheMaterialThatCoversMostOfIt) {
+  const ViewFrames frames = makeFrames();
+  const base::Image flip(3, 2, 1);
+  const auto numbers = [&](const std::vector<std::size_t>& chosen) {
+    return planesOf(frames, flip, chosen).made.front().pixels;
+  };
+  EXPECT_EQ(numbers({0, 1, 2}), (std::vector<float>{1, 2, 2, 0, 1, 3})) << "the first of equals";
+  EXPECT_EQ(numbers({2, 0}), (std::vector<float>{2, 1, 0, 0, 1, 1})) << "places among the chosen ones";
+  EXPECT_EQ(numbers({}), std::vector<float>(6, 0));
+}
+
+TEST(ViewPlanes, TermsThatAreBlackInBothAreLeftOut) {
+  ViewFrames frames = makeFrames();
+  EXPECT_TRUE(termPlanesOf(frames).empty());
+  for (base::Frame* frame : {&frames.highend, &frames.mobile})
+    frame->terms.assign(shading::kTermCount, base::Image(3, 2, 3));
+  EXPECT_TRUE(termPlanesOf(frames).empty());
+  frames.highend.terms[1].pixels[17] = 1e-6f;
+  frames.mobile.terms[6].pixels[0] = std::nanf("");
+  const std::string first(shading::kTermNames[1]), second(shading::kTermNames[6]);
+  const std::vector<compare::PixelPlane> planes = termPlanesOf(frames);
+  EXPECT_EQ(namesOf(planes),
+            (std::vector<std::string>{"highend." + first, "mobile." + first, "highend." + second, "mobile." + second}));
+  EXPECT_EQ(planes[3].values, &frames.mobile.terms[6]);
+}
+
+} // namespace
+} // namespace parity::job
