@@ -181,7 +181,7 @@ export function arrange(scenery: Scenery): PaneModel[] {
       return [pane("highend"), pane("mobile"), ...truth, state.term === "" ? flip() : differencePane(scenery)];
     }
     case "slider":
-      return pair("slider", labelOf(scenery, base), () => ({ from: state.split }), {
+      return pair("slider", labelOf(scenery, base), () => ({ isRight: true }), {
         split: state.split,
         right: labelOf(scenery, "mobile"),
       });

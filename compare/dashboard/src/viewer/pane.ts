@@ -34,7 +34,7 @@ export interface Layer {
   image: string; // path in the report; "": none
   job: Job | null; // not null: painted from values
   opacity?: number;
-  from?: number; // only what is right of this share of the picture's width
+  isRight?: boolean; // only what is right of the divider
   filter?: string;
 }
 
@@ -64,7 +64,7 @@ export class ParityPane extends LitElement {
   @property({ attribute: false }) look: Look = kUsual;
   @property({ attribute: false }) subject: Box | null = null; // what the usual look fits into the pane; null: all
   @property({ attribute: false }) mark: Point | null = null;
-  @property({ attribute: false }) split: number | null = null; // where the divider is; null: none
+  @property({ attribute: false }) split: number | null = null; // where the divider is, 0..1 of the pane; null: none
   @state() private size: Size = { width: 0, height: 0 };
   @query(".stage") private stage!: HTMLElement;
 
@@ -152,15 +152,21 @@ export class ParityPane extends LitElement {
     const grip = event.currentTarget as HTMLElement;
     if (event.type === "pointerdown") grip.setPointerCapture(event.pointerId);
     else if (!grip.hasPointerCapture(event.pointerId)) return;
-    const { x, scale } = this.placement;
-    const at = event.clientX - this.stage.getBoundingClientRect().left - x;
-    this.send("pane-split", Math.min(Math.max(at / (scale * this.picture.width), 0), 1));
+    const at = event.clientX - this.stage.getBoundingClientRect().left;
+    this.send("pane-split", Math.min(Math.max(at / Math.max(this.size.width, 1), 0), 1));
   };
+
+  /** The divider's place as a share of the picture's width: it stays where it is in the pane, whatever is looked at. */
+  private get splitInPicture(): number {
+    const { x, scale } = this.placement;
+    const at = ((this.split ?? 0) * this.size.width - x) / Math.max(scale * this.picture.width, 1e-6);
+    return Math.min(Math.max(at, 0), 1);
+  }
 
   private renderLayer(layer: Layer): TemplateResult {
     const styles = {
       opacity: String(layer.opacity ?? 1),
-      "clip-path": layer.from === undefined ? "none" : `inset(0 0 0 ${100 * layer.from}%)`,
+      "clip-path": layer.isRight ? `inset(0 0 0 ${100 * this.splitInPicture}%)` : "none",
       filter: layer.filter ?? "none",
     };
     return html`<parity-picture
@@ -203,9 +209,9 @@ export class ParityPane extends LitElement {
     return html`<div class="mark" .style=${styleText(styles)}></div>`;
   }
 
-  private renderGrip({ x, scale }: Placement): TemplateResult | typeof nothing {
+  private renderGrip(): TemplateResult | typeof nothing {
     if (this.split === null) return nothing;
-    const left = Math.min(Math.max(x + this.split * scale * this.picture.width, 0), this.size.width);
+    const left = this.split * this.size.width;
     const stop = (event: Event): void => event.stopPropagation();
     return html`<div
       class="grip"
@@ -243,7 +249,7 @@ export class ParityPane extends LitElement {
         @click=${this.onClick}
       >
         ${this.message === "" ? this.renderWorld(placement) : html`<p class="message">${this.message}</p>`}
-        ${this.message === "" ? this.renderGrip(placement) : nothing}
+        ${this.message === "" ? this.renderGrip() : nothing}
         ${this.message === "" ? this.renderMark(placement) : nothing}
       </div>
     </figure>`;
