@@ -197,8 +197,7 @@ void addMetricsOption(CLI::App& app, RawOptions& raw) {
 
 void addAttributionOption(CLI::App& app, RawOptions& raw) {
   app.add_option("--attribution", raw.attribution,
-                 "Of which materials to say what term makes them differ, by swapping each for the high-end path's: "
-                 "over-budget, all (renders the terms of every view) or none")
+                 "Name the term that makes these materials differ: over-budget, all or none")
       ->check(CLI::IsMember(std::vector<std::string>(job::kAttributionNames.begin(), job::kAttributionNames.end())))
       ->group("Verdict")
       ->capture_default_str();

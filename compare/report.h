@@ -133,7 +133,7 @@ struct SceneResult {
   std::vector<std::string> warnings;
   std::vector<ViewResult> views;
   std::vector<PassResult> passes;              // in the order of the work, over all views
-  std::vector<PermutationResult> permutations; // by path, in order of their first use
+  std::vector<PermutationResult> permutations; // that made the pictures, by path, in order of first use
   std::string error; // not empty: the scene could not be compared, this line says why; views hold what was done before
   int errorExitCode = 0; // 3 or 4 where there is an error (settleVerdicts makes 4 of anything else)
   Verdict verdict = Verdict::pass;

@@ -77,6 +77,14 @@ std::unique_ptr<mobile::Renderer> SceneRenderer::makeMobile(bool terms, std::siz
                                             settings.mobile);
 }
 
+SceneRenderer::Layers SceneRenderer::rasterise(const scenes::Camera& camera, const gpu::Tile& tile,
+                                               const glm::vec2& sample) {
+  const base::Stopwatch watch(&m_context.timings(), "surface");
+  Layers layers{m_surfacePass.render(camera, tile, sample, gpu::Layer::opaque), {}};
+  if (m_surfacePass.hasBlended()) layers.blended = m_surfacePass.render(camera, tile, sample, gpu::Layer::blended);
+  return layers;
+}
+
 // And uploads what shading them will read, once for all paths.
 void SceneRenderer::countSurfaces(const gpu::Surface& opaque, const gpu::Surface& blended) {
   m_work.surfaceSamples += opaque.size();
@@ -106,6 +114,7 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
   ErrorBuilder referenceError(m_reference ? settings.width : 0, m_reference ? settings.height : 0, settings.samples);
   std::uint64_t sampledPoints = 0, lightSamples = 0;
   gpu::CoverageBuilder coverage(m_buffers, settings.samples);
+  m_kept.reset();
   const bool compared = m_highend && m_mobile; // masks are for comparing
 
   const std::vector<gpu::Tile> tiles = gpu::makeTiles(width, height);
@@ -114,12 +123,8 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
   std::uint32_t stream = 0;
   for (const gpu::Tile& tile : tiles)
     for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
-      gpu::Surface opaque, blended;
-      {
-        const base::Stopwatch watch(&m_context.timings(), "surface");
-        opaque = m_surfacePass.render(camera, tile, sample, gpu::Layer::opaque);
-        if (m_surfacePass.hasBlended()) blended = m_surfacePass.render(camera, tile, sample, gpu::Layer::blended);
-      }
+      Layers layers = rasterise(camera, tile, sample);
+      const gpu::Surface &opaque = layers.opaque, &blended = layers.blended;
       countSurfaces(opaque, blended);
       const gpu::Surface* layer = m_surfacePass.hasBlended() ? &blended : nullptr;
       gpu::ShadedSurface shadedLayer;
@@ -156,6 +161,7 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
       // The layer's opacity is the same in every path: it comes from the shared material.
       const base::Stopwatch watch(&m_context.timings(), "masks");
       coverage.add(opaque, layer, layer ? &shadedLayer : nullptr, tile);
+      if (parts == 1 && settings.attribution == Attribution::overBudget && !settings.terms) m_kept = std::move(layers);
     }
   ViewFrames frames;
   if (m_highend) frames.highend = highendFrame.take();
@@ -188,20 +194,24 @@ void SceneRenderer::addTerms(ViewFrames& frames, const scenes::Camera& camera) {
   gpu::FrameBuilder mobileFrame = highendFrame;
   for (const gpu::Tile& tile : gpu::makeTiles(width, height))
     for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
+      std::optional<Layers> again;
+      if (!m_kept) {
+        again = rasterise(camera, tile, sample);
+        m_again.surfaceSamples += again->opaque.size();
+        m_again.blendedSamples += again->blended.size();
+        if ((m_buffers.vertexData() & gpu::kVertexFog) != 0)
+          m_again.fogSamples += again->opaque.size() + again->blended.size();
+      }
       const base::Stopwatch watch(&m_context.timings(), "shade terms");
-      const gpu::Surface opaque = m_surfacePass.render(camera, tile, sample, gpu::Layer::opaque);
-      std::optional<gpu::Surface> layer;
-      if (m_surfacePass.hasBlended()) layer = m_surfacePass.render(camera, tile, sample, gpu::Layer::blended);
-      const std::uint64_t blended = layer ? layer->size() : 0, samples = opaque.size() + blended;
-      m_again.surfaceSamples += opaque.size();
-      m_again.blendedSamples += blended;
-      if ((m_buffers.vertexData() & gpu::kVertexFog) != 0) m_again.fogSamples += samples;
-      m_again.termSamples += 2 * samples;
+      const gpu::Surface& opaque = again ? again->opaque : m_kept->opaque;
+      const gpu::Surface& blended = again ? again->blended : m_kept->blended;
+      const gpu::Surface* layer = m_surfacePass.hasBlended() ? &blended : nullptr;
+      m_again.termSamples += 2 * (opaque.size() + blended.size());
       const auto shadeBy = [&](const auto& renderer, gpu::FrameBuilder& frame) {
         const gpu::ShadedSurface shaded = renderer.shade(opaque, camera);
         std::optional<gpu::ShadedSurface> shadedLayer;
         if (layer) shadedLayer = renderer.shade(*layer, camera);
-        frame.add(opaque, shaded, layer ? &*layer : nullptr, layer ? &*shadedLayer : nullptr, tile);
+        frame.add(opaque, shaded, layer, layer ? &*shadedLayer : nullptr, tile);
       };
       shadeBy(*m_highendTerms, highendFrame);
       shadeBy(*m_mobileTerms, mobileFrame);

@@ -35,8 +35,8 @@ public:
   // progress: of the reference path, which alone takes long.
   ViewFrames render(const scenes::Camera& camera, const Progress& progress = {});
 
-  // Gives the frames of that camera's view their terms, by shading it once more: the colours stay as they are. For runs
-  // without settings.terms.
+  // Gives the frames of the view that was rendered last, by this camera, their terms, by shading it once more: the
+  // colours stay as they are. For runs without settings.terms.
   void addTerms(ViewFrames& frames, const scenes::Camera& camera);
 
   // What the mobile path leaves out.
@@ -52,6 +52,10 @@ public:
 private:
   std::unique_ptr<highend::Renderer> makeHighend(bool terms, std::size_t views);
   std::unique_ptr<mobile::Renderer> makeMobile(bool terms, std::size_t views) const;
+  struct Layers {
+    gpu::Surface opaque, blended;
+  };
+  Layers rasterise(const scenes::Camera& camera, const gpu::Tile& tile, const glm::vec2& sample);
   void countSurfaces(const gpu::Surface& opaque, const gpu::Surface& blended);
 
   Context& m_context;
@@ -60,6 +64,7 @@ private:
   Work m_work, m_again; // by render and by addTerms
   gpu::SceneBuffers m_buffers;
   gpu::SurfacePass m_surfacePass;
+  std::optional<Layers> m_kept; // of the last view, where addTerms may need them: a picture in one part
   // Each path reads its own kind.
   std::optional<gpu::EnvironmentMaps> m_environment, m_mobileEnvironment;
   std::unique_ptr<highend::Renderer> m_highend, m_highendTerms; // those with terms are made when first needed

@@ -30,7 +30,9 @@ protected:
     return passes;
   }
   static Passes run(const std::string& scene, const std::vector<std::string>& options) {
-    const RunResult result = runParity(join({{"diff", scene, "--json", "-"}, kSmall, options}));
+    // What attribution shades once more is AttributionTest's.
+    const RunResult result =
+        runParity(join({{"diff", scene, "--json", "-", "--attribution", "none"}, kSmall, options}));
     EXPECT_TRUE(result.exitCode == 0 || result.exitCode == 2) << result.err;
     const nlohmann::json report = nlohmann::json::parse(result.out);
     EXPECT_TRUE(report["scenes"][0]["error"].is_null());
@@ -81,7 +83,7 @@ TEST_F(PassesTest, FogTermsAndAllElseOnRequestOnly) {
   const std::string quad = writeQuad();
   const Passes plain = run(quad, kSun);
   for (const char* pass : {"terms", "reference materials", "reference integrals", "reference occluders",
-                           "compare with the truth", "shader costs", "spread of normals"}) {
+                           "compare with the truth", "shader costs", "spread of normals", "attribution"}) {
     EXPECT_EQ(plain[pass], 0u) << pass;
     EXPECT_EQ(plain.why(pass), "not asked for") << pass;
   }

@@ -154,9 +154,10 @@ TEST_F(ResultCacheTest, ManyScenesShareTheShadersOfARun) {
     if (i % 5 == 0) file.material()["alphaMode"] = "BLEND";
     scenes.push_back(writeEmbedded(m_folder, std::move(file), "scene" + std::to_string(i)));
   }
-  const Report many = report(scenes, {"--no-cache"});
+  const std::vector<std::string> options = {"--no-cache", "--attribution", "none"};
+  const Report many = report(scenes, options);
   EXPECT_EQ(many.info["compiledShaders"], 2) << "one of each path, which asks at run time";
-  const Report few = report({scenes[1], scenes[2], scenes[3]}, {"--no-cache"});
+  const Report few = report({scenes[1], scenes[2], scenes[3]}, options);
   EXPECT_LE(few.info["compiledShaders"], 2 * 3);
   EXPECT_GT(few.info["compiledShaders"], 2);
 }
@@ -176,7 +177,7 @@ TEST_F(ResultCacheTest, EveryKindOfOptionCounts) {
 
 TEST_F(ResultCacheTest, BudgetsJudgeWhatWasKept) {
   const auto budgets = [&](const std::string& limits) {
-    return std::vector<std::string>{"--budgets", writeBudgets(m_folder, limits)};
+    return std::vector<std::string>{"--budgets", writeBudgets(m_folder, limits), "--attribution", "none"};
   };
   const std::string scene = writeQuad();
   const Report loose = report({scene}, budgets("fail = 0.999"));
@@ -261,7 +262,7 @@ TEST_F(ResultCacheTest, InfoCountsAndClearEmpties) {
     return nlohmann::json::parse(result.out);
   };
   EXPECT_EQ(run("info")["entries"], 0) << "there is no such folder";
-  report({writeQuad()});
+  report({writeQuad()}, {"--attribution", "none"});
   writeFile(cache() / "notes.txt", std::string("the user's own"));
   const nlohmann::json info = run("info");
   EXPECT_EQ(info["entries"], listFiles(cache()).size() - 1);

@@ -198,6 +198,14 @@ TEST(Attribution, nonFinitePixelsCountAsTheWorstValueAndNoFigureIsNan) {
   ASSERT_EQ(spoilt.terms.size(), 2u);
   EXPECT_EQ(spoilt.terms[0].flip, 0);
   EXPECT_GT(spoilt.terms[1].flip, spoilt.flip);
+
+  // Where the high-end colour is no number nothing helps.
+  const base::Frame lost = withColor(broken), same = withColor(dark);
+  const Attribution hopeless = attributeOne(lost, same, list);
+  EXPECT_EQ(hopeless.flip, measure(lost.color, same.color, list, true));
+  const base::Image helped = withColor(makeFrame()).color; // all but that pixel
+  EXPECT_EQ(hopeless.terms.at(0).flip, measure(lost.color, helped, list, true));
+  EXPECT_GE(hopeless.terms.at(0).flip, 1 / (52. * 42)) << "of the interior that pixel";
 }
 
 TEST(Attribution, materialWithoutPixelsHasNoneAndThinOnesGoByAllPixels) {

@@ -1,5 +1,5 @@
 // Numbers as people read them: the digits and units that the report names for each figure.
-import type { Statistic } from "./data/types";
+import type { Figures, Statistic } from "./data/types";
 
 const kMinus = "\u2212";
 
@@ -25,6 +25,13 @@ export function figure(value: number | null | undefined, statistic: Statistic | 
   if (small) return value.toExponential(1).replace("-", kMinus).replace("e" + kMinus, "e-");
   const text = statistic.better === "near zero" ? signed(value, statistic.digits) : fixed(value, statistic.digits);
   return statistic.unit === "" ? text : `${text} ${statistic.unit}`;
+}
+
+/** A figure of a region; that of pixels which are not finite is not known, and none of them is identical. */
+export function figureIn(figures: Figures | null | undefined, name: string, statistics: Record<string, Statistic>): string {
+  if (!figures) return "–";
+  const value = figures.metrics[name];
+  return figure(value === null && figures.nonFinite > 0 ? undefined : value, statistics[name]);
 }
 
 /** A difference of two figures, always signed. */

@@ -7,7 +7,7 @@ export interface DisplayTable {
   size: number; // nodes a side
   minLog2: number;
   maxLog2: number;
-  nodes: Float32Array; // display-encoded RGB 0..1; red fastest, then green, then blue
+  nodes: Float32Array; // display-encoded RGB as 255 v + 0.5, v in 0..1; red fastest, then green, then blue
 }
 
 export type Display = { kind: "sRGB" } | { kind: "raw" } | { kind: "table"; table: DisplayTable };
@@ -34,7 +34,10 @@ export function readDisplayTable(chunk: Chunk, plane: Plane): DisplayTable {
   const count = size ** 3;
   const nodes = new Float32Array(3 * count);
   for (let channel = 0; channel < 3; ++channel)
-    for (let i = 0; i < count; ++i) nodes[3 * i + channel] = halves[plane.values[channel * count + i]!]!;
+    for (let i = 0; i < count; ++i) {
+      const value = Math.min(Math.max(halves[plane.values[channel * count + i]!]!, 0), 1);
+      nodes[3 * i + channel] = 255 * value + 0.5; // so that what lies between them only has to be cut
+    }
   return { size, minLog2, maxLog2, nodes };
 }
 
@@ -122,8 +125,7 @@ function paintByTable(plane: Plane, table: DisplayTable, exposureEv: number, out
       const below = w00 * nodes[at]! + w10 * nodes[at + dg]! + w01 * nodes[at + db]! + w11 * nodes[at + dg + db]!;
       const above =
         w00 * nodes[at + 3]! + w10 * nodes[at + dg + 3]! + w01 * nodes[at + db + 3]! + w11 * nodes[at + dg + db + 3]!;
-      const value = below + fr * (above - below);
-      pixel |= (value >= 1 ? 255 : value > 0 ? (value * 255 + 0.5) | 0 : 0) << (8 * channel);
+      pixel |= (below + fr * (above - below)) << (8 * channel);
     }
     out[i] = pixel;
   }

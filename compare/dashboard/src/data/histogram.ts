@@ -50,9 +50,14 @@ export function makeHistogram(
   return { counts, total, mean: total === 0 ? NaN : sum / total, median, p95, max };
 }
 
+/** The least stored value that is not below a threshold 0..1: stored values are rounded, so this is too. */
+export function leastAt(threshold: number): number {
+  return Math.round(threshold * 65535);
+}
+
 /** How many pixels have at least this FLIP, of those that makeHistogram counts. */
 export function countFrom(flip: Uint16Array, material: Uint16Array | null, wanted: number, threshold: number): number {
-  const least = Math.ceil(threshold * 65535);
+  const least = leastAt(threshold);
   let count = 0;
   for (let i = 0; i < flip.length; ++i) {
     if (material !== null && (wanted < 0 ? material[i] === 0 : material[i] !== wanted + 1)) continue;

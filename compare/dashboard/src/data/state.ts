@@ -13,7 +13,7 @@ export interface ViewerState {
   exposure: number; // EV, on top of the scene's; 0: the pictures as the report judged them
   threshold: number; // FLIP below it is shown as alike; 0: all of the map
   gain: number; // of the difference
-  split: number; // of the slider, 0..1 of the picture's width
+  split: number; // of the slider, 0..1 of the pane's width
   opacity: number; // of mobile in the onion skin, 0..1
   zoom: number; // 1: the picture fits its pane
   panX: number; // what is at the pane's centre, 0..1 of the picture

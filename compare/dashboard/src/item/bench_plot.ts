@@ -88,7 +88,7 @@ export class ParityBenchPlot extends LitElement {
     const at = this.hovered;
     return html`<div class="plot" role="img" aria-label=${`${data.points.length} settings of ${data.name}: the table below has their figures`}></div>
       <p class="aside plot-hover" aria-hidden="true">${at ? `${at.name}: ${fixed(at.timeMs, 2)} ms (${fixed(at.low, 2)} to ${fixed(at.high, 2)}), ${fixed(at.error, 4)}` : "Point at a setting."}</p>
-      <details><summary>All settings</summary><div class="table-scroll"><table>
+      <details><summary>All settings</summary><div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
         <thead><tr><th scope="col">setting</th><th scope="col">ms</th><th scope="col">${this.bench.figure}</th><th scope="col">beaten</th></tr></thead>
         <tbody>${data.points.map((point) => html`<tr><th scope="row">${point.name}</th><td class="number">${fixed(point.timeMs, 2)}</td><td class="number">${fixed(point.error, 4)}</td><td>${point.dominated ? "yes" : ""}</td></tr>`)}</tbody>
       </table></div></details>`;

@@ -21,7 +21,7 @@ export function checkTable(judged: Judged, report: Report): TemplateResult {
   if (judged.checks.length === 0) return html`<p class="aside">No budget was checked.</p>`;
   return html`<section class="checks">
     <h3>Budget ${help("budget")}</h3>
-    <div class="table-scroll"><table>
+    <div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
       <thead><tr><th scope="col">figure</th><th scope="col">region</th><th scope="col">value</th><th scope="col">against its limits</th><th scope="col">verdict</th></tr></thead>
       <tbody>${judged.checks.map((check) => {
         const statistic = report.statistics[check.metric];

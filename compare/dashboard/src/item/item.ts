@@ -6,7 +6,7 @@ import type { Page } from "../data/page";
 import { mainFigures, type Row } from "../data/rows";
 import { kTabs, type State, type Tab } from "../data/state";
 import type { Material } from "../data/types";
-import { count, figure } from "../format";
+import { count, figure, figureIn } from "../format";
 import { help } from "../help";
 import { badge } from "../parts";
 import "../viewer/viewer";
@@ -85,7 +85,7 @@ export class ParityItem extends LitElement {
     const { report } = this.page;
     const { row } = this;
     const main = row.judged ? mainFigures(row.judged.figures) : null;
-    const value = (name: string): string => figure(main?.figures.metrics[name], report.statistics[name]);
+    const value = (name: string): string => figureIn(main?.figures, name, report.statistics);
     const notes = row.kind === "material" ? (row.judged as Material).notes : [];
     return html`
       <p class="facts">

@@ -5,7 +5,7 @@ import { customElement, property } from "lit/decorators.js";
 import type { Page } from "../data/page";
 import type { Row } from "../data/rows";
 import type { Judged, Regions, Report, Scene, Truth } from "../data/types";
-import { change, count, duration, figure, fixed } from "../format";
+import { change, count, duration, figure, figureIn, fixed } from "../format";
 import { help } from "../help";
 import { copyable, definitions } from "../parts";
 import "./bench_plot";
@@ -16,13 +16,13 @@ function figureTable(judged: Judged, report: Report): TemplateResult {
   const names = Object.keys(all?.metrics ?? interior?.metrics ?? {});
   const { baseline } = judged;
   const since = baseline && !baseline.new ? (interior ? baseline.interior : baseline.all) : null;
-  return html`<div class="table-scroll"><table>
+  return html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
     <caption>Mobile against high-end</caption>
     <thead><tr><th scope="col">figure</th><th scope="col">interior${help("interior")}</th><th scope="col">all${help("all")}</th>${since ? html`<th scope="col">since the baseline${help("baseline")}</th>` : nothing}</tr></thead>
     <tbody>
       ${names.map((name) => html`<tr><th scope="row">${report.statistics[name]?.label ?? name} <code>${name}</code></th>
-        <td class="number">${interior ? figure(interior.metrics[name], report.statistics[name]) : "–"}</td>
-        <td class="number">${all ? figure(all.metrics[name], report.statistics[name]) : "–"}</td>
+        <td class="number">${figureIn(interior, name, report.statistics)}</td>
+        <td class="number">${figureIn(all, name, report.statistics)}</td>
         ${since ? html`<td class="number">${change(since[name], report.statistics[name])}</td>` : nothing}</tr>`)}
       ${row("pixels", interior && count(interior.pixels), all && count(all.pixels), since !== null)}
       ${row("pixels that are not finite", interior && count(interior.nonFinite), all && count(all.nonFinite), since !== null)}
@@ -39,20 +39,20 @@ function truthTables(truth: Truth, report: Report): TemplateResult {
   const region = truth.interior ?? truth.all;
   if (!region) return html`<p class="aside">The truth is not known here: there are no pixels.</p>`;
   const names = [...new Set([...Object.keys(region.highend.metrics), ...Object.keys(region.mobile.metrics)])];
-  const of = (value: number | null | undefined, name: string): string => figure(value ?? undefined, report.statistics[name]);
+  const ofTerm = (value: number | null | undefined): string => figure(value ?? undefined, report.statistics["flip.mean"]);
   return html`<section><h3>Both paths against the truth ${help("truth")}</h3>
-    <div class="table-scroll"><table>
+    <div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
       <thead><tr><th scope="col">figure</th><th scope="col">high-end</th><th scope="col">mobile</th></tr></thead>
-      <tbody>${names.map((name) => html`<tr><th scope="row">${report.statistics[name]?.label ?? name}</th><td class="number">${of(region.highend.metrics[name], name)}</td><td class="number">${of(region.mobile.metrics[name], name)}</td></tr>`)}</tbody>
+      <tbody>${names.map((name) => html`<tr><th scope="row">${report.statistics[name]?.label ?? name}</th><td class="number">${figureIn(region.highend, name, report.statistics)}</td><td class="number">${figureIn(region.mobile, name, report.statistics)}</td></tr>`)}</tbody>
     </table></div>
     <p class="aside">Standard error of the truth's own pixels: median ${fixed((region.error.median ?? NaN) * 100, 2)} %, worst ${fixed((region.error.worst ?? NaN) * 100, 2)} %${region.nonFinite > 0 ? html`; <b>${region.nonFinite} of its pixels are not finite</b>` : nothing}.</p>
-    ${truth.terms.length === 0 ? nothing : html`<div class="table-scroll"><table>
+    ${truth.terms.length === 0 ? nothing : html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
       <caption>Mean light by term${help("termLight")}</caption>
       <thead><tr><th scope="col">term</th><th scope="col">truth</th><th scope="col">high-end</th><th scope="col">mobile</th><th scope="col">FLIP high-end</th><th scope="col">FLIP mobile</th></tr></thead>
       <tbody>${truth.terms.map((term) => {
         const figures = term.interior ?? term.all;
         return html`<tr><th scope="row">${term.term}</th><td class="number">${fixed(term.luminance.truth, 4)}</td><td class="number">${fixed(term.luminance.highend, 4)}</td><td class="number">${fixed(term.luminance.mobile, 4)}</td>
-          <td class="number">${of(figures?.highend["flip.mean"], "flip.mean")}</td><td class="number">${of(figures?.mobile["flip.mean"], "flip.mean")}</td></tr>`;
+          <td class="number">${ofTerm(figures?.highend["flip.mean"])}</td><td class="number">${ofTerm(figures?.mobile["flip.mean"])}</td></tr>`;
       })}</tbody></table></div>`}
     ${truth.notes.length > 0 ? html`<ul class="notes">${truth.notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
   </section>`;
@@ -60,11 +60,11 @@ function truthTables(truth: Truth, report: Report): TemplateResult {
 
 function encodingLine(regions: Regions, target: string, report: Report): TemplateResult {
   const main = regions.interior ?? regions.all;
-  return html`<p>The render target <code>${target}</code> alone makes FLIP ${main ? figure(main.metrics["flip.mean"] ?? undefined, report.statistics["flip.mean"]) : "–"} in mobile's own picture.${help("encoding")}</p>`;
+  return html`<p>The render target <code>${target}</code> alone makes FLIP ${figureIn(main, "flip.mean", report.statistics)} in mobile's own picture.${help("encoding")}</p>`;
 }
 
 function passTable(scene: Scene): TemplateResult {
-  return html`<section><h3>What was done, what was skipped ${help("skipped")}</h3><div class="table-scroll"><table>
+  return html`<section><h3>What was done, what was skipped ${help("skipped")}</h3><div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
     <thead><tr><th scope="col">pass</th><th scope="col">done</th><th scope="col">skipped, as</th></tr></thead>
     <tbody>${scene.passes.map((pass) => html`<tr class=${pass.skipped === null ? "" : "skipped"}><th scope="row">${pass.name}</th><td class="number">${pass.skipped === null ? `${count(pass.count)} ${pass.unit}` : "–"}</td><td>${pass.skipped ?? ""}</td></tr>`)}</tbody>
   </table></div></section>`;
@@ -72,7 +72,7 @@ function passTable(scene: Scene): TemplateResult {
 
 function permutationTable(scene: Scene): TemplateResult {
   const costs = scene.permutations.some((each) => each.cost);
-  return html`<section><h3>Shaders that ran ${help("permutations")}</h3><div class="table-scroll"><table>
+  return html`<section><h3>Shaders that ran ${help("permutations")}</h3><div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
     <thead><tr><th scope="col">path</th><th scope="col">textures</th><th scope="col">made for</th><th scope="col">pixels</th><th scope="col">samplers</th>${costs ? html`<th scope="col">fp32</th><th scope="col">fp16</th><th scope="col">fetches</th>` : nothing}</tr></thead>
     <tbody>${scene.permutations.map((each) => html`<tr><th scope="row">${each.path}</th><td>${each.textures}</td><td>${each.features}</td><td class="number">${count(each.pixels)}</td><td class="number">${each.samplers}</td>${costs ? html`<td class="number">${each.cost?.fp32 ?? "–"}</td><td class="number">${each.cost?.fp16 ?? "–"}</td><td class="number">${each.cost?.fetches ?? "–"}</td>` : nothing}</tr>`)}</tbody>
   </table></div></section>`;
@@ -110,7 +110,7 @@ export class ParityNumbers extends LitElement {
           ["Shaders compiled", run ? String(run.compiledShaders) : ""],
           ["From the cache", run && run.cachedScenes.includes(scene.name) ? "this scene, unchanged" : ""],
         ])}
-        ${run ? html`<div class="table-scroll"><table><caption>Times${help("timings")}</caption><thead><tr><th scope="col">stage</th><th scope="col">time</th></tr></thead><tbody>${run.timings.map(({ stage, timeMs }) => html`<tr><th scope="row">${stage}</th><td class="number">${duration(timeMs)}</td></tr>`)}</tbody></table></div>` : nothing}
+        ${run ? html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table><caption>Times${help("timings")}</caption><thead><tr><th scope="col">stage</th><th scope="col">time</th></tr></thead><tbody>${run.timings.map(({ stage, timeMs }) => html`<tr><th scope="row">${stage}</th><td class="number">${duration(timeMs)}</td></tr>`)}</tbody></table></div>` : nothing}
       </section>
     </div>`;
   }

@@ -69,7 +69,7 @@ export class ParityTerms extends LitElement {
           ? html`The cause: <b>${cause.term}</b>. With high-end's, mean FLIP would be ${figure(cause.after, statistic)} in place of ${figure(cause.before, statistic)}.`
           : "No single term explains it: no swap lowers FLIP by a tenth."
       }</p>
-      <div class="table-scroll"><table class="attribution">
+      <div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table class="attribution">
         <thead><tr><th scope="col">swapped</th><th scope="col"><span class="sr">bar</span></th><th scope="col">mean FLIP, ${region}</th><th scope="col">change</th></tr></thead>
         <tbody>${line("nothing, as it is", flip, "now")}${sorted.map((each) => line(each.term, each.flip, each.flip !== null && flip !== null && each.flip < flip ? "better" : "worse"))}</tbody>
       </table></div>`;

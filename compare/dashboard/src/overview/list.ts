@@ -104,7 +104,13 @@ export class ParityList extends LitElement {
     return toHash({ ...this.state, scene, view, material, pixelX: -1, pixelY: -1, zoom: 1, panX: 0.5, panY: 0.5 });
   }
 
+  private renderNothing(): TemplateResult {
+    const all = toHash({ ...this.state, query: "", verdicts: [], causedBy: "", preset: "" });
+    return html`<p class="nothing">${this.report.scenes.length === 0 ? "Nothing was compared." : html`Nothing matches. <a href=${all === "" ? "#" : all}>Show all</a>`}</p>`;
+  }
+
   protected override render(): TemplateResult {
+    if (this.rows.length === 0) return this.renderNothing();
     const virtualizer = this.virtualizer.getVirtualizer();
     const height = this.rowHeight;
     const shown = this.printing
@@ -115,7 +121,6 @@ export class ParityList extends LitElement {
       <div class="list ${this.compact ? "compact" : ""}" role="table" aria-label=${this.state.list === "views" ? "Views" : "Materials"} aria-rowcount=${this.rows.length + 1}>
         ${this.compact ? nothing : this.renderHead()}
         <div class="list-scroll" role="rowgroup" tabindex="0" ${ref(this.scroller)} aria-label="Rows">
-          ${this.rows.length === 0 ? html`<p class="nothing">Nothing matches. <a href=${toHash({ ...this.state, query: "", verdicts: [], causedBy: "", preset: "" }) || "#"}>Show all</a></p>` : nothing}
           <div class="list-all" role="presentation" .style=${`height:${total}px`}>
             ${shown.map(({ index, start }) => {
               const row = this.rows[index];

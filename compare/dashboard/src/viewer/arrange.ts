@@ -17,6 +17,7 @@ export interface Scenery {
 export interface PaneModel {
   key: string;
   label: string;
+  right: string; // of what is at the right of a divider; "": one label for all
   note: string;
   message: string; // not empty: instead of pictures
   isWaiting: boolean; // for values; until then the image file is shown, if there is one
@@ -76,7 +77,13 @@ function makePicture(scenery: Scenery, picture: Picture): Part {
   const [values, display] = [valueOf(plane), valueOf(source.display)];
   const job: Job | null = values && display ? { kind: "display", plane: values, display, exposureEv } : null;
   const message = messageOf(plane) || messageOf(source.display);
-  return makePart(scenery, layer, true, job, message && state.term === "" ? missingText(scenery, image, message) : message);
+  return makePart(
+    scenery,
+    layer,
+    true,
+    job,
+    message && state.term === "" ? missingText(scenery, image, message) : message,
+  );
 }
 
 function labelOf({ state }: Scenery, picture: Picture): string {
@@ -105,6 +112,7 @@ function onePane(key: string, label: string, note: string, parts: Part[], more: 
   return {
     key,
     label,
+    right: "",
     note,
     message: parts.find((part) => part.message !== "")?.message ?? "",
     isWaiting: parts.some((part) => part.isWaiting),
@@ -122,7 +130,7 @@ function differencePane(scenery: Scenery): PaneModel {
   const [first, second] = [planeOf(scenery, base), planeOf(scenery, "mobile")];
   const [reference, test, display] = [valueOf(first), valueOf(second), valueOf(source.display)];
   const label = `Difference × ${state.gain}`;
-  const note = [`${labelOf(scenery, "mobile")} less ${labelOf(scenery, base)}`, exposureText(state.exposure)];
+  const note = [`mobile less ${kLabels[base].toLowerCase()}`, exposureText(state.exposure)];
   const exposureEv = view.exposureEv + state.exposure;
   const job: Job | null =
     reference && test && display
@@ -157,7 +165,12 @@ export function arrange(scenery: Scenery): PaneModel[] {
   const flip = (): PaneModel =>
     onePane("flip", "FLIP map", exposure && "at the report's exposure", [makeFlip(scenery)]);
   const base = baseOf(scenery);
-  const pair = (key: string, label: string, change: (layer: Layer) => Partial<Layer>, more: Partial<PaneModel> = {}) => {
+  const pair = (
+    key: string,
+    label: string,
+    change: (layer: Layer) => Partial<Layer>,
+    more: Partial<PaneModel> = {},
+  ) => {
     const mobile = makePicture(scenery, "mobile");
     mobile.layer = { ...mobile.layer, ...change(mobile.layer) };
     return [onePane(key, label, exposure, [makePicture(scenery, base), mobile], more)];
@@ -168,12 +181,10 @@ export function arrange(scenery: Scenery): PaneModel[] {
       return [pane("highend"), pane("mobile"), ...truth, state.term === "" ? flip() : differencePane(scenery)];
     }
     case "slider":
-      return pair(
-        "slider",
-        `${labelOf(scenery, base)} left, ${labelOf(scenery, "mobile")} right`,
-        () => ({ from: state.split }),
-        { split: state.split },
-      );
+      return pair("slider", labelOf(scenery, base), () => ({ isRight: true }), {
+        split: state.split,
+        right: labelOf(scenery, "mobile"),
+      });
     case "onion":
       return pair("onion", `${labelOf(scenery, "mobile")} over ${labelOf(scenery, base)}`, () => ({
         opacity: state.opacity,

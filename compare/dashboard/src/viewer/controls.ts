@@ -74,7 +74,11 @@ function range(r: Range): TemplateResult {
 function check(label: TemplateResult, topic: Topic, isOn: boolean, set: (isOn: boolean) => void): TemplateResult {
   return html`<span class="check"
     ><label
-      ><input type="checkbox" .checked=${live(isOn)} @change=${(event: Event) => set((event.target as HTMLInputElement).checked)} />
+      ><input
+        type="checkbox"
+        .checked=${live(isOn)}
+        @change=${(event: Event) => set((event.target as HTMLInputElement).checked)}
+      />
       ${label}</label
     >${help(topic)}</span
   >`;
@@ -112,7 +116,9 @@ function termChoice({ state, hasTerms, set }: ControlScene): TemplateResult | ty
     ><label for="viewer-term">Show</label>
     <select id="viewer-term" @change=${(event: Event) => set({ term: (event.target as HTMLSelectElement).value })}>
       <option value="" .selected=${state.term === ""}>colour</option>
-      ${kTermNames.map((term) => html`<option value=${term} .selected=${state.term === term}>${termLabel(term)}</option>`)}
+      ${kTermNames.map(
+        (term) => html`<option value=${term} .selected=${state.term === term}>${termLabel(term)}</option>`,
+      )}
     </select>
     ${help("showTerm")}</span
   >`;
@@ -123,9 +129,25 @@ function modeControl(scene: ControlScene): TemplateResult | typeof nothing {
   const percent = (value: number): string => `${Math.round(100 * value)} %`;
   const share = { least: 0, most: 1, step: 0.01, usual: 0.5 };
   if (state.mode === "slider")
-    return range({ ...share, id: "split", label: "Split", topic: "split", value: state.split, text: percent(state.split), set: (split) => set({ split }) });
+    return range({
+      ...share,
+      id: "split",
+      label: "Split",
+      topic: "split",
+      value: state.split,
+      text: percent(state.split),
+      set: (split) => set({ split }),
+    });
   if (state.mode === "onion")
-    return range({ ...share, id: "opacity", label: "Mobile", topic: "opacity", value: state.opacity, text: percent(state.opacity), set: (opacity) => set({ opacity }) });
+    return range({
+      ...share,
+      id: "opacity",
+      label: "Mobile",
+      topic: "opacity",
+      value: state.opacity,
+      text: percent(state.opacity),
+      set: (opacity) => set({ opacity }),
+    });
   if (state.mode === "flicker")
     return html`<span class="choice"
       ><button
@@ -145,7 +167,18 @@ function modeControl(scene: ControlScene): TemplateResult | typeof nothing {
 
 function thresholdRange({ state, set, above }: ControlScene): TemplateResult {
   const text = state.threshold.toFixed(2) + (above === "" ? "" : `, ${above}`);
-  return range({ id: "threshold", label: "Threshold", topic: "threshold", value: state.threshold, text, least: 0, most: 1, step: 0.01, usual: 0, set: (threshold) => set({ threshold }) });
+  return range({
+    id: "threshold",
+    label: "Threshold",
+    topic: "threshold",
+    value: state.threshold,
+    text,
+    least: 0,
+    most: 1,
+    step: 0.01,
+    usual: 0,
+    set: (threshold) => set({ threshold }),
+  });
 }
 
 /** The whole tool bar. */
@@ -155,19 +188,39 @@ export function controls(scene: ControlScene): TemplateResult {
   const showsDifference = state.mode === "difference" || (state.mode === "side" && state.term !== "");
   return html`<div class="tools" role="group" aria-label="Comparison">
     ${modeButtons(scene)} ${zoomButtons(scene)} ${modeControl(scene)}
-    ${range({ id: "exposure", label: "Exposure", topic: "exposure", value: state.exposure, text: exposureText(state.exposure) || "0 EV", least: -kMostExposure, most: kMostExposure, step: kExposureStep, usual: 0, set: (exposure) => set({ exposure }) })}
+    ${range({
+      id: "exposure",
+      label: "Exposure",
+      topic: "exposure",
+      value: state.exposure,
+      text: exposureText(state.exposure) || "0 EV",
+      least: -kMostExposure,
+      most: kMostExposure,
+      step: kExposureStep,
+      usual: 0,
+      set: (exposure) => set({ exposure }),
+    })}
     ${showsFlip ? thresholdRange(scene) : nothing}
-    ${
-      showsDifference
-        ? range({ id: "gain", label: "Gain", topic: "gain", value: state.gain, text: `× ${state.gain}`, least: 1, most: 64, step: 1, usual: 4, set: (gain) => set({ gain }) })
-        : nothing
-    }
+    ${showsDifference
+      ? range({
+          id: "gain",
+          label: "Gain",
+          topic: "gain",
+          value: state.gain,
+          text: `× ${state.gain}`,
+          least: 1,
+          most: 64,
+          step: 1,
+          usual: 4,
+          set: (gain) => set({ gain }),
+        })
+      : nothing}
     ${termChoice(scene)}
     ${scene.hasTruth ? check(html`Truth`, "showTruth", state.showTruth, (showTruth) => set({ showTruth })) : nothing}
-    ${
-      scene.material === null
-        ? nothing
-        : check(html`Dim all but <bdi>${scene.material}</bdi>`, "dimOthers", state.dimOthers, (dimOthers) => set({ dimOthers }))
-    }
+    ${scene.material === null
+      ? nothing
+      : check(html`Dim all but <bdi>${scene.material}</bdi>`, "dimOthers", state.dimOthers, (dimOthers) =>
+          set({ dimOthers }),
+        )}
   </div>`;
 }

@@ -125,14 +125,28 @@ export class ParityFlipHistogram extends LitElement {
       {
         width: Math.max(place.clientWidth, 200),
         height: kHeight,
-        scales: { x: { time: false, range: [0, 1] }, y: { distr: 3, range: (_, __, most) => [0.7, Math.max(most, 10) * 1.4] } },
+        scales: {
+          x: { time: false, range: [0, 1] },
+          y: { distr: 3, range: (_, __, most) => [0.7, Math.max(most, 10) * 1.4] },
+        },
         axes: [
           { ...axis, size: 28 },
-          { ...axis, size: 56, values: (_, splits) => splits.map((n) => (n !== null && n >= 1 && Number.isInteger(Math.log10(n)) ? count(n) : "")) },
+          {
+            ...axis,
+            size: 56,
+            values: (_, splits) =>
+              splits.map((n) => (n !== null && n >= 1 && Number.isInteger(Math.log10(n)) ? count(n) : "")),
+          },
         ],
         series: [
           {},
-          { label: "pixels", fill: () => this.color("--muted"), width: 0, points: { show: false }, ...(bars ? { paths: bars } : {}) },
+          {
+            label: "pixels",
+            fill: () => this.color("--muted"),
+            width: 0,
+            points: { show: false },
+            ...(bars ? { paths: bars } : {}),
+          },
         ],
         legend: { show: false },
         cursor: { show: false },
@@ -176,11 +190,22 @@ export class ParityFlipHistogram extends LitElement {
       <h3>FLIP of its pixels${help("histogram")}</h3>
       ${this.flip === null
         ? html`<p class="aside">${this.message === "" ? "Loading…" : this.message}</p>`
-        : html`<div class="plot" role="img" aria-label=${`Histogram of FLIP, logarithmic counts. ${this.summary}`}></div>
+        : html`<div
+              class="plot"
+              role="img"
+              aria-label=${`Histogram of FLIP, logarithmic counts. ${this.summary}`}
+            ></div>
             <ul class="marks">
-              ${this.marks.map((mark) => html`<li><i class="line ${mark.label.split(" ")[0]}" aria-hidden="true"></i>${mark.label}</li>`)}
+              ${this.marks.map(
+                (mark) =>
+                  html`<li><i class="line ${mark.label.split(" ")[0]}" aria-hidden="true"></i>${mark.label}</li>`,
+              )}
             </ul>
-            <p class="aside">${this.summary}${this.checks.some((check) => check.metric === "flip.mean" && check.region === "interior") ? " The budget is held against interior pixels alone." : nothing}</p>`}
+            <p class="aside">
+              ${this.summary}${this.checks.some((check) => check.metric === "flip.mean" && check.region === "interior")
+                ? " The budget is held against interior pixels alone."
+                : nothing}
+            </p>`}
     </section>`;
   }
 }

@@ -1,7 +1,6 @@
 // The values of one pixel: both paths (and the truth), FLIP, the material, and what each term adds.
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
-import { styleMap } from "lit/directives/style-map.js";
 
 import type { Plane } from "../data/chunk";
 import type { Display } from "../data/display";
@@ -11,6 +10,7 @@ import { help } from "../help";
 import type { Point } from "./pane";
 import { cssColor, linearText, samplePlane, type Rgb, type Sample } from "./sample";
 import { termLabel } from "./terms";
+import { styleText } from "./style_text";
 
 export interface Inspected {
   pixel: Point;
@@ -59,7 +59,9 @@ export class ParityInspector extends LitElement {
     const rows: TermRow[] = [];
     try {
       const chunk = await loadChunk(termsFile);
-      const names = chunk.planes.filter((plane) => plane.name.startsWith("highend.")).map((plane) => plane.name.slice(8));
+      const names = chunk.planes
+        .filter((plane) => plane.name.startsWith("highend."))
+        .map((plane) => plane.name.slice(8));
       const index = pixel.y * chunk.width + pixel.x;
       for (const term of names) {
         const highend = samplePlane(await loadPlane(termsFile, `highend.${term}`), index, null, 0).linear;
@@ -83,8 +85,15 @@ export class ParityInspector extends LitElement {
       `pixel\t${at.pixel.x}\t${at.pixel.y}`,
       `material\t${at.material ?? "none"}`,
       `FLIP\t${at.flip === null ? "" : at.flip.toFixed(4)}`,
-      ...this.samples(at).map(({ name, linear, display }) => `${name}\tlinear\t${linear.join("\t")}\tdisplay\t${display?.join("\t") ?? ""}`),
-      ...(this.isOpen ? this.terms.flatMap(({ term, highend, mobile }) => [`high-end ${term}\tlinear\t${highend.join("\t")}`, `mobile ${term}\tlinear\t${mobile.join("\t")}`]) : []),
+      ...this.samples(at).map(
+        ({ name, linear, display }) => `${name}\tlinear\t${linear.join("\t")}\tdisplay\t${display?.join("\t") ?? ""}`,
+      ),
+      ...(this.isOpen
+        ? this.terms.flatMap(({ term, highend, mobile }) => [
+            `high-end ${term}\tlinear\t${highend.join("\t")}`,
+            `mobile ${term}\tlinear\t${mobile.join("\t")}`,
+          ])
+        : []),
     ];
     return lines.join("\n");
   }
@@ -97,15 +106,20 @@ export class ParityInspector extends LitElement {
 
   private samples(at: Inspected): (Sample & { name: string })[] {
     const index = (plane: Plane): number => at.pixel.y * plane.width + at.pixel.x;
-    return at.pictures.map(({ name, plane }) => ({ name, ...samplePlane(plane, index(plane), at.display, at.exposureEv) }));
+    return at.pictures.map(({ name, plane }) => ({
+      name,
+      ...samplePlane(plane, index(plane), at.display, at.exposureEv),
+    }));
   }
 
   private renderSample({ name, linear, display }: Sample & { name: string }): TemplateResult {
-    const swatch = display ? styleMap({ background: cssColor(display) }) : nothing;
+    const swatch = display ? styleText({ background: cssColor(display) }) : "";
     return html`<tr>
-      <th scope="row">${display ? html`<i class="swatch" style=${swatch} aria-hidden="true"></i>` : nothing}${name}</th>
-      <td class="number">${linear.map((value) => html`<span>${linearText(value)}</span>`)}</td>
-      <td class="number">${display?.map((value) => html`<span>${value}</span>`) ?? "–"}</td>
+      <th scope="row">
+        ${display ? html`<i class="swatch" .style=${swatch} aria-hidden="true"></i>` : nothing}${name}
+      </th>
+      <td class="number">${linear.map((value) => html`<span>${linearText(value)}</span> `)}</td>
+      <td class="number">${display?.map((value) => html`<span>${value}</span> `) ?? "–"}</td>
     </tr>`;
   }
 
@@ -117,13 +131,29 @@ export class ParityInspector extends LitElement {
       ${this.termsMessage === "" ? nothing : html`<p class="aside">${this.termsMessage}</p>`}
       ${this.terms.length === 0
         ? nothing
-        : html`<div class="table-scroll"><table>
-            <thead><tr><th scope="col">term</th><th scope="col">high-end</th><th scope="col">mobile</th></tr></thead>
-            <tbody>${this.terms.map(
-              ({ term, highend, mobile }) =>
-                html`<tr><th scope="row">${termLabel(term)}</th>${[highend, mobile].map((rgb) => html`<td class="number">${rgb.map((value) => html`<span>${linearText(value)}</span>`)}</td>`)}</tr>`,
-            )}</tbody>
-          </table></div>`}
+        : html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table">
+            <table>
+              <thead>
+                <tr>
+                  <th scope="col">term</th>
+                  <th scope="col">high-end</th>
+                  <th scope="col">mobile</th>
+                </tr>
+              </thead>
+              <tbody>
+                ${this.terms.map(
+                  ({ term, highend, mobile }) =>
+                    html`<tr>
+                      <th scope="row">${termLabel(term)}</th>
+                      ${[highend, mobile].map(
+                        (rgb) =>
+                          html`<td class="number">${rgb.map((value) => html`<span>${linearText(value)}</span> `)}</td>`,
+                      )}
+                    </tr>`,
+                )}
+              </tbody>
+            </table>
+          </div>`}
     </details>`;
   }
 
@@ -131,17 +161,39 @@ export class ParityInspector extends LitElement {
     return html`<p class="pixel-head" aria-live=${at.isPinned ? "polite" : "off"}>
         <b class="number">${at.pixel.x}, ${at.pixel.y}</b>
         <span>FLIP <b class="number">${fixed(at.flip, 3)}</b></span>
-        <span class="material">${at.material === null ? "no material of this list" : html`<bdi>${at.material === "" ? "(no name)" : at.material}</bdi>`}</span>
+        <span class="material"
+          >${at.material === null
+            ? "no material of this list"
+            : html`<bdi>${at.material === "" ? "(no name)" : at.material}</bdi>`}</span
+        >
       </p>
-      <div class="table-scroll"><table>
-        <thead><tr><th scope="col">picture</th><th scope="col">linear${help("linear")}</th><th scope="col">display${help("display")}</th></tr></thead>
-        <tbody>${this.samples(at).map((sample) => this.renderSample(sample))}</tbody>
-      </table></div>
+      <div class="table-scroll" tabindex="0" role="group" aria-label="Table">
+        <table>
+          <thead>
+            <tr>
+              <th scope="col">picture</th>
+              <th scope="col">linear${help("linear")}</th>
+              <th scope="col">display${help("display")}</th>
+            </tr>
+          </thead>
+          <tbody>
+            ${this.samples(at).map((sample) => this.renderSample(sample))}
+          </tbody>
+        </table>
+      </div>
       ${this.renderTerms(at)}
       <p class="pixel-tools">
         <button type="button" @click=${this.copy}>${this.copied === "" ? "Copy values" : this.copied}</button>
-        <button type="button" ?disabled=${!at.isPinned} @click=${() => this.dispatchEvent(new CustomEvent("inspector-unpin"))}>Unpin</button>
-        <span class="aside">${at.isPinned ? "Pinned; arrow keys move it while a picture has the focus." : "A click pins it."}</span>
+        <button
+          type="button"
+          ?disabled=${!at.isPinned}
+          @click=${() => this.dispatchEvent(new CustomEvent("inspector-unpin"))}
+        >
+          Unpin
+        </button>
+        <span class="aside"
+          >${at.isPinned ? "Pinned; arrow keys move it while a picture has the focus." : "A click pins it."}</span
+        >
       </p>`;
   }
 
@@ -150,7 +202,11 @@ export class ParityInspector extends LitElement {
     return html`<section class="inspector">
       <h3>Pixel${help("inspector")}</h3>
       ${at === null
-        ? html`<p class="aside">${this.message === "" ? "Point at a picture, click to pin; or press an arrow key while a picture has the focus." : this.message}</p>`
+        ? html`<p class="aside">
+            ${this.message === ""
+              ? "Point at a picture, click to pin; or press an arrow key while a picture has the focus."
+              : this.message}
+          </p>`
         : this.renderPixel(at)}
     </section>`;
   }

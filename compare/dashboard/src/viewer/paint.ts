@@ -2,6 +2,7 @@
 // was opened from a folder, so whatever depends on values is painted from pixel files.
 import type { Plane } from "../data/chunk";
 import { paintDisplay, type Display } from "../data/display";
+import { leastAt } from "../data/histogram";
 import { magmaColor } from "../data/magma";
 
 export type Job =
@@ -21,7 +22,7 @@ export function sizeOf(job: Job): { width: number; height: number } {
 /** 0..65535 of FLIP 0..1 to screen colours, 0xffBBGGRR. */
 function heatTable(threshold: number): Uint32Array {
   const colors = new Uint32Array(65536);
-  const least = Math.ceil(threshold * 65535);
+  const least = leastAt(threshold);
   for (let value = 0; value < 65536; ++value) {
     const rgb = magmaColor(Math.floor((255 * value) / 65535 + 0.5));
     colors[value] = value < least ? kAlike : 0xff000000 | ((rgb & 255) << 16) | (rgb & 0xff00) | (rgb >> 16);

@@ -4,7 +4,6 @@ import { zoom, zoomIdentity, type D3ZoomEvent, type ZoomBehavior, type ZoomTrans
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
-import { styleMap } from "lit/directives/style-map.js";
 
 import type { Job } from "./paint";
 import "./picture";
@@ -21,6 +20,7 @@ import {
   type Placement,
   type Size,
 } from "./transform";
+import { styleText } from "./style_text";
 
 export interface Point {
   x: number;
@@ -34,7 +34,7 @@ export interface Layer {
   image: string; // path in the report; "": none
   job: Job | null; // not null: painted from values
   opacity?: number;
-  from?: number; // only what is right of this share of the picture's width
+  isRight?: boolean; // only what is right of the divider
   filter?: string;
 }
 
@@ -53,6 +53,7 @@ function isTouch(event: Event): event is TouchEvent {
 @customElement("parity-pane")
 export class ParityPane extends LitElement {
   @property({ attribute: false }) label = "";
+  @property({ attribute: false }) right = ""; // of what is right of the divider
   @property({ attribute: false }) note = "";
   @property({ attribute: false }) message = ""; // instead of pictures
   @property({ attribute: false }) isWaiting = false;
@@ -63,7 +64,7 @@ export class ParityPane extends LitElement {
   @property({ attribute: false }) look: Look = kUsual;
   @property({ attribute: false }) subject: Box | null = null; // what the usual look fits into the pane; null: all
   @property({ attribute: false }) mark: Point | null = null;
-  @property({ attribute: false }) split: number | null = null; // where the divider is; null: none
+  @property({ attribute: false }) split: number | null = null; // where the divider is, 0..1 of the pane; null: none
   @state() private size: Size = { width: 0, height: 0 };
   @query(".stage") private stage!: HTMLElement;
 
@@ -151,19 +152,25 @@ export class ParityPane extends LitElement {
     const grip = event.currentTarget as HTMLElement;
     if (event.type === "pointerdown") grip.setPointerCapture(event.pointerId);
     else if (!grip.hasPointerCapture(event.pointerId)) return;
-    const { x, scale } = this.placement;
-    const at = event.clientX - this.stage.getBoundingClientRect().left - x;
-    this.send("pane-split", Math.min(Math.max(at / (scale * this.picture.width), 0), 1));
+    const at = event.clientX - this.stage.getBoundingClientRect().left;
+    this.send("pane-split", Math.min(Math.max(at / Math.max(this.size.width, 1), 0), 1));
   };
+
+  /** The divider's place as a share of the picture's width: it stays where it is in the pane, whatever is looked at. */
+  private get splitInPicture(): number {
+    const { x, scale } = this.placement;
+    const at = ((this.split ?? 0) * this.size.width - x) / Math.max(scale * this.picture.width, 1e-6);
+    return Math.min(Math.max(at, 0), 1);
+  }
 
   private renderLayer(layer: Layer): TemplateResult {
     const styles = {
       opacity: String(layer.opacity ?? 1),
-      clipPath: layer.from === undefined ? "none" : `inset(0 0 0 ${100 * layer.from}%)`,
+      "clip-path": layer.isRight ? `inset(0 0 0 ${100 * this.splitInPicture}%)` : "none",
       filter: layer.filter ?? "none",
     };
     return html`<parity-picture
-      style=${styleMap(styles)}
+      .style=${styleText(styles)}
       .image=${layer.image}
       .job=${layer.job}
       .label=${layer.label}
@@ -178,13 +185,15 @@ export class ParityPane extends LitElement {
       transform: `translate(${x}px, ${y}px) scale(${scale})`,
       filter: this.filter === "" ? "none" : this.filter,
     };
-    return html`<div class="world ${scale * devicePixelRatio > 2 ? "magnified" : ""}" style=${styleMap(styles)}>
+    return html`<div class="world ${scale * devicePixelRatio > 2 ? "magnified" : ""}" .style=${styleText(styles)}>
       ${repeat(
         this.layers,
         (layer) => layer.key,
         (layer) => this.renderLayer(layer),
       )}
-      ${this.cover === null ? nothing : html`<parity-picture class="cover" .job=${this.cover} aria-hidden="true"></parity-picture>`}
+      ${this.cover === null
+        ? nothing
+        : html`<parity-picture class="cover" .job=${this.cover} aria-hidden="true"></parity-picture>`}
     </div>`;
   }
 
@@ -197,17 +206,17 @@ export class ParityPane extends LitElement {
       width: `${size}px`,
       height: `${size}px`,
     };
-    return html`<div class="mark" style=${styleMap(styles)}></div>`;
+    return html`<div class="mark" .style=${styleText(styles)}></div>`;
   }
 
-  private renderGrip({ x, scale }: Placement): TemplateResult | typeof nothing {
+  private renderGrip(): TemplateResult | typeof nothing {
     if (this.split === null) return nothing;
-    const left = Math.min(Math.max(x + this.split * scale * this.picture.width, 0), this.size.width);
+    const left = this.split * this.size.width;
     const stop = (event: Event): void => event.stopPropagation();
     return html`<div
       class="grip"
       aria-hidden="true"
-      style=${styleMap({ left: `${left}px` })}
+      .style=${styleText({ left: `${left}px` })}
       @pointerdown=${this.onGrip}
       @pointermove=${this.onGrip}
       @mousedown=${stop}
@@ -225,21 +234,22 @@ export class ParityPane extends LitElement {
         <strong>${this.label}</strong>
         ${this.note === "" ? nothing : html`<span class="note">${this.note}</span>`}
         ${this.isWaiting ? html`<span class="note" role="status">loading values…</span>` : nothing}
+        ${this.right === "" ? nothing : html`<strong class="right">${this.right}</strong>`}
       </figcaption>
       <div
         class="stage"
-        style=${styleMap({ "--aspect": aspect })}
+        .style=${styleText({ "--aspect": aspect })}
         tabindex="0"
         role="application"
         data-keys="own"
         ?data-free=${isUsual(this.look)}
-        aria-label=${`${this.label}: plus and minus zoom, Shift and arrows move, arrows move the inspected pixel`}
+        aria-label=${`${this.label}${this.right === "" ? "" : ` left, ${this.right} right`}: plus and minus zoom, Shift and arrows move, arrows move the inspected pixel`}
         @pointermove=${this.onMove}
         @pointerleave=${this.onLeave}
         @click=${this.onClick}
       >
         ${this.message === "" ? this.renderWorld(placement) : html`<p class="message">${this.message}</p>`}
-        ${this.message === "" ? this.renderGrip(placement) : nothing}
+        ${this.message === "" ? this.renderGrip() : nothing}
         ${this.message === "" ? this.renderMark(placement) : nothing}
       </div>
     </figure>`;

@@ -34,7 +34,8 @@ export class ParityPicture extends LitElement {
     if (!changed.has("job")) return;
     const before = changed.get("job") ?? null;
     // The last picture stays until the next is painted, unless it was of something else.
-    if (this.job === null || before === null || before.kind !== this.job.kind) this.isPainted = this.job !== null && isSameJob(this.painted, this.job);
+    if (this.job === null || before === null || before.kind !== this.job.kind)
+      this.isPainted = this.job !== null && isSameJob(this.painted, this.job);
   }
 
   protected override updated(): void {
@@ -57,16 +58,8 @@ export class ParityPicture extends LitElement {
   protected override render(): TemplateResult {
     const showsCanvas = this.job !== null && this.isPainted;
     return html`${this.image === "" || showsCanvas
-        ? nothing
-        : html`<img
-            src=${imageSource(this.image)}
-            alt=${this.label}
-            draggable="false"
-            decoding="async"
-            @error=${this.onError}
-          />`}
-      ${this.job === null
-        ? nothing
-        : html`<canvas role="img" aria-label=${this.label} ?hidden=${!showsCanvas}></canvas>`}`;
+      ? nothing
+      : html`<img src=${imageSource(this.image)} alt=${this.label} draggable="false" @error=${this.onError} />`}
+    ${this.job === null ? nothing : html`<canvas role="img" aria-label=${this.label} ?hidden=${!showsCanvas}></canvas>`}`;
   }
 }

@@ -75,7 +75,8 @@ export class PixelSource {
   }
 
   private plane(file: string, name: string): Loaded<Plane> {
-    if (file === "") return { message: `This report was written without ${name.includes(".") ? "term images" : "pixel values"}.` };
+    if (file === "")
+      return { message: `This report was written without ${name.includes(".") ? "term images" : "pixel values"}.` };
     const key = file + "\n" + name;
     this.asked.add(key);
     const known = this.planes.get(key);

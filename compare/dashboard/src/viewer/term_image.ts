@@ -40,11 +40,14 @@ export class ParityTermImage extends LitElement {
   @query("canvas") private canvas!: HTMLCanvasElement | null;
   private isSeen = false;
   private wanted = 0; // the last painting that was asked for
-  private readonly seeing = new IntersectionObserver((entries) => {
-    if (this.isSeen || !entries.some((entry) => entry.isIntersecting)) return;
-    this.isSeen = true;
-    this.requestUpdate("plane");
-  }, { rootMargin: "200px" });
+  private readonly seeing = new IntersectionObserver(
+    (entries) => {
+      if (this.isSeen || !entries.some((entry) => entry.isIntersecting)) return;
+      this.isSeen = true;
+      this.requestUpdate("plane");
+    },
+    { rootMargin: "200px" },
+  );
 
   protected override createRenderRoot(): this {
     return this;
@@ -94,7 +97,13 @@ export class ParityTermImage extends LitElement {
   }
 
   protected override render(): TemplateResult {
-    return html`<canvas role="img" aria-label=${this.label} width="1" height="1" ?hidden=${this.message !== ""}></canvas>
+    return html`<canvas
+        role="img"
+        aria-label=${this.label}
+        width="1"
+        height="1"
+        ?hidden=${this.message !== ""}
+      ></canvas>
       ${this.message === "" ? "" : html`<p class="message">${this.message}</p>`}`;
   }
 }

@@ -94,7 +94,10 @@ export function movedBy(look: Look, shareX: number, shareY: number, pane: Size, 
 
 /** The pixel under a point of the pane; null beside the picture. */
 export function pixelAt(placement: Placement, x: number, y: number, picture: Size): { x: number; y: number } | null {
-  const pixel = { x: Math.floor((x - placement.x) / placement.scale), y: Math.floor((y - placement.y) / placement.scale) };
+  const pixel = {
+    x: Math.floor((x - placement.x) / placement.scale),
+    y: Math.floor((y - placement.y) / placement.scale),
+  };
   const isInside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < picture.width && pixel.y < picture.height;
   return isInside ? pixel : null;
 }

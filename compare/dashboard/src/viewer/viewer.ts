@@ -18,6 +18,7 @@ import "./pane";
 import { isUsual, type Point } from "./pane";
 import { messageOf, PixelSource, valueOf } from "./source";
 import { boundsOf, clampLook, fitScale, lookAt, type Box, type Look, type Size } from "./transform";
+import "./values.css";
 import "./viewer.css";
 
 const kRestMs = 150; // a view that is only passed by loads no values
@@ -174,14 +175,17 @@ export class ParityViewer extends LitElement {
     const pixel = this.hover ?? this.pinned;
     if (pixel === null) return { inspected: null, message: "" };
     const { source } = this;
-    const names = [["highend", "High-end"], ["mobile", "Mobile"], ...(view.whole.truth ? [["truth", "Truth"]] : [])] as const;
+    const names = [
+      ["highend", "High-end"],
+      ["mobile", "Mobile"],
+      ...(view.whole.truth ? [["truth", "Truth"]] : []),
+    ] as const;
     const loaded = names.map(([plane, name]) => ({ name: name!, loaded: source.color(plane!) }));
     const pictures = loaded.flatMap(({ name, loaded: each }) => {
       const plane = valueOf(each);
       return plane === null ? [] : [{ name, plane }];
     });
-    if (pictures.length === 0)
-      return { inspected: null, message: messageOf(loaded[0]!.loaded) || "Loading values…" };
+    if (pictures.length === 0) return { inspected: null, message: messageOf(loaded[0]!.loaded) || "Loading values…" };
     const at = pixel.y * view.width + pixel.x;
     const flip = valueOf(source.color("flip"))?.values[at];
     const material = valueOf(source.color("material"))?.values[at] ?? 0;
@@ -210,6 +214,7 @@ export class ParityViewer extends LitElement {
   private renderPane(model: PaneModel, view: View, subject: Box | null, cover: Job | null): TemplateResult {
     return html`<parity-pane
       .label=${model.label}
+      .right=${model.right}
       .note=${model.note}
       .message=${model.message}
       .isWaiting=${model.isWaiting}
@@ -239,7 +244,9 @@ export class ParityViewer extends LitElement {
     const flipPlane = flip && valueOf(flip);
     const subject = this.subjectIn(materials);
     const cover: Job | null =
-      materials && this.material >= 0 && state.dimOthers ? { kind: "others", plane: materials, material: this.material } : null;
+      materials && this.material >= 0 && state.dimOthers
+        ? { kind: "others", plane: materials, material: this.material }
+        : null;
     const panes = arrange({ view, state, source, missing: this.missing, showsMobile: this.showsMobile });
     const { inspected, message } = this.inspect(view);
     const zoom = `${Math.round(100 * fitScale(this.paneSize, view) * this.look(view).zoom)} %`;

@@ -1,8 +1,10 @@
 // Reports opened in real headless Chromium, from a folder, without a server.
-import { existsSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
+
+import type { Report } from "../../src/data/types";
 
 const kPrograms = [process.env["PARITY_CHROMIUM"] ?? "", "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 
@@ -18,6 +20,10 @@ export function reportFolder(name: string): string {
   const root = process.env["PARITY_REPORTS"];
   if (!root) throw new Error("PARITY_REPORTS must name the folder of the reports: ctest -R dashboard makes it");
   return resolve(join(root, name));
+}
+
+export function readReport(name: string): Report {
+  return JSON.parse(readFileSync(join(reportFolder(name), "report.json"), "utf8")) as Report;
 }
 
 export interface Opened {

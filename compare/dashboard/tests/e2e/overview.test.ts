@@ -1,7 +1,8 @@
 import type { Browser } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
-import { openReport, realProblems, reportFolder, startBrowser } from "./browser";
+import { makeRows } from "../../src/data/rows";
+import { openReport, readReport, reportFolder, startBrowser } from "./browser";
 
 let browser: Browser;
 beforeAll(async () => (browser = await startBrowser()));
@@ -22,9 +23,10 @@ describe("the overview of 500 materials", () => {
 
   it("finds by words, filters by verdict and cause, and says how many are left", async () => {
     const { page } = await openReport(browser, reportFolder("many"));
-    await page.fill("#search", "Material 17");
-    await page.waitForFunction(() => document.querySelector(".shown")?.textContent?.startsWith("12 of 500"));
-    expect(await page.textContent(".shown")).toBe("12 of 500 rows"); // 17, 117, 217, ... and 170 to 179, as words
+    const caused = makeRows(readReport("many")).filter((row) => row.cause?.term === "skySpecular").length;
+    expect(caused).toBeGreaterThan(10);
+    await page.fill("#search", "skyspec material");
+    await page.waitForFunction((count) => document.querySelector(".shown")?.textContent === `${count} of 500 rows`, caused);
     await page.fill("#search", "");
     await page.keyboard.press("Escape");
     await page.keyboard.press("6");
@@ -34,7 +36,6 @@ describe("the overview of 500 materials", () => {
     await page.selectOption("text=Cause >> select", "skySpecular");
     await page.waitForFunction(() => document.querySelector(".shown")?.textContent?.includes(" of 500"));
     expect(await page.textContent(".list .row >> nth=0")).toContain("skySpecular");
-    expect(realProblems({ page, problems: [], requests: [] })).toEqual([]);
   });
 
   it("sorts by a column, both ways", async () => {
@@ -59,8 +60,8 @@ describe("the overview of 500 materials", () => {
   });
 
   it("keeps what is shown in the URL: a link shows it to others, and back goes back", async () => {
-    const { page } = await openReport(browser, reportFolder("many"), "#query=Material+17&sort=name&ascending=true");
-    expect(await page.inputValue("#search")).toBe("Material 17");
+    const { page } = await openReport(browser, reportFolder("many"), "#query=Material+117&sort=name&ascending=true");
+    expect(await page.inputValue("#search")).toBe("Material 117");
     await page.click(".list .row .name >> nth=0");
     await page.waitForSelector("parity-item h2");
     const title = await page.textContent("parity-item h2");
@@ -69,7 +70,7 @@ describe("the overview of 500 materials", () => {
     expect(await other.textContent("parity-item h2")).toBe(title);
     await page.goBack();
     await page.waitForSelector("parity-item", { state: "detached" });
-    expect(await page.inputValue("#search")).toBe("Material 17");
+    expect(await page.inputValue("#search")).toBe("Material 117");
   });
 
   it("goes through the items by keys, shows tabs, and comes back", async () => {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import type { Statistic } from "../../src/data/types";
-import { change, count, duration, figure, fixed, signed } from "../../src/format";
+import { change, count, duration, figure, figureIn, fixed, signed } from "../../src/format";
 
 const make = (patch: Partial<Statistic>): Statistic => ({ label: "", unit: "", digits: 3, better: "lower", ...patch });
 
@@ -23,6 +23,14 @@ describe("figures as people read them", () => {
     expect(figure(null, make({ better: "higher" }))).toBe("identical");
     expect(figure(null, make({}))).toBe("–");
     expect(figure(undefined, make({ better: "higher" }))).toBe("–");
+  });
+
+  it("are not known where pixels are not finite: nothing is identical there", () => {
+    const figures = { pixels: 2, nonFinite: 0, metrics: { psnr: null, rmse: 0 }, referenceLuma: null, testLuma: null };
+    const statistics = { psnr: make({ unit: "dB", better: "higher" }) };
+    expect(figureIn(figures, "psnr", statistics)).toBe("identical");
+    expect(figureIn({ ...figures, nonFinite: 1 }, "psnr", statistics)).toBe("–");
+    expect(figureIn(null, "psnr", statistics)).toBe("–");
   });
 
   it("have a sign where they are changes, and none at zero", () => {
