@@ -14,7 +14,7 @@
 namespace parity::compare {
 namespace {
 
-// For 'self' Chromium takes no file of a page that is one itself.
+// file: for browsers to which 'self' means nothing where the page is a file; to Chromium it is the page's own folder.
 constexpr const char* kPolicyOfAFolder = "default-src 'none'; script-src 'self' file:; style-src 'self' file:; img-src "
                                          "'self' file: data: blob:; base-uri 'none'; form-action 'none'";
 constexpr std::size_t kMostRows = 50;

@@ -122,6 +122,21 @@ TEST(PixelChunk, AnySizeComesBackInItsOrder) {
   }
 }
 
+// Against shading::Half, which rounds by another way (in double).
+TEST(PixelChunk, RoundsAnyFloatAsHalvesDo) {
+  std::mt19937 engine(3);
+  base::Image image(1024, 256, 3);
+  for (float& v : image.pixels) do
+      v = std::bit_cast<float>(static_cast<std::uint32_t>(engine()));
+    while (!(std::abs(v) <= 65504));
+  for (std::size_t i = 0; i < image.pixels.size(); i += 2) // at the halves' own scale, with many ties
+    image.pixels[i] =
+        std::ldexp(static_cast<float>(static_cast<int>(engine() % 8192) - 4096), static_cast<int>(engine() % 30) - 26);
+  const std::vector<std::uint16_t> values = roundTrip(image, PlaneKind::rgb16f);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    ASSERT_EQ(values[i % 3 * image.pixelCount() + i / 3], shading::Half(image.pixels[i]).bits()) << image.pixels[i];
+}
+
 TEST(PixelChunk, SharesAndNumbersAreSixteenBits) {
   base::Image image(5, 2, 1);
   image.pixels = {0, 1, 0.5f, -1, 2, std::nanf(""), 1 / 65535.f, 0.4f / 65535, 0.6f / 65535, 0.25f};
