@@ -25,6 +25,12 @@ export function describeTerm(term: TermLight): string {
   return Math.abs(ev) < 0.005 ? "equal" : `mobile ${fixed(Math.abs(ev), 2)} EV ${ev < 0 ? "darker" : "brighter"}`;
 }
 
+/** Whether a swap helps; a change of less than half a percent is none. */
+export function effectOf(after: number | null, before: number | null): "better" | "worse" | "same" {
+  if (after === null || before === null || Math.abs(after - before) < 0.005 * before) return "same";
+  return after < before ? "better" : "worse";
+}
+
 @customElement("parity-terms")
 export class ParityTerms extends LitElement {
   @property({ attribute: false }) report!: Report;
@@ -71,7 +77,7 @@ export class ParityTerms extends LitElement {
       }</p>
       <div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table class="attribution">
         <thead><tr><th scope="col">swapped</th><th scope="col"><span class="sr">bar</span></th><th scope="col">mean FLIP, ${region}</th><th scope="col">change</th></tr></thead>
-        <tbody>${line("nothing, as it is", flip, "now")}${sorted.map((each) => line(each.term, each.flip, each.flip !== null && flip !== null && each.flip < flip ? "better" : "worse"))}</tbody>
+        <tbody>${line("nothing, as it is", flip, "now")}${sorted.map((each) => line(each.term, each.flip, effectOf(each.flip, flip)))}</tbody>
       </table></div>`;
   }
 
