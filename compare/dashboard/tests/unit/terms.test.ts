@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { describeTerm, effectOf, termBiasEv } from "../../src/item/terms";
+import { describeTerm, effectOf, termBiasEv } from "../../src/item/term_words";
 
 describe("a term's light in words", () => {
   it("is how many EV mobile's is off", () => {
