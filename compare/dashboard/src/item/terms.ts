@@ -4,26 +4,11 @@ import { customElement, property } from "lit/decorators.js";
 
 import type { Row } from "../data/rows";
 import { toHash, type State } from "../data/state";
-import type { Attribution, Material, Report, TermLight } from "../data/types";
+import type { Attribution, Material, Report } from "../data/types";
 import { figure, fixed, signed } from "../format";
 import { help } from "../help";
 import "../viewer/term_image";
-
-/** log2(test/reference); null where either is dark. */
-export function termBiasEv(term: TermLight): number | null {
-  if (term.reference === null || term.test === null || term.reference <= 1e-6 || term.test <= 1e-6) return null;
-  return Math.log2(term.test / term.reference);
-}
-
-/** How a term's light differs, in words. */
-export function describeTerm(term: TermLight): string {
-  const dark = (value: number | null): boolean => value === null || value <= 1e-6;
-  if (dark(term.reference) && dark(term.test)) return "black in both";
-  if (dark(term.test)) return "mobile has none";
-  if (dark(term.reference)) return "only mobile has it";
-  const ev = termBiasEv(term) ?? 0;
-  return Math.abs(ev) < 0.005 ? "equal" : `mobile ${fixed(Math.abs(ev), 2)} EV ${ev < 0 ? "darker" : "brighter"}`;
-}
+import { describeTerm, effectOf } from "./term_words";
 
 @customElement("parity-terms")
 export class ParityTerms extends LitElement {
@@ -71,7 +56,7 @@ export class ParityTerms extends LitElement {
       }</p>
       <div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table class="attribution">
         <thead><tr><th scope="col">swapped</th><th scope="col"><span class="sr">bar</span></th><th scope="col">mean FLIP, ${region}</th><th scope="col">change</th></tr></thead>
-        <tbody>${line("nothing, as it is", flip, "now")}${sorted.map((each) => line(each.term, each.flip, each.flip !== null && flip !== null && each.flip < flip ? "better" : "worse"))}</tbody>
+        <tbody>${line("nothing, as it is", flip, "now")}${sorted.map((each) => line(each.term, each.flip, effectOf(each.flip, flip)))}</tbody>
       </table></div>`;
   }
 
