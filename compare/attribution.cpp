@@ -159,7 +159,7 @@ std::vector<std::optional<Attribution>> attributeTerms(const AttributionInput& i
       differs[term][i] =
           differsOn(*materials[subjects[i].material], input.referenceTerms[term], input.testTerms[term]) ? 1 : 0;
     if (std::ranges::find(differs[term], 1) == differs[term].end()) return;
-    const ShownPicture shown = show(swapTerm(input, term, crop));
+    const ShownPicture shown = show(swapTerm(input, term, crop), crop.box);
     means[task] = compare(shown.pixels, shown.nonFinite);
   });
   for (std::size_t i = 0; i < subjects.size(); ++i) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/frame.h"
+#include "compare/pixel_view.h"
 #include "compare/report.h"
 
 namespace parity::compare {
@@ -25,8 +26,8 @@ struct ShownPicture {
   base::Image8 pixels;                  // RGB; black where not finite
   std::vector<std::uint32_t> nonFinite; // y*width+x
 };
-// Called from several threads with parts of the view's picture, so each pixel must be shown by itself.
-using ShowFunction = std::function<ShownPicture(const base::Image& linear)>;
+// Called from several threads with the part of the view's picture that `box` says: each pixel must be shown by itself.
+using ShowFunction = std::function<ShownPicture(const base::Image& linear, const Rect& box)>;
 
 // For each material (its pixels, as measured) what mean FLIP against high-end is, and what it becomes by each term that
 // is not the same in both paths at some of its pixels: mobile's colour less its own term, plus the high-end path's;

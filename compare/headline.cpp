@@ -46,9 +46,10 @@ std::string headline(const Report& report) {
   if (report.scenes.empty()) return "Nothing was compared";
   if (broken == 0 && counts.error == 0 && report.baseline && !report.baseline->error.empty())
     return "The baseline could not be used";
-  const std::string first = broken > 0
-                                ? fmt::format("{} could not be compared", plural(broken, "scene", "scenes"))
-                                : fmt::format("{} of {} {} could not be judged", counts.error, counts.total(), rows);
+  const std::string first = broken > 0 ? fmt::format("{} could not be compared", plural(broken, "scene", "scenes"))
+                            : counts.error > 0
+                                ? fmt::format("{} of {} {} could not be judged", counts.error, counts.total(), rows)
+                                : "A whole image could not be judged";
   return counts.fail > 0 ? first + "; " + over : first;
 }
 

@@ -90,8 +90,8 @@ void writeBaseline(JsonWriter& json, const std::optional<BaselineChange>& baseli
   json.endObject();
 }
 
-std::string describeBiasOf(const RegionFigures& figures) {
-  return figures.all.pixels > 0 ? describeBias(mainFigures(figures)) : std::string();
+std::string describeBiasOf(const Figures& figures) {
+  return figures.pixels > 0 ? describeBias(figures) : std::string();
 }
 
 void writeMaterial(JsonWriter& json, const MaterialResult& material) {
@@ -100,7 +100,7 @@ void writeMaterial(JsonWriter& json, const MaterialResult& material) {
   json.key("verdict").text(nameOf(material.verdict));
   json.key("reason").text(material.reason);
   json.key("seenElsewhere").boolean(material.seenElsewhere);
-  json.key("bias").text(describeBiasOf(material.figures));
+  json.key("bias").text(describeBiasOf(mainFigures(material.figures)));
   json.key("figures");
   writeRegions(json, material.figures);
   json.key("checks");

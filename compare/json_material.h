@@ -15,8 +15,8 @@ void writeImages(JsonWriter& json, const ImageSet& images);
 void writeRule(JsonWriter& json, const AppliedRule& rule);
 // null where there is none.
 void writeBaseline(JsonWriter& json, const std::optional<BaselineChange>& baseline);
-// The bias of the main figures in words; empty without pixels.
-std::string describeBiasOf(const RegionFigures& figures);
+// The bias in words; empty without pixels.
+std::string describeBiasOf(const Figures& figures);
 
 void writeMaterial(JsonWriter& json, const MaterialResult& material);
 

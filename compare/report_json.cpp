@@ -19,7 +19,7 @@ void writeView(JsonWriter& json, const ViewResult& view) {
   json.key("whole").beginObject();
   json.key("verdict").text(nameOf(view.wholeVerdict));
   json.key("reason").text(view.reason);
-  json.key("bias").text(describeBiasOf(view.whole));
+  json.key("bias").text(describeBiasOf(view.whole.all));
   json.key("figures");
   writeRegions(json, view.whole);
   json.key("checks");

@@ -1,6 +1,7 @@
 #include "job/view_attribution.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -12,15 +13,24 @@ namespace parity::job {
 
 namespace {
 
-// As the target stores it: light that mobile cannot hold is no light of its terms either.
-base::Image store(const base::Image& linear, const gpu::TargetCodec& target) {
-  base::Image stored(linear.width, linear.height, 3);
-  base::parallelFor(linear.pixelCount(), 16384, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) {
-      const float* rgb = &linear.pixels[3 * p];
-      const glm::vec3 kept = target.read(target.store(target.write({rgb[0], rgb[1], rgb[2]})));
-      for (int c = 0; c < 3; ++c) stored.pixels[3 * p + static_cast<std::size_t>(c)] = kept[c];
-    }
+// A part of mobile's picture with a swapped term, as its target makes it: what the swap changes of what the target
+// stores is added to the picture that the target did make. Layers are blended and samples averaged in the target's own
+// numbers; to store the linear sum alone would undo that, and blame a term for it.
+base::Image store(const base::Image& swapped, const compare::Rect& box, const ViewFrames& frames,
+                  const gpu::TargetCodec& target) {
+  const auto kept = [&](const float* rgb) { return target.read(target.store(target.write({rgb[0], rgb[1], rgb[2]}))); };
+  base::Image stored(swapped.width, swapped.height, 3);
+  base::parallelFor(static_cast<std::size_t>(box.height), 16, [&](std::size_t begin, std::size_t end) {
+    for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
+      for (int x = 0; x < box.width; ++x) {
+        const float* before = frames.mobileBeforeTarget.at(box.x + x, box.y + y);
+        const float* made = frames.mobile.color.at(box.x + x, box.y + y);
+        const glm::vec3 keptBefore = kept(before), keptSwapped = kept(swapped.at(x, y));
+        for (int c = 0; c < 3; ++c) {
+          const bool isAsStored = made[c] == keptBefore[c] || !std::isfinite(made[c]) || !std::isfinite(keptBefore[c]);
+          stored.at(x, y)[c] = isAsStored ? keptSwapped[c] : made[c] + (keptSwapped[c] - keptBefore[c]);
+        }
+      }
   });
   return stored;
 }
@@ -58,8 +68,8 @@ void attributeView(Context& context, const ViewFrames& frames, const std::vector
   const gpu::TargetCodec target(settings.mobileTarget, exposureEv,
                                 mobile::precisionOn(context.deviceReport(), settings.mobile) ==
                                     mobile::Precision::fp16);
-  const auto show = [&](const base::Image& linear) {
-    Displayed shown = displayImage(store(linear, target), context.display(), exposureEv);
+  const auto show = [&](const base::Image& linear, const compare::Rect& box) {
+    Displayed shown = displayImage(store(linear, box, frames, target), context.display(), exposureEv);
     return compare::ShownPicture{std::move(shown.pixels), std::move(shown.nonFinite)};
   };
   std::vector<std::optional<compare::Attribution>> found = compare::attributeTerms(
@@ -82,7 +92,9 @@ compare::PassResult attributionPass(Attribution wanted, const compare::SceneResu
     pass.count += swapped.size();
   }
   if (pass.count == 0)
-    pass.skipped = wanted == Attribution::none ? "not asked for" : any ? "no term differs" : "nothing is over budget";
+    pass.skipped = wanted == Attribution::none ? "not asked for"
+                   : any                       ? "no term differs"
+                                               : "no material is over budget";
   return pass;
 }
 

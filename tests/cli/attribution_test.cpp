@@ -69,6 +69,31 @@ TEST_F(AttributionTest, ALightThatMobileLacksIsNamedAsTheCause) {
   }
 }
 
+// Both paths have the same emissive term and no other: what differs is that mobile's target blends in its own numbers.
+TEST_F(AttributionTest, WhatTheRenderTargetDoesToLayersIsBlamedOnNoTerm) {
+  GltfFile file = makeQuad();
+  file.json["extensionsUsed"] = {"KHR_materials_unlit"};
+  file.material()["extensions"]["KHR_materials_unlit"] = Json::object();
+  file.material()["pbrMetallicRoughness"] = {{"baseColorFactor", {0.02, 0.5, 0.8, 1}}};
+  Json glass = file.material();
+  glass["name"] = "glass";
+  glass["alphaMode"] = "BLEND";
+  glass["pbrMetallicRoughness"]["baseColorFactor"] = {0.9, 0.02, 0.1, 0.5};
+  file.json["materials"].push_back(glass);
+  file.json["meshes"].push_back(file.json["meshes"][0]);
+  file.json["meshes"][1]["primitives"][0]["material"] = 1;
+  file.json["nodes"].push_back({{"mesh", 1}, {"translation", {0.3, 0, 0.1}}});
+  file.json["scenes"][0]["nodes"].push_back(file.json["nodes"].size() - 1);
+  const std::string scene = writeEmbedded(m_folder, std::move(file), "layers");
+  const Json result = diff(scene, {"--mobile-target", "rgba8-gamma2", "--attribution", "all", "--size", "128x128"});
+  const Json& material = result["views"][0]["materials"][1];
+  ASSERT_EQ(material["name"], "glass");
+  const double flip = material["attribution"]["flip"];
+  EXPECT_GT(flip, 0.05) << "the target must make a difference";
+  for (const Json& effect : material["attribution"]["terms"])
+    EXPECT_NEAR(effect["flip"].get<double>(), flip, 0.02 * flip) << effect;
+}
+
 // A metal under a sun alone has no other light than sunSpecular: taking it over, mobile is the high-end path but for
 // its halves.
 TEST_F(AttributionTest, TheOnlyTermThereIsExplainsAllAndTheFigureIsTheReports) {
@@ -96,7 +121,7 @@ TEST_F(AttributionTest, ATermThatIsNotANumberIsNamed) {
 TEST_F(AttributionTest, WithinBudgetNothingIsShadedTwice) {
   const std::string quad = writeMetal(0.6);
   const Json within = diff(quad, join({kSun, {"--budgets", writeBudgets(m_folder, "fail = 0.999")}}));
-  EXPECT_EQ(whyNotAttributed(within), "nothing is over budget");
+  EXPECT_EQ(whyNotAttributed(within), "no material is over budget");
   auto plain = countsOf(within);
   EXPECT_EQ(plain["surface"], plain["compare"]);
   EXPECT_EQ(plain["shade mobile"], plain["compare"]);
@@ -196,7 +221,7 @@ TEST_F(AttributionTest, AMaterialThatFailsByItsRegressionIsAttributed) {
   RunResult first = runParity(join({{"diff", quad, "--json", file.string()}, kSmall, options}));
   ASSERT_TRUE(exitedWith(0, first));
   const auto since = [&] { return diff(quad, join({options, {"--baseline", file.string()}})); };
-  EXPECT_EQ(whyNotAttributed(since()), "nothing is over budget");
+  EXPECT_EQ(whyNotAttributed(since()), "no material is over budget");
   Json old = Json::parse(readWholeFile(file));
   for (const char* region : {"interior", "all"})
     old["scenes"][0]["views"][0]["materials"][0]["figures"][region]["metrics"]["flip.mean"] = -1;

@@ -19,7 +19,7 @@ constexpr int kWidth = 96, kHeight = 80;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 // Clamped, no curve.
-ShownPicture show(const base::Image& linear) {
+ShownPicture show(const base::Image& linear, const Rect& = {}) {
   ShownPicture shown{base::Image8(linear.width, linear.height, 3), {}};
   for (std::size_t p = 0; p < linear.pixelCount(); ++p) {
     const float* rgb = &linear.pixels[3 * p];

@@ -5,7 +5,7 @@ import { customElement, property, query, state } from "lit/decorators.js";
 import { filterOf, matches, sortRows } from "./data/filter";
 import type { Page } from "./data/page";
 import { makeRows, type Row } from "./data/rows";
-import { fromHash, toHash, type State } from "./data/state";
+import { fromHash, openItem, toHash, type State } from "./data/state";
 import { HelpPopover } from "./help_popover";
 import { actionOf, shortcutsDialog, type Action } from "./keys";
 import { header } from "./overview/header";
@@ -66,12 +66,16 @@ export class ParityApp extends LitElement {
     this.state = { ...before, ...patch };
     const isStep = (["scene", "view", "material", "tab"] as const).some((key) => this.state[key] !== before[key]);
     window.clearTimeout(this.hashTimer);
-    if (isStep) this.writeHash(true);
-    else this.hashTimer = window.setTimeout(() => this.writeHash(false), 150);
+    if (!isStep) {
+      this.hashTimer = window.setTimeout(() => this.writeHash(this.state, false), 150);
+      return;
+    }
+    this.writeHash(before, false); // it may not have rested yet
+    this.writeHash(this.state, true);
   }
 
-  private writeHash(isStep: boolean): void {
-    const url = toHash(this.state) || location.pathname + location.search;
+  private writeHash(state: State, isStep: boolean): void {
+    const url = toHash(state) || location.pathname + location.search;
     try {
       if (isStep) history.pushState(null, "", url);
       else history.replaceState(null, "", url);
@@ -98,9 +102,7 @@ export class ParityApp extends LitElement {
   }
 
   private open(row: Row | undefined): void {
-    if (!row) return;
-    const { scene, view, material } = row;
-    this.set({ scene, view, material, pixelX: -1, pixelY: -1, zoom: 1, panX: 0.5, panY: 0.5, term: "" });
+    if (row) this.set(openItem(this.state, row));
   }
 
   private step(by: number): void {
@@ -157,9 +159,21 @@ export class ParityApp extends LitElement {
   protected override updated(changed: PropertyValues): void {
     const before = changed.get("state") as State | undefined;
     if (before && (before.scene !== this.state.scene || before.view !== this.state.view || before.material !== this.state.material)) {
-      void this.list?.updateComplete.then(() => this.list?.reveal());
-      if (this.openRow() && (before.scene < 0)) window.scrollTo(0, 0);
+      this.moveFocus(before);
     }
+  }
+
+  /** Where the reader goes on: at the title of what was opened, at the row of what was closed. */
+  private moveFocus(before: State): void {
+    const isOpen = this.openRow() !== null;
+    const wasOpen = before.scene >= 0;
+    void this.list?.updateComplete.then(async () => {
+      if (isOpen && !wasOpen) {
+        window.scrollTo(0, 0);
+        this.querySelector<HTMLElement>("#item-title")?.focus({ preventScroll: true });
+      }
+      await this.list?.reveal(isOpen ? this.state : before, !isOpen);
+    });
   }
 
   protected override render(): TemplateResult {

@@ -36,7 +36,6 @@ export const kHelp = {
   showTruth: "Also the reference path; where two pictures share a pane it takes the high-end picture's place.",
   dimOthers: "Darkens what is not this material.",
   magma: "Black is alike, bright yellow is far apart; grey lies below the threshold.",
-  relmse: "Mean squared error relative to the truth's own brightness.",
 } as const;
 export type Topic = keyof typeof kHelp;
 

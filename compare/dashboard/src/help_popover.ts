@@ -3,6 +3,7 @@ import { kHelp, type Topic } from "./help";
 
 export class HelpPopover {
   private readonly bubble = document.createElement("div");
+  private root: HTMLElement | null = null;
   private owner: HTMLElement | null = null;
 
   /** Listens to all "?" buttons below this element. */
@@ -11,6 +12,7 @@ export class HelpPopover {
     this.bubble.setAttribute("role", "tooltip");
     this.bubble.hidden = true;
     document.body.append(this.bubble);
+    this.root = root;
     root.addEventListener("click", this.onClick);
     document.addEventListener("click", this.onOutside);
     document.addEventListener("keydown", this.onKey, true);
@@ -19,6 +21,7 @@ export class HelpPopover {
 
   stop(): void {
     this.bubble.remove();
+    this.root?.removeEventListener("click", this.onClick);
     document.removeEventListener("click", this.onOutside);
     document.removeEventListener("keydown", this.onKey, true);
     document.removeEventListener("scroll", this.close, true);

@@ -2,6 +2,7 @@
 import { html, type TemplateResult } from "lit";
 
 import type { Tab } from "./data/state";
+import { isForControl } from "./viewer/keys";
 
 export type Action =
   | { kind: "help" | "search" | "close" | "theme" }
@@ -11,14 +12,9 @@ export type Action =
 
 /** Whether keys belong to what has the focus: text is typed there, or a control moves. */
 function isTaken(event: KeyboardEvent): boolean {
-  const target = event.target;
-  if (!(target instanceof HTMLElement)) return false;
-  if (target instanceof HTMLInputElement) {
-    if (target.type !== "range" && target.type !== "checkbox" && target.type !== "radio") return true;
-    return event.key.startsWith("Arrow") || event.key === "Home" || event.key === "End";
-  }
-  if (target.dataset["keys"] === "own") return event.key.startsWith("Arrow");
-  return target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement || target.isContentEditable;
+  const { target } = event;
+  const ownsArrows = target instanceof HTMLElement && target.dataset["keys"] === "own";
+  return isForControl(event) || (ownsArrows && event.key.startsWith("Arrow"));
 }
 
 /** What a key asks for, whatever is shown; null: nothing of these. */

@@ -1,7 +1,9 @@
 // The page: data blocks in, <parity-app> in place of what index.html showed at first.
 import "./style/tokens.css";
 import "./style/base.css";
+import "./style/frame.css";
 import "./style/list.css";
+import "./style/beside.css";
 import "./style/item.css";
 import "./style/print.css";
 import "./app";

@@ -1,4 +1,5 @@
 // One pixel file: planes of 16-bit values, each base64 of a DEFLATE stream of byte planes of differences.
+import { reasonOf } from "./reason";
 
 export type PlaneKind = "rgb16f" | "unorm16" | "uint16";
 const kChannels: Readonly<Record<PlaneKind, number>> = { rgb16f: 3, unorm16: 1, uint16: 1 };
@@ -121,7 +122,7 @@ export async function decodePlane(chunk: Chunk, name: string): Promise<Plane> {
   try {
     bytes = await inflate(fromBase64(packed.data), 2 * width * height * channels);
   } catch (error) {
-    const why = error instanceof Error ? error.message : String(error);
+    const why = reasonOf(error);
     throw new Error(`${chunk.file} is damaged: the plane ${name} cannot be unpacked (${why})`);
   }
   return { name, kind: packed.kind, width, height, values: undoDifferences(bytes, width, height, channels) };

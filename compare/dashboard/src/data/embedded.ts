@@ -8,6 +8,11 @@ export function embeddedText(file: string, form: Form): string | null {
   return element?.textContent ?? null;
 }
 
+/** Whether this page is a report in one file: nothing lies beside it. */
+export function isWhole(): boolean {
+  return document.querySelector("script[src]") === null;
+}
+
 /** The address of a file of the report's folder: each part escaped, so that a name is never a query or a scheme. */
 export function relativeUrl(file: string): string {
   return file

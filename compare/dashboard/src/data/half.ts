@@ -10,11 +10,6 @@ export function halfToNumber(bits: number): number {
   return sign * (1024 + fraction) * 2 ** (exponent - 25);
 }
 
-/** Whether half bits are neither NaN nor infinite. */
-export function isFiniteHalf(bits: number): boolean {
-  return (bits & 0x7c00) !== 0x7c00;
-}
-
 export const kHalfCount = 65536;
 let values: Float32Array | undefined;
 

@@ -1,4 +1,5 @@
 // The data blocks of index.html, checked as far as the page relies on them.
+import { reasonOf } from "./reason";
 import { parseBench, type Bench } from "./bench";
 import type { Report, Run } from "./types";
 
@@ -27,7 +28,7 @@ export function readPage(document: Document): Page | Problem {
   try {
     report = parseBlock(document, "report");
   } catch (error) {
-    return { problem: `Its data is damaged: ${error instanceof Error ? error.message : String(error)}.` };
+    return { problem: `Its data is damaged: ${reasonOf(error)}.` };
   }
   const problem = problemOf(report);
   if (problem !== "") return { problem };

@@ -35,6 +35,7 @@ export interface Cause {
 const kGravity: Record<Verdict, number> = { pass: 0, "not seen": 1, warn: 2, fail: 3, error: 4 };
 /** A swap that lowers FLIP by less than this share explains nothing (compare/wording.h says the same). */
 export const kLeastShare = 0.1;
+const kLeastFlip = 0.0005; // below it reads 0.000: there is nothing to explain
 
 export function gravityOf(verdict: Verdict): number {
   return kGravity[verdict] ?? 4;
@@ -48,7 +49,7 @@ export function mainFigures(regions: Regions): { figures: Figures; region: "inte
 
 /** The term that lowers FLIP most, where it does so by a tenth at least. */
 export function causeOf(attribution: Attribution | undefined): Cause | null {
-  if (!attribution || attribution.flip === null) return null;
+  if (!attribution || attribution.flip === null || attribution.flip < kLeastFlip) return null;
   let best: Cause | null = null;
   for (const each of attribution.terms)
     if (each.flip !== null && each.flip <= attribution.flip * (1 - kLeastShare) && (!best || each.flip < best.after))
@@ -56,27 +57,32 @@ export function causeOf(attribution: Attribution | undefined): Cause | null {
   return best;
 }
 
+/** What a row's figures are of: a material's interior, as its budgets usually are; all pixels of a whole image. */
+export function figuresOf(kind: Kind, judged: Judged | null): ReturnType<typeof mainFigures> {
+  if (!judged) return null;
+  return mainFigures(kind === "whole" ? { interior: null, all: judged.figures.all } : judged.figures);
+}
+
 /** A figure of a row, or null where it is not known. */
 export function figureOf(row: Row, name: string): number | null {
-  const main = row.judged ? mainFigures(row.judged.figures) : null;
-  return main?.figures.metrics[name] ?? null;
+  return figuresOf(row.kind, row.judged)?.figures.metrics[name] ?? null;
 }
 
-/** The check that judges a figure itself, not its regression. */
-export function checkOf(judged: Judged | null, metric: string): Check | null {
-  return judged?.checks.find((check) => check.metric === metric && !check.regress) ?? null;
+/** The check that judges a figure of the row's region itself, not its regression. */
+export function checkOf(row: Row, metric: string): Check | null {
+  return row.judged?.checks.find((check) => check.metric === metric && check.region === row.region && !check.regress) ?? null;
 }
 
-function changeOf(judged: Judged): number | null {
+function changeOf(kind: Kind, judged: Judged): number | null {
   if (!judged.baseline || judged.baseline.new) return null;
-  const metrics: Metrics = judged.figures.interior ? judged.baseline.interior : judged.baseline.all;
+  const metrics: Metrics = kind !== "whole" && judged.figures.interior ? judged.baseline.interior : judged.baseline.all;
   return metrics["flip.mean"] ?? null;
 }
 
 type Judgement = Omit<Row, "scene" | "view" | "material" | "order">;
 
 function judgedRow(kind: Kind, scene: Scene, view: View, judged: Judged, name: string): Judgement {
-  const main = mainFigures(judged.figures);
+  const main = figuresOf(kind, judged);
   const cause = causeOf((judged as Partial<Material>).attribution);
   const place = kind === "whole" ? scene.name : `${scene.name} · ${view.name}`;
   return {
@@ -93,7 +99,7 @@ function judgedRow(kind: Kind, scene: Scene, view: View, judged: Judged, name: s
     cause,
     preset: judged.budget.preset ?? "",
     isNew: judged.baseline?.new ?? false,
-    change: changeOf(judged),
+    change: changeOf(kind, judged),
     text: `${name} ${place} ${judged.reason} ${cause?.term ?? ""}`.toLowerCase(),
   };
 }

@@ -85,6 +85,12 @@ const kBounds: Partial<Record<keyof State, Bounds>> = {
 };
 const kWhole = new Set<keyof State>(["pixelX", "pixelY", "scene", "view", "material"]);
 
+/** What an item shows when it is opened: how it is compared stays, where one looked and what was pointed at does not. */
+export function openItem(state: State, item: Pick<State, "scene" | "view" | "material">): State {
+  const { zoom, panX, panY, pixelX, pixelY, term } = kDefaultState;
+  return { ...state, zoom, panX, panY, pixelX, pixelY, term, scene: item.scene, view: item.view, material: item.material };
+}
+
 /** Only what differs from the default, in a fixed order. */
 export function toHash(state: State): string {
   const parameters = new URLSearchParams();

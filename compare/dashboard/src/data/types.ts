@@ -1,7 +1,6 @@
 // report.json, run.json and bench.json as the page reads them (compare/report.schema.json is the contract).
 
 export type Verdict = "pass" | "not seen" | "warn" | "fail" | "error";
-export const kVerdicts: readonly Verdict[] = ["error", "fail", "warn", "not seen", "pass"]; // gravest first
 
 /** By the figure's name: "flip.mean", "psnr", "bias.ev"; null: not finite (psnr of equal pictures). */
 export type Metrics = Record<string, number | null>;

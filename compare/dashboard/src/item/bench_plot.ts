@@ -1,5 +1,5 @@
 // Time against error of every setting of a bench, by scene; the settings that none beats are joined by a line.
-import { html, LitElement, type TemplateResult } from "lit";
+import { html, LitElement, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
@@ -33,7 +33,7 @@ export function seriesOf(points: readonly BenchPoint[], paths: readonly string[]
 export class ParityBenchPlot extends LitElement {
   @property({ attribute: false }) bench!: Bench;
   @property() scene = "";
-  @query(".plot") private place!: HTMLElement;
+  @query(".plot") private place!: HTMLElement | null;
   @state() private hovered: BenchPoint | null = null;
   private plot: uPlot | null = null;
 
@@ -42,7 +42,7 @@ export class ParityBenchPlot extends LitElement {
   }
 
   private get data(): BenchScene | undefined {
-    return this.bench.scenes.find((each) => each.name === this.scene) ?? this.bench.scenes[0];
+    return this.bench.scenes.find((each) => each.name === this.scene);
   }
 
   override disconnectedCallback(): void {
@@ -51,9 +51,19 @@ export class ParityBenchPlot extends LitElement {
     this.plot = null;
   }
 
-  protected override firstUpdated(): void {
+  protected override willUpdate(changed: PropertyValues): void {
+    if (changed.has("bench") || changed.has("scene")) this.hovered = null;
+  }
+
+  protected override updated(changed: PropertyValues): void {
+    if (!changed.has("bench") && !changed.has("scene")) return;
+    this.plot?.destroy();
+    this.plot = null;
     const data = this.data;
-    if (!data) return;
+    if (data && this.place) this.draw(data, this.place);
+  }
+
+  private draw(data: BenchScene, place: HTMLElement): void {
     const paths = [...new Set(data.points.map((point) => point.path))];
     const { x, ys, sorted } = seriesOf(data.points, paths);
     const style = getComputedStyle(this);
@@ -68,7 +78,7 @@ export class ParityBenchPlot extends LitElement {
     });
     this.plot = new uPlot(
       {
-        width: Math.max(280, this.place.clientWidth),
+        width: Math.max(280, place.clientWidth),
         height: 320,
         scales: { x: { time: false, distr: 3, range: (_plot, least, most) => [least * 0.9, most * 1.1] }, y: { auto: true } },
         axes: [{ ...axis, label: "device time, ms" }, { ...axis, label: `${this.bench.figure} against the ${this.bench.against}` }],
@@ -78,13 +88,14 @@ export class ParityBenchPlot extends LitElement {
         hooks: { setCursor: [(plot) => (this.hovered = plot.cursor.idx == null ? null : (sorted[plot.cursor.idx] ?? null))] },
       },
       [x, ...ys] as uPlot.AlignedData,
-      this.place,
+      place,
     );
   }
 
   protected override render(): TemplateResult {
     const data = this.data;
-    if (!data) return html``;
+    if (!data)
+      return html`<p class="aside">This bench does not have the scene <bdi>${this.scene}</bdi>; it has ${this.bench.scenes.map((each, index) => html`${index > 0 ? ", " : ""}<bdi>${each.name}</bdi>`)}.</p>`;
     const at = this.hovered;
     return html`<div class="plot" role="img" aria-label=${`${data.points.length} settings of ${data.name}: the table below has their figures`}></div>
       <p class="aside plot-hover" aria-hidden="true">${at ? `${at.name}: ${fixed(at.timeMs, 2)} ms (${fixed(at.low, 2)} to ${fixed(at.high, 2)}), ${fixed(at.error, 4)}` : "Point at a setting."}</p>

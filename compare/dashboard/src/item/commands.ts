@@ -34,25 +34,29 @@ export function globOf(name: string): string {
 }
 
 const kLongest = 400;
+// Options that only a whole report has, or that would hide the table or choose other materials.
+const kWithValue = ["-o", "--output", "--json", "--bench", "--pixel-data", "--annotate", "--material"];
+const kAlone = ["--single-file", "-q", "--quiet"];
 
 /**
  * `parity diff` of the row's scene and material by the report's own options; null where the report's command line does
- * not say which file the scene is (a suite's, another program's), or the name is too long to be of use.
+ * not say which file the scene is (a suite's, another program's, two of one name), or the name is too long to be of use.
  */
 export function diffCommand(commandLine: string, scene: Scene, row: Row): string | null {
   const words = splitWords(commandLine);
   const at = words.indexOf("report");
   if (at < 0 || words.includes("--suite") || words.some((word) => word.startsWith("--suite="))) return null;
   const fileOf = (word: string): string => word.split("/").pop() ?? "";
-  const source = words.slice(at + 1).find((word) => word === scene.source || fileOf(word) === scene.source);
-  if (source === undefined) return null;
+  const sources = words.slice(at + 1).filter((word) => word === scene.source || fileOf(word) === scene.source);
+  const source = sources[0];
+  if (source === undefined || sources.length > 1) return null;
   const isScene = (word: string): boolean => /\.(gltf|glb)$/i.test(word) || word.startsWith("builtin:");
   const kept: string[] = [...words.slice(0, at), "diff", source];
   for (let i = at + 1; i < words.length; ++i) {
     const word = words[i] ?? "";
     const previous = words[i - 1] ?? "";
-    if (word === "-o" || word === "--output" || word === "--json" || word === "--bench" || word === "--pixel-data") ++i;
-    else if (/^(-o.|--output=|--json=|--bench=|--pixel-data=|--single-file)/.test(word)) continue;
+    if (kWithValue.includes(word)) ++i;
+    else if (kAlone.includes(word) || word.startsWith("-o") || kWithValue.some((each) => word.startsWith(each + "="))) continue;
     else if (isScene(word) && previous !== "--env") continue;
     else kept.push(word);
   }

@@ -3,7 +3,7 @@ import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 
 import type { Page } from "../data/page";
-import { mainFigures, type Row } from "../data/rows";
+import { figuresOf, type Row } from "../data/rows";
 import { kTabs, type State, type Tab } from "../data/state";
 import type { Material } from "../data/types";
 import { count, figure, figureIn } from "../format";
@@ -54,7 +54,7 @@ export class ParityItem extends LitElement {
         <button type="button" @click=${step(1)} title="Key ↓" aria-label="Next item">↓</button>
       </nav>
       <header class="item-head">
-        <h2 id="item-title">${badge(row.verdict)} <bdi>${row.name === "" ? "(no name)" : row.name}</bdi></h2>
+        <h2 id="item-title" tabindex="-1">${badge(row.verdict)} <bdi>${row.name === "" ? "(no name)" : row.name}</bdi></h2>
         <p class="place"><bdi>${row.place}</bdi>${scene ? html` · <bdi>${scene.environment}</bdi>${scene.sun === "none" ? nothing : html` · sun <bdi>${scene.sun}</bdi>`}` : nothing}</p>
         ${row.reason === "" ? nothing : html`<p class="reason">${row.reason}</p>`}
       </header>
@@ -84,7 +84,7 @@ export class ParityItem extends LitElement {
   private renderCompare(): TemplateResult {
     const { report } = this.page;
     const { row } = this;
-    const main = row.judged ? mainFigures(row.judged.figures) : null;
+    const main = figuresOf(row.kind, row.judged);
     const value = (name: string): string => figureIn(main?.figures, name, report.statistics);
     const notes = row.kind === "material" ? (row.judged as Material).notes : [];
     return html`

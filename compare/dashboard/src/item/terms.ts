@@ -1,6 +1,7 @@
 // Which term makes the two differ: in words first, then what each swap does, then the terms' pictures.
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
+import { repeat } from "lit/directives/repeat.js";
 
 import type { Row } from "../data/rows";
 import { toHash, type State } from "../data/state";
@@ -67,7 +68,7 @@ export class ParityTerms extends LitElement {
     if (!view || (names.length === 0 && view.pixels.terms === "")) return nothing;
     const shown = names.length > 0 ? names : [...new Set(view.materials.flatMap((each) => each.terms.filter((term) => describeTerm(term) !== "black in both").map((term) => term.term)))];
     return html`<h3>The terms of both paths ${help("termLight")}</h3>
-      <div class="term-grid">${shown.map((term) => {
+      <div class="term-grid">${repeat(shown, (term) => [this.row.scene, this.row.view, this.row.material, term].join(" "), (term) => {
         const light = lights.find((each) => each.term === term);
         const hash = toHash({ ...this.state, term, tab: "compare", mode: "side" });
         const image = (path: "highend" | "mobile", label: string): TemplateResult => html`<figure>

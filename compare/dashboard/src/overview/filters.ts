@@ -1,7 +1,7 @@
 // What narrows the list down: words, verdicts, budgets' presets, terms.
 import { html, nothing, type TemplateResult } from "lit";
 
-import { countRows, isListed } from "../data/filter";
+import { countRows, isListed, sortsUpAtFirst } from "../data/filter";
 import type { Row } from "../data/rows";
 import type { List, State } from "../data/state";
 import type { Report } from "../data/types";
@@ -44,6 +44,13 @@ const kSorts: readonly (readonly [string, string])[] = [
   ["change", "change since the baseline"], ["name", "name"], ["place", "scene and view"], ["order", "order in the report"],
 ];
 
+/** Every number of the rows, by the names that the report gives its figures. */
+export function sortsOf(report: Report): (readonly [string, string])[] {
+  const usual = kSorts.filter(([key]) => key !== "change" || report.baseline);
+  const others = Object.entries(report.statistics).filter(([key]) => !kSorts.some(([each]) => each === key));
+  return [...usual, ...others.map(([key, { label }]) => [key, label] as const)];
+}
+
 export function filters(report: Report, rows: readonly Row[], shown: number, state: State, set: (patch: Partial<State>) => void): TemplateResult {
   const listed = rows.filter((row) => isListed(row, state.list));
   const counts = countRows(listed);
@@ -78,9 +85,9 @@ export function filters(report: Report, rows: readonly Row[], shown: number, sta
     <label class="select">Sort
       <select @change=${(event: Event) => {
         const sort = (event.target as HTMLSelectElement).value;
-        set({ sort, ascending: sort === "name" || sort === "place" || sort === "order" });
+        set({ sort, ascending: sortsUpAtFirst(sort) });
       }}>
-        ${kSorts.filter(([key]) => key !== "change" || report.baseline).map(([key, label]) => html`<option value=${key} ?selected=${key === state.sort}>${label}</option>`)}
+        ${sortsOf(report).map(([key, label]) => html`<option value=${key} ?selected=${key === state.sort}>${label}</option>`)}
       </select></label>
     <span class="shown" role="status">${shown === listed.length ? `${count(shown)} rows` : `${count(shown)} of ${count(listed.length)} rows`}</span>
   </div>`;

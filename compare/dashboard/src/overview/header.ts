@@ -1,6 +1,7 @@
 // The top of the page: verdict, what was compared on what, and what concerns the whole run.
 import { html, nothing, type TemplateResult } from "lit";
 
+import { isWhole } from "../data/embedded";
 import type { Report, Run } from "../data/types";
 import { badge, definitions } from "../parts";
 import type { Theme } from "../theme";
@@ -40,7 +41,7 @@ export function header(report: Report, run: Run | null, brief: boolean, theme: T
         <button type="button" @click=${openKeys} aria-label="Keys, and how to read this page">? keys</button>
       </div>
     </div>
-    <p class="sub">${report.device}${run && run.startedAt !== "" ? html` · <time datetime=${run.startedAt}>${run.startedAt.replace("T", " ").replace("Z", " UTC")}</time>` : nothing} · ${report.tool} ${report.version} · <a href="report.json">report.json</a></p>
+    <p class="sub">${report.device}${run && run.startedAt !== "" ? html` · <time datetime=${run.startedAt}>${run.startedAt.replace("T", " ").replace("Z", " UTC")}</time>` : nothing} · ${report.tool} ${report.version}${isWhole() ? nothing : html` · <a href="report.json">report.json</a>`}</p>
     ${brief ? nothing : notices(report)}
   </header>`;
 }

@@ -6,7 +6,7 @@ import { createRef, ref } from "lit/directives/ref.js";
 
 import { sortsUpAtFirst } from "../data/filter";
 import type { Row } from "../data/rows";
-import { toHash, type State } from "../data/state";
+import { openItem, toHash, type State } from "../data/state";
 import type { Report } from "../data/types";
 import { help, type Topic } from "../help";
 import { compactRow, fullRow } from "./row";
@@ -31,6 +31,10 @@ const kPrintedRows = 500;
 
 /** Heights that style/list.css gives the rows, in px. */
 const kRowHeight = { wide: 76, narrow: 132, compact: 58 } as const;
+
+function isOf(row: Row, { scene, view, material }: Pick<State, "scene" | "view" | "material">): boolean {
+  return row.scene === scene && row.view === view && row.material === material;
+}
 
 @customElement("parity-list")
 export class ParityList extends LitElement {
@@ -88,20 +92,19 @@ export class ParityList extends LitElement {
     if (resized) virtualizer.measure();
   }
 
-  /** Brings the open row into sight. */
-  reveal(): void {
-    const index = this.rows.findIndex((row) => this.isOpen(row));
-    if (index >= 0) this.virtualizer.getVirtualizer().scrollToIndex(index, { align: "auto" });
+  /** Brings the row of an item into sight, and its link into focus where that is wanted. */
+  async reveal(item: Pick<State, "scene" | "view" | "material">, withFocus: boolean): Promise<void> {
+    const index = this.rows.findIndex((row) => isOf(row, item));
+    if (index < 0) return;
+    this.virtualizer.getVirtualizer().scrollToIndex(index, { align: "auto" });
+    if (!withFocus) return;
+    await new Promise((done) => requestAnimationFrame(done));
+    await this.updateComplete;
+    this.querySelector<HTMLElement>(`[aria-rowindex="${index + 2}"] a.name`)?.focus({ preventScroll: true });
   }
 
   private isOpen(row: Row): boolean {
-    const { scene, view, material } = this.state;
-    return row.scene === scene && row.view === view && row.material === material;
-  }
-
-  private hashOf(row: Row): string {
-    const { scene, view, material } = row;
-    return toHash({ ...this.state, scene, view, material, pixelX: -1, pixelY: -1, zoom: 1, panX: 0.5, panY: 0.5 });
+    return isOf(row, this.state);
   }
 
   private renderNothing(): TemplateResult {
@@ -159,7 +162,7 @@ export class ParityList extends LitElement {
       aria-rowindex=${index + 2}
       .style=${`transform:translateY(${start}px)`}
     >
-      ${this.compact ? compactRow(row, this.report, this.hashOf(row), open) : fullRow(row, this.report, this.hashOf(row))}
+      ${this.compact ? compactRow(row, this.report, toHash(openItem(this.state, row)), open) : fullRow(row, this.report, toHash(openItem(this.state, row)))}
     </div>`;
   }
 }

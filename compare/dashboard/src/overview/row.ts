@@ -51,7 +51,7 @@ export function bar(value: number, check: Check): TemplateResult {
 
 function figureCell(row: Row, report: Report, name: string): TemplateResult {
   const value = figureOf(row, name);
-  const check = checkOf(row.judged, name);
+  const check = checkOf(row, name);
   return html`<span role="cell" class="cell-${name.replace(".", "-")} number">
     <span class="value">${figure(value ?? undefined, report.statistics[name])}</span>
     ${value !== null && check ? html`${bar(value, check)}<span class="sr">${describeLimits(check)}</span>` : nothing}

@@ -2,6 +2,7 @@
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 
+import { reasonOf } from "../data/reason";
 import type { Plane } from "../data/chunk";
 import type { Display } from "../data/display";
 import { loadChunk, loadPlane } from "../data/pixels";
@@ -38,7 +39,8 @@ export class ParityInspector extends LitElement {
   @state() private termsMessage = "";
   @state() private isOpen = false; // of the terms: loaded on first use, then with each pixel
   @state() private copied = "";
-  private termsKey = "";
+  private termsKey = ""; // of the pixel whose terms were asked for last
+  private shownKey = ""; // of the pixel that `terms` are of
 
   protected override createRenderRoot(): this {
     return this;
@@ -55,7 +57,7 @@ export class ParityInspector extends LitElement {
   /** Plane by plane, so that a large view's need not all be in memory. */
   private async readTerms(key: string, { termsFile, pixel }: Inspected): Promise<void> {
     this.termsKey = key;
-    if (this.terms.length === 0) this.termsMessage = "Loading…";
+    this.termsMessage = "Loading…";
     const rows: TermRow[] = [];
     try {
       const chunk = await loadChunk(termsFile);
@@ -72,9 +74,15 @@ export class ParityInspector extends LitElement {
       this.termsMessage = rows.length === 0 ? "All terms are black here." : "";
     } catch (error) {
       if (key !== this.termsKey) return;
-      this.termsMessage = error instanceof Error ? error.message : String(error);
+      this.termsMessage = reasonOf(error);
     }
     this.terms = rows;
+    this.shownKey = key;
+  }
+
+  /** The terms of the inspected pixel; none while they are read. */
+  private get termsHere(): TermRow[] {
+    return this.shownKey === this.termsKey ? this.terms : [];
   }
 
   /** All that is shown, in lines with tabs: a table where it is pasted. */
@@ -129,7 +137,7 @@ export class ParityInspector extends LitElement {
     return html`<details @toggle=${onToggle} ?open=${this.isOpen}>
       <summary>Terms, linear</summary>
       ${this.termsMessage === "" ? nothing : html`<p class="aside">${this.termsMessage}</p>`}
-      ${this.terms.length === 0
+      ${this.termsHere.length === 0
         ? nothing
         : html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table">
             <table>

@@ -9,7 +9,7 @@ export type Job =
   | { kind: "display"; plane: Plane; display: Display; exposureEv: number }
   | { kind: "difference"; reference: Plane; test: Plane; display: Display; exposureEv: number; gain: number }
   | { kind: "flip"; plane: Plane; threshold: number }
-  | { kind: "others"; plane: Plane; material: number };
+  | { kind: "others"; plane: Plane; material: number }; // -1: all that is none of the view's materials
 
 const kAlike = 0xff3a3a3a; // below the threshold: a grey that magma does not have
 const kDimmed = 0xc82e2e2e; // over what is not the chosen material: the pane's own grey, nearly opaque
@@ -66,7 +66,8 @@ export function paintJob(job: Job, out: Uint32Array): void {
     }
     case "others": {
       const { values } = job.plane;
-      for (let i = 0; i < out.length; ++i) out[i] = values[i] === job.material + 1 ? 0 : kDimmed;
+      const wanted = job.material + 1; // 0: any material
+      for (let i = 0; i < out.length; ++i) out[i] = (wanted === 0 ? values[i] !== 0 : values[i] === wanted) ? 0 : kDimmed;
       break;
     }
   }

@@ -32,6 +32,7 @@ export class ParityPicture extends LitElement {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (!changed.has("job")) return;
+    if (this.job === null) this.painted = null; // its canvas goes
     const before = changed.get("job") ?? null;
     // The last picture stays until the next is painted, unless it was of something else.
     if (this.job === null || before === null || before.kind !== this.job.kind)

@@ -2,6 +2,7 @@
 // they are there.
 import type { ReactiveControllerHost } from "lit";
 
+import { reasonOf } from "../data/reason";
 import type { Plane } from "../data/chunk";
 import { readDisplayTable, type Display } from "../data/display";
 import { loadChunk, loadPlane } from "../data/pixels";
@@ -16,10 +17,6 @@ export function valueOf<T>(loaded: Loaded<T>): T | null {
 }
 export function messageOf<T>(loaded: Loaded<T>): string {
   return "message" in loaded ? loaded.message : "";
-}
-
-function reason(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
 }
 
 /** How the report displays linear values: the display setting, by its table where it is no formula. */
@@ -103,7 +100,7 @@ export class PixelSource {
     promise
       .then(
         (value) => take({ value }),
-        (error: unknown) => take({ message: reason(error) }),
+        (error: unknown) => take({ message: reasonOf(error) }),
       )
       .finally(() => this.host.requestUpdate());
   }

@@ -2,6 +2,7 @@
 import { html, LitElement, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 
+import { reasonOf } from "../data/reason";
 import { loadChunk, loadPlane } from "../data/pixels";
 import type { Report, View } from "../data/types";
 import { paintCanvas, type Job } from "./paint";
@@ -92,7 +93,7 @@ export class ParityTermImage extends LitElement {
       context.drawImage(whole, box.x, box.y, box.width, box.height, 0, 0, this.canvas.width, this.canvas.height);
       this.message = "";
     } catch (error) {
-      if (ask === this.wanted) this.message = error instanceof Error ? error.message : String(error);
+      if (ask === this.wanted) this.message = reasonOf(error);
     }
   }
 

@@ -193,13 +193,24 @@ export class ParityViewer extends LitElement {
       pixel,
       isPinned: this.hover === null,
       pictures,
-      flip: flip === undefined ? null : flip / 65535,
+      flip: flip === undefined || (material === 0 && this.isRestricted) ? null : flip / 65535,
       material: material === 0 ? null : (view.materials[material - 1]?.name ?? null),
       display: valueOf(source.display),
       exposureEv: view.exposureEv + this.state.exposure,
       termsFile: view.pixels.terms,
     };
     return { inspected, message: "" };
+  }
+
+  /** Whether the run was asked for some materials only: nothing is known of the other pixels. */
+  private get isRestricted(): boolean {
+    return this.report.settings.some(({ name, value }) => name === "materials" && value !== "all");
+  }
+
+  /** Over what is not looked at, or was not compared. */
+  private coverOf(plane: Plane): Job | null {
+    const dims = this.material >= 0 && this.state.dimOthers;
+    return dims || this.isRestricted ? { kind: "others", plane, material: dims ? this.material : -1 } : null;
   }
 
   /** "12.3 % at or above", once the map's values are there. */
@@ -243,10 +254,7 @@ export class ParityViewer extends LitElement {
     const flip = this.isAtRest ? source.color("flip") : null;
     const flipPlane = flip && valueOf(flip);
     const subject = this.subjectIn(materials);
-    const cover: Job | null =
-      materials && this.material >= 0 && state.dimOthers
-        ? { kind: "others", plane: materials, material: this.material }
-        : null;
+    const cover = materials && this.coverOf(materials);
     const panes = arrange({ view, state, source, missing: this.missing, showsMobile: this.showsMobile });
     const { inspected, message } = this.inspect(view);
     const zoom = `${Math.round(100 * fitScale(this.paneSize, view) * this.look(view).zoom)} %`;

@@ -4,11 +4,14 @@ import type { AxeResults } from "axe-core";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
-import { openReport, reportFolder, startBrowser } from "./browser";
+import { changedReport, openReport, removeChanged, reportFolder, startBrowser } from "./browser";
 
 let browser: Browser;
 beforeAll(async () => (browser = await startBrowser()));
-afterAll(async () => browser.close());
+afterAll(async () => {
+  removeChanged();
+  await browser.close();
+});
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -31,7 +34,7 @@ const kPages = [
   ["its terms", "real", "#scene=0&view=0&material=0&tab=terms"],
   ["its numbers", "real", "#scene=0&view=0&material=0&tab=numbers"],
   ["names that try to break out", "evil", ""],
-  ["a report that cannot be shown", "empty", ""],
+  ["a report of nothing", "empty", ""],
 ] as const;
 
 describe.each(["light", "dark"] as const)("in the %s scheme, axe-core finds nothing serious in", (colorScheme) => {
@@ -40,6 +43,14 @@ describe.each(["light", "dark"] as const)("in the %s scheme, axe-core finds noth
     await page.waitForTimeout(300);
     expect(await violations(page)).toEqual([]);
     await page.context().close();
+  });
+});
+
+describe("a report that cannot be shown", () => {
+  it("says so to everyone", async () => {
+    const { page } = await openReport(browser, changedReport("empty", (html) => html.replace(/"schema":\s*2/, '"schema":99')));
+    expect(await page.getAttribute(".failure", "role")).toBe("alert");
+    expect(await violations(page)).toEqual([]);
   });
 });
 
@@ -70,6 +81,16 @@ describe("by keyboard alone", () => {
     for (const what of ["INPUT  search", "A"]) expect([...reached].some((each) => each.startsWith(what)), what).toBe(true);
     expect([...reached].filter((each) => each.startsWith("BUTTON chip")).length).toBeGreaterThan(1);
     expect([...reached].some((each) => each.startsWith("BUTTON sort"))).toBe(true);
+  });
+
+  it("goes to the title of what is opened, and back to its row", async () => {
+    const { page } = await openReport(browser, reportFolder("many"));
+    await page.focus(".list .row a.name >> nth=2");
+    const name = await page.textContent(".list .row a.name >> nth=2");
+    await page.keyboard.press("Enter");
+    await page.waitForFunction(() => document.activeElement?.id === "item-title");
+    await page.keyboard.press("Escape");
+    await page.waitForFunction((text) => document.activeElement?.textContent === text, name);
   });
 
   it("a ? says what a number means, and Escape puts it away", async () => {

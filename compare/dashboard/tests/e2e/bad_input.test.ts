@@ -1,32 +1,17 @@
-import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
 
-import { openReport, realProblems, reportFolder, startBrowser } from "./browser";
+import { changedReport, openReport, realProblems, removeChanged, reportFolder, startBrowser } from "./browser";
 
 let browser: Browser;
-const folders: string[] = [];
 beforeAll(async () => (browser = await startBrowser()));
 afterAll(async () => browser.close());
-afterEach(() => folders.splice(0).forEach((folder) => rmSync(folder, { recursive: true, force: true })));
+afterEach(removeChanged);
 
 /** Whether anything that a name holds was run. */
 const isBroken = (page: Page): Promise<unknown> => page.evaluate(() => (window as unknown as { broken?: number }).broken);
-
-/** A report whose page was changed. */
-function changed(name: string, change: (html: string) => string): string {
-  const folder = mkdtempSync(join(tmpdir(), "parity-page-"));
-  folders.push(folder);
-  cpSync(reportFolder(name), folder, { recursive: true });
-  const file = join(folder, "index.html");
-  const before = readFileSync(file, "utf8");
-  const after = change(before);
-  expect(after).not.toBe(before);
-  writeFileSync(file, after);
-  return folder;
-}
 
 describe("names that try to break out", () => {
   it("are shown as they are in the list, each row apart", async () => {
@@ -107,18 +92,18 @@ describe("reports that are not as expected", () => {
   });
 
   it("of another schema version: are refused in words that name both", async () => {
-    const folder = changed("empty", (html) => html.replace(/"schema":\s*2/, '"schema":99'));
+    const folder = changedReport("empty", (html) => html.replace(/"schema":\s*2/, '"schema":99'));
     const opened = await openReport(browser, folder);
     expect(await opened.page.textContent(".failure")).toMatch(/schema version 99.*version 2/s);
     expect(opened.problems).toEqual([]);
   });
 
   it("with damaged or missing data: say so", async () => {
-    const damaged = changed("empty", (html) => html.replace(/(id="report">)\{/, "$1{,"));
+    const damaged = changedReport("empty", (html) => html.replace(/(id="report">)\{/, "$1{,"));
     expect(await (await openReport(browser, damaged)).page.textContent(".failure")).toContain("damaged");
-    const none = changed("empty", (html) => html.replace('id="report"', 'id="other"'));
+    const none = changedReport("empty", (html) => html.replace('id="report"', 'id="other"'));
     expect(await (await openReport(browser, none)).page.textContent(".failure")).toContain("no report");
-    const run = changed("broken", (html) => html.replace(/(id="run">)\{/, "$1{,"));
+    const run = changedReport("broken", (html) => html.replace(/(id="run">)\{/, "$1{,"));
     const opened = await openReport(browser, run);
     await opened.page.waitForSelector(".list .row");
     expect(opened.problems).toEqual([]);

@@ -1,5 +1,6 @@
 // Reports opened in real headless Chromium, from a folder, without a server.
-import { existsSync, readFileSync } from "node:fs";
+import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
@@ -24,6 +25,25 @@ export function reportFolder(name: string): string {
 
 export function readReport(name: string): Report {
   return JSON.parse(readFileSync(join(reportFolder(name), "report.json"), "utf8")) as Report;
+}
+
+const changedFolders: string[] = [];
+
+/** The folder of a copy of a report, its page changed. */
+export function changedReport(name: string, change: (html: string) => string): string {
+  const folder = mkdtempSync(join(tmpdir(), "parity-page-"));
+  changedFolders.push(folder);
+  cpSync(reportFolder(name), folder, { recursive: true });
+  const file = join(folder, "index.html");
+  const before = readFileSync(file, "utf8");
+  const after = change(before);
+  if (after === before) throw new Error("nothing was changed");
+  writeFileSync(file, after);
+  return folder;
+}
+
+export function removeChanged(): void {
+  for (const folder of changedFolders.splice(0)) rmSync(folder, { recursive: true, force: true });
 }
 
 export interface Opened {

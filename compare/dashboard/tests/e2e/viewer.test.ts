@@ -4,7 +4,7 @@ import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
 import type { Report } from "../../src/data/types";
-import { openReport, reportFolder, startBrowser } from "./browser";
+import { openReport, readReport, reportFolder, startBrowser } from "./browser";
 
 let browser: Browser;
 beforeAll(async () => (browser = await startBrowser()));
@@ -131,6 +131,22 @@ describe("the comparison", () => {
   });
 });
 
+describe("what is painted from values", () => {
+  it("is there again when the same is asked for again", async () => {
+    const { page } = await openItem("real");
+    await page.waitForTimeout(600);
+    const shot = (): Promise<Buffer> => page.locator("parity-pane .stage").first().screenshot();
+    await page.keyboard.press("]");
+    await page.waitForTimeout(500);
+    const first = await shot();
+    await page.keyboard.press("[");
+    await page.waitForTimeout(500);
+    await page.keyboard.press("]");
+    await page.waitForTimeout(500);
+    expect((await shot()).equals(first)).toBe(true);
+  });
+});
+
 describe("a pixel's values", () => {
   it("are those of the pictures, for both paths (sRGB, one file)", async () => {
     const html = readFileSync(join(reportFolder("single"), "index.html"), "utf8");
@@ -182,6 +198,23 @@ describe("a pixel's values", () => {
   });
 });
 
+describe("a report of some materials only", () => {
+  it("knows no FLIP of pixels that were not compared", async () => {
+    const report = readReport("restricted");
+    expect(report.scenes[0]!.views[0]!.materials.map((each) => each.name)).toEqual(["gold"]);
+    const flipAt = async (x: number, y: number): Promise<string> => {
+      const { page } = await openItem("restricted", `&pixelX=${x}&pixelY=${y}`);
+      await page.waitForSelector(".inspector tbody tr");
+      await page.waitForTimeout(300);
+      const text = (await page.textContent(".pixel-head")) ?? "";
+      await page.context().close();
+      return /FLIP\s+(\S+)/.exec(text)?.[1] ?? "";
+    };
+    expect(await flipAt(3, 3)).toBe("–");
+    expect(await flipAt(12, 72)).toMatch(/^0\.\d/);
+  });
+});
+
 describe("terms and numbers", () => {
   it("say in words and by bars which term is the cause, and show both paths' terms", async () => {
     const { page, problems } = await openItem("real", "&tab=compare");
@@ -201,5 +234,15 @@ describe("terms and numbers", () => {
     const commands = await page.locator(".command code").allTextContents();
     expect(commands.some((each) => each.includes(" diff builtin:materials") && each.includes("--material"))).toBe(true);
     expect(await page.textContent("parity-numbers")).toMatch(/skipped/i);
+    expect(await page.textContent("parity-bench-plot")).toContain("does not have the scene materials");
+  });
+
+  it("plot the bench of the scene that is shown", async () => {
+    const { page, problems } = await openReport(browser, reportFolder("real"), "#scene=1&view=0&material=5&tab=numbers");
+    await page.waitForSelector("parity-bench-plot canvas");
+    expect(await page.getAttribute("parity-bench-plot .plot", "aria-label")).toContain("2 settings of spheres");
+    await page.goto(page.url().replace("scene=1", "scene=0"));
+    await page.waitForSelector("parity-bench-plot canvas", { state: "detached" });
+    expect(problems).toEqual([]);
   });
 });

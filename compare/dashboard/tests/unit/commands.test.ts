@@ -24,7 +24,7 @@ describe("the command for a row", () => {
   if (!material || !whole) throw new Error("two rows");
 
   it("is the report's for one scene and material, without what only a report has", () => {
-    const line = "parity report other.glb 'a b/Desk.glb' --env sky.hdr -o out --size 64x64 --json x.json --single-file";
+    const line = "parity report other.glb 'a b/Desk.glb' --env sky.hdr -o out --size 64x64 --json x.json --single-file -q --material Old --bench=b.json";
     expect(diffCommand(line, scene, whole)).toBe("parity diff 'a b/Desk.glb' --env sky.hdr --size 64x64");
     expect(diffCommand(line, scene, material)).toBe("parity diff 'a b/Desk.glb' --env sky.hdr --size 64x64 --material 'Gold ?1??'");
   });
@@ -32,6 +32,7 @@ describe("the command for a row", () => {
   it("is none where the line does not say which file it is", () => {
     expect(diffCommand("parity report --suite a.toml -o out", scene, whole)).toBeNull();
     expect(diffCommand("parity report other.glb -o out", scene, whole)).toBeNull();
+    expect(diffCommand("parity report a/Desk.glb b/Desk.glb -o out", scene, whole)).toBeNull();
     expect(diffCommand("", scene, whole)).toBeNull();
   });
 

@@ -2,8 +2,8 @@ import { describe, expect, it } from "vitest";
 
 import { checkChunk, decodePlane, type Plane } from "../../src/data/chunk";
 import { displayPixel, paintDisplay, readDisplayTable, type Display } from "../../src/data/display";
-import { halfToNumber, isFiniteHalf } from "../../src/data/half";
-import { halfBits, packValues } from "./pack";
+import { halfToNumber } from "../../src/data/half";
+import { halfBits, packValues, isFiniteHalf } from "./pack";
 
 /** Every half as the red of a pixel; green and blue are 0 and 1. */
 function allHalves(): Plane {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
-import { halfToNumber, halfValues, isFiniteHalf } from "../../src/data/half";
-import { halfBits } from "./pack";
+import { halfToNumber, halfValues } from "../../src/data/half";
+import { halfBits, isFiniteHalf } from "./pack";
 
 describe("half floats", () => {
   it("has the values of IEEE 754-2008", () => {

@@ -27,3 +27,8 @@ export function halfBits(value: number): number {
   const exponent = Math.floor(Math.log2(size));
   return sign | ((exponent + 15) << 10) | Math.round((size / 2 ** exponent - 1) * 1024);
 }
+
+/** Whether half bits are neither NaN nor infinite. */
+export function isFiniteHalf(bits: number): boolean {
+  return (bits & 0x7c00) !== 0x7c00;
+}

@@ -1,8 +1,9 @@
 import { describe, expect, it } from "vitest";
 
 import { countRows, filterOf, matches, sortRows } from "../../src/data/filter";
-import { causeOf, makeRows } from "../../src/data/rows";
+import { causeOf, checkOf, figureOf, makeRows } from "../../src/data/rows";
 import { kDefaultState } from "../../src/data/state";
+import type { Check, Figures } from "../../src/data/types";
 import { makeMaterial, makeReport, makeScene, makeView } from "./sample";
 
 const attribution = { region: "interior" as const, flip: 0.4, terms: [{ term: "skySpecular", flip: 0.1 }, { term: "sunDiffuse", flip: 0.39 }] };
@@ -33,6 +34,27 @@ describe("rows", () => {
   });
 });
 
+describe("a row's figures", () => {
+  const figures = (flip: number): Figures => ({ pixels: 9, nonFinite: 0, metrics: { "flip.mean": flip }, referenceLuma: 0, testLuma: 0 });
+  const check = (region: string, value: number): Check => ({ metric: "flip.mean", region, regress: false, value, warn: 0.1, fail: 0.2, verdict: "pass", note: "" });
+  const judged = { figures: { interior: figures(0.15), all: figures(0.05) }, checks: [check("all", 0.05), check("interior", 0.15)] };
+  const view = makeView("front", [makeMaterial("Gold", "pass", 0, judged)]);
+  Object.assign(view.whole, judged);
+  const [material, whole] = makeRows(makeReport([makeScene("Desk", [view])]));
+  if (!material || !whole) throw new Error("two rows");
+
+  it("are of a material's interior, and of all pixels of a whole image: what the limits are for", () => {
+    expect([figureOf(material, "flip.mean"), material.region]).toEqual([0.15, "interior"]);
+    expect([figureOf(whole, "flip.mean"), whole.region]).toEqual([0.05, "all"]);
+  });
+
+  it("are held against the check of their own region", () => {
+    expect(checkOf(material, "flip.mean")?.value).toBe(0.15);
+    expect(checkOf(whole, "flip.mean")?.value).toBe(0.05);
+    expect(checkOf(whole, "flip.p95")).toBeNull();
+  });
+});
+
 describe("the cause", () => {
   it("is the term whose swap lowers FLIP most", () => {
     expect(rows[0]?.cause).toEqual({ term: "skySpecular", before: 0.4, after: 0.1 });
@@ -43,6 +65,7 @@ describe("the cause", () => {
     expect(causeOf({ ...attribution, terms: [{ term: "fog", flip: 0.36 }] })?.term).toBe("fog");
     expect(causeOf({ ...attribution, flip: null })).toBeNull();
     expect(causeOf(undefined)).toBeNull();
+    expect(causeOf({ region: "interior", flip: 0, terms: [{ term: "emissive", flip: 0 }] })).toBeNull();
   });
 });
 
