@@ -76,7 +76,7 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
   request.commandLine = commandLine;
   request.baseline = command.verdict.baseline;
   request.singleFile = command.singleFile;
-  request.pixelData = command.pixelData;
+  request.pixelData = command.pixelData && compare::hasDashboard(); // which alone reads them
   if (command.singleFile && !compare::hasDashboard())
     throw base::Error(base::ExitCode::usage, "--single-file", "", "this parity was built without the page index.html");
   requireSeparateFiles(command, request);

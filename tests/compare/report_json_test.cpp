@@ -32,9 +32,8 @@ TEST(ReportJson, KeysStandInAFixedOrder) {
     for (const auto& [key, value] : object.items()) names += (names.empty() ? "" : " ") + key;
     return names;
   };
-  EXPECT_EQ(
-      keys(document),
-      "schema tool version device verdict headline counts wholeCounts displayTable warnings baseline settings scenes");
+  EXPECT_EQ(keys(document), "schema tool version device verdict headline counts wholeCounts displayTable warnings "
+                            "baseline settings statistics scenes");
   EXPECT_EQ(keys(document["scenes"][0]),
             "name source environment sun light verdict error warnings views passes permutations");
   EXPECT_EQ(keys(document["scenes"][0]["views"][0]),

@@ -92,7 +92,8 @@ void expectEachKeyMatters(const json& schema, const json& document, const json::
       const bool optional = (key == "truth" && child.contains("images")) || // not the luminance, not the image
                             key == "permutations" || key == "passes" || key == "cost" || key == "light" ||
                             key == "encoding" || key == "attribution" || key == "displayTable" || key == "headline" ||
-                            key == "bias" || key == "exposureEv" || (key == "pixels" && child.is_object());
+                            key == "bias" || key == "exposureEv" || key == "preset" || key == "statistics" ||
+                            name == "/statistics" || (key == "pixels" && child.is_object());
       EXPECT_EQ(validate(schema, less).empty(), optional) << where.to_string() << "/" << key;
       json other = document;
       other.at(where)[key] = json::array({"wrong"});
