@@ -85,7 +85,7 @@ TEST_F(AttributionTest, WhatTheRenderTargetDoesToLayersIsBlamedOnNoTerm) {
   file.json["nodes"].push_back({{"mesh", 1}, {"translation", {0.3, 0, 0.1}}});
   file.json["scenes"][0]["nodes"].push_back(file.json["nodes"].size() - 1);
   const std::string scene = writeEmbedded(m_folder, std::move(file), "layers");
-  const Json result = diff(scene, {"--mobile-target", "rgba8-gamma2", "--attribution", "all", "--size", "128x128"});
+  const Json result = diff(scene, {"--mobile-target", "rgba8-gamma2", "--attribution", "all"});
   const Json& material = result["views"][0]["materials"][1];
   ASSERT_EQ(material["name"], "glass");
   const double flip = material["attribution"]["flip"];

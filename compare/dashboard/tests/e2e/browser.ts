@@ -67,7 +67,7 @@ export async function openReport(browser: Browser, folder: string, hash = "", op
   });
   page.on("request", (request) => opened.requests.push(request.url()));
   await page.goto(pathToFileURL(join(folder, "index.html")).href + hash);
-  await page.waitForSelector("parity-app h1, .failure h1");
+  await page.waitForSelector("parity-app h1, .failure h1", { state: "attached" }); // on a phone an item hides it
   return opened;
 }
 
