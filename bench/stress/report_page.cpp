@@ -8,7 +8,6 @@
 
 #include "compare/magma.h"
 #include "compare/text.h"
-#include "compare_page/report_page.css.h"
 #include "stress/stress_run.h"
 
 namespace parity::stress {
@@ -17,7 +16,29 @@ namespace {
 
 using compare::escapeMarkup;
 
-constexpr const char* kOwnStyle = R"(
+constexpr const char* kStyle = R"(
+:root {
+  --ground: #f4f5f7; --card: #ffffff; --ink: #1b1f24; --quiet: #5c6670; --line: #d9dee3; --pass: #1a7f4b; --fail: #c4232b;
+}
+@media (prefers-color-scheme: dark) {
+  :root {
+    --ground: #14171a; --card: #1d2125; --ink: #e8eaed; --quiet: #9aa4ae; --line: #343a40; --pass: #4cc38a; --fail: #ff6b6b;
+  }
+}
+.pass { --tone: var(--pass); }
+.fail { --tone: var(--fail); }
+* { box-sizing: border-box; }
+body { margin: 0; background: var(--ground); color: var(--ink); font: 15px/1.45 system-ui, "DejaVu Sans", sans-serif; }
+main { max-width: 1560px; margin: 0 auto; padding: 24px 20px 80px; }
+h1 { font-size: 26px; margin: 2px 0 4px; overflow-wrap: anywhere; }
+h2 { font-size: 21px; margin: 0 0 4px; }
+p { margin: 0; }
+small, .aside, .kicker { color: var(--quiet); font-size: 13px; }
+.kicker { text-transform: uppercase; letter-spacing: .08em; font-weight: 600; }
+header { padding: 18px 20px; background: var(--card); border: 1px solid var(--line); border-left: 6px solid var(--tone);
+  border-radius: 10px; }
+figure { margin: 0; }
+.badge { padding: 1px 9px; border: 1px solid var(--tone); border-radius: 99px; color: var(--tone); font-size: 13px; }
 main > section { margin-top: 26px; }
 .panel { padding: 14px 16px; background: var(--card); border: 1px solid var(--line); border-radius: 10px; overflow-x:
   auto; }
@@ -182,8 +203,7 @@ std::string formatPage(const Report& report) {
   const std::size_t unexpected = report.unexpected();
   std::string html = "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
                      "content=\"width=device-width\"><title>parity stress</title><style>";
-  html += kReportPageCss;
-  html += kOwnStyle;
+  html += kStyle;
   html += fmt::format("</style></head><body><main><header class=\"{}\"><div><p class=\"kicker\">parity stress</p>"
                       "<h1>{} unexpected, {} expected findings</h1><p>",
                       unexpected > 0 ? "fail" : "pass", unexpected, report.findings.size() - unexpected);
