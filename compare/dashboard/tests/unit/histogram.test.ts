@@ -22,6 +22,13 @@ describe("histogram of FLIP", () => {
     expect(max).toBe(1);
   });
 
+  it("says what half of the pixels and a twentieth of them reach", () => {
+    const flip = Uint16Array.from({ length: 100 }, (_, i) => unorm((99 - i) / 100)); // 0, .01, ... .99 in some order
+    const { median, p95 } = makeHistogram(flip, null, -1, 10);
+    expect(median).toBeCloseTo(0.49, 4); // the 50th value
+    expect(p95).toBeCloseTo(0.94, 4); // the 95th
+  });
+
   it("has no figures without pixels", () => {
     const { total, mean, max, counts } = makeHistogram(kFlip, kMaterial, 7, 4);
     expect([total, ...counts]).toEqual([0, 0, 0, 0, 0]);
