@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace parity::base {
 
@@ -17,7 +18,7 @@ enum class ExitCode : int {
   usage = 64,
 };
 
-// Thrown for whatever can fail at run time. what() is one line: "subject: place: reason".
+// Thrown for whatever can fail at run time. what() is one line, "subject: place: reason" (of an ErrorList: several).
 class Error : public std::runtime_error {
 public:
   // subject: the file, device or option; place: where in it (may be empty); reason: why, in words.
@@ -42,6 +43,21 @@ private:
 
   ExitCode m_code;
   std::string m_subject, m_place, m_reason;
+};
+
+// Several things that are wrong with one subject, told together: what() has a line for each. Code, place and reason are
+// those of the first.
+class ErrorList : public Error {
+public:
+  // errors: at least one; more: how many others there are.
+  explicit ErrorList(const std::vector<Error>& errors, std::size_t more = 0) : Error(errors.front()) {
+    for (const Error& error : errors) m_text += (m_text.empty() ? "" : "\n") + std::string(error.what());
+    if (more > 0) m_text += "\n" + subject() + ": and " + std::to_string(more) + " more problems";
+  }
+  const char* what() const noexcept override { return m_text.c_str(); }
+
+private:
+  std::string m_text;
 };
 
 // The common case: a file that cannot be used (exit 4).

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <fstream>
 #include <set>
 #include <stdexcept>
 
@@ -11,11 +12,13 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/exr_check.h"
 #include "base/file.h"
 #include "base/image_module.h"
 #include "base/parallel.h"
 #include "base/pfm.h"
 #include "base/png_check.h"
+#include "base/webp.h"
 
 namespace parity::base {
 
@@ -88,6 +91,12 @@ void checkReadable(const fs::path& file) {
 void checkContent(const fs::path& file) {
   checkReadable(file);
   if (extensionOf(file) == ".png") checkPng(readFile(file), file.string());
+  if (extensionOf(file) == ".exr") {
+    std::vector<char> head(std::min<std::size_t>(regularFileSize(file), std::size_t{1} << 20));
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    checkExr(std::as_bytes(std::span(head)), regularFileSize(file), file.string());
+  }
 }
 
 void checkChannels(int channels) {
@@ -146,6 +155,7 @@ BasicImage<std::uint32_t> readIntegers(const fs::path& file) {
 Image8 readImage8(const fs::path& file, int channels) {
   checkChannels(channels);
   checkContent(file);
+  if (extensionOf(file) == ".webp") return decodeWebp(readFile(file), file.string(), channels);
   return imageModule().read8(file, channels);
 }
 
@@ -153,7 +163,16 @@ Image8 decodeImage8(std::span<const std::byte> bytes, const std::string& name, i
   checkChannels(channels);
   if (bytes.empty()) throw fileError(name, "", "is empty");
   checkPng(bytes, name);
+  if (isWebp(bytes)) return decodeWebp(bytes, name, channels);
   return imageModule().decode8(bytes, name, channels);
+}
+
+Image decodeRadiance(std::span<const std::byte> bytes, const std::string& name) {
+  if (bytes.empty()) throw fileError(name, "", "is empty");
+  const std::string_view head(reinterpret_cast<const char*>(bytes.data()), std::min<std::size_t>(bytes.size(), 2));
+  if (head == "PF" || head == "Pf") return decodePfm(bytes, name);
+  checkExr(bytes, bytes.size(), name);
+  return imageModule().decodeRadiance(bytes, name);
 }
 
 bool isIntegerImage(const fs::path& file) {

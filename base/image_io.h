@@ -56,6 +56,13 @@ Image8 readImage8(const std::filesystem::path& file, int channels = 4);
 // (exit 4).
 Image8 decodeImage8(std::span<const std::byte> bytes, const std::string& name, int channels = 4);
 
+// Largest number of pixels of a panorama: 16384 x 8192.
+inline constexpr std::size_t kMaxRadiancePixels = std::size_t{1} << 27;
+
+// Radiance from memory: Radiance HDR, OpenEXR of floats, or PFM, told by its first bytes; no other reader is tried.
+// Throws Error (exit 4).
+Image decodeRadiance(std::span<const std::byte> bytes, const std::string& name);
+
 // Whether the file, by its format and stored type, holds display-referred 8- or 16-bit integers rather than floats.
 bool isIntegerImage(const std::filesystem::path& file);
 

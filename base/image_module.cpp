@@ -15,113 +15,13 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/image_reader.h"
 
 namespace parity::base {
 
 namespace {
 
 namespace fs = std::filesystem;
-namespace oiio = OIIO;
-
-// The first line of the library's own words, less the file's name, which Error carries.
-std::string reasonOf(std::string message, const std::string& path) {
-  if (message.empty()) return "the image library gives no reason";
-  const std::string quoted = "\"" + path + "\"";
-  if (const std::size_t at = message.find(quoted); at != std::string::npos)
-    message.replace(at, quoted.size(), "the file");
-  return message.substr(0, message.find('\n'));
-}
-
-// One opened image whose size has been checked.
-class Reader {
-public:
-  explicit Reader(const std::string& file) : m_name(file) {
-    const oiio::ImageSpec config = makeConfig();
-    open([&] { return oiio::ImageInput::open(file, &config); });
-  }
-
-  // format: as the library calls it. Only this one is tried: the others might look for a file.
-  Reader(std::string name, const std::string& format, oiio::Filesystem::IOProxy& memory) : m_name(std::move(name)) {
-    oiio::ImageSpec config = makeConfig(), spec;
-    oiio::Filesystem::IOProxy* proxy = &memory;
-    config.attribute("oiio:ioproxy", oiio::TypeDesc::PTR, &proxy);
-    open([&] {
-      oiio::ImageInput::unique_ptr input = oiio::ImageInput::create(format);
-      if (!input || !input->supports("ioproxy"))
-        throw fileError(m_name, "cannot be decoded", "the image library reads no " + format + " from memory");
-      if (!input->open(m_name, spec, config))
-        throw fileError(m_name, "cannot be decoded", reasonOf(input->geterror(), m_name));
-      return input;
-    });
-  }
-
-  const oiio::ImageSpec& spec() const { return m_input->spec(); }
-
-  ImageInfo info() const {
-    const oiio::ImageSpec& spec = m_input->spec();
-    ImageInfo info;
-    info.integer = !spec.format.is_floating_point();
-    info.bits = static_cast<int>(spec.format.size()) * 8;
-    info.channelNames = spec.channelnames;
-    info.alphaChannel = spec.alpha_channel;
-    // Of the integer formats only TIFF tells the two apart; the others leave alpha out of the colour.
-    const bool tells = std::string_view(m_input->format_name()) == "tiff";
-    info.alphaAssociated =
-        spec.alpha_channel >= 0 && (!info.integer || tells) && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0;
-    info.declaredLinear = oiio::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
-    std::array<float, 8> chromaticities{};
-    if (spec.getattribute("chromaticities", oiio::TypeDesc(oiio::TypeDesc::FLOAT, 8), chromaticities.data()))
-      info.chromaticities = chromaticities;
-    info.x = spec.x, info.y = spec.y;
-    info.fullX = spec.full_x, info.fullY = spec.full_y;
-    info.fullWidth = spec.full_width, info.fullHeight = spec.full_height;
-    info.orientation = spec.get_int_attribute("Orientation", 1);
-    return info;
-  }
-
-  // To be called last: the reader then is past the first image.
-  int countImages() {
-    int count = 1;
-    while (count < kMaxCountedImages && m_input->seek_subimage(count, 0)) ++count;
-    m_input->geterror(); // that there is no further one is no error
-    return count;
-  }
-
-  template <typename T> BasicImage<T> read() {
-    const oiio::ImageSpec& spec = m_input->spec();
-    BasicImage<T> image(spec.width, spec.height, spec.nchannels);
-    const bool whole = m_input->read_image(0, 0, 0, spec.nchannels, oiio::BaseTypeFromC<T>::value, image.pixels.data());
-    // Some readers fill the rest of a truncated file and only leave a message.
-    if (!whole || m_input->has_error())
-      throw fileError(m_name, "damaged or truncated", reasonOf(m_input->geterror(), m_name));
-    return image;
-  }
-
-private:
-  static oiio::ImageSpec makeConfig() {
-    oiio::ImageSpec config;
-    config.attribute("oiio:UnassociatedAlpha", 1); // textures and pictures as stored, not multiplied by alpha
-    return config;
-  }
-
-  template <typename Open> void open(const Open& makeInput) {
-    m_input = makeInput();
-    if (!m_input) throw fileError(m_name, "cannot be decoded", reasonOf(oiio::geterror(), m_name));
-    const std::string_view format = m_input->format_name();
-    // A film's reader takes almost any bytes for a film, a text for a screen of letters; "null" invents its pixels.
-    if (format == "FFmpeg movie" || format == "null")
-      throw fileError(m_name, "cannot be decoded", "no image format that is known");
-    const oiio::ImageSpec& spec = m_input->spec();
-    checkImageSize(m_name, spec.width, spec.height, spec.nchannels);
-    if (spec.nchannels > kMaxImageChannels)
-      throw fileError(m_name, "", fmt::format("{} channels: more than {}", spec.nchannels, kMaxImageChannels));
-    if (spec.depth > 1 || spec.deep)
-      throw fileError(m_name, "", "is a volume or a deep image, which have no pixels to compare");
-  }
-
-  std::string m_name;
-  oiio::ImageInput::unique_ptr m_input;
-};
 
 // Whatever the library throws becomes an Error that names the file.
 template <typename Body> auto guarded(const std::string& name, Body&& body) {
@@ -224,17 +124,32 @@ std::string sniffFormat(std::span<const std::byte> bytes) {
                                Magic{"\x76\x2f\x31\x01", "openexr"}, Magic{"BM", "bmp"}};
   for (const Magic& magic : kMagics)
     if (head.starts_with(magic.bytes)) return std::string(magic.format);
-  return head.starts_with("RIFF") && head.substr(8).starts_with("WEBP") ? "webp" : "";
+  return {};
 }
 
 Image8 decode8(std::span<const std::byte> bytes, const std::string& name, int channels) {
   return guarded(name, [&] {
     const std::string format = sniffFormat(bytes);
     if (format.empty()) throw fileError(name, "cannot be decoded", "is none of PNG, JPEG, WebP, BMP, HDR and EXR");
-    // Only read from; the interface has no const.
-    oiio::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size());
+    Memory memory(bytes);
     Reader reader(name, format, memory);
     return readAs8(reader, channels);
+  });
+}
+
+Image decodeRadiance(std::span<const std::byte> bytes, const std::string& name) {
+  return guarded(name, [&] {
+    const std::string format = sniffFormat(bytes);
+    if (format != "hdr" && format != "openexr")
+      throw fileError(name, "", "no HDR environment: .hdr, .exr or .pfm is needed");
+    Memory memory(bytes);
+    Reader reader(name, format, memory);
+    if (!reader.spec().format.is_floating_point())
+      throw fileError(name, "", "an image of integers is no HDR environment: .hdr, .exr or .pfm of floats is needed");
+    const auto width = static_cast<std::size_t>(reader.spec().width);
+    if (width * static_cast<std::size_t>(reader.spec().height) > kMaxRadiancePixels)
+      throw fileError(name, "", fmt::format("more than {} pixels", kMaxRadiancePixels));
+    return reader.read<float>();
   });
 }
 
@@ -304,7 +219,7 @@ void limitThreads(int threads) {
 }
 
 constexpr ImageModule kModule{kImageModuleVersion, limitThreads, read,   readIntegers, read8, decode8,
-                              isInteger,           encode,       encode8};
+                              decodeRadiance,      isInteger,    encode, encode8};
 
 } // namespace
 

@@ -12,7 +12,7 @@
 
 namespace parity::base {
 
-inline constexpr int kImageModuleVersion = 3; // counts the changes of the struct below
+inline constexpr int kImageModuleVersion = 4; // counts the changes of the struct below
 inline constexpr int kMaxImageChannels = 1024;
 
 // What the module offers. Every function throws Error. Files have been checked to be regular and not empty; images and
@@ -24,6 +24,7 @@ struct ImageModule {
   BasicImage<std::uint32_t> (*readIntegers)(const std::filesystem::path& file);
   Image8 (*read8)(const std::filesystem::path& file, int channels);
   Image8 (*decode8)(std::span<const std::byte> bytes, const std::string& name, int channels);
+  Image (*decodeRadiance)(std::span<const std::byte> bytes, const std::string& name);
   bool (*isInteger)(const std::filesystem::path& file);
   // `file` tells the format, and is the name for messages; nothing is written to it.
   std::vector<std::byte> (*encode)(const std::filesystem::path& file, const Image& image, const WriteOptions& options);

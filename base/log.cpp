@@ -17,8 +17,12 @@ std::atomic<LogLevel> level = LogLevel::normal; // of the process, as stderr is
 void writeLine(std::string_view prefix, const std::string& message) {
   // On a terminal a progress bar may stand on the line: wipe it first.
   static const std::string_view kWipe = isatty(STDERR_FILENO) ? "\r\x1b[K" : "";
-  const std::string line = fmt::format("{}{}{}\n", kWipe, prefix, message);
-  std::fwrite(line.data(), 1, line.size(), stderr);
+  std::string lines(kWipe);
+  for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+    end = message.find('\n', begin);
+    lines += fmt::format("{}{}\n", prefix, std::string_view(message).substr(begin, end - begin));
+  }
+  std::fwrite(lines.data(), 1, lines.size(), stderr);
 }
 
 } // namespace

@@ -51,9 +51,9 @@ std::uint32_t swapBytes(std::uint32_t v) { return v << 24 | (v << 8 & 0xff0000) 
 
 } // namespace
 
-Image readPfm(const std::filesystem::path& file) {
-  const std::string name = file.string();
-  const std::vector<std::byte> bytes = readFile(file);
+Image readPfm(const std::filesystem::path& file) { return decodePfm(readFile(file), file.string()); }
+
+Image decodePfm(std::span<const std::byte> bytes, const std::string& name) {
   const Header header = parseHeader(name, bytes);
   checkImageSize(name, header.width, header.height, header.channels);
   const std::size_t rowValues = static_cast<std::size_t>(header.width) * header.channels;

@@ -1,7 +1,10 @@
 // Portable float maps (PFM), rows bottom-up: the format of the golden FLIP maps.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
+#include <string>
 
 #include "base/image.h"
 
@@ -9,6 +12,9 @@ namespace parity::base {
 
 // Reads 'Pf' (1 channel) or 'PF' (3), either byte order; the scale's size is not applied. Throws Error (exit 4).
 Image readPfm(const std::filesystem::path& file);
+
+// The same from memory; `name` is for messages.
+Image decodePfm(std::span<const std::byte> bytes, const std::string& name);
 
 // Writes 1 or 3 channels, little-endian, to a temporary name that is then renamed. Throws Error (exit 4).
 void writePfm(const std::filesystem::path& file, const Image& image);

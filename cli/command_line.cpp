@@ -160,6 +160,13 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   devicesApp.add_option("--device", devices.device.name, "Show what this choice leads to");
   devicesApp.add_option("--json", devices.json, "Write the list as JSON there; - for stdout");
 
+  InfoCommand info;
+  CLI::App& infoApp = *app.add_subcommand("info", "Say what is in a scene's file, and what is wrong with it");
+  infoApp.add_option("file", info.scene, "Scene file or builtin:NAME")->required();
+  infoApp.add_option("--json", info.json, "Write it as JSON there; - for stdout, instead of the text");
+  addChoiceOptions(infoApp, info.load);
+  addLimitOptions(infoApp, raw.load);
+
   RawCacheOptions rawCache;
   CLI::App& cacheApp = *app.add_subcommand("cache", "Say what is kept between runs, or remove it");
   addCacheOptions(cacheApp, rawCache);
@@ -170,8 +177,9 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
     app.parse(argc, argv);
     if (reportApp.parsed()) {
       if (report.scenes.empty() && report.suite.empty()) throw CLI::RequiredError("report: a SCENE or --suite");
-      for (const std::string& option : lightOptionNames()) // as `excludes`, which would list them all in the help
-        if (!report.suite.empty() && reportApp.count(option) > 0) throw CLI::ExcludesError("--suite", option);
+      for (const auto& names : {lightOptionNames(), loadOptionNames()}) // as `excludes`, which would list them all
+        for (const std::string& option : names)
+          if (!report.suite.empty() && reportApp.count(option) > 0) throw CLI::ExcludesError("--suite", option);
       settleAttribution(report.common.settings, raw);
       settle(report.common, raw);
       report.pixelData = raw.pixelData == "all";
@@ -194,6 +202,9 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = settleBench(rawBench);
     } else if (stressApp.parsed()) {
       parsed.command = settleStress(rawStress);
+    } else if (infoApp.parsed()) {
+      settleLimits(info.load, raw.load);
+      parsed.command = info;
     } else if (cacheApp.parsed()) {
       parsed.command = settleCache(cacheApp, rawCache);
     } else {

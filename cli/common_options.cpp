@@ -140,6 +140,7 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   app.add_flag("--no-sun-extraction", raw.noSunExtraction,
                "Leave bright compact sources (the sun) in the environment instead of making them lights")
       ->group("Scene");
+  addLoadOptions(app, common.load, raw.load);
   addLightOptions(app, raw.light);
   app.add_option("--fully-rough", s.fullyRough, "Materials that take the fully-rough shortcut (glob, repeatable)")
       ->group("Scene");
@@ -263,6 +264,7 @@ void settle(CommonOptions& common, const RawOptions& raw) {
     common.sun = scenes::SunRequest{n[0], n[1], n[2]};
   }
   settleLight(common, raw.light);
+  settleLoad(common, raw.load);
   if (!raw.orbit.empty()) {
     const glm::vec3 orbit = parseVec3("--orbit", raw.orbit, "THETA,PHI,RADIUS");
     if (orbit.y < 0 || orbit.y > 180 || orbit.z < 0)

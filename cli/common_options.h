@@ -9,6 +9,7 @@
 
 #include "cli/invocation.h"
 #include "cli/light_options.h"
+#include "cli/load_options.h"
 
 namespace parity::cli {
 
@@ -22,6 +23,7 @@ struct RawOptions {
   std::optional<int> skyCoefficients;
   std::string geometryTerm, fresnel, diffuse, compensation, offSpecular; // of the high-end path and the reference
   RawLightOptions light;
+  RawLoadOptions load;
   std::string error = "0.5%", scattering = "multiple"; // of the reference
   std::string cache, cacheSize = "4G";
   std::string attribution = "over-budget";   // of report and diff

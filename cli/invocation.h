@@ -20,6 +20,8 @@ namespace parity::cli {
 
 struct CommonOptions {
   job::Settings settings;
+  scenes::LoadOptions load;
+  scenes::Subject subject = scenes::Subject::scene;
   std::string environment;
   float environmentRotationDeg = 0;
   std::optional<scenes::SunRequest> sun;
@@ -108,6 +110,12 @@ struct StressCommand {
   int threads = 0;
 };
 
+struct InfoCommand {
+  std::string scene;
+  scenes::LoadOptions load;
+  std::string json; // file, "-" for stdout in place of the text, "" for none
+};
+
 struct DevicesCommand {
   gpu::DeviceOptions device;
   std::string json;
@@ -119,9 +127,9 @@ struct CacheCommand {
   std::string json;
 };
 
-using Invocation =
-    std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand, BudgetSuggestCommand,
-                 BudgetCheckCommand, FitCommand, BenchCommand, StressCommand, DevicesCommand, CacheCommand>;
+using Invocation = std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand,
+                                BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand, StressCommand,
+                                DevicesCommand, InfoCommand, CacheCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, version, a usage error) with its
 // exit code.
@@ -149,6 +157,7 @@ int runFitCommand(const FitCommand& command);
 int runBenchCommand(const BenchCommand& command, const std::string& commandLine);
 int runStressCommand(const StressCommand& command);
 int runDevicesCommand(const DevicesCommand& command);
+int runInfoCommand(const InfoCommand& command);
 int runCacheCommand(const CacheCommand& command);
 
 } // namespace parity::cli

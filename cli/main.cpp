@@ -57,6 +57,7 @@ int run(int argc, char** argv) {
                                [&](const BenchCommand& c) { return runBenchCommand(c, line); },
                                [](const StressCommand& c) { return runStressCommand(c); },
                                [](const DevicesCommand& c) { return runDevicesCommand(c); },
+                               [](const InfoCommand& c) { return runInfoCommand(c); },
                                [](const CacheCommand& c) { return runCacheCommand(c); }},
                     *parsed.command);
 }

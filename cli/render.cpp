@@ -114,6 +114,7 @@ int runRenderCommand(const RenderCommand& command) {
   const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
   const job::ViewFrames frames = renderer.render(scenes::makeCamera(prepared.scene, request.views.front(), aspect),
                                                  makeProgress(command.common.quiet));
+  for (const std::string& warning : renderer.warnings()) base::logWarning(warning);
   const base::Frame& frame = highend ? frames.highend : reference ? frames.reference : frames.mobile;
   const auto term = command.term.empty() ? std::nullopt : shading::termByName(command.term);
   const base::Image& color = term ? frame.terms[static_cast<std::size_t>(*term)] : frame.color;

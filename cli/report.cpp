@@ -26,6 +26,7 @@ job::ReportRequest makeRequest(const ReportCommand& command) {
     scenes::Suite suite = scenes::loadSuite(command.suite);
     request.suiteBudgets = suite.budgets;
     request.scenes = std::move(suite.entries);
+    for (job::SceneRequest& entry : request.scenes) copyLimits(command.common.load, entry.load);
     return request;
   }
   std::set<std::string> names;

@@ -13,6 +13,8 @@ job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& s
   request.name = scenes::cleanName(scene.starts_with(kBuiltin) ? scene.substr(kBuiltin.size())
                                                                : std::filesystem::path(scene).stem().string());
   request.scene = scene;
+  request.load = common.load;
+  request.subject = common.subject;
   request.environment = common.environment;
   request.environmentRotationDeg = common.environmentRotationDeg;
   request.sun = common.sun;
@@ -20,6 +22,12 @@ job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& s
   request.fog = common.fog;
   request.views = {common.view};
   return request;
+}
+
+void copyLimits(const scenes::LoadOptions& from, scenes::LoadOptions& to) {
+  to.maxImageSide = from.maxImageSide;
+  to.maxImageTexels = from.maxImageTexels;
+  to.maxMemoryBytes = from.maxMemoryBytes;
 }
 
 std::vector<NamedFile> inputFiles(const CommonOptions& common, const std::vector<job::SceneRequest>& scenes) {

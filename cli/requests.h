@@ -12,6 +12,9 @@ namespace parity::cli {
 // The one view, environment and sun of the command line for this scene; named by the file's stem.
 job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& scene);
 
+// The limits of loading alone: what else is loaded, a suite says itself.
+void copyLimits(const scenes::LoadOptions& from, scenes::LoadOptions& to);
+
 // The files that a run reads: its scenes and what each has, budgets, baseline; for requireSeparate.
 std::vector<NamedFile> inputFiles(const CommonOptions& common, const std::vector<job::SceneRequest>& scenes);
 std::vector<NamedFile> inputFiles(const CommonOptions& common, const VerdictOptions& verdict,

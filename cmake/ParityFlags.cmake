@@ -25,7 +25,7 @@ target_compile_options(parity_flags INTERFACE
   -fPIC
   # The single-source maths must round alike on CPU and GPU (DESIGN 5): no silent fused multiply-add.
   -ffp-contract=off)
-if(CCACHE_PROGRAM)
+if(CCACHE_PROGRAM AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(parity_flags INTERFACE -fpch-preprocess)
 endif()
 if(LLD_PROGRAM)
@@ -40,4 +40,14 @@ elseif(PARITY_SANITIZE STREQUAL "thread")
   target_link_options(parity_flags INTERFACE -fsanitize=thread)
 elseif(PARITY_SANITIZE)
   message(FATAL_ERROR "PARITY_SANITIZE: '${PARITY_SANITIZE}' is neither 'address' nor 'thread'")
+endif()
+
+if(PARITY_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang" OR NOT PARITY_SANITIZE STREQUAL "address")
+    message(FATAL_ERROR "PARITY_FUZZ needs clang and PARITY_SANITIZE=address: use the preset 'fuzz'")
+  endif()
+  # What libFuzzer follows; the main function of it belongs to the targets alone.
+  target_compile_options(parity_flags INTERFACE -fsanitize=fuzzer-no-link -fsanitize=float-cast-overflow
+                                                -fno-sanitize-recover=float-cast-overflow)
+  target_link_options(parity_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()

@@ -10,6 +10,8 @@ find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(TinyGLTF REQUIRED)
+find_package(meshoptimizer REQUIRED)
+find_package(draco REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(SPIRV-Tools-opt REQUIRED)
 
@@ -39,6 +41,10 @@ target_link_libraries(parity_opencolorio INTERFACE ${OPENCOLORIO_LIBRARY})
 # libdeflate has a config only from 1.15 on.
 find_path(LIBDEFLATE_INCLUDE_DIR libdeflate.h REQUIRED)
 find_library(LIBDEFLATE_LIBRARY deflate REQUIRED)
+
+# Debian's libwebp has no config.
+find_path(WEBP_INCLUDE_DIR webp/decode.h REQUIRED)
+find_library(WEBP_LIBRARY webp REQUIRED)
 
 find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
 # SPIR-V's numbers, which spirv-tools does not bring along.

@@ -1,4 +1,4 @@
-// Frames and pixel lists from shaded surfaces: tiles put together, samples averaged, the blended layer laid on top.
+// Frames from shaded surfaces: layers laid over one another, tiles put together, samples averaged.
 #pragma once
 
 #include <optional>
@@ -18,10 +18,11 @@ public:
   FrameBuilder(std::uint32_t width, std::uint32_t height, int samples, bool terms, const glm::vec3& background,
                const std::optional<TargetCodec>& target = std::nullopt);
 
-  // One (tile, sample): the opaque surface with its shading, then the blended one where the scene has any (else both
-  // null). The surfaces' pixels lie within the tile.
-  void add(const Surface& opaque, const ShadedSurface& opaqueShaded, const Surface* blended,
-           const ShadedSurface* blendedShaded, const Tile& tile);
+  // One (tile, sample): begins with the background; then its layers from the back to the front, those of surfaces that
+  // are not blended first. The surfaces' pixels lie within the tile.
+  void begin(const Tile& tile);
+  void lay(const Surface& surface, const ShadedSurface& shaded);
+  void end();
   // The mean over the samples, taken in the target's own numbers. The builder is empty afterwards.
   base::Frame take();
 
@@ -29,35 +30,9 @@ private:
   int m_samples;
   glm::vec3 m_background;
   std::optional<TargetCodec> m_target;
-  base::Frame m_frame;          // the sum over samples
-  std::vector<float> m_scratch; // one sample of one tile
-};
-
-// Gathers which pixels show which material, with weights: the share of samples, times the opacity of a blended layer,
-// times what it lets through of the surface behind it.
-class CoverageBuilder {
-public:
-  CoverageBuilder(const SceneBuffers& scene, int samples);
-
-  // One (tile, sample). Tiles in order of rows, all samples of one before the next.
-  void add(const Surface& opaque, const Surface* blended, const ShadedSurface* blendedShaded, const Tile& tile);
-  // One list per material, in the scene's order; a material that no pixel shows has an empty one. Weights are left out
-  // where all are 1.
-  std::vector<base::PixelList> take();
-
-private:
-  struct Hit {
-    std::uint32_t pixel, material;
-    float weight; // over samples
-  };
-  std::vector<Hit> hitsOf(const Surface& opaque, const Surface* blended, const ShadedSurface* blendedShaded,
-                          const Tile& tile) const;
-  void finishTile();
-
-  const SceneBuffers& m_scene;
-  int m_samples, m_samplesOfTile = 0;
-  std::vector<Hit> m_tile; // ascending by pixel, then material; a pair once
-  std::vector<base::PixelList> m_lists;
+  base::Frame m_frame; // the sum over samples
+  Tile m_tile;
+  std::vector<std::vector<float>> m_sample; // of the tile: colour, then the terms
 };
 
 } // namespace parity::gpu

@@ -5,16 +5,19 @@
 #include "gpu_shaders/visibility.frag.h"
 #include "gpu_shaders/visibility.vert.h"
 #include "gpu_shaders/visibility_mask.frag.h"
+#include "gpu_shaders/visibility_peel.frag.h"
 
 namespace parity::gpu {
 
 vk::raii::Pipeline makeVisibilityPipeline(const Device& device, const vk::raii::PipelineLayout& layout,
-                                          bool alphaTested) {
+                                          Visibility visibility) {
   const auto makeModule = [&](Spirv spirv) {
     return vk::raii::ShaderModule(device.handle(), vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
   };
   const vk::raii::ShaderModule vertex = makeModule(kVisibilityVert);
-  const vk::raii::ShaderModule fragment = makeModule(alphaTested ? Spirv(kVisibilityMaskFrag) : Spirv(kVisibilityFrag));
+  const vk::raii::ShaderModule fragment = makeModule(visibility == Visibility::plain    ? Spirv(kVisibilityFrag)
+                                                     : visibility == Visibility::masked ? Spirv(kVisibilityMaskFrag)
+                                                                                        : Spirv(kVisibilityPeelFrag));
   const std::array stages = {
       vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eVertex, *vertex, "main"),
       vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eFragment, *fragment, "main")};
@@ -24,7 +27,8 @@ vk::raii::Pipeline makeVisibilityPipeline(const Device& device, const vk::raii::
   vk::PipelineRasterizationStateCreateInfo rasterization;
   rasterization.lineWidth = 1;
   const vk::PipelineMultisampleStateCreateInfo multisample({}, vk::SampleCountFlagBits::e1);
-  const vk::PipelineDepthStencilStateCreateInfo depth({}, true, true, vk::CompareOp::eLess);
+  const vk::PipelineDepthStencilStateCreateInfo depth(
+      {}, true, true, visibility == Visibility::peeled ? vk::CompareOp::eLessOrEqual : vk::CompareOp::eLess);
   vk::PipelineColorBlendAttachmentState attachment;
   attachment.colorWriteMask = vk::ColorComponentFlagBits::eR | vk::ColorComponentFlagBits::eG;
   const vk::PipelineColorBlendStateCreateInfo blend({}, false, vk::LogicOp::eCopy, attachment);

@@ -1,4 +1,4 @@
-// The one raster pipeline: ids and depth, with or without the alpha test.
+// The raster pipelines: ids and depth, with or without the alpha test, and of blended layers.
 #pragma once
 
 #include "gpu/pipeline.h"
@@ -8,8 +8,12 @@ namespace parity::gpu {
 inline constexpr vk::ShaderStageFlags kRasterStages =
     vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 
+// plain: nothing but triangles; masked: with the alpha test; peeled: also behind the layer before (set 2), and of
+// surfaces at the same depth the last one drawn.
+enum class Visibility { plain, masked, peeled };
+
 // Viewport, scissor, cull mode and front face are dynamic. Targets: R32G32 uint and D32.
 vk::raii::Pipeline makeVisibilityPipeline(const Device& device, const vk::raii::PipelineLayout& layout,
-                                          bool alphaTested);
+                                          Visibility visibility);
 
 } // namespace parity::gpu

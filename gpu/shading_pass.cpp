@@ -46,9 +46,9 @@ Textures::Need needOf(const BinKind& kind) { return {kind.textureSet, kind.mater
 
 } // namespace
 
-std::vector<Textures::Need> texturesOf(const Surface& surface, std::span<const BinKind> kinds) {
+std::vector<Textures::Need> texturesOf(std::span<const Bin> bins, std::span<const BinKind> kinds) {
   std::vector<Textures::Need> needs;
-  for (const Bin& bin : surface.bins) needs.push_back(needOf(kinds[bin.key]));
+  for (const Bin& bin : bins) needs.push_back(needOf(kinds[bin.key]));
   return needs;
 }
 
@@ -107,7 +107,7 @@ struct ShadingPass::Impl {
 
   // Textures of the bins' materials, and of no others.
   void bindTextures(const Surface& surface) {
-    scene.textures().require(texturesOf(surface, kinds));
+    scene.textures().require(texturesOf(surface.bins, kinds));
     for (const Bin& bin : surface.bins) {
       if (textureSets[bin.key]) continue;
       const auto infos = scene.textures().bindings(needOf(kinds[bin.key]));

@@ -78,8 +78,8 @@ private:
   std::unique_ptr<Impl> m_impl;
 };
 
-// What shading a surface reads of the scene's textures: for Textures::require, whichever path comes first.
-std::vector<Textures::Need> texturesOf(const Surface& surface, std::span<const BinKind> kinds);
+// What shading the bins of a surface reads of the scene's textures: for Textures::require, whichever path comes first.
+std::vector<Textures::Need> texturesOf(std::span<const Bin> bins, std::span<const BinKind> kinds);
 
 // scenes::Light as the shaders read it.
 GpuLight packLight(const scenes::Light& light);

@@ -1,4 +1,4 @@
-// The surface buffer: what is seen through a picture's pixels, rasterised once and shaded by every path.
+// The surface buffer: one layer of what is seen through a picture's pixels, rasterised once and shaded by every path.
 #pragma once
 
 #include <cstdint>
@@ -7,27 +7,13 @@
 #include "gpu/bins.h"
 #include "gpu/buffer.h"
 #include "gpu/scene_buffers.h"
-#include "gpu/shaders/interface.h"
+#include "gpu/view.h"
 
 namespace parity::gpu {
 
-// A view of width x height pixels. Large pictures are made in bands of whole rows, each a surface of its own, since a
-// storage buffer ends at 128 MiB on many devices.
-struct Tile {
-  std::uint32_t firstRow = 0, rows = 0;
-};
-inline constexpr std::uint32_t kMaxTilePixels = 1u << 20;
-std::vector<Tile> makeTiles(std::uint32_t width, std::uint32_t height);
-
-// Sample positions in a pixel, count >= 1, [0,1)^2: Hammersley points, each in the middle of its stratum; the centre
-// for one sample.
-std::vector<glm::vec2> samplePositions(int count);
-
-// Which surfaces: the nearest opaque or alpha-masked ones, or the nearest blended ones in front of them.
-enum class Layer { opaque, blended };
-
 struct Surface {
   std::uint32_t width = 0, height = 0; // of the whole picture
+  bool blended = false;                // its opacity lets what lies behind through
   // Per entry, in bin order: pixel index y*width+x in the whole picture, and the instance seen there.
   std::vector<std::uint32_t> pixels, instances;
   // Bin keys index SurfacePass::binKinds() of the pass that made this surface.

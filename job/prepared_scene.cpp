@@ -13,6 +13,7 @@
 #include "lighting/sun_extraction.h"
 #include "mobile/light_choice.h"
 #include "scenes/load.h"
+#include "scenes/material_balls.h"
 #include "scenes/names.h"
 
 namespace parity::job {
@@ -123,6 +124,13 @@ void addEnvironment(Context& context, lighting::SunExtraction extraction, const 
   if (paths.reference) prepared.panorama = std::move(extraction.environment);
 }
 
+scenes::Scene loadSubject(const SceneRequest& request) {
+  if (request.subject == scenes::Subject::scene) return scenes::loadScene(request.scene, request.load);
+  scenes::LoadOptions options = request.load;
+  options.allMaterials = true;
+  return scenes::makeMaterialBalls(scenes::loadScene(request.scene, options));
+}
+
 } // namespace
 
 PreparedScene prepareScene(Context& context, const SceneRequest& request, const Paths& paths) {
@@ -133,7 +141,7 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
   base::parallelInvoke({
       [&] {
         const base::Stopwatch watch(&context.timings(), "load scene");
-        prepared.scene = scenes::loadScene(request.scene);
+        prepared.scene = loadSubject(request);
       },
       [&] {
         if (request.environment.empty()) return;

@@ -135,21 +135,25 @@ ErrorBuilder::ErrorBuilder(int width, int height, int samples)
     : m_samples(samples), m_squares(static_cast<std::size_t>(width) * height, 0.0), m_error(width, height, 1),
       m_taken(width, height, 1) {}
 
-void ErrorBuilder::add(const gpu::Surface& opaque, const ReferenceSurface& opaqueShaded, const gpu::Surface* blended,
-                       const ReferenceSurface* blendedShaded) {
-  std::vector<double> layerOpacity(blended ? m_squares.size() : 0, 0.0);
-  for (std::size_t i = 0; blended && i < blended->size(); ++i) {
-    const double opacity = layerOpacity[blended->pixels[i]] = blendedShaded->shaded.color[i].w;
-    const double error = opacity * blendedShaded->standardErrors[i];
-    m_squares[blended->pixels[i]] += error * error;
-    m_taken.pixels[blended->pixels[i]] += static_cast<float>(blendedShaded->samples[i]);
+void ErrorBuilder::begin(const gpu::Tile& tile) {
+  const auto width = static_cast<std::size_t>(m_error.width);
+  m_firstPixel = tile.firstRow * width;
+  m_sample.assign(tile.rows * width, 0.0);
+}
+
+void ErrorBuilder::lay(const gpu::Surface& surface, const ReferenceSurface& shaded) {
+  for (std::size_t i = 0; i < surface.size(); ++i) {
+    const std::uint32_t pixel = surface.pixels[i];
+    const double opacity = surface.blended ? shaded.shaded.color[i].w : 1;
+    const double error = opacity * shaded.standardErrors[i];
+    double& square = m_sample[pixel - m_firstPixel];
+    square = (1 - opacity) * (1 - opacity) * square + error * error;
+    m_taken.pixels[pixel] += static_cast<float>(shaded.samples[i]);
   }
-  for (std::size_t i = 0; i < opaque.size(); ++i) {
-    const std::uint32_t pixel = opaque.pixels[i];
-    const double error = (blended ? 1 - layerOpacity[pixel] : 1) * opaqueShaded.standardErrors[i];
-    m_squares[pixel] += error * error;
-    m_taken.pixels[pixel] += static_cast<float>(opaqueShaded.samples[i]);
-  }
+}
+
+void ErrorBuilder::end() {
+  for (std::size_t p = 0; p < m_sample.size(); ++p) m_squares[m_firstPixel + p] += m_sample[p];
 }
 
 base::Image ErrorBuilder::take(const base::Image& color) const {

@@ -48,9 +48,10 @@ private:
 class ErrorBuilder {
 public:
   ErrorBuilder(int width, int height, int samples);
-  // One (tile, sample), as gpu::FrameBuilder::add takes them.
-  void add(const gpu::Surface& opaque, const ReferenceSurface& opaqueShaded, const gpu::Surface* blended,
-           const ReferenceSurface* blendedShaded);
+  // One (tile, sample), as gpu::FrameBuilder takes it.
+  void begin(const gpu::Tile& tile);
+  void lay(const gpu::Surface& surface, const ReferenceSurface& shaded);
+  void end();
   // One channel: standard error of the worst channel over the brightest channel of this colour; 0 where nothing is
   // seen.
   base::Image take(const base::Image& color) const;
@@ -59,7 +60,9 @@ public:
 
 private:
   int m_samples;
-  std::vector<double> m_squares; // of the standard error, summed: the scramblings of samples and layers are apart
+  // Of the standard error: of a tile's sample, and summed. The scramblings of samples and layers are apart.
+  std::vector<double> m_sample, m_squares;
+  std::size_t m_firstPixel = 0; // of the tile
   base::Image m_error, m_taken;
 };
 

@@ -30,12 +30,16 @@ template <Is<ViewRequest> T> auto fields(T& view) {
   auto& [name, camera, orbit, target, fovYDeg] = view;
   return std::tie(name, camera, orbit, target, fovYDeg);
 }
+template <Is<LoadOptions> T> auto fields(T& load) {
+  auto& [timeSeconds, animation, scene, variant, allMaterials, maxImageSide, maxImageTexels, maxMemoryBytes] = load;
+  return std::tie(timeSeconds, animation, scene, variant, allMaterials, maxImageSide, maxImageTexels, maxMemoryBytes);
+}
 // All but the budgets.
 template <Is<SuiteEntry> T> auto fields(T& entry) {
-  auto& [name, scene, environment, environmentRotationDeg, extractSun, sun, lightScales, fog, views, fullyRough,
-         budgets, exposureEv] = entry;
-  return std::tie(name, scene, environment, environmentRotationDeg, extractSun, sun, lightScales, fog, views,
-                  fullyRough, exposureEv);
+  auto& [name, scene, load, subject, environment, environmentRotationDeg, extractSun, sun, lightScales, fog, views,
+         fullyRough, budgets, exposureEv] = entry;
+  return std::tie(name, scene, load, subject, environment, environmentRotationDeg, extractSun, sun, lightScales, fog,
+                  views, fullyRough, exposureEv);
 }
 
 } // namespace parity::scenes

@@ -184,6 +184,7 @@ private:
       }
       result.views.push_back(std::move(compared.view));
     }
+    for (std::string& warning : renderer.warnings()) result.warnings.push_back(std::move(warning));
     result.permutations = renderer.permutations();
     const auto passesOf = [&](Work work) {
       work.comparedPixels = comparedPixels;

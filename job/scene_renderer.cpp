@@ -1,6 +1,9 @@
 #include "job/scene_renderer.h"
 
 #include <cassert>
+#include <set>
+
+#include <fmt/format.h>
 
 #include "base/parallel.h"
 #include "job/environment_upload.h"
@@ -13,6 +16,9 @@ namespace {
 std::uint64_t pixelsOf(const Settings& settings, std::size_t views) {
   return static_cast<std::uint64_t>(settings.width) * settings.height * settings.samples * views;
 }
+
+// Entries of surfaces that wait for addTerms: two of each pixel of a tile.
+constexpr std::size_t kMaxKeptEntries = 2 * std::size_t{gpu::kMaxTilePixels};
 
 std::uint64_t samplesOf(const gpu::ShadingPass& pass) {
   std::uint64_t samples = 0;
@@ -77,109 +83,99 @@ std::unique_ptr<mobile::Renderer> SceneRenderer::makeMobile(bool terms, std::siz
                                             settings.mobile);
 }
 
-SceneRenderer::Layers SceneRenderer::rasterise(const scenes::Camera& camera, const gpu::Tile& tile,
-                                               const glm::vec2& sample) {
+gpu::VisibleLayers SceneRenderer::rasterise(const scenes::Camera& camera, const gpu::Tile& tile,
+                                            const glm::vec2& sample) {
   const base::Stopwatch watch(&m_context.timings(), "surface");
-  Layers layers{m_surfacePass.render(camera, tile, sample, gpu::Layer::opaque), {}};
-  if (m_surfacePass.hasBlended()) layers.blended = m_surfacePass.render(camera, tile, sample, gpu::Layer::blended);
-  return layers;
+  return m_surfacePass.rasterise(camera, tile, sample);
 }
 
-// And uploads what shading them will read, once for all paths.
-void SceneRenderer::countSurfaces(const gpu::Surface& opaque, const gpu::Surface& blended) {
-  m_work.surfaceSamples += opaque.size();
-  m_work.blendedSamples += blended.size();
-  const std::uint64_t samples = opaque.size() + blended.size();
-  if ((m_buffers.vertexData() & gpu::kVertexFog) != 0) m_work.fogSamples += samples;
-  const std::uint64_t paths = (m_highend ? 1 : 0) + (m_mobile ? 1 : 0) + (m_reference ? 1 : 0);
-  if (m_context.settings().terms) m_work.termSamples += paths * samples;
-  if (m_reference) m_work.resolvedSamples += samples;
+gpu::Surface SceneRenderer::resolve(const gpu::VisibleLayers& visible, std::size_t layer,
+                                    const scenes::Camera& camera) {
+  const base::Stopwatch watch(&m_context.timings(), "surface");
+  return m_surfacePass.resolve(visible, layer, camera);
+}
+
+void SceneRenderer::countSurface(const gpu::Surface& surface, Work& work) const {
+  (surface.blended ? work.blendedSamples : work.surfaceSamples) += surface.size();
+  if ((m_buffers.vertexData() & gpu::kVertexFog) != 0) work.fogSamples += surface.size();
+}
+
+// Uploads what shading them will read, once for all paths and layers.
+void SceneRenderer::requireTextures(const gpu::VisibleLayers& visible) {
   const base::Stopwatch watch(&m_context.timings(), "upload");
-  for (const gpu::Surface* surface : {&opaque, &blended})
-    m_buffers.textures().require(gpu::texturesOf(*surface, m_surfacePass.binKinds()));
+  std::vector<gpu::Textures::Need> needs;
+  for (const gpu::VisibleLayers::Layer& layer : visible.layers)
+    for (const gpu::Textures::Need& need : gpu::texturesOf(layer.bins, m_surfacePass.binKinds())) needs.push_back(need);
+  m_buffers.textures().require(needs);
 }
 
 ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& progress) {
   const Settings& settings = m_context.settings();
-  const auto width = static_cast<std::uint32_t>(settings.width), height = static_cast<std::uint32_t>(settings.height);
-  gpu::FrameBuilder highendFrame(width, height, settings.samples, settings.terms, settings.background);
-  gpu::FrameBuilder referenceFrame = highendFrame;
-  // An intermediate is looked at as it was computed.
+  const Paths paths{
+      .highend = m_highend != nullptr, .mobile = m_mobile != nullptr, .reference = m_reference.has_value()};
   std::optional<gpu::TargetCodec> target;
   if (settings.mobileView == mobile::kViewLit)
     target.emplace(settings.mobileTarget, m_prepared.exposureEv,
                    mobile::precisionOn(m_context.device().report(), settings.mobile) == mobile::Precision::fp16);
-  gpu::FrameBuilder mobileFrame(width, height, settings.samples, settings.terms, settings.background, target);
-  gpu::FrameBuilder beforeTarget(width, height, settings.samples, false, settings.background);
-  ErrorBuilder referenceError(m_reference ? settings.width : 0, m_reference ? settings.height : 0, settings.samples);
-  std::uint64_t sampledPoints = 0, lightSamples = 0;
-  gpu::CoverageBuilder coverage(m_buffers, settings.samples);
-  m_kept.reset();
-  const bool compared = m_highend && m_mobile; // masks are for comparing
+  ViewBuilder view(settings, paths, m_buffers, target);
+  std::set<std::uint32_t> cutPixels;
+  m_kept.clear();
 
-  const std::vector<gpu::Tile> tiles = gpu::makeTiles(width, height);
-  const double parts = static_cast<double>(tiles.size()) * settings.samples;
-  double partsDone = 0;
-  std::uint32_t stream = 0;
+  const std::vector<gpu::Tile> tiles =
+      gpu::makeTiles(static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height));
+  const std::size_t parts = tiles.size() * static_cast<std::size_t>(settings.samples);
+  std::size_t part = 0;
   for (const gpu::Tile& tile : tiles)
     for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
-      Layers layers = rasterise(camera, tile, sample);
-      const gpu::Surface &opaque = layers.opaque, &blended = layers.blended;
-      countSurfaces(opaque, blended);
-      const gpu::Surface* layer = m_surfacePass.hasBlended() ? &blended : nullptr;
-      gpu::ShadedSurface shadedLayer;
-      const auto shadeBy = [&](const auto& renderer, const char* stage,
-                               std::initializer_list<gpu::FrameBuilder*> builders) {
-        const base::Stopwatch watch(&m_context.timings(), stage);
-        const gpu::ShadedSurface shaded = renderer.shade(opaque, camera);
-        if (layer) shadedLayer = renderer.shade(blended, camera);
-        for (gpu::FrameBuilder* builder : builders)
-          if (builder) builder->add(opaque, shaded, layer, layer ? &shadedLayer : nullptr, tile);
-      };
-      if (m_highend) shadeBy(*m_highend, "shade highend", {&highendFrame});
-      if (m_mobile) shadeBy(*m_mobile, "shade mobile", {&mobileFrame, compared ? &beforeTarget : nullptr});
-      if (m_reference) {
-        const base::Stopwatch watch(&m_context.timings(), "shade reference");
-        const reference::Progress told = [&](double done) {
-          if (progress) progress("reference", (partsDone + done) / parts);
+      const gpu::VisibleLayers visible = rasterise(camera, tile, sample);
+      cutPixels.insert(visible.cutPixels.begin(), visible.cutPixels.end());
+      requireTextures(visible);
+      const bool keeps = parts == 1 && paths.highend && paths.mobile && !settings.terms &&
+                         settings.attribution == Attribution::overBudget && visible.size() <= kMaxKeptEntries;
+      const std::size_t layerCount = visible.layers.size();
+      view.begin(tile);
+      // From the back to the front, as hardware blends; one layer's surface at a time.
+      for (std::size_t k = 0; k < layerCount; ++k) {
+        gpu::Surface surface = resolve(visible, k, camera);
+        // Apart from each other, and the nearest layer's the same however many lie behind.
+        const std::size_t fromFront = layerCount - 1 - k, stream = 2 * part + (k == 0 ? 0 : 1 + 2 * parts * fromFront);
+        const auto told = [&](double done) {
+          const double share = (static_cast<double>(k) + done) / static_cast<double>(layerCount);
+          if (progress) progress("reference", (static_cast<double>(part) + share) / static_cast<double>(parts));
         };
-        const ReferenceSurface shaded = m_reference->shade(opaque, camera, stream, told);
-        std::optional<ReferenceSurface> over;
-        if (layer) over = m_reference->shade(blended, camera, stream + 1, {});
-        referenceFrame.add(opaque, shaded.shaded, layer, layer ? &over->shaded : nullptr, tile);
-        referenceError.add(opaque, shaded, layer, layer ? &*over : nullptr);
-        sampledPoints += shaded.sampledPoints;
-        lightSamples += shaded.lightSamples;
-        if (over) {
-          sampledPoints += over->sampledPoints;
-          lightSamples += over->lightSamples;
-        }
+        shade(surface, camera, static_cast<std::uint32_t>(stream), told, view);
+        if (keeps) m_kept.push_back(std::move(surface));
       }
-      ++partsDone;
-      stream += 2;
-      if (!compared) continue;
-      // The layer's opacity is the same in every path: it comes from the shared material.
-      const base::Stopwatch watch(&m_context.timings(), "masks");
-      coverage.add(opaque, layer, layer ? &shadedLayer : nullptr, tile);
-      if (parts == 1 && settings.attribution == Attribution::overBudget && !settings.terms) m_kept = std::move(layers);
+      const base::Stopwatch watch(&m_context.timings(), "compose");
+      view.end();
+      ++part;
     }
-  ViewFrames frames;
-  if (m_highend) frames.highend = highendFrame.take();
-  if (m_mobile) frames.mobile = mobileFrame.take();
+  m_cutPixels += cutPixels.size();
+  m_work.integratedSamples += view.sampledPoints();
+  if (m_reference && progress) progress("reference", 1);
+  return view.take();
+}
+
+void SceneRenderer::shade(const gpu::Surface& surface, const scenes::Camera& camera, std::uint32_t stream,
+                          const reference::Progress& progress, ViewBuilder& view) {
+  countSurface(surface, m_work);
+  const auto begin = [&](const char* stage) {
+    if (m_context.settings().terms) m_work.termSamples += surface.size();
+    return base::Stopwatch(&m_context.timings(), stage);
+  };
+  if (m_highend) {
+    const base::Stopwatch watch = begin("shade highend");
+    view.layHighend(surface, m_highend->shade(surface, camera));
+  }
+  if (m_mobile) {
+    const base::Stopwatch watch = begin("shade mobile");
+    view.layMobile(surface, m_mobile->shade(surface, camera));
+  }
   if (m_reference) {
-    frames.reference = referenceFrame.take();
-    frames.referenceError = referenceError.take(frames.reference.color);
-    frames.referenceTaken = referenceError.samples();
-    frames.referenceSamples =
-        sampledPoints > 0 ? static_cast<double>(lightSamples) / static_cast<double>(sampledPoints) : 0;
-    m_work.integratedSamples += sampledPoints;
-    if (progress) progress("reference", 1);
+    const base::Stopwatch watch = begin("shade reference");
+    view.layReference(surface, m_reference->shade(surface, camera, stream, progress));
+    m_work.resolvedSamples += surface.size();
   }
-  if (compared) {
-    frames.coverage = coverage.take();
-    frames.mobileBeforeTarget = beforeTarget.take().color;
-  }
-  return frames;
 }
 
 void SceneRenderer::addTerms(ViewFrames& frames, const scenes::Camera& camera) {
@@ -194,27 +190,26 @@ void SceneRenderer::addTerms(ViewFrames& frames, const scenes::Camera& camera) {
   gpu::FrameBuilder mobileFrame = highendFrame;
   for (const gpu::Tile& tile : gpu::makeTiles(width, height))
     for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
-      std::optional<Layers> again;
-      if (!m_kept) {
-        again = rasterise(camera, tile, sample);
-        m_again.surfaceSamples += again->opaque.size();
-        m_again.blendedSamples += again->blended.size();
-        if ((m_buffers.vertexData() & gpu::kVertexFog) != 0)
-          m_again.fogSamples += again->opaque.size() + again->blended.size();
-      }
-      const base::Stopwatch watch(&m_context.timings(), "shade terms");
-      const gpu::Surface& opaque = again ? again->opaque : m_kept->opaque;
-      const gpu::Surface& blended = again ? again->blended : m_kept->blended;
-      const gpu::Surface* layer = m_surfacePass.hasBlended() ? &blended : nullptr;
-      m_again.termSamples += 2 * (opaque.size() + blended.size());
-      const auto shadeBy = [&](const auto& renderer, gpu::FrameBuilder& frame) {
-        const gpu::ShadedSurface shaded = renderer.shade(opaque, camera);
-        std::optional<gpu::ShadedSurface> shadedLayer;
-        if (layer) shadedLayer = renderer.shade(*layer, camera);
-        frame.add(opaque, shaded, layer, layer ? &*shadedLayer : nullptr, tile);
+      highendFrame.begin(tile);
+      mobileFrame.begin(tile);
+      const auto shade = [&](const gpu::Surface& surface) {
+        const base::Stopwatch watch(&m_context.timings(), "shade terms");
+        m_again.termSamples += 2 * surface.size();
+        highendFrame.lay(surface, m_highendTerms->shade(surface, camera));
+        mobileFrame.lay(surface, m_mobileTerms->shade(surface, camera));
       };
-      shadeBy(*m_highendTerms, highendFrame);
-      shadeBy(*m_mobileTerms, mobileFrame);
+      if (!m_kept.empty()) {
+        for (const gpu::Surface& surface : m_kept) shade(surface);
+      } else {
+        const gpu::VisibleLayers visible = rasterise(camera, tile, sample);
+        for (std::size_t k = 0; k < visible.layers.size(); ++k) {
+          const gpu::Surface surface = resolve(visible, k, camera);
+          countSurface(surface, m_again);
+          shade(surface);
+        }
+      }
+      highendFrame.end();
+      mobileFrame.end();
     }
   frames.highend.terms = highendFrame.take().terms;
   frames.mobile.terms = mobileFrame.take().terms;
@@ -222,6 +217,12 @@ void SceneRenderer::addTerms(ViewFrames& frames, const scenes::Camera& camera) {
 
 std::vector<std::string> SceneRenderer::notes() const {
   return m_mobile ? m_mobile->notes() : std::vector<std::string>{};
+}
+
+std::vector<std::string> SceneRenderer::warnings() const {
+  if (m_cutPixels == 0) return {};
+  return {fmt::format("{} pixels show more than {} blended surfaces behind one another: the farthest are left out",
+                      m_cutPixels, gpu::kMaxBlendedLayers)};
 }
 
 std::vector<compare::PermutationResult> SceneRenderer::permutations() const {

@@ -6,24 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "base/frame.h"
 #include "compare/permutation.h"
-#include "gpu/frame_builder.h"
 #include "highend/renderer.h"
 #include "job/prepared_scene.h"
-#include "job/reference_path.h"
+#include "job/view_builder.h"
 #include "mobile/renderer.h"
 
 namespace parity::job {
-
-struct ViewFrames {
-  base::Frame highend, mobile, reference; // empty where not asked for
-  base::Image referenceError;             // relative standard error of each pixel (job/reference_path.h)
-  base::Image referenceTaken;             // samples of each pixel, of the environment, for each way of sampling
-  double referenceSamples = 0;            // taken of the environment, a point and way of sampling
-  std::vector<base::PixelList> coverage;  // a list per material; empty unless highend and mobile are asked for
-  base::Image mobileBeforeTarget;         // mobile's colour as if nothing were stored; empty like coverage
-};
 
 class SceneRenderer {
 public:
@@ -41,6 +30,8 @@ public:
 
   // What the mobile path leaves out.
   std::vector<std::string> notes() const;
+  // What the pictures so far leave out, in every path.
+  std::vector<std::string> warnings() const;
   // What has been done so far, the scene's preparation included; and why the rest was not needed.
   Work work() const;          // without addTerms
   Work workWithTerms() const; // with it
@@ -52,11 +43,13 @@ public:
 private:
   std::unique_ptr<highend::Renderer> makeHighend(bool terms, std::size_t views);
   std::unique_ptr<mobile::Renderer> makeMobile(bool terms, std::size_t views) const;
-  struct Layers {
-    gpu::Surface opaque, blended;
-  };
-  Layers rasterise(const scenes::Camera& camera, const gpu::Tile& tile, const glm::vec2& sample);
-  void countSurfaces(const gpu::Surface& opaque, const gpu::Surface& blended);
+  gpu::VisibleLayers rasterise(const scenes::Camera& camera, const gpu::Tile& tile, const glm::vec2& sample);
+  gpu::Surface resolve(const gpu::VisibleLayers& visible, std::size_t layer, const scenes::Camera& camera);
+  // By every path, laid over what is in `view` already.
+  void shade(const gpu::Surface& surface, const scenes::Camera& camera, std::uint32_t stream,
+             const reference::Progress& progress, ViewBuilder& view);
+  void countSurface(const gpu::Surface& surface, Work& work) const;
+  void requireTextures(const gpu::VisibleLayers& visible);
 
   Context& m_context;
   const PreparedScene& m_prepared;
@@ -64,7 +57,8 @@ private:
   Work m_work, m_again; // by render and by addTerms
   gpu::SceneBuffers m_buffers;
   gpu::SurfacePass m_surfacePass;
-  std::optional<Layers> m_kept; // of the last view, where addTerms may need them: a picture in one part
+  std::vector<gpu::Surface> m_kept; // all of the last view, where addTerms may need them: a picture in one part
+  std::uint64_t m_cutPixels = 0;    // of all views, with more blended layers than are shown
   // Each path reads its own kind.
   std::optional<gpu::EnvironmentMaps> m_environment, m_mobileEnvironment;
   std::unique_ptr<highend::Renderer> m_highend, m_highendTerms; // those with terms are made when first needed

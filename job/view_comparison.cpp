@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <optional>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "base/glob.h"
 #include "base/parallel.h"
 #include "compare/measure.h"
@@ -68,7 +71,11 @@ bool isFlat(const base::Image8& reference, const base::Image8& test, const base:
 
 std::vector<std::string> materialNotes(const scenes::Material& m, const mobile::Options& mobile) {
   std::vector<std::string> notes;
-  if (m.unlit) return {"unlit"};
+  if (!m.notModelled.empty()) notes.push_back(fmt::format("not modelled: {}", fmt::join(m.notModelled, ", ")));
+  if (m.unlit) {
+    notes.push_back("unlit");
+    return notes;
+  }
   if (m.fullyRough) notes.push_back("fully rough: no specular, no environment fetch on mobile");
   if (m.isNonmetal() && !m.fullyRough && mobile.environmentBrdf != mobile::EnvironmentBrdf::refit)
     notes.push_back("nonmetal: EnvBRDFApproxNonmetal on mobile");
@@ -76,7 +83,7 @@ std::vector<std::string> materialNotes(const scenes::Material& m, const mobile::
   if (f0.x != f0.y || f0.y != f0.z || m.specularColorTexture.present())
     notes.push_back("tinted F0, kept as RGB by both paths");
   if (std::max({f0.x, f0.y, f0.z}) > 0.08f) notes.push_back("F0 above 0.08, beyond UE4's Specular");
-  if (m.alphaMode == scenes::AlphaMode::blend) notes.push_back("alpha-blended: drawn as one layer on top");
+  if (m.alphaMode == scenes::AlphaMode::blend) notes.push_back("alpha-blended: counts by its opacity");
   return notes;
 }
 
@@ -199,7 +206,10 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
   if (!request.pictures) return compared;
 
   const base::Stopwatch watch(&context.timings(), "encode images");
-  ViewPictures pictures{.highend = &reference.pixels, .mobile = &test.pixels, .flip = measured.findMap("flip")};
+  ViewPictures pictures;
+  pictures.highend = &reference.pixels;
+  pictures.mobile = &test.pixels;
+  pictures.flip = measured.findMap("flip");
   if (truth) {
     pictures.truth = &truth->truth.pixels;
     pictures.highendTruthFlip = &truth->highendFlip;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/image_io.h"
 #include "scenes/builtin.h"
 #include "scenes/environment.h"
@@ -14,11 +15,12 @@
 
 namespace parity::scenes {
 
-base::Image toRgb(const base::Image& image, const std::string& label) {
+base::Image toRgb(base::Image image, const std::string& label) {
   if (image.width < 1 || image.height < 1 || image.pixels.empty())
     throw base::fileError(label, "", "the image has no pixels");
   if (image.channels != 1 && image.channels != 3 && image.channels != 4)
     throw base::fileError(label, "", fmt::format("{} channels where 1, 3 or 4 are needed", image.channels));
+  if (image.channels == 3) return image;
   base::Image rgb(image.width, image.height, 3);
   for (std::size_t i = 0; i < image.pixelCount(); ++i)
     for (std::size_t c = 0; c < 3; ++c)
@@ -62,9 +64,7 @@ Environment loadEnvironment(const std::string& fileOrBuiltin, float rotationDeg,
     const std::filesystem::path file(fileOrBuiltin);
     environment.name = cleanName(file.stem().string());
     try {
-      if (base::isIntegerImage(file))
-        throw base::fileError(fileOrBuiltin, "", "an image of integers is no HDR environment: .hdr or .exr is needed");
-      environment.radiance = toRgb(base::readImage(file), fileOrBuiltin);
+      environment.radiance = toRgb(base::decodeRadiance(base::readFile(file), fileOrBuiltin), fileOrBuiltin);
     } catch (const base::Error& error) { // the reader may know the file by another name
       throw base::fileError(fileOrBuiltin, "", error.reason());
     }

@@ -10,7 +10,7 @@ namespace parity::scenes {
 
 // 1 channel is spread over RGB, of 4 the last is dropped. `label` is for messages. Throws Error (exit 4) for other
 // numbers of channels and for an image without pixels.
-base::Image toRgb(const base::Image& image, const std::string& label);
+base::Image toRgb(base::Image image, const std::string& label);
 
 // How many values of an environment were replaced.
 struct CleanedCounts {

@@ -1,8 +1,9 @@
-// A glTF file as read: its JSON as a checked tinygltf model, its buffers as bytes, its images not yet decoded.
-// Private to scenes/gltf_*.cpp and scenes/load.cpp.
+// A glTF file as read: its JSON as a checked tinygltf model, its buffers read on first use, its images not yet decoded.
+// Private to scenes/gltf_*.cpp and scenes/load_gltf.cpp.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,7 +11,10 @@
 #include <tiny_gltf.h>
 
 #include "base/error.h"
-#include "base/hash.h"
+#include "scenes/gltf_buffers.h"
+#include "scenes/load_options.h"
+#include "scenes/memory_budget.h"
+#include "scenes/problems.h"
 #include "scenes/scene.h"
 
 namespace parity::scenes {
@@ -24,29 +28,33 @@ struct GltfImageSource {
   std::vector<std::byte> embedded; // a data uri
 };
 
-inline SourceFile sourceFile(const std::filesystem::path& file, std::span<const std::byte> bytes) {
-  return {file, base::Hasher().add(bytes).hex()};
-}
-
 struct GltfDocument {
-  std::string label;                               // the file as the user wrote it, for messages
-  tinygltf::Model model;                           // without buffers and images
-  std::vector<std::vector<std::byte>> storage;     // what the spans of `buffers` look at
-  std::vector<std::span<const std::byte>> buffers; // each of exactly its byteLength
+  GltfDocument(std::string file, const LoadOptions& loadOptions)
+      : label(std::move(file)), options(loadOptions), memory(label, loadOptions.maxMemoryBytes) {}
+
+  std::string label; // the file as the user wrote it, for messages
+  LoadOptions options;
+  mutable MemoryBudget memory;
+  tinygltf::Model model;        // without buffers and images
+  std::vector<std::byte> bytes; // of the file, as long as something looks at them
+  std::unique_ptr<GltfBuffers> buffers;
   std::vector<GltfImageSource> images;
-  std::vector<SourceFile> sources; // the file and its buffers
+  std::vector<int> firstOfImage; // the first image with the same file or buffer view: each is decoded once
+  SourceFile source;
+  SourceFacts facts;
   std::vector<std::string> warnings;
 
-  // An error of this file (exit 4); place: "accessors[3]".
+  // An error of this file (exit 4); place: "/accessors/3".
   base::Error error(const std::string& place, const std::string& reason) const {
     return base::fileError(label, place, reason);
   }
-  // The bytes of a buffer view, whose index and range have been checked.
-  std::span<const std::byte> bufferView(int index) const;
+  // The bytes of a buffer view, whose index and range have been checked. Throws Error (exit 4): GltfBuffers::view.
+  std::span<const std::byte> bufferView(int index) const { return buffers->view(index); }
 };
 
-// Reads .gltf or .glb, told apart by content. Checks the JSON's types, all indices, uris, buffer and buffer view
-// ranges, and extensions. tinygltf is given neither buffers nor images: it opens no file. Throws Error (exit 4).
-GltfDocument readGltfDocument(const std::string& file);
+// Reads .gltf or .glb, told apart by content. Checks the JSON's types, indices, ranges, the forest of nodes, uris, and
+// extensions (scenes/gltf_json.h, gltf_structure.h). tinygltf is given neither buffers nor images: it opens no file.
+// Throws Error or ErrorList (exit 4).
+std::unique_ptr<GltfDocument> readGltfDocument(const std::string& file, const LoadOptions& options);
 
 } // namespace parity::scenes

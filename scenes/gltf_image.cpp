@@ -2,127 +2,103 @@
 #include "scenes/gltf_image.h"
 
 #include <algorithm>
-#include <array>
-#include <cstring>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "base/file.h"
 #include "base/image_io.h"
 #include "base/parallel.h"
+#include "scenes/image_header.h"
 
 namespace parity::scenes {
 namespace {
 
-constexpr std::size_t kMaxImageBytes = std::size_t{512} << 20;
-constexpr std::array<unsigned char, 8> kPngStart = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+constexpr std::size_t kMaxImageBytes = std::size_t{512} << 20; // of a file
 
-std::size_t readBig(std::span<const std::byte> bytes, std::size_t offset, int count) {
-  std::size_t value = 0;
-  for (int i = 0; i < count; ++i)
-    value = value << 8 | static_cast<std::size_t>(bytes[offset + static_cast<std::size_t>(i)]);
-  return value;
-}
-
-bool isPng(std::span<const std::byte> bytes) {
-  return bytes.size() >= kPngStart.size() && std::memcmp(bytes.data(), kPngStart.data(), kPngStart.size()) == 0;
-}
-
-bool isJpeg(std::span<const std::byte> bytes) { return bytes.size() >= 3 && readBig(bytes, 0, 3) == 0xffd8ff; }
-
-// The frame header of a JPEG (ITU-T T.81, B.2.2), and where its first scan begins.
-struct JpegLayout {
-  ImageSize size;
-  std::size_t scan = 0; // 0: none
+// One image on its way: its bytes until it is decoded.
+struct Encoded {
+  std::string place;
+  std::vector<std::byte> file;
+  std::span<const std::byte> bytes;
+  SourceFile source;
+  bool isUsable = false;
 };
 
-JpegLayout layoutOfJpeg(std::span<const std::byte> bytes) {
-  JpegLayout layout;
-  for (std::size_t at = 2; at + 4 <= bytes.size();) {
-    if (readBig(bytes, at, 1) != 0xff) return layout;
-    const std::size_t marker = readBig(bytes, at + 1, 1);
-    if (marker == 0xff) { // fill byte
-      ++at;
-      continue;
+void readEncoded(const GltfDocument& document, const GltfImageSource& source, Encoded& encoded) {
+  if (source.bufferView >= 0)
+    encoded.bytes = document.bufferView(source.bufferView);
+  else if (!source.file.empty()) {
+    try {
+      const std::size_t bytes = base::regularFileSize(source.file);
+      if (bytes > kMaxImageBytes) throw document.error("", fmt::format("is larger than {} MiB", kMaxImageBytes >> 20));
+      document.memory.take(bytes, encoded.place);
+      encoded.file = base::readFile(source.file, bytes);
+    } catch (const base::Error& error) {
+      throw document.error(encoded.place, error.reason());
     }
-    const std::size_t length = readBig(bytes, at + 2, 2);
-    const bool isFrame = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
-    if (isFrame && at + 9 <= bytes.size()) layout.size = {readBig(bytes, at + 7, 2), readBig(bytes, at + 5, 2)};
-    if (marker == 0xda) {
-      layout.scan = at;
-      return layout;
-    }
-    at += 2 + std::max<std::size_t>(length, 2);
-  }
-  return layout;
+    encoded.bytes = encoded.file;
+    encoded.source = sourceFile(source.named, encoded.file);
+  } else
+    encoded.bytes = source.embedded;
 }
 
-// Decoders fill what a cut-off JPEG lacks with grey. Within a scan 0xff is always followed by 0 or a restart marker, so
-// the end marker appears only where the image ends.
-bool endsEarly(std::span<const std::byte> bytes) {
-  const std::size_t scan = layoutOfJpeg(bytes).scan;
-  if (scan == 0) return true;
-  const std::array end = {std::byte{0xff}, std::byte{0xd9}};
-  const auto from = bytes.begin() + static_cast<std::ptrdiff_t>(scan);
-  return std::search(from, bytes.end(), end.begin(), end.end()) == bytes.end();
+// The texels of the image, by its header. Throws Error (exit 4).
+std::size_t checkHeader(const GltfDocument& document, const Encoded& encoded, std::size_t texelsBefore) {
+  const LoadOptions& options = document.options;
+  const auto fail = [&](const std::string& reason) { return document.error(encoded.place, reason); };
+  if (encoded.bytes.empty()) throw fail("the image is empty");
+  const ImageHeader header = readImageHeader(encoded.bytes);
+  if (header.format == ImageFormat::ktx2)
+    throw fail("a KTX 2 image, expected PNG, JPEG or WebP: there is no Basis Universal transcoder here");
+  if (header.format == ImageFormat::unknown) throw fail("neither a PNG, a JPEG nor a WebP image");
+  if (header.width == 0 || header.height == 0) throw fail("a width or height of 0, or a truncated header");
+  if (std::max(header.width, header.height) > options.maxImageSide)
+    throw fail(fmt::format("{}x{} pixels, expected at most {} a side (--max-image)", header.width, header.height,
+                           options.maxImageSide));
+  const std::size_t texels = header.width * header.height;
+  if (texels > options.maxImageTexels || texelsBefore > options.maxImageTexels - texels)
+    throw fail(
+        fmt::format("the images of the scene have more than {} texels together (--max-image)", options.maxImageTexels));
+  if (header.isCutOff) throw fail("truncated: the image ends before its end marker");
+  document.memory.take(texels * 4, encoded.place);
+  return texels;
 }
 
 } // namespace
 
-ImageSize sniffImageSize(std::span<const std::byte> bytes) {
-  if (isPng(bytes) && bytes.size() >= 24) return {readBig(bytes, 16, 4), readBig(bytes, 20, 4)};
-  if (isJpeg(bytes)) return layoutOfJpeg(bytes).size;
-  return {};
-}
-
-DecodedImages decodeImages(const GltfDocument& document, const std::vector<int>& used) {
-  std::vector<std::vector<std::byte>> files(used.size());
-  std::vector<std::span<const std::byte>> encoded(used.size());
-  std::vector<std::string> places(used.size());
-  DecodedImages decoded;
+DecodedImages decodeImages(const GltfDocument& document, const std::vector<int>& used, Problems& problems) {
+  std::vector<Encoded> all(used.size());
   std::size_t texels = 0;
   for (std::size_t i = 0; i < used.size(); ++i) {
     const GltfImageSource& source = document.images[static_cast<std::size_t>(used[i])];
-    places[i] = fmt::format("images[{}] '{}'", used[i], source.name);
-    if (source.bufferView >= 0)
-      encoded[i] = document.bufferView(source.bufferView);
-    else if (!source.file.empty()) {
-      try {
-        files[i] = base::readFile(source.file, kMaxImageBytes);
-      } catch (const base::Error& error) {
-        throw document.error(places[i], error.reason());
-      }
-      encoded[i] = files[i];
-      decoded.sources.push_back(sourceFile(source.named, files[i]));
-    } else
-      encoded[i] = source.embedded;
-
-    if (encoded[i].empty()) throw document.error(places[i], "the image is empty");
-    if (!isPng(encoded[i]) && !isJpeg(encoded[i])) throw document.error(places[i], "neither a PNG nor a JPEG image");
-    const ImageSize size = sniffImageSize(encoded[i]);
-    if (size.width == 0 || size.height == 0)
-      throw document.error(places[i], "a width or height of 0, or a truncated header");
-    if (size.width > base::kMaxImageSide || size.height > base::kMaxImageSide)
-      throw document.error(
-          places[i], fmt::format("{}x{} pixels are more than {} a side", size.width, size.height, base::kMaxImageSide));
-    texels += size.width * size.height;
-    if (texels > kMaxTexels)
-      throw document.error(places[i], fmt::format("the images of a scene may have {} texels together", kMaxTexels));
-    if (isJpeg(encoded[i]) && endsEarly(encoded[i])) throw document.error(places[i], "truncated: no end marker");
+    all[i].place = fmt::format("/images/{} '{}'", used[i], source.name);
+    all[i].isUsable = problems.attempt([&] {
+      readEncoded(document, source, all[i]);
+      texels += checkHeader(document, all[i], texels);
+    });
   }
 
-  std::vector<TextureImage>& images = decoded.images;
-  images.resize(used.size());
+  DecodedImages decoded;
+  decoded.images.resize(used.size());
+  std::vector<std::optional<base::Error>> failed(used.size());
   base::parallelFor(used.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      images[i].name = document.images[static_cast<std::size_t>(used[i])].name;
+      decoded.images[i].name = document.images[static_cast<std::size_t>(used[i])].name;
+      if (!all[i].isUsable) continue;
       try {
-        images[i].pixels = base::decodeImage8(encoded[i], images[i].name, 4);
+        decoded.images[i].pixels = base::decodeImage8(all[i].bytes, decoded.images[i].name, 4);
       } catch (const base::Error& error) {
-        throw document.error(places[i], error.reason());
+        failed[i] = document.error(all[i].place, error.reason());
       }
+      document.memory.release(all[i].file.size());
+      std::vector<std::byte>().swap(all[i].file);
     }
   });
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (failed[i]) problems.add(*failed[i]);
+    if (!all[i].source.file.empty()) decoded.sources.push_back(all[i].source);
+  }
   return decoded;
 }
 

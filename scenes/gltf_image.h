@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "scenes/gltf_document.h"
@@ -10,22 +9,13 @@
 
 namespace parity::scenes {
 
-// Most texels that the images of one scene may have together: 1 GiB of RGBA.
-inline constexpr std::size_t kMaxTexels = std::size_t{1} << 28;
-
-// Width and height by the header of a PNG or JPEG file, before memory is taken. {0, 0}: neither format.
-struct ImageSize {
-  std::size_t width = 0, height = 0;
-};
-ImageSize sniffImageSize(std::span<const std::byte> bytes);
-
 struct DecodedImages {
-  std::vector<TextureImage> images;
-  std::vector<SourceFile> sources; // of those that have a file of their own
+  std::vector<TextureImage> images; // those that could not be read are empty
+  std::vector<SourceFile> sources;  // of those that have a file of their own
 };
 
-// Decodes those images that `used` lists (indices into document.images), at the same time. Throws Error (exit 4): not
-// there, neither PNG nor JPEG, too large, truncated, not decodable.
-DecodedImages decodeImages(const GltfDocument& document, const std::vector<int>& used);
+// Decodes those images that `used` lists (indices into document.images), at the same time, each file once. Each that
+// is not there, neither PNG, JPEG nor WebP, too large (LoadOptions), truncated or not decodable goes to `problems`.
+DecodedImages decodeImages(const GltfDocument& document, const std::vector<int>& used, Problems& problems);
 
 } // namespace parity::scenes

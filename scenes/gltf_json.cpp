@@ -50,7 +50,10 @@ nlohmann::json parseGltfJson(std::string_view text, const std::string& label) {
     if (const auto tag = reason.find("] "); tag != std::string_view::npos) reason.remove_prefix(tag + 2);
     constexpr std::string_view kPrefix = "parse error at ";
     if (reason.starts_with(kPrefix)) reason.remove_prefix(kPrefix.size());
-    throw base::fileError(label, "JSON", std::string(reason.substr(0, 300)));
+    std::string words(reason.substr(0, 300));
+    for (char& c : words) // it quotes the file, whose bytes may be no text at all
+      if (static_cast<unsigned char>(c) >= 0x7f) c = '?';
+    throw base::fileError(label, "JSON", words);
   }
 }
 

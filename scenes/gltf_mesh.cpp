@@ -2,11 +2,12 @@
 #include "scenes/gltf_mesh.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 
 #include <fmt/format.h>
 
-#include "scenes/gltf_accessor.h"
+#include "scenes/gltf_morph.h"
+#include "scenes/gltf_primitive.h"
 #include "scenes/mesh_repair.h"
 #include "scenes/names.h"
 #include "scenes/tangents.h"
@@ -18,60 +19,44 @@ const tinygltf::Primitive& primitiveOf(const GltfDocument& document, int mesh, i
   return document.model.meshes[static_cast<std::size_t>(mesh)].primitives[static_cast<std::size_t>(primitive)];
 }
 
-std::string placeOf(int mesh, int primitive) { return fmt::format("meshes[{}].primitives[{}]", mesh, primitive); }
+std::string placeOf(int mesh, int primitive) { return fmt::format("/meshes/{}/primitives/{}", mesh, primitive); }
 
-// Reads one attribute after another, all of the same count.
-class AttributeReader {
-public:
-  AttributeReader(const GltfDocument& document, const tinygltf::Primitive& primitive, std::string place)
-      : m_document(document), m_primitive(primitive), m_place(std::move(place)) {}
-
-  // The accessor of an attribute with `least` to `most` components; nothing where it is absent.
-  std::optional<AccessorView> find(const std::string& name, int least, int most) {
-    const auto found = m_primitive.attributes.find(name);
-    if (found == m_primitive.attributes.end()) return std::nullopt;
-    AccessorView view(m_document, found->second, m_place + ".attributes." + name);
-    if (view.componentCount() < least || view.componentCount() > most)
-      throw m_document.error(view.place(), fmt::format("has {} components", view.componentCount()));
-    if (m_count && view.count() != m_count)
-      throw m_document.error(view.place(), fmt::format("has {} elements where POSITION has {}", view.count(), m_count));
-    m_count = view.count();
-    return view;
-  }
-  std::size_t count() const { return m_count; }
-
-private:
-  const GltfDocument& m_document;
-  const tinygltf::Primitive& m_primitive;
-  std::string m_place;
-  std::size_t m_count = 0;
-};
-
-// The triangle list of a primitive, whatever its mode. An incomplete last triangle is dropped with a warning.
-std::vector<std::uint32_t> readTriangles(const GltfDocument& document, const tinygltf::Primitive& primitive,
-                                         const std::string& place, std::size_t vertexCount,
-                                         std::vector<std::string>& warnings) {
-  std::vector<std::uint32_t> indices;
-  if (primitive.indices >= 0)
-    indices = AccessorView(document, primitive.indices, place + ".indices").readIndices(vertexCount);
-  else {
-    indices.resize(vertexCount);
-    std::iota(indices.begin(), indices.end(), 0u);
-  }
-  if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP) return listFromStrip(indices);
-  if (primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) return listFromFan(indices);
-  if (indices.size() % 3) {
-    warnings.push_back(
-        fmt::format("{}: {} indices are no whole number of triangles, the rest is dropped", place, indices.size()));
-    indices.resize(indices.size() / 3 * 3);
-  }
-  return indices;
+std::string nameOf(const GltfDocument& document, int mesh, int primitive) {
+  const tinygltf::Mesh& source = document.model.meshes[static_cast<std::size_t>(mesh)];
+  std::string name = cleanName(source.name);
+  if (name.empty()) name = fmt::format("mesh {}", mesh);
+  return source.primitives.size() > 1 ? name + fmt::format(" [{}]", primitive) : name;
 }
 
-void readTexCoords(AttributeReader& reader, Mesh& mesh, const Material& material, const std::string& place,
+// Warns where the accessor declares other limits than its numbers have, by more than their digits in the file.
+void checkLimits(const GltfDocument& document, const PrimitiveReader& reader, const std::vector<glm::vec3>& positions,
+                 std::vector<std::string>& warnings) {
+  const int index = reader.source().attributes.at("POSITION");
+  const tinygltf::Accessor& accessor = document.model.accessors[static_cast<std::size_t>(index)];
+  if (reader.isDraco() || accessor.normalized || accessor.minValues.size() != 3 || accessor.maxValues.size() != 3)
+    return; // a Draco stream moves them, normalised ones are stated before their scaling
+  glm::vec3 lower = positions.front(), upper = lower;
+  for (const glm::vec3& p : positions) lower = glm::min(lower, p), upper = glm::max(upper, p);
+  double largest = 0;
+  for (const double v : accessor.minValues) largest = std::max(largest, std::abs(v));
+  for (const double v : accessor.maxValues) largest = std::max(largest, std::abs(v));
+  for (int i = 0; i < 3; ++i)
+    if (const auto c = static_cast<std::size_t>(i);
+        lower[i] < accessor.minValues[c] - 1e-4 * largest || upper[i] > accessor.maxValues[c] + 1e-4 * largest) {
+      warnings.push_back(fmt::format("{}/attributes/POSITION (/accessors/{}): reaches from {} to {} in {}, beyond its "
+                                     "min and max, {} and {}",
+                                     reader.place(), index, lower[i], upper[i], "xyz"[i], accessor.minValues[c],
+                                     accessor.maxValues[c]));
+      return;
+    }
+}
+
+void readTexCoords(const PrimitiveReader& reader, Mesh& mesh, const Material& material, const UvSets& sets,
                    std::vector<std::string>& warnings) {
-  if (const auto view = reader.find("TEXCOORD_0", 2, 2)) mesh.uv0 = view->readVec2();
-  if (const auto view = reader.find("TEXCOORD_1", 2, 2)) mesh.uv1 = view->readVec2();
+  if (const auto view = reader.attribute(fmt::format("TEXCOORD_{}", sets.first), warnings)) mesh.uv0 = view->readVec2();
+  if (sets.second != sets.first)
+    if (const auto view = reader.attribute(fmt::format("TEXCOORD_{}", sets.second), warnings))
+      mesh.uv1 = view->readVec2();
   bool missing = false;
   for (const TextureSlot* slot : {&material.baseColorTexture, &material.metallicRoughnessTexture,
                                   &material.normalTexture, &material.occlusionTexture, &material.emissiveTexture,
@@ -79,27 +64,21 @@ void readTexCoords(AttributeReader& reader, Mesh& mesh, const Material& material
     missing |= slot->present() && (slot->texCoord == 0 ? mesh.uv0 : mesh.uv1).empty();
   if (missing)
     warnings.push_back(fmt::format("{}: material '{}' has a texture whose TEXCOORD this mesh lacks, read at (0,0)",
-                                   place, material.name));
+                                   reader.place(), material.name));
 }
 
-// Normals, and tangents where a normal map needs them.
-void readFrames(AttributeReader& reader, Mesh& mesh, const Material& material, const std::string& place,
-                std::vector<std::string>& warnings) {
-  const auto normals = reader.find("NORMAL", 3, 3);
-  const auto tangents = reader.find("TANGENT", 4, 4);
-  if (normals) {
-    mesh.normals = normals->readVec3Unchecked();
-    if (const std::size_t count = mendNormals(mesh))
-      warnings.push_back(fmt::format("{}: {} normals of no length are replaced by those of their faces", place, count));
-  } else
+// Makes the directions of a posed mesh usable, and generates what it lacks and needs.
+void finishFrames(Mesh& mesh, const Material& material, const std::string& place, std::vector<std::string>& warnings) {
+  if (mesh.normals.empty())
     makeFlatNormals(mesh);
-  if (!material.normalTexture.present()) return;
-  if (normals && tangents) {
-    mesh.tangents = tangents->readVec4Unchecked();
+  else if (const std::size_t count = mendNormals(mesh))
+    warnings.push_back(fmt::format("{}: {} normals of no length are replaced by those of their faces", place, count));
+  if (!mesh.tangents.empty()) {
     if (const std::size_t count = mendTangents(mesh))
       warnings.push_back(fmt::format("{}: {} tangents of no length are replaced by some right angle", place, count));
-  } else if (const std::size_t count = makeTangents(mesh, material.normalTexture.texCoord))
-    warnings.push_back(fmt::format("{}: {} vertices have no area in uv, their tangents are arbitrary", place, count));
+  } else if (material.normalTexture.present())
+    if (const std::size_t count = makeTangents(mesh, material.normalTexture.texCoord))
+      warnings.push_back(fmt::format("{}: {} vertices have no area in uv, their tangents are arbitrary", place, count));
 }
 
 } // namespace
@@ -108,50 +87,53 @@ std::size_t estimateBytes(const GltfDocument& document, int mesh, int primitive)
   const tinygltf::Primitive& source = primitiveOf(document, mesh, primitive);
   const auto position = source.attributes.find("POSITION");
   if (position == source.attributes.end())
-    throw document.error(placeOf(mesh, primitive) + ".attributes", "POSITION is missing");
+    throw document.error(placeOf(mesh, primitive) + "/attributes", "POSITION is missing");
   const auto countOf = [&](int accessor) { return document.model.accessors[static_cast<std::size_t>(accessor)].count; };
   std::size_t vertices = countOf(position->second);
   std::size_t corners = source.indices >= 0 ? countOf(source.indices) : vertices;
   if (source.mode != TINYGLTF_MODE_TRIANGLES) corners *= 3;
   if (!source.attributes.contains("NORMAL")) vertices = corners; // flat normals split them
-  const std::size_t bytes =
+  std::size_t bytes =
       2 * sizeof(glm::vec3) + sizeof(glm::vec4) +
       sizeof(glm::vec2) * (source.attributes.contains("TEXCOORD_0") + source.attributes.contains("TEXCOORD_1")) +
       sizeof(glm::vec4) * source.attributes.contains("COLOR_0");
+  for (int n = 0; source.attributes.contains(fmt::format("JOINTS_{}", n)); ++n) // held while the mesh is posed
+    bytes += sizeof(glm::u16vec4) + sizeof(glm::vec4);
+  if (!source.targets.empty()) bytes += sizeof(glm::vec4);
   return vertices * bytes + corners * sizeof(std::uint32_t);
 }
 
 GltfPrimitive buildPrimitive(const GltfDocument& document, int meshIndex, int primitiveIndex,
-                             std::uint32_t materialIndex, const Material& material) {
-  const tinygltf::Primitive& source = primitiveOf(document, meshIndex, primitiveIndex);
-  const std::string place = placeOf(meshIndex, primitiveIndex);
+                             std::uint32_t materialIndex, const Material& material, const UvSets& uvSets,
+                             const MeshPose& pose) {
   GltfPrimitive result;
-  if (source.mode < TINYGLTF_MODE_POINTS || source.mode > TINYGLTF_MODE_TRIANGLE_FAN)
-    throw document.error(place + ".mode", fmt::format("{} is not a mode", source.mode));
-  if (source.mode < TINYGLTF_MODE_TRIANGLES) {
+  const std::string place = placeOf(meshIndex, primitiveIndex);
+  if (primitiveOf(document, meshIndex, primitiveIndex).mode < TINYGLTF_MODE_TRIANGLES) {
     result.warnings.push_back(place + ": points and lines are not drawn");
     return result;
   }
-  if (!source.targets.empty())
-    result.warnings.push_back(place + ": morph targets are not supported, ignored: shown as it is stored");
-
+  const PrimitiveReader reader(document, meshIndex, primitiveIndex);
+  std::vector<std::string>& warnings = result.warnings;
   Mesh mesh;
-  mesh.name = cleanName(document.model.meshes[static_cast<std::size_t>(meshIndex)].name);
-  if (mesh.name.empty()) mesh.name = fmt::format("mesh {}", meshIndex);
-  if (document.model.meshes[static_cast<std::size_t>(meshIndex)].primitives.size() > 1)
-    mesh.name += fmt::format(" [{}]", primitiveIndex);
+  mesh.name = nameOf(document, meshIndex, primitiveIndex);
   mesh.material = materialIndex;
-
-  AttributeReader reader(document, source, place);
-  mesh.positions = reader.find("POSITION", 3, 3)->readVec3();
-  mesh.indices = readTriangles(document, source, place, reader.count(), result.warnings);
+  mesh.positions = reader.attribute("POSITION", warnings)->readVec3();
+  checkLimits(document, reader, mesh.positions, warnings);
+  mesh.indices = reader.readTriangles(warnings);
   if (mesh.indices.empty()) {
-    result.warnings.push_back(place + ": holds no whole triangle");
+    warnings.push_back(place + ": holds no whole triangle");
     return result;
   }
-  readTexCoords(reader, mesh, material, place, result.warnings);
-  if (const auto view = reader.find("COLOR_0", 3, 4)) mesh.colors = view->readVec4(1.f);
-  readFrames(reader, mesh, material, place, result.warnings);
+  readTexCoords(reader, mesh, material, uvSets, warnings);
+  if (const auto view = reader.attribute("COLOR_0", warnings)) mesh.colors = view->readVec4(1.f);
+  const auto normals = reader.attribute("NORMAL", warnings), tangents = reader.attribute("TANGENT", warnings);
+  if (normals) mesh.normals = normals->readVec3Unchecked();
+  // Without normals in the file its tangents have no meaning (glTF 2.0, 3.7.2.1).
+  if (normals && tangents && material.normalTexture.present()) mesh.tangents = tangents->readVec4Unchecked();
+
+  applyMorphTargets(reader, pose.weights, uvSets, mesh, warnings);
+  result.isSkinned = pose.skin && applySkin(reader, *pose.skin, mesh, warnings);
+  finishFrames(mesh, material, place, warnings);
   result.mesh = std::move(mesh);
   return result;
 }

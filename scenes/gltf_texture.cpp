@@ -25,9 +25,9 @@ Sampler samplerOf(const GltfDocument& document, int index) {
   Sampler sampler; // a texture without one repeats and is filtered as the program likes
   if (index < 0) return sampler;
   const tinygltf::Sampler& source = document.model.samplers[static_cast<std::size_t>(index)];
-  const std::string place = fmt::format("samplers[{}]", index);
-  sampler.wrapU = wrapOf(document, source.wrapS, place + ".wrapS");
-  sampler.wrapV = wrapOf(document, source.wrapT, place + ".wrapT");
+  const std::string place = fmt::format("/samplers/{}", index);
+  sampler.wrapU = wrapOf(document, source.wrapS, place + "/wrapS");
+  sampler.wrapV = wrapOf(document, source.wrapT, place + "/wrapT");
   switch (source.magFilter) {
   case -1:
   case TINYGLTF_TEXTURE_FILTER_LINEAR:
@@ -37,7 +37,7 @@ Sampler samplerOf(const GltfDocument& document, int index) {
     sampler.magFilter = Filter::nearest;
     break;
   default:
-    throw document.error(place + ".magFilter", fmt::format("{} is not a filter", source.magFilter));
+    throw document.error(place + "/magFilter", fmt::format("{} is not a filter", source.magFilter));
   }
   const auto setMin = [&](Filter min, Filter mip, bool useMips) {
     sampler.minFilter = min;
@@ -65,9 +65,25 @@ Sampler samplerOf(const GltfDocument& document, int index) {
     setMin(Filter::nearest, Filter::nearest, false);
     break;
   default:
-    throw document.error(place + ".minFilter", fmt::format("{} is not a filter", source.minFilter));
+    throw document.error(place + "/minFilter", fmt::format("{} is not a filter", source.minFilter));
   }
   return sampler;
+}
+
+// The image that a texture shows: WebP where it has one, else PNG or JPEG. Basis Universal has no decoder here: files
+// that use it mostly have a fallback.
+int imageOf(const GltfDocument& document, const tinygltf::Texture& texture, int index, const std::string& place) {
+  const auto find = [&](const char* extension) {
+    const auto found = texture.extensions.find(extension);
+    return found == texture.extensions.end() ? -1 : found->second.Get("source").GetNumberAsInt();
+  };
+  if (const int webp = find("EXT_texture_webp"); webp >= 0) return webp;
+  if (texture.source >= 0) return texture.source;
+  throw document.error(fmt::format("{} (/textures/{})", place, index),
+                       find("KHR_texture_basisu") >= 0
+                           ? "has a Basis Universal image (KHR_texture_basisu) alone, expected a PNG, JPEG or WebP "
+                             "image beside it: there is no transcoder here"
+                           : "has no image");
 }
 
 glm::dvec2 pairOf(const tinygltf::Value& value, const char* key, glm::dvec2 otherwise) {
@@ -89,12 +105,7 @@ TextureSlot readTextureSlot(const GltfDocument& document, int texture, int texCo
   TextureSlot slot;
   if (texture < 0) return slot;
   const tinygltf::Texture& source = document.model.textures[static_cast<std::size_t>(texture)];
-  if (source.source < 0) {
-    std::string reason = "has no image";
-    for (const auto& [name, value] : source.extensions) reason += fmt::format("; {} is not supported", name);
-    throw document.error(fmt::format("{}: textures[{}]", place, texture), reason);
-  }
-  slot.image = source.source;
+  slot.image = document.firstOfImage[static_cast<std::size_t>(imageOf(document, source, texture, place))];
   slot.sampler = samplerOf(document, source.sampler);
   slot.texCoord = texCoord;
   if (const auto found = extensions.find("KHR_texture_transform"); found != extensions.end()) {
@@ -103,8 +114,6 @@ TextureSlot readTextureSlot(const GltfDocument& document, int texture, int texCo
     slot.uvTransform = uvTransform(pairOf(transform, "offset", {0, 0}), rotation, pairOf(transform, "scale", {1, 1}));
     if (transform.Has("texCoord")) slot.texCoord = transform.Get("texCoord").GetNumberAsInt();
   }
-  if (slot.texCoord < 0 || slot.texCoord > 1)
-    throw document.error(place, fmt::format("texCoord {}: only the uv sets 0 and 1 are supported", slot.texCoord));
   return slot;
 }
 

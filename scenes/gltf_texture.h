@@ -9,8 +9,8 @@
 
 namespace parity::scenes {
 
-// A texture reference of a material. `image` of the result counts in document.images. Throws Error (exit 4): a uv set
-// beyond 1, an unknown filter or wrap mode, a texture without an image that we can read.
+// A texture reference of a material. `image` of the result counts in document.images, `texCoord` in the file's uv sets.
+// Throws Error (exit 4): an unknown filter or wrap mode, a texture without an image that we can read.
 TextureSlot readTextureSlot(const GltfDocument& document, int texture, int texCoord,
                             const tinygltf::ExtensionMap& extensions, const std::string& place);
 

@@ -4,14 +4,17 @@
 #include <filesystem>
 #include <string>
 
+#include "scenes/load_options.h"
 #include "scenes/scene.h"
 
 namespace parity::scenes {
 
-// Loads a .gltf or .glb (glTF 2.0), or "builtin:NAME". Everything is checked: what cannot be shown rightly is an Error
-// (exit 4: file, place in it such as "accessors[3]", reason), what is ignored is a line in Scene::warnings. The names
-// are in scenes/builtin.h.
-Scene loadScene(const std::string& fileOrBuiltin);
+// Loads a .gltf or .glb (glTF 2.0), or "builtin:NAME" (scenes/builtin.h), which knows nothing of the options.
+// Everything is checked before it is used: what cannot be shown rightly is an Error (exit 4: file, JSON pointer such as
+// "/accessors/3/count", reason) or an ErrorList of up to 20, what is ignored is a line in Scene::warnings. Throws Error
+// (usage) naming what the file has where it lacks the scene, animation or variant asked for, and for a time that is not
+// finite.
+Scene loadScene(const std::string& fileOrBuiltin, const LoadOptions& options = {});
 
 // Loads an equirectangular .hdr or .exr, or "builtin:NAME" (scenes/builtin.h). 1 channel is spread, a 4th dropped.
 // NaN, infinite and negative texels are set to 0 (NaN, negative) or the largest finite value (inf), counted, and

@@ -2,17 +2,24 @@
 #include "scenes/load_gltf.h"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <span>
 
 #include <fmt/format.h>
 
 #include "base/parallel.h"
+#include "scenes/gltf_animation.h"
 #include "scenes/gltf_document.h"
-#include "scenes/gltf_image.h"
+#include "scenes/gltf_instancing.h"
 #include "scenes/gltf_light_camera.h"
 #include "scenes/gltf_material.h"
 #include "scenes/gltf_mesh.h"
 #include "scenes/gltf_nodes.h"
+#include "scenes/gltf_scene_images.h"
+#include "scenes/gltf_uses.h"
+#include "scenes/gltf_variants.h"
 #include "scenes/names.h"
 
 namespace parity::scenes {
@@ -24,152 +31,229 @@ constexpr std::size_t kMaxWarnings = 100;
 
 // A primitive that some node shows.
 struct UsedPrimitive {
+  std::size_t use = 0; // in MeshUses
   int mesh = 0, primitive = 0;
   std::uint32_t material = 0;
 };
 
-// The primitives of all meshes that are shown, in the order of the file, within the limits.
-std::vector<UsedPrimitive> listPrimitives(const GltfDocument& document, const std::vector<PlacedNode>& nodes) {
-  std::vector<bool> shown(document.model.meshes.size());
-  std::size_t instances = 0;
-  for (const PlacedNode& node : nodes)
-    if (const int mesh = document.model.nodes[static_cast<std::size_t>(node.node)].mesh; mesh >= 0) {
-      shown[static_cast<std::size_t>(mesh)] = true;
-      instances += document.model.meshes[static_cast<std::size_t>(mesh)].primitives.size();
-      if (instances > kMaxInstances)
-        throw document.error("nodes", fmt::format("place more than {} primitives", kMaxInstances));
-    }
+// The primitives of all meshes that are shown, in the order of the file, each for every pose that it is shown in; their
+// memory is counted.
+std::vector<UsedPrimitive> listPrimitives(const GltfDocument& document, const MeshUses& meshes, Problems& problems,
+                                          std::vector<std::string>& warnings) {
+  const std::optional<int> variant = chooseVariant(document);
   std::vector<UsedPrimitive> used;
-  std::size_t bytes = 0;
-  for (std::size_t m = 0; m < shown.size(); ++m) {
-    const auto& primitives = document.model.meshes[m].primitives;
-    for (std::size_t p = 0; shown[m] && p < primitives.size(); ++p) {
-      used.push_back({static_cast<int>(m), static_cast<int>(p),
-                      primitives[p].material < 0 ? static_cast<std::uint32_t>(document.model.materials.size())
-                                                 : static_cast<std::uint32_t>(primitives[p].material)});
-      bytes += estimateBytes(document, static_cast<int>(m), static_cast<int>(p));
-      if (bytes > kMaxMeshBytes)
-        throw document.error(fmt::format("meshes[{}]", m),
-                             fmt::format("the meshes take more than {} MiB", kMaxMeshBytes >> 20));
+  for (std::size_t u = 0; u < meshes.uses.size(); ++u) {
+    const int m = meshes.uses[u].mesh;
+    const auto& primitives = document.model.meshes[static_cast<std::size_t>(m)].primitives;
+    for (std::size_t p = 0; p < primitives.size(); ++p) {
+      const std::string place = fmt::format("/meshes/{}/primitives/{}", m, p);
+      if (!primitives[p].attributes.contains("POSITION")) { // glTF 2.0, 3.7.2.1: to be skipped
+        warnings.push_back(place + ": has no POSITION, not drawn");
+        continue;
+      }
+      if (used.size() == kMaxInstances) {
+        problems.add("/nodes", fmt::format("place more than {} primitives", kMaxInstances));
+        return used;
+      }
+      const int material = materialOf(primitives[p], variant);
+      used.push_back({u, m, static_cast<int>(p),
+                      material < 0 ? static_cast<std::uint32_t>(document.model.materials.size())
+                                   : static_cast<std::uint32_t>(material)});
+      problems.attempt([&] { document.memory.take(estimateBytes(document, m, static_cast<int>(p)), place); });
     }
   }
   return used;
 }
 
-template <typename Body> void forEachSlot(Material& material, const Body& body) {
-  for (TextureSlot* slot : {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-                            &material.occlusionTexture, &material.emissiveTexture, &material.specularTexture,
-                            &material.specularColorTexture})
-    if (slot->present()) body(*slot);
-}
-
-// Renumbers the slots to the images that are used, and returns those, as indices into document.images.
-std::vector<int> collectImages(std::vector<Material>& materials) {
-  std::vector<int> used;
-  for (Material& material : materials)
-    forEachSlot(material, [&](const TextureSlot& slot) { used.push_back(slot.image); });
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  for (Material& material : materials)
-    forEachSlot(material, [&](TextureSlot& slot) {
-      slot.image = static_cast<int>(std::lower_bound(used.begin(), used.end(), slot.image) - used.begin());
-    });
-  return used;
-}
-
-// The images of materials that some primitive shows; the others keep their places, without pixels.
-std::vector<SourceFile> readImages(const GltfDocument& document, const std::vector<UsedPrimitive>& primitives,
-                                   const std::vector<int>& images, Scene& scene) {
-  std::vector<bool> isShown(scene.materials.size()), isRead(images.size());
+// The materials that some primitive shows, or all where the options ask for it.
+std::vector<bool> listShown(const GltfDocument& document, const std::vector<UsedPrimitive>& primitives,
+                            std::size_t materials) {
+  std::vector<bool> isShown(materials, document.options.allMaterials);
   for (const UsedPrimitive& used : primitives) isShown[used.material] = true;
-  for (std::size_t m = 0; m < isShown.size(); ++m)
-    if (isShown[m])
-      forEachSlot(scene.materials[m],
-                  [&](const TextureSlot& slot) { isRead[static_cast<std::size_t>(slot.image)] = true; });
-  std::vector<int> read;
-  for (std::size_t i = 0; i < images.size(); ++i)
-    if (isRead[i]) read.push_back(images[i]);
-  DecodedImages decoded = decodeImages(document, read);
-  for (std::size_t i = 0, next = 0; i < images.size(); ++i)
-    if (isRead[i])
-      scene.images.push_back(std::move(decoded.images[next++]));
-    else
-      scene.images.push_back({document.images[static_cast<std::size_t>(images[i])].name, {}});
-  return std::move(decoded.sources);
+  return isShown;
 }
 
-// Lights, cameras and instances of all nodes. meshesOf: the scene's meshes that stand for a mesh of the file.
-void placeAll(const GltfDocument& document, const std::vector<PlacedNode>& nodes,
-              const std::map<int, std::vector<std::uint32_t>>& meshesOf, Scene& scene) {
-  UniqueNames cameraNames;
-  std::size_t triangles = 0;
-  for (const PlacedNode& node : nodes) {
-    if (auto light = readLight(document, node, scene.warnings)) scene.lights.push_back(std::move(*light));
-    if (auto camera = readCamera(document, node)) {
-      camera->name = cameraNames.make(camera->name, fmt::format("camera {}", scene.cameras.size()));
-      scene.cameras.push_back(std::move(*camera));
-    }
-    const auto meshes = meshesOf.find(document.model.nodes[static_cast<std::size_t>(node.node)].mesh);
-    if (meshes == meshesOf.end()) continue;
-    if (glm::determinant(glm::dmat3(node.toWorld)) == 0) {
-      scene.warnings.push_back(fmt::format("nodes[{}] '{}': a scale of 0, not shown", node.node, node.path));
-      continue;
-    }
-    for (const std::uint32_t mesh : meshes->second) {
-      scene.instances.push_back({mesh, glm::mat4(node.toWorld), node.path});
-      triangles += scene.meshes[mesh].indices.size() / 3;
-      if (triangles > kMaxTriangles)
-        throw document.error("nodes", fmt::format("place more than {} triangles", kMaxTriangles));
-    }
+// The scene's mesh that stands for a primitive in one pose.
+struct BuiltMesh {
+  std::uint32_t mesh = 0;
+  bool isSkinned = false;
+};
+
+// Beyond it a coordinate is nobody's scene, and Embree's arithmetic ends.
+constexpr double kMaxCoordinate = 1e18; // metres
+
+// The corners of what a mesh's triangles use.
+Bounds boundsOf(const Mesh& mesh) {
+  Bounds bounds{mesh.positions[mesh.indices[0]], mesh.positions[mesh.indices[0]]};
+  for (const std::uint32_t index : mesh.indices) {
+    bounds.lower = glm::min(bounds.lower, mesh.positions[index]);
+    bounds.upper = glm::max(bounds.upper, mesh.positions[index]);
   }
+  return bounds;
+}
+
+// Whether a transform leaves nothing of an area: it has a rank below 2.
+bool flattensAll(const glm::dmat4& m) {
+  const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
+  return glm::cross(x, y) == glm::dvec3(0) && glm::cross(y, z) == glm::dvec3(0) && glm::cross(z, x) == glm::dvec3(0);
+}
+
+// Puts meshes into the world, within the limits.
+class Placer {
+public:
+  Placer(const GltfDocument& document, Scene& scene) : m_document(document), m_scene(scene) {
+    for (const Mesh& mesh : scene.meshes) m_bounds.push_back(boundsOf(mesh));
+  }
+
+  // meshes: those that the node shows. Throws Error (exit 4); nothing is placed after a limit was reached.
+  void place(const PlacedNode& node, const std::vector<BuiltMesh>& meshes) {
+    if (meshes.empty() || m_isFull) return;
+    m_instances += instanceCount(m_document, node.node);
+    if (m_instances > kMaxInstances) throw full("primitives", kMaxInstances);
+    const std::vector<glm::dmat4> instances = readInstances(m_document, node.node);
+    std::size_t flat = 0;
+    for (const glm::dmat4& instance : instances) {
+      const glm::dmat4 toWorld = node.toWorld * instance;
+      const bool isFlat = flattensAll(toWorld);
+      for (const BuiltMesh& built : meshes) {
+        flat += isFlat && !built.isSkinned;
+        if (!built.isSkinned && !isFlat) add(built.mesh, toWorld, node);
+      }
+    }
+    for (const BuiltMesh& built : meshes)
+      if (built.isSkinned) add(built.mesh, glm::dmat4(1.0), node); // where its joints are, however often
+    if (flat) m_scene.warnings.push_back(fmt::format("/nodes/{} '{}': a scale of 0, not shown", node.node, node.path));
+  }
+
+private:
+  base::Error full(const char* what, std::size_t limit) {
+    m_isFull = true;
+    return m_document.error("/nodes", fmt::format("place more than {} {}", limit, what));
+  }
+
+  void add(std::uint32_t mesh, const glm::dmat4& toWorld, const PlacedNode& node) {
+    for (int corner = 0; corner < 8; ++corner) {
+      const Bounds& b = m_bounds[mesh];
+      const glm::dvec4 p(corner & 1 ? b.upper.x : b.lower.x, corner & 2 ? b.upper.y : b.lower.y,
+                         corner & 4 ? b.upper.z : b.lower.z, 1);
+      const glm::dvec3 placed = glm::abs(glm::dvec3(toWorld * p));
+      if (!(std::max({placed.x, placed.y, placed.z}) <= kMaxCoordinate)) // NaN too
+        throw m_document.error(
+            fmt::format("/nodes/{}", node.node),
+            fmt::format("places '{}' beyond {:g} m, or nowhere", m_scene.meshes[mesh].name, kMaxCoordinate));
+    }
+    m_document.memory.take(sizeof(Instance) + node.path.size(), "/nodes");
+    m_scene.instances.push_back({mesh, glm::mat4(toWorld), node.path});
+    m_triangles += m_scene.meshes[mesh].indices.size() / 3;
+    if (m_scene.instances.size() > kMaxInstances) throw full("primitives", kMaxInstances);
+    if (m_triangles > kMaxTriangles) throw full("triangles", kMaxTriangles);
+  }
+
+  const GltfDocument& m_document;
+  Scene& m_scene;
+  std::vector<Bounds> m_bounds; // of the scene's meshes
+  std::size_t m_instances = 0, m_triangles = 0;
+  bool m_isFull = false;
+};
+
+// Lights, cameras and instances of the nodes shown. meshesOf: for each of `uses` the scene's meshes.
+void placeAll(const GltfDocument& document, std::span<const PlacedNode> shown, const MeshUses& uses,
+              const std::vector<std::vector<BuiltMesh>>& meshesOf, Scene& scene, Problems& problems) {
+  UniqueNames cameraNames;
+  Placer placer(document, scene);
+  for (std::size_t place = 0; place < shown.size(); ++place)
+    problems.attempt([&] {
+      const PlacedNode& node = shown[place];
+      if (auto light = readLight(document, node, scene.warnings)) scene.lights.push_back(std::move(*light));
+      if (auto camera = readCamera(document, node, scene.warnings)) {
+        camera->name = cameraNames.make(camera->name, fmt::format("camera {}", scene.cameras.size()));
+        scene.cameras.push_back(std::move(*camera));
+      }
+      if (uses.ofNode[place] != MeshUses::kNone) placer.place(node, meshesOf[uses.ofNode[place]]);
+    });
+}
+
+void dropRepeated(std::vector<std::string>& lines) {
+  std::set<std::string> known;
+  std::erase_if(lines, [&](const std::string& line) { return !known.insert(line).second; });
 }
 
 } // namespace
 
-Scene loadGltf(const std::string& file) {
-  const GltfDocument document = readGltfDocument(file);
+Scene loadGltf(const std::string& file, const LoadOptions& options) {
+  if (!std::isfinite(options.timeSeconds))
+    throw base::Error(base::ExitCode::usage, "--time", "", "not a finite number of seconds");
+  const std::unique_ptr<GltfDocument> read = readGltfDocument(file, options);
+  const GltfDocument& document = *read;
   Scene scene;
   scene.file = file;
   scene.name = cleanName(scene.file.stem().string());
   scene.warnings = document.warnings;
+  scene.facts = document.facts;
 
-  const std::vector<PlacedNode> nodes = placeNodes(document, scene.warnings);
-  const std::vector<UsedPrimitive> primitives = listPrimitives(document, nodes);
+  Problems problems(file);
+  const NodeList list = listNodes(document, scene.warnings);
+  const auto isNeeded = [&](int node) { return list.placeOf[static_cast<std::size_t>(node)] != NodeList::kNone; };
+  const Pose pose = poseAt(document, isNeeded, problems, scene.warnings);
+  problems.throwIfAny(); // a node of no transform places nothing
+  const std::vector<PlacedNode> nodes = placeNodes(document, list, pose, problems);
+  problems.throwIfAny(); // as above
+  const MeshUses uses = listMeshUses(document, list, nodes, pose, problems);
+  const std::vector<UsedPrimitive> primitives = listPrimitives(document, uses, problems, scene.warnings);
   const bool needsDefault = std::any_of(primitives.begin(), primitives.end(), [&](const UsedPrimitive& used) {
     return used.material == document.model.materials.size();
   });
-  scene.materials = readMaterials(document, needsDefault, scene.warnings);
+  GltfMaterials materials = readMaterials(document, needsDefault, problems, scene.warnings);
+  scene.materials = std::move(materials.materials);
+  problems.throwIfAny(); // before much memory is taken
 
-  const std::vector<int> images = collectImages(scene.materials);
   std::vector<GltfPrimitive> built(primitives.size());
+  std::vector<std::optional<base::Error>> failed(primitives.size());
   const auto buildMeshes = [&] {
     base::parallelFor(primitives.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const UsedPrimitive& used = primitives[i];
-        built[i] = buildPrimitive(document, used.mesh, used.primitive, used.material, scene.materials[used.material]);
-      }
+      for (std::size_t i = begin; i < end; ++i) try {
+          const UsedPrimitive& used = primitives[i];
+          const MeshUse& use = uses.uses[used.use];
+          const SkinPose* skin = use.skin < 0 ? nullptr : &uses.skins[static_cast<std::size_t>(use.skin)];
+          built[i] = buildPrimitive(document, used.mesh, used.primitive, used.material, scene.materials[used.material],
+                                    materials.uvSets[used.material], {use.weights, skin});
+        } catch (const base::Error& error) {
+          failed[i] = error;
+        }
     });
   };
   std::vector<SourceFile> imageFiles;
-  base::parallelInvoke({buildMeshes, [&] { imageFiles = readImages(document, primitives, images, scene); }});
-  scene.sources = document.sources;
-  scene.sources.insert(scene.sources.end(), imageFiles.begin(), imageFiles.end());
+  const auto readImages = [&] {
+    imageFiles = readSceneImages(document, materials.derived.list,
+                                 listShown(document, primitives, scene.materials.size()), scene, problems);
+  };
+  base::parallelInvoke({buildMeshes, readImages});
+  for (const std::optional<base::Error>& error : failed)
+    if (error) problems.add(*error);
+  scene.sources = {document.source};
+  for (const std::vector<SourceFile>& files : {document.buffers->sources(), imageFiles})
+    scene.sources.insert(scene.sources.end(), files.begin(), files.end());
 
-  std::map<int, std::vector<std::uint32_t>> meshesOf;
+  std::vector<std::vector<BuiltMesh>> meshesOf(uses.uses.size());
   for (std::size_t i = 0; i < built.size(); ++i) {
     scene.warnings.insert(scene.warnings.end(), built[i].warnings.begin(), built[i].warnings.end());
     if (!built[i].mesh) continue;
-    meshesOf[primitives[i].mesh].push_back(static_cast<std::uint32_t>(scene.meshes.size()));
+    meshesOf[primitives[i].use].push_back({static_cast<std::uint32_t>(scene.meshes.size()), built[i].isSkinned});
     scene.meshes.push_back(std::move(*built[i].mesh));
   }
-  placeAll(document, nodes, meshesOf, scene);
+  placeAll(document, std::span(nodes).first(list.shown), uses, meshesOf, scene, problems);
+  problems.throwIfAny();
 
+  if (scene.instances.empty() && !options.allMaterials) // the last warning then says why
+    throw document.error("", primitives.empty() || scene.warnings.empty()
+                                 ? "the scene is empty: no triangle is placed in it"
+                                 : "no triangle is placed in the scene: " + scene.warnings.back());
+  dropRepeated(scene.warnings); // a mesh in several poses says the same several times
   if (scene.warnings.size() > kMaxWarnings) {
     const std::size_t more = scene.warnings.size() - kMaxWarnings;
     scene.warnings.resize(kMaxWarnings);
     scene.warnings.push_back(fmt::format("{} more warnings", more));
   }
-  if (scene.instances.empty()) throw document.error("", "the scene is empty: no triangle is placed in it");
   return scene;
 }
 

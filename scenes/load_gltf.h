@@ -3,11 +3,12 @@
 
 #include <string>
 
+#include "scenes/load_options.h"
 #include "scenes/scene.h"
 
 namespace parity::scenes {
 
-// Throws Error (exit 4). See loadScene.
-Scene loadGltf(const std::string& file);
+// Throws Error or ErrorList. See loadScene.
+Scene loadGltf(const std::string& file, const LoadOptions& options);
 
 } // namespace parity::scenes

@@ -76,6 +76,7 @@ struct Material {
   float ior = 1.5f;        // KHR_materials_ior
   float specular = 1;      // KHR_materials_specular
   glm::vec3 specularColor{1.f};
+  std::vector<std::string> notModelled; // what the file gives it and no path shows: "clearcoat"
   TextureSlot baseColorTexture;         // RGB sRGB, A linear
   TextureSlot metallicRoughnessTexture; // G roughness, B metallic
   TextureSlot normalTexture;            // tangent space, +Y up (OpenGL)
@@ -146,10 +147,19 @@ struct SourceFile {
   std::string hash;
 };
 
+// What a file says of itself, beyond what is shown of it.
+struct SourceFacts {
+  std::string version, generator, copyright;
+  std::vector<std::string> extensionsUsed, extensionsRequired;
+  std::vector<std::string> scenes, animations, variants;   // names, empty where there is none
+  std::vector<std::pair<std::string, std::size_t>> counts; // of the file's own arrays: "nodes", 12
+};
+
 struct Scene {
   std::string name;                // short, for reports
   std::filesystem::path file;      // empty for built-in scenes
-  std::vector<SourceFile> sources; // that file first, then its buffers and images
+  std::vector<SourceFile> sources; // that file first, then its buffers and images, as far as they were read
+  SourceFacts facts;
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
   std::vector<Material> materials;

@@ -21,8 +21,13 @@ constexpr std::size_t kMaxSuiteBytes = std::size_t{16} << 20;
 constexpr std::string_view kBuiltin = "builtin:";
 
 constexpr std::array<std::string_view, 3> kSuiteKeys = {"name", "budgets", "scene"};
-constexpr std::array<std::string_view, 14> kSceneKeys = {"name",
+constexpr std::array<std::string_view, 19> kSceneKeys = {"name",
                                                          "file",
+                                                         "time",
+                                                         "animation",
+                                                         "scene",
+                                                         "variant",
+                                                         "subject",
                                                          "environment",
                                                          "environment_rotation",
                                                          "sun_extraction",
@@ -70,10 +75,14 @@ public:
     return value;
   }
 
-  std::optional<float> number(std::string_view key, double least, double most) const {
+  std::optional<double> real(std::string_view key, double least, double most) const {
     const toml::node* node = m_table.get(key);
     if (!node) return std::nullopt;
     return numberOf(*node, key, least, most);
+  }
+  std::optional<float> number(std::string_view key, double least, double most) const {
+    const std::optional<double> value = real(key, least, most);
+    return value ? std::optional(static_cast<float>(*value)) : std::nullopt;
   }
 
   template <std::size_t kCount> std::optional<std::array<float, kCount>>
@@ -83,7 +92,7 @@ public:
     const toml::array* list = node->as_array();
     if (!list || list->size() != kCount) throw errorAt(key, fmt::format("not a list of {} numbers", kCount));
     std::array<float, kCount> values;
-    for (std::size_t i = 0; i < kCount; ++i) values[i] = numberOf((*list)[i], key, least, most);
+    for (std::size_t i = 0; i < kCount; ++i) values[i] = static_cast<float>(numberOf((*list)[i], key, least, most));
     return values;
   }
 
@@ -134,12 +143,12 @@ public:
   }
 
 private:
-  float numberOf(const toml::node& node, std::string_view key, double least, double most) const {
+  double numberOf(const toml::node& node, std::string_view key, double least, double most) const {
     if (!node.is_number()) throw errorAt(node, std::string(key), "not a number");
     const double value = node.value_or(0.0);
     if (!(value >= least && value <= most)) // NaN too
       throw errorAt(node, std::string(key), fmt::format("{} is not from {} to {}", value, least, most));
-    return static_cast<float>(value);
+    return value;
   }
 
   const std::string& m_label;
@@ -200,6 +209,18 @@ LightScales readLightScales(const TableReader& reader) {
   return scales;
 }
 
+// What of the file is compared.
+void readLoading(const TableReader& reader, SuiteEntry& entry) {
+  entry.load.timeSeconds = reader.real("time", -kMaxPoseSeconds, kMaxPoseSeconds).value_or(0.0);
+  entry.load.animation = reader.text("animation").value_or("");
+  entry.load.scene = reader.text("scene").value_or("");
+  entry.load.variant = reader.text("variant").value_or("");
+  const std::string subject = reader.text("subject").value_or("scene");
+  if (subject != "scene" && subject != "ball")
+    throw reader.errorAt("subject", fmt::format("'{}' is neither 'scene' nor 'ball'", cleanName(subject)));
+  if (subject == "ball") entry.subject = Subject::ball;
+}
+
 SuiteEntry readEntry(const std::string& label, const std::filesystem::path& folder, const toml::table& table) {
   const TableReader reader(label, table, "a scene", kSceneKeys);
   SuiteEntry entry;
@@ -207,6 +228,7 @@ SuiteEntry readEntry(const std::string& label, const std::filesystem::path& fold
   if (!file) throw reader.errorAt("file", "is missing: a scene needs a file or \"builtin:NAME\"");
   entry.scene = resolve(folder, *file);
   entry.name = cleanName(reader.text("name").value_or(defaultName(*file)));
+  readLoading(reader, entry);
   if (const auto environment = reader.text("environment")) entry.environment = resolve(folder, *environment);
   entry.environmentRotationDeg = reader.number("environment_rotation", -3600, 3600).value_or(0.f);
   entry.extractSun = reader.truth("sun_extraction").value_or(true);

@@ -6,14 +6,20 @@
 #include <string>
 #include <vector>
 
+#include "scenes/load_options.h"
 #include "scenes/view.h"
 
 namespace parity::scenes {
 
+// What of a scene is compared: itself, or each of its materials on a sphere (scenes/material_balls.h).
+enum class Subject { scene, ball };
+
 // One [[scene]] table. Paths are relative to the suite file's folder; "builtin:NAME" is taken as it is.
 struct SuiteEntry {
-  std::string name;        // default: the file's stem; unique
-  std::string scene;       // file or builtin:NAME
+  std::string name;  // default: the file's stem; unique
+  std::string scene; // file or builtin:NAME
+  LoadOptions load;
+  Subject subject = Subject::scene;
   std::string environment; // "" = none
   float environmentRotationDeg = 0;
   bool extractSun = true; // bright compact sources of the environment become lights

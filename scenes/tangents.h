@@ -12,12 +12,11 @@ namespace parity::scenes {
 // Orthonormal Basis, Revisited").
 glm::vec3 perpendicularTo(const glm::vec3& n);
 
-// Fills mesh.tangents from positions, normals and `uv` (mesh.uv0 or mesh.uv1; empty: all fall back). Per corner the
-// direction dP/du of its triangle, laid into the vertex's plane, weighted by the corner's angle, and summed over the
-// triangles that meet in the same position, normal and uv with the same orientation of uv. A vertex used by triangles
-// of both orientations (a mirrored seam) is split. w is such that w * cross(n, t) runs against v: +Y of a glTF normal
-// map is up in the image. Vertices whose triangles have no area in uv get perpendicularTo(n) and w = 1.
-// mesh.normals must be there. Returns the number of used vertices that fell back.
+// Fills mesh.tangents from positions, normals and a uv set (0: mesh.uv0, else mesh.uv1; empty: all fall back) by
+// MikkTSpace (scenes/mikktspace.h). w is such that w * cross(n, t) runs against v: +Y of a glTF normal map is up in the
+// image. A vertex whose corners have different tangents (a mirrored seam, corners that only touch) is split. Vertices
+// where nothing defines a tangent get perpendicularTo(n) and w = 1. mesh.normals must be there. Returns the number of
+// used vertices that fell back.
 std::size_t makeTangents(Mesh& mesh, int texCoord);
 
 // Makes the tangents of a file unit length and w = +-1. One that is zero or not finite becomes perpendicularTo(n).

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/frame.h"
+#include "gpu/coverage_builder.h"
 #include "gpu/frame_builder.h"
 #include "job/context.h"
 #include "job/prepared_scene.h"
@@ -21,28 +22,24 @@ public:
   const scenes::Camera& camera() const { return m_camera; }
   std::uint64_t size() const; // entries of all surfaces: what one round shades
 
-  // One entry a part: the opaque surface of a tile and sample, and the blended one over it, if there is any.
+  // One entry a part: the layers of a tile and sample, from the back to the front.
   struct Part {
     gpu::Tile tile;
-    gpu::Surface opaque;
-    std::optional<gpu::Surface> blended;
+    std::vector<gpu::Surface> layers;
   };
   const std::vector<Part>& parts() const { return m_parts; }
 
   // All parts anew, for nothing but the time that it takes.
   void rasteriseAgain() const;
 
-  struct Shaded {
-    gpu::ShadedSurface opaque;
-    std::optional<gpu::ShadedSurface> blended;
-  };
+  // A part's layers.
+  using Shaded = std::vector<gpu::ShadedSurface>;
   // Shades every part by something with shade(surface, camera), a renderer of either path.
   template <typename Renderer> std::vector<Shaded> shade(const Renderer& renderer) const {
     std::vector<Shaded> all;
     for (const Part& part : m_parts) {
       Shaded& shaded = all.emplace_back();
-      shaded.opaque = renderer.shade(part.opaque, m_camera);
-      if (part.blended) shaded.blended = renderer.shade(*part.blended, m_camera);
+      for (const gpu::Surface& layer : part.layers) shaded.push_back(renderer.shade(layer, m_camera));
     }
     return all;
   }
@@ -53,6 +50,8 @@ public:
   std::vector<base::PixelList> coverage(const std::vector<Shaded>& shaded) const;
 
 private:
+  void lay(std::size_t part, const Shaded& shaded, auto& builder) const;
+
   const job::Settings& m_settings;
   gpu::SceneBuffers m_buffers;
   gpu::SurfacePass m_pass;

@@ -173,14 +173,12 @@ private:
             errors.push_back(surface.standardErrors[k] / most);
         }
       };
-      Surfaces::Shaded& both = shaded.emplace_back();
-      job::ReferenceSurface opaque = reference.shade(part.opaque, m_surfaces.camera(), stream++, told);
-      keep(opaque);
-      both.opaque = std::move(opaque.shaded);
-      if (!part.blended) continue;
-      job::ReferenceSurface blended = reference.shade(*part.blended, m_surfaces.camera(), stream++, told);
-      keep(blended);
-      both.blended = std::move(blended.shaded);
+      Surfaces::Shaded& layers = shaded.emplace_back();
+      for (const gpu::Surface& layer : part.layers) {
+        job::ReferenceSurface exact = reference.shade(layer, m_surfaces.camera(), stream++, told);
+        keep(exact);
+        layers.push_back(std::move(exact.shaded));
+      }
     }
     m_sweep.truthError = errors.empty() ? 0 : quantileOf(errors, 0.5);
     return m_surfaces.compose(shaded, std::nullopt);

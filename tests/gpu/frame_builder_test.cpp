@@ -11,8 +11,9 @@ namespace parity::gpu {
 namespace {
 
 // Two pixels side by side; the surface covers those listed.
-Surface makeSurface(std::vector<std::uint32_t> pixels) {
+Surface makeSurface(std::vector<std::uint32_t> pixels, bool blended = false) {
   Surface surface;
+  surface.blended = blended;
   surface.width = 2;
   surface.height = 1;
   surface.instances.assign(pixels.size(), 0);
@@ -20,16 +21,28 @@ Surface makeSurface(std::vector<std::uint32_t> pixels) {
   return surface;
 }
 
+struct ShadedLayer {
+  Surface surface;
+  ShadedSurface shaded;
+};
+
+// A sample with these layers, from the back to the front.
+template <typename... Layers> void add(FrameBuilder& builder, const Layers&... layers) {
+  builder.begin({0, 1});
+  (builder.lay(layers.surface, layers.shaded), ...);
+  builder.end();
+}
+
 TEST(FrameBuilder, showsTheBackgroundWhereNothingIsSeen) {
   FrameBuilder builder(2, 1, 1, false, glm::vec3(0.1f, 0.2f, 0.3f));
-  builder.add(makeSurface({1}), {{glm::vec4(5, 6, 7, 1)}, {}}, nullptr, nullptr, {0, 1});
+  add(builder, ShadedLayer{makeSurface({1}), {{glm::vec4(5, 6, 7, 1)}, {}}});
   EXPECT_EQ(builder.take().color.pixels, (std::vector<float>{0.1f, 0.2f, 0.3f, 5, 6, 7}));
 }
 
 TEST(FrameBuilder, averagesSamplesInLinearLight) {
   FrameBuilder builder(2, 1, 2, false, glm::vec3(0));
-  builder.add(makeSurface({0}), {{glm::vec4(1, 1, 1, 1)}, {}}, nullptr, nullptr, {0, 1});
-  builder.add(makeSurface({0, 1}), {{glm::vec4(3, 3, 3, 1), glm::vec4(8, 8, 8, 1)}, {}}, nullptr, nullptr, {0, 1});
+  add(builder, ShadedLayer{makeSurface({0}), {{glm::vec4(1, 1, 1, 1)}, {}}});
+  add(builder, ShadedLayer{makeSurface({0, 1}), {{glm::vec4(3, 3, 3, 1), glm::vec4(8, 8, 8, 1)}, {}}});
   EXPECT_EQ(builder.take().color.pixels, (std::vector<float>{2, 2, 2, 4, 4, 4}));
 }
 
@@ -41,8 +54,7 @@ TEST(FrameBuilder, laysTheBlendedLayerOverColourAndTermsAlike) {
   ShadedSurface above{{glm::vec4(8, 8, 8, 0.25f), glm::vec4(8, 8, 8, 0.5f)},
                       std::vector<std::vector<glm::vec4>>(shading::kTermCount, {glm::vec4(0), glm::vec4(0)})};
   above.terms[7] = {glm::vec4(8, 8, 8, 0), glm::vec4(8, 8, 8, 0)};
-  const Surface opaque = makeSurface({0}), blended = makeSurface({0, 1});
-  builder.add(opaque, below, &blended, &above, {0, 1});
+  add(builder, ShadedLayer{makeSurface({0}), below}, ShadedLayer{makeSurface({0, 1}, true), above});
   const base::Frame frame = builder.take();
   EXPECT_EQ(frame.color.pixels,
             (std::vector<float>{5, 5, 5, 4.5f, 4.5f, 4.5f})); // over the surface, over the background
@@ -57,8 +69,7 @@ TEST(FrameBuilder, addsPremultipliedColourAndTermsAsTheyAre) {
     return std::vector<std::vector<glm::vec4>>(shading::kTermCount, {glm::vec4(value)});
   };
   const ShadedSurface below{{glm::vec4(4, 4, 4, 1)}, terms(4)}, above{{glm::vec4(2, 2, 2, 0.25f)}, terms(2), true};
-  const Surface opaque = makeSurface({0}), blended = makeSurface({0});
-  builder.add(opaque, below, &blended, &above, {0, 1});
+  add(builder, ShadedLayer{makeSurface({0}), below}, ShadedLayer{makeSurface({0}, true), above});
   const base::Frame frame = builder.take();
   EXPECT_EQ(frame.color.pixels, (std::vector<float>{5, 5, 5, 1, 1, 1}));
   for (const base::Image& term : frame.terms) EXPECT_EQ(term.pixels[0], 5);
@@ -67,9 +78,8 @@ TEST(FrameBuilder, addsPremultipliedColourAndTermsAsTheyAre) {
 // One pixel: an opaque surface of light 0.64, over it a layer of light 0.04 at half opacity.
 glm::vec3 blend(const std::optional<TargetCodec>& target) {
   FrameBuilder builder(2, 1, 1, false, glm::vec3(0), target);
-  const Surface surface = makeSurface({0});
   const ShadedSurface below{{glm::vec4(0.64f, 0.64f, 0.64f, 1)}, {}}, above{{glm::vec4(0.04f, 0.04f, 0.04f, 0.5f)}, {}};
-  builder.add(surface, below, &surface, &above, {0, 1});
+  add(builder, ShadedLayer{makeSurface({0}), below}, ShadedLayer{makeSurface({0}, true), above});
   const base::Frame frame = builder.take();
   return {frame.color.pixels[0], frame.color.pixels[1], frame.color.pixels[2]};
 }
@@ -84,11 +94,22 @@ TEST(FrameBuilder, blendsInTheNumbersOfItsTarget) {
   EXPECT_NEAR(blend(TargetCodec(OutputTarget::rgba8Gamma2, 0)).x, 0.215861f, 1e-6f);
 }
 
+// As hardware does: what each layer leaves is stored before the next one is blended over it.
+TEST(FrameBuilder, roundsAfterEachLayer) {
+  FrameBuilder builder(2, 1, 1, false, glm::vec3(0), TargetCodec(OutputTarget::rgba8Gamma2, 0));
+  const float light = 9 / 255.f * (9 / 255.f);
+  const ShadedSurface half{{glm::vec4(0, 0, 0, 0.5f)}, {}};
+  add(builder, ShadedLayer{makeSurface({0}), {{glm::vec4(light, light, light, 1)}, {}}},
+      ShadedLayer{makeSurface({0}, true), half}, ShadedLayer{makeSurface({0}, true), half});
+  // Code 9, then 4.5 is 5 and 2.5 is 3; rounded once, at the end, it were 2.25: 2.
+  EXPECT_NEAR(builder.take().color.pixels[0], 3 / 255.f / 12.92f, 1e-7f) << "the light of sRGB code 3";
+}
+
 TEST(FrameBuilder, resolvesSamplesAsItsTargetWould) {
   const auto resolve = [](OutputTarget target) {
     FrameBuilder builder(2, 1, 2, false, glm::vec3(0), TargetCodec(target, 0));
-    builder.add(makeSurface({0}), {{glm::vec4(1)}, {}}, nullptr, nullptr, {0, 1});
-    builder.add(makeSurface({}), {}, nullptr, nullptr, {0, 1});
+    add(builder, ShadedLayer{makeSurface({0}), {{glm::vec4(1)}, {}}});
+    add(builder, ShadedLayer{makeSurface({}), {}});
     return builder.take().color.pixels[0];
   };
   EXPECT_EQ(resolve(OutputTarget::rgba16f), 0.5f);
@@ -98,7 +119,7 @@ TEST(FrameBuilder, resolvesSamplesAsItsTargetWould) {
 
 TEST(FrameBuilder, storesTheBackgroundInItsTarget) {
   FrameBuilder builder(2, 1, 1, false, glm::vec3(0.18f), TargetCodec(OutputTarget::rgba8Gamma2, 0));
-  builder.add(makeSurface({}), {}, nullptr, nullptr, {0, 1});
+  add(builder, ShadedLayer{makeSurface({}), {}});
   EXPECT_NEAR(builder.take().color.pixels[0], 0.149960f, 1e-6f) << "code 108";
 }
 
@@ -108,7 +129,7 @@ TEST(FrameBuilder, aTargetLeavesTermsAndNonFinitePixelsAlone) {
   ShadedSurface shaded{{glm::vec4(kNan, 1, 1, 1), glm::vec4(0.3f, 0.3f, 0.3f, 1)},
                        std::vector<std::vector<glm::vec4>>(shading::kTermCount, {glm::vec4(0), glm::vec4(0)})};
   shaded.terms[2][1] = glm::vec4(0.3f);
-  builder.add(makeSurface({0, 1}), shaded, nullptr, nullptr, {0, 1});
+  add(builder, ShadedLayer{makeSurface({0, 1}), shaded});
   const base::Frame frame = builder.take();
   EXPECT_TRUE(std::isnan(frame.color.pixels[0]));
   EXPECT_EQ(frame.terms[2].pixels[3], 0.3f);

@@ -13,12 +13,12 @@ constexpr std::uint32_t kSize = 8;
 
 class MaterialPassTest : public tests::DeviceTest {
 protected:
-  std::vector<ResolvedMaterial> resolve(const scenes::Scene& scene, Layer layer = Layer::opaque) {
+  std::vector<ResolvedMaterial> resolve(const scenes::Scene& scene) {
     const SceneBuffers buffers(device(), scene);
     const SurfacePass surfaces(device(), buffers, kSize, kSize);
     const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
-    Surface surface = surfaces.render(camera, {0, kSize}, glm::vec2(0.5f), Layer::opaque);
-    if (layer == Layer::blended) surface = surfaces.render(camera, {0, kSize}, glm::vec2(0.5f), layer);
+    const std::vector<Surface> layers = surfaces.render(camera, {0, kSize}, glm::vec2(0.5f));
+    const Surface& surface = layers.back();
     EXPECT_EQ(surface.size(), std::size_t{kSize} * kSize);
     return MaterialPass(device(), buffers, surfaces.binKinds(), surface.size()).resolve(surface, camera);
   }
@@ -107,7 +107,7 @@ TEST_F(MaterialPassTest, unlitAndOpacityAreTold) {
   scene.materials[0].unlit = true;
   scene.materials[0].alphaMode = scenes::AlphaMode::blend;
   scene.materials[0].baseColor = glm::vec4(0.1f, 0.2f, 0.3f, 0.25f);
-  const ResolvedMaterial m = resolve(scene, Layer::blended).front();
+  const ResolvedMaterial m = resolve(scene).front();
   EXPECT_TRUE(m.unlit);
   EXPECT_EQ(m.opacity, 0.25f);
   expectNear(m.baseColor, {0.1f, 0.2f, 0.3f}, 1e-6f, "base colour");

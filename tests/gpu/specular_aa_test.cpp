@@ -16,7 +16,8 @@ protected:
     const SceneBuffers buffers(device(), scene, specularAa);
     const SurfacePass surfaces(device(), buffers, size, size);
     const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
-    const Surface surface = surfaces.render(camera, {0, size}, glm::vec2(0.5f), Layer::opaque);
+    const std::vector<Surface> layers = surfaces.render(camera, {0, size}, glm::vec2(0.5f));
+    const Surface& surface = layers.front();
     EXPECT_EQ(surface.size(), std::size_t{size} * size);
     const auto inOrder = MaterialPass(device(), buffers, surfaces.binKinds(), surface.size()).resolve(surface, camera);
     std::vector<ResolvedMaterial> byPixel(inOrder.size());

@@ -10,7 +10,6 @@ namespace parity::gpu {
 namespace {
 
 using tests::makeFrontCamera;
-using tests::makeQuad;
 using tests::makeQuadScene;
 using tests::translation;
 
@@ -35,12 +34,10 @@ std::map<std::uint32_t, Entry> download(const Surface& surface) {
 
 class SurfaceTest : public tests::DeviceTest {
 protected:
-  Surface render(const scenes::Scene& scene, const scenes::Camera& camera, Layer layer = Layer::opaque) {
+  Surface render(const scenes::Scene& scene, const scenes::Camera& camera) {
     m_buffers = std::make_unique<SceneBuffers>(device(), scene);
     m_pass = std::make_unique<SurfacePass>(device(), *m_buffers, kSize, kSize);
-    Surface surface = m_pass->render(camera, {0, kSize}, glm::vec2(0.5f), Layer::opaque);
-    if (layer == Layer::blended) surface = m_pass->render(camera, {0, kSize}, glm::vec2(0.5f), layer);
-    return surface;
+    return std::move(m_pass->render(camera, {0, kSize}, glm::vec2(0.5f)).front());
   }
   void TearDown() override {
     m_pass.reset();
@@ -149,19 +146,6 @@ TEST_F(SurfaceTest, alphaMaskCutsByTheTextureItself) {
   for (const std::uint32_t pixel : surface.pixels) ASSERT_GE(pixel % kSize, kSize / 2);
 }
 
-TEST_F(SurfaceTest, blendedLayerLiesInFrontOfOpaqueSurfacesOnly) {
-  scenes::Scene scene = makeQuadScene();
-  scene.materials.push_back(scene.materials[0]);
-  scene.materials[1].name = "glass";
-  scene.materials[1].alphaMode = scenes::AlphaMode::blend;
-  scene.meshes.push_back(makeQuad(1));
-  scene.instances.push_back({1, translation(0.5f, 0, 1), "in front"});
-  scene.instances.push_back({1, translation(0, 0, -1), "behind"});
-  const Surface blended = render(scene, makeFrontCamera(1, 3, true), Layer::blended);
-  EXPECT_EQ(blended.size(), std::size_t{kSize} * kSize * 3 / 4);
-  for (const std::uint32_t instance : blended.instances) ASSERT_EQ(instance, 1u);
-}
-
 TEST_F(SurfaceTest, nearerSurfaceHidesTheOther) {
   scenes::Scene scene = makeQuadScene();
   scene.instances.push_back({0, translation(0.5f, 0, -1), "behind"});
@@ -183,7 +167,7 @@ TEST_F(SurfaceTest, tilesOfALargePictureFitTogether) {
   const scenes::Camera camera = makeFrontCamera(0.9f, 3, false);
   std::size_t total = 0;
   for (const Tile& tile : tiles)
-    for (const auto& [pixel, e] : download(pass.render(camera, tile, glm::vec2(0.5f), Layer::opaque))) {
+    for (const auto& [pixel, e] : download(pass.render(camera, tile, glm::vec2(0.5f)).front())) {
       ASSERT_GE(pixel / width, tile.firstRow);
       ASSERT_LT(pixel / width, tile.firstRow + tile.rows);
       ASSERT_NEAR(e.position.y, 0.9 * (1 - 2 * (pixel / width + 0.5) / height), 3e-6);
@@ -198,7 +182,7 @@ TEST_F(SurfaceTest, samplePositionsMoveWhatAPixelSees) {
   const SurfacePass pass(device(), buffers, kSize, kSize);
   const scenes::Camera camera = makeFrontCamera(1, 3, true);
   for (const glm::vec2& sample : samplePositions(4)) {
-    const auto entries = download(pass.render(camera, {0, kSize}, sample, Layer::opaque));
+    const auto entries = download(pass.render(camera, {0, kSize}, sample).front());
     const auto& e = entries.at(10 * kSize + 20);
     EXPECT_NEAR(e.position.x, 2 * (20 + sample.x) / kSize - 1, 2e-6);
     EXPECT_NEAR(e.position.y, 1 - 2 * (10 + sample.y) / kSize, 2e-6);

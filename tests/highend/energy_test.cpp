@@ -51,7 +51,8 @@ protected:
     const gpu::SceneBuffers buffers(device(), scene);
     const gpu::SurfacePass pass(device(), buffers, kSide, kSide);
     const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
-    const gpu::Surface surface = pass.render(camera, {0, kSide}, glm::vec2(0.5f), gpu::Layer::opaque);
+    const std::vector<gpu::Surface> layers = pass.render(camera, {0, kSide}, glm::vec2(0.5f));
+    const gpu::Surface& surface = layers.front();
     EXPECT_EQ(surface.size(), patches.size());
     const Renderer renderer(device(), buffers, pass.binKinds(), inputs, options);
     const gpu::ShadedSurface shaded = renderer.shade(surface, camera);

@@ -20,7 +20,8 @@ protected:
     const gpu::SceneBuffers buffers(device(), scene, specularAa);
     const gpu::SurfacePass pass(device(), buffers, size, size);
     const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
-    const gpu::Surface surface = pass.render(camera, {0, size}, glm::vec2(0.5f), gpu::Layer::opaque);
+    const std::vector<gpu::Surface> layers = pass.render(camera, {0, size}, glm::vec2(0.5f));
+    const gpu::Surface& surface = layers.front();
     EXPECT_EQ(surface.size(), std::size_t{size} * size);
     Inputs inputs;
     inputs.lights = {sun};

@@ -27,7 +27,8 @@ TEST_F(MobileCostTest, everyPermutationOfEveryBuiltInSceneHasAtMostEightSamplers
     const gpu::SceneBuffers buffers(device(), scene);
     const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
     const scenes::Camera camera = scenes::makeCamera(scene, {}, 1);
-    const gpu::Surface surface = pass.render(camera, {0, kSize}, glm::vec2(0.5f), gpu::Layer::opaque);
+    const std::vector<gpu::Surface> layers = pass.render(camera, {0, kSize}, glm::vec2(0.5f));
+    const gpu::Surface& surface = layers.front();
     std::vector<scenes::Light> lights = scene.lights;
     lights.push_back(tests::makeDirectional({1, 1, 1}, glm::vec3(1)));
     for (const std::string& preset : presetNames()) {
@@ -62,7 +63,8 @@ TEST_F(MobileCostTest, refitTakesNoMoreFetchesAndAQuarterMoreOperationsThanUe4At
       scene.materials[0].metallic = nonmetal ? 0.f : 0.5f;
       const gpu::SceneBuffers buffers(device(), scene);
       const gpu::SurfacePass pass(device(), buffers, 8, 8);
-      const gpu::Surface surface = pass.render(camera, {0, 8}, glm::vec2(0.5f), gpu::Layer::opaque);
+      const std::vector<gpu::Surface> layers = pass.render(camera, {0, 8}, glm::vec2(0.5f));
+      const gpu::Surface& surface = layers.front();
       Inputs inputs;
       if (light & 1) inputs.environment = &environment;
       if (light & 2) inputs.lights.push_back(tests::makeDirectional({1, 1, 1}, glm::vec3(1)));
@@ -98,7 +100,7 @@ TEST_F(MobileCostTest, aFullyRoughMaterialPaysForNoEnvironmentFetch) {
     Inputs inputs;
     inputs.environment = &environment;
     const Renderer renderer(device(), buffers, pass.binKinds(), inputs, tests::inFp32("ue4-2020"));
-    renderer.shade(pass.render(camera, {0, 8}, glm::vec2(0.5f), gpu::Layer::opaque), camera);
+    renderer.shade(pass.render(camera, {0, 8}, glm::vec2(0.5f)).front(), camera);
     EXPECT_EQ(renderer.pass().compiled().size(), 1u);
     EXPECT_EQ(renderer.pass().compiled().at(0).entries, 64u);
     return gpu::costOf(renderer.pass().spirv(), renderer.pass().compiled().at(0).constants);

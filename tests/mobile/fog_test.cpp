@@ -67,7 +67,8 @@ protected:
   shadeAll(const scenes::Scene& scene, const scenes::Camera& camera, const MakeRenderer& makeRenderer) {
     const gpu::SceneBuffers buffers(device(), scene);
     const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
-    const gpu::Surface surface = pass.render(camera, {0, kSize}, glm::vec2(0.5f), gpu::Layer::opaque);
+    const std::vector<gpu::Surface> layers = pass.render(camera, {0, kSize}, glm::vec2(0.5f));
+    const gpu::Surface& surface = layers.front();
     EXPECT_EQ(surface.size(), std::size_t{kSize} * kSize);
     const gpu::ShadedSurface shaded = makeRenderer(buffers, pass.binKinds()).shade(surface, camera);
     std::vector<SeenPoint> points(surface.size());
@@ -187,7 +188,7 @@ TEST_F(FogTest, aSceneWithoutFogHasNoBufferOfIt) {
   const auto bytesOfFog = [&] {
     const gpu::SceneBuffers buffers(device(), scene);
     const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
-    return pass.render(makeCamera(), {0, kSize}, glm::vec2(0.5f), gpu::Layer::opaque).fog.size();
+    return pass.render(makeCamera(), {0, kSize}, glm::vec2(0.5f)).front().fog.size();
   };
   EXPECT_EQ(bytesOfFog(), kSize * kSize * sizeof(glm::vec4));
   scene.fog.reset();

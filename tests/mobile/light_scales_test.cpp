@@ -101,13 +101,19 @@ TEST_F(LightScalesTest, premultipliedGlassIsThePictureThatBlendingAfterwardsGive
       for (const glm::vec3& term : terms) shaded.terms.push_back({glm::vec4(term, 0)});
       return shaded;
     };
-    gpu::Surface surface;
-    surface.width = surface.height = 1;
-    surface.pixels = surface.instances = {0};
+    gpu::Surface surface, glassSurface;
+    glassSurface.blended = true;
+    for (gpu::Surface* each : {&surface, &glassSurface}) {
+      each->width = each->height = 1;
+      each->pixels = each->instances = {0};
+    }
     gpu::FrameBuilder builder(1, 1, 1, true, glm::vec3(0));
     const gpu::ShadedSurface under = shadedOf(below, std::array<glm::vec3, shading::kTermCount>{}, false),
                              over = shadedOf(glm::vec4(point.color, kOpacity), point.terms, premultiplied);
-    builder.add(surface, under, &surface, &over, {0, 1});
+    builder.begin({0, 1});
+    builder.lay(surface, under);
+    builder.lay(glassSurface, over);
+    builder.end();
     return builder.take();
   };
   const base::Frame frame = frameOf(layer, true), expected = frameOf(opaque, false);
@@ -124,7 +130,8 @@ TEST_F(LightScalesTest, mobileMarksItsColourAsPremultipliedAndHighendDoesNot) {
   const gpu::SceneBuffers buffers(device(), scene);
   const gpu::SurfacePass pass(device(), buffers, 4, 4);
   const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
-  const gpu::Surface surface = pass.render(camera, {0, 4}, glm::vec2(0.5f), gpu::Layer::opaque);
+  const std::vector<gpu::Surface> layers = pass.render(camera, {0, 4}, glm::vec2(0.5f));
+  const gpu::Surface& surface = layers.front();
   EXPECT_TRUE(
       Renderer(device(), buffers, pass.binKinds(), {}, tests::inFp32("ue4-2020")).shade(surface, camera).premultiplied);
   EXPECT_FALSE(

@@ -74,7 +74,7 @@ TEST(Environment, RefusesMissingTruncatedAndInteger) {
   writeFile(folder / "noise.exr", std::string("not an image"));
   expectError([&] { load("noise.exr"); }, {"noise.exr"});
   writeFile(folder / "picture.png", makePng(4, 2));
-  expectError([&] { load("picture.png"); }, {"picture.png", ".hdr or .exr"});
+  expectError([&] { load("picture.png"); }, {"picture.png", ".hdr, .exr or .pfm"});
   expectError([&] { scenes::loadEnvironment("builtin:ski", 0, warnings); }, {"did you mean 'builtin:sky'?"});
   expectError([&] { scenes::loadEnvironment("builtin:sky", kNan, warnings); }, {"--env-rotation"},
               base::ExitCode::usage);

@@ -191,18 +191,6 @@ TEST(GltfGeometry, MakesOneMeshAPrimitiveAndADefaultMaterialWhereNoneIsGiven) {
   EXPECT_EQ(scene.instances.size(), 2u);
 }
 
-TEST(GltfGeometry, SaysThatMorphTargetsSkinsAndAnimationsAreIgnored) {
-  GltfFile file = makeQuad();
-  file.primitive()["targets"] = {{{"POSITION", 0}}};
-  file.json["skins"] = {{{"joints", {0}}}};
-  file.json["nodes"][0]["skin"] = 0;
-  file.json["animations"] = {nlohmann::json::object()};
-  const Scene scene = loadQuadlike(file);
-  EXPECT_TRUE(hasWarning(scene.warnings, "morph targets"));
-  EXPECT_TRUE(hasWarning(scene.warnings, "skins are not supported"));
-  EXPECT_TRUE(hasWarning(scene.warnings, "animations are not supported"));
-}
-
 TEST(MeshRepair, TriangulatesStripsByTheSpecificationsFormula) {
   EXPECT_EQ(scenes::listFromStrip({0, 1, 2, 3, 4}), (std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2, 2, 3, 4}));
   EXPECT_EQ(scenes::listFromFan({7, 1, 2, 3}), (std::vector<std::uint32_t>{1, 2, 7, 2, 3, 7}));

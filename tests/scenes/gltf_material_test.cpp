@@ -104,22 +104,49 @@ TEST(GltfMaterial, ClampsFactorsOutOfRangeWithAWarning) {
   EXPECT_EQ(scene.materials[0].roughness, 1.f);
   EXPECT_EQ(scene.materials[0].metallic, 0.f);
   EXPECT_EQ(scene.materials[0].ior, 1.f);
-  EXPECT_TRUE(hasWarning(scene.warnings, "materials[0]: roughnessFactor of 1.5 is out of range, taken as 1"));
+  EXPECT_TRUE(hasWarning(scene.warnings, "/materials/0: roughnessFactor of 1.5 is out of range, taken as 1"));
   EXPECT_EQ(scene.warnings.size(), 3u);
 }
 
-TEST(GltfMaterial, WarnsThatBlendedSurfacesAreOneLayer) {
-  const Scene scene = loadWithMaterial({{"name", "glass"}, {"alphaMode", "BLEND"}});
+TEST(GltfMaterial, SaysOncePerMaterialWhatIsNotModelled) {
+  const Scene scene = loadWithMaterial({{"name", "paint"},
+                                        {"alphaMode", "BLEND"},
+                                        {"extensions",
+                                         {{"KHR_materials_clearcoat", {{"clearcoatFactor", 1}}},
+                                          {"KHR_materials_sheen", json::object()},
+                                          {"ACME_glow", json::object()}}}});
   EXPECT_EQ(scene.materials[0].alphaMode, AlphaMode::blend);
-  EXPECT_TRUE(hasWarning(scene.warnings, "one layer on top, not sorted: 'glass'"));
+  EXPECT_EQ(scene.materials[0].notModelled, (std::vector<std::string>{"clearcoat", "sheen"}));
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_EQ(scene.warnings[0], "material 'paint': not modelled: clearcoat, sheen");
 }
 
 TEST(GltfMaterial, ListsUnsupportedExtensionsOnce) {
   GltfFile file = makeQuad();
-  file.json["extensionsUsed"] = {"KHR_materials_sheen", "KHR_materials_ior", "KHR_materials_sheen", "ACME_x"};
+  file.json["extensionsUsed"] = {"ACME_y", "KHR_materials_ior", "KHR_materials_sheen", "ACME_y", "ACME_x"};
+  file.json["extensionsRequired"] = {"KHR_materials_sheen"}; // known not to be modelled: the base layer is shown
   const Scene scene = loadQuadlike(file);
   ASSERT_EQ(scene.warnings.size(), 1u);
-  EXPECT_EQ(scene.warnings[0], "extensions not supported, ignored: KHR_materials_sheen, ACME_x");
+  EXPECT_EQ(scene.warnings[0], "extensions not supported, ignored: ACME_y, ACME_x");
+}
+
+TEST(GltfMaterial, ReadsAnyTwoUvSets) {
+  GltfFile file = makeTextured();
+  file.primitive()["attributes"]["TEXCOORD_3"] = file.add<float>({1, 2, 3, 4, 5, 6, 7, 8}, "VEC2");
+  file.material() = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 1}, {"texCoord", 3}}}}},
+                     {"normalTexture", {{"index", 1}}}};
+  Scene scene = loadQuadlike(file);
+  EXPECT_EQ(scene.materials[0].baseColorTexture.texCoord, 1);
+  EXPECT_EQ(scene.materials[0].normalTexture.texCoord, 0);
+  EXPECT_EQ(scene.meshes[0].uv1[3], glm::vec2(7, 8));
+  EXPECT_TRUE(scene.warnings.empty());
+  // A third set has no place: its texture is left out, and the material says so.
+  file.material()["emissiveFactor"] = {1, 1, 1};
+  file.material()["emissiveTexture"] = {{"index", 1}, {"texCoord", 5}};
+  scene = loadQuadlike(file);
+  EXPECT_FALSE(scene.materials[0].emissiveTexture.present());
+  EXPECT_EQ(scene.materials[0].notModelled, std::vector<std::string>{"a texture by TEXCOORD_5, a third uv set"});
+  EXPECT_TRUE(scene.materials[0].baseColorTexture.present());
 }
 
 TEST(GltfTexture, ReadsSlotsSamplersAndOnlyTheImagesInUse) {

@@ -78,7 +78,7 @@ std::vector<std::byte> makePng(int width, int height);
 // Loads through every container (external, embedded, glb) and expects the same scene; returns it.
 scenes::Scene loadQuadlike(const GltfFile& file);
 
-// Runs `body`; expects an Error of this exit code whose line holds all `parts` and no line break.
+// Runs `body`; expects an Error of this exit code that holds all `parts`, each line of it with the file first.
 void expectError(const std::function<void()>& body, const std::vector<std::string>& parts,
                  base::ExitCode code = base::ExitCode::failed);
 

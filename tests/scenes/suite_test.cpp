@@ -26,6 +26,11 @@ budgets = "strict.toml"
 [[scene]]
 name = "bottle"
 file = "models/../WaterBottle.gltf"
+time = 1.5
+animation = "turn"
+scene = "day"
+variant = "red"
+subject = "ball"
 environment = "env/studio.hdr"
 environment_rotation = 90
 sun = [30, 50.5, 4]
@@ -58,6 +63,11 @@ file = "builtin:spheres"
   EXPECT_EQ(suite.budgets, (folder / "strict.toml").string());
   ASSERT_EQ(suite.entries.size(), 2u);
   const scenes::SuiteEntry& bottle = suite.entries[0];
+  EXPECT_EQ(bottle.load,
+            (scenes::LoadOptions{.timeSeconds = 1.5, .animation = "turn", .scene = "day", .variant = "red"}));
+  EXPECT_EQ(bottle.subject, scenes::Subject::ball);
+  EXPECT_EQ(suite.entries[1].load, scenes::LoadOptions{});
+  EXPECT_EQ(suite.entries[1].subject, scenes::Subject::scene);
   EXPECT_EQ(bottle.name, "bottle");
   EXPECT_EQ(bottle.scene, (folder / "WaterBottle.gltf").string()) << "beside the suite";
   EXPECT_EQ(bottle.environment, (folder / "env/studio.hdr").string());

@@ -48,9 +48,8 @@ template <typename MakeRenderer> ShadedPoint shadeQuad(const gpu::Device& device
   const scenes::Camera camera = makeFrontCamera(1, 3, true);
   const gpu::SceneBuffers buffers(device, scene, specularAa);
   const gpu::SurfacePass pass(device, buffers, kSize, kSize);
-  const bool blended = pass.hasBlended();
-  gpu::Surface surface = pass.render(camera, {0, kSize}, glm::vec2(0.5f), gpu::Layer::opaque);
-  if (blended) surface = pass.render(camera, {0, kSize}, glm::vec2(0.5f), gpu::Layer::blended);
+  const std::vector<gpu::Surface> layers = pass.render(camera, {0, kSize}, glm::vec2(0.5f));
+  const gpu::Surface& surface = layers.back();
   EXPECT_EQ(surface.size(), std::size_t{kSize} * kSize);
   const auto renderer = makeRenderer(buffers, pass.binKinds());
   const gpu::ShadedSurface shaded = renderer.shade(surface, camera);

@@ -1,0 +1,160 @@
+// One image opened by OpenImageIO, from a file or from memory. Private to the module that holds the library.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/image.h"
+#include "base/image_module.h"
+
+namespace parity::base {
+
+namespace oiio = OIIO;
+
+// The first line of the library's own words in ASCII, less the file's name, which Error carries.
+inline std::string reasonOf(std::string message, const std::string& path) {
+  if (message.empty()) return "the image library gives no reason";
+  const std::string quoted = "\"" + path + "\"";
+  if (const std::size_t at = message.find(quoted); at != std::string::npos)
+    message.replace(at, quoted.size(), "the file");
+  message.resize(std::min(message.size(), message.find('\n')));
+  for (char& c : message) // it may quote the file, whose bytes may be no text at all
+    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = '?';
+  return message;
+}
+
+// The library's own reader of memory takes an offset before its beginning, which a file may ask for, as it is.
+class Memory : public oiio::Filesystem::IOMemReader {
+public:
+  explicit Memory(std::span<const std::byte> bytes) : IOMemReader(bytes.data(), bytes.size()) {}
+
+  std::size_t pread(void* to, std::size_t count, std::int64_t offset) override {
+    return offset < 0 || offset >= static_cast<std::int64_t>(size()) ? 0 : IOMemReader::pread(to, count, offset);
+  }
+  std::size_t read(void* to, std::size_t count) override {
+    const std::size_t got = pread(to, count, tell());
+    m_pos += static_cast<std::int64_t>(got);
+    return got;
+  }
+  bool seek(std::int64_t offset) override { return offset >= 0 && IOMemReader::seek(offset); }
+};
+
+// One opened image whose size has been checked.
+class Reader {
+public:
+  explicit Reader(const std::string& file) : m_name(file) {
+    const oiio::ImageSpec config = makeConfig();
+    open([&] { return oiio::ImageInput::open(file, &config); });
+  }
+
+  // format: as the library calls it. Only this one is tried: the others might look for a file.
+  Reader(std::string name, const std::string& format, oiio::Filesystem::IOProxy& memory) : m_name(std::move(name)) {
+    oiio::ImageSpec config = makeConfig(), spec;
+    oiio::Filesystem::IOProxy* proxy = &memory;
+    config.attribute("oiio:ioproxy", oiio::TypeDesc::PTR, &proxy);
+    open([&] {
+      oiio::ImageInput::unique_ptr input = oiio::ImageInput::create(format);
+      if (!input || !input->supports("ioproxy"))
+        throw fileError(m_name, "cannot be decoded", "the image library reads no " + format + " from memory");
+      if (!input->open(m_name, spec, config))
+        throw fileError(m_name, "cannot be decoded", reasonOf(input->geterror(), m_name));
+      return input;
+    });
+  }
+
+  const oiio::ImageSpec& spec() const { return m_input->spec(); }
+
+  ImageInfo info() const {
+    const oiio::ImageSpec& spec = m_input->spec();
+    ImageInfo info;
+    info.integer = !spec.format.is_floating_point();
+    info.bits = static_cast<int>(spec.format.size()) * 8;
+    info.channelNames = spec.channelnames;
+    info.alphaChannel = spec.alpha_channel;
+    // Of the integer formats only TIFF tells the two apart; the others leave alpha out of the colour.
+    const bool tells = std::string_view(m_input->format_name()) == "tiff";
+    info.alphaAssociated =
+        spec.alpha_channel >= 0 && (!info.integer || tells) && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0;
+    info.declaredLinear = oiio::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
+    std::array<float, 8> chromaticities{};
+    if (spec.getattribute("chromaticities", oiio::TypeDesc(oiio::TypeDesc::FLOAT, 8), chromaticities.data()))
+      info.chromaticities = chromaticities;
+    info.x = spec.x, info.y = spec.y;
+    info.fullX = spec.full_x, info.fullY = spec.full_y;
+    info.fullWidth = spec.full_width, info.fullHeight = spec.full_height;
+    info.orientation = spec.get_int_attribute("Orientation", 1);
+    return info;
+  }
+
+  // To be called last: the reader then is past the first image.
+  int countImages() {
+    int count = 1;
+    while (count < kMaxCountedImages && m_input->seek_subimage(count, 0)) ++count;
+    m_input->geterror(); // that there is no further one is no error
+    return count;
+  }
+
+  template <typename T> BasicImage<T> read() {
+    const oiio::ImageSpec& spec = m_input->spec();
+    BasicImage<T> image;
+    image.width = spec.width, image.height = spec.height, image.channels = spec.nchannels;
+    image.pixels.reserve(image.pixelCount() * static_cast<std::size_t>(spec.nchannels));
+    // In bands: a file that ends early has memory touched for no more than it holds.
+    constexpr int kBandLines = 256; // no format packs more lines together
+    const std::size_t lineValues = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.nchannels);
+    const auto type = oiio::BaseTypeFromC<T>::value;
+    const int lines = spec.tile_width ? spec.height : kBandLines;
+    for (int y = 0; y < spec.height; y += lines) {
+      const int end = std::min(spec.height, y + lines);
+      const std::size_t before = image.pixels.size();
+      image.pixels.resize(before + static_cast<std::size_t>(end - y) * lineValues);
+      T* to = image.pixels.data() + before;
+      const bool whole = spec.tile_width ? m_input->read_image(0, 0, 0, spec.nchannels, type, to)
+                                         : m_input->read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0,
+                                                                   spec.nchannels, type, to);
+      // Some readers fill the rest of a truncated file and only leave a message.
+      if (!whole || m_input->has_error())
+        throw fileError(m_name, "damaged or truncated", reasonOf(m_input->geterror(), m_name));
+    }
+    return image;
+  }
+
+private:
+  static oiio::ImageSpec makeConfig() {
+    oiio::ImageSpec config;
+    config.attribute("oiio:UnassociatedAlpha", 1); // textures and pictures as stored, not multiplied by alpha
+    return config;
+  }
+
+  template <typename Open> void open(const Open& makeInput) {
+    m_input = makeInput();
+    if (!m_input) throw fileError(m_name, "cannot be decoded", reasonOf(oiio::geterror(), m_name));
+    const std::string_view format = m_input->format_name();
+    // A film's reader takes almost any bytes for a film, a text for a screen of letters; "null" invents its pixels.
+    if (format == "FFmpeg movie" || format == "null")
+      throw fileError(m_name, "cannot be decoded", "no image format that is known");
+    const oiio::ImageSpec& spec = m_input->spec();
+    checkImageSize(m_name, spec.width, spec.height, spec.nchannels);
+    if (spec.nchannels > kMaxImageChannels)
+      throw fileError(m_name, "", fmt::format("{} channels: more than {}", spec.nchannels, kMaxImageChannels));
+    if (spec.depth > 1 || spec.deep)
+      throw fileError(m_name, "", "is a volume or a deep image, which have no pixels to compare");
+  }
+
+  std::string m_name;
+  oiio::ImageInput::unique_ptr m_input;
+};
+
+} // namespace parity::base

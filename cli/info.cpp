@@ -1,0 +1,142 @@
+// parity info: what is in a scene's file.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/log.h"
+#include "cli/invocation.h"
+#include "cli/output.h"
+#include "scenes/load.h"
+#include "scenes/scene_info.h"
+
+namespace parity::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kLightKinds[] = {"directional", "point", "spot"};
+
+Json toJson(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+
+Json materialsJson(const scenes::Scene& scene, const scenes::SceneInfo& info) {
+  Json list = Json::array();
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const scenes::Material& material = scene.materials[m];
+    const glm::vec4& c = material.baseColor;
+    list.push_back({{"name", material.name},
+                    {"triangles", info.materials[m].triangles},
+                    {"flags", info.materials[m].flags},
+                    {"baseColor", {c.x, c.y, c.z, c.w}},
+                    {"metallic", material.metallic},
+                    {"roughness", material.roughness},
+                    {"f0", toJson(info.materials[m].f0)},
+                    {"emissive", toJson(material.emissive)},
+                    {"textures", info.materials[m].textures},
+                    {"notModelled", material.notModelled}});
+  }
+  return list;
+}
+
+Json infoJson(const std::string& file, const scenes::Scene& scene, const scenes::SceneInfo& info) {
+  const scenes::SourceFacts& facts = scene.facts;
+  Json counts = Json::object();
+  for (const auto& [name, count] : facts.counts) counts[name] = count;
+  Json lights = Json::array(), cameras = Json::array();
+  for (const scenes::Light& light : scene.lights)
+    lights.push_back({{"name", light.name},
+                      {"kind", kLightKinds[static_cast<int>(light.kind)]},
+                      {"color", toJson(light.color)},
+                      {"range", light.range}});
+  for (const scenes::Camera& camera : scene.cameras)
+    cameras.push_back({{"name", camera.name}, {"kind", camera.orthographic ? "orthographic" : "perspective"}});
+  return {{"file", file},
+          {"gltf", facts.version},
+          {"generator", facts.generator},
+          {"copyright", facts.copyright},
+          {"extensionsUsed", facts.extensionsUsed},
+          {"extensionsRequired", facts.extensionsRequired},
+          {"scenes", facts.scenes},
+          {"animations", facts.animations},
+          {"variants", facts.variants},
+          {"arrays", counts},
+          {"triangles", info.triangles},
+          {"vertices", info.vertices},
+          {"instances", info.instances},
+          {"bounds", {{"lower", toJson(info.bounds.lower)}, {"upper", toJson(info.bounds.upper)}}},
+          {"images", info.images},
+          {"texels", info.texels},
+          {"memory", {{"meshes", info.meshBytes}, {"images", info.imageBytes}}},
+          {"materials", materialsJson(scene, info)},
+          {"lights", lights},
+          {"cameras", cameras},
+          {"warnings", scene.warnings}};
+}
+
+double toMib(std::size_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
+
+void printNames(const char* what, const std::vector<std::string>& names) {
+  if (names.empty()) return;
+  std::vector<std::string> shown;
+  for (std::size_t i = 0; i < names.size(); ++i) shown.push_back(names[i].empty() ? fmt::format("({})", i) : names[i]);
+  fmt::print("{:<11} {}\n", what, fmt::join(shown, ", "));
+}
+
+void printInfo(const std::string& file, const scenes::Scene& scene, const scenes::SceneInfo& info) {
+  const scenes::SourceFacts& facts = scene.facts;
+  fmt::print("{}\n", file);
+  if (!facts.version.empty())
+    fmt::print("{:<11} {}{}{}\n", "glTF", facts.version, facts.generator.empty() ? "" : ", ", facts.generator);
+  if (!facts.copyright.empty()) fmt::print("{:<11} {}\n", "copyright", facts.copyright);
+  std::vector<std::string> counts;
+  for (const auto& [name, count] : facts.counts) counts.push_back(fmt::format("{} {}", count, name));
+  if (!counts.empty()) fmt::print("{:<11} {}\n", "file", fmt::join(counts, ", "));
+  fmt::print("{:<11} {} triangles, {} vertices, {} instances\n", "shown", info.triangles, info.vertices,
+             info.instances);
+  const glm::vec3 size = info.bounds.upper - info.bounds.lower;
+  fmt::print("{:<11} {:.4g} x {:.4g} x {:.4g} m, from ({:.4g}, {:.4g}, {:.4g})\n", "bounds", size.x, size.y, size.z,
+             info.bounds.lower.x, info.bounds.lower.y, info.bounds.lower.z);
+  fmt::print("{:<11} {:.1f} MiB of meshes, {:.1f} MiB of {} images ({:.2f} megapixels)\n", "memory",
+             toMib(info.meshBytes), toMib(info.imageBytes), info.images, static_cast<double>(info.texels) / 1e6);
+  printNames("extensions", facts.extensionsUsed);
+  printNames("scenes", facts.scenes);
+  printNames("animations", facts.animations);
+  printNames("variants", facts.variants);
+  for (const scenes::Camera& camera : scene.cameras)
+    fmt::print("{:<11} {}, {}\n", "camera", camera.name, camera.orthographic ? "orthographic" : "perspective");
+  for (const scenes::Light& light : scene.lights)
+    fmt::print("{:<11} {}, {}, ({:.4g}, {:.4g}, {:.4g}) {}{}\n", "light", light.name,
+               kLightKinds[static_cast<int>(light.kind)], light.color.x, light.color.y, light.color.z,
+               light.kind == scenes::LightKind::directional ? "lx" : "cd",
+               light.range > 0 ? fmt::format(", range {:.4g} m", light.range) : "");
+
+  std::size_t width = 8;
+  for (const scenes::MaterialInfo& material : info.materials)
+    width = std::max(width, std::min<std::size_t>(material.name.size(), 40));
+  fmt::print("\n{:<{}} {:>10} {:>8} {:>9}  {}\n", "material", width, "triangles", "metallic", "roughness", "flags");
+  for (std::size_t m = 0; m < info.materials.size(); ++m) {
+    const scenes::MaterialInfo& material = info.materials[m];
+    std::vector<std::string> flags = material.flags;
+    if (!scene.materials[m].notModelled.empty())
+      flags.push_back(fmt::format("not modelled: {}", fmt::join(scene.materials[m].notModelled, ", ")));
+    fmt::print("{:<{}} {:>10} {:>8.3g} {:>9.3g}  {}\n", material.name, width, material.triangles,
+               scene.materials[m].metallic, scene.materials[m].roughness, fmt::join(flags, ", "));
+    for (const std::string& texture : material.textures) fmt::print("{:<{}}   {}\n", "", width, texture);
+  }
+}
+
+} // namespace
+
+int runInfoCommand(const InfoCommand& command) {
+  const scenes::Scene scene = scenes::loadScene(command.scene, command.load);
+  const scenes::SceneInfo info = scenes::describeScene(scene);
+  if (!command.json.empty()) writeJson(command.json, infoJson(command.scene, scene, info).dump(2) + "\n");
+  if (command.json == "-") return 0;
+  printInfo(command.scene, scene, info);
+  if (!scene.warnings.empty()) fmt::print("\n");
+  for (const std::string& warning : scene.warnings) fmt::print("warning: {}\n", warning);
+  return 0;
+}
+
+} // namespace parity::cli

@@ -1,0 +1,53 @@
+// Puts the frames of one view together from its shaded layers, for all paths at the same time.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/frame.h"
+#include "gpu/coverage_builder.h"
+#include "gpu/frame_builder.h"
+#include "job/prepared_scene.h"
+#include "job/reference_path.h"
+
+namespace parity::job {
+
+struct ViewFrames {
+  base::Frame highend, mobile, reference; // empty where not asked for
+  base::Image referenceError;             // relative standard error of each pixel (job/reference_path.h)
+  base::Image referenceTaken;             // samples of each pixel, of the environment, for each way of sampling
+  double referenceSamples = 0;            // taken of the environment, a point and way of sampling
+  std::vector<base::PixelList> coverage;  // a list per material; empty unless highend and mobile are asked for
+  base::Image mobileBeforeTarget;         // mobile's colour as if nothing were stored; empty like coverage
+};
+
+class ViewBuilder {
+public:
+  // target: that mobile's colour is stored in; none: of an intermediate, which is looked at as it was computed.
+  ViewBuilder(const Settings& settings, const Paths& paths, const gpu::SceneBuffers& buffers,
+              const std::optional<gpu::TargetCodec>& target);
+
+  // One (tile, sample), its layers from the back to the front, each by every path; tiles in order of rows, all samples
+  // of one before the next.
+  void begin(const gpu::Tile& tile);
+  void layHighend(const gpu::Surface& surface, const gpu::ShadedSurface& shaded);
+  void layMobile(const gpu::Surface& surface, const gpu::ShadedSurface& shaded);
+  void layReference(const gpu::Surface& surface, const ReferenceSurface& shaded);
+  void end();
+
+  // Empty afterwards.
+  ViewFrames take();
+  // Points of the reference that were not in closed form.
+  std::uint64_t sampledPoints() const { return m_sampledPoints; }
+
+private:
+  template <typename Do> void forEachFrame(const Do& act);
+
+  std::optional<gpu::FrameBuilder> m_highend, m_mobile, m_reference, m_beforeTarget;
+  std::optional<ErrorBuilder> m_error;
+  std::optional<gpu::CoverageBuilder> m_coverage; // masks are for comparing
+  std::uint64_t m_sampledPoints = 0, m_lightSamples = 0;
+};
+
+} // namespace parity::job

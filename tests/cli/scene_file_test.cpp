@@ -1,0 +1,130 @@
+// What is loaded of a scene's file, and what is said of it: parity info, choices, limits, balls.
+#include <algorithm>
+
+#include "cli/checks.h"
+
+namespace parity::tests {
+namespace {
+
+using nlohmann::json;
+
+// Three materials, one of them shown; with a clearcoat that no path has.
+GltfFile makeThree() {
+  GltfFile file = makeQuad();
+  file.material()["extensions"] = {{"KHR_materials_clearcoat", {{"clearcoatFactor", 1}}}};
+  file.json["extensionsUsed"] = {"KHR_materials_clearcoat"};
+  file.json["materials"].push_back({{"name", "rubber"}, {"pbrMetallicRoughness", {{"metallicFactor", 0}}}});
+  file.json["materials"].push_back({{"name", "<glow>"}, {"emissiveFactor", {1, 1, 1}}});
+  return file;
+}
+
+TEST(Info, SaysWhatIsInAFile) {
+  const TempFolder folder;
+  const std::string path = writeGlb(folder, makeThree(), "three things");
+  const RunResult text = runParity({"info", path});
+  ASSERT_TRUE(exitedWith(0, text));
+  EXPECT_TRUE(text.err.empty()) << text.err;
+  for (const char* part : {"2 triangles", "KHR_materials_clearcoat", "rubber", "nonmetal, not shown",
+                           "not modelled: clearcoat", "1 x 1 x 0 m"})
+    EXPECT_TRUE(contains(text.out, part)) << part << " in:\n" << text.out;
+
+  const json info = json::parse(runParity({"info", path, "--json", "-"}).out);
+  EXPECT_EQ(info["triangles"], 2);
+  EXPECT_EQ(info["extensionsUsed"], json({"KHR_materials_clearcoat"}));
+  EXPECT_EQ(info["materials"].size(), 3u);
+  EXPECT_EQ(info["materials"][0]["notModelled"], json({"clearcoat"}));
+  EXPECT_EQ(info["materials"][1]["flags"], json({"nonmetal", "not shown"}));
+  EXPECT_EQ(info["bounds"]["upper"], json({1.0, 1.0, 0.0}));
+  EXPECT_EQ(info["arrays"]["nodes"], 1);
+  EXPECT_EQ(info["warnings"].size(), 1u);
+  EXPECT_TRUE(exitedWith(0, runParity({"info", "builtin:spheres"})));
+}
+
+TEST(Info, ListsAllProblemsOfAFile) {
+  const TempFolder folder;
+  GltfFile file = makeThree();
+  file.primitive()["material"] = 9;
+  file.json["nodes"][0]["rotation"] = {0, 0, 1};
+  file.json["accessors"][0]["componentType"] = 7;
+  const std::string path = writeEmbedded(folder, file);
+  const RunResult result = runParity({"info", path});
+  EXPECT_TRUE(exitedWith(4, result));
+  EXPECT_TRUE(result.out.empty()) << result.out;
+  const std::vector<std::string> lines = splitLines(result.err);
+  ASSERT_EQ(lines.size(), 3u) << result.err;
+  for (const std::string& line : lines) EXPECT_TRUE(line.starts_with("error: " + path + ": /")) << line;
+}
+
+TEST(Limits, OfTheCommandLineAreObeyed) {
+  const TempFolder folder;
+  GltfFile file = makeQuad();
+  file.json["images"] = {{{"bufferView", file.addBufferView(makePng(64, 8))}, {"mimeType", "image/png"}}};
+  file.json["textures"] = {{{"source", 0}}};
+  file.material()["normalTexture"] = {{"index", 0}};
+  const std::string path = writeGlb(folder, file);
+  EXPECT_TRUE(exitedWith(0, runParity({"info", path, "--max-image", "64", "--max-memory", "1M"})));
+  expectRefused(runParity({"info", path, "--max-image", "63"}), 4, {path, "/images/0", "at most 63 a side"});
+  expectRefused(runParity({"info", path, "--max-memory", "2K"}), 4, {path, "--max-memory"});
+  for (const auto& [option, value] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"--max-image", "0"},
+                                                                  {"--max-image", "16385"},
+                                                                  {"--max-image", "1,2,3"},
+                                                                  {"--max-memory", "lots"},
+                                                                  {"--time", "nan"},
+                                                                  {"--time", "1e10"},
+                                                                  {"--variant", "red"},
+                                                                  {"--scene", "7"},
+                                                                  {"--animation", "run"}})
+    EXPECT_TRUE(exitedWith(64, runParity({"info", path, option, value}))) << option << " " << value;
+}
+
+class SceneFileTest : public RenderingTest {};
+
+TEST_F(SceneFileTest, BallsShowEveryMaterialAndWhatIsNotModelledIsInTheReport) {
+  const std::string path = writeGlb(m_folder, makeThree());
+  const auto materialsOf = [&](const std::string& name, const std::vector<std::string>& more) {
+    const std::string out = (m_folder / name).string();
+    const RunResult result = runParity(join({{"report", path, "-o", out, "--env", "builtin:studio"}, kSmall, more}));
+    EXPECT_TRUE(result.exitCode == 0 || result.exitCode == 2) << result.err;
+    return readReport(m_folder / name)["scenes"][0]["views"][0]["materials"];
+  };
+  const auto notSeen = [](const json& materials) {
+    return std::count_if(materials.begin(), materials.end(),
+                         [](const json& m) { return m["figures"]["all"].is_null(); });
+  };
+  const json scene = materialsOf("scene", {}), balls = materialsOf("balls", {"--subject", "ball"});
+  ASSERT_EQ(scene.size(), 3u);
+  ASSERT_EQ(balls.size(), 3u);
+  EXPECT_EQ(notSeen(scene), 2);
+  EXPECT_EQ(notSeen(balls), 0);
+  for (const json& materials : {scene, balls}) {
+    const json& notes = materials[0]["notes"];
+    EXPECT_EQ(std::count(notes.begin(), notes.end(), "not modelled: clearcoat"), 1) << notes;
+  }
+}
+
+TEST_F(SceneFileTest, ASuiteSaysWhichVariantAndWhetherBallsAreShown) {
+  GltfFile file = makeThree();
+  file.json["extensions"] = {{"KHR_materials_variants", {{"variants", {{{"name", "soft"}}}}}}};
+  file.primitive()["extensions"] = {{"KHR_materials_variants", {{"mappings", {{{"material", 1}, {"variants", {0}}}}}}}};
+  writeGlb(m_folder, file, "things");
+  writeFile(m_folder / "suite.toml", std::string("[[scene]]\nfile = \"things.glb\"\nvariant = \"soft\"\n"
+                                                 "environment = \"builtin:studio\"\n"
+                                                 "[[scene]]\nfile = \"things.glb\"\nname = \"balls\"\n"
+                                                 "environment = \"builtin:studio\"\nsubject = \"ball\"\n"));
+  const std::string suite = (m_folder / "suite.toml").string(), out = (m_folder / "out").string();
+  const RunResult result = runParity(join({{"report", "--suite", suite, "-o", out}, kSmall}));
+  EXPECT_TRUE(result.exitCode == 0 || result.exitCode == 2) << result.err;
+  const json report = readReport(m_folder / "out");
+  const auto pixelsOf = [&](std::size_t scene, std::size_t material) {
+    const json& all = report["scenes"][scene]["views"][0]["materials"][material]["figures"]["all"];
+    return all.is_null() ? 0 : all["pixels"].get<int>(); // null: no view shows it
+  };
+  EXPECT_EQ(pixelsOf(0, 0), 0);
+  EXPECT_GT(pixelsOf(0, 1), 0) << "the variant's material";
+  for (std::size_t m = 0; m < 3; ++m) EXPECT_GT(pixelsOf(1, m), 0);
+  EXPECT_TRUE(exitedWith(64, runParity({"report", "--suite", suite, "-o", out, "--variant", "soft"})));
+}
+
+} // namespace
+} // namespace parity::tests

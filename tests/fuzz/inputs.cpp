@@ -1,0 +1,148 @@
+// Bytes through the loaders, as the fuzz targets and the test of their corpus do it.
+#include "fuzz/inputs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "scenes/load.h"
+#include "scenes/material_balls.h"
+#include "scenes/scene_info.h"
+
+namespace parity::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+std::string findMeshFault(const scenes::Scene& scene, const scenes::Mesh& mesh) {
+  const std::size_t count = mesh.positions.size();
+  if (mesh.indices.empty() || mesh.indices.size() % 3) return "a number of indices that is no multiple of 3";
+  if (std::any_of(mesh.indices.begin(), mesh.indices.end(), [&](std::uint32_t i) { return i >= count; }))
+    return "an index beyond the vertices";
+  if (mesh.material >= scene.materials.size()) return "a material that is not there";
+  if (mesh.normals.size() != count) return "not as many normals as vertices";
+  for (const std::size_t size : {mesh.tangents.size(), mesh.uv0.size(), mesh.uv1.size(), mesh.colors.size()})
+    if (size != 0 && size != count) return "an attribute of another size";
+  if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), isFinite)) return "a position that is not finite";
+  if (!std::all_of(mesh.normals.begin(), mesh.normals.end(), isFinite)) return "a normal that is not finite";
+  return {};
+}
+
+// Reports hold JSON, which takes UTF-8 alone.
+bool isUtf8(const std::string& text) {
+  try {
+    return !nlohmann::json(text).dump().empty();
+  } catch (const nlohmann::json::exception&) {
+    return false;
+  }
+}
+
+// What no later step may meet in a scene that was loaded.
+std::string findFault(const scenes::Scene& scene) {
+  for (const scenes::Mesh& mesh : scene.meshes)
+    if (const std::string fault = findMeshFault(scene, mesh); !fault.empty()) return fault;
+  for (const scenes::Instance& instance : scene.instances) {
+    if (instance.mesh >= scene.meshes.size()) return "an instance of no mesh";
+    for (int c = 0; c < 4; ++c)
+      if (!isFinite(instance.toWorld[c])) return "an instance whose place is not finite";
+  }
+  for (const scenes::Material& material : scene.materials)
+    for (const scenes::TextureSlot* slot :
+         {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
+          &material.occlusionTexture, &material.emissiveTexture, &material.specularTexture,
+          &material.specularColorTexture})
+      if (slot->image >= static_cast<int>(scene.images.size())) return "a texture of no image";
+  for (const scenes::Material& material : scene.materials)
+    if (!isUtf8(material.name)) return "a name that is not UTF-8";
+  for (const std::string& warning : scene.warnings)
+    if (!isUtf8(warning)) return "a warning that is not UTF-8";
+  for (const scenes::Light& light : scene.lights)
+    if (!isFinite(light.color) || !isFinite(light.position) || !isFinite(light.direction))
+      return "a light that is not finite";
+  return {};
+}
+
+// A refusal is told in words that begin with the file.
+InputResult refusedBy(const base::Error& error, const std::string& file) {
+  InputResult result{.isRefused = true, .reason = error.what()};
+  if (error.code() != base::ExitCode::failed) result.fault = "refused with another exit code: " + result.reason;
+  if (!result.reason.starts_with(file) || result.reason.size() < file.size() + 4)
+    result.fault = "refused without file and reason: " + result.reason;
+  if (!isUtf8(result.reason)) result.fault = "refused in words that are not UTF-8";
+  return result;
+}
+
+} // namespace
+
+InputFolder::InputFolder() {
+  const fs::path memory = "/dev/shm";
+  std::error_code failed;
+  const fs::path parent = fs::is_directory(memory, failed) ? memory : fs::temp_directory_path();
+  std::string name = (parent / "parity-fuzz-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder: " + name);
+  m_path = name;
+}
+
+InputFolder::~InputFolder() {
+  std::error_code ignored; // a destructor cannot report it
+  fs::remove_all(m_path, ignored);
+}
+
+std::string InputFolder::write(const std::string& name, std::span<const std::byte> bytes) const {
+  const std::string file = (m_path / name).string();
+  std::ofstream stream(file, std::ios::binary);
+  stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  stream.close();
+  if (!stream) throw std::runtime_error("cannot write " + file);
+  return file;
+}
+
+InputResult loadGltfBytes(const InputFolder& folder, std::span<const std::byte> bytes) {
+  const std::string file = folder.write("input.gltf", bytes); // a .glb is told by its first bytes
+  scenes::LoadOptions options;
+  options.timeSeconds = 0.25 * static_cast<double>(bytes.size() % 8);
+  options.allMaterials = bytes.size() % 3 == 0;
+  options.maxImageSide = 256;
+  options.maxMemoryBytes = std::size_t{256} << 20;
+  try {
+    scenes::Scene scene = scenes::loadScene(file, options);
+    InputResult result{.fault = findFault(scene)};
+    if (!result.fault.empty()) return result;
+    scenes::describeScene(scene);
+    if (options.allMaterials && !scene.materials.empty()) scenes::makeMaterialBalls(std::move(scene));
+    return result;
+  } catch (const base::Error& error) {
+    return refusedBy(error, file);
+  }
+}
+
+InputResult loadEnvironmentBytes(const InputFolder& folder, std::span<const std::byte> bytes) {
+  const std::string_view head(reinterpret_cast<const char*>(bytes.data()), std::min<std::size_t>(bytes.size(), 4));
+  const bool isExr = head == "\x76\x2f\x31\x01", isPfm = head.starts_with("PF") || head.starts_with("Pf");
+  const std::string file = folder.write(isExr ? "input.exr" : isPfm ? "input.pfm" : "input.hdr", bytes);
+  std::vector<std::string> warnings;
+  try {
+    const base::Image radiance = scenes::loadEnvironment(file, 0, warnings).radiance;
+    InputResult result;
+    if (radiance.channels != 3 || radiance.empty() || radiance.pixels.size() != 3 * radiance.pixelCount())
+      result.fault = "an image of other than three channels";
+    else if (!std::all_of(radiance.pixels.begin(), radiance.pixels.end(),
+                          [](float v) { return std::isfinite(v) && v >= 0; }))
+      result.fault = "radiance that is negative or not finite";
+    return result;
+  } catch (const base::Error& error) {
+    return refusedBy(error, file);
+  }
+}
+
+} // namespace parity::tests
