@@ -44,35 +44,53 @@ template <typename T> Image normalize(const BasicImage<T>& stored) {
   return image;
 }
 
-Image8 convertChannels(Image8 image, int alphaChannel, int channels) {
-  const int from = image.channels;
-  const bool hasAlpha = alphaChannel >= 0;
-  const int colors = from - (hasAlpha ? 1 : 0);
-  if (from == channels && (!hasAlpha || alphaChannel == from - 1) && hasAlpha == (channels % 2 == 0)) return image;
-  const bool wantsAlpha = channels % 2 == 0;
-  const int wantedColors = channels - (wantsAlpha ? 1 : 0);
-  Image8 result(image.width, image.height, channels, 255);
-  const std::size_t count = image.pixelCount();
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint8_t* in = image.pixels.data() + i * from;
-    std::uint8_t* out = result.pixels.data() + i * channels;
-    for (int c = 0; c < wantedColors; ++c) out[c] = in[colors >= 3 ? c : 0];
-    if (wantsAlpha && hasAlpha) out[wantedColors] = in[alphaChannel];
+std::uint8_t to8(std::uint8_t v) { return v; }
+std::uint8_t to8(std::uint16_t v) { return static_cast<std::uint8_t>((v + 128u) / 257u); } // round(v / 257) in integers
+
+// From a file's channels, of which one may be alpha, to as many as are wanted: an even number has alpha as the last.
+class ChannelMap {
+public:
+  ChannelMap(const oiio::ImageSpec& spec, int channels)
+      : m_from(spec.nchannels), m_alpha(spec.alpha_channel), m_to(channels) {}
+
+  bool keepsAll() const {
+    const bool hasAlpha = m_alpha >= 0;
+    return m_from == m_to && (!hasAlpha || m_alpha == m_from - 1) && hasAlpha == (m_to % 2 == 0);
   }
-  return result;
+
+  template <typename T> void convert(const T* in, std::size_t count, std::uint8_t* out) const {
+    const int colors = m_from - (m_alpha >= 0 ? 1 : 0);
+    const bool wantsAlpha = m_to % 2 == 0;
+    const int wantedColors = m_to - (wantsAlpha ? 1 : 0);
+    for (std::size_t i = 0; i < count; ++i, in += m_from, out += m_to) {
+      for (int c = 0; c < wantedColors; ++c) out[c] = to8(in[colors >= 3 ? c : 0]);
+      if (wantsAlpha) out[wantedColors] = m_alpha >= 0 ? to8(in[m_alpha]) : std::uint8_t{255};
+    }
+  }
+
+private:
+  int m_from, m_alpha, m_to;
+};
+
+// Band by band: of a large picture no second copy is in memory.
+template <typename T> Image8 convertWhileReading(Reader& reader, const ChannelMap& map, int channels) {
+  const oiio::ImageSpec spec = reader.spec();
+  Image8 image;
+  image.width = spec.width, image.height = spec.height, image.channels = channels;
+  image.pixels.reserve(image.pixelCount() * static_cast<std::size_t>(channels));
+  reader.readBands<T>([&](std::span<const T> band) {
+    const std::size_t count = band.size() / static_cast<std::size_t>(spec.nchannels), before = image.pixels.size();
+    image.pixels.resize(before + count * static_cast<std::size_t>(channels));
+    map.convert(band.data(), count, image.pixels.data() + before);
+  });
+  return image;
 }
 
 Image8 readAs8(Reader& reader, int channels) {
-  const int alphaChannel = reader.spec().alpha_channel;
-  if (reader.spec().format == oiio::TypeDesc::UINT16) {
-    const BasicImage<std::uint16_t> wide = reader.read<std::uint16_t>();
-    Image8 image(wide.width, wide.height, wide.channels);
-    // round(v / 257) in integers: 65535 = 255 * 257
-    std::transform(wide.pixels.begin(), wide.pixels.end(), image.pixels.begin(),
-                   [](std::uint16_t v) { return static_cast<std::uint8_t>((v + 128u) / 257u); });
-    return convertChannels(std::move(image), alphaChannel, channels);
-  }
-  return convertChannels(reader.read<std::uint8_t>(), alphaChannel, channels);
+  const ChannelMap map(reader.spec(), channels);
+  if (reader.spec().format == oiio::TypeDesc::UINT16)
+    return convertWhileReading<std::uint16_t>(reader, map, channels);
+  return map.keepsAll() ? reader.read<std::uint8_t>() : convertWhileReading<std::uint8_t>(reader, map, channels);
 }
 
 Image readPixels(Reader& reader) {

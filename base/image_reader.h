@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -111,27 +112,45 @@ public:
     BasicImage<T> image;
     image.width = spec.width, image.height = spec.height, image.channels = spec.nchannels;
     image.pixels.reserve(image.pixelCount() * static_cast<std::size_t>(spec.nchannels));
-    // In bands: a file that ends early has memory touched for no more than it holds.
-    constexpr int kBandLines = 256; // no format packs more lines together
-    const std::size_t lineValues = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.nchannels);
-    const auto type = oiio::BaseTypeFromC<T>::value;
-    const int lines = spec.tile_width ? spec.height : kBandLines;
-    for (int y = 0; y < spec.height; y += lines) {
-      const int end = std::min(spec.height, y + lines);
-      const std::size_t before = image.pixels.size();
-      image.pixels.resize(before + static_cast<std::size_t>(end - y) * lineValues);
-      T* to = image.pixels.data() + before;
-      const bool whole = spec.tile_width ? m_input->read_image(0, 0, 0, spec.nchannels, type, to)
-                                         : m_input->read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0,
-                                                                   spec.nchannels, type, to);
-      // Some readers fill the rest of a truncated file and only leave a message.
-      if (!whole || m_input->has_error())
-        throw fileError(m_name, "damaged or truncated", reasonOf(m_input->geterror(), m_name));
+    for (int y = 0; y < spec.height; y += bandLines()) {
+      const std::size_t before = image.pixels.size(), more = valuesFrom(y);
+      image.pixels.resize(before + more);
+      readBand(y, std::span(image.pixels).subspan(before));
     }
     return image;
   }
 
+  // take(std::span<const T>): some lines of all channels, from the top on.
+  template <typename T, typename Take> void readBands(const Take& take) {
+    std::vector<T> band(valuesFrom(0));
+    for (int y = 0; y < m_input->spec().height; y += bandLines()) {
+      const auto lines = std::span(band).first(valuesFrom(y));
+      readBand(y, lines);
+      take(std::span<const T>(lines));
+    }
+  }
+
 private:
+  // In bands: a file that ends early has memory touched for no more than it holds. No format packs more lines together.
+  int bandLines() const { return m_input->spec().tile_width ? m_input->spec().height : 256; }
+  // Of the band that begins at line y.
+  std::size_t valuesFrom(int y) const {
+    const oiio::ImageSpec& spec = m_input->spec();
+    return static_cast<std::size_t>(std::min(bandLines(), spec.height - y)) * static_cast<std::size_t>(spec.width) *
+           static_cast<std::size_t>(spec.nchannels);
+  }
+  template <typename T> void readBand(int y, std::span<T> to) {
+    const oiio::ImageSpec& spec = m_input->spec();
+    const auto type = oiio::BaseTypeFromC<T>::value;
+    const int end = std::min(spec.height, y + bandLines());
+    const bool whole = spec.tile_width ? m_input->read_image(0, 0, 0, spec.nchannels, type, to.data())
+                                       : m_input->read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0,
+                                                                 spec.nchannels, type, to.data());
+    // Some readers fill the rest of a truncated file and only leave a message.
+    if (!whole || m_input->has_error())
+      throw fileError(m_name, "damaged or truncated", reasonOf(m_input->geterror(), m_name));
+  }
+
   static oiio::ImageSpec makeConfig() {
     oiio::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1); // textures and pictures as stored, not multiplied by alpha

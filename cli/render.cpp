@@ -107,9 +107,9 @@ int runRenderCommand(const RenderCommand& command) {
   job::Context context(settings);
   const bool highend = command.path == "highend", reference = command.path == "reference";
   const job::Paths paths{.highend = highend, .mobile = !highend && !reference, .reference = reference};
-  const job::PreparedScene prepared = job::prepareScene(context, request, paths);
+  job::PreparedScene prepared = job::prepareScene(context, request, paths);
   for (const std::string& warning : prepared.scene.warnings) base::logWarning(warning);
-  job::SceneRenderer renderer(context, prepared, paths, 1);
+  job::SceneRenderer renderer(context, prepared, paths, 1, {}, job::imageRelease(prepared, settings, paths));
   for (const std::string& note : renderer.notes()) base::logWarning("mobile: " + note);
   const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
   const job::ViewFrames frames = renderer.render(scenes::makeCamera(prepared.scene, request.views.front(), aspect),

@@ -1,9 +1,29 @@
+# Whether one of the sources is the header's own and begins with it. Not where it is compiled behind others (unity).
+# Every header must guard itself.
+function(parity_header_is_first result name header sources)
+  set(${result} FALSE PARENT_SCOPE)
+  file(STRINGS ${header} guard REGEX "^#(pragma once|ifndef )" LIMIT_COUNT 1)
+  if(NOT guard)
+    message(FATAL_ERROR "${name}/${header} does not guard itself")
+  endif()
+  string(REGEX REPLACE "\\.h$" ".cpp" source ${header})
+  if(NOT source IN_LIST sources)
+    return()
+  endif()
+  get_source_file_property(group ${source} UNITY_GROUP)
+  file(STRINGS ${source} include REGEX "^#include" LIMIT_COUNT 1)
+  if(NOT group AND include STREQUAL "#include \"${name}/${header}\"")
+    set(${result} TRUE PARENT_SCOPE)
+  endif()
+endfunction()
+
 # parity_folder(NAME [VULKAN] SOURCES ... HEADERS ... [USES folders...] [LIBRARIES targets...] [PRIVATE_LIBRARIES targets...])
 #
 # One folder = one static library parity_NAME. Its only public include path is a folder that holds a link to
 # the folder under NAME and nothing else, so "#include "other/x.h"" compiles only where `other` is among USES (transitively):
-# the direction of the arrows is a compile error, not a habit. Every header is also compiled alone. VULKAN: the folder
-# includes Vulkan-Hpp, 1 MB of header, which gpu/ precompiles for all.
+# the direction of the arrows is a compile error, not a habit. Every header is also compiled alone: by the source of
+# its name, which includes it before all else, or else in a unit of its own. VULKAN: the folder includes Vulkan-Hpp, 1 MB
+# of header, which gpu/ precompiles for all.
 function(parity_folder name)
   cmake_parse_arguments(ARG "VULKAN" "" "SOURCES;HEADERS;USES;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   set(root ${CMAKE_BINARY_DIR}/include/${name})
@@ -30,14 +50,20 @@ function(parity_folder name)
     target_precompile_headers(parity_${name} REUSE_FROM parity_gpu)
   endif()
 
+  set(alone)
   if(PARITY_TESTS AND ARG_HEADERS)
-    set(alone)
     foreach(header ${ARG_HEADERS})
+      parity_header_is_first(first ${name} ${header} "${ARG_SOURCES}")
+      if(first)
+        continue()
+      endif()
       string(MAKE_C_IDENTIFIER ${header} id)
       set(unit ${CMAKE_BINARY_DIR}/headers/${name}/${id}.cpp)
-      file(CONFIGURE OUTPUT ${unit} CONTENT "#include \"${name}/${header}\"\n#include \"${name}/${header}\" // twice: it must guard itself\n")
+      file(CONFIGURE OUTPUT ${unit} CONTENT "#include \"${name}/${header}\"\n")
       list(APPEND alone ${unit})
     endforeach()
+  endif()
+  if(alone)
     add_library(parity_headers_${name} OBJECT ${alone})
     target_link_libraries(parity_headers_${name} PRIVATE parity_${name} ${ARG_PRIVATE_LIBRARIES})
     # What is checked is that they compile: nothing is to run.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "gpu/image_upload.h"
 
 namespace parity::gpu {
 
@@ -49,22 +50,9 @@ DeviceImage::DeviceImage(const Device& device, const Shape& shape) : m_shape(sha
 
 DeviceImage::DeviceImage(const Device& device, const Shape& shape, std::span<const std::span<const std::byte>> mips)
     : DeviceImage(device, shape) {
-  std::vector<vk::BufferImageCopy> copies;
-  vk::DeviceSize total = 0;
-  for (std::uint32_t mip = 0; mip < mips.size(); ++mip) {
-    copies.emplace_back(
-        total, 0, 0, vk::ImageSubresourceLayers(vk::ImageAspectFlagBits::eColor, mip, 0, layersOf(shape)),
-        vk::Offset3D(), vk::Extent3D(std::max(shape.width >> mip, 1u), std::max(shape.height >> mip, 1u), 1));
-    total += mips[mip].size();
-    total = (total + 15) / 16 * 16;
-  }
-  const Buffer staging(device, total);
-  for (std::size_t mip = 0; mip < mips.size(); ++mip) staging.upload(mips[mip], copies[mip].bufferOffset);
-  device.submit("upload", [&](const vk::raii::CommandBuffer& commands) {
-    changeLayout(commands, *this, vk::ImageLayout::eUndefined, vk::ImageLayout::eTransferDstOptimal);
-    commands.copyBufferToImage(staging.handle(), *m_image, vk::ImageLayout::eTransferDstOptimal, copies);
-    changeLayout(commands, *this, vk::ImageLayout::eTransferDstOptimal, vk::ImageLayout::eShaderReadOnlyOptimal);
-  });
+  ImageUpload upload(device, *this);
+  for (std::uint32_t mip = 0; mip < mips.size(); ++mip) upload.write(mip, mips[mip]);
+  upload.finish();
 }
 
 void changeLayout(const vk::raii::CommandBuffer& commands, const DeviceImage& image, vk::ImageLayout from,

@@ -36,21 +36,19 @@ std::vector<glm::vec3> average(int width, int height, int targetWidth, int targe
 
 } // namespace
 
-void writeNormalVariance(std::vector<base::Image8>& mips) {
-  for (std::size_t t = 0; t < mips[0].pixelCount(); ++t) mips[0].pixels[4 * t + 3] = 0;
-  std::vector<glm::vec3> means;
-  for (std::size_t level = 1; level < mips.size(); ++level) {
-    const base::Image8& finer = mips[level - 1];
-    base::Image8& mip = mips[level];
-    const auto meanOf = [&](int x, int y) { return means[static_cast<std::size_t>(y) * finer.width + x]; };
-    const auto normalOf = [&](int x, int y) { return unitNormal(finer.at(x, y)); };
-    means = level == 1 ? average(finer.width, finer.height, mip.width, mip.height, normalOf)
-                       : average(finer.width, finer.height, mip.width, mip.height, meanOf);
-    for (std::size_t t = 0; t < mip.pixelCount(); ++t) {
-      const double length = glm::length(glm::dvec3(means[t]));
-      mip.pixels[4 * t + 3] =
-          static_cast<std::uint8_t>(255 * std::sqrt(shading::f64::alphaSquaredOfNormals(length)) + 0.5);
-    }
+base::Image8 withoutVariance(base::Image8 image) {
+  for (std::size_t t = 0; t < image.pixelCount(); ++t) image.pixels[4 * t + 3] = 0;
+  return image;
+}
+
+void NormalVariance::writeNext(const base::Image8& finer, base::Image8& mip) {
+  const auto meanOf = [&](int x, int y) { return m_means[static_cast<std::size_t>(y) * finer.width + x]; };
+  const auto normalOf = [&](int x, int y) { return unitNormal(finer.at(x, y)); };
+  m_means = m_means.empty() ? average(finer.width, finer.height, mip.width, mip.height, normalOf)
+                            : average(finer.width, finer.height, mip.width, mip.height, meanOf);
+  for (std::size_t t = 0; t < mip.pixelCount(); ++t) {
+    const double length = glm::length(glm::dvec3(m_means[t]));
+    mip.pixels[4 * t + 3] = static_cast<std::uint8_t>(255 * std::sqrt(shading::f64::alphaSquaredOfNormals(length)) + 0.5);
   }
 }
 

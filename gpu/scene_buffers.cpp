@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -72,23 +74,58 @@ GpuInstance pack(const scenes::Instance& instance, const SceneBuffers::MeshRange
   return out;
 }
 
-// Appends an attribute of `count` vertices, or a default where the mesh lacks it.
-template <typename To, typename From>
-void append(std::vector<To>& to, const std::vector<From>& from, std::size_t count, const To& missing) {
-  if (from.empty())
-    to.insert(to.end(), count, missing);
-  else
-    to.insert(to.end(), from.begin(), from.end());
-}
+// A buffer that is filled from its begin on, by parts: of what is uploaded no second copy is in memory as a whole.
+template <typename T> class Filling {
+public:
+  // what: for errors. Throws Error (exit 4) where the device cannot bind so much.
+  Filling(const Device& device, std::size_t count, const scenes::Scene& scene, const char* what) {
+    const std::size_t bytes = count * sizeof(T), limit = device.properties().limits.maxStorageBufferRange;
+    if (bytes > limit)
+      throw base::fileError(scene.name, what,
+                            fmt::format("{} MiB of geometry, the device '{}' binds {} MiB at most", bytes >> 20,
+                                        device.report().name, limit >> 20));
+    m_buffer = Buffer(device, bytes);
+    m_part.reserve(std::min(count, kPart));
+  }
+
+  void append(const T& value) {
+    m_part.push_back(value);
+    if (m_part.size() == kPart) upload();
+  }
+  void append(std::span<const T> values) {
+    for (const T& value : values) append(value);
+  }
+  // An attribute of `count` vertices, or a default where the mesh lacks it.
+  void append(std::span<const T> values, std::size_t count, const T& missing) {
+    append(values);
+    if (values.empty())
+      for (std::size_t i = 0; i < count; ++i) append(missing);
+  }
+
+  Buffer take() {
+    upload();
+    return std::move(m_buffer);
+  }
+
+private:
+  static constexpr std::size_t kPart = (std::size_t{1} << 20) / sizeof(T);
+
+  void upload() {
+    m_buffer.upload(std::as_bytes(std::span{m_part}), m_done * sizeof(T));
+    m_done += m_part.size();
+    m_part.clear();
+  }
+
+  Buffer m_buffer;
+  std::vector<T> m_part;
+  std::size_t m_done = 0;
+};
 
 template <typename T>
-Buffer makeBuffer(const Device& device, const std::vector<T>& content, const scenes::Scene& scene, const char* what) {
-  const std::size_t bytes = content.size() * sizeof(T), limit = device.properties().limits.maxStorageBufferRange;
-  if (bytes > limit)
-    throw base::fileError(scene.name, what,
-                          fmt::format("{} MiB of geometry, the device '{}' binds {} MiB at most", bytes >> 20,
-                                      device.report().name, limit >> 20));
-  return Buffer(device, std::span<const T>(content));
+Buffer makeBuffer(const Device& device, std::span<const T> content, const scenes::Scene& scene, const char* what) {
+  Filling<T> filling(device, content.size(), scene, what);
+  filling.append(content);
+  return filling.take();
 }
 
 } // namespace
@@ -109,8 +146,9 @@ MaterialClass classify(const scenes::Material& material) {
   return result;
 }
 
-SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene, SpecularAa specularAa)
-    : m_scene(scene), m_textures(device, scene, specularAa == SpecularAa::toksvig) {
+SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene, SpecularAa specularAa,
+                           ImageDone onLastRead)
+    : m_scene(scene), m_textures(device, scene, specularAa == SpecularAa::toksvig, std::move(onLastRead)) {
   bool anyColors = false, anyUvs = false, anyTangents = false, anySecondUv = false;
   for (const scenes::Mesh& mesh : scene.meshes) {
     anyColors |= !mesh.colors.empty();
@@ -130,38 +168,49 @@ SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene, Spe
   m_vertexData = (anyColors ? kVertexColors : 0u) | (anyUvs ? kVertexUvs : 0u) | (anyTangents ? kVertexTangents : 0u) |
                  (anySecondUv ? kVertexSecondUv : 0u) | (scene.fog ? kVertexFog : 0u);
 
-  std::vector<glm::vec3> allPositions, allNormals;
-  std::vector<glm::vec4> allTangents, allUvs, allColors;
-  std::vector<std::uint32_t> allIndices;
-  for (const scenes::Mesh& mesh : scene.meshes) {
-    const std::size_t count = mesh.positions.size();
-    m_meshes.push_back({static_cast<std::uint32_t>(allIndices.size()), static_cast<std::uint32_t>(mesh.indices.size()),
-                        static_cast<std::uint32_t>(allPositions.size())});
-    append(allPositions, mesh.positions, count, glm::vec3(0));
-    append(allNormals, mesh.normals, count, glm::vec3(0));
-    if (anyTangents) append(allTangents, mesh.tangents, count, glm::vec4(0));
-    if (anyColors) append(allColors, mesh.colors, count, glm::vec4(1));
-    if (anyUvs)
-      for (std::size_t i = 0; i < count; ++i)
-        allUvs.emplace_back(mesh.uv0.empty() ? glm::vec2(0) : mesh.uv0[i],
-                            mesh.uv1.empty() ? glm::vec2(0) : mesh.uv1[i]);
-    allIndices.insert(allIndices.end(), mesh.indices.begin(), mesh.indices.end());
-  }
+  uploadGeometry(device);
   std::vector<GpuInstance> gpuInstances;
   for (const scenes::Instance& instance : scene.instances) {
     const std::uint32_t material = scene.meshes[instance.mesh].material;
     m_materialOfInstance.push_back(material);
     gpuInstances.push_back(pack(instance, m_meshes[instance.mesh], material));
   }
+  instances = makeBuffer(device, std::span<const GpuInstance>(gpuInstances), scene, "instances");
+  materials = makeBuffer(device, std::span<const GpuMaterial>(gpuMaterials), scene, "materials");
+}
 
-  positions = makeBuffer(device, allPositions, scene, "positions");
-  normals = makeBuffer(device, allNormals, scene, "normals");
-  tangents = makeBuffer(device, allTangents, scene, "tangents");
-  uvs = makeBuffer(device, allUvs, scene, "uvs");
-  colors = makeBuffer(device, allColors, scene, "colours");
-  indices = makeBuffer(device, allIndices, scene, "indices");
-  instances = makeBuffer(device, gpuInstances, scene, "instances");
-  materials = makeBuffer(device, gpuMaterials, scene, "materials");
+void SceneBuffers::uploadGeometry(const Device& device) {
+  std::size_t vertexCount = 0, indexCount = 0;
+  for (const scenes::Mesh& mesh : m_scene.meshes) {
+    m_meshes.push_back({static_cast<std::uint32_t>(indexCount), static_cast<std::uint32_t>(mesh.indices.size()),
+                        static_cast<std::uint32_t>(vertexCount)});
+    vertexCount += mesh.positions.size();
+    indexCount += mesh.indices.size();
+  }
+  const auto countIf = [&](std::uint32_t bit) { return (m_vertexData & bit) != 0 ? vertexCount : 0; };
+  // One attribute after another: a part of each waits at a time.
+  const auto fill = [&]<typename T>(std::size_t count, const char* what, const T& missing, const auto& valuesOf) {
+    Filling<T> filling(device, count, m_scene, what);
+    if (count > 0)
+      for (const scenes::Mesh& mesh : m_scene.meshes)
+        filling.append(std::span<const T>(valuesOf(mesh)), mesh.positions.size(), missing);
+    return filling.take();
+  };
+  positions = fill(vertexCount, "positions", glm::vec3(0), [](const auto& m) -> auto& { return m.positions; });
+  normals = fill(vertexCount, "normals", glm::vec3(0), [](const auto& m) -> auto& { return m.normals; });
+  tangents = fill(countIf(kVertexTangents), "tangents", glm::vec4(0), [](const auto& m) -> auto& { return m.tangents; });
+  colors = fill(countIf(kVertexColors), "colours", glm::vec4(1), [](const auto& m) -> auto& { return m.colors; });
+
+  Filling<glm::vec4> bothUvs(device, countIf(kVertexUvs), m_scene, "uvs");
+  if ((m_vertexData & kVertexUvs) != 0)
+    for (const scenes::Mesh& mesh : m_scene.meshes)
+      for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        bothUvs.append(glm::vec4(mesh.uv0.empty() ? glm::vec2(0) : mesh.uv0[i],
+                                 mesh.uv1.empty() ? glm::vec2(0) : mesh.uv1[i]));
+  uvs = bothUvs.take();
+  Filling<std::uint32_t> allIndices(device, indexCount, m_scene, "indices");
+  for (const scenes::Mesh& mesh : m_scene.meshes) allIndices.append(mesh.indices);
+  indices = allIndices.take();
 }
 
 } // namespace parity::gpu

@@ -16,7 +16,9 @@ namespace parity::gpu {
 class SceneBuffers {
 public:
   // Throws Error (exit 4) where an attribute array exceeds what the device can bind (128 MiB on many).
-  SceneBuffers(const Device& device, const scenes::Scene& scene, SpecularAa specularAa = SpecularAa::off);
+  // onLastRead: see Textures.
+  SceneBuffers(const Device& device, const scenes::Scene& scene, SpecularAa specularAa = SpecularAa::off,
+               ImageDone onLastRead = {});
 
   const scenes::Scene& scene() const { return m_scene; }
   const Textures& textures() const { return m_textures; }
@@ -36,6 +38,8 @@ public:
   Buffer positions, normals, tangents, uvs, colors, indices, instances, materials;
 
 private:
+  void uploadGeometry(const Device& device);
+
   const scenes::Scene& m_scene;
   Textures m_textures;
   std::vector<MaterialClass> m_classOfMaterial;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <functional>
+#include <bit>
 #include <set>
+#include <utility>
 
-#include "base/parallel.h"
-#include "gpu/mip_taps.h"
+#include "gpu/image_upload.h"
+#include "gpu/mips.h"
 #include "gpu/normal_variance.h"
 #include "gpu/scene_buffers.h"
 #include "gpu/shaders/interface.h"
@@ -15,78 +15,6 @@
 namespace parity::gpu {
 
 namespace {
-
-// sRGB decode by code, and encode by a 16-bit linear index: a step is 0.05 codes at most.
-struct SrgbTables {
-  std::array<float, 256> decode;
-  std::vector<std::uint8_t> encode;
-  SrgbTables() : encode(65536) {
-    for (int i = 0; i < 256; ++i) {
-      const double c = i / 255.0;
-      decode[i] = static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-    }
-    for (int i = 0; i < 65536; ++i) {
-      const double l = i / 65535.0;
-      encode[i] =
-          static_cast<std::uint8_t>(255 * (l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055) + 0.5);
-    }
-  }
-};
-const SrgbTables& srgbTables() {
-  static const SrgbTables tables;
-  return tables;
-}
-
-// The common case, both sides even: the mean of 2x2 texels.
-base::Image8 halveEven(const base::Image8& source, bool srgb) {
-  const SrgbTables& tables = srgbTables();
-  base::Image8 target(source.width / 2, source.height / 2, 4);
-  base::parallelFor(target.height, 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t y = begin; y < end; ++y) {
-      const std::uint8_t* a = source.at(0, static_cast<int>(2 * y));
-      const std::uint8_t* b = source.at(0, static_cast<int>(2 * y + 1));
-      std::uint8_t* out = target.at(0, static_cast<int>(y));
-      for (int x = 0; x < target.width; ++x, a += 8, b += 8, out += 4)
-        for (int c = 0; c < 4; ++c) {
-          if (srgb && c < 3) {
-            const float sum =
-                tables.decode[a[c]] + tables.decode[a[c + 4]] + tables.decode[b[c]] + tables.decode[b[c + 4]];
-            out[c] = tables.encode[static_cast<int>(std::min(sum * 0.25f, 1.f) * 65535 + 0.5f)];
-          } else {
-            out[c] = static_cast<std::uint8_t>((a[c] + a[c + 4] + b[c] + b[c + 4] + 2) / 4);
-          }
-        }
-    }
-  });
-  return target;
-}
-
-base::Image8 halve(const base::Image8& source, bool srgb) {
-  if (source.width % 2 == 0 && source.height % 2 == 0) return halveEven(source, srgb);
-  const SrgbTables& tables = srgbTables();
-  base::Image8 target(std::max(source.width / 2, 1), std::max(source.height / 2, 1), 4);
-  const std::vector<Taps> tapsX = makeTaps(source.width, target.width), tapsY = makeTaps(source.height, target.height);
-  base::parallelFor(target.height, 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t y = begin; y < end; ++y)
-      for (int x = 0; x < target.width; ++x) {
-        std::array<float, 4> sum{};
-        for (int ky = 0; ky < tapsY[y].count; ++ky)
-          for (int kx = 0; kx < tapsX[x].count; ++kx) {
-            const float weight = static_cast<float>(tapsY[y].weights[ky]) * static_cast<float>(tapsX[x].weights[kx]);
-            const std::uint8_t* texel = source.at(tapsX[x].first + kx, tapsY[y].first + ky);
-            for (int c = 0; c < 3; ++c)
-              sum[c] += weight * (srgb ? tables.decode[texel[c]] : static_cast<float>(texel[c]));
-            sum[3] += weight * static_cast<float>(texel[3]);
-          }
-        std::uint8_t* out = target.at(x, static_cast<int>(y));
-        for (int c = 0; c < 3; ++c)
-          out[c] = srgb ? tables.encode[static_cast<int>(std::min(sum[c], 1.f) * 65535 + 0.5f)]
-                        : static_cast<std::uint8_t>(std::min(sum[c], 255.f) + 0.5f);
-        out[3] = static_cast<std::uint8_t>(std::min(sum[3], 255.f) + 0.5f);
-      }
-  });
-  return target;
-}
 
 vk::raii::Sampler makeSampler(const Device& device, const scenes::Sampler& sampler) {
   const auto wrap = [](scenes::Wrap w) {
@@ -113,14 +41,38 @@ std::array<const scenes::TextureSlot*, kSlotCount> slotsOf(const scenes::Materia
           &m.emissiveTexture,  &m.specularTexture,          &m.specularColorTexture};
 }
 
-DeviceImage uploadImage(const Device& device, const std::vector<base::Image8>& mips, bool srgb) {
-  std::vector<std::span<const std::byte>> spans;
-  for (const base::Image8& mip : mips) spans.push_back(std::as_bytes(std::span{mip.pixels}));
-  const DeviceImage::Shape shape{.format = srgb ? vk::Format::eR8G8B8A8Srgb : vk::Format::eR8G8B8A8Unorm,
-                                 .width = static_cast<std::uint32_t>(mips.front().width),
-                                 .height = static_cast<std::uint32_t>(mips.front().height),
-                                 .mips = static_cast<std::uint32_t>(mips.size())};
-  return DeviceImage(device, shape, spans);
+DeviceImage makeImage(const Device& device, int width, int height, bool srgb) {
+  return DeviceImage(device, {.format = srgb ? vk::Format::eR8G8B8A8Srgb : vk::Format::eR8G8B8A8Unorm,
+                              .width = static_cast<std::uint32_t>(width),
+                              .height = static_cast<std::uint32_t>(height),
+                              .mips = static_cast<std::uint32_t>(
+                                  std::bit_width(static_cast<std::uint32_t>(std::max(width, height))))});
+}
+
+// Mip by mip: in memory are two at a time at most, `base` too, which is over and done with when baseIsRead is called.
+DeviceImage upload(const Device& device, const base::Image8& base, bool srgb, NormalVariance* variance,
+                   const std::function<void()>& baseIsRead) {
+  DeviceImage image = makeImage(device, base.width, base.height, srgb);
+  ImageUpload to(device, image);
+  const auto write = [&](std::uint32_t mip, const base::Image8& pixels) {
+    to.write(mip, std::as_bytes(std::span{pixels.pixels}));
+  };
+  if (variance)
+    write(0, withoutVariance(base));
+  else
+    write(0, base);
+  base::Image8 finer;
+  for (std::uint32_t mip = 1; mip < image.shape().mips; ++mip) {
+    const base::Image8& source = mip == 1 ? base : finer;
+    base::Image8 next = makeNextMip(source, srgb);
+    if (variance) variance->writeNext(source, next);
+    finer = std::move(next);
+    if (mip == 1) baseIsRead();
+    write(mip, finer);
+  }
+  if (image.shape().mips == 1) baseIsRead();
+  to.finish();
+  return image;
 }
 
 } // namespace
@@ -128,12 +80,6 @@ DeviceImage uploadImage(const Device& device, const std::vector<base::Image8>& m
 Textures::Use Textures::useOf(int slot, bool normalVariance) {
   if (slot == kSlotBaseColor || slot == kSlotEmissive || slot == kSlotSpecularColor) return Use::color;
   return slot == kSlotNormal && normalVariance ? Use::normalVariance : Use::data;
-}
-
-std::vector<base::Image8> makeMips(const base::Image8& image, bool srgb) {
-  std::vector<base::Image8> mips{image};
-  while (mips.back().width > 1 || mips.back().height > 1) mips.push_back(halve(mips.back(), srgb));
-  return mips;
 }
 
 std::size_t countSamplers(const scenes::Material& material, bool normalVariance) {
@@ -148,8 +94,8 @@ std::size_t countSamplers(const scenes::Material& material, bool normalVariance)
   return pairs.size();
 }
 
-Textures::Textures(const Device& device, const scenes::Scene& scene, bool normalVariance)
-    : m_device(device), m_scene(scene) {
+Textures::Textures(const Device& device, const scenes::Scene& scene, bool normalVariance, ImageDone onLastRead)
+    : m_device(device), m_scene(scene), m_onLastRead(std::move(onLastRead)) {
   std::vector<scenes::Sampler> samplers;
   std::map<std::vector<Binding>, std::uint32_t> sets;
   for (const scenes::Material& material : scene.materials) {
@@ -171,11 +117,13 @@ Textures::Textures(const Device& device, const scenes::Scene& scene, bool normal
     m_setOfMaterial.push_back(entry->second);
   }
   m_images.resize(m_sources.size());
+  m_unreadSources.resize(scene.images.size());
+  for (const Source& source : m_sources) ++m_unreadSources[source.image];
   m_samplers.push_back(makeSampler(device, {}));
   for (const scenes::Sampler& sampler : samplers) m_samplers.push_back(makeSampler(device, sampler));
-  const std::vector<base::Image8> white = {base::Image8(2, 2, 4, 255), base::Image8(1, 1, 4, 255)};
-  m_whiteColor = uploadImage(device, white, true);
-  m_whiteData = uploadImage(device, white, false);
+  const base::Image8 white(2, 2, 4, 255);
+  m_whiteColor = upload(device, white, true, nullptr, [] {});
+  m_whiteData = upload(device, white, false, nullptr, [] {});
 }
 
 void Textures::require(std::span<const Need> needs) const {
@@ -184,19 +132,16 @@ void Textures::require(std::span<const Need> needs) const {
     for (int slot = 0; slot < kSlotCount; ++slot)
       if (const int image = m_sets[need.set][slot].image; (need.slots >> slot & 1u) != 0 && image >= 0)
         if (!m_images[image]) missing.insert(image);
-  if (missing.empty()) return;
-  const std::vector<int> list(missing.begin(), missing.end());
-  std::vector<std::vector<base::Image8>> mips(list.size());
-  std::vector<std::function<void()>> tasks;
-  for (std::size_t i = 0; i < list.size(); ++i)
-    tasks.push_back([&, i] {
-      const auto [image, use] = m_sources[list[i]];
-      mips[i] = makeMips(m_scene.images[image].pixels, use == Use::color);
-      if (use == Use::normalVariance) writeNormalVariance(mips[i]);
-    });
-  base::parallelInvoke(tasks);
-  for (std::size_t i = 0; i < list.size(); ++i)
-    m_images[list[i]] = uploadImage(m_device, mips[i], m_sources[list[i]].use == Use::color);
+  for (const int each : missing) {
+    const auto [image, use] = m_sources[each];
+    NormalVariance variance;
+    m_images[each] = upload(m_device, m_scene.images[image].pixels, use == Use::color,
+                            use == Use::normalVariance ? &variance : nullptr, [&] { countAsRead(image); });
+  }
+}
+
+void Textures::countAsRead(int image) const {
+  if (--m_unreadSources[image] == 0 && m_onLastRead) m_onLastRead(image);
 }
 
 std::vector<vk::DescriptorImageInfo> Textures::bindings(const Need& need) const {

@@ -1,6 +1,7 @@
 // The scene's textures on the device, those that something seen reads: mips made on the CPU, alike on every device.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -12,13 +13,17 @@
 
 namespace parity::gpu {
 
+// Told the index of an image of the scene.
+using ImageDone = std::function<void(int)>;
+
 // One texture set is the images and samplers of a material's seven slots; materials with equal sets share a descriptor
 // set. An image is uploaded when it is first required. Not thread-safe.
 class Textures {
 public:
   // normalVariance: normal maps get the spread of their normals as alpha (gpu/normal_variance.h). An image that another
-  // slot reads, too, keeps its alpha there. The scene must outlive it.
-  Textures(const Device& device, const scenes::Scene& scene, bool normalVariance);
+  // slot reads, too, keeps its alpha there. The scene must outlive it. onLastRead: the image's pixels are not read any
+  // more, by these textures; may free them.
+  Textures(const Device& device, const scenes::Scene& scene, bool normalVariance, ImageDone onLastRead = {});
 
   // Index of each material's texture set.
   const std::vector<std::uint32_t>& setOfMaterial() const { return m_setOfMaterial; }
@@ -28,7 +33,7 @@ public:
   struct Need {
     std::uint32_t set = 0, slots = 0;
   };
-  // Uploads what these need and is not there yet, all of it at the same time.
+  // Uploads what these need and is not there yet.
   void require(std::span<const Need> needs) const;
   // The seven bindings of a set, in slot order: white for a slot without a texture or one that was not needed. Uploads.
   std::vector<vk::DescriptorImageInfo> bindings(const Need& need) const;
@@ -52,10 +57,14 @@ private:
     Use use = Use::color;
     auto operator<=>(const Source&) const = default;
   };
+  void countAsRead(int image) const;
+
   const Device& m_device;
   const scenes::Scene& m_scene;
+  ImageDone m_onLastRead;
   std::vector<Source> m_sources;
   mutable std::vector<std::optional<DeviceImage>> m_images; // of each source; none: not required yet
+  mutable std::vector<int> m_unreadSources;                 // of each image of the scene: not uploaded yet
   std::vector<vk::raii::Sampler> m_samplers;
   std::vector<std::vector<Binding>> m_sets;
   std::vector<std::uint32_t> m_setOfMaterial;
@@ -67,9 +76,5 @@ private:
 // How many pairs of an image and a sampler a material's shader reads: a pair that several slots share counts once, an
 // image that is read as colour and as data is two.
 std::size_t countSamplers(const scenes::Material& material, bool normalVariance);
-
-// All mips of an RGBA8 image down to 1x1, base level first: area-weighted averages (exact for odd sizes too), in linear
-// light where srgb says that RGB is sRGB-encoded.
-std::vector<base::Image8> makeMips(const base::Image8& image, bool srgb);
 
 } // namespace parity::gpu

@@ -185,4 +185,9 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
   return prepared;
 }
 
+std::function<void(int)> imageRelease(PreparedScene& prepared, const Settings& settings, const Paths& paths) {
+  if (paths.reference && settings.referenceShadows) return {};
+  return [&prepared](int image) { prepared.scene.images[static_cast<std::size_t>(image)].pixels = {}; };
+}
+
 } // namespace parity::job

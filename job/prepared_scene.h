@@ -1,6 +1,7 @@
 // A scene made ready for both paths: loaded, lit, flagged.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,5 +38,9 @@ struct PreparedScene {
 // Loads scene and environment (at the same time), extracts suns, applies flags. Throws Error: exit 4 for what cannot
 // be read, for an empty scene and for one with nothing that gives light; usage for a glob that no material matches.
 PreparedScene prepareScene(Context& context, const SceneRequest& request, const Paths& paths = {});
+
+// For SceneRenderer's onLastRead: frees the pixels of an image. Empty where the reference will read them, to let light
+// through masks. `prepared` must outlive it.
+std::function<void(int)> imageRelease(PreparedScene& prepared, const Settings& settings, const Paths& paths);
 
 } // namespace parity::job

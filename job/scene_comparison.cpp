@@ -151,12 +151,13 @@ private:
     const SceneRequest& request = m_request.scenes[index];
     compare::SceneResult& result = scene.result;
     m_tell(0, "loading");
-    const PreparedScene prepared = prepareScene(m_context, request, paths());
+    PreparedScene prepared = prepareScene(m_context, request, paths());
     result.environment = prepared.environmentName;
     result.sun = prepared.sunText;
     result.warnings = prepared.scene.warnings;
     requireMaterials(prepared.scene, m_context.settings().materials);
-    SceneRenderer renderer(m_context, prepared, paths(), request.views.size(), wish.permutations);
+    SceneRenderer renderer(m_context, prepared, paths(), request.views.size(), wish.permutations,
+                           imageRelease(prepared, m_context.settings(), paths()));
     for (const std::string& note : renderer.notes()) result.warnings.push_back("mobile: " + note);
     for (std::string& excess : mobile::samplerWarnings(prepared.scene, samplerInputs(prepared)))
       result.warnings.push_back(std::move(excess));

@@ -29,11 +29,11 @@ std::uint64_t samplesOf(const gpu::ShadingPass& pass) {
 } // namespace
 
 SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, const Paths& paths, std::size_t views,
-                             const gpu::PermutationBudget& budget)
+                             const gpu::PermutationBudget& budget, gpu::ImageDone onLastRead)
     : m_context(context), m_prepared(prepared), m_budget(budget), m_work(prepared.work), m_buffers([&] {
         gpu::Device& device = context.device();
         const base::Stopwatch watch(&context.timings(), "upload");
-        return gpu::SceneBuffers(device, prepared.scene, context.settings().specularAa);
+        return gpu::SceneBuffers(device, prepared.scene, context.settings().specularAa, std::move(onLastRead));
       }()),
       m_surfacePass(context.device(), m_buffers, static_cast<std::uint32_t>(context.settings().width),
                     static_cast<std::uint32_t>(context.settings().height)) {

@@ -17,9 +17,9 @@ namespace parity::job {
 class SceneRenderer {
 public:
   // views: how many will be rendered, for the choice of permutations. budget: the scene's share of them in its run.
-  // `prepared` must outlive the renderer.
+  // `prepared` must outlive the renderer; onLastRead: of an image of its scene (gpu/textures.h).
   SceneRenderer(Context& context, const PreparedScene& prepared, const Paths& paths, std::size_t views,
-                const gpu::PermutationBudget& budget = {});
+                const gpu::PermutationBudget& budget = {}, gpu::ImageDone onLastRead = {});
 
   // progress: of the reference path, which alone takes long.
   ViewFrames render(const scenes::Camera& camera, const Progress& progress = {});

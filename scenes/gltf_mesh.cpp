@@ -67,8 +67,23 @@ void readTexCoords(const PrimitiveReader& reader, Mesh& mesh, const Material& ma
                                    reader.place(), material.name));
 }
 
+std::size_t bytesOfVertex(const Mesh& mesh) {
+  return sizeof(glm::vec3) * 2 + sizeof(glm::vec4) * (1 + !mesh.colors.empty()) +
+         sizeof(glm::vec2) * (std::size_t{!mesh.uv0.empty()} + !mesh.uv1.empty());
+}
+
+// Counts what that takes for its own and what the mesh grows by.
+std::size_t makeTangentsCounted(Mesh& mesh, int texCoord, MemoryBudget& memory, const std::string& place) {
+  const std::size_t vertices = mesh.positions.size();
+  const MemoryCharge working(memory, bytesToMakeTangents(mesh), place);
+  const std::size_t arbitrary = makeTangents(mesh, texCoord);
+  memory.take((mesh.positions.size() - vertices) * bytesOfVertex(mesh), place);
+  return arbitrary;
+}
+
 // Makes the directions of a posed mesh usable, and generates what it lacks and needs.
-void finishFrames(Mesh& mesh, const Material& material, const std::string& place, std::vector<std::string>& warnings) {
+void finishFrames(Mesh& mesh, const Material& material, MemoryBudget& memory, const std::string& place,
+                  std::vector<std::string>& warnings) {
   if (mesh.normals.empty())
     makeFlatNormals(mesh);
   else if (const std::size_t count = mendNormals(mesh))
@@ -77,7 +92,7 @@ void finishFrames(Mesh& mesh, const Material& material, const std::string& place
     if (const std::size_t count = mendTangents(mesh))
       warnings.push_back(fmt::format("{}: {} tangents of no length are replaced by some right angle", place, count));
   } else if (material.normalTexture.present())
-    if (const std::size_t count = makeTangents(mesh, material.normalTexture.texCoord))
+    if (const std::size_t count = makeTangentsCounted(mesh, material.normalTexture.texCoord, memory, place))
       warnings.push_back(fmt::format("{}: {} vertices have no area in uv, their tangents are arbitrary", place, count));
 }
 
@@ -133,7 +148,7 @@ GltfPrimitive buildPrimitive(const GltfDocument& document, int meshIndex, int pr
 
   applyMorphTargets(reader, pose.weights, uvSets, mesh, warnings);
   result.isSkinned = pose.skin && applySkin(reader, *pose.skin, mesh, warnings);
-  finishFrames(mesh, material, place, warnings);
+  finishFrames(mesh, material, document.memory, place, warnings);
   result.mesh = std::move(mesh);
   return result;
 }

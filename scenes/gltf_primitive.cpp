@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/parallel.h"
 #include "scenes/gltf_draco.h"
 #include "scenes/mesh_repair.h"
 
@@ -89,7 +90,7 @@ void PrimitiveReader::decodeStream(const tinygltf::Value& extension) {
   if (m_source.indices >= 0) expected.indices = accessorAt(m_source.indices).count;
   expected.exactIndices = m_source.mode == TINYGLTF_MODE_TRIANGLES;
   const std::size_t taken = m_document.memory.taken(), most = m_document.options.maxMemoryBytes;
-  expected.maxBytes = most - std::min(most, taken);
+  expected.maxBytes = (most - std::min(most, taken)) / static_cast<std::size_t>(base::threadCount()); // others decode
   const tinygltf::Value& attributes = extension.Get("attributes");
   std::vector<std::string> names;
   for (const std::string& name : attributes.Keys()) {
@@ -105,6 +106,12 @@ void PrimitiveReader::decodeStream(const tinygltf::Value& extension) {
                                    tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type))});
     names.push_back(name);
   }
+  // What libdraco makes of it, and what we keep of that until the mesh is built.
+  std::size_t bytes = 2 * expected.indices * sizeof(std::uint32_t);
+  for (const DracoAttribute& each : expected.attributes)
+    bytes += 2 * m_vertexCount * static_cast<std::size_t>(each.componentCount) *
+             static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(each.componentType)));
+  m_charge = std::make_unique<MemoryCharge>(m_document.memory, bytes, place);
   const auto stream = m_document.bufferView(extension.Get("bufferView").GetNumberAsInt());
   try {
     DracoMesh mesh = decodeDraco(stream, expected);

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "scenes/gltf_accessor.h"
+#include "scenes/memory_budget.h"
 
 namespace parity::scenes {
 
@@ -45,6 +47,7 @@ private:
   bool m_isDraco = false;
   std::map<std::string, AccessorView> m_decoded; // attributes of the stream
   std::vector<std::uint32_t> m_triangles;        // of the stream
+  std::unique_ptr<MemoryCharge> m_charge;        // of what is decoded
 };
 
 } // namespace parity::scenes

@@ -18,6 +18,8 @@ glm::vec3 perpendicularTo(const glm::vec3& n);
 // where nothing defines a tangent get perpendicularTo(n) and w = 1. mesh.normals must be there. Returns the number of
 // used vertices that fell back.
 std::size_t makeTangents(Mesh& mesh, int texCoord);
+// The memory that it takes for its own meanwhile, at most but for what the mesh grows by.
+std::size_t bytesToMakeTangents(const Mesh& mesh);
 
 // Makes the tangents of a file unit length and w = +-1. One that is zero or not finite becomes perpendicularTo(n).
 // Returns how many were replaced.

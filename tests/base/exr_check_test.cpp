@@ -51,6 +51,14 @@ TEST(ExrCheck, RefusesAttributesLargerThanTheFile) {
   expectError([&] { readImage(folder / "a.exr"); }, "a.exr", "an attribute of -1 bytes");
 }
 
+// The library reads as many bytes as the type has, not as many as there are.
+TEST(ExrCheck, RefusesAttributesOfAnotherSizeThanTheirType) {
+  std::vector<std::byte> bytes = writeExr();
+  patch(bytes, "dataWindow", "box2i", 0, 15);
+  expectError([&] { check(bytes); }, "a.exr", "an attribute of type box2i has 15 bytes, expected 16");
+  expectError([&] { decodeRadiance(bytes, "a.exr"); }, "a.exr", "an attribute of type box2i has 15 bytes");
+}
+
 TEST(ExrCheck, RefusesWindowsBeyondTheLimits) {
   std::vector<std::byte> bytes = writeExr();
   patch(bytes, "dataWindow", "box2i", 4 + 8, 100000);

@@ -68,7 +68,7 @@ const BadScene kBadScenes[] = {
     {"NodeCycle",
      [](const TempFolder& f) {
        return writeEdited(f, [](GltfFile& g) {
-         g.json["nodes"] = {{{"mesh", 0}, {"children", {1}}}, {{"children", {0}}}};
+         g.json["nodes"] = {{{"mesh", 0}}, {{"children", {2}}}, {{"children", {1}}}};
        });
      },
      {"scene.gltf", "/nodes/"}},

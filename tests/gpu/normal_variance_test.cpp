@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "gpu/textures.h"
+#include "gpu/mips.h"
 
 namespace parity::gpu {
 namespace {
@@ -18,6 +18,12 @@ base::Image8 makeMap(int width, int height, const std::function<std::array<std::
       std::copy(rgb.begin(), rgb.end(), image.at(x, y));
     }
   return image;
+}
+
+void writeNormalVariance(std::vector<base::Image8>& mips) {
+  mips[0] = withoutVariance(std::move(mips[0]));
+  NormalVariance variance;
+  for (std::size_t level = 1; level < mips.size(); ++level) variance.writeNext(mips[level - 1], mips[level]);
 }
 
 TEST(NormalVariance, ofEqualNormalsIsExactlyZeroAtEveryLevelOfEverySize) {

@@ -43,6 +43,32 @@ TEST(GltfDraco, GivesTheSameSceneAsPlainAccessors) {
   EXPECT_TRUE(packed.warnings.empty());
 }
 
+// Beside the mesh itself, 40 bytes a vertex and 4 an index, there are the stream's values twice: libdraco's and ours.
+TEST(GltfDraco, CountsWhatIsDecoded) {
+  const scenes::Mesh sphere = scenes::makeSphere(1, 256, 129);
+  const std::size_t vertices = sphere.positions.size(), corners = sphere.indices.size();
+  GltfFile file = makeQuad();
+  const DracoSource source{sphere.positions, sphere.normals, {}, {}, sphere.indices};
+  const int view = file.addBufferView(encodeDraco(source, false));
+  file.primitive()["attributes"].erase("TEXCOORD_0");
+  file.json["accessors"].erase(2);
+  for (const std::size_t accessor : {0u, 1u, 2u}) {
+    file.json["accessors"][accessor].erase("bufferView");
+    file.json["accessors"][accessor]["count"] = accessor == 2 ? corners : vertices;
+  }
+  file.primitive()["indices"] = 2;
+  file.json["extensionsUsed"] = file.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+  file.primitive()["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", view},
+                                                                  {"attributes", {{"POSITION", 0}, {"NORMAL", 1}}}};
+  const TempFolder folder;
+  const std::string path = writeGlb(folder, file);
+  const std::size_t mesh = vertices * 40 + corners * 4, decoded = vertices * 24 + corners * 4;
+  const std::size_t fileBytes = std::filesystem::file_size(path);
+  EXPECT_EQ(scenes::loadScene(path, {.maxMemoryBytes = mesh + 3 * decoded + fileBytes}).meshes[0].indices.size(), corners);
+  expectError([&] { scenes::loadScene(path, {.maxMemoryBytes = mesh + decoded + fileBytes}); },
+              {"/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression: needs", "(--max-memory)"});
+}
+
 TEST(GltfDraco, IsPreferredToWhatTheAccessorsHold) {
   GltfFile file = makeDracoQuad();
   file.json.erase("extensionsRequired");

@@ -19,6 +19,22 @@ TEST(GltfLimits, RefusesMeshesThatGrowBeyondTheMemoryAllowed) {
               {path, "/meshes/0/primitives/", "the limit of a scene is 1024 MiB (--max-memory)"});
 }
 
+// 2.4 MB of corners; the lists by which tangents are made take 56 bytes of each, and each becomes a vertex.
+TEST(GltfLimits, RefusesTangentsThatTakeMoreThanTheMemoryAllowed) {
+  const TempFolder folder;
+  GltfFile file = makeQuad();
+  std::vector<std::uint8_t> corners;
+  for (int i = 0; i < 100000; ++i) corners.insert(corners.end(), {0, 1, 2, 0, 2, 3});
+  file.primitive()["indices"] = file.add<std::uint8_t>(corners, "SCALAR");
+  const auto load = [&] { return scenes::loadScene(writeGlb(folder, file), {.maxMemoryBytes = std::size_t{16} << 20}); };
+  EXPECT_EQ(load().meshes[0].indices.size(), corners.size());
+  writeFile(folder / "bumps.png", makePng(2, 2));
+  file.json["images"] = {{{"uri", "bumps.png"}}};
+  file.json["textures"] = {{{"source", 0}}};
+  file.material()["normalTexture"] = {{"index", 0}};
+  expectError(load, {"/meshes/0/primitives/0: needs", "(--max-memory)"});
+}
+
 TEST(GltfLimits, RefusesAMillionInstances) {
   const TempFolder folder;
   GltfFile file = makeQuad();

@@ -12,6 +12,9 @@ afterAll(async () => browser.close());
 
 const kItem = "#scene=0&view=0&material=0";
 const hashOf = (page: Page): URLSearchParams => new URLSearchParams(new URL(page.url()).hash.slice(1));
+// The page writes its state into the URL some time after a key or a click: later on a busy machine.
+const waitForState = (page: Page, key: string, value: string | null): Promise<void> =>
+  expect.poll(() => hashOf(page).get(key), { timeout: 10000 }).toBe(value);
 const pressedMode = (page: Page): Promise<string | null> => page.textContent(".modes button[aria-pressed=true]");
 
 async function openItem(report: string, hash = ""): Promise<{ page: Page; problems: string[]; requests: string[] }> {
@@ -52,8 +55,7 @@ describe("the comparison", () => {
     for (const [key, name, mode] of [["s", "Slider", "slider"], ["s", "Side by side", null], ["o", "Onion skin", "onion"], ["d", "Difference", "difference"], ["h", "FLIP map", "flip"]] as const) {
       await page.keyboard.press(key);
       await waitForMode(page, name);
-      await page.waitForTimeout(250);
-      expect(hashOf(page).get("mode")).toBe(mode);
+      await waitForState(page, "mode", mode);
     }
     for (const name of ["Side by side", "Slider", "Onion skin", "Flicker", "Difference", "FLIP map"]) {
       await page.click(`.modes button:has-text("${name}")`);
@@ -86,7 +88,7 @@ describe("the comparison", () => {
     if (!box) throw new Error("a pane");
     await page.mouse.move(box.x + box.width / 3, box.y + box.height / 3);
     await page.mouse.wheel(0, -400);
-    await page.waitForTimeout(300);
+    await expect.poll(async () => (await places())[0], { timeout: 10000 }).not.toBe(before[0]);
     await page.mouse.down();
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2, { steps: 4 });
     await page.mouse.up();
@@ -98,8 +100,7 @@ describe("the comparison", () => {
     expect(Number(hashOf(page).get("zoom"))).toBeGreaterThan(1);
     await page.mouse.move(5, 5);
     await page.keyboard.press("0");
-    await page.waitForTimeout(300);
-    expect(await places()).toEqual(before);
+    await expect.poll(places, { timeout: 10000 }).toEqual(before);
   });
 
   it("exposes both pictures from their unclipped values", async () => {
@@ -108,13 +109,11 @@ describe("the comparison", () => {
     await page.waitForTimeout(600);
     const before = await shot();
     for (let i = 0; i < 8; ++i) await page.keyboard.press("[");
-    await page.waitForTimeout(500);
-    expect(hashOf(page).get("exposure")).toBe("-2");
+    await waitForState(page, "exposure", "-2");
     expect(await page.textContent("output[for=viewer-exposure]")).toContain("2");
     expect((await shot()).equals(before)).toBe(false);
     await page.keyboard.press("0");
-    await page.waitForTimeout(500);
-    expect(hashOf(page).get("exposure")).toBeNull();
+    await waitForState(page, "exposure", null);
   });
 
   it("says how many pixels a threshold leaves, fewer the higher it is", async () => {
@@ -186,11 +185,10 @@ describe("a pixel's values", () => {
     const { page, problems } = await openItem("real");
     await page.waitForTimeout(600);
     await page.locator("parity-pane .stage").first().click({ position: { x: 150, y: 150 } });
-    await page.waitForTimeout(300);
+    await expect.poll(() => hashOf(page).get("pixelX"), { timeout: 10000 }).not.toBeNull();
     const x = Number(hashOf(page).get("pixelX"));
     await page.keyboard.press("ArrowRight");
-    await page.waitForTimeout(300);
-    expect(Number(hashOf(page).get("pixelX"))).toBe(x + 1);
+    await waitForState(page, "pixelX", String(x + 1));
     await page.click(".inspector summary");
     await page.waitForSelector(".inspector details tbody tr");
     expect(await page.textContent(".inspector details")).toMatch(/sky/i);

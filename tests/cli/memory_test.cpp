@@ -1,0 +1,60 @@
+// The memory of a whole run against what the scene is decoded to.
+#include "cli/checks.h"
+
+#include "base/image_io.h"
+
+namespace parity::tests {
+namespace {
+
+class MemoryTest : public RenderingTest {
+protected:
+  long peakOf(const std::string& scene, const char* command) {
+    const std::vector<std::string> arguments =
+        std::string(command) == "render"
+            ? join({{"render", scene, "--path", "mobile", "-o", (m_folder / "out.exr").string()}, kSun, kSmall})
+            : join({{"diff", scene}, kSun, kSmall});
+    const RunResult result = runParity(arguments);
+    EXPECT_TRUE(exitedWith(0, result));
+    return result.peakMiB;
+  }
+};
+
+// The device shares the memory. Twelve textures of 2048^2, each of one colour, as files small: 192 MiB decoded, and a
+// third more on the device.
+TEST_F(MemoryTest, ofTexturesStaysWithinTwoAndAHalfTimesWhatTheyAreDecodedTo) {
+  constexpr int kMaterials = 4, kSide = 2048;
+  GltfFile file = makeQuad();
+  const nlohmann::json quad = file.json["meshes"][0];
+  for (const char* list : {"meshes", "nodes", "materials"}) file.json[list] = nlohmann::json::array();
+  file.json["scenes"][0]["nodes"] = nlohmann::json::array();
+  const auto texture = [&](int index) { return nlohmann::json{{"index", index}}; };
+  for (int i = 0; i < 3 * kMaterials; ++i) {
+    const std::string name = "paint" + std::to_string(i) + ".png";
+    base::writeImage8((m_folder / name).string(), base::Image8(kSide, kSide, 3, static_cast<std::uint8_t>(100 + i)));
+    file.json["images"].push_back({{"uri", name}});
+    file.json["textures"].push_back({{"source", i}});
+  }
+  for (int m = 0; m < kMaterials; ++m) {
+    file.json["materials"].push_back({{"name", "paint " + std::to_string(m)},
+                                      {"pbrMetallicRoughness",
+                                       {{"baseColorTexture", texture(3 * m)},
+                                        {"metallicRoughnessTexture", texture(3 * m + 1)}}},
+                                      {"emissiveTexture", texture(3 * m + 2)},
+                                      {"emissiveFactor", {1, 1, 1}}});
+    nlohmann::json mesh = quad;
+    mesh["primitives"][0]["material"] = m;
+    file.json["meshes"].push_back(mesh);
+    file.json["nodes"].push_back({{"mesh", m}, {"translation", {2.5 * m, 0, 0}}}); // side by side: all are seen
+    file.json["scenes"][0]["nodes"].push_back(m);
+  }
+  const long decodedMiB = 3L * kMaterials * kSide * kSide * 4 >> 20;
+  const std::string plain = writeExternal(m_folder, makeQuad(), "plain"), scene = writeExternal(m_folder, file, "painted");
+  for (const char* command : {"render", "diff"}) {
+    const long own = peakOf(plain, command), peak = peakOf(scene, command);
+    EXPECT_GT(peak, own + decodedMiB) << "the textures are decoded at all: " << command;
+    EXPECT_LT(peak - own, decodedMiB * 5 / 2) << command;
+  }
+}
+
+} // namespace
+} // namespace parity::tests

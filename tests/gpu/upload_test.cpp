@@ -1,0 +1,152 @@
+// What is uploaded arrives whole, however large, and is told to be done with when nothing reads it any more.
+#include "support/device.h"
+#include "support/small_scenes.h"
+
+#include "gpu/image_upload.h"
+#include "gpu/scene_buffers.h"
+
+namespace parity::gpu {
+namespace {
+
+class UploadTest : public tests::DeviceTest {
+protected:
+  // A mip of one layer, as it lies on the device.
+  std::vector<std::byte> download(const DeviceImage& image, std::uint32_t mip, std::uint32_t layer, std::size_t bytes) {
+    const Buffer to(device(), bytes);
+    const DeviceImage::Shape& shape = image.shape();
+    device().submit("download", [&](const vk::raii::CommandBuffer& commands) {
+      changeLayout(commands, image, vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal);
+      commands.copyImageToBuffer(
+          image.handle(), vk::ImageLayout::eTransferSrcOptimal, to.handle(),
+          vk::BufferImageCopy(0, 0, 0, {vk::ImageAspectFlagBits::eColor, mip, layer, 1}, {},
+                              {std::max(shape.width >> mip, 1u), std::max(shape.height >> mip, 1u), 1}));
+      changeLayout(commands, image, vk::ImageLayout::eTransferSrcOptimal, vk::ImageLayout::eShaderReadOnlyOptimal);
+    });
+    return to.downloadAs<std::byte>(bytes);
+  }
+};
+
+constexpr vk::ImageUsageFlags kUsage =
+    vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst | vk::ImageUsageFlagBits::eTransferSrc;
+
+// Different at every byte of a mip and between mips.
+std::vector<std::byte> makePixels(std::size_t bytes, std::uint32_t seed) {
+  std::vector<std::byte> pixels(bytes);
+  std::uint32_t state = seed * 2654435761u + 1;
+  for (std::byte& each : pixels) {
+    state = state * 1664525u + 1013904223u;
+    each = static_cast<std::byte>(state >> 24);
+  }
+  return pixels;
+}
+
+TEST_F(UploadTest, anImageLargerThanTheStagingBufferHasAllItsMips) {
+  DeviceImage::Shape shape{.width = 2501, .height = 2003, .mips = 3, .usage = kUsage}; // 20 MB and two more
+  const DeviceImage image(device(), shape);
+  ImageUpload upload(device(), image);
+  std::vector<std::vector<std::byte>> mips;
+  for (std::uint32_t mip = 0; mip < shape.mips; ++mip) {
+    mips.push_back(makePixels(std::size_t{4} * (shape.width >> mip) * (shape.height >> mip), mip));
+    upload.write(mip, mips.back());
+  }
+  upload.finish();
+  for (std::uint32_t mip = 0; mip < shape.mips; ++mip)
+    EXPECT_EQ(download(image, mip, 0, mips[mip].size()), mips[mip]) << mip;
+}
+
+TEST_F(UploadTest, aCubeOfWideTexelsHasAllItsLayers) {
+  DeviceImage::Shape shape{.format = vk::Format::eR32G32B32A32Sfloat,
+                           .width = 512,
+                           .height = 512,
+                           .mips = 1,
+                           .cube = true,
+                           .arraySize = 1,
+                           .usage = kUsage}; // 24 MiB
+  const std::size_t layerBytes = std::size_t{16} * 512 * 512;
+  std::vector<std::byte> pixels = makePixels(6 * layerBytes, 7);
+  for (std::size_t i = 3; i < pixels.size(); i += 4) pixels[i] &= std::byte{0x3f}; // no NaN, which a copy may change
+  const std::span<const std::byte> mip = pixels;
+  const DeviceImage image(device(), shape, std::span{&mip, 1});
+  for (std::uint32_t layer = 0; layer < 6; ++layer) {
+    const auto found = download(image, 0, layer, layerBytes);
+    EXPECT_TRUE(std::equal(found.begin(), found.end(), pixels.begin() + static_cast<std::ptrdiff_t>(layer * layerBytes)))
+        << layer;
+  }
+}
+
+TEST_F(UploadTest, geometryOfManyPartsIsThatOfAllMeshesWithDefaultsForWhatOneLacks) {
+  scenes::Scene scene = tests::makeQuadScene();
+  scenes::Mesh dense = scene.meshes[0];
+  dense.tangents.clear();
+  const std::size_t count = 300000; // 3.6 MB of positions: more than one part
+  dense.positions.resize(count);
+  dense.normals.resize(count);
+  dense.uv0.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto value = static_cast<float>(i);
+    dense.positions[i] = {value, value + 0.5f, -value};
+    dense.normals[i] = {-value, 0, value};
+    dense.uv0[i] = {value, 2 * value};
+  }
+  for (std::uint32_t i = 4; i + 2 < count; ++i) dense.indices.insert(dense.indices.end(), {i, i + 1, i + 2});
+  scene.meshes = {tests::makeQuad(0), dense, tests::makeQuad(0)};
+  const SceneBuffers buffers(device(), scene);
+
+  ASSERT_EQ(buffers.meshes().size(), 3u);
+  EXPECT_EQ(buffers.meshes()[2].baseVertex, count + 4);
+  EXPECT_EQ(buffers.meshes()[2].firstIndex, 6 + dense.indices.size());
+  const auto expected = [&](const auto& attributeOf) {
+    auto all = attributeOf(scene.meshes[0]);
+    for (std::size_t m = 1; m < 3; ++m) {
+      const auto& more = attributeOf(scene.meshes[m]);
+      all.insert(all.end(), more.begin(), more.end());
+    }
+    return all;
+  };
+  EXPECT_EQ(buffers.positions.downloadAs<glm::vec3>(count + 8), expected([](const auto& m) { return m.positions; }));
+  EXPECT_EQ(buffers.normals.downloadAs<glm::vec3>(count + 8), expected([](const auto& m) { return m.normals; }));
+  EXPECT_EQ(buffers.indices.downloadAs<std::uint32_t>(dense.indices.size() + 12),
+            expected([](const auto& m) { return m.indices; }));
+  EXPECT_EQ(buffers.tangents.downloadAs<glm::vec4>(count + 8), expected([](scenes::Mesh m) {
+              m.tangents.resize(m.positions.size(), glm::vec4(0));
+              return m.tangents;
+            }));
+  EXPECT_EQ(buffers.uvs.downloadAs<glm::vec4>(count + 8), expected([](const scenes::Mesh& m) {
+              std::vector<glm::vec4> uvs;
+              for (const glm::vec2& uv : m.uv0) uvs.emplace_back(uv, glm::vec2(0));
+              return uvs;
+            }));
+}
+
+// Image 0 is read as colour by one material and as data by another; image 1 as colour by both; image 2 by none.
+TEST_F(UploadTest, anImageIsDoneWithWhenTheLastOfItsUsesIsUploaded) {
+  scenes::Scene scene = tests::makeQuadScene();
+  for (int i = 0; i < 3; ++i) scene.images.push_back({"image", base::Image8(5, 3, 4, 100)});
+  scene.materials.resize(2);
+  scene.materials[0].baseColorTexture.image = 0;
+  scene.materials[0].emissiveTexture.image = 1;
+  scene.materials[1].baseColorTexture.image = 1;
+  scene.materials[1].occlusionTexture.image = 0;
+  std::vector<int> done;
+  const Textures textures(device(), scene, false, [&](int image) {
+    done.push_back(image);
+    scene.images[static_cast<std::size_t>(image)].pixels = {};
+  });
+  const auto need = [&](std::size_t material, int slot) {
+    const Textures::Need one{textures.setOfMaterial()[material], 1u << slot};
+    textures.require(std::span(&one, 1));
+  };
+  need(0, kSlotBaseColor);
+  EXPECT_TRUE(done.empty()) << "it is still to be read as data";
+  need(0, kSlotEmissive);
+  EXPECT_EQ(done, std::vector{1});
+  need(1, kSlotBaseColor); // is there
+  need(1, kSlotOcclusion);
+  EXPECT_EQ(done, (std::vector{1, 0}));
+  EXPECT_EQ(textures.uploadedCount(), 3u);
+  EXPECT_EQ(textures.bindings({textures.setOfMaterial()[1], 1u << kSlotOcclusion}).size(), std::size_t{kSlotCount});
+  EXPECT_FALSE(scene.images[2].pixels.empty());
+}
+
+} // namespace
+} // namespace parity::gpu
