@@ -93,7 +93,12 @@ public:
     if (m_part.size() == kPart) upload();
   }
   void append(std::span<const T> values) {
-    for (const T& value : values) append(value);
+    while (!values.empty()) {
+      const std::span<const T> some = values.first(std::min(kPart - m_part.size(), values.size()));
+      m_part.insert(m_part.end(), some.begin(), some.end());
+      if (m_part.size() == kPart) upload();
+      values = values.subspan(some.size());
+    }
   }
   // An attribute of `count` vertices, or a default where the mesh lacks it.
   void append(std::span<const T> values, std::size_t count, const T& missing) {

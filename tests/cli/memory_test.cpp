@@ -14,7 +14,7 @@ protected:
             ? join({{"render", scene, "--path", "mobile", "-o", (m_folder / "out.exr").string()}, kSun, kSmall})
             : join({{"diff", scene}, kSun, kSmall});
     const RunResult result = runParity(arguments);
-    EXPECT_TRUE(exitedWith(0, result));
+    EXPECT_TRUE(result.exitCode == 0 || result.exitCode == 2) << result.err; // 2: the paths differ, as they may
     return result.peakMiB;
   }
 };
@@ -51,6 +51,7 @@ TEST_F(MemoryTest, ofTexturesStaysWithinTwoAndAHalfTimesWhatTheyAreDecodedTo) {
   const std::string plain = writeExternal(m_folder, makeQuad(), "plain"), scene = writeExternal(m_folder, file, "painted");
   for (const char* command : {"render", "diff"}) {
     const long own = peakOf(plain, command), peak = peakOf(scene, command);
+    RecordProperty(std::string(command) + " MiB", std::to_string(own) + " and " + std::to_string(peak));
     EXPECT_GT(peak, own + decodedMiB) << "the textures are decoded at all: " << command;
     EXPECT_LT(peak - own, decodedMiB * 5 / 2) << command;
   }
