@@ -12,6 +12,10 @@
 
 namespace parity::scenes {
 
+bool isInstanced(const GltfDocument& document, int node) {
+  return document.model.nodes[static_cast<std::size_t>(node)].extensions.contains("EXT_mesh_gpu_instancing");
+}
+
 std::size_t instanceCount(const GltfDocument& document, int node) {
   const auto& extensions = document.model.nodes[static_cast<std::size_t>(node)].extensions;
   const auto found = extensions.find("EXT_mesh_gpu_instancing");

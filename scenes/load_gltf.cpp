@@ -120,8 +120,16 @@ public:
         if (!built.isSkinned && !isFlat) add(built.mesh, toWorld, node);
       }
     }
+    bool isSkinned = false;
     for (const BuiltMesh& built : meshes)
-      if (built.isSkinned) add(built.mesh, glm::dmat4(1.0), node); // where its joints are, however often
+      if (built.isSkinned) {
+        add(built.mesh, glm::dmat4(1.0), node); // where its joints are
+        isSkinned = true;
+      }
+    if (isSkinned && isInstanced(m_document, node.node))
+      m_scene.warnings.push_back(fmt::format("/nodes/{} '{}': EXT_mesh_gpu_instancing does not move a skinned mesh, "
+                                             "it is shown once, where its joints are",
+                                             node.node, node.path));
     if (flat) m_scene.warnings.push_back(fmt::format("/nodes/{} '{}': a scale of 0, not shown", node.node, node.path));
   }
 

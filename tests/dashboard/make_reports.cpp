@@ -64,7 +64,7 @@ compare::ViewResult makeView(const std::string& name) {
 void addEvidence(compare::MaterialResult& material) {
   for (const char* term : {"sunDiffuse", "sunSpecular", "localDiffuse", "localSpecular", "skyDiffuse", "skySpecular"})
     material.terms.push_back({term, 0.2, 0.15});
-  material.notes = {"nonmetal: EnvBRDFApproxNonmetal on mobile"};
+  material.notes = {"not modelled: clearcoat, sheen", "nonmetal: EnvBRDFApproxNonmetal on mobile"};
   if (material.verdict == compare::Verdict::fail || material.figures.interior.find("flip.mean").value_or(0) > 0.2) {
     const double flip = *material.figures.interior.find("flip.mean");
     material.attribution = {"interior", flip, {{"skySpecular", flip / 4}, {"sunDiffuse", flip * 0.97}}};

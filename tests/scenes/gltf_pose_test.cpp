@@ -142,6 +142,19 @@ TEST(GltfSkin, MovesVerticesWithTheirJointsAndNotWithTheirNode) {
   EXPECT_NEAR(glm::length(mesh.normals[1] - glm::vec3(1, 0, 0)), 0.f, 1e-6f);
 }
 
+TEST(GltfSkin, IsNotMovedByInstancesAndSaysSo) {
+  GltfFile file = makeSkinned();
+  const int places = file.add<float>({1, 2, 3, 4, 5, 6}, "VEC3");
+  file.json["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
+  file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", places}};
+  const Scene scene = loadQuadlike(file);
+  ASSERT_EQ(scene.instances.size(), 1u);
+  EXPECT_EQ(scene.instances[0].toWorld, glm::mat4(1.f));
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_NE(scene.warnings[0].find("/nodes/0"), std::string::npos);
+  EXPECT_NE(scene.warnings[0].find("does not move a skinned mesh"), std::string::npos);
+}
+
 TEST(GltfSkin, BlendsMatricesByAllSetsOfWeights) {
   GltfFile file = makeSkinned();
   file.json["nodes"][2]["translation"] = {0, 0, 8};

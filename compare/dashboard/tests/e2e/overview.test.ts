@@ -21,6 +21,13 @@ describe("the overview of 500 materials", () => {
     expect(opened.problems).toEqual([]);
   });
 
+  it("says of an item what no path shows of its material", async () => {
+    const { page } = await openReport(browser, reportFolder("many"));
+    await page.keyboard.press("ArrowDown");
+    await page.waitForSelector("parity-item h2");
+    expect(await page.locator("parity-item .notes li").allTextContents()).toContain("not modelled: clearcoat, sheen");
+  });
+
   it("finds by words, filters by verdict and cause, and says how many are left", async () => {
     const { page } = await openReport(browser, reportFolder("many"));
     const caused = makeRows(readReport("many")).filter((row) => row.cause?.term === "skySpecular").length;
