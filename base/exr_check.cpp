@@ -88,6 +88,7 @@ private:
       if (static_cast<std::size_t>(size) > m_rest.size()) return false;
       const std::string_view value = m_rest.substr(0, static_cast<std::size_t>(size));
       m_rest.remove_prefix(value.size());
+      checkLength(*type, value);
       if (*attribute == "dataWindow" && value.size() == 16) {
         width = readInt(value.substr(8)) - readInt(value) + 1;
         height = readInt(value.substr(12)) - readInt(value.substr(4)) + 1;
@@ -96,7 +97,7 @@ private:
         tileWidth = readInt(value), tileHeight = readInt(value.substr(4));
         if (tileWidth < 1 || tileHeight < 1 || tileWidth > kMaxImageSide || tileHeight > kMaxImageSide)
           fail(fmt::format("tiles of {} x {} pixels", tileWidth, tileHeight));
-      } else if (*attribute == "channels") {
+      } else if (*attribute == "channels" && *type == "chlist") {
         channels = countChannels(value);
       } else if (*attribute == "compression" && value.size() == 1) {
         if (const auto number = static_cast<unsigned char>(value[0]); number < std::size(kLinesAChunk))
@@ -116,16 +117,35 @@ private:
     return true;
   }
 
-  // A name, a zero and 16 bytes each; a zero ends them.
+  // Types that say themselves how long they are must end where the attribute does: the library believes them.
+  void checkLength(std::string_view type, std::string_view value) const {
+    bool fits = true;
+    if (type == "chlist") {
+      fits = countChannels(value) >= 0;
+    } else if (type == "preview") {
+      const bool hasSize = value.size() >= 8;
+      const std::int64_t width = hasSize ? readInt(value) : -1, height = hasSize ? readInt(value.substr(4)) : -1;
+      fits = width >= 0 && height >= 0 && static_cast<std::int64_t>(value.size()) - 8 == 4 * width * height;
+    } else if (type == "stringvector") {
+      while (fits && !value.empty()) {
+        const std::int64_t length = value.size() >= 4 ? readInt(value) : -1;
+        fits = length >= 0 && static_cast<std::size_t>(length) <= value.size() - 4;
+        if (fits) value.remove_prefix(4 + static_cast<std::size_t>(length));
+      }
+    }
+    if (!fits) fail(fmt::format("an attribute of type {} does not end where it says", type));
+  }
+
+  // A name, a zero and 16 bytes each; a zero ends them. -1 where they do not end with the bytes.
   static std::int64_t countChannels(std::string_view list) {
     constexpr std::size_t kChannelBytes = 16;
     std::int64_t count = 0;
-    for (std::size_t end; !list.empty() && list[0] != '\0'; ++count) {
-      end = list.find('\0');
-      if (end == std::string_view::npos || list.size() - end - 1 < kChannelBytes) break;
+    for (; !list.empty() && list[0] != '\0'; ++count) {
+      const std::size_t end = list.find('\0');
+      if (end == std::string_view::npos || list.size() - end - 1 < kChannelBytes) return -1;
       list.remove_prefix(end + 1 + kChannelBytes);
     }
-    return count;
+    return list.size() == 1 ? count : -1;
   }
 
   void checkChunks(std::int64_t count) const {

@@ -72,7 +72,7 @@ private:
   int m_from, m_alpha, m_to;
 };
 
-// Band by band: of a large picture no second copy is in memory.
+// Band by band: of a large picture stored in scanlines we hold no second copy.
 template <typename T> Image8 convertWhileReading(Reader& reader, const ChannelMap& map, int channels) {
   const oiio::ImageSpec spec = reader.spec();
   Image8 image;

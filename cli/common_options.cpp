@@ -131,7 +131,7 @@ void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw
 
 void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   job::Settings& s = common.settings;
-  app.add_option("--env", common.environment, "HDR environment: .hdr, .exr or builtin:sky, studio, night, white")
+  app.add_option("--env", common.environment, "HDR environment: .hdr, .exr, .pfm or builtin:sky, studio, night, white")
       ->group("Scene");
   app.add_option("--env-rotation", common.environmentRotationDeg, "Turn the environment about +Y, degrees")
       ->check(within(-3600, 3600))

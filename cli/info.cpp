@@ -1,4 +1,6 @@
 // parity info: what is in a scene's file.
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,6 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kLightKinds[] = {"directional", "point", "spot"};
+constexpr std::string_view kAlphaModes[] = {"opaque", "mask", "blend"};
 
 Json toJson(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
@@ -33,6 +36,8 @@ Json materialsJson(const scenes::Scene& scene, const scenes::SceneInfo& info) {
                     {"roughness", material.roughness},
                     {"f0", toJson(info.materials[m].f0)},
                     {"emissive", toJson(material.emissive)},
+                    {"alphaMode", kAlphaModes[static_cast<int>(material.alphaMode)]},
+                    {"alphaCutoff", material.alphaCutoff},
                     {"textures", info.materials[m].textures},
                     {"notModelled", material.notModelled}});
   }
@@ -43,7 +48,9 @@ Json infoJson(const std::string& file, const scenes::Scene& scene, const scenes:
   const scenes::SourceFacts& facts = scene.facts;
   Json counts = Json::object();
   for (const auto& [name, count] : facts.counts) counts[name] = count;
-  Json lights = Json::array(), cameras = Json::array();
+  Json lights = Json::array(), cameras = Json::array(), animations = Json::array();
+  for (std::size_t a = 0; a < facts.animations.size(); ++a)
+    animations.push_back({{"name", facts.animations[a]}, {"seconds", facts.animationSeconds[a]}});
   for (const scenes::Light& light : scene.lights)
     lights.push_back({{"name", light.name},
                       {"kind", kLightKinds[static_cast<int>(light.kind)]},
@@ -58,7 +65,7 @@ Json infoJson(const std::string& file, const scenes::Scene& scene, const scenes:
           {"extensionsUsed", facts.extensionsUsed},
           {"extensionsRequired", facts.extensionsRequired},
           {"scenes", facts.scenes},
-          {"animations", facts.animations},
+          {"animations", animations},
           {"variants", facts.variants},
           {"arrays", counts},
           {"triangles", info.triangles},
@@ -101,7 +108,12 @@ void printInfo(const std::string& file, const scenes::Scene& scene, const scenes
              toMib(info.meshBytes), toMib(info.imageBytes), info.images, static_cast<double>(info.texels) / 1e6);
   printNames("extensions", facts.extensionsUsed);
   printNames("scenes", facts.scenes);
-  printNames("animations", facts.animations);
+  std::vector<std::string> animations;
+  for (std::size_t a = 0; a < facts.animations.size(); ++a)
+    animations.push_back(fmt::format("{} (0 to {:.4g} s)",
+                                     facts.animations[a].empty() ? fmt::format("({})", a) : facts.animations[a],
+                                     facts.animationSeconds[a]));
+  printNames("animations", animations);
   printNames("variants", facts.variants);
   for (const scenes::Camera& camera : scene.cameras)
     fmt::print("{:<11} {}, {}\n", "camera", camera.name, camera.orthographic ? "orthographic" : "perspective");
@@ -118,6 +130,8 @@ void printInfo(const std::string& file, const scenes::Scene& scene, const scenes
   for (std::size_t m = 0; m < info.materials.size(); ++m) {
     const scenes::MaterialInfo& material = info.materials[m];
     std::vector<std::string> flags = material.flags;
+    std::replace(flags.begin(), flags.end(), std::string("alpha mask"),
+                 fmt::format("alpha mask below {:.3g}", scene.materials[m].alphaCutoff));
     if (!scene.materials[m].notModelled.empty())
       flags.push_back(fmt::format("not modelled: {}", fmt::join(scene.materials[m].notModelled, ", ")));
     fmt::print("{:<{}} {:>10} {:>8.3g} {:>9.3g}  {}\n", material.name, width, material.triangles,

@@ -2,8 +2,8 @@
 # Every header must guard itself.
 function(parity_header_is_first result name header sources)
   set(${result} FALSE PARENT_SCOPE)
-  file(STRINGS ${header} guard REGEX "^#(pragma once|ifndef )" LIMIT_COUNT 1)
-  if(NOT guard)
+  file(STRINGS ${header} guard REGEX "^#" LIMIT_COUNT 2)
+  if(NOT guard MATCHES "^#pragma once" AND NOT guard MATCHES "^#ifndef ([A-Z_]+);#define [A-Z_]+$")
     message(FATAL_ERROR "${name}/${header} does not guard itself")
   endif()
   string(REGEX REPLACE "\\.h$" ".cpp" source ${header})

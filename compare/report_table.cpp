@@ -184,6 +184,17 @@ std::string unjudgedLine(const Report& report) {
                      report.baseline ? "the baseline has nothing to hold them against" : "no --baseline was given");
 }
 
+// A line for each problem.
+std::string errorLines(const SceneResult& scene, bool color) {
+  std::string out;
+  for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+    end = scene.error.find('\n', begin);
+    out += fmt::format("{}: {}: {}\n", plainLine(scene.name), paint(Verdict::error, "error", color),
+                       plainLine(scene.error.substr(begin, end - begin)));
+  }
+  return out;
+}
+
 } // namespace
 
 std::string toTable(const Report& report, bool color) {
@@ -193,8 +204,7 @@ std::string toTable(const Report& report, bool color) {
     if (const std::string costs = describeCosts(scene.permutations); !costs.empty())
       out += fmt::format("{}: {}\n\n", plainLine(scene.name), costs);
     if (!scene.error.empty())
-      out += fmt::format("{}: {}: {}\n\n", plainLine(scene.name), paint(Verdict::error, "error", color),
-                         plainLine(scene.error));
+      out += errorLines(scene, color) + "\n";
   }
   if (report.baseline) {
     const BaselineSummary& baseline = *report.baseline;

@@ -10,7 +10,7 @@ namespace parity::gpu {
 namespace {
 
 constexpr vk::DeviceSize kMaxStagingBytes = 16 << 20; // a row of the largest image is a sixty-fourth of it
-constexpr vk::DeviceSize kAlignment = 16;             // of a copy's begin: a multiple of every texel's size but 12
+constexpr vk::DeviceSize kAlignment = 16;             // of a copy's begin, which must be a multiple of a texel's size
 
 vk::DeviceSize alignUp(vk::DeviceSize size) { return (size + kAlignment - 1) / kAlignment * kAlignment; }
 
@@ -29,7 +29,9 @@ vk::DeviceSize stagingBytes(const DeviceImage::Shape& shape) {
 } // namespace
 
 ImageUpload::ImageUpload(const Device& device, const DeviceImage& image)
-    : m_device(device), m_image(image), m_staging(device, stagingBytes(image.shape())) {}
+    : m_device(device), m_image(image), m_staging(device, stagingBytes(image.shape())) {
+  assert(kAlignment % vk::blockSize(image.shape().format) == 0);
+}
 
 void ImageUpload::write(std::uint32_t mip, std::span<const std::byte> pixels) {
   const DeviceImage::Shape& shape = m_image.shape();

@@ -11,7 +11,7 @@
 
 namespace parity::gpu {
 
-// Fills a new image of uncompressed texels. Not thread-safe.
+// Fills a new image of uncompressed texels of 1, 2, 4, 8 or 16 bytes. Not thread-safe.
 class ImageUpload {
 public:
   // Both must outlive it.

@@ -85,18 +85,19 @@ public:
                             fmt::format("{} MiB of geometry, the device '{}' binds {} MiB at most", bytes >> 20,
                                         device.report().name, limit >> 20));
     m_buffer = Buffer(device, bytes);
-    m_part.reserve(std::min(count, kPart));
+    m_most = (device.unifiedMemory() ? kMappedPart : kStagedPart) / sizeof(T);
+    m_part.reserve(std::min(count, m_most));
   }
 
   void append(const T& value) {
     m_part.push_back(value);
-    if (m_part.size() == kPart) upload();
+    if (m_part.size() == m_most) upload();
   }
   void append(std::span<const T> values) {
     while (!values.empty()) {
-      const std::span<const T> some = values.first(std::min(kPart - m_part.size(), values.size()));
+      const std::span<const T> some = values.first(std::min(m_most - m_part.size(), values.size()));
       m_part.insert(m_part.end(), some.begin(), some.end());
-      if (m_part.size() == kPart) upload();
+      if (m_part.size() == m_most) upload();
       values = values.subspan(some.size());
     }
   }
@@ -113,7 +114,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t kPart = (std::size_t{1} << 20) / sizeof(T);
+  static constexpr std::size_t kMappedPart = 1 << 20, kStagedPart = 16 << 20; // bytes; a staged one is a submission
 
   void upload() {
     m_buffer.upload(std::as_bytes(std::span{m_part}), m_done * sizeof(T));
@@ -123,7 +124,7 @@ private:
 
   Buffer m_buffer;
   std::vector<T> m_part;
-  std::size_t m_done = 0;
+  std::size_t m_most = 0, m_done = 0; // elements of a part, elements uploaded
 };
 
 template <typename T>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <set>
 #include <utility>
 
@@ -117,8 +118,7 @@ Textures::Textures(const Device& device, const scenes::Scene& scene, bool normal
     m_setOfMaterial.push_back(entry->second);
   }
   m_images.resize(m_sources.size());
-  m_unreadSources.resize(scene.images.size());
-  for (const Source& source : m_sources) ++m_unreadSources[source.image];
+  countReads();
   m_samplers.push_back(makeSampler(device, {}));
   for (const scenes::Sampler& sampler : samplers) m_samplers.push_back(makeSampler(device, sampler));
   const base::Image8 white(2, 2, 4, 255);
@@ -134,10 +134,29 @@ void Textures::require(std::span<const Need> needs) const {
         if (!m_images[image]) missing.insert(image);
   for (const int each : missing) {
     const auto [image, use] = m_sources[each];
+    assert(!m_scene.images[image].pixels.empty() && "read by a material that is not placed");
     NormalVariance variance;
     m_images[each] = upload(m_device, m_scene.images[image].pixels, use == Use::color,
                             use == Use::normalVariance ? &variance : nullptr, [&] { countAsRead(image); });
   }
+}
+
+// Of what is placed in the scene, and of that only what its class reads.
+void Textures::countReads() {
+  std::set<int> read; // into m_sources
+  for (const scenes::Instance& instance : m_scene.instances) {
+    const std::uint32_t material = m_scene.meshes[instance.mesh].material;
+    std::uint32_t slots = classify(m_scene.materials[material]).textures;
+    if (m_scene.materials[material].alphaMode != scenes::AlphaMode::opaque) slots |= 1u << kSlotBaseColor;
+    for (int slot = 0; slot < kSlotCount; ++slot)
+      if (const int source = m_sets[m_setOfMaterial[material]][slot].image; (slots >> slot & 1u) != 0 && source >= 0)
+        read.insert(source);
+  }
+  m_unreadSources.resize(m_scene.images.size());
+  for (const int source : read) ++m_unreadSources[m_sources[source].image];
+  if (m_onLastRead)
+    for (std::size_t image = 0; image < m_unreadSources.size(); ++image)
+      if (m_unreadSources[image] == 0) m_onLastRead(static_cast<int>(image));
 }
 
 void Textures::countAsRead(int image) const {

@@ -21,8 +21,8 @@ using ImageDone = std::function<void(int)>;
 class Textures {
 public:
   // normalVariance: normal maps get the spread of their normals as alpha (gpu/normal_variance.h). An image that another
-  // slot reads, too, keeps its alpha there. The scene must outlive it. onLastRead: the image's pixels are not read any
-  // more, by these textures; may free them.
+  // slot reads, too, keeps its alpha there. The scene must outlive it. onLastRead: what is placed in the scene
+  // reads the image's pixels no more; may free them.
   Textures(const Device& device, const scenes::Scene& scene, bool normalVariance, ImageDone onLastRead = {});
 
   // Index of each material's texture set.
@@ -57,6 +57,7 @@ private:
     Use use = Use::color;
     auto operator<=>(const Source&) const = default;
   };
+  void countReads();
   void countAsRead(int image) const;
 
   const Device& m_device;

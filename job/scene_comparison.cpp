@@ -34,7 +34,7 @@ std::string withoutFolders(std::string text, const SceneRequest& request) {
     const std::string folder = (std::filesystem::path(file).parent_path() / "").string();
     if (folder.empty()) continue;
     for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at))
-      if (at == 0 || text[at - 1] == ' ' || text[at - 1] == '\'')
+      if (at == 0 || text[at - 1] == ' ' || text[at - 1] == '\n' || text[at - 1] == '\'')
         text.erase(at, folder.size());
       else
         ++at; // the end of another path
@@ -59,7 +59,9 @@ public:
     ComparedScene scene;
     compare::SceneResult& result = scene.result = startScene(request);
     const auto setError = [&](const char* message, base::ExitCode code) {
-      scene.error = fmt::format("{}: {}", result.name, message);
+      scene.error = fmt::format("{}: {}", result.name, message); // several problems are several lines
+      for (std::size_t at = scene.error.find('\n'); at != std::string::npos; at = scene.error.find('\n', at + 1))
+        scene.error.insert(at + 1, result.name + ": ");
       result.error = withoutFolders(message, request);
       result.errorExitCode = static_cast<int>(code);
     };

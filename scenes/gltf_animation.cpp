@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -45,7 +46,9 @@ public:
     if (!output.isFloat() && !output.isNormalized()) throw output.error("expected FLOAT or normalized integers");
     const std::size_t numbers = input.count() + output.count() * static_cast<std::size_t>(output.componentCount());
     const MemoryCharge charge(document.memory, numbers * (sizeof(double) + sizeof(glm::vec4)), place);
-    m_moment = findMoment(input, input.readScalars(), document.options.timeSeconds);
+    const std::vector<float> keys = input.readScalars();
+    m_moment = findMoment(input, keys, document.options.timeSeconds);
+    m_end = keys.back();
     const bool isScalar = output.componentCount() == 1; // weights, all targets of a key in a row
     const std::size_t perKey = (isScalar ? width : 1) * (m_isCubic ? 3 : 1);
     if (!isScalar && static_cast<std::size_t>(output.componentCount()) != width)
@@ -66,6 +69,7 @@ public:
     return m_values[(m_isCubic ? 3 * key + part : key) * m_width + i];
   }
   const Moment& moment() const { return m_moment; }
+  double end() const { return m_end; } // time of the last key
   bool holdsStill() const { return m_isStep || m_moment.fraction == 0; }
   bool isCubic() const { return m_isCubic; }
 
@@ -86,6 +90,7 @@ private:
   std::size_t m_width;
   bool m_isCubic, m_isStep;
   Moment m_moment;
+  double m_end = 0;
   std::vector<double> m_values;
 };
 
@@ -114,40 +119,67 @@ std::vector<std::size_t> chosenAnimations(const GltfDocument& document) {
   return all;
 }
 
-void applyChannel(const GltfDocument& document, const tinygltf::AnimationChannel& channel,
-                  const tinygltf::AnimationSampler& sampler, const std::string& place, Pose& pose) {
+// Returns the time of its last key.
+double applyChannel(const GltfDocument& document, const tinygltf::AnimationChannel& channel,
+                    const tinygltf::AnimationSampler& source, const std::string& place, Pose& pose) {
   const tinygltf::Node& node = document.model.nodes[static_cast<std::size_t>(channel.target_node)];
-  const auto sample = [&](std::size_t width) { return Sampler(document, sampler, place, width); };
+  const auto sample = [&](std::size_t width) { return Sampler(document, source, place, width); };
   if (channel.target_path == "weights") {
     const std::size_t targets =
         node.mesh < 0 ? 0
                       : document.model.meshes[static_cast<std::size_t>(node.mesh)].primitives.front().targets.size();
     if (targets == 0) throw document.error(place, "animates weights of a node whose mesh has no morph targets");
-    const std::vector<double> value = sample(targets).evaluate();
+    const Sampler sampler = sample(targets);
+    const std::vector<double> value = sampler.evaluate();
     pose[channel.target_node].weights.emplace(value.begin(), value.end());
-    return;
+    return sampler.end();
   }
   if (!node.matrix.empty())
     throw document.error(fmt::format("/nodes/{}/matrix", channel.target_node),
                          "is there on an animated node, expected translation, rotation and scale");
   if (channel.target_path == "rotation") {
-    const glm::dquat rotation = evaluateRotation(sample(4));
+    const Sampler sampler = sample(4);
+    const glm::dquat rotation = evaluateRotation(sampler);
     if (!(glm::length(rotation) > 0)) throw document.error(place, "a rotation of length 0");
     pose[channel.target_node].rotation = rotation;
-    return;
+    return sampler.end();
   }
-  const std::vector<double> value = sample(3).evaluate();
+  const Sampler sampler = sample(3);
+  const std::vector<double> value = sampler.evaluate();
   (channel.target_path == "scale" ? pose[channel.target_node].scale : pose[channel.target_node].translation) =
       glm::dvec3(value[0], value[1], value[2]);
+  return sampler.end();
+}
+
+// Where the time that was asked for shows nothing of its own.
+void warnOfTime(double time, const std::optional<double>& end, std::vector<std::string>& warnings) {
+  if (time != 0 && !end)
+    warnings.push_back(fmt::format("--time {:g}: no animation moves anything that is shown", time));
+  else if (time < 0)
+    warnings.push_back(fmt::format("--time {:g}: the first pose is shown, animations begin at 0 s", time));
+  else if (end && time > *end && static_cast<float>(time) > static_cast<float>(*end))
+    warnings.push_back(fmt::format("--time {:g}: the last pose is shown, the last key is at {:g} s", time, *end));
 }
 
 } // namespace
+
+std::vector<double> animationLengths(const GltfDocument& document) {
+  std::vector<double> lengths;
+  for (const tinygltf::Animation& animation : document.model.animations) {
+    double& length = lengths.emplace_back(0);
+    for (const tinygltf::AnimationSampler& sampler : animation.samplers)
+      if (const auto& most = document.model.accessors[static_cast<std::size_t>(sampler.input)].maxValues; !most.empty())
+        length = std::max(length, most.front());
+  }
+  return lengths;
+}
 
 Pose poseAt(const GltfDocument& document, const std::function<bool(int)>& isNeeded, Problems& problems,
             std::vector<std::string>& warnings) {
   Pose pose;
   std::set<std::pair<int, std::string>> known; // properties of earlier animations
   std::size_t contradictions = 0;
+  std::optional<double> end; // of all that is played
   for (const std::size_t a : chosenAnimations(document)) {
     const tinygltf::Animation& animation = document.model.animations[a];
     std::set<std::pair<int, std::string>> own;
@@ -169,12 +201,15 @@ Pose poseAt(const GltfDocument& document, const std::function<bool(int)>& isNeed
         if (!own.insert(property).second)
           throw document.error(
               place, fmt::format("animates the {} of /nodes/{} a second time", property.second, property.first));
-        applyChannel(document, channel, animation.samplers[static_cast<std::size_t>(channel.sampler)],
-                     fmt::format("/animations/{}/samplers/{}", a, channel.sampler), pose);
+        const double last =
+            applyChannel(document, channel, animation.samplers[static_cast<std::size_t>(channel.sampler)],
+                         fmt::format("/animations/{}/samplers/{}", a, channel.sampler), pose);
+        end = std::max(end.value_or(0), last);
       });
     }
     known.merge(own);
   }
+  warnOfTime(document.options.timeSeconds, end, warnings);
   if (contradictions)
     warnings.push_back(fmt::format("{} channels of later animations are left out: an earlier one moves the same "
                                    "(--animation chooses one)",

@@ -18,4 +18,7 @@ namespace parity::scenes {
 Pose poseAt(const GltfDocument& document, const std::function<bool(int node)>& isNeeded, Problems& problems,
             std::vector<std::string>& warnings);
 
+// Of each animation the time of its last key, seconds, as the file declares it; 0 where it does not.
+std::vector<double> animationLengths(const GltfDocument& document);
+
 } // namespace parity::scenes

@@ -84,9 +84,8 @@ public:
   explicit BoundedMesh(std::size_t maxBytes) : m_left(maxBytes) {}
 
   void SetAttribute(int id, std::unique_ptr<draco::PointAttribute> attribute) override {
-    // Values, their quantised form, and the map from points to values.
     const std::size_t size = static_cast<std::size_t>(draco::DataTypeLength(attribute->data_type()));
-    const std::size_t perPoint = static_cast<std::size_t>(attribute->num_components()) * (size + 4) + 8;
+    const std::size_t perPoint = dracoBytesOfVertex(attribute->num_components(), size);
     if (perPoint > m_left / std::max<std::size_t>(num_points(), 1))
       throw refusal("the stream's attributes take more memory than there is for them");
     m_left -= perPoint * num_points();

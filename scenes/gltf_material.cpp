@@ -66,6 +66,10 @@ private:
     m_material.occlusionStrength = clamp(m_source.occlusionTexture.strength, 0, 1, "occlusionTexture.strength");
     for (int i = 0; i < 3; ++i)
       m_material.emissive[i] = clamp(m_source.emissiveFactor[static_cast<std::size_t>(i)], 0, kInf, "emissiveFactor");
+    if (std::max({m_material.emissive.x, m_material.emissive.y, m_material.emissive.z}) > 1) // as some exporters write
+      m_warnings.push_back(fmt::format("{}: emissiveFactor is above 1, taken as it is "
+                                       "(KHR_materials_emissive_strength is meant for that)",
+                                       m_place));
     m_material.baseColorTexture = slot(pbr.baseColorTexture, "pbrMetallicRoughness/baseColorTexture");
     m_material.metallicRoughnessTexture =
         slot(pbr.metallicRoughnessTexture, "pbrMetallicRoughness/metallicRoughnessTexture");

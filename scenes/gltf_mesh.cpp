@@ -57,14 +57,17 @@ void readTexCoords(const PrimitiveReader& reader, Mesh& mesh, const Material& ma
   if (sets.second != sets.first)
     if (const auto view = reader.attribute(fmt::format("TEXCOORD_{}", sets.second), warnings))
       mesh.uv1 = view->readVec2();
-  bool missing = false;
-  for (const TextureSlot* slot : {&material.baseColorTexture, &material.metallicRoughnessTexture,
-                                  &material.normalTexture, &material.occlusionTexture, &material.emissiveTexture,
-                                  &material.specularTexture, &material.specularColorTexture})
-    missing |= slot->present() && (slot->texCoord == 0 ? mesh.uv0 : mesh.uv1).empty();
-  if (missing)
-    warnings.push_back(fmt::format("{}: material '{}' has a texture whose TEXCOORD this mesh lacks, read at (0,0)",
-                                   reader.place(), material.name));
+  for (const auto& [key, slot] : {std::pair("baseColorTexture", &material.baseColorTexture),
+                                  {"metallicRoughnessTexture", &material.metallicRoughnessTexture},
+                                  {"normalTexture", &material.normalTexture},
+                                  {"occlusionTexture", &material.occlusionTexture},
+                                  {"emissiveTexture", &material.emissiveTexture},
+                                  {"specularTexture", &material.specularTexture},
+                                  {"specularColorTexture", &material.specularColorTexture}})
+    if (slot->present() && (slot->texCoord == 0 ? mesh.uv0 : mesh.uv1).empty())
+      warnings.push_back(fmt::format("{}: the {} of material '{}' is read by TEXCOORD_{}, which the mesh lacks: at (0,0)",
+                                     reader.place(), key, material.name,
+                                     slot->texCoord == 0 ? sets.first : sets.second));
 }
 
 std::size_t bytesOfVertex(const Mesh& mesh) {
@@ -74,11 +77,9 @@ std::size_t bytesOfVertex(const Mesh& mesh) {
 
 // Counts what that takes for its own and what the mesh grows by.
 std::size_t makeTangentsCounted(Mesh& mesh, int texCoord, MemoryBudget& memory, const std::string& place) {
-  const std::size_t vertices = mesh.positions.size();
   const MemoryCharge working(memory, bytesToMakeTangents(mesh), place);
-  const std::size_t arbitrary = makeTangents(mesh, texCoord);
-  memory.take((mesh.positions.size() - vertices) * bytesOfVertex(mesh), place);
-  return arbitrary;
+  const std::size_t ofVertex = bytesOfVertex(mesh);
+  return makeTangents(mesh, texCoord, [&](std::size_t vertices) { memory.take(vertices * ofVertex, place); });
 }
 
 // Makes the directions of a posed mesh usable, and generates what it lacks and needs.

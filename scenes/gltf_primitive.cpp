@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "base/parallel.h"
 #include "scenes/gltf_draco.h"
 #include "scenes/mesh_repair.h"
 
@@ -89,8 +88,6 @@ void PrimitiveReader::decodeStream(const tinygltf::Value& extension) {
   expected.vertices = m_vertexCount;
   if (m_source.indices >= 0) expected.indices = accessorAt(m_source.indices).count;
   expected.exactIndices = m_source.mode == TINYGLTF_MODE_TRIANGLES;
-  const std::size_t taken = m_document.memory.taken(), most = m_document.options.maxMemoryBytes;
-  expected.maxBytes = (most - std::min(most, taken)) / static_cast<std::size_t>(base::threadCount()); // others decode
   const tinygltf::Value& attributes = extension.Get("attributes");
   std::vector<std::string> names;
   for (const std::string& name : attributes.Keys()) {
@@ -106,12 +103,20 @@ void PrimitiveReader::decodeStream(const tinygltf::Value& extension) {
                                    tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type))});
     names.push_back(name);
   }
-  // What libdraco makes of it, and what we keep of that until the mesh is built.
-  std::size_t bytes = 2 * expected.indices * sizeof(std::uint32_t);
-  for (const DracoAttribute& each : expected.attributes)
-    bytes += 2 * m_vertexCount * static_cast<std::size_t>(each.componentCount) *
-             static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(each.componentType)));
-  m_charge = std::make_unique<MemoryCharge>(m_document.memory, bytes, place);
+  // What libdraco makes of it, attributes among that which we do not ask for; and what we keep of it until the mesh is
+  // built.
+  constexpr std::size_t kOtherAttributes = 64; // bytes of a vertex
+  std::size_t ofVertex = kOtherAttributes, kept = 0;
+  for (const DracoAttribute& each : expected.attributes) {
+    const auto size =
+        static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(each.componentType)));
+    ofVertex += dracoBytesOfVertex(each.componentCount, size);
+    kept += static_cast<std::size_t>(each.componentCount) * size;
+  }
+  const std::size_t indexBytes = expected.indices * sizeof(std::uint32_t);
+  expected.maxBytes = m_vertexCount * ofVertex + indexBytes;
+  m_charge =
+      std::make_unique<MemoryCharge>(m_document.memory, expected.maxBytes + m_vertexCount * kept + indexBytes, place);
   const auto stream = m_document.bufferView(extension.Get("bufferView").GetNumberAsInt());
   try {
     DracoMesh mesh = decodeDraco(stream, expected);

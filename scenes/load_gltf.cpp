@@ -198,6 +198,7 @@ Scene loadGltf(const std::string& file, const LoadOptions& options) {
   scene.name = cleanName(scene.file.stem().string());
   scene.warnings = document.warnings;
   scene.facts = document.facts;
+  scene.facts.animationSeconds = animationLengths(document);
 
   Problems problems(file);
   const NodeList list = listNodes(document, scene.warnings);

@@ -152,6 +152,7 @@ struct SourceFacts {
   std::string version, generator, copyright;
   std::vector<std::string> extensionsUsed, extensionsRequired;
   std::vector<std::string> scenes, animations, variants;   // names, empty where there is none
+  std::vector<double> animationSeconds;                    // the time of the last key of each animation
   std::vector<std::pair<std::string, std::size_t>> counts; // of the file's own arrays: "nodes", 12
 };
 

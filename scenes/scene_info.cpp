@@ -27,7 +27,7 @@ std::size_t bytesOf(const Mesh& mesh) {
          bytesOf(mesh.uv1) + bytesOf(mesh.colors) + bytesOf(mesh.indices);
 }
 
-MaterialInfo describe(const Scene& scene, const Material& material, std::size_t triangles) {
+MaterialInfo describe(const Scene& scene, const Material& material, std::size_t triangles, bool hasColors) {
   MaterialInfo info;
   info.name = material.name;
   info.f0 = material.dielectricF0();
@@ -47,6 +47,7 @@ MaterialInfo describe(const Scene& scene, const Material& material, std::size_t 
   add(material.fullyRough, "fully rough");
   add(!info.textures.empty(), "textured");
   add(material.normalTexture.present(), "normal map");
+  add(hasColors, "vertex colours");
   add(material.emissive != glm::vec3(0), "emissive");
   add(material.alphaMode == AlphaMode::mask, "alpha mask");
   add(material.alphaMode == AlphaMode::blend, "alpha blend");
@@ -60,6 +61,7 @@ MaterialInfo describe(const Scene& scene, const Material& material, std::size_t 
 SceneInfo describeScene(const Scene& scene) {
   SceneInfo info;
   std::vector<std::size_t> triangles(scene.materials.size());
+  std::vector<bool> hasColors(scene.materials.size());
   info.instances = scene.instances.size();
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
@@ -67,11 +69,12 @@ SceneInfo describeScene(const Scene& scene) {
     info.triangles += mesh.indices.size() / 3;
   }
   for (const Mesh& mesh : scene.meshes) {
+    if (!mesh.colors.empty()) hasColors[mesh.material] = true;
     info.vertices += mesh.positions.size();
     info.meshBytes += bytesOf(mesh);
   }
   for (std::size_t m = 0; m < scene.materials.size(); ++m)
-    info.materials.push_back(describe(scene, scene.materials[m], triangles[m]));
+    info.materials.push_back(describe(scene, scene.materials[m], triangles[m], hasColors[m]));
   for (const TextureImage& image : scene.images) {
     info.images += !image.pixels.pixels.empty();
     info.texels += image.pixels.pixelCount();

@@ -28,6 +28,18 @@ std::uint32_t repeatVertex(Mesh& mesh, std::size_t vertex) {
   return static_cast<std::uint32_t>(mesh.positions.size() - 1);
 }
 
+void reserve(Mesh& mesh, std::size_t vertices) {
+  const auto each = [&](auto& attribute) {
+    if (!attribute.empty()) attribute.reserve(vertices);
+  };
+  each(mesh.positions);
+  each(mesh.normals);
+  each(mesh.uv0);
+  each(mesh.uv1);
+  each(mesh.colors);
+  mesh.tangents.reserve(vertices);
+}
+
 } // namespace
 
 glm::vec3 perpendicularTo(const glm::vec3& n) {
@@ -36,7 +48,7 @@ glm::vec3 perpendicularTo(const glm::vec3& n) {
   return {1.f + sign * n.x * n.x * a, sign * b, -sign * n.x};
 }
 
-std::size_t makeTangents(Mesh& mesh, int texCoord) {
+std::size_t makeTangents(Mesh& mesh, int texCoord, const std::function<void(std::size_t)>& beforeGrowth) {
   std::vector<glm::vec2> none;
   const std::vector<glm::vec2>& given = texCoord == 0 ? mesh.uv0 : mesh.uv1;
   if (given.empty()) none.resize(mesh.positions.size());
@@ -44,17 +56,28 @@ std::size_t makeTangents(Mesh& mesh, int texCoord) {
       makeCornerTangents({mesh.positions, mesh.normals, given.empty() ? none : given, mesh.indices});
   const auto differ = [&](std::uint32_t a, std::uint32_t b) { return compare(tangentAt[a], tangentAt[b]) != 0; };
 
-  std::size_t fallbacks = 0;
   const std::size_t original = mesh.positions.size();
   const CornerLists lists(mesh.indices, original);
-  mesh.tangents.assign(original, glm::vec4(0));
   std::vector<std::uint32_t> corners;
-  for (std::size_t v = 0; v < original; ++v) {
+  // By value: which tangent stays at the vertex must not depend on the order of the triangles.
+  const auto sortCorners = [&](std::size_t v) {
     corners.assign(lists.at(v).begin(), lists.at(v).end());
-    // By value: which tangent stays at the vertex must not depend on the order of the triangles.
-    if (std::adjacent_find(corners.begin(), corners.end(), differ) != corners.end())
-      std::sort(corners.begin(), corners.end(),
-                [&](std::uint32_t a, std::uint32_t b) { return compare(tangentAt[a], tangentAt[b]) < 0; });
+    if (std::adjacent_find(corners.begin(), corners.end(), differ) == corners.end()) return false;
+    std::sort(corners.begin(), corners.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return compare(tangentAt[a], tangentAt[b]) < 0; });
+    return true;
+  };
+  std::size_t splits = 0;
+  for (std::size_t v = 0; v < original; ++v)
+    if (sortCorners(v))
+      for (std::size_t i = 1; i < corners.size(); ++i) splits += differ(corners[i - 1], corners[i]);
+  if (beforeGrowth) beforeGrowth(splits);
+  reserve(mesh, original + splits);
+
+  std::size_t fallbacks = 0;
+  mesh.tangents.assign(original, glm::vec4(0));
+  for (std::size_t v = 0; v < original; ++v) {
+    sortCorners(v);
     std::uint32_t target = static_cast<std::uint32_t>(v);
     for (std::size_t i = 0; i < corners.size(); ++i) {
       if (i > 0 && differ(corners[i - 1], corners[i])) target = repeatVertex(mesh, v);
@@ -66,16 +89,15 @@ std::size_t makeTangents(Mesh& mesh, int texCoord) {
       fallbacks += !corners.empty();
     }
   }
-  const auto trim = [](auto&... attributes) { (attributes.shrink_to_fit(), ...); }; // grown by doubling
-  if (mesh.positions.size() > original)
-    trim(mesh.positions, mesh.normals, mesh.tangents, mesh.uv0, mesh.uv1, mesh.colors);
   return fallbacks;
 }
 
 std::size_t bytesToMakeTangents(const Mesh& mesh) {
-  // Of a corner: its vertex, its places in two lists, its tangent, and where its triangle has no direction in uv, its
-  // edge and a vote. Of a vertex: its class, the table of classes, the begins of two lists.
-  return mesh.indices.size() * (4 + 2 * 4 + 16 + 12 + 16) + mesh.positions.size() * (4 + 16 + 2 * 8);
+  // Of a corner: its vertex, its places in two lists, its tangent; where its triangle has no direction in uv, its edge
+  // and a vote; and of the corners at the vertex in work, which may be all: group, sum, contribution, tangent, two links.
+  // Of a vertex: its class, the table of classes, the begins of two lists.
+  return mesh.indices.size() * ((4 + 2 * 4 + 16) + (12 + 16) + (4 + 32 + 32 + 16 + 2 * 16)) +
+         mesh.positions.size() * (4 + 16 + 2 * 8);
 }
 
 std::size_t mendTangents(Mesh& mesh) {

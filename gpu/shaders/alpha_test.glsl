@@ -15,13 +15,18 @@ layout(location = 0) in vec4 inUv;
 layout(location = 1) in float inAlpha;
 layout(location = 0) out uvec2 outIds; // instance + 1 (0: nothing), triangle
 
-// Samples a texture: to be called before any branch, for its derivatives.
+// To be called before any branch, for the derivatives of what is interpolated. Those of the texture's coordinates are
+// made from them here, not taken: helper invocations, which complete a quad at a triangle's edge, may read no buffers.
 bool passesAlphaTest() {
+  vec4 uvDx = dFdx(inUv), uvDy = dFdy(inUv);
   uint material = instances[instance].geometry.z;
   GpuTextureSlot slot = materials[material].slots[kSlotBaseColor];
-  vec2 uv = slot.uvRow0.w > 0.5 ? inUv.zw : inUv.xy;
+  bool second = slot.uvRow0.w > 0.5;
+  vec2 uv = second ? inUv.zw : inUv.xy, dx = second ? uvDx.zw : uvDx.xy, dy = second ? uvDy.zw : uvDy.xy;
   vec2 st = vec2(dot(slot.uvRow0.xyz, vec3(uv, 1.0)), dot(slot.uvRow1.xyz, vec3(uv, 1.0)));
-  float texel = texture(baseColorTexture, st).a;
+  vec2 stDx = vec2(dot(slot.uvRow0.xy, dx), dot(slot.uvRow1.xy, dx));
+  vec2 stDy = vec2(dot(slot.uvRow0.xy, dy), dot(slot.uvRow1.xy, dy));
+  float texel = textureGrad(baseColorTexture, st, stDx, stDy).a;
   float alpha = materials[material].baseColor.a * inAlpha * (slot.uvRow1.w > 0.5 ? texel : 1.0);
   return !(alpha < materials[material].factors.w);
 }

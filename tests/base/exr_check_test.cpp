@@ -1,6 +1,8 @@
 // OpenEXR headers that ask for more than their file justifies are refused before the library sees them.
 #include <cstring>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -57,6 +59,33 @@ TEST(ExrCheck, RefusesAttributesOfAnotherSizeThanTheirType) {
   patch(bytes, "dataWindow", "box2i", 0, 15);
   expectError([&] { check(bytes); }, "a.exr", "an attribute of type box2i has 15 bytes, expected 16");
   expectError([&] { decodeRadiance(bytes, "a.exr"); }, "a.exr", "an attribute of type box2i has 15 bytes");
+}
+
+// The library reads channels up to an empty name, as many texels of a preview and as long strings as the value says.
+TEST(ExrCheck, RefusesValuesThatDoNotEndWhereTheirAttributeDoes) {
+  const auto number = [](std::int32_t value) { return std::string(reinterpret_cast<const char*>(&value), 4); };
+  const auto checkAttribute = [&](const std::string& type, const std::string& value) {
+    const std::string text = std::string("\x76\x2f\x31\x01\x02\0\0\0", 8) + "some" + '\0' + type + '\0' +
+                             number(static_cast<std::int32_t>(value.size())) + value + '\0';
+    checkExr(std::as_bytes(std::span{text}), text.size(), "a.exr");
+  };
+  const std::string channel = std::string("R") + std::string(17, '\0');
+  checkAttribute("chlist", channel + '\0');
+  checkAttribute("preview", number(2) + number(1) + std::string(8, 'p'));
+  checkAttribute("stringvector", number(3) + "abc" + number(0));
+  for (const auto& [type, value] : std::initializer_list<std::pair<const char*, std::string>>{
+           {"chlist", channel},
+           {"chlist", channel + "G"},
+           {"chlist", channel + '\0' + channel},
+           {"chlist", ""},
+           {"preview", number(2) + number(1) + std::string(7, 'p')},
+           {"preview", number(65536) + number(65536)},
+           {"preview", number(-1) + number(-2) + std::string(8, 'p')},
+           {"preview", "x"},
+           {"stringvector", number(2000000000) + "abc"},
+           {"stringvector", number(-1)},
+           {"stringvector", "abc"}})
+    expectError([&] { checkAttribute(type, value); }, "a.exr", "does not end where it says");
 }
 
 TEST(ExrCheck, RefusesWindowsBeyondTheLimits) {

@@ -21,7 +21,10 @@ protected:
 
 // The device shares the memory. Twelve textures of 2048^2, each of one colour, as files small: 192 MiB decoded, and a
 // third more on the device.
-TEST_F(MemoryTest, ofTexturesStaysWithinTwoAndAHalfTimesWhatTheyAreDecodedTo) {
+TEST_F(MemoryTest, ofTexturesStaysWithinTwiceWhatTheyAreDecodedTo) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer's memory is counted, too";
+#endif
   constexpr int kMaterials = 4, kSide = 2048;
   GltfFile file = makeQuad();
   const nlohmann::json quad = file.json["meshes"][0];
@@ -53,7 +56,7 @@ TEST_F(MemoryTest, ofTexturesStaysWithinTwoAndAHalfTimesWhatTheyAreDecodedTo) {
     const long own = peakOf(plain, command), peak = peakOf(scene, command);
     RecordProperty(std::string(command) + " MiB", std::to_string(own) + " and " + std::to_string(peak));
     EXPECT_GT(peak, own + decodedMiB) << "the textures are decoded at all: " << command;
-    EXPECT_LT(peak - own, decodedMiB * 5 / 2) << command;
+    EXPECT_LT(peak - own, decodedMiB * 2) << command; // 1.5; it is 2.4 where images are not freed
   }
 }
 

@@ -36,6 +36,7 @@ TEST(Info, SaysWhatIsInAFile) {
   EXPECT_EQ(info["materials"][1]["flags"], json({"nonmetal", "not shown"}));
   EXPECT_EQ(info["bounds"]["upper"], json({1.0, 1.0, 0.0}));
   EXPECT_EQ(info["arrays"]["nodes"], 1);
+  EXPECT_EQ(info["materials"][0]["alphaMode"], "opaque");
   EXPECT_EQ(info["warnings"].size(), 1u);
   EXPECT_TRUE(exitedWith(0, runParity({"info", "builtin:spheres"})));
 }
@@ -53,6 +54,29 @@ TEST(Info, ListsAllProblemsOfAFile) {
   const std::vector<std::string> lines = splitLines(result.err);
   ASSERT_EQ(lines.size(), 3u) << result.err;
   for (const std::string& line : lines) EXPECT_TRUE(line.starts_with("error: " + path + ": /")) << line;
+}
+
+class SeveralProblems : public RenderingTest {};
+
+TEST_F(SeveralProblems, AreALineEachWhereverAReportNamesThem) {
+  GltfFile file = makeThree();
+  file.primitive()["material"] = 9;
+  file.json["nodes"][0]["rotation"] = {0, 0, 1};
+  const std::string path = writeEmbedded(m_folder, file, "bad");
+  const RunResult result = runParity(
+      join({{"report", path, "-o", (m_folder / "out").string(), "--annotate", "github", "--env", "builtin:white"}, kSmall}));
+  EXPECT_TRUE(exitedWith(4, result));
+  const std::vector<std::string> lines = splitLines(result.out);
+  EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
+                          [](const std::string& line) { return line.starts_with("bad-embedded: error: "); }),
+            2)
+      << result.out;
+  for (const std::string& line : splitLines(result.err))
+    EXPECT_TRUE(line.starts_with("error: bad-embedded: ")) << line;
+  const std::string message = readReport(m_folder / "out")["scenes"][0]["error"]["message"];
+  EXPECT_EQ(splitLines(message).size(), 2u) << message;
+  EXPECT_FALSE(contains(message, m_folder.path().string())) << message;
+  EXPECT_FALSE(contains(readWholeFile(m_folder / "out" / "junit.xml"), m_folder.path().string()));
 }
 
 TEST(Limits, OfTheCommandLineAreObeyed) {

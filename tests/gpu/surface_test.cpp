@@ -146,6 +146,42 @@ TEST_F(SurfaceTest, alphaMaskCutsByTheTextureItself) {
   for (const std::uint32_t pixel : surface.pixels) ASSERT_GE(pixel % kSize, kSize / 2);
 }
 
+// A texture with mips on many small triangles: at the edges of one, too, it is read at the level that the pixels have.
+TEST_F(SurfaceTest, alphaMaskIsNotTornAtTheEdgesOfTriangles) {
+  scenes::Scene scene = makeQuadScene();
+  constexpr std::uint32_t kCells = 16; // over 64 pixels, off their grid
+  scenes::Mesh& mesh = scene.meshes[0];
+  mesh = {};
+  for (std::uint32_t y = 0; y <= kCells; ++y)
+    for (std::uint32_t x = 0; x <= kCells; ++x) {
+      const glm::vec2 uv(static_cast<float>(x) / kCells, static_cast<float>(y) / kCells);
+      mesh.positions.emplace_back(2.2f * uv.x - 1.1f, 2.2f * uv.y - 1.1f, 0.f);
+      mesh.normals.emplace_back(0, 0, 1);
+      mesh.uv0.push_back(uv);
+    }
+  for (std::uint32_t y = 0; y < kCells; ++y)
+    for (std::uint32_t x = 0; x < kCells; ++x) {
+      const std::uint32_t i = y * (kCells + 1) + x;
+      mesh.indices.insert(mesh.indices.end(), {i, i + 1, i + kCells + 2, i, i + kCells + 2, i + kCells + 1});
+    }
+  scenes::TextureImage image{"half", base::Image8(256, 256, 4, 255)};
+  for (int y = 0; y < 256; ++y)
+    for (int x = 128; x < 256; ++x) image.pixels.at(x, y)[3] = 0; // the mean is between the two cutoffs
+  scene.images = {image};
+  scene.materials[0].alphaMode = scenes::AlphaMode::mask;
+  scene.materials[0].baseColorTexture.image = 0;
+  for (const float cutoff : {0.3f, 0.7f}) {
+    scene.materials[0].alphaCutoff = cutoff;
+    const Surface surface = render(scene, makeFrontCamera(1, 3, false));
+    std::vector<int> shownInColumn(kSize, 0);
+    for (const std::uint32_t pixel : surface.pixels) ++shownInColumn[pixel % kSize];
+    for (std::uint32_t x = 0; x < kSize; ++x) {
+      if (x + 2 >= kSize / 2 && x <= kSize / 2 + 1) continue; // the cut itself
+      ASSERT_EQ(shownInColumn[x], x < kSize / 2 ? static_cast<int>(kSize) : 0) << "column " << x << ", " << cutoff;
+    }
+  }
+}
+
 TEST_F(SurfaceTest, nearerSurfaceHidesTheOther) {
   scenes::Scene scene = makeQuadScene();
   scene.instances.push_back({0, translation(0.5f, 0, -1), "behind"});

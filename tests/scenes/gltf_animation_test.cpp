@@ -52,6 +52,23 @@ TEST(GltfAnimation, InterpolatesTranslationsLinearlyAndInStepsAndHoldsTheEnds) {
   expectNear(originAt(file, 3.99), {4, 0, 0});
 }
 
+TEST(GltfAnimation, SaysWhereATimeShowsNothingOfItsOwn) {
+  GltfFile file = makeQuad();
+  const auto only = [](const Scene& scene) {
+    EXPECT_EQ(scene.warnings.size(), 1u);
+    return scene.warnings.empty() ? std::string() : scene.warnings[0];
+  };
+  EXPECT_EQ(only(loadAt(file, 5)), "--time 5: no animation moves anything that is shown");
+  const json& animation = animate(file, "translation", {1, 2, 4.2f}, {0, 0, 0, 4, 0, 0, 4, 2, 0}, "VEC3", "LINEAR");
+  EXPECT_EQ(only(loadAt(file, 5)), "--time 5: the last pose is shown, the last key is at 4.2 s");
+  EXPECT_EQ(only(loadAt(file, -1)), "--time -1: the first pose is shown, animations begin at 0 s");
+  for (const double time : {0.0, 0.5, 4.2}) EXPECT_TRUE(loadAt(file, time).warnings.empty()) << time;
+  EXPECT_EQ(loadAt(file, 0).facts.animationSeconds, std::vector<double>{0}) << "it declares no max";
+  const auto input = animation["samplers"][0]["input"].get<std::size_t>();
+  file.json["accessors"][input]["max"] = {4.5};
+  EXPECT_EQ(loadAt(file, 0).facts.animationSeconds, std::vector<double>{4.5});
+}
+
 // glTF 2.0, appendix C.5; x(t) = t^3 and y(t) = 5 - t^2 are such splines themselves, with their own slopes.
 TEST(GltfAnimation, InterpolatesCubicSplinesByValuesAndSlopes) {
   GltfFile file = makeQuad();

@@ -242,7 +242,7 @@ TEST(GltfTexture, LeavesOutTexturesThatCannotChangeTheColor) {
 TEST(GltfTexture, WarnsWhereAMeshLacksTheUvThatATextureReads) {
   GltfFile file = makeTextured();
   file.material() = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 1}, {"texCoord", 1}}}}}};
-  EXPECT_TRUE(hasWarning(loadQuadlike(file).warnings, "has a texture whose TEXCOORD this mesh lacks"));
+  EXPECT_TRUE(hasWarning(loadQuadlike(file).warnings, "is read by TEXCOORD_1, which the mesh lacks"));
 }
 
 TEST(GltfTexture, ReadsImagesFromFilesDataUrisAndPercentEncodedNames) {
