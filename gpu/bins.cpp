@@ -1,5 +1,8 @@
 #include "gpu/bins.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "base/parallel.h"
 
 namespace parity::gpu {
@@ -33,6 +36,21 @@ Bins makeBins(std::span<const glm::uvec2> ids, std::span<const std::uint32_t> ke
       if (ids[i].x != 0) result.entries[place[keyOfInstance[ids[i].x - 1]]++] = static_cast<std::uint32_t>(i);
   });
   return result;
+}
+
+void orderByBlocks(Bins& bins, std::uint32_t width) {
+  const auto bandOf = [&](std::uint32_t pixel) { return pixel / width / kBlockSide; };
+  const auto blockOf = [&](std::uint32_t pixel) { return pixel % width / kBlockSide; };
+  std::vector<std::uint32_t> next(width / kBlockSide + 2), band;
+  for (const Bin& bin : bins.bins)
+    for (std::uint32_t begin = bin.first, end = begin; begin < bin.first + bin.count; begin = end) {
+      while (end < bin.first + bin.count && bandOf(bins.entries[end]) == bandOf(bins.entries[begin])) ++end;
+      band.assign(bins.entries.begin() + begin, bins.entries.begin() + end);
+      std::fill(next.begin(), next.end(), 0u);
+      for (const std::uint32_t pixel : band) ++next[blockOf(pixel) + 1];
+      std::partial_sum(next.begin(), next.end(), next.begin());
+      for (const std::uint32_t pixel : band) bins.entries[begin + next[blockOf(pixel)]++] = pixel;
+    }
 }
 
 } // namespace parity::gpu

@@ -14,7 +14,7 @@ namespace {
 constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
 
 struct Push {
-  std::uint32_t first = 0, count = 0, planeSize = 0;
+  std::uint32_t first = 0, count = 0, planeSize = 0, firstGroup = 0;
 };
 
 DeviceImage makeBlackCube(const Device& device) {
@@ -66,10 +66,14 @@ GpuLight packLight(const scenes::Light& light) {
 
 namespace {
 
+std::array<std::uint32_t, 4> countsOf(const SceneBuffers& scene, const PathProgram& program) {
+  return {program.directionalCount, program.localCount, program.environment ? 1u : 0u, scene.vertexData()};
+}
+
 // Binding 4: the scene's counts (path.glsl), then the path's own data.
 std::vector<std::uint32_t> withCounts(const SceneBuffers& scene, const PathProgram& program) {
-  std::vector<std::uint32_t> data = {program.directionalCount, program.localCount, program.environment ? 1u : 0u,
-                                     scene.vertexData()};
+  const auto counts = countsOf(scene, program);
+  std::vector<std::uint32_t> data(counts.begin(), counts.end());
   data.insert(data.end(), program.pathData.begin(), program.pathData.end());
   return data;
 }
@@ -116,10 +120,10 @@ struct ShadingPass::Impl {
     }
   }
 
-  std::vector<Binding> surfaceBindings(const Surface& s, const Buffer& color, const Buffer& termsA,
+  std::vector<Binding> surfaceBindings(const Surface& s, const Buffer& data, const Buffer& color, const Buffer& termsA,
                                        const Buffer& termsB) const {
     std::vector<Binding> bindings = {uniform(view), storage(scene.materials), storage(scene.instances), storage(lights),
-                                     storage(pathData)};
+                                     storage(data)};
     for (const Buffer* buffer : {&s.position, &s.normal, &s.tangent, &s.uv, &s.uv0Derivatives, &s.uv1Derivatives,
                                  &s.color, &s.fog, &color, &termsA, &termsB})
       bindings.push_back(storage(*buffer));
@@ -152,13 +156,16 @@ struct ShadingPass::Impl {
                                             permutation.mayFeatures,
                                             permutation.mustFeatures,
                                             any ? kUnknown : program.directionalCount,
-                                            any ? kUnknown : program.localCount,
+                                            any                  ? kUnknown
+                                            : program.listLights ? kListed
+                                                                 : program.localCount,
                                             any                   ? kUnknown
                                             : program.environment ? 1u
                                                                   : 0u,
                                             program.terms ? 1u : 0u,
                                             any ? kVertexAll : vertexData | vertexData << kVertexMustShift};
-    constants.insert(constants.end(), program.constants.begin(), program.constants.end());
+    const auto& own = any && !program.everySceneConstants.empty() ? program.everySceneConstants : program.constants;
+    constants.insert(constants.end(), own.begin(), own.end());
     return constants;
   }
 
@@ -201,7 +208,9 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   const vk::DeviceSize plane = n * sizeof(glm::vec4);
   const Buffer color(device, plane), termsA(device, program.terms ? kTermsInA * plane : 0),
       termsB(device, program.terms ? kTermsInB * plane : 0);
-  const std::vector<Binding> bindings = surfaceBindings(surface, color, termsA, termsB);
+  const Buffer lists = program.listLights ? program.listLights(surface, countsOf(scene, program)) : Buffer();
+  const std::vector<Binding> bindings =
+      surfaceBindings(surface, program.listLights ? lists : pathData, color, termsA, termsB);
   if (!*surfaceLayout) {
     surfaceLayout = makeSetLayout(device, bindings, kCompute);
     layout = makePipelineLayout(device, std::array{*surfaceLayout, *textureLayout}, sizeof(Push), kCompute);
@@ -211,13 +220,16 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   const DescriptorSets set(device, surfaceLayout, std::span(&bindings, 1));
 
   device.submit("shade " + program.name, [&](const vk::raii::CommandBuffer& commands) {
+    std::uint32_t firstGroup = 0;
     for (const Bin& bin : surface.bins) {
       const BinKind& kind = kinds[bin.key];
       commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipelineFor(kind.materialClass, bin.count));
       commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, {set[0], (*textureSets[bin.key])[0]},
                                   {});
-      commands.pushConstants<Push>(*layout, kCompute, 0, Push{bin.first, bin.count, static_cast<std::uint32_t>(n)});
+      commands.pushConstants<Push>(*layout, kCompute, 0,
+                                   Push{bin.first, bin.count, static_cast<std::uint32_t>(n), firstGroup});
       const std::uint32_t groups = (bin.count + kGroupSize - 1) / kGroupSize;
+      firstGroup += groups;
       commands.dispatch(std::min(groups, kMaxGroupsInRow), (groups + kMaxGroupsInRow - 1) / kMaxGroupsInRow, 1);
     }
     fullBarrier(commands);

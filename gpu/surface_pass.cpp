@@ -57,6 +57,7 @@ struct SurfacePass::Impl {
 
   VisibleLayers::Layer makeLayer(const VisibilityPass::Ids& ids, const Tile& tile, bool blended) const {
     Bins bins = makeBins(ids, keyOfInstance, static_cast<std::uint32_t>(kinds.size()));
+    orderByBlocks(bins, width);
     VisibleLayers::Layer layer{blended, std::move(bins.bins), {}};
     layer.entries.reserve(bins.entries.size());
     for (const std::uint32_t local : bins.entries) {

@@ -23,6 +23,23 @@ gpu::DeviceImage uploadLut(const gpu::Device& device, const base::Image& lut) {
   return gpu::DeviceImage(device, shape, std::span{&mip, 1});
 }
 
+// As many local lights are asked for every pixel without lists, which cost more than they save.
+constexpr std::ptrdiff_t kMaxUnlisted = 8;
+
+// 0: parallel light; 1: everywhere; 2: within a range or a cone.
+int reachOf(const scenes::Light& light) {
+  if (light.kind == scenes::LightKind::directional) return 0;
+  return light.kind == scenes::LightKind::point && light.range == 0 ? 1 : 2;
+}
+
+std::uint32_t kindsOf(const std::vector<scenes::Light>& lights) {
+  std::uint32_t kinds = 0;
+  for (const scenes::Light& light : lights)
+    if (light.kind != scenes::LightKind::directional)
+      kinds |= light.kind == scenes::LightKind::spot ? gpu::kLocalSpot : gpu::kLocalPoint;
+  return kinds;
+}
+
 // The shader is given the enumerators' numbers.
 constexpr bool is(auto enumerator, std::uint32_t value) { return static_cast<std::uint32_t>(enumerator) == value; }
 static_assert(is(GeometryTerm::schlickSmith, gpu::kGeometrySchlickSmith));
@@ -66,8 +83,9 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   program.name = "highend";
   program.spirv = kHighendComp;
   std::vector<scenes::Light> lights = inputs.lights;
-  std::stable_partition(lights.begin(), lights.end(),
-                        [](const scenes::Light& l) { return l.kind == scenes::LightKind::directional; });
+  // Directional ones, those that reach everything, the others: with and without lists in one order.
+  std::stable_sort(lights.begin(), lights.end(),
+                   [](const scenes::Light& a, const scenes::Light& b) { return reachOf(a) < reachOf(b); });
   for (const scenes::Light& light : lights) {
     program.lights.push_back(gpu::packLight(light));
     ++(light.kind == scenes::LightKind::directional ? program.directionalCount : program.localCount);
@@ -82,7 +100,19 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   if (inputs.environment) ++m_ownSamplers;
   program.constants = {static_cast<std::uint32_t>(options.geometryTerm), static_cast<std::uint32_t>(options.fresnel),
                        static_cast<std::uint32_t>(options.diffuse), static_cast<std::uint32_t>(options.compensation),
-                       static_cast<std::uint32_t>(options.offSpecular)};
+                       static_cast<std::uint32_t>(options.offSpecular), kindsOf(lights)};
+  program.everySceneConstants = program.constants;
+  program.everySceneConstants.back() = gpu::kLocalAll;
+  const auto bounded = std::find_if(lights.begin(), lights.end(), [](const auto& l) { return reachOf(l) == 2; });
+  if (inputs.cullLights && lights.end() - bounded > kMaxUnlisted) {
+    m_culling = std::make_unique<LightCulling>(device, program.lights,
+                                               static_cast<std::uint32_t>(bounded - lights.begin()));
+    program.listLights = [culling = m_culling.get()](const gpu::Surface& surface, const auto& counts) {
+      return culling->listsFor(surface, counts);
+    };
+  } else {
+    program.pathData = {0}; // no lists
+  }
   program.terms = inputs.terms;
   program.expectedPixels = inputs.expectedPixels;
   program.compilation = inputs.compilation;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gpu/shading_pass.h"
+#include "highend/light_culling.h"
 #include "highend/options.h"
 
 namespace parity::highend {
@@ -14,6 +15,7 @@ struct Inputs {
   const gpu::EnvironmentMaps* environment = nullptr; // null: none
   const base::Image* lut = nullptr;       // makeEnvBrdfLut of the same term and curve; null only where needsLut says so
   std::vector<scenes::Light> lights = {}; // all of the scene's, and the sun
+  bool cullLights = true;                 // false: every pixel asks every light, with the same result
   bool terms = false;
   gpu::Compilation compilation = {};
   std::uint64_t expectedPixels = 0; // that the run will shade
@@ -39,6 +41,7 @@ public:
 private:
   std::size_t m_ownSamplers = 0; // besides the materials'
   gpu::DeviceImage m_lut;
+  std::unique_ptr<LightCulling> m_culling; // where there are lights enough
   std::unique_ptr<gpu::ShadingPass> m_pass;
 };
 

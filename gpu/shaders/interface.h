@@ -36,6 +36,10 @@ PARITY_CONST uint kFeatureBlend = 8u;
 PARITY_CONST uint kLightDirectional = 0u;
 PARITY_CONST uint kLightPoint = 1u;
 PARITY_CONST uint kLightSpot = 2u;
+// Kinds of local lights that a scene has, as bits.
+PARITY_CONST uint kLocalPoint = 1u;
+PARITY_CONST uint kLocalSpot = 2u;
+PARITY_CONST uint kLocalAll = 3u;
 
 // What the vertices of a scene carry, as bits.
 PARITY_CONST uint kVertexColors = 1u;
@@ -48,6 +52,8 @@ PARITY_CONST uint kVertexMustShift = 16u; // in the constant: what all scenes ha
 
 // Instead of a number known when a shader is specialised: sceneCounts (path.glsl) says it.
 PARITY_CONST uint kUnknown = 0xffffffffu;
+// Instead of the number of local lights: each group of invocations has a list of those that reach it (highend/).
+PARITY_CONST uint kListed = 0xfffffffeu;
 
 PARITY_CONST uint kTermsInA =
     5u; // planes of the first term buffer; the others are in the second: a buffer ends at 128 MiB

@@ -14,7 +14,7 @@ layout(constant_id = 0) const uint kTextures = 0u;
 layout(constant_id = 1) const uint kMayFeatures = 0u;
 layout(constant_id = 2) const uint kMustFeatures = 0u;
 layout(constant_id = 3) const uint kDirectionalCount = 0u; // these three may be kUnknown
-layout(constant_id = 4) const uint kLocalCount = 0u;
+layout(constant_id = 4) const uint kLocalCount = 0u; // or kListed
 layout(constant_id = 5) const uint kHasEnvironment = 0u;
 layout(constant_id = 6) const uint kWriteTerms = 0u;
 layout(constant_id = 7) const uint kVertexData = 0u; // what some scenes have, and what all have, above kVertexMustShift
@@ -46,6 +46,7 @@ layout(set = 1, binding = 6) uniform sampler2D specularColorTexture;
 layout(push_constant) uniform Push {
   uint first, count; // the bin's entries
   uint planeSize;    // entries of the surface: stride of the term planes
+  uint firstGroup;   // of the bin, counted over all bins of the surface
 };
 
 struct Point {
@@ -194,7 +195,8 @@ Terms seenThrough(vec4 fog, Terms terms) {
   return terms;
 }
 
-uint entryIndex() { return (gl_WorkGroupID.y * kMaxGroupsInRow + gl_WorkGroupID.x) * kGroupSize + gl_LocalInvocationID.x; }
+uint groupInBin() { return gl_WorkGroupID.y * kMaxGroupsInRow + gl_WorkGroupID.x; }
+uint entryIndex() { return groupInBin() * kGroupSize + gl_LocalInvocationID.x; }
 
 void writeTerms(uint i, Terms terms) {
   if (kWriteTerms == 0u) return;

@@ -15,6 +15,7 @@ layout(constant_id = 9) const uint kFresnel = 0u;
 layout(constant_id = 10) const uint kDiffuse = 0u;
 layout(constant_id = 11) const uint kCompensation = 0u;
 layout(constant_id = 12) const uint kOffSpecular = 0u;
+layout(constant_id = 13) const uint kLocalKinds = 0u; // kLocal... bits
 
 // Of analytic lights only: alpha = 2.4e-4 keeps the peak of D (5e6) far from overflow. The image light has no floor.
 const float kMinLightRoughness = 0.015625;
@@ -109,7 +110,8 @@ vec3 localLight(GpuLight light, vec3 position, out vec3 L) {
   float d2 = dot(d, d);
   L = safeNormalize(d, -light.directionCosOuter.xyz); // at the light itself: as if from its axis
   float attenuation = squareFalloff(d2, light.colorRange.w);
-  if (uint(light.positionKind.w) == kLightSpot) attenuation *= spotAttenuation(dot(-L, light.directionCosOuter.xyz), light.cone.x, light.directionCosOuter.w);
+  bool isSpot = kLocalKinds == kLocalSpot || (kLocalKinds == kLocalAll && uint(light.positionKind.w) == kLightSpot);
+  if (isSpot) attenuation *= spotAttenuation(dot(-L, light.directionCosOuter.xyz), light.cone.x, light.directionCosOuter.w);
   return light.colorRange.xyz * attenuation;
 }
 
@@ -159,12 +161,21 @@ void main() {
     terms.t[kTermSunDiffuse] += lobes.diffuse;
     terms.t[kTermSunSpecular] += lobes.specular * lights[k].cone.y;
   }
-  for (uint k = directionalCount(); k < directionalCount() + localCount(); ++k) {
+  // Those that reach everything, then those in the list of this group of entries (highend/light_culling.h); or all. In
+  // the same order, so that the sums are the same to the last bit.
+  bool isListed = kLocalCount == kListed || (kLocalCount == kUnknown && pathData[0] != 0u);
+  uint group = firstGroup + groupInBin();
+  uint everywhere = kLocalCount == kListed ? sceneCounts.y : localCount();
+  uint begin = isListed ? pathData[1u + group] : 0u;
+  uint listed = isListed ? pathData[2u + group] - begin : 0u;
+  for (uint n = 0u; n < everywhere + listed; ++n) {
+    GpuLight light = lights[n < everywhere ? directionalCount() + n : pathData[begin + n - everywhere]];
     vec3 L;
-    vec3 illuminance = localLight(lights[k], p.position, L);
+    vec3 illuminance = localLight(light, p.position, L);
+    if (illuminance == vec3(0.0)) continue;
     Lobes lobes = lit(s, L, illuminance);
     terms.t[kTermLocalDiffuse] += lobes.diffuse;
-    terms.t[kTermLocalSpecular] += lobes.specular * lights[k].cone.y;
+    terms.t[kTermLocalSpecular] += lobes.specular * light.cone.y;
   }
   if (hasEnvironment()) {
     vec3 irradianceOverPi = skyIrradianceOverPi(s.N);

@@ -1,7 +1,9 @@
 // Bins and pixel lists from pictures of ids.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <utility>
 
 #include "base/parallel.h"
 #include "gpu/bins.h"
@@ -46,6 +48,23 @@ TEST(Bins, doNotDependOnTheNumberOfThreads) {
   const Bins all = makeBins(ids, keys, 3);
   const base::ThreadLimit one(1);
   EXPECT_EQ(makeBins(ids, keys, 3).entries, all.entries);
+}
+
+TEST(Bins, orderedByBlocksHoldTheSamePixelsBlockAfterBlock) {
+  constexpr std::uint32_t kWidth = 37;
+  const std::vector<std::uint32_t> keys = {1, 0, 1};
+  const auto ids = randomIds(std::size_t{kWidth} * 50 - 5, 3);
+  const Bins inRows = makeBins(ids, keys, 2);
+  Bins inBlocks = inRows;
+  orderByBlocks(inBlocks, kWidth);
+  for (const Bin& bin : inRows.bins) {
+    std::vector<std::uint32_t> expected(inRows.entries.begin() + bin.first,
+                                        inRows.entries.begin() + bin.first + bin.count);
+    const auto blockOf = [](std::uint32_t p) { return std::pair(p / kWidth / kBlockSide, p % kWidth / kBlockSide); };
+    std::stable_sort(expected.begin(), expected.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return blockOf(a) < blockOf(b); });
+    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), inBlocks.entries.begin() + bin.first));
+  }
 }
 
 TEST(Bins, ofAnEmptyPictureAreNone) {

@@ -1,0 +1,38 @@
+// Which local lights reach which part of a surface.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "gpu/pipeline.h"
+#include "gpu/surface.h"
+
+namespace parity::highend {
+
+// Lists for each group of gpu::kGroupSize entries of a bin, which lie close together (gpu::orderByBlocks), the local
+// lights whose range and cone touch the box about the entries (the cone against a sphere about it: Wronski 2017, "Cull
+// that cone!"). What is left out would have added exactly nothing. Memory alone limits the number of lights.
+class LightCulling {
+public:
+  // lights: those of the path's shader. firstBounded: those before it reach everything, or are directional.
+  LightCulling(const gpu::Device& device, const std::vector<gpu::GpuLight>& lights, std::uint32_t firstBounded);
+
+  // Binding 4 of the path's shader (gpu/shaders/path.glsl): the counts, that of local lights without those listed; 1;
+  // for each group where its list begins, and where the last one ends; the lists, indices into the lights in ascending
+  // order. counts: of the scene. Throws Error (exit 4) where the device cannot bind so much.
+  gpu::Buffer listsFor(const gpu::Surface& surface, const std::array<std::uint32_t, 4>& counts) const;
+
+private:
+  void run(const gpu::Surface& surface, const gpu::Buffer& groups, std::uint32_t groupCount, const gpu::Buffer& lists,
+           bool writes) const;
+
+  const gpu::Device& m_device;
+  std::uint32_t m_firstBounded, m_boundedCount;
+  gpu::Buffer m_lights;
+  mutable vk::raii::DescriptorSetLayout m_setLayout{nullptr}; // made with the first surface
+  mutable vk::raii::PipelineLayout m_layout{nullptr};
+  mutable vk::raii::Pipeline m_count{nullptr}, m_write{nullptr};
+};
+
+} // namespace parity::highend
