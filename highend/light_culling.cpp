@@ -58,6 +58,7 @@ void LightCulling::run(const gpu::Surface& surface, const gpu::Buffer& groups, s
 gpu::Buffer LightCulling::listsFor(const gpu::Surface& surface, const std::array<std::uint32_t, 4>& counts) const {
   const std::vector<std::uint32_t> groups = listGroups(surface, m_firstBounded, m_boundedCount);
   const std::uint32_t groupCount = groups[0];
+  m_listCount += groupCount;
   std::vector<std::uint32_t> data(kCounts + 2 + groupCount);
   std::copy(counts.begin(), counts.end(), data.begin());
   data[1] -= m_boundedCount;

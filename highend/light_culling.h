@@ -23,6 +23,9 @@ public:
   // order. counts: of the scene. Throws Error (exit 4) where the device cannot bind so much.
   gpu::Buffer listsFor(const gpu::Surface& surface, const std::array<std::uint32_t, 4>& counts) const;
 
+  // How many lists it has made.
+  std::uint64_t listCount() const { return m_listCount; }
+
 private:
   void run(const gpu::Surface& surface, const gpu::Buffer& groups, std::uint32_t groupCount, const gpu::Buffer& lists,
            bool writes) const;
@@ -30,6 +33,7 @@ private:
   const gpu::Device& m_device;
   std::uint32_t m_firstBounded, m_boundedCount;
   gpu::Buffer m_lights;
+  mutable std::uint64_t m_listCount = 0;
   mutable vk::raii::DescriptorSetLayout m_setLayout{nullptr}; // made with the first surface
   mutable vk::raii::PipelineLayout m_layout{nullptr};
   mutable vk::raii::Pipeline m_count{nullptr}, m_write{nullptr};

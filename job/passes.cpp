@@ -17,6 +17,7 @@ std::vector<compare::PassResult> describePasses(const Work& work, const NoNeed& 
   add("spread of normals", "images", work.varianceImages, why.variance);
   add("directional lights", "lights", work.directionalLights, why.directional);
   add("local lights", "lights", work.localLights, why.local);
+  add("culling of local lights", "groups", work.lightLists, why.lightLists);
   add("choice of local lights", "objects", work.lightChoices, why.lightChoice);
   add("shade highend", "samples", work.highendSamples, "");
   add("shade mobile", "samples", work.mobileSamples, "");

@@ -246,6 +246,7 @@ Work SceneRenderer::work() const {
   if (m_highend) {
     work.directionalLights = m_highend->pass().directionalCount();
     work.localLights = m_highend->pass().localCount();
+    work.lightLists = m_highend->lightLists();
   }
   if (m_mobile) work.lightChoices = m_mobile->lightChoices();
   return work;
@@ -260,6 +261,7 @@ Work SceneRenderer::workWithTerms() const {
   work.termSamples += m_again.termSamples;
   work.highendSamples += samplesOf(m_highendTerms->pass());
   work.mobileSamples += samplesOf(m_mobileTerms->pass());
+  work.lightLists += m_highendTerms->lightLists();
   work.lightChoices += m_mobileTerms->lightChoices();
   return work;
 }
@@ -280,6 +282,7 @@ NoNeed SceneRenderer::reasons() const {
   why.fog = "no fog";
   why.directional = !unlit.empty() ? unlit : "no directional light";
   why.local = !unlit.empty() ? unlit : "no local lights";
+  why.lightLists = work().localLights == 0 ? why.local : "few lights, or lights without a range";
   why.lightChoice = work().localLights == 0 ? why.local : "the preset has them baked";
   why.terms = why.truth = why.occluders = why.costs = "not asked for";
   return why;

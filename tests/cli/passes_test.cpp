@@ -46,6 +46,33 @@ protected:
   void paint(const std::string& file) const { base::writeImage8(m_folder / file, base::Image8(8, 8, 3, 120)); }
 };
 
+// Lights over the quad, all of this range (0: infinite).
+std::function<void(GltfFile&)> addLights(int count, float range) {
+  return [=](GltfFile& file) {
+    file.json["extensionsUsed"] = {"KHR_lights_punctual"};
+    nlohmann::json light = {{"type", "point"}, {"intensity", 2}};
+    if (range > 0) light["range"] = range;
+    file.json["extensions"]["KHR_lights_punctual"]["lights"] = {light};
+    for (int i = 0; i < count; ++i) {
+      file.json["scenes"][0]["nodes"].push_back(file.json["nodes"].size());
+      file.json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}},
+                                    {"translation", {0.1 * i, 0.5, 0.3}}});
+    }
+  };
+}
+
+TEST_F(PassesTest, OfFewOrUnboundedLocalLightsAreNoLists) {
+  const Passes many = run(writeQuad(addLights(12, 1)), {});
+  EXPECT_EQ(many["local lights"], 12u);
+  EXPECT_GT(many["culling of local lights"], 0u);
+  for (const auto& lights : {addLights(3, 1), addLights(12, 0)}) {
+    const Passes few = run(writeQuad(lights), {});
+    EXPECT_EQ(few["culling of local lights"], 0u);
+    EXPECT_EQ(few.why("culling of local lights"), "few lights, or lights without a range");
+  }
+  EXPECT_EQ(run(writeQuad(), kSun).why("culling of local lights"), "no local lights");
+}
+
 TEST_F(PassesTest, WithoutEnvironmentNothingIsPrefilteredAndNoTableRead) {
   const std::string quad = writeQuad();
   const Passes sun = run(quad, kSun);
