@@ -169,7 +169,9 @@ void main() {
   uint begin = isListed ? pathData[1u + group] : 0u;
   uint listed = isListed ? pathData[2u + group] - begin : 0u;
   for (uint n = 0u; n < everywhere + listed; ++n) {
-    GpuLight light = lights[n < everywhere ? directionalCount() + n : pathData[begin + n - everywhere]];
+    uint k = directionalCount() + n;
+    if (isListed && n >= everywhere) k = pathData[begin + n - everywhere];
+    GpuLight light = lights[k];
     vec3 L;
     vec3 illuminance = localLight(light, p.position, L);
     if (illuminance == vec3(0.0)) continue;
