@@ -23,17 +23,36 @@ constexpr std::int64_t kMaxChunkBytes = std::int64_t{1} << 28;
 // By the number of the compression: none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA, DWAB.
 constexpr std::int64_t kLinesAChunk[] = {1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
 
-// What the values of a type take (OpenEXR, "Predefined Attribute Types"): the library reads so many, whatever the header
-// says that there are.
+// What the values of a type take (OpenEXR, "Predefined Attribute Types"): the library reads so many, whatever the
+// header says that there are.
 struct TypeSize {
   std::string_view type;
   std::size_t bytes;
 };
-constexpr TypeSize kTypeSizes[] = {
-    {"box2i", 16}, {"box2f", 16},   {"chromaticities", 32}, {"compression", 1}, {"deepImageState", 1}, {"double", 8},
-    {"envmap", 1}, {"float", 4},    {"int", 4},             {"keycode", 28},    {"lineOrder", 1},      {"m33f", 36},
-    {"m33d", 72},  {"m44f", 64},    {"m44d", 128},          {"rational", 8},    {"tiledesc", 9},       {"timecode", 8},
-    {"v2i", 8},    {"v2f", 8},      {"v2d", 16},            {"v3i", 12},        {"v3f", 12},           {"v3d", 24}};
+constexpr TypeSize kTypeSizes[] = {{"box2i", 16},
+                                   {"box2f", 16},
+                                   {"chromaticities", 32},
+                                   {"compression", 1},
+                                   {"deepImageState", 1},
+                                   {"double", 8},
+                                   {"envmap", 1},
+                                   {"float", 4},
+                                   {"int", 4},
+                                   {"keycode", 28},
+                                   {"lineOrder", 1},
+                                   {"m33f", 36},
+                                   {"m33d", 72},
+                                   {"m44f", 64},
+                                   {"m44d", 128},
+                                   {"rational", 8},
+                                   {"tiledesc", 9},
+                                   {"timecode", 8},
+                                   {"v2i", 8},
+                                   {"v2f", 8},
+                                   {"v2d", 16},
+                                   {"v3i", 12},
+                                   {"v3f", 12},
+                                   {"v3d", 24}};
 
 std::int64_t readInt(std::string_view bytes) {
   std::int32_t value = 0;

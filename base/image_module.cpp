@@ -88,8 +88,7 @@ template <typename T> Image8 convertWhileReading(Reader& reader, const ChannelMa
 
 Image8 readAs8(Reader& reader, int channels) {
   const ChannelMap map(reader.spec(), channels);
-  if (reader.spec().format == oiio::TypeDesc::UINT16)
-    return convertWhileReading<std::uint16_t>(reader, map, channels);
+  if (reader.spec().format == oiio::TypeDesc::UINT16) return convertWhileReading<std::uint16_t>(reader, map, channels);
   return map.keepsAll() ? reader.read<std::uint8_t>() : convertWhileReading<std::uint8_t>(reader, map, channels);
 }
 

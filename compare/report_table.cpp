@@ -203,8 +203,7 @@ std::string toTable(const Report& report, bool color) {
     for (const ViewResult& view : scene.views) out += formatView(scene, view, report.baseline.has_value(), color);
     if (const std::string costs = describeCosts(scene.permutations); !costs.empty())
       out += fmt::format("{}: {}\n\n", plainLine(scene.name), costs);
-    if (!scene.error.empty())
-      out += errorLines(scene, color) + "\n";
+    if (!scene.error.empty()) out += errorLines(scene, color) + "\n";
   }
   if (report.baseline) {
     const BaselineSummary& baseline = *report.baseline;

@@ -39,9 +39,13 @@ Bins makeBins(std::span<const glm::uvec2> ids, std::span<const std::uint32_t> ke
 }
 
 void orderByBlocks(Bins& bins, std::uint32_t width) {
-  const auto bandOf = [&](std::uint32_t pixel) { return pixel / width / kBlockSide; };
-  const auto blockOf = [&](std::uint32_t pixel) { return pixel % width / kBlockSide; };
-  std::vector<std::uint32_t> next(width / kBlockSide + 2), band;
+  constexpr std::uint32_t kBlocks = kRegionSide / kBlockSide; // a side of a region
+  const auto bandOf = [&](std::uint32_t pixel) { return pixel / width / kRegionSide; };
+  const auto blockOf = [&](std::uint32_t pixel) { // in the order of its band
+    const std::uint32_t x = pixel % width / kBlockSide, y = pixel / width / kBlockSide % kBlocks;
+    return x / kBlocks * kBlocks * kBlocks + y * kBlocks + x % kBlocks;
+  };
+  std::vector<std::uint32_t> next((width / kRegionSide + 1) * kBlocks * kBlocks + 1), band;
   for (const Bin& bin : bins.bins)
     for (std::uint32_t begin = bin.first, end = begin; begin < bin.first + bin.count; begin = end) {
       while (end < bin.first + bin.count && bandOf(bins.entries[end]) == bandOf(bins.entries[begin])) ++end;

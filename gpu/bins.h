@@ -24,9 +24,10 @@ struct Bins {
 // keyCount. The result does not depend on the number of threads.
 Bins makeBins(std::span<const glm::uvec2> ids, std::span<const std::uint32_t> keyOfInstance, std::uint32_t keyCount);
 
-// Reorders the entries within each bin: block by block of kBlockSide x kBlockSide pixels, in pixel order within a block.
-// What a group of invocations works at then lies close together. width: of the picture.
-inline constexpr std::uint32_t kBlockSide = 8;
+// Reorders the entries within each bin: region by region of kRegionSide x kRegionSide pixels, in it block by block of
+// kBlockSide x kBlockSide, all row by row. What a group of invocations works at then lies close together, and so do
+// successive groups. width: of the picture.
+inline constexpr std::uint32_t kBlockSide = 8, kRegionSide = 32;
 void orderByBlocks(Bins& bins, std::uint32_t width);
 
 } // namespace parity::gpu

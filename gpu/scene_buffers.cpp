@@ -202,17 +202,21 @@ void SceneBuffers::uploadGeometry(const Device& device) {
         filling.append(std::span<const T>(valuesOf(mesh)), mesh.positions.size(), missing);
     return filling.take();
   };
-  positions = fill(vertexCount, "positions", glm::vec3(0), [](const auto& m) -> auto& { return m.positions; });
-  normals = fill(vertexCount, "normals", glm::vec3(0), [](const auto& m) -> auto& { return m.normals; });
-  tangents = fill(countIf(kVertexTangents), "tangents", glm::vec4(0), [](const auto& m) -> auto& { return m.tangents; });
-  colors = fill(countIf(kVertexColors), "colours", glm::vec4(1), [](const auto& m) -> auto& { return m.colors; });
+  positions = fill(
+      vertexCount, "positions", glm::vec3(0), [](const auto& m) -> auto& { return m.positions; });
+  normals = fill(
+      vertexCount, "normals", glm::vec3(0), [](const auto& m) -> auto& { return m.normals; });
+  tangents = fill(
+      countIf(kVertexTangents), "tangents", glm::vec4(0), [](const auto& m) -> auto& { return m.tangents; });
+  colors = fill(
+      countIf(kVertexColors), "colours", glm::vec4(1), [](const auto& m) -> auto& { return m.colors; });
 
   Filling<glm::vec4> bothUvs(device, countIf(kVertexUvs), m_scene, "uvs");
   if ((m_vertexData & kVertexUvs) != 0)
     for (const scenes::Mesh& mesh : m_scene.meshes)
       for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-        bothUvs.append(glm::vec4(mesh.uv0.empty() ? glm::vec2(0) : mesh.uv0[i],
-                                 mesh.uv1.empty() ? glm::vec2(0) : mesh.uv1[i]));
+        bothUvs.append(
+            glm::vec4(mesh.uv0.empty() ? glm::vec2(0) : mesh.uv0[i], mesh.uv1.empty() ? glm::vec2(0) : mesh.uv1[i]));
   uvs = bothUvs.take();
   Filling<std::uint32_t> allIndices(device, indexCount, m_scene, "indices");
   for (const scenes::Mesh& mesh : m_scene.meshes) allIndices.append(mesh.indices);

@@ -34,14 +34,14 @@ struct PathProgram {
   std::vector<GpuLight> lights;       // directional ones first
   std::uint32_t directionalCount = 0; // lights the shader loops over; constants 3 and 4
   std::uint32_t localCount = 0;
-  std::vector<std::uint32_t> pathData;           // binding 4, behind the counts
-  // Instead of pathData where it is set: makes binding 4 for a surface, given the four counts that it begins with. Local
-  // lights are listed there for each group of kGroupSize entries of a bin.
+  std::vector<std::uint32_t> pathData; // binding 4, behind the counts
+  // Instead of pathData where it is set: makes binding 4 for a surface, given the four counts that it begins with.
+  // Local lights are listed there for each group of kGroupSize entries of a bin.
   std::function<Buffer(const Surface&, const std::array<std::uint32_t, 4>&)> listLights;
-  const DeviceImage* pathTexture = nullptr;      // binding 16; null: white
-  const EnvironmentMaps* environment = nullptr;  // null: no environment
-  std::array<glm::vec4, kPathNumbers> numbers{}; // the path's own, GpuView::path
-  std::vector<std::uint32_t> constants;          // the path's own specialization constants, from kConstantPath
+  const DeviceImage* pathTexture = nullptr;       // binding 16; null: white
+  const EnvironmentMaps* environment = nullptr;   // null: no environment
+  std::array<glm::vec4, kPathNumbers> numbers{};  // the path's own, GpuView::path
+  std::vector<std::uint32_t> constants;           // the path's own specialization constants, from kConstantPath
   std::vector<std::uint32_t> everySceneConstants; // in place of those in permutations of every scene; empty: the same
   bool terms = false;
   bool premultiplied = false;       // the shader multiplies colour and terms by the opacity

@@ -20,15 +20,20 @@ public:
 
   // Binding 4 of the path's shader (gpu/shaders/path.glsl): the counts, that of local lights without those listed; 1;
   // for each group where its list begins, and where the last one ends; the lists, indices into the lights in ascending
-  // order. counts: of the scene. Throws Error (exit 4) where the device cannot bind so much.
+  // order. counts: of the scene. Throws Error (exit 4) where the device cannot bind so much, and where more than
+  // gpu::kMaxLightsOfAPixel may reach a pixel.
   gpu::Buffer listsFor(const gpu::Surface& surface, const std::array<std::uint32_t, 4>& counts) const;
 
   // How many lists it has made.
   std::uint64_t listCount() const { return m_listCount; }
 
 private:
-  void run(const gpu::Surface& surface, const gpu::Buffer& groups, std::uint32_t groupCount, const gpu::Buffer& lists,
-           bool writes) const;
+  // One size of groups: words of Groups in the shader, behind their head; larger: the lists of the larger groups, null
+  // where all lights are to be asked.
+  gpu::Buffer makeLists(const gpu::Surface& surface, const std::vector<std::uint32_t>& groups,
+                        const gpu::Buffer* larger, const std::array<std::uint32_t, 4>& counts) const;
+  struct Run; // of the shader
+  void run(const Run& run) const;
 
   const gpu::Device& m_device;
   std::uint32_t m_firstBounded, m_boundedCount;
@@ -36,7 +41,7 @@ private:
   mutable std::uint64_t m_listCount = 0;
   mutable vk::raii::DescriptorSetLayout m_setLayout{nullptr}; // made with the first surface
   mutable vk::raii::PipelineLayout m_layout{nullptr};
-  mutable vk::raii::Pipeline m_count{nullptr}, m_write{nullptr};
+  mutable std::vector<vk::raii::Pipeline> m_pipelines; // writes + 2 refines
 };
 
 } // namespace parity::highend

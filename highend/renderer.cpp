@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "highend_shaders/highend.comp.h"
 
@@ -30,6 +32,11 @@ constexpr std::ptrdiff_t kMaxUnlisted = 8;
 int reachOf(const scenes::Light& light) {
   if (light.kind == scenes::LightKind::directional) return 0;
   return light.kind == scenes::LightKind::point && light.range == 0 ? 1 : 2;
+}
+
+base::Error tooMany(const gpu::Device& device, std::size_t count) {
+  return {base::ExitCode::failed, device.report().name, fmt::format("{} lights", count),
+          fmt::format("all of them reach every pixel, expected at most {}", gpu::kMaxLightsOfAPixel)};
 }
 
 std::uint32_t kindsOf(const std::vector<scenes::Light>& lights) {
@@ -98,21 +105,26 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   }
   program.environment = inputs.environment;
   if (inputs.environment) ++m_ownSamplers;
-  program.constants = {static_cast<std::uint32_t>(options.geometryTerm), static_cast<std::uint32_t>(options.fresnel),
-                       static_cast<std::uint32_t>(options.diffuse), static_cast<std::uint32_t>(options.compensation),
-                       static_cast<std::uint32_t>(options.offSpecular), kindsOf(lights)};
+  program.constants = {
+      static_cast<std::uint32_t>(options.geometryTerm), static_cast<std::uint32_t>(options.fresnel),
+      static_cast<std::uint32_t>(options.diffuse),      static_cast<std::uint32_t>(options.compensation),
+      static_cast<std::uint32_t>(options.offSpecular),  kindsOf(lights)};
   program.everySceneConstants = program.constants;
   program.everySceneConstants.back() = gpu::kLocalAll;
+  if (program.directionalCount + program.localCount > gpu::kMaxLightsOfAPixel && !inputs.cullLights)
+    throw tooMany(device, program.directionalCount + program.localCount);
   const auto bounded = std::find_if(lights.begin(), lights.end(), [](const auto& l) { return reachOf(l) == 2; });
   if (inputs.cullLights && lights.end() - bounded > kMaxUnlisted) {
-    m_culling = std::make_unique<LightCulling>(device, program.lights,
-                                               static_cast<std::uint32_t>(bounded - lights.begin()));
+    m_culling =
+        std::make_unique<LightCulling>(device, program.lights, static_cast<std::uint32_t>(bounded - lights.begin()));
     program.listLights = [culling = m_culling.get()](const gpu::Surface& surface, const auto& counts) {
       return culling->listsFor(surface, counts);
     };
   } else {
     program.pathData = {0}; // no lists
   }
+  if (const auto everywhere = static_cast<std::size_t>(bounded - lights.begin()); everywhere > gpu::kMaxLightsOfAPixel)
+    throw tooMany(device, everywhere);
   program.terms = inputs.terms;
   program.expectedPixels = inputs.expectedPixels;
   program.compilation = inputs.compilation;

@@ -32,7 +32,8 @@ public:
   // Samplers that a permutation binds, the environment's and the table's among them.
   std::size_t countSamplers(const gpu::Permutation& permutation) const;
 
-  // How many lists of lights have been made so far, one for each group of pixels; 0 where all are asked for every pixel.
+  // How many lists of lights have been made so far, one for each group of pixels; 0 where all are asked for every
+  // pixel.
   std::uint64_t lightLists() const { return m_culling ? m_culling->listCount() : 0; }
 
   // Whether the table is read at all with these inputs.

@@ -32,8 +32,8 @@ struct Work {
 
 // Why there was no such work; each is empty where there may have been.
 struct NoNeed {
-  std::string environment, suns, table, texture, variance, blended, fog, directional, local, lightLists, lightChoice, terms, truth,
-      occluders, costs;
+  std::string environment, suns, table, texture, variance, blended, fog, directional, local, lightLists, lightChoice,
+      terms, truth, occluders, costs;
 };
 
 // In the order of the work. A count of 0 has a reason.

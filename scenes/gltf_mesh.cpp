@@ -65,9 +65,9 @@ void readTexCoords(const PrimitiveReader& reader, Mesh& mesh, const Material& ma
                                   {"specularTexture", &material.specularTexture},
                                   {"specularColorTexture", &material.specularColorTexture}})
     if (slot->present() && (slot->texCoord == 0 ? mesh.uv0 : mesh.uv1).empty())
-      warnings.push_back(fmt::format("{}: the {} of material '{}' is read by TEXCOORD_{}, which the mesh lacks: at (0,0)",
-                                     reader.place(), key, material.name,
-                                     slot->texCoord == 0 ? sets.first : sets.second));
+      warnings.push_back(
+          fmt::format("{}: the {} of material '{}' is read by TEXCOORD_{}, which the mesh lacks: at (0,0)",
+                      reader.place(), key, material.name, slot->texCoord == 0 ? sets.first : sets.second));
 }
 
 std::size_t bytesOfVertex(const Mesh& mesh) {

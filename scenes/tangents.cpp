@@ -94,8 +94,8 @@ std::size_t makeTangents(Mesh& mesh, int texCoord, const std::function<void(std:
 
 std::size_t bytesToMakeTangents(const Mesh& mesh) {
   // Of a corner: its vertex, its places in two lists, its tangent; where its triangle has no direction in uv, its edge
-  // and a vote; and of the corners at the vertex in work, which may be all: group, sum, contribution, tangent, two links.
-  // Of a vertex: its class, the table of classes, the begins of two lists.
+  // and a vote; and of the corners at the vertex in work, which may be all: group, sum, contribution, tangent, two
+  // links. Of a vertex: its class, the table of classes, the begins of two lists.
   return mesh.indices.size() * ((4 + 2 * 4 + 16) + (12 + 16) + (4 + 32 + 32 + 16 + 2 * 16)) +
          mesh.positions.size() * (4 + 16 + 2 * 8);
 }

@@ -99,9 +99,8 @@ const BadScene kBadScenes[] = {
      {"scene.gltf", "no triangle"}},
     {"RequiredExtension",
      [](const TempFolder& f) {
-       return writeEdited(f, [](GltfFile& g) {
-         g.json["extensionsUsed"] = g.json["extensionsRequired"] = {"ACME_hologram"};
-       });
+       return writeEdited(
+           f, [](GltfFile& g) { g.json["extensionsUsed"] = g.json["extensionsRequired"] = {"ACME_hologram"}; });
      },
      {"scene.gltf", "ACME_hologram"}},
 };

@@ -38,12 +38,12 @@ TEST_F(MemoryTest, ofTexturesStaysWithinTwiceWhatTheyAreDecodedTo) {
     file.json["textures"].push_back({{"source", i}});
   }
   for (int m = 0; m < kMaterials; ++m) {
-    file.json["materials"].push_back({{"name", "paint " + std::to_string(m)},
-                                      {"pbrMetallicRoughness",
-                                       {{"baseColorTexture", texture(3 * m)},
-                                        {"metallicRoughnessTexture", texture(3 * m + 1)}}},
-                                      {"emissiveTexture", texture(3 * m + 2)},
-                                      {"emissiveFactor", {1, 1, 1}}});
+    file.json["materials"].push_back(
+        {{"name", "paint " + std::to_string(m)},
+         {"pbrMetallicRoughness",
+          {{"baseColorTexture", texture(3 * m)}, {"metallicRoughnessTexture", texture(3 * m + 1)}}},
+         {"emissiveTexture", texture(3 * m + 2)},
+         {"emissiveFactor", {1, 1, 1}}});
     nlohmann::json mesh = quad;
     mesh["primitives"][0]["material"] = m;
     file.json["meshes"].push_back(mesh);
@@ -51,7 +51,8 @@ TEST_F(MemoryTest, ofTexturesStaysWithinTwiceWhatTheyAreDecodedTo) {
     file.json["scenes"][0]["nodes"].push_back(m);
   }
   const long decodedMiB = 3L * kMaterials * kSide * kSide * 4 >> 20;
-  const std::string plain = writeExternal(m_folder, makeQuad(), "plain"), scene = writeExternal(m_folder, file, "painted");
+  const std::string plain = writeExternal(m_folder, makeQuad(), "plain"),
+                    scene = writeExternal(m_folder, file, "painted");
   for (const char* command : {"render", "diff"}) {
     const long own = peakOf(plain, command), peak = peakOf(scene, command);
     RecordProperty(std::string(command) + " MiB", std::to_string(own) + " and " + std::to_string(peak));

@@ -55,8 +55,8 @@ std::function<void(GltfFile&)> addLights(int count, float range) {
     file.json["extensions"]["KHR_lights_punctual"]["lights"] = {light};
     for (int i = 0; i < count; ++i) {
       file.json["scenes"][0]["nodes"].push_back(file.json["nodes"].size());
-      file.json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}},
-                                    {"translation", {0.1 * i, 0.5, 0.3}}});
+      file.json["nodes"].push_back(
+          {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}, {"translation", {0.1 * i, 0.5, 0.3}}});
     }
   };
 }

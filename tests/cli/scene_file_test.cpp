@@ -63,16 +63,15 @@ TEST_F(SeveralProblems, AreALineEachWhereverAReportNamesThem) {
   file.primitive()["material"] = 9;
   file.json["nodes"][0]["rotation"] = {0, 0, 1};
   const std::string path = writeEmbedded(m_folder, file, "bad");
-  const RunResult result = runParity(
-      join({{"report", path, "-o", (m_folder / "out").string(), "--annotate", "github", "--env", "builtin:white"}, kSmall}));
+  const RunResult result = runParity(join(
+      {{"report", path, "-o", (m_folder / "out").string(), "--annotate", "github", "--env", "builtin:white"}, kSmall}));
   EXPECT_TRUE(exitedWith(4, result));
   const std::vector<std::string> lines = splitLines(result.out);
   EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
                           [](const std::string& line) { return line.starts_with("bad-embedded: error: "); }),
             2)
       << result.out;
-  for (const std::string& line : splitLines(result.err))
-    EXPECT_TRUE(line.starts_with("error: bad-embedded: ")) << line;
+  for (const std::string& line : splitLines(result.err)) EXPECT_TRUE(line.starts_with("error: bad-embedded: ")) << line;
   const std::string message = readReport(m_folder / "out")["scenes"][0]["error"]["message"];
   EXPECT_EQ(splitLines(message).size(), 2u) << message;
   EXPECT_FALSE(contains(message, m_folder.path().string())) << message;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <random>
-#include <utility>
+#include <tuple>
 
 #include "base/parallel.h"
 #include "gpu/bins.h"
@@ -60,7 +60,10 @@ TEST(Bins, orderedByBlocksHoldTheSamePixelsBlockAfterBlock) {
   for (const Bin& bin : inRows.bins) {
     std::vector<std::uint32_t> expected(inRows.entries.begin() + bin.first,
                                         inRows.entries.begin() + bin.first + bin.count);
-    const auto blockOf = [](std::uint32_t p) { return std::pair(p / kWidth / kBlockSide, p % kWidth / kBlockSide); };
+    const auto blockOf = [](std::uint32_t p) {
+      const std::uint32_t x = p % kWidth, y = p / kWidth;
+      return std::tuple(y / kRegionSide, x / kRegionSide, y / kBlockSide, x / kBlockSide);
+    };
     std::stable_sort(expected.begin(), expected.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return blockOf(a) < blockOf(b); });
     EXPECT_TRUE(std::equal(expected.begin(), expected.end(), inBlocks.entries.begin() + bin.first));

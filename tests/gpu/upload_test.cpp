@@ -69,7 +69,8 @@ TEST_F(UploadTest, aCubeOfWideTexelsHasAllItsLayers) {
   const DeviceImage image(device(), shape, std::span{&mip, 1});
   for (std::uint32_t layer = 0; layer < 6; ++layer) {
     const auto found = download(image, 0, layer, layerBytes);
-    EXPECT_TRUE(std::equal(found.begin(), found.end(), pixels.begin() + static_cast<std::ptrdiff_t>(layer * layerBytes)))
+    EXPECT_TRUE(
+        std::equal(found.begin(), found.end(), pixels.begin() + static_cast<std::ptrdiff_t>(layer * layerBytes)))
         << layer;
   }
 }

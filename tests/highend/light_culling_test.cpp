@@ -27,9 +27,9 @@ struct Field {
     scene.materials[1].metallic = 1;
     scene.materials[1].roughness = 0.3f;
     scene.materials[1].unlit = false;
-    scene.instances.push_back({0, glm::mat4(glm::vec4(6, 0, 0, 0), glm::vec4(0, 6, 0, 0), glm::vec4(0, 0, 1, 0),
-                                            glm::vec4(0, 0, 0, 1)),
-                               "plane"});
+    scene.instances.push_back(
+        {0, glm::mat4(glm::vec4(6, 0, 0, 0), glm::vec4(0, 6, 0, 0), glm::vec4(0, 0, 1, 0), glm::vec4(0, 0, 0, 1)),
+         "plane"});
     for (int i = 0; i < 25; ++i)
       scene.instances.push_back(
           {1, tests::translation(2.f * static_cast<float>(i % 5) - 4, 2.f * static_cast<float>(i / 5) - 4, 0.3f),
@@ -49,7 +49,7 @@ std::vector<scenes::Light> makeLights(std::size_t count, std::uint32_t seed) {
     light.position = {side(random), side(random), 3 * unit(random)};
     light.range = i % 7 == 3 ? 0.f : 0.2f + 1.5f * unit(random);
     light.direction = glm::normalize(glm::vec3(side(random), side(random), -0.1f - 6 * unit(random)));
-    light.kind = i % 3 == 1   ? scenes::LightKind::spot
+    light.kind = i % 3 == 1    ? scenes::LightKind::spot
                  : i % 50 == 2 ? scenes::LightKind::directional
                                : scenes::LightKind::point;
     light.outerConeAngle = 0.02f + 1.5f * unit(random);
@@ -139,6 +139,47 @@ TEST_F(LightCullingTest, listsWhatReachesAPixelAndLittleElse) {
   EXPECT_EQ(data[1 + group], data.size()) << "the lists fill the buffer";
   EXPECT_GT(reached, surface.size());
   EXPECT_LT(listed, 3 * reached) << "of " << lights.size() * surface.size();
+}
+
+TEST_F(LightCullingTest, takesAHundredThousandLightsAndSaysWhereTooManyReachAPixel) {
+  const gpu::SceneBuffers buffers(device(), m_field.scene);
+  const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
+  const auto surfaces = pass.render(m_field.camera, {0, kSize}, glm::vec2(0.5f));
+  scenes::Light light;
+  light.color = glm::vec3(1);
+  light.range = 0.05f;
+  std::vector<gpu::GpuLight> lights(140000);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    light.position = {static_cast<float>(i % 400) / 40 - 5, static_cast<float>(i / 400) / 40 - 5, 0.f};
+    lights[i] = gpu::packLight(light);
+  }
+  const std::array<std::uint32_t, 4> counts = {0, static_cast<std::uint32_t>(lights.size()), 0, 0};
+  const gpu::Buffer lists = LightCulling(device(), lights, 0).listsFor(surfaces.front(), counts);
+  EXPECT_LT(lists.size(), std::size_t{4} << 20);
+  const auto words = lists.downloadAs<std::uint32_t>(lists.size() / sizeof(std::uint32_t));
+  EXPECT_GT(*std::max_element(words.begin() + 300, words.end()), 120000u) << "the last lights are asked, too";
+
+  const auto refusal = [&](const gpu::GpuLight& each, std::size_t count) {
+    try {
+      const std::vector<gpu::GpuLight> many(count, each);
+      LightCulling(device(), many, 0).listsFor(surfaces.front(), {0, static_cast<std::uint32_t>(count), 0, 0});
+    } catch (const base::Error& error) {
+      EXPECT_EQ(error.code(), base::ExitCode::failed);
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  light.range = 1000;
+  EXPECT_NE(refusal(gpu::packLight(light), 60001).find("60001 of them reach the same pixels"), std::string::npos);
+  EXPECT_EQ(refusal(gpu::packLight(light), 1000), "");
+}
+
+TEST_F(LightCullingTest, refusesMoreLightsThatReachEverythingThanALoopMayHave) {
+  const gpu::SceneBuffers buffers(device(), m_field.scene);
+  const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
+  Inputs inputs;
+  inputs.lights.resize(60001); // points without a range
+  EXPECT_THROW(Renderer(device(), buffers, pass.binKinds(), inputs, m_options), base::Error);
 }
 
 } // namespace

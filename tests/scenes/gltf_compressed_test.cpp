@@ -66,7 +66,8 @@ TEST(GltfDraco, CountsWhatIsDecoded) {
   const std::size_t mesh = vertices * 40 + corners * 4;
   const std::size_t decoded = vertices * (64 + 2 * scenes::dracoBytesOfVertex(3, 4) + 24) + 2 * corners * 4;
   const std::size_t fileBytes = std::filesystem::file_size(path);
-  EXPECT_EQ(scenes::loadScene(path, {.maxMemoryBytes = mesh + decoded + 2 * fileBytes}).meshes[0].indices.size(), corners);
+  EXPECT_EQ(scenes::loadScene(path, {.maxMemoryBytes = mesh + decoded + 2 * fileBytes}).meshes[0].indices.size(),
+            corners);
   expectError([&] { scenes::loadScene(path, {.maxMemoryBytes = mesh + decoded}); },
               {"/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression: needs", "(--max-memory)"});
 }

@@ -85,7 +85,8 @@ TEST(HostileGltf, GeometryThatLeavesTheNumbersIsRefused) {
   GltfFile file = makeQuad();
   file.primitive()["attributes"]["POSITION"] = file.add<float>({0, 0, 0, 1e30f, 0, 0, 0, 1, 0, 1, 1, 0}, "VEC3");
   file.json["nodes"][0]["scale"] = {1e20, 1, 1};
-  expectError([&] { scenes::loadScene(writeGlb(folder, file)); }, {"/nodes/0: places 'quad' beyond 1e+18 m, or nowhere"});
+  expectError([&] { scenes::loadScene(writeGlb(folder, file)); },
+              {"/nodes/0: places 'quad' beyond 1e+18 m, or nowhere"});
   file.json["nodes"][0]["scale"] = {1, 1, 1};
   expectError([&] { scenes::loadScene(writeGlb(folder, file)); }, {"/nodes/0: places 'quad' beyond 1e+18 m"});
   GltfFile morphed = makeQuad();

@@ -30,7 +30,9 @@ TEST(GltfLimits, RefusesTangentsThatTakeMoreThanTheMemoryAllowed) {
   std::vector<std::uint8_t> corners;
   for (int i = 0; i < 100000; ++i) corners.insert(corners.end(), {0, 1, 2, 0, 2, 3});
   file.primitive()["indices"] = file.add<std::uint8_t>(corners, "SCALAR");
-  const auto load = [&] { return scenes::loadScene(writeGlb(folder, file), {.maxMemoryBytes = std::size_t{16} << 20}); };
+  const auto load = [&] {
+    return scenes::loadScene(writeGlb(folder, file), {.maxMemoryBytes = std::size_t{16} << 20});
+  };
   EXPECT_EQ(load().meshes[0].indices.size(), corners.size());
   writeFile(folder / "bumps.png", makePng(2, 2));
   file.json["images"] = {{{"uri", "bumps.png"}}};
