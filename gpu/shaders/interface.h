@@ -94,8 +94,11 @@ PARITY_CONST int kPathNumbers = 10;
 PARITY_CONST int kPathSkySh = 0;             // nine, shading/sky_sh.glsl
 PARITY_CONST int kPathAverageBrightness = 9; // x: of the capture
 
-PARITY_CONST uint kMaxCandidates = 32768u;   // lights that one dispatch of highend/shaders/cull_lights.comp asks
-PARITY_CONST uint kMaxLightsOfAPixel = 60000u; // that a path's shader loops over: lavapipe ends loops after 65,535 turns
+// Lights that one dispatch of highend/shaders/cull_lights.comp asks, and that a path's shader loops over for a pixel:
+// lavapipe ends an invocation's loops after 65,535 turns.
+PARITY_CONST uint kMaxCandidates = 32768u;
+PARITY_CONST uint kMaxLightsOfAPixel = 60000u;
+
 PARITY_CONST uint kGroupSize = 64u;         // invocations of a compute group
 PARITY_CONST uint kMaxGroupsInRow = 32768u; // a dispatch is (row, rows, 1): devices stop at 65,535 groups in x
 
