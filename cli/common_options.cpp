@@ -123,6 +123,23 @@ void settleModel(job::Settings& s, const RawOptions& raw) {
 
 std::string defaultMetricList() { return fmt::format("{}", fmt::join(compare::defaultMetrics(), ",")); }
 
+void addShadowOptions(CLI::App& app, RawOptions& raw) {
+  app.add_flag("--shadows", raw.shadows,
+               "Lights cast shadows: high-end by shadow maps, the reference by rays, of the environment too")
+      ->group("Paths");
+  std::vector<std::uint32_t> sizes;
+  for (std::uint32_t size = gpu::kMinShadowMapSize; size <= gpu::kMaxShadowMapSize; size *= 2) sizes.push_back(size);
+  app.add_option("--shadow-map-size", raw.shadowMapSize,
+                 "Texels a side of directional lights' maps; spots' have half, faces of point lights' a fourth")
+      ->check(CLI::IsMember(sizes))
+      ->group("Paths")
+      ->capture_default_str();
+  app.add_option("--shadow-filter", raw.shadowFilter, "Width of the shadow maps' filter, texels; 0: one texel, hard")
+      ->check(CLI::IsMember({0, 1, 3, 5, 7}))
+      ->group("Paths")
+      ->capture_default_str();
+}
+
 void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw) {
   app.add_option("--device", device.name,
                  "Vulkan device: part of its name, or its number in 'parity devices'. Default: the software device");
@@ -168,6 +185,7 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->capture_default_str();
   app.add_option("--background", raw.background, "Linear R,G,B behind the scene, in every path. Default 0.18,0.18,0.18")
       ->group("Picture");
+  addShadowOptions(app, raw);
   addMobileOptions(app, s.mobileTarget, raw);
   addModelOptions(app, s.highend, raw);
   app.add_option("--specular-aa", raw.specularAa, "Roughness from minified normal maps, in every path: toksvig or off")
@@ -224,8 +242,6 @@ void addReferenceOptions(CLI::App& app, RawOptions& raw) {
       ->check(CLI::IsMember({"multiple", "single"}))
       ->group("Reference")
       ->capture_default_str();
-  app.add_flag("--shadows", raw.shadows, "The reference tests visibility, of the environment too; no other path does")
-      ->group("Reference");
 }
 
 void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw) {
@@ -246,7 +262,7 @@ void addTruthOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
                "Also hold both paths against the ground truth, term by term: exact integrals, slow; judges nothing")
       ->group("Reference");
   addReferenceOptions(app, raw);
-  for (const char* option : {"--error", "--scattering", "--shadows"}) app.get_option(option)->needs("--reference");
+  for (const char* option : {"--error", "--scattering"}) app.get_option(option)->needs("--reference");
 }
 
 void settle(CommonOptions& common, const RawOptions& raw) {
@@ -254,7 +270,9 @@ void settle(CommonOptions& common, const RawOptions& raw) {
   s.reference.integral.relativeError = parseShare("--error", raw.error);
   s.reference.model.scattering =
       raw.scattering == "single" ? reference::Scattering::single : reference::Scattering::multiple;
-  s.referenceShadows = raw.shadows;
+  s.shadows = raw.shadows;
+  s.shadowMaps.mapSize = raw.shadowMapSize;
+  s.shadowMaps.filter = raw.shadowFilter;
   parseSize(raw.size, s);
   s.extractSun = !raw.noSunExtraction;
   if (!raw.sun.empty()) {

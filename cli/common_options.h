@@ -29,11 +29,14 @@ struct RawOptions {
   std::string attribution = "over-budget";   // of report and diff
   std::string metrics = defaultMetricList(); // comma-separated
   std::string pixelData = "all";
+  std::uint32_t shadowMapSize = gpu::ShadowOptions().mapSize, shadowFilter = gpu::ShadowOptions().filter;
   bool shadows = false, noSunExtraction = false, noCache = false, quiet = false, verbose = false, validation = false;
 };
 
 // Scene, view, picture, paths, device, cache, verbosity.
 void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
+// --shadows and the maps' knobs.
+void addShadowOptions(CLI::App& app, RawOptions& raw);
 // --device and --validation alone.
 void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw);
 // What is measured; nothing is by `render`.

@@ -97,9 +97,6 @@ int runRenderCommand(const RenderCommand& command) {
     throw base::Error(base::ExitCode::usage, "--terms", command.output, "layers need an .exr file");
   if (!command.errorMap.empty() && command.path != "reference")
     throw base::Error(base::ExitCode::usage, "--error-map", command.path, "only the reference has an error");
-  if (settings.referenceShadows && command.path != "reference")
-    throw base::Error(base::ExitCode::usage, "--shadows", command.path,
-                      "only the reference has shadows in this version");
 
   const job::SceneRequest request = sceneRequest(command.common, command.scene);
   requireSeparate({{"-o", command.output}, {"--error-map", command.errorMap}}, inputFiles(command.common, {request}));
@@ -109,7 +106,7 @@ int runRenderCommand(const RenderCommand& command) {
   const job::Paths paths{.highend = highend, .mobile = !highend && !reference, .reference = reference};
   job::PreparedScene prepared = job::prepareScene(context, request, paths);
   for (const std::string& warning : prepared.scene.warnings) base::logWarning(warning);
-  job::SceneRenderer renderer(context, prepared, paths, 1, {}, job::imageRelease(prepared, settings, paths));
+  job::SceneRenderer renderer(context, prepared, paths, 1, {}, job::imageRelease(prepared, paths));
   for (const std::string& note : renderer.notes()) base::logWarning("mobile: " + note);
   const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
   const job::ViewFrames frames = renderer.render(scenes::makeCamera(prepared.scene, request.views.front(), aspect),

@@ -11,7 +11,7 @@ namespace {
 
 bool isDepth(vk::Format format) { return format == vk::Format::eD32Sfloat; }
 
-std::uint32_t layersOf(const DeviceImage::Shape& shape) { return shape.cube ? 6 * shape.arraySize : 1; }
+std::uint32_t layersOf(const DeviceImage::Shape& shape) { return (shape.cube ? 6 : 1) * shape.arraySize; }
 
 vk::ImageSubresourceRange wholeOf(const DeviceImage::Shape& shape) {
   return {isDepth(shape.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor, 0, shape.mips, 0,
@@ -42,10 +42,19 @@ DeviceImage::DeviceImage(const Device& device, const Shape& shape) : m_shape(sha
                       "image of " + std::to_string(shape.width) + "x" + std::to_string(shape.height), error.what());
   }
   m_image.bindMemory(*m_memory, 0);
-  m_view = vk::raii::ImageView(
-      device.handle(),
-      vk::ImageViewCreateInfo({}, *m_image, shape.cube ? vk::ImageViewType::eCubeArray : vk::ImageViewType::e2D,
-                              shape.format, {}, wholeOf(shape)));
+  m_view = vk::raii::ImageView(device.handle(), vk::ImageViewCreateInfo({}, *m_image,
+                                                                        shape.cube    ? vk::ImageViewType::eCubeArray
+                                                                        : shape.array ? vk::ImageViewType::e2DArray
+                                                                                      : vk::ImageViewType::e2D,
+                                                                        shape.format, {}, wholeOf(shape)));
+}
+
+vk::raii::ImageView DeviceImage::layerView(const Device& device, std::uint32_t layer) const {
+  vk::ImageSubresourceRange range = wholeOf(m_shape);
+  range.baseArrayLayer = layer;
+  range.layerCount = 1;
+  return vk::raii::ImageView(device.handle(),
+                             vk::ImageViewCreateInfo({}, *m_image, vk::ImageViewType::e2D, m_shape.format, {}, range));
 }
 
 DeviceImage::DeviceImage(const Device& device, const Shape& shape, std::span<const std::span<const std::byte>> mips)

@@ -17,7 +17,8 @@ public:
     vk::Format format = vk::Format::eR8G8B8A8Unorm;
     std::uint32_t width = 1, height = 1, mips = 1;
     bool cube = false;           // 6 layers an array element, seen as a cube array
-    std::uint32_t arraySize = 1; // of cubes
+    bool array = false;          // seen as an array of `arraySize` layers
+    std::uint32_t arraySize = 1; // of cubes, or of layers
     vk::ImageUsageFlags usage = vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst;
   };
 
@@ -30,6 +31,8 @@ public:
 
   vk::Image handle() const { return *m_image; }
   vk::ImageView view() const { return *m_view; }
+  // Of one layer of an array, to draw into.
+  vk::raii::ImageView layerView(const Device& device, std::uint32_t layer) const;
   const Shape& shape() const { return m_shape; }
 
 private:

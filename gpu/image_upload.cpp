@@ -16,7 +16,7 @@ vk::DeviceSize alignUp(vk::DeviceSize size) { return (size + kAlignment - 1) / k
 
 std::uint32_t sideOf(std::uint32_t side, std::uint32_t mip) { return std::max(side >> mip, 1u); }
 
-std::uint32_t layersOf(const DeviceImage::Shape& shape) { return shape.cube ? 6 * shape.arraySize : 1; }
+std::uint32_t layersOf(const DeviceImage::Shape& shape) { return (shape.cube ? 6 : 1) * shape.arraySize; }
 
 vk::DeviceSize stagingBytes(const DeviceImage::Shape& shape) {
   vk::DeviceSize total = 0;

@@ -23,10 +23,10 @@ DeviceImage makeBlackCube(const Device& device) {
   return DeviceImage(device, {.width = 1, .height = 1, .mips = 1, .cube = true}, std::span{&mip, 1});
 }
 
-DeviceImage makeWhite(const Device& device) {
+DeviceImage makeWhite(const Device& device, bool array = false) {
   const std::vector<std::uint8_t> white(4, 255);
   const std::span<const std::byte> mip = std::as_bytes(std::span{white});
-  return DeviceImage(device, {.width = 1, .height = 1, .mips = 1}, std::span{&mip, 1});
+  return DeviceImage(device, {.width = 1, .height = 1, .mips = 1, .array = array}, std::span{&mip, 1});
 }
 
 vk::raii::Sampler makeLinearClamp(const Device& device) {
@@ -52,7 +52,7 @@ std::vector<Textures::Need> texturesOf(std::span<const Bin> bins, std::span<cons
   return needs;
 }
 
-GpuLight packLight(const scenes::Light& light) {
+GpuLight packLight(const scenes::Light& light, const ShadowOfLight& shadow) {
   GpuLight out;
   const std::uint32_t kind = light.kind == scenes::LightKind::directional ? kLightDirectional
                              : light.kind == scenes::LightKind::point     ? kLightPoint
@@ -60,7 +60,8 @@ GpuLight packLight(const scenes::Light& light) {
   out.colorRange = vec4(light.color, light.range);
   out.positionKind = vec4(light.position, static_cast<float>(kind));
   out.directionCosOuter = vec4(light.direction, std::cos(light.outerConeAngle));
-  out.cone = vec4(std::cos(light.innerConeAngle), light.specularScale, 0, 0);
+  out.cone = vec4(std::cos(light.innerConeAngle), light.specularScale,
+                  shadow.count > 0 ? static_cast<float>(shadow.first + 1) : 0.f, static_cast<float>(shadow.count));
   return out;
 }
 
@@ -85,9 +86,9 @@ struct ShadingPass::Impl {
   const SceneBuffers& scene;
   std::vector<BinKind> kinds;
   PathProgram program;
-  DeviceImage blackCube, white;
+  DeviceImage blackCube, white, whiteArray;
   vk::raii::Sampler linearClamp;
-  Buffer view, lights, pathData;
+  Buffer view, lights, pathData, noViews;
   vk::raii::DescriptorSetLayout textureLayout{nullptr}, surfaceLayout{nullptr};
   std::vector<std::unique_ptr<DescriptorSets>> textureSets; // of each kind of bin that was seen
   vk::raii::PipelineLayout layout{nullptr};
@@ -99,9 +100,9 @@ struct ShadingPass::Impl {
 
   Impl(const Device& dev, const SceneBuffers& buffers, const std::vector<BinKind>& binKinds, PathProgram p)
       : device(dev), scene(buffers), kinds(binKinds), program(std::move(p)), blackCube(makeBlackCube(dev)),
-        white(makeWhite(dev)), linearClamp(makeLinearClamp(dev)), view(dev, sizeof(GpuView)),
-        lights(dev, std::span<const GpuLight>(program.lights)),
-        pathData(dev, std::span<const std::uint32_t>(withCounts(buffers, program))),
+        white(makeWhite(dev)), whiteArray(makeWhite(dev, true)), linearClamp(makeLinearClamp(dev)),
+        view(dev, sizeof(GpuView)), lights(dev, std::span<const GpuLight>(program.lights)),
+        pathData(dev, std::span<const std::uint32_t>(withCounts(buffers, program))), noViews(dev, 0),
         plan(program.compilation.budget, buffers.textureBits(), classesOf(kinds)),
         store(program.compilation.store ? *program.compilation.store : ownStore) {
     const auto none = scene.textures().bindings({});
@@ -133,6 +134,9 @@ struct ShadingPass::Impl {
                                            : vk::DescriptorImageInfo(*linearClamp, blackCube.view(), kReadOnly));
     bindings.push_back(vk::DescriptorImageInfo(
         *linearClamp, program.pathTexture ? program.pathTexture->view() : white.view(), kReadOnly));
+    bindings.push_back(program.shadows ? program.shadows->image()
+                                       : vk::DescriptorImageInfo(*linearClamp, whiteArray.view(), kReadOnly));
+    bindings.push_back(storage(program.shadows ? program.shadows->views() : noViews));
     return bindings;
   }
 

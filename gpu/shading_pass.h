@@ -10,6 +10,7 @@
 
 #include "gpu/permutations.h"
 #include "gpu/pipeline.h"
+#include "gpu/shadow_maps.h"
 #include "gpu/surface_pass.h"
 
 namespace parity::gpu {
@@ -40,6 +41,7 @@ struct PathProgram {
   std::function<Buffer(const Surface&, const std::array<std::uint32_t, 4>&)> listLights;
   const DeviceImage* pathTexture = nullptr;       // binding 16; null: white
   const EnvironmentMaps* environment = nullptr;   // null: no environment
+  const ShadowMaps* shadows = nullptr;            // bindings 18 and 19; null: none
   std::array<glm::vec4, kPathNumbers> numbers{};  // the path's own, GpuView::path
   std::vector<std::uint32_t> constants;           // the path's own specialization constants, from kConstantPath
   std::vector<std::uint32_t> everySceneConstants; // in place of those in permutations of every scene; empty: the same
@@ -86,7 +88,7 @@ private:
 // What shading the bins of a surface reads of the scene's textures: for Textures::require, whichever path comes first.
 std::vector<Textures::Need> texturesOf(std::span<const Bin> bins, std::span<const BinKind> kinds);
 
-// scenes::Light as the shaders read it.
-GpuLight packLight(const scenes::Light& light);
+// scenes::Light as the shaders read it, with its shadow maps if it has any.
+GpuLight packLight(const scenes::Light& light, const ShadowOfLight& shadow = {});
 
 } // namespace parity::gpu

@@ -28,6 +28,8 @@ gpu::DeviceImage uploadLut(const gpu::Device& device, const base::Image& lut) {
 // As many local lights are asked for every pixel without lists, which cost more than they save.
 constexpr std::ptrdiff_t kMaxUnlisted = 8;
 
+constexpr std::size_t kConstantLocalKinds = 5; // among the path's own
+
 // 0: parallel light; 1: everywhere; 2: within a range or a cone.
 int reachOf(const scenes::Light& light) {
   if (light.kind == scenes::LightKind::directional) return 0;
@@ -94,7 +96,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   std::stable_sort(lights.begin(), lights.end(),
                    [](const scenes::Light& a, const scenes::Light& b) { return reachOf(a) < reachOf(b); });
   for (const scenes::Light& light : lights) {
-    program.lights.push_back(gpu::packLight(light));
+    program.lights.push_back(gpu::packLight(light, inputs.shadows ? inputs.shadows->of(light) : gpu::ShadowOfLight()));
     ++(light.kind == scenes::LightKind::directional ? program.directionalCount : program.localCount);
   }
   if (needsLut(inputs, options)) {
@@ -105,12 +107,15 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   }
   program.environment = inputs.environment;
   if (inputs.environment) ++m_ownSamplers;
+  program.shadows = inputs.shadows;
+  if (inputs.shadows) ++m_ownSamplers;
   program.constants = {
       static_cast<std::uint32_t>(options.geometryTerm), static_cast<std::uint32_t>(options.fresnel),
       static_cast<std::uint32_t>(options.diffuse),      static_cast<std::uint32_t>(options.compensation),
-      static_cast<std::uint32_t>(options.offSpecular),  kindsOf(lights)};
+      static_cast<std::uint32_t>(options.offSpecular),  kindsOf(lights),
+      inputs.shadows ? inputs.shadows->filter() + 1 : 0};
   program.everySceneConstants = program.constants;
-  program.everySceneConstants.back() = gpu::kLocalAll;
+  program.everySceneConstants[kConstantLocalKinds] = gpu::kLocalAll;
   if (program.directionalCount + program.localCount > gpu::kMaxLightsOfAPixel && !inputs.cullLights)
     throw tooMany(device, program.directionalCount + program.localCount);
   const auto bounded = std::find_if(lights.begin(), lights.end(), [](const auto& l) { return reachOf(l) == 2; });

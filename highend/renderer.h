@@ -15,7 +15,8 @@ struct Inputs {
   const gpu::EnvironmentMaps* environment = nullptr; // null: none
   const base::Image* lut = nullptr;       // makeEnvBrdfLut of the same term and curve; null only where needsLut says so
   std::vector<scenes::Light> lights = {}; // all of the scene's, and the sun
-  bool cullLights = true;                 // false: every pixel asks every light, with the same result
+  const gpu::ShadowMaps* shadows = nullptr; // of these lights; null: nothing casts
+  bool cullLights = true;                   // false: every pixel asks every light, with the same result
   bool terms = false;
   gpu::Compilation compilation = {};
   std::uint64_t expectedPixels = 0; // that the run will shade

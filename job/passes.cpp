@@ -18,6 +18,8 @@ std::vector<compare::PassResult> describePasses(const Work& work, const NoNeed& 
   add("directional lights", "lights", work.directionalLights, why.directional);
   add("local lights", "lights", work.localLights, why.local);
   add("culling of local lights", "groups", work.lightLists, why.lightLists);
+  add("shadow maps", "maps", work.shadowMaps, why.shadows);
+  add("casters of shadows", "instances", work.shadowCasters, why.shadows);
   add("choice of local lights", "objects", work.lightChoices, why.lightChoice);
   add("shade highend", "samples", work.highendSamples, "");
   add("shade mobile", "samples", work.mobileSamples, "");

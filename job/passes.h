@@ -21,6 +21,7 @@ struct Work {
   std::uint64_t fogSamples = 0;                             // given the fog of their vertices
   std::uint64_t directionalLights = 0, localLights = 0;     // that the high-end path's shaders loop over
   std::uint64_t lightLists = 0;                             // of local lights that reach a group of pixels, high-end
+  std::uint64_t shadowMaps = 0, shadowCasters = 0;          // drawn, and instances drawn into them
   std::uint64_t lightChoices = 0;                           // objects for which the mobile path chose local lights
   std::uint64_t highendSamples = 0, mobileSamples = 0;      // shaded
   std::uint64_t termSamples = 0;                            // shaded with their terms written, over all paths
@@ -32,8 +33,8 @@ struct Work {
 
 // Why there was no such work; each is empty where there may have been.
 struct NoNeed {
-  std::string environment, suns, table, texture, variance, blended, fog, directional, local, lightLists, lightChoice,
-      terms, truth, occluders, costs;
+  std::string environment, suns, table, texture, variance, blended, fog, directional, local, lightLists, shadows,
+      lightChoice, terms, truth, occluders, costs;
 };
 
 // In the order of the work. A count of 0 has a reason.

@@ -136,6 +136,7 @@ scenes::Scene loadSubject(const SceneRequest& request) {
 PreparedScene prepareScene(Context& context, const SceneRequest& request, const Paths& paths) {
   PreparedScene prepared;
   prepared.exposureEv = request.exposureEv.value_or(context.settings().exposureEv);
+  prepared.shadows = request.shadows || context.settings().shadows;
   std::optional<scenes::Environment> panorama;
   std::vector<std::string> warnings;
   base::parallelInvoke({
@@ -185,8 +186,8 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
   return prepared;
 }
 
-std::function<void(int)> imageRelease(PreparedScene& prepared, const Settings& settings, const Paths& paths) {
-  if (paths.reference && settings.referenceShadows) return {};
+std::function<void(int)> imageRelease(PreparedScene& prepared, const Paths& paths) {
+  if (paths.reference && prepared.shadows) return {};
   return [&prepared](int image) { prepared.scene.images[static_cast<std::size_t>(image)].pixels = {}; };
 }
 

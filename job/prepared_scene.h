@@ -30,6 +30,7 @@ struct PreparedScene {
   // Unfiltered, times the sky light's colour, to go with `lights`; kept for the reference alone.
   std::optional<scenes::Environment> panorama;
   float exposureEv = 0;                 // of the camera
+  bool shadows = false;                 // lights cast them
   bool isLit = true;                    // some object's material is not unlit: light is needed at all
   Work work;                            // done so far
   std::string environmentName, sunText; // for the report: the file without its folder; "none" where there is none
@@ -41,6 +42,6 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
 
 // For SceneRenderer's onLastRead: frees the pixels of an image. Empty where the reference will read them, to let light
 // through masks. `prepared` must outlive it.
-std::function<void(int)> imageRelease(PreparedScene& prepared, const Settings& settings, const Paths& paths);
+std::function<void(int)> imageRelease(PreparedScene& prepared, const Paths& paths);
 
 } // namespace parity::job

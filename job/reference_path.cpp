@@ -61,7 +61,7 @@ std::string makeLightKey(const std::string& buildId, const PreparedScene& prepar
         .addValue(light.innerConeAngle)
         .addValue(light.outerConeAngle)
         .addValue(light.specularScale);
-  hasher.add(settings.referenceShadows ? lighting::hashOfOccluders(prepared.scene) : "no shadows");
+  hasher.add(prepared.shadows ? lighting::hashOfOccluders(prepared.scene) : "no shadows");
   return hasher.hex();
 }
 
@@ -86,8 +86,7 @@ std::vector<reference::ShadedSample> ReferencePath::integrate(const std::vector<
     m_sampler = std::make_unique<reference::EnvironmentSampler>(*m_prepared.panorama);
   if (options.model.needsAlbedo() && !m_albedo)
     m_albedo = std::make_unique<reference::DirectionalAlbedo>(options.model.geometryTerm, options.model.fresnel);
-  if (m_context.settings().referenceShadows && !m_visibility)
-    m_visibility = std::make_unique<lighting::Visibility>(m_prepared.scene);
+  if (m_prepared.shadows && !m_visibility) m_visibility = std::make_unique<lighting::Visibility>(m_prepared.scene);
   const reference::Inputs inputs{.environment = m_sampler.get(),
                                  .albedo = m_albedo.get(),
                                  .lights = m_prepared.lights,

@@ -36,10 +36,10 @@ template <Is<LoadOptions> T> auto fields(T& load) {
 }
 // All but the budgets.
 template <Is<SuiteEntry> T> auto fields(T& entry) {
-  auto& [name, scene, load, subject, environment, environmentRotationDeg, extractSun, sun, lightScales, fog, views,
-         fullyRough, budgets, exposureEv] = entry;
+  auto& [name, scene, load, subject, environment, environmentRotationDeg, extractSun, sun, lightScales, fog, shadows,
+         views, fullyRough, budgets, exposureEv] = entry;
   return std::tie(name, scene, load, subject, environment, environmentRotationDeg, extractSun, sun, lightScales, fog,
-                  views, fullyRough, exposureEv);
+                  shadows, views, fullyRough, exposureEv);
 }
 
 } // namespace parity::scenes
@@ -83,6 +83,15 @@ template <Is<Options> T> auto fields(T& options) {
 
 } // namespace parity::reference
 
+namespace parity::gpu {
+
+template <job::Is<ShadowOptions> T> auto fields(T& options) {
+  auto& [mapSize, filter, maxBytes] = options;
+  return std::tie(mapSize, filter, maxBytes);
+}
+
+} // namespace parity::gpu
+
 namespace parity::job {
 
 // All but the budgets and what they lead to be attributed, the cache itself, and the choice of a device, in whose place
@@ -90,10 +99,10 @@ namespace parity::job {
 template <Is<Settings> T> auto fields(T& settings) {
   auto& [width, height, samples, exposureEv, display, background, materials, fullyRough, budgets, metrics, terms,
          attribution, costs, extractSun, truth, mobileOptions, mobileView, mobileTarget, specularAa, highendOptions,
-         referenceOptions, referenceShadows, device, cacheFolder, cacheBytes] = settings;
+         referenceOptions, shadows, shadowMaps, device, cacheFolder, cacheBytes] = settings;
   return std::tie(width, height, samples, exposureEv, display, background, materials, fullyRough, metrics, terms, costs,
                   extractSun, truth, mobileOptions, mobileView, mobileTarget, specularAa, highendOptions,
-                  referenceOptions, referenceShadows);
+                  referenceOptions, shadows, shadowMaps);
 }
 
 namespace {

@@ -57,7 +57,7 @@ public:
   ComparedScene run(std::size_t index) {
     const SceneRequest& request = m_request.scenes[index];
     ComparedScene scene;
-    compare::SceneResult& result = scene.result = startScene(request);
+    compare::SceneResult& result = scene.result = startScene(request, request.shadows || m_context.settings().shadows);
     const auto setError = [&](const char* message, base::ExitCode code) {
       scene.error = fmt::format("{}: {}", result.name, message); // several problems are several lines
       for (std::size_t at = scene.error.find('\n'); at != std::string::npos; at = scene.error.find('\n', at + 1))
@@ -97,7 +97,7 @@ public:
   }
 
 private:
-  static compare::SceneResult startScene(const SceneRequest& request) {
+  static compare::SceneResult startScene(const SceneRequest& request, bool shadows) {
     compare::SceneResult result;
     result.name = request.name;
     result.source = scenes::cleanName(std::filesystem::path(request.scene).filename().string());
@@ -106,6 +106,7 @@ private:
                              : scenes::cleanName(std::filesystem::path(request.environment).filename().string());
     result.sun = "none";
     result.light = scenes::describe(request.lightScales, request.fog);
+    if (shadows) result.light += result.light.empty() ? "shadows" : "; shadows";
     return result;
   }
 
@@ -159,7 +160,7 @@ private:
     result.warnings = prepared.scene.warnings;
     requireMaterials(prepared.scene, m_context.settings().materials);
     SceneRenderer renderer(m_context, prepared, paths(), request.views.size(), wish.permutations,
-                           imageRelease(prepared, m_context.settings(), paths()));
+                           imageRelease(prepared, paths()));
     for (const std::string& note : renderer.notes()) result.warnings.push_back("mobile: " + note);
     for (std::string& excess : mobile::samplerWarnings(prepared.scene, samplerInputs(prepared)))
       result.warnings.push_back(std::move(excess));

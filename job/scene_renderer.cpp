@@ -46,12 +46,16 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
     const base::Stopwatch watch(&context.timings(), "upload");
     m_mobileEnvironment = uploadCapture(device, *prepared.mobileEnvironment, context.settings().mobile.capture);
   }
+  if (paths.highend && prepared.shadows && prepared.isLit) {
+    const base::Stopwatch watch(&context.timings(), "shadow maps");
+    m_shadowMaps.emplace(device, m_buffers, prepared.lights, context.settings().shadowMaps);
+  }
   if (paths.highend) m_highend = makeHighend(context.settings().terms, views);
   if (paths.mobile) m_mobile = makeMobile(context.settings().terms, views);
   if (paths.reference) {
     m_reference.emplace(context, prepared, m_buffers, m_surfacePass.binKinds(), pixelsOf(context.settings(), views),
                         gpu::Compilation{budget, &context.pipelines()});
-    if (context.settings().referenceShadows) m_work.occluderMeshes = prepared.scene.meshes.size();
+    if (prepared.shadows) m_work.occluderMeshes = prepared.scene.meshes.size();
   }
 }
 
@@ -60,6 +64,7 @@ std::unique_ptr<highend::Renderer> SceneRenderer::makeHighend(bool terms, std::s
   highend::Inputs inputs{.environment = m_environment ? &*m_environment : nullptr,
                          .lut = nullptr,
                          .lights = m_prepared.isLit ? m_prepared.lights : std::vector<scenes::Light>(),
+                         .shadows = m_shadowMaps ? &*m_shadowMaps : nullptr,
                          .terms = terms,
                          .compilation = {m_budget, &m_context.pipelines()},
                          .expectedPixels = pixelsOf(settings, views)};
@@ -220,9 +225,13 @@ std::vector<std::string> SceneRenderer::notes() const {
 }
 
 std::vector<std::string> SceneRenderer::warnings() const {
-  if (m_cutPixels == 0) return {};
-  return {fmt::format("{} pixels show more than {} blended surfaces behind one another: the farthest are left out",
-                      m_cutPixels, gpu::kMaxBlendedLayers)};
+  std::vector<std::string> warnings;
+  if (m_cutPixels > 0)
+    warnings.push_back(
+        fmt::format("{} pixels show more than {} blended surfaces behind one another: the farthest are left out",
+                    m_cutPixels, gpu::kMaxBlendedLayers));
+  if (m_shadowMaps && !m_shadowMaps->note().empty()) warnings.push_back(m_shadowMaps->note());
+  return warnings;
 }
 
 std::vector<compare::PermutationResult> SceneRenderer::permutations() const {
@@ -247,6 +256,10 @@ Work SceneRenderer::work() const {
     work.directionalLights = m_highend->pass().directionalCount();
     work.localLights = m_highend->pass().localCount();
     work.lightLists = m_highend->lightLists();
+  }
+  if (m_shadowMaps) {
+    work.shadowMaps = m_shadowMaps->mapCount();
+    work.shadowCasters = m_shadowMaps->drawCount();
   }
   if (m_mobile) work.lightChoices = m_mobile->lightChoices();
   return work;
@@ -283,6 +296,10 @@ NoNeed SceneRenderer::reasons() const {
   why.directional = !unlit.empty() ? unlit : "no directional light";
   why.local = !unlit.empty() ? unlit : "no local lights";
   why.lightLists = work().localLights == 0 ? why.local : "few lights, or lights without a range";
+  why.shadows = !m_prepared.shadows         ? "not asked for"
+                : !unlit.empty()            ? unlit
+                : m_prepared.lights.empty() ? "no lights"
+                                            : "nothing stands before anything";
   why.lightChoice = work().localLights == 0 ? why.local : "the preset has them baked";
   why.terms = why.truth = why.occluders = why.costs = "not asked for";
   return why;

@@ -16,6 +16,7 @@
 #include "gpu/device_report.h"
 #include "gpu/material_class.h"
 #include "gpu/output_target.h"
+#include "gpu/shadow_options.h"
 #include "highend/options.h"
 #include "mobile/options.h"
 #include "mobile/views.h"
@@ -50,7 +51,8 @@ struct Settings {
   gpu::SpecularAa specularAa = gpu::SpecularAa::off;           // of all paths
   highend::Options highend;
   reference::Options reference;
-  bool referenceShadows = false;
+  bool shadows = false; // in every scene: high-end by shadow maps, the reference by rays; scene by scene: SuiteEntry
+  gpu::ShadowOptions shadowMaps;
   gpu::DeviceOptions device;
   std::optional<std::filesystem::path> cacheFolder; // none: nothing is cached
   std::uintmax_t cacheBytes = base::Cache::kDefaultMaxBytes;

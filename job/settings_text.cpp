@@ -31,6 +31,8 @@ describeSettings(const Settings& s, const base::DisplayTransform& display, const
       {"background", fmt::format("{},{},{}", s.background.x, s.background.y, s.background.z)},
       {"sun extraction", s.extractSun ? "on" : "off"},
       {"specular anti-aliasing", s.specularAa == gpu::SpecularAa::toksvig ? "Toksvig" : "off"},
+      {"shadows", s.shadows ? "on" : "off, but in scenes whose light has them"},
+      {"shadow maps", fmt::format("{} texels, filter of {}", s.shadowMaps.mapSize, s.shadowMaps.filter)},
       {"highend geometry term", nameOf(highend::geometryTermNames(), s.highend.geometryTerm)},
       {"highend fresnel", nameOf(highend::fresnelNames(), s.highend.fresnel)},
       {"highend diffuse", nameOf(highend::diffuseNames(), s.highend.diffuse)},

@@ -82,8 +82,8 @@ std::string describeTruth(const Settings& settings) {
       multiple ? "multiple" : "single", multiple ? " (Kulla-Conty)" : "",
       correlated ? "height-correlated Smith" : "Schlick-Smith",
       highend::fresnelNames()[static_cast<std::size_t>(model.fresnel)],
-      highend::diffuseNames()[static_cast<std::size_t>(model.diffuse)],
-      settings.referenceShadows ? ", with shadows" : "", 100 * options.integral.relativeError);
+      highend::diffuseNames()[static_cast<std::size_t>(model.diffuse)], settings.shadows ? ", with shadows" : "",
+      100 * options.integral.relativeError);
 }
 
 } // namespace parity::job

@@ -21,7 +21,7 @@ constexpr std::size_t kMaxSuiteBytes = std::size_t{16} << 20;
 constexpr std::string_view kBuiltin = "builtin:";
 
 constexpr std::array<std::string_view, 3> kSuiteKeys = {"name", "budgets", "scene"};
-constexpr std::array<std::string_view, 19> kSceneKeys = {"name",
+constexpr std::array<std::string_view, 20> kSceneKeys = {"name",
                                                          "file",
                                                          "time",
                                                          "animation",
@@ -36,6 +36,7 @@ constexpr std::array<std::string_view, 19> kSceneKeys = {"name",
                                                          "indirect_lighting_color_scale",
                                                          "directional_specular_scale",
                                                          "fog",
+                                                         "shadows",
                                                          "fully_rough",
                                                          "budgets",
                                                          "exposure",
@@ -239,6 +240,7 @@ SuiteEntry readEntry(const std::string& label, const std::filesystem::path& fold
   }
   entry.lightScales = readLightScales(reader);
   if (const toml::table* fog = reader.table("fog")) entry.fog = readFog(label, *fog);
+  entry.shadows = reader.truth("shadows").value_or(false);
   entry.fullyRough = reader.texts("fully_rough");
   if (const auto budgets = reader.text("budgets")) entry.budgets = resolve(folder, *budgets);
   entry.exposureEv = reader.number("exposure", -32, 32);

@@ -13,8 +13,6 @@ layout(set = 1, binding = 0) uniform sampler2D baseColorTexture;
 
 layout(location = 0) in vec4 inUv;
 layout(location = 1) in float inAlpha;
-layout(location = 0) out uvec2 outIds; // instance + 1 (0: nothing), triangle
-
 // To be called before any branch, for the derivatives of what is interpolated. Those of the texture's coordinates are
 // made from them here, not taken: helper invocations, which complete a quad at a triangle's edge, may read no buffers.
 bool passesAlphaTest() {

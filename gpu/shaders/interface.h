@@ -126,7 +126,16 @@ struct GpuLight {
   vec4 colorRange;        // linear RGB: lux or candela; range (0: infinite)
   vec4 positionKind;      // world; kind as a number
   vec4 directionCosOuter; // unit, the way light travels; cosine of the outer cone
-  vec4 cone;              // cosine of the inner cone; scale of its specular light; 0; 0
+  vec4 cone;              // cosine of the inner cone; scale of its specular light; 1 + its first shadow view, how many
+};
+
+// A square shadow map in a tile of a layer (gpu/shadow_views.h), as gpu/shaders/shadow.glsl reads it.
+struct GpuShadowView {
+  vec4 right;   // unit; texels per tangent (perspective) or metre (orthographic)
+  vec4 up;      // unit; layer
+  vec4 forward; // unit; near (perspective) or 1 / (far - near) (orthographic)
+  vec4 origin;  // world; 1 where orthographic
+  vec4 tile;    // its centre in texels of the layer; half its side, 0 where there is no map; 1 / side of the layer
 };
 
 // What a view's shaders need. The camera's rays: pixel (x,y) looks from origin + x*originX + y*originY along

@@ -34,6 +34,8 @@ layout(set = 0, binding = 14, std430) writeonly buffer OutTermsA { vec4 outTerms
 layout(set = 0, binding = 15, std430) writeonly buffer OutTermsB { vec4 outTermsB[]; }; // terms 5..8
 layout(set = 0, binding = 16) uniform samplerCubeArray prefilteredEnvironment;
 layout(set = 0, binding = 17) uniform sampler2D pathTexture; // the path's own table, if it has one
+layout(set = 0, binding = 18) uniform sampler2DArray shadowMaps;
+layout(set = 0, binding = 19, std430) readonly buffer ShadowViews { GpuShadowView shadowViews[]; };
 
 layout(set = 1, binding = 0) uniform sampler2D baseColorTexture;
 layout(set = 1, binding = 1) uniform sampler2D metallicRoughnessTexture;

@@ -4,6 +4,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "gpu/shaders/alpha_test.glsl"
 
+layout(location = 0) out uvec2 outIds; // instance + 1 (0: nothing), triangle
+
 layout(set = 2, binding = 0) uniform sampler2D opaqueDepth;
 layout(set = 2, binding = 1) uniform sampler2D depthBefore;
 layout(set = 2, binding = 2) uniform usampler2D idsBefore;

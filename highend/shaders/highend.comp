@@ -16,6 +16,8 @@ layout(constant_id = 10) const uint kDiffuse = 0u;
 layout(constant_id = 11) const uint kCompensation = 0u;
 layout(constant_id = 12) const uint kOffSpecular = 0u;
 layout(constant_id = 13) const uint kLocalKinds = 0u; // kLocal... bits
+layout(constant_id = 14) const uint kShadows = 0u; // shadow.glsl
+#include "gpu/shaders/shadow.glsl"
 
 // Of analytic lights only: alpha = 2.4e-4 keeps the peak of D (5e6) far from overflow. The image light has no floor.
 const float kMinLightRoughness = 0.015625;
@@ -157,7 +159,9 @@ void main() {
 
   Shader s = makeShader(p, m);
   for (uint k = 0u; k < directionalCount(); ++k) {
-    Lobes lobes = lit(s, -lights[k].directionCosOuter.xyz, lights[k].colorRange.xyz);
+    vec3 L = -lights[k].directionCosOuter.xyz, illuminance = lights[k].colorRange.xyz;
+    if (kShadows != 0u) illuminance *= visibilityOf(lights[k], p.position, p.geometric, L);
+    Lobes lobes = lit(s, L, illuminance);
     terms.t[kTermSunDiffuse] += lobes.diffuse;
     terms.t[kTermSunSpecular] += lobes.specular * lights[k].cone.y;
   }
@@ -175,6 +179,7 @@ void main() {
     vec3 L;
     vec3 illuminance = localLight(light, p.position, L);
     if (illuminance == vec3(0.0)) continue;
+    if (kShadows != 0u) illuminance *= visibilityOf(light, p.position, p.geometric, L);
     Lobes lobes = lit(s, L, illuminance);
     terms.t[kTermLocalDiffuse] += lobes.diffuse;
     terms.t[kTermLocalSpecular] += lobes.specular * light.cone.y;

@@ -139,8 +139,6 @@ TEST_F(ReferenceTest, WrongOptionsAreRefused) {
     refused({"--path", "reference", "--error", bad}, "--error");
   refused({"--path", "reference", "--scattering", "double"}, "--scattering");
   refused({"--path", "highend", "--error-map", (m_folder / "e.exr").string()}, "--error-map");
-  for (const char* path : {"highend", "mobile"})
-    refused({"--path", path, "--shadows"}, "only the reference has shadows");
 }
 
 } // namespace

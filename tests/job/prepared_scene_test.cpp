@@ -14,23 +14,21 @@ PreparedScene makePrepared() {
 
 TEST(ImageRelease, FreesThePixelsOfOneImage) {
   PreparedScene prepared = makePrepared();
-  Settings settings;
   for (const Paths& paths : {Paths{}, Paths{.reference = true}}) {
-    const auto release = imageRelease(prepared, settings, paths);
+    const auto release = imageRelease(prepared, paths);
     ASSERT_TRUE(release);
     release(1);
     EXPECT_TRUE(prepared.scene.images[1].pixels.empty());
     EXPECT_FALSE(prepared.scene.images[0].pixels.empty());
   }
-  settings.referenceShadows = true;
-  EXPECT_TRUE(imageRelease(prepared, settings, Paths{})) << "no reference, no shadows";
+  prepared.shadows = true;
+  EXPECT_TRUE(imageRelease(prepared, Paths{})) << "no reference, no shadows";
 }
 
 TEST(ImageRelease, LeavesThemWhereTheReferenceLetsLightThroughMasks) {
   PreparedScene prepared = makePrepared();
-  Settings settings;
-  settings.referenceShadows = true;
-  EXPECT_FALSE(imageRelease(prepared, settings, Paths{.reference = true}));
+  prepared.shadows = true;
+  EXPECT_FALSE(imageRelease(prepared, Paths{.reference = true}));
 }
 
 } // namespace

@@ -1,0 +1,86 @@
+// How much of a light comes through to a point: its shadow map under percentage-closer filtering (Reeves, Salesin and
+// Cook 1987), each texel compared with the depth that the receiver's own plane has there (Isidoro 2006, "Shadow Mapping:
+// GPU-based Tips and Techniques"), the point moved along its normal first (Holbert 2011, "Saying Goodbye to Shadow Acne").
+// To be included behind path.glsl. kShadows, a specialization constant: 0: no light has shadows; else 1 + the width of
+// the filter in texels: 0, 1, 3, 5 or 7.
+
+// The move, in texels times the sine of the light's angle: for receivers that bend, and for edges between triangles.
+const float kNormalOffset = 0.7;
+// Of the depth: positions, the map's own rounding and what the rasteriser loses.
+const float kDepthBias = 4e-5;
+
+uint cubeFace(vec3 d) {
+  vec3 a = abs(d);
+  if (a.x >= a.y && a.x >= a.z) return d.x < 0.0 ? 1u : 0u;
+  if (a.y >= a.z) return d.y < 0.0 ? 3u : 2u;
+  return d.z < 0.0 ? 5u : 4u;
+}
+
+// Share of the texels about `at` (in texels of the layer) in which nothing is nearer to the light than the receiver,
+// whose depth there is depth + dot(slope, texel - at): a box of the filter's width, cut to the fraction of a texel. A
+// texel without casters holds 0, and nothing is farther than that.
+float litShare(vec2 at, float layer, float inverseSide, float depth, vec2 slope) {
+  const int kFilter = int(kShadows) - 1;
+  if (kFilter == 0) {
+    vec2 texel = floor(at);
+    return texelFetch(shadowMaps, ivec3(texel, layer), 0).x <= max(depth + dot(slope, texel + 0.5 - at), 0.0) ? 1.0 : 0.0;
+  }
+  const int kPairs = (kFilter + 1) / 2;
+  vec2 corner = floor(at - 0.5), f = at - 0.5 - corner;
+  corner -= float(kPairs - 1);
+  float lit = 0.0;
+  for (int j = 0; j < kPairs; ++j)
+    for (int i = 0; i < kPairs; ++i) {
+      vec2 texel = corner + 2.0 * vec2(i, j);
+      vec4 stored = textureGather(shadowMaps, vec3((texel + 1.0) * inverseSide, layer), 0);
+      vec2 d = texel + 0.5 - at;
+      float here = depth + dot(slope, d);
+      vec4 receiver = max(vec4(here + slope.y, here + slope.x + slope.y, here + slope.x, here), vec4(0.0));
+      vec2 x = vec2(i == 0 ? 1.0 - f.x : 1.0, i == kPairs - 1 ? f.x : 1.0);
+      vec2 y = vec2(j == 0 ? 1.0 - f.y : 1.0, j == kPairs - 1 ? f.y : 1.0);
+      lit += dot(vec4(lessThanEqual(stored, receiver)), vec4(x.x * y.y, x.y * y.y, x.y * y.x, x.x * y.x));
+    }
+  return lit / float(kFilter * kFilter);
+}
+
+// 0: in shadow; 1: lit. position, geometric (unit, towards the eye): of the receiver. L: unit, towards the light. A
+// receiver that turns away from the light hides from it, whatever its shading normal says.
+float visibilityOf(GpuLight light, vec3 position, vec3 geometric, vec3 L) {
+  float cosine = dot(geometric, L);
+  if (!(cosine > 0.0)) return 0.0;
+  if (light.cone.z == 0.0) return 1.0;
+  uint index = uint(light.cone.z) - 1u;
+  if (light.cone.w > 1.0) index += cubeFace(position - light.positionKind.xyz);
+  GpuShadowView map = shadowViews[index];
+  if (map.tile.z == 0.0) return 1.0;
+
+  vec3 d = position - map.origin.xyz;
+  vec3 p = vec3(dot(map.right.xyz, d), dot(map.up.xyz, d), dot(map.forward.xyz, d));
+  vec3 n = vec3(dot(map.right.xyz, geometric), dot(map.up.xyz, geometric), dot(map.forward.xyz, geometric));
+  bool orthographic = map.origin.w != 0.0;
+  if (!orthographic && p.z <= 0.0) return 1.0; // behind a spot
+  float texelsPerUnit = map.right.w;
+  float offset = kNormalOffset * sqrt(max(1.0 - cosine * cosine, 0.0)) * (orthographic ? 1.0 : p.z) / texelsPerUnit;
+  vec2 at;
+  float depth;
+  vec2 slope;
+  if (orthographic) {
+    p += offset * n;
+    at = p.xy * texelsPerUnit;
+    depth = 1.0 - p.z * map.forward.w;
+    slope = n.xy * (map.forward.w / (texelsPerUnit * min(n.z, -1e-4)));
+    depth += kDepthBias;
+  } else {
+    // The plane's distance from the light, and 1 / distance is linear over the map.
+    float plane = -dot(n, p);
+    offset = min(offset, 0.5 * plane);
+    p += offset * n;
+    plane = max(plane - offset, 1e-3 * p.z);
+    at = p.xy * (texelsPerUnit / p.z);
+    depth = map.forward.w / p.z;
+    slope = n.xy * (-map.forward.w / (texelsPerUnit * plane));
+    depth += kDepthBias * depth;
+  }
+  if (max(abs(at.x), abs(at.y)) > map.tile.z - float(kShadows / 2u + 1u)) return 1.0;
+  return litShare(map.tile.xy + at, map.up.w, map.tile.w, depth, slope);
+}

@@ -1,0 +1,128 @@
+#include "gpu/shadow_casters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace parity::gpu {
+
+namespace {
+
+constexpr float kFlat = 1e-6f, kBehind = 1e-5f;
+// Comparing more pairs than that takes longer than it saves.
+constexpr std::size_t kMaxPairs = 10'000'000;
+
+struct Plane {
+  glm::vec3 normal{0.f};
+  glm::vec3 point{0.f};
+};
+
+scenes::Bounds boundsOf(const auto& points) {
+  scenes::Bounds bounds{points[0], points[0]};
+  for (const glm::vec3& p : points) {
+    bounds.lower = glm::min(bounds.lower, p);
+    bounds.upper = glm::max(bounds.upper, p);
+  }
+  return bounds;
+}
+
+// In object space. None: it is not flat.
+std::optional<Plane> planeOf(const scenes::Mesh& mesh, float size) {
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const glm::vec3 p = mesh.positions[mesh.indices[i]];
+    const glm::vec3 n = glm::cross(mesh.positions[mesh.indices[i + 1]] - p, mesh.positions[mesh.indices[i + 2]] - p);
+    const float length = glm::length(n);
+    if (!(length > kFlat * size * size)) continue; // a sliver says little of the plane
+    const glm::vec3 normal = n / length;
+    const bool isFlat = std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const glm::vec3& q) {
+      return std::abs(glm::dot(normal, q - p)) <= kFlat * size;
+    });
+    return isFlat ? std::optional<Plane>({normal, p}) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+bool isFinite(const scenes::Bounds& b) {
+  const glm::vec3 d = b.upper - b.lower;
+  return std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z);
+}
+
+// Which sides of the flat ones have something; `all`: also what is blended, which receives.
+void findSides(std::vector<Caster>& casters, const std::vector<std::array<glm::vec3, 8>>& all, float size) {
+  const auto flat =
+      static_cast<std::size_t>(std::count_if(casters.begin(), casters.end(), [](const Caster& c) { return c.isFlat; }));
+  if (flat == 0 || flat > kMaxPairs / all.size()) return;
+  for (Caster& caster : casters) {
+    if (!caster.isFlat) continue;
+    caster.castsUp = caster.castsDown = false;
+    for (const auto& corners : all)
+      for (const glm::vec3& p : corners) {
+        const float side = glm::dot(caster.normal, p) - caster.distance;
+        caster.castsUp |= side > kBehind * size;
+        caster.castsDown |= side < -kBehind * size;
+      }
+  }
+}
+
+} // namespace
+
+std::vector<Caster> findCasters(const scenes::Scene& scene) {
+  struct OfMesh {
+    bool isKnown = false;
+    scenes::Bounds bounds;
+    std::optional<Plane> plane;
+  };
+  std::vector<OfMesh> meshes(scene.meshes.size());
+  std::vector<Caster> casters;
+  std::vector<std::array<glm::vec3, 8>> all;
+  glm::vec3 lower(INFINITY), upper(-INFINITY);
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const scenes::Instance& instance = scene.instances[i];
+    const scenes::Mesh& mesh = scene.meshes[instance.mesh];
+    if (mesh.indices.empty()) continue;
+    OfMesh& of = meshes[instance.mesh];
+    if (!of.isKnown) {
+      of.bounds = boundsOf(mesh.positions);
+      of.plane = planeOf(mesh, glm::length(of.bounds.upper - of.bounds.lower));
+      of.isKnown = true;
+    }
+    Caster caster;
+    caster.instance = i;
+    for (unsigned c = 0; c < 8; ++c) {
+      const glm::vec3 corner((c & 1) ? of.bounds.upper.x : of.bounds.lower.x,
+                             (c & 2) ? of.bounds.upper.y : of.bounds.lower.y,
+                             (c & 4) ? of.bounds.upper.z : of.bounds.lower.z);
+      caster.corners[c] = glm::vec3(instance.toWorld * glm::vec4(corner, 1.f));
+    }
+    caster.bounds = boundsOf(caster.corners);
+    if (!isFinite(caster.bounds)) continue;
+    all.push_back(caster.corners);
+    lower = glm::min(lower, caster.bounds.lower);
+    upper = glm::max(upper, caster.bounds.upper);
+    if (scene.materials[mesh.material].alphaMode == scenes::AlphaMode::blend) continue;
+    if (of.plane) {
+      const glm::vec3 normal = glm::inverse(glm::transpose(glm::mat3(instance.toWorld))) * of.plane->normal;
+      const float length = glm::length(normal);
+      caster.isFlat = std::isfinite(length) && length > 0;
+      if (caster.isFlat) {
+        caster.normal = normal / length;
+        caster.distance = glm::dot(caster.normal, glm::vec3(instance.toWorld * glm::vec4(of.plane->point, 1.f)));
+      }
+    }
+    casters.push_back(caster);
+  }
+  if (!all.empty()) findSides(casters, all, glm::length(upper - lower));
+  return casters;
+}
+
+bool castsAwayFrom(const Caster& caster, const glm::vec3& position) {
+  if (!caster.isFlat) return true;
+  return glm::dot(caster.normal, position) > caster.distance ? caster.castsDown : caster.castsUp;
+}
+
+bool castsAlong(const Caster& caster, const glm::vec3& direction) {
+  if (!caster.isFlat) return true;
+  return glm::dot(caster.normal, direction) < 0 ? caster.castsDown : caster.castsUp;
+}
+
+} // namespace parity::gpu

@@ -1,0 +1,59 @@
+// Where shadow maps look from, and what they draw: fitted to what can cast, on the CPU.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "gpu/shadow_options.h"
+#include "scenes/scene.h"
+
+namespace parity::gpu {
+
+// A square map. Perspective: the light's position is the origin, `extent` the tangent of half the angle. Orthographic:
+// the origin is in the middle of the near plane, `extent` half the side in metres.
+struct ShadowView {
+  bool orthographic = false;
+  glm::vec3 origin{0.f};
+  glm::vec3 right{1.f, 0.f, 0.f}, up{0.f, 1.f, 0.f}, forward{0.f, 0.f, 1.f}; // unit; forward: away from the light
+  float extent = 1;
+  float near = 0, far = 1;            // distances along `forward`; far: of orthographic ones, others see without end
+  std::uint32_t side = 0;             // texels
+  std::vector<std::uint32_t> casters; // instances to draw; none: there is no map
+};
+
+// Which views are a light's.
+struct ShadowOfLight {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0; // 0: nothing casts; 1; or 6: +x, -x, +y, -y, +z, -z
+};
+
+// What decides a light's maps: kind, position, direction, range and cone.
+using ShadowKey = std::tuple<int, std::array<float, 3>, std::array<float, 3>, float, float>;
+ShadowKey shadowKey(const scenes::Light& light);
+
+struct ShadowPlan {
+  std::vector<ShadowOfLight> lights; // of each light
+  std::vector<ShadowView> views;     // those of a cube without casters are there, without texels
+  bool shrunk = false;               // maps of local lights have fewer texels than asked for, for options.maxBytes
+};
+
+// Directional lights get one map about what casts, turned so that it is smallest; spots of up to 120 degrees one, of
+// twice the texels that a face of a cube has; all others a cube of six. Drawn are instances that are not blended, that
+// a light's range and cone reach, and that lie before something: a flat floor with nothing below it casts no shadow.
+// Equal lights share their maps; dark ones have none. Throws Error (exit 4) where even maps of kMinTile texels
+// take more than options.maxBytes.
+ShadowPlan planShadows(const scenes::Scene& scene, const std::vector<scenes::Light>& lights,
+                       const ShadowOptions& options);
+
+// Fewest texels a side that a map shrinks to.
+inline constexpr std::uint32_t kMinTile = 16;
+
+// Texels about the edge of a map that only filters reach; and `extent` with them.
+constexpr std::uint32_t shadowGuard(std::uint32_t filter) { return (filter + 1) / 2 + 2; }
+inline float shadowExtent(const ShadowView& view, std::uint32_t filter) {
+  return view.extent * static_cast<float>(view.side) / static_cast<float>(view.side - 2 * shadowGuard(filter));
+}
+
+} // namespace parity::gpu
