@@ -50,10 +50,14 @@ ShadowPlan planShadows(const scenes::Scene& scene, const std::vector<scenes::Lig
 // Fewest texels a side that a map shrinks to.
 inline constexpr std::uint32_t kMinTile = 16;
 
-// Texels about the edge of a map that only filters reach; and `extent` with them.
-constexpr std::uint32_t shadowGuard(std::uint32_t filter) { return (filter + 1) / 2 + 2; }
+// Texels about the edge of a map that only filters reach: about what is seen of local lights, about what casts of
+// directional ones, whose shadows' soft edges lie beyond. `extent` with them.
+constexpr std::uint32_t shadowGuard(std::uint32_t filter, bool orthographic) {
+  return (filter + 1) / 2 * (orthographic ? 2 : 1) + 2;
+}
 inline float shadowExtent(const ShadowView& view, std::uint32_t filter) {
-  return view.extent * static_cast<float>(view.side) / static_cast<float>(view.side - 2 * shadowGuard(filter));
+  return view.extent * static_cast<float>(view.side) /
+         static_cast<float>(view.side - 2 * shadowGuard(filter, view.orthographic));
 }
 
 } // namespace parity::gpu

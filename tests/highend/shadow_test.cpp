@@ -187,12 +187,12 @@ TEST_F(ShadowTest, FiltersWidenTheEdgeByTheirTexels) {
   constexpr float kHalf = 0.4f; // of what is seen
   s.camera.halfHeight = kHalf;
   const scenes::Light sun = makeLight(LightKind::directional);
-  const double texel = 1.002 / (64 - 2 * gpu::shadowGuard(0)); // metres, of a map of 64
   for (const std::uint32_t filter : {0u, 1u, 3u, 5u, 7u}) {
     const gpu::ShadowOptions options{.mapSize = 64, .filter = filter};
     const auto open = floor(s.scene, s.camera, {sun}, false), shadowed = floor(s.scene, s.camera, {sun}, true, options);
     // The share of light along a row through the shadow, from the left edge's outside to its middle.
     double width = 0;
+    const double texel = 1.002 / (64 - 2 * gpu::shadowGuard(filter, true)); // metres
     const std::size_t row = kSize / 2;
     double before = 1;
     for (std::size_t x = 0; x < kSize; ++x) {
