@@ -20,7 +20,7 @@ namespace {
 using SceneMaker = Scene (*)();
 constexpr std::array<std::pair<std::string_view, SceneMaker>, 4> kScenes = {{{"materials", makeMaterialsScene},
                                                                              {"spheres", makeSpheresScene},
-                                                                             {"lights", makeLightsScene},
+                                                                             {"lamps", makeLampsScene},
                                                                              {"furnace", makeFurnaceScene}}};
 
 using EnvironmentMaker = Environment (*)();

@@ -34,7 +34,7 @@ Material plastic(std::string name, const glm::vec3& color, float roughness);
 
 Scene makeSpheresScene();   // roughness steps of a metal and a dielectric, and a row for each feature
 Scene makeFurnaceScene();   // F0 = 1 spheres in a white environment, orthographic
-Scene makeLightsScene();    // a floor and objects under more lights than the mobile path takes
+Scene makeLampsScene();     // a floor and objects under more lights than the mobile path takes
 Scene makeMaterialsScene(); // a still life of named materials
 
 } // namespace parity::scenes

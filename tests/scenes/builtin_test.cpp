@@ -112,8 +112,8 @@ TEST(Builtin, FurnaceHasWhiteMetalsOfElevenRoughnessesThatDoNotOverlap) {
       EXPECT_GT(glm::length(glm::vec2(scene.instances[i].toWorld[3] - scene.instances[k].toWorld[3])), 0.9f);
 }
 
-TEST(Builtin, LightsHasMoreLocalLightsThanTheMobilePathTakesAndADirectionalOne) {
-  const Scene scene = scenes::makeBuiltinScene("lights");
+TEST(Builtin, LampsHasMoreLocalLightsThanTheMobilePathTakesAndADirectionalOne) {
+  const Scene scene = scenes::makeBuiltinScene("lamps");
   const auto count = [&](LightKind kind) {
     return std::count_if(scene.lights.begin(), scene.lights.end(), [&](const auto& l) { return l.kind == kind; });
   };

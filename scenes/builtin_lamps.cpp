@@ -1,4 +1,4 @@
-// builtin:lights: more lights than the mobile path takes (DESIGN 6: up to 4), so that its cap shows.
+// builtin:lamps: more lights than the mobile path takes (DESIGN 6: up to 4), so that its cap shows.
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 
@@ -30,8 +30,8 @@ Light makeSpot(const std::string& name, const glm::vec3& color, const glm::vec3&
 } // namespace
 
 // A floor and seven objects under six point lights in a ring, two spots from above and a dim directional light.
-Scene makeLightsScene() {
-  SceneBuilder builder("lights");
+Scene makeLampsScene() {
+  SceneBuilder builder("lamps");
   const Mesh sphere = makeSphere(0.5, 96, 48);
   builder.add(makeTeapot(), plastic("glazed teapot", {0.55f, 0.56f, 0.58f}, 0.15f), {0, 0, 0}, 25);
   const auto onRing = [](float radius, float degrees, float height) {
