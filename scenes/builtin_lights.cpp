@@ -62,7 +62,7 @@ std::vector<Light> makeLamps(const std::vector<Ball>& field) {
     if (std::any_of(field.begin(), field.end(), isTooNear)) continue;
     const auto number = static_cast<int>(lamps.size()) + 1;
     lamp.name = fmt::format("lamp {}", number);
-    lamp.color = colorOf(number * (glm::golden_ratio<double>() - 1)) * 0.7f;
+    lamp.color = colorOf(number * (glm::golden_ratio<double>() - 1)) * 0.55f;
     lamp.range = kRange;
     lamps.push_back(lamp);
   }
@@ -95,7 +95,7 @@ Scene makeLightsScene() {
                   ball.radius);
   }
   for (const Light& lamp : makeLamps(field)) builder.add(lamp);
-  builder.setOrbitCamera(0, 40, 24); // fits the spheres; the floor may leave the picture
+  builder.setOrbitCamera(0, 38, 39.4f, 24, {0, 0.4f, 0.9f}); // the floor goes on beyond the picture
 
   const std::uint32_t tile = builder.addMesh(makeFloor(0.5, 1, 1), plastic("floor", glm::vec3(0.4f), 0.5f));
   for (const Ball& ball : field) builder.place(tile, "floor", {ball.center.x, 0, ball.center.z});

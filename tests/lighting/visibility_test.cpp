@@ -75,7 +75,7 @@ bool isOccludedNaively(const std::vector<Triangle>& triangles, const Ray& ray, d
 TEST(Visibility, isWhatEveryTriangleInTurnSays) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform;
-  for (const char* name : {"spheres", "lamps", "materials"}) {
+  for (const char* name : {"spheres", "lamps", "lights", "materials"}) {
     const scenes::Scene scene = scenes::makeBuiltinScene(name);
     const Visibility visibility(scene);
     const scenes::Bounds bounds = scene.bounds();
