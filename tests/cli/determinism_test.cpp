@@ -85,7 +85,7 @@ TEST_F(DeterminismTest, BrokenScenesKeepTheirPlaces) {
   EXPECT_EQ(one, two);
   ASSERT_GE(one.first.size(), 4u);
   EXPECT_TRUE(contains(one.first.front(), "no-such.gltf")) << one.first.front();
-  EXPECT_TRUE(contains(one.first[1], "lights: mobile")) << one.first[1];
+  EXPECT_TRUE(contains(one.first[1], "lamps: mobile")) << one.first[1];
   EXPECT_TRUE(contains(one.first.back(), "lost.gltf")) << one.first.back();
 }
 
