@@ -1,4 +1,8 @@
-// builtin:lights: more lights than a pixel may ask in turn, of which a few reach it.
+// builtin:lights: a thousand lights, of which about eight reach a point: what light culling is for.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 

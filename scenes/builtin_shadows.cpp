@@ -1,5 +1,6 @@
 // builtin:shadows: what shadow maps get wrong, one object a fault.
-#include <fmt/format.h>
+#include <cmath>
+
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,5 +1,7 @@
 // builtin:lights: many lights, of which few reach a point.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,10 @@
 // builtin:shadows: each object is the case that its name promises.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
