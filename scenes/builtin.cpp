@@ -18,9 +18,11 @@ namespace parity::scenes {
 namespace {
 
 using SceneMaker = Scene (*)();
-constexpr std::array<std::pair<std::string_view, SceneMaker>, 4> kScenes = {{{"materials", makeMaterialsScene},
+constexpr std::array<std::pair<std::string_view, SceneMaker>, 6> kScenes = {{{"materials", makeMaterialsScene},
                                                                              {"spheres", makeSpheresScene},
                                                                              {"lights", makeLightsScene},
+                                                                             {"lamps", makeLampsScene},
+                                                                             {"shadows", makeShadowsScene},
                                                                              {"furnace", makeFurnaceScene}}};
 
 using EnvironmentMaker = Environment (*)();
@@ -58,21 +60,38 @@ TextureSlot SceneBuilder::texture(TextureImage image, float repeats) {
   return slot;
 }
 
-void SceneBuilder::add(Mesh mesh, const Material& material, const glm::vec3& position, float turnDeg, float scale) {
+std::uint32_t SceneBuilder::addMesh(Mesh mesh, const Material& material) {
   mesh.name = material.name;
   mesh.material = static_cast<std::uint32_t>(m_scene.materials.size());
   if (material.normalTexture.present()) makeTangents(mesh, material.normalTexture.texCoord);
+  m_scene.materials.push_back(material);
+  m_scene.meshes.push_back(std::move(mesh));
+  return static_cast<std::uint32_t>(m_scene.meshes.size() - 1);
+}
+
+void SceneBuilder::place(std::uint32_t mesh, const std::string& node, const glm::vec3& position, float turnDeg,
+                         float scale) {
   glm::mat4 toWorld = glm::translate(glm::mat4(1.f), position);
   toWorld = glm::rotate(toWorld, glm::radians(turnDeg), glm::vec3(0, 1, 0));
   toWorld = glm::scale(toWorld, glm::vec3(scale));
-  m_scene.instances.push_back({static_cast<std::uint32_t>(m_scene.meshes.size()), toWorld, material.name});
-  m_scene.materials.push_back(material);
-  m_scene.meshes.push_back(std::move(mesh));
+  m_scene.instances.push_back({mesh, toWorld, node});
+}
+
+void SceneBuilder::add(Mesh mesh, const Material& material, const glm::vec3& position, float turnDeg, float scale) {
+  place(addMesh(std::move(mesh), material), material.name, position, turnDeg, scale);
 }
 
 void SceneBuilder::setOrbitCamera(float thetaDeg, float phiDeg, float fovYDeg) {
   ViewRequest request;
   request.orbit = glm::vec3(thetaDeg, phiDeg, 0.f);
+  request.fovYDeg = fovYDeg;
+  setCamera(makeCamera(m_scene, request, 1.f));
+}
+
+void SceneBuilder::setOrbitCamera(float thetaDeg, float phiDeg, float radius, float fovYDeg, const glm::vec3& target) {
+  ViewRequest request;
+  request.orbit = glm::vec3(thetaDeg, phiDeg, radius);
+  request.target = target;
   request.fovYDeg = fovYDeg;
   setCamera(makeCamera(m_scene, request, 1.f));
 }

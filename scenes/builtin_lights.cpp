@@ -1,4 +1,8 @@
-// builtin:lights: more lights than the mobile path takes (DESIGN 6: up to 4), so that its cap shows.
+// builtin:lights: a thousand lights, of which about eight reach a point: what light culling is for.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 
@@ -9,61 +13,99 @@
 namespace parity::scenes {
 namespace {
 
-Light makePoint(const std::string& name, const glm::vec3& color, const glm::vec3& position, float range) {
-  Light light;
-  light.name = name;
-  light.color = color;
-  light.position = position;
-  light.range = range;
-  return light;
+constexpr int kColumns = 14, kRows = 18; // of spheres, and of tiles of the floor, a metre from each other
+constexpr int kLights = 1000;
+constexpr float kRange = 0.95f;     // about eight reach a point of a sphere (tests/scenes/builtin_lights_test.cpp)
+constexpr float kClearance = 0.18f; // from spheres and floor, so that nothing is burnt out
+constexpr float kTop = 1.0f;        // of the lights
+
+// The i-th point of Halton's sequence (1960): i's digits to a base, mirrored at the point. In [0, 1).
+double halton(int i, int base) {
+  double value = 0, digit = 1;
+  for (; i > 0; i /= base) value += (digit /= base) * (i % base);
+  return value;
 }
 
-Light makeSpot(const std::string& name, const glm::vec3& color, const glm::vec3& position, const glm::vec3& target) {
-  Light light = makePoint(name, color, position, 0);
-  light.kind = LightKind::spot;
-  light.direction = glm::normalize(target - position);
-  light.innerConeAngle = glm::radians(14.f);
-  light.outerConeAngle = glm::radians(24.f);
-  return light;
+struct Ball {
+  glm::vec3 center;
+  float radius;
+};
+
+// On the floor, of radii from 0.28 to 0.43.
+std::vector<Ball> makeField() {
+  std::vector<Ball> field;
+  for (int z = 0; z < kRows; ++z)
+    for (int x = 0; x < kColumns; ++x) {
+      const float radius = 0.28f + 0.15f * static_cast<float>(halton(z * kColumns + x + 1, 11));
+      const glm::vec3 center(static_cast<float>(2 * x - kColumns + 1), 2 * radius,
+                             static_cast<float>(2 * z - kRows + 1));
+      field.push_back({0.5f * center, radius});
+    }
+  return field;
+}
+
+// Full hues from red over green and blue back to red, all of about one brightness.
+glm::vec3 colorOf(double hue) {
+  const auto wave = [&](double phase) { return 0.5 + 0.5 * std::cos(glm::two_pi<double>() * (hue - phase)); };
+  const glm::dvec3 color = glm::mix(glm::dvec3(wave(0), wave(1.0 / 3), wave(2.0 / 3)), glm::dvec3(0.5), 0.1);
+  const double luminance = glm::dot(color, glm::dvec3(0.2126, 0.7152, 0.0722));
+  return glm::vec3(color * (0.5 / std::sqrt(luminance)));
+}
+
+// Spread over the field by Halton's sequence; points too near to a sphere are left out.
+std::vector<Light> makeLamps(const std::vector<Ball>& field) {
+  std::vector<Light> lamps;
+  for (int i = 1; lamps.size() < kLights; ++i) {
+    const glm::dvec3 at(halton(i, 2), halton(i, 5), halton(i, 3));
+    Light lamp;
+    lamp.position = glm::mix(glm::vec3(-0.5f * kColumns, kClearance, -0.5f * kRows),
+                             glm::vec3(0.5f * kColumns, kTop, 0.5f * kRows), glm::vec3(at));
+    const auto isTooNear = [&](const Ball& ball) {
+      return glm::distance(lamp.position, ball.center) < ball.radius + kClearance;
+    };
+    if (std::any_of(field.begin(), field.end(), isTooNear)) continue;
+    const auto number = static_cast<int>(lamps.size()) + 1;
+    lamp.name = fmt::format("lamp {}", number);
+    lamp.color = colorOf(number * (glm::golden_ratio<double>() - 1)) * 0.55f;
+    lamp.range = kRange;
+    lamps.push_back(lamp);
+  }
+  return lamps;
 }
 
 } // namespace
 
-// A floor and seven objects under six point lights in a ring, two spots from above and a dim directional light.
+// 252 spheres of seven materials on a floor, at night, among 1,000 coloured lamps. The floor is of tiles, as the mobile
+// path takes its lights object by object.
 Scene makeLightsScene() {
   SceneBuilder builder("lights");
-  const Mesh sphere = makeSphere(0.5, 96, 48);
-  builder.add(makeTeapot(), plastic("glazed teapot", {0.55f, 0.56f, 0.58f}, 0.15f), {0, 0, 0}, 25);
-  const auto onRing = [](float radius, float degrees, float height) {
-    const float a = glm::radians(degrees);
-    return glm::vec3(radius * std::cos(a), height, radius * std::sin(a));
+  const Material materials[] = {
+      metal("gold", {1.00f, 0.77f, 0.34f}, 0.3f),
+      plastic("white plastic", glm::vec3(0.8f), 0.35f),
+      metal("rough copper", {0.96f, 0.64f, 0.54f}, 0.55f),
+      plastic("black lacquer", glm::vec3(0.03f), 0.15f),
+      metal("satin steel", {0.56f, 0.57f, 0.58f}, 0.42f),
+      plastic("blue rubber", {0.20f, 0.32f, 0.65f}, 0.85f),
+      metal("polished silver", {0.97f, 0.96f, 0.92f}, 0.15f),
   };
-  builder.add(sphere, metal("polished silver", {0.97f, 0.96f, 0.92f}, 0.12f), onRing(1.6f, 20, 0.5f));
-  builder.add(sphere, metal("rough copper", {0.96f, 0.64f, 0.54f}, 0.5f), onRing(1.6f, 80, 0.5f));
-  builder.add(makeRoundedBox(glm::dvec3(0.42), 0.09, 6), plastic("blue box", {0.07f, 0.16f, 0.50f}, 0.3f),
-              onRing(1.65f, 140, 0.42f), 30);
-  builder.add(sphere, plastic("white ball", glm::vec3(0.8f), 0.7f), onRing(1.6f, 200, 0.5f));
-  builder.add(makeRoundedBox(glm::dvec3(0.38, 0.6, 0.38), 0.06, 6),
-              plastic("green pillar", {0.08f, 0.35f, 0.12f}, 0.6f), onRing(1.75f, 262, 0.6f), 15);
-  builder.add(makeTorusKnot(2, 3, 0.34, 0.1, 384, 24), metal("gold knot", {1.00f, 0.77f, 0.34f}, 0.3f),
-              onRing(1.6f, 320, 0.3f));
+  constexpr int kMaterials = static_cast<int>(std::size(materials));
+  for (const Material& material : materials) builder.addMesh(makeSphere(1, 32, 16), material);
 
-  const glm::vec3 colors[] = {{1.0f, 0.35f, 0.15f}, {0.95f, 0.75f, 0.25f}, {0.25f, 0.9f, 0.35f},
-                              {0.2f, 0.6f, 1.0f},   {0.45f, 0.3f, 1.0f},   {1.0f, 0.3f, 0.7f}};
-  for (int i = 0; i < 6; ++i)
-    builder.add(makePoint(fmt::format("lamp {}", i + 1), colors[i] * 1.6f,
-                          onRing(2.1f, static_cast<float>(i) * 60 + 50, 0.9f), i % 2 ? 0.f : 4.f));
-  builder.add(makeSpot("spot left", glm::vec3(1.0f, 0.95f, 0.85f) * 16.f, {-1.8f, 3.2f, 1.4f}, {-0.3f, 0.3f, 0.f}));
-  builder.add(makeSpot("spot right", glm::vec3(0.8f, 0.9f, 1.0f) * 12.f, {2.0f, 3.0f, 1.6f}, {1.0f, 0.2f, 0.9f}));
-  Light moon;
-  moon.name = "moon";
-  moon.kind = LightKind::directional;
-  moon.color = glm::vec3(0.55f, 0.65f, 0.9f) * 0.35f;
-  moon.direction = glm::normalize(glm::vec3(0.4f, -1.f, -0.5f));
-  builder.add(moon);
+  const std::vector<Ball> field = makeField();
+  for (int i = 0; i < kColumns * kRows; ++i) {
+    const int which = (3 * (i % kColumns) + 2 * (i / kColumns)) % kMaterials; // no two neighbours alike
+    const Ball& ball = field[static_cast<std::size_t>(i)];
+    builder.place(static_cast<std::uint32_t>(which), fmt::format("{} {}", materials[which].name, i), ball.center, 0,
+                  ball.radius);
+  }
+  for (const Light& lamp : makeLamps(field)) builder.add(lamp);
+  builder.setOrbitCamera(0, 38, 39.4f, 24, {0, 0.4f, 0.9f}); // the floor goes on beyond the picture
 
-  builder.setOrbitCamera(18, 56, 32); // fits the objects; the floor may leave the picture
-  builder.add(makeFloor(3.2, 1, 32), plastic("floor", glm::vec3(0.45f), 0.55f), {0, 0, 0});
+  const std::uint32_t tile = builder.addMesh(makeFloor(0.5, 1, 1), plastic("floor", glm::vec3(0.4f), 0.5f));
+  for (const Ball& ball : field) builder.place(tile, "floor", {ball.center.x, 0, ball.center.z});
+  for (int z = -1; z <= 1; ++z) // large ones around the field
+    for (int x = -1; x <= 1; ++x)
+      if (x || z) builder.place(tile, "floor", {x * (z ? kRows : (kRows + kColumns) / 2), 0, z * kRows}, 0, kRows);
   return builder.finish(makeNight());
 }
 

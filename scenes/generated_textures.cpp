@@ -117,4 +117,17 @@ TextureImage makeHoles(std::string name, int cells) {
   });
 }
 
+TextureImage makeLeaves(std::string name, int cells) {
+  return makeTexture(std::move(name), kSize, [=](float u, float v) {
+    const glm::vec2 at = glm::vec2(u, v) * static_cast<float>(cells), cell = glm::floor(at), p = at - cell - 0.5f;
+    const auto seed = hash(static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y), 3);
+    const float random = static_cast<float>(seed >> 8) * (1.f / 16777216.f), angle = glm::two_pi<float>() * random;
+    const glm::vec2 along(std::cos(angle), std::sin(angle));
+    const float x = glm::dot(p, along) / 0.5f, y = std::abs(glm::dot(p, glm::vec2(-along.y, along.x))) / 0.28f;
+    const float inside = 1 - x * x - y; // between two parabolas
+    const float shade = 0.8f + 0.4f * random + (y < 0.1f ? 0.25f : 0.f);
+    return glm::vec4(glm::vec3(0.28f, 0.50f, 0.16f) * shade, glm::smoothstep(-0.1f, 0.1f, inside));
+  });
+}
+
 } // namespace parity::scenes

@@ -34,4 +34,7 @@ TextureImage makeWovenColor(std::string name, int threads, const glm::vec3& warp
 // White, with round holes in alpha: cells x cells of them.
 TextureImage makeHoles(std::string name, int cells);
 
+// Green leaves, cells x cells of them, each turned its own way; alpha is 0 between them.
+TextureImage makeLeaves(std::string name, int cells);
+
 } // namespace parity::scenes

@@ -53,6 +53,12 @@ template <typename Vec, std::size_t kCount> Vec interpolate(const std::array<Vec
          (2.0 * b + (c - a) * x + (2.0 * a - 5.0 * b + 4.0 * c - d) * x * x + (3.0 * b - a - 3.0 * c + d) * x * x * x);
 }
 
+// Some unit vector at right angles to a unit vector.
+glm::dvec3 perpendicularTo(const glm::dvec3& axis) {
+  const glm::dvec3 other = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+  return glm::normalize(glm::cross(other, axis));
+}
+
 // A profile (radius, height) from the top down, turned about +Y.
 template <std::size_t kCount> Mesh makeTurned(const std::array<glm::dvec2, kCount>& profile, int segments, int rows) {
   return makeSurface(segments, rows, [&](double u, double v) {
@@ -146,6 +152,29 @@ Mesh makeRoundedBox(const glm::dvec3& halfExtent, double edgeRadius, int steps) 
       addGridTriangles(mesh, first, static_cast<int>(columns.size()) - 1, static_cast<int>(rows.size()) - 1);
     }
   return mesh;
+}
+
+Mesh makeRod(const glm::dvec3& from, const glm::dvec3& to, double radius, int sides) {
+  const glm::dvec3 along = glm::normalize(to - from);
+  const glm::dvec3 side = perpendicularTo(along), other = glm::cross(along, side);
+  const auto onRing = [&](const glm::dvec3& center, double r, double u) {
+    return center + r * (std::cos(kTwoPi * u) * side - std::sin(kTwoPi * u) * other);
+  };
+  Mesh mesh = makeSurface(sides, 1, [&](double u, double v) { return onRing(glm::mix(from, to, v), radius, u); });
+  appendMesh(mesh, makeSurface(sides, 1, [&](double u, double v) { return onRing(from, v * radius, u); }));
+  appendMesh(mesh, makeSurface(sides, 1, [&](double u, double v) { return onRing(to, (1 - v) * radius, u); }));
+  return mesh;
+}
+
+Mesh makeRing(const glm::dvec3& axis, double radius, double tubeRadius, int segments, int sides) {
+  const glm::dvec3 side = perpendicularTo(axis), other = glm::cross(axis, side);
+  const auto curve = [=](double t) { return radius * (std::cos(kTwoPi * t) * side + std::sin(kTwoPi * t) * other); };
+  return makeTube(
+      segments, sides, curve, [=](double) { return tubeRadius; }, axis);
+}
+
+Mesh makeCard(double width, double height) {
+  return makeSurface(1, 1, [=](double u, double v) { return glm::dvec3((u - 0.5) * width, (1 - v) * height, 0); });
 }
 
 Mesh makeTeapot() {

@@ -24,6 +24,15 @@ Mesh makeTorusKnot(int p, int q, double radius, double tubeRadius, int segments,
 // A box with round edges; each face has uv over [0,1]^2. steps: subdivisions of each rounded edge.
 Mesh makeRoundedBox(const glm::dvec3& halfExtent, double edgeRadius, int steps);
 
+// A straight rod from one point to another, closed by flat ends.
+Mesh makeRod(const glm::dvec3& from, const glm::dvec3& to, double radius, int sides);
+
+// A closed ring of a round tube about `axis` (unit) through the origin.
+Mesh makeRing(const glm::dvec3& axis, double radius, double tubeRadius, int segments, int sides);
+
+// An upright rectangle on y = 0 that faces +Z, uv over [0, 1]^2.
+Mesh makeCard(double width, double height);
+
 // A teapot: turned body and lid, a spout and a handle. Stands on y = 0, about 1 high and 2 wide (spout towards +X).
 Mesh makeTeapot();
 

@@ -45,7 +45,7 @@ protected:
 TEST_F(AttributionTest, ALightThatMobileLacksIsNamedAsTheCause) {
   const std::filesystem::path folder = m_folder / "out";
   const RunResult result =
-      runParity(join({{"report", "builtin:lights", "--mobile-preset", "karis2014", "--annotate", "github"},
+      runParity(join({{"report", "builtin:lamps", "--mobile-preset", "karis2014", "--annotate", "github"},
                       kSmall,
                       {"-o", folder.string()}}));
   EXPECT_TRUE(exitedWith(2, result));

@@ -15,7 +15,7 @@ protected:
                                             const RunOptions& options = {}) const {
     const std::filesystem::path folder = m_folder / name;
     const RunResult result =
-        runParity(join({{"report", "builtin:lights", "builtin:spheres", "--terms", "--samples", "2", "--budgets",
+        runParity(join({{"report", "builtin:lamps", "builtin:spheres", "--terms", "--samples", "2", "--budgets",
                          writeBudgets(m_folder, "fail = 0.999"), "-o", folder.string()},
                         kSun,
                         kSmall,
@@ -71,7 +71,7 @@ TEST_F(DeterminismTest, NumberOfThreadsDoesNotShow) {
 TEST_F(DeterminismTest, BrokenScenesKeepTheirPlaces) {
   const auto run = [&](const std::string& threads) {
     const std::filesystem::path folder = m_folder / ("threads" + threads);
-    const RunResult result = runParity(join({{"report", "no-such.gltf", "builtin:lights", "gone.glb", "builtin:furnace",
+    const RunResult result = runParity(join({{"report", "no-such.gltf", "builtin:lamps", "gone.glb", "builtin:furnace",
                                               "lost.gltf", "-o", folder.string(), "--threads", threads},
                                              kSun,
                                              kSmall}));
@@ -85,7 +85,7 @@ TEST_F(DeterminismTest, BrokenScenesKeepTheirPlaces) {
   EXPECT_EQ(one, two);
   ASSERT_GE(one.first.size(), 4u);
   EXPECT_TRUE(contains(one.first.front(), "no-such.gltf")) << one.first.front();
-  EXPECT_TRUE(contains(one.first[1], "lights: mobile")) << one.first[1];
+  EXPECT_TRUE(contains(one.first[1], "lamps: mobile")) << one.first[1];
   EXPECT_TRUE(contains(one.first.back(), "lost.gltf")) << one.first.back();
 }
 

@@ -92,7 +92,7 @@ TEST_F(FlipOfAReport, IsTheFlipOfTheWrittenPictures) {
 TEST_F(FlipOfAReport, MapIsTheSameWithABackgroundToo) {
   const std::filesystem::path folder = m_folder / "out";
   const RunResult result = runParity(
-      join({{"report", "builtin:lights", "--background", "0.9,0.1,0.4", "-o", folder.string()}, kSun, kSmall}));
+      join({{"report", "builtin:lamps", "--background", "0.9,0.1,0.4", "-o", folder.string()}, kSun, kSmall}));
   ASSERT_NE(result.exitCode, 4) << result.err;
   const nlohmann::json view = readReport(folder)["scenes"][0]["views"][0];
   const auto picture = [&](const char* key) { return (folder / view["images"][key].get<std::string>()).string(); };

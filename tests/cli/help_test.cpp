@@ -2,6 +2,7 @@
 #include <regex>
 
 #include "cli/checks.h"
+#include "scenes/builtin.h"
 
 namespace parity::tests {
 namespace {
@@ -54,6 +55,12 @@ void expectHelp(const std::vector<std::string>& arguments, const std::vector<std
   for (const std::string& word : mentioned)
     EXPECT_TRUE(contains(result.out, word)) << "'" << word << "' is not in" << result.commandLine;
   for (const std::string& line : splitLines(result.out)) EXPECT_LE(line.size(), 132u) << line;
+}
+
+TEST(Help, NamesEveryBuiltInScene) {
+  std::vector<std::string> names;
+  for (const std::string& name : scenes::builtinSceneNames()) names.push_back("builtin:" + name);
+  expectHelp({"--help"}, names);
 }
 
 TEST(Help, NamesTheSubcommandsAndTheExitCodes) {

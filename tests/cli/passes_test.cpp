@@ -98,10 +98,10 @@ TEST_F(PassesTest, LightsThatAreNotThereAreNeitherChosenNorLoopedOver) {
     EXPECT_EQ(sun[pass], 0u) << pass;
     EXPECT_EQ(sun.why(pass), "no local lights") << pass;
   }
-  const Passes lamps = run("builtin:lights", {});
+  const Passes lamps = run("builtin:lamps", {});
   EXPECT_EQ(lamps["local lights"], 8u);
   EXPECT_GT(lamps["choice of local lights"], 1u);
-  const Passes baked = run("builtin:lights", {"--mobile-preset", "karis2014"});
+  const Passes baked = run("builtin:lamps", {"--mobile-preset", "karis2014"});
   EXPECT_EQ(baked["choice of local lights"], 0u);
   EXPECT_EQ(baked.why("choice of local lights"), "the preset has them baked");
 }

@@ -110,8 +110,8 @@ TEST_F(ReferenceTest, ShadowsTakeLightAwayAndAddNone) {
   const std::vector<std::string> options =
       join({{"--size", "60x40", "--terms", "--error", "5%", "--sun", "60,30,3", "--background", "0,0,0"},
             {"--env", "builtin:sky", "--cache", (m_folder / "cache").string()}});
-  const base::Image open = render("builtin:lights", "reference", "open.exr", options);
-  const base::Image shadowed = render("builtin:lights", "reference", "shadowed.exr", join({options, {"--shadows"}}));
+  const base::Image open = render("builtin:lamps", "reference", "open.exr", options);
+  const base::Image shadowed = render("builtin:lamps", "reference", "shadowed.exr", join({options, {"--shadows"}}));
   ASSERT_EQ(open.pixels.size(), shadowed.pixels.size()) << "and not the cached one:";
   const int sun = channelOf(shading::Term::sunDiffuse), sky = channelOf(shading::Term::skyDiffuse);
   int inShadow = 0;

@@ -25,7 +25,7 @@ protected:
 
 // In black surroundings the colour of every pixel is the sum of the terms, 1e-3 relative (DESIGN 6).
 TEST_F(RenderTest, TermsAddUpToTheColorOnBothPaths) {
-  for (const std::string scene : {"builtin:spheres", "builtin:lights"})
+  for (const std::string scene : {"builtin:spheres", "builtin:lamps", "builtin:lights", "builtin:shadows"})
     for (const std::string path : {"highend", "mobile"}) {
       const base::Image image =
           render(scene, path, "terms.exr", {"--terms", "--background", "0,0,0", "--sun", "30,50,4", "--size", "96x96"});

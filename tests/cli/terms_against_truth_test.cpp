@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(
                               {Term::skyDiffuse, 0.025},
                               {Term::skySpecular, 0.04}}},
                     TermCase{"LampsAtNight",
-                             "builtin:lights",
+                             "builtin:lamps",
                              {"--env", "builtin:night"},
                              {{Term::sunDiffuse, 1e-3},
                               {Term::sunSpecular, 2e-3},

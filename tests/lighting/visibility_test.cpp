@@ -75,7 +75,7 @@ bool isOccludedNaively(const std::vector<Triangle>& triangles, const Ray& ray, d
 TEST(Visibility, isWhatEveryTriangleInTurnSays) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform;
-  for (const char* name : {"spheres", "lights", "materials"}) {
+  for (const char* name : {"spheres", "lamps", "lights", "materials"}) {
     const scenes::Scene scene = scenes::makeBuiltinScene(name);
     const Visibility visibility(scene);
     const scenes::Bounds bounds = scene.bounds();
@@ -196,7 +196,7 @@ TEST(Visibility, moreTrianglesThanItTakesAreRefusedInWords) {
 }
 
 TEST(Visibility, answersAllThreadsAlike) {
-  const scenes::Scene scene = scenes::makeBuiltinScene("lights");
+  const scenes::Scene scene = scenes::makeBuiltinScene("lamps");
   const Visibility visibility(scene);
   std::mt19937 random(1);
   std::vector<glm::dvec3> directions(20000);

@@ -70,6 +70,13 @@ TEST(Builtin, IsTheSameEveryTime) {
     for (std::size_t i = 0; i < a.meshes.size(); ++i) EXPECT_EQ(a.meshes[i].positions, b.meshes[i].positions);
     ASSERT_EQ(a.images.size(), b.images.size());
     for (std::size_t i = 0; i < a.images.size(); ++i) EXPECT_EQ(a.images[i].pixels, b.images[i].pixels);
+    ASSERT_EQ(a.instances.size(), b.instances.size());
+    for (std::size_t i = 0; i < a.instances.size(); ++i) EXPECT_EQ(a.instances[i].toWorld, b.instances[i].toWorld);
+    ASSERT_EQ(a.lights.size(), b.lights.size());
+    for (std::size_t i = 0; i < a.lights.size(); ++i) {
+      EXPECT_EQ(a.lights[i].position, b.lights[i].position);
+      EXPECT_EQ(a.lights[i].color, b.lights[i].color);
+    }
   }
 }
 
@@ -112,8 +119,8 @@ TEST(Builtin, FurnaceHasWhiteMetalsOfElevenRoughnessesThatDoNotOverlap) {
       EXPECT_GT(glm::length(glm::vec2(scene.instances[i].toWorld[3] - scene.instances[k].toWorld[3])), 0.9f);
 }
 
-TEST(Builtin, LightsHasMoreLocalLightsThanTheMobilePathTakesAndADirectionalOne) {
-  const Scene scene = scenes::makeBuiltinScene("lights");
+TEST(Builtin, LampsHasMoreLocalLightsThanTheMobilePathTakesAndADirectionalOne) {
+  const Scene scene = scenes::makeBuiltinScene("lamps");
   const auto count = [&](LightKind kind) {
     return std::count_if(scene.lights.begin(), scene.lights.end(), [&](const auto& l) { return l.kind == kind; });
   };
