@@ -93,6 +93,9 @@ void addMobileOptions(CLI::App& app, gpu::OutputTarget target, RawOptions& raw) 
                  "Mobile path: how the environment follows the indirect light (the preset's)")
       ->check(CLI::IsMember(mobile::captureScaleNames()))
       ->group("Paths");
+  app.add_flag("--mobile-spot-shadow", raw.mobileSpotShadow,
+               "Mobile path: the brightest spot light casts a shadow, by a map of its own")
+      ->group("Paths");
   addNamed(app, "--mobile-target", raw.mobileTarget, gpu::outputTargetNames(), target,
            "Render target of the mobile path: what its colour is stored in");
 }
@@ -100,6 +103,7 @@ void addMobileOptions(CLI::App& app, gpu::OutputTarget target, RawOptions& raw) 
 void settleMobile(mobile::Options& options, const RawOptions& raw) {
   options = mobile::presetByName(raw.mobilePreset);
   options.precision = enumOf<mobile::Precision>(raw.precision, mobile::precisionNames());
+  options.spotShadow = raw.mobileSpotShadow;
   if (raw.skyCoefficients) options.skyCoefficients = *raw.skyCoefficients;
   if (!raw.capture.empty())
     options.capture = enumOf<mobile::CaptureEncoding>(raw.capture, mobile::captureEncodingNames());

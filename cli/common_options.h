@@ -30,7 +30,8 @@ struct RawOptions {
   std::string metrics = defaultMetricList(); // comma-separated
   std::string pixelData = "all";
   std::uint32_t shadowMapSize = gpu::ShadowOptions().mapSize, shadowFilter = gpu::ShadowOptions().filter;
-  bool shadows = false, noSunExtraction = false, noCache = false, quiet = false, verbose = false, validation = false;
+  bool shadows = false, mobileSpotShadow = false, noSunExtraction = false, noCache = false, quiet = false,
+       verbose = false, validation = false;
 };
 
 // Scene, view, picture, paths, device, cache, verbosity.

@@ -47,8 +47,8 @@ template <Is<SuiteEntry> T> auto fields(T& entry) {
 namespace parity::mobile {
 
 template <job::Is<Options> T> auto fields(T& options) {
-  auto& [preset, environmentBrdf, directLobe, captureScale, capture, skyCoefficients, localLights, roughnessFloor,
-         precision] = options;
+  auto& [preset, environmentBrdf, directLobe, captureScale, capture, skyCoefficients, localLights, spotShadow,
+         roughnessFloor, precision] = options;
   return std::tie(preset, environmentBrdf, directLobe, captureScale, capture, skyCoefficients, localLights,
                   roughnessFloor, precision);
 }

@@ -222,6 +222,8 @@ private:
 
   mobile::SamplerInputs samplerInputs(const PreparedScene& prepared) const {
     return {.environment = prepared.mobileEnvironment != nullptr,
+            .spotShadow =
+                mobile::Renderer::needsSpotMap(prepared.mobileLights, m_context.settings().mobile).has_value(),
             .normalVariance = m_context.settings().specularAa == gpu::SpecularAa::toksvig};
   }
 

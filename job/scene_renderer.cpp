@@ -51,6 +51,11 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
     m_shadowMaps.emplace(device, m_buffers, prepared.lights, context.settings().shadowMaps);
   }
   if (paths.highend) m_highend = makeHighend(context.settings().terms, views);
+  if (const auto spot = mobile::Renderer::needsSpotMap(prepared.mobileLights, context.settings().mobile);
+      paths.mobile && prepared.isLit && spot && !m_shadowMaps) {
+    const base::Stopwatch watch(&context.timings(), "shadow maps");
+    m_spotShadowMap.emplace(device, m_buffers, std::vector{*spot}, context.settings().shadowMaps);
+  }
   if (paths.mobile) m_mobile = makeMobile(context.settings().terms, views);
   if (paths.reference) {
     m_reference.emplace(context, prepared, m_buffers, m_surfacePass.binKinds(), pixelsOf(context.settings(), views),
@@ -80,6 +85,9 @@ std::unique_ptr<mobile::Renderer> SceneRenderer::makeMobile(bool terms, std::siz
   const Settings& settings = m_context.settings();
   const mobile::Inputs inputs{.environment = m_mobileEnvironment ? &*m_mobileEnvironment : nullptr,
                               .lights = m_prepared.isLit ? m_prepared.mobileLights : std::vector<scenes::Light>(),
+                              .shadows = m_shadowMaps      ? &*m_shadowMaps
+                                         : m_spotShadowMap ? &*m_spotShadowMap
+                                                           : nullptr,
                               .terms = terms,
                               .view = settings.mobileView,
                               .compilation = {m_budget, &m_context.pipelines()},
@@ -257,10 +265,11 @@ Work SceneRenderer::work() const {
     work.localLights = m_highend->pass().localCount();
     work.lightLists = m_highend->lightLists();
   }
-  if (m_shadowMaps) {
-    work.shadowMaps = m_shadowMaps->mapCount();
-    work.shadowCasters = m_shadowMaps->drawCount();
-  }
+  for (const auto* maps : {&m_shadowMaps, &m_spotShadowMap})
+    if (*maps) {
+      work.shadowMaps += (*maps)->mapCount();
+      work.shadowCasters += (*maps)->drawCount();
+    }
   if (m_mobile) work.lightChoices = m_mobile->lightChoices();
   return work;
 }

@@ -61,7 +61,7 @@ private:
   std::uint64_t m_cutPixels = 0;    // of all views, with more blended layers than are shown
   // Each path reads its own kind.
   std::optional<gpu::EnvironmentMaps> m_environment, m_mobileEnvironment;
-  std::optional<gpu::ShadowMaps> m_shadowMaps;                  // of all lights
+  std::optional<gpu::ShadowMaps> m_shadowMaps, m_spotShadowMap; // of all lights; mobile's where those are not there
   std::unique_ptr<highend::Renderer> m_highend, m_highendTerms; // those with terms are made when first needed
   std::unique_ptr<mobile::Renderer> m_mobile, m_mobileTerms;
   std::optional<ReferencePath> m_reference;

@@ -43,6 +43,7 @@ describeSettings(const Settings& s, const base::DisplayTransform& display, const
       {"mobile sky", fmt::format("{} SH coefficients", s.mobile.skyCoefficients)},
       {"mobile capture", fmt::format("{}, scaled: {}", nameOf(mobile::captureEncodingNames(), s.mobile.capture),
                                      nameOf(mobile::captureScaleNames(), s.mobile.captureScale))},
+      {"mobile spot shadow", s.mobile.spotShadow ? "on" : "off"},
       {"mobile target", nameOf(gpu::outputTargetNames(), s.mobileTarget) +
                             (gpu::isDisplayed(s.mobileTarget) ? ", as displayed: light above white is cut off" : "")},
       {"materials", s.materials.empty() ? "all" : fmt::format("{}", fmt::join(s.materials, ", "))},

@@ -42,15 +42,22 @@ float rank(const scenes::Light& light, const Sphere& sphere) {
          static_cast<float>(shading::f32::squareFalloffUE4(distance * distance, light.range));
 }
 
+// By luminance, the first among equals.
+std::optional<std::size_t> brightest(std::span<const scenes::Light> lights, scenes::LightKind kind) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    if (lights[i].kind == kind && (!best || luminanceOf(lights[i].color) > luminanceOf(lights[*best].color))) best = i;
+  return best;
+}
+
 } // namespace
 
 std::optional<std::size_t> chooseSun(std::span<const scenes::Light> lights) {
-  std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < lights.size(); ++i)
-    if (lights[i].kind == scenes::LightKind::directional &&
-        (!best || luminanceOf(lights[i].color) > luminanceOf(lights[*best].color)))
-      best = i;
-  return best;
+  return brightest(lights, scenes::LightKind::directional);
+}
+
+std::optional<std::size_t> chooseShadowSpot(std::span<const scenes::Light> lights) {
+  return brightest(lights, scenes::LightKind::spot);
 }
 
 std::vector<std::array<std::uint32_t, kLightsPerObject>> chooseLocalLights(const scenes::Scene& scene,

@@ -18,6 +18,10 @@ using gpu::kNoLight;
 // Index of the brightest directional light by luminance (the first among equals), or nothing.
 std::optional<std::size_t> chooseSun(std::span<const scenes::Light> lights);
 
+// Index of the spot light that casts a shadow: the brightest by luminous intensity (the first among equals), or
+// nothing.
+std::optional<std::size_t> chooseShadowSpot(std::span<const scenes::Light> lights);
+
 // For each instance the indices (into `lights`) of its up to four local lights, the rest kNoLight. The rule: lights are
 // ranked by the luminance of their illuminance at the point of the object's bounding sphere nearest to the light (at
 // the light itself where it is inside), with distance attenuation and range, the cone counted as open where it may

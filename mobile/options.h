@@ -32,6 +32,7 @@ struct Options {
   CaptureEncoding capture = CaptureEncoding::rgbm;
   int skyCoefficients = 4;          // of the SH irradiance: 4 or 9
   bool localLights = true;          // up to four an object; false: all are baked
+  bool spotShadow = false;          // of the one spot light that is the brightest (mobile/light_choice.h)
   float roughnessFloor = 0.015625f; // 0.015625^4 = 2^-24
   Precision precision = Precision::fp16;
 };

@@ -28,14 +28,15 @@ static_assert(is(CaptureScale::none, numbers::kCaptureScaleNone) &&
               is(CaptureScale::byRoughness, numbers::kCaptureScaleByRoughness) &&
               is(CaptureScale::occlusion, numbers::kCaptureScaleOcclusion));
 
-std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t view) {
+std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t view, bool hasSpotShadow) {
   return {static_cast<std::uint32_t>(options.environmentBrdf),
           static_cast<std::uint32_t>(options.directLobe),
           static_cast<std::uint32_t>(options.captureScale),
           static_cast<std::uint32_t>(options.skyCoefficients),
           options.capture == CaptureEncoding::rgbm ? 1u : 0u,
           std::bit_cast<std::uint32_t>(options.roughnessFloor),
-          view};
+          view,
+          hasSpotShadow ? 1u : 0u};
 }
 
 // The SH of the sky light, and the capture's average brightness: the luminance of the mean radiance, which is the
@@ -97,11 +98,22 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
       m_notes.push_back(
           fmt::format("of {} local lights each object gets the {} brightest", localCount, kLightsPerObject));
   }
-  for (const scenes::Light& light : lights) program.lights.push_back(gpu::packLight(light));
+  const auto spots =
+      std::count_if(lights.begin(), lights.end(), [](const auto& l) { return l.kind == scenes::LightKind::spot; });
+  const auto spot =
+      inputs.shadows && options.spotShadow && options.localLights ? chooseShadowSpot(lights) : std::nullopt;
+  if (options.spotShadow && spots > 1)
+    m_notes.push_back(fmt::format("{} of {} spot lights cast no shadow: the path has one that does, the brightest",
+                                  spots - 1, spots));
+  for (std::size_t k = 0; k < lights.size(); ++k)
+    program.lights.push_back(
+        gpu::packLight(lights[k], k == spot ? inputs.shadows->of(lights[k]) : gpu::ShadowOfLight()));
+  program.shadows = spot ? inputs.shadows : nullptr;
+  m_hasSpotShadow = spot.has_value();
   program.directionalCount = sun ? 1 : 0;
   program.environment = inputs.environment;
   if (inputs.environment) program.numbers = numbersOf(*inputs.environment, options.skyCoefficients);
-  program.constants = constantsOf(options, inputs.view);
+  program.constants = constantsOf(options, inputs.view, m_hasSpotShadow);
   program.terms = inputs.terms;
   program.premultiplied = true;
   program.expectedPixels = inputs.expectedPixels;
@@ -109,9 +121,16 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   m_pass = std::make_unique<gpu::ShadingPass>(device, scene, binKinds, std::move(program));
 }
 
+std::optional<scenes::Light> Renderer::needsSpotMap(const std::vector<scenes::Light>& lights, const Options& options) {
+  const auto spot = options.spotShadow && options.localLights ? chooseShadowSpot(lights) : std::nullopt;
+  return spot ? std::optional(lights[*spot]) : std::nullopt;
+}
+
 std::size_t Renderer::countSamplers(const gpu::Permutation& permutation) const {
+  const bool lit = (permutation.mustFeatures & gpu::kFeatureUnlit) == 0;
   const bool fetches = (permutation.mustFeatures & (gpu::kFeatureUnlit | gpu::kFeatureFullyRough)) == 0;
-  return gpu::countTextures(permutation.textures) + (m_hasEnvironment && fetches ? 1 : 0);
+  return gpu::countTextures(permutation.textures) + (m_hasEnvironment && fetches ? 1 : 0) +
+         (m_hasSpotShadow && lit ? 1 : 0);
 }
 
 } // namespace parity::mobile

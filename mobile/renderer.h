@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace parity::mobile {
 struct Inputs {
   const gpu::EnvironmentMaps* environment = nullptr; // the capture, in the options' encoding; null: none
   std::vector<scenes::Light> lights = {};            // all of the scene's, and the sun; the path takes what it can
+  const gpu::ShadowMaps* shadows = nullptr;          // with that of needsSpotMap; null: none
   bool terms = false;
   std::uint32_t view = kViewLit; // what the colour shows (mobile/views.h)
   gpu::Compilation compilation = {};
@@ -37,11 +39,14 @@ public:
   // Objects for which local lights were chosen: none where the path loops over none.
   std::size_t lightChoices() const { return m_lightChoices; }
 
+  // The spot light whose shadow map it reads with these inputs.
+  static std::optional<scenes::Light> needsSpotMap(const std::vector<scenes::Light>& lights, const Options& options);
+
   // What the path leaves out, in words for the report ("2 of 6 local lights: ..."); empty where it leaves out nothing.
   const std::vector<std::string>& notes() const { return m_notes; }
 
 private:
-  bool m_hasEnvironment;
+  bool m_hasEnvironment, m_hasSpotShadow = false;
   std::size_t m_lightChoices = 0;
   std::vector<std::string> m_notes;
   std::unique_ptr<gpu::ShadingPass> m_pass;

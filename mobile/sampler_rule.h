@@ -14,6 +14,7 @@ inline constexpr std::size_t kMaxSamplers = 8;
 
 struct SamplerInputs {
   bool environment = false;    // there is one to be fetched
+  bool spotShadow = false;     // a spot light has a shadow map
   bool normalVariance = false; // normal maps carry the spread of their normals (gpu/normal_variance.h)
 };
 

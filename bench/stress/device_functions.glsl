@@ -7,6 +7,7 @@
 #include "shading/mips.glsl"
 #include "shading/mobile_direct.glsl"
 #include "shading/mobile_base_pass.glsl"
+#include "shading/mobile_shadow.glsl"
 #include "shading/off_specular.glsl"
 #include "shading/refit.glsl"
 #include "shading/rgbm.glsl"

@@ -114,6 +114,10 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
     cosines.VoH = i.x[2];
     return outputs3(refitLight(lobe, real1At(i, 12), cosines));
   }
+  if (function == kFnSpotShadow) {
+    real Shadow = shadowmapOcclusion(i.x[0], i.x[1], i.x[2]);
+    return outputs3(real3(Shadow, sharpenedShadow(Shadow, real1At(i, 3), real1At(i, 4)), R(0.0)));
+  }
   // kFnLocalLightAt
   MobileLocalLight light = localLightAt(i.x[13] < R32(0.5), real32x3At(i, 0), real32x3At(i, 3), i.x[6],
                                         i.x[7] > R32(0.5), real32x3At(i, 8), i.x[11], i.x[12]);

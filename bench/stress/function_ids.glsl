@@ -82,7 +82,8 @@ const int kFnRefitLight = 74;
 const int kFnRefitNonmetal = 75;
 const int kFnRgbmRoundTrip = 76;
 const int kFnSrgbRoundTrip = 77;
-const int kFunctionCount = 78;
+const int kFnSpotShadow = 78;
+const int kFunctionCount = 79;
 
 const int kInputs = 32;  // numbers a row going in
 const int kOutputs = 12; // and coming out

@@ -252,11 +252,24 @@ std::vector<FunctionCase> refitFunctions() {
   };
 }
 
+std::vector<FunctionCase> shadowFunctions() {
+  return {
+      entry("spotShadow", kFnSpotShadow, units(5))
+          .takes({unit(0, "ShadowmapDepth"), unit(1, "SceneDepth"), within(2, "TransitionScale", 0.5, 8),
+                  within(3, "Sharpen", 0, 4), unit(4, "FadeFraction")})
+          .gives(2, first(2), first(2))
+          .increases("ShadowmapDepth", first(2))
+          .decreases("SceneDepth", first(2))
+          .relativeTo(1)
+          .mapped(0, 1),
+  };
+}
+
 } // namespace
 
 std::vector<FunctionCase> mobileFunctions() {
   std::vector<FunctionCase> all;
-  for (auto piece : {basePassFunctions(), rgbmFunctions(), refitFunctions()})
+  for (auto piece : {basePassFunctions(), rgbmFunctions(), refitFunctions(), shadowFunctions()})
     all.insert(all.end(), piece.begin(), piece.end());
   return all;
 }

@@ -4,17 +4,12 @@
 // To be included behind path.glsl. kShadows, a specialization constant: 0: no light has shadows; else 1 + the width of
 // the filter in texels: 0, 1, 3, 5 or 7.
 
+#include "gpu/shaders/shadow_map.glsl"
+
 // The move, in texels times the sine of the light's angle: for receivers that bend, and for edges between triangles.
 const float kNormalOffset = 0.7;
 // Of the depth: positions, the map's own rounding and what the rasteriser loses.
 const float kDepthBias = 4e-5;
-
-uint cubeFace(vec3 d) {
-  vec3 a = abs(d);
-  if (a.x >= a.y && a.x >= a.z) return d.x < 0.0 ? 1u : 0u;
-  if (a.y >= a.z) return d.y < 0.0 ? 3u : 2u;
-  return d.z < 0.0 ? 5u : 4u;
-}
 
 // Share of the texels about `at` (in texels of the layer) in which nothing is nearer to the light than the receiver,
 // whose depth there is depth + dot(slope, texel - at): a box of the filter's width, cut to the fraction of a texel. A
@@ -49,16 +44,12 @@ float visibilityOf(GpuLight light, vec3 position, vec3 geometric, vec3 L) {
   float cosine = dot(geometric, L);
   if (!(cosine > 0.0)) return 0.0;
   if (light.cone.z == 0.0) return 1.0;
-  uint index = uint(light.cone.z) - 1u;
-  if (light.cone.w > 1.0) index += cubeFace(position - light.positionKind.xyz);
-  GpuShadowView map = shadowViews[index];
-  if (map.tile.z == 0.0) return 1.0;
-
-  vec3 d = position - map.origin.xyz;
-  vec3 p = vec3(dot(map.right.xyz, d), dot(map.up.xyz, d), dot(map.forward.xyz, d));
+  ShadowPoint s = shadowPointOf(light, position);
+  if (!s.isSeen) return 1.0;
+  GpuShadowView map = s.map;
+  vec3 p = s.position;
   vec3 n = vec3(dot(map.right.xyz, geometric), dot(map.up.xyz, geometric), dot(map.forward.xyz, geometric));
   bool orthographic = map.origin.w != 0.0;
-  if (!orthographic && p.z <= 0.0) return 1.0; // behind a spot
   float texelsPerUnit = map.right.w;
   float offset = kNormalOffset * sqrt(max(1.0 - cosine * cosine, 0.0)) * (orthographic ? 1.0 : p.z) / texelsPerUnit;
   vec2 at;

@@ -15,6 +15,9 @@ layout(constant_id = 11) const int kSkyCoefficients = 4;
 layout(constant_id = 12) const uint kRgbmCapture = 1u;
 layout(constant_id = 13) const float kRoughnessFloor = 0.0;
 layout(constant_id = 14) const uint kView = 0u; // kView... of mobile/shaders/views.h
+layout(constant_id = 15) const uint kSpotShadow = 0u; // 1: one spot light has a shadow map
+#include "gpu/shaders/shadow_map.glsl"
+#include "mobile/shaders/spot_shadow.glsl"
 
 vec3 shown = vec3(0.0);
 void show(uint view, real3 value) {
@@ -216,6 +219,7 @@ void addLocalLights(inout BasePass pass, Shaded s, Point p) {
         localLightAt(kSun != kSunRefit, light.positionKind.xyz - p.position, light.colorRange.xyz, light.colorRange.w,
                      uint(light.positionKind.w) == kLightSpot, light.directionCosOuter.xyz, light.cone.x,
                      light.directionCosOuter.w);
+    if (kSpotShadow != 0u) seen.color *= float(spotShadow(light, p, vec3(seen.L)));
     real SpecularScale = real(light.cone.y);
     MobileDirectLighting Lighting = mobileIntegrateBxDF(s.sun, s.fullyRough, s.context, s.frame, seen.L);
     real3 lit = clampContribution65000(lightWith(seen.color, Lighting, SpecularScale));
