@@ -25,6 +25,13 @@ TEST(LightChoice, sunIsTheBrightestDirectionalLightAndTheFirstAmongEquals) {
   EXPECT_EQ(chooseSun(std::span(lights, 1)), std::nullopt);
 }
 
+TEST(LightChoice, theShadowIsOfTheBrightestSpotAndTheFirstAmongEquals) {
+  using enum scenes::LightKind;
+  const scenes::Light lights[] = {makeLight(point, 100), makeLight(spot, 2), makeLight(spot, 3), makeLight(spot, 3)};
+  EXPECT_EQ(chooseShadowSpot(lights), 2u);
+  EXPECT_EQ(chooseShadowSpot(std::span(lights, 1)), std::nullopt);
+}
+
 TEST(LightChoice, countsBrightnessAtTheObjectNotAtTheLight) {
   const scenes::Scene scene = tests::makeQuadScene(); // sphere of radius sqrt(2)
   std::vector<scenes::Light> lights = {makeLight(scenes::LightKind::point, 100, {0, 0, 100}),

@@ -1,0 +1,104 @@
+// The one spot light that casts a shadow on mobile: where similar triangles put it.
+#include "support/device.h"
+#include "support/small_scenes.h"
+
+#include <algorithm>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "gpu/shadow_maps.h"
+#include "gpu/surface_pass.h"
+#include "mobile/renderer.h"
+
+namespace parity::mobile {
+namespace {
+
+constexpr std::uint32_t kSize = 96;
+
+scenes::Light makeSpot(float intensity) {
+  scenes::Light light;
+  light.kind = scenes::LightKind::spot;
+  light.color = glm::vec3(intensity);
+  light.position = {0, 0, 3};
+  light.direction = {0, 0, -1};
+  light.outerConeAngle = glm::radians(50.f);
+  light.innerConeAngle = glm::radians(49.f);
+  return light;
+}
+
+class SpotShadowTest : public tests::DeviceTest {
+protected:
+  // A floor of 4 m in z = 0 under a square of 1 m in z = 1, seen from between the two.
+  std::vector<float> floor(const std::vector<scenes::Light>& lights, Options options) {
+    scenes::Scene scene;
+    scene.name = "square";
+    scene.meshes = {tests::makeQuad(0), tests::makeQuad(0)};
+    scene.materials.resize(1);
+    scene.materials[0].metallic = 0;
+    scene.materials[0].doubleSided = true;
+    scene.instances = {{0, glm::scale(glm::mat4(1.f), glm::vec3(2, 2, 1)), "floor"},
+                       {1, glm::scale(tests::translation(0, 0, 1), glm::vec3(0.5f, 0.5f, 1)), "square"}};
+    scenes::Camera camera = tests::makeFrontCamera(2, 0.5f, true);
+    camera.zNear = 0.1f;
+    const gpu::SceneBuffers buffers(device(), scene);
+    const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
+    const auto surface = std::move(pass.render(camera, {0, kSize}, glm::vec2(0.5f)).front());
+    std::optional<gpu::ShadowMaps> maps;
+    if (const auto spot = Renderer::needsSpotMap(lights, options)) {
+      maps.emplace(device(), buffers, std::vector{*spot}, gpu::ShadowOptions{});
+      EXPECT_EQ(maps->mapCount(), 1u);
+    }
+    Inputs inputs;
+    inputs.lights = lights;
+    inputs.shadows = maps ? &*maps : nullptr;
+    const Renderer renderer(device(), buffers, pass.binKinds(), inputs, options);
+    m_notes = renderer.notes();
+    const gpu::ShadedSurface shaded = renderer.shade(surface, camera);
+    std::vector<float> picture(kSize * kSize);
+    for (std::size_t i = 0; i < surface.size(); ++i) picture[surface.pixels[i]] = shaded.color[i].x;
+    return picture;
+  }
+  std::vector<std::string> m_notes;
+};
+
+TEST_F(SpotShadowTest, LiesWhereTheSquareHidesTheLight) {
+  for (const Precision precision : {Precision::fp16, Precision::fp32}) {
+    Options options;
+    options.precision = precision;
+    const std::vector<float> open = floor({makeSpot(5)}, options);
+    options.spotShadow = true;
+    const std::vector<float> shadowed = floor({makeSpot(5)}, options);
+    int dark = 0, lit = 0;
+    for (std::size_t p = 0; p < open.size(); ++p) {
+      const float x = std::abs((static_cast<float>(p % kSize) + 0.5f) / kSize * 4 - 2);
+      const float y = std::abs((static_cast<float>(p / kSize) + 0.5f) / kSize * 4 - 2);
+      const float r = std::max(x, y);
+      if (open[p] <= 0) continue;
+      if (r < 0.72f) {
+        EXPECT_EQ(shadowed[p], 0) << x << " " << y;
+        ++dark;
+      } else if (r > 0.78f) {
+        EXPECT_EQ(shadowed[p], open[p]) << x << " " << y;
+        ++lit;
+      }
+    }
+    EXPECT_GT(dark, 800);
+    EXPECT_GT(lit, 2000);
+  }
+}
+
+TEST_F(SpotShadowTest, OfSeveralSpotsTheBrightestHasOne) {
+  Options options;
+  options.spotShadow = true;
+  const std::size_t middle = kSize * kSize / 2 + kSize / 2;
+  const float faint = floor({makeSpot(2)}, Options{})[middle];
+  EXPECT_EQ(floor({makeSpot(2), makeSpot(5)}, options)[middle], faint);
+  EXPECT_EQ(m_notes,
+            (std::vector<std::string>{"1 of 2 spot lights cast no shadow: the path has one that does, the brightest"}));
+  options.localLights = false;
+  EXPECT_EQ(Renderer::needsSpotMap({makeSpot(2)}, options), std::nullopt) << "all are baked";
+  EXPECT_EQ(floor({makeSpot(2), makeSpot(5)}, options)[middle], 0);
+}
+
+} // namespace
+} // namespace parity::mobile
