@@ -42,6 +42,21 @@ float rank(const scenes::Light& light, const Sphere& sphere) {
          static_cast<float>(shading::f32::squareFalloffUE4(distance * distance, light.range));
 }
 
+using RankedLight = std::pair<float, std::uint32_t>;
+
+// The local lights that reach the instance, the brightest first.
+std::vector<RankedLight> rankLocalLights(const scenes::Scene& scene, const scenes::Instance& instance,
+                                         std::span<const scenes::Light> lights) {
+  const Sphere sphere = boundingSphere(scene, instance);
+  std::vector<RankedLight> ranked;
+  for (std::uint32_t i = 0; i < lights.size(); ++i) {
+    if (lights[i].kind == scenes::LightKind::directional) continue;
+    if (const float r = rank(lights[i], sphere); r > 0) ranked.emplace_back(r, i);
+  }
+  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  return ranked;
+}
+
 } // namespace
 
 std::optional<std::size_t> chooseSun(std::span<const scenes::Light> lights) {
@@ -57,19 +72,42 @@ std::vector<std::array<std::uint32_t, kLightsPerObject>> chooseLocalLights(const
                                                                            std::span<const scenes::Light> lights) {
   std::vector<std::array<std::uint32_t, kLightsPerObject>> chosen;
   for (const scenes::Instance& instance : scene.instances) {
-    const Sphere sphere = boundingSphere(scene, instance);
-    std::vector<std::pair<float, std::uint32_t>> ranked;
-    for (std::uint32_t i = 0; i < lights.size(); ++i) {
-      if (lights[i].kind == scenes::LightKind::directional) continue;
-      if (const float r = rank(lights[i], sphere); r > 0) ranked.emplace_back(r, i);
-    }
-    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    const std::vector<RankedLight> ranked = rankLocalLights(scene, instance, lights);
     auto& slots = chosen.emplace_back();
     slots.fill(kNoLight);
     for (std::size_t k = 0; k < std::min<std::size_t>(ranked.size(), kLightsPerObject); ++k)
       slots[k] = ranked[k].second;
   }
   return chosen;
+}
+
+std::vector<LightUse> countLightUse(const scenes::Scene& scene, std::span<const scenes::Light> lights, bool localLights,
+                                    std::span<const std::uint64_t> pixels) {
+  std::vector<LightUse> uses(lights.size());
+  const auto sun = chooseSun(lights);
+  const std::size_t kept = localLights ? kLightsPerObject : 0;
+  for (std::uint32_t object = 0; object < scene.instances.size(); ++object) {
+    if (pixels[object] == 0) continue;
+    const auto count = [&](std::size_t light, float brightness, bool keeps) {
+      LightUse& use = uses[light];
+      if (keeps) return void(++use.keptBy);
+      use.droppedBy.push_back(object);
+      use.effect += static_cast<double>(brightness) * static_cast<double>(pixels[object]);
+    };
+    for (std::size_t i = 0; i < lights.size(); ++i)
+      if (const float brightness = luminanceOf(lights[i].color);
+          lights[i].kind == scenes::LightKind::directional && brightness > 0)
+        count(i, brightness, i == sun);
+    const std::vector<RankedLight> ranked = rankLocalLights(scene, scene.instances[object], lights);
+    for (std::size_t k = 0; k < ranked.size(); ++k) count(ranked[k].second, ranked[k].first, k < kept);
+  }
+  return uses;
+}
+
+bool mayDropLights(std::span<const scenes::Light> lights, bool localLights) {
+  const auto suns = std::ranges::count(lights, scenes::LightKind::directional, &scenes::Light::kind);
+  const std::size_t locals = lights.size() - static_cast<std::size_t>(suns);
+  return suns > 1 || locals > (localLights ? kLightsPerObject : 0);
 }
 
 } // namespace parity::mobile
