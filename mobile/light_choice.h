@@ -29,7 +29,9 @@ std::vector<std::array<std::uint32_t, kLightsPerObject>> chooseLocalLights(const
 struct LightUse {
   std::size_t keptBy = 0;               // objects that are shaded with it
   std::vector<std::uint32_t> droppedBy; // instances that it reaches, and that do without it
-  double effect = 0; // an estimate of what they lack: over those the sum of the rank above (lux) times `pixels`
+  // An estimate of what they lack: the sum over those of illuminance times `pixels`. That is the rank above, but of a
+  // light nearer than half the sphere's radius as if it were so far away.
+  double effect = 0;
 };
 
 // Of each light, over the instances with pixels. Directional lights reach every object, all but chooseSun's are

@@ -92,7 +92,7 @@ TEST(LightUse, droppedAreThoseBeyondFourThatReach) {
     EXPECT_EQ(uses[dropped].droppedBy, std::vector<std::uint32_t>{0});
     // Luminance 10, sphere of radius sqrt(2) about the origin, 5 m away; UE4's window of the range, 10 pixels.
     const double d = 5 - std::sqrt(2.0), window = 1 - std::pow(d / 20, 4);
-    EXPECT_NEAR(uses[dropped].effect, 10 * window * window / (d * d + 1) * 10, 1e-3);
+    EXPECT_NEAR(uses[dropped].effect, 10 * window * window / (d * d + 1e-4) * 10, 1e-3);
   }
   for (const std::size_t outside : {7, 8}) EXPECT_EQ(uses[outside].keptBy + uses[outside].droppedBy.size(), 0u);
 }
@@ -140,6 +140,16 @@ TEST(LightUse, allSunsButOneAreDroppedAndBakedLightsWithoutException) {
   EXPECT_EQ(countLightUse(scene, lights, false, pixels)[2].droppedBy, theQuad);
   const std::uint64_t unseen[] = {0};
   for (const LightUse& use : countLightUse(scene, lights, false, unseen)) EXPECT_EQ(use.droppedBy, none);
+}
+
+// Within an object's sphere the rank is that of the light itself: it would outweigh all that other objects lack.
+TEST(LightUse, theEffectOfALightWithinAnObjectIsBounded) {
+  const scenes::Scene scene = tests::makeQuadScene();
+  std::vector<scenes::Light> lights(2, makeLight(scenes::LightKind::point, 3, {0, 0, 0.2f}));
+  lights[1].range = 0.3f; // fades before it lights all of the object
+  const std::uint64_t pixels[] = {5};
+  for (const LightUse& use : countLightUse(scene, lights, false, pixels))
+    EXPECT_NEAR(use.effect, 3 / 0.5 * 5, 1e-3); // half the radius of sqrt(2), squared
 }
 
 TEST(LightUse, nothingCanBeDroppedOfFewLights) {
