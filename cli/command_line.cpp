@@ -79,6 +79,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addCommonOptions(reportApp, report.common, raw);
   addMetricsOption(reportApp, raw);
   addAttributionOption(reportApp, raw);
+  addDroppedLightsOption(reportApp, raw);
   // A suite says for itself how each scene is lit and seen.
   for (const char* option : {"--env", "--env-rotation", "--sun", "--camera", "--orbit", "--target", "--fov"})
     suite->excludes(reportApp.get_option(option));
@@ -94,6 +95,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addCommonOptions(diffApp, diff.common, raw);
   addMetricsOption(diffApp, raw);
   addAttributionOption(diffApp, raw);
+  addDroppedLightsOption(diffApp, raw);
 
   RenderCommand render;
   CLI::App& renderApp = *app.add_subcommand("render", "Render one scene by one path");

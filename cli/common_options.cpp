@@ -226,10 +226,19 @@ void addAttributionOption(CLI::App& app, RawOptions& raw) {
       ->capture_default_str();
 }
 
+void addDroppedLightsOption(CLI::App& app, RawOptions& raw) {
+  app.add_option("--dropped-lights", raw.droppedLights,
+                 "Measure what so many of a view's lights do that mobile drops, the brightest of them; 0: none")
+      ->check(CLI::Range(0, 100000))
+      ->group("Verdict")
+      ->capture_default_str();
+}
+
 void settleAttribution(job::Settings& settings, const RawOptions& raw) {
   settings.attribution =
       enumOf<job::Attribution>(raw.attribution, {job::kAttributionNames.begin(), job::kAttributionNames.end()});
   settings.terms |= settings.attribution == job::Attribution::all;
+  settings.droppedLights = raw.droppedLights;
 }
 
 void addCostsOption(CLI::App& app, CommonOptions& common) {

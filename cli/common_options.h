@@ -27,6 +27,7 @@ struct RawOptions {
   std::string error = "0.5%", scattering = "multiple"; // of the reference
   std::string cache, cacheSize = "4G";
   std::string attribution = "over-budget";   // of report and diff
+  int droppedLights = 8;                     // of report and diff
   std::string metrics = defaultMetricList(); // comma-separated
   std::string pixelData = "all";
   std::uint32_t shadowMapSize = gpu::ShadowOptions().mapSize, shadowFilter = gpu::ShadowOptions().filter;
@@ -42,8 +43,9 @@ void addShadowOptions(CLI::App& app, RawOptions& raw);
 void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw);
 // What is measured; nothing is by `render`.
 void addMetricsOption(CLI::App& app, RawOptions& raw);
-// --attribution, for report and diff; settled before all else.
+// --attribution and --dropped-lights, for report and diff; settled before all else.
 void addAttributionOption(CLI::App& app, RawOptions& raw);
+void addDroppedLightsOption(CLI::App& app, RawOptions& raw);
 void settleAttribution(job::Settings& settings, const RawOptions& raw);
 // --costs: what each specialised shader costs.
 void addCostsOption(CLI::App& app, CommonOptions& common);

@@ -9,6 +9,7 @@
 #include "base/log.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
+#include "scenes/light_names.h"
 #include "scenes/load.h"
 #include "scenes/scene_info.h"
 
@@ -18,7 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kLightKinds[] = {"directional", "point", "spot"};
 constexpr std::string_view kAlphaModes[] = {"opaque", "mask", "blend"};
 
 Json toJson(const glm::vec3& v) { return {v.x, v.y, v.z}; }
@@ -53,7 +53,7 @@ Json infoJson(const std::string& file, const scenes::Scene& scene, const scenes:
     animations.push_back({{"name", facts.animations[a]}, {"seconds", facts.animationSeconds[a]}});
   for (const scenes::Light& light : scene.lights)
     lights.push_back({{"name", light.name},
-                      {"kind", kLightKinds[static_cast<int>(light.kind)]},
+                      {"kind", scenes::nameOf(light.kind)},
                       {"color", toJson(light.color)},
                       {"range", light.range}});
   for (const scenes::Camera& camera : scene.cameras)
@@ -118,9 +118,8 @@ void printInfo(const std::string& file, const scenes::Scene& scene, const scenes
   for (const scenes::Camera& camera : scene.cameras)
     fmt::print("{:<11} {}, {}\n", "camera", camera.name, camera.orthographic ? "orthographic" : "perspective");
   for (const scenes::Light& light : scene.lights)
-    fmt::print("{:<11} {}, {}, ({:.4g}, {:.4g}, {:.4g}) {}{}\n", "light", light.name,
-               kLightKinds[static_cast<int>(light.kind)], light.color.x, light.color.y, light.color.z,
-               light.kind == scenes::LightKind::directional ? "lx" : "cd",
+    fmt::print("{:<11} {}, {}, ({:.4g}, {:.4g}, {:.4g}) {}{}\n", "light", light.name, scenes::nameOf(light.kind),
+               light.color.x, light.color.y, light.color.z, light.kind == scenes::LightKind::directional ? "lx" : "cd",
                light.range > 0 ? fmt::format(", range {:.4g} m", light.range) : "");
 
   std::size_t width = 8;

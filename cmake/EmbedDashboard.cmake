@@ -30,13 +30,15 @@ file(WRITE ${OUT} "// Made by cmake/EmbedDashboard.cmake.
 
 namespace parity::compare {
 
+using namespace std::string_view_literals; // whose length the compiler knows: it counts no more than 262,144 characters
+
 const DashboardFile& dashboardScript() {
-  static constexpr DashboardFile file = {R\"parity(${SCRIPT_TEXT})parity\", \"${SCRIPT_HASH}\"};
+  static constexpr DashboardFile file = {R\"parity(${SCRIPT_TEXT})parity\"sv, \"${SCRIPT_HASH}\"};
   return file;
 }
 
 const DashboardFile& dashboardStyle() {
-  static constexpr DashboardFile file = {R\"parity(${STYLE_TEXT})parity\", \"${STYLE_HASH}\"};
+  static constexpr DashboardFile file = {R\"parity(${STYLE_TEXT})parity\"sv, \"${STYLE_HASH}\"};
   return file;
 }
 

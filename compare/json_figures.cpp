@@ -107,4 +107,31 @@ void writeTruth(JsonWriter& json, const Truth& truth) {
   json.endObject();
 }
 
+void writeDroppedLights(JsonWriter& json, const DroppedLights& dropped) {
+  json.beginObject();
+  json.key("lights").integer(dropped.lights);
+  json.key("measured").beginArray();
+  for (const DroppedLight& light : dropped.measured) {
+    json.beginObject();
+    json.key("name").text(light.name);
+    json.key("kind").text(light.kind);
+    json.key("keptBy").integer(light.keptBy);
+    json.key("droppedBy").integer(light.droppedBy);
+    json.key("materials").beginArray();
+    for (const LightEffect& effect : light.materials) {
+      json.beginObject();
+      json.key("name").text(effect.material);
+      json.key("region").text(effect.region);
+      json.key("flip").number(effect.flip);
+      json.endObject();
+    }
+    json.endArray();
+    json.endObject();
+  }
+  json.endArray();
+  json.key("notMeasured");
+  writeTexts(json, dropped.notMeasured);
+  json.endObject();
+}
+
 } // namespace parity::compare

@@ -1,9 +1,10 @@
-// Parts of report.json that several of its objects hold: texts, figures, the ground truth.
+// Parts of report.json that several of its objects hold: texts, figures, the ground truth, dropped lights.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "compare/dropped_lights.h"
 #include "compare/encoding.h"
 #include "compare/figures.h"
 #include "compare/json_writer.h"
@@ -21,5 +22,7 @@ void writeRegions(JsonWriter& json, const RegionFigures& regions);
 // The stage's target and figures.
 void writeEncoding(JsonWriter& json, const Encoding& encoding);
 void writeTruth(JsonWriter& json, const Truth& truth);
+
+void writeDroppedLights(JsonWriter& json, const DroppedLights& dropped);
 
 } // namespace parity::compare

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "compare/dropped_lights.h"
 #include "compare/encoding.h"
 #include "compare/figures.h"
 #include "compare/json_writer.h"
@@ -124,7 +125,8 @@ struct ViewResult {
   std::vector<MaterialResult> materials;  // in the scene's order
   ImageSet images;
   PixelFiles pixels;
-  double exposureEv = 0; // of its pictures: what the values of `pixels` are exposed by
+  double exposureEv = 0;                      // of its pictures: what the values of `pixels` are exposed by
+  std::optional<DroppedLights> droppedLights; // where mobile drops any, and the run was asked
 };
 
 struct SceneResult {

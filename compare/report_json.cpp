@@ -47,6 +47,10 @@ void writeView(JsonWriter& json, const ViewResult& view) {
   json.key("color").text(view.pixels.color);
   json.key("terms").text(view.pixels.terms);
   json.endObject();
+  if (view.droppedLights) {
+    json.key("droppedLights");
+    writeDroppedLights(json, *view.droppedLights);
+  }
   json.endObject();
 }
 

@@ -139,6 +139,7 @@ std::string formatView(const SceneResult& scene, const ViewResult& view, bool ba
                    nameColumns, columns, color);
   if (view.truth)
     for (const std::string& note : view.truth->notes) out += fmt::format("  {}\n", plainLine(note));
+  if (view.droppedLights) out += fmt::format("  {}\n", plainLine(describe(*view.droppedLights)));
   return out + "\n";
 }
 

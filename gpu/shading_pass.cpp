@@ -252,6 +252,11 @@ ShadingPass::~ShadingPass() = default;
 ShadedSurface ShadingPass::shade(const Surface& surface, const scenes::Camera& camera) const {
   return m_impl->shade(surface, camera);
 }
+void ShadingPass::setLightColor(std::size_t light, const glm::vec3& color) {
+  GpuLight& changed = m_impl->program.lights.at(light);
+  changed.colorRange = vec4(color, changed.colorRange.w);
+  m_impl->lights.upload(std::as_bytes(std::span{&changed, 1}), light * sizeof(GpuLight));
+}
 const std::vector<CompiledPermutation>& ShadingPass::compiled() const { return m_impl->compiled; }
 Spirv ShadingPass::spirv() const { return m_impl->program.spirv; }
 std::uint32_t ShadingPass::directionalCount() const { return m_impl->program.directionalCount; }

@@ -73,6 +73,9 @@ public:
 
   ShadedSurface shade(const Surface& surface, const scenes::Camera& camera) const;
 
+  // From now on this light of the program's list has that colour: black switches it off, and no shader is compiled.
+  void setLightColor(std::size_t light, const glm::vec3& color);
+
   // In order of their first use.
   const std::vector<CompiledPermutation>& compiled() const;
   Spirv spirv() const;

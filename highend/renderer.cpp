@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -91,11 +92,15 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   gpu::PathProgram program;
   program.name = "highend";
   program.spirv = kHighendComp;
-  std::vector<scenes::Light> lights = inputs.lights;
   // Directional ones, those that reach everything, the others: with and without lists in one order.
-  std::stable_sort(lights.begin(), lights.end(),
-                   [](const scenes::Light& a, const scenes::Light& b) { return reachOf(a) < reachOf(b); });
-  for (const scenes::Light& light : lights) {
+  std::vector<std::size_t> order(inputs.lights.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return reachOf(inputs.lights[i]); });
+  std::vector<scenes::Light> lights;
+  m_lights.resize(order.size());
+  for (const std::size_t i : order) {
+    m_lights[i] = {lights.size(), inputs.lights[i].color};
+    const scenes::Light& light = lights.emplace_back(inputs.lights[i]);
     program.lights.push_back(gpu::packLight(light, inputs.shadows ? inputs.shadows->of(light) : gpu::ShadowOfLight()));
     ++(light.kind == scenes::LightKind::directional ? program.directionalCount : program.localCount);
   }

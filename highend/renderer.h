@@ -29,6 +29,11 @@ public:
   gpu::ShadedSurface shade(const gpu::Surface& surface, const scenes::Camera& camera) const {
     return m_pass->shade(surface, camera);
   }
+  // Takes the light at this place of the inputs' list out of what is shaded from now on, or puts it back; the shaders
+  // stay the same, and so does every bit that the light adds nothing to.
+  void switchLight(std::size_t light, bool on) {
+    m_pass->setLightColor(m_lights[light].place, on ? m_lights[light].color : glm::vec3(0));
+  }
   const gpu::ShadingPass& pass() const { return *m_pass; }
   // Samplers that a permutation binds, the environment's and the table's among them.
   std::size_t countSamplers(const gpu::Permutation& permutation) const;
@@ -44,7 +49,12 @@ public:
   }
 
 private:
-  std::size_t m_ownSamplers = 0; // besides the materials'
+  struct InputLight {
+    std::size_t place = 0; // in the pass's list
+    glm::vec3 color{0.f};
+  };
+  std::vector<InputLight> m_lights; // in the inputs' order
+  std::size_t m_ownSamplers = 0;    // besides the materials'
   gpu::DeviceImage m_lut;
   std::unique_ptr<LightCulling> m_culling; // where there are lights enough
   std::unique_ptr<gpu::ShadingPass> m_pass;

@@ -29,6 +29,7 @@ std::vector<compare::PassResult> describePasses(const Work& work, const NoNeed& 
   add("reference occluders", "meshes", work.occluderMeshes, why.occluders);
   add("compare", "pixels", work.comparedPixels, "");
   add("compare with the truth", "pixels", work.comparedWithTruth, why.truth);
+  add("dropped lights", "pictures", work.lightPictures, why.droppedLights);
   add("shader costs", "shaders", work.countedShaders, why.costs);
   return passes;
 }

@@ -28,13 +28,14 @@ struct Work {
   std::uint64_t resolvedSamples = 0, integratedSamples = 0; // by the reference
   std::uint64_t occluderMeshes = 0;                         // built for the reference's shadows
   std::uint64_t comparedPixels = 0, comparedWithTruth = 0;
+  std::uint64_t lightPictures = 0;  // by the high-end path, with one light less
   std::uint64_t countedShaders = 0; // whose costs were counted
 };
 
 // Why there was no such work; each is empty where there may have been.
 struct NoNeed {
   std::string environment, suns, table, texture, variance, blended, fog, directional, local, lightLists, shadows,
-      lightChoice, terms, truth, occluders, costs;
+      lightChoice, terms, truth, occluders, droppedLights, costs;
 };
 
 // In the order of the work. A count of 0 has a reason.

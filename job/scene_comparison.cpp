@@ -10,6 +10,7 @@
 #include "base/stopwatch.h"
 #include "compare/budget.h"
 #include "job/context.h"
+#include "job/dropped_lights.h"
 #include "job/report_folder.h"
 #include "job/result_cache.h"
 #include "job/view_attribution.h"
@@ -174,6 +175,8 @@ private:
       ViewFrames frames = renderView(request, v, prepared, renderer);
       ComparedView compared = compareOne(index, v, prepared, frames, wish);
       comparedPixels += compared.view.whole.all.pixels;
+      compared.view.droppedLights =
+          measureDroppedLights(m_context, prepared, renderer, cameraOf(request, v, prepared), frames, compared);
       if (key) plainViews.push_back(compared.view);
       keepPictures(std::move(compared.pictures), scene, key ? &plainPictures : nullptr);
       attributed.push_back(materialsToAttribute(m_context.settings().attribution, compared.view, judges));

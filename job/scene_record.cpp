@@ -70,10 +70,22 @@ template <Is<MaterialResult> T> auto fields(T& material) {
          seenElsewhere] = material;
   return std::tie(name, figures, notes, terms, crops, truth, encoding, attribution);
 }
+template <Is<LightEffect> T> auto fields(T& effect) {
+  auto& [material, region, flip] = effect;
+  return std::tie(material, region, flip);
+}
+template <Is<DroppedLight> T> auto fields(T& light) {
+  auto& [name, kind, keptBy, droppedBy, materials] = light;
+  return std::tie(name, kind, keptBy, droppedBy, materials);
+}
+template <Is<DroppedLights> T> auto fields(T& dropped) {
+  auto& [lights, measured, notMeasured] = dropped;
+  return std::tie(lights, measured, notMeasured);
+}
 template <Is<ViewResult> T> auto fields(T& view) {
   auto& [name, width, height, whole, checks, rule, baseline, truth, encoding, verdict, wholeVerdict, reason, materials,
-         images, pixels, exposureEv] = view;
-  return std::tie(name, width, height, whole, truth, encoding, materials, images, pixels, exposureEv);
+         images, pixels, exposureEv, droppedLights] = view;
+  return std::tie(name, width, height, whole, truth, encoding, materials, images, pixels, exposureEv, droppedLights);
 }
 template <Is<PassResult> T> auto fields(T& pass) {
   auto& [name, unit, count, skipped] = pass;

@@ -1,5 +1,6 @@
 #include "job/scene_renderer.h"
 
+#include <array>
 #include <cassert>
 #include <set>
 
@@ -8,6 +9,7 @@
 #include "base/parallel.h"
 #include "job/environment_upload.h"
 #include "job/permutation_costs.h"
+#include "mobile/light_choice.h"
 
 namespace parity::job {
 
@@ -17,7 +19,7 @@ std::uint64_t pixelsOf(const Settings& settings, std::size_t views) {
   return static_cast<std::uint64_t>(settings.width) * settings.height * settings.samples * views;
 }
 
-// Entries of surfaces that wait for addTerms: two of each pixel of a tile.
+// Entries of surfaces that wait to be shaded again: two of each pixel of a tile.
 constexpr std::size_t kMaxKeptEntries = 2 * std::size_t{gpu::kMaxTilePixels};
 
 std::uint64_t samplesOf(const gpu::ShadingPass& pass) {
@@ -30,7 +32,7 @@ std::uint64_t samplesOf(const gpu::ShadingPass& pass) {
 
 SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, const Paths& paths, std::size_t views,
                              const gpu::PermutationBudget& budget, gpu::ImageDone onLastRead)
-    : m_context(context), m_prepared(prepared), m_budget(budget), m_work(prepared.work), m_buffers([&] {
+    : m_context(context), m_prepared(prepared), m_views(views), m_budget(budget), m_work(prepared.work), m_buffers([&] {
         gpu::Device& device = context.device();
         const base::Stopwatch watch(&context.timings(), "upload");
         return gpu::SceneBuffers(device, prepared.scene, context.settings().specularAa, std::move(onLastRead));
@@ -50,6 +52,8 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
     const base::Stopwatch watch(&context.timings(), "shadow maps");
     m_shadowMaps.emplace(device, m_buffers, prepared.lights, context.settings().shadowMaps);
   }
+  m_mayDropLights = context.settings().droppedLights > 0 && paths.highend && paths.mobile && prepared.isLit &&
+                    mobile::mayDropLights(prepared.mobileLights, context.settings().mobile.localLights);
   if (paths.highend) m_highend = makeHighend(context.settings().terms, views);
   if (const auto spot = mobile::Renderer::needsSpotMap(prepared.mobileLights, context.settings().mobile);
       paths.mobile && prepared.isLit && spot && !m_shadowMaps) {
@@ -133,6 +137,7 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
   ViewBuilder view(settings, paths, m_buffers, target);
   std::set<std::uint32_t> cutPixels;
   m_kept.clear();
+  m_seenSamples.assign(m_mayDropLights ? m_prepared.scene.instances.size() : 0, 0);
 
   const std::vector<gpu::Tile> tiles =
       gpu::makeTiles(static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height));
@@ -143,13 +148,16 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
       const gpu::VisibleLayers visible = rasterise(camera, tile, sample);
       cutPixels.insert(visible.cutPixels.begin(), visible.cutPixels.end());
       requireTextures(visible);
-      const bool keeps = parts == 1 && paths.highend && paths.mobile && !settings.terms &&
-                         settings.attribution == Attribution::overBudget && visible.size() <= kMaxKeptEntries;
+      const bool mayAddTerms =
+          paths.highend && paths.mobile && !settings.terms && settings.attribution == Attribution::overBudget;
+      const bool keeps = parts == 1 && (mayAddTerms || m_mayDropLights) && visible.size() <= kMaxKeptEntries;
       const std::size_t layerCount = visible.layers.size();
       view.begin(tile);
       // From the back to the front, as hardware blends; one layer's surface at a time.
       for (std::size_t k = 0; k < layerCount; ++k) {
         gpu::Surface surface = resolve(visible, k, camera);
+        if (m_mayDropLights)
+          for (const std::uint32_t instance : surface.instances) ++m_seenSamples[instance];
         // Apart from each other, and the nearest layer's the same however many lie behind.
         const std::size_t fromFront = layerCount - 1 - k, stream = 2 * part + (k == 0 ? 0 : 1 + 2 * parts * fromFront);
         const auto told = [&](double done) {
@@ -198,34 +206,56 @@ void SceneRenderer::addTerms(ViewFrames& frames, const scenes::Camera& camera) {
     m_highendTerms = makeHighend(true, 1);
     m_mobileTerms = makeMobile(true, 1);
   }
-  const auto width = static_cast<std::uint32_t>(settings.width), height = static_cast<std::uint32_t>(settings.height);
-  gpu::FrameBuilder highendFrame(width, height, settings.samples, true, settings.background);
-  gpu::FrameBuilder mobileFrame = highendFrame;
-  for (const gpu::Tile& tile : gpu::makeTiles(width, height))
+  gpu::FrameBuilder highendFrame = makeFrame(true), mobileFrame = makeFrame(true);
+  layAgain(camera, std::array{&highendFrame, &mobileFrame}, m_again, [&](const gpu::Surface& surface) {
+    const base::Stopwatch watch(&m_context.timings(), "shade terms");
+    m_again.termSamples += 2 * surface.size();
+    highendFrame.lay(surface, m_highendTerms->shade(surface, camera));
+    mobileFrame.lay(surface, m_mobileTerms->shade(surface, camera));
+  });
+  frames.highend.terms = highendFrame.take().terms;
+  frames.mobile.terms = mobileFrame.take().terms;
+}
+
+base::Image SceneRenderer::renderWithout(std::size_t light, const scenes::Camera& camera) {
+  assert(m_highend && m_mayDropLights);
+  if (!m_highendSwitched) m_highendSwitched = makeHighend(false, m_views);
+  gpu::FrameBuilder frame = makeFrame(false);
+  m_highendSwitched->switchLight(light, false);
+  layAgain(camera, std::array{&frame}, m_work, [&](const gpu::Surface& surface) {
+    const base::Stopwatch watch(&m_context.timings(), "shade without a light");
+    frame.lay(surface, m_highendSwitched->shade(surface, camera));
+  });
+  m_highendSwitched->switchLight(light, true);
+  ++m_work.lightPictures;
+  return frame.take().color;
+}
+
+gpu::FrameBuilder SceneRenderer::makeFrame(bool terms) const {
+  const Settings& settings = m_context.settings();
+  return {static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height), settings.samples,
+          terms, settings.background};
+}
+
+void SceneRenderer::layAgain(const scenes::Camera& camera, std::span<gpu::FrameBuilder* const> frames, Work& work,
+                             const std::function<void(const gpu::Surface&)>& lay) {
+  const Settings& settings = m_context.settings();
+  for (const gpu::Tile& tile :
+       gpu::makeTiles(static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height)))
     for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
-      highendFrame.begin(tile);
-      mobileFrame.begin(tile);
-      const auto shade = [&](const gpu::Surface& surface) {
-        const base::Stopwatch watch(&m_context.timings(), "shade terms");
-        m_again.termSamples += 2 * surface.size();
-        highendFrame.lay(surface, m_highendTerms->shade(surface, camera));
-        mobileFrame.lay(surface, m_mobileTerms->shade(surface, camera));
-      };
+      for (gpu::FrameBuilder* frame : frames) frame->begin(tile);
       if (!m_kept.empty()) {
-        for (const gpu::Surface& surface : m_kept) shade(surface);
+        for (const gpu::Surface& surface : m_kept) lay(surface);
       } else {
         const gpu::VisibleLayers visible = rasterise(camera, tile, sample);
         for (std::size_t k = 0; k < visible.layers.size(); ++k) {
           const gpu::Surface surface = resolve(visible, k, camera);
-          countSurface(surface, m_again);
-          shade(surface);
+          countSurface(surface, work);
+          lay(surface);
         }
       }
-      highendFrame.end();
-      mobileFrame.end();
+      for (gpu::FrameBuilder* frame : frames) frame->end();
     }
-  frames.highend.terms = highendFrame.take().terms;
-  frames.mobile.terms = mobileFrame.take().terms;
 }
 
 std::vector<std::string> SceneRenderer::notes() const {
@@ -258,12 +288,15 @@ Work SceneRenderer::work() const {
   Work work = m_work;
   work.images = m_buffers.textures().uploadedCount();
   work.varianceImages = m_buffers.textures().varianceCount();
-  work.highendSamples = m_highend ? samplesOf(m_highend->pass()) : 0;
+  for (const highend::Renderer* renderer : {m_highend.get(), m_highendSwitched.get()})
+    if (renderer) {
+      work.highendSamples += samplesOf(renderer->pass());
+      work.lightLists += renderer->lightLists();
+    }
   work.mobileSamples = m_mobile ? samplesOf(m_mobile->pass()) : 0;
   if (m_highend) {
     work.directionalLights = m_highend->pass().directionalCount();
     work.localLights = m_highend->pass().localCount();
-    work.lightLists = m_highend->lightLists();
   }
   for (const auto* maps : {&m_shadowMaps, &m_spotShadowMap})
     if (*maps) {
@@ -310,6 +343,7 @@ NoNeed SceneRenderer::reasons() const {
                 : m_prepared.lights.empty() ? "no lights"
                                             : "nothing stands before anything";
   why.lightChoice = work().localLights == 0 ? why.local : "the preset has them baked";
+  why.droppedLights = settings.droppedLights > 0 ? "mobile has all lights that reach what is seen" : "not asked for";
   why.terms = why.truth = why.occluders = why.costs = "not asked for";
   return why;
 }

@@ -1,8 +1,10 @@
 // Renders views of a prepared scene by every path over the very same surfaces.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,13 @@ public:
   // colours stay as they are. For runs without settings.terms.
   void addTerms(ViewFrames& frames, const scenes::Camera& camera);
 
+  // For runs that ask for what mobile's dropped lights do (settings.droppedLights), where it may drop any: how many
+  // samples the view that was rendered last shows of each instance. Else empty.
+  const std::vector<std::uint64_t>& seenSamples() const { return m_seenSamples; }
+  // That view again, by the high-end path with one of the prepared scene's lights out: the picture's colour. Only where
+  // there are seenSamples.
+  base::Image renderWithout(std::size_t light, const scenes::Camera& camera);
+
   // What the mobile path leaves out.
   std::vector<std::string> notes() const;
   // What the pictures so far leave out, in every path.
@@ -48,21 +57,30 @@ private:
   // By every path, laid over what is in `view` already.
   void shade(const gpu::Surface& surface, const scenes::Camera& camera, std::uint32_t stream,
              const reference::Progress& progress, ViewBuilder& view);
+  // The surfaces of the view that was rendered last, those that were kept, else rasterised again: for each `lay` shades
+  // it into the frames.
+  void layAgain(const scenes::Camera& camera, std::span<gpu::FrameBuilder* const> frames, Work& work,
+                const std::function<void(const gpu::Surface&)>& lay);
+  gpu::FrameBuilder makeFrame(bool terms) const;
   void countSurface(const gpu::Surface& surface, Work& work) const;
   void requireTextures(const gpu::VisibleLayers& visible);
 
   Context& m_context;
   const PreparedScene& m_prepared;
+  std::size_t m_views;
   gpu::PermutationBudget m_budget;
   Work m_work, m_again; // by render and by addTerms
   gpu::SceneBuffers m_buffers;
   gpu::SurfacePass m_surfacePass;
-  std::vector<gpu::Surface> m_kept; // all of the last view, where addTerms may need them: a picture in one part
-  std::uint64_t m_cutPixels = 0;    // of all views, with more blended layers than are shown
+  std::vector<gpu::Surface> m_kept; // all of the last view, where it may be shaded again: a picture in one part
+  bool m_mayDropLights = false;     // and the run wants to know what they do
+  std::vector<std::uint64_t> m_seenSamples;
+  std::uint64_t m_cutPixels = 0; // of all views, with more blended layers than are shown
   // Each path reads its own kind.
   std::optional<gpu::EnvironmentMaps> m_environment, m_mobileEnvironment;
   std::optional<gpu::ShadowMaps> m_shadowMaps, m_spotShadowMap; // of all lights; mobile's where those are not there
-  std::unique_ptr<highend::Renderer> m_highend, m_highendTerms; // those with terms are made when first needed
+  // Those with terms, and that whose lights are switched, are made when first needed.
+  std::unique_ptr<highend::Renderer> m_highend, m_highendTerms, m_highendSwitched;
   std::unique_ptr<mobile::Renderer> m_mobile, m_mobileTerms;
   std::optional<ReferencePath> m_reference;
 };

@@ -42,7 +42,8 @@ struct Settings {
   std::vector<std::string> metrics = compare::defaultMetrics(); // reported, besides what the budgets name
   bool terms = false;
   Attribution attribution = Attribution::none; // `all` needs the terms
-  bool costs = false;                          // count what each permutation costs
+  int droppedLights = 0;  // of each view, the lights dropped by mobile whose effect is measured; 0: not looked at
+  bool costs = false;     // count what each permutation costs
   bool extractSun = true; // bright compact sources of environments become lights; scene by scene: SuiteEntry
   bool truth = false;     // also hold both paths against the reference; needs the terms
   mobile::Options mobile;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "shading/shading.h"
 
@@ -35,9 +36,14 @@ bool coneMayTouch(const scenes::Light& light, const Sphere& sphere) {
   return angle <= light.outerConeAngle + std::asin(sphere.radius / distance);
 }
 
+// Of the point of the sphere that is nearest to the light.
+float distanceTo(const scenes::Light& light, const Sphere& sphere) {
+  return std::max(glm::length(light.position - sphere.center) - sphere.radius, 0.f);
+}
+
 float rank(const scenes::Light& light, const Sphere& sphere) {
   if (light.kind == scenes::LightKind::spot && !coneMayTouch(light, sphere)) return 0;
-  const float distance = std::max(glm::length(light.position - sphere.center) - sphere.radius, 0.f);
+  const float distance = distanceTo(light, sphere);
   return luminanceOf(light.color) *
          static_cast<float>(shading::f32::squareFalloffUE4(distance * distance, light.range));
 }
@@ -48,6 +54,31 @@ std::optional<std::size_t> brightest(std::span<const scenes::Light> lights, scen
   for (std::size_t i = 0; i < lights.size(); ++i)
     if (lights[i].kind == kind && (!best || luminanceOf(lights[i].color) > luminanceOf(lights[*best].color))) best = i;
   return best;
+}
+
+// About the mean over the object of a light of this rank: that is of the nearest point, and has no bound within the
+// sphere; the object's surface lies about half a radius away, and a light that fades before it lights a part of it.
+float meanOver(const Sphere& sphere, const scenes::Light& light, float rank) {
+  const float d2 = distanceTo(light, sphere) * distanceTo(light, sphere) + 1e-4f; // as squareFalloffUE4 softens it
+  return rank * std::min(4 * d2 / (sphere.radius * sphere.radius), 1.f);
+}
+
+struct RankedLight {
+  float rank = 0, mean = 0;
+  std::uint32_t light = 0;
+};
+
+// The local lights that reach the instance, the brightest first.
+std::vector<RankedLight> rankLocalLights(const scenes::Scene& scene, const scenes::Instance& instance,
+                                         std::span<const scenes::Light> lights) {
+  const Sphere sphere = boundingSphere(scene, instance);
+  std::vector<RankedLight> ranked;
+  for (std::uint32_t i = 0; i < lights.size(); ++i) {
+    if (lights[i].kind == scenes::LightKind::directional) continue;
+    if (const float r = rank(lights[i], sphere); r > 0) ranked.push_back({r, meanOver(sphere, lights[i], r), i});
+  }
+  std::ranges::stable_sort(ranked, std::greater<>(), &RankedLight::rank);
+  return ranked;
 }
 
 } // namespace
@@ -64,19 +95,41 @@ std::vector<std::array<std::uint32_t, kLightsPerObject>> chooseLocalLights(const
                                                                            std::span<const scenes::Light> lights) {
   std::vector<std::array<std::uint32_t, kLightsPerObject>> chosen;
   for (const scenes::Instance& instance : scene.instances) {
-    const Sphere sphere = boundingSphere(scene, instance);
-    std::vector<std::pair<float, std::uint32_t>> ranked;
-    for (std::uint32_t i = 0; i < lights.size(); ++i) {
-      if (lights[i].kind == scenes::LightKind::directional) continue;
-      if (const float r = rank(lights[i], sphere); r > 0) ranked.emplace_back(r, i);
-    }
-    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    const std::vector<RankedLight> ranked = rankLocalLights(scene, instance, lights);
     auto& slots = chosen.emplace_back();
     slots.fill(kNoLight);
-    for (std::size_t k = 0; k < std::min<std::size_t>(ranked.size(), kLightsPerObject); ++k)
-      slots[k] = ranked[k].second;
+    for (std::size_t k = 0; k < std::min<std::size_t>(ranked.size(), kLightsPerObject); ++k) slots[k] = ranked[k].light;
   }
   return chosen;
+}
+
+std::vector<LightUse> countLightUse(const scenes::Scene& scene, std::span<const scenes::Light> lights, bool localLights,
+                                    std::span<const std::uint64_t> pixels) {
+  std::vector<LightUse> uses(lights.size());
+  const auto sun = chooseSun(lights);
+  const std::size_t kept = localLights ? kLightsPerObject : 0;
+  for (std::uint32_t object = 0; object < scene.instances.size(); ++object) {
+    if (pixels[object] == 0) continue;
+    const auto count = [&](std::size_t light, float brightness, bool keeps) {
+      LightUse& use = uses[light];
+      if (keeps) return void(++use.keptBy);
+      use.droppedBy.push_back(object);
+      use.effect += static_cast<double>(brightness) * static_cast<double>(pixels[object]);
+    };
+    for (std::size_t i = 0; i < lights.size(); ++i)
+      if (const float brightness = luminanceOf(lights[i].color);
+          lights[i].kind == scenes::LightKind::directional && brightness > 0)
+        count(i, brightness, i == sun);
+    const std::vector<RankedLight> ranked = rankLocalLights(scene, scene.instances[object], lights);
+    for (std::size_t k = 0; k < ranked.size(); ++k) count(ranked[k].light, ranked[k].mean, k < kept);
+  }
+  return uses;
+}
+
+bool mayDropLights(std::span<const scenes::Light> lights, bool localLights) {
+  const auto suns = std::ranges::count(lights, scenes::LightKind::directional, &scenes::Light::kind);
+  const std::size_t locals = lights.size() - static_cast<std::size_t>(suns);
+  return suns > 1 || locals > (localLights ? kLightsPerObject : 0);
 }
 
 } // namespace parity::mobile

@@ -1,4 +1,4 @@
-// Which lights the mobile path evaluates: one sun, and up to four local lights an object.
+// Which lights the mobile path evaluates, one sun and up to four local lights an object; and which it drops.
 #pragma once
 
 #include <array>
@@ -28,5 +28,24 @@ std::optional<std::size_t> chooseShadowSpot(std::span<const scenes::Light> light
 // touch the sphere; ties go to the lower index; lights whose range or cone does not reach the sphere are left out.
 std::vector<std::array<std::uint32_t, kLightsPerObject>> chooseLocalLights(const scenes::Scene& scene,
                                                                            std::span<const scenes::Light> lights);
+
+// How a light fares on the mobile path, over the objects that are asked about.
+struct LightUse {
+  std::size_t keptBy = 0;               // objects that are shaded with it
+  std::vector<std::uint32_t> droppedBy; // instances that it reaches, and that do without it
+  // An estimate of what they lack: the sum over those of illuminance times `pixels`. That is the rank above, but of a
+  // light nearer than half the sphere's radius as if it were so far away.
+  double effect = 0;
+};
+
+// Of each light, over the instances with pixels. Directional lights reach every object, all but chooseSun's are
+// dropped; of local lights those that an object's range and cone rule lets in and that are none of its four; all of
+// these where localLights is false (they are baked). A light that is black reaches nothing. pixels: a number for each
+// instance, 0: not asked about.
+std::vector<LightUse> countLightUse(const scenes::Scene& scene, std::span<const scenes::Light> lights, bool localLights,
+                                    std::span<const std::uint64_t> pixels);
+
+// Whether countLightUse can find any to be dropped; quick.
+bool mayDropLights(std::span<const scenes::Light> lights, bool localLights);
 
 } // namespace parity::mobile

@@ -45,8 +45,9 @@ const std::vector<std::string> kCommon = {"--size",
                                           "--diffuse",
                                           "--compensation",
                                           "--off-specular"};
-const std::vector<std::string> kVerdict = {"--material", "--budgets",  "--json",    "--warn-exit", "--terms",
-                                           "--baseline", "--annotate", "--metrics", "--costs"};
+const std::vector<std::string> kVerdict = {"--material", "--budgets",     "--json",          "--warn-exit",
+                                           "--terms",    "--baseline",    "--annotate",      "--metrics",
+                                           "--costs",    "--attribution", "--dropped-lights"};
 
 void expectHelp(const std::vector<std::string>& arguments, const std::vector<std::string>& mentioned) {
   const RunResult result = runParity(arguments);

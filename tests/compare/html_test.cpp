@@ -50,6 +50,7 @@ TEST(Html, EveryTextOfAReportIsEscaped) {
         view.images = {text, text, text};
         view.pixels = {text, text};
         view.truth = Truth{{}, {}, {{text, 1, 2, 3, {}, {}}}, {text}, {text, text, text}};
+        view.droppedLights = makeDroppedLights(text, text, text);
         view.rule = {text, text, text, false, text, 1};
         for (MaterialResult& material : view.materials) {
           material.name = material.reason = text;

@@ -70,6 +70,20 @@ TEST(ReportJson, HoldsWhatTheReportHolds) {
   EXPECT_EQ(metal["budget"]["rule"], "built-in");
 }
 
+TEST(ReportJson, DroppedLightsStandInTheirViewAndNowhereWithoutThem) {
+  Report report = makeSampleReport();
+  report.scenes[0].views[1].droppedLights = makeDroppedLights();
+  const ordered_json document = ordered_json::parse(toJson(report));
+  EXPECT_FALSE(document["scenes"][0]["views"][0].contains("droppedLights"));
+  EXPECT_EQ(document["scenes"][0]["views"][1]["droppedLights"].dump(), ordered_json::parse(R"({"lights":5,"measured":[
+    {"name":"lamp 1","kind":"spot","keptBy":0,"droppedBy":2,"materials":[
+      {"name":"Glass","region":"all","flip":0.02},{"name":"Rough metal","region":"interior","flip":0.031}]},
+    {"name":"lamp 2","kind":"point","keptBy":3,"droppedBy":1,"materials":[
+      {"name":"Glass","region":"interior","flip":0.25}]}],
+    "notMeasured":["lamp 3","lamp 4"]})")
+                                                                           .dump());
+}
+
 TEST(ReportJson, WhatIsNotSeenHasNoFiguresRatherThanZeros) {
   const ordered_json document = ordered_json::parse(toJson(makeSampleReport()));
   const ordered_json& screw = document["scenes"][0]["views"][0]["materials"][3];

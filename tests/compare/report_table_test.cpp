@@ -43,6 +43,20 @@ TEST(ReportTable, EachMaterialAndViewIsARow) {
                           "not compared: 1)");
 }
 
+TEST(ReportTable, DroppedLightsAreALineBelowTheirViewThatCannotSteerTheTerminal) {
+  Report report = makeSampleReport();
+  report.scenes[0].views[1].droppedLights = makeDroppedLights("\x1b[31mlamp");
+  const auto lines = linesOf(toTable(report, false));
+  const auto isTold = [](const std::string& line) {
+    return line.starts_with("  mobile drops 4 of 5 lights; without '");
+  };
+  const auto line = std::ranges::find_if(lines, isTold);
+  ASSERT_NE(line, lines.end());
+  EXPECT_NE((line - 1)->find("whole image"), std::string::npos);
+  EXPECT_EQ(std::ranges::count_if(lines, isTold), 1);
+  EXPECT_EQ(line->find('\x1b'), std::string::npos);
+}
+
 TEST(ReportTable, ABaselineAddsAColumn) {
   const auto lines = linesOf(toTable(makeSampleReportSince(), false));
   for (const std::size_t row : {3, 6}) // Rough metal, Bulb

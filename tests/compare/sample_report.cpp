@@ -188,6 +188,13 @@ RunInfo makeSampleRun() {
   return {"2024-05-01T12:00:00Z", "parity report Lamp.gltf -o out", {{"load", 120.5}, {"render", 830}}, 0, {}};
 }
 
+DroppedLights makeDroppedLights(const std::string& light, const std::string& material, const std::string& more) {
+  DroppedLights dropped{.lights = 5, .measured = {}, .notMeasured = {light + " 3", light + " 4"}};
+  dropped.measured = {{light + " 1", "spot", 0, 2, {{material, "all", 0.02}, {more, "interior", 0.031}}},
+                      {light + " 2", "point", 3, 1, {{material, "interior", 0.25}}}};
+  return dropped;
+}
+
 std::vector<std::string> hostileNames() {
   return {"<script>alert(1)</script>",
           "\"' onmouseover='alert(1)\" x=\"",

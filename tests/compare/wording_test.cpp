@@ -188,5 +188,43 @@ TEST(Wording, CauseIsTheTermThatExplainsMost) {
   EXPECT_EQ(describeCause({"all", 0.0004, {{"fog", 0}}}), "") << "there is nothing to explain";
 }
 
+TEST(Wording, DroppedLightsAreNamedByWhatTheyDo) {
+  DroppedLights dropped = makeDroppedLights();
+  rankByEffect(dropped);
+  EXPECT_EQ(describe(dropped),
+            "mobile drops 4 of 5 lights; without 'lamp 2' the high-end picture of 'Glass' changes by "
+            "FLIP 0.250, without 'lamp 1' of 'Rough metal' by 0.031; 2 more were not measured "
+            "(--dropped-lights)");
+  for (int i = 0; i < 4; ++i) dropped.measured.push_back(dropped.measured[0]);
+  dropped.notMeasured.resize(1);
+  const std::string many = describe(dropped);
+  EXPECT_NE(many.find("7 of 5"), std::string::npos);
+  std::size_t named = 0;
+  for (std::size_t at = many.find("without '"); at != std::string::npos; at = many.find("without '", at + 1)) ++named;
+  EXPECT_EQ(named, 3u) << "at most: " << many;
+  EXPECT_TRUE(many.ends_with("; 1 more was not measured (--dropped-lights)")) << many;
+
+  dropped = makeDroppedLights();
+  for (DroppedLight& light : dropped.measured)
+    for (LightEffect& effect : light.materials) effect.flip = 0.0004;
+  dropped.notMeasured.clear();
+  EXPECT_EQ(describe(dropped),
+            "mobile drops 2 of 5 lights; without any one of those measured the high-end picture looks the same");
+  dropped.measured[0].materials.clear(); // all of it is see-through
+  rankByEffect(dropped);
+  EXPECT_EQ(dropped.measured[0].name, "lamp 2");
+}
+
+TEST(Wording, DroppedLightsAndTheirMaterialsAreRankedAndEqualOnesKeepTheirOrder) {
+  DroppedLights dropped = makeDroppedLights();
+  dropped.measured.push_back(dropped.measured[1]);
+  dropped.measured[2].name = "as much as lamp 2";
+  rankByEffect(dropped);
+  EXPECT_EQ(dropped.measured[0].name, "lamp 2");
+  EXPECT_EQ(dropped.measured[1].name, "as much as lamp 2");
+  EXPECT_EQ(dropped.measured[2].materials[0].material, "Rough metal");
+  EXPECT_EQ(dropped.measured[2].materials[1].material, "Glass");
+}
+
 } // namespace
 } // namespace parity::compare

@@ -103,6 +103,8 @@ void writeGrid(const fs::path& folder, int scenes, int viewsEach, int materialsE
         addEvidence(material);
         view.materials.push_back(std::move(material));
       }
+      view.droppedLights = compare::makeDroppedLights("lamp", view.materials[0].name, view.materials[1].name);
+      compare::rankByEffect(*view.droppedLights);
       scene.views.push_back(std::move(view));
     }
     report.scenes.push_back(std::move(scene));
@@ -156,6 +158,7 @@ void writeEvil(const fs::path& folder) {
     material.rule.reason = material.rule.owner = attack;
     view.materials.push_back(std::move(material));
   }
+  view.droppedLights = compare::makeDroppedLights(attack, view.materials[0].name, attack);
   scene.views.push_back(std::move(view));
   compare::SceneResult failed;
   failed.name = failed.source = attack;

@@ -2,7 +2,9 @@
 #include "support/device.h"
 #include "support/small_scenes.h"
 
+#include <cmath>
 #include <random>
+#include <set>
 
 #include "gpu/surface_pass.h"
 #include "highend/light_culling.h"
@@ -96,6 +98,47 @@ TEST_F(LightCullingTest, leavesThePictureOfOneKindOfLightAsItIs) {
     auto lights = makeLights(40, 5);
     for (scenes::Light& light : lights) light.kind = kind;
     expectSame(shade(lights, true, {}), shade(lights, false, {}));
+  }
+}
+
+// Lights are reordered on their way to the device: each kind is switched by its place in the list that was given, with
+// lists of lights and, of few, without.
+TEST_F(LightCullingTest, aSwitchedLightIsTheOneAskedForAndComesBack) {
+  const gpu::SceneBuffers buffers(device(), m_field.scene);
+  const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
+  const auto surfaces = pass.render(m_field.camera, {0, kSize}, glm::vec2(0.5f));
+  for (const std::size_t count : {6u, 70u}) {
+    std::vector<scenes::Light> lights = makeLights(count, 3);
+    lights[1].position = {0, 0, 3}; // the spot, where it is seen
+    lights[1].direction = {0, 0, -1};
+    lights[1].range = 10;
+    Inputs inputs;
+    inputs.lights = lights;
+    inputs.terms = true;
+    Renderer renderer(device(), buffers, pass.binKinds(), inputs, m_options);
+    const auto shadeAll = [&] { return renderer.shade(surfaces.front(), m_field.camera); };
+    const gpu::ShadedSurface whole = shadeAll();
+    std::set<scenes::LightKind> kinds;
+    for (const std::size_t off : {0u, 1u, 2u, 3u}) { // 2 is directional, 3 has no range
+      kinds.insert(lights[off].kind);
+      std::vector<scenes::Light> others = lights;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(off));
+      const gpu::ShadedSurface wanted = shade(others, true, {});
+      renderer.switchLight(off, false);
+      const gpu::ShadedSurface switched = shadeAll();
+      ASSERT_EQ(switched.color.size(), wanted.color.size());
+      double differs = 0, worst = 0; // from all lights; from the renderer without it
+      for (std::size_t i = 0; i < wanted.color.size(); ++i)
+        for (int c = 0; c < 3; ++c) {
+          differs = std::max(differs, std::abs(1.0 * switched.color[i][c] - whole.color[i][c]));
+          worst = std::max(worst, std::abs(1.0 * switched.color[i][c] - wanted.color[i][c]) / (wanted.color[i][c] + 1));
+        }
+      EXPECT_GT(differs, 1e-4) << off;
+      EXPECT_LT(worst, 1e-6) << off; // another loop may be rounded otherwise
+      renderer.switchLight(off, true);
+    }
+    EXPECT_EQ(kinds.size(), 3u);
+    expectSame(shadeAll(), whole);
   }
 }
 

@@ -1,4 +1,7 @@
 // Which lights the mobile path evaluates.
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -69,6 +72,104 @@ TEST(LightChoice, isMadePerObject) {
   const auto chosen = chooseLocalLights(scene, lights);
   EXPECT_EQ(chosen[0][0], 0u);
   EXPECT_EQ(chosen[1][0], 1u);
+}
+
+// Seven of nine lights reach; each of the five that are left over is dropped by the object it is left over at.
+TEST(LightUse, droppedAreThoseBeyondFourThatReach) {
+  scenes::Scene scene = tests::makeQuadScene();
+  scene.instances.push_back({0, tests::translation(100, 0, 0), "far right"});
+  std::vector<scenes::Light> lights(7, makeLight(scenes::LightKind::point, 10));
+  for (scenes::Light& light : lights) light.range = 20; // not as far as the second object
+  lights[6].position.x = 100;                           // at that one alone
+  lights.push_back(makeLight(scenes::LightKind::point, 1000, {0, 0, 50}));
+  lights.back().range = 20; // reaches neither
+  lights.push_back(makeLight(scenes::LightKind::spot, 1000));
+  lights.back().direction = {0, 0, 1}; // shines away from both
+  lights.back().outerConeAngle = 0.3f;
+  const std::uint64_t pixels[] = {10, 30};
+  const std::vector<LightUse> uses = countLightUse(scene, lights, true, pixels);
+  ASSERT_EQ(uses.size(), lights.size());
+  for (const std::size_t kept : {0, 1, 2, 3, 6}) { // of equal ones the first
+    EXPECT_EQ(uses[kept].keptBy, 1u) << kept;
+    EXPECT_TRUE(uses[kept].droppedBy.empty()) << kept;
+    EXPECT_EQ(uses[kept].effect, 0) << kept;
+  }
+  for (const std::size_t dropped : {4, 5}) {
+    EXPECT_EQ(uses[dropped].keptBy, 0u);
+    EXPECT_EQ(uses[dropped].droppedBy, std::vector<std::uint32_t>{0});
+    // Luminance 10, sphere of radius sqrt(2) about the origin, 5 m away; UE4's window of the range, 10 pixels.
+    const double d = 5 - std::sqrt(2.0), window = 1 - std::pow(d / 20, 4);
+    EXPECT_NEAR(uses[dropped].effect, 10 * window * window / (d * d + 1e-4) * 10, 1e-3);
+  }
+  for (const std::size_t outside : {7, 8}) EXPECT_EQ(uses[outside].keptBy + uses[outside].droppedBy.size(), 0u);
+}
+
+// The same rule as the shaders' slots: who is in an object's four is not dropped by it, whoever else is asked about.
+TEST(LightUse, agreesWithWhatEachObjectIsGiven) {
+  scenes::Scene scene = tests::makeQuadScene();
+  for (int i = 1; i < 5; ++i)
+    scene.instances.push_back({0, tests::translation(static_cast<float>(3 * i), 0, 0), "one of a row"});
+  std::vector<scenes::Light> lights;
+  for (int i = 0; i < 12; ++i)
+    lights.push_back(makeLight(scenes::LightKind::point, 1 + static_cast<float>(i % 5), {static_cast<float>(i), 1, 2}));
+  const auto chosen = chooseLocalLights(scene, lights);
+  const std::uint64_t pixels[] = {1, 1, 0, 1, 1};
+  const std::vector<LightUse> uses = countLightUse(scene, lights, true, pixels);
+  for (std::uint32_t i = 0; i < lights.size(); ++i) {
+    std::size_t kept = 0;
+    std::vector<std::uint32_t> without;
+    for (std::uint32_t object = 0; object < chosen.size(); ++object) {
+      if (pixels[object] == 0) continue;
+      if (std::ranges::find(chosen[object], i) != chosen[object].end())
+        ++kept;
+      else
+        without.push_back(object);
+    }
+    EXPECT_EQ(uses[i].keptBy, kept) << i;
+    EXPECT_EQ(uses[i].droppedBy, without) << i;
+  }
+}
+
+TEST(LightUse, allSunsButOneAreDroppedAndBakedLightsWithoutException) {
+  using enum scenes::LightKind;
+  const scenes::Scene scene = tests::makeQuadScene();
+  const std::vector<scenes::Light> lights = {makeLight(directional, 2), makeLight(directional, 3), makeLight(point, 5),
+                                             makeLight(directional, 0), makeLight(directional, 3)};
+  const std::uint64_t pixels[] = {7};
+  const std::vector<LightUse> uses = countLightUse(scene, lights, true, pixels);
+  const std::vector<std::uint32_t> theQuad = {0}, none = {};
+  EXPECT_EQ(uses[0].droppedBy, theQuad);
+  EXPECT_FLOAT_EQ(static_cast<float>(uses[0].effect), 2 * 7);
+  EXPECT_EQ(uses[1].keptBy, 1u);
+  EXPECT_EQ(uses[2].keptBy, 1u);
+  EXPECT_EQ(uses[3].keptBy + uses[3].droppedBy.size(), 0u) << "a black light";
+  EXPECT_EQ(uses[4].droppedBy, theQuad) << "as bright as the first";
+  EXPECT_EQ(countLightUse(scene, lights, false, pixels)[2].droppedBy, theQuad);
+  const std::uint64_t unseen[] = {0};
+  for (const LightUse& use : countLightUse(scene, lights, false, unseen)) EXPECT_EQ(use.droppedBy, none);
+}
+
+// Within an object's sphere the rank is that of the light itself: it would outweigh all that other objects lack.
+TEST(LightUse, theEffectOfALightWithinAnObjectIsBounded) {
+  const scenes::Scene scene = tests::makeQuadScene();
+  std::vector<scenes::Light> lights(2, makeLight(scenes::LightKind::point, 3, {0, 0, 0.2f}));
+  lights[1].range = 0.3f; // fades before it lights all of the object
+  const std::uint64_t pixels[] = {5};
+  for (const LightUse& use : countLightUse(scene, lights, false, pixels))
+    EXPECT_NEAR(use.effect, 3 / 0.5 * 5, 1e-3); // half the radius of sqrt(2), squared
+}
+
+TEST(LightUse, nothingCanBeDroppedOfFewLights) {
+  using enum scenes::LightKind;
+  std::vector<scenes::Light> lights(4, makeLight(point, 5));
+  lights.push_back(makeLight(directional, 1));
+  EXPECT_FALSE(mayDropLights(lights, true));
+  EXPECT_TRUE(mayDropLights(lights, false));
+  EXPECT_FALSE(mayDropLights(std::span(lights).last(1), false));
+  lights.push_back(makeLight(directional, 1));
+  EXPECT_TRUE(mayDropLights(lights, true));
+  lights[5].kind = spot;
+  EXPECT_TRUE(mayDropLights(lights, true));
 }
 
 TEST(Presets, areFoundByNameAndUnknownOnesNameTheKnown) {

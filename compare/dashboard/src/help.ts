@@ -12,6 +12,7 @@ export const kHelp = {
   bias: "Mobile against high-end, on average: how much darker or brighter, and which way its tint goes.",
   worstTerm: "The term whose swap to the high-end path's lowers this material's FLIP most: the likely cause.",
   attribution: "What mean FLIP becomes if mobile takes this one term from the high-end path and keeps all others.",
+  droppedLights: "The mobile path gives an object one sun and at most four local lights. FLIP here is the high-end picture without the light against that with all lights: what the light does, not what mobile makes of it.",
   termLight: "Mean light of this term over the material, by path, in the scene's own units.",
   budget: "The value against its limits: the first mark warns, the second fails.",
   baseline: "The change since the earlier report that this run was held against.",

@@ -113,6 +113,21 @@ export interface Material extends Judged {
   attribution?: Attribution;
 }
 
+/** Lights that mobile drops from objects of a view. */
+export interface DroppedLights {
+  lights: number;
+  measured: DroppedLight[]; // the most effect first
+  notMeasured: string[];
+}
+
+export interface DroppedLight {
+  name: string;
+  kind: "directional" | "point" | "spot";
+  keptBy: number; // objects
+  droppedBy: number;
+  materials: { name: string; region: "interior" | "all"; flip: number }[]; // the most changed first
+}
+
 export interface View {
   name: string;
   width: number;
@@ -123,6 +138,7 @@ export interface View {
   images: Images;
   exposureEv: number;
   pixels: { color: string; terms: string };
+  droppedLights?: DroppedLights;
 }
 
 export interface Pass {

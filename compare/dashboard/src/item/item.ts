@@ -12,6 +12,7 @@ import { badge } from "../parts";
 import "../viewer/viewer";
 import type { ParityViewer } from "../viewer/viewer";
 import { checkTable } from "./checks";
+import { describeDropped, lightsOf } from "./dropped_lights";
 import "./numbers";
 import "./terms";
 
@@ -94,11 +95,24 @@ export class ParityItem extends LitElement {
           ? html`<span>FLIP mean ${value("flip.mean")}${help("mean")}, p95 ${value("flip.p95")}${help("p95")}, max ${value("flip.max")}${help("max")} over ${main.region === "interior" ? "interior pixels" : "all pixels"}${help(main.region)} of ${count(row.pixels)}${help("pixels")}</span>`
           : nothing}
         ${row.cause ? html`<span>Cause: <b>${row.cause.term}</b>, ${figure(row.cause.before, report.statistics["flip.mean"])} → ${figure(row.cause.after, report.statistics["flip.mean"])} with high-end's${help("worstTerm")}</span>` : nothing}
+        ${this.renderDropped()}
       </p>
       <parity-viewer .report=${report} .scene=${row.scene} .view=${row.view} .material=${row.material} .state=${this.state}></parity-viewer>
       ${row.judged ? checkTable(row.judged, report) : nothing}
       ${notes.length > 0 ? html`<ul class="notes">${notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
     `;
+  }
+
+  /** One light's effect in a line; all of them stand by the terms. */
+  private renderDropped(): TemplateResult | typeof nothing {
+    const { report } = this.page;
+    const { row } = this;
+    const dropped = report.scenes[row.scene]?.views[row.view]?.droppedLights;
+    if (!dropped) return nothing;
+    const flip = (value: number): string => figure(value, report.statistics["flip.mean"]);
+    if (row.kind !== "material") return html`<span>${describeDropped(dropped)}${help("droppedLights")}</span>`;
+    const first = lightsOf(dropped, row.name)[0];
+    return first ? html`<span>Dropped light: <b><bdi>${first.light.name}</bdi></b>, FLIP ${flip(first.flip)} without it${help("droppedLights")}</span>` : nothing;
   }
 
   private renderTerms(): TemplateResult {

@@ -1,4 +1,5 @@
-// Which term makes the two differ: in words first, then what each swap does, then the terms' pictures.
+// Which term makes the two differ: in words first, then what each swap does, the lights that mobile
+// drops, then the terms' pictures.
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
@@ -9,6 +10,7 @@ import type { Attribution, Material, Report } from "../data/types";
 import { figure, fixed, signed } from "../format";
 import { help } from "../help";
 import "../viewer/term_image";
+import { droppedLights } from "./dropped_lights";
 import { describeTerm, effectOf } from "./term_words";
 
 @customElement("parity-terms")
@@ -30,6 +32,7 @@ export class ParityTerms extends LitElement {
     return html`<section class="terms">
       <p class="bias-words"><b>${row.bias === "" ? "Nothing is seen of it." : row.bias}</b>${row.bias === "" ? nothing : help("bias")}</p>
       ${material?.attribution ? this.renderAttribution(material.attribution) : this.renderWhyNone(material)}
+      ${droppedLights(this.report.scenes[row.scene]?.views[row.view], row.kind === "material" ? row.name : null, this.report)}
       ${this.renderTerms(material)}
     </section>`;
   }

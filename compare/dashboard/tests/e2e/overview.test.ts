@@ -28,6 +28,17 @@ describe("the overview of 500 materials", () => {
     expect(await page.locator("parity-item .notes li").allTextContents()).toContain("not modelled: clearcoat, sheen");
   });
 
+  it("says which lights mobile drops from a material, and from a view, and what they do", async () => {
+    const { page } = await openReport(browser, reportFolder("many"), "#scene=0&view=0&material=0&tab=terms");
+    await page.waitForSelector(".dropped-lights tbody tr");
+    expect(await page.locator(".dropped-lights tbody th").allTextContents()).toEqual(["lamp 2", "lamp 1"]);
+    expect(await page.textContent(".dropped-lights tbody tr >> nth=0")).toContain("0.250");
+    const { page: view } = await openReport(browser, reportFolder("many"), "#scene=0&view=0&material=-1&tab=terms");
+    await view.waitForSelector(".dropped-lights tbody tr");
+    expect(await view.textContent(".dropped-lights tbody tr >> nth=1")).toContain("Material 2 0.031, Material 1 0.020");
+    expect(await view.textContent(".dropped-lights details")).toContain("lamp 4");
+  });
+
   it("finds by words, filters by verdict and cause, and says how many are left", async () => {
     const { page } = await openReport(browser, reportFolder("many"));
     const caused = makeRows(readReport("many")).filter((row) => row.cause?.term === "skySpecular").length;

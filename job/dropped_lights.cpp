@@ -1,0 +1,95 @@
+#include "job/dropped_lights.h"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+#include <set>
+
+#include "compare/measure.h"
+#include "compare/wording.h"
+#include "mobile/light_choice.h"
+#include "scenes/light_names.h"
+
+namespace parity::job {
+
+namespace {
+
+std::size_t materialOf(const scenes::Scene& scene, std::size_t instance) {
+  return scene.meshes[scene.instances[instance].mesh].material;
+}
+
+// Samples of the objects that may lack a light: an unlit one does not, and of others the report says nothing.
+std::vector<std::uint64_t> samplesInQuestion(const scenes::Scene& scene, const std::vector<std::size_t>& materials,
+                                             std::vector<std::uint64_t> samples) {
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (const std::size_t m = materialOf(scene, i);
+        scene.materials[m].unlit || std::ranges::find(materials, m) == materials.end())
+      samples[i] = 0;
+  return samples;
+}
+
+// Mean FLIP of `test` against high-end's picture, over each of the materials that has pixels.
+std::vector<compare::LightEffect> effectsOn(const std::set<std::size_t>& materials, const scenes::Scene& scene,
+                                            const ViewFrames& frames, const Displayed& reference,
+                                            const Displayed& test) {
+  std::vector<base::PixelList> lists;
+  for (const std::size_t m : materials) lists.push_back(frames.coverage[m]);
+  // What is no number in both is not the light's doing: black in both.
+  std::vector<std::uint32_t> invalid;
+  std::ranges::set_symmetric_difference(reference.nonFinite, test.nonFinite, std::back_inserter(invalid));
+  compare::MeasureRequest request;
+  request.statistics = {"flip.mean"};
+  const compare::Measurement measured =
+      compare::measureRegions({.reference = reference.pixels, .test = test.pixels, .invalid = invalid}, lists, request);
+  std::vector<compare::LightEffect> effects;
+  for (auto m = materials.begin(); const compare::RegionFigures& region : measured.regions) {
+    const compare::Figures& figures = compare::mainFigures(region);
+    const std::string& name = scene.materials[*m++].name;
+    if (const std::optional<double> flip = figures.find("flip.mean"); flip && figures.pixels > 0)
+      effects.push_back({name, region.interior.pixels > 0 ? "interior" : "all", *flip});
+  }
+  return effects;
+}
+
+} // namespace
+
+std::optional<compare::DroppedLights> measureDroppedLights(Context& context, const PreparedScene& prepared,
+                                                           SceneRenderer& renderer, const scenes::Camera& camera,
+                                                           const ViewFrames& frames, const ComparedView& compared) {
+  if (renderer.seenSamples().empty()) return std::nullopt;
+  const Settings& settings = context.settings();
+  const scenes::Scene& scene = prepared.scene;
+  const std::vector<scenes::Light>& lights = prepared.mobileLights;
+  const std::vector<mobile::LightUse> uses = mobile::countLightUse(
+      scene, lights, settings.mobile.localLights, samplesInQuestion(scene, compared.materials, renderer.seenSamples()));
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < uses.size(); ++i)
+    if (!uses[i].droppedBy.empty()) order.push_back(i);
+  if (order.empty()) return std::nullopt;
+  std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return uses[i].effect; });
+
+  const std::vector<std::string> names = scenes::lightNames(lights);
+  compare::DroppedLights dropped{.lights = lights.size(), .measured = {}, .notMeasured = {}};
+  for (const std::size_t i : order) {
+    if (dropped.measured.size() >= static_cast<std::size_t>(settings.droppedLights)) {
+      dropped.notMeasured.push_back(names[i]);
+      continue;
+    }
+    // Its place among the high-end path's: mobile has the same but for a sun of the environment, which it keeps.
+    assert(i < prepared.lights.size() && prepared.lights[i].name == lights[i].name);
+    const base::Image color = renderer.renderWithout(i, camera);
+    const base::Stopwatch watch(&context.timings(), "dropped lights");
+    std::set<std::size_t> materials;
+    for (const std::uint32_t instance : uses[i].droppedBy) materials.insert(materialOf(scene, instance));
+    dropped.measured.push_back({.name = names[i],
+                                .kind = scenes::nameOf(lights[i].kind),
+                                .keptBy = uses[i].keptBy,
+                                .droppedBy = uses[i].droppedBy.size(),
+                                .materials = effectsOn(materials, scene, frames, compared.highend,
+                                                       displayImage(color, context.display(), prepared.exposureEv))});
+  }
+  compare::rankByEffect(dropped);
+  return dropped;
+}
+
+} // namespace parity::job
