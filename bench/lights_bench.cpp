@@ -1,18 +1,21 @@
 // What local lights cost the high-end path: many of them, of which a pixel sees eight, against ten of which it sees
-// eight.
+// eight; more pixels; with shadow maps, and drawing those.
 //   build/bench_lights
-// Shading of 640 x 480 pixels, the lists of lights included; counters: pixels, lights that reach one on average.
+// Shading of 640 x 480 pixels, the lists of lights included; counters: pixels, lights that reach one on average, maps.
+// Last, exponents k of t = c n^k through the largest three n of each.
 #include <cmath>
 #include <map>
 #include <memory>
 #include <random>
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "gpu/surface_pass.h"
 #include "highend/renderer.h"
 #include "scenes/shapes.h"
+#include "sweep/statistics.h"
 
 namespace parity::bench {
 namespace {
@@ -48,17 +51,29 @@ struct Stage {
   scenes::Scene scene = makeField();
   scenes::Camera camera = makeCamera();
   gpu::SceneBuffers buffers{device, scene};
-  gpu::SurfacePass pass{device, buffers, kWidth, kHeight};
-  gpu::Surface surface = std::move(pass.render(camera, {0, kHeight}, glm::vec2(0.5f)).front());
 };
 Stage& stage() {
   static Stage stage;
   return stage;
 }
 
+// The field through so many pixels, 4 to 3.
+struct Picture {
+  gpu::SurfacePass pass;
+  gpu::Surface surface;
+  explicit Picture(std::uint32_t width)
+      : pass(stage().device, stage().buffers, width, width * 3 / 4),
+        surface(std::move(pass.render(stage().camera, {0, width * 3 / 4}, glm::vec2(0.5f)).front())) {}
+};
+const Picture& picture() {
+  static const Picture picture(640);
+  return picture;
+}
+
 // How many of the lights reach a pixel.
 double meanReaching(const std::vector<scenes::Light>& lights) {
-  const auto positions = stage().surface.position.downloadAs<glm::vec4>(stage().surface.size());
+  const gpu::Surface& surface = picture().surface;
+  const auto positions = surface.position.downloadAs<glm::vec4>(surface.size());
   std::size_t reaching = 0, pixels = 0;
   for (std::size_t i = 0; i < positions.size(); i += 997, ++pixels)
     for (const scenes::Light& light : lights)
@@ -84,30 +99,90 @@ std::vector<scenes::Light> makeLights(int count, double reaching) {
   return lights;
 }
 
-void shade(benchmark::State& state, int count, double reaching, bool cull) {
-  Stage& s = stage();
-  highend::Inputs inputs;
-  inputs.lights = makeLights(count, reaching);
-  inputs.cullLights = cull;
+void shade(benchmark::State& state, const Picture& seen, highend::Inputs inputs) {
   const highend::Renderer renderer(
-      s.device, s.buffers, s.pass.binKinds(), inputs,
+      stage().device, stage().buffers, seen.pass.binKinds(), inputs,
       {.diffuse = highend::DiffuseLobe::lambert, .compensation = highend::Compensation::none});
-  renderer.shade(s.surface, s.camera); // compiles
-  for (auto _ : state) benchmark::DoNotOptimize(renderer.shade(s.surface, s.camera).color.data());
-  state.counters["pixels"] = static_cast<double>(s.surface.size());
+  renderer.shade(seen.surface, stage().camera); // compiles
+  for (auto _ : state) benchmark::DoNotOptimize(renderer.shade(seen.surface, stage().camera).color.data());
+  state.counters["pixels"] = static_cast<double>(seen.surface.size());
   state.counters["reaching"] = meanReaching(inputs.lights);
 }
 
 // Eight reach a pixel of each.
-void tenLights(benchmark::State& state) { shade(state, 10, 8, true); }
-void manyLights(benchmark::State& state) { shade(state, static_cast<int>(state.range(0)), 8, true); }
-void manyLightsForEveryPixel(benchmark::State& state) { shade(state, static_cast<int>(state.range(0)), 8, false); }
+highend::Inputs lit(std::int64_t count) {
+  highend::Inputs inputs;
+  inputs.lights = makeLights(static_cast<int>(count), 8);
+  return inputs;
+}
+void manyLights(benchmark::State& state) { shade(state, picture(), lit(state.range(0))); }
+void manyLightsForEveryPixel(benchmark::State& state) {
+  highend::Inputs inputs = lit(state.range(0));
+  inputs.cullLights = false;
+  shade(state, picture(), inputs);
+}
+void pixelsOfAThousandLights(benchmark::State& state) {
+  const Picture seen(static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(state.range(0)) / 0.75))));
+  shade(state, seen, lit(1000));
+}
+void shadowedLights(benchmark::State& state) {
+  highend::Inputs inputs = lit(state.range(0));
+  const gpu::ShadowMaps maps(stage().device, stage().buffers, inputs.lights, {});
+  inputs.shadows = &maps;
+  shade(state, picture(), inputs);
+  state.counters["maps"] = static_cast<double>(maps.mapCount());
+}
+void drawnShadowMaps(benchmark::State& state) {
+  const std::vector<scenes::Light> lights = lit(state.range(0)).lights;
+  for (auto _ : state) {
+    const gpu::ShadowMaps maps(stage().device, stage().buffers, lights, {});
+    state.counters["maps"] = static_cast<double>(maps.mapCount());
+    state.counters["draws"] = static_cast<double>(maps.drawCount());
+  }
+}
 
-BENCHMARK(tenLights)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(manyLights)->RangeMultiplier(10)->Range(10, 10000)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(manyLightsForEveryPixel)->RangeMultiplier(10)->Range(10, 1000)->Unit(benchmark::kMillisecond)->UseRealTime();
+#define PARITY_LIGHTS(run) BENCHMARK(run)->Unit(benchmark::kMillisecond)->UseRealTime()
+PARITY_LIGHTS(manyLights)->RangeMultiplier(10)->Range(10, 10000);
+PARITY_LIGHTS(manyLightsForEveryPixel)->RangeMultiplier(10)->Range(10, 1000);
+PARITY_LIGHTS(pixelsOfAThousandLights)->Arg(12288)->Arg(49152)->Arg(196608)->Arg(786432);
+PARITY_LIGHTS(shadowedLights)->RangeMultiplier(10)->Range(10, 1000);
+PARITY_LIGHTS(drawnShadowMaps)->RangeMultiplier(10)->Range(10, 1000);
+
+// Also keeps the times by n, for the exponents.
+class Reporter : public benchmark::ConsoleReporter {
+public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    benchmark::ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+      auto& [n, times] = m_times[run.run_name.function_name];
+      n.push_back(std::stod(run.run_name.args));
+      times.push_back(run.GetAdjustedRealTime());
+    }
+  }
+  void printExponents() const {
+    for (const auto& [name, points] : m_times) {
+      auto [n, times] = points;
+      const std::size_t drop = n.size() > 3 ? n.size() - 3 : 0;
+      n.erase(n.begin(), n.begin() + static_cast<std::ptrdiff_t>(drop));
+      times.erase(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(drop));
+      if (n.size() > 1) fmt::print("{:<28} n^{:.2f}\n", name, sweep::fitPowerLaw(n, times).exponent);
+    }
+  }
+
+private:
+  std::map<std::string, std::pair<std::vector<double>, std::vector<double>>> m_times;
+};
+
+int run(int count, char** arguments) {
+  benchmark::Initialize(&count, arguments);
+  Reporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  reporter.printExponents();
+  return 0;
+}
 
 } // namespace
 } // namespace parity::bench
 
-BENCHMARK_MAIN();
+int main(int count, char** arguments) { return parity::bench::run(count, arguments); }
