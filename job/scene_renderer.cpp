@@ -259,7 +259,10 @@ void SceneRenderer::layAgain(const scenes::Camera& camera, std::span<gpu::FrameB
 }
 
 std::vector<std::string> SceneRenderer::notes() const {
-  return m_mobile ? m_mobile->notes() : std::vector<std::string>{};
+  if (!m_mobile) return {};
+  std::vector<std::string> notes = m_mobile->notes();
+  if (m_prepared.shadows) notes.emplace_back("has its shadows baked, and nothing is baked: only high-end casts them");
+  return notes;
 }
 
 std::vector<std::string> SceneRenderer::warnings() const {
