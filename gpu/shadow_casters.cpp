@@ -17,13 +17,30 @@ struct Plane {
   glm::vec3 point{0.f};
 };
 
-scenes::Bounds boundsOf(const auto& points) {
-  scenes::Bounds bounds{points[0], points[0]};
-  for (const glm::vec3& p : points) {
-    bounds.lower = glm::min(bounds.lower, p);
-    bounds.upper = glm::max(bounds.upper, p);
+// NaN where a point has one, as min and max let it pass by.
+class BoundsBuilder {
+public:
+  void add(const glm::vec3& p) {
+    m_bounds.lower = glm::min(m_bounds.lower, p);
+    m_bounds.upper = glm::max(m_bounds.upper, p);
+    m_poison += 0.f * (p.x + p.y + p.z);
   }
-  return bounds;
+  scenes::Bounds bounds() const { return {m_bounds.lower + m_poison, m_bounds.upper + m_poison}; }
+
+private:
+  scenes::Bounds m_bounds{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
+  float m_poison = 0; // 0, or NaN
+};
+
+scenes::Bounds boundsOf(const scenes::Mesh& mesh) {
+  BoundsBuilder builder;
+  for (const std::uint32_t i : mesh.indices) builder.add(mesh.positions[i]);
+  return builder.bounds();
+}
+scenes::Bounds boundsOf(const std::array<glm::vec3, 8>& corners) {
+  BoundsBuilder builder;
+  for (const glm::vec3& p : corners) builder.add(p);
+  return builder.bounds();
 }
 
 // In object space. None: it is not flat.
@@ -34,17 +51,24 @@ std::optional<Plane> planeOf(const scenes::Mesh& mesh, float size) {
     const float length = glm::length(n);
     if (!(length > kFlat * size * size)) continue; // a sliver says little of the plane
     const glm::vec3 normal = n / length;
-    const bool isFlat = std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const glm::vec3& q) {
-      return std::abs(glm::dot(normal, q - p)) <= kFlat * size;
+    const bool isFlat = std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](std::uint32_t k) {
+      return std::abs(glm::dot(normal, mesh.positions[k] - p)) <= kFlat * size;
     });
     return isFlat ? std::optional<Plane>({normal, p}) : std::nullopt;
   }
   return std::nullopt;
 }
 
-bool isFinite(const scenes::Bounds& b) {
+float extentOf(const scenes::Bounds& b) {
+  float extent = 0;
+  for (int c = 0; c < 3; ++c) extent = std::max({extent, std::abs(b.lower[c]), std::abs(b.upper[c])});
+  return extent;
+}
+
+// Squares of what is smaller are finite (Embree has the same limit).
+bool isUsable(const scenes::Bounds& b) {
   const glm::vec3 d = b.upper - b.lower;
-  return std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z);
+  return d.x >= 0 && d.y >= 0 && d.z >= 0 && extentOf(b) < 1.8e18f;
 }
 
 // Which sides of the flat ones have something; `all`: also what is blended, which receives.
@@ -66,14 +90,15 @@ void findSides(std::vector<Caster>& casters, const std::vector<std::array<glm::v
 
 } // namespace
 
-std::vector<Caster> findCasters(const scenes::Scene& scene) {
+Casters findCasters(const scenes::Scene& scene) {
   struct OfMesh {
     bool isKnown = false;
     scenes::Bounds bounds;
     std::optional<Plane> plane;
   };
   std::vector<OfMesh> meshes(scene.meshes.size());
-  std::vector<Caster> casters;
+  Casters found;
+  std::vector<Caster>& casters = found.list;
   std::vector<std::array<glm::vec3, 8>> all;
   glm::vec3 lower(INFINITY), upper(-INFINITY);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
@@ -82,7 +107,7 @@ std::vector<Caster> findCasters(const scenes::Scene& scene) {
     if (mesh.indices.empty()) continue;
     OfMesh& of = meshes[instance.mesh];
     if (!of.isKnown) {
-      of.bounds = boundsOf(mesh.positions);
+      of.bounds = boundsOf(mesh);
       of.plane = planeOf(mesh, glm::length(of.bounds.upper - of.bounds.lower));
       of.isKnown = true;
     }
@@ -95,7 +120,8 @@ std::vector<Caster> findCasters(const scenes::Scene& scene) {
       caster.corners[c] = glm::vec3(instance.toWorld * glm::vec4(corner, 1.f));
     }
     caster.bounds = boundsOf(caster.corners);
-    if (!isFinite(caster.bounds)) continue;
+    if (!isUsable(caster.bounds)) continue;
+    found.extent = std::max(found.extent, extentOf(caster.bounds));
     all.push_back(caster.corners);
     lower = glm::min(lower, caster.bounds.lower);
     upper = glm::max(upper, caster.bounds.upper);
@@ -112,7 +138,7 @@ std::vector<Caster> findCasters(const scenes::Scene& scene) {
     casters.push_back(caster);
   }
   if (!all.empty()) findSides(casters, all, glm::length(upper - lower));
-  return casters;
+  return found;
 }
 
 bool castsAwayFrom(const Caster& caster, const glm::vec3& position) {

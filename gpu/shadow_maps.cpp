@@ -25,22 +25,27 @@ GpuShadowView pack(const ShadowView& view, const ShadowTile& tile, float layerSi
   if (view.side > 0) {
     out.right = vec4(view.right, half / shadowExtent(view, filter));
     out.up = vec4(view.up, static_cast<float>(tile.layer));
-    out.forward = vec4(view.forward, view.orthographic ? 1 / (view.far - view.near) : view.near);
-    out.origin = vec4(view.origin, view.orthographic ? 1.f : 0.f);
+    out.forward = vec4(view.forward, view.orthographic ? -1 / (view.far - view.near) : view.near);
+    out.origin = vec4(view.origin, view.bias);
   }
   out.tile = vec4(static_cast<float>(tile.x) + half, static_cast<float>(tile.y) + half, half, 1 / layerSide);
   return out;
 }
 
-// Depth is 1 at the near plane and falls: near / distance, or linearly to 0 at the far plane.
-glm::mat4 worldToClip(const ShadowView& view, std::uint32_t filter) {
-  const float scale = 1 / shadowExtent(view, filter), slope = 1 / (view.far - view.near);
-  const vec4 x(scale * view.right, -scale * glm::dot(view.right, view.origin)),
-      y(scale * view.up, -scale * glm::dot(view.up, view.origin)),
-      distance(view.forward, -glm::dot(view.forward, view.origin));
-  const vec4 z = view.orthographic ? vec4(0, 0, 0, 1 + slope * view.near) - slope * distance : vec4(0, 0, 0, view.near);
-  const vec4 w = view.orthographic ? vec4(0, 0, 0, 1) : distance;
-  return glm::transpose(glm::mat4(x, y, z, w));
+// Depth is 1 at the near plane and falls: near / distance, or linearly to 0 at the far plane; orthographic ones begin
+// at 0. In double: what cancels of a scene far from its origin is gone before it is rounded.
+glm::dmat4 worldToClip(const ShadowView& view, std::uint32_t filter) {
+  const double scale = 1 / static_cast<double>(shadowExtent(view, filter)), near = view.near;
+  const glm::dvec3 origin(view.origin);
+  const auto along = [&](const glm::vec3& axis, double times) {
+    const glm::dvec3 a = times * glm::dvec3(axis);
+    return glm::dvec4(a, -glm::dot(a, origin));
+  };
+  const glm::dvec4 x = along(view.right, scale), y = along(view.up, scale), distance = along(view.forward, 1);
+  const double slope = 1 / static_cast<double>(view.far - view.near);
+  const glm::dvec4 z = view.orthographic ? glm::dvec4(0, 0, 0, 1) - slope * distance : glm::dvec4(0, 0, 0, near);
+  const glm::dvec4 w = view.orthographic ? glm::dvec4(0, 0, 0, 1) : distance;
+  return glm::transpose(glm::dmat4(x, y, z, w));
 }
 
 // Pipelines and sets for the casters of a scene.
@@ -80,15 +85,16 @@ public:
     commands.setFrontFace(vk::FrontFace::eCounterClockwise);
   }
 
-  void draw(const vk::raii::CommandBuffer& commands, const glm::mat4& toClip, std::uint32_t i) const {
+  void draw(const vk::raii::CommandBuffer& commands, const glm::dmat4& toClip, std::uint32_t i) const {
     const scenes::Instance& instance = m_scene.scene().instances[i];
     const std::uint32_t m = m_scene.materialOfInstance()[i];
     const bool isMasked = m_scene.scene().materials[m].alphaMode == scenes::AlphaMode::mask;
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, isMasked ? *m_masked : *m_plain);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 1,
                                 (*m_textureSets)[m_scene.textures().setOfMaterial()[m]], {});
-    commands.pushConstants<RasterPush>(*m_layout, kRasterStages, 0,
-                                       RasterPush{toClip * instance.toWorld, i, m_scene.vertexData()});
+    commands.pushConstants<RasterPush>(
+        *m_layout, kRasterStages, 0,
+        RasterPush{glm::mat4(toClip * glm::dmat4(instance.toWorld)), i, m_scene.vertexData()});
     const SceneBuffers::MeshRange& range = m_scene.meshes()[instance.mesh];
     commands.drawIndexed(range.indexCount, 1, range.firstIndex, static_cast<std::int32_t>(range.baseVertex), 0);
   }
@@ -110,12 +116,13 @@ ShadowMaps::ShadowMaps(const Device& device, const SceneBuffers& scene, const st
     : m_options(options) {
   const ShadowPlan plan = planShadows(scene.scene(), lights, options);
   for (std::size_t k = 0; k < lights.size(); ++k) {
+    if (plan.lights[k].count == 0) continue; // a dark one may stand where another shines
     m_ofLight[shadowKey(lights[k])] = plan.lights[k];
-    m_lightCount += plan.lights[k].count > 0 ? 1 : 0;
+    ++m_lightCount;
   }
   if (plan.shrunk)
-    m_note = fmt::format("shadow maps of local lights are smaller than asked for: all together take {} MiB at most",
-                         options.maxBytes >> 20);
+    m_note =
+        fmt::format("shadow maps are smaller than asked for: all together take {} MiB at most", options.maxBytes >> 20);
   std::vector<std::uint32_t> sides;
   for (const ShadowView& view : plan.views) sides.push_back(view.side);
   const auto& limits = device.properties().limits;
@@ -155,7 +162,7 @@ ShadowMaps::ShadowMaps(const Device& device, const SceneBuffers& scene, const st
         commands.setViewport(0, vk::Viewport(static_cast<float>(tile.x), static_cast<float>(tile.y), side, side, 0, 1));
         commands.setScissor(0, vk::Rect2D({static_cast<std::int32_t>(tile.x), static_cast<std::int32_t>(tile.y)},
                                           {sides[k], sides[k]}));
-        const glm::mat4 toClip = worldToClip(plan.views[k], options.filter);
+        const glm::dmat4 toClip = worldToClip(plan.views[k], options.filter);
         for (const std::uint32_t i : plan.views[k].casters) pass.draw(commands, toClip, i);
         m_drawCount += plan.views[k].casters.size();
         ++m_mapCount;

@@ -26,7 +26,7 @@ public:
   std::size_t mapCount() const { return m_mapCount; }
   std::size_t drawCount() const { return m_drawCount; }
   std::size_t lightCount() const { return m_lightCount; }
-  // In words: "maps of local lights have a fourth of the texels..."; empty where there is nothing to say.
+  // What the maps lack of what was asked for, in words; empty: nothing.
   const std::string& note() const { return m_note; }
 
   // Bindings of the shaders: the array image, and its GpuShadowView.

@@ -1,13 +1,18 @@
 #include "gpu/shadow_views.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <optional>
+#include <set>
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "gpu/shadow_casters.h"
 
 namespace parity::gpu {
@@ -16,7 +21,9 @@ namespace {
 
 constexpr float kMaxSpotAngle = 1.0471976f; // half: 60 degrees
 // Of the distance to the farthest caster: what is nearer to a light casts no shadow.
-constexpr float kNearShare = 1.f / 4096;
+constexpr float kNearShare = 0x1p-20f;
+// Of the scene's largest coordinate: positions are 32-bit floats, wrong by a few 2^-24 of what they were computed from.
+constexpr float kCoordinateError = 0x1p-19f;
 
 bool casts(const scenes::Light& light) { return std::max({light.color.x, light.color.y, light.color.z}) > 0; }
 
@@ -72,13 +79,13 @@ Square smallestSquare(const std::vector<glm::vec2>& points) {
   return best;
 }
 
-ShadowView directionalView(const scenes::Light& light, const std::vector<Caster>& casters) {
+ShadowView directionalView(const scenes::Light& light, const Casters& casters) {
   ShadowView view;
   view.orthographic = true;
   aim(view, light.direction);
   std::vector<glm::vec2> points;
   float near = INFINITY, far = -INFINITY;
-  for (const Caster& caster : casters) {
+  for (const Caster& caster : casters.list) {
     if (!castsAlong(caster, light.direction)) continue;
     view.casters.push_back(caster.instance);
     for (const glm::vec3& p : caster.corners) {
@@ -93,7 +100,8 @@ ShadowView directionalView(const scenes::Light& light, const std::vector<Caster>
   const glm::vec3 center = square.center.x * view.right + square.center.y * view.up;
   view.right = right;
   view.up = glm::cross(view.forward, right);
-  const float margin = 1e-3f * std::max({far - near, square.halfSide, 1e-6f});
+  const float error = kCoordinateError * casters.extent;
+  const float margin = std::max({1e-3f * (far - near), 1e-3f * square.halfSide, 8 * error, 1e-9f});
   view.extent = square.halfSide + margin;
   view.origin = center + (near - margin) * view.forward;
   view.near = 0;
@@ -137,63 +145,116 @@ std::vector<ShadowView> startLocalViews(const scenes::Light& light) {
   return views;
 }
 
+struct Reached {
+  const Caster* caster;
+  float nearest, farthest;
+};
+
 // Fills `casters`, and the near plane that they leave. The views have their texels.
-void findCastersOf(std::vector<ShadowView>& views, const scenes::Light& light, const std::vector<Caster>& casters,
+void findCastersOf(std::vector<ShadowView>& views, const scenes::Light& light, const Casters& casters,
                    std::uint32_t filter) {
-  std::vector<const Caster*> reached;
-  float nearest = INFINITY, farthest = 0;
-  for (const Caster& caster : casters) {
-    const float distance = distanceTo(caster.bounds, light.position);
-    if ((light.range > 0 && distance >= light.range) || !castsAwayFrom(caster, light.position)) continue;
-    reached.push_back(&caster);
-    nearest = std::min(nearest, distance);
-    farthest = std::max(farthest, farthestOf(caster.bounds, light.position));
+  std::vector<Reached> reached;
+  for (const Caster& caster : casters.list) {
+    const float nearest = distanceTo(caster.bounds, light.position);
+    if ((light.range > 0 && nearest >= light.range) || !castsAwayFrom(caster, light.position)) continue;
+    const float farthest = farthestOf(caster.bounds, light.position);
+    reached.push_back({&caster, nearest, light.range > 0 ? std::min(farthest, light.range) : farthest});
   }
-  if (light.range > 0) farthest = std::min(farthest, light.range);
   for (ShadowView& view : views) {
-    view.near = std::max(0.5f * nearest, kNearShare * farthest);
-    view.far = INFINITY;
     // A face of a cube, 54.8 degrees about its axis at its corners, that a spot's cone does not touch stays empty.
     if (light.kind == scenes::LightKind::spot && views.size() == 6 &&
         std::acos(std::clamp(glm::dot(view.forward, light.direction), -1.f, 1.f)) > light.outerConeAngle + 0.9561f)
       continue;
     const float extent = shadowExtent(view, filter);
-    for (const Caster* caster : reached)
-      if (mayBeSeen(view, extent, *caster)) view.casters.push_back(caster->instance);
-  }
-}
-
-std::uint64_t bytesOf(const ShadowPlan& plan) {
-  std::uint64_t texels = 0;
-  for (const ShadowView& view : plan.views) texels += std::uint64_t{view.side} * view.side;
-  return texels * sizeof(float);
-}
-
-// localShare: texels of local lights' maps are by so much fewer than asked for.
-ShadowPlan planOnce(const std::vector<Caster>& casters, const std::vector<scenes::Light>& lights,
-                    const ShadowOptions& options, std::uint32_t localShare) {
-  ShadowPlan plan;
-  std::map<ShadowKey, ShadowOfLight> known;
-  for (const scenes::Light& light : lights) {
-    plan.lights.emplace_back();
-    if (!casts(light)) continue;
-    const auto [at, isNew] = known.try_emplace(shadowKey(light));
-    if (isNew) {
-      const bool isSun = light.kind == scenes::LightKind::directional;
-      std::vector<ShadowView> views = isSun ? std::vector{directionalView(light, casters)} : startLocalViews(light);
-      const std::uint32_t share = isSun ? 1 : (views.size() == 1 ? 2 : 4) * localShare;
-      for (ShadowView& view : views) view.side = std::max(kMinTile, options.mapSize / share);
-      if (!isSun) findCastersOf(views, light, casters, options.filter);
-      for (ShadowView& view : views)
-        if (view.casters.empty()) view.side = 0;
-      if (std::any_of(views.begin(), views.end(), [](const ShadowView& v) { return v.side > 0; })) {
-        at->second = {static_cast<std::uint32_t>(plan.views.size()), static_cast<std::uint32_t>(views.size())};
-        plan.views.insert(plan.views.end(), views.begin(), views.end());
+    float nearest = INFINITY, farthest = 0;
+    for (const Reached& each : reached)
+      if (mayBeSeen(view, extent, *each.caster)) {
+        view.casters.push_back(each.caster->instance);
+        nearest = std::min(nearest, each.nearest);
+        farthest = std::max(farthest, each.farthest);
       }
-    }
-    plan.lights.back() = at->second;
+    // A corner of a face is sqrt(3) times as far from the light as along its axis, with the guard a little more.
+    view.near = std::max({nearest / (2 + extent), kNearShare * farthest, 1e-30f});
+    view.far = INFINITY;
   }
+}
+
+// Texels a side, where maps are to shrink by so much: local lights' first.
+std::uint32_t sideOf(const ShadowOptions& options, bool isSun, bool isCube, std::uint32_t shrink) {
+  const std::uint32_t ofLocal = std::max(1u, options.mapSize / (4 * kMinTile));
+  if (isSun) return std::max(kMinShadowMapSize, options.mapSize / std::max(1u, shrink / ofLocal));
+  return std::max(kMinTile, options.mapSize / (isCube ? 4 : 2) / shrink);
+}
+
+std::vector<ShadowView> viewsOf(const scenes::Light& light, const Casters& casters, const ShadowOptions& options,
+                                std::uint32_t shrink) {
+  const bool isSun = light.kind == scenes::LightKind::directional;
+  std::vector<ShadowView> views = isSun ? std::vector{directionalView(light, casters)} : startLocalViews(light);
+  for (ShadowView& view : views) view.side = sideOf(options, isSun, views.size() > 1, shrink);
+  if (!isSun) findCastersOf(views, light, casters, options.filter);
+  bool any = false;
+  for (ShadowView& view : views) {
+    if (view.casters.empty()) view.side = 0;
+    any |= view.side > 0;
+    view.bias = kCoordinateError * casters.extent;
+  }
+  return any ? views : std::vector<ShadowView>();
+}
+
+// The lights that need maps of their own, and whose maps each light has.
+struct Distinct {
+  std::vector<const scenes::Light*> lights;
+  std::vector<std::optional<std::size_t>> ofLight;
+};
+Distinct distinctLights(const std::vector<scenes::Light>& lights) {
+  Distinct distinct;
+  std::map<ShadowKey, std::size_t> known;
+  for (const scenes::Light& light : lights) {
+    distinct.ofLight.emplace_back();
+    if (!casts(light)) continue;
+    const auto [at, isNew] = known.try_emplace(shadowKey(light), distinct.lights.size());
+    if (isNew) distinct.lights.push_back(&light);
+    distinct.ofLight.back() = at->second;
+  }
+  return distinct;
+}
+
+ShadowPlan planOnce(const std::string& scene, const Casters& casters, const Distinct& distinct,
+                    const ShadowOptions& options, std::uint32_t shrink) {
+  std::vector<std::vector<ShadowView>> views(distinct.lights.size());
+  std::atomic<std::uint64_t> draws = 0;
+  base::parallelFor(views.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end && draws <= kMaxShadowDraws; ++k) {
+      views[k] = viewsOf(*distinct.lights[k], casters, options, shrink);
+      for (const ShadowView& view : views[k]) draws += view.casters.size();
+    }
+  });
+  if (draws > kMaxShadowDraws)
+    throw base::fileError(scene, "shadows",
+                          fmt::format("the maps of {} lights draw more than {} instances: give lights a range",
+                                      distinct.lights.size(), kMaxShadowDraws));
+  ShadowPlan plan;
+  std::vector<ShadowOfLight> of;
+  for (std::vector<ShadowView>& each : views) {
+    of.push_back({static_cast<std::uint32_t>(plan.views.size()), static_cast<std::uint32_t>(each.size())});
+    std::move(each.begin(), each.end(), std::back_inserter(plan.views));
+  }
+  for (const std::optional<std::size_t>& light : distinct.ofLight)
+    plan.lights.push_back(light ? of[*light] : ShadowOfLight());
+  plan.shrunk = shrink > 1;
   return plan;
+}
+
+// With maps that shrink by so much.
+std::uint64_t bytesOf(const ShadowPlan& plan, const ShadowOptions& options, std::uint32_t shrink) {
+  std::uint64_t texels = 0;
+  for (const ShadowOfLight& light : std::set(plan.lights.begin(), plan.lights.end()))
+    for (std::uint32_t k = light.first; k < light.first + light.count; ++k)
+      if (const ShadowView& view = plan.views[k]; view.side > 0) {
+        const std::uint64_t side = sideOf(options, view.orthographic, light.count > 1, shrink);
+        texels += side * side;
+      }
+  return texels * sizeof(float);
 }
 
 } // namespace
@@ -208,15 +269,20 @@ ShadowKey shadowKey(const scenes::Light& l) {
 
 ShadowPlan planShadows(const scenes::Scene& scene, const std::vector<scenes::Light>& lights,
                        const ShadowOptions& options) {
-  const std::vector<Caster> casters = findCasters(scene);
-  for (std::uint32_t share = 1;; share *= 2) {
-    ShadowPlan plan = planOnce(casters, lights, options, share);
-    plan.shrunk = share > 1;
-    if (bytesOf(plan) <= options.maxBytes) return plan;
-    if (options.mapSize / (4 * share) <= kMinTile)
+  const Casters casters = findCasters(scene);
+  const Distinct distinct = distinctLights(lights);
+  std::uint32_t shrink = 1;
+  for (;;) {
+    ShadowPlan plan = planOnce(scene.name, casters, distinct, options, shrink);
+    if (bytesOf(plan, options, shrink) <= options.maxBytes) return plan;
+    // As far as these maps need it; smaller ones see a little more beside them, which may take another round.
+    constexpr std::uint32_t kMost = kMaxShadowMapSize * kMaxShadowMapSize;
+    while (shrink < kMost && bytesOf(plan, options, shrink) > options.maxBytes) shrink *= 2;
+    if (bytesOf(plan, options, shrink) > options.maxBytes)
       throw base::fileError(scene.name, "shadows",
-                            fmt::format("the maps of {} lights take {} MiB, expected at most {}", lights.size(),
-                                        bytesOf(plan) >> 20, options.maxBytes >> 20));
+                            fmt::format("the smallest maps of {} lights take {} MiB, expected at most {}",
+                                        distinct.lights.size(), bytesOf(plan, options, shrink) >> 20,
+                                        options.maxBytes >> 20));
   }
 }
 

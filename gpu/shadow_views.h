@@ -19,6 +19,7 @@ struct ShadowView {
   glm::vec3 right{1.f, 0.f, 0.f}, up{0.f, 1.f, 0.f}, forward{0.f, 0.f, 1.f}; // unit; forward: away from the light
   float extent = 1;
   float near = 0, far = 1;            // distances along `forward`; far: of orthographic ones, others see without end
+  float bias = 0;                     // metres that coordinates of casters and receivers may be wrong by
   std::uint32_t side = 0;             // texels
   std::vector<std::uint32_t> casters; // instances to draw; none: there is no map
 };
@@ -27,6 +28,7 @@ struct ShadowView {
 struct ShadowOfLight {
   std::uint32_t first = 0;
   std::uint32_t count = 0; // 0: nothing casts; 1; or 6: +x, -x, +y, -y, +z, -z
+  auto operator<=>(const ShadowOfLight&) const = default;
 };
 
 // What decides a light's maps: kind, position, direction, range and cone.
@@ -36,19 +38,20 @@ ShadowKey shadowKey(const scenes::Light& light);
 struct ShadowPlan {
   std::vector<ShadowOfLight> lights; // of each light
   std::vector<ShadowView> views;     // those of a cube without casters are there, without texels
-  bool shrunk = false;               // maps of local lights have fewer texels than asked for, for options.maxBytes
+  bool shrunk = false;               // maps have fewer texels than asked for, for options.maxBytes
 };
 
 // Directional lights get one map about what casts, turned so that it is smallest; spots of up to 120 degrees one, of
 // twice the texels that a face of a cube has; all others a cube of six. Drawn are instances that are not blended, that
 // a light's range and cone reach, and that lie before something: a flat floor with nothing below it casts no shadow.
-// Equal lights share their maps; dark ones have none. Throws Error (exit 4) where even maps of kMinTile texels
-// take more than options.maxBytes.
+// What is nearer to a light than 2^-20 of the distance to the farthest that a map draws is not drawn. Equal lights
+// share their maps; dark ones have none. Maps are halved until all fit into options.maxBytes, those of local lights
+// first, down to kMinTile texels a side. Throws Error (exit 4) where that does not suffice, and beyond kMaxShadowDraws.
 ShadowPlan planShadows(const scenes::Scene& scene, const std::vector<scenes::Light>& lights,
                        const ShadowOptions& options);
 
-// Fewest texels a side that a map shrinks to.
 inline constexpr std::uint32_t kMinTile = 16;
+inline constexpr std::uint64_t kMaxShadowDraws = 4'000'000; // instances over all maps
 
 // Texels about the edge of a map that only filters reach: about what is seen of local lights, about what casts of
 // directional ones, whose shadows' soft edges lie beyond. `extent` with them.

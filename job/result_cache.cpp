@@ -49,7 +49,7 @@ namespace parity::mobile {
 template <job::Is<Options> T> auto fields(T& options) {
   auto& [preset, environmentBrdf, directLobe, captureScale, capture, skyCoefficients, localLights, spotShadow,
          roughnessFloor, precision] = options;
-  return std::tie(preset, environmentBrdf, directLobe, captureScale, capture, skyCoefficients, localLights,
+  return std::tie(preset, environmentBrdf, directLobe, captureScale, capture, skyCoefficients, localLights, spotShadow,
                   roughnessFloor, precision);
 }
 

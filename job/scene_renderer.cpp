@@ -22,12 +22,6 @@ std::uint64_t pixelsOf(const Settings& settings, std::size_t views) {
 // Entries of surfaces that wait to be shaded again: two of each pixel of a tile.
 constexpr std::size_t kMaxKeptEntries = 2 * std::size_t{gpu::kMaxTilePixels};
 
-std::uint64_t samplesOf(const gpu::ShadingPass& pass) {
-  std::uint64_t samples = 0;
-  for (const gpu::CompiledPermutation& each : pass.compiled()) samples += each.entries;
-  return samples;
-}
-
 } // namespace
 
 SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, const Paths& paths, std::size_t views,
@@ -56,7 +50,7 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
                     mobile::mayDropLights(prepared.mobileLights, context.settings().mobile.localLights);
   if (paths.highend) m_highend = makeHighend(context.settings().terms, views);
   if (const auto spot = mobile::Renderer::needsSpotMap(prepared.mobileLights, context.settings().mobile);
-      paths.mobile && prepared.isLit && spot && !m_shadowMaps) {
+      paths.mobile && prepared.isLit && spot) {
     const base::Stopwatch watch(&context.timings(), "shadow maps");
     m_spotShadowMap.emplace(device, m_buffers, std::vector{*spot}, context.settings().shadowMaps);
   }
@@ -89,9 +83,7 @@ std::unique_ptr<mobile::Renderer> SceneRenderer::makeMobile(bool terms, std::siz
   const Settings& settings = m_context.settings();
   const mobile::Inputs inputs{.environment = m_mobileEnvironment ? &*m_mobileEnvironment : nullptr,
                               .lights = m_prepared.isLit ? m_prepared.mobileLights : std::vector<scenes::Light>(),
-                              .shadows = m_shadowMaps      ? &*m_shadowMaps
-                                         : m_spotShadowMap ? &*m_spotShadowMap
-                                                           : nullptr,
+                              .shadows = m_spotShadowMap ? &*m_spotShadowMap : nullptr,
                               .terms = terms,
                               .view = settings.mobileView,
                               .compilation = {m_budget, &m_context.pipelines()},
@@ -256,99 +248,6 @@ void SceneRenderer::layAgain(const scenes::Camera& camera, std::span<gpu::FrameB
       }
       for (gpu::FrameBuilder* frame : frames) frame->end();
     }
-}
-
-std::vector<std::string> SceneRenderer::notes() const {
-  if (!m_mobile) return {};
-  std::vector<std::string> notes = m_mobile->notes();
-  if (m_prepared.shadows) notes.emplace_back("has its shadows baked, and nothing is baked: only high-end casts them");
-  return notes;
-}
-
-std::vector<std::string> SceneRenderer::warnings() const {
-  std::vector<std::string> warnings;
-  if (m_cutPixels > 0)
-    warnings.push_back(
-        fmt::format("{} pixels show more than {} blended surfaces behind one another: the farthest are left out",
-                    m_cutPixels, gpu::kMaxBlendedLayers));
-  if (m_shadowMaps && !m_shadowMaps->note().empty()) warnings.push_back(m_shadowMaps->note());
-  return warnings;
-}
-
-std::vector<compare::PermutationResult> SceneRenderer::permutations() const {
-  std::vector<compare::PermutationResult> all;
-  const auto append = [&](const char* path, const auto& renderer) {
-    const auto described = describePermutations(
-        m_context, path, renderer.pass(), [&](const gpu::Permutation& each) { return renderer.countSamplers(each); });
-    all.insert(all.end(), described.begin(), described.end());
-  };
-  if (m_highend) append("highend", *m_highend);
-  if (m_mobile) append("mobile", *m_mobile);
-  return all;
-}
-
-Work SceneRenderer::work() const {
-  Work work = m_work;
-  work.images = m_buffers.textures().uploadedCount();
-  work.varianceImages = m_buffers.textures().varianceCount();
-  for (const highend::Renderer* renderer : {m_highend.get(), m_highendSwitched.get()})
-    if (renderer) {
-      work.highendSamples += samplesOf(renderer->pass());
-      work.lightLists += renderer->lightLists();
-    }
-  work.mobileSamples = m_mobile ? samplesOf(m_mobile->pass()) : 0;
-  if (m_highend) {
-    work.directionalLights = m_highend->pass().directionalCount();
-    work.localLights = m_highend->pass().localCount();
-  }
-  for (const auto* maps : {&m_shadowMaps, &m_spotShadowMap})
-    if (*maps) {
-      work.shadowMaps += (*maps)->mapCount();
-      work.shadowCasters += (*maps)->drawCount();
-    }
-  if (m_mobile) work.lightChoices = m_mobile->lightChoices();
-  return work;
-}
-
-Work SceneRenderer::workWithTerms() const {
-  Work work = this->work();
-  if (!m_highendTerms) return work;
-  work.surfaceSamples += m_again.surfaceSamples;
-  work.blendedSamples += m_again.blendedSamples;
-  work.fogSamples += m_again.fogSamples;
-  work.termSamples += m_again.termSamples;
-  work.highendSamples += samplesOf(m_highendTerms->pass());
-  work.mobileSamples += samplesOf(m_mobileTerms->pass());
-  work.lightLists += m_highendTerms->lightLists();
-  work.lightChoices += m_mobileTerms->lightChoices();
-  return work;
-}
-
-NoNeed SceneRenderer::reasons() const {
-  const Settings& settings = m_context.settings();
-  const std::string none = m_prepared.environmentName == "none" ? "no environment" : "",
-                    unlit = m_prepared.isLit ? "" : "all that is placed is unlit";
-  NoNeed why;
-  why.environment = !none.empty() ? none : unlit;
-  why.suns = !why.environment.empty() ? why.environment : "switched off";
-  why.table = !unlit.empty()              ? unlit
-              : m_prepared.lights.empty() ? "no environment and no lights"
-                                          : "no environment, no compensation, no balance";
-  why.texture = "no material that is seen has one";
-  why.variance = settings.specularAa == gpu::SpecularAa::off ? "not asked for" : "no normal map is seen";
-  why.blended = "no blended material";
-  why.fog = "no fog";
-  why.directional = !unlit.empty() ? unlit : "no directional light";
-  why.local = !unlit.empty() ? unlit : "no local lights";
-  why.lightLists = work().localLights == 0 ? why.local : "few lights, or lights without a range";
-  why.shadows = !m_prepared.shadows         ? "not asked for"
-                : !unlit.empty()            ? unlit
-                : m_prepared.lights.empty() ? "no lights"
-                                            : "nothing stands before anything";
-  why.lightChoice = work().localLights == 0 ? why.local : "the preset has them baked";
-  why.droppedLights = settings.droppedLights > 0 ? "mobile has all lights that reach what is seen" : "not asked for";
-  why.terms = why.truth = why.occluders = why.costs = "not asked for";
-  return why;
 }
 
 } // namespace parity::job

@@ -78,7 +78,7 @@ private:
   std::uint64_t m_cutPixels = 0; // of all views, with more blended layers than are shown
   // Each path reads its own kind.
   std::optional<gpu::EnvironmentMaps> m_environment, m_mobileEnvironment;
-  std::optional<gpu::ShadowMaps> m_shadowMaps, m_spotShadowMap; // of all lights; mobile's where those are not there
+  std::optional<gpu::ShadowMaps> m_shadowMaps, m_spotShadowMap; // of all lights; mobile's own
   // Those with terms, and that whose lights are switched, are made when first needed.
   std::unique_ptr<highend::Renderer> m_highend, m_highendTerms, m_highendSwitched;
   std::unique_ptr<mobile::Renderer> m_mobile, m_mobileTerms;

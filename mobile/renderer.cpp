@@ -102,7 +102,11 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
       std::count_if(lights.begin(), lights.end(), [](const auto& l) { return l.kind == scenes::LightKind::spot; });
   const auto spot =
       inputs.shadows && options.spotShadow && options.localLights ? chooseShadowSpot(lights) : std::nullopt;
-  if (options.spotShadow && spots > 1)
+  if (options.spotShadow && !options.localLights)
+    m_notes.push_back(fmt::format("no spot light casts a shadow: {} has local lights baked", options.preset));
+  else if (options.spotShadow && spots == 0)
+    m_notes.emplace_back("no spot light casts a shadow: there is none");
+  else if (options.spotShadow && spots > 1)
     m_notes.push_back(fmt::format("{} of {} spot lights cast no shadow: the path has one that does, the brightest",
                                   spots - 1, spots));
   for (std::size_t k = 0; k < lights.size(); ++k)
@@ -114,6 +118,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   program.environment = inputs.environment;
   if (inputs.environment) program.numbers = numbersOf(*inputs.environment, options.skyCoefficients);
   program.constants = constantsOf(options, inputs.view, m_hasSpotShadow);
+  program.everySceneConstants = constantsOf(options, inputs.view, options.spotShadow && options.localLights);
   program.terms = inputs.terms;
   program.premultiplied = true;
   program.expectedPixels = inputs.expectedPixels;

@@ -97,7 +97,9 @@ VisibilityError measureVisibility(const gpu::Device& device, const Setup& setup,
       std::move(pass.render(setup.camera, {0, setup.height}, glm::vec2(0.5f)).front()); // opaque
   const gpu::MaterialPass materials(device, buffers, pass.binKinds(), surface.size());
   const std::vector<gpu::ResolvedMaterial> points = materials.resolve(surface, setup.camera);
-  const gpu::ShadowMaps maps(device, buffers, {light}, setup.options);
+  std::vector<scenes::Light> mapped = setup.others;
+  mapped.push_back(light);
+  const gpu::ShadowMaps maps(device, buffers, mapped, setup.options);
   const auto shade = [&](const gpu::ShadowMaps* shadows) {
     highend::Inputs inputs;
     inputs.lights = {light};
@@ -108,8 +110,8 @@ VisibilityError measureVisibility(const gpu::Device& device, const Setup& setup,
     return lightOf(renderer.shade(surface, setup.camera), surface.size());
   };
   const std::vector<double> lit = shade(nullptr), shadowed = shade(&maps);
-  const gpu::ShadowPlan plan = gpu::planShadows(setup.scene, {light}, setup.options);
-  const gpu::ShadowOfLight of = plan.lights.front();
+  const gpu::ShadowPlan plan = gpu::planShadows(setup.scene, mapped, setup.options);
+  const gpu::ShadowOfLight of = plan.lights.back();
   const Rays rays(setup.scene, light);
 
   VisibilityError error;

@@ -16,6 +16,7 @@ struct Setup {
   const scenes::Camera& camera;
   std::uint32_t width = 512, height = 512;
   gpu::ShadowOptions options = {};
+  std::vector<scenes::Light> others = {}; // whose maps share the image with the light's
 };
 
 // What is wrong in pixels of which a light's facing part is seen.
@@ -27,7 +28,7 @@ struct VisibilityError {
   std::vector<std::uint8_t> band;            // 1: within it
 };
 
-// The light's maps are made for it alone. A pixel is in the band where rays from the plane of its triangle, within 2
+// A pixel is in the band where rays from the plane of its triangle, within 2
 // texels of its place in the map, do not all see what it sees itself; or where that plane ends before, seen from the
 // light. Exact visibility is lighting::Visibility's, from the geometric normal's side, as in the reference.
 VisibilityError measureVisibility(const gpu::Device& device, const Setup& setup, const scenes::Light& light);

@@ -42,6 +42,21 @@ const base::Image& Shared::lut(const highend::Options& o, int size) {
   return m_luts.emplace(key, highend::makeEnvBrdfLut(o.geometryTerm, o.fresnel, size)).first->second;
 }
 
+const gpu::ShadowMaps* Shared::highendShadows(const gpu::SceneBuffers& buffers) {
+  if (!m_prepared.shadows) return nullptr;
+  if (!m_highendShadows)
+    m_highendShadows.emplace(m_context.device(), buffers, m_prepared.lights, m_context.settings().shadowMaps);
+  return &*m_highendShadows;
+}
+
+const gpu::ShadowMaps* Shared::mobileShadows(const gpu::SceneBuffers& buffers, const mobile::Options& options) {
+  const auto spot = mobile::Renderer::needsSpotMap(m_prepared.mobileLights, options);
+  if (!spot) return nullptr;
+  if (!m_mobileShadows)
+    m_mobileShadows.emplace(m_context.device(), buffers, std::vector{*spot}, m_context.settings().shadowMaps);
+  return &*m_mobileShadows;
+}
+
 void Shared::prepareAgain(const Variant& v) const {
   if (v.knob == "lut-size")
     highend::makeEnvBrdfLut(v.highend.geometryTerm, v.highend.fresnel, v.lutSize);
@@ -59,6 +74,7 @@ LiveVariant::LiveVariant(const Variant& variant, const Surfaces& surfaces, Share
     highend::Inputs inputs{.environment = shared.highendEnvironment(variant.prefilter),
                            .lut = nullptr,
                            .lights = prepared.lights,
+                           .shadows = shared.highendShadows(surfaces.buffers()),
                            .terms = false,
                            .expectedPixels = kMany};
     if (highend::Renderer::needsLut(inputs, variant.highend))
@@ -67,6 +83,7 @@ LiveVariant::LiveVariant(const Variant& variant, const Surfaces& surfaces, Share
   } else {
     const mobile::Inputs inputs{.environment = shared.mobileEnvironment(variant.mobile.capture),
                                 .lights = prepared.mobileLights,
+                                .shadows = shared.mobileShadows(surfaces.buffers(), variant.mobile),
                                 .terms = false,
                                 .view = mobile::kViewLit,
                                 .expectedPixels = kMany};

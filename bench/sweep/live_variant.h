@@ -39,6 +39,9 @@ public:
   const gpu::EnvironmentMaps* highendEnvironment(const lighting::PrefilterOptions& options);
   const gpu::EnvironmentMaps* mobileEnvironment(mobile::CaptureEncoding encoding);
   const base::Image& lut(const highend::Options& options, int size);
+  // Of the lights of each path; null where the run has no shadows there. buffers: of the scene, whichever time.
+  const gpu::ShadowMaps* highendShadows(const gpu::SceneBuffers& buffers);
+  const gpu::ShadowMaps* mobileShadows(const gpu::SceneBuffers& buffers, const mobile::Options& options);
   // Does again what a setting of the stage preparation prepares, and forgets it.
   void prepareAgain(const Variant& v) const;
 
@@ -50,6 +53,7 @@ private:
   const job::PreparedScene& m_prepared;
   std::map<std::pair<int, int>, gpu::EnvironmentMaps> m_highend; // by samples and face size
   std::map<mobile::CaptureEncoding, gpu::EnvironmentMaps> m_mobile;
+  std::optional<gpu::ShadowMaps> m_highendShadows, m_mobileShadows;
   std::map<std::tuple<highend::GeometryTerm, highend::FresnelCurve, int>, base::Image> m_luts;
 };
 

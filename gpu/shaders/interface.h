@@ -133,8 +133,8 @@ struct GpuLight {
 struct GpuShadowView {
   vec4 right;   // unit; texels per tangent (perspective) or metre (orthographic)
   vec4 up;      // unit; layer
-  vec4 forward; // unit; near (perspective) or 1 / (far - near) (orthographic)
-  vec4 origin;  // world; 1 where orthographic
+  vec4 forward; // unit; near (perspective) or -1 / (far - near) (orthographic)
+  vec4 origin;  // world; metres that coordinates may be wrong by
   vec4 tile;    // its centre in texels of the layer; half its side, 0 where there is no map; 1 / side of the layer
 };
 

@@ -8,8 +8,9 @@
 
 // The move, in texels times the sine of the light's angle: for receivers that bend, and for edges between triangles.
 const float kNormalOffset = 0.7;
-// Of the depth: positions, the map's own rounding and what the rasteriser loses.
-const float kDepthBias = 4e-5;
+// Of the depth, besides the error of coordinates: the map's own rounding and what the rasteriser loses.
+const float kPerspectiveBias = 4e-5;
+const float kOrthographicBias = 1e-6;
 
 // Share of the texels about `at` (in texels of the layer) in which nothing is nearer to the light than the receiver,
 // whose depth there is depth + dot(slope, texel - at): a box of the filter's width, cut to the fraction of a texel. A
@@ -49,7 +50,7 @@ float visibilityOf(GpuLight light, vec3 position, vec3 geometric, vec3 L) {
   GpuShadowView map = s.map;
   vec3 p = s.position;
   vec3 n = vec3(dot(map.right.xyz, geometric), dot(map.up.xyz, geometric), dot(map.forward.xyz, geometric));
-  bool orthographic = map.origin.w != 0.0;
+  bool orthographic = isOrthographic(map);
   float texelsPerUnit = map.right.w;
   float offset = kNormalOffset * sqrt(max(1.0 - cosine * cosine, 0.0)) * (orthographic ? 1.0 : p.z) / texelsPerUnit;
   vec2 at;
@@ -58,9 +59,8 @@ float visibilityOf(GpuLight light, vec3 position, vec3 geometric, vec3 L) {
   if (orthographic) {
     p += offset * n;
     at = p.xy * texelsPerUnit;
-    depth = 1.0 - p.z * map.forward.w;
-    slope = n.xy * (map.forward.w / (texelsPerUnit * min(n.z, -1e-4)));
-    depth += kDepthBias;
+    depth = 1.0 + (p.z - map.origin.w) * map.forward.w + kOrthographicBias;
+    slope = n.xy * (-map.forward.w / (texelsPerUnit * min(n.z, -1e-4)));
   } else {
     // The plane's distance from the light, and 1 / distance is linear over the map.
     float plane = -dot(n, p);
@@ -68,9 +68,8 @@ float visibilityOf(GpuLight light, vec3 position, vec3 geometric, vec3 L) {
     p += offset * n;
     plane = max(plane - offset, 1e-3 * p.z);
     at = p.xy * (texelsPerUnit / p.z);
-    depth = map.forward.w / p.z;
+    depth = map.forward.w / p.z * (1.0 + kPerspectiveBias + map.origin.w / p.z);
     slope = n.xy * (-map.forward.w / (texelsPerUnit * plane));
-    depth += kDepthBias * depth;
   }
   if (max(abs(at.x), abs(at.y)) > map.tile.z - float(kShadows / 2u + 1u)) return 1.0;
   return litShare(map.tile.xy + at, map.up.w, map.tile.w, depth, slope);

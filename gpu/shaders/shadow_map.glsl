@@ -13,6 +13,8 @@ struct ShadowPoint {
   vec3 position; // from the map's origin: to the right, up, forward; metres
 };
 
+bool isOrthographic(GpuShadowView map) { return map.forward.w < 0.0; }
+
 // light.cone.z: not 0.
 ShadowPoint shadowPointOf(GpuLight light, vec3 position) {
   uint index = uint(light.cone.z) - 1u;
@@ -21,6 +23,6 @@ ShadowPoint shadowPointOf(GpuLight light, vec3 position) {
   s.map = shadowViews[index];
   vec3 d = position - s.map.origin.xyz;
   s.position = vec3(dot(s.map.right.xyz, d), dot(s.map.up.xyz, d), dot(s.map.forward.xyz, d));
-  s.isSeen = s.map.tile.z != 0.0 && (s.map.origin.w != 0.0 || s.position.z > 0.0);
+  s.isSeen = s.map.tile.z != 0.0 && (isOrthographic(s.map) || s.position.z > 0.0);
   return s;
 }

@@ -19,10 +19,11 @@ real spotShadow(GpuLight light, Point p, vec3 L) {
   vec2 at = s.map.tile.xy + s.position.xy * (s.map.right.w / s.position.z);
   vec2 corner = floor(at - 0.5), f = at - 0.5 - corner;
   vec4 stored = textureGather(shadowMaps, vec3((corner + 1.0) * s.map.tile.w, s.map.up.w), 0);
-  vec4 depths = s.map.forward.w / max(stored, vec4(1e-12)); // of nothing: very far
   real lit[4];
-  for (int k = 0; k < 4; ++k)
-    lit[k] = shadowmapOcclusion(min(depths[k], 1e6), sceneDepth, 1.0 / (kTransitionTexels * texel));
+  for (int k = 0; k < 4; ++k) // a texel of nothing holds 0
+    lit[k] = stored[k] > 0.0
+                 ? shadowmapOcclusion(s.map.forward.w / stored[k], sceneDepth, 1.0 / (kTransitionTexels * texel))
+                 : R(1.0);
   real u = real(f.x), v = real(f.y);
   PRECISE real below = lit[3] + (lit[2] - lit[3]) * u;
   PRECISE real above = lit[0] + (lit[1] - lit[0]) * u;

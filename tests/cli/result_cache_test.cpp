@@ -64,6 +64,20 @@ private:
 
 const std::vector<std::string> kNone;
 
+TEST_F(ResultCacheTest, ShadowsCount) {
+  const std::vector<std::string> options = {"--no-sun-extraction"};
+  const Report plain = report({"builtin:shadows"}, options);
+  EXPECT_EQ(report({"builtin:shadows"}, options).cached().size(), 1u);
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--shadows"},
+                                               {"--mobile-spot-shadow"},
+                                               {"--shadows", "--shadow-filter", "5"},
+                                               {"--shadows", "--shadow-map-size", "256"}}) {
+    const Report other = report({"builtin:shadows"}, join({options, more}));
+    EXPECT_TRUE(other.cached().empty()) << more.back();
+    EXPECT_NE(other.files.at("report.json"), plain.files.at("report.json")) << more.back();
+  }
+}
+
 TEST_F(ResultCacheTest, UnchangedScenesGiveTheSameBytesAndAreNotRendered) {
   paint("a.png", 200);
   const std::vector<std::string> scenes = {writeScene("one", "a.png"), writeQuad()};

@@ -35,9 +35,16 @@ protected:
     ADD_FAILURE() << "no pass " << name;
     return 0;
   }
-  // The quad under these lights of KHR_lights_punctual, as JSON text each, a metre before it.
-  std::string writeLit(const std::vector<std::string>& lights) const {
+  // A quad before another, half a metre behind it and larger, so that it casts a shadow.
+  static GltfFile makeQuads() {
     GltfFile file = makeQuad();
+    file.json["scenes"][0]["nodes"].push_back(1);
+    file.json["nodes"].push_back({{"mesh", 0}, {"translation", {-1, -1, -0.5}}, {"scale", {3, 3, 1}}});
+    return file;
+  }
+  // Those under these lights of KHR_lights_punctual, as JSON text each, a metre before them.
+  std::string writeLit(const std::vector<std::string>& lights) const {
+    GltfFile file = makeQuads();
     file.json["extensionsUsed"] = {"KHR_lights_punctual"};
     for (std::size_t i = 0; i < lights.size(); ++i) {
       file.json["extensions"]["KHR_lights_punctual"]["lights"].push_back(nlohmann::json::parse(lights[i]));
@@ -132,19 +139,21 @@ TEST_F(ShadowsTest, LightsAtTheEndsOfTheirRangesAreShown) {
         R"({"type": "spot", "spot": {"innerConeAngle": 1.57079, "outerConeAngle": 1.5707963267948966}})",
         R"({"type": "directional", "intensity": 1e20})"}) {
     SCOPED_TRACE(light);
-    const base::Image image = render(writeLit({light}), "highend", {"--shadows"});
+    const base::Image image = render(writeLit({light}), "highend", {"--shadows", "--timings"});
+    EXPECT_TRUE(contains(m_err, "device: shadow maps")) << m_err;
     for (const float value : image.pixels) ASSERT_TRUE(std::isfinite(value));
   }
 }
 
 TEST_F(ShadowsTest, OfAHundredThousandLights) {
-  // 100,000 spots that look elsewhere, and one that does not.
-  GltfFile file = makeQuad();
+  // Most look elsewhere; those that do not are alike.
+  constexpr int kThere = 40;
+  GltfFile file = makeQuads();
   file.json["extensionsUsed"] = {"KHR_lights_punctual"};
   file.json["extensions"]["KHR_lights_punctual"]["lights"] = {
       {{"type", "spot"}, {"range", 3}, {"spot", nlohmann::json::object()}}};
   for (int i = 0; i < 100'000; ++i) {
-    const double x = i == 0 ? 0.1 : 10 + 0.01 * (i % 1000), y = i == 0 ? 0.2 : 0.02 * (i / 1000);
+    const double x = i < kThere ? 0.1 : 10 + 0.01 * (i % 1000), y = i < kThere ? 0.2 : 0.02 * (i / 1000);
     file.json["scenes"][0]["nodes"].push_back(file.json["nodes"].size());
     file.json["nodes"].push_back(
         {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}, {"translation", {x, y, 1}}});
@@ -153,7 +162,13 @@ TEST_F(ShadowsTest, OfAHundredThousandLights) {
   const base::Image image = render(many, "highend", {"--shadows", "--background", "0,0,0"});
   const base::Image alone = render(writeLit({R"({"type": "spot", "range": 3, "spot": {}})"}), "highend",
                                    {"--shadows", "--background", "0,0,0"});
-  EXPECT_EQ(image.pixels, alone.pixels) << "the others do not reach it";
+  ASSERT_EQ(image.pixels.size(), alone.pixels.size());
+  int dark = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    EXPECT_NEAR(image.pixels[i], kThere * alone.pixels[i], 1e-4 * (1 + image.pixels[i]));
+    dark += alone.pixels[i] == 0;
+  }
+  EXPECT_GT(dark, 100);
 }
 
 } // namespace

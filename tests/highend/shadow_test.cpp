@@ -170,6 +170,54 @@ TEST_F(ShadowTest, ALightInsideOfGeometryStaysThere) {
   for (const double value : floor(s.scene, s.camera, {lamp}, true)) EXPECT_GT(value, 0);
 }
 
+// The near plane is the lamp's own matter, however far the farthest caster of the scene.
+TEST_F(ShadowTest, AHousingCastsUnderADomeOfKilometres) {
+  Square s;
+  s.scene.meshes[1] = scenes::makeSphere(0.05, 32, 16);
+  s.scene.meshes.push_back(scenes::makeSphere(2000, 32, 16));
+  for (std::size_t m = 1; m < 3; ++m) s.scene.meshes[m].material = 1;
+  s.scene.instances[1].toWorld = tests::translation(0, 0, 1);
+  s.scene.instances.push_back({2, glm::mat4(1.f), "dome"});
+  scenes::Light lamp = makeLight(LightKind::point);
+  lamp.position = {0.01f, 0.01f, 1};
+  for (const double value : floor(s.scene, s.camera, {lamp}, true)) EXPECT_EQ(value, 0);
+  lamp.position = {0, 0, 0.5f};
+  for (const double value : floor(s.scene, s.camera, {lamp}, true)) EXPECT_GT(value, 0);
+}
+
+TEST_F(ShadowTest, ADarkLightTakesNoShadowFromAnEqualOne) {
+  const Square s;
+  const scenes::Light sun = makeLight(LightKind::directional);
+  scenes::Light dark = sun;
+  dark.color = glm::vec3(0);
+  const auto alone = floor(s.scene, s.camera, {sun}, true);
+  EXPECT_EQ(floor(s.scene, s.camera, {sun, dark}, true), alone);
+  EXPECT_EQ(floor(s.scene, s.camera, {dark, sun}, true), alone);
+  EXPECT_NE(floor(s.scene, s.camera, {sun}, false), alone);
+}
+
+// A flat caster that faces the light: all of its map's depth is margin, and its coordinates are wrong by much of that.
+TEST_F(ShadowTest, APanelFarFromTheOriginDoesNotShadowItself) {
+  for (const float far : {0.f, 1000.f, 20000.f}) {
+    SCOPED_TRACE(far);
+    scenes::Scene scene;
+    scene.name = "panel";
+    scene.meshes = {tests::makeQuad(0)};
+    scene.materials.resize(1);
+    const glm::mat4 place = glm::rotate(tests::translation(far, 3, far / 2), 0.7f, glm::vec3(1, 0.5f, 0));
+    scene.instances = {{0, glm::scale(place, glm::vec3(kFloor * 1.1f)), "panel"},
+                       {0, glm::scale(glm::translate(place, glm::vec3(0, 0, -5)), glm::vec3(20)), "floor"}};
+    scenes::Camera camera = tests::makeFrontCamera(kFloor, 2, true);
+    camera.toWorld = place * camera.toWorld;
+    scenes::Light sun = makeLight(LightKind::directional);
+    sun.direction = -glm::normalize(glm::vec3(place[2]));
+    const auto open = floor(scene, camera, {sun}, false);
+    EXPECT_EQ(floor(scene, camera, {sun}, true), open);
+    EXPECT_EQ(m_drawCount, 1u);
+    EXPECT_GT(*std::min_element(open.begin(), open.end()), 0);
+  }
+}
+
 TEST_F(ShadowTest, TheSideThatTurnsAwayIsDark) {
   Square s;
   scenes::Light below = makeLight(LightKind::directional);

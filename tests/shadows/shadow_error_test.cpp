@@ -60,6 +60,27 @@ TEST_F(ShadowErrorTest, IsSmallInRealAssets) {
   EXPECT_GT(m_outside, 50'000u);
 }
 
+// Many maps in few layers, those of local lights shrunk; and the other filters whose reach is within the band.
+TEST_F(ShadowErrorTest, IsSmallWhereMapsShareTheImage) {
+  const scenes::Scene scene = scenes::loadScene("builtin:lamps", {});
+  const scenes::Camera camera = scenes::makeCamera(scene, {}, 1);
+  for (const std::uint32_t filter : {0u, 1u, 3u})
+    for (std::size_t k = 0; k < scene.lights.size(); k += 3) {
+      SCOPED_TRACE(fmt::format("light {}, filter {}", k, filter));
+      const VisibilityError error =
+          measureVisibility(device(),
+                            {.scene = scene,
+                             .camera = camera,
+                             .width = 200,
+                             .height = 200,
+                             .options = {.mapSize = 1024, .filter = filter, .maxBytes = 8 << 20},
+                             .others = scene.lights},
+                            scene.lights[k]);
+      EXPECT_LE(error.outsideMean, kMost);
+      EXPECT_GT(error.outside, 4000u);
+    }
+}
+
 // A map that is drawn wrong is found: as the measure itself is to be trusted.
 TEST_F(ShadowErrorTest, FindsAMapThatIsTooCoarseForItsFilter) {
   const scenes::Scene scene = scenes::loadScene("builtin:lamps", {});
