@@ -127,7 +127,7 @@ void pixelsOfAThousandLights(benchmark::State& state) {
 }
 void shadowedLights(benchmark::State& state) {
   highend::Inputs inputs = lit(state.range(0));
-  const gpu::ShadowMaps maps(stage().device, stage().buffers, inputs.lights, {});
+  gpu::ShadowMaps maps(stage().device, stage().buffers, inputs.lights, {});
   inputs.shadows = &maps;
   shade(state, picture(), inputs);
   state.counters["maps"] = static_cast<double>(maps.mapCount());

@@ -125,7 +125,8 @@ Casters findCasters(const scenes::Scene& scene) {
     all.push_back(caster.corners);
     lower = glm::min(lower, caster.bounds.lower);
     upper = glm::max(upper, caster.bounds.upper);
-    if (scene.materials[mesh.material].alphaMode == scenes::AlphaMode::blend) continue;
+    const scenes::Material& material = scene.materials[mesh.material];
+    if (material.alphaMode == scenes::AlphaMode::blend || material.unlit) continue;
     if (of.plane) {
       const glm::vec3 normal = glm::inverse(glm::transpose(glm::mat3(instance.toWorld))) * of.plane->normal;
       const float length = glm::length(normal);

@@ -25,9 +25,9 @@ struct Casters {
   float extent = 0; // the largest coordinate of the scene's instances
 };
 
-// All but blended ones and those without triangles; by the vertices that triangles use. Flatness is within 1e-6 of the
-// mesh's size; what lies within 1e-5 of the scene's size about a plane lies in it. Those with a vertex that is not
-// finite or beyond 1.8e18 m are left out.
+// All but blended and unlit ones and those without triangles; by the vertices that triangles use. Flatness is within
+// 1e-6 of the mesh's size; what lies within 1e-5 of the scene's size about a plane lies in it. Those with a vertex that
+// is not finite or beyond 1.8e18 m are left out.
 Casters findCasters(const scenes::Scene& scene);
 
 // Whether light from a point, or from far away against `direction`, could meet something behind the caster.

@@ -1,11 +1,9 @@
 #include "gpu/shadow_maps.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
-
-#include "gpu/graphics_pipeline.h"
-#include "gpu/shadow_tiles.h"
 
 namespace parity::gpu {
 
@@ -13,11 +11,6 @@ namespace {
 
 constexpr auto kDepth = vk::ImageLayout::eDepthStencilAttachmentOptimal;
 constexpr auto kReadOnly = vk::ImageLayout::eShaderReadOnlyOptimal;
-
-struct RasterPush { // of visibility.vert
-  glm::mat4 toClip;
-  std::uint32_t instance = 0, vertexData = 0, layer = 0;
-};
 
 GpuShadowView pack(const ShadowView& view, const ShadowTile& tile, float layerSide, std::uint32_t filter) {
   GpuShadowView out{};
@@ -48,129 +41,110 @@ glm::dmat4 worldToClip(const ShadowView& view, std::uint32_t filter) {
   return glm::transpose(glm::dmat4(x, y, z, w));
 }
 
-// Pipelines and sets for the casters of a scene.
-class CasterPass {
-public:
-  CasterPass(const Device& device, const SceneBuffers& scene)
-      : m_scene(scene), m_geometry{storage(scene.positions), storage(scene.normals),  storage(scene.tangents),
-                                   storage(scene.uvs),       storage(scene.colors),   storage(scene.indices),
-                                   storage(scene.instances), storage(scene.materials)},
-        m_geometryLayout(makeSetLayout(device, m_geometry, kRasterStages)),
-        m_textureLayout(
-            makeSetLayout(device, std::vector<Binding>{scene.textures().bindings({}).front()}, kRasterStages)),
-        m_layout(makePipelineLayout(device, std::array{*m_geometryLayout, *m_textureLayout}, sizeof(RasterPush),
-                                    kRasterStages)),
-        m_plain(makeVisibilityPipeline(device, m_layout, Visibility::caster)),
-        m_geometrySet(device, m_geometryLayout, std::span(&m_geometry, 1)) {
-    // Only the alpha of masked casters is read.
-    std::vector<Textures::Need> needs(scene.textures().setCount());
-    for (std::uint32_t set = 0; set < needs.size(); ++set) needs[set].set = set;
-    bool anyMasked = false;
-    for (const std::uint32_t m : scene.materialOfInstance())
-      if (scene.scene().materials[m].alphaMode == scenes::AlphaMode::mask) {
-        needs[scene.textures().setOfMaterial()[m]].slots = 1u << kSlotBaseColor;
-        anyMasked = true;
-      }
-    scene.textures().require(needs);
-    std::vector<std::vector<Binding>> sets;
-    for (const Textures::Need& need : needs) sets.push_back({scene.textures().bindings(need).front()});
-    m_textureSets = std::make_unique<DescriptorSets>(device, m_textureLayout, sets);
-    if (anyMasked) m_masked = makeVisibilityPipeline(device, m_layout, Visibility::maskedCaster);
-  }
-
-  void begin(const vk::raii::CommandBuffer& commands) const {
-    commands.bindIndexBuffer(m_scene.indices.handle(), 0, vk::IndexType::eUint32);
-    commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, m_geometrySet[0], {});
-    commands.setCullMode(vk::CullModeFlagBits::eNone); // light is stopped from both sides
-    commands.setFrontFace(vk::FrontFace::eCounterClockwise);
-  }
-
-  void draw(const vk::raii::CommandBuffer& commands, const glm::dmat4& toClip, std::uint32_t i) const {
-    const scenes::Instance& instance = m_scene.scene().instances[i];
-    const std::uint32_t m = m_scene.materialOfInstance()[i];
-    const bool isMasked = m_scene.scene().materials[m].alphaMode == scenes::AlphaMode::mask;
-    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, isMasked ? *m_masked : *m_plain);
-    commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 1,
-                                (*m_textureSets)[m_scene.textures().setOfMaterial()[m]], {});
-    commands.pushConstants<RasterPush>(
-        *m_layout, kRasterStages, 0,
-        RasterPush{glm::mat4(toClip * glm::dmat4(instance.toWorld)), i, m_scene.vertexData()});
-    const SceneBuffers::MeshRange& range = m_scene.meshes()[instance.mesh];
-    commands.drawIndexed(range.indexCount, 1, range.firstIndex, static_cast<std::int32_t>(range.baseVertex), 0);
-  }
-
-private:
-  const SceneBuffers& m_scene;
-  std::vector<Binding> m_geometry;
-  vk::raii::DescriptorSetLayout m_geometryLayout, m_textureLayout;
-  vk::raii::PipelineLayout m_layout;
-  vk::raii::Pipeline m_plain, m_masked{nullptr};
-  DescriptorSets m_geometrySet;
-  std::unique_ptr<DescriptorSets> m_textureSets;
-};
-
 } // namespace
 
 ShadowMaps::ShadowMaps(const Device& device, const SceneBuffers& scene, const std::vector<scenes::Light>& lights,
                        const ShadowOptions& options)
-    : m_options(options) {
-  const ShadowPlan plan = planShadows(scene.scene(), lights, options);
+    : m_device(device), m_options(options), m_plan(planShadows(scene.scene(), lights, options)), m_drawn(m_plan.views),
+      m_pass(device, scene) {
   for (std::size_t k = 0; k < lights.size(); ++k) {
-    if (plan.lights[k].count == 0) continue; // a dark one may stand where another shines
-    m_ofLight[shadowKey(lights[k])] = plan.lights[k];
+    if (m_plan.lights[k].count == 0) continue; // a dark one may stand where another shines
+    m_ofLight[shadowKey(lights[k])] = m_plan.lights[k];
     ++m_lightCount;
   }
-  if (plan.shrunk)
-    m_note =
-        fmt::format("shadow maps are smaller than asked for: all together take {} MiB at most", options.maxBytes >> 20);
   std::vector<std::uint32_t> sides;
-  for (const ShadowView& view : plan.views) sides.push_back(view.side);
+  for (const ShadowView& view : m_plan.views) sides.push_back(view.side);
   const auto& limits = device.properties().limits;
-  const ShadowTiling tiling =
-      packTiles(sides, limits.maxImageDimension2D, limits.maxImageArrayLayers, device.report().name);
+  m_tiling = packTiles(sides, limits.maxImageDimension2D, limits.maxImageArrayLayers, device.report().name);
   m_image = DeviceImage(device,
                         {.format = vk::Format::eD32Sfloat,
-                         .width = tiling.side,
-                         .height = tiling.side,
+                         .width = m_tiling.side,
+                         .height = m_tiling.side,
                          .array = true,
-                         .arraySize = tiling.layers,
+                         .arraySize = m_tiling.layers,
                          .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eSampled});
   vk::SamplerCreateInfo samplerInfo; // nearest: what is gathered are four texels
   samplerInfo.addressModeU = samplerInfo.addressModeV = vk::SamplerAddressMode::eClampToEdge;
   m_sampler = vk::raii::Sampler(device.handle(), samplerInfo);
-  std::vector<GpuShadowView> packed;
-  for (std::size_t k = 0; k < plan.views.size(); ++k)
-    packed.push_back(pack(plan.views[k], tiling.tiles[k], static_cast<float>(tiling.side), options.filter));
-  m_views = Buffer(device, std::span<const GpuShadowView>(packed));
-
-  std::vector<std::vector<std::size_t>> viewsOfLayer(tiling.layers);
+  m_views = Buffer(device, m_plan.views.size() * sizeof(GpuShadowView));
+  m_windows.resize(m_plan.views.size());
+  std::vector<std::size_t> all;
   for (std::size_t k = 0; k < sides.size(); ++k)
-    if (sides[k] > 0) viewsOfLayer[tiling.tiles[k].layer].push_back(k);
-  const CasterPass pass(device, scene);
-  for (std::uint32_t layer = 0; layer < tiling.layers; ++layer) {
-    const vk::raii::ImageView target = m_image.layerView(device, layer);
-    device.submit("shadow maps", [&](const vk::raii::CommandBuffer& commands) {
-      if (layer == 0) changeLayout(commands, m_image, vk::ImageLayout::eUndefined, kDepth);
-      const vk::RenderingAttachmentInfo depth(*target, kDepth, {}, {}, {}, vk::AttachmentLoadOp::eClear,
+    if (sides[k] > 0) all.push_back(k);
+  draw(all, true);
+}
+
+void ShadowMaps::draw(const std::vector<std::size_t>& views, bool first) {
+  std::vector<GpuShadowView> packed;
+  for (std::size_t k = 0; k < m_drawn.size(); ++k)
+    packed.push_back(pack(m_drawn[k], m_tiling.tiles[k], static_cast<float>(m_tiling.side), m_options.filter));
+  m_views.upload(std::as_bytes(std::span{packed}));
+  std::map<std::uint32_t, std::vector<std::size_t>> viewsOfLayer;
+  if (first)
+    for (std::uint32_t layer = 0; layer < m_tiling.layers; ++layer) viewsOfLayer[layer]; // to be cleared
+  for (const std::size_t k : views) viewsOfLayer[m_tiling.tiles[k].layer].push_back(k);
+  std::size_t left = viewsOfLayer.size();
+  for (const auto& [layer, ofLayer] : viewsOfLayer) {
+    const bool isFirst = left == viewsOfLayer.size(), isLast = --left == 0;
+    const vk::raii::ImageView target = m_image.layerView(m_device, layer);
+    m_device.submit("shadow maps", [&](const vk::raii::CommandBuffer& commands) {
+      if (isFirst) changeLayout(commands, m_image, first ? vk::ImageLayout::eUndefined : kReadOnly, kDepth);
+      const vk::RenderingAttachmentInfo depth(*target, kDepth, {}, {}, {},
+                                              first ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eLoad,
                                               vk::AttachmentStoreOp::eStore, vk::ClearDepthStencilValue(0.f, 0));
       commands.beginRendering(
-          vk::RenderingInfo({}, vk::Rect2D({0, 0}, {tiling.side, tiling.side}), 1, 0, 0, nullptr, &depth));
-      pass.begin(commands);
-      for (const std::size_t k : viewsOfLayer[layer]) {
-        const ShadowTile& tile = tiling.tiles[k];
-        const auto side = static_cast<float>(sides[k]);
-        commands.setViewport(0, vk::Viewport(static_cast<float>(tile.x), static_cast<float>(tile.y), side, side, 0, 1));
-        commands.setScissor(0, vk::Rect2D({static_cast<std::int32_t>(tile.x), static_cast<std::int32_t>(tile.y)},
-                                          {sides[k], sides[k]}));
-        const glm::dmat4 toClip = worldToClip(plan.views[k], options.filter);
-        for (const std::uint32_t i : plan.views[k].casters) pass.draw(commands, toClip, i);
-        m_drawCount += plan.views[k].casters.size();
-        ++m_mapCount;
-      }
+          vk::RenderingInfo({}, vk::Rect2D({0, 0}, {m_tiling.side, m_tiling.side}), 1, 0, 0, nullptr, &depth));
+      m_pass.begin(commands);
+      for (const std::size_t k : ofLayer) drawView(commands, k, !first);
       commands.endRendering();
-      if (layer + 1 == tiling.layers) changeLayout(commands, m_image, kDepth, kReadOnly);
+      if (isLast) changeLayout(commands, m_image, kDepth, kReadOnly);
     });
   }
+}
+
+void ShadowMaps::drawView(const vk::raii::CommandBuffer& commands, std::size_t k, bool clears) {
+  const ShadowView& view = m_drawn[k];
+  const ShadowTile& tile = m_tiling.tiles[k];
+  const auto side = static_cast<float>(view.side);
+  const vk::Rect2D area({static_cast<std::int32_t>(tile.x), static_cast<std::int32_t>(tile.y)}, {view.side, view.side});
+  if (clears)
+    commands.clearAttachments(
+        vk::ClearAttachment(vk::ImageAspectFlagBits::eDepth, 0, vk::ClearDepthStencilValue(0.f, 0)),
+        vk::ClearRect(area, 0, 1));
+  commands.setViewport(0, vk::Viewport(static_cast<float>(tile.x), static_cast<float>(tile.y), side, side, 0, 1));
+  commands.setScissor(0, area);
+  const glm::dmat4 toClip = worldToClip(view, m_options.filter);
+  for (const std::uint32_t i : view.casters) m_pass.draw(commands, toClip, i);
+  m_drawCount += view.casters.size();
+  ++m_mapCount;
+}
+
+void ShadowMaps::fitTo(const Surface& surface) {
+  if (surface.size() == 0 ||
+      std::ranges::none_of(m_plan.views, [](const ShadowView& view) { return view.orthographic && view.side > 0; }))
+    return;
+  const auto positions = surface.position.downloadAs<glm::vec4>(surface.size()); // w: the instance's bits
+  std::vector<std::size_t> changed;
+  for (std::size_t k = 0; k < m_plan.views.size(); ++k) {
+    const ShadowView& whole = m_plan.views[k];
+    if (!whole.orthographic || whole.side == 0) continue;
+    const ShadowWindow window = windowAbout(whole, positions);
+    if (window == m_windows[k]) continue;
+    m_windows[k] = window;
+    m_drawn[k] = throughWindow(whole, window, m_plan.casters, m_options.filter);
+    changed.push_back(k);
+  }
+  if (!changed.empty()) draw(changed, false);
+}
+
+std::string ShadowMaps::note() const {
+  std::uint32_t least = UINT32_MAX;
+  for (const ShadowView& view : m_plan.views)
+    if (view.side > 0) least = std::min(least, view.side);
+  if (!m_plan.shrunk) return "";
+  return fmt::format(
+      "shadow maps are smaller than asked for, down to {0}x{0} texels: all together take {1} MiB at most", least,
+      m_options.maxBytes >> 20);
 }
 
 ShadowOfLight ShadowMaps::of(const scenes::Light& light) const {

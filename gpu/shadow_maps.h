@@ -1,42 +1,58 @@
-// Shadow maps on the device: drawn once for a scene, read by whatever shades it.
+// Shadow maps on the device: drawn for a scene, read by whatever shades it.
 #pragma once
 
 #include <map>
-#include <memory>
+#include <string>
 #include <vector>
 
-#include "gpu/pipeline.h"
-#include "gpu/scene_buffers.h"
-#include "gpu/shadow_views.h"
+#include "gpu/caster_pass.h"
+#include "gpu/shadow_tiles.h"
+#include "gpu/shadow_window.h"
+#include "gpu/surface.h"
 
 namespace parity::gpu {
 
 class ShadowMaps {
 public:
   // Draws the maps of these lights' casters (planShadows), all into the layers of one image; alpha masks are tested as
-  // in the pictures. Throws Error (exit 4) where they take more than the device or the options allow.
+  // in the pictures. Throws Error (exit 4) where they take more than the device or the options allow. Device and scene
+  // must outlive it.
   ShadowMaps(const Device& device, const SceneBuffers& scene, const std::vector<scenes::Light>& lights,
              const ShadowOptions& options);
 
   // Of one of the constructor's lights; others have none.
   ShadowOfLight of(const scenes::Light& light) const;
 
+  // Draws anew the maps of directional lights of which this surface sees but a small part (gpu/shadow_window.h), or no
+  // longer does. Local lights' stay as they are.
+  void fitTo(const Surface& surface);
+
   std::uint32_t filter() const { return m_options.filter; }
-  // Maps that were drawn, instances drawn into them, and lights of the constructor that have one.
+  // The views as they are drawn now, and which of them each of the constructor's lights has.
+  const std::vector<ShadowView>& drawn() const { return m_drawn; }
+  // Maps that have been drawn, instances drawn into them, and lights of the constructor that have one.
   std::size_t mapCount() const { return m_mapCount; }
   std::size_t drawCount() const { return m_drawCount; }
   std::size_t lightCount() const { return m_lightCount; }
   // What the maps lack of what was asked for, in words; empty: nothing.
-  const std::string& note() const { return m_note; }
+  std::string note() const;
 
   // Bindings of the shaders: the array image, and its GpuShadowView.
   vk::DescriptorImageInfo image() const;
   const Buffer& views() const { return m_views; }
 
 private:
+  void draw(const std::vector<std::size_t>& views, bool first);
+  void drawView(const vk::raii::CommandBuffer& commands, std::size_t k, bool clears);
+
+  const Device& m_device;
   ShadowOptions m_options;
+  ShadowPlan m_plan;
+  std::vector<ShadowView> m_drawn;     // of the plan, but through their windows
+  std::vector<ShadowWindow> m_windows; // of each
+  CasterPass m_pass;
+  ShadowTiling m_tiling;
   std::size_t m_mapCount = 0, m_drawCount = 0, m_lightCount = 0;
-  std::string m_note;
   std::map<ShadowKey, ShadowOfLight> m_ofLight;
   DeviceImage m_image;
   vk::raii::Sampler m_sampler{nullptr};

@@ -13,13 +13,13 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "gpu/shadow_casters.h"
+#include "gpu/smallest_square.h"
 
 namespace parity::gpu {
 
 namespace {
 
-constexpr float kMaxSpotAngle = 1.0471976f; // half: 60 degrees
+constexpr float kMaxConeAngle = 1.0471976f; // half: 60 degrees
 // Of the distance to the farthest caster: what is nearer to a light casts no shadow.
 constexpr float kNearShare = 0x1p-20f;
 // Of the scene's largest coordinate: positions are 32-bit floats, wrong by a few 2^-24 of what they were computed from.
@@ -33,50 +33,6 @@ void aim(ShadowView& view, const glm::vec3& forward) {
   view.right =
       glm::normalize(glm::cross(std::abs(forward.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0), forward));
   view.up = glm::cross(forward, view.right);
-}
-
-float cross(const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; }
-
-// Andrew 1979, "Another efficient algorithm for convex hulls in two dimensions".
-std::vector<glm::vec2> convexHull(std::vector<glm::vec2> points) {
-  std::sort(points.begin(), points.end(), [](auto a, auto b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  std::vector<glm::vec2> hull;
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t start = hull.size();
-    for (const glm::vec2& p : points) {
-      while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
-        hull.pop_back();
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull.empty() ? points : hull;
-}
-
-// The smallest square about the points of those that share a direction with an edge of their hull.
-struct Square {
-  glm::vec2 axis{1.f, 0.f}, center{0.f};
-  float halfSide = INFINITY;
-};
-Square smallestSquare(const std::vector<glm::vec2>& points) {
-  const std::vector<glm::vec2> hull = convexHull(points);
-  Square best;
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const glm::vec2 edge = hull[(i + 1) % hull.size()] - hull[i];
-    const float length = glm::length(edge);
-    const glm::vec2 x = length > 0 ? edge / length : glm::vec2(1, 0), y(-x.y, x.x);
-    glm::vec2 lower(INFINITY), upper(-INFINITY);
-    for (const glm::vec2& p : hull) {
-      const glm::vec2 q(glm::dot(x, p), glm::dot(y, p));
-      lower = glm::min(lower, q);
-      upper = glm::max(upper, q);
-    }
-    const glm::vec2 size = upper - lower, middle = 0.5f * (lower + upper);
-    if (const float half = 0.5f * std::max(size.x, size.y); half < best.halfSide)
-      best = {x, middle.x * x + middle.y * y, half};
-  }
-  return best;
 }
 
 ShadowView directionalView(const scenes::Light& light, const Casters& casters) {
@@ -127,13 +83,55 @@ bool mayBeSeen(const ShadowView& view, float extent, const Caster& caster) {
   return outside == 0;
 }
 
-// The six of a cube, or one along the axis of a spot.
-std::vector<ShadowView> startLocalViews(const scenes::Light& light) {
+struct Reached {
+  const Caster* caster;
+  float nearest, farthest;
+};
+
+std::vector<Reached> castersInReach(const scenes::Light& light, const std::vector<Caster>& casters) {
+  std::vector<Reached> reached;
+  for (const Caster& caster : casters) {
+    const float nearest = distanceTo(caster.bounds, light.position);
+    if ((light.range > 0 && nearest >= light.range) || !castsAwayFrom(caster, light.position)) continue;
+    const float farthest = farthestOf(caster.bounds, light.position);
+    reached.push_back({&caster, nearest, light.range > 0 ? std::min(farthest, light.range) : farthest});
+  }
+  return reached;
+}
+
+// A cone from the light: cosine of half its angle, below 0 where it is wider than a half space.
+struct Cone {
+  glm::vec3 axis{0.f, 0.f, 1.f};
+  float cosine = -1;
+};
+
+// About all of these casters.
+Cone coneAbout(const scenes::Light& light, const std::vector<Reached>& reached) {
+  scenes::Bounds bounds{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
+  for (const Reached& each : reached) {
+    if (each.nearest == 0) return {};
+    bounds.lower = glm::min(bounds.lower, each.caster->bounds.lower);
+    bounds.upper = glm::max(bounds.upper, each.caster->bounds.upper);
+  }
+  const glm::vec3 towards = bounds.center() - light.position;
+  if (!(glm::length(towards) > 0)) return {};
+  Cone cone{glm::normalize(towards), 1};
+  for (const Reached& each : reached)
+    for (const glm::vec3& corner : each.caster->corners)
+      cone.cosine = std::min(cone.cosine, glm::dot(glm::normalize(corner - light.position), cone.axis));
+  return cone;
+}
+
+// One about the casters or the light's cone, whichever is narrower, if that is narrow enough; else six of a cube.
+std::vector<ShadowView> aimLocalViews(const scenes::Light& light, const std::vector<Reached>& reached) {
+  Cone cone = coneAbout(light, reached);
+  if (light.kind == scenes::LightKind::spot && std::cos(light.outerConeAngle) > cone.cosine)
+    cone = {light.direction, std::cos(light.outerConeAngle)};
   std::vector<ShadowView> views;
-  if (light.kind == scenes::LightKind::spot && light.outerConeAngle <= kMaxSpotAngle) {
+  if (cone.cosine >= std::cos(kMaxConeAngle)) {
     ShadowView& view = views.emplace_back();
-    aim(view, light.direction);
-    view.extent = std::tan(std::max(light.outerConeAngle, 1e-3f));
+    aim(view, cone.axis);
+    view.extent = std::max(std::sqrt(std::max(1 - cone.cosine * cone.cosine, 0.f)) / cone.cosine, 1e-4f);
   } else {
     for (int face = 0; face < 6; ++face) {
       glm::vec3 axis(0.f);
@@ -145,21 +143,9 @@ std::vector<ShadowView> startLocalViews(const scenes::Light& light) {
   return views;
 }
 
-struct Reached {
-  const Caster* caster;
-  float nearest, farthest;
-};
-
 // Fills `casters`, and the near plane that they leave. The views have their texels.
-void findCastersOf(std::vector<ShadowView>& views, const scenes::Light& light, const Casters& casters,
+void findCastersOf(std::vector<ShadowView>& views, const scenes::Light& light, const std::vector<Reached>& reached,
                    std::uint32_t filter) {
-  std::vector<Reached> reached;
-  for (const Caster& caster : casters.list) {
-    const float nearest = distanceTo(caster.bounds, light.position);
-    if ((light.range > 0 && nearest >= light.range) || !castsAwayFrom(caster, light.position)) continue;
-    const float farthest = farthestOf(caster.bounds, light.position);
-    reached.push_back({&caster, nearest, light.range > 0 ? std::min(farthest, light.range) : farthest});
-  }
   for (ShadowView& view : views) {
     // A face of a cube, 54.8 degrees about its axis at its corners, that a spot's cone does not touch stays empty.
     if (light.kind == scenes::LightKind::spot && views.size() == 6 &&
@@ -189,9 +175,10 @@ std::uint32_t sideOf(const ShadowOptions& options, bool isSun, bool isCube, std:
 std::vector<ShadowView> viewsOf(const scenes::Light& light, const Casters& casters, const ShadowOptions& options,
                                 std::uint32_t shrink) {
   const bool isSun = light.kind == scenes::LightKind::directional;
-  std::vector<ShadowView> views = isSun ? std::vector{directionalView(light, casters)} : startLocalViews(light);
+  const std::vector<Reached> reached = isSun ? std::vector<Reached>() : castersInReach(light, casters.list);
+  std::vector<ShadowView> views = isSun ? std::vector{directionalView(light, casters)} : aimLocalViews(light, reached);
   for (ShadowView& view : views) view.side = sideOf(options, isSun, views.size() > 1, shrink);
-  if (!isSun) findCastersOf(views, light, casters, options.filter);
+  if (!isSun) findCastersOf(views, light, reached, options.filter);
   bool any = false;
   for (ShadowView& view : views) {
     if (view.casters.empty()) view.side = 0;
@@ -269,12 +256,15 @@ ShadowKey shadowKey(const scenes::Light& l) {
 
 ShadowPlan planShadows(const scenes::Scene& scene, const std::vector<scenes::Light>& lights,
                        const ShadowOptions& options) {
-  const Casters casters = findCasters(scene);
+  Casters casters = findCasters(scene);
   const Distinct distinct = distinctLights(lights);
   std::uint32_t shrink = 1;
   for (;;) {
     ShadowPlan plan = planOnce(scene.name, casters, distinct, options, shrink);
-    if (bytesOf(plan, options, shrink) <= options.maxBytes) return plan;
+    if (bytesOf(plan, options, shrink) <= options.maxBytes) {
+      plan.casters = std::move(casters.list);
+      return plan;
+    }
     // As far as these maps need it; smaller ones see a little more beside them, which may take another round.
     constexpr std::uint32_t kMost = kMaxShadowMapSize * kMaxShadowMapSize;
     while (shrink < kMost && bytesOf(plan, options, shrink) > options.maxBytes) shrink *= 2;

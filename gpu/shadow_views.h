@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "gpu/shadow_casters.h"
 #include "gpu/shadow_options.h"
 #include "scenes/scene.h"
 
@@ -38,15 +39,17 @@ ShadowKey shadowKey(const scenes::Light& light);
 struct ShadowPlan {
   std::vector<ShadowOfLight> lights; // of each light
   std::vector<ShadowView> views;     // those of a cube without casters are there, without texels
+  std::vector<Caster> casters;       // all that any may draw
   bool shrunk = false;               // maps have fewer texels than asked for, for options.maxBytes
 };
 
-// Directional lights get one map about what casts, turned so that it is smallest; spots of up to 120 degrees one, of
-// twice the texels that a face of a cube has; all others a cube of six. Drawn are instances that are not blended, that
-// a light's range and cone reach, and that lie before something: a flat floor with nothing below it casts no shadow.
-// What is nearer to a light than 2^-20 of the distance to the farthest that a map draws is not drawn. Equal lights
-// share their maps; dark ones have none. Maps are halved until all fit into options.maxBytes, those of local lights
-// first, down to kMinTile texels a side. Throws Error (exit 4) where that does not suffice, and beyond kMaxShadowDraws.
+// Directional lights get one map about what casts, turned so that it is smallest; local ones one about what casts
+// within their reach or about their cone, whichever is narrower, of half the texels a side; where that is wider than
+// 120 degrees the six faces of a cube, of a fourth. Drawn are instances that are not blended and not unlit, that a
+// light's range and cone reach, and that lie before something: a flat floor with nothing below it casts no shadow. What
+// is nearer to a light than 2^-20 of the distance to the farthest that a map draws is not drawn. Equal lights share
+// their maps; dark ones have none. Maps are halved until all fit into options.maxBytes, those of local lights first,
+// down to kMinTile texels a side. Throws Error (exit 4) where that does not suffice, and beyond kMaxShadowDraws.
 ShadowPlan planShadows(const scenes::Scene& scene, const std::vector<scenes::Light>& lights,
                        const ShadowOptions& options);
 

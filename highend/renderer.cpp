@@ -112,7 +112,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   }
   program.environment = inputs.environment;
   if (inputs.environment) ++m_ownSamplers;
-  program.shadows = inputs.shadows;
+  program.shadows = m_shadows = inputs.shadows;
   if (inputs.shadows) ++m_ownSamplers;
   program.constants = {
       static_cast<std::uint32_t>(options.geometryTerm), static_cast<std::uint32_t>(options.fresnel),

@@ -15,8 +15,8 @@ struct Inputs {
   const gpu::EnvironmentMaps* environment = nullptr; // null: none
   const base::Image* lut = nullptr;       // makeEnvBrdfLut of the same term and curve; null only where needsLut says so
   std::vector<scenes::Light> lights = {}; // all of the scene's, and the sun
-  const gpu::ShadowMaps* shadows = nullptr; // of these lights; null: nothing casts
-  bool cullLights = true;                   // false: every pixel asks every light, with the same result
+  gpu::ShadowMaps* shadows = nullptr;     // of these lights, fitted to what is shaded; null: nothing casts
+  bool cullLights = true;                 // false: every pixel asks every light, with the same result
   bool terms = false;
   gpu::Compilation compilation = {};
   std::uint64_t expectedPixels = 0; // that the run will shade
@@ -27,6 +27,7 @@ public:
   Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, const std::vector<gpu::BinKind>& binKinds,
            const Inputs& inputs, const Options& options);
   gpu::ShadedSurface shade(const gpu::Surface& surface, const scenes::Camera& camera) const {
+    if (m_shadows) m_shadows->fitTo(surface);
     return m_pass->shade(surface, camera);
   }
   // Takes the light at this place of the inputs' list out of what is shaded from now on, or puts it back; the shaders
@@ -55,6 +56,7 @@ private:
   };
   std::vector<InputLight> m_lights; // in the inputs' order
   std::size_t m_ownSamplers = 0;    // besides the materials'
+  gpu::ShadowMaps* m_shadows = nullptr;
   gpu::DeviceImage m_lut;
   std::unique_ptr<LightCulling> m_culling; // where there are lights enough
   std::unique_ptr<gpu::ShadingPass> m_pass;

@@ -136,7 +136,7 @@ scenes::Scene loadSubject(const SceneRequest& request) {
 PreparedScene prepareScene(Context& context, const SceneRequest& request, const Paths& paths) {
   PreparedScene prepared;
   prepared.exposureEv = request.exposureEv.value_or(context.settings().exposureEv);
-  prepared.shadows = request.shadows || context.settings().shadows;
+  prepared.shadows = request.shadows.value_or(context.settings().shadows);
   std::optional<scenes::Environment> panorama;
   std::vector<std::string> warnings;
   base::parallelInvoke({

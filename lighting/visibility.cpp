@@ -19,7 +19,8 @@ namespace {
 constexpr double kOffset = 0x1p-18;
 
 bool casts(const scenes::Scene& scene, const scenes::Instance& instance) {
-  return scene.materials[scene.meshes[instance.mesh].material].alphaMode != scenes::AlphaMode::blend;
+  const scenes::Material& material = scene.materials[scene.meshes[instance.mesh].material];
+  return material.alphaMode != scenes::AlphaMode::blend && !material.unlit;
 }
 
 struct ReleaseDevice {

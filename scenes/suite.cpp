@@ -240,7 +240,7 @@ SuiteEntry readEntry(const std::string& label, const std::filesystem::path& fold
   }
   entry.lightScales = readLightScales(reader);
   if (const toml::table* fog = reader.table("fog")) entry.fog = readFog(label, *fog);
-  entry.shadows = reader.truth("shadows").value_or(false);
+  entry.shadows = reader.truth("shadows");
   entry.fullyRough = reader.texts("fully_rough");
   if (const auto budgets = reader.text("budgets")) entry.budgets = resolve(folder, *budgets);
   entry.exposureEv = reader.number("exposure", -32, 32);

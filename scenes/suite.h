@@ -26,7 +26,7 @@ struct SuiteEntry {
   std::optional<SunRequest> sun;
   LightScales lightScales;
   std::optional<Fog> fog;
-  bool shadows = false;                // of its lights, by shadow maps or rays
+  std::optional<bool> shadows;         // its lights cast them, or not, whatever the run says
   std::vector<ViewRequest> views;      // at least one after loading (auto)
   std::vector<std::string> fullyRough; // globs over material names
   std::optional<std::string> budgets;  // path of a budget file for this scene

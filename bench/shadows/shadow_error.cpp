@@ -99,8 +99,8 @@ VisibilityError measureVisibility(const gpu::Device& device, const Setup& setup,
   const std::vector<gpu::ResolvedMaterial> points = materials.resolve(surface, setup.camera);
   std::vector<scenes::Light> mapped = setup.others;
   mapped.push_back(light);
-  const gpu::ShadowMaps maps(device, buffers, mapped, setup.options);
-  const auto shade = [&](const gpu::ShadowMaps* shadows) {
+  gpu::ShadowMaps maps(device, buffers, mapped, setup.options);
+  const auto shade = [&](gpu::ShadowMaps* shadows) {
     highend::Inputs inputs;
     inputs.lights = {light};
     inputs.shadows = shadows;
@@ -110,8 +110,7 @@ VisibilityError measureVisibility(const gpu::Device& device, const Setup& setup,
     return lightOf(renderer.shade(surface, setup.camera), surface.size());
   };
   const std::vector<double> lit = shade(nullptr), shadowed = shade(&maps);
-  const gpu::ShadowPlan plan = gpu::planShadows(setup.scene, mapped, setup.options);
-  const gpu::ShadowOfLight of = plan.lights.back();
+  const gpu::ShadowOfLight of = maps.of(light);
   const Rays rays(setup.scene, light);
 
   VisibilityError error;
@@ -130,7 +129,8 @@ VisibilityError measureVisibility(const gpu::Device& device, const Setup& setup,
       error.exact[pixel] = sees ? 1.f : 0.f;
       error.difference[pixel] = error.map[pixel] - error.exact[pixel];
       if (of.count == 0) continue;
-      const gpu::ShadowView& view = plan.views[of.first + (of.count == 1 ? 0 : faceOf(p - glm::dvec3(light.position)))];
+      const gpu::ShadowView& view =
+          maps.drawn()[of.first + (of.count == 1 ? 0 : faceOf(p - glm::dvec3(light.position)))];
       if (view.side == 0) continue;
       const double texels = 0.5 * view.side / gpu::shadowExtent(view, setup.options.filter);
       for (const glm::dvec2& d : diskOfTwoTexels()) {

@@ -42,7 +42,7 @@ const base::Image& Shared::lut(const highend::Options& o, int size) {
   return m_luts.emplace(key, highend::makeEnvBrdfLut(o.geometryTerm, o.fresnel, size)).first->second;
 }
 
-const gpu::ShadowMaps* Shared::highendShadows(const gpu::SceneBuffers& buffers) {
+gpu::ShadowMaps* Shared::highendShadows(const gpu::SceneBuffers& buffers) {
   if (!m_prepared.shadows) return nullptr;
   if (!m_highendShadows)
     m_highendShadows.emplace(m_context.device(), buffers, m_prepared.lights, m_context.settings().shadowMaps);

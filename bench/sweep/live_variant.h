@@ -40,7 +40,7 @@ public:
   const gpu::EnvironmentMaps* mobileEnvironment(mobile::CaptureEncoding encoding);
   const base::Image& lut(const highend::Options& options, int size);
   // Of the lights of each path; null where the run has no shadows there. buffers: of the scene, whichever time.
-  const gpu::ShadowMaps* highendShadows(const gpu::SceneBuffers& buffers);
+  gpu::ShadowMaps* highendShadows(const gpu::SceneBuffers& buffers);
   const gpu::ShadowMaps* mobileShadows(const gpu::SceneBuffers& buffers, const mobile::Options& options);
   // Does again what a setting of the stage preparation prepares, and forgets it.
   void prepareAgain(const Variant& v) const;

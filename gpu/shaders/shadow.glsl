@@ -7,7 +7,7 @@
 #include "gpu/shaders/shadow_map.glsl"
 
 // The move, in texels times the sine of the light's angle: for receivers that bend, and for edges between triangles.
-const float kNormalOffset = 0.7;
+const float kNormalOffset = 0.5;
 // Of the depth, besides the error of coordinates: the map's own rounding and what the rasteriser loses.
 const float kPerspectiveBias = 4e-5;
 const float kOrthographicBias = 1e-6;

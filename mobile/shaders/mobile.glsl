@@ -219,7 +219,7 @@ void addLocalLights(inout BasePass pass, Shaded s, Point p) {
         localLightAt(kSun != kSunRefit, light.positionKind.xyz - p.position, light.colorRange.xyz, light.colorRange.w,
                      uint(light.positionKind.w) == kLightSpot, light.directionCosOuter.xyz, light.cone.x,
                      light.directionCosOuter.w);
-    if (kSpotShadow != 0u) seen.color *= float(spotShadow(light, p, vec3(seen.L)));
+    if (kSpotShadow != 0u) seen.color *= float(spotShadow(light, p));
     real SpecularScale = real(light.cone.y);
     MobileDirectLighting Lighting = mobileIntegrateBxDF(s.sun, s.fullyRough, s.context, s.frame, seen.L);
     real3 lit = clampContribution65000(lightWith(seen.color, Lighting, SpecularScale));

@@ -5,16 +5,17 @@
 // Texels over which a receiver darkens behind its caster; how far it is moved towards the light first, against acne.
 const float kTransitionTexels = 2.0;
 const float kBiasTexels = 1.5;
-const float kMaxSlope = 4.0;
+const float kMaxSlope = 8.0;
 
-// 1 where the light has no map. L: unit, towards the light.
-real spotShadow(GpuLight light, Point p, vec3 L) {
+// 1 where the light has no map.
+real spotShadow(GpuLight light, Point p) {
   if (light.cone.z == 0.0) return R(1.0);
   ShadowPoint s = shadowPointOf(light, p.position);
   if (!s.isSeen) return R(1.0);
   float texel = s.position.z / s.map.right.w; // metres
-  float cosine = clamp(dot(p.geometric, L), 0.0, 1.0);
-  float slope = min(sqrt(1.0 - cosine * cosine) / max(cosine, 0.01), kMaxSlope);
+  // How much the receiver's plane falls off over a texel, in texels.
+  vec3 n = vec3(dot(s.map.right.xyz, p.geometric), dot(s.map.up.xyz, p.geometric), dot(s.map.forward.xyz, p.geometric));
+  float slope = min((abs(n.x) + abs(n.y)) * s.position.z / max(-dot(n, s.position), 1e-3 * s.position.z), kMaxSlope);
   float sceneDepth = s.position.z - kBiasTexels * texel * (1.0 + slope);
   vec2 at = s.map.tile.xy + s.position.xy * (s.map.right.w / s.position.z);
   vec2 corner = floor(at - 0.5), f = at - 0.5 - corner;

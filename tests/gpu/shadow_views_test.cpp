@@ -145,18 +145,21 @@ TEST(ShadowViews, LocalLightsDrawWhatTheyReach) {
   point.direction = {0, 0, -1};
   point.range = 2;
   const ShadowPlan plan = planShadows(f.scene, {point}, {});
-  ASSERT_EQ(plan.lights[0].count, 6u);
-  std::size_t maps = 0;
-  for (const ShadowView& view : plan.views) {
-    maps += view.side > 0;
-    EXPECT_EQ(view.side > 0, !view.casters.empty());
-    if (view.side > 0) {
-      EXPECT_EQ(view.casters, (std::vector<std::uint32_t>{1}));
-      EXPECT_LT(view.forward.z, -0.9f) << "the ball lies below";
-      EXPECT_EQ(view.side, 512u);
-    }
+  ASSERT_EQ(plan.lights[0].count, 1u) << "all that it reaches lies below";
+  EXPECT_EQ(plan.views[0].casters, (std::vector<std::uint32_t>{1}));
+  EXPECT_NEAR(plan.views[0].forward.z, -1, 1e-6);
+  EXPECT_EQ(plan.views[0].side, 1024u);
+  // About the ball's box, whose upper corners are a metre below and half a metre aside, both ways.
+  EXPECT_NEAR(plan.views[0].extent, std::sqrt(0.5), 1e-5);
+  // Between balls it needs a cube, of which faces without casters are empty.
+  for (const float x : {-1.5f, 1.5f}) f.scene.instances.push_back({1, tests::translation(x, 0, 2), "beside"});
+  const ShadowPlan cube = planShadows(f.scene, {point}, {});
+  ASSERT_EQ(cube.lights[0].count, 6u);
+  for (const ShadowView& view : cube.views) {
+    EXPECT_EQ(view.side, view.casters.empty() ? 0u : 512u);
+    EXPECT_EQ(view.casters.empty(), view.forward.z > 0.5f || std::abs(view.forward.y) > 0.5f);
   }
-  EXPECT_EQ(maps, 1u);
+  f.scene.instances.resize(3);
   // Nothing in reach: no map at all.
   point.range = 0.9f;
   EXPECT_EQ(planShadows(f.scene, {point}, {}).lights[0].count, 0u);
@@ -164,7 +167,7 @@ TEST(ShadowViews, LocalLightsDrawWhatTheyReach) {
 
 TEST(ShadowViews, SpotsHaveOneMapUpTo120Degrees) {
   const FloorAndBall f;
-  scenes::Light spot = makeLight(LightKind::spot, {0, 0, 2}, {0.1f, 0, -1});
+  scenes::Light spot = makeLight(LightKind::spot, {0, 0, 1.2f}, {0.1f, 0, -1}); // just above the ball
   spot.outerConeAngle = glm::radians(59.f);
   ShadowPlan plan = planShadows(f.scene, {spot}, {});
   EXPECT_EQ(plan.lights[0].count, 1u);
@@ -175,6 +178,17 @@ TEST(ShadowViews, SpotsHaveOneMapUpTo120Degrees) {
   EXPECT_EQ(plan.lights[0].count, 6u);
   EXPECT_EQ(plan.views[4].side, 0u) << "+z, behind the cone";
   EXPECT_GT(plan.views[5].side, 0u);
+}
+
+TEST(ShadowViews, AFarLampIsAimedAtWhatCasts) {
+  const FloorAndBall f;
+  for (const LightKind kind : {LightKind::point, LightKind::spot}) {
+    const scenes::Light lamp = makeLight(kind, {300, 0, 400}, {-3, 0, -4});
+    const ShadowPlan plan = planShadows(f.scene, {lamp}, {});
+    ASSERT_EQ(plan.lights[0].count, 1u);
+    EXPECT_LT(plan.views[0].extent, 1.2f * std::sqrt(0.75f) / 500);
+    EXPECT_EQ(plan.views[0].casters, (std::vector<std::uint32_t>{1}));
+  }
 }
 
 TEST(ShadowViews, EqualLightsShareAndDarkOnesHaveNone) {

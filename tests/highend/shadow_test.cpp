@@ -58,8 +58,6 @@ protected:
     const auto surface = std::move(pass.render(camera, {0, kSize}, glm::vec2(0.5f)).front());
     std::optional<gpu::ShadowMaps> maps;
     if (shadows) maps.emplace(device(), buffers, lights, options);
-    if (maps) m_mapCount = maps->mapCount();
-    if (maps) m_drawCount = maps->drawCount();
     Inputs inputs;
     inputs.lights = lights;
     inputs.shadows = maps ? &*maps : nullptr;
@@ -67,6 +65,8 @@ protected:
     const Options plain{.diffuse = DiffuseLobe::lambert, .compensation = Compensation::none};
     const Renderer renderer(device(), buffers, pass.binKinds(), inputs, plain);
     m_shaded = renderer.shade(surface, camera);
+    if (maps) m_mapCount = maps->mapCount();
+    if (maps) m_drawCount = maps->drawCount();
     std::vector<double> picture(kSize * kSize, -1);
     for (std::size_t i = 0; i < surface.size(); ++i)
       if (surface.instances[i] == 0) picture[surface.pixels[i]] = m_shaded.color[i].x;
@@ -165,7 +165,7 @@ TEST_F(ShadowTest, ALightInsideOfGeometryStaysThere) {
   scenes::Light lamp = makeLight(LightKind::point);
   lamp.position = {0.05f, 0.02f, 1};
   for (const double value : floor(s.scene, s.camera, {lamp}, true)) EXPECT_EQ(value, 0);
-  EXPECT_EQ(m_mapCount, 6u);
+  EXPECT_EQ(m_mapCount, 6u) << "all round";
   lamp.position = {0, 0, 0.5f}; // outside of it
   for (const double value : floor(s.scene, s.camera, {lamp}, true)) EXPECT_GT(value, 0);
 }
@@ -183,6 +183,26 @@ TEST_F(ShadowTest, AHousingCastsUnderADomeOfKilometres) {
   for (const double value : floor(s.scene, s.camera, {lamp}, true)) EXPECT_EQ(value, 0);
   lamp.position = {0, 0, 0.5f};
   for (const double value : floor(s.scene, s.camera, {lamp}, true)) EXPECT_GT(value, 0);
+}
+
+// A caster a kilometre away does not coarsen what is seen; the same maps serve a view of all again.
+TEST_F(ShadowTest, OfALargeSceneAreFittedToWhatIsSeen) {
+  Square s;
+  scenes::Light sun = makeLight(LightKind::directional);
+  sun.direction = glm::normalize(glm::vec3(0.6f, -0.3f, -1));
+  const auto small = floor(s.scene, s.camera, {sun}, true);
+  s.scene.meshes.push_back(scenes::makeSphere(1, 16, 8));
+  s.scene.meshes[2].material = 1;
+  s.scene.instances.push_back({2, tests::translation(1000, 300, 5), "far ball"});
+  const auto large = floor(s.scene, s.camera, {sun}, true);
+  EXPECT_EQ(m_mapCount, 2u) << "of all casters, then of this view's";
+  int edge = 0, dark = 0;
+  for (std::size_t p = 0; p < small.size(); ++p) {
+    edge += std::abs(small[p] - large[p]) > 0.01;
+    dark += large[p] == 0;
+  }
+  EXPECT_LT(edge, 130) << "about each pixel of the edge";
+  EXPECT_GT(dark, 900);
 }
 
 TEST_F(ShadowTest, ADarkLightTakesNoShadowFromAnEqualOne) {
