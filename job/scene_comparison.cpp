@@ -58,7 +58,8 @@ public:
   ComparedScene run(std::size_t index) {
     const SceneRequest& request = m_request.scenes[index];
     ComparedScene scene;
-    compare::SceneResult& result = scene.result = startScene(request, request.shadows.value_or(m_context.settings().shadows));
+    compare::SceneResult& result = scene.result =
+        startScene(request, request.shadows.value_or(m_context.settings().shadows));
     const auto setError = [&](const char* message, base::ExitCode code) {
       scene.error = fmt::format("{}: {}", result.name, message); // several problems are several lines
       for (std::size_t at = scene.error.find('\n'); at != std::string::npos; at = scene.error.find('\n', at + 1))

@@ -30,6 +30,8 @@ std::vector<std::string> SceneRenderer::warnings() const {
         fmt::format("{} pixels show more than {} blended surfaces behind one another: the farthest are left out",
                     m_cutPixels, gpu::kMaxBlendedLayers));
   if (m_shadowMaps && !m_shadowMaps->note().empty()) warnings.push_back(m_shadowMaps->note());
+  if (m_reference && m_prepared.shadows && m_prepared.panorama)
+    warnings.emplace_back("the truth shadows the environment's light, too: high-end's maps are of lights alone");
   return warnings;
 }
 
@@ -105,7 +107,8 @@ NoNeed SceneRenderer::reasons() const {
                                                                    : "nothing stands before anything";
   why.lightChoice = work().localLights == 0 ? why.local : "the preset has them baked";
   why.droppedLights = settings.droppedLights > 0 ? "mobile has all lights that reach what is seen" : "not asked for";
-  why.terms = why.truth = why.occluders = why.costs = "not asked for";
+  why.terms = why.occluders = why.costs = "not asked for";
+  why.truth = settings.truth ? why.environment : "not asked for";
   return why;
 }
 

@@ -9,7 +9,7 @@
 // The move, in texels times the sine of the light's angle: for receivers that bend, and for edges between triangles.
 const float kNormalOffset = 0.5;
 // Of the depth, besides the error of coordinates: the map's own rounding and what the rasteriser loses.
-const float kPerspectiveBias = 4e-5;
+const float kPerspectiveBias = 4e-6;
 const float kOrthographicBias = 1e-6;
 
 // Share of the texels about `at` (in texels of the layer) in which nothing is nearer to the light than the receiver,

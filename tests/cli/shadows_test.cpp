@@ -99,6 +99,9 @@ TEST_F(ShadowsTest, OfASuiteAreASceneAndAreDrawnOnceForAllViews) {
   const nlohmann::json one = suite("");
   EXPECT_EQ(lightOf(one, 0), "shadows");
   EXPECT_EQ(lightOf(one, 1), "");
+  // What the scene says goes before what the run says.
+  writeFile(m_folder / "suite.toml", std::string("[[scene]]\nfile = \"builtin:shadows\"\nshadows = false\n"));
+  EXPECT_EQ(lightOf(report({"--suite", (m_folder / "suite.toml").string(), "--shadows"}), 0), "");
   const nlohmann::json two = suite("[[scene.view]]\n[[scene.view]]\norbit = [100, 60, 0]\n");
   EXPECT_EQ(two["scenes"][0]["views"].size(), 2u);
   EXPECT_EQ(passOf(two, "shadow maps"), passOf(one, "shadow maps"));

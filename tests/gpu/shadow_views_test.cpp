@@ -61,13 +61,16 @@ TEST(ShadowViews, AFloorWithNothingBelowItCastsNone) {
   EXPECT_EQ(castersOf(turned.scene, sun), (std::vector<std::uint32_t>{1}));
 }
 
-TEST(ShadowViews, WhatIsBlendedOrEmptyOrNotFiniteCastsNone) {
+TEST(ShadowViews, WhatIsBlendedOrUnlitOrEmptyOrNotFiniteCastsNone) {
   FloorAndBall f;
   f.scene.materials[1].alphaMode = scenes::AlphaMode::blend;
   EXPECT_TRUE(castersOf(f.scene, kSun).empty());
   // But it is something that a floor above it is before of.
   f.scene.instances[1].toWorld = tests::translation(0, 0, -1);
   EXPECT_EQ(castersOf(f.scene, kSun), (std::vector<std::uint32_t>{0}));
+  FloorAndBall sign;
+  sign.scene.materials[1].unlit = true;
+  EXPECT_TRUE(castersOf(sign.scene, kSun).empty());
   FloorAndBall g;
   g.scene.meshes[1].indices.clear();
   EXPECT_TRUE(castersOf(g.scene, kSun).empty());

@@ -159,11 +159,14 @@ TEST(Visibility, convexSurfacesDoNotShadowThemselvesAtGrazingLight) {
     }
 }
 
-TEST(Visibility, bothSidesOccludeAndBlendedMaterialsDoNot) {
+TEST(Visibility, bothSidesOccludeAndBlendedAndUnlitMaterialsDoNot) {
   scenes::Scene scene = makeScene(tests::makeQuad(0));
   scene.materials[0].doubleSided = false;
   for (const double side : {1.0, -1.0}) EXPECT_TRUE(Visibility(scene).isOccluded({0.2, 0.1, side}, {0, 0, -side}));
   scene.materials[0].alphaMode = scenes::AlphaMode::blend;
+  EXPECT_FALSE(Visibility(scene).isOccluded({0.2, 0.1, 1}, {0, 0, -1}));
+  scene.materials[0].alphaMode = scenes::AlphaMode::opaque;
+  scene.materials[0].unlit = true;
   EXPECT_FALSE(Visibility(scene).isOccluded({0.2, 0.1, 1}, {0, 0, -1}));
 }
 
@@ -233,6 +236,7 @@ TEST(Visibility, hashCoversWhatDecidesAndNothingElse) {
       [](scenes::Scene& s) { s.meshes[0].colors.assign(4, glm::vec4(0.5f)); },
       [](scenes::Scene& s) { s.materials[0].alphaMode = scenes::AlphaMode::opaque; },
       [](scenes::Scene& s) { s.materials[0].alphaMode = scenes::AlphaMode::blend; },
+      [](scenes::Scene& s) { s.materials[0].unlit = true; },
       [](scenes::Scene& s) { s.materials[0].alphaCutoff = 0.4f; },
       [](scenes::Scene& s) { s.materials[0].baseColor.a = 0.4f; },
       [](scenes::Scene& s) { s.materials[0].baseColorTexture.image = -1; },
