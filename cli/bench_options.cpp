@@ -8,7 +8,7 @@ namespace parity::cli {
 void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
   raw.common.size = "256x256";
   raw.common.error = "2%";
-  raw.common.precision = "fp32"; // a software device emulates half; every preset is tried in both
+  raw.common.paths.precision = "fp32"; // a software device emulates half; every preset is tried in both
   BenchCommand& bench = raw.bench;
   app.add_option("scenes", bench.scenes, "Scene files or builtin:NAME");
   app.add_option("-o,--output", bench.folder, "Folder for index.html, bench.json, bench.csv and pictures")

@@ -48,101 +48,9 @@ std::vector<std::string> parseMetrics(const std::string& option, const std::stri
   }
 }
 
-// An option that takes one of an enumeration's names; `text` begins as the default's.
-template <typename Enum> void addNamed(CLI::App& app, const std::string& option, std::string& text,
-                                       const std::vector<std::string>& names, Enum chosen,
-                                       const std::string& description) {
-  text = names[static_cast<std::size_t>(chosen)];
-  app.add_option(option, text, description)->check(CLI::IsMember(names))->group("Paths")->capture_default_str();
-}
-
-template <typename Enum> Enum enumOf(const std::string& text, const std::vector<std::string>& names) {
-  return static_cast<Enum>(std::find(names.begin(), names.end(), text) - names.begin());
-}
-
-void addModelOptions(CLI::App& app, const highend::Options& defaults, RawOptions& raw) {
-  addNamed(app, "--geometry-term", raw.geometryTerm, highend::geometryTermNames(), defaults.geometryTerm,
-           "Geometry term of the high-end path and the reference");
-  addNamed(app, "--fresnel", raw.fresnel, highend::fresnelNames(), defaults.fresnel,
-           "Fresnel's curve, in the high-end path and the reference");
-  addNamed(app, "--diffuse", raw.diffuse, highend::diffuseNames(), defaults.diffuse,
-           "Diffuse lobe of both: what the specular lobe leaves of the light, or all of it");
-  addNamed(app, "--compensation", raw.compensation, highend::compensationNames(), defaults.compensation,
-           "High-end path: what returns the light that single scattering loses");
-  addNamed(app, "--off-specular", raw.offSpecular, highend::offSpecularNames(), defaults.offSpecular,
-           "High-end path: how the prefiltered environment is read away from N = V = R");
-}
-
-void addMobileOptions(CLI::App& app, gpu::OutputTarget target, RawOptions& raw) {
-  app.add_option("--mobile-preset", raw.mobilePreset, "Formulas of the mobile path")
-      ->check(CLI::IsMember(mobile::presetNames()))
-      ->group("Paths")
-      ->capture_default_str();
-  app.add_option("--precision", raw.precision, "Of the mobile path; fp16 falls back to fp32 where the device lacks it")
-      ->check(CLI::IsMember(mobile::precisionNames()))
-      ->group("Paths")
-      ->capture_default_str();
-  app.add_option("--sky-sh", raw.skyCoefficients,
-                 "Mobile path: SH coefficients of the sky light, 4 or 9 (the preset's)")
-      ->check(CLI::IsMember({4, 9}))
-      ->group("Paths");
-  app.add_option("--capture", raw.capture, "Mobile path: the environment in 8-bit rgbm or in fp16 (the preset's)")
-      ->check(CLI::IsMember(mobile::captureEncodingNames()))
-      ->group("Paths");
-  app.add_option("--capture-scale", raw.captureScale,
-                 "Mobile path: how the environment follows the indirect light (the preset's)")
-      ->check(CLI::IsMember(mobile::captureScaleNames()))
-      ->group("Paths");
-  app.add_flag("--mobile-spot-shadow", raw.mobileSpotShadow,
-               "Mobile path: the brightest spot light casts a shadow, by a map of its own")
-      ->group("Paths");
-  addNamed(app, "--mobile-target", raw.mobileTarget, gpu::outputTargetNames(), target,
-           "Render target of the mobile path: what its colour is stored in");
-}
-
-void settleMobile(mobile::Options& options, const RawOptions& raw) {
-  options = mobile::presetByName(raw.mobilePreset);
-  options.precision = enumOf<mobile::Precision>(raw.precision, mobile::precisionNames());
-  options.spotShadow = raw.mobileSpotShadow;
-  if (raw.skyCoefficients) options.skyCoefficients = *raw.skyCoefficients;
-  if (!raw.capture.empty())
-    options.capture = enumOf<mobile::CaptureEncoding>(raw.capture, mobile::captureEncodingNames());
-  if (!raw.captureScale.empty())
-    options.captureScale = enumOf<mobile::CaptureScale>(raw.captureScale, mobile::captureScaleNames());
-}
-
-void settleModel(job::Settings& s, const RawOptions& raw) {
-  s.highend.geometryTerm = enumOf<highend::GeometryTerm>(raw.geometryTerm, highend::geometryTermNames());
-  s.highend.fresnel = enumOf<highend::FresnelCurve>(raw.fresnel, highend::fresnelNames());
-  s.highend.diffuse = enumOf<highend::DiffuseLobe>(raw.diffuse, highend::diffuseNames());
-  s.highend.compensation = enumOf<highend::Compensation>(raw.compensation, highend::compensationNames());
-  s.highend.offSpecular = enumOf<highend::OffSpecular>(raw.offSpecular, highend::offSpecularNames());
-  reference::Model& model = s.reference.model;
-  model.geometryTerm = s.highend.geometryTerm;
-  model.fresnel = s.highend.fresnel;
-  model.diffuse = s.highend.diffuse;
-}
-
 } // namespace
 
 std::string defaultMetricList() { return fmt::format("{}", fmt::join(compare::defaultMetrics(), ",")); }
-
-void addShadowOptions(CLI::App& app, RawOptions& raw) {
-  app.add_flag("--shadows", raw.shadows,
-               "Lights cast shadows: high-end by shadow maps, the reference by rays, of the environment too")
-      ->group("Paths");
-  std::vector<std::uint32_t> sizes;
-  for (std::uint32_t size = gpu::kMinShadowMapSize; size <= gpu::kMaxShadowMapSize; size *= 2) sizes.push_back(size);
-  app.add_option("--shadow-map-size", raw.shadowMapSize,
-                 "Texels a side of directional lights' maps; spots' have half, faces of point lights' a fourth")
-      ->check(CLI::IsMember(sizes))
-      ->group("Paths")
-      ->capture_default_str();
-  app.add_option("--shadow-filter", raw.shadowFilter, "Width of the shadow maps' filter, texels; 0: one texel, hard")
-      ->check(CLI::IsMember({0, 1, 3, 5, 7}))
-      ->group("Paths")
-      ->capture_default_str();
-}
 
 void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw) {
   app.add_option("--device", device.name,
@@ -189,13 +97,7 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->capture_default_str();
   app.add_option("--background", raw.background, "Linear R,G,B behind the scene, in every path. Default 0.18,0.18,0.18")
       ->group("Picture");
-  addShadowOptions(app, raw);
-  addMobileOptions(app, s.mobileTarget, raw);
-  addModelOptions(app, s.highend, raw);
-  app.add_option("--specular-aa", raw.specularAa, "Roughness from minified normal maps, in every path: toksvig or off")
-      ->check(CLI::IsMember({"off", "toksvig"}))
-      ->group("Paths")
-      ->capture_default_str();
+  addPathOptions(app, s, raw.paths);
   app.add_option("--material", s.materials, "Report only these materials (glob, repeatable)")->group("Verdict");
   app.add_option("--budgets", s.budgets, "Budget file (TOML) instead of the built-in budgets")->group("Verdict");
   addDeviceOptions(app, s.device, raw);
@@ -283,9 +185,6 @@ void settle(CommonOptions& common, const RawOptions& raw) {
   s.reference.integral.relativeError = parseShare("--error", raw.error);
   s.reference.model.scattering =
       raw.scattering == "single" ? reference::Scattering::single : reference::Scattering::multiple;
-  s.shadows = raw.shadows;
-  s.shadowMaps.mapSize = raw.shadowMapSize;
-  s.shadowMaps.filter = raw.shadowFilter;
   parseSize(raw.size, s);
   s.extractSun = !raw.noSunExtraction;
   if (!raw.sun.empty()) {
@@ -315,14 +214,7 @@ void settle(CommonOptions& common, const RawOptions& raw) {
   }
   s.terms |= s.truth;
   s.metrics = parseMetrics("--metrics", raw.metrics);
-  settleMobile(s.mobile, raw);
-  s.mobileTarget = enumOf<gpu::OutputTarget>(raw.mobileTarget, gpu::outputTargetNames());
-  if (gpu::isDisplayed(s.mobileTarget) && s.display != "sRGB")
-    throw CLI::ValidationError("--mobile-target", fmt::format("'{}' is what the screen shows, as sRGB: the display "
-                                                              "transform '{}' needs a float target",
-                                                              raw.mobileTarget, s.display));
-  settleModel(s, raw);
-  s.specularAa = raw.specularAa == "toksvig" ? gpu::SpecularAa::toksvig : gpu::SpecularAa::off;
+  settlePaths(s, raw.paths);
   s.device.validation |= raw.validation;
   common.quiet = raw.quiet;
   if (!raw.noCache) s.cacheFolder = raw.cache.empty() ? base::defaultCacheFolder() : std::filesystem::path(raw.cache);

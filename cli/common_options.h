@@ -2,7 +2,6 @@
 // CLI11.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +9,7 @@
 #include "cli/invocation.h"
 #include "cli/light_options.h"
 #include "cli/load_options.h"
+#include "cli/path_options.h"
 
 namespace parity::cli {
 
@@ -17,11 +17,8 @@ std::string defaultMetricList();
 
 // What CLI11 fills in; turned into CommonOptions when all is known.
 struct RawOptions {
-  std::string size = "1024x1024", sun, orbit, target, background, camera = "auto", precision = "fp16",
-              specularAa = "off", mobileTarget;
-  std::string mobilePreset = "ue4-2020", capture, captureScale; // the last two: empty is the preset's
-  std::optional<int> skyCoefficients;
-  std::string geometryTerm, fresnel, diffuse, compensation, offSpecular; // of the high-end path and the reference
+  std::string size = "1024x1024", sun, orbit, target, background, camera = "auto";
+  RawPathOptions paths;
   RawLightOptions light;
   RawLoadOptions load;
   std::string error = "0.5%", scattering = "multiple"; // of the reference
@@ -30,15 +27,11 @@ struct RawOptions {
   int droppedLights = 8;                     // of report and diff
   std::string metrics = defaultMetricList(); // comma-separated
   std::string pixelData = "all";
-  std::uint32_t shadowMapSize = gpu::ShadowOptions().mapSize, shadowFilter = gpu::ShadowOptions().filter;
-  bool shadows = false, mobileSpotShadow = false, noSunExtraction = false, noCache = false, quiet = false,
-       verbose = false, validation = false;
+  bool noSunExtraction = false, noCache = false, quiet = false, verbose = false, validation = false;
 };
 
 // Scene, view, picture, paths, device, cache, verbosity.
 void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
-// --shadows and the maps' knobs.
-void addShadowOptions(CLI::App& app, RawOptions& raw);
 // --device and --validation alone.
 void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw);
 // What is measured; nothing is by `render`.

@@ -1,6 +1,7 @@
 // What options have in common: values with checks, and how a wrong one is refused. Only for the files that know CLI11.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -28,5 +29,10 @@ CLI::Validator within(double least, double most);
 
 // A file that can only be written as one of these kinds (extensions with their dots, in lower case).
 CLI::Validator fileOfKind(const std::vector<std::string>& extensions);
+
+// The enumerator of a name that CLI11 has checked.
+template <typename Enum> Enum enumOf(const std::string& text, const std::vector<std::string>& names) {
+  return static_cast<Enum>(std::find(names.begin(), names.end(), text) - names.begin());
+}
 
 } // namespace parity::cli

@@ -120,14 +120,14 @@ void ShadowMaps::drawView(const vk::raii::CommandBuffer& commands, std::size_t k
 }
 
 void ShadowMaps::fitTo(const Surface& surface) {
-  if (surface.size() == 0 ||
-      std::ranges::none_of(m_plan.views, [](const ShadowView& view) { return view.orthographic && view.side > 0; }))
+  if (std::ranges::none_of(m_plan.views, [](const ShadowView& view) { return view.orthographic && view.side > 0; }))
     return;
   const auto positions = surface.position.downloadAs<glm::vec4>(surface.size()); // w: the instance's bits
   std::vector<std::size_t> changed;
   for (std::size_t k = 0; k < m_plan.views.size(); ++k) {
     const ShadowView& whole = m_plan.views[k];
     if (!whole.orthographic || whole.side == 0) continue;
+    if (surface.blended && holds(whole, m_windows[k], positions)) continue;
     const ShadowWindow window = windowAbout(whole, positions);
     if (window == m_windows[k]) continue;
     m_windows[k] = window;

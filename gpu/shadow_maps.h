@@ -24,7 +24,8 @@ public:
   ShadowOfLight of(const scenes::Light& light) const;
 
   // Draws anew the maps of directional lights of which this surface sees but a small part (gpu/shadow_window.h), or no
-  // longer does. Local lights' stay as they are.
+  // longer does. Local lights' stay as they are. Blended layers, which follow the opaque one that they lie over, take
+  // its maps where those hold them.
   void fitTo(const Surface& surface);
 
   std::uint32_t filter() const { return m_options.filter; }

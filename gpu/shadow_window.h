@@ -22,6 +22,9 @@ inline constexpr std::uint32_t kMaxWindowLevel = 16;
 // finite do not count.
 ShadowWindow windowAbout(const ShadowView& whole, std::span<const glm::vec4> positions);
 
+// Whether all of these positions, as far as they lie within the whole map, lie in the window.
+bool holds(const ShadowView& whole, const ShadowWindow& window, std::span<const glm::vec4> positions);
+
 // The whole's view through a window: its casters are those that the window and what the filter reaches about it touch.
 ShadowView throughWindow(const ShadowView& whole, const ShadowWindow& window, const std::vector<Caster>& casters,
                          std::uint32_t filter);

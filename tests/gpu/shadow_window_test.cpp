@@ -40,6 +40,10 @@ TEST(ShadowWindow, HoldsWhatIsSeenAndIsAsSmall) {
     const auto positions = positionsAbout(whole, center, radius, seed);
     const ShadowWindow window = windowAbout(whole, positions);
     const ShadowView view = throughWindow(whole, window, {}, 3);
+    EXPECT_TRUE(holds(whole, window, positions));
+    if (window.level > 2) {
+      EXPECT_FALSE(holds(whole, window, positionsAbout(whole, center + 5.f * radius, radius, seed)));
+    }
     for (const glm::vec4& p : positions) {
       const glm::vec3 d = glm::vec3(p) - view.origin;
       EXPECT_LE(std::abs(glm::dot(view.right, d)), view.extent * 1.0001f);

@@ -46,6 +46,7 @@ std::vector<Triangle> trianglesOf(const scenes::Scene& scene) {
   std::vector<Triangle> triangles;
   for (const scenes::Instance& instance : scene.instances) {
     const scenes::Mesh& mesh = scene.meshes[instance.mesh];
+    if (scene.materials[mesh.material].unlit) continue;
     const glm::dmat4 toWorld(instance.toWorld);
     const auto vertex = [&](std::size_t i) {
       return glm::dvec3(toWorld * glm::dvec4(mesh.positions[mesh.indices[i]], 1));
