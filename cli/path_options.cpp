@@ -86,7 +86,7 @@ void addShadowOptions(CLI::App& app, RawPathOptions& raw) {
   std::vector<std::uint32_t> sizes;
   for (std::uint32_t size = gpu::kMinShadowMapSize; size <= gpu::kMaxShadowMapSize; size *= 2) sizes.push_back(size);
   app.add_option("--shadow-map-size", raw.shadowMapSize,
-                 "Texels a side of directional lights' maps; spots' have half, faces of point lights' a fourth")
+                 "Texels a side of directional lights' maps; local lights' have half, faces of a cube a fourth")
       ->check(CLI::IsMember(sizes))
       ->group("Paths")
       ->capture_default_str();
