@@ -155,23 +155,25 @@ public:
     benchmark::ConsoleReporter::ReportRuns(runs);
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
-      auto& [n, times] = m_times[run.run_name.function_name];
-      n.push_back(std::stod(run.run_name.args));
-      times.push_back(run.GetAdjustedRealTime());
+      m_times[run.run_name.function_name][std::stod(run.run_name.args)].push_back(run.GetAdjustedRealTime());
     }
   }
   void printExponents() const {
     for (const auto& [name, points] : m_times) {
-      auto [n, times] = points;
-      const std::size_t drop = n.size() > 3 ? n.size() - 3 : 0;
-      n.erase(n.begin(), n.begin() + static_cast<std::ptrdiff_t>(drop));
-      times.erase(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(drop));
-      if (n.size() > 1) fmt::print("{:<28} n^{:.2f}\n", name, sweep::fitPowerLaw(n, times).exponent);
+      std::vector<double> n, medians;
+      for (const auto& [count, times] : points) {
+        n.push_back(count);
+        medians.push_back(sweep::spreadOf(times).median);
+      }
+      const auto drop = static_cast<std::ptrdiff_t>(n.size() > 3 ? n.size() - 3 : 0);
+      n.erase(n.begin(), n.begin() + drop);
+      medians.erase(medians.begin(), medians.begin() + drop);
+      if (n.size() > 1) fmt::print("{:<28} n^{:.2f}\n", name, sweep::fitPowerLaw(n, medians).exponent);
     }
   }
 
 private:
-  std::map<std::string, std::pair<std::vector<double>, std::vector<double>>> m_times;
+  std::map<std::string, std::map<double, std::vector<double>>> m_times; // by benchmark and n
 };
 
 int run(int count, char** arguments) {
