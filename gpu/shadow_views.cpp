@@ -125,13 +125,16 @@ Cone coneAbout(const scenes::Light& light, const std::vector<Reached>& reached) 
 // One about the casters or the light's cone, whichever is narrower, if that is narrow enough; else six of a cube.
 std::vector<ShadowView> aimLocalViews(const scenes::Light& light, const std::vector<Reached>& reached) {
   Cone cone = coneAbout(light, reached);
-  if (light.kind == scenes::LightKind::spot && std::cos(light.outerConeAngle) > cone.cosine)
+  float margin = 1.02f; // for the soft edges about what casts
+  if (light.kind == scenes::LightKind::spot && std::cos(light.outerConeAngle) > cone.cosine) {
     cone = {light.direction, std::cos(light.outerConeAngle)};
+    margin = 1; // all is dark there
+  }
   std::vector<ShadowView> views;
   if (cone.cosine >= std::cos(kMaxConeAngle)) {
     ShadowView& view = views.emplace_back();
     aim(view, cone.axis);
-    view.extent = std::max(std::sqrt(std::max(1 - cone.cosine * cone.cosine, 0.f)) / cone.cosine, 1e-4f);
+    view.extent = std::max(margin * std::sqrt(std::max(1 - cone.cosine * cone.cosine, 0.f)) / cone.cosine, 1e-4f);
   } else {
     for (int face = 0; face < 6; ++face) {
       glm::vec3 axis(0.f);
