@@ -50,7 +50,6 @@ ShadowMaps::ShadowMaps(const Device& device, const SceneBuffers& scene, const st
   for (std::size_t k = 0; k < lights.size(); ++k) {
     if (m_plan.lights[k].count == 0) continue; // a dark one may stand where another shines
     m_ofLight[shadowKey(lights[k])] = m_plan.lights[k];
-    ++m_lightCount;
   }
   std::vector<std::uint32_t> sides;
   for (const ShadowView& view : m_plan.views) sides.push_back(view.side);

@@ -31,10 +31,9 @@ public:
   std::uint32_t filter() const { return m_options.filter; }
   // The views as they are drawn now, and which of them each of the constructor's lights has.
   const std::vector<ShadowView>& drawn() const { return m_drawn; }
-  // Maps that have been drawn, instances drawn into them, and lights of the constructor that have one.
+  // Maps that have been drawn, and instances drawn into them.
   std::size_t mapCount() const { return m_mapCount; }
   std::size_t drawCount() const { return m_drawCount; }
-  std::size_t lightCount() const { return m_lightCount; }
   // What the maps lack of what was asked for, in words; empty: nothing.
   std::string note() const;
 
@@ -53,7 +52,7 @@ private:
   std::vector<ShadowWindow> m_windows; // of each
   CasterPass m_pass;
   ShadowTiling m_tiling;
-  std::size_t m_mapCount = 0, m_drawCount = 0, m_lightCount = 0;
+  std::size_t m_mapCount = 0, m_drawCount = 0;
   std::map<ShadowKey, ShadowOfLight> m_ofLight;
   DeviceImage m_image;
   vk::raii::Sampler m_sampler{nullptr};

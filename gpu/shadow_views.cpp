@@ -9,7 +9,6 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <glm/gtc/constants.hpp>
 
 #include "base/error.h"
 #include "base/parallel.h"

@@ -14,9 +14,9 @@ namespace parity::lighting {
 
 // All instances' triangles in world space. They occlude from both sides, as in a shadow map: what is single-sided is
 // not see-through to light. Masked materials let rays through where their alpha test fails (lighting/alpha_mask.h);
-// blended and unlit ones (sky domes, signs) cast no shadow. A triangle without area or with a vertex that is not finite (or beyond 1.8e18 m,
-// Embree's limit) occludes nothing. All members but the constructor may be called by any number of threads; the answers
-// depend on the scene alone.
+// blended and unlit ones (sky domes, signs) cast no shadow. A triangle without area or with a vertex that is not finite
+// (or beyond 1.8e18 m, Embree's limit) occludes nothing. All members but the constructor may be called by any number of
+// threads; the answers depend on the scene alone.
 class Visibility {
 public:
   // The scene must outlive it and not change. Throws base::Error (exit 4) beyond kMaxTriangles, and for what Embree
