@@ -1,0 +1,1 @@
+#include "bake/texels.h"

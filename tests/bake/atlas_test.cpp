@@ -1,0 +1,3 @@
+#include "bake/atlas.h"
+
+#include <gtest/gtest.h>
