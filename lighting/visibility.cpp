@@ -64,6 +64,19 @@ void passHoles(const RTCFilterFunctionNArguments* args) {
   }
 }
 
+RTCRay makeRay(const glm::dvec3& origin, const glm::dvec3& direction, double maxDistance) {
+  RTCRay ray{};
+  ray.org_x = static_cast<float>(origin.x);
+  ray.org_y = static_cast<float>(origin.y);
+  ray.org_z = static_cast<float>(origin.z);
+  ray.dir_x = static_cast<float>(direction.x);
+  ray.dir_y = static_cast<float>(direction.y);
+  ray.dir_z = static_cast<float>(direction.z);
+  ray.tfar = static_cast<float>(maxDistance);
+  ray.mask = ~0u;
+  return ray;
+}
+
 } // namespace
 
 struct Visibility::Impl {
@@ -72,12 +85,18 @@ struct Visibility::Impl {
   Owned<RTCDevice, ReleaseDevice> device;
   Owned<RTCScene, ReleaseScene> scene;
   double extent = 0; // the largest coordinate
+  struct Source {
+    std::uint32_t instance = 0;
+    bool mirrored = false; // its transform turns fronts into backs
+  };
+  std::vector<Source> sources; // of each Embree geometry
 
   void check(const scenes::Scene& content) const {
     if (!error.text.empty()) throw base::fileError(content.name, "shadows", "Embree: " + error.text);
   }
 
-  void add(const scenes::Scene& content, const scenes::Instance& instance) {
+  void add(const scenes::Scene& content, std::uint32_t index) {
+    const scenes::Instance& instance = content.instances[index];
     const scenes::Mesh& mesh = content.meshes[instance.mesh];
     if (mesh.indices.empty()) return;
     const Owned<RTCGeometry, ReleaseGeometry> geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
@@ -99,9 +118,12 @@ struct Visibility::Impl {
       masked.push_back({&content, &mesh});
       rtcSetGeometryUserData(geometry.get(), &masked.back());
       rtcSetGeometryOccludedFilterFunction(geometry.get(), passHoles);
+      rtcSetGeometryIntersectFilterFunction(geometry.get(), passHoles);
     }
     rtcCommitGeometry(geometry.get());
-    rtcAttachGeometry(scene.get(), geometry.get());
+    const unsigned id = rtcAttachGeometry(scene.get(), geometry.get());
+    sources.resize(std::max<std::size_t>(sources.size(), id + 1));
+    sources[id] = {index, glm::determinant(glm::mat3(instance.toWorld)) < 0};
   }
 };
 
@@ -123,8 +145,8 @@ Visibility::Visibility(const scenes::Scene& scene) : m_impl(std::make_unique<Imp
   impl.scene.reset(rtcNewScene(impl.device.get()));
   impl.check(scene);
   rtcSetSceneFlags(impl.scene.get(), static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT));
-  for (const scenes::Instance& instance : scene.instances)
-    if (casts(scene, instance)) impl.add(scene, instance);
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+    if (casts(scene, scene.instances[i])) impl.add(scene, i);
   rtcCommitScene(impl.scene.get());
   impl.check(scene);
 }
@@ -139,17 +161,30 @@ bool Visibility::isOccluded(const glm::dvec3& origin, const glm::dvec3& directio
   if (!(maxDistance > 0)) return false;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRay ray{};
-  ray.org_x = static_cast<float>(origin.x);
-  ray.org_y = static_cast<float>(origin.y);
-  ray.org_z = static_cast<float>(origin.z);
-  ray.dir_x = static_cast<float>(direction.x);
-  ray.dir_y = static_cast<float>(direction.y);
-  ray.dir_z = static_cast<float>(direction.z);
-  ray.tfar = static_cast<float>(maxDistance);
-  ray.mask = ~0u;
+  RTCRay ray = makeRay(origin, direction, maxDistance);
   rtcOccluded1(m_impl->scene.get(), &context, &ray);
   return ray.tfar < 0; // Embree's sign for a hit
+}
+
+std::optional<Visibility::Hit> Visibility::firstHit(const glm::dvec3& origin, const glm::dvec3& direction,
+                                                    double maxDistance) const {
+  if (!(maxDistance > 0)) return std::nullopt;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit query{};
+  query.ray = makeRay(origin, direction, maxDistance);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(m_impl->scene.get(), &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  const Impl::Source& source = m_impl->sources[query.hit.geomID];
+  const glm::vec3 counterClockwise = glm::normalize(glm::vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z));
+  const glm::vec3 geometric = source.mirrored ? -counterClockwise : counterClockwise;
+  return Hit{.instance = source.instance,
+             .triangle = query.hit.primID,
+             .barycentric = {query.hit.u, query.hit.v},
+             .distance = query.ray.tfar,
+             .geometric = geometric,
+             .front = glm::dot(geometric, glm::vec3(direction)) < 0};
 }
 
 std::string hashOfOccluders(const scenes::Scene& scene) {

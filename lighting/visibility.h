@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <glm/glm.hpp>
@@ -31,6 +33,18 @@ public:
   // Whether something lies on origin + t direction for t in [0, maxDistance]. direction: unit; finite.
   bool isOccluded(const glm::dvec3& origin, const glm::dvec3& direction,
                   double maxDistance = std::numeric_limits<double>::infinity()) const;
+
+  // The nearest triangle that a ray meets.
+  struct Hit {
+    std::uint32_t instance = 0, triangle = 0; // of the scene; of the instance's mesh
+    glm::vec2 barycentric{0.f};               // weights of the triangle's second and third vertex
+    float distance = 0;
+    glm::vec3 geometric{0.f}; // normal of the triangle, unit, on the side of its front
+    bool front = true;        // it is met from the side that its front faces
+  };
+  // As isOccluded, and what it is that lies there first; nothing where the ray meets nothing.
+  std::optional<Hit> firstHit(const glm::dvec3& origin, const glm::dvec3& direction,
+                              double maxDistance = std::numeric_limits<double>::infinity()) const;
 
   // Where a ray leaves a surface so that it does not meet the surface itself: moved along the geometric normal (unit,
   // towards the side of the ray) by surfaceOffset(position).

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -94,6 +95,55 @@ TEST(Visibility, isWhatEveryTriangleInTurnSays) {
     EXPECT_GT(hits, 20) << name;
     EXPECT_GT(misses, 20) << name;
     EXPECT_GT(hits + misses, 140) << name;
+  }
+}
+
+TEST(Visibility, firstHitIsTheNearestTriangleAndItsSide) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> uniform;
+  for (const char* name : {"lamps", "materials"}) {
+    scenes::Scene scene = scenes::makeBuiltinScene(name);
+    for (std::size_t i = 0; i < scene.instances.size(); i += 2) // every other one mirrored
+      scene.instances[i].toWorld *= glm::mat4(glm::mat3(-1, 0, 0, 0, 1, 0, 0, 0, 1));
+    const Visibility visibility(scene);
+    const scenes::Bounds bounds = scene.bounds();
+    int fronts = 0, backs = 0, misses = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const glm::dvec3 inBounds(uniform(random), uniform(random), uniform(random));
+      const glm::dvec3 origin = glm::mix(glm::dvec3(bounds.lower), glm::dvec3(bounds.upper), inBounds);
+      const glm::dvec3 direction = randomDirection(random);
+      const auto hit = visibility.firstHit(origin, direction);
+      EXPECT_EQ(hit.has_value(), visibility.isOccluded(origin, direction));
+      if (!hit) {
+        ++misses;
+        continue;
+      }
+      // Nothing lies before it, and it is the triangle that it says.
+      if (hit->distance > 1e-3) {
+        EXPECT_FALSE(visibility.isOccluded(origin, direction, hit->distance * (1 - 1e-4)));
+      }
+      const scenes::Instance& instance = scene.instances.at(hit->instance);
+      const scenes::Mesh& mesh = scene.meshes[instance.mesh];
+      std::array<glm::dvec3, 3> v;
+      for (int k = 0; k < 3; ++k)
+        v[k] = glm::dvec3(glm::dmat4(instance.toWorld) *
+                          glm::dvec4(mesh.positions[mesh.indices.at(3 * hit->triangle + k)], 1));
+      const double b1 = hit->barycentric.x, b2 = hit->barycentric.y;
+      const glm::dvec3 there = (1 - b1 - b2) * v[0] + b1 * v[1] + b2 * v[2];
+      EXPECT_LT(glm::distance(there, origin + direction * double(hit->distance)), 1e-4 * bounds.radius());
+      // The loader's rule: counter-clockwise in object space is the front, a mirroring transform keeps it one.
+      const glm::dvec3 front =
+          glm::cross(v[1] - v[0], v[2] - v[0]) * (glm::determinant(glm::mat3(instance.toWorld)) < 0 ? -1.0 : 1.0);
+      const double cosine = glm::dot(glm::normalize(front), direction);
+      if (std::abs(cosine) > 1e-3) {
+        EXPECT_EQ(hit->front, cosine < 0) << name << ", ray " << i;
+      }
+      EXPECT_GT(glm::dot(glm::normalize(front), glm::dvec3(hit->geometric)), 1 - 1e-4);
+      ++(hit->front ? fronts : backs);
+    }
+    EXPECT_GT(fronts, 200) << name;
+    EXPECT_GT(backs, 50) << name;
+    EXPECT_GT(misses, 200) << name;
   }
 }
 

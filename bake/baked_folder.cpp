@@ -1,0 +1,311 @@
+#include "bake/baked_folder.h"
+
+#include <cstring>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/hash.h"
+#include "base/image_io.h"
+#include "lighting/cube.h"
+
+namespace parity::bake {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "parity-bake";
+constexpr int kVersion = 1;
+constexpr std::size_t kMaxManifestBytes = std::size_t{64} << 20;
+constexpr std::size_t kMaxPages = 1024, kMaxCaptures = 64;
+
+std::string hashOfFile(const fs::path& file) { return base::Hasher().add(base::readFile(file)).hex(); }
+
+bool isBake(const fs::path& folder) {
+  try {
+    const Json manifest = Json::parse(base::readText(folder / kManifestFile, kMaxManifestBytes));
+    return manifest.is_object() && manifest.value("format", "") == kFormat;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+// ---- objects: where they lie, and how their texels are scaled. Little-endian, as they are in memory.
+
+template <typename T> void append(std::vector<std::byte>& bytes, const std::vector<T>& list) {
+  const std::uint64_t count = list.size();
+  const auto number = std::as_bytes(std::span(&count, 1)), content = std::as_bytes(std::span(list));
+  bytes.insert(bytes.end(), number.begin(), number.end());
+  bytes.insert(bytes.end(), content.begin(), content.end());
+}
+
+template <typename T> void take(std::span<const std::byte>& bytes, std::vector<T>& list, const std::string& file) {
+  std::uint64_t count = 0;
+  if (bytes.size() < sizeof count) throw base::fileError(file, "", "is truncated");
+  std::memcpy(&count, bytes.data(), sizeof count);
+  bytes = bytes.subspan(sizeof count);
+  if (count > bytes.size() / sizeof(T)) throw base::fileError(file, "", "is truncated");
+  list.resize(count);
+  if (count > 0) std::memcpy(list.data(), bytes.data(), count * sizeof(T));
+  bytes = bytes.subspan(count * sizeof(T));
+}
+
+static_assert(sizeof(scenes::LightmapUvs::Place) == 20, "no padding: written as it is");
+
+std::vector<std::byte> objectBytes(const BakedLight& baked) {
+  std::vector<std::byte> bytes;
+  append(bytes, baked.uvs.corners);
+  append(bytes, baked.uvs.places);
+  append(bytes, baked.mobileScales);
+  return bytes;
+}
+
+void readObjects(const fs::path& file, BakedLight& baked) {
+  const std::vector<std::byte> all = base::readFile(file);
+  std::span<const std::byte> bytes(all);
+  take(bytes, baked.uvs.corners, file.string());
+  take(bytes, baked.uvs.places, file.string());
+  take(bytes, baked.mobileScales, file.string());
+}
+
+// ---- captures
+
+// The six faces of the unfiltered cube, one above the other: for eyes.
+base::Image facesOf(const lighting::CubeMap& cube) {
+  base::Image image(cube.faceSize, cube.faceSize * lighting::kCubeFaces, 3);
+  for (std::size_t i = 0; i < image.pixelCount(); ++i)
+    for (int c = 0; c < 3; ++c) image.pixels[3 * i + static_cast<std::size_t>(c)] = cube.mips[0][i][c];
+  return image;
+}
+
+Json toJson(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+
+glm::vec3 vectorOf(const Json& list) {
+  return {list.at(0).get<float>(), list.at(1).get<float>(), list.at(2).get<float>()};
+}
+
+// ---- the files
+
+class FolderWriter {
+public:
+  explicit FolderWriter(fs::path folder) : m_folder(std::move(folder)) {}
+  void image(const std::string& name, const base::Image& image, const base::WriteOptions& options = {}) {
+    base::writeImage(m_folder / name, image, options);
+    list(name);
+  }
+  void image8(const std::string& name, const base::Image8& image) {
+    base::writeImage8(m_folder / name, image);
+    list(name);
+  }
+  void bytes(const std::string& name, std::span<const std::byte> bytes) {
+    base::writeBytes(m_folder / name, bytes);
+    list(name);
+  }
+  const Json& files() const { return m_files; }
+
+private:
+  void list(const std::string& name) {
+    m_files[name] = {{"bytes", fs::file_size(m_folder / name)}, {"hash", hashOfFile(m_folder / name)}};
+  }
+  fs::path m_folder;
+  Json m_files = Json::object();
+};
+
+void writeInto(const fs::path& folder, const BakedLight& baked) {
+  FolderWriter writer(folder);
+  for (std::size_t p = 0; p < baked.highend.size(); ++p) {
+    if (p < baked.sources.size())
+      writer.image(fmt::format("lightmap-{}.exr", p), baked.sources[p],
+                   {.channelNames = {"R", "G", "B", "L0", "L1.x", "L1.y", "L1.z", "N.x", "N.y", "N.z"}});
+    writer.image(fmt::format("highend-{}.exr", p), baked.highend[p], {.channelNames = {}, .half = true});
+    writer.image8(fmt::format("mobile-{}.png", p), baked.mobile[p]);
+    if (baked.sunMask.empty()) continue;
+    writer.image8(fmt::format("sun-mask-{}.png", p), baked.sunMask[p]);
+    writer.image8(fmt::format("sun-field-{}.png", p), baked.sunField[p]);
+  }
+  writer.bytes("objects.bin", objectBytes(baked));
+  Json captures = Json::array();
+  for (std::size_t k = 0; k < baked.captures.size(); ++k) {
+    const Capture& capture = baked.captures[k];
+    writer.image(fmt::format("capture-{}.exr", k), facesOf(capture.light->prefiltered),
+                 {.channelNames = {}, .half = true});
+    writer.bytes(fmt::format("capture-{}.bin", k), lighting::toBytes(*capture.light));
+    captures.push_back({{"position", toJson(capture.position)},
+                        {"boxLower", toJson(capture.boxLower)},
+                        {"boxUpper", toJson(capture.boxUpper)},
+                        {"radius", capture.radius},
+                        {"averageBrightness", capture.averageBrightness()}});
+  }
+  const BakeFigures& f = baked.figures;
+  const Json manifest = {{"format", kFormat},
+                         {"version", kVersion},
+                         {"scene", baked.scene},
+                         {"settings", baked.settings},
+                         {"hashes",
+                          {{"geometry", baked.hashes.geometry},
+                           {"materials", baked.hashes.materials},
+                           {"lights", baked.hashes.lights},
+                           {"sky", baked.hashes.sky}}},
+                         {"localLights", baked.localLights == LocalLights::isStatic ? "static" : "stationary"},
+                         {"astc", baked.astc},
+                         {"pageSide", baked.pageSide},
+                         {"pages", baked.highend.size()},
+                         {"hasSun", !baked.sunMask.empty()},
+                         {"transitionScale", baked.transitionScale},
+                         {"captures", captures},
+                         {"figures",
+                          {{"texels", f.texels},
+                           {"samplesPerTexel", f.samplesPerTexel},
+                           {"errorMedian", f.errorMedian},
+                           {"errorWorst", f.errorWorst},
+                           {"shareWithinError", f.shareWithinError},
+                           {"logDb", f.logDb},
+                           {"astcDb", f.astcDb}}},
+                         {"files", writer.files()}};
+  base::writeText(folder / kManifestFile, manifest.dump(2) + "\n");
+}
+
+// Removed when it goes out of scope, unless it has taken its place.
+struct TemporaryFolder {
+  fs::path path;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    if (!path.empty()) fs::remove_all(path, ignored);
+  }
+};
+
+void requireFile(const fs::path& folder, const std::string& name, const Json& files) {
+  const fs::path file = folder / name;
+  const auto entry = files.find(name);
+  if (entry == files.end()) throw base::fileError((folder / kManifestFile).string(), name, "is not listed");
+  const std::uintmax_t bytes = base::regularFileSize(file), wanted = entry->at("bytes").get<std::uintmax_t>();
+  if (bytes != wanted)
+    throw base::fileError(file.string(), "",
+                          fmt::format("{} bytes, the manifest says {}: it is {}", bytes, wanted,
+                                      bytes < wanted ? "truncated" : "another file"));
+  if (hashOfFile(file) != entry->at("hash").get<std::string>())
+    throw base::fileError(file.string(), "", "is not the file that the manifest lists: it has been changed");
+}
+
+void requireSize(const fs::path& file, int width, int height, int channels, int wantedSide, int halves,
+                 int wantedChannels) {
+  if (width != wantedSide || height != halves * wantedSide || channels != wantedChannels)
+    throw base::fileError(file.string(), "",
+                          fmt::format("{} x {} pixels of {} channels, expected {} x {} of {}", width, height, channels,
+                                      wantedSide, halves * wantedSide, wantedChannels));
+}
+
+BakedLight read(const fs::path& folder, const Json& manifest) {
+  const Json& files = manifest.at("files");
+  const auto checked = [&](const std::string& name) {
+    requireFile(folder, name, files);
+    return folder / name;
+  };
+  BakedLight baked;
+  baked.scene = manifest.at("scene").get<std::string>();
+  baked.settings = manifest.at("settings").get<std::string>();
+  baked.astc = manifest.at("astc").get<std::string>();
+  const Json& hashes = manifest.at("hashes");
+  const auto hash = [&](const char* part) { return hashes.at(part).get<std::string>(); };
+  baked.hashes = {hash("geometry"), hash("materials"), hash("lights"), hash("sky")};
+  baked.localLights =
+      manifest.at("localLights").get<std::string>() == "static" ? LocalLights::isStatic : LocalLights::isStationary;
+  baked.pageSide = manifest.at("pageSide").get<int>();
+  baked.transitionScale = manifest.at("transitionScale").get<float>();
+  const auto pages = manifest.at("pages").get<std::size_t>();
+  const bool hasSun = manifest.at("hasSun").get<bool>();
+  const std::size_t captures = manifest.at("captures").size();
+  if (baked.pageSide < 1 || baked.pageSide > base::kMaxImageSide / 2 || pages > kMaxPages || captures > kMaxCaptures ||
+      !(baked.transitionScale > 0))
+    throw base::fileError((folder / kManifestFile).string(), "", "has sizes out of range");
+  const int side = baked.pageSide;
+  for (std::size_t p = 0; p < pages; ++p) {
+    const auto readPage = [&](const std::string& name, int halves, int channels) {
+      const fs::path file = checked(name);
+      base::Image8 image = base::readImage8(file, channels);
+      requireSize(file, image.width, image.height, image.channels, side, halves, channels);
+      return image;
+    };
+    const fs::path highend = checked(fmt::format("highend-{}.exr", p));
+    const base::Image& page = baked.highend.emplace_back(base::readImage(highend));
+    requireSize(highend, page.width, page.height, page.channels, side, 2, 4);
+    baked.mobile.push_back(readPage(fmt::format("mobile-{}.png", p), 2, 4));
+    if (!hasSun) continue;
+    baked.sunMask.push_back(readPage(fmt::format("sun-mask-{}.png", p), 1, 1));
+    baked.sunField.push_back(readPage(fmt::format("sun-field-{}.png", p), 1, 1));
+  }
+  readObjects(checked("objects.bin"), baked);
+  for (std::size_t k = 0; k < captures; ++k) {
+    const Json& entry = manifest.at("captures").at(k);
+    const std::vector<std::byte> bytes = base::readFile(checked(fmt::format("capture-{}.bin", k)));
+    baked.captures.push_back(
+        {vectorOf(entry.at("position")), vectorOf(entry.at("boxLower")), vectorOf(entry.at("boxUpper")),
+         entry.at("radius").get<float>(),
+         std::make_shared<const lighting::EnvironmentLight>(lighting::environmentLightFromBytes(bytes))});
+  }
+  const Json& f = manifest.at("figures");
+  baked.figures = {
+      f.at("texels").get<std::uint64_t>(), f.at("samplesPerTexel").get<double>(),  f.at("errorMedian").get<double>(),
+      f.at("errorWorst").get<double>(),    f.at("shareWithinError").get<double>(), f.at("logDb").get<double>(),
+      f.at("astcDb").get<double>()};
+  return baked;
+}
+
+} // namespace
+
+void requireBakeFolder(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) return;
+  if (!fs::is_directory(folder, error)) throw base::fileError(folder.string(), "", "is not a folder");
+  if (!fs::is_empty(folder, error) && !isBake(folder))
+    throw base::fileError(folder.string(), "", "holds other files, and no bake that may be replaced");
+}
+
+void writeBaked(const fs::path& folder, const BakedLight& baked) {
+  requireBakeFolder(folder);
+  const fs::path target = fs::absolute(folder).lexically_normal(),
+                 place = target.has_filename() ? target : target.parent_path();
+  const std::string suffix = fmt::format(".{}", ::getpid());
+  try {
+    TemporaryFolder fresh{place.string() + ".new" + suffix};
+    fs::create_directories(fresh.path);
+    writeInto(fresh.path, baked);
+    TemporaryFolder old;
+    if (fs::exists(place)) {
+      old.path = place.string() + ".old" + suffix;
+      fs::rename(place, old.path);
+    }
+    fs::rename(fresh.path, place);
+    fresh.path.clear();
+  } catch (const fs::filesystem_error& error) {
+    throw base::fileError(folder.string(), "", error.code().message());
+  }
+}
+
+BakedLight readBaked(const fs::path& folder) {
+  const fs::path file = folder / kManifestFile;
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) throw base::fileError(folder.string(), "", "is no folder of baked light");
+  const std::string text = base::readText(file, kMaxManifestBytes);
+  try {
+    const Json manifest = Json::parse(text);
+    if (!manifest.is_object() || manifest.value("format", "") != kFormat)
+      throw base::fileError(file.string(), "", "is not the manifest of a bake");
+    if (manifest.at("version").get<int>() != kVersion)
+      throw base::fileError(
+          file.string(), "version",
+          fmt::format("{}, this program reads {}: bake it again", manifest.at("version").dump(), kVersion));
+    return read(folder, manifest);
+  } catch (const Json::exception& problem) {
+    throw base::fileError(file.string(), "", fmt::format("is damaged: {}", problem.what()));
+  }
+}
+
+} // namespace parity::bake

@@ -1,0 +1,18 @@
+// Light that comes straight from suns, points and spots.
+#pragma once
+
+#include <span>
+
+#include "bake/texel_light.h"
+#include "bake/texels.h"
+#include "lighting/visibility.h"
+#include "scenes/scene.h"
+
+namespace parity::bake {
+
+// Adds to `sum` what one light gives at a point, if nothing stands between: KHR_lights_punctual's fall-off, range and
+// cone, as the high-end path has it. bothSides: light from behind the surface adds to the SH. Returns whether it did.
+bool addLight(const scenes::Light& light, const SurfacePoint& point, bool bothSides,
+              const lighting::Visibility& visibility, LightSum& sum);
+
+} // namespace parity::bake

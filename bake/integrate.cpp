@@ -1,0 +1,250 @@
+#include "bake/integrate.h"
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "bake/direct_light.h"
+#include "bake/gather.h"
+#include "bake/stages.h"
+#include "bake/texel_points.h"
+#include "reference/sampling.h"
+
+namespace parity::bake {
+
+namespace {
+
+constexpr std::uint32_t kReplicates = 8, kFirstPerReplicate = kMinSamples / kReplicates;
+// Of a texel in the passes whose result is only looked up: the last pass averages over many of them.
+constexpr std::uint32_t kCoarseSamples = 256;
+constexpr double kDarkShare = 0.1; // of the mean irradiance: what is darker need not be more exact than that
+
+// Passes, for the seeds.
+enum Pass : std::uint32_t { kValidity = 1, kFinal, kFirstCoarse };
+
+struct Direct {
+  TexelLight inLightmap; // all lights but the sun
+  glm::vec3 all{0.f};    // irradiance, the sun's too
+  std::uint16_t valid = 0, sunLit = 0;
+};
+struct Gathered {
+  TexelLight light;
+  float error = 0;
+  std::uint32_t samples = 0;
+};
+
+class Integrator {
+public:
+  Integrator(const scenes::Scene& scene, const Atlas& atlas, const TexelGrid& grid, const BakeLights& lights,
+             const IntegrateOptions& options, const Control& control)
+      : m_scene(scene), m_atlas(atlas), m_grid(grid), m_lights(lights), m_options(options), m_stages(control),
+        m_visibility(scene), m_surfaces(scene), m_emitters(scene, m_surfaces) {
+    if (lights.environment) {
+      m_sky = std::make_unique<reference::EnvironmentSampler>(*lights.environment);
+      if (m_sky->isBlack()) m_sky.reset();
+    }
+    m_samplesSky = m_sky && isUneven(*m_sky);
+  }
+
+  StaticLight run() {
+    const std::size_t count = m_grid.texels().size();
+    std::vector<Direct> direct(count);
+    m_stages.run("direct", "direct light", 0, 0.05, std::span(direct),
+                 [&](std::size_t i, std::uint64_t& rays) { return directAt(i, rays); });
+    std::vector<bool> isValid(count);
+    for (std::size_t i = 0; i < count; ++i) isValid[i] = direct[i].valid != 0;
+
+    const bool shines = m_sky || !m_emitters.empty();
+    const bool reflects = m_options.bounces > 0 && (shines || !m_lights.lights.empty());
+    std::vector<Gathered> gathered(count);
+    if (shines || reflects) gather(direct, isValid, shines, gathered);
+
+    StaticLight result;
+    for (std::size_t i = 0; i < count; ++i) {
+      result.direct.push_back(direct[i].inLightmap);
+      result.valid.push_back(direct[i].valid);
+      result.sunLit.push_back(direct[i].sunLit);
+      result.gathered.push_back(gathered[i].light);
+      result.error.push_back(gathered[i].error);
+      result.samples.push_back(gathered[i].samples);
+    }
+    result.rays = m_stages.rays();
+    return result;
+  }
+
+private:
+  std::uint32_t seedOf(std::size_t i, std::uint32_t pass) const {
+    using reference::hashCombine;
+    const Texel& t = m_grid.texels()[i];
+    const std::uint32_t place = hashCombine(t.page, static_cast<std::uint32_t>(t.y) << 16 | t.x);
+    return hashCombine(place, hashCombine(m_options.seed, pass));
+  }
+
+  Direct directAt(std::size_t i, std::uint64_t& rays) const {
+    const Texel& texel = m_grid.texels()[i];
+    const TexelPoints all = pointsOf(m_grid, texel);
+    Direct result;
+    result.valid = findValid(all, m_visibility, m_surfaces, 0.5 / m_options.texelsPerMetre, seedOf(i, kValidity), rays);
+    const bool bothSides = m_surfaces.isDoubleSided(texel.instance);
+    LightSum sun, others;
+    int valid = 0;
+    for (std::size_t k = 0; k < all.count; ++k) {
+      const SurfacePoint& point = all.points[k];
+      if (isSunLit(point, rays)) result.sunLit = static_cast<std::uint16_t>(result.sunLit | 1 << all.subTexel[k]);
+      if ((result.valid & 1 << all.subTexel[k]) == 0) continue;
+      ++valid;
+      for (std::size_t l = 0; l < m_lights.lights.size(); ++l) {
+        ++rays;
+        addLight(m_lights.lights[l], point, bothSides, m_visibility, l == m_lights.sun ? sun : others);
+      }
+    }
+    if (valid == 0) return result;
+    result.inLightmap = others.times(1.0 / valid);
+    result.all = result.inLightmap.irradiance + sun.times(1.0 / valid).irradiance;
+    return result;
+  }
+
+  // Lit where the surface is turned away, too: there its shading says enough, and no edge of a shadow is wanted.
+  bool isSunLit(const SurfacePoint& point, std::uint64_t& rays) const {
+    if (!m_lights.sun) return true;
+    const glm::dvec3 L = -glm::dvec3(m_lights.lights[*m_lights.sun].direction), n(point.geometric);
+    if (glm::dot(n, L) <= 0) return true;
+    ++rays;
+    return !m_visibility.isOccluded(m_visibility.leaveSurface(point.position, n), L);
+  }
+
+  // Jacobi's iteration of the diffuse light: each pass gathers what the one before has left on the surfaces.
+  void gather(const std::vector<Direct>& direct, const std::vector<bool>& isValid, bool shines,
+              std::vector<Gathered>& result) {
+    const std::size_t count = direct.size();
+    const int passes = m_options.bounces + 1;
+    std::vector<glm::vec3> irradiance(count);
+    for (std::size_t i = 0; i < count; ++i) irradiance[i] = direct[i].all;
+    std::unique_ptr<ReflectedLight> reflected;
+    double mean = 0;
+    for (int pass = 0; pass < passes - 1; ++pass) {
+      if (pass > 0 || shines) {
+        std::vector<glm::vec3> coarse(count);
+        const double from = 0.05 + 0.25 * pass / passes, to = 0.05 + 0.25 * (pass + 1) / passes;
+        const auto around = surroundings(reflected.get());
+        m_stages.run("coarse " + std::to_string(pass), "bounce " + std::to_string(pass), from, to, std::span(coarse),
+                     [&](std::size_t i, std::uint64_t& rays) { return coarseAt(around, direct[i], i, pass, rays); });
+        mean = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+          irradiance[i] = direct[i].all + coarse[i];
+          mean += lightmapLuminance(coarse[i] + direct[i].inLightmap.irradiance);
+        }
+        mean /= static_cast<double>(std::max<std::size_t>(std::ranges::count(isValid, true), 1));
+      }
+      reflected = std::make_unique<ReflectedLight>(m_atlas, m_grid, irradiance, isValid);
+    }
+    const auto around = surroundings(reflected.get());
+    m_stages.run("final", "gathering", 0.3, 1, std::span(result), [&](std::size_t i, std::uint64_t& rays) {
+      return finalAt(around, direct[i], i, kDarkShare * mean, rays);
+    });
+  }
+
+  Surroundings surroundings(const ReflectedLight* reflected) const {
+    return {m_visibility, m_surfaces, m_emitters, m_sky.get(), m_samplesSky, reflected};
+  }
+
+  glm::vec3 coarseAt(const Surroundings& around, const Direct& direct, std::size_t i, int pass,
+                     std::uint64_t& rays) const {
+    const TexelPoints points = pointsOf(m_grid, m_grid.texels()[i], direct.valid);
+    if (points.count == 0) return glm::vec3(0);
+    const GatherPoints texel{std::span(points.points).first(points.count), false};
+    const std::uint32_t seed = seedOf(i, kFirstCoarse + static_cast<std::uint32_t>(pass));
+    glm::dvec3 sum(0);
+    for (std::uint32_t s = 0; s < kCoarseSamples; ++s) sum += gatherSample(around, texel, s, seed, rays).irradiance;
+    return glm::vec3(sum / static_cast<double>(kCoarseSamples));
+  }
+
+  // Independent replicates of the sequence, all doubled until they agree: their scatter is the error of their mean.
+  Gathered finalAt(const Surroundings& around, const Direct& direct, std::size_t i, double floor,
+                   std::uint64_t& rays) const {
+    const Texel& at = m_grid.texels()[i];
+    const TexelPoints points = pointsOf(m_grid, at, direct.valid);
+    Gathered result;
+    if (points.count == 0) return result;
+    const GatherPoints texel{std::span(points.points).first(points.count), m_surfaces.isDoubleSided(at.instance)};
+    const double known = lightmapLuminance(direct.inLightmap.irradiance);
+    std::array<LightSum, kReplicates> sums{};
+    std::uint32_t done = 0;
+    for (std::uint32_t n = kFirstPerReplicate;; n *= 2) {
+      double mean = 0, squares = 0;
+      for (std::uint32_t r = 0; r < kReplicates; ++r) {
+        const std::uint32_t seed = reference::hashCombine(seedOf(i, kFinal), r);
+        for (std::uint32_t s = done; s < n; ++s) {
+          const LightSum sample = gatherSample(around, texel, s, seed, rays);
+          sums[r].irradiance += sample.irradiance;
+          sums[r].sh += sample.sh;
+        }
+        const double luminance = lightmapLuminance(sums[r].irradiance) / n;
+        mean += luminance / kReplicates;
+        squares += luminance * luminance / kReplicates;
+      }
+      done = n;
+      const double variance = std::max(squares - mean * mean, 0.0) / (kReplicates - 1); // of the mean of all
+      const double whole = std::max(mean + known, floor);
+      result.error = static_cast<float>(variance > 0 ? std::sqrt(variance) / whole : 0);
+      if (result.error <= m_options.error || 2 * n * kReplicates > static_cast<std::uint32_t>(m_options.maxSamples))
+        break;
+    }
+    LightSum sum;
+    for (const LightSum& each : sums) {
+      sum.irradiance += each.irradiance;
+      sum.sh += each.sh;
+    }
+    result.samples = done * kReplicates;
+    result.light = sum.times(1.0 / result.samples);
+    return result;
+  }
+
+  const scenes::Scene& m_scene;
+  const Atlas& m_atlas;
+  const TexelGrid& m_grid;
+  const BakeLights& m_lights;
+  const IntegrateOptions& m_options;
+  Stages m_stages;
+  lighting::Visibility m_visibility;
+  SurfaceLight m_surfaces;
+  Emitters m_emitters;
+  std::unique_ptr<reference::EnvironmentSampler> m_sky;
+  bool m_samplesSky = false;
+};
+
+} // namespace
+
+StaticLight integrate(const scenes::Scene& scene, const Atlas& atlas, const TexelGrid& grid, const BakeLights& lights,
+                      const IntegrateOptions& options, const Control& control) {
+  return Integrator(scene, atlas, grid, lights, options, control).run();
+}
+
+std::vector<LightmapPage> makePages(const Atlas& atlas, const TexelGrid& grid, const StaticLight& light,
+                                    bool withDirect) {
+  const int side = atlas.pageSide;
+  std::vector<LightmapPage> pages(static_cast<std::size_t>(atlas.pageCount));
+  for (LightmapPage& page : pages)
+    page = {{side, side, 1, kNoInstance}, {side, side, 3}, {side, side, 4}, {side, side, 3}};
+  for (std::size_t i = 0; i < grid.texels().size(); ++i) {
+    const Texel& texel = grid.texels()[i];
+    const TexelPoints points = pointsOf(grid, texel, light.valid[i]);
+    if (points.count == 0) continue;
+    glm::vec3 normal(0);
+    for (std::size_t k = 0; k < points.count; ++k) normal += points.points[k].normal;
+    if (!(glm::dot(normal, normal) > 1e-12f)) normal = points.points[0].normal; // they point everywhere
+    normal = glm::normalize(normal);
+    TexelLight sum = light.gathered[i];
+    if (withDirect) sum += light.direct[i];
+    LightmapPage& page = pages[texel.page];
+    *page.owner.at(texel.x, texel.y) = texel.instance;
+    for (int c = 0; c < 3; ++c) {
+      page.irradiance.at(texel.x, texel.y)[c] = sum.irradiance[c];
+      page.normal.at(texel.x, texel.y)[c] = normal[c];
+    }
+    for (int c = 0; c < 4; ++c) page.sh.at(texel.x, texel.y)[c] = sum.sh[c];
+  }
+  return pages;
+}
+
+} // namespace parity::bake

@@ -1,0 +1,37 @@
+// Light that arrives at a texel, and how it is summed.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace parity::bake {
+
+// Plain data: cached as it is.
+struct TexelLight {
+  glm::vec3 irradiance{0.f}; // linear Rec.709
+  glm::vec4 sh{0.f};         // as LightmapPage::sh
+  TexelLight& operator+=(const TexelLight& other) {
+    irradiance += other.irradiance;
+    sh += other.sh;
+    return *this;
+  }
+};
+
+inline constexpr double kY0 = 0.282094791773878143, kY1 = 0.488602511902919921;
+
+// The luminance of lightmaps (Unreal Engine 4's weights, SHADING 7).
+inline double lightmapLuminance(const glm::dvec3& c) { return 0.3 * c.x + 0.59 * c.y + 0.11 * c.z; }
+
+// Light of a direction (unit): `flux` is radiance times solid angle; cosine: of the direction and the texel's normal,
+// or 0 where it adds to the SH alone.
+struct LightSum {
+  glm::dvec3 irradiance{0.0};
+  glm::dvec4 sh{0.0};
+  void add(const glm::dvec3& flux, const glm::dvec3& direction, double cosine) {
+    irradiance += flux * cosine;
+    const double luminance = lightmapLuminance(flux);
+    sh += glm::dvec4(luminance * kY0, luminance * kY1 * direction);
+  }
+  TexelLight times(double scale) const { return {glm::vec3(irradiance * scale), glm::vec4(sh * scale)}; }
+};
+
+} // namespace parity::bake
