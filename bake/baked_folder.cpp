@@ -13,6 +13,7 @@
 #include "base/hash.h"
 #include "base/image_io.h"
 #include "lighting/cube.h"
+#include "shading/half.h"
 
 namespace parity::bake {
 
@@ -85,6 +86,21 @@ base::Image facesOf(const lighting::CubeMap& cube) {
   return image;
 }
 
+// ---- 16-bit floats, which files hold as what 32 bits read
+
+base::Image widened(const base::BasicImage<std::uint16_t>& halves) {
+  base::Image image(halves.width, halves.height, halves.channels);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = static_cast<float>(shading::Half::fromBits(halves.pixels[i]));
+  return image;
+}
+
+base::BasicImage<std::uint16_t> narrowed(const base::Image& image) {
+  base::BasicImage<std::uint16_t> halves(image.width, image.height, image.channels);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) halves.pixels[i] = shading::Half(image.pixels[i]).bits();
+  return halves;
+}
+
 Json toJson(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 glm::vec3 vectorOf(const Json& list) {
@@ -124,7 +140,7 @@ void writeInto(const fs::path& folder, const BakedLight& baked) {
     if (p < baked.sources.size())
       writer.image(fmt::format("lightmap-{}.exr", p), baked.sources[p],
                    {.channelNames = {"R", "G", "B", "L0", "L1.x", "L1.y", "L1.z", "N.x", "N.y", "N.z"}});
-    writer.image(fmt::format("highend-{}.exr", p), baked.highend[p], {.channelNames = {}, .half = true});
+    writer.image(fmt::format("highend-{}.exr", p), widened(baked.highend[p]), {.channelNames = {}, .half = true});
     writer.image8(fmt::format("mobile-{}.png", p), baked.mobile[p]);
     if (baked.sunMask.empty()) continue;
     writer.image8(fmt::format("sun-mask-{}.png", p), baked.sunMask[p]);
@@ -166,8 +182,8 @@ void writeInto(const fs::path& folder, const BakedLight& baked) {
                            {"errorMedian", f.errorMedian},
                            {"errorWorst", f.errorWorst},
                            {"shareWithinError", f.shareWithinError},
-                           {"logDb", f.logDb},
-                           {"astcDb", f.astcDb}}},
+                           {"quantizedError", f.quantizedError},
+                           {"storedError", f.storedError}}},
                          {"files", writer.files()}};
   base::writeText(folder / kManifestFile, manifest.dump(2) + "\n");
 }
@@ -234,7 +250,7 @@ BakedLight read(const fs::path& folder, const Json& manifest) {
       return image;
     };
     const fs::path highend = checked(fmt::format("highend-{}.exr", p));
-    const base::Image& page = baked.highend.emplace_back(base::readImage(highend));
+    const auto& page = baked.highend.emplace_back(narrowed(base::readImage(highend)));
     requireSize(highend, page.width, page.height, page.channels, side, 2, 4);
     baked.mobile.push_back(readPage(fmt::format("mobile-{}.png", p), 2, 4));
     if (!hasSun) continue;
@@ -251,10 +267,10 @@ BakedLight read(const fs::path& folder, const Json& manifest) {
          std::make_shared<const lighting::EnvironmentLight>(lighting::environmentLightFromBytes(bytes))});
   }
   const Json& f = manifest.at("figures");
-  baked.figures = {
-      f.at("texels").get<std::uint64_t>(), f.at("samplesPerTexel").get<double>(),  f.at("errorMedian").get<double>(),
-      f.at("errorWorst").get<double>(),    f.at("shareWithinError").get<double>(), f.at("logDb").get<double>(),
-      f.at("astcDb").get<double>()};
+  baked.figures = {f.at("texels").get<std::uint64_t>(),    f.at("samplesPerTexel").get<double>(),
+                   f.at("errorMedian").get<double>(),      f.at("errorWorst").get<double>(),
+                   f.at("shareWithinError").get<double>(), f.at("quantizedError").get<double>(),
+                   f.at("storedError").get<double>()};
   return baked;
 }
 

@@ -35,7 +35,7 @@ struct BakeFigures {
   std::uint64_t texels = 0;                                    // of charts
   double samplesPerTexel = 0, errorMedian = 0, errorWorst = 0; // of the gathered light
   double shareWithinError = 1;                                 // of texels that reached the wanted error
-  double logDb = 0, astcDb = 0;                                // of mobile's encoding; 0: not taken
+  double quantizedError = 0, storedError = 0; // rms of what mobile decodes, before and after ASTC (bake/lq_encoding.h)
 };
 
 struct BakedLight {
@@ -46,13 +46,13 @@ struct BakedLight {
   LocalLights localLights = LocalLights::isStatic;
   int pageSide = 0;
   scenes::LightmapUvs uvs;
-  std::vector<base::Image> sources;    // of each page: irradiance RGB, SH, normal: 10 channels
-  std::vector<base::Image> highend;    // RGBA, halves stacked: shading/lightmap.glsl; numbers that fp16 holds
-  std::vector<base::Image8> mobile;    // RGBA, halves stacked, as decoded from ASTC
-  std::vector<glm::vec4> mobileScales; // four an instance: scale, add of the upper half; of the lower
-  std::vector<base::Image8> sunMask;   // share of sub-texels that the sun reaches; empty without a sun
-  std::vector<base::Image8> sunField;  // the distance field of that
-  float transitionScale = 1;           // T of the distance field
+  std::vector<base::Image> sources;                     // of each page: irradiance RGB, SH, normal: 10 channels
+  std::vector<base::BasicImage<std::uint16_t>> highend; // RGBA16F, halves stacked: shading/lightmap.glsl
+  std::vector<base::Image8> mobile;                     // RGBA, halves stacked, as decoded from ASTC
+  std::vector<glm::vec4> mobileScales;                  // four an instance: scale, add of the upper half; of the lower
+  std::vector<base::Image8> sunMask;                    // share of sub-texels that the sun reaches; empty without a sun
+  std::vector<base::Image8> sunField;                   // the distance field of that
+  float transitionScale = 1;                            // T of the distance field
   std::vector<Capture> captures;
   BakeFigures figures;
 };

@@ -213,6 +213,13 @@ private:
   bool m_samplesSky = false;
 };
 
+glm::vec3 meanNormal(const TexelPoints& points) {
+  glm::vec3 sum(0);
+  for (std::size_t k = 0; k < points.count; ++k) sum += points.points[k].normal;
+  // They may point everywhere.
+  return glm::dot(sum, sum) > 1e-12f ? glm::normalize(sum) : points.count > 0 ? points.points[0].normal : sum;
+}
+
 } // namespace
 
 StaticLight integrate(const scenes::Scene& scene, const Atlas& atlas, const TexelGrid& grid, const BakeLights& lights,
@@ -220,24 +227,21 @@ StaticLight integrate(const scenes::Scene& scene, const Atlas& atlas, const Texe
   return Integrator(scene, atlas, grid, lights, options, control).run();
 }
 
-std::vector<LightmapPage> makePages(const Atlas& atlas, const TexelGrid& grid, const StaticLight& light,
-                                    bool withDirect) {
+std::vector<IntegratedPage> makePages(const Atlas& atlas, const TexelGrid& grid, const StaticLight& light,
+                                      bool withDirect) {
   const int side = atlas.pageSide;
-  std::vector<LightmapPage> pages(static_cast<std::size_t>(atlas.pageCount));
-  for (LightmapPage& page : pages)
-    page = {{side, side, 1, kNoInstance}, {side, side, 3}, {side, side, 4}, {side, side, 3}};
+  std::vector<IntegratedPage> pages(static_cast<std::size_t>(atlas.pageCount));
+  for (IntegratedPage& page : pages)
+    page = {{{side, side, 1, kNoInstance}, {side, side, 3}, {side, side, 4}, {side, side, 3}}, {side, side, 1}};
   for (std::size_t i = 0; i < grid.texels().size(); ++i) {
     const Texel& texel = grid.texels()[i];
-    const TexelPoints points = pointsOf(grid, texel, light.valid[i]);
-    if (points.count == 0) continue;
-    glm::vec3 normal(0);
-    for (std::size_t k = 0; k < points.count; ++k) normal += points.points[k].normal;
-    if (!(glm::dot(normal, normal) > 1e-12f)) normal = points.points[0].normal; // they point everywhere
-    normal = glm::normalize(normal);
+    auto& [page, invalid] = pages[texel.page];
+    *page.owner.at(texel.x, texel.y) = texel.instance;
+    const bool isValid = light.valid[i] != 0;
+    *invalid.at(texel.x, texel.y) = isValid ? 0 : 1;
+    const glm::vec3 normal = meanNormal(pointsOf(grid, texel, isValid ? light.valid[i] : std::uint16_t{0xffff}));
     TexelLight sum = light.gathered[i];
     if (withDirect) sum += light.direct[i];
-    LightmapPage& page = pages[texel.page];
-    *page.owner.at(texel.x, texel.y) = texel.instance;
     for (int c = 0; c < 3; ++c) {
       page.irradiance.at(texel.x, texel.y)[c] = sum.irradiance[c];
       page.normal.at(texel.x, texel.y)[c] = normal[c];

@@ -56,9 +56,15 @@ struct StaticLight {
 StaticLight integrate(const scenes::Scene& scene, const Atlas& atlas, const TexelGrid& grid, const BakeLights& lights,
                       const IntegrateOptions& options, const Control& control = {});
 
-// As pages, not dilated: gathered light, with the direct light or without; texels without a valid sub-texel have no
-// owner.
-std::vector<LightmapPage> makePages(const Atlas& atlas, const TexelGrid& grid, const StaticLight& light,
-                                    bool withDirect);
+// A page, not dilated, and which of its owned texels nothing is known of (1 channel, 1 there): they lie in other
+// objects.
+struct IntegratedPage {
+  LightmapPage page;
+  base::Image8 invalid;
+};
+
+// Gathered light, with the direct light or without.
+std::vector<IntegratedPage> makePages(const Atlas& atlas, const TexelGrid& grid, const StaticLight& light,
+                                      bool withDirect);
 
 } // namespace parity::bake

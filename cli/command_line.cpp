@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
+#include "cli/bake_options.h"
 #include "cli/bench_options.h"
 #include "cli/budget_options.h"
 #include "cli/cache_options.h"
@@ -41,6 +42,7 @@ mobile base pass), compares them per material by FLIP, and judges them against b
   parity budget suggest out/report.json -o budgets.toml              limits from what was observed
   parity fit --geometry-term schlick-smith --format hlsl             mobile constants for your own high-end path
   parity bench scene.glb --env studio.hdr --budget flip.mean=0.02 -o out   what each setting costs, and is worth
+  parity bake scene.glb --env studio.hdr -o baked                    light of everything but the sun, for --baked baked
   parity stress -o stress                                            what is not finite, negative or wrong, and where
 )";
 
@@ -77,11 +79,12 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   reportApp.add_option("--json", report.common.json, "Also write report.json there; - for stdout");
   addTruthOptions(reportApp, report.common, raw);
   addCommonOptions(reportApp, report.common, raw);
+  addBakedOption(reportApp, report.common);
   addMetricsOption(reportApp, raw);
   addAttributionOption(reportApp, raw);
   addDroppedLightsOption(reportApp, raw);
   // A suite says for itself how each scene is lit and seen.
-  for (const char* option : {"--env", "--env-rotation", "--sun", "--camera", "--orbit", "--target", "--fov"})
+  for (const char* option : {"--env", "--env-rotation", "--sun", "--camera", "--orbit", "--target", "--fov", "--baked"})
     suite->excludes(reportApp.get_option(option));
 
   DiffCommand diff;
@@ -93,6 +96,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   diffApp.add_option("--json", diff.common.json, "Write the result as JSON there; - for stdout, instead of the table");
   addTruthOptions(diffApp, diff.common, raw);
   addCommonOptions(diffApp, diff.common, raw);
+  addBakedOption(diffApp, diff.common);
   addMetricsOption(diffApp, raw);
   addAttributionOption(diffApp, raw);
   addDroppedLightsOption(diffApp, raw);
@@ -132,6 +136,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       ->check(fileOfKind({".exr", ".pfm"}))
       ->group("Reference");
   addCommonOptions(renderApp, render.common, raw);
+  addBakedOption(renderApp, render.common);
 
   FlipCommand flip;
   RawFlipOptions rawFlip;
@@ -156,6 +161,14 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   CLI::App& stressApp = *app.add_subcommand(
       "stress", "Try every shading function and whole renders at the edges of their domains; 2: something new");
   addStressOptions(stressApp, rawStress);
+
+  BakeCommand bake;
+  RawBakeOptions rawBake;
+  CLI::App& bakeApp = *app.add_subcommand(
+      "bake", "Bake the light of static scenes: lightmaps of both paths, the sun's shadow, environment captures");
+  addBakeOptions(bakeApp, bake, rawBake);
+  addSceneOptions(bakeApp, bake.common, raw);
+  addRunOptions(bakeApp, bake.common, raw);
 
   DevicesCommand devices;
   CLI::App& devicesApp = *app.add_subcommand("devices", "List Vulkan devices, and why each is taken or not");
@@ -204,6 +217,9 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = settleBench(rawBench);
     } else if (stressApp.parsed()) {
       parsed.command = settleStress(rawStress);
+    } else if (bakeApp.parsed()) {
+      settle(bake.common, raw);
+      parsed.command = settleBake(bake, rawBake, bakeApp);
     } else if (infoApp.parsed()) {
       settleLimits(info.load, raw.load);
       parsed.command = info;

@@ -58,8 +58,7 @@ void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw
   app.add_flag("--validation", raw.validation, "Run under the Khronos validation layer; any message is an error");
 }
 
-void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
-  job::Settings& s = common.settings;
+void addSceneOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   app.add_option("--env", common.environment, "HDR environment: .hdr, .exr, .pfm or builtin:sky, studio, night, white")
       ->group("Scene");
   app.add_option("--env-rotation", common.environmentRotationDeg, "Turn the environment about +Y, degrees")
@@ -71,6 +70,26 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->group("Scene");
   addLoadOptions(app, common.load, raw.load);
   addLightOptions(app, raw.light);
+}
+
+void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
+  addDeviceOptions(app, common.settings.device, raw);
+  app.add_option("--threads", common.threads, "CPU threads; 0: all cores")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_option("--cache", raw.cache, "Cache folder. Default: $XDG_CACHE_HOME/parity");
+  app.add_option("--cache-size", raw.cacheSize,
+                 "Bound of the cache, as 500M or 4G: what was used longest ago goes first")
+      ->capture_default_str();
+  app.add_flag("--no-cache", raw.noCache, "Neither read nor write the cache");
+  app.add_flag("--timings", common.timings, "Print time by stage to stderr");
+  app.add_flag("-q,--quiet", raw.quiet, "Errors only: no table either, the verdict is the exit code");
+  app.add_flag("-v,--verbose", raw.verbose, "Say more");
+}
+
+void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
+  job::Settings& s = common.settings;
+  addSceneOptions(app, common, raw);
   app.add_option("--fully-rough", s.fullyRough, "Materials that take the fully-rough shortcut (glob, repeatable)")
       ->group("Scene");
   app.add_option("--camera", raw.camera, "A glTF camera by name or number, or auto")
@@ -100,18 +119,12 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   addPathOptions(app, s, raw.paths);
   app.add_option("--material", s.materials, "Report only these materials (glob, repeatable)")->group("Verdict");
   app.add_option("--budgets", s.budgets, "Budget file (TOML) instead of the built-in budgets")->group("Verdict");
-  addDeviceOptions(app, s.device, raw);
-  app.add_option("--threads", common.threads, "CPU threads; 0: all cores")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  app.add_option("--cache", raw.cache, "Cache folder. Default: $XDG_CACHE_HOME/parity");
-  app.add_option("--cache-size", raw.cacheSize,
-                 "Bound of the cache, as 500M or 4G: what was used longest ago goes first")
-      ->capture_default_str();
-  app.add_flag("--no-cache", raw.noCache, "Neither read nor write the cache");
-  app.add_flag("--timings", common.timings, "Print time by stage to stderr");
-  app.add_flag("-q,--quiet", raw.quiet, "Errors only: no table either, the verdict is the exit code");
-  app.add_flag("-v,--verbose", raw.verbose, "Say more");
+  addRunOptions(app, common, raw);
+}
+
+void addBakedOption(CLI::App& app, CommonOptions& common) {
+  app.add_option("--baked", common.baked, "Folder of baked light, by 'parity bake'; of several scenes: that of all")
+      ->group("Scene");
 }
 
 void addMetricsOption(CLI::App& app, RawOptions& raw) {

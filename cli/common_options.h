@@ -32,6 +32,11 @@ struct RawOptions {
 
 // Scene, view, picture, paths, device, cache, verbosity.
 void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
+// Of those: what is loaded and what lights it; and device, threads, cache, verbosity.
+void addSceneOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
+void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
+// --baked: the folder that `parity bake` has written.
+void addBakedOption(CLI::App& app, CommonOptions& common);
 // --device and --validation alone.
 void addDeviceOptions(CLI::App& app, gpu::DeviceOptions& device, RawOptions& raw);
 // What is measured; nothing is by `render`.

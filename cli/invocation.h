@@ -9,6 +9,7 @@
 
 #include "compare/budget_suggest.h"
 #include "fit/truth.h"
+#include "job/bake_run.h"
 #include "job/flip_run.h"
 #include "job/settings.h"
 #include "scenes/suite.h"
@@ -27,6 +28,7 @@ struct CommonOptions {
   std::optional<scenes::SunRequest> sun;
   scenes::LightScales lightScales;
   std::optional<scenes::Fog> fog;
+  std::string baked; // folder of baked light; empty: none
   scenes::ViewRequest view;
   int threads = 0;
   std::string json; // file, "-" for stdout, "" for none
@@ -110,6 +112,13 @@ struct StressCommand {
   int threads = 0;
 };
 
+struct BakeCommand {
+  CommonOptions common;
+  std::vector<std::string> scenes;
+  std::string suite, folder; // the folder: of the one scene, or one in it for each
+  job::BakeOptions options;
+};
+
 struct InfoCommand {
   std::string scene;
   scenes::LoadOptions load;
@@ -129,7 +138,7 @@ struct CacheCommand {
 
 using Invocation = std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand,
                                 BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand, StressCommand,
-                                DevicesCommand, InfoCommand, CacheCommand>;
+                                BakeCommand, DevicesCommand, InfoCommand, CacheCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, version, a usage error) with its
 // exit code.
@@ -156,6 +165,7 @@ int runBudgetCheckCommand(const BudgetCheckCommand& command);
 int runFitCommand(const FitCommand& command);
 int runBenchCommand(const BenchCommand& command, const std::string& commandLine);
 int runStressCommand(const StressCommand& command);
+int runBakeCommand(const BakeCommand& command);
 int runDevicesCommand(const DevicesCommand& command);
 int runInfoCommand(const InfoCommand& command);
 int runCacheCommand(const CacheCommand& command);

@@ -56,6 +56,7 @@ int run(int argc, char** argv) {
                                [](const FitCommand& c) { return runFitCommand(c); },
                                [&](const BenchCommand& c) { return runBenchCommand(c, line); },
                                [](const StressCommand& c) { return runStressCommand(c); },
+                               [](const BakeCommand& c) { return runBakeCommand(c); },
                                [](const DevicesCommand& c) { return runDevicesCommand(c); },
                                [](const InfoCommand& c) { return runInfoCommand(c); },
                                [](const CacheCommand& c) { return runCacheCommand(c); }},

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "bake/baked_folder.h"
 #include "compare/report_reader.h"
 #include "scenes/names.h"
 
@@ -20,8 +21,24 @@ job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& s
   request.sun = common.sun;
   request.lightScales = common.lightScales;
   request.fog = common.fog;
+  request.baked = bakedFolder(common.baked, request.name);
   request.views = {common.view};
   return request;
+}
+
+std::string folderName(const std::string& scene) {
+  std::string name;
+  for (const char c : scene)
+    name += (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-' ? c : '_';
+  return name;
+}
+
+std::string bakedFolder(const std::string& folder, const std::string& scene) {
+  const std::filesystem::path path = folder;
+  std::error_code none;
+  if (folder.empty() || std::filesystem::exists(path / bake::kManifestFile, none)) return folder;
+  const std::filesystem::path own = path / folderName(scene);
+  return std::filesystem::exists(own, none) ? own.string() : folder;
 }
 
 void copyLimits(const scenes::LoadOptions& from, scenes::LoadOptions& to) {

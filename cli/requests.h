@@ -12,6 +12,12 @@ namespace parity::cli {
 // The one view, environment and sun of the command line for this scene; named by the file's stem.
 job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& scene);
 
+// A scene's name as a folder's: letters, digits and '-' stay, the rest becomes '_'.
+std::string folderName(const std::string& scene);
+
+// Where the baked light of a scene lies: the folder itself if it holds a bake, else that of the scene's name in it.
+std::string bakedFolder(const std::string& folder, const std::string& scene);
+
 // The limits of loading alone: what else is loaded, a suite says itself.
 void copyLimits(const scenes::LoadOptions& from, scenes::LoadOptions& to);
 

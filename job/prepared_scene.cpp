@@ -7,9 +7,11 @@
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/component_wise.hpp>
 
+#include "bake/baked_folder.h"
 #include "base/error.h"
 #include "base/glob.h"
 #include "base/parallel.h"
+#include "job/baked_scene.h"
 #include "lighting/sun_extraction.h"
 #include "mobile/light_choice.h"
 #include "scenes/load.h"
@@ -51,6 +53,7 @@ void applySceneLight(PreparedScene& prepared, const SceneRequest& request) {
 
 // Black pictures are alike by any metric: a scene that nothing lights is refused, not passed.
 void requireLight(PreparedScene& prepared, const std::string& file) {
+  if (prepared.baked) return;
   // Band 0 of the irradiance is the environment's mean: a black one gives no light.
   const glm::vec3 scale = prepared.scene.lightScales.skyLightColor;
   const auto shines = [&](const auto& environment) {
@@ -107,7 +110,9 @@ void addEnvironment(Context& context, lighting::SunExtraction extraction, const 
     mobileSun = *brightest - own;
     prepared.mobileLights.push_back(prepared.lights[*brightest]);
   }
-  const auto filter = [&](const scenes::Environment& environment) {
+  const bool isReplaced = paths.bakes || prepared.baked;
+  const auto filter = [&](const scenes::Environment& environment) -> std::shared_ptr<const lighting::EnvironmentLight> {
+    if (isReplaced) return nullptr;
     ++prepared.work.prefilteredMaps;
     return context.environmentLight(environment);
   };
@@ -121,7 +126,7 @@ void addEnvironment(Context& context, lighting::SunExtraction extraction, const 
     const std::string text = describe(extraction);
     prepared.sunText = prepared.sunText == "none" ? text : prepared.sunText + "; " + text;
   }
-  if (paths.reference) prepared.panorama = std::move(extraction.environment);
+  if (paths.reference || isReplaced) prepared.panorama = std::move(extraction.environment);
 }
 
 scenes::Scene loadSubject(const SceneRequest& request) {
@@ -151,6 +156,10 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
         warnings = loaded->warnings;
       },
   });
+  if (!request.baked.empty() && !paths.bakes) {
+    const base::Stopwatch watch(&context.timings(), "read baked light");
+    prepared.baked = std::make_shared<const bake::BakedLight>(bake::readBaked(request.baked));
+  }
   scenes::Scene& scene = prepared.scene;
   if (!request.name.empty()) scene.name = request.name;
   scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
@@ -182,6 +191,11 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
   applySceneLight(prepared, request);
   applyFullyRough(scene, request.fullyRough);
   applyFullyRough(scene, context.settings().fullyRough);
+  if (prepared.baked) {
+    requireFresh(prepared, request.baked);
+    takeBaked(prepared, prepared.baked);
+    if (!paths.reference) prepared.panorama.reset();
+  }
   if (prepared.isLit || !hasSky) requireLight(prepared, request.scene); // an unlit scene's sky was not filtered
   return prepared;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bake/baked_light.h"
 #include "job/context.h"
 #include "job/passes.h"
 #include "job/scene_request.h"
@@ -17,6 +18,7 @@ namespace parity::job {
 // Which paths to shade.
 struct Paths {
   bool highend = true, mobile = true, reference = false;
+  bool bakes = false; // the scene is to be baked: it keeps its panorama, which is not prefiltered
 };
 
 // The light is the same for all paths, but what one has in its environment another may have as a directional light
@@ -27,8 +29,11 @@ struct PreparedScene {
   std::vector<scenes::Light> lights, mobileLights; // the scene's, --sun and what was extracted
   // Prefiltered, for the paths asked for: the same one where nothing tells them apart. None: no environment.
   std::shared_ptr<const lighting::EnvironmentLight> environment, mobileEnvironment;
-  // Unfiltered, times the sky light's colour, to go with `lights`; kept for the reference alone.
+  // Unfiltered, times the sky light's colour, to go with `lights`; kept for the reference and for baking alone.
   std::optional<scenes::Environment> panorama;
+  // Takes the place of all lights but the sun, and its captures that of the environments (job/baked_scene.h). Null:
+  // none.
+  std::shared_ptr<const bake::BakedLight> baked;
   float exposureEv = 0;                 // of the camera
   bool shadows = false;                 // lights cast them
   bool isLit = true;                    // some object's material is not unlit: light is needed at all

@@ -4,6 +4,7 @@
 
 #include <hwy/targets.h>
 
+#include "bake/baked_folder.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/hash.h"
@@ -36,10 +37,10 @@ template <Is<LoadOptions> T> auto fields(T& load) {
 }
 // All but the budgets.
 template <Is<SuiteEntry> T> auto fields(T& entry) {
-  auto& [name, scene, load, subject, environment, environmentRotationDeg, extractSun, sun, lightScales, fog, shadows,
-         views, fullyRough, budgets, exposureEv] = entry;
+  auto& [name, scene, load, subject, environment, environmentRotationDeg, extractSun, sun, lightScales, fog, baked,
+         captures, shadows, views, fullyRough, budgets, exposureEv] = entry;
   return std::tie(name, scene, load, subject, environment, environmentRotationDeg, extractSun, sun, lightScales, fog,
-                  shadows, views, fullyRough, exposureEv);
+                  baked, captures, shadows, views, fullyRough, exposureEv);
 }
 
 } // namespace parity::scenes
@@ -147,6 +148,8 @@ std::optional<std::string> resultKey(Context& context, const SceneRequest& reque
   try {
     if (!request.environment.empty() && !request.environment.starts_with("builtin:"))
       write(hashOf(request.environment));
+    // It names every other file of the bake, by content.
+    if (!request.baked.empty()) write(hashOf(std::filesystem::path(request.baked) / bake::kManifestFile));
   } catch (const base::Error&) { // loading it will say so
     return std::nullopt;
   }

@@ -21,7 +21,7 @@ constexpr std::size_t kMaxSuiteBytes = std::size_t{16} << 20;
 constexpr std::string_view kBuiltin = "builtin:";
 
 constexpr std::array<std::string_view, 3> kSuiteKeys = {"name", "budgets", "scene"};
-constexpr std::array<std::string_view, 20> kSceneKeys = {"name",
+constexpr std::array<std::string_view, 22> kSceneKeys = {"name",
                                                          "file",
                                                          "time",
                                                          "animation",
@@ -36,11 +36,14 @@ constexpr std::array<std::string_view, 20> kSceneKeys = {"name",
                                                          "indirect_lighting_color_scale",
                                                          "directional_specular_scale",
                                                          "fog",
+                                                         "baked",
+                                                         "captures",
                                                          "shadows",
                                                          "fully_rough",
                                                          "budgets",
                                                          "exposure",
                                                          "view"};
+constexpr std::size_t kMaxCapturePlaces = 8;
 constexpr std::array<std::string_view, 6> kFogKeys = {"density", "height_falloff", "height",
                                                       "color",   "start_distance", "max_opacity"};
 constexpr std::array<std::string_view, 5> kViewKeys = {"name", "camera", "orbit", "target", "fov"};
@@ -118,6 +121,23 @@ public:
     for (const toml::node& entry : *list) {
       if (!entry.is_string()) throw errorAt(entry, std::string(key), "not a list of strings");
       values.push_back(entry.value_or(std::string{}));
+    }
+    return values;
+  }
+
+  // A list of [x, y, z]; empty where it is absent.
+  std::vector<glm::vec3> points(std::string_view key, std::size_t most) const {
+    const toml::node* node = m_table.get(key);
+    if (!node) return {};
+    const toml::array* list = node->as_array();
+    if (!list || list->size() > most) throw errorAt(key, fmt::format("not a list of at most {} places", most));
+    std::vector<glm::vec3> values;
+    for (const toml::node& entry : *list) {
+      const toml::array* place = entry.as_array();
+      if (!place || place->size() != 3) throw errorAt(entry, std::string(key), "not a list of places [x, y, z]");
+      glm::vec3& value = values.emplace_back();
+      for (int c = 0; c < 3; ++c)
+        value[c] = static_cast<float>(numberOf((*place)[static_cast<std::size_t>(c)], key, -1e6, 1e6));
     }
     return values;
   }
@@ -240,6 +260,8 @@ SuiteEntry readEntry(const std::string& label, const std::filesystem::path& fold
   }
   entry.lightScales = readLightScales(reader);
   if (const toml::table* fog = reader.table("fog")) entry.fog = readFog(label, *fog);
+  if (const auto baked = reader.text("baked")) entry.baked = resolve(folder, *baked);
+  entry.captures = reader.points("captures", kMaxCapturePlaces);
   entry.shadows = reader.truth("shadows");
   entry.fullyRough = reader.texts("fully_rough");
   if (const auto budgets = reader.text("budgets")) entry.budgets = resolve(folder, *budgets);

@@ -26,6 +26,8 @@ struct SuiteEntry {
   std::optional<SunRequest> sun;
   LightScales lightScales;
   std::optional<Fog> fog;
+  std::string baked;                   // folder of its baked light; "" = none
+  std::vector<glm::vec3> captures;     // where `parity bake` puts its environment captures; none: it finds places
   std::optional<bool> shadows;         // its lights cast them, or not, whatever the run says
   std::vector<ViewRequest> views;      // at least one after loading (auto)
   std::vector<std::string> fullyRough; // globs over material names

@@ -1,0 +1,117 @@
+// parity bake: scenes in, folders of baked light out.
+#include <atomic>
+#include <csignal>
+
+#include <fmt/format.h>
+
+#include "bake/baked_folder.h"
+#include "base/error.h"
+#include "base/log.h"
+#include "base/parallel.h"
+#include "cli/invocation.h"
+#include "cli/output.h"
+#include "cli/requests.h"
+#include "job/context.h"
+
+namespace parity::cli {
+
+namespace {
+
+// Set by SIGINT and SIGTERM while something is baked: it ends, and leaves nothing behind but its cache.
+std::atomic<bool> g_isCancelled = false;
+
+class CancelOnSignal {
+public:
+  CancelOnSignal() {
+    for (std::size_t i = 0; i < kSignals.size(); ++i)
+      m_before[i] = std::signal(kSignals[i], [](int) { g_isCancelled = true; });
+  }
+  ~CancelOnSignal() {
+    for (std::size_t i = 0; i < kSignals.size(); ++i) std::signal(kSignals[i], m_before[i]);
+  }
+
+private:
+  static constexpr std::array<int, 2> kSignals = {SIGINT, SIGTERM};
+  std::array<void (*)(int), 2> m_before{};
+};
+
+// A scene and its folder.
+struct Task {
+  job::SceneRequest request;
+  std::filesystem::path folder;
+};
+
+std::vector<Task> tasksOf(const BakeCommand& command) {
+  std::vector<Task> tasks;
+  if (!command.suite.empty()) {
+    for (job::SceneRequest& entry : scenes::loadSuite(command.suite).entries) {
+      if (entry.baked.empty()) continue;
+      copyLimits(command.common.load, entry.load);
+      tasks.push_back({entry, entry.baked});
+    }
+    if (tasks.empty()) throw base::fileError(command.suite, "baked", "no scene names a folder of baked light");
+    return tasks;
+  }
+  for (const std::string& scene : command.scenes) {
+    const job::SceneRequest request = sceneRequest(command.common, scene);
+    const std::filesystem::path folder = command.folder;
+    tasks.push_back({request, command.scenes.size() > 1 ? folder / folderName(request.name) : folder});
+  }
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (tasks[i].folder == tasks[j].folder)
+        throw base::Error(base::ExitCode::usage, "bake", tasks[i].request.name, "two scenes of that name");
+  return tasks;
+}
+
+void printSummary(const Task& task, const job::BakeResult& result, double seconds) {
+  const bake::BakeFigures& f = result.light.figures;
+  fmt::print("{}: {} texels on {} {} of {} x {}, {:.0f} samples a texel, {:.1f} s", task.request.name, f.texels,
+             result.light.highend.size(), result.light.highend.size() == 1 ? "page" : "pages", result.light.pageSide,
+             result.light.pageSide, f.samplesPerTexel, seconds);
+  if (result.rays > 0) fmt::print(", {:.1f} million rays", static_cast<double>(result.rays) * 1e-6);
+  fmt::print(
+      "\n  standard error {:.2g} % in the median, {:.2g} % at worst; {:.1f} % of texels within what was wanted\n",
+      100 * f.errorMedian, 100 * f.errorWorst, 100 * f.shareWithinError);
+  fmt::print("  mobile lightmap: rms error {:.2g} % in 8 bits, {:.2g} % after ASTC {}\n", 100 * f.quantizedError,
+             100 * f.storedError, result.light.astc);
+  fmt::print("  {} environment {}; {}\n", result.light.captures.size(),
+             result.light.captures.size() == 1 ? "capture" : "captures", task.folder.string());
+}
+
+} // namespace
+
+int runBakeCommand(const BakeCommand& command) {
+  const base::ThreadLimit threads(command.common.threads);
+  const std::vector<Task> tasks = tasksOf(command);
+  for (const Task& task : tasks) { // before the minutes that follow
+    bake::requireBakeFolder(task.folder);
+    for (const NamedFile& input : inputFiles(command.common, {task.request}))
+      if (!input.file.empty() && liesIn(input.file, task.folder))
+        throw base::Error(base::ExitCode::usage, "-o", task.folder.string(),
+                          fmt::format("{} lies in it, and the folder is replaced", input.name));
+  }
+  const CancelOnSignal onSignal;
+  job::Context context(command.common.settings);
+  int exitCode = 0;
+  for (const Task& task : tasks) {
+    try {
+      const base::Stopwatch watch(nullptr, "bake");
+      const job::BakeResult result =
+          job::bakeScene(context, task.request, command.options, makeProgress(command.common.quiet),
+                         [] { return g_isCancelled.load(); });
+      for (const std::string& note : result.notes) base::logInfo(fmt::format("{}: {}", task.request.name, note));
+      bake::writeBaked(task.folder, result.light);
+      if (!command.common.quiet) printSummary(task, result, watch.elapsedMs() * 1e-3);
+    } catch (const base::Error& error) {
+      // The others are still baked, unless all is cancelled.
+      if (g_isCancelled || tasks.size() == 1) throw;
+      base::logError(error.what());
+      exitCode = std::max(exitCode, static_cast<int>(error.code()));
+    }
+  }
+  if (command.common.timings) printTimings(context.timings().stages());
+  return exitCode;
+}
+
+} // namespace parity::cli
