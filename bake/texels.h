@@ -26,24 +26,38 @@ struct Texel {
 
 class TexelGrid {
 public:
-  // factor: sub-texels along a texel's side. Both must outlive it.
+  // factor: sub-texels along a texel's side, 1 to 16. Both must outlive it. Throws base::Error (exit 4) for more than
+  // 2^31 triangles over all instances.
   TexelGrid(const scenes::Scene& scene, const Atlas& atlas, int factor);
 
   int factor() const { return m_factor; }
   // Page by page, row by row.
   const std::vector<Texel>& texels() const { return m_texels; }
   // The surface at a sub-texel's middle, x and y in [0, pageSide * factor); nothing where there is none. A triangle
-  // that holds no sub-texel's middle still has the one that its own middle lies in, unless another triangle has it.
+  // that holds no sub-texel's middle still has the one that its own middle lies in, unless another triangle has it. Of
+  // several triangles that hold a middle (on their common edge) the first has it.
   std::optional<SurfacePoint> at(std::uint32_t page, int x, int y) const;
   std::size_t bytes() const; // of memory held
 
 private:
+  // Rows of texels that are rasterised together. A texel of one triangle needs its number only: most are of one.
+  struct Band {
+    std::vector<std::uint32_t> texels; // row by row: a triangle's number over all instances, kNone, or kMixed + n
+    std::vector<std::uint32_t> mixed;  // blocks n of factor^2 sub-texels: a triangle's number or kNone
+    std::vector<Texel> covered;        // until they are joined into m_texels
+  };
+  class BandRaster;
+
+  std::uint32_t instanceOf(std::uint32_t triangle) const;
+  std::uint32_t triangleAt(std::uint32_t page, int x, int y) const;
+
   const scenes::Scene& m_scene;
   const Atlas& m_atlas;
   int m_factor;
   std::vector<Texel> m_texels;
-  std::vector<std::vector<std::uint32_t>> m_triangles; // of each page's sub-texels: a number over all instances
-  std::vector<std::uint32_t> m_firstTriangle;          // of each instance in that numbering
+  std::size_t m_bandsPerPage = 0;
+  std::vector<Band> m_bands;
+  std::vector<std::uint32_t> m_firstTriangle; // of each instance in the numbering, and their count at the end
 };
 
 } // namespace parity::bake

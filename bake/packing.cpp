@@ -1,0 +1,139 @@
+// Skyline packing: the largest rectangles first, several widths tried.
+#include "bake/packing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+
+namespace parity::bake {
+namespace {
+
+constexpr int kUnbounded = std::numeric_limits<int>::max() / 2;
+
+// Highest first: equal heights side by side leave a level outline.
+std::vector<std::size_t> packingOrder(const std::vector<glm::ivec2>& sizes) {
+  std::vector<std::size_t> order(sizes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return sizes[a].y != sizes[b].y ? sizes[a].y > sizes[b].y : sizes[a].x > sizes[b].x;
+  });
+  return order;
+}
+
+std::int64_t areaOf(const std::vector<glm::ivec2>& sizes) {
+  std::int64_t area = 0;
+  for (const glm::ivec2& size : sizes) area += static_cast<std::int64_t>(size.x) * size.y;
+  return area;
+}
+
+glm::ivec2 largestOf(const std::vector<glm::ivec2>& sizes) {
+  glm::ivec2 largest(0);
+  for (const glm::ivec2& size : sizes) largest = glm::max(largest, size);
+  return largest;
+}
+
+int roundUpTo4(double side) { return static_cast<int>(std::ceil(side / 4)) * 4; }
+
+Packing packInto(const std::vector<glm::ivec2>& sizes, const std::vector<std::size_t>& order, int width, int height,
+                 int maxPages) {
+  Packing packing{width, height, 0, std::vector<glm::ivec2>(sizes.size()), std::vector<int>(sizes.size())};
+  std::vector<Skyline> pages;
+  for (const std::size_t i : order) {
+    std::optional<glm::ivec2> corner;
+    std::size_t page = 0;
+    for (; page < pages.size() && !corner; ++page) corner = pages[page].place(sizes[i].x, sizes[i].y);
+    if (!corner) {
+      if (static_cast<int>(pages.size()) == maxPages) return {};
+      pages.emplace_back(width, height);
+      corner = pages.back().place(sizes[i].x, sizes[i].y);
+      page = pages.size();
+    }
+    packing.corners[i] = *corner;
+    packing.page[i] = static_cast<int>(page) - 1;
+  }
+  packing.pages = static_cast<int>(pages.size());
+  if (height == kUnbounded) packing.height = pages.front().usedHeight();
+  return packing;
+}
+
+} // namespace
+
+Skyline::Skyline(int width, int height) : m_width(width), m_height(height), m_steps{{0, 0, width}} {}
+
+std::optional<glm::ivec2> Skyline::place(int width, int height) {
+  if (width > m_width || height > m_height) return std::nullopt;
+  if (m_refused.x > 0 && width >= m_refused.x && height >= m_refused.y) return std::nullopt;
+  std::size_t best = m_steps.size();
+  int bestY = m_height - height + 1;
+  for (std::size_t i = 0; i < m_steps.size() && m_steps[i].x + width <= m_width; ++i) {
+    int y = 0;
+    for (std::size_t k = i; k < m_steps.size() && m_steps[k].x < m_steps[i].x + width && y < bestY; ++k)
+      y = std::max(y, m_steps[k].y);
+    if (y < bestY) {
+      best = i;
+      bestY = y;
+    }
+  }
+  if (best == m_steps.size()) {
+    m_refused = {width, height};
+    return std::nullopt;
+  }
+  const int x = m_steps[best].x, end = x + width;
+  std::size_t covered = best;
+  while (covered < m_steps.size() && m_steps[covered].x + m_steps[covered].width <= end) ++covered;
+  if (covered < m_steps.size() && m_steps[covered].x < end) {
+    m_steps[covered].width -= end - m_steps[covered].x;
+    m_steps[covered].x = end;
+  }
+  const auto begin = m_steps.begin() + static_cast<std::ptrdiff_t>(best);
+  const auto step = m_steps.insert(m_steps.erase(begin, m_steps.begin() + static_cast<std::ptrdiff_t>(covered)),
+                                   Step{x, bestY + height, width});
+  if (step + 1 != m_steps.end() && (step + 1)->y == step->y) {
+    step->width += (step + 1)->width;
+    m_steps.erase(step + 1);
+  }
+  m_usedHeight = std::max(m_usedHeight, bestY + height);
+  if (best > 0 && m_steps[best - 1].y == m_steps[best].y) {
+    m_steps[best - 1].width += m_steps[best].width;
+    m_steps.erase(m_steps.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+  return glm::ivec2(x, bestY);
+}
+
+Packing packTight(const std::vector<glm::ivec2>& sizes) {
+  const std::vector<std::size_t> order = packingOrder(sizes);
+  const double side = std::sqrt(static_cast<double>(areaOf(sizes)));
+  Packing best;
+  std::int64_t bestCost = std::numeric_limits<std::int64_t>::max();
+  int lastWidth = 0;
+  for (double factor = 1; factor < 1.35; factor += 0.02) {
+    const int width = std::max(largestOf(sizes).x, static_cast<int>(std::ceil(side * factor)));
+    if (width == lastWidth) continue;
+    lastWidth = width;
+    Packing packing = packInto(sizes, order, width, kUnbounded, 1);
+    // Of the square around it, and less of itself: a page is square, but may hold others beside.
+    const std::int64_t longer = std::max(packing.width, packing.height);
+    const std::int64_t cost = longer * longer + 2 * static_cast<std::int64_t>(packing.width) * packing.height;
+    if (cost >= bestCost) continue;
+    bestCost = cost;
+    best = std::move(packing);
+  }
+  return best;
+}
+
+Packing packPages(const std::vector<glm::ivec2>& sizes, int maxSide) {
+  const std::vector<std::size_t> order = packingOrder(sizes);
+  const glm::ivec2 largest = largestOf(sizes);
+  const double area = static_cast<double>(areaOf(sizes));
+  const Packing widest = packInto(sizes, order, maxSide, maxSide, std::numeric_limits<int>::max());
+  const double least = std::max<double>(std::max(largest.x, largest.y), std::sqrt(area / widest.pages));
+  for (int side = roundUpTo4(least); side < maxSide; side = roundUpTo4(std::max(side * 1.01, side + 4.0))) {
+    Packing packing = packInto(sizes, order, side, side, widest.pages);
+    if (packing.pages > 0) return packing;
+  }
+  return widest;
+}
+
+} // namespace parity::bake
