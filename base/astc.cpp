@@ -33,17 +33,28 @@ void check(astcenc_error result) {
 
 using ContextPointer = std::unique_ptr<astcenc_context, decltype(&astcenc_context_free)>;
 
-ContextPointer makeContext(int side, AstcUse use, int threads) {
+ContextPointer makeContext(int side, AstcUse use, unsigned int flags, int threads) {
   const astcenc_profile profile = use == AstcUse::color ? ASTCENC_PRF_LDR_SRGB : ASTCENC_PRF_LDR;
   const auto blockSize = static_cast<unsigned int>(side);
-  // Occlusion, roughness and metallic go their own ways: .03 to .5 dB, for no more time.
-  const unsigned int flags = ASTCENC_FLG_SELF_DECOMPRESS_ONLY | (use == AstcUse::data ? ASTCENC_FLG_MAP_MASK : 0u);
   astcenc_config config{};
   check(astcenc_config_init(profile, blockSize, blockSize, 1, kQuality, flags, &config));
   astcenc_context* context = nullptr;
   check(astcenc_context_alloc(&config, static_cast<unsigned int>(threads), &context));
   return {context, &astcenc_context_free};
 }
+
+std::size_t countBlocks(int width, int height, int side) {
+  return static_cast<std::size_t>((width + side - 1) / side) * static_cast<std::size_t>((height + side - 1) / side);
+}
+
+// A thread's share should outweigh its start.
+int threadsFor(std::size_t blocks) { return static_cast<int>(std::clamp<std::size_t>(blocks / 64, 1, threadCount())); }
+
+astcenc_image imageOf(int width, int height, void** slice) {
+  return {static_cast<unsigned int>(width), static_cast<unsigned int>(height), 1, ASTCENC_TYPE_U8, slice};
+}
+
+constexpr astcenc_swizzle kSwizzle{ASTCENC_SWZ_R, ASTCENC_SWZ_G, ASTCENC_SWZ_B, ASTCENC_SWZ_A};
 
 // The codec hands out blocks to whoever asks, each a matter of its own texels alone.
 void runOn(int threads, const std::function<astcenc_error(unsigned int)>& body) {
@@ -66,29 +77,39 @@ double bitsPerTexel(AstcBlock block) {
   return block == AstcBlock::none ? 32 : 8.0 * kBlockBytes / (side * side);
 }
 
-Image8 throughAstc(const Image8& rgba, AstcBlock block, AstcUse use) {
-  assert(rgba.channels == 4 && !rgba.empty());
-  if (block == AstcBlock::none) return rgba;
+std::vector<std::uint8_t> encodeAstc(const Image8& rgba, AstcBlock block, AstcUse use) {
+  assert(rgba.channels == 4 && !rgba.empty() && block != AstcBlock::none);
   const int side = blockSide(block);
-  const int rows = (rgba.height + side - 1) / side, columns = (rgba.width + side - 1) / side;
-  const std::size_t blocks = static_cast<std::size_t>(rows) * columns;
-  // A thread's share should outweigh its start; the codec hands out 16 blocks at a time.
-  const int threads = static_cast<int>(std::clamp<std::size_t>(blocks / 64, 1, threadCount()));
-
-  const ContextPointer context = makeContext(side, use, threads);
-  const astcenc_swizzle swizzle{ASTCENC_SWZ_R, ASTCENC_SWZ_G, ASTCENC_SWZ_B, ASTCENC_SWZ_A};
-  Image8 result = rgba;
-  void* slice = result.pixels.data();
-  astcenc_image image{static_cast<unsigned int>(rgba.width), static_cast<unsigned int>(rgba.height), 1, ASTCENC_TYPE_U8,
-                      &slice};
-  std::vector<std::uint8_t> stored(blocks * kBlockBytes);
+  std::vector<std::uint8_t> stored(countBlocks(rgba.width, rgba.height, side) * kBlockBytes);
+  const int threads = threadsFor(stored.size() / kBlockBytes);
+  // Occlusion, roughness and metallic go their own ways: .03 to .5 dB, for no more time.
+  const unsigned int flags = ASTCENC_FLG_SELF_DECOMPRESS_ONLY | (use == AstcUse::data ? ASTCENC_FLG_MAP_MASK : 0u);
+  const ContextPointer context = makeContext(side, use, flags, threads); // of smaller tables: this one never decodes
+  void* slice = const_cast<std::uint8_t*>(rgba.pixels.data());           // only read
+  astcenc_image image = imageOf(rgba.width, rgba.height, &slice);
   runOn(threads, [&](unsigned int thread) {
-    return astcenc_compress_image(context.get(), &image, &swizzle, stored.data(), stored.size(), thread);
+    return astcenc_compress_image(context.get(), &image, &kSwizzle, stored.data(), stored.size(), thread);
   });
+  return stored;
+}
+
+Image8 decodeAstc(std::span<const std::uint8_t> blocks, int width, int height, AstcBlock block, AstcUse use) {
+  const int side = blockSide(block);
+  assert(blocks.size() == countBlocks(width, height, side) * kBlockBytes);
+  const int threads = threadsFor(blocks.size() / kBlockBytes);
+  const ContextPointer context = makeContext(side, use, ASTCENC_FLG_DECOMPRESS_ONLY, threads);
+  Image8 result(width, height, 4);
+  void* slice = result.pixels.data();
+  astcenc_image image = imageOf(width, height, &slice);
   runOn(threads, [&](unsigned int thread) {
-    return astcenc_decompress_image(context.get(), stored.data(), stored.size(), &image, &swizzle, thread);
+    return astcenc_decompress_image(context.get(), blocks.data(), blocks.size(), &image, &kSwizzle, thread);
   });
   return result;
+}
+
+Image8 throughAstc(const Image8& rgba, AstcBlock block, AstcUse use) {
+  if (block == AstcBlock::none) return rgba;
+  return decodeAstc(encodeAstc(rgba, block, use), rgba.width, rgba.height, block, use);
 }
 
 } // namespace parity::base

@@ -1,6 +1,8 @@
 // ASTC, the block compression of phones' textures: what is left of an image once it went through it.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,9 +25,15 @@ double bitsPerTexel(AstcBlock block);
 // Texels along the side of a block; 1 for none.
 int blockSide(AstcBlock block);
 
-// The image compressed and decoded again, 8 bits a channel. rgba: 4 channels, at least 1 x 1; the last blocks of a row
-// or column may hang over. On all threads; the same for any number of them. Throws Error (exit 4) where the codec
-// fails.
+// The image's blocks, row by row, 16 bytes each. rgba: 4 channels, at least 1 x 1; the last blocks of a row or column
+// may hang over. On all threads; the same bytes for any number of them. block: not none. Throws Error (exit 4) where
+// the codec fails.
+std::vector<std::uint8_t> encodeAstc(const Image8& rgba, AstcBlock block, AstcUse use);
+
+// What these blocks show, 8 bits a channel: as many as an image of this size has. Throws Error (exit 4).
+Image8 decodeAstc(std::span<const std::uint8_t> blocks, int width, int height, AstcBlock block, AstcUse use);
+
+// The image there and back; itself for none.
 Image8 throughAstc(const Image8& rgba, AstcBlock block, AstcUse use);
 
 } // namespace parity::base

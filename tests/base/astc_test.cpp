@@ -61,6 +61,16 @@ TEST(Astc, takesSixteenBytesABlock) {
   EXPECT_EQ(astcBlockNames(), (std::vector<std::string>{"none", "astc4x4", "astc6x6"}));
 }
 
+TEST(Astc, storesWholeBlocksRowByRow) {
+  const Image8 image = makeNoise(13, 7);
+  const std::vector<std::uint8_t> fine = encodeAstc(image, AstcBlock::astc4x4, AstcUse::data),
+                                  coarse = encodeAstc(image, AstcBlock::astc6x6, AstcUse::data);
+  EXPECT_EQ(fine.size(), 16u * 4 * 2);
+  EXPECT_EQ(coarse.size(), 16u * 3 * 2);
+  EXPECT_EQ(decodeAstc(fine, 13, 7, AstcBlock::astc4x4, AstcUse::data),
+            throughAstc(image, AstcBlock::astc4x4, AstcUse::data));
+}
+
 TEST(Astc, noneLosesNothing) {
   const Image8 noise = makeNoise(13, 7);
   EXPECT_EQ(throughAstc(noise, AstcBlock::none, AstcUse::color), noise);
@@ -129,12 +139,12 @@ TEST(Astc, servesSizesThatAreNoMultipleOfTheBlock) {
 }
 
 TEST(Astc, isTheSameForAnyNumberOfThreads) {
-  const Image8 image = makeNoise(150, 130);
+  const Image8 image = makeNoise(110, 90);
   for (const AstcBlock block : kBlocks) {
     const Image8 expected = throughAstc(image, block, AstcUse::color);
     for (const int threads : {1, 2, 5}) {
       const ThreadLimit limit(threads);
-      for (int again = 0; again < 3; ++again) ASSERT_EQ(throughAstc(image, block, AstcUse::color), expected) << threads;
+      for (int again = 0; again < 2; ++again) ASSERT_EQ(throughAstc(image, block, AstcUse::color), expected) << threads;
     }
   }
 }
