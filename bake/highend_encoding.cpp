@@ -1,0 +1,43 @@
+#include "bake/highend_encoding.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/glm.hpp>
+
+#include "base/parallel.h"
+#include "shading/shading.h"
+
+namespace parity::bake {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+std::uint16_t bitsOf(double value) { return shading::Half(std::clamp(value, -65504.0, 65504.0)).bits(); }
+
+glm::dvec3 directionOf(const float* sh) {
+  if (!(sh[0] > 0)) return glm::dvec3(0);
+  const glm::dvec3 r = glm::dvec3(sh[1], sh[2], sh[3]) / (sh[0] * std::sqrt(3.0));
+  return r / std::max(1.0, glm::length(r));
+}
+
+} // namespace
+
+base::BasicImage<std::uint16_t> encodeHighend(const LightmapPage& page) {
+  base::BasicImage<std::uint16_t> halves(page.owner.width, 2 * page.owner.height, 4, bitsOf(1));
+  const std::size_t below = page.owner.pixelCount();
+  base::parallelFor(below, 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      std::uint16_t *upper = halves.pixels.data() + 4 * i, *lower = upper + 4 * below;
+      const glm::dvec3 r = directionOf(page.sh.pixels.data() + 4 * i);
+      for (int c = 0; c < 3; ++c) {
+        upper[c] = bitsOf(page.irradiance.pixels[3 * i + static_cast<std::size_t>(c)] / kPi);
+        lower[c] = bitsOf(r[c]);
+      }
+    }
+  });
+  return halves;
+}
+
+} // namespace parity::bake
