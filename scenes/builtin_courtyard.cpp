@@ -134,7 +134,7 @@ Scene makeCourtyardScene() {
   Light sun = makeSun({kSunAzimuthDeg, kSunElevationDeg, 3.2f});
   sun.color *= glm::vec3(1.0f, 0.94f, 0.84f);
   builder.add(sun);
-  builder.setOrbitCamera(24, 66, 11.4f, 48, {-0.35f, 0.6f, -0.2f});
+  builder.setOrbitCamera(24, 66, 11.6f, 48, {-0.35f, 0.6f, -0.2f});
   Material paving = plastic("paved floor", glm::vec3(1.f), 0.8f);
   paving.baseColorTexture = builder.texture(makePaving(), 4);
   builder.add(makeFloor(4, 1, 1), paving, {0, 0, 0});
