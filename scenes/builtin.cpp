@@ -18,11 +18,13 @@ namespace parity::scenes {
 namespace {
 
 using SceneMaker = Scene (*)();
-constexpr std::array<std::pair<std::string_view, SceneMaker>, 6> kScenes = {{{"materials", makeMaterialsScene},
+constexpr std::array<std::pair<std::string_view, SceneMaker>, 8> kScenes = {{{"materials", makeMaterialsScene},
                                                                              {"spheres", makeSpheresScene},
                                                                              {"lights", makeLightsScene},
                                                                              {"lamps", makeLampsScene},
                                                                              {"shadows", makeShadowsScene},
+                                                                             {"room", makeRoomScene},
+                                                                             {"courtyard", makeCourtyardScene},
                                                                              {"furnace", makeFurnaceScene}}};
 
 using EnvironmentMaker = Environment (*)();

@@ -232,6 +232,37 @@ Mesh makeFloor(double halfSize, float repeats, int cells) {
   return mesh;
 }
 
+void addQuad(Mesh& mesh, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  const glm::dvec3 normal = glm::normalize(glm::cross(b - a, d - a));
+  const glm::dvec3 right = glm::normalize(d - a), down = glm::cross(right, normal);
+  for (const glm::dvec3& p : {a, b, c, d}) {
+    mesh.positions.push_back(glm::vec3(p));
+    mesh.normals.push_back(glm::vec3(normal));
+    mesh.uv0.push_back({static_cast<float>(glm::dot(p - a, right)), static_cast<float>(glm::dot(p - a, down))});
+  }
+  for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + corner);
+}
+
+Mesh makeBox(const glm::dvec3& lower, const glm::dvec3& upper) {
+  Mesh mesh;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool isUpper : {false, true}) {
+      const int s = (axis + 1) % 3, t = (axis + 2) % 3; // s x t = axis
+      const auto corner = [&](bool atS, bool atT) {
+        glm::dvec3 p = isUpper ? upper : lower;
+        p[s] = (atS ? upper : lower)[s];
+        p[t] = (atT ? upper : lower)[t];
+        return p;
+      };
+      if (isUpper)
+        addQuad(mesh, corner(false, true), corner(false, false), corner(true, false), corner(true, true));
+      else
+        addQuad(mesh, corner(true, true), corner(true, false), corner(false, false), corner(false, true));
+    }
+  return mesh;
+}
+
 void appendMesh(Mesh& mesh, const Mesh& part, const glm::mat4& transform) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   const glm::mat3 rotation(transform);

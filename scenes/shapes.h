@@ -39,6 +39,12 @@ Mesh makeTeapot();
 // A rectangle in y = 0 facing +Y, uv over [0, repeats]^2, cells quads a side.
 Mesh makeFloor(double halfSize, float repeats, int cells);
 
+// Adds a flat quad with corners counter-clockwise seen from its front, its uv (0, 0) at a, in metres along a-d and a-b.
+void addQuad(Mesh& mesh, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);
+
+// A closed box with sharp edges, uv in metres.
+Mesh makeBox(const glm::dvec3& lower, const glm::dvec3& upper);
+
 // Adds `part` to `mesh`, moved by a rigid transform with uniform scale.
 void appendMesh(Mesh& mesh, const Mesh& part, const glm::mat4& transform = glm::mat4(1.f));
 
