@@ -54,11 +54,13 @@ Emitters::Emitters(const scenes::Scene& scene, const SurfaceLight& surfaces)
     for (float& pdf : pdfs) pdf = static_cast<float>(pdf / total);
 }
 
-EmitterSample Emitters::sample(const glm::dvec3& u) const {
+EmitterSample Emitters::sample(const glm::dvec2& u) const {
   const auto found = std::upper_bound(m_cdf.begin(), m_cdf.end() - 1, u.x);
   const Triangle& chosen = m_triangles[static_cast<std::size_t>(found - m_cdf.begin())];
+  const double before = found == m_cdf.begin() ? 0 : *(found - 1);
+  const double rest = glm::clamp((u.x - before) / (*found - before), 0.0, 1.0);
   const auto corners = cornersOf(m_scene, chosen.instance, chosen.triangle);
-  const double root = std::sqrt(u.y), b1 = root * (1 - u.z), b2 = root * u.z; // Turk 1990, "Generating Random Points"
+  const double root = std::sqrt(rest), b1 = root * (1 - u.y), b2 = root * u.y; // Turk 1990, "Generating Random Points"
   EmitterSample sample;
   sample.hit = {.instance = chosen.instance, .triangle = chosen.triangle, .barycentric = glm::vec2(b1, b2)};
   sample.position = (1 - b1 - b2) * corners[0] + b1 * corners[1] + b2 * corners[2];

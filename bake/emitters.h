@@ -24,9 +24,9 @@ public:
   Emitters(const scenes::Scene& scene, const SurfaceLight& surfaces);
 
   bool empty() const { return m_cdf.empty(); }
-  // Triangles in proportion to area times mean luminance (of four points), points uniform in area. u: three numbers in
-  // (0, 1).
-  EmitterSample sample(const glm::dvec3& u) const;
+  // Triangles in proportion to area times mean luminance (of four points), points uniform in area. u in (0, 1)^2: what
+  // is left of u.x within its triangle is used again, so that points that are spread well stay so.
+  EmitterSample sample(const glm::dvec2& u) const;
   // The density, per square metre, with which sample() comes by this point.
   double pdf(const lighting::Visibility::Hit& hit) const;
 

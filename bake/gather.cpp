@@ -13,8 +13,6 @@ namespace {
 
 // Share of the cosine in the density of directions.
 constexpr double kCosineShare = 0.75;
-// Streams of numbers of one sample.
-enum Stream : std::uint32_t { kDirection = 1, kPoint, kEmitter, kSky };
 
 double densityOf(double cosine) {
   return kCosineShare * cosine * std::numbers::inv_pi + (1 - kCosineShare) * 0.5 * std::numbers::inv_pi;
@@ -70,7 +68,7 @@ public:
     add(radiance / p, direction);
   }
 
-  void addEmitter(const glm::dvec3& u) {
+  void addEmitter(const glm::dvec2& u) {
     const EmitterSample sample = m_around.emitters.sample(u);
     const glm::dvec3 way = sample.position - glm::dvec3(m_point.position);
     const double d2 = glm::dot(way, way);
@@ -146,16 +144,14 @@ private:
 
 LightSum gatherSample(const Surroundings& around, const GatherPoints& texel, std::uint32_t index, std::uint32_t seed,
                       std::uint64_t& rays) {
-  using reference::hashCombine;
-  using reference::sobolPoint;
-  const glm::dvec2 choice = sobolPoint(index, hashCombine(seed, kPoint));
+  // The same numbers for every way of sampling: what their sum depends on has three dimensions, not more.
+  const glm::dvec3 u = reference::sobolPoint3(index, seed);
   const auto count = static_cast<double>(texel.points.size());
-  const auto chosen = static_cast<std::size_t>(std::min(choice.x * count, count - 1));
+  const auto chosen = static_cast<std::size_t>(std::min(u.z * count, count - 1));
   Sampled sampled(around, texel.points[chosen], texel.bothSides, rays);
-  sampled.addDirection(sobolPoint(index, hashCombine(seed, kDirection)));
-  if (!around.emitters.empty())
-    sampled.addEmitter(glm::dvec3(choice.y, sobolPoint(index, hashCombine(seed, kEmitter))));
-  if (around.samplesSky) sampled.addSky(sobolPoint(index, hashCombine(seed, kSky)));
+  sampled.addDirection(u);
+  if (!around.emitters.empty()) sampled.addEmitter(u);
+  if (around.samplesSky) sampled.addSky(u);
   return sampled.sum;
 }
 

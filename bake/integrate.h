@@ -30,7 +30,7 @@ struct IntegrateOptions {
   std::uint32_t seed = 0;
   double texelsPerMetre = 16; // of the atlas
 };
-inline constexpr int kMaxBounces = 100, kMinSamples = 128, kMaxSamples = 1 << 20;
+inline constexpr int kMaxBounces = 100, kMinSamples = 512, kMaxSamples = 1 << 20;
 
 // Who watches over the work, and where what is done is kept.
 struct Control {
@@ -46,7 +46,7 @@ struct StaticLight {
   std::vector<TexelLight> gathered;   // the sky, emissive surfaces and all reflected light, the sun's too
   std::vector<std::uint16_t> valid;   // a bit for each sub-texel whose surface can be seen; none: within other objects
   std::vector<std::uint16_t> sunLit;  // a bit for each sub-texel that the sun reaches, were it turned towards it
-  std::vector<float> error;           // achieved standard error of luminance, over the same as IntegrateOptions::error
+  std::vector<float> error;           // achieved, of luminance, as IntegrateOptions::error
   std::vector<std::uint32_t> samples; // taken for `gathered`
   std::uint64_t rays = 0;             // of all kinds; of what came from the cache none
 };

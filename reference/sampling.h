@@ -1,6 +1,7 @@
 // Sample points (Owen-scrambled Sobol) and the ways to turn them into directions, each with its density.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -49,12 +50,34 @@ constexpr std::uint32_t sobolSecond(std::uint32_t index) {
   return x;
 }
 
+// The third dimension, by the direction numbers of the primitive polynomial x^2 + x + 1 with m = 1, 3 (Bratley and Fox
+// 1988; Joe and Kuo 2008).
+inline constexpr std::array<std::uint32_t, 32> kSobolThird = [] {
+  std::array<std::uint32_t, 32> v{};
+  v[0] = 1u << 31;
+  v[1] = 3u << 30;
+  for (std::size_t k = 2; k < v.size(); ++k) v[k] = v[k - 1] ^ v[k - 2] ^ (v[k - 2] >> 2);
+  return v;
+}();
+constexpr std::uint32_t sobolThird(std::uint32_t index) {
+  std::uint32_t x = 0;
+  for (std::size_t k = 0; index != 0; ++k, index >>= 1)
+    if ((index & 1) != 0) x ^= kSobolThird[k];
+  return x;
+}
+
 // Point `index` of the Owen-scrambled Sobol (0,2)-sequence of this seed, in (0, 1)^2. Any 2^k first points are
 // stratified in all elementary intervals; sequences of different seeds are independent.
 inline glm::dvec2 sobolPoint(std::uint32_t index, std::uint32_t seed) {
   const std::uint32_t x = reverseBits(scrambleReversed(index, hashCombine(seed, 1)));
   const std::uint32_t y = reverseBits(scrambleReversed(reverseBits(sobolSecond(index)), hashCombine(seed, 2)));
   return {(x + 0.5) * 0x1p-32, (y + 0.5) * 0x1p-32};
+}
+
+// The same with a third coordinate: all three are stratified together.
+inline glm::dvec3 sobolPoint3(std::uint32_t index, std::uint32_t seed) {
+  const std::uint32_t z = reverseBits(scrambleReversed(reverseBits(sobolThird(index)), hashCombine(seed, 3)));
+  return glm::dvec3(sobolPoint(index, seed), (z + 0.5) * 0x1p-32);
 }
 
 // ---- directions about +Z
