@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <queue>
@@ -158,8 +159,9 @@ std::vector<Chart> toCharts(const MeshFaces& faces, const Labels& labels) {
   return charts;
 }
 
-// The smallest first: each to the neighbour with the longest common border that it leans little enough from.
-void mergeTiny(const MeshFaces& faces, double tinyArea, Labels& labels) {
+// Charts of less than smallArea, the smallest first: each to the neighbour with the longest common border that it leans
+// little enough from.
+void mergeSmall(const MeshFaces& faces, double smallArea, Labels& labels) {
   std::vector<Chart> charts = toCharts(faces, labels);
   std::vector<double> areas = areasOf(faces, labels);
   std::vector<std::uint32_t> order = byArea(areas);
@@ -167,7 +169,7 @@ void mergeTiny(const MeshFaces& faces, double tinyArea, Labels& labels) {
   const double leastCosine = cosineOf(kMergeAngleDeg);
   for (const std::uint32_t label : order) {
     Chart& chart = charts[label];
-    if (areas[label] >= tinyArea || chart.faces.empty()) continue;
+    if (areas[label] >= smallArea || chart.faces.empty()) continue;
     std::map<std::uint32_t, int> borders;
     for (const std::uint32_t face : chart.faces)
       for (std::size_t k = 0; k < 3; ++k) {
@@ -201,11 +203,12 @@ std::vector<Chart> makeCharts(const MeshFaces& faces, double tinyArea) {
   Labels charts{std::vector<std::uint32_t>(faces.count(), kNoLabel), {}, {}};
   growFromRegions(faces, regions, order, charts);
   for (int round = 0; round < kRounds; ++round) {
+    mergeSmall(faces, std::numeric_limits<double>::max(), charts);
     charts = nextProxies(faces, regions, charts);
     partition(faces, charts);
     growFromRegions(faces, regions, order, charts);
   }
-  mergeTiny(faces, tinyArea, charts);
+  mergeSmall(faces, tinyArea, charts);
   std::vector<Chart> result = toCharts(faces, charts);
   result.erase(std::remove_if(result.begin(), result.end(), [](const Chart& chart) { return chart.faces.empty(); }),
                result.end());
