@@ -91,28 +91,23 @@ Labels nextProxies(const MeshFaces& faces, const Labels& regions, const Labels& 
   const std::size_t count = charts.normals.size();
   Labels next{std::vector<std::uint32_t>(faces.count(), kNoLabel), std::vector<glm::dvec3>(count, glm::dvec3(0)),
               std::vector<std::uint32_t>(count, kNoFace)};
-  std::vector<double> areas = areasOf(faces, charts), flatArea(count, 0);
-  std::unordered_map<std::uint64_t, double> shares; // of a region in a chart
+  const std::vector<double> areas = areasOf(faces, charts), regionAreas = areasOf(faces, regions);
+  std::vector<std::uint32_t> flattest(count, kNoLabel); // the largest region that reaches into the chart
   for (std::size_t face = 0; face < faces.count(); ++face) {
-    const std::uint32_t chart = charts.of[face];
+    const std::uint32_t chart = charts.of[face], region = regions.of[face];
     if (chart == kNoLabel) continue;
     next.normals[chart] += faces.areas[face] * faces.normals[face];
-    double& share = shares[(std::uint64_t{chart} << 32) | regions.of[face]];
-    share += faces.areas[face];
-    flatArea[chart] = std::max(flatArea[chart], share);
+    if (flattest[chart] == kNoLabel || regionAreas[region] > regionAreas[flattest[chart]]) flattest[chart] = region;
   }
-  std::vector<glm::dvec3> flatNormal(count, glm::dvec3(0));
+  std::vector<double> flatAreas(count, 0); // what the chart has of it
   for (std::size_t face = 0; face < faces.count(); ++face) {
     const std::uint32_t chart = charts.of[face];
-    if (chart == kNoLabel || flatArea[chart] < 0.5 * areas[chart] || flatNormal[chart] != glm::dvec3(0)) continue;
-    const double share = shares[(std::uint64_t{chart} << 32) | regions.of[face]];
-    if (share >= flatArea[chart]) flatNormal[chart] = regions.normals[regions.of[face]];
+    if (chart != kNoLabel && regions.of[face] == flattest[chart]) flatAreas[chart] += faces.areas[face];
   }
   for (std::size_t chart = 0; chart < count; ++chart)
-    if (flatNormal[chart] != glm::dvec3(0))
-      next.normals[chart] = flatNormal[chart];
-    else
-      next.normals[chart] = glm::normalize(next.normals[chart]);
+    next.normals[chart] = flatAreas[chart] >= 0.5 * areas[chart] && flattest[chart] != kNoLabel
+                              ? regions.normals[flattest[chart]]
+                              : glm::normalize(next.normals[chart]);
   for (std::uint32_t face = 0; face < faces.count(); ++face) {
     const std::uint32_t chart = charts.of[face];
     if (chart == kNoLabel) continue;
