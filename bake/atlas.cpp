@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -85,9 +87,62 @@ void checkOptions(const AtlasOptions& options) {
                                     std::ceil(texels / 1e6), static_cast<double>(kMaxTexels) / 1e6));
 }
 
-std::string noteOf(const scenes::Mesh& mesh, const Use& use, const MeshLayout& layout, bool isOnly) {
-  const std::string name = mesh.name.empty() ? fmt::format("mesh {}", use.mesh) : mesh.name;
-  return fmt::format("{}{}: {}", name, isOnly ? "" : fmt::format(" at scale {:.3g}", use.scale), layout.note);
+void addCorners(const scenes::Scene& scene, const std::vector<Use>& uses, std::vector<MeshLayout>& layouts,
+                Atlas& atlas) {
+  std::size_t count = 0;
+  for (const MeshLayout& layout : layouts) count += layout.corners.size();
+  if (count > std::numeric_limits<std::uint32_t>::max())
+    throw base::fileError(scene.name, "", "has too many triangles for a lightmap");
+  atlas.uvs.corners.reserve(count);
+  const auto side = static_cast<float>(atlas.pageSide);
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    for (const std::uint32_t instance : uses[i].instances)
+      atlas.uvs.places[instance].firstCorner = static_cast<std::uint32_t>(atlas.uvs.corners.size());
+    for (const glm::vec2& corner : layouts[i].corners) atlas.uvs.corners.push_back(corner / side);
+    layouts[i] = {{}, {}, layouts[i].charts, std::move(layouts[i].note)};
+  }
+}
+
+void addNotes(const scenes::Scene& scene, const std::vector<Use>& uses, const std::vector<MeshLayout>& layouts,
+              Atlas& atlas) {
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const std::string& name = scene.meshes[uses[i].mesh].name;
+    const bool isOnly =
+        (i == 0 || uses[i - 1].mesh != uses[i].mesh) && (i + 1 == uses.size() || uses[i + 1].mesh != uses[i].mesh);
+    atlas.notes.push_back(fmt::format("{}{}: {}", name.empty() ? fmt::format("mesh {}", uses[i].mesh) : name,
+                                      isOnly ? "" : fmt::format(" at scale {:.3g}", uses[i].scale), layouts[i].note));
+  }
+}
+
+// What is placed on a page: a piece of a layout for one instance.
+struct Item {
+  std::uint32_t use = 0, piece = 0, instance = 0;
+};
+
+struct Items {
+  std::vector<Item> items;
+  std::vector<glm::ivec2> sizes;
+  double texels = 0;
+};
+
+Items itemsOf(const std::vector<Use>& uses, const std::vector<MeshLayout>& layouts) {
+  Items result;
+  for (std::uint32_t use = 0; use < uses.size(); ++use)
+    for (const std::uint32_t instance : uses[use].instances)
+      for (std::uint32_t piece = 0; piece < layouts[use].pieces.size(); ++piece) {
+        const glm::ivec2 size = layouts[use].pieces[piece].size;
+        result.items.push_back({use, piece, instance});
+        result.sizes.push_back(size);
+        result.texels += static_cast<double>(size.x) * size.y;
+      }
+  return result;
+}
+
+// Of several refusals the first is thrown.
+void forEachUse(std::size_t count, const std::function<void(std::size_t)>& body) {
+  std::vector<std::function<void()>> tasks;
+  for (std::size_t i = 0; i < count; ++i) tasks.emplace_back([&body, i] { body(i); });
+  base::parallelInvoke(tasks);
 }
 
 } // namespace
@@ -96,54 +151,42 @@ Atlas makeAtlas(const scenes::Scene& scene, const AtlasOptions& options) {
   checkOptions(options);
   const std::vector<Use> uses = usesOf(scene);
   std::vector<MeshLayout> layouts(uses.size());
-  std::vector<std::function<void()>> tasks; // of several refusals the first is thrown
-  for (std::size_t i = 0; i < uses.size(); ++i)
-    tasks.emplace_back([&, i] {
-      layouts[i] = layOutMesh(scene.meshes[uses[i].mesh],
-                              {options.texelsPerMetre * uses[i].scale, options.padding, options.maxPageSide});
-    });
-  base::parallelInvoke(tasks);
+  const auto join = [&](std::size_t i) { joinPieces(scene.meshes[uses[i].mesh], options.maxPageSide, layouts[i]); };
+  forEachUse(uses.size(), [&](std::size_t i) {
+    layouts[i] = layOutMesh(scene.meshes[uses[i].mesh],
+                            {options.texelsPerMetre * uses[i].scale, options.padding, options.maxPageSide});
+    if (uses[i].instances.size() > 1) join(i); // they share the corners: only as a whole can each be moved
+  });
+
+  Items items = itemsOf(uses, layouts);
+  if (items.items.empty())
+    throw base::fileError(scene.name, "", "has nothing to bake: no object is lit and has an area");
+  // On one page the pieces of all objects may lie between each other; of several, an object has only one.
+  std::optional<Packing> packing = packPage(items.sizes, options.maxPageSide);
+  if (!packing) {
+    if (items.texels > static_cast<double>(kMaxTexels)) throwTooMany(scene, items.texels);
+    forEachUse(uses.size(), join);
+    items = itemsOf(uses, layouts);
+    packing = packPages(items.sizes, options.maxPageSide);
+  }
+  const double side = packing->width, texels = packing->pages * side * side;
+  if (texels > static_cast<double>(kMaxTexels)) throwTooMany(scene, texels);
 
   Atlas atlas;
+  atlas.pageSide = packing->width;
+  atlas.pageCount = packing->pages;
   atlas.uvs.places.resize(scene.instances.size());
-  std::vector<glm::ivec2> sizes; // of the instances' blocks
-  std::vector<std::uint32_t> owners;
-  std::size_t corners = 0;
-  double texels = 0;
-  for (std::size_t i = 0; i < uses.size(); ++i) {
-    const bool isOnly =
-        (i == 0 || uses[i - 1].mesh != uses[i].mesh) && (i + 1 == uses.size() || uses[i + 1].mesh != uses[i].mesh);
-    atlas.notes.push_back(noteOf(scene.meshes[uses[i].mesh], uses[i], layouts[i], isOnly));
-    if (layouts[i].size.x == 0) continue;
-    for (const std::uint32_t instance : uses[i].instances) {
-      atlas.uvs.places[instance].firstCorner = static_cast<std::uint32_t>(corners);
-      sizes.push_back(layouts[i].size);
-      owners.push_back(instance);
-      texels += static_cast<double>(layouts[i].size.x) * layouts[i].size.y;
-    }
-    corners += layouts[i].corners.size();
+  for (std::size_t i = 0; i < items.items.size(); ++i) {
+    const Item& item = items.items[i];
+    scenes::LightmapUvs::Place& place = atlas.uvs.places[item.instance];
+    place.page = packing->page[i];
+    if (uses[item.use].instances.size() > 1)
+      place.offset = glm::vec2(packing->corners[i]) / static_cast<float>(side);
+    else
+      movePiece(layouts[item.use], item.piece, packing->corners[i]);
   }
-  if (sizes.empty()) throw base::fileError(scene.name, "", "has nothing to bake: no object is lit and has an area");
-  if (texels > static_cast<double>(kMaxTexels)) throwTooMany(scene, texels);
-  if (corners > std::numeric_limits<std::uint32_t>::max())
-    throw base::fileError(scene.name, "", "has too many triangles for a lightmap");
-
-  const Packing packing = packPages(sizes, options.maxPageSide);
-  atlas.pageSide = packing.width;
-  atlas.pageCount = packing.pages;
-  const double pages = packing.pages;
-  if (pages * atlas.pageSide * atlas.pageSide > static_cast<double>(kMaxTexels))
-    throwTooMany(scene, pages * atlas.pageSide * atlas.pageSide);
-  const auto side = static_cast<float>(atlas.pageSide);
-  for (std::size_t i = 0; i < owners.size(); ++i) {
-    atlas.uvs.places[owners[i]].page = packing.page[i];
-    atlas.uvs.places[owners[i]].offset = glm::vec2(packing.corners[i]) / side;
-  }
-  atlas.uvs.corners.reserve(corners);
-  for (MeshLayout& layout : layouts) {
-    for (const glm::vec2& corner : layout.corners) atlas.uvs.corners.push_back(corner / side);
-    layout.corners = {};
-  }
+  addCorners(scene, uses, layouts, atlas);
+  addNotes(scene, uses, layouts, atlas);
   return atlas;
 }
 

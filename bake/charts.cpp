@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <queue>
@@ -90,28 +91,23 @@ Labels nextProxies(const MeshFaces& faces, const Labels& regions, const Labels& 
   const std::size_t count = charts.normals.size();
   Labels next{std::vector<std::uint32_t>(faces.count(), kNoLabel), std::vector<glm::dvec3>(count, glm::dvec3(0)),
               std::vector<std::uint32_t>(count, kNoFace)};
-  std::vector<double> areas = areasOf(faces, charts), flatArea(count, 0);
-  std::unordered_map<std::uint64_t, double> shares; // of a region in a chart
+  const std::vector<double> areas = areasOf(faces, charts), regionAreas = areasOf(faces, regions);
+  std::vector<std::uint32_t> flattest(count, kNoLabel); // the largest region that reaches into the chart
   for (std::size_t face = 0; face < faces.count(); ++face) {
-    const std::uint32_t chart = charts.of[face];
+    const std::uint32_t chart = charts.of[face], region = regions.of[face];
     if (chart == kNoLabel) continue;
     next.normals[chart] += faces.areas[face] * faces.normals[face];
-    double& share = shares[(std::uint64_t{chart} << 32) | regions.of[face]];
-    share += faces.areas[face];
-    flatArea[chart] = std::max(flatArea[chart], share);
+    if (flattest[chart] == kNoLabel || regionAreas[region] > regionAreas[flattest[chart]]) flattest[chart] = region;
   }
-  std::vector<glm::dvec3> flatNormal(count, glm::dvec3(0));
+  std::vector<double> flatAreas(count, 0); // what the chart has of it
   for (std::size_t face = 0; face < faces.count(); ++face) {
     const std::uint32_t chart = charts.of[face];
-    if (chart == kNoLabel || flatArea[chart] < 0.5 * areas[chart] || flatNormal[chart] != glm::dvec3(0)) continue;
-    const double share = shares[(std::uint64_t{chart} << 32) | regions.of[face]];
-    if (share >= flatArea[chart]) flatNormal[chart] = regions.normals[regions.of[face]];
+    if (chart != kNoLabel && regions.of[face] == flattest[chart]) flatAreas[chart] += faces.areas[face];
   }
   for (std::size_t chart = 0; chart < count; ++chart)
-    if (flatNormal[chart] != glm::dvec3(0))
-      next.normals[chart] = flatNormal[chart];
-    else
-      next.normals[chart] = glm::normalize(next.normals[chart]);
+    next.normals[chart] = flatAreas[chart] >= 0.5 * areas[chart] && flattest[chart] != kNoLabel
+                              ? regions.normals[flattest[chart]]
+                              : glm::normalize(next.normals[chart]);
   for (std::uint32_t face = 0; face < faces.count(); ++face) {
     const std::uint32_t chart = charts.of[face];
     if (chart == kNoLabel) continue;
@@ -158,8 +154,9 @@ std::vector<Chart> toCharts(const MeshFaces& faces, const Labels& labels) {
   return charts;
 }
 
-// The smallest first: each to the neighbour with the longest common border that it leans little enough from.
-void mergeTiny(const MeshFaces& faces, double tinyArea, Labels& labels) {
+// Charts of less than smallArea, the smallest first: each to the neighbour with the longest common border that it leans
+// little enough from.
+void mergeSmall(const MeshFaces& faces, double smallArea, Labels& labels) {
   std::vector<Chart> charts = toCharts(faces, labels);
   std::vector<double> areas = areasOf(faces, labels);
   std::vector<std::uint32_t> order = byArea(areas);
@@ -167,7 +164,7 @@ void mergeTiny(const MeshFaces& faces, double tinyArea, Labels& labels) {
   const double leastCosine = cosineOf(kMergeAngleDeg);
   for (const std::uint32_t label : order) {
     Chart& chart = charts[label];
-    if (areas[label] >= tinyArea || chart.faces.empty()) continue;
+    if (areas[label] >= smallArea || chart.faces.empty()) continue;
     std::map<std::uint32_t, int> borders;
     for (const std::uint32_t face : chart.faces)
       for (std::size_t k = 0; k < 3; ++k) {
@@ -201,11 +198,12 @@ std::vector<Chart> makeCharts(const MeshFaces& faces, double tinyArea) {
   Labels charts{std::vector<std::uint32_t>(faces.count(), kNoLabel), {}, {}};
   growFromRegions(faces, regions, order, charts);
   for (int round = 0; round < kRounds; ++round) {
+    mergeSmall(faces, std::numeric_limits<double>::max(), charts);
     charts = nextProxies(faces, regions, charts);
     partition(faces, charts);
     growFromRegions(faces, regions, order, charts);
   }
-  mergeTiny(faces, tinyArea, charts);
+  mergeSmall(faces, tinyArea, charts);
   std::vector<Chart> result = toCharts(faces, charts);
   result.erase(std::remove_if(result.begin(), result.end(), [](const Chart& chart) { return chart.faces.empty(); }),
                result.end());

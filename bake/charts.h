@@ -20,8 +20,9 @@ struct Chart {
 
 // Every face with area is in one chart. Charts start at the largest flat regions, so that a floor or a wall is one
 // chart; their borders then move by two rounds of "Variational Shape Approximation" (D. Cohen-Steiner, P. Alliez, M.
-// Desbrun, 2004: metric L2,1, partition by distortion), each face within kChartAngleDeg of its chart's normal. A chart
-// of less than tinyArea goes to the neighbour it has most edges with, where kMergeAngleDeg allows it.
+// Desbrun, 2004: metric L2,1, partition by distortion), each face within kChartAngleDeg of its chart's normal. Before
+// each round charts go to the neighbour they have most edges with where kMergeAngleDeg allows it; after them, those of
+// less than tinyArea.
 std::vector<Chart> makeCharts(const MeshFaces& faces, double tinyArea);
 
 // The parts of a set of faces that hang together over edges.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -88,31 +89,41 @@ double filledArea(const FlatChart& flat) {
   return area;
 }
 
-// Halves of a chart that fills little of its rectangle, cut across its longer side; empty where that saves too little.
-std::vector<Chart> halvesOf(const scenes::Mesh& mesh, const MeshFaces& faces, const Chart& chart, const FlatChart& flat,
+// The chart cut across the middle of the axes of its rectangle that `cutsX` and `cutsY` name, in connected parts.
+std::vector<Chart> cut(const MeshFaces& faces, const Chart& chart, const FlatChart& flat, bool cutsX, bool cutsY) {
+  std::array<std::vector<std::uint32_t>, 4> sides;
+  for (std::size_t i = 0; i < flat.faces.size(); ++i) {
+    const FlatFace& face = flat.corners[i];
+    const glm::dvec2 middle = (face[0] + face[1] + face[2]) / 3.0;
+    const bool right = cutsX && middle.x > 0.5 * flat.size.x, below = cutsY && middle.y > 0.5 * flat.size.y;
+    sides[(right ? 1u : 0u) + (below ? 2u : 0u)].push_back(flat.faces[i]);
+  }
+  std::vector<Chart> parts;
+  for (const std::vector<std::uint32_t>& side : sides)
+    for (std::vector<std::uint32_t>& part : connectedParts(faces, side))
+      parts.push_back({chart.normal, std::move(part)});
+  return parts;
+}
+
+// Halves or quarters of a chart that fills little of its rectangle; empty where that saves too little.
+std::vector<Chart> cutLoose(const scenes::Mesh& mesh, const MeshFaces& faces, const Chart& chart, const FlatChart& flat,
                             double texelsPerUnit, int padding) {
   constexpr double kFillWanted = 0.55, kSavingWanted = 0.75;
   constexpr int kLeastSide = 12; // texels: smaller ones save nothing that their padding does not cost
   if (std::max(flat.size.x, flat.size.y) < kLeastSide || chart.faces.size() < 2) return {};
-  const double cost = costOf(flat, padding);
-  if (filledArea(flat) > kFillWanted * cost) return {};
-  const int axis = flat.size.x >= flat.size.y ? 0 : 1;
-  std::array<std::vector<std::uint32_t>, 2> sides;
-  for (std::size_t i = 0; i < flat.faces.size(); ++i) {
-    const FlatFace& face = flat.corners[i];
-    const double middle = (face[0][axis] + face[1][axis] + face[2][axis]) / 3;
-    sides[middle < 0.5 * flat.size[axis] ? 0 : 1].push_back(flat.faces[i]);
+  if (filledArea(flat) > kFillWanted * costOf(flat, padding)) return {};
+  double leastCost = kSavingWanted * costOf(flat, padding);
+  std::vector<Chart> best;
+  const bool isWide = flat.size.x >= flat.size.y;
+  for (const bool cutsBoth : {false, true}) {
+    std::vector<Chart> parts = cut(faces, chart, flat, isWide || cutsBoth, !isWide || cutsBoth);
+    double cost = 0;
+    for (const Chart& part : parts) cost += costOf(projectChart(mesh, faces, part, texelsPerUnit), padding);
+    if (parts.size() < 2 || cost > leastCost) continue;
+    leastCost = cost;
+    best = std::move(parts);
   }
-  std::vector<Chart> halves;
-  double costOfHalves = 0;
-  for (const std::vector<std::uint32_t>& side : sides)
-    for (std::vector<std::uint32_t>& part : connectedParts(faces, side)) {
-      Chart half{chart.normal, std::move(part)};
-      costOfHalves += costOf(projectChart(mesh, faces, half, texelsPerUnit), padding);
-      halves.push_back(std::move(half));
-    }
-  if (halves.size() < 2 || costOfHalves > kSavingWanted * cost) return {};
-  return halves;
+  return best;
 }
 
 [[noreturn]] void throwTooLarge(const scenes::Mesh& mesh, const glm::ivec2& size, int maxSide) {
@@ -195,9 +206,9 @@ std::vector<FlatChart> flattenChart(const scenes::Mesh& mesh, const MeshFaces& f
     const Chart next = std::move(open.back());
     open.pop_back();
     FlatChart flat = projectChart(mesh, faces, next, texelsPerUnit);
-    std::vector<Chart> halves = halvesOf(mesh, faces, next, flat, texelsPerUnit, padding);
-    if (!halves.empty()) {
-      std::move(halves.begin(), halves.end(), std::back_inserter(open));
+    std::vector<Chart> parts = cutLoose(mesh, faces, next, flat, texelsPerUnit, padding);
+    if (!parts.empty()) {
+      std::move(parts.begin(), parts.end(), std::back_inserter(open));
       continue;
     }
     if (std::max(flat.size.x, flat.size.y) > maxSide) throwTooLarge(mesh, flat.size, maxSide);

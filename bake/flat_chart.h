@@ -36,9 +36,9 @@ glm::dvec2 tightestDirection(std::vector<glm::dvec2> points);
 FlatChart projectChart(const scenes::Mesh& mesh, const MeshFaces& faces, const Chart& chart, double texelsPerUnit);
 
 // The same in as many parts as it takes: where the projection lies over itself, what lies over goes to further charts;
-// and a chart that leaves most of its rectangle free, such as a ring, is cut in halves where that saves texels.
-// padding: texels that each rectangle costs beside it. Throws base::Error (exit 4) naming the mesh where a rectangle is
-// longer than maxSide.
+// and a chart that leaves most of its rectangle free, such as a ring, is cut in halves or quarters where that saves
+// texels. padding: texels that each rectangle costs beside it. Throws base::Error (exit 4) naming the mesh where a
+// rectangle is longer than maxSide.
 std::vector<FlatChart> flattenChart(const scenes::Mesh& mesh, const MeshFaces& faces, const Chart& chart,
                                     double texelsPerUnit, int padding, int maxSide);
 

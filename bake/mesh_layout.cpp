@@ -1,9 +1,9 @@
-// A mesh's block of texels: its charts, packed.
+// A mesh's rectangles of texels.
 #include "bake/mesh_layout.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -30,27 +30,11 @@ void checkMesh(const scenes::Mesh& mesh) {
   }
 }
 
-// Puts charts into the block, each with its padding around it.
-void packCharts(const scenes::Mesh& mesh, const std::vector<FlatChart>& charts, const LayoutOptions& options,
-                MeshLayout& layout) {
-  std::vector<glm::ivec2> sizes;
-  sizes.reserve(charts.size());
-  for (const FlatChart& chart : charts) sizes.push_back(chart.size + options.padding);
-  const Packing packing = packTight(sizes);
-  layout.size = {packing.width, packing.height};
-  const int side = std::max(packing.width, packing.height);
-  if (side > options.maxSide)
-    throw base::fileError(mesh.name, "",
-                          fmt::format("needs a lightmap page of {} texels a side, and one has at most {}: lower "
-                                      "--texels-per-metre, or divide the mesh",
-                                      side, options.maxSide));
-  layout.corners.assign(mesh.indices.size(), glm::vec2(0));
-  for (std::size_t i = 0; i < charts.size(); ++i) {
-    const glm::dvec2 corner = packing.corners[i] + options.padding / 2;
-    for (std::size_t f = 0; f < charts[i].faces.size(); ++f)
-      for (std::size_t k = 0; k < 3; ++k)
-        layout.corners[3 * std::size_t{charts[i].faces[f]} + k] = corner + charts[i].corners[f][k];
-  }
+void addPiece(FlatChart chart, int padding, MeshLayout& layout) {
+  for (std::size_t i = 0; i < chart.faces.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      layout.corners[3 * std::size_t{chart.faces[i]} + k] = chart.corners[i][k] + static_cast<double>(padding / 2);
+  layout.pieces.push_back({chart.size + padding, std::move(chart.faces)});
 }
 
 } // namespace
@@ -63,26 +47,48 @@ MeshLayout layOutMesh(const scenes::Mesh& mesh, const LayoutOptions& options) {
     layout.note = "no lightmap (all its triangles are without area)";
     return layout;
   }
+  layout.corners.assign(mesh.indices.size(), glm::vec2(0));
   CheckedUvs uvs = checkLightmapUvs(mesh, faces, options);
   if (uvs.refusal.empty()) {
     layout.charts = uvs.charts;
-    layout.fromFile = true;
     layout.note = "TEXCOORD_1";
-    packCharts(mesh, {std::move(uvs.flat)}, options, layout);
+    addPiece(std::move(uvs.flat), options.padding, layout);
     return layout;
   }
-  std::vector<FlatChart> charts;
   const double tinyArea = kTinyChartTexels / (options.texelsPerUnit * options.texelsPerUnit);
-  for (const Chart& chart : makeCharts(faces, tinyArea)) {
-    std::vector<FlatChart> parts =
-        flattenChart(mesh, faces, chart, options.texelsPerUnit, options.padding, options.maxSide - options.padding);
-    std::move(parts.begin(), parts.end(), std::back_inserter(charts));
-  }
-  packCharts(mesh, charts, options, layout);
-  layout.charts = static_cast<int>(charts.size());
+  for (const Chart& chart : makeCharts(faces, tinyArea))
+    for (FlatChart& flat :
+         flattenChart(mesh, faces, chart, options.texelsPerUnit, options.padding, options.maxSide - options.padding))
+      addPiece(std::move(flat), options.padding, layout);
+  layout.charts = static_cast<int>(layout.pieces.size());
   layout.note =
-      fmt::format("unwrapped into {} chart{} ({})", charts.size(), charts.size() == 1 ? "" : "s", uvs.refusal);
+      fmt::format("unwrapped into {} chart{} ({})", layout.charts, layout.charts == 1 ? "" : "s", uvs.refusal);
   return layout;
+}
+
+void joinPieces(const scenes::Mesh& mesh, int maxSide, MeshLayout& layout) {
+  if (layout.pieces.size() < 2) return;
+  std::vector<glm::ivec2> sizes;
+  for (const Piece& piece : layout.pieces) sizes.push_back(piece.size);
+  const Packing packing = packTight(sizes);
+  const int side = std::max(packing.width, packing.height);
+  if (side > maxSide)
+    throw base::fileError(mesh.name, "",
+                          fmt::format("needs a lightmap page of {} texels a side, and one has at most {}: lower "
+                                      "--texels-per-metre, or divide the mesh",
+                                      side, maxSide));
+  Piece joined{{packing.width, packing.height}, {}};
+  for (std::size_t i = 0; i < layout.pieces.size(); ++i) {
+    movePiece(layout, i, packing.corners[i]);
+    const std::vector<std::uint32_t>& triangles = layout.pieces[i].triangles;
+    joined.triangles.insert(joined.triangles.end(), triangles.begin(), triangles.end());
+  }
+  layout.pieces = {std::move(joined)};
+}
+
+void movePiece(MeshLayout& layout, std::size_t piece, const glm::ivec2& by) {
+  for (const std::uint32_t triangle : layout.pieces[piece].triangles)
+    for (std::size_t k = 0; k < 3; ++k) layout.corners[3 * std::size_t{triangle} + k] += glm::vec2(by);
 }
 
 } // namespace parity::bake

@@ -58,6 +58,19 @@ Packing packInto(const std::vector<glm::ivec2>& sizes, const std::vector<std::si
   return packing;
 }
 
+// The smallest side that serves for so many pages.
+std::optional<Packing> packSmallest(const std::vector<glm::ivec2>& sizes, const std::vector<std::size_t>& order,
+                                    int maxSide, int pages) {
+  const glm::ivec2 largest = largestOf(sizes);
+  const double least =
+      std::max<double>(std::max(largest.x, largest.y), std::sqrt(static_cast<double>(areaOf(sizes)) / pages));
+  for (double side = least; roundUpTo4(side) <= maxSide; side = std::max(side * 1.01, roundUpTo4(side) + 1.0)) {
+    Packing packing = packInto(sizes, order, roundUpTo4(side), roundUpTo4(side), pages);
+    if (packing.pages > 0) return packing;
+  }
+  return std::nullopt;
+}
+
 } // namespace
 
 Skyline::Skyline(int width, int height) : m_width(width), m_height(height), m_steps{{0, 0, width}} {}
@@ -123,17 +136,14 @@ Packing packTight(const std::vector<glm::ivec2>& sizes) {
   return best;
 }
 
+std::optional<Packing> packPage(const std::vector<glm::ivec2>& sizes, int maxSide) {
+  return packSmallest(sizes, packingOrder(sizes), maxSide, 1);
+}
+
 Packing packPages(const std::vector<glm::ivec2>& sizes, int maxSide) {
   const std::vector<std::size_t> order = packingOrder(sizes);
-  const glm::ivec2 largest = largestOf(sizes);
-  const double area = static_cast<double>(areaOf(sizes));
   const Packing widest = packInto(sizes, order, maxSide, maxSide, std::numeric_limits<int>::max());
-  const double least = std::max<double>(std::max(largest.x, largest.y), std::sqrt(area / widest.pages));
-  for (int side = roundUpTo4(least); side < maxSide; side = roundUpTo4(std::max(side * 1.01, side + 4.0))) {
-    Packing packing = packInto(sizes, order, side, side, widest.pages);
-    if (packing.pages > 0) return packing;
-  }
-  return widest;
+  return packSmallest(sizes, order, maxSide, widest.pages).value_or(widest);
 }
 
 } // namespace parity::bake

@@ -38,6 +38,10 @@ struct Packing {
 // All rectangles into one page that is about square and as small as this method gets it. At least one rectangle.
 Packing packTight(const std::vector<glm::ivec2>& sizes);
 
+// All rectangles into one square page, its side a multiple of 4 and as small as this method gets it; nothing where it
+// would be above maxSide (a multiple of 4).
+std::optional<Packing> packPage(const std::vector<glm::ivec2>& sizes, int maxSide);
+
 // Into square pages, as few as this method needs, of one side: a multiple of 4, at most maxSide (a multiple of 4
 // itself, and no rectangle is larger), as small as serves for that number of pages.
 Packing packPages(const std::vector<glm::ivec2>& sizes, int maxSide);

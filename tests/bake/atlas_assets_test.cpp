@@ -1,0 +1,34 @@
+// Real assets in an atlas.
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "bake/atlas.h"
+#include "bake/atlas_truth.h"
+#include "scenes/load.h"
+
+namespace parity::tests {
+namespace {
+
+TEST(Atlas, IsSoundForRealAssets) {
+  const char* shared = std::getenv("PARITY_SHARED");
+  const std::filesystem::path assets = std::filesystem::path(shared ? shared : "../shared") / "assets";
+  if (!std::filesystem::exists(assets)) GTEST_SKIP() << "no shared assets";
+  const std::vector<std::pair<std::string, double>> cases = {
+      {"Suzanne/Suzanne.gltf", 100}, {"ToyCar/ToyCar.gltf", 5000}, {"BoomBoxWithAxes/BoomBoxWithAxes.gltf", 200}};
+  for (const auto& [file, density] : cases) {
+    const scenes::Scene scene = scenes::loadScene((assets / file).string());
+    const bake::AtlasOptions options{density, 2048, 2};
+    const bake::Atlas atlas = bake::makeAtlas(scene, options);
+    const AtlasFacts facts = measureAtlas(scene, atlas);
+    expectSound(facts, options, file);
+    std::cout << fmt::format("{}: {} x {}^2 texels, {} charts, {:.1f} % covered\n", file, atlas.pageCount,
+                             atlas.pageSide, facts.charts, 100 * facts.coverage);
+  }
+}
+
+} // namespace
+} // namespace parity::tests
