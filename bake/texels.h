@@ -32,8 +32,8 @@ public:
   int factor() const { return m_factor; }
   // Page by page, row by row.
   const std::vector<Texel>& texels() const { return m_texels; }
-  // The surface at a sub-texel's middle, x and y in [0, pageSide * factor); nothing where there is none. A triangle that
-  // holds no sub-texel's middle still has the one that its own middle lies in, unless another triangle has it.
+  // The surface at a sub-texel's middle, x and y in [0, pageSide * factor); nothing where there is none. A triangle
+  // that holds no sub-texel's middle still has the one that its own middle lies in, unless another triangle has it.
   std::optional<SurfacePoint> at(std::uint32_t page, int x, int y) const;
   std::size_t bytes() const; // of memory held
 
