@@ -174,7 +174,7 @@ TEST(Integrate, sunIsNotInTheLightmapButItsBouncesAre) {
   sun.kind = scenes::LightKind::directional;
   sun.direction = glm::vec3(0, -1, 0);
   sun.color = glm::vec3(3);
-  const Baked baked(scene, {{sun}, 0, {}}, {.bounces = 1, .error = 0.005});
+  const Baked baked(scene, {{sun}, 0, {}}, {.bounces = 1, .error = 0.003, .maxSamples = 1 << 16});
   const std::vector<glm::dvec3> floor = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}};
   int walls = 0;
   baked.forWhole([&](const SurfacePoint& point, const TexelLight& direct, const TexelLight& gathered) {
@@ -264,7 +264,7 @@ TEST(Integrate, goesOnFromItsCacheWhenItWasCancelled) {
 TEST(Integrate, samplesUntilTheErrorIsWhatWasWanted) {
   const Work work;
   std::vector<double> samples;
-  for (const double wanted : {0.1, 0.03, 0.01}) {
+  for (const double wanted : {0.05, 0.005, 0.002}) {
     const StaticLight light = Baked(work.scene, work.lights, {.error = wanted, .maxSamples = 1 << 16}).light;
     double sum = 0;
     for (std::size_t i = 0; i < light.error.size(); ++i) {
