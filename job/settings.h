@@ -41,6 +41,7 @@ struct Settings {
   std::optional<std::string> budgets;                           // budget file; none: built-in defaults
   std::vector<std::string> metrics = compare::defaultMetrics(); // reported, besides what the budgets name
   bool terms = false;
+  bool coverage = false;                       // of each view's materials, also where one path alone is rendered
   Attribution attribution = Attribution::none; // `all` needs the terms
   int droppedLights = 0;  // of each view, the lights dropped by mobile whose effect is measured; 0: not looked at
   bool costs = false;     // count what each permutation costs

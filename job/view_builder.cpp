@@ -14,10 +14,9 @@ ViewBuilder::ViewBuilder(const Settings& settings, const Paths& paths, const gpu
     m_reference = makeFrame(settings.terms, std::nullopt);
     m_error.emplace(settings.width, settings.height, settings.samples);
   }
-  if (paths.highend && paths.mobile) {
-    m_beforeTarget = makeFrame(false, std::nullopt);
+  if (paths.highend && paths.mobile) m_beforeTarget = makeFrame(false, std::nullopt);
+  if ((paths.highend && paths.mobile) || (settings.coverage && (paths.highend || paths.mobile)))
     m_coverage.emplace(buffers, settings.samples);
-  }
 }
 
 template <typename Do> void ViewBuilder::forEachFrame(const Do& act) {
@@ -33,12 +32,13 @@ void ViewBuilder::begin(const gpu::Tile& tile) {
 
 void ViewBuilder::layHighend(const gpu::Surface& surface, const gpu::ShadedSurface& shaded) {
   m_highend->lay(surface, shaded);
+  // The opacity is the same in every path: it comes from the shared material.
+  if (m_coverage && !m_mobile) m_coverage->lay(surface, shaded);
 }
 
 void ViewBuilder::layMobile(const gpu::Surface& surface, const gpu::ShadedSurface& shaded) {
   m_mobile->lay(surface, shaded);
   if (m_beforeTarget) m_beforeTarget->lay(surface, shaded);
-  // The opacity is the same in every path: it comes from the shared material.
   if (m_coverage) m_coverage->lay(surface, shaded);
 }
 

@@ -18,8 +18,8 @@ struct ViewFrames {
   base::Image referenceError;             // relative standard error of each pixel (job/reference_path.h)
   base::Image referenceTaken;             // samples of each pixel, of the environment, for each way of sampling
   double referenceSamples = 0;            // taken of the environment, a point and way of sampling
-  std::vector<base::PixelList> coverage;  // a list per material; empty unless highend and mobile are asked for
-  base::Image mobileBeforeTarget;         // mobile's colour as if nothing were stored; empty like coverage
+  std::vector<base::PixelList> coverage;  // a list per material; for highend and mobile together, or settings.coverage
+  base::Image mobileBeforeTarget;         // mobile's colour as if nothing were stored; for both paths together
 };
 
 class ViewBuilder {

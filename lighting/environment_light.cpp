@@ -3,9 +3,12 @@
 
 #include <bit>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
+#include "base/error.h"
 #include "lighting/bright_texels.h"
+#include "lighting/cube.h"
 #include "lighting/cube_sampler.h"
 #include "lighting/equirect.h"
 #include "lighting/irradiance_sh.h"
@@ -19,15 +22,24 @@ int layersOfMip(int mip) {
 }
 
 EnvironmentLight makeEnvironmentLight(const scenes::Environment& environment, const PrefilterOptions& options) {
+  return makeEnvironmentLight(resampleEquirect(environment, options.faceSize), options);
+}
+
+EnvironmentLight makeEnvironmentLight(std::vector<glm::vec4> texels, const PrefilterOptions& options) {
   const int size = options.faceSize;
   assert(size >= kMinFaceSize && size <= kMaxFaceSize && std::has_single_bit(static_cast<unsigned>(size)));
   assert(options.sampleCount >= 1 && options.sampleCount <= kMaxSampleCount &&
          std::has_single_bit(static_cast<unsigned>(options.sampleCount)));
+  assert(texels.size() == texelIndex(kCubeFaces, 0, 0, size));
+  for (const glm::vec4& texel : texels)
+    for (int c = 0; c < 3; ++c)
+      if (!(texel[c] >= 0 && std::isfinite(texel[c])))
+        throw base::fileError("environment", "cube", "holds a radiance that is negative or not finite");
 
   EnvironmentLight light;
   CubeMap& cube = light.prefiltered;
   cube.faceSize = size;
-  cube.mips.push_back(resampleEquirect(environment, size));
+  cube.mips.push_back(std::move(texels));
   light.irradianceSh = projectIrradiance(cube.mips[0], size);
 
   std::vector<glm::vec4> rest = cube.mips[0];

@@ -49,6 +49,9 @@ struct EnvironmentLight {
 // Deterministic, bit-identical for any number of threads. GGX importance sampling with mips chosen by the pdf (Krivanek
 // and Colbert 2008; Karis 2013), sums in fp32 or better; result finite for any finite input.
 EnvironmentLight makeEnvironmentLight(const scenes::Environment& environment, const PrefilterOptions& options);
+// The same of a cube's base texels as they are: six faces of options.faceSize^2, A = 1. Throws base::Error (exit 4)
+// where a radiance is negative or not finite.
+EnvironmentLight makeEnvironmentLight(std::vector<glm::vec4> texels, const PrefilterOptions& options);
 
 // For the cache: a byte image of the whole, and back. fromBytes throws Error (exit 4) on anything malformed.
 std::vector<std::byte> toBytes(const EnvironmentLight& light);

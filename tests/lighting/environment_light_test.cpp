@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -51,6 +52,19 @@ const glm::vec4& texelAt(const EnvironmentLight& light, int mip, const glm::dvec
 }
 
 constexpr PrefilterOptions kSmall{.faceSize = 64, .sampleCount = 128};
+
+TEST(EnvironmentLight, ofACubeIsBitForBitThatOfThePanoramaItCameFrom) {
+  const scenes::Environment environment =
+      makeEnvironment(64, [](const auto& d) { return glm::dvec3(1 + d.x, 2 + d.y, 30 * (d.z > 0.9)); });
+  const PrefilterOptions options{.faceSize = 32, .sampleCount = 16};
+  const EnvironmentLight ofCube = makeEnvironmentLight(resampleEquirect(environment, 32), options);
+  EXPECT_EQ(toBytes(ofCube), toBytes(makeEnvironmentLight(environment, options)));
+  for (const float bad : {-1.f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    std::vector<glm::vec4> cube = resampleEquirect(environment, 32);
+    cube[77].y = bad;
+    EXPECT_THROW(makeEnvironmentLight(cube, options), base::Error);
+  }
+}
 
 TEST(EnvironmentLight, ofAConstantSkyIsThatConstantInEveryMipAndPiTimesItAsIrradiance) {
   const EnvironmentLight light =
