@@ -98,11 +98,11 @@ namespace parity::job {
 // stands the device.
 template <Is<Settings> T> auto fields(T& settings) {
   auto& [width, height, samples, exposureEv, display, background, materials, fullyRough, budgets, metrics, terms,
-         attribution, droppedLights, costs, extractSun, truth, mobileOptions, mobileView, mobileTarget, specularAa,
-         highendOptions, referenceOptions, shadows, shadowMaps, device, cacheFolder, cacheBytes] = settings;
+         attribution, droppedLights, costs, extractSun, truth, mobileOptions, mobileView, mobileTarget, mobileTextures,
+         specularAa, highendOptions, referenceOptions, shadows, shadowMaps, device, cacheFolder, cacheBytes] = settings;
   return std::tie(width, height, samples, exposureEv, display, background, materials, fullyRough, metrics, terms,
-                  droppedLights, costs, extractSun, truth, mobileOptions, mobileView, mobileTarget, specularAa,
-                  highendOptions, referenceOptions, shadows, shadowMaps);
+                  droppedLights, costs, extractSun, truth, mobileOptions, mobileView, mobileTarget, mobileTextures,
+                  specularAa, highendOptions, referenceOptions, shadows, shadowMaps);
 }
 
 namespace {
