@@ -33,9 +33,9 @@ void check(astcenc_error result) {
 
 using ContextPointer = std::unique_ptr<astcenc_context, decltype(&astcenc_context_free)>;
 
-ContextPointer makeContext(int side, AstcUse use, unsigned int flags, int threads) {
+ContextPointer makeContext(AstcBlock block, AstcUse use, unsigned int flags, int threads) {
   const astcenc_profile profile = use == AstcUse::color ? ASTCENC_PRF_LDR_SRGB : ASTCENC_PRF_LDR;
-  const auto blockSize = static_cast<unsigned int>(side);
+  const auto blockSize = static_cast<unsigned int>(blockSide(block));
   astcenc_config config{};
   check(astcenc_config_init(profile, blockSize, blockSize, 1, kQuality, flags, &config));
   astcenc_context* context = nullptr;
@@ -43,12 +43,10 @@ ContextPointer makeContext(int side, AstcUse use, unsigned int flags, int thread
   return {context, &astcenc_context_free};
 }
 
-std::size_t countBlocks(int width, int height, int side) {
-  return static_cast<std::size_t>((width + side - 1) / side) * static_cast<std::size_t>((height + side - 1) / side);
+// A thread's share, in blocks, should outweigh its start.
+int threadsFor(std::size_t bytes) {
+  return static_cast<int>(std::clamp<std::size_t>(bytes / kBlockBytes / 64, 1, threadCount()));
 }
-
-// A thread's share should outweigh its start.
-int threadsFor(std::size_t blocks) { return static_cast<int>(std::clamp<std::size_t>(blocks / 64, 1, threadCount())); }
 
 astcenc_image imageOf(int width, int height, void** slice) {
   return {static_cast<unsigned int>(width), static_cast<unsigned int>(height), 1, ASTCENC_TYPE_U8, slice};
@@ -77,15 +75,20 @@ double bitsPerTexel(AstcBlock block) {
   return block == AstcBlock::none ? 32 : 8.0 * kBlockBytes / (side * side);
 }
 
+std::size_t astcBytes(int width, int height, AstcBlock block) {
+  const int side = blockSide(block);
+  return kBlockBytes * static_cast<std::size_t>((width + side - 1) / side) *
+         static_cast<std::size_t>((height + side - 1) / side);
+}
+
 std::vector<std::uint8_t> encodeAstc(const Image8& rgba, AstcBlock block, AstcUse use) {
   assert(rgba.channels == 4 && !rgba.empty() && block != AstcBlock::none);
-  const int side = blockSide(block);
-  std::vector<std::uint8_t> stored(countBlocks(rgba.width, rgba.height, side) * kBlockBytes);
-  const int threads = threadsFor(stored.size() / kBlockBytes);
+  std::vector<std::uint8_t> stored(astcBytes(rgba.width, rgba.height, block));
+  const int threads = threadsFor(stored.size());
   // Occlusion, roughness and metallic go their own ways: .03 to .5 dB, for no more time.
   const unsigned int flags = ASTCENC_FLG_SELF_DECOMPRESS_ONLY | (use == AstcUse::data ? ASTCENC_FLG_MAP_MASK : 0u);
-  const ContextPointer context = makeContext(side, use, flags, threads); // of smaller tables: this one never decodes
-  void* slice = const_cast<std::uint8_t*>(rgba.pixels.data());           // only read
+  const ContextPointer context = makeContext(block, use, flags, threads); // of smaller tables: this one never decodes
+  void* slice = const_cast<std::uint8_t*>(rgba.pixels.data());            // only read
   astcenc_image image = imageOf(rgba.width, rgba.height, &slice);
   runOn(threads, [&](unsigned int thread) {
     return astcenc_compress_image(context.get(), &image, &kSwizzle, stored.data(), stored.size(), thread);
@@ -94,10 +97,9 @@ std::vector<std::uint8_t> encodeAstc(const Image8& rgba, AstcBlock block, AstcUs
 }
 
 Image8 decodeAstc(std::span<const std::uint8_t> blocks, int width, int height, AstcBlock block, AstcUse use) {
-  const int side = blockSide(block);
-  assert(blocks.size() == countBlocks(width, height, side) * kBlockBytes);
-  const int threads = threadsFor(blocks.size() / kBlockBytes);
-  const ContextPointer context = makeContext(side, use, ASTCENC_FLG_DECOMPRESS_ONLY, threads);
+  assert(blocks.size() == astcBytes(width, height, block));
+  const int threads = threadsFor(blocks.size());
+  const ContextPointer context = makeContext(block, use, ASTCENC_FLG_DECOMPRESS_ONLY, threads);
   Image8 result(width, height, 4);
   void* slice = result.pixels.data();
   astcenc_image image = imageOf(width, height, &slice);

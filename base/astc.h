@@ -1,6 +1,7 @@
 // ASTC, the block compression of phones' textures: what is left of an image once it went through it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -24,6 +25,9 @@ enum class AstcUse { color, data, lightmap };
 double bitsPerTexel(AstcBlock block);
 // Texels along the side of a block; 1 for none.
 int blockSide(AstcBlock block);
+
+// Of an image's blocks.
+std::size_t astcBytes(int width, int height, AstcBlock block);
 
 // The image's blocks, row by row, 16 bytes each. rgba: 4 channels, at least 1 x 1; the last blocks of a row or column
 // may hang over. On all threads; the same bytes for any number of them. block: not none. Throws Error (exit 4) where

@@ -32,7 +32,7 @@ namespace {
 
 int listSettings(const BenchCommand& command) {
   const job::Settings& s = command.common.settings;
-  for (const sweep::Variant& v : sweep::makeVariants(s.highend, s.mobile, s.mobileTarget)) {
+  for (const sweep::Variant& v : sweep::makeVariants(s.highend, s.mobile, s.mobileTarget, s.mobileTextures)) {
     const std::string needs = v.needs.empty() ? "" : "   (needs: " + v.needs + ")";
     fmt::print("{}{}\n", v.id(), needs);
   }

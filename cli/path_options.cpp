@@ -29,7 +29,7 @@ void addModelOptions(CLI::App& app, const highend::Options& defaults, RawPathOpt
            "High-end path: how the prefiltered environment is read away from N = V = R");
 }
 
-void addMobileOptions(CLI::App& app, gpu::OutputTarget target, RawPathOptions& raw) {
+void addMobileOptions(CLI::App& app, const job::Settings& defaults, RawPathOptions& raw) {
   app.add_option("--mobile-preset", raw.mobilePreset, "Formulas of the mobile path")
       ->check(CLI::IsMember(mobile::presetNames()))
       ->group("Paths")
@@ -52,8 +52,10 @@ void addMobileOptions(CLI::App& app, gpu::OutputTarget target, RawPathOptions& r
   app.add_flag("--mobile-spot-shadow", raw.mobileSpotShadow,
                "Mobile path: the brightest spot light casts a shadow, by a map of its own")
       ->group("Paths");
-  addNamed(app, "--mobile-target", raw.mobileTarget, gpu::outputTargetNames(), target,
+  addNamed(app, "--mobile-target", raw.mobileTarget, gpu::outputTargetNames(), defaults.mobileTarget,
            "Render target of the mobile path: what its colour is stored in");
+  addNamed(app, "--mobile-textures", raw.mobileTextures, base::astcBlockNames(), defaults.mobileTextures,
+           "Mobile path: blocks that material textures are compressed in, as a phone has them");
 }
 
 void settleMobile(mobile::Options& options, const RawPathOptions& raw) {
@@ -100,7 +102,7 @@ void addShadowOptions(CLI::App& app, RawPathOptions& raw) {
 
 void addPathOptions(CLI::App& app, const job::Settings& defaults, RawPathOptions& raw) {
   addShadowOptions(app, raw);
-  addMobileOptions(app, defaults.mobileTarget, raw);
+  addMobileOptions(app, defaults, raw);
   addModelOptions(app, defaults.highend, raw);
   app.add_option("--specular-aa", raw.specularAa, "Roughness from minified normal maps, in every path: toksvig or off")
       ->check(CLI::IsMember({"off", "toksvig"}))
@@ -118,6 +120,7 @@ void settlePaths(job::Settings& s, const RawPathOptions& raw) {
     throw CLI::ValidationError("--mobile-target", fmt::format("'{}' is what the screen shows, as sRGB: the display "
                                                               "transform '{}' needs a float target",
                                                               raw.mobileTarget, s.display));
+  s.mobileTextures = enumOf<base::AstcBlock>(raw.mobileTextures, base::astcBlockNames());
   settleModel(s, raw);
   s.specularAa = raw.specularAa == "toksvig" ? gpu::SpecularAa::toksvig : gpu::SpecularAa::off;
 }

@@ -14,7 +14,7 @@ namespace parity::cli {
 
 // What CLI11 fills in.
 struct RawPathOptions {
-  std::string precision = "fp16", specularAa = "off", mobileTarget;
+  std::string precision = "fp16", specularAa = "off", mobileTarget, mobileTextures;
   std::string mobilePreset = "ue4-2020", capture, captureScale; // the last two: empty is the preset's
   std::optional<int> skyCoefficients;
   std::string geometryTerm, fresnel, diffuse, compensation, offSpecular; // of the high-end path and the reference

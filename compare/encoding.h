@@ -1,4 +1,5 @@
-// The stage `encoding`: what the mobile path's render target alone makes of its picture.
+// The stages `encoding` and `textures`: what the mobile path's render target, and the compression of its textures,
+// alone make of its picture.
 #pragma once
 
 #include <optional>
@@ -12,6 +13,13 @@ namespace parity::compare {
 // both as displayed.
 struct Encoding {
   std::string target;    // "rgba8-gamma2"
+  RegionFigures figures; // flip.mean, flip.p95, flip.max, bias.*
+};
+
+// Of a material or a whole image. The reference is the mobile picture with its textures as they are, the test is that
+// with them compressed, both after the target and as displayed.
+struct TextureCompression {
+  std::string block;     // "astc6x6"
   RegionFigures figures; // flip.mean, flip.p95, flip.max, bias.*
 };
 

@@ -88,6 +88,14 @@ void writeEncoding(JsonWriter& json, const Encoding& encoding) {
   json.endObject();
 }
 
+void writeTextures(JsonWriter& json, const TextureCompression& textures) {
+  json.beginObject();
+  json.key("block").text(textures.block);
+  json.key("figures");
+  writeRegions(json, textures.figures);
+  json.endObject();
+}
+
 void writeTruth(JsonWriter& json, const Truth& truth) {
   json.beginObject();
   json.key("interior");

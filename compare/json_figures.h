@@ -21,6 +21,7 @@ void writeRegions(JsonWriter& json, const RegionFigures& regions);
 
 // The stage's target and figures.
 void writeEncoding(JsonWriter& json, const Encoding& encoding);
+void writeTextures(JsonWriter& json, const TextureCompression& textures);
 void writeTruth(JsonWriter& json, const Truth& truth);
 
 void writeDroppedLights(JsonWriter& json, const DroppedLights& dropped);

@@ -130,6 +130,10 @@ void writeMaterial(JsonWriter& json, const MaterialResult& material) {
     json.key("encoding");
     writeEncoding(json, *material.encoding);
   }
+  if (material.textures) {
+    json.key("textures");
+    writeTextures(json, *material.textures);
+  }
   if (material.attribution) {
     json.key("attribution");
     writeAttribution(json, *material.attribution);

@@ -103,10 +103,11 @@ struct MaterialResult {
   std::vector<TermFigures> terms;
   ImageSet crops; // around the material's pixels; empty where it is not seen
   AppliedRule rule;
-  std::optional<BaselineChange> baseline; // only where there is one
-  std::optional<Truth> truth;             // only with --reference
-  std::optional<Encoding> encoding;       // what mobile's render target alone makes; none in older reports
-  std::optional<Attribution> attribution; // of a material over budget, or as the run was asked
+  std::optional<BaselineChange> baseline;     // only where there is one
+  std::optional<Truth> truth;                 // only with --reference
+  std::optional<Encoding> encoding;           // what mobile's render target alone makes; none in older reports
+  std::optional<TextureCompression> textures; // what mobile's compressed textures alone make; where they are
+  std::optional<Attribution> attribution;     // of a material over budget, or as the run was asked
   bool seenElsewhere = false; // set by settleVerdicts: not seen here, but in another view, so it does not count
 };
 
@@ -115,14 +116,15 @@ struct ViewResult {
   int width = 0, height = 0;
   RegionFigures whole; // all pixels of any material
   std::vector<CheckResult> checks;
-  AppliedRule rule;                       // of the whole image
-  std::optional<BaselineChange> baseline; // of the whole image; only where there is one
-  std::optional<Truth> truth;             // of the whole image; only with --reference
-  std::optional<Encoding> encoding;       // of the whole image
-  Verdict verdict = Verdict::pass;        // of the view: its whole image and its materials
-  Verdict wholeVerdict = Verdict::pass;   // of the whole image alone
-  std::string reason;                     // one sentence: what decided wholeVerdict; empty on a pass
-  std::vector<MaterialResult> materials;  // in the scene's order
+  AppliedRule rule;                           // of the whole image
+  std::optional<BaselineChange> baseline;     // of the whole image; only where there is one
+  std::optional<Truth> truth;                 // of the whole image; only with --reference
+  std::optional<Encoding> encoding;           // of the whole image
+  std::optional<TextureCompression> textures; // of the whole image
+  Verdict verdict = Verdict::pass;            // of the view: its whole image and its materials
+  Verdict wholeVerdict = Verdict::pass;       // of the whole image alone
+  std::string reason;                         // one sentence: what decided wholeVerdict; empty on a pass
+  std::vector<MaterialResult> materials;      // in the scene's order
   ImageSet images;
   PixelFiles pixels;
   double exposureEv = 0;                      // of its pictures: what the values of `pixels` are exposed by

@@ -36,6 +36,10 @@ void writeView(JsonWriter& json, const ViewResult& view) {
     json.key("encoding");
     writeEncoding(json, *view.encoding);
   }
+  if (view.textures) {
+    json.key("textures");
+    writeTextures(json, *view.textures);
+  }
   json.endObject();
   json.key("materials").beginArray();
   for (const MaterialResult& material : view.materials) writeMaterial(json, material);

@@ -20,8 +20,8 @@ struct Column {
   bool all = false;    // over every pixel
   bool change = false; // since the baseline
   std::size_t width = 5;
-  Figures TruthRegion::*path = nullptr; // against the truth: this path's
-  bool encoding = false;                // of the stage `encoding`
+  Figures TruthRegion::*path = nullptr;    // against the truth: this path's
+  bool encoding = false, textures = false; // of these stages
 };
 
 // The figures that are shown where they were measured, in this order; "rmse" only where its twin psnr is not.
@@ -55,6 +55,10 @@ std::vector<Column> columnsOf(const ViewResult& view, bool baseline) {
     columns.push_back({.title = "target", .metric = "flip.mean", .width = 6});
     columns.back().encoding = true;
   }
+  if (view.textures) {
+    columns.push_back({.title = "textures", .metric = "flip.mean", .width = 8});
+    columns.back().textures = true;
+  }
   for (const auto& [metric, title] : kShown)
     if (sample->find(metric) && !(metric == "rmse" && sample->find("psnr")))
       columns.push_back({title, std::string(metric), false, false, metric == "psnr" ? 9u : 7u});
@@ -74,10 +78,12 @@ struct Row {
   const Figures& main; // what the row is judged by
   const std::optional<BaselineChange>& baseline;
   const std::optional<Truth>& truth;
-  const std::optional<Encoding>& encoding;
+  const RegionFigures *encoding, *textures; // null: not measured
   const std::string& reason;
   std::string cause; // in words; empty where it was not looked for
 };
+
+const RegionFigures* figuresOf(const auto& stage) { return stage ? &stage->figures : nullptr; }
 
 std::string formatCell(const Column& column, const Row& row) {
   if (row.regions.all.pixels == 0) return "-";
@@ -96,10 +102,10 @@ std::string formatCell(const Column& column, const Row& row) {
     if (!mean) return "- ";
     return formatFigure(column.metric, *mean) + (isWithinNoise(region.*column.path, region.error) ? "~" : " ");
   }
-  if (column.encoding) {
-    if (!row.encoding) return "-";
-    const RegionFigures& stage = row.encoding->figures;
-    const std::optional<double> mean = (all ? stage.all : stage.interior).find(column.metric);
+  if (column.encoding || column.textures) {
+    const RegionFigures* stage = column.encoding ? row.encoding : row.textures;
+    if (!stage) return "-";
+    const std::optional<double> mean = (all ? stage->all : stage->interior).find(column.metric);
     return mean ? formatFigure(column.metric, *mean) : "-";
   }
   const std::optional<double> value = (all ? row.regions.all : row.main).find(column.metric);
@@ -131,11 +137,11 @@ std::string formatView(const SceneResult& scene, const ViewResult& view, bool ba
   out += "\n";
   for (const MaterialResult& material : view.materials)
     out += formatRow({material.name, material.verdict, material.figures, mainFigures(material.figures),
-                      material.baseline, material.truth, material.encoding, material.reason,
-                      material.attribution ? describeCause(*material.attribution) : ""},
+                      material.baseline, material.truth, figuresOf(material.encoding), figuresOf(material.textures),
+                      material.reason, material.attribution ? describeCause(*material.attribution) : ""},
                      nameColumns, columns, color);
   out += formatRow({"whole image", view.wholeVerdict, view.whole, view.whole.all, view.baseline, view.truth,
-                    view.encoding, view.reason, ""},
+                    figuresOf(view.encoding), figuresOf(view.textures), view.reason, ""},
                    nameColumns, columns, color);
   if (view.truth)
     for (const std::string& note : view.truth->notes) out += fmt::format("  {}\n", plainLine(note));
@@ -221,6 +227,13 @@ std::string toTable(const Report& report, bool color) {
     if (view == scene.views.end() || !view->encoding) continue;
     out +=
         fmt::format("target: mean FLIP that storing mobile's colour in {} makes by itself.\n", view->encoding->target);
+    break;
+  }
+  for (const SceneResult& scene : report.scenes) {
+    const auto view =
+        std::ranges::find_if(scene.views, [](const ViewResult& each) { return each.textures.has_value(); });
+    if (view == scene.views.end()) continue;
+    out += fmt::format("textures: mean FLIP that mobile's textures in {} make by themselves.\n", view->textures->block);
     break;
   }
   if (hasTruth(report))

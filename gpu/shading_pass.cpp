@@ -105,17 +105,19 @@ struct ShadingPass::Impl {
         pathData(dev, std::span<const std::uint32_t>(withCounts(buffers, program))), noViews(dev, 0),
         plan(program.compilation.budget, buffers.textureBits(), classesOf(kinds)),
         store(program.compilation.store ? *program.compilation.store : ownStore) {
-    const auto none = scene.textures().bindings({});
+    const auto none = textures().bindings({});
     textureLayout = makeSetLayout(device, std::vector<Binding>(none.begin(), none.end()), kCompute);
     textureSets.resize(kinds.size());
   }
 
+  const Textures& textures() const { return program.textures ? *program.textures : scene.textures(); }
+
   // Textures of the bins' materials, and of no others.
   void bindTextures(const Surface& surface) {
-    scene.textures().require(texturesOf(surface.bins, kinds));
+    textures().require(texturesOf(surface.bins, kinds));
     for (const Bin& bin : surface.bins) {
       if (textureSets[bin.key]) continue;
-      const auto infos = scene.textures().bindings(needOf(kinds[bin.key]));
+      const auto infos = textures().bindings(needOf(kinds[bin.key]));
       const std::vector<Binding> bindings(infos.begin(), infos.end());
       textureSets[bin.key] = std::make_unique<DescriptorSets>(device, textureLayout, std::span(&bindings, 1));
     }

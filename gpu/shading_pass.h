@@ -39,6 +39,7 @@ struct PathProgram {
   // Instead of pathData where it is set: makes binding 4 for a surface, given the four counts that it begins with.
   // Local lights are listed there for each group of kGroupSize entries of a bin.
   std::function<Buffer(const Surface&, const std::array<std::uint32_t, 4>&)> listLights;
+  const Textures* textures = nullptr;             // the materials', as the path stores them; null: the scene's
   const DeviceImage* pathTexture = nullptr;       // binding 16; null: white
   const EnvironmentMaps* environment = nullptr;   // null: no environment
   const ShadowMaps* shadows = nullptr;            // bindings 18 and 19; null: none

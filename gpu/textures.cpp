@@ -52,11 +52,13 @@ DeviceImage makeImage(const Device& device, int width, int height, bool srgb) {
 
 // Mip by mip: in memory are two at a time at most, `base` too, which is over and done with when baseIsRead is called.
 DeviceImage upload(const Device& device, const base::Image8& base, bool srgb, NormalVariance* variance,
-                   const std::function<void()>& baseIsRead) {
+                   const TextureCodec& codec, const std::function<void()>& baseIsRead) {
   DeviceImage image = makeImage(device, base.width, base.height, srgb);
   ImageUpload to(device, image);
   const auto write = [&](std::uint32_t mip, const base::Image8& pixels) {
-    to.write(mip, std::as_bytes(std::span{pixels.pixels}));
+    if (!codec) return to.write(mip, std::as_bytes(std::span{pixels.pixels}));
+    const base::Image8 coded = codec(pixels, srgb);
+    to.write(mip, std::as_bytes(std::span{coded.pixels}));
   };
   if (variance)
     write(0, withoutVariance(base));
@@ -95,8 +97,9 @@ std::size_t countSamplers(const scenes::Material& material, bool normalVariance)
   return pairs.size();
 }
 
-Textures::Textures(const Device& device, const scenes::Scene& scene, bool normalVariance, ImageDone onLastRead)
-    : m_device(device), m_scene(scene), m_onLastRead(std::move(onLastRead)) {
+Textures::Textures(const Device& device, const scenes::Scene& scene, bool normalVariance, ImageDone onLastRead,
+                   TextureCodec codec)
+    : m_device(device), m_scene(scene), m_onLastRead(std::move(onLastRead)), m_codec(std::move(codec)) {
   std::vector<scenes::Sampler> samplers;
   std::map<std::vector<Binding>, std::uint32_t> sets;
   for (const scenes::Material& material : scene.materials) {
@@ -122,8 +125,8 @@ Textures::Textures(const Device& device, const scenes::Scene& scene, bool normal
   m_samplers.push_back(makeSampler(device, {}));
   for (const scenes::Sampler& sampler : samplers) m_samplers.push_back(makeSampler(device, sampler));
   const base::Image8 white(2, 2, 4, 255);
-  m_whiteColor = upload(device, white, true, nullptr, [] {});
-  m_whiteData = upload(device, white, false, nullptr, [] {});
+  m_whiteColor = upload(device, white, true, nullptr, {}, [] {});
+  m_whiteData = upload(device, white, false, nullptr, {}, [] {});
 }
 
 void Textures::require(std::span<const Need> needs) const {
@@ -137,7 +140,7 @@ void Textures::require(std::span<const Need> needs) const {
     assert(!m_scene.images[image].pixels.empty() && "read by a material that is not placed");
     NormalVariance variance;
     m_images[each] = upload(m_device, m_scene.images[image].pixels, use == Use::color,
-                            use == Use::normalVariance ? &variance : nullptr, [&] { countAsRead(image); });
+                            use == Use::normalVariance ? &variance : nullptr, m_codec, [&] { countAsRead(image); });
   }
 }
 

@@ -15,6 +15,8 @@ namespace parity::gpu {
 
 // Told the index of an image of the scene.
 using ImageDone = std::function<void(int)>;
+// What is left of a mip, RGBA8, by the way that a path stores its textures; isColor: RGB is sRGB-encoded.
+using TextureCodec = std::function<base::Image8(const base::Image8& mip, bool isColor)>;
 
 // One texture set is the images and samplers of a material's seven slots; materials with equal sets share a descriptor
 // set. An image is uploaded when it is first required. Not thread-safe.
@@ -22,8 +24,10 @@ class Textures {
 public:
   // normalVariance: normal maps get the spread of their normals as alpha (gpu/normal_variance.h). An image that another
   // slot reads, too, keeps its alpha there. The scene must outlive it. onLastRead: what is placed in the scene
-  // reads the image's pixels no more; may free them.
-  Textures(const Device& device, const scenes::Scene& scene, bool normalVariance, ImageDone onLastRead = {});
+  // reads the image's pixels no more; may free them. codec: what each mip goes through; the mips are those of the image
+  // as it is. None: nothing.
+  Textures(const Device& device, const scenes::Scene& scene, bool normalVariance, ImageDone onLastRead = {},
+           TextureCodec codec = {});
 
   // Index of each material's texture set.
   const std::vector<std::uint32_t>& setOfMaterial() const { return m_setOfMaterial; }
@@ -38,6 +42,8 @@ public:
   // The seven bindings of a set, in slot order: white for a slot without a texture or one that was not needed. Uploads.
   std::vector<vk::DescriptorImageInfo> bindings(const Need& need) const;
 
+  // Whether some material has a texture.
+  bool any() const { return !m_sources.empty(); }
   // How many images have been uploaded so far, and how many of them with the spread of their normals.
   std::size_t uploadedCount() const;
   std::size_t varianceCount() const;
@@ -63,6 +69,7 @@ private:
   const Device& m_device;
   const scenes::Scene& m_scene;
   ImageDone m_onLastRead;
+  TextureCodec m_codec;
   std::vector<Source> m_sources;
   mutable std::vector<std::optional<DeviceImage>> m_images; // of each source; none: not required yet
   mutable std::vector<int> m_unreadSources;                 // of each image of the scene: not uploaded yet

@@ -15,6 +15,7 @@ std::vector<compare::PassResult> describePasses(const Work& work, const NoNeed& 
   add("fog at vertices", "samples", work.fogSamples, why.fog);
   add("textures", "images", work.images, why.texture);
   add("spread of normals", "images", work.varianceImages, why.variance);
+  add("texture compression", "images", work.compressedImages, why.compression);
   add("directional lights", "lights", work.directionalLights, why.directional);
   add("local lights", "lights", work.localLights, why.local);
   add("culling of local lights", "groups", work.lightLists, why.lightLists);

@@ -12,11 +12,12 @@ namespace parity::job {
 
 // Work of one scene, over all its views. What a cache gave counts as done: counts do not depend on it.
 struct Work {
-  std::uint64_t sunSearches = 0;     // environments searched for suns
-  std::uint64_t prefilteredMaps = 0; // each with its SH
-  std::uint64_t brdfTables = 0;      // of the environment BRDF
-  std::uint64_t images = 0;          // decoded, given mips and uploaded
-  std::uint64_t varianceImages = 0;  // normal maps whose spread was measured
+  std::uint64_t sunSearches = 0;      // environments searched for suns
+  std::uint64_t prefilteredMaps = 0;  // each with its SH
+  std::uint64_t brdfTables = 0;       // of the environment BRDF
+  std::uint64_t images = 0;           // decoded, given mips and uploaded
+  std::uint64_t varianceImages = 0;   // normal maps whose spread was measured
+  std::uint64_t compressedImages = 0; // for the mobile path, and uploaded
   std::uint64_t surfaceSamples = 0, blendedSamples = 0;
   std::uint64_t fogSamples = 0;                             // given the fog of their vertices
   std::uint64_t directionalLights = 0, localLights = 0;     // that the high-end path's shaders loop over
@@ -34,8 +35,8 @@ struct Work {
 
 // Why there was no such work; each is empty where there may have been.
 struct NoNeed {
-  std::string environment, suns, table, texture, variance, blended, fog, directional, local, lightLists, shadows,
-      lightChoice, terms, truth, occluders, droppedLights, costs;
+  std::string environment, suns, table, texture, variance, compression, blended, fog, directional, local, lightLists,
+      shadows, lightChoice, terms, truth, occluders, droppedLights, costs;
 };
 
 // In the order of the work. A count of 0 has a reason.

@@ -100,10 +100,11 @@ namespace parity::job {
 template <Is<Settings> T> auto fields(T& settings) {
   auto& [width, height, samples, exposureEv, display, background, materials, fullyRough, budgets, metrics, terms,
          coverage, attribution, droppedLights, costs, extractSun, truth, mobileOptions, mobileView, mobileTarget,
-         specularAa, highendOptions, referenceOptions, shadows, shadowMaps, device, cacheFolder, cacheBytes] = settings;
+         mobileTextures, specularAa, highendOptions, referenceOptions, shadows, shadowMaps, device, cacheFolder,
+         cacheBytes] = settings;
   return std::tie(width, height, samples, exposureEv, display, background, materials, fullyRough, metrics, terms,
                   coverage, droppedLights, costs, extractSun, truth, mobileOptions, mobileView, mobileTarget,
-                  specularAa, highendOptions, referenceOptions, shadows, shadowMaps);
+                  mobileTextures, specularAa, highendOptions, referenceOptions, shadows, shadowMaps);
 }
 
 namespace {

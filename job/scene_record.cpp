@@ -45,6 +45,10 @@ template <Is<Encoding> T> auto fields(T& encoding) {
   auto& [target, figures] = encoding;
   return std::tie(target, figures);
 }
+template <Is<TextureCompression> T> auto fields(T& textures) {
+  auto& [block, figures] = textures;
+  return std::tie(block, figures);
+}
 template <Is<ImageSet> T> auto fields(T& images) {
   auto& [reference, test, flip] = images;
   return std::tie(reference, test, flip);
@@ -66,9 +70,9 @@ template <Is<PixelFiles> T> auto fields(T& files) {
   return std::tie(color, terms);
 }
 template <Is<MaterialResult> T> auto fields(T& material) {
-  auto& [name, figures, checks, verdict, reason, notes, terms, crops, rule, baseline, truth, encoding, attribution,
-         seenElsewhere] = material;
-  return std::tie(name, figures, notes, terms, crops, truth, encoding, attribution);
+  auto& [name, figures, checks, verdict, reason, notes, terms, crops, rule, baseline, truth, encoding, textures,
+         attribution, seenElsewhere] = material;
+  return std::tie(name, figures, notes, terms, crops, truth, encoding, textures, attribution);
 }
 template <Is<LightEffect> T> auto fields(T& effect) {
   auto& [material, region, flip] = effect;
@@ -83,9 +87,10 @@ template <Is<DroppedLights> T> auto fields(T& dropped) {
   return std::tie(lights, measured, notMeasured);
 }
 template <Is<ViewResult> T> auto fields(T& view) {
-  auto& [name, width, height, whole, checks, rule, baseline, truth, encoding, verdict, wholeVerdict, reason, materials,
-         images, pixels, exposureEv, droppedLights] = view;
-  return std::tie(name, width, height, whole, truth, encoding, materials, images, pixels, exposureEv, droppedLights);
+  auto& [name, width, height, whole, checks, rule, baseline, truth, encoding, textures, verdict, wholeVerdict, reason,
+         materials, images, pixels, exposureEv, droppedLights] = view;
+  return std::tie(name, width, height, whole, truth, encoding, textures, materials, images, pixels, exposureEv,
+                  droppedLights);
 }
 template <Is<PassResult> T> auto fields(T& pass) {
   auto& [name, unit, count, skipped] = pass;

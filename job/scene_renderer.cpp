@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "job/environment_upload.h"
 #include "job/permutation_costs.h"
+#include "job/texture_codec.h"
 #include "mobile/light_choice.h"
 
 namespace parity::job {
@@ -22,6 +23,14 @@ std::uint64_t pixelsOf(const Settings& settings, std::size_t views) {
 // Entries of surfaces that wait to be shaded again: two of each pixel of a tile.
 constexpr std::size_t kMaxKeptEntries = 2 * std::size_t{gpu::kMaxTilePixels};
 
+// To be given to so many that read a scene's images: told once for an image, when the last of them has read it.
+gpu::ImageDone afterReaders(int readers, std::size_t images, gpu::ImageDone onLastRead) {
+  if (readers == 1 || !onLastRead) return onLastRead;
+  return [left = std::make_shared<std::vector<int>>(images, readers), onLastRead](int image) {
+    if (--left->at(static_cast<std::size_t>(image)) == 0) onLastRead(image);
+  };
+}
+
 } // namespace
 
 SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, const Paths& paths, std::size_t views,
@@ -29,11 +38,16 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
     : m_context(context), m_prepared(prepared), m_views(views), m_budget(budget), m_work(prepared.work), m_buffers([&] {
         gpu::Device& device = context.device();
         const base::Stopwatch watch(&context.timings(), "upload");
-        return gpu::SceneBuffers(device, prepared.scene, context.settings().specularAa, std::move(onLastRead));
+        const bool hasOwn = paths.mobile && context.settings().mobileTextures != base::AstcBlock::none;
+        onLastRead = afterReaders(hasOwn ? 2 : 1, prepared.scene.images.size(), std::move(onLastRead));
+        return gpu::SceneBuffers(device, prepared.scene, context.settings().specularAa, onLastRead);
       }()),
       m_surfacePass(context.device(), m_buffers, static_cast<std::uint32_t>(context.settings().width),
                     static_cast<std::uint32_t>(context.settings().height)) {
   const gpu::Device& device = context.device();
+  if (paths.mobile && context.settings().mobileTextures != base::AstcBlock::none && m_buffers.textures().any())
+    m_mobileTextures.emplace(device, prepared.scene, context.settings().specularAa == gpu::SpecularAa::toksvig,
+                             std::move(onLastRead), makeTextureCodec(context, context.settings().mobileTextures));
   if (prepared.environment) {
     const base::Stopwatch watch(&context.timings(), "upload");
     m_environment = uploadEnvironment(device, *prepared.environment);
@@ -55,6 +69,12 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
     m_spotShadowMap.emplace(device, m_buffers, std::vector{*spot}, context.settings().shadowMaps);
   }
   if (paths.mobile) m_mobile = makeMobile(context.settings().terms, views);
+  if (m_mobileTextures && paths.highend) {
+    mobile::Inputs inputs = mobileInputs(false, views);
+    inputs.textures = nullptr;
+    m_mobileOfOriginals = std::make_unique<mobile::Renderer>(device, m_buffers, m_surfacePass.binKinds(), inputs,
+                                                             context.settings().mobile);
+  }
   if (paths.reference) {
     m_reference.emplace(context, prepared, m_buffers, m_surfacePass.binKinds(), pixelsOf(context.settings(), views),
                         gpu::Compilation{budget, &context.pipelines()});
@@ -79,17 +99,21 @@ std::unique_ptr<highend::Renderer> SceneRenderer::makeHighend(bool terms, std::s
                                              settings.highend);
 }
 
-std::unique_ptr<mobile::Renderer> SceneRenderer::makeMobile(bool terms, std::size_t views) const {
+mobile::Inputs SceneRenderer::mobileInputs(bool terms, std::size_t views) const {
   const Settings& settings = m_context.settings();
-  const mobile::Inputs inputs{.environment = m_mobileEnvironment ? &*m_mobileEnvironment : nullptr,
-                              .lights = m_prepared.isLit ? m_prepared.mobileLights : std::vector<scenes::Light>(),
-                              .shadows = m_spotShadowMap ? &*m_spotShadowMap : nullptr,
-                              .terms = terms,
-                              .view = settings.mobileView,
-                              .compilation = {m_budget, &m_context.pipelines()},
-                              .expectedPixels = pixelsOf(settings, views)};
-  return std::make_unique<mobile::Renderer>(m_context.device(), m_buffers, m_surfacePass.binKinds(), inputs,
-                                            settings.mobile);
+  return {.environment = m_mobileEnvironment ? &*m_mobileEnvironment : nullptr,
+          .lights = m_prepared.isLit ? m_prepared.mobileLights : std::vector<scenes::Light>(),
+          .shadows = m_spotShadowMap ? &*m_spotShadowMap : nullptr,
+          .textures = m_mobileTextures ? &*m_mobileTextures : nullptr,
+          .terms = terms,
+          .view = settings.mobileView,
+          .compilation = {m_budget, &m_context.pipelines()},
+          .expectedPixels = pixelsOf(settings, views)};
+}
+
+std::unique_ptr<mobile::Renderer> SceneRenderer::makeMobile(bool terms, std::size_t views) const {
+  return std::make_unique<mobile::Renderer>(m_context.device(), m_buffers, m_surfacePass.binKinds(),
+                                            mobileInputs(terms, views), m_context.settings().mobile);
 }
 
 gpu::VisibleLayers SceneRenderer::rasterise(const scenes::Camera& camera, const gpu::Tile& tile,
@@ -111,11 +135,17 @@ void SceneRenderer::countSurface(const gpu::Surface& surface, Work& work) const 
 
 // Uploads what shading them will read, once for all paths and layers.
 void SceneRenderer::requireTextures(const gpu::VisibleLayers& visible) {
-  const base::Stopwatch watch(&m_context.timings(), "upload");
   std::vector<gpu::Textures::Need> needs;
   for (const gpu::VisibleLayers::Layer& layer : visible.layers)
     for (const gpu::Textures::Need& need : gpu::texturesOf(layer.bins, m_surfacePass.binKinds())) needs.push_back(need);
-  m_buffers.textures().require(needs);
+  if (!m_mobileTextures || m_highend || m_reference) {
+    const base::Stopwatch watch(&m_context.timings(), "upload");
+    m_buffers.textures().require(needs);
+  }
+  if (m_mobileTextures) {
+    const base::Stopwatch watch(&m_context.timings(), "compress textures");
+    m_mobileTextures->require(needs);
+  }
 }
 
 ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& progress) {
@@ -126,7 +156,7 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
   if (settings.mobileView == mobile::kViewLit)
     target.emplace(settings.mobileTarget, m_prepared.exposureEv,
                    mobile::precisionOn(m_context.device().report(), settings.mobile) == mobile::Precision::fp16);
-  ViewBuilder view(settings, paths, m_buffers, target);
+  ViewBuilder view(settings, paths, m_buffers, target, m_mobileOfOriginals != nullptr);
   std::set<std::uint32_t> cutPixels;
   m_kept.clear();
   m_seenSamples.assign(m_mayDropLights ? m_prepared.scene.instances.size() : 0, 0);
@@ -183,6 +213,7 @@ void SceneRenderer::shade(const gpu::Surface& surface, const scenes::Camera& cam
   if (m_mobile) {
     const base::Stopwatch watch = begin("shade mobile");
     view.layMobile(surface, m_mobile->shade(surface, camera));
+    if (m_mobileOfOriginals) view.layMobileOfOriginals(surface, m_mobileOfOriginals->shade(surface, camera));
   }
   if (m_reference) {
     const base::Stopwatch watch = begin("shade reference");

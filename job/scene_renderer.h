@@ -61,6 +61,7 @@ private:
   // it into the frames.
   void layAgain(const scenes::Camera& camera, std::span<gpu::FrameBuilder* const> frames, Work& work,
                 const std::function<void(const gpu::Surface&)>& lay);
+  mobile::Inputs mobileInputs(bool terms, std::size_t views) const;
   gpu::FrameBuilder makeFrame(bool terms) const;
   void countSurface(const gpu::Surface& surface, Work& work) const;
   void requireTextures(const gpu::VisibleLayers& visible);
@@ -71,6 +72,7 @@ private:
   gpu::PermutationBudget m_budget;
   Work m_work, m_again; // by render and by addTerms
   gpu::SceneBuffers m_buffers;
+  std::optional<gpu::Textures> m_mobileTextures; // the mobile path's own; none: those of m_buffers
   gpu::SurfacePass m_surfacePass;
   std::vector<gpu::Surface> m_kept; // all of the last view, where it may be shaded again: a picture in one part
   bool m_mayDropLights = false;     // and the run wants to know what they do
@@ -82,6 +84,8 @@ private:
   // Those with terms, and that whose lights are switched, are made when first needed.
   std::unique_ptr<highend::Renderer> m_highend, m_highendTerms, m_highendSwitched;
   std::unique_ptr<mobile::Renderer> m_mobile, m_mobileTerms;
+  // Where its textures are compressed, and the run compares: with those of the scene.
+  std::unique_ptr<mobile::Renderer> m_mobileOfOriginals;
   std::optional<ReferencePath> m_reference;
 };
 

@@ -51,12 +51,14 @@ Work SceneRenderer::work() const {
   Work work = m_work;
   work.images = m_buffers.textures().uploadedCount();
   work.varianceImages = m_buffers.textures().varianceCount();
+  if (m_mobileTextures) work.compressedImages = m_mobileTextures->uploadedCount();
   for (const highend::Renderer* renderer : {m_highend.get(), m_highendSwitched.get()})
     if (renderer) {
       work.highendSamples += samplesOf(renderer->pass());
       work.lightLists += renderer->lightLists();
     }
-  work.mobileSamples = m_mobile ? samplesOf(m_mobile->pass()) : 0;
+  for (const mobile::Renderer* renderer : {m_mobile.get(), m_mobileOfOriginals.get()})
+    if (renderer) work.mobileSamples += samplesOf(renderer->pass());
   if (m_highend) {
     work.directionalLights = m_highend->pass().directionalCount();
     work.localLights = m_highend->pass().localCount();
@@ -96,6 +98,7 @@ NoNeed SceneRenderer::reasons() const {
                                           : "no environment, no compensation, no balance";
   why.texture = "no material that is seen has one";
   why.variance = settings.specularAa == gpu::SpecularAa::off ? "not asked for" : "no normal map is seen";
+  why.compression = settings.mobileTextures == base::AstcBlock::none ? "not asked for" : why.texture;
   why.blended = "no blended material";
   why.fog = "no fog";
   why.directional = !unlit.empty() ? unlit : "no directional light";

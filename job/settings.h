@@ -10,6 +10,7 @@
 
 #include <glm/glm.hpp>
 
+#include "base/astc.h"
 #include "base/cache.h"
 #include "base/stopwatch.h"
 #include "compare/measure.h"
@@ -50,6 +51,7 @@ struct Settings {
   mobile::Options mobile;
   std::uint32_t mobileView = mobile::kViewLit;                 // what the mobile path's colour shows (mobile/views.h)
   gpu::OutputTarget mobileTarget = gpu::OutputTarget::rgba16f; // what the mobile path's colour is stored in
+  base::AstcBlock mobileTextures = base::AstcBlock::none;      // what the mobile path's material textures go through
   gpu::SpecularAa specularAa = gpu::SpecularAa::off;           // of all paths
   highend::Options highend;
   reference::Options reference;

@@ -16,6 +16,12 @@ std::string describePrecision(const mobile::Options& options, const gpu::DeviceR
   return precision == options.precision ? name : name + ", as the device has no shaderFloat16";
 }
 
+std::string describeTextures(base::AstcBlock block) {
+  const std::string& name = base::astcBlockNames()[static_cast<std::size_t>(block)];
+  return block == base::AstcBlock::none ? "as they are"
+                                        : fmt::format("{}, {:.2f} bits a texel", name, base::bitsPerTexel(block));
+}
+
 } // namespace
 
 std::vector<std::pair<std::string, std::string>>
@@ -46,6 +52,7 @@ describeSettings(const Settings& s, const base::DisplayTransform& display, const
       {"mobile spot shadow", s.mobile.spotShadow ? "on" : "off"},
       {"mobile target", nameOf(gpu::outputTargetNames(), s.mobileTarget) +
                             (gpu::isDisplayed(s.mobileTarget) ? ", as displayed: light above white is cut off" : "")},
+      {"mobile textures", describeTextures(s.mobileTextures)},
       {"materials", s.materials.empty() ? "all" : fmt::format("{}", fmt::join(s.materials, ", "))},
       {"fully rough", s.fullyRough.empty() ? "none" : fmt::format("{}", fmt::join(s.fullyRough, ", "))}};
   if (s.truth) settings.emplace_back("truth", describeTruth(s));

@@ -3,13 +3,14 @@
 namespace parity::job {
 
 ViewBuilder::ViewBuilder(const Settings& settings, const Paths& paths, const gpu::SceneBuffers& buffers,
-                         const std::optional<gpu::TargetCodec>& target) {
+                         const std::optional<gpu::TargetCodec>& target, bool ofOriginals) {
   const auto makeFrame = [&](bool terms, const std::optional<gpu::TargetCodec>& codec) {
     return gpu::FrameBuilder(static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height),
                              settings.samples, terms, settings.background, codec);
   };
   if (paths.highend) m_highend = makeFrame(settings.terms, std::nullopt);
   if (paths.mobile) m_mobile = makeFrame(settings.terms, target);
+  if (ofOriginals) m_ofOriginals = makeFrame(false, target);
   if (paths.reference) {
     m_reference = makeFrame(settings.terms, std::nullopt);
     m_error.emplace(settings.width, settings.height, settings.samples);
@@ -20,7 +21,7 @@ ViewBuilder::ViewBuilder(const Settings& settings, const Paths& paths, const gpu
 }
 
 template <typename Do> void ViewBuilder::forEachFrame(const Do& act) {
-  for (std::optional<gpu::FrameBuilder>* frame : {&m_highend, &m_mobile, &m_reference, &m_beforeTarget})
+  for (std::optional<gpu::FrameBuilder>* frame : {&m_highend, &m_mobile, &m_reference, &m_beforeTarget, &m_ofOriginals})
     if (*frame) act(**frame);
 }
 
@@ -39,6 +40,12 @@ void ViewBuilder::layHighend(const gpu::Surface& surface, const gpu::ShadedSurfa
 void ViewBuilder::layMobile(const gpu::Surface& surface, const gpu::ShadedSurface& shaded) {
   m_mobile->lay(surface, shaded);
   if (m_beforeTarget) m_beforeTarget->lay(surface, shaded);
+  // The opacity is the same in every path: it comes from the shared material, unless mobile's is compressed.
+  if (m_coverage && !m_ofOriginals) m_coverage->lay(surface, shaded);
+}
+
+void ViewBuilder::layMobileOfOriginals(const gpu::Surface& surface, const gpu::ShadedSurface& shaded) {
+  m_ofOriginals->lay(surface, shaded);
   if (m_coverage) m_coverage->lay(surface, shaded);
 }
 
@@ -68,6 +75,7 @@ ViewFrames ViewBuilder::take() {
   }
   if (m_coverage) frames.coverage = m_coverage->take();
   if (m_beforeTarget) frames.mobileBeforeTarget = m_beforeTarget->take().color;
+  if (m_ofOriginals) frames.mobileOfOriginals = m_ofOriginals->take().color;
   return frames;
 }
 

@@ -20,19 +20,22 @@ struct ViewFrames {
   double referenceSamples = 0;            // taken of the environment, a point and way of sampling
   std::vector<base::PixelList> coverage;  // a list per material; for highend and mobile together, or settings.coverage
   base::Image mobileBeforeTarget;         // mobile's colour as if nothing were stored; for both paths together
+  base::Image mobileOfOriginals;          // with the textures as they are; empty where mobile has them, too
 };
 
 class ViewBuilder {
 public:
   // target: that mobile's colour is stored in; none: of an intermediate, which is looked at as it was computed.
+  // ofOriginals: mobile is laid twice, its textures compressed and as they are.
   ViewBuilder(const Settings& settings, const Paths& paths, const gpu::SceneBuffers& buffers,
-              const std::optional<gpu::TargetCodec>& target);
+              const std::optional<gpu::TargetCodec>& target, bool ofOriginals);
 
   // One (tile, sample), its layers from the back to the front, each by every path; tiles in order of rows, all samples
   // of one before the next.
   void begin(const gpu::Tile& tile);
   void layHighend(const gpu::Surface& surface, const gpu::ShadedSurface& shaded);
   void layMobile(const gpu::Surface& surface, const gpu::ShadedSurface& shaded);
+  void layMobileOfOriginals(const gpu::Surface& surface, const gpu::ShadedSurface& shaded);
   void layReference(const gpu::Surface& surface, const ReferenceSurface& shaded);
   void end();
 
@@ -44,7 +47,7 @@ public:
 private:
   template <typename Do> void forEachFrame(const Do& act);
 
-  std::optional<gpu::FrameBuilder> m_highend, m_mobile, m_reference, m_beforeTarget;
+  std::optional<gpu::FrameBuilder> m_highend, m_mobile, m_reference, m_beforeTarget, m_ofOriginals;
   std::optional<ErrorBuilder> m_error;
   std::optional<gpu::CoverageBuilder> m_coverage; // masks are for comparing
   std::uint64_t m_sampledPoints = 0, m_lightSamples = 0;

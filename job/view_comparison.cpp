@@ -12,7 +12,7 @@
 #include "compare/measure_truth.h"
 #include "compare/region.h"
 #include "job/displayed.h"
-#include "job/encoding_stage.h"
+#include "job/mobile_stage.h"
 #include "job/truth_comparison.h"
 #include "shading/terms.h"
 
@@ -172,8 +172,14 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
     measured = measureView(settings, frames, reference, test, subject, request);
   }
 
-  std::vector<compare::Encoding> encoding = measureEncoding(
-      context, {frames.mobileBeforeTarget, frames.mobile.color, test, subject.lists, subject.box, request.exposureEv});
+  const auto measureSince = [&](const base::Image& before) {
+    return measureStage(context, {before, frames.mobile.color, test, subject.lists, subject.box, request.exposureEv});
+  };
+  std::vector<compare::RegionFigures> encoding = measureSince(frames.mobileBeforeTarget), textures;
+  if (settings.mobileTextures != base::AstcBlock::none)
+    textures = measureSince(frames.mobileOfOriginals.empty() ? frames.mobile.color : frames.mobileOfOriginals);
+  const std::string &target = gpu::outputTargetNames()[static_cast<std::size_t>(settings.mobileTarget)],
+                    &block = base::astcBlockNames()[static_cast<std::size_t>(settings.mobileTextures)];
 
   std::optional<TruthComparison> truth;
   if (settings.truth)
@@ -186,7 +192,8 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
   view.height = settings.height;
   view.exposureEv = request.exposureEv;
   view.whole = measured.regions[0];
-  view.encoding = std::move(encoding[0]);
+  view.encoding = {target, std::move(encoding[0])};
+  if (!textures.empty()) view.textures = {block, std::move(textures[0])};
   if (truth) view.truth = truth->regions[0];
   view.materials.resize(chosen.size());
   base::parallelFor(chosen.size(), 1, [&](std::size_t i, std::size_t) {
@@ -200,7 +207,8 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
     if (isFlat(reference.pixels, test.pixels, list))
       material.notes.push_back("all black or all white in both pictures: there is nothing to compare");
     material.terms = termFigures(frames, list);
-    material.encoding = std::move(encoding[i + 1]);
+    material.encoding = {target, std::move(encoding[i + 1])};
+    if (!textures.empty()) material.textures = {block, std::move(textures[i + 1])};
     if (truth) material.truth = truth->regions[i + 1];
   });
   if (!request.pictures) return compared;

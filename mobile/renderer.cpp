@@ -119,6 +119,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   if (inputs.environment) program.numbers = numbersOf(*inputs.environment, options.skyCoefficients);
   program.constants = constantsOf(options, inputs.view, m_hasSpotShadow);
   program.everySceneConstants = constantsOf(options, inputs.view, options.spotShadow && options.localLights);
+  program.textures = inputs.textures;
   program.terms = inputs.terms;
   program.premultiplied = true;
   program.expectedPixels = inputs.expectedPixels;

@@ -16,6 +16,7 @@ struct Inputs {
   const gpu::EnvironmentMaps* environment = nullptr; // the capture, in the options' encoding; null: none
   std::vector<scenes::Light> lights = {};            // all of the scene's, and the sun; the path takes what it can
   const gpu::ShadowMaps* shadows = nullptr;          // with that of needsSpotMap; null: none
+  const gpu::Textures* textures = nullptr;           // as the path stores them; null: the scene's as they are
   bool terms = false;
   std::uint32_t view = kViewLit; // what the colour shows (mobile/views.h)
   gpu::Compilation compilation = {};

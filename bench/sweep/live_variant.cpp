@@ -3,6 +3,7 @@
 #include "highend/env_brdf_lut.h"
 #include "job/environment_upload.h"
 #include "job/permutation_costs.h"
+#include "job/texture_codec.h"
 
 namespace parity::sweep {
 
@@ -57,6 +58,18 @@ const gpu::ShadowMaps* Shared::mobileShadows(const gpu::SceneBuffers& buffers, c
   return &*m_mobileShadows;
 }
 
+const gpu::Textures* Shared::mobileTextures(const Surfaces& surfaces, base::AstcBlock block) {
+  if (block == base::AstcBlock::none) return nullptr;
+  std::unique_ptr<const gpu::Textures>& textures = m_textures[block];
+  if (textures) return textures.get();
+  textures = std::make_unique<const gpu::Textures>(m_context.device(), m_prepared.scene,
+                                                   m_context.settings().specularAa == gpu::SpecularAa::toksvig,
+                                                   gpu::ImageDone(), job::makeTextureCodec(m_context, block));
+  for (const Surfaces::Part& part : surfaces.parts())
+    for (const gpu::Surface& layer : part.layers) textures->require(gpu::texturesOf(layer.bins, surfaces.binKinds()));
+  return textures.get();
+}
+
 void Shared::prepareAgain(const Variant& v) const {
   if (v.knob == "lut-size")
     highend::makeEnvBrdfLut(v.highend.geometryTerm, v.highend.fresnel, v.lutSize);
@@ -84,6 +97,7 @@ LiveVariant::LiveVariant(const Variant& variant, const Surfaces& surfaces, Share
     const mobile::Inputs inputs{.environment = shared.mobileEnvironment(variant.mobile.capture),
                                 .lights = prepared.mobileLights,
                                 .shadows = shared.mobileShadows(surfaces.buffers(), variant.mobile),
+                                .textures = shared.mobileTextures(surfaces, variant.textures),
                                 .terms = false,
                                 .view = mobile::kViewLit,
                                 .expectedPixels = kMany};

@@ -41,6 +41,10 @@ std::set<std::string> haves(const job::PreparedScene& prepared) {
   for (const auto* lights : {&prepared.lights, &prepared.mobileLights})
     for (const scenes::Light& light : *lights)
       all.insert(light.kind == scenes::LightKind::directional ? "directional light" : "local light");
+  for (const scenes::Instance& instance : prepared.scene.instances) {
+    const scenes::Material& material = prepared.scene.materials[prepared.scene.meshes[instance.mesh].material];
+    if (gpu::classify(material).textures != 0) all.insert("texture");
+  }
   return all;
 }
 
@@ -118,7 +122,8 @@ private:
     const job::Settings& settings = m_context.settings();
     const std::set<std::string> has = haves(m_prepared);
     std::set<std::string> skipped;
-    const std::vector<Variant> all = makeVariants(settings.highend, settings.mobile, settings.mobileTarget);
+    const std::vector<Variant> all =
+        makeVariants(settings.highend, settings.mobile, settings.mobileTarget, settings.mobileTextures);
     for (const std::string& glob : m_options.settings)
       if (std::ranges::none_of(all, [&](const Variant& v) { return base::matchesGlob(glob, v.id()); }))
         throw base::Error(base::ExitCode::usage, "bench", "--settings " + glob, "no setting has such a name; --list");

@@ -122,6 +122,9 @@ void addMobile(Collector& c) {
   for (std::size_t i = 0; i < gpu::outputTargetNames().size(); ++i)
     c.add("mobile-target", gpu::outputTargetNames()[i], "",
           [&](Variant& v) { v.target = static_cast<gpu::OutputTarget>(i); });
+  for (std::size_t i = 0; i < base::astcBlockNames().size(); ++i)
+    c.add("mobile-textures", base::astcBlockNames()[i], "texture",
+          [&](Variant& v) { v.textures = static_cast<base::AstcBlock>(i); });
 }
 
 } // namespace
@@ -149,11 +152,12 @@ std::vector<std::pair<std::string, std::string>> Variant::knobs() const {
           {"capture-scale", nameAt(mobile::captureScaleNames(), mobile.captureScale)},
           {"sky-sh", std::to_string(mobile.skyCoefficients)},
           {"local-lights", mobile.localLights ? "4" : "0"},
-          {"mobile-target", nameAt(gpu::outputTargetNames(), target)}};
+          {"mobile-target", nameAt(gpu::outputTargetNames(), target)},
+          {"mobile-textures", nameAt(base::astcBlockNames(), textures)}};
 }
 
 std::vector<Variant> makeVariants(const highend::Options& highend, const mobile::Options& mobile,
-                                  gpu::OutputTarget target) {
+                                  gpu::OutputTarget target, base::AstcBlock textures) {
   std::vector<Variant> all;
   Variant highendPlain, mobilePlain;
   highendPlain.path = "highend";
@@ -161,6 +165,7 @@ std::vector<Variant> makeVariants(const highend::Options& highend, const mobile:
   mobilePlain.path = "mobile";
   mobilePlain.mobile = mobile;
   mobilePlain.target = target;
+  mobilePlain.textures = textures;
   all.push_back(highendPlain);
   all.push_back(mobilePlain);
   Collector ofHighend{highendPlain, all}, ofMobile{mobilePlain, all};

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/astc.h"
 #include "gpu/output_target.h"
 #include "highend/options.h"
 #include "lighting/environment_light.h"
@@ -23,10 +24,11 @@ struct Variant {
   std::string name = "default"; // what is not as in the path's default
   std::string knob;             // the one that is turned; empty: none, or several
   Stage stage = Stage::shading; // where that knob costs
-  std::string needs;            // "environment", "directional light", "local light"; empty: nothing
+  std::string needs;            // "environment", "directional light", "local light", "texture"; empty: nothing
   highend::Options highend;
   mobile::Options mobile;
   gpu::OutputTarget target = gpu::OutputTarget::rgba16f; // of the mobile path
+  base::AstcBlock textures = base::AstcBlock::none;      // likewise
   int lutSize = 128;                                     // of the high-end path, as the next one
   lighting::PrefilterOptions prefilter;
 
@@ -38,6 +40,6 @@ struct Variant {
 // The defaults of both paths first, in this order; then one knob at a time, and a few sets known from the literature.
 // The mobile path: every preset in both precisions, and the knobs of the one asked for.
 std::vector<Variant> makeVariants(const highend::Options& highend, const mobile::Options& mobile,
-                                  gpu::OutputTarget target);
+                                  gpu::OutputTarget target, base::AstcBlock textures);
 
 } // namespace parity::sweep

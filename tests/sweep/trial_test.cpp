@@ -91,8 +91,8 @@ TEST(Trial, whatTheSceneDoesNotNeedIsNotTried) {
 }
 
 TEST(Trial, everyNameIsGivenOnceAndEveryKnobChangesWhatItSays) {
-  const std::vector<Variant> all =
-      makeVariants(highend::Options{}, mobile::presetByName("ue4-2020"), gpu::OutputTarget::rgba16f);
+  const std::vector<Variant> all = makeVariants(highend::Options{}, mobile::presetByName("ue4-2020"),
+                                                gpu::OutputTarget::rgba16f, base::AstcBlock::none);
   EXPECT_EQ(all[0].id(), "highend: default");
   EXPECT_EQ(all[1].id(), "mobile: default");
   std::set<std::string> ids;

@@ -1,18 +1,18 @@
-// Measures the stage `encoding`: the mobile picture after its render target against the one before it.
+// Measures what a stage of the mobile path makes by itself: its picture after the stage against the one before it.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "base/frame.h"
-#include "compare/encoding.h"
+#include "compare/figures.h"
 #include "compare/pixel_view.h"
 #include "job/context.h"
 #include "job/displayed.h"
 
 namespace parity::job {
 
-struct EncodingRequest {
+struct StageRequest {
   const base::Image &before, &after; // linear, scene-referred
   const Displayed& afterDisplayed;
   const std::vector<base::PixelList>& lists;
@@ -21,6 +21,6 @@ struct EncodingRequest {
 };
 
 // As many as lists, in their order; those without pixels have no figures.
-std::vector<compare::Encoding> measureEncoding(Context& context, const EncodingRequest& request);
+std::vector<compare::RegionFigures> measureStage(Context& context, const StageRequest& request);
 
 } // namespace parity::job

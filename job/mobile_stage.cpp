@@ -1,11 +1,11 @@
-#include "job/encoding_stage.h"
+#include "job/mobile_stage.h"
 
 #include "compare/measure.h"
 
 namespace parity::job {
 
-std::vector<compare::Encoding> measureEncoding(Context& context, const EncodingRequest& request) {
-  const base::Stopwatch watch(&context.timings(), "encoding stage");
+std::vector<compare::RegionFigures> measureStage(Context& context, const StageRequest& request) {
+  const base::Stopwatch watch(&context.timings(), "stages of mobile");
   // A shader that computes in halves loses nothing in a target of halves.
   const bool isSame = request.before.pixels == request.after.pixels; // never where a pixel is NaN
   Displayed shown;
@@ -19,12 +19,7 @@ std::vector<compare::Encoding> measureEncoding(Context& context, const EncodingR
   measure.options.box = request.box;
   compare::Measurement measured = compare::measureRegions(
       {before.pixels, request.afterDisplayed.pixels, nullptr, nullptr, invalid}, request.lists, measure);
-
-  const auto target = static_cast<std::size_t>(context.settings().mobileTarget);
-  std::vector<compare::Encoding> stages;
-  for (compare::RegionFigures& region : measured.regions)
-    stages.push_back({gpu::outputTargetNames()[target], std::move(region)});
-  return stages;
+  return std::move(measured.regions);
 }
 
 } // namespace parity::job
