@@ -183,7 +183,9 @@ void writeInto(const fs::path& folder, const BakedLight& baked) {
                            {"errorWorst", f.errorWorst},
                            {"shareWithinError", f.shareWithinError},
                            {"quantizedError", f.quantizedError},
-                           {"storedError", f.storedError}}},
+                           {"storedError", f.storedError},
+                           {"colorDb", f.colorDb},
+                           {"directionDb", f.directionDb}}},
                          {"files", writer.files()}};
   base::writeText(folder / kManifestFile, manifest.dump(2) + "\n");
 }
@@ -267,10 +269,10 @@ BakedLight read(const fs::path& folder, const Json& manifest) {
          std::make_shared<const lighting::EnvironmentLight>(lighting::environmentLightFromBytes(bytes))});
   }
   const Json& f = manifest.at("figures");
-  baked.figures = {f.at("texels").get<std::uint64_t>(),    f.at("samplesPerTexel").get<double>(),
-                   f.at("errorMedian").get<double>(),      f.at("errorWorst").get<double>(),
-                   f.at("shareWithinError").get<double>(), f.at("quantizedError").get<double>(),
-                   f.at("storedError").get<double>()};
+  baked.figures = {
+      f.at("texels").get<std::uint64_t>(), f.at("samplesPerTexel").get<double>(),  f.at("errorMedian").get<double>(),
+      f.at("errorWorst").get<double>(),    f.at("shareWithinError").get<double>(), f.at("quantizedError").get<double>(),
+      f.at("storedError").get<double>(),   f.at("colorDb").get<double>(),          f.at("directionDb").get<double>()};
   return baked;
 }
 

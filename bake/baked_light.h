@@ -30,12 +30,16 @@ struct Capture {
   float averageBrightness() const;
 };
 
+inline constexpr double kNoLossDb = 999; // in place of infinity, which JSON has not
+
 // Told in reports: figures of the bake itself.
 struct BakeFigures {
   std::uint64_t texels = 0;                                    // of charts
   double samplesPerTexel = 0, errorMedian = 0, errorWorst = 0; // of the gathered light
   double shareWithinError = 1;                                 // of texels that reached the wanted error
-  double quantizedError = 0, storedError = 0; // rms of what mobile decodes, before and after ASTC (bake/lq_encoding.h)
+  double quantizedError = 0,
+         storedError = 0; // rms of what mobile decodes, in 8 bits and after ASTC (bake/lq_encoding.h)
+  double colorDb = kNoLossDb, directionDb = kNoLossDb; // that ASTC leaves their codes
 };
 
 struct BakedLight {

@@ -1,4 +1,5 @@
 // parity bake: scenes in, folders of baked light out.
+#include <array>
 #include <atomic>
 #include <csignal>
 
@@ -64,17 +65,21 @@ std::vector<Task> tasksOf(const BakeCommand& command) {
   return tasks;
 }
 
+std::string astcDb(const bake::BakeFigures& f) {
+  if (f.colorDb >= bake::kNoLossDb) return {};
+  return fmt::format(" ({:.1f} dB of colour, {:.1f} dB of direction)", f.colorDb, f.directionDb);
+}
+
 void printSummary(const Task& task, const job::BakeResult& result, double seconds) {
   const bake::BakeFigures& f = result.light.figures;
   fmt::print("{}: {} texels on {} {} of {} x {}, {:.0f} samples a texel, {:.1f} s", task.request.name, f.texels,
              result.light.highend.size(), result.light.highend.size() == 1 ? "page" : "pages", result.light.pageSide,
              result.light.pageSide, f.samplesPerTexel, seconds);
   if (result.rays > 0) fmt::print(", {:.1f} million rays", static_cast<double>(result.rays) * 1e-6);
-  fmt::print(
-      "\n  standard error {:.2g} % in the median, {:.2g} % at worst; {:.1f} % of texels within what was wanted\n",
-      100 * f.errorMedian, 100 * f.errorWorst, 100 * f.shareWithinError);
-  fmt::print("  mobile lightmap: rms error {:.2g} % in 8 bits, {:.2g} % after ASTC {}\n", 100 * f.quantizedError,
-             100 * f.storedError, result.light.astc);
+  fmt::print("\n  error {:.2g} % in the median, {:.2g} % at worst; {:.1f} % of texels within what was wanted\n",
+             100 * f.errorMedian, 100 * f.errorWorst, 100 * f.shareWithinError);
+  fmt::print("  mobile lightmap: rms error {:.2g} % in 8 bits, {:.2g} % after ASTC {}{}\n", 100 * f.quantizedError,
+             100 * f.storedError, result.light.astc, astcDb(f));
   fmt::print("  {} environment {}; {}\n", result.light.captures.size(),
              result.light.captures.size() == 1 ? "capture" : "captures", task.folder.string());
 }

@@ -24,18 +24,33 @@ bool Material::isNonmetal() const {
          dielectricF0() == glm::vec3(0.04f);
 }
 
-Bounds Scene::bounds() const {
-  constexpr float kInf = std::numeric_limits<float>::infinity();
-  Bounds bounds{glm::vec3(kInf), glm::vec3(-kInf)};
-  for (const Instance& instance : instances) {
-    const Mesh& mesh = meshes[instance.mesh];
-    for (std::uint32_t index : mesh.indices) { // not over positions: a vertex that no triangle uses is not seen
-      const glm::vec3 p = glm::vec3(instance.toWorld * glm::vec4(mesh.positions[index], 1.f));
-      bounds.lower = glm::min(bounds.lower, p);
-      bounds.upper = glm::max(bounds.upper, p);
-    }
+namespace {
+
+constexpr Bounds kNowhere{glm::vec3(std::numeric_limits<float>::infinity()),
+                          glm::vec3(-std::numeric_limits<float>::infinity())};
+
+void extend(Bounds& bounds, const Instance& instance, const Mesh& mesh) {
+  for (std::uint32_t index : mesh.indices) { // not over positions: a vertex that no triangle uses is not seen
+    const glm::vec3 p = glm::vec3(instance.toWorld * glm::vec4(mesh.positions[index], 1.f));
+    bounds.lower = glm::min(bounds.lower, p);
+    bounds.upper = glm::max(bounds.upper, p);
   }
-  return bounds.lower.x <= bounds.upper.x ? bounds : Bounds{};
+}
+
+Bounds orEmpty(const Bounds& bounds) { return bounds.lower.x <= bounds.upper.x ? bounds : Bounds{}; }
+
+} // namespace
+
+Bounds Scene::boundsOf(std::size_t instance) const {
+  Bounds bounds = kNowhere;
+  extend(bounds, instances[instance], meshes[instances[instance].mesh]);
+  return orEmpty(bounds);
+}
+
+Bounds Scene::bounds() const {
+  Bounds bounds = kNowhere;
+  for (const Instance& instance : instances) extend(bounds, instance, meshes[instance.mesh]);
+  return orEmpty(bounds);
 }
 
 std::size_t Scene::triangleCount() const {

@@ -173,8 +173,9 @@ struct Scene {
   std::optional<Fog> fog;
   std::vector<std::string> warnings; // one line each: what was ignored, replaced or cleaned
 
-  Bounds bounds() const;             // world space, over all instances' triangles
-  std::size_t triangleCount() const; // over instances
+  Bounds boundsOf(std::size_t instance) const; // world space, over its triangles; empty at the origin without any
+  Bounds bounds() const;                       // world space, over all instances' triangles
+  std::size_t triangleCount() const;           // over instances
 };
 
 } // namespace parity::scenes

@@ -1,0 +1,14 @@
+// What the integrator found the sun to reach, page by page, as distance fields start from it.
+#pragma once
+
+#include <vector>
+
+#include "bake/integrate.h"
+#include "bake/sun_mask.h"
+
+namespace parity::bake {
+
+// Sub-texels that lie within other objects are unknown.
+std::vector<SunMask> makeSunMasks(const Atlas& atlas, const TexelGrid& grid, const StaticLight& light);
+
+} // namespace parity::bake
