@@ -40,13 +40,14 @@ template <typename IsFree> double bisect(double farthest, const IsFree& isFree) 
   return 0.5 * (free + met);
 }
 
-// Towards the faces, edges and corners of a cube.
+// Towards the points of a grid on the surface of a cube: about 25 degrees from each other.
 std::vector<glm::dvec3> makeDirections() {
   std::vector<glm::dvec3> directions;
-  for (int x = -1; x <= 1; ++x)
-    for (int y = -1; y <= 1; ++y)
-      for (int z = -1; z <= 1; ++z)
-        if (x != 0 || y != 0 || z != 0) directions.push_back(glm::normalize(glm::dvec3(x, y, z)));
+  for (int x = -2; x <= 2; ++x)
+    for (int y = -2; y <= 2; ++y)
+      for (int z = -2; z <= 2; ++z)
+        if (std::max({std::abs(x), std::abs(y), std::abs(z)}) == 2)
+          directions.push_back(glm::normalize(glm::dvec3(x, y, z)));
   return directions;
 }
 

@@ -21,11 +21,11 @@ public:
   // The codes' own contribution to d but for the texel (x, y), its weight, and the target.
   void gather(const ChartMask& chart, const base::Image& target, const base::Image8& codes, int x, int y) {
     m_samples.clear();
-    const int factor = chart.factor, reach = factor + factor / 2;
-    const int middleX = x * factor + factor / 2, middleY = y * factor + factor / 2;
-    for (int row = std::max(middleY - reach, 0); row < std::min(middleY + reach + 1, chart.sight.height); ++row)
-      for (int column = std::max(middleX - reach, 0); column < std::min(middleX + reach + 1, chart.sight.width);
-           ++column) {
+    const int factor = chart.factor, half = factor / 2; // it is read half a texel beyond its own sub-texels
+    const int endX = std::min((x + 1) * factor + half, chart.sight.width);
+    const int endY = std::min((y + 1) * factor + half, chart.sight.height);
+    for (int row = std::max(y * factor - half, 0); row < endY; ++row)
+      for (int column = std::max(x * factor - half, 0); column < endX; ++column) {
         if (*chart.sight.at(column, row) == kUnknown) continue;
         const BilinearTap tapX = bilinearTap(column, factor), tapY = bilinearTap(row, factor);
         double own = 0, others = 0;
