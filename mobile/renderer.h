@@ -16,6 +16,9 @@ struct Inputs {
   const gpu::EnvironmentMaps* environment = nullptr; // the capture, in the options' encoding; null: none
   std::vector<scenes::Light> lights = {};            // all of the scene's, and the sun; the path takes what it can
   const gpu::ShadowMaps* shadows = nullptr;          // with that of needsSpotMap; null: none
+  // Read where the scene's buffers know of a lightmap, in the encodings of this path. Its sun shadow is that of the one
+  // sun. Its captures are those of `environment`: each object has its own.
+  const gpu::BakedMaps* baked = nullptr;
   bool terms = false;
   std::uint32_t view = kViewLit; // what the colour shows (mobile/views.h)
   gpu::Compilation compilation = {};
@@ -47,6 +50,7 @@ public:
 
 private:
   bool m_hasEnvironment, m_hasSpotShadow = false;
+  std::uint32_t m_baked = 0; // kBaked... bits
   std::size_t m_lightChoices = 0;
   std::vector<std::string> m_notes;
   std::unique_ptr<gpu::ShadingPass> m_pass;
