@@ -10,7 +10,7 @@ namespace parity::gpu {
 namespace {
 
 // Most that one of our pipelines binds (the resolve pass; the paths' shaders bind fewer).
-constexpr std::uint32_t kStorageBuffers = 16;
+constexpr std::uint32_t kStorageBuffers = 19;
 
 std::string lowered(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });

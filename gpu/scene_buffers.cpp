@@ -1,6 +1,7 @@
 #include "gpu/scene_buffers.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -51,7 +52,8 @@ GpuMaterial pack(const scenes::Material& m) {
   return out;
 }
 
-GpuInstance pack(const scenes::Instance& instance, const SceneBuffers::MeshRange& range, std::uint32_t material) {
+GpuInstance pack(const scenes::Instance& instance, const SceneBuffers::MeshRange& range, std::uint32_t material,
+                 const scenes::LightmapUvs::Place& place) {
   const glm::mat4 rows = glm::transpose(instance.toWorld);
   const glm::mat3 linear(instance.toWorld);
   const float determinant = glm::determinant(linear);
@@ -71,6 +73,8 @@ GpuInstance pack(const scenes::Instance& instance, const SceneBuffers::MeshRange
   }
   out.normalToWorld[0].w = sign;
   out.geometry = uvec4(range.firstIndex, range.baseVertex, material, 0);
+  out.baked = uvec4(place.firstCorner, place.page + 1, place.capture, 0);
+  out.lightmap = vec4(place.offset, 0, 0);
   return out;
 }
 
@@ -153,7 +157,7 @@ MaterialClass classify(const scenes::Material& material) {
 }
 
 SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene, SpecularAa specularAa,
-                           ImageDone onLastRead)
+                           ImageDone onLastRead, const scenes::LightmapUvs* lightmap)
     : m_scene(scene), m_textures(device, scene, specularAa == SpecularAa::toksvig, std::move(onLastRead)) {
   bool anyColors = false, anyUvs = false, anyTangents = false, anySecondUv = false;
   for (const scenes::Mesh& mesh : scene.meshes) {
@@ -175,14 +179,22 @@ SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene, Spe
                  (anySecondUv ? kVertexSecondUv : 0u) | (scene.fog ? kVertexFog : 0u);
 
   uploadGeometry(device);
+  assert(!lightmap || lightmap->places.size() == scene.instances.size());
   std::vector<GpuInstance> gpuInstances;
-  for (const scenes::Instance& instance : scene.instances) {
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const scenes::Instance& instance = scene.instances[i];
     const std::uint32_t material = scene.meshes[instance.mesh].material;
+    const scenes::LightmapUvs::Place place = lightmap ? lightmap->places[i] : scenes::LightmapUvs::Place();
+    assert(place.page < 0 || place.firstCorner + m_meshes[instance.mesh].indexCount <= lightmap->corners.size());
+    if (place.page >= 0) m_vertexData |= kVertexLightmap;
     m_materialOfInstance.push_back(material);
-    gpuInstances.push_back(pack(instance, m_meshes[instance.mesh], material));
+    gpuInstances.push_back(pack(instance, m_meshes[instance.mesh], material, place));
   }
   instances = makeBuffer(device, std::span<const GpuInstance>(gpuInstances), scene, "instances");
   materials = makeBuffer(device, std::span<const GpuMaterial>(gpuMaterials), scene, "materials");
+  lightmapCorners =
+      makeBuffer(device, lightmap ? std::span<const glm::vec2>(lightmap->corners) : std::span<const glm::vec2>(), scene,
+                 "lightmap uvs");
 }
 
 void SceneBuffers::uploadGeometry(const Device& device) {

@@ -9,6 +9,7 @@
 #include "gpu/material_class.h"
 #include "gpu/shaders/interface.h"
 #include "gpu/textures.h"
+#include "scenes/lightmap_uvs.h"
 #include "scenes/scene.h"
 
 namespace parity::gpu {
@@ -16,16 +17,16 @@ namespace parity::gpu {
 class SceneBuffers {
 public:
   // Throws Error (exit 4) where an attribute array exceeds what the device can bind (128 MiB on many).
-  // onLastRead: see Textures.
+  // onLastRead: see Textures. lightmap: where each instance lies in the pages, read here only; null: none is baked.
   SceneBuffers(const Device& device, const scenes::Scene& scene, SpecularAa specularAa = SpecularAa::off,
-               ImageDone onLastRead = {});
+               ImageDone onLastRead = {}, const scenes::LightmapUvs* lightmap = nullptr);
 
   const scenes::Scene& scene() const { return m_scene; }
   const Textures& textures() const { return m_textures; }
   const std::vector<MaterialClass>& classOfMaterial() const { return m_classOfMaterial; }
   // Material of each instance (that of its mesh).
   const std::vector<std::uint32_t>& materialOfInstance() const { return m_materialOfInstance; }
-  // kVertex... bits of interface.h: what some mesh has, and whether there is fog.
+  // kVertex... bits of interface.h: what some mesh has, whether there is fog, whether some object has a lightmap.
   std::uint32_t vertexData() const { return m_vertexData; }
   // All bits of a texture mask that a scene of these settings may have.
   std::uint32_t textureBits() const { return m_textureBits; }
@@ -35,7 +36,7 @@ public:
   };
   const std::vector<MeshRange>& meshes() const { return m_meshes; }
 
-  Buffer positions, normals, tangents, uvs, colors, indices, instances, materials;
+  Buffer positions, normals, tangents, uvs, colors, indices, instances, materials, lightmapCorners;
 
 private:
   void uploadGeometry(const Device& device);

@@ -88,7 +88,7 @@ struct ShadingPass::Impl {
   PathProgram program;
   DeviceImage blackCube, white, whiteArray;
   vk::raii::Sampler linearClamp;
-  Buffer view, lights, pathData, noViews;
+  Buffer view, lights, pathData, nothing;
   vk::raii::DescriptorSetLayout textureLayout{nullptr}, surfaceLayout{nullptr};
   std::vector<std::unique_ptr<DescriptorSets>> textureSets; // of each kind of bin that was seen
   vk::raii::PipelineLayout layout{nullptr};
@@ -102,7 +102,7 @@ struct ShadingPass::Impl {
       : device(dev), scene(buffers), kinds(binKinds), program(std::move(p)), blackCube(makeBlackCube(dev)),
         white(makeWhite(dev)), whiteArray(makeWhite(dev, true)), linearClamp(makeLinearClamp(dev)),
         view(dev, sizeof(GpuView)), lights(dev, std::span<const GpuLight>(program.lights)),
-        pathData(dev, std::span<const std::uint32_t>(withCounts(buffers, program))), noViews(dev, 0),
+        pathData(dev, std::span<const std::uint32_t>(withCounts(buffers, program))), nothing(dev, 0),
         plan(program.compilation.budget, buffers.textureBits(), classesOf(kinds)),
         store(program.compilation.store ? *program.compilation.store : ownStore) {
     const auto none = textures().bindings({});
@@ -128,7 +128,7 @@ struct ShadingPass::Impl {
     std::vector<Binding> bindings = {uniform(view), storage(scene.materials), storage(scene.instances), storage(lights),
                                      storage(data)};
     for (const Buffer* buffer : {&s.position, &s.normal, &s.tangent, &s.uv, &s.uv0Derivatives, &s.uv1Derivatives,
-                                 &s.color, &s.fog, &color, &termsA, &termsB})
+                                 &s.color, &s.fog, &s.lightmap, &color, &termsA, &termsB})
       bindings.push_back(storage(*buffer));
     constexpr auto kReadOnly = vk::ImageLayout::eShaderReadOnlyOptimal;
     bindings.push_back(program.environment ? vk::DescriptorImageInfo(*program.environment->sampler,
@@ -138,7 +138,17 @@ struct ShadingPass::Impl {
         *linearClamp, program.pathTexture ? program.pathTexture->view() : white.view(), kReadOnly));
     bindings.push_back(program.shadows ? program.shadows->image()
                                        : vk::DescriptorImageInfo(*linearClamp, whiteArray.view(), kReadOnly));
-    bindings.push_back(storage(program.shadows ? program.shadows->views() : noViews));
+    bindings.push_back(storage(program.shadows ? program.shadows->views() : nothing));
+    const BakedMaps* baked = program.baked;
+    const vk::DescriptorImageInfo noPages(*linearClamp, whiteArray.view(), kReadOnly);
+    const auto pages = [&](std::uint32_t part, const DeviceImage& image) {
+      return baked && (baked->parts & part) != 0 ? vk::DescriptorImageInfo(*linearClamp, image.view(), kReadOnly)
+                                                 : noPages;
+    };
+    bindings.push_back(baked ? pages(kBakedLightmap, baked->lightmap) : noPages);
+    bindings.push_back(baked ? pages(kBakedSunShadow, baked->sunShadow) : noPages);
+    bindings.push_back(storage(baked ? baked->captures : nothing));
+    bindings.push_back(storage(baked ? baked->scales : nothing));
     return bindings;
   }
 

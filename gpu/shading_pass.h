@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "gpu/baked_maps.h"
 #include "gpu/permutations.h"
 #include "gpu/pipeline.h"
 #include "gpu/shadow_maps.h"
@@ -15,7 +16,8 @@
 
 namespace parity::gpu {
 
-// The prefiltered cube on the device with its sampler, and the SH that go with it.
+// The prefiltered cube on the device with its sampler, and the SH that go with it. With baked captures (BakedMaps) the
+// cubes of one after another, in their order, and the SH of the sky, for what has no lightmap.
 struct EnvironmentMaps {
   DeviceImage cube;
   vk::raii::Sampler sampler{nullptr};
@@ -40,9 +42,10 @@ struct PathProgram {
   // Local lights are listed there for each group of kGroupSize entries of a bin.
   std::function<Buffer(const Surface&, const std::array<std::uint32_t, 4>&)> listLights;
   const Textures* textures = nullptr;             // the materials', as the path stores them; null: the scene's
-  const DeviceImage* pathTexture = nullptr;       // binding 16; null: white
+  const DeviceImage* pathTexture = nullptr;       // binding 18; null: white
   const EnvironmentMaps* environment = nullptr;   // null: no environment
-  const ShadowMaps* shadows = nullptr;            // bindings 18 and 19; null: none
+  const ShadowMaps* shadows = nullptr;            // bindings 19 and 20; null: none
+  const BakedMaps* baked = nullptr;               // bindings 21 to 24; null: none
   std::array<glm::vec4, kPathNumbers> numbers{};  // the path's own, GpuView::path
   std::vector<std::uint32_t> constants;           // the path's own specialization constants, from kConstantPath
   std::vector<std::uint32_t> everySceneConstants; // in place of those in permutations of every scene; empty: the same

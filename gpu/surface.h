@@ -18,8 +18,8 @@ struct Surface {
   std::vector<std::uint32_t> pixels, instances;
   // Bin keys index SurfacePass::binKinds() of the pass that made this surface.
   std::vector<Bin> bins;
-  Buffer position, normal, tangent, uv, uv0Derivatives, uv1Derivatives, color,
-      fog; // shaders/surface.glsl; one element where the scene has none
+  Buffer position, normal, tangent, uv, uv0Derivatives, uv1Derivatives, color, fog,
+      lightmap; // shaders/surface.glsl; one element where the scene has none
   std::size_t size() const { return pixels.size(); }
 };
 

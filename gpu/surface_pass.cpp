@@ -84,6 +84,7 @@ void SurfacePass::Impl::resolveInto(Surface& surface, const scenes::Camera& came
   surface.uv0Derivatives = make(data & kVertexUvs);
   surface.uv1Derivatives = make(data & kVertexUvs);
   surface.tangent = make(data & kVertexTangents);
+  surface.lightmap = make(data & kVertexLightmap);
   if (entries.empty()) return;
 
   const Buffer entryBuffer(device, entries);
@@ -92,9 +93,11 @@ void SurfacePass::Impl::resolveInto(Surface& surface, const scenes::Camera& came
   std::vector<Binding> bindings = {storage(scene.positions), storage(scene.normals), storage(scene.tangents),
                                    storage(scene.uvs),       storage(scene.colors),  storage(scene.indices),
                                    storage(scene.instances), storage(entryBuffer),   uniform(viewBuffer)};
-  for (const Buffer* buffer : {&surface.position, &surface.normal, &surface.tangent, &surface.uv,
-                               &surface.uv0Derivatives, &surface.uv1Derivatives, &surface.color, &surface.fog})
+  for (const Buffer* buffer :
+       {&surface.position, &surface.normal, &surface.tangent, &surface.uv, &surface.uv0Derivatives,
+        &surface.uv1Derivatives, &surface.color, &surface.fog, &surface.lightmap})
     bindings.push_back(storage(*buffer));
+  bindings.push_back(storage(scene.lightmapCorners));
   if (!*resolve) {
     resolveSetLayout = makeSetLayout(device, bindings, vk::ShaderStageFlagBits::eCompute);
     resolveLayout = makePipelineLayout(device, std::array{*resolveSetLayout}, sizeof(ResolvePush),

@@ -50,6 +50,16 @@ std::uint32_t kindsOf(const std::vector<scenes::Light>& lights) {
   return kinds;
 }
 
+// kBaked... bits of what is read.
+std::uint32_t bakedPartsOf(const Inputs& inputs, const gpu::SceneBuffers& scene) {
+  if (!inputs.baked) return 0;
+  std::uint32_t parts = inputs.baked->parts;
+  if ((scene.vertexData() & gpu::kVertexLightmap) == 0) parts &= ~(gpu::kBakedLightmap | gpu::kBakedSunShadow);
+  if (inputs.shadows) parts &= ~gpu::kBakedSunShadow;
+  if (!inputs.environment) parts &= ~gpu::kBakedCaptures;
+  return parts;
+}
+
 // The shader is given the enumerators' numbers.
 constexpr bool is(auto enumerator, std::uint32_t value) { return static_cast<std::uint32_t>(enumerator) == value; }
 static_assert(is(GeometryTerm::schlickSmith, gpu::kGeometrySchlickSmith));
@@ -114,11 +124,15 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   if (inputs.environment) ++m_ownSamplers;
   program.shadows = m_shadows = inputs.shadows;
   if (inputs.shadows) ++m_ownSamplers;
+  program.baked = inputs.baked;
+  const std::uint32_t baked = bakedPartsOf(inputs, scene);
+  if (baked & gpu::kBakedLightmap) ++m_ownSamplers;
+  if (baked & gpu::kBakedSunShadow) ++m_ownSamplers;
   program.constants = {
-      static_cast<std::uint32_t>(options.geometryTerm), static_cast<std::uint32_t>(options.fresnel),
-      static_cast<std::uint32_t>(options.diffuse),      static_cast<std::uint32_t>(options.compensation),
-      static_cast<std::uint32_t>(options.offSpecular),  kindsOf(lights),
-      inputs.shadows ? inputs.shadows->filter() + 1 : 0};
+      static_cast<std::uint32_t>(options.geometryTerm),  static_cast<std::uint32_t>(options.fresnel),
+      static_cast<std::uint32_t>(options.diffuse),       static_cast<std::uint32_t>(options.compensation),
+      static_cast<std::uint32_t>(options.offSpecular),   kindsOf(lights),
+      inputs.shadows ? inputs.shadows->filter() + 1 : 0, baked};
   program.everySceneConstants = program.constants;
   program.everySceneConstants[kConstantLocalKinds] = gpu::kLocalAll;
   if (program.directionalCount + program.localCount > gpu::kMaxLightsOfAPixel && !inputs.cullLights)

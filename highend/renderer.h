@@ -16,7 +16,10 @@ struct Inputs {
   const base::Image* lut = nullptr;       // makeEnvBrdfLut of the same term and curve; null only where needsLut says so
   std::vector<scenes::Light> lights = {}; // all of the scene's, and the sun
   gpu::ShadowMaps* shadows = nullptr;     // of these lights, fitted to what is shaded; null: nothing casts
-  bool cullLights = true;                 // false: every pixel asks every light, with the same result
+  // Read where the scene's buffers know of a lightmap, in the encodings of this path. Its sun shadow is that of the
+  // first directional light, where `shadows` is null. Its captures are those of `environment`.
+  const gpu::BakedMaps* baked = nullptr;
+  bool cullLights = true; // false: every pixel asks every light, with the same result
   bool terms = false;
   gpu::Compilation compilation = {};
   std::uint64_t expectedPixels = 0; // that the run will shade
@@ -45,8 +48,9 @@ public:
 
   // Whether the table is read at all with these inputs.
   static bool needsLut(const Inputs& inputs, const Options& options) {
-    return inputs.environment != nullptr || (!inputs.lights.empty() && (options.compensation != Compensation::none ||
-                                                                        options.diffuse == DiffuseLobe::balanced));
+    return inputs.environment != nullptr ||
+           ((!inputs.lights.empty() || inputs.baked) &&
+            (options.compensation != Compensation::none || options.diffuse == DiffuseLobe::balanced));
   }
 
 private:

@@ -18,7 +18,7 @@ enum class EnvironmentBrdf { karis2014, ue4, refit };
 // Smith whole.
 enum class DirectLobe { dApprox, calcSpecular, refit };
 
-// How the reflected environment follows the baked light (captureScale of shading/mobile_base_pass.glsl).
+// How the reflected environment follows the baked light (captureScale of shading/capture.glsl).
 enum class CaptureScale { none, full, byRoughness, occlusion };
 
 // How the capture is stored: RGBM in 8 bits, or 16-bit floats.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <set>
 
 #include <fmt/format.h>
@@ -28,7 +29,8 @@ static_assert(is(CaptureScale::none, numbers::kCaptureScaleNone) &&
               is(CaptureScale::byRoughness, numbers::kCaptureScaleByRoughness) &&
               is(CaptureScale::occlusion, numbers::kCaptureScaleOcclusion));
 
-std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t view, bool hasSpotShadow) {
+std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t view, bool hasSpotShadow,
+                                       std::uint32_t baked) {
   return {static_cast<std::uint32_t>(options.environmentBrdf),
           static_cast<std::uint32_t>(options.directLobe),
           static_cast<std::uint32_t>(options.captureScale),
@@ -36,7 +38,19 @@ std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t vie
           options.capture == CaptureEncoding::rgbm ? 1u : 0u,
           std::bit_cast<std::uint32_t>(options.roughnessFloor),
           view,
-          hasSpotShadow ? 1u : 0u};
+          hasSpotShadow ? 1u : 0u,
+          baked};
+}
+
+// kBaked... bits of what is read.
+std::uint32_t bakedPartsOf(const Inputs& inputs, const gpu::SceneBuffers& scene, bool hasSun) {
+  if (!inputs.baked) return 0;
+  std::uint32_t parts = inputs.baked->parts;
+  if ((scene.vertexData() & gpu::kVertexLightmap) == 0) parts &= ~(gpu::kBakedLightmap | gpu::kBakedSunShadow);
+  if (!hasSun) parts &= ~gpu::kBakedSunShadow;
+  if (!inputs.environment) parts &= ~gpu::kBakedCaptures;
+  assert((parts & gpu::kBakedLightmap) == 0 || inputs.baked->scaleCount == scene.scene().instances.size());
+  return parts;
 }
 
 // The SH of the sky light, and the capture's average brightness: the luminance of the mean radiance, which is the
@@ -117,9 +131,12 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   program.directionalCount = sun ? 1 : 0;
   program.environment = inputs.environment;
   if (inputs.environment) program.numbers = numbersOf(*inputs.environment, options.skyCoefficients);
-  program.constants = constantsOf(options, inputs.view, m_hasSpotShadow);
-  program.everySceneConstants = constantsOf(options, inputs.view, options.spotShadow && options.localLights);
   program.textures = inputs.textures;
+  program.baked = inputs.baked;
+  if (inputs.baked) program.numbers[gpu::kPathAverageBrightness].y = inputs.baked->transitionScale;
+  m_baked = bakedPartsOf(inputs, scene, sun.has_value());
+  program.constants = constantsOf(options, inputs.view, m_hasSpotShadow, m_baked);
+  program.everySceneConstants = constantsOf(options, inputs.view, options.spotShadow && options.localLights, m_baked);
   program.terms = inputs.terms;
   program.premultiplied = true;
   program.expectedPixels = inputs.expectedPixels;
@@ -136,7 +153,8 @@ std::size_t Renderer::countSamplers(const gpu::Permutation& permutation) const {
   const bool lit = (permutation.mustFeatures & gpu::kFeatureUnlit) == 0;
   const bool fetches = (permutation.mustFeatures & (gpu::kFeatureUnlit | gpu::kFeatureFullyRough)) == 0;
   return gpu::countTextures(permutation.textures) + (m_hasEnvironment && fetches ? 1 : 0) +
-         (m_hasSpotShadow && lit ? 1 : 0);
+         (m_hasSpotShadow && lit ? 1 : 0) +
+         (lit ? std::popcount(m_baked & (gpu::kBakedLightmap | gpu::kBakedSunShadow)) : 0);
 }
 
 } // namespace parity::mobile

@@ -17,6 +17,9 @@ struct Inputs {
   std::vector<scenes::Light> lights = {};            // all of the scene's, and the sun; the path takes what it can
   const gpu::ShadowMaps* shadows = nullptr;          // with that of needsSpotMap; null: none
   const gpu::Textures* textures = nullptr;           // as the path stores them; null: the scene's as they are
+  // Read where the scene's buffers know of a lightmap, in the encodings of this path. Its sun shadow is that of the one
+  // sun. Its captures are those of `environment`: each object has its own.
+  const gpu::BakedMaps* baked = nullptr;
   bool terms = false;
   std::uint32_t view = kViewLit; // what the colour shows (mobile/views.h)
   gpu::Compilation compilation = {};
@@ -48,6 +51,7 @@ public:
 
 private:
   bool m_hasEnvironment, m_hasSpotShadow = false;
+  std::uint32_t m_baked = 0; // kBaked... bits
   std::size_t m_lightChoices = 0;
   std::vector<std::string> m_notes;
   std::unique_ptr<gpu::ShadingPass> m_pass;

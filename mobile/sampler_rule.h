@@ -13,14 +13,15 @@ namespace parity::mobile {
 inline constexpr std::size_t kMaxSamplers = 8;
 
 struct SamplerInputs {
-  bool environment = false;    // there is one to be fetched
-  bool spotShadow = false;     // a spot light has a shadow map
-  bool normalVariance = false; // normal maps carry the spread of their normals (gpu/normal_variance.h)
+  bool environment = false;                 // there is one to be fetched
+  bool spotShadow = false;                  // a spot light has a shadow map
+  bool lightmap = false, sunShadow = false; // baked, for some object
+  bool normalVariance = false;              // normal maps carry the spread of their normals (gpu/normal_variance.h)
 };
 
 // Pairs of an image and a sampler that the path reads for a material, the environment's included: unlit and fully rough
-// materials do without that. Seven slots and one environment are 8 at most: it takes what later stages add to exceed
-// the limit.
+// materials do without that, unlit ones without baked light. Seven slots and one environment are 8 at most: with a
+// lightmap and the sun's shadow a material may have five textures of its own.
 std::size_t countSamplers(const scenes::Material& material, const SamplerInputs& inputs);
 
 // "needs 9 samplers on mobile, of at most 8"; empty where it does not.

@@ -8,6 +8,7 @@
 #define PARITY_SHADING_MOBILE_BASE_PASS
 
 #include "shading/real.glsl"
+#include "shading/capture.glsl"
 #include "shading/env_brdf.glsl"
 #include "shading/light.glsl"
 #include "shading/material.glsl"
@@ -25,12 +26,6 @@ CONSTANT int kSunDApprox = 0;      // around the reflection vector (Karis 2014)
 CONSTANT int kSunCalcSpecular = 1; // GGX_Mobile around the half vector (UE4 2020)
 CONSTANT int kSunRefit = 2;        // shading/refit.glsl; goes with kEnvironmentBrdfRefit
 CONSTANT int kSunRefitNonmetal = 3; // the same with kEnvironmentBrdfRefitNonmetal
-
-// How the environment follows the baked light (captureScale).
-CONSTANT int kCaptureScaleNone = 0;
-CONSTANT int kCaptureScaleFull = 1;
-CONSTANT int kCaptureScaleByRoughness = 2;
-CONSTANT int kCaptureScaleOcclusion = 3;
 
 // The material's outputs that the base pass reads (GBuffer), after texturing.
 struct MobileMaterial {
@@ -180,31 +175,6 @@ FN real3 lightWith(real32x3 color, MobileDirectLighting lighting, real specularS
   return narrow(real32x3(lightChannel(color.x, lighting.Diffuse.x, lighting.Specular.x, specularScale),
                          lightChannel(color.y, lighting.Diffuse.y, lighting.Specular.y, specularScale),
                          lightChannel(color.z, lighting.Diffuse.z, lighting.Specular.z, specularScale)));
-}
-
-// Luminance, in the weights of Unreal Engine 4 (.3, .59, .11).
-FN real luminanceUE4(real3 c) {
-  PRECISE real y = R(0.3) * c.x + R(0.59) * c.y + R(0.11) * c.z;
-  return y;
-}
-
-// What the environment's reflection is multiplied with, so that it follows the baked light ("they are similarly normalized
-// and scaled by the lightmap", Karis 2014; UE4's ComputeMixingWeight): with w = IndirectIrradiance / averageBrightness,
-//   kCaptureScaleFull         w
-//   kCaptureScaleByRoughness  lerp(1, w, smoothstep(0, 1, Roughness))   (SHADING 7)
-//   kCaptureScaleOcclusion    MaterialAO, as the high-end path has it
-// IndirectIrradiance: luminance of the indirect diffuse light over pi, material AO included. averageBrightness: of the
-// capture, as UE4 cut off below 1e-4. In fp32, and saturating: a black capture's 0 must not become 0 times infinity.
-FN real captureScale(int mode, real IndirectIrradiance, real32 averageBrightness, real Roughness,
-                     real MaterialAO) {
-  if (mode == kCaptureScaleNone) return R(1.0);
-  if (mode == kCaptureScaleOcclusion) return MaterialAO;
-  PRECISE real32 w32 = real32(IndirectIrradiance) / max(averageBrightness, R32(1e-4));
-  real w = narrow(w32);
-  if (mode == kCaptureScaleFull) return w;
-  PRECISE real s = Roughness * Roughness * (R(3.0) - R(2.0) * Roughness);
-  PRECISE real scale = (R(1.0) - s) + w * s;
-  return scale;
 }
 
 // SpecularIBL: what is fetched, in its scale. Saturates, so that a black SpecularColor gives 0.

@@ -108,6 +108,12 @@ FN real luminance(real3 rgb) {
   return y;
 }
 
+// Luminance, in the weights of Unreal Engine 4 (.3, .59, .11).
+FN real luminanceUE4(real3 c) {
+  PRECISE real y = R(0.3) * c.x + R(0.59) * c.y + R(0.11) * c.z;
+  return y;
+}
+
 // Display to linear light, exact and piecewise (IEC 61966-2-1:1999, 5.2), s in [0, 1]:
 //   s <= 0.04045 ? s / 12.92 : ((s + 0.055) / 1.055)^2.4
 FN real srgbToLinear(real s) {

@@ -1,8 +1,10 @@
 // One invocation a row: reads its inputs, calls the function that the specialization constant names, writes its outputs.
 #include "shading/brdf.glsl"
+#include "shading/capture.glsl"
 #include "shading/env_brdf.glsl"
 #include "shading/fog.glsl"
 #include "shading/light.glsl"
+#include "shading/lightmap.glsl"
 #include "shading/material.glsl"
 #include "shading/mips.glsl"
 #include "shading/mobile_direct.glsl"
@@ -20,6 +22,7 @@
 
 #include "evaluate.glsl"
 #include "evaluate_base_pass.glsl"
+#include "evaluate_baked.glsl"
 
 layout(constant_id = 0) const int kFunction = 0;
 layout(local_size_x = 64) in;
@@ -32,7 +35,9 @@ void main() {
   if (row >= rows) return;
   Inputs i;
   for (int k = 0; k < kInputs; ++k) i.x[k] = inputs[row * kInputs + k];
-#ifdef PARITY_BASE_PASS
+#ifdef PARITY_BAKED
+  Outputs o = evaluateBaked(kFunction, i);
+#elif defined(PARITY_BASE_PASS)
   Outputs o = evaluateBasePass(kFunction, i);
 #else
   Outputs o = evaluate(kFunction, i);

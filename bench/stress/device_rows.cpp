@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "stress/function_ids.glsl"
+#include "stress_shaders/baked_fp16.comp.h"
+#include "stress_shaders/baked_fp32.comp.h"
 #include "stress_shaders/base_pass_fp16.comp.h"
 #include "stress_shaders/base_pass_fp32.comp.h"
 #include "stress_shaders/functions_fp16.comp.h"
@@ -20,7 +22,8 @@ constexpr vk::ShaderStageFlags kStage = vk::ShaderStageFlagBits::eCompute;
 
 gpu::Spirv functionShader(int id, bool half) {
   if (id < kFirstOfBasePass) return half ? gpu::Spirv(kFunctionsFp16Comp) : gpu::Spirv(kFunctionsFp32Comp);
-  return half ? gpu::Spirv(kBasePassFp16Comp) : gpu::Spirv(kBasePassFp32Comp);
+  if (id < kFirstOfBaked) return half ? gpu::Spirv(kBasePassFp16Comp) : gpu::Spirv(kBasePassFp32Comp);
+  return half ? gpu::Spirv(kBakedFp16Comp) : gpu::Spirv(kBakedFp32Comp);
 }
 
 DeviceRows::DeviceRows(const gpu::Device& device, gpu::Spirv shader, std::int32_t function) : m_device(device) {

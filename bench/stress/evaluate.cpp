@@ -13,17 +13,32 @@
 namespace parity::stress::at64 {
 using namespace parity::shading::f64;
 #include "stress/evaluate.glsl"
+#include "stress/evaluate_baked.glsl"
 #include "stress/evaluate_base_pass.glsl"
+inline Outputs evaluateAny(int id, const Inputs& inputs) {
+  if (id < kFirstOfBasePass) return evaluate(id, inputs);
+  return id < kFirstOfBaked ? evaluateBasePass(id, inputs) : evaluateBaked(id, inputs);
+}
 } // namespace parity::stress::at64
 namespace parity::stress::at32 {
 using namespace parity::shading::f32;
 #include "stress/evaluate.glsl"
+#include "stress/evaluate_baked.glsl"
 #include "stress/evaluate_base_pass.glsl"
+inline Outputs evaluateAny(int id, const Inputs& inputs) {
+  if (id < kFirstOfBasePass) return evaluate(id, inputs);
+  return id < kFirstOfBaked ? evaluateBasePass(id, inputs) : evaluateBaked(id, inputs);
+}
 } // namespace parity::stress::at32
 namespace parity::stress::at16 {
 using namespace parity::shading::f16;
 #include "stress/evaluate.glsl"
+#include "stress/evaluate_baked.glsl"
 #include "stress/evaluate_base_pass.glsl"
+inline Outputs evaluateAny(int id, const Inputs& inputs) {
+  if (id < kFirstOfBasePass) return evaluate(id, inputs);
+  return id < kFirstOfBaked ? evaluateBasePass(id, inputs) : evaluateBaked(id, inputs);
+}
 } // namespace parity::stress::at16
 #undef FN
 #undef R
@@ -48,13 +63,13 @@ const char* nameOf(Precision precision) {
 Result evaluate64(int id, const Row& row) {
   at64::Inputs inputs;
   for (int i = 0; i < kInputs; ++i) inputs.x[i] = row[i];
-  return toResult(id < kFirstOfBasePass ? at64::evaluate(id, inputs) : at64::evaluateBasePass(id, inputs));
+  return toResult(at64::evaluateAny(id, inputs));
 }
 
 Result evaluate32(int id, const Row& row) {
   at32::Inputs inputs;
   for (int i = 0; i < kInputs; ++i) inputs.x[i] = static_cast<float>(row[i]);
-  return toResult(id < kFirstOfBasePass ? at32::evaluate(id, inputs) : at32::evaluateBasePass(id, inputs));
+  return toResult(at32::evaluateAny(id, inputs));
 }
 
 Result evaluate16(int id, const Row& row) { return evaluateRounded(Precision::f16, id, roundToHalf(row)); }
@@ -64,7 +79,7 @@ Result evaluateRounded(Precision precision, int id, const Row& row) {
   if (precision == Precision::f32) return evaluate32(id, row);
   at16::Inputs inputs;
   for (int i = 0; i < kInputs; ++i) inputs.x[i] = static_cast<float>(row[i]);
-  return toResult(id < kFirstOfBasePass ? at16::evaluate(id, inputs) : at16::evaluateBasePass(id, inputs));
+  return toResult(at16::evaluateAny(id, inputs));
 }
 
 Row roundToHalf(const Row& row) {

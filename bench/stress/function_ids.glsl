@@ -54,7 +54,7 @@ const int kFnWidenRoughness = 48;
 const int kFnHeightFogTransmittance = 49;
 const int kFnEncodeGamma2 = 50;
 const int kFnSaturateToHalf = 51;
-// From here to kFunctionCount by evaluate_base_pass.glsl.
+// From here on by evaluate_base_pass.glsl.
 const int kFnNarrow = 52;
 const int kFirstOfBasePass = 52;
 const int kFnDot32 = 53;
@@ -83,7 +83,18 @@ const int kFnRefitNonmetal = 75;
 const int kFnRgbmRoundTrip = 76;
 const int kFnSrgbRoundTrip = 77;
 const int kFnSpotShadow = 78;
-const int kFunctionCount = 79;
+// From here to kFunctionCount by evaluate_baked.glsl.
+const int kFirstOfBaked = 79;
+const int kFnGetLightMapColorLQ = 79;
+const int kFnEncodeLightmapLogRgb = 80;
+const int kFnEncodeLightmapSh = 81;
+const int kFnLightmapRoundTrip = 82;
+const int kFnDistanceFieldShadow = 83;
+const int kFnEncodeLightmapDirection = 84;
+const int kFnDirectionalLightmapRatio = 85;
+const int kFnBoxParallax = 86;
+const int kFnCaptureWeight = 87;
+const int kFunctionCount = 88;
 
 const int kInputs = 32;  // numbers a row going in
 const int kOutputs = 12; // and coming out

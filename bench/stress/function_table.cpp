@@ -84,7 +84,7 @@ FunctionCase& FunctionCase::expect(const Expectation& expectation) {
 
 std::vector<FunctionCase> functionTable() {
   std::vector<FunctionCase> table;
-  for (auto piece : {generalFunctions(), specularFunctions(), mobileFunctions()})
+  for (auto piece : {generalFunctions(), specularFunctions(), mobileFunctions(), bakedFunctions()})
     table.insert(table.end(), piece.begin(), piece.end());
   std::stable_sort(table.begin(), table.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return table;

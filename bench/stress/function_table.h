@@ -107,5 +107,6 @@ std::vector<FunctionCase> functionsNamed(const std::string& glob);
 std::vector<FunctionCase> generalFunctions();  // real, material, light, mips, sh, fog, target, specular_aa
 std::vector<FunctionCase> specularFunctions(); // brdf, env_brdf, mobile_direct, off_specular
 std::vector<FunctionCase> mobileFunctions();   // mobile_base_pass, rgbm, sky_sh, refit
+std::vector<FunctionCase> bakedFunctions();    // lightmap, capture
 
 } // namespace parity::stress

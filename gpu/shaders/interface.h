@@ -47,8 +47,14 @@ PARITY_CONST uint kVertexUvs = 2u;
 PARITY_CONST uint kVertexTangents = 4u;
 PARITY_CONST uint kVertexSecondUv = 8u; // some texture reads the second uv set
 PARITY_CONST uint kVertexFog = 16u;     // the scene has fog
-PARITY_CONST uint kVertexAll = 31u;
+PARITY_CONST uint kVertexLightmap = 32u; // some object has a lightmap
+PARITY_CONST uint kVertexAll = 63u;
 PARITY_CONST uint kVertexMustShift = 16u; // in the constant: what all scenes have, above what some may
+
+// What of baked light a path reads (gpu/baked_maps.h), as bits.
+PARITY_CONST uint kBakedLightmap = 1u;
+PARITY_CONST uint kBakedSunShadow = 2u;
+PARITY_CONST uint kBakedCaptures = 4u;
 
 // Instead of a number known when a shader is specialised: sceneCounts (path.glsl) says it.
 PARITY_CONST uint kUnknown = 0xffffffffu;
@@ -92,7 +98,7 @@ PARITY_CONST uint kOffSpecularThreeTaps = 4u;
 PARITY_CONST int kPathNumbers = 10;
 // Those of the mobile path.
 PARITY_CONST int kPathSkySh = 0;             // nine, shading/sky_sh.glsl
-PARITY_CONST int kPathAverageBrightness = 9; // x: of the capture
+PARITY_CONST int kPathAverageBrightness = 9; // x: of the capture; y: transition scale of the distance-field shadow
 
 // Lights that one dispatch of highend/shaders/cull_lights.comp asks, and that a path's shader loops over for a pixel:
 // lavapipe ends an invocation's loops after 65,535 turns.
@@ -120,6 +126,8 @@ struct GpuInstance {
   vec4 toWorld[3];       // rows of an affine matrix
   vec4 normalToWorld[3]; // rows of the inverse transpose; [0].w: sign of the determinant
   uvec4 geometry;        // first index, base vertex, material, 0
+  uvec4 baked;           // first corner of the lightmap's uvs, page + 1 or 0 for none, nearest capture, 0
+  vec4 lightmap;         // added to those uvs; 0, 0
 };
 
 struct GpuLight {
@@ -136,6 +144,18 @@ struct GpuShadowView {
   vec4 forward; // unit; near (perspective) or -1 / (far - near) (orthographic)
   vec4 origin;  // world; metres that coordinates may be wrong by
   vec4 tile;    // its centre in texels of the layer; half its side, 0 where there is no map; 1 / side of the layer
+};
+
+// An environment capture: a cube of the environment's array, or with the high-end path kPrefilterLayers of them.
+struct GpuCapture {
+  vec4 position; // where it was taken, world; radius within which it counts
+  vec4 boxLower; // of the box whose walls it shows, world; average brightness: luminance (.3, .59, .11) of its mean radiance
+  vec4 boxUpper;
+};
+
+// Of an object's LQ lightmap: texel times scale plus add, of the upper half [0] and the lower one [1].
+struct GpuLightmapScales {
+  vec4 scale0, add0, scale1, add1;
 };
 
 // What a view's shaders need. The camera's rays: pixel (x,y) looks from origin + x*originX + y*originY along

@@ -29,13 +29,17 @@ layout(set = 0, binding = 4, std430) readonly buffer PathData { uvec4 sceneCount
 #define PARITY_SURFACE_ACCESS readonly
 #define PARITY_SURFACE_BINDING 5
 #include "gpu/shaders/surface.glsl"
-layout(set = 0, binding = 13, std430) writeonly buffer OutColor { vec4 outColor[]; };   // radiance, opacity
-layout(set = 0, binding = 14, std430) writeonly buffer OutTermsA { vec4 outTermsA[]; }; // terms 0..4, a plane each
-layout(set = 0, binding = 15, std430) writeonly buffer OutTermsB { vec4 outTermsB[]; }; // terms 5..8
-layout(set = 0, binding = 16) uniform samplerCubeArray prefilteredEnvironment;
-layout(set = 0, binding = 17) uniform sampler2D pathTexture; // the path's own table, if it has one
-layout(set = 0, binding = 18) uniform sampler2DArray shadowMaps;
-layout(set = 0, binding = 19, std430) readonly buffer ShadowViews { GpuShadowView shadowViews[]; };
+layout(set = 0, binding = 14, std430) writeonly buffer OutColor { vec4 outColor[]; };   // radiance, opacity
+layout(set = 0, binding = 15, std430) writeonly buffer OutTermsA { vec4 outTermsA[]; }; // terms 0..4, a plane each
+layout(set = 0, binding = 16, std430) writeonly buffer OutTermsB { vec4 outTermsB[]; }; // terms 5..8
+layout(set = 0, binding = 17) uniform samplerCubeArray prefilteredEnvironment;
+layout(set = 0, binding = 18) uniform sampler2D pathTexture; // the path's own table, if it has one
+layout(set = 0, binding = 19) uniform sampler2DArray shadowMaps;
+layout(set = 0, binding = 20, std430) readonly buffer ShadowViews { GpuShadowView shadowViews[]; };
+layout(set = 0, binding = 21) uniform sampler2DArray lightmapPages; // of two halves, one above the other
+layout(set = 0, binding = 22) uniform sampler2DArray sunShadowPages;
+layout(set = 0, binding = 23, std430) readonly buffer Captures { uvec4 captureHead; GpuCapture captures[]; }; // head: how many
+layout(set = 0, binding = 24, std430) readonly buffer LightmapScaling { GpuLightmapScales lightmapScales[]; }; // of instances
 
 layout(set = 1, binding = 0) uniform sampler2D baseColorTexture;
 layout(set = 1, binding = 1) uniform sampler2D metallicRoughnessTexture;

@@ -12,6 +12,7 @@ layout(set = 0, binding = 8, std140) uniform View { GpuView view; };
 #define PARITY_SURFACE_ACCESS writeonly
 #define PARITY_SURFACE_BINDING 9
 #include "gpu/shaders/surface.glsl"
+layout(set = 0, binding = 18, std430) readonly buffer LightmapCorners { vec2 lightmapCorners[]; }; // of triangles, in order
 #include "gpu/shaders/fog.glsl"
 
 layout(push_constant) uniform Push {
@@ -74,6 +75,14 @@ void main() {
     vec4 uv_x = u_x * du + v_x * dv, uv_y = u_y * du + v_y * dv;
     surfaceUv0Derivatives[i] = vec4(uv_x.xy, uv_y.xy);
     surfaceUv1Derivatives[i] = vec4(uv_x.zw, uv_y.zw);
+  }
+  if ((kVertexData & kVertexLightmap) != 0u) {
+    vec2 uv = vec2(0.0);
+    if (instance.baked.y != 0u) {
+      uint corner = instance.baked.x + 3u * entry.z;
+      uv = wc * lightmapCorners[corner] + uc * lightmapCorners[corner + 1u] + vc * lightmapCorners[corner + 2u] + instance.lightmap.xy;
+    }
+    surfaceLightmap[i] = vec4(uv, float(instance.baked.y), side);
   }
   if ((kVertexData & kVertexTangents) != 0u) {
     vec3 t = transformVector(instance.toWorld, wc * tangents[i0].xyz + uc * tangents[i1].xyz + vc * tangents[i2].xyz);

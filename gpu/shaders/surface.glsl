@@ -10,6 +10,7 @@ PARITY_SURFACE(4, SurfaceUv0Derivatives, vec4, surfaceUv0Derivatives); // d/dx, 
 PARITY_SURFACE(5, SurfaceUv1Derivatives, vec4, surfaceUv1Derivatives);
 PARITY_SURFACE(6, SurfaceColor, vec4, surfaceColor);        // vertex colour, linear RGBA
 PARITY_SURFACE(7, SurfaceFog, vec4, surfaceFog);            // of the vertices: inscattered radiance, transmittance
+PARITY_SURFACE(8, SurfaceLightmap, vec4, surfaceLightmap);  // uv in the page; page + 1, 0: none; 1 front, -1 back
 
 uint packOctahedral(vec3 n) {
   vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));

@@ -17,7 +17,9 @@ layout(constant_id = 11) const uint kCompensation = 0u;
 layout(constant_id = 12) const uint kOffSpecular = 0u;
 layout(constant_id = 13) const uint kLocalKinds = 0u; // kLocal... bits
 layout(constant_id = 14) const uint kShadows = 0u; // shadow.glsl
+layout(constant_id = 15) const uint kBaked = 0u; // kBaked... bits
 #include "gpu/shaders/shadow.glsl"
+#include "highend/shaders/baked.glsl"
 
 // Of analytic lights only: alpha = 2.4e-4 keeps the peak of D (5e6) far from overflow. The image light has no floor.
 const float kMinLightRoughness = 0.015625;
@@ -35,6 +37,7 @@ struct Shader {
   vec3 factor;   // that factor
   vec3 multiple; // directional albedo of what scatters more often, where it has a lobe of its own
   float Eavg;
+  CaptureBlend captures; // where there are any
 };
 
 bool hasOwnLobe() { return kCompensation == kCompensationFdezAguera || kCompensation == kCompensationKullaConty; }
@@ -117,16 +120,23 @@ vec3 localLight(GpuLight light, vec3 position, out vec3 L) {
   return light.colorRange.xyz * attenuation;
 }
 
+// Of the environment, or of the captures in its place. direction: unit.
+vec3 imageRadiance(Shader s, vec3 direction, float mip) {
+  if ((kBaked & kBakedCaptures) != 0u) return capturedRadiance(s.captures, direction, mip);
+  return skyRadianceAtMip(direction, mip, 0);
+}
+
 vec3 readTap(Shader s, vec3 R, LobeTap tap) {
   vec3 direction = safeNormalize(mix(s.N, R, tap.blend), s.N);
-  return skyRadianceAtMip(direction, tap.mip) * tap.weight;
+  return imageRadiance(s, direction, tap.mip) * tap.weight;
 }
 
 // Mean radiance over the specular lobe.
 vec3 reflectedRadiance(Shader s) {
   vec3 R = 2.0 * dot(s.N, s.V) * s.N - s.V;
-  if (kOffSpecular == kOffSpecularNone) return skyRadianceBetweenLevels(R, s.roughness);
-  if (kOffSpecular == kOffSpecularDominant) return skyRadianceBetweenLevels(safeNormalize(mix(s.N, R, dominantBlend(sqr(s.roughness))), s.N), s.roughness);
+  float mip = mipFromRoughness(s.roughness);
+  if (kOffSpecular == kOffSpecularNone) return imageRadiance(s, R, mip);
+  if (kOffSpecular == kOffSpecularDominant) return imageRadiance(s, safeNormalize(mix(s.N, R, dominantBlend(sqr(s.roughness))), s.N), mip);
   vec3 radiance = vec3(0.0);
   if (kOffSpecular == kOffSpecularStretched) {
     for (int i = 0; i < 2; ++i) radiance += readTap(s, R, stretchedTap(i, s.NoV, s.roughness));
@@ -161,6 +171,7 @@ void main() {
   for (uint k = 0u; k < directionalCount(); ++k) {
     vec3 L = -lights[k].directionCosOuter.xyz, illuminance = lights[k].colorRange.xyz;
     if (kShadows != 0u) illuminance *= visibilityOf(lights[k], p.position, p.geometric, L);
+    if (k == 0u) illuminance *= readSunShadow(i);
     Lobes lobes = lit(s, L, illuminance);
     terms.t[kTermSunDiffuse] += lobes.diffuse;
     terms.t[kTermSunSpecular] += lobes.specular * lights[k].cone.y;
@@ -185,10 +196,21 @@ void main() {
     terms.t[kTermLocalSpecular] += lobes.specular * light.cone.y;
   }
   if (hasEnvironment()) {
-    vec3 irradianceOverPi = skyIrradianceOverPi(s.N);
+    if ((kBaked & kBakedCaptures) != 0u) s.captures = captureBlendAt(p.position);
+    vec3 irradianceOverPi = hasLightmap(i) ? vec3(0.0) : skyIrradianceOverPi(s.N); // the sky is in the lightmap
     vec3 scale = view.skyLightColor.xyz * m.occlusion;
     terms.t[kTermSkyDiffuse] = irradianceOverPi * s.diffuseColor * scale;
     terms.t[kTermSkySpecular] = (reflectedRadiance(s) * s.single + irradianceOverPi * s.multiple) * scale;
+  }
+  if (hasLightmap(i)) {
+    vec3 irradianceOverPi = lightmapIrradianceOverPi(i, p, s.N);
+    if ((kBaked & kBakedCaptures) != 0u) // captures are normalised: they follow the lightmap as the mobile path has it
+      terms.t[kTermSkySpecular] *= captureScale(kCaptureScaleByRoughness, luminanceUE4(irradianceOverPi),
+                                                s.captures.averageBrightness, s.roughness, 1.0);
+    vec3 scale = view.indirectColorScale.xyz * m.occlusion;
+    terms.t[kTermLightmap] = irradianceOverPi * s.diffuseColor * scale;
+    // What scatters more than once is specular, and takes its light from where the diffuse lobe does.
+    terms.t[kTermSkySpecular] += irradianceOverPi * s.multiple * scale;
   }
   terms.t[kTermEmissive] = m.emissive;
   writeResult(i, inFog(terms, p), m.opacity);

@@ -9,14 +9,15 @@ vec3 skyIrradianceOverPi(vec3 n) {
   return evalIrradianceSH(sh, n) * kInvPi;
 }
 
-vec3 skyRadianceOfLevel(vec3 direction, int level) {
-  return textureLod(prefilteredEnvironment, vec4(direction, float(level % kPrefilterLayers)), float(level / kPrefilterLayers)).xyz;
+// capture: of those in the array; 0 where it is one environment.
+vec3 skyRadianceOfLevel(vec3 direction, int level, int capture) {
+  return textureLod(prefilteredEnvironment, vec4(direction, float(level % kPrefilterLayers + capture * kPrefilterLayers)),
+                    float(level / kPrefilterLayers)).xyz;
 }
 
 // Between the lobes in between, too (shading/mips.glsl): for as many texels read a tenth of a trilinear reading's error.
-vec3 skyRadianceAtMip(vec3 direction, float mip) {
+vec3 skyRadianceAtMip(vec3 direction, float mip, int capture) {
   PrefilterBlend blend = prefilterBlend(mip);
-  return mix(skyRadianceOfLevel(direction, blend.lower), skyRadianceOfLevel(direction, blend.upper), blend.upperShare);
+  return mix(skyRadianceOfLevel(direction, blend.lower, capture), skyRadianceOfLevel(direction, blend.upper, capture),
+             blend.upperShare);
 }
-
-vec3 skyRadianceBetweenLevels(vec3 direction, float roughness) { return skyRadianceAtMip(direction, mipFromRoughness(roughness)); }

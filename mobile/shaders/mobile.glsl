@@ -2,6 +2,7 @@
 // the order in which the base pass adds up. Compiled in fp32 and, with PARITY_FP16, in half.
 #include "gpu/shaders/path.glsl"
 #include "mobile/shaders/views.h"
+#include "shading/lightmap.glsl"
 #include "shading/mips.glsl"
 #include "shading/mobile_base_pass.glsl"
 #include "shading/rgbm.glsl"
@@ -16,6 +17,8 @@ layout(constant_id = 12) const uint kRgbmCapture = 1u;
 layout(constant_id = 13) const float kRoughnessFloor = 0.0;
 layout(constant_id = 14) const uint kView = 0u; // kView... of mobile/shaders/views.h
 layout(constant_id = 15) const uint kSpotShadow = 0u; // 1: one spot light has a shadow map
+layout(constant_id = 16) const uint kBaked = 0u;      // kBaked... bits
+#include "gpu/shaders/baked.glsl"
 #include "gpu/shaders/shadow_map.glsl"
 #include "mobile/shaders/spot_shadow.glsl"
 
@@ -84,9 +87,20 @@ SkySh skySh() {
   return sky;
 }
 
+// Of the object: the nearest, or the environment where none are baked.
+uint captureOf(Point p) {
+  if ((kBaked & kBakedCaptures) == 0u) return 0u;
+  return min(instances[p.instance].baked.z, captureHead.x - 1u);
+}
+
+float averageBrightnessOf(uint capture) {
+  if ((kBaked & kBakedCaptures) == 0u) return view.path[kPathAverageBrightness].x;
+  return captures[capture].boxLower.w;
+}
+
 // One fetch of the capture, trilinear, from one lobe to one three times as wide.
-real3 fetchCapture(vec3 direction, real mip) {
-  vec4 texel = textureLod(prefilteredEnvironment, vec4(direction, 0.0), float(mip));
+real3 fetchCapture(vec3 direction, real mip, uint capture) {
+  vec4 texel = textureLod(prefilteredEnvironment, vec4(direction, float(capture)), float(mip));
   if (kRgbmCapture != 0u) return decodeRgbm(real3(texel.xyz), real(texel.w));
   return real3(texel.xyz);
 }
@@ -118,6 +132,7 @@ struct Shaded {
   real NoV, MaterialAO, IndirectIrradiance;
   real3 SkyDiffuseLighting, DiffuseLookup;
   real3 skyInOcclusion; // of refit
+  uint capture;
   int sun; // kSun... of the pixel's material
   bool fullyRough, onlyNonmetals;
 };
@@ -134,6 +149,7 @@ Shaded makeShaded(Point p, Resolved r) {
   s.GBuffer = makeMaterial(r);
   s.MaterialAO = real(r.occlusion);
   s.skyInOcclusion = product(real3(view.skyLightColor.xyz), s.MaterialAO);
+  s.capture = captureOf(p);
   s.frame = mobileFrame(r.normal, p.V);
   s.NoV = viewCosine(kEnvironmentBrdf, s.frame);
   bool nonmetal = hasFeature(kFeatureNonmetal, p.material);
@@ -141,13 +157,24 @@ Shaded makeShaded(Point p, Resolved r) {
   return s;
 }
 
-// ComputeIndirect. No lightmap is read yet: the sky alone gives irradiance.
-void computeIndirect(inout BasePass pass, inout Shaded s) {
+real4 readLightmapLQ(uint i, Point p, real3 N) {
+  vec4 place = surfaceLightmap[i];
+  GpuLightmapScales scaling = lightmapScales[p.instance];
+  LightmapScales scales = LightmapScales(scaling.scale0.xyz, scaling.add0.xyz, scaling.scale1.xyz, scaling.scale1.w,
+                                         scaling.add1.xyz, scaling.add1.w);
+  return GetLightMapColorLQ(real3(readLightmap(place, 0.0).xyz), real4(readLightmap(place, 1.0)), scales, vec3(N));
+}
+
+// ComputeIndirect. An object with a lightmap has the sky's light in it (no ENABLE_SKY_LIGHT). Of refit the lightmap's light
+// scatters more than once between microfacets, too: as the high-end path has it, with the reflected light.
+void computeIndirect(inout BasePass pass, inout Shaded s, Point p, uint i) {
+  bool isBaked = hasLightmap(i);
   real4 LightmapColor = real4(R(0.0));
+  if (isBaked) LightmapColor = readLightmapLQ(i, p, s.frame.N);
   real3 IndirectColor =
       modulate(modulate(LightmapColor.xyz, s.context.DiffuseColor), real3(view.indirectColorScale.xyz));
   s.SkyDiffuseLighting = real3(R(0.0));
-  if (hasEnvironment())
+  if (hasEnvironment() && !isBaked)
     s.SkyDiffuseLighting =
         kSkyCoefficients == 9 ? GetSkySHDiffuse(skySh(), s.frame.N) : GetSkySHDiffuseSimple(skySh(), s.frame.N);
   s.DiffuseLookup = modulate(s.SkyDiffuseLighting, real3(view.skyLightColor.xyz));
@@ -158,11 +185,19 @@ void computeIndirect(inout BasePass pass, inout Shaded s) {
   pass.Color = IndirectColor;
   addTerm(pass, kTermLightmap, IndirectColor);
   show(kViewIndirectColor, IndirectColor);
+  if (isBaked && kIsRefit && !s.fullyRough && !s.onlyNonmetals) {
+    real3 scattered = modulate(modulate(LightmapColor.xyz, s.context.lobe.multiple), real3(view.indirectColorScale.xyz));
+    scattered = product(scattered, s.MaterialAO);
+    pass.Color = add(pass.Color, scattered);
+    addTerm(pass, kTermSkySpecular, scattered);
+  }
 }
 
 // The directional light; 1/pi is in its colour.
-void addDirectionalLight(inout BasePass pass, Shaded s) {
-  real Shadow = R(1.0); // of a distance field, where one is baked
+void addDirectionalLight(inout BasePass pass, Shaded s, uint i) {
+  real Shadow = R(1.0); // GetPrimaryPrecomputedShadowMask: of a distance field, where one is baked
+  if ((kBaked & kBakedSunShadow) != 0u && surfaceLightmap[i].z > 0.5)
+    Shadow = distanceFieldShadow(real(readSunShadow(i)), view.path[kPathAverageBrightness].y);
   show(kViewShadow, Shadow);
   if (directionalCount() == 0u) return;
   real3 N = s.frame.N;
@@ -190,9 +225,9 @@ void addReflectedEnvironment(inout BasePass pass, Shaded s) {
     direction = refitDirection(s.frame.N, s.frame.V, s.NoV, tap.lean);
     mip = tap.mip;
   }
-  real scale = captureScale(kCaptureScale, s.IndirectIrradiance, view.path[kPathAverageBrightness].x,
+  real scale = captureScale(kCaptureScale, s.IndirectIrradiance, averageBrightnessOf(s.capture),
                             s.context.Roughness, s.MaterialAO);
-  real3 radiance = fetchCapture(vec3(direction), mip);
+  real3 radiance = fetchCapture(vec3(direction), mip, s.capture);
   real3 SpecularIBL = specularIBL(radiance, scale);
   real3 lit = modulate(SpecularIBL, s.context.SpecularColor);
   if (kIsRefit) {
@@ -281,8 +316,8 @@ void main() {
   }
 
   Shaded s = makeShaded(p, r);
-  computeIndirect(pass, s);
-  addDirectionalLight(pass, s);
+  computeIndirect(pass, s, p, i);
+  addDirectionalLight(pass, s, i);
   if (hasEnvironment() && !s.fullyRough) addReflectedEnvironment(pass, s);
   show(kViewColorAfterIBL, narrow(widen(pass.Color)));
   if (localCount() != 0u) addLocalLights(pass, s, p);

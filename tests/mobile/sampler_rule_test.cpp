@@ -26,6 +26,17 @@ TEST(SamplerRule, countsTheEnvironmentWhereItIsFetched) {
   EXPECT_EQ(countSamplers(m, {.environment = true}), 7u);
 }
 
+TEST(SamplerRule, countsBakedLightForAllButUnlitMaterials) {
+  scenes::Material m = makeFull();
+  EXPECT_EQ(countSamplers(m, {.environment = true, .lightmap = true}), 9u);
+  EXPECT_EQ(countSamplers(m, {.environment = true, .lightmap = true, .sunShadow = true}), 10u);
+  EXPECT_EQ(describeExcess(m, {.environment = true, .lightmap = true}), "needs 9 samplers on mobile, of at most 8");
+  m.fullyRough = true;
+  EXPECT_EQ(countSamplers(m, {.environment = true, .lightmap = true, .sunShadow = true}), 9u);
+  m.unlit = true;
+  EXPECT_EQ(countSamplers(m, {.lightmap = true, .sunShadow = true}), 1u);
+}
+
 TEST(SamplerRule, countsAPairOfImageAndSamplerOnce) {
   scenes::Material m = makeFull();
   m.occlusionTexture.image = m.metallicRoughnessTexture.image; // as glTF packs them

@@ -39,6 +39,10 @@ TEST(Fp32, agreesWithFp64OnEveryFunction) {
       {kFnLocalLightAt, 2e-3}, // which contain them
       {kFnClampContribution65000, 1e-6},
       {kFnHeightFogTransmittance, 1e-5}, // heights of 100 m times a falloff of 8 are an exponent
+      {kFnGetLightMapColorLQ,
+       2e-5}, // LogL of up to 2: half an ulp of 16 LogL is 7e-7 of the result, and LogL's own 1e-5
+      {kFnLightmapRoundTrip, 5e-6},
+      {kFnEncodeLightmapSh, 1e-5}, // 1 / D, of a D that cancels down to 1/64
   };
   for (const FunctionCase& function : functionTable()) {
     if (function.id == kFnConstants) continue; // kSmallest and kLargest differ on purpose

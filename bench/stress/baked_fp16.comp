@@ -1,0 +1,6 @@
+// The functions of baked light in native fp16.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define PARITY_FP16
+#define PARITY_BAKED
+#include "device_functions.glsl"
