@@ -121,7 +121,7 @@ struct Item {
 
 struct Items {
   std::vector<Item> items;
-  std::vector<glm::ivec2> sizes;
+  std::vector<Rectangle> rectangles;
   double texels = 0;
 };
 
@@ -130,10 +130,10 @@ Items itemsOf(const std::vector<Use>& uses, const std::vector<MeshLayout>& layou
   for (std::uint32_t use = 0; use < uses.size(); ++use)
     for (const std::uint32_t instance : uses[use].instances)
       for (std::uint32_t piece = 0; piece < layouts[use].pieces.size(); ++piece) {
-        const glm::ivec2 size = layouts[use].pieces[piece].size;
+        const Rectangle rectangle = layouts[use].pieces[piece].rectangle();
         result.items.push_back({use, piece, instance});
-        result.sizes.push_back(size);
-        result.texels += static_cast<double>(size.x) * size.y;
+        result.rectangles.push_back(rectangle);
+        result.texels += static_cast<double>(rectangle.size.x) * rectangle.size.y;
       }
   return result;
 }
@@ -162,12 +162,12 @@ Atlas makeAtlas(const scenes::Scene& scene, const AtlasOptions& options) {
   if (items.items.empty())
     throw base::fileError(scene.name, "", "has nothing to bake: no object is lit and has an area");
   // On one page the pieces of all objects may lie between each other; of several, an object has only one.
-  std::optional<Packing> packing = packPage(items.sizes, options.maxPageSide);
+  std::optional<Packing> packing = packPage(items.rectangles, options.maxPageSide);
   if (!packing) {
     if (items.texels > static_cast<double>(kMaxTexels)) throwTooMany(scene, items.texels);
     forEachUse(uses.size(), join);
     items = itemsOf(uses, layouts);
-    packing = packPages(items.sizes, options.maxPageSide);
+    packing = packPages(items.rectangles, options.maxPageSide);
   }
   const double side = packing->width, texels = packing->pages * side * side;
   if (texels > static_cast<double>(kMaxTexels)) throwTooMany(scene, texels);
