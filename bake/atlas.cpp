@@ -80,11 +80,15 @@ void checkOptions(const AtlasOptions& options) {
   if (options.padding < 0 || options.padding > 64) refuse("the padding of a lightmap", "must be 0 to 64 texels");
 }
 
-[[noreturn]] void throwTooMany(const scenes::Scene& scene, double texels) {
-  throw base::fileError(scene.name, "",
-                        fmt::format("its lightmap needs {:.0f} million texels, and {:.0f} million is the most: lower "
-                                    "--texels-per-metre",
-                                    std::ceil(texels / 1e6), static_cast<double>(kMaxTexels) / 1e6));
+[[noreturn]] void throwTooMany(const scenes::Scene& scene, double texels, std::size_t pieces, int padding) {
+  const double smallest = static_cast<double>(pieces) * (1 + padding) * (1 + padding); // a texel each
+  throw base::fileError(
+      scene.name, "",
+      fmt::format("its lightmap needs {:.0f} million texels, and {:.0f} million is the most: {}",
+                  std::ceil(texels / 1e6), static_cast<double>(kMaxTexels) / 1e6,
+                  smallest < static_cast<double>(kMaxTexels)
+                      ? "lower --texels-per-metre"
+                      : fmt::format("it falls into {} charts, too many at any --texels-per-metre", pieces)));
 }
 
 void addCorners(const scenes::Scene& scene, const std::vector<Use>& uses, std::vector<MeshLayout>& layouts,
@@ -164,13 +168,14 @@ Atlas makeAtlas(const scenes::Scene& scene, const AtlasOptions& options) {
   // On one page the pieces of all objects may lie between each other; of several, an object has only one.
   std::optional<Packing> packing = packPage(items.rectangles, options.maxPageSide);
   if (!packing) {
-    if (items.texels > static_cast<double>(kMaxTexels)) throwTooMany(scene, items.texels);
+    if (items.texels > static_cast<double>(kMaxTexels))
+      throwTooMany(scene, items.texels, items.items.size(), options.padding);
     forEachUse(uses.size(), join);
     items = itemsOf(uses, layouts);
     packing = packPages(items.rectangles, options.maxPageSide);
   }
   const double side = packing->width, texels = packing->pages * side * side;
-  if (texels > static_cast<double>(kMaxTexels)) throwTooMany(scene, texels);
+  if (texels > static_cast<double>(kMaxTexels)) throwTooMany(scene, texels, items.items.size(), options.padding);
 
   Atlas atlas;
   atlas.pageSide = packing->width;

@@ -44,6 +44,11 @@ std::array<double, 3> weightsAt(const std::array<glm::dvec2, 3>& corners, const 
   return weights;
 }
 
+glm::dvec3 unitOr(const glm::dvec3& v, const glm::dvec3& otherwise) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : otherwise;
+}
+
 // Where an instance lies on its page.
 struct Extent {
   std::int32_t page = -1;
@@ -222,25 +227,24 @@ std::optional<SurfacePoint> TexelGrid::at(std::uint32_t page, int x, int y) cons
   const std::array<glm::dvec2, 3> corners =
       cornersOf(m_atlas, m_atlas.uvs.places[point.instance], triangle, m_atlas.pageSide * m_factor);
   const std::array<double, 3> weights = weightsAt(corners, {x + 0.5, y + 0.5});
-  std::array<glm::vec3, 3> p;
-  glm::vec3 position(0), normal(0);
+  std::array<glm::dvec3, 3> p;
+  glm::dvec3 position(0), normal(0);
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t vertex = mesh.indices[3 * triangle + k];
-    const auto weight = static_cast<float>(weights[k]);
     p[k] = mesh.positions[vertex];
-    position += weight * p[k];
-    normal += weight * mesh.normals[vertex];
+    position += weights[k] * p[k];
+    normal += weights[k] * glm::dvec3(mesh.normals[vertex]);
   }
-  point.position = glm::vec3(instance.toWorld * glm::vec4(position, 1));
+  point.position = glm::vec3(glm::dmat4(instance.toWorld) * glm::dvec4(position, 1));
   // The matrix of cofactors, det(M) times the inverse transpose: it turns normals also where M flattens, and flips them
   // where M mirrors, which the sign puts right.
-  const glm::mat3 m(instance.toWorld);
-  const glm::mat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-  const float sign = glm::dot(m[0], cofactors[0]) < 0 ? -1.f : 1.f;
-  point.geometric = glm::normalize(sign * (cofactors * glm::cross(p[1] - p[0], p[2] - p[0])));
-  const glm::vec3 shading = sign * (cofactors * normal);
-  // Normals that cancel each other at this point say nothing.
-  point.normal = glm::dot(shading, shading) > 0 ? glm::normalize(shading) : point.geometric;
+  const glm::dmat3 m(instance.toWorld);
+  glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+  if (glm::dot(m[0], cofactors[0]) < 0) cofactors *= -1.0;
+  // A transform may flatten the triangle to a line, and normals may cancel each other.
+  const glm::dvec3 geometric = unitOr(cofactors * glm::cross(p[1] - p[0], p[2] - p[0]), {0, 1, 0});
+  point.geometric = glm::vec3(geometric);
+  point.normal = glm::vec3(unitOr(cofactors * normal, geometric));
   return point;
 }
 

@@ -184,6 +184,13 @@ TEST(Atlas, PlacesAHundredThousandObjects) {
   EXPECT_TRUE(contains(refusal, "million is the most: lower --texels-per-metre")) << refusal;
 }
 
+TEST(Atlas, SaysWhereALowerDensityWouldNotHelp) {
+  const std::string refusal = refusalOf(sceneOf(makeSoup(16'000, 0.01f, 3)), {1, 2048, 64});
+  EXPECT_EQ(refusal,
+            "scene: its lightmap needs 68 million texels, and 67 million is the most: it falls into 16000 charts, "
+            "too many at any --texels-per-metre");
+}
+
 TEST(Atlas, LeavesOutWhatHasNoAreaOrNoLight) {
   Scene scene = sceneOf(makeQuad(0));
   Mesh line = makeQuad(0), sky = makeQuad(1);

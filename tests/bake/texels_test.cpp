@@ -69,6 +69,21 @@ TEST(TexelGrid, TurnsNormalsRightly) {
   }
 }
 
+// Flattened to a sheet, and too small for the squares of its sizes.
+TEST(TexelGrid, HasUnitNormalsUnderAnyTransform) {
+  for (const glm::vec3& scale : {glm::vec3(1, 1, 0), glm::vec3(1, 0, 0), glm::vec3(1e-18f), glm::vec3(1e12f)}) {
+    Scene scene = sceneOf(scenes::makeSphere(1, 16, 8));
+    scene.instances[0].toWorld = glm::scale(glm::mat4(1.f), scale);
+    const Atlas atlas = makeAtlas(scene, {10 / static_cast<double>(scale.x), 2048, 2});
+    const TexelGrid grid(scene, atlas, 2);
+    EXPECT_GT(grid.texels().size(), 100u);
+    forEachPoint(atlas, grid, [&](int, int, int, const SurfacePoint& point) {
+      EXPECT_NEAR(glm::length(point.normal), 1, 1e-5);
+      EXPECT_NEAR(glm::length(point.geometric), 1, 1e-5);
+    });
+  }
+}
+
 // From a point's texel to its triangle and back: every point lies on a triangle of its instance whose uv at that point
 // is the sub-texel.
 void expectRoundTrip(const Scene& scene, const Atlas& atlas, const std::string& what) {
