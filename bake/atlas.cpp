@@ -80,11 +80,15 @@ void checkOptions(const AtlasOptions& options) {
   if (options.padding < 0 || options.padding > 64) refuse("the padding of a lightmap", "must be 0 to 64 texels");
 }
 
-[[noreturn]] void throwTooMany(const scenes::Scene& scene, double texels) {
-  throw base::fileError(scene.name, "",
-                        fmt::format("its lightmap needs {:.0f} million texels, and {:.0f} million is the most: lower "
-                                    "--texels-per-metre",
-                                    std::ceil(texels / 1e6), static_cast<double>(kMaxTexels) / 1e6));
+[[noreturn]] void throwTooMany(const scenes::Scene& scene, double texels, std::size_t pieces, int padding) {
+  const double smallest = static_cast<double>(pieces) * (1 + padding) * (1 + padding); // a texel each
+  throw base::fileError(
+      scene.name, "",
+      fmt::format("its lightmap needs {:.0f} million texels, and {:.0f} million is the most: {}",
+                  std::ceil(texels / 1e6), static_cast<double>(kMaxTexels) / 1e6,
+                  smallest < static_cast<double>(kMaxTexels)
+                      ? "lower --texels-per-metre"
+                      : fmt::format("it falls into {} charts, too many at any --texels-per-metre", pieces)));
 }
 
 void addCorners(const scenes::Scene& scene, const std::vector<Use>& uses, std::vector<MeshLayout>& layouts,
@@ -121,7 +125,7 @@ struct Item {
 
 struct Items {
   std::vector<Item> items;
-  std::vector<glm::ivec2> sizes;
+  std::vector<Rectangle> rectangles;
   double texels = 0;
 };
 
@@ -130,10 +134,10 @@ Items itemsOf(const std::vector<Use>& uses, const std::vector<MeshLayout>& layou
   for (std::uint32_t use = 0; use < uses.size(); ++use)
     for (const std::uint32_t instance : uses[use].instances)
       for (std::uint32_t piece = 0; piece < layouts[use].pieces.size(); ++piece) {
-        const glm::ivec2 size = layouts[use].pieces[piece].size;
+        const Rectangle rectangle = layouts[use].pieces[piece].rectangle();
         result.items.push_back({use, piece, instance});
-        result.sizes.push_back(size);
-        result.texels += static_cast<double>(size.x) * size.y;
+        result.rectangles.push_back(rectangle);
+        result.texels += static_cast<double>(rectangle.size.x) * rectangle.size.y;
       }
   return result;
 }
@@ -162,15 +166,16 @@ Atlas makeAtlas(const scenes::Scene& scene, const AtlasOptions& options) {
   if (items.items.empty())
     throw base::fileError(scene.name, "", "has nothing to bake: no object is lit and has an area");
   // On one page the pieces of all objects may lie between each other; of several, an object has only one.
-  std::optional<Packing> packing = packPage(items.sizes, options.maxPageSide);
+  std::optional<Packing> packing = packPage(items.rectangles, options.maxPageSide);
   if (!packing) {
-    if (items.texels > static_cast<double>(kMaxTexels)) throwTooMany(scene, items.texels);
+    if (items.texels > static_cast<double>(kMaxTexels))
+      throwTooMany(scene, items.texels, items.items.size(), options.padding);
     forEachUse(uses.size(), join);
     items = itemsOf(uses, layouts);
-    packing = packPages(items.sizes, options.maxPageSide);
+    packing = packPages(items.rectangles, options.maxPageSide);
   }
   const double side = packing->width, texels = packing->pages * side * side;
-  if (texels > static_cast<double>(kMaxTexels)) throwTooMany(scene, texels);
+  if (texels > static_cast<double>(kMaxTexels)) throwTooMany(scene, texels, items.items.size(), options.padding);
 
   Atlas atlas;
   atlas.pageSide = packing->width;

@@ -34,7 +34,8 @@ void addPiece(FlatChart chart, int padding, MeshLayout& layout) {
   for (std::size_t i = 0; i < chart.faces.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k)
       layout.corners[3 * std::size_t{chart.faces[i]} + k] = chart.corners[i][k] + static_cast<double>(padding / 2);
-  layout.pieces.push_back({chart.size + padding, std::move(chart.faces)});
+  Profile profile = makeProfile(chart, padding);
+  layout.pieces.push_back({chart.size + padding, std::move(chart.faces), std::move(profile)});
 }
 
 } // namespace
@@ -68,16 +69,16 @@ MeshLayout layOutMesh(const scenes::Mesh& mesh, const LayoutOptions& options) {
 
 void joinPieces(const scenes::Mesh& mesh, int maxSide, MeshLayout& layout) {
   if (layout.pieces.size() < 2) return;
-  std::vector<glm::ivec2> sizes;
-  for (const Piece& piece : layout.pieces) sizes.push_back(piece.size);
-  const Packing packing = packTight(sizes);
+  std::vector<Rectangle> rectangles;
+  for (const Piece& piece : layout.pieces) rectangles.push_back(piece.rectangle());
+  const Packing packing = packTight(rectangles);
   const int side = std::max(packing.width, packing.height);
   if (side > maxSide)
     throw base::fileError(mesh.name, "",
                           fmt::format("needs a lightmap page of {} texels a side, and one has at most {}: lower "
                                       "--texels-per-metre, or divide the mesh",
                                       side, maxSide));
-  Piece joined{{packing.width, packing.height}, {}};
+  Piece joined{{packing.width, packing.height}, {}, {}};
   for (std::size_t i = 0; i < layout.pieces.size(); ++i) {
     movePiece(layout, i, packing.corners[i]);
     const std::vector<std::uint32_t>& triangles = layout.pieces[i].triangles;

@@ -8,6 +8,8 @@
 
 #include <glm/glm.hpp>
 
+#include "bake/horizon.h"
+#include "bake/packing.h"
 #include "scenes/scene.h"
 
 namespace parity::bake {
@@ -22,6 +24,8 @@ struct LayoutOptions {
 struct Piece {
   glm::ivec2 size{0}; // texels with the padding, so that pieces may touch
   std::vector<std::uint32_t> triangles;
+  Profile profile; // what of it is taken
+  Rectangle rectangle() const { return {size, profile.low.empty() ? nullptr : &profile}; }
 };
 
 struct MeshLayout {

@@ -1,4 +1,4 @@
-// Rectangles into pages, by the skyline of what is placed.
+// Rectangles into pages, by the outline of what is placed.
 #pragma once
 
 #include <cstddef>
@@ -6,6 +6,8 @@
 #include <vector>
 
 #include <glm/glm.hpp>
+
+#include "bake/horizon.h"
 
 namespace parity::bake {
 
@@ -28,6 +30,12 @@ private:
   glm::ivec2 m_refused{0}; // the last size that did not fit: no larger one will, as the outline only grows
 };
 
+// What is packed. Without a profile the whole of it is taken.
+struct Rectangle {
+  glm::ivec2 size{0};
+  const Profile* profile = nullptr; // where there is one, others may reach into what it leaves free above it
+};
+
 struct Packing {
   int width = 0, height = 0; // of each page
   int pages = 0;
@@ -35,15 +43,16 @@ struct Packing {
   std::vector<int> page;
 };
 
-// All rectangles into one page that is about square and as small as this method gets it. At least one rectangle.
-Packing packTight(const std::vector<glm::ivec2>& sizes);
+// All rectangles into one page that is about square and as small as this method gets it. At least one rectangle. Here
+// and below profiles count unless they would cost too much time (packInto).
+Packing packTight(const std::vector<Rectangle>& rectangles);
 
 // All rectangles into one square page, its side a multiple of 4 and as small as this method gets it; nothing where it
 // would be above maxSide (a multiple of 4).
-std::optional<Packing> packPage(const std::vector<glm::ivec2>& sizes, int maxSide);
+std::optional<Packing> packPage(const std::vector<Rectangle>& rectangles, int maxSide);
 
 // Into square pages, as few as this method needs, of one side: a multiple of 4, at most maxSide (a multiple of 4
 // itself, and no rectangle is larger), as small as serves for that number of pages.
-Packing packPages(const std::vector<glm::ivec2>& sizes, int maxSide);
+Packing packPages(const std::vector<Rectangle>& rectangles, int maxSide);
 
 } // namespace parity::bake

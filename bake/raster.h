@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <glm/glm.hpp>
 
@@ -52,6 +53,44 @@ void forEachSpan(const std::array<glm::dvec2, 3>& t, double inset, int width, in
     const int begin = static_cast<int>(std::clamp(firstCell(from), 0.0, static_cast<double>(width)));
     const int end = static_cast<int>(std::clamp(lastCell(to) + 1, 0.0, static_cast<double>(width)));
     if (begin < end) body(y, begin, end);
+  }
+}
+
+// Cells by which a corner may lie beyond a cell's border and is still taken to lie on it: rounding.
+inline constexpr double kTouchSlack = 1e-3;
+
+// Calls body(x, begin, end) for each column of the grid that a triangle touches: it touches the cells [begin, end), be
+// it by a tip that holds no middle of a cell. It reaches into a column or a row that counts by more than `slack`; of a
+// triangle narrower than that, the cell that it begins in counts.
+template <typename Body>
+void forEachTouched(const std::array<glm::dvec2, 3>& t, double slack, int width, int height, const Body& body) {
+  const auto firstCell = [&](double from, int count) {
+    return std::clamp(static_cast<int>(std::floor(from + slack)), 0, count - 1);
+  };
+  const auto lastCell = [&](double to, int first, int count) {
+    return std::clamp(static_cast<int>(std::ceil(to - slack)), first + 1, count);
+  };
+  const int xBegin = firstCell(std::min({t[0].x, t[1].x, t[2].x}), width);
+  const int xEnd = lastCell(std::max({t[0].x, t[1].x, t[2].x}), xBegin, width);
+  for (int x = xBegin; x < xEnd; ++x) {
+    // The rows of the part of each edge that lies within the column.
+    double lowest = std::numeric_limits<double>::max(), highest = std::numeric_limits<double>::lowest();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec2& left = t[k].x <= t[(k + 1) % 3].x ? t[k] : t[(k + 1) % 3];
+      const glm::dvec2& right = t[k].x <= t[(k + 1) % 3].x ? t[(k + 1) % 3] : t[k];
+      if (right.x < x || left.x > x + 1) continue;
+      const double run = right.x - left.x;
+      const double from = run > 0 ? std::max(0.0, (x - left.x) / run) : 0;
+      const double to = run > 0 ? std::min(1.0, (x + 1 - left.x) / run) : 1;
+      for (const double at : {from, to}) {
+        const double y = left.y + at * (right.y - left.y);
+        lowest = std::min(lowest, y);
+        highest = std::max(highest, y);
+      }
+    }
+    if (lowest > highest) continue;
+    const int yBegin = firstCell(lowest, height);
+    body(x, yBegin, lastCell(highest, yBegin, height));
   }
 }
 

@@ -19,6 +19,8 @@ constexpr std::uint32_t kMixed = 0x80000000u;
 constexpr int kBandRows = 64;
 // Sub-texels: charts that end at a texel's border keep the middles on it, whatever floats have made of the uvs.
 constexpr double kOutset = 1e-3;
+// Texels: more than uvs in floats are wrong by, so that no texel counts as touched that the packing did not reserve.
+constexpr double kTouched = 4 * kTouchSlack;
 
 // The corners of a triangle in sub-texels of its page.
 std::array<glm::dvec2, 3> cornersOf(const Atlas& atlas, const scenes::LightmapUvs::Place& place, std::size_t triangle,
@@ -42,6 +44,24 @@ std::array<double, 3> weightsAt(const std::array<glm::dvec2, 3>& corners, const 
   }
   for (double& weight : weights) weight /= sum;
   return weights;
+}
+
+glm::dvec3 unitOr(const glm::dvec3& v, const glm::dvec3& otherwise) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : otherwise;
+}
+
+// Of the triangle's border, in the plane.
+glm::dvec2 nearestPoint(const std::array<glm::dvec2, 3>& corners, const glm::dvec2& p) {
+  glm::dvec2 best = corners[0];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::dvec2 edge = corners[(k + 1) % 3] - corners[k];
+    const double length2 = glm::dot(edge, edge);
+    const double along = length2 > 0 ? std::clamp(glm::dot(p - corners[k], edge) / length2, 0.0, 1.0) : 0;
+    const glm::dvec2 point = corners[k] + along * edge;
+    if (glm::length(p - point) < glm::length(p - best)) best = point;
+  }
+  return best;
 }
 
 // Where an instance lies on its page.
@@ -81,8 +101,8 @@ public:
         m_triangles(static_cast<std::size_t>(m_width) * rows * grid.m_factor, kNone) {}
 
   void add(const std::vector<std::uint32_t>& instances) {
-    for (const bool slivers : {false, true})
-      for (const std::uint32_t instance : instances) addInstance(instance, slivers);
+    for (const auto pass : {&BandRaster::addSpans, &BandRaster::addSliver, &BandRaster::addTouched})
+      for (const std::uint32_t instance : instances) addInstance(instance, pass);
   }
 
   Band fold() const {
@@ -110,44 +130,67 @@ public:
   }
 
 private:
-  // Either the triangles that hold middles of sub-texels, or those that hold none.
-  void addInstance(std::uint32_t instance, bool slivers) {
+  using Corners = std::array<glm::dvec2, 3>; // in sub-texels of the page
+
+  void addInstance(std::uint32_t instance, void (BandRaster::*pass)(const Corners&, std::uint32_t)) {
     const Atlas& atlas = m_grid.m_atlas;
-    const int factor = m_grid.m_factor;
     const scenes::LightmapUvs::Place& place = atlas.uvs.places[instance];
     const std::uint32_t first = m_grid.m_firstTriangle[instance], count = m_grid.m_firstTriangle[instance + 1] - first;
-    const glm::dvec2 origin(0, m_yBegin * factor);
+    const double begin = m_yBegin * m_grid.m_factor - 1, end = (m_yBegin + m_rows) * m_grid.m_factor + 1;
     for (std::uint32_t t = 0; t < count; ++t) {
-      std::array<glm::dvec2, 3> corners = cornersOf(atlas, place, t, m_width);
-      for (glm::dvec2& corner : corners) corner -= origin;
-      if (std::max({corners[0].y, corners[1].y, corners[2].y}) < -1 ||
-          std::min({corners[0].y, corners[1].y, corners[2].y}) > m_rows * factor + 1 || doubleArea(corners) == 0)
-        continue;
-      if (slivers) {
-        addSliver(corners, first + t);
-        continue;
-      }
-      forEachSpan(corners, -kOutset, m_width, m_rows * factor, [&](int y, int begin, int end) {
-        std::uint32_t* row = m_triangles.data() + static_cast<std::size_t>(y) * m_width;
-        for (int x = begin; x < end; ++x)
-          if (row[x] == kNone) row[x] = first + t;
-      });
+      const Corners corners = cornersOf(atlas, place, t, m_width);
+      if (std::max({corners[0].y, corners[1].y, corners[2].y}) >= begin &&
+          std::min({corners[0].y, corners[1].y, corners[2].y}) <= end && doubleArea(corners) != 0)
+        (this->*pass)(corners, first + t);
     }
   }
 
-  void addSliver(std::array<glm::dvec2, 3> corners, std::uint32_t number) {
+  std::uint32_t& subTexel(int x, int y) {
+    return m_triangles[static_cast<std::size_t>(y - m_yBegin * m_grid.m_factor) * m_width + x];
+  }
+
+  void addSpans(const Corners& corners, std::uint32_t number) {
+    Corners inBand = corners;
+    for (glm::dvec2& corner : inBand) corner.y -= m_yBegin * m_grid.m_factor;
+    forEachSpan(inBand, -kOutset, m_width, m_rows * m_grid.m_factor, [&](int y, int begin, int end) {
+      std::uint32_t* row = m_triangles.data() + static_cast<std::size_t>(y) * m_width;
+      for (int x = begin; x < end; ++x)
+        if (row[x] == kNone) row[x] = number;
+    });
+  }
+
+  void addSliver(const Corners& corners, std::uint32_t number) {
     const glm::dvec2 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
     const int x = static_cast<int>(std::floor(middle.x)), y = static_cast<int>(std::floor(middle.y));
-    const int rows = m_rows * m_grid.m_factor;
-    if (x < 0 || x >= m_width || y < 0 || y >= rows) return;
-    std::uint32_t& there = m_triangles[static_cast<std::size_t>(y) * m_width + x];
-    if (there != kNone) return;
-    // Of the whole page: its middles may lie in another band.
-    const double below = m_yBegin * m_grid.m_factor;
-    for (glm::dvec2& corner : corners) corner.y += below;
+    const int begin = m_yBegin * m_grid.m_factor, end = begin + m_rows * m_grid.m_factor;
+    if (x < 0 || x >= m_width || y < begin || y >= end || subTexel(x, y) != kNone) return;
     bool holdsMiddle = false;
     forEachSpan(corners, -kOutset, m_width, m_width, [&](int, int, int) { holdsMiddle = true; });
-    if (!holdsMiddle) there = number;
+    if (!holdsMiddle) subTexel(x, y) = number;
+  }
+
+  // The texels that the triangle reaches into and that have no surface yet.
+  void addTouched(const Corners& corners, std::uint32_t number) {
+    const int factor = m_grid.m_factor, side = m_grid.m_atlas.pageSide;
+    Corners texels = corners;
+    for (glm::dvec2& corner : texels) corner /= factor;
+    forEachTouched(texels, kTouched, side, side, [&](int x, int begin, int end) {
+      for (int y = std::max(begin, m_yBegin); y < std::min(end, m_yBegin + m_rows); ++y) {
+        if (!isFree(x, y)) continue;
+        const glm::dvec2 nearest = nearestPoint(texels, {x + 0.5, y + 0.5}) - glm::dvec2(x, y);
+        const glm::ivec2 cell(glm::clamp(glm::floor(nearest * static_cast<double>(factor)), 0.0, factor - 1.0));
+        subTexel(x * factor + cell.x, y * factor + cell.y) = number;
+      }
+    });
+  }
+
+  bool isFree(int x, int y) {
+    const int factor = m_grid.m_factor;
+    for (int row = 0; row < factor; ++row) {
+      const std::uint32_t* first = &subTexel(x * factor, y * factor + row);
+      if (std::any_of(first, first + factor, [](std::uint32_t t) { return t != kNone; })) return false;
+    }
+    return true;
   }
 
   const TexelGrid& m_grid;
@@ -222,25 +265,24 @@ std::optional<SurfacePoint> TexelGrid::at(std::uint32_t page, int x, int y) cons
   const std::array<glm::dvec2, 3> corners =
       cornersOf(m_atlas, m_atlas.uvs.places[point.instance], triangle, m_atlas.pageSide * m_factor);
   const std::array<double, 3> weights = weightsAt(corners, {x + 0.5, y + 0.5});
-  std::array<glm::vec3, 3> p;
-  glm::vec3 position(0), normal(0);
+  std::array<glm::dvec3, 3> p;
+  glm::dvec3 position(0), normal(0);
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t vertex = mesh.indices[3 * triangle + k];
-    const auto weight = static_cast<float>(weights[k]);
     p[k] = mesh.positions[vertex];
-    position += weight * p[k];
-    normal += weight * mesh.normals[vertex];
+    position += weights[k] * p[k];
+    normal += weights[k] * glm::dvec3(mesh.normals[vertex]);
   }
-  point.position = glm::vec3(instance.toWorld * glm::vec4(position, 1));
+  point.position = glm::vec3(glm::dmat4(instance.toWorld) * glm::dvec4(position, 1));
   // The matrix of cofactors, det(M) times the inverse transpose: it turns normals also where M flattens, and flips them
   // where M mirrors, which the sign puts right.
-  const glm::mat3 m(instance.toWorld);
-  const glm::mat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-  const float sign = glm::dot(m[0], cofactors[0]) < 0 ? -1.f : 1.f;
-  point.geometric = glm::normalize(sign * (cofactors * glm::cross(p[1] - p[0], p[2] - p[0])));
-  const glm::vec3 shading = sign * (cofactors * normal);
-  // Normals that cancel each other at this point say nothing.
-  point.normal = glm::dot(shading, shading) > 0 ? glm::normalize(shading) : point.geometric;
+  const glm::dmat3 m(instance.toWorld);
+  glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+  if (glm::dot(m[0], cofactors[0]) < 0) cofactors *= -1.0;
+  // A transform may flatten the triangle to a line, and normals may cancel each other.
+  const glm::dvec3 geometric = unitOr(cofactors * glm::cross(p[1] - p[0], p[2] - p[0]), {0, 1, 0});
+  point.geometric = glm::vec3(geometric);
+  point.normal = glm::vec3(unitOr(cofactors * normal, geometric));
   return point;
 }
 

@@ -34,8 +34,10 @@ public:
   // Page by page, row by row.
   const std::vector<Texel>& texels() const { return m_texels; }
   // The surface at a sub-texel's middle, x and y in [0, pageSide * factor); nothing where there is none. A triangle
-  // that holds no sub-texel's middle still has the one that its own middle lies in, unless another triangle has it. Of
-  // several triangles that hold a middle (on their common edge) the first has it.
+  // that holds no sub-texel's middle still has the one that its own middle lies in, unless another triangle has it; and
+  // a texel that triangles only touch has one sub-texel of them: whatever texel a point of a chart lies in is its own,
+  // and dilation by one fills what a bilinear read there needs beside it. Of several triangles that hold a middle (on
+  // their common edge) the first has it.
   std::optional<SurfacePoint> at(std::uint32_t page, int x, int y) const;
   std::size_t bytes() const; // of memory held
 

@@ -85,11 +85,9 @@ bool chartsTooClose(const FlatChart& flat, const ChartNumbers& charts, int paddi
   std::vector<std::uint32_t> owner(static_cast<std::size_t>(width) * height, kNoChart);
   bool shared = false;
   for (std::size_t i = 0; i < flat.corners.size(); ++i) {
-    FlatFace cells = flat.corners[i];
-    for (glm::dvec2& corner : cells) corner *= kSubTexels;
-    forEachSpan(cells, 0, width * kSubTexels, height * kSubTexels, [&](int y, int begin, int end) {
-      for (int x = begin / kSubTexels; x <= (end - 1) / kSubTexels; ++x) {
-        std::uint32_t& texel = owner[static_cast<std::size_t>(y / kSubTexels) * width + x];
+    forEachTouched(flat.corners[i], kTouchSlack, width, height, [&](int x, int begin, int end) {
+      for (int y = begin; y < end; ++y) {
+        std::uint32_t& texel = owner[static_cast<std::size_t>(y) * width + x];
         shared = shared || (texel != kNoChart && texel != charts.ofFace[i]);
         texel = charts.ofFace[i];
       }

@@ -1,8 +1,8 @@
 // The atlas by properties that every lightmap needs, over built-in scenes, generated shapes and random triangles.
 #include "bake/atlas.h"
 
-#include <functional>
 #include <iostream>
+#include <limits>
 #include <random>
 
 #include <fmt/format.h>
@@ -12,7 +12,6 @@
 #include "bake/atlas_truth.h"
 #include "base/error.h"
 #include "scenes/builtin.h"
-#include "scenes/load.h"
 #include "scenes/shapes.h"
 #include "support/small_scenes.h"
 
@@ -82,6 +81,17 @@ TEST(Atlas, IsSoundForRandomTriangles) {
     for (glm::vec3& p : mesh.positions) p = glm::round(p * 2.f);
     expectSoundAtlas(sceneOf(mesh), {8, 2048, 2}, fmt::format("grid soup {}", seed), 0.1);
   }
+}
+
+// The same quad over and over, and its back: each has texels of its own, and the time is not quadratic.
+TEST(Atlas, GivesDuplicatesTexelsOfTheirOwn) {
+  Mesh mesh = makeQuad(0);
+  const std::vector<std::uint32_t> quad = mesh.indices;
+  for (int i = 0; i < 2000; ++i) {
+    mesh.indices.insert(mesh.indices.end(), quad.begin(), quad.end());
+    mesh.indices.insert(mesh.indices.end(), quad.rbegin(), quad.rend());
+  }
+  expectSoundAtlas(sceneOf(mesh), {2, 2048, 2}, "duplicates", 0.2);
 }
 
 TEST(Atlas, KeepsThePadding) {
@@ -172,6 +182,13 @@ TEST(Atlas, PlacesAHundredThousandObjects) {
   EXPECT_LE(static_cast<std::size_t>(atlas.pageCount) * atlas.pageSide * atlas.pageSide, bake::kMaxTexels);
   const std::string refusal = refusalOf(scene, {40, 2048, 2});
   EXPECT_TRUE(contains(refusal, "million is the most: lower --texels-per-metre")) << refusal;
+}
+
+TEST(Atlas, SaysWhereALowerDensityWouldNotHelp) {
+  const std::string refusal = refusalOf(sceneOf(makeSoup(16'000, 0.01f, 3)), {1, 2048, 64});
+  EXPECT_EQ(refusal,
+            "scene: its lightmap needs 68 million texels, and 67 million is the most: it falls into 16000 charts, "
+            "too many at any --texels-per-metre");
 }
 
 TEST(Atlas, LeavesOutWhatHasNoAreaOrNoLight) {

@@ -30,13 +30,6 @@ bool holds(const Corners& t, const glm::dvec2& p, double inset) {
   return true;
 }
 
-template <typename Body> void forEachCell(const Corners& t, int side, double inset, const Body& body) {
-  const glm::dvec2 lower = glm::min(glm::min(t[0], t[1]), t[2]), upper = glm::max(glm::max(t[0], t[1]), t[2]);
-  for (int y = std::max(0, static_cast<int>(lower.y)); y <= std::min(side - 1.0, upper.y); ++y)
-    for (int x = std::max(0, static_cast<int>(lower.x)); x <= std::min(side - 1.0, upper.x); ++x)
-      if (holds(t, {x + 0.5, y + 0.5}, inset)) body(static_cast<std::size_t>(y) * side + x);
-}
-
 // The chart of each triangle of an instance, numbered from `first` on.
 std::vector<std::uint32_t> chartsOf(const scenes::Mesh& mesh, const glm::vec2* corners, std::uint32_t first,
                                     std::size_t& count) {
@@ -108,6 +101,16 @@ scenes::Mesh makeSoup(std::size_t triangles, float longest, unsigned seed) {
   return mesh;
 }
 
+std::vector<glm::ivec2> cellsHeld(const Corners& t, double inset) {
+  const glm::dvec2 lower = glm::floor(glm::min(glm::min(t[0], t[1]), t[2]) - 1.0);
+  const glm::dvec2 upper = glm::max(glm::max(t[0], t[1]), t[2]) + 1.0;
+  std::vector<glm::ivec2> cells;
+  for (int y = std::max(0, static_cast<int>(lower.y)); y <= upper.y; ++y)
+    for (int x = std::max(0, static_cast<int>(lower.x)); x <= upper.x; ++x)
+      if (holds(t, {x + 0.5, y + 0.5}, inset)) cells.emplace_back(x, y);
+  return cells;
+}
+
 AtlasFacts measureAtlas(const scenes::Scene& scene, const bake::Atlas& atlas) {
   AtlasFacts facts;
   const int side = atlas.pageSide;
@@ -146,14 +149,13 @@ AtlasFacts measureAtlas(const scenes::Scene& scene, const bake::Atlas& atlas) {
         texels[charts[t] - firstChart] += inTexels;
         if (inTexels > 0.05) // smaller ones are known to too few digits
           facts.leastTriangleDensity = std::min(facts.leastTriangleDensity, std::sqrt(inTexels / inSpace));
-        forEachCell(corners, side, 0, [&](std::size_t cell) { owner[cell] = charts[t]; });
         for (glm::dvec2& corner : corners) corner *= kFactor;
-        forEachCell(corners, side * kFactor, 0.05, [&](std::size_t cell) {
-          facts.sharedSubTexels += cells[cell] != kFree;
-          cells[cell] = number;
-          const std::size_t width = static_cast<std::size_t>(side) * kFactor;
-          owner[cell / width / kFactor * side + cell % width / kFactor] = charts[t];
-        });
+        for (const glm::ivec2& cell : cellsHeld(corners, 0.05)) {
+          std::uint32_t& taken = cells[static_cast<std::size_t>(cell.y) * side * kFactor + cell.x];
+          facts.sharedSubTexels += taken != kFree;
+          taken = number;
+          owner[static_cast<std::size_t>(cell.y / kFactor) * side + cell.x / kFactor] = charts[t];
+        }
       }
       for (std::size_t chart = 0; chart < count; ++chart)
         if (area[chart] > 0)

@@ -1,8 +1,12 @@
 // An atlas seen by brute force: what its tests hold it to.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
 
 #include "bake/atlas.h"
 #include "scenes/scene.h"
@@ -14,6 +18,9 @@ scenes::Scene sceneOf(scenes::Mesh mesh);
 
 // Triangles without neighbours, thrown into a unit cube; longest: of their edges, about.
 scenes::Mesh makeSoup(std::size_t triangles, float longest, unsigned seed);
+
+// The unit cells whose middles are inside a triangle by more than `inset` (negative: or as little outside).
+std::vector<glm::ivec2> cellsHeld(const std::array<glm::dvec2, 3>& corners, double inset);
 
 struct AtlasFacts {
   std::size_t sharedSubTexels = 0; // that two triangles hold by more than 1/20 of a sub-texel (4 to a texel's side)
