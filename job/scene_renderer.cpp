@@ -23,6 +23,10 @@ std::uint64_t pixelsOf(const Settings& settings, std::size_t views) {
 // Entries of surfaces that wait to be shaded again: two of each pixel of a tile.
 constexpr std::size_t kMaxKeptEntries = 2 * std::size_t{gpu::kMaxTilePixels};
 
+bool hasOwnTextures(const Settings& settings, const Paths& paths) {
+  return paths.mobile && settings.mobileTextures != base::AstcBlock::none;
+}
+
 // To be given to so many that read a scene's images: told once for an image, when the last of them has read it.
 gpu::ImageDone afterReaders(int readers, std::size_t images, gpu::ImageDone onLastRead) {
   if (readers == 1 || !onLastRead) return onLastRead;
@@ -38,14 +42,16 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
     : m_context(context), m_prepared(prepared), m_views(views), m_budget(budget), m_work(prepared.work), m_buffers([&] {
         gpu::Device& device = context.device();
         const base::Stopwatch watch(&context.timings(), "upload");
-        const bool hasOwn = paths.mobile && context.settings().mobileTextures != base::AstcBlock::none;
-        onLastRead = afterReaders(hasOwn ? 2 : 1, prepared.scene.images.size(), std::move(onLastRead));
-        return gpu::SceneBuffers(device, prepared.scene, context.settings().specularAa, onLastRead);
+        // A run of mobile alone reads the shared ones no further than alpha decides what is seen: before its own.
+        const bool hasOwn = hasOwnTextures(context.settings(), paths), shares = paths.highend || paths.reference;
+        onLastRead = afterReaders(hasOwn && shares ? 2 : 1, prepared.scene.images.size(), std::move(onLastRead));
+        return gpu::SceneBuffers(device, prepared.scene, context.settings().specularAa,
+                                 hasOwn && !shares ? gpu::ImageDone() : onLastRead);
       }()),
       m_surfacePass(context.device(), m_buffers, static_cast<std::uint32_t>(context.settings().width),
                     static_cast<std::uint32_t>(context.settings().height)) {
   const gpu::Device& device = context.device();
-  if (paths.mobile && context.settings().mobileTextures != base::AstcBlock::none && m_buffers.textures().any())
+  if (hasOwnTextures(context.settings(), paths) && m_buffers.textures().any())
     m_mobileTextures.emplace(device, prepared.scene, context.settings().specularAa == gpu::SpecularAa::toksvig,
                              std::move(onLastRead), makeTextureCodec(context, context.settings().mobileTextures));
   if (prepared.environment) {

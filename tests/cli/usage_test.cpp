@@ -63,6 +63,7 @@ const BadUsage kBadUsages[] = {
     {"NoSamples", {"diff", "builtin:furnace", "--samples", "0"}, {"--samples"}},
     {"NegativeBackground", {"diff", "builtin:furnace", "--background", "0,-1,0"}, {"--background", "negative"}},
     {"UnknownDisplay", {"diff", "builtin:furnace", "--display", "Rec.2020"}, {"--display", "ACES SDR"}},
+    {"UnknownTextures", {"diff", "builtin:furnace", "--mobile-textures", "astc5x5"}, {"--mobile-textures", "astc6x6"}},
     {"UnknownTarget", {"diff", "builtin:furnace", "--mobile-target", "rgb10a2"}, {"--mobile-target", "r11g11b10f"}},
     {"FilmToneMapperOverEightBits",
      {"diff", "builtin:furnace", "--mobile-target", "rgba8-srgb", "--display", "ACES SDR"},

@@ -1,4 +1,4 @@
-// The stage `encoding` in JSON and table.
+// The stages `encoding` and `textures` in JSON and table.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -51,6 +51,35 @@ TEST(EncodingStage, isAColumnOfTheTableWhereItIsNotable) {
   EXPECT_NE(lineOf("whole image").find(" 0.023 "), std::string::npos) << "all pixels: " << lineOf("whole image");
   EXPECT_NE(lineOf("Rough metal").find("     - "), std::string::npos) << "not measured: " << lineOf("Rough metal");
   EXPECT_EQ(toTable(makeReport(0.0001, 0), false), toTable(makeSampleReport(), false));
+}
+
+Report makeCompressed(double glass, double whole) {
+  Report report = makeSampleReport();
+  report.scenes[0].views[0].materials[0].textures = TextureCompression{"astc6x6", makeStage(glass).figures};
+  report.scenes[0].views[0].textures = TextureCompression{"astc6x6", makeStage(whole).figures};
+  return report;
+}
+
+TEST(TexturesStage, standsInTheJsonByMaterialAndWhole) {
+  const auto view = nlohmann::json::parse(toJson(makeCompressed(0.04, 0.02))).at("/scenes/0/views/0"_json_pointer);
+  const auto& stage = view.at("materials").at(0).at("textures");
+  EXPECT_EQ(stage.at("block"), "astc6x6");
+  EXPECT_EQ(stage.at("figures").at("interior").at("metrics").at("flip.mean"), 0.04);
+  EXPECT_EQ(view.at("whole").at("textures").at("figures").at("interior").at("metrics").at("flip.mean"), 0.02);
+  EXPECT_FALSE(view.at("materials").at(1).contains("textures"));
+}
+
+// Whoever asks what compression costs wants to see that it costs nothing, too.
+TEST(TexturesStage, isAColumnOfTheTableWhateverItIs) {
+  for (const double mean : {0.037, 0.0}) {
+    const std::string table = toTable(makeCompressed(mean, mean), false);
+    EXPECT_NE(table.find("  textures  "), std::string::npos) << table;
+    EXPECT_NE(table.find("mobile's textures in astc6x6"), std::string::npos) << table;
+    const std::size_t at = table.find("Glass");
+    EXPECT_NE(table.substr(at, table.find('\n', at) - at).find(mean > 0 ? "   0.037 " : "   0.000 "), std::string::npos)
+        << table;
+  }
+  EXPECT_EQ(toTable(makeSampleReport(), false).find("textures"), std::string::npos);
 }
 
 } // namespace

@@ -91,10 +91,10 @@ void expectEachKeyMatters(const json& schema, const json& document, const json::
       less.at(where).erase(key);
       const bool optional = (key == "truth" && child.contains("images")) || // not the luminance, not the image
                             key == "permutations" || key == "passes" || key == "cost" || key == "light" ||
-                            key == "encoding" || key == "attribution" || key == "droppedLights" ||
-                            key == "displayTable" || key == "headline" || key == "bias" || key == "exposureEv" ||
-                            key == "preset" || key == "statistics" || name == "/statistics" ||
-                            (key == "pixels" && child.is_object());
+                            key == "encoding" || (key == "textures" && child.contains("block")) ||
+                            key == "attribution" || key == "droppedLights" || key == "displayTable" ||
+                            key == "headline" || key == "bias" || key == "exposureEv" || key == "preset" ||
+                            key == "statistics" || name == "/statistics" || (key == "pixels" && child.is_object());
       EXPECT_EQ(validate(schema, less).empty(), optional) << where.to_string() << "/" << key;
       json other = document;
       other.at(where)[key] = json::array({"wrong"});
@@ -121,6 +121,8 @@ TEST(Schema, EachKeyIsRequiredTypedAndNoOtherIsAllowed) {
   materials[0].truth = truth.materials[1].truth;
   materials[0].encoding = Encoding{"rgba16f", makeRegion("stage", 0.01, 9000)};
   report.scenes[0].views[0].encoding = Encoding{"rgba16f", makeRegion("stage", 0.01, 9000)};
+  materials[0].textures = TextureCompression{"astc6x6", makeRegion("stage", 0.01, 9000)};
+  report.scenes[0].views[0].textures = TextureCompression{"astc4x4", makeRegion("stage", 0.01, 9000)};
   report.scenes[0].views[0].droppedLights = makeDroppedLights();
   settleVerdicts(report);
   const json schema = loadSchema(), document = json::parse(toJson(report));

@@ -3,6 +3,7 @@
 #include "support/small_scenes.h"
 
 #include "gpu/image_upload.h"
+#include "gpu/mips.h"
 #include "gpu/scene_buffers.h"
 
 namespace parity::gpu {
@@ -156,6 +157,46 @@ TEST_F(UploadTest, anImageIsDoneWithWhenTheLastOfItsUsesIsUploaded) {
   EXPECT_EQ(done, (std::vector{1, 0}));
   EXPECT_EQ(textures.uploadedCount(), 3u);
   EXPECT_EQ(textures.bindings({textures.setOfMaterial()[1], 1u << kSlotOcclusion}).size(), std::size_t{kSlotCount});
+}
+
+// Image 0 is read as colour and as data, image 1 as a normal map with the spread of its normals.
+TEST_F(UploadTest, aCodecIsGivenEachMipOfTheImageAsItIs) {
+  scenes::Scene scene = tests::makeQuadScene();
+  std::uint32_t state = 7;
+  for (int i = 0; i < 2; ++i) {
+    scene.images.push_back({"image", base::Image8(12, 5, 4)});
+    for (std::uint8_t& value : scene.images[static_cast<std::size_t>(i)].pixels.pixels)
+      value = static_cast<std::uint8_t>((state = state * 1664525u + 1013904223u) >> 24);
+  }
+  scene.materials[0].baseColorTexture.image = scene.materials[0].occlusionTexture.image = 0;
+  scene.materials[0].normalTexture.image = 1;
+  std::vector<std::pair<base::Image8, bool>> given;
+  const Textures textures(device(), scene, true, {}, [&](const base::Image8& mip, bool isColor) {
+    given.emplace_back(mip, isColor);
+    return base::Image8(mip.width, mip.height, 4, 9); // what comes back does not reach the next mip
+  });
+  EXPECT_TRUE(textures.any());
+  EXPECT_TRUE(given.empty()) << "the white ones have nothing to lose";
+  const auto givenFor = [&](int slot) {
+    given.clear();
+    const Textures::Need need{textures.setOfMaterial()[0], 1u << slot};
+    textures.require(std::span(&need, 1));
+    return given;
+  };
+  for (const auto& [slot, isColor] : {std::pair(kSlotBaseColor, true), std::pair(kSlotOcclusion, false)}) {
+    const std::vector<base::Image8> expected = makeMips(scene.images[0].pixels, isColor);
+    const auto mips = givenFor(slot);
+    ASSERT_EQ(mips.size(), expected.size());
+    for (std::size_t m = 0; m < mips.size(); ++m) {
+      EXPECT_EQ(mips[m].first, expected[m]) << m;
+      EXPECT_EQ(mips[m].second, isColor);
+    }
+  }
+  const auto normals = givenFor(kSlotNormal);
+  ASSERT_EQ(normals.size(), 4u);
+  EXPECT_EQ(normals[0].first.at(0, 0)[3], 0) << "no spread";
+  EXPECT_GT(normals[1].first.at(0, 0)[3], 0) << "the spread is stored, so it is compressed, too";
+  EXPECT_FALSE(Textures(device(), tests::makeQuadScene(), false).any());
 }
 
 } // namespace

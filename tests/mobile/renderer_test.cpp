@@ -54,6 +54,27 @@ glm::dvec3 specularColorOf(const scenes::Material& m) {
 glm::dvec3 toGlm(const f64::real3& v) { return {v.x, v.y, v.z}; }
 f64::real3 fromGlm(const glm::dvec3& v) { return f64::real3(v.x, v.y, v.z); }
 
+// Its own textures make the picture, whatever the scene's hold.
+TEST_F(MobileTest, readsTheTexturesThatItIsGiven) {
+  const auto makeTextured = [](std::uint8_t value) {
+    scenes::Scene scene = makeLeaningQuad(0.4f);
+    scene.images.push_back({"paint", base::Image8(8, 8, 4, value)});
+    scene.materials[0].baseColorTexture.image = 0;
+    return scene;
+  };
+  const Inputs lit{.lights = {makeDirectional(glm::vec3(0, 0, 1), glm::vec3(3))}};
+  const scenes::Scene white = makeTextured(255);
+  const gpu::Textures stored(device(), white, false, {}, [](const base::Image8& mip, bool isColor) {
+    EXPECT_TRUE(isColor);
+    return base::Image8(mip.width, mip.height, 4, 100);
+  });
+  Inputs given = lit;
+  given.textures = &stored;
+  const glm::vec3 color = shade(white, given, kUe42020).color;
+  EXPECT_EQ(color, shade(makeTextured(100), lit, kUe42020).color);
+  EXPECT_NE(color, shade(white, lit, kUe42020).color);
+}
+
 TEST_F(MobileTest, sunOfKaris2014IsEnvBrdfTimesDApproxAroundTheReflection) {
   const glm::vec3 lux(4, 3, 2), towards = glm::normalize(glm::vec3(0.9f, 0.2f, 0.9f));
   for (const float roughness : {0.2f, 0.5f, 1.f}) {

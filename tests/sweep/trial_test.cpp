@@ -76,18 +76,20 @@ TEST(Trial, whatTheSceneDoesNotNeedIsNotTried) {
   TrialOptions options;
   options.rounds = 2;
   options.truth = false;
-  options.settings = {"mobile: s*", "mobile: local*", "highend: fresnel dielectric"};
+  options.settings = {"mobile: s*", "mobile: mobile-textures *", "mobile: local*", "highend: fresnel dielectric"};
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "parity-trial";
   const std::string scene = writeScalingScene(folder, {.triangles = 200, .lights = 2}).string();
   const SceneSweep sweep = runTrial(context, request(scene, "", true), options, {});
   std::filesystem::remove_all(folder);
   EXPECT_EQ(sweep.environment, "none");
   EXPECT_EQ(findVariant(sweep, "mobile: sky-sh 9"), nullptr);
+  EXPECT_EQ(findVariant(sweep, "mobile: mobile-textures astc4x4"), nullptr);
   EXPECT_NE(findVariant(sweep, "mobile: local-lights 0"), nullptr);
   EXPECT_NE(findVariant(sweep, "mobile: sun d-approx"), nullptr);
   EXPECT_FALSE(sweep.variants[0].whole.truth.has_value());
   EXPECT_EQ(sweep.truthError, 0);
   EXPECT_NE(std::ranges::find(sweep.skipped, "mobile sky-sh: no environment"), sweep.skipped.end());
+  EXPECT_NE(std::ranges::find(sweep.skipped, "mobile mobile-textures: no texture"), sweep.skipped.end());
 }
 
 TEST(Trial, everyNameIsGivenOnceAndEveryKnobChangesWhatItSays) {

@@ -28,6 +28,7 @@ export const kHelp = {
   permutations: "The specialised shaders that ran, how many pixels each shaded and what a pixel costs.",
   timings: "Wall time by stage of the run; stages of two scenes may run at the same time.",
   encoding: "What the mobile path's render target alone changes in its own picture.",
+  textures: "What the compression of the mobile path's textures alone changes in its own picture.",
   pareto: "Each setting's time against its error; the ones on the line have no better rival at their price.",
   zoom: "All panes move together: wheel or pinch zooms, dragging moves, a double click goes closer; 100 % is one picture pixel to one screen pixel.",
   split: "What is left of the divider is one picture, what is right of it the other; drag the divider or this slider.",

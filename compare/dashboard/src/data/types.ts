@@ -78,6 +78,11 @@ export interface Encoding {
   figures: Regions;
 }
 
+export interface TextureCompression {
+  block: string;
+  figures: Regions;
+}
+
 /** What mobile's mean FLIP becomes once one of its terms is high-end's. */
 export interface Attribution {
   region: "interior" | "all";
@@ -102,6 +107,7 @@ export interface Judged {
   baseline: Change | null;
   truth?: Truth;
   encoding?: Encoding;
+  textures?: TextureCompression;
 }
 
 export interface Material extends Judged {

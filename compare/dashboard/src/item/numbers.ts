@@ -58,9 +58,10 @@ function truthTables(truth: Truth, report: Report): TemplateResult {
   </section>`;
 }
 
-function encodingLine(regions: Regions, target: string, report: Report): TemplateResult {
+/** What a stage of the mobile path, named in words, alone makes of its picture. */
+function stageLine(what: string, name: string, regions: Regions, topic: "encoding" | "textures", report: Report): TemplateResult {
   const main = regions.interior ?? regions.all;
-  return html`<p>The render target <code>${target}</code> alone makes FLIP ${figureIn(main, "flip.mean", report.statistics)} in mobile's own picture.${help("encoding")}</p>`;
+  return html`<p>${what} <code>${name}</code> alone makes FLIP ${figureIn(main, "flip.mean", report.statistics)} in mobile's own picture.${help(topic)}</p>`;
 }
 
 function passTable(scene: Scene): TemplateResult {
@@ -94,7 +95,8 @@ export class ParityNumbers extends LitElement {
     if (!scene || !judged) return html``;
     return html`<div class="numbers">
       ${figureTable(judged, report)}
-      ${judged.encoding ? encodingLine(judged.encoding.figures, judged.encoding.target, report) : nothing}
+      ${judged.encoding ? stageLine("The render target", judged.encoding.target, judged.encoding.figures, "encoding", report) : nothing}
+      ${judged.textures ? stageLine("Compression of textures by", judged.textures.block, judged.textures.figures, "textures", report) : nothing}
       ${judged.truth ? truthTables(judged.truth, report) : nothing}
       ${bench ? html`<section><h3>Error against time ${help("pareto")}</h3><parity-bench-plot .bench=${bench} .scene=${scene.name}></parity-bench-plot></section>` : nothing}
       <section><h3>To see it again</h3>
