@@ -21,6 +21,8 @@ std::vector<compare::PassResult> describePasses(const Work& work, const NoNeed& 
   add("culling of local lights", "groups", work.lightLists, why.lightLists);
   add("shadow maps", "maps", work.shadowMaps, why.shadows);
   add("casters of shadows", "instances", work.shadowCasters, why.shadows);
+  add("lightmap", "pages", work.lightmapPages, why.baked);
+  add("environment captures", "captures", work.captures, why.captures);
   add("choice of local lights", "objects", work.lightChoices, why.lightChoice);
   add("shade highend", "samples", work.highendSamples, "");
   add("shade mobile", "samples", work.mobileSamples, "");

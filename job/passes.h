@@ -23,6 +23,7 @@ struct Work {
   std::uint64_t directionalLights = 0, localLights = 0;     // that the high-end path's shaders loop over
   std::uint64_t lightLists = 0;                             // of local lights that reach a group of pixels, high-end
   std::uint64_t shadowMaps = 0, shadowCasters = 0;          // drawn, and instances drawn into them
+  std::uint64_t lightmapPages = 0, captures = 0;            // baked, read by the paths
   std::uint64_t lightChoices = 0;                           // objects for which the mobile path chose local lights
   std::uint64_t highendSamples = 0, mobileSamples = 0;      // shaded
   std::uint64_t termSamples = 0;                            // shaded with their terms written, over all paths
@@ -36,7 +37,7 @@ struct Work {
 // Why there was no such work; each is empty where there may have been.
 struct NoNeed {
   std::string environment, suns, table, texture, variance, compression, blended, fog, directional, local, lightLists,
-      shadows, lightChoice, terms, truth, occluders, droppedLights, costs;
+      shadows, baked, captures, lightChoice, terms, truth, occluders, droppedLights, costs;
 };
 
 // In the order of the work. A count of 0 has a reason.

@@ -157,6 +157,8 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
       },
   });
   if (!request.baked.empty() && !paths.bakes) {
+    if (paths.reference)
+      throw base::Error(base::ExitCode::usage, "--baked", request.baked, "the reference knows of no baked light");
     const base::Stopwatch watch(&context.timings(), "read baked light");
     prepared.baked = std::make_shared<const bake::BakedLight>(bake::readBaked(request.baked));
   }
@@ -194,7 +196,7 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
   if (prepared.baked) {
     requireFresh(prepared, request.baked);
     takeBaked(prepared, prepared.baked);
-    if (!paths.reference) prepared.panorama.reset();
+    prepared.panorama.reset();
   }
   if (prepared.isLit || !hasSky) requireLight(prepared, request.scene); // an unlit scene's sky was not filtered
   return prepared;

@@ -159,6 +159,9 @@ private:
     PreparedScene prepared = prepareScene(m_context, request, paths());
     result.environment = prepared.environmentName;
     result.sun = prepared.sunText;
+    if (prepared.baked)
+      result.light += fmt::format("{}baked: {}; ASTC {}", result.light.empty() ? "" : "; ", prepared.baked->settings,
+                                  prepared.baked->astc);
     result.warnings = prepared.scene.warnings;
     requireMaterials(prepared.scene, m_context.settings().materials);
     SceneRenderer renderer(m_context, prepared, paths(), request.views.size(), wish.permutations,
@@ -225,10 +228,12 @@ private:
   }
 
   mobile::SamplerInputs samplerInputs(const PreparedScene& prepared) const {
-    return {.environment = prepared.mobileEnvironment != nullptr,
-            .spotShadow =
-                mobile::Renderer::needsSpotMap(prepared.mobileLights, m_context.settings().mobile).has_value(),
-            .normalVariance = m_context.settings().specularAa == gpu::SpecularAa::toksvig};
+    return {
+        .environment = prepared.mobileEnvironment != nullptr || (prepared.baked && !prepared.baked->captures.empty()),
+        .spotShadow = mobile::Renderer::needsSpotMap(prepared.mobileLights, m_context.settings().mobile).has_value(),
+        .lightmap = prepared.baked != nullptr,
+        .sunShadow = prepared.baked && !prepared.baked->sunField.empty(),
+        .normalVariance = m_context.settings().specularAa == gpu::SpecularAa::toksvig};
   }
 
   compare::Budgets budgetsFor(const SceneRequest& request) const {

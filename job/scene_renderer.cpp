@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/parallel.h"
+#include "job/baked_upload.h"
 #include "job/environment_upload.h"
 #include "job/permutation_costs.h"
 #include "job/texture_codec.h"
@@ -46,7 +47,8 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
         const bool hasOwn = hasOwnTextures(context.settings(), paths), shares = paths.highend || paths.reference;
         onLastRead = afterReaders(hasOwn && shares ? 2 : 1, prepared.scene.images.size(), std::move(onLastRead));
         return gpu::SceneBuffers(device, prepared.scene, context.settings().specularAa,
-                                 hasOwn && !shares ? gpu::ImageDone() : onLastRead);
+                                 hasOwn && !shares ? gpu::ImageDone() : onLastRead,
+                                 prepared.baked ? &prepared.baked->uvs : nullptr);
       }()),
       m_surfacePass(context.device(), m_buffers, static_cast<std::uint32_t>(context.settings().width),
                     static_cast<std::uint32_t>(context.settings().height)) {
@@ -62,6 +64,7 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
     const base::Stopwatch watch(&context.timings(), "upload");
     m_mobileEnvironment = uploadCapture(device, *prepared.mobileEnvironment, context.settings().mobile.capture);
   }
+  if (prepared.baked) uploadBaked(*prepared.baked, paths);
   if (paths.highend && prepared.shadows && prepared.isLit) {
     const base::Stopwatch watch(&context.timings(), "shadow maps");
     m_shadowMaps.emplace(device, m_buffers, prepared.lights, context.settings().shadowMaps);
@@ -88,12 +91,25 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
   }
 }
 
+void SceneRenderer::uploadBaked(const bake::BakedLight& baked, const Paths& paths) {
+  const gpu::Device& device = m_context.device();
+  const base::Stopwatch watch(&m_context.timings(), "upload");
+  if (paths.highend) m_baked = uploadHighendBaked(device, baked);
+  if (paths.mobile) m_mobileBaked = uploadMobileBaked(device, baked);
+  m_work.lightmapPages = baked.mobile.size();
+  m_work.captures = baked.captures.size();
+  if (baked.captures.empty()) return;
+  if (paths.highend) m_environment = uploadHighendCaptures(device, baked);
+  if (paths.mobile) m_mobileEnvironment = uploadMobileCaptures(device, baked, m_context.settings().mobile.capture);
+}
+
 std::unique_ptr<highend::Renderer> SceneRenderer::makeHighend(bool terms, std::size_t views) {
   const Settings& settings = m_context.settings();
   highend::Inputs inputs{.environment = m_environment ? &*m_environment : nullptr,
                          .lut = nullptr,
                          .lights = m_prepared.isLit ? m_prepared.lights : std::vector<scenes::Light>(),
                          .shadows = m_shadowMaps ? &*m_shadowMaps : nullptr,
+                         .baked = m_baked ? &*m_baked : nullptr,
                          .terms = terms,
                          .compilation = {m_budget, &m_context.pipelines()},
                          .expectedPixels = pixelsOf(settings, views)};
@@ -111,6 +127,7 @@ mobile::Inputs SceneRenderer::mobileInputs(bool terms, std::size_t views) const 
           .lights = m_prepared.isLit ? m_prepared.mobileLights : std::vector<scenes::Light>(),
           .shadows = m_spotShadowMap ? &*m_spotShadowMap : nullptr,
           .textures = m_mobileTextures ? &*m_mobileTextures : nullptr,
+          .baked = m_mobileBaked ? &*m_mobileBaked : nullptr,
           .terms = terms,
           .view = settings.mobileView,
           .compilation = {m_budget, &m_context.pipelines()},

@@ -52,6 +52,7 @@ public:
 private:
   std::unique_ptr<highend::Renderer> makeHighend(bool terms, std::size_t views);
   std::unique_ptr<mobile::Renderer> makeMobile(bool terms, std::size_t views) const;
+  void uploadBaked(const bake::BakedLight& baked, const Paths& paths);
   gpu::VisibleLayers rasterise(const scenes::Camera& camera, const gpu::Tile& tile, const glm::vec2& sample);
   gpu::Surface resolve(const gpu::VisibleLayers& visible, std::size_t layer, const scenes::Camera& camera);
   // By every path, laid over what is in `view` already.
@@ -81,6 +82,7 @@ private:
   // Each path reads its own kind.
   std::optional<gpu::EnvironmentMaps> m_environment, m_mobileEnvironment;
   std::optional<gpu::ShadowMaps> m_shadowMaps, m_spotShadowMap; // of all lights; mobile's own
+  std::optional<gpu::BakedMaps> m_baked, m_mobileBaked;         // likewise; the captures are the environments
   // Those with terms, and that whose lights are switched, are made when first needed.
   std::unique_ptr<highend::Renderer> m_highend, m_highendTerms, m_highendSwitched;
   std::unique_ptr<mobile::Renderer> m_mobile, m_mobileTerms;

@@ -108,6 +108,10 @@ NoNeed SceneRenderer::reasons() const {
                 : !unlit.empty()                                   ? unlit
                 : m_prepared.lights.empty()                        ? "no lights"
                                                                    : "nothing stands before anything";
+  why.baked = why.captures = m_prepared.baked ? "the bake has none" : "nothing is baked";
+  if (m_prepared.baked && why.environment.empty()) why.environment = "the captures take its place";
+  if (m_prepared.baked && why.local == "no local lights" && !m_prepared.scene.lights.empty())
+    why.local = "they are baked";
   why.lightChoice = work().localLights == 0 ? why.local : "the preset has them baked";
   why.droppedLights = settings.droppedLights > 0 ? "mobile has all lights that reach what is seen" : "not asked for";
   why.terms = why.occluders = why.costs = "not asked for";
