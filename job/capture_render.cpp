@@ -5,6 +5,7 @@
 #include "job/scene_renderer.h"
 #include "lighting/cube.h"
 #include "lighting/cube_sampler.h"
+#include "lighting/equirect.h"
 
 namespace parity::job {
 
@@ -25,6 +26,7 @@ Settings settingsOf(const Settings& run, const CaptureOptions& options) {
 // The environment's radiance, six faces of size^2; black without one.
 std::vector<glm::vec4> makeSurroundings(const PreparedScene& prepared, int size) {
   std::vector<glm::vec4> cube(lighting::texelIndex(lighting::kCubeFaces, 0, 0, size), glm::vec4(0, 0, 0, 1));
+  if (prepared.panorama) return lighting::resampleEquirect(*prepared.panorama, size); // in its colour already
   if (!prepared.environment) return cube;
   int n = prepared.environment->prefiltered.faceSize;
   std::vector<glm::vec4> mip = prepared.environment->prefiltered.mips[0];
