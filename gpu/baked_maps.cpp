@@ -11,7 +11,7 @@ namespace parity::gpu {
 
 namespace {
 
-DeviceImage makePages(const Device& device, const BakedContent::Pages& pages, const char* what) {
+DeviceImage makePages(const Device& device, const BakedPages& pages, const char* what) {
   const auto refuse = [&](const std::string& reason) {
     return base::Error(base::ExitCode::failed, device.report().name, what, reason);
   };

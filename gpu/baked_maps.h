@@ -9,25 +9,26 @@
 
 namespace parity::gpu {
 
+// Pages of one size, page after page, rows top-down and tight. count 0: there are none.
+struct BakedPages {
+  vk::Format format = vk::Format::eUndefined;
+  std::uint32_t width = 0, height = 0, count = 0;
+  std::span<const std::byte> texels = {};
+};
+
 // As it comes from the host; what is spanned is read by makeBakedMaps only.
 struct BakedContent {
-  // Pages of one size, page after page, rows top-down and tight. count 0: there are none.
-  struct Pages {
-    vk::Format format = vk::Format::eUndefined;
-    std::uint32_t width = 0, height = 0, count = 0;
-    std::span<const std::byte> texels;
-  };
   // Each page two halves of equal height, one above the other; linear Rec.709. High end (RGBA16F): above RGB irradiance
   // over pi at the baked normal, below r of shading/lightmap.glsl. Mobile (RGBA8): above LogRGB, below SH, in the
   // object's scales.
-  Pages lightmap;
+  BakedPages lightmap = {};
   // R8, of any size: for the high-end path the share of the sun that is seen, for the mobile one a distance field.
-  Pages sunShadow;
+  BakedPages sunShadow = {};
   float transitionScale = 1; // T of that field
   // One an instance of the scene; the high-end path reads none.
-  std::span<const GpuLightmapScales> scales;
+  std::span<const GpuLightmapScales> scales = {};
   // In the order of their cubes in the path's EnvironmentMaps.
-  std::span<const GpuCapture> captures;
+  std::span<const GpuCapture> captures = {};
 };
 
 struct BakedMaps {

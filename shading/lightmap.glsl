@@ -46,8 +46,8 @@ FN real32 lightmapDirectionality(LightmapSh SH, real32x3 N) {
 // GetLightMapColorLQ (UE4's LightmapCommon.ush, from memory), with its types: (Color, Luma), both irradiance over pi.
 //   LogRGB = Lightmap0 Scale0 + Add0;  LogL = Luminance(LogRGB);  L = 2^(16 LogL - 8) - 2^-8
 //   SH = Lightmap1 Scale1 + Add1;  Luma = L Directionality;  Color = LogRGB (Luma / LogL)
-// Texels in [0, 1], WorldNormal unit. Unlike the source, black (LogL = 0) gives 0 instead of 0/0 (SHADING 4), what rounding
-// brings below 0 is 0, and half saturates.
+// Texels in [0, 1], WorldNormal unit; LogL up to 1.5, where half ends and saturates. Unlike the source, black (LogL = 0)
+// gives 0 instead of 0/0 (SHADING 4), and what rounding brings below 0 is 0.
 FN real4 GetLightMapColorLQ(real3 Lightmap0, real4 Lightmap1, LightmapScales scales, real32x3 WorldNormal) {
   real3 LogRGB = real3(lightmapLogChannel(Lightmap0.x, scales.Scale0.x, scales.Add0.x),
                        lightmapLogChannel(Lightmap0.y, scales.Scale0.y, scales.Add0.y),

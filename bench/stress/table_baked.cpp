@@ -51,13 +51,14 @@ std::vector<FunctionCase> lightmapFunctions() {
             {16, 16, 4 * kDark, "exp2; 2^-8 is taken off a number near it"})
           .takes(join({rgb(unit(0, "Lightmap0")),
                        rgb(unit(3, "Lightmap1")),
-                       {wide(direction(6, "WorldNormal")), wide(unit(9, "Scale0")), wide(unit(10, "Add0")),
+                       {wide(direction(6, "WorldNormal")), wide(unit(9, "Scale0")), wide(within(10, "Add0", 0, 0.375)),
                         wide(within(11, "Scale1", 0, 2)), wide(within(12, "Add1", -1, 0))}}))
           .gives(4, first(4))
           .relativeTo(1.0 / 256),
       entry("encodeLightmapLogRgb", kFnEncodeLightmapLogRgb, radiance, {32, 8, 0.0625, "log2, near 1 in the dark"})
           .takes(rgb(wide(powers(0, "C", 0, 1e30, 0x1p-30, 0x1p16))))
           .gives(3, first(3))
+          .relativeTo(kCode)
           .increases("C.r"),
       entry("encodeLightmapSh", kFnEncodeLightmapSh, directions(3))
           .takes(join({rgb(wide(within(0, "l1", -1.7, 1.7))),

@@ -3,7 +3,8 @@
 
 bool hasLightmap(uint i) { return (kBaked & kBakedLightmap) != 0u && surfaceLightmap[i].z > 0.5; }
 
-// lower: 0 the upper half, 1 the lower one. Bilinear, and kept half a texel inside of the half, so that the other one never mixes in.
+// lower: 0 the upper half, 1 the lower one. Bilinear, and kept half a texel inside of the half, so that the other one never
+// mixes in.
 vec4 readLightmap(vec4 place, float lower) {
   float rows = 0.5 * float(textureSize(lightmapPages, 0).y);
   float row = clamp(place.y * rows, 0.5, rows - 0.5) + lower * rows;

@@ -46,7 +46,7 @@ PARITY_CONST uint kVertexColors = 1u;
 PARITY_CONST uint kVertexUvs = 2u;
 PARITY_CONST uint kVertexTangents = 4u;
 PARITY_CONST uint kVertexSecondUv = 8u; // some texture reads the second uv set
-PARITY_CONST uint kVertexFog = 16u;     // the scene has fog
+PARITY_CONST uint kVertexFog = 16u;      // the scene has fog
 PARITY_CONST uint kVertexLightmap = 32u; // some object has a lightmap
 PARITY_CONST uint kVertexAll = 63u;
 PARITY_CONST uint kVertexMustShift = 16u; // in the constant: what all scenes have, above what some may
@@ -149,7 +149,7 @@ struct GpuShadowView {
 // An environment capture: a cube of the environment's array, or with the high-end path kPrefilterLayers of them.
 struct GpuCapture {
   vec4 position; // where it was taken, world; radius within which it counts
-  vec4 boxLower; // of the box whose walls it shows, world; average brightness: luminance (.3, .59, .11) of its mean radiance
+  vec4 boxLower; // of the box whose walls it shows, world; luminance (.3, .59, .11) of its mean radiance
   vec4 boxUpper;
 };
 

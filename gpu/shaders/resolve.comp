@@ -80,7 +80,8 @@ void main() {
     vec2 uv = vec2(0.0);
     if (instance.baked.y != 0u) {
       uint corner = instance.baked.x + 3u * entry.z;
-      uv = wc * lightmapCorners[corner] + uc * lightmapCorners[corner + 1u] + vc * lightmapCorners[corner + 2u] + instance.lightmap.xy;
+      uv = wc * lightmapCorners[corner] + uc * lightmapCorners[corner + 1u] + vc * lightmapCorners[corner + 2u];
+      uv += instance.lightmap.xy;
     }
     surfaceLightmap[i] = vec4(uv, float(instance.baked.y), side);
   }

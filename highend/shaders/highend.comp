@@ -136,7 +136,8 @@ vec3 reflectedRadiance(Shader s) {
   vec3 R = 2.0 * dot(s.N, s.V) * s.N - s.V;
   float mip = mipFromRoughness(s.roughness);
   if (kOffSpecular == kOffSpecularNone) return imageRadiance(s, R, mip);
-  if (kOffSpecular == kOffSpecularDominant) return imageRadiance(s, safeNormalize(mix(s.N, R, dominantBlend(sqr(s.roughness))), s.N), mip);
+  if (kOffSpecular == kOffSpecularDominant)
+    return imageRadiance(s, safeNormalize(mix(s.N, R, dominantBlend(sqr(s.roughness))), s.N), mip);
   vec3 radiance = vec3(0.0);
   if (kOffSpecular == kOffSpecularStretched) {
     for (int i = 0; i < 2; ++i) radiance += readTap(s, R, stretchedTap(i, s.NoV, s.roughness));

@@ -17,7 +17,7 @@ struct HostPages {
   vk::Format format{};
   std::uint32_t width = 0, height = 0, count = 0;
   std::vector<std::byte> bytes;
-  gpu::BakedContent::Pages view() const { return {format, width, height, count, bytes}; }
+  gpu::BakedPages view() const { return {format, width, height, count, bytes}; }
 };
 
 template <typename T> void append(std::vector<std::byte>& bytes, const T& value) {
