@@ -78,6 +78,26 @@ TEST_F(ResultCacheTest, ShadowsCount) {
   }
 }
 
+TEST_F(ResultCacheTest, BlocksOfTexturesCount) {
+  base::Image8 checks(32, 32, 3);
+  for (std::size_t i = 0; i < checks.pixels.size(); ++i) checks.pixels[i] = static_cast<std::uint8_t>(i * i % 251);
+  base::writeImage8(m_folder / "checks.png", checks);
+  const std::vector<std::string> scene = {writeScene("one", "checks.png")};
+  std::string before = report(scene).files.at("report.json");
+  for (const char* block : {"astc4x4", "astc6x6"}) {
+    const std::vector<std::string> options = {"--mobile-textures", block};
+    const Report first = report(scene, options), again = report(scene, options);
+    EXPECT_TRUE(first.cached().empty()) << block;
+    EXPECT_EQ(again.cached(), std::vector<std::string>{"one"}) << block;
+    EXPECT_TRUE(again.files == first.files) << block;
+    EXPECT_NE(first.files.at("report.json"), before) << block;
+    before = first.files.at("report.json");
+    const nlohmann::json view = nlohmann::json::parse(before)["scenes"][0]["views"][0];
+    EXPECT_EQ(view["whole"]["textures"]["block"], block);
+    EXPECT_GT(view["whole"]["textures"]["figures"]["all"]["metrics"]["flip.mean"], 0) << block;
+  }
+}
+
 TEST_F(ResultCacheTest, UnchangedScenesGiveTheSameBytesAndAreNotRendered) {
   paint("a.png", 200);
   const std::vector<std::string> scenes = {writeScene("one", "a.png"), writeQuad()};
