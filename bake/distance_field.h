@@ -1,10 +1,9 @@
 // The shadow of one light as mobile reads it: a distance field in texture space (SHADING.md 7).
 #pragma once
 
-#include <algorithm>
-
 #include "bake/sun_mask.h"
 #include "base/image.h"
+#include "shading/shading.h"
 
 namespace parity::bake {
 
@@ -22,8 +21,7 @@ struct DistanceField {
 
 // d: 0..1. Unreal Engine 4's mobile base pass.
 inline double decodeVisibility(double d, double transitionScale) {
-  const double x = std::clamp(d * transitionScale + 0.5 - 0.5 * transitionScale, 0.0, 1.0);
-  return x * x;
+  return shading::f64::distanceFieldShadow(d, transitionScale);
 }
 
 // T by which a transition is `penumbra` texels wide: d runs over penumbra / (2 range) while d T runs over 1.

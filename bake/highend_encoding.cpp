@@ -1,9 +1,7 @@
 #include "bake/highend_encoding.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include <glm/glm.hpp>
+#include <array>
 
 #include "base/parallel.h"
 #include "shading/shading.h"
@@ -16,10 +14,8 @@ constexpr double kPi = 3.14159265358979323846;
 
 std::uint16_t bitsOf(double value) { return shading::Half(std::clamp(value, -65504.0, 65504.0)).bits(); }
 
-glm::dvec3 directionOf(const float* sh) {
-  if (!(sh[0] > 0)) return glm::dvec3(0);
-  const glm::dvec3 r = glm::dvec3(sh[1], sh[2], sh[3]) / (sh[0] * std::sqrt(3.0));
-  return r / std::max(1.0, glm::length(r));
+shading::f64::real3 directionOf(const float* sh) {
+  return shading::f64::encodeLightmapDirection(sh[0], {sh[1], sh[2], sh[3]});
 }
 
 } // namespace
@@ -30,10 +26,11 @@ base::BasicImage<std::uint16_t> encodeHighend(const LightmapPage& page) {
   base::parallelFor(below, 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       std::uint16_t *upper = halves.pixels.data() + 4 * i, *lower = upper + 4 * below;
-      const glm::dvec3 r = directionOf(page.sh.pixels.data() + 4 * i);
+      const auto r = directionOf(page.sh.pixels.data() + 4 * i);
+      const std::array<double, 3> direction = {r.x, r.y, r.z};
       for (int c = 0; c < 3; ++c) {
         upper[c] = bitsOf(page.irradiance.pixels[3 * i + static_cast<std::size_t>(c)] / kPi);
-        lower[c] = bitsOf(r[c]);
+        lower[c] = bitsOf(direction[static_cast<std::size_t>(c)]);
       }
     }
   });

@@ -11,6 +11,7 @@
 
 #include "bake/block_fill.h"
 #include "base/parallel.h"
+#include "shading/shading.h"
 
 namespace parity::bake {
 
@@ -18,44 +19,35 @@ namespace {
 
 using Vec3 = glm::dvec3;
 
+namespace formulas = shading::f64;
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kShL0 = .282095, kShL1 = .325735; // SHADING 7
-constexpr double kBlackPoint = 0x1p-8;             // of the logarithm: L + 2^-8
 constexpr std::array<double, 3> kLuminance = {.3, .59, .11};
 
 double luminanceOf(const Vec3& c) { return kLuminance[0] * c.x + kLuminance[1] * c.y + kLuminance[2] * c.z; }
+formulas::real3 toShading(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-// What a texel stores, as numbers. direction: along y, z and x; the constant beside it is always kShL0.
+// What a texel stores, as numbers. direction: along y, z and x; the constant beside it is always .282095.
 struct Values {
   std::array<float, 3> logRgb{}, direction{};
 };
 
-// LogL = (log2(L + 2^-8) + 8) / 16 and its inverse: 0 is black, 1 is L = 256 - 2^-8; L >= 0.
-double logOf(double L) { return (std::log2(L + kBlackPoint) + 8) / 16; }
-double luminanceOfLog(double logL) { return std::exp2(16 * logL - 8) - kBlackPoint; }
-
-// LogRGB = C LogL / L, so that C's hue and LogL can be told from it; 0 for black.
-Vec3 logRgbOf(const Vec3& color) {
-  const double L = luminanceOf(color);
-  return L > 0 ? color * (logOf(L) / L) : Vec3(0);
-}
-
-// The radiance of a white diffuser, at a normal: C directionality.
-Vec3 decode(const Vec3& logRgb, double directionality) {
-  const double logL = luminanceOf(logRgb);
-  return logL > 0 ? logRgb * (luminanceOfLog(logL) * directionality / logL) : Vec3(0);
-}
-
-// The part of the SH that depends on the normal, over l0; world axes.
-Vec3 directionOf(double l0, const Vec3& l1) { return l0 > 0 ? kShL1 / l0 * l1 : Vec3(0); }
-
 Values valuesOf(const Vec3& irradiance, double l0, const Vec3& l1, const Vec3& normal) {
-  const Vec3 direction = directionOf(l0, l1);
-  // Light from behind the normal alone, which smooth normals may have, is no reason for a colour without bound.
-  const double directionality = std::max(kShL0 + glm::dot(direction, normal), 1e-4);
-  const Vec3 logRgb = logRgbOf(irradiance / (kPi * directionality));
+  const formulas::LightmapSh sh = formulas::encodeLightmapSh(l0, toShading(l1));
+  const double scale = formulas::flatNormalScale(sh, toShading(normal)) / kPi;
+  const auto logRgb = formulas::encodeLightmapLogRgb(toShading(irradiance * scale));
   const auto f = [](double value) { return static_cast<float>(value); };
-  return {{f(logRgb.x), f(logRgb.y), f(logRgb.z)}, {f(direction.y), f(direction.z), f(direction.x)}};
+  return {{f(logRgb.x), f(logRgb.y), f(logRgb.z)}, {f(sh.x), f(sh.y), f(sh.z)}};
+}
+
+// Irradiance over pi that a texel's codes give at a normal.
+Vec3 decode(const std::uint8_t* upper, const std::uint8_t* lower, const LqScales& s, const Vec3& normal) {
+  const formulas::LightmapScales scales = {toShading(s.colorScale),     toShading(s.colorAdd),
+                                           toShading(s.directionScale), s.directionScale.w,
+                                           toShading(s.directionAdd),   s.directionAdd.w};
+  const auto color = formulas::GetLightMapColorLQ({upper[0] / 255.0, upper[1] / 255.0, upper[2] / 255.0},
+                                                  {lower[0] / 255.0, lower[1] / 255.0, lower[2] / 255.0, 1}, scales,
+                                                  toShading(normal));
+  return {color.x, color.y, color.z};
 }
 
 Vec3 vectorAt(const base::Image& image, std::size_t texel, int first = 0) {
@@ -95,7 +87,7 @@ public:
       scales.directionScale[c] = m_most[3 + c] - m_least[3 + c];
     }
     scales.colorAdd.w = 1; // the alpha that nothing reads
-    scales.directionAdd.w = static_cast<float>(kShL0);
+    scales.directionAdd.w = static_cast<float>(formulas::encodeLightmapSh(0, {}).w);
     return scales;
   }
 
@@ -167,15 +159,9 @@ public:
       if (page.owner.pixels[i] == kNoInstance) continue;
       const LqScales& s = instances[page.owner.pixels[i]];
       const std::uint8_t *upper = codes.pixels.data() + 4 * i, *lower = upper + 4 * below;
-      Vec3 logRgb, direction;
-      for (int c = 0; c < 3; ++c) {
-        logRgb[c] = valueOf(upper[c], s.colorScale[c], s.colorAdd[c]);
-        direction[c] = valueOf(lower[c], s.directionScale[c], s.directionAdd[c]);
-      }
-      const Vec3 n = vectorAt(page.normal, i), irradiance = vectorAt(page.irradiance, i);
-      const double directionality = std::max(0.0, glm::dot(direction, Vec3(n.y, n.z, n.x)) + s.directionAdd.w);
-      const Vec3 difference = decode(logRgb, directionality) * kPi - irradiance;
-      const double scale = 1 / (luminanceOf(irradiance) + kPi * kBlackPoint);
+      const Vec3 irradiance = vectorAt(page.irradiance, i);
+      const Vec3 difference = decode(upper, lower, s, vectorAt(page.normal, i)) * kPi - irradiance;
+      const double scale = 1 / (luminanceOf(irradiance) + kPi * formulas::kLogBlackPoint);
       for (int c = 0; c < 3; ++c) {
         m_squares += std::pow(difference[c] * scale, 2);
         m_largest = std::max(m_largest, std::abs(difference[c] * scale));

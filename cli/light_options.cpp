@@ -28,7 +28,7 @@ void addLightOptions(CLI::App& app, RawLightOptions& raw) {
   };
   add("--sky-light-color", raw.skyLightColor, "R,G,B that scales the environment's light. Default 1,1,1");
   add("--indirect-color-scale", raw.indirectColorScale,
-      "R,G,B that scales lightmaps; none are read yet. Default 1,1,1");
+      "R,G,B that scales the light of lightmaps (--baked). Default 1,1,1");
   add("--sun-specular-scale", raw.scales.directionalSpecularScale, "Scales the specular light of directional lights")
       ->check(within(0, kMaxLightScale))
       ->capture_default_str();

@@ -1,5 +1,7 @@
 #include "job/baked_scene.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "mobile/light_choice.h"
 
@@ -16,10 +18,11 @@ void requireFresh(const PreparedScene& prepared, const std::string& folder) {
 }
 
 void takeBaked(PreparedScene& prepared, std::shared_ptr<const bake::BakedLight> baked) {
-  std::vector<scenes::Light> sun;
-  if (const auto index = mobile::chooseSun(prepared.lights)) sun = {prepared.lights[*index]};
-  prepared.mobileLights = sun;
-  if (baked->localLights == bake::LocalLights::isStatic) prepared.lights = sun;
+  // It comes first: the high-end path's mask is of its first directional light.
+  const auto sun = mobile::chooseSun(prepared.lights);
+  if (sun) std::rotate(prepared.lights.begin(), prepared.lights.begin() + *sun, prepared.lights.begin() + *sun + 1);
+  prepared.mobileLights.assign(prepared.lights.begin(), prepared.lights.begin() + (sun ? 1 : 0));
+  if (baked->localLights == bake::LocalLights::isStatic) prepared.lights = prepared.mobileLights;
   prepared.environment.reset();
   prepared.mobileEnvironment.reset();
   prepared.baked = std::move(baked);

@@ -15,8 +15,8 @@ template <typename T> std::vector<T> layersOf(const std::vector<base::BasicImage
   return texels;
 }
 
-template <typename T> gpu::BakedContent::Pages pagesOf(vk::Format format, const std::vector<base::BasicImage<T>>& pages,
-                                                       const std::vector<T>& texels) {
+template <typename T> gpu::BakedPages pagesOf(vk::Format format, const std::vector<base::BasicImage<T>>& pages,
+                                              const std::vector<T>& texels) {
   if (pages.empty()) return {};
   return {.format = format,
           .width = static_cast<std::uint32_t>(pages.front().width),
