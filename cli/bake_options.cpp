@@ -26,6 +26,14 @@ CLI::Validator powerOfTwo(int least, int most) {
       "N");
 }
 
+double parseDensity(const std::string& text) {
+  if (text == "auto") return 0;
+  const double density = parseNumbers("--texels-per-metre", text, 1, "auto or a number of 0.01 to 1000000").front();
+  if (!(density >= 0.01 && density <= 1e6))
+    throw invalid("--texels-per-metre", text, "auto or a number of 0.01 to 1000000");
+  return density;
+}
+
 int parseCaptures(const std::string& text) {
   if (text == "auto") return -1;
   int count = 0;
@@ -65,8 +73,8 @@ void addBakeOptions(CLI::App& app, BakeCommand& command, RawBakeOptions& raw) {
       ->group("Light")
       ->capture_default_str();
 
-  app.add_option("--texels-per-metre", o.atlas.texelsPerMetre, "Of lightmaps and of the sun's shadow, at least")
-      ->check(within(0.01, 10000))
+  app.add_option("--texels-per-metre", raw.density,
+                 "Of lightmaps and of the sun's shadow, at least. auto: 16, more of small scenes, fewer of huge ones")
       ->group("Textures")
       ->capture_default_str();
   app.add_option("--page-size", o.atlas.maxPageSide, "The largest side of a lightmap's page, texels: a power of two")
@@ -98,6 +106,7 @@ BakeCommand settleBake(const BakeCommand& given, const RawBakeOptions& raw, cons
   }
   command.options.integrate.error = parseShare("--error", raw.error);
   command.options.captures = parseCaptures(raw.captures);
+  command.options.atlas.texelsPerMetre = parseDensity(raw.density);
   command.options.astc = raw.astc == "none"  ? base::AstcBlock::none
                          : raw.astc == "4x4" ? base::AstcBlock::astc4x4
                                              : base::AstcBlock::astc6x6;

@@ -11,7 +11,7 @@ namespace parity::cli {
 
 // What CLI11 fills in.
 struct RawBakeOptions {
-  std::string error = "1%", astc = "4x4", localLights = "static", captures = "auto";
+  std::string error = "1%", astc = "4x4", localLights = "static", captures = "auto", density = "auto";
 };
 
 // `command` and `raw` must outlive the parsing.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "bake/capture_places.h"
+#include "bake/density.h"
 #include "bake/dilation.h"
 #include "bake/distance_field.h"
 #include "bake/highend_encoding.h"
@@ -30,15 +31,16 @@ class Bake {
 public:
   Bake(Context& context, const SceneRequest& request, const BakeOptions& options, const Progress& progress,
        const std::function<bool()>& isCancelled)
-      : m_context(context), m_request(request), m_options(options), m_progress(progress), m_isCancelled(isCancelled) {
-    m_options.integrate.texelsPerMetre = options.atlas.texelsPerMetre;
-  }
+      : m_context(context), m_request(request), m_options(options), m_progress(progress), m_isCancelled(isCancelled) {}
 
   BakeResult run() {
     tell("loading", 0);
     PreparedScene prepared = prepareScene(m_context, m_request, {.mobile = false, .bakes = true});
     if (!prepared.isLit)
       throw base::fileError(m_request.scene, "", "every material is unlit: there is nothing to bake");
+    if (m_options.atlas.texelsPerMetre == 0)
+      m_options.atlas.texelsPerMetre = bake::defaultTexelsPerMetre(prepared.scene);
+    m_options.integrate.texelsPerMetre = m_options.atlas.texelsPerMetre;
     const bake::BakeLights lights = bakeLightsOf(prepared);
     BakeResult result;
     bake::BakedLight& light = result.light;
@@ -78,7 +80,7 @@ private:
 
   std::string describe() const {
     const bake::IntegrateOptions& i = m_options.integrate;
-    return fmt::format("{} bounces, error {:g} %, at most {} samples, seed {}; {:g} texels a metre; local lights {}",
+    return fmt::format("{} bounces, error {:g} %, at most {} samples, seed {}; {:.4g} texels a metre; local lights {}",
                        i.bounces, 100 * i.error, i.maxSamples, i.seed, i.texelsPerMetre,
                        m_options.localLights == bake::LocalLights::isStatic ? "static" : "stationary");
   }

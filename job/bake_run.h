@@ -13,7 +13,7 @@
 namespace parity::job {
 
 struct BakeOptions {
-  bake::AtlasOptions atlas;
+  bake::AtlasOptions atlas; // texelsPerMetre 0: bake::defaultTexelsPerMetre
   bake::IntegrateOptions integrate; // texelsPerMetre: the atlas' is taken
   base::AstcBlock astc = base::AstcBlock::astc4x4;
   bake::LocalLights localLights = bake::LocalLights::isStatic;

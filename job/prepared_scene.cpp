@@ -196,6 +196,8 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
   if (prepared.baked) {
     requireFresh(prepared, request.baked);
     takeBaked(prepared, prepared.baked);
+    if (prepared.baked->localLights == bake::LocalLights::isStationary && !prepared.shadows)
+      scene.warnings.emplace_back("the high-end path shades stationary lights without shadows; give --shadows");
     prepared.panorama.reset();
   }
   if (prepared.isLit || !hasSky) requireLight(prepared, request.scene); // an unlit scene's sky was not filtered
