@@ -1,5 +1,6 @@
 #include "bake/baked_folder.h"
 
+#include <algorithm>
 #include <cstring>
 #include <system_error>
 
@@ -29,10 +30,16 @@ constexpr std::size_t kMaxPages = 1024, kMaxCaptures = 64;
 
 std::string hashOfFile(const fs::path& file) { return base::Hasher().add(base::readFile(file)).hex(); }
 
-bool isBake(const fs::path& folder) {
+// Whether it holds a bake and nothing else: every entry is one that its manifest lists.
+bool holdsOnlyABake(const fs::path& folder) {
   try {
     const Json manifest = Json::parse(base::readText(folder / kManifestFile, kMaxManifestBytes));
-    return manifest.is_object() && manifest.value("format", "") == kFormat;
+    if (!manifest.is_object() || manifest.value("format", "") != kFormat) return false;
+    const Json& files = manifest.at("files");
+    return std::ranges::all_of(fs::directory_iterator(folder), [&](const fs::directory_entry& entry) {
+      const std::string name = entry.path().filename().string();
+      return name == kManifestFile || files.contains(name);
+    });
   } catch (const std::exception&) {
     return false;
   }
@@ -74,6 +81,13 @@ void readObjects(const fs::path& file, BakedLight& baked) {
   take(bytes, baked.uvs.corners, file.string());
   take(bytes, baked.uvs.places, file.string());
   take(bytes, baked.mobileScales, file.string());
+  const scenes::LightmapUvs& uvs = baked.uvs;
+  const bool fits = std::ranges::all_of(uvs.places, [&](const scenes::LightmapUvs::Place& place) {
+    return place.page < static_cast<std::int64_t>(baked.highend.size()) &&
+           (place.page < 0 || place.firstCorner < uvs.corners.size());
+  });
+  if (!bytes.empty() || !fits || baked.mobileScales.size() != 4 * uvs.places.size())
+    throw base::fileError(file.string(), "", "does not fit the pages of this bake");
 }
 
 // ---- captures
@@ -282,25 +296,33 @@ void requireBakeFolder(const fs::path& folder) {
   std::error_code error;
   if (!fs::exists(folder, error)) return;
   if (!fs::is_directory(folder, error)) throw base::fileError(folder.string(), "", "is not a folder");
-  if (!fs::is_empty(folder, error) && !isBake(folder))
-    throw base::fileError(folder.string(), "", "holds other files, and no bake that may be replaced");
+  if (!fs::is_empty(folder, error) && !holdsOnlyABake(folder))
+    throw base::fileError(folder.string(), "", "holds files that are not of an earlier bake: it is not replaced");
 }
 
 void writeBaked(const fs::path& folder, const BakedLight& baked) {
   requireBakeFolder(folder);
-  const fs::path target = fs::absolute(folder).lexically_normal(),
-                 place = target.has_filename() ? target : target.parent_path();
   const std::string suffix = fmt::format(".{}", ::getpid());
   try {
+    const fs::path target = fs::weakly_canonical(fs::absolute(folder)), // what a link leads to
+        place = target.has_filename() ? target : target.parent_path();
     TemporaryFolder fresh{place.string() + ".new" + suffix};
     fs::create_directories(fresh.path);
     writeInto(fresh.path, baked);
     TemporaryFolder old;
     if (fs::exists(place)) {
-      old.path = place.string() + ".old" + suffix;
-      fs::rename(place, old.path);
+      const fs::path aside = place.string() + ".old" + suffix;
+      fs::rename(place, aside);
+      std::error_code error;
+      fs::rename(fresh.path, place, error);
+      if (error) {
+        fs::rename(aside, place); // the earlier bake stays
+        throw fs::filesystem_error("rename", error);
+      }
+      old.path = aside;
+    } else {
+      fs::rename(fresh.path, place);
     }
-    fs::rename(fresh.path, place);
     fresh.path.clear();
   } catch (const fs::filesystem_error& error) {
     throw base::fileError(folder.string(), "", error.code().message());

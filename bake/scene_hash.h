@@ -20,7 +20,7 @@ struct SceneHashes {
 // The scene's images must have their pixels.
 SceneHashes hashScene(const scenes::Scene& scene, const BakeLights& lights);
 
-// "the scene's lights and materials have changed since it was baked"; empty where nothing has.
+// "stale: not the materials, lights that it was baked from"; empty where nothing has.
 std::string describeChange(const SceneHashes& baked, const SceneHashes& now);
 
 } // namespace parity::bake

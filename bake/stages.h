@@ -15,6 +15,10 @@
 
 namespace parity::bake {
 
+[[noreturn]] inline void throwCancelled(bool isCached) {
+  throw base::fileError("bake", "", isCached ? "cancelled; what is done is in the cache" : "cancelled");
+}
+
 class Stages {
 public:
   explicit Stages(const Control& control) : m_control(control) {}
@@ -34,7 +38,7 @@ public:
         for (std::size_t i = first; i < last && !isCancelled(); ++i) chunk[i] = body(begin + i, rays);
         m_rays += rays;
       });
-      if (isCancelled()) throw base::fileError("bake", "", "cancelled; what is done is in the cache");
+      if (isCancelled()) throwCancelled(m_control.cache && m_control.cache->enabled());
       if (!key.empty()) m_control.cache->store(key, std::as_bytes(chunk));
     }
     tell(what, to);

@@ -28,6 +28,7 @@ void writeLine(std::string_view prefix, const std::string& message) {
 } // namespace
 
 void setLogLevel(LogLevel newLevel) { level = newLevel; }
+LogLevel logLevel() { return level; }
 
 void logVerbose(const std::string& message) {
   if (level == LogLevel::verbose) writeLine("", message);

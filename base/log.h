@@ -7,6 +7,7 @@ namespace parity::base {
 
 enum class LogLevel { quiet, normal, verbose };
 void setLogLevel(LogLevel level);
+LogLevel logLevel();
 
 void logVerbose(const std::string& message); // only with -v
 void logInfo(const std::string& message);    // not with -q

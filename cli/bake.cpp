@@ -1,4 +1,5 @@
 // parity bake: scenes in, folders of baked light out.
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <csignal>
@@ -47,6 +48,11 @@ std::vector<Task> tasksOf(const BakeCommand& command) {
   if (!command.suite.empty()) {
     for (job::SceneRequest& entry : scenes::loadSuite(command.suite).entries) {
       if (entry.baked.empty()) continue;
+      for (const Task& task : tasks)
+        if (task.folder.lexically_normal() == std::filesystem::path(entry.baked).lexically_normal())
+          throw base::fileError(
+              command.suite, "baked",
+              fmt::format("scenes '{}' and '{}' name the same folder", task.request.name, entry.name));
       copyLimits(command.common.load, entry.load);
       tasks.push_back({entry, entry.baked});
     }
@@ -84,6 +90,14 @@ void printSummary(const Task& task, const job::BakeResult& result, double second
              result.light.captures.size() == 1 ? "capture" : "captures", task.folder.string());
 }
 
+// Of a scene of thousands of meshes only the first.
+void printNotes(const std::string& scene, const std::vector<std::string>& notes) {
+  constexpr std::size_t kMostNotes = 20;
+  const std::size_t shown = base::logLevel() == base::LogLevel::verbose ? notes.size() : kMostNotes;
+  for (std::size_t i = 0; i < std::min(shown, notes.size()); ++i) base::logInfo(fmt::format("{}: {}", scene, notes[i]));
+  if (notes.size() > shown) base::logInfo(fmt::format("{}: and {} more (-v: all)", scene, notes.size() - shown));
+}
+
 } // namespace
 
 int runBakeCommand(const BakeCommand& command) {
@@ -105,7 +119,7 @@ int runBakeCommand(const BakeCommand& command) {
       const job::BakeResult result =
           job::bakeScene(context, task.request, command.options, makeProgress(command.common.quiet),
                          [] { return g_isCancelled.load(); });
-      for (const std::string& note : result.notes) base::logInfo(fmt::format("{}: {}", task.request.name, note));
+      printNotes(task.request.name, result.notes);
       bake::writeBaked(task.folder, result.light);
       if (!command.common.quiet) printSummary(task, result, watch.elapsedMs() * 1e-3);
     } catch (const base::Error& error) {

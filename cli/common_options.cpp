@@ -225,6 +225,8 @@ void settle(CommonOptions& common, const RawOptions& raw) {
     if (s.background.x < 0 || s.background.y < 0 || s.background.z < 0)
       throw invalid("--background", raw.background, "a colour: a channel is negative");
   }
+  if (s.truth && !common.baked.empty())
+    throw CLI::ValidationError("--reference", "cannot be combined with --baked: it knows of no baked light");
   s.terms |= s.truth;
   s.metrics = parseMetrics("--metrics", raw.metrics);
   settlePaths(s, raw.paths);

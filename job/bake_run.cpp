@@ -11,6 +11,7 @@
 #include "bake/distance_field.h"
 #include "bake/highend_encoding.h"
 #include "bake/lq_encoding.h"
+#include "bake/stages.h"
 #include "bake/sun_pages.h"
 #include "base/error.h"
 #include "base/hash.h"
@@ -74,7 +75,7 @@ public:
 
 private:
   void tell(const std::string& what, double done) const {
-    if (m_isCancelled && m_isCancelled()) throw base::fileError("bake", "", "cancelled; what is done is in the cache");
+    if (m_isCancelled && m_isCancelled()) bake::throwCancelled(m_context.cache().enabled());
     if (m_progress) m_progress(what, done);
   }
 

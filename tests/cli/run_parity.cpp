@@ -110,7 +110,7 @@ RunResult runParity(const std::vector<std::string>& arguments, const RunOptions&
   out.closeEnd(1);
   err.closeEnd(1);
 
-  bool open[2] = {true, true};
+  bool open[2] = {true, true}, interrupts = !options.interruptAt.empty();
   while (open[0] || open[1]) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     const double leftMs = (options.timeoutS - passed.count()) * 1000;
@@ -122,6 +122,10 @@ RunResult runParity(const std::vector<std::string>& arguments, const RunOptions&
     }
     if (polled[0].revents) open[0] = readSome(out.ends[0], result.out);
     if (polled[1].revents) open[1] = readSome(err.ends[0], result.err);
+    if (interrupts && result.err.find(options.interruptAt) != std::string::npos) {
+      interrupts = false;
+      kill(child, SIGINT);
+    }
   }
   int status = 0;
   rusage usage{};

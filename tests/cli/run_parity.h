@@ -12,7 +12,8 @@ namespace parity::tests {
 struct RunOptions {
   std::vector<std::pair<std::string, std::string>> environment; // added to, or in place of, the test's own
   std::filesystem::path workingFolder;                          // empty: the test's own
-  bool terminal = false; // stderr is a terminal (a pseudo-terminal), as for a user who sends stdout to a file
+  bool terminal = false;   // stderr is a terminal (a pseudo-terminal), as for a user who sends stdout to a file
+  std::string interruptAt; // SIGINT is sent, once, when stderr holds this; empty: never
   double timeoutS = 120;
 };
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -41,6 +43,53 @@ TEST(Sobol, secondDimensionIsThatOfTheDirectionNumbers) {
       if (bits & 1u) expected ^= direction;
     EXPECT_EQ(sobolSecond(index), expected) << index;
   }
+}
+
+// The third coordinate of Sobol's first eight points in Gray code's order, as published with the direction numbers of
+// Joe and Kuo (2008).
+TEST(Sobol, thirdDimensionIsThatOfThePublishedPoints) {
+  const double published[] = {0, 0.5, 0.25, 0.75, 0.625, 0.125, 0.875, 0.375};
+  for (std::uint32_t n = 0; n < 8; ++n) EXPECT_EQ(sobolThird(n ^ (n >> 1)) * 0x1p-32, published[n]) << n;
+}
+
+// Whether each of the elementary boxes of 2^-a[0] x 2^-a[1] x ... holds as many of these 2^k points as any other.
+template <std::size_t D>
+bool areEven(const std::vector<glm::dvec3>& points, const std::array<int, D>& axes, const std::array<int, D>& a) {
+  int bits = 0;
+  for (const int each : a) bits += each;
+  std::vector<std::size_t> counts(std::size_t{1} << bits);
+  for (const glm::dvec3& p : points) {
+    std::size_t box = 0;
+    for (std::size_t d = 0; d < D; ++d) box = box << a[d] | static_cast<std::size_t>(std::ldexp(p[axes[d]], a[d]));
+    ++counts[box];
+  }
+  return std::ranges::all_of(counts, [&](std::size_t n) { return n == points.size() / counts.size(); });
+}
+
+// A (t,s)-sequence in base 2: of any 2^k points from a multiple of that, each elementary box of volume 2^(t-k) holds
+// 2^t (Niederreiter 1987). Of Sobol's, t is the sum of the polynomials' degrees less one each: those of the first two
+// dimensions have 0, the third's has 1. Owen's scrambling keeps it.
+TEST(Sobol, threeDimensionsAreStratifiedTogetherAndByPairs) {
+  for (const std::uint32_t seed : {0u, 1u, 77u, 0xdeadbeefu})
+    for (const int k : {1, 2, 5, 8, 10})
+      for (const std::uint32_t block : {0u, 1u, 6u}) {
+        std::vector<glm::dvec3> points;
+        for (std::uint32_t i = 0; i < 1u << k; ++i) {
+          points.push_back(sobolPoint3((block << k) + i, seed));
+          ASSERT_TRUE(glm::all(glm::greaterThan(points.back(), glm::dvec3(0))));
+          ASSERT_TRUE(glm::all(glm::lessThan(points.back(), glm::dvec3(1))));
+          ASSERT_EQ(glm::dvec2(points.back()), sobolPoint((block << k) + i, seed));
+        }
+        SCOPED_TRACE(testing::Message() << "seed " << seed << ", 2^" << k << " points, block " << block);
+        for (int a = 0; a <= k; ++a) {
+          ASSERT_TRUE(areEven<2>(points, {0, 1}, {a, k - a})) << a;
+          if (a == k) continue;
+          ASSERT_TRUE(areEven<2>(points, {0, 2}, {a, k - 1 - a})) << a;
+          ASSERT_TRUE(areEven<2>(points, {1, 2}, {a, k - 1 - a})) << a;
+          for (int b = 0; a + b < k; ++b) ASSERT_TRUE(areEven<3>(points, {0, 1, 2}, {a, b, k - 1 - a - b})) << a << b;
+        }
+        ASSERT_TRUE(areEven<1>(points, {2}, {k}));
+      }
 }
 
 // Scrambled numbers are uniform and independent between seeds: mean and correlation over 4096 seeds, 5 sigma.
