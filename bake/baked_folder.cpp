@@ -13,6 +13,8 @@
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/image_io.h"
+#include <glm/glm.hpp>
+
 #include "lighting/cube.h"
 #include "shading/half.h"
 
@@ -75,18 +77,22 @@ std::vector<std::byte> objectBytes(const BakedLight& baked) {
   return bytes;
 }
 
-void readObjects(const fs::path& file, BakedLight& baked) {
+void readObjects(const fs::path& file, std::size_t captures, BakedLight& baked) {
   const std::vector<std::byte> all = base::readFile(file);
   std::span<const std::byte> bytes(all);
   take(bytes, baked.uvs.corners, file.string());
   take(bytes, baked.uvs.places, file.string());
   take(bytes, baked.mobileScales, file.string());
+  // Shaders trust all of it.
   const scenes::LightmapUvs& uvs = baked.uvs;
-  const bool fits = std::ranges::all_of(uvs.places, [&](const scenes::LightmapUvs::Place& place) {
-    return place.page < static_cast<std::int64_t>(baked.highend.size()) &&
-           (place.page < 0 || place.firstCorner < uvs.corners.size());
-  });
-  if (!bytes.empty() || !fits || baked.mobileScales.size() != 4 * uvs.places.size())
+  const auto isFinite = [](const auto& v) { return !glm::any(glm::isnan(v)) && !glm::any(glm::isinf(v)); };
+  const auto fits = [&](const scenes::LightmapUvs::Place& place) {
+    return place.page >= -1 && place.page < static_cast<std::int64_t>(baked.highend.size()) && isFinite(place.offset) &&
+           (place.page < 0 || place.firstCorner < uvs.corners.size()) &&
+           place.capture < std::max<std::size_t>(captures, 1);
+  };
+  if (!bytes.empty() || !std::ranges::all_of(uvs.places, fits) || !std::ranges::all_of(uvs.corners, isFinite) ||
+      !std::ranges::all_of(baked.mobileScales, isFinite) || baked.mobileScales.size() != 4 * uvs.places.size())
     throw base::fileError(file.string(), "", "does not fit the pages of this bake");
 }
 
@@ -234,6 +240,14 @@ void requireSize(const fs::path& file, int width, int height, int channels, int 
                                       wantedSide, halves * wantedSide, wantedChannels));
 }
 
+std::shared_ptr<const lighting::EnvironmentLight> readCapture(const fs::path& file, std::span<const std::byte> bytes) {
+  try {
+    return std::make_shared<const lighting::EnvironmentLight>(lighting::environmentLightFromBytes(bytes));
+  } catch (const base::Error& error) {
+    throw base::fileError(file.string(), error.place(), error.reason());
+  }
+}
+
 BakedLight read(const fs::path& folder, const Json& manifest) {
   const Json& files = manifest.at("files");
   const auto checked = [&](const std::string& name) {
@@ -273,14 +287,20 @@ BakedLight read(const fs::path& folder, const Json& manifest) {
     baked.sunMask.push_back(readPage(fmt::format("sun-mask-{}.png", p), 1, 1));
     baked.sunField.push_back(readPage(fmt::format("sun-field-{}.png", p), 1, 1));
   }
-  readObjects(checked("objects.bin"), baked);
+  readObjects(checked("objects.bin"), captures, baked);
   for (std::size_t k = 0; k < captures; ++k) {
     const Json& entry = manifest.at("captures").at(k);
-    const std::vector<std::byte> bytes = base::readFile(checked(fmt::format("capture-{}.bin", k)));
-    baked.captures.push_back(
-        {vectorOf(entry.at("position")), vectorOf(entry.at("boxLower")), vectorOf(entry.at("boxUpper")),
-         entry.at("radius").get<float>(),
-         std::make_shared<const lighting::EnvironmentLight>(lighting::environmentLightFromBytes(bytes))});
+    const fs::path file = checked(fmt::format("capture-{}.bin", k));
+    const std::vector<std::byte> bytes = base::readFile(file);
+    baked.captures.push_back({vectorOf(entry.at("position")), vectorOf(entry.at("boxLower")),
+                              vectorOf(entry.at("boxUpper")), entry.at("radius").get<float>(),
+                              readCapture(file, bytes)});
+    const Capture& capture = baked.captures.back();
+    if (capture.light->prefiltered.faceSize != baked.captures.front().light->prefiltered.faceSize)
+      throw base::fileError(file.string(), "", "is not of the size of the first capture");
+    for (const glm::vec3& v : {capture.position, capture.boxLower, capture.boxUpper, glm::vec3(capture.radius)})
+      if (glm::any(glm::isnan(v)) || glm::any(glm::isinf(v)))
+        throw base::fileError((folder / kManifestFile).string(), "captures", "has a number that is not finite");
   }
   const Json& f = manifest.at("figures");
   baked.figures = {

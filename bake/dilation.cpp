@@ -116,7 +116,7 @@ void fillNormal(base::Image& image, std::size_t texel, const Sources& sources) {
   fillMean(image, texel, sources);
   float* normal = image.pixels.data() + 3 * texel;
   const float length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-  // Opposite normals have no mean.
+  // Opposite normals have no mean; double-sided texels have none at all.
   if (length < 1e-3f)
     std::copy_n(image.pixels.data() + 3 * sources.texels[0], 3, normal);
   else

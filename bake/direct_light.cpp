@@ -24,10 +24,10 @@ bool addLight(const scenes::Light& light, const SurfacePoint& point, bool bothSi
       attenuation *= shading::f64::spotAttenuation(-glm::dot(direction, glm::dvec3(light.direction)),
                                                    std::cos(light.innerConeAngle), std::cos(light.outerConeAngle));
   }
-  double cosine = glm::dot(normal, direction);
-  if (glm::dot(geometric, direction) <= 0 || cosine <= 0) {
-    if (!bothSides || glm::dot(geometric, direction) >= 0) return false;
-    cosine = 0;
+  const double cosine = glm::dot(normal, direction), side = glm::dot(geometric, direction);
+  if (cosine == 0 || side * cosine <= 0) return false; // shading normals tell another side than the surface
+  if (side < 0) {
+    if (!bothSides) return false;
     geometric = -geometric;
   }
   if (!(attenuation > 0)) return false;

@@ -11,7 +11,7 @@
 namespace parity::bake {
 
 // Adds to `sum` what one light gives at a point, if nothing stands between: KHR_lights_punctual's fall-off, range and
-// cone, as the high-end path has it. bothSides: light from behind the surface adds to the SH. Returns whether it did.
+// cone, as the high-end path has it. bothSides: the back is lit, too. Returns whether it did.
 bool addLight(const scenes::Light& light, const SurfacePoint& point, bool bothSides,
               const lighting::Visibility& visibility, LightSum& sum);
 

@@ -79,7 +79,7 @@ public:
     if (sample.bothSides) cosine = std::abs(cosine);
     const double p = density(direction);
     glm::dvec3 origin;
-    if (cosine <= 0 || p <= 0 || !leaves(direction, origin)) return;
+    if (cosine <= 0 || p <= 0 || !leaves(direction, origin) || m_around.surfaces.isHole(sample.hit)) return;
     // As far as the emitter's own triangle, less what rounding may be wrong by.
     const double margin = 2 * m_around.visibility.surfaceOffset(sample.position) / std::max(cosine, 1e-3);
     ++m_rays;
@@ -114,8 +114,8 @@ private:
     // The back of what has but one side: black, as light does not pass it either.
     if (!hit.front && !m_around.surfaces.isDoubleSided(hit.instance)) return glm::dvec3(0);
     glm::dvec3 radiance(0);
-    if (m_around.reflected)
-      radiance = m_around.surfaces.albedo(hit) * glm::dvec3(m_around.reflected->irradiance(hit)) * std::numbers::inv_pi;
+    if (const ReflectedLight* reflected = hit.front ? m_around.reflected : m_around.reflectedByBacks)
+      radiance = m_around.surfaces.albedo(hit) * glm::dvec3(reflected->irradiance(hit)) * std::numbers::inv_pi;
     if (const double pdf = m_around.emitters.pdf(hit); pdf > 0) {
       const double distance = hit.distance, cosine = cosineAt(hit, direction);
       radiance += m_around.surfaces.emission(hit) * (p / (p + pdf * distance * distance / std::max(cosine, 1e-12)));
@@ -130,7 +130,8 @@ private:
   }
 
   void add(const glm::dvec3& flux, const glm::dvec3& direction) {
-    sum.add(flux, direction, std::max(glm::dot(m_normal, direction), 0.0));
+    const double cosine = glm::dot(m_normal, direction);
+    sum.add(flux, direction, m_bothSides ? cosine : std::max(cosine, 0.0));
   }
 
   const Surroundings& m_around;

@@ -20,13 +20,14 @@ struct Surroundings {
   const Emitters& emitters;
   const reference::EnvironmentSampler* sky = nullptr; // null: black
   bool samplesSky = false;                            // it is uneven: sampled by its radiance, too
-  const ReflectedLight* reflected = nullptr;          // null: nothing is reflected
+  const ReflectedLight* reflected = nullptr;          // by fronts; null: nothing is
+  const ReflectedLight* reflectedByBacks = nullptr;   // of double-sided surfaces
 };
 
 // One texel's points, of which a sample takes any.
 struct GatherPoints {
   std::span<const SurfacePoint> points; // at least one
-  bool bothSides = false;               // SH of the whole sphere about it, for what is seen from behind, too
+  bool bothSides = false;               // light of the whole sphere about it, for what is seen from behind, too
 };
 
 // The estimate of one sample, point `index` of the Owen-scrambled Sobol sequences of this seed: the mean over samples

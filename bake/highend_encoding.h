@@ -8,8 +8,9 @@
 
 namespace parity::bake {
 
-// RGBA16F as bits of halves, W x 2 H. Upper half: irradiance / pi, at most 65504, alpha 1. Lower half: r, the direction
-// over world's x, y, z, of length 0 (light from everywhere) to 1 (from one direction), alpha 1:
+// RGBA16F as bits of halves, W x 2 H. Upper half: irradiance / pi, at most 65504; alpha 1
+// where it is that of the front, 0 where both sides are seen (LightmapPage::normal is zero). Lower half: r, the
+// direction over world's x, y, z, of length 0 (light from everywhere) to 1 (from one direction), alpha 1:
 //   r = (l1 / l0) / sqrt(3), cut to length 1; 0 where l0 = 0.
 // sqrt(3) = Y1 / Y0: a single directional light has l1 = sqrt(3) l0 w. Texels without an owner hold zeros, alpha 1.
 base::BasicImage<std::uint16_t> encodeHighend(const LightmapPage& page);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "bake/direct_light.h"
 #include "bake/gather.h"
@@ -28,9 +29,12 @@ constexpr double kDirectionSlack = 4;
 enum Pass : std::uint32_t { kValidity = 1, kFinal, kFirstCoarse };
 
 struct Direct {
-  TexelLight inLightmap; // all lights but the sun
-  glm::vec3 all{0.f};    // irradiance, the sun's too
+  TexelLight inLightmap;              // all lights but the sun
+  glm::vec3 all{0.f}, allOfBack{0.f}; // irradiance, the sun's too
   std::uint16_t valid = 0, sunLit = 0;
+};
+struct Coarse {
+  glm::vec3 irradiance{0.f}, back{0.f};
 };
 struct Gathered {
   TexelLight light;
@@ -49,6 +53,7 @@ public:
       if (m_sky->isBlack()) m_sky.reset();
     }
     m_samplesSky = m_sky && isUneven(*m_sky);
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) m_hasTwoSides |= m_surfaces.isDoubleSided(i);
   }
 
   StaticLight run() {
@@ -95,7 +100,8 @@ private:
     int valid = 0;
     for (std::size_t k = 0; k < all.count; ++k) {
       const SurfacePoint& point = all.points[k];
-      if (isSunLit(point, rays)) result.sunLit = static_cast<std::uint16_t>(result.sunLit | 1 << all.subTexel[k]);
+      if (isSunLit(point, bothSides, rays))
+        result.sunLit = static_cast<std::uint16_t>(result.sunLit | 1 << all.subTexel[k]);
       if ((result.valid & 1 << all.subTexel[k]) == 0) continue;
       ++valid;
       for (std::size_t l = 0; l < m_lights.lights.size(); ++l) {
@@ -105,15 +111,22 @@ private:
     }
     if (valid == 0) return result;
     result.inLightmap = others.times(1.0 / valid);
-    result.all = result.inLightmap.irradiance + sun.times(1.0 / valid).irradiance;
+    const TexelLight ofSun = sun.times(1.0 / valid);
+    result.all = result.inLightmap.irradiance + ofSun.irradiance;
+    result.allOfBack = result.inLightmap.back + ofSun.back;
     return result;
   }
 
-  // Lit where the surface is turned away, too: there its shading says enough, and no edge of a shadow is wanted.
-  bool isSunLit(const SurfacePoint& point, std::uint64_t& rays) const {
+  // Lit where the surface is turned away, too: there its shading says enough, and no edge of a shadow is wanted. What
+  // is double-sided always has a side that is not.
+  bool isSunLit(const SurfacePoint& point, bool bothSides, std::uint64_t& rays) const {
     if (!m_lights.sun) return true;
-    const glm::dvec3 L = -glm::dvec3(m_lights.lights[*m_lights.sun].direction), n(point.geometric);
-    if (glm::dot(n, L) <= 0) return true;
+    const glm::dvec3 L = -glm::dvec3(m_lights.lights[*m_lights.sun].direction);
+    glm::dvec3 n(point.geometric);
+    if (glm::dot(n, L) <= 0) {
+      if (!bothSides) return true;
+      n = -n;
+    }
     ++rays;
     return !m_visibility.isOccluded(m_visibility.leaveSurface(point.position, n), L);
   }
@@ -123,45 +136,57 @@ private:
               std::vector<Gathered>& result) {
     const std::size_t count = direct.size();
     const int passes = m_options.bounces + 1;
-    std::vector<glm::vec3> irradiance(count);
-    for (std::size_t i = 0; i < count; ++i) irradiance[i] = direct[i].all;
-    std::unique_ptr<ReflectedLight> reflected;
-    double mean = 0;
-    for (int pass = 0; pass < passes - 1; ++pass) {
-      if (pass > 0 || shines) {
-        std::vector<glm::vec3> coarse(count);
-        const double from = 0.05 + 0.25 * pass / passes, to = 0.05 + 0.25 * (pass + 1) / passes;
-        const auto around = surroundings(reflected.get());
-        m_stages.run("coarse " + std::to_string(pass), "bounce " + std::to_string(pass), from, to, std::span(coarse),
-                     [&](std::size_t i, std::uint64_t& rays) { return coarseAt(around, direct[i], i, pass, rays); });
-        mean = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-          irradiance[i] = direct[i].all + coarse[i];
-          mean += lightmapLuminance(coarse[i] + direct[i].inLightmap.irradiance);
-        }
-        mean /= static_cast<double>(std::max<std::size_t>(std::ranges::count(isValid, true), 1));
-      }
-      reflected = std::make_unique<ReflectedLight>(m_atlas, m_grid, irradiance, isValid);
+    std::vector<glm::vec3> fronts(count), backs(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      fronts[i] = direct[i].all;
+      backs[i] = direct[i].allOfBack;
     }
-    const auto around = surroundings(reflected.get());
+    std::vector<Coarse> coarse(count);
+    std::unique_ptr<ReflectedLight> byFronts, byBacks;
+    for (int pass = 0; pass < passes - 1; ++pass) {
+      if (pass > 0 || shines) gatherCoarsely(surroundings(byFronts.get(), byBacks.get()), direct, pass, coarse);
+      for (std::size_t i = 0; i < count; ++i) {
+        fronts[i] = direct[i].all + coarse[i].irradiance;
+        backs[i] = direct[i].allOfBack + coarse[i].back;
+      }
+      byFronts = std::make_unique<ReflectedLight>(m_atlas, m_grid, fronts, isValid);
+      if (m_hasTwoSides) byBacks = std::make_unique<ReflectedLight>(m_atlas, m_grid, backs, isValid);
+    }
+    const auto around = surroundings(byFronts.get(), byBacks.get());
+    // How bright the scene is, for what is too dark to matter: of the last pass, or of one for nothing else.
+    if (passes == 1) gatherCoarsely(around, direct, 0, coarse);
+    double mean = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      mean += lightmapLuminance(coarse[i].irradiance + direct[i].inLightmap.irradiance);
+    mean /= static_cast<double>(std::max<std::size_t>(std::ranges::count(isValid, true), 1));
     m_stages.run("final", "gathering", 0.3, 1, std::span(result), [&](std::size_t i, std::uint64_t& rays) {
       return finalAt(around, direct[i], i, kDarkShare * mean, rays);
     });
   }
 
-  Surroundings surroundings(const ReflectedLight* reflected) const {
-    return {m_visibility, m_surfaces, m_emitters, m_sky.get(), m_samplesSky, reflected};
+  void gatherCoarsely(const Surroundings& around, const std::vector<Direct>& direct, int pass,
+                      std::vector<Coarse>& coarse) {
+    const double passes = m_options.bounces + 1, from = 0.05 + 0.25 * pass / passes,
+                 to = 0.05 + 0.25 * (pass + 1) / passes;
+    m_stages.run("coarse " + std::to_string(pass), "bounce " + std::to_string(pass), from, to, std::span(coarse),
+                 [&](std::size_t i, std::uint64_t& rays) { return coarseAt(around, direct[i], i, pass, rays); });
   }
 
-  glm::vec3 coarseAt(const Surroundings& around, const Direct& direct, std::size_t i, int pass,
-                     std::uint64_t& rays) const {
+  Surroundings surroundings(const ReflectedLight* byFronts, const ReflectedLight* byBacks) const {
+    return {m_visibility, m_surfaces, m_emitters, m_sky.get(), m_samplesSky, byFronts, byBacks};
+  }
+
+  Coarse coarseAt(const Surroundings& around, const Direct& direct, std::size_t i, int pass,
+                  std::uint64_t& rays) const {
     const TexelPoints points = pointsOf(m_grid, m_grid.texels()[i], direct.valid);
-    if (points.count == 0) return glm::vec3(0);
-    const GatherPoints texel{std::span(points.points).first(points.count), false};
+    if (points.count == 0) return {};
+    const GatherPoints texel{std::span(points.points).first(points.count),
+                             m_surfaces.isDoubleSided(m_grid.texels()[i].instance)};
     const std::uint32_t seed = seedOf(i, kFirstCoarse + static_cast<std::uint32_t>(pass));
-    glm::dvec3 sum(0);
-    for (std::uint32_t s = 0; s < kCoarseSamples; ++s) sum += gatherSample(around, texel, s, seed, rays).irradiance;
-    return glm::vec3(sum / static_cast<double>(kCoarseSamples));
+    LightSum sum;
+    for (std::uint32_t s = 0; s < kCoarseSamples; ++s) sum += gatherSample(around, texel, s, seed, rays);
+    const TexelLight mean = sum.times(1.0 / kCoarseSamples);
+    return {mean.irradiance, mean.back};
   }
 
   // Independent replicates of the sequence, all doubled until they agree: their scatter is the error of their mean.
@@ -172,7 +197,7 @@ private:
     Gathered result;
     if (points.count == 0) return result;
     const GatherPoints texel{std::span(points.points).first(points.count), m_surfaces.isDoubleSided(at.instance)};
-    const double known = lightmapLuminance(direct.inLightmap.irradiance);
+    const double known = lightmapLuminance(direct.inLightmap.irradiance + direct.inLightmap.back);
     std::array<LightSum, kReplicates> sums{};
     std::uint32_t done = 0;
     double before = 0;
@@ -181,12 +206,8 @@ private:
       glm::dvec4 sh(0), shSquares(0);
       for (std::uint32_t r = 0; r < kReplicates; ++r) {
         const std::uint32_t seed = reference::hashCombine(seedOf(i, kFinal), r);
-        for (std::uint32_t s = done; s < n; ++s) {
-          const LightSum sample = gatherSample(around, texel, s, seed, rays);
-          sums[r].irradiance += sample.irradiance;
-          sums[r].sh += sample.sh;
-        }
-        const double luminance = lightmapLuminance(sums[r].irradiance) / n;
+        for (std::uint32_t s = done; s < n; ++s) sums[r] += gatherSample(around, texel, s, seed, rays);
+        const double luminance = lightmapLuminance(sums[r].irradiance + sums[r].back) / n;
         mean += luminance / kReplicates;
         squares += luminance * luminance / kReplicates;
         const glm::dvec4 coefficients = sums[r].sh / static_cast<double>(n);
@@ -209,10 +230,7 @@ private:
         break;
     }
     LightSum sum;
-    for (const LightSum& each : sums) {
-      sum.irradiance += each.irradiance;
-      sum.sh += each.sh;
-    }
+    for (const LightSum& each : sums) sum += each;
     result.samples = done * kReplicates;
     result.light = sum.times(1.0 / result.samples);
     return result;
@@ -228,7 +246,7 @@ private:
   SurfaceLight m_surfaces;
   Emitters m_emitters;
   std::unique_ptr<reference::EnvironmentSampler> m_sky;
-  bool m_samplesSky = false;
+  bool m_samplesSky = false, m_hasTwoSides = false;
 };
 
 glm::vec3 meanNormal(const TexelPoints& points) {
@@ -238,6 +256,17 @@ glm::vec3 meanNormal(const TexelPoints& points) {
   return glm::dot(sum, sum) > 1e-12f ? glm::normalize(sum) : points.count > 0 ? points.points[0].normal : sum;
 }
 
+bool isTwoSided(const scenes::Scene& scene, std::uint32_t instance) {
+  return scene.materials[scene.meshes[scene.instances[instance].mesh].material].doubleSided;
+}
+
+// Irradiance that the SH's mean radiance would give, in the colour of what reaches both sides.
+glm::vec3 fromEverywhere(const TexelLight& light) {
+  const glm::dvec3 both(light.irradiance + light.back);
+  const double luminance = lightmapLuminance(both);
+  return luminance > 0 ? glm::vec3(both * (std::numbers::pi * kY0 * light.sh.x / luminance)) : glm::vec3(0);
+}
+
 } // namespace
 
 StaticLight integrate(const scenes::Scene& scene, const Atlas& atlas, const TexelGrid& grid, const BakeLights& lights,
@@ -245,8 +274,8 @@ StaticLight integrate(const scenes::Scene& scene, const Atlas& atlas, const Texe
   return Integrator(scene, atlas, grid, lights, options, control).run();
 }
 
-std::vector<IntegratedPage> makePages(const Atlas& atlas, const TexelGrid& grid, const StaticLight& light,
-                                      bool withDirect) {
+std::vector<IntegratedPage> makePages(const scenes::Scene& scene, const Atlas& atlas, const TexelGrid& grid,
+                                      const StaticLight& light, bool withDirect) {
   const int side = atlas.pageSide;
   std::vector<IntegratedPage> pages(static_cast<std::size_t>(atlas.pageCount));
   for (IntegratedPage& page : pages)
@@ -257,9 +286,13 @@ std::vector<IntegratedPage> makePages(const Atlas& atlas, const TexelGrid& grid,
     *page.owner.at(texel.x, texel.y) = texel.instance;
     const bool isValid = light.valid[i] != 0;
     *invalid.at(texel.x, texel.y) = isValid ? 0 : 1;
-    const glm::vec3 normal = meanNormal(pointsOf(grid, texel, isValid ? light.valid[i] : std::uint16_t{0xffff}));
     TexelLight sum = light.gathered[i];
     if (withDirect) sum += light.direct[i];
+    glm::vec3 normal(0);
+    if (isTwoSided(scene, texel.instance))
+      sum.irradiance = fromEverywhere(sum);
+    else
+      normal = meanNormal(pointsOf(grid, texel, isValid ? light.valid[i] : std::uint16_t{0xffff}));
     for (int c = 0; c < 3; ++c) {
       page.irradiance.at(texel.x, texel.y)[c] = sum.irradiance[c];
       page.normal.at(texel.x, texel.y)[c] = normal[c];

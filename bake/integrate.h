@@ -64,7 +64,7 @@ struct IntegratedPage {
 };
 
 // Gathered light, with the direct light or without.
-std::vector<IntegratedPage> makePages(const Atlas& atlas, const TexelGrid& grid, const StaticLight& light,
-                                      bool withDirect);
+std::vector<IntegratedPage> makePages(const scenes::Scene& scene, const Atlas& atlas, const TexelGrid& grid,
+                                      const StaticLight& light, bool withDirect);
 
 } // namespace parity::bake

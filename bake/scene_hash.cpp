@@ -39,7 +39,10 @@ std::string hashMaterials(const scenes::Scene& scene) {
     hasher.addValue(m.baseColor).addValue(m.metallic).addValue(m.roughness).addValue(m.emissive);
     hasher.addValue(m.alphaCutoff).addValue(m.alphaMode).addValue(m.doubleSided).addValue(m.unlit);
     hasher.addValue(m.ior).addValue(m.specular).addValue(m.specularColor);
-    for (const scenes::TextureSlot* slot : {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.emissiveTexture}) {
+    hasher.addValue(m.normalScale).addValue(m.occlusionStrength);
+    for (const scenes::TextureSlot* slot :
+         {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.emissiveTexture, &m.normalTexture, &m.occlusionTexture,
+          &m.specularTexture, &m.specularColorTexture}) {
       hasher.addValue(slot->image).addValue(slot->texCoord).addValue(slot->uvTransform);
       hasher.addValue(slot->sampler.wrapU).addValue(slot->sampler.wrapV).addValue(slot->sampler.magFilter);
       if (slot->present()) images.insert(slot->image);

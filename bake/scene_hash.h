@@ -11,7 +11,7 @@ namespace parity::bake {
 // Apart, so that it can be said what has changed.
 struct SceneHashes {
   std::string geometry;  // meshes (positions, normals, indices, both uvs, colours) and where they stand
-  std::string materials; // factors, and the textures of base colour, metallic and emission
+  std::string materials; // factors and textures: captures show all of them
   std::string lights;    // of all kinds, without the scale of their specular light; which of them is the sun
   std::string sky;       // the environment, its rotation applied
   bool operator==(const SceneHashes&) const = default;

@@ -16,7 +16,9 @@
 namespace parity::bake {
 
 [[noreturn]] inline void throwCancelled(bool isCached) {
-  throw base::fileError("bake", "", isCached ? "cancelled; what is done is in the cache" : "cancelled");
+  throw base::fileError("bake", "",
+                        isCached ? "cancelled; what is done is in the cache, from which the same command goes on"
+                                 : "cancelled");
 }
 
 class Stages {

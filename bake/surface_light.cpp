@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lighting/alpha_mask.h"
 #include "shading/shading.h"
 
 namespace parity::bake {
@@ -42,6 +43,13 @@ glm::dvec3 SurfaceLight::albedo(const lighting::Visibility::Hit& hit) const {
   if (material.metallicRoughnessTexture.present())
     metallic *= lighting::readTexture(m_scene, mesh, material.metallicRoughnessTexture, point).z;
   return glm::clamp(base * (1 - glm::clamp(metallic, 0.0, 1.0)), 0.0, 1.0);
+}
+
+bool SurfaceLight::isHole(const lighting::Visibility::Hit& hit) const {
+  const scenes::Mesh& mesh = m_scene.meshes[m_scene.instances[hit.instance].mesh];
+  if (m_scene.materials[mesh.material].alphaMode != scenes::AlphaMode::mask) return false;
+  const lighting::TrianglePoint point = pointOf(mesh, hit);
+  return lighting::isHole(m_scene, mesh, point.vertices, point.weights);
 }
 
 glm::dvec3 SurfaceLight::emission(const lighting::Visibility::Hit& hit) const {

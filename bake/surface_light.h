@@ -21,6 +21,8 @@ public:
   glm::dvec3 albedo(const lighting::Visibility::Hit& hit) const;
   // Emitted radiance.
   glm::dvec3 emission(const lighting::Visibility::Hit& hit) const;
+  // Whether the point is cut out of a masked material.
+  bool isHole(const lighting::Visibility::Hit& hit) const;
   bool emits(std::uint32_t instance) const { return m_emits[materialOf(instance)]; }
   bool isDoubleSided(std::uint32_t instance) const { return m_scene.materials[materialOf(instance)].doubleSided; }
 

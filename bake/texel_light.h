@@ -1,16 +1,20 @@
 // Light that arrives at a texel, and how it is summed.
 #pragma once
 
+#include <cmath>
+
 #include <glm/glm.hpp>
 
 namespace parity::bake {
 
 // Plain data: cached as it is.
 struct TexelLight {
-  glm::vec3 irradiance{0.f}; // linear Rec.709
+  glm::vec3 irradiance{0.f}; // linear Rec.709, of the front
+  glm::vec3 back{0.f};       // the same of the back of a double-sided surface
   glm::vec4 sh{0.f};         // as LightmapPage::sh
   TexelLight& operator+=(const TexelLight& other) {
     irradiance += other.irradiance;
+    back += other.back;
     sh += other.sh;
     return *this;
   }
@@ -22,16 +26,24 @@ inline constexpr double kY0 = 0.282094791773878143, kY1 = 0.488602511902919921;
 inline double lightmapLuminance(const glm::dvec3& c) { return 0.3 * c.x + 0.59 * c.y + 0.11 * c.z; }
 
 // Light of a direction (unit): `flux` is radiance times solid angle; cosine: of the direction and the texel's normal,
-// or 0 where it adds to the SH alone.
+// negative where it comes to the back.
 struct LightSum {
-  glm::dvec3 irradiance{0.0};
+  glm::dvec3 irradiance{0.0}, back{0.0};
   glm::dvec4 sh{0.0};
   void add(const glm::dvec3& flux, const glm::dvec3& direction, double cosine) {
-    irradiance += flux * cosine;
+    (cosine < 0 ? back : irradiance) += flux * std::abs(cosine);
     const double luminance = lightmapLuminance(flux);
     sh += glm::dvec4(luminance * kY0, luminance * kY1 * direction);
   }
-  TexelLight times(double scale) const { return {glm::vec3(irradiance * scale), glm::vec4(sh * scale)}; }
+  LightSum& operator+=(const LightSum& other) {
+    irradiance += other.irradiance;
+    back += other.back;
+    sh += other.sh;
+    return *this;
+  }
+  TexelLight times(double scale) const {
+    return {glm::vec3(irradiance * scale), glm::vec3(back * scale), glm::vec4(sh * scale)};
+  }
 };
 
 } // namespace parity::bake

@@ -19,22 +19,24 @@ namespace parity::cli {
 
 namespace {
 
-// Set by SIGINT and SIGTERM while something is baked: it ends, and leaves nothing behind but its cache.
+// Set by SIGINT, SIGTERM and SIGHUP while something is baked: it ends, and leaves nothing behind but its cache.
 std::atomic<bool> g_isCancelled = false;
 
 class CancelOnSignal {
 public:
   CancelOnSignal() {
-    for (std::size_t i = 0; i < kSignals.size(); ++i)
+    for (std::size_t i = 0; i < kSignals.size(); ++i) {
       m_before[i] = std::signal(kSignals[i], [](int) { g_isCancelled = true; });
+      if (m_before[i] == SIG_IGN) std::signal(kSignals[i], SIG_IGN); // as a job in the background
+    }
   }
   ~CancelOnSignal() {
     for (std::size_t i = 0; i < kSignals.size(); ++i) std::signal(kSignals[i], m_before[i]);
   }
 
 private:
-  static constexpr std::array<int, 2> kSignals = {SIGINT, SIGTERM};
-  std::array<void (*)(int), 2> m_before{};
+  static constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
+  std::array<void (*)(int), 3> m_before{};
 };
 
 // A scene and its folder.
@@ -82,8 +84,9 @@ void printSummary(const Task& task, const job::BakeResult& result, double second
              result.light.highend.size(), result.light.highend.size() == 1 ? "page" : "pages", result.light.pageSide,
              result.light.pageSide, f.samplesPerTexel, seconds);
   if (result.rays > 0) fmt::print(", {:.1f} million rays", static_cast<double>(result.rays) * 1e-6);
-  fmt::print("\n  error {:.2g} % in the median, {:.2g} % at worst; {:.1f} % of texels within what was wanted\n",
-             100 * f.errorMedian, 100 * f.errorWorst, 100 * f.shareWithinError);
+  fmt::print("\n  error {:.2g} % in the median, {:.2g} % at worst; {:.1f} % of texels within what was wanted{}\n",
+             100 * f.errorMedian, 100 * f.errorWorst, 100 * f.shareWithinError,
+             f.shareWithinError < 0.95 ? ": more with a larger --max-samples" : "");
   fmt::print("  mobile lightmap: rms error {:.2g} % in 8 bits, {:.2g} % after ASTC {}{}\n", 100 * f.quantizedError,
              100 * f.storedError, result.light.astc, astcDb(f));
   fmt::print("  {} environment {}; {}\n", result.light.captures.size(),
@@ -127,6 +130,10 @@ int runBakeCommand(const BakeCommand& command) {
       if (g_isCancelled || tasks.size() == 1) throw;
       base::logError(error.what());
       exitCode = std::max(exitCode, static_cast<int>(error.code()));
+    } catch (const std::exception& error) {
+      if (tasks.size() == 1) throw;
+      base::logError(fmt::format("{}: {}", task.request.name, error.what()));
+      exitCode = std::max(exitCode, static_cast<int>(base::ExitCode::failed));
     }
   }
   if (command.common.timings) printTimings(context.timings().stages());

@@ -68,7 +68,8 @@ void addBakeOptions(CLI::App& app, BakeCommand& command, RawBakeOptions& raw) {
       ->group("Light")
       ->capture_default_str();
   app.add_option("--local-lights", raw.localLights,
-                 "static: point and spot lights are baked for both paths; stationary: for mobile alone")
+                 "static: point and spot lights are baked for both paths, without highlights; stationary: the high-end "
+                 "path shades them itself")
       ->check(CLI::IsMember({"static", "stationary"}))
       ->group("Light")
       ->capture_default_str();

@@ -9,7 +9,7 @@ namespace parity::gpu {
 
 namespace {
 
-// Most that one of our pipelines binds (the resolve pass; the paths' shaders bind fewer).
+// Most that one of our pipelines binds (the paths' shaders; the resolve pass binds fewer).
 constexpr std::uint32_t kStorageBuffers = 19;
 
 std::string lowered(std::string text) {

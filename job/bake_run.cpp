@@ -65,7 +65,7 @@ public:
       tell("encoding", kIntegrated);
       const base::Stopwatch watch(&m_context.timings(), "encode lightmaps");
       describeError(found, light.figures);
-      encode(atlas, grid, found, prepared.scene.instances.size(), light);
+      encode(prepared.scene, atlas, grid, found, light);
       if (lights.sun) encodeSun(bake::makeSunMasks(atlas, grid, found), light);
     }
     addCaptures(std::move(prepared), light);
@@ -140,11 +140,11 @@ private:
     return pages;
   }
 
-  void encode(const bake::Atlas& atlas, const bake::TexelGrid& grid, const bake::StaticLight& found,
-              std::size_t instances, bake::BakedLight& light) const {
-    const std::vector<bake::LightmapPage> pages = dilated(bake::makePages(atlas, grid, found, true));
+  void encode(const scenes::Scene& scene, const bake::Atlas& atlas, const bake::TexelGrid& grid,
+              const bake::StaticLight& found, bake::BakedLight& light) const {
+    const std::vector<bake::LightmapPage> pages = dilated(bake::makePages(scene, atlas, grid, found, true));
     for (const bake::LightmapPage& page : pages) light.sources.push_back(sourceOf(page));
-    bake::LqLightmap mobile = bake::encodeLq(pages, instances, {.block = m_options.astc});
+    bake::LqLightmap mobile = bake::encodeLq(pages, scene.instances.size(), {.block = m_options.astc});
     light.mobile = std::move(mobile.pages);
     for (const bake::LqScales& s : mobile.instances)
       light.mobileScales.insert(light.mobileScales.end(), {s.colorScale, s.colorAdd, s.directionScale, s.directionAdd});
@@ -158,7 +158,7 @@ private:
     if (m_options.localLights == bake::LocalLights::isStatic)
       encodeAll(pages);
     else
-      encodeAll(dilated(bake::makePages(atlas, grid, found, false)));
+      encodeAll(dilated(bake::makePages(scene, atlas, grid, found, false)));
   }
 
   // Irradiance, SH, normal.
@@ -191,13 +191,14 @@ private:
   }
 
   std::vector<bake::CapturePlace> findPlaces(const scenes::Scene& scene) const {
-    const int count = captureCount(scene);
-    if (m_request.captures.empty() && count == 0) return {};
+    if (m_options.captures == 0) return {};
     const lighting::Visibility visibility(scene);
-    if (m_request.captures.empty()) return bake::findCapturePlaces(scene, visibility, count);
+    if (m_request.captures.empty()) return bake::findCapturePlaces(scene, visibility, captureCount(scene));
     std::vector<bake::CapturePlace> places;
     for (const glm::vec3& position : m_request.captures)
       places.push_back(bake::placeCapture(scene, visibility, position));
+    if (m_options.captures > 0 && places.size() > static_cast<std::size_t>(m_options.captures))
+      places.resize(static_cast<std::size_t>(m_options.captures));
     return places;
   }
 
@@ -209,6 +210,11 @@ private:
     for (const bake::CapturePlace& place : places) positions.push_back(place.position);
     for (scenes::LightmapUvs::Place& place : light.uvs.places)
       place.capture = nearest(prepared.scene, positions, &place - light.uvs.places.data());
+    // What may differ from one rendering to the next is left to that: fog, scales of light. Local lights that are not
+    // in the high-end lightmap cast shadows.
+    prepared.scene.fog.reset();
+    prepared.scene.lightScales = {};
+    prepared.shadows = m_options.localLights == bake::LocalLights::isStationary;
     const std::vector<scenes::Light> lights = prepared.lights;
     for (int pass = 0; pass < 2 && !places.empty(); ++pass) {
       tell(pass == 0 ? "captures" : "captures of captures", kEncoded + 0.05 * pass);

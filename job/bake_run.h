@@ -13,11 +13,11 @@
 namespace parity::job {
 
 struct BakeOptions {
-  bake::AtlasOptions atlas; // texelsPerMetre 0: bake::defaultTexelsPerMetre
+  bake::AtlasOptions atlas;         // texelsPerMetre 0: bake::defaultTexelsPerMetre
   bake::IntegrateOptions integrate; // texelsPerMetre: the atlas' is taken
   base::AstcBlock astc = base::AstcBlock::astc4x4;
   bake::LocalLights localLights = bake::LocalLights::isStatic;
-  int captures = -1;     // -1: by the scene's floor space, kMaxCaptures at most; places of the request go first
+  int captures = -1;     // -1: those of the request, or by the scene's floor space; else so many at most, 0: none
   int captureSize = 128; // texels along a face, a power of two
 };
 inline constexpr int kMaxCaptures = 8;

@@ -12,8 +12,17 @@ bake::BakeLights bakeLightsOf(const PreparedScene& prepared) {
 }
 
 void requireFresh(const PreparedScene& prepared, const std::string& folder) {
+  if (prepared.baked->scene != prepared.scene.name)
+    throw base::fileError(folder, "", "is the bake of another scene, '" + prepared.baked->scene + "'");
+  const scenes::Scene& scene = prepared.scene;
+  const std::vector<scenes::LightmapUvs::Place>& places = prepared.baked->uvs.places;
+  bool fits = places.size() == scene.instances.size();
+  for (std::size_t i = 0; i < places.size() && fits; ++i)
+    fits = places[i].page < 0 || places[i].firstCorner + scene.meshes[scene.instances[i].mesh].indices.size() <=
+                                     prepared.baked->uvs.corners.size();
   const std::string change =
       bake::describeChange(prepared.baked->hashes, bake::hashScene(prepared.scene, bakeLightsOf(prepared)));
+  if (change.empty() && !fits) throw base::fileError(folder, "objects.bin", "is not of this scene's objects");
   if (!change.empty()) throw base::fileError(folder, "", change + "; parity bake makes it anew");
 }
 
@@ -23,8 +32,11 @@ void takeBaked(PreparedScene& prepared, std::shared_ptr<const bake::BakedLight> 
   if (sun) std::rotate(prepared.lights.begin(), prepared.lights.begin() + *sun, prepared.lights.begin() + *sun + 1);
   prepared.mobileLights.assign(prepared.lights.begin(), prepared.lights.begin() + (sun ? 1 : 0));
   if (baked->localLights == bake::LocalLights::isStatic) prepared.lights = prepared.mobileLights;
-  prepared.environment.reset();
-  prepared.mobileEnvironment.reset();
+  if (!baked->captures.empty()) {
+    prepared.environment.reset();
+    prepared.mobileEnvironment.reset();
+    prepared.scene.lightScales.skyLightColor = glm::vec3(1); // what the captures show has that colour
+  }
   prepared.baked = std::move(baked);
 }
 

@@ -25,11 +25,12 @@ template <typename T> gpu::BakedPages pagesOf(vk::Format format, const std::vect
           .texels = std::as_bytes(std::span(texels))};
 }
 
-std::vector<gpu::GpuCapture> capturesOf(const bake::BakedLight& baked) {
+// isNormalised: whether reflections follow the lightmap.
+std::vector<gpu::GpuCapture> capturesOf(const bake::BakedLight& baked, bool isNormalised) {
   std::vector<gpu::GpuCapture> captures;
   for (const bake::Capture& c : baked.captures)
-    captures.push_back(
-        {glm::vec4(c.position, c.radius), glm::vec4(c.boxLower, c.averageBrightness()), glm::vec4(c.boxUpper, 0)});
+    captures.push_back({glm::vec4(c.position, c.radius),
+                        glm::vec4(c.boxLower, isNormalised ? c.averageBrightness() : 0.f), glm::vec4(c.boxUpper, 0)});
   return captures;
 }
 
@@ -41,10 +42,12 @@ std::vector<const lighting::CubeMap*> cubesOf(const bake::BakedLight& baked) {
 
 } // namespace
 
+// The captures show the direct light of stationary lights, which the high-end lightmap lacks: no measure for each
+// other.
 gpu::BakedMaps uploadHighendBaked(const gpu::Device& device, const bake::BakedLight& baked) {
   const std::vector<std::uint16_t> lightmap = layersOf(baked.highend);
   const std::vector<std::uint8_t> sun = layersOf(baked.sunMask);
-  const std::vector<gpu::GpuCapture> captures = capturesOf(baked);
+  const std::vector<gpu::GpuCapture> captures = capturesOf(baked, baked.localLights == bake::LocalLights::isStatic);
   return gpu::makeBakedMaps(device, {.lightmap = pagesOf(vk::Format::eR16G16B16A16Sfloat, baked.highend, lightmap),
                                      .sunShadow = pagesOf(vk::Format::eR8Unorm, baked.sunMask, sun),
                                      .transitionScale = 1,
@@ -54,7 +57,7 @@ gpu::BakedMaps uploadHighendBaked(const gpu::Device& device, const bake::BakedLi
 
 gpu::BakedMaps uploadMobileBaked(const gpu::Device& device, const bake::BakedLight& baked) {
   const std::vector<std::uint8_t> lightmap = layersOf(baked.mobile), sun = layersOf(baked.sunField);
-  const std::vector<gpu::GpuCapture> captures = capturesOf(baked);
+  const std::vector<gpu::GpuCapture> captures = capturesOf(baked, true);
   std::vector<gpu::GpuLightmapScales> scales;
   for (std::size_t i = 0; i + 4 <= baked.mobileScales.size(); i += 4)
     scales.push_back(

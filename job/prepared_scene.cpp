@@ -51,9 +51,22 @@ void applySceneLight(PreparedScene& prepared, const SceneRequest& request) {
     pixels[i] *= request.lightScales.skyLightColor[static_cast<int>(i % 3)];
 }
 
+// Whether any texel of the lightmap or any capture gives light.
+bool isLitByBake(const bake::BakedLight& baked) {
+  const auto isLit = [](const auto& page) {
+    for (std::size_t i = 0; i < page.pixelCount() / 2; ++i) // the upper half: irradiance, and 1 as alpha
+      for (std::size_t c = 0; c < 3; ++c)
+        if (page.pixels[4 * i + c] != 0) return true;
+    return false;
+  };
+  return std::any_of(baked.highend.begin(), baked.highend.end(), isLit) ||
+         std::any_of(baked.captures.begin(), baked.captures.end(),
+                     [](const auto& capture) { return capture.averageBrightness() > 0; });
+}
+
 // Black pictures are alike by any metric: a scene that nothing lights is refused, not passed.
 void requireLight(PreparedScene& prepared, const std::string& file) {
-  if (prepared.baked) return;
+  if (prepared.baked && isLitByBake(*prepared.baked)) return;
   // Band 0 of the irradiance is the environment's mean: a black one gives no light.
   const glm::vec3 scale = prepared.scene.lightScales.skyLightColor;
   const auto shines = [&](const auto& environment) {
@@ -110,7 +123,7 @@ void addEnvironment(Context& context, lighting::SunExtraction extraction, const 
     mobileSun = *brightest - own;
     prepared.mobileLights.push_back(prepared.lights[*brightest]);
   }
-  const bool isReplaced = paths.bakes || prepared.baked;
+  const bool isReplaced = paths.bakes || (prepared.baked && !prepared.baked->captures.empty());
   const auto filter = [&](const scenes::Environment& environment) -> std::shared_ptr<const lighting::EnvironmentLight> {
     if (isReplaced) return nullptr;
     ++prepared.work.prefilteredMaps;
@@ -126,7 +139,7 @@ void addEnvironment(Context& context, lighting::SunExtraction extraction, const 
     const std::string text = describe(extraction);
     prepared.sunText = prepared.sunText == "none" ? text : prepared.sunText + "; " + text;
   }
-  if (paths.reference || isReplaced) prepared.panorama = std::move(extraction.environment);
+  if (paths.reference || paths.bakes || prepared.baked) prepared.panorama = std::move(extraction.environment);
 }
 
 scenes::Scene loadSubject(const SceneRequest& request) {

@@ -205,7 +205,8 @@ void main() {
   }
   if (hasLightmap(i)) {
     vec3 irradianceOverPi = lightmapIrradianceOverPi(i, p, s.N);
-    if ((kBaked & kBakedCaptures) != 0u) // captures are normalised: they follow the lightmap as the mobile path has it
+    // Captures are normalised: they follow the lightmap as the mobile path has it; those without a brightness are not.
+    if ((kBaked & kBakedCaptures) != 0u && s.captures.averageBrightness > 0.0)
       terms.t[kTermSkySpecular] *= captureScale(kCaptureScaleByRoughness, luminanceUE4(irradianceOverPi),
                                                 s.captures.averageBrightness, s.roughness, 1.0);
     vec3 scale = view.indirectColorScale.xyz * m.occlusion;
