@@ -24,6 +24,13 @@ void requireFresh(const PreparedScene& prepared, const std::string& folder) {
       bake::describeChange(prepared.baked->hashes, bake::hashScene(prepared.scene, bakeLightsOf(prepared)));
   if (change.empty() && !fits) throw base::fileError(folder, "objects.bin", "is not of this scene's objects");
   if (!change.empty()) throw base::fileError(folder, "", change + "; parity bake makes it anew");
+  const scenes::LightmapUvs& uvs = prepared.baked->uvs;
+  bool fits = uvs.places.size() == prepared.scene.instances.size();
+  for (std::size_t i = 0; fits && i < uvs.places.size(); ++i)
+    fits = uvs.places[i].page < 0 || // it has no lightmap
+           uvs.places[i].firstCorner + prepared.scene.meshes[prepared.scene.instances[i].mesh].indices.size() <=
+               uvs.corners.size();
+  if (!fits) throw base::fileError(folder, "", "has not the objects of this scene; parity bake makes it anew");
 }
 
 void takeBaked(PreparedScene& prepared, std::shared_ptr<const bake::BakedLight> baked) {

@@ -41,6 +41,8 @@ sun_extraction = false
 sky_light_color = [1, 0.5, 2]
 indirect_lighting_color_scale = [3, 2, 1]
 directional_specular_scale = 0.25
+baked = "light/../bottle"
+captures = [[1, 2, 3], [-0.5, 0, 1e6]]
 [scene.fog]
 density = 0.02
 height_falloff = 0.1
@@ -88,6 +90,8 @@ file = "builtin:spheres"
   EXPECT_EQ(bottle.budgets, (folder / "bottle.toml").string());
   EXPECT_EQ(bottle.exposureEv, -1.5f);
   EXPECT_FALSE(bottle.extractSun);
+  EXPECT_EQ(bottle.baked, (folder / "bottle").string());
+  EXPECT_EQ(bottle.captures, (std::vector<glm::vec3>{{1, 2, 3}, {-0.5f, 0, 1e6f}}));
   ASSERT_EQ(bottle.views.size(), 2u);
   EXPECT_EQ(bottle.views[0].name, "front");
   EXPECT_EQ(bottle.views[0].orbit, glm::vec3(0, 90, 0));
@@ -100,6 +104,8 @@ file = "builtin:spheres"
   EXPECT_EQ(spheres.scene, "builtin:spheres");
   EXPECT_EQ(spheres.environment, "");
   EXPECT_TRUE(spheres.extractSun);
+  EXPECT_EQ(spheres.baked, "");
+  EXPECT_TRUE(spheres.captures.empty());
   EXPECT_FALSE(spheres.sun || spheres.budgets || spheres.exposureEv);
   ASSERT_EQ(spheres.views.size(), 1u) << "one automatic view";
   EXPECT_EQ(spheres.views[0].name, "auto");
@@ -141,6 +147,14 @@ TEST(Suite, WrongTypesAndRangesNameTheLine) {
   expectRefused(head + "sky_light_color = [1, -1, 1]\n", {"line 3: sky_light_color", "not from 0 to 1000"});
   expectRefused(head + "indirect_lighting_color_scale = 2\n", {"line 3: indirect_lighting_color_scale", "3 numbers"});
   expectRefused(head + "directional_specular_scale = -1\n", {"line 3: directional_specular_scale"});
+  expectRefused(head + "baked = true\n", {"line 3: baked: not a string"});
+  expectRefused(head + "captures = 3\n", {"line 3: captures: not a list of at most 8 places"});
+  expectRefused(head + "captures = [1, 2, 3]\n", {"line 3: captures: not a list of places [x, y, z]"});
+  expectRefused(head + "captures = [[1, 2]]\n", {"line 3: captures: not a list of places [x, y, z]"});
+  expectRefused(head + "captures = [\n[1, 2, 3],\n[1, 2, \"x\"]]\n", {"line 5: captures: not a number"});
+  expectRefused(head + "captures = [[1, 2, 1e7]]\n", {"line 3: captures", "not from"});
+  expectRefused(head + "captures = [[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0]]\n",
+                {"line 3: captures: not a list of at most 8 places"});
   expectRefused(head + "fog = 3\n", {"line 3: fog: not a table", "[scene.fog]"});
   expectRefused(head + "[scene.fog]\nheight = 1\n", {"density: is missing"});
   expectRefused(head + "[scene.fog]\ndensity = -1\n", {"line 4: density", "not from 0 to 1000"});
