@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "mobile/light_choice.h"
 
@@ -12,17 +14,12 @@ bake::BakeLights bakeLightsOf(const PreparedScene& prepared) {
 }
 
 void requireFresh(const PreparedScene& prepared, const std::string& folder) {
-  if (prepared.baked->scene != prepared.scene.name)
-    throw base::fileError(folder, "", "is the bake of another scene, '" + prepared.baked->scene + "'");
-  const scenes::Scene& scene = prepared.scene;
-  const std::vector<scenes::LightmapUvs::Place>& places = prepared.baked->uvs.places;
-  bool fits = places.size() == scene.instances.size();
-  for (std::size_t i = 0; i < places.size() && fits; ++i)
-    fits = places[i].page < 0 || places[i].firstCorner + scene.meshes[scene.instances[i].mesh].indices.size() <=
-                                     prepared.baked->uvs.corners.size();
   const std::string change =
       bake::describeChange(prepared.baked->hashes, bake::hashScene(prepared.scene, bakeLightsOf(prepared)));
-  if (change.empty() && !fits) throw base::fileError(folder, "objects.bin", "is not of this scene's objects");
+  if (!change.empty() && prepared.baked->scene != prepared.scene.name)
+    throw base::fileError(
+        folder, "",
+        fmt::format("{}; it is the bake of '{}', this is '{}'", change, prepared.baked->scene, prepared.scene.name));
   if (!change.empty()) throw base::fileError(folder, "", change + "; parity bake makes it anew");
   const scenes::LightmapUvs& uvs = prepared.baked->uvs;
   bool fits = uvs.places.size() == prepared.scene.instances.size();

@@ -103,7 +103,7 @@ TEST(LqEncoding, hasScalesOfEachInstanceAndExactEnds) {
   EXPECT_EQ(none.colorAdd, glm::vec4(0));
   EXPECT_EQ(constant.colorScale, glm::vec4(0));
   EXPECT_EQ(constant.directionScale, glm::vec4(0));
-  EXPECT_FLOAT_EQ(constant.directionAdd.w, .282095f);
+  EXPECT_NEAR(constant.directionAdd.w, .282095f, 1e-6);
   const DecodedTexel exact[] = {decodeTexel(lightmap.pages[0], 2, 1, lightmap.instances[0]),
                                 decodeTexel(lightmap.pages[1], 1, 1, constant)};
   const dvec3 expected[] = {{3, 2, 1}, {.5, .25, .125}};
