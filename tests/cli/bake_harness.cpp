@@ -49,8 +49,7 @@ std::vector<std::string> BakeTest::entries() const {
 }
 
 void BakedRenderTest::SetUp() {
-  const RunResult devices = runParity({"devices"});
-  if (devices.exitCode == 4 && contains(devices.err, "mesa-vulkan-drivers")) GTEST_SKIP() << devices.err;
+  if (const std::string missing = missingDriver(); !missing.empty()) GTEST_SKIP() << missing;
 }
 
 } // namespace parity::tests

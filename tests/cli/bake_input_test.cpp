@@ -46,6 +46,15 @@ TEST_F(BakeInputTest, meshesWithoutAreaAreRefusedUnlessOthersHaveOne) {
   EXPECT_FALSE(std::filesystem::exists(m_folder / "far"));
 }
 
+TEST_F(BakeInputTest, piecesThatNoPageHoldsAreRefused) {
+  GltfFile file = makeLitCorner();
+  file.json["meshes"][0]["name"] = "ground"; // 2 m wide
+  const std::string scene = write(std::move(file));
+  expectRefused(run({"bake", scene, "-q", "-o", path("out"), "--page-size", "64", "--texels-per-metre", "100"}), 4,
+                {"ground", "200 x 200 texels", "lightmap page", "--texels-per-metre"});
+  EXPECT_FALSE(std::filesystem::exists(m_folder / "out"));
+}
+
 TEST_F(BakeInputTest, uvsOfTheFileAreTakenWhereTheyServe) {
   const auto noteOf = [&](const std::vector<float>& uv1, const std::string& name) {
     GltfFile file = makeLitCorner();

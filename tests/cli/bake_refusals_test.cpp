@@ -137,6 +137,7 @@ TEST_F(BakeOutputTest, takesThePlaceOfAnEarlierBakeAndOfNothingElse) {
   EXPECT_FALSE(readFolder(folder) == before);
   bake({m_scene}, "out/");
   EXPECT_TRUE(readFolder(folder) == before);
+  EXPECT_EQ(entries(), (std::vector<std::string>{"cache", "out", "scene-embedded.gltf"})) << "nothing left beside it";
   writeFile(folder / "notes.txt", std::string("the user's own"));
   const FolderContent kept = readFolder(folder);
   expectRefused(tryBake({m_scene}, "out"), 4, {folder.string(), "not of an earlier bake"});

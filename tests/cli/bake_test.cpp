@@ -176,8 +176,7 @@ TEST_F(BakeRepeatTest, isTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed) {
 }
 
 TEST_F(BakeRepeatTest, capturesAreTheSameEachTime) {
-  const RunResult devices = runParity({"devices"});
-  if (devices.exitCode == 4) GTEST_SKIP() << devices.err;
+  if (const std::string missing = missingDriver(); !missing.empty()) GTEST_SKIP() << missing;
   const std::string scene = writeEmbedded(m_folder, makeLitCorner());
   for (const std::string name : {"one", "two"})
     ASSERT_TRUE(exitedWith(0, runParity(join({{"bake", scene, "--sun", "30,50,4", "--no-cache", "-o", path(name),

@@ -7,10 +7,14 @@
 
 namespace parity::tests {
 
-void RenderingTest::SetUp() {
+std::string missingDriver() {
   const RunResult devices = runParity({"devices"});
   // Only the message of a missing driver counts: any other failure is for the tests to find.
-  if (devices.exitCode == 4 && contains(devices.err, "mesa-vulkan-drivers")) GTEST_SKIP() << devices.err;
+  return devices.exitCode == 4 && contains(devices.err, "mesa-vulkan-drivers") ? devices.err : "";
+}
+
+void RenderingTest::SetUp() {
+  if (const std::string missing = missingDriver(); !missing.empty()) GTEST_SKIP() << missing;
 }
 
 testing::AssertionResult exitedWith(int code, const RunResult& result) {

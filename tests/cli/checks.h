@@ -17,6 +17,9 @@ namespace parity::tests {
 inline const std::vector<std::string> kSmall = {"--size", "64x64", "--validation"};
 inline const std::vector<std::string> kSun = {"--sun", "30,50,4"};
 
+// What the program says where there is no Vulkan driver; empty where there is one.
+std::string missingDriver();
+
 // A test that renders: skipped, visibly, where there is no Vulkan driver. Has a folder of its own.
 class RenderingTest : public testing::Test {
 protected:
