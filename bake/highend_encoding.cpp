@@ -29,7 +29,8 @@ base::BasicImage<std::uint16_t> encodeHighend(const LightmapPage& page) {
       const auto r = directionOf(page.sh.pixels.data() + 4 * i);
       const std::array<double, 3> direction = {r.x, r.y, r.z};
       const float* normal = page.normal.pixels.data() + 3 * i;
-      if (normal[0] == 0 && normal[1] == 0 && normal[2] == 0) upper[3] = bitsOf(0);
+      if (page.owner.pixels[i] != kNoInstance && normal[0] == 0 && normal[1] == 0 && normal[2] == 0)
+        upper[3] = bitsOf(0);
       for (int c = 0; c < 3; ++c) {
         upper[c] = bitsOf(page.irradiance.pixels[3 * i + static_cast<std::size_t>(c)] / kPi);
         lower[c] = bitsOf(direction[static_cast<std::size_t>(c)]);

@@ -31,7 +31,7 @@ enum Pass : std::uint32_t { kValidity = 1, kFinal, kFirstCoarse };
 struct Direct {
   TexelLight inLightmap;              // all lights but the sun
   glm::vec3 all{0.f}, allOfBack{0.f}; // irradiance, the sun's too
-  std::uint16_t valid = 0, sunLit = 0;
+  std::uint16_t valid = 0, sunLit = 0, facesSun = 0, unused = 0;
 };
 struct Coarse {
   glm::vec3 irradiance{0.f}, back{0.f};
@@ -74,6 +74,7 @@ public:
       result.direct.push_back(direct[i].inLightmap);
       result.valid.push_back(direct[i].valid);
       result.sunLit.push_back(direct[i].sunLit);
+      result.facesSun.push_back(direct[i].facesSun);
       result.gathered.push_back(gathered[i].light);
       result.error.push_back(gathered[i].error);
       result.samples.push_back(gathered[i].samples);
@@ -100,8 +101,10 @@ private:
     int valid = 0;
     for (std::size_t k = 0; k < all.count; ++k) {
       const SurfacePoint& point = all.points[k];
-      if (isSunLit(point, bothSides, rays))
-        result.sunLit = static_cast<std::uint16_t>(result.sunLit | 1 << all.subTexel[k]);
+      if (bothSides || facesSun(point)) {
+        result.facesSun = static_cast<std::uint16_t>(result.facesSun | 1 << all.subTexel[k]);
+        if (isSunLit(point, rays)) result.sunLit = static_cast<std::uint16_t>(result.sunLit | 1 << all.subTexel[k]);
+      }
       if ((result.valid & 1 << all.subTexel[k]) == 0) continue;
       ++valid;
       for (std::size_t l = 0; l < m_lights.lights.size(); ++l) {
@@ -117,19 +120,18 @@ private:
     return result;
   }
 
-  // Lit where the surface is turned away, too: there its shading says enough, and no edge of a shadow is wanted. What
-  // is double-sided always has a side that is not.
-  bool isSunLit(const SurfacePoint& point, bool bothSides, std::uint64_t& rays) const {
-    if (!m_lights.sun) return true;
-    const glm::dvec3 L = -glm::dvec3(m_lights.lights[*m_lights.sun].direction);
-    glm::dvec3 n(point.geometric);
-    if (glm::dot(n, L) <= 0) {
-      if (!bothSides) return true;
-      n = -n;
-    }
-    ++rays;
-    return !m_visibility.isOccluded(m_visibility.leaveSurface(point.position, n), L);
+  // Where it does not, shading says enough: an edge of a shadow there would be seen beside it, and so would light. What
+  // is double-sided always has a side that does.
+  bool facesSun(const SurfacePoint& point) const {
+    return m_lights.sun && glm::dot(glm::dvec3(point.geometric), towardsSun()) > 0;
   }
+  bool isSunLit(const SurfacePoint& point, std::uint64_t& rays) const {
+    if (!m_lights.sun) return true;
+    const glm::dvec3 n(point.geometric);
+    ++rays;
+    return !m_visibility.isOccluded(m_visibility.leaveSurface(point.position, facesSun(point) ? n : -n), towardsSun());
+  }
+  glm::dvec3 towardsSun() const { return -glm::dvec3(m_lights.lights[*m_lights.sun].direction); }
 
   // Jacobi's iteration of the diffuse light: each pass gathers what the one before has left on the surfaces.
   void gather(const std::vector<Direct>& direct, const std::vector<bool>& isValid, bool shines,

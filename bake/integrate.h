@@ -42,13 +42,14 @@ struct Control {
 
 // Of every texel of the grid, in its order.
 struct StaticLight {
-  std::vector<TexelLight> direct;     // of lights that are neither the sun nor emissive surfaces
-  std::vector<TexelLight> gathered;   // the sky, emissive surfaces and all reflected light, the sun's too
-  std::vector<std::uint16_t> valid;   // a bit for each sub-texel whose surface can be seen; none: within other objects
-  std::vector<std::uint16_t> sunLit;  // a bit for each sub-texel that the sun reaches, were it turned towards it
-  std::vector<float> error;           // achieved, of luminance, as IntegrateOptions::error
-  std::vector<std::uint32_t> samples; // taken for `gathered`
-  std::uint64_t rays = 0;             // of all kinds; of what came from the cache none
+  std::vector<TexelLight> direct;      // of lights that are neither the sun nor emissive surfaces
+  std::vector<TexelLight> gathered;    // the sky, emissive surfaces and all reflected light, the sun's too
+  std::vector<std::uint16_t> valid;    // a bit for each sub-texel whose surface can be seen; none: within other objects
+  std::vector<std::uint16_t> sunLit;   // a bit for each sub-texel that the sun reaches
+  std::vector<std::uint16_t> facesSun; // a bit for each that is turned towards the sun; the others tell nothing of it
+  std::vector<float> error;            // achieved, of luminance, as IntegrateOptions::error
+  std::vector<std::uint32_t> samples;  // taken for `gathered`
+  std::uint64_t rays = 0;              // of all kinds; of what came from the cache none
 };
 
 // Deterministic: what a texel gets depends on the inputs and the seed alone, not on threads or on what was cached.

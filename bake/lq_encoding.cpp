@@ -22,6 +22,7 @@ using Vec3 = glm::dvec3;
 namespace formulas = shading::f64;
 constexpr double kPi = 3.14159265358979323846;
 constexpr std::array<double, 3> kLuminance = {.3, .59, .11};
+constexpr double kConstant = .282094791773878143, kLinear = .325735007935279943; // of directionality
 
 double luminanceOf(const Vec3& c) { return kLuminance[0] * c.x + kLuminance[1] * c.y + kLuminance[2] * c.z; }
 formulas::real3 toShading(const Vec3& v) { return {v.x, v.y, v.z}; }
@@ -31,8 +32,19 @@ struct Values {
   std::array<float, 3> logRgb{}, direction{};
 };
 
+// Directionality at the baked normal, at least. Where more light comes from behind than from before (a lamp within its
+// shade), SH of order 1 have less there, or are negative, which decodes to black. 1/16 is 14 steps of 8 bits.
+constexpr double kLeastDirectionality = 1. / 16;
+
+// l1, turned towards the normal as far as that takes.
+Vec3 visibleFromBefore(double l0, const Vec3& l1, const Vec3& normal) {
+  const double directionality = kConstant + kLinear * glm::dot(l1, normal) / l0;
+  if (!(l0 > 0) || directionality >= kLeastDirectionality) return l1;
+  return l1 + (kLeastDirectionality - directionality) * l0 / kLinear * normal;
+}
+
 Values valuesOf(const Vec3& irradiance, double l0, const Vec3& l1, const Vec3& normal) {
-  const formulas::LightmapSh sh = formulas::encodeLightmapSh(l0, toShading(l1));
+  const formulas::LightmapSh sh = formulas::encodeLightmapSh(l0, toShading(visibleFromBefore(l0, l1, normal)));
   const double scale = formulas::flatNormalScale(sh, toShading(normal)) / kPi;
   const auto logRgb = formulas::encodeLightmapLogRgb(toShading(irradiance * scale));
   const auto f = [](double value) { return static_cast<float>(value); };

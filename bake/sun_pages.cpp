@@ -15,7 +15,7 @@ std::vector<SunMask> makeSunMasks(const Atlas& atlas, const TexelGrid& grid, con
     SunMask& mask = masks[texel.page];
     *mask.owner.at(texel.x, texel.y) = texel.instance;
     for (int s = 0; s < kFactor * kFactor; ++s)
-      if ((light.valid[i] & 1 << s) != 0)
+      if ((light.valid[i] & light.facesSun[i] & 1 << s) != 0)
         *mask.sight.at(texel.x * kFactor + s % kFactor, texel.y * kFactor + s / kFactor) =
             (light.sunLit[i] & 1 << s) != 0 ? kLit : kShadowed;
   }

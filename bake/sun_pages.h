@@ -8,7 +8,7 @@
 
 namespace parity::bake {
 
-// Sub-texels that lie within other objects are unknown.
+// Sub-texels that lie within other objects or turn away from the sun are unknown.
 std::vector<SunMask> makeSunMasks(const Atlas& atlas, const TexelGrid& grid, const StaticLight& light);
 
 } // namespace parity::bake

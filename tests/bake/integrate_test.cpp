@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "bake/bake_scenes.h"
+#include "bake/sun_pages.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/temp_folder.h"
@@ -190,6 +191,27 @@ TEST(Integrate, sunIsNotInTheLightmapButItsBouncesAre) {
     }
 }
 
+// A ball under a roof that leaves none of it to the sun: light along its terminator would be a leak.
+TEST(Integrate, sunLightsNothingThatIsWhollyInShadow) {
+  scenes::Scene scene;
+  addObject(scene, scenes::makeSphere(0.5, 32, 16), matte("ball", 0.5f));
+  addObject(scene, square(5), matte("roof", 0.5f), glm::translate(glm::mat4(1.f), glm::vec3(0, 2, 0)));
+  scenes::Light sun;
+  sun.kind = scenes::LightKind::directional;
+  sun.direction = glm::vec3(-0.6f, -0.8f, 0);
+  const Baked baked(scene, {{sun}, 0, {}}, {.bounces = 0}, 16);
+  int lit = 0, shadowed = 0;
+  for (const SunMask& mask : makeSunMasks(baked.atlas, baked.grid, baked.light))
+    for (int y = 0; y < mask.sight.height; ++y)
+      for (int x = 0; x < mask.sight.width; ++x) {
+        if (mask.ownerAt(x, y) != 0) continue;
+        lit += *mask.sight.at(x, y) == kLit;
+        shadowed += *mask.sight.at(x, y) == kShadowed;
+      }
+  EXPECT_EQ(lit, 0);
+  EXPECT_GT(shadowed, 1000);
+}
+
 // ---- two sides
 
 scenes::Material twoSided(const std::string& name, float albedo, float emitted = 0) {
@@ -301,7 +323,8 @@ bool areSame(const StaticLight& a, const StaticLight& b) {
     return std::ranges::equal(std::as_bytes(std::span(x)), std::as_bytes(std::span(y)));
   };
   return same(a.direct, b.direct) && same(a.gathered, b.gathered) && same(a.valid, b.valid) &&
-         same(a.sunLit, b.sunLit) && same(a.error, b.error) && same(a.samples, b.samples);
+         same(a.sunLit, b.sunLit) && same(a.facesSun, b.facesSun) && same(a.error, b.error) &&
+         same(a.samples, b.samples);
 }
 
 TEST(Integrate, isTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed) {
