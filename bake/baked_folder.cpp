@@ -89,7 +89,7 @@ void readObjects(const fs::path& file, std::size_t captures, BakedLight& baked) 
   const auto fits = [&](const scenes::LightmapUvs::Place& place) {
     return place.page >= -1 && place.page < static_cast<std::int64_t>(baked.highend.size()) && isFinite(place.offset) &&
            (place.page < 0 || place.firstCorner < uvs.corners.size()) &&
-           place.capture < std::max<std::size_t>(captures, 1);
+           (captures == 0 || place.capture < captures); // of none, none is read
   };
   if (!bytes.empty() || !std::ranges::all_of(uvs.places, fits) || !std::ranges::all_of(uvs.corners, isFinite) ||
       !std::ranges::all_of(baked.mobileScales, isFinite) || baked.mobileScales.size() != 4 * uvs.places.size())

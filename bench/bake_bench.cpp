@@ -55,7 +55,7 @@ public:
   }
   std::vector<bake::LightmapPage> pages() {
     std::vector<bake::LightmapPage> pages;
-    for (bake::IntegratedPage& page : bake::makePages(scene, atlas(), grid(), light(), true))
+    for (bake::IntegratedPage& page : bake::makePages(m_scene, atlas(), grid(), light(), true))
       pages.push_back(std::move(page.page));
     return pages;
   }
@@ -105,7 +105,7 @@ void integrateLight(benchmark::State& state) {
 
 void dilatePages(benchmark::State& state) {
   Yard& yard = yardOf(state);
-  const std::vector<bake::IntegratedPage> pages = bake::makePages(scene, yard.atlas(), yard.grid(), yard.light(), true);
+  const std::vector<bake::IntegratedPage> pages = bake::makePages(yard.scene(), yard.atlas(), yard.grid(), yard.light(), true);
   for (auto _ : state)
     for (bake::IntegratedPage page : pages) bake::dilate(page.page, 4, page.invalid);
   countTexels(state, yard);
