@@ -1,6 +1,7 @@
 #include "bake/baked_folder.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <system_error>
 
@@ -261,10 +262,23 @@ BakedLight read(const fs::path& folder, const Json& manifest) {
   return baked;
 }
 
+// The nearest folder above that is there must take another one.
+void requireWritableParent(const fs::path& folder) {
+  std::error_code error;
+  fs::path above = fs::absolute(folder, error).lexically_normal();
+  if (!above.has_filename()) above = above.parent_path(); // it ends with a slash
+  do above = above.parent_path();
+  while (!fs::exists(above, error) && above.has_relative_path());
+  if (!fs::is_directory(above, error)) throw base::fileError(above.string(), "", "is not a folder");
+  if (::access(above.c_str(), W_OK) != 0)
+    throw base::fileError(above.string(), "", std::generic_category().message(errno));
+}
+
 } // namespace
 
 void requireBakeFolder(const fs::path& folder) {
   std::error_code error;
+  requireWritableParent(folder);
   if (!fs::exists(folder, error)) return;
   if (!fs::is_directory(folder, error)) throw base::fileError(folder.string(), "", "is not a folder");
   if (!fs::is_empty(folder, error) && !holdsOnlyABake(folder))

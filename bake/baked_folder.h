@@ -10,7 +10,8 @@ namespace parity::bake {
 
 inline constexpr const char* kManifestFile = "manifest.json";
 
-// Throws base::Error (exit 4) where something is there already that is neither empty nor an earlier bake.
+// Throws base::Error (exit 4) where it cannot be made, and where something is there already that is neither empty nor
+// an earlier bake.
 void requireBakeFolder(const std::filesystem::path& folder);
 
 // All of it, or nothing: written beside under a temporary name, which then takes the folder's place. Throws Error (exit
