@@ -269,9 +269,9 @@ void requireWritableParent(const fs::path& folder) {
   if (!above.has_filename()) above = above.parent_path(); // it ends with a slash
   do above = above.parent_path();
   while (!fs::exists(above, error) && above.has_relative_path());
-  if (!fs::is_directory(above, error)) throw base::fileError(above.string(), "", "is not a folder");
+  if (!fs::is_directory(above, error)) throw base::fileError(folder.string(), "", above.string() + " is not a folder");
   if (::access(above.c_str(), W_OK) != 0)
-    throw base::fileError(above.string(), "", std::generic_category().message(errno));
+    throw base::fileError(folder.string(), "", above.string() + ": " + std::generic_category().message(errno));
 }
 
 } // namespace

@@ -191,14 +191,13 @@ private:
   }
 
   std::vector<bake::CapturePlace> findPlaces(const scenes::Scene& scene) const {
-    if (m_options.captures == 0) return {};
+    const int count = captureCount(scene);
+    if (m_request.captures.empty() && count == 0) return {};
     const lighting::Visibility visibility(scene);
-    if (m_request.captures.empty()) return bake::findCapturePlaces(scene, visibility, captureCount(scene));
+    if (m_request.captures.empty()) return bake::findCapturePlaces(scene, visibility, count);
     std::vector<bake::CapturePlace> places;
     for (const glm::vec3& position : m_request.captures)
       places.push_back(bake::placeCapture(scene, visibility, position));
-    if (m_options.captures > 0 && places.size() > static_cast<std::size_t>(m_options.captures))
-      places.resize(static_cast<std::size_t>(m_options.captures));
     return places;
   }
 

@@ -17,7 +17,7 @@ struct BakeOptions {
   bake::IntegrateOptions integrate; // texelsPerMetre: the atlas' is taken
   base::AstcBlock astc = base::AstcBlock::astc4x4;
   bake::LocalLights localLights = bake::LocalLights::isStatic;
-  int captures = -1;     // -1: those of the request, or by the scene's floor space; else so many at most, 0: none
+  int captures = -1;     // where the request names no places; -1: by the scene's floor space, kMaxCaptures at most
   int captureSize = 128; // texels along a face, a power of two
 };
 inline constexpr int kMaxCaptures = 8;

@@ -16,11 +16,14 @@ bake::BakeLights bakeLightsOf(const PreparedScene& prepared) {
 void requireFresh(const PreparedScene& prepared, const std::string& folder) {
   const std::string change =
       bake::describeChange(prepared.baked->hashes, bake::hashScene(prepared.scene, bakeLightsOf(prepared)));
-  if (!change.empty() && prepared.baked->scene != prepared.scene.name)
-    throw base::fileError(
-        folder, "",
-        fmt::format("{}; it is the bake of '{}', this is '{}'", change, prepared.baked->scene, prepared.scene.name));
-  if (!change.empty()) throw base::fileError(folder, "", change + "; parity bake makes it anew");
+  if (!change.empty()) {
+    const bool isAnother = prepared.baked->scene != prepared.scene.name;
+    throw base::fileError(folder, "",
+                          fmt::format("{}; parity bake makes it anew{}", change,
+                                      isAnother ? fmt::format(" (it is the bake of '{}', this is '{}')",
+                                                              prepared.baked->scene, prepared.scene.name)
+                                                : ""));
+  }
   const scenes::LightmapUvs& uvs = prepared.baked->uvs;
   bool fits = uvs.places.size() == prepared.scene.instances.size();
   for (std::size_t i = 0; fits && i < uvs.places.size(); ++i)
