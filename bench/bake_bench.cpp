@@ -105,7 +105,8 @@ void integrateLight(benchmark::State& state) {
 
 void dilatePages(benchmark::State& state) {
   Yard& yard = yardOf(state);
-  const std::vector<bake::IntegratedPage> pages = bake::makePages(yard.scene(), yard.atlas(), yard.grid(), yard.light(), true);
+  const std::vector<bake::IntegratedPage> pages =
+      bake::makePages(yard.scene(), yard.atlas(), yard.grid(), yard.light(), true);
   for (auto _ : state)
     for (bake::IntegratedPage page : pages) bake::dilate(page.page, 4, page.invalid);
   countTexels(state, yard);
