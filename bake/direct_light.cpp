@@ -19,7 +19,8 @@ bool addLight(const scenes::Light& light, const SurfacePoint& point, bool bothSi
     if (!(d2 > 0)) return false; // at the light itself
     distance = std::sqrt(d2);
     direction = way / distance;
-    attenuation = shading::f64::squareFalloff(d2, light.range);
+    attenuation =
+        shading::f64::distanceFalloff(static_cast<int>(light.falloff), d2, light.range, light.falloffExponent);
     if (light.kind == scenes::LightKind::spot)
       attenuation *= shading::f64::spotAttenuation(-glm::dot(direction, glm::dvec3(light.direction)),
                                                    std::cos(light.innerConeAngle), std::cos(light.outerConeAngle));

@@ -10,8 +10,8 @@
 
 namespace parity::bake {
 
-// Adds to `sum` what one light gives at a point, if nothing stands between: KHR_lights_punctual's fall-off, range and
-// cone, as the high-end path has it. bothSides: the back is lit, too. Returns whether it did.
+// Adds to `sum` what one light gives at a point, if nothing stands between: its fall-off (scenes::Falloff), range and
+// cone, as the paths have them. bothSides: the back is lit, too. Returns whether it did.
 bool addLight(const scenes::Light& light, const SurfacePoint& point, bool bothSides,
               const lighting::Visibility& visibility, LightSum& sum);
 

@@ -65,6 +65,8 @@ std::string hashLights(const BakeLights& lights) {
         .addValue(light.position)
         .addValue(light.direction)
         .addValue(light.range)
+        .addValue(light.falloff)
+        .addValue(light.falloffExponent)
         .addValue(light.innerConeAngle)
         .addValue(light.outerConeAngle);
   return hasher.hex();

@@ -63,17 +63,7 @@ void runOn(int threads, const std::function<astcenc_error(unsigned int)>& body) 
 
 } // namespace
 
-const std::vector<std::string>& astcBlockNames() {
-  static const std::vector<std::string> names = {"none", "astc4x4", "astc6x6"};
-  return names;
-}
-
 int blockSide(AstcBlock block) { return block == AstcBlock::none ? 1 : block == AstcBlock::astc4x4 ? 4 : 6; }
-
-double bitsPerTexel(AstcBlock block) {
-  const int side = blockSide(block);
-  return block == AstcBlock::none ? 32 : 8.0 * kBlockBytes / (side * side);
-}
 
 std::size_t astcBytes(int width, int height, AstcBlock block) {
   const int side = blockSide(block);

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "base/image.h"
@@ -13,16 +12,12 @@ namespace parity::base {
 
 // Blocks of 16 bytes that stand for so many texels each; none: 8 bits a channel, nothing is lost.
 enum class AstcBlock { none, astc4x4, astc6x6 };
-// "none", "astc4x4", "astc6x6", in the enumerators' order.
-const std::vector<std::string>& astcBlockNames();
 
 // What the texels hold, which is the profile that a phone would decode by (ASTC specification, Khronos Data Format 1.3,
 // chapter 23): color is sRGB with a linear alpha; data and lightmap are linear, four channels of equal weight, those of
 // data without regard to each other.
 enum class AstcUse { color, data, lightmap };
 
-// 32, 8 and 3.56 (128 bits over the block's texels).
-double bitsPerTexel(AstcBlock block);
 // Texels along the side of a block; 1 for none.
 int blockSide(AstcBlock block);
 

@@ -8,13 +8,13 @@
 #include <set>
 #include <stdexcept>
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/exr_check.h"
 #include "base/file.h"
 #include "base/image_module.h"
+#include "base/module_file.h"
 #include "base/parallel.h"
 #include "base/pfm.h"
 #include "base/png_check.h"
@@ -34,49 +34,15 @@ std::string extensionOf(const fs::path& file) {
   return extension;
 }
 
-// Beside the running program, beside the object that holds this code, or where an installation has it.
-std::vector<fs::path> moduleCandidates() {
-  std::error_code error;
-  std::vector<fs::path> folders;
-  if (const fs::path program = fs::read_symlink("/proc/self/exe", error); !error) {
-    folders.push_back(program.parent_path());
-    folders.push_back(program.parent_path().parent_path() / "lib" / "parity");
-  }
-  Dl_info info{};
-  if (dladdr(reinterpret_cast<const void*>(&moduleCandidates), &info) && info.dli_fname)
-    folders.insert(folders.begin() + (folders.empty() ? 0 : 1), fs::absolute(info.dli_fname, error).parent_path());
-  std::vector<fs::path> files;
-  for (const fs::path& folder : folders)
-    if (const fs::path file = folder / kModuleFile; std::find(files.begin(), files.end(), file) == files.end())
-      files.push_back(file);
-  return files;
-}
-
 const ImageModule& loadModule() {
-  std::error_code error;
-  for (const fs::path& file : moduleCandidates()) {
-    if (!fs::exists(file, error)) continue;
-    // Lazy: most of the functions of its many libraries are never called. It stays loaded for good: what it throws
-    // may outlive any scope here.
-    void* handle = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);
-    if (!handle)
-      throw Error(ExitCode::failed, file.string(), "cannot be loaded",
-                  fmt::format("{} (OpenImageIO 2.4 is needed: install libopenimageio2.4)", dlerror()));
-    const auto get = reinterpret_cast<GetImageModule>(dlsym(handle, kGetImageModule));
-    const ImageModule* module = get ? get() : nullptr;
-    if (!module || module->version != kImageModuleVersion)
-      throw Error(ExitCode::failed, file.string(), "",
-                  "belongs to another build of this program: build or install both");
-    module->limitThreads(threadCount());
-    return *module;
-  }
-  std::string searched;
-  for (const fs::path& file : moduleCandidates()) searched += (searched.empty() ? "" : ", ") + file.string();
-  throw Error(
-      ExitCode::failed, kModuleFile, "not found",
-      "image files cannot be read or written without it; build the target parity_imageio or install it beside the "
-      "program (searched: " +
-          searched + ")");
+  const auto get = reinterpret_cast<GetImageModule>(
+      moduleFunction(kModuleFile, kGetImageModule, "OpenImageIO 2.4 is needed: install libopenimageio2.4",
+                     "image files cannot be read or written"));
+  const ImageModule* module = get();
+  if (!module || module->version != kImageModuleVersion)
+    throw Error(ExitCode::failed, kModuleFile, "", "belongs to another build of this program: build or install both");
+  module->limitThreads(threadCount());
+  return *module;
 }
 
 const ImageModule& imageModule() {
@@ -198,7 +164,7 @@ std::vector<std::byte> encodeImage8(const fs::path& file, const Image8& image, c
 
 fs::path imageModuleFile() {
   std::error_code error;
-  for (fs::path& file : moduleCandidates())
+  for (fs::path& file : moduleCandidates(kModuleFile))
     if (fs::exists(file, error)) return std::move(file);
   return {};
 }

@@ -146,10 +146,7 @@ Errors errorsOf(const base::Frame& truth, const base::Frame& test, const base::P
     const job::Displayed a = job::displayImage(r, display, 0), b = job::displayImage(t, display, 0);
     compare::MeasureRequest request;
     request.metrics = {metric};
-    return compare::measureRegions({a.pixels, b.pixels, &r, &t, {}}, {where}, request)
-        .regions[0]
-        .all.find(name)
-        .value();
+    return compare::measureRegions({a.pixels, b.pixels, &r, &t, {}}, {where}, request).regions[0].find(name).value();
   };
   const auto specular = static_cast<std::size_t>(shading::Term::skySpecular);
   return {figure(truth.color, test.color, "relmse", "relmse"),

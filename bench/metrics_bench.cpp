@@ -1,4 +1,5 @@
-// Pooling beside a sort; one region beside a hundred; each metric's map. "time/px" is wall time per pixel of a pair.
+// Pooling beside a sort; one material beside a hundred, by the material swap; each metric's map. "time/px" is wall time
+// per pixel of a pair.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -7,8 +8,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include "base/gathered.h"
 #include "base/parallel.h"
 #include "compare/measure.h"
+#include "compare/measure_swaps.h"
 #include "compare/pooling.h"
 #include "compare/region.h"
 
@@ -18,11 +21,11 @@ namespace {
 constexpr int kWidth = 1920, kHeight = 1080;
 
 // Waves and noise, as a display shows them.
-base::Image8 makeImage(unsigned seed) {
-  base::Image8 image(kWidth, kHeight, 3);
+base::Image8 makeImage(unsigned seed, int width = kWidth, int height = kHeight) {
+  base::Image8 image(width, height, 3);
   unsigned state = seed;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x)
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
       for (int c = 0; c < 3; ++c) {
         state = state * 1664525u + 1013904223u;
         const int wave = (x * (c + 1) + 2 * y) / 4 % 400, ramp = wave < 200 ? wave : 400 - wave;
@@ -32,7 +35,7 @@ base::Image8 makeImage(unsigned seed) {
 }
 
 // The pixels nearest to each of `count` points: materials of uneven shape that tile the image.
-std::vector<base::PixelList> makeCells(int count) {
+std::vector<base::PixelList> makeCells(int count, int width = kWidth, int height = kHeight) {
   std::vector<base::PixelList> lists(static_cast<std::size_t>(count));
   std::vector<std::pair<int, int>> points;
   unsigned state = 9;
@@ -40,23 +43,23 @@ std::vector<base::PixelList> makeCells(int count) {
     state = state * 1664525u + 1013904223u;
     return static_cast<int>((state >> 8) % static_cast<unsigned>(limit));
   };
-  for (int i = 0; i < count; ++i) points.emplace_back(random(kWidth), random(kHeight));
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  for (int i = 0; i < count; ++i) points.emplace_back(random(width), random(height));
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
       std::size_t nearest = 0;
       int least = std::numeric_limits<int>::max();
       for (std::size_t i = 0; i < points.size(); ++i) {
         const int dx = points[i].first - x, dy = points[i].second - y, distance = dx * dx + dy * dy;
         if (distance < least) least = distance, nearest = i;
       }
-      lists[nearest].pixels.push_back(static_cast<std::uint32_t>(y * kWidth + x));
+      lists[nearest].pixels.push_back(static_cast<std::uint32_t>(y * width + x));
     }
   return lists;
 }
 
-void reportPerPixel(benchmark::State& state) {
-  state.counters["time/px"] = benchmark::Counter(1. * kWidth * kHeight, benchmark::Counter::kIsIterationInvariantRate |
-                                                                            benchmark::Counter::kInvert);
+void reportPerPixel(benchmark::State& state, double pixels = 1. * kWidth * kHeight) {
+  state.counters["time/px"] =
+      benchmark::Counter(pixels, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 // A map as FLIP's are: many small values, few large ones.
@@ -102,23 +105,48 @@ void poolWholeMapBySorting(benchmark::State& state) {
 }
 BENCHMARK(poolWholeMapBySorting)->UseRealTime()->Unit(benchmark::kMillisecond);
 
-// All of a run without a budget file, by regions and threads: maps, erosion, pooling.
-void measureAll(benchmark::State& state) {
+// A picture that is `reference` but for one material, which is as in `test`.
+Swap makeSwap(const base::PixelList& list, const base::Image8& test) {
+  Swap swap;
+  swap.list = &list;
+  swap.displayed = base::makeGathered<std::uint8_t>(list.pixels.size(), 3);
+  for (std::size_t i = 0; i < list.pixels.size(); ++i)
+    std::copy_n(&test.pixels[3 * std::size_t{list.pixels[i]}], 3, &swap.displayed.pixels[3 * i]);
+  return swap;
+}
+
+// The materials of a run without a budget file, which tile the picture: what each more of them costs.
+void measureMaterials(benchmark::State& state) {
   const base::ThreadLimit limit(static_cast<int>(state.range(1)));
-  const base::Image8 reference = makeImage(1), test = makeImage(2);
-  const std::vector<base::PixelList> lists = makeCells(static_cast<int>(state.range(0)));
+  const int width = static_cast<int>(state.range(2)), height = width * 9 / 16;
+  const base::Image8 reference = makeImage(1, width, height), test = makeImage(2, width, height);
+  const std::vector<base::PixelList> lists = makeCells(static_cast<int>(state.range(0)), width, height);
+  std::vector<Swap> swaps;
+  for (const base::PixelList& list : lists) swaps.push_back(makeSwap(list, test));
   const MeasureRequest request{.metrics = defaultMetrics()};
   for (auto _ : state)
-    benchmark::DoNotOptimize(measureRegions({reference, test}, lists, request).regions[0].all.values.data());
-  reportPerPixel(state);
+    benchmark::DoNotOptimize(measureSwaps({.displayed = reference}, swaps, request).figures[0].values.data());
+  reportPerPixel(state, 1. * width * height);
 }
-BENCHMARK(measureAll)
-    ->ArgNames({"regions", "threads"})
-    ->ArgsProduct({{1, 100}, {1, 2}})
+BENCHMARK(measureMaterials)
+    ->ArgNames({"materials", "threads", "width"})
+    ->ArgsProduct({{1, 10, 100}, {1, 2}, {1920, 3840}})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
-// What comes after the maps alone: erosion, and FLIP's five figures over all and over the interiors.
+// A whole image: what all of its pixels cost in one region.
+void measureWholeImage(benchmark::State& state) {
+  const base::ThreadLimit limit(static_cast<int>(state.range(0)));
+  const base::Image8 reference = makeImage(1), test = makeImage(2);
+  const std::vector<base::PixelList> whole = {wholeImage(kWidth, kHeight)};
+  const MeasureRequest request{.metrics = defaultMetrics()};
+  for (auto _ : state)
+    benchmark::DoNotOptimize(measureRegions({reference, test}, whole, request).regions[0].values.data());
+  reportPerPixel(state);
+}
+BENCHMARK(measureWholeImage)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+// What comes after the maps alone: FLIP's five figures of each region.
 void poolRegions(benchmark::State& state) {
   const base::ThreadLimit limit(static_cast<int>(state.range(1)));
   const std::vector<base::PixelList> lists = makeCells(static_cast<int>(state.range(0)));
@@ -127,9 +155,7 @@ void poolRegions(benchmark::State& state) {
   maps.planes.push_back(makeMap());
   for (auto _ : state)
     base::parallelFor(lists.size(), 1, [&](std::size_t i, std::size_t) {
-      const RegionRuns all = runsOf(lists[i], kWidth, kHeight), interior = erodeRuns(all, kWidth, kHeight, 10);
-      benchmark::DoNotOptimize(flip.pool(maps, all, flip.statistics).data());
-      if (interior.pixels > 0) benchmark::DoNotOptimize(flip.pool(maps, interior, flip.statistics).data());
+      benchmark::DoNotOptimize(flip.pool(maps, runsOf(lists[i], kWidth, kHeight), flip.statistics).data());
     });
   reportPerPixel(state);
 }
@@ -138,15 +164,6 @@ BENCHMARK(poolRegions)
     ->ArgsProduct({{1, 100}, {1, 2}})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
-
-void erodeRegions(benchmark::State& state) {
-  const std::vector<base::PixelList> lists = makeCells(static_cast<int>(state.range(0)));
-  for (auto _ : state)
-    for (const base::PixelList& list : lists)
-      benchmark::DoNotOptimize(erodeRuns(runsOf(list, kWidth, kHeight), kWidth, kHeight, 10).pixels);
-  reportPerPixel(state);
-}
-BENCHMARK(erodeRegions)->ArgName("regions")->Arg(1)->Arg(100)->Unit(benchmark::kMillisecond);
 
 // Each metric's maps by one thread, of bytes; the HDR one's of linear images.
 void makeMaps(benchmark::State& state, const std::string& name) {

@@ -16,9 +16,11 @@
 #include "base/file.h"
 #include "base/image_io.h"
 #include "bench/parity_table.h"
+#include "compare/flip.h"
 #include "compare/magma.h"
-#include "compare/measure.h"
+#include "compare/measure_swaps.h"
 #include "job/displayed.h"
+#include "job/material_swaps.h"
 #include "job/scene_renderer.h"
 #include "scenes/builtin.h"
 #include "scenes/view.h"
@@ -94,36 +96,35 @@ using Strip = std::vector<base::Image8>;
 
 Strip compareScene(const job::PreparedScene& prepared, const std::string& scene, const std::string& environment,
                    bool sun, bench::ParityTable& table) {
-  base::Image8 highend;
-  base::Image highendLinear;
-  std::vector<base::PixelList> coverage;
+  job::Displayed highend;
   std::vector<bench::MaterialFlip> rows;
   Strip strip, maps;
   for (std::size_t p = 0; p < kPresetCount; ++p) {
-    Bench bench(prepared, settingsOf(bench::kPresets[p], kErrorSize), {.highend = p == 0, .mobile = true});
-    job::ViewFrames frames = bench.renderer.render(bench.camera);
+    Bench bench(prepared, settingsOf(bench::kPresets[p], kErrorSize), {.highend = true, .mobile = true});
+    const job::ViewFrames frames = bench.renderer.render(bench.camera);
+    const job::Displayed test = job::displayImage(frames.mobile.color, bench.context.display(), 0);
     if (p == 0) {
-      highend = job::displayImage(frames.highend.color, bench.context.display(), 0).pixels;
-      highendLinear = std::move(frames.highend.color);
-      coverage = std::move(frames.coverage);
-      std::erase_if(coverage, [](const base::PixelList& list) { return list.pixels.empty(); });
-      for (const base::PixelList& list : coverage)
+      highend = job::displayImage(frames.highend.color, bench.context.display(), 0);
+      strip.push_back(highend.pixels);
+    }
+    std::vector<compare::Swap> swaps;
+    for (std::size_t m = 0; m < frames.coverage.size(); ++m) {
+      const base::PixelList& list = frames.coverage[m];
+      if (list.pixels.empty()) continue;
+      swaps.push_back(job::displaySwap(bench.context, list, frames.highendMobile[m], 0, 0, &test));
+      if (p == 0)
         rows.push_back(
             {shortName(scene), list.name, shortName(environment), sun, leavesSunOut(bench.renderer), {}, {}});
-      strip.push_back(highend);
     }
-    const job::Displayed test = job::displayImage(frames.mobile.color, bench.context.display(), 0);
-    compare::MeasureRequest request;
-    request.metrics = {"flip"};
-    request.keepMaps = {"flip"};
-    const compare::Measurement measured = compare::measureRegions(
-        {highend, test.pixels, &highendLinear, &frames.mobile.color, test.nonFinite}, coverage, request);
+    const std::vector<compare::Figures> figures =
+        compare::measureSwaps(job::referenceOf(highend, frames.highend.color), swaps, {.statistics = {"flip.mean"}})
+            .figures;
     for (std::size_t m = 0; m < rows.size(); ++m) {
-      rows[m].flip[p] = measured.regions[m].all.find("flip.mean").value();
-      rows[m].nonFinite[p] = measured.regions[m].all.nonFinite;
+      rows[m].flip[p] = figures[m].find("flip.mean").value();
+      rows[m].nonFinite[p] = figures[m].nonFinite;
     }
     strip.push_back(test.pixels);
-    maps.push_back(job::quantize(compare::magmaImage(*measured.findMap("flip"))));
+    maps.push_back(job::quantize(compare::magmaImage(compare::flipMap(highend.pixels, test.pixels))));
   }
   table.materials.insert(table.materials.end(), rows.begin(), rows.end());
   strip.insert(strip.end(), maps.begin(), maps.end());

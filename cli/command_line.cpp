@@ -16,6 +16,7 @@
 #include "cli/invocation.h"
 #include "cli/option_parts.h"
 #include "cli/output.h"
+#include "cli/plot_options.h"
 #include "cli/stress_options.h"
 #include "job/version.h"
 
@@ -41,6 +42,7 @@ mobile base pass), compares them per material by FLIP, and judges them against b
   parity flip   reference.png test.png -o map.exr                    any two images
   parity budget suggest out/report.json -o budgets.toml              limits from what was observed
   parity fit --geometry-term schlick-smith --format hlsl             mobile constants for your own high-end path
+  parity plot env-brdf scene.glb -o plot                             how far mobile's environment BRDF is from the table
   parity bench scene.glb --env studio.hdr --budget flip.mean=0.02 -o out   what each setting costs, and is worth
   parity bake scene.glb --env studio.hdr -o baked                    light of everything but the sun, for --baked baked
   parity stress -o stress                                            what is not finite, negative or wrong, and where
@@ -113,7 +115,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   renderApp.add_flag("--terms", render.common.settings.terms, "Write the terms as layers beside the colour (.exr)");
   renderApp
       .add_option("--term", render.term,
-                  "Write one term, or an intermediate of the mobile base pass, in place of the colour; --list-terms")
+                  "Write one term, or an intermediate of the path's shader, in place of the colour; --list-terms")
       ->check(CLI::Validator(
           [](const std::string& name) {
             const std::vector<std::string> names = termNames();
@@ -151,6 +153,11 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   CLI::App& fitApp =
       *app.add_subcommand("fit", "Fit the mobile preset refit to a high-end path's settings and print its constants");
   addFitOptions(fitApp, rawFit);
+
+  RawPlotOptions rawPlot;
+  CLI::App& plotApp =
+      *app.add_subcommand("plot", "Draw a formula of both paths and their difference; on a scene's materials, too");
+  addPlotOptions(plotApp, rawPlot);
 
   RawBenchOptions rawBench;
   CLI::App& benchApp =
@@ -213,6 +220,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = settleBudget(budgetApp, budget);
     } else if (fitApp.parsed()) {
       parsed.command = settleFit(rawFit);
+    } else if (plotApp.parsed()) {
+      parsed.command = settlePlot(rawPlot);
     } else if (benchApp.parsed()) {
       parsed.command = settleBench(rawBench);
     } else if (stressApp.parsed()) {

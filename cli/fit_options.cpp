@@ -13,12 +13,6 @@ namespace parity::cli {
 
 namespace {
 
-template <typename Enum> void addSetting(CLI::App& app, const char* option, std::string& text, Enum chosen,
-                                         const std::vector<std::string>& names, const char* description) {
-  text = names[static_cast<std::size_t>(chosen)];
-  app.add_option(option, text, description)->check(CLI::IsMember(names))->capture_default_str();
-}
-
 template <typename Enum> Enum settingOf(const std::string& text, const std::vector<std::string>& names) {
   return static_cast<Enum>(std::find(names.begin(), names.end(), text) - names.begin());
 }

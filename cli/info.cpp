@@ -51,11 +51,13 @@ Json infoJson(const std::string& file, const scenes::Scene& scene, const scenes:
   Json lights = Json::array(), cameras = Json::array(), animations = Json::array();
   for (std::size_t a = 0; a < facts.animations.size(); ++a)
     animations.push_back({{"name", facts.animations[a]}, {"seconds", facts.animationSeconds[a]}});
-  for (const scenes::Light& light : scene.lights)
+  for (const scenes::Light& light : scene.lights) {
     lights.push_back({{"name", light.name},
                       {"kind", scenes::nameOf(light.kind)},
                       {"color", toJson(light.color)},
                       {"range", light.range}});
+    if (light.falloff == scenes::Falloff::exponent) lights.back()["falloffExponent"] = light.falloffExponent;
+  }
   for (const scenes::Camera& camera : scene.cameras)
     cameras.push_back({{"name", camera.name}, {"kind", camera.orthographic ? "orthographic" : "perspective"}});
   return {{"file", file},
@@ -117,10 +119,14 @@ void printInfo(const std::string& file, const scenes::Scene& scene, const scenes
   printNames("variants", facts.variants);
   for (const scenes::Camera& camera : scene.cameras)
     fmt::print("{:<11} {}, {}\n", "camera", camera.name, camera.orthographic ? "orthographic" : "perspective");
-  for (const scenes::Light& light : scene.lights)
-    fmt::print("{:<11} {}, {}, ({:.4g}, {:.4g}, {:.4g}) {}{}\n", "light", light.name, scenes::nameOf(light.kind),
-               light.color.x, light.color.y, light.color.z, light.kind == scenes::LightKind::directional ? "lx" : "cd",
-               light.range > 0 ? fmt::format(", range {:.4g} m", light.range) : "");
+  for (const scenes::Light& light : scene.lights) {
+    const bool hasExponent = light.falloff == scenes::Falloff::exponent;
+    fmt::print("{:<11} {}, {}, ({:.4g}, {:.4g}, {:.4g}) {}{}{}\n", "light", light.name, scenes::nameOf(light.kind),
+               light.color.x, light.color.y, light.color.z,
+               light.kind == scenes::LightKind::directional || hasExponent ? "lx" : "cd",
+               light.range > 0 ? fmt::format(", range {:.4g} m", light.range) : "",
+               hasExponent ? fmt::format(", falloff exponent {:.4g}", light.falloffExponent) : "");
+  }
 
   std::size_t width = 8;
   for (const scenes::MaterialInfo& material : info.materials)

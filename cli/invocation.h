@@ -27,6 +27,7 @@ struct CommonOptions {
   float environmentRotationDeg = 0;
   std::optional<scenes::SunRequest> sun;
   scenes::LightScales lightScales;
+  scenes::Falloff falloff = scenes::Falloff::khr;
   std::optional<scenes::Fog> fog;
   std::string baked; // folder of baked light; empty: none
   scenes::ViewRequest view;
@@ -61,7 +62,7 @@ struct RenderCommand {
   CommonOptions common;
   std::string scene, path, output;
   std::string errorMap; // of the reference path; empty: none
-  std::string term;     // a term, or an intermediate of the mobile path; empty: the picture
+  std::string term;     // a term, or an intermediate of the path; empty: the picture
 };
 
 // parity render --list-terms.
@@ -91,6 +92,15 @@ struct FitCommand {
   fit::Settings settings;
   std::string format = "glsl"; // or "hlsl", "json"
   std::string output;          // empty: stdout
+  int threads = 0;
+  bool quiet = false;
+};
+
+struct PlotCommand {
+  std::string what;          // "env-brdf"
+  std::string scene, folder; // the scene: empty for none
+  highend::Options highend;
+  mobile::Options mobile;
   int threads = 0;
   bool quiet = false;
 };
@@ -138,7 +148,7 @@ struct CacheCommand {
 
 using Invocation = std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand,
                                 BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand, StressCommand,
-                                BakeCommand, DevicesCommand, InfoCommand, CacheCommand>;
+                                BakeCommand, DevicesCommand, InfoCommand, CacheCommand, PlotCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, version, a usage error) with its
 // exit code.
@@ -151,7 +161,8 @@ struct Parsed {
 // Never throws for user input: a usage error is text and exit code 64.
 Parsed parseCommandLine(int argc, const char* const* argv);
 
-// What `parity render --term` takes: the terms, then the intermediates of the mobile base pass.
+// What `parity render --term` takes: the terms, then the intermediates of the mobile base pass, then what else the
+// high-end path has.
 std::vector<std::string> termNames();
 
 // The subcommands. Each returns its exit code and throws base::Error for what it could not do.
@@ -163,6 +174,7 @@ int runFlipCommand(const FlipCommand& command);
 int runBudgetSuggestCommand(const BudgetSuggestCommand& command);
 int runBudgetCheckCommand(const BudgetCheckCommand& command);
 int runFitCommand(const FitCommand& command);
+int runPlotCommand(const PlotCommand& command);
 int runBenchCommand(const BenchCommand& command, const std::string& commandLine);
 int runStressCommand(const StressCommand& command);
 int runBakeCommand(const BakeCommand& command);

@@ -32,6 +32,9 @@ void addLightOptions(CLI::App& app, RawLightOptions& raw) {
   add("--sun-specular-scale", raw.scales.directionalSpecularScale, "Scales the specular light of directional lights")
       ->check(within(0, kMaxLightScale))
       ->capture_default_str();
+  add("--falloff", raw.falloff, "How point and spot lights fade, in every path: as KHR_lights_punctual or as UE4")
+      ->check(oneOf(falloffNames()))
+      ->capture_default_str();
   add("--fog", raw.fog, "Height fog: DENSITY,FALLOFF,HEIGHT (1/m at HEIGHT; halves every 1/FALLOFF m upwards; m)");
   add("--fog-color", raw.fogColor, "Radiance of thick fog, linear R,G,B. Default 0.447,0.638,1")->needs("--fog");
   add("--fog-start", raw.fogBesides.startDistance, "No fog nearer than this, metres")
@@ -44,7 +47,7 @@ void addLightOptions(CLI::App& app, RawLightOptions& raw) {
 
 const std::vector<std::string>& lightOptionNames() {
   static const std::vector<std::string> names = {
-      "--sky-light-color", "--indirect-color-scale", "--sun-specular-scale", "--fog", "--fog-color",
+      "--sky-light-color", "--indirect-color-scale", "--sun-specular-scale", "--falloff", "--fog", "--fog-color",
       "--fog-start",       "--fog-opacity"};
   return names;
 }
@@ -56,6 +59,7 @@ void settleLight(CommonOptions& common, const RawLightOptions& raw) {
     scales.skyLightColor = parseColor("--sky-light-color", raw.skyLightColor, kMaxLightScale);
   if (!raw.indirectColorScale.empty())
     scales.indirectColorScale = parseColor("--indirect-color-scale", raw.indirectColorScale, kMaxLightScale);
+  common.falloff = enumOf<Falloff>(raw.falloff, falloffNames());
   if (raw.fog.empty()) return;
   const auto n = parseNumbers("--fog", raw.fog, 3, "DENSITY,FALLOFF,HEIGHT");
   if (n[0] < 0 || n[0] > kMaxFogDensity || n[1] < 0 || n[1] > kMaxFogFalloff || std::abs(n[2]) > kMaxFogLength)

@@ -12,7 +12,7 @@ namespace parity::cli {
 
 // What CLI11 fills in; an empty text: not given.
 struct RawLightOptions {
-  std::string skyLightColor, indirectColorScale, fog, fogColor;
+  std::string skyLightColor, indirectColorScale, falloff = "khr", fog, fogColor;
   scenes::LightScales scales; // but what is text
   scenes::Fog fogBesides;     // likewise
 };

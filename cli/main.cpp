@@ -59,7 +59,8 @@ int run(int argc, char** argv) {
                                [](const BakeCommand& c) { return runBakeCommand(c); },
                                [](const DevicesCommand& c) { return runDevicesCommand(c); },
                                [](const InfoCommand& c) { return runInfoCommand(c); },
-                               [](const CacheCommand& c) { return runCacheCommand(c); }},
+                               [](const CacheCommand& c) { return runCacheCommand(c); },
+                               [](const PlotCommand& c) { return runPlotCommand(c); }},
                     *parsed.command);
 }
 

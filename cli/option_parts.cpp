@@ -12,7 +12,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/nearest.h"
 #include "cli/output.h"
+#include "scenes/names.h"
 
 namespace parity::cli {
 
@@ -67,6 +69,15 @@ CLI::Validator within(double least, double most) {
             return good ? std::string() : fmt::format("'{}' is not a number from {}", text, range);
           },
           range};
+}
+
+CLI::Validator oneOf(const std::vector<std::string>& names) {
+  return {[=](std::string& text) {
+            if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
+            const std::vector<std::string_view> known(names.begin(), names.end());
+            return fmt::format("'{}' is unknown; {}", scenes::cleanName(text), base::describeNearest(text, known));
+          },
+          fmt::format("{{{}}}", fmt::join(names, ","))};
 }
 
 CLI::Validator fileOfKind(const std::vector<std::string>& extensions) {

@@ -29,6 +29,37 @@ void addModelOptions(CLI::App& app, const highend::Options& defaults, RawPathOpt
            "High-end path: how the prefiltered environment is read away from N = V = R");
 }
 
+// Its names, and `none`, another name of `sky`: both leave the cube as it is but for SkyLightColor.
+CLI::Validator captureScaleName() {
+  std::vector<std::string> names = mobile::captureScaleNames();
+  names.emplace_back("none");
+  CLI::Validator known = oneOf(names);
+  return {[known](std::string& text) {
+            if (text == "by-roughness")
+              return std::string("'by-roughness' is replaced by 'mixing', the engine's own weight (--mixing-begin, "
+                                 "--mixing-end, --mixing-largest)");
+            std::string problem = known(text);
+            if (text == "none") text = "sky";
+            return problem;
+          },
+          known.get_description()};
+}
+
+void addMixingOptions(CLI::App& app, mobile::Mixing& mixing) {
+  app.add_option("--mixing-begin", mixing.begin, "Mobile path: roughness above which captures follow the lightmap")
+      ->check(within(0, 1))
+      ->group("Paths")
+      ->capture_default_str();
+  app.add_option("--mixing-end", mixing.end, "Mobile path: roughness from which they follow it whole")
+      ->check(within(0, 1))
+      ->group("Paths")
+      ->capture_default_str();
+  app.add_option("--mixing-largest", mixing.largest, "Mobile path: the most that a capture is brightened by it")
+      ->check(within(1e-4, mobile::kMaxMixingWeight))
+      ->group("Paths")
+      ->capture_default_str();
+}
+
 void addMobileOptions(CLI::App& app, const job::Settings& defaults, RawPathOptions& raw) {
   app.add_option("--mobile-preset", raw.mobilePreset, "Formulas of the mobile path")
       ->check(CLI::IsMember(mobile::presetNames()))
@@ -46,22 +77,75 @@ void addMobileOptions(CLI::App& app, const job::Settings& defaults, RawPathOptio
       ->check(CLI::IsMember(mobile::captureEncodingNames()))
       ->group("Paths");
   app.add_option("--capture-scale", raw.captureScale,
-                 "Mobile path: how the environment follows the indirect light (the preset's)")
-      ->check(CLI::IsMember(mobile::captureScaleNames()))
+                 "Mobile path: what scales reflections (the preset's); auto: mixing of baked captures, else sky")
+      ->transform(captureScaleName())
       ->group("Paths");
-  app.add_flag("--mobile-spot-shadow", raw.mobileSpotShadow,
-               "Mobile path: the brightest spot light casts a shadow, by a map of its own")
+  addMixingOptions(app, raw.mixing);
+  app.add_option("--direct-lobe", raw.directLobe, "Mobile path: the lobe of direct light (the preset's)")
+      ->check(CLI::IsMember(mobile::directLobeNames()))
       ->group("Paths");
   addNamed(app, "--mobile-target", raw.mobileTarget, gpu::outputTargetNames(), defaults.mobileTarget,
            "Render target of the mobile path: what its colour is stored in");
-  addNamed(app, "--mobile-textures", raw.mobileTextures, base::astcBlockNames(), defaults.mobileTextures,
+  addNamed(app, "--mobile-textures", raw.mobileTextures, base::textureBlockNames(), defaults.mobileTextures,
            "Mobile path: blocks that material textures are compressed in, as a phone has them");
+}
+
+void addMobileShadowOptions(CLI::App& app, mobile::Options& options) {
+  app.add_flag("--mobile-spot-shadow", options.spotShadow,
+               "Mobile path: the brightest spot light casts a shadow, by a map of its own")
+      ->group("Paths");
+  app.add_option("--mobile-spot-sharpen", options.spotShadowSharpen, "Sharpens that shadow's edge, 1 to 8")
+      ->check(within(1, 8))
+      ->needs("--mobile-spot-shadow")
+      ->group("Paths")
+      ->capture_default_str();
+  app.add_option("--mobile-spot-fade", options.spotShadowFade, "How much of that shadow is seen, 0 to 1")
+      ->check(within(0, 1))
+      ->needs("--mobile-spot-shadow")
+      ->group("Paths")
+      ->capture_default_str();
+  app.add_flag("--mobile-sun-shadow", options.sunShadow,
+               "Mobile path: the sun casts a shadow by a map, too, beside the baked one, up to a distance")
+      ->group("Paths");
+  app.add_option("--mobile-sun-distance", options.sunShadowDistance,
+                 "Metres along the view from which on that shadow is gone")
+      ->check(within(1e-3, 1e6))
+      ->needs("--mobile-sun-shadow")
+      ->group("Paths")
+      ->capture_default_str();
+  app.add_option("--mobile-sun-fade", options.sunShadowFade,
+                 "The last share of that distance over which it goes, 0 to 1")
+      ->check(within(0, 1))
+      ->needs("--mobile-sun-shadow")
+      ->group("Paths")
+      ->capture_default_str();
+}
+
+// Refit's lobe and its environment BRDF share their terms: neither is anything without the other.
+mobile::DirectLobe lobeOf(const mobile::Options& options, const std::string& name) {
+  const auto lobe = enumOf<mobile::DirectLobe>(name, mobile::directLobeNames());
+  const bool ofRefit = options.environmentBrdf == mobile::EnvironmentBrdf::refit;
+  if ((lobe == mobile::DirectLobe::refit) != ofRefit)
+    throw CLI::ValidationError("--direct-lobe", fmt::format("'{}' does not go with the preset {}: refit's lobe and "
+                                                            "its environment BRDF are one",
+                                                            name, options.preset));
+  return lobe;
 }
 
 void settleMobile(mobile::Options& options, const RawPathOptions& raw) {
   options = mobile::presetByName(raw.mobilePreset);
   options.precision = enumOf<mobile::Precision>(raw.precision, mobile::precisionNames());
-  options.spotShadow = raw.mobileSpotShadow;
+  options.mixing = raw.mixing;
+  if (!(options.mixing.begin < options.mixing.end))
+    throw CLI::ValidationError("--mixing-begin", fmt::format("{} is not below --mixing-end, which is {}",
+                                                             options.mixing.begin, options.mixing.end));
+  options.spotShadow = raw.mobileShadows.spotShadow;
+  options.spotShadowSharpen = raw.mobileShadows.spotShadowSharpen;
+  options.spotShadowFade = raw.mobileShadows.spotShadowFade;
+  options.sunShadow = raw.mobileShadows.sunShadow;
+  options.sunShadowDistance = raw.mobileShadows.sunShadowDistance;
+  options.sunShadowFade = raw.mobileShadows.sunShadowFade;
+  if (!raw.directLobe.empty()) options.directLobe = lobeOf(options, raw.directLobe);
   if (raw.skyCoefficients) options.skyCoefficients = *raw.skyCoefficients;
   if (!raw.capture.empty())
     options.capture = enumOf<mobile::CaptureEncoding>(raw.capture, mobile::captureEncodingNames());
@@ -103,6 +187,7 @@ void addShadowOptions(CLI::App& app, RawPathOptions& raw) {
 void addPathOptions(CLI::App& app, const job::Settings& defaults, RawPathOptions& raw) {
   addShadowOptions(app, raw);
   addMobileOptions(app, defaults, raw);
+  addMobileShadowOptions(app, raw.mobileShadows);
   addModelOptions(app, defaults.highend, raw);
   app.add_option("--specular-aa", raw.specularAa, "Roughness from minified normal maps, in every path: toksvig or off")
       ->check(CLI::IsMember({"off", "toksvig"}))
@@ -120,7 +205,7 @@ void settlePaths(job::Settings& s, const RawPathOptions& raw) {
     throw CLI::ValidationError("--mobile-target", fmt::format("'{}' is what the screen shows, as sRGB: the display "
                                                               "transform '{}' needs a float target",
                                                               raw.mobileTarget, s.display));
-  s.mobileTextures = enumOf<base::AstcBlock>(raw.mobileTextures, base::astcBlockNames());
+  s.mobileTextures = enumOf<base::TextureBlock>(raw.mobileTextures, base::textureBlockNames());
   settleModel(s, raw);
   s.specularAa = raw.specularAa == "toksvig" ? gpu::SpecularAa::toksvig : gpu::SpecularAa::off;
 }

@@ -15,11 +15,13 @@ namespace parity::cli {
 // What CLI11 fills in.
 struct RawPathOptions {
   std::string precision = "fp16", specularAa = "off", mobileTarget, mobileTextures;
-  std::string mobilePreset = "ue4-2020", capture, captureScale; // the last two: empty is the preset's
+  std::string mobilePreset = "ue4-2020", capture, captureScale, directLobe; // the last three: empty is the preset's
   std::optional<int> skyCoefficients;
+  mobile::Mixing mixing;
   std::string geometryTerm, fresnel, diffuse, compensation, offSpecular; // of the high-end path and the reference
   std::uint32_t shadowMapSize = gpu::ShadowOptions().mapSize, shadowFilter = gpu::ShadowOptions().filter;
-  bool shadows = false, mobileSpotShadow = false;
+  bool shadows = false;
+  mobile::Options mobileShadows; // of which the shadows' knobs are read
 };
 
 // defaults: what options begin as where they take a name.

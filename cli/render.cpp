@@ -61,10 +61,19 @@ job::Settings settingsOf(const RenderCommand& command) {
     settings.terms = true;
     return settings;
   }
-  if (command.path != "mobile")
+  const auto mobileView = mobile::viewByName(command.term), highendView = highend::viewByName(command.term);
+  if (command.path == "mobile" && mobileView)
+    settings.mobileView = *mobileView;
+  else if (command.path == "highend" && highendView)
+    settings.highendView = *highendView;
+  else
     throw base::Error(base::ExitCode::usage, "--term", command.term,
-                      "is an intermediate of the mobile path; the other paths have terms only (--list-terms)");
-  settings.mobileView = mobile::viewByName(command.term).value();
+                      fmt::format("is an intermediate of the {} path; the path '{}' has none of that name "
+                                  "(--list-terms)",
+                                  mobileView && highendView ? "mobile and the highend"
+                                  : mobileView              ? "mobile"
+                                                            : "highend",
+                                  command.path));
   return settings;
 }
 
@@ -73,6 +82,8 @@ job::Settings settingsOf(const RenderCommand& command) {
 std::vector<std::string> termNames() {
   std::vector<std::string> names(shading::kTermNames.begin(), shading::kTermNames.end());
   for (const mobile::View& view : mobile::kViews) names.emplace_back(view.name);
+  for (const highend::View& view : highend::kViews)
+    if (std::find(names.begin(), names.end(), view.name) == names.end()) names.emplace_back(view.name);
   return names;
 }
 
@@ -81,6 +92,8 @@ int runListTermsCommand() {
   for (const std::string_view name : shading::kTermNames) fmt::print("  {}\n", name);
   fmt::print("Intermediates of the mobile base pass (--path mobile):\n");
   for (const mobile::View& view : mobile::kViews) fmt::print("  {:<20} {}\n", view.name, view.meaning);
+  fmt::print("Intermediates of the high-end path (--path highend):\n");
+  for (const highend::View& view : highend::kViews) fmt::print("  {:<20} {}\n", view.name, view.meaning);
   return 0;
 }
 

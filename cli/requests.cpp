@@ -20,6 +20,7 @@ job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& s
   request.environmentRotationDeg = common.environmentRotationDeg;
   request.sun = common.sun;
   request.lightScales = common.lightScales;
+  request.falloff = common.falloff;
   request.fog = common.fog;
   request.baked = bakedFolder(common.baked, request.name);
   request.views = {common.view};

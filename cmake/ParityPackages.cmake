@@ -39,6 +39,16 @@ add_library(parity_opencolorio INTERFACE)
 target_include_directories(parity_opencolorio SYSTEM INTERFACE ${OPENCOLORIO_INCLUDE_DIR})
 target_link_libraries(parity_opencolorio INTERFACE ${OPENCOLORIO_LIBRARY})
 
+# Of filament only the codec of ETC2 is used; its package has no config.
+find_path(FILAMENT_INCLUDE_DIR imageio/BlockCompression.h PATH_SUFFIXES filament-1.9 REQUIRED)
+find_library(FILAMENT_IMAGEIO_LIBRARY filament_imageio REQUIRED)
+find_library(FILAMENT_IMAGE_LIBRARY filament_image REQUIRED)
+
+# The letters of `parity plot`.
+find_package(Freetype REQUIRED)
+find_file(PARITY_FONT DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu REQUIRED)
+find_file(PARITY_FONT_BOLD DejaVuSans-Bold.ttf PATHS /usr/share/fonts/truetype/dejavu REQUIRED)
+
 # libdeflate has a config only from 1.15 on.
 find_path(LIBDEFLATE_INCLUDE_DIR libdeflate.h REQUIRED)
 find_library(LIBDEFLATE_LIBRARY deflate REQUIRED)

@@ -2,9 +2,7 @@
 #include "compare/baseline.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -54,72 +52,100 @@ double worseBy(Better better, double before, double now) {
   return NAN;
 }
 
-// The settings that say which surfaces are in a whole image, and how they are shaded on request.
-constexpr std::array<std::string_view, 2> kSettingsOfWholes = {"materials", "fully rough"};
+// The conditions that differ, and where: the same difference is said once.
+class OtherConditions {
+public:
+  void add(const std::vector<ConditionDifference>& differences, const std::string& place) {
+    for (const ConditionDifference& difference : differences) {
+      if (difference.actsOn != ActsOn::figures && difference.actsOn != ActsOn::wholes) continue;
+      auto known = std::ranges::find(m_parts, difference.sentence, &Part::sentence);
+      if (known == m_parts.end()) known = m_parts.insert(known, {difference.sentence, {}});
+      if (!place.empty()) known->places.push_back(place);
+    }
+  }
+  // One line, empty where nothing differs.
+  std::string describe(std::size_t rows) const {
+    if (m_parts.empty()) return {};
+    std::vector<std::string> parts;
+    for (const auto& [sentence, places] : m_parts)
+      parts.push_back(places.empty() ? sentence : fmt::format("{} ({})", sentence, fmt::join(places, ", ")));
+    const std::string effect = rows == 0   ? ""
+                               : rows == 1 ? ", so one row is not comparable"
+                                           : fmt::format(", so {} rows are not comparable", rows);
+    return fmt::format("the baseline was made otherwise{}: {}", effect, fmt::join(parts, "; "));
+  }
 
-// The truth judges nothing, and none of the figures that are held against the baseline's depends on it.
-constexpr std::string_view kSettingOfTruth = "truth";
+private:
+  struct Part {
+    std::string sentence;
+    std::vector<std::string> places; // scenes and views; empty: the whole run
+  };
+  std::vector<Part> m_parts;
+};
 
-std::string settingOf(const Report& report, std::string_view name) {
-  const auto found = std::ranges::find(report.settings, name, [](const auto& setting) { return setting.first; });
-  return found == report.settings.end() ? "not recorded" : found->second;
+// Why the figures of a view, or of its whole image, are not of the same thing in both; empty where they are.
+std::string describe(const std::vector<ConditionDifference>& differences, bool ofWhole) {
+  std::vector<std::string> sentences;
+  for (const auto& [actsOn, sentence] : differences)
+    if (actsOn == ActsOn::figures || (ofWhole && actsOn == ActsOn::wholes)) sentences.push_back(sentence);
+  return fmt::format("{}", fmt::join(sentences, "; "));
 }
 
-// Why the whole images are not the same thing in both, empty where they are.
-std::string describeOtherWholes(const Report& report, const Report& baseline) {
-  for (const std::string_view name : kSettingsOfWholes)
-    if (const std::string then = settingOf(baseline, name), now = settingOf(report, name); then != now)
-      return fmt::format("the whole image was of another choice ({} '{}', now '{}')", name, then, now);
-  return {};
+std::vector<Condition> conditionsOfRun(const Report& report) {
+  std::vector<Condition> conditions = {{"device", report.device}};
+  conditions.insert(conditions.end(), report.conditions.begin(), report.conditions.end());
+  return conditions;
 }
 
 // before: null where the baseline does not have it. A check that is judged already could not be (not measured now).
-// other: not empty where the two cannot be held against each other, says why.
-void judgeRegression(CheckResult& check, const RegionFigures* before, const RegionFigures& now,
-                     const std::string& other) {
+// notComparable: as in BaselineChange.
+void judgeRegression(CheckResult& check, const Figures* before, const Figures& now, const std::string& notComparable) {
   if (!check.regress || check.judged()) return;
-  if (before && !other.empty()) {
+  if (before && !notComparable.empty()) {
     check.verdict = Verdict::warn;
-    check.unjudged = other;
+    check.unjudged = "not comparable: " + notComparable;
     return;
   }
-  const bool interior = check.region == nameOf(Region::interior);
-  const Figures* then = !before ? nullptr : interior ? &before->interior : &before->all;
-  if (!then || then->pixels == 0) {
+  if (!before || before->pixels == 0) {
     check.verdict = Verdict::warn;
-    check.unjudged = !before                   ? "new, the baseline does not have it"
-                     : before->all.pixels == 0 ? "the baseline does not show it"
-                                               : "the baseline has no interior pixels of it";
+    check.unjudged = !before ? "new, the baseline does not have it" : "the baseline does not show it";
     return;
   }
-  check.unjudged.clear();
+  check.unjudged = describeTooDark(check.metric, now);
+  if (!check.unjudged.empty()) {
+    check.verdict = Verdict::warn; // where nothing else judges
+    return;
+  }
   // Its figures hold the worst value there: against them a regression would look like an improvement.
-  if (before->all.nonFinite > 0) {
+  if (before->nonFinite > 0) {
     check.verdict = Verdict::error;
     check.note = "non-finite pixels in the baseline";
     return;
   }
-  const std::optional<double> old = then->find(check.metric);
+  const std::optional<double> old = before->find(check.metric);
   const std::optional<Statistic> statistic = statisticByName(check.metric);
   if (!old || std::isnan(*old) || !statistic) {
     check.verdict = Verdict::error;
     check.note = old ? "not a number in the baseline" : "not measured in the baseline";
     return;
   }
-  check.value = worseBy(statistic->better, *old, (interior ? now.interior : now.all).find(check.metric).value_or(NAN));
+  check.value = worseBy(statistic->better, *old, now.find(check.metric).value_or(NAN));
   check.verdict = judgeLevel(Better::lower, check.value, check.warnAbove, check.failAbove);
 }
 
-BaselineChange hold(const RegionFigures& now, std::vector<CheckResult>& checks, const RegionFigures* before,
-                    Verdict verdict, const std::string& other = {}) {
-  for (CheckResult& check : checks) judgeRegression(check, before, now, other);
+BaselineChange hold(const Figures& now, std::vector<CheckResult>& checks, const Figures* before, Verdict verdict,
+                    const std::string& notComparable, BaselineSummary& summary) {
+  for (CheckResult& check : checks) judgeRegression(check, before, now, notComparable);
   BaselineChange change;
   change.isNew = before == nullptr;
   if (!before) return change;
   change.before = verdict;
-  if (!other.empty()) return change;
-  change.interior = changesOf(before->interior, now.interior);
-  change.all = changesOf(before->all, now.all);
+  change.notComparable = notComparable;
+  if (!notComparable.empty()) {
+    if (before->pixels > 0 && now.pixels > 0) ++summary.notComparable;
+    return change;
+  }
+  change.changes = changesOf(*before, now);
   return change;
 }
 
@@ -129,15 +155,41 @@ bool isAskedFor(const BaselineOptions& options, const std::string& material) {
          });
 }
 
-void holdView(ViewResult& view, const ViewResult* before, const std::string& otherWholes, BaselineSummary& summary) {
+// differences: of the run's conditions, the scene's and the view's.
+void holdView(ViewResult& view, const ViewResult* before, const std::vector<ConditionDifference>& differences,
+              BaselineSummary& summary) {
   view.baseline = hold(view.whole, view.checks, before ? &before->whole : nullptr,
-                       before ? before->wholeVerdict : Verdict::pass, otherWholes);
+                       before ? before->wholeVerdict : Verdict::pass, describe(differences, true), summary);
+  const std::string notComparable = describe(differences, false);
   for (std::size_t i = 0; i < view.materials.size(); ++i) {
     MaterialResult& material = view.materials[i];
     const MaterialResult* then = before ? findNamesake(before->materials, view.materials, i) : nullptr;
-    material.baseline =
-        hold(material.figures, material.checks, then ? &then->figures : nullptr, then ? then->verdict : Verdict::pass);
-    if (then && then->figures.all.pixels > 0 && material.figures.all.pixels > 0) ++summary.common;
+    material.baseline = hold(material.figures, material.checks, then ? &then->figures : nullptr,
+                             then ? then->verdict : Verdict::pass, notComparable, summary);
+    if (then && then->figures.pixels > 0 && material.figures.pixels > 0) ++summary.common;
+  }
+}
+
+// The views of a scene against the baseline's; `differences` are of the run's conditions.
+void holdScene(SceneResult& scene, const SceneResult* before, std::vector<ConditionDifference> differences,
+               OtherConditions& others, BaselineSummary& summary) {
+  const auto add = [](std::vector<ConditionDifference>& to, const std::vector<ConditionDifference>& more) {
+    to.insert(to.end(), more.begin(), more.end());
+  };
+  if (before && !before->views.empty() && !scene.views.empty()) {
+    const std::vector<ConditionDifference> ofScene = differencesOf(before->conditions, scene.conditions);
+    others.add(ofScene, "scene " + scene.name);
+    add(differences, ofScene);
+  }
+  for (ViewResult& view : scene.views) {
+    const ViewResult* then = before ? findByName(before->views, view.name) : nullptr;
+    std::vector<ConditionDifference> all = differences;
+    if (then) {
+      const std::vector<ConditionDifference> ofView = differencesOf(then->conditions, view.conditions);
+      others.add(ofView, fmt::format("view {} of scene {}", view.name, scene.name));
+      add(all, ofView);
+    }
+    holdView(view, then, all, summary);
   }
 }
 
@@ -155,33 +207,6 @@ void collectGone(const ViewResult& before, const SceneResult& scene, const Basel
       gone.push_back({scene.name, before.name, before.materials[i].name});
 }
 
-// What differs though it is not shading; one line, empty where nothing does.
-std::string describeOtherConditions(const Report& report, const Report& baseline) {
-  std::vector<std::string> parts;
-  const auto compare = [&](const std::string& what, const std::string& then, const std::string& now) {
-    if (then != now) parts.push_back(fmt::format("{} was '{}', is '{}'", what, then, now));
-  };
-  for (const auto& [name, value] : report.settings)
-    if (std::ranges::find(kSettingsOfWholes, name) != kSettingsOfWholes.end())
-      compare(name, settingOf(baseline, name), value);
-    else if (name.starts_with("highend ") || name == "specular anti-aliasing" || name == "sun extraction")
-      compare(name, settingOf(baseline, name), value); // also where an older version had none
-    else if (name != kSettingOfTruth)
-      for (const auto& [oldName, oldValue] : baseline.settings)
-        if (name == oldName) compare(name, oldValue, value);
-  compare("device", baseline.device, report.device);
-  for (const SceneResult& scene : report.scenes)
-    if (const SceneResult* before = findByName(baseline.scenes, scene.name);
-        before && before->error.empty() && scene.error.empty()) {
-      compare("environment of scene " + scene.name, before->environment, scene.environment);
-      compare("sun of scene " + scene.name, before->sun, scene.sun);
-      compare("light of scene " + scene.name, before->light, scene.light);
-    }
-  if (parts.empty()) return {};
-  return fmt::format("the baseline was made otherwise, so changes are not of shading alone: {}",
-                     fmt::join(parts, "; "));
-}
-
 } // namespace
 
 void compareWithBaseline(Report& report, const Report& baseline, const BaselineOptions& options) {
@@ -190,12 +215,11 @@ void compareWithBaseline(Report& report, const Report& baseline, const BaselineO
   summary.source = (source.is_absolute() ? source.filename() : source).generic_string();
   summary.version = baseline.version;
   summary.device = baseline.device;
-  const std::string otherWholes = describeOtherWholes(report, baseline);
-  for (SceneResult& scene : report.scenes) {
-    const SceneResult* before = findByName(baseline.scenes, scene.name);
-    for (ViewResult& view : scene.views)
-      holdView(view, before ? findByName(before->views, view.name) : nullptr, otherWholes, summary);
-  }
+  const std::vector<ConditionDifference> ofRun = differencesOf(conditionsOfRun(baseline), conditionsOfRun(report));
+  OtherConditions others;
+  others.add(ofRun, "");
+  for (SceneResult& scene : report.scenes)
+    holdScene(scene, findByName(baseline.scenes, scene.name), ofRun, others, summary);
   for (const SceneResult& before : baseline.scenes) {
     const SceneResult* now = findByName(report.scenes, before.name);
     if (!now && !options.sameScenesOnly && before.error.empty()) summary.gone.push_back({before.name, "", ""});
@@ -203,7 +227,7 @@ void compareWithBaseline(Report& report, const Report& baseline, const BaselineO
     for (const ViewResult& view : before.views) collectGone(view, *now, options, summary.gone);
   }
   if (summary.common == 0) summary.error = "nothing in common: no material that this run shows is shown in it";
-  if (std::string other = describeOtherConditions(report, baseline); !other.empty())
+  if (std::string other = others.describe(summary.notComparable); !other.empty())
     report.warnings.push_back(std::move(other));
   report.baseline = std::move(summary);
   settleVerdicts(report);

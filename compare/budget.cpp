@@ -13,27 +13,21 @@ namespace parity::compare {
 namespace {
 
 // A check on the figure's own level; of a regression only what it would look at.
-CheckResult prepareCheck(const BudgetCheck& check, const RegionFigures& figures) {
+CheckResult prepareCheck(const BudgetCheck& check, const Figures& figures) {
   CheckResult result;
-  const bool fallsBack = check.region == Region::interior && figures.interior.pixels == 0;
-  const Region region = fallsBack ? Region::all : check.region;
-  if (fallsBack) result.note = "no interior pixels: all pixels instead";
   result.metric = check.statistic.name;
-  result.region = nameOf(region);
   result.warnAbove = check.warn;
   result.failAbove = check.fail;
-  const std::optional<double> value =
-      (region == Region::all ? figures.all : figures.interior).find(check.statistic.name);
+  const std::optional<double> value = figures.find(check.statistic.name);
   result.value = value.value_or(NAN);
-  if (!value) result.note += result.note.empty() ? "not measured" : "; not measured";
+  if (!value) result.note = "not measured";
   return result;
 }
 
-void apply(const BudgetRule* rule, const RegionFigures& figures, std::vector<CheckResult>& checks,
-           AppliedRule& applied) {
+void apply(const BudgetRule* rule, const Figures& figures, std::vector<CheckResult>& checks, AppliedRule& applied) {
   checks = rule ? runChecks(*rule, figures) : std::vector<CheckResult>{};
-  applied = rule ? AppliedRule{rule->origin, rule->reason, rule->owner, rule->requireSeen,
-                               rule->file,   rule->line,   rule->preset}
+  applied = rule ? AppliedRule{rule->origin,    rule->reason, rule->owner, rule->requireSeen,
+                               rule->minPixels, rule->file,   rule->line,  rule->preset}
                  : AppliedRule{};
 }
 
@@ -55,7 +49,12 @@ bool isUsed(const BudgetRule& rule, bool ofWholes, const Report& report) {
 
 } // namespace
 
-std::string_view nameOf(Region region) { return kRegionNames[static_cast<std::size_t>(region)]; }
+std::string describeTooDark(std::string_view metric, const Figures& figures) {
+  const double brighter = std::max(figures.referenceLuminance, figures.testLuminance);
+  if (metric != "bias.ev" || !(brighter < kLeastLuminance)) return {};
+  return fmt::format("mean luminance is below {:g} in both pictures: too dark for a difference of exposure",
+                     kLeastLuminance);
+}
 
 std::vector<std::string> requiredStatistics(const Budgets& budgets) {
   std::vector<std::string> names;
@@ -90,12 +89,14 @@ Verdict judgeLevel(Better better, double value, const std::optional<double>& war
   return beyond(fail) ? Verdict::fail : beyond(warn) ? Verdict::warn : Verdict::pass;
 }
 
-std::vector<CheckResult> runChecks(const BudgetRule& rule, const RegionFigures& figures) {
+std::vector<CheckResult> runChecks(const BudgetRule& rule, const Figures& figures) {
   std::vector<CheckResult> results;
-  if (figures.all.pixels == 0) return results;
+  if (figures.pixels == 0) return results;
   for (const BudgetCheck& check : rule.checks) {
     CheckResult result = prepareCheck(check, figures);
-    result.verdict = judgeLevel(check.statistic.better, result.value, check.warn, check.fail);
+    result.unjudged = std::isnan(result.value) ? "" : describeTooDark(check.statistic.name, figures);
+    result.verdict = result.judged() ? judgeLevel(check.statistic.better, result.value, check.warn, check.fail)
+                                     : Verdict::warn; // where nothing else judges
     results.push_back(std::move(result));
   }
   for (const BudgetCheck& check : rule.regress) {

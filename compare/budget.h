@@ -1,7 +1,6 @@
 // Budgets: how far apart two paths may look, per material and for the whole image, and who is judged by which rule.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,28 +12,24 @@
 
 namespace parity::compare {
 
-enum class Region { interior, all };
-inline constexpr std::array<std::string_view, 2> kRegionNames = {"interior", "all"};
-std::string_view nameOf(Region region);
-
 // One limit on one figure. Beyond `warn` it warns, beyond `fail` it fails; at least one is set. Beyond is above for
 // figures of which less is better, below where more is (psnr, ssim), and above in absolute value for signed ones
 // (bias). As a regression: worse than in the baseline by more than the limit, in the figure's own unit.
 struct BudgetCheck {
   Statistic statistic;
-  Region region = Region::interior; // where the interior is empty, `all` is checked instead
   std::optional<double> warn, fail;
 };
 
 // The limits for all materials (or whole images) whose names match. All of them have to hold.
 struct BudgetRule {
-  std::string material = "*", scene = "*"; // globs (base/glob.h); `material` is not used for whole images
-  std::vector<BudgetCheck> checks;         // on the figures themselves
-  std::vector<BudgetCheck> regress;        // against a baseline; in a loaded file the two are never both empty
-  bool requireSeen = false;                // a material that no view shows fails
-  std::string reason, owner;               // why these limits, and whom to ask; shown in the report
-  std::string origin;                      // "built-in", or "budgets.toml, line 12"
-  std::string file;                        // as it was given to loadBudgets; empty: built-in
+  std::string material = "*", scene = "*";     // globs (base/glob.h); `material` is not used for whole images
+  std::vector<BudgetCheck> checks;             // on the figures themselves
+  std::vector<BudgetCheck> regress;            // against a baseline; in a loaded file the two are never both empty
+  bool requireSeen = false;                    // a material that no view shows, or only too small, fails
+  std::uint64_t minPixels = kDefaultMinPixels; // a material of fewer pixels in a view is too small to be judged there
+  std::string reason, owner;                   // why these limits, and whom to ask; shown in the report
+  std::string origin;                          // "built-in", or "budgets.toml, line 12"
+  std::string file;                            // as it was given to loadBudgets; empty: built-in
   int line = 0;
   std::string preset = {}; // whose limits it took; empty: none
 };
@@ -47,10 +42,11 @@ struct Budgets {
 // Limits for a mobile path (ue4-2020) against the full high-end one. For an even grey, FLIP = 0.0575 dL*^0.7 (FLIP.md;
 // dL* of CIELAB), so at 20 % grey a mean of 0.03 is one step of 8 bit, 0.10 is 10 % more or less light, 0.20 is 29 %
 // more or 24 % less, 0.30 is 54 % more, 0.50 is 2.3 times as much or a third.
-// Materials, interior: flip.mean warns at 0.10 (seen side by side; approximated environment BRDFs stay below), fails at
+// Materials: flip.mean warns at 0.10 (seen side by side; approximated environment BRDFs stay below), fails at
 // 0.20 (seen without a side by side: a light or a lobe is missing). flip.p95 warns at 0.30, fails at 0.50: a twentieth
-// of the surface may hold displaced highlights, which a cheaper lobe always has, but not lost ones. Whole images, all
-// pixels: the same for p95; flip.mean 0.08 and 0.16, as errors of materials should average out.
+// of the surface may hold displaced highlights, which a cheaper lobe always has, but not lost ones. Whole images: the
+// same for p95; flip.mean 0.08 and 0.16, as errors of materials should average out. Both: bias.ev warns from 0.25 EV
+// (19 % more light), fails from 0.5 (41 %): light before it is clipped, so that white on white does not hide it.
 const Budgets& defaultBudgets();
 
 // A named list of checks that rules refer to by `preset`.
@@ -78,10 +74,18 @@ std::vector<std::string> requiredStatistics(const Budgets& budgets);
 const BudgetRule* findMaterialRule(const Budgets& budgets, std::string_view scene, std::string_view material);
 const BudgetRule* findWholeRule(const Budgets& budgets, std::string_view scene);
 
+// Mean luminance, 1 being white at the picture's exposure, below which a difference of exposure is not judged: sRGB
+// shows it as 7 of 255, and of so little light a quarter of a stop is about one step of 8 bits.
+inline constexpr double kLeastLuminance = 0.002;
+
+// Why a check of this figure says nothing where both pictures are so dark; empty where it does.
+std::string describeTooDark(std::string_view metric, const Figures& figures);
+
 // Holds figures against each limit of the rule, in its order, then the regressions, which stay not judged until
-// compareWithBaseline (compare/baseline.h) judges them. Empty where the region has no pixel. A figure that is NaN or
-// was not measured gives Verdict::error; an identical image (psnr = +infinity) passes any psnr limit.
-std::vector<CheckResult> runChecks(const BudgetRule& rule, const RegionFigures& figures);
+// compareWithBaseline (compare/baseline.h) judges them. Empty where there is no pixel. A figure that is NaN or
+// was not measured gives Verdict::error; an identical image (psnr = +infinity) passes any psnr limit. bias.ev stays not
+// judged where both mean luminances are below kLeastLuminance.
+std::vector<CheckResult> runChecks(const BudgetRule& rule, const Figures& figures);
 
 // The verdict on a value by a check's limits: error for NaN.
 Verdict judgeLevel(Better better, double value, const std::optional<double>& warn, const std::optional<double>& fail);

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/image.h"
 #include "base/nearest.h"
 #include "compare/budget.h"
 
@@ -23,23 +24,25 @@ using Names = std::span<const std::string_view>;
 
 constexpr std::string_view kRootKeys[] = {"preset", "material", "whole"};
 constexpr std::string_view kPresetKeys[] = {"checks", "regress"};
-constexpr std::string_view kMaterialKeys[] = {"name",    "scene",        "preset", "checks",
-                                              "regress", "require_seen", "reason", "owner"};
+constexpr std::string_view kMaterialKeys[] = {"name",         "scene",      "preset", "checks", "regress",
+                                              "require_seen", "min_pixels", "reason", "owner"};
 constexpr std::string_view kWholeKeys[] = {"scene", "preset", "checks", "regress", "reason", "owner"};
-constexpr std::string_view kCheckKeys[] = {"metric", "region", "warn", "fail"};
+constexpr std::string_view kCheckKeys[] = {"metric", "warn", "fail"};
+
+// Either kind of rule takes its own limits of a built-in preset.
+enum class RuleKind { material, whole };
 
 // What a rule demands: its own lists and those of its preset.
 struct Checks {
   std::vector<BudgetCheck> levels, regress;
 };
 
-// Those of a rule, and those of its preset over figures (and regions) that the rule does not name itself.
+// Those of a rule, and those of its preset over figures that the rule does not name itself.
 std::vector<BudgetCheck> merge(std::vector<BudgetCheck> own, const std::vector<BudgetCheck>& preset) {
   const std::size_t count = own.size();
   for (const BudgetCheck& check : preset)
-    if (std::none_of(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(count), [&](const BudgetCheck& other) {
-          return other.statistic.name == check.statistic.name && other.region == check.region;
-        }))
+    if (std::none_of(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(count),
+                     [&](const BudgetCheck& other) { return other.statistic.name == check.statistic.name; }))
       own.push_back(check);
   return own;
 }
@@ -68,11 +71,10 @@ public:
   }
 
 private:
-  // Each preset is read once for either kind of rule, as the region that a check has by default differs.
   void readPresets(const toml::table& root) {
     for (const BudgetPreset& preset : builtInPresets()) {
-      m_presets[static_cast<int>(Region::interior)][preset.name] = {preset.materials, {}};
-      m_presets[static_cast<int>(Region::all)][preset.name] = {preset.wholes, {}};
+      m_presets[static_cast<int>(RuleKind::material)][preset.name] = {preset.materials, {}};
+      m_presets[static_cast<int>(RuleKind::whole)][preset.name] = {preset.wholes, {}};
     }
     const toml::node* node = root.get("preset");
     if (!node) return;
@@ -84,15 +86,15 @@ private:
         refuse(key.source(), fmt::format("preset '{}' is built in: take another name", name));
       const toml::table& table = *value.as_table();
       refuseUnknown(table, kPresetKeys);
-      for (const Region region : {Region::interior, Region::all})
-        m_presets[static_cast<int>(region)][name] = readChecks(table, region, fmt::format("preset '{}'", name));
+      const Checks checks = readChecks(table, fmt::format("preset '{}'", name));
+      for (std::map<std::string, Checks>& presets : m_presets) presets[name] = checks;
     }
   }
 
-  const Checks* presetOf(const toml::table& table, Region region) const {
+  const Checks* presetOf(const toml::table& table, RuleKind kind) const {
     if (!table.contains("preset")) return nullptr;
     const std::string name = textOf(table, "preset", "");
-    const std::map<std::string, Checks>& presets = m_presets[static_cast<int>(region)];
+    const std::map<std::string, Checks>& presets = m_presets[static_cast<int>(kind)];
     const auto found = presets.find(name);
     if (found != presets.end()) return &found->second;
     std::vector<std::string_view> known;
@@ -102,26 +104,25 @@ private:
   }
 
   // Both lists of a table; `owner`, in words, has to have one of them.
-  Checks readChecks(const toml::table& table, Region region, const std::string& owner) const {
+  Checks readChecks(const toml::table& table, const std::string& owner) const {
     Checks checks;
     if (!table.contains("checks") && !table.contains("regress"))
       refuse(table.source(), fmt::format("{} has neither 'checks' nor 'regress'", owner));
-    checks.levels = readList(table, "checks", region);
-    checks.regress = readList(table, "regress", region);
+    checks.levels = readList(table, "checks");
+    checks.regress = readList(table, "regress");
     return checks;
   }
 
-  std::vector<BudgetCheck> readList(const toml::table& table, std::string_view key, Region region) const {
+  std::vector<BudgetCheck> readList(const toml::table& table, std::string_view key) const {
     std::vector<BudgetCheck> list;
     const toml::node* checks = table.get(key);
     if (!checks) return list;
-    std::set<std::pair<std::string, Region>> seen;
+    std::set<std::string> seen;
     for (const toml::table* check : tablesOf(*checks, key)) {
-      list.push_back(readCheck(*check, region, key == "regress"));
+      list.push_back(readCheck(*check, key == "regress"));
       const BudgetCheck& last = list.back();
-      if (!seen.emplace(last.statistic.name, last.region).second)
-        refuse(check->source(),
-               fmt::format("'{}' over {} pixels is checked twice", last.statistic.name, nameOf(last.region)));
+      if (!seen.insert(last.statistic.name).second)
+        refuse(check->source(), fmt::format("'{}' is checked twice", last.statistic.name));
     }
     if (list.empty()) refuse(checks->source(), fmt::format("'{}' is empty: the rule would pass everything", key));
     return list;
@@ -153,7 +154,7 @@ private:
     return text->get();
   }
 
-  BudgetRule commonRule(const toml::table& table, Region region) const {
+  BudgetRule commonRule(const toml::table& table, RuleKind kind) const {
     BudgetRule rule;
     rule.scene = textOf(table, "scene", "*");
     rule.reason = textOf(table, "reason", "");
@@ -162,9 +163,9 @@ private:
     rule.origin = fmt::format("{}, line {}", m_short, rule.line);
     rule.file = m_file;
     rule.preset = textOf(table, "preset", "");
-    const Checks* preset = presetOf(table, region);
+    const Checks* preset = presetOf(table, kind);
     const bool hasOwn = table.contains("checks") || table.contains("regress");
-    const Checks own = hasOwn || !preset ? readChecks(table, region, "the rule") : Checks{};
+    const Checks own = hasOwn || !preset ? readChecks(table, "the rule") : Checks{};
     rule.checks = preset ? merge(own.levels, preset->levels) : own.levels;
     rule.regress = preset ? merge(own.regress, preset->regress) : own.regress;
     return rule;
@@ -172,23 +173,36 @@ private:
 
   BudgetRule materialRule(const toml::table& table) const {
     refuseUnknown(table, kMaterialKeys);
-    BudgetRule rule = commonRule(table, Region::interior);
+    BudgetRule rule = commonRule(table, RuleKind::material);
     if (!table.contains("name")) refuse(table.source(), "the rule has no 'name' (a glob over material names)");
     rule.material = textOf(table, "name", "*");
     if (const toml::node* node = table.get("require_seen")) {
       if (!node->is_boolean()) refuse(node->source(), "'require_seen' must be true or false");
       rule.requireSeen = node->as_boolean()->get();
     }
+    if (const toml::node* node = table.get("min_pixels")) {
+      if (!node->is_integer()) refuse(node->source(), "'min_pixels' must be a whole number");
+      const std::int64_t count = node->as_integer()->get();
+      if (count < 1 || count > static_cast<std::int64_t>(base::kMaxImagePixels))
+        refuse(node->source(),
+               fmt::format("'min_pixels' is {}, outside the range 1..{}: 1 judges every material that is "
+                           "seen",
+                           count, base::kMaxImagePixels));
+      rule.minPixels = static_cast<std::uint64_t>(count);
+    }
     return rule;
   }
 
-  // No neighbour's error bleeds into a whole image, so all its pixels count unless the file says otherwise.
   BudgetRule wholeRule(const toml::table& table) const {
     refuseUnknown(table, kWholeKeys);
-    return commonRule(table, Region::all);
+    return commonRule(table, RuleKind::whole);
   }
 
-  BudgetCheck readCheck(const toml::table& table, Region region, bool regress) const {
+  BudgetCheck readCheck(const toml::table& table, bool regress) const {
+    if (const toml::node* region = table.get("region"))
+      refuse(region->source(),
+             "'region' is gone: a material is judged by one figure over all of its pixels, in which no "
+             "neighbour takes part (docs/budgets.md): delete the key");
     refuseUnknown(table, kCheckKeys);
     BudgetCheck check;
     if (!table.contains("metric")) refuse(table.source(), "the check has no 'metric'");
@@ -201,12 +215,6 @@ private:
                          base::describeNearest(metric, std::vector<std::string_view>(names.begin(), names.end()))));
     }
     check.statistic = std::move(*known);
-    const std::string where = textOf(table, "region", std::string(nameOf(region)));
-    const auto name = std::ranges::find(kRegionNames, where);
-    if (name == kRegionNames.end())
-      refuse(table.get("region")->source(),
-             fmt::format("unknown region '{}'; {}", where, base::describeNearest(where, kRegionNames)));
-    check.region = static_cast<Region>(name - kRegionNames.begin());
     check.warn = readLimit(table, "warn", check.statistic, regress);
     check.fail = readLimit(table, "fail", check.statistic, regress);
     if (!check.warn && !check.fail) refuse(table.source(), "the check has neither 'warn' nor 'fail'");
@@ -252,7 +260,7 @@ private:
   }
 
   std::string m_file, m_short;
-  std::map<std::string, Checks> m_presets[kRegionNames.size()]; // by the default region of the rules that take them
+  std::map<std::string, Checks> m_presets[2]; // of each RuleKind
 };
 
 } // namespace

@@ -4,23 +4,20 @@
 namespace parity::compare {
 namespace {
 
-BudgetCheck limit(const char* figure, Region region, std::optional<double> warn, double fail) {
-  return {requireStatistic(figure, "built-in budgets"), region, warn, fail};
+BudgetCheck limit(const char* figure, std::optional<double> warn, double fail) {
+  return {requireStatistic(figure, "built-in budgets"), warn, fail};
 }
 
-std::vector<BudgetCheck> flipLimits(Region region, double mean, double p95) {
-  return {limit("flip.mean", region, mean / 2, mean), limit("flip.p95", region, 0.6 * p95, p95)};
+std::vector<BudgetCheck> limits(double flipMean, double flipP95, double biasEv) {
+  return {limit("flip.mean", flipMean / 2, flipMean), limit("flip.p95", 0.6 * flipP95, flipP95),
+          limit("bias.ev", biasEv / 2, biasEv)};
 }
 
 std::vector<BudgetPreset> makePresets() {
   return {
-      {"default", "the built-in limits", flipLimits(Region::interior, 0.20, 0.50), flipLimits(Region::all, 0.16, 0.50)},
-      {"strict", "half of the built-in limits", flipLimits(Region::interior, 0.10, 0.25),
-       flipLimits(Region::all, 0.08, 0.25)},
-      {"identical",
-       "no pixel may differ",
-       {limit("flip.max", Region::all, std::nullopt, 0)},
-       {limit("flip.max", Region::all, std::nullopt, 0)}}};
+      {"default", "the built-in limits", limits(0.20, 0.50, 0.5), limits(0.16, 0.50, 0.5)},
+      {"strict", "half of the built-in limits", limits(0.10, 0.25, 0.25), limits(0.08, 0.25, 0.25)},
+      {"identical", "no pixel may differ", {limit("flip.max", std::nullopt, 0)}, {limit("flip.max", std::nullopt, 0)}}};
 }
 
 Budgets makeDefaults() {

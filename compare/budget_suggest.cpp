@@ -50,22 +50,30 @@ private:
     for (const ViewResult& view : scene.views) {
       const std::string place = fmt::format("scene {}, view {}", scene.name, view.name);
       for (const MaterialResult& material : view.materials) {
-        if (material.figures.all.pixels > 0)
+        if (isJudged(material))
           add(run, place + ", material " + material.name, {scene.name, material.name, false, false, false, {}},
-              material.figures, mainFigures(material.figures));
-        else if (!isShown(scene, material.name))
-          leaveOut(fmt::format("no view shows '{}' of scene '{}' in {}", material.name, scene.name, run.source));
+              material.figures);
+        else if (!isJudgedInAnyView(scene, material.name))
+          leaveOut(material.figures.pixels == 0
+                       ? fmt::format("no view shows '{}' of scene '{}' in {}", material.name, scene.name, run.source)
+                       : fmt::format("'{}' of scene '{}' is {} in {}", material.name, scene.name,
+                                     nameOf(material.verdict), run.source));
       }
-      if (view.whole.all.pixels > 0)
-        add(run, place + ", whole image", {scene.name, "", true, false, false, {}}, view.whole, view.whole.all);
+      if (view.whole.pixels > 0)
+        add(run, place + ", whole image", {scene.name, "", true, false, false, {}}, view.whole);
     }
   }
 
-  static bool isShown(const SceneResult& scene, const std::string& name) {
+  // Figures of few pixels, or of clipped ones, say nothing: they must neither widen nor narrow a limit.
+  static bool isJudged(const MaterialResult& material) {
+    return material.figures.pixels > 0 && material.verdict != Verdict::tooSmall &&
+           material.verdict != Verdict::notJudged;
+  }
+
+  static bool isJudgedInAnyView(const SceneResult& scene, const std::string& name) {
     return std::ranges::any_of(scene.views, [&](const ViewResult& view) {
-      return std::ranges::any_of(view.materials, [&](const MaterialResult& material) {
-        return material.name == name && material.figures.all.pixels > 0;
-      });
+      return std::ranges::any_of(
+          view.materials, [&](const MaterialResult& material) { return material.name == name && isJudged(material); });
     });
   }
 
@@ -73,8 +81,7 @@ private:
     if (std::ranges::find(m_leftOut, why) == m_leftOut.end()) m_leftOut.push_back(std::move(why));
   }
 
-  void add(const ObservedRun& run, const std::string& place, Subject key, const RegionFigures& regions,
-           const Figures& figures) {
+  void add(const ObservedRun& run, const std::string& place, Subject key, const Figures& figures) {
     auto subject = std::ranges::find_if(m_subjects, [&](const Subject& each) {
       return each.whole == key.whole && each.scene == key.scene && each.material == key.material;
     });
@@ -83,8 +90,8 @@ private:
       subject = m_subjects.insert(m_subjects.end(), std::move(key));
     }
     const bool first = !std::exchange(subject->inThisRun, true);
-    if (regions.all.nonFinite > 0) {
-      leaveOut(fmt::format("{} has {} NaN or infinite pixels in {}", place, regions.all.nonFinite, run.source));
+    if (figures.nonFinite > 0) {
+      leaveOut(fmt::format("{} has {} NaN or infinite pixels in {}", place, figures.nonFinite, run.source));
       subject->nonFinite = true;
     }
     if (subject->nonFinite) return;

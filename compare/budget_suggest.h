@@ -25,7 +25,7 @@ struct SuggestedBudgets {
 
 // A budget file for loadBudgets: a [[material]] rule for each material of each scene and a [[whole]] rule for
 // each scene, in the order of the runs, with their exact names. Of each figure a run counts with its worst over the
-// views, over interior pixels (all, where it has none); of the runs' values the 95th percentile towards the worse
+// views; of the runs' values the 95th percentile towards the worse
 // counts, which is the largest for fewer than 20 runs. `warn` is that plus the margin, `fail` plus twice the margin;
 // the margin is a share of the error: of the figure where 0 is best, of its distance to the best where there is one
 // (ssim), 20 log10(1 + margin) for dB. Rounded away from the best to the digits that people read. Each rule says in a

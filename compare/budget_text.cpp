@@ -15,14 +15,15 @@ std::string describeLimits(const BudgetCheck& check, bool regress) {
   std::string words;
   if (check.warn) words += "warn " + formatLimit(limits, *check.warn);
   if (check.fail) words += (words.empty() ? "fail " : ", fail ") + formatLimit(limits, *check.fail);
-  return fmt::format("    {}{} ({}) over {} pixels: {}\n", regress ? "regression of " : "", check.statistic.label,
-                     check.statistic.name, nameOf(check.region), words);
+  return fmt::format("    {}{} ({}): {}\n", regress ? "regression of " : "", check.statistic.label,
+                     check.statistic.name, words);
 }
 
 std::string describeRule(const BudgetRule& rule, const std::string& subject) {
   std::string text = fmt::format("{}: {}", plainLine(rule.origin), subject);
   if (rule.scene != "*") text += fmt::format(" of scenes '{}'", plainLine(rule.scene));
   if (rule.requireSeen) text += ", which a view has to show";
+  if (rule.minPixels != kDefaultMinPixels) text += fmt::format(", of at least {} pixels", rule.minPixels);
   if (!rule.owner.empty()) text += ", owner " + plainLine(rule.owner);
   if (!rule.reason.empty()) text += ": " + plainLine(rule.reason);
   text += "\n";

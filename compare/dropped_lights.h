@@ -7,10 +7,10 @@
 
 namespace parity::compare {
 
-// Mean FLIP of the displayed high-end picture without the light against that with all lights, over a material.
+// Mean FLIP of the displayed high-end picture in which the material alone lacks the light against that with all lights,
+// over the material's pixels.
 struct LightEffect {
   std::string material;
-  std::string region; // "interior", or "all" where there is no interior
   double flip = 0;
 };
 

@@ -10,7 +10,7 @@ constexpr double kNotable = 0.0005; // what three digits show
 
 bool isNotable(const std::optional<Encoding>& encoding) {
   if (!encoding) return false;
-  const std::optional<double> mean = encoding->figures.all.find("flip.mean");
+  const std::optional<double> mean = encoding->figures.find("flip.mean");
   return mean && !(*mean < kNotable);
 }
 

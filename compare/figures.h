@@ -1,4 +1,4 @@
-// The figures of a comparison: what is measured of a region (a material or the whole image).
+// The figures of a comparison: what is measured of a region (a material, a mask or the whole image).
 #pragma once
 
 #include <cstdint>
@@ -16,22 +16,19 @@ struct Figure {
   double value = 0;
 };
 
-// What is known of one region.
+// What is known of one region: its pixels, weighted by how much of each it covers.
 struct Figures {
-  std::uint64_t pixels = 0;               // in the region (weight > 0); all else is meaningless where this is 0
-  std::uint64_t nonFinite = 0;            // pixels of the region where either image is NaN or infinite
-  double referenceLuma = 0, testLuma = 0; // mean Rec.709 luma of the displayed image, 0..1: says which is darker
-  std::vector<Figure> values;             // of the metrics that were asked for, in the registry's order
+  std::uint64_t pixels = 0;                  // in the region (weight > 0); all else is meaningless where this is 0
+  std::uint64_t nonFinite = 0;               // pixels of the region where either image is NaN or infinite
+  double clippedBlack = 0, clippedWhite = 0; // shares that are black in both displayed images, and white in both: there
+                                             // the images say nothing, 0..1
+  double referenceLuma = 0, testLuma = 0;    // mean Rec.709 luma of the displayed image, 0..1: says which is darker
+  double referenceLuminance = 0, testLuminance = 0; // mean linear luminance as exposed, before clipping; 1: white
+  std::vector<Figure> values;                       // of the metrics that were asked for, in the registry's order
 
+  double clipped() const { return clippedBlack + clippedWhite; }
   // The figure of that name, if it was measured.
   std::optional<double> find(std::string_view name) const;
-};
-
-// A region's figures over all its pixels, and over interior ones: eroded by FLIP's filter radius, so that no neighbour
-// bleeds in (DESIGN 9). The interior may be empty.
-struct RegionFigures {
-  std::string name;
-  Figures all, interior;
 };
 
 } // namespace parity::compare

@@ -67,14 +67,21 @@ void requireFloats(const PixelView& reference, const PixelView& test) {
     throw base::Error(base::ExitCode::notComparable, "HDR-FLIP", "", "needs linear floats, not bytes");
 }
 
+// Of the i-th of the range's exposures.
+float gainOf(const ExposureRange& range, int i) {
+  const float step = (range.stop - range.start) / static_cast<float>(range.count - 1);
+  return std::exp2(range.start + step * static_cast<float>(i));
+}
+
+bool hasLight(const PixelView& image) { return measureLuminances(image).max > 0; }
+
 // One tile at every exposure; the input stays in the cache meanwhile.
 std::uint64_t runTile(TileWorkspace& workspace, const TileJob& job, RowDecoder decoder, const ExposureRange& range,
                       const Rect& tile, HdrFlip& out) {
   std::vector<float> ldr(static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height), 0.f);
   std::uint64_t filtered = 0;
   for (int i = 0; i < range.count; ++i) {
-    const float step = (range.stop - range.start) / static_cast<float>(range.count - 1);
-    decoder.exposure = std::exp2(range.start + step * static_cast<float>(i));
+    decoder.exposure = gainOf(range, i);
     filtered = workspace.run(job, decoder, tile, {ldr.data(), nullptr, nullptr, tile.width});
     if (filtered == 0) break; // nothing differs, at no exposure
     const float mark = static_cast<float>(i) / static_cast<float>(range.count - 1);
@@ -167,6 +174,35 @@ HdrFlip flipHdr(const PixelView& reference, const PixelView& test, const HdrFlip
     return runTile(workspace, job, decoder, out.range, tile, out);
   });
   return out;
+}
+
+std::vector<std::vector<float>> flipHdrSwaps(const PixelView& reference, std::span<const FlipSwap> swaps,
+                                             const HdrFlipOptions& options) {
+  requireUsable(options);
+  requireFloats(reference, reference);
+  std::vector<std::vector<float>> largest(swaps.size());
+  const auto measure = [&](std::size_t first, std::size_t count, const ExposureRange& range) {
+    RowDecoder decoder = makeRowDecoder(options.tonemapper);
+    for (std::size_t s = first; s < first + count; ++s) largest[s].assign(swaps[s].pixels.size(), 0.f);
+    for (int i = 0; i < range.count; ++i) {
+      decoder.exposure = gainOf(range, i);
+      const std::vector<std::vector<float>> values =
+          flipSwaps(reference, swaps.subspan(first, count), options.ppd, decoder);
+      for (std::size_t s = 0; s < count; ++s)
+        std::ranges::transform(values[s], largest[first + s], largest[first + s].begin(),
+                               [](float a, float b) { return std::max(a, b); });
+    }
+  };
+  if (hasLight(reference) || (options.start && options.stop)) {
+    measure(0, swaps.size(), exposureRange(reference, reference, options));
+    return largest;
+  }
+  for (std::size_t s = 0; s < swaps.size(); ++s) {
+    if (swaps[s].pixels.empty()) continue;
+    const base::Image black(swaps[s].colors.width, swaps[s].colors.height, swaps[s].colors.channels);
+    measure(s, 1, exposureRange(black, swaps[s].colors, options));
+  }
+  return largest;
 }
 
 } // namespace parity::compare

@@ -4,12 +4,15 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/image.h"
 #include "compare/flip.h"
 #include "compare/flip_simd.h"
+#include "compare/flip_swap.h"
 
 namespace parity::compare {
 
@@ -61,5 +64,10 @@ ExposureRange exposureRange(const PixelView& reference, const PixelView& test, c
 // go through the tone curve as they are, as in the reference tool. Throws as flipMap() and exposureRange(), and Error
 // (notComparable) for bytes.
 HdrFlip flipHdr(const PixelView& reference, const PixelView& test, const HdrFlipOptions& options = {});
+
+// The same for swapped pictures (compare/flip_swap.h): for each the largest FLIP over the exposures at its pixels. The
+// exposures are those of the reference; of a black one each swap has its own. Throws as flipSwaps() and flipHdr().
+std::vector<std::vector<float>> flipHdrSwaps(const PixelView& reference, std::span<const FlipSwap> swaps,
+                                             const HdrFlipOptions& options = {});
 
 } // namespace parity::compare

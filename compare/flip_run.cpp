@@ -59,7 +59,7 @@ Rect withMargin(const Rect& region, int radius, const PixelView& image) {
 std::uint64_t forEachTile(const Rect& region, const FlipFilters& filters,
                           const std::function<std::uint64_t(TileWorkspace&, const Rect&)>& work) {
   const std::vector<Rect> tiles = tilesOf(region);
-  WorkspacePool workspaces(filters);
+  WorkspacePool<TileWorkspace> workspaces([&] { return std::make_unique<TileWorkspace>(filters); });
   std::atomic<std::uint64_t> total{0};
   base::parallelFor(tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
     auto workspace = workspaces.take();

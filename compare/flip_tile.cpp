@@ -141,23 +141,6 @@ void TileWorkspace::runColumns(const Rect& box, int y, int rows, int begin, int 
   }
 }
 
-std::unique_ptr<TileWorkspace> WorkspacePool::take() {
-  {
-    const std::lock_guard lock(m_mutex);
-    if (!m_free.empty()) {
-      auto workspace = std::move(m_free.back());
-      m_free.pop_back();
-      return workspace;
-    }
-  }
-  return std::make_unique<TileWorkspace>(m_filters);
-}
-
-void WorkspacePool::giveBack(std::unique_ptr<TileWorkspace> workspace) {
-  const std::lock_guard lock(m_mutex);
-  m_free.push_back(std::move(workspace));
-}
-
 std::vector<Rect> tilesOf(const Rect& region) {
   std::vector<Rect> tiles;
   for (int y = 0; y < region.height; y += kTileHeight)

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include <hwy/aligned_allocator.h>
@@ -60,16 +62,29 @@ private:
 };
 
 // Hands out workspaces to threads, and takes them back: as many are made as are in use at once.
-class WorkspacePool {
+template <typename Workspace> class WorkspacePool {
 public:
-  explicit WorkspacePool(const FlipFilters& filters) : m_filters(filters) {}
-  std::unique_ptr<TileWorkspace> take();
-  void giveBack(std::unique_ptr<TileWorkspace> workspace);
+  explicit WorkspacePool(std::function<std::unique_ptr<Workspace>()> make) : m_make(std::move(make)) {}
+  std::unique_ptr<Workspace> take() {
+    {
+      const std::lock_guard lock(m_mutex);
+      if (!m_free.empty()) {
+        auto workspace = std::move(m_free.back());
+        m_free.pop_back();
+        return workspace;
+      }
+    }
+    return m_make();
+  }
+  void giveBack(std::unique_ptr<Workspace> workspace) {
+    const std::lock_guard lock(m_mutex);
+    m_free.push_back(std::move(workspace));
+  }
 
 private:
-  const FlipFilters& m_filters;
+  std::function<std::unique_ptr<Workspace>()> m_make;
   std::mutex m_mutex;
-  std::vector<std::unique_ptr<TileWorkspace>> m_free;
+  std::vector<std::unique_ptr<Workspace>> m_free;
 };
 
 // The boxes of a region of at most a tile each.

@@ -29,7 +29,13 @@ std::string headline(const Report& report) {
   case Verdict::pass:
     return fmt::format("All {} {} are within budget", counts.total(), rows);
   case Verdict::notSeen:
-    return fmt::format("Within budget, but {} of {} {} not seen", counts.notSeen, counts.total(), rows);
+  case Verdict::tooSmall:
+  case Verdict::notJudged: {
+    const std::size_t count = report.verdict == Verdict::notSeen    ? counts.notSeen
+                              : report.verdict == Verdict::tooSmall ? counts.tooSmall
+                                                                    : counts.notJudged;
+    return fmt::format("Within budget, but {} of {} {} {}", count, counts.total(), rows, nameOf(report.verdict));
+  }
   case Verdict::warn:
     if (counts.warn > 0)
       return fmt::format("Within budget, with warnings for {} of {} {}", counts.warn, counts.total(), rows);

@@ -9,7 +9,7 @@ void writeMetrics(JsonWriter& json, const Figures& figures) {
   json.endObject();
 }
 
-void writeTruthRegion(JsonWriter& json, const TruthRegion& region) {
+void writeTruthFigures(JsonWriter& json, const TruthFigures& region) {
   if (region.highend.pixels == 0) return json.null();
   json.beginObject();
   json.key("nonFinite").integer(region.nonFinite);
@@ -26,7 +26,7 @@ void writeTruthRegion(JsonWriter& json, const TruthRegion& region) {
   json.endObject();
 }
 
-void writeTermRegion(JsonWriter& json, const Figures& highend, const Figures& mobile) {
+void writeTermFigures(JsonWriter& json, const Figures& highend, const Figures& mobile) {
   if (highend.pixels == 0) return json.null();
   json.beginObject();
   json.key("highend");
@@ -44,10 +44,8 @@ void writeTerm(JsonWriter& json, const TruthTerm& term) {
   json.key("highend").number(term.highend);
   json.key("mobile").number(term.mobile);
   json.endObject();
-  json.key("interior");
-  writeTermRegion(json, term.highendFigures.interior, term.mobileFigures.interior);
-  json.key("all");
-  writeTermRegion(json, term.highendFigures.all, term.mobileFigures.all);
+  json.key("figures");
+  writeTermFigures(json, term.highendFigures, term.mobileFigures);
   json.endObject();
 }
 
@@ -66,17 +64,12 @@ void writeFigures(JsonWriter& json, const Figures& figures) {
   json.key("nonFinite").integer(figures.nonFinite);
   json.key("metrics");
   writeMetrics(json, figures);
+  json.key("clippedBlack").number(figures.clippedBlack);
+  json.key("clippedWhite").number(figures.clippedWhite);
   json.key("referenceLuma").number(figures.referenceLuma);
   json.key("testLuma").number(figures.testLuma);
-  json.endObject();
-}
-
-void writeRegions(JsonWriter& json, const RegionFigures& regions) {
-  json.beginObject();
-  json.key("interior");
-  writeFigures(json, regions.interior);
-  json.key("all");
-  writeFigures(json, regions.all);
+  json.key("referenceLuminance").number(figures.referenceLuminance);
+  json.key("testLuminance").number(figures.testLuminance);
   json.endObject();
 }
 
@@ -84,7 +77,7 @@ void writeEncoding(JsonWriter& json, const Encoding& encoding) {
   json.beginObject();
   json.key("target").text(encoding.target);
   json.key("figures");
-  writeRegions(json, encoding.figures);
+  writeFigures(json, encoding.figures);
   json.endObject();
 }
 
@@ -92,16 +85,14 @@ void writeTextures(JsonWriter& json, const TextureCompression& textures) {
   json.beginObject();
   json.key("block").text(textures.block);
   json.key("figures");
-  writeRegions(json, textures.figures);
+  writeFigures(json, textures.figures);
   json.endObject();
 }
 
 void writeTruth(JsonWriter& json, const Truth& truth) {
   json.beginObject();
-  json.key("interior");
-  writeTruthRegion(json, truth.interior);
-  json.key("all");
-  writeTruthRegion(json, truth.all);
+  json.key("figures");
+  writeTruthFigures(json, truth.figures);
   json.key("terms").beginArray();
   for (const TruthTerm& term : truth.terms) writeTerm(json, term);
   json.endArray();
@@ -129,7 +120,6 @@ void writeDroppedLights(JsonWriter& json, const DroppedLights& dropped) {
     for (const LightEffect& effect : light.materials) {
       json.beginObject();
       json.key("name").text(effect.material);
-      json.key("region").text(effect.region);
       json.key("flip").number(effect.flip);
       json.endObject();
     }

@@ -17,8 +17,6 @@ void writeTexts(JsonWriter& json, const std::vector<std::string>& texts);
 // null where there is no pixel.
 void writeFigures(JsonWriter& json, const Figures& figures);
 
-void writeRegions(JsonWriter& json, const RegionFigures& regions);
-
 // The stage's target and figures.
 void writeEncoding(JsonWriter& json, const Encoding& encoding);
 void writeTextures(JsonWriter& json, const TextureCompression& textures);

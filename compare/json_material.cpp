@@ -22,7 +22,6 @@ void writeChanges(JsonWriter& json, const std::vector<FigureChange>& changes) {
 
 void writeAttribution(JsonWriter& json, const Attribution& attribution) {
   json.beginObject();
-  json.key("region").text(attribution.region);
   json.key("flip").number(attribution.flip);
   json.key("terms").beginArray();
   for (const TermEffect& effect : attribution.terms) {
@@ -42,7 +41,6 @@ void writeChecks(JsonWriter& json, const std::vector<CheckResult>& checks) {
   for (const CheckResult& check : checks) {
     json.beginObject();
     json.key("metric").text(check.metric);
-    json.key("region").text(check.region);
     json.key("regress").boolean(check.regress);
     json.key("value").number(check.value);
     json.key("warn");
@@ -71,6 +69,7 @@ void writeRule(JsonWriter& json, const AppliedRule& rule) {
   json.key("reason").text(rule.reason);
   json.key("owner").text(rule.owner);
   json.key("requireSeen").boolean(rule.requireSeen);
+  json.key("minPixels").integer(rule.minPixels);
   json.endObject();
 }
 
@@ -83,10 +82,9 @@ void writeBaseline(JsonWriter& json, const std::optional<BaselineChange>& baseli
     json.null();
   else
     json.text(nameOf(baseline->before));
-  json.key("interior");
-  writeChanges(json, baseline->interior);
-  json.key("all");
-  writeChanges(json, baseline->all);
+  json.key("notComparable").text(baseline->notComparable);
+  json.key("changes");
+  writeChanges(json, baseline->changes);
   json.endObject();
 }
 
@@ -100,15 +98,17 @@ void writeMaterial(JsonWriter& json, const MaterialResult& material) {
   json.key("verdict").text(nameOf(material.verdict));
   json.key("reason").text(material.reason);
   json.key("seenElsewhere").boolean(material.seenElsewhere);
-  json.key("bias").text(describeBiasOf(mainFigures(material.figures)));
+  json.key("bias").text(describeBiasOf(material.figures));
   json.key("figures");
-  writeRegions(json, material.figures);
+  writeFigures(json, material.figures);
   json.key("checks");
   writeChecks(json, material.checks);
   json.key("budget");
   writeRule(json, material.rule);
   json.key("baseline");
   writeBaseline(json, material.baseline);
+  json.key("notModelled");
+  writeTexts(json, material.notModelled);
   json.key("notes");
   writeTexts(json, material.notes);
   json.key("terms").beginArray();

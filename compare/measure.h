@@ -16,12 +16,11 @@ struct MeasureRequest {
   std::vector<std::string> metrics = {};    // all figures of these (compare/metric.h)
   std::vector<std::string> statistics = {}; // and these, of any metric: what budgets name
   MetricOptions options = {};
-  std::optional<int> interiorRadius = {}; // of the erosion; none: flipFilterRadius of the options' ppd
   std::vector<std::string> keepMaps = {}; // metrics whose maps are wanted in Measurement::maps, measured or not
 };
 
 struct Measurement {
-  std::vector<RegionFigures> regions;                                 // as many as lists, in their order
+  std::vector<Figures> regions;                                       // as many as lists, in their order
   std::vector<std::pair<std::string, std::vector<base::Image>>> maps; // name of the metric, its planes (metric.h)
   std::vector<std::string> notes;                                     // of the metrics, "name: note"
 

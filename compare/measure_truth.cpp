@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "compare/flip.h"
+#include "base/parallel.h"
 #include "compare/measure.h"
 #include "compare/pooling.h"
 #include "compare/wording.h"
@@ -16,13 +16,29 @@ namespace {
 
 constexpr double kEpsilon = 0.01; // of relMSE
 
-Measurement measurePath(const TruthInput& input, const TruthPicture& path, const std::vector<base::PixelList>& lists,
+const std::vector<std::string> kMetrics = {"flip", "relmse", "bias"}, kTermFigures = {"flip.mean", "relmse"};
+
+Measurement measurePath(const TruthInput& input, const TruthPicture& path, const base::PixelList& list,
                         MeasureRequest request, const std::optional<Rect>& box) {
   std::vector<std::uint32_t> invalid(input.truth.nonFinite.begin(), input.truth.nonFinite.end());
   invalid.insert(invalid.end(), path.nonFinite.begin(), path.nonFinite.end());
   request.options.box = box;
-  return measureRegions({input.truth.displayed, path.displayed, input.truth.linear, path.linear, invalid}, lists,
+  return measureRegions({input.truth.displayed, path.displayed, input.truth.linear, path.linear, invalid}, {list},
                         request);
+}
+
+// Both paths' figures of each material.
+struct SwapFigures {
+  std::vector<Figures> highend, mobile;
+};
+SwapFigures measurePaths(const TruthPicture& truth, std::span<const TruthSwap> swaps, const MeasureRequest& request) {
+  const SwapReference reference{truth.displayed, truth.linear, truth.nonFinite};
+  std::vector<Swap> highend, mobile;
+  for (const TruthSwap& swap : swaps) {
+    highend.push_back(swap.highend);
+    mobile.push_back(swap.mobile);
+  }
+  return {measureSwaps(reference, highend, request).figures, measureSwaps(reference, mobile, request).figures};
 }
 
 // Planes of what is known of the truth's error.
@@ -34,10 +50,10 @@ struct ErrorPlanes {
   base::Image broken;  // 1 where the truth is not finite
 };
 
-ErrorPlanes makePlanes(const TruthInput& input, const base::Image& error, double wanted) {
+ErrorPlanes makePlanes(const TruthPicture& truth, const base::Image& error, double wanted) {
   const base::Image zero(error.width, error.height, 1);
   ErrorPlanes planes{error, zero, zero, zero, zero};
-  for (const std::uint32_t pixel : input.truth.nonFinite) planes.broken.pixels[pixel] = 1;
+  for (const std::uint32_t pixel : truth.nonFinite) planes.broken.pixels[pixel] = 1;
   for (std::size_t p = 0; p < error.pixels.size(); ++p) {
     const float relative = error.pixels[p];
     if (planes.broken.pixels[p] > 0 || !std::isfinite(relative)) {
@@ -46,7 +62,7 @@ ErrorPlanes makePlanes(const TruthInput& input, const base::Image& error, double
       continue;
     }
     planes.over.pixels[p] = relative > static_cast<float>(wanted) ? 1.f : 0.f;
-    const float* rgb = input.truth.linear->pixels.data() + 3 * p;
+    const float* rgb = truth.linear->pixels.data() + 3 * p;
     double sum = 0;
     for (int c = 0; c < 3; ++c) {
       const double r = double{rgb[c]}, s = double{relative} * r;
@@ -67,9 +83,8 @@ std::uint64_t countSet(const base::Image& plane, const RegionRuns& region) {
   return count;
 }
 
-TruthRegion describeError(const ErrorPlanes& planes, const base::Image& samples, const RegionRuns& region) {
-  TruthRegion result;
-  if (region.pixels == 0) return result;
+TruthFigures describeError(const ErrorPlanes& planes, const base::Image& samples, const RegionRuns& region) {
+  TruthFigures result;
   result.nonFinite = countSet(planes.broken, region);
   const Distribution errors = poolPlane(planes.relative, region, {.fractions = {0.5}, .thresholds = {}});
   result.error = {errors.percentiles[0], errors.max, meanOf(planes.relmse, region), meanOf(samples, region)};
@@ -88,46 +103,43 @@ void noteCloseness(std::vector<std::string>& notes, const char* path, const Figu
                                 formatRelMse(error.relmse)));
 }
 
-// main: the region by which the figures are read.
-std::vector<std::string> notesOf(const TruthRegion& main, const ErrorPlanes& planes, const RegionRuns& all,
+std::vector<std::string> notesOf(const TruthFigures& figures, const ErrorPlanes& planes, const RegionRuns& region,
                                  double wanted) {
   std::vector<std::string> notes;
-  const std::uint64_t unknown = countSet(planes.unknown, all), over = countSet(planes.over, all);
+  const std::uint64_t unknown = countSet(planes.unknown, region), over = countSet(planes.over, region);
   if (unknown > 0)
-    notes.push_back(fmt::format("the truth's error is not known at {} of {} pixels", unknown, all.pixels));
+    notes.push_back(fmt::format("the truth's error is not known at {} of {} pixels", unknown, region.pixels));
   if (over > 0)
     notes.push_back(fmt::format("the truth did not reach a standard error of {:.3g} % at {} of {} pixels", 100 * wanted,
-                                over, all.pixels));
-  noteCloseness(notes, "high-end", main.highend, main.error);
-  noteCloseness(notes, "mobile", main.mobile, main.error);
+                                over, region.pixels));
+  noteCloseness(notes, "high-end", figures.highend, figures.error);
+  noteCloseness(notes, "mobile", figures.mobile, figures.error);
   return notes;
+}
+
+Truth describeTruth(const ErrorPlanes& planes, const base::Image& samples, const RegionRuns& region, Figures highend,
+                    Figures mobile, double wanted) {
+  Truth truth;
+  if (region.pixels == 0) return truth;
+  truth.figures = describeError(planes, samples, region);
+  truth.figures.highend = std::move(highend);
+  truth.figures.mobile = std::move(mobile);
+  truth.notes = notesOf(truth.figures, planes, region, wanted);
+  return truth;
 }
 
 } // namespace
 
-TruthMeasurement measureTruth(const TruthInput& input, const TruthErrorMaps& maps,
-                              const std::vector<base::PixelList>& lists, const TruthMeasureRequest& request) {
-  MeasureRequest wanted{.metrics = {"flip", "relmse", "bias"}};
+TruthMeasurement measureTruth(const TruthInput& input, const TruthErrorMaps& maps, const base::PixelList& list,
+                              const TruthMeasureRequest& request) {
+  MeasureRequest wanted{.metrics = kMetrics};
   if (request.keepMaps) wanted.keepMaps = {"flip"};
-  const Measurement highend = measurePath(input, input.highend, lists, wanted, request.box);
-  const Measurement mobile = measurePath(input, input.mobile, lists, wanted, request.box);
-  const ErrorPlanes planes = makePlanes(input, *maps.error, request.wantedError);
-  const int radius = flipFilterRadius({.ppd = wanted.options.ppd});
-
+  Measurement highend = measurePath(input, input.highend, list, wanted, request.box);
+  Measurement mobile = measurePath(input, input.mobile, list, wanted, request.box);
+  const ErrorPlanes planes = makePlanes(input.truth, *maps.error, request.wantedError);
   TruthMeasurement out;
-  for (std::size_t i = 0; i < lists.size(); ++i) {
-    const int width = input.truth.displayed.width, height = input.truth.displayed.height;
-    const RegionRuns all = runsOf(lists[i], width, height), interior = erodeRuns(all, width, height, radius);
-    Truth truth;
-    truth.all = describeError(planes, *maps.samples, all);
-    truth.interior = describeError(planes, *maps.samples, interior);
-    truth.all.highend = highend.regions[i].all;
-    truth.all.mobile = mobile.regions[i].all;
-    truth.interior.highend = highend.regions[i].interior;
-    truth.interior.mobile = mobile.regions[i].interior;
-    if (all.pixels > 0) truth.notes = notesOf(i == 0 ? truth.all : mainRegion(truth), planes, all, request.wantedError);
-    out.regions.push_back(std::move(truth));
-  }
+  out.truth = describeTruth(planes, *maps.samples, runsOf(list, maps.error->width, maps.error->height),
+                            std::move(highend.regions[0]), std::move(mobile.regions[0]), request.wantedError);
   if (request.keepMaps) {
     out.highendFlip = *highend.findMap("flip");
     out.mobileFlip = *mobile.findMap("flip");
@@ -135,14 +147,35 @@ TruthMeasurement measureTruth(const TruthInput& input, const TruthErrorMaps& map
   return out;
 }
 
-std::vector<TruthTerm> measureTerm(const std::string& name, const TruthInput& input,
-                                   const std::vector<base::PixelList>& lists, const TruthMeasureRequest& request) {
-  const MeasureRequest wanted{.statistics = {"flip.mean", "relmse"}};
-  const Measurement highend = measurePath(input, input.highend, lists, wanted, request.box);
-  const Measurement mobile = measurePath(input, input.mobile, lists, wanted, request.box);
+std::vector<Truth> measureTruthSwaps(const TruthPicture& truth, const TruthErrorMaps& maps,
+                                     std::span<const TruthSwap> swaps, double wantedError) {
+  SwapFigures figures = measurePaths(truth, swaps, {.metrics = kMetrics});
+  const ErrorPlanes planes = makePlanes(truth, *maps.error, wantedError);
+  std::vector<Truth> out(swaps.size());
+  base::parallelFor(swaps.size(), 1, [&](std::size_t s, std::size_t) {
+    out[s] = describeTruth(planes, *maps.samples, runsOf(*swaps[s].highend.list, maps.error->width, maps.error->height),
+                           std::move(figures.highend[s]), std::move(figures.mobile[s]), wantedError);
+  });
+  return out;
+}
+
+TruthTerm measureTerm(const std::string& name, const TruthInput& input, const base::PixelList& list,
+                      const std::optional<Rect>& box) {
+  const MeasureRequest wanted{.statistics = kTermFigures};
+  return {name,
+          0,
+          0,
+          0,
+          measurePath(input, input.highend, list, wanted, box).regions[0],
+          measurePath(input, input.mobile, list, wanted, box).regions[0]};
+}
+
+std::vector<TruthTerm> measureTermSwaps(const std::string& name, const TruthPicture& truth,
+                                        std::span<const TruthSwap> swaps) {
+  SwapFigures figures = measurePaths(truth, swaps, {.statistics = kTermFigures});
   std::vector<TruthTerm> terms;
-  for (std::size_t i = 0; i < lists.size(); ++i)
-    terms.push_back({name, 0, 0, 0, highend.regions[i], mobile.regions[i]});
+  for (std::size_t s = 0; s < swaps.size(); ++s)
+    terms.push_back({name, 0, 0, 0, std::move(figures.highend[s]), std::move(figures.mobile[s])});
   return terms;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/frame.h"
+#include "compare/measure_swaps.h"
 #include "compare/metric_input.h"
 #include "compare/truth.h"
 
@@ -23,6 +24,11 @@ struct TruthInput {
   TruthPicture truth, highend, mobile;
 };
 
+// A material against the truth: the truth's picture in which it alone carries a path's colours.
+struct TruthSwap {
+  Swap highend, mobile; // of the same list
+};
+
 // The truth's own error, an image of one channel each.
 struct TruthErrorMaps {
   const base::Image* error = nullptr;   // standard error of the worst channel over the brightest channel of the pixel
@@ -36,23 +42,30 @@ struct TruthMeasureRequest {
 };
 
 struct TruthMeasurement {
-  std::vector<Truth> regions;          // as many as lists, in their order; without terms and images
+  Truth truth;                         // without terms and images
   base::Image highendFlip, mobileFlip; // of each path against the truth; empty unless asked for
 };
 
-// lists: the first is the whole image, read over all its pixels; the others over their interior, where they have one.
-// Figures "flip", "relmse" and "bias". The truth's noise as relMSE: mean over pixels and RGB of (e r)^2 / (r^2 + 0.01),
-// e being the pixel's relative standard error: an estimate, as each channel is taken to be off by the same share; 0.01
-// as in compare/metric_relmse.cpp. The measured relMSE holds that noise: E[(t-r)^2] = (t-E[r])^2 + s^2. Notes: a path
-// that isWithinNoise, pixels that did not reach the wanted error, and those whose error is not known. Throws Error as
+// The whole image (or any list of its pixels): both paths' pictures against the truth's. Figures "flip", "relmse" and
+// "bias". The truth's noise as relMSE: mean over pixels and RGB of (e r)^2 / (r^2 + 0.01), e being the pixel's relative
+// standard error: an estimate, as each channel is taken to be off by the same share; 0.01 as in
+// compare/metric_relmse.cpp. The measured relMSE holds that noise: E[(t-r)^2] = (t-E[r])^2 + s^2. Notes: a path that
+// isWithinNoise, pixels that did not reach the wanted error, and those whose error is not known. Throws Error as
 // measureRegions does.
-TruthMeasurement measureTruth(const TruthInput& input, const TruthErrorMaps& maps,
-                              const std::vector<base::PixelList>& lists, const TruthMeasureRequest& request);
+TruthMeasurement measureTruth(const TruthInput& input, const TruthErrorMaps& maps, const base::PixelList& list,
+                              const TruthMeasureRequest& request);
 
-// One term: for each list its figures "flip.mean" and "relmse", and mean luminances 0. Throws Error as measureRegions
-// does.
-std::vector<TruthTerm> measureTerm(const std::string& name, const TruthInput& input,
-                                   const std::vector<base::PixelList>& lists, const TruthMeasureRequest& request);
+// The same for materials by the material swap (compare/measure_swaps.h): as many as swaps, in their order. Throws Error
+// as measureSwaps does.
+std::vector<Truth> measureTruthSwaps(const TruthPicture& truth, const TruthErrorMaps& maps,
+                                     std::span<const TruthSwap> swaps, double wantedError);
+
+// One term: its figures "flip.mean" and "relmse", and mean luminances 0. Throw Error as measureRegions and measureSwaps
+// do.
+TruthTerm measureTerm(const std::string& name, const TruthInput& input, const base::PixelList& list,
+                      const std::optional<Rect>& box);
+std::vector<TruthTerm> measureTermSwaps(const std::string& name, const TruthPicture& truth,
+                                        std::span<const TruthSwap> swaps);
 
 // Mean Rec.709 luminance of a linear image over a list that is not empty, by weight.
 double meanLuminance(const base::Image& linear, const base::PixelList& list);

@@ -31,6 +31,16 @@ struct MetricMaps {
   std::string note; // how it was measured, where that depends on the images: the exposures of HDR-FLIP
 };
 
+// A swapped picture's pixels (compare/measure_swaps.h): y*width+x, and their values gathered, the reference's too. Null
+// for a picture without pixels.
+struct SwapPixels {
+  std::span<const std::uint32_t> pixels;
+  const MetricInput* gathered = nullptr;
+};
+
+// Metric::reach of a metric whose values depend on the whole pictures.
+inline constexpr int kReachesAll = -1;
+
 struct Metric {
   std::string name;        // "flip": what --metrics takes
   std::string label;       // in a sentence: "FLIP", "PSNR"
@@ -43,6 +53,13 @@ struct Metric {
   std::string mapsName;
   // The maps of a pair. At input.nonFinite they hold the metric's worst value.
   std::function<MetricMaps(const MetricInput& input, const MetricOptions& options)> makeMaps;
+  int reach = 0; // how far, in pixels along each axis, a pixel of the input reaches in the maps
+  // For metrics that measure many swapped pictures cheaper together than one by one: for each the values of its pixels,
+  // in their order, as makeMaps' first plane has them there. reference: the picture that all swaps differ from. Null:
+  // none.
+  std::function<std::vector<std::vector<float>>(const MetricInput& reference, std::span<const SwapPixels> swaps,
+                                                const MetricOptions& options)>
+      makeSwapMaps;
   // One value for each wanted statistic of this metric, over a region of at least one pixel that lies within the box.
   std::function<std::vector<double>(const MetricMaps& maps, const RegionRuns& region,
                                     std::span<const Statistic> wanted)>

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "compare/flip.h"
+#include "compare/flip_swap.h"
 #include "compare/metric_makers.h"
 #include "compare/metric_parts.h"
 
@@ -13,6 +14,17 @@ MetricMaps makeMaps(const MetricInput& input, const MetricOptions& options) {
   maps.planes.push_back(flipMap(input.reference, input.test, {.ppd = options.ppd, .region = options.box}));
   setPixels(maps.planes[0], input.nonFinite, 1);
   return maps;
+}
+
+std::vector<std::vector<float>> makeSwapMaps(const MetricInput& reference, std::span<const SwapPixels> swaps,
+                                             const MetricOptions& options) {
+  std::vector<FlipSwap> all;
+  for (const SwapPixels& swap : swaps) all.push_back({swap.pixels, swap.gathered ? swap.gathered->test : PixelView()});
+  std::vector<std::vector<float>> values = flipSwaps(reference.reference, all, options.ppd);
+  for (std::size_t s = 0; s < swaps.size(); ++s)
+    if (swaps[s].gathered)
+      for (const std::uint32_t place : swaps[s].gathered->nonFinite) values[s][place] = 1;
+  return values;
 }
 
 } // namespace
@@ -27,6 +39,7 @@ Metric makeFlipMetric() {
   metric.statistics = distributionStatistics(metric.name, metric.label, kParts, {});
   metric.hasFractionOver = true;
   metric.makeMaps = makeMaps;
+  metric.makeSwapMaps = makeSwapMaps;
   metric.pool = poolDistribution;
   return metric;
 }

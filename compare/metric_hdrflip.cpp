@@ -26,6 +26,20 @@ MetricMaps makeMaps(const MetricInput& input, const MetricOptions& options) {
   return maps;
 }
 
+std::vector<std::vector<float>> makeSwapMaps(const MetricInput& reference, std::span<const SwapPixels> swaps,
+                                             const MetricOptions& options) {
+  HdrFlipOptions hdr = options.hdr;
+  hdr.ppd = options.ppd;
+  std::vector<FlipSwap> all;
+  for (const SwapPixels& swap : swaps)
+    all.push_back({swap.pixels, swap.gathered ? PixelView(*swap.gathered->testLinear) : PixelView()});
+  std::vector<std::vector<float>> values = flipHdrSwaps(*reference.referenceLinear, all, hdr);
+  for (std::size_t s = 0; s < swaps.size(); ++s)
+    if (swaps[s].gathered)
+      for (const std::uint32_t place : swaps[s].gathered->nonFinite) values[s][place] = 1;
+  return values;
+}
+
 } // namespace
 
 Metric makeHdrFlipMetric() {
@@ -39,6 +53,7 @@ Metric makeHdrFlipMetric() {
   metric.statistics = distributionStatistics(metric.name, metric.label, kParts, {});
   metric.hasFractionOver = true;
   metric.makeMaps = makeMaps;
+  metric.makeSwapMaps = makeSwapMaps;
   metric.pool = poolDistribution;
   return metric;
 }

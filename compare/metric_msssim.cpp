@@ -92,6 +92,7 @@ Metric makeMsSsimMetric() {
   metric.description = "multi-scale structural similarity (Wang et al. 2003, five scales; fewer, with the weights "
                        "rescaled, where the shorter side is below 176) of the displayed images' luma; 1 alike";
   metric.statistics = {{"msssim", "msssim", "MS-SSIM", "", Better::higher, 0, 1, 4}};
+  metric.reach = kReachesAll;
   metric.makeMaps = makeMaps;
   metric.pool = [](const MetricMaps& maps, const RegionRuns& region, std::span<const Statistic> wanted) {
     return std::vector<double>(wanted.size(), poolScales(maps, region));

@@ -15,6 +15,7 @@ Metric makeSsimMetric() {
   metric.description = "structural similarity (Wang et al. 2004: Gaussian window 11x11, sigma 1.5, K 0.01 and 0.03, "
                        "edges mirrored) of the displayed images' luma; 1 alike, -1 the least";
   metric.statistics = distributionStatistics(metric.name, metric.label, kParts, {Better::higher, -1, 1, 4});
+  metric.reach = 5; // half of the window
   metric.makeMaps = [](const MetricInput& input, const MetricOptions& options) {
     const Rect box = boxOf(input, options), everything{0, 0, input.width(), input.height()};
     MetricMaps maps;

@@ -7,7 +7,6 @@
 
 #include "base/error.h"
 #include "compare/region_list.h"
-#include "compare/region_runs.h"
 
 namespace parity::compare {
 
@@ -24,18 +23,6 @@ void requireWellFormed(const base::PixelList& list, std::size_t pixelCount) {
   for (std::size_t i = 0; i < list.weights.size(); ++i)
     if (!(list.weights[i] >= 0 && std::isfinite(list.weights[i])))
       throw refuse(i, "the weight is negative or not finite");
-}
-
-base::PixelList erode(const base::PixelList& list, int width, int height, int radius) {
-  base::PixelList out;
-  out.name = list.name;
-  const RegionRuns interior = erodeRuns(runsOf(list, width, height), width, height, radius);
-  for (const Run& run : interior.runs)
-    for (std::uint32_t i = 0; i < run.count; ++i) {
-      out.pixels.push_back(run.first + i);
-      if (!list.weights.empty()) out.weights.push_back(list.weights[run.weightAt + i]);
-    }
-  return out;
 }
 
 base::PixelList wholeImage(int width, int height) {

@@ -1,4 +1,4 @@
-// Regions of an image: lists of pixels, where they lie, and the interior of a mask.
+// Regions of an image: lists of pixels, and where they lie.
 #pragma once
 
 #include <span>
@@ -7,11 +7,6 @@
 #include "compare/pixel_view.h"
 
 namespace parity::compare {
-
-// The pixels of `list` (weight > 0) all of whose neighbours in the square window of +-radius lie in `list` too. Pixels
-// outside the image do not erode: filters replicate the edge there. Weights and name are kept. Costs O(pixels in the
-// list), whatever the size of the image. Throws Error (failed) for a malformed list (compare/region_list.h).
-base::PixelList erode(const base::PixelList& list, int width, int height, int radius);
 
 // All pixels of an image of that size, weight 1.
 base::PixelList wholeImage(int width, int height);

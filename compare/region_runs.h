@@ -1,4 +1,4 @@
-// A region as runs of neighbouring pixels: what pooling walks, and what erosion works on.
+// A region as runs of neighbouring pixels: what pooling walks.
 #pragma once
 
 #include <cstdint>
@@ -27,9 +27,5 @@ struct RegionRuns {
 
 // `list` must outlive the result. Throws Error (failed) for a malformed list (compare/region_list.h).
 RegionRuns runsOf(const base::PixelList& list, int width, int height);
-
-// The pixels all of whose neighbours in the square window of +-radius are in the region too; what lies outside the
-// image does not erode. Costs O(runs * log radius).
-RegionRuns erodeRuns(const RegionRuns& region, int width, int height, int radius);
 
 } // namespace parity::compare

@@ -23,10 +23,10 @@ std::string format(const Annotation& annotation, const std::filesystem::path& ro
   return toText(command, root);
 }
 
-std::string describe(Verdict verdict, const std::string& reason, const RegionFigures& figures, const AppliedRule& rule,
+std::string describe(Verdict verdict, const std::string& reason, const Figures& figures, const AppliedRule& rule,
                      const std::optional<Attribution>& attribution) {
   std::string message = fmt::format("{}: {}", nameOf(verdict), reason);
-  if (figures.all.pixels > 0) message += "\n" + describeBias(mainFigures(figures));
+  if (figures.pixels > 0) message += "\n" + describeBias(figures);
   const std::string cause = attribution ? describeCause(*attribution) : "";
   if (!cause.empty()) message += "\nCause: " + cause;
   if (!rule.reason.empty()) message += "\nReason for the budget: " + rule.reason;

@@ -10,18 +10,33 @@
 namespace parity::compare {
 namespace {
 
+void writeConditions(JsonWriter& json, const std::vector<Condition>& conditions) {
+  json.beginArray();
+  for (const Condition& condition : conditions) {
+    json.beginObject();
+    json.key("name").text(condition.name);
+    json.key("value").text(condition.value);
+    json.key("actsOn").text(nameOf(condition.actsOn));
+    if (!condition.words.empty()) json.key("words").text(condition.words);
+    json.endObject();
+  }
+  json.endArray();
+}
+
 void writeView(JsonWriter& json, const ViewResult& view) {
   json.beginObject();
   json.key("name").text(view.name);
   json.key("width").integer(view.width);
   json.key("height").integer(view.height);
+  json.key("conditions");
+  writeConditions(json, view.conditions);
   json.key("verdict").text(nameOf(view.verdict));
   json.key("whole").beginObject();
   json.key("verdict").text(nameOf(view.wholeVerdict));
   json.key("reason").text(view.reason);
-  json.key("bias").text(describeBiasOf(view.whole.all));
+  json.key("bias").text(describeBiasOf(view.whole));
   json.key("figures");
-  writeRegions(json, view.whole);
+  writeFigures(json, view.whole);
   json.key("checks");
   writeChecks(json, view.checks);
   json.key("budget");
@@ -97,6 +112,8 @@ void writeScene(JsonWriter& json, const SceneResult& scene) {
   json.key("environment").text(scene.environment);
   json.key("sun").text(scene.sun);
   if (!scene.light.empty()) json.key("light").text(scene.light);
+  json.key("conditions");
+  writeConditions(json, scene.conditions);
   json.key("verdict").text(nameOf(scene.verdict));
   json.key("error");
   if (scene.error.empty()) {
@@ -125,6 +142,8 @@ void writeCounts(JsonWriter& json, const VerdictCounts& counts) {
   json.beginObject();
   json.key("pass").integer(counts.pass);
   json.key("notSeen").integer(counts.notSeen);
+  json.key("tooSmall").integer(counts.tooSmall);
+  json.key("notJudged").integer(counts.notJudged);
   json.key("warn").integer(counts.warn);
   json.key("fail").integer(counts.fail);
   json.key("error").integer(counts.error);
@@ -138,6 +157,7 @@ void writeSummary(JsonWriter& json, const std::optional<BaselineSummary>& baseli
   json.key("version").text(baseline->version);
   json.key("device").text(baseline->device);
   json.key("common").integer(baseline->common);
+  json.key("notComparable").integer(baseline->notComparable);
   json.key("gone").beginArray();
   for (const GoneRow& row : baseline->gone) {
     json.beginObject();
@@ -154,9 +174,8 @@ void writeSummary(JsonWriter& json, const std::optional<BaselineSummary>& baseli
 // Every figure that the report has or judges, by name.
 std::set<std::string> figureNames(const Report& report) {
   std::set<std::string> names;
-  const auto add = [&](const RegionFigures& figures, const std::vector<CheckResult>& checks) {
-    for (const Figures* region : {&figures.interior, &figures.all})
-      for (const Figure& figure : region->values) names.insert(figure.name);
+  const auto add = [&](const Figures& figures, const std::vector<CheckResult>& checks) {
+    for (const Figure& figure : figures.values) names.insert(figure.name);
     for (const CheckResult& check : checks) names.insert(check.metric);
   };
   for (const SceneResult& scene : report.scenes)
@@ -212,6 +231,8 @@ std::string toJson(const Report& report, JsonLayout layout) {
     json.endObject();
   }
   json.endArray();
+  json.key("conditions");
+  writeConditions(json, report.conditions);
   json.key("statistics");
   writeStatistics(json, figureNames(report));
   json.key("scenes").beginArray();

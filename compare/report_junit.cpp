@@ -40,26 +40,26 @@ std::string ruleLines(const AppliedRule& rule) {
 std::string baselineLines(const std::optional<BaselineChange>& baseline) {
   if (!baseline) return {};
   if (baseline->isNew) return "baseline: new, it does not show it\n";
+  if (!baseline->notComparable.empty()) return fmt::format("baseline: not comparable: {}\n", baseline->notComparable);
   std::string line = fmt::format("baseline: {}", nameOf(baseline->before));
-  for (const FigureChange& change : baseline->interior.empty() ? baseline->all : baseline->interior)
+  for (const FigureChange& change : baseline->changes)
     line += fmt::format(", {} {}", change.metric, formatChange(change.metric, change.change()));
   return line + "\n";
 }
 
-std::string figureLines(const RegionFigures& regions, const std::vector<CheckResult>& checks) {
+std::string figureLines(const Figures& figures, const std::vector<CheckResult>& checks) {
   std::string lines;
   for (const CheckResult& check : checks) {
     const bool said = !check.judged() || std::isnan(check.value); // the sentence holds the note
     lines += fmt::format("{}: {}{}\n", check.judged() ? nameOf(check.verdict) : "not judged", describeCheck(check),
                          check.note.empty() || said ? "" : " (" + check.note + ")");
   }
-  for (const auto& [name, figures] : {std::pair{"interior", &regions.interior}, std::pair{"all", &regions.all}})
-    if (figures->pixels > 0) {
-      lines += fmt::format("{}: {} pixels", name, figures->pixels);
-      for (const Figure& figure : figures->values)
-        lines += fmt::format(", {} {}", figure.name, formatFigure(figure.name, figure.value));
-      lines += fmt::format("; {}\n", describeBias(*figures));
-    }
+  if (figures.pixels == 0) return lines;
+  lines += fmt::format("{} pixels", figures.pixels);
+  for (const Figure& figure : figures.values)
+    lines += fmt::format(", {} {}", figure.name, formatFigure(figure.name, figure.value));
+  lines += fmt::format("; {}\n", describeBias(figures));
+  if (const std::string clipping = describeClipping(figures); !clipping.empty()) lines += "clipped: " + clipping + "\n";
   return lines;
 }
 
@@ -76,8 +76,10 @@ void addCase(Suite& suite, const std::string& className, const std::string& name
   case Verdict::pass:
     break;
   case Verdict::notSeen:
+  case Verdict::tooSmall:
+  case Verdict::notJudged:
     ++suite.tally.skipped;
-    suite.cases += fmt::format("      <skipped message=\"not seen: {}\"/>\n", escapeMarkup(reason));
+    suite.cases += fmt::format("      <skipped message=\"{}: {}\"/>\n", nameOf(verdict), escapeMarkup(reason));
     break;
   case Verdict::warn: // JUnit knows no warnings: the case passes and says so
     suite.cases += fmt::format("      <system-out>{}</system-out>\n",

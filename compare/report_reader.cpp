@@ -18,7 +18,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
-constexpr std::array kVerdicts = {Verdict::pass, Verdict::notSeen, Verdict::warn, Verdict::fail, Verdict::error};
+constexpr std::array kVerdicts = {Verdict::pass, Verdict::notSeen, Verdict::tooSmall, Verdict::notJudged,
+                                  Verdict::warn, Verdict::fail,    Verdict::error};
 
 // A value and the way to it.
 class Node {
@@ -91,24 +92,33 @@ Figures readFigures(const Node& node) {
   return figures;
 }
 
-RegionFigures readRegions(const Node& node) {
-  RegionFigures regions;
-  regions.interior = readFigures(node.at("interior"));
-  regions.all = readFigures(node.at("all"));
-  return regions;
+std::vector<Condition> readConditions(const Node& node) {
+  std::vector<Condition> conditions;
+  for (const Node& each : node.items()) {
+    Condition& condition = conditions.emplace_back();
+    condition.name = each.at("name").text();
+    condition.value = each.at("value").text();
+    const std::string actsOn = each.at("actsOn").text();
+    const std::optional<ActsOn> known = actsOnByName(actsOn);
+    if (!known) each.at("actsOn").refuse(fmt::format("'{}' is not what a condition acts on", actsOn));
+    condition.actsOn = *known;
+    if (each.has("words")) condition.words = each.at("words").text();
+  }
+  return conditions;
 }
 
 ViewResult readView(const Node& node) {
   ViewResult view;
   view.name = node.at("name").text();
+  view.conditions = readConditions(node.at("conditions"));
   view.verdict = readVerdict(node.at("verdict"));
   view.wholeVerdict = readVerdict(node.at("whole").at("verdict"));
-  view.whole = readRegions(node.at("whole").at("figures"));
+  view.whole = readFigures(node.at("whole").at("figures"));
   for (const Node& each : node.at("materials").items()) {
     MaterialResult& material = view.materials.emplace_back();
     material.name = each.at("name").text();
     material.verdict = readVerdict(each.at("verdict"));
-    material.figures = readRegions(each.at("figures"));
+    material.figures = readFigures(each.at("figures"));
   }
   return view;
 }
@@ -119,6 +129,7 @@ SceneResult readScene(const Node& node) {
   scene.environment = node.at("environment").text();
   scene.sun = node.at("sun").text();
   if (node.has("light")) scene.light = node.at("light").text();
+  scene.conditions = readConditions(node.at("conditions"));
   scene.verdict = readVerdict(node.at("verdict"));
   if (!node.at("error").isNull()) scene.error = node.at("error").at("message").text();
   for (const Node& view : node.at("views").items()) scene.views.push_back(readView(view));
@@ -152,6 +163,7 @@ Report readReport(const std::filesystem::path& fileOrFolder) {
   report.verdict = readVerdict(root.at("verdict"));
   for (const Node& setting : root.at("settings").items())
     report.settings.emplace_back(setting.at("name").text(), setting.at("value").text());
+  report.conditions = readConditions(root.at("conditions"));
   for (const Node& scene : root.at("scenes").items()) report.scenes.push_back(readScene(scene));
   return report;
 }

@@ -14,13 +14,12 @@ namespace {
 
 constexpr std::size_t kMaxNameColumns = 40, kMinNameColumns = 11;
 
-// One column of a view's table: a figure, over the pixels that the row is judged by or over all of them.
+// One column of a view's table: a figure.
 struct Column {
   std::string title, metric;
-  bool all = false;    // over every pixel
   bool change = false; // since the baseline
   std::size_t width = 5;
-  Figures TruthRegion::*path = nullptr;    // against the truth: this path's
+  Figures TruthFigures::*path = nullptr;   // against the truth: this path's
   bool encoding = false, textures = false; // of these stages
 };
 
@@ -39,17 +38,17 @@ bool hasNotableEncoding(const ViewResult& view) {
 }
 
 std::vector<Column> columnsOf(const ViewResult& view, bool baseline) {
-  const Figures* sample = view.whole.all.values.empty() ? nullptr : &view.whole.all;
+  const Figures* sample = view.whole.values.empty() ? nullptr : &view.whole;
   for (const MaterialResult& material : view.materials)
-    if (!sample && !material.figures.all.values.empty()) sample = &material.figures.all;
+    if (!sample && !material.figures.values.empty()) sample = &material.figures;
   std::vector<Column> columns;
   if (!sample) return columns;
-  if (sample->find("flip.mean"))
-    columns = {{"mean", "flip.mean"}, {"p95", "flip.p95"}, {"max", "flip.max"}, {"all", "flip.mean", true}};
-  if (baseline && sample->find("flip.mean")) columns.push_back({"since", "flip.mean", false, true, 6});
+  if (sample->find("flip.mean")) columns = {{"mean", "flip.mean"}, {"p95", "flip.p95"}, {"max", "flip.max"}};
+  if (sample->find("bias.ev")) columns.push_back({.title = "EV", .metric = "bias.ev", .width = 8});
+  if (baseline && sample->find("flip.mean")) columns.push_back({"since", "flip.mean", true, 6});
   if (view.truth) {
-    columns.push_back({"hi/truth ", "flip.mean", false, false, 9, &TruthRegion::highend});
-    columns.push_back({"mo/truth ", "flip.mean", false, false, 9, &TruthRegion::mobile});
+    columns.push_back({"hi/truth ", "flip.mean", false, 9, &TruthFigures::highend});
+    columns.push_back({"mo/truth ", "flip.mean", false, 9, &TruthFigures::mobile});
   }
   if (hasNotableEncoding(view)) {
     columns.push_back({.title = "target", .metric = "flip.mean", .width = 6});
@@ -61,7 +60,7 @@ std::vector<Column> columnsOf(const ViewResult& view, bool baseline) {
   }
   for (const auto& [metric, title] : kShown)
     if (sample->find(metric) && !(metric == "rmse" && sample->find("psnr")))
-      columns.push_back({title, std::string(metric), false, false, metric == "psnr" ? 9u : 7u});
+      columns.push_back({title, std::string(metric), false, metric == "psnr" ? 9u : 7u});
   return columns;
 }
 
@@ -74,50 +73,48 @@ std::string paint(Verdict verdict, const std::string& text, bool color) {
 struct Row {
   std::string name;
   Verdict verdict;
-  const RegionFigures& regions;
-  const Figures& main; // what the row is judged by
+  const Figures& figures;
   const std::optional<BaselineChange>& baseline;
   const std::optional<Truth>& truth;
-  const RegionFigures *encoding, *textures; // null: not measured
+  const Figures *encoding, *textures; // null: not measured
   const std::string& reason;
   std::string cause; // in words; empty where it was not looked for
 };
 
-const RegionFigures* figuresOf(const auto& stage) { return stage ? &stage->figures : nullptr; }
+const Figures* figuresOf(const auto& stage) { return stage ? &stage->figures : nullptr; }
 
 std::string formatCell(const Column& column, const Row& row) {
-  if (row.regions.all.pixels == 0) return "-";
+  if (row.figures.pixels == 0) return "-";
   if (column.change) {
     if (!row.baseline) return "-";
     if (row.baseline->isNew) return "new";
-    const auto& changes = &row.main == &row.regions.all ? row.baseline->all : row.baseline->interior;
+    const auto& changes = row.baseline->changes;
     const auto change = std::ranges::find(changes, column.metric, &FigureChange::metric);
     return change == changes.end() ? "-" : formatChange(column.metric, change->change());
   }
-  const bool all = column.all || &row.main == &row.regions.all;
   if (column.path) {
     if (!row.truth) return "- ";
-    const TruthRegion& region = all ? row.truth->all : row.truth->interior;
-    const std::optional<double> mean = (region.*column.path).find(column.metric);
+    const TruthFigures& truth = row.truth->figures;
+    const std::optional<double> mean = (truth.*column.path).find(column.metric);
     if (!mean) return "- ";
-    return formatFigure(column.metric, *mean) + (isWithinNoise(region.*column.path, region.error) ? "~" : " ");
+    return formatFigure(column.metric, *mean) + (isWithinNoise(truth.*column.path, truth.error) ? "~" : " ");
   }
   if (column.encoding || column.textures) {
-    const RegionFigures* stage = column.encoding ? row.encoding : row.textures;
+    const Figures* stage = column.encoding ? row.encoding : row.textures;
     if (!stage) return "-";
-    const std::optional<double> mean = (all ? stage->all : stage->interior).find(column.metric);
+    const std::optional<double> mean = stage->find(column.metric);
     return mean ? formatFigure(column.metric, *mean) : "-";
   }
-  const std::optional<double> value = (all ? row.regions.all : row.main).find(column.metric);
+  const std::optional<double> value = row.figures.find(column.metric);
   if (!value) return "-";
   return std::isnan(*value) ? "NaN" : formatFigure(column.metric, *value);
 }
 
 std::string formatRow(const Row& row, std::size_t nameColumns, const std::vector<Column>& columns, bool color) {
-  std::string line = fmt::format("  {}  {} {:>9}", paint(row.verdict, fitColumns(nameOf(row.verdict), 8), color),
-                                 fitColumns(plainLine(row.name), nameColumns), row.regions.all.pixels);
+  std::string line = fmt::format("  {}  {} {:>9}", paint(row.verdict, fitColumns(nameOf(row.verdict), 10), color),
+                                 fitColumns(plainLine(row.name), nameColumns), row.figures.pixels);
   for (const Column& column : columns) line += fmt::format("  {:>{}}", formatCell(column, row), column.width);
-  std::string words = row.regions.all.pixels > 0 ? describeBias(row.main) : "";
+  std::string words = row.figures.pixels > 0 ? describeBias(row.figures) : "";
   for (const std::string& more : {row.reason, row.cause})
     if (!more.empty()) words += (words.empty() ? "" : "; ") + plainLine(more);
   return line + (words.empty() ? "" : "  " + words) + "\n";
@@ -132,16 +129,16 @@ std::string formatView(const SceneResult& scene, const ViewResult& view, bool ba
 
   std::string out =
       fmt::format("{}, view {} ({}x{})\n", plainLine(scene.name), plainLine(view.name), view.width, view.height);
-  out += fmt::format("  {}  {} {:>9}", fitColumns("verdict", 8), fitColumns("material", nameColumns), "pixels");
+  out += fmt::format("  {}  {} {:>9}", fitColumns("verdict", 10), fitColumns("material", nameColumns), "pixels");
   for (const Column& column : columns) out += fmt::format("  {:>{}}", column.title, column.width);
   out += "\n";
   for (const MaterialResult& material : view.materials)
-    out += formatRow({material.name, material.verdict, material.figures, mainFigures(material.figures),
-                      material.baseline, material.truth, figuresOf(material.encoding), figuresOf(material.textures),
-                      material.reason, material.attribution ? describeCause(*material.attribution) : ""},
+    out += formatRow({material.name, material.verdict, material.figures, material.baseline, material.truth,
+                      figuresOf(material.encoding), figuresOf(material.textures), material.reason,
+                      material.attribution ? describeCause(*material.attribution) : ""},
                      nameColumns, columns, color);
-  out += formatRow({"whole image", view.wholeVerdict, view.whole, view.whole.all, view.baseline, view.truth,
-                    figuresOf(view.encoding), figuresOf(view.textures), view.reason, ""},
+  out += formatRow({"whole image", view.wholeVerdict, view.whole, view.baseline, view.truth, figuresOf(view.encoding),
+                    figuresOf(view.textures), view.reason, ""},
                    nameColumns, columns, color);
   if (view.truth)
     for (const std::string& note : view.truth->notes) out += fmt::format("  {}\n", plainLine(note));
@@ -150,8 +147,10 @@ std::string formatView(const SceneResult& scene, const ViewResult& view, bool ba
 }
 
 std::string formatCounts(const VerdictCounts& counts) {
-  const std::array<std::pair<std::size_t, const char*>, 5> parts = {{{counts.pass, "pass"},
+  const std::array<std::pair<std::size_t, const char*>, 7> parts = {{{counts.pass, "pass"},
                                                                      {counts.notSeen, "not seen"},
+                                                                     {counts.tooSmall, "too small"},
+                                                                     {counts.notJudged, "not judged"},
                                                                      {counts.warn, "warn"},
                                                                      {counts.fail, "fail"},
                                                                      {counts.error, "error"}}};
@@ -172,6 +171,8 @@ std::string summary(const Report& report) {
   if (report.baseline && !report.baseline->error.empty()) text += "; the baseline could not be used";
   if (report.baseline && !report.baseline->gone.empty())
     text += fmt::format("; gone since the baseline: {}", report.baseline->gone.size());
+  if (report.baseline && report.baseline->notComparable > 0)
+    text += fmt::format("; not comparable to the baseline: {}", report.baseline->notComparable);
   return text;
 }
 
@@ -179,7 +180,8 @@ std::string summary(const Report& report) {
 std::string unjudgedLine(const Report& report) {
   std::size_t count = 0;
   const auto add = [&](const std::vector<CheckResult>& checks) {
-    count += static_cast<std::size_t>(std::ranges::count(checks, false, &CheckResult::judged));
+    count += static_cast<std::size_t>(
+        std::ranges::count_if(checks, [](const CheckResult& check) { return check.regress && !check.judged(); }));
   };
   for (const SceneResult& scene : report.scenes)
     for (const ViewResult& view : scene.views) {
@@ -188,7 +190,9 @@ std::string unjudgedLine(const Report& report) {
     }
   if (count == 0) return {};
   return fmt::format("regressions not judged: {} ({})\n", count,
-                     report.baseline ? "the baseline has nothing to hold them against" : "no --baseline was given");
+                     !report.baseline                     ? "no --baseline was given"
+                     : report.baseline->notComparable > 0 ? "the baseline has nothing comparable to hold them against"
+                                                          : "the baseline has nothing to hold them against");
 }
 
 // A line for each problem.
@@ -220,8 +224,8 @@ std::string toTable(const Report& report, bool color) {
       out += fmt::format("{}: {}\n", paint(Verdict::warn, "warning", color), plainLine(describeGone(row)));
   }
   out += unjudgedLine(report);
-  out += "FLIP of the displayed images (0 alike, 1 far apart): mean, p95, max over interior pixels (whole image: "
-         "all), 'all' the mean over every pixel.\n";
+  out += "FLIP of the displayed images (0 alike, 1 far apart): mean, p95, max. Each material against the high-end "
+         "picture in which it alone has mobile's colours; the whole image high-end against mobile.\n";
   for (const SceneResult& scene : report.scenes) {
     const auto view = std::ranges::find_if(scene.views, hasNotableEncoding);
     if (view == scene.views.end() || !view->encoding) continue;

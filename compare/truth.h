@@ -18,8 +18,8 @@ struct TruthError {
   double samples = 0;           // of the environment, a pixel and way of sampling, on average; 0: all in closed form
 };
 
-// One region of a material or a whole image. In the figures the reference is the truth, the test is the path.
-struct TruthRegion {
+// Figures of a material or a whole image. In them the reference is the truth, the test is the path.
+struct TruthFigures {
   Figures highend, mobile; // flip.*, relmse, bias.*
   TruthError error;
   std::uint64_t nonFinite = 0; // pixels where the truth itself is NaN or infinite
@@ -28,8 +28,8 @@ struct TruthRegion {
 // One term by all three.
 struct TruthTerm {
   std::string name;
-  double truth = 0, highend = 0, mobile = 0;   // mean scene-referred luminance over all pixels
-  RegionFigures highendFigures, mobileFigures; // flip.mean and relmse of that term alone against the truth's
+  double truth = 0, highend = 0, mobile = 0; // mean scene-referred luminance
+  Figures highendFigures, mobileFigures;     // flip.mean and relmse of that term alone against the truth's
 };
 
 // Paths relative to the report folder, '/'-separated; empty where there is none.
@@ -39,14 +39,11 @@ struct TruthImages {
 
 // Of a material or a whole image.
 struct Truth {
-  TruthRegion interior, all;      // as those of RegionFigures
+  TruthFigures figures;
   std::vector<TruthTerm> terms;   // without those that are black in all three
   std::vector<std::string> notes; // what to beware of in these figures
   TruthImages images;
 };
-
-// The interior, or all where there is no interior.
-const TruthRegion& mainRegion(const Truth& truth);
 
 // Whether a path's relMSE against the truth is at most that of 2 standard errors of the truth (in root mean square), so
 // that it says little. Not of a truth that is exact, nor of one whose error is not known.

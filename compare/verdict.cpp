@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/error.h"
 #include "compare/report.h"
@@ -24,6 +25,8 @@ bool isSound(const Figure& figure) {
 // The name of a figure that is no number; empty if there is none.
 std::string findUnsound(const Figures& figures) {
   if (!std::isfinite(figures.referenceLuma) || !std::isfinite(figures.testLuma)) return "luma";
+  if (!std::isfinite(figures.referenceLuminance) || !std::isfinite(figures.testLuminance)) return "luminance";
+  if (!std::isfinite(figures.clipped())) return "share of clipped pixels";
   const auto unsound = std::ranges::find_if_not(figures.values, isSound);
   return unsound == figures.values.end() ? "" : unsound->name;
 }
@@ -31,62 +34,98 @@ std::string findUnsound(const Figures& figures) {
 struct Judgement {
   Verdict verdict = Verdict::pass;
   std::string reason;
+
+  void add(const std::string& sentence) { reason += (reason.empty() ? "" : "; ") + sentence; }
 };
 
-// The worst of the checks that could be judged; of all where none could. Null where there are none.
-const CheckResult* findWorst(const std::vector<CheckResult>& checks) {
+// The worst verdict of the checks that could be judged, and all sentences that have it.
+Judgement judgeChecks(const std::vector<CheckResult>& checks) {
+  if (checks.empty()) return {Verdict::error, "no budget check applies"};
   const bool anyJudged = std::ranges::any_of(checks, &CheckResult::judged);
-  const CheckResult* worst = nullptr;
-  for (const CheckResult& check : checks)
-    if ((check.judged() || !anyJudged) && (!worst || check.verdict > worst->verdict)) worst = &check;
-  return worst;
+  Judgement judgement;
+  for (const CheckResult& check : checks) {
+    if (anyJudged && !check.judged()) continue;
+    if (check.verdict > judgement.verdict) judgement = {check.verdict, {}};
+    if (check.verdict == judgement.verdict && check.verdict != Verdict::pass) judgement.add(describeCheck(check));
+  }
+  if (!anyJudged) judgement.reason = "nothing of its budget could be judged: " + judgement.reason;
+  return judgement;
 }
 
-// What holds for a material and for a whole image alike, once there is a pixel.
-Judgement judgeSeen(const RegionFigures& figures, const std::vector<CheckResult>& checks) {
-  if (figures.all.nonFinite > 0)
+// What holds for a material and for a whole image alike, once there is a pixel. isMaterial: most of a material may be
+// clipped, so that it cannot be judged; a whole image only warns of it.
+Judgement judgeSeen(const Figures& figures, const std::vector<CheckResult>& checks,
+                    const std::vector<std::string>& notModelled, bool isMaterial) {
+  if (figures.nonFinite > 0)
     return {Verdict::fail, fmt::format("{} of {} pixels are NaN or infinite in one of the two renders",
-                                       figures.all.nonFinite, figures.all.pixels)};
-  std::string unsound = findUnsound(figures.all);
-  if (unsound.empty() && figures.interior.pixels > 0) unsound = findUnsound(figures.interior);
-  if (!unsound.empty()) return {Verdict::error, fmt::format("a figure is not a number: {}", unsound)};
-  if (figures.all.values.empty()) return {Verdict::error, "no figure was measured"};
+                                       figures.nonFinite, figures.pixels)};
+  if (const std::string unsound = findUnsound(figures); !unsound.empty())
+    return {Verdict::error, fmt::format("a figure is not a number: {}", unsound)};
+  if (figures.values.empty()) return {Verdict::error, "no figure was measured"};
 
-  const CheckResult* worst = findWorst(checks);
-  if (!worst) return {Verdict::error, "no budget check applies"};
-  if (!worst->judged()) return {worst->verdict, "its budget holds regressions only: " + describeCheck(*worst)};
-  if (worst->verdict == Verdict::pass) return {};
-  const auto equals = std::ranges::count_if(
-      checks, [&](const CheckResult& check) { return check.judged() && check.verdict == worst->verdict; });
-  return {worst->verdict, describeCheck(*worst) + (equals > 1 ? fmt::format(" (and {} more)", equals - 1) : "")};
+  Judgement judgement = judgeChecks(checks);
+  if (judgement.verdict == Verdict::error) return judgement;
+  // Of what fails they are no reason, but its reader should know.
+  const auto warn = [&](const std::string& why) {
+    if (why.empty()) return;
+    judgement.verdict = std::max(judgement.verdict, Verdict::warn);
+    judgement.add(why);
+  };
+  warn(describeClipping(figures));
+  if (!notModelled.empty()) warn(fmt::format("base layer only: no path models {}", fmt::join(notModelled, ", ")));
+  // What warns of a material that is clipped for the most part is said, too: it is no verdict on it.
+  if (judgement.verdict < Verdict::fail && isMaterial && figures.clipped() > kMostClipping)
+    judgement.verdict = Verdict::notJudged;
+  return judgement;
 }
 
 // A truth that is no number measured nothing: an error, whatever was judged besides.
 Judgement withTruth(Judgement judgement, const std::optional<Truth>& truth) {
-  if (!truth || truth->all.nonFinite == 0) return judgement;
-  std::string reason =
-      fmt::format("{} of {} pixels of the truth are NaN or infinite", truth->all.nonFinite, truth->all.highend.pixels);
+  if (!truth || truth->figures.nonFinite == 0) return judgement;
+  std::string reason = fmt::format("{} of {} pixels of the truth are NaN or infinite", truth->figures.nonFinite,
+                                   truth->figures.highend.pixels);
   if (!judgement.reason.empty()) reason += "; " + judgement.reason;
   return {worse(judgement.verdict, Verdict::error), std::move(reason)};
 }
 
-// The name of another view of the scene that shows the material; empty if there is none.
+// What the baseline shows under other conditions was not held against it: that is no pass.
+Judgement withBaseline(Judgement judgement, const std::optional<BaselineChange>& baseline) {
+  if (!baseline || baseline->notComparable.empty()) return judgement;
+  judgement.verdict = worse(judgement.verdict, Verdict::warn);
+  if (judgement.reason.find(baseline->notComparable) != std::string::npos) return judgement; // of a check
+  judgement.add("not comparable to the baseline: " + baseline->notComparable);
+  return judgement;
+}
+
+// Whether so much of the material is seen that it can be judged. NaN is never too small.
+bool isSeen(const MaterialResult& material) {
+  return material.figures.pixels > 0 &&
+         (material.figures.pixels >= material.rule.minPixels || material.figures.nonFinite > 0);
+}
+
+// The name of another view of the scene that shows enough of the material; empty if there is none.
 std::string findOtherView(const SceneResult& scene, const ViewResult& here, std::size_t index) {
   for (const ViewResult& view : scene.views)
     if (&view != &here && index < view.materials.size() && view.materials[index].name == here.materials[index].name &&
-        view.materials[index].figures.all.pixels > 0)
+        isSeen(view.materials[index]))
       return view.name;
   return {};
+}
+
+// "12 pixels, fewer than the 64 of its budget (min_pixels)".
+std::string describeSize(const MaterialResult& material) {
+  return fmt::format("{} pixel{}, fewer than the {} of its budget (min_pixels)", material.figures.pixels,
+                     material.figures.pixels == 1 ? "" : "s", material.rule.minPixels);
 }
 
 void settleWhole(ViewResult& view) {
   Judgement judgement;
   if (view.materials.empty())
     judgement = {Verdict::error, "the view holds no material to compare"};
-  else if (view.whole.all.pixels == 0)
+  else if (view.whole.pixels == 0)
     judgement = {Verdict::notSeen, "no pixel of this view shows any material"};
   else
-    judgement = withTruth(judgeSeen(view.whole, view.checks), view.truth);
+    judgement = withBaseline(withTruth(judgeSeen(view.whole, view.checks, {}, false), view.truth), view.baseline);
   view.wholeVerdict = judgement.verdict;
   view.reason = std::move(judgement.reason);
 }
@@ -98,7 +137,9 @@ void settleView(const SceneResult& scene, ViewResult& view) {
     MaterialResult& material = view.materials[i];
     const std::string other = findOtherView(scene, view, i);
     settleMaterial(material, !other.empty());
-    if (material.seenElsewhere) material.reason = fmt::format("not seen in this view; view '{}' shows it", other);
+    if (material.seenElsewhere)
+      material.reason = fmt::format("{} in this view; view '{}' shows it",
+                                    material.figures.pixels > 0 ? describeSize(material) : "not seen", other);
     if (!material.seenElsewhere) view.verdict = worse(view.verdict, material.verdict);
   }
 }
@@ -125,6 +166,12 @@ void count(VerdictCounts& counts, Verdict verdict) {
   case Verdict::notSeen:
     ++counts.notSeen;
     break;
+  case Verdict::tooSmall:
+    ++counts.tooSmall;
+    break;
+  case Verdict::notJudged:
+    ++counts.notJudged;
+    break;
   case Verdict::warn:
     ++counts.warn;
     break;
@@ -150,6 +197,10 @@ const char* nameOf(Verdict verdict) {
     return "pass";
   case Verdict::notSeen:
     return "not seen";
+  case Verdict::tooSmall:
+    return "too small";
+  case Verdict::notJudged:
+    return "not judged";
   case Verdict::warn:
     return "warn";
   case Verdict::fail:
@@ -185,15 +236,19 @@ bool hasTruth(const Report& report) {
 void settleMaterial(MaterialResult& material, bool seenElsewhere) {
   material.seenElsewhere = false;
   Judgement judgement;
-  if (material.figures.all.pixels > 0) {
-    judgement = withTruth(judgeSeen(material.figures, material.checks), material.truth);
-  } else if (seenElsewhere) {
-    material.seenElsewhere = true;
-    judgement = {Verdict::notSeen, "not seen in this view; another view shows it"};
-  } else if (material.rule.requireSeen) {
-    judgement = {Verdict::fail, "no view shows it, and its budget requires that it is seen"};
+  const bool isSmall = material.figures.pixels > 0;
+  if (isSeen(material)) {
+    judgement = withBaseline(
+        withTruth(judgeSeen(material.figures, material.checks, material.notModelled, true), material.truth),
+        material.baseline);
   } else {
-    judgement = {Verdict::notSeen, "no view shows it"};
+    judgement = {isSmall ? Verdict::tooSmall : Verdict::notSeen, isSmall ? describeSize(material) : "no view shows it"};
+    if (seenElsewhere) {
+      material.seenElsewhere = true;
+      judgement.add("another view shows it");
+    } else if (material.rule.requireSeen) {
+      judgement = {Verdict::fail, judgement.reason + ", and its budget requires that it is seen"};
+    }
   }
   material.verdict = judgement.verdict;
   material.reason = std::move(judgement.reason);

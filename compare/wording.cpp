@@ -56,9 +56,6 @@ bool isSigned(const std::string& metric) {
   return statistic && statistic->better == Better::nearZero;
 }
 
-// "of the interior pixels", "of all pixels".
-std::string ofPixels(const std::string& region) { return region == "all" ? "of all pixels" : "of the interior pixels"; }
-
 // "FLIP over 0.2", of a share.
 std::string overThreshold(const CheckResult& check) {
   const std::string label = labelOf(check);
@@ -68,9 +65,9 @@ std::string overThreshold(const CheckResult& check) {
 }
 
 std::string describeRegression(const CheckResult& check, const std::string& what) {
-  if (!check.judged()) return fmt::format("regression of {} over {} pixels: {}", what, check.region, check.unjudged);
-  if (std::isnan(check.value)) return fmt::format("{} over {} pixels: {}", what, check.region, check.note);
-  const std::string found = fmt::format("{} over {} pixels is {}", what, check.region, formatCheckValue(check));
+  if (!check.judged()) return fmt::format("regression of {}: {}", what, check.unjudged);
+  if (std::isnan(check.value)) return fmt::format("{}: {}", what, check.note);
+  const std::string found = fmt::format("{} is {}", what, formatCheckValue(check));
   const bool beyond = check.verdict == Verdict::fail || check.verdict == Verdict::warn;
   const std::optional<double>& limit = check.verdict == Verdict::fail ? check.failAbove : check.warnAbove;
   if (!beyond || !limit) return found;
@@ -94,7 +91,7 @@ std::string describeLight(const Figures& figures, double ev) {
 
 std::string describeLuma(const Figures& figures, std::string_view test) {
   const double percent = 100 * (figures.testLuma / figures.referenceLuma - 1);
-  if (std::abs(percent) < 0.5) return "equally bright";
+  if (std::abs(percent) < 0.5) return "equally bright on average";
   return fmt::format("{} is {:.1f} % {}", test, std::abs(percent), percent < 0 ? "darker" : "brighter");
 }
 
@@ -157,16 +154,16 @@ std::string formatLimit(const CheckResult& check, double limit) {
 std::string describeCheck(const CheckResult& check) {
   const std::string what = labelOf(check);
   if (check.regress) return describeRegression(check, what);
-  if (std::isnan(check.value) && !check.note.empty())
-    return fmt::format("{} over {} pixels: {}", what, check.region, check.note);
+  if (std::isnan(check.value) && !check.note.empty()) return fmt::format("{}: {}", what, check.note);
+  if (!check.judged()) return fmt::format("{} {} is not judged: {}", what, formatCheckValue(check), check.unjudged);
   const bool beyond = check.verdict == Verdict::fail || check.verdict == Verdict::warn;
   const std::optional<double>& limit = check.verdict == Verdict::fail                      ? check.failAbove
                                        : check.verdict == Verdict::warn || check.warnAbove ? check.warnAbove
                                                                                            : check.failAbove;
   const bool share = isShare(check.metric) && !std::isnan(check.value);
-  const std::string found =
-      share ? fmt::format("{} {} have {}", formatCheckValue(check), ofPixels(check.region), overThreshold(check))
-            : fmt::format("{} {} over {} pixels", what, formatCheckValue(check), check.region);
+  const std::string found = share
+                                ? fmt::format("{} of the pixels have {}", formatCheckValue(check), overThreshold(check))
+                                : fmt::format("{} {}", what, formatCheckValue(check));
   if (std::isnan(check.value) || !limit) return found;
   const std::string number = formatNumber(check.metric, *limit, false, digitsOf(check));
   if (share) return fmt::format("{}, {} {}", found, beyond ? "more than" : "within", number);
@@ -182,16 +179,26 @@ std::string describeGone(const GoneRow& row) {
   return fmt::format("gone: {}: the baseline has it, this run does not", what);
 }
 
-const Figures& mainFigures(const RegionFigures& figures) {
-  return figures.interior.pixels > 0 ? figures.interior : figures.all;
+std::string describeClipping(const Figures& figures) {
+  if (figures.pixels == 0 || figures.clipped() < kNotableClipping) return {};
+  const auto share = [](double value) { return fmt::format("{:.1f} %", 100 * value); };
+  const bool isBlack = figures.clippedBlack > 0, isWhite = figures.clippedWhite > 0;
+  if (isBlack && isWhite)
+    return fmt::format(
+        "{} of the pixels are black in both pictures and {} white: {} --exposure would show more of them",
+        share(figures.clippedBlack), share(figures.clippedWhite),
+        figures.clippedBlack > figures.clippedWhite ? "a higher" : "a lower");
+  return fmt::format("{} of the pixels are {} in both pictures: {} --exposure", share(figures.clipped()),
+                     isBlack ? "black" : "white", isBlack ? "raise" : "lower");
 }
 
 std::string describeBias(const Figures& figures, std::string_view test) {
   if (figures.nonFinite > 0) return "bias not known: some pixels are NaN or infinite";
   constexpr double kBlack = 0.5 / 255; // shown as 0
   const std::optional<double> ev = figures.find("bias.ev");
-  if (figures.referenceLuma < kBlack && figures.testLuma >= kBlack) return "the reference is black there";
-  if (figures.referenceLuma < kBlack && (!ev || std::abs(*ev) < kLeastEv)) return "both are black";
+  if (figures.referenceLuma < kBlack && figures.testLuma >= kBlack) return "the reference is nearly black";
+  if (figures.referenceLuma < kBlack && (!ev || std::abs(*ev) < kLeastEv))
+    return figures.clippedBlack < 1 ? "both are nearly black on average" : "both are black";
   if (!ev || !std::isfinite(*ev)) return describeLuma(figures, test);
 
   std::string text(test), light = describeLight(figures, *ev);
@@ -202,7 +209,10 @@ std::string describeBias(const Figures& figures, std::string_view test) {
   };
   addTint("bias.db", "warmer", "cooler");
   addTint("bias.da", "redder", "greener");
-  if (light.empty() && tints.empty()) return "equally bright, same tint";
+  if (light.empty() && tints.empty()) {
+    if (figures.clipped() > kMostClipping) return "as much light, before most of it is clipped";
+    return "equally bright and of the same tint on average";
+  }
   text += " " + (light.empty() ? "is " + tints.front() : light);
   for (std::size_t i = light.empty() ? 1 : 0; i < tints.size(); ++i)
     text += (i + 1 == tints.size() ? " and " : ", ") + tints[i];

@@ -34,25 +34,27 @@ std::string formatCheckValue(const CheckResult& check);
 // from the check's value.
 std::string formatLimit(const CheckResult& check, double limit);
 
-// What a check found, without its verdict: "mean FLIP 0.142 over interior pixels is above 0.100", "... is within
-// 0.200", "32.5 % of all pixels have FLIP over 0.2, more than 10.0 %".
+// What a check found, without its verdict: "mean FLIP 0.142 is above 0.100", "... is within 0.200", "32.5 % of
+// the pixels have FLIP over 0.2, more than 10.0 %".
 std::string describeCheck(const CheckResult& check);
 
 // "gone: material 'Lamp', scene Desk, view front: the baseline has it, this run does not".
 std::string describeGone(const GoneRow& row);
 
-// The interior's figures, or all where there is no interior.
-const Figures& mainFigures(const RegionFigures& figures);
+// How much is clipped in both pictures and what would help, from kNotableClipping on: "12.0 % of the pixels are white
+// in both pictures: lower --exposure". Empty below.
+std::string describeClipping(const Figures& figures);
 
 // What artists ask first: "mobile is 0.3 EV darker and warmer", by bias.ev, bias.dl, bias.da, bias.db (test minus
 // reference, means over the region). Said is what most see where the two stand side by side: 0.05 EV of light (0.8 L*
 // at mid grey; 4 %), else 1 of L*; 1 of a* ("redder", "greener") and 1 of b* ("warmer" is yellower, "cooler" is bluer):
 // a dE*ab of 1 is about the least that is seen, of 2.3 what is seen without looking for it (Mahy et al. 1994). "equally
-// bright, same tint" below all of these. Few bright highlights may hold more light than all else: where light and mean
-// lightness disagree, both are said ("mobile has 0.4 EV more light in all, but is darker on the whole (dL* -4.0)").
-// Where the bias was not measured: by displayed luma, "mobile is 4.2 % darker", "equally bright" (below 0.5 %). Both:
-// "the reference is black there", "both are black" (unless the light in them differs). Of a region with NaN or infinite
-// pixels nothing is said. test: what "mobile" is called.
+// bright and of the same tint on average" below all of these: single pixels may differ all the same. Few bright
+// highlights may hold more light than all else: where light and mean lightness disagree, both are said ("mobile has 0.4
+// EV more light in all, but is darker on the whole (dL* -4.0)"). Where the bias was not measured: by displayed luma,
+// "mobile is 4.2 % darker", "equally bright" (below 0.5 %). Both: "the reference is nearly black", "both are black"
+// (every pixel of both), "both are nearly black on average" (unless the light in them differs). Of a region with NaN or
+// infinite pixels nothing is said. test: what "mobile" is called.
 std::string describeBias(const Figures& figures, std::string_view test = "mobile");
 
 // Which term is the cause: "skySpecular: FLIP 0.142 -> 0.031 with high-end's", of the term that lowers the mean the

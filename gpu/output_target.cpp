@@ -90,7 +90,7 @@ TargetCodec::TargetCodec(OutputTarget target, float exposureEv, bool half)
     : m_target(target), m_gain(std::exp2(exposureEv)), m_half(half) {}
 
 glm::vec3 TargetCodec::write(const glm::vec3& radiance) const {
-  if (!isDisplayed(m_target)) {
+  if (!isDisplayed()) {
     const f32::real3 kept = f32::saturateToHalf({radiance.x, radiance.y, radiance.z});
     return keepNonFinite(radiance, {kept.x, kept.y, kept.z});
   }
@@ -120,7 +120,7 @@ glm::vec3 TargetCodec::store(const glm::vec3& value) const {
 }
 
 glm::vec3 TargetCodec::read(const glm::vec3& stored) const {
-  if (!isDisplayed(m_target)) return stored;
+  if (!isDisplayed()) return stored;
   glm::vec3 light = stored;
   if (m_target == OutputTarget::rgba8Gamma2) // the screen takes the codes for sRGB
     for (int c = 0; c < 3; ++c)

@@ -29,6 +29,9 @@ public:
   // exposureEv: of the camera; half: the shader computes in fp16.
   TargetCodec(OutputTarget target, float exposureEv, bool half = false);
 
+  // isDisplayed of the target.
+  bool isDisplayed() const { return gpu::isDisplayed(m_target); }
+
   // From scene-referred light, as the shader has it, to what blending works on.
   glm::vec3 write(const glm::vec3& radiance) const;
   // What the target keeps of it: the nearest of its numbers. Of targets that are displayed: of [0,1].

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "shading/shading.h"
 #include "shading/terms.h"
 
 namespace parity::gpu {
@@ -62,10 +63,24 @@ GpuLight packLight(const scenes::Light& light, const ShadowOfLight& shadow) {
   out.directionCosOuter = vec4(light.direction, std::cos(light.outerConeAngle));
   out.cone = vec4(std::cos(light.innerConeAngle), light.specularScale,
                   shadow.count > 0 ? static_cast<float>(shadow.first + 1) : 0.f, static_cast<float>(shadow.count));
+  out.falloff = vec4(static_cast<float>(light.falloff), light.falloffExponent, 0, 0);
   return out;
 }
 
+std::uint32_t falloffsOf(std::span<const scenes::Light> lights) {
+  std::uint32_t falloffs = 0;
+  for (const scenes::Light& light : lights)
+    if (light.kind != scenes::LightKind::directional) falloffs |= 1u << static_cast<std::uint32_t>(light.falloff);
+  return falloffs;
+}
+
 namespace {
+
+// The shader is given the enumerators' numbers.
+constexpr bool is(scenes::Falloff falloff, int number) { return static_cast<int>(falloff) == number; }
+static_assert(is(scenes::Falloff::khr, shading::f32::kFalloffKhr) &&
+              is(scenes::Falloff::ue4, shading::f32::kFalloffUE4) &&
+              is(scenes::Falloff::exponent, shading::f32::kFalloffExponent));
 
 std::array<std::uint32_t, 4> countsOf(const SceneBuffers& scene, const PathProgram& program) {
   return {program.directionalCount, program.localCount, program.environment ? 1u : 0u, scene.vertexData()};

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "gpu/baked_maps.h"
@@ -97,5 +98,7 @@ std::vector<Textures::Need> texturesOf(std::span<const Bin> bins, std::span<cons
 
 // scenes::Light as the shaders read it, with its shadow maps if it has any.
 GpuLight packLight(const scenes::Light& light, const ShadowOfLight& shadow = {});
+// The ways in which the local ones of these fade, as bits: a path's constant (gpu/shaders/local_light.glsl).
+std::uint32_t falloffsOf(std::span<const scenes::Light> lights);
 
 } // namespace parity::gpu

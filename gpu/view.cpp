@@ -62,6 +62,7 @@ GpuView makeView(const scenes::Scene& scene, const scenes::Camera& camera, std::
   view.direction = vec4(o ? -back : corner - back, 0);
   view.directionX = o ? vec4(0.f) : vec4(stepX, 0);
   view.directionY = o ? vec4(0.f) : vec4(stepY, 0);
+  view.forward = vec4(-back, glm::dot(-back, eye));
   view.skyLightColor = vec4(scene.lightScales.skyLightColor, 0);
   view.indirectColorScale = vec4(scene.lightScales.indirectColorScale, 0);
   if (const auto& fog = scene.fog) {

@@ -29,7 +29,7 @@ gpu::DeviceImage uploadLut(const gpu::Device& device, const base::Image& lut) {
 // As many local lights are asked for every pixel without lists, which cost more than they save.
 constexpr std::ptrdiff_t kMaxUnlisted = 8;
 
-constexpr std::size_t kConstantLocalKinds = 5; // among the path's own
+constexpr std::size_t kConstantLocalKinds = 5, kConstantFalloffs = 8; // among the path's own
 
 // 0: parallel light; 1: everywhere; 2: within a range or a cone.
 int reachOf(const scenes::Light& light) {
@@ -128,13 +128,19 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   const std::uint32_t baked = bakedPartsOf(inputs, scene);
   if (baked & gpu::kBakedLightmap) ++m_ownSamplers;
   if (baked & gpu::kBakedSunShadow) ++m_ownSamplers;
-  program.constants = {
-      static_cast<std::uint32_t>(options.geometryTerm),  static_cast<std::uint32_t>(options.fresnel),
-      static_cast<std::uint32_t>(options.diffuse),       static_cast<std::uint32_t>(options.compensation),
-      static_cast<std::uint32_t>(options.offSpecular),   kindsOf(lights),
-      inputs.shadows ? inputs.shadows->filter() + 1 : 0, baked};
+  program.constants = {static_cast<std::uint32_t>(options.geometryTerm),
+                       static_cast<std::uint32_t>(options.fresnel),
+                       static_cast<std::uint32_t>(options.diffuse),
+                       static_cast<std::uint32_t>(options.compensation),
+                       static_cast<std::uint32_t>(options.offSpecular),
+                       kindsOf(lights),
+                       inputs.shadows ? inputs.shadows->filter() + 1 : 0,
+                       baked,
+                       gpu::falloffsOf(lights),
+                       inputs.view};
   program.everySceneConstants = program.constants;
   program.everySceneConstants[kConstantLocalKinds] = gpu::kLocalAll;
+  program.everySceneConstants[kConstantFalloffs] = gpu::kFalloffsAll;
   if (program.directionalCount + program.localCount > gpu::kMaxLightsOfAPixel && !inputs.cullLights)
     throw tooMany(device, program.directionalCount + program.localCount);
   const auto bounded = std::find_if(lights.begin(), lights.end(), [](const auto& l) { return reachOf(l) == 2; });

@@ -7,6 +7,7 @@
 #include "gpu/shading_pass.h"
 #include "highend/light_culling.h"
 #include "highend/options.h"
+#include "highend/views.h"
 
 namespace parity::highend {
 
@@ -21,6 +22,7 @@ struct Inputs {
   const gpu::BakedMaps* baked = nullptr;
   bool cullLights = true; // false: every pixel asks every light, with the same result
   bool terms = false;
+  std::uint32_t view = kViewLit; // what the colour shows (highend/views.h)
   gpu::Compilation compilation = {};
   std::uint64_t expectedPixels = 0; // that the run will shade
 };
@@ -48,7 +50,7 @@ public:
 
   // Whether the table is read at all with these inputs.
   static bool needsLut(const Inputs& inputs, const Options& options) {
-    return inputs.environment != nullptr ||
+    return inputs.environment != nullptr || inputs.view != kViewLit ||
            ((!inputs.lights.empty() || inputs.baked) &&
             (options.compensation != Compensation::none || options.diffuse == DiffuseLobe::balanced));
   }

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
-#include <iterator>
 #include <set>
 
-#include "compare/measure.h"
-#include "compare/wording.h"
+#include "compare/measure_swaps.h"
+#include "job/material_swaps.h"
 #include "mobile/light_choice.h"
 #include "scenes/light_names.h"
 
@@ -28,25 +27,31 @@ std::vector<std::uint64_t> samplesInQuestion(const scenes::Scene& scene, const s
   return samples;
 }
 
-// Mean FLIP of `test` against high-end's picture, over each of the materials that has pixels.
-std::vector<compare::LightEffect> effectsOn(const std::set<std::size_t>& materials, const scenes::Scene& scene,
-                                            const ViewFrames& frames, const Displayed& reference,
-                                            const Displayed& test) {
-  std::vector<base::PixelList> lists;
-  for (const std::size_t m : materials) lists.push_back(frames.coverage[m]);
-  // What is no number in both is not the light's doing: black in both.
-  std::vector<std::uint32_t> invalid;
-  std::ranges::set_symmetric_difference(reference.nonFinite, test.nonFinite, std::back_inserter(invalid));
+// Mean FLIP against the high-end picture of those in which each of the materials that has pixels lacks the light alone.
+std::vector<compare::LightEffect> effectsOn(Context& context, const std::set<std::size_t>& materials,
+                                            const scenes::Scene& scene, const ViewFrames& frames,
+                                            const Displayed& reference, const base::Image& without, float exposureEv) {
+  const Displayed shown = displayImage(without, context.display(), exposureEv);
+  std::vector<compare::Swap> swaps;
+  for (const std::size_t m : materials) {
+    const base::PixelList& list = frames.coverage[m];
+    compare::Swap& swap = swaps.emplace_back(
+        displaySwap(context, list, mixByCoverage(list, frames.highend.color, without), 0, exposureEv, &shown));
+    swap.linear = {};
+    // What is no number in both is not the light's doing: black in both.
+    std::erase_if(swap.nonFinite, [&](std::uint32_t place) {
+      return std::ranges::binary_search(reference.nonFinite, list.pixels[place]);
+    });
+  }
   compare::MeasureRequest request;
   request.statistics = {"flip.mean"};
-  const compare::Measurement measured =
-      compare::measureRegions({.reference = reference.pixels, .test = test.pixels, .invalid = invalid}, lists, request);
+  const std::vector<compare::Figures> measured =
+      compare::measureSwaps({.displayed = reference.pixels}, swaps, request).figures;
   std::vector<compare::LightEffect> effects;
-  for (auto m = materials.begin(); const compare::RegionFigures& region : measured.regions) {
-    const compare::Figures& figures = compare::mainFigures(region);
+  for (auto m = materials.begin(); const compare::Figures& figures : measured) {
     const std::string& name = scene.materials[*m++].name;
     if (const std::optional<double> flip = figures.find("flip.mean"); flip && figures.pixels > 0)
-      effects.push_back({name, region.interior.pixels > 0 ? "interior" : "all", *flip});
+      effects.push_back({name, *flip});
   }
   return effects;
 }
@@ -81,12 +86,12 @@ std::optional<compare::DroppedLights> measureDroppedLights(Context& context, con
     const base::Stopwatch watch(&context.timings(), "dropped lights");
     std::set<std::size_t> materials;
     for (const std::uint32_t instance : uses[i].droppedBy) materials.insert(materialOf(scene, instance));
-    dropped.measured.push_back({.name = names[i],
-                                .kind = scenes::nameOf(lights[i].kind),
-                                .keptBy = uses[i].keptBy,
-                                .droppedBy = uses[i].droppedBy.size(),
-                                .materials = effectsOn(materials, scene, frames, compared.highend,
-                                                       displayImage(color, context.display(), prepared.exposureEv))});
+    dropped.measured.push_back(
+        {.name = names[i],
+         .kind = scenes::nameOf(lights[i].kind),
+         .keptBy = uses[i].keptBy,
+         .droppedBy = uses[i].droppedBy.size(),
+         .materials = effectsOn(context, materials, scene, frames, compared.highend, color, prepared.exposureEv)});
   }
   compare::rankByEffect(dropped);
   return dropped;

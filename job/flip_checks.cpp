@@ -61,7 +61,6 @@ void addLimits(std::vector<compare::BudgetCheck>& checks, const compare::Statist
   requireWarnFirst(fmt::format("--{}warn", prefix), statistic, warn, fail);
   compare::BudgetCheck check;
   check.statistic = statistic;
-  check.region = compare::Region::all;
   check.warn = warn;
   check.fail = fail;
   checks.push_back(check);

@@ -16,7 +16,7 @@ using compare::Verdict;
 std::string describeFigures(const FlipRow& row) {
   std::string lines;
   for (const compare::CheckResult& check : row.checks) lines += compare::describeCheck(check) + "\n";
-  for (const compare::Figure& figure : row.figures.all.values)
+  for (const compare::Figure& figure : row.figures.values)
     lines += fmt::format("{} {}\n", figure.name, compare::formatFigure(figure.name, figure.value));
   return lines;
 }
@@ -64,7 +64,7 @@ std::string toJunit(const FlipResult& result) {
       total.count(verdict);
       cases += makeCase(pair.files.name, name, verdict, reason, text, result.judged);
     };
-    for (const FlipRow& row : pair.rows) add(row.figures.name, row.verdict, row.reason, describeFigures(row));
+    for (const FlipRow& row : pair.rows) add(row.name, row.verdict, row.reason, describeFigures(row));
     // Also where an error came after the figures: a map that could not be written.
     if (pair.rows.empty() || pair.verdict == Verdict::error) add("pair", pair.verdict, pair.reason, "");
     suites += fmt::format("  <testsuite name=\"{}\" {}>\n{}  </testsuite>\n", escapeMarkup(pair.files.name),
@@ -93,8 +93,8 @@ std::string toAnnotations(const FlipResult& result, const std::filesystem::path&
       continue;
     }
     for (const FlipRow& row : pair.rows)
-      add(pair, row.verdict, pair.rows.size() > 1 ? pair.files.name + ", " + row.figures.name : pair.files.name,
-          row.reason, row.rule);
+      add(pair, row.verdict, pair.rows.size() > 1 ? pair.files.name + ", " + row.name : pair.files.name, row.reason,
+          row.rule);
   }
   for (const std::string& warning : result.warnings)
     warnings += compare::toText({false, "parity", warning, "", 0}, root);

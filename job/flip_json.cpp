@@ -36,16 +36,14 @@ void addLimit(compare::JsonWriter& json, const char* key, const std::optional<do
 
 void addRow(compare::JsonWriter& json, const FlipResult& result, const FlipRow& row) {
   json.beginObject();
-  json.key("name").text(row.figures.name);
+  json.key("name").text(row.name);
   json.key("verdict").text(nameOf(result, row.verdict));
   json.key("reason").text(row.reason);
-  addFigures(json, "all", row.figures.all);
-  addFigures(json, "interior", row.figures.interior);
+  addFigures(json, "figures", row.figures);
   json.key("checks").beginArray();
   for (const compare::CheckResult& check : row.checks) {
     json.beginObject();
     json.key("metric").text(check.metric);
-    json.key("region").text(check.region);
     json.key("value").number(check.value);
     addLimit(json, "warn", check.warnAbove);
     addLimit(json, "fail", check.failAbove);
@@ -125,7 +123,7 @@ std::vector<std::string> figureNames(const FlipResult& result) {
   std::vector<std::string> names;
   for (const FlipPair& pair : result.pairs)
     for (const FlipRow& row : pair.rows)
-      for (const compare::Figure& figure : row.figures.all.values)
+      for (const compare::Figure& figure : row.figures.values)
         if (std::find(names.begin(), names.end(), figure.name) == names.end()) names.push_back(figure.name);
   return names;
 }
@@ -166,8 +164,8 @@ std::string toCsv(const FlipResult& result, bool warnExit) {
       out += fmt::format("{},,,{},{},,{},{}\r\n", head, nameOf(result, pair.verdict), code,
                          std::string(names.size(), ','), cell(pair.reason));
     for (const FlipRow& row : pair.rows) {
-      const compare::Figures& all = row.figures.all;
-      out += fmt::format("{},{},{},{},{},{},{}", head, cell(row.figures.name), pair.hdr ? "hdr" : "ldr",
+      const compare::Figures& all = row.figures;
+      out += fmt::format("{},{},{},{},{},{},{}", head, cell(row.name), pair.hdr ? "hdr" : "ldr",
                          nameOf(result, row.verdict), code, all.pixels, all.nonFinite);
       for (const std::string& name : names) {
         const auto value = all.find(name);

@@ -17,8 +17,8 @@ using compare::Verdict;
 // The rule that judges the row. A region is to its pair what a material is to its scene.
 compare::BudgetRule findRule(const FlipRow& row, const compare::Budgets& budgets, const std::string& scene) {
   const compare::BudgetRule* rule =
-      row.whole ? compare::findWholeRule(budgets, scene) : compare::findMaterialRule(budgets, scene, row.figures.name);
-  if (!rule) throw base::Error(base::ExitCode::failed, "budgets", row.figures.name, "no rule judges it");
+      row.whole ? compare::findWholeRule(budgets, scene) : compare::findMaterialRule(budgets, scene, row.name);
+  if (!rule) throw base::Error(base::ExitCode::failed, "budgets", row.name, "no rule judges it");
   return *rule;
 }
 
@@ -31,9 +31,9 @@ void judgeRow(FlipRow& row, const FlipRequest& request, const std::vector<compar
   row.checks = compare::runChecks(own, row.figures);
   if (request.budgets) {
     compare::BudgetRule rule = findRule(row, *request.budgets, scene);
-    if (row.figures.name.starts_with("alpha")) rule.checks = checksOfAlpha(rule.checks);
+    if (row.name.starts_with("alpha")) rule.checks = checksOfAlpha(rule.checks);
     for (compare::CheckResult& check : compare::runChecks(rule, row.figures)) row.checks.push_back(std::move(check));
-    row.rule = {rule.origin, rule.reason, rule.owner, rule.requireSeen, rule.file, rule.line};
+    row.rule = {rule.origin, rule.reason, rule.owner, rule.requireSeen, rule.minPixels, rule.file, rule.line};
   }
   for (const compare::CheckResult& check : row.checks)
     if (check.judged() && check.verdict > row.verdict) {
@@ -46,10 +46,10 @@ void judgeRow(FlipRow& row, const FlipRequest& request, const std::vector<compar
     row.reason = row.checks.empty() ? "no limit applies to it"
                                     : "its budget holds regressions only, and there is no baseline to hold it against";
   }
-  if (row.figures.all.nonFinite > 0 && row.verdict < Verdict::fail) {
+  if (row.figures.nonFinite > 0 && row.verdict < Verdict::fail) {
     row.verdict = Verdict::fail;
-    row.reason = fmt::format("{} pixel{} NaN or infinite", row.figures.all.nonFinite,
-                             row.figures.all.nonFinite == 1 ? " is" : "s are");
+    row.reason =
+        fmt::format("{} pixel{} NaN or infinite", row.figures.nonFinite, row.figures.nonFinite == 1 ? " is" : "s are");
   }
 }
 
@@ -57,7 +57,7 @@ void settlePair(FlipPair& pair) {
   for (const FlipRow& row : pair.rows)
     if (row.verdict > pair.verdict) {
       pair.verdict = row.verdict;
-      pair.reason = pair.rows.size() > 1 ? row.figures.name + ": " + row.reason : row.reason;
+      pair.reason = pair.rows.size() > 1 ? row.name + ": " + row.reason : row.reason;
     }
   const auto unjudged = [](const FlipRow& row) {
     return !std::ranges::all_of(row.checks, &compare::CheckResult::judged);

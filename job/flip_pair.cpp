@@ -155,17 +155,14 @@ base::Image spreadGrey(const base::Image& grey) {
 }
 
 // Alpha as a grey picture, shown as it is stored: the metrics of displayed images say how far the two are apart.
-std::vector<compare::RegionFigures> measureAlpha(const Pictures& pictures, const std::vector<base::PixelList>& regions,
-                                                 compare::MeasureRequest request) {
+std::vector<compare::Figures> measureAlpha(const Pictures& pictures, const std::vector<base::PixelList>& regions,
+                                           compare::MeasureRequest request) {
   const base::Image reference = spreadGrey(pictures.reference.alpha), test = spreadGrey(pictures.test.alpha);
   for (std::string& name : request.metrics)
     if (name == "hdrflip") name = "flip";
   for (std::string& name : request.statistics) name = figureOfAlpha(name);
   request.keepMaps.clear();
-  auto figures = compare::measureRegions({reference, test}, regions, request).regions;
-  for (compare::RegionFigures& region : figures)
-    region.name = region.name == "image" ? "alpha" : "alpha, " + region.name;
-  return figures;
+  return compare::measureRegions({reference, test}, regions, request).regions;
 }
 
 // HDR-FLIP's options have no part in an LDR pair, which may surprise.
@@ -220,17 +217,20 @@ void compareFiles(const FlipRequest& request, FlipPair& result) {
   if (!whole) measure.options.box = box;
 
   const compare::Measurement colors = measureColors(pictures, regions.lists, measure, result.hdr);
-  std::vector<compare::RegionFigures> figures = colors.regions;
+  std::vector<compare::Figures> figures = colors.regions;
   for (const std::string& note : colors.notes) result.notes.push_back(note);
   if (!pictures.reference.alpha.empty())
-    for (compare::RegionFigures& region : measureAlpha(pictures, regions.lists, measure))
+    for (compare::Figures& region : measureAlpha(pictures, regions.lists, measure))
       figures.push_back(std::move(region));
   pictures = {}; // the maps are large enough
   for (std::size_t i = 0; i < figures.size(); ++i) {
     FlipRow row;
+    const bool isAlpha = i >= colors.regions.size();
+    row.name = regions.lists[i % colors.regions.size()].name;
+    if (isAlpha) row.name = row.name == "image" ? "alpha" : "alpha, " + row.name;
     row.figures = std::move(figures[i]);
     row.whole = request.mask.file.empty();
-    judgeRow(row, request, i < colors.regions.size() ? checks : checksOfAlpha(checks), result.files.name);
+    judgeRow(row, request, isAlpha ? checksOfAlpha(checks) : checks, result.files.name);
     result.rows.push_back(std::move(row));
   }
   const std::string flip = flipOf(result.hdr);

@@ -44,8 +44,9 @@ struct FlipRequest {
 
 // One region of one pair.
 struct FlipRow {
-  compare::RegionFigures figures; // its name: "image", "area", "mask", "id 7", "alpha", "alpha, id 7"
-  bool whole = false;             // no mask divides the picture: to budgets it is a whole image, else a material
+  std::string name; // "image", "area", "mask", "id 7", "alpha", "alpha, id 7"
+  compare::Figures figures;
+  bool whole = false; // no mask divides the picture: to budgets it is a whole image, else a material
   std::vector<compare::CheckResult> checks;
   compare::Verdict verdict = compare::Verdict::pass;
   std::string reason;        // one sentence: what decided the verdict; empty on a pass

@@ -33,8 +33,8 @@ std::string describePair(const FlipPair& pair) {
   out += same ? fmt::format("colour: {}\n", pair.referenceSpace)
               : fmt::format("colour: {}; the test: {}\n", pair.referenceSpace, pair.testSpace);
   if (!pair.where.empty())
-    out += fmt::format("region: {}, {} pixels ({})\n", compare::plainLine(pair.rows.front().figures.name),
-                       pair.rows.front().figures.all.pixels, compare::plainLine(pair.where));
+    out += fmt::format("region: {}, {} pixels ({})\n", compare::plainLine(pair.rows.front().name),
+                       pair.rows.front().figures.pixels, compare::plainLine(pair.where));
   for (const std::string& note : pair.notes) out += fmt::format("note: {}\n", compare::plainLine(note));
   return out;
 }
@@ -43,8 +43,8 @@ std::string listFigures(const FlipPair& pair) {
   std::string out = describePair(pair);
   const FlipRow& row = pair.rows.front();
   std::size_t width = 24;
-  for (const compare::Figure& figure : row.figures.all.values) width = std::max(width, figure.name.size());
-  for (const compare::Figure& figure : row.figures.all.values)
+  for (const compare::Figure& figure : row.figures.values) width = std::max(width, figure.name.size());
+  for (const compare::Figure& figure : row.figures.values)
     out += fmt::format("{} {}\n", compare::fitColumns(figure.name, width), preciseFigure(figure.name, figure.value));
   if (pair.pooling) {
     const std::string flip = pair.hdr ? "hdrflip" : "flip";
@@ -55,7 +55,7 @@ std::string listFigures(const FlipPair& pair) {
       out += fmt::format("{} {:.6f}\n", compare::fitColumns(flip + " " + name, width), value);
     out += fmt::format("(weighted: by the error itself, as NVIDIA's tool; {}.p50 counts every pixel alike)\n", flip);
   }
-  if (row.figures.all.find("bias.ev")) out += compare::describeBias(row.figures.all, "the test") + "\n";
+  if (row.figures.find("bias.ev")) out += compare::describeBias(row.figures, "the test") + "\n";
   return out;
 }
 
@@ -73,8 +73,7 @@ std::vector<std::string> columnsOf(const FlipResult& result) {
       for (const FlipRow& row : pair.rows)
         for (std::size_t i = 0; i < metric.statistics.size(); ++i) {
           const std::string& name = metric.statistics[i].name;
-          if ((i == 0 || name.ends_with("flip.p95") || name.ends_with("flip.max")) && row.figures.all.find(name))
-            add(name);
+          if ((i == 0 || name.ends_with("flip.p95") || name.ends_with("flip.max")) && row.figures.find(name)) add(name);
         }
   return columns;
 }
@@ -121,9 +120,9 @@ std::string tabulate(const FlipResult& result) {
       continue;
     }
     for (const FlipRow& row : pair.rows) {
-      Cells line = {word(result, row.verdict), name, compare::plainLine(row.figures.name)};
+      Cells line = {word(result, row.verdict), name, compare::plainLine(row.name)};
       for (const std::string& column : columns) {
-        const auto value = row.figures.all.find(column);
+        const auto value = row.figures.find(column);
         line.push_back(value ? compare::formatFigure(column, *value) : "");
       }
       line.push_back(row.reason.empty() && pair.identical ? sameness(pair) : compare::plainLine(row.reason));

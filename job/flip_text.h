@@ -24,7 +24,7 @@ std::string toCsv(const FlipResult& result, bool warnExit);
 // "reference", "test", "width", "height", "channels", "range": "ldr"|"hdr", "rangeReason", "referenceSpace",
 // "testSpace", "identical", "area", "notes": [], "verdict", "exitCode", "reason", "files": [], "pooling": {"mean",
 // "weightedMedian", "weightedQ1", "weightedQ3", "min", "max", "histogram": [100]} or null, "regions": [{"name",
-// "verdict", "reason", "all": F, "interior": F or null, "checks":
+// "verdict", "reason", "figures": F, "checks":
 // [{"metric", "region", "value", "warn", "fail", "verdict", "regress", "unjudged", "note"}]}]}]} where F, as in
 // report.json, = {"pixels", "nonFinite", "metrics": {NAME: value}, "referenceLuma", "testLuma"}. Full precision; NaN
 // and infinity (the PSNR of identical pictures) are null. A verdict "not judged" is a pass without any limits. "width"

@@ -15,12 +15,14 @@ namespace parity::job {
 struct StageRequest {
   const base::Image &before, &after; // linear, scene-referred
   const Displayed& afterDisplayed;
-  const std::vector<base::PixelList>& lists;
-  const std::optional<compare::Rect>& box; // as compare::MetricOptions::box
+  const base::PixelList& whole;
+  const std::vector<const base::PixelList*>& materials;
+  const std::optional<compare::Rect>& box; // as compare::MetricOptions::box, of the whole
   float exposureEv = 0;
 };
 
-// As many as lists, in their order; those without pixels have no figures.
-std::vector<compare::RegionFigures> measureStage(Context& context, const StageRequest& request);
+// Of the whole, then of the materials in their order; those without pixels have no figures. A material is measured in
+// the picture before the stage that it alone has passed, by its coverage of each pixel.
+std::vector<compare::Figures> measureStage(Context& context, const StageRequest& request);
 
 } // namespace parity::job

@@ -176,6 +176,8 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
     prepared.baked = std::make_shared<const bake::BakedLight>(bake::readBaked(request.baked));
   }
   scenes::Scene& scene = prepared.scene;
+  for (scenes::Light& light : scene.lights)
+    if (light.falloff != scenes::Falloff::exponent) light.falloff = request.falloff;
   if (!request.name.empty()) scene.name = request.name;
   scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
   if (scene.instances.empty() || scene.triangleCount() == 0)

@@ -58,6 +58,8 @@ std::string makeLightKey(const std::string& buildId, const PreparedScene& prepar
         .addValue(light.position)
         .addValue(light.direction)
         .addValue(light.range)
+        .addValue(light.falloff)
+        .addValue(light.falloffExponent)
         .addValue(light.innerConeAngle)
         .addValue(light.outerConeAngle)
         .addValue(light.specularScale);

@@ -18,6 +18,7 @@
 #include "compare/baseline.h"
 #include "compare/budget.h"
 #include "compare/report_reader.h"
+#include "job/conditions.h"
 #include "job/context.h"
 #include "job/display_table.h"
 #include "job/report_folder.h"
@@ -134,7 +135,8 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   if (!request.baseline.empty()) baseline = compare::readReport(request.baseline);
   if (baseline) budgets.baseline = &*baseline;
   result.report.device = context.deviceReport().description();
-  result.report.settings = describeSettings(context.settings(), context.display(), context.deviceReport());
+  result.report.settings = describeSettings(context.settings(), context.deviceReport());
+  result.report.conditions = reported(runConditions(context.settings(), context.deviceReport()));
   if (!request.folder.empty()) prepareReportFolder(request.folder, request.singleFile);
   Run run(context, request, std::move(budgets), progress);
   std::vector<EncodedPicture> pictures; // not written yet

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "gpu/permutations.h"
-#include "job/prepared_scene.h"
+#include "job/conditions.h"
+#include "job/context.h"
 #include "job/scene_record.h"
 
 namespace parity::job {
 
-// What of a run decides a scene's result, besides the settings and the scene's own request.
+// What of a run decides a scene's result, besides its conditions.
 struct ResultWish {
   std::vector<std::string> statistics; // that are measured for budgets
   bool pictures = false;
@@ -20,9 +21,9 @@ struct ResultWish {
 };
 
 // The key of all that decides the result but the content of the files that the scene is read from: build, device and
-// driver, the CPU's instruction sets, every option, the environment's content. Budgets are not in it: they judge
-// afterwards. Nothing where results are not kept (no cache, the validation layer) or a file cannot be read.
-std::optional<std::string> resultKey(Context& context, const SceneRequest& request, const ResultWish& wish);
+// driver, the CPU's instruction sets, every condition. Budgets are not in it: they judge afterwards. Nothing where
+// results are not kept (no cache, the validation layer).
+std::optional<std::string> resultKey(Context& context, const Conditions& conditions, const ResultWish& wish);
 
 // The key of the same result with these materials attributed by their terms, as materialsToAttribute lists them view
 // by view: what the budgets lead to.

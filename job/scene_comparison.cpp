@@ -9,10 +9,12 @@
 #include "base/glob.h"
 #include "base/stopwatch.h"
 #include "compare/budget.h"
+#include "job/conditions.h"
 #include "job/context.h"
 #include "job/dropped_lights.h"
 #include "job/report_folder.h"
 #include "job/result_cache.h"
+#include "job/settings_text.h"
 #include "job/view_attribution.h"
 #include "job/view_comparison.h"
 #include "scenes/names.h"
@@ -60,6 +62,7 @@ public:
     ComparedScene scene;
     compare::SceneResult& result = scene.result =
         startScene(request, request.shadows.value_or(m_context.settings().shadows));
+    Conditions conditions;
     const auto setError = [&](const char* message, base::ExitCode code) {
       scene.error = fmt::format("{}: {}", result.name, message); // several problems are several lines
       for (std::size_t at = scene.error.find('\n'); at != std::string::npos; at = scene.error.find('\n', at + 1))
@@ -68,10 +71,12 @@ public:
       result.errorExitCode = static_cast<int>(code);
     };
     try {
+      conditions = conditionsNow(request);
       const compare::Budgets budgets = budgetsFor(request);
-      const Judges judges{budgets, m_budgets.baseline, request.name};
+      const Judges judges{budgets, m_budgets.baseline, request.name, conditions,
+                          m_context.deviceReport().description()};
       const ResultWish wish = wishFor(index, budgets);
-      const std::optional<std::string> key = resultKey(m_context, request, wish);
+      const std::optional<std::string> key = resultKey(m_context, conditions, wish);
       if (std::optional<SceneRecord> cached = key ? recall(*key, index, judges) : std::nullopt) {
         result = std::move(cached->result);
         if (m_request.singleFile) scene.pictures = std::move(cached->pictures);
@@ -91,6 +96,7 @@ public:
     } catch (const std::exception& error) {
       setError(error.what(), base::ExitCode::failed);
     }
+    result.conditions = reported(conditions.scene);
     for (std::string& warning : result.warnings) {
       scene.warnings.push_back(fmt::format("{}: {}", result.name, warning));
       warning = withoutFolders(std::move(warning), request);
@@ -99,6 +105,11 @@ public:
   }
 
 private:
+  // With the files as they are now.
+  Conditions conditionsNow(const SceneRequest& request) const {
+    return conditionsOf(m_context.settings(), request, m_context.deviceReport());
+  }
+
   static compare::SceneResult startScene(const SceneRequest& request, bool shadows) {
     compare::SceneResult result;
     result.name = request.name;
@@ -107,7 +118,7 @@ private:
                              ? "none"
                              : scenes::cleanName(std::filesystem::path(request.environment).filename().string());
     result.sun = "none";
-    result.light = scenes::describe(request.lightScales, request.fog);
+    result.light = scenes::describe(request.lightScales, request.fog, request.falloff);
     if (shadows) result.light += result.light.empty() ? "shadows" : "; shadows";
     return result;
   }
@@ -120,6 +131,10 @@ private:
     return prefixes;
   }
 
+  static void setConditions(compare::SceneResult& result, const Conditions& conditions) {
+    for (std::size_t v = 0; v < result.views.size(); ++v) result.views[v].conditions = reported(conditions.views[v]);
+  }
+
   // The scene as an earlier run has left it, its pictures written: with the attributions that this run's judges ask
   // for, and no others.
   std::optional<SceneRecord> recall(const std::string& key, std::size_t index, const Judges& judges) {
@@ -127,6 +142,7 @@ private:
     std::optional<SceneRecord> record = findResult(m_context.cache(), key, m_request.scenes[index]);
     if (!record) return std::nullopt;
     MaterialsByView attributed;
+    setConditions(record->result, judges.conditions);
     for (const compare::ViewResult& view : record->result.views)
       attributed.push_back(materialsToAttribute(m_context.settings().attribution, view, judges));
     const std::vector<std::string> prefixes = prefixesOf(index);
@@ -137,6 +153,7 @@ private:
       if (!more) return std::nullopt;
       renamePictures(*more, prefixes);
       record->result = std::move(more->result);
+      setConditions(record->result, judges.conditions);
       std::ranges::move(more->pictures, std::back_inserter(record->pictures));
     }
     if (!m_request.singleFile) writePictures(record->pictures, m_request.folder);
@@ -159,9 +176,11 @@ private:
     PreparedScene prepared = prepareScene(m_context, request, paths());
     result.environment = prepared.environmentName;
     result.sun = prepared.sunText;
-    if (prepared.baked)
-      result.light += fmt::format("{}baked: {}; ASTC {}", result.light.empty() ? "" : "; ", prepared.baked->settings,
-                                  prepared.baked->astc);
+    const auto addLight = [&](const std::string& text) { result.light += (result.light.empty() ? "" : "; ") + text; };
+    if (prepared.baked) addLight(fmt::format("baked: {}; ASTC {}", prepared.baked->settings, prepared.baked->astc));
+    if (const bool hasCaptures = prepared.baked && !prepared.baked->captures.empty();
+        hasCaptures || prepared.mobileEnvironment)
+      addLight(describeCaptureScale(m_context.settings().mobile, hasCaptures));
     result.warnings = prepared.scene.warnings;
     requireMaterials(prepared.scene, m_context.settings().materials);
     SceneRenderer renderer(m_context, prepared, paths(), request.views.size(), wish.permutations,
@@ -178,7 +197,8 @@ private:
       m_tell(static_cast<double>(v) / static_cast<double>(request.views.size()), request.views[v].name);
       ViewFrames frames = renderView(request, v, prepared, renderer);
       ComparedView compared = compareOne(index, v, prepared, frames, wish);
-      comparedPixels += compared.view.whole.all.pixels;
+      comparedPixels += compared.view.whole.pixels;
+      compared.view.conditions = reported(judges.conditions.views[v]);
       compared.view.droppedLights =
           measureDroppedLights(m_context, prepared, renderer, cameraOf(request, v, prepared), frames, compared);
       if (key) plainViews.push_back(compared.view);
@@ -186,7 +206,11 @@ private:
       attributed.push_back(materialsToAttribute(m_context.settings().attribution, compared.view, judges));
       if (!attributed[v].empty()) {
         const bool isLate = frames.highend.terms.empty(); // compareView had none to write
-        if (isLate) renderer.addTerms(frames, cameraOf(request, v, prepared));
+        if (isLate) {
+          std::vector<std::size_t> materials;
+          for (const std::size_t i : attributed[v]) materials.push_back(compared.materials[i]);
+          renderer.addTerms(frames, cameraOf(request, v, prepared), materials);
+        }
         attributeView(m_context, frames, attributed[v], prepared.exposureEv, compared);
         if (isLate && wish.pictures && wish.pixelData) {
           const base::Stopwatch watch(&m_context.timings(), "encode images");
@@ -205,7 +229,7 @@ private:
     };
     result.passes = passesOf(renderer.workWithTerms());
     // The same key again: the environment is still what it was when the scene was lit by it.
-    if (!key || resultKey(m_context, request, wish) != key) return;
+    if (!key || resultKey(m_context, conditionsNow(request), wish) != key) return;
     const base::Stopwatch watch(&m_context.timings(), "keep results");
     SceneRecord plain{result, prefixesOf(index), std::move(plainPictures)};
     plain.result.views = std::move(plainViews);
@@ -228,12 +252,12 @@ private:
   }
 
   mobile::SamplerInputs samplerInputs(const PreparedScene& prepared) const {
-    return {
-        .environment = prepared.mobileEnvironment != nullptr || (prepared.baked && !prepared.baked->captures.empty()),
-        .spotShadow = mobile::Renderer::needsSpotMap(prepared.mobileLights, m_context.settings().mobile).has_value(),
-        .lightmap = prepared.baked != nullptr,
-        .sunShadow = prepared.baked && !prepared.baked->sunField.empty(),
-        .normalVariance = m_context.settings().specularAa == gpu::SpecularAa::toksvig};
+    return {.environment =
+                prepared.mobileEnvironment != nullptr || (prepared.baked && !prepared.baked->captures.empty()),
+            .shadowMap = !mobile::Renderer::needsShadowMaps(prepared.mobileLights, m_context.settings().mobile).empty(),
+            .lightmap = prepared.baked != nullptr,
+            .sunShadow = prepared.baked && !prepared.baked->sunField.empty(),
+            .normalVariance = m_context.settings().specularAa == gpu::SpecularAa::toksvig};
   }
 
   compare::Budgets budgetsFor(const SceneRequest& request) const {

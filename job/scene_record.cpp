@@ -14,19 +14,17 @@ template <Is<Figure> T> auto fields(T& figure) {
   return std::tie(name, value);
 }
 template <Is<Figures> T> auto fields(T& figures) {
-  auto& [pixels, nonFinite, referenceLuma, testLuma, values] = figures;
-  return std::tie(pixels, nonFinite, referenceLuma, testLuma, values);
-}
-template <Is<RegionFigures> T> auto fields(T& regions) {
-  auto& [name, all, interior] = regions;
-  return std::tie(name, all, interior);
+  auto& [pixels, nonFinite, clippedBlack, clippedWhite, referenceLuma, testLuma, referenceLuminance, testLuminance,
+         values] = figures;
+  return std::tie(pixels, nonFinite, clippedBlack, clippedWhite, referenceLuma, testLuma, referenceLuminance,
+                  testLuminance, values);
 }
 template <Is<TruthError> T> auto fields(T& error) {
   auto& [median, worst, relmse, samples] = error;
   return std::tie(median, worst, relmse, samples);
 }
-template <Is<TruthRegion> T> auto fields(T& region) {
-  auto& [highend, mobile, error, nonFinite] = region;
+template <Is<TruthFigures> T> auto fields(T& figures) {
+  auto& [highend, mobile, error, nonFinite] = figures;
   return std::tie(highend, mobile, error, nonFinite);
 }
 template <Is<TruthTerm> T> auto fields(T& term) {
@@ -38,8 +36,8 @@ template <Is<TruthImages> T> auto fields(T& images) {
   return std::tie(truth, highendFlip, mobileFlip);
 }
 template <Is<Truth> T> auto fields(T& truth) {
-  auto& [interior, all, terms, notes, images] = truth;
-  return std::tie(interior, all, terms, notes, images);
+  auto& [figures, terms, notes, images] = truth;
+  return std::tie(figures, terms, notes, images);
 }
 template <Is<Encoding> T> auto fields(T& encoding) {
   auto& [target, figures] = encoding;
@@ -62,21 +60,21 @@ template <Is<TermEffect> T> auto fields(T& effect) {
   return std::tie(term, flip);
 }
 template <Is<Attribution> T> auto fields(T& attribution) {
-  auto& [region, flip, terms] = attribution;
-  return std::tie(region, flip, terms);
+  auto& [flip, terms] = attribution;
+  return std::tie(flip, terms);
 }
 template <Is<PixelFiles> T> auto fields(T& files) {
   auto& [color, terms] = files;
   return std::tie(color, terms);
 }
 template <Is<MaterialResult> T> auto fields(T& material) {
-  auto& [name, figures, checks, verdict, reason, notes, terms, crops, rule, baseline, truth, encoding, textures,
-         attribution, seenElsewhere] = material;
-  return std::tie(name, figures, notes, terms, crops, truth, encoding, textures, attribution);
+  auto& [name, figures, checks, verdict, reason, notModelled, notes, terms, crops, rule, baseline, truth, encoding,
+         textures, attribution, seenElsewhere] = material;
+  return std::tie(name, figures, notModelled, notes, terms, crops, truth, encoding, textures, attribution);
 }
 template <Is<LightEffect> T> auto fields(T& effect) {
-  auto& [material, region, flip] = effect;
-  return std::tie(material, region, flip);
+  auto& [material, flip] = effect;
+  return std::tie(material, flip);
 }
 template <Is<DroppedLight> T> auto fields(T& light) {
   auto& [name, kind, keptBy, droppedBy, materials] = light;
@@ -88,7 +86,7 @@ template <Is<DroppedLights> T> auto fields(T& dropped) {
 }
 template <Is<ViewResult> T> auto fields(T& view) {
   auto& [name, width, height, whole, checks, rule, baseline, truth, encoding, textures, verdict, wholeVerdict, reason,
-         materials, images, pixels, exposureEv, droppedLights] = view;
+         materials, images, pixels, exposureEv, droppedLights, conditions] = view;
   return std::tie(name, width, height, whole, truth, encoding, textures, materials, images, pixels, exposureEv,
                   droppedLights);
 }
@@ -104,10 +102,10 @@ template <Is<PermutationResult> T> auto fields(T& permutation) {
   auto& [path, textures, features, pixels, samplers, cost] = permutation;
   return std::tie(path, textures, features, pixels, samplers, cost);
 }
-// Scenes with an error are not kept.
+// Scenes with an error are not kept; the conditions are in the key.
 template <Is<SceneResult> T> auto fields(T& scene) {
-  auto& [name, source, environment, sun, light, warnings, views, passes, permutations, error, errorExitCode, verdict] =
-      scene;
+  auto& [name, source, environment, sun, light, warnings, views, passes, permutations, error, errorExitCode, verdict,
+         conditions] = scene;
   return std::tie(name, source, environment, sun, light, warnings, views, passes, permutations);
 }
 

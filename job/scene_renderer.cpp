@@ -1,6 +1,5 @@
 #include "job/scene_renderer.h"
 
-#include <array>
 #include <cassert>
 #include <set>
 
@@ -10,6 +9,7 @@
 #include "job/baked_upload.h"
 #include "job/environment_upload.h"
 #include "job/permutation_costs.h"
+#include "job/term_variants.h"
 #include "job/texture_codec.h"
 #include "mobile/light_choice.h"
 
@@ -25,7 +25,7 @@ std::uint64_t pixelsOf(const Settings& settings, std::size_t views) {
 constexpr std::size_t kMaxKeptEntries = 2 * std::size_t{gpu::kMaxTilePixels};
 
 bool hasOwnTextures(const Settings& settings, const Paths& paths) {
-  return paths.mobile && settings.mobileTextures != base::AstcBlock::none;
+  return paths.mobile && settings.mobileTextures != base::TextureBlock::none;
 }
 
 // To be given to so many that read a scene's images: told once for an image, when the last of them has read it.
@@ -72,10 +72,10 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
   m_mayDropLights = context.settings().droppedLights > 0 && paths.highend && paths.mobile && prepared.isLit &&
                     mobile::mayDropLights(prepared.mobileLights, context.settings().mobile.localLights);
   if (paths.highend) m_highend = makeHighend(context.settings().terms, views);
-  if (const auto spot = mobile::Renderer::needsSpotMap(prepared.mobileLights, context.settings().mobile);
-      paths.mobile && prepared.isLit && spot) {
+  if (const auto casting = mobile::Renderer::needsShadowMaps(prepared.mobileLights, context.settings().mobile);
+      paths.mobile && prepared.isLit && !casting.empty()) {
     const base::Stopwatch watch(&context.timings(), "shadow maps");
-    m_spotShadowMap.emplace(device, m_buffers, std::vector{*spot}, context.settings().shadowMaps);
+    m_mobileShadowMaps.emplace(device, m_buffers, casting, context.settings().shadowMaps);
   }
   if (paths.mobile) m_mobile = makeMobile(context.settings().terms, views);
   if (m_mobileTextures && paths.highend) {
@@ -111,6 +111,7 @@ std::unique_ptr<highend::Renderer> SceneRenderer::makeHighend(bool terms, std::s
                          .shadows = m_shadowMaps ? &*m_shadowMaps : nullptr,
                          .baked = m_baked ? &*m_baked : nullptr,
                          .terms = terms,
+                         .view = settings.highendView,
                          .compilation = {m_budget, &m_context.pipelines()},
                          .expectedPixels = pixelsOf(settings, views)};
   if (highend::Renderer::needsLut(inputs, settings.highend)) {
@@ -121,11 +122,11 @@ std::unique_ptr<highend::Renderer> SceneRenderer::makeHighend(bool terms, std::s
                                              settings.highend);
 }
 
-mobile::Inputs SceneRenderer::mobileInputs(bool terms, std::size_t views) const {
+mobile::Inputs SceneRenderer::mobileInputs(bool terms, std::size_t views) {
   const Settings& settings = m_context.settings();
   return {.environment = m_mobileEnvironment ? &*m_mobileEnvironment : nullptr,
           .lights = m_prepared.isLit ? m_prepared.mobileLights : std::vector<scenes::Light>(),
-          .shadows = m_spotShadowMap ? &*m_spotShadowMap : nullptr,
+          .shadows = m_mobileShadowMaps ? &*m_mobileShadowMaps : nullptr,
           .textures = m_mobileTextures ? &*m_mobileTextures : nullptr,
           .baked = m_mobileBaked ? &*m_mobileBaked : nullptr,
           .terms = terms,
@@ -134,7 +135,7 @@ mobile::Inputs SceneRenderer::mobileInputs(bool terms, std::size_t views) const 
           .expectedPixels = pixelsOf(settings, views)};
 }
 
-std::unique_ptr<mobile::Renderer> SceneRenderer::makeMobile(bool terms, std::size_t views) const {
+std::unique_ptr<mobile::Renderer> SceneRenderer::makeMobile(bool terms, std::size_t views) {
   return std::make_unique<mobile::Renderer>(m_context.device(), m_buffers, m_surfacePass.binKinds(),
                                             mobileInputs(terms, views), m_context.settings().mobile);
 }
@@ -229,23 +230,32 @@ void SceneRenderer::shade(const gpu::Surface& surface, const scenes::Camera& cam
     if (m_context.settings().terms) m_work.termSamples += surface.size();
     return base::Stopwatch(&m_context.timings(), stage);
   };
+  std::optional<gpu::ShadedSurface> highend, mobile;
+  std::optional<ReferenceSurface> reference;
   if (m_highend) {
     const base::Stopwatch watch = begin("shade highend");
-    view.layHighend(surface, m_highend->shade(surface, camera));
+    highend = m_highend->shade(surface, camera);
+    view.layHighend(surface, *highend);
   }
   if (m_mobile) {
     const base::Stopwatch watch = begin("shade mobile");
-    view.layMobile(surface, m_mobile->shade(surface, camera));
+    mobile = m_mobile->shade(surface, camera);
+    view.layMobile(surface, *mobile);
     if (m_mobileOfOriginals) view.layMobileOfOriginals(surface, m_mobileOfOriginals->shade(surface, camera));
   }
   if (m_reference) {
     const base::Stopwatch watch = begin("shade reference");
-    view.layReference(surface, m_reference->shade(surface, camera, stream, progress));
+    reference = m_reference->shade(surface, camera, stream, progress);
+    view.layReference(surface, *reference);
     m_work.resolvedSamples += surface.size();
   }
+  if (!highend || !mobile) return;
+  const base::Stopwatch watch(&m_context.timings(), "compose");
+  view.laySwaps(surface, *highend, *mobile, reference ? &reference->shaded : nullptr);
 }
 
-void SceneRenderer::addTerms(ViewFrames& frames, const scenes::Camera& camera) {
+void SceneRenderer::addTerms(ViewFrames& frames, const scenes::Camera& camera,
+                             const std::vector<std::size_t>& materials) {
   const Settings& settings = m_context.settings();
   assert(m_highend && m_mobile && !settings.terms);
   if (!m_highendTerms) { // for one view: whether there will be another is not known
@@ -253,14 +263,27 @@ void SceneRenderer::addTerms(ViewFrames& frames, const scenes::Camera& camera) {
     m_mobileTerms = makeMobile(true, 1);
   }
   gpu::FrameBuilder highendFrame = makeFrame(true), mobileFrame = makeFrame(true);
-  layAgain(camera, std::array{&highendFrame, &mobileFrame}, m_again, [&](const gpu::Surface& surface) {
+  std::vector<char> wanted(m_prepared.scene.materials.size(), 0);
+  for (const std::size_t material : materials) wanted[material] = 1;
+  gpu::SwapBuilder variants(m_buffers.materialOfInstance(), m_prepared.scene.materials.size(),
+                            static_cast<std::uint32_t>(settings.width), settings.samples,
+                            std::vector<glm::vec3>(TermVariants::kPlanes, settings.background), std::nullopt,
+                            std::move(wanted));
+  const auto lay = [&](const gpu::Surface& surface) {
     const base::Stopwatch watch(&m_context.timings(), "shade terms");
     m_again.termSamples += 2 * surface.size();
-    highendFrame.lay(surface, m_highendTerms->shade(surface, camera));
-    mobileFrame.lay(surface, m_mobileTerms->shade(surface, camera));
-  });
+    const gpu::ShadedSurface highend = m_highendTerms->shade(surface, camera),
+                             mobile = m_mobileTerms->shade(surface, camera);
+    highendFrame.lay(surface, highend);
+    mobileFrame.lay(surface, mobile);
+    variants.lay(surface, highend, mobile, TermVariants(surface, highend, mobile).planes());
+  };
+  layAgain(camera, m_again,
+           {[&](const gpu::Tile& tile) { highendFrame.begin(tile), mobileFrame.begin(tile), variants.begin(tile); },
+            lay, [&] { highendFrame.end(), mobileFrame.end(), variants.end(); }});
   frames.highend.terms = highendFrame.take().terms;
   frames.mobile.terms = mobileFrame.take().terms;
+  frames.termVariants = variants.take(frames.coverage, {});
 }
 
 base::Image SceneRenderer::renderWithout(std::size_t light, const scenes::Camera& camera) {
@@ -268,10 +291,11 @@ base::Image SceneRenderer::renderWithout(std::size_t light, const scenes::Camera
   if (!m_highendSwitched) m_highendSwitched = makeHighend(false, m_views);
   gpu::FrameBuilder frame = makeFrame(false);
   m_highendSwitched->switchLight(light, false);
-  layAgain(camera, std::array{&frame}, m_work, [&](const gpu::Surface& surface) {
+  const auto lay = [&](const gpu::Surface& surface) {
     const base::Stopwatch watch(&m_context.timings(), "shade without a light");
     frame.lay(surface, m_highendSwitched->shade(surface, camera));
-  });
+  };
+  layAgain(camera, m_work, {[&](const gpu::Tile& tile) { frame.begin(tile); }, lay, [&] { frame.end(); }});
   m_highendSwitched->switchLight(light, true);
   ++m_work.lightPictures;
   return frame.take().color;
@@ -283,24 +307,23 @@ gpu::FrameBuilder SceneRenderer::makeFrame(bool terms) const {
           terms, settings.background};
 }
 
-void SceneRenderer::layAgain(const scenes::Camera& camera, std::span<gpu::FrameBuilder* const> frames, Work& work,
-                             const std::function<void(const gpu::Surface&)>& lay) {
+void SceneRenderer::layAgain(const scenes::Camera& camera, Work& work, const Composition& composition) {
   const Settings& settings = m_context.settings();
   for (const gpu::Tile& tile :
        gpu::makeTiles(static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height)))
     for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
-      for (gpu::FrameBuilder* frame : frames) frame->begin(tile);
+      composition.begin(tile);
       if (!m_kept.empty()) {
-        for (const gpu::Surface& surface : m_kept) lay(surface);
+        for (const gpu::Surface& surface : m_kept) composition.lay(surface);
       } else {
         const gpu::VisibleLayers visible = rasterise(camera, tile, sample);
         for (std::size_t k = 0; k < visible.layers.size(); ++k) {
           const gpu::Surface surface = resolve(visible, k, camera);
           countSurface(surface, work);
-          lay(surface);
+          composition.lay(surface);
         }
       }
-      for (gpu::FrameBuilder* frame : frames) frame->end();
+      composition.end();
     }
 }
 

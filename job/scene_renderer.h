@@ -4,7 +4,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -26,9 +25,9 @@ public:
   // progress: of the reference path, which alone takes long.
   ViewFrames render(const scenes::Camera& camera, const Progress& progress = {});
 
-  // Gives the frames of the view that was rendered last, by this camera, their terms, by shading it once more: the
-  // colours stay as they are. For runs without settings.terms.
-  void addTerms(ViewFrames& frames, const scenes::Camera& camera);
+  // Gives the frames of the view that was rendered last, by this camera, their terms, and these materials' their
+  // termVariants, by shading it once more: the colours stay as they are. For runs without settings.terms.
+  void addTerms(ViewFrames& frames, const scenes::Camera& camera, const std::vector<std::size_t>& materials);
 
   // For runs that ask for what mobile's dropped lights do (settings.droppedLights), where it may drop any: how many
   // samples the view that was rendered last shows of each instance. Else empty.
@@ -51,18 +50,22 @@ public:
 
 private:
   std::unique_ptr<highend::Renderer> makeHighend(bool terms, std::size_t views);
-  std::unique_ptr<mobile::Renderer> makeMobile(bool terms, std::size_t views) const;
+  std::unique_ptr<mobile::Renderer> makeMobile(bool terms, std::size_t views);
   void uploadBaked(const bake::BakedLight& baked, const Paths& paths);
   gpu::VisibleLayers rasterise(const scenes::Camera& camera, const gpu::Tile& tile, const glm::vec2& sample);
   gpu::Surface resolve(const gpu::VisibleLayers& visible, std::size_t layer, const scenes::Camera& camera);
   // By every path, laid over what is in `view` already.
   void shade(const gpu::Surface& surface, const scenes::Camera& camera, std::uint32_t stream,
              const reference::Progress& progress, ViewBuilder& view);
-  // The surfaces of the view that was rendered last, those that were kept, else rasterised again: for each `lay` shades
-  // it into the frames.
-  void layAgain(const scenes::Camera& camera, std::span<gpu::FrameBuilder* const> frames, Work& work,
-                const std::function<void(const gpu::Surface&)>& lay);
-  mobile::Inputs mobileInputs(bool terms, std::size_t views) const;
+  // What pictures are composed of once more.
+  struct Composition {
+    std::function<void(const gpu::Tile&)> begin;
+    std::function<void(const gpu::Surface&)> lay; // shades it into the pictures
+    std::function<void()> end;
+  };
+  // Composes the surfaces of the view that was rendered last: those that were kept, else rasterised again.
+  void layAgain(const scenes::Camera& camera, Work& work, const Composition& composition);
+  mobile::Inputs mobileInputs(bool terms, std::size_t views);
   gpu::FrameBuilder makeFrame(bool terms) const;
   void countSurface(const gpu::Surface& surface, Work& work) const;
   void requireTextures(const gpu::VisibleLayers& visible);
@@ -81,8 +84,8 @@ private:
   std::uint64_t m_cutPixels = 0; // of all views, with more blended layers than are shown
   // Each path reads its own kind.
   std::optional<gpu::EnvironmentMaps> m_environment, m_mobileEnvironment;
-  std::optional<gpu::ShadowMaps> m_shadowMaps, m_spotShadowMap; // of all lights; mobile's own
-  std::optional<gpu::BakedMaps> m_baked, m_mobileBaked;         // likewise; the captures are the environments
+  std::optional<gpu::ShadowMaps> m_shadowMaps, m_mobileShadowMaps; // of all lights; of mobile's one sun and one spot
+  std::optional<gpu::BakedMaps> m_baked, m_mobileBaked;            // likewise; the captures are the environments
   // Those with terms, and that whose lights are switched, are made when first needed.
   std::unique_ptr<highend::Renderer> m_highend, m_highendTerms, m_highendSwitched;
   std::unique_ptr<mobile::Renderer> m_mobile, m_mobileTerms;

@@ -19,7 +19,12 @@ std::uint64_t samplesOf(const gpu::ShadingPass& pass) {
 std::vector<std::string> SceneRenderer::notes() const {
   if (!m_mobile) return {};
   std::vector<std::string> notes = m_mobile->notes();
-  if (m_prepared.shadows) notes.emplace_back("has its shadows baked, and nothing is baked: only high-end casts them");
+  if (m_mobileShadowMaps && !m_mobileShadowMaps->note().empty()) notes.push_back(m_mobileShadowMaps->note());
+  if (m_prepared.shadows)
+    notes.emplace_back(
+        m_mobileShadowMaps
+            ? "has its other shadows baked, and nothing is baked: only high-end casts those of all lights"
+            : "has its shadows baked, and nothing is baked: only high-end casts them");
   return notes;
 }
 
@@ -63,7 +68,7 @@ Work SceneRenderer::work() const {
     work.directionalLights = m_highend->pass().directionalCount();
     work.localLights = m_highend->pass().localCount();
   }
-  for (const auto* maps : {&m_shadowMaps, &m_spotShadowMap})
+  for (const auto* maps : {&m_shadowMaps, &m_mobileShadowMaps})
     if (*maps) {
       work.shadowMaps += (*maps)->mapCount();
       work.shadowCasters += (*maps)->drawCount();
@@ -98,16 +103,16 @@ NoNeed SceneRenderer::reasons() const {
                                           : "no environment, no compensation, no balance";
   why.texture = "no material that is seen has one";
   why.variance = settings.specularAa == gpu::SpecularAa::off ? "not asked for" : "no normal map is seen";
-  why.compression = settings.mobileTextures == base::AstcBlock::none ? "not asked for" : why.texture;
+  why.compression = settings.mobileTextures == base::TextureBlock::none ? "not asked for" : why.texture;
   why.blended = "no blended material";
   why.fog = "no fog";
   why.directional = !unlit.empty() ? unlit : "no directional light";
   why.local = !unlit.empty() ? unlit : "no local lights";
   why.lightLists = work().localLights == 0 ? why.local : "few lights, or lights without a range";
-  why.shadows = !m_prepared.shadows && !settings.mobile.spotShadow ? "not asked for"
-                : !unlit.empty()                                   ? unlit
-                : m_prepared.lights.empty()                        ? "no lights"
-                                                                   : "nothing stands before anything";
+  why.shadows = !m_prepared.shadows && !settings.mobile.spotShadow && !settings.mobile.sunShadow ? "not asked for"
+                : !unlit.empty()                                                                 ? unlit
+                : m_prepared.lights.empty()                                                      ? "no lights"
+                                            : "nothing stands before anything";
   why.baked = why.captures = m_prepared.baked ? "the bake has none" : "nothing is baked";
   if (m_prepared.baked && why.environment.empty()) why.environment = "the captures take its place";
   if (m_prepared.baked && why.local == "no local lights" && !m_prepared.scene.lights.empty())

@@ -10,15 +10,16 @@
 
 #include <glm/glm.hpp>
 
-#include "base/astc.h"
 #include "base/cache.h"
 #include "base/stopwatch.h"
+#include "base/texture_block.h"
 #include "compare/measure.h"
 #include "gpu/device_report.h"
 #include "gpu/material_class.h"
 #include "gpu/output_target.h"
 #include "gpu/shadow_options.h"
 #include "highend/options.h"
+#include "highend/views.h"
 #include "mobile/options.h"
 #include "mobile/views.h"
 #include "reference/shade.h"
@@ -49,10 +50,11 @@ struct Settings {
   bool extractSun = true; // bright compact sources of environments become lights; scene by scene: SuiteEntry
   bool truth = false;     // also hold both paths against the reference; needs the terms
   mobile::Options mobile;
-  std::uint32_t mobileView = mobile::kViewLit;                 // what the mobile path's colour shows (mobile/views.h)
-  gpu::OutputTarget mobileTarget = gpu::OutputTarget::rgba16f; // what the mobile path's colour is stored in
-  base::AstcBlock mobileTextures = base::AstcBlock::none;      // what the mobile path's material textures go through
-  gpu::SpecularAa specularAa = gpu::SpecularAa::off;           // of all paths
+  std::uint32_t highendView = highend::kViewLit; // what the high-end path's colour shows (highend/views.h)
+  std::uint32_t mobileView = mobile::kViewLit;   // what the mobile path's colour shows (mobile/views.h)
+  gpu::OutputTarget mobileTarget = gpu::OutputTarget::rgba16f;  // what the mobile path's colour is stored in
+  base::TextureBlock mobileTextures = base::TextureBlock::none; // what the mobile path's material textures go through
+  gpu::SpecularAa specularAa = gpu::SpecularAa::off;            // of all paths
   highend::Options highend;
   reference::Options reference;
   bool shadows = false; // in every scene: high-end by shadow maps, the reference by rays; scene by scene: SuiteEntry

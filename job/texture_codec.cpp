@@ -15,26 +15,27 @@ constexpr std::size_t kLeastCachedTexels = 64 * 64;
 
 } // namespace
 
-gpu::TextureCodec makeTextureCodec(const Context& context, base::AstcBlock block) {
-  if (block == base::AstcBlock::none) return {};
+gpu::TextureCodec makeTextureCodec(const Context& context, base::TextureBlock block) {
+  if (block == base::TextureBlock::none) return {};
   return [&context, block](const base::Image8& mip, bool isColor) {
-    const base::AstcUse use = isColor ? base::AstcUse::color : base::AstcUse::data;
     const base::Cache& cache = context.cache();
-    if (!cache.enabled() || mip.pixelCount() < kLeastCachedTexels) return base::throughAstc(mip, block, use);
-    const std::string key = "astc-" + base::Hasher()
-                                          .add(context.buildId())
-                                          .addValue(block)
-                                          .addValue(use)
-                                          .addValue(mip.width)
-                                          .addValue(mip.height)
-                                          .add(std::as_bytes(std::span{mip.pixels}))
-                                          .hex();
     const auto decode = [&](std::span<const std::uint8_t> blocks) {
-      return base::decodeAstc(blocks, mip.width, mip.height, block, use);
+      return base::decodeTexture(blocks, mip.width, mip.height, block, isColor);
     };
-    if (const auto cached = cache.find(key); cached && cached->size() == base::astcBytes(mip.width, mip.height, block))
+    if (!cache.enabled() || mip.pixelCount() < kLeastCachedTexels)
+      return decode(base::encodeTexture(mip, block, isColor));
+    const std::string key = "blocks-" + base::Hasher()
+                                            .add(context.buildId())
+                                            .addValue(block)
+                                            .addValue(isColor)
+                                            .addValue(mip.width)
+                                            .addValue(mip.height)
+                                            .add(std::as_bytes(std::span{mip.pixels}))
+                                            .hex();
+    if (const auto cached = cache.find(key);
+        cached && cached->size() == base::textureBytes(mip.width, mip.height, block))
       return decode({reinterpret_cast<const std::uint8_t*>(cached->data()), cached->size()});
-    const std::vector<std::uint8_t> blocks = base::encodeAstc(mip, block, use);
+    const std::vector<std::uint8_t> blocks = base::encodeTexture(mip, block, isColor);
     cache.store(key, std::as_bytes(std::span{blocks}));
     return decode(blocks);
   };

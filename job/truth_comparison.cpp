@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "base/parallel.h"
 #include "compare/measure_truth.h"
+#include "job/material_swaps.h"
 
 namespace parity::job {
 
@@ -24,30 +26,51 @@ struct Prepared {
   Prepared& operator=(const Prepared&) = delete;
 };
 
-// The term of every region that is not black in all three, behind those that the regions have.
-void addTerm(std::vector<compare::Truth>& regions, Context& context, const ViewFrames& frames, std::size_t term,
-             const TruthRequest& request, const compare::TruthMeasureRequest& measure) {
+// The materials' swapped pictures: of the truth's, by each path.
+std::vector<compare::TruthSwap> swapsOf(Context& context, const ViewFrames& frames, const TruthRequest& request,
+                                        const std::vector<gpu::SwappedPixels>& highend,
+                                        const std::vector<gpu::SwappedPixels>& mobile, std::size_t plane,
+                                        bool finished) {
+  std::vector<compare::TruthSwap> swaps(request.materials.size());
+  base::parallelFor(swaps.size(), 1, [&](std::size_t i, std::size_t) {
+    const base::PixelList& list = *request.materials[i];
+    const auto material = static_cast<std::size_t>(&list - frames.coverage.data());
+    swaps[i] = {
+        displaySwap(context, list, highend[material], plane, request.exposureEv, finished ? &request.highend : nullptr),
+        displaySwap(context, list, mobile[material], plane, request.exposureEv, finished ? &request.mobile : nullptr)};
+  });
+  return swaps;
+}
+
+// Adds the term to the whole image and to every material where it is not black in all three.
+void addTerm(TruthComparison& comparison, Context& context, const ViewFrames& frames, std::size_t term,
+             const TruthRequest& request) {
   const std::array<const base::Image*, 3> images = {&frames.reference.terms[term], &frames.highend.terms[term],
                                                     &frames.mobile.terms[term]};
   const auto isUnseen = [&](const base::PixelList& list) {
     return compare::isBlack(*images[0], list) && compare::isBlack(*images[1], list) &&
            compare::isBlack(*images[2], list);
   };
-  if (isUnseen(request.lists.front())) return; // it holds all the others
+  if (isUnseen(request.whole)) return; // it holds all the others
   const auto prepare = [&](const base::Image& linear) {
     return Prepared(linear, displayImage(linear, context.display(), request.exposureEv), request.exposureEv);
   };
+  const auto add = [&](compare::Truth& truth, const base::PixelList& list, compare::TruthTerm measured) {
+    if (isUnseen(list)) return;
+    measured.truth = compare::meanLuminance(*images[0], list);
+    measured.highend = compare::meanLuminance(*images[1], list);
+    measured.mobile = compare::meanLuminance(*images[2], list);
+    truth.terms.push_back(std::move(measured));
+  };
+  const std::string name(shading::kTermNames[term]);
   const Prepared truth = prepare(*images[0]), highend = prepare(*images[1]), mobile = prepare(*images[2]);
-  std::vector<compare::TruthTerm> measured = compare::measureTerm(
-      std::string(shading::kTermNames[term]), {truth.picture, highend.picture, mobile.picture}, request.lists, measure);
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    const base::PixelList& list = request.lists[i];
-    if (isUnseen(list)) continue;
-    measured[i].truth = compare::meanLuminance(*images[0], list);
-    measured[i].highend = compare::meanLuminance(*images[1], list);
-    measured[i].mobile = compare::meanLuminance(*images[2], list);
-    regions[i].terms.push_back(std::move(measured[i]));
-  }
+  add(comparison.whole, request.whole,
+      compare::measureTerm(name, {truth.picture, highend.picture, mobile.picture}, request.whole, request.box));
+  std::vector<compare::TruthTerm> measured = compare::measureTermSwaps(
+      name, truth.picture,
+      swapsOf(context, frames, request, frames.truthHighendTerms, frames.truthMobileTerms, term, false));
+  for (std::size_t i = 0; i < measured.size(); ++i)
+    add(comparison.materials[i], *request.materials[i], std::move(measured[i]));
 }
 
 } // namespace
@@ -62,13 +85,17 @@ TruthComparison compareWithTruth(Context& context, const ViewFrames& frames, con
   const compare::TruthMeasureRequest measure{.box = request.box,
                                              .keepMaps = request.pictures,
                                              .wantedError = context.settings().reference.integral.relativeError};
+  const compare::TruthErrorMaps maps{&frames.referenceError, &frames.referenceTaken};
   compare::TruthMeasurement measured =
-      compare::measureTruth({truth.picture, highend.picture, mobile.picture},
-                            {&frames.referenceError, &frames.referenceTaken}, request.lists, measure);
-  for (std::size_t term = 0; term < shading::kTermCount; ++term)
-    addTerm(measured.regions, context, frames, term, request, measure);
-  return {truth.displayed, std::move(measured.regions), std::move(measured.highendFlip),
-          std::move(measured.mobileFlip)};
+      compare::measureTruth({truth.picture, highend.picture, mobile.picture}, maps, request.whole, measure);
+  TruthComparison comparison{
+      truth.displayed, std::move(measured.truth),
+      compare::measureTruthSwaps(truth.picture, maps,
+                                 swapsOf(context, frames, request, frames.truthHighend, frames.truthMobile, 0, true),
+                                 measure.wantedError),
+      std::move(measured.highendFlip), std::move(measured.mobileFlip)};
+  for (std::size_t term = 0; term < shading::kTermCount; ++term) addTerm(comparison, context, frames, term, request);
+  return comparison;
 }
 
 std::string describeTruth(const Settings& settings) {

@@ -14,16 +14,18 @@ namespace parity::job {
 // What is held against the truth.
 struct TruthRequest {
   const Displayed &highend, &mobile;
-  const std::vector<base::PixelList>& lists; // the whole first, then the materials
-  std::optional<compare::Rect> box;          // where the report shows only some materials
+  const base::PixelList& whole;
+  const std::vector<const base::PixelList*>& materials; // of frames.coverage
+  std::optional<compare::Rect> box;                     // where the report shows only some materials
   float exposureEv = 0;
   bool pictures = false; // whether the FLIP maps are wanted
 };
 
 struct TruthComparison {
   Displayed truth;
-  std::vector<compare::Truth> regions; // as many as lists, in their order; images are not named yet
-  base::Image highendFlip, mobileFlip; // of each path against the truth; empty unless asked for
+  compare::Truth whole;                  // images are not named yet
+  std::vector<compare::Truth> materials; // as many as asked for, in their order; by the material swap
+  base::Image highendFlip, mobileFlip;   // of each path against the truth; empty unless asked for
 };
 
 // frames: of all three paths, with their terms.

@@ -8,31 +8,57 @@
 #include "base/parallel.h"
 #include "compare/attribution.h"
 #include "compare/baseline.h"
+#include "job/material_swaps.h"
+#include "shading/terms.h"
 
 namespace parity::job {
 
 namespace {
 
-// A part of mobile's picture with a swapped term, as its target makes it: what the swap changes of what the target
-// stores is added to the picture that the target did make. Layers are blended and samples averaged in the target's own
-// numbers; to store the linear sum alone would undo that, and blame a term for it.
-base::Image store(const base::Image& swapped, const compare::Rect& box, const ViewFrames& frames,
-                  const gpu::TargetCodec& target) {
+// A material's swapped picture by one of high-end's terms, as mobile's target makes it where that has made the whole
+// pixel: what the term changes of what the target stores is added to what the target did store. Layers are blended and
+// samples averaged in the target's own numbers; to store the linear sum alone would undo that, and blame a term for it.
+gpu::SwappedPixels storeVariant(const gpu::SwappedPixels& swapped, const gpu::SwappedPixels& variants,
+                                std::size_t plane, const gpu::TargetCodec& target) {
   const auto kept = [&](const float* rgb) { return target.read(target.store(target.write({rgb[0], rgb[1], rgb[2]}))); };
-  base::Image stored(swapped.width, swapped.height, 3);
-  base::parallelFor(static_cast<std::size_t>(box.height), 16, [&](std::size_t begin, std::size_t end) {
-    for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
-      for (int x = 0; x < box.width; ++x) {
-        const float* before = frames.mobileBeforeTarget.at(box.x + x, box.y + y);
-        const float* made = frames.mobile.color.at(box.x + x, box.y + y);
-        const glm::vec3 keptBefore = kept(before), keptSwapped = kept(swapped.at(x, y));
-        for (int c = 0; c < 3; ++c) {
-          const bool isAsStored = made[c] == keptBefore[c] || !std::isfinite(made[c]) || !std::isfinite(keptBefore[c]);
-          stored.at(x, y)[c] = isAsStored ? keptSwapped[c] : made[c] + (keptSwapped[c] - keptBefore[c]);
-        }
+  const base::Image &made = swapped.planes[0], &plain = variants.planes[0], &variant = variants.planes[plane];
+  gpu::SwappedPixels stored;
+  base::Image& out = stored.planes.emplace_back(made);
+  base::parallelFor(made.pixelCount(), 16384, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool isWhole = std::ranges::binary_search(swapped.whole, static_cast<std::uint32_t>(i));
+      const float *before = &plain.pixels[3 * i], *after = &variant.pixels[3 * i], *as = &made.pixels[3 * i];
+      const glm::vec3 keptBefore = isWhole ? kept(before) : glm::vec3(before[0], before[1], before[2]),
+                      keptAfter = isWhole ? kept(after) : glm::vec3(after[0], after[1], after[2]);
+      for (int c = 0; c < 3; ++c) {
+        const bool isAsStored = as[c] == keptBefore[c] || !std::isfinite(as[c]) || !std::isfinite(keptBefore[c]);
+        out.pixels[3 * i + static_cast<std::size_t>(c)] =
+            isAsStored ? keptAfter[c] : as[c] + (keptAfter[c] - keptBefore[c]);
       }
+    }
   });
   return stored;
+}
+
+bool areSame(const base::Image& a, const base::Image& b) {
+  return std::ranges::equal(a.pixels, b.pixels,
+                            [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
+compare::AttributionInput inputOf(Context& context, const ViewFrames& frames, std::size_t material,
+                                  const gpu::TargetCodec& target, float exposureEv, const Displayed& mobile) {
+  const base::PixelList& list = frames.coverage[material];
+  const gpu::SwappedPixels &swapped = frames.highendMobile[material], &variants = frames.termVariants[material];
+  compare::AttributionInput input{displaySwap(context, list, swapped, 0, exposureEv, &mobile), {}};
+  for (std::size_t t = 0; t < shading::kTermCount; ++t) {
+    if (areSame(variants.planes[0], variants.planes[1 + t])) continue;
+    input.terms.push_back(
+        {std::string(shading::kTermNames[t]),
+         displaySwap(context, list, storeVariant(swapped, variants, 1 + t, target), 0, exposureEv, nullptr)});
+    input.terms.back().swap.linear = {};
+  }
+  input.swap.linear = {};
+  return input;
 }
 
 } // namespace
@@ -42,14 +68,17 @@ std::vector<std::size_t> materialsToAttribute(Attribution wanted, const compare:
   std::vector<std::size_t> places;
   if (wanted == Attribution::none) return places;
   compare::Report judged;
+  judged.device = judges.device;
+  judged.conditions = reported(judges.conditions.run);
   judged.scenes.emplace_back().name = judges.scene;
+  judged.scenes[0].conditions = reported(judges.conditions.scene);
   const compare::ViewResult& copy = judged.scenes[0].views.emplace_back(view);
   for (compare::MaterialResult& material : judged.scenes[0].views[0].materials)
     compare::judgeMaterial(material, judges.budgets, judges.scene);
   if (judges.baseline) compare::compareWithBaseline(judged, *judges.baseline, {.source = "", .materials = {}});
   for (std::size_t i = 0; i < copy.materials.size(); ++i) {
     const compare::MaterialResult& material = copy.materials[i];
-    if (material.figures.all.pixels > 0 && (wanted == Attribution::all || material.verdict >= compare::Verdict::fail))
+    if (material.figures.pixels > 0 && (wanted == Attribution::all || material.verdict >= compare::Verdict::fail))
       places.push_back(i);
   }
   return places;
@@ -63,20 +92,16 @@ void attributeView(Context& context, const ViewFrames& frames, const std::vector
   base::parallelFor(results.size(), 1, [&](std::size_t i, std::size_t) {
     if (results[i].terms.empty()) results[i].terms = termFigures(frames, frames.coverage[compared.materials[i]]);
   });
-  std::vector<const base::PixelList*> lists;
-  for (const std::size_t i : materials) lists.push_back(&frames.coverage[compared.materials[i]]);
   const gpu::TargetCodec target(settings.mobileTarget, exposureEv,
                                 mobile::precisionOn(context.deviceReport(), settings.mobile) ==
                                     mobile::Precision::fp16);
-  const auto show = [&](const base::Image& linear, const compare::Rect& box) {
-    Displayed shown = displayImage(store(linear, box, frames, target), context.display(), exposureEv);
-    return compare::ShownPicture{std::move(shown.pixels), std::move(shown.nonFinite)};
-  };
-  std::vector<std::optional<compare::Attribution>> found = compare::attributeTerms(
-      {compared.highend.pixels, compared.mobile.pixels, compared.highend.nonFinite, compared.mobile.nonFinite,
-       frames.mobileBeforeTarget, frames.highend.terms, frames.mobile.terms},
-      lists, show);
-  for (std::size_t i = 0; i < materials.size(); ++i) results[materials[i]].attribution = std::move(found[i]);
+  // One material's pictures at a time: each may have as many as there are terms.
+  for (const std::size_t i : materials) {
+    const compare::AttributionInput input =
+        inputOf(context, frames, compared.materials[i], target, exposureEv, compared.mobile);
+    results[i].attribution =
+        compare::attributeTerms({compared.highend.pixels, nullptr, compared.highend.nonFinite}, {&input, 1}).front();
+  }
 }
 
 compare::PassResult attributionPass(Attribution wanted, const compare::SceneResult& result) {

@@ -7,6 +7,7 @@
 
 #include "compare/budget.h"
 #include "compare/report.h"
+#include "job/conditions.h"
 #include "job/context.h"
 #include "job/scene_renderer.h"
 #include "job/view_comparison.h"
@@ -18,10 +19,13 @@ struct Judges {
   const compare::Budgets& budgets;
   const compare::Report* baseline = nullptr; // for the budgets' regressions; null: none
   std::string scene;
+  const Conditions& conditions; // of the run and the scene: of others the baseline's figures are not comparable
+  std::string device;
 };
 
 // The places in view.materials of those to attribute, of those that show a pixel: all, or those that are over budget
-// (also by a regression since the baseline) or without a verdict. view: need not be judged.
+// (also by a regression since the baseline) or without a verdict. view: need not be judged, but has its
+// conditions.
 std::vector<std::size_t> materialsToAttribute(Attribution wanted, const compare::ViewResult& view,
                                               const Judges& judges);
 

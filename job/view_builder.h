@@ -8,6 +8,7 @@
 #include "base/frame.h"
 #include "gpu/coverage_builder.h"
 #include "gpu/frame_builder.h"
+#include "gpu/material_swap.h"
 #include "job/prepared_scene.h"
 #include "job/reference_path.h"
 
@@ -21,6 +22,14 @@ struct ViewFrames {
   std::vector<base::PixelList> coverage;  // a list per material; for highend and mobile together, or settings.coverage
   base::Image mobileBeforeTarget;         // mobile's colour as if nothing were stored; for both paths together
   base::Image mobileOfOriginals;          // with the textures as they are; empty where mobile has them, too
+  // The material swap, one for each coverage list: the first path's picture in which the material alone carries the
+  // second one's colours. With the truth its colours, and its terms as planes in the order of shading::Term.
+  std::vector<gpu::SwappedPixels> highendMobile;
+  std::vector<gpu::SwappedPixels> highendMobileLight; // before the target, where that is displayed: nothing is cut off
+  std::vector<gpu::SwappedPixels> truthHighend, truthMobile, truthHighendTerms, truthMobileTerms;
+  // highendMobile as it was computed, before the target, then by each of the high-end path's terms (TermVariants); of
+  // the materials that are attributed.
+  std::vector<gpu::SwappedPixels> termVariants;
 };
 
 class ViewBuilder {
@@ -37,6 +46,9 @@ public:
   void layMobile(const gpu::Surface& surface, const gpu::ShadedSurface& shaded);
   void layMobileOfOriginals(const gpu::Surface& surface, const gpu::ShadedSurface& shaded);
   void layReference(const gpu::Surface& surface, const ReferenceSurface& shaded);
+  // What the paths' surfaces make together; reference: null where there is none.
+  void laySwaps(const gpu::Surface& surface, const gpu::ShadedSurface& highend, const gpu::ShadedSurface& mobile,
+                const gpu::ShadedSurface* reference);
   void end();
 
   // Empty afterwards.
@@ -46,7 +58,10 @@ public:
 
 private:
   template <typename Do> void forEachFrame(const Do& act);
+  template <typename Do> void forEachSwap(const Do& act);
 
+  std::optional<gpu::SwapBuilder> m_swap, m_swapLight, m_truthHighend, m_truthMobile, m_truthHighendTerms,
+      m_truthMobileTerms, m_variants;
   std::optional<gpu::FrameBuilder> m_highend, m_mobile, m_reference, m_beforeTarget, m_ofOriginals;
   std::optional<ErrorBuilder> m_error;
   std::optional<gpu::CoverageBuilder> m_coverage; // masks are for comparing

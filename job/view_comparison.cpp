@@ -4,7 +4,6 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/glob.h"
 #include "base/parallel.h"
@@ -12,6 +11,7 @@
 #include "compare/measure_truth.h"
 #include "compare/region.h"
 #include "job/displayed.h"
+#include "job/material_swaps.h"
 #include "job/mobile_stage.h"
 #include "job/truth_comparison.h"
 #include "shading/terms.h"
@@ -55,23 +55,8 @@ base::PixelList allPixels(const std::vector<base::PixelList>& coverage, const st
   return all;
 }
 
-// Whether all of the list is black in both pictures, or all of it white.
-bool isFlat(const base::Image8& reference, const base::Image8& test, const base::PixelList& list) {
-  if (list.pixels.empty()) return false;
-  const std::uint8_t value = reference.pixels[std::size_t{list.pixels.front()} * 3];
-  if (value != 0 && value != 255) return false;
-  return std::all_of(list.pixels.begin(), list.pixels.end(), [&](std::uint32_t p) {
-    const auto isValue = [&](const base::Image8& image) {
-      const std::uint8_t* rgb = image.pixels.data() + std::size_t{p} * 3;
-      return rgb[0] == value && rgb[1] == value && rgb[2] == value;
-    };
-    return isValue(reference) && isValue(test);
-  });
-}
-
 std::vector<std::string> materialNotes(const scenes::Material& m, const mobile::Options& mobile) {
   std::vector<std::string> notes;
-  if (!m.notModelled.empty()) notes.push_back(fmt::format("not modelled: {}", fmt::join(m.notModelled, ", ")));
   if (m.unlit) {
     notes.push_back("unlit");
     return notes;
@@ -99,9 +84,10 @@ std::vector<std::size_t> chooseMaterials(const scenes::Scene& scene, const std::
   return chosen;
 }
 
-// What is measured where: the whole first, then each chosen material.
+// What is measured where: the whole image, and each chosen material.
 struct Subject {
-  std::vector<base::PixelList> lists;
+  base::PixelList whole;
+  std::vector<const base::PixelList*> materials;
   std::vector<compare::Rect> crops; // of the materials
   std::optional<compare::Rect> box; // where the report shows only some materials
 };
@@ -110,10 +96,10 @@ Subject makeSubject(const ViewFrames& frames, const std::vector<std::size_t>& ch
   const int width = frames.highend.color.width, height = frames.highend.color.height;
   Subject subject;
   // With --material the whole is what was chosen, not what else is in the picture.
-  subject.lists.push_back(allPixels(frames.coverage, chosen, frames.highend.color.pixelCount()));
+  subject.whole = allPixels(frames.coverage, chosen, frames.highend.color.pixelCount());
   compare::Rect box;
   for (const std::size_t m : chosen) {
-    subject.lists.push_back(frames.coverage[m]);
+    subject.materials.push_back(&frames.coverage[m]);
     subject.crops.push_back(cropOf(frames.coverage[m], width, height));
     box = unionOf(box, subject.crops.back());
   }
@@ -121,24 +107,50 @@ Subject makeSubject(const ViewFrames& frames, const std::vector<std::size_t>& ch
   return subject;
 }
 
-compare::Measurement measureView(const Settings& settings, const ViewFrames& frames, const Displayed& reference,
-                                 const Displayed& test, const Subject& subject, const ViewComparisonRequest& request) {
+// A frame's linear light as the camera exposes it.
+class Exposed {
+public:
+  Exposed(const base::Image& color, float exposureEv)
+      : m_copy(exposureEv != 0 ? expose(color, exposureEv) : base::Image()),
+        m_image(m_copy.empty() ? &color : &m_copy) {}
+  Exposed(const Exposed&) = delete;
+  Exposed& operator=(const Exposed&) = delete;
+  const base::Image& image() const { return *m_image; }
+
+private:
+  base::Image m_copy;
+  const base::Image* m_image;
+};
+
+struct ViewMeasurement {
+  compare::Measurement whole;
+  compare::SwapMeasurement materials;
+};
+
+ViewMeasurement measureView(Context& context, const ViewFrames& frames, const Displayed& reference,
+                            const Displayed& test, const Subject& subject, const ViewComparisonRequest& request) {
   std::vector<std::uint32_t> invalid = reference.nonFinite;
   invalid.insert(invalid.end(), test.nonFinite.begin(), test.nonFinite.end());
-  base::Image exposed[2];
-  const base::Image* linear[] = {&frames.highend.color, &frames.mobile.color};
-  if (request.exposureEv != 0)
-    for (int i = 0; i < 2; ++i) {
-      exposed[i] = expose(*linear[i], request.exposureEv);
-      linear[i] = &exposed[i];
-    }
+  // A target that is displayed cuts light off above white: figures of linear light are of what the shader made.
+  const bool isCut = !frames.highendMobileLight.empty();
+  const Exposed highend(frames.highend.color, request.exposureEv),
+      mobile(isCut ? frames.mobileBeforeTarget : frames.mobile.color, request.exposureEv);
   compare::MeasureRequest measure;
-  measure.metrics = settings.metrics;
+  measure.metrics = context.settings().metrics;
   measure.statistics = request.statistics;
   measure.options.box = subject.box;
   if (request.pictures) measure.keepMaps = {"flip"}; // for the pictures
-  return compare::measureRegions({reference.pixels, test.pixels, linear[0], linear[1], invalid}, subject.lists,
-                                 measure);
+  std::vector<compare::Swap> swaps(subject.materials.size());
+  base::parallelFor(swaps.size(), 1, [&](std::size_t i, std::size_t) {
+    const base::PixelList& list = *subject.materials[i];
+    const std::size_t material = static_cast<std::size_t>(&list - frames.coverage.data());
+    swaps[i] = displaySwap(context, list, frames.highendMobile[material], 0, request.exposureEv, &test);
+    if (isCut && !list.pixels.empty())
+      swaps[i].linear = Exposed(frames.highendMobileLight[material].planes[0], request.exposureEv).image();
+  });
+  return {compare::measureRegions({reference.pixels, test.pixels, &highend.image(), &mobile.image(), invalid},
+                                  {subject.whole}, measure),
+          compare::measureSwaps(referenceOf(reference, highend.image()), swaps, measure)};
 }
 
 } // namespace
@@ -165,51 +177,52 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
   const std::vector<std::size_t>& chosen = compared.materials =
       chooseMaterials(scene, settings.materials, frames.coverage.size());
   Subject subject;
-  compare::Measurement measured;
+  ViewMeasurement measured;
   {
     const base::Stopwatch watch(&context.timings(), "metrics");
     subject = makeSubject(frames, chosen, !settings.materials.empty());
-    measured = measureView(settings, frames, reference, test, subject, request);
+    measured = measureView(context, frames, reference, test, subject, request);
   }
 
   const auto measureSince = [&](const base::Image& before) {
-    return measureStage(context, {before, frames.mobile.color, test, subject.lists, subject.box, request.exposureEv});
+    return measureStage(context, {before, frames.mobile.color, test, subject.whole, subject.materials, subject.box,
+                                  request.exposureEv});
   };
-  std::vector<compare::RegionFigures> encoding = measureSince(frames.mobileBeforeTarget), textures;
-  if (settings.mobileTextures != base::AstcBlock::none)
+  std::vector<compare::Figures> encoding = measureSince(frames.mobileBeforeTarget), textures;
+  if (settings.mobileTextures != base::TextureBlock::none)
     textures = measureSince(frames.mobileOfOriginals.empty() ? frames.mobile.color : frames.mobileOfOriginals);
   const std::string &target = gpu::outputTargetNames()[static_cast<std::size_t>(settings.mobileTarget)],
-                    &block = base::astcBlockNames()[static_cast<std::size_t>(settings.mobileTextures)];
+                    &block = base::textureBlockNames()[static_cast<std::size_t>(settings.mobileTextures)];
 
   std::optional<TruthComparison> truth;
   if (settings.truth)
-    truth = compareWithTruth(context, frames,
-                             {reference, test, subject.lists, subject.box, request.exposureEv, request.pictures});
+    truth = compareWithTruth(
+        context, frames,
+        {reference, test, subject.whole, subject.materials, subject.box, request.exposureEv, request.pictures});
 
   compare::ViewResult& view = compared.view;
   view.name = request.viewName;
   view.width = settings.width;
   view.height = settings.height;
   view.exposureEv = request.exposureEv;
-  view.whole = measured.regions[0];
+  view.whole = measured.whole.regions[0];
   view.encoding = {target, std::move(encoding[0])};
   if (!textures.empty()) view.textures = {block, std::move(textures[0])};
-  if (truth) view.truth = truth->regions[0];
+  if (truth) view.truth = truth->whole;
   view.materials.resize(chosen.size());
   base::parallelFor(chosen.size(), 1, [&](std::size_t i, std::size_t) {
     const base::PixelList& list = frames.coverage[chosen[i]];
     compare::MaterialResult& material = view.materials[i];
     material.name = scene.materials[chosen[i]].name;
-    material.figures = measured.regions[i + 1];
+    material.figures = measured.materials.figures[i];
+    material.notModelled = scene.materials[chosen[i]].notModelled;
     material.notes = materialNotes(scene.materials[chosen[i]], settings.mobile);
     if (std::string excess = mobile::describeExcess(scene.materials[chosen[i]], request.samplers); !excess.empty())
       material.notes.push_back(std::move(excess));
-    if (isFlat(reference.pixels, test.pixels, list))
-      material.notes.push_back("all black or all white in both pictures: there is nothing to compare");
     material.terms = termFigures(frames, list);
     material.encoding = {target, std::move(encoding[i + 1])};
     if (!textures.empty()) material.textures = {block, std::move(textures[i + 1])};
-    if (truth) material.truth = truth->regions[i + 1];
+    if (truth) material.truth = truth->materials[i];
   });
   if (!request.pictures) return compared;
 
@@ -217,13 +230,15 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
   ViewPictures pictures;
   pictures.highend = &reference.pixels;
   pictures.mobile = &test.pixels;
-  pictures.flip = measured.findMap("flip");
+  pictures.flip = measured.whole.findMap("flip");
+  pictures.materials = subject.materials;
+  pictures.materialFlip = &measured.materials.flip;
   if (truth) {
     pictures.truth = &truth->truth.pixels;
     pictures.highendTruthFlip = &truth->highendFlip;
     pictures.mobileTruthFlip = &truth->mobileFlip;
   }
-  if (request.pixelData) pictures.planes = planesOf(frames, *pictures.flip, chosen);
+  if (request.pixelData) pictures.planes = planesOf(frames, *pictures.flip, measured.materials.flip, chosen);
   compared.pictures = encodeViewPictures(view, pictures, subject.crops, chosen, request.imagePrefix);
   return compared;
 }

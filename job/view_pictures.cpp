@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/file.h"
+#include "base/frame.h"
 #include "base/image_io.h"
 #include "base/parallel.h"
 #include "compare/magma.h"
@@ -21,6 +22,15 @@ base::Image8 crop(const base::Image8& image, const compare::Rect& box) {
   for (int y = 0; y < out.height; ++y)
     std::copy_n(image.at(box.x, box.y + y), static_cast<std::size_t>(out.width) * image.channels, out.at(0, y));
   return out;
+}
+
+// A material's own FLIP in its crop; 0 elsewhere.
+base::Image ownFlip(const base::PixelList& list, const std::vector<float>& flip, const compare::Rect& box, int width) {
+  base::Image map(box.width, box.height, 1);
+  for (std::size_t i = 0; i < list.pixels.size(); ++i)
+    *map.at(static_cast<int>(list.pixels[i]) % width - box.x, static_cast<int>(list.pixels[i]) / width - box.y) =
+        flip[i];
+  return map;
 }
 
 struct Picture {
@@ -69,7 +79,8 @@ std::vector<EncodedPicture> encodeViewPictures(compare::ViewResult& view, const 
   std::vector<Task> tasks;
   const auto add = [&](const compare::ImageSet& set, const std::optional<compare::Truth>& truth,
                        const std::optional<compare::Rect>& box) {
-    std::vector<Picture> all = {{pictures.highend, set.reference}, {pictures.mobile, set.test}, {&heat, set.flip}};
+    std::vector<Picture> all = {{pictures.highend, set.reference}, {pictures.mobile, set.test}};
+    if (!box) all.push_back({&heat, set.flip});
     if (truth) {
       all.push_back({pictures.truth, truth->images.truth});
       all.push_back({&highendHeat, truth->images.highendFlip});
@@ -80,6 +91,13 @@ std::vector<EncodedPicture> encodeViewPictures(compare::ViewResult& view, const 
   add(view.images, view.truth, std::nullopt);
   for (std::size_t i = 0; i < view.materials.size(); ++i)
     if (!crops[i].empty()) add(view.materials[i].crops, view.materials[i].truth, crops[i]);
+  std::vector<base::Image8> ownHeats(view.materials.size());
+  for (std::size_t i = 0; i < view.materials.size(); ++i) {
+    if (crops[i].empty()) continue;
+    ownHeats[i] = quantize(compare::magmaImage(
+        ownFlip(*pictures.materials[i], (*pictures.materialFlip)[i], crops[i], pictures.flip->width)));
+    tasks.push_back({{&ownHeats[i], view.materials[i].crops.flip}, std::nullopt});
+  }
   std::vector<compare::PixelPlane> planes = pictures.planes.color;
   planes.insert(planes.end(), pictures.planes.terms.begin(), pictures.planes.terms.end());
   std::vector<EncodedPicture> encoded(tasks.size());

@@ -15,9 +15,11 @@ namespace parity::job {
 
 // What is written, as PNG; the three after `flip` are set where there is a truth. And as pixel files.
 struct ViewPictures {
-  const base::Image8 *highend = nullptr, *mobile = nullptr; // as displayed
-  const base::Image* flip = nullptr;                        // of mobile against high-end
-  const base::Image8* truth = nullptr;                      // as displayed
+  const base::Image8 *highend = nullptr, *mobile = nullptr;      // as displayed
+  const base::Image* flip = nullptr;                             // of mobile against high-end
+  std::vector<const base::PixelList*> materials;                 // of the view, in their order
+  const std::vector<std::vector<float>>* materialFlip = nullptr; // of each the FLIP of its pixels, by the material swap
+  const base::Image8* truth = nullptr;                           // as displayed
   const base::Image *highendTruthFlip = nullptr, *mobileTruthFlip = nullptr;
   ViewPlanes planes; // none: no such files
 };
@@ -29,8 +31,8 @@ struct EncodedPicture {
 };
 
 // Makes images/PREFIX_*.png and names them in the view; of each material whose crop is not empty
-// images/PREFIX_mNUMBER_*.png. crops and numbers: as many as the view has materials. Of planes pixels/PREFIX.js and
-// pixels/PREFIX_terms.js. Throws Error (exit 4).
+// images/PREFIX_mNUMBER_*.png, FLIP of which is the material's own. crops and numbers: as many as the view has
+// materials. Of planes pixels/PREFIX.js and pixels/PREFIX_terms.js. Throws Error (exit 4).
 std::vector<EncodedPicture> encodeViewPictures(compare::ViewResult& view, const ViewPictures& pictures,
                                                const std::vector<compare::Rect>& crops,
                                                const std::vector<std::size_t>& numbers, const std::string& prefix);

@@ -15,10 +15,12 @@ struct ViewPlanes {
   std::deque<base::Image> made;
 };
 
-// color: highend, mobile, truth where there is one (linear, before exposure), flip, material: 1 + the place in `chosen`
-// of the one that covers most of the pixel, 0 where none does. terms: as below. chosen: materials by their places in
-// the coverage.
-ViewPlanes planesOf(const ViewFrames& frames, const base::Image& flip, const std::vector<std::size_t>& chosen);
+// materialFlip: of each chosen material the FLIP of its pixels, by the material swap. color: highend, mobile, truth
+// where there is one (linear, before exposure), flip (of the whole images), materialFlip (of the material that covers
+// most of a pixel; by the material swap), material: 1 + the place in `chosen` of the one that covers most of the pixel,
+// 0 where none does. terms: as below. chosen: materials by their places in the coverage.
+ViewPlanes planesOf(const ViewFrames& frames, const base::Image& flip,
+                    const std::vector<std::vector<float>>& materialFlip, const std::vector<std::size_t>& chosen);
 
 // highend.TERM and mobile.TERM of each term that is not black in both; empty where the frames have no terms.
 std::vector<compare::PixelPlane> termPlanesOf(const ViewFrames& frames);

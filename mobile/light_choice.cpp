@@ -44,8 +44,8 @@ float distanceTo(const scenes::Light& light, const Sphere& sphere) {
 float rank(const scenes::Light& light, const Sphere& sphere) {
   if (light.kind == scenes::LightKind::spot && !coneMayTouch(light, sphere)) return 0;
   const float distance = distanceTo(light, sphere);
-  return luminanceOf(light.color) *
-         static_cast<float>(shading::f32::squareFalloffUE4(distance * distance, light.range));
+  return luminanceOf(light.color) * shading::f32::distanceFalloff(static_cast<int>(light.falloff), distance * distance,
+                                                                  light.range, light.falloffExponent);
 }
 
 // By luminance, the first among equals.
@@ -56,10 +56,12 @@ std::optional<std::size_t> brightest(std::span<const scenes::Light> lights, scen
   return best;
 }
 
-// About the mean over the object of a light of this rank: that is of the nearest point, and has no bound within the
-// sphere; the object's surface lies about half a radius away, and a light that fades before it lights a part of it.
+// About the mean over the object of a light of this rank: that is of the nearest point, and by an inverse square has no
+// bound within the sphere; the object's surface lies about half a radius away, and a light that fades before it lights
+// a part of it.
 float meanOver(const Sphere& sphere, const scenes::Light& light, float rank) {
-  const float d2 = distanceTo(light, sphere) * distanceTo(light, sphere) + 1e-4f; // as squareFalloffUE4 softens it
+  if (light.falloff == scenes::Falloff::exponent) return rank;
+  const float distance = distanceTo(light, sphere), d2 = std::max(distance * distance, 1e-4f); // as it is cut off there
   return rank * std::min(4 * d2 / (sphere.radius * sphere.radius), 1.f);
 }
 

@@ -31,12 +31,25 @@ Options presetByName(const std::string& name) {
                     fmt::format("unknown; the presets are {}", fmt::join(presetNames(), ", ")));
 }
 
+const std::vector<std::string>& environmentBrdfNames() {
+  static const std::vector<std::string> names = {"karis2014", "ue4", "refit"};
+  return names;
+}
+CaptureScale captureScaleOf(const Options& options, bool hasCaptures) {
+  if (options.captureScale != CaptureScale::automatic) return options.captureScale;
+  return hasCaptures ? CaptureScale::mixing : CaptureScale::sky;
+}
+
 const std::vector<std::string>& precisionNames() {
   static const std::vector<std::string> names = {"fp16", "fp32"};
   return names;
 }
+const std::vector<std::string>& directLobeNames() {
+  static const std::vector<std::string> names = {"d-approx", "calc-specular", "refit", "phong-approx"};
+  return names;
+}
 const std::vector<std::string>& captureScaleNames() {
-  static const std::vector<std::string> names = {"none", "full", "by-roughness", "occlusion"};
+  static const std::vector<std::string> names = {"auto", "sky", "mixing", "full", "occlusion"};
   return names;
 }
 const std::vector<std::string>& captureEncodingNames() {

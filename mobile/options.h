@@ -14,12 +14,21 @@ enum class Precision { fp16, fp32 };
 // one read leans off the mirror direction and to which the direct lobe `refit` belongs.
 enum class EnvironmentBrdf { karis2014, ue4, refit };
 
-// The lobe of direct light: D_Approx around the reflection vector, CalcSpecular around the half vector, or GGX and
-// Smith whole.
-enum class DirectLobe { dApprox, calcSpecular, refit };
+// The lobe of direct light: D_Approx around the reflection vector, CalcSpecular around the half vector, GGX and Smith
+// whole (of EnvironmentBrdf::refit alone), or D_Approx as the engine ships it, with a floor and a bound.
+enum class DirectLobe { dApprox, calcSpecular, refit, phongApprox };
 
-// How the reflected environment follows the baked light (captureScale of shading/capture.glsl).
-enum class CaptureScale { none, full, byRoughness, occlusion };
+// How the reflected environment follows the indirect light (captureScale of shading/capture.glsl), besides
+// SkyLightColor, which scales every environment that is no scene capture. automatic: as the engine, by what the cube is
+// (captureScaleOf).
+enum class CaptureScale { automatic, sky, mixing, full, occlusion };
+
+// Of the mixing weight: the roughness where it begins and where it is whole, 0 <= begin < end <= 1; the largest weight,
+// above 0, at most kMaxMixingWeight. Unreal Engine 4's defaults.
+struct Mixing {
+  float begin = 0.1f, end = 0.3f, largest = 10000;
+};
+inline constexpr float kMaxMixingWeight = 65504; // the largest half
 
 // How the capture is stored: RGBM in 8 bits, or 16-bit floats.
 enum class CaptureEncoding { rgbm, fp16 };
@@ -28,11 +37,17 @@ struct Options {
   std::string preset = "ue4-2020"; // the name of the set that the knobs began as
   EnvironmentBrdf environmentBrdf = EnvironmentBrdf::ue4;
   DirectLobe directLobe = DirectLobe::calcSpecular;
-  CaptureScale captureScale = CaptureScale::byRoughness;
+  CaptureScale captureScale = CaptureScale::automatic;
+  Mixing mixing;
   CaptureEncoding capture = CaptureEncoding::rgbm;
   int skyCoefficients = 4;          // of the SH irradiance: 4 or 9
   bool localLights = true;          // up to four an object; false: all are baked
   bool spotShadow = false;          // of the one spot light that is the brightest (mobile/light_choice.h)
+  float spotShadowSharpen = 1;      // about the middle of its soft edge, 1 to 8 (sharpenedShadow)
+  float spotShadowFade = 1;         // how much of it is seen, 0 to 1
+  bool sunShadow = false;           // of the one sun, by a map of its own, beside the baked one
+  float sunShadowDistance = 200;    // metres along the view from which on it is gone
+  float sunShadowFade = 0.1f;       // the last share of that over which it goes, 0 to 1
   float roughnessFloor = 0.015625f; // 0.015625^4 = 2^-24
   Precision precision = Precision::fp16;
 };
@@ -44,9 +59,14 @@ const std::vector<std::string>& presetNames();
 // Throws Error (usage) naming the known presets.
 Options presetByName(const std::string& name);
 
+// What acts: of `automatic` mixing where the cubes are scene captures, sky where the cube is the environment.
+CaptureScale captureScaleOf(const Options& options, bool hasCaptures);
+
 // Names as the command line and reports have them, in the order of the enumerators.
+const std::vector<std::string>& environmentBrdfNames(); // "karis2014", "ue4", "refit"
+const std::vector<std::string>& directLobeNames();      // "d-approx", "calc-specular", "refit", "phong-approx"
 const std::vector<std::string>& precisionNames();       // "fp16", "fp32"
-const std::vector<std::string>& captureScaleNames();    // "none", "full", "by-roughness", "occlusion"
+const std::vector<std::string>& captureScaleNames();    // "auto", "sky", "mixing", "full", "occlusion"
 const std::vector<std::string>& captureEncodingNames(); // "rgbm", "fp16"
 
 } // namespace parity::mobile

@@ -23,23 +23,34 @@ static_assert(is(EnvironmentBrdf::karis2014, numbers::kEnvironmentBrdfKaris2014)
               is(EnvironmentBrdf::ue4, numbers::kEnvironmentBrdfUE4) &&
               is(EnvironmentBrdf::refit, numbers::kEnvironmentBrdfRefit));
 static_assert(is(DirectLobe::dApprox, numbers::kSunDApprox) &&
-              is(DirectLobe::calcSpecular, numbers::kSunCalcSpecular) && is(DirectLobe::refit, numbers::kSunRefit));
-static_assert(is(CaptureScale::none, numbers::kCaptureScaleNone) &&
-              is(CaptureScale::full, numbers::kCaptureScaleFull) &&
-              is(CaptureScale::byRoughness, numbers::kCaptureScaleByRoughness) &&
-              is(CaptureScale::occlusion, numbers::kCaptureScaleOcclusion));
+              is(DirectLobe::calcSpecular, numbers::kSunCalcSpecular) && is(DirectLobe::refit, numbers::kSunRefit) &&
+              is(DirectLobe::phongApprox, numbers::kSunPhongApprox));
+// `automatic` stands before them.
+static_assert(is(CaptureScale::sky, numbers::kCaptureScaleSky + 1) &&
+              is(CaptureScale::mixing, numbers::kCaptureScaleMixing + 1) &&
+              is(CaptureScale::full, numbers::kCaptureScaleFull + 1) &&
+              is(CaptureScale::occlusion, numbers::kCaptureScaleOcclusion + 1));
+// The engine's defaults, which the high-end path has too.
+constexpr Mixing kEngineMixing;
+static_assert(kEngineMixing.begin == numbers::kMixingBegin && kEngineMixing.end == numbers::kMixingEnd &&
+              kEngineMixing.largest == numbers::kMixingLargest);
 
-std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t view, bool hasSpotShadow,
-                                       std::uint32_t baked) {
+// Bits of the shader's kShadowMaps.
+constexpr std::uint32_t kShadowOfSpot = 1, kShadowOfSun = 2;
+
+std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t view, std::uint32_t shadowMaps,
+                                       std::uint32_t baked, std::uint32_t falloffs) {
+  const CaptureScale scale = captureScaleOf(options, (baked & gpu::kBakedCaptures) != 0);
   return {static_cast<std::uint32_t>(options.environmentBrdf),
           static_cast<std::uint32_t>(options.directLobe),
-          static_cast<std::uint32_t>(options.captureScale),
+          static_cast<std::uint32_t>(scale) - 1,
           static_cast<std::uint32_t>(options.skyCoefficients),
           options.capture == CaptureEncoding::rgbm ? 1u : 0u,
           std::bit_cast<std::uint32_t>(options.roughnessFloor),
           view,
-          hasSpotShadow ? 1u : 0u,
-          baked};
+          shadowMaps,
+          baked,
+          falloffs};
 }
 
 // kBaked... bits of what is read.
@@ -53,18 +64,30 @@ std::uint32_t bakedPartsOf(const Inputs& inputs, const gpu::SceneBuffers& scene,
   return parts;
 }
 
-// The SH of the sky light, and the capture's average brightness: the luminance of the mean radiance, which is the
-// irradiance's first coefficient times Y_0 over pi.
-std::array<glm::vec4, gpu::kPathNumbers> numbersOf(const gpu::EnvironmentMaps& environment, int skyCoefficients) {
+// The SH of the sky light; of the capture its average brightness, which is the luminance of its mean radiance in
+// SkyLightColor, as its texels are read; and the mixing weight.
+std::array<glm::vec4, gpu::kPathNumbers> numbersOf(const gpu::EnvironmentMaps& environment, const Options& options,
+                                                   const glm::vec3& skyLightColor) {
   std::array<glm::vec4, gpu::kPathNumbers> result{};
   shading::f32::IrradianceSh sh;
   for (std::size_t i = 0; i < environment.sh.size(); ++i)
     sh.c[i] = {environment.sh[i].x, environment.sh[i].y, environment.sh[i].z};
-  const shading::f32::SkySh sky = shading::f32::packSkySh(sh, skyCoefficients);
+  const shading::f32::SkySh sky = shading::f32::packSkySh(sh, options.skyCoefficients);
   for (int i = 0; i < 9; ++i) result[gpu::kPathSkySh + i] = glm::vec4(sky.c[i].x, sky.c[i].y, sky.c[i].z, 0);
-  const shading::f32::SkySh mean = shading::f32::packSkySh(sh, 4);
-  result[gpu::kPathAverageBrightness].x = shading::f32::luminanceUE4(mean.c[0]);
+  const shading::f32::real32x3 mean = shading::f32::skyMeanRadiance(sh);
+  result[gpu::kPathAverageBrightness].x =
+      shading::f32::luminanceUE4({mean.x * skyLightColor.x, mean.y * skyLightColor.y, mean.z * skyLightColor.z});
+  const Mixing& mixing = options.mixing;
+  const shading::f32::MixingRange range = shading::f32::mixingRange(mixing.begin, mixing.end, mixing.largest);
+  result[gpu::kPathMixing] = glm::vec4(range.scale, range.bias, range.largest, 0);
   return result;
+}
+
+// Of the shadow maps: how the sun's fades with the distance, and the spot light's sharpen and fade.
+glm::vec4 shadowNumbersOf(const Options& options) {
+  const shading::f32::DistanceFade MAD =
+      shading::f32::distanceFadeMAD(options.sunShadowDistance, options.sunShadowFade);
+  return {MAD.x, MAD.y, options.spotShadowSharpen, options.spotShadowFade};
 }
 
 } // namespace
@@ -116,6 +139,8 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
       std::count_if(lights.begin(), lights.end(), [](const auto& l) { return l.kind == scenes::LightKind::spot; });
   const auto spot =
       inputs.shadows && options.spotShadow && options.localLights ? chooseShadowSpot(lights) : std::nullopt;
+  const bool hasSunShadow = inputs.shadows && options.sunShadow && sun;
+  if (options.sunShadow && !sun) m_notes.emplace_back("no sun casts a shadow: there is none");
   if (options.spotShadow && !options.localLights)
     m_notes.push_back(fmt::format("no spot light casts a shadow: {} has local lights baked", options.preset));
   else if (options.spotShadow && spots == 0)
@@ -123,20 +148,26 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   else if (options.spotShadow && spots > 1)
     m_notes.push_back(fmt::format("{} of {} spot lights cast no shadow: the path has one that does, the brightest",
                                   spots - 1, spots));
-  for (std::size_t k = 0; k < lights.size(); ++k)
-    program.lights.push_back(
-        gpu::packLight(lights[k], k == spot ? inputs.shadows->of(lights[k]) : gpu::ShadowOfLight()));
-  program.shadows = spot ? inputs.shadows : nullptr;
-  m_hasSpotShadow = spot.has_value();
+  for (std::size_t k = 0; k < lights.size(); ++k) {
+    const bool casts = k == spot || (hasSunShadow && k == 0);
+    program.lights.push_back(gpu::packLight(lights[k], casts ? inputs.shadows->of(lights[k]) : gpu::ShadowOfLight()));
+  }
+  program.shadows = m_shadows = spot || hasSunShadow ? inputs.shadows : nullptr;
   program.directionalCount = sun ? 1 : 0;
   program.environment = inputs.environment;
-  if (inputs.environment) program.numbers = numbersOf(*inputs.environment, options.skyCoefficients);
+  if (inputs.environment)
+    program.numbers = numbersOf(*inputs.environment, options, scene.scene().lightScales.skyLightColor);
   program.textures = inputs.textures;
   program.baked = inputs.baked;
   if (inputs.baked) program.numbers[gpu::kPathAverageBrightness].y = inputs.baked->transitionScale;
+  program.numbers[gpu::kPathShadows] = shadowNumbersOf(options);
   m_baked = bakedPartsOf(inputs, scene, sun.has_value());
-  program.constants = constantsOf(options, inputs.view, m_hasSpotShadow, m_baked);
-  program.everySceneConstants = constantsOf(options, inputs.view, options.spotShadow && options.localLights, m_baked);
+  program.constants = constantsOf(options, inputs.view, (spot ? kShadowOfSpot : 0) | (hasSunShadow ? kShadowOfSun : 0),
+                                  m_baked, gpu::falloffsOf(lights));
+  program.everySceneConstants = constantsOf(options, inputs.view,
+                                            (options.spotShadow && options.localLights ? kShadowOfSpot : 0) |
+                                                (options.sunShadow ? kShadowOfSun : 0),
+                                            m_baked, gpu::kFalloffsAll);
   program.terms = inputs.terms;
   program.premultiplied = true;
   program.expectedPixels = inputs.expectedPixels;
@@ -144,16 +175,19 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   m_pass = std::make_unique<gpu::ShadingPass>(device, scene, binKinds, std::move(program));
 }
 
-std::optional<scenes::Light> Renderer::needsSpotMap(const std::vector<scenes::Light>& lights, const Options& options) {
+std::vector<scenes::Light> Renderer::needsShadowMaps(const std::vector<scenes::Light>& lights, const Options& options) {
+  const auto sun = options.sunShadow ? chooseSun(lights) : std::nullopt;
   const auto spot = options.spotShadow && options.localLights ? chooseShadowSpot(lights) : std::nullopt;
-  return spot ? std::optional(lights[*spot]) : std::nullopt;
+  std::vector<scenes::Light> casting;
+  for (const auto& light : {sun, spot})
+    if (light) casting.push_back(lights[*light]);
+  return casting;
 }
 
 std::size_t Renderer::countSamplers(const gpu::Permutation& permutation) const {
   const bool lit = (permutation.mustFeatures & gpu::kFeatureUnlit) == 0;
   const bool fetches = (permutation.mustFeatures & (gpu::kFeatureUnlit | gpu::kFeatureFullyRough)) == 0;
-  return gpu::countTextures(permutation.textures) + (m_hasEnvironment && fetches ? 1 : 0) +
-         (m_hasSpotShadow && lit ? 1 : 0) +
+  return gpu::countTextures(permutation.textures) + (m_hasEnvironment && fetches ? 1 : 0) + (m_shadows && lit ? 1 : 0) +
          (lit ? std::popcount(m_baked & (gpu::kBakedLightmap | gpu::kBakedSunShadow)) : 0);
 }
 

@@ -15,8 +15,8 @@ namespace parity::mobile {
 struct Inputs {
   const gpu::EnvironmentMaps* environment = nullptr; // the capture, in the options' encoding; null: none
   std::vector<scenes::Light> lights = {};            // all of the scene's, and the sun; the path takes what it can
-  const gpu::ShadowMaps* shadows = nullptr;          // with that of needsSpotMap; null: none
-  const gpu::Textures* textures = nullptr;           // as the path stores them; null: the scene's as they are
+  gpu::ShadowMaps* shadows = nullptr;      // with those of needsShadowMaps, fitted to what is shaded; null: none
+  const gpu::Textures* textures = nullptr; // as the path stores them; null: the scene's as they are
   // Read where the scene's buffers know of a lightmap, in the encodings of this path. Its sun shadow is that of the one
   // sun. Its captures are those of `environment`: each object has its own.
   const gpu::BakedMaps* baked = nullptr;
@@ -34,6 +34,7 @@ public:
   Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, const std::vector<gpu::BinKind>& binKinds,
            const Inputs& inputs, const Options& options);
   gpu::ShadedSurface shade(const gpu::Surface& surface, const scenes::Camera& camera) const {
+    if (m_shadows) m_shadows->fitTo(surface);
     return m_pass->shade(surface, camera);
   }
   const gpu::ShadingPass& pass() const { return *m_pass; }
@@ -43,15 +44,16 @@ public:
   // Objects for which local lights were chosen: none where the path loops over none.
   std::size_t lightChoices() const { return m_lightChoices; }
 
-  // The spot light whose shadow map it reads with these inputs.
-  static std::optional<scenes::Light> needsSpotMap(const std::vector<scenes::Light>& lights, const Options& options);
+  // The lights whose shadow maps it reads with these inputs: the sun, the brightest spot light, both or none.
+  static std::vector<scenes::Light> needsShadowMaps(const std::vector<scenes::Light>& lights, const Options& options);
 
   // What the path leaves out, in words for the report ("2 of 6 local lights: ..."); empty where it leaves out nothing.
   const std::vector<std::string>& notes() const { return m_notes; }
 
 private:
-  bool m_hasEnvironment, m_hasSpotShadow = false;
-  std::uint32_t m_baked = 0; // kBaked... bits
+  bool m_hasEnvironment;
+  gpu::ShadowMaps* m_shadows = nullptr; // none where no light has one
+  std::uint32_t m_baked = 0;            // kBaked... bits
   std::size_t m_lightChoices = 0;
   std::vector<std::string> m_notes;
   std::unique_ptr<gpu::ShadingPass> m_pass;

@@ -9,7 +9,7 @@ namespace parity::mobile {
 std::size_t countSamplers(const scenes::Material& material, const SamplerInputs& inputs) {
   const bool fetches = inputs.environment && !material.unlit && !material.fullyRough;
   return gpu::countSamplers(material, inputs.normalVariance) + (fetches ? 1 : 0) +
-         (inputs.spotShadow && !material.unlit ? 1 : 0) + (inputs.lightmap && !material.unlit ? 1 : 0) +
+         (inputs.shadowMap && !material.unlit ? 1 : 0) + (inputs.lightmap && !material.unlit ? 1 : 0) +
          (inputs.sunShadow && !material.unlit ? 1 : 0);
 }
 

@@ -14,7 +14,7 @@ inline constexpr std::size_t kMaxSamplers = 8;
 
 struct SamplerInputs {
   bool environment = false;                 // there is one to be fetched
-  bool spotShadow = false;                  // a spot light has a shadow map
+  bool shadowMap = false;                   // a spot light or the sun has one: all lie in one image
   bool lightmap = false, sunShadow = false; // baked, for some object
   bool normalVariance = false;              // normal maps carry the spread of their normals (gpu/normal_variance.h)
 };

@@ -14,8 +14,8 @@ const std::array<View, kViewCount> kViews = {{
     {"Lighting.Diffuse", "NoL DiffuseColor, of the directional light"},
     {"Lighting.Specular", "SpecularColor NoL lobe, of the directional light"},
     {"Lighting", "Lighting.Diffuse + Lighting.Specular"},
-    {"SpecularIBL", "GetImageBasedReflectionLighting: the environment as fetched, in its scale"},
-    {"SpecularIBL.Lit", "SpecularIBL times SpecularColor; of refit in the sky light's colour, too"},
+    {"SpecularIBL", "GetImageBasedReflectionLighting: the environment as fetched, in its scale and SkyLightColor"},
+    {"SpecularIBL.Lit", "SpecularIBL times SpecularColor"},
     {"Color.AfterIBL", "what has been added up once SpecularIBL is in"},
     {"DynamicPointLights", "AccumulateLightingOfDynamicPointLight, of all local lights"},
     {"SkyLight", "SkyDiffuseLighting SkyLightColor DiffuseColor MaterialAO"},
@@ -31,7 +31,7 @@ const std::array<View, kViewCount> kViews = {{
     {"Roughness", "of the material, not below the preset's floor"},
     {"MaterialAO", "of the material"},
     {"Opacity", "of the material"},
-    {"Shadow", "of the directional light: 1 without a distance-field shadow"},
+    {"Shadow", "of the directional light: 1 without a distance field and without --mobile-sun-shadow"},
     {"NoL", "max(0, N.L) of the directional light"},
     {"NoH", "max(0, N.H) of the directional light"},
     {"NoV", "max(0, N.V)"},
@@ -39,6 +39,10 @@ const std::array<View, kViewCount> kViews = {{
     {"WorldNormal", "after normal mapping"},
     {"ReflectionVector", "2 (N.V) N - V"},
     {"SkyLightColor", "the scale of the sky's light"},
+    {"EnvBRDF.A", "of the preset's approximation: what SpecPreEnvBrdf is multiplied with"},
+    {"EnvBRDF.B", "of it: what is added, in all three channels"},
+    {"EnvBRDF", "SpecPreEnvBrdf A + B as the material has it, nonmetal or fully rough as it may be"},
+    {"EnvBRDF.Multiple", "what refit adds for light that scatters more than once; 0 of the other presets"},
 }};
 
 std::optional<std::uint32_t> viewByName(const std::string& name) {

@@ -21,7 +21,8 @@ glm::dvec3 safeNormalize(const glm::dvec3& v, const glm::dvec3& fallback) {
   return {n.x, n.y, n.z};
 }
 
-// Illuminance at the point, on a surface facing the light, and the way to it (KHR_lights_punctual).
+// Illuminance at the point, on a surface facing the light, and the way to it (scenes::Falloff, KHR_lights_punctual's
+// cone).
 struct Incident {
   glm::dvec3 direction, illuminance;
   double distance;
@@ -31,7 +32,8 @@ Incident incidentFrom(const scenes::Light& light, const glm::dvec3& position) {
   if (light.kind == scenes::LightKind::directional) return {-axis, color, std::numeric_limits<double>::infinity()};
   const glm::dvec3 d = glm::dvec3(light.position) - position;
   const glm::dvec3 L = safeNormalize(d, -axis); // at the light itself: as if from its axis
-  double attenuation = f64::squareFalloff(glm::dot(d, d), light.range);
+  double attenuation =
+      f64::distanceFalloff(static_cast<int>(light.falloff), glm::dot(d, d), light.range, light.falloffExponent);
   if (light.kind == scenes::LightKind::spot)
     attenuation *= f64::spotAttenuation(glm::dot(-L, axis), std::cos(static_cast<double>(light.innerConeAngle)),
                                         std::cos(static_cast<double>(light.outerConeAngle)));

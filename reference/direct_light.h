@@ -15,8 +15,8 @@ struct DirectLight {
 };
 
 // The high-end path's formulas in double, its conventions included: analytic lights see no roughness below 1/64, NoV is
-// at least 1e-4, occlusion does not act on them; KHR_lights_punctual's falloff and cones. albedo: as for Lobes.
-// visibility: null where nothing casts shadows.
+// at least 1e-4, occlusion does not act on them; each light's own fall-off (scenes::Falloff), KHR_lights_punctual's
+// cones. albedo: as for Lobes. visibility: null where nothing casts shadows.
 DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::Light>& lights, const Model& model,
                         const DirectionalAlbedo* albedo, const lighting::Visibility* visibility = nullptr);
 

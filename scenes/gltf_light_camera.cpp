@@ -29,6 +29,26 @@ std::optional<glm::dmat3> axesOf(const PlacedNode& node, const char* what, std::
   return glm::dmat3(right, glm::cross(back, right), back);
 }
 
+// extras.falloffExponent: Unreal Engine 4's LightFalloffExponent, for lights without its inverse square.
+void readFalloff(const GltfDocument& document, const tinygltf::Light& source, const std::string& place, Light& light,
+                 std::vector<std::string>& warnings) {
+  if (!source.extras.IsObject() || !source.extras.Has("falloffExponent")) return;
+  const std::string key = place + "/extras/falloffExponent";
+  const tinygltf::Value& value = source.extras.Get("falloffExponent");
+  const double exponent = value.IsNumber() ? value.GetNumberAsDouble() : 0;
+  if (!(exponent > 0 && exponent <= kMaxFalloffExponent))
+    throw document.error(
+        key, fmt::format("is not a number above 0, up to {}; without it the light fades by the inverse square",
+                         kMaxFalloffExponent));
+  if (light.kind == LightKind::directional) {
+    warnings.push_back(fmt::format("{}: ignored, a directional light does not fade", key));
+    return;
+  }
+  if (!(light.range > 0)) throw document.error(key, "needs a finite range: the light fades to nothing there");
+  light.falloff = Falloff::exponent;
+  light.falloffExponent = static_cast<float>(exponent);
+}
+
 } // namespace
 
 std::optional<Light> readLight(const GltfDocument& document, const PlacedNode& node,
@@ -63,6 +83,7 @@ std::optional<Light> readLight(const GltfDocument& document, const PlacedNode& n
   if (light.color == glm::vec3(0)) warnings.push_back(fmt::format("{}: light '{}' is black", place, light.name));
   if (source.range < 0) throw document.error(place + "/range", "is negative");
   light.range = light.kind == LightKind::directional ? 0.f : static_cast<float>(source.range);
+  readFalloff(document, source, place, light, warnings);
   light.position = glm::vec3(node.toWorld[3]);
   if (light.kind != LightKind::point) {
     const auto axes = axesOf(node, "light", warnings);

@@ -107,10 +107,14 @@ enum class LightKind : std::uint8_t { directional, point, spot };
 struct Light {
   std::string name;
   LightKind kind = LightKind::point;
-  glm::vec3 color{1.f}; // linear Rec.709, times intensity: lux (directional) or candela (point, spot)
+  // Linear Rec.709, times intensity: lux (directional), candela (point, spot), or with a falloff exponent the
+  // illuminance at the light itself, lux.
+  glm::vec3 color{1.f};
   glm::vec3 position{0.f};
   glm::vec3 direction{0.f, 0.f, -1.f};                   // unit; the way the light travels
-  float range = 0;                                       // metres; 0: infinite
+  float range = 0;                                       // metres; 0: infinite, not with a falloff exponent
+  Falloff falloff = Falloff::khr;                        // of point and spot lights
+  float falloffExponent = 0;                             // above 0, with Falloff::exponent alone
   float innerConeAngle = 0, outerConeAngle = 0.7853982f; // radians from the axis (spot)
   float specularScale = 1;                               // of its specular light, >= 0: Unreal Engine 4's SpecularScale
 };

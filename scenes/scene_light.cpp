@@ -7,7 +7,12 @@
 
 namespace parity::scenes {
 
-std::string describe(const LightScales& scales, const std::optional<Fog>& fog) {
+const std::vector<std::string>& falloffNames() {
+  static const std::vector<std::string> names = {"khr", "ue4"};
+  return names;
+}
+
+std::string describe(const LightScales& scales, const std::optional<Fog>& fog, Falloff falloff) {
   const auto rgb = [](const glm::vec3& c) { return fmt::format("{},{},{}", c.x, c.y, c.z); };
   const LightScales plain;
   std::vector<std::string> parts;
@@ -16,6 +21,8 @@ std::string describe(const LightScales& scales, const std::optional<Fog>& fog) {
     parts.push_back("lightmaps x " + rgb(scales.indirectColorScale));
   if (scales.directionalSpecularScale != plain.directionalSpecularScale)
     parts.push_back(fmt::format("specular of directional lights x {}", scales.directionalSpecularScale));
+  if (falloff != Falloff::khr)
+    parts.push_back("falloff of local lights: " + falloffNames().at(static_cast<std::size_t>(falloff)));
   if (fog && fog->isSeen())
     parts.push_back(fmt::format("fog of {} per m at {} m, falloff {} per m, colour {}, from {} m on, opacity to {}",
                                 fog->density, fog->height, fog->heightFalloff, rgb(fog->color), fog->startDistance,

@@ -1,8 +1,10 @@
 // What a scene says about its light as a whole: scales of its parts, and fog.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -33,7 +35,14 @@ struct Fog {
 };
 inline constexpr float kMaxFogDensity = 1000, kMaxFogFalloff = 1000, kMaxFogLength = 1e6f, kMaxFogRadiance = 1e6f;
 
+// How a point or spot light fades with distance, the same in every path (distanceFalloff of shading/light.glsl): by
+// KHR_lights_punctual's window, by Unreal Engine 4's, or by the light's own exponent, which no option changes.
+enum class Falloff : std::uint8_t { khr, ue4, exponent };
+inline constexpr float kMaxFalloffExponent = 1000;
+// Those that a run or a suite may choose, in the order of the enumerators: "khr", "ue4".
+const std::vector<std::string>& falloffNames();
+
 // What differs from the defaults, in words for reports; empty where nothing does.
-std::string describe(const LightScales& scales, const std::optional<Fog>& fog);
+std::string describe(const LightScales& scales, const std::optional<Fog>& fog, Falloff falloff);
 
 } // namespace parity::scenes

@@ -21,7 +21,7 @@ constexpr std::size_t kMaxSuiteBytes = std::size_t{16} << 20;
 constexpr std::string_view kBuiltin = "builtin:";
 
 constexpr std::array<std::string_view, 3> kSuiteKeys = {"name", "budgets", "scene"};
-constexpr std::array<std::string_view, 22> kSceneKeys = {"name",
+constexpr std::array<std::string_view, 23> kSceneKeys = {"name",
                                                          "file",
                                                          "time",
                                                          "animation",
@@ -35,6 +35,7 @@ constexpr std::array<std::string_view, 22> kSceneKeys = {"name",
                                                          "sky_light_color",
                                                          "indirect_lighting_color_scale",
                                                          "directional_specular_scale",
+                                                         "falloff",
                                                          "fog",
                                                          "baked",
                                                          "captures",
@@ -230,6 +231,17 @@ LightScales readLightScales(const TableReader& reader) {
   return scales;
 }
 
+Falloff readFalloff(const TableReader& reader) {
+  const std::string name = reader.text("falloff").value_or(falloffNames().front());
+  const auto found = std::find(falloffNames().begin(), falloffNames().end(), name);
+  if (found == falloffNames().end()) {
+    const std::vector<std::string_view> known(falloffNames().begin(), falloffNames().end());
+    throw reader.errorAt("falloff",
+                         fmt::format("'{}' is unknown; {}", cleanName(name), base::describeNearest(name, known)));
+  }
+  return static_cast<Falloff>(found - falloffNames().begin());
+}
+
 // What of the file is compared.
 void readLoading(const TableReader& reader, SuiteEntry& entry) {
   entry.load.timeSeconds = reader.real("time", -kMaxPoseSeconds, kMaxPoseSeconds).value_or(0.0);
@@ -259,6 +271,7 @@ SuiteEntry readEntry(const std::string& label, const std::filesystem::path& fold
     entry.sun = SunRequest{(*sun)[0], (*sun)[1], (*sun)[2]};
   }
   entry.lightScales = readLightScales(reader);
+  entry.falloff = readFalloff(reader);
   if (const toml::table* fog = reader.table("fog")) entry.fog = readFog(label, *fog);
   if (const auto baked = reader.text("baked")) entry.baked = resolve(folder, *baked);
   entry.captures = reader.points("captures", kMaxCapturePlaces);

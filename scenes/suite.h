@@ -25,6 +25,7 @@ struct SuiteEntry {
   bool extractSun = true; // bright compact sources of the environment become lights
   std::optional<SunRequest> sun;
   LightScales lightScales;
+  Falloff falloff = Falloff::khr; // of its point and spot lights that have no exponent
   std::optional<Fog> fog;
   std::string baked;                   // folder of its baked light; "" = none
   std::vector<glm::vec3> captures;     // where `parity bake` puts its environment captures; none: it finds places

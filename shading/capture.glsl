@@ -5,27 +5,61 @@
 
 #include "shading/real.glsl"
 
-// How the environment follows the baked light (captureScale).
-CONSTANT int kCaptureScaleNone = 0;
-CONSTANT int kCaptureScaleFull = 1;
-CONSTANT int kCaptureScaleByRoughness = 2;
+// What the environment's reflection is multiplied with besides SkyLightColor (captureScale).
+CONSTANT int kCaptureScaleSky = 0;
+CONSTANT int kCaptureScaleMixing = 1;
+CONSTANT int kCaptureScaleFull = 2;
 CONSTANT int kCaptureScaleOcclusion = 3;
 
+// Where the mixing weight begins and where it is whole, in roughness; the largest weight. Unreal Engine 4's defaults (the
+// console variables r.ReflectionEnvironmentBeginMixingRoughness and EndMixingRoughness, .1 and .3; and its largest weight).
+CONSTANT real32 kMixingBegin = R32(0.1);
+CONSTANT real32 kMixingEnd = R32(0.3);
+CONSTANT real32 kMixingLargest = R32(10000.0);
+
+// The engine's ReflectionEnvironmentRoughnessMixingScaleBiasAndLargestWeight: a uniform, at least fp32 in every precision.
+struct MixingRange {
+  real32 scale, bias, largest;
+};
+
+//   scale = 1 / (end - begin),  bias = -begin scale      (SHADING 7)
+// Roughness 0 <= begin < end <= 1; largest above 0.
+FN MixingRange mixingRange(real32 begin, real32 end, real32 largest) {
+  MixingRange range;
+  PRECISE real32 scale = R32(1.0) / (end - begin);
+  PRECISE real32 bias = -begin * scale;
+  range.scale = scale;
+  range.bias = bias;
+  range.largest = largest;
+  return range;
+}
+
+// How much of the weight a roughness takes, in [0, 1]:
+//   smoothstep(0, 1, saturate(Roughness scale + bias))
+// The argument of the step in fp32, as its uniforms are; the step in the working precision.
+FN real mixingAlpha(real Roughness, MixingRange range) {
+  PRECISE real32 x32 = real32(Roughness) * range.scale + range.bias;
+  real x = real(min(max(x32, R32(0.0)), R32(1.0)));
+  PRECISE real s = x * x * (R(3.0) - R(2.0) * x);
+  return s;
+}
+
 // What the environment's reflection is multiplied with, so that it follows the baked light ("they are similarly normalized
-// and scaled by the lightmap", Karis 2014; UE4's ComputeMixingWeight): with w = IndirectIrradiance / averageBrightness,
-//   kCaptureScaleFull         w
-//   kCaptureScaleByRoughness  lerp(1, w, smoothstep(0, 1, Roughness))   (SHADING 7)
-//   kCaptureScaleOcclusion    MaterialAO, as the high-end path has it
+// and scaled by the lightmap", Karis 2014). With w = IndirectIrradiance / averageBrightness,
+//   kCaptureScaleSky        1: the cube is the skylight
+//   kCaptureScaleMixing     lerp(1, min(w, largest), mixingAlpha): UE4's ComputeMixingWeight, for scene captures (SHADING 7)
+//   kCaptureScaleFull       w
+//   kCaptureScaleOcclusion  MaterialAO, as the high-end path has it
 // IndirectIrradiance: luminance of the indirect diffuse light over pi, material AO included. averageBrightness: of the
 // capture, as UE4 cut off below 1e-4. In fp32, and saturating: a black capture's 0 must not become 0 times infinity.
-FN real captureScale(int mode, real IndirectIrradiance, real32 averageBrightness, real Roughness,
-                     real MaterialAO) {
-  if (mode == kCaptureScaleNone) return R(1.0);
+FN real captureScale(int mode, real IndirectIrradiance, real32 averageBrightness, real Roughness, real MaterialAO,
+                     MixingRange mixing) {
+  if (mode == kCaptureScaleSky) return R(1.0);
   if (mode == kCaptureScaleOcclusion) return MaterialAO;
   PRECISE real32 w32 = real32(IndirectIrradiance) / max(averageBrightness, R32(1e-4));
-  real w = narrow(w32);
-  if (mode == kCaptureScaleFull) return w;
-  PRECISE real s = Roughness * Roughness * (R(3.0) - R(2.0) * Roughness);
+  if (mode == kCaptureScaleFull) return narrow(w32);
+  real w = narrow(min(w32, mixing.largest));
+  real s = mixingAlpha(Roughness, mixing);
   PRECISE real scale = (R(1.0) - s) + w * s;
   return scale;
 }

@@ -40,6 +40,34 @@ FN real32 squareFalloffUE4(real32 d2, real32 range) {
   return attenuation;
 }
 
+// Attenuation of a light that has a falloff exponent, in [0, 1]: no inverse square, so its colour is the illuminance at the
+// light (lux), not candela.
+//   (1 - saturate((d / range)^2))^exponent
+// Unreal Engine 4's RadialAttenuation (DynamicLightingCommon.ush), which AccumulateLightingOfDynamicPointLight takes where
+// LightColorAndFalloffExponent.w is not 0. d2 in m^2, finite and >= 0; range in m, above 0 and finite; exponent above 0.
+// The base is cut off at 0 before pow, which is not defined below it; 0 at 0 in words, as pow(0, e) is exp2(-inf) on some
+// devices.
+FN real32 exponentFalloff(real32 d2, real32 range, real32 exponent) {
+  PRECISE real32 base = R32(1.0) - d2 / range / range;
+  if (base > R32(0.0)) {
+    PRECISE real32 attenuation = pow(base, exponent);
+    return attenuation;
+  }
+  return R32(0.0);
+}
+
+// How a point or spot light fades with distance.
+CONSTANT int kFalloffKhr = 0;      // squareFalloff
+CONSTANT int kFalloffUE4 = 1;      // squareFalloffUE4
+CONSTANT int kFalloffExponent = 2; // exponentFalloff, which alone reads the exponent
+
+// By one of these: every path's lights.
+FN real32 distanceFalloff(int falloff, real32 d2, real32 range, real32 exponent) {
+  if (falloff == kFalloffExponent) return exponentFalloff(d2, range, exponent);
+  if (falloff == kFalloffUE4) return squareFalloffUE4(d2, range);
+  return squareFalloff(d2, range);
+}
+
 // Attenuation of a spot light across its cone, in [0, 1]:
 //   saturate(cosAngle scale + offset)^2,  scale = 1 / max(0.001, cosInner - cosOuter),  offset = -cosOuter scale
 // KHR_lights_punctual, "Inner and Outer Cone Angles". cosAngle: between the cone's axis and the way from the light to the

@@ -25,7 +25,8 @@ CONSTANT int kEnvironmentBrdfRefitNonmetal = 3; // the same where all materials 
 CONSTANT int kSunDApprox = 0;      // around the reflection vector (Karis 2014)
 CONSTANT int kSunCalcSpecular = 1; // GGX_Mobile around the half vector (UE4 2020)
 CONSTANT int kSunRefit = 2;        // shading/refit.glsl; goes with kEnvironmentBrdfRefit
-CONSTANT int kSunRefitNonmetal = 3; // the same with kEnvironmentBrdfRefitNonmetal
+CONSTANT int kSunPhongApprox = 3;  // D_Approx as the engine ships it
+CONSTANT int kSunRefitNonmetal = 4; // kSunRefit with kEnvironmentBrdfRefitNonmetal
 
 // The material's outputs that the base pass reads (GBuffer), after texturing.
 struct MobileMaterial {
@@ -99,6 +100,22 @@ FN MobileShadingModelContext initShadingModelContext(int environmentBrdf, bool n
   return c;
 }
 
+// A and B of the preset's environment BRDF, to be looked at: what initShadingModelContext multiplies SpecPreEnvBrdf with, and
+// what it adds. Of a nonmetal those of the general form, which EnvBRDFApproxNonmetal shortens (to within 1.53e-3); of fully
+// rough materials .45 and 0, which go to the diffuse colour; of refit B is times F90. SpecPreEnvBrdf, Roughness, NoV in [0, 1].
+FN real2 environmentBrdfAB(int environmentBrdf, bool fullyRough, real3 SpecPreEnvBrdf, real Roughness, real NoV) {
+  if (fullyRough) return real2(R(0.45), R(0.0));
+  if (environmentBrdf == kEnvironmentBrdfRefit || environmentBrdf == kEnvironmentBrdfRefitNonmetal) {
+    real b = refitB(Roughness, NoV);
+    PRECISE real a = R(1.0) - refitLoss(refitAlpha(Roughness), NoV) - b;
+    return real2(a, b);
+  }
+  real2 AB = EnvBRDFApproxAB(Roughness, NoV);
+  if (environmentBrdf == kEnvironmentBrdfKaris2014) return AB;
+  PRECISE real faded = AB.y * saturate(R(50.0) * SpecPreEnvBrdf.y);
+  return real2(AB.x, faded);
+}
+
 // 2 (N.V) N - V, not cut off below the horizon. Unit vectors; in the working precision, as UE4's ReflectionVector.
 FN real3 reflectionVector(real3 N, real3 V) {
   PRECISE real twice = R(2.0) * dot3(N, V);
@@ -133,8 +150,8 @@ FN real viewCosine(int environmentBrdf, MobileFrame f) {
 
 // MobileIntegrateBxDF:
 //   Specular = SpecularColor (NoL lobe),  Diffuse = NoL DiffuseColor
-// lobe: D_Approx(Roughness, R.L) or CalcSpecular(Roughness, N.H). 1/pi is in the light's colour. NoH is a half in the
-// source, and GGX_Mobile's float parameter does not bring back its digits: smooth highlights have bands in half. Of refit
+// lobe: D_Approx(Roughness, R.L), PhongApprox(Roughness, max(0, R.L)) or CalcSpecular(Roughness, N.H). 1/pi is in the light's
+// colour. NoH is a half in the source, and GGX_Mobile's float parameter does not bring back its digits: smooth highlights have bands in half. Of refit
 // the specular part is refitLight.
 FN MobileDirectLighting mobileIntegrateBxDF(int sun, bool fullyRough, MobileShadingModelContext c, MobileFrame f, real32x3 L) {
   MobileDirectLighting lighting;
@@ -155,6 +172,8 @@ FN MobileDirectLighting mobileIntegrateBxDF(int sun, bool fullyRough, MobileShad
   real lobe;
   if (sun == kSunDApprox) {
     lobe = D_Approx(c.Roughness, real(dot32(widen(f.reflection), L)));
+  } else if (sun == kSunPhongApprox) {
+    lobe = PhongApprox(c.Roughness, real(max(dot32(widen(f.reflection), L), R32(0.0))));
   } else {
     lobe = CalcSpecular(c.Roughness, real32(max(dot3(f.N, halfVector(f.N, f.V, L)), R(0.0))));
   }
@@ -195,15 +214,15 @@ struct MobileLocalLight {
   real32x3 color; // candela, times attenuation, over pi
 };
 
-// The fall-off and the cone. toLight: metres; range 0: infinite; isSpot: else the cone is not read. ue4: the engine's
-// squared window over d^2 + 1 cm^2, else KHR_lights_punctual's, as the high-end path has it.
-FN MobileLocalLight localLightAt(bool ue4, real32x3 toLight, real32x3 candela, real32 range, bool isSpot, real32x3 direction,
-                                 real32 cosInner, real32 cosOuter) {
+// The fall-off and the cone. falloff: kFalloff... of shading/light.glsl; toLight: metres; range 0: infinite; isSpot: else
+// the cone is not read.
+FN MobileLocalLight localLightAt(int falloff, real32x3 toLight, real32x3 candela, real32 range, real32 exponent, bool isSpot,
+                                 real32x3 direction, real32 cosInner, real32 cosOuter) {
   MobileLocalLight light;
   real32x3 back = real32x3(-direction.x, -direction.y, -direction.z);
   light.L = safeNormalize(toLight, back);
   real32 d2 = dot32(toLight, toLight);
-  real32 attenuation = ue4 ? squareFalloffUE4(d2, range) : squareFalloff(d2, range);
+  real32 attenuation = distanceFalloff(falloff, d2, range, exponent);
   if (isSpot) attenuation = attenuation * real32(spotAttenuation(real(dot32(light.L, back)), real(cosInner), real(cosOuter)));
   PRECISE real32 k = attenuation * R32(0.318309886183790672);
   PRECISE real32x3 color = real32x3(candela.x * k, candela.y * k, candela.z * k);

@@ -28,6 +28,25 @@ FN real D_Approx(real Roughness, real RoL) {
   return real(d);
 }
 
+// D_Approx as the engine ships it, with the types that it prints, all of them half:
+//   a = max(Roughness^2, 0.008),  D = min(2^(c RoL - c) / a^2, 1 / a^2),  c = 0.5/ln2 / a^2 + 0.275/ln2
+// PhongApprox of Unreal Engine 4's BRDF.ush (2015 to 2021), from memory of the published source: no seed article prints
+// it. Roughness in [0, 1], RoL in [0, 1], where the engine's base pass cuts it off, and above by a rounding.
+// 0.008: its square, 6.4e-5, is above 2^-14 = 6.1e-5, the smallest normal half, so that 1 / a^2 is at most 15625 and
+// finite also where denormals are flushed; it acts for Roughness <= .0894, where the lobe stays as wide as there.
+// min(., 1 / a^2): the peak is at RoL = 1; where RoL rounds to above 1, 2^(c RoL - c) grows without bound (the engine: "Avoid
+// overflow/underflow on Mali GPUs"). From D_Approx it differs by the floor and the bound alone, so it lacks the same 1/4.
+FN real PhongApprox(real Roughness, real RoL) {
+  PRECISE real squared = Roughness * Roughness;
+  PRECISE real a = max(squared, R(0.008));
+  PRECISE real a2 = a * a;
+  PRECISE real rcp_a2 = R(1.0) / a2;
+  PRECISE real c = R(0.72134752) * rcp_a2 + R(0.39674113);
+  PRECISE real x = c * RoL - c;
+  PRECISE real p = rcp_a2 * exp2(x);
+  return min(p, rcp_a2);
+}
+
 // pi D_GGX, clamped so that a bright environment does not overflow:
 //   D = min((a / (1 - NoH^2 + (NoH a)^2))^2, 2048),  a = Roughness^2
 // Walter et al. 2007, eq. 33, as UE4's MobileGGX.ush (2020) writes it. Roughness in [0.015625, 1], NoH in [0, 1] and in

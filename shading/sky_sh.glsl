@@ -11,9 +11,20 @@ struct SkySh {
   real32x3 c[9];
 };
 
-// From irradiance coefficients (shading/sh.glsl), for coefficients = 9 or 4. With 4 the series ends after the linear band;
-// with 9 the constant has a part of 3 z^2 - 1. The factors of the first two bands, applied to radiance, are those of
-// SHADING 7: .282095 and .325735. Done once, on the CPU.
+// The mean radiance of the sky: its first irradiance coefficient times Y_0 over pi.
+FN real32x3 skyMeanRadiance(IrradianceSh sh) {
+  PRECISE real32 f = R32(0.282094791773878143) * R32(0.318309886183790672);
+  PRECISE real32x3 mean = real32x3(real32(sh.c[0].x) * f, real32(sh.c[0].y) * f, real32(sh.c[0].z) * f);
+  return mean;
+}
+
+// From irradiance coefficients (shading/sh.glsl), for coefficients = 9 or 4. The factors of the first two bands, applied to
+// radiance, are those of SHADING 7: .282095 and .325735. With 9 the constant has a part of 3 z^2 - 1, which c6 zz lacks.
+// With 4 the engine's constant keeps its part of the second band too, although nothing else of that band is read:
+//   W = C0 V0 - C3 V6,  C3 = sqrt(5) / (16 sqrt(pi)),  V6: of 3 z^2 - 1 with Z up      (SHADING 7)
+// Y is up here, and 3 y^2 - 1 = -(3 z^2 - 1)/2 - 3 (x^2 - y^2)/2, so that V6 of the engine is -V6/2 - sqrt(3)/2 V8 of ours:
+//   W = C0 V0 + C3 (V6/2 + sqrt(3)/2 V8),  C3 V_i = sqrt(5/(16 pi)) E_i / pi
+// Done once, on the CPU.
 FN SkySh packSkySh(IrradianceSh sh, int coefficients) {
   SkySh sky;
   for (int i = 0; i < 9; ++i) {
@@ -33,12 +44,15 @@ FN SkySh packSkySh(IrradianceSh sh, int coefficients) {
     PRECISE real32x3 c = real32x3(real32(sh.c[from].x) * f, real32(sh.c[from].y) * f, real32(sh.c[from].z) * f);
     sky.c[i] = c;
   }
-  if (coefficients == 9) {
-    PRECISE real32 f = R32(0.315391565252520006) * R32(0.318309886183790672);
-    PRECISE real32x3 c = real32x3(sky.c[0].x - real32(sh.c[6].x) * f, sky.c[0].y - real32(sh.c[6].y) * f,
-                                  sky.c[0].z - real32(sh.c[6].z) * f);
-    sky.c[0] = c;
-  }
+  PRECISE real32 f = R32(0.315391565252520006) * R32(0.318309886183790672);
+  real32 of6 = coefficients == 9 ? R32(-1.0) : R32(0.5);
+  real32 of8 = coefficients == 9 ? R32(0.0) : R32(0.866025403784438647);
+  PRECISE real32 f6 = of6 * f;
+  PRECISE real32 f8 = of8 * f;
+  PRECISE real32x3 c = real32x3(sky.c[0].x + real32(sh.c[6].x) * f6 + real32(sh.c[8].x) * f8,
+                                sky.c[0].y + real32(sh.c[6].y) * f6 + real32(sh.c[8].y) * f8,
+                                sky.c[0].z + real32(sh.c[6].z) * f6 + real32(sh.c[8].z) * f8);
+  sky.c[0] = c;
   return sky;
 }
 
@@ -47,9 +61,10 @@ FN real32 skyShLinear(real32 c0, real32 cx, real32 cy, real32 cz, real32x3 n) {
   return s;
 }
 
-// What UE4 calls GetSkySHDiffuseSimple: the first four coefficients; E/pi, so the radiance of a white Lambertian. Off the
-// exact irradiance by 18 % of its mean (average over 18 maps of the median), 41 % at worst (SHADING 6). N: unit length;
-// the result is not negative.
+// What UE4 calls GetSkySHDiffuseSimple: the linear band and the constant; E/pi, so the radiance of a white Lambertian. The
+// series that ends after the linear band is off the exact irradiance by 18 % of its mean (average over 18 maps of the
+// median), 41 % at worst (SHADING 6); what the constant keeps of the second band (packSkySh) is 10 to 15 % of it on real
+// maps (SHADING 7; 3, 5 and 11 % of the mean on those of tests/lighting). N: unit length; the result is not negative.
 FN real3 GetSkySHDiffuseSimple(SkySh sky, real3 N) {
   real32x3 n = widen(N);
   real32x3 e = real32x3(max(skyShLinear(sky.c[0].x, sky.c[1].x, sky.c[2].x, sky.c[3].x, n), R32(0.0)),

@@ -89,6 +89,7 @@ FN Outputs evaluate(int function, Inputs i) {
   if (function == kFnEvalIrradianceSH) return outputs3(evalIrradianceSH(irradianceShAt(i, 3), u));
   if (function == kFnSquareFalloff) return outputs1(narrow(squareFalloff(i.x[0], i.x[1])));
   if (function == kFnSquareFalloffUE4) return outputs1(narrow(squareFalloffUE4(i.x[0], i.x[1])));
+  if (function == kFnExponentFalloff) return outputs1(narrow(exponentFalloff(i.x[0], i.x[1], i.x[2])));
   if (function == kFnSpotAttenuation) return outputs1(spotAttenuation(a, b, c));
   if (function == kFnClampContribution65000) return outputs3(clampContribution65000(u));
   if (function == kFnMipFromRoughness) return outputs1(mipFromRoughness(a));

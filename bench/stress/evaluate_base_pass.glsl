@@ -18,11 +18,12 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
   if (function == kFnCosineOf) return outputs1(cosineOf(u, real32x3At(i, 3)));
   if (function == kFnLuminanceUE4) return outputs1(luminanceUE4(u));
   if (function == kFnCaptureScale) {
-    int mode = i.x[3] < R32(0.33)  ? kCaptureScaleNone
+    int mode = i.x[3] < R32(0.33)  ? kCaptureScaleSky
                : i.x[3] < R32(0.5) ? kCaptureScaleFull
-               : i.x[3] < R32(0.9) ? kCaptureScaleByRoughness
+               : i.x[3] < R32(0.9) ? kCaptureScaleMixing
                                    : kCaptureScaleOcclusion;
-    return outputs1(captureScale(mode, u.x, i.x[1], u.z, real1At(i, 4)));
+    MixingRange mixing = mixingRange(kMixingBegin, kMixingEnd, kMixingLargest);
+    return outputs1(captureScale(mode, u.x, i.x[1], u.z, real1At(i, 4), mixing));
   }
   if (function == kFnSpecularIBL) return outputs3(specularIBL(u, real1At(i, 3)));
   if (function == kFnModulate) return outputs3(modulate(u, v));
@@ -31,6 +32,7 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
     Outputs o = outputs33(sky.c[0], sky.c[1]);
     o.y[6] = sky.c[6].x;
     o.y[7] = sky.c[8].y;
+    o.y[8] = skyMeanRadiance(irradianceShAt(i, 0)).x;
     return o;
   }
   if (function == kFnGetSkySHDiffuseSimple) return outputs3(GetSkySHDiffuseSimple(skyShAt(i, 3), real3At(i, 0)));
@@ -54,6 +56,9 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
     o.y[7] = real32(c.SpecularColor.y);
     o.y[8] = real32(c.SpecularColor.z);
     o.y[9] = real32(c.Roughness);
+    real2 AB = environmentBrdfAB(form, i.x[11] > R32(0.75), c.SpecPreEnvBrdf, c.Roughness, real1At(i, 8));
+    o.y[10] = real32(AB.x);
+    o.y[11] = real32(AB.y);
     return o;
   }
   if (function == kFnMobileIntegrateBxDF) {
@@ -64,10 +69,11 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
     m.Roughness = real1At(i, 6);
     m.F90 = R(1.0);
     int form = i.x[16] < R32(0.33) ? 0 : i.x[16] < R32(0.67) ? 1 : 2; // karis2014, UE4, refit in both enumerations
+    int sun = i.x[16] > R32(0.12) && i.x[16] < R32(0.33) ? kSunPhongApprox : form;
     bool fullyRough = i.x[17] > R32(0.75);
     MobileFrame f = mobileFrame(real32x3At(i, 7), real32x3At(i, 10));
     MobileShadingModelContext c = initShadingModelContext(form, false, fullyRough, m, viewCosine(form, f));
-    MobileDirectLighting lighting = mobileIntegrateBxDF(form, fullyRough, c, f, real32x3At(i, 13));
+    MobileDirectLighting lighting = mobileIntegrateBxDF(sun, fullyRough, c, f, real32x3At(i, 13));
     return outputs33(widen(lighting.Diffuse), widen(lighting.Specular));
   }
   if (function == kFnLightWith) {
@@ -114,12 +120,15 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
     cosines.VoH = i.x[2];
     return outputs3(refitLight(lobe, real1At(i, 12), cosines));
   }
-  if (function == kFnSpotShadow) {
+  if (function == kFnMobileShadow) {
     real Shadow = shadowmapOcclusion(i.x[0], i.x[1], i.x[2]);
-    return outputs3(real3(Shadow, sharpenedShadow(Shadow, real1At(i, 3), real1At(i, 4)), R(0.0)));
+    real faded = distanceFadedShadow(Shadow, i.x[5], distanceFadeMAD(i.x[6], i.x[7]));
+    return outputs3(real3(Shadow, sharpenedShadow(Shadow, real1At(i, 3), real1At(i, 4)), faded));
   }
+  if (function == kFnPhongApprox) return outputs1(PhongApprox(u.x, u.y));
   // kFnLocalLightAt
-  MobileLocalLight light = localLightAt(i.x[13] < R32(0.5), real32x3At(i, 0), real32x3At(i, 3), i.x[6],
-                                        i.x[7] > R32(0.5), real32x3At(i, 8), i.x[11], i.x[12]);
+  int falloff = i.x[13] < R32(0.5) ? kFalloffUE4 : i.x[14] > R32(0.0) ? kFalloffExponent : kFalloffKhr;
+  MobileLocalLight light = localLightAt(falloff, real32x3At(i, 0), real32x3At(i, 3), i.x[6], i.x[14], i.x[7] > R32(0.5),
+                                        real32x3At(i, 8), i.x[11], i.x[12]);
   return outputs33(light.L, light.color);
 }

@@ -79,6 +79,14 @@ Row distanceAndRange(Random& random) {
   return row;
 }
 
+Row distanceRangeAndExponent(Random& random) {
+  Row row{};
+  row[1] = std::exp2(uniform(random, -3, 10));
+  row[0] = row[1] * row[1] * uniform(random, 0, 1.25); // squared distance
+  row[2] = std::exp2(uniform(random, -1, 5));
+  return row;
+}
+
 Row spotCosines(Random& random) {
   Row row{};
   row[0] = uniform(random, -1, 1);
@@ -161,6 +169,16 @@ Row fogAndWay(Random& random) {
   row[5] = uniform(random, -100, 100);
   row[7] = std::exp2(uniform(random, -4, 12));
   row[6] = row[7] * (random() % 8 == 0 ? 0.0 : uniform(random, -1, 1));
+  return row;
+}
+
+// Five in [0, 1], ends included; a depth, and a distance with the share of it over which a shadow fades, at least a
+// twentieth: over less the fade is an edge, and a depth's last digit is all of it.
+Row shadowAndFade(Random& random) {
+  Row row = units(5)(random);
+  row[5] = uniform(random, 0, 2);
+  row[6] = uniform(random, 0.5, 2);
+  row[7] = uniform(random, 0.05, 1);
   return row;
 }
 

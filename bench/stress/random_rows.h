@@ -19,6 +19,7 @@ Maker directions(int count);              // unit vectors, one after the other
 Row roughnessNearOne(Random& random);
 Row normalAndCoefficients(Random& random);
 Row distanceAndRange(Random& random);
+Row distanceRangeAndExponent(Random& random); // squared distance, up to a quarter beyond the range
 Row spotCosines(Random& random);
 Row vectorAndFallback(Random& random);
 Row litPoint(Random& random);
@@ -26,5 +27,6 @@ Row litLobe(Random& random);
 Row localLight(Random& random);
 Row radiance(Random& random);
 Row fogAndWay(Random& random);
+Row shadowAndFade(Random& random);
 
 } // namespace parity::stress

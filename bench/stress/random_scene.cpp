@@ -160,6 +160,11 @@ scenes::Light randomLight(Dice& dice, int index) {
   if (light.kind != scenes::LightKind::directional && dice.chance(2)) light.range = dice.power(-20, 6);
   light.outerConeAngle = dice.between(1e-3f, 1.5707963f);
   light.innerConeAngle = light.outerConeAngle * dice.between(0, 0.9999f);
+  if (dice.chance(2)) light.falloff = scenes::Falloff::ue4;
+  if (light.range > 0 && dice.chance(3)) {
+    light.falloff = scenes::Falloff::exponent;
+    light.falloffExponent = dice.power(-6, 9);
+  }
   return light;
 }
 

@@ -174,6 +174,17 @@ std::vector<FunctionCase> lightFunctions() {
           .decreases("d2")
           .increases("range", 1, 0, 0)
           .relativeTo(0x1p-14),
+      entry("exponentFalloff", kFnExponentFalloff, distanceRangeAndExponent, kPow)
+          .takes(join({attenuationInputs(), {wide(powers(2, "exponent", 0, 1000, 0x1p-6, 1000))}}))
+          .where([](const Row& r) { return r[1] > 0 && std::isfinite(r[1]) && r[2] > 0; })
+          .settledBy([](Row& r, double u) {
+            if (u < 0.5 && std::isfinite(r[1])) r[0] = std::min(r[1] * r[1] * 2 * u, kLargestFloat); // within the range
+          })
+          .gives(1, 1, 1)
+          .decreases("d2", 1, 1)
+          .increases("range", 1, 1)
+          .relativeTo(1e-3)
+          .promises(Contract::forFinite),
       entry("spotAttenuation", kFnSpotAttenuation, spotCosines)
           .takes({cosine(0, "cosAngle"), cosine(1, "cosInner"), cosine(2, "cosOuter")})
           .where([](const Row& r) { return r[1] >= r[2]; })
@@ -212,7 +223,7 @@ std::vector<FunctionCase> generalFunctions() {
                       .relativeTo(1000));
   all.push_back(entry("packSkySh", kFnPackSkySh, uniforms(28, -1, 1))
                     .takes(join({coefficients(0, 27, false), {choice(27, "coefficients", {0, 1})}}))
-                    .gives(8)
+                    .gives(9)
                     .relativeTo(1000));
   return all;
 }

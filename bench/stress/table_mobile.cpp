@@ -17,6 +17,7 @@ Input radianceInput(int at, const char* name) { return powers(at, name, 0, 65504
 
 // Which of karis2014, UE4 and refit row[at] chooses.
 bool isKaris(double form) { return form < 0.33; }
+bool isDApprox(double form) { return form < 0.12; } // and PhongApprox in between
 bool isUe4(double form) { return form >= 0.33 && form < 0.67; }
 bool isRefit(double form) { return form >= 0.67; }
 double leastF0(const Row& r, int base, int dielectric, int metallic) {
@@ -87,7 +88,7 @@ FunctionCase integrateBxDF() {
   f.takes(join({rgb(unit(0, "BaseColor")),
                 rgb(unit(3, "DielectricSpecular")),
                 {unit(6, "Roughness"), wide(direction(7, "N")), wide(direction(10, "V")), wide(direction(13, "L")),
-                 choice(16, "preset", {0, 0.5, 1}), choice(17, "fullyRough", {0, 1}), unit(18, "Metallic")}}))
+                 choice(16, "preset", {0, 0.25, 0.5, 1}), choice(17, "fullyRough", {0, 1}), unit(18, "Metallic")}}))
       .where([](const Row& r) { return !isUe4(r[16]) || r[6] >= 0.015625; }) // the floor is the preset's
       .settledBy([](Row& r, double u) {
         if (isUe4(r[16])) r[6] = std::max(r[6], 0.015625);
@@ -97,14 +98,14 @@ FunctionCase integrateBxDF() {
       .relativeTo(0.04)
       .expect({Fault::notFinite, kIn16,
                [](const Row& r) {
-                 return isKaris(r[16]) && r[17] < 0.75 && (r[6] <= 0.0625 || (r[6] <= 0.17 && isNearMirror(r)));
+                 return isDApprox(r[16]) && r[17] < 0.75 && (r[6] <= 0.0625 || (r[6] <= 0.17 && isNearMirror(r)));
                },
                "karis2014, roughness <= 0.0625; to 0.17 where R.L rounds to above 1",
                "D_Approx: c = 0.72 / R^4 + 0.4 is infinite in half; and where R.L is 1.001, 2^(c R.L - c) is huge",
                mirror})
       .expect({Fault::notFinite, kIn32 | kIn64,
                [](const Row& r) {
-                 return isKaris(r[16]) && r[17] < 0.75 && (r[6] <= 7.5e-10 || (r[6] <= 0.01 && isNearMirror(r)));
+                 return isDApprox(r[16]) && r[17] < 0.75 && (r[6] <= 7.5e-10 || (r[6] <= 0.01 && isNearMirror(r)));
                },
                "karis2014, roughness <= 7.5e-10; to 0.01 where R.L rounds to above 1",
                "D_Approx: 1/R^4 is infinite; and 2^(c R.L - c) where R.L is above 1 by a rounding", mirror})
@@ -176,7 +177,7 @@ std::vector<FunctionCase> basePassFunctions() {
                        rgb(wide(powers(3, "candela", 0, 1e6, 0x1p-30, 1e6))),
                        {wide(powers(6, "range", 0, kInf, 0x1p-10, 0x1p20)), choice(7, "isSpot", {0, 1}),
                         wide(direction(8, "direction")), wide(cosine(11, "cosInner")), wide(cosine(12, "cosOuter")),
-                        choice(13, "ue4", {1, 0})}}))
+                        choice(13, "ue4", {1, 0}), wide(powers(14, "exponent", 0, 1000, 0x1p-6, 1000))}}))
           .where([](const Row& r) { return r[11] >= r[12]; })
           .settledBy([](Row& r, double) {
             if (r[11] < r[12]) std::swap(r[11], r[12]);
@@ -254,10 +255,12 @@ std::vector<FunctionCase> refitFunctions() {
 
 std::vector<FunctionCase> shadowFunctions() {
   return {
-      entry("spotShadow", kFnSpotShadow, units(5))
+      entry("mobileShadow", kFnMobileShadow, shadowAndFade)
           .takes({unit(0, "ShadowmapDepth"), unit(1, "SceneDepth"), within(2, "TransitionScale", 0.5, 8),
-                  within(3, "Sharpen", 0, 4), unit(4, "FadeFraction")})
-          .gives(2, first(2), first(2))
+                  within(3, "Sharpen", 0, 8), unit(4, "FadeFraction"), wide(within(5, "ViewDepth", 0, 4)),
+                  wide(within(6, "Far", 0.25, 4)), wide(unit(7, "DistanceFraction"))})
+          .gives(3, first(3), first(3))
+          .increases("ViewDepth", 0b100)
           .increases("ShadowmapDepth", first(2))
           .decreases("SceneDepth", first(2))
           .relativeTo(1)

@@ -161,6 +161,12 @@ std::vector<FunctionCase> directFunctions() {
                    kPower, rowOf({{1, 1}})})
           .expect({Fault::notFinite, kIn64, [](const Row& r) { return r[0] == 0; }, "roughness 0", kPower,
                    rowOf({{1, 1}})}),
+      entry("PhongApprox", kFnPhongApprox, lobe(0, 0), dApprox)
+          .takes({unit(0, "Roughness"), unit(1, "RoL")})
+          .gives(1, 1)
+          .increases("RoL")
+          .relativeTo(0x1p-14)
+          .mapped(0, 1),
       entry("GGX_Mobile", kFnGGX_Mobile, lobe(0.015625, 0))
           .takes({floored, wide(unit(1, "NoH"))})
           .gives(1, 1)

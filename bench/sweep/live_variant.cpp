@@ -50,16 +50,17 @@ gpu::ShadowMaps* Shared::highendShadows(const gpu::SceneBuffers& buffers) {
   return &*m_highendShadows;
 }
 
-const gpu::ShadowMaps* Shared::mobileShadows(const gpu::SceneBuffers& buffers, const mobile::Options& options) {
-  const auto spot = mobile::Renderer::needsSpotMap(m_prepared.mobileLights, options);
-  if (!spot) return nullptr;
-  if (!m_mobileShadows)
-    m_mobileShadows.emplace(m_context.device(), buffers, std::vector{*spot}, m_context.settings().shadowMaps);
-  return &*m_mobileShadows;
+gpu::ShadowMaps* Shared::mobileShadows(const gpu::SceneBuffers& buffers, const mobile::Options& options) {
+  const auto casting = mobile::Renderer::needsShadowMaps(m_prepared.mobileLights, options);
+  if (casting.empty()) return nullptr;
+  std::vector<gpu::ShadowKey> key;
+  for (const scenes::Light& light : casting) key.push_back(gpu::shadowKey(light));
+  return &m_mobileShadows.try_emplace(key, m_context.device(), buffers, casting, m_context.settings().shadowMaps)
+              .first->second;
 }
 
-const gpu::Textures* Shared::mobileTextures(const Surfaces& surfaces, base::AstcBlock block) {
-  if (block == base::AstcBlock::none) return nullptr;
+const gpu::Textures* Shared::mobileTextures(const Surfaces& surfaces, base::TextureBlock block) {
+  if (block == base::TextureBlock::none) return nullptr;
   std::unique_ptr<const gpu::Textures>& textures = m_textures[block];
   if (textures) return textures.get();
   textures = std::make_unique<const gpu::Textures>(m_context.device(), m_prepared.scene,

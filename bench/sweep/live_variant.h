@@ -41,9 +41,9 @@ public:
   const base::Image& lut(const highend::Options& options, int size);
   // Of the lights of each path; null where the run has no shadows there. buffers: of the scene, whichever time.
   gpu::ShadowMaps* highendShadows(const gpu::SceneBuffers& buffers);
-  const gpu::ShadowMaps* mobileShadows(const gpu::SceneBuffers& buffers, const mobile::Options& options);
+  gpu::ShadowMaps* mobileShadows(const gpu::SceneBuffers& buffers, const mobile::Options& options);
   // The scene's textures in such blocks, those that the surfaces show uploaded; null for none.
-  const gpu::Textures* mobileTextures(const Surfaces& surfaces, base::AstcBlock block);
+  const gpu::Textures* mobileTextures(const Surfaces& surfaces, base::TextureBlock block);
   // Does again what a setting of the stage preparation prepares, and forgets it.
   void prepareAgain(const Variant& v) const;
 
@@ -55,8 +55,9 @@ private:
   const job::PreparedScene& m_prepared;
   std::map<std::pair<int, int>, gpu::EnvironmentMaps> m_highend; // by samples and face size
   std::map<mobile::CaptureEncoding, gpu::EnvironmentMaps> m_mobile;
-  std::map<base::AstcBlock, std::unique_ptr<const gpu::Textures>> m_textures;
-  std::optional<gpu::ShadowMaps> m_highendShadows, m_mobileShadows;
+  std::map<base::TextureBlock, std::unique_ptr<const gpu::Textures>> m_textures;
+  std::optional<gpu::ShadowMaps> m_highendShadows;
+  std::map<std::vector<gpu::ShadowKey>, gpu::ShadowMaps> m_mobileShadows; // by the lights that have them
   std::map<std::tuple<highend::GeometryTerm, highend::FresnelCurve, int>, base::Image> m_luts;
 };
 

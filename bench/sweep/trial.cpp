@@ -78,8 +78,7 @@ std::vector<Errors> errorsOf(const Shown& right, const Shown& test, const std::v
   const compare::Measurement measured = compare::measureRegions(
       {right.displayed.pixels, test.displayed.pixels, &right.linear, &test.linear, nonFinite}, regions, request);
   std::vector<Errors> errors;
-  for (const compare::RegionFigures& region : measured.regions) {
-    const compare::Figures& f = region.all;
+  for (const compare::Figures& f : measured.regions) {
     errors.push_back({f.find("flip.mean").value(), f.find("flip.p95").value(), f.find("relmse").value(), f.nonFinite});
   }
   return errors;

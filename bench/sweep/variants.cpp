@@ -13,15 +13,6 @@ template <typename Enum> std::string nameAt(const std::vector<std::string>& name
   return names.at(static_cast<std::size_t>(value));
 }
 
-const std::vector<std::string>& environmentBrdfNames() {
-  static const std::vector<std::string> names = {"karis2014", "ue4", "refit"};
-  return names;
-}
-const std::vector<std::string>& directLobeNames() {
-  static const std::vector<std::string> names = {"d-approx", "calc-specular", "refit"};
-  return names;
-}
-
 std::string mobileName(const mobile::Options& o) {
   return fmt::format("{} {}", o.preset, nameAt(mobile::precisionNames(), o.precision));
 }
@@ -97,14 +88,17 @@ void addMobile(Collector& c) {
   // The form of refit belongs to its lobe, so these two stay as they are there.
   if (c.plain.mobile.environmentBrdf != mobile::EnvironmentBrdf::refit) {
     for (const auto form : {mobile::EnvironmentBrdf::karis2014, mobile::EnvironmentBrdf::ue4})
-      c.add("environment-brdf", nameAt(environmentBrdfNames(), form), "environment",
+      c.add("environment-brdf", nameAt(mobile::environmentBrdfNames(), form), "environment",
             [&](Variant& v) { v.mobile.environmentBrdf = form; });
-    for (const auto form : {mobile::DirectLobe::dApprox, mobile::DirectLobe::calcSpecular})
-      c.add("sun", nameAt(directLobeNames(), form), "directional light",
+    for (const auto form :
+         {mobile::DirectLobe::dApprox, mobile::DirectLobe::phongApprox, mobile::DirectLobe::calcSpecular})
+      c.add("sun", nameAt(mobile::directLobeNames(), form), "directional light",
             [&](Variant& v) { v.mobile.directLobe = form; });
   }
   c.addEach("capture", mobile::captureEncodingNames(), "environment", &Variant::mobile, &Options::capture);
-  c.addEach("capture-scale", mobile::captureScaleNames(), "environment", &Variant::mobile, &Options::captureScale);
+  for (std::size_t i = 1; i < mobile::captureScaleNames().size(); ++i) // all but auto, which is one of them
+    c.add("capture-scale", mobile::captureScaleNames()[i], "environment",
+          [&](Variant& v) { v.mobile.captureScale = static_cast<mobile::CaptureScale>(i); });
   for (const int coefficients : {4, 9})
     c.add("sky-sh", std::to_string(coefficients), "environment",
           [&](Variant& v) { v.mobile.skyCoefficients = coefficients; });
@@ -122,9 +116,9 @@ void addMobile(Collector& c) {
   for (std::size_t i = 0; i < gpu::outputTargetNames().size(); ++i)
     c.add("mobile-target", gpu::outputTargetNames()[i], "",
           [&](Variant& v) { v.target = static_cast<gpu::OutputTarget>(i); });
-  for (std::size_t i = 0; i < base::astcBlockNames().size(); ++i)
-    c.add("mobile-textures", base::astcBlockNames()[i], "texture",
-          [&](Variant& v) { v.textures = static_cast<base::AstcBlock>(i); });
+  for (std::size_t i = 0; i < base::textureBlockNames().size(); ++i)
+    c.add("mobile-textures", base::textureBlockNames()[i], "texture",
+          [&](Variant& v) { v.textures = static_cast<base::TextureBlock>(i); });
 }
 
 } // namespace
@@ -146,18 +140,18 @@ std::vector<std::pair<std::string, std::string>> Variant::knobs() const {
             {"prefilter-size", std::to_string(prefilter.faceSize)}};
   return {{"preset", mobile.preset},
           {"precision", nameAt(mobile::precisionNames(), mobile.precision)},
-          {"environment-brdf", nameAt(environmentBrdfNames(), mobile.environmentBrdf)},
-          {"sun", nameAt(directLobeNames(), mobile.directLobe)},
+          {"environment-brdf", nameAt(mobile::environmentBrdfNames(), mobile.environmentBrdf)},
+          {"sun", nameAt(mobile::directLobeNames(), mobile.directLobe)},
           {"capture", nameAt(mobile::captureEncodingNames(), mobile.capture)},
-          {"capture-scale", nameAt(mobile::captureScaleNames(), mobile.captureScale)},
+          {"capture-scale", nameAt(mobile::captureScaleNames(), mobile::captureScaleOf(mobile, false))},
           {"sky-sh", std::to_string(mobile.skyCoefficients)},
           {"local-lights", mobile.localLights ? "4" : "0"},
           {"mobile-target", nameAt(gpu::outputTargetNames(), target)},
-          {"mobile-textures", nameAt(base::astcBlockNames(), textures)}};
+          {"mobile-textures", nameAt(base::textureBlockNames(), textures)}};
 }
 
 std::vector<Variant> makeVariants(const highend::Options& highend, const mobile::Options& mobile,
-                                  gpu::OutputTarget target, base::AstcBlock textures) {
+                                  gpu::OutputTarget target, base::TextureBlock textures) {
   std::vector<Variant> all;
   Variant highendPlain, mobilePlain;
   highendPlain.path = "highend";

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/astc.h"
+#include "base/texture_block.h"
 #include "gpu/output_target.h"
 #include "highend/options.h"
 #include "lighting/environment_light.h"
@@ -27,9 +27,9 @@ struct Variant {
   std::string needs;            // "environment", "directional light", "local light", "texture"; empty: nothing
   highend::Options highend;
   mobile::Options mobile;
-  gpu::OutputTarget target = gpu::OutputTarget::rgba16f; // of the mobile path
-  base::AstcBlock textures = base::AstcBlock::none;      // likewise
-  int lutSize = 128;                                     // of the high-end path, as the next one
+  gpu::OutputTarget target = gpu::OutputTarget::rgba16f;  // of the mobile path
+  base::TextureBlock textures = base::TextureBlock::none; // likewise
+  int lutSize = 128;                                      // of the high-end path, as the next one
   lighting::PrefilterOptions prefilter;
 
   std::string id() const { return path + ": " + name; }
@@ -40,6 +40,6 @@ struct Variant {
 // The defaults of both paths first, in this order; then one knob at a time, and a few sets known from the literature.
 // The mobile path: every preset in both precisions, and the knobs of the one asked for.
 std::vector<Variant> makeVariants(const highend::Options& highend, const mobile::Options& mobile,
-                                  gpu::OutputTarget target, base::AstcBlock textures);
+                                  gpu::OutputTarget target, base::TextureBlock textures);
 
 } // namespace parity::sweep

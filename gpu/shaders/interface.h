@@ -40,6 +40,8 @@ PARITY_CONST uint kLightSpot = 2u;
 PARITY_CONST uint kLocalPoint = 1u;
 PARITY_CONST uint kLocalSpot = 2u;
 PARITY_CONST uint kLocalAll = 3u;
+// Ways in which they fade, as bits: 1 << a kFalloff... number of shading/light.glsl.
+PARITY_CONST uint kFalloffsAll = 7u;
 
 // What the vertices of a scene carry, as bits.
 PARITY_CONST uint kVertexColors = 1u;
@@ -95,10 +97,12 @@ PARITY_CONST uint kOffSpecularStretched = 2u;
 PARITY_CONST uint kOffSpecularTwoTaps = 3u;
 PARITY_CONST uint kOffSpecularThreeTaps = 4u;
 
-PARITY_CONST int kPathNumbers = 10;
+PARITY_CONST int kPathNumbers = 12;
 // Those of the mobile path.
 PARITY_CONST int kPathSkySh = 0;             // nine, shading/sky_sh.glsl
 PARITY_CONST int kPathAverageBrightness = 9; // x: of the capture; y: transition scale of the distance-field shadow
+PARITY_CONST int kPathMixing = 10;           // MixingRange of shading/capture.glsl: scale, bias, largest
+PARITY_CONST int kPathShadows = 11; // of shadow maps; xy: DistanceFade of the sun's; z: sharpen, w: fade of the spot's
 
 // Lights that one dispatch of highend/shaders/cull_lights.comp asks, and that a path's shader loops over for a pixel:
 // lavapipe ends an invocation's loops after 65,535 turns.
@@ -135,6 +139,7 @@ struct GpuLight {
   vec4 positionKind;      // world; kind as a number
   vec4 directionCosOuter; // unit, the way light travels; cosine of the outer cone
   vec4 cone;              // cosine of the inner cone; scale of its specular light; 1 + its first shadow view, how many
+  vec4 falloff;           // kFalloff... of shading/light.glsl; its exponent; 0, 0
 };
 
 // A square shadow map in a tile of a layer (gpu/shadow_views.h), as gpu/shaders/shadow.glsl reads it.
@@ -166,6 +171,7 @@ struct GpuView {
   vec4 viewer;                            // xyz - w place points from a place to the eye
   vec4 origin, originX, originY;          // relative to eye
   vec4 direction, directionX, directionY; // not normalised
+  vec4 forward;                           // unit, along the camera's axis; that of the eye: depth is dot(xyz, p) - w
   vec4 sh[9];                             // irradiance coefficients (shading/sh.glsl)
   vec4 skyLightColor;                     // rgb: scales the sky's light (scenes::LightScales)
   vec4 indirectColorScale;                // rgb: scales the lightmap

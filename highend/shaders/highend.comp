@@ -6,6 +6,7 @@
 #include "gpu/shaders/path.glsl"
 #include "gpu/shaders/fog.glsl"
 #include "highend/shaders/sky.glsl"
+#include "highend/shaders/views.h"
 #include "shading/brdf.glsl"
 #include "shading/off_specular.glsl"
 
@@ -18,6 +19,9 @@ layout(constant_id = 12) const uint kOffSpecular = 0u;
 layout(constant_id = 13) const uint kLocalKinds = 0u; // kLocal... bits
 layout(constant_id = 14) const uint kShadows = 0u; // shadow.glsl
 layout(constant_id = 15) const uint kBaked = 0u; // kBaked... bits
+layout(constant_id = 16) const uint kFalloffs = 0u; // ways in which local lights fade
+layout(constant_id = 17) const uint kView = 0u;     // kView... of highend/shaders/views.h
+#include "gpu/shaders/local_light.glsl"
 #include "gpu/shaders/shadow.glsl"
 #include "highend/shaders/baked.glsl"
 
@@ -25,6 +29,11 @@ layout(constant_id = 15) const uint kBaked = 0u; // kBaked... bits
 const float kMinLightRoughness = 0.015625;
 // Grazing and back-facing shading normals: the lobe of the last visible direction.
 const float kMinNoV = 1e-4;
+
+vec3 shown = vec3(0.0);
+void show(uint view, vec3 value) {
+  if (kView == view) shown = value;
+}
 
 struct Lobes {
   vec3 diffuse, specular;
@@ -73,7 +82,7 @@ Shader makeShader(Point p, Resolved m) {
   s.factor = vec3(1.0);
   s.multiple = s.single = vec3(0.0);
   s.Eavg = 1.0;
-  if (!hasEnvironment() && kCompensation == kCompensationNone && kDiffuse == kDiffuseLambert) return s;
+  if (!hasEnvironment() && kCompensation == kCompensationNone && kDiffuse == kDiffuseLambert && kView == kViewLit) return s;
 
   vec3 ABavg = environmentBrdf(s.NoV, s.roughness);
   vec2 AB = ABavg.xy;
@@ -85,6 +94,11 @@ Shader makeShader(Point p, Resolved m) {
     s.multiple = kCompensation == kCompensationFdezAguera ? fdezAgueraAlbedo(s.F0, s.F90, Favg, AB)
                                                           : kullaContyAlbedo(Favg, AB.x + AB.y, s.Eavg);
   }
+  vec3 once = s.F0 * AB.x + s.F90 * AB.y;
+  show(kViewEnvBrdfA, vec3(AB.x));
+  show(kViewEnvBrdfB, vec3(AB.y));
+  show(kViewEnvBrdf, once);
+  show(kViewEnvBrdfMultiple, s.single - once + s.multiple);
   if (kDiffuse == kDiffuseBalanced) s.diffuseColor *= albedoScaling(s.single + s.multiple);
   return s;
 }
@@ -109,12 +123,12 @@ Lobes lit(Shader s, vec3 L, vec3 illuminance) {
   return lobes;
 }
 
-// Direction to a point or spot light, and its illuminance at the point (KHR_lights_punctual: candela over metres squared, range, cone).
+// Direction to a point or spot light, and its illuminance at the point (scenes::Falloff, KHR_lights_punctual's cone).
 vec3 localLight(GpuLight light, vec3 position, out vec3 L) {
   vec3 d = light.positionKind.xyz - position;
   float d2 = dot(d, d);
   L = safeNormalize(d, -light.directionCosOuter.xyz); // at the light itself: as if from its axis
-  float attenuation = squareFalloff(d2, light.colorRange.w);
+  float attenuation = distanceFalloff(falloffOf(light), d2, light.colorRange.w, light.falloff.y);
   bool isSpot = kLocalKinds == kLocalSpot || (kLocalKinds == kLocalAll && uint(light.positionKind.w) == kLightSpot);
   if (isSpot) attenuation *= spotAttenuation(dot(-L, light.directionCosOuter.xyz), light.cone.x, light.directionCosOuter.w);
   return light.colorRange.xyz * attenuation;
@@ -165,6 +179,7 @@ void main() {
   if (hasFeature(kFeatureUnlit, p.material)) {
     terms.t[kTermEmissive] = m.baseColor;
     writeResult(i, inFog(terms, p), m.opacity);
+    if (kView != kViewLit) outColor[i] = vec4(0.0, 0.0, 0.0, m.opacity);
     return;
   }
 
@@ -201,14 +216,17 @@ void main() {
     vec3 irradianceOverPi = hasLightmap(i) ? vec3(0.0) : skyIrradianceOverPi(s.N); // the sky is in the lightmap
     vec3 scale = view.skyLightColor.xyz * m.occlusion;
     terms.t[kTermSkyDiffuse] = irradianceOverPi * s.diffuseColor * scale;
-    terms.t[kTermSkySpecular] = (reflectedRadiance(s) * s.single + irradianceOverPi * s.multiple) * scale;
+    vec3 reflected = reflectedRadiance(s);
+    show(kViewSpecularIBL, reflected * scale);
+    terms.t[kTermSkySpecular] = (reflected * s.single + irradianceOverPi * s.multiple) * scale;
   }
   if (hasLightmap(i)) {
     vec3 irradianceOverPi = lightmapIrradianceOverPi(i, p, s.N);
-    // Captures are normalised: they follow the lightmap as the mobile path has it; those without a brightness are not.
+    // Captures are normalised: they follow the lightmap by the engine's mixing weight; those without a brightness are not.
     if ((kBaked & kBakedCaptures) != 0u && s.captures.averageBrightness > 0.0)
-      terms.t[kTermSkySpecular] *= captureScale(kCaptureScaleByRoughness, luminanceUE4(irradianceOverPi),
-                                                s.captures.averageBrightness, s.roughness, 1.0);
+      terms.t[kTermSkySpecular] *= captureScale(kCaptureScaleMixing, luminanceUE4(irradianceOverPi),
+                                                s.captures.averageBrightness, s.roughness, 1.0,
+                                                mixingRange(kMixingBegin, kMixingEnd, kMixingLargest));
     vec3 scale = view.indirectColorScale.xyz * m.occlusion;
     terms.t[kTermLightmap] = irradianceOverPi * s.diffuseColor * scale;
     // What scatters more than once is specular, and takes its light from where the diffuse lobe does.
@@ -216,4 +234,5 @@ void main() {
   }
   terms.t[kTermEmissive] = m.emissive;
   writeResult(i, inFog(terms, p), m.opacity);
+  if (kView != kViewLit) outColor[i] = vec4(shown, m.opacity);
 }

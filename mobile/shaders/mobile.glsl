@@ -16,11 +16,13 @@ layout(constant_id = 11) const int kSkyCoefficients = 4;
 layout(constant_id = 12) const uint kRgbmCapture = 1u;
 layout(constant_id = 13) const float kRoughnessFloor = 0.0;
 layout(constant_id = 14) const uint kView = 0u; // kView... of mobile/shaders/views.h
-layout(constant_id = 15) const uint kSpotShadow = 0u; // 1: one spot light has a shadow map
+layout(constant_id = 15) const uint kShadowMaps = 0u; // kShadowOf... bits: which lights have one
 layout(constant_id = 16) const uint kBaked = 0u;      // kBaked... bits
+layout(constant_id = 17) const uint kFalloffs = 0u;   // ways in which local lights fade
 #include "gpu/shaders/baked.glsl"
+#include "gpu/shaders/local_light.glsl"
 #include "gpu/shaders/shadow_map.glsl"
-#include "mobile/shaders/spot_shadow.glsl"
+#include "mobile/shaders/shadow_maps.glsl"
 
 vec3 shown = vec3(0.0);
 void show(uint view, real3 value) {
@@ -193,11 +195,12 @@ void computeIndirect(inout BasePass pass, inout Shaded s, Point p, uint i) {
   }
 }
 
-// The directional light; 1/pi is in its colour.
-void addDirectionalLight(inout BasePass pass, Shaded s, uint i) {
+// The directional light; 1/pi is in its colour. Its shadow is the darker of the baked one and its map's.
+void addDirectionalLight(inout BasePass pass, Shaded s, Point p, uint i) {
   real Shadow = R(1.0); // GetPrimaryPrecomputedShadowMask: of a distance field, where one is baked
   if ((kBaked & kBakedSunShadow) != 0u && surfaceLightmap[i].z > 0.5)
     Shadow = distanceFieldShadow(real(readSunShadow(i)), view.path[kPathAverageBrightness].y);
+  if ((kShadowMaps & kShadowOfSun) != 0u && directionalCount() != 0u) Shadow = min(Shadow, sunShadow(lights[0], p));
   show(kViewShadow, Shadow);
   if (directionalCount() == 0u) return;
   real3 N = s.frame.N;
@@ -216,7 +219,10 @@ void addDirectionalLight(inout BasePass pass, Shaded s, uint i) {
   show(kViewNoH, max(dot3(N, halfVector(N, s.frame.V, L)), R(0.0)));
 }
 
-// GetImageBasedReflectionLighting: one fetch, none for fully rough materials.
+MixingRange mixingOfView() { return MixingRange(view.path[kPathMixing].x, view.path[kPathMixing].y, view.path[kPathMixing].z); }
+
+// GetImageBasedReflectionLighting: one fetch, none for fully rough materials. SkyLightColor is 1 where the cube is a scene
+// capture, whose texels have it.
 void addReflectedEnvironment(inout BasePass pass, Shaded s) {
   real3 direction = s.frame.reflection;
   real mip = mipFromRoughness(s.context.Roughness);
@@ -226,13 +232,14 @@ void addReflectedEnvironment(inout BasePass pass, Shaded s) {
     mip = tap.mip;
   }
   real scale = captureScale(kCaptureScale, s.IndirectIrradiance, averageBrightnessOf(s.capture),
-                            s.context.Roughness, s.MaterialAO);
+                            s.context.Roughness, s.MaterialAO, mixingOfView());
   real3 radiance = fetchCapture(vec3(direction), mip, s.capture);
-  real3 SpecularIBL = specularIBL(radiance, scale);
+  real3 SkyLightColor = real3(view.skyLightColor.xyz);
+  real3 SpecularIBL = modulate(specularIBL(radiance, scale), SkyLightColor);
   real3 lit = modulate(SpecularIBL, s.context.SpecularColor);
   if (kIsRefit) {
     real3 sky =
-        kCaptureScale == kCaptureScaleOcclusion ? s.skyInOcclusion : product(real3(view.skyLightColor.xyz), scale);
+        kCaptureScale == kCaptureScaleOcclusion ? s.skyInOcclusion : product(SkyLightColor, scale);
     real3 S = s.context.SpecularColor;
     PRECISE real3 factor = real3(S.x * sky.x, S.y * sky.y, S.z * sky.z);
     lit = modulate(radiance, factor);
@@ -251,10 +258,10 @@ void addLocalLights(inout BasePass pass, Shaded s, Point p) {
     if (index == kNoLight) break;
     GpuLight light = lights[index];
     MobileLocalLight seen =
-        localLightAt(kSun != kSunRefit, light.positionKind.xyz - p.position, light.colorRange.xyz, light.colorRange.w,
-                     uint(light.positionKind.w) == kLightSpot, light.directionCosOuter.xyz, light.cone.x,
-                     light.directionCosOuter.w);
-    if (kSpotShadow != 0u) seen.color *= float(spotShadow(light, p));
+        localLightAt(falloffOf(light), light.positionKind.xyz - p.position, light.colorRange.xyz, light.colorRange.w,
+                     light.falloff.y, uint(light.positionKind.w) == kLightSpot, light.directionCosOuter.xyz,
+                     light.cone.x, light.directionCosOuter.w);
+    if ((kShadowMaps & kShadowOfSpot) != 0u) seen.color *= float(spotShadow(light, p));
     real SpecularScale = real(light.cone.y);
     MobileDirectLighting Lighting = mobileIntegrateBxDF(s.sun, s.fullyRough, s.context, s.frame, seen.L);
     real3 lit = clampContribution65000(lightWith(seen.color, Lighting, SpecularScale));
@@ -277,7 +284,16 @@ void addSkyLight(inout BasePass pass, Shaded s) {
   show(kViewSkyLight, lit);
 }
 
+void showEnvironmentBrdf(Shaded s) {
+  real2 AB = environmentBrdfAB(kEnvironmentBrdf, s.fullyRough, s.context.SpecPreEnvBrdf, s.context.Roughness, s.NoV);
+  show(kViewEnvBrdfA, AB.x);
+  show(kViewEnvBrdfB, AB.y);
+  show(kViewEnvBrdf, s.fullyRough ? product(s.context.SpecPreEnvBrdf, AB.x) : s.context.SpecularColor);
+  if (kIsRefit && !s.fullyRough) show(kViewEnvBrdfMultiple, s.context.lobe.multiple);
+}
+
 void showShaded(Shaded s, Resolved r) {
+  showEnvironmentBrdf(s);
   show(kViewSkyDiffuseLighting, s.SkyDiffuseLighting);
   show(kViewDiffuseLookup, s.DiffuseLookup);
   show(kViewSkyLightColor, real3(view.skyLightColor.xyz));
@@ -317,7 +333,7 @@ void main() {
 
   Shaded s = makeShaded(p, r);
   computeIndirect(pass, s, p, i);
-  addDirectionalLight(pass, s, i);
+  addDirectionalLight(pass, s, p, i);
   if (hasEnvironment() && !s.fullyRough) addReflectedEnvironment(pass, s);
   show(kViewColorAfterIBL, narrow(widen(pass.Color)));
   if (localCount() != 0u) addLocalLights(pass, s, p);

@@ -44,7 +44,11 @@ PARITY_CONST kViewH = 30u;
 PARITY_CONST kViewWorldNormal = 31u;
 PARITY_CONST kViewReflectionVector = 32u;
 PARITY_CONST kViewSkyLightColor = 33u;
-PARITY_CONST kViewCount = 34u;
+PARITY_CONST kViewEnvBrdfA = 34u;
+PARITY_CONST kViewEnvBrdfB = 35u;
+PARITY_CONST kViewEnvBrdf = 36u;
+PARITY_CONST kViewEnvBrdfMultiple = 37u;
+PARITY_CONST kViewCount = 38u;
 
 #ifdef __cplusplus
 } // namespace parity::mobile

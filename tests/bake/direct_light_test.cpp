@@ -63,6 +63,17 @@ TEST_F(DirectLight, endsAtTheRange) {
   EXPECT_GT(at({3, 0, 1.6f}, light).irradiance.x, 0);
 }
 
+TEST_F(DirectLight, fadesAsTheLightSays) {
+  scenes::Light light = pointLight({3, 2, 0}, {5, 5, 5});
+  light.range = 2.5f;
+  light.falloff = scenes::Falloff::ue4;
+  EXPECT_NEAR(at({3, 0, 0}, light).irradiance.x, 5 * std::pow(1 - std::pow(2 / 2.5, 4), 2) / (4 + 1e-4), 1e-5);
+  light.falloff = scenes::Falloff::exponent;
+  light.falloffExponent = 3;
+  EXPECT_NEAR(at({3, 0, 0}, light).irradiance.x, 5 * std::pow(1 - std::pow(2 / 2.5, 2), 3), 1e-5);
+  EXPECT_EQ(at({3, 0, 1.6f}, light).irradiance.x, 0) << "beyond the range";
+}
+
 TEST_F(DirectLight, ofASunHasNoDistanceAndIsStopped) {
   scenes::Light sun = pointLight({}, {2, 3, 4});
   sun.kind = scenes::LightKind::directional;

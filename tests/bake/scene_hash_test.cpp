@@ -75,6 +75,8 @@ TEST(SceneHash, lightsAreThoseAndWhichIsTheSun) {
   expectChange("lights",
                {[](Lit& l) { l.lights.lights[0].color.x = 2; }, [](Lit& l) { l.lights.lights[0].range = 9; },
                 [](Lit& l) { l.lights.lights[0].position.x = 2; },
+                [](Lit& l) { l.lights.lights[0].falloff = scenes::Falloff::ue4; },
+                [](Lit& l) { l.lights.lights[0].falloffExponent = 2; },
                 [](Lit& l) {
                   l.lights.lights[1].direction = {0, -1, 0};
                 },

@@ -36,7 +36,7 @@ TEST_P(AssetsTest, GiveAWholeReport) {
   for (const nlohmann::json& scene : report["scenes"]) {
     EXPECT_TRUE(scene["error"].is_null()) << scene["error"];
     EXPECT_EQ(scene["environment"], environment);
-    const nlohmann::json& whole = scene["views"][0]["whole"]["figures"]["all"];
+    const nlohmann::json& whole = scene["views"][0]["whole"]["figures"];
     EXPECT_GT(whole["pixels"].get<int>(), 128 * 128 / 20) << scene["name"] << " is hardly in the picture";
     EXPECT_EQ(whole["nonFinite"], 0) << scene["name"];
     for (const char* luma : {"referenceLuma", "testLuma"}) {

@@ -102,8 +102,7 @@ TEST_F(AttributionTest, TheOnlyTermThereIsExplainsAllAndTheFigureIsTheReports) {
   const Json& material = scene["views"][0]["materials"][0];
   ASSERT_TRUE(material.contains("attribution")) << material.dump(1);
   const Json& found = material["attribution"];
-  EXPECT_EQ(found["region"], "interior");
-  EXPECT_EQ(found["flip"], material["figures"]["interior"]["metrics"]["flip.mean"]);
+  EXPECT_EQ(found["flip"], material["figures"]["metrics"]["flip.mean"]);
   EXPECT_GT(found["flip"], 0.05);
   EXPECT_EQ(found["terms"].size(), 1u) << found.dump();
   EXPECT_LT(flipWith(found, "sunSpecular"), 0.004); // a tenth of a step of 8 bits: observed 0
@@ -159,7 +158,7 @@ TEST_F(AttributionTest, AllAttributesWhatIsSeenAndShadesOnce) {
   EXPECT_EQ(counts["terms"], 2 * counts["compare"]);
   EXPECT_GT(counts["attribution"], 2u);
   for (const Json& material : scene["views"][0]["materials"]) {
-    const bool seen = !material["figures"]["all"].is_null();
+    const bool seen = !material["figures"].is_null();
     EXPECT_EQ(material.contains("attribution"), seen) << material["name"];
   }
 }
@@ -204,7 +203,7 @@ target = [50.5, 0.5, 0])"));
   const Json& seen = scene["views"][1]["materials"][1];
   EXPECT_TRUE(seen.contains("attribution")) << seen.dump(1);
   auto counts = countsOf(scene);
-  const std::uint64_t far = seen["figures"]["all"]["pixels"];
+  const std::uint64_t far = seen["figures"]["pixels"];
   EXPECT_EQ(counts["terms"], 2 * far);
   EXPECT_EQ(counts["surface"], counts["compare"]);
   EXPECT_EQ(counts["shade mobile"], counts["compare"] + far);
@@ -223,8 +222,7 @@ TEST_F(AttributionTest, AMaterialThatFailsByItsRegressionIsAttributed) {
   const auto since = [&] { return diff(quad, join({options, {"--baseline", file.string()}})); };
   EXPECT_EQ(whyNotAttributed(since()), "no material is over budget");
   Json old = Json::parse(readWholeFile(file));
-  for (const char* region : {"interior", "all"})
-    old["scenes"][0]["views"][0]["materials"][0]["figures"][region]["metrics"]["flip.mean"] = -1;
+  old["scenes"][0]["views"][0]["materials"][0]["figures"]["metrics"]["flip.mean"] = -1;
   writeFile(file, old.dump());
   const Json scene = since();
   const Json& material = scene["views"][0]["materials"][0];

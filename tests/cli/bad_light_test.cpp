@@ -121,6 +121,14 @@ TEST_F(BadLightTest, BudgetsThatCannotBeUsedAreRefusedBeforeAnythingIsRendered) 
       runParity(join({{"report", "builtin:furnace", "builtin:spheres", "-o", folder.string()}, budgets, kSmall})), 4,
       {"budgets.toml", "line 3"});
   EXPECT_FALSE(std::filesystem::exists(folder));
+  const auto refused = [&](const std::string& keys, const std::string& check, const std::vector<std::string>& parts) {
+    writeFile(m_folder / "budgets.toml", "[[material]]\nname = \"*\"\n" + keys +
+                                             "checks = [{ metric = \"flip.mean\", " + check + "fail = 0.1 }]\n");
+    expectRefused(runParity(join({{"diff", "builtin:furnace"}, budgets, kSmall})), 4, parts);
+  };
+  refused("", "region = \"interior\", ", {"budgets.toml", "line 3", "'region' is gone", "one figure"});
+  refused("min_pixels = -1\n", "", {"budgets.toml", "line 3", "min_pixels", "-1"});
+  refused("min_pixels = 1.5\n", "", {"budgets.toml", "line 3", "min_pixels", "whole number"});
   expectRefused(runParity(join({{"diff", "builtin:furnace", "--budgets", (m_folder / "none.toml").string()}, kSmall})),
                 4, {"none.toml", "does not exist"});
 }

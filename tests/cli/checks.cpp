@@ -101,8 +101,8 @@ std::vector<std::string> reportFiles() {
 
 std::string writeBudgets(const TempFolder& folder, const std::string& limits) {
   const std::filesystem::path file = folder / "budgets.toml";
-  const std::string check = "checks = [{ metric = \"flip.mean\", region = \"all\", " + limits + " }]\n";
-  writeFile(file, "[[material]]\nname = \"*\"\n" + check + "[[whole]]\n" + check);
+  const std::string check = "checks = [{ metric = \"flip.mean\", " + limits + " }]\n";
+  writeFile(file, "[[material]]\nname = \"*\"\nmin_pixels = 1\n" + check + "[[whole]]\n" + check);
   return file.string();
 }
 

@@ -60,7 +60,8 @@ inline constexpr bool kHasPage = false;
 // What a report's folder holds besides pictures and values, sorted.
 std::vector<std::string> reportFiles();
 
-// A budget file that judges everything by its mean FLIP alone; `limits` as in "warn = 0.1, fail = 0.2".
+// A budget file that judges everything, materials of any size, by its mean FLIP alone; `limits` as in "warn = 0.1, fail
+// = 0.2".
 std::string writeBudgets(const TempFolder& folder, const std::string& limits);
 
 } // namespace parity::tests

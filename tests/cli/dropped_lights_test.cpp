@@ -97,7 +97,7 @@ protected:
     }
     const RunResult result = runParity({"flip", files[0], files[1], "--json", "-"});
     const Json flip = Json::parse(result.out);
-    return flip["pairs"][0]["regions"][0]["all"]["metrics"]["flip.mean"];
+    return flip["pairs"][0]["regions"][0]["figures"]["metrics"]["flip.mean"];
   }
 
 private:

@@ -75,9 +75,9 @@ TEST_F(FlipInputs, AlphaAsAChannelHasARowOfItsOwn) {
   const nlohmann::json rows = json["pairs"][0]["regions"];
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0]["name"], "image");
-  EXPECT_EQ(rows[0]["all"]["metrics"]["flip.max"], 0) << "the colour is the same";
+  EXPECT_EQ(rows[0]["figures"]["metrics"]["flip.max"], 0) << "the colour is the same";
   EXPECT_EQ(rows[1]["name"], "alpha");
-  EXPECT_NEAR(rows[1]["all"]["metrics"]["rmse"].get<double>(), 127 / 255., 1e-6);
+  EXPECT_NEAR(rows[1]["figures"]["metrics"]["rmse"].get<double>(), 127 / 255., 1e-6);
   flipJson({(m_folder / "a.png").string(), (m_folder / "b.png").string(), "--alpha", "channel", "--metric", "flip.mean",
             "--fail", "0.01"},
            2);
@@ -91,7 +91,7 @@ TEST_F(FlipInputs, DeclaredColourSpaceIsConverted) {
   const nlohmann::json linear = flipJson({file, file, "--colorspace", "linear"}),
                        acescg = flipJson({file, file, "--colorspace", "acescg"});
   const auto luma = [](const nlohmann::json& json) {
-    return json["pairs"][0]["regions"][0]["all"]["referenceLuma"].get<double>();
+    return json["pairs"][0]["regions"][0]["figures"]["referenceLuma"].get<double>();
   };
   EXPECT_GT(luma(acescg), luma(linear) + 0.01) << "AP1 green clips brighter on an sRGB screen";
   EXPECT_TRUE(contains(acescg["pairs"][0]["referenceSpace"], "acescg"));
@@ -145,11 +145,11 @@ TEST_F(FlipInputs, EachIdOfAMaskIsARegion) {
   const nlohmann::json rows = flipJson(join({pair, {"--metrics", "flip,rmse"}}))["pairs"][0]["regions"];
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[0]["name"], "id 0");
-  EXPECT_EQ(rows[0]["all"]["pixels"], 512);
-  EXPECT_EQ(rows[0]["all"]["metrics"]["rmse"], 0);
+  EXPECT_EQ(rows[0]["figures"]["pixels"], 512);
+  EXPECT_EQ(rows[0]["figures"]["metrics"]["rmse"], 0);
   EXPECT_EQ(rows[1]["name"], "id 7");
   EXPECT_EQ(rows[2]["name"], "id 40000");
-  EXPECT_GT(rows[2]["all"]["metrics"]["rmse"], 0.1);
+  EXPECT_GT(rows[2]["figures"]["metrics"]["rmse"], 0.1);
   EXPECT_EQ(flipJson(join({pair, {"--ignore-id", "0"}}))["pairs"][0]["regions"].size(), 2u);
   const nlohmann::json failed = flipJson(join({pair, {"--metric", "rmse", "--fail", "0.1"}}), 2);
   EXPECT_TRUE(contains(failed["pairs"][0]["reason"], "id 40000")) << failed["pairs"][0]["reason"];
@@ -170,10 +170,10 @@ TEST_F(FlipInputs, WhiteOfAMaskIsInAndAnAreaLimitsIt) {
   EXPECT_GT(firstFigures(flipJson(pair))["rmse"], 0.05);
   const nlohmann::json masked = flipJson(join({pair, {"--mask", write("mask.png", mask)}}));
   EXPECT_EQ(masked["pairs"][0]["regions"][0]["name"], "mask");
-  EXPECT_EQ(masked["pairs"][0]["regions"][0]["all"]["pixels"], 24 * 32);
+  EXPECT_EQ(masked["pairs"][0]["regions"][0]["figures"]["pixels"], 24 * 32);
   EXPECT_EQ(firstFigures(masked)["flip.max"], 0) << "beyond the filters' reach of the change";
   const nlohmann::json area = flipJson(join({pair, {"--region", "24,8,10,4"}}));
-  EXPECT_EQ(area["pairs"][0]["regions"][0]["all"]["pixels"], 40);
+  EXPECT_EQ(area["pairs"][0]["regions"][0]["figures"]["pixels"], 40);
   EXPECT_EQ(firstFigures(area)["flip.max"], 0);
 }
 

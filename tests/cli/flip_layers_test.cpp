@@ -99,7 +99,7 @@ TEST_F(FlipLayers, LayersThatDifferAreNotComparableUnlessIgnored) {
   EXPECT_EQ(flipJson({near, near})["pairs"][0]["identical"], true) << "the layers were compared bit by bit";
   const nlohmann::json ignored = flipJson({near, far, "--ignore-layers"})["pairs"][0];
   EXPECT_EQ(ignored["identical"], false);
-  EXPECT_EQ(ignored["regions"][0]["all"]["metrics"]["flip.max"], 0);
+  EXPECT_EQ(ignored["regions"][0]["figures"]["metrics"]["flip.max"], 0);
 }
 
 TEST_F(FlipLayers, IdsWithoutAPixelInTheAreaAreNamed) {

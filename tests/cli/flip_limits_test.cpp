@@ -49,11 +49,11 @@ TEST_F(FlipLimits, WarningsCountOnlyWithWarnExit) {
 
 // The block and FLIP's reach around it are some 10 % of the pixels, and no more than (16+20)^2/64^2 = 32 %.
 TEST_F(FlipLimits, PixelsOverALimitAreCountedAsIdiffDoes) {
-  expectVerdict(2, {"--metric", "flip", "--fail", "0.1"}, "of all pixels have FLIP over 0.1");
-  expectVerdict(2, {"--metric", "flip", "--fail", "0.1", "--failpercent", "1"}, "of all pixels have FLIP over 0.1");
+  expectVerdict(2, {"--metric", "flip", "--fail", "0.1"}, "of the pixels have FLIP over 0.1");
+  expectVerdict(2, {"--metric", "flip", "--fail", "0.1", "--failpercent", "1"}, "of the pixels have FLIP over 0.1");
   expectVerdict(0, {"--metric", "flip", "--fail", "0.1", "--failpercent", "32"}, "pass");
-  expectVerdict(2, {"--fail", "0.1"}, "of all pixels have FLIP over 0.1");
-  expectVerdict(1, {"--warn", "0.1", "--warnpercent", "1", "--warn-exit"}, "of all pixels have FLIP over 0.1");
+  expectVerdict(2, {"--fail", "0.1"}, "of the pixels have FLIP over 0.1");
+  expectVerdict(1, {"--warn", "0.1", "--warnpercent", "1", "--warn-exit"}, "of the pixels have FLIP over 0.1");
 }
 
 TEST_F(FlipLimits, SinglePixelFailsTheHardLimit) {

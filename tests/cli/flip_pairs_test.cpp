@@ -38,7 +38,7 @@ TEST_F(FlipPairs, FoldersAreMatchedByPathAndByStemWhereThatLeavesNoChoice) {
   const nlohmann::json json = flip(0);
   EXPECT_EQ(names(json), (std::vector<std::string>{"a", "c", "sub/b"}));
   EXPECT_EQ(json["pairs"][2]["identical"], true);
-  EXPECT_GT(json["pairs"][0]["regions"][0]["all"]["metrics"]["flip.mean"], 0);
+  EXPECT_GT(json["pairs"][0]["regions"][0]["figures"]["metrics"]["flip.mean"], 0);
 }
 
 TEST_F(FlipPairs, MissingCounterpartFailsAndTheOthersStillRun) {

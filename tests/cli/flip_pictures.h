@@ -39,9 +39,9 @@ inline nlohmann::json flipJson(const std::vector<std::string>& arguments, int co
   return json;
 }
 
-// The figures over all pixels of the first region of the first pair.
+// The figures of the first region of the first pair.
 inline nlohmann::json firstFigures(const nlohmann::json& json) {
-  return json["pairs"][0]["regions"][0]["all"]["metrics"];
+  return json["pairs"][0]["regions"][0]["figures"]["metrics"];
 }
 
 } // namespace parity::tests

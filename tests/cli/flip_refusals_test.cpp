@@ -35,7 +35,7 @@ TEST_F(FlipRefusals, NonFinitePixelsCountedAsTheWorstErrorStillFail) {
   for (const std::vector<std::string>& pair : {std::vector{good, bad}, {bad, good}, {bad, bad}}) {
     const nlohmann::json json =
         flipJson(join({pair, {"--non-finite", "worst", "--metric", "flip.mean", "--fail", "0.99"}}), 2);
-    EXPECT_EQ(json["pairs"][0]["regions"][0]["all"]["nonFinite"], 1);
+    EXPECT_EQ(json["pairs"][0]["regions"][0]["figures"]["nonFinite"], 1);
     EXPECT_EQ(firstFigures(json)["flip.max"], 1);
     EXPECT_TRUE(contains(json["pairs"][0]["reason"], "NaN")) << json["pairs"][0]["reason"];
   }

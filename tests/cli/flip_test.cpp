@@ -1,4 +1,5 @@
 // parity flip agrees with the published metric, and with what a report says of the pictures it writes.
+#include <algorithm>
 #include <cmath>
 
 #include "base/image_io.h"
@@ -72,7 +73,7 @@ TEST_F(FlipOfAReport, IsTheFlipOfTheWrittenPictures) {
                                            kSmall}));
   ASSERT_NE(result.exitCode, 4) << result.err;
   const nlohmann::json report = readReport(folder), view = report["scenes"][0]["views"][0];
-  const nlohmann::json& figures = view["whole"]["figures"]["all"];
+  const nlohmann::json& figures = view["whole"]["figures"];
   ASSERT_EQ(figures["pixels"], 64 * 64);
   ASSERT_GT(figures["metrics"]["flip.mean"].get<double>(), 0.01) << "nothing differs: nothing is tested";
 
@@ -99,6 +100,35 @@ TEST_F(FlipOfAReport, MapIsTheSameWithABackgroundToo) {
   const std::string map = (m_folder / "map.png").string();
   flipJson({picture("reference"), picture("test"), "-o", map});
   EXPECT_EQ(base::readImage8(map, 3), base::readImage8(picture("flip"), 3));
+}
+
+// Beside a metal that differs stands a sign that does not: FLIP of the whole picture reaches over it from the rim, its
+// own does not.
+TEST_F(FlipOfAReport, MapOfAMaterialShowsNothingOfItsNeighbour) {
+  GltfFile file = makeQuad();
+  file.material()["pbrMetallicRoughness"] = {{"metallicFactor", 1}, {"roughnessFactor", 0.6}};
+  file.json["extensionsUsed"] = {"KHR_materials_unlit"};
+  file.json["materials"].push_back(
+      {{"name", "sign"}, {"extensions", {{"KHR_materials_unlit", nlohmann::json::object()}}}});
+  file.json["meshes"].push_back(file.json["meshes"][0]);
+  file.json["meshes"][1]["primitives"][0]["material"] = 1;
+  file.json["nodes"].push_back({{"mesh", 1}, {"translation", {1, 0, 0}}});
+  file.json["scenes"][0]["nodes"].push_back(1);
+  const std::filesystem::path folder = m_folder / "out";
+  const RunResult result = runParity(
+      join({{"report", writeExternal(m_folder, file), "--orbit", "0,90,2", "-o", folder.string()}, kSun, kSmall}));
+  ASSERT_NE(result.exitCode, 4) << result.err;
+  const nlohmann::json view = readReport(folder)["scenes"][0]["views"][0];
+  const auto mapOf = [&](const nlohmann::json& images) {
+    return base::readImage8(folder / images["flip"].get<std::string>(), 3);
+  };
+  const base::Image8 whole = mapOf(view["images"]), metal = mapOf(view["materials"][0]["crops"]),
+                     sign = mapOf(view["materials"][1]["crops"]);
+  base::Image8 none(sign.width, sign.height, 3); // magma at 0, as in the corner of the background
+  for (std::size_t i = 0; i < none.pixels.size(); ++i) none.pixels[i] = whole.pixels[i % 3];
+  EXPECT_EQ(sign, none);
+  EXPECT_GT(*std::ranges::max_element(metal.pixels), *std::ranges::max_element(none.pixels)) << "nothing differs";
+  EXPECT_EQ(view["materials"][1]["figures"]["metrics"]["flip.max"], 0);
 }
 
 } // namespace

@@ -122,9 +122,9 @@ TEST_F(FogOfTheProgram, IsNamedInTheReportWhereItIsNotTheDefault) {
   EXPECT_LE(result.exitCode, 2) << result.err;
   nlohmann::json scenes = readReport(folder)["scenes"];
   ASSERT_EQ(scenes.size(), 2u);
-  EXPECT_FALSE(scenes[0].contains("light"));
+  EXPECT_EQ(scenes[0]["light"], "mobile reflections scaled: sky");
   EXPECT_EQ(scenes[1]["light"], "sky light x 1,0.5,0; fog of 0.2 per m at 0 m, falloff 0 per m, colour 0.447,0.638,1, "
-                                "from 0 m on, opacity to 1");
+                                "from 0 m on, opacity to 1; mobile reflections scaled: sky");
   EXPECT_TRUE(contains(scenes[0].at("passes").dump(), "no fog"));
   EXPECT_FALSE(contains(scenes[1].at("passes").dump(), "no fog"));
 }

@@ -15,6 +15,7 @@ const std::vector<std::string> kCommon = {"--size",
                                           "--sky-light-color",
                                           "--indirect-color-scale",
                                           "--sun-specular-scale",
+                                          "--falloff",
                                           "--fog",
                                           "--fog-color",
                                           "--fog-start",
@@ -39,8 +40,19 @@ const std::vector<std::string> kCommon = {"--size",
                                           "-v",
                                           "--no-sun-extraction",
                                           "--specular-aa",
+                                          "--capture-scale",
+                                          "--mixing-begin",
+                                          "--mixing-end",
+                                          "--mixing-largest",
                                           "--mobile-target",
                                           "--mobile-textures",
+                                          "--direct-lobe",
+                                          "--mobile-spot-shadow",
+                                          "--mobile-spot-sharpen",
+                                          "--mobile-spot-fade",
+                                          "--mobile-sun-shadow",
+                                          "--mobile-sun-distance",
+                                          "--mobile-sun-fade",
                                           "--geometry-term",
                                           "--fresnel",
                                           "--diffuse",
@@ -67,7 +79,7 @@ TEST(Help, NamesEveryBuiltInScene) {
 
 TEST(Help, NamesTheSubcommandsAndTheExitCodes) {
   for (const char* flag : {"--help", "-h"})
-    expectHelp({flag}, {"report", "diff", "render", "flip", "fit", "bench", "stress", "devices", "cache", "64",
+    expectHelp({flag}, {"report", "diff", "render", "flip", "fit", "plot", "bench", "stress", "devices", "cache", "64",
                         "over budget", "builtin:spheres"});
 }
 
@@ -84,6 +96,7 @@ TEST(Help, OfEachSubcommandNamesItsOptions) {
   expectHelp({"budget", "--help"}, {"suggest", "check"});
   expectHelp({"budget", "suggest", "--help"}, {"reports", "--output", "--margin", "--metrics"});
   expectHelp({"fit", "--help"}, {"--geometry-term", "--fresnel", "--compensation", "--format", "hlsl", "--output"});
+  expectHelp({"plot", "--help"}, {"env-brdf", "--geometry-term", "--compensation", "--mobile-preset", "--output"});
   expectHelp({"bench", "--help"}, join({kCommon,
                                         {"--budget", "--compare", "--settings", "--rounds", "--scaling",
                                          "--no-reference", "--csv", "--output"}}));

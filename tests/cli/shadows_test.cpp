@@ -73,18 +73,23 @@ TEST_F(ShadowsTest, TakeLightAwayInThePathsThatHaveThem) {
       EXPECT_EQ(shadowed, open) << "they are baked there";
   }
   const double spot = sumOf(render("builtin:shadows", "mobile", {"--mobile-spot-shadow"}));
+  const double sun = sumOf(render("builtin:shadows", "mobile", {"--mobile-sun-shadow"}));
+  const double near =
+      sumOf(render("builtin:shadows", "mobile", {"--mobile-sun-shadow", "--mobile-sun-distance", "0.01"}));
+  EXPECT_LT(sun, 0.99 * sumOf(render("builtin:shadows", "mobile", {})));
+  EXPECT_EQ(near, sumOf(render("builtin:shadows", "mobile", {}))) << "nothing is so near";
   EXPECT_LT(spot, sumOf(render("builtin:shadows", "mobile", {})));
 }
 
 TEST_F(ShadowsTest, AreOffUnlessAskedForAndTheReportSaysSo) {
   const nlohmann::json off = report({"builtin:shadows"});
-  EXPECT_EQ(settingOf(off, "shadows"), "off, but in scenes whose light has them");
+  EXPECT_EQ(settingOf(off, "shadows"), "off");
   EXPECT_EQ(passOf(off, "shadow maps"), 0u);
-  EXPECT_EQ(lightOf(off, 0), "");
+  EXPECT_EQ(lightOf(off, 0), "mobile reflections scaled: sky");
   const nlohmann::json on = report({"builtin:shadows", "--shadows", "--shadow-filter", "5"});
   EXPECT_EQ(settingOf(on, "shadows"), "on");
   EXPECT_EQ(settingOf(on, "shadow maps"), "2048 texels, filter of 5");
-  EXPECT_EQ(lightOf(on, 0), "shadows");
+  EXPECT_EQ(lightOf(on, 0), "shadows; mobile reflections scaled: sky");
   EXPECT_GT(passOf(on, "shadow maps"), 3u);
   EXPECT_GT(passOf(on, "casters of shadows"), passOf(on, "shadow maps"));
 }
@@ -97,11 +102,12 @@ TEST_F(ShadowsTest, OfASuiteAreASceneAndAreDrawnOnceForAllViews) {
     return report({"--suite", (m_folder / "suite.toml").string(), "--no-cache"});
   };
   const nlohmann::json one = suite("");
-  EXPECT_EQ(lightOf(one, 0), "shadows");
-  EXPECT_EQ(lightOf(one, 1), "");
+  EXPECT_EQ(lightOf(one, 0), "shadows; mobile reflections scaled: sky");
+  EXPECT_EQ(lightOf(one, 1), "mobile reflections scaled: sky");
   // What the scene says goes before what the run says.
   writeFile(m_folder / "suite.toml", std::string("[[scene]]\nfile = \"builtin:shadows\"\nshadows = false\n"));
-  EXPECT_EQ(lightOf(report({"--suite", (m_folder / "suite.toml").string(), "--shadows"}), 0), "");
+  EXPECT_EQ(lightOf(report({"--suite", (m_folder / "suite.toml").string(), "--shadows"}), 0),
+            "mobile reflections scaled: sky");
   const nlohmann::json two = suite("[[scene.view]]\n[[scene.view]]\norbit = [100, 60, 0]\n");
   EXPECT_EQ(two["scenes"][0]["views"].size(), 2u);
   EXPECT_EQ(passOf(two, "shadow maps"), passOf(one, "shadow maps"));

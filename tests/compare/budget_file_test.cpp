@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/expect_error.h"
 #include "base/file.h"
+#include "base/image.h"
 #include "base/temp_folder.h"
 #include "compare/budget.h"
 
@@ -31,16 +32,15 @@ TEST(BudgetFile, TheShippedExampleIsReadAsItReads) {
   const BudgetRule* hero = findMaterialRule(budgets, "any", "The Hero face");
   ASSERT_EQ(hero, &budgets.materials[0]);
   EXPECT_TRUE(hero->requireSeen);
+  EXPECT_EQ(hero->minPixels, 200u);
   EXPECT_EQ(hero->owner, "characters");
   EXPECT_FALSE(hero->reason.empty());
   EXPECT_EQ(hero->origin.find("budgets.example.toml, line "), 0u);
   ASSERT_EQ(hero->checks.size(), 4u);
   EXPECT_EQ(hero->checks[0].statistic.name, "flip.mean");
-  EXPECT_EQ(hero->checks[0].region, Region::interior);
   EXPECT_EQ(hero->checks[0].warn, 0.05);
   EXPECT_EQ(hero->checks[0].fail, 0.10);
   EXPECT_EQ(hero->checks[2].statistic.name, "psnr");
-  EXPECT_EQ(hero->checks[2].region, Region::all);
   EXPECT_EQ(hero->checks[2].warn, 32);
   EXPECT_EQ(hero->checks[3].statistic.better, Better::nearZero);
   ASSERT_EQ(hero->regress.size(), 1u);
@@ -57,7 +57,6 @@ TEST(BudgetFile, TheExampleShowsTheBuiltInLimits) {
     ASSERT_EQ(shown.checks.size(), real.checks.size());
     for (std::size_t i = 0; i < real.checks.size(); ++i) {
       EXPECT_EQ(shown.checks[i].statistic.name, real.checks[i].statistic.name);
-      EXPECT_EQ(shown.checks[i].region, real.checks[i].region);
       EXPECT_EQ(shown.checks[i].warn, real.checks[i].warn);
       EXPECT_EQ(shown.checks[i].fail, real.checks[i].fail);
     }
@@ -69,8 +68,9 @@ TEST(BudgetFile, TheExampleShowsTheBuiltInLimits) {
 // Every name that the example's head lists is one, and every figure there is, is listed.
 TEST(BudgetFile, TheExampleListsTheFiguresThatThereAre) {
   const std::string text = base::readText(PARITY_SOURCE_DIR "/compare/budgets.example.toml");
-  const std::string head =
-      text.substr(text.find("#   metric  "), text.find("#   region  ") - text.find("#   metric  "));
+  const std::size_t begin = text.find("#   metric  "), end = text.find("#   warn, fail  ");
+  ASSERT_NE(end, std::string::npos);
+  const std::string head = text.substr(begin, end - begin);
   for (const std::string& name : knownStatistics()) {
     if (name.starts_with("hdrflip.")) continue; // as hdrflip.*
     const std::string listed = name.substr(0, name.find("(X)"));
@@ -80,13 +80,13 @@ TEST(BudgetFile, TheExampleListsTheFiguresThatThereAre) {
 
 TEST(BudgetFile, ItsRulesAreToldInWords) {
   const std::string text = describeBudgets(loadBudgets(PARITY_SOURCE_DIR "/compare/budgets.example.toml"));
-  for (const char* part :
-       {": materials '*Hero*', which a view has to show, owner characters: shown on the title screen",
-        "    mean FLIP (flip.mean) over interior pixels: warn above 0.050, fail above 0.100\n",
-        "    PSNR (psnr) over all pixels: warn below 32.0 dB, fail below 28.0 dB\n",
-        "    regression of mean FLIP (flip.mean) over interior pixels: warn above 0.010, fail above 0.030\n",
-        "materials '*[Mm]etal*' of scenes 'MetalRoughSpheres*'", "built-in: all materials\n",
-        "built-in: whole images\n"})
+  for (const char* part : {": materials '*Hero*', which a view has to show, of at least 200 pixels, owner characters: "
+                           "shown on the title screen",
+                           "    mean FLIP (flip.mean): warn above 0.050, fail above 0.100\n",
+                           "    PSNR (psnr): warn below 32.0 dB, fail below 28.0 dB\n",
+                           "    regression of mean FLIP (flip.mean): warn above 0.010, fail above 0.030\n",
+                           "materials '*[Mm]etal*' of scenes 'MetalRoughSpheres*'", "built-in: all materials\n",
+                           "built-in: whole images\n"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
@@ -97,12 +97,56 @@ TEST(BudgetFile, WhatNoRuleMatchesIsJudgedByTheBuiltInOnes) {
   EXPECT_EQ(findWholeRule(budgets, "s")->origin, "built-in");
 }
 
-TEST(BudgetFile, WholeImagesAreCheckedOverAllPixelsUnlessTheFileSaysOtherwise) {
-  const Budgets budgets = load(R"([[whole]]
-checks = [ { metric = "rmse", warn = 0.1 }, { metric = "rmse", region = "interior", fail = 0 } ])");
-  EXPECT_EQ(budgets.wholes[0].checks[0].region, Region::all);
-  EXPECT_EQ(budgets.wholes[0].checks[1].region, Region::interior);
-  EXPECT_EQ(budgets.wholes[0].checks[1].fail, 0.0); // an integer is a number too
+TEST(BudgetFile, AnIntegerIsANumberToo) {
+  EXPECT_EQ(load("[[whole]]\nchecks = [ { metric = \"rmse\", fail = 0 } ]").wholes[0].checks[0].fail, 0.0);
+}
+
+// Files of before name regions. Whatever they named, the one figure takes the place of it.
+TEST(BudgetFile, RegionsAreRefusedWithWhatTakesTheirPlace) {
+  for (const char* value : {"\"interior\"", "\"all\"", "\"interor\"", "3"})
+    for (const char* list : {"checks", "regress"})
+      for (const char* head : {"[[material]]\nname = \"*\"\n", "[[whole]]\nscene = \"*\"\n", "[preset.a]\n\n"})
+        expectRefusal(std::string(head) + list + " = [ { metric = \"rmse\", region = " + value + ", warn = 0.1 } ]",
+                      "line 3",
+                      "'region' is gone: a material is judged by one figure over all of its pixels, in which no "
+                      "neighbour takes part (docs/budgets.md): delete the key");
+  expectRefusal("[[material]]\nname = \"*\"\nregion = \"all\"\n" + kCheck, "line 3", "unknown key 'region'");
+}
+
+TEST(BudgetFile, TheLeastSizeOfAMaterialIsReadAndToldInWords) {
+  const auto rule = [](const std::string& line) {
+    return load("[[material]]\nname = \"*\"\n" + line + "\n" + kCheck).materials[0];
+  };
+  EXPECT_EQ(rule("").minPixels, kDefaultMinPixels);
+  EXPECT_EQ(kDefaultMinPixels, 64u);
+  EXPECT_EQ(rule("min_pixels = 1").minPixels, 1u) << "judges whatever is seen";
+  EXPECT_EQ(rule("min_pixels = 500").minPixels, 500u);
+  EXPECT_EQ(rule("min_pixels = 268435456").minPixels, base::kMaxImagePixels) << "the largest picture there is";
+  const auto tell = [](const BudgetRule& told) { return describeBudgets({{told}, {}}); };
+  EXPECT_NE(tell(rule("min_pixels = 500")).find(", of at least 500 pixels"), std::string::npos);
+  EXPECT_EQ(tell(rule("")).find("pixels"), std::string::npos) << "the built-in size is not worth a word";
+
+  MaterialResult material;
+  material.name = "m";
+  judgeMaterial(material, load("[[material]]\nname = \"*\"\nmin_pixels = 500\n" + kCheck), "s");
+  EXPECT_EQ(material.rule.minPixels, 500u);
+}
+
+TEST(BudgetFile, LeastSizesThatMakeNoSenseAreRefused) {
+  const auto refuse = [](const std::string& value, const std::string& reason) {
+    expectRefusal("[[material]]\nname = \"*\"\nmin_pixels = " + value + "\n" + kCheck, "line 3", reason);
+  };
+  refuse("-1", "'min_pixels' is -1, outside the range 1..268435456");
+  refuse("0", "'min_pixels' is 0, outside the range 1..268435456: 1 judges every material that is seen");
+  refuse("268435457", "'min_pixels' is 268435457, outside the range");
+  refuse("1000000000000", "'min_pixels' is 1000000000000, outside the range");
+  refuse("1e12", "'min_pixels' must be a whole number");
+  refuse("2.5", "'min_pixels' must be a whole number");
+  refuse("\"64\"", "'min_pixels' must be a whole number");
+  refuse("true", "'min_pixels' must be a whole number");
+  refuse("nan", "'min_pixels' must be a whole number");
+  expectRefusal("[[material]]\nname = \"*\"\nmin_pixel = 3\n" + kCheck, "line 3", "did you mean 'min_pixels'?");
+  expectRefusal("[[whole]]\nmin_pixels = 3\n" + kCheck, "line 2", "unknown key 'min_pixels'");
 }
 
 TEST(BudgetFile, UnknownNamesAreRefusedWithTheNearestKnownOne) {
@@ -120,8 +164,6 @@ TEST(BudgetFile, UnknownNamesAreRefusedWithTheNearestKnownOne) {
                 "unknown metric 'vmaf'; known: flip.");
   expectRefusal(head + "preset = \"stric\"", "line 3", "unknown preset 'stric'; did you mean 'strict'?");
   expectRefusal("[preset.a]\nreason = \"x\"\n", "line 2", "unknown key 'reason'");
-  expectRefusal(head + "checks = [ { metric = \"rmse\", region = \"interor\", warn = 0.1 } ]", "line 3",
-                "unknown region 'interor'; did you mean 'interior'?");
   expectRefusal("[[whole]]\nname = \"*\"\n" + kCheck, "line 2", "unknown key 'name'");
 }
 
@@ -151,8 +193,7 @@ TEST(BudgetFile, LimitsThatMakeNoSenseAreRefused) {
   refuse(R"(metric = "psnr", warn = 28, fail = 32)", "'warn' (28) lies below 'fail' (32)");
   refuse(R"(metric = 7, warn = 1)", "'metric' must be a string");
   refuse(R"(warn = 1)", "no 'metric'");
-  refuse(R"(metric = "rmse", warn = 0.1 }, { metric = "rmse", fail = 0.2)",
-         "'rmse' over interior pixels is checked twice");
+  refuse(R"(metric = "rmse", warn = 0.1 }, { metric = "rmse", fail = 0.2)", "'rmse' is checked twice");
 }
 
 // At the end of the range nothing is beyond the limit: it would always pass.
@@ -201,11 +242,11 @@ preset = "hero")");
   ASSERT_EQ(face.checks.size(), 2u);
   EXPECT_EQ(face.checks[0].warn, 0.08) << "the rule's own limit stands in for the preset's";
   EXPECT_EQ(face.checks[1].statistic.name, "rmse");
-  EXPECT_EQ(face.checks[1].region, Region::interior);
   ASSERT_EQ(face.regress.size(), 1u);
   EXPECT_EQ(face.regress[0].fail, 3);
   EXPECT_EQ(budgets.materials[1].checks[0].fail, 0.10);
-  EXPECT_EQ(budgets.wholes[0].checks[0].region, Region::all) << "of whole images all pixels count";
+  ASSERT_EQ(budgets.wholes[0].checks.size(), 2u);
+  EXPECT_EQ(budgets.wholes[0].checks[0].warn, 0.05);
   EXPECT_EQ(face.line, 4);
   EXPECT_TRUE(face.file.ends_with("b.toml"));
 }

@@ -1,4 +1,5 @@
 // Budgets: limits, rules, and that nothing passes that was not measured.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -6,7 +7,10 @@
 
 #include "compare/budget.h"
 #include "compare/flip.h"
+#include "compare/measure.h"
+#include "compare/region.h"
 #include "compare/sample_report.h"
+#include "compare/wording.h"
 
 namespace parity::compare {
 namespace {
@@ -14,8 +18,8 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-BudgetCheck checkOf(const std::string& figure, Region region, std::optional<double> warn, std::optional<double> fail) {
-  return {requireStatistic(figure, "test"), region, warn, fail};
+BudgetCheck checkOf(const std::string& figure, std::optional<double> warn, std::optional<double> fail) {
+  return {requireStatistic(figure, "test"), warn, fail};
 }
 
 BudgetRule ruleOf(std::vector<BudgetCheck> checks) {
@@ -25,13 +29,13 @@ BudgetRule ruleOf(std::vector<BudgetCheck> checks) {
 }
 
 Verdict verdictAt(const BudgetCheck& check, double value) {
-  RegionFigures figures = makeRegion("m", 0.1, 4000);
+  Figures figures = makeFigures(0.1, 4000);
   setFigure(figures, check.statistic.name, value);
   return runChecks(ruleOf({check}), figures).at(0).verdict;
 }
 
 TEST(Budget, BeyondALimitIsStrictlyBeyondIt) {
-  const BudgetCheck check = checkOf("flip.mean", Region::interior, 0.1, 0.2);
+  const BudgetCheck check = checkOf("flip.mean", 0.1, 0.2);
   EXPECT_EQ(verdictAt(check, 0), Verdict::pass);
   EXPECT_EQ(verdictAt(check, 0.1), Verdict::pass);
   EXPECT_EQ(verdictAt(check, std::nextafter(0.1, 1)), Verdict::warn);
@@ -40,7 +44,7 @@ TEST(Budget, BeyondALimitIsStrictlyBeyondIt) {
 }
 
 TEST(Budget, PsnrIsALowerBoundAndIdenticalImagesPassAny) {
-  const BudgetCheck check = checkOf("psnr", Region::interior, 32, 28);
+  const BudgetCheck check = checkOf("psnr", 32, 28);
   EXPECT_EQ(verdictAt(check, 40), Verdict::pass);
   EXPECT_EQ(verdictAt(check, 32), Verdict::pass);
   EXPECT_EQ(verdictAt(check, 31.9), Verdict::warn);
@@ -49,13 +53,13 @@ TEST(Budget, PsnrIsALowerBoundAndIdenticalImagesPassAny) {
 }
 
 TEST(Budget, EitherLimitMayStandAlone) {
-  EXPECT_EQ(verdictAt(checkOf("rmse", Region::all, std::nullopt, 0.2), 0.15), Verdict::pass);
-  EXPECT_EQ(verdictAt(checkOf("rmse", Region::all, std::nullopt, 0.2), 0.25), Verdict::fail);
-  EXPECT_EQ(verdictAt(checkOf("rmse", Region::all, 0.1, std::nullopt), 0.9), Verdict::warn);
+  EXPECT_EQ(verdictAt(checkOf("rmse", std::nullopt, 0.2), 0.15), Verdict::pass);
+  EXPECT_EQ(verdictAt(checkOf("rmse", std::nullopt, 0.2), 0.25), Verdict::fail);
+  EXPECT_EQ(verdictAt(checkOf("rmse", 0.1, std::nullopt), 0.9), Verdict::warn);
 }
 
 TEST(Budget, ASignedFigureIsBoundedOnEitherSide) {
-  const BudgetCheck check = checkOf("bias.ev", Region::interior, 0.1, 0.3);
+  const BudgetCheck check = checkOf("bias.ev", 0.1, 0.3);
   for (const double sign : {-1., 1.}) {
     EXPECT_EQ(verdictAt(check, sign * 0.1), Verdict::pass);
     EXPECT_EQ(verdictAt(check, sign * 0.2), Verdict::warn);
@@ -66,27 +70,26 @@ TEST(Budget, ASignedFigureIsBoundedOnEitherSide) {
 TEST(Budget, NotANumberIsAnErrorForEveryFigure) {
   for (std::string name : knownStatistics()) {
     if (name.ends_with("(X)")) name.replace(name.size() - 2, 1, "0.1");
-    EXPECT_EQ(verdictAt(checkOf(name, Region::interior, 0.5, 0.5), kNan), Verdict::error) << name;
+    EXPECT_EQ(verdictAt(checkOf(name, 0.5, 0.5), kNan), Verdict::error) << name;
   }
 }
 
 TEST(Budget, AFigureThatWasNotMeasuredIsAnErrorInWords) {
   MaterialResult material = makeMaterial("x", 0, 4000);
   Budgets budgets;
-  budgets.materials = {ruleOf({checkOf("flip.mean", Region::interior, 0.1, 0.2),
-                               checkOf("flip.fraction_over(0.1)", Region::interior, 0.1, 0.2)})};
+  budgets.materials = {ruleOf({checkOf("flip.mean", 0.1, 0.2), checkOf("flip.fraction_over(0.1)", 0.1, 0.2)})};
   judgeMaterial(material, budgets, "scene");
   EXPECT_EQ(material.verdict, Verdict::error);
-  EXPECT_EQ(material.reason, "share of pixels with FLIP over 0.1 over interior pixels: not measured");
+  EXPECT_EQ(material.reason, "share of pixels with FLIP over 0.1: not measured");
   EXPECT_EQ(material.checks.at(0).verdict, Verdict::pass);
 }
 
 TEST(Budget, NamesEachFigureThatARunHasToMeasureOnce) {
   Budgets budgets = defaultBudgets();
-  budgets.materials[0].checks.push_back(checkOf("maxabs", Region::all, 0.1, 0.2));
-  budgets.materials[0].regress.push_back(checkOf("flip.mean", Region::all, 0.1, 0.2));
-  budgets.materials[0].regress.push_back(checkOf("psnr", Region::all, 1, 2));
-  const std::vector<std::string> expected = {"flip.mean", "flip.p95", "maxabs", "psnr"};
+  budgets.materials[0].checks.push_back(checkOf("maxabs", 0.1, 0.2));
+  budgets.materials[0].regress.push_back(checkOf("flip.mean", 0.1, 0.2));
+  budgets.materials[0].regress.push_back(checkOf("psnr", 1, 2));
+  const std::vector<std::string> expected = {"flip.mean", "flip.p95", "bias.ev", "maxabs", "psnr"};
   EXPECT_EQ(requiredStatistics(budgets), expected);
 }
 
@@ -110,6 +113,12 @@ TEST(Budget, TheStrictPresetIsHalfOfTheDefault) {
   EXPECT_EQ(presets[0].materials[1].fail, 0.50);
   EXPECT_EQ(presets[0].wholes[0].warn, 0.08);
   EXPECT_EQ(presets[0].wholes[0].fail, 0.16);
+  for (const std::vector<BudgetCheck>* checks : {&presets[0].materials, &presets[0].wholes}) {
+    ASSERT_EQ(checks->size(), 3u);
+    EXPECT_EQ(checks->at(2).statistic.name, "bias.ev");
+    EXPECT_EQ(checks->at(2).warn, 0.25);
+    EXPECT_EQ(checks->at(2).fail, 0.5);
+  }
 }
 
 TEST(Budget, ThePresetIdenticalPassesNothingButIdentity) {
@@ -118,37 +127,81 @@ TEST(Budget, ThePresetIdenticalPassesNothingButIdentity) {
   EXPECT_EQ(verdictAt(identical.materials.at(0), 1e-6), Verdict::fail);
 }
 
-TEST(Budget, ChecksLookAtTheirRegion) {
-  RegionFigures figures = makeRegion("m", 0.1, 4000);
-  setFigure(figures.all, "flip.mean", 0.9);
-  const auto results = runChecks(
-      ruleOf({checkOf("flip.mean", Region::interior, 0.2, 0.5), checkOf("flip.mean", Region::all, 0.2, 0.5)}), figures);
-  ASSERT_EQ(results.size(), 2u);
-  EXPECT_EQ(results[0].verdict, Verdict::pass);
-  EXPECT_EQ(results[0].region, "interior");
-  EXPECT_EQ(results[1].verdict, Verdict::fail);
-  EXPECT_EQ(results[1].value, 0.9);
-  EXPECT_EQ(results[1].note, "");
+// Light before it is clipped: what white on white hides from FLIP.
+TEST(Budget, BuiltInLimitsJudgeTheExposureToo) {
+  for (const std::vector<BudgetCheck>* checks :
+       {&defaultBudgets().materials[0].checks, &defaultBudgets().wholes[0].checks}) {
+    const auto ev =
+        std::ranges::find(*checks, "bias.ev", [](const BudgetCheck& check) { return check.statistic.name; });
+    ASSERT_NE(ev, checks->end());
+    for (const double sign : {-1., 1.}) {
+      EXPECT_EQ(verdictAt(*ev, sign * 0.24), Verdict::pass) << sign;
+      EXPECT_EQ(verdictAt(*ev, sign * 0.26), Verdict::warn) << sign;
+      EXPECT_EQ(verdictAt(*ev, sign * 0.50), Verdict::warn) << sign;
+      EXPECT_EQ(verdictAt(*ev, sign * 0.51), Verdict::fail) << sign;
+    }
+  }
+  MaterialResult material = makeMaterial("x", 0, 4000, std::exp2(-0.51)); // no FLIP at all
+  judgeMaterial(material, defaultBudgets(), "scene");
+  EXPECT_EQ(material.verdict, Verdict::fail);
+  EXPECT_EQ(material.reason, "mean exposure difference -0.51 EV is beyond ±0.50 EV");
 }
 
-TEST(Budget, AnEmptyInteriorFallsBackToAllPixelsAndSaysSo) {
-  RegionFigures figures = makeRegion("thin wire", 0.1, 40);
-  figures.interior = {};
-  setFigure(figures.all, "flip.mean", 0.9);
-  const auto results = runChecks(ruleOf({checkOf("flip.mean", Region::interior, 0.2, 0.5)}), figures);
-  ASSERT_EQ(results.size(), 1u);
-  EXPECT_EQ(results[0].verdict, Verdict::fail);
-  EXPECT_EQ(results[0].region, "all");
-  EXPECT_NE(results[0].note.find("no interior pixels"), std::string::npos);
+// Of light that the display hardly shows, a ratio says nothing.
+TEST(Budget, AnExposureBetweenTwoNearlyBlackPicturesIsNotJudgedAndSaysWhy) {
+  MaterialResult material = makeMaterial("x", 0.01, 4000);
+  setFigure(material.figures, "bias.ev", 2);
+  material.figures.referenceLuminance = 0.0005;
+  material.figures.testLuminance = std::nextafter(kLeastLuminance, 0);
+  judgeMaterial(material, defaultBudgets(), "scene");
+  EXPECT_EQ(material.verdict, Verdict::pass) << material.reason;
+  const auto ev = std::ranges::find(material.checks, "bias.ev", &CheckResult::metric);
+  ASSERT_NE(ev, material.checks.end());
+  EXPECT_FALSE(ev->judged());
+  EXPECT_EQ(ev->value, 2) << "the figure is told all the same";
+  EXPECT_EQ(ev->unjudged, "mean luminance is below 0.002 in both pictures: too dark for a difference of exposure");
+  EXPECT_EQ(describeCheck(*ev),
+            "mean exposure difference +2.00 EV is not judged: mean luminance is below 0.002 in both "
+            "pictures: too dark for a difference of exposure");
+
+  setFigure(material.figures, "flip.mean", 0.15);
+  judgeMaterial(material, defaultBudgets(), "scene");
+  EXPECT_EQ(material.verdict, Verdict::warn) << "what is judged is judged";
+  EXPECT_EQ(material.reason, "mean FLIP 0.150 is above 0.100");
+}
+
+TEST(Budget, DarknessOfOnePictureHidesNoExposure) {
+  for (const auto& [reference, test] : {std::pair{0.0, 0.1}, {0.1, 0.0}, {0.0005, kLeastLuminance}}) {
+    MaterialResult material = makeMaterial("x", 0.01, 4000);
+    setFigure(material.figures, "bias.ev", reference < test ? 2 : -2);
+    material.figures.referenceLuminance = reference;
+    material.figures.testLuminance = test;
+    judgeMaterial(material, defaultBudgets(), "scene");
+    EXPECT_EQ(material.verdict, Verdict::fail) << reference << " " << test;
+  }
+}
+
+TEST(Budget, ABudgetOfExposureAloneJudgesNothingInTheDarkAndWarns) {
+  MaterialResult material = makeMaterial("x", 0, 4000);
+  Budgets budgets;
+  budgets.materials = {ruleOf({checkOf("bias.ev", 0.25, 0.5)})};
+  material.figures.referenceLuminance = material.figures.testLuminance = 0.001;
+  judgeMaterial(material, budgets, "scene");
+  EXPECT_EQ(material.verdict, Verdict::warn);
+  EXPECT_EQ(material.reason.find("nothing of its budget could be judged: mean exposure difference "), 0u)
+      << material.reason;
+  setFigure(material.figures, "bias.ev", kNan);
+  judgeMaterial(material, budgets, "scene");
+  EXPECT_EQ(material.verdict, Verdict::error) << "what is not a number is one in the dark too";
 }
 
 TEST(Budget, TheFirstRuleThatMatchesJudges) {
   Budgets budgets;
-  BudgetRule hero = ruleOf({checkOf("flip.mean", Region::interior, 0.01, 0.02)});
+  BudgetRule hero = ruleOf({checkOf("flip.mean", 0.01, 0.02)});
   hero.material = "Hero*";
   hero.scene = "Title*";
   hero.owner = "characters";
-  BudgetRule loose = ruleOf({checkOf("flip.mean", Region::interior, 0.8, 0.9)});
+  BudgetRule loose = ruleOf({checkOf("flip.mean", 0.8, 0.9)});
   loose.material = "Hero*";
   budgets.materials = {hero, loose};
   EXPECT_EQ(findMaterialRule(budgets, "Title screen", "Hero face"), &budgets.materials[0]);
@@ -159,7 +212,7 @@ TEST(Budget, TheFirstRuleThatMatchesJudges) {
   judgeMaterial(material, budgets, "Title screen");
   EXPECT_EQ(material.verdict, Verdict::fail);
   EXPECT_EQ(material.rule.owner, "characters");
-  EXPECT_EQ(material.reason, "mean FLIP 0.100 over interior pixels is above 0.020");
+  EXPECT_EQ(material.reason, "mean FLIP 0.100 is above 0.020");
   judgeMaterial(material, budgets, "Level 1");
   EXPECT_EQ(material.verdict, Verdict::pass);
   EXPECT_EQ(material.rule.owner, "");
@@ -175,17 +228,21 @@ TEST(Budget, NoRuleThatMatchesIsAnErrorNotAPass) {
 
 TEST(Budget, NonFinitePixelsFailInWordsWhateverTheFiguresSay) {
   MaterialResult material = makeMaterial("x", 0, 4000);
-  material.figures.all.nonFinite = 3;
+  material.figures.nonFinite = 3;
   judgeMaterial(material, defaultBudgets(), "scene");
   EXPECT_EQ(material.verdict, Verdict::fail);
   EXPECT_EQ(material.reason, "3 of 4000 pixels are NaN or infinite in one of the two renders");
 }
 
 TEST(Budget, AFigureThatNoCheckLooksAtMayNotBeNanEither) {
-  MaterialResult material = makeMaterial("x", 0, 4000);
-  material.figures.interior.testLuma = kNan;
-  judgeMaterial(material, defaultBudgets(), "scene");
-  EXPECT_EQ(material.verdict, Verdict::error);
+  for (double Figures::*figure : {&Figures::referenceLuma, &Figures::testLuma, &Figures::referenceLuminance,
+                                  &Figures::testLuminance, &Figures::clippedBlack, &Figures::clippedWhite}) {
+    MaterialResult material = makeMaterial("x", 0, 4000);
+    material.figures.*figure = kNan;
+    judgeMaterial(material, defaultBudgets(), "scene");
+    EXPECT_EQ(material.verdict, Verdict::error);
+    EXPECT_EQ(material.reason.find("a figure is not a number: "), 0u) << material.reason;
+  }
 }
 
 TEST(Budget, OnlyWhatIsBetterTheMoreOfItMayBeInfinite) {
@@ -200,8 +257,7 @@ TEST(Budget, OnlyWhatIsBetterTheMoreOfItMayBeInfinite) {
 
 TEST(Budget, ARegionOfWhichNothingWasMeasuredIsAnError) {
   MaterialResult material = makeMaterial("x", 0, 4000);
-  material.figures.all.values.clear();
-  material.figures.interior.values.clear();
+  material.figures.values.clear();
   judgeMaterial(material, Budgets{}, "scene");
   EXPECT_EQ(material.verdict, Verdict::error);
   EXPECT_EQ(material.reason, "no figure was measured");
@@ -246,10 +302,14 @@ TEST(Budget, AMaterialWithoutPixelsIsNotSeenAndFailsWhereItMustBeSeen) {
   EXPECT_NE(material.reason.find("requires"), std::string::npos);
 }
 
-TEST(Budget, TheReasonNamesTheWorstCheckAndCountsItsEquals) {
-  MaterialResult material = makeMaterial("x", 0.25, 4000);
-  judgeMaterial(material, defaultBudgets(), "scene"); // p95 is 0.625: both fail
-  EXPECT_EQ(material.reason, "mean FLIP 0.250 over interior pixels is above 0.200 (and 1 more)");
+TEST(Budget, TheReasonListsEachCheckOfTheWorstVerdictAndNoOther) {
+  MaterialResult material = makeMaterial("x", 0.25, 4000, std::exp2(-1.));
+  judgeMaterial(material, defaultBudgets(), "scene"); // p95 is 0.625: all fail
+  EXPECT_EQ(material.reason, "mean FLIP 0.250 is above 0.200; 95th percentile of FLIP 0.625 is above 0.500; mean "
+                             "exposure difference -1.00 EV is beyond ±0.50 EV");
+  setFigure(material.figures, "bias.ev", -0.3); // that warns
+  judgeMaterial(material, defaultBudgets(), "scene");
+  EXPECT_EQ(material.reason, "mean FLIP 0.250 is above 0.200; 95th percentile of FLIP 0.625 is above 0.500");
 }
 
 TEST(Budget, DefaultsJudgeEveryMaterialAndEveryWholeImage) {
@@ -281,6 +341,15 @@ TEST(Budget, TheLimitsMeanWhatTheDocumentationSays) {
   const float code = std::round(encode(grey) * 255);
   const base::Image map = flipMap(base::Image(8, 8, 3, code / 255), base::Image(8, 8, 3, (code + 1) / 255));
   EXPECT_NEAR(map.pixels[27], 0.03, 0.003);
+}
+
+TEST(Budget, TheLimitsOfExposureMeanWhatTheDocumentationSays) {
+  const base::PixelList list = wholeImage(8, 8);
+  for (const auto& [gain, ev] : {std::pair{1.19f, 0.25}, {1.41f, 0.5}}) {
+    const base::Image shown(8, 8, 3, 0.5f), reference(8, 8, 3, 0.3f), test(8, 8, 3, 0.3f * gain);
+    const Measurement measured = measureRegions({shown, shown, &reference, &test}, {list}, {.statistics = {"bias.ev"}});
+    EXPECT_NEAR(measured.regions[0].find("bias.ev").value(), ev, 0.005) << gain;
+  }
 }
 
 } // namespace

@@ -153,8 +153,7 @@ TEST(DeltaE, poolsTheDifferencesOfDisplayedPixels) {
   const base::PixelList list{"m", {0, 1, 2, 3}, {}};
   const Figures f =
       measureRegions({reference, test}, {list}, {.metrics = {"deltae"}, .statistics = {"deltae.fraction_over(2.3)"}})
-          .regions[0]
-          .all;
+          .regions[0];
   EXPECT_NEAR(f.find("deltae.mean").value(), 25, 1e-4);
   EXPECT_NEAR(f.find("deltae.max").value(), 100, 1e-4);
   EXPECT_NEAR(f.find("deltae.p95").value(), 100, 1e-4);
@@ -177,7 +176,7 @@ TEST(DeltaE, noTwoDisplayedColoursAreAsFarApartAsTheWorst) {
   }
   EXPECT_GT(most, 100.f);
   base::Image reference(1, 1, 3, std::numeric_limits<float>::infinity()), test(1, 1, 3);
-  const Figures f = measureRegions({reference, test}, {{"m", {0}, {}}}, {.metrics = {"deltae"}}).regions[0].all;
+  const Figures f = measureRegions({reference, test}, {{"m", {0}, {}}}, {.metrics = {"deltae"}}).regions[0];
   EXPECT_GT(f.find("deltae.mean").value(), static_cast<double>(most));
 }
 

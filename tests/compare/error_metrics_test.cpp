@@ -13,8 +13,7 @@ namespace {
 
 Figures measureWhole(const ImagePair& pair, const std::vector<std::string>& metrics) {
   return measureRegions(pair, {wholeImage(pair.reference.width, pair.reference.height)}, {.metrics = metrics})
-      .regions[0]
-      .all;
+      .regions[0];
 }
 
 TEST(RelMse, dividesTheSquaredErrorByTheReferencesSquare) {
@@ -114,16 +113,16 @@ TEST(HdrFlip, seesADifferenceThatTheDisplayClipsAndNotesItsExposures) {
   const base::Image white(48, 48, 3, 1.f);
   const Measurement m =
       measureRegions({white, white, &reference, &test}, {wholeImage(48, 48)}, {.metrics = {"flip", "hdrflip"}});
-  EXPECT_EQ(m.regions[0].all.find("flip.max"), 0);
-  EXPECT_GT(m.regions[0].all.find("hdrflip.max"), 0.1);
+  EXPECT_EQ(m.regions[0].find("flip.max"), 0);
+  EXPECT_GT(m.regions[0].find("hdrflip.max"), 0.1);
   ASSERT_EQ(m.notes.size(), 1u);
   EXPECT_NE(m.notes[0].find("hdrflip: "), std::string::npos);
   EXPECT_NE(m.notes[0].find("exposures from"), std::string::npos) << m.notes[0];
   // As the engine alone.
-  EXPECT_EQ(m.regions[0].all.find("hdrflip.max"),
+  EXPECT_EQ(m.regions[0].find("hdrflip.max"),
             measureRegions({white, white, &reference, &test}, {wholeImage(48, 48)}, {.statistics = {"hdrflip.max"}})
                 .regions[0]
-                .all.find("hdrflip.max"));
+                .find("hdrflip.max"));
 }
 
 } // namespace

@@ -19,17 +19,21 @@ std::vector<std::string> linesOf(const std::string& text) {
 
 TEST(GithubAnnotations, EachRowThatIsNotWellIsOneCommandTheGravestFirst) {
   const auto lines = linesOf(toGithubAnnotations(makeSampleReport(), "/checkout"));
-  // Broken; Rough metal twice; Shade twice; Screw, which no view shows, twice.
-  ASSERT_EQ(lines.size(), 7u);
+  // Broken; of both views Rough metal, Shade, the panel that is white, the rivet that is too small, and Screw, which
+  // none shows.
+  ASSERT_EQ(lines.size(), 11u);
   EXPECT_EQ(lines[0],
             "::error title=parity%3A Broken::assets/Broken.glb: chunk 0: length 4096 runs past the end of the file");
   EXPECT_EQ(
       lines[1],
-      "::error title=parity%3A Rough metal (Lamp%2C view front)::fail: mean FLIP 0.270 over interior "
-      "pixels is above 0.200 (and 1 more)%0Amobile is 29.0 %25 darker%0ACause: skySpecular: FLIP 0.270 -> 0.061 with "
+      "::error title=parity%3A Rough metal (Lamp%2C view front)::fail: mean FLIP 0.270 is above 0.200; 95th percentile "
+      "of FLIP 0.675 is above 0.500%0Amobile is 0.5 EV darker%0ACause: skySpecular: FLIP 0.270 -> 0.061 with "
       "high-end's");
   EXPECT_EQ(lines[3].find("::warning title=parity%3A Shade%2C cloth (Lamp%2C view front)::warn: "), 0u) << lines[3];
-  EXPECT_EQ(lines[5], "::warning title=parity%3A Screw (Lamp%2C view front)::not seen: no view shows it");
+  EXPECT_EQ(lines[5].find("::warning title=parity%3A Lit panel (Lamp%2C view front)::not judged: "), 0u) << lines[5];
+  EXPECT_EQ(lines[7].find("::warning title=parity%3A Rivet (Lamp%2C view front)::too small: 12 pixels, fewer "), 0u)
+      << lines[7];
+  EXPECT_EQ(lines[9], "::warning title=parity%3A Screw (Lamp%2C view front)::not seen: no view shows it");
 }
 
 TEST(GithubAnnotations, AReportThatIsWellHasNone) {
@@ -37,7 +41,7 @@ TEST(GithubAnnotations, AReportThatIsWellHasNone) {
   report.scenes.pop_back();
   std::vector<ViewResult>& views = report.scenes[0].views;
   views.pop_back();
-  views[0].materials.erase(views[0].materials.begin() + 1, views[0].materials.begin() + 4);
+  views[0].materials = {views[0].materials[0], views[0].materials[4]}; // Glass, Bulb
   settleVerdicts(report);
   ASSERT_EQ(report.verdict, Verdict::pass);
   EXPECT_EQ(toGithubAnnotations(report, "/checkout"), "");
@@ -61,7 +65,7 @@ TEST(GithubAnnotations, PointAtTheRuleThatJudgedWhereItLiesInTheCheckout) {
   report.scenes.pop_back();
   const auto firstLine = [&](const std::string& file) {
     AppliedRule& rule = report.scenes[0].views[0].materials[1].rule;
-    rule = {"b.toml, line 7", "night scene", "lighting", false, file, 7};
+    rule = {"b.toml, line 7", "night scene", "lighting", false, 64, file, 7};
     return linesOf(toGithubAnnotations(report, "/checkout")).at(0);
   };
   EXPECT_EQ(firstLine("ci/b.toml").find("::error file=ci/b.toml,line=7,title="), 0u) << firstLine("ci/b.toml");
@@ -79,7 +83,8 @@ TEST(GithubAnnotations, HostileNamesAreOnlyEverNames) {
                {"::error::fake", "a\n::set-output name=x::y", "100%0A::debug::z", "a,file=/etc/x,b:c"});
   Report report = makeSampleReport(names);
   for (ViewResult& view : report.scenes[0].views)
-    for (MaterialResult& material : view.materials) material.rule = {names[2], names[2], names[3], false, names[4], 1};
+    for (MaterialResult& material : view.materials)
+      material.rule = {names[2], names[2], names[3], false, 64, names[4], 1};
   report.warnings = {names[2]};
   report.scenes[1].error = "x\r\n::warning::y";
   const std::string text = toGithubAnnotations(report, "/checkout");

@@ -49,18 +49,18 @@ TEST(Html, EveryTextOfAReportIsEscaped) {
         view.name = view.reason = text;
         view.images = {text, text, text};
         view.pixels = {text, text};
-        view.truth = Truth{{}, {}, {{text, 1, 2, 3, {}, {}}}, {text}, {text, text, text}};
+        view.truth = Truth{{}, {{text, 1, 2, 3, {}, {}}}, {text}, {text, text, text}};
         view.droppedLights = makeDroppedLights(text, text, text);
-        view.rule = {text, text, text, false, text, 1};
+        view.rule = {text, text, text, false, 64, text, 1};
         for (MaterialResult& material : view.materials) {
           material.name = material.reason = text;
           material.rule = view.rule;
-          material.notes = {text};
+          material.notes = material.notModelled = {text};
           material.terms = {{text, 1, 2}};
           material.truth = view.truth;
-          material.attribution = Attribution{text, 1, {{text, 2}}};
+          material.attribution = Attribution{1, {{text, 2}}};
           material.crops = {text, text, text};
-          for (CheckResult& check : material.checks) check.metric = check.region = check.note = check.unjudged = text;
+          for (CheckResult& check : material.checks) check.metric = check.note = check.unjudged = text;
         }
       }
     }
@@ -139,8 +139,9 @@ TEST(Html, WithoutScriptsItShowsTheVerdictAndWhatIsOverBudget) {
     for (const auto& cell : row.node().children("td")) rows.back() += std::string(cell.text().get()) + "|";
   }
   ASSERT_EQ(rows.size(), 3u) << "a material in two views, a scene";
-  EXPECT_EQ(rows.at(0),
-            "fail|Lamp|front|Rough metal|mean FLIP 0.270 over interior pixels is above 0.200 (and 1 more)|");
+  EXPECT_EQ(
+      rows.at(0),
+      "fail|Lamp|front|Rough metal|mean FLIP 0.270 is above 0.200; 95th percentile of FLIP 0.675 is above 0.500|");
   EXPECT_EQ(rows.back().substr(0, 15), "error|Broken|||");
 }
 
@@ -173,15 +174,21 @@ TEST(Html, TheHeadlineSaysWhatHappened) {
     return textAt(document, "//title");
   };
   Report report = makeSampleReport();
-  EXPECT_EQ(headline(report), "parity: 1 scene could not be compared; 2 of 9 material views over budget");
+  EXPECT_EQ(headline(report), "parity: 1 scene could not be compared; 2 of 13 material views over budget");
   report.scenes.pop_back();
   settleVerdicts(report);
-  EXPECT_EQ(headline(report), "parity: 2 of 9 material views over budget");
+  EXPECT_EQ(headline(report), "parity: 2 of 13 material views over budget");
   report.scenes[0].views.pop_back();
   report.scenes[0].views[0].materials.erase(report.scenes[0].views[0].materials.begin() + 1);
   settleVerdicts(report);
-  EXPECT_EQ(headline(report), "parity: Within budget, with warnings for 1 of 4 materials");
+  EXPECT_EQ(headline(report), "parity: Within budget, with warnings for 1 of 6 materials");
   report.scenes[0].views[0].materials.erase(report.scenes[0].views[0].materials.begin() + 1);
+  settleVerdicts(report);
+  EXPECT_EQ(headline(report), "parity: Within budget, but 1 of 5 materials not judged");
+  report.scenes[0].views[0].materials.pop_back();
+  settleVerdicts(report);
+  EXPECT_EQ(headline(report), "parity: Within budget, but 1 of 4 materials too small");
+  report.scenes[0].views[0].materials.pop_back();
   settleVerdicts(report);
   EXPECT_EQ(headline(report), "parity: Within budget, but 1 of 3 materials not seen");
   report.scenes[0].views[0].materials.erase(report.scenes[0].views[0].materials.begin() + 1);

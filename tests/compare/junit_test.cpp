@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <pugixml.hpp>
 
+#include "compare/budget.h"
 #include "compare/report.h"
 #include "compare/sample_report.h"
 
@@ -49,8 +50,9 @@ void expectCountsFit(const pugi::xml_document& document) {
 TEST(Junit, EachMaterialOfEachViewIsACaseAndSoIsEachWholeImage) {
   const auto document = parse(toJunit(makeSampleReport(), makeSampleRun()));
   expectCountsFit(document);
-  EXPECT_EQ(document.child("testsuites").attribute("tests").as_int(), 2 * (5 + 1) + 1);
-  for (const char* name : {"Glass", "Rough metal", "Shade, cloth", "Screw", "Bulb", "(whole image)"}) {
+  EXPECT_EQ(document.child("testsuites").attribute("tests").as_int(), 2 * (7 + 1) + 1);
+  for (const char* name :
+       {"Glass", "Rough metal", "Shade, cloth", "Screw", "Bulb", "Rivet", "Lit panel", "(whole image)"}) {
     EXPECT_TRUE(findCase(document, "Lamp.front", name)) << name;
     EXPECT_TRUE(findCase(document, "Lamp.back", name)) << name;
   }
@@ -62,11 +64,11 @@ TEST(Junit, VerdictsBecomeFailuresErrorsAndSkips) {
 
   const auto failure = findCase(document, "Lamp.front", "Rough metal").child("failure");
   EXPECT_STREQ(failure.attribute("message").value(),
-               "mean FLIP 0.270 over interior pixels is above 0.200 (and 1 more)");
+               "mean FLIP 0.270 is above 0.200; 95th percentile of FLIP 0.675 is above 0.500");
   const std::string details = failure.child_value();
-  EXPECT_NE(details.find("interior: 90000 pixels, flip.mean 0.270"), std::string::npos) << details;
+  EXPECT_NE(details.find("\n120000 pixels, flip.mean 0.270"), std::string::npos) << details;
   EXPECT_NE(details.find("cause: skySpecular: FLIP 0.270 -> 0.061 with high-end's\n"), std::string::npos) << details;
-  EXPECT_NE(details.find("mobile is 29.0 % darker"), std::string::npos) << details;
+  EXPECT_NE(details.find("mobile is 0.5 EV darker\n"), std::string::npos) << details;
   EXPECT_NE(details.find("note: fully rough\n"), std::string::npos) << details;
 
   const auto warned = findCase(document, "Lamp.front", "Shade, cloth");
@@ -75,8 +77,30 @@ TEST(Junit, VerdictsBecomeFailuresErrorsAndSkips) {
 
   EXPECT_STREQ(findCase(document, "Lamp.front", "Screw").child("skipped").attribute("message").value(),
                "not seen: no view shows it");
+  EXPECT_STREQ(findCase(document, "Lamp.front", "Rivet").child("skipped").attribute("message").value(),
+               "too small: 12 pixels, fewer than the 64 of its budget (min_pixels)");
+  EXPECT_STREQ(findCase(document, "Lamp.front", "Lit panel").child("skipped").attribute("message").value(),
+               "not judged: 1.0 % of the pixels are black in both pictures and 80.0 % white: a lower --exposure would "
+               "show more of them");
   EXPECT_STREQ(findCase(document, "Broken", "scene").child("error").attribute("message").value(),
                "assets/Broken.glb: chunk 0: length 4096 runs past the end of the file");
+}
+
+TEST(Junit, ClippingAndWhatADarkMaterialLeavesOpenAreToldBesideAFailure) {
+  Report report = makeSampleReport();
+  MaterialResult& metal = report.scenes[0].views[0].materials[1];
+  metal.figures.clippedBlack = 0;
+  metal.figures.clippedWhite = 0.6;
+  metal.figures.referenceLuminance = metal.figures.testLuminance = 0.001;
+  judgeMaterial(metal, defaultBudgets(), "Lamp");
+  const auto document = parse(toJunit(report, makeSampleRun()));
+  const std::string details = findCase(document, "Lamp.front", "Rough metal").child("failure").child_value();
+  EXPECT_NE(details.find("clipped: 60.0 % of the pixels are white in both pictures: lower --exposure\n"),
+            std::string::npos)
+      << details;
+  EXPECT_NE(details.find("not judged: mean exposure difference -0.49 EV is not judged: mean luminance"),
+            std::string::npos)
+      << details;
 }
 
 TEST(Junit, AMaterialThatCannotBeJudgedIsAnError) {
@@ -107,6 +131,12 @@ TEST(Junit, ABaselineIsASuiteOfItsOwn) {
   const std::string details = findCase(document, "Lamp.front", "Rough metal").child("failure").child_value();
   EXPECT_NE(details.find("baseline: fail, flip.mean +0.070"), std::string::npos) << details;
 
+  const auto other = findCase(document, "Lamp.back", "Glass"); // the baseline's view had another camera
+  const std::string said = other.child("system-out").child_value();
+  EXPECT_NE(said.find("warning: not comparable to the baseline: field of view was 44, is 45"), std::string::npos)
+      << said;
+  EXPECT_NE(said.find("baseline: not comparable: field of view was 44, is 45\n"), std::string::npos) << said;
+
   report.baseline->error = "nothing in common";
   settleVerdicts(report);
   document = parse(toJunit(report, makeSampleRun()));
@@ -119,7 +149,7 @@ TEST(Junit, HostileNamesAreOnlyEverNames) {
   const std::vector<std::string> names = hostileNames();
   const auto document = parse(toJunit(makeSampleReport(names), makeSampleRun()));
   expectCountsFit(document);
-  EXPECT_EQ(document.child("testsuites").attribute("tests").as_int(), 13);
+  EXPECT_EQ(document.child("testsuites").attribute("tests").as_int(), 17);
   EXPECT_TRUE(findCase(document, names[0] + ".front", names[1]));
   EXPECT_TRUE(findCase(document, names[0] + ".front", names[2]));
   EXPECT_TRUE(findCase(document, names[0] + ".front", names[4])); // its line break survives

@@ -1,6 +1,6 @@
-// Figures per region: closed forms, weights, what is not finite, what is malformed; no neighbour bleeds into an
-// interior.
+// Figures per region: closed forms, weights, clipping and light, what is not finite, what is malformed.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -31,7 +31,7 @@ std::vector<std::string> allDisplayed() {
 }
 
 Figures figuresOf(const ImagePair& pair, const base::PixelList& list, const std::vector<std::string>& metrics) {
-  return measureRegions(pair, {list}, {.metrics = metrics}).regions[0].all;
+  return measureRegions(pair, {list}, {.metrics = metrics}).regions[0];
 }
 
 double valueOf(const Figures& figures, const std::string& name) {
@@ -70,7 +70,7 @@ TEST(Measure, figuresComeInTheRegistrysOrderWhateverTheRequests) {
                      {.metrics = {"psnr", "flip"},
                       .statistics = {"flip.fraction_over(0.25)", "flip.mean", "maxabs", "flip.fraction_over(0.250)"}});
   std::vector<std::string> names;
-  for (const Figure& figure : m.regions[0].all.values) names.push_back(figure.name);
+  for (const Figure& figure : m.regions[0].values) names.push_back(figure.name);
   EXPECT_EQ(names, (std::vector<std::string>{"flip.mean", "flip.p50", "flip.p95", "flip.p99", "flip.max",
                                              "flip.fraction_over(0.25)", "psnr", "maxabs"}));
   EXPECT_TRUE(m.maps.empty());
@@ -80,8 +80,8 @@ TEST(Measure, onlyNamedFiguresOfAMetricThatIsNotAskedFor) {
   const Pair p;
   const Measurement m =
       measureRegions(p.images(), {{"m", {1}, {}}}, {.statistics = {"flip.p95"}, .keepMaps = {"flip"}});
-  ASSERT_EQ(m.regions[0].all.values.size(), 1u);
-  EXPECT_EQ(m.regions[0].all.values[0].name, "flip.p95");
+  ASSERT_EQ(m.regions[0].values.size(), 1u);
+  EXPECT_EQ(m.regions[0].values[0].name, "flip.p95");
   ASSERT_NE(m.findMap("flip"), nullptr);
   EXPECT_EQ(m.findMap("flip")->width, 4);
   EXPECT_EQ(m.findMap("rmse"), nullptr);
@@ -164,9 +164,9 @@ TEST(Measure, sharesOfPixelsByTheirLargestDifferenceAreCounted) {
   const Measurement m =
       measureRegions(p.images(), {{"m", {0, 1, 2, 3, 4, 5, 6, 7}, {}}},
                      {.statistics = {"maxabs", "maxabs.fraction_over(0.1)", "maxabs.fraction_over(0.125)"}});
-  EXPECT_EQ(valueOf(m.regions[0].all, "maxabs"), 0.25);
-  EXPECT_EQ(valueOf(m.regions[0].all, "maxabs.fraction_over(0.1)"), 0.25);
-  EXPECT_EQ(valueOf(m.regions[0].all, "maxabs.fraction_over(0.125)"), 0.125) << "strictly above";
+  EXPECT_EQ(valueOf(m.regions[0], "maxabs"), 0.25);
+  EXPECT_EQ(valueOf(m.regions[0], "maxabs.fraction_over(0.1)"), 0.25);
+  EXPECT_EQ(valueOf(m.regions[0], "maxabs.fraction_over(0.125)"), 0.125) << "strictly above";
 }
 
 TEST(Measure, aRegionOfNothingButNonFinitePixelsHasTheWorstFigures) {
@@ -212,8 +212,8 @@ TEST(Measure, onlyTheBoxIsNeededAndTheFiguresAreTheSame) {
   request.options.box = Rect{41, 30, 36, 30};
   request.keepMaps = {"rmse"};
   const Measurement boxed = measureRegions({reference, test}, {list}, request);
-  for (std::size_t i = 0; i < everywhere.regions[0].all.values.size(); ++i) {
-    const Figure &a = everywhere.regions[0].all.values[i], &b = boxed.regions[0].all.values[i];
+  for (std::size_t i = 0; i < everywhere.regions[0].values.size(); ++i) {
+    const Figure &a = everywhere.regions[0].values[i], &b = boxed.regions[0].values[i];
     EXPECT_NEAR(a.value, b.value, 1e-6 * (1 + std::fabs(a.value))) << a.name;
   }
   EXPECT_EQ(*boxed.findMap("rmse")->at(40, 30), 0);
@@ -236,8 +236,8 @@ TEST(Measure, manyRegionsAreMeasuredAsEachAlone) {
   const base::ThreadLimit one(1);
   for (std::size_t i = 0; i < lists.size(); ++i) {
     const Measurement alone = measureRegions({reference, test}, {lists[i]}, request);
-    for (std::size_t k = 0; k < alone.regions[0].all.values.size(); ++k)
-      EXPECT_EQ(together.regions[i].all.values[k].value, alone.regions[0].all.values[k].value);
+    for (std::size_t k = 0; k < alone.regions[0].values.size(); ++k)
+      EXPECT_EQ(together.regions[i].values[k].value, alone.regions[0].values[k].value);
   }
 }
 
@@ -273,45 +273,98 @@ TEST(Measure, malformedRegionsUnlikeImagesAndUnknownNamesAreErrors) {
   EXPECT_EQ(codeOfRequest({.keepMaps = {""}}), ExitCode::usage);
 }
 
-// Two materials side by side; only the right one differs between the images. `all` of the left one sees it through the
-// filters, `interior` does not.
-TEST(MeasureInterior, aNeighboursErrorBleedsIntoAllButNotIntoTheInterior) {
+// Two materials side by side; only the right one differs between the images. The left one's FLIP sees it through the
+// filters: why materials are measured by the swap (measure_swaps_test.cpp) and not as parts of a picture.
+TEST(Measure, aNeighboursErrorBleedsIntoFilteredFiguresOfAPicture) {
   const int size = 64, border = 32;
   std::mt19937 random(8);
   base::Image reference(size, size, 3);
   for (float& v : reference.pixels) v = static_cast<float>(random() >> 8) / 16777216.f;
   base::Image test = reference;
-  base::PixelList left{"left", {}, {}};
+  const int reach = flipFilterRadius({});
+  base::PixelList left{"left", {}, {}}, far{"far", {}, {}};
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
-      if (x < border)
-        left.pixels.push_back(static_cast<std::uint32_t>(y * size + x));
-      else
-        test.at(x, y)[1] = 1.f - test.at(x, y)[1];
+      const auto pixel = static_cast<std::uint32_t>(y * size + x);
+      if (x < border) left.pixels.push_back(pixel);
+      if (x < border - reach) far.pixels.push_back(pixel);
+      if (x >= border) test.at(x, y)[1] = 1.f - test.at(x, y)[1];
     }
-  const RegionFigures figures = measureRegions({reference, test}, {left}, {.metrics = {"flip", "rmse"}}).regions[0];
-  EXPECT_EQ(figures.name, "left");
-  EXPECT_EQ(figures.all.pixels, static_cast<std::uint64_t>(border * size));
-  EXPECT_GT(valueOf(figures.all, "flip.max"), 0.05);
-  EXPECT_EQ(figures.interior.pixels, static_cast<std::uint64_t>((border - flipFilterRadius({})) * size));
-  EXPECT_EQ(valueOf(figures.interior, "flip.max"), 0);
-  EXPECT_EQ(valueOf(figures.all, "rmse"), 0); // not filtered: no bleeding
+  const auto regions = measureRegions({reference, test}, {left, far}, {.metrics = {"flip", "rmse"}}).regions;
+  EXPECT_EQ(regions[0].pixels, static_cast<std::uint64_t>(border * size));
+  EXPECT_GT(valueOf(regions[0], "flip.max"), 0.05);
+  EXPECT_EQ(valueOf(regions[0], "rmse"), 0); // not filtered: no bleeding
+  EXPECT_EQ(valueOf(regions[1], "flip.max"), 0) << "beyond the filters' reach";
 }
 
-TEST(MeasureInterior, followsTheViewingDistanceUnlessARadiusIsGiven) {
-  const base::Image image(60, 60, 3);
-  base::PixelList list{"m", {}, {}};
-  for (std::uint32_t y = 10; y < 50; ++y)
-    for (std::uint32_t x = 10; x < 50; ++x) list.pixels.push_back(y * 60 + x);
-  const auto interior = [&](float ppd, std::optional<int> radius) {
-    MeasureRequest request{.metrics = {"rmse"}, .interiorRadius = radius};
-    request.options.ppd = ppd;
-    return measureRegions({image, image}, {list}, request).regions[0].interior.pixels;
+// Pixels where both pictures are at the same end of the display's range: no metric of them can tell a difference.
+TEST(Measure, clippedPixelsAreThoseAtTheSameEndInBothPictures) {
+  Pair p; // 8 pixels of 0.5
+  const auto set = [](base::Image& image, int x, int y, std::array<float, 3> rgb) {
+    std::ranges::copy(rgb, image.at(x, y));
   };
-  EXPECT_EQ(interior(kDefaultPixelsPerDegree, {}), 20u * 20);
-  EXPECT_EQ(interior(20, {}), 34u * 34); // radius 3
-  EXPECT_EQ(interior(200, {}), 0u);      // radius 28
-  EXPECT_EQ(interior(200, 5), 30u * 30);
+  const std::array<float, 3> black = {0, 0, 0}, white = {1, 1, 1};
+  set(p.reference, 0, 0, black), set(p.test, 0, 0, black);
+  set(p.reference, 1, 0, white), set(p.test, 1, 0, white);
+  set(p.reference, 2, 0, white), set(p.test, 2, 0, black);         // all that there can be between them
+  set(p.reference, 3, 0, white), set(p.test, 3, 0, {1, 1, 0.99f}); // one channel tells
+  set(p.reference, 0, 1, black), set(p.test, 0, 1, {0, 1e-6f, 0});
+  set(p.test, 1, 1, white); // of one picture alone
+  const Figures f = figuresOf(p.images(), {"m", {0, 1, 2, 3, 4, 5, 6, 7}, {}}, {"rmse"});
+  EXPECT_EQ(f.clippedBlack, 1 / 8.);
+  EXPECT_EQ(f.clippedWhite, 1 / 8.);
+  EXPECT_EQ(f.clipped(), 1 / 4.);
+  const Figures weighted = figuresOf(p.images(), {"m", {0, 1, 2}, {0.25f, 0.5f, 0.25f}}, {"rmse"});
+  EXPECT_EQ(weighted.clippedBlack, 0.25);
+  EXPECT_EQ(weighted.clippedWhite, 0.5);
+
+  base::Image8 bytes(4, 2, 3);
+  std::ranges::fill(bytes.pixels, std::uint8_t{255});
+  base::Image8 other = bytes;
+  other.at(3, 1)[1] = 254;
+  const Figures shown = figuresOf({bytes, other}, wholeImage(4, 2), {"rmse"});
+  EXPECT_EQ(shown.clippedWhite, 7 / 8.);
+  EXPECT_EQ(shown.clippedBlack, 0);
+}
+
+// Weights whose sums round: a share of all is 1, not one beside it.
+TEST(Measure, allOfARegionIsAShareOfOneWhateverItsWeights) {
+  std::mt19937 random(12);
+  base::Image black(64, 64, 3), white(64, 64, 3, 1.f);
+  base::PixelList list = wholeImage(64, 64);
+  for (std::size_t i = 0; i < list.pixels.size(); ++i)
+    list.weights.push_back(std::ldexp(static_cast<float>(random() >> 8) + 1.f, -24 - static_cast<int>(random() % 60)));
+  EXPECT_NEAR(figuresOf({black, black}, list, {"rmse"}).clippedBlack, 1, 1e-12);
+  EXPECT_LE(figuresOf({black, black}, list, {"rmse"}).clippedBlack, 1);
+  EXPECT_LE(figuresOf({white, white}, list, {"rmse"}).clippedWhite, 1);
+}
+
+TEST(Measure, luminancesAreOfTheLightBeforeItIsClipped) {
+  Pair p;
+  const base::Image shown(4, 2, 3, 1.f);
+  base::Image reference(4, 2, 3, 2.f), test(4, 2, 3, 8.f);
+  reference.at(1, 0)[0] = 4.f;
+  const base::PixelList list{"m", {0, 1}, {1.f, 0.5f}};
+  const Figures f = figuresOf({shown, shown, &reference, &test}, list, {"rmse"});
+  EXPECT_NEAR(f.referenceLuminance, 2 + 0.2126 * 2 * 0.5 / 1.5, 1e-6);
+  EXPECT_NEAR(f.testLuminance, 8, 1e-6);
+  EXPECT_EQ(f.referenceLuma, f.testLuma) << "as displayed";
+  EXPECT_EQ(f.clippedWhite, 1);
+
+  // Without linear images that of the displayed ones, decoded: IEC 61966-2-1.
+  const double decoded = std::pow((0.5 + 0.055) / 1.055, 2.4);
+  EXPECT_NEAR(figuresOf(p.images(), list, {"rmse"}).referenceLuminance, decoded, 1e-6);
+}
+
+TEST(Measure, pixelsThatAreNotFiniteAreNeitherClippedNorLight) {
+  Pair p;
+  for (base::Image* image : {&p.reference, &p.test}) std::ranges::fill(image->pixels, 0.f);
+  p.test.at(1, 0)[0] = kNan;
+  const std::vector<std::uint32_t> invalid = {3};
+  const Figures f = figuresOf({p.reference, p.test, nullptr, nullptr, invalid}, {"m", {0, 1, 2, 3}, {}}, {"rmse"});
+  EXPECT_EQ(f.nonFinite, 2u);
+  EXPECT_EQ(f.clippedBlack, 0.5);
+  EXPECT_EQ(f.testLuminance, 0);
 }
 
 } // namespace

@@ -1,89 +1,70 @@
-// The interior of a region: what erosion keeps; and where regions lie.
-#include <algorithm>
+// Regions as runs, and where they lie.
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
 #include "compare/region.h"
+#include "compare/region_runs.h"
 
 namespace parity::compare {
 namespace {
 
-base::PixelList listOf(const std::vector<bool>& mask) {
-  base::PixelList list;
-  list.name = "mask";
-  for (std::size_t i = 0; i < mask.size(); ++i)
-    if (mask[i]) list.pixels.push_back(static_cast<std::uint32_t>(i));
-  return list;
+TEST(WholeImage, isEveryPixelOnce) {
+  const base::PixelList list = wholeImage(5, 3);
+  ASSERT_EQ(list.pixels.size(), 15u);
+  for (std::uint32_t i = 0; i < 15; ++i) EXPECT_EQ(list.pixels[i], i);
+  EXPECT_TRUE(list.weights.empty());
 }
 
-// The definition, pixel by pixel.
-std::vector<std::uint32_t> erodePlainly(const std::vector<bool>& mask, int width, int height, int radius) {
-  std::vector<std::uint32_t> kept;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      bool inside = true;
-      for (int v = std::max(0, y - radius); v <= std::min(height - 1, y + radius); ++v)
-        for (int u = std::max(0, x - radius); u <= std::min(width - 1, x + radius); ++u)
-          inside = inside && mask[static_cast<std::size_t>(v * width + u)];
-      if (inside) kept.push_back(static_cast<std::uint32_t>(y * width + x));
-    }
-  return kept;
+TEST(Runs, areNeighboursOfOneRow) {
+  const RegionRuns runs = runsOf({"m", {1, 2, 3, 4, 5, 9, 11, 12}, {}}, 5, 3);
+  ASSERT_EQ(runs.runs.size(), 4u) << "1..4, 5, 9, 11..12";
+  EXPECT_EQ(runs.runs[0].first, 1u);
+  EXPECT_EQ(runs.runs[0].count, 4u);
+  EXPECT_EQ(runs.runs[1].first, 5u) << "the next row";
+  EXPECT_EQ(runs.runs[1].count, 1u);
+  EXPECT_EQ(runs.runs[2].first, 9u);
+  EXPECT_EQ(runs.runs[3].count, 2u);
+  EXPECT_EQ(runs.pixels, 8u);
+  EXPECT_EQ(runs.weight, 8);
 }
 
-TEST(Erode, keepsWhatTheDefinitionKeepsOnRandomMasks) {
+// On random lists: the runs hold each pixel of weight above 0 with its own weight, in order, and nothing else.
+TEST(Runs, holdEachPixelWithItsWeight) {
   std::mt19937 random(5);
-  int kept = 0;
-  for (int round = 0; round < 400; ++round) {
-    const int width = 1 + static_cast<int>(random() % 40), height = 1 + static_cast<int>(random() % 40);
-    const int radius = static_cast<int>(random() % 6);
-    std::vector<bool> mask(static_cast<std::size_t>(width * height), round % 2 == 0);
-    const auto point = [&](int limit) { return static_cast<int>(random() % static_cast<unsigned>(limit)); };
-    for (int shape = 0; shape < 4; ++shape) { // rectangles set or cut out
-      const int x0 = point(width), y0 = point(height), x1 = x0 + point(width), y1 = y0 + point(height);
-      for (int y = y0; y <= std::min(y1, height - 1); ++y)
-        for (int x = x0; x <= std::min(x1, width - 1); ++x)
-          mask[static_cast<std::size_t>(y * width + x)] = round % 2 != 0 || shape > 2;
+  std::size_t held = 0;
+  for (int round = 0; round < 200; ++round) {
+    const int width = 1 + static_cast<int>(random() % 20), height = 1 + static_cast<int>(random() % 20);
+    base::PixelList list{"m", {}, {}};
+    std::vector<std::pair<std::uint32_t, float>> expected;
+    double weight = 0;
+    for (std::uint32_t pixel = 0; pixel < static_cast<std::uint32_t>(width * height); ++pixel) {
+      if (random() % 4 == 0) continue;
+      list.pixels.push_back(pixel);
+      list.weights.push_back(static_cast<float>(random() % 4) / 4.f);
+      if (list.weights.back() > 0) expected.emplace_back(pixel, list.weights.back());
+      weight += static_cast<double>(list.weights.back());
     }
-    const std::vector<std::uint32_t> expected = erodePlainly(mask, width, height, radius);
-    ASSERT_EQ(erode(listOf(mask), width, height, radius).pixels, expected)
-        << width << " x " << height << ", radius " << radius;
-    kept += static_cast<int>(expected.size());
+    const RegionRuns runs = runsOf(list, width, height);
+    std::vector<std::pair<std::uint32_t, float>> found;
+    for (const auto& run : runs.runs) {
+      EXPECT_EQ(run.first / static_cast<std::uint32_t>(width),
+                (run.first + run.count - 1) / static_cast<std::uint32_t>(width));
+      for (std::uint32_t i = 0; i < run.count; ++i) found.emplace_back(run.first + i, runs.weightsOf(run)[i]);
+    }
+    ASSERT_EQ(found, expected) << width << " x " << height;
+    EXPECT_EQ(runs.pixels, expected.size());
+    EXPECT_EQ(runs.weight, weight);
+    held += found.size();
   }
-  EXPECT_GT(kept, 10000); // the masks are no trivial ones
+  EXPECT_GT(held, 5000u);
 }
 
-TEST(Erode, imageBordersDoNotErode) {
-  EXPECT_EQ(erode(wholeImage(5, 3), 5, 3, 10).pixels.size(), 15u);
-  EXPECT_EQ(erode(wholeImage(1, 1), 1, 1, 10).pixels.size(), 1u);
-}
-
-TEST(Erode, aSquareLosesTheRadiusOnEachSide) {
-  std::vector<bool> mask(40 * 40);
-  for (std::size_t y = 5; y < 35; ++y)
-    for (std::size_t x = 5; x < 35; ++x) mask[y * 40 + x] = true;
-  const base::PixelList interior = erode(listOf(mask), 40, 40, 10);
-  EXPECT_EQ(interior.pixels.size(), 100u);
-  EXPECT_EQ(interior.pixels.front(), 15u * 40 + 15);
-  EXPECT_EQ(interior.pixels.back(), 24u * 40 + 24);
-}
-
-TEST(Erode, weightsStayWithTheirPixelsAndWeightlessOnesErode) {
-  base::PixelList list = wholeImage(9, 1);
-  list.name = "named";
-  for (std::uint32_t pixel : list.pixels) list.weights.push_back(static_cast<float>(pixel + 1) / 16.f);
-  list.weights[2] = 0;
-  const base::PixelList interior = erode(list, 9, 1, 1);
-  EXPECT_EQ(interior.name, "named");
-  EXPECT_EQ(interior.pixels, (std::vector<std::uint32_t>{0, 4, 5, 6, 7, 8}));
-  EXPECT_EQ(interior.weights, (std::vector<float>{1 / 16.f, 5 / 16.f, 6 / 16.f, 7 / 16.f, 8 / 16.f, 9 / 16.f}));
-}
-
-TEST(Erode, malformedListsAreErrors) {
-  EXPECT_THROW(erode({"m", {4}, {}}, 2, 2, 1), base::Error);
-  EXPECT_THROW(erode({"m", {3, 1}, {}}, 2, 2, 1), base::Error);
-  EXPECT_TRUE(erode({"m", {}, {}}, 2, 2, 1).pixels.empty());
+TEST(Runs, malformedListsAreErrors) {
+  EXPECT_THROW(runsOf({"m", {4}, {}}, 2, 2), base::Error);
+  EXPECT_THROW(runsOf({"m", {3, 1}, {}}, 2, 2), base::Error);
+  EXPECT_TRUE(runsOf({"m", {}, {}}, 2, 2).runs.empty());
 }
 
 TEST(Bounds, holdAllListsAndTheMarginWithinTheImage) {

@@ -33,41 +33,58 @@ TEST(ReportJson, KeysStandInAFixedOrder) {
     return names;
   };
   EXPECT_EQ(keys(document), "schema tool version device verdict headline counts wholeCounts displayTable warnings "
-                            "baseline settings statistics scenes");
+                            "baseline settings conditions statistics scenes");
   EXPECT_EQ(keys(document["scenes"][0]),
-            "name source environment sun light verdict error warnings views passes permutations");
+            "name source environment sun light conditions verdict error warnings views passes permutations");
   EXPECT_EQ(keys(document["scenes"][0]["views"][0]),
-            "name width height verdict whole materials images exposureEv pixels");
+            "name width height conditions verdict whole materials images exposureEv pixels");
   EXPECT_EQ(keys(document["scenes"][0]["views"][0]["materials"][0]),
-            "name verdict reason seenElsewhere bias figures checks budget baseline notes terms crops");
+            "name verdict reason seenElsewhere bias figures checks budget baseline notModelled notes terms crops");
 }
 
 TEST(ReportJson, HoldsWhatTheReportHolds) {
   const ordered_json document = ordered_json::parse(toJson(makeSampleReport()));
-  EXPECT_EQ(document["schema"], 2);
+  EXPECT_EQ(document["schema"], 3);
   EXPECT_EQ(document["verdict"], "error");
-  EXPECT_EQ(document["counts"], ordered_json::parse(R"({"pass":3,"notSeen":2,"warn":2,"fail":2,"error":0})"));
+  EXPECT_EQ(document["counts"],
+            ordered_json::parse(R"({"pass":3,"notSeen":2,"tooSmall":2,"notJudged":2,"warn":2,"fail":2,"error":0})"));
   EXPECT_EQ(document["settings"][2], ordered_json::parse(R"({"name":"preset","value":"ue4-2020"})"));
+  EXPECT_EQ(document["conditions"][1].dump(), R"({"name":"materials","value":"all","actsOn":"whole images"})");
+  EXPECT_EQ(document["conditions"][2]["words"], "4 SH coefficients");
+  EXPECT_EQ(document["scenes"][0]["conditions"][1]["name"], "environment rotation");
+  EXPECT_EQ(document["scenes"][0]["views"][0]["conditions"][1]["value"], "45");
   EXPECT_EQ(document["scenes"][1]["error"]["exitCode"], 4);
   EXPECT_TRUE(document["scenes"][0]["error"].is_null());
   const ordered_json& view = document["scenes"][0]["views"][0];
-  EXPECT_EQ(view["whole"]["figures"]["all"]["pixels"], 400000);
+  EXPECT_EQ(view["whole"]["figures"]["pixels"], 400000);
   EXPECT_EQ(document["scenes"][0]["passes"], ordered_json::parse(R"([
     {"name": "surface", "count": 800000, "unit": "samples", "skipped": null},
     {"name": "local lights", "count": 0, "unit": "lights", "skipped": "no local lights"}])"));
   const ordered_json& metal = view["materials"][1];
   EXPECT_EQ(metal["name"], "Rough metal");
   EXPECT_EQ(metal["verdict"], "fail");
-  EXPECT_EQ(metal["figures"]["interior"]["pixels"], 90000);
-  EXPECT_EQ(metal["figures"]["interior"]["metrics"]["flip.mean"], 0.27);
+  const ordered_json& figures = metal["figures"];
+  EXPECT_EQ(figures["pixels"], 120000);
+  EXPECT_EQ(figures["metrics"]["flip.mean"], 0.27);
+  EXPECT_EQ(figures["clippedBlack"], 0.01);
+  EXPECT_EQ(figures["clippedWhite"], 0.02);
+  EXPECT_EQ(figures["referenceLuma"], 0.42);
+  EXPECT_EQ(figures["testLuma"], 0.42 * 0.71);
+  EXPECT_EQ(figures["referenceLuminance"], 0.15);
+  EXPECT_EQ(figures["testLuminance"], 0.15 * 0.71);
   EXPECT_EQ(metal["checks"][0]["metric"], "flip.mean");
   EXPECT_EQ(metal["checks"][0]["fail"], 0.2);
   EXPECT_EQ(metal["terms"][1]["term"], "sunSpecular");
   EXPECT_EQ(metal["terms"][1]["test"], 0.11);
-  EXPECT_EQ(metal["attribution"], ordered_json::parse(R"({"region":"interior","flip":0.27,"terms":[
+  EXPECT_EQ(metal["attribution"], ordered_json::parse(R"({"flip":0.27,"terms":[
     {"term":"sunSpecular","flip":0.264},{"term":"skySpecular","flip":0.061}]})"));
   EXPECT_EQ(metal["crops"]["flip"], "images/metal_flip.png");
   EXPECT_EQ(metal["budget"]["rule"], "built-in");
+  EXPECT_EQ(metal["budget"]["minPixels"], 64);
+  EXPECT_EQ(metal["notModelled"], ordered_json::array());
+  EXPECT_EQ(view["materials"][2]["notModelled"], ordered_json::array({"sheen"}));
+  EXPECT_EQ(view["materials"][5]["verdict"], "too small");
+  EXPECT_EQ(view["materials"][6]["verdict"], "not judged");
 }
 
 TEST(ReportJson, DroppedLightsStandInTheirViewAndNowhereWithoutThem) {
@@ -77,9 +94,9 @@ TEST(ReportJson, DroppedLightsStandInTheirViewAndNowhereWithoutThem) {
   EXPECT_FALSE(document["scenes"][0]["views"][0].contains("droppedLights"));
   EXPECT_EQ(document["scenes"][0]["views"][1]["droppedLights"].dump(), ordered_json::parse(R"({"lights":5,"measured":[
     {"name":"lamp 1","kind":"spot","keptBy":0,"droppedBy":2,"materials":[
-      {"name":"Glass","region":"all","flip":0.02},{"name":"Rough metal","region":"interior","flip":0.031}]},
+      {"name":"Glass","flip":0.02},{"name":"Rough metal","flip":0.031}]},
     {"name":"lamp 2","kind":"point","keptBy":3,"droppedBy":1,"materials":[
-      {"name":"Glass","region":"interior","flip":0.25}]}],
+      {"name":"Glass","flip":0.25}]}],
     "notMeasured":["lamp 3","lamp 4"]})")
                                                                            .dump());
 }
@@ -88,8 +105,7 @@ TEST(ReportJson, WhatIsNotSeenHasNoFiguresRatherThanZeros) {
   const ordered_json document = ordered_json::parse(toJson(makeSampleReport()));
   const ordered_json& screw = document["scenes"][0]["views"][0]["materials"][3];
   EXPECT_EQ(screw["verdict"], "not seen");
-  EXPECT_TRUE(screw["figures"]["all"].is_null());
-  EXPECT_TRUE(screw["figures"]["interior"].is_null());
+  EXPECT_TRUE(screw["figures"].is_null());
 }
 
 TEST(ReportJson, TheTruthStandsBesideWhatItIsOf) {
@@ -97,26 +113,26 @@ TEST(ReportJson, TheTruthStandsBesideWhatItIsOf) {
   const ordered_json document = ordered_json::parse(toJson(report)), &view = document["scenes"][0]["views"][0];
   EXPECT_EQ(view["whole"]["truth"]["images"]["truth"], "images/lamp_truth.png");
   const ordered_json& truth = view["materials"][1]["truth"];
-  EXPECT_EQ(truth["interior"]["mobile"]["metrics"]["flip.mean"], 0.27);
-  EXPECT_EQ(truth["interior"]["highend"]["metrics"]["flip.mean"], 0.27 / 3);
-  EXPECT_EQ(truth["interior"]["highend"]["metrics"]["relmse"], 0.04 / 3);
-  EXPECT_EQ(truth["all"]["error"],
+  EXPECT_EQ(truth["figures"]["mobile"]["metrics"]["flip.mean"], 0.27);
+  EXPECT_EQ(truth["figures"]["highend"]["metrics"]["flip.mean"], 0.27 / 3);
+  EXPECT_EQ(truth["figures"]["highend"]["metrics"]["relmse"], 0.04 / 3);
+  EXPECT_EQ(truth["figures"]["error"],
             ordered_json::parse(R"({"median":0.011,"worst":0.02,"relmse":0.0001,"samples":420})"));
-  EXPECT_EQ(truth["all"]["nonFinite"], 0);
+  EXPECT_EQ(truth["figures"]["nonFinite"], 0);
   ASSERT_EQ(truth["terms"].size(), 2u);
   EXPECT_EQ(truth["terms"][1]["term"], "skySpecular");
   EXPECT_EQ(truth["terms"][1]["luminance"], ordered_json::parse(R"({"truth":0.3,"highend":0.27,"mobile":0.15})"));
-  EXPECT_EQ(truth["terms"][1]["interior"]["highend"]["flip.mean"], 0.12);
-  EXPECT_EQ(truth["terms"][1]["all"]["mobile"]["relmse"], 0.034);
+  EXPECT_EQ(truth["terms"][1]["figures"]["highend"]["flip.mean"], 0.12);
+  EXPECT_EQ(truth["terms"][1]["figures"]["mobile"]["relmse"], 0.034);
   EXPECT_EQ(view["materials"][0]["truth"]["notes"][0], "high-end: within 2 standard errors");
-  EXPECT_TRUE(view["materials"][3]["truth"]["all"].is_null()) << "not seen";
+  EXPECT_TRUE(view["materials"][3]["truth"]["figures"].is_null()) << "not seen";
   EXPECT_EQ(toJson(makeSampleReport()).find("truth"), std::string::npos) << "only where it was asked for";
 }
 
 TEST(ReportJson, AnInfinitePsnrIsNull) {
   const ordered_json document = ordered_json::parse(toJson(makeSampleReport()));
-  EXPECT_TRUE(document["scenes"][0]["views"][0]["materials"][4]["figures"]["all"]["metrics"]["psnr"].is_null());
-  EXPECT_TRUE(document["scenes"][0]["views"][0]["materials"][0]["figures"]["all"]["metrics"]["psnr"].is_number());
+  EXPECT_TRUE(document["scenes"][0]["views"][0]["materials"][4]["figures"]["metrics"]["psnr"].is_null());
+  EXPECT_TRUE(document["scenes"][0]["views"][0]["materials"][0]["figures"]["metrics"]["psnr"].is_number());
 }
 
 TEST(ReportJson, NamesOfAnyBytesComeBackAsUnicode) {

@@ -50,26 +50,43 @@ TEST(ReportReader, FiguresAndVerdictsSurvive) {
       const MaterialResult &material = view.materials[m], &source = original.materials[m];
       EXPECT_EQ(material.name, source.name);
       EXPECT_EQ(material.verdict, source.verdict);
-      EXPECT_EQ(material.figures.all.pixels, source.figures.all.pixels);
-      if (source.figures.interior.pixels == 0) continue;
-      for (const Figure& figure : source.figures.interior.values)
-        EXPECT_EQ(material.figures.interior.find(figure.name), figure.value) << figure.name; // also infinite ones
+      EXPECT_EQ(material.figures.pixels, source.figures.pixels);
+      for (const Figure& figure : source.figures.values)
+        EXPECT_EQ(material.figures.find(figure.name), figure.value) << figure.name; // also infinite ones
     }
   }
+}
+
+void expectSame(const std::vector<Condition>& read, const std::vector<Condition>& written) {
+  ASSERT_EQ(read.size(), written.size());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    EXPECT_EQ(read[i].name, written[i].name);
+    EXPECT_EQ(read[i].value, written[i].value) << read[i].name;
+    EXPECT_EQ(read[i].actsOn, written[i].actsOn) << read[i].name;
+    EXPECT_EQ(read[i].words, written[i].words) << read[i].name;
+  }
+}
+
+TEST(ReportReader, ConditionsSurviveOnEveryLevel) {
+  const Report written = makeSampleReportWithTruth(), read = readText(toJson(written));
+  expectSame(read.conditions, written.conditions);
+  expectSame(read.scenes[0].conditions, written.scenes[0].conditions);
+  expectSame(read.scenes[0].views[1].conditions, written.scenes[0].views[1].conditions);
+  EXPECT_EQ(read.conditions.back().actsOn, ActsOn::truth);
 }
 
 TEST(ReportReader, ATruthIsPassedOver) {
   const Report with = readText(toJson(makeSampleReportWithTruth())), without = readText(toJson(makeSampleReport()));
   const MaterialResult& metal = with.scenes[0].views[0].materials[1];
-  EXPECT_EQ(metal.figures.interior.find("flip.mean"), 0.27) << "not a truth's";
-  EXPECT_EQ(metal.figures.all.find("relmse"), without.scenes[0].views[0].materials[1].figures.all.find("relmse"));
+  EXPECT_EQ(metal.figures.find("flip.mean"), 0.27) << "not a truth's";
+  EXPECT_EQ(metal.figures.find("relmse"), without.scenes[0].views[0].materials[1].figures.find("relmse"));
   EXPECT_FALSE(metal.truth);
 }
 
 TEST(ReportReader, ANullThatIsNotIdentityIsNotANumber) {
   Report report = makeSampleReport();
   setFigure(report.scenes[0].views[0].whole, "rmse", NAN);
-  EXPECT_TRUE(std::isnan(*readText(toJson(report)).scenes[0].views[0].whole.all.find("rmse")));
+  EXPECT_TRUE(std::isnan(*readText(toJson(report)).scenes[0].views[0].whole.find("rmse")));
 }
 
 TEST(ReportReader, TakesTheFolderToo) {
@@ -81,8 +98,25 @@ TEST(ReportReader, TakesTheFolderToo) {
 TEST(ReportReader, OtherSchemasAreRefusedInWords) {
   expectRefusal([](json& d) { d["schema"] = kReportSchema + 1; }, "/schema", "a newer version of parity");
   expectRefusal([](json& d) { d["schema"] = kReportSchema - 1; }, "/schema", "an older version of parity");
-  expectRefusal([](json& d) { d["schema"] = "2"; }, "/schema", "is not a whole number");
+  expectRefusal([](json& d) { d["schema"] = "3"; }, "/schema", "is not a whole number");
   expectRefusal([](json& d) { d.erase("schema"); }, "/", "lacks 'schema'");
+}
+
+// A baseline of before: its figures were of two regions, so that none of it may be read as if it were of one.
+TEST(ReportReader, AReportOfTwoRegionsIsOneLineThatSaysWhatToDo) {
+  expectRefusal(
+      [](json& d) {
+        d["schema"] = 2;
+        json& figures = d["scenes"][0]["views"][0]["whole"]["figures"];
+        figures = {{"interior", figures}, {"all", figures}};
+      },
+      "/schema", "is 2, of an older version of parity; this one reads 3: make the report again");
+  expectRefusal(
+      [](json& d) {
+        json& figures = d["scenes"][0]["views"][0]["whole"]["figures"];
+        figures = {{"interior", figures}, {"all", figures}};
+      },
+      "/scenes/0/views/0/whole/figures", "lacks 'pixels'");
 }
 
 TEST(ReportReader, EveryFaultIsNamedWithItsPlace) {
@@ -90,11 +124,18 @@ TEST(ReportReader, EveryFaultIsNamedWithItsPlace) {
   expectRefusal([](json& d) { d["scenes"][0]["views"] = 3; }, "/scenes/0/views", "is not a list");
   expectRefusal([](json& d) { d["scenes"][0]["name"] = nullptr; }, "/scenes/0/name", "is not a text");
   expectRefusal([](json& d) { d["verdict"] = "fine"; }, "/verdict", "'fine' is no verdict");
-  expectRefusal([](json& d) { d["scenes"][0]["views"][0]["whole"]["figures"]["all"]["pixels"] = -1; },
-                "/scenes/0/views/0/whole/figures/all/pixels", "at least 0");
-  expectRefusal([](json& d) { d["scenes"][0]["views"][0]["whole"]["figures"]["all"]["metrics"]["rmse"] = "0.1"; },
-                "/scenes/0/views/0/whole/figures/all/metrics/rmse", "is not a number");
+  expectRefusal([](json& d) { d["scenes"][0]["views"][0]["whole"]["figures"]["pixels"] = -1; },
+                "/scenes/0/views/0/whole/figures/pixels", "at least 0");
+  expectRefusal([](json& d) { d["scenes"][0]["views"][0]["whole"]["figures"]["metrics"]["rmse"] = "0.1"; },
+                "/scenes/0/views/0/whole/figures/metrics/rmse", "is not a number");
   expectRefusal([](json& d) { d["settings"] = json::array({7}); }, "/settings/0", "is not an object");
+  expectRefusal([](json& d) { d.erase("conditions"); }, "/", "lacks 'conditions'");
+  expectRefusal([](json& d) { d["scenes"][0]["views"][0]["conditions"] = "none"; }, "/scenes/0/views/0/conditions",
+                "is not a list");
+  expectRefusal([](json& d) { d["scenes"][0]["conditions"][1]["value"] = 90; }, "/scenes/0/conditions/1/value",
+                "is not a text");
+  expectRefusal([](json& d) { d["conditions"][0]["actsOn"] = "taste"; }, "/conditions/0/actsOn",
+                "'taste' is not what a condition acts on");
 }
 
 TEST(ReportReader, WhatIsNoReportIsRefused) {

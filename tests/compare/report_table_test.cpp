@@ -32,15 +32,19 @@ TEST(ReportTable, EachMaterialAndViewIsARow) {
     return std::ranges::count_if(
         lines, [&](const std::string& line) { return line.find("  " + name + " ") != std::string::npos; });
   };
-  for (const char* name : {"Glass", "Rough metal", "Shade, cloth", "Screw", "Bulb", "whole image"})
+  for (const char* name :
+       {"Glass", "Rough metal", "Shade, cloth", "Screw", "Bulb", "Rivet", "Lit panel", "whole image"})
     EXPECT_EQ(rows(name), 2) << name;
   EXPECT_EQ(lines[0], "Lamp, view front (1024x1024)");
-  EXPECT_EQ(lines[3].find("  fail      Rough metal"), 0u) << lines[3];
-  EXPECT_NE(lines[3].find(" 120000  0.270  0.675  1.000  0.297"), std::string::npos) << lines[3];
-  EXPECT_NE(lines[3].find("mobile is 29.0 % darker; mean FLIP 0.270"), std::string::npos) << lines[3];
+  EXPECT_EQ(lines[3].find("  fail        Rough metal"), 0u) << lines[3];
+  EXPECT_NE(lines[3].find(" 120000  0.270  0.675  1.000  -0.49 EV"), std::string::npos) << lines[3];
+  EXPECT_NE(lines[3].find("mobile is 0.5 EV darker; mean FLIP 0.270 is above 0.200; 95th "), std::string::npos)
+      << lines[3];
   EXPECT_TRUE(lines[3].ends_with("; skySpecular: FLIP 0.270 -> 0.061 with high-end's")) << lines[3];
-  EXPECT_EQ(lines.back(), "verdict: error (materials: 3 pass, 2 not seen, 2 warn, 2 fail; whole images: 2 pass; scenes "
-                          "not compared: 1)");
+  EXPECT_EQ(lines[7].find("  too small   Rivet"), 0u) << lines[7];
+  EXPECT_EQ(lines[8].find("  not judged  Lit panel"), 0u) << lines[8];
+  EXPECT_EQ(lines.back(), "verdict: error (materials: 3 pass, 2 not seen, 2 too small, 2 not judged, 2 warn, 2 fail; "
+                          "whole images: 2 pass; scenes not compared: 1)");
 }
 
 TEST(ReportTable, DroppedLightsAreALineBelowTheirViewThatCannotSteerTheTerminal) {
@@ -57,16 +61,38 @@ TEST(ReportTable, DroppedLightsAreALineBelowTheirViewThatCannotSteerTheTerminal)
   EXPECT_EQ(line->find('\x1b'), std::string::npos);
 }
 
+TEST(ReportTable, TheBiasOfLightIsAColumnWhereItWasMeasured) {
+  const auto lines = linesOf(toTable(makeSampleReport(), false));
+  EXPECT_EQ(endOf(lines[3], "-0.49 EV"), endOf(lines[1], "EV")) << lines[3];
+  EXPECT_EQ(endOf(lines[4], "+0.11 EV"), endOf(lines[1], "EV")) << lines[4];
+  Report without = makeSampleReport();
+  for (ViewResult& view : without.scenes[0].views) {
+    const auto drop = [](Figures& figures) {
+      std::erase_if(figures.values, [](const Figure& figure) { return figure.name == "bias.ev"; });
+    };
+    drop(view.whole);
+    for (MaterialResult& material : view.materials) drop(material.figures);
+  }
+  EXPECT_EQ(linesOf(toTable(without, false))[1].find("EV"), std::string::npos);
+}
+
 TEST(ReportTable, ABaselineAddsAColumn) {
   const auto lines = linesOf(toTable(makeSampleReportSince(), false));
   for (const std::size_t row : {3, 6}) // Rough metal, Bulb
     EXPECT_EQ(endOf(lines[row], row == 3 ? "+0.070" : "   new"), endOf(lines[1], "since")) << lines[row];
   EXPECT_NE(lines.back().find("gone since the baseline: 1"), std::string::npos) << lines.back();
+  EXPECT_NE(lines.back().find("not comparable to the baseline: 6"), std::string::npos) << lines.back();
+  const auto isBack = [](const std::string& line) { return line.find("view back") != std::string::npos; };
+  const auto back = std::ranges::find_if(lines, isBack);
+  ASSERT_GT(lines.end() - back, 2);
+  EXPECT_NE((back + 2)->find("warn"), std::string::npos) << *(back + 2);
+  EXPECT_NE((back + 2)->find("not comparable to the baseline: field of view was 44, is 45"), std::string::npos)
+      << *(back + 2);
 }
 
 TEST(ReportTable, ATruthAddsTwoColumnsAndMarksWhatItsNoiseHides) {
   const auto lines = linesOf(toTable(makeSampleReportWithTruth(), false));
-  EXPECT_EQ(endOf(lines[3], "0.090      0.270"), endOf(lines[1], "mo/truth")) << lines[3]; // Rough metal, interior
+  EXPECT_EQ(endOf(lines[3], "0.090      0.270"), endOf(lines[1], "mo/truth")) << lines[3]; // Rough metal
   EXPECT_NE(lines[2].find("0.010~"), std::string::npos) << lines[2];
   EXPECT_EQ(lines[2].find("0.030~"), std::string::npos) << "mobile is further away: " << lines[2];
   EXPECT_EQ(lines[3].find('~'), std::string::npos) << lines[3];
@@ -81,7 +107,7 @@ TEST(ReportTable, AWholeImageThatDecidesIsCounted) {
   report.scenes[0].views.pop_back();
   ViewResult& view = report.scenes[0].views[0];
   view.materials.resize(1);
-  view.whole = makeRegion("whole", 0.3, 4000);
+  view.whole = makeFigures(0.3, 4000);
   judgeWhole(view, defaultBudgets(), "Lamp");
   settleVerdicts(report);
   EXPECT_EQ(linesOf(toTable(report, false)).back(), "verdict: fail (materials: 1 pass; whole images: 1 fail)");
@@ -91,7 +117,7 @@ TEST(ReportTable, ShowsTheFiguresThatWereMeasured) {
   Report report = makeSampleReport();
   for (ViewResult& view : report.scenes[0].views) setFigure(view.whole, "ssim.mean", 0.987);
   const auto lines = linesOf(toTable(report, false));
-  EXPECT_EQ(endOf(lines[7], "0.9870"), endOf(lines[1], "ssim")) << lines[7];
+  EXPECT_EQ(endOf(lines[9], "0.9870"), endOf(lines[1], "ssim")) << lines[9];
   EXPECT_EQ(lines[2].find("0.987"), std::string::npos) << "of that material it was not measured: " << lines[2];
 }
 

@@ -5,23 +5,34 @@
 
 #include "compare/budget.h"
 #include "compare/sample_report.h"
+#include "compare/wording.h"
 
 namespace parity::compare {
 namespace {
 
-// One scene, one view, one material of this mean FLIP; pixels = 0: not seen.
-Report reportOf(double mean, std::uint64_t pixels = 4000) {
-  MaterialResult material = makeMaterial("m", mean, pixels);
+// One scene, one view, one material of this mean FLIP; pixels = 0: not seen. gain: of its light.
+Report reportOf(double mean, std::uint64_t pixels = 4000, double gain = 0.95) {
+  MaterialResult material = makeMaterial("m", mean, pixels, gain);
   judgeMaterial(material, defaultBudgets(), "s");
   ViewResult view;
   view.name = "v";
   view.width = view.height = 64;
-  view.whole = makeRegion("whole", 0.01, 4000);
+  view.whole = makeFigures(0.01, 4000);
   view.materials = {material};
   judgeWhole(view, defaultBudgets(), "s");
   Report report;
   report.scenes.emplace_back().name = "s";
   report.scenes[0].views = {view};
+  settleVerdicts(report);
+  return report;
+}
+
+MaterialResult& materialOf(Report& report) { return report.scenes[0].views[0].materials[0]; }
+
+// The same with so much of the material clipped.
+Report withClipping(Report report, double black, double white) {
+  materialOf(report).figures.clippedBlack = black;
+  materialOf(report).figures.clippedWhite = white;
   settleVerdicts(report);
   return report;
 }
@@ -54,7 +65,7 @@ TEST(Verdict, TheWorstPartIsTheVerdictOfTheWhole) {
 
 TEST(Verdict, TheWholeImageCountsToo) {
   Report report = reportOf(0.05);
-  report.scenes[0].views[0].whole = makeRegion("whole", 0.3, 4000);
+  report.scenes[0].views[0].whole = makeFigures(0.3, 4000);
   judgeWhole(report.scenes[0].views[0], defaultBudgets(), "s");
   settleVerdicts(report);
   EXPECT_EQ(report.scenes[0].views[0].wholeVerdict, Verdict::fail);
@@ -135,7 +146,7 @@ TEST(Verdict, RequireSeenFailsOnlyWhereNoViewShowsIt) {
 TEST(Verdict, AViewThatShowsNothingIsNotSeenEvenIfOthersShowAll) {
   Report report = reportOf(0.05);
   ViewResult away = reportOf(0.05, 0).scenes[0].views[0];
-  away.whole = makeRegion("whole", 0, 0);
+  away.whole = makeFigures(0, 0);
   away.checks.clear();
   report.scenes[0].views.push_back(away);
   settleVerdicts(report);
@@ -144,24 +155,201 @@ TEST(Verdict, AViewThatShowsNothingIsNotSeenEvenIfOthersShowAll) {
 
 TEST(Verdict, NonFinitePixelsInTheWholeImageFail) {
   Report report = reportOf(0.05);
-  report.scenes[0].views[0].whole.all.nonFinite = 1;
+  report.scenes[0].views[0].whole.nonFinite = 1;
   settleVerdicts(report);
   EXPECT_EQ(report.verdict, Verdict::fail);
 }
 
-TEST(Verdict, BothAllBlackIsIdenticalSoItPassesAndSaysSo) {
+TEST(Verdict, BothAllBlackIsIdenticalAndJudgesNothingAndSaysSo) {
   Report report = reportOf(0);
   ViewResult& view = report.scenes[0].views[0];
-  for (RegionFigures* figures : {&view.whole, &view.materials[0].figures}) {
-    *figures = makeRegion("black", 0, 4000);
-    for (Figures* part : {&figures->interior, &figures->all}) part->referenceLuma = part->testLuma = 0;
+  for (Figures* figures : {&view.whole, &view.materials[0].figures}) {
+    *figures = makeFigures(0, 4000, 1);
+    figures->referenceLuma = figures->testLuma = figures->referenceLuminance = figures->testLuminance = 0;
+    figures->clippedBlack = 1;
+    figures->clippedWhite = 0;
   }
   judgeMaterial(view.materials[0], defaultBudgets(), "s");
   judgeWhole(view, defaultBudgets(), "s");
   settleVerdicts(report);
+  const std::string why = "100.0 % of the pixels are black in both pictures: raise --exposure";
+  EXPECT_EQ(view.materials[0].verdict, Verdict::notJudged);
+  EXPECT_EQ(view.materials[0].reason, why);
+  EXPECT_EQ(view.wholeVerdict, Verdict::warn) << "of a whole image black may be meant";
+  EXPECT_EQ(view.reason, why);
+  EXPECT_EQ(report.verdict, Verdict::warn);
+  EXPECT_NE(toTable(report, false).find("identical  both are black; 100.0 %"), std::string::npos)
+      << toTable(report, false);
+  EXPECT_NE(toJson(report).find("\"bias\": \"both are black\""), std::string::npos);
+}
+
+TEST(Verdict, AMaterialOfFewPixelsIsTooSmallWhateverItsFiguresSay) {
+  for (const double mean : {0.0, 0.05, 0.15, 0.9}) {
+    Report report = reportOf(mean, 63);
+    EXPECT_EQ(materialOf(report).verdict, Verdict::tooSmall) << mean;
+    EXPECT_EQ(materialOf(report).reason, "63 pixels, fewer than the 64 of its budget (min_pixels)");
+    EXPECT_EQ(report.verdict, Verdict::tooSmall) << mean;
+    EXPECT_EQ(countVerdicts(report).tooSmall, 1u);
+    EXPECT_EQ(exitCode(report, false), 0) << "a warning";
+    EXPECT_EQ(exitCode(report, true), 1);
+  }
+  Report one = reportOf(0.05, 1);
+  EXPECT_EQ(materialOf(one).reason, "1 pixel, fewer than the 64 of its budget (min_pixels)");
+}
+
+TEST(Verdict, ExactlyTheLeastSizeIsJudged) {
+  EXPECT_EQ(reportOf(0.05, 64).verdict, Verdict::pass);
+  EXPECT_EQ(reportOf(0.15, 64).verdict, Verdict::warn);
+  EXPECT_EQ(reportOf(0.25, 64).verdict, Verdict::fail);
+  Budgets budgets = defaultBudgets();
+  for (const auto& [least, verdict] : {std::pair{1u, Verdict::fail}, {12u, Verdict::fail}, {13u, Verdict::tooSmall}}) {
+    budgets.materials[0].minPixels = least;
+    MaterialResult material = makeMaterial("m", 0.25, 12);
+    judgeMaterial(material, budgets, "s");
+    EXPECT_EQ(material.verdict, verdict) << least;
+  }
+}
+
+TEST(Verdict, AMaterialThatHasToBeSeenFailsWhereItIsTooSmall) {
+  Report report = reportOf(0.05, 12);
+  materialOf(report).rule.requireSeen = true;
+  settleVerdicts(report);
+  EXPECT_EQ(report.verdict, Verdict::fail);
+  EXPECT_EQ(materialOf(report).reason,
+            "12 pixels, fewer than the 64 of its budget (min_pixels), and its budget requires that it is seen");
+  report.scenes[0].views.push_back(reportOf(0.05).scenes[0].views[0]);
+  settleVerdicts(report);
+  EXPECT_EQ(report.verdict, Verdict::pass) << "the other view shows enough of it";
+}
+
+TEST(Verdict, ATooSmallMaterialThatAnotherViewShowsIsNotMissed) {
+  Report report = reportOf(0.9, 12);
+  ViewResult other = reportOf(0.05, 13).scenes[0].views[0];
+  other.name = "behind";
+  report.scenes[0].views.push_back(other);
+  settleVerdicts(report);
+  EXPECT_EQ(report.verdict, Verdict::tooSmall) << "too small in both";
+  EXPECT_FALSE(materialOf(report).seenElsewhere);
+  EXPECT_EQ(countVerdicts(report).tooSmall, 2u);
+
+  report.scenes[0].views[1].materials[0] = makeMaterial("m", 0.05, 64);
+  judgeMaterial(report.scenes[0].views[1].materials[0], defaultBudgets(), "s");
+  settleVerdicts(report);
+  const MaterialResult& small = materialOf(report);
+  EXPECT_TRUE(small.seenElsewhere);
+  EXPECT_EQ(small.verdict, Verdict::tooSmall);
+  EXPECT_EQ(small.reason,
+            "12 pixels, fewer than the 64 of its budget (min_pixels) in this view; view 'behind' shows it");
   EXPECT_EQ(report.verdict, Verdict::pass);
-  EXPECT_NE(toTable(report, false).find("identical  both are black"), std::string::npos) << toTable(report, false);
-  EXPECT_NE(toJson(report).find("both are black"), std::string::npos);
+  EXPECT_EQ(countVerdicts(report).total(), 1u);
+
+  materialOf(report).figures = {};
+  report.scenes[0].views[1] = reportOf(0.05, 12).scenes[0].views[0];
+  settleVerdicts(report);
+  EXPECT_FALSE(materialOf(report).seenElsewhere) << "a few pixels do not show it";
+  EXPECT_EQ(countVerdicts(report).notSeen, 1u);
+}
+
+TEST(Verdict, NonFinitePixelsFailHoweverSmallTheMaterialIs) {
+  Report report = reportOf(0.05, 12);
+  materialOf(report).figures.nonFinite = 1;
+  settleVerdicts(report);
+  EXPECT_EQ(report.verdict, Verdict::fail);
+  EXPECT_EQ(materialOf(report).reason, "1 of 12 pixels are NaN or infinite in one of the two renders");
+  report.scenes[0].views.push_back(reportOf(0.05).scenes[0].views[0]);
+  settleVerdicts(report);
+  EXPECT_EQ(report.verdict, Verdict::fail) << "another view that shows it does not hide them";
+}
+
+TEST(Verdict, ClippingWarnsFromATwentiethOn) {
+  for (const auto& [black, white] : {std::pair{0.049, 0.0}, {0.0, 0.049}, {0.02, 0.029}})
+    EXPECT_EQ(withClipping(reportOf(0.05), black, white).verdict, Verdict::pass) << black << " " << white;
+  for (const auto& [black, white] : {std::pair{0.05, 0.0}, {0.0, 0.05}, {0.03, 0.03}, {0.0, 0.5}}) {
+    Report report = withClipping(reportOf(0.05), black, white);
+    EXPECT_EQ(report.verdict, Verdict::warn) << black << " " << white;
+    EXPECT_EQ(materialOf(report).reason, describeClipping(materialOf(report).figures));
+    EXPECT_EQ(exitCode(report, false), 0);
+    EXPECT_EQ(exitCode(report, true), 1);
+  }
+}
+
+TEST(Verdict, ClippingStandsBesideWhatElseWarnsAndHidesNoFailure) {
+  Report warned = withClipping(reportOf(0.12), 0, 0.1);
+  EXPECT_EQ(warned.verdict, Verdict::warn);
+  EXPECT_EQ(materialOf(warned).reason,
+            "mean FLIP 0.120 is above 0.100; 10.0 % of the pixels are white in both pictures: lower --exposure");
+  Report failed = withClipping(reportOf(0.25), 0, 0.1);
+  EXPECT_EQ(failed.verdict, Verdict::fail);
+  EXPECT_EQ(materialOf(failed).reason,
+            "mean FLIP 0.250 is above 0.200; 95th percentile of FLIP 0.625 is above 0.500; 10.0 % of the pixels are "
+            "white in both pictures: lower --exposure")
+      << "no reason of it, but its reader should know";
+}
+
+TEST(Verdict, AMaterialThatIsMostlyClippedIsNotJudgedUnlessItFails) {
+  for (const double mean : {0.0, 0.05, 0.15}) {
+    Report report = withClipping(reportOf(mean), 0, 0.501);
+    EXPECT_EQ(report.verdict, Verdict::notJudged) << mean;
+    // What only warns is listed, and is no verdict.
+    EXPECT_EQ(materialOf(report).reason,
+              std::string(mean > 0.1 ? "mean FLIP 0.150 is above 0.100; 95th percentile of FLIP 0.375 is above 0.300; "
+                                     : "") +
+                  "50.1 % of the pixels are white in both pictures: lower --exposure");
+    EXPECT_EQ(countVerdicts(report).notJudged, 1u);
+    EXPECT_EQ(exitCode(report, false), 0);
+    EXPECT_EQ(exitCode(report, true), 1);
+  }
+  EXPECT_EQ(withClipping(reportOf(0.05), 0.3, 0.3).verdict, Verdict::notJudged);
+  EXPECT_EQ(withClipping(reportOf(0.25), 0, 0.99).verdict, Verdict::fail);
+  EXPECT_EQ(withClipping(reportOf(0, 4000, 0.5), 0, 1).verdict, Verdict::fail)
+      << "white on white, but of half the light";
+  Report broken = withClipping(reportOf(0.05), 0, 1);
+  materialOf(broken).figures.nonFinite = 1;
+  settleVerdicts(broken);
+  EXPECT_EQ(broken.verdict, Verdict::fail);
+  Report unchecked = withClipping(reportOf(0.05), 0, 1);
+  materialOf(unchecked).checks.clear();
+  settleVerdicts(unchecked);
+  EXPECT_EQ(unchecked.verdict, Verdict::error);
+}
+
+TEST(Verdict, AWholeImageThatIsMostlyClippedWarns) {
+  Report report = reportOf(0.05);
+  ViewResult& view = report.scenes[0].views[0];
+  view.whole.clippedBlack = 0.9;
+  view.whole.clippedWhite = 0;
+  settleVerdicts(report);
+  EXPECT_EQ(view.wholeVerdict, Verdict::warn);
+  EXPECT_EQ(view.reason, "90.0 % of the pixels are black in both pictures: raise --exposure");
+  EXPECT_EQ(report.verdict, Verdict::warn);
+}
+
+TEST(Verdict, WhatNoPathModelsIsNeverAPlainPass) {
+  Report report = reportOf(0);
+  materialOf(report).notModelled = {"clearcoat", "sheen"};
+  settleVerdicts(report);
+  EXPECT_EQ(report.verdict, Verdict::warn);
+  EXPECT_EQ(materialOf(report).reason, "base layer only: no path models clearcoat, sheen");
+  EXPECT_EQ(exitCode(report, true), 1);
+
+  Report clipped = withClipping(report, 0.2, 0);
+  EXPECT_EQ(materialOf(clipped).reason, "20.0 % of the pixels are black in both pictures: raise --exposure; base layer "
+                                        "only: no path models clearcoat, sheen");
+  Report failed = reportOf(0.25);
+  materialOf(failed).notModelled = {"clearcoat"};
+  settleVerdicts(failed);
+  EXPECT_EQ(failed.verdict, Verdict::fail);
+  EXPECT_TRUE(materialOf(failed).reason.ends_with("; base layer only: no path models clearcoat"))
+      << materialOf(failed).reason;
+  Report unseen = reportOf(0, 0);
+  materialOf(unseen).notModelled = {"clearcoat"};
+  settleVerdicts(unseen);
+  EXPECT_EQ(unseen.verdict, Verdict::notSeen);
+}
+
+TEST(Verdict, GravityIsInTheOrderOfTheNames) {
+  const std::vector<std::string> names = {"pass", "not seen", "too small", "not judged", "warn", "fail", "error"};
+  for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(nameOf(static_cast<Verdict>(i)), names[i]);
 }
 
 TEST(Verdict, SettlingTwiceChangesNothing) {
@@ -197,19 +385,21 @@ TEST(ExitCode, AnErrorWithAnyOtherCodeIsFour) {
 
 TEST(ExitCode, FiguresThatAreNotNumbersAreFour) {
   Report report = reportOf(0.05);
-  setFigure(report.scenes[0].views[0].materials[0].figures.all, "rmse", NAN);
+  setFigure(materialOf(report).figures, "rmse", NAN);
   settleVerdicts(report);
   EXPECT_EQ(exitCode(report, false), 4);
 }
 
 TEST(Verdict, CountsEachRowOnce) {
   const VerdictCounts counts = countVerdicts(makeSampleReport());
-  EXPECT_EQ(counts.pass, 3u);    // Glass twice, Bulb in front
-  EXPECT_EQ(counts.fail, 2u);    // Rough metal in both views
-  EXPECT_EQ(counts.warn, 2u);    // Shade in both
-  EXPECT_EQ(counts.notSeen, 2u); // Screw in neither; Bulb, not seen from behind, is seen in front
+  EXPECT_EQ(counts.pass, 3u);      // Glass twice, Bulb in front
+  EXPECT_EQ(counts.fail, 2u);      // Rough metal in both views
+  EXPECT_EQ(counts.warn, 2u);      // Shade in both
+  EXPECT_EQ(counts.notSeen, 2u);   // Screw in neither; Bulb, not seen from behind, is seen in front
+  EXPECT_EQ(counts.tooSmall, 2u);  // Rivet
+  EXPECT_EQ(counts.notJudged, 2u); // Lit panel
   EXPECT_EQ(counts.error, 0u);
-  EXPECT_EQ(counts.total(), 9u);
+  EXPECT_EQ(counts.total(), 13u);
 }
 
 TEST(Verdict, ATruthJudgesNothing) {
@@ -224,9 +414,9 @@ TEST(Verdict, ATruthThatIsNotFiniteIsAnError) {
   Report report = makeSampleReportWithTruth();
   report.scenes.resize(1);
   ViewResult& view = report.scenes[0].views[0];
-  view.truth->all.nonFinite = 3;
-  view.materials[0].truth->all.nonFinite = 3; // passed
-  view.materials[1].truth->all.nonFinite = 1; // failed
+  view.truth->figures.nonFinite = 3;
+  view.materials[0].truth->figures.nonFinite = 3; // passed
+  view.materials[1].truth->figures.nonFinite = 1; // failed
   settleVerdicts(report);
   EXPECT_EQ(view.materials[0].verdict, Verdict::error);
   EXPECT_EQ(view.materials[0].reason, "3 of 90000 pixels of the truth are NaN or infinite");

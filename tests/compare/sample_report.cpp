@@ -29,30 +29,35 @@ MaterialResult makeJudged(const std::string& name, double mean, std::uint64_t pi
   return material;
 }
 
-TruthRegion makeTruthRegion(const Figures& figures) {
-  TruthRegion region;
-  if (figures.pixels == 0) return region;
-  region.mobile = figures;
-  setFigure(region.mobile, "relmse", 0.04);
-  region.highend = region.mobile;
-  for (Figure& figure : region.highend.values) figure.value /= 3;
-  region.error = {0.011, 0.02, 1e-4, 420};
-  return region;
+// What no budget judges: a material too small for it, and one that is mostly white in both pictures.
+void addUnjudged(ViewResult& view, const std::string& small, const std::string& clipped, const std::string& scene) {
+  view.materials.push_back(makeJudged(small, 0.3, 12, 0.9, scene, "rivet"));
+  MaterialResult white = makeJudged(clipped, 0.01, 5000, 1, scene, "panel");
+  white.figures.clippedWhite = 0.8;
+  judgeMaterial(white, defaultBudgets(), scene);
+  view.materials.push_back(std::move(white));
 }
 
-Truth makeTruth(const RegionFigures& figures) {
+Truth makeTruth(const Figures& figures) {
   Truth truth;
-  truth.interior = makeTruthRegion(figures.interior);
-  truth.all = makeTruthRegion(figures.all);
+  if (figures.pixels == 0) return truth;
+  TruthFigures& held = truth.figures;
+  held.mobile = figures;
+  setFigure(held.mobile, "relmse", 0.04);
+  held.highend = held.mobile;
+  for (Figure& figure : held.highend.values) figure.value /= 3;
+  held.error = {0.011, 0.02, 1e-4, 420};
   return truth;
 }
 
 TruthTerm makeTerm(const std::string& name, double truth) {
-  const auto region = [](double mean) {
-    const Figures figures{90000, 0, 0.1, 0.2, {{"flip.mean", mean}, {"relmse", mean / 10}}};
-    return RegionFigures{"", figures, figures};
+  const auto figures = [](double mean) {
+    Figures of;
+    of.pixels = 90000;
+    of.values = {{"flip.mean", mean}, {"relmse", mean / 10}};
+    return of;
   };
-  return {name, truth, 0.9 * truth, 0.5 * truth, region(0.12), region(0.34)};
+  return {name, truth, 0.9 * truth, 0.5 * truth, figures(0.12), figures(0.34)};
 }
 
 } // namespace
@@ -67,14 +72,15 @@ Figures makeFigures(double mean, std::uint64_t pixels, double gain) {
                     {"flip.p95", std::min(1.0, 2.5 * mean)},
                     {"flip.max", std::min(1.0, 4 * mean)},
                     {"rmse", rmse},
-                    {"psnr", mean > 0 ? -20 * std::log10(rmse) : INFINITY}};
+                    {"psnr", mean > 0 ? -20 * std::log10(rmse) : INFINITY},
+                    {"bias.ev", std::log2(gain)}};
+  figures.clippedBlack = 0.01;
+  figures.clippedWhite = 0.02;
   figures.referenceLuma = 0.42;
   figures.testLuma = 0.42 * gain;
+  figures.referenceLuminance = 0.15;
+  figures.testLuminance = 0.15 * gain;
   return figures;
-}
-
-RegionFigures makeRegion(const std::string& name, double mean, std::uint64_t pixels, double gain) {
-  return {name, makeFigures(1.1 * mean, pixels, gain), makeFigures(mean, pixels * 3 / 4, gain)};
 }
 
 void setFigure(Figures& figures, const std::string& name, double value) {
@@ -83,15 +89,10 @@ void setFigure(Figures& figures, const std::string& name, double value) {
   figures.values.push_back({name, value});
 }
 
-void setFigure(RegionFigures& figures, const std::string& name, double value) {
-  setFigure(figures.interior, name, value);
-  setFigure(figures.all, name, value);
-}
-
 MaterialResult makeMaterial(const std::string& name, double mean, std::uint64_t pixels, double gain) {
   MaterialResult material;
   material.name = name;
-  material.figures = makeRegion(name, mean, pixels, gain);
+  material.figures = makeFigures(mean, pixels, gain);
   return material;
 }
 
@@ -103,26 +104,35 @@ Report makeSampleReport(const std::vector<std::string>& names) {
   report.settings = {{"size", "1024x1024"}, {"samples", "1"},     {"preset", "ue4-2020"}, {"precision", "fp32"},
                      {"display", "sRGB"},   {"exposure", "0 EV"}, {"budgets", "built-in"}};
 
+  report.conditions = {{"size", "1024x1024"},
+                       {"materials", "all", ActsOn::wholes},
+                       {"mobile sky", "4", ActsOn::figures, "4 SH coefficients"}};
+
   SceneResult lamp;
   lamp.name = namer.next("Lamp");
   lamp.source = "assets/Lamp.gltf";
   lamp.environment = "studio_small_05_1k.hdr";
   lamp.sun = "30,50,4";
   lamp.light = "sky light x 1,1,0.5";
+  lamp.conditions = {{"environment", "0f3a", ActsOn::figures, "studio_small_05_1k.hdr (content 0f3a)"},
+                     {"environment rotation", "0"}};
   lamp.warnings = {"KHR_materials_transmission is not supported: drawn opaque"};
   ViewResult front;
   front.name = "front";
   front.width = front.height = 1024;
-  front.whole = makeRegion("whole", 0.06, 400000, 0.97);
+  front.conditions = {{"camera", "automatic"}, {"field of view", "45"}};
+  front.whole = makeFigures(0.06, 400000, 0.97);
   front.images = {"images/lamp_ref.png", "images/lamp_test.png", "images/lamp_flip.png"};
   lamp.passes = {{"surface", "samples", 800000, ""}, {"local lights", "lights", 0, "no local lights"}};
   front.materials.push_back(makeJudged(namer.next("Glass"), 0.03, 90000, 0.999, lamp.name, "glass"));
   front.materials.push_back(makeJudged(namer.next("Rough metal"), 0.27, 120000, 0.71, lamp.name, "metal"));
   front.materials.back().notes = {"fully rough", "9 samplers: one more than mobile has"};
   front.materials.back().terms = {{"sunDiffuse", 0, 0}, {"sunSpecular", 0.21, 0.11}, {"skySpecular", 0.34, 0.28}};
-  front.materials.back().attribution = {"interior", 0.27, {{"sunSpecular", 0.264}, {"skySpecular", 0.061}}};
+  front.materials.back().attribution = {0.27, {{"sunSpecular", 0.264}, {"skySpecular", 0.061}}};
   front.materials.push_back(makeJudged(namer.next("Shade, cloth"), 0.14, 60000, 1.08, lamp.name, "cloth"));
   front.materials.back().notes = {"nonmetal"};
+  front.materials.back().notModelled = {"sheen"};
+  settleMaterial(front.materials.back(), false);
   front.materials.push_back(makeJudged(namer.next("Screw"), 0, 0, 1, lamp.name, "screw"));
   front.materials.push_back(makeJudged(namer.next("Bulb"), 0, 900, 1, lamp.name, "bulb"));
   judgeWhole(front, defaultBudgets(), lamp.name);
@@ -130,7 +140,7 @@ Report makeSampleReport(const std::vector<std::string>& names) {
 
   ViewResult back = front;
   back.name = namer.next("back");
-  back.materials[4].figures = makeRegion(back.materials[4].name, 0, 0);
+  back.materials[4].figures = {};
   back.materials[4].crops = {};
   judgeMaterial(back.materials[4], defaultBudgets(), lamp.name);
   lamp.views.push_back(back);
@@ -146,20 +156,22 @@ Report makeSampleReport(const std::vector<std::string>& names) {
   broken.error = "assets/Broken.glb: chunk 0: length 4096 runs past the end of the file";
   broken.errorExitCode = 4;
   report.scenes.push_back(broken);
+  const std::string rivet = namer.next("Rivet"), panel = namer.next("Lit panel");
+  for (ViewResult& view : report.scenes[0].views) addUnjudged(view, rivet, panel, lamp.name);
   settleVerdicts(report);
   return report;
 }
 
 Report makeSampleReportSince(const std::vector<std::string>& names, const std::string& gone) {
   Report now = makeSampleReport(names), before = now;
-  before.settings[0].second = "512x512";
+  before.scenes[0].views[1].conditions[1].value = "44";
   ViewResult& front = before.scenes[0].views[0];
-  front.materials[1].figures = makeRegion(front.materials[1].name, 0.20, 120000);
-  for (ViewResult& view : before.scenes[0].views) view.materials.pop_back();
+  front.materials[1].figures = makeFigures(0.20, 120000);
+  for (ViewResult& view : before.scenes[0].views) view.materials.erase(view.materials.begin() + 4);
   front.materials.push_back(makeMaterial(gone, 0.1, 4000));
 
   Budgets regressions = defaultBudgets();
-  regressions.materials[0].regress = {{requireStatistic("flip.mean", "test"), Region::interior, 0.01, 0.03}};
+  regressions.materials[0].regress = {{requireStatistic("flip.mean", "test"), 0.01, 0.03}};
   for (const std::size_t i : {2, 4}) judgeMaterial(now.scenes[0].views[0].materials[i], regressions, "Lamp");
   compareWithBaseline(now, before, {"old/report.json", {}, false});
   return now;
@@ -168,15 +180,16 @@ Report makeSampleReportSince(const std::vector<std::string>& names, const std::s
 Report makeSampleReportWithTruth(const std::vector<std::string>& names) {
   Report report = makeSampleReport(names);
   report.settings.emplace_back("truth", "exact integrals, multiple scattering");
+  report.conditions.push_back({"truth", "multiple scattering", ActsOn::truth, "exact integrals, multiple scattering"});
   for (ViewResult& view : report.scenes[0].views) {
     view.truth = makeTruth(view.whole);
     view.truth->images = {"images/lamp_truth.png", "images/lamp_hi.png", "images/lamp_mo.png"};
     for (MaterialResult& material : view.materials) {
       material.truth = makeTruth(material.figures);
-      if (material.figures.all.pixels > 0) material.truth->images = {"images/t.png", "images/h.png", "images/m.png"};
+      if (material.figures.pixels > 0) material.truth->images = {"images/t.png", "images/h.png", "images/m.png"};
     }
     Truth& glass = *view.materials[0].truth;
-    glass.interior.error.relmse = *glass.interior.highend.find("relmse") / 3; // of 4 that are within two errors
+    glass.figures.error.relmse = *glass.figures.highend.find("relmse") / 3; // of 4 that are within two errors
     glass.notes = {"high-end: within 2 standard errors"};
     view.materials[1].truth->terms = {makeTerm("sunSpecular", 0.2), makeTerm("skySpecular", 0.3)};
   }
@@ -190,8 +203,8 @@ RunInfo makeSampleRun() {
 
 DroppedLights makeDroppedLights(const std::string& light, const std::string& material, const std::string& more) {
   DroppedLights dropped{.lights = 5, .measured = {}, .notMeasured = {light + " 3", light + " 4"}};
-  dropped.measured = {{light + " 1", "spot", 0, 2, {{material, "all", 0.02}, {more, "interior", 0.031}}},
-                      {light + " 2", "point", 3, 1, {{material, "interior", 0.25}}}};
+  dropped.measured = {{light + " 1", "spot", 0, 2, {{material, 0.02}, {more, 0.031}}},
+                      {light + " 2", "point", 3, 1, {{material, 0.25}}}};
   return dropped;
 }
 

@@ -8,13 +8,12 @@
 
 namespace parity::compare {
 
-// Figures whose every number differs, so that a swapped field shows. mean: FLIP; gain: test luma / reference luma.
+// Figures whose every number differs, so that a swapped field shows. mean: FLIP; gain: test / reference, of luma and
+// light. No clipping to speak of. Empty where there are no pixels.
 Figures makeFigures(double mean, std::uint64_t pixels, double gain = 0.95);
-RegionFigures makeRegion(const std::string& name, double mean, std::uint64_t pixels, double gain = 0.95);
 
-// Sets a figure, which is added where it is not measured yet; of both regions.
+// Sets a figure, which is added where it is not measured yet.
 void setFigure(Figures& figures, const std::string& name, double value);
-void setFigure(RegionFigures& figures, const std::string& name, double value);
 
 // Not judged yet.
 MaterialResult makeMaterial(const std::string& name, double mean, std::uint64_t pixels, double gain = 0.95);
@@ -23,7 +22,7 @@ MaterialResult makeMaterial(const std::string& name, double mean, std::uint64_t 
 // there are any; then harmless ones.
 Report makeSampleReport(const std::vector<std::string>& names = {});
 // The same, held against an earlier run: Rough metal was at 0.20, Bulb is new, `gone` is gone from the view in front, a
-// regression of Shade is judged and one of Bulb is not, and the size was another.
+// regression of Shade is judged and one of Bulb is not, and the view from behind had another field of view.
 Report makeSampleReportSince(const std::vector<std::string>& names = {}, const std::string& gone = "Old lamp");
 // The same, with a truth of the first scene's views and of each material that they show: high-end is at a third, mobile
 // at all of the FLIP between the two. The truth of Glass is as noisy as high-end's difference to it; that of Rough

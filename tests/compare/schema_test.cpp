@@ -1,5 +1,6 @@
 // report.json against its committed schema, and the validator against documents of known validity.
 #include <cmath>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -42,13 +43,13 @@ TEST(Schema, AnEmptyReportIsValid) {
 TEST(Schema, BrokenFiguresAreValidAndNull) {
   Report report = makeSampleReport();
   MaterialResult& material = report.scenes[0].views[0].materials[0];
-  setFigure(material.figures.interior, "flip.mean", NAN);
-  material.figures.all.nonFinite = 7;
+  setFigure(material.figures, "flip.mean", NAN);
+  material.figures.nonFinite = 7;
   judgeMaterial(material, defaultBudgets(), "s");
   settleVerdicts(report);
   expectValid(report);
   const json document = json::parse(toJson(report));
-  EXPECT_TRUE(document.at("/scenes/0/views/0/materials/0/figures/interior/metrics/flip.mean"_json_pointer).is_null());
+  EXPECT_TRUE(document.at("/scenes/0/views/0/materials/0/figures/metrics/flip.mean"_json_pointer).is_null());
   EXPECT_EQ(document.at("/scenes/0/views/0/materials/0/checks/0/verdict"_json_pointer), "error");
   EXPECT_EQ(document.at("/scenes/0/views/0/materials/0/verdict"_json_pointer), "fail");
 }
@@ -76,8 +77,7 @@ void expectEachKeyMatters(const json& schema, const json& document, const json::
   const bool ofTerm = name.find("/truth/terms/") != std::string::npos && value.is_object() &&
                       (where.back() == "highend" || where.back() == "mobile");
   const bool ofFigures = ofTerm || name.ends_with("/metrics") ||
-                         (name.find("/baseline/") != std::string::npos && value.is_object() &&
-                          (where.back() == "interior" || where.back() == "all"));
+                         (name.find("/baseline/") != std::string::npos && where.back() == "changes");
   if (ofFigures) return expectNumbersOnly(schema, document, where);
   if (value.is_object()) {
     json extra = document;
@@ -91,7 +91,7 @@ void expectEachKeyMatters(const json& schema, const json& document, const json::
       less.at(where).erase(key);
       const bool optional = (key == "truth" && child.contains("images")) || // not the luminance, not the image
                             key == "permutations" || key == "passes" || key == "cost" || key == "light" ||
-                            key == "encoding" || (key == "textures" && child.contains("block")) ||
+                            key == "words" || key == "encoding" || (key == "textures" && child.contains("block")) ||
                             key == "attribution" || key == "droppedLights" || key == "displayTable" ||
                             key == "headline" || key == "bias" || key == "exposureEv" || key == "preset" ||
                             key == "statistics" || name == "/statistics" || (key == "pixels" && child.is_object());
@@ -112,6 +112,7 @@ TEST(Schema, EachKeyIsRequiredTypedAndNoOtherIsAllowed) {
   Report report = makeSampleReportSince();
   report.scenes.resize(1);
   report.scenes[0].views.resize(1);
+  std::swap(report.conditions[0], report.conditions[2]); // the one in words, of which every key is tried
   std::vector<MaterialResult>& materials = report.scenes[0].views[0].materials;
   materials = {materials[1]}; // the one with terms
   report.scenes[0].error = "broken half-way";
@@ -119,15 +120,72 @@ TEST(Schema, EachKeyIsRequiredTypedAndNoOtherIsAllowed) {
   const ViewResult truth = makeSampleReportWithTruth().scenes[0].views[0];
   report.scenes[0].views[0].truth = truth.truth;
   materials[0].truth = truth.materials[1].truth;
-  materials[0].encoding = Encoding{"rgba16f", makeRegion("stage", 0.01, 9000)};
-  report.scenes[0].views[0].encoding = Encoding{"rgba16f", makeRegion("stage", 0.01, 9000)};
-  materials[0].textures = TextureCompression{"astc6x6", makeRegion("stage", 0.01, 9000)};
-  report.scenes[0].views[0].textures = TextureCompression{"astc4x4", makeRegion("stage", 0.01, 9000)};
+  materials[0].encoding = Encoding{"rgba16f", makeFigures(0.01, 9000)};
+  report.scenes[0].views[0].encoding = Encoding{"rgba16f", makeFigures(0.01, 9000)};
+  materials[0].textures = TextureCompression{"astc6x6", makeFigures(0.01, 9000)};
+  report.scenes[0].views[0].textures = TextureCompression{"astc4x4", makeFigures(0.01, 9000)};
   report.scenes[0].views[0].droppedLights = makeDroppedLights();
+  materials[0].notModelled = {"clearcoat"};
   settleVerdicts(report);
   const json schema = loadSchema(), document = json::parse(toJson(report));
   ASSERT_EQ(join(validate(schema, document)), "");
   expectEachKeyMatters(schema, document, json::json_pointer());
+}
+
+// What schema 2 had: two regions, and which of them a check, an attribution or a light was of.
+TEST(Schema, WhatWasOfTwoRegionsIsRefused) {
+  Report report = makeSampleReportSince();
+  const ViewResult truth = makeSampleReportWithTruth().scenes[0].views[0];
+  report.scenes[0].views[0].materials[1].truth = truth.materials[1].truth;
+  report.scenes[0].views[0].droppedLights = makeDroppedLights();
+  settleVerdicts(report);
+  const json schema = loadSchema(), document = json::parse(toJson(report));
+  ASSERT_EQ(join(validate(schema, document)), "");
+  const auto expectRefused = [&](const std::string& where, const std::function<void(json&)>& spoil) {
+    json old = document;
+    spoil(old.at(json::json_pointer(where)));
+    EXPECT_FALSE(validate(schema, old).empty()) << where;
+  };
+  const auto split = [](json& value) { value = {{"interior", value}, {"all", value}}; };
+  const auto splitIn = [](const std::string& key) {
+    return [key](json& value) {
+      value["interior"] = value["all"] = value[key];
+      value.erase(key);
+    };
+  };
+  const auto addRegion = [](json& value) { value["region"] = "interior"; };
+  const std::string view = "/scenes/0/views/0", metal = view + "/materials/1";
+  expectRefused("", [](json& value) { value["schema"] = 2; });
+  expectRefused(view + "/whole/figures", split);
+  expectRefused(metal + "/figures", split);
+  expectRefused(metal + "/baseline", splitIn("changes"));
+  expectRefused(metal + "/truth", splitIn("figures"));
+  expectRefused(metal + "/truth/terms/0", splitIn("figures"));
+  expectRefused(metal + "/checks/0", addRegion);
+  expectRefused(metal + "/attribution", addRegion);
+  expectRefused(view + "/droppedLights/measured/0/materials/0", addRegion);
+}
+
+TEST(Schema, SharesOfClippedPixelsAndLeastSizesHaveTheirRanges) {
+  const json schema = loadSchema(), document = json::parse(toJson(makeSampleReport()));
+  const auto isValid = [&](const char* where, const json& value) {
+    json other = document;
+    other.at(json::json_pointer("/scenes/0/views/0/materials/1" + std::string(where))) = value;
+    return validate(schema, other).empty();
+  };
+  for (const char* share : {"/figures/clippedBlack", "/figures/clippedWhite"}) {
+    EXPECT_TRUE(isValid(share, 0)) << share;
+    EXPECT_TRUE(isValid(share, 1)) << share;
+    EXPECT_TRUE(isValid(share, nullptr)) << "not a number, as of any figure: " << share;
+    EXPECT_FALSE(isValid(share, 1.01)) << share;
+    EXPECT_FALSE(isValid(share, -0.01)) << share;
+  }
+  EXPECT_TRUE(isValid("/figures/testLuminance", 1000)) << "light before it is clipped";
+  EXPECT_TRUE(isValid("/budget/minPixels", 1));
+  EXPECT_FALSE(isValid("/budget/minPixels", 0));
+  EXPECT_TRUE(isValid("/verdict", "too small"));
+  EXPECT_TRUE(isValid("/verdict", "not judged"));
+  EXPECT_FALSE(isValid("/verdict", "clipped"));
 }
 
 TEST(SchemaValidator, KnowsValidFromInvalid) {

@@ -110,14 +110,13 @@ TEST(Ssim, ofANegativeIsNegativeAndOfIdenticalImagesExactlyOne) {
   for (float& v : negative.pixels) v = 1.f - v;
   for (const float v : ssimMaps(a, a, {0, 0, 64, 64}).ssim.pixels) EXPECT_EQ(v, 1.f);
   const base::Image ra = rgbOf(a), rn = rgbOf(negative);
-  EXPECT_LT(measureRegions({ra, rn}, {wholeImage(64, 64)}, {.metrics = {"ssim"}}).regions[0].all.find("ssim.mean"),
-            -0.2);
+  EXPECT_LT(measureRegions({ra, rn}, {wholeImage(64, 64)}, {.metrics = {"ssim"}}).regions[0].find("ssim.mean"), -0.2);
 }
 
 TEST(Ssim, regionsPoolTheMapOfLuma) {
   const base::Image a = randomLuma(60, 50, 5), b = randomLuma(60, 50, 6), ra = rgbOf(a), rb = rgbOf(b);
   const base::PixelList list{"m", {1, 2, 700, 2999}, {1.f, 0.5f, 0.25f, 1.f}};
-  const Figures f = measureRegions({ra, rb}, {list}, {.metrics = {"ssim"}}).regions[0].all;
+  const Figures f = measureRegions({ra, rb}, {list}, {.metrics = {"ssim"}}).regions[0];
   const Planar pa = planarOf(a), pb = planarOf(b);
   double sum = 0, total = 0, least = 1;
   for (std::size_t i = 0; i < list.pixels.size(); ++i) {
@@ -175,7 +174,7 @@ TEST(MsSsim, isTheDefinitionAtFiveScalesAndAtTheFewerThatFit) {
     const base::Image ra = rgbOf(a), rb = rgbOf(b);
     const Planar everywhere{size.width, size.height, std::vector<double>(a.pixels.size(), 1.)};
     const Figures f =
-        measureRegions({ra, rb}, {wholeImage(size.width, size.height)}, {.metrics = {"msssim"}}).regions[0].all;
+        measureRegions({ra, rb}, {wholeImage(size.width, size.height)}, {.metrics = {"msssim"}}).regions[0];
     EXPECT_NEAR(f.find("msssim").value(), multiScale(planarOf(a), planarOf(b), everywhere, size.scales), 1e-5)
         << size.width << " x " << size.height;
   }
@@ -196,7 +195,7 @@ TEST(MsSsim, ofARegionWeighsEachScaleByTheRegionsShareOfItsPixels) {
       if (weighted) list.weights.push_back(weight);
       weights.values[pixel] = static_cast<double>(weight);
     }
-    const Figures f = measureRegions({ra, rb}, {list}, {.metrics = {"msssim"}}).regions[0].all;
+    const Figures f = measureRegions({ra, rb}, {list}, {.metrics = {"msssim"}}).regions[0];
     EXPECT_NEAR(f.find("msssim").value(), multiScale(planarOf(a), planarOf(b), weights, 4), 1e-5);
   }
 }
@@ -206,8 +205,8 @@ TEST(MsSsim, ofIdenticalImagesIsOneAndOfANegativeZero) {
   base::Image negative = ra;
   for (float& v : negative.pixels) v = 1.f - v;
   const MeasureRequest request{.metrics = {"msssim"}};
-  EXPECT_EQ(measureRegions({ra, ra}, {wholeImage(180, 180)}, request).regions[0].all.find("msssim"), 1);
-  EXPECT_EQ(measureRegions({ra, negative}, {wholeImage(180, 180)}, request).regions[0].all.find("msssim"), 0);
+  EXPECT_EQ(measureRegions({ra, ra}, {wholeImage(180, 180)}, request).regions[0].find("msssim"), 1);
+  EXPECT_EQ(measureRegions({ra, negative}, {wholeImage(180, 180)}, request).regions[0].find("msssim"), 0);
 }
 
 } // namespace

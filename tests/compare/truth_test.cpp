@@ -1,16 +1,18 @@
 // Both paths against the truth: closed forms, its noise, what is not finite, terms.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
+#include "base/gathered.h"
 #include "compare/measure_truth.h"
 
 namespace parity::compare {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
-constexpr int kWidth = 32, kHeight = 24; // an interior of 12 x 4 pixels
+constexpr int kWidth = 32, kHeight = 24;
 
 // Grey pictures; the truth is 0.5 with a relative standard error of 2 %.
 struct Trio {
@@ -21,8 +23,8 @@ struct Trio {
   TruthInput input() const {
     return {{truth, &truth, broken}, {highend, &highend, {}}, {mobile, &mobile, mobileBroken}};
   }
-  TruthMeasurement measure(const std::vector<base::PixelList>& lists, double wanted = 0.02) const {
-    return measureTruth(input(), {&error, &samples}, lists, {.wantedError = wanted});
+  Truth measure(const base::PixelList& list, double wanted = 0.02) const {
+    return measureTruth(input(), {&error, &samples}, list, {.wantedError = wanted}).truth;
   }
 };
 
@@ -38,19 +40,17 @@ TEST(Truth, BothPathsHaveTheirClosedForms) {
   Trio trio;
   trio.highend = base::Image(kWidth, kHeight, 3, 0.6f);
   trio.mobile = base::Image(kWidth, kHeight, 3, 0.25f);
-  const Truth truth = trio.measure({allPixels()}).regions.at(0);
-  for (const TruthRegion* region : {&truth.all, &truth.interior}) {
-    EXPECT_NEAR(figure(region->highend, "relmse"), 0.1 * 0.1 / 0.26, 1e-7); // (t-r)^2 / (r^2 + 0.01)
-    EXPECT_NEAR(figure(region->mobile, "relmse"), 0.25 * 0.25 / 0.26, 1e-7);
-    EXPECT_NEAR(figure(region->highend, "bias.ev"), std::log2(0.6 / 0.5), 1e-3);
-    EXPECT_NEAR(figure(region->mobile, "bias.ev"), -1, 1e-3);
-    EXPECT_GT(figure(region->mobile, "flip.mean"), figure(region->highend, "flip.mean"));
-    EXPECT_NEAR(region->highend.referenceLuma, 0.5, 1e-6) << "the truth is the reference";
-    EXPECT_NEAR(region->highend.testLuma, 0.6, 1e-6);
-    EXPECT_EQ(region->nonFinite, 0u);
-  }
-  EXPECT_EQ(truth.all.highend.pixels, 768u);
-  EXPECT_EQ(truth.interior.highend.pixels, 768u) << "the image's edge does not erode";
+  const Truth truth = trio.measure(allPixels());
+  const TruthFigures& found = truth.figures;
+  EXPECT_NEAR(figure(found.highend, "relmse"), 0.1 * 0.1 / 0.26, 1e-7); // (t-r)^2 / (r^2 + 0.01)
+  EXPECT_NEAR(figure(found.mobile, "relmse"), 0.25 * 0.25 / 0.26, 1e-7);
+  EXPECT_NEAR(figure(found.highend, "bias.ev"), std::log2(0.6 / 0.5), 1e-3);
+  EXPECT_NEAR(figure(found.mobile, "bias.ev"), -1, 1e-3);
+  EXPECT_GT(figure(found.mobile, "flip.mean"), figure(found.highend, "flip.mean"));
+  EXPECT_NEAR(found.highend.referenceLuma, 0.5, 1e-6) << "the truth is the reference";
+  EXPECT_NEAR(found.highend.testLuma, 0.6, 1e-6);
+  EXPECT_EQ(found.nonFinite, 0u);
+  EXPECT_EQ(found.highend.pixels, 768u);
   EXPECT_TRUE(truth.notes.empty()) << truth.notes[0];
 }
 
@@ -64,9 +64,7 @@ TEST(Truth, ItsErrorIsThatOfItsPixelsByWeight) {
     trio.error.pixels[p] = errors[p];
     trio.samples.pixels[p] = static_cast<float>(100 * (p + 1));
   }
-  const auto errorOf = [&](const base::PixelList& list) {
-    return trio.measure({allPixels(), list}, 1).regions.at(1).all.error;
-  };
+  const auto errorOf = [&](const base::PixelList& list) { return trio.measure(list, 1).figures.error; };
   const TruthError even = errorOf({"m", {0, 1, 2}, {}}), weighted = errorOf({"m", {0, 1, 2}, {0.1f, 1.f, 0.1f}});
   EXPECT_FLOAT_EQ(static_cast<float>(even.median), 0.03f);
   EXPECT_FLOAT_EQ(static_cast<float>(even.worst), 0.04f);
@@ -82,9 +80,9 @@ TEST(Truth, ADifferenceWithinTwoStandardErrorsIsSaid) {
   Trio trio;
   trio.highend = base::Image(kWidth, kHeight, 3, 0.5f + 0.0199f);
   trio.mobile = base::Image(kWidth, kHeight, 3, 0.5f - 0.0201f);
-  const Truth truth = trio.measure({allPixels()}).regions.at(0);
-  EXPECT_TRUE(isWithinNoise(truth.all.highend, truth.all.error));
-  EXPECT_FALSE(isWithinNoise(truth.all.mobile, truth.all.error));
+  const Truth truth = trio.measure(allPixels());
+  EXPECT_TRUE(isWithinNoise(truth.figures.highend, truth.figures.error));
+  EXPECT_FALSE(isWithinNoise(truth.figures.mobile, truth.figures.error));
   ASSERT_EQ(truth.notes.size(), 1u);
   EXPECT_EQ(truth.notes[0], "high-end: the difference to the truth, relMSE 0.0015, is within 2 standard errors of the "
                             "truth, whose noise alone gives 0.00038");
@@ -93,9 +91,9 @@ TEST(Truth, ADifferenceWithinTwoStandardErrorsIsSaid) {
 TEST(Truth, AnExactTruthHidesNothing) {
   Trio trio;
   trio.error = base::Image(kWidth, kHeight, 1);
-  const Truth truth = trio.measure({allPixels()}).regions.at(0);
-  EXPECT_EQ(truth.all.error.worst, 0);
-  EXPECT_FALSE(isWithinNoise(truth.all.highend, truth.all.error));
+  const Truth truth = trio.measure(allPixels());
+  EXPECT_EQ(truth.figures.error.worst, 0);
+  EXPECT_FALSE(isWithinNoise(truth.figures.highend, truth.figures.error));
   EXPECT_TRUE(truth.notes.empty());
 }
 
@@ -106,9 +104,9 @@ TEST(Truth, NoiseIsTheSameInALightAndInADarkExposure) {
     trio.truth = base::Image(kWidth, kHeight, 3, light);
     trio.highend = base::Image(kWidth, kHeight, 3, light * 1.0399f);
     trio.mobile = base::Image(kWidth, kHeight, 3, light * 1.0401f);
-    const Truth truth = trio.measure({allPixels()}).regions.at(0);
-    EXPECT_TRUE(isWithinNoise(truth.all.highend, truth.all.error)) << light;
-    EXPECT_FALSE(isWithinNoise(truth.all.mobile, truth.all.error)) << light;
+    const Truth truth = trio.measure(allPixels());
+    EXPECT_TRUE(isWithinNoise(truth.figures.highend, truth.figures.error)) << light;
+    EXPECT_FALSE(isWithinNoise(truth.figures.mobile, truth.figures.error)) << light;
   }
 }
 
@@ -116,7 +114,8 @@ TEST(Truth, APixelThatDidNotReachItsErrorIsSaid) {
   Trio trio;
   trio.highend = trio.mobile = base::Image(kWidth, kHeight, 3, 0.9f);
   trio.error.pixels[5] = 0.0201f;
-  const auto regions = trio.measure({allPixels(), {"with", {5, 6}, {}}, {"without", {6, 7}, {}}}).regions;
+  const Truth regions[] = {trio.measure(allPixels()), trio.measure({"with", {5, 6}, {}}),
+                           trio.measure({"without", {6, 7}, {}})};
   EXPECT_EQ(regions[0].notes,
             std::vector<std::string>{"the truth did not reach a standard error of 2 % at 1 of 768 pixels"});
   EXPECT_EQ(regions[1].notes,
@@ -127,43 +126,43 @@ TEST(Truth, APixelThatDidNotReachItsErrorIsSaid) {
 TEST(Truth, ATruthThatIsNotFiniteIsCountedWhereItIs) {
   Trio trio;
   trio.broken = {5};
-  const auto regions = trio.measure({allPixels(), {"with", {5, 6}, {}}, {"without", {6, 7}, {}}}).regions;
-  EXPECT_EQ(regions[0].all.nonFinite, 1u);
-  EXPECT_EQ(regions[1].all.nonFinite, 1u);
-  EXPECT_EQ(regions[1].all.highend.nonFinite, 1u);
-  EXPECT_GT(figure(regions[1].all.highend, "relmse"), 1) << "the worst value, never an equal one";
-  EXPECT_TRUE(std::isnan(regions[1].all.error.median));
-  EXPECT_FALSE(isWithinNoise(regions[1].all.highend, regions[1].all.error));
-  EXPECT_EQ(regions[2].all.nonFinite, 0u);
-  EXPECT_EQ(figure(regions[2].all.highend, "relmse"), 0);
+  const Truth regions[] = {trio.measure(allPixels()), trio.measure({"with", {5, 6}, {}}),
+                           trio.measure({"without", {6, 7}, {}})};
+  EXPECT_EQ(regions[0].figures.nonFinite, 1u);
+  EXPECT_EQ(regions[1].figures.nonFinite, 1u);
+  EXPECT_EQ(regions[1].figures.highend.nonFinite, 1u);
+  EXPECT_GT(figure(regions[1].figures.highend, "relmse"), 1) << "the worst value, never an equal one";
+  EXPECT_TRUE(std::isnan(regions[1].figures.error.median));
+  EXPECT_FALSE(isWithinNoise(regions[1].figures.highend, regions[1].figures.error));
+  EXPECT_EQ(regions[2].figures.nonFinite, 0u);
+  EXPECT_EQ(figure(regions[2].figures.highend, "relmse"), 0);
 }
 
 TEST(Truth, APathThatIsNotFiniteIsNotTheTruths) {
   Trio trio;
   trio.mobile.pixels[15] = kInf;
   trio.mobileBroken = {6};
-  const Truth truth = trio.measure({allPixels()}).regions.at(0);
-  EXPECT_EQ(truth.all.nonFinite, 0u);
-  EXPECT_EQ(truth.all.mobile.nonFinite, 2u);
-  EXPECT_EQ(truth.all.highend.nonFinite, 0u);
+  const Truth truth = trio.measure(allPixels());
+  EXPECT_EQ(truth.figures.nonFinite, 0u);
+  EXPECT_EQ(truth.figures.mobile.nonFinite, 2u);
+  EXPECT_EQ(truth.figures.highend.nonFinite, 0u);
 }
 
 TEST(Truth, AnErrorThatIsNotKnownIsNotNone) {
   Trio trio;
   trio.error.pixels[5] = kInf;
-  const Truth truth = trio.measure({{"m", {5, 6}, {}}}).regions.at(0);
-  for (const double value : {truth.all.error.median, truth.all.error.worst, truth.all.error.relmse})
+  const Truth truth = trio.measure({"m", {5, 6}, {}});
+  for (const double value : {truth.figures.error.median, truth.figures.error.worst, truth.figures.error.relmse})
     EXPECT_TRUE(std::isnan(value));
   ASSERT_EQ(truth.notes.size(), 1u);
   EXPECT_EQ(truth.notes[0], "the truth's error is not known at 1 of 2 pixels");
 }
 
 TEST(Truth, WhatIsNotSeenHasNoFigures) {
-  const Truth truth = Trio().measure({allPixels(), {"m", {}, {}}}).regions.at(1);
-  EXPECT_EQ(truth.all.highend.pixels, 0u);
-  EXPECT_TRUE(truth.all.highend.values.empty());
+  const Truth truth = Trio().measure({"m", {}, {}});
+  EXPECT_EQ(truth.figures.highend.pixels, 0u);
+  EXPECT_TRUE(truth.figures.highend.values.empty());
   EXPECT_TRUE(truth.notes.empty());
-  EXPECT_EQ(&mainRegion(truth), &truth.all);
 }
 
 TEST(Truth, ATermThatTheTruthLacksCountsAHundredTimesItsSquaredLight) {
@@ -171,12 +170,12 @@ TEST(Truth, ATermThatTheTruthLacksCountsAHundredTimesItsSquaredLight) {
   trio.truth = base::Image(kWidth, kHeight, 3);
   trio.highend = base::Image(kWidth, kHeight, 3, 0.1f);
   trio.mobile = base::Image(kWidth, kHeight, 3);
-  const TruthTerm term = measureTerm("fog", trio.input(), {allPixels()}, {}).at(0);
+  const TruthTerm term = measureTerm("fog", trio.input(), allPixels(), {});
   EXPECT_EQ(term.name, "fog");
-  EXPECT_NEAR(figure(term.highendFigures.all, "relmse"), 1, 1e-6);
-  EXPECT_EQ(figure(term.mobileFigures.all, "relmse"), 0) << "black in both is alike";
-  EXPECT_GT(figure(term.highendFigures.interior, "flip.mean"), 0.1);
-  EXPECT_EQ(term.highendFigures.all.values.size(), 2u);
+  EXPECT_NEAR(figure(term.highendFigures, "relmse"), 1, 1e-6);
+  EXPECT_EQ(figure(term.mobileFigures, "relmse"), 0) << "black in both is alike";
+  EXPECT_GT(figure(term.highendFigures, "flip.mean"), 0.1);
+  EXPECT_EQ(term.highendFigures.values.size(), 2u);
 }
 
 TEST(Truth, LuminanceIsRec709sByWeight) {
@@ -199,10 +198,119 @@ TEST(Truth, MapsAreKeptWhereAskedFor) {
   Trio trio;
   trio.mobile = base::Image(kWidth, kHeight, 3, 0.9f);
   const TruthMeasurement kept =
-      measureTruth(trio.input(), {&trio.error, &trio.samples}, {allPixels()}, {.keepMaps = true});
+      measureTruth(trio.input(), {&trio.error, &trio.samples}, allPixels(), {.keepMaps = true});
   EXPECT_EQ(kept.highendFlip.at(5, 5)[0], 0);
   EXPECT_GT(kept.mobileFlip.at(5, 5)[0], 0.1f);
-  EXPECT_TRUE(trio.measure({allPixels()}).mobileFlip.empty());
+  EXPECT_TRUE(measureTruth(trio.input(), {&trio.error, &trio.samples}, allPixels(), {}).mobileFlip.empty());
+}
+
+// Materials, by the swap: the truth's picture in bytes in which one material alone has a path's colours.
+struct SwappedTrio {
+  Trio trio;
+  base::Image8 shown{kWidth, kHeight, 3};
+
+  SwappedTrio() { std::ranges::fill(shown.pixels, std::uint8_t{128}); }
+  TruthPicture truth() const { return {shown, &trio.truth, trio.broken}; }
+  // Greys of a path at the list.
+  static Swap greys(const base::PixelList& list, float grey, std::uint8_t displayed) {
+    Swap swap{&list,
+              base::makeGathered<std::uint8_t>(list.pixels.size(), 3),
+              base::makeGathered<float>(list.pixels.size(), 3),
+              {}};
+    std::fill_n(swap.displayed.pixels.begin(), 3 * list.pixels.size(), displayed);
+    std::fill_n(swap.linear.pixels.begin(), 3 * list.pixels.size(), grey);
+    return swap;
+  }
+  std::vector<Truth> measure(const std::vector<TruthSwap>& swaps, double wanted = 0.02) const {
+    return measureTruthSwaps(truth(), {&trio.error, &trio.samples}, swaps, wanted);
+  }
+};
+
+base::PixelList columns(const char* name, int begin, int end) {
+  base::PixelList list{name, {}, {}};
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = begin; x < end; ++x) list.pixels.push_back(static_cast<std::uint32_t>(y * kWidth + x));
+  return list;
+}
+
+TEST(TruthSwaps, EachMaterialHasItsClosedFormsAndNothingOfItsNeighbours) {
+  const SwappedTrio trio;
+  const base::PixelList left = columns("left", 0, 16), right = columns("right", 16, kWidth), none{"none", {}, {}};
+  const auto found = trio.measure({{SwappedTrio::greys(left, 0.6f, 140), SwappedTrio::greys(left, 0.25f, 90)},
+                                   {SwappedTrio::greys(none, 0, 0), SwappedTrio::greys(none, 0, 0)},
+                                   {SwappedTrio::greys(right, 0.5f, 128), SwappedTrio::greys(right, 5.f, 255)}});
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0].figures.highend.pixels, 16u * kHeight);
+  EXPECT_NEAR(figure(found[0].figures.highend, "relmse"), 0.1 * 0.1 / 0.26, 1e-7);
+  EXPECT_NEAR(figure(found[0].figures.mobile, "relmse"), 0.25 * 0.25 / 0.26, 1e-7);
+  EXPECT_NEAR(figure(found[0].figures.mobile, "bias.ev"), -1, 1e-3);
+  EXPECT_NEAR(found[0].figures.highend.referenceLuminance, 0.5, 1e-6) << "the truth is the reference";
+  EXPECT_EQ(found[1].figures.highend.pixels, 0u);
+  EXPECT_TRUE(found[1].figures.mobile.values.empty());
+  EXPECT_TRUE(found[1].notes.empty());
+  EXPECT_EQ(figure(found[2].figures.highend, "flip.max"), 0) << "the other material's error stays where it is";
+  EXPECT_EQ(figure(found[2].figures.highend, "relmse"), 0);
+  EXPECT_GT(figure(found[2].figures.mobile, "flip.mean"), 0.1);
+}
+
+TEST(TruthSwaps, ErrorAndNotesAreThoseOfTheMaterialsPixels) {
+  SwappedTrio trio;
+  const base::PixelList left = columns("left", 0, 16), right = columns("right", 16, kWidth);
+  trio.trio.error.pixels[3] = 0.5f; // of the left one
+  trio.trio.broken = {20};          // of the right one
+  const auto swapsOf = [](const base::PixelList& list) {
+    return TruthSwap{SwappedTrio::greys(list, 0.9f, 200), SwappedTrio::greys(list, 0.505f, 129)};
+  };
+  const auto found = trio.measure({swapsOf(left), swapsOf(right)});
+  EXPECT_FLOAT_EQ(static_cast<float>(found[0].figures.error.worst), 0.5f);
+  EXPECT_FLOAT_EQ(static_cast<float>(found[0].figures.error.median), 0.02f);
+  EXPECT_EQ(found[0].figures.error.samples, 400);
+  EXPECT_EQ(found[0].figures.nonFinite, 0u);
+  ASSERT_EQ(found[0].notes.size(), 2u);
+  EXPECT_EQ(found[0].notes[0], "the truth did not reach a standard error of 2 % at 1 of 384 pixels");
+  EXPECT_EQ(found[0].notes[1].find("mobile: the difference to the truth, relMSE "), 0u) << found[0].notes[1];
+  EXPECT_EQ(found[1].figures.nonFinite, 1u);
+  EXPECT_EQ(found[1].figures.highend.nonFinite, 1u);
+  EXPECT_TRUE(std::isnan(found[1].figures.error.median));
+  EXPECT_TRUE(found[1].notes.empty()) << "an error that is not known hides nothing: " << found[1].notes[0];
+}
+
+TEST(TruthSwaps, AMaterialThatIsAllOfThePictureHasTheWholeImagesFigures) {
+  SwappedTrio trio;
+  for (std::size_t p = 0; p < trio.trio.error.pixels.size(); ++p)
+    trio.trio.error.pixels[p] = 0.001f * static_cast<float>(p % 40);
+  const base::PixelList list = allPixels();
+  const auto found = trio.measure({{SwappedTrio::greys(list, 0.6f, 140), SwappedTrio::greys(list, 0.25f, 90)}});
+  base::Image8 highend(kWidth, kHeight, 3), mobile(kWidth, kHeight, 3);
+  std::ranges::fill(highend.pixels, std::uint8_t{140});
+  std::ranges::fill(mobile.pixels, std::uint8_t{90});
+  const base::Image highendLight(kWidth, kHeight, 3, 0.6f), mobileLight(kWidth, kHeight, 3, 0.25f);
+  const Truth whole = measureTruth({trio.truth(), {highend, &highendLight, {}}, {mobile, &mobileLight, {}}},
+                                   {&trio.trio.error, &trio.trio.samples}, list, {.wantedError = 0.02})
+                          .truth;
+  for (const auto& [swap, picture] : {std::pair{&found[0].figures.highend, &whole.figures.highend},
+                                      {&found[0].figures.mobile, &whole.figures.mobile}}) {
+    ASSERT_EQ(swap->values.size(), picture->values.size());
+    for (std::size_t i = 0; i < swap->values.size(); ++i)
+      EXPECT_NEAR(swap->values[i].value, picture->values[i].value, 1e-6) << swap->values[i].name;
+  }
+  EXPECT_EQ(found[0].figures.error.relmse, whole.figures.error.relmse);
+  EXPECT_EQ(found[0].notes, whole.notes);
+}
+
+TEST(TruthSwaps, TermsHaveFlipAndRelMseOfEachMaterial) {
+  const SwappedTrio trio;
+  const base::PixelList left = columns("left", 0, 16), right = columns("right", 16, kWidth);
+  const std::vector<TruthSwap> swaps = {{SwappedTrio::greys(left, 0.6f, 140), SwappedTrio::greys(left, 0.25f, 90)},
+                                        {SwappedTrio::greys(right, 0.5f, 128), SwappedTrio::greys(right, 0.5f, 128)}};
+  const auto terms = measureTermSwaps("fog", trio.truth(), swaps);
+  ASSERT_EQ(terms.size(), 2u);
+  EXPECT_EQ(terms[0].name, "fog");
+  EXPECT_EQ(terms[0].highendFigures.values.size(), 2u);
+  EXPECT_NEAR(figure(terms[0].highendFigures, "relmse"), 0.1 * 0.1 / 0.26, 1e-7);
+  EXPECT_GT(figure(terms[0].mobileFigures, "flip.mean"), figure(terms[0].highendFigures, "flip.mean"));
+  EXPECT_EQ(figure(terms[1].highendFigures, "flip.mean"), 0);
+  EXPECT_EQ(figure(terms[1].mobileFigures, "relmse"), 0);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // Report folders for the page's tests in a browser: large ones, empty ones, and names that try to break out.
-//   make_reports FOLDER: FOLDER/many, huge, evil, broken, empty
+//   make_reports FOLDER: FOLDER/many, huge, evil, broken, states, empty
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -56,7 +56,7 @@ compare::ViewResult makeView(const std::string& name) {
   compare::ViewResult view;
   view.name = name;
   view.width = view.height = kSide;
-  view.whole = compare::makeRegion("whole", 0.05, kSide * kSide / 2, 0.95);
+  view.whole = compare::makeFigures(0.05, kSide * kSide / 2, 0.95);
   return view;
 }
 
@@ -64,11 +64,10 @@ compare::ViewResult makeView(const std::string& name) {
 void addEvidence(compare::MaterialResult& material) {
   for (const char* term : {"sunDiffuse", "sunSpecular", "localDiffuse", "localSpecular", "skyDiffuse", "skySpecular"})
     material.terms.push_back({term, 0.2, 0.15});
-  material.notes = {"not modelled: clearcoat, sheen", "nonmetal: EnvBRDFApproxNonmetal on mobile"};
-  if (material.verdict == compare::Verdict::fail || material.figures.interior.find("flip.mean").value_or(0) > 0.2) {
-    const double flip = *material.figures.interior.find("flip.mean");
-    material.attribution = {"interior", flip, {{"skySpecular", flip / 4}, {"sunDiffuse", flip * 0.97}}};
-  }
+  material.notes = {"nonmetal: EnvBRDFApproxNonmetal on mobile"};
+  const double flip = material.figures.find("flip.mean").value_or(0);
+  if (material.verdict == compare::Verdict::fail || flip > 0.2)
+    material.attribution = {flip, {{"skySpecular", flip / 4}, {"sunDiffuse", flip * 0.97}}};
 }
 
 void write(const fs::path& folder, compare::Report& report, const std::string& commandLine) {
@@ -99,6 +98,7 @@ void writeGrid(const fs::path& folder, int scenes, int viewsEach, int materialsE
         compare::MaterialResult material =
             compare::makeMaterial(fmt::format("Material {}", number + 1), mean, 500 + number, 1 - mean);
         material.crops = view.images;
+        if (number % 10 == 3) material.notModelled = {"clearcoat", "sheen"};
         compare::judgeMaterial(material, compare::defaultBudgets(), scene.name);
         addEvidence(material);
         view.materials.push_back(std::move(material));
@@ -180,23 +180,55 @@ void writeBroken(const fs::path& folder) {
   view.images = {"images/none_highend.png", "images/none_mobile.png", "images/none_flip.png"};
   view.pixels = {"pixels/none.js", ""};
   compare::judgeWhole(view, compare::defaultBudgets(), scene.name);
-  compare::MaterialResult nan = compare::makeMaterial("not a number", 0.1, 50, 1);
-  for (compare::Figures* figures : {&nan.figures.all, &nan.figures.interior}) {
-    for (compare::Figure& figure : figures->values) figure.value = std::nan("");
-    figures->nonFinite = 50;
-    figures->referenceLuma = INFINITY;
-  }
-  compare::MaterialResult same = compare::makeMaterial("identical", 0, 50, 1);
+  compare::MaterialResult nan = compare::makeMaterial("not a number", 0.1, 500, 1);
+  for (compare::Figure& figure : nan.figures.values) figure.value = std::nan("");
+  nan.figures.nonFinite = 50;
+  nan.figures.referenceLuma = nan.figures.referenceLuminance = INFINITY;
+  nan.figures.clippedBlack = nan.figures.clippedWhite = std::nan("");
+  compare::MaterialResult same = compare::makeMaterial("identical", 0, 500, 1);
   compare::MaterialResult unseen = compare::makeMaterial("not seen", 0, 0, 1);
-  compare::MaterialResult rim = compare::makeMaterial("rim only", 0.3, 50, 1);
-  rim.figures.interior = {};
-  for (compare::MaterialResult* material : {&nan, &same, &unseen, &rim}) {
+  for (compare::MaterialResult* material : {&nan, &same, &unseen}) {
     compare::judgeMaterial(*material, compare::defaultBudgets(), scene.name);
     view.materials.push_back(*material);
   }
   scene.views.push_back(std::move(view));
   report.scenes.push_back(std::move(scene));
   write(folder, report, "");
+}
+
+// What is neither a plain pass nor a plain failure: a material too small, one clipped almost everywhere and one in
+// part, one of which no path models every part, one too dark for its exposure to be judged.
+void writeStates(const fs::path& folder) {
+  job::prepareReportFolder(folder, false);
+  compare::Report report = emptyReport();
+  compare::SceneResult scene;
+  scene.name = "States";
+  scene.source = "states.glb";
+  scene.environment = scene.sun = "none";
+  compare::ViewResult view = makeView("auto");
+  view.images = writePictures(folder, "0-s_0-v", 0);
+  view.whole.clippedBlack = 0.3;
+  compare::judgeWhole(view, compare::defaultBudgets(), scene.name);
+  compare::MaterialResult alike = compare::makeMaterial("alike", 0.01, 500, 1);
+  compare::MaterialResult speck = compare::makeMaterial("speck", 0.3, 12, 0.7);
+  compare::MaterialResult panel = compare::makeMaterial("panel", 0.01, 500, 1);
+  panel.figures.clippedWhite = 0.8;
+  panel.figures.clippedBlack = 0;
+  compare::MaterialResult shade = compare::makeMaterial("shade", 0.02, 500, 1);
+  shade.figures.clippedWhite = 0.125;
+  compare::MaterialResult paint = compare::makeMaterial("paint", 0.03, 500, 1);
+  paint.notModelled = {"clearcoat", "sheen"};
+  compare::MaterialResult soot = compare::makeMaterial("soot", 0.01, 500, 0.5); // 1 EV darker
+  soot.figures.referenceLuminance = 0.001;
+  soot.figures.testLuminance = 0.0005;
+  for (compare::MaterialResult* material : {&alike, &speck, &panel, &shade, &paint, &soot}) {
+    material->crops = view.images;
+    compare::judgeMaterial(*material, compare::defaultBudgets(), scene.name);
+    view.materials.push_back(*material);
+  }
+  scene.views.push_back(std::move(view));
+  report.scenes.push_back(std::move(scene));
+  write(folder, report, "parity report states.glb -o out");
 }
 
 void writeEmpty(const fs::path& folder) {
@@ -218,6 +250,7 @@ int main(int argc, char** argv) {
     writeGrid(folder / "huge", 10, 5, 100);
     writeEvil(folder / "evil");
     writeBroken(folder / "broken");
+    writeStates(folder / "states");
     writeEmpty(folder / "empty");
   } catch (const base::Error& error) {
     std::cerr << error.what() << '\n';

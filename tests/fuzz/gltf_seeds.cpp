@@ -117,7 +117,7 @@ GltfFile makeLightsAndCameras() {
   use(file, {"KHR_lights_punctual"});
   file.json["extensions"]["KHR_lights_punctual"]["lights"] = {
       {{"type", "directional"}, {"color", {1, 0.5, 0}}, {"intensity", 3}},
-      {{"type", "point"}, {"range", 5}, {"name", "lamp"}},
+      {{"type", "point"}, {"range", 5}, {"name", "lamp"}, {"extras", {{"falloffExponent", 8}}}},
       {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.25}, {"outerConeAngle", 0.5}}}}};
   file.json["cameras"] = {
       {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}, {"zfar", 9}, {"aspectRatio", 1.5}}}},

@@ -253,7 +253,7 @@ TEST_F(BakedTest, capturesAreBlendedByDistanceAndBeyondTheirRadiusTheNearestIsTa
   }
 }
 
-TEST_F(BakedTest, captureFollowsTheLightmapByRoughness) {
+TEST_F(BakedTest, captureFollowsTheLightmapByTheMixingWeight) {
   const HostPages pages = lightmapOf(kIrradiance, kNoDirection);
   const gpu::EnvironmentMaps environment =
       tests::makeCubes(device(), 1, shading::f32::kPrefilterLayers, [](auto...) { return glm::vec3(0.5f, 1, 2); });
@@ -261,13 +261,14 @@ TEST_F(BakedTest, captureFollowsTheLightmapByRoughness) {
   const base::Image lut = constantLut(0.5f, 0.1f, 0.5f);
   const double irradiance = f64::luminanceUE4(vec(glm::dvec3(kIrradiance)));
   const scenes::LightmapUvs uvs = tests::wholePage(), none{{}, {{.page = -1}}};
-  for (const float roughness : {0.f, 0.4f, 1.f}) {
+  for (const float roughness : {0.f, 0.15f, 0.2f, 0.4f, 1.f}) {
     scenes::Scene scene = makeScene();
     scene.materials[0].roughness = roughness;
     const gpu::BakedContent content{.lightmap = pages.view(), .captures = {&capture, 1}};
     const Inputs inputs{.environment = &environment, .lut = &lut};
     const glm::vec3 reflected = glm::vec3(0.5f, 1, 2) * (0.04f * 0.5f + 0.1f);
-    const double s = roughness * roughness * (3 - 2 * roughness), scale = 1 - s + s * irradiance / 1.5;
+    const double x = std::clamp((roughness - 0.1) / 0.2, 0.0, 1.0), s = x * x * (3 - 2 * x),
+                 scale = 1 - s + s * irradiance / 1.5;
     tests::expectNear(shade(scene, &uvs, &content, inputs)[0][Term::skySpecular], reflected * static_cast<float>(scale),
                       kTolerance, "with a lightmap");
     tests::expectNear(shade(scene, &none, &content, inputs)[0][Term::skySpecular], reflected, kTolerance, "without");

@@ -68,7 +68,7 @@ TEST_F(CaptureUploadTest, theMobilePathReadsTheCaptureOfTheObjectInBothEncodings
     EXPECT_EQ(maps.cube.shape().arraySize, 3u);
     mobile::Options options = tests::inFp32("ue4-2020");
     options.capture = encoding;
-    options.captureScale = mobile::CaptureScale::none;
+    options.captureScale = mobile::CaptureScale::sky;
     const auto pixels = tests::shadeQuads(device(), m_scene, &uvs, [&](const auto& buffers, const auto& kinds) {
       return mobile::Renderer(device(), buffers, kinds,
                               {.environment = &maps, .baked = &baked, .view = mobile::kViewSpecularIBL}, options);

@@ -22,7 +22,6 @@ TEST(FlipChecks, PooledFigureKeepsItsLimits) {
   EXPECT_EQ(checks[0].statistic.name, "psnr");
   EXPECT_EQ(checks[0].fail, 30);
   EXPECT_EQ(checks[0].warn, 35);
-  EXPECT_EQ(checks[0].region, compare::Region::all);
 }
 
 TEST(FlipChecks, PixelwiseLimitIsAShareOfPixelsOverIt) {

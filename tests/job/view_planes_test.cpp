@@ -17,6 +17,9 @@ ViewFrames makeFrames() {
   return frames;
 }
 
+// Of the pixels of each material, in the order of its list.
+const std::vector<std::vector<float>> kMaterialFlip = {{0.1f, 0.2f, 0.3f}, {0.4f, 0.5f}, {0.6f, 0.7f, 0.8f}};
+
 std::vector<std::string> namesOf(const std::vector<compare::PixelPlane>& planes) {
   std::vector<std::string> names;
   for (const compare::PixelPlane& plane : planes) names.push_back(plane.name);
@@ -26,27 +29,35 @@ std::vector<std::string> namesOf(const std::vector<compare::PixelPlane>& planes)
 TEST(ViewPlanes, AreBothPathsFlipAndMaterials) {
   ViewFrames frames = makeFrames();
   const base::Image flip(3, 2, 1, 0.1f);
-  const ViewPlanes planes = planesOf(frames, flip, {0, 1, 2});
-  EXPECT_EQ(namesOf(planes.color), (std::vector<std::string>{"highend", "mobile", "flip", "material"}));
+  const ViewPlanes planes = planesOf(frames, flip, kMaterialFlip, {0, 1, 2});
+  EXPECT_EQ(namesOf(planes.color), (std::vector<std::string>{"highend", "mobile", "flip", "materialFlip", "material"}));
   EXPECT_EQ(planes.color[0].values, &frames.highend.color);
   EXPECT_EQ(planes.color[1].values, &frames.mobile.color);
   EXPECT_EQ(planes.color[2].values, &flip);
   EXPECT_EQ(planes.color[2].kind, compare::PlaneKind::unorm16);
+  EXPECT_EQ(planes.color[3].kind, compare::PlaneKind::unorm16);
+  EXPECT_EQ(planes.color[4].kind, compare::PlaneKind::uint16);
   EXPECT_TRUE(planes.terms.empty());
   frames.reference.color = base::Image(3, 2, 3, 1.f);
-  EXPECT_EQ(namesOf(planesOf(frames, flip, {0}).color),
-            (std::vector<std::string>{"highend", "mobile", "truth", "flip", "material"}));
+  EXPECT_EQ(namesOf(planesOf(frames, flip, {kMaterialFlip[0]}, {0}).color),
+            (std::vector<std::string>{"highend", "mobile", "truth", "flip", "materialFlip", "material"}));
 }
 
-TEST(ViewPlanes, APixelIsOfTheMaterialThatCoversMostOfIt) {
+TEST(ViewPlanes, APixelIsOfTheMaterialThatCoversMostOfItAndHasThatOnesFlip) {
   const ViewFrames frames = makeFrames();
-  const base::Image flip(3, 2, 1);
-  const auto numbers = [&](const std::vector<std::size_t>& chosen) {
-    return planesOf(frames, flip, chosen).made.front().pixels;
+  const base::Image flip(3, 2, 1, 0.9f);
+  const auto expectPlanes = [&](const std::vector<std::size_t>& chosen, const std::vector<float>& numbers,
+                                const std::vector<float>& ownFlip, const char* what) {
+    std::vector<std::vector<float>> materialFlip;
+    for (const std::size_t m : chosen) materialFlip.push_back(kMaterialFlip[m]);
+    const ViewPlanes planes = planesOf(frames, flip, materialFlip, chosen);
+    ASSERT_EQ(planes.color.size(), 5u) << what;
+    EXPECT_EQ(planes.color[3].values->pixels, ownFlip) << what;
+    EXPECT_EQ(planes.color[4].values->pixels, numbers) << what;
   };
-  EXPECT_EQ(numbers({0, 1, 2}), (std::vector<float>{1, 2, 2, 0, 1, 3})) << "the first of equals";
-  EXPECT_EQ(numbers({2, 0}), (std::vector<float>{2, 1, 0, 0, 1, 1})) << "places among the chosen ones";
-  EXPECT_EQ(numbers({}), std::vector<float>(6, 0));
+  expectPlanes({0, 1, 2}, {1, 2, 2, 0, 1, 3}, {0.1f, 0.4f, 0.5f, 0, 0.3f, 0.8f}, "the first of equals");
+  expectPlanes({2, 0}, {2, 1, 0, 0, 1, 1}, {0.1f, 0.6f, 0, 0, 0.7f, 0.8f}, "places among the chosen ones");
+  expectPlanes({}, std::vector<float>(6, 0), std::vector<float>(6, 0), "none is chosen");
 }
 
 TEST(ViewPlanes, TermsThatAreBlackInBothAreLeftOut) {

@@ -192,6 +192,37 @@ TEST_F(BakedTest, viewsShowWhatTheLightmapAndTheDistanceFieldGive) {
   }
 }
 
+// With a map of the sun's, too: where nothing stands before anything the map lets all light through, and the baked
+// shadow stays. The shadow is the darker of the two, as tests/mobile/sun_shadow_test.cpp has the map's alone.
+TEST_F(BakedTest, theDistanceFieldsShadowStaysBesideAMapsOfTheSun) {
+  scenes::Scene scene = makeScene(0);
+  const HostPages pages = lightmapOf(kLog, kSh), shadow = tests::makeShadowPages(4, 1, [](auto) { return 100; });
+  const scenes::LightmapUvs uvs = tests::wholePage();
+  const gpu::BakedContent content{
+      .lightmap = pages.view(), .sunShadow = shadow.view(), .transitionScale = 2, .scales = {&kScales, 1}};
+  const std::vector<scenes::Light> sun = {tests::makeDirectional({0, 0, 1}, glm::vec3(2))};
+  Options options = tests::inFp32("ue4-2020");
+  const glm::vec3 baked = shade(scene, &uvs, &content, {.lights = sun, .view = kViewShadow}, options)[0].color;
+  ASSERT_GT(baked.x, 0);
+  ASSERT_LT(baked.x, 1);
+  options.sunShadow = true;
+  // A square before the quad hides it from the sun, and is not seen: the camera stands between the two.
+  scenes::Scene hidden = scene;
+  hidden.instances.push_back({0, tests::translation(0, 0, 20), "square"});
+  const scenes::LightmapUvs ofBoth{tests::quadCorners(), {{.page = 0}, {.page = 0}}};
+  for (const bool isHidden : {false, true}) {
+    const gpu::SceneBuffers buffers(device(), isHidden ? hidden : scene);
+    gpu::ShadowMaps maps(device(), buffers, sun, gpu::ShadowOptions{});
+    const gpu::GpuLightmapScales scales[2] = {kScales, kScales};
+    gpu::BakedContent more = content;
+    more.scales = {scales, isHidden ? 2u : 1u};
+    const Inputs inputs{.lights = sun, .shadows = &maps, .view = kViewShadow};
+    const std::vector<ShadedPixel> pixels =
+        shade(isHidden ? hidden : scene, isHidden ? &ofBoth : &uvs, &more, inputs, options);
+    EXPECT_EQ(pixels[0].color.x, isHidden ? 0 : baked.x);
+  }
+}
+
 // The back of a double-sided object turns its normal round, as the source's two-sided sign does.
 TEST_F(BakedTest, aBackReadsTheFrontsLightmapAtItsOwnNormal) {
   scenes::Scene scene = makeScene(0);
@@ -225,17 +256,20 @@ TEST_F(BakedTest, anObjectTakesTheCaptureThatItNamesInTheScaleOfTheLightmap) {
   const gpu::BakedContent content{.lightmap = pages.view(), .scales = scales, .captures = captures};
   const scenes::LightmapUvs uvs{tests::quadCorners(), {{.page = 0, .capture = 1}, {.page = 0, .capture = 0}}};
   const double irradiance = readOnCpu(false, kLog, kSh, kScales, {0, 0, 1}).w;
-  for (const char* preset : {"karis2014", "ue4-2020"}) {
-    const Options options = tests::inFp32(preset);
-    const bool isFull = options.captureScale == CaptureScale::full;
-    const f64::real3 E = f64::EnvBRDFApproxUE4({1, 1, 1}, 0.5, 1);
-    for (const ShadedPixel& pixel : shade(scene, &uvs, &content, {.environment = &environment}, options)) {
-      const std::uint32_t capture = 1 - pixel.instance;
-      const double w = irradiance / captures[capture].boxLower.w, s = 0.5 * 0.5 * (3 - 2 * 0.5);
-      const auto scale = static_cast<float>(isFull ? w : 1 - s + w * s);
-      tests::expectNear(pixel[Term::skySpecular], radiance[capture] * scale * static_cast<float>(E.x), 1e-3f, preset);
+  for (const float roughness : {0.2f, 0.5f})
+    for (const char* preset : {"karis2014", "ue4-2020"}) {
+      for (scenes::Material& material : scene.materials) material.roughness = roughness;
+      const Options options = tests::inFp32(preset);
+      const bool isFull = options.captureScale == CaptureScale::full;
+      const f64::real3 E = f64::EnvBRDFApproxUE4({1, 1, 1}, roughness, 1);
+      for (const ShadedPixel& pixel : shade(scene, &uvs, &content, {.environment = &environment}, options)) {
+        const std::uint32_t capture = 1 - pixel.instance;
+        // The middle between .1 and .3: half the weight.
+        const double w = irradiance / captures[capture].boxLower.w, s = roughness < 0.3f ? 0.5 : 1;
+        const auto scale = static_cast<float>(isFull ? w : 1 - s + w * s);
+        tests::expectNear(pixel[Term::skySpecular], radiance[capture] * scale * static_cast<float>(E.x), 1e-3f, preset);
+      }
     }
-  }
 }
 
 TEST_F(BakedTest, whatBakedLightFetchesCounts) {

@@ -64,6 +64,23 @@ TEST(LightChoice, leavesOutLightsWhoseRangeOrConeDoesNotReach) {
   EXPECT_EQ(chooseLocalLights(scene, lights)[0], (std::array<std::uint32_t, 4>{2, kNoLight, kNoLight, kNoLight}));
 }
 
+// Three lights of 10 at 5 m, so 3.59 m from the sphere, range 4: by windows 1 - .65 = .35 and .35^2 over d^2 = 12.9, by
+// the exponent (1 - .81)^e of the light itself.
+TEST(LightChoice, ranksEachLightByItsOwnFalloff) {
+  const scenes::Scene scene = tests::makeQuadScene();
+  std::vector<scenes::Light> lights(3, makeLight(scenes::LightKind::point, 10));
+  for (scenes::Light& light : lights) light.range = 4;
+  lights[0].falloff = scenes::Falloff::ue4;      // .095
+  lights[2].falloff = scenes::Falloff::exponent; // 1.94, or 7e-3
+  lights[2].falloffExponent = 1;
+  EXPECT_EQ(chooseLocalLights(scene, lights)[0], (std::array<std::uint32_t, 4>{2, 1, 0, kNoLight}));
+  lights[2].falloffExponent = 4.4f;
+  EXPECT_EQ(chooseLocalLights(scene, lights)[0], (std::array<std::uint32_t, 4>{1, 0, 2, kNoLight}));
+  const std::uint64_t pixels[] = {3};
+  const double share = (5 - std::sqrt(2.0)) / 4;
+  EXPECT_NEAR(countLightUse(scene, lights, false, pixels)[2].effect, 3 * 10 * std::pow(1 - share * share, 4.4), 1e-4);
+}
+
 TEST(LightChoice, isMadePerObject) {
   scenes::Scene scene = tests::makeQuadScene();
   scene.instances.push_back({0, tests::translation(100, 0, 0), "far right"});
@@ -97,9 +114,9 @@ TEST(LightUse, droppedAreThoseBeyondFourThatReach) {
   for (const std::size_t dropped : {4, 5}) {
     EXPECT_EQ(uses[dropped].keptBy, 0u);
     EXPECT_EQ(uses[dropped].droppedBy, std::vector<std::uint32_t>{0});
-    // Luminance 10, sphere of radius sqrt(2) about the origin, 5 m away; UE4's window of the range, 10 pixels.
+    // Luminance 10, sphere of radius sqrt(2) about the origin, 5 m away; the window of the range, 10 pixels.
     const double d = 5 - std::sqrt(2.0), window = 1 - std::pow(d / 20, 4);
-    EXPECT_NEAR(uses[dropped].effect, 10 * window * window / (d * d + 1e-4) * 10, 1e-3);
+    EXPECT_NEAR(uses[dropped].effect, 10 * window / (d * d) * 10, 1e-3);
   }
   for (const std::size_t outside : {7, 8}) EXPECT_EQ(uses[outside].keptBy + uses[outside].droppedBy.size(), 0u);
 }
@@ -170,6 +187,17 @@ TEST(LightUse, nothingCanBeDroppedOfFewLights) {
   EXPECT_TRUE(mayDropLights(lights, true));
   lights[5].kind = spot;
   EXPECT_TRUE(mayDropLights(lights, true));
+}
+
+TEST(Presets, theReflectionIsScaledByWhatTheCubeIs) {
+  using enum CaptureScale;
+  EXPECT_EQ(captureScaleOf(presetByName("ue4-2020"), true), mixing);
+  EXPECT_EQ(captureScaleOf(presetByName("ue4-2020"), false), sky);
+  for (const bool hasCaptures : {true, false}) {
+    EXPECT_EQ(captureScaleOf(presetByName("karis2014"), hasCaptures), full);
+    EXPECT_EQ(captureScaleOf(presetByName("refit"), hasCaptures), occlusion);
+  }
+  EXPECT_EQ(captureScaleNames()[static_cast<std::size_t>(mixing)], "mixing");
 }
 
 TEST(Presets, areFoundByNameAndUnknownOnesNameTheKnown) {

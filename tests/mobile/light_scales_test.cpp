@@ -27,11 +27,12 @@ protected:
                                {.environment = &environment, .lut = &m_lut, .lights = lights, .terms = true}, {});
     });
   }
-  ShadedPoint shadeMobile(const scenes::Scene& scene, const std::vector<scenes::Light>& lights) {
+  ShadedPoint shadeMobile(const scenes::Scene& scene, const std::vector<scenes::Light>& lights,
+                          const char* preset = "ue4-2020") {
     const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
     return tests::shadeQuad(device(), scene, [&](const auto& buffers, const auto& kinds) {
       return Renderer(device(), buffers, kinds, {.environment = &environment, .lights = lights, .terms = true},
-                      tests::inFp32("ue4-2020"));
+                      tests::inFp32(preset));
     });
   }
   static std::vector<scenes::Light> makeLights(float sunScale, float lampScale) {
@@ -63,6 +64,19 @@ TEST_F(LightScalesTest, skyLightColorScalesTheSkysLightAndNoOther) {
     EXPECT_EQ(scaled[term], highend[term]);
     EXPECT_EQ(scaledMobile[term], mobile[term]);
   }
+}
+
+// In every preset, and by any of the scales of the capture: grey, coloured, black.
+TEST_F(LightScalesTest, skyLightColorReachesTheReflectionOfEveryPreset) {
+  for (const char* preset : {"karis2014", "ue4-2020", "refit"})
+    for (const glm::vec3 color : {glm::vec3(0.25f), glm::vec3(0.5f, 2, 0), glm::vec3(0)}) {
+      scenes::Scene scene = makeHalfMetal();
+      const ShadedPoint plain = shadeMobile(scene, {}, preset);
+      ASSERT_GT(plain[Term::skySpecular].x, 0.05f);
+      scene.lightScales.skyLightColor = color;
+      tests::expectNear(shadeMobile(scene, {}, preset)[Term::skySpecular], plain[Term::skySpecular] * color, 1e-5f,
+                        preset);
+    }
 }
 
 TEST_F(LightScalesTest, specularScaleOfALightScalesItsSpecularLightAlone) {

@@ -8,6 +8,7 @@
 
 #include "gpu/shadow_maps.h"
 #include "gpu/surface_pass.h"
+#include "mobile/presets.h"
 #include "mobile/renderer.h"
 
 namespace parity::mobile {
@@ -29,7 +30,7 @@ scenes::Light makeSpot(float intensity) {
 class SpotShadowTest : public tests::DeviceTest {
 protected:
   // A floor of 4 m in z = 0 under a square of 1 m in z = 1, seen from between the two.
-  std::vector<float> floor(const std::vector<scenes::Light>& lights, Options options) {
+  std::vector<float> floor(const std::vector<scenes::Light>& lights, Options options, std::uint32_t mapSize = 2048) {
     scenes::Scene scene;
     scene.name = "square";
     scene.meshes = {tests::makeQuad(0), tests::makeQuad(0)};
@@ -44,8 +45,8 @@ protected:
     const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
     const auto surface = std::move(pass.render(camera, {0, kSize}, glm::vec2(0.5f)).front());
     std::optional<gpu::ShadowMaps> maps;
-    if (const auto spot = Renderer::needsSpotMap(lights, options)) {
-      maps.emplace(device(), buffers, std::vector{*spot}, gpu::ShadowOptions{});
+    if (const auto casting = Renderer::needsShadowMaps(lights, options); !casting.empty()) {
+      maps.emplace(device(), buffers, casting, gpu::ShadowOptions{.mapSize = mapSize});
       EXPECT_EQ(maps->mapCount(), 1u);
     }
     Inputs inputs;
@@ -87,6 +88,28 @@ TEST_F(SpotShadowTest, LiesWhereTheSquareHidesTheLight) {
   }
 }
 
+TEST_F(SpotShadowTest, FadeLetsLightThroughAndSharpenNarrowsTheEdge) {
+  constexpr std::uint32_t kCoarse = 64; // texels as wide as two pixels, so that there is an edge to be seen
+  Options options = tests::inFp32("ue4-2020");
+  const std::vector<float> open = floor({makeSpot(5)}, options, kCoarse);
+  options.spotShadow = true;
+  const std::vector<float> plain = floor({makeSpot(5)}, options, kCoarse);
+  options.spotShadowFade = 0.25f;
+  const std::vector<float> faded = floor({makeSpot(5)}, options, kCoarse);
+  options.spotShadowFade = 1;
+  options.spotShadowSharpen = 8;
+  const std::vector<float> sharp = floor({makeSpot(5)}, options, kCoarse);
+  int partly = 0, partlySharp = 0;
+  for (std::size_t p = 0; p < open.size(); ++p) {
+    // lerp(1, S^2, .25), with S^2 from the picture whose fade is 1.
+    EXPECT_NEAR(faded[p], open[p] + 0.25f * (plain[p] - open[p]), 1e-5f * open[p]);
+    partly += plain[p] > 0.02f * open[p] && plain[p] < 0.98f * open[p];
+    partlySharp += sharp[p] > 0.02f * open[p] && sharp[p] < 0.98f * open[p];
+  }
+  EXPECT_GT(partly, 0);
+  EXPECT_LT(partlySharp, partly);
+}
+
 TEST_F(SpotShadowTest, OfSeveralSpotsTheBrightestHasOne) {
   Options options;
   options.spotShadow = true;
@@ -96,7 +119,7 @@ TEST_F(SpotShadowTest, OfSeveralSpotsTheBrightestHasOne) {
   EXPECT_EQ(m_notes,
             (std::vector<std::string>{"1 of 2 spot lights cast no shadow: the path has one that does, the brightest"}));
   options.localLights = false;
-  EXPECT_EQ(Renderer::needsSpotMap({makeSpot(2)}, options), std::nullopt) << "all are baked";
+  EXPECT_TRUE(Renderer::needsShadowMaps({makeSpot(2)}, options).empty()) << "all are baked";
   EXPECT_EQ(floor({makeSpot(2), makeSpot(5)}, options)[middle], 0);
 }
 

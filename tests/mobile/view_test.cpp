@@ -56,6 +56,7 @@ TEST_F(ViewTest, eachShowsWhatItsNameSays) {
   const double NoV = std::cos(kAngle), c = 0.25;
   const glm::dvec3 base(0.9, 0.6, 0.3), F0 = 0.04 * c + kMetallic * base;
   const f64::real3 E = f64::EnvBRDFApproxUE4({F0.x, F0.y, F0.z}, kRoughness, NoV);
+  const f64::real2 AB = f64::EnvBRDFApproxAB(kRoughness, NoV); // F0 is above 2 %: nothing of B is faded
   const glm::dvec3 specular(E.x, E.y, E.z), diffuse = base * c, one(1);
   const double lobe = f64::CalcSpecular(kRoughness, NoV); // V = L = H
   const double sun = kLux / kPi, lamp = 8e6 / (2000.0 * 2000.0) / kPi;
@@ -94,6 +95,10 @@ TEST_F(ViewTest, eachShowsWhatItsNameSays) {
       {"H", glm::dvec3(0, 0, 1)},
       {"WorldNormal", glm::dvec3(std::sin(kAngle), 0, NoV)},
       {"ReflectionVector", glm::dvec3(std::sin(2 * kAngle), 0, std::cos(2 * kAngle))},
+      {"EnvBRDF.A", AB.x * one},
+      {"EnvBRDF.B", AB.y * one},
+      {"EnvBRDF", specular},
+      {"EnvBRDF.Multiple", glm::dvec3(0)},
       {"Lit", (sun + lamp) * lighting + kRadiance * (specular + diffuse) + emissive},
   };
   ASSERT_EQ(expected.size(), kViews.size()) << "a view without a test";

@@ -108,6 +108,21 @@ TEST(DirectLight, pointAndSpotFollowKhrLightsPunctual) {
   EXPECT_NEAR(spot.x / point.x, x * x, 1e-6);
 }
 
+TEST(DirectLight, fadesAsTheLightSays) {
+  const SurfaceSample sample = tests::makePoint(1, 0.5f, 0);
+  scenes::Light light;
+  light.position = {0, 2, 0};
+  light.color = {8, 4, 2};
+  light.range = 4;
+  light.falloff = scenes::Falloff::ue4;
+  EXPECT_NEAR(shadeDirect(sample, {light}, tests::plainModel(), nullptr).localDiffuse.x,
+              8 * std::pow(15.0 / 16, 2) / (4 + 1e-4) / kPi, 1e-12);
+  light.falloff = scenes::Falloff::exponent;
+  light.falloffExponent = 8;
+  EXPECT_NEAR(shadeDirect(sample, {light}, tests::plainModel(), nullptr).localDiffuse.x, 8 * std::pow(0.75, 8) / kPi,
+              1e-12);
+}
+
 TEST(DirectLight, fromBehindIsDarkAndAtTheLightFinite) {
   SurfaceSample sample = tests::makePoint(0.5, 0, 1);
   EXPECT_EQ(shadeDirect(sample, {makeSun({0, -1, 0}, glm::vec3(5))}, tests::plainModel(), nullptr).sunSpecular,

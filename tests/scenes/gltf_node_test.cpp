@@ -115,6 +115,40 @@ TEST(GltfLights, ReadsAllKindsWithTheirNodesTransform) {
   EXPECT_FLOAT_EQ(scene.lights[0].outerConeAngle, glm::quarter_pi<float>());
 }
 
+TEST(GltfLights, ReadsTheFalloffExponentOfTheExtras) {
+  Scene scene =
+      loadQuadlike(makeLit({{"type", "point"}, {"range", 7}, {"extras", {{"falloffExponent", 8}}}}, json::object()));
+  EXPECT_EQ(scene.lights[0].falloff, scenes::Falloff::exponent);
+  EXPECT_EQ(scene.lights[0].falloffExponent, 8.f);
+  scene = loadQuadlike(makeLit(
+      {{"type", "spot"}, {"range", 2}, {"spot", json::object()}, {"extras", {{"falloffExponent", 0.5}, {"note", "x"}}}},
+      json::object()));
+  EXPECT_EQ(scene.lights[0].falloffExponent, 0.5f);
+  scene = loadQuadlike(makeLit({{"type", "point"}, {"range", 7}, {"extras", {{"note", "x"}}}}, json::object()));
+  EXPECT_EQ(scene.lights[0].falloff, scenes::Falloff::khr) << "the inverse square";
+  scene = loadQuadlike(makeLit({{"type", "directional"}, {"extras", {{"falloffExponent", 8}}}}, json::object()));
+  EXPECT_EQ(scene.lights[0].falloff, scenes::Falloff::khr);
+  EXPECT_TRUE(hasWarning(scene.warnings, "/lights/0/extras/falloffExponent: ignored, a directional light"));
+}
+
+TEST(GltfLights, RefusesWhatIsNoFalloffExponent) {
+  const TempFolder folder;
+  for (const json& exponent : {json(0), json(-2), json(1001), json("8"), json(true), json::array({8})})
+    expectError(
+        [&] {
+          scenes::loadScene(writeExternal(
+              folder,
+              makeLit({{"type", "point"}, {"range", 7}, {"extras", {{"falloffExponent", exponent}}}}, json::object())));
+        },
+        {"/extensions/KHR_lights_punctual/lights/0/extras/falloffExponent: is not a number above 0, up to 1000"});
+  expectError(
+      [&] {
+        scenes::loadScene(
+            writeExternal(folder, makeLit({{"type", "point"}, {"extras", {{"falloffExponent", 8}}}}, json::object())));
+      },
+      {"/extensions/KHR_lights_punctual/lights/0/extras/falloffExponent: needs a finite range"});
+}
+
 TEST(GltfLights, RefusesWhatHasNoMeaning) {
   const TempFolder folder;
   const auto load = [&](const json& light, const json& node = json::object()) {

@@ -38,6 +38,7 @@ fully_rough = ["rubber*", "floor"]
 budgets = "bottle.toml"
 exposure = -1.5
 sun_extraction = false
+falloff = "ue4"
 sky_light_color = [1, 0.5, 2]
 indirect_lighting_color_scale = [3, 2, 1]
 directional_specular_scale = 0.25
@@ -77,6 +78,8 @@ file = "builtin:spheres"
   EXPECT_EQ(bottle.lightScales,
             (scenes::LightScales{
                 .skyLightColor = {1, 0.5f, 2}, .indirectColorScale = {3, 2, 1}, .directionalSpecularScale = 0.25f}));
+  EXPECT_EQ(bottle.falloff, scenes::Falloff::ue4);
+  EXPECT_EQ(suite.entries[1].falloff, scenes::Falloff::khr);
   EXPECT_EQ(bottle.fog, (scenes::Fog{.density = 0.02f,
                                      .heightFalloff = 0.1f,
                                      .height = -3,
@@ -155,6 +158,8 @@ TEST(Suite, WrongTypesAndRangesNameTheLine) {
   expectRefused(head + "captures = [[1, 2, 1e7]]\n", {"line 3: captures", "not from"});
   expectRefused(head + "captures = [[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0]]\n",
                 {"line 3: captures: not a list of at most 8 places"});
+  expectRefused(head + "falloff = \"ue5\"\n", {"line 3: falloff: 'ue5' is unknown; did you mean 'ue4'?"});
+  expectRefused(head + "falloff = 2\n", {"line 3: falloff: not a string"});
   expectRefused(head + "fog = 3\n", {"line 3: fog: not a table", "[scene.fog]"});
   expectRefused(head + "[scene.fog]\nheight = 1\n", {"density: is missing"});
   expectRefused(head + "[scene.fog]\ndensity = -1\n", {"line 4: density", "not from 0 to 1000"});

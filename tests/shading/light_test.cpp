@@ -55,6 +55,34 @@ TEST(SquareFalloffUE4, isTheCoursesFormulaInMetres) {
   EXPECT_NEAR(f64::squareFalloffUE4(4, 0), 1 / (4 + 1e-4), 1e-12);
 }
 
+// DynamicLightingCommon.ush: pow(1 - saturate(dot(WorldLightVector, WorldLightVector)), FalloffExponent), the vector in
+// units of the radius.
+TEST(ExponentFalloff, isTheEnginesRadialAttenuation) {
+  for (const double range : {0.5, 7.0, 300.0})
+    for (const double exponent : {0.5, 2.0, 8.0, 16.0})
+      for (const double share : {0.0, 0.1, 0.5, 0.99, 1.0, 1.5}) {
+        const double normalized = share * share;
+        EXPECT_NEAR(f64::exponentFalloff(share * share * range * range, range, exponent),
+                    std::pow(1 - std::min(std::max(normalized, 0.0), 1.0), exponent), 1e-12)
+            << range << ", " << exponent << ", " << share;
+      }
+  EXPECT_DOUBLE_EQ(f64::exponentFalloff(4, 4, 2), 0.5625); // half way: (3/4)^2
+}
+
+TEST(ExponentFalloff, isFiniteWhateverTheRange) {
+  EXPECT_EQ(f64::exponentFalloff(0, 0, 8), 0);
+  EXPECT_EQ(f64::exponentFalloff(1, 0, 8), 0);
+  EXPECT_EQ(f64::exponentFalloff(1e30, 1e-3, 8), 0);
+  EXPECT_EQ(float(f16::exponentFalloff(250000, 1000, 1)), 0.75f) << "500 m: d^2 would be inf in half";
+}
+
+TEST(DistanceFalloff, isThatOfTheNumber) {
+  EXPECT_EQ(f64::distanceFalloff(f64::kFalloffKhr, 4, 3, 8), f64::squareFalloff(4, 3));
+  EXPECT_EQ(f64::distanceFalloff(f64::kFalloffUE4, 4, 3, 8), f64::squareFalloffUE4(4, 3));
+  EXPECT_EQ(f64::distanceFalloff(f64::kFalloffExponent, 4, 3, 8), f64::exponentFalloff(4, 3, 8));
+  EXPECT_GT(f64::squareFalloff(4, 3) / f64::squareFalloffUE4(4, 3), 1.2) << "they differ there";
+}
+
 // KHR_lights_punctual, the reference code of "Inner and Outer Cone Angles".
 double spotByTheExtension(double cd, double cosInner, double cosOuter) {
   const double lightAngleScale = 1.0 / std::max(0.001, cosInner - cosOuter);

@@ -75,6 +75,36 @@ TEST(DApprox, isTheArticlesSphericalGaussian) {
     }
 }
 
+// Below roughness sqrt(.008) = .0894 the floor, beyond it the article's Gaussian; the exponentials written out here.
+TEST(PhongApprox, isTheArticlesGaussianWithAFloorUnderItsWidth) {
+  for (const double R : {0.0, 0.05, 0.089, 0.0895, 0.2, 0.5, 1.0})
+    for (const double RoL : {0.0, 0.5, 0.99, 0.9999, 1.0}) {
+      const double a = std::max(R * R, 0.008), n = 0.5 / (a * a) - 0.5;
+      const double expected = std::exp((n + 0.775) * (RoL - 1)) / (a * a);
+      EXPECT_NEAR(f64::PhongApprox(R, RoL), expected, 2e-4 * expected) << R << " " << RoL; // constants of 8 digits
+    }
+  EXPECT_EQ(f64::PhongApprox(0.5, 0.9), f64::D_Approx(0.5, 0.9));
+}
+
+TEST(PhongApprox, hasItsPeakAtOneAlsoWhereACosineRoundsToAbove) {
+  for (const double R : {0.0, 0.1, 0.5})
+    for (const double above : {1 + 1e-7, 1.001, 1.1}) {
+      EXPECT_EQ(f64::PhongApprox(R, above), f64::PhongApprox(R, 1));
+      EXPECT_EQ(shading::f32::PhongApprox(float(R), float(above)), shading::f32::PhongApprox(float(R), 1));
+    }
+}
+
+// What the floor is there for: in half 1 / a^2 stays finite, and is no quotient of a denormal.
+TEST(PhongApprox, isFiniteInHalfAtEveryRoughness) {
+  using shading::Half;
+  EXPECT_GE(float(Half(0.008) * Half(0.008)), 0x1p-14);
+  for (std::uint16_t bits = 0; bits <= Half(1).bits(); ++bits)
+    for (const double RoL : {0.0, 0.5, 1 - 0x1p-11, 1.0, 1 + 0x1p-10}) {
+      const float D = float(shading::f16::PhongApprox(Half::fromBits(bits), Half(RoL)));
+      ASSERT_TRUE(D >= 0 && D <= 15640) << float(Half::fromBits(bits)) << " " << RoL << ": " << D;
+    }
+}
+
 TEST(GgxMobile, isPiTimesGgxBelowTheClamp) {
   for (const double R : {0.2, 0.5, 1.0})
     for (const double NoH : {0.0, 0.5, 0.9, 1.0}) {

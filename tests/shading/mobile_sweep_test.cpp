@@ -14,7 +14,7 @@ namespace parity::tests {
 namespace {
 
 constexpr std::uint32_t kPointsOfRow = 256, kRows = 10'000'000 / kPointsOfRow + 1; // of sweep.glsl; 10^7 points
-constexpr int kKaris2014 = 0, kUe42020 = 1, kRefit = 2;
+constexpr int kKaris2014 = 0, kUe42020 = 1, kRefit = 2, kPhongApprox = 3;          // the last: karis2014 with it
 
 struct Findings {
   double notANumber = 0, infinite = 0, negative = 0; // values, of four a point
@@ -67,6 +67,17 @@ TEST_F(MobileSweep, ue42020IsFiniteAndNotNegativeInHalf) {
 TEST_F(MobileSweep, refitIsFiniteAndNotNegativeInHalf) {
   if (!hasHalf()) GTEST_SKIP() << "no shaderFloat16";
   expectClean(kRefit, true);
+}
+
+// With the engine's form of the lobe nothing is infinite; B of EnvBRDFApprox stays negative where it was.
+TEST_F(MobileSweep, phongApproxMendsWhatDApproxFailsAt) {
+  for (const bool half : {false, true}) {
+    if (half && !hasHalf()) GTEST_SKIP() << "no shaderFloat16";
+    const Findings found = sweep(kPhongApprox, half);
+    EXPECT_EQ(found.notANumber, 0);
+    EXPECT_EQ(found.infinite, 0);
+    EXPECT_LT(found.greatestF0, 0.006);
+  }
 }
 
 // SHADING.md 4: 1/R^4 is infinite at R = 0 in single; and B falls to -0.0024 at R = 1, which F0 = 0 does not hide.

@@ -2,7 +2,7 @@
 // over roughness, N.V, N.L, azimuth, F0 and light, and says what went wrong in its row.
 #include "shading/mobile_base_pass.glsl"
 
-layout(constant_id = 0) const int kPreset = 0; // karis2014, ue4-2020, refit: in both enumerations
+layout(constant_id = 0) const int kPreset = 0; // karis2014, ue4-2020, refit: in both enumerations; karis2014 with PhongApprox
 const uint kPointsOfRow = 256u;
 layout(local_size_x = 64) in;
 layout(std430, set = 0, binding = 0) readonly buffer InputBuffer { float inputs[]; };
@@ -23,6 +23,9 @@ float coordinate(uint index, uint step, uint salt) {
   if (pick == 1u) return 1.0;
   return float(x >> 8) * exp2(-24.0);
 }
+
+const int kEnvironmentBrdf = kPreset == 3 ? kEnvironmentBrdfKaris2014 : kPreset;
+const int kSun = kPreset == 3 ? kSunPhongApprox : kPreset;
 
 void main() {
   uint row = gl_GlobalInvocationID.x;
@@ -49,8 +52,8 @@ void main() {
     m.F90 = R(1.0);
     m.Roughness = real(roughness);
     MobileFrame frame = mobileFrame(N, V);
-    MobileShadingModelContext c = initShadingModelContext(kPreset, false, false, m, viewCosine(kPreset, frame));
-    MobileDirectLighting lighting = mobileIntegrateBxDF(kPreset, false, c, frame, L);
+    MobileShadingModelContext c = initShadingModelContext(kEnvironmentBrdf, false, false, m, viewCosine(kEnvironmentBrdf, frame));
+    MobileDirectLighting lighting = mobileIntegrateBxDF(kSun, false, c, frame, L);
     real3 lit = lightWith(vec3(light), lighting, R(1.0));
     real3 ibl = modulate(specularIBL(real3(real(min(light, 256.0))), R(1.0)), c.SpecularColor);
     // Both lobes before the store saturates, and what is stored: two such lights and the environment.

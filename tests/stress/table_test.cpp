@@ -79,6 +79,7 @@ TEST(StressTable, domainsLieWithinWhatTheSourcesDocument) {
       {"env_brdf.glsl", "roughness in [0, 1], NoV in [0, 1].", "EnvBRDFApproxAB", "Roughness", 0, 1},
       {"env_brdf.glsl", "Roughness, NoV in [0, 1].", "EnvBRDFApproxNonmetal", "NoV", 0, 1},
       {"mobile_direct.glsl", "RoL in [-1, 1].", "D_Approx", "RoL", -1, 1},
+      {"mobile_direct.glsl", "RoL in [0, 1], where the engine's", "PhongApprox", "RoL", 0, 1},
       {"mobile_direct.glsl", "Roughness in [0.015625, 1], NoH in [0, 1]", "GGX_Mobile", "Roughness", 0.015625, 1},
       {"light.glsl", "all cosines in [-1, 1]", "spotAttenuation", "cosAngle", -1, 1},
       {"mips.glsl", "Roughness in [0, 1]", "mipFromRoughness", "Roughness", 0, 1},

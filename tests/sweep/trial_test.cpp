@@ -94,7 +94,7 @@ TEST(Trial, whatTheSceneDoesNotNeedIsNotTried) {
 
 TEST(Trial, everyNameIsGivenOnceAndEveryKnobChangesWhatItSays) {
   const std::vector<Variant> all = makeVariants(highend::Options{}, mobile::presetByName("ue4-2020"),
-                                                gpu::OutputTarget::rgba16f, base::AstcBlock::none);
+                                                gpu::OutputTarget::rgba16f, base::TextureBlock::none);
   EXPECT_EQ(all[0].id(), "highend: default");
   EXPECT_EQ(all[1].id(), "mobile: default");
   std::set<std::string> ids;

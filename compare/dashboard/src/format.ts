@@ -27,7 +27,7 @@ export function figure(value: number | null | undefined, statistic: Statistic | 
   return statistic.unit === "" ? text : `${text} ${statistic.unit}`;
 }
 
-/** A figure of a region; that of pixels which are not finite is not known, and none of them is identical. */
+/** One of these figures; that of pixels which are not finite is not known, and none of them is identical. */
 export function figureIn(figures: Figures | null | undefined, name: string, statistics: Record<string, Statistic>): string {
   if (!figures) return "–";
   const value = figures.metrics[name];

@@ -29,7 +29,7 @@ export function actionOf(event: KeyboardEvent): Action | null {
   }
   if (isTaken(event)) return null;
   if (event.shiftKey && event.key !== "?") return null;
-  if (event.key >= "1" && event.key <= "7") return { kind: "category", index: Number(event.key) - 1 };
+  if (event.key >= "1" && event.key <= "9") return { kind: "category", index: Number(event.key) - 1 };
   switch (event.key) {
     case "?": return { kind: "help" };
     case "/": return { kind: "search" };
@@ -45,7 +45,7 @@ export function actionOf(event: KeyboardEvent): Action | null {
 
 const kShortcuts: readonly (readonly [string, string])[] = [
   ["↑ ↓ or k j", "previous, next item"],
-  ["1 – 7", "all, failed, warned, not judged, not seen, passed, new"],
+  ["1 – 9", "all, failed, warned, errors, not judged, too small, not seen, passed, new"],
   ["/", "search"],
   ["C T N", "compare, terms, numbers"],
   ["S", "side by side or slider"],
@@ -73,6 +73,15 @@ export function shortcutsDialog(): TemplateResult {
         Every material is shaded twice at the very same surface points: by the high-end path and by the mobile path. FLIP says how
         different the two look when one flips between them: 0 is alike, 1 is far apart. On an even mid grey, .03 is one step of 8 bit,
         .10 is 10 % more or less light (seen side by side), .20 about 25 % (seen at a glance), .50 twice as much or a third.
+      </p>
+      <p>
+        A material is judged by what it does itself: FLIP holds the high-end picture against the high-end picture in which this material
+        alone has mobile's colours. So its figures, its FLIP map and its histogram do not depend on its neighbours. A whole view holds the
+        high-end picture against the mobile picture.
+      </p>
+      <p>
+        Too small: fewer pixels than its budget asks for. Not judged: most of its pixels are black in both pictures, or white in both.
+        Base layer only: it has parts that neither path models. None of these is a pass.
       </p>
       <button autofocus>Close</button>
     </form>

@@ -1,15 +1,23 @@
 // Small pieces that every part of the page uses.
 import { html, nothing, type TemplateResult } from "lit";
 
+import { baseLayerText } from "./data/rows";
 import type { Verdict } from "./data/types";
 
-const kSigns: Record<string, string> = { pass: "✓", warn: "!", fail: "✕", error: "⚠", "not seen": "○", "not judged": "–" };
+const kSigns: Record<Verdict, string> = { pass: "✓", "not seen": "○", "too small": "▫", "not judged": "–", warn: "!", fail: "✕", error: "⚠" };
 
 /** A verdict as a sign and its name: never colour alone. */
-export function badge(verdict: Verdict | "not judged", short = false): TemplateResult {
+export function badge(verdict: Verdict, short = false): TemplateResult {
   return html`<span class="badge ${verdict.replace(" ", "-")}"
     ><span aria-hidden="true">${kSigns[verdict] ?? "?"}</span>${short ? html`<span class="sr">${verdict}</span>` : html` ${verdict}`}</span
   >`;
+}
+
+/** Beside the verdict of a material of which no path models every part; nothing of others. */
+export function baseLayerBadge(notModelled: readonly string[]): TemplateResult | typeof nothing {
+  return notModelled.length === 0
+    ? nothing
+    : html`<span class="badge base-layer" title=${baseLayerText(notModelled)}>base layer only</span>`;
 }
 
 /** A definition list of what is not empty. */

@@ -4,7 +4,7 @@ import { parseBench, type Bench } from "./bench";
 import type { Report, Run } from "./types";
 
 /** The form of report.json that this page reads (kReportSchema in compare/report.h). */
-export const kSchema = 2;
+export const kSchema = 3;
 
 export interface Page {
   report: Report;

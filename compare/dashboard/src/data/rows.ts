@@ -1,5 +1,5 @@
 // The report as a flat list: a row for each material in each view, for each whole image, for each scene that failed.
-import type { Attribution, Check, Figures, Judged, Material, Metrics, Regions, Report, Scene, Verdict, View } from "./types";
+import type { Attribution, Check, Judged, Material, Report, Scene, Verdict, View } from "./types";
 
 export type Kind = "material" | "whole" | "scene";
 
@@ -15,11 +15,11 @@ export interface Row {
   gravity: number; // larger is graver
   reason: string;
   bias: string;
-  region: "interior" | "all" | "";
   pixels: number;
   judged: Judged | null; // null: a scene that failed
   cause: Cause | null;
   preset: string; // of budgets
+  notModelled: readonly string[]; // parts of the material that no path models: only its base layer is judged
   isNew: boolean;
   change: number | null; // of mean FLIP since the baseline
   text: string; // what a search looks at, in lower case
@@ -32,19 +32,14 @@ export interface Cause {
   after: number;
 }
 
-const kGravity: Record<Verdict, number> = { pass: 0, "not seen": 1, warn: 2, fail: 3, error: 4 };
+const kVerdicts: readonly Verdict[] = ["pass", "not seen", "too small", "not judged", "warn", "fail", "error"]; // by gravity
 /** A swap that lowers FLIP by less than this share explains nothing (compare/wording.h says the same). */
 export const kLeastShare = 0.1;
 const kLeastFlip = 0.0005; // below it reads 0.000: there is nothing to explain
 
 export function gravityOf(verdict: Verdict): number {
-  return kGravity[verdict] ?? 4;
-}
-
-/** The interior's figures, or all where there is no interior. */
-export function mainFigures(regions: Regions): { figures: Figures; region: "interior" | "all" } | null {
-  if (regions.interior) return { figures: regions.interior, region: "interior" };
-  return regions.all ? { figures: regions.all, region: "all" } : null;
+  const place = kVerdicts.indexOf(verdict);
+  return place < 0 ? kVerdicts.length - 1 : place;
 }
 
 /** The term that lowers FLIP most, where it does so by a tenth at least. */
@@ -57,33 +52,30 @@ export function causeOf(attribution: Attribution | undefined): Cause | null {
   return best;
 }
 
-/** What a row's figures are of: a material's interior, as its budgets usually are; all pixels of a whole image. */
-export function figuresOf(kind: Kind, judged: Judged | null): ReturnType<typeof mainFigures> {
-  if (!judged) return null;
-  return mainFigures(kind === "whole" ? { interior: null, all: judged.figures.all } : judged.figures);
-}
-
 /** A figure of a row, or null where it is not known. */
 export function figureOf(row: Row, name: string): number | null {
-  return figuresOf(row.kind, row.judged)?.figures.metrics[name] ?? null;
+  return row.judged?.figures?.metrics[name] ?? null;
 }
 
-/** The check that judges a figure of the row's region itself, not its regression. */
+/** The check that judges a figure itself, not its regression. */
 export function checkOf(row: Row, metric: string): Check | null {
-  return row.judged?.checks.find((check) => check.metric === metric && check.region === row.region && !check.regress) ?? null;
+  return row.judged?.checks.find((check) => check.metric === metric && !check.regress) ?? null;
 }
 
-function changeOf(kind: Kind, judged: Judged): number | null {
-  if (!judged.baseline || judged.baseline.new) return null;
-  const metrics: Metrics = kind !== "whole" && judged.figures.interior ? judged.baseline.interior : judged.baseline.all;
-  return metrics["flip.mean"] ?? null;
+function changeOf({ baseline }: Judged): number | null {
+  return !baseline || baseline.new ? null : (baseline.changes["flip.mean"] ?? null);
+}
+
+/** "base layer only: no path models clearcoat, sheen"; "" where all is modelled. */
+export function baseLayerText(notModelled: readonly string[]): string {
+  return notModelled.length === 0 ? "" : `base layer only: no path models ${notModelled.join(", ")}`;
 }
 
 type Judgement = Omit<Row, "scene" | "view" | "material" | "order">;
 
 function judgedRow(kind: Kind, scene: Scene, view: View, judged: Judged, name: string): Judgement {
-  const main = figuresOf(kind, judged);
-  const cause = causeOf((judged as Partial<Material>).attribution);
+  const { attribution, notModelled = [] } = judged as Partial<Material>;
+  const cause = causeOf(attribution);
   const place = kind === "whole" ? scene.name : `${scene.name} · ${view.name}`;
   return {
     kind,
@@ -93,14 +85,14 @@ function judgedRow(kind: Kind, scene: Scene, view: View, judged: Judged, name: s
     gravity: gravityOf(judged.verdict),
     reason: judged.reason,
     bias: judged.bias,
-    region: main?.region ?? "",
-    pixels: judged.figures.all?.pixels ?? 0,
+    pixels: judged.figures?.pixels ?? 0,
     judged,
     cause,
     preset: judged.budget.preset ?? "",
+    notModelled,
     isNew: judged.baseline?.new ?? false,
-    change: changeOf(kind, judged),
-    text: `${name} ${place} ${judged.reason} ${cause?.term ?? ""}`.toLowerCase(),
+    change: changeOf(judged),
+    text: `${name} ${place} ${judged.reason} ${cause?.term ?? ""} ${baseLayerText(notModelled)}`.toLowerCase(),
   };
 }
 
@@ -111,8 +103,8 @@ export function makeRows(report: Report): Row[] {
     if (scene.error)
       rows.push({
         kind: "scene", scene: s, view: -1, material: -1, order: rows.length, name: scene.name, place: scene.source,
-        verdict: "error", gravity: gravityOf("error"), reason: scene.error.message, bias: "", region: "", pixels: 0,
-        judged: null, cause: null, preset: "", isNew: false, change: null,
+        verdict: "error", gravity: gravityOf("error"), reason: scene.error.message, bias: "", pixels: 0,
+        judged: null, cause: null, preset: "", notModelled: [], isNew: false, change: null,
         text: `${scene.name} ${scene.source} ${scene.error.message}`.toLowerCase(),
       });
     scene.views.forEach((view, v) => {

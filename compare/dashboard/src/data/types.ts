@@ -1,6 +1,10 @@
 // report.json, run.json and bench.json as the page reads them (compare/report.schema.json is the contract).
 
-export type Verdict = "pass" | "not seen" | "warn" | "fail" | "error";
+/**
+ * In order of gravity. "too small": of fewer pixels than its budget's minPixels. "not judged": most of its pixels are
+ * clipped in both pictures. Both weigh as warnings, as "not seen" does.
+ */
+export type Verdict = "pass" | "not seen" | "too small" | "not judged" | "warn" | "fail" | "error";
 
 /** By the figure's name: "flip.mean", "psnr", "bias.ev"; null: not finite (psnr of equal pictures). */
 export type Metrics = Record<string, number | null>;
@@ -9,24 +13,21 @@ export interface Figures {
   pixels: number;
   nonFinite: number;
   metrics: Metrics;
-  referenceLuma: number | null;
+  clippedBlack: number | null; // shares that are black in both displayed pictures, and white in both: 0..1
+  clippedWhite: number | null;
+  referenceLuma: number | null; // means of the displayed pictures
   testLuma: number | null;
-}
-
-/** null: the region has no pixel. */
-export interface Regions {
-  interior: Figures | null;
-  all: Figures | null;
+  referenceLuminance: number | null; // means of linear light as exposed, before clipping; 1: white
+  testLuminance: number | null;
 }
 
 export interface Check {
   metric: string;
-  region: string;
   regress: boolean;
   value: number | null;
   warn: number | null;
   fail: number | null;
-  verdict: Verdict | "not judged";
+  verdict: Verdict; // "not judged": there was nothing to judge by, the note says why
   note: string;
 }
 
@@ -36,13 +37,13 @@ export interface Rule {
   reason: string;
   owner: string;
   requireSeen: boolean;
+  minPixels: number; // a material of fewer is too small to be judged
 }
 
 export interface Change {
   new: boolean;
   verdict: Verdict | null;
-  interior: Metrics;
-  all: Metrics;
+  changes: Metrics; // now minus then
 }
 
 export interface Images {
@@ -54,11 +55,10 @@ export interface Images {
 export interface TruthTerm {
   term: string;
   luminance: { truth: number | null; highend: number | null; mobile: number | null };
-  interior: { highend: Metrics; mobile: Metrics } | null;
-  all: { highend: Metrics; mobile: Metrics } | null;
+  figures: { highend: Metrics; mobile: Metrics } | null; // null: no pixel
 }
 
-export interface TruthRegion {
+export interface TruthFigures {
   nonFinite: number;
   highend: Figures;
   mobile: Figures;
@@ -66,8 +66,7 @@ export interface TruthRegion {
 }
 
 export interface Truth {
-  interior: TruthRegion | null;
-  all: TruthRegion | null;
+  figures: TruthFigures | null; // null: no pixel
   terms: TruthTerm[];
   notes: string[];
   images: { truth: string; highendFlip: string; mobileFlip: string };
@@ -75,17 +74,16 @@ export interface Truth {
 
 export interface Encoding {
   target: string;
-  figures: Regions;
+  figures: Figures | null;
 }
 
 export interface TextureCompression {
   block: string;
-  figures: Regions;
+  figures: Figures | null;
 }
 
 /** What mobile's mean FLIP becomes once one of its terms is high-end's. */
 export interface Attribution {
-  region: "interior" | "all";
   flip: number | null;
   terms: { term: string; flip: number | null }[];
 }
@@ -101,7 +99,7 @@ export interface Judged {
   verdict: Verdict;
   reason: string;
   bias: string;
-  figures: Regions;
+  figures: Figures | null; // null: no pixel
   checks: Check[];
   budget: Rule;
   baseline: Change | null;
@@ -113,6 +111,7 @@ export interface Judged {
 export interface Material extends Judged {
   name: string;
   seenElsewhere: boolean;
+  notModelled: string[]; // its parts that no path models, "clearcoat": only its base layer is judged
   notes: string[];
   terms: TermLight[];
   crops: Images;
@@ -131,7 +130,7 @@ export interface DroppedLight {
   kind: "directional" | "point" | "spot";
   keptBy: number; // objects
   droppedBy: number;
-  materials: { name: string; region: "interior" | "all"; flip: number }[]; // the most changed first
+  materials: { name: string; flip: number }[]; // the most changed first
 }
 
 export interface View {
@@ -180,6 +179,8 @@ export interface Scene {
 export interface Counts {
   pass: number;
   notSeen: number;
+  tooSmall: number;
+  notJudged: number;
   warn: number;
   fail: number;
   error: number;

@@ -3,12 +3,13 @@ import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 
 import type { Page } from "../data/page";
-import { figuresOf, type Row } from "../data/rows";
+import { clippingText } from "../data/clipping";
+import type { Row } from "../data/rows";
 import { kTabs, type State, type Tab } from "../data/state";
 import type { Material } from "../data/types";
 import { count, figure, figureIn } from "../format";
 import { help } from "../help";
-import { badge } from "../parts";
+import { badge, baseLayerBadge } from "../parts";
 import "../viewer/viewer";
 import type { ParityViewer } from "../viewer/viewer";
 import { checkTable } from "./checks";
@@ -55,7 +56,7 @@ export class ParityItem extends LitElement {
         <button type="button" @click=${step(1)} title="Key ↓" aria-label="Next item">↓</button>
       </nav>
       <header class="item-head">
-        <h2 id="item-title" tabindex="-1">${badge(row.verdict)} <bdi>${row.name === "" ? "(no name)" : row.name}</bdi></h2>
+        <h2 id="item-title" tabindex="-1">${badge(row.verdict)} ${baseLayerBadge(row.notModelled)} <bdi>${row.name === "" ? "(no name)" : row.name}</bdi></h2>
         <p class="place"><bdi>${row.place}</bdi>${scene ? html` · <bdi>${scene.environment}</bdi>${scene.sun === "none" ? nothing : html` · sun <bdi>${scene.sun}</bdi>`}` : nothing}</p>
         ${row.reason === "" ? nothing : html`<p class="reason">${row.reason}</p>`}
       </header>
@@ -85,15 +86,18 @@ export class ParityItem extends LitElement {
   private renderCompare(): TemplateResult {
     const { report } = this.page;
     const { row } = this;
-    const main = figuresOf(row.kind, row.judged);
-    const value = (name: string): string => figureIn(main?.figures, name, report.statistics);
+    const figures = row.judged?.figures ?? null;
+    const value = (name: string): string => figureIn(figures, name, report.statistics);
+    const clipped = clippingText(figures);
     const notes = row.kind === "material" ? (row.judged as Material).notes : [];
     return html`
       <p class="facts">
         <b>${row.bias === "" ? "No pixel of this view shows it." : row.bias}</b>${row.bias === "" ? nothing : help("bias")}
-        ${main
-          ? html`<span>FLIP mean ${value("flip.mean")}${help("mean")}, p95 ${value("flip.p95")}${help("p95")}, max ${value("flip.max")}${help("max")} over ${main.region === "interior" ? "interior pixels" : "all pixels"}${help(main.region)} of ${count(row.pixels)}${help("pixels")}</span>`
+        ${figures
+          ? html`<span>FLIP${help(row.kind === "material" ? "materialFlip" : "wholeFlip")} mean ${value("flip.mean")}${help("mean")}, p95 ${value("flip.p95")}${help("p95")}, max ${value("flip.max")}${help("max")} over ${count(row.pixels)} pixel${row.pixels === 1 ? "" : "s"}${help("pixels")}</span>`
           : nothing}
+        ${clipped === "" ? nothing : html`<span class="caution">Clipped in both pictures: <b>${clipped}</b>${help("clipping")}</span>`}
+        ${row.notModelled.length === 0 ? nothing : html`<span class="caution">No path models its <b><bdi>${row.notModelled.join(", ")}</bdi></b>${help("baseLayer")}</span>`}
         ${row.cause ? html`<span>Cause: <b>${row.cause.term}</b>, ${figure(row.cause.before, report.statistics["flip.mean"])} → ${figure(row.cause.after, report.statistics["flip.mean"])} with high-end's${help("worstTerm")}</span>` : nothing}
         ${this.renderDropped()}
       </p>

@@ -3,65 +3,62 @@ import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 
 import type { Page } from "../data/page";
-import type { Row } from "../data/rows";
-import type { Judged, Regions, Report, Scene, Truth } from "../data/types";
+import type { Kind, Row } from "../data/rows";
+import type { Figures, Judged, Report, Scene, Truth } from "../data/types";
 import { change, count, duration, figure, figureIn, fixed } from "../format";
 import { help } from "../help";
 import { copyable, definitions } from "../parts";
 import "./bench_plot";
 import { acceptCommands, diffCommand } from "./commands";
 
-function figureTable(judged: Judged, report: Report): TemplateResult {
-  const { interior, all } = judged.figures;
-  const names = Object.keys(all?.metrics ?? interior?.metrics ?? {});
-  const { baseline } = judged;
-  const since = baseline && !baseline.new ? (interior ? baseline.interior : baseline.all) : null;
+function figureTable({ figures, baseline }: Judged, kind: Kind, report: Report): TemplateResult {
+  if (!figures) return html`<p class="aside">There are no figures: no pixel of this view shows it.</p>`;
+  const since = baseline && !baseline.new ? baseline.changes : null;
+  const share = (value: number | null): string => (value === null ? "–" : `${fixed(100 * value, 1)} %`);
+  const further: [string, string][] = [
+    ["pixels", count(figures.pixels)],
+    ["pixels that are not finite", count(figures.nonFinite)],
+    ["white in both pictures", share(figures.clippedWhite)],
+    ["black in both pictures", share(figures.clippedBlack)],
+    ["mean luma of high-end, displayed", fixed(figures.referenceLuma, 4)],
+    ["mean luma of mobile, displayed", fixed(figures.testLuma, 4)],
+    ["mean luminance of high-end, linear as exposed", fixed(figures.referenceLuminance, 4)],
+    ["mean luminance of mobile, linear as exposed", fixed(figures.testLuminance, 4)],
+  ];
   return html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
-    <caption>Mobile against high-end</caption>
-    <thead><tr><th scope="col">figure</th><th scope="col">interior${help("interior")}</th><th scope="col">all${help("all")}</th>${since ? html`<th scope="col">since the baseline${help("baseline")}</th>` : nothing}</tr></thead>
+    <caption>${kind === "material" ? html`The high-end picture with mobile's colours of this material, against the high-end picture${help("materialFlip")}` : html`Mobile against high-end${help("wholeFlip")}`}</caption>
+    <thead><tr><th scope="col">figure</th><th scope="col">value</th>${since ? html`<th scope="col">since the baseline${help("baseline")}</th>` : nothing}</tr></thead>
     <tbody>
-      ${names.map((name) => html`<tr><th scope="row">${report.statistics[name]?.label ?? name} <code>${name}</code></th>
-        <td class="number">${figureIn(interior, name, report.statistics)}</td>
-        <td class="number">${figureIn(all, name, report.statistics)}</td>
+      ${Object.keys(figures.metrics).map((name) => html`<tr><th scope="row">${report.statistics[name]?.label ?? name} <code>${name}</code></th>
+        <td class="number">${figureIn(figures, name, report.statistics)}</td>
         ${since ? html`<td class="number">${change(since[name], report.statistics[name])}</td>` : nothing}</tr>`)}
-      ${row("pixels", interior && count(interior.pixels), all && count(all.pixels), since !== null)}
-      ${row("pixels that are not finite", interior && count(interior.nonFinite), all && count(all.nonFinite), since !== null)}
-      ${row("mean luma of high-end, displayed", interior && fixed(interior.referenceLuma, 4), all && fixed(all.referenceLuma, 4), since !== null)}
-      ${row("mean luma of mobile, displayed", interior && fixed(interior.testLuma, 4), all && fixed(all.testLuma, 4), since !== null)}
+      ${further.map(([name, value]) => html`<tr><th scope="row">${name}</th><td class="number">${value}</td>${since ? html`<td></td>` : nothing}</tr>`)}
     </tbody></table></div>`;
 }
 
-function row(name: string, interior: string | null, all: string | null, hasChange: boolean): TemplateResult {
-  return html`<tr><th scope="row">${name}</th><td class="number">${interior ?? "–"}</td><td class="number">${all ?? "–"}</td>${hasChange ? html`<td></td>` : nothing}</tr>`;
-}
-
 function truthTables(truth: Truth, report: Report): TemplateResult {
-  const region = truth.interior ?? truth.all;
-  if (!region) return html`<p class="aside">The truth is not known here: there are no pixels.</p>`;
-  const names = [...new Set([...Object.keys(region.highend.metrics), ...Object.keys(region.mobile.metrics)])];
+  const { figures } = truth;
+  if (!figures) return html`<p class="aside">The truth is not known here: there are no pixels.</p>`;
+  const names = [...new Set([...Object.keys(figures.highend.metrics), ...Object.keys(figures.mobile.metrics)])];
   const ofTerm = (value: number | null | undefined): string => figure(value ?? undefined, report.statistics["flip.mean"]);
   return html`<section><h3>Both paths against the truth ${help("truth")}</h3>
     <div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
       <thead><tr><th scope="col">figure</th><th scope="col">high-end</th><th scope="col">mobile</th></tr></thead>
-      <tbody>${names.map((name) => html`<tr><th scope="row">${report.statistics[name]?.label ?? name}</th><td class="number">${figureIn(region.highend, name, report.statistics)}</td><td class="number">${figureIn(region.mobile, name, report.statistics)}</td></tr>`)}</tbody>
+      <tbody>${names.map((name) => html`<tr><th scope="row">${report.statistics[name]?.label ?? name}</th><td class="number">${figureIn(figures.highend, name, report.statistics)}</td><td class="number">${figureIn(figures.mobile, name, report.statistics)}</td></tr>`)}</tbody>
     </table></div>
-    <p class="aside">Standard error of the truth's own pixels: median ${fixed((region.error.median ?? NaN) * 100, 2)} %, worst ${fixed((region.error.worst ?? NaN) * 100, 2)} %${region.nonFinite > 0 ? html`; <b>${region.nonFinite} of its pixels are not finite</b>` : nothing}.</p>
+    <p class="aside">Standard error of the truth's own pixels: median ${fixed((figures.error.median ?? NaN) * 100, 2)} %, worst ${fixed((figures.error.worst ?? NaN) * 100, 2)} %${figures.nonFinite > 0 ? html`; <b>${figures.nonFinite} of its pixels are not finite</b>` : nothing}.</p>
     ${truth.terms.length === 0 ? nothing : html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
       <caption>Mean light by term${help("termLight")}</caption>
       <thead><tr><th scope="col">term</th><th scope="col">truth</th><th scope="col">high-end</th><th scope="col">mobile</th><th scope="col">FLIP high-end</th><th scope="col">FLIP mobile</th></tr></thead>
-      <tbody>${truth.terms.map((term) => {
-        const figures = term.interior ?? term.all;
-        return html`<tr><th scope="row">${term.term}</th><td class="number">${fixed(term.luminance.truth, 4)}</td><td class="number">${fixed(term.luminance.highend, 4)}</td><td class="number">${fixed(term.luminance.mobile, 4)}</td>
-          <td class="number">${ofTerm(figures?.highend["flip.mean"])}</td><td class="number">${ofTerm(figures?.mobile["flip.mean"])}</td></tr>`;
-      })}</tbody></table></div>`}
+      <tbody>${truth.terms.map((term) => html`<tr><th scope="row">${term.term}</th><td class="number">${fixed(term.luminance.truth, 4)}</td><td class="number">${fixed(term.luminance.highend, 4)}</td><td class="number">${fixed(term.luminance.mobile, 4)}</td>
+          <td class="number">${ofTerm(term.figures?.highend["flip.mean"])}</td><td class="number">${ofTerm(term.figures?.mobile["flip.mean"])}</td></tr>`)}</tbody></table></div>`}
     ${truth.notes.length > 0 ? html`<ul class="notes">${truth.notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
   </section>`;
 }
 
 /** What a stage of the mobile path, named in words, alone makes of its picture. */
-function stageLine(what: string, name: string, regions: Regions, topic: "encoding" | "textures", report: Report): TemplateResult {
-  const main = regions.interior ?? regions.all;
-  return html`<p>${what} <code>${name}</code> alone makes FLIP ${figureIn(main, "flip.mean", report.statistics)} in mobile's own picture.${help(topic)}</p>`;
+function stageLine(what: string, name: string, figures: Figures | null, topic: "encoding" | "textures", report: Report): TemplateResult {
+  return html`<p>${what} <code>${name}</code> alone makes FLIP ${figureIn(figures, "flip.mean", report.statistics)} in mobile's own picture.${help(topic)}</p>`;
 }
 
 function passTable(scene: Scene): TemplateResult {
@@ -94,7 +91,7 @@ export class ParityNumbers extends LitElement {
     const scene = report.scenes[this.row.scene];
     if (!scene || !judged) return html``;
     return html`<div class="numbers">
-      ${figureTable(judged, report)}
+      ${figureTable(judged, this.row.kind, report)}
       ${judged.encoding ? stageLine("The render target", judged.encoding.target, judged.encoding.figures, "encoding", report) : nothing}
       ${judged.textures ? stageLine("Compression of textures by", judged.textures.block, judged.textures.figures, "textures", report) : nothing}
       ${judged.truth ? truthTables(judged.truth, report) : nothing}

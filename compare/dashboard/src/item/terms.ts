@@ -42,7 +42,7 @@ export class ParityTerms extends LitElement {
     return html`<p class="aside">Which term is the cause is worked out for materials over budget, or for all with <code>--attribution all</code>.</p>`;
   }
 
-  private renderAttribution({ flip, terms, region }: Attribution): TemplateResult {
+  private renderAttribution({ flip, terms }: Attribution): TemplateResult {
     const statistic = this.report.statistics["flip.mean"];
     const most = Math.max(flip ?? 0, ...terms.map((each) => each.flip ?? 0), 1e-6);
     const { cause } = this.row;
@@ -59,7 +59,7 @@ export class ParityTerms extends LitElement {
           : "No single term explains it: no swap lowers FLIP by a tenth."
       }</p>
       <div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table class="attribution">
-        <thead><tr><th scope="col">swapped</th><th scope="col"><span class="sr">bar</span></th><th scope="col">mean FLIP, ${region}</th><th scope="col">change</th></tr></thead>
+        <thead><tr><th scope="col">swapped</th><th scope="col"><span class="sr">bar</span></th><th scope="col">mean FLIP</th><th scope="col">change</th></tr></thead>
         <tbody>${line("nothing, as it is", flip, "now")}${sorted.map((each) => line(each.term, each.flip, effectOf(each.flip, flip)))}</tbody>
       </table></div>`;
   }

@@ -7,12 +7,14 @@ import type { List, State } from "../data/state";
 import type { Report } from "../data/types";
 import { count } from "../format";
 
-/** In the order of the keys 1 to 7; "": all. */
+/** In the order of the keys 1 to 9; "": all. */
 export const kCategories = [
   { verdict: "", label: "All" },
   { verdict: "fail", label: "Failed" },
   { verdict: "warn", label: "Warned" },
-  { verdict: "error", label: "Not judged" },
+  { verdict: "error", label: "Errors" },
+  { verdict: "not judged", label: "Not judged" },
+  { verdict: "too small", label: "Too small" },
   { verdict: "not seen", label: "Not seen" },
   { verdict: "pass", label: "Passed" },
   { verdict: "new", label: "New" },
@@ -57,7 +59,7 @@ export function filters(report: Report, rows: readonly Row[], shown: number, sta
   const list = (each: List, label: string): TemplateResult => {
     const of = rows.filter((row) => isListed(row, each));
     const over = of.filter((row) => row.verdict === "fail" || row.verdict === "error").length;
-    return html`<button type="button" aria-pressed=${state.list === each ? "true" : "false"} @click=${() => set({ list: each })}>${label} <b>${count(of.length)}</b>${over > 0 ? html`<span class="over" title="failed or not judged">✕ ${count(over)}<span class="sr"> failed or not judged</span></span>` : nothing}</button>`;
+    return html`<button type="button" aria-pressed=${state.list === each ? "true" : "false"} @click=${() => set({ list: each })}>${label} <b>${count(of.length)}</b>${over > 0 ? html`<span class="over" title="failed, or errors">✕ ${count(over)}<span class="sr"> failed, or errors</span></span>` : nothing}</button>`;
   };
   const toggle = (verdict: string): void => {
     if (verdict === "") return set({ verdicts: [] });

@@ -5,7 +5,7 @@ import { imageSource } from "../data/images";
 import { checkOf, figureOf, type Row } from "../data/rows";
 import type { Check, Images, Report } from "../data/types";
 import { count, figure } from "../format";
-import { badge } from "../parts";
+import { badge, baseLayerBadge } from "../parts";
 
 /** The pictures of a row; materials have crops, whole images the view's. */
 export function imagesOf(row: Row, report: Report): Images | null {
@@ -61,7 +61,7 @@ function figureCell(row: Row, report: Report, name: string): TemplateResult {
 export function fullRow(row: Row, report: Report, hash: string): TemplateResult {
   return html`
     <span role="cell" class="cell-pictures">${thumbnails(row, report)}</span>
-    <span role="cell" class="cell-gravity">${badge(row.verdict)}${row.isNew ? html`<span class="tag">new</span>` : nothing}</span>
+    <span role="cell" class="cell-gravity">${badge(row.verdict)}${baseLayerBadge(row.notModelled)}${row.isNew ? html`<span class="tag">new</span>` : nothing}</span>
     <span role="cell" class="cell-name">
       <a class="name" href=${hash}><bdi>${row.name === "" ? "(no name)" : row.name}</bdi></a>
       <small class="place"><bdi>${row.place}</bdi></small>

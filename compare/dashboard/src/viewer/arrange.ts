@@ -1,15 +1,18 @@
 // Which panes a mode has and what each shows: image files, or jobs for canvases once values are needed.
+import type { Plane } from "../data/chunk";
 import type { ViewerState } from "../data/state";
 import type { View } from "../data/types";
 import type { Layer } from "./pane";
 import type { Job } from "./paint";
-import { messageOf, valueOf, type PixelSource } from "./source";
+import { messageOf, valueOf, type Loaded, type PixelSource } from "./source";
 import { termLabel } from "./terms";
 
 export interface Scenery {
   view: View;
+  material: number; // place in the view; -1: the whole view is looked at
   state: ViewerState;
   source: PixelSource;
+  isAtRest: boolean; // until then only image files are shown, where these do
   missing: ReadonlySet<string>; // image files that could not be loaded
   showsMobile: boolean; // in the flicker
 }
@@ -90,6 +93,11 @@ function labelOf({ state }: Scenery, picture: Picture): string {
   return state.term === "" ? kLabels[picture] : `${kLabels[picture]}, ${termLabel(state.term)}`;
 }
 
+/** The plane of the FLIP that judges what is looked at: each material's own, or that of the whole pictures. */
+export function flipPlaneOf(material: number): "materialFlip" | "flip" {
+  return material < 0 ? "flip" : "materialFlip";
+}
+
 function makeFlip(scenery: Scenery): Part {
   const { state, source, view } = scenery;
   const image = view.images.flip;
@@ -101,6 +109,23 @@ function makeFlip(scenery: Scenery): Part {
   const job: Job | null = values && { kind: "flip", plane: values, threshold: state.threshold };
   const message = messageOf(plane);
   return makePart(scenery, layer, true, job, message && missingText(scenery, image, message));
+}
+
+/** Where no values are, the whole pictures' map says less, and says so. */
+function flipPane(scenery: Scenery): PaneModel {
+  const { state, source, material } = scenery;
+  const exposure = exposureText(state.exposure) && "at the report's exposure";
+  const whole = (note: string): PaneModel =>
+    onePane("flip", "FLIP map", [note, exposure].filter(Boolean).join(", "), [makeFlip(scenery)]);
+  if (material < 0) return whole("");
+  const plane: Loaded<Plane> = scenery.isAtRest ? source.color(flipPlaneOf(material)) : { waiting: true };
+  if (messageOf(plane) !== "") return whole("of the whole pictures: its own needs pixel values");
+  const values = valueOf(plane);
+  const job: Job | null = values && { kind: "flip", plane: values, threshold: state.threshold };
+  const layer: Layer = { key: "flip", label: "FLIP map", image: "", job };
+  return onePane("flip", "FLIP map", ["each material's own", exposure].filter(Boolean).join(", "), [
+    { layer, message: "", isWaiting: job === null },
+  ]);
 }
 
 /** What stands at the high-end path's place where two pictures share a pane. */
@@ -162,8 +187,6 @@ export function arrange(scenery: Scenery): PaneModel[] {
   const exposure = exposureText(state.exposure);
   const pane = (picture: Picture): PaneModel =>
     onePane(picture, labelOf(scenery, picture), exposure, [makePicture(scenery, picture)]);
-  const flip = (): PaneModel =>
-    onePane("flip", "FLIP map", exposure && "at the report's exposure", [makeFlip(scenery)]);
   const base = baseOf(scenery);
   const pair = (
     key: string,
@@ -178,7 +201,7 @@ export function arrange(scenery: Scenery): PaneModel[] {
   switch (state.mode) {
     case "side": {
       const truth = state.showTruth && view.whole.truth !== undefined ? [pane("truth")] : [];
-      return [pane("highend"), pane("mobile"), ...truth, state.term === "" ? flip() : differencePane(scenery)];
+      return [pane("highend"), pane("mobile"), ...truth, state.term === "" ? flipPane(scenery) : differencePane(scenery)];
     }
     case "slider":
       return pair("slider", labelOf(scenery, base), () => ({ isRight: true }), {
@@ -196,6 +219,6 @@ export function arrange(scenery: Scenery): PaneModel[] {
     case "difference":
       return [differencePane(scenery)];
     case "flip":
-      return [flip()];
+      return [flipPane(scenery)];
   }
 }

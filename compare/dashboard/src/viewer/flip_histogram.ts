@@ -1,5 +1,5 @@
 // How FLIP is spread over the pixels of the view or the material, with the budget of its mean.
-import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { html, LitElement, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
@@ -201,11 +201,7 @@ export class ParityFlipHistogram extends LitElement {
                   html`<li><i class="line ${mark.label.split(" ")[0]}" aria-hidden="true"></i>${mark.label}</li>`,
               )}
             </ul>
-            <p class="aside">
-              ${this.summary}${this.checks.some((check) => check.metric === "flip.mean" && check.region === "interior")
-                ? " The budget is held against interior pixels alone."
-                : nothing}
-            </p>`}
+            <p class="aside">${this.summary}</p>`}
     </section>`;
   }
 }

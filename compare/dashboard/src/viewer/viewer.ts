@@ -6,7 +6,7 @@ import type { Plane } from "../data/chunk";
 import { countFrom } from "../data/histogram";
 import { kDefaultState, type ViewerState } from "../data/state";
 import type { Judged, Report, View } from "../data/types";
-import { arrange, type PaneModel } from "./arrange";
+import { arrange, flipPlaneOf, type PaneModel } from "./arrange";
 import { controls } from "./controls";
 import "./flip_histogram";
 import "./inspector";
@@ -187,13 +187,13 @@ export class ParityViewer extends LitElement {
     });
     if (pictures.length === 0) return { inspected: null, message: messageOf(loaded[0]!.loaded) || "Loading values…" };
     const at = pixel.y * view.width + pixel.x;
-    const flip = valueOf(source.color("flip"))?.values[at];
+    const flip = valueOf(source.color(flipPlaneOf(this.material)))?.values[at];
     const material = valueOf(source.color("material"))?.values[at] ?? 0;
     const inspected: Inspected = {
       pixel,
       isPinned: this.hover === null,
       pictures,
-      flip: flip === undefined || (material === 0 && this.isRestricted) ? null : flip / 65535,
+      flip: flip === undefined || (material === 0 && (this.material >= 0 || this.isRestricted)) ? null : flip / 65535,
       material: material === 0 ? null : (view.materials[material - 1]?.name ?? null),
       display: valueOf(source.display),
       exposureEv: view.exposureEv + this.state.exposure,
@@ -251,11 +251,12 @@ export class ParityViewer extends LitElement {
     const { source, state } = this;
     const row: Judged = view.materials[this.material] ?? view.whole;
     const materials = this.materialPlane();
-    const flip = this.isAtRest ? source.color("flip") : null;
+    const flip = this.isAtRest ? source.color(flipPlaneOf(this.material)) : null;
     const flipPlane = flip && valueOf(flip);
     const subject = this.subjectIn(materials);
     const cover = materials && this.coverOf(materials);
-    const panes = arrange({ view, state, source, missing: this.missing, showsMobile: this.showsMobile });
+    const { material, isAtRest, missing, showsMobile } = this;
+    const panes = arrange({ view, material, state, source, isAtRest, missing, showsMobile });
     const { inspected, message } = this.inspect(view);
     const zoom = `${Math.round(100 * fitScale(this.paneSize, view) * this.look(view).zoom)} %`;
     return html`<div class="viewer">

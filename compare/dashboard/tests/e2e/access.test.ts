@@ -37,6 +37,9 @@ const kPages = [
   ["its terms", "real", "#scene=0&view=0&material=0&tab=terms"],
   ["its numbers", "real", "#scene=0&view=0&material=0&tab=numbers"],
   ["names that try to break out", "evil", ""],
+  ["what is neither passed nor failed", "states", ""],
+  ["a clipped material", "states", "#scene=0&view=0&material=2"],
+  ["a material of which only the base layer is judged", "states", "#scene=0&view=0&material=4"],
   ["a report of nothing", "empty", ""],
 ] as const;
 
@@ -59,7 +62,7 @@ describe("axe-core finds nothing serious in", () => {
 
 describe("a report that cannot be shown", () => {
   it("says so to everyone", async () => {
-    const { page } = await openReport(browser, changedReport("empty", (html) => html.replace(/"schema":\s*2/, '"schema":99')));
+    const { page } = await openReport(browser, changedReport("empty", (html) => html.replace(/"schema":\s*3/, '"schema":99')));
     expect(await page.getAttribute(".failure", "role")).toBe("alert");
     expect(await violations(page)).toEqual([]);
   });

@@ -21,11 +21,14 @@ describe("the overview of 500 materials", () => {
     expect(opened.problems).toEqual([]);
   });
 
-  it("says of an item what no path shows of its material", async () => {
+  it("finds the materials of which no path models every part, and says so in the list and in the item", async () => {
     const { page } = await openReport(browser, reportFolder("many"));
-    await page.keyboard.press("ArrowDown");
-    await page.waitForSelector("parity-item h2");
-    expect(await page.locator("parity-item .notes li").allTextContents()).toContain("not modelled: clearcoat, sheen");
+    await page.fill("#search", "base layer clearcoat");
+    await page.waitForFunction(() => document.querySelector(".shown")?.textContent === "50 of 500 rows");
+    expect(await page.locator(".list .row .badge.base-layer").count()).toBe(await page.locator(".list .row").count());
+    await page.click(".list .row .name >> nth=0");
+    await page.waitForSelector("parity-item h2 .badge.base-layer");
+    expect(await page.textContent("parity-item .facts")).toContain("No path models its clearcoat, sheen");
   });
 
   it("says which lights mobile drops from a material, and from a view, and what they do", async () => {
@@ -47,7 +50,7 @@ describe("the overview of 500 materials", () => {
     await page.waitForFunction((count) => document.querySelector(".shown")?.textContent === `${count} of 500 rows`, caused);
     await page.fill("#search", "");
     await page.keyboard.press("Escape");
-    await page.keyboard.press("6");
+    await page.keyboard.press("8");
     await page.waitForFunction(() => document.querySelector(".shown")?.textContent?.includes(" of 500"));
     expect(await page.textContent(".list .row >> nth=0")).toContain("pass");
     await page.keyboard.press("1");
@@ -118,6 +121,58 @@ describe("the overview of 500 materials", () => {
     await page.waitForSelector("dialog#shortcuts:not([open])", { state: "attached" });
     await page.keyboard.press("Escape");
     await page.waitForSelector("parity-item", { state: "detached" });
+  });
+});
+
+describe("what is neither a plain pass nor a plain failure", () => {
+  const open = async (material: number, tab = ""): Promise<string> => {
+    const { page, problems } = await openReport(browser, reportFolder("states"), `#scene=0&view=0&material=${material}${tab}`);
+    await page.waitForSelector("parity-item h2");
+    const text = await page.innerText("parity-item");
+    expect(problems).toEqual([]);
+    await page.context().close();
+    return text;
+  };
+
+  it("stands between warnings and passes, each with a filter and a key of its own", async () => {
+    const { page } = await openReport(browser, reportFolder("states"));
+    const badges = page.locator(".list .row .cell-gravity .badge:not(.base-layer)");
+    expect((await badges.allTextContents()).map((each) => each.replace(/^[^a-z]+/, ""))).toEqual(["warn", "warn", "not judged", "too small", "pass", "pass"]);
+    expect((await page.locator(".chip").allTextContents()).map((each) => each.trim())).toEqual(["All 6", "Warned 2", "Not judged 1", "Too small 1", "Passed 2"]);
+    for (const [key, name] of [["5", "panel"], ["6", "speck"]] as const) {
+      await page.keyboard.press(key);
+      await page.waitForFunction(() => document.querySelector(".shown")?.textContent === "1 of 6 rows");
+      expect(await page.textContent(".list .row .name")).toBe(name);
+      await page.keyboard.press("1");
+      await page.waitForFunction(() => document.querySelector(".shown")?.textContent === "6 rows");
+    }
+  });
+
+  it("says how many pixels are too few, and that no check counts", async () => {
+    const text = await open(1);
+    expect(text).toMatch(/12 pixels, fewer than the 64/);
+    expect(text).toMatch(/no check counts/);
+  });
+
+  it("says what is clipped in both pictures, of a material and of a view, with its share", async () => {
+    expect(await open(2)).toMatch(/Clipped in both pictures: 80.0 % white\?/);
+    expect(await open(-1)).toContain("30.0 % black, 2.0 % white");
+    expect(await open(0)).not.toContain("Clipped");
+  });
+
+  it("has the clipped shares among the numbers", async () => {
+    expect(await open(3, "&tab=numbers")).toMatch(/white in both pictures\s+12.5 %/);
+  });
+
+  it("says which check could not be judged, and why", async () => {
+    const text = await open(5);
+    expect(text).toMatch(/not judged/);
+    expect(text).toMatch(/too dark for a difference of exposure/);
+  });
+
+  it("shows the whole pictures' FLIP map where a material's own has no values, and says so", async () => {
+    expect(await open(0)).toContain("of the whole pictures: its own needs pixel values");
+    expect(await open(-1)).not.toContain("its own needs pixel values");
   });
 });
 

@@ -3,6 +3,7 @@ import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
+import { checkChunk, decodePlane } from "../../src/data/chunk";
 import type { Report } from "../../src/data/types";
 import { openReport, readReport, reportFolder, startBrowser } from "./browser";
 
@@ -193,6 +194,39 @@ describe("a pixel's values", () => {
     await page.waitForSelector(".inspector details tbody tr");
     expect(await page.textContent(".inspector details")).toMatch(/sky/i);
     expect(problems).toEqual([]);
+  });
+});
+
+describe("FLIP", () => {
+  const readPlane = async (file: string, name: string): Promise<Uint16Array> => {
+    const script = readFileSync(join(reportFolder("real"), file), "utf8");
+    const chunk = checkChunk(JSON.parse(script.slice(script.indexOf("(") + 1, script.lastIndexOf(")"))), file);
+    return (await decodePlane(chunk, name)).values;
+  };
+
+  it("of a material's view is the material's own, of a whole view that of the whole pictures", async () => {
+    const view = readReport("real").scenes[1]!.views[0]!;
+    const planes = await Promise.all(["material", "materialFlip", "flip"].map((name) => readPlane(view.pixels.color, name)));
+    const [material, own, whole] = planes as [Uint16Array, Uint16Array, Uint16Array];
+    // Where the two tell most apart, of all pixels that show a material.
+    let at = 0;
+    for (let i = 0; i < own.length; ++i)
+      if (material[i] !== 0 && Math.abs(own[i]! - whole[i]!) > Math.abs(own[at]! - whole[at]!)) at = i;
+    expect(Math.abs(own[at]! - whole[at]!) / 65535).toBeGreaterThan(0.01);
+    const [x, y] = [at % view.width, Math.floor(at / view.width)];
+    for (const [place, plane] of [[material[at]! - 1, own], [-1, whole]] as const) {
+      const { page } = await openReport(browser, reportFolder("real"), `#scene=1&view=0&material=${place}&pixelX=${x}&pixelY=${y}&mode=flip`);
+      const expected = (plane[at]! / 65535).toFixed(3);
+      await expect.poll(() => page.textContent(".pixel-head"), { timeout: 10000 }).toMatch(new RegExp(`FLIP\\s+${expected}`));
+      expect(await page.locator("parity-pane .note").allTextContents()).toEqual(place < 0 ? [] : ["each material's own"]);
+      await page.waitForFunction(() => document.querySelector(".histogram p.aside")?.textContent?.includes("pixels"));
+      const counted = material.reduce((sum, each) => sum + Number(place < 0 ? each !== 0 : each === place + 1), 0);
+      const mean = plane.reduce((sum, value, i) => sum + ((place < 0 ? material[i] !== 0 : material[i] === place + 1) ? value : 0), 0) / counted / 65535;
+      const text = (await page.textContent(".histogram p.aside")) ?? "";
+      expect(text).toContain(`${counted.toLocaleString("en-US")} pixels`);
+      expect(text).toContain(`the mean is ${mean.toFixed(3)}`);
+      await page.context().close();
+    }
   });
 });
 

@@ -33,9 +33,17 @@ function panes(
   planes: readonly string[] | string,
   missing: string[] = [],
   view = makePictured(),
+  of: { material: number; isAtRest: boolean } = { material: -1, isAtRest: true },
 ) {
   const { source, asked } = makeSource(planes);
-  const all = { view, state: { ...kDefaultState, ...state }, source, missing: new Set(missing), showsMobile: false };
+  const all = {
+    view,
+    ...of,
+    state: { ...kDefaultState, ...state },
+    source,
+    missing: new Set(missing),
+    showsMobile: false,
+  };
   return { models: arrange(all), asked };
 }
 
@@ -96,8 +104,7 @@ describe("panes of the comparison", () => {
     expect(labels(panes({ showTruth: true }, "none").models)).toEqual(["High-end", "Mobile", "FLIP map"]);
     const view = makePictured();
     view.whole.truth = {
-      interior: null,
-      all: null,
+      figures: null,
       terms: [],
       notes: [],
       images: { truth: "images/t.png", highendFlip: "", mobileFlip: "" },
@@ -110,5 +117,41 @@ describe("panes of the comparison", () => {
     ]);
     const slider = panes({ showTruth: true, mode: "slider" }, "none", [], view).models[0]!;
     expect([slider.label, slider.right]).toEqual(["Truth", "Mobile"]);
+  });
+});
+
+describe("the FLIP map of a material", () => {
+  const ofMaterial = (state: Partial<ViewerState>, planes: readonly string[] | string, missing: string[] = []) =>
+    panes({ mode: "flip", ...state }, planes, missing, makePictured(), { material: 0, isAtRest: true });
+
+  it("is painted from each material's own FLIP, never from the whole pictures'", () => {
+    const { models, asked } = ofMaterial({}, ["flip", "materialFlip"]);
+    expect(asked).toEqual(["materialFlip"]);
+    const layer = models[0]!.layers[0]!;
+    expect([layer.image, layer.job?.kind, models[0]!.note]).toEqual(["", "flip", "each material's own"]);
+    expect(layer.job?.kind === "flip" && layer.job.plane.name).toBe("materialFlip");
+    expect(panes({ mode: "flip", threshold: 0.1 }, ["flip", "materialFlip"]).asked).toEqual(["flip"]);
+  });
+
+  it("shows nothing of another map while its values are on their way, and asks for none before the view rests", () => {
+    const waiting = ofMaterial({}, []).models[0]!;
+    expect([waiting.isWaiting, waiting.layers[0]!.image, waiting.layers[0]!.job]).toEqual([true, "", null]);
+    const of = { material: 0, isAtRest: false };
+    const passing = panes({ mode: "flip" }, ["materialFlip"], [], makePictured(), of);
+    expect([passing.asked, passing.models[0]!.isWaiting]).toEqual([[], true]);
+  });
+
+  it("falls back on the whole pictures' map where there are no values, and says so", () => {
+    const { models } = ofMaterial({}, "no values");
+    expect([models[0]!.layers[0]!.image, models[0]!.message]).toEqual(["images/f.png", ""]);
+    expect(models[0]!.note).toContain("of the whole pictures");
+    expect(ofMaterial({ threshold: 0.1 }, "no values").models[0]!.message).toBe("no values");
+    expect(ofMaterial({}, "no values", ["images/f.png"]).models[0]!.message).toBe("images/f.png is missing. no values");
+  });
+
+  it("says that it is not at the exposure of the pictures beside it", () => {
+    expect(ofMaterial({ exposure: 1 }, ["materialFlip"]).models[0]!.note).toBe(
+      "each material's own, at the report's exposure",
+    );
   });
 });

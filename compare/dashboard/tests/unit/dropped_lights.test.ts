@@ -6,10 +6,10 @@ import { describeDropped, lightsOf } from "../../src/item/dropped_lights";
 const kDropped: DroppedLights = {
   lights: 5,
   measured: [
-    { name: "lamp 2", kind: "point", keptBy: 3, droppedBy: 1, materials: [{ name: "glass", region: "interior", flip: 0.25 }] },
+    { name: "lamp 2", kind: "point", keptBy: 3, droppedBy: 1, materials: [{ name: "glass", flip: 0.25 }] },
     {
       name: "lamp 1", kind: "spot", keptBy: 0, droppedBy: 2,
-      materials: [{ name: "metal", region: "interior", flip: 0.031 }, { name: "glass", region: "all", flip: 0.3 }],
+      materials: [{ name: "metal", flip: 0.031 }, { name: "glass", flip: 0.3 }],
     },
   ],
   notMeasured: ["lamp 3"],

@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 
 import type { Statistic } from "../../src/data/types";
 import { change, count, duration, figure, figureIn, fixed, signed } from "../../src/format";
+import { makeFigures } from "./sample";
 
 const make = (patch: Partial<Statistic>): Statistic => ({ label: "", unit: "", digits: 3, better: "lower", ...patch });
 
@@ -26,7 +27,7 @@ describe("figures as people read them", () => {
   });
 
   it("are not known where pixels are not finite: nothing is identical there", () => {
-    const figures = { pixels: 2, nonFinite: 0, metrics: { psnr: null, rmse: 0 }, referenceLuma: null, testLuma: null };
+    const figures = makeFigures(0, { metrics: { psnr: null, rmse: 0 } });
     const statistics = { psnr: make({ unit: "dB", better: "higher" }) };
     expect(figureIn(figures, "psnr", statistics)).toBe("identical");
     expect(figureIn({ ...figures, nonFinite: 1 }, "psnr", statistics)).toBe("–");

@@ -1,12 +1,12 @@
 import { describe, expect, it } from "vitest";
 
 import { countRows, filterOf, matches, sortRows } from "../../src/data/filter";
-import { causeOf, checkOf, figureOf, makeRows } from "../../src/data/rows";
+import { baseLayerText, causeOf, checkOf, figureOf, gravityOf, makeRows } from "../../src/data/rows";
 import { kDefaultState } from "../../src/data/state";
-import type { Check, Figures } from "../../src/data/types";
-import { makeMaterial, makeReport, makeScene, makeView } from "./sample";
+import type { Check, Verdict } from "../../src/data/types";
+import { makeFigures, makeMaterial, makeReport, makeScene, makeView } from "./sample";
 
-const attribution = { region: "interior" as const, flip: 0.4, terms: [{ term: "skySpecular", flip: 0.1 }, { term: "sunDiffuse", flip: 0.39 }] };
+const attribution = { flip: 0.4, terms: [{ term: "skySpecular", flip: 0.1 }, { term: "sunDiffuse", flip: 0.39 }] };
 const report = makeReport([
   makeScene("Desk", [
     makeView("front", [
@@ -28,30 +28,38 @@ describe("rows", () => {
     ]);
   });
 
-  it("takes the interior's figures, and counts all pixels", () => {
-    expect(rows[0]).toMatchObject({ region: "interior", pixels: 120 });
-    expect(rows[2]).toMatchObject({ region: "", pixels: 0 });
+  it("counts the pixels that show it: none where there are no figures", () => {
+    expect(rows[0]?.pixels).toBe(100);
+    expect(rows[2]?.pixels).toBe(0);
+  });
+
+  it("says since the baseline what there is to compare with, and what is new", () => {
+    const since = (patch: object) => makeRows(makeReport([makeScene("Desk", [makeView("front", [makeMaterial("Gold", "pass", 0.1, patch)])])]))[0];
+    const changes = { "flip.mean": 0.03 };
+    expect(since({ baseline: { new: false, verdict: "pass", changes } })).toMatchObject({ change: 0.03, isNew: false });
+    expect(since({ baseline: { new: true, verdict: null, changes: {} } })).toMatchObject({ change: null, isNew: true });
+    expect(since({})).toMatchObject({ change: null, isNew: false });
   });
 });
 
 describe("a row's figures", () => {
-  const figures = (flip: number): Figures => ({ pixels: 9, nonFinite: 0, metrics: { "flip.mean": flip }, referenceLuma: 0, testLuma: 0 });
-  const check = (region: string, value: number): Check => ({ metric: "flip.mean", region, regress: false, value, warn: 0.1, fail: 0.2, verdict: "pass", note: "" });
-  const judged = { figures: { interior: figures(0.15), all: figures(0.05) }, checks: [check("all", 0.05), check("interior", 0.15)] };
-  const view = makeView("front", [makeMaterial("Gold", "pass", 0, judged)]);
-  Object.assign(view.whole, judged);
+  const check = (metric: string, value: number | null, regress: boolean): Check => ({ metric, regress, value, warn: 0.1, fail: 0.2, verdict: "pass", note: "" });
+  const checks = [check("flip.mean", 0.01, true), check("flip.mean", 0.15, false), check("bias.ev", -0.3, false)];
+  const view = makeView("front", [makeMaterial("Gold", "pass", 0, { figures: makeFigures(0.15), checks })]);
+  Object.assign(view.whole, { figures: makeFigures(0.05), checks: [] });
   const [material, whole] = makeRows(makeReport([makeScene("Desk", [view])]));
   if (!material || !whole) throw new Error("two rows");
 
-  it("are of a material's interior, and of all pixels of a whole image: what the limits are for", () => {
-    expect([figureOf(material, "flip.mean"), material.region]).toEqual([0.15, "interior"]);
-    expect([figureOf(whole, "flip.mean"), whole.region]).toEqual([0.05, "all"]);
+  it("are the material's and the whole image's", () => {
+    expect(figureOf(material, "flip.mean")).toBe(0.15);
+    expect(figureOf(whole, "flip.mean")).toBe(0.05);
+    expect(figureOf(whole, "flip.p95")).toBeNull();
   });
 
-  it("are held against the check of their own region", () => {
+  it("are held against the check of the figure, never against that of its regression", () => {
     expect(checkOf(material, "flip.mean")?.value).toBe(0.15);
-    expect(checkOf(whole, "flip.mean")?.value).toBe(0.05);
-    expect(checkOf(whole, "flip.p95")).toBeNull();
+    expect(checkOf(material, "bias.ev")?.value).toBe(-0.3);
+    expect(checkOf(whole, "flip.mean")).toBeNull();
   });
 });
 
@@ -65,7 +73,7 @@ describe("the cause", () => {
     expect(causeOf({ ...attribution, terms: [{ term: "fog", flip: 0.36 }] })?.term).toBe("fog");
     expect(causeOf({ ...attribution, flip: null })).toBeNull();
     expect(causeOf(undefined)).toBeNull();
-    expect(causeOf({ region: "interior", flip: 0, terms: [{ term: "emissive", flip: 0 }] })).toBeNull();
+    expect(causeOf({ flip: 0, terms: [{ term: "emissive", flip: 0 }] })).toBeNull();
   });
 });
 
@@ -109,5 +117,42 @@ describe("the order", () => {
   it("sorts names by letter and keeps the list it was given", () => {
     expect(names("name", true)).toEqual(["Broken", "front", "Gold", "Inside", "Wood"]);
     expect(rows[0]?.name).toBe("Gold");
+  });
+});
+
+describe("what is neither passed nor failed", () => {
+  const graver: Verdict[] = ["pass", "not seen", "too small", "not judged", "warn", "fail", "error"];
+  const materials = [
+    makeMaterial("Seen", "pass", 0.01),
+    makeMaterial("Hidden", "not seen", null),
+    makeMaterial("Speck", "too small", 0.3, { figures: makeFigures(0.3, { pixels: 12 }) }),
+    makeMaterial("Lamp", "not judged", 0.02, { figures: makeFigures(0.02, { clippedWhite: 0.8 }) }),
+    makeMaterial("Coat", "warn", 0.03, { notModelled: ["clearcoat", "sheen"] }),
+    makeMaterial("Bad", "fail", 0.3, { notModelled: ["clearcoat"], reason: "mean FLIP is above" }),
+  ];
+  const small = makeRows(makeReport([makeScene("Desk", [makeView("front", materials)])])).filter((row) => row.kind === "material");
+  const found = (patch: object): string[] => small.filter((row) => matches(row, filterOf({ ...kDefaultState, ...patch }))).map((row) => row.name);
+
+  it("weighs between what is seen and what is warned of, in the order of the report's verdicts", () => {
+    for (let i = 1; i < graver.length; ++i) expect(gravityOf(graver[i]!), graver[i]).toBeGreaterThan(gravityOf(graver[i - 1]!));
+    expect(sortRows(small, "gravity", false).map((row) => row.name)).toEqual(["Bad", "Coat", "Lamp", "Speck", "Hidden", "Seen"]);
+  });
+
+  it("is as grave as an error where the page does not know the verdict", () => {
+    expect(gravityOf("unheard of" as Verdict)).toBe(gravityOf("error"));
+  });
+
+  it("is filtered and counted by its own verdict", () => {
+    expect(found({ verdicts: ["too small"] })).toEqual(["Speck"]);
+    expect(found({ verdicts: ["not judged"] })).toEqual(["Lamp"]);
+    expect(countRows(small)).toEqual({ pass: 1, "not seen": 1, "too small": 1, "not judged": 1, warn: 1, fail: 1 });
+  });
+
+  it("says and finds what no path models, whatever the verdict is", () => {
+    expect(baseLayerText(["clearcoat", "sheen"])).toBe("base layer only: no path models clearcoat, sheen");
+    expect(baseLayerText([])).toBe("");
+    expect(found({ query: "clearcoat" })).toEqual(["Coat", "Bad"]);
+    expect(found({ query: "base layer" })).toEqual(["Coat", "Bad"]);
+    expect(small.map((row) => row.notModelled.length)).toEqual([0, 0, 0, 0, 2, 1]);
   });
 });

@@ -1,16 +1,22 @@
 // A small report made by hand, for tests of what the page derives from one.
-import type { Judged, Material, Report, Scene, Verdict, View } from "../../src/data/types";
+import type { Figures, Judged, Material, Report, Scene, Verdict, View } from "../../src/data/types";
+
+export function makeFigures(flip: number, patch: Partial<Figures> = {}): Figures {
+  return {
+    pixels: 100, nonFinite: 0, metrics: { "flip.mean": flip, "bias.ev": -flip }, clippedBlack: 0, clippedWhite: 0,
+    referenceLuma: 0.5, testLuma: 0.4, referenceLuminance: 0.3, testLuminance: 0.2, ...patch,
+  };
+}
 
 export function makeJudged(verdict: Verdict, flip: number | null, patch: Partial<Judged> = {}): Judged {
-  const figures = flip === null ? null : { pixels: 100, nonFinite: 0, metrics: { "flip.mean": flip, "bias.ev": -flip }, referenceLuma: 0.5, testLuma: 0.4 };
   return {
-    verdict, reason: "", bias: flip === null ? "" : "mobile is darker", figures: { interior: figures, all: figures && { ...figures, pixels: 120 } },
-    checks: [], budget: { rule: "built-in", preset: "default", reason: "", owner: "", requireSeen: false }, baseline: null, ...patch,
+    verdict, reason: "", bias: flip === null ? "" : "mobile is darker", figures: flip === null ? null : makeFigures(flip),
+    checks: [], budget: { rule: "built-in", preset: "default", reason: "", owner: "", requireSeen: false, minPixels: 64 }, baseline: null, ...patch,
   };
 }
 
 export function makeMaterial(name: string, verdict: Verdict, flip: number | null, patch: Partial<Material> = {}): Material {
-  return { ...makeJudged(verdict, flip), name, seenElsewhere: false, notes: [], terms: [], crops: { reference: "", test: "", flip: "" }, ...patch };
+  return { ...makeJudged(verdict, flip), name, seenElsewhere: false, notModelled: [], notes: [], terms: [], crops: { reference: "", test: "", flip: "" }, ...patch };
 }
 
 export function makeView(name: string, materials: Material[]): View {
@@ -28,9 +34,9 @@ export function makeScene(name: string, views: View[], error: string | null = nu
 }
 
 export function makeReport(scenes: Scene[]): Report {
-  const counts = { pass: 0, notSeen: 0, warn: 0, fail: 0, error: 0 };
+  const counts = { pass: 0, notSeen: 0, tooSmall: 0, notJudged: 0, warn: 0, fail: 0, error: 0 };
   return {
-    schema: 2, tool: "parity", version: "0", device: "device", verdict: "pass", headline: "", displayTable: "", counts, wholeCounts: counts,
+    schema: 3, tool: "parity", version: "0", device: "device", verdict: "pass", headline: "", displayTable: "", counts, wholeCounts: counts,
     warnings: [], baseline: null, settings: [], statistics: {}, scenes,
   };
 }

@@ -1,0 +1,43 @@
+// parity plot: figures of the formulas, as pictures and numbers.
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/file.h"
+#include "base/image_io.h"
+#include "base/log.h"
+#include "base/parallel.h"
+#include "cli/file_conflicts.h"
+#include "cli/invocation.h"
+#include "plot/env_brdf_picture.h"
+#include "plot/env_brdf_plot.h"
+#include "scenes/load.h"
+
+namespace parity::cli {
+
+int runPlotCommand(const PlotCommand& command) {
+  if (command.quiet) base::setLogLevel(base::LogLevel::quiet);
+  const std::filesystem::path folder = command.folder;
+  const std::filesystem::path picture = folder / "env-brdf.png", numbers = folder / "env-brdf.csv",
+                              ofMaterials = folder / "env-brdf-materials.csv";
+  requireSeparate({{"-o", picture}, {"-o", numbers}, {"-o", ofMaterials}}, {{"the scene", command.scene}});
+  const base::ThreadLimit threads(command.threads);
+  const plot::TableBrdf table(command.highend);
+  const plot::ApproximateBrdf approximate(command.mobile);
+  std::vector<plot::MaterialDeviation> materials;
+  std::string name;
+  if (!command.scene.empty()) {
+    const scenes::Scene scene = scenes::loadScene(command.scene);
+    for (const std::string& warning : scene.warnings) base::logWarning(warning);
+    name = scene.name;
+    materials = plot::deviationsOf(scene, table, approximate);
+    if (materials.empty()) base::logWarning(command.scene + ": no material is lit, none is compared");
+  }
+  base::writeImage8(picture, plot::drawEnvBrdf(table, approximate, materials, name), {.pngCompression = 6});
+  base::writeText(numbers, plot::envBrdfCsv(table, approximate));
+  if (!materials.empty()) base::writeText(ofMaterials, plot::materialsCsv(materials));
+  if (!command.quiet) fmt::print("{}\n{}\n", plot::describe(table, approximate, materials), picture.string());
+  return 0;
+}
+
+} // namespace parity::cli

@@ -1,0 +1,362 @@
+// One list of conditions: whatever decides a figure is seen by the cache's key, by the report and by the comparison
+// with a baseline.
+#include <functional>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "base/file.h"
+#include "base/temp_folder.h"
+#include "compare/baseline.h"
+#include "compare/report_reader.h"
+#include "job/conditions.h"
+#include "job/settings_text.h"
+
+namespace parity::job {
+namespace {
+
+using compare::ActsOn;
+using compare::Condition;
+
+// What a run is asked for.
+struct Asked {
+  Settings settings;
+  SceneRequest request;
+};
+
+// Of a scene that says something of everything, so that each member of what it says counts.
+Asked makeAsked() {
+  Asked asked;
+  asked.settings.truth = true;
+  asked.settings.mobile.spotShadow = asked.settings.mobile.sunShadow = true;
+  asked.request.name = "Desk";
+  asked.request.scene = "Desk.glb";
+  asked.request.environment = "no-such.hdr";
+  asked.request.baked = "no-such";
+  asked.request.sun = scenes::SunRequest{30, 50, 4};
+  asked.request.fog.emplace().density = 0.1f;
+  asked.request.views.emplace_back().orbit = glm::vec3(30, 70, 2);
+  asked.request.views[0].target = glm::vec3(0);
+  return asked;
+}
+
+gpu::DeviceReport makeDevice() {
+  gpu::DeviceReport device;
+  device.name = "llvmpipe";
+  device.driver = "Mesa 22";
+  device.float16 = true;
+  return device;
+}
+
+Conditions conditionsOf(const Asked& asked) { return job::conditionsOf(asked.settings, asked.request, makeDevice()); }
+
+// A change of one member, and the row that says so.
+struct Change {
+  const char* row;
+  std::function<void(Settings& s, SceneRequest& r)> make;
+};
+
+#define CHANGE(statement) [](Settings& s, SceneRequest& r) { static_cast<void>(s), static_cast<void>(r), statement; }
+const std::vector<Change> kChanges = {
+    {"size", CHANGE(s.width = 1025)},
+    {"size", CHANGE(s.height = 1025)},
+    {"samples", CHANGE(s.samples = 4)},
+    {"display", CHANGE(s.display = "ACES SDR")},
+    {"background", CHANGE(s.background.y = 0.18000002f)},
+    {"materials", CHANGE(s.materials = {"Hero*"})},
+    {"metrics", CHANGE(s.metrics.push_back("ssim"))},
+    {"terms", CHANGE(s.terms = true)},
+    {"coverage", CHANGE(s.coverage = true)},
+    {"dropped lights", CHANGE(s.droppedLights = 3)},
+    {"costs", CHANGE(s.costs = true)},
+    {"specular anti-aliasing", CHANGE(s.specularAa = gpu::SpecularAa::toksvig)},
+    {"shadow maps", CHANGE(s.shadowMaps.mapSize = 512)},
+    {"shadow maps", CHANGE(s.shadowMaps.filter = 5)},
+    {"memory of shadow maps", CHANGE(s.shadowMaps.maxBytes -= 1)},
+    {"highend geometry term", CHANGE(s.highend.geometryTerm = highend::GeometryTerm::schlickSmith)},
+    {"highend fresnel", CHANGE(s.highend.fresnel = highend::FresnelCurve::sphericalGaussian)},
+    {"highend diffuse", CHANGE(s.highend.diffuse = highend::DiffuseLobe::lambert)},
+    {"highend compensation", CHANGE(s.highend.compensation = highend::Compensation::none)},
+    {"highend off-specular", CHANGE(s.highend.offSpecular = highend::OffSpecular::dominant)},
+    {"mobile preset", CHANGE(s.mobile.preset = "refit")},
+    {"mobile environment BRDF", CHANGE(s.mobile.environmentBrdf = mobile::EnvironmentBrdf::karis2014)},
+    {"mobile direct lobe", CHANGE(s.mobile.directLobe = mobile::DirectLobe::dApprox)},
+    {"mobile capture scale", CHANGE(s.mobile.captureScale = mobile::CaptureScale::full)},
+    {"mobile capture", CHANGE(s.mobile.capture = mobile::CaptureEncoding::fp16)},
+    {"mobile sky", CHANGE(s.mobile.skyCoefficients = 9)},
+    {"mobile local lights", CHANGE(s.mobile.localLights = false)},
+    {"mobile mixing weight", CHANGE(s.mobile.mixing.begin = 0.1000001f)},
+    {"mobile mixing weight", CHANGE(s.mobile.mixing.end = 0.4f)},
+    {"mobile mixing weight", CHANGE(s.mobile.mixing.largest = 9999)},
+    {"mobile spot shadow", CHANGE(s.mobile.spotShadow = false)},
+    {"mobile spot shadow", CHANGE(s.mobile.spotShadowSharpen = 2)},
+    {"mobile spot shadow", CHANGE(s.mobile.spotShadowFade = 0.5f)},
+    {"mobile sun shadow", CHANGE(s.mobile.sunShadow = false)},
+    {"mobile sun shadow", CHANGE(s.mobile.sunShadowDistance = 100)},
+    {"mobile sun shadow", CHANGE(s.mobile.sunShadowFade = 0.2f)},
+    {"mobile roughness floor", CHANGE(s.mobile.roughnessFloor = 0.015625002f)},
+    {"mobile precision", CHANGE(s.mobile.precision = mobile::Precision::fp32)},
+    {"high-end view", CHANGE(s.highendView = 1)},
+    {"mobile view", CHANGE(s.mobileView = 1)},
+    {"mobile target", CHANGE(s.mobileTarget = gpu::OutputTarget::rgba8Srgb)},
+    {"mobile textures", CHANGE(s.mobileTextures = base::TextureBlock::astc6x6)},
+    {"truth", CHANGE(s.truth = false)},
+    {"truth", CHANGE(s.reference.model.geometryTerm = shading::GeometryTerm::schlickSmith)},
+    {"truth", CHANGE(s.reference.model.fresnel = shading::FresnelCurve::dielectric)},
+    {"truth", CHANGE(s.reference.model.diffuse = shading::DiffuseLobe::lambert)},
+    {"truth", CHANGE(s.reference.model.scattering = reference::Scattering::single)},
+    {"truth", CHANGE(s.reference.integral.relativeError = 0.0050001)},
+    {"truth", CHANGE(s.reference.integral.minSamples = 512)},
+    {"truth", CHANGE(s.reference.integral.maxSamples = 512)},
+    {"truth", CHANGE(s.reference.integral.seed = 1)},
+    {"exposure", CHANGE(s.exposureEv = 1)},
+    {"exposure", CHANGE(r.exposureEv = -1)},
+    {"sun extraction", CHANGE(s.extractSun = false)},
+    {"sun extraction", CHANGE(r.extractSun = false)},
+    {"shadows", CHANGE(s.shadows = true)},
+    {"shadows", CHANGE(r.shadows = true)},
+    {"fully rough", CHANGE(s.fullyRough = {"*"})},
+    {"fully rough", CHANGE(r.fullyRough = {"*"})},
+    {"name", CHANGE(r.name = "Table")},
+    {"file", CHANGE(r.scene = "Table.glb")},
+    {"time", CHANGE(r.load.timeSeconds = 1e-9)},
+    {"animation", CHANGE(r.load.animation = "all")},
+    {"scene of the file", CHANGE(r.load.scene = "1")},
+    {"variant", CHANGE(r.load.variant = "none")},
+    {"unused materials", CHANGE(r.load.allMaterials = true)},
+    {"limit of an image's side", CHANGE(r.load.maxImageSide = 64)},
+    {"limit of all images", CHANGE(r.load.maxImageTexels = 64)},
+    {"limit of memory", CHANGE(r.load.maxMemoryBytes = 64)},
+    {"subject", CHANGE(r.subject = scenes::Subject::ball)},
+    {"environment", CHANGE(r.environment = "builtin:studio")},
+    {"file of the environment", CHANGE(r.environment = "./no-such.hdr")},
+    {"environment rotation", CHANGE(r.environmentRotationDeg = 90)},
+    {"sun", CHANGE(r.sun.reset())},
+    {"sun", CHANGE(r.sun->azimuthDeg = 31)},
+    {"sun", CHANGE(r.sun->elevationDeg = 51)},
+    {"sun", CHANGE(r.sun->lux = 4.0000005f)},
+    {"sky light color", CHANGE(r.lightScales.skyLightColor.z = 0.5f)},
+    {"indirect color scale", CHANGE(r.lightScales.indirectColorScale.x = 0.5f)},
+    {"directional specular scale", CHANGE(r.lightScales.directionalSpecularScale = 0.5f)},
+    {"falloff", CHANGE(r.falloff = scenes::Falloff::ue4)},
+    {"fog", CHANGE(r.fog.reset())},
+    {"fog", CHANGE(r.fog->density = 0.2f)},
+    {"fog", CHANGE(r.fog->heightFalloff = 0.2f)},
+    {"fog", CHANGE(r.fog->height = 0.2f)},
+    {"fog", CHANGE(r.fog->color.x = 0.2f)},
+    {"fog", CHANGE(r.fog->startDistance = 0.2f)},
+    {"fog", CHANGE(r.fog->maxOpacity = 0.2f)},
+    {"baked light", CHANGE(r.baked.clear())},
+    {"folder of the baked light", CHANGE(r.baked = "./no-such/")},
+    {"places of captures", CHANGE(r.captures.emplace_back(1, 2, 3))},
+    {"view", CHANGE(r.views[0].name = "front")},
+    {"camera", CHANGE(r.views[0].camera = "automatic")},
+    {"orbit", CHANGE(r.views[0].orbit->z = 3)},
+    {"orbit", CHANGE(r.views[0].orbit.reset())},
+    {"target", CHANGE(r.views[0].target->x = 1)},
+    {"target", CHANGE(r.views[0].target.reset())},
+    {"field of view", CHANGE(r.views[0].fovYDeg = 44)},
+};
+#undef CHANGE
+
+// A run's report as later runs read it: one material that passes, also by its regressions where they can be judged.
+compare::Report makeReport(const Conditions& conditions) {
+  compare::Report report;
+  report.device = "llvmpipe (Mesa 22)";
+  report.conditions = reported(conditions.run);
+  compare::SceneResult& scene = report.scenes.emplace_back();
+  scene.name = "Desk";
+  scene.conditions = reported(conditions.scene);
+  compare::ViewResult& view = scene.views.emplace_back();
+  view.name = "auto";
+  view.width = view.height = 64;
+  view.conditions = reported(conditions.views.at(0));
+  compare::Figures figures;
+  figures.pixels = 100;
+  figures.values = {{"flip.mean", 0.05}};
+  compare::CheckResult level;
+  level.metric = "flip.mean";
+  level.value = 0.05;
+  compare::CheckResult regression = level;
+  regression.regress = true;
+  regression.failAbove = 0;
+  regression.unjudged = "no baseline";
+  compare::MaterialResult& material = view.materials.emplace_back();
+  material.name = "Wood";
+  view.whole = material.figures = figures;
+  view.checks = material.checks = {level, regression};
+  compare::settleVerdicts(report);
+  return report;
+}
+
+compare::Report readBack(const compare::Report& report) {
+  const base::TempFolder folder;
+  base::writeText(folder / "report.json", compare::toJson(report));
+  return compare::readReport(folder.path());
+}
+
+compare::Report hold(const Conditions& now, const Conditions& before) {
+  compare::Report report = makeReport(now);
+  compare::compareWithBaseline(report, readBack(makeReport(before)), {"old", {}, false});
+  return report;
+}
+
+std::map<std::string, ActsOn> rowsOf(const Conditions& conditions) {
+  std::map<std::string, ActsOn> rows;
+  for (const auto* list : {&conditions.run, &conditions.scene, &conditions.views.at(0)})
+    for (const Condition& condition : *list) {
+      EXPECT_FALSE(rows.contains(condition.name)) << condition.name << " stands there twice";
+      rows[condition.name] = condition.actsOn;
+    }
+  return rows;
+}
+
+// The three notice one change as `actsOn` has it.
+void expectNoticed(const Conditions& before, const Conditions& now, const std::string& row, ActsOn actsOn) {
+  EXPECT_NE(hashOf(now), hashOf(before)) << row << ": the key does not see it";
+  EXPECT_EQ(compare::toJson(makeReport(now)) != compare::toJson(makeReport(before)), actsOn != ActsOn::nothing)
+      << row << ": the report";
+  const compare::Report report = hold(now, before);
+  const compare::ViewResult& view = report.scenes[0].views[0];
+  const compare::MaterialResult& material = view.materials[0];
+  const auto expectOne = [&](const std::string& notComparable, compare::Verdict verdict, const compare::CheckResult& c,
+                             bool differs) {
+    EXPECT_EQ(notComparable.find(row + " was ") != std::string::npos, differs) << row << ": " << notComparable;
+    EXPECT_EQ(verdict, differs ? compare::Verdict::warn : compare::Verdict::pass) << row;
+    EXPECT_EQ(c.unjudged, differs ? "not comparable: " + notComparable : "") << row;
+  };
+  expectOne(material.baseline->notComparable, material.verdict, material.checks[1], actsOn == ActsOn::figures);
+  expectOne(view.baseline->notComparable, view.wholeVerdict, view.checks[1],
+            actsOn == ActsOn::figures || actsOn == ActsOn::wholes);
+}
+
+TEST(Conditions, EachMemberIsSeenByKeyReportAndBaseline) {
+  const Asked asked = makeAsked();
+  const Conditions before = conditionsOf(asked);
+  const std::map<std::string, ActsOn> rows = rowsOf(before);
+  for (const auto& [row, make] : kChanges) {
+    Asked other = asked;
+    make(other.settings, other.request);
+    const auto known = rows.find(row);
+    ASSERT_NE(known, rows.end()) << row;
+    expectNoticed(before, conditionsOf(other), row, known->second);
+  }
+}
+
+TEST(Conditions, EachRowHasAChangeAbove) {
+  std::set<std::string> changed;
+  for (const Change& change : kChanges) changed.insert(change.row);
+  for (const auto& [row, actsOn] : rowsOf(conditionsOf(makeAsked())))
+    EXPECT_TRUE(changed.contains(row)) << "add a change of '" << row << "' to kChanges";
+}
+
+// A knob that none of the three has ever heard of.
+TEST(Conditions, ANewRowIsSeenByKeyReportAndBaseline) {
+  for (const ActsOn actsOn : {ActsOn::figures, ActsOn::wholes, ActsOn::truth, ActsOn::nothing})
+    for (const auto list : {+[](Conditions& c) { return &c.run; }, +[](Conditions& c) { return &c.scene; },
+                            +[](Conditions& c) { return &c.views[0]; }}) {
+      Conditions before = conditionsOf(makeAsked()), now = before;
+      list(before)->push_back({"knob", "0.1", actsOn});
+      list(now)->push_back({"knob", "0.2", actsOn});
+      expectNoticed(before, now, "knob", actsOn);
+      expectNoticed(conditionsOf(makeAsked()), now, "knob", actsOn); // recorded by the one alone
+    }
+}
+
+TEST(Conditions, WhatJudgesAfterwardsOrMakesNoDifferenceIsNone) {
+  const Asked asked = makeAsked();
+  Asked other = asked;
+  other.settings.budgets = other.request.budgets = "strict.toml";
+  other.settings.attribution = Attribution::overBudget;
+  other.settings.cacheFolder = "elsewhere";
+  other.settings.cacheBytes = 1;
+  other.settings.device.name = "1";
+  EXPECT_EQ(hashOf(conditionsOf(other)), hashOf(conditionsOf(asked)));
+  Asked plain = asked;
+  plain.settings.truth = other.settings.truth = false;
+  other.settings.reference.integral.seed = 7;
+  other.request.views[0].camera = "auto";
+  EXPECT_EQ(hashOf(conditionsOf(other)), hashOf(conditionsOf(plain))) << "no truth, and the camera as without a name";
+}
+
+TEST(Conditions, WhatASceneSaysHidesWhatTheRunSays) {
+  Asked asked = makeAsked(), other = asked;
+  asked.request.exposureEv = other.request.exposureEv = 2;
+  asked.request.shadows = other.request.shadows = false;
+  other.settings.exposureEv = 1;
+  other.settings.shadows = true;
+  EXPECT_EQ(hashOf(conditionsOf(other)), hashOf(conditionsOf(asked)));
+  for (const Condition& condition : conditionsOf(other).scene)
+    if (condition.name == "exposure") {
+      EXPECT_EQ(condition.words, "2 EV");
+    }
+}
+
+// A user's name is none of the program's words, and two lists are never one text.
+TEST(Conditions, ValuesThatDifferNeverReadAlike) {
+  const auto valueOf = [](const std::vector<std::string>& globs) {
+    Asked asked = makeAsked();
+    asked.settings.materials = globs;
+    return hashOf(conditionsOf(asked));
+  };
+  const std::set<std::string> different = {valueOf({}),           valueOf({"all"}),       valueOf({"a", "b"}),
+                                           valueOf({"a, b"}),     valueOf({"a', 'b"}),    valueOf({"a\\', 'b"}),
+                                           valueOf({"a\\", "b"}), valueOf({"a\\', \\'b"})};
+  EXPECT_EQ(different.size(), 8u);
+}
+
+TEST(Conditions, FilesCountByTheirContentAndNoFolderIsSaid) {
+  const base::TempFolder one, two;
+  const auto conditionsWith = [](const std::filesystem::path& sky, const std::filesystem::path& baked) {
+    Asked asked = makeAsked();
+    asked.request.environment = sky.string();
+    asked.request.baked = baked.string();
+    return conditionsOf(asked);
+  };
+  for (const base::TempFolder* folder : {&one, &two}) {
+    base::writeText(*folder / "sky.hdr", "light");
+    std::filesystem::create_directory(*folder / "lamp");
+    base::writeText(*folder / "lamp" / "manifest.json", "{}");
+  }
+  const Conditions before = conditionsWith(one / "sky.hdr", one / "lamp");
+  const compare::Report same = hold(conditionsWith(two / "sky.hdr", two / "lamp/"), before);
+  EXPECT_EQ(same.scenes[0].views[0].materials[0].baseline->notComparable, "") << "elsewhere, but the same";
+  EXPECT_EQ(compare::toJson(same).find(two.path().string()), std::string::npos);
+  base::writeText(two / "sky.hdr", "other light");
+  base::writeText(two / "lamp" / "manifest.json", "{ }");
+  const compare::Report other = hold(conditionsWith(two / "sky.hdr", two / "lamp"), before);
+  const std::string words = other.scenes[0].views[0].materials[0].baseline->notComparable;
+  EXPECT_EQ(words.find("environment was sky.hdr (content "), 0u) << words;
+  EXPECT_NE(words.find("; baked light was lamp (content "), std::string::npos) << words;
+  EXPECT_EQ(compare::toJson(makeReport(conditionsWith(two / "none.hdr", ""))).find("/none.hdr"), std::string::npos);
+}
+
+TEST(Conditions, PrecisionIsWhatTheDeviceCan) {
+  const Asked asked = makeAsked();
+  gpu::DeviceReport without = makeDevice();
+  without.float16 = false;
+  for (const auto& [name, value] : describeSettings(asked.settings, without))
+    if (name == "mobile precision") {
+      EXPECT_EQ(value, "fp32, as the device has no shaderFloat16");
+    }
+  EXPECT_NE(hashOf(job::conditionsOf(asked.settings, asked.request, without)), hashOf(conditionsOf(asked)));
+}
+
+TEST(Conditions, SettingsAreTheirWords) {
+  const Asked asked = makeAsked();
+  const auto settings = describeSettings(asked.settings, makeDevice());
+  std::map<std::string, std::string> texts(settings.begin(), settings.end());
+  EXPECT_EQ(settings.size(), texts.size()) << "a name twice";
+  EXPECT_EQ(texts["size"], "1024x1024");
+  EXPECT_EQ(texts["exposure"], "0 EV");
+  EXPECT_EQ(texts["mobile sky"], "4 SH coefficients");
+  EXPECT_EQ(texts["materials"], "all");
+  EXPECT_EQ(texts["shadow maps"], "2048 texels, filter of 3");
+  for (const Condition& condition : reported(runConditions(asked.settings, makeDevice())))
+    EXPECT_EQ(texts[condition.name], condition.text());
+  EXPECT_FALSE(texts.contains("terms")) << "it acts on nothing";
+}
+
+} // namespace
+} // namespace parity::job

@@ -1,0 +1,67 @@
+// Mobile's colours with one term exchanged: sums, opacities, and what is not finite.
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "job/term_variants.h"
+
+namespace parity::job {
+namespace {
+
+using shading::kTermCount;
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+// One entry whose terms are these greys; its colour is their sum, or `color`.
+gpu::ShadedSurface makeShaded(const std::vector<float>& terms, float opacity = 1, bool premultiplied = false) {
+  gpu::ShadedSurface shaded;
+  shaded.premultiplied = premultiplied;
+  shaded.terms.assign(kTermCount, {glm::vec4(0)});
+  float sum = 0;
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    shaded.terms[t][0] = glm::vec4(glm::vec3(terms[t]), 0);
+    sum += terms[t];
+  }
+  shaded.color = {glm::vec4(glm::vec3(sum), opacity)};
+  return shaded;
+}
+
+gpu::Surface makeSurface(bool blended = false) {
+  gpu::Surface surface;
+  surface.width = surface.height = 1;
+  surface.blended = blended;
+  surface.pixels = surface.instances = {0};
+  return surface;
+}
+
+TEST(TermVariants, eachHasTheHighEndTermInPlaceOfItsOwn) {
+  const gpu::Surface surface = makeSurface();
+  const gpu::ShadedSurface highend = makeShaded({0.5f, 0.25f, 4}), mobile = makeShaded({0.125f, 0.25f, 2});
+  const TermVariants variants(surface, highend, mobile);
+  const std::vector<gpu::SwapPlane> planes = variants.planes();
+  ASSERT_EQ(planes.size(), TermVariants::kPlanes);
+  EXPECT_EQ(planes[0].test[0].x, 2.375f) << "mobile as it is";
+  EXPECT_EQ(planes[1].test[0].x, 2.75f);
+  EXPECT_EQ(planes[2].test[0].x, 2.375f) << "the same term changes nothing, bit by bit";
+  EXPECT_EQ(planes[3].test[0].x, 4.375f);
+  for (const gpu::SwapPlane& plane : planes) EXPECT_EQ(plane.reference[0].x, 4.75f);
+}
+
+TEST(TermVariants, highEndTermsAreTimesTheOpacityWhereMobilesAre) {
+  const gpu::Surface surface = makeSurface(true);
+  const gpu::ShadedSurface highend = makeShaded({0.5f}, 0.25f), mobile = makeShaded({0.0625f, 0.125f}, 0.25f, true);
+  const TermVariants variants(surface, highend, mobile);
+  EXPECT_EQ(variants.planes()[1].test[0].x, 0.125f + 0.25f * 0.5f);
+  EXPECT_EQ(variants.planes()[1].test[0].w, 0.25f);
+}
+
+TEST(TermVariants, aTermThatIsNaNIsFoundByItsExchange) {
+  const gpu::Surface surface = makeSurface();
+  const gpu::ShadedSurface highend = makeShaded({0.5f, 0.25f}), mobile = makeShaded({kNan, 0.75f});
+  const TermVariants variants(surface, highend, mobile);
+  EXPECT_EQ(variants.planes()[1].test[0].x, 0.5f + 0.75f) << "the sum of the others, and the high-end path's";
+  EXPECT_TRUE(std::isnan(variants.planes()[2].test[0].x)) << "another term does not mend it";
+}
+
+} // namespace
+} // namespace parity::job

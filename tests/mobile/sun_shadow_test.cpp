@@ -1,0 +1,146 @@
+// The sun's shadow by a map on mobile: there near the eye, gone from its distance on, beside the baked one.
+#include "support/device.h"
+#include "support/small_scenes.h"
+
+#include <algorithm>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "gpu/shadow_maps.h"
+#include "gpu/surface_pass.h"
+#include "mobile/presets.h"
+#include "mobile/renderer.h"
+
+namespace parity::mobile {
+namespace {
+
+constexpr std::uint32_t kSize = 96;
+
+scenes::Light makeSun() {
+  scenes::Light light;
+  light.kind = scenes::LightKind::directional;
+  light.color = glm::vec3(3);
+  light.direction = glm::normalize(glm::vec3(0.5f, 0, -1)); // its shadow lies half of the height towards +X
+  return light;
+}
+
+struct Picture {
+  std::vector<float> lit; // 0 where there is nothing
+  std::vector<std::string> notes;
+};
+
+class SunShadowTest : public tests::DeviceTest {
+protected:
+  // A floor of 4 m in z = 0 under a square of 1 m in z = 1, seen from between the two, half a metre above the floor.
+  Picture render(const Options& options, const std::vector<scenes::Light>& lights = {makeSun()}) {
+    scenes::Scene scene;
+    scene.name = "square";
+    scene.meshes = {tests::makeQuad(0), tests::makeQuad(0)};
+    scene.materials.resize(1);
+    scene.materials[0].metallic = 0;
+    scene.materials[0].doubleSided = true;
+    scene.instances = {{0, glm::scale(glm::mat4(1.f), glm::vec3(2, 2, 1)), "floor"},
+                       {1, glm::scale(tests::translation(0, 0, 1), glm::vec3(0.5f, 0.5f, 1)), "square"}};
+    scenes::Camera camera = tests::makeFrontCamera(2, 0.5f, true);
+    camera.zNear = 0.1f;
+    const gpu::SceneBuffers buffers(device(), scene);
+    const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
+    const auto surface = std::move(pass.render(camera, {0, kSize}, glm::vec2(0.5f)).front());
+    std::optional<gpu::ShadowMaps> maps;
+    if (const auto casting = Renderer::needsShadowMaps(lights, options); !casting.empty())
+      maps.emplace(device(), buffers, casting, gpu::ShadowOptions{});
+    Inputs inputs;
+    inputs.lights = lights;
+    inputs.shadows = maps ? &*maps : nullptr;
+    const Renderer renderer(device(), buffers, pass.binKinds(), inputs, options);
+    const gpu::ShadedSurface shaded = renderer.shade(surface, camera);
+    Picture picture{std::vector<float>(kSize * kSize), renderer.notes()};
+    for (std::size_t i = 0; i < surface.size(); ++i) picture.lit[surface.pixels[i]] = shaded.color[i].x;
+    return picture;
+  }
+  static glm::vec2 placeOf(std::size_t pixel) {
+    return {(static_cast<float>(pixel % kSize) + 0.5f) / kSize * 4 - 2,
+            2 - (static_cast<float>(pixel / kSize) + 0.5f) / kSize * 4};
+  }
+};
+
+TEST_F(SunShadowTest, LiesWhereTheSquareHidesTheSun) {
+  for (const Precision precision : {Precision::fp16, Precision::fp32}) {
+    Options options;
+    options.precision = precision;
+    const Picture open = render(options);
+    options.sunShadow = true;
+    const Picture shadowed = render(options);
+    int dark = 0, lit = 0;
+    for (std::size_t p = 0; p < open.lit.size(); ++p) {
+      if (open.lit[p] <= 0) continue;
+      const glm::vec2 d = glm::abs(placeOf(p) - glm::vec2(0.5f, 0)); // from the shadow's middle
+      const float r = std::max(d.x, d.y);
+      if (r < 0.47f) {
+        EXPECT_EQ(shadowed.lit[p], 0) << placeOf(p).x << " " << placeOf(p).y;
+        ++dark;
+      } else if (r > 0.53f) {
+        EXPECT_EQ(shadowed.lit[p], open.lit[p]) << placeOf(p).x << " " << placeOf(p).y;
+        ++lit;
+      }
+    }
+    EXPECT_GT(dark, 400);
+    EXPECT_GT(lit, 7000);
+  }
+}
+
+// The floor is half a metre along the view: within the distance, beyond it, and half of the way between, where a
+// fourth of the light is back.
+TEST_F(SunShadowTest, IsThereNearAndGoneFromItsDistanceOn) {
+  Options options = tests::inFp32("ue4-2020");
+  const Picture open = render(options);
+  options.sunShadow = true;
+  const std::size_t middle = kSize / 2 * kSize + kSize / 2 + kSize / 8; // x = .5
+  ASSERT_GT(open.lit[middle], 0);
+  for (const auto& [distance, fade, light] : {std::tuple{200.f, 0.1f, 0.0f},
+                                              {0.55f, 0.05f, 0.0f},
+                                              {0.4f, 0.5f, 1.0f},
+                                              {0.49f, 0.f, 1.0f},
+                                              {2.f / 3, 0.5f, 0.25f}}) {
+    options.sunShadowDistance = distance;
+    options.sunShadowFade = fade;
+    const Picture shadowed = render(options);
+    EXPECT_NEAR(shadowed.lit[middle], light * open.lit[middle], 1e-3f * open.lit[middle]) << distance << " " << fade;
+    EXPECT_EQ(shadowed.lit[kSize + 1], open.lit[kSize + 1]) << "lit stays lit";
+  }
+}
+
+TEST_F(SunShadowTest, IsNotedWhereThereIsNoSun) {
+  Options options;
+  options.sunShadow = true;
+  scenes::Light lamp;
+  lamp.position = {0, 0, 0.4f};
+  EXPECT_EQ(render(options, {lamp}).notes, std::vector<std::string>{"no sun casts a shadow: there is none"});
+  EXPECT_TRUE(Renderer::needsShadowMaps({lamp}, options).empty());
+}
+
+// The sun's and the spot light's maps lie in one image: each light has its own.
+TEST_F(SunShadowTest, StandsBesideTheSpotLights) {
+  Options options = tests::inFp32("ue4-2020");
+  scenes::Light spot;
+  spot.kind = scenes::LightKind::spot;
+  spot.color = glm::vec3(5);
+  spot.position = {0, 0, 3};
+  spot.direction = {0, 0, -1};
+  spot.outerConeAngle = glm::radians(50.f);
+  const std::size_t both = kSize / 2 * kSize + kSize / 2 + kSize / 8,
+                    ofSpot = kSize / 2 * kSize + kSize / 2 - kSize / 8;
+  const auto at = [&](bool sunCasts, bool spotCasts, std::size_t pixel) {
+    options.sunShadow = sunCasts;
+    options.spotShadow = spotCasts;
+    return render(options, {makeSun(), spot}).lit[pixel];
+  };
+  EXPECT_EQ(at(true, true, both), 0);
+  EXPECT_GT(at(true, false, both), 0) << "by the spot light";
+  EXPECT_GT(at(false, true, both), 0) << "by the sun";
+  EXPECT_EQ(at(true, true, ofSpot), at(false, true, ofSpot)) << "the sun's shadow is elsewhere";
+  EXPECT_LT(at(true, true, ofSpot), at(true, false, ofSpot));
+}
+
+} // namespace
+} // namespace parity::mobile
