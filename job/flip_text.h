@@ -25,7 +25,7 @@ std::string toCsv(const FlipResult& result, bool warnExit);
 // "testSpace", "identical", "area", "notes": [], "verdict", "exitCode", "reason", "files": [], "pooling": {"mean",
 // "weightedMedian", "weightedQ1", "weightedQ3", "min", "max", "histogram": [100]} or null, "regions": [{"name",
 // "verdict", "reason", "figures": F, "checks":
-// [{"metric", "region", "value", "warn", "fail", "verdict", "regress", "unjudged", "note"}]}]}]} where F, as in
+// [{"metric", "value", "warn", "fail", "verdict", "regress", "unjudged", "note"}]}]}]} where F, as in
 // report.json, = {"pixels", "nonFinite", "metrics": {NAME: value}, "referenceLuma", "testLuma"}. Full precision; NaN
 // and infinity (the PSNR of identical pictures) are null. A verdict "not judged" is a pass without any limits. "width"
 // to "area" are left out for a pair that could not be compared so far.
