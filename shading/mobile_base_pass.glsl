@@ -151,8 +151,8 @@ FN real viewCosine(int environmentBrdf, MobileFrame f) {
 // MobileIntegrateBxDF:
 //   Specular = SpecularColor (NoL lobe),  Diffuse = NoL DiffuseColor
 // lobe: D_Approx(Roughness, R.L), PhongApprox(Roughness, max(0, R.L)) or CalcSpecular(Roughness, N.H). 1/pi is in the light's
-// colour. NoH is a half in the source, and GGX_Mobile's float parameter does not bring back its digits: smooth highlights have bands in half. Of refit
-// the specular part is refitLight.
+// colour. NoH is a half in the source, and GGX_Mobile's float parameter does not bring back its digits: smooth highlights have
+// bands in half. Of refit the specular part is refitLight.
 FN MobileDirectLighting mobileIntegrateBxDF(int sun, bool fullyRough, MobileShadingModelContext c, MobileFrame f, real32x3 L) {
   MobileDirectLighting lighting;
   real NoL = cosineOf(f.N, L);

@@ -211,11 +211,13 @@ TEST_F(SwapTest, VerdictsAreTheSameAtEveryResolution) {
     }
   }
   EXPECT_EQ(verdicts.size(), 3u);
-  // What is left is FLIP's own: its filters are as wide in pixels at every size (observed: .052 at most).
+  // FLIP's filters are as wide in pixels at every size, so a small picture differs by itself. Known beyond .05 is one
+  // row.
+  const auto limitOf = [](const std::string& name, int size) { return name == "mat_39" && size == 512 ? 0.053 : 0.05; };
   for (const auto& [name, bySize] : flips)
     for (const auto& [size, flip] : bySize)
       if (flip.second >= 400) {
-        EXPECT_NEAR(flip.first, bySize.at(sizes.back()).first, 0.06) << name << " at " << size;
+        EXPECT_NEAR(flip.first, bySize.at(sizes.back()).first, limitOf(name, size)) << name << " at " << size;
       }
 }
 
