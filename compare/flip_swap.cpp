@@ -14,6 +14,7 @@
 #include "base/parallel.h"
 #include "compare/difference_map.h"
 #include "compare/flip_run.h"
+#include "compare/swap_index.h"
 
 namespace parity::compare {
 namespace {
@@ -39,28 +40,6 @@ const std::uint8_t* bytesOf(const PixelView& view) {
   return view.floats ? reinterpret_cast<const std::uint8_t*>(view.floats) : view.bytes;
 }
 
-// A swap with the first place of each row of the image in its list, and the box that holds its pixels.
-struct IndexedSwap {
-  const FlipSwap* swap = nullptr;
-  std::vector<std::uint32_t> rowStart;          // height + 1
-  int left = 0, right = 0, top = 0, bottom = 0; // right and bottom are beyond it
-};
-
-IndexedSwap indexRows(const FlipSwap& swap, int width, int height) {
-  IndexedSwap indexed{&swap, std::vector<std::uint32_t>(static_cast<std::size_t>(height) + 1, 0), width, 0, 0, 0};
-  for (const std::uint32_t pixel : swap.pixels) {
-    const int x = static_cast<int>(pixel % static_cast<std::uint32_t>(width));
-    indexed.left = std::min(indexed.left, x), indexed.right = std::max(indexed.right, x + 1);
-    ++indexed.rowStart[pixel / static_cast<std::uint32_t>(width) + 1];
-  }
-  if (!swap.pixels.empty()) {
-    indexed.top = static_cast<int>(swap.pixels.front()) / width;
-    indexed.bottom = static_cast<int>(swap.pixels.back()) / width + 1;
-  }
-  for (std::size_t y = 1; y < indexed.rowStart.size(); ++y) indexed.rowStart[y] += indexed.rowStart[y - 1];
-  return indexed;
-}
-
 class SwapTile {
 public:
   SwapTile(const PixelView& reference, const FlipFilters& filters, const RowDecoder& decoder)
@@ -79,7 +58,7 @@ public:
   }
 
   // Writes the values of the swaps' pixels that lie in the box (at most a tile); those that nothing reaches are left.
-  void run(const Rect& box, std::span<const IndexedSwap> swaps, std::vector<std::vector<float>>& values) {
+  void run(const Rect& box, std::span<const SwapIndex> swaps, std::vector<std::vector<float>>& values) {
     m_box = box;
     std::vector<std::pair<std::size_t, Blocks>> dirty;
     Blocks any{};
@@ -99,45 +78,29 @@ private:
   // Of each batch of rows the blocks of columns that are filtered, a bit each.
   using Blocks = std::array<std::uint8_t, kBatches>;
 
-  // The places of a swap's pixels in a row of the image, columns x0..x1-1.
-  std::pair<std::uint32_t, std::uint32_t> placesOf(const IndexedSwap& indexed, int y, int x0, int x1) const {
-    const auto row = static_cast<std::size_t>(y);
-    const auto pixels = indexed.swap->pixels;
-    const auto begin = pixels.begin() + indexed.rowStart[row], end = pixels.begin() + indexed.rowStart[row + 1];
-    if (begin == end) return {0, 0};
-    const auto first = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(m_reference.width);
-    const auto from = std::lower_bound(begin, end, first + static_cast<std::uint32_t>(x0)),
-               to = std::lower_bound(from, end, first + static_cast<std::uint32_t>(x1));
-    return {static_cast<std::uint32_t>(from - pixels.begin()), static_cast<std::uint32_t>(to - pixels.begin())};
-  }
-  int columnOf(const IndexedSwap& indexed, std::uint32_t place) const {
-    return static_cast<int>(indexed.swap->pixels[place] % static_cast<std::uint32_t>(m_reference.width));
-  }
   const std::uint8_t* referenceAt(int x, int y) const {
     return bytesOf(m_reference) + sizeOf(m_reference) * static_cast<std::size_t>(y * m_reference.stride) +
            m_pixelBytes * static_cast<std::size_t>(x);
   }
-  const std::uint8_t* colorAt(const IndexedSwap& indexed, std::uint32_t place) const {
-    return bytesOf(indexed.swap->colors) + m_pixelBytes * place;
+  const std::uint8_t* colorAt(const SwapIndex& indexed, std::uint32_t place) const {
+    return bytesOf(indexed.swap().colors) + m_pixelBytes * place;
   }
   int left() const { return std::max(m_box.x - m_radius, 0); }
   int right() const { return std::min(m_box.x + m_box.width + m_radius, m_reference.width); }
 
   // The blocks that hold pixels of the swap and that a difference reaches.
-  Blocks findBlocks(const IndexedSwap& indexed) const {
+  Blocks findBlocks(const SwapIndex& indexed) const {
     Blocks present{}, blocks{};
-    if (indexed.left >= m_box.x + m_box.width || indexed.right <= m_box.x || indexed.top >= m_box.y + m_box.height ||
-        indexed.bottom <= m_box.y)
-      return blocks; // none of its pixels
+    if (!indexed.touches(m_box)) return blocks; // none of its pixels
     std::vector<std::uint8_t> reached(static_cast<std::size_t>(m_box.height + 2 * m_radius), 0);
     bool any = false;
     for (int i = 0; i < m_box.height + 2 * m_radius; ++i) {
       const int y = m_box.y - m_radius + i;
       if (y < 0 || y >= m_reference.height) continue;
-      const auto [from, to] = placesOf(indexed, y, left(), right());
+      const auto [from, to] = indexed.placesOf(y, left(), right());
       const bool inside = y >= m_box.y && y < m_box.y + m_box.height;
       for (std::uint32_t place = from; place < to; ++place) {
-        const int x = columnOf(indexed, place) - m_box.x;
+        const int x = indexed.columnOf(place) - m_box.x;
         if (inside && x >= 0 && x < m_box.width)
           present[static_cast<std::size_t>((y - m_box.y) / kBatchRows)] |= 1u << (x / kBlockWidth);
         if (std::memcmp(referenceAt(x + m_box.x, y), colorAt(indexed, place), m_pixelBytes) == 0) continue;
@@ -234,11 +197,11 @@ private:
   }
 
   // The swapped picture's row: its difference from the reference, and its Y.
-  void fillSwappedRow(const IndexedSwap& indexed, int i, float* row) {
+  void fillSwappedRow(const SwapIndex& indexed, int i, float* row) {
     const auto plane = [&](SourcePlane p) { return row + p * m_stride; };
     const float* reference = referenceRow(i);
     const int y = imageRowOf(i);
-    const auto [from, to] = placesOf(indexed, y, left(), right());
+    const auto [from, to] = indexed.placesOf(y, left(), right());
     if (from == to) {
       std::fill_n(plane(kDifferenceY), 3 * m_stride, 0.f);
       std::copy_n(reference, m_stride, plane(kTestY));
@@ -246,7 +209,7 @@ private:
     }
     std::memcpy(m_colors.data(), referenceAt(left(), y), m_pixelBytes * static_cast<std::size_t>(right() - left()));
     for (std::uint32_t place = from; place < to; ++place)
-      std::memcpy(m_colors.data() + m_pixelBytes * static_cast<std::size_t>(columnOf(indexed, place) - left()),
+      std::memcpy(m_colors.data() + m_pixelBytes * static_cast<std::size_t>(indexed.columnOf(place) - left()),
                   colorAt(indexed, place), m_pixelBytes);
     // The colours take the place of their differences for a moment.
     decode(m_colors.data(), plane(kTestY), plane(kDifferenceXMinusY), plane(kDifferenceYMinusZ));
@@ -254,7 +217,7 @@ private:
     subtractRow(reference + m_stride, plane(kDifferenceXMinusY), 2 * m_stride, plane(kDifferenceXMinusY));
   }
 
-  void filterSwap(const IndexedSwap& indexed, const Blocks& blocks, std::vector<float>& values) {
+  void filterSwap(const SwapIndex& indexed, const Blocks& blocks, std::vector<float>& values) {
     std::vector<int> held(static_cast<std::size_t>(m_ringRows), -1);
     for (int batch = 0; batch * kBatchRows < m_box.height; ++batch) {
       if (blocks[static_cast<std::size_t>(batch)] == 0) continue;
@@ -275,9 +238,9 @@ private:
     }
   }
 
-  void compareRow(const IndexedSwap& indexed, int y, int r, int begin, int end, std::vector<float>& values) {
+  void compareRow(const SwapIndex& indexed, int y, int r, int begin, int end, std::vector<float>& values) {
     const int count = end - begin;
-    const auto [from, to] = placesOf(indexed, m_box.y + y, m_box.x + begin, m_box.x + end);
+    const auto [from, to] = indexed.placesOf(m_box.y + y, m_box.x + begin, m_box.x + end);
     if (from == to) return;
     // Comparing overwrites the rows' colours.
     const FilteredRow kept = advance(keptRow(y), begin), reference = scratchRow(0), test = scratchRow(1);
@@ -291,7 +254,7 @@ private:
     float* flip = m_scratch.get() + 2 * kFilteredRows * kRowLength;
     differenceRow(reference, test, count, {flip, nullptr, nullptr});
     for (std::uint32_t place = from; place < to; ++place)
-      values[place] = flip[columnOf(indexed, place) - m_box.x - begin];
+      values[place] = flip[indexed.columnOf(place) - m_box.x - begin];
   }
 
   const PixelView& m_reference;
@@ -331,10 +294,10 @@ std::vector<std::vector<float>> flipSwaps(const PixelView& reference, std::span<
   const Rect whole = {0, 0, reference.width, reference.height};
   requireFinite(reference, whole, "reference");
   std::vector<std::vector<float>> values(swaps.size());
-  std::vector<IndexedSwap> indexed(swaps.size());
+  std::vector<SwapIndex> indexed(swaps.size());
   base::parallelFor(swaps.size(), 1, [&](std::size_t s, std::size_t) {
     requireFitting(reference, swaps[s]);
-    indexed[s] = indexRows(swaps[s], reference.width, reference.height);
+    indexed[s] = SwapIndex(swaps[s], reference.width, reference.height);
     values[s].assign(swaps[s].pixels.size(), 0.f);
   });
   const FlipFilters filters = makeFlipFilters(ppd);
