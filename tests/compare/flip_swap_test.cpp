@@ -125,6 +125,19 @@ TEST(FlipSwap, whatIsEqualIsZeroHoweverManyOthersDiffer) {
   EXPECT_GT(*std::ranges::max_element(found[1]), 0.1f);
 }
 
+// Its neighbours in the list are equal, but within the filters' reach: also across blocks, batches and tiles.
+TEST(FlipSwap, onePixelThatDiffersReachesAllAroundIt) {
+  const base::Image8 reference = toBytes(test::makeImage(test::Kind::smooth, kWidth, kHeight, 17));
+  const std::vector<std::uint32_t> all = everyNth(1, 0);
+  for (const std::uint32_t pixel : {64u * kWidth + 64, 63u * kWidth + 95, 256u * kWidth + 256, 255u * kWidth + 255}) {
+    base::Image8 other = reference;
+    for (std::size_t c = 0; c < 3; ++c) other.pixels[3 * std::size_t{pixel} + c] ^= 0x80;
+    const base::Image8 colors = gather(other, all);
+    const FlipSwap swap{all, colors};
+    EXPECT_EQ(flipSwaps(reference, {&swap, 1}, kDefaultPixelsPerDegree)[0], flipMap(reference, other).pixels) << pixel;
+  }
+}
+
 TEST(FlipSwap, doesNotDependOnTheNumberOfThreads) {
   const base::Image8 reference = toBytes(test::makeImage(test::Kind::noise8, kWidth, kHeight, 11)),
                      other = toBytes(test::makeImage(test::Kind::noise8, kWidth, kHeight, 12));
