@@ -30,10 +30,11 @@ std::string formatNumber(const std::string& metric, double value, bool sign, int
   const std::optional<Statistic> statistic = statisticByName(metric);
   const bool share = isShare(metric);
   if (share) value *= 100;
-  if (value == 0) value = 0; // no "-0.000"
   if (digits == kFewDigits) digits = share ? kShareDigits : statistic ? statistic->digits : 3;
   std::string number = digits > kMostDigits ? fmt::format("{}", value) : fmt::format("{:.{}f}", value, digits);
-  if (sign && value >= 0) number.insert(0, 1, '+');
+  if (number.find_first_not_of("-0.") == std::string::npos && number.starts_with('-'))
+    number.erase(0, 1); // no "-0.000"
+  if (sign && !number.starts_with('-')) number.insert(0, 1, '+');
   if (share) return number + " %";
   return statistic && !statistic->unit.empty() ? number + " " + statistic->unit : number;
 }

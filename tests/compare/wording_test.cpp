@@ -190,6 +190,8 @@ TEST(Wording, NumbersCarryTheirUnitAndSign) {
   EXPECT_EQ(formatFigure("psnr", INFINITY), "identical");
   EXPECT_EQ(formatFigure("rmse", INFINITY), "infinite");
   EXPECT_EQ(formatFigure("bias.ev", 0.314), "+0.31 EV");
+  EXPECT_EQ(formatFigure("bias.ev", -0.314), "-0.31 EV");
+  EXPECT_EQ(formatFigure("bias.ev", -0.004), "+0.00 EV") << "what rounds to 0 has no sign of its own";
   EXPECT_EQ(formatFigure("rmse", NAN), "not a number");
   EXPECT_EQ(formatChange("flip.mean", 0.0123), "+0.012");
   EXPECT_EQ(formatChange("psnr", -1.44), "-1.4 dB");
