@@ -69,7 +69,7 @@ public:
   }
 
   void addEmitter(const glm::dvec2& u) {
-    const EmitterSample sample = m_around.emitters.sample(u);
+    const lighting::EmitterSample sample = m_around.emitters.sample(u);
     const glm::dvec3 way = sample.position - glm::dvec3(m_point.position);
     const double d2 = glm::dot(way, way);
     if (!(d2 > 0)) return;

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <span>
 
-#include "bake/emitters.h"
 #include "bake/reflected_light.h"
-#include "bake/surface_light.h"
 #include "bake/texel_light.h"
 #include "bake/texels.h"
+#include "lighting/emitters.h"
+#include "lighting/surface_light.h"
 #include "reference/environment_sampler.h"
 
 namespace parity::bake {
@@ -16,8 +16,8 @@ namespace parity::bake {
 // What there is to find. Referenced objects must outlive it.
 struct Surroundings {
   const lighting::Visibility& visibility;
-  const SurfaceLight& surfaces;
-  const Emitters& emitters;
+  const lighting::SurfaceLight& surfaces;
+  const lighting::Emitters& emitters;
   const reference::EnvironmentSampler* sky = nullptr; // null: black
   bool samplesSky = false;                            // it is uneven: sampled by its radiance, too
   const ReflectedLight* reflected = nullptr;          // by fronts; null: nothing is

@@ -245,8 +245,8 @@ private:
   const IntegrateOptions& m_options;
   Stages m_stages;
   lighting::Visibility m_visibility;
-  SurfaceLight m_surfaces;
-  Emitters m_emitters;
+  lighting::SurfaceLight m_surfaces;
+  lighting::Emitters m_emitters;
   std::unique_ptr<reference::EnvironmentSampler> m_sky;
   bool m_samplesSky = false, m_hasTwoSides = false;
 };

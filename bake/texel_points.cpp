@@ -17,8 +17,9 @@ struct Tally {
   int backs = 0, nears = 0;
 };
 
-Tally castAround(const SurfacePoint& point, const lighting::Visibility& visibility, const SurfaceLight& surfaces,
-                 double near, std::uint32_t first, std::uint32_t count, std::uint32_t seed) {
+Tally castAround(const SurfacePoint& point, const lighting::Visibility& visibility,
+                 const lighting::SurfaceLight& surfaces, double near, std::uint32_t first, std::uint32_t count,
+                 std::uint32_t seed) {
   const glm::dvec3 n(point.geometric), origin = visibility.leaveSurface(point.position, n);
   const glm::dvec3 aside = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 t = glm::normalize(glm::cross(aside, n)), b = glm::cross(n, t);
@@ -48,8 +49,8 @@ TexelPoints pointsOf(const TexelGrid& grid, const Texel& texel, std::uint16_t ma
   return result;
 }
 
-std::uint16_t findValid(const TexelPoints& points, const lighting::Visibility& visibility, const SurfaceLight& surfaces,
-                        double near, std::uint32_t seed, std::uint64_t& rays) {
+std::uint16_t findValid(const TexelPoints& points, const lighting::Visibility& visibility,
+                        const lighting::SurfaceLight& surfaces, double near, std::uint32_t seed, std::uint64_t& rays) {
   std::uint16_t all = 0;
   // One ray of each point first, all different: most texels are wholly in the open.
   int suspects = 0;

@@ -21,7 +21,7 @@ TexelPoints pointsOf(const TexelGrid& grid, const Texel& texel, std::uint16_t ma
 
 // Which of the points can be seen from anywhere, as a mask of sub-texels. Not those within a closed object or under one
 // that lies on the surface: there rays meet the backs of surfaces that have but one side, or end within `near` metres.
-std::uint16_t findValid(const TexelPoints& points, const lighting::Visibility& visibility, const SurfaceLight& surfaces,
-                        double near, std::uint32_t seed, std::uint64_t& rays);
+std::uint16_t findValid(const TexelPoints& points, const lighting::Visibility& visibility,
+                        const lighting::SurfaceLight& surfaces, double near, std::uint32_t seed, std::uint64_t& rays);
 
 } // namespace parity::bake

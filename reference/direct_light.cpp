@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/point_visibility.h"
 #include "shading/shading.h"
 
 namespace parity::reference {
@@ -43,21 +42,26 @@ Incident incidentFrom(const scenes::Light& light, const glm::dvec3& position) {
 } // namespace
 
 DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::Light>& lights, const Model& model,
-                        const DirectionalAlbedo* albedo, const lighting::Visibility* visibility) {
+                        const DirectionalAlbedo* albedo, const PointVisibility& fromHere) {
   DirectLight sum;
   if (lights.empty()) return sum;
   const Lobes lobes(sample, model, std::max<double>(sample.roughness, kMinLightRoughness), albedo);
   const glm::dvec3 N = glm::normalize(glm::dvec3(sample.normal)), V = glm::normalize(glm::dvec3(sample.view));
   const double NoV = std::clamp(glm::dot(N, V), kMinNoV, 1.0);
   const LobeView atView = lobes.viewAt(NoV);
-  const PointVisibility fromHere(visibility, sample);
+  const auto evaluate = [&](const glm::dvec3& L) {
+    const glm::dvec3 H = safeNormalize(V + L, N); // V = -L: the normal
+    return lobes.evaluate(NoV, f64::saturate(glm::dot(N, L)), f64::saturate(glm::dot(N, H)),
+                          f64::saturate(glm::dot(V, H)), atView);
+  };
   for (const scenes::Light& light : lights) {
     const Incident incident = incidentFrom(light, sample.position);
-    const double NoL = f64::saturate(glm::dot(N, incident.direction));
-    if (!(NoL > 0) || !fromHere.reaches(incident.direction, incident.distance)) continue;
-    const glm::dvec3 H = safeNormalize(V + incident.direction, N); // V = -L: the normal
-    const LobeValues values =
-        lobes.evaluate(NoV, NoL, f64::saturate(glm::dot(N, H)), f64::saturate(glm::dot(V, H)), atView);
+    const glm::dvec3 image = fromHere.hasHorizon() ? fromHere.mirror(incident.direction) : -N;
+    const bool isFront = glm::dot(N, incident.direction) > 0, isFolded = glm::dot(N, image) > 0;
+    if (!(isFront || isFolded) || !fromHere.reaches(incident.direction, incident.distance)) continue;
+    LobeValues values;
+    if (isFront) values = evaluate(incident.direction);
+    if (isFolded) values.specular += evaluate(image).specular;
     const bool isSun = light.kind == scenes::LightKind::directional;
     (isSun ? sum.sunDiffuse : sum.localDiffuse) += values.diffuse * incident.illuminance;
     (isSun ? sum.sunSpecular : sum.localSpecular) +=

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "lighting/visibility.h"
 #include "reference/lobes.h"
+#include "reference/point_visibility.h"
 #include "scenes/scene.h"
 
 namespace parity::reference {
@@ -16,9 +16,10 @@ struct DirectLight {
 
 // The high-end path's formulas in double, its conventions included: analytic lights see no roughness below 1/64, NoV is
 // at least 1e-4, occlusion does not act on them; each light's own fall-off (scenes::Falloff), KHR_lights_punctual's
-// cones. albedo: as for Lobes. visibility: null where nothing casts shadows.
+// cones. albedo: as for Lobes. fromHere: of the sample; below its horizon
+// the specular lobe is folded up (reference/reflection.h).
 DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::Light>& lights, const Model& model,
-                        const DirectionalAlbedo* albedo, const lighting::Visibility* visibility = nullptr);
+                        const DirectionalAlbedo* albedo, const PointVisibility& fromHere = {});
 
 // Of shading normals at or beyond grazing: the lobe of the last visible direction.
 inline constexpr double kMinNoV = 1e-4;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <utility>
 
@@ -164,6 +165,32 @@ DirectionalAlbedo::DirectionalAlbedo(GeometryTerm term, FresnelCurve fresnel)
     }
     m_averages[j] = 1 - lost;
   });
+}
+
+std::vector<std::byte> DirectionalAlbedo::toBytes() const {
+  std::vector<std::byte> bytes;
+  const auto add = [&](const AlbedoNodes& nodes) {
+    const auto part = std::as_bytes(std::span(nodes));
+    bytes.insert(bytes.end(), part.begin(), part.end());
+  };
+  for (const auto* rows : {&m_rows, &m_fresnelWeights}) std::ranges::for_each(*rows, add);
+  add(m_averages);
+  return bytes;
+}
+
+std::optional<DirectionalAlbedo> DirectionalAlbedo::fromBytes(std::span<const std::byte> bytes) {
+  if (bytes.size() != (2 * kAlbedoNodes + 1) * sizeof(AlbedoNodes)) return std::nullopt;
+  DirectionalAlbedo table;
+  const auto take = [&](AlbedoNodes& nodes) {
+    std::memcpy(nodes.data(), bytes.data(), sizeof nodes);
+    bytes = bytes.subspan(sizeof nodes);
+  };
+  for (auto* rows : {&table.m_rows, &table.m_fresnelWeights}) {
+    rows->resize(kAlbedoNodes);
+    std::ranges::for_each(*rows, take);
+  }
+  take(table.m_averages);
+  return table;
 }
 
 AlbedoRow DirectionalAlbedo::row(double roughness) const {

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "shading/surface_model.h"
@@ -46,7 +49,13 @@ public:
   explicit DirectionalAlbedo(GeometryTerm term, FresnelCurve fresnel = FresnelCurve::schlick);
   AlbedoRow row(double roughness) const;
 
+  // All of the table, to be kept; fromBytes gives nothing where the bytes are not of such a table.
+  std::vector<std::byte> toBytes() const;
+  static std::optional<DirectionalAlbedo> fromBytes(std::span<const std::byte> bytes);
+
 private:
+  DirectionalAlbedo() = default;
+
   std::vector<AlbedoNodes> m_rows, m_fresnelWeights; // [j]: roughness j / (kAlbedoNodes - 1)
   AlbedoNodes m_averages{};
 };

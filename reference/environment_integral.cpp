@@ -2,65 +2,87 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
+#include <numbers>
+#include <optional>
 
-#include "reference/direct_light.h"
+#include "reference/linear_control.h"
 #include "reference/point_visibility.h"
+#include "reference/product_sampler.h"
+#include "reference/reflection.h"
+#include "reference/replicates.h"
 #include "reference/sampling.h"
+#include "shading/shading.h"
 
 namespace parity::reference {
 
 namespace {
 
-// Axes of a right-handed frame around n (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
-struct Frame {
-  glm::dvec3 x, y, z;
-  explicit Frame(const glm::dvec3& n) : z(n) {
-    const double s = n.z >= 0 ? 1 : -1, a = -1 / (s + n.z), b = n.x * n.y * a;
-    x = {1 + s * n.x * n.x * a, s * b, -s * n.x};
-    y = {b, s + n.y * n.y * a, -n.y};
-  }
-  glm::dvec3 toLocal(const glm::dvec3& v) const { return {glm::dot(v, x), glm::dot(v, y), glm::dot(v, z)}; }
-  glm::dvec3 toWorld(const glm::dvec3& v) const { return x * v.x + y * v.y + z * v.z; }
-};
+enum Way { kByProduct, kByEnvironment, kByVisibleNormal, kWays };
 
-glm::dvec3 visibleView(const glm::dvec3& local) {
-  if (local.z >= kMinNoV) return local;
-  const double length = std::hypot(local.x, local.y), rest = std::sqrt(1 - kMinNoV * kMinNoV);
-  return length > 0 ? glm::dvec3(local.x / length * rest, local.y / length * rest, kMinNoV)
-                    : glm::dvec3(rest, 0, kMinNoV);
-}
+double luminance(const glm::dvec3& v) { return shading::f64::luminance(shading::f64::real3(v.x, v.y, v.z)); }
 
-struct Sum {
-  glm::dvec3 diffuse{0.0}, specular{0.0};
-};
-
-enum Way { kByEnvironment, kByCosine, kByVisibleNormal, kWays };
-
+// Directions are of the panorama's frame, or local, with the normal as +Z.
 class Integrator {
 public:
   Integrator(const SurfaceSample& sample, const Lobes& lobes, const EnvironmentSampler& environment, std::uint32_t seed,
              const lighting::Visibility* visibility)
-      : m_lobes(lobes), m_environment(environment), m_fromHere(visibility, sample),
-        m_frame(glm::normalize(glm::dvec3(sample.normal))),
-        m_view(visibleView(m_frame.toLocal(glm::normalize(glm::dvec3(sample.view))))), m_atView(lobes.viewAt(m_view.z)),
+      : m_lobes(lobes), m_environment(environment), m_fromHere(visibility, sample), m_isShadowed(visibility != nullptr),
+        m_normal(glm::normalize(glm::dvec3(sample.normal))), m_frame(environment.toPanorama(m_normal)),
+        m_view(visibleView(m_frame.toLocal(environment.toPanorama(glm::normalize(glm::dvec3(sample.view)))))),
+        m_atView(lobes.viewAt(m_view.z)), m_isGlossy(lobes.hasSpecular() && !lobes.isMirror()),
         m_seed(hashCombine(sample.pixel, seed)) {
-    const bool glossy = lobes.hasSpecular() && !lobes.isMirror();
-    // Wide lobes, and the nearly diffuse light that scatters more than once, profit from the cosine.
-    constexpr double kWideAlpha = 0.1;
-    m_uses[kByEnvironment] = lobes.hasDiffuse() || glossy;
-    m_uses[kByCosine] = lobes.hasDiffuse() || (glossy && lobes.alpha() > kWideAlpha);
-    m_uses[kByVisibleNormal] = glossy;
+    // Irradiance costs as much as some 200 points.
+    constexpr double kWorthIrradiance = 0.03;
+    const glm::dvec3 multiple = lobes.multipleReflectance(m_atView);
+    if (!m_isShadowed && (lobes.hasDiffuse() || luminance(multiple) > kWorthIrradiance))
+      m_spread = multiple * std::numbers::inv_pi;
+    if (!m_isShadowed) return;
+    m_reflection.emplace(sample, lobes, m_fromHere);
+    m_folds = m_isGlossy && glm::dot(m_normal, m_fromHere.horizonNormal()) < 1 - 1e-6;
   }
 
-  bool needsSamples() const { return m_uses[kByEnvironment]; }
-
-  glm::dvec3 reflectedByMirror() const {
-    const glm::dvec3 mirrored = m_frame.toWorld({-m_view.x, -m_view.y, m_view.z});
-    if (!m_fromHere.reaches(mirrored)) return glm::dvec3(0.0);
-    return m_lobes.fresnel(m_view.z) * m_environment.evaluate(mirrored).radiance;
+  // What needs no sampling.
+  Integral inClosedForm() const {
+    Integral known;
+    if (!m_isShadowed && (m_lobes.hasDiffuse() || luminance(m_spread) > 0)) {
+      const glm::dvec3 irradiance = m_environment.irradiance(m_normal);
+      known.diffuse = m_lobes.diffuseReflectance(m_atView) * irradiance * std::numbers::inv_pi;
+      known.specular = m_spread * irradiance;
+    }
+    if (m_lobes.hasSpecular() && m_lobes.isMirror()) known.specular += reflectedByMirror();
+    return known;
   }
+  bool needsSamples() const { return m_isGlossy || (m_isShadowed && m_lobes.hasDiffuse()); }
+
+  // besides: what is in closed form.
+  void prepareSampling(const glm::dvec3& besides) {
+    ProductLobe lobe{.normal = m_frame.z, .view = m_frame.toWorld(m_view), .alpha = m_lobes.alpha()};
+    if (m_isGlossy) lobe.F0 = luminance(m_lobes.F0()), lobe.F90 = m_lobes.F90();
+    // Of what is in closed form about a fifth remains, either sign.
+    constexpr double kRemainder = 0.2;
+    const double multiple = luminance(m_lobes.multipleReflectance(m_atView));
+    lobe.lambert = luminance(m_spread) > 0 ? kRemainder * multiple : multiple;
+    if (m_isShadowed) lobe.lambert += luminance(m_lobes.diffuseReflectance(m_atView));
+    // Under an even sky blocks say nothing, and points without them are spread more smoothly.
+    if (m_environment.isEven()) {
+      m_uses[kByEnvironment] = true;
+      m_uses[kByVisibleNormal] = m_isGlossy;
+      return;
+    }
+    m_product.emplace(m_environment.light(), lobe, luminance(besides) / m_environment.totalLuminance());
+    m_uses[kByProduct] = !m_product->isBlack();
+    // A wide lobe varies so little within the product's blocks that points by the lobe alone add noise to it. What is
+    // folded up at the horizon the product does not know.
+    constexpr double kWideAlpha = 0.06;
+    m_uses[kByVisibleNormal] = m_isGlossy && (m_lobes.alpha() < kWideAlpha || !m_uses[kByProduct] || m_folds);
+    if (m_isShadowed || !m_uses[kByProduct]) return;
+    m_control.emplace(m_environment, *m_product, m_frame.z,
+                      [&](const glm::dvec3& direction) { return sampledSpecular(m_frame.toLocal(direction)); });
+    m_product->scale(m_control->remainders());
+  }
+
+  // What the control variate has of the light that is sampled.
+  glm::dvec3 controlled() const { return m_control ? m_control->integral() : glm::dvec3(0.0); }
 
   // Points [begin, end) of one replicate, all ways.
   void add(Sum& sum, int replicate, std::uint32_t begin, std::uint32_t end) const {
@@ -72,87 +94,111 @@ public:
   }
 
 private:
+  glm::dvec3 reflectedByMirror() const {
+    const glm::dvec3 mirrored = m_reflection ? m_reflection->mirrorDirection()
+                                             : m_environment.toWorld(m_frame.toWorld({-m_view.x, -m_view.y, m_view.z}));
+    if (!m_fromHere.reaches(mirrored)) return glm::dvec3(0.0);
+    return m_lobes.fresnel(m_view.z) * m_environment.evaluate(mirrored).radiance;
+  }
+
+  glm::dvec3 sampledSpecular(const glm::dvec3& local) const {
+    return m_lobes.evaluate(m_view, local, m_atView).specular - m_spread * local.z;
+  }
+
+  // A direction of the lobe (panorama's frame), folded up at the horizon.
+  glm::dvec3 byVisibleNormal(const glm::dvec3& local) const {
+    const glm::dvec3 direction = m_frame.toWorld(local);
+    if (!m_isShadowed) return direction;
+    const glm::dvec3 world = m_environment.toWorld(direction);
+    return m_fromHere.isAboveHorizon(world) ? direction : m_environment.toPanorama(m_fromHere.mirror(world));
+  }
+
+  // Nothing where no light of this direction is reflected, or none arrives.
+  std::optional<LobeValues> valuesAt(const glm::dvec3& direction, const glm::dvec3& local) const {
+    if (!m_reflection) return local.z > 0 ? std::optional(m_lobes.evaluate(m_view, local, m_atView)) : std::nullopt;
+    const glm::dvec3 world = m_environment.toWorld(direction), inWorldsFrame = m_reflection->frame().toLocal(world);
+    if (!m_reflection->mayReflect(inWorldsFrame) || !m_fromHere.reaches(world)) return std::nullopt;
+    return m_reflection->evaluate(inWorldsFrame);
+  }
+
   void addPoint(Sum& sum, int way, const glm::dvec2& u) const {
-    EnvironmentSample light;
-    glm::dvec3 local;
-    if (way == kByEnvironment) {
-      light = m_environment.sample(u);
-      local = m_frame.toLocal(light.direction);
-    } else if (way == kByCosine) {
-      local = sampleCosine(u);
+    glm::dvec3 direction, local;
+    glm::ivec2 at;
+    std::uint32_t node = 0;
+    if (way == kByProduct) {
+      const ProductSampler::Sample s = m_product->sample(u);
+      direction = s.direction;
+      at = {s.x, s.y};
+      node = s.node;
+      local = m_frame.toLocal(direction);
     } else {
-      const glm::dvec3 h = sampleVisibleNormal(m_lobes.alpha(), m_view, u);
-      local = 2 * glm::dot(m_view, h) * h - m_view;
+      if (way == kByEnvironment) {
+        direction = m_environment.toPanorama(m_environment.sample(u).direction);
+        local = m_frame.toLocal(direction);
+      } else {
+        const glm::dvec3 h = sampleVisibleNormal(m_lobes.alpha(), m_view, u);
+        local = 2 * glm::dot(m_view, h) * h - m_view;
+        if (!(local.z > 0)) return;
+        direction = byVisibleNormal(local);
+      }
+      const glm::dvec2 place = m_environment.placeOf(direction);
+      at = glm::ivec2(place);
+      if (m_uses[kByProduct]) node = m_product->nodeOf(place);
     }
-    if (!(local.z > 0)) return;
-    if (way != kByEnvironment) light = m_environment.evaluate(m_frame.toWorld(local));
-    if (!m_fromHere.reaches(light.direction)) return;
-    const LobeValues values = m_lobes.evaluate(m_view, local, m_atView);
-    const double pdf = (m_uses[kByEnvironment] ? light.pdf : 0) + (m_uses[kByCosine] ? pdfCosine(local.z) : 0) +
-                       (m_uses[kByVisibleNormal] ? values.pdfSpecular : 0);
+    const std::optional<LobeValues> values = valuesAt(direction, local);
+    if (!values) return;
+    const glm::dvec4 light(m_environment.cell(at.x, at.y));
+    const double pdf = (m_uses[kByProduct] ? light.w * m_product->gain(node) : 0) +
+                       (m_uses[kByEnvironment] ? light.w : 0) + (m_uses[kByVisibleNormal] ? values->pdfSpecular : 0);
     if (!(pdf > 0)) return; // a rounding off the support of all
-    sum.diffuse += values.diffuse * light.radiance / pdf;
-    sum.specular += values.specular * light.radiance / pdf;
+    const glm::dvec3 weight = glm::dvec3(light) / pdf;
+    if (m_isShadowed) sum.diffuse += values->diffuse * weight;
+    glm::dvec3 specular = values->specular - m_spread * local.z;
+    if (m_control) specular -= m_control->at(node, direction);
+    sum.specular += specular * weight;
   }
 
   const Lobes& m_lobes;
   const EnvironmentSampler& m_environment;
   PointVisibility m_fromHere;
+  bool m_isShadowed;
+  glm::dvec3 m_normal; // world
   Frame m_frame;
   glm::dvec3 m_view;
   LobeView m_atView;
+  bool m_isGlossy;
+  std::optional<Reflection> m_reflection; // with shadows
+  bool m_folds = false;                   // part of the lobe goes below the horizon
+  // Of the specular lobe, what is in closed form beside diffuse light: it times NoL.
+  glm::dvec3 m_spread{0.0};
   std::uint32_t m_seed;
+  std::optional<ProductSampler> m_product;
+  std::optional<LinearControl> m_control;
   std::array<bool, kWays> m_uses{};
 };
-
-double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
-
-// Mean over the replicates, `points` each, and its standard error.
-Integral estimate(const std::array<Sum, kReplicates>& sums, std::uint32_t points) {
-  Integral result;
-  for (const Sum& s : sums) {
-    result.diffuse += s.diffuse;
-    result.specular += s.specular;
-  }
-  const double scale = 1.0 / points;
-  result.diffuse *= scale / kReplicates;
-  result.specular *= scale / kReplicates;
-  glm::dvec3 squares(0.0);
-  for (const Sum& s : sums) {
-    const glm::dvec3 d = (s.diffuse + s.specular) * scale - (result.diffuse + result.specular);
-    squares += d * d;
-  }
-  result.standardError = glm::sqrt(squares / (kReplicates * (kReplicates - 1.0)));
-  result.samples = static_cast<int>(points) * kReplicates;
-  return result;
-}
 
 } // namespace
 
 Integral integrateEnvironment(const SurfaceSample& sample, const Lobes& lobes, const EnvironmentSampler& environment,
                               const glm::dvec3& otherLight, const IntegralOptions& options,
                               const lighting::Visibility* visibility) {
-  Integral result;
-  if (environment.isBlack()) return result;
-  const Integrator integrator(sample, lobes, environment, options.seed, visibility);
-  const glm::dvec3 mirrored =
-      lobes.hasSpecular() && lobes.isMirror() ? integrator.reflectedByMirror() : glm::dvec3(0.0);
-  if (integrator.needsSamples()) {
-    std::array<Sum, kReplicates> sums{};
-    const auto pointsOf = [](int samples) {
-      return std::bit_ceil(static_cast<std::uint32_t>(std::max(1, (samples + kReplicates - 1) / kReplicates)));
-    };
-    const std::uint32_t most = std::max(pointsOf(options.maxSamples), pointsOf(options.minSamples));
-    std::uint32_t done = 0;
-    for (std::uint32_t wanted = pointsOf(options.minSamples); wanted <= most; wanted *= 2) {
-      for (int r = 0; r < kReplicates; ++r) integrator.add(sums[r], r, done, wanted);
-      done = wanted;
-      result = estimate(sums, done);
-      const double shown = largest(result.diffuse + result.specular + mirrored + otherLight);
-      if (largest(result.standardError) <= options.relativeError * shown) break;
-    }
-  }
-  result.specular += mirrored;
+  if (environment.isBlack()) return {};
+  Integrator integrator(sample, lobes, environment, options.seed, visibility);
+  Integral known = integrator.inClosedForm();
+  if (!integrator.needsSamples()) return known;
+  integrator.prepareSampling(known.diffuse + known.specular);
+  known.specular += integrator.controlled();
+  Integral result = sumReplicates(
+      options,
+      [&](Sum& sum, int replicate, std::uint32_t begin, std::uint32_t end) {
+        integrator.add(sum, replicate, begin, end);
+      },
+      [&](const Integral& now) {
+        const double shown = largest(now.diffuse + now.specular + known.diffuse + known.specular + otherLight);
+        return largest(now.standardError) <= options.relativeError * shown;
+      });
+  result.diffuse += known.diffuse;
+  result.specular += known.specular;
   return result;
 }
 

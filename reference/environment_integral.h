@@ -11,7 +11,7 @@ namespace parity::reference {
 
 struct IntegralOptions {
   double relativeError = 0.005; // wanted: standard error of the worst channel over the brightest channel's value
-  int minSamples = 256;         // for each way of sampling, over all replicates; rounded up to a power of two
+  int minSamples = 64;          // for each way of sampling, over all replicates; rounded up to a power of two
   int maxSamples = 1 << 18;
   std::uint32_t seed = 0;
 };
@@ -25,14 +25,15 @@ struct Integral {
 // Independent scramblings, whose scatter gives the error.
 inline constexpr int kReplicates = 16;
 
-// Three ways of sampling - the environment, the cosine, GGX's visible normals - each with the same number of points,
-// joined by the balance heuristic (Veach and Guibas 1995, eq. 9); the ways that cannot help are left out. The points
-// are kReplicates independently scrambled Sobol sequences, doubled until the error is reached: the estimate is their
-// mean, its standard error comes from their scatter (randomised quasi-Monte Carlo; Owen 1997), with kReplicates - 1
-// degrees of freedom. A mirror is read in closed form. pixel: picks the scramblings. otherLight: what the pixel shows
-// besides, which the relative error counts in. view, normal as in the sample; a normal turned away from the eye has the
-// lobe of the last visible direction. Occlusion is not applied. visibility: null where nothing casts shadows; else
-// every direction is tested, a mirror's too.
+// Without shadows, diffuse light is in closed form (IrradianceSums), and so is what a lobe as wide as the cosine would
+// have of light that scatters more than once; a mirror always is. The rest is sampled in two ways - the product of
+// environment and lobe, and, where the lobe is narrow, GGX's visible normals - each with the same number of points,
+// joined by the balance heuristic (Veach and Guibas 1995, eq. 9). The points are kReplicates independently scrambled
+// Sobol sequences, doubled until the error is reached: the estimate is their mean, its standard error comes from their
+// scatter (randomised quasi-Monte Carlo; Owen 1997), with kReplicates - 1 degrees of freedom. pixel: picks the
+// scramblings. otherLight: what the pixel shows besides, which the relative error counts in. view, normal as in the
+// sample; a normal turned away from the eye has the lobe of the last visible direction. Occlusion is not applied.
+// visibility: null where nothing casts shadows; else every direction is tested, a mirror's too.
 Integral integrateEnvironment(const SurfaceSample& sample, const Lobes& lobes, const EnvironmentSampler& environment,
                               const glm::dvec3& otherLight, const IntegralOptions& options,
                               const lighting::Visibility* visibility = nullptr);

@@ -78,6 +78,7 @@ EnvironmentSampler::EnvironmentSampler(const scenes::Environment& environment) {
   m_width = image.width * growX;
   m_height = image.height * growY;
   m_rotation = environment.rotationDeg * kPi / 180;
+  m_turn = {std::cos(m_rotation), std::sin(m_rotation)};
   m_cells.resize(static_cast<std::size_t>(m_width) * m_height);
   m_rowY.resize(m_height + std::size_t{1});
   for (int y = 0; y <= m_height; ++y) m_rowY[y] = std::cos(kPi * y / m_height);
@@ -106,11 +107,28 @@ EnvironmentSampler::EnvironmentSampler(const scenes::Environment& environment) {
   m_total = accumulate(m_rowCdf.data(), m_height);
   if (isBlack()) return;
   for (glm::vec4& cell : m_cells) cell.w = static_cast<float>(luminanceOf(glm::vec3(cell)) / m_total);
+  double square = 0; // the integral of the density squared; 1 / (4 pi) where it is the same everywhere
+  for (int y = 0; y < m_height; ++y)
+    for (int x = 0; x < m_width; ++x)
+      square += static_cast<double>(cell(x, y).w) * cell(x, y).w * (m_rowY[y] - m_rowY[y + std::size_t{1}]) * 2 * kPi /
+                m_width;
+  m_isEven = square * 4 * kPi < 1.02;
+  m_light.emplace(m_width, m_height, m_cells, m_rowY);
+  m_irradiance.emplace(m_width, m_height, m_cells, m_rowY);
 }
 
 EnvironmentSample EnvironmentSampler::atCell(int x, int y) const {
-  const glm::vec4& cell = m_cells[static_cast<std::size_t>(y) * m_width + x];
-  return {.radiance = glm::vec3(cell), .pdf = cell.w};
+  const glm::vec4& values = cell(x, y);
+  return {.radiance = glm::vec3(values), .pdf = values.w};
+}
+
+glm::dvec2 EnvironmentSampler::placeOf(const glm::dvec3& direction) const {
+  constexpr double kMost = 1 - 0x1p-20; // of a cell
+  const double turns = std::atan2(direction.z, direction.x) / (2 * kPi) + 0.5;
+  const double theta = std::acos(std::clamp(direction.y, -1.0, 1.0));
+  const int y = std::min(static_cast<int>(theta / kPi * m_height), m_height - 1);
+  const double below = (m_rowY[y] - direction.y) / (m_rowY[y] - m_rowY[y + std::size_t{1}]);
+  return {std::min(turns * m_width, m_width - 1 + kMost), y + std::clamp(below, 0.0, kMost)};
 }
 
 EnvironmentSample EnvironmentSampler::evaluate(const glm::dvec3& direction) const {

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/glm.hpp>
 
+#include "reference/irradiance_sums.h"
+#include "reference/light_pyramid.h"
 #include "scenes/scene.h"
 
 namespace parity::reference {
@@ -36,17 +39,43 @@ public:
   // u in (0, 1)^2.
   EnvironmentSample sample(const glm::dvec2& u) const;
 
+  // The integral of radiance times cosine over the hemisphere about a normal (world, unit). Not where isBlack().
+  glm::dvec3 irradiance(const glm::dvec3& normal) const { return m_irradiance->irradiance(toPanorama(normal)); }
+
+  // Between the world and the panorama's own frame, which its rotation turns about +Y.
+  glm::dvec3 toPanorama(const glm::dvec3& v) const {
+    return {v.x * m_turn.x - v.z * m_turn.y, v.y, v.x * m_turn.y + v.z * m_turn.x};
+  }
+  glm::dvec3 toWorld(const glm::dvec3& v) const {
+    return {v.x * m_turn.x + v.z * m_turn.y, v.y, v.z * m_turn.x - v.x * m_turn.y};
+  }
+  // Where a direction (unit, of the panorama's frame) lies: its cell and, behind the point, how far it is to the right
+  // in azimuth and down in height. Below width and height.
+  glm::dvec2 placeOf(const glm::dvec3& direction) const;
+  // Radiance in xyz, in w the density of sample().
+  const glm::vec4& cell(int x, int y) const { return m_cells[static_cast<std::size_t>(y) * m_width + x]; }
+  // The luminance hardly differs between directions: its variance is at most 0.02 of its mean squared.
+  bool isEven() const { return m_isEven; }
+  // The integral of luminance over the sphere.
+  double totalLuminance() const { return m_total; }
+  // Of light by that density. Not where isBlack().
+  const LightPyramid& light() const { return *m_light; }
+
 private:
   EnvironmentSample atCell(int x, int y) const;
 
   int m_width = 0, m_height = 0;
-  double m_rotation = 0;                    // radians: azimuth in the panorama less that in the world
+  double m_rotation = 0;       // radians: azimuth in the panorama less that in the world
+  glm::dvec2 m_turn{1.0, 0.0}; // its cosine and sine
+  bool m_isEven = false;
   double m_total = 0;                       // the integral of luminance over the sphere
   std::vector<glm::vec4> m_cells;           // radiance and density, row by row, the top first
   std::vector<double> m_rowY;               // bounds of the rows, cos(theta): 1 .. -1
   std::vector<double> m_rowCdf;             // 0 .. 1, m_height + 1
   std::vector<double> m_columnCdf;          // 0 .. 1, m_width + 1 a row
   std::vector<std::uint32_t> m_columnGuide; // m_width a row: where the search for u in [i, i + 1) / m_width begins
+  std::optional<LightPyramid> m_light;
+  std::optional<IrradianceSums> m_irradiance;
 };
 
 } // namespace parity::reference

@@ -50,6 +50,11 @@ public:
   // The same from cosines, where half vector and view are not of one frame (closed-form lights).
   LobeValues evaluate(double NoV, double NoL, double NoH, double VoH, const LobeView& atView) const;
 
+  // What multiplies the irradiance: of all diffuse light, and of specular light that scatters more than once if that
+  // were spread by the cosine.
+  glm::dvec3 diffuseReflectance(const LobeView& atView) const { return m_diffuseColor * atView.diffuse; }
+  glm::dvec3 multipleReflectance(const LobeView& atView) const { return m_Fms * atView.lost; }
+
   // Fresnel's reflectance alone.
   glm::dvec3 fresnel(double VoH) const;
 
@@ -58,6 +63,8 @@ public:
   // So smooth that it is a mirror and no density can be given.
   bool isMirror() const { return m_alpha <= kMirrorAlpha; }
   double alpha() const { return m_alpha; }
+  const glm::dvec3& F0() const { return m_F0; }
+  double F90() const { return m_F90; }
 
   // Beyond double's digits of 1 - NoH.
   static constexpr double kMirrorAlpha = 1e-6;

@@ -2,32 +2,48 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
+#include "lighting/surface_point.h"
 #include "lighting/visibility.h"
 #include "reference/surface_sample.h"
 
 namespace parity::reference {
 
+// The surface is the one that the vertices' normals tell of, not its facets: rays begin on it (lighting::SurfacePoint's
+// lift), and what hides a direction by lying below the point is its tangent plane, the horizon. Where nothing of the
+// scene lies at the sample (blended surfaces), both are the triangle's.
 class PointVisibility {
 public:
-  // visibility: null where nothing casts shadows: light comes from everywhere. It must outlive this.
-  PointVisibility(const lighting::Visibility* visibility, const SurfaceSample& sample) : m_visibility(visibility) {
-    if (!visibility) return;
-    m_normal = glm::normalize(glm::dvec3(sample.geometricNormal));
-    m_offset = visibility->surfaceOffset(sample.position);
-    m_origin = visibility->leaveSurface(sample.position, m_normal);
+  // Nothing casts shadows: light comes from everywhere, and there is no horizon.
+  PointVisibility() = default;
+  // visibility: null where nothing casts shadows. It and its scene must outlive this.
+  PointVisibility(const lighting::Visibility* visibility, const SurfaceSample& sample);
+  PointVisibility(const lighting::Visibility& visibility, const lighting::SurfacePoint& point);
+
+  bool hasHorizon() const { return m_visibility != nullptr; }
+  const glm::dvec3& horizonNormal() const { return m_horizon; } // unit, world
+  bool isAboveHorizon(const glm::dvec3& direction) const { return !m_visibility || glm::dot(m_horizon, direction) > 0; }
+  // The direction's image in the tangent plane.
+  glm::dvec3 mirror(const glm::dvec3& direction) const {
+    return direction - 2 * glm::dot(m_horizon, direction) * m_horizon;
   }
 
-  // direction: world, unit; distance: to the light. What stands below the geometric surface is hidden by the surface
-  // itself, wherever the shading normal points. A light is not hidden by what lies at its own place.
-  bool reaches(const glm::dvec3& direction, double distance = std::numeric_limits<double>::infinity()) const {
-    return !m_visibility || (glm::dot(m_normal, direction) > 0 &&
-                             !m_visibility->isOccluded(m_origin, direction, distance - 2 * m_offset));
-  }
+  // direction: world, unit; distance: from the point to the light. What stands below the horizon is hidden by the
+  // surface itself, wherever the shading normal points. A light is not hidden by what lies at its own place.
+  bool reaches(const glm::dvec3& direction, double distance = std::numeric_limits<double>::infinity()) const;
+
+  // The first surface in a direction above the horizon; nothing below it, or where nothing casts shadows.
+  std::optional<lighting::Visibility::Hit> firstHit(const glm::dvec3& direction) const;
+
+  // Where rays begin.
+  const glm::dvec3& origin() const { return m_origin; }
 
 private:
-  const lighting::Visibility* m_visibility;
-  glm::dvec3 m_normal{0.0}, m_origin{0.0};
+  void setOrigin(const glm::dvec3& position, const glm::dvec3& geometric, const glm::dvec3& lift);
+
+  const lighting::Visibility* m_visibility = nullptr;
+  glm::dvec3 m_position{0.0}, m_horizon{0.0}, m_origin{0.0};
   double m_offset = 0;
 };
 

@@ -80,6 +80,25 @@ inline glm::dvec3 sobolPoint3(std::uint32_t index, std::uint32_t seed) {
   return glm::dvec3(sobolPoint(index, seed), (z + 0.5) * 0x1p-32);
 }
 
+// An index shuffled within blocks of every power of two, so that sequences taken side by side are not stratified alike
+// (Burley 2020, section 5): aligned blocks of 2^k indices become other such blocks.
+constexpr std::uint32_t shuffleIndex(std::uint32_t index, std::uint32_t seed) {
+  return reverseBits(scrambleReversed(reverseBits(index), seed));
+}
+
+// Sample points of as many dimensions as a path needs: three at a time, of independent sequences.
+class PathPoints {
+public:
+  PathPoints(std::uint32_t index, std::uint32_t seed) : m_index(index), m_seed(seed) {}
+  glm::dvec3 next() {
+    const std::uint32_t seed = hashCombine(m_seed, m_count++);
+    return sobolPoint3(shuffleIndex(m_index, hashCombine(seed, 4)), seed);
+  }
+
+private:
+  std::uint32_t m_index, m_seed, m_count = 0;
+};
+
 // ---- directions about +Z
 
 // Cosine-distributed over the upper hemisphere; density pdfCosine.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <mutex>
+#include <numbers>
 
 #include "base/parallel.h"
 
@@ -12,6 +13,26 @@ namespace {
 
 using shading::Term;
 
+// From everywhere but the lights: the environment and, where light bounces, the other surfaces.
+Integral integrateSurroundings(const SurfaceSample& sample, const Lobes& lobes, const glm::dvec3& other,
+                               const Inputs& inputs, const Options& options) {
+  IntegralOptions ofSky = options.integral;
+  if (options.bounces > 0) ofSky.relativeError /= std::numbers::sqrt2;
+  Integral sum;
+  if (inputs.environment)
+    sum = integrateEnvironment(sample, lobes, *inputs.environment, other, ofSky, inputs.visibility);
+  if (options.bounces == 0) return sum;
+  const Surroundings around{*inputs.visibility, *inputs.surfaces, *inputs.emitters, inputs.environment,
+                            inputs.lights,      options.model,    inputs.albedo};
+  const Integral bounced = integrateInterreflection(
+      sample, lobes, around, options.bounces, other + sum.diffuse + sum.specular, sum.standardError, options.integral);
+  sum.diffuse += bounced.diffuse;
+  sum.specular += bounced.specular;
+  sum.standardError = glm::sqrt(sum.standardError * sum.standardError + bounced.standardError * bounced.standardError);
+  sum.samples += bounced.samples;
+  return sum;
+}
+
 ShadedSample shadeOne(const SurfaceSample& sample, const Inputs& inputs, const Options& options) {
   ShadedSample result;
   const auto term = [&](Term t) -> glm::vec3& { return result.terms[static_cast<std::size_t>(t)]; };
@@ -19,20 +40,20 @@ ShadedSample shadeOne(const SurfaceSample& sample, const Inputs& inputs, const O
     term(Term::emissive) = sample.baseColor;
     return result;
   }
-  const DirectLight direct = shadeDirect(sample, inputs.lights, options.model, inputs.albedo, inputs.visibility);
+  const DirectLight direct =
+      shadeDirect(sample, inputs.lights, options.model, inputs.albedo, PointVisibility(inputs.visibility, sample));
   term(Term::sunDiffuse) = direct.sunDiffuse;
   term(Term::sunSpecular) = direct.sunSpecular;
   term(Term::localDiffuse) = direct.localDiffuse;
   term(Term::localSpecular) = direct.localSpecular;
   term(Term::emissive) = sample.emissive;
   const double occlusion = sample.occlusion;
-  if (!inputs.environment || !(occlusion > 0)) return result;
+  if (!(inputs.environment || options.bounces > 0) || !(occlusion > 0)) return result;
 
   const glm::dvec3 other =
       direct.sunDiffuse + direct.sunSpecular + direct.localDiffuse + direct.localSpecular + glm::dvec3(sample.emissive);
   const Lobes lobes(sample, options.model, sample.roughness, inputs.albedo);
-  const Integral sky =
-      integrateEnvironment(sample, lobes, *inputs.environment, other / occlusion, options.integral, inputs.visibility);
+  const Integral sky = integrateSurroundings(sample, lobes, other / occlusion, inputs, options);
   term(Term::skyDiffuse) = sky.diffuse * occlusion;
   term(Term::skySpecular) = sky.specular * occlusion;
   const glm::dvec3 color = other + (sky.diffuse + sky.specular) * occlusion, error = sky.standardError * occlusion;

@@ -7,6 +7,7 @@
 
 #include "reference/direct_light.h"
 #include "reference/environment_integral.h"
+#include "reference/interreflection.h"
 #include "shading/terms.h"
 
 namespace parity::reference {
@@ -16,11 +17,15 @@ struct Inputs {
   const DirectionalAlbedo* albedo = nullptr;        // of the model's term and curve, where it needs one
   std::vector<scenes::Light> lights = {};           // all of the scene's, and the sun
   const lighting::Visibility* visibility = nullptr; // null: nothing casts shadows
+  // Of the visibility's scene, whose images have their pixels: where light bounces between surfaces.
+  const lighting::SurfaceLight* surfaces = nullptr;
+  const lighting::Emitters* emitters = nullptr;
 };
 
 struct Options {
   Model model;
   IntegralOptions integral;
+  int bounces = 0; // of light between the scene's surfaces, 0: none; above 0 all members of Inputs for it are set
 };
 
 // One point. The terms are those of shading/terms.h; their sum is the colour.
@@ -35,7 +40,8 @@ struct ShadedSample {
 using Progress = std::function<void(double done)>;
 
 // Occlusion multiplies what comes from the environment, diffuse and specular alike, as in the high-end path, and
-// nothing else; it does so with shadows, too: a material's occlusion is of details that its mesh does not have.
+// nothing else; it does so with shadows, too: a material's occlusion is of details that its mesh does not have. Light
+// that comes by way of other surfaces, emissive ones included, counts to the terms of the sky, occlusion as well.
 // Deterministic: the result for a point depends on the point, the inputs and the options alone, not on the number of
 // threads or on the other points.
 std::vector<ShadedSample> shade(std::span<const SurfaceSample> samples, const Inputs& inputs, const Options& options,

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include <cstring>
 #include <fstream>
+#include <random>
 
 #include "base/error.h"
 #include "base/file_size_limit.h"

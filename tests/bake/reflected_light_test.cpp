@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "bake/bake_scenes.h"
 
 namespace parity::bake {

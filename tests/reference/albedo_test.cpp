@@ -77,6 +77,19 @@ TEST(DirectionalAlbedo, atRoughnessOneHasItsClosedForm) {
   EXPECT_NEAR(DirectionalAlbedo(GeometryTerm::schlickSmith).row(1).at(1), 1 - std::log(2.0), 1e-7);
 }
 
+TEST(DirectionalAlbedo, isTheSameAfterTheCache) {
+  const DirectionalAlbedo table(GeometryTerm::schlickSmith);
+  const std::vector<std::byte> bytes = table.toBytes();
+  const auto kept = DirectionalAlbedo::fromBytes(bytes);
+  ASSERT_TRUE(kept.has_value());
+  for (const double roughness : {0.0, 0.37, 1.0}) {
+    EXPECT_EQ(kept->row(roughness).at(0.3), table.row(roughness).at(0.3));
+    EXPECT_EQ(kept->row(roughness).fresnelWeightAt(0.3), table.row(roughness).fresnelWeightAt(0.3));
+    EXPECT_EQ(kept->row(roughness).average(), table.row(roughness).average());
+  }
+  EXPECT_FALSE(DirectionalAlbedo::fromBytes(std::span(bytes).first(bytes.size() - 1)).has_value());
+}
+
 TEST(DirectionalAlbedo, neverExceedsOne) {
   const DirectionalAlbedo table(GeometryTerm::heightCorrelated);
   for (int r = 0; r <= 200; ++r) {

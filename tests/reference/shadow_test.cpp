@@ -3,7 +3,9 @@
 
 #include "reference/direct_light.h"
 #include "reference/environment_integral.h"
+#include "reference/sampling.h"
 #include "reference/surroundings.h"
+#include "scenes/shapes.h"
 
 namespace parity::reference {
 namespace {
@@ -104,7 +106,7 @@ scenes::Light makeSun(const glm::vec3& towards) {
 
 DirectLight directLight(const scenes::Scene& scene, const SurfaceSample& sample, const scenes::Light& light) {
   const lighting::Visibility visibility(scene);
-  return shadeDirect(sample, {light}, tests::plainModel(), nullptr, &visibility);
+  return shadeDirect(sample, {light}, tests::plainModel(), nullptr, PointVisibility(&visibility, sample));
 }
 
 TEST_F(ShadowTest, sunIsAllOrNothing) {
@@ -145,6 +147,118 @@ TEST_F(ShadowTest, whatIsBelowTheGeometricSurfaceIsHidden) {
   EXPECT_GT(directLight(scenes::Scene(), sample, high).sunDiffuse.x, 0.1);
   // Of the white sky about a normal of 45 degrees, (1 + cos 45) / 2 lies above the floor.
   EXPECT_NEAR(skyShare(scenes::Scene(), sample).diffuse.x, 0.5 * (1 + std::sqrt(0.5)), 1e-3);
+}
+
+// Integral over a sky, with the shadows of a scene and without any.
+struct WithAndWithout {
+  Integral shadowed, open;
+};
+WithAndWithout integrateBoth(const scenes::Scene& scene, const SurfaceSample& sample, const EnvironmentSampler& sky) {
+  const lighting::Visibility visibility(scene);
+  const Lobes lobes(sample, tests::plainModel(), sample.roughness, nullptr);
+  const IntegralOptions options{.relativeError = 0, .minSamples = 1 << 14, .maxSamples = 1 << 14, .seed = 0};
+  return {integrateEnvironment(sample, lobes, sky, glm::dvec3(0), options, &visibility),
+          integrateEnvironment(sample, lobes, sky, glm::dvec3(0), options)};
+}
+
+scenes::Scene makeGround() {
+  return makeOccluder({{-9, 0, -9}, {-9, 0, 9}, {9, 0, -9}, {9, 0, -9}, {-9, 0, 9}, {9, 0, 9}});
+}
+
+// A normal map on flat metal: the reflection dips below the ground where the normal leans away from the eye. The lobe
+// keeps its energy, so the metal is as bright as without shadows, and it never sees what lies below the ground.
+TEST_F(ShadowTest, normalMappedMetalAloneIsAsBrightAsWithoutShadows) {
+  const EnvironmentSampler brightBelow(
+      tests::makePanorama([](const glm::dvec3& d) { return glm::vec3(d.y > 0 ? 1 : 5); }));
+  int dips = 0;
+  for (const float tiltDeg : {-50.f, -25.f, 0.f, 25.f, 50.f})
+    for (const float roughness : {0.f, 0.05f, 0.3f, 0.8f})
+      for (const double NoV : {0.15, 0.5, 0.9}) {
+        SurfaceSample metal = tests::makePoint(NoV, roughness, 1); // V leans to +X
+        const float tilt = glm::radians(tiltDeg);
+        metal.geometricNormal = metal.normal;
+        metal.normal = {std::sin(tilt), std::cos(tilt), 0};
+        metal.baseColor = {0.9f, 0.6f, 0.3f};
+        const glm::dvec3 V(metal.view), N(metal.normal);
+        if (!(glm::dot(N, V) > 0.05)) continue; // turned away from the eye
+        dips += (2 * glm::dot(N, V) * N - V).y < 0;
+        const auto [shadowed, open] = integrateBoth(makeGround(), metal, white());
+        const std::string what = "tilt " + std::to_string(tiltDeg) + ", roughness " + std::to_string(roughness) +
+                                 ", NoV " + std::to_string(NoV);
+        EXPECT_NEAR(shadowed.specular.x, open.specular.x, 5 * (shadowed.standardError.x + open.standardError.x) + 1e-6)
+            << what;
+        EXPECT_LT(shadowed.standardError.x, 2e-3) << what;
+        const Integral above = integrateBoth(makeGround(), metal, brightBelow).shadowed;
+        EXPECT_NEAR(above.specular.x, open.specular.x, 5 * (above.standardError.x + open.standardError.x) + 2e-3)
+            << what;
+      }
+  EXPECT_GE(dips, 8);
+}
+
+// The diffuse lobe is not folded: what a normal of 45 degrees sees of the lower half is dark, (1 + cos 45) / 2 is left.
+TEST_F(ShadowTest, diffuseLightFromBelowTheGroundIsHidden) {
+  SurfaceSample sample = makeFloorPoint(0.5f, 0);
+  sample.normal = glm::normalize(glm::vec3(1, 1, 0));
+  EXPECT_NEAR(skyShare(makeGround(), sample).diffuse.x, 0.5 * (1 + std::sqrt(0.5)), 1e-3);
+}
+
+// Points all over a coarse sphere with smooth normals, as the camera sees them.
+std::vector<SurfaceSample> samplesOf(const scenes::Mesh& mesh, std::uint32_t perTriangle) {
+  std::vector<SurfaceSample> samples;
+  for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
+    const std::uint32_t* k = mesh.indices.data() + t;
+    const glm::vec3 p[] = {mesh.positions[k[0]], mesh.positions[k[1]], mesh.positions[k[2]]};
+    const glm::vec3 geometric = glm::cross(p[1] - p[0], p[2] - p[0]);
+    if (glm::length(geometric) < 1e-6f) continue; // at the poles
+    for (std::uint32_t i = 0; i < perTriangle; ++i) {
+      const glm::dvec2 u = sobolPoint(i, hashCombine(static_cast<std::uint32_t>(t), 7));
+      const float root = std::sqrt(float(u.x)), b = root * (1 - float(u.y)), c = root * float(u.y);
+      SurfaceSample sample;
+      sample.position = (1 - b - c) * p[0] + b * p[1] + c * p[2];
+      sample.normal =
+          glm::normalize((1 - b - c) * mesh.normals[k[0]] + b * mesh.normals[k[1]] + c * mesh.normals[k[2]]);
+      sample.geometricNormal = glm::normalize(geometric);
+      sample.view = sample.geometricNormal;
+      samples.push_back(sample);
+    }
+  }
+  return samples;
+}
+
+// A sphere of 12 x 6 facets in the sun is lit where its normals are: facets that turn away and neighbours that rise
+// before a point take no light from it.
+TEST_F(ShadowTest, coarseSmoothSphereHasASmoothTerminator) {
+  scenes::Scene scene = makeOccluder({});
+  scene.meshes[0] = scenes::makeSphere(1, 12, 6);
+  const lighting::Visibility visibility(scene);
+  const scenes::Light sun = makeSun({1, 0.3f, 0.2f});
+  double open = 0, lost = 0;
+  for (const SurfaceSample& sample : samplesOf(scene.meshes[0], 64)) {
+    const double all = shadeDirect(sample, {sun}, tests::plainModel(), nullptr).sunDiffuse.x;
+    const double lit =
+        shadeDirect(sample, {sun}, tests::plainModel(), nullptr, PointVisibility(&visibility, sample)).sunDiffuse.x;
+    open += all;
+    lost += std::abs(all - lit);
+  }
+  std::printf("lost to facets: %.3g of the light\n", lost / open);
+  EXPECT_LT(lost, 1e-3 * open);
+}
+
+// Rays begin above the facet only where nothing lies between it and the smooth surface.
+TEST_F(ShadowTest, whatLiesCloseToAFacetStillHidesTheSky) {
+  scenes::Scene scene = makeOccluder({});
+  scene.meshes[0] = scenes::makeSphere(1, 12, 6);
+  SurfaceSample sample = samplesOf(scene.meshes[0], 1)[40];
+  const glm::vec3 n = sample.geometricNormal, t = glm::normalize(glm::cross(n, glm::vec3(0, 1, 0))),
+                  b = glm::cross(n, t), c = sample.position + 1e-3f * n;
+  sample.normal = n;
+  EXPECT_GT(skyShare(scene, sample).diffuse.x, 0.9);
+  scenes::Mesh plate;
+  plate.positions = {c - 2.f * t - 2.f * b, c + 4.f * t - 2.f * b, c - 2.f * t + 4.f * b};
+  plate.indices = {0, 1, 2};
+  scene.meshes.push_back(plate);
+  scene.instances.push_back({1, glm::mat4(1.f), "plate"});
+  EXPECT_LT(skyShare(scene, sample).diffuse.x, 1e-2);
 }
 
 } // namespace

@@ -105,6 +105,7 @@ TEST_F(StatisticsTest, errorFallsFasterThanThatOfRandomPoints) {
   std::printf("relative RMSE at 64, 256, 1024, 4096 samples: %.2e %.2e %.2e %.2e; rate %.2f\n", errors[0], errors[1],
               errors[2], errors[3], rate);
   EXPECT_LT(rate, -0.6); // random points: -0.5
+  EXPECT_LT(errors[1], 6e-3);
 }
 
 } // namespace

@@ -1,10 +1,10 @@
-#include "bake/emitters.h"
+#include "lighting/emitters.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace parity::bake {
+namespace parity::lighting {
 
 namespace {
 
@@ -72,9 +72,9 @@ EmitterSample Emitters::sample(const glm::dvec2& u) const {
   return sample;
 }
 
-double Emitters::pdf(const lighting::Visibility::Hit& hit) const {
+double Emitters::pdf(const Visibility::Hit& hit) const {
   const std::vector<float>& pdfs = m_pdfOfInstance[hit.instance];
   return pdfs.empty() ? 0 : pdfs[hit.triangle];
 }
 
-} // namespace parity::bake
+} // namespace parity::lighting

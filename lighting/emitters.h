@@ -6,14 +6,14 @@
 
 #include <glm/glm.hpp>
 
-#include "bake/surface_light.h"
+#include "lighting/surface_light.h"
 
-namespace parity::bake {
+namespace parity::lighting {
 
 // A point on an emitting triangle.
 struct EmitterSample {
   glm::dvec3 position{0.0}, normal{0.0}; // world; unit, of the side that its front faces
-  lighting::Visibility::Hit hit;         // as if a ray had met it from the front
+  Visibility::Hit hit;                   // as if a ray had met it from the front
   bool bothSides = false;                // it emits from its back, too
   double pdf = 0;                        // per square metre
 };
@@ -28,7 +28,7 @@ public:
   // is left of u.x within its triangle is used again, so that points that are spread well stay so.
   EmitterSample sample(const glm::dvec2& u) const;
   // The density, per square metre, with which sample() comes by this point.
-  double pdf(const lighting::Visibility::Hit& hit) const;
+  double pdf(const Visibility::Hit& hit) const;
 
 private:
   struct Triangle {
@@ -41,4 +41,4 @@ private:
   std::vector<std::vector<float>> m_pdfOfInstance; // of each triangle of each emitting instance, else empty
 };
 
-} // namespace parity::bake
+} // namespace parity::lighting

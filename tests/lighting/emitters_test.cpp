@@ -1,14 +1,17 @@
 // Points on emitting triangles come as often as their density says, and the density is that of their light.
-#include "bake/emitters.h"
+#include "lighting/emitters.h"
 
 #include <gtest/gtest.h>
 
-#include "bake/bake_scenes.h"
+#include <cmath>
+#include <random>
 
-namespace parity::bake {
+#include "support/matte_scenes.h"
+
+namespace parity::lighting {
 namespace {
 
-using namespace tests;
+using namespace parity::tests;
 
 // Panels of 4, 1 and 1 square metres and of radiance 1, 2 and 6 (the last double-sided and mirrored), and a floor.
 scenes::Scene makePanels() {
@@ -74,4 +77,4 @@ TEST(Emitters, areNoneWithoutPower) {
 }
 
 } // namespace
-} // namespace parity::bake
+} // namespace parity::lighting
