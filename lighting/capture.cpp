@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -31,6 +32,19 @@ template <typename Texel> Capture encode(const CubeMap& prefiltered, const Texel
   return capture;
 }
 
+// Vulkan 1.3 specification, "RGB to Shared Exponent Conversion": N = 9 bits, bias B = 15, codes times 2^(exponent - B -
+// N); red in the lowest bits, the exponent in the highest.
+std::uint32_t packRgb9e5(const glm::vec3& radiance) {
+  const glm::vec3 color = glm::clamp(radiance, 0.f, 65408.f);
+  int exponent = 0; // the largest is in [1/2, 1) times 2 to it
+  std::frexp(std::max({color.x, color.y, color.z}), &exponent);
+  exponent = std::max(exponent, -15);
+  const auto codeOf = [&](float value) { return static_cast<std::uint32_t>(std::ldexp(value, 9 - exponent) + 0.5f); };
+  if (std::max({codeOf(color.x), codeOf(color.y), codeOf(color.z)}) == 512) ++exponent; // rounded up to the next
+  return codeOf(color.x) | codeOf(color.y) << 9 | codeOf(color.z) << 18 |
+         static_cast<std::uint32_t>(exponent + 15) << 27;
+}
+
 } // namespace
 
 Capture encodeRgbm(const CubeMap& prefiltered) {
@@ -39,6 +53,10 @@ Capture encodeRgbm(const CubeMap& prefiltered) {
     const auto code = [](float value) { return static_cast<std::uint8_t>(value * 255 + 0.5f); };
     return std::array{code(m.r), code(m.g), code(m.b), code(m.a)};
   });
+}
+
+Capture encodeRgb9e5(const CubeMap& prefiltered) {
+  return encode(prefiltered, [](const glm::vec4& texel) { return packRgb9e5(glm::vec3(texel)); });
 }
 
 Capture encodeHalf(const CubeMap& prefiltered) {

@@ -25,7 +25,8 @@ Options presetByName(const std::string& name) {
             .environmentBrdf = EnvironmentBrdf::refit,
             .directLobe = DirectLobe::refit,
             .captureScale = CaptureScale::occlusion,
-            .skyCoefficients = 9,
+            .capture = CaptureEncoding::rgb9e5,
+            .sky = SkyForm::tinted,
             .roughnessFloor = 0};
   throw base::Error(base::ExitCode::usage, "--mobile-preset", name,
                     fmt::format("unknown; the presets are {}", fmt::join(presetNames(), ", ")));
@@ -53,7 +54,11 @@ const std::vector<std::string>& captureScaleNames() {
   return names;
 }
 const std::vector<std::string>& captureEncodingNames() {
-  static const std::vector<std::string> names = {"rgbm", "fp16"};
+  static const std::vector<std::string> names = {"rgbm", "rgb9e5", "fp16"};
+  return names;
+}
+const std::vector<std::string>& skyFormNames() {
+  static const std::vector<std::string> names = {"4", "9", "tinted"};
   return names;
 }
 

@@ -30,8 +30,13 @@ struct Mixing {
 };
 inline constexpr float kMaxMixingWeight = 65504; // the largest half
 
-// How the capture is stored: RGBM in 8 bits, or 16-bit floats.
-enum class CaptureEncoding { rgbm, fp16 };
+// How the capture is stored: RGBM in 8 bits, which the shader decodes after filtering; in as many bits RGB with a
+// shared exponent, which the texture unit decodes before; or 16-bit floats.
+enum class CaptureEncoding { rgbm, rgb9e5, fp16 };
+
+// The irradiance of the sky: four or nine SH coefficients a channel (shading/sky_sh.glsl), or nine whose second band
+// has one tint for all channels (shading/tinted_sky.glsl).
+enum class SkyForm { sh4, sh9, tinted };
 
 struct Options {
   std::string preset = "ue4-2020"; // the name of the set that the knobs began as
@@ -40,7 +45,7 @@ struct Options {
   CaptureScale captureScale = CaptureScale::automatic;
   Mixing mixing;
   CaptureEncoding capture = CaptureEncoding::rgbm;
-  int skyCoefficients = 4;          // of the SH irradiance: 4 or 9
+  SkyForm sky = SkyForm::sh4;
   bool localLights = true;          // up to four an object; false: all are baked
   bool spotShadow = false;          // of the one spot light that is the brightest (mobile/light_choice.h)
   float spotShadowSharpen = 1;      // about the middle of its soft edge, 1 to 8 (sharpenedShadow)
@@ -67,6 +72,7 @@ const std::vector<std::string>& environmentBrdfNames(); // "karis2014", "ue4", "
 const std::vector<std::string>& directLobeNames();      // "d-approx", "calc-specular", "refit", "phong-approx"
 const std::vector<std::string>& precisionNames();       // "fp16", "fp32"
 const std::vector<std::string>& captureScaleNames();    // "auto", "sky", "mixing", "full", "occlusion"
-const std::vector<std::string>& captureEncodingNames(); // "rgbm", "fp16"
+const std::vector<std::string>& captureEncodingNames(); // "rgbm", "rgb9e5", "fp16"
+const std::vector<std::string>& skyFormNames();         // "4", "9", "tinted"
 
 } // namespace parity::mobile

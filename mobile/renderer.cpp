@@ -44,7 +44,7 @@ std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t vie
   return {static_cast<std::uint32_t>(options.environmentBrdf),
           static_cast<std::uint32_t>(options.directLobe),
           static_cast<std::uint32_t>(scale) - 1,
-          static_cast<std::uint32_t>(options.skyCoefficients),
+          static_cast<std::uint32_t>(options.sky),
           options.capture == CaptureEncoding::rgbm ? 1u : 0u,
           std::bit_cast<std::uint32_t>(options.roughnessFloor),
           view,
@@ -64,16 +64,18 @@ std::uint32_t bakedPartsOf(const Inputs& inputs, const gpu::SceneBuffers& scene,
   return parts;
 }
 
-// The SH of the sky light; of the capture its average brightness, which is the luminance of its mean radiance in
-// SkyLightColor, as its texels are read; and the mixing weight.
+// The sky light, in the form that is chosen; of the capture its average brightness, which is the luminance of its mean
+// radiance in SkyLightColor, as its texels are read; and the mixing weight.
 std::array<glm::vec4, gpu::kPathNumbers> numbersOf(const gpu::EnvironmentMaps& environment, const Options& options,
                                                    const glm::vec3& skyLightColor) {
   std::array<glm::vec4, gpu::kPathNumbers> result{};
   shading::f32::IrradianceSh sh;
   for (std::size_t i = 0; i < environment.sh.size(); ++i)
     sh.c[i] = {environment.sh[i].x, environment.sh[i].y, environment.sh[i].z};
-  const shading::f32::SkySh sky = shading::f32::packSkySh(sh, options.skyCoefficients);
+  const shading::f32::SkySh sky = shading::f32::packSkySh(sh, options.sky == SkyForm::sh9 ? 9 : 4);
   for (int i = 0; i < 9; ++i) result[gpu::kPathSkySh + i] = glm::vec4(sky.c[i].x, sky.c[i].y, sky.c[i].z, 0);
+  if (options.sky == SkyForm::tinted)
+    std::copy(environment.tintedSky.begin(), environment.tintedSky.end(), result.begin() + gpu::kPathSkySh);
   const shading::f32::real32x3 mean = shading::f32::skyMeanRadiance(sh);
   result[gpu::kPathAverageBrightness].x =
       shading::f32::luminanceUE4({mean.x * skyLightColor.x, mean.y * skyLightColor.y, mean.z * skyLightColor.z});

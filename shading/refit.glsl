@@ -17,8 +17,8 @@ CONSTANT real32 kRefitMost = real32(kLargest) * R32(0.9);
 
 // The specular lobe at one view: what does not depend on the light.
 struct RefitLobe {
-  real3 single;   // directional albedo of light scattered once: F0 A + F90 B; the factor of the environment
-  real3 multiple; // of what scatters more than once: the factor of the irradiance over pi (or, cheaper, of the same fetch)
+  real3 single;   // directional albedo of light scattered once: F0 A + F90 B; the factor of what refitTap says
+  real3 multiple; // of what scatters more than once: the factor of the irradiance over pi
   real3 F0;
   real3 rise; // F90 - F0
   real alpha;
@@ -125,22 +125,26 @@ FN real3 refitDiffuseColor(real3 BaseColor, real Metallic, real3 share) {
   return diffuse;
 }
 
-// The one read of the environment, trilinear between the mips of layer 0: not V's mirror direction R at mipFromRoughness
-// but R + lean N (which needs no normalising), towards the normal but for smooth surfaces seen frontally, at
-//   lean = alpha (d0 - d1 NoV + d2 alpha^2),  mip = m0 + m1 log2(alpha)
-// Over natural skies the rms error is a third of a read at R, and three quarters of one in the GGX dominant direction
-// (bench/fit). mip runs from below 0 to above the last one: the sampler clamps it. Roughness, NoV in [0, 1].
+// What stands for the lobe's mean of the environment's light: a share `wide` of the irradiance over pi, which the diffuse
+// lobe has evaluated anyway, for the lobe's wide part about the normal, and for the rest one read, trilinear between the
+// mips of layer 0, not in V's mirror direction R at mipFromRoughness but along R + lean N (which needs no normalising):
+//   lean = alpha (d0 + d1 NoV),  mip = m0 + m1 log2(alpha) + m2 NoV,  wide = saturate(s0 alpha + s1 + s2 NoV)
+// docs/refit.md says how far this is from the lobe beside reads in the mirror and the GGX dominant direction (bench/fit).
+// mip runs from below 0 to above the last one: the sampler clamps it. Roughness, NoV in [0, 1]; wide in [0, 1].
 struct RefitTap {
   real lean;
   real mip;
+  real wide;
 };
 FN RefitTap refitTap(real Roughness, real NoV) {
   RefitTap tap;
   real alpha = refitAlpha(Roughness);
-  PRECISE real lean = alpha * (R(1.38125) - R(1.96943) * NoV + R(7.43461) * (alpha * alpha));
-  PRECISE real mip = R(5.34346) + R(0.722336) * log2(alpha);
+  PRECISE real lean = alpha * (R(1.48446) + R(-1.62534) * NoV);
+  PRECISE real mip = R(3.9594) + R(0.608014) * log2(alpha) + R(1.11356) * NoV;
+  PRECISE real wide = R(1.20622) * alpha + R(-0.0579479) + R(-0.122376) * NoV;
   tap.lean = lean;
   tap.mip = mip;
+  tap.wide = min(max(wide, R(0.0)), R(1.0));
   return tap;
 }
 

@@ -78,14 +78,16 @@ std::string formatShader(const Refit& r, Language language) {
       fmt::format("// Specular lobe of the mobile preset refit, fitted to: geometry term {}, Fresnel {}, "
                   "compensation {}.\n",
                   nameOf(r.settings.geometryTerm), nameOf(r.settings.fresnel), nameOf(r.settings.compensation));
-  text += "// R: roughness in [0, 1], N: NoV in [0, 1], alpha = max(R^2, 2^-12), b, w, d, m: the constants in order.\n"
-          "//   B = exp2(R (b0 + R (b1 + b2 R)) + N (b3 + R (b4 + b5 R) + b6 N))\n"
-          "//   loss = N / (w0 + t (w1 + w2 t)), t = N / alpha\n"
-          "//   S = F0 (1 - loss) + (F90 - F0) B                        scattered once\n";
+  text +=
+      "// R: roughness in [0, 1], N: NoV in [0, 1], alpha = max(R^2, 2^-12), b, w, d, m, s: the constants in order.\n"
+      "//   B = exp2(R (b0 + R (b1 + b2 R)) + N (b3 + R (b4 + b5 R) + b6 N))\n"
+      "//   loss = N / (w0 + t (w1 + w2 t)), t = N / alpha\n"
+      "//   S = F0 (1 - loss) + (F90 - F0) B                        scattered once\n";
   text += compensated ? "//   M = loss F0^2 (1 - k alpha (F90 - F0))                  scattered more than once\n"
                       : "//   M = 0\n";
-  text += "//   environment: fetch along R + lean N at mip, times S; irradiance / pi times M\n"
-          "//   lean = alpha (d0 + d1 N + d2 alpha^2), mip = m0 + m1 log2(alpha) of 6 mips\n"
+  text += "//   environment: fetch along R + lean N at mip, times (1 - wide) S; irradiance / pi times wide S + M\n"
+          "//   lean = alpha (d0 + d1 N), mip = m0 + m1 log2(alpha) + m2 N of 6 mips\n"
+          "//   wide = clamp(s0 alpha + s1 + s2 N, 0, 1)\n"
           "//   diffuse colour times 1 - (S + M)\n";
   text += fmt::format("//   light: {}\n//\n", describeDirect(r.settings));
   text += "// Error of S + M, NoV in [1/256, 1], roughness in [1/64, 1]:\n";
@@ -94,13 +96,14 @@ std::string formatShader(const Refit& r, Language language) {
   text +=
       fmt::format("// Direct light at F0 = 1: rms log ratio {:.4f}, range {:.3f} to {:.3f}, exitance at most {:.3f}\n",
                   r.direct.rmsLogRatio, r.direct.least, r.direct.most, r.direct.exitanceMax);
-  text +=
-      fmt::format("// Environment read, natural skies: rms {:.3f} (in the mirror direction {:.3f}, dominant {:.3f})\n",
-                  r.tapError, r.mirrorError, r.dominantError);
+  text += fmt::format(
+      "// Environment, a lamp as displayed: error {:.3f} (one read in the mirror direction {:.3f}, dominant {:.3f})\n",
+      r.tapError, r.mirrorError, r.dominantError);
   text += arrayOf(language, "kRefitB", r.lobe.B) + arrayOf(language, "kRefitLoss", r.lobe.loss);
   if (compensated) text += scalar(language, "kRefitReturn", r.lobe.k);
   if (r.spread != 0) text += scalar(language, "kRefitSpread", r.spread);
-  return text + arrayOf(language, "kRefitLean", r.tap.lean) + arrayOf(language, "kRefitMip", r.tap.mip);
+  return text + arrayOf(language, "kRefitLean", r.tap.lean) + arrayOf(language, "kRefitMip", r.tap.mip) +
+         arrayOf(language, "kRefitWide", r.tap.wide);
 }
 
 std::string formatJson(const Refit& r) {
@@ -117,7 +120,8 @@ std::string formatJson(const Refit& r) {
         {"return", r.lobe.k},
         {"spread", r.spread},
         {"lean", r.tap.lean},
-        {"mip", r.tap.mip}}},
+        {"mip", r.tap.mip},
+        {"wide", r.tap.wide}}},
       {"errors",
        {{"albedo", albedo},
         {"direct",
@@ -125,7 +129,7 @@ std::string formatJson(const Refit& r) {
           {"least", r.direct.least},
           {"most", r.direct.most},
           {"exitanceMax", r.direct.exitanceMax}}},
-        {"read", {{"rms", r.tapError}, {"mirror", r.mirrorError}, {"dominant", r.dominantError}}}}}};
+        {"read", {{"error", r.tapError}, {"mirror", r.mirrorError}, {"dominant", r.dominantError}}}}}};
   return all.dump(2) + "\n";
 }
 

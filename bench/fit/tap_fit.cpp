@@ -1,4 +1,4 @@
-// The one read's constants by least squares (see tap_fit.h).
+// The one read's constants by what is displayed of a lamp (see tap_fit.h).
 #include "fit/tap_fit.h"
 
 #include <algorithm>
@@ -18,80 +18,129 @@ namespace f64 = shading::f64;
 constexpr double kPi = std::numbers::pi;
 constexpr int kLastMip = f64::kPrefilterRoughestMip;
 
-// Angles from the normal at which products are tabulated, linear between.
-constexpr int kAngles = 400;
-constexpr double kLeastAngle = -0.6, kMostAngle = kPi / 2 + 0.2;
-double angleOfNode(int i) { return kLeastAngle + (kMostAngle - kLeastAngle) * i / (kAngles - 1); }
+// The lamp: a Gaussian of so many radians, of these powers (radiance times solid angle), before this radiance. The fit
+// hardly depends on them (docs/refit.md).
+constexpr double kLampWidth = 0.06, kBackground = 0.03;
+constexpr std::array kLampPowers = {0.01, 0.1, 1.0};
+
+// Places of the lamp about the mirror direction: rings, dense near it, and azimuths of half of each.
+constexpr int kRings = 18, kAzimuths = 8;
+
+double show(double radiance) { return f64::linearToSrgb(std::clamp(radiance, 0.0, 1.0)); }
+
+double lampDamping(int l) { return std::exp(-0.5 * l * (l + 1) * kLampWidth * kLampWidth); }
+
+// The lamp through a lobe of N = V = R at some angle between both, per unit of power: the sum of its Legendre series.
+double throughZonal(const Zonal& lobe, double angle) {
+  const double c = std::cos(angle);
+  double below = 1, at = c, sum = 1;
+  for (int l = 1; l <= kBands; ++l) {
+    sum += (2 * l + 1) * lobe[l] * lampDamping(l) * at;
+    const double above = ((2 * l + 1) * c * at - l * below) / (l + 1);
+    below = at;
+    at = above;
+  }
+  return std::max(sum, 0.0) / (4 * kPi);
+}
+
+// The lamp in a direction through a lobe, per unit of power.
+double throughLobe(const Harmonics& lobe, const f64::real3& direction) {
+  const Harmonics y = harmonicsAt(std::clamp(direction.z, -1.0, 1.0));
+  const double azimuth = std::atan2(direction.y, direction.x);
+  double sum = 0;
+  for (int m = 0; m <= kBands; ++m) {
+    const double cosine = std::cos(m * azimuth);
+    for (int l = m; l <= kBands; ++l) sum += lobe[indexOf(l, m)] * lampDamping(l) * y[indexOf(l, m)] * cosine;
+  }
+  return std::max(sum, 0.0);
+}
 
 } // namespace
 
 Tap evaluateTap(const TapConstants& c, double roughness, double NoV) {
   const double alpha = std::max(roughness * roughness, 1.0 / 4096);
-  const double lean = alpha * (c.lean[0] + c.lean[1] * NoV + c.lean[2] * alpha * alpha);
-  return {1 / (1 + lean), c.mip[0] + c.mip[1] * std::log2(alpha)};
+  const double lean = alpha * (c.lean[0] + c.lean[1] * NoV);
+  const double mip = c.mip[0] + c.mip[1] * std::log2(alpha) + c.mip[2] * NoV;
+  return {1 / (1 + lean), mip, std::clamp(c.wide[0] * alpha + c.wide[1] + c.wide[2] * NoV, 0.0, 1.0)};
 }
 
 TapFit::TapFit(GeometryTerm term, const LobeSteps& steps) {
-  std::array<Zonal, kLastMip + 1> mips;
-  for (int j = 0; j <= kLastMip; ++j) mips[j] = dampingOf(f64::roughnessFromMip(j));
-  for (int j = 0; j <= kLastMip; ++j)
-    for (int k = 0; k <= kLastMip; ++k) {
-      m_between[j][k] = 0;
-      for (int l = 1; l <= kBands; ++l)
-        m_between[j][k] += mips[j][l] * mips[k][l] * naturalPower(l) * (2 * l + 1) / (4 * kPi);
-    }
-  for (int i = 2; i <= 20; ++i)
-    for (const double NoV : {.04, .1, .18, .27, .37, .48, .6, .72, .84, .93, .99})
-      m_points.push_back({0.05 * i, NoV, NoV + 0.1, 0, {}});
-  std::vector<Harmonics> directions(kAngles);
-  for (int a = 0; a < kAngles; ++a) directions[a] = harmonicsAt(std::cos(angleOfNode(a)));
+  base::parallelFor(m_mips.size(), 1, [&](std::size_t mip, std::size_t) {
+    const Zonal lobe = dampingOf(f64::roughnessFromMip(static_cast<double>(mip)));
+    for (int a = 0; a <= kAngles; ++a) m_mips[mip].push_back(throughZonal(lobe, kPi * a / kAngles));
+  });
+  for (int i = 1; i <= 10; ++i)
+    for (const double NoV : {.06, .15, .27, .4, .55, .7, .85, .97}) m_points.push_back({0.1 * i, NoV, NoV + 0.1, {}});
+  std::vector<double> shown(m_points.size());
   base::parallelFor(m_points.size(), 1, [&](std::size_t i, std::size_t) {
     Point& p = m_points[i];
     const Harmonics lobe = projectLobe(term, p.roughness, p.NoV, steps);
-    p.products.resize(kAngles);
-    for (int l = 1; l <= kBands; ++l) {
-      for (int m = 0; m <= l; ++m) p.power += naturalPower(l) * lobe[indexOf(l, m)] * lobe[indexOf(l, m)];
-      for (int a = 0; a < kAngles; ++a) {
-        double product = 0;
-        for (int m = 0; m <= l; ++m) // beyond the normal the azimuth is pi
-          product += lobe[indexOf(l, m)] * directions[a][indexOf(l, m)] * (angleOfNode(a) < 0 && m % 2 == 1 ? -1 : 1);
-        for (int j = 0; j <= kLastMip; ++j) p.products[a][j] += mips[j][l] * naturalPower(l) * product;
+    const double mirrored = std::acos(p.NoV);
+    const double sinR = std::sin(mirrored), cosR = std::cos(mirrored);
+    const auto angleOf = [](double ring) { return kPi * ring * ring / (kRings * kRings); };
+    for (int ring = 0; ring < kRings; ++ring)
+      for (int a = 0; a < kAzimuths; ++a) {
+        const double angle = angleOf(ring + 0.5), azimuth = kPi * (a + 0.5) / kAzimuths;
+        const double along = std::cos(angle), across = std::sin(angle) * std::cos(azimuth);
+        const f64::real3 d(sinR * along + cosR * across, std::sin(angle) * std::sin(azimuth),
+                           cosR * along - sinR * across);
+        const double solidAngle = 2 * kPi / kAzimuths * (std::cos(angleOf(ring)) - std::cos(angleOf(ring + 1)));
+        Direction direction{d.x, d.z, solidAngle, std::max(d.z, 0.0) / kPi, {}};
+        const double seen = throughLobe(lobe, d);
+        for (int k = 0; k < kPowers; ++k) {
+          direction.shown[k] = show(kBackground + kLampPowers[k] * seen);
+          shown[i] += p.weight * solidAngle * (direction.shown[k] - show(kBackground));
+        }
+        p.directions.push_back(direction);
       }
-    }
   });
+  for (const double part : shown) m_shown += part;
 }
 
-double TapFit::squaredError(const Point& p, const Tap& tap) const {
+double TapFit::errorAt(const Point& p, const Tap& tap) const {
   const double mip = std::clamp(tap.mip, 0.0, static_cast<double>(kLastMip));
   const int j = std::min(static_cast<int>(mip), kLastMip - 1);
-  const double upper = mip - j, lower = 1 - upper;
-  const double x = (angleOfBlend(p.NoV, tap.blend) - kLeastAngle) / (kMostAngle - kLeastAngle) * (kAngles - 1);
-  const int a = std::clamp(static_cast<int>(x), 0, kAngles - 2);
-  const auto product = [&](int k) { return p.products[a][k] + (p.products[a + 1][k] - p.products[a][k]) * (x - a); };
-  return p.power - 2 * (lower * product(j) + upper * product(j + 1)) + lower * lower * m_between[j][j] +
-         2 * lower * upper * m_between[j][j + 1] + upper * upper * m_between[j + 1][j + 1];
+  const double upper = (mip - j) * (1 - tap.wide), lower = 1 - tap.wide - upper;
+  const double angle = angleOfBlend(p.NoV, tap.blend), x = std::sin(angle), z = std::cos(angle);
+  double error = 0;
+  for (const Direction& d : p.directions) {
+    const double node = std::acos(std::clamp(x * d.x + z * d.z, -1.0, 1.0)) / kPi * kAngles;
+    const int a = std::min(static_cast<int>(node), kAngles - 1);
+    const auto lobe = [&](int k) { return m_mips[k][a] + (m_mips[k][a + 1] - m_mips[k][a]) * (node - a); };
+    const double seen = lower * lobe(j) + upper * lobe(j + 1) + tap.wide * d.cosine;
+    for (int k = 0; k < kPowers; ++k)
+      error += d.weight * std::abs(show(kBackground + kLampPowers[k] * seen) - d.shown[k]);
+  }
+  return error;
 }
 
 double TapFit::errorOf(const TapModel& model) const {
-  double error = 0, power = 0;
-  for (const Point& p : m_points) {
-    error += p.weight * squaredError(p, model(p.roughness, p.NoV));
-    power += p.weight * p.power;
-  }
-  return std::sqrt(error / power);
+  std::vector<double> errors(m_points.size());
+  base::parallelFor(m_points.size(), 8, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Point& p = m_points[i];
+      errors[i] = p.weight * errorAt(p, model(p.roughness, p.NoV));
+    }
+  });
+  double sum = 0;
+  for (const double error : errors) sum += error;
+  return sum / m_shown;
 }
 
 TapConstants TapFit::fit() const {
-  const auto toConstants = [](const Unknowns& x) { return TapConstants{{x[0], x[1], x[2]}, {x[3], x[4]}}; };
+  const auto toConstants = [](const Unknowns& x) {
+    return TapConstants{{x[0], x[1]}, {x[2], x[3], x[4]}, {x[5], x[6], x[7]}};
+  };
   const Minimum best = minimise(
       [&](const Unknowns& x) {
         const TapConstants c = toConstants(x);
         return errorOf([&](double R, double N) { return evaluateTap(c, R, N); });
       },
-      {1.4, -2, 7, 5, 0.6});
+      {1.5, -1.7, 4, 0.6, 1.1, 1.2, -0.07, -0.1});
   TapConstants c = toConstants(best.x);
   for (double& d : c.lean) d = roundConstant(d);
   for (double& m : c.mip) m = roundConstant(m);
+  for (double& s : c.wide) s = roundConstant(s);
   return c;
 }
 

@@ -6,13 +6,14 @@
 #include "shading/mips.glsl"
 #include "shading/mobile_base_pass.glsl"
 #include "shading/rgbm.glsl"
+#include "shading/tinted_sky.glsl"
 #include "shading/sky_sh.glsl"
 
 // The knobs of a preset (mobile/options.h).
 layout(constant_id = 8) const int kEnvironmentBrdf = 0; // kEnvironmentBrdf... of shading/mobile_base_pass.glsl
 layout(constant_id = 9) const int kSun = 0;             // kSun...
 layout(constant_id = 10) const int kCaptureScale = 0;   // kCaptureScale...
-layout(constant_id = 11) const int kSkyCoefficients = 4;
+layout(constant_id = 11) const int kSkyForm = 0;        // kSkyForm... below
 layout(constant_id = 12) const uint kRgbmCapture = 1u;
 layout(constant_id = 13) const float kRoughnessFloor = 0.0;
 layout(constant_id = 14) const uint kView = 0u; // kView... of mobile/shaders/views.h
@@ -83,10 +84,30 @@ MobileMaterial makeMaterial(Resolved r) {
   return m;
 }
 
+// Enumerators of mobile/options.h.
+const int kSkyFormSh4 = 0;
+const int kSkyFormSh9 = 1;
+const int kSkyFormTinted = 2;
+
+TintedSky tintedSky() {
+  TintedSky sky;
+  for (int k = 0; k < 4; ++k) sky.c[k] = view.path[kPathSkySh + k].xyz;
+  sky.tint = view.path[kPathSkySh + 4].xyz;
+  for (int k = 0; k < 3; ++k) sky.q[k] = view.path[kPathSkySh + 5][k];
+  for (int k = 0; k < 2; ++k) sky.q[3 + k] = view.path[kPathSkySh + 6][k];
+  return sky;
+}
+
 SkySh skySh() {
   SkySh sky;
   for (int k = 0; k < 9; ++k) sky.c[k] = view.path[kPathSkySh + k].xyz;
   return sky;
+}
+
+real3 skyDiffuse(real3 N) {
+  if (kSkyForm == kSkyFormTinted) return tintedSkyDiffuse(tintedSky(), N);
+  if (kSkyForm == kSkyFormSh9) return GetSkySHDiffuse(skySh(), N);
+  return GetSkySHDiffuseSimple(skySh(), N);
 }
 
 // Of the object: the nearest, or the environment where none are baked.
@@ -133,7 +154,11 @@ struct Shaded {
   MobileShadingModelContext context;
   real NoV, MaterialAO, IndirectIrradiance;
   real3 SkyDiffuseLighting, DiffuseLookup;
-  real3 skyInOcclusion; // of refit
+  // Of refit: SkyLightColor with occlusion; where to read the environment, the factor of what is read, and the specular
+  // factor of the irradiance over pi: of what scatters more than once, and of the lobe's wide part.
+  real3 skyInOcclusion;
+  RefitTap tap;
+  real3 narrowPart, widePart;
   uint capture;
   int sun; // kSun... of the pixel's material
   bool fullyRough, onlyNonmetals;
@@ -156,6 +181,14 @@ Shaded makeShaded(Point p, Resolved r) {
   s.NoV = viewCosine(kEnvironmentBrdf, s.frame);
   bool nonmetal = hasFeature(kFeatureNonmetal, p.material);
   s.context = initShadingModelContext(environmentBrdf, nonmetal, s.fullyRough, s.GBuffer, s.NoV);
+  if (!kIsRefit || s.fullyRough) return s;
+  s.widePart = s.context.lobe.multiple;
+  if (!hasEnvironment()) return s;
+  s.tap = refitTap(s.context.Roughness, s.NoV);
+  real3 wide = product(s.context.SpecularColor, s.tap.wide);
+  s.narrowPart = real3(s.context.SpecularColor.x - wide.x, s.context.SpecularColor.y - wide.y,
+                       s.context.SpecularColor.z - wide.z);
+  s.widePart = s.onlyNonmetals ? wide : add(s.widePart, wide); // of nonmetals nothing scatters more than once
   return s;
 }
 
@@ -168,7 +201,8 @@ real4 readLightmapLQ(uint i, Point p, real3 N) {
 }
 
 // ComputeIndirect. An object with a lightmap has the sky's light in it (no ENABLE_SKY_LIGHT). Of refit the lightmap's light
-// scatters more than once between microfacets, too: as the high-end path has it, with the reflected light.
+// scatters more than once between microfacets, too: as the high-end path has it, with the reflected light; and the lobe's
+// wide part takes it in place of the sky's.
 void computeIndirect(inout BasePass pass, inout Shaded s, Point p, uint i) {
   bool isBaked = hasLightmap(i);
   real4 LightmapColor = real4(R(0.0));
@@ -177,8 +211,7 @@ void computeIndirect(inout BasePass pass, inout Shaded s, Point p, uint i) {
       modulate(modulate(LightmapColor.xyz, s.context.DiffuseColor), real3(view.indirectColorScale.xyz));
   s.SkyDiffuseLighting = real3(R(0.0));
   if (hasEnvironment() && !isBaked)
-    s.SkyDiffuseLighting =
-        kSkyCoefficients == 9 ? GetSkySHDiffuse(skySh(), s.frame.N) : GetSkySHDiffuseSimple(skySh(), s.frame.N);
+    s.SkyDiffuseLighting = skyDiffuse(s.frame.N);
   s.DiffuseLookup = modulate(s.SkyDiffuseLighting, real3(view.skyLightColor.xyz));
   s.IndirectIrradiance = LightmapColor.w;
   s.IndirectIrradiance += luminanceUE4(s.DiffuseLookup);
@@ -187,8 +220,8 @@ void computeIndirect(inout BasePass pass, inout Shaded s, Point p, uint i) {
   pass.Color = IndirectColor;
   addTerm(pass, kTermLightmap, IndirectColor);
   show(kViewIndirectColor, IndirectColor);
-  if (isBaked && kIsRefit && !s.fullyRough && !s.onlyNonmetals) {
-    real3 scattered = modulate(modulate(LightmapColor.xyz, s.context.lobe.multiple), real3(view.indirectColorScale.xyz));
+  if (isBaked && kIsRefit && !s.fullyRough) {
+    real3 scattered = modulate(modulate(LightmapColor.xyz, s.widePart), real3(view.indirectColorScale.xyz));
     scattered = product(scattered, s.MaterialAO);
     pass.Color = add(pass.Color, scattered);
     addTerm(pass, kTermSkySpecular, scattered);
@@ -227,9 +260,8 @@ void addReflectedEnvironment(inout BasePass pass, Shaded s) {
   real3 direction = s.frame.reflection;
   real mip = mipFromRoughness(s.context.Roughness);
   if (kIsRefit) {
-    RefitTap tap = refitTap(s.context.Roughness, s.NoV);
-    direction = refitDirection(s.frame.N, s.frame.V, s.NoV, tap.lean);
-    mip = tap.mip;
+    direction = refitDirection(s.frame.N, s.frame.V, s.NoV, s.tap.lean);
+    mip = s.tap.mip;
   }
   real scale = captureScale(kCaptureScale, s.IndirectIrradiance, averageBrightnessOf(s.capture),
                             s.context.Roughness, s.MaterialAO, mixingOfView());
@@ -240,7 +272,7 @@ void addReflectedEnvironment(inout BasePass pass, Shaded s) {
   if (kIsRefit) {
     real3 sky =
         kCaptureScale == kCaptureScaleOcclusion ? s.skyInOcclusion : product(SkyLightColor, scale);
-    real3 S = s.context.SpecularColor;
+    real3 S = s.narrowPart;
     PRECISE real3 factor = real3(S.x * sky.x, S.y * sky.y, S.z * sky.z);
     lit = modulate(radiance, factor);
   }
@@ -271,16 +303,16 @@ void addLocalLights(inout BasePass pass, Shaded s, Point p) {
   show(kViewDynamicPointLights, narrow(widen(sum)));
 }
 
-// The sky light. Of refit it also scatters more than once between microfacets.
+// The sky light. Of refit the specular lobe has its wide part of it.
 void addSkyLight(inout BasePass pass, Shaded s) {
-  real3 DiffuseColor = s.context.DiffuseColor, multiple = s.context.lobe.multiple;
-  bool scatters = kIsRefit && !s.fullyRough && !s.onlyNonmetals;
+  real3 DiffuseColor = s.context.DiffuseColor, widePart = s.widePart;
+  bool scatters = kIsRefit && !s.fullyRough;
   real3 lookup = kIsRefit ? modulate(s.SkyDiffuseLighting, s.skyInOcclusion) : s.DiffuseLookup;
-  real3 lit = modulate(lookup, scatters ? add(DiffuseColor, multiple) : DiffuseColor);
+  real3 lit = modulate(lookup, scatters ? add(DiffuseColor, widePart) : DiffuseColor);
   if (!kIsRefit) lit = product(lit, s.MaterialAO);
   pass.Color = add(pass.Color, lit);
   addTerm(pass, kTermSkyDiffuse, scatters ? modulate(lookup, DiffuseColor) : lit);
-  addTerm(pass, kTermSkySpecular, scatters ? modulate(lookup, multiple) : real3(R(0.0)));
+  addTerm(pass, kTermSkySpecular, scatters ? modulate(lookup, widePart) : real3(R(0.0)));
   show(kViewSkyLight, lit);
 }
 

@@ -14,7 +14,7 @@ Refit sample() {
   refit.settings.geometryTerm = GeometryTerm::schlickSmith;
   refit.lobe = {{-1.5, 2, 3, 4, 5, 6, -7.25}, {0.5, 0.25, 1e-7}, 0.75};
   refit.spread = 0.625;
-  refit.tap = {{1, -2, 3}, {5.5, 1.25}};
+  refit.tap = {{1, -2}, {5.5, 1.25, 3}, {1.5, -0.25, 0.75}};
   refit.albedo = {{"0.04", 0.0051, 0.0422}};
   refit.direct = {0.02, 0.9, 1.1, 1.03};
   return refit;
@@ -47,6 +47,7 @@ TEST(RefitText, jsonHoldsTheSameNumbers) {
   const nlohmann::json json = nlohmann::json::parse(formatJson(sample()));
   EXPECT_EQ(json["constants"]["B"][6], -7.25);
   EXPECT_EQ(json["constants"]["loss"][2], 1e-7);
+  EXPECT_EQ(json["constants"]["wide"][1], -0.25);
   EXPECT_EQ(json["settings"]["geometryTerm"], "schlick-smith");
   EXPECT_EQ(json["errors"]["albedo"][0]["max"], 0.0422);
   EXPECT_EQ(json["errors"]["direct"]["exitanceMax"], 1.03);

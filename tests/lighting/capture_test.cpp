@@ -49,6 +49,35 @@ TEST(Capture, holdsTheFirstLayerOfEachMipInTheCubesOrder) {
     }
 }
 
+// Three codes of 9 bits times 2^(exponent - 24): the largest channel to half a code of 256 at least, the others as
+// exactly.
+glm::dvec3 readRgb9e5(const Capture& capture, std::size_t mip, std::size_t texel) {
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, capture.mips[mip].data() + 4 * texel, 4);
+  const double unit = std::pow(2.0, static_cast<double>(bits >> 27) - 24);
+  return unit * glm::dvec3(bits & 511, bits >> 9 & 511, bits >> 18 & 511);
+}
+
+TEST(Capture, withASharedExponentIsExactToHalfACode) {
+  CubeMap cube = makeCube();
+  const glm::vec3 special[] = {{0, 0, 0},     {0.99999f, 0.5f, 0}, {1, 0, 1e-3f},
+                               {1e-7f, 0, 0}, {65408, 1, 0},       {0.25f, 300, 7}};
+  for (std::size_t i = 0; i < std::size(special); ++i) cube.mips[0][i] = glm::vec4(special[i], 1);
+  const Capture capture = encodeRgb9e5(cube);
+  ASSERT_EQ(capture.mips[0].size(), 24u * 4);
+  ASSERT_EQ(capture.mips[1].size(), 6u * 4);
+  for (std::size_t m = 0; m < 2; ++m)
+    for (std::size_t i = 0; i < (m == 0 ? 24u : 6u); ++i) {
+      const glm::dvec3 texel(cube.mips[m][i]), held = readRgb9e5(capture, m, i);
+      const double most = std::max({texel.x, texel.y, texel.z});
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(held[c], texel[c], std::max(most / 512, 0x1p-25)) << m << " " << i;
+    }
+  EXPECT_EQ(readRgb9e5(capture, 0, 0), glm::dvec3(0));
+  EXPECT_EQ(readRgb9e5(capture, 0, 1).x, 1) << "rounds up to the next exponent";
+  cube.mips[0][0] = glm::vec4(1e30f, -1, 5e4f, 1);
+  EXPECT_EQ(readRgb9e5(encodeRgb9e5(cube), 0, 0), glm::dvec3(65408, 0, 49920 + 128)) << "saturates";
+}
+
 TEST(Capture, saturatesWhereItsNumbersEnd) {
   CubeMap cube;
   cube.faceSize = 1;

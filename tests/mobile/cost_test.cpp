@@ -55,7 +55,7 @@ TEST_F(MobileCostTest, everyPermutationOfEveryBuiltInSceneHasAtMostEightSamplers
 
 // The preset refit against the base pass, permutation by permutation, each with and without sun, lamp and environment.
 // Under an environment alone the base pass has no mixing weight to compute: a skylight's reflection has none.
-TEST_F(MobileCostTest, refitTakesNoMoreFetchesAndThreeTenthsMoreOperationsThanUe4AtMost) {
+TEST_F(MobileCostTest, refitTakesNoMoreFetchesAndAboutAQuarterMoreOperationsThanUe4) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
   const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
   for (const bool nonmetal : {false, true})
@@ -81,7 +81,7 @@ TEST_F(MobileCostTest, refitTakesNoMoreFetchesAndThreeTenthsMoreOperationsThanUe
       const gpu::ShaderCost ue4 = costOf("ue4-2020"), refit = costOf("refit");
       std::printf("%s, lights %d: %.0f %.0f\n", nonmetal ? "nonmetals" : "any", light,
                   static_cast<double>(ue4.operations()), static_cast<double>(refit.operations()));
-      EXPECT_LE(static_cast<double>(refit.operations()), 1.3 * static_cast<double>(ue4.operations()))
+      EXPECT_LE(static_cast<double>(refit.operations()), 1.27 * static_cast<double>(ue4.operations()))
           << "nonmetal " << nonmetal << ", light " << light << ": " << refit.operations() << " / " << ue4.operations();
       EXPECT_LE(refit.fetches(), ue4.fetches());
       EXPECT_LE(refit.samplers(), ue4.samplers());

@@ -151,6 +151,25 @@ TEST_F(MobileTest, skyIsFetchedAroundTheReflection) {
   EXPECT_EQ(shade(makeMetal(0, 0.5f), {.environment = &environment}, kUe42020)[Term::skySpecular].x, 0);
 }
 
+// A black cube under a sky of 1: what is left of the reflection is the wide part of the lobe, and what scatters more
+// than once.
+TEST_F(MobileTest, refitTakesTheWidePartOfTheLobeFromTheIrradiance) {
+  gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0);
+  environment.tintedSky[0] = glm::vec4(1);
+  for (const float metallic : {1.f, 0.f})
+    for (const float roughness : {0.1f, 0.45f, 0.7f, 1.f}) {
+      scenes::Scene scene = makeMetal(0.6f, roughness);
+      scene.materials[0].metallic = metallic;
+      const double NoV = std::cos(0.6f);
+      const f64::RefitTap tap = f64::refitTap(roughness, NoV);
+      f64::RefitLobe lobe = f64::refitLobe(fromGlm(specularColorOf(scene.materials[0])), 1, roughness, NoV);
+      if (metallic == 0) lobe.multiple = {0, 0, 0};
+      const glm::dvec3 expected = toGlm(lobe.single) * tap.wide + toGlm(lobe.multiple);
+      tests::expectNear(shade(scene, {.environment = &environment}, kRefit)[Term::skySpecular], glm::vec3(expected),
+                        1e-4f, "wide part");
+    }
+}
+
 TEST_F(MobileTest, nonmetalUsesItsOwnFunction) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
   scenes::Scene scene = makeLeaningQuad(1.2f);
