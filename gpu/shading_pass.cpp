@@ -146,9 +146,9 @@ struct ShadingPass::Impl {
                                  &s.color, &s.fog, &s.lightmap, &color, &termsA, &termsB})
       bindings.push_back(storage(*buffer));
     constexpr auto kReadOnly = vk::ImageLayout::eShaderReadOnlyOptimal;
-    bindings.push_back(program.environment ? vk::DescriptorImageInfo(*program.environment->sampler,
-                                                                     program.environment->cube.view(), kReadOnly)
-                                           : vk::DescriptorImageInfo(*linearClamp, blackCube.view(), kReadOnly));
+    const EnvironmentMaps* sky = program.environment;
+    const vk::DescriptorImageInfo noSky(*linearClamp, blackCube.view(), kReadOnly);
+    bindings.push_back(sky ? vk::DescriptorImageInfo(*sky->sampler, sky->cube.view(), kReadOnly) : noSky);
     bindings.push_back(vk::DescriptorImageInfo(
         *linearClamp, program.pathTexture ? program.pathTexture->view() : white.view(), kReadOnly));
     bindings.push_back(program.shadows ? program.shadows->image()
@@ -164,6 +164,10 @@ struct ShadingPass::Impl {
     bindings.push_back(baked ? pages(kBakedSunShadow, baked->sunShadow) : noPages);
     bindings.push_back(storage(baked ? baked->captures : nothing));
     bindings.push_back(storage(baked ? baked->scales : nothing));
+    bindings.push_back(
+        sky && sky->irradiance ? vk::DescriptorImageInfo(*linearClamp, sky->irradiance->view(), kReadOnly) : noSky);
+    bindings.push_back(
+        vk::DescriptorImageInfo(*linearClamp, sky && sky->panorama ? sky->panorama->view() : white.view(), kReadOnly));
     return bindings;
   }
 
@@ -231,7 +235,6 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   if (n == 0) return result;
 
   GpuView gpuView = makeView(scene.scene(), camera, surface.width, surface.height);
-  if (program.environment) std::copy(program.environment->sh.begin(), program.environment->sh.end(), gpuView.sh);
   std::copy(program.numbers.begin(), program.numbers.end(), gpuView.path);
   view.upload(std::as_bytes(std::span{&gpuView, 1}));
 

@@ -17,12 +17,19 @@
 
 namespace parity::gpu {
 
-// The prefiltered cube on the device with its sampler, and the SH that go with it. With baked captures (BakedMaps) the
-// cubes of one after another, in their order, and the SH of the sky, for what has no lightmap.
+// The prefiltered cube on the device with its sampler, and the irradiance that goes with it: SH and the numbers of
+// TintedSky (as kPathSkySh of gpu/shaders/interface.h has them), or a cube of irradiance over pi (an array of one), as
+// the path reads it. With baked captures (BakedMaps) the cubes of one after another, in their order, and the irradiance
+// of the sky, for what has no lightmap.
 struct EnvironmentMaps {
   DeviceImage cube;
   vk::raii::Sampler sampler{nullptr};
   std::array<glm::vec4, 9> sh{};
+  std::optional<DeviceImage> irradiance{};
+  std::array<glm::vec4, kTintedSkyNumbers> tintedSky{};
+  // The panorama's cells (lighting/panorama_cells.h), where the cube has fine levels to go with them.
+  std::optional<DeviceImage> panorama = std::nullopt;
+  float panoramaTurns = 0;
 };
 
 // What a scene may compile, and what its run has compiled already.
@@ -44,7 +51,7 @@ struct PathProgram {
   std::function<Buffer(const Surface&, const std::array<std::uint32_t, 4>&)> listLights;
   const Textures* textures = nullptr;             // the materials', as the path stores them; null: the scene's
   const DeviceImage* pathTexture = nullptr;       // binding 18; null: white
-  const EnvironmentMaps* environment = nullptr;   // null: no environment
+  const EnvironmentMaps* environment = nullptr;   // bindings 17, 25 and 26; null: no environment
   const ShadowMaps* shadows = nullptr;            // bindings 19 and 20; null: none
   const BakedMaps* baked = nullptr;               // bindings 21 to 24; null: none
   std::array<glm::vec4, kPathNumbers> numbers{};  // the path's own, GpuView::path

@@ -121,7 +121,9 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
     ++m_ownSamplers;
   }
   program.environment = inputs.environment;
-  if (inputs.environment) ++m_ownSamplers;
+  const bool hasPanorama = inputs.environment && inputs.environment->panorama;
+  if (inputs.environment) m_ownSamplers += hasPanorama ? 3 : 2; // the prefiltered cube, the irradiance, the cells
+  if (hasPanorama) program.numbers[gpu::kPathPanorama].x = inputs.environment->panoramaTurns;
   program.shadows = m_shadows = inputs.shadows;
   if (inputs.shadows) ++m_ownSamplers;
   program.baked = inputs.baked;
@@ -137,7 +139,8 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
                        inputs.shadows ? inputs.shadows->filter() + 1 : 0,
                        baked,
                        gpu::falloffsOf(lights),
-                       inputs.view};
+                       inputs.view,
+                       hasPanorama ? 1u : 0u};
   program.everySceneConstants = program.constants;
   program.everySceneConstants[kConstantLocalKinds] = gpu::kLocalAll;
   program.everySceneConstants[kConstantFalloffs] = gpu::kFalloffsAll;

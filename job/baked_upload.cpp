@@ -70,12 +70,12 @@ gpu::BakedMaps uploadMobileBaked(const gpu::Device& device, const bake::BakedLig
 }
 
 gpu::EnvironmentMaps uploadHighendCaptures(const gpu::Device& device, const bake::BakedLight& baked) {
-  return uploadCaptures(device, cubesOf(baked), baked.captures.front().light->irradianceSh);
+  return uploadCaptures(device, cubesOf(baked), *baked.captures.front().light);
 }
 
 gpu::EnvironmentMaps uploadMobileCaptures(const gpu::Device& device, const bake::BakedLight& baked,
                                           mobile::CaptureEncoding encoding) {
-  return uploadCaptures(device, cubesOf(baked), baked.captures.front().light->irradianceSh, encoding);
+  return uploadCaptures(device, cubesOf(baked), *baked.captures.front().light, encoding);
 }
 
 } // namespace parity::job

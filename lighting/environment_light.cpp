@@ -11,21 +11,26 @@
 #include "lighting/cube.h"
 #include "lighting/cube_sampler.h"
 #include "lighting/equirect.h"
+#include "lighting/irradiance_cube.h"
 #include "lighting/irradiance_sh.h"
 #include "lighting/prefilter.h"
 #include "shading/shading.h"
 
 namespace parity::lighting {
 
-int layersOfMip(int mip) {
-  return mip == 0 || mip == shading::f64::kPrefilterRoughestMip ? 1 : shading::f64::kPrefilterLayers;
+int layersOfMip(int mip, PrefilterLevels levels) {
+  if (levels == PrefilterLevels::first || mip == shading::f64::kPrefilterRoughestMip) return 1;
+  return mip == 0 && levels != PrefilterLevels::fine ? 1 : shading::f64::kPrefilterLayers;
 }
 
-EnvironmentLight makeEnvironmentLight(const scenes::Environment& environment, const PrefilterOptions& options) {
-  return makeEnvironmentLight(resampleEquirect(environment, options.faceSize), options);
+int layersOf(const CubeMap& cube, int mip) {
+  return static_cast<int>(cube.mips[mip].size() / texelIndex(kCubeFaces, 0, 0, cube.faceSize >> mip));
 }
 
-EnvironmentLight makeEnvironmentLight(std::vector<glm::vec4> texels, const PrefilterOptions& options) {
+namespace {
+
+// All but the irradiance cube.
+EnvironmentLight filterCube(std::vector<glm::vec4> texels, const PrefilterOptions& options) {
   const int size = options.faceSize;
   assert(size >= kMinFaceSize && size <= kMaxFaceSize && std::has_single_bit(static_cast<unsigned>(size)));
   assert(options.sampleCount >= 1 && options.sampleCount <= kMaxSampleCount &&
@@ -45,13 +50,27 @@ EnvironmentLight makeEnvironmentLight(std::vector<glm::vec4> texels, const Prefi
   std::vector<glm::vec4> rest = cube.mips[0];
   const BrightTexels bright = takeBrightTexels(rest, size);
   const CubeSampler source(std::move(rest), size);
-  for (int mip = 1; mip <= shading::f64::kPrefilterRoughestMip; ++mip) {
-    std::vector<glm::vec4>& layers = cube.mips.emplace_back();
-    for (int layer = 0; layer < layersOfMip(mip); ++layer) {
+  for (int mip = 0; mip <= shading::f64::kPrefilterRoughestMip; ++mip) {
+    std::vector<glm::vec4>& layers = mip == 0 ? cube.mips[0] : cube.mips.emplace_back();
+    for (int layer = mip == 0 ? 1 : 0; layer < layersOfMip(mip, options.levels); ++layer) {
       const std::vector<glm::vec4> fitted = fitBilinear(prefilter(source, bright, mip, layer, options), size >> mip);
       layers.insert(layers.end(), fitted.begin(), fitted.end());
     }
   }
+  return light;
+}
+
+} // namespace
+
+EnvironmentLight makeEnvironmentLight(const scenes::Environment& environment, const PrefilterOptions& options) {
+  EnvironmentLight light = filterCube(resampleEquirect(environment, options.faceSize), options);
+  light.irradianceCube = makeIrradianceCube(environment);
+  return light;
+}
+
+EnvironmentLight makeEnvironmentLight(std::vector<glm::vec4> texels, const PrefilterOptions& options) {
+  EnvironmentLight light = filterCube(std::move(texels), options);
+  light.irradianceCube = makeIrradianceCube(light.prefiltered.mips[0], options.faceSize);
   return light;
 }
 

@@ -1,4 +1,4 @@
-// What both paths share of an environment: the prefiltered cube and the SH irradiance, made once ("the exact same
+// What both paths share of an environment: the prefiltered cube and the irradiance, made once ("the exact same
 // preconvolution", Karis 2014).
 #pragma once
 
@@ -24,26 +24,42 @@ struct CubeMap {
 inline constexpr int kMinFaceSize = 32, kMaxFaceSize = 1024;
 inline constexpr int kMaxSampleCount = 4096;
 
-struct PrefilterOptions {
-  int faceSize = 256; // a power of two, kMinFaceSize..kMaxFaceSize
-  // GGX importance samples per texel of mip 1 (a power of two, to kMaxSampleCount); the rougher mips, whose texels are
-  // few, take more (lighting/prefilter.h).
-  int sampleCount = 64;
-  double footprintLog2 = 0.3; // samples read footprints 2^this as wide as they stand apart
+// Which levels a prefiltered cube has.
+enum class PrefilterLevels {
+  first,    // layer 0 of each mip: what the mobile path reads
+  captures, // all layers of the mips between the first and the last
+  fine,     // and of the first
 };
 
-// Cubes that mip m of the prefiltered array has: one of the first and of the last mip, else shading's kPrefilterLayers.
-int layersOfMip(int mip);
+struct PrefilterOptions {
+  int faceSize = 256; // a power of two, kMinFaceSize..kMaxFaceSize
+  // GGX importance samples per texel of mip 1 (a power of two, to kMaxSampleCount); the other mips take another number
+  // (lighting/prefilter.h).
+  int sampleCount = 64;
+  double footprintLog2 = 0.3; // samples read footprints 2^this as wide as they stand apart
+  PrefilterLevels levels = PrefilterLevels::captures;
+};
+
+// The high-end path's (docs/environments.md).
+inline constexpr PrefilterOptions kFinePrefilter{
+    .sampleCount = 128, .footprintLog2 = 0, .levels = PrefilterLevels::fine};
+
+// Cubes that mip m of the prefiltered array has: shading's kPrefilterLayers or one.
+int layersOfMip(int mip, PrefilterLevels levels);
+// The same of a cube that is there.
+int layersOf(const CubeMap& cube, int mip);
 
 // World space: the environment's rotation is applied already.
 struct EnvironmentLight {
   // Layer j of mip m holds the GGX-prefiltered radiance (N = V = R) of roughness shading::roughnessFromMip(m + j /
-  // kPrefilterLayers), layersOfMip(m) of them. Mip 0 is unfiltered; the last is shading's kPrefilterRoughestMip
-  // (roughness 1).
+  // kPrefilterLayers), layersOfMip(m) of them. Layer 0 of mip 0 is unfiltered; the last mip is shading's
+  // kPrefilterRoughestMip (roughness 1).
   CubeMap prefiltered;
   // Irradiance coefficients, order 2, as shading/sh.glsl evaluates them (cosine kernel applied: irradiance, not
-  // radiance).
+  // radiance): the mobile path's.
   std::array<glm::vec3, 9> irradianceSh{};
+  // Irradiance over pi at every normal (lighting/irradiance_cube.h): the high-end path's.
+  std::vector<glm::vec4> irradianceCube;
 };
 
 // Deterministic, bit-identical for any number of threads. GGX importance sampling with mips chosen by the pdf (Krivanek

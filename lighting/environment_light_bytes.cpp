@@ -1,4 +1,4 @@
-// The byte image of an environment light: a header, the irradiance, then the mips as they lie in memory.
+// The byte image of an environment light: a header, the irradiance (SH, cube), then the mips as they lie in memory.
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -8,24 +8,33 @@
 #include "base/error.h"
 #include "lighting/cube.h"
 #include "lighting/environment_light.h"
+#include "lighting/irradiance_cube.h"
 #include "shading/shading.h"
 
 namespace parity::lighting {
 
 namespace {
 
-constexpr std::uint32_t kMagic = 0x32564e45; // "ENV2"; another byte order reads as another number
+constexpr std::uint32_t kMagic = 0x33564e45;        // "ENV3"; another byte order reads as another number
+constexpr std::uint32_t kEarlierMagic = 0x32564e45; // "ENV2": without the irradiance cube
+constexpr std::size_t kIrradianceTexels = std::size_t{kCubeFaces} * kIrradianceFaceSize * kIrradianceFaceSize;
 constexpr std::uint32_t kMipCount = shading::f64::kPrefilterRoughestMip + 1;
 
 struct Header {
   std::uint32_t magic = kMagic;
   std::uint32_t faceSize = 0;
   std::uint32_t mipCount = kMipCount;
+  std::uint32_t levels = 0; // PrefilterLevels
 };
 
 static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::vec4) == 16);
 
 [[noreturn]] void fail(const std::string& reason) { throw base::fileError("environment light", "", reason); }
+
+PrefilterLevels levelsOf(const CubeMap& cube) {
+  if (layersOf(cube, 1) == 1) return PrefilterLevels::first;
+  return layersOf(cube, 0) == 1 ? PrefilterLevels::captures : PrefilterLevels::fine;
+}
 
 void requireFinite(const float* values, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i)
@@ -37,7 +46,8 @@ void requireFinite(const float* values, std::size_t count) {
 std::vector<std::byte> toBytes(const EnvironmentLight& light) {
   Header header;
   header.faceSize = static_cast<std::uint32_t>(light.prefiltered.faceSize);
-  std::size_t size = sizeof header + sizeof light.irradianceSh;
+  header.levels = static_cast<std::uint32_t>(levelsOf(light.prefiltered));
+  std::size_t size = sizeof header + sizeof light.irradianceSh + light.irradianceCube.size() * sizeof(glm::vec4);
   for (const auto& mip : light.prefiltered.mips) size += mip.size() * sizeof(glm::vec4);
 
   std::vector<std::byte> bytes(size);
@@ -48,6 +58,7 @@ std::vector<std::byte> toBytes(const EnvironmentLight& light) {
   };
   append(&header, sizeof header);
   append(light.irradianceSh.data(), sizeof light.irradianceSh);
+  append(light.irradianceCube.data(), light.irradianceCube.size() * sizeof(glm::vec4));
   for (const auto& mip : light.prefiltered.mips) append(mip.data(), mip.size() * sizeof(glm::vec4));
   return bytes;
 }
@@ -56,17 +67,21 @@ EnvironmentLight environmentLightFromBytes(std::span<const std::byte> bytes) {
   Header header;
   if (bytes.size() < sizeof header) fail("is shorter than its header");
   std::memcpy(&header, bytes.data(), sizeof header);
+  if (header.magic == kEarlierMagic) fail("was made by an earlier version: bake again");
   if (header.magic != kMagic) fail("is not of this kind");
   if (header.mipCount != kMipCount) fail("has " + std::to_string(header.mipCount) + " mips");
   if (header.faceSize < kMinFaceSize || header.faceSize > kMaxFaceSize || !std::has_single_bit(header.faceSize))
     fail("has faces of " + std::to_string(header.faceSize) + " texels");
+  if (header.levels > static_cast<std::uint32_t>(PrefilterLevels::fine)) fail("has levels of no known kind");
+  const auto levels = static_cast<PrefilterLevels>(header.levels);
 
   EnvironmentLight light;
   light.prefiltered.faceSize = static_cast<int>(header.faceSize);
-  std::size_t expected = sizeof header + sizeof light.irradianceSh;
+  std::size_t expected = sizeof header + sizeof light.irradianceSh + kIrradianceTexels * sizeof(glm::vec4);
   for (std::uint32_t m = 0; m < kMipCount; ++m)
-    expected += texelIndex(kCubeFaces * layersOfMip(static_cast<int>(m)), 0, 0, light.prefiltered.faceSize >> m) *
-                sizeof(glm::vec4);
+    expected +=
+        texelIndex(kCubeFaces * layersOfMip(static_cast<int>(m), levels), 0, 0, light.prefiltered.faceSize >> m) *
+        sizeof(glm::vec4);
   if (bytes.size() != expected)
     fail("has " + std::to_string(bytes.size()) + " bytes instead of " + std::to_string(expected));
 
@@ -74,9 +89,13 @@ EnvironmentLight environmentLightFromBytes(std::span<const std::byte> bytes) {
   std::memcpy(light.irradianceSh.data(), from, sizeof light.irradianceSh);
   from += sizeof light.irradianceSh;
   requireFinite(&light.irradianceSh[0].x, 3 * light.irradianceSh.size());
+  light.irradianceCube.resize(kIrradianceTexels);
+  std::memcpy(light.irradianceCube.data(), from, kIrradianceTexels * sizeof(glm::vec4));
+  from += kIrradianceTexels * sizeof(glm::vec4);
+  requireFinite(&light.irradianceCube[0].x, 4 * kIrradianceTexels);
   for (std::uint32_t m = 0; m < kMipCount; ++m) {
     std::vector<glm::vec4>& mip = light.prefiltered.mips.emplace_back(
-        texelIndex(kCubeFaces * layersOfMip(static_cast<int>(m)), 0, 0, light.prefiltered.faceSize >> m));
+        texelIndex(kCubeFaces * layersOfMip(static_cast<int>(m), levels), 0, 0, light.prefiltered.faceSize >> m));
     std::memcpy(mip.data(), from, mip.size() * sizeof(glm::vec4));
     from += mip.size() * sizeof(glm::vec4);
     requireFinite(&mip[0].x, 4 * mip.size());

@@ -7,109 +7,16 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <string>
 
-#include "base/error.h"
 #include "base/parallel.h"
 #include "lighting/cube.h"
+#include "lighting/panorama.h"
 
 namespace parity::lighting {
 
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr float kMaxRadiance = 1e30f;
-
-// The panorama in columns (each from +Y down), at a width and height that suit the faces, and turned as told.
-struct Panorama {
-  int width = 0, height = 0;
-  std::vector<glm::vec3> columns;
-  std::vector<double> rowY; // height + 1 bounds of the rows, cos(theta): 1 .. -1
-  float rotationDeg = 0;
-
-  const glm::vec3* column(long long i) const {
-    const long long wrapped = ((i % width) + width) % width;
-    return columns.data() + static_cast<std::size_t>(wrapped) * height;
-  }
-  // In columns; grows with the azimuth without wrapping around.
-  double columnAt(double azimuth) const { return (azimuth + rotation() + kPi) / (2 * kPi) * width; }
-  double azimuthAt(double columnPosition) const { return columnPosition / width * 2 * kPi - kPi - rotation(); }
-  double rotation() const { return panoramaAzimuth(0, rotationDeg); }
-};
-
-void checkRadiance(const scenes::Environment& environment) {
-  const base::Image& image = environment.radiance;
-  const auto fail = [&](const std::string& reason) {
-    throw base::fileError("environment " + environment.name, "", reason);
-  };
-  if (image.empty() || image.width < 1 || image.height < 1) fail("has no pixels");
-  if (image.channels != 3) fail("has " + std::to_string(image.channels) + " channels instead of 3");
-  if (image.pixels.size() != image.pixelCount() * 3) fail("has a size that is not that of its pixels");
-  for (const float value : image.pixels)
-    if (!(value >= 0 && std::isfinite(value))) fail("holds a radiance that is negative or not finite");
-  if (!std::isfinite(environment.rotationDeg)) fail("has a rotation that is not finite");
-}
-
-glm::vec3 texelAt(const base::Image& image, int x, int y) {
-  const float* p = image.at(x, y);
-  return glm::min(glm::vec3(p[0], p[1], p[2]), kMaxRadiance);
-}
-
-// Bilinear, wrapped around horizontally and clamped at the poles. x, y in texels, the middle of the first at 0.5.
-glm::vec3 bilinearAt(const base::Image& image, double x, double y) {
-  const double left = std::floor(x - 0.5), top = std::floor(y - 0.5);
-  const float fx = static_cast<float>(x - 0.5 - left), fy = static_cast<float>(y - 0.5 - top);
-  const int x0 = (static_cast<int>(left) + image.width) % image.width, x1 = (x0 + 1) % image.width;
-  const int y0 = std::clamp(static_cast<int>(top), 0, image.height - 1);
-  const int y1 = std::clamp(static_cast<int>(top) + 1, 0, image.height - 1);
-  const glm::vec3 upper = glm::mix(texelAt(image, x0, y0), texelAt(image, x1, y0), fx);
-  const glm::vec3 lower = glm::mix(texelAt(image, x0, y1), texelAt(image, x1, y1), fx);
-  return glm::mix(upper, lower, fy);
-}
-
-// The largest divisor of `size` that leaves at least `least`.
-int divisorLeaving(int size, int least) {
-  for (int divisor = std::max(1, size / least); divisor > 1; --divisor)
-    if (size % divisor == 0) return divisor;
-  return 1;
-}
-
-// Between about 4 and 16 columns for each of a face's: fewer would show as blocks, more would only cost time.
-Panorama makePanorama(const scenes::Environment& environment, int faceSize) {
-  const base::Image& image = environment.radiance;
-  const int growX = (4 * faceSize + image.width - 1) / image.width;
-  const int growY = (2 * faceSize + image.height - 1) / image.height;
-  const bool grows = growX > 1 || growY > 1;
-  const int shrinkX = grows ? 1 : divisorLeaving(image.width, 8 * faceSize);
-  const int shrinkY = grows ? 1 : divisorLeaving(image.height, 4 * faceSize);
-  Panorama p;
-  p.width = image.width * growX / shrinkX;
-  p.height = image.height * growY / shrinkY;
-  p.rotationDeg = environment.rotationDeg;
-  p.rowY.resize(static_cast<std::size_t>(p.height) + 1);
-  for (int y = 0; y <= p.height; ++y) p.rowY[y] = std::cos(kPi * y / p.height);
-  p.columns.resize(static_cast<std::size_t>(p.width) * p.height);
-  base::parallelFor(p.width, 16, [&](std::size_t begin, std::size_t end) {
-    for (int y = 0; y < p.height; ++y)
-      for (std::size_t x = begin; x < end; ++x) {
-        glm::vec3& texel = p.columns[x * p.height + y];
-        if (grows) {
-          texel = bilinearAt(image, (x + 0.5) / growX, (y + 0.5) / growY);
-          continue;
-        }
-        glm::dvec3 sum{0.0};
-        double area = 0;
-        for (int sy = y * shrinkY; sy < (y + 1) * shrinkY; ++sy) {
-          const double height = std::cos(kPi * sy / image.height) - std::cos(kPi * (sy + 1) / image.height);
-          for (int sx = 0; sx < shrinkX; ++sx)
-            sum += height * glm::dvec3(texelAt(image, static_cast<int>(x) * shrinkX + sx, sy));
-          area += height * shrinkX;
-        }
-        texel = glm::vec3(sum / area);
-      }
-  });
-  return p;
-}
 
 // The weighted sum of what falls into a cube texel.
 struct Gathered {
@@ -193,13 +100,7 @@ std::vector<Gathered> gatherPolarQuarter(const Panorama& p, bool top, int quarte
 
 } // namespace
 
-double panoramaAzimuth(double a, float rotationDeg) {
-  // A turn by +r about +Y takes azimuth a to a - r, so what is seen at a stood at a + r.
-  return a + static_cast<double>(rotationDeg) * kPi / 180;
-}
-
 std::vector<glm::vec4> resampleEquirect(const scenes::Environment& environment, int n) {
-  checkRadiance(environment);
   const Panorama panorama = makePanorama(environment, n);
   std::vector<glm::vec4> base(texelIndex(kCubeFaces, 0, 0, n));
 

@@ -30,7 +30,8 @@ glm::mat3 makeFrame(const glm::vec3& n) {
 
 } // namespace
 
-std::vector<WeightedRead> makeLobeSamples(double roughness, int count, int faceSize, double footprintLog2) {
+std::vector<WeightedRead> makeLobeSamples(double roughness, int count, int faceSize, double footprintLog2,
+                                          Spread spread) {
   assert(roughness > 0 && count >= 1 && faceSize >= 1);
   const double alpha = roughness * roughness, a2 = alpha * alpha;
   const double texelAngle = 4.0 / (static_cast<double>(faceSize) * faceSize);
@@ -42,7 +43,8 @@ std::vector<WeightedRead> makeLobeSamples(double roughness, int count, int faceS
     const double share = 1 / (1 + a2), xi = (i + 0.5) / count * share;
     const double NoH2 = (1 - xi) / (1 - (1 - a2) * xi);
     const double NoL = 2 * NoH2 - 1, sinL = std::sqrt(std::max(0.0, 1 - NoL * NoL));
-    const double phi = 2 * std::numbers::pi * radicalInverse(static_cast<std::uint32_t>(i));
+    const double phi = spread == Spread::spiral ? std::numbers::pi * (3 - std::sqrt(5.0)) * i
+                                                : 2 * std::numbers::pi * radicalInverse(static_cast<std::uint32_t>(i));
     const double pdf = shading::f64::D_GGX(alpha, std::sqrt(NoH2)) / 4 / share; // D NoH / (4 VoH), and NoH = VoH
     samples[i].direction = glm::vec3(glm::dvec3(sinL * std::cos(phi), sinL * std::sin(phi), NoL));
     samples[i].sizeLog2 = static_cast<float>(0.5 * std::log2(1 / (count * pdf) / texelAngle) + footprintLog2);
@@ -53,10 +55,11 @@ std::vector<WeightedRead> makeLobeSamples(double roughness, int count, int faceS
   return samples;
 }
 
-int samplesOfMip(int mip, int sampleCount) {
-  constexpr int kFactors[] = {1, 4, 8, 16, 64};
-  assert(mip >= 1 && mip <= static_cast<int>(std::size(kFactors)));
-  return sampleCount * kFactors[mip - 1];
+int samplesOfMip(int mip, const PrefilterOptions& options) {
+  constexpr int kQuarters[] = {0, 4, 16, 32, 64, 256}, kFineQuarters[] = {1, 4, 8, 16, 32, 128};
+  const bool isFine = options.levels == PrefilterLevels::fine;
+  assert(mip >= (isFine ? 0 : 1) && mip < static_cast<int>(std::size(kQuarters)));
+  return std::max(1, options.sampleCount * (isFine ? kFineQuarters : kQuarters)[mip] / 4);
 }
 
 std::vector<glm::vec4> prefilter(const CubeSampler& cube, const BrightTexels& bright, int mip, int layer,
@@ -64,14 +67,19 @@ std::vector<glm::vec4> prefilter(const CubeSampler& cube, const BrightTexels& br
   const double roughness =
       shading::f64::roughnessFromMip(mip + static_cast<double>(layer) / shading::f64::kPrefilterLayers);
   const int size = options.faceSize >> mip;
+  const bool isFine = options.levels == PrefilterLevels::fine;
+  const Spread spread = isFine ? Spread::spiral : Spread::hammersley;
+  // A lobe narrower than the texels would be met or missed by their middles: alpha is half a texel's width at least.
+  const double roughnessOfBright = isFine ? std::max(roughness, std::sqrt(1.0 / size)) : roughness;
   const std::vector<FourReads> samples = packReads(
-      makeLobeSamples(roughness, samplesOfMip(mip, options.sampleCount), options.faceSize, options.footprintLog2));
+      makeLobeSamples(roughness, samplesOfMip(mip, options), options.faceSize, options.footprintLog2, spread));
   std::vector<glm::vec4> texels(texelIndex(kCubeFaces, 0, 0, size));
   base::parallelFor(static_cast<std::size_t>(kCubeFaces) * size, 1, [&](std::size_t row, std::size_t) {
     const int face = static_cast<int>(row) / size, y = static_cast<int>(row) % size;
     for (int x = 0; x < size; ++x) {
       const auto normal = glm::vec3(texelDirection(face, x, y, size));
-      const glm::vec3 radiance = cube.readSum(makeFrame(normal), samples) + sumBrightTexels(bright, normal, roughness);
+      const glm::vec3 radiance =
+          cube.readSum(makeFrame(normal), samples) + sumBrightTexels(bright, normal, roughnessOfBright);
       texels[texelIndex(face, x, y, size)] = glm::vec4(radiance, 1.f);
     }
   });

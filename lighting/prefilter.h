@@ -11,16 +11,23 @@
 
 namespace parity::lighting {
 
-// `count` samples of the lobe around N = V = +Z: half vectors by D_GGX at alpha = roughness^2 (Walter et al. 2007,
-// eq. 35) in Hammersley's sequence, weights NoL (Karis 2013, "PrefilterEnvMap") that sum to 1. Each reads a footprint
-// of the solid angle that it stands for, 1 / (count pdf) (Krivanek and Colbert 2008, "Real-time Shading with Filtered
-// Importance Sampling", eq. 10), 2^footprintLog2 times as wide so that neighbours overlap. count: a power of two;
-// faceSize: of the cube that is read.
-std::vector<WeightedRead> makeLobeSamples(double roughness, int count, int faceSize, double footprintLog2);
+// How the samples of a lobe are spread: Hammersley's sequence, or a spiral that turns by the golden angle from one to
+// the next (Vogel 1979, "A Better Way to Construct the Sunflower Head"), which leaves no gaps between footprints and
+// errs half as much; their number is then free.
+enum class Spread { hammersley, spiral };
 
-// How many samples mip `mip` >= 1 takes: sampleCount times 1, 4, 8, 16, 64. The mips shrink to a quarter each while
-// their lobes widen, so the rough ones can have more and yet cost no more.
-int samplesOfMip(int mip, int sampleCount);
+// `count` samples of the lobe around N = V = +Z: half vectors by D_GGX at alpha = roughness^2 (Walter et al. 2007,
+// eq. 35), weights NoL (Karis 2013, "PrefilterEnvMap") that sum to 1. Each reads a footprint
+// of the solid angle that it stands for, 1 / (count pdf) (Krivanek and Colbert 2008, "Real-time Shading with Filtered
+// Importance Sampling", eq. 10), 2^footprintLog2 times as wide so that neighbours overlap. count: in
+// Hammersley's sequence a power of two; faceSize: of the cube that is read.
+std::vector<WeightedRead> makeLobeSamples(double roughness, int count, int faceSize, double footprintLog2,
+                                          Spread spread = Spread::hammersley);
+
+// How many samples mip `mip` takes: sampleCount times 1, 4, 8, 16, 64 from mip 1 on. The mips shrink to a quarter each
+// while their lobes widen, so the rough ones can have more and yet cost no more. Of the fine levels: times 1/4, 1, 2,
+// 4, 8, 32 from mip 0 on, at least 1.
+int samplesOfMip(int mip, const PrefilterOptions& options);
 
 // A level's six faces of (faceSize >> mip)^2 texels, filtered for N = V = R around their middles; A = 1. The bright
 // texels, which `cube` lacks, are summed exactly.

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/parallel.h"
-#include "lighting/equirect.h"
+#include "lighting/panorama.h"
 
 namespace parity::lighting {
 
@@ -18,7 +18,7 @@ constexpr double kLevelOverMean = 10; // on three real maps: above what glare le
 constexpr double kPeakOverLevel = 8;
 constexpr double kMaxRadius = 3 * kPi / 180;
 constexpr double kLeastShare = 0.02;  // of the map's flux: st_peters_square_night has 5 above, 15 above half of it
-constexpr float kMaxRadiance = 1e30f; // as lighting/equirect.h has it
+constexpr float kMaxRadiance = 1e30f; // as lighting/panorama.h has it
 
 double luminanceOf(const glm::dvec3& c) { return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 

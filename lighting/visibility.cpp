@@ -80,6 +80,7 @@ RTCRay makeRay(const glm::dvec3& origin, const glm::dvec3& direction, double max
 } // namespace
 
 struct Visibility::Impl {
+  const scenes::Scene* whole = nullptr;
   FirstError error; // outlives the device
   std::deque<MaskedMesh> masked;
   Owned<RTCDevice, ReleaseDevice> device;
@@ -137,6 +138,7 @@ Visibility::Visibility(const scenes::Scene& scene) : m_impl(std::make_unique<Imp
                           fmt::format("{} triangles over all instances, {} at most", triangles, kMaxTriangles));
 
   Impl& impl = *m_impl;
+  impl.whole = &scene;
   impl.device.reset(rtcNewDevice(nullptr));
   if (!impl.device)
     throw base::fileError(scene.name, "shadows",
@@ -152,6 +154,8 @@ Visibility::Visibility(const scenes::Scene& scene) : m_impl(std::make_unique<Imp
 }
 
 Visibility::~Visibility() = default;
+
+const scenes::Scene& Visibility::scene() const { return *m_impl->whole; }
 
 double Visibility::surfaceOffset(const glm::dvec3& position) const {
   return kOffset * std::max({m_impl->extent, std::abs(position.x), std::abs(position.y), std::abs(position.z)});

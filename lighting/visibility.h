@@ -51,6 +51,9 @@ public:
   glm::dvec3 leaveSurface(const glm::dvec3& position, const glm::dvec3& geometricNormal) const {
     return position + geometricNormal * surfaceOffset(position);
   }
+  // What it was made of.
+  const scenes::Scene& scene() const;
+
   // 2^-18 (4e-6) of the largest coordinate of the scene or the position, in metres: positions, vertices and Embree's
   // intersections are 32-bit floats, each wrong by a few 2^-24 of the coordinates it was computed from (an eye up
   // to 16 times as far away included). What is nearer to a surface than this casts no shadow on it.

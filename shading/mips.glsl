@@ -37,8 +37,8 @@ struct PrefilterBlend {
   real upperShare;
 };
 
-// The levels next to a mip in [0, kPrefilterRoughestMip] (mipFromRoughness), linear between them. Below mip 1, where
-// lobes are narrower than the texels of 256x256 faces, there is layer 0 alone.
+// The levels next to a mip in [0, kPrefilterRoughestMip] (mipFromRoughness), linear between them, of a cube whose first
+// mip has layer 0 alone, as captures have it.
 FN PrefilterBlend prefilterBlend(real mip) {
   PrefilterBlend blend;
   blend.lower = 0;
@@ -53,6 +53,41 @@ FN PrefilterBlend prefilterBlend(real mip) {
     blend.upperShare = min(share, R(1.0));
   }
   return blend;
+}
+
+// Of a cube with fine levels, whose first mip has all layers: the levels next to a mip (unclampedMip), linear between
+// them. What is smoother than level 1, kSharpestPrefilteredMip, is held by no level but read from the panorama.
+CONSTANT real32 kSharpestPrefilteredMip = real32(0.25);
+
+FN PrefilterBlend finePrefilterBlend(real mip) {
+  PrefilterBlend blend;
+  PRECISE real level = max(mip, real(kSharpestPrefilteredMip)) * real(real32(kPrefilterLayers));
+  blend.lower = int(real32(level));
+  if (blend.lower >= kPrefilterLayers * kPrefilterRoughestMip) blend.lower = kPrefilterLayers * kPrefilterRoughestMip - 1;
+  blend.upper = blend.lower + 1;
+  PRECISE real share = level - real(real32(blend.lower));
+  blend.upperShare = min(share, R(1.0));
+  return blend;
+}
+
+// A lobe smoother than level 1, of alpha a < a1, is (a / a1)^2 times that level, which has its tail (D falls off as
+// a^2 / theta^4), and a narrow core for the rest. The radiance that the core weighs lies within, along each axis,
+//   variance = 2 a^2 ln(a1^2 / a^2) / (1 - a^2 / a1^2) radians^2
+// (small angles: half vectors turn by half as much). It is taken for a square.
+struct SharpLobe {
+  real tail;  // (a / a1)^2, [0, 1]
+  real width; // of the core, radians
+};
+
+// mip: unclampedMip, below kSharpestPrefilteredMip.
+FN SharpLobe sharpLobe(real mip) {
+  SharpLobe lobe;
+  PRECISE real logTail = min((mip - real(kSharpestPrefilteredMip)) / R(0.3), R(-0.001)); // log2 of tail: a = R^2
+  PRECISE real alpha = sqr(roughnessFromMip(mip));
+  lobe.tail = exp2(logTail);
+  PRECISE real variance = R(-1.3862944) * logTail / (R(1.0) - lobe.tail); // 2 ln(2), over alpha^2
+  lobe.width = R(1.5) * alpha * sqrt(variance);
+  return lobe;
 }
 
 #endif

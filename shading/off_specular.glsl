@@ -12,7 +12,7 @@
 
 struct LobeTap {
   real blend;  // 0: the normal, 1: the mirror direction; may lie beyond either
-  real mip;    // of the prefiltered cube, [0, 5]
+  real mip;    // of the prefiltered cube, at most 5; below 0 for what is smoother than mip 0
   real weight; // [0, 1]
 };
 
@@ -36,7 +36,7 @@ FN LobeTap makeLobeTap(real Roughness, real lean, real mipOffset, real weight) {
   PRECISE real blend = R(1.0) - Roughness * Roughness * lean;
   PRECISE real mip = unclampedMip(Roughness) + mipOffset;
   tap.blend = blend;
-  tap.mip = max(min(mip, real(kPrefilterRoughestMip)), R(0.0));
+  tap.mip = min(mip, real(kPrefilterRoughestMip));
   tap.weight = weight;
   return tap;
 }

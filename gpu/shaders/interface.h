@@ -99,10 +99,15 @@ PARITY_CONST uint kOffSpecularThreeTaps = 4u;
 
 PARITY_CONST int kPathNumbers = 12;
 // Those of the mobile path.
-PARITY_CONST int kPathSkySh = 0;             // nine, shading/sky_sh.glsl
+PARITY_CONST int kPathSkySh =
+    0; // nine, shading/sky_sh.glsl; or of shading/tinted_sky.glsl c, tint, q of xx xy xz, q of yy yz
+PARITY_CONST int kTintedSkyNumbers = 7;
 PARITY_CONST int kPathAverageBrightness = 9; // x: of the capture; y: transition scale of the distance-field shadow
 PARITY_CONST int kPathMixing = 10;           // MixingRange of shading/capture.glsl: scale, bias, largest
 PARITY_CONST int kPathShadows = 11; // of shadow maps; xy: DistanceFade of the sun's; z: sharpen, w: fade of the spot's
+
+// Of the high-end path.
+PARITY_CONST int kPathPanorama = 0; // x: turns of PanoramaCells
 
 // Lights that one dispatch of highend/shaders/cull_lights.comp asks, and that a path's shader loops over for a pixel:
 // lavapipe ends an invocation's loops after 65,535 turns.
@@ -172,7 +177,6 @@ struct GpuView {
   vec4 origin, originX, originY;          // relative to eye
   vec4 direction, directionX, directionY; // not normalised
   vec4 forward;                           // unit, along the camera's axis; that of the eye: depth is dot(xyz, p) - w
-  vec4 sh[9];                             // irradiance coefficients (shading/sh.glsl)
   vec4 skyLightColor;                     // rgb: scales the sky's light (scenes::LightScales)
   vec4 indirectColorScale;                // rgb: scales the lightmap
   vec4 fog;                               // density, height falloff, height, start distance (shading/fog.glsl)

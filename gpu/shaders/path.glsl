@@ -41,6 +41,9 @@ layout(set = 0, binding = 22) uniform sampler2DArray sunShadowPages;
 layout(set = 0, binding = 23, std430) readonly buffer Captures { uvec4 captureHead; GpuCapture captures[]; }; // head: how many
 layout(set = 0, binding = 24, std430) readonly buffer LightmapScaling { GpuLightmapScales lightmapScales[]; }; // of instances
 
+layout(set = 0, binding = 25) uniform samplerCubeArray environmentIrradiance; // over pi; an array of one
+layout(set = 0, binding = 26) uniform sampler2D panorama; // lighting/panorama_cells.h
+
 layout(set = 1, binding = 0) uniform sampler2D baseColorTexture;
 layout(set = 1, binding = 1) uniform sampler2D metallicRoughnessTexture;
 layout(set = 1, binding = 2) uniform sampler2D normalTexture;

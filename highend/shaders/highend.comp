@@ -1,4 +1,5 @@
-// The high-end path: full GGX for every light, environment by prefiltered cube, tabulated environment BRDF and SH.
+// The high-end path: full GGX for every light, environment by prefiltered cube, tabulated environment BRDF and
+// irradiance cube.
 //
 // Colour = diffuse + specular; the diffuse lobe gets what the specular one leaves (kDiffuse).
 #version 460
@@ -21,6 +22,7 @@ layout(constant_id = 14) const uint kShadows = 0u; // shadow.glsl
 layout(constant_id = 15) const uint kBaked = 0u; // kBaked... bits
 layout(constant_id = 16) const uint kFalloffs = 0u; // ways in which local lights fade
 layout(constant_id = 17) const uint kView = 0u;     // kView... of highend/shaders/views.h
+layout(constant_id = 18) const uint kPanorama = 0u; // the panorama is there, and fine levels go with it
 #include "gpu/shaders/local_light.glsl"
 #include "gpu/shaders/shadow.glsl"
 #include "highend/shaders/baked.glsl"
@@ -137,7 +139,7 @@ vec3 localLight(GpuLight light, vec3 position, out vec3 L) {
 // Of the environment, or of the captures in its place. direction: unit.
 vec3 imageRadiance(Shader s, vec3 direction, float mip) {
   if ((kBaked & kBakedCaptures) != 0u) return capturedRadiance(s.captures, direction, mip);
-  return skyRadianceAtMip(direction, mip, 0);
+  return kPanorama == 0u ? skyRadianceAtMip(direction, mip, 0) : fineSkyRadianceAtMip(direction, mip);
 }
 
 vec3 readTap(Shader s, vec3 R, LobeTap tap) {
@@ -145,10 +147,8 @@ vec3 readTap(Shader s, vec3 R, LobeTap tap) {
   return imageRadiance(s, direction, tap.mip) * tap.weight;
 }
 
-// Mean radiance over the specular lobe.
-vec3 reflectedRadiance(Shader s) {
-  vec3 R = 2.0 * dot(s.N, s.V) * s.N - s.V;
-  float mip = mipFromRoughness(s.roughness);
+// Mean radiance over the specular lobe, R the mirror direction, from the prefiltered levels.
+vec3 filteredRadiance(Shader s, vec3 R, float mip) {
   if (kOffSpecular == kOffSpecularNone) return imageRadiance(s, R, mip);
   if (kOffSpecular == kOffSpecularDominant)
     return imageRadiance(s, safeNormalize(mix(s.N, R, dominantBlend(sqr(s.roughness))), s.N), mip);
@@ -161,6 +161,17 @@ vec3 reflectedRadiance(Shader s) {
     for (int i = 0; i < 3; ++i) radiance += readTap(s, R, threeTap(i, s.NoV, s.roughness));
   }
   return radiance;
+}
+
+// Mean radiance over the specular lobe. What is sharper than any level is a core, read once in the mirror direction, and
+// the tail that the levels have.
+vec3 reflectedRadiance(Shader s) {
+  vec3 R = 2.0 * dot(s.N, s.V) * s.N - s.V;
+  float mip = unclampedMip(s.roughness);
+  vec3 radiance = filteredRadiance(s, R, mip);
+  if (kPanorama == 0u || mip >= kSharpestPrefilteredMip) return radiance;
+  SharpLobe lobe = sharpLobe(mip);
+  return mix(panoramaMean(R, lobe.width), radiance, lobe.tail);
 }
 
 // Evaluated at the pixel.

@@ -1,7 +1,10 @@
 // The high-end path against the formulas of shading/ in double precision, evaluated on the CPU for the same surface.
 #include "support/path_quad.h"
 
+#include <random>
+
 #include "highend/renderer.h"
+#include "lighting/panorama_cells.h"
 #include "shading/shading.h"
 
 namespace parity::highend {
@@ -219,6 +222,40 @@ TEST_F(HighendTest, skyIsBlendedFromTheTwoNearestLevels) {
     const ShadedPoint point = shade(scene, {.environment = &environment, .lut = &lut}, kPlain);
     EXPECT_NEAR(point[Term::skySpecular].x, kLayers * shading::f64::mipFromRoughness(roughness), 1e-3f) << roughness;
   }
+}
+
+// Under black levels what is left is the panorama's own share: the cell for a mirror, the mean over a box for what is
+// nearly one. A lamp beside the cell that is read must not show.
+TEST_F(HighendTest, mirrorsReadThePanoramasCells) {
+  scenes::Environment panorama;
+  panorama.name = "noise";
+  panorama.radiance = base::Image(512, 256, 3); // interpolated to cells
+  panorama.rotationDeg = 77;
+  std::mt19937 random(2);
+  for (float& value : panorama.radiance.pixels) value = static_cast<float>(std::exp(random() % 12));
+  const lighting::PanoramaCells cells = lighting::makePanoramaCells(panorama);
+  std::vector<std::span<const std::byte>> mips;
+  for (const std::vector<glm::vec4>& mip : cells.mips) mips.push_back(std::as_bytes(std::span{mip}));
+  gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0);
+  environment.panorama.emplace(device(),
+                               gpu::DeviceImage::Shape{.format = vk::Format::eR32G32B32A32Sfloat,
+                                                       .width = static_cast<std::uint32_t>(cells.width),
+                                                       .height = static_cast<std::uint32_t>(cells.height),
+                                                       .mips = static_cast<std::uint32_t>(mips.size())},
+                               mips);
+  environment.panoramaTurns = cells.turns;
+  const base::Image lut = constantLut(0.f, 1.f);
+  for (const float angle : {0.f, 0.1f, 0.35f, -0.8f, 1.3f})
+    for (const float roughness : {0.f, 0.02f, 0.045f, 0.06f}) {
+      scenes::Scene scene = makeLeaningQuad(angle);
+      scene.materials[0].roughness = roughness;
+      const glm::vec3 actual = shade(scene, {.environment = &environment, .lut = &lut}, kPlain)[Term::skySpecular];
+      const f64::SharpLobe lobe = f64::sharpLobe(f64::unclampedMip(roughness));
+      const glm::dvec3 mirrored(std::sin(2 * angle), 0, std::cos(2 * angle));
+      const glm::vec3 expected = lighting::readCells(cells, mirrored, lobe.width) * static_cast<float>(1 - lobe.tail);
+      // The box's borders: single precision of the place, of 1024 cells a row.
+      tests::expectNear(actual, expected, roughness == 0 ? 1e-6f : 2e-3f, "radiance");
+    }
 }
 
 TEST_F(HighendTest, termsAddUpToTheColour) {

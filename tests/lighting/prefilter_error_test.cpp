@@ -14,18 +14,19 @@
 namespace parity::lighting {
 namespace {
 
-const std::vector<double> kRoughnesses = {0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8};
+const std::vector<double> kRoughnesses = {0.03, 0.06, 0.09, 0.12, 0.16, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8};
+constexpr std::size_t kSmooth = 5; // of these are below 0.2
 
 struct Map {
-  const char* name; // builtin:NAME, or a file
-  double medianBound, worstBound;
+  const char* name;                            // builtin:NAME, or a file
+  double smoothBound, medianBound, worstBound; // medians below .2 and from there on, worst from there on
   bool extracted;
 };
 void PrintTo(const Map& map, std::ostream* out) { *out << map.name << (map.extracted ? "" : ", sun left in"); }
 
 class PrefilterError : public testing::TestWithParam<Map> {};
 
-// Measured: docs/environments.md. Read trilinearly the medians are 4 (garden), 7 (night) and 21 % (studio).
+// Measured: docs/environments.md. As mobile reads the medians are 4 (garden), 7 (night) and 21 % (studio).
 TEST_P(PrefilterError, isWithinWhatIsPromised) {
   std::string file = GetParam().name;
   if (!file.starts_with("builtin:")) {
@@ -38,23 +39,29 @@ TEST_P(PrefilterError, isWithinWhatIsPromised) {
   if (GetParam().extracted) environment = extractSuns(std::move(environment)).environment;
   const std::vector<glm::dvec3> directions = tests::makeDirections(40);
   const auto truth = tests::integrateLobes(environment, directions, kRoughnesses);
-  const tests::PrefilterReader reader(makeEnvironmentLight(environment, {}).prefiltered);
+  const PanoramaCells cells = makePanoramaCells(environment);
+  const tests::PrefilterReader reader(makeEnvironmentLight(environment, kFinePrefilter).prefiltered, &cells);
   std::vector<double> errors =
       tests::relativeRmse(truth, directions, kRoughnesses, std::bind_front(&tests::PrefilterReader::read, &reader));
-  std::sort(errors.begin(), errors.end());
-  RecordProperty("median", std::to_string(errors[errors.size() / 2]));
-  EXPECT_LE(errors[errors.size() / 2], GetParam().medianBound);
+  const auto rough = errors.begin() + kSmooth;
+  std::sort(errors.begin(), rough);
+  std::sort(rough, errors.end());
+  const double smoothMedian = errors[kSmooth / 2], median = errors[(kSmooth + errors.size()) / 2];
+  RecordProperty("smooth median", std::to_string(smoothMedian));
+  RecordProperty("median", std::to_string(median));
+  EXPECT_LE(smoothMedian, GetParam().smoothBound);
+  EXPECT_LE(median, GetParam().medianBound);
   EXPECT_LE(errors.back(), GetParam().worstBound);
 }
 
 INSTANTIATE_TEST_SUITE_P(Builtin, PrefilterError,
-                         testing::Values(Map{"builtin:sky", 0.003, 0.006, true},
-                                         Map{"builtin:studio", 0.006, 0.012, true},
-                                         Map{"builtin:sky", 0.02, 0.05, false}));
+                         testing::Values(Map{"builtin:sky", 0.005, 0.003, 0.006, true},
+                                         Map{"builtin:studio", 0.015, 0.006, 0.012, true},
+                                         Map{"builtin:sky", 0.03, 0.02, 0.05, false}));
 INSTANTIATE_TEST_SUITE_P(Shared, PrefilterError,
-                         testing::Values(Map{"chinese_garden_1k.hdr", 0.01, 0.02, true},
-                                         Map{"st_peters_square_night_1k.hdr", 0.015, 0.08, true},
-                                         Map{"studio_small_05_1k.hdr", 0.035, 0.065, true}));
+                         testing::Values(Map{"chinese_garden_1k.hdr", 0.03, 0.01, 0.02, true},
+                                         Map{"st_peters_square_night_1k.hdr", 0.1, 0.015, 0.08, true},
+                                         Map{"studio_small_05_1k.hdr", 0.11, 0.035, 0.065, true}));
 
 } // namespace
 } // namespace parity::lighting

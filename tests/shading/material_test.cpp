@@ -1,5 +1,6 @@
 // Material inputs to lighting colours, and the mapping between roughness and mips of the prefiltered cube.
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -70,6 +71,43 @@ TEST(Mips, levelsBetweenMipsEncloseTheRoughness) {
   }
   EXPECT_EQ(f64::prefilterBlend(f64::mipFromRoughness(1)).upper, kLast);
   EXPECT_EQ(f64::prefilterBlend(f64::mipFromRoughness(1)).upperShare, 1);
+}
+
+TEST(Mips, fineLevelsEncloseTheRoughnessFromTheSharpestOn) {
+  constexpr int kLast = f64::kPrefilterLayers * f64::kPrefilterRoughestMip;
+  for (double R = 0; R <= 1; R += 0.001) {
+    const double mip = f64::unclampedMip(R);
+    const f64::PrefilterBlend blend = f64::finePrefilterBlend(mip);
+    ASSERT_TRUE(blend.lower >= 1 && blend.upper == blend.lower + 1 && blend.upper <= kLast) << R;
+    ASSERT_TRUE(blend.upperShare >= 0 && blend.upperShare <= 1) << R;
+    const double level = blend.lower + blend.upperShare;
+    ASSERT_NEAR(level / f64::kPrefilterLayers, std::max(mip, 1. * f64::kSharpestPrefilteredMip), 1e-12) << R;
+  }
+}
+
+// D of a < a1 is (a / a1)^2 that of a1, far out, and a core: by quadrature of the small-angle lobes 1 / (pi b^2) / (1 +
+// theta^2 / b^2)^2, b = 2 a.
+TEST(Mips, sharpLobesHaveTheTailOfLevelOneAndTheVarianceOfTheRest) {
+  const double sharpest = f64::kSharpestPrefilteredMip, alpha1 = std::pow(f64::roughnessFromMip(sharpest), 2);
+  const auto lobe = [](double alpha, double theta) {
+    const double b2 = 4 * alpha * alpha;
+    return 1 / (std::numbers::pi * b2) / std::pow(1 + theta * theta / b2, 2);
+  };
+  for (const double mip : {-4.0, -1.0, 0.0, 0.2}) {
+    const double alpha = std::pow(f64::roughnessFromMip(mip), 2);
+    const f64::SharpLobe sharp = f64::sharpLobe(mip);
+    EXPECT_NEAR(sharp.tail * lobe(alpha1, 1) / lobe(alpha, 1), 1, 1e-3) << mip;
+    double sum = 0, squares = 0;
+    for (double t = -14; t < 6; t += 1e-3) { // theta = e^t
+      const double theta = std::exp(t), weight = 2 * std::numbers::pi * theta * theta * 1e-3 *
+                                                 (lobe(alpha, theta) - sharp.tail * lobe(alpha1, theta));
+      sum += weight;
+      squares += weight * theta * theta / 2; // along one axis
+    }
+    EXPECT_NEAR(sum, 1 - sharp.tail, 1e-3) << mip;
+    EXPECT_NEAR(sharp.width / 1.5, std::sqrt(squares / sum), 2e-3 * sharp.width) << mip;
+  }
+  EXPECT_LT(f64::sharpLobe(f64::unclampedMip(0)).width, 1e-4) << "a mirror reads a cell";
 }
 
 TEST(Mips, mappingAndInverseAgree) {

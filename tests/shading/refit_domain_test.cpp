@@ -81,12 +81,13 @@ std::vector<double> places() {
     const at::RefitLobe lobe = at::refitLobe({f, f, f}, Real(F90), Real(R), Real(N));                                  \
     const at::RefitTap tap = at::refitTap(Real(R), Real(N));                                                           \
     const auto light = at::refitLight(lobe, Real(L), {static_cast<Real32>(H), static_cast<Real32>(VoH)});              \
-    return std::array<double, 6>{double(lobe.single.x),                                                                \
+    return std::array<double, 7>{double(lobe.single.x),                                                                \
                                  double(lobe.multiple.x),                                                              \
                                  double(light.x),                                                                      \
                                  double(at::refitDiffuseShare(lobe.single.x, lobe.multiple.x)),                        \
                                  std::fabs(double(tap.lean)),                                                          \
-                                 std::fabs(double(tap.mip))};                                                          \
+                                 std::fabs(double(tap.mip)),                                                           \
+                                 double(tap.wide)};                                                                    \
   }
 
 template <typename Sweep> void expectSound(const char* precision, Sweep sweep) {

@@ -9,16 +9,24 @@
 
 namespace parity::tests {
 
-// An environment of constant radiance: a cube of one texel a face, and its SH (irradiance pi L: band 0 alone).
-inline gpu::EnvironmentMaps makeConstantEnvironment(const gpu::Device& device, float radiance) {
+// A cube of one texel a face, of one radiance.
+inline gpu::DeviceImage makeConstantCube(const gpu::Device& device, float radiance) {
   const std::vector<glm::vec4> texels(6, glm::vec4(radiance, radiance, radiance, 1));
   const std::span<const std::byte> mip = std::as_bytes(std::span{texels});
-  gpu::EnvironmentMaps maps{
-      gpu::DeviceImage(device, {.format = vk::Format::eR32G32B32A32Sfloat, .cube = true}, std::span{&mip, 1}),
-      vk::raii::Sampler(device.handle(), vk::SamplerCreateInfo()),
-      {}};
+  return gpu::DeviceImage(device, {.format = vk::Format::eR32G32B32A32Sfloat, .cube = true}, std::span{&mip, 1});
+}
+
+// An environment of constant radiance and its irradiance, as SH (irradiance pi L: band 0 alone), with a tint and as a
+// cube (both over pi).
+inline gpu::EnvironmentMaps makeConstantEnvironment(const gpu::Device& device, float radiance) {
+  gpu::EnvironmentMaps maps{makeConstantCube(device, radiance),
+                            vk::raii::Sampler(device.handle(), vk::SamplerCreateInfo()),
+                            {},
+                            makeConstantCube(device, radiance),
+                            {}};
   // E(n) = pi L = c0 * 0.282095
   maps.sh[0] = glm::vec4(3.14159265358979 * radiance / 0.282094791773878);
+  maps.tintedSky[0] = glm::vec4(radiance);
   return maps;
 }
 

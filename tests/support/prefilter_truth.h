@@ -13,6 +13,7 @@
 #include "lighting/cube.h"
 #include "lighting/cube_sampler.h"
 #include "lighting/environment_light.h"
+#include "lighting/panorama_cells.h"
 #include "scenes/procedural_environment.h"
 #include "shading/shading.h"
 
@@ -26,41 +27,50 @@ inline std::vector<glm::dvec3> makeDirections(int count) {
   return directions;
 }
 
-// [direction][roughness]: sum L D NoL w / sum D NoL w over the cells, w their solid angles, N = V = direction. An
-// environment without rotation.
+// [direction][roughness]: sum L D NoL w / sum D NoL w over the cells, w their solid angles, N = V = direction. Cells
+// near the direction are summed in parts, as lobes may be narrower than they. An environment without rotation.
 inline std::vector<std::vector<glm::dvec3>> integrateLobes(const scenes::Environment& environment,
                                                            const std::vector<glm::dvec3>& directions,
                                                            const std::vector<double>& roughnesses) {
-  struct Cell {
-    glm::dvec3 direction, energy;
-    double solidAngle;
-  };
   const base::Image& image = environment.radiance;
   constexpr double kPi = std::numbers::pi;
-  std::vector<Cell> cells;
+  const double cellWidth = kPi / image.height;
+  std::vector<glm::dvec3> middles;
   for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) {
-      const double area =
-          2 * kPi / image.width * (std::cos(kPi * y / image.height) - std::cos(kPi * (y + 1) / image.height));
-      const float* p = image.at(x, y);
-      cells.push_back({scenes::directionAt((x + 0.5) / image.width, (y + 0.5) / image.height),
-                       area * glm::dvec3(p[0], p[1], p[2]), area});
-    }
+    for (int x = 0; x < image.width; ++x)
+      middles.push_back(scenes::directionAt((x + 0.5) / image.width, (y + 0.5) / image.height));
   std::vector<double> a2;
   for (const double roughness : roughnesses) a2.push_back(std::pow(roughness, 4));
   std::vector<std::vector<glm::dvec3>> filtered(directions.size());
   base::parallelFor(directions.size(), 1, [&](std::size_t k, std::size_t) {
     std::vector<glm::dvec3> sums(roughnesses.size());
     std::vector<double> weights(roughnesses.size());
-    for (const Cell& cell : cells) {
-      const double NoL = glm::dot(directions[k], cell.direction);
-      if (NoL <= 0) continue;
+    const auto add = [&](const glm::dvec3& direction, const glm::dvec3& radiance, double solidAngle) {
+      const glm::dvec3 between = direction - directions[k];
+      const double u = glm::dot(between, between) / 4, NoL = 1 - 2 * u; // (1 - NoL) / 2 without its cancellation
+      if (NoL <= 0) return;
       for (std::size_t r = 0; r < roughnesses.size(); ++r) {
-        const double t = 0.5 * (1 + NoL) * (a2[r] - 1) + 1; // NoH^2 = (1 + NoL) / 2
-        sums[r] += NoL / (t * t) * cell.energy;
-        weights[r] += NoL / (t * t) * cell.solidAngle;
+        const double t = u + a2[r] * (1 - u), weight = NoL / (t * t) * a2[r] * solidAngle; // NoH^2 = 1 - u
+        sums[r] += weight * radiance;
+        weights[r] += weight;
       }
-    }
+    };
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        const glm::dvec3& middle = middles[static_cast<std::size_t>(y) * image.width + x];
+        const double cosine = glm::dot(middle, directions[k]);
+        if (cosine < -0.05) continue;
+        const double angle = std::sqrt(std::max(0.0, 2 - 2 * cosine)) / cellWidth; // in cells
+        const int parts = angle < 1.5 ? 32 : angle < 4 ? 8 : angle < 12 ? 3 : 1;
+        const float* p = image.at(x, y);
+        for (int j = 0; j < parts; ++j) {
+          const double upper = (y + 1. * j / parts) / image.height, lower = (y + (j + 1.) / parts) / image.height;
+          const double area = 2 * kPi / image.width / parts * (std::cos(kPi * upper) - std::cos(kPi * lower));
+          for (int i = 0; i < parts; ++i)
+            add(parts == 1 ? middle : scenes::directionAt((x + (i + 0.5) / parts) / image.width, (upper + lower) / 2),
+                glm::dvec3(p[0], p[1], p[2]), area);
+        }
+      }
     for (std::size_t r = 0; r < roughnesses.size(); ++r) filtered[k].push_back(sums[r] / weights[r]);
   });
   return filtered;
@@ -68,20 +78,28 @@ inline std::vector<std::vector<glm::dvec3>> integrateLobes(const scenes::Environ
 
 class PrefilterReader {
 public:
-  explicit PrefilterReader(const lighting::CubeMap& cube) {
+  // cells: where the cube has fine levels, for read; must outlive it.
+  explicit PrefilterReader(const lighting::CubeMap& cube, const lighting::PanoramaCells* cells = nullptr)
+      : m_cells(cells) {
     for (int mip = 0; mip <= kRoughest; ++mip)
       for (int layer = 0; layer < kLayers; ++layer) {
         const int n = cube.faceSize >> mip;
         const std::size_t size = lighting::texelIndex(lighting::kCubeFaces, 0, 0, n);
-        const auto first = cube.mips[mip].begin() + (layer < lighting::layersOfMip(mip) ? layer * size : 0);
+        const auto first = cube.mips[mip].begin() + (layer < lighting::layersOf(cube, mip) ? layer * size : 0);
         m_levels.push_back(lighting::makeCubeLevel({first, first + size}, n));
       }
   }
 
-  // As the high-end path does it: gpu/shaders/path.glsl, skyRadianceBetweenLevels.
+  // As the high-end path does it: reflectedRadiance of highend/shaders/highend.comp, with cells or without.
   glm::dvec3 read(const glm::dvec3& direction, double roughness) const {
-    const shading::f64::PrefilterBlend blend = shading::f64::prefilterBlend(shading::f64::mipFromRoughness(roughness));
-    return glm::mix(level(blend.lower, direction), level(blend.upper, direction), blend.upperShare);
+    const double mip = shading::f64::unclampedMip(roughness);
+    const shading::f64::PrefilterBlend blend =
+        m_cells ? shading::f64::finePrefilterBlend(mip) : shading::f64::prefilterBlend(std::max(mip, 0.0));
+    const glm::dvec3 radiance =
+        glm::mix(level(blend.lower, direction), level(blend.upper, direction), blend.upperShare);
+    if (!m_cells || mip >= shading::f64::kSharpestPrefilteredMip) return radiance;
+    const shading::f64::SharpLobe sharp = shading::f64::sharpLobe(mip);
+    return glm::mix(glm::dvec3(lighting::readCells(*m_cells, direction, sharp.width)), radiance, sharp.tail);
   }
 
   // As the mobile path does it: skyRadiance.
@@ -97,6 +115,7 @@ private:
     return glm::dvec3(lighting::readLevel(m_levels[index], glm::vec3(direction)));
   }
   std::vector<lighting::CubeLevel> m_levels;
+  const lighting::PanoramaCells* m_cells;
 };
 
 // For each roughness the root of the mean square of what read(direction, roughness) is off, over directions and
