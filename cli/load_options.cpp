@@ -13,7 +13,8 @@ void addChoiceOptions(CLI::App& app, scenes::LoadOptions& load) {
       ->group("Scene")
       ->capture_default_str();
   app.add_option("--animation", load.animation,
-                 "Only this animation, by name or number. Default: all that move nothing an earlier one does")
+                 "Only this animation, by name or number; none: the rest pose. Default: all that\n"
+                 "move nothing an earlier one does")
       ->group("Scene");
   app.add_option("--scene", load.scene, "The scene of the file, by name or number. Default: the file's own choice")
       ->group("Scene");

@@ -112,6 +112,8 @@ glm::dquat evaluateRotation(const Sampler& sampler) {
 // The animations to play, in order.
 std::vector<std::size_t> chosenAnimations(const GltfDocument& document) {
   const std::string& wanted = document.options.animation;
+  const std::vector<std::string>& names = document.facts.animations;
+  if (wanted == kNoAnimation && std::find(names.begin(), names.end(), wanted) == names.end()) return {};
   if (!wanted.empty())
     return {findNamed(document.facts.animations, wanted, document.label, "--animation", "animation")};
   std::vector<std::size_t> all(document.model.animations.size());

@@ -10,11 +10,11 @@
 
 namespace parity::scenes {
 
-// The pose at options.timeSeconds, each channel clamped to its keys: of the animation that the options name, else of
-// all in the file's order, where a node's property belongs to the first animation that has it (one warning says so).
-// Only channels of nodes for which `isNeeded` says true are read. What is wrong goes to `problems`: keys that do not
-// increase or are not finite, counts that do not match, a node with a matrix. Throws Error (usage) naming the
-// animations there are where the options ask for another.
+// The pose at options.timeSeconds, each channel clamped to its keys: of the animation that the options name
+// (kNoAnimation: none, the rest pose), else of all in the file's order, where a node's property belongs to the first
+// animation that has it (one warning says so). Only channels of nodes for which `isNeeded` says true are read. What is
+// wrong goes to `problems`: keys that do not increase or are not finite, counts that do not match, a node with a
+// matrix. Throws Error (usage) naming the animations there are where the options ask for another.
 Pose poseAt(const GltfDocument& document, const std::function<bool(int node)>& isNeeded, Problems& problems,
             std::vector<std::string>& warnings);
 

@@ -15,7 +15,7 @@ Scene loadScene(const std::string& fileOrBuiltin, const LoadOptions& options) {
   if (fileOrBuiltin.starts_with(kBuiltin)) {
     for (const auto& [option, value] : {std::pair("--scene", &options.scene), std::pair("--variant", &options.variant),
                                         std::pair("--animation", &options.animation)})
-      if (!value->empty())
+      if (!value->empty() && !(value == &options.animation && *value == kNoAnimation))
         throw base::Error(base::ExitCode::usage, option, "",
                           fmt::format("'{}': {} has none to choose from", cleanName(*value), fileOrBuiltin));
     return makeBuiltinScene(fileOrBuiltin.substr(kBuiltin.size()));

@@ -8,9 +8,12 @@ namespace parity::scenes {
 
 inline constexpr double kMaxPoseSeconds = 1e9;
 
+// LoadOptions::animation that plays none: the rest pose. An animation of that name goes before.
+inline constexpr const char* kNoAnimation = "none";
+
 struct LoadOptions {
   double timeSeconds = 0;    // the pose: of all animations, each clamped to its keys
-  std::string animation{};   // a name or an index; empty: all that do not contradict an earlier one
+  std::string animation{};   // a name or an index, or kNoAnimation; empty: all that do not contradict an earlier one
   std::string scene{};       // a name or an index; empty: the file's own default, else its first
   std::string variant{};     // of KHR_materials_variants, a name or an index; empty: the materials as they are
   bool allMaterials = false; // decode the images of materials, too, that no mesh shows

@@ -143,6 +143,15 @@ TEST(GltfAnimation, PlaysAllThatDoNotContradictAnEarlierOneOrTheOneAskedFor) {
   expectError([&] { loadAt(file, 0, "swim"); },
               {"--animation", "has no animation 'swim'; known: 'walk' (0), 'run' (1), 'grow' (2)"},
               base::ExitCode::usage);
+  scene = loadAt(file, 0, "none");
+  expectNear(glm::vec3(scene.instances[0].toWorld[3]), {0, 0, 0});
+  EXPECT_EQ(scene.instances[0].toWorld[1].y, 1.f);
+  EXPECT_TRUE(scene.warnings.empty());
+  EXPECT_TRUE(hasWarning(loadAt(file, 2, "none").warnings, "no animation moves anything"));
+  EXPECT_NO_THROW(loadAt(makeQuad(), 0, "none"));
+  EXPECT_NO_THROW(scenes::loadScene("builtin:spheres", {.animation = "none"}));
+  file.json["animations"][1]["name"] = "none"; // an animation of that name is played
+  expectNear(glm::vec3(loadAt(file, 0, "none").instances[0].toWorld[3]), {5, 0, 0});
   expectError([&] { loadAt(makeQuad(), 0, "swim"); }, {"--animation", "has no animation"}, base::ExitCode::usage);
   for (const double time : {std::nan(""), std::numeric_limits<double>::infinity()})
     expectError([&] { loadAt(file, time); }, {"--time"}, base::ExitCode::usage);
