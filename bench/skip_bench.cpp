@@ -129,9 +129,11 @@ struct Variant {
           return subject.settings;
         }()) {
     prepared.scene = std::move(subject.scene);
-    if (subject.environment)
-      prepared.environment = prepared.mobileEnvironment =
-          context.environmentLight(scenes::makeBuiltinEnvironment("studio"));
+    if (subject.environment) {
+      const scenes::Environment studio = scenes::makeBuiltinEnvironment("studio");
+      prepared.environment = prepared.mobileEnvironment = context.environmentLight(studio, lighting::kFinePrefilter);
+      prepared.cells = std::make_shared<const lighting::PanoramaCells>(lighting::makePanoramaCells(studio));
+    }
     prepared.lights = prepared.mobileLights = subject.lights;
     camera = scenes::makeCamera(prepared.scene, {}, 1.f);
     renderer.emplace(context, prepared, job::Paths{}, 1, subject.budget);

@@ -134,6 +134,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       },
       "List what --term takes");
   addReferenceOptions(renderApp, raw);
+  addInterreflectionOption(renderApp, raw);
   renderApp.add_option("--error-map", render.errorMap, "Write the achieved relative standard error of each pixel")
       ->check(fileOfKind({".exr", ".pfm"}))
       ->group("Reference");

@@ -172,6 +172,14 @@ void addReferenceOptions(CLI::App& app, RawOptions& raw) {
       ->capture_default_str();
 }
 
+void addInterreflectionOption(CLI::App& app, RawOptions& raw) {
+  app.add_option("--interreflection", raw.interreflection,
+                 "Times that light goes from surface to surface in the reference, with shadows; 0: never")
+      ->check(CLI::Range(0, scenes::kMaxInterreflection))
+      ->group("Reference")
+      ->capture_default_str();
+}
+
 void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw) {
   app.add_flag("--single-file", report.singleFile,
                "Put all that index.html shows into it: pictures, values, script; then it can be sent alone")
@@ -190,7 +198,9 @@ void addTruthOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
                "Also hold both paths against the ground truth, term by term: exact integrals, slow; judges nothing")
       ->group("Reference");
   addReferenceOptions(app, raw);
-  for (const char* option : {"--error", "--scattering"}) app.get_option(option)->needs("--reference");
+  addInterreflectionOption(app, raw);
+  for (const char* option : {"--error", "--scattering", "--interreflection"})
+    app.get_option(option)->needs("--reference");
 }
 
 void settle(CommonOptions& common, const RawOptions& raw) {
@@ -198,6 +208,7 @@ void settle(CommonOptions& common, const RawOptions& raw) {
   s.reference.integral.relativeError = parseShare("--error", raw.error);
   s.reference.model.scattering =
       raw.scattering == "single" ? reference::Scattering::single : reference::Scattering::multiple;
+  s.reference.bounces = raw.interreflection;
   parseSize(raw.size, s);
   s.extractSun = !raw.noSunExtraction;
   if (!raw.sun.empty()) {

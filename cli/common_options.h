@@ -22,6 +22,7 @@ struct RawOptions {
   RawLightOptions light;
   RawLoadOptions load;
   std::string error = "0.5%", scattering = "multiple"; // of the reference
+  int interreflection = 0;
   std::string cache, cacheSize = "4G";
   std::string attribution = "over-budget";   // of report and diff
   int droppedLights = 8;                     // of report and diff
@@ -51,6 +52,9 @@ void addCostsOption(CLI::App& app, CommonOptions& common);
 void addReferenceOptions(CLI::App& app, RawOptions& raw);
 // What a report's page holds: --single-file, --pixel-data, --bench.
 void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw);
+// Light between surfaces, in the ground truth: --interreflection.
+void addInterreflectionOption(CLI::App& app, RawOptions& raw);
+
 // --reference, which those need.
 void addTruthOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
 

@@ -69,11 +69,13 @@ void addMobileOptions(CLI::App& app, const job::Settings& defaults, RawPathOptio
       ->check(CLI::IsMember(mobile::precisionNames()))
       ->group("Paths")
       ->capture_default_str();
-  app.add_option("--sky-sh", raw.skyCoefficients,
-                 "Mobile path: SH coefficients of the sky light, 4 or 9 (the preset's)")
-      ->check(CLI::IsMember({4, 9}))
+  app.add_option("--sky-sh", raw.skyForm,
+                 "Mobile path: SH coefficients of the sky light, 4 or 9; tinted: 9, band 2 in one tint\n"
+                 "(the preset's)")
+      ->check(CLI::IsMember(mobile::skyFormNames()))
       ->group("Paths");
-  app.add_option("--capture", raw.capture, "Mobile path: the environment in 8-bit rgbm or in fp16 (the preset's)")
+  app.add_option("--capture", raw.capture,
+                 "Mobile path: the environment in 8-bit rgbm, in rgb9e5 of as many bits, or in fp16 (the preset's)")
       ->check(CLI::IsMember(mobile::captureEncodingNames()))
       ->group("Paths");
   app.add_option("--capture-scale", raw.captureScale,
@@ -146,7 +148,7 @@ void settleMobile(mobile::Options& options, const RawPathOptions& raw) {
   options.sunShadowDistance = raw.mobileShadows.sunShadowDistance;
   options.sunShadowFade = raw.mobileShadows.sunShadowFade;
   if (!raw.directLobe.empty()) options.directLobe = lobeOf(options, raw.directLobe);
-  if (raw.skyCoefficients) options.skyCoefficients = *raw.skyCoefficients;
+  if (!raw.skyForm.empty()) options.sky = enumOf<mobile::SkyForm>(raw.skyForm, mobile::skyFormNames());
   if (!raw.capture.empty())
     options.capture = enumOf<mobile::CaptureEncoding>(raw.capture, mobile::captureEncodingNames());
   if (!raw.captureScale.empty())

@@ -16,7 +16,7 @@ namespace parity::cli {
 struct RawPathOptions {
   std::string precision = "fp16", specularAa = "off", mobileTarget, mobileTextures;
   std::string mobilePreset = "ue4-2020", capture, captureScale, directLobe; // the last three: empty is the preset's
-  std::optional<int> skyCoefficients;
+  std::string skyForm;
   mobile::Mixing mixing;
   std::string geometryTerm, fresnel, diffuse, compensation, offSpecular; // of the high-end path and the reference
   std::uint32_t shadowMapSize = gpu::ShadowOptions().mapSize, shadowFilter = gpu::ShadowOptions().filter;

@@ -108,6 +108,9 @@ int runRenderCommand(const RenderCommand& command) {
                       "an intermediate is written as it was computed: no target stores it");
   if (layered && extension != ".exr")
     throw base::Error(base::ExitCode::usage, "--terms", command.output, "layers need an .exr file");
+  if (command.common.settings.reference.bounces > 0 && command.path != "reference")
+    throw base::Error(base::ExitCode::usage, "--interreflection", command.path,
+                      "only the reference has light between surfaces");
   if (!command.errorMap.empty() && command.path != "reference")
     throw base::Error(base::ExitCode::usage, "--error-map", command.path, "only the reference has an error");
 

@@ -183,7 +183,8 @@ std::string describeGone(const GoneRow& row) {
 std::string describeClipping(const Figures& figures) {
   if (figures.pixels == 0 || figures.clipped() < kNotableClipping) return {};
   const auto share = [](double value) { return fmt::format("{:.1f} %", 100 * value); };
-  const bool isBlack = figures.clippedBlack > 0, isWhite = figures.clippedWhite > 0;
+  constexpr double kSaid = 0.0005; // less would be said to be 0.0 %
+  const bool isBlack = figures.clippedBlack >= kSaid, isWhite = figures.clippedWhite >= kSaid;
   if (isBlack && isWhite)
     return fmt::format(
         "{} of the pixels are black in both pictures and {} white: {} --exposure would show more of them",

@@ -30,6 +30,7 @@ std::vector<glm::vec4> makeSurroundings(const PreparedScene& prepared, int size)
   if (!prepared.environment) return cube;
   int n = prepared.environment->prefiltered.faceSize;
   std::vector<glm::vec4> mip = prepared.environment->prefiltered.mips[0];
+  mip.resize(lighting::texelIndex(lighting::kCubeFaces, 0, 0, n)); // the unfiltered layer
   for (; n > size; n /= 2) mip = lighting::halveMip(mip, n);
   if (n == size) {
     cube = std::move(mip);

@@ -45,9 +45,9 @@ void addHighend(Rows& rows, const highend::Options& options) {
 }
 
 void addMobile(Rows& rows, const mobile::Options& options, const gpu::DeviceReport& device) {
-  const auto& [preset, environmentBrdf, directLobe, captureScale, mixing, capture, skyCoefficients, localLights,
-               spotShadow, spotShadowSharpen, spotShadowFade, sunShadow, sunShadowDistance, sunShadowFade,
-               roughnessFloor, precision] = options;
+  const auto& [preset, environmentBrdf, directLobe, captureScale, mixing, capture, sky, localLights, spotShadow,
+               spotShadowSharpen, spotShadowFade, sunShadow, sunShadowDistance, sunShadowFade, roughnessFloor,
+               precision] = options;
   rows.add("mobile preset", preset);
   rows.add("mobile environment BRDF", nameAt(mobile::environmentBrdfNames(), environmentBrdf));
   rows.add("mobile direct lobe", nameAt(mobile::directLobeNames(), directLobe));
@@ -55,7 +55,10 @@ void addMobile(Rows& rows, const mobile::Options& options, const gpu::DeviceRepo
   const auto& [begin, end, largest] = mixing;
   rows.add("mobile mixing weight", fmt::format("of roughness {} to {}, at most {}", begin, end, largest));
   rows.add("mobile capture", nameAt(mobile::captureEncodingNames(), capture));
-  rows.add("mobile sky", skyCoefficients).words = fmt::format("{} SH coefficients", skyCoefficients);
+  const std::string skyForm = nameAt(mobile::skyFormNames(), sky);
+  rows.add("mobile sky", skyForm).words = sky == mobile::SkyForm::tinted
+                                              ? "9 SH coefficients, one tint for the second band"
+                                              : fmt::format("{} SH coefficients", skyForm);
   rows.add("mobile local lights", localLights);
   rows.add("mobile spot shadow",
            spotShadow ? fmt::format("on, sharpen {}, fade {}", spotShadowSharpen, spotShadowFade) : "off");
@@ -75,7 +78,7 @@ void addShadowMaps(Rows& rows, const gpu::ShadowOptions& options) {
 
 // One row: of the figures against the truth, which nothing is judged by.
 void addTruth(Rows& rows, const Settings& settings) {
-  const auto& [model, integral] = settings.reference;
+  const auto& [model, integral, bounces] = settings.reference; // bounces: in defaultConditions
   const auto& [geometryTerm, fresnel, diffuse, scattering] = model;
   const auto& [relativeError, minSamples, maxSamples, seed] = integral;
   rows.add("truth",
@@ -146,10 +149,11 @@ void addBaked(Rows& rows, const std::string& folder) {
 
 std::vector<Condition> sceneConditions(const Settings& settings, const SceneRequest& request) {
   Rows rows;
-  // Not here: views have lists of their own; extractSun, shadows, fullyRough and exposureEv are in defaultConditions;
+  // Not here: views have lists of their own; extractSun, shadows, interreflection, fullyRough and exposureEv are in
+  // defaultConditions;
   // budgets judge afterwards.
   const auto& [name, scene, load, subject, environment, environmentRotationDeg, extractSun, sun, lightScales, falloff,
-               fog, baked, captures, shadows, views, fullyRough, budgets, exposureEv] = request;
+               fog, baked, captures, shadows, interreflection, views, fullyRough, budgets, exposureEv] = request;
   rows.addUnseen("name", name);
   rows.addUnseen("file", scene); // its content is looked at when it is known which files are read
   addLoad(rows, load);
@@ -223,6 +227,8 @@ std::vector<Condition> defaultConditions(const Settings& settings, const SceneRe
   rows.add("exposure", exposureEv).words = fmt::format("{} EV", exposureEv);
   rows.add("sun extraction", request.extractSun && settings.extractSun);
   rows.add("shadows", request.shadows.value_or(settings.shadows));
+  const int bounces = request.interreflection.value_or(settings.reference.bounces);
+  if (settings.truth && bounces > 0) rows.add("interreflection", bounces, ActsOn::truth);
   std::vector<std::string> fullyRough = request.fullyRough;
   fullyRough.insert(fullyRough.end(), settings.fullyRough.begin(), settings.fullyRough.end());
   rows.add("fully rough", listOr(fullyRough, "none")).words = wordsOf(fullyRough, "none");

@@ -97,16 +97,17 @@ std::shared_ptr<const Context::LoadedEnvironment> Context::environment(const std
   return last;
 }
 
-std::shared_ptr<const lighting::EnvironmentLight> Context::environmentLight(const scenes::Environment& environment) {
+std::shared_ptr<const lighting::EnvironmentLight> Context::environmentLight(const scenes::Environment& environment,
+                                                                            const lighting::PrefilterOptions& options) {
   const base::Stopwatch watch(&m_timings, "environment");
-  // A scene has two at most, with the sun that mobile cannot have and without; two scenes are lit at the same time.
+  // A scene has two at most, each path's; two scenes are lit at the same time.
   constexpr std::size_t kKept = 4;
-  const lighting::PrefilterOptions options;
   const std::string key = "environment-" + base::Hasher()
                                                .add(m_buildId)
                                                .addValue(options.faceSize)
                                                .addValue(options.sampleCount)
                                                .addValue(options.footprintLog2)
+                                               .addValue(options.levels)
                                                .addValue(environment.rotationDeg)
                                                .addValue(environment.radiance.width)
                                                .addValue(environment.radiance.height)

@@ -66,7 +66,8 @@ public:
 
   // Prefiltered cube and SH of an environment, from the cache where it holds them; the last one of the run is at hand.
   // Thread-safe.
-  std::shared_ptr<const lighting::EnvironmentLight> environmentLight(const scenes::Environment& environment);
+  std::shared_ptr<const lighting::EnvironmentLight> environmentLight(const scenes::Environment& environment,
+                                                                     const lighting::PrefilterOptions& options);
 
 private:
   Settings m_settings;

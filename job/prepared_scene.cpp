@@ -124,16 +124,16 @@ void addEnvironment(Context& context, lighting::SunExtraction extraction, const 
     prepared.mobileLights.push_back(prepared.lights[*brightest]);
   }
   const bool isReplaced = paths.bakes || (prepared.baked && !prepared.baked->captures.empty());
-  const auto filter = [&](const scenes::Environment& environment) -> std::shared_ptr<const lighting::EnvironmentLight> {
-    if (isReplaced) return nullptr;
+  if (paths.highend && !isReplaced) {
     ++prepared.work.prefilteredMaps;
-    return context.environmentLight(environment);
-  };
-  if (paths.highend) prepared.environment = filter(extraction.environment);
-  if (paths.mobile) {
-    const bool isShared = suns.size() == (mobileSun ? 1 : 0);
-    prepared.mobileEnvironment =
-        isShared && prepared.environment ? prepared.environment : filter(lighting::putBackSuns(extraction, mobileSun));
+    prepared.environment = context.environmentLight(extraction.environment, lighting::kFinePrefilter);
+    prepared.cells =
+        std::make_shared<const lighting::PanoramaCells>(lighting::makePanoramaCells(extraction.environment));
+  }
+  if (paths.mobile && !isReplaced) {
+    ++prepared.work.prefilteredMaps;
+    prepared.mobileEnvironment = context.environmentLight(lighting::putBackSuns(extraction, mobileSun),
+                                                          {.levels = lighting::PrefilterLevels::first});
   }
   if (!suns.empty()) {
     const std::string text = describe(extraction);
@@ -155,6 +155,7 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
   PreparedScene prepared;
   prepared.exposureEv = request.exposureEv.value_or(context.settings().exposureEv);
   prepared.shadows = request.shadows.value_or(context.settings().shadows);
+  prepared.bounces = request.interreflection.value_or(context.settings().reference.bounces);
   std::optional<scenes::Environment> panorama;
   std::vector<std::string> warnings;
   base::parallelInvoke({
@@ -220,7 +221,7 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
 }
 
 std::function<void(int)> imageRelease(PreparedScene& prepared, const Paths& paths) {
-  if (paths.reference && prepared.shadows) return {};
+  if (paths.reference && (prepared.shadows || prepared.bounces > 0)) return {};
   return [&prepared](int image) { prepared.scene.images[static_cast<std::size_t>(image)].pixels = {}; };
 }
 

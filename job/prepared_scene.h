@@ -11,6 +11,7 @@
 #include "job/context.h"
 #include "job/passes.h"
 #include "job/scene_request.h"
+#include "lighting/panorama_cells.h"
 #include "scenes/scene.h"
 
 namespace parity::job {
@@ -27,8 +28,10 @@ struct Paths {
 struct PreparedScene {
   scenes::Scene scene;                             // fully-rough flags, fog and scales of light as requested
   std::vector<scenes::Light> lights, mobileLights; // the scene's, --sun and what was extracted
-  // Prefiltered, for the paths asked for: the same one where nothing tells them apart. None: no environment.
+  // Prefiltered, for the paths asked for: fine levels for the high-end path, the first ones for mobile. None: no
+  // environment.
   std::shared_ptr<const lighting::EnvironmentLight> environment, mobileEnvironment;
+  std::shared_ptr<const lighting::PanoramaCells> cells; // to go with `environment`
   // Unfiltered, times the sky light's colour, to go with `lights`; kept for the reference and for baking alone.
   std::optional<scenes::Environment> panorama;
   // Takes the place of all lights but the sun, and its captures that of the environments (job/baked_scene.h). Null:
@@ -36,6 +39,7 @@ struct PreparedScene {
   std::shared_ptr<const bake::BakedLight> baked;
   float exposureEv = 0;                 // of the camera
   bool shadows = false;                 // lights cast them
+  int bounces = 0;                      // of light between its surfaces, in the reference
   bool isLit = true;                    // some object's material is not unlit: light is needed at all
   Work work;                            // done so far
   std::string environmentName, sunText; // for the report: the file without its folder; "none" where there is none
@@ -46,7 +50,7 @@ struct PreparedScene {
 PreparedScene prepareScene(Context& context, const SceneRequest& request, const Paths& paths = {});
 
 // For SceneRenderer's onLastRead: frees the pixels of an image. Empty where the reference will read them, to let light
-// through masks. `prepared` must outlive it.
+// through masks or to reflect it. `prepared` must outlive it.
 std::function<void(int)> imageRelease(PreparedScene& prepared, const Paths& paths);
 
 } // namespace parity::job

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "base/hash.h"
+#include "lighting/surface_hash.h"
 #include "reference/fog.h"
 #include "reference/sampling.h"
 
@@ -63,8 +65,21 @@ std::string makeLightKey(const std::string& buildId, const PreparedScene& prepar
         .addValue(light.innerConeAngle)
         .addValue(light.outerConeAngle)
         .addValue(light.specularScale);
-  hasher.add(prepared.shadows ? lighting::hashOfOccluders(prepared.scene) : "no shadows");
+  hasher.addValue(prepared.bounces);
+  if (prepared.bounces > 0) hasher.add(lighting::hashOfSurfaces(prepared.scene));
+  hasher.add(prepared.shadows || prepared.bounces > 0 ? lighting::hashOfOccluders(prepared.scene) : "no shadows");
   return hasher.hex();
+}
+
+// From the cache, or made and kept there.
+reference::DirectionalAlbedo albedoOf(Context& context, const reference::Model& model) {
+  const std::string key =
+      "albedo-" + base::Hasher().add(context.buildId()).addValue(model.geometryTerm).addValue(model.fresnel).hex();
+  if (const auto cached = context.cache().find(key))
+    if (auto table = reference::DirectionalAlbedo::fromBytes(*cached)) return std::move(*table);
+  reference::DirectionalAlbedo table(model.geometryTerm, model.fresnel);
+  context.cache().store(key, table.toBytes());
+  return table;
 }
 
 } // namespace
@@ -83,16 +98,24 @@ std::string ReferencePath::keyOf(const std::vector<reference::SurfaceSample>& sa
 
 std::vector<reference::ShadedSample> ReferencePath::integrate(const std::vector<reference::SurfaceSample>& samples,
                                                               const reference::Progress& progress) {
-  const reference::Options& options = m_context.settings().reference;
+  reference::Options options = m_context.settings().reference;
+  options.bounces = m_prepared.bounces;
   if (m_prepared.panorama && !m_sampler)
     m_sampler = std::make_unique<reference::EnvironmentSampler>(*m_prepared.panorama);
   if (options.model.needsAlbedo() && !m_albedo)
-    m_albedo = std::make_unique<reference::DirectionalAlbedo>(options.model.geometryTerm, options.model.fresnel);
-  if (m_prepared.shadows && !m_visibility) m_visibility = std::make_unique<lighting::Visibility>(m_prepared.scene);
+    m_albedo = std::make_unique<reference::DirectionalAlbedo>(albedoOf(m_context, options.model));
+  if ((m_prepared.shadows || options.bounces > 0) && !m_visibility)
+    m_visibility = std::make_unique<lighting::Visibility>(m_prepared.scene);
+  if (options.bounces > 0 && !m_surfaces) {
+    m_surfaces = std::make_unique<lighting::SurfaceLight>(m_prepared.scene);
+    m_emitters = std::make_unique<lighting::Emitters>(m_prepared.scene, *m_surfaces);
+  }
   const reference::Inputs inputs{.environment = m_sampler.get(),
                                  .albedo = m_albedo.get(),
                                  .lights = m_prepared.lights,
-                                 .visibility = m_visibility.get()};
+                                 .visibility = m_visibility.get(),
+                                 .surfaces = m_surfaces.get(),
+                                 .emitters = m_emitters.get()};
   return reference::shade(samples, inputs, options, progress);
 }
 

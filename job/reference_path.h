@@ -38,10 +38,12 @@ private:
   Context& m_context;
   const PreparedScene& m_prepared;
   gpu::MaterialPass m_materials;
-  std::string m_lightKey;                                   // of environment, lights, occluders and options
+  std::string m_lightKey;                                   // of environment, lights, occluders, surfaces and options
   std::unique_ptr<reference::EnvironmentSampler> m_sampler; // made on first use: a cached result needs none of these
   std::unique_ptr<reference::DirectionalAlbedo> m_albedo;
   std::unique_ptr<lighting::Visibility> m_visibility;
+  std::unique_ptr<lighting::SurfaceLight> m_surfaces; // these two where light bounces
+  std::unique_ptr<lighting::Emitters> m_emitters;
 };
 
 // Gathers the error of a picture from those of its surfaces.

@@ -60,8 +60,7 @@ public:
   ComparedScene run(std::size_t index) {
     const SceneRequest& request = m_request.scenes[index];
     ComparedScene scene;
-    compare::SceneResult& result = scene.result =
-        startScene(request, request.shadows.value_or(m_context.settings().shadows));
+    compare::SceneResult& result = scene.result = startScene(request, m_context.settings());
     Conditions conditions;
     const auto setError = [&](const char* message, base::ExitCode code) {
       scene.error = fmt::format("{}: {}", result.name, message); // several problems are several lines
@@ -110,7 +109,7 @@ private:
     return conditionsOf(m_context.settings(), request, m_context.deviceReport());
   }
 
-  static compare::SceneResult startScene(const SceneRequest& request, bool shadows) {
+  static compare::SceneResult startScene(const SceneRequest& request, const Settings& settings) {
     compare::SceneResult result;
     result.name = request.name;
     result.source = scenes::cleanName(std::filesystem::path(request.scene).filename().string());
@@ -119,7 +118,11 @@ private:
                              : scenes::cleanName(std::filesystem::path(request.environment).filename().string());
     result.sun = "none";
     result.light = scenes::describe(request.lightScales, request.fog, request.falloff);
-    if (shadows) result.light += result.light.empty() ? "shadows" : "; shadows";
+    const auto add = [&](const std::string& text) { result.light += (result.light.empty() ? "" : "; ") + text; };
+    if (request.shadows.value_or(settings.shadows)) add("shadows");
+    const int bounces = request.interreflection.value_or(settings.reference.bounces);
+    if (settings.truth && bounces > 0)
+      add(fmt::format("in the truth {} bounce{} between surfaces", bounces, bounces > 1 ? "s" : ""));
     return result;
   }
 

@@ -58,7 +58,7 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
                              std::move(onLastRead), makeTextureCodec(context, context.settings().mobileTextures));
   if (prepared.environment) {
     const base::Stopwatch watch(&context.timings(), "upload");
-    m_environment = uploadEnvironment(device, *prepared.environment);
+    m_environment = uploadEnvironment(device, *prepared.environment, prepared.cells.get());
   }
   if (prepared.mobileEnvironment) {
     const base::Stopwatch watch(&context.timings(), "upload");
@@ -87,7 +87,7 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
   if (paths.reference) {
     m_reference.emplace(context, prepared, m_buffers, m_surfacePass.binKinds(), pixelsOf(context.settings(), views),
                         gpu::Compilation{budget, &context.pipelines()});
-    if (prepared.shadows) m_work.occluderMeshes = prepared.scene.meshes.size();
+    if (prepared.shadows || prepared.bounces > 0) m_work.occluderMeshes = prepared.scene.meshes.size();
   }
 }
 

@@ -35,7 +35,9 @@ std::vector<std::string> SceneRenderer::warnings() const {
         fmt::format("{} pixels show more than {} blended surfaces behind one another: the farthest are left out",
                     m_cutPixels, gpu::kMaxBlendedLayers));
   if (m_shadowMaps && !m_shadowMaps->note().empty()) warnings.push_back(m_shadowMaps->note());
-  if (m_reference && m_prepared.shadows && m_prepared.panorama)
+  if (m_reference && m_prepared.bounces > 0)
+    warnings.emplace_back("the truth has light between surfaces and shadows of all light: neither path has the former");
+  else if (m_reference && m_prepared.shadows && m_prepared.panorama)
     warnings.emplace_back("the truth shadows the environment's light, too: high-end's maps are of lights alone");
   return warnings;
 }

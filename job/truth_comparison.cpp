@@ -104,12 +104,16 @@ std::string describeTruth(const Settings& settings) {
   const bool multiple = model.scattering == reference::Scattering::multiple;
   const bool correlated = model.geometryTerm == reference::GeometryTerm::heightCorrelated;
   return fmt::format(
-      "exact integrals, {} scattering between microfacets{}, {}, {} Fresnel curve, {} diffuse lobe{}, to "
+      "exact integrals, {} scattering between microfacets{}, {}, {} Fresnel curve, {} diffuse lobe{}{}, to "
       "a standard error of {:.3g} %",
       multiple ? "multiple" : "single", multiple ? " (Kulla-Conty)" : "",
       correlated ? "height-correlated Smith" : "Schlick-Smith",
       highend::fresnelNames()[static_cast<std::size_t>(model.fresnel)],
-      highend::diffuseNames()[static_cast<std::size_t>(model.diffuse)], settings.shadows ? ", with shadows" : "",
+      highend::diffuseNames()[static_cast<std::size_t>(model.diffuse)],
+      settings.shadows || options.bounces > 0 ? ", with shadows" : "",
+      options.bounces > 0
+          ? fmt::format(", {} bounce{} between surfaces", options.bounces, options.bounces > 1 ? "s" : "")
+          : "",
       100 * options.integral.relativeError);
 }
 

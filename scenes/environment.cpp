@@ -49,6 +49,10 @@ CleanedCounts cleanRadiance(base::Image& radiance, const std::string& label) {
       ++counts.infinite;
       value = largest;
     }
+    if (value > kMaxRadiance) {
+      ++counts.tooLarge;
+      value = kMaxRadiance;
+    }
   }
   return counts;
 }
@@ -74,6 +78,9 @@ Environment loadEnvironment(const std::string& fileOrBuiltin, float rotationDeg,
                                      "largest finite",
                                      environment.name, environment.radiance.pixels.size(), counts.notANumber,
                                      counts.negative, counts.infinite));
+    if (counts.tooLarge > 0)
+      warnings.push_back(fmt::format("environment {}: {} of {} values are above {:g} and became that", environment.name,
+                                     counts.tooLarge, environment.radiance.pixels.size(), kMaxRadiance));
   }
   environment.rotationDeg = rotationDeg;
   return environment;

@@ -17,9 +17,9 @@ namespace parity::scenes {
 Scene loadScene(const std::string& fileOrBuiltin, const LoadOptions& options = {});
 
 // Loads an equirectangular .hdr, .exr or .pfm, or "builtin:NAME" (scenes/builtin.h). 1 channel is spread, a 4th
-// dropped. NaN, infinite and negative texels are set to 0 (NaN, negative) or the largest finite value (inf), counted,
-// and reported as one line appended to `warnings`. Throws Error (exit 4): unreadable, zero-sized, of integers, not 1, 3
-// or 4 channels, nothing finite.
+// dropped. NaN, infinite and negative texels are set to 0 (NaN, negative) or the largest finite value (inf), those
+// above 1e30 to that, counted, and reported in lines appended to `warnings`. Throws Error (exit 4): unreadable,
+// zero-sized, of integers, not 1, 3 or 4 channels, nothing finite.
 Environment loadEnvironment(const std::string& fileOrBuiltin, float rotationDeg, std::vector<std::string>& warnings);
 
 } // namespace parity::scenes

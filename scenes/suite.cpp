@@ -21,7 +21,7 @@ constexpr std::size_t kMaxSuiteBytes = std::size_t{16} << 20;
 constexpr std::string_view kBuiltin = "builtin:";
 
 constexpr std::array<std::string_view, 3> kSuiteKeys = {"name", "budgets", "scene"};
-constexpr std::array<std::string_view, 23> kSceneKeys = {"name",
+constexpr std::array<std::string_view, 24> kSceneKeys = {"name",
                                                          "file",
                                                          "time",
                                                          "animation",
@@ -40,6 +40,7 @@ constexpr std::array<std::string_view, 23> kSceneKeys = {"name",
                                                          "baked",
                                                          "captures",
                                                          "shadows",
+                                                         "interreflection",
                                                          "fully_rough",
                                                          "budgets",
                                                          "exposure",
@@ -88,6 +89,12 @@ public:
   std::optional<float> number(std::string_view key, double least, double most) const {
     const std::optional<double> value = real(key, least, most);
     return value ? std::optional(static_cast<float>(*value)) : std::nullopt;
+  }
+
+  std::optional<int> whole(std::string_view key, int least, int most) const {
+    const std::optional<double> value = real(key, least, most);
+    if (value && *value != std::floor(*value)) throw errorAt(key, "not a whole number");
+    return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
   }
 
   template <std::size_t kCount> std::optional<std::array<float, kCount>>
@@ -276,6 +283,7 @@ SuiteEntry readEntry(const std::string& label, const std::filesystem::path& fold
   if (const auto baked = reader.text("baked")) entry.baked = resolve(folder, *baked);
   entry.captures = reader.points("captures", kMaxCapturePlaces);
   entry.shadows = reader.truth("shadows");
+  entry.interreflection = reader.whole("interreflection", 0, kMaxInterreflection);
   entry.fullyRough = reader.texts("fully_rough");
   if (const auto budgets = reader.text("budgets")) entry.budgets = resolve(folder, *budgets);
   entry.exposureEv = reader.number("exposure", -32, 32);

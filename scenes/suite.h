@@ -27,14 +27,17 @@ struct SuiteEntry {
   LightScales lightScales;
   Falloff falloff = Falloff::khr; // of its point and spot lights that have no exponent
   std::optional<Fog> fog;
-  std::string baked;                   // folder of its baked light; "" = none
-  std::vector<glm::vec3> captures;     // where `parity bake` puts its environment captures; none: it finds places
-  std::optional<bool> shadows;         // its lights cast them, or not, whatever the run says
-  std::vector<ViewRequest> views;      // at least one after loading (auto)
+  std::string baked;                  // folder of its baked light; "" = none
+  std::vector<glm::vec3> captures;    // where `parity bake` puts its environment captures; none: it finds places
+  std::optional<bool> shadows;        // its lights cast them, or not, whatever the run says
+  std::optional<int> interreflection; // bounces of light between its surfaces, in the reference; 0..kMaxInterreflection
+  std::vector<ViewRequest> views;     // at least one after loading (auto)
   std::vector<std::string> fullyRough; // globs over material names
   std::optional<std::string> budgets;  // path of a budget file for this scene
   std::optional<float> exposureEv;
 };
+
+inline constexpr int kMaxInterreflection = 64;
 
 struct Suite {
   std::string name;

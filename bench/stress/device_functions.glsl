@@ -14,6 +14,7 @@
 #include "shading/refit.glsl"
 #include "shading/rgbm.glsl"
 #include "shading/sh.glsl"
+#include "shading/tinted_sky.glsl"
 #include "shading/sky_sh.glsl"
 #include "shading/specular_aa.glsl"
 #include "shading/target.glsl"

@@ -7,6 +7,14 @@ FN SkySh skyShAt(Inputs i, int at) {
   return sky;
 }
 
+FN TintedSky tintedSkyAt(Inputs i, int at) {
+  TintedSky sky;
+  for (int k = 0; k < 4; ++k) sky.c[k] = real32x3At(i, at + 3 * k);
+  sky.tint = real32x3At(i, at + 12);
+  for (int k = 0; k < 5; ++k) sky.q[k] = i.x[at + 15 + k];
+  return sky;
+}
+
 // The pieces of the mobile base pass, which take structs.
 FN Outputs evaluateBasePass(int function, Inputs i) {
   real3 u = real3At(i, 0), v = real3At(i, 3);
@@ -37,6 +45,7 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
   }
   if (function == kFnGetSkySHDiffuseSimple) return outputs3(GetSkySHDiffuseSimple(skyShAt(i, 3), real3At(i, 0)));
   if (function == kFnGetSkySHDiffuse) return outputs3(GetSkySHDiffuse(skyShAt(i, 3), real3At(i, 0)));
+  if (function == kFnTintedSkyDiffuse) return outputs3(tintedSkyDiffuse(tintedSkyAt(i, 3), real3At(i, 0)));
   if (function == kFnEncodeRgbm) {
     Rgbm m = encodeRgbm(real32x3At(i, 0));
     return outputs33(real32x3(m.r, m.g, m.b), real32x3(m.a, R32(0.0), R32(0.0)));
@@ -105,7 +114,7 @@ FN Outputs evaluateBasePass(int function, Inputs i) {
   }
   if (function == kFnRefitTap) {
     RefitTap tap = refitTap(u.x, u.y);
-    return outputs3(real3(tap.lean, tap.mip, R(0.0)));
+    return outputs3(real3(tap.lean, tap.mip, tap.wide));
   }
   if (function == kFnRefitDirection) return outputs3(refitDirection(u, v, dot3(u, v), real1At(i, 6)));
   if (function == kFnRefitHalfVector) {

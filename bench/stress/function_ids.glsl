@@ -85,20 +85,21 @@ const int kFnRgbmRoundTrip = 77;
 const int kFnSrgbRoundTrip = 78;
 const int kFnMobileShadow = 79;
 const int kFnPhongApprox = 80;
+const int kFnTintedSkyDiffuse = 81;
 // From here to kFunctionCount by evaluate_baked.glsl.
-const int kFirstOfBaked = 81;
-const int kFnGetLightMapColorLQ = 81;
-const int kFnEncodeLightmapLogRgb = 82;
-const int kFnEncodeLightmapSh = 83;
-const int kFnLightmapRoundTrip = 84;
-const int kFnDistanceFieldShadow = 85;
-const int kFnEncodeLightmapDirection = 86;
-const int kFnDirectionalLightmapRatio = 87;
-const int kFnBoxParallax = 88;
-const int kFnCaptureWeight = 89;
-const int kFunctionCount = 90;
+const int kFirstOfBaked = 82;
+const int kFnGetLightMapColorLQ = 82;
+const int kFnEncodeLightmapLogRgb = 83;
+const int kFnEncodeLightmapSh = 84;
+const int kFnLightmapRoundTrip = 85;
+const int kFnDistanceFieldShadow = 86;
+const int kFnEncodeLightmapDirection = 87;
+const int kFnDirectionalLightmapRatio = 88;
+const int kFnBoxParallax = 89;
+const int kFnCaptureWeight = 90;
+const int kFunctionCount = 91;
 
-const int kInputs = 32;  // numbers a row going in
-const int kOutputs = 12; // and coming out
+const int kInputs = 33;  // numbers a row going in
+const int kOutputs = 13; // and coming out
 
 #endif

@@ -18,9 +18,12 @@ job::PreparedScene prepare(const StressScene& stressScene) {
   prepared.scene = stressScene.scene;
   prepared.lights = prepared.mobileLights = stressScene.scene.lights;
   if (stressScene.scene.environment) {
-    const lighting::PrefilterOptions small{.faceSize = lighting::kMinFaceSize};
+    lighting::PrefilterOptions small = lighting::kFinePrefilter;
+    small.faceSize = lighting::kMinFaceSize;
     prepared.environment = prepared.mobileEnvironment = std::make_shared<const lighting::EnvironmentLight>(
         lighting::makeEnvironmentLight(*stressScene.scene.environment, small));
+    prepared.cells =
+        std::make_shared<const lighting::PanoramaCells>(lighting::makePanoramaCells(*stressScene.scene.environment));
   }
   return prepared;
 }

@@ -221,6 +221,10 @@ std::vector<FunctionCase> generalFunctions() {
                       .takes(join({{direction(0, "N")}, coefficients(3, simple ? 12 : 27, true)}))
                       .gives(3, first(3))
                       .relativeTo(1000));
+  all.push_back(entry("tintedSkyDiffuse", kFnTintedSkyDiffuse, normalAndCoefficients)
+                    .takes(join({{direction(0, "N")}, coefficients(3, 20, true)}))
+                    .gives(3, first(3))
+                    .relativeTo(1e6)); // products of the sizes of what cancels
   all.push_back(entry("packSkySh", kFnPackSkySh, uniforms(28, -1, 1))
                     .takes(join({coefficients(0, 27, false), {choice(27, "coefficients", {0, 1})}}))
                     .gives(9)

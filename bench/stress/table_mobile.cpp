@@ -224,7 +224,7 @@ std::vector<FunctionCase> refitFunctions() {
           .mapped(4, 5),
       entry("refitTap", kFnRefitTap, units(2), kMip)
           .takes({unit(0, "Roughness"), unit(1, "NoV")})
-          .gives(2)
+          .gives(3)
           .relativeTo(1)
           .mapped(0, 1),
       entry("refitDirection", kFnRefitDirection, directions(2))

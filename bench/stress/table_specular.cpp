@@ -192,7 +192,7 @@ std::vector<FunctionCase> tapFunctions() {
     all.push_back(entry(name, id, units(3), kMip)
                       .takes({unit(0, "NoV"), unit(1, "Roughness"),
                               choice(2, "tap", taps == 2 ? std::vector<double>{0, 1} : std::vector<double>{0, 0.5, 1})})
-                      .gives(3, 0b110, 0b100)
+                      .gives(3, 0b100, 0b100) // mips below 0 are of lobes sharper than the cube has
                       .relativeTo(1)
                       .mapped(1, 0));
   return all;

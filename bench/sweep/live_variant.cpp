@@ -10,7 +10,7 @@ namespace parity::sweep {
 namespace {
 
 bool isDefault(const lighting::PrefilterOptions& o) {
-  const lighting::PrefilterOptions plain;
+  const lighting::PrefilterOptions plain = lighting::kFinePrefilter;
   return o.sampleCount == plain.sampleCount && o.faceSize == plain.faceSize;
 }
 
@@ -22,9 +22,9 @@ const gpu::EnvironmentMaps* Shared::highendEnvironment(const lighting::Prefilter
   if (const auto found = m_highend.find(key); found != m_highend.end()) return &found->second;
   const gpu::Device& device = m_context.device();
   gpu::EnvironmentMaps maps =
-      isDefault(options)
-          ? job::uploadEnvironment(device, *m_prepared.environment)
-          : job::uploadEnvironment(device, lighting::makeEnvironmentLight(*m_prepared.panorama, options));
+      isDefault(options) ? job::uploadEnvironment(device, *m_prepared.environment, m_prepared.cells.get())
+                         : job::uploadEnvironment(device, lighting::makeEnvironmentLight(*m_prepared.panorama, options),
+                                                  m_prepared.cells.get());
   return &m_highend.emplace(key, std::move(maps)).first->second;
 }
 

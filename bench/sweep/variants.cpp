@@ -70,7 +70,7 @@ void addHighend(Collector& c) {
   c.plain.stage = Stage::preparation;
   for (const int size : {8, 16, 32, 64, 128, 256})
     c.add("lut-size", std::to_string(size), "environment", [&](Variant& v) { v.lutSize = size; });
-  for (const int samples : {4, 16, 64, 256})
+  for (const int samples : {8, 32, 128, 512})
     c.add("prefilter-samples", std::to_string(samples), "environment",
           [&](Variant& v) { v.prefilter.sampleCount = samples; });
   for (const int size : {64, 128, 256})
@@ -99,17 +99,14 @@ void addMobile(Collector& c) {
   for (std::size_t i = 1; i < mobile::captureScaleNames().size(); ++i) // all but auto, which is one of them
     c.add("capture-scale", mobile::captureScaleNames()[i], "environment",
           [&](Variant& v) { v.mobile.captureScale = static_cast<mobile::CaptureScale>(i); });
-  for (const int coefficients : {4, 9})
-    c.add("sky-sh", std::to_string(coefficients), "environment",
-          [&](Variant& v) { v.mobile.skyCoefficients = coefficients; });
+  c.addEach("sky-sh", mobile::skyFormNames(), "environment", &Variant::mobile, &Options::sky);
   for (const bool lights : {false, true})
     c.add("local-lights", lights ? "4" : "0", "local light", [&](Variant& v) { v.mobile.localLights = lights; });
   for (const mobile::Precision precision : {mobile::Precision::fp16, mobile::Precision::fp32})
-    c.addSet(fmt::format("refit {}, sky-sh 9, capture fp16", nameAt(mobile::precisionNames(), precision)),
-             "environment", [&](Variant& v) {
+    c.addSet(fmt::format("refit {}, capture fp16", nameAt(mobile::precisionNames(), precision)), "environment",
+             [&](Variant& v) {
                v.mobile = mobile::presetByName("refit");
                v.mobile.precision = precision;
-               v.mobile.skyCoefficients = 9;
                v.mobile.capture = mobile::CaptureEncoding::fp16;
              });
   c.plain.stage = Stage::storage;
@@ -144,7 +141,7 @@ std::vector<std::pair<std::string, std::string>> Variant::knobs() const {
           {"sun", nameAt(mobile::directLobeNames(), mobile.directLobe)},
           {"capture", nameAt(mobile::captureEncodingNames(), mobile.capture)},
           {"capture-scale", nameAt(mobile::captureScaleNames(), mobile::captureScaleOf(mobile, false))},
-          {"sky-sh", std::to_string(mobile.skyCoefficients)},
+          {"sky-sh", nameAt(mobile::skyFormNames(), mobile.sky)},
           {"local-lights", mobile.localLights ? "4" : "0"},
           {"mobile-target", nameAt(gpu::outputTargetNames(), target)},
           {"mobile-textures", nameAt(base::textureBlockNames(), textures)}};

@@ -30,7 +30,7 @@ struct Variant {
   gpu::OutputTarget target = gpu::OutputTarget::rgba16f;  // of the mobile path
   base::TextureBlock textures = base::TextureBlock::none; // likewise
   int lutSize = 128;                                      // of the high-end path, as the next one
-  lighting::PrefilterOptions prefilter;
+  lighting::PrefilterOptions prefilter = lighting::kFinePrefilter;
 
   std::string id() const { return path + ": " + name; }
   // Every knob of the path with its value, as the command line names them where it has them.

@@ -22,7 +22,8 @@ TEST_F(CostsTest, tellWhatAPixelOfEachPathTakes) {
     pixels[path] += count;
     operations[path] += count * (cost.at("fp32").get<std::uint64_t>() + cost.at("fp16").get<std::uint64_t>());
     fetches[path] += count * cost.at("fetches").get<std::uint64_t>();
-    EXPECT_LE(each.at("samplers"), path == 1 ? 8 : 10) << "high-end: the environment and its table besides";
+    EXPECT_LE(each.at("samplers"), path == 1 ? 8 : 11)
+        << "high-end: the environment, its panorama and its table besides";
     std::printf("  %s\n", each.dump().c_str());
   }
   EXPECT_EQ(pixels[0], pixels[1]) << "both shade the same surface";

@@ -92,6 +92,7 @@ TEST(Wording, ClippingIsSaidWithWhatWouldHelp) {
             "show more of them");
   EXPECT_EQ(say(0.03, 0.1), "3.0 % of the pixels are black in both pictures and 10.0 % white: a lower --exposure would "
                             "show more of them");
+  EXPECT_EQ(say(0.0004, 0.229), "22.9 % of the pixels are white in both pictures: lower --exposure");
   EXPECT_EQ(describeClipping(Figures{}), "") << "of nothing";
 }
 

@@ -115,7 +115,7 @@ PreparedScene makeSkyScene(Context& context, const glm::vec3& skyLightColor) {
   prepared.scene.lightScales.skyLightColor = skyLightColor;
   scenes::Environment sky = scenes::makeSky();
   sky.rotationDeg = 70;
-  prepared.environment = context.environmentLight(sky);
+  prepared.environment = context.environmentLight(sky, {});
   return prepared;
 }
 

@@ -29,6 +29,7 @@ struct Asked {
 Asked makeAsked() {
   Asked asked;
   asked.settings.truth = true;
+  asked.settings.reference.bounces = 1;
   asked.settings.mobile.spotShadow = asked.settings.mobile.sunShadow = true;
   asked.request.name = "Desk";
   asked.request.scene = "Desk.glb";
@@ -84,7 +85,7 @@ const std::vector<Change> kChanges = {
     {"mobile direct lobe", CHANGE(s.mobile.directLobe = mobile::DirectLobe::dApprox)},
     {"mobile capture scale", CHANGE(s.mobile.captureScale = mobile::CaptureScale::full)},
     {"mobile capture", CHANGE(s.mobile.capture = mobile::CaptureEncoding::fp16)},
-    {"mobile sky", CHANGE(s.mobile.skyCoefficients = 9)},
+    {"mobile sky", CHANGE(s.mobile.sky = mobile::SkyForm::sh9)},
     {"mobile local lights", CHANGE(s.mobile.localLights = false)},
     {"mobile mixing weight", CHANGE(s.mobile.mixing.begin = 0.1000001f)},
     {"mobile mixing weight", CHANGE(s.mobile.mixing.end = 0.4f)},
@@ -116,6 +117,8 @@ const std::vector<Change> kChanges = {
     {"sun extraction", CHANGE(r.extractSun = false)},
     {"shadows", CHANGE(s.shadows = true)},
     {"shadows", CHANGE(r.shadows = true)},
+    {"interreflection", CHANGE(s.reference.bounces = 2)},
+    {"interreflection", CHANGE(r.interreflection = 3)},
     {"fully rough", CHANGE(s.fullyRough = {"*"})},
     {"fully rough", CHANGE(r.fullyRough = {"*"})},
     {"name", CHANGE(r.name = "Table")},

@@ -28,6 +28,18 @@ TEST(Environment, CleansWhatNoRendererCanUseAndCountsIt) {
   EXPECT_EQ(scenes::cleanRadiance(image, "x.hdr").notANumber, 0u) << "once cleaned, clean";
 }
 
+TEST(Environment, BringsWhatIsNearTheFloatLimitDownAndSaysSo) {
+  const TempFolder folder;
+  base::Image image(2, 1, 3, 1.f);
+  image.pixels = {1, std::numeric_limits<float>::max(), 2e30f, 1e30f, kInf, 0};
+  base::writeImage(folder / "huge.exr", image);
+  std::vector<std::string> warnings;
+  const scenes::Environment environment = scenes::loadEnvironment((folder / "huge.exr").string(), 0, warnings);
+  EXPECT_EQ(environment.radiance.pixels, (std::vector<float>{1, 1e30f, 1e30f, 1e30f, 1e30f, 0}));
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[1], "environment huge: 3 of 6 values are above 1e+30 and became that");
+}
+
 TEST(Environment, RefusesOneWithNothingFinite) {
   base::Image image(1, 2, 3);
   image.pixels = {kNan, kNan, kInf, kInf, -kInf, kNan};
