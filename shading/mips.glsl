@@ -37,20 +37,26 @@ struct PrefilterBlend {
   real upperShare;
 };
 
+// The two levels next to a place among them, in [0, kPrefilterLayers kPrefilterRoughestMip], linear between them.
+FN PrefilterBlend blendOfLevel(real level) {
+  PrefilterBlend blend;
+  blend.lower = int(real32(level));
+  if (blend.lower >= kPrefilterLayers * kPrefilterRoughestMip) blend.lower = kPrefilterLayers * kPrefilterRoughestMip - 1;
+  blend.upper = blend.lower + 1;
+  PRECISE real share = level - real(real32(blend.lower));
+  blend.upperShare = min(share, R(1.0));
+  return blend;
+}
+
 // The levels next to a mip in [0, kPrefilterRoughestMip] (mipFromRoughness), linear between them, of a cube whose first
 // mip has layer 0 alone, as captures have it.
 FN PrefilterBlend prefilterBlend(real mip) {
-  PrefilterBlend blend;
-  blend.lower = 0;
-  blend.upper = kPrefilterLayers;
-  blend.upperShare = mip;
-  if (mip >= R(1.0)) {
-    PRECISE real level = mip * real(real32(kPrefilterLayers));
-    blend.lower = int(real32(level));
-    if (blend.lower >= kPrefilterLayers * kPrefilterRoughestMip) blend.lower = kPrefilterLayers * kPrefilterRoughestMip - 1;
-    blend.upper = blend.lower + 1;
-    PRECISE real share = level - real(real32(blend.lower));
-    blend.upperShare = min(share, R(1.0));
+  PRECISE real level = mip * real(real32(kPrefilterLayers));
+  PrefilterBlend blend = blendOfLevel(level);
+  if (mip < R(1.0)) {
+    blend.lower = 0;
+    blend.upper = kPrefilterLayers;
+    blend.upperShare = mip;
   }
   return blend;
 }
@@ -60,14 +66,8 @@ FN PrefilterBlend prefilterBlend(real mip) {
 CONSTANT real32 kSharpestPrefilteredMip = real32(0.25);
 
 FN PrefilterBlend finePrefilterBlend(real mip) {
-  PrefilterBlend blend;
   PRECISE real level = max(mip, real(kSharpestPrefilteredMip)) * real(real32(kPrefilterLayers));
-  blend.lower = int(real32(level));
-  if (blend.lower >= kPrefilterLayers * kPrefilterRoughestMip) blend.lower = kPrefilterLayers * kPrefilterRoughestMip - 1;
-  blend.upper = blend.lower + 1;
-  PRECISE real share = level - real(real32(blend.lower));
-  blend.upperShare = min(share, R(1.0));
-  return blend;
+  return blendOfLevel(level);
 }
 
 // A lobe smoother than level 1, of alpha a < a1, is (a / a1)^2 times that level, which has its tail (D falls off as
