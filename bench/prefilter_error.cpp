@@ -121,7 +121,7 @@ private:
 
   std::vector<double> measure(const Map& map, const lighting::PrefilterOptions& options, Read read) const {
     const lighting::PanoramaCells cells = lighting::makePanoramaCells(map.environment);
-    const tests::PrefilterReader reader(lighting::makeEnvironmentLight(map.environment, options).prefiltered,
+    const tests::PrefilterReader reader(lighting::makeEnvironmentLight(map.environment, options),
                                         options.levels == lighting::PrefilterLevels::fine ? &cells : nullptr);
     return tests::relativeRmse(map.truth, m_directions, kRoughnesses, std::bind_front(read, &reader));
   }
@@ -134,7 +134,7 @@ private:
       const lighting::EnvironmentLight light = lighting::makeEnvironmentLight(map.environment, options);
       seconds = std::min(seconds, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
       const lighting::PanoramaCells cells = lighting::makePanoramaCells(map.environment);
-      const tests::PrefilterReader reader(light.prefiltered, &cells);
+      const tests::PrefilterReader reader(light, &cells);
       const std::vector<double> errors = tests::relativeRmse(map.truth, m_directions, kRoughnesses,
                                                              std::bind_front(&tests::PrefilterReader::read, &reader));
       all.insert(all.end(), errors.begin(), errors.end());

@@ -168,6 +168,7 @@ struct ShadingPass::Impl {
         sky && sky->irradiance ? vk::DescriptorImageInfo(*linearClamp, sky->irradiance->view(), kReadOnly) : noSky);
     bindings.push_back(
         vk::DescriptorImageInfo(*linearClamp, sky && sky->panorama ? sky->panorama->view() : white.view(), kReadOnly));
+    bindings.push_back(storage(sky && sky->lamps ? *sky->lamps : nothing));
     return bindings;
   }
 

@@ -30,6 +30,7 @@ struct EnvironmentMaps {
   // The panorama's cells (lighting/panorama_cells.h), where the cube has fine levels to go with them.
   std::optional<DeviceImage> panorama = std::nullopt;
   float panoramaTurns = 0;
+  std::optional<Buffer> lamps = std::nullopt; // head (uvec4), then GpuLamp, as path.glsl has them
 };
 
 // What a scene may compile, and what its run has compiled already.
@@ -51,7 +52,7 @@ struct PathProgram {
   std::function<Buffer(const Surface&, const std::array<std::uint32_t, 4>&)> listLights;
   const Textures* textures = nullptr;             // the materials', as the path stores them; null: the scene's
   const DeviceImage* pathTexture = nullptr;       // binding 18; null: white
-  const EnvironmentMaps* environment = nullptr;   // bindings 17, 25 and 26; null: no environment
+  const EnvironmentMaps* environment = nullptr;   // bindings 17, 25 to 27; null: no environment
   const ShadowMaps* shadows = nullptr;            // bindings 19 and 20; null: none
   const BakedMaps* baked = nullptr;               // bindings 21 to 24; null: none
   std::array<glm::vec4, kPathNumbers> numbers{};  // the path's own, GpuView::path

@@ -140,7 +140,8 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
                        baked,
                        gpu::falloffsOf(lights),
                        inputs.view,
-                       hasPanorama ? 1u : 0u};
+                       hasPanorama ? 1u : 0u,
+                       inputs.environment && inputs.environment->lamps ? 1u : 0u};
   program.everySceneConstants = program.constants;
   program.everySceneConstants[kConstantLocalKinds] = gpu::kLocalAll;
   program.everySceneConstants[kConstantFalloffs] = gpu::kFalloffsAll;

@@ -1,6 +1,8 @@
 #include "job/environment_upload.h"
 
 #include <cassert>
+#include <cstring>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -52,6 +54,26 @@ std::array<glm::vec4, gpu::kTintedSkyNumbers> packTinted(const lighting::TintedI
   return packed;
 }
 
+// The compact ones, then the wide ones.
+std::optional<gpu::Buffer> uploadLamps(const gpu::Device& device, const lighting::Lamps& lamps) {
+  const std::size_t compact = lamps.compact.nodes.size(), count = compact + lamps.wide.nodes.size();
+  if (count == 0) return std::nullopt;
+  const glm::uvec4 head(count, compact, 0, 0);
+  std::vector<std::byte> bytes(sizeof head + count * sizeof(gpu::GpuLamp));
+  std::byte* to = bytes.data();
+  const auto append = [&to](const auto& value) {
+    std::memcpy(to, &value, sizeof value);
+    to += sizeof value;
+  };
+  append(head);
+  for (const lighting::LampTree* tree : {&lamps.compact, &lamps.wide})
+    for (const lighting::LampNode& node : tree->nodes) {
+      const auto next = node.next + (tree == &lamps.wide ? compact : 0);
+      append(gpu::GpuLamp{glm::vec4(node.direction, node.spread), glm::vec4(node.light, static_cast<float>(next))});
+    }
+  return gpu::Buffer(device, std::span<const std::byte>(bytes));
+}
+
 } // namespace
 
 gpu::EnvironmentMaps uploadEnvironment(const gpu::Device& device, const lighting::EnvironmentLight& light,
@@ -68,6 +90,7 @@ gpu::EnvironmentMaps uploadEnvironment(const gpu::Device& device, const lighting
                                       .mips = static_cast<std::uint32_t>(mips.size())};
   maps.panorama.emplace(device, shape, mips);
   maps.panoramaTurns = cells->turns;
+  maps.lamps = uploadLamps(device, light.lamps);
   return maps;
 }
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/error.h"
@@ -13,6 +14,7 @@
 #include "lighting/equirect.h"
 #include "lighting/irradiance_cube.h"
 #include "lighting/irradiance_sh.h"
+#include "lighting/lamp_tree.h"
 #include "lighting/prefilter.h"
 #include "shading/shading.h"
 
@@ -29,8 +31,14 @@ int layersOf(const CubeMap& cube, int mip) {
 
 namespace {
 
-// All but the irradiance cube.
-EnvironmentLight filterCube(std::vector<glm::vec4> texels, const PrefilterOptions& options) {
+// A panorama's lamps, and the base texels without them.
+struct SplitCube {
+  Lamps lamps;
+  std::vector<glm::vec4> rest;
+};
+
+// All but the irradiance cube. split: null where the brightest texels are taken instead of lamps.
+EnvironmentLight filterCube(std::vector<glm::vec4> texels, const PrefilterOptions& options, const SplitCube* split = nullptr) {
   const int size = options.faceSize;
   assert(size >= kMinFaceSize && size <= kMaxFaceSize && std::has_single_bit(static_cast<unsigned>(size)));
   assert(options.sampleCount >= 1 && options.sampleCount <= kMaxSampleCount &&
@@ -47,13 +55,15 @@ EnvironmentLight filterCube(std::vector<glm::vec4> texels, const PrefilterOption
   cube.mips.push_back(std::move(texels));
   light.irradianceSh = projectIrradiance(cube.mips[0], size);
 
-  std::vector<glm::vec4> rest = cube.mips[0];
-  const BrightTexels bright = takeBrightTexels(rest, size);
-  const CubeSampler source(std::move(rest), size);
+  std::vector<glm::vec4> rest = split ? split->rest : cube.mips[0];
+  FilterSource source{.bright = split ? BrightTexels() : takeBrightTexels(rest, size),
+                      .lamps = split ? &split->lamps.wide : nullptr};
+  const CubeSampler sampler(std::move(rest), size);
+  source.cube = &sampler;
   for (int mip = 0; mip <= shading::f64::kPrefilterRoughestMip; ++mip) {
     std::vector<glm::vec4>& layers = mip == 0 ? cube.mips[0] : cube.mips.emplace_back();
     for (int layer = mip == 0 ? 1 : 0; layer < layersOfMip(mip, options.levels); ++layer) {
-      const std::vector<glm::vec4> fitted = fitBilinear(prefilter(source, bright, mip, layer, options), size >> mip);
+      const std::vector<glm::vec4> fitted = fitBilinear(prefilter(source, mip, layer, options), size >> mip);
       layers.insert(layers.end(), fitted.begin(), fitted.end());
     }
   }
@@ -63,7 +73,16 @@ EnvironmentLight filterCube(std::vector<glm::vec4> texels, const PrefilterOption
 } // namespace
 
 EnvironmentLight makeEnvironmentLight(const scenes::Environment& environment, const PrefilterOptions& options) {
-  EnvironmentLight light = filterCube(resampleEquirect(environment, options.faceSize), options);
+  Panorama panorama = makePanorama(environment, options.faceSize);
+  std::vector<glm::vec4> texels = resampleEquirect(panorama, options.faceSize);
+  std::optional<SplitCube> split;
+  if (options.levels == PrefilterLevels::fine) {
+    split.emplace();
+    split->lamps = takeLamps(panorama);
+    split->rest = split->lamps.wide.nodes.empty() && split->lamps.compact.nodes.empty() ? texels : resampleEquirect(panorama, options.faceSize);
+  }
+  EnvironmentLight light = filterCube(std::move(texels), options, split ? &*split : nullptr);
+  if (split) light.lamps = {pruneLamps(split->lamps.wide, kMaxWideLampLeaves), std::move(split->lamps.compact)};
   light.irradianceCube = makeIrradianceCube(environment);
   return light;
 }

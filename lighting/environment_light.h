@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include "lighting/lamp_tree.h"
 #include "scenes/scene.h"
 
 namespace parity::lighting {
@@ -40,9 +41,11 @@ struct PrefilterOptions {
   PrefilterLevels levels = PrefilterLevels::captures;
 };
 
+inline constexpr std::size_t kMaxWideLampLeaves = 1024;
+
 // The high-end path's (docs/environments.md).
 inline constexpr PrefilterOptions kFinePrefilter{
-    .sampleCount = 128, .footprintLog2 = 0, .levels = PrefilterLevels::fine};
+    .sampleCount = 32, .footprintLog2 = 0, .levels = PrefilterLevels::fine};
 
 // Cubes that mip m of the prefiltered array has: shading's kPrefilterLayers or one.
 int layersOfMip(int mip, PrefilterLevels levels);
@@ -60,6 +63,9 @@ struct EnvironmentLight {
   std::array<glm::vec3, 9> irradianceSh{};
   // Irradiance over pi at every normal (lighting/irradiance_cube.h): the high-end path's.
   std::vector<glm::vec4> irradianceCube;
+  // Of a panorama with fine levels, for the high-end path: the levels hold the wide ones, too, at most
+  // kMaxWideLampLeaves leaves of them; they lack the compact ones.
+  Lamps lamps;
 };
 
 // Deterministic, bit-identical for any number of threads. GGX importance sampling with mips chosen by the pdf (Krivanek

@@ -1,4 +1,5 @@
-// The byte image of an environment light: a header, the irradiance (SH, cube), then the mips as they lie in memory.
+// The byte image of an environment light: a header, the irradiance (SH, cube), the lamps, then the mips as they lie in memory.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -9,14 +10,15 @@
 #include "lighting/cube.h"
 #include "lighting/environment_light.h"
 #include "lighting/irradiance_cube.h"
+#include "lighting/lamp_tree.h"
 #include "shading/shading.h"
 
 namespace parity::lighting {
 
 namespace {
 
-constexpr std::uint32_t kMagic = 0x33564e45;        // "ENV3"; another byte order reads as another number
-constexpr std::uint32_t kEarlierMagic = 0x32564e45; // "ENV2": without the irradiance cube
+constexpr std::uint32_t kMagic = 0x34564e45; // "ENV4"; another byte order reads as another number
+constexpr std::uint32_t kEarlierMagics[] = {0x32564e45, 0x33564e45}; // "ENV2", "ENV3": without irradiance cube, lamps
 constexpr std::size_t kIrradianceTexels = std::size_t{kCubeFaces} * kIrradianceFaceSize * kIrradianceFaceSize;
 constexpr std::uint32_t kMipCount = shading::f64::kPrefilterRoughestMip + 1;
 
@@ -25,9 +27,10 @@ struct Header {
   std::uint32_t faceSize = 0;
   std::uint32_t mipCount = kMipCount;
   std::uint32_t levels = 0; // PrefilterLevels
+  std::uint32_t wideLamps = 0, compactLamps = 0; // nodes
 };
 
-static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::vec4) == 16);
+static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::vec4) == 16 && sizeof(LampNode) == 32);
 
 [[noreturn]] void fail(const std::string& reason) { throw base::fileError("environment light", "", reason); }
 
@@ -41,13 +44,26 @@ void requireFinite(const float* values, std::size_t count) {
     if (!std::isfinite(values[i])) fail("holds a value that is not finite");
 }
 
+// The shader follows `next`: it must lead on, and to the end.
+void checkLamps(const LampTree& tree) {
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const LampNode& node = tree.nodes[i];
+    requireFinite(&node.direction.x, 7);
+    if (!(node.spread > 0)) fail("holds a lamp without extent");
+    if (node.next <= i || node.next > tree.nodes.size()) fail("holds lamps that are no tree");
+  }
+}
+
 } // namespace
 
 std::vector<std::byte> toBytes(const EnvironmentLight& light) {
   Header header;
   header.faceSize = static_cast<std::uint32_t>(light.prefiltered.faceSize);
   header.levels = static_cast<std::uint32_t>(levelsOf(light.prefiltered));
-  std::size_t size = sizeof header + sizeof light.irradianceSh + light.irradianceCube.size() * sizeof(glm::vec4);
+  header.wideLamps = static_cast<std::uint32_t>(light.lamps.wide.nodes.size());
+  header.compactLamps = static_cast<std::uint32_t>(light.lamps.compact.nodes.size());
+  std::size_t size = sizeof header + sizeof light.irradianceSh + light.irradianceCube.size() * sizeof(glm::vec4) +
+                     (header.wideLamps + header.compactLamps) * sizeof(LampNode);
   for (const auto& mip : light.prefiltered.mips) size += mip.size() * sizeof(glm::vec4);
 
   std::vector<std::byte> bytes(size);
@@ -59,6 +75,8 @@ std::vector<std::byte> toBytes(const EnvironmentLight& light) {
   append(&header, sizeof header);
   append(light.irradianceSh.data(), sizeof light.irradianceSh);
   append(light.irradianceCube.data(), light.irradianceCube.size() * sizeof(glm::vec4));
+  for (const LampTree* tree : {&light.lamps.wide, &light.lamps.compact})
+    append(tree->nodes.data(), tree->nodes.size() * sizeof(LampNode));
   for (const auto& mip : light.prefiltered.mips) append(mip.data(), mip.size() * sizeof(glm::vec4));
   return bytes;
 }
@@ -67,17 +85,20 @@ EnvironmentLight environmentLightFromBytes(std::span<const std::byte> bytes) {
   Header header;
   if (bytes.size() < sizeof header) fail("is shorter than its header");
   std::memcpy(&header, bytes.data(), sizeof header);
-  if (header.magic == kEarlierMagic) fail("was made by an earlier version: bake again");
+  if (std::ranges::find(kEarlierMagics, header.magic) != std::end(kEarlierMagics)) fail("was made by an earlier version: bake again");
   if (header.magic != kMagic) fail("is not of this kind");
   if (header.mipCount != kMipCount) fail("has " + std::to_string(header.mipCount) + " mips");
   if (header.faceSize < kMinFaceSize || header.faceSize > kMaxFaceSize || !std::has_single_bit(header.faceSize))
     fail("has faces of " + std::to_string(header.faceSize) + " texels");
   if (header.levels > static_cast<std::uint32_t>(PrefilterLevels::fine)) fail("has levels of no known kind");
   const auto levels = static_cast<PrefilterLevels>(header.levels);
+  for (const std::uint32_t count : {header.wideLamps, header.compactLamps})
+    if (count >= 2 * kMaxWideLampLeaves) fail("has " + std::to_string(count) + " lamps");
 
   EnvironmentLight light;
   light.prefiltered.faceSize = static_cast<int>(header.faceSize);
-  std::size_t expected = sizeof header + sizeof light.irradianceSh + kIrradianceTexels * sizeof(glm::vec4);
+  std::size_t expected = sizeof header + sizeof light.irradianceSh + kIrradianceTexels * sizeof(glm::vec4) +
+                         (header.wideLamps + header.compactLamps) * sizeof(LampNode);
   for (std::uint32_t m = 0; m < kMipCount; ++m)
     expected +=
         texelIndex(kCubeFaces * layersOfMip(static_cast<int>(m), levels), 0, 0, light.prefiltered.faceSize >> m) *
@@ -93,6 +114,14 @@ EnvironmentLight environmentLightFromBytes(std::span<const std::byte> bytes) {
   std::memcpy(light.irradianceCube.data(), from, kIrradianceTexels * sizeof(glm::vec4));
   from += kIrradianceTexels * sizeof(glm::vec4);
   requireFinite(&light.irradianceCube[0].x, 4 * kIrradianceTexels);
+  const auto readLamps = [&from](LampTree& tree, std::size_t count) {
+    tree.nodes.resize(count);
+    std::memcpy(tree.nodes.data(), from, count * sizeof(LampNode));
+    from += count * sizeof(LampNode);
+    checkLamps(tree);
+  };
+  readLamps(light.lamps.wide, header.wideLamps);
+  readLamps(light.lamps.compact, header.compactLamps);
   for (std::uint32_t m = 0; m < kMipCount; ++m) {
     std::vector<glm::vec4>& mip = light.prefiltered.mips.emplace_back(
         texelIndex(kCubeFaces * layersOfMip(static_cast<int>(m), levels), 0, 0, light.prefiltered.faceSize >> m));

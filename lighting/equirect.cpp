@@ -101,7 +101,10 @@ std::vector<Gathered> gatherPolarQuarter(const Panorama& p, bool top, int quarte
 } // namespace
 
 std::vector<glm::vec4> resampleEquirect(const scenes::Environment& environment, int n) {
-  const Panorama panorama = makePanorama(environment, n);
+  return resampleEquirect(makePanorama(environment, n), n);
+}
+
+std::vector<glm::vec4> resampleEquirect(const Panorama& panorama, int n) {
   std::vector<glm::vec4> base(texelIndex(kCubeFaces, 0, 0, n));
 
   struct Side {

@@ -15,5 +15,7 @@ namespace parity::lighting {
 // the faces is interpolated bilinearly first: energy is kept but for its rows next to the poles. faceSize: even. Throws
 // as makePanorama does.
 std::vector<glm::vec4> resampleEquirect(const scenes::Environment& environment, int faceSize);
+// The same of a panorama made for such faces.
+std::vector<glm::vec4> resampleEquirect(const Panorama& panorama, int faceSize);
 
 } // namespace parity::lighting

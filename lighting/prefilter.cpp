@@ -28,6 +28,21 @@ glm::mat3 makeFrame(const glm::vec3& n) {
   return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
 }
 
+void addLampsToRow(const LampTree& lamps, int face, int y, int size, double roughness, std::vector<glm::vec4>& texels) {
+  const auto a2 = static_cast<float>(std::pow(roughness, 4));
+  for (int x = 0; x < size; x += 4) {
+    const int count = std::min(4, size - x);
+    std::array<Float4, 3> directions, sums{};
+    for (int i = 0; i < 4; ++i) {
+      const glm::dvec3 direction = texelDirection(face, x + std::min(i, count - 1), y, size);
+      for (int c = 0; c < 3; ++c) directions[c][i] = static_cast<float>(direction[c]);
+    }
+    addLamps(lamps, directions, a2, sums);
+    for (int i = 0; i < count; ++i)
+      for (int c = 0; c < 3; ++c) texels[texelIndex(face, x + i, y, size)][c] += sums[c][i];
+  }
+}
+
 } // namespace
 
 std::vector<WeightedRead> makeLobeSamples(double roughness, int count, int faceSize, double footprintLog2,
@@ -62,8 +77,7 @@ int samplesOfMip(int mip, const PrefilterOptions& options) {
   return std::max(1, options.sampleCount * (isFine ? kFineQuarters : kQuarters)[mip] / 4);
 }
 
-std::vector<glm::vec4> prefilter(const CubeSampler& cube, const BrightTexels& bright, int mip, int layer,
-                                 const PrefilterOptions& options) {
+std::vector<glm::vec4> prefilter(const FilterSource& source, int mip, int layer, const PrefilterOptions& options) {
   const double roughness =
       shading::f64::roughnessFromMip(mip + static_cast<double>(layer) / shading::f64::kPrefilterLayers);
   const int size = options.faceSize >> mip;
@@ -78,10 +92,11 @@ std::vector<glm::vec4> prefilter(const CubeSampler& cube, const BrightTexels& br
     const int face = static_cast<int>(row) / size, y = static_cast<int>(row) % size;
     for (int x = 0; x < size; ++x) {
       const auto normal = glm::vec3(texelDirection(face, x, y, size));
-      const glm::vec3 radiance =
-          cube.readSum(makeFrame(normal), samples) + sumBrightTexels(bright, normal, roughnessOfBright);
+      const glm::vec3 radiance = source.cube->readSum(makeFrame(normal), samples) +
+                                 sumBrightTexels(source.bright, normal, roughnessOfBright);
       texels[texelIndex(face, x, y, size)] = glm::vec4(radiance, 1.f);
     }
+    if (source.lamps) addLampsToRow(*source.lamps, face, y, size, roughnessOfBright, texels);
   });
   return texels;
 }

@@ -8,6 +8,7 @@
 #include "lighting/bright_texels.h"
 #include "lighting/cube_sampler.h"
 #include "lighting/environment_light.h"
+#include "lighting/lamp_tree.h"
 
 namespace parity::lighting {
 
@@ -29,10 +30,15 @@ std::vector<WeightedRead> makeLobeSamples(double roughness, int count, int faceS
 // 4, 8, 32 from mip 0 on, at least 1.
 int samplesOfMip(int mip, const PrefilterOptions& options);
 
-// A level's six faces of (faceSize >> mip)^2 texels, filtered for N = V = R around their middles; A = 1. The bright
-// texels, which `cube` lacks, are summed exactly.
-std::vector<glm::vec4> prefilter(const CubeSampler& cube, const BrightTexels& bright, int mip, int layer,
-                                 const PrefilterOptions& options);
+// What is filtered: a cube, sampled, and what was taken out of it to be summed.
+struct FilterSource {
+  const CubeSampler* cube = nullptr;
+  BrightTexels bright;
+  const LampTree* lamps = nullptr; // null: none
+};
+
+// A level's six faces of (faceSize >> mip)^2 texels, filtered for N = V = R around their middles; A = 1.
+std::vector<glm::vec4> prefilter(const FilterSource& source, int mip, int layer, const PrefilterOptions& options);
 
 // Texels for bilinear reading: where the radiance curves, interpolation between its values at the texels' middles is
 // off to one side everywhere between, by h^2/12 of the second derivative on average. Each texel is moved as far to the

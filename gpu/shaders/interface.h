@@ -163,6 +163,12 @@ struct GpuCapture {
   vec4 boxUpper;
 };
 
+// A node of the environment's tree of lamps (lighting/lamp_tree.h).
+struct GpuLamp {
+  vec4 directionSpread; // unit, world; mean square distance of the light below from it
+  vec4 lightNext;       // radiance times solid angle, linear RGB; the first node that is not below
+};
+
 // Of an object's LQ lightmap: texel times scale plus add, of the upper half [0] and the lower one [1].
 struct GpuLightmapScales {
   vec4 scale0, add0, scale1, add1;

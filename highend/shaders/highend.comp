@@ -9,6 +9,7 @@
 #include "highend/shaders/sky.glsl"
 #include "highend/shaders/views.h"
 #include "shading/brdf.glsl"
+#include "shading/lamps.glsl"
 #include "shading/off_specular.glsl"
 
 // Values: kGeometry... and so on of interface.h.
@@ -23,6 +24,7 @@ layout(constant_id = 15) const uint kBaked = 0u; // kBaked... bits
 layout(constant_id = 16) const uint kFalloffs = 0u; // ways in which local lights fade
 layout(constant_id = 17) const uint kView = 0u;     // kView... of highend/shaders/views.h
 layout(constant_id = 18) const uint kPanorama = 0u; // the panorama is there, and fine levels go with it
+layout(constant_id = 19) const uint kLamps = 0u;    // the environment has lamps
 #include "gpu/shaders/local_light.glsl"
 #include "gpu/shaders/shadow.glsl"
 #include "highend/shaders/baked.glsl"
@@ -105,6 +107,12 @@ Shader makeShader(Point p, Resolved m) {
   return s;
 }
 
+// Light scattered once, per illuminance of a surface that faces it. NoL > 0.
+vec3 scatteredOnce(Shader s, float alpha, float NoL, float NoH, float VoH) {
+  float V = kGeometryTerm == kGeometryHeightCorrelated ? V_SmithGGXCorrelated(alpha, s.NoV, NoL) : V_SchlickSmith(alpha, s.NoV, NoL);
+  return (NoL * D_GGX(alpha, NoH) * V) * mixFresnel(s.F0, s.F90, fresnelWeight(VoH)) * s.factor;
+}
+
 // Reflected radiance for an illuminance (on a surface facing the light) from direction L.
 Lobes lit(Shader s, vec3 L, vec3 illuminance) {
   Lobes lobes = Lobes(vec3(0.0), vec3(0.0));
@@ -112,11 +120,9 @@ Lobes lit(Shader s, vec3 L, vec3 illuminance) {
   if (NoL <= 0.0) return lobes;
   vec3 H = safeNormalize(s.V + L, s.N); // V = -L: the normal
   float NoH = saturate(dot(s.N, H)), VoH = saturate(dot(s.V, H));
-  float V = kGeometryTerm == kGeometryHeightCorrelated ? V_SmithGGXCorrelated(s.alpha, s.NoV, NoL) : V_SchlickSmith(s.alpha, s.NoV, NoL);
-  vec3 F = mixFresnel(s.F0, s.F90, fresnelWeight(VoH));
   vec3 E = illuminance * NoL;
   lobes.diffuse = E * s.diffuseColor * Fd_Lambert();
-  lobes.specular = E * (D_GGX(s.alpha, NoH) * V) * F * s.factor;
+  lobes.specular = illuminance * scatteredOnce(s, s.alpha, NoL, NoH, VoH);
   if (kCompensation == kCompensationFdezAguera) lobes.specular += E * s.multiple * Fd_Lambert();
   if (kCompensation == kCompensationKullaConty) {
     vec2 AB = environmentBrdf(NoL, s.roughness).xy;
@@ -136,43 +142,7 @@ vec3 localLight(GpuLight light, vec3 position, out vec3 L) {
   return light.colorRange.xyz * attenuation;
 }
 
-// Of the environment, or of the captures in its place. direction: unit.
-vec3 imageRadiance(Shader s, vec3 direction, float mip) {
-  if ((kBaked & kBakedCaptures) != 0u) return capturedRadiance(s.captures, direction, mip);
-  return kPanorama == 0u ? skyRadianceAtMip(direction, mip, 0) : fineSkyRadianceAtMip(direction, mip);
-}
-
-vec3 readTap(Shader s, vec3 R, LobeTap tap) {
-  vec3 direction = safeNormalize(mix(s.N, R, tap.blend), s.N);
-  return imageRadiance(s, direction, tap.mip) * tap.weight;
-}
-
-// Mean radiance over the specular lobe, R the mirror direction, from the prefiltered levels.
-vec3 filteredRadiance(Shader s, vec3 R, float mip) {
-  if (kOffSpecular == kOffSpecularNone) return imageRadiance(s, R, mip);
-  if (kOffSpecular == kOffSpecularDominant)
-    return imageRadiance(s, safeNormalize(mix(s.N, R, dominantBlend(sqr(s.roughness))), s.N), mip);
-  vec3 radiance = vec3(0.0);
-  if (kOffSpecular == kOffSpecularStretched) {
-    for (int i = 0; i < 2; ++i) radiance += readTap(s, R, stretchedTap(i, s.NoV, s.roughness));
-  } else if (kOffSpecular == kOffSpecularTwoTaps) {
-    for (int i = 0; i < 2; ++i) radiance += readTap(s, R, twoTap(i, s.NoV, s.roughness));
-  } else {
-    for (int i = 0; i < 3; ++i) radiance += readTap(s, R, threeTap(i, s.NoV, s.roughness));
-  }
-  return radiance;
-}
-
-// Mean radiance over the specular lobe. What is sharper than any level is a core, read once in the mirror direction, and
-// the tail that the levels have.
-vec3 reflectedRadiance(Shader s) {
-  vec3 R = 2.0 * dot(s.N, s.V) * s.N - s.V;
-  float mip = unclampedMip(s.roughness);
-  vec3 radiance = filteredRadiance(s, R, mip);
-  if (kPanorama == 0u || mip >= kSharpestPrefilteredMip) return radiance;
-  SharpLobe lobe = sharpLobe(mip);
-  return mix(panoramaMean(R, lobe.width), radiance, lobe.tail);
-}
+#include "highend/shaders/reflection.glsl"
 
 // Evaluated at the pixel.
 Terms inFog(Terms terms, Point p) {
@@ -227,9 +197,9 @@ void main() {
     vec3 irradianceOverPi = hasLightmap(i) ? vec3(0.0) : skyIrradianceOverPi(s.N); // the sky is in the lightmap
     vec3 scale = view.skyLightColor.xyz * m.occlusion;
     terms.t[kTermSkyDiffuse] = irradianceOverPi * s.diffuseColor * scale;
-    vec3 reflected = reflectedRadiance(s);
-    show(kViewSpecularIBL, reflected * scale);
-    terms.t[kTermSkySpecular] = (reflected * s.single + irradianceOverPi * s.multiple) * scale;
+    vec3 reflected = reflectedLight(s);
+    show(kViewSpecularIBL, reflected / max(s.single, vec3(1e-6)) * scale);
+    terms.t[kTermSkySpecular] = (reflected + irradianceOverPi * s.multiple) * scale;
   }
   if (hasLightmap(i)) {
     vec3 irradianceOverPi = lightmapIrradianceOverPi(i, p, s.N);

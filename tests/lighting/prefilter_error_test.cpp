@@ -40,7 +40,7 @@ TEST_P(PrefilterError, isWithinWhatIsPromised) {
   const std::vector<glm::dvec3> directions = tests::makeDirections(40);
   const auto truth = tests::integrateLobes(environment, directions, kRoughnesses);
   const PanoramaCells cells = makePanoramaCells(environment);
-  const tests::PrefilterReader reader(makeEnvironmentLight(environment, kFinePrefilter).prefiltered, &cells);
+  const tests::PrefilterReader reader(makeEnvironmentLight(environment, kFinePrefilter), &cells);
   std::vector<double> errors =
       tests::relativeRmse(truth, directions, kRoughnesses, std::bind_front(&tests::PrefilterReader::read, &reader));
   const auto rough = errors.begin() + kSmooth;

@@ -79,8 +79,9 @@ inline std::vector<std::vector<glm::dvec3>> integrateLobes(const scenes::Environ
 class PrefilterReader {
 public:
   // cells: where the cube has fine levels, for read; must outlive it.
-  explicit PrefilterReader(const lighting::CubeMap& cube, const lighting::PanoramaCells* cells = nullptr)
-      : m_cells(cells) {
+  explicit PrefilterReader(const lighting::EnvironmentLight& light, const lighting::PanoramaCells* cells = nullptr)
+      : m_lamps(light.lamps.compact), m_cells(cells) {
+    const lighting::CubeMap& cube = light.prefiltered;
     for (int mip = 0; mip <= kRoughest; ++mip)
       for (int layer = 0; layer < kLayers; ++layer) {
         const int n = cube.faceSize >> mip;
@@ -90,13 +91,14 @@ public:
       }
   }
 
-  // As the high-end path does it: reflectedRadiance of highend/shaders/highend.comp, with cells or without.
+  // As the high-end path does it: highend/shaders/reflection.glsl for N = V, with cells or without.
   glm::dvec3 read(const glm::dvec3& direction, double roughness) const {
     const double mip = shading::f64::unclampedMip(roughness);
     const shading::f64::PrefilterBlend blend =
         m_cells ? shading::f64::finePrefilterBlend(mip) : shading::f64::prefilterBlend(std::max(mip, 0.0));
     const glm::dvec3 radiance =
-        glm::mix(level(blend.lower, direction), level(blend.upper, direction), blend.upperShare);
+        glm::mix(level(blend.lower, direction), level(blend.upper, direction), blend.upperShare) +
+        compactLamps(direction, std::max(mip, shading::f64::kSharpestPrefilteredMip));
     if (!m_cells || mip >= shading::f64::kSharpestPrefilteredMip) return radiance;
     const shading::f64::SharpLobe sharp = shading::f64::sharpLobe(mip);
     return glm::mix(glm::dvec3(lighting::readCells(*m_cells, direction, sharp.width)), radiance, sharp.tail);
@@ -110,11 +112,24 @@ public:
   }
 
 private:
+  glm::dvec3 compactLamps(const glm::dvec3& direction, double mip) const {
+    const double a2 = std::pow(shading::f64::roughnessFromMip(std::min(mip, double{kRoughest})), 4);
+    const double integral = shading::f64::prefilteredLobeIntegral(a2);
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < m_lamps.nodes.size(); ++i) {
+      if (!m_lamps.isLeaf(i)) continue;
+      const glm::dvec3 d = glm::dvec3(m_lamps.nodes[i].direction) - direction;
+      sum += glm::dvec3(m_lamps.nodes[i].light) * shading::f64::prefilteredLobe(a2, integral, glm::dot(d, d) / 4, 0.0);
+    }
+    return sum;
+  }
+
   static constexpr int kLayers = shading::f64::kPrefilterLayers, kRoughest = shading::f64::kPrefilterRoughestMip;
   glm::dvec3 level(int index, const glm::dvec3& direction) const {
     return glm::dvec3(lighting::readLevel(m_levels[index], glm::vec3(direction)));
   }
   std::vector<lighting::CubeLevel> m_levels;
+  lighting::LampTree m_lamps;
   const lighting::PanoramaCells* m_cells;
 };
 

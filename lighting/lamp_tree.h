@@ -1,0 +1,55 @@
+// The bright part of an environment as a tree of lights (Walter et al. 2005, "Lightcuts: A Scalable Approach to
+// Illumination"): from far away a whole lamp is one light, from close by its parts are many.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "lighting/float4.h"
+#include "lighting/panorama.h"
+
+namespace parity::lighting {
+
+// All light below a node, as one directional light.
+struct LampNode {
+  glm::vec3 direction{0.f}; // unit, towards the light: its centroid, weighted by luminance
+  float spread = 0;         // mean square distance of the light from it (chords on the unit sphere), above 0
+  glm::vec3 light{0.f};     // radiance times solid angle, linear Rec.709
+  std::uint32_t next = 0;   // the first node that is not below this one; of a leaf the next in the list
+};
+
+// Depth first: the root, all that is below its first child, all that is below its second. Empty: no lamps.
+struct LampTree {
+  std::vector<LampNode> nodes;
+  bool isLeaf(std::size_t node) const { return nodes[node].next == node + 1; }
+};
+
+struct Lamps {
+  LampTree wide;    // its leaves are the cells: levels hold them, too
+  LampTree compact; // its leaves are groups of cells that no level holds
+};
+
+// Takes out of the panorama what its cells have above its mean luminance over solid angle, in their own colours. The
+// light before is the light after and that of both trees, per channel. Deterministic.
+//
+// A group of cells is compact where
+// - the root mean square distance of its light from its direction is at most .25 degrees: less than the sharpest level's
+//   lobe, .5 degrees, which texels then blur;
+// - its light over its spread is at least 8 times that of the smallest group around it with 16 times its spread: a lamp
+//   by itself, no part of a softbox;
+// - it is one of the 256 of these with the most light.
+Lamps takeLamps(Panorama& panorama);
+
+// The tree down to at most `leaves` leaves: of those that are left the one with the most light times spread is divided
+// first. The root's light stays the same.
+LampTree pruneLamps(const LampTree& tree, std::size_t leaves);
+
+// Adds the tree's light filtered by prefilteredLobe (shading/lamps.glsl) of alpha^2 = `a2` to `sums` (red, green, blue),
+// for four unit directions at once (x, y, z). A node stands for all below it where the lobe is nearly a parabola over
+// it: then the second moment of its light gives the mean.
+void addLamps(const LampTree& tree, const std::array<Float4, 3>& directions, float a2, std::array<Float4, 3>& sums);
+
+} // namespace parity::lighting

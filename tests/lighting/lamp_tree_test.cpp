@@ -1,0 +1,171 @@
+// The tree of an environment's lamps: what it takes, what it keeps, and what it filters to.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "lighting/lamp_tree.h"
+#include "scenes/load.h"
+#include "shading/shading.h"
+
+namespace parity::lighting {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+scenes::Environment makeGrey(int width, int height, float value) {
+  scenes::Environment environment{.name = "grey"};
+  environment.radiance = base::Image(width, height, 3);
+  std::fill(environment.radiance.pixels.begin(), environment.radiance.pixels.end(), value);
+  return environment;
+}
+
+// A grey sky of 1 with a lamp of `cells` squared.
+Panorama makeLamp(int cells, const glm::vec3& radiance) {
+  scenes::Environment environment = makeGrey(512, 256, 1.f);
+  for (int y = 90; y < 90 + cells; ++y)
+    for (int x = 200; x < 200 + cells; ++x)
+      for (int c = 0; c < 3; ++c) environment.radiance.at(x, y)[c] = radiance[c];
+  return makePanorama(environment, 64);
+}
+
+double solidAngle(const Panorama& p, int y) { return (p.rowY[y] - p.rowY[y + 1]) * 2 * kPi / p.width; }
+
+glm::dvec3 lightOf(const Panorama& p) {
+  glm::dvec3 sum(0.0);
+  for (int x = 0; x < p.width; ++x)
+    for (int y = 0; y < p.height; ++y) sum += solidAngle(p, y) * glm::dvec3(p.column(x)[y]);
+  return sum;
+}
+
+TEST(LampTree, keepsTheLightPerChannel) {
+  Panorama p = makeLamp(7, {900, 500, 100});
+  const glm::dvec3 before = lightOf(p);
+  const LampTree tree = takeLamps(p).wide;
+  ASSERT_EQ(tree.nodes.size(), 2u * 49 - 1);
+  const glm::dvec3 after = lightOf(p) + glm::dvec3(tree.nodes[0].light);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(after[c] / before[c], 1, 1e-6) << c;
+}
+
+TEST(LampTree, hasParentsThatAreTheSumOfTheirChildren) {
+  Panorama p = makeLamp(6, {300, 500, 700});
+  const LampTree whole = takeLamps(p).wide;
+  for (const LampTree& tree : {whole, pruneLamps(whole, 10)}) {
+    std::size_t leaves = 0;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+      const LampNode& node = tree.nodes[i];
+      EXPECT_NEAR(glm::length(node.direction), 1, 1e-6);
+      EXPECT_GT(node.spread, 0);
+      if (tree.isLeaf(i)) {
+        ++leaves;
+        continue;
+      }
+      const LampNode &a = tree.nodes[i + 1], &b = tree.nodes[a.next];
+      EXPECT_EQ(b.next, node.next);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(node.light[c], a.light[c] + b.light[c], 1e-5 * node.light[c]);
+      EXPECT_GE(node.spread, std::min(a.spread, b.spread));
+    }
+    EXPECT_EQ(tree.nodes.size(), 2 * leaves - 1);
+    EXPECT_EQ(tree.nodes[0].next, tree.nodes.size());
+    EXPECT_EQ(tree.nodes[0].light, whole.nodes[0].light);
+  }
+  EXPECT_EQ(pruneLamps(whole, 10).nodes.size(), 19u);
+  EXPECT_EQ(pruneLamps(whole, 1000).nodes.size(), whole.nodes.size());
+  EXPECT_TRUE(pruneLamps(LampTree(), 10).nodes.empty());
+}
+
+// A disc of angular radius r has a mean square distance of r^2 / 2 from its middle; a square of side s s^2 / 6.
+TEST(LampTree, knowsHowFarALampSpreads) {
+  scenes::Environment environment = makeGrey(1024, 512, 0.f);
+  const double height = kPi / 512;
+  for (int y = 246; y < 266; ++y)
+    for (int x = 502; x < 522; ++x)
+      for (int c = 0; c < 3; ++c) environment.radiance.at(x, y)[c] = 5;
+  Panorama p = makePanorama(environment, 256);
+  const LampTree tree = takeLamps(p).wide;
+  EXPECT_NEAR(tree.nodes[0].spread / (std::pow(20 * height, 2) / 6), 1, 0.01);
+  EXPECT_NEAR(tree.nodes[0].direction.y, 0, 1e-4);
+}
+
+TEST(LampTree, takesNothingWhereNothingStandsOut) {
+  for (const float value : {0.f, 1.f, 1e30f}) {
+    Panorama p = makePanorama(makeGrey(64, 32, value), 32);
+    const Lamps lamps = takeLamps(p);
+    EXPECT_TRUE(lamps.wide.nodes.empty() && lamps.compact.nodes.empty()) << value;
+    EXPECT_EQ(p.column(0)[3], glm::vec3(value));
+  }
+}
+
+TEST(LampTree, takesOneTexelNearTheFloatLimit) {
+  scenes::Environment environment = makeGrey(1024, 512, 0.f);
+  for (int c = 0; c < 3; ++c) environment.radiance.at(3, 200)[c] = 3e38f;
+  Panorama p = makePanorama(environment, 256);
+  const LampTree tree = takeLamps(p).compact;
+  ASSERT_EQ(tree.nodes.size(), 1u);
+  EXPECT_TRUE(std::isfinite(tree.nodes[0].light.x));
+  EXPECT_NEAR(tree.nodes[0].light.x / (1e30 * solidAngle(p, 200)), 1, 1e-3);
+}
+
+// Three lamps of one and two cells and a softbox that is brighter than one of them.
+TEST(LampTree, tellsCompactLampsFromSoftboxes) {
+  scenes::Environment environment = makeGrey(1024, 512, 0.1f);
+  const auto light = [&](int x0, int y0, int width, int height, float value) {
+    for (int y = y0; y < y0 + height; ++y)
+      for (int x = x0; x < x0 + width; ++x)
+        for (int c = 0; c < 3; ++c) environment.radiance.at(x, y)[c] = value;
+  };
+  light(100, 250, 1, 1, 5000);
+  light(300, 200, 2, 1, 300);
+  light(310, 200, 1, 2, 300); // three degrees from the one before
+  light(600, 240, 60, 40, 500);
+  Panorama p = makePanorama(environment, 256);
+  const glm::dvec3 before = lightOf(p);
+  const Lamps lamps = takeLamps(p);
+  EXPECT_EQ(lamps.compact.nodes.size(), 2u * 3 - 1);
+  EXPECT_EQ(lamps.wide.nodes.size(), 2u * 2400 - 1);
+  const glm::dvec3 after = lightOf(p) + glm::dvec3(lamps.compact.nodes[0].light) + glm::dvec3(lamps.wide.nodes[0].light);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(after[c] / before[c], 1, 1e-6) << c;
+}
+
+// Stars: the brightest are apart, the others stay in the levels.
+TEST(LampTree, boundsTheNumberOfCompactLamps) {
+  scenes::Environment environment = makeGrey(1024, 512, 0.f);
+  for (int i = 0; i < 400; ++i) environment.radiance.at(50 * (i % 20) + 7, 100 + 15 * (i / 20))[1] = 1 + 0.01f * i;
+  Panorama p = makePanorama(environment, 256);
+  const Lamps lamps = takeLamps(p);
+  EXPECT_EQ(lamps.compact.nodes.size(), 2u * 256 - 1);
+  EXPECT_EQ(lamps.wide.nodes.size(), 2u * 144 - 1);
+}
+
+// Against the sum over every leaf, as a point where it is far and by an exact mean over its cell where it is near.
+TEST(LampTree, filtersAsItsLeavesDo) {
+  Panorama p = makeLamp(24, {50, 50, 50});
+  const LampTree tree = takeLamps(p).wide;
+  const glm::dvec3 lamp(tree.nodes[0].direction), side = glm::normalize(glm::cross(lamp, glm::dvec3(0, 1, 0)));
+  for (const double roughness : {0.1, 0.3, 0.6, 1.0}) {
+    const double a2 = std::pow(roughness, 4);
+    for (const double angle : {0.0, 0.1, 0.3, 0.8, 1.3}) {
+      std::array<Float4, 3> directions, sums{};
+      glm::dvec3 direction[4];
+      for (int i = 0; i < 4; ++i) {
+        direction[i] = glm::normalize(std::cos(angle + 0.002 * i) * lamp + std::sin(angle + 0.002 * i) * side);
+        for (int c = 0; c < 3; ++c) directions[c][i] = static_cast<float>(direction[i][c]);
+      }
+      addLamps(tree, directions, static_cast<float>(a2), sums);
+      for (int i = 0; i < 4; ++i) {
+        double expected = 0;
+        for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
+          if (!tree.isLeaf(n)) continue;
+          const glm::dvec3 d = glm::dvec3(tree.nodes[n].direction) - direction[i];
+          expected += tree.nodes[n].light.y *
+                      shading::f64::prefilteredLobe(a2, shading::f64::prefilteredLobeIntegral(a2), glm::dot(d, d) / 4,
+                                                    tree.nodes[n].spread);
+        }
+        EXPECT_NEAR(sums[1][i], expected, 0.015 * expected + 1e-9) << roughness << " " << angle;
+      }
+    }
+  }
+}
+
+} // namespace
+} // namespace parity::lighting
