@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "reference/bright_cells.h"
 
 namespace parity::reference {
 
@@ -12,9 +13,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kRowsAtOnce = 16;
-
-// The integral of sqrt(1 - y^2) dy from 0.
-double radiusUntil(double y) { return 0.5 * (y * std::sqrt(std::max(0.0, 1 - y * y)) + std::asin(y)); }
 
 // Along the meridian to the farther row, then along the widest circle of latitude. top, bottom: polar angles.
 double radiusOf(double top, double bottom, double halfWidth) {
