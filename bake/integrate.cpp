@@ -49,7 +49,8 @@ public:
       : m_scene(scene), m_atlas(atlas), m_grid(grid), m_lights(lights), m_options(options), m_stages(control),
         m_visibility(scene), m_surfaces(scene), m_emitters(scene, m_surfaces) {
     if (lights.environment) {
-      m_sky = std::make_unique<reference::EnvironmentSampler>(*lights.environment);
+      m_sky = std::make_unique<reference::EnvironmentSampler>(*lights.environment,
+                                                             reference::EnvironmentSampler::Tables::forSamples);
       if (m_sky->isBlack()) m_sky.reset();
     }
     m_samplesSky = m_sky && isUneven(*m_sky);

@@ -141,6 +141,18 @@ double AlbedoRow::at(double mu) const {
   return std::min(read(m_values, std::sqrt(std::clamp(s, 0.0, 1.0))), 1.0);
 }
 
+lighting::Float4 AlbedoRow::near(const lighting::Float4& mu) const {
+  const auto alpha = static_cast<float>(m_alpha);
+  const lighting::Float4 q = lighting::squareRoot(mu * (1 + alpha) / (mu + alpha)) * (kAlbedoNodes - 1.f);
+  lighting::Float4 values{};
+  for (int i = 0; i < 4; ++i) {
+    const auto node = static_cast<std::size_t>(std::clamp(static_cast<int>(q[i]), 0, kAlbedoNodes - 2));
+    values[i] =
+        static_cast<float>(m_values[node] + (q[i] - static_cast<float>(node)) * (m_values[node + 1] - m_values[node]));
+  }
+  return values;
+}
+
 double AlbedoRow::fresnelWeightAt(double mu) const {
   return std::clamp(read(m_fresnelWeights, std::sqrt(std::clamp(mu, 0.0, 1.0))), 0.0, 1.0);
 }

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "lighting/float4.h"
 #include "shading/surface_model.h"
 
 namespace parity::reference {
@@ -28,6 +29,8 @@ public:
   // The integral of D V NoL over light directions: the share of light from a cosine mu in [0, 1] that leaves after one
   // scattering at F = 1. At most 1.
   double at(double mu) const;
+  // About the same of four, linear between nodes: within 1e-3.
+  lighting::Float4 near(const lighting::Float4& mu) const;
   // The mean of Fresnel's weight f(VoH) over those directions: at F = F0 (1 - f) + F90 f the share is E (F0 + (F90 -
   // F0) times it).
   double fresnelWeightAt(double mu) const;

@@ -29,8 +29,8 @@ public:
       : m_lobes(lobes), m_environment(environment), m_fromHere(visibility, sample), m_isShadowed(visibility != nullptr),
         m_normal(glm::normalize(glm::dvec3(sample.normal))), m_frame(environment.toPanorama(m_normal)),
         m_view(visibleView(m_frame.toLocal(environment.toPanorama(glm::normalize(glm::dvec3(sample.view)))))),
-        m_atView(lobes.viewAt(m_view.z)), m_isGlossy(lobes.hasSpecular() && !lobes.isMirror()),
-        m_seed(hashCombine(sample.pixel, seed)) {
+        m_viewInPanorama(m_frame.toWorld(m_view)), m_atView(lobes.viewAt(m_view.z)),
+        m_isGlossy(lobes.hasSpecular() && !lobes.isMirror()), m_seed(hashCombine(sample.pixel, seed)) {
     // Irradiance costs as much as some 200 points.
     constexpr double kWorthIrradiance = 0.03;
     const glm::dvec3 multiple = lobes.multipleReflectance(m_atView);
@@ -77,7 +77,7 @@ public:
     m_uses[kByVisibleNormal] = m_isGlossy && (m_lobes.alpha() < kWideAlpha || !m_uses[kByProduct] || m_folds);
     if (m_isShadowed || !m_uses[kByProduct]) return;
     m_control.emplace(m_environment, *m_product, m_frame.z,
-                      [&](const glm::dvec3& direction) { return sampledSpecular(m_frame.toLocal(direction)); });
+                      [&](const FourDirections& directions) { return estimateSampled(directions); });
     m_product->scale(m_control->remainders());
   }
 
@@ -101,8 +101,13 @@ private:
     return m_lobes.fresnel(m_view.z) * m_environment.evaluate(mirrored).radiance;
   }
 
-  glm::dvec3 sampledSpecular(const glm::dvec3& local) const {
-    return m_lobes.evaluate(m_view, local, m_atView).specular - m_spread * local.z;
+  // About the specular part that is sampled.
+  std::array<Float4, 3> estimateSampled(const FourDirections& directions) const {
+    const glm::vec3 normal(m_frame.z), spread(m_spread);
+    std::array<Float4, 3> values = m_lobes.estimateSpecular(directions, normal, m_viewInPanorama, m_atView);
+    const Float4 NoL = normal.x * directions.x + normal.y * directions.y + normal.z * directions.z;
+    for (int c = 0; c < 3; ++c) values[static_cast<std::size_t>(c)] -= spread[c] * NoL;
+    return values;
   }
 
   // A direction of the lobe (panorama's frame), folded up at the horizon.
@@ -165,6 +170,7 @@ private:
   glm::dvec3 m_normal; // world
   Frame m_frame;
   glm::dvec3 m_view;
+  glm::vec3 m_viewInPanorama;
   LobeView m_atView;
   bool m_isGlossy;
   std::optional<Reflection> m_reflection; // with shadows

@@ -70,7 +70,7 @@ double accumulate(double* cdf, int count) {
 
 } // namespace
 
-EnvironmentSampler::EnvironmentSampler(const scenes::Environment& environment) {
+EnvironmentSampler::EnvironmentSampler(const scenes::Environment& environment, Tables tables) {
   check(environment);
   const base::Image& image = environment.radiance;
   const int growX = (kMinWidth + image.width - 1) / image.width;
@@ -113,6 +113,7 @@ EnvironmentSampler::EnvironmentSampler(const scenes::Environment& environment) {
       square += static_cast<double>(cell(x, y).w) * cell(x, y).w * (m_rowY[y] - m_rowY[y + std::size_t{1}]) * 2 * kPi /
                 m_width;
   m_isEven = square * 4 * kPi < 1.02;
+  if (tables == Tables::forSamples) return;
   m_light.emplace(m_width, m_height, m_cells, m_rowY);
   m_irradiance.emplace(m_width, m_height, m_cells, m_rowY);
 }

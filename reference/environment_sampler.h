@@ -29,7 +29,9 @@ class EnvironmentSampler {
 public:
   // Throws base::Error (exit 4) where the radiance is empty, has not 3 channels, or holds a value that is negative or
   // not finite.
-  explicit EnvironmentSampler(const scenes::Environment& environment);
+  // Tables::forSamples leaves out what irradiance() and light() read.
+  enum class Tables { all, forSamples };
+  explicit EnvironmentSampler(const scenes::Environment& environment, Tables tables = Tables::all);
 
   // No light comes from anywhere: sample() must not be called.
   bool isBlack() const { return !(m_total > 0); }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "reference/bright_cells.h"
 
 namespace parity::reference {
 
@@ -12,9 +13,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kRowsAtOnce = 16;
-
-// The integral of sqrt(1 - y^2) dy from 0.
-double radiusUntil(double y) { return 0.5 * (y * std::sqrt(std::max(0.0, 1 - y * y)) + std::asin(y)); }
 
 // Along the meridian to the farther row, then along the widest circle of latitude. top, bottom: polar angles.
 double radiusOf(double top, double bottom, double halfWidth) {
@@ -115,26 +113,12 @@ LightMoments LightPyramid::moments(const PanoramaBlock& block, const glm::vec3& 
   return level.moments[static_cast<std::size_t>(block.y) * level.width + block.x];
 }
 
-BlockFrame LightPyramid::frame(const PanoramaBlock& block) const {
-  const auto make = [](const glm::dvec2& polar, const glm::dvec2& azimuth, double halfWidth, double halfHeight,
-                       double radius) {
-    return BlockFrame{.middle = {polar.y * azimuth.x, polar.x, polar.y * azimuth.y},
-                      .along = {-azimuth.y, 0, azimuth.x},
-                      .down = {polar.x * azimuth.x, -polar.y, polar.x * azimuth.y},
-                      .halfWidth = polar.y * halfWidth,
-                      .halfHeight = halfHeight,
-                      .radius = radius};
-  };
-  if (block.level >= 0) {
-    const Level& level = m_levels[static_cast<std::size_t>(block.level)];
-    const auto x = static_cast<std::size_t>(block.x), y = static_cast<std::size_t>(block.y);
-    return make(level.polar[y], level.azimuth[x], level.halfWidth[x], level.halfHeight[y], level.radius[y]);
-  }
+BlockFrame LightPyramid::frameOfPart(const PanoramaBlock& block) const {
   const Bounds bounds = boundsOf(block);
   const double top = std::acos(bounds.top), bottom = std::acos(bounds.bottom), middle = 0.5 * (top + bottom);
   const double azimuth = 0.5 * (bounds.left + bounds.right), halfWidth = 0.5 * (bounds.right - bounds.left);
-  return make({std::cos(middle), std::sin(middle)}, {std::cos(azimuth), std::sin(azimuth)}, halfWidth,
-              0.5 * (bottom - top), radiusOf(top, bottom, halfWidth));
+  return makeFrame({std::cos(middle), std::sin(middle)}, {std::cos(azimuth), std::sin(azimuth)}, halfWidth,
+                   0.5 * (bottom - top), radiusOf(top, bottom, halfWidth));
 }
 
 glm::dvec3 LightPyramid::directionIn(const PanoramaBlock& block, const glm::dvec2& u) const {

@@ -63,7 +63,12 @@ public:
   }
   // Within the rims. radiance: of the cell that a block of level 0 or less is in; of others it is not read.
   LightMoments moments(const PanoramaBlock& block, const glm::vec3& radiance) const;
-  BlockFrame frame(const PanoramaBlock& block) const;
+  BlockFrame frame(const PanoramaBlock& block) const {
+    if (block.level < 0) return frameOfPart(block);
+    const Level& level = m_levels[static_cast<std::size_t>(block.level)];
+    const auto x = static_cast<std::size_t>(block.x), y = static_cast<std::size_t>(block.y);
+    return makeFrame(level.polar[y], level.azimuth[x], level.halfWidth[x], level.halfHeight[y], level.radius[y]);
+  }
   // The direction at u in [0, 1]^2 of a block of level 0 or less, even in solid angle.
   glm::dvec3 directionIn(const PanoramaBlock& block, const glm::dvec2& u) const;
   // The cell of a block of level 0 or less.
@@ -76,6 +81,17 @@ private:
   struct Bounds {
     double left, right, top, bottom;
   };
+  // polar, azimuth: cosine and sine of the middle.
+  static BlockFrame makeFrame(const glm::dvec2& polar, const glm::dvec2& azimuth, double halfWidth, double halfHeight,
+                              double radius) {
+    return {.middle = {polar.y * azimuth.x, polar.x, polar.y * azimuth.y},
+            .along = {-azimuth.y, 0, azimuth.x},
+            .down = {polar.x * azimuth.x, -polar.y, polar.x * azimuth.y},
+            .halfWidth = polar.y * halfWidth,
+            .halfHeight = halfHeight,
+            .radius = radius};
+  }
+  BlockFrame frameOfPart(const PanoramaBlock& block) const;
   Bounds boundsOf(const PanoramaBlock& block) const;
   LightMoments momentsOf(const Bounds& bounds, const glm::vec3& radiance) const;
 

@@ -1,6 +1,7 @@
 // A control variate for light times lobe: the lobe made linear, block by block, whose integral is known.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -8,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include "reference/environment_sampler.h"
+#include "reference/four_directions.h"
 #include "reference/product_sampler.h"
 
 namespace parity::reference {
@@ -19,8 +21,9 @@ namespace parity::reference {
 // methods and examples", section 8.9).
 class LinearControl {
 public:
-  // What a direction (unit, the panorama's frame, above the horizon) adds per unit of radiance and steradian.
-  using Lobe = std::function<glm::dvec3(const glm::dvec3& direction)>;
+  // What each of four directions (the panorama's frame, above the horizon) adds per unit of radiance and steradian,
+  // each channel; roughly is enough.
+  using Lobe = std::function<std::array<Float4, 3>(const FourDirections& directions)>;
   LinearControl(const EnvironmentSampler& environment, const ProductSampler& product, const glm::dvec3& normal,
                 const Lobe& lobe);
 

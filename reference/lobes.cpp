@@ -64,6 +64,37 @@ LobeValues Lobes::evaluate(double NoV, double NoL, double NoH, double VoH, const
   return values;
 }
 
+std::array<Float4, 3> Lobes::estimateSpecular(const FourDirections& light, const glm::vec3& normal,
+                                              const glm::vec3& view, const LobeView& atView) const {
+  const FourCosines at(normal, view, light);
+  const float NoV = glm::dot(normal, view);
+  const Float4 alpha2 = Float4{} + static_cast<float>(m_alpha * m_alpha), &NoL = at.NoL;
+  Float4 f;
+  if (m_model.fresnel == FresnelCurve::schlick) {
+    f = schlickWeight(at.VoH);
+  } else {
+    for (int i = 0; i < 4; ++i)
+      f[i] = static_cast<float>(fresnelWeight(m_model.fresnel, std::min<double>(at.VoH[i], 1)));
+  }
+  Float4 V;
+  if (m_model.geometryTerm == GeometryTerm::heightCorrelated) {
+    V = V_SmithGGXCorrelated(alpha2, NoV, NoL);
+  } else {
+    const auto k = static_cast<float>(0.5 * m_alpha);
+    V = 0.25f / ((NoV * (1 - k) + k) * (NoL * (1 - k) + k));
+  }
+  const Float4 single = D_GGX(alpha2, at.tan2) * V * NoL;
+  Float4 multiple{};
+  if (m_hasMultiple)
+    multiple = (1 - m_row->near(NoL)) * NoL * static_cast<float>(atView.lost / m_lostOnAverage * std::numbers::inv_pi);
+  std::array<Float4, 3> values;
+  for (int c = 0; c < 3; ++c) {
+    const auto F0 = static_cast<float>(m_F0[c]), F90 = static_cast<float>(m_F90);
+    values[static_cast<std::size_t>(c)] = (F0 + (F90 - F0) * f) * single + static_cast<float>(m_Fms[c]) * multiple;
+  }
+  return values;
+}
+
 LobeValues Lobes::evaluate(const glm::dvec3& view, const glm::dvec3& light, const LobeView& atView) const {
   const glm::dvec3 h = glm::normalize(view + light);
   return evaluate(view.z, light.z, std::min(h.z, 1.0), glm::clamp(glm::dot(view, h), 0.0, 1.0), atView);

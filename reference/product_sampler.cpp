@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/four_directions.h"
 #include "shading/shading.h"
 
 namespace parity::reference {
@@ -12,15 +13,16 @@ namespace parity::reference {
 namespace {
 
 namespace f64 = shading::f64;
+using lighting::larger, lighting::smaller, lighting::squareRoot;
 
 // Blocks of this radius and more are divided wherever they are.
-constexpr double kLargestRadius = 0.2;
+constexpr float kLargestRadius = 0.2f;
 // A block is divided where its half vectors spread over more than this share of the lobe's width there.
 constexpr double kSteepness = 0.25;
 // ... and where it gives more than this share of all that the point shows.
 constexpr double kLeastShare = 1e-3;
 // A block is as steep as this many times its radius over its cosine, at least: towards the horizon lobes fall to 0.
-constexpr double kHorizonSteepness = 0.2;
+constexpr float kHorizonSteepness = 0.2f;
 // Cells are divided this often.
 constexpr int kFinestLevel = -6;
 constexpr double kBelowOne = 1 - 0x1p-53;
@@ -44,7 +46,8 @@ Choice choose(const LightShares& shares, glm::dvec2& u) {
 ProductSampler::ProductSampler(const LightPyramid& light, const ProductLobe& lobe, double besides)
     : m_light(light), m_besides(besides) {
   m_nodes.reserve(1024);
-  m_nodes.push_back(makeNode(light.whole(), lobe));
+  addFour({light.whole(), light.whole(), light.whole(), light.whole()}, lobe);
+  m_nodes.resize(1);
   double total = m_nodes.front().weight;
   // Level by level, so that the total is known better and better.
   for (std::size_t begin = 0; begin < m_nodes.size();) {
@@ -56,11 +59,9 @@ ProductSampler::ProductSampler(const LightPyramid& light, const ProductLobe& lob
       if (node.block.level == kFinestLevel || !(node.weight > 0) || !(node.isLarge || matters)) continue;
       m_nodes[i].below = static_cast<std::uint32_t>(m_nodes.size());
       divided += node.weight;
-      for (int child = 0; child < 4; ++child) {
-        m_nodes.push_back(
-            makeNode({node.block.level - 1, 2 * node.block.x + child % 2, 2 * node.block.y + child / 2}, lobe));
-        parts += m_nodes.back().weight;
-      }
+      const int level = node.block.level - 1, x = 2 * node.block.x, y = 2 * node.block.y;
+      addFour({{{level, x, y}, {level, x + 1, y}, {level, x, y + 1}, {level, x + 1, y + 1}}}, lobe);
+      for (std::size_t child = m_nodes[i].below; child < m_nodes.size(); ++child) parts += m_nodes[child].weight;
     }
     total += parts - divided;
     begin = end;
@@ -83,33 +84,44 @@ void ProductSampler::scale(const std::vector<double>& factors) {
   sumUp();
 }
 
-ProductSampler::Node ProductSampler::makeNode(const PanoramaBlock& block, const ProductLobe& lobe) const {
-  Node node{.block = block};
-  const double power = m_light.power(block);
-  if (!(power > 0)) return node;
-  const BlockFrame frame = m_light.frame(block);
-  const glm::dvec3& L = frame.middle;
-  const double radius = frame.radius, height = glm::dot(lobe.normal, L);
-  node.isLarge = radius > kLargestRadius;
-  if (radius < std::numbers::pi / 2 && height <= -std::sin(radius)) return node;
-  // Blocks across the horizon: about the mean cosine of the part above it.
-  const double NoL = 0.5 * (height + std::sqrt(height * height + 0.25 * radius * radius));
-  node.steepness = kHorizonSteepness * radius / NoL;
-  double reflected = lobe.lambert * f64::Fd_Lambert();
-  if (lobe.F0 > 0 || lobe.F90 > 0) {
-    const glm::dvec3 sum = lobe.view + L;
-    const double length2 = glm::dot(sum, sum);
-    const double VoH = std::max(0.5 * std::sqrt(length2), 0.05); // of half of the angle between them
-    const double NoV = glm::dot(lobe.normal, lobe.view), across = NoV + height;
-    const double NoH2 = length2 > 1e-12 ? std::clamp(across * across / length2, 1e-6, 1.0) : 1;
-    const double spread = radius / (2 * VoH), tan2 = 1 / NoH2 - 1;
-    node.steepness = std::max(node.steepness, spread / std::sqrt(lobe.alpha * lobe.alpha + tan2));
-    const double alpha = std::sqrt(std::min(lobe.alpha * lobe.alpha + 0.25 * spread * spread, 1.0));
-    const double F = lobe.F0 + (lobe.F90 - lobe.F0) * f64::schlickWeight(std::min(VoH, 1.0));
-    reflected += F * f64::D_GGX(alpha, std::sqrt(NoH2)) * f64::V_SmithGGXCorrelated(alpha, NoV, NoL);
+void ProductSampler::addFour(const std::array<PanoramaBlock, 4>& blocks, const ProductLobe& lobe) {
+  std::array<double, 4> power{};
+  FourDirections middle;
+  Float4 radius{};
+  for (int i = 0; i < 4; ++i) {
+    power[i] = m_light.power(blocks[i]);
+    if (!(power[i] > 0)) continue;
+    const BlockFrame frame = m_light.frame(blocks[i]);
+    middle.x[i] = static_cast<float>(frame.middle.x);
+    middle.y[i] = static_cast<float>(frame.middle.y);
+    middle.z[i] = static_cast<float>(frame.middle.z);
+    radius[i] = static_cast<float>(frame.radius);
   }
-  node.weight = power * reflected * NoL;
-  return node;
+  const glm::vec3 normal(lobe.normal), view(lobe.view);
+  const FourCosines at(normal, view, middle);
+  // Blocks across the horizon: about the mean cosine of the part above it.
+  const Float4 NoL = 0.5f * (at.NoL + squareRoot(at.NoL * at.NoL + 0.25f * radius * radius));
+  Float4 steepness = kHorizonSteepness * radius / NoL;
+  Float4 reflected = Float4{} + static_cast<float>(lobe.lambert * f64::Fd_Lambert());
+  if (lobe.F0 > 0 || lobe.F90 > 0) {
+    const float NoV = glm::dot(normal, view), alpha2 = static_cast<float>(lobe.alpha * lobe.alpha);
+    const Float4 spread = 0.5f * radius / larger(at.VoH, Float4{} + 0.05f);
+    steepness = larger(steepness, spread / squareRoot(alpha2 + at.tan2));
+    const Float4 widened = smaller(alpha2 + 0.25f * spread * spread, Float4{} + 1.f);
+    const auto F0 = static_cast<float>(lobe.F0), F90 = static_cast<float>(lobe.F90);
+    reflected +=
+        (F0 + (F90 - F0) * schlickWeight(at.VoH)) * D_GGX(widened, at.tan2) * V_SmithGGXCorrelated(widened, NoV, NoL);
+  }
+  const Float4 weight = reflected * NoL;
+  for (int i = 0; i < 4; ++i) {
+    Node node{.block = blocks[i]};
+    node.isLarge = radius[i] > kLargestRadius;
+    if (power[i] > 0 && at.NoL[i] > -radius[i]) {
+      node.steepness = steepness[i];
+      node.weight = power[i] * static_cast<double>(weight[i]);
+    }
+    m_nodes.push_back(node);
+  }
 }
 
 ProductSampler::Sample ProductSampler::sample(const glm::dvec2& at) const {

@@ -1,6 +1,7 @@
 // Directions by what they contribute to one point: light times lobe.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -65,7 +66,7 @@ public:
 
 private:
   void sumUp();
-  Node makeNode(const PanoramaBlock& block, const ProductLobe& lobe) const;
+  void addFour(const std::array<PanoramaBlock, 4>& blocks, const ProductLobe& lobe);
 
   const LightPyramid& m_light;
   std::vector<Node> m_nodes;

@@ -35,6 +35,10 @@ real3 product(real3 a, real b) {
   PRECISE real3 p = real3(a.x * b, a.y * b, a.z * b);
   return p;
 }
+real3 product(real3 a, real3 b) {
+  PRECISE real3 p = real3(a.x * b.x, a.y * b.y, a.z * b.z);
+  return p;
+}
 real3 add(real3 a, real3 b) {
   PRECISE real3 sum = real3(a.x + b.x, a.y + b.y, a.z + b.z);
   return sum;
@@ -157,6 +161,7 @@ struct Shaded {
   // Of refit: SkyLightColor with occlusion; where to read the environment, the factor of what is read, and the specular
   // factor of the irradiance over pi: of what scatters more than once, and of the lobe's wide part.
   real3 skyInOcclusion;
+  real3 reflected; // with kSkyAtOnce: of the environment, still without skyInOcclusion
   RefitTap tap;
   real3 narrowPart, widePart;
   uint capture;
@@ -165,6 +170,8 @@ struct Shaded {
 };
 
 const bool kIsRefit = kEnvironmentBrdf == kEnvironmentBrdfRefit;
+// Reflected and diffuse light of the sky are multiplied by skyInOcclusion together, and saturate once: nine operations fewer.
+const bool kSkyAtOnce = kIsRefit && kCaptureScale == kCaptureScaleOcclusion;
 
 Shaded makeShaded(Point p, Resolved r) {
   Shaded s;
@@ -176,6 +183,7 @@ Shaded makeShaded(Point p, Resolved r) {
   s.GBuffer = makeMaterial(r);
   s.MaterialAO = real(r.occlusion);
   s.skyInOcclusion = product(real3(view.skyLightColor.xyz), s.MaterialAO);
+  s.reflected = real3(R(0.0));
   s.capture = captureOf(p);
   s.frame = mobileFrame(r.normal, p.V);
   s.NoV = viewCosine(kEnvironmentBrdf, s.frame);
@@ -256,7 +264,7 @@ MixingRange mixingOfView() { return MixingRange(view.path[kPathMixing].x, view.p
 
 // GetImageBasedReflectionLighting: one fetch, none for fully rough materials. SkyLightColor is 1 where the cube is a scene
 // capture, whose texels have it.
-void addReflectedEnvironment(inout BasePass pass, Shaded s) {
+void addReflectedEnvironment(inout BasePass pass, inout Shaded s) {
   real3 direction = s.frame.reflection;
   real mip = mipFromRoughness(s.context.Roughness);
   if (kIsRefit) {
@@ -269,17 +277,18 @@ void addReflectedEnvironment(inout BasePass pass, Shaded s) {
   real3 SkyLightColor = real3(view.skyLightColor.xyz);
   real3 SpecularIBL = modulate(specularIBL(radiance, scale), SkyLightColor);
   real3 lit = modulate(SpecularIBL, s.context.SpecularColor);
-  if (kIsRefit) {
-    real3 sky =
-        kCaptureScale == kCaptureScaleOcclusion ? s.skyInOcclusion : product(SkyLightColor, scale);
-    real3 S = s.narrowPart;
-    PRECISE real3 factor = real3(S.x * sky.x, S.y * sky.y, S.z * sky.z);
-    lit = modulate(radiance, factor);
+  if (kSkyAtOnce) {
+    s.reflected = product(radiance, s.narrowPart);
+    lit = modulate(s.reflected, s.skyInOcclusion);
+  } else if (kIsRefit) {
+    real3 sky = product(SkyLightColor, scale);
+    lit = modulate(radiance, product(s.narrowPart, sky));
   }
-  pass.Color = add(pass.Color, lit);
+  if (!kSkyAtOnce) pass.Color = add(pass.Color, lit);
   addTerm(pass, kTermSkySpecular, lit);
   show(kViewSpecularIBL, SpecularIBL);
   show(kViewSpecularIBLLit, lit);
+  show(kViewColorAfterIBL, narrow(widen(kSkyAtOnce ? add(pass.Color, lit) : pass.Color)));
 }
 
 // AccumulateLightingOfDynamicPointLight, for the lights chosen per object.
@@ -308,9 +317,16 @@ void addSkyLight(inout BasePass pass, Shaded s) {
   real3 DiffuseColor = s.context.DiffuseColor, widePart = s.widePart;
   bool scatters = kIsRefit && !s.fullyRough;
   real3 lookup = kIsRefit ? modulate(s.SkyDiffuseLighting, s.skyInOcclusion) : s.DiffuseLookup;
-  real3 lit = modulate(lookup, scatters ? add(DiffuseColor, widePart) : DiffuseColor);
+  real3 spread = scatters ? add(DiffuseColor, widePart) : DiffuseColor;
+  real3 lit = modulate(lookup, spread);
   if (!kIsRefit) lit = product(lit, s.MaterialAO);
-  pass.Color = add(pass.Color, lit);
+  if (kSkyAtOnce) {
+    // Finite before it is multiplied: occlusion may be 0.
+    real3 light = narrow(widen(add(s.reflected, product(s.SkyDiffuseLighting, spread))));
+    pass.Color = add(pass.Color, modulate(light, s.skyInOcclusion));
+  } else {
+    pass.Color = add(pass.Color, lit);
+  }
   addTerm(pass, kTermSkyDiffuse, scatters ? modulate(lookup, DiffuseColor) : lit);
   addTerm(pass, kTermSkySpecular, scatters ? modulate(lookup, widePart) : real3(R(0.0)));
   show(kViewSkyLight, lit);
@@ -366,8 +382,8 @@ void main() {
   Shaded s = makeShaded(p, r);
   computeIndirect(pass, s, p, i);
   addDirectionalLight(pass, s, p, i);
-  if (hasEnvironment() && !s.fullyRough) addReflectedEnvironment(pass, s);
   show(kViewColorAfterIBL, narrow(widen(pass.Color)));
+  if (hasEnvironment() && !s.fullyRough) addReflectedEnvironment(pass, s);
   if (localCount() != 0u) addLocalLights(pass, s, p);
   if (hasEnvironment()) addSkyLight(pass, s);
   real3 Emissive = narrow(r.emissive);

@@ -174,6 +174,52 @@ TEST(ProductSampler, samplesCountNearlyAlike) {
   }
 }
 
+// A lobe, asked for four directions at once.
+template <typename Lobe> LinearControl::Lobe inFours(const Lobe& lobe) {
+  return [lobe](const FourDirections& d) {
+    std::array<Float4, 3> values;
+    for (int i = 0; i < 4; ++i) {
+      const glm::dvec3 value = lobe(glm::dvec3(d.x[i], d.y[i], d.z[i]));
+      for (int c = 0; c < 3; ++c) values[static_cast<std::size_t>(c)][i] = static_cast<float>(value[c]);
+    }
+    return values;
+  };
+}
+
+// What decides where samples go and what the control is, against the lobe itself.
+TEST(LinearControl, fitsToWhatTheLobeIs) {
+  for (const auto& [term, curve] : {std::pair(GeometryTerm::heightCorrelated, FresnelCurve::schlick),
+                                    std::pair(GeometryTerm::schlickSmith, FresnelCurve::dielectric)}) {
+    const Model model{.geometryTerm = term, .fresnel = curve};
+    const DirectionalAlbedo albedo(term, curve);
+    for (const float roughness : {0.03f, 0.3f, 1.f}) {
+      SurfaceSample sample = tests::makePoint(0.6, roughness, 0.5f);
+      sample.baseColor = {0.9f, 0.5f, 0.1f};
+      const Lobes lobes(sample, model, roughness, &albedo);
+      const glm::dvec3 view(0.8, 0, 0.6);
+      const LobeView atView = lobes.viewAt(view.z);
+      for (int i = 0; i < 8; ++i) {
+        FourDirections four;
+        std::array<glm::dvec3, 4> directions;
+        for (int k = 0; k < 4; ++k) { // about the mirror image of the view
+          const glm::dvec3 beside(0, std::sin(2.4 * k), std::cos(2.4 * k));
+          directions[k] = glm::normalize(glm::dvec3(-0.8, 0, 0.6) + 0.07 * i * beside);
+          if (directions[k].z < 0.05) directions[k] = {-0.8, 0, 0.6};
+          for (int c = 0; c < 3; ++c)
+            (c == 0 ? four.x : c == 1 ? four.y : four.z)[k] = static_cast<float>(directions[k][c]);
+        }
+        const std::array<Float4, 3> estimate = lobes.estimateSpecular(four, {0, 0, 1}, glm::vec3(view), atView);
+        for (int k = 0; k < 4; ++k) {
+          const glm::dvec3 exact = lobes.evaluate(view, directions[k], atView).specular;
+          for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(estimate[static_cast<std::size_t>(c)][k], exact[c], 1e-2 * exact[c] + 1e-4)
+                << roughness << ", " << i << ", " << k;
+        }
+      }
+    }
+  }
+}
+
 // Of a lobe that is linear, the control is the lobe wherever it is fitted, and its integral is that of light times
 // control: by sampling.
 TEST(LinearControl, knowsItsIntegral) {
@@ -182,11 +228,11 @@ TEST(LinearControl, knowsItsIntegral) {
     const ProductLobe lobe = makeLobe(0.7, alpha, 0);
     const ProductSampler product(sky.light(), lobe);
     const auto linear = [](const glm::dvec3& d) { return glm::dvec3(d.y, 0.3 + d.x, 2 * d.z - d.y); };
-    const LinearControl exact(sky, product, lobe.normal, linear);
+    const LinearControl exact(sky, product, lobe.normal, inFours(linear));
     const auto peaked = [&](const glm::dvec3& d) {
       return glm::dvec3(1, 2, 3) * shading::f64::D_GGX(std::max(alpha, 0.05), glm::normalize(lobe.view + d).y) * d.y;
     };
-    const LinearControl bent(sky, product, lobe.normal, peaked);
+    const LinearControl bent(sky, product, lobe.normal, inFours(peaked));
     std::mt19937_64 random(9);
     std::uniform_real_distribution<double> uniform;
     constexpr int kCount = 100000;
