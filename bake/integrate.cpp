@@ -50,7 +50,7 @@ public:
         m_visibility(scene), m_surfaces(scene), m_emitters(scene, m_surfaces) {
     if (lights.environment) {
       m_sky = std::make_unique<reference::EnvironmentSampler>(*lights.environment,
-                                                             reference::EnvironmentSampler::Tables::forSamples);
+                                                              reference::EnvironmentSampler::Tables::forSamples);
       if (m_sky->isBlack()) m_sky.reset();
     }
     m_samplesSky = m_sky && isUneven(*m_sky);

@@ -31,7 +31,7 @@ public:
         m_view(visibleView(m_frame.toLocal(environment.toPanorama(glm::normalize(glm::dvec3(sample.view)))))),
         m_viewInPanorama(m_frame.toWorld(m_view)), m_atView(lobes.viewAt(m_view.z)),
         m_isGlossy(lobes.hasSpecular() && !lobes.isMirror()), m_seed(hashCombine(sample.pixel, seed)) {
-    // Irradiance costs as much as some 200 points.
+    // A smaller share is as well sampled with the rest.
     constexpr double kWorthIrradiance = 0.03;
     const glm::dvec3 multiple = lobes.multipleReflectance(m_atView);
     if (!m_isShadowed && (lobes.hasDiffuse() || luminance(multiple) > kWorthIrradiance))
