@@ -38,7 +38,8 @@ struct SplitCube {
 };
 
 // All but the irradiance cube. split: null where the brightest texels are taken instead of lamps.
-EnvironmentLight filterCube(std::vector<glm::vec4> texels, const PrefilterOptions& options, const SplitCube* split = nullptr) {
+EnvironmentLight filterCube(std::vector<glm::vec4> texels, const PrefilterOptions& options,
+                            const SplitCube* split = nullptr) {
   const int size = options.faceSize;
   assert(size >= kMinFaceSize && size <= kMaxFaceSize && std::has_single_bit(static_cast<unsigned>(size)));
   assert(options.sampleCount >= 1 && options.sampleCount <= kMaxSampleCount &&
@@ -79,7 +80,9 @@ EnvironmentLight makeEnvironmentLight(const scenes::Environment& environment, co
   if (options.levels == PrefilterLevels::fine) {
     split.emplace();
     split->lamps = takeLamps(panorama);
-    split->rest = split->lamps.wide.nodes.empty() && split->lamps.compact.nodes.empty() ? texels : resampleEquirect(panorama, options.faceSize);
+    split->rest = split->lamps.wide.nodes.empty() && split->lamps.compact.nodes.empty()
+                      ? texels
+                      : resampleEquirect(panorama, options.faceSize);
   }
   EnvironmentLight light = filterCube(std::move(texels), options, split ? &*split : nullptr);
   if (split) light.lamps = {pruneLamps(split->lamps.wide, kMaxWideLampLeaves), std::move(split->lamps.compact)};

@@ -1,4 +1,5 @@
-// The byte image of an environment light: a header, the irradiance (SH, cube), the lamps, then the mips as they lie in memory.
+// The byte image of an environment light: a header, the irradiance (SH, cube), the lamps, then the mips as they lie in
+// memory.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -26,7 +27,7 @@ struct Header {
   std::uint32_t magic = kMagic;
   std::uint32_t faceSize = 0;
   std::uint32_t mipCount = kMipCount;
-  std::uint32_t levels = 0; // PrefilterLevels
+  std::uint32_t levels = 0;                      // PrefilterLevels
   std::uint32_t wideLamps = 0, compactLamps = 0; // nodes
 };
 
@@ -85,7 +86,8 @@ EnvironmentLight environmentLightFromBytes(std::span<const std::byte> bytes) {
   Header header;
   if (bytes.size() < sizeof header) fail("is shorter than its header");
   std::memcpy(&header, bytes.data(), sizeof header);
-  if (std::ranges::find(kEarlierMagics, header.magic) != std::end(kEarlierMagics)) fail("was made by an earlier version: bake again");
+  if (std::ranges::find(kEarlierMagics, header.magic) != std::end(kEarlierMagics))
+    fail("was made by an earlier version: bake again");
   if (header.magic != kMagic) fail("is not of this kind");
   if (header.mipCount != kMipCount) fail("has " + std::to_string(header.mipCount) + " mips");
   if (header.faceSize < kMinFaceSize || header.faceSize > kMaxFaceSize || !std::has_single_bit(header.faceSize))

@@ -24,11 +24,13 @@ struct Cell {
   double spread;               // of the cell itself: a sixth of its solid angle, as for a square
 };
 
-constexpr double kCompactSpread = 1.9e-5; // (.25 degrees)^2
-constexpr double kWider = 16, kDenser = 8;
+constexpr double kCompactSpread = 3e-5; // (.31 degrees)^2
+constexpr double kAround = 4, kShareOfAround = 0.3;
 constexpr std::size_t kMaxCompactLamps = 256;
 
-std::vector<Cell> takeCells(Panorama& p) {
+// lights: of each cell of the panorama, as it lies there, the luminance of what is taken.
+std::vector<Cell> takeCells(Panorama& p, std::vector<float>& lights) {
+  lights.assign(p.columns.size(), 0.f);
   const double columnWidth = 2 * std::numbers::pi / p.width;
   double mean = 0;
   for (int x = 0; x < p.width; ++x)
@@ -48,6 +50,7 @@ std::vector<Cell> takeCells(Panorama& p) {
                        light,
                        luminanceOf(light),
                        solidAngle / 6});
+      lights[static_cast<std::size_t>(x) * p.height + y] = static_cast<float>(cells.back().luminance);
       radiance = rest;
     }
   std::erase_if(cells, [](const Cell& cell) { return !(cell.luminance > 0); }); // above the limit by rounding alone
@@ -115,22 +118,40 @@ LampTree makeTree(std::span<Cell> cells) {
 
 double lightOf(const LampNode& node) { return luminanceOf(node.light); }
 
-// The compact groups, from the first on.
-std::vector<std::uint32_t> findCompact(const LampTree& tree) {
-  std::vector<std::uint32_t> found, ancestors;
+// Light (luminance) of the cells whose middles are within `radius` of a direction.
+double lightWithin(const Panorama& p, const std::vector<float>& lights, const glm::dvec3& direction, double radius) {
+  const double polar = std::acos(std::clamp(direction.y, -1.0, 1.0)),
+               column = p.columnAt(std::atan2(direction.z, direction.x));
+  const double cosine = std::cos(radius),
+               across = std::sin(polar) > 2 * radius ? std::asin(std::sin(radius) / std::sin(polar)) : 4.0;
+  const double columns = std::min(across / (2 * std::numbers::pi) * p.width + 1, p.width / 2.0);
+  const int top = std::max(0, static_cast<int>((polar - radius) / std::numbers::pi * p.height)),
+            bottom = std::min(p.height - 1, static_cast<int>((polar + radius) / std::numbers::pi * p.height)),
+            left = static_cast<int>(std::floor(column - columns)),
+            right = left + std::min(p.width, static_cast<int>(2 * columns) + 2);
+  double sum = 0;
+  for (int i = left; i < right; ++i)
+    for (int y = top; y <= bottom; ++y) {
+      const int x = (i % p.width + p.width) % p.width;
+      const double height = (p.rowY[y] + p.rowY[y + 1]) / 2, azimuth = p.azimuthAt(x + 0.5),
+                   r = std::sqrt(1 - height * height);
+      if (glm::dot(direction, {r * std::cos(azimuth), height, r * std::sin(azimuth)}) >= cosine)
+        sum += lights[static_cast<std::size_t>(x) * p.height + y];
+    }
+  return sum;
+}
+
+// The compact groups, from the first on. lights: of the panorama's cells.
+std::vector<std::uint32_t> findCompact(const LampTree& tree, const Panorama& panorama,
+                                       const std::vector<float>& lights) {
+  std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < tree.nodes.size();) {
     const LampNode& node = tree.nodes[i];
-    while (!ancestors.empty() && tree.nodes[ancestors.back()].next <= i) ancestors.pop_back();
-    if (node.spread > kCompactSpread) {
-      ancestors.push_back(i++);
-      continue;
-    }
-    const auto isWider = [&](std::uint32_t a) { return tree.nodes[a].spread >= kWider * node.spread; };
-    const auto around = std::find_if(ancestors.rbegin(), ancestors.rend(), isWider);
-    const bool stands = around == ancestors.rend() || lightOf(node) / node.spread >=
-                                                          kDenser * lightOf(tree.nodes[*around]) / tree.nodes[*around].spread;
-    if (stands) found.push_back(i);
-    i = node.next; // groups within a group stand less apart
+    const bool isCompact = node.spread <= kCompactSpread &&
+                           lightOf(node) >= kShareOfAround * lightWithin(panorama, lights, node.direction,
+                                                                         kAround * std::sqrt(double{node.spread}));
+    if (isCompact) found.push_back(i);
+    i = isCompact ? node.next : i + 1;
   }
   if (found.size() <= kMaxCompactLamps) return found;
   std::ranges::stable_sort(found, std::greater(), [&](std::uint32_t i) { return lightOf(tree.nodes[i]); });
@@ -142,10 +163,11 @@ std::vector<std::uint32_t> findCompact(const LampTree& tree) {
 } // namespace
 
 Lamps takeLamps(Panorama& panorama) {
-  std::vector<Cell> cells = takeCells(panorama);
+  std::vector<float> lights;
+  std::vector<Cell> cells = takeCells(panorama, lights);
   Lamps lamps;
   lamps.wide = makeTree(cells);
-  const std::vector<std::uint32_t> compact = findCompact(lamps.wide);
+  const std::vector<std::uint32_t> compact = findCompact(lamps.wide, panorama, lights);
   if (compact.empty()) return lamps;
   // The cells lie in the order of the tree's leaves.
   std::vector<Cell> groups, rest;
@@ -205,9 +227,9 @@ LampTree pruneLamps(const LampTree& tree, std::size_t leaves) {
 }
 
 void addLamps(const LampTree& tree, const std::array<Float4, 3>& directions, float a2, std::array<Float4, 3>& sums) {
-  // Where the lobe's scale is 7 times a node's radius its light errs by some .1 % (fourth order). The scale is that of
-  // 1 / t^2, a parabola as wide as the distance or the lobe, and that of the cosine, which ends at the horizon.
-  constexpr float kOpening = 48;
+  // Where the lobe's scale is 10 times a node's radius its light errs by some .1 %, of a long one by 3 %. The scale is
+  // that of 1 / t^2, a parabola as wide as the distance or the lobe, and that of the cosine, which ends at the horizon.
+  constexpr float kOpening = 96;
   const float scale = 1 / shading::f32::prefilteredLobeIntegral(a2);
   const LampNode* nodes = tree.nodes.data();
   const std::size_t count = tree.nodes.size();
@@ -225,7 +247,8 @@ void addLamps(const LampTree& tree, const std::array<Float4, 3>& directions, flo
       }
     }
     const Float4 inverse = 1 / t;
-    const Float4 curved = 1 + node.spread * inverse * (1 - 1.5f * a2 * inverse);
+    const Float4 x = node.spread * inverse * (1 - 1.5f * a2 * inverse); // meanOverSpread of shading/lamps.glsl
+    const Float4 curved = x < 0 ? 1 / (1 - x) : 1 + x;
     const Float4 weight = (cosine > 0 ? cosine : Float4{}) * (inverse * inverse * scale) * curved;
     for (int c = 0; c < 3; ++c) sums[c] += weight * node.light[c];
     i = node.next;

@@ -36,10 +36,11 @@ struct Lamps {
 // light before is the light after and that of both trees, per channel. Deterministic.
 //
 // A group of cells is compact where
-// - the root mean square distance of its light from its direction is at most .25 degrees: less than the sharpest level's
+// - the root mean square distance of its light from its direction is at most .25 degrees: less than the sharpest
+// level's
 //   lobe, .5 degrees, which texels then blur;
-// - its light over its spread is at least 8 times that of the smallest group around it with 16 times its spread: a lamp
-//   by itself, no part of a softbox;
+// - it has half of the light, at least, that is within four times this distance: a lamp by itself, no part of a
+// softbox;
 // - it is one of the 256 of these with the most light.
 Lamps takeLamps(Panorama& panorama);
 
@@ -47,9 +48,9 @@ Lamps takeLamps(Panorama& panorama);
 // first. The root's light stays the same.
 LampTree pruneLamps(const LampTree& tree, std::size_t leaves);
 
-// Adds the tree's light filtered by prefilteredLobe (shading/lamps.glsl) of alpha^2 = `a2` to `sums` (red, green, blue),
-// for four unit directions at once (x, y, z). A node stands for all below it where the lobe is nearly a parabola over
-// it: then the second moment of its light gives the mean.
+// Adds the tree's light filtered by prefilteredLobe (shading/lamps.glsl) of alpha^2 = `a2` to `sums` (red, green,
+// blue), for four unit directions at once (x, y, z). A node stands for all below it where the lobe is nearly a parabola
+// over it: then the second moment of its light gives the mean.
 void addLamps(const LampTree& tree, const std::array<Float4, 3>& directions, float a2, std::array<Float4, 3>& sums);
 
 } // namespace parity::lighting

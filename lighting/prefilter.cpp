@@ -92,8 +92,8 @@ std::vector<glm::vec4> prefilter(const FilterSource& source, int mip, int layer,
     const int face = static_cast<int>(row) / size, y = static_cast<int>(row) % size;
     for (int x = 0; x < size; ++x) {
       const auto normal = glm::vec3(texelDirection(face, x, y, size));
-      const glm::vec3 radiance = source.cube->readSum(makeFrame(normal), samples) +
-                                 sumBrightTexels(source.bright, normal, roughnessOfBright);
+      const glm::vec3 radiance =
+          source.cube->readSum(makeFrame(normal), samples) + sumBrightTexels(source.bright, normal, roughnessOfBright);
       texels[texelIndex(face, x, y, size)] = glm::vec4(radiance, 1.f);
     }
     if (source.lamps) addLampsToRow(*source.lamps, face, y, size, roughnessOfBright, texels);

@@ -75,7 +75,7 @@ vec3 lampDifference(Shader s, Read reads[kMaxTaps], float tail) {
       continue;
     }
     vec3 difference = isCompact ? vec3(0.0) : -levels * s.single;
-    if (NoL > 0.0) difference += scatteredOnce(s, alpha, NoL, sqrt(NoH2), sqrt(VoH2));
+    if (NoL > 0.0) difference += scatteredOnce(s, alpha, NoL, sqrt(NoH2), sqrt(VoH2)) * meanOfGgx(sqr(alpha), NoH2, VoH2, place.w);
     if (NoL > 0.0 && kCompensation == kCompensationKullaConty) { // from the irradiance to its own lobe
       vec2 AB = environmentBrdf(NoL, s.roughness).xy;
       difference += s.multiple * (NoL * (kullaContyLobe(AB.x + AB.y, s.Eavg) - Fd_Lambert()));

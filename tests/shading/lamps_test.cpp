@@ -29,7 +29,10 @@ TEST(PrefilteredLobe, integratesToOne) {
   for (double roughness = 0.06; roughness <= 1.0001; roughness += 0.01) {
     const double a2 = std::min(1.0, std::pow(roughness, 4));
     const auto lobe = [&](double u) { return lobeOf(a2, u); };
-    const auto lobe32 = [&](double u) { return f32::prefilteredLobe(static_cast<float>(a2), f32::prefilteredLobeIntegral(static_cast<float>(a2)), static_cast<float>(u), 0.f); };
+    const auto lobe32 = [&](double u) {
+      return f32::prefilteredLobe(static_cast<float>(a2), f32::prefilteredLobeIntegral(static_cast<float>(a2)),
+                                  static_cast<float>(u), 0.f);
+    };
     EXPECT_NEAR(overHemisphere(20000, lobe), 1, 3e-4) << roughness;
     EXPECT_NEAR(overHemisphere(20000, lobe32), 1, 5e-4) << roughness;
   }
@@ -40,8 +43,7 @@ TEST(PrefilteredLobe, isThatOfGgx) {
   for (const double alpha : {0.01, 0.1, 0.5, 1.0}) {
     double first = 0;
     for (const double u : {0.0, 1e-4, 0.01, 0.1, 0.4}) {
-      const double ratio = lobeOf(alpha * alpha, u) /
-                           (f64::D_GGX(alpha, std::sqrt(1 - u)) * (1 - 2 * u));
+      const double ratio = lobeOf(alpha * alpha, u) / (f64::D_GGX(alpha, std::sqrt(1 - u)) * (1 - 2 * u));
       if (u == 0) first = ratio;
       EXPECT_NEAR(ratio / first, 1, 1e-9) << alpha << " " << u;
     }
