@@ -1,6 +1,7 @@
 // The high-end path against the formulas of shading/ in double precision, evaluated on the CPU for the same surface.
 #include "support/path_quad.h"
 
+#include <cstring>
 #include <random>
 
 #include "highend/renderer.h"
@@ -255,6 +256,75 @@ TEST_F(HighendTest, mirrorsReadThePanoramasCells) {
       const glm::vec3 expected = lighting::readCells(cells, mirrored, lobe.width) * static_cast<float>(1 - lobe.tail);
       // The box's borders: single precision of the place, of 1024 cells a row.
       tests::expectNear(actual, expected, roughness == 0 ? 1e-6f : 2e-3f, "radiance");
+    }
+}
+
+// Head, then the nodes as highend/shaders/reflection.glsl walks them.
+gpu::Buffer uploadLamps(const gpu::Device& device, std::uint32_t compact, const std::vector<gpu::GpuLamp>& lamps) {
+  const glm::uvec4 head(lamps.size(), compact, 0, 0);
+  std::vector<std::byte> bytes(sizeof head + lamps.size() * sizeof(gpu::GpuLamp));
+  std::memcpy(bytes.data(), &head, sizeof head);
+  std::memcpy(bytes.data() + sizeof head, lamps.data(), lamps.size() * sizeof(gpu::GpuLamp));
+  return gpu::Buffer(device, std::span<const std::byte>(bytes));
+}
+
+// What no level holds is reflected as a directional light of that illuminance.
+TEST_F(HighendTest, compactLampsAreReflectedAsDirectionalLights) {
+  const base::Image lut = constantLut(0.4f, 0.1f);
+  const glm::vec3 towards = glm::normalize(glm::vec3(0.3f, 0.5f, 0.9f)), lux(4, 3, 2);
+  gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0);
+  environment.lamps = uploadLamps(device(), 1, {{glm::vec4(towards, 1e-9f), glm::vec4(lux, 1)}});
+  for (const Compensation compensation : {Compensation::none, Compensation::kullaConty, Compensation::turquin})
+    for (const float roughness : {0.1f, 0.3f, 0.7f, 1.f})
+      for (const float angle : {0.f, 0.7f, -0.9f, 1.4f}) {
+        Options options = kPlain;
+        options.compensation = compensation;
+        scenes::Scene scene = makeLeaningQuad(angle);
+        scene.materials[0].metallic = 1;
+        scene.materials[0].roughness = roughness;
+        const ShadedPoint lamp = shade(scene, {.environment = &environment, .lut = &lut}, options);
+        const ShadedPoint sun = shade(scene, {.lut = &lut, .lights = {makeDirectional(towards, lux)}}, options);
+        // What scatters more than once has its light from the irradiance, black here, and from lamps its lobe's excess.
+        const float NoL = std::max(0.f, glm::dot(glm::vec3(std::sin(angle), 0, std::cos(angle)), towards));
+        const double multiple =
+            compensation == Compensation::kullaConty ? f64::kullaContyAlbedo({1, 1, 1}, 0.5, 0.5).x : 0;
+        const glm::vec3 expected =
+            glm::max(sun[Term::sunSpecular] - static_cast<float>(multiple * NoL / 3.14159265358979) * lux, 0.f);
+        tests::expectNear(lamp[Term::skySpecular], expected, 1e-3f, "lamp");
+      }
+}
+
+// What a level holds is taken off again: under a level of light L that is all of one lamp, the true lobe is left.
+TEST_F(HighendTest, wideLampsAddTheDifferenceOfTheLobes) {
+  const base::Image lut = constantLut(0.4f, 0.1f);
+  const glm::vec3 towards = glm::normalize(glm::vec3(0.3f, 0.1f, 0.9f)), lux(4, 3, 2);
+  const float spread = 1e-4f;
+  gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1000);
+  environment.lamps = uploadLamps(device(), 0, {{glm::vec4(towards, spread), glm::vec4(lux, 1)}});
+  for (const float roughness : {0.3f, 0.5f, 1.f})
+    for (const float angle : {0.f, 0.4f, -0.8f}) {
+      scenes::Scene scene = makeLeaningQuad(angle);
+      scene.materials[0].metallic = 1;
+      scene.materials[0].roughness = roughness;
+      const glm::vec3 actual = shade(scene, {.environment = &environment, .lut = &lut}, kPlain)[Term::skySpecular];
+      const glm::dvec3 N(std::sin(angle), 0, std::cos(angle)), V(0, 0, 1),
+          R(std::sin(2 * angle), 0, std::cos(2 * angle)), L(towards), H = glm::normalize(V + L);
+      const double alpha = std::pow(double{roughness}, 2), a2 = alpha * alpha, NoL = glm::dot(N, L),
+                   NoV = glm::dot(N, V), NoH2 = std::pow(glm::dot(N, H), 2), VoH2 = std::pow(glm::dot(V, H), 2),
+                   u = glm::dot(R - L, R - L) / 4;
+      const f64::PrefilterBlend blend = f64::finePrefilterBlend(f64::unclampedMip(roughness));
+      const auto levelLobe = [&](int level) {
+        const double b2 = std::pow(f64::roughnessFromMip(level / 4.0), 4);
+        return f64::prefilteredLobe(b2, f64::prefilteredLobeIntegral(b2), u, spread);
+      };
+      const double held = levelLobe(blend.lower) * (1 - blend.upperShare) + levelLobe(blend.upper) * blend.upperShare;
+      const double lower2 = std::pow(f64::roughnessFromMip(blend.lower / 4.0), 4);
+      const double share = f64::lampShare(std::min({f64::lobeScale(a2, NoH2, VoH2), 1.0, 4 * (u + lower2)}), spread);
+      const double lobe = f64::D_GGX(alpha, std::sqrt(NoH2)) * f64::V_SmithGGXCorrelated(alpha, NoV, NoL) * NoL *
+                          f64::meanOfGgx(a2, NoH2, VoH2, spread);
+      // Metal of base colour 1: F = 1, single = A + B.
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(actual[c], 1000 * 0.5 + lux[c] * share * (lobe - 0.5 * held), 2e-3) << roughness << " " << angle;
     }
 }
 
