@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
+#include "bake/direction_guide.h"
+#include "bake/directions.h"
 #include "bake/reflected_light.h"
 #include "bake/texel_light.h"
 #include "bake/texels.h"
@@ -30,12 +33,32 @@ struct GatherPoints {
   bool bothSides = false;               // light of the whole sphere about it, for what is seen from behind, too
 };
 
-// The estimate of one sample, point `index` of the Owen-scrambled Sobol sequences of this seed: the mean over samples
-// is the light of the texel. Directions by a density between the cosine's and a uniform one, so that SH, too, has a
-// bounded weight; emitters and an uneven sky are sampled besides, by the balance heuristic (Veach 1997, section 9.2).
-// rays: counted up.
-LightSum gatherSample(const Surroundings& around, const GatherPoints& texel, std::uint32_t index, std::uint32_t seed,
-                      std::uint64_t& rays);
+// Which samples also take a point of an emitter, and of an uneven sky: one of 2^n.
+struct GatherShares {
+  int emitterSkips = 0, skySkips = 0;
+};
+
+// How samples are taken. Referenced objects must outlive it.
+struct GatherWay {
+  const Directions& directions; // of points that the texel's are among
+  const DirectionGuide& guide;
+  GatherShares shares = {};
+};
+
+struct GatherSample {
+  LightSum sum;
+  std::optional<double> emitters, sky; // luminance of irradiance that came by these ways, if this sample took them
+};
+
+// Point `index` of the Owen-scrambled Sobol sequence of this seed: x and y for a direction, z for a point of the texel.
+glm::dvec3 gatherPoint(std::uint32_t index, std::uint32_t seed);
+
+// The estimate of one sample, gatherPoint(index, seed): the mean over samples 0 .. n - 1 is the light of the texel, n a
+// multiple of what the shares divide by. Directions by their density times the guide's; emitters and an uneven sky are
+// sampled besides, weighted by all densities but the guide's, which so need not be known for them (multiple importance
+// sampling, Veach 1997, section 9.2). rays: counted up.
+GatherSample gatherSample(const Surroundings& around, const GatherPoints& texel, const GatherWay& way,
+                          std::uint32_t index, std::uint32_t seed, std::uint64_t& rays);
 
 // Whether so uneven that sampling it pays: the standard deviation of its radiance over the sphere is above its mean.
 bool isUneven(const reference::EnvironmentSampler& sky);

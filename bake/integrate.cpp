@@ -1,12 +1,14 @@
 #include "bake/integrate.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <numeric>
 
 #include "bake/direct_light.h"
-#include "bake/gather.h"
+#include "bake/group_gather.h"
 #include "bake/stages.h"
 #include "bake/texel_points.h"
 #include "reference/sampling.h"
@@ -15,18 +17,15 @@ namespace parity::bake {
 
 namespace {
 
-constexpr std::uint32_t kReplicates = 8, kFirstPerReplicate = kMinSamples / kReplicates;
 // Of a texel in the passes whose result is only looked up: the last pass averages over many of them.
 constexpr std::uint32_t kCoarseSamples = 256;
 constexpr double kDarkShare = 0.1; // of the mean irradiance: what is darker need not be more exact than that
 
-// Standard errors in the error that is wanted: it holds for 19 of 20 texels.
-constexpr double kSigmas = 2.4; // by Student's distribution of 7 degrees of freedom
-// The direction of light may be so many times less exact than its sum, over l0: it only tells apart a texel's normals.
-constexpr double kDirectionSlack = 4;
+// Samples of a texel after those that all have: at most so many times as many, and at least this part of them.
+constexpr int kMostMore = 3, kLeastMore = 4;
 
 // Passes, for the seeds.
-enum Pass : std::uint32_t { kValidity = 1, kFinal, kFirstCoarse };
+enum Pass : std::uint32_t { kValidity = 1, kFinal, kMore, kFirstCoarse };
 
 struct Direct {
   TexelLight inLightmap;              // all lights but the sun
@@ -36,12 +35,6 @@ struct Direct {
 struct Coarse {
   glm::vec3 irradiance{0.f}, back{0.f};
 };
-struct Gathered {
-  TexelLight light;
-  float error = 0;
-  std::uint32_t samples = 0;
-};
-
 class Integrator {
 public:
   Integrator(const scenes::Scene& scene, const Atlas& atlas, const TexelGrid& grid, const BakeLights& lights,
@@ -67,18 +60,17 @@ public:
 
     const bool shines = m_sky || !m_emitters.empty();
     const bool reflects = m_options.bounces > 0 && (shines || !m_lights.lights.empty());
-    std::vector<Gathered> gathered(count);
-    if (shines || reflects) gather(direct, isValid, shines, gathered);
-
     StaticLight result;
+    result.gathered.resize(count);
+    result.error.resize(count);
+    result.samples.resize(count);
+    if (shines || reflects) gather(direct, isValid, shines, result);
+
     for (std::size_t i = 0; i < count; ++i) {
       result.direct.push_back(direct[i].inLightmap);
       result.valid.push_back(direct[i].valid);
       result.sunLit.push_back(direct[i].sunLit);
       result.facesSun.push_back(direct[i].facesSun);
-      result.gathered.push_back(gathered[i].light);
-      result.error.push_back(gathered[i].error);
-      result.samples.push_back(gathered[i].samples);
     }
     result.rays = m_stages.rays();
     return result;
@@ -135,8 +127,7 @@ private:
   glm::dvec3 towardsSun() const { return -glm::dvec3(m_lights.lights[*m_lights.sun].direction); }
 
   // Jacobi's iteration of the diffuse light: each pass gathers what the one before has left on the surfaces.
-  void gather(const std::vector<Direct>& direct, const std::vector<bool>& isValid, bool shines,
-              std::vector<Gathered>& result) {
+  void gather(const std::vector<Direct>& direct, const std::vector<bool>& isValid, bool shines, StaticLight& result) {
     const std::size_t count = direct.size();
     const int passes = m_options.bounces + 1;
     std::vector<glm::vec3> fronts(count), backs(count);
@@ -162,9 +153,53 @@ private:
     for (std::size_t i = 0; i < count; ++i)
       mean += lightmapLuminance(coarse[i].irradiance + direct[i].inLightmap.irradiance);
     mean /= static_cast<double>(std::max<std::size_t>(std::ranges::count(isValid, true), 1));
-    m_stages.run("final", "gathering", 0.3, 1, std::span(result), [&](std::size_t i, std::uint64_t& rays) {
-      return finalAt(around, direct[i], i, kDarkShare * mean, rays);
-    });
+    gatherFinally(around, direct, kDarkShare * mean, result);
+  }
+
+  // First each group by itself. What the groups have left of all samples then goes to the texels that had not enough.
+  void gatherFinally(const Surroundings& around, const std::vector<Direct>& direct, double floor, StaticLight& result) {
+    const TexelGroups groups(m_grid);
+    std::vector<std::uint32_t> all(groups.count());
+    std::iota(all.begin(), all.end(), 0u);
+    gatherGroups("final", {0.3, 0.8}, around, direct, groups, all, {m_options.error, m_options.maxSamples, floor},
+                 result);
+
+    const auto isUnfinished = [&](std::uint32_t i) { return result.error[i] > m_options.error; };
+    std::int64_t left = 0, unfinished = 0;
+    for (std::uint32_t i = 0; i < direct.size(); ++i) {
+      if (result.samples[i] > 0) left += std::int64_t{m_options.maxSamples} - result.samples[i];
+      unfinished += isUnfinished(i) ? 1 : 0;
+    }
+    if (unfinished == 0) return;
+    const auto more = static_cast<int>(std::min(left / unfinished, std::int64_t{kMostMore} * m_options.maxSamples));
+    if (more < m_options.maxSamples / kLeastMore) return;
+    std::erase_if(all, [&](std::uint32_t g) { return std::ranges::none_of(groups[g], isUnfinished); });
+    gatherGroups("more", {0.8, 1}, around, direct, groups, all, {m_options.error, more, floor}, result);
+  }
+
+  // Those texels of some groups that are not exact enough.
+  void gatherGroups(const std::string& name, glm::dvec2 done, const Surroundings& around,
+                    const std::vector<Direct>& direct, const TexelGroups& groups,
+                    const std::vector<std::uint32_t>& some, const GroupOptions& options, StaticLight& result) {
+    std::vector<GatheredGroup> gathered(some.size());
+    m_stages.run(
+        name, "gathering", done.x, done.y, std::span(gathered),
+        [&](std::size_t k, std::uint64_t& rays) {
+          std::vector<GroupTexel> texels;
+          for (const std::uint32_t i : groups[some[k]]) {
+            const Gathered before{result.gathered[i], result.error[i], result.samples[i]};
+            texels.push_back(groupTexelAt(direct[i], i, before, options.error));
+          }
+          return gatherGroup(around, texels, options, rays);
+        },
+        TexelGroups::kMost);
+    for (std::size_t k = 0; k < some.size(); ++k)
+      for (std::size_t j = 0; j < groups[some[k]].size(); ++j) {
+        const std::uint32_t i = groups[some[k]][j];
+        result.gathered[i] = gathered[k][j].light;
+        result.error[i] = gathered[k][j].error;
+        result.samples[i] = gathered[k][j].samples;
+      }
   }
 
   void gatherCoarsely(const Surroundings& around, const std::vector<Direct>& direct, int pass,
@@ -183,59 +218,29 @@ private:
                   std::uint64_t& rays) const {
     const TexelPoints points = pointsOf(m_grid, m_grid.texels()[i], direct.valid);
     if (points.count == 0) return {};
-    const GatherPoints texel{std::span(points.points).first(points.count),
-                             m_surfaces.isDoubleSided(m_grid.texels()[i].instance)};
+    const auto seen = std::span(points.points).first(points.count);
+    const GatherPoints texel{seen, m_surfaces.isDoubleSided(m_grid.texels()[i].instance)};
+    std::array<glm::vec3, kFactor * kFactor> normals;
+    std::ranges::transform(seen, normals.begin(), &SurfacePoint::normal);
+    const Directions directions{std::span(normals).first(points.count), texel.bothSides};
+    const DirectionGuide even;
+    const GatherWay way{directions, even};
     const std::uint32_t seed = seedOf(i, kFirstCoarse + static_cast<std::uint32_t>(pass));
     LightSum sum;
-    for (std::uint32_t s = 0; s < kCoarseSamples; ++s) sum += gatherSample(around, texel, s, seed, rays);
+    for (std::uint32_t s = 0; s < kCoarseSamples; ++s) sum += gatherSample(around, texel, way, s, seed, rays).sum;
     const TexelLight mean = sum.times(1.0 / kCoarseSamples);
     return {mean.irradiance, mean.back};
   }
 
-  // Independent replicates of the sequence, all doubled until they agree: their scatter is the error of their mean.
-  Gathered finalAt(const Surroundings& around, const Direct& direct, std::size_t i, double floor,
-                   std::uint64_t& rays) const {
-    const Texel& at = m_grid.texels()[i];
-    const TexelPoints points = pointsOf(m_grid, at, direct.valid);
-    Gathered result;
-    if (points.count == 0) return result;
-    const GatherPoints texel{std::span(points.points).first(points.count), m_surfaces.isDoubleSided(at.instance)};
-    const double known = lightmapLuminance(direct.inLightmap.irradiance + direct.inLightmap.back);
-    std::array<LightSum, kReplicates> sums{};
-    std::uint32_t done = 0;
-    double before = 0;
-    for (std::uint32_t n = kFirstPerReplicate;; n *= 2) {
-      double mean = 0, squares = 0;
-      glm::dvec4 sh(0), shSquares(0);
-      for (std::uint32_t r = 0; r < kReplicates; ++r) {
-        const std::uint32_t seed = reference::hashCombine(seedOf(i, kFinal), r);
-        for (std::uint32_t s = done; s < n; ++s) sums[r] += gatherSample(around, texel, s, seed, rays);
-        const double luminance = lightmapLuminance(sums[r].irradiance + sums[r].back) / n;
-        mean += luminance / kReplicates;
-        squares += luminance * luminance / kReplicates;
-        const glm::dvec4 coefficients = sums[r].sh / static_cast<double>(n);
-        sh += coefficients / static_cast<double>(kReplicates);
-        shSquares += coefficients * coefficients / static_cast<double>(kReplicates);
-      }
-      done = n;
-      const double variance = std::max(squares - mean * mean, 0.0) / (kReplicates - 1); // of the mean of all
-      const double whole = std::max(mean + known, floor);
-      const double scatter = kSigmas * std::sqrt(variance);
-      // Never below half of what half the samples had: a few replicates agree by chance.
-      const double uncertainty = std::max(scatter, before / 2);
-      before = scatter;
-      result.error = static_cast<float>(uncertainty > 0 ? uncertainty / whole : 0);
-      const glm::dvec4 shVariance = glm::max(shSquares - sh * sh, 0.0) / static_cast<double>(kReplicates - 1);
-      const double shError = kSigmas * std::sqrt(std::max({shVariance.y, shVariance.z, shVariance.w}));
-      const bool isDirected = shError <= kDirectionSlack * m_options.error * std::max(sh.x, floor * kY0);
-      if ((result.error <= m_options.error && isDirected) ||
-          2 * n * kReplicates > static_cast<std::uint32_t>(m_options.maxSamples))
-        break;
-    }
-    LightSum sum;
-    for (const LightSum& each : sums) sum += each;
-    result.samples = done * kReplicates;
-    result.light = sum.times(1.0 / result.samples);
+  GroupTexel groupTexelAt(const Direct& direct, std::uint32_t i, const Gathered& before, double wanted) const {
+    const Texel& texel = m_grid.texels()[i];
+    GroupTexel result;
+    result.before = before;
+    if (before.samples > 0 && before.error <= wanted) return result;
+    result.points = pointsOf(m_grid, texel, direct.valid);
+    result.bothSides = m_surfaces.isDoubleSided(texel.instance);
+    result.known = lightmapLuminance(direct.inLightmap.irradiance + direct.inLightmap.back);
+    result.seed = seedOf(i, before.samples > 0 ? kMore : kFinal);
     return result;
   }
 

@@ -24,9 +24,12 @@ struct BakeLights {
 
 struct IntegrateOptions {
   int bounces = 2; // of diffuse light from surface to surface, 0..kMaxBounces
-  double error =
-      0.01; // wanted standard error over the texel's irradiance, or over a tenth of the mean where it is darker
-  int maxSamples = 4096; // of a texel, whatever its error; a power of two, kMinSamples..kMaxSamples
+  // Wanted error, which 19 of 20 texels are within, over the texel's irradiance, or over a tenth of the mean where it
+  // is darker.
+  double error = 0.01;
+  // Of a texel in the mean over the bake, whatever its error: those that need fewer leave theirs to others, which take
+  // up to four times as many. A power of two, kMinSamples..kMaxSamples.
+  int maxSamples = 4096;
   std::uint32_t seed = 0;
   double texelsPerMetre = 16; // of the atlas
 };

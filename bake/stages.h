@@ -27,15 +27,18 @@ public:
 
   // out[i] = body(i, rays) for every i, or what the cache holds of it. name: of the stage, unique; what: for people;
   // from and to: its share of the whole work. body: called by any thread; the order does not matter to the result.
+  // texels: that one i stands for.
   template <typename T, typename Body> void run(const std::string& name, const std::string& what, double from,
-                                                double to, std::span<T> out, const Body& body) {
+                                                double to, std::span<T> out, const Body& body, std::size_t texels = 1) {
     static_assert(std::is_trivially_copyable_v<T>);
-    for (std::size_t begin = 0; begin < out.size(); begin += kChunk) {
+    const std::size_t size = std::max<std::size_t>(kChunk / texels, 1),
+                      grain = std::max<std::size_t>(kGrain / texels, 1);
+    for (std::size_t begin = 0; begin < out.size(); begin += size) {
       tell(what, from + (to - from) * static_cast<double>(begin) / static_cast<double>(out.size()));
-      const std::span<T> chunk = out.subspan(begin, std::min(kChunk, out.size() - begin));
+      const std::span<T> chunk = out.subspan(begin, std::min(size, out.size() - begin));
       const std::string key = keyOf(name, begin);
       if (recall(key, std::as_writable_bytes(chunk))) continue;
-      base::parallelFor(chunk.size(), kGrain, [&](std::size_t first, std::size_t last) {
+      base::parallelFor(chunk.size(), grain, [&](std::size_t first, std::size_t last) {
         std::uint64_t rays = 0;
         for (std::size_t i = first; i < last && !isCancelled(); ++i) chunk[i] = body(begin + i, rays);
         m_rays += rays;

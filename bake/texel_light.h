@@ -18,6 +18,7 @@ struct TexelLight {
     sh += other.sh;
     return *this;
   }
+  TexelLight scaledBy(float scale) const { return {irradiance * scale, back * scale, sh * scale}; }
 };
 
 inline constexpr double kY0 = 0.282094791773878143, kY1 = 0.488602511902919921;
@@ -41,6 +42,7 @@ struct LightSum {
     sh += other.sh;
     return *this;
   }
+  LightSum scaledBy(double scale) const { return {irradiance * scale, back * scale, sh * scale}; }
   TexelLight times(double scale) const {
     return {glm::vec3(irradiance * scale), glm::vec3(back * scale), glm::vec4(sh * scale)};
   }

@@ -60,7 +60,7 @@ void addBakeOptions(CLI::App& app, BakeCommand& command, RawBakeOptions& raw) {
   app.add_option("--error", raw.error, "Standard error over a texel's irradiance at which it is done")
       ->group("Light")
       ->capture_default_str();
-  app.add_option("--max-samples", o.integrate.maxSamples, "Of a texel, whatever its error: a power of two")
+  app.add_option("--max-samples", o.integrate.maxSamples, "Of a texel in the mean, whatever the errors: a power of two")
       ->check(powerOfTwo(bake::kMinSamples, bake::kMaxSamples))
       ->group("Light")
       ->capture_default_str();
