@@ -270,7 +270,9 @@ std::string table(const std::vector<Row>& rows, const std::vector<Lit>& lits, co
       "covered pixels: median and worst of the pairs. The truth's own noise adds about {:.0e} to relMSE; FLIP between "
       "a "
       "truth\n"
-      "of 1 % and one of 0.5 % is .006 to .013 (three pairs): an error of 1 % in luminance is a FLIP of some .02.\n\n"
+      "of 1 % and one of 0.5 % is .006 to .013 (three pairs): an error of 1 % in luminance is a FLIP of some .02.\n"
+      "What the environment's parts (levels, irradiance, cells, lamps) cost in time and memory: "
+      "[environments.md](environments.md).\n\n"
       "![Pareto front](highend-pareto.svg)\n\n"
       "| setting | time | relMSE median | worst | relMSE of skySpecular | worst | FLIP mean | worst |\n"
       "|---|---|---|---|---|---|---|---|\n",

@@ -17,7 +17,7 @@ namespace {
 
 double luminanceOf(const glm::dvec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
-// What a cell of the panorama has above the limit.
+// What a cell of the panorama has above the mean.
 struct Cell {
   glm::dvec3 direction, light; // radiance times solid angle
   double luminance;            // of light
@@ -26,7 +26,7 @@ struct Cell {
 
 constexpr double kCompactSpread = 3e-5; // (.31 degrees)^2
 constexpr double kAround = 4, kShareOfAround = 0.3;
-constexpr std::size_t kMaxCompactLamps = 256;
+constexpr std::size_t kMaxCompactLamps = 64;
 
 // lights: of each cell of the panorama, as it lies there, the luminance of what is taken.
 std::vector<Cell> takeCells(Panorama& p, std::vector<float>& lights) {
@@ -53,7 +53,7 @@ std::vector<Cell> takeCells(Panorama& p, std::vector<float>& lights) {
       lights[static_cast<std::size_t>(x) * p.height + y] = static_cast<float>(cells.back().luminance);
       radiance = rest;
     }
-  std::erase_if(cells, [](const Cell& cell) { return !(cell.luminance > 0); }); // above the limit by rounding alone
+  std::erase_if(cells, [](const Cell& cell) { return !(cell.luminance > 0); }); // above the mean by rounding alone
   return cells;
 }
 
@@ -79,6 +79,11 @@ Moments momentsOf(std::span<const Cell> cells) {
     covariance += cell.luminance / m.luminance * glm::outerProduct(d, d);
   }
   m.spread += covariance[0][0] + covariance[1][1] + covariance[2][2];
+  // No cell is farther away than twice the root of it.
+  for (const Cell& cell : cells) {
+    const glm::dvec3 d = cell.direction - m.mean;
+    m.spread = std::max(m.spread, glm::dot(d, d) / 4);
+  }
   // The power method. It need not converge: any axis along which they are spread does.
   m.axis = {0.267, 0.535, 0.802};
   for (int i = 0; i < 12; ++i) {
@@ -90,12 +95,17 @@ Moments momentsOf(std::span<const Cell> cells) {
   return m;
 }
 
+// Lamps that face each other may have none: then any direction, as their spread is near 1 and they are divided.
+glm::dvec3 directionOf(const Moments& m) {
+  const double length = glm::length(m.mean);
+  return length > 1e-6 ? m.mean / length : m.axis;
+}
+
 void addNodes(std::span<Cell> cells, std::vector<LampNode>& nodes) {
   const Moments m = momentsOf(cells);
   const std::size_t index = nodes.size();
-  nodes.push_back({.direction = glm::vec3(glm::normalize(m.mean)),
-                   .spread = static_cast<float>(m.spread),
-                   .light = glm::vec3(m.light)});
+  nodes.push_back(
+      {.direction = glm::vec3(directionOf(m)), .spread = static_cast<float>(m.spread), .light = glm::vec3(m.light)});
   if (cells.size() > 1) {
     const double middle = glm::dot(m.axis, m.mean);
     const auto isBefore = [&](const Cell& cell) { return glm::dot(m.axis, cell.direction) < middle; };
@@ -177,7 +187,7 @@ Lamps takeLamps(Panorama& panorama) {
     if (group < compact.size() && compact[group] == i) {
       const std::size_t count = (node.next - i + 1) / 2;
       const Moments m = momentsOf({cells.data() + leaf, count});
-      groups.push_back({glm::normalize(m.mean), m.light, m.luminance, m.spread});
+      groups.push_back({directionOf(m), m.light, m.luminance, m.spread});
       leaf += count;
       ++group;
       i = node.next;

@@ -16,7 +16,8 @@ namespace parity::lighting {
 // All light below a node, as one directional light.
 struct LampNode {
   glm::vec3 direction{0.f}; // unit, towards the light: its centroid, weighted by luminance
-  float spread = 0;         // mean square distance of the light from it (chords on the unit sphere), above 0
+  float spread = 0;         // mean square distance of the light from it (chords on the unit sphere), above 0, and
+                            // at least a quarter of the largest square
   glm::vec3 light{0.f};     // radiance times solid angle, linear Rec.709
   std::uint32_t next = 0;   // the first node that is not below this one; of a leaf the next in the list
 };
@@ -36,12 +37,10 @@ struct Lamps {
 // light before is the light after and that of both trees, per channel. Deterministic.
 //
 // A group of cells is compact where
-// - the root mean square distance of its light from its direction is at most .25 degrees: less than the sharpest
-// level's
-//   lobe, .5 degrees, which texels then blur;
-// - it has half of the light, at least, that is within four times this distance: a lamp by itself, no part of a
-// softbox;
-// - it is one of the 256 of these with the most light.
+// - the root mean square distance of its light from its direction is at most .31 degrees, as wide as the lobe of the
+//   sharpest level, which the level's texels blur;
+// - it has .3 of the light, at least, that is within four times that distance: a part of a softbox has .13;
+// - it is one of the 64 of these with the most light.
 Lamps takeLamps(Panorama& panorama);
 
 // The tree down to at most `leaves` leaves: of those that are left the one with the most light times spread is divided

@@ -21,67 +21,96 @@ LobeTap tapOf(Shader s, int i) {
   return LobeTap(blend, unclampedMip(s.roughness), 1.0);
 }
 
-// One of two levels that a read blends.
-struct ReadLevel {
-  float a2, integral; // alpha^2; prefilteredLobeIntegral
-  float weight;       // in all that is read
-};
-
+// A read of two levels: alpha^2 of each, and its weight in all that is read over prefilteredLobeIntegral.
 struct Read {
   vec3 direction; // unit
-  ReadLevel lower, upper;
+  vec2 a2, weight;
 };
-
-ReadLevel readLevel(int level, float weight) {
-  float a2 = sqr(sqr(roughnessFromMip(float(level) / float(kPrefilterLayers))));
-  return ReadLevel(a2, prefilteredLobeIntegral(a2), weight);
-}
 
 Read makeRead(vec3 direction, LobeTap tap) {
   PrefilterBlend blend = finePrefilterBlend(tap.mip);
-  return Read(direction, readLevel(blend.lower, tap.weight * (1.0 - blend.upperShare)),
-              readLevel(blend.upper, tap.weight * blend.upperShare));
+  float lower = sqr(sqr(roughnessFromMip(float(blend.lower) / float(kPrefilterLayers))));
+  float upper = sqr(sqr(roughnessFromMip(float(blend.upper) / float(kPrefilterLayers))));
+  vec2 integrals = vec2(prefilteredLobeIntegral(lower), prefilteredLobeIntegral(upper));
+  return Read(direction, vec2(lower, upper), tap.weight * vec2(1.0 - blend.upperShare, blend.upperShare) / integrals);
 }
 
-float lobeOfLevel(ReadLevel level, float u, float spread) {
-  return level.weight * prefilteredLobe(level.a2, level.integral, u, spread);
+// A quarter of the squared chord between unit directions: (1 - cos) / 2 without its cancellation.
+float quarterChord2(vec3 a, vec3 b) {
+  vec3 d = a - b;
+  return 0.25 * dot(d, d);
 }
 
-// A node of the tree stands for all below it where the scale of the lobes is at least this many times its spread.
-const float kLampOpening = 80.0;
+// 1 - E(NoL) at this roughness as a cubic of (NoL - .1) / .9, through four values of the table; below .1, where it rises
+// steeply for smooth surfaces and light is faint, its value there.
+vec4 lostAt(Shader s) {
+  vec2 at[4] = vec2[](environmentBrdf(0.1, s.roughness).xy, environmentBrdf(0.4, s.roughness).xy,
+                      environmentBrdf(0.7, s.roughness).xy, environmentBrdf(1.0, s.roughness).xy);
+  vec4 y = 1.0 - vec4(at[0].x + at[0].y, at[1].x + at[1].y, at[2].x + at[2].y, at[3].x + at[3].y);
+  return vec4(y.x, -5.5 * y.x + 9.0 * y.y - 4.5 * y.z + y.w, 9.0 * y.x - 22.5 * y.y + 18.0 * y.z - 4.5 * y.w,
+              4.5 * (-y.x + 3.0 * y.y - 3.0 * y.z + y.w)); // its coefficients from the constant on
+}
+
+float lostOf(vec4 c, float NoL) {
+  float x = max(NoL - 0.1, 0.0) / 0.9;
+  return c.x + x * (c.y + x * (c.z + x * c.w));
+}
+
+// A node of the tree stands for all below it where the scale of the lobes is at least this many times its spread; or less,
+// in proportion, where its light is less than this share of what is reflected (Walter et al. 2005).
+const float kLampOpening = 50.0;
+const float kLampNoticed = 0.05;
+
+// Where a light of direction L lies for the lobe.
+struct LampPlace {
+  float NoL, NoH2, VoH2;
+  float scale;    // lobeScale, and that of a level's lobe about the mirror direction
+  float radiance; // at most about that of a light of 1 in the mean over the lobe, anywhere within 2 sqrt(spread)
+};
+
+LampPlace placeOf(Shader s, vec3 R, float a2, vec3 L, float spread) {
+  LampPlace p;
+  p.NoL = dot(s.N, L);
+  p.VoH2 = max(0.5 + 0.5 * dot(s.V, L), 1e-6);
+  float NoVL = max(s.NoV + p.NoL, 0.0);
+  p.NoH2 = min(NoVL * NoVL / (4.0 * p.VoH2), 1.0);
+  float u = quarterChord2(R, L), radius = sqrt(spread);
+  float nearest = max(min(sqrt(1.0 - p.NoH2) - radius / sqrt(p.VoH2), sqrt(u) - radius), 0.0), t = a2 + sqr(nearest);
+  p.scale = min(min(lobeScale(a2, p.NoH2, p.VoH2), 4.0 * (u + a2)), 1.0);
+  p.radiance = a2 * (0.25 * kInvPi) / (t * t);
+  return p;
+}
 
 // What the lamps give beside what the levels hold of them: all of the light of compact ones, which no level holds; of
 // the others the difference of the lobes (shading/lamps.glsl). tail: share of the levels in all that is read, and in
 // what is read of compact lamps, whose lobe is no sharper than the sharpest level's: the panorama's cells have the rest.
-vec3 lampDifference(Shader s, Read reads[kMaxTaps], float tail) {
+vec3 lampDifference(Shader s, vec3 R, Read reads[kMaxTaps], float tail, vec3 radiance) {
   vec3 sum = vec3(0.0);
-  float alpha = max(sqr(s.roughness), sqr(roughnessFromMip(kSharpestPrefilteredMip)));
+  float alpha = max(sqr(s.roughness), sqr(roughnessFromMip(kSharpestPrefilteredMip))), a2 = sqr(alpha);
+  float noticed = 1.0 / max(kLampNoticed * luminance(radiance), 1e-30);
+  vec4 lost = kCompensation == kCompensationKullaConty ? lostAt(s) : vec4(0.0);
   for (uint n = 0u; n < lampHead.x;) {
     vec4 place = lamps[n].directionSpread, content = lamps[n].lightNext;
-    vec3 L = place.xyz;
-    uint next = uint(content.w);
-    bool isCompact = n < lampHead.y;
-    float NoL = dot(s.N, L), VoH2 = max(0.5 + 0.5 * dot(s.V, L), 1e-6), NoVL = max(s.NoV + NoL, 0.0);
-    float NoH2 = min(NoVL * NoVL / (4.0 * VoH2), 1.0);
-    float scale = min(lobeScale(sqr(alpha), NoH2, VoH2), 1.0), levels = 0.0;
-    for (int i = 0; i < kTapCount; ++i) {
-      vec3 d = reads[i].direction - L;
-      float u = 0.25 * dot(d, d);
-      scale = isCompact ? scale : min(scale, 4.0 * (u + reads[i].lower.a2));
-      levels += lobeOfLevel(reads[i].lower, u, place.w) + lobeOfLevel(reads[i].upper, u, place.w);
-    }
-    if (next != n + 1u && scale < kLampOpening * place.w) {
+    LampPlace p = placeOf(s, R, a2, place.xyz, place.w);
+    float opening = kLampOpening * min(luminance(content.xyz) * p.radiance * noticed, 1.0);
+    if (uint(content.w) != n + 1u && p.scale < opening * place.w) {
       ++n;
       continue;
     }
-    vec3 difference = isCompact ? vec3(0.0) : -levels * s.single;
-    if (NoL > 0.0) difference += scatteredOnce(s, alpha, NoL, sqrt(NoH2), sqrt(VoH2)) * meanOfGgx(sqr(alpha), NoH2, VoH2, place.w);
-    if (NoL > 0.0 && kCompensation == kCompensationKullaConty) { // from the irradiance to its own lobe
-      vec2 AB = environmentBrdf(NoL, s.roughness).xy;
-      difference += s.multiple * (NoL * (kullaContyLobe(AB.x + AB.y, s.Eavg) - Fd_Lambert()));
+    float NoL = max(p.NoL, 0.0);
+    vec3 scattered = scatteredOnce(s, alpha, NoL, sqrt(p.NoH2), sqrt(p.VoH2)) * meanOfGgx(a2, p.NoH2, p.VoH2, place.w);
+    if (kCompensation == kCompensationKullaConty) // from the irradiance to its own lobe
+      scattered += s.multiple * (NoL * (kullaContyLobe(1.0 - lostOf(lost, NoL), s.Eavg) - Fd_Lambert()));
+    float levels = 0.0, scale = p.scale;
+    for (int i = 0; i < kTapCount; ++i) {
+      float u = quarterChord2(reads[i].direction, place.xyz);
+      vec2 t = u + reads[i].a2 * (1.0 - u);
+      scale = min(scale, 4.0 * t.x);
+      levels += max(1.0 - 2.0 * u, 0.0) * dot(reads[i].weight, 1.0 / (t * t));
     }
-    sum += content.xyz * difference * (isCompact ? 1.0 : lampShare(scale, place.w));
-    n = next;
+    bool isCompact = n < lampHead.y;
+    sum += content.xyz * (isCompact ? scattered : (scattered - levels * s.single) * lampShare(scale, place.w));
+    n = uint(content.w);
   }
   return sum * tail;
 }
@@ -105,5 +134,5 @@ vec3 reflectedLight(Shader s) {
     radiance = mix(panoramaMean(R, lobe.width), radiance, tail);
   }
   if (kLamps == 0u) return radiance * s.single;
-  return max(radiance * s.single + lampDifference(s, reads, tail), 0.0);
+  return max(radiance * s.single + lampDifference(s, R, reads, tail, radiance), 0.0);
 }

@@ -39,7 +39,8 @@ protected:
       .prefiltered = {},
       .irradianceSh = {glm::vec3(0.5f)},
       .irradianceCube = std::vector<glm::vec4>(
-          std::size_t{6} * lighting::kIrradianceFaceSize * lighting::kIrradianceFaceSize, glm::vec4(0.5f, 1, 2, 1))};
+          std::size_t{6} * lighting::kIrradianceFaceSize * lighting::kIrradianceFaceSize, glm::vec4(0.5f, 1, 2, 1)),
+      .lamps = {}};
   // Only the third reaches the quad.
   const gpu::GpuCapture m_captures[3] = {{{50, 0, 0, 1}, glm::vec4(-99, -99, -99, 1), glm::vec4(99)},
                                          {{0, 50, 0, 1}, glm::vec4(-99, -99, -99, 1), glm::vec4(99)},

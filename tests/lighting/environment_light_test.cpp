@@ -1,11 +1,13 @@
 // The prefiltered cube and the SH irradiance against closed forms and a brute-force integral.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
 #include <random>
+#include <span>
 
 #include "base/error.h"
 #include "base/parallel.h"
@@ -237,6 +239,32 @@ TEST(EnvironmentLight, comesBackFromItsBytesAndRefusesDamagedOnes) {
     ADD_FAILURE() << "read bytes of an earlier version";
   } catch (const base::Error& error) {
     EXPECT_NE(std::string(error.what()).find("earlier version"), std::string::npos) << error.what();
+  }
+}
+
+// A sky with one lamp of a texel and a bright half.
+TEST(EnvironmentLight, bringsItsLampsAndRefusesThoseThatLeadNowhere) {
+  const EnvironmentLight light = makeEnvironmentLight(
+      makeEnvironment(256, [](const auto& d) { return glm::dvec3(d.y > 0 ? 5 : 1) + (d.x > 0.99985 ? 900.0 : 0.0); }),
+      {.faceSize = 32, .sampleCount = 8, .levels = PrefilterLevels::fine});
+  ASSERT_GE(light.lamps.compact.nodes.size(), 1u);
+  ASSERT_GT(light.lamps.wide.nodes.size(), 1000u);
+  EXPECT_LT(light.lamps.wide.nodes.size(), 2 * kMaxWideLampLeaves);
+  std::vector<std::byte> bytes = toBytes(light);
+  const EnvironmentLight back = environmentLightFromBytes(bytes);
+  ASSERT_EQ(back.lamps.wide.nodes.size(), light.lamps.wide.nodes.size());
+  EXPECT_EQ(back.lamps.compact.nodes[0].light, light.lamps.compact.nodes[0].light);
+  EXPECT_EQ(back.prefiltered.mips, light.prefiltered.mips);
+  // The root of the wide ones: its place among the bytes is behind the header and the irradiance.
+  const LampNode& root = light.lamps.wide.nodes[0];
+  const auto at = std::search(bytes.begin(), bytes.end(), std::as_bytes(std::span(&root, 1)).begin(),
+                              std::as_bytes(std::span(&root, 1)).end());
+  ASSERT_NE(at, bytes.end());
+  for (const std::uint32_t next : {0u, 0xffffffffu}) {
+    LampNode bad = root;
+    bad.next = next;
+    std::ranges::copy(std::as_bytes(std::span(&bad, 1)), at);
+    EXPECT_THROW(environmentLightFromBytes(bytes), base::Error) << next;
   }
 }
 

@@ -123,7 +123,9 @@ TEST(ProductSampler, samplesFollowTheDensityThatTheyCarry) {
         }
         total += mass;
         expected[static_cast<std::size_t>(y / kBlock * kColumns + x / kBlock)] += kCount * mass;
-        if (tests::cellDirection(x, y).y > 0.01) ASSERT_GT(mass, 0) << x << ", " << y;
+        if (tests::cellDirection(x, y).y > 0.01) {
+          ASSERT_GT(mass, 0) << x << ", " << y;
+        }
       }
     EXPECT_NEAR(total, 1, 1e-9);
     std::mt19937_64 random(3);
@@ -241,8 +243,9 @@ TEST(LinearControl, knowsItsIntegral) {
       const double u = uniform(random), v = uniform(random);
       const ProductSampler::Sample s = product.sample({u, v});
       const glm::dvec3 control = exact.at(s.node, s.direction);
-      if (control != glm::dvec3(0))
+      if (control != glm::dvec3(0)) {
         ASSERT_NEAR(glm::distance(control, linear(s.direction)), 0, 2e-2); // a block is bent
+      }
       const glm::dvec4 light(sky.cell(s.x, s.y));
       const glm::dvec3 value = bent.at(s.node, s.direction) * glm::dvec3(light) / (light.w * product.gain(s.node));
       sum += value / double(kCount);
