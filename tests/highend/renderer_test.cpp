@@ -315,7 +315,7 @@ TEST_F(HighendTest, wideLampsAddTheDifferenceOfTheLobes) {
       const f64::PrefilterBlend blend = f64::finePrefilterBlend(f64::unclampedMip(roughness));
       const auto levelLobe = [&](int level) {
         const double b2 = std::pow(f64::roughnessFromMip(level / 4.0), 4);
-        return f64::prefilteredLobe(b2, f64::prefilteredLobeIntegral(b2), u, spread);
+        return f64::prefilteredLobe(b2, f64::prefilteredLobeIntegral(b2), u, 0.0);
       };
       const double held = levelLobe(blend.lower) * (1 - blend.upperShare) + levelLobe(blend.upper) * blend.upperShare;
       const double lower2 = std::pow(f64::roughnessFromMip(blend.lower / 4.0), 4);
