@@ -33,7 +33,8 @@ int runPlotCommand(const PlotCommand& command) {
     materials = plot::deviationsOf(scene, table, approximate);
     if (materials.empty()) base::logWarning(command.scene + ": no material is lit, none is compared");
   }
-  base::writeImage8(picture, plot::drawEnvBrdf(table, approximate, materials, name), {.channelNames = {}, .pngCompression = 6});
+  base::writeImage8(picture, plot::drawEnvBrdf(table, approximate, materials, name),
+                    {.channelNames = {}, .pngCompression = 6});
   base::writeText(numbers, plot::envBrdfCsv(table, approximate));
   if (!materials.empty()) base::writeText(ofMaterials, plot::materialsCsv(materials));
   if (!command.quiet) fmt::print("{}\n{}\n", plot::describe(table, approximate, materials), picture.string());

@@ -119,7 +119,8 @@ private:
     for (std::size_t i = 0; i < m_lamps.nodes.size(); ++i) {
       if (!m_lamps.isLeaf(i)) continue;
       const glm::dvec3 d = glm::dvec3(m_lamps.nodes[i].direction) - direction;
-      sum += glm::dvec3(m_lamps.nodes[i].light) * shading::f64::prefilteredLobe(a2, integral, glm::dot(d, d) / 4, m_lamps.nodes[i].spread);
+      sum += glm::dvec3(m_lamps.nodes[i].light) *
+             shading::f64::prefilteredLobe(a2, integral, glm::dot(d, d) / 4, m_lamps.nodes[i].spread);
     }
     return sum;
   }
