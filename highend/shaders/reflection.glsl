@@ -98,7 +98,10 @@ vec3 lampDifference(Shader s, vec3 R, Read reads[kMaxTaps], float tail, vec3 rad
       continue;
     }
     float NoL = max(p.NoL, 0.0);
-    vec3 scattered = scatteredOnce(s, alpha, NoL, sqrt(p.NoH2), sqrt(p.VoH2)) * meanOfGgx(a2, p.NoH2, p.VoH2, place.w);
+    bool isCompact = n < lampHead.y;
+    // The lobe's mean over the light. In a difference both lobes would have it, and it nearly cancels.
+    float mean = isCompact ? meanOfGgx(a2, p.NoH2, p.VoH2, place.w) : 1.0;
+    vec3 scattered = scatteredOnce(s, alpha, NoL, sqrt(p.NoH2), sqrt(p.VoH2)) * mean;
     if (kCompensation == kCompensationKullaConty) // from the irradiance to its own lobe
       scattered += s.multiple * (NoL * (kullaContyLobe(1.0 - lostOf(lost, NoL), s.Eavg) - Fd_Lambert()));
     float levels = 0.0, scale = p.scale;
@@ -108,7 +111,6 @@ vec3 lampDifference(Shader s, vec3 R, Read reads[kMaxTaps], float tail, vec3 rad
       scale = min(scale, 4.0 * t.x);
       levels += max(1.0 - 2.0 * u, 0.0) * dot(reads[i].weight, 1.0 / (t * t));
     }
-    bool isCompact = n < lampHead.y;
     sum += content.xyz * (isCompact ? scattered : (scattered - levels * s.single) * lampShare(scale, place.w));
     n = uint(content.w);
   }
