@@ -103,7 +103,7 @@ struct ShadingPass::Impl {
   PathProgram program;
   DeviceImage blackCube, white, whiteArray;
   vk::raii::Sampler linearClamp;
-  Buffer view, lights, pathData, nothing;
+  Buffer view, lights, pathData, nothing, noLamps;
   vk::raii::DescriptorSetLayout textureLayout{nullptr}, surfaceLayout{nullptr};
   std::vector<std::unique_ptr<DescriptorSets>> textureSets; // of each kind of bin that was seen
   vk::raii::PipelineLayout layout{nullptr};
@@ -118,6 +118,7 @@ struct ShadingPass::Impl {
         white(makeWhite(dev)), whiteArray(makeWhite(dev, true)), linearClamp(makeLinearClamp(dev)),
         view(dev, sizeof(GpuView)), lights(dev, std::span<const GpuLight>(program.lights)),
         pathData(dev, std::span<const std::uint32_t>(withCounts(buffers, program))), nothing(dev, 0),
+        noLamps(dev, kMaxLamps * sizeof(GpuLamp)),
         plan(program.compilation.budget, buffers.textureBits(), classesOf(kinds)),
         store(program.compilation.store ? *program.compilation.store : ownStore) {
     const auto none = textures().bindings({});
@@ -168,7 +169,7 @@ struct ShadingPass::Impl {
         sky && sky->irradiance ? vk::DescriptorImageInfo(*linearClamp, sky->irradiance->view(), kReadOnly) : noSky);
     bindings.push_back(
         vk::DescriptorImageInfo(*linearClamp, sky && sky->panorama ? sky->panorama->view() : white.view(), kReadOnly));
-    bindings.push_back(storage(sky && sky->lamps ? *sky->lamps : nothing));
+    bindings.push_back(uniform(sky && sky->lamps ? *sky->lamps : noLamps));
     return bindings;
   }
 

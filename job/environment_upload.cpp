@@ -54,24 +54,24 @@ std::array<glm::vec4, gpu::kTintedSkyNumbers> packTinted(const lighting::TintedI
   return packed;
 }
 
+static_assert(gpu::kMaxLamps >= 2 * (lighting::kMaxWideLampLeaves + lighting::kMaxCompactLamps));
+
 // The compact ones, then the wide ones.
 std::optional<gpu::Buffer> uploadLamps(const gpu::Device& device, const lighting::Lamps& lamps) {
   const std::size_t compact = lamps.compact.nodes.size(), count = compact + lamps.wide.nodes.size();
   if (count == 0) return std::nullopt;
-  const glm::uvec4 head(count, compact, 0, 0);
-  std::vector<std::byte> bytes(sizeof head + count * sizeof(gpu::GpuLamp));
-  std::byte* to = bytes.data();
-  const auto append = [&to](const auto& value) {
-    std::memcpy(to, &value, sizeof value);
-    to += sizeof value;
-  };
-  append(head);
+  std::vector<gpu::GpuLamp> nodes;
+  nodes.reserve(gpu::kMaxLamps);
   for (const lighting::LampTree* tree : {&lamps.compact, &lamps.wide})
-    for (const lighting::LampNode& node : tree->nodes) {
-      const auto next = node.next + (tree == &lamps.wide ? compact : 0);
-      append(gpu::GpuLamp{glm::vec4(node.direction, node.spread), glm::vec4(node.light, static_cast<float>(next))});
+    for (std::size_t i = 0; i < tree->nodes.size(); ++i) {
+      const lighting::LampNode& node = tree->nodes[i];
+      const std::size_t next = node.next + (tree == &lamps.wide ? compact : 0),
+                        bits = (tree->isLeaf(i) ? gpu::kLampIsLeaf : 0) +
+                               (tree == &lamps.compact ? gpu::kLampIsCompact : 0) + 4 * (next % count);
+      nodes.push_back({glm::vec4(node.direction, node.spread), glm::vec4(node.light, static_cast<float>(bits))});
     }
-  return gpu::Buffer(device, std::span<const std::byte>(bytes));
+  nodes.resize(gpu::kMaxLamps);
+  return gpu::Buffer(device, std::span<const gpu::GpuLamp>(nodes));
 }
 
 } // namespace

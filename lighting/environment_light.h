@@ -41,7 +41,7 @@ struct PrefilterOptions {
   PrefilterLevels levels = PrefilterLevels::captures;
 };
 
-inline constexpr std::size_t kMaxWideLampLeaves = 1024;
+inline constexpr std::size_t kMaxWideLampLeaves = 512;
 
 // The high-end path's (docs/environments.md).
 inline constexpr PrefilterOptions kFinePrefilter{

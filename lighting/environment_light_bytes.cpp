@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "base/error.h"
 #include "lighting/cube.h"
@@ -18,8 +19,9 @@ namespace parity::lighting {
 
 namespace {
 
-constexpr std::uint32_t kMagic = 0x34564e45; // "ENV4"; another byte order reads as another number
-constexpr std::uint32_t kEarlierMagics[] = {0x32564e45, 0x33564e45}; // "ENV2", "ENV3": without irradiance cube, lamps
+constexpr std::uint32_t kMagic = 0x35564e45; // "ENV5"; another byte order reads as another number
+constexpr std::uint32_t kEarlierMagics[] = {0x32564e45, 0x33564e45,
+                                            0x34564e45}; // without irradiance cube, lamps; more lamps
 constexpr std::size_t kIrradianceTexels = std::size_t{kCubeFaces} * kIrradianceFaceSize * kIrradianceFaceSize;
 constexpr std::uint32_t kMipCount = shading::f64::kPrefilterRoughestMip + 1;
 
@@ -94,8 +96,9 @@ EnvironmentLight environmentLightFromBytes(std::span<const std::byte> bytes) {
     fail("has faces of " + std::to_string(header.faceSize) + " texels");
   if (header.levels > static_cast<std::uint32_t>(PrefilterLevels::fine)) fail("has levels of no known kind");
   const auto levels = static_cast<PrefilterLevels>(header.levels);
-  for (const std::uint32_t count : {header.wideLamps, header.compactLamps})
-    if (count >= 2 * kMaxWideLampLeaves) fail("has " + std::to_string(count) + " lamps");
+  for (const auto& [count, leaves] :
+       {std::pair(header.wideLamps, kMaxWideLampLeaves), std::pair(header.compactLamps, kMaxCompactLamps)})
+    if (count >= 2 * leaves) fail("has " + std::to_string(count) + " lamps");
 
   EnvironmentLight light;
   light.prefiltered.faceSize = static_cast<int>(header.faceSize);

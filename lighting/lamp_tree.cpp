@@ -26,7 +26,6 @@ struct Cell {
 
 constexpr double kCompactSpread = 3e-5; // (.31 degrees)^2
 constexpr double kAround = 4, kShareOfAround = 0.3;
-constexpr std::size_t kMaxCompactLamps = 64;
 
 // lights: of each cell of the panorama, as it lies there, the luminance of what is taken.
 std::vector<Cell> takeCells(Panorama& p, std::vector<float>& lights) {
@@ -223,16 +222,18 @@ LampTree pruneLamps(const LampTree& tree, std::size_t leaves) {
     queue.push(tree.nodes[node + 1].next);
     ++count;
   }
-  const auto add = [&](const auto& self, std::uint32_t node) -> void {
+  const auto add = [&](const auto& self, std::uint32_t node, float spreadAbove) -> void {
+    const float spread = tree.nodes[node].spread;
+    const bool isKept = !isDivided[node] || node == 0 || 4 * spread < spreadAbove;
     const std::size_t index = pruned.nodes.size();
-    pruned.nodes.push_back(tree.nodes[node]);
+    if (isKept) pruned.nodes.push_back(tree.nodes[node]);
     if (isDivided[node]) {
-      self(self, node + 1);
-      self(self, tree.nodes[node + 1].next);
+      self(self, node + 1, isKept ? spread : spreadAbove);
+      self(self, tree.nodes[node + 1].next, isKept ? spread : spreadAbove);
     }
-    pruned.nodes[index].next = static_cast<std::uint32_t>(pruned.nodes.size());
+    if (isKept) pruned.nodes[index].next = static_cast<std::uint32_t>(pruned.nodes.size());
   };
-  add(add, 0);
+  add(add, 0, 0.f);
   return pruned;
 }
 

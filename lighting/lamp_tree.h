@@ -28,6 +28,8 @@ struct LampTree {
   bool isLeaf(std::size_t node) const { return nodes[node].next == node + 1; }
 };
 
+inline constexpr std::size_t kMaxCompactLamps = 64;
+
 struct Lamps {
   LampTree wide;    // its leaves are the cells: levels hold them, too
   LampTree compact; // its leaves are groups of cells that no level holds
@@ -40,11 +42,12 @@ struct Lamps {
 // - the root mean square distance of its light from its direction is at most .31 degrees, as wide as the lobe of the
 //   sharpest level, which the level's texels blur;
 // - it has .3 of the light, at least, that is within four times that distance: a part of a softbox has .13;
-// - it is one of the 64 of these with the most light.
+// - it is one of the kMaxCompactLamps of these with the most light.
 Lamps takeLamps(Panorama& panorama);
 
-// The tree down to at most `leaves` leaves: of those that are left the one with the most light times spread is divided
-// first. The root's light stays the same.
+// A binary tree down to at most `leaves` leaves: of those that are left the one with the most light times spread is
+// divided first. The root's light stays the same. The result is not binary: a node with more than a quarter of the spread
+// of the one above is left out, for who opens that one mostly opens this one, too.
 LampTree pruneLamps(const LampTree& tree, std::size_t leaves);
 
 // Adds the tree's light filtered by prefilteredLobe (shading/lamps.glsl) of alpha^2 = `a2` to `sums` (red, green,

@@ -53,6 +53,10 @@ PARITY_CONST uint kVertexLightmap = 32u; // some object has a lightmap
 PARITY_CONST uint kVertexAll = 63u;
 PARITY_CONST uint kVertexMustShift = 16u; // in the constant: what all scenes have, above what some may
 
+PARITY_CONST uint kLampIsLeaf = 1u;
+PARITY_CONST uint kLampIsCompact = 2u; // no level holds it
+PARITY_CONST uint kMaxLamps = 1152u;   // 512 wide leaves, 64 compact ones, fewer nodes above them than leaves
+
 // What of baked light a path reads (gpu/baked_maps.h), as bits.
 PARITY_CONST uint kBakedLightmap = 1u;
 PARITY_CONST uint kBakedSunShadow = 2u;
@@ -163,10 +167,11 @@ struct GpuCapture {
   vec4 boxUpper;
 };
 
-// A node of the environment's tree of lamps (lighting/lamp_tree.h).
+// A node of the environment's trees of lamps (lighting/lamp_tree.h), compact lamps first.
 struct GpuLamp {
   vec4 directionSpread; // unit, world; mean square distance of the light below from it
-  vec4 lightNext;       // radiance times solid angle, linear RGB; the first node that is not below
+  vec4 lightNext;       // radiance times solid angle, linear RGB; 4 n + kLampIsLeaf + kLampIsCompact with the first node
+                        // n that is not below, 0 for none
 };
 
 // Of an object's LQ lightmap: texel times scale plus add, of the upper half [0] and the lower one [1].

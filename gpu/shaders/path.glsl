@@ -43,7 +43,8 @@ layout(set = 0, binding = 24, std430) readonly buffer LightmapScaling { GpuLight
 
 layout(set = 0, binding = 25) uniform samplerCubeArray environmentIrradiance; // over pi; an array of one
 layout(set = 0, binding = 26) uniform sampler2D panorama; // lighting/panorama_cells.h
-layout(set = 0, binding = 27, std430) readonly buffer Lamps { uvec4 lampHead; GpuLamp lamps[]; }; // head: how many, how many of them compact
+// At least one. Not a storage buffer: lavapipe reads those lane by lane.
+layout(set = 0, binding = 27, std140) uniform Lamps { GpuLamp lamps[kMaxLamps]; };
 
 layout(set = 1, binding = 0) uniform sampler2D baseColorTexture;
 layout(set = 1, binding = 1) uniform sampler2D metallicRoughnessTexture;

@@ -81,6 +81,13 @@ LampPlace placeOf(Shader s, vec3 R, float a2, vec3 L, float spread) {
   return p;
 }
 
+// Whether all below a node is under the horizon of the surface and behind what is read of the levels.
+bool givesNothing(LampPlace p, Read reads[kMaxTaps], vec3 L, float spread) {
+  float highest = p.NoL;
+  for (int i = 0; i < kTapCount; ++i) highest = max(highest, dot(reads[i].direction, L));
+  return highest + 2.0 * sqrt(spread) + 0.5 * spread <= 0.0;
+}
+
 // What the lamps give beside what the levels hold of them: all of the light of compact ones, which no level holds; of
 // the others the difference of the lobes (shading/lamps.glsl). tail: share of the levels in all that is read, and in
 // what is read of compact lamps, whose lobe is no sharper than the sharpest level's: the panorama's cells have the rest.
@@ -89,16 +96,22 @@ vec3 lampDifference(Shader s, vec3 R, Read reads[kMaxTaps], float tail, vec3 rad
   float alpha = max(sqr(s.roughness), sqr(roughnessFromMip(kSharpestPrefilteredMip))), a2 = sqr(alpha);
   float noticed = 1.0 / max(kLampNoticed * luminance(radiance), 1e-30);
   vec4 lost = kCompensation == kCompensationKullaConty ? lostAt(s) : vec4(0.0);
-  for (uint n = 0u; n < lampHead.x;) {
+  uint n = 0u;
+  do {
     vec4 place = lamps[n].directionSpread, content = lamps[n].lightNext;
+    uint next = uint(content.w);
     LampPlace p = placeOf(s, R, a2, place.xyz, place.w);
+    if (givesNothing(p, reads, place.xyz, place.w)) {
+      n = next >> 2u;
+      continue;
+    }
     float opening = kLampOpening * min(luminance(content.xyz) * p.radiance * noticed, 1.0);
-    if (uint(content.w) != n + 1u && p.scale < opening * place.w) {
+    if ((next & kLampIsLeaf) == 0u && p.scale < opening * place.w) {
       ++n;
       continue;
     }
     float NoL = max(p.NoL, 0.0);
-    bool isCompact = n < lampHead.y;
+    bool isCompact = (next & kLampIsCompact) != 0u;
     // The lobe's mean over the light. In a difference both lobes would have it, and it nearly cancels.
     float mean = isCompact ? meanOfGgx(a2, p.NoH2, p.VoH2, place.w) : 1.0;
     vec3 scattered = scatteredOnce(s, alpha, NoL, sqrt(p.NoH2), sqrt(p.VoH2)) * mean;
@@ -112,8 +125,8 @@ vec3 lampDifference(Shader s, vec3 R, Read reads[kMaxTaps], float tail, vec3 rad
       levels += max(1.0 - 2.0 * u, 0.0) * dot(reads[i].weight, 1.0 / (t * t));
     }
     sum += content.xyz * (isCompact ? scattered : (scattered - levels * s.single) * lampShare(scale, place.w));
-    n = uint(content.w);
-  }
+    n = next >> 2u;
+  } while (n != 0u);
   return sum * tail;
 }
 

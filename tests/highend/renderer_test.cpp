@@ -1,11 +1,6 @@
 // The high-end path against the formulas of shading/ in double precision, evaluated on the CPU for the same surface.
-#include "support/path_quad.h"
+#include "highend_quad.h"
 
-#include <cstring>
-#include <random>
-
-#include "highend/renderer.h"
-#include "lighting/panorama_cells.h"
 #include "shading/shading.h"
 
 namespace parity::highend {
@@ -19,29 +14,6 @@ namespace f64 = shading::f64;
 
 // fp32 against double over some twenty operations, exp2 and divisions among them.
 constexpr float kTolerance = 2e-5f;
-// Lambert, single scattering, N = V = R: without an environment no table is read.
-constexpr Options kPlain{
-    .diffuse = DiffuseLobe::lambert, .compensation = Compensation::none, .offSpecular = OffSpecular::none};
-
-class HighendTest : public tests::DeviceTest {
-protected:
-  ShadedPoint shade(const scenes::Scene& scene, Inputs inputs, const Options& options = {}) {
-    inputs.terms = true;
-    return tests::shadeQuad(device(), scene, [&](const auto& buffers, const auto& kinds) {
-      return Renderer(device(), buffers, kinds, inputs, options);
-    });
-  }
-  // A table with the same A, B and average everywhere.
-  static base::Image constantLut(float a, float b, float average = 0.5f) {
-    base::Image lut(2, 2, 4);
-    for (int i = 0; i < 4; ++i) {
-      const float texel[] = {a, b, average, 1};
-      std::copy_n(texel, 4, lut.pixels.data() + 4 * i);
-    }
-    return lut;
-  }
-};
-
 struct Case {
   float angle, roughness, metallic;
 };
@@ -183,148 +155,6 @@ TEST_F(HighendTest, fresnelsCurveIsTheOneAskedFor) {
               1, 1e-4);
   EXPECT_NEAR(specular(FresnelCurve::dielectric) / (0.04 + 0.96 * f64::dielectricWeight(VoH)) / schlick, 1, 1e-4);
   EXPECT_GT(std::abs(specular(FresnelCurve::dielectric) / specular(FresnelCurve::schlick) - 1), 0.02);
-}
-
-TEST_F(HighendTest, skyIsFetchedAroundTheReflection) {
-  const gpu::EnvironmentMaps environment = tests::makeRedTowardsX(device());
-  const base::Image lut = constantLut(0.5f, 0.1f);
-  const Inputs inputs{.environment = &environment, .lut = &lut};
-  EXPECT_NEAR(shade(makeLeaningQuad(0.7853982f), inputs, kPlain)[Term::skySpecular].x, 0.6f, 1e-4f);
-  EXPECT_EQ(shade(makeLeaningQuad(0), inputs, kPlain)[Term::skySpecular].x, 0);
-}
-
-// A cube array whose level l is of radiance l: what is read is the level itself, between mips too.
-TEST_F(HighendTest, skyIsBlendedFromTheTwoNearestLevels) {
-  constexpr int kLayers = shading::f32::kPrefilterLayers, kMips = shading::f32::kPrefilterRoughestMip + 1;
-  std::vector<std::vector<glm::vec4>> texels(kMips);
-  std::vector<std::span<const std::byte>> mips;
-  for (int mip = 0; mip < kMips; ++mip) {
-    const int n = 32 >> mip;
-    for (int layer = 0; layer < kLayers; ++layer)
-      texels[mip].insert(texels[mip].end(), static_cast<std::size_t>(6) * n * n, glm::vec4(mip * kLayers + layer));
-    mips.push_back(std::as_bytes(std::span{texels[mip]}));
-  }
-  gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0);
-  environment.cube = gpu::DeviceImage(device(),
-                                      {.format = vk::Format::eR32G32B32A32Sfloat,
-                                       .width = 32,
-                                       .height = 32,
-                                       .mips = kMips,
-                                       .cube = true,
-                                       .arraySize = kLayers},
-                                      mips);
-  vk::SamplerCreateInfo sampler({}, vk::Filter::eLinear, vk::Filter::eLinear, vk::SamplerMipmapMode::eLinear);
-  sampler.maxLod = VK_LOD_CLAMP_NONE;
-  environment.sampler = vk::raii::Sampler(device().handle(), sampler);
-  const base::Image lut = constantLut(0.f, 1.f);
-  scenes::Scene scene = makeLeaningQuad(0.5f);
-  for (const float roughness : {0.f, 0.08f, 0.1f, 0.3f, 0.5f, 0.77f, 1.f}) {
-    scene.materials[0].roughness = roughness;
-    const ShadedPoint point = shade(scene, {.environment = &environment, .lut = &lut}, kPlain);
-    EXPECT_NEAR(point[Term::skySpecular].x, kLayers * shading::f64::mipFromRoughness(roughness), 1e-3f) << roughness;
-  }
-}
-
-// Under black levels what is left is the panorama's own share: the cell for a mirror, the mean over a box for what is
-// nearly one. A lamp beside the cell that is read must not show.
-TEST_F(HighendTest, mirrorsReadThePanoramasCells) {
-  scenes::Environment panorama;
-  panorama.name = "noise";
-  panorama.radiance = base::Image(512, 256, 3); // interpolated to cells
-  panorama.rotationDeg = 77;
-  std::mt19937 random(2);
-  for (float& value : panorama.radiance.pixels) value = static_cast<float>(std::exp(random() % 12));
-  const lighting::PanoramaCells cells = lighting::makePanoramaCells(panorama);
-  std::vector<std::span<const std::byte>> mips;
-  for (const std::vector<glm::vec4>& mip : cells.mips) mips.push_back(std::as_bytes(std::span{mip}));
-  gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0);
-  environment.panorama.emplace(device(),
-                               gpu::DeviceImage::Shape{.format = vk::Format::eR32G32B32A32Sfloat,
-                                                       .width = static_cast<std::uint32_t>(cells.width),
-                                                       .height = static_cast<std::uint32_t>(cells.height),
-                                                       .mips = static_cast<std::uint32_t>(mips.size())},
-                               mips);
-  environment.panoramaTurns = cells.turns;
-  const base::Image lut = constantLut(0.f, 1.f);
-  for (const float angle : {0.f, 0.1f, 0.35f, -0.8f, 1.3f})
-    for (const float roughness : {0.f, 0.02f, 0.045f, 0.06f}) {
-      scenes::Scene scene = makeLeaningQuad(angle);
-      scene.materials[0].roughness = roughness;
-      const glm::vec3 actual = shade(scene, {.environment = &environment, .lut = &lut}, kPlain)[Term::skySpecular];
-      const f64::SharpLobe lobe = f64::sharpLobe(f64::unclampedMip(roughness));
-      const glm::dvec3 mirrored(std::sin(2 * angle), 0, std::cos(2 * angle));
-      const glm::vec3 expected = lighting::readCells(cells, mirrored, lobe.width) * static_cast<float>(1 - lobe.tail);
-      // The box's borders: single precision of the place, of 1024 cells a row.
-      tests::expectNear(actual, expected, roughness == 0 ? 1e-6f : 2e-3f, "radiance");
-    }
-}
-
-// Head, then the nodes as highend/shaders/reflection.glsl walks them.
-gpu::Buffer uploadLamps(const gpu::Device& device, std::uint32_t compact, const std::vector<gpu::GpuLamp>& lamps) {
-  const glm::uvec4 head(lamps.size(), compact, 0, 0);
-  std::vector<std::byte> bytes(sizeof head + lamps.size() * sizeof(gpu::GpuLamp));
-  std::memcpy(bytes.data(), &head, sizeof head);
-  std::memcpy(bytes.data() + sizeof head, lamps.data(), lamps.size() * sizeof(gpu::GpuLamp));
-  return gpu::Buffer(device, std::span<const std::byte>(bytes));
-}
-
-// What no level holds is reflected as a directional light of that illuminance.
-TEST_F(HighendTest, compactLampsAreReflectedAsDirectionalLights) {
-  const base::Image lut = constantLut(0.4f, 0.1f);
-  const glm::vec3 towards = glm::normalize(glm::vec3(0.3f, 0.5f, 0.9f)), lux(4, 3, 2);
-  gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0);
-  environment.lamps = uploadLamps(device(), 1, {{glm::vec4(towards, 1e-9f), glm::vec4(lux, 1)}});
-  for (const Compensation compensation : {Compensation::none, Compensation::kullaConty, Compensation::turquin})
-    for (const float roughness : {0.1f, 0.3f, 0.7f, 1.f})
-      for (const float angle : {0.f, 0.7f, -0.9f, 1.4f}) {
-        Options options = kPlain;
-        options.compensation = compensation;
-        scenes::Scene scene = makeLeaningQuad(angle);
-        scene.materials[0].metallic = 1;
-        scene.materials[0].roughness = roughness;
-        const ShadedPoint lamp = shade(scene, {.environment = &environment, .lut = &lut}, options);
-        const ShadedPoint sun = shade(scene, {.lut = &lut, .lights = {makeDirectional(towards, lux)}}, options);
-        // What scatters more than once has its light from the irradiance, black here, and from lamps its lobe's excess.
-        const float NoL = std::max(0.f, glm::dot(glm::vec3(std::sin(angle), 0, std::cos(angle)), towards));
-        const double multiple =
-            compensation == Compensation::kullaConty ? f64::kullaContyAlbedo({1, 1, 1}, 0.5, 0.5).x : 0;
-        const glm::vec3 expected =
-            glm::max(sun[Term::sunSpecular] - static_cast<float>(multiple * NoL / 3.14159265358979) * lux, 0.f);
-        tests::expectNear(lamp[Term::skySpecular], expected, 1e-3f, "lamp");
-      }
-}
-
-// What a level holds is taken off again: under a level of light L that is all of one lamp, the true lobe is left.
-TEST_F(HighendTest, wideLampsAddTheDifferenceOfTheLobes) {
-  const base::Image lut = constantLut(0.4f, 0.1f);
-  const glm::vec3 towards = glm::normalize(glm::vec3(0.3f, 0.1f, 0.9f)), lux(4, 3, 2);
-  const float spread = 1e-4f;
-  gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1000);
-  environment.lamps = uploadLamps(device(), 0, {{glm::vec4(towards, spread), glm::vec4(lux, 1)}});
-  for (const float roughness : {0.3f, 0.5f, 1.f})
-    for (const float angle : {0.f, 0.4f, -0.8f}) {
-      scenes::Scene scene = makeLeaningQuad(angle);
-      scene.materials[0].metallic = 1;
-      scene.materials[0].roughness = roughness;
-      const glm::vec3 actual = shade(scene, {.environment = &environment, .lut = &lut}, kPlain)[Term::skySpecular];
-      const glm::dvec3 N(std::sin(angle), 0, std::cos(angle)), V(0, 0, 1),
-          R(std::sin(2 * angle), 0, std::cos(2 * angle)), L(towards), H = glm::normalize(V + L);
-      const double alpha = std::pow(double{roughness}, 2), a2 = alpha * alpha, NoL = glm::dot(N, L),
-                   NoV = glm::dot(N, V), NoH2 = std::pow(glm::dot(N, H), 2), VoH2 = std::pow(glm::dot(V, H), 2),
-                   u = glm::dot(R - L, R - L) / 4;
-      const f64::PrefilterBlend blend = f64::finePrefilterBlend(f64::unclampedMip(roughness));
-      const auto levelLobe = [&](int level) {
-        const double b2 = std::pow(f64::roughnessFromMip(level / 4.0), 4);
-        return f64::prefilteredLobe(b2, f64::prefilteredLobeIntegral(b2), u, 0.0);
-      };
-      const double held = levelLobe(blend.lower) * (1 - blend.upperShare) + levelLobe(blend.upper) * blend.upperShare;
-      const double lower2 = std::pow(f64::roughnessFromMip(blend.lower / 4.0), 4);
-      const double share = f64::lampShare(std::min({f64::lobeScale(a2, NoH2, VoH2), 1.0, 4 * (u + lower2)}), spread);
-      const double lobe = f64::D_GGX(alpha, std::sqrt(NoH2)) * f64::V_SmithGGXCorrelated(alpha, NoV, NoL) * NoL;
-      // Metal of base colour 1: F = 1, single = A + B.
-      for (int c = 0; c < 3; ++c)
-        EXPECT_NEAR(actual[c], 1000 * 0.5 + lux[c] * share * (lobe - 0.5 * held), 2e-3) << roughness << " " << angle;
-    }
 }
 
 TEST_F(HighendTest, termsAddUpToTheColour) {
