@@ -55,7 +55,7 @@ glm::dvec3 gatherPoint(std::uint32_t index, std::uint32_t seed);
 
 // The estimate of one sample, gatherPoint(index, seed): the mean over samples 0 .. n - 1 is the light of the texel, n a
 // multiple of what the shares divide by. Directions by their density times the guide's; emitters and an uneven sky are
-// sampled besides, weighted by all densities but the guide's, which so need not be known for them (multiple importance
+// sampled besides. Their weights leave out the guide's density, so it is not needed for them (multiple importance
 // sampling, Veach 1997, section 9.2). rays: counted up.
 GatherSample gatherSample(const Surroundings& around, const GatherPoints& texel, const GatherWay& way,
                           std::uint32_t index, std::uint32_t seed, std::uint64_t& rays);

@@ -22,6 +22,8 @@ constexpr double kMostOfOthers = 7 * kOwnFreedom;
 constexpr std::uint32_t kTraining = 8192, kTrainingPart = 8;
 // Numbers of samples are multiples of it, so that each way of sampling has taken its part.
 constexpr std::uint32_t kStep = 8;
+// A replicate trains with this many at least: nextNumber() of it is a multiple of kStep, and so is every later one.
+constexpr std::uint32_t kLeastTraining = 2 * kStep;
 // The light's direction may be so many times less exact than its sum, over l0: it only tells apart a texel's normals.
 constexpr double kDirectionSlack = 4;
 
@@ -88,14 +90,15 @@ public:
   GatheredGroup run() {
     if (m_active == 0) return m_result;
     const auto most = static_cast<std::uint32_t>(m_options.maxSamples) / kReplicates; // of a replicate
-    const std::uint32_t unguided = std::bit_floor(std::min(kTraining / kReplicates / m_active, most / kTrainingPart));
+    const std::uint32_t training = std::bit_floor(std::min(kTraining / kReplicates / m_active, most / kTrainingPart));
+    const std::uint32_t unguided = std::min(std::max(training, kLeastTraining), most);
     std::uint64_t left = std::uint64_t{m_active} * (most - unguided); // of a replicate, over all texels
-    const GuideTraining training = train(unguided);
+    const GuideTraining trained = train(unguided);
     finish(unguided, unguided, unguided, 1);
 
     const double unguidedError = meanSquaredError();
-    const DirectionGuide guide = training.guide();
-    const GatherWay way{*m_directions, guide, training.shares()};
+    const DirectionGuide guide = trained.guide();
+    const GatherWay way{*m_directions, guide, trained.shares()};
     double worth = 1;
     for (std::uint32_t n = 0; m_active > 0;) {
       const std::uint32_t wanted = n == 0 ? unguided : nextNumber(n) - n;

@@ -22,9 +22,9 @@ using GatheredGroup = std::array<Gathered, TexelGroups::kMost>; // in the order 
 struct GroupTexel {
   TexelPoints points; // none: it stays as it was
   bool bothSides = false;
-  double known = 0;       // luminance of irradiance that is added to what is gathered: errors are over the sum
+  double known = 0;       // luminance of irradiance that is added to what is gathered: errors are relative to the sum
   std::uint32_t seed = 0; // independent of that of other texels and of what has been gathered before
-  Gathered before;        // it counts by its samples; none: nothing
+  Gathered before;        // light gathered before, weighted by its number of samples; 0: ignored
 };
 
 struct GroupOptions {

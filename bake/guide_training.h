@@ -15,8 +15,8 @@ public:
   // More samples where light varies within a cell: in proportion to its standard deviation there, by which the
   // variance of the sum is least (Neyman 1934), with some for what the few samples may have missed.
   DirectionGuide guide() const;
-  // As many samples of emitters and of the sky, for each of a direction, as their standard deviation is over that
-  // within the cells; a power of two, 1 / kMostSkipped to 1.
+  // Samples of emitters and of the sky per sample of a direction: the ratio of their standard deviation to that within
+  // the cells, as a power of two, 1 / kMostSkipped to 1.
   GatherShares shares() const;
 
 private:

@@ -174,7 +174,7 @@ void addReferenceOptions(CLI::App& app, RawOptions& raw) {
 
 void addInterreflectionOption(CLI::App& app, RawOptions& raw) {
   app.add_option("--interreflection", raw.interreflection,
-                 "Times that light goes from surface to surface in the reference, with shadows; 0: never")
+                 "Number of bounces of light between surfaces in the reference, which switches its shadows on; 0: none")
       ->check(CLI::Range(0, scenes::kMaxInterreflection))
       ->group("Reference")
       ->capture_default_str();

@@ -10,7 +10,7 @@ namespace parity::gpu {
 namespace {
 
 // Most that one of our pipelines binds (the paths' shaders; the resolve pass binds fewer).
-constexpr std::uint32_t kStorageBuffers = 19;
+constexpr std::uint32_t kStorageBuffers = 18;
 
 std::string lowered(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -47,6 +47,9 @@ std::string refusal(const vk::raii::PhysicalDevice& device) {
   if (properties.limits.maxPerStageDescriptorStorageBuffers < kStorageBuffers)
     return fmt::format("{} storage buffers a stage, {} are needed",
                        properties.limits.maxPerStageDescriptorStorageBuffers, kStorageBuffers);
+  if (properties.limits.maxUniformBufferRange < kMaxLamps * sizeof(GpuLamp))
+    return fmt::format("uniform buffers of {} bytes at most, {} are needed", properties.limits.maxUniformBufferRange,
+                       kMaxLamps * sizeof(GpuLamp));
   return {};
 }
 

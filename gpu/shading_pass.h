@@ -30,7 +30,7 @@ struct EnvironmentMaps {
   // The panorama's cells (lighting/panorama_cells.h), where the cube has fine levels to go with them.
   std::optional<DeviceImage> panorama = std::nullopt;
   float panoramaTurns = 0;
-  std::optional<Buffer> lamps = std::nullopt; // head (uvec4), then GpuLamp, as path.glsl has them
+  std::optional<Buffer> lamps = std::nullopt; // kMaxLamps of GpuLamp, as path.glsl has them
 };
 
 // What a scene may compile, and what its run has compiled already.

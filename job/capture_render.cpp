@@ -23,27 +23,10 @@ Settings settingsOf(const Settings& run, const CaptureOptions& options) {
   return settings;
 }
 
-// The environment's radiance, six faces of size^2; black without one.
+// The panorama's radiance, six faces of size^2; black without one.
 std::vector<glm::vec4> makeSurroundings(const PreparedScene& prepared, int size) {
-  std::vector<glm::vec4> cube(lighting::texelIndex(lighting::kCubeFaces, 0, 0, size), glm::vec4(0, 0, 0, 1));
   if (prepared.panorama) return lighting::resampleEquirect(*prepared.panorama, size); // in its colour already
-  if (!prepared.environment) return cube;
-  int n = prepared.environment->prefiltered.faceSize;
-  std::vector<glm::vec4> mip = prepared.environment->prefiltered.mips[0];
-  mip.resize(lighting::texelIndex(lighting::kCubeFaces, 0, 0, n)); // the unfiltered layer
-  for (; n > size; n /= 2) mip = lighting::halveMip(mip, n);
-  if (n == size) {
-    cube = std::move(mip);
-  } else {
-    const lighting::CubeLevel level = lighting::makeCubeLevel(mip, n);
-    for (int face = 0; face < lighting::kCubeFaces; ++face)
-      for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x)
-          cube[lighting::texelIndex(face, x, y, size)] =
-              lighting::readLevel(level, glm::vec3(lighting::texelDirection(face, x, y, size)));
-  }
-  for (glm::vec4& texel : cube) texel *= glm::vec4(prepared.scene.lightScales.skyLightColor, 1.f);
-  return cube;
+  return std::vector<glm::vec4>(lighting::texelIndex(lighting::kCubeFaces, 0, 0, size), glm::vec4(0, 0, 0, 1));
 }
 
 // How much of each pixel the scene covers, 0..1.

@@ -64,7 +64,7 @@ public:
   };
   std::shared_ptr<const LoadedEnvironment> environment(const std::string& file, float rotationDeg);
 
-  // Prefiltered cube and SH of an environment, from the cache where it holds them; the last one of the run is at hand.
+  // What a path reads of an environment, from the cache where it holds it; the last ones of the run are at hand.
   // Thread-safe.
   std::shared_ptr<const lighting::EnvironmentLight> environmentLight(const scenes::Environment& environment,
                                                                      const lighting::PrefilterOptions& options);

@@ -125,6 +125,7 @@ gpu::EnvironmentMaps uploadCaptures(const gpu::Device& device, CaptureCubes cube
                 .cube = true,
                 .arraySize = static_cast<std::uint32_t>(cubes.size()) * shading::f32::kPrefilterLayers},
                mips);
+  if (sky.irradianceCube.empty()) return maps;
   constexpr std::uint32_t kSide = lighting::kIrradianceFaceSize;
   const std::span<const std::byte> irradiance = std::as_bytes(std::span{sky.irradianceCube});
   maps.irradiance.emplace(device,

@@ -86,13 +86,14 @@ EnvironmentLight makeEnvironmentLight(const scenes::Environment& environment, co
   }
   EnvironmentLight light = filterCube(std::move(texels), options, split ? &*split : nullptr);
   if (split) light.lamps = {pruneLamps(split->lamps.wide, kMaxWideLampLeaves), std::move(split->lamps.compact)};
-  light.irradianceCube = makeIrradianceCube(environment);
+  if (hasIrradianceCube(options.levels)) light.irradianceCube = makeIrradianceCube(environment);
   return light;
 }
 
 EnvironmentLight makeEnvironmentLight(std::vector<glm::vec4> texels, const PrefilterOptions& options) {
   EnvironmentLight light = filterCube(std::move(texels), options);
-  light.irradianceCube = makeIrradianceCube(light.prefiltered.mips[0], options.faceSize);
+  if (hasIrradianceCube(options.levels))
+    light.irradianceCube = makeIrradianceCube(light.prefiltered.mips[0], options.faceSize);
   return light;
 }
 

@@ -1,5 +1,5 @@
-// What both paths share of an environment: the prefiltered cube and the irradiance, made once ("the exact same
-// preconvolution", Karis 2014).
+// What a path reads of an environment: the prefiltered cube ("preconvolution", Karis 2014), the irradiance, the lamps.
+// Each path has levels of its own.
 #pragma once
 
 #include <array>
@@ -47,6 +47,8 @@ inline constexpr std::size_t kMaxWideLampLeaves = 512;
 inline constexpr PrefilterOptions kFinePrefilter{
     .sampleCount = 32, .footprintLog2 = 0, .levels = PrefilterLevels::fine};
 
+inline bool hasIrradianceCube(PrefilterLevels levels) { return levels != PrefilterLevels::first; }
+
 // Cubes that mip m of the prefiltered array has: shading's kPrefilterLayers or one.
 int layersOfMip(int mip, PrefilterLevels levels);
 // The same of a cube that is there.
@@ -61,7 +63,8 @@ struct EnvironmentLight {
   // Irradiance coefficients, order 2, as shading/sh.glsl evaluates them (cosine kernel applied: irradiance, not
   // radiance): the mobile path's.
   std::array<glm::vec3, 9> irradianceSh{};
-  // Irradiance over pi at every normal (lighting/irradiance_cube.h): the high-end path's.
+  // Irradiance over pi at every normal (lighting/irradiance_cube.h): the high-end path's. Empty where hasIrradianceCube()
+  // is false.
   std::vector<glm::vec4> irradianceCube;
   // Of a panorama with fine levels, for the high-end path: the levels hold the wide ones, too, at most
   // kMaxWideLampLeaves leaves of them; they lack the compact ones.

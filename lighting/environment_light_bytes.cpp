@@ -102,7 +102,8 @@ EnvironmentLight environmentLightFromBytes(std::span<const std::byte> bytes) {
 
   EnvironmentLight light;
   light.prefiltered.faceSize = static_cast<int>(header.faceSize);
-  std::size_t expected = sizeof header + sizeof light.irradianceSh + kIrradianceTexels * sizeof(glm::vec4) +
+  const std::size_t irradianceTexels = hasIrradianceCube(levels) ? kIrradianceTexels : 0;
+  std::size_t expected = sizeof header + sizeof light.irradianceSh + irradianceTexels * sizeof(glm::vec4) +
                          (header.wideLamps + header.compactLamps) * sizeof(LampNode);
   for (std::uint32_t m = 0; m < kMipCount; ++m)
     expected +=
@@ -115,10 +116,12 @@ EnvironmentLight environmentLightFromBytes(std::span<const std::byte> bytes) {
   std::memcpy(light.irradianceSh.data(), from, sizeof light.irradianceSh);
   from += sizeof light.irradianceSh;
   requireFinite(&light.irradianceSh[0].x, 3 * light.irradianceSh.size());
-  light.irradianceCube.resize(kIrradianceTexels);
-  std::memcpy(light.irradianceCube.data(), from, kIrradianceTexels * sizeof(glm::vec4));
-  from += kIrradianceTexels * sizeof(glm::vec4);
-  requireFinite(&light.irradianceCube[0].x, 4 * kIrradianceTexels);
+  if (irradianceTexels > 0) {
+    light.irradianceCube.resize(irradianceTexels);
+    std::memcpy(light.irradianceCube.data(), from, irradianceTexels * sizeof(glm::vec4));
+    from += irradianceTexels * sizeof(glm::vec4);
+    requireFinite(&light.irradianceCube[0].x, 4 * irradianceTexels);
+  }
   const auto readLamps = [&from](LampTree& tree, std::size_t count) {
     tree.nodes.resize(count);
     std::memcpy(tree.nodes.data(), from, count * sizeof(LampNode));

@@ -17,7 +17,7 @@ inline constexpr int kIrradianceFaceSize = 64;
 // sends out, linear Rec.709) at the normals of the texels' middles, A = 1, fitted to bilinear reading as the
 // prefiltered mips are. Sums are of light vectors (Gershun 1936, "The Light Field"): a patch of the sky that stands
 // wholly above the horizon gives n . integral L(w) w dw, whatever is in it. Patches are at most 1.4 degrees wide; one
-// that the horizon cuts gives what its light vector does where that is positive.
+// that the horizon cuts counts max(0, n . its light vector).
 //
 // Of a panorama, by its own cells. Throws as makePanorama does.
 std::vector<glm::vec4> makeIrradianceCube(const scenes::Environment& environment);

@@ -25,7 +25,7 @@ struct Cell {
 };
 
 constexpr double kCompactSpread = 3e-5; // (.31 degrees)^2
-constexpr double kAround = 4, kShareOfAround = 0.3;
+constexpr double kAround = 4, kShareOfAround = 0.5;
 
 // lights: of each cell of the panorama, as it lies there, the luminance of what is taken.
 std::vector<Cell> takeCells(Panorama& p, std::vector<float>& lights) {

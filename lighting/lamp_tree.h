@@ -41,16 +41,17 @@ struct Lamps {
 // A group of cells is compact where
 // - the root mean square distance of its light from its direction is at most .31 degrees, as wide as the lobe of the
 //   sharpest level, which the level's texels blur;
-// - it has .3 of the light, at least, that is within four times that distance: a part of a softbox has .13;
+// - it has half of the light, at least, that is within four times that distance: a part of a softbox has .13, a part of
+//   a line .33;
 // - it is one of the kMaxCompactLamps of these with the most light.
 Lamps takeLamps(Panorama& panorama);
 
 // A binary tree down to at most `leaves` leaves: of those that are left the one with the most light times spread is
-// divided first. The root's light stays the same. The result is not binary: a node with more than a quarter of the spread
-// of the one above is left out, for who opens that one mostly opens this one, too.
+// divided first. The root's light stays the same. The result is not binary: a node with more than a quarter of its
+// parent's spread is left out, because a pixel that opens the parent nearly always opens this node, too.
 LampTree pruneLamps(const LampTree& tree, std::size_t leaves);
 
-// Adds the tree's light filtered by prefilteredLobe (shading/lamps.glsl) of alpha^2 = `a2` to `sums` (red, green,
+// Adds the tree's light filtered as prefilteredLobe (shading/lamps.glsl) does, of alpha^2 = `a2` to `sums` (red, green,
 // blue), for four unit directions at once (x, y, z). A node stands for all below it where the lobe is nearly a parabola
 // over it: then the second moment of its light gives the mean.
 void addLamps(const LampTree& tree, const std::array<Float4, 3>& directions, float a2, std::array<Float4, 3>& sums);

@@ -14,11 +14,10 @@ namespace parity::lighting {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr float kMaxRadiance = 1e30f;
 
 glm::vec3 texelAt(const base::Image& image, int x, int y) {
   const float* p = image.at(x, y);
-  return glm::min(glm::vec3(p[0], p[1], p[2]), kMaxRadiance);
+  return glm::min(glm::vec3(p[0], p[1], p[2]), scenes::kMaxRadiance);
 }
 
 // The largest divisor of `size` that leaves at least `least`.

@@ -79,7 +79,7 @@ PanoramaCells makePanoramaCells(const scenes::Environment& environment) {
         mip[y * cells.width + x] =
             glm::vec4(interpolateRadiance(image, (x + 0.5) / growX, (static_cast<double>(y) + 0.5) / growY), 1);
   });
-  for (; cells.width > kMaxPanoramaWidth; cells.width /= 2, cells.height /= 2)
+  for (; cells.width > kMaxPanoramaWidth || cells.height > kMaxPanoramaHeight; cells.width /= 2, cells.height /= 2)
     mip = halve(mip, cells.width, cells.height);
   cells.mips.push_back(std::move(mip));
   const double widest = shading::f64::sharpLobe(static_cast<double>(shading::f64::kSharpestPrefilteredMip)).width;

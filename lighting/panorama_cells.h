@@ -18,8 +18,8 @@ struct PanoramaCells {
   float turns = 0; // azimuth in the panorama less that in the world, of a whole turn
 };
 
-// A wider panorama is halved until it is no wider: a device holds this one with its mips in 180 MiB.
-inline constexpr int kMaxPanoramaWidth = 4096;
+// A larger panorama is halved until it is no larger: a device holds this one with its mips in 180 MiB.
+inline constexpr int kMaxPanoramaWidth = 4096, kMaxPanoramaHeight = 2048;
 
 // Sides of a mip.
 int widthOf(const PanoramaCells& cells, int mip);

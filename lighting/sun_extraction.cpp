@@ -17,8 +17,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kLevelOverMean = 10; // on three real maps: above what glare leaves 3 degrees from a sun
 constexpr double kPeakOverLevel = 8;
 constexpr double kMaxRadius = 3 * kPi / 180;
-constexpr double kLeastShare = 0.02;  // of the map's flux: st_peters_square_night has 5 above, 15 above half of it
-constexpr float kMaxRadiance = 1e30f; // as lighting/panorama.h has it
+constexpr double kLeastShare = 0.02; // of the map's flux: st_peters_square_night has 5 above, 15 above half of it
 
 double luminanceOf(const glm::dvec3& c) { return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
@@ -51,7 +50,7 @@ public:
   std::size_t count() const { return m_luminance.size(); }
   glm::dvec3 radiance(std::size_t i) const {
     const float* p = m_image.pixels.data() + 3 * i;
-    return glm::dvec3(glm::min(glm::vec3(p[0], p[1], p[2]), kMaxRadiance));
+    return glm::dvec3(glm::min(glm::vec3(p[0], p[1], p[2]), scenes::kMaxRadiance));
   }
   double luminance(std::size_t i) const { return m_luminance[i]; }
   double solidAngle(std::size_t i) const { return m_solidAngles[i / width()]; }

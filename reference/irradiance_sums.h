@@ -17,8 +17,8 @@ namespace parity::reference {
 // panorama is divided into patches of at most 1.4 degrees of azimuth and of height. One that stands above the surface's
 // horizon gives N . integral L(w) w dw, exactly and whatever is in it (light vectors: Gershun 1936, "The Light Field");
 // of a row of patches those are one interval, the difference of two prefix sums. One that the horizon cuts counts as
-// spread evenly over as wide a range of heights above it as the patch covers; where its light is uneven, each 4 x 4th
-// of it does. A cell that holds more than 1e-3 of all light is integrated alone, exactly but for the horizon's azimuth,
+// spread evenly over as wide a range of heights above it as the patch covers; where its light is uneven, each of
+// its 4 x 4 parts does. A cell that holds more than 1e-3 of all light is integrated alone, exactly but for the horizon's azimuth,
 // which is one along a 16th of its height. Within 1e-5 of what a surface receives that faces the light
 // (tests/reference).
 class IrradianceSums {

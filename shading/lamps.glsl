@@ -25,8 +25,8 @@ FN real32 prefilteredLobeIntegral(real32 a2) {
   return integral;
 }
 
-// Mean of 1 / t^2 over a light, in its value at the light's middle: with its mean square distance `spread`, to second order
-// in the plane, 1 + x with x = spread (t - 3/2 a2) / t^2. Where the light is no longer small for the lobe x is below 0,
+// Mean of 1 / t^2 over a light, in its value at the light's middle: with its mean square distance `spread`, to second
+// order in the plane, 1 + x with x = spread (t - 3/2 a2) / t^2. Where the light is no longer small for the lobe x is below 0,
 // down to -spread / (2 a2) at its middle; 1 / (1 - x) is the same to that order, and what a disc gives there exactly.
 FN real32 meanOverSpread(real32 a2, real32 t, real32 spread) {
   PRECISE real32 x = spread * (t - R32(1.5) * a2) / (t * t);
@@ -34,8 +34,8 @@ FN real32 meanOverSpread(real32 a2, real32 t, real32 spread) {
   return R32(1.0) + x;
 }
 
-// The lobe of a prefiltered level, per steradian: cos / t^2 over its integral (prefilteredLobeIntegral). u = (1 - cos) / 2, a quarter of the
-// squared chord between the level's direction and the light's. spread: the light's mean square distance from its
+// The lobe of a prefiltered level, per steradian: cos / t^2 over its integral (prefilteredLobeIntegral). u = (1 - cos)
+// / 2, a quarter of the squared chord between the level's direction and the light's. spread: the light's mean square distance from its
 // direction, over which the lobe's mean is taken.
 FN real32 prefilteredLobe(real32 a2, real32 integral, real32 u, real32 spread) {
   PRECISE real32 cosine = R32(1.0) - R32(2.0) * u;
@@ -45,15 +45,15 @@ FN real32 prefilteredLobe(real32 a2, real32 integral, real32 u, real32 spread) {
   return lobe;
 }
 
-// How far, squared, a light at half vector h may move before GGX changes: half vectors turn by 1 / (2 VoH) at most of
-// what the light does, and D by the scale of 1 - NoH^2 + alpha^2. Compared with the light's spread.
+// The squared angle by which a light may move before GGX changes noticeably. Half vectors turn by 1 / (2 VoH) at most
+// of what the light does, and D by the scale of 1 - NoH^2 + alpha^2. Compared with the light's spread.
 FN real32 lobeScale(real32 a2, real32 NoH2, real32 VoH2) {
   PRECISE real32 scale = R32(4.0) * VoH2 * (max(R32(1.0) - NoH2, R32(0.0)) + a2);
   return scale;
 }
 
-// The same of GGX's D, which is alpha^2 / (pi t^2) with t = 1 - NoH^2 (1 - alpha^2): half vectors turn by half of what the
-// light does in the plane of incidence, and by 1 / (2 VoH) of it across.
+// The same of GGX's D, which is alpha^2 / (pi t^2) with t = 1 - NoH^2 (1 - alpha^2): half vectors turn by half of what
+// the light does in the plane of incidence, and by 1 / (2 VoH) of it across.
 FN real32 meanOfGgx(real32 a2, real32 NoH2, real32 VoH2, real32 spread) {
   PRECISE real32 t = R32(1.0) - NoH2 * (R32(1.0) - a2);
   PRECISE real32 turned = spread * (R32(0.5) + R32(0.5) / VoH2);

@@ -170,8 +170,9 @@ struct GpuCapture {
 // A node of the environment's trees of lamps (lighting/lamp_tree.h), compact lamps first.
 struct GpuLamp {
   vec4 directionSpread; // unit, world; mean square distance of the light below from it
-  vec4 lightNext;       // radiance times solid angle, linear RGB; 4 n + kLampIsLeaf + kLampIsCompact with the first node
-                        // n that is not below, 0 for none
+  // Radiance times solid angle, linear RGB; 4 n + kLampIsLeaf + kLampIsCompact with the first node n that is not below
+  // this one, 0 for none.
+  vec4 lightNext;
 };
 
 // Of an object's LQ lightmap: texel times scale plus add, of the upper half [0] and the lower one [1].

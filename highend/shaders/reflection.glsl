@@ -89,8 +89,8 @@ bool givesNothing(LampPlace p, Read reads[kMaxTaps], vec3 L, float spread) {
 }
 
 // What the lamps give beside what the levels hold of them: all of the light of compact ones, which no level holds; of
-// the others the difference of the lobes (shading/lamps.glsl). tail: share of the levels in all that is read, and in
-// what is read of compact lamps, whose lobe is no sharper than the sharpest level's: the panorama's cells have the rest.
+// the others the difference of the lobes (shading/lamps.glsl). tail: share of the levels in all that is read. Compact
+// lamps are scaled by it, too: the panorama's cells hold the rest of them.
 vec3 lampDifference(Shader s, vec3 R, Read reads[kMaxTaps], float tail, vec3 radiance) {
   vec3 sum = vec3(0.0);
   float alpha = max(sqr(s.roughness), sqr(roughnessFromMip(kSharpestPrefilteredMip))), a2 = sqr(alpha);

@@ -121,7 +121,9 @@ TEST(LampTree, holdsLampsThatFaceEachOther) {
     for (const int y : {255, 256})
       for (int c = 0; c < 3; ++c) environment.radiance.at(x, y)[c] = 1;
   Panorama p = makePanorama(environment, 256);
-  for (const LampNode& node : takeLamps(p).compact.nodes) EXPECT_NEAR(glm::length(node.direction), 1, 1e-6);
+  const Lamps lamps = takeLamps(p);
+  ASSERT_EQ(lamps.compact.nodes.size(), 3u);
+  for (const LampNode& node : lamps.compact.nodes) EXPECT_NEAR(glm::length(node.direction), 1, 1e-6);
 }
 
 // Three lamps of one and two cells and a softbox that is brighter than one of them.
@@ -147,6 +149,18 @@ TEST(LampTree, tellsCompactLampsFromSoftboxes) {
 }
 
 // Stars: the brightest are apart, the others stay in the levels.
+// A tube of one cell's height: each part of it has neighbours.
+TEST(LampTree, takesNoPartOfALineForACompactLamp) {
+  scenes::Environment environment = makeGrey(1024, 512, 0.1f);
+  for (int x = 300; x < 430; ++x)
+    for (int c = 0; c < 3; ++c) environment.radiance.at(x, 200)[c] = 500;
+  for (int c = 0; c < 3; ++c) environment.radiance.at(700, 250)[c] = 500; // a bulb beside it
+  Panorama p = makePanorama(environment, 256);
+  const Lamps lamps = takeLamps(p);
+  ASSERT_EQ(lamps.compact.nodes.size(), 1u);
+  EXPECT_NEAR(lamps.compact.nodes[0].light.y / lamps.wide.nodes[0].light.y, 1.0 / 130, 2e-4);
+}
+
 TEST(LampTree, boundsTheNumberOfCompactLamps) {
   scenes::Environment environment = makeGrey(1024, 512, 0.f);
   for (int i = 0; i < 400; ++i) environment.radiance.at(50 * (i % 20) + 7, 100 + 15 * (i / 20))[1] = 1 + 0.01f * i;

@@ -32,7 +32,6 @@ scenes::Environment makeMap(int width, int height, float radiance) {
 std::vector<lighting::EnvironmentLight> lightsOf(const scenes::Environment& environment, int faceSize = 64) {
   lighting::PrefilterOptions fine = lighting::kFinePrefilter, first{.levels = lighting::PrefilterLevels::first};
   fine.faceSize = first.faceSize = faceSize;
-  fine.faceSize = first.faceSize = 64;
   return {lighting::makeEnvironmentLight(environment, fine), lighting::makeEnvironmentLight(environment, first)};
 }
 

@@ -72,6 +72,33 @@ TEST(PrefilteredLobe, takesTheMeanOverASpread) {
     }
 }
 
+// Of D over a disc of lights about L, by sums in double; V and L in the plane x = 0 and out of it.
+TEST(MeanOfGgx, isTheMeanOverADiscOfLights) {
+  const glm::dvec3 N(0, 0, 1);
+  const auto unit = [](double x, double y, double z) { return glm::normalize(glm::dvec3(x, y, z)); };
+  for (const double alpha : {0.0041, 0.05, 0.3})
+    for (const glm::dvec3& V : {unit(0, 0.1, 1), unit(0, 0.8, 1)})
+      for (const double away : {0.0, 0.5, 1.0, 3.0}) { // of alpha, the half vector from N
+        const glm::dvec3 middle = unit(away * alpha, 0, 1), L = glm::reflect(-V, middle);
+        const auto lobe = [&](const glm::dvec3& l) {
+          const double NoH = glm::dot(N, glm::normalize(V + l));
+          return std::pow(1 - NoH * NoH * (1 - alpha * alpha), -2);
+        };
+        const glm::dvec3 across = glm::normalize(glm::cross(L, glm::dvec3(0, 1, 0))), along = glm::cross(across, L);
+        const double r = 0.4 * alpha; // of the disc
+        double sum = 0;
+        for (int i = 0; i < 64; ++i)
+          for (int j = 0; j < 64; ++j) {
+            const double q = r * std::sqrt((i + 0.5) / 64), phi = 2 * kPi * (j + 0.5) / 64;
+            sum += lobe(glm::normalize(L + q * (std::cos(phi) * across + std::sin(phi) * along))) / 4096;
+          }
+        const double NoH2 = std::pow(glm::dot(N, middle), 2), VoH2 = std::pow(glm::dot(V, middle), 2);
+        const double mean = lobe(L) * f64::meanOfGgx(alpha * alpha, NoH2, VoH2, r * r / 2);
+        EXPECT_NEAR(mean / sum, 1, 0.03) << alpha << " " << V.y << " " << away;
+        EXPECT_LT(std::abs(mean / sum - 1), 0.7 * std::abs(lobe(L) / sum - 1) + 1e-3) << alpha << " " << away;
+      }
+}
+
 TEST(LampShare, runsFromNoneToAll) {
   EXPECT_LT(f64::lampShare(0.1, 1.0), 0.001);
   EXPECT_GT(f64::lampShare(30.0, 1.0), 0.98);

@@ -57,7 +57,7 @@ TEST(StressTable, evaluatesEveryPublicFunctionOfTheSources) {
     return count;
   };
   // The first two give level numbers (tests/shading/off_specular_test.cpp); tests/shading/material_test.cpp has the
-  // third, tests/shading/lamps_test.cpp and tests/highend/renderer_test.cpp the others, of the high-end path alone.
+  // third, tests/shading/lamps_test.cpp and tests/highend/reflection_test.cpp the others, of the high-end path alone.
   const std::set<std::string> ofPrefilter = {
       "prefilterBlend", "finePrefilterBlend", "sharpLobe", "prefilteredLobeIntegral",
       "meanOverSpread", "prefilteredLobe",    "lobeScale", "meanOfGgx",
