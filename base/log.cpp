@@ -42,6 +42,13 @@ void logWarning(const std::string& message) {
   if (level != LogLevel::quiet) writeLine("warning: ", message);
 }
 
+void logRunWarnings(const std::vector<std::string>& messages) {
+  std::string text;
+  for (const std::string& message : messages)
+    text += (text.empty() ? "" : level == LogLevel::quiet ? "; " : "\n") + message;
+  if (!text.empty()) writeLine("warning: ", text);
+}
+
 void logError(const std::string& message) { writeLine("error: ", message); }
 
 } // namespace parity::base

@@ -103,7 +103,7 @@ int runFlipCommand(const FlipCommand& command) {
   const job::FlipResult result = job::runFlip(request, makeProgress(command.quiet));
   for (const job::FlipPair& pair : result.pairs)
     if (pair.verdict == compare::Verdict::error) base::logError(pair.reason);
-  for (const std::string& warning : result.warnings) base::logWarning(warning);
+  base::logRunWarnings(result.warnings);
 
   // Files first: what cannot be written is told before anything that reads as a result.
   if (!command.junit.empty()) base::writeText(command.junit, job::toJunit(result));

@@ -120,6 +120,7 @@ int exitCode(const FlipPair& pair, bool warnExit) {
 
 int exitCode(const FlipResult& result, bool warnExit) {
   int code = result.pairs.empty() ? static_cast<int>(base::ExitCode::failed) : 0;
+  if (warnExit && !result.warnings.empty()) code = std::max(code, static_cast<int>(base::ExitCode::warningsOnly));
   for (const FlipPair& pair : result.pairs) code = std::max(code, exitCode(pair, warnExit));
   return code;
 }

@@ -5,9 +5,9 @@
 #include <ctime>
 #include <future>
 #include <iterator>
+#include <map>
 #include <mutex>
 #include <numeric>
-#include <set>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -35,27 +35,27 @@ RunBudgets loadRunBudgets(const Settings& settings, const std::optional<std::str
   return {.first = std::nullopt, .otherwise = ofSuite ? compare::loadBudgets(*ofSuite) : compare::defaultBudgets()};
 }
 
-// Rules that judged nothing, a line a budget file. With --material nobody knows what they could have judged.
-std::vector<std::string> warningsOfBudgets(const Settings& settings, const ReportRequest& request,
-                                           const compare::Report& report) {
-  std::vector<std::string> warnings;
-  if (!settings.materials.empty()) return warnings;
-  std::set<std::string> files;
-  for (const SceneRequest& scene : request.scenes)
-    for (const std::optional<std::string>& file : {settings.budgets, scene.budgets, request.suiteBudgets}) {
+// Sets what budgets require and no scene has, and warns of rules that judged nothing, a line a budget file. With
+// --material nobody knows what they could have judged.
+void holdBudgets(const Settings& settings, const ReportRequest& request, compare::Report& report) {
+  if (!settings.materials.empty()) return;
+  std::map<std::string, std::vector<const compare::SceneResult*>> files; // and whom each judges
+  for (std::size_t i = 0; i < request.scenes.size(); ++i)
+    for (const std::optional<std::string>& file : {settings.budgets, request.scenes[i].budgets, request.suiteBudgets}) {
       if (!file) continue;
-      files.insert(*file);
+      files[*file].push_back(&report.scenes[i]);
       break;
     }
-  for (const std::string& file : files) {
+  for (const auto& [file, scenes] : files) {
     try {
-      if (std::string line = compare::describeUnusedRules(compare::loadBudgets(file), report); !line.empty())
-        warnings.push_back(std::move(line));
+      const compare::Budgets budgets = compare::loadBudgets(file);
+      if (std::string line = compare::describeUnusedRules(budgets, report); !line.empty())
+        report.warnings.push_back(std::move(line));
+      std::ranges::move(compare::findLost(budgets, scenes), std::back_inserter(report.lost));
     } catch (const base::Error&) {
       // A scene's own file that cannot be used is that scene's error already.
     }
   }
-  return warnings;
 }
 
 // The scenes of a run, two at a time where there are threads: the driver compiles shaders on one core, and each has its
@@ -148,13 +148,14 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   result.run.compiledShaders = context.compiledShaders().size();
   if (const std::size_t cached = result.run.cachedScenes.size(); cached > 0)
     base::logInfo(fmt::format("{} of {} scenes are unchanged: taken from the cache", cached, request.scenes.size()));
-  result.report.warnings = warningsOfBudgets(context.settings(), request, result.report);
+  holdBudgets(context.settings(), request, result.report);
   compare::settleVerdicts(result.report);
   if (baseline)
     compare::compareWithBaseline(
         result.report, *baseline,
         {compare::reportFileOf(request.baseline).string(), context.settings().materials, request.oneOfMany});
-  for (const std::string& warning : result.report.warnings) base::logWarning(warning);
+  base::logRunWarnings(result.report.warnings);
+  for (const compare::RunProblem& problem : compare::problemsOf(result.report)) base::logError(problem.reason);
   if (result.report.baseline && !result.report.baseline->error.empty())
     base::logError(fmt::format("{}: {}", request.baseline.string(), result.report.baseline->error));
   if (progress) progress("writing", 1);
