@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "base/shown_text.h"
 #include "cli/invocation.h"
 
 namespace {
@@ -42,7 +43,7 @@ int run(int argc, char** argv) {
   using namespace parity::cli;
   const Parsed parsed = parseCommandLine(argc, argv);
   if (!parsed.command) {
-    std::fputs(parsed.text.c_str(), parsed.exitCode == 0 ? stdout : stderr);
+    std::fputs(parity::base::shownText(parsed.text).c_str(), parsed.exitCode == 0 ? stdout : stderr);
     return parsed.exitCode;
   }
   const std::string line = joinCommandLine(argc, argv);

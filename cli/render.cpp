@@ -88,12 +88,12 @@ std::vector<std::string> termNames() {
 }
 
 int runListTermsCommand() {
-  fmt::print("Terms, of every path:\n");
-  for (const std::string_view name : shading::kTermNames) fmt::print("  {}\n", name);
-  fmt::print("Intermediates of the mobile base pass (--path mobile):\n");
-  for (const mobile::View& view : mobile::kViews) fmt::print("  {:<20} {}\n", view.name, view.meaning);
-  fmt::print("Intermediates of the high-end path (--path highend):\n");
-  for (const highend::View& view : highend::kViews) fmt::print("  {:<20} {}\n", view.name, view.meaning);
+  print("Terms, of every path:\n");
+  for (const std::string_view name : shading::kTermNames) print("  {}\n", name);
+  print("Intermediates of the mobile base pass (--path mobile):\n");
+  for (const mobile::View& view : mobile::kViews) print("  {:<20} {}\n", view.name, view.meaning);
+  print("Intermediates of the high-end path (--path highend):\n");
+  for (const highend::View& view : highend::kViews) print("  {:<20} {}\n", view.name, view.meaning);
   return 0;
 }
 
