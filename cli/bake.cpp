@@ -8,6 +8,7 @@
 
 #include "bake/baked_folder.h"
 #include "base/error.h"
+#include "base/error_words.h"
 #include "base/log.h"
 #include "base/parallel.h"
 #include "cli/invocation.h"
@@ -132,7 +133,7 @@ int runBakeCommand(const BakeCommand& command) {
       exitCode = std::max(exitCode, static_cast<int>(error.code()));
     } catch (const std::exception& error) {
       if (tasks.size() == 1) throw;
-      base::logError(fmt::format("{}: {}", task.request.name, error.what()));
+      base::logError(fmt::format("{}: {}", task.request.name, base::wordsOf(error)));
       exitCode = std::max(exitCode, static_cast<int>(base::ExitCode::failed));
     }
   }

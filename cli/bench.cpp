@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/error_words.h"
 #include "base/file.h"
 #include "base/log.h"
 #include "base/parallel.h"
@@ -95,10 +96,11 @@ sweep::SweepReport measure(const BenchCommand& command, const std::vector<job::S
       // What was measured so far is not lost; what every scene would be refused for is said of the first.
       const auto* known = dynamic_cast<const base::Error*>(&error);
       if (known && known->code() == base::ExitCode::usage && report.scenes.empty()) throw;
-      base::logError(error.what());
+      const std::string words = known ? known->what() : request.name + ": " + base::wordsOf(error);
+      base::logError(words);
       sweep::SceneSweep& scene = report.scenes.emplace_back();
       scene.scene = request.name;
-      scene.failure = error.what();
+      scene.failure = words;
     }
   }
   return report;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/error_words.h"
 #include "base/log.h"
 #include "base/shown_text.h"
 #include "cli/invocation.h"
@@ -77,7 +78,7 @@ int main(int argc, char** argv) {
     parity::base::logError(error.what());
     return static_cast<int>(error.code());
   } catch (const std::exception& error) {
-    parity::base::logError(error.what());
+    parity::base::logError((argc > 1 ? std::string(argv[1]) : "parity") + ": " + parity::base::wordsOf(error));
     return static_cast<int>(parity::base::ExitCode::failed);
   }
 }

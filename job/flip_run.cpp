@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <exception>
-#include <new>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/error_words.h"
 #include "job/flip_pair.h"
 
 namespace parity::job {
@@ -81,10 +81,8 @@ FlipResult runFlip(const FlipRequest& request, const std::function<void(const st
       // One of many pairs is no reason to lose what was found of the others.
       if (isUsage(error) && !request.files.many) throw;
       setError(pair, error.what(), error.code() == base::ExitCode::notComparable ? 3 : 4);
-    } catch (const std::bad_alloc&) {
-      setError(pair, files.name + ": needs more memory than there is", 4);
     } catch (const std::exception& error) {
-      setError(pair, files.name + ": " + error.what(), 4);
+      setError(pair, files.name + ": " + base::wordsOf(error), 4);
     }
     result.pairs.push_back(std::move(pair));
   }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/error_words.h"
 #include "base/glob.h"
 #include "base/stopwatch.h"
 #include "compare/budget.h"
@@ -62,7 +63,7 @@ public:
     ComparedScene scene;
     compare::SceneResult& result = scene.result = startScene(request, m_context.settings());
     Conditions conditions;
-    const auto setError = [&](const char* message, base::ExitCode code) {
+    const auto setError = [&](const std::string& message, base::ExitCode code) {
       scene.error = fmt::format("{}: {}", result.name, message); // several problems are several lines
       for (std::size_t at = scene.error.find('\n'); at != std::string::npos; at = scene.error.find('\n', at + 1))
         scene.error.insert(at + 1, result.name + ": ");
@@ -93,7 +94,7 @@ public:
       // One catch at the boundary of each scene: the others still run.
       setError(error.what(), error.code());
     } catch (const std::exception& error) {
-      setError(error.what(), base::ExitCode::failed);
+      setError(base::wordsOf(error), base::ExitCode::failed);
     }
     result.conditions = reported(conditions.scene);
     for (std::string& warning : result.warnings) {
