@@ -7,12 +7,12 @@
 
 #include "base/error.h"
 #include "base/error_words.h"
-#include "base/glob.h"
 #include "base/stopwatch.h"
 #include "compare/budget.h"
 #include "job/conditions.h"
 #include "job/context.h"
 #include "job/dropped_lights.h"
+#include "job/material_choice.h"
 #include "job/report_folder.h"
 #include "job/result_cache.h"
 #include "job/settings_text.h"
@@ -23,14 +23,6 @@
 namespace parity::job {
 
 namespace {
-
-void requireMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs) {
-  for (const std::string& glob : globs)
-    if (std::none_of(scene.materials.begin(), scene.materials.end(),
-                     [&](const auto& m) { return base::matchesGlob(glob, m.name); }))
-      throw base::Error(base::ExitCode::failed, scene.name, fmt::format("--material '{}'", glob),
-                        "no material has such a name");
-}
 
 // A message without the folders of the scene's files: a report does not say where on this machine they lie.
 std::string withoutFolders(std::string text, const SceneRequest& request) {
