@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/error_words.h"
+#include "base/interrupt.h"
 #include "base/log.h"
 #include "base/shown_text.h"
 #include "cli/invocation.h"
@@ -48,6 +49,8 @@ int run(int argc, char** argv) {
     return parsed.exitCode;
   }
   const std::string line = joinCommandLine(argc, argv);
+  parity::base::setInterruptNote(std::string(argv[1]) +
+                                 ": interrupted: nothing is written; what is in the cache stays");
   return std::visit(Overloaded{[&](const ReportCommand& c) { return runReportCommand(c, line); },
                                [&](const DiffCommand& c) { return runDiffCommand(c, line); },
                                [](const RenderCommand& c) { return runRenderCommand(c); },

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/error_words.h"
+#include "base/interrupt.h"
 #include "job/flip_pair.h"
 
 namespace parity::job {
@@ -72,6 +73,9 @@ FlipResult runFlip(const FlipRequest& request, const std::function<void(const st
   result.judged = !request.thresholds.empty() || request.budgets;
   const std::size_t count = request.files.pairs.size();
   for (const FilePair& files : request.files.pairs) {
+    base::setInterruptNote(fmt::format("interrupted: {} of {} pairs are compared; the maps that are written stay, no "
+                                       "table, JSON, CSV or JUnit is",
+                                       result.pairs.size(), count));
     if (progress) progress(files.name, static_cast<double>(result.pairs.size()) / static_cast<double>(count));
     FlipPair pair;
     pair.files = files;

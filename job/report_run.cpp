@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 #include "base/log.h"
 #include "base/parallel.h"
 #include "compare/baseline.h"
@@ -58,6 +59,18 @@ void holdBudgets(const Settings& settings, const ReportRequest& request, compare
   }
 }
 
+// What SIGINT and SIGTERM say of this run from now on.
+void noteForInterrupt(const Context& context, const ReportRequest& request, std::size_t compared) {
+  std::string text = fmt::format("interrupted: {} of {} scenes {} compared", compared, request.scenes.size(),
+                                 compared == 1 ? "is" : "are");
+  if (compared > 0 && !context.cache().enabled()) text += ", nothing of it is kept (no cache)";
+  if (compared > 0 && context.cache().enabled()) text += " and kept in the cache, where the next run finds them";
+  if (!request.folder.empty())
+    text += fmt::format("; {} holds no report, and what pictures it has the next run there removes",
+                        request.folder.string());
+  base::setInterruptNote(text);
+}
+
 // The scenes of a run, two at a time where there are threads: the driver compiles shaders on one core, and each has its
 // own device. What comes out depends neither on who takes which scene nor on when.
 class Run {
@@ -89,6 +102,7 @@ private:
       m_scenes[i] = std::move(scene);
       m_done[i] = 1;
       for (; m_logged < m_scenes.size() && m_done[m_logged] == 1; ++m_logged) log(m_scenes[m_logged]);
+      noteForInterrupt(m_context, m_request, static_cast<std::size_t>(std::ranges::count(m_done, 1.0)));
     }
   }
 
@@ -138,6 +152,7 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   result.report.settings = describeSettings(context.settings(), context.deviceReport());
   result.report.conditions = reported(runConditions(context.settings(), context.deviceReport()));
   if (!request.folder.empty()) prepareReportFolder(request.folder, request.singleFile);
+  noteForInterrupt(context, request, 0);
   Run run(context, request, std::move(budgets), progress);
   std::vector<EncodedPicture> pictures; // not written yet
   for (ComparedScene& scene : run.compareScenes()) {
