@@ -13,6 +13,7 @@
 
 #include "bake/baked_objects.h"
 #include "base/error.h"
+#include "base/error_words.h"
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/image_io.h"
@@ -80,6 +81,11 @@ glm::vec3 vectorOf(const Json& list) {
 }
 
 // ---- the files
+
+// The sources of the lightmaps and the faces of the captures: written to be looked at, never read.
+bool isForEyes(std::string_view name) {
+  return name.ends_with(".exr") && (name.starts_with("lightmap-") || name.starts_with("capture-"));
+}
 
 class FolderWriter {
 public:
@@ -314,6 +320,18 @@ void writeBaked(const fs::path& folder, const BakedLight& baked) {
   }
 }
 
+bool isWhole(const fs::path& folder) {
+  try {
+    const Json manifest = Json::parse(base::readText(folder / kManifestFile, kMaxManifestBytes));
+    const Json& files = manifest.at("files");
+    for (const auto& [name, entry] : files.items())
+      if (!isForEyes(name)) requireFile(folder, name, files);
+    return true;
+  } catch (const std::exception&) { // readBaked() says what it is
+    return false;
+  }
+}
+
 BakedLight readBaked(const fs::path& folder) {
   const fs::path file = folder / kManifestFile;
   std::error_code error;
@@ -329,7 +347,7 @@ BakedLight readBaked(const fs::path& folder) {
           fmt::format("{}, this program reads {}: bake it again", manifest.at("version").dump(), kVersion));
     return read(folder, manifest);
   } catch (const Json::exception& problem) {
-    throw base::fileError(file.string(), "", fmt::format("is damaged: {}", problem.what()));
+    throw base::fileError(file.string(), "", "is damaged: " + base::wordsOf(problem));
   }
 }
 

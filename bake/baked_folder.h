@@ -18,6 +18,9 @@ void requireBakeFolder(const std::filesystem::path& folder);
 // 4).
 void writeBaked(const std::filesystem::path& folder, const BakedLight& baked);
 
+// Whether every file that readBaked() reads is there and is what the manifest lists, by size and checksum.
+bool isWhole(const std::filesystem::path& folder);
+
 // Throws Error (exit 4) naming the file: no manifest, a foreign or newer one, a file that is missing, truncated or not
 // the one that the manifest names. sources are not read.
 BakedLight readBaked(const std::filesystem::path& folder);

@@ -1,7 +1,6 @@
 // Reading and writing whole files: limits before memory is taken, no half-written results.
 #include "base/file.h"
 
-#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <system_error>
@@ -13,6 +12,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "base/temporary_name.h"
 
 namespace parity::base {
 
@@ -96,14 +96,6 @@ template <typename Container> Container readWhole(const fs::path& file, std::siz
   return content;
 }
 
-// Beside the target, so that the rename stays on one file system; hidden, and with the same extension, by which image
-// libraries choose the format.
-fs::path temporaryBeside(const fs::path& file) {
-  static std::atomic<unsigned> counter = 0;
-  return file.parent_path() /
-         fmt::format(".{}.{}-{}{}", file.stem().string(), ::getpid(), counter++, file.extension().string());
-}
-
 } // namespace
 
 std::uintmax_t regularFileSize(const fs::path& file) {
@@ -138,7 +130,9 @@ void writeAtomically(const fs::path& file, const std::function<void(const fs::pa
     if (error) throw fileError(file.string(), "its folder cannot be made", error.message());
   }
 
-  const fs::path temporary = temporaryBeside(target);
+  // Beside the target, so that the rename stays on one file system; with the same extension, by which image libraries
+  // choose the format.
+  const fs::path temporary = target.parent_path() / temporaryNameOf(target.filename().string());
   try {
     write(temporary);
     fs::rename(temporary, target, error);

@@ -5,8 +5,9 @@
 #include <cstdio>
 #include <string_view>
 
-#include <fmt/format.h>
 #include <unistd.h>
+
+#include "base/shown_text.h"
 
 namespace parity::base {
 
@@ -20,7 +21,7 @@ void writeLine(std::string_view prefix, const std::string& message) {
   std::string lines(kWipe);
   for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
     end = message.find('\n', begin);
-    lines += fmt::format("{}{}\n", prefix, std::string_view(message).substr(begin, end - begin));
+    lines += shownText(std::string(prefix) + message.substr(begin, end - begin)) + '\n';
   }
   std::fwrite(lines.data(), 1, lines.size(), stderr);
 }
@@ -40,6 +41,13 @@ void logInfo(const std::string& message) {
 
 void logWarning(const std::string& message) {
   if (level != LogLevel::quiet) writeLine("warning: ", message);
+}
+
+void logRunWarnings(const std::vector<std::string>& messages) {
+  std::string text;
+  for (const std::string& message : messages)
+    text += (text.empty() ? "" : level == LogLevel::quiet ? "; " : "\n") + message;
+  if (!text.empty()) writeLine("warning: ", text);
 }
 
 void logError(const std::string& message) { writeLine("error: ", message); }

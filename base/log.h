@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace parity::base {
 
@@ -12,6 +13,8 @@ LogLevel logLevel();
 void logVerbose(const std::string& message); // only with -v
 void logInfo(const std::string& message);    // not with -q
 void logWarning(const std::string& message); // "warning: ..."; not with -q
-void logError(const std::string& message);   // "error: ..."; always
+// Of a whole run: a warning each; with -q all of them in one line.
+void logRunWarnings(const std::vector<std::string>& messages);
+void logError(const std::string& message); // "error: ..."; always
 
 } // namespace parity::base

@@ -8,6 +8,7 @@
 
 #include "bake/baked_folder.h"
 #include "base/error.h"
+#include "base/error_words.h"
 #include "base/log.h"
 #include "base/parallel.h"
 #include "cli/invocation.h"
@@ -80,17 +81,17 @@ std::string astcDb(const bake::BakeFigures& f) {
 
 void printSummary(const Task& task, const job::BakeResult& result, double seconds) {
   const bake::BakeFigures& f = result.light.figures;
-  fmt::print("{}: {} texels on {} {} of {} x {}, {:.0f} samples a texel, {:.1f} s", task.request.name, f.texels,
-             result.light.highend.size(), result.light.highend.size() == 1 ? "page" : "pages", result.light.pageSide,
-             result.light.pageSide, f.samplesPerTexel, seconds);
-  if (result.rays > 0) fmt::print(", {:.1f} million rays", static_cast<double>(result.rays) * 1e-6);
-  fmt::print("\n  error {:.2g} % in the median, {:.2g} % at worst; {:.1f} % of texels within what was wanted{}\n",
-             100 * f.errorMedian, 100 * f.errorWorst, 100 * f.shareWithinError,
-             f.shareWithinError < 0.95 ? ": more with a larger --max-samples" : "");
-  fmt::print("  mobile lightmap: rms error {:.2g} % in 8 bits, {:.2g} % after ASTC {}{}\n", 100 * f.quantizedError,
-             100 * f.storedError, result.light.astc, astcDb(f));
-  fmt::print("  {} environment {}; {}\n", result.light.captures.size(),
-             result.light.captures.size() == 1 ? "capture" : "captures", task.folder.string());
+  print("{}: {} texels on {} {} of {} x {}, {:.0f} samples a texel, {:.1f} s", task.request.name, f.texels,
+        result.light.highend.size(), result.light.highend.size() == 1 ? "page" : "pages", result.light.pageSide,
+        result.light.pageSide, f.samplesPerTexel, seconds);
+  if (result.rays > 0) print(", {:.1f} million rays", static_cast<double>(result.rays) * 1e-6);
+  print("\n  error {:.2g} % in the median, {:.2g} % at worst; {:.1f} % of texels within what was wanted{}\n",
+        100 * f.errorMedian, 100 * f.errorWorst, 100 * f.shareWithinError,
+        f.shareWithinError < 0.95 ? ": more with a larger --max-samples" : "");
+  print("  mobile lightmap: rms error {:.2g} % in 8 bits, {:.2g} % after ASTC {}{}\n", 100 * f.quantizedError,
+        100 * f.storedError, result.light.astc, astcDb(f));
+  print("  {} environment {}; {}\n", result.light.captures.size(),
+        result.light.captures.size() == 1 ? "capture" : "captures", task.folder.string());
 }
 
 // Of a scene of thousands of meshes only the first.
@@ -132,7 +133,7 @@ int runBakeCommand(const BakeCommand& command) {
       exitCode = std::max(exitCode, static_cast<int>(error.code()));
     } catch (const std::exception& error) {
       if (tasks.size() == 1) throw;
-      base::logError(fmt::format("{}: {}", task.request.name, error.what()));
+      base::logError(fmt::format("{}: {}", task.request.name, base::wordsOf(error)));
       exitCode = std::max(exitCode, static_cast<int>(base::ExitCode::failed));
     }
   }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/error_words.h"
 #include "base/file.h"
 #include "base/log.h"
 #include "base/parallel.h"
@@ -34,7 +35,7 @@ int listSettings(const BenchCommand& command) {
   const job::Settings& s = command.common.settings;
   for (const sweep::Variant& v : sweep::makeVariants(s.highend, s.mobile, s.mobileTarget, s.mobileTextures)) {
     const std::string needs = v.needs.empty() ? "" : "   (needs: " + v.needs + ")";
-    fmt::print("{}{}\n", v.id(), needs);
+    print("{}{}\n", v.id(), needs);
   }
   return 0;
 }
@@ -46,7 +47,7 @@ int runScaling(const BenchCommand& command) {
   const std::string json = toJson(series, sweep::describeMachine(gpu::findDevice(command.common.settings.device)));
   if (!command.folder.empty()) base::writeText(std::filesystem::path(command.folder) / "scaling.json", json);
   if (!command.common.json.empty()) writeJson(command.common.json, json);
-  if (command.common.json != "-" && !command.common.quiet) fmt::print("{}", toText(series));
+  if (command.common.json != "-" && !command.common.quiet) print("{}", toText(series));
   return 0;
 }
 
@@ -95,10 +96,11 @@ sweep::SweepReport measure(const BenchCommand& command, const std::vector<job::S
       // What was measured so far is not lost; what every scene would be refused for is said of the first.
       const auto* known = dynamic_cast<const base::Error*>(&error);
       if (known && known->code() == base::ExitCode::usage && report.scenes.empty()) throw;
-      base::logError(error.what());
+      const std::string words = known ? known->what() : request.name + ": " + base::wordsOf(error);
+      base::logError(words);
       sweep::SceneSweep& scene = report.scenes.emplace_back();
       scene.scene = request.name;
-      scene.failure = error.what();
+      scene.failure = words;
     }
   }
   return report;
@@ -107,10 +109,10 @@ sweep::SweepReport measure(const BenchCommand& command, const std::vector<job::S
 // The settings that are worth their time, the fastest first.
 void printScene(const sweep::SceneSweep& scene, const sweep::Conclusions& c) {
   if (!scene.failure.empty()) return;
-  fmt::print("{} ({}, {} samples): worth their time by {} against the {}\n", compare::plainLine(scene.scene),
-             compare::plainLine(scene.environment), scene.pixels, c.figure,
-             c.against == sweep::Against::truth ? "reference" : "high-end default");
-  fmt::print("{:>10} {:>10} {:>10} {:>11}  setting\n", "device ms", c.figure, "operations", "compile ms");
+  print("{} ({}, {} samples): worth their time by {} against the {}\n", compare::plainLine(scene.scene),
+        compare::plainLine(scene.environment), scene.pixels, c.figure,
+        c.against == sweep::Against::truth ? "reference" : "high-end default");
+  print("{:>10} {:>10} {:>10} {:>11}  setting\n", "device ms", c.figure, "operations", "compile ms");
   const std::vector<bool> dominated = sweep::findDominated(scene, c.against, c.figure);
   std::vector<const sweep::VariantResult*> front;
   for (std::size_t i = 0; i < dominated.size(); ++i)
@@ -118,26 +120,25 @@ void printScene(const sweep::SceneSweep& scene, const sweep::Conclusions& c) {
       front.push_back(&scene.variants[i]);
   std::ranges::sort(front, {}, [](const auto* v) { return std::pair(v->path, sweep::timeOf(*v)); });
   for (const sweep::VariantResult* v : front)
-    fmt::print("{:>10.2f} {:>10.5f} {:>10.0f} {:>11.0f}  {}{}\n", sweep::timeOf(*v),
-               sweep::errorOf(v->whole, c.against, c.figure).value_or(0), v->cost.operations, v->times.compileMs,
-               v->id(), dominated[static_cast<std::size_t>(v - scene.variants.data())] ? " (dominated)" : "");
-  fmt::print("\n");
+    print("{:>10.2f} {:>10.5f} {:>10.0f} {:>11.0f}  {}{}\n", sweep::timeOf(*v),
+          sweep::errorOf(v->whole, c.against, c.figure).value_or(0), v->cost.operations, v->times.compileMs, v->id(),
+          dominated[static_cast<std::size_t>(v - scene.variants.data())] ? " (dominated)" : "");
+  print("\n");
 }
 
 void printConclusions(const sweep::Conclusions& c) {
   for (const auto& each : c.cheapest)
-    fmt::print("within {} <= {:g}, {}: {} {}\n", c.budget->figure, c.budget->limit,
-               each.scene.empty() ? "all scenes" : compare::plainLine(each.scene), each.path,
-               each.setting.value_or("none"));
-  for (const std::string& id : c.dominated) fmt::print("dominated in every scene: {}\n", id);
+    print("within {} <= {:g}, {}: {} {}\n", c.budget->figure, c.budget->limit,
+          each.scene.empty() ? "all scenes" : compare::plainLine(each.scene), each.path, each.setting.value_or("none"));
+  for (const std::string& id : c.dominated) print("dominated in every scene: {}\n", id);
   if (!c.ratios) return;
-  for (const std::string& note : c.ratios->notes) fmt::print("note: {}\n", compare::plainLine(note));
+  for (const std::string& note : c.ratios->notes) print("note: {}\n", compare::plainLine(note));
   for (const sweep::VariantRatio& v : c.ratios->variants)
     if (v.time.isSlower() || v.time.isFaster())
-      fmt::print("{}: {} {} ({:.3f} of the time, {:.3f} to {:.3f})\n", v.time.isSlower() ? "slower" : "faster",
-                 compare::plainLine(v.scene), v.id, v.time.ratio, v.time.low, v.time.high);
+      print("{}: {} {} ({:.3f} of the time, {:.3f} to {:.3f})\n", v.time.isSlower() ? "slower" : "faster",
+            compare::plainLine(v.scene), v.id, v.time.ratio, v.time.low, v.time.high);
   if (std::ranges::none_of(c.ratios->variants, [](const auto& v) { return v.time.isSlower() || v.time.isFaster(); }))
-    fmt::print("none of {} settings has become slower or faster\n", c.ratios->variants.size());
+    print("none of {} settings has become slower or faster\n", c.ratios->variants.size());
 }
 
 int exitCodeOf(const sweep::SweepReport& report, const sweep::Conclusions& c) {
@@ -177,7 +178,8 @@ int runBenchCommand(const BenchCommand& command, const std::string& commandLine)
       } // an earlier sweep's
     }
     if (!command.common.json.empty()) writeJson(command.common.json, json);
-    if (!command.csv.empty()) writeJson(command.csv, csv);
+    if (command.csv == "-") printText(csv);
+    if (!command.csv.empty() && command.csv != "-") base::writeText(command.csv, csv);
   };
   try {
     const auto isMeasured = [](const sweep::SceneSweep& scene) { return scene.failure.empty(); };
@@ -191,7 +193,7 @@ int runBenchCommand(const BenchCommand& command, const std::string& commandLine)
   if (command.common.json != "-" && command.csv != "-" && !command.common.quiet) {
     for (const sweep::SceneSweep& scene : report.scenes) printScene(scene, conclusions);
     printConclusions(conclusions);
-    if (!command.folder.empty()) fmt::print("{}\n", (std::filesystem::path(command.folder) / "index.html").string());
+    if (!command.folder.empty()) print("{}\n", (std::filesystem::path(command.folder) / "index.html").string());
   }
   return exitCodeOf(report, conclusions);
 }

@@ -46,7 +46,7 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
       ->excludes(app.get_option("--csv"));
   addReferenceOptions(app, raw.common);
   addCommonOptions(app, bench.common, raw.common);
-  for (const char* useless : {"--material", "--budgets", "--timings"}) app.remove_option(app.get_option(useless));
+  app.remove_option(app.get_option("--timings"));
 }
 
 BenchCommand settleBench(const RawBenchOptions& raw) {

@@ -1,11 +1,10 @@
 // parity budget: limits proposed from what was observed, and what a budget file says.
-#include <fmt/format.h>
-
+#include "compare/budget.h"
 #include "base/file.h"
 #include "base/log.h"
 #include "cli/file_conflicts.h"
 #include "cli/invocation.h"
-#include "compare/budget.h"
+#include "cli/output.h"
 #include "compare/report_reader.h"
 #include "compare/text.h"
 
@@ -20,14 +19,14 @@ int runBudgetSuggestCommand(const BudgetSuggestCommand& command) {
   const compare::SuggestedBudgets suggested = compare::suggestBudgets(runs, command.options);
   for (const std::string& each : suggested.leftOut) base::logWarning("left out: " + compare::plainLine(each));
   if (command.output.empty())
-    fmt::print("{}", suggested.text);
+    printText(base::shownStrings(suggested.text));
   else
     base::writeText(command.output, suggested.text);
   return 0;
 }
 
 int runBudgetCheckCommand(const BudgetCheckCommand& command) {
-  fmt::print("{}", compare::describeBudgets(compare::loadBudgets(command.file)));
+  print("{}", compare::describeBudgets(compare::loadBudgets(command.file)));
   return 0;
 }
 

@@ -33,13 +33,13 @@ int runCacheCommand(const CacheCommand& command) {
                                          {"bytes", contents.bytes},
                                          {"kinds", kinds},
                                          {"cleared", command.clear}};
-    writeJson(command.json, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    writeJson(command.json, dumpJson(json));
   }
   if (command.json == "-") return 0;
-  fmt::print("{}{}: {} entries, {}\n", command.clear ? "cleared " : "", command.folder.string(), contents.entries,
-             describeBytes(contents.bytes));
+  print("{}{}: {} entries, {}\n", command.clear ? "cleared " : "", command.folder.string(), contents.entries,
+        describeBytes(contents.bytes));
   for (const base::CacheKind& kind : contents.kinds)
-    fmt::print("  {:<12} {:>6} {:>12}\n", kind.name, kind.entries, describeBytes(kind.bytes));
+    print("  {:<12} {:>6} {:>12}\n", kind.name, kind.entries, describeBytes(kind.bytes));
   return 0;
 }
 

@@ -32,6 +32,14 @@ void requireKnownSubcommand(const CLI::App& app, int argc, const char* const* ar
     throw CLI::ValidationError(argv[1], "no such subcommand");
 }
 
+// An empty value is a variable of a script that is not set: nothing that can be meant.
+void requireValues(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options())
+    if (std::ranges::any_of(option->results(), [](const std::string& value) { return value.empty(); }))
+      throw CLI::ValidationError(option->get_name(), "is given an empty value");
+  for (const CLI::App* chosen : app.get_subcommands()) requireValues(*chosen);
+}
+
 constexpr const char* kIntro = R"(parity: does a material look the same on two shading paths?
 
 Renders a glTF scene by a high-end path (full GGX, tabulated environment BRDF, all lights) and by a mobile path (Karis 2014, UE4's
@@ -51,8 +59,8 @@ mobile base pass), compares them per material by FLIP, and judges them against b
 constexpr const char* kFooter = R"(
 Exit codes: 0 within budget; 1 warnings only (with --warn-exit); 2 over budget, for stress something that is not known, for
 bench a setting that is slower or none within the budget; 3 not comparable (sizes, channels, layers, a metric that does not
-apply); 4 something is missing, not finite, or could not be read, rendered, judged or written; 64 usage. The highest that
-applies wins; the other scenes still run. Scenes are .gltf or .glb files, or builtin:materials, builtin:spheres,
+apply); 4 something is missing, not finite, or could not be read, rendered, judged or written, or no material was
+compared; 64 usage. The highest that applies wins; the other scenes still run. Scenes are .gltf or .glb files, or builtin:materials, builtin:spheres,
 builtin:lights, builtin:lamps, builtin:shadows, builtin:room, builtin:courtyard, builtin:furnace.)";
 
 } // namespace
@@ -81,6 +89,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   reportApp.add_option("--json", report.common.json, "Also write report.json there; - for stdout");
   addTruthOptions(reportApp, report.common, raw);
   addCommonOptions(reportApp, report.common, raw);
+  addMaterialOption(reportApp, report.common, "Report");
+  addBudgetsOption(reportApp, report.common);
   addBakedOption(reportApp, report.common);
   addMetricsOption(reportApp, raw);
   addAttributionOption(reportApp, raw);
@@ -98,6 +108,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   diffApp.add_option("--json", diff.common.json, "Write the result as JSON there; - for stdout, instead of the table");
   addTruthOptions(diffApp, diff.common, raw);
   addCommonOptions(diffApp, diff.common, raw);
+  addMaterialOption(diffApp, diff.common, "Report");
+  addBudgetsOption(diffApp, diff.common);
   addBakedOption(diffApp, diff.common);
   addMetricsOption(diffApp, raw);
   addAttributionOption(diffApp, raw);
@@ -139,6 +151,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       ->check(fileOfKind({".exr", ".pfm"}))
       ->group("Reference");
   addCommonOptions(renderApp, render.common, raw);
+  addMaterialOption(renderApp, render.common, "Draw");
   addBakedOption(renderApp, render.common);
 
   FlipCommand flip;
@@ -198,6 +211,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   try {
     requireKnownSubcommand(app, argc, argv);
     app.parse(argc, argv);
+    requireValues(app);
     if (reportApp.parsed()) {
       if (report.scenes.empty() && report.suite.empty()) throw CLI::RequiredError("report: a SCENE or --suite");
       for (const auto& names : {lightOptionNames(), loadOptionNames()}) // as `excludes`, which would list them all

@@ -117,9 +117,18 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   app.add_option("--background", raw.background, "Linear R,G,B behind the scene, in every path. Default 0.18,0.18,0.18")
       ->group("Picture");
   addPathOptions(app, s, raw.paths);
-  app.add_option("--material", s.materials, "Report only these materials (glob, repeatable)")->group("Verdict");
-  app.add_option("--budgets", s.budgets, "Budget file (TOML) instead of the built-in budgets")->group("Verdict");
   addRunOptions(app, common, raw);
+}
+
+void addMaterialOption(CLI::App& app, CommonOptions& common, const char* what) {
+  app.add_option("--material", common.settings.materials,
+                 fmt::format("{} only these materials (glob, repeatable)", what))
+      ->group("Picture");
+}
+
+void addBudgetsOption(CLI::App& app, CommonOptions& common) {
+  app.add_option("--budgets", common.settings.budgets, "Budget file (TOML) instead of the built-in budgets")
+      ->group("Verdict");
 }
 
 void addBakedOption(CLI::App& app, CommonOptions& common) {

@@ -36,6 +36,9 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
 // Of those: what is loaded and what lights it; and device, threads, cache, verbosity.
 void addSceneOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
 void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
+// --material: of report and diff what is reported, of render what is drawn.
+void addMaterialOption(CLI::App& app, CommonOptions& common, const char* what);
+void addBudgetsOption(CLI::App& app, CommonOptions& common);
 // --baked: the folder that `parity bake` has written.
 void addBakedOption(CLI::App& app, CommonOptions& common);
 // --device and --validation alone.

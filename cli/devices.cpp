@@ -23,13 +23,13 @@ int runDevicesCommand(const DevicesCommand& command) {
                       {"fp16", r.float16},
                       {"taken", r.taken},
                       {"reason", r.reason}});
-    writeJson(command.json, list.dump(2) + "\n");
+    writeJson(command.json, dumpJson(list));
   }
   if (command.json != "-")
     for (std::size_t i = 0; i < reports.size(); ++i) {
       const gpu::DeviceReport& r = reports[i];
-      fmt::print("{} {} {}\n    {}, Vulkan {}, {}, {}\n    {}\n", r.taken ? "*" : " ", i, r.name, r.kind, r.apiVersion,
-                 r.driver, r.float16 ? "fp16" : "no fp16", r.reason);
+      print("{} {} {}\n    {}, Vulkan {}, {}, {}\n    {}\n", r.taken ? "*" : " ", i, r.name, r.kind, r.apiVersion,
+            r.driver, r.float16 ? "fp16" : "no fp16", r.reason);
     }
   if (std::none_of(reports.begin(), reports.end(), [](const auto& r) { return r.taken; }))
     throw base::Error(base::ExitCode::failed, "Vulkan", "device",

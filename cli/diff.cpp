@@ -23,7 +23,7 @@ int runDiffCommand(const DiffCommand& command, const std::string& commandLine) {
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
   if (!command.common.json.empty()) writeJson(command.common.json, compare::toJson(result.report));
   if (command.common.json != "-" && !command.common.quiet && result.report.scenes.front().error.empty())
-    fmt::print("{}\n", compare::toTable(result.report, stdoutIsTerminal()));
+    printTable(result.report);
   printAnnotations(command.verdict.annotate, result.report, command.common.json == "-");
   if (command.common.timings) printTimings(result.run.timings);
   return compare::exitCode(result.report, command.verdict.warnExit);

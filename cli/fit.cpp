@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "base/parallel.h"
 #include "cli/invocation.h"
+#include "cli/output.h"
 #include "fit/refit.h"
 #include "fit/refit_text.h"
 
@@ -20,7 +21,7 @@ int runFitCommand(const FitCommand& command) {
           ? fit::formatJson(refit)
           : fit::formatShader(refit, command.format == "hlsl" ? fit::Language::hlsl : fit::Language::glsl);
   if (command.output.empty())
-    fmt::print("{}", text);
+    print("{}", text);
   else
     base::writeText(command.output, text);
   return 0;

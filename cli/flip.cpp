@@ -103,20 +103,18 @@ int runFlipCommand(const FlipCommand& command) {
   const job::FlipResult result = job::runFlip(request, makeProgress(command.quiet));
   for (const job::FlipPair& pair : result.pairs)
     if (pair.verdict == compare::Verdict::error) base::logError(pair.reason);
-  for (const std::string& warning : result.warnings) base::logWarning(warning);
+  base::logRunWarnings(result.warnings);
 
   // Files first: what cannot be written is told before anything that reads as a result.
   if (!command.junit.empty()) base::writeText(command.junit, job::toJunit(result));
   if (!command.csv.empty() && command.csv != "-") base::writeText(command.csv, job::toCsv(result, command.warnExit));
   if (!command.json.empty()) writeJson(command.json, job::toJson(result, command.warnExit));
-  if (command.csv == "-") writeJson(command.csv, job::toCsv(result, command.warnExit));
+  if (command.csv == "-") printText(job::toCsv(result, command.warnExit));
   const bool stdoutTaken = command.json == "-" || command.csv == "-";
   // The one pair's error has been printed, and what was found before it is no result.
   const bool nothingToShow = !request.files.many && result.pairs[0].errorCode != 0;
-  if (!stdoutTaken && !nothingToShow && !command.quiet) fmt::print("{}", job::toTable(result));
-  // GitHub reads them from either stream.
-  if (command.githubAnnotations)
-    fmt::print(stdoutTaken ? stderr : stdout, "{}", job::toAnnotations(result, fs::current_path()));
+  if (!stdoutTaken && !nothingToShow && !command.quiet) print("{}", job::toTable(result));
+  if (command.githubAnnotations) printCommands(job::toAnnotations(result, fs::current_path()), stdoutTaken);
   return job::exitCode(result, command.warnExit);
 }
 

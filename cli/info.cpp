@@ -89,25 +89,24 @@ void printNames(const char* what, const std::vector<std::string>& names) {
   if (names.empty()) return;
   std::vector<std::string> shown;
   for (std::size_t i = 0; i < names.size(); ++i) shown.push_back(names[i].empty() ? fmt::format("({})", i) : names[i]);
-  fmt::print("{:<11} {}\n", what, fmt::join(shown, ", "));
+  print("{:<11} {}\n", what, fmt::join(shown, ", "));
 }
 
 void printInfo(const std::string& file, const scenes::Scene& scene, const scenes::SceneInfo& info) {
   const scenes::SourceFacts& facts = scene.facts;
-  fmt::print("{}\n", file);
+  print("{}\n", file);
   if (!facts.version.empty())
-    fmt::print("{:<11} {}{}{}\n", "glTF", facts.version, facts.generator.empty() ? "" : ", ", facts.generator);
-  if (!facts.copyright.empty()) fmt::print("{:<11} {}\n", "copyright", facts.copyright);
+    print("{:<11} {}{}{}\n", "glTF", facts.version, facts.generator.empty() ? "" : ", ", facts.generator);
+  if (!facts.copyright.empty()) print("{:<11} {}\n", "copyright", facts.copyright);
   std::vector<std::string> counts;
   for (const auto& [name, count] : facts.counts) counts.push_back(fmt::format("{} {}", count, name));
-  if (!counts.empty()) fmt::print("{:<11} {}\n", "file", fmt::join(counts, ", "));
-  fmt::print("{:<11} {} triangles, {} vertices, {} instances\n", "shown", info.triangles, info.vertices,
-             info.instances);
+  if (!counts.empty()) print("{:<11} {}\n", "file", fmt::join(counts, ", "));
+  print("{:<11} {} triangles, {} vertices, {} instances\n", "shown", info.triangles, info.vertices, info.instances);
   const glm::vec3 size = info.bounds.upper - info.bounds.lower;
-  fmt::print("{:<11} {:.4g} x {:.4g} x {:.4g} m, from ({:.4g}, {:.4g}, {:.4g})\n", "bounds", size.x, size.y, size.z,
-             info.bounds.lower.x, info.bounds.lower.y, info.bounds.lower.z);
-  fmt::print("{:<11} {:.1f} MiB of meshes, {:.1f} MiB of {} images ({:.2f} megapixels)\n", "memory",
-             toMib(info.meshBytes), toMib(info.imageBytes), info.images, static_cast<double>(info.texels) / 1e6);
+  print("{:<11} {:.4g} x {:.4g} x {:.4g} m, from ({:.4g}, {:.4g}, {:.4g})\n", "bounds", size.x, size.y, size.z,
+        info.bounds.lower.x, info.bounds.lower.y, info.bounds.lower.z);
+  print("{:<11} {:.1f} MiB of meshes, {:.1f} MiB of {} images ({:.2f} megapixels)\n", "memory", toMib(info.meshBytes),
+        toMib(info.imageBytes), info.images, static_cast<double>(info.texels) / 1e6);
   printNames("extensions", facts.extensionsUsed);
   printNames("scenes", facts.scenes);
   std::vector<std::string> animations;
@@ -118,20 +117,20 @@ void printInfo(const std::string& file, const scenes::Scene& scene, const scenes
   printNames("animations", animations);
   printNames("variants", facts.variants);
   for (const scenes::Camera& camera : scene.cameras)
-    fmt::print("{:<11} {}, {}\n", "camera", camera.name, camera.orthographic ? "orthographic" : "perspective");
+    print("{:<11} {}, {}\n", "camera", camera.name, camera.orthographic ? "orthographic" : "perspective");
   for (const scenes::Light& light : scene.lights) {
     const bool hasExponent = light.falloff == scenes::Falloff::exponent;
-    fmt::print("{:<11} {}, {}, ({:.4g}, {:.4g}, {:.4g}) {}{}{}\n", "light", light.name, scenes::nameOf(light.kind),
-               light.color.x, light.color.y, light.color.z,
-               light.kind == scenes::LightKind::directional || hasExponent ? "lx" : "cd",
-               light.range > 0 ? fmt::format(", range {:.4g} m", light.range) : "",
-               hasExponent ? fmt::format(", falloff exponent {:.4g}", light.falloffExponent) : "");
+    print("{:<11} {}, {}, ({:.4g}, {:.4g}, {:.4g}) {}{}{}\n", "light", light.name, scenes::nameOf(light.kind),
+          light.color.x, light.color.y, light.color.z,
+          light.kind == scenes::LightKind::directional || hasExponent ? "lx" : "cd",
+          light.range > 0 ? fmt::format(", range {:.4g} m", light.range) : "",
+          hasExponent ? fmt::format(", falloff exponent {:.4g}", light.falloffExponent) : "");
   }
 
   std::size_t width = 8;
   for (const scenes::MaterialInfo& material : info.materials)
     width = std::max(width, std::min<std::size_t>(material.name.size(), 40));
-  fmt::print("\n{:<{}} {:>10} {:>8} {:>9}  {}\n", "material", width, "triangles", "metallic", "roughness", "flags");
+  print("\n{:<{}} {:>10} {:>8} {:>9}  {}\n", "material", width, "triangles", "metallic", "roughness", "flags");
   for (std::size_t m = 0; m < info.materials.size(); ++m) {
     const scenes::MaterialInfo& material = info.materials[m];
     std::vector<std::string> flags = material.flags;
@@ -139,9 +138,9 @@ void printInfo(const std::string& file, const scenes::Scene& scene, const scenes
                  fmt::format("alpha mask below {:.3g}", scene.materials[m].alphaCutoff));
     if (!scene.materials[m].notModelled.empty())
       flags.push_back(fmt::format("not modelled: {}", fmt::join(scene.materials[m].notModelled, ", ")));
-    fmt::print("{:<{}} {:>10} {:>8.3g} {:>9.3g}  {}\n", material.name, width, material.triangles,
-               scene.materials[m].metallic, scene.materials[m].roughness, fmt::join(flags, ", "));
-    for (const std::string& texture : material.textures) fmt::print("{:<{}}   {}\n", "", width, texture);
+    print("{:<{}} {:>10} {:>8.3g} {:>9.3g}  {}\n", material.name, width, material.triangles,
+          scene.materials[m].metallic, scene.materials[m].roughness, fmt::join(flags, ", "));
+    for (const std::string& texture : material.textures) print("{:<{}}   {}\n", "", width, texture);
   }
 }
 
@@ -150,11 +149,11 @@ void printInfo(const std::string& file, const scenes::Scene& scene, const scenes
 int runInfoCommand(const InfoCommand& command) {
   const scenes::Scene scene = scenes::loadScene(command.scene, command.load);
   const scenes::SceneInfo info = scenes::describeScene(scene);
-  if (!command.json.empty()) writeJson(command.json, infoJson(command.scene, scene, info).dump(2) + "\n");
+  if (!command.json.empty()) writeJson(command.json, dumpJson(infoJson(command.scene, scene, info)));
   if (command.json == "-") return 0;
   printInfo(command.scene, scene, info);
-  if (!scene.warnings.empty()) fmt::print("\n");
-  for (const std::string& warning : scene.warnings) fmt::print("warning: {}\n", warning);
+  if (!scene.warnings.empty()) print("\n");
+  for (const std::string& warning : scene.warnings) print("warning: {}\n", warning);
   return 0;
 }
 

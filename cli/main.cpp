@@ -7,7 +7,10 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/error_words.h"
+#include "base/interrupt.h"
 #include "base/log.h"
+#include "base/shown_text.h"
 #include "cli/invocation.h"
 
 namespace {
@@ -42,10 +45,12 @@ int run(int argc, char** argv) {
   using namespace parity::cli;
   const Parsed parsed = parseCommandLine(argc, argv);
   if (!parsed.command) {
-    std::fputs(parsed.text.c_str(), parsed.exitCode == 0 ? stdout : stderr);
+    std::fputs(parity::base::shownText(parsed.text).c_str(), parsed.exitCode == 0 ? stdout : stderr);
     return parsed.exitCode;
   }
   const std::string line = joinCommandLine(argc, argv);
+  parity::base::setInterruptNote(std::string(argv[1]) +
+                                 ": interrupted: nothing is written; what is in the cache stays");
   return std::visit(Overloaded{[&](const ReportCommand& c) { return runReportCommand(c, line); },
                                [&](const DiffCommand& c) { return runDiffCommand(c, line); },
                                [](const RenderCommand& c) { return runRenderCommand(c); },
@@ -76,7 +81,7 @@ int main(int argc, char** argv) {
     parity::base::logError(error.what());
     return static_cast<int>(error.code());
   } catch (const std::exception& error) {
-    parity::base::logError(error.what());
+    parity::base::logError((argc > 1 ? std::string(argv[1]) : "parity") + ": " + parity::base::wordsOf(error));
     return static_cast<int>(parity::base::ExitCode::failed);
   }
 }

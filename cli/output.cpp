@@ -3,11 +3,13 @@
 #include <unistd.h>
 
 #include <cctype>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -21,7 +23,7 @@ job::Progress makeProgress(bool quiet) {
     const int filled = static_cast<int>(std::lround(done * kWidth));
     std::string bar;
     for (int i = 0; i < kWidth; ++i) bar += i < filled ? "█" : "░";
-    fmt::print(stderr, "\r\x1b[K{} {:3.0f} % {}", bar, done * 100, what);
+    fmt::print(stderr, "\r\x1b[K{} {:3.0f} % {}", bar, done * 100, base::plainLine(what));
     if (done >= 1) fmt::print(stderr, "\r\x1b[K");
     std::fflush(stderr);
   };
@@ -31,10 +33,29 @@ void printTimings(const std::vector<std::pair<std::string, double>>& timings) {
   for (const auto& [stage, timeMs] : timings) fmt::print(stderr, "{:>9.1f} ms  {}\n", timeMs, stage);
 }
 
+void printText(const std::string& text, base::Colors colors) {
+  const std::string shown = base::shownText(text, colors);
+  if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size() && errno != EPIPE)
+    throw base::fileError("stdout", "", "could not be written");
+}
+
+void printTable(const compare::Report& report) {
+  const bool color = isatty(STDOUT_FILENO) != 0;
+  printText(compare::toTable(report, color) + "\n", color ? base::Colors::ours : base::Colors::none);
+}
+
+void printCommands(const std::string& commands, bool stdoutTaken) {
+  fmt::print(stdoutTaken ? stderr : stdout, "{}", commands);
+}
+
+std::string dumpJson(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 void writeJson(const std::string& target, const std::string& text) {
   if (target != "-") return base::writeText(target, text);
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw base::fileError("stdout", "", "could not be written");
+  printText(base::shownStrings(text));
+  if (std::fflush(stdout) != 0 && errno != EPIPE) throw base::fileError("stdout", "", "could not be written");
 }
 
 std::string extensionOf(const std::string& file) {
@@ -45,10 +66,7 @@ std::string extensionOf(const std::string& file) {
 
 void printAnnotations(const std::string& annotate, const compare::Report& report, bool stdoutTaken) {
   if (annotate == "github")
-    fmt::print(stdoutTaken ? stderr : stdout, "{}",
-               compare::toGithubAnnotations(report, std::filesystem::current_path()));
+    printCommands(compare::toGithubAnnotations(report, std::filesystem::current_path()), stdoutTaken);
 }
-
-bool stdoutIsTerminal() { return isatty(STDOUT_FILENO) != 0; }
 
 } // namespace parity::cli

@@ -5,6 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+#include <nlohmann/json_fwd.hpp>
+
+#include "base/shown_text.h"
 #include "compare/report.h"
 #include "job/settings.h"
 
@@ -16,16 +20,29 @@ job::Progress makeProgress(bool quiet);
 // Stage by stage, to stderr.
 void printTimings(const std::vector<std::pair<std::string, double>>& timings);
 
-// Writes text to stdout for "-", else to the file. Throws Error (exit 4).
+// All that goes to stdout goes through here, but for GitHub's commands: base::shownText(). Throws Error (exit 4),
+// except where the reader has gone, as a pager does.
+void printText(const std::string& text, base::Colors colors = base::Colors::none);
+template <typename... Parts> void print(fmt::format_string<Parts...> format, Parts&&... parts) {
+  printText(fmt::format(format, std::forward<Parts>(parts)...));
+}
+
+// compare::toTable(), in colours where stdout is a terminal.
+void printTable(const compare::Report& report);
+
+// Indented, with a line feed behind it. What is no UTF-8 becomes U+FFFD.
+std::string dumpJson(const nlohmann::ordered_json& json);
+
+// Writes JSON to stdout for "-" (base::shownStrings()), else to the file. Throws Error (exit 4).
 void writeJson(const std::string& target, const std::string& text);
 
 // The extension in lower case, with its dot: as base::writeImage chooses the format.
 std::string extensionOf(const std::string& file);
 
-bool stdoutIsTerminal();
-
-// GitHub annotations of a report, where `annotate` is "github": to stdout, or to stderr where stdout is taken by JSON
-// (GitHub reads either).
+// Commands of GitHub Actions, each part of which is escaped already: to stdout, or to stderr where stdout is taken by
+// JSON or CSV (GitHub reads either).
+void printCommands(const std::string& commands, bool stdoutTaken);
+// Those of a report, where `annotate` is "github".
 void printAnnotations(const std::string& annotate, const compare::Report& report, bool stdoutTaken);
 
 } // namespace parity::cli

@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "cli/file_conflicts.h"
 #include "cli/invocation.h"
+#include "cli/output.h"
 #include "plot/env_brdf_picture.h"
 #include "plot/env_brdf_plot.h"
 #include "scenes/load.h"
@@ -37,7 +38,7 @@ int runPlotCommand(const PlotCommand& command) {
                     {.channelNames = {}, .pngCompression = 6});
   base::writeText(numbers, plot::envBrdfCsv(table, approximate));
   if (!materials.empty()) base::writeText(ofMaterials, plot::materialsCsv(materials));
-  if (!command.quiet) fmt::print("{}\n{}\n", plot::describe(table, approximate, materials), picture.string());
+  if (!command.quiet) print("{}\n{}\n", plot::describe(table, approximate, materials), picture.string());
   return 0;
 }
 

@@ -12,6 +12,7 @@
 #include "cli/requests.h"
 #include "compare/metrics.h"
 #include "job/displayed.h"
+#include "job/material_choice.h"
 #include "job/scene_renderer.h"
 #include "scenes/view.h"
 #include "shading/terms.h"
@@ -55,6 +56,7 @@ void reportError(const job::ViewFrames& frames, double wanted) {
 // The settings that the command asks for: a term needs all of them, an intermediate is what the shader writes.
 job::Settings settingsOf(const RenderCommand& command) {
   job::Settings settings = command.common.settings;
+  settings.coverage = !settings.materials.empty();
   if (command.term.empty()) return settings;
   settings.background = glm::vec3(0);
   if (shading::termByName(command.term)) {
@@ -88,12 +90,12 @@ std::vector<std::string> termNames() {
 }
 
 int runListTermsCommand() {
-  fmt::print("Terms, of every path:\n");
-  for (const std::string_view name : shading::kTermNames) fmt::print("  {}\n", name);
-  fmt::print("Intermediates of the mobile base pass (--path mobile):\n");
-  for (const mobile::View& view : mobile::kViews) fmt::print("  {:<20} {}\n", view.name, view.meaning);
-  fmt::print("Intermediates of the high-end path (--path highend):\n");
-  for (const highend::View& view : highend::kViews) fmt::print("  {:<20} {}\n", view.name, view.meaning);
+  print("Terms, of every path:\n");
+  for (const std::string_view name : shading::kTermNames) print("  {}\n", name);
+  print("Intermediates of the mobile base pass (--path mobile):\n");
+  for (const mobile::View& view : mobile::kViews) print("  {:<20} {}\n", view.name, view.meaning);
+  print("Intermediates of the high-end path (--path highend):\n");
+  for (const highend::View& view : highend::kViews) print("  {:<20} {}\n", view.name, view.meaning);
   return 0;
 }
 
@@ -122,13 +124,15 @@ int runRenderCommand(const RenderCommand& command) {
   const job::Paths paths{.highend = highend, .mobile = !highend && !reference, .reference = reference};
   job::PreparedScene prepared = job::prepareScene(context, request, paths);
   for (const std::string& warning : prepared.scene.warnings) base::logWarning(warning);
+  job::requireMaterials(prepared.scene, settings.materials);
   job::SceneRenderer renderer(context, prepared, paths, 1, {}, job::imageRelease(prepared, paths));
   for (const std::string& note : renderer.notes()) base::logWarning("mobile: " + note);
   const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
-  const job::ViewFrames frames = renderer.render(scenes::makeCamera(prepared.scene, request.views.front(), aspect),
-                                                 makeProgress(command.common.quiet));
+  job::ViewFrames frames = renderer.render(scenes::makeCamera(prepared.scene, request.views.front(), aspect),
+                                           makeProgress(command.common.quiet));
   for (const std::string& warning : renderer.warnings()) base::logWarning(warning);
-  const base::Frame& frame = highend ? frames.highend : reference ? frames.reference : frames.mobile;
+  base::Frame& frame = highend ? frames.highend : reference ? frames.reference : frames.mobile;
+  job::keepMaterials(frame, prepared.scene, settings.materials, frames.coverage, settings.background);
   const auto term = command.term.empty() ? std::nullopt : shading::termByName(command.term);
   const base::Image& color = term ? frame.terms[static_cast<std::size_t>(*term)] : frame.color;
   if (reference) reportError(frames, settings.reference.integral.relativeError);

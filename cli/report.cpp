@@ -85,11 +85,12 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
   job::Context context(command.common.settings);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
   if (!command.common.json.empty()) writeJson(command.common.json, compare::toJson(result.report));
-  if (command.common.json != "-" && !command.common.quiet)
-    fmt::print("{}\n{}\n", compare::toTable(result.report, stdoutIsTerminal()),
-               compare::hasDashboard() ? (request.folder / "index.html").string()
-                                       : (request.folder / "report.json").string() +
-                                             " (this parity was built without the page index.html)");
+  if (command.common.json != "-" && !command.common.quiet) {
+    printTable(result.report);
+    print("{}\n", compare::hasDashboard() ? (request.folder / "index.html").string()
+                                          : (request.folder / "report.json").string() +
+                                                " (this parity was built without the page index.html)");
+  }
   printAnnotations(command.verdict.annotate, result.report, command.common.json == "-");
   if (command.common.timings) printTimings(result.run.timings);
   return compare::exitCode(result.report, command.verdict.warnExit);

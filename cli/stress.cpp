@@ -20,7 +20,7 @@ int printAt(const StressCommand& command) {
   const stress::At at = stress::parseAt(command.at);
   std::unique_ptr<gpu::Device> device;
   if (command.options.points.devicePoints > 0) device = std::make_unique<gpu::Device>(command.options.render.device);
-  fmt::print("{}", stress::describeAt(at, device.get()));
+  print("{}", stress::describeAt(at, device.get()));
   return 0;
 }
 
@@ -30,7 +30,7 @@ int runStressCommand(const StressCommand& command) {
   if (command.quiet) base::setLogLevel(base::LogLevel::quiet);
   const base::ThreadLimit threads(command.threads);
   if (command.list) {
-    fmt::print("{}", stress::formatList(command.options));
+    print("{}", stress::formatList(command.options));
     return 0;
   }
   if (!command.at.empty()) return printAt(command);
@@ -45,8 +45,8 @@ int runStressCommand(const StressCommand& command) {
   }
   if (!command.json.empty()) writeJson(command.json, stress::formatJson(report));
   if (command.json != "-" && !command.quiet) {
-    fmt::print("{}", stress::formatReport(report));
-    if (!command.folder.empty()) fmt::print("{}\n", (std::filesystem::path(command.folder) / "index.html").string());
+    print("{}", stress::formatReport(report));
+    if (!command.folder.empty()) print("{}\n", (std::filesystem::path(command.folder) / "index.html").string());
   }
   if (!report.failure.empty()) {
     base::logError(report.failure);

@@ -101,4 +101,8 @@ void judgeWhole(ViewResult& view, const Budgets& budgets, std::string_view scene
 // a limit that nobody checks. Rules for scenes that could not be compared are left out.
 std::string describeUnusedRules(const Budgets& budgets, const Report& report);
 
+// A failure for each rule with `require_seen` whose material none of the scenes has that the rule is for (at least one,
+// all compared, with all of their materials): the asset has lost it, or the name is wrong.
+std::vector<RunProblem> findLost(const Budgets& budgets, const std::vector<const SceneResult*>& scenes);
+
 } // namespace parity::compare

@@ -39,17 +39,24 @@ std::string headline(const Report& report) {
   case Verdict::warn:
     if (counts.warn > 0)
       return fmt::format("Within budget, with warnings for {} of {} {}", counts.warn, counts.total(), rows);
-    return countWholes(report).warn > 0
-               ? "Within budget, with a warning for a whole image"
-               : fmt::format("Within budget, but {} missing",
-                             plural(report.baseline ? report.baseline->gone.size() : 0, "entry of the baseline is",
-                                    "entries of the baseline are"));
+    if (countWholes(report).warn > 0) return "Within budget, with a warning for a whole image";
+    return !report.baseline || report.baseline->gone.empty()
+               ? fmt::format("Within budget, with {} of the run", plural(report.warnings.size(), "warning", "warnings"))
+               : fmt::format(
+                     "Within budget, but {} missing",
+                     plural(report.baseline->gone.size(), "entry of the baseline is", "entries of the baseline are"));
   case Verdict::fail:
-    return counts.fail > 0 ? over : "A whole image is over budget";
+    if (counts.fail > 0) return over;
+    return report.lost.empty()
+               ? "A whole image is over budget"
+               : fmt::format("{} that a budget requires",
+                             plural(report.lost.size(), "material is missing", "materials are missing"));
   case Verdict::error:
     break;
   }
-  if (report.scenes.empty()) return "Nothing was compared";
+  const std::vector<RunProblem> problems = problemsOf(report);
+  if (report.scenes.empty() || (!problems.empty() && problems.front().verdict == Verdict::error))
+    return "Nothing was compared";
   if (broken == 0 && counts.error == 0 && report.baseline && !report.baseline->error.empty())
     return "The baseline could not be used";
   const std::string first = broken > 0 ? fmt::format("{} could not be compared", plural(broken, "scene", "scenes"))

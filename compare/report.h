@@ -167,6 +167,14 @@ struct BaselineSummary {
   std::size_t notComparable = 0;       // rows that both show, under other conditions; not 0: at least a warning
 };
 
+// Why a run as a whole is no pass, whatever its rows say.
+struct RunProblem {
+  Verdict verdict = Verdict::error; // or fail
+  std::string reason;               // one sentence
+  std::string file;                 // of the budget rule that says so, as the user named it; empty: none
+  int line = 0;                     // in it
+};
+
 struct Report {
   std::string tool = "parity", version;
   std::string device;                                        // Vulkan device name and driver
@@ -174,6 +182,7 @@ struct Report {
   std::vector<Condition> conditions;                         // of every scene; the device is one more
   std::string displayTable;                                  // file of the display transform as a table (PixelFiles)
   std::vector<std::string> warnings;                         // of the whole run: a rule that judges nothing, ...
+  std::vector<RunProblem> lost;                              // what budgets require and no scene has (findLost)
   std::optional<BaselineSummary> baseline;
   std::vector<SceneResult> scenes;
   Verdict verdict = Verdict::pass;
@@ -213,12 +222,17 @@ void settleMaterial(MaterialResult& material, bool seenElsewhere);
 
 // Sets every verdict above the checks' from its parts, also the materials' by settleMaterial (another view of the scene
 // may show what this one does not: same place in the list, same name). A scene with an error, or with no view, is
-// `error`; so are a view with no materials, a report with no scenes, and one whose baseline has an error; rows that are
-// gone since the baseline are at least a warning. Idempotent.
+// `error`; so are a view with no materials, a report with no scenes, and one whose baseline has an error. A problem of
+// the run (problemsOf) is what it says; a warning of the run, and rows that are gone since the baseline, are at least a
+// warning. Idempotent.
 void settleVerdicts(Report& report);
 
-// The exit code of a settled report (DESIGN 8): 0, 1 (only with warnExit; notSeen is a warning), 2, or the scenes' own
-// 3 or 4 (4 for any other errorExitCode, and for a verdict `error`); the highest that applies.
+// The problems of a settled report as a whole, the gravest first: an error where scenes were compared, but no material
+// of theirs (all are not seen, too small or not judged), and what is lost.
+std::vector<RunProblem> problemsOf(const Report& report);
+
+// The exit code of a settled report (DESIGN 8): 0, 1 (only with warnExit; notSeen and the run's own warnings count), 2,
+// or the scenes' own 3 or 4 (4 for any other errorExitCode, and for a verdict `error`); the highest that applies.
 int exitCode(const Report& report, bool warnExit);
 
 // The whole report in a sentence: "3 of 40 materials over budget".

@@ -14,13 +14,14 @@ namespace {
 struct Annotation {
   Verdict verdict;
   std::string title, message; // the message may have several lines
-  const AppliedRule* rule = nullptr;
+  std::string file = {};      // of the budget rule; empty: none
+  int line = 0;
 };
 
 std::string format(const Annotation& annotation, const std::filesystem::path& root) {
-  GithubCommand command{annotation.verdict >= Verdict::fail, annotation.title, annotation.message, "", 0};
-  if (annotation.rule) command.file = annotation.rule->file, command.line = annotation.rule->line;
-  return toText(command, root);
+  return toText(
+      {annotation.verdict >= Verdict::fail, annotation.title, annotation.message, annotation.file, annotation.line},
+      root);
 }
 
 std::string describe(Verdict verdict, const std::string& reason, const Figures& figures, const AppliedRule& rule,
@@ -42,6 +43,8 @@ std::vector<Annotation> collect(const Report& report) {
     for (const GoneRow& row : report.baseline->gone)
       all.push_back({Verdict::warn, "parity: baseline", describeGone(row)});
   }
+  for (const RunProblem& problem : problemsOf(report))
+    all.push_back({problem.verdict, "parity", problem.reason, problem.file, problem.line});
   for (const std::string& warning : report.warnings) all.push_back({Verdict::warn, "parity", warning});
   for (const SceneResult& scene : report.scenes) {
     if (!scene.error.empty()) all.push_back({Verdict::error, "parity: " + scene.name, scene.error});
@@ -49,13 +52,14 @@ std::vector<Annotation> collect(const Report& report) {
       const std::string place = fmt::format("{}, view {}", scene.name, view.name);
       if (view.wholeVerdict != Verdict::pass)
         all.push_back({view.wholeVerdict, fmt::format("parity: whole image ({})", place),
-                       describe(view.wholeVerdict, view.reason, view.whole, view.rule, std::nullopt), &view.rule});
+                       describe(view.wholeVerdict, view.reason, view.whole, view.rule, std::nullopt), view.rule.file,
+                       view.rule.line});
       for (const MaterialResult& material : view.materials)
         if (material.verdict != Verdict::pass && !material.seenElsewhere)
           all.push_back(
               {material.verdict, fmt::format("parity: {} ({})", material.name, place),
                describe(material.verdict, material.reason, material.figures, material.rule, material.attribution),
-               &material.rule});
+               material.rule.file, material.rule.line});
     }
   }
   std::ranges::stable_sort(all, std::ranges::greater{}, &Annotation::verdict);

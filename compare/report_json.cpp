@@ -219,6 +219,14 @@ std::string toJson(const Report& report, JsonLayout layout) {
   json.key("wholeCounts");
   writeCounts(json, countWholes(report));
   json.key("displayTable").text(report.displayTable);
+  json.key("problems").beginArray();
+  for (const RunProblem& problem : problemsOf(report)) {
+    json.beginObject();
+    json.key("verdict").text(nameOf(problem.verdict));
+    json.key("reason").text(problem.reason);
+    json.endObject();
+  }
+  json.endArray();
   json.key("warnings");
   writeTexts(json, report.warnings);
   json.key("baseline");

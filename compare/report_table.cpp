@@ -223,6 +223,8 @@ std::string toTable(const Report& report, bool color) {
     for (const GoneRow& row : baseline.gone)
       out += fmt::format("{}: {}\n", paint(Verdict::warn, "warning", color), plainLine(describeGone(row)));
   }
+  for (const RunProblem& problem : problemsOf(report))
+    out += fmt::format("{}: {}\n", paint(problem.verdict, nameOf(problem.verdict), color), plainLine(problem.reason));
   out += unjudgedLine(report);
   out += "FLIP of the displayed images (0 alike, 1 far apart): mean, p95, max. Each material against the high-end "
          "picture in which it alone has mobile's colours; the whole image high-end against mobile.\n";

@@ -1,56 +1,17 @@
-// UTF-8 decoded by hand once, here; everything else walks over its code points.
 #include "compare/text.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
+#include "base/utf8.h"
+
 namespace parity::compare {
 namespace {
 
-constexpr std::uint32_t kReplacement = 0xFFFD;
-
-void append(std::string& out, std::uint32_t code) {
-  const auto put = [&](std::uint32_t byte) { out += static_cast<char>(byte); };
-  if (code < 0x80) {
-    put(code);
-  } else if (code < 0x800) {
-    put(0xC0 | code >> 6);
-    put(0x80 | (code & 0x3F));
-  } else if (code < 0x10000) {
-    put(0xE0 | code >> 12);
-    put(0x80 | (code >> 6 & 0x3F));
-    put(0x80 | (code & 0x3F));
-  } else {
-    put(0xF0 | code >> 18);
-    put(0x80 | (code >> 12 & 0x3F));
-    put(0x80 | (code >> 6 & 0x3F));
-    put(0x80 | (code & 0x3F));
-  }
-}
-
-// Calls visit(code point) for each; for U+FFFD where there is none, one for each wrong byte.
-template <typename Visit> void forEachCode(std::string_view text, Visit visit) {
-  for (std::size_t at = 0; at < text.size();) {
-    const std::uint32_t first = static_cast<unsigned char>(text[at]);
-    const std::size_t length = first < 0x80                    ? 1
-                               : first >= 0xC2 && first < 0xE0 ? 2
-                               : first >= 0xE0 && first < 0xF0 ? 3
-                               : first >= 0xF0 && first < 0xF5 ? 4
-                                                               : 0;
-    std::uint32_t code = length <= 1 ? first : first & (0xFFu >> (length + 1));
-    bool valid = length > 0 && at + length <= text.size();
-    for (std::size_t i = 1; valid && i < length; ++i) {
-      const std::uint32_t next = static_cast<unsigned char>(text[at + i]);
-      valid = (next & 0xC0) == 0x80;
-      code = code << 6 | (next & 0x3F);
-    }
-    const std::uint32_t least = length == 4 ? 0x10000 : length == 3 ? 0x800 : 0; // less is an overlong form
-    valid = valid && code >= least && code <= 0x10FFFF && !(code >= 0xD800 && code < 0xE000);
-    visit(valid ? code : kReplacement);
-    at += valid ? length : 1;
-  }
-}
+using base::appendUtf8;
+using base::forEachCode;
+using base::kReplacement;
 
 struct Range {
   std::uint32_t first, last;
@@ -71,17 +32,13 @@ constexpr std::array kNoWidth = {Range{0x0300, 0x036F}, Range{0x0483, 0x0489}, R
                                  Range{0x064B, 0x065F}, Range{0x1AB0, 0x1AFF}, Range{0x1DC0, 0x1DFF},
                                  Range{0x200B, 0x200D}, Range{0x20D0, 0x20FF}, Range{0xFE00, 0xFE0F},
                                  Range{0xFE20, 0xFE2F}, Range{0xFEFF, 0xFEFF}};
-// Marks, embeddings, overrides and isolates of the bidirectional algorithm; line and paragraph separators.
-constexpr std::array kReordering = {Range{0x061C, 0x061C}, Range{0x200E, 0x200F}, Range{0x2028, 0x202E},
-                                    Range{0x2066, 0x2069}};
-
 std::size_t widthOf(std::uint32_t code) { return contains(kNoWidth, code) ? 0 : contains(kWide, code) ? 2 : 1; }
 
 } // namespace
 
 std::string cleanUtf8(std::string_view text) {
   std::string out;
-  forEachCode(text, [&](std::uint32_t code) { append(out, code); });
+  forEachCode(text, [&](std::uint32_t code) { appendUtf8(out, code); });
   return out;
 }
 
@@ -114,17 +71,8 @@ std::string escapeMarkup(std::string_view text) {
       out += "&#13;";
       return;
     default:
-      append(out, code < 0x20 || code == 0xFFFE || code == 0xFFFF ? kReplacement : code);
+      appendUtf8(out, code < 0x20 || code == 0xFFFE || code == 0xFFFF ? kReplacement : code);
     }
-  });
-  return out;
-}
-
-std::string plainLine(std::string_view text) {
-  std::string out;
-  forEachCode(text, [&](std::uint32_t code) {
-    const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0);
-    append(out, control || contains(kReordering, code) ? kReplacement : code);
   });
   return out;
 }
@@ -144,7 +92,7 @@ std::string fitColumns(std::string_view text, std::size_t columns) {
   forEachCode(text, [&](std::uint32_t code) {
     full = full || used + widthOf(code) > room;
     if (full) return;
-    append(out, code);
+    appendUtf8(out, code);
     used += widthOf(code);
   });
   if (cut) {

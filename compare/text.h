@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/shown_text.h"
+
 namespace parity::compare {
 
 // Valid UTF-8: every byte that belongs to no code point (also of overlong forms and surrogates) becomes U+FFFD.
@@ -15,9 +17,7 @@ std::string cleanUtf8(std::string_view text);
 // U+FFFF) as U+FFFD.
 std::string escapeMarkup(std::string_view text);
 
-// One line for a terminal: clean UTF-8 without control characters (C0, DEL, C1) and without those that reorder text
-// (bidirectional controls): each becomes U+FFFD.
-std::string plainLine(std::string_view text);
+using base::plainLine; // one line for a terminal
 
 // Columns that clean UTF-8 takes on a terminal: 2 for East Asian wide characters and emoji, 0 for combining marks.
 std::size_t displayWidth(std::string_view text);

@@ -261,6 +261,8 @@ void settleVerdicts(Report& report) {
     report.verdict = worse(report.verdict, scene.verdict);
   }
   if (report.baseline) report.verdict = worse(report.verdict, verdictOf(*report.baseline));
+  if (!report.warnings.empty()) report.verdict = worse(report.verdict, Verdict::warn);
+  for (const RunProblem& problem : problemsOf(report)) report.verdict = worse(report.verdict, problem.verdict);
 }
 
 int exitCode(const Report& report, bool warnExit) {
@@ -270,6 +272,9 @@ int exitCode(const Report& report, bool warnExit) {
   if (report.scenes.empty()) raise(ExitCode::failed);
   if (report.baseline && verdictOf(*report.baseline) == Verdict::error) raise(ExitCode::failed);
   if (report.baseline && warnExit && verdictOf(*report.baseline) == Verdict::warn) raise(ExitCode::warningsOnly);
+  if (warnExit && !report.warnings.empty()) raise(ExitCode::warningsOnly);
+  for (const RunProblem& problem : problemsOf(report))
+    raise(problem.verdict == Verdict::error ? ExitCode::failed : ExitCode::overBudget);
   for (const SceneResult& scene : report.scenes) {
     if (!scene.error.empty())
       raise(scene.errorExitCode == static_cast<int>(ExitCode::notComparable) ? ExitCode::notComparable

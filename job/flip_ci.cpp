@@ -70,6 +70,16 @@ std::string toJunit(const FlipResult& result) {
     suites += fmt::format("  <testsuite name=\"{}\" {}>\n{}  </testsuite>\n", escapeMarkup(pair.files.name),
                           tally.attributes(), cases);
   }
+  if (!result.warnings.empty()) {
+    Tally tally;
+    std::string cases;
+    for (const std::string& warning : result.warnings) {
+      tally.count(Verdict::warn);
+      total.count(Verdict::warn);
+      cases += makeCase("run", "warning", Verdict::warn, warning, "", true);
+    }
+    suites += fmt::format("  <testsuite name=\"run\" {}>\n{}  </testsuite>\n", tally.attributes(), cases);
+  }
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"parity flip\" {}>\n{}</testsuites>\n",
       total.attributes(), suites);

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "base/shown_text.h"
 #include "compare/json_writer.h"
-#include "compare/text.h"
 #include "job/flip_text.h"
 #include "job/version.h"
 
@@ -109,15 +109,6 @@ void addPair(compare::JsonWriter& json, const FlipResult& result, const FlipPair
   json.endObject();
 }
 
-// RFC 4180: quoted where it has to be. One line a row, also for programs that read line by line.
-std::string cell(const std::string& raw) {
-  const std::string text = compare::plainLine(raw);
-  if (text.find_first_of(",\"") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 // The figures that any row has, in the order of the first that has them.
 std::vector<std::string> figureNames(const FlipResult& result) {
   std::vector<std::string> names;
@@ -154,24 +145,25 @@ std::string toJson(const FlipResult& result, bool warnExit) {
 std::string toCsv(const FlipResult& result, bool warnExit) {
   const std::vector<std::string> names = figureNames(result);
   std::string out = "pair,reference,test,region,range,verdict,exit_code,pixels,non_finite";
-  for (const std::string& name : names) out += ',' + cell(name);
+  for (const std::string& name : names) out += ',' + base::csvCell(name);
   out += ",reason\r\n";
   for (const FlipPair& pair : result.pairs) {
-    const std::string head = fmt::format("{},{},{}", cell(pair.files.name), cell(pair.files.reference.generic_string()),
-                                         cell(pair.files.test.generic_string()));
+    const std::string head =
+        fmt::format("{},{},{}", base::csvCell(pair.files.name), base::csvCell(pair.files.reference.generic_string()),
+                    base::csvCell(pair.files.test.generic_string()));
     const int code = exitCode(pair, warnExit);
     if (pair.rows.empty())
       out += fmt::format("{},,,{},{},,{},{}\r\n", head, nameOf(result, pair.verdict), code,
-                         std::string(names.size(), ','), cell(pair.reason));
+                         std::string(names.size(), ','), base::csvCell(pair.reason));
     for (const FlipRow& row : pair.rows) {
       const compare::Figures& all = row.figures;
-      out += fmt::format("{},{},{},{},{},{},{}", head, cell(row.name), pair.hdr ? "hdr" : "ldr",
+      out += fmt::format("{},{},{},{},{},{},{}", head, base::csvCell(row.name), pair.hdr ? "hdr" : "ldr",
                          nameOf(result, row.verdict), code, all.pixels, all.nonFinite);
       for (const std::string& name : names) {
         const auto value = all.find(name);
         out += value ? fmt::format(",{}", *value) : ",";
       }
-      out += ',' + cell(row.reason) + "\r\n";
+      out += ',' + base::csvCell(row.reason) + "\r\n";
     }
   }
   return out;

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <exception>
-#include <new>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/error_words.h"
+#include "base/interrupt.h"
 #include "job/flip_pair.h"
 
 namespace parity::job {
@@ -72,6 +73,9 @@ FlipResult runFlip(const FlipRequest& request, const std::function<void(const st
   result.judged = !request.thresholds.empty() || request.budgets;
   const std::size_t count = request.files.pairs.size();
   for (const FilePair& files : request.files.pairs) {
+    base::setInterruptNote(fmt::format("interrupted: {} of {} pairs are compared; the maps that are written stay, no "
+                                       "table, JSON, CSV or JUnit is",
+                                       result.pairs.size(), count));
     if (progress) progress(files.name, static_cast<double>(result.pairs.size()) / static_cast<double>(count));
     FlipPair pair;
     pair.files = files;
@@ -81,10 +85,8 @@ FlipResult runFlip(const FlipRequest& request, const std::function<void(const st
       // One of many pairs is no reason to lose what was found of the others.
       if (isUsage(error) && !request.files.many) throw;
       setError(pair, error.what(), error.code() == base::ExitCode::notComparable ? 3 : 4);
-    } catch (const std::bad_alloc&) {
-      setError(pair, files.name + ": needs more memory than there is", 4);
     } catch (const std::exception& error) {
-      setError(pair, files.name + ": " + error.what(), 4);
+      setError(pair, files.name + ": " + base::wordsOf(error), 4);
     }
     result.pairs.push_back(std::move(pair));
   }
@@ -120,6 +122,7 @@ int exitCode(const FlipPair& pair, bool warnExit) {
 
 int exitCode(const FlipResult& result, bool warnExit) {
   int code = result.pairs.empty() ? static_cast<int>(base::ExitCode::failed) : 0;
+  if (warnExit && !result.warnings.empty()) code = std::max(code, static_cast<int>(base::ExitCode::warningsOnly));
   for (const FlipPair& pair : result.pairs) code = std::max(code, exitCode(pair, warnExit));
   return code;
 }

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/temporary_name.h"
 #include "compare/dashboard_files.h"
 #include "compare/report_page.h"
 #include "job/display_table.h"
@@ -41,16 +42,27 @@ bool isPixelFileOfAReport(std::string_view name) {
   return (isOfAView(name) && name.ends_with(".js")) || "pixels/" + std::string(name) == kDisplayTableFile;
 }
 
-// Removes the files that a report has left in a folder of its own, and the folder itself unless it holds others.
+bool isReportFile(std::string_view name) { return std::ranges::find(kReportFiles, name) != std::end(kReportFiles); }
+
+// Removes the files that reports have left in a folder, also under the temporary names of a run that was killed.
 std::error_code clean(const std::filesystem::path& folder, bool (*isOwn)(std::string_view name)) {
-  std::error_code error, isNotEmpty;
+  std::error_code error;
   if (!std::filesystem::exists(folder, error) || error) return error;
   std::vector<std::filesystem::path> own;
   std::filesystem::directory_iterator entry(folder, error);
-  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error))
-    if (isOwn(entry->path().filename().string())) own.push_back(entry->path());
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (isOwn(base::ownNameOf(name).value_or(name))) own.push_back(entry->path());
+  }
   for (const std::filesystem::path& file : own)
     if (!error) std::filesystem::remove(file, error);
+  return error;
+}
+
+// The same of a folder that is a report's own: it goes, too, unless it holds other files.
+std::error_code cleanOwn(const std::filesystem::path& folder, bool (*isOwn)(std::string_view name)) {
+  const std::error_code error = clean(folder, isOwn);
+  std::error_code isNotEmpty;
   if (!error) std::filesystem::remove(folder, isNotEmpty);
   return error;
 }
@@ -69,10 +81,9 @@ void prepareReportFolder(const std::filesystem::path& folder, bool singleFile) {
   std::filesystem::create_directories(folder, error);
   if (error) throw base::fileError(folder.string(), "", "cannot be made a folder: " + error.message());
 
-  for (const char* file : kReportFiles)
-    if (!error) std::filesystem::remove(folder / file, error);
-  if (!error) error = clean(folder / "images", isPictureOfAReport);
-  if (!error) error = clean(folder / "pixels", isPixelFileOfAReport);
+  error = clean(folder, isReportFile);
+  if (!error) error = cleanOwn(folder / "images", isPictureOfAReport);
+  if (!error) error = cleanOwn(folder / "pixels", isPixelFileOfAReport);
   if (error) throw base::fileError(folder.string(), "", "an older report cannot be removed: " + error.message());
   // What is in the way of the pictures is said before anything is rendered.
   if (!singleFile) std::filesystem::create_directories(folder / "images", error);

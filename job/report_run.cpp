@@ -5,14 +5,15 @@
 #include <ctime>
 #include <future>
 #include <iterator>
+#include <map>
 #include <mutex>
 #include <numeric>
-#include <set>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 #include "base/log.h"
 #include "base/parallel.h"
 #include "compare/baseline.h"
@@ -35,27 +36,39 @@ RunBudgets loadRunBudgets(const Settings& settings, const std::optional<std::str
   return {.first = std::nullopt, .otherwise = ofSuite ? compare::loadBudgets(*ofSuite) : compare::defaultBudgets()};
 }
 
-// Rules that judged nothing, a line a budget file. With --material nobody knows what they could have judged.
-std::vector<std::string> warningsOfBudgets(const Settings& settings, const ReportRequest& request,
-                                           const compare::Report& report) {
-  std::vector<std::string> warnings;
-  if (!settings.materials.empty()) return warnings;
-  std::set<std::string> files;
-  for (const SceneRequest& scene : request.scenes)
-    for (const std::optional<std::string>& file : {settings.budgets, scene.budgets, request.suiteBudgets}) {
+// Sets what budgets require and no scene has, and warns of rules that judged nothing, a line a budget file. With
+// --material nobody knows what they could have judged.
+void holdBudgets(const Settings& settings, const ReportRequest& request, compare::Report& report) {
+  if (!settings.materials.empty()) return;
+  std::map<std::string, std::vector<const compare::SceneResult*>> files; // and whom each judges
+  for (std::size_t i = 0; i < request.scenes.size(); ++i)
+    for (const std::optional<std::string>& file : {settings.budgets, request.scenes[i].budgets, request.suiteBudgets}) {
       if (!file) continue;
-      files.insert(*file);
+      files[*file].push_back(&report.scenes[i]);
       break;
     }
-  for (const std::string& file : files) {
+  for (const auto& [file, scenes] : files) {
     try {
-      if (std::string line = compare::describeUnusedRules(compare::loadBudgets(file), report); !line.empty())
-        warnings.push_back(std::move(line));
+      const compare::Budgets budgets = compare::loadBudgets(file);
+      if (std::string line = compare::describeUnusedRules(budgets, report); !line.empty())
+        report.warnings.push_back(std::move(line));
+      std::ranges::move(compare::findLost(budgets, scenes), std::back_inserter(report.lost));
     } catch (const base::Error&) {
       // A scene's own file that cannot be used is that scene's error already.
     }
   }
-  return warnings;
+}
+
+// What SIGINT and SIGTERM say of this run from now on.
+void noteForInterrupt(const Context& context, const ReportRequest& request, std::size_t compared) {
+  std::string text = fmt::format("interrupted: {} of {} scenes {} compared", compared, request.scenes.size(),
+                                 compared == 1 ? "is" : "are");
+  if (compared > 0 && !context.cache().enabled()) text += ", nothing of it is kept (no cache)";
+  if (compared > 0 && context.cache().enabled()) text += " and kept in the cache, where the next run finds them";
+  if (!request.folder.empty())
+    text += fmt::format("; {} holds no report, and what pictures it has the next run there removes",
+                        request.folder.string());
+  base::setInterruptNote(text);
 }
 
 // The scenes of a run, two at a time where there are threads: the driver compiles shaders on one core, and each has its
@@ -89,6 +102,7 @@ private:
       m_scenes[i] = std::move(scene);
       m_done[i] = 1;
       for (; m_logged < m_scenes.size() && m_done[m_logged] == 1; ++m_logged) log(m_scenes[m_logged]);
+      noteForInterrupt(m_context, m_request, static_cast<std::size_t>(std::ranges::count(m_done, 1.0)));
     }
   }
 
@@ -138,6 +152,7 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   result.report.settings = describeSettings(context.settings(), context.deviceReport());
   result.report.conditions = reported(runConditions(context.settings(), context.deviceReport()));
   if (!request.folder.empty()) prepareReportFolder(request.folder, request.singleFile);
+  noteForInterrupt(context, request, 0);
   Run run(context, request, std::move(budgets), progress);
   std::vector<EncodedPicture> pictures; // not written yet
   for (ComparedScene& scene : run.compareScenes()) {
@@ -148,13 +163,14 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   result.run.compiledShaders = context.compiledShaders().size();
   if (const std::size_t cached = result.run.cachedScenes.size(); cached > 0)
     base::logInfo(fmt::format("{} of {} scenes are unchanged: taken from the cache", cached, request.scenes.size()));
-  result.report.warnings = warningsOfBudgets(context.settings(), request, result.report);
+  holdBudgets(context.settings(), request, result.report);
   compare::settleVerdicts(result.report);
   if (baseline)
     compare::compareWithBaseline(
         result.report, *baseline,
         {compare::reportFileOf(request.baseline).string(), context.settings().materials, request.oneOfMany});
-  for (const std::string& warning : result.report.warnings) base::logWarning(warning);
+  base::logRunWarnings(result.report.warnings);
+  for (const compare::RunProblem& problem : compare::problemsOf(result.report)) base::logError(problem.reason);
   if (result.report.baseline && !result.report.baseline->error.empty())
     base::logError(fmt::format("{}: {}", request.baseline.string(), result.report.baseline->error));
   if (progress) progress("writing", 1);

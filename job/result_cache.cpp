@@ -4,6 +4,7 @@
 
 #include <hwy/targets.h>
 
+#include "bake/baked_folder.h"
 #include "base/file.h"
 #include "base/hash.h"
 #include "job/archive.h"
@@ -60,6 +61,8 @@ std::string attributedKey(const std::string& key, const std::vector<std::vector<
 std::optional<SceneRecord> findResult(const base::Cache& cache, const std::string& key, const SceneRequest& request) {
   const auto manifest = cache.find("files-" + key);
   if (!manifest) return std::nullopt;
+  // The key holds what the bake's manifest says; its files may be others by now, or gone.
+  if (!request.baked.empty() && !bake::isWhole(request.baked)) return std::nullopt;
   std::vector<scenes::SourceFile> sources;
   std::string wanted;
   try {

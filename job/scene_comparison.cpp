@@ -6,12 +6,13 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "base/glob.h"
+#include "base/error_words.h"
 #include "base/stopwatch.h"
 #include "compare/budget.h"
 #include "job/conditions.h"
 #include "job/context.h"
 #include "job/dropped_lights.h"
+#include "job/material_choice.h"
 #include "job/report_folder.h"
 #include "job/result_cache.h"
 #include "job/settings_text.h"
@@ -22,14 +23,6 @@
 namespace parity::job {
 
 namespace {
-
-void requireMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs) {
-  for (const std::string& glob : globs)
-    if (std::none_of(scene.materials.begin(), scene.materials.end(),
-                     [&](const auto& m) { return base::matchesGlob(glob, m.name); }))
-      throw base::Error(base::ExitCode::failed, scene.name, fmt::format("--material '{}'", glob),
-                        "no material has such a name");
-}
 
 // A message without the folders of the scene's files: a report does not say where on this machine they lie.
 std::string withoutFolders(std::string text, const SceneRequest& request) {
@@ -62,7 +55,7 @@ public:
     ComparedScene scene;
     compare::SceneResult& result = scene.result = startScene(request, m_context.settings());
     Conditions conditions;
-    const auto setError = [&](const char* message, base::ExitCode code) {
+    const auto setError = [&](const std::string& message, base::ExitCode code) {
       scene.error = fmt::format("{}: {}", result.name, message); // several problems are several lines
       for (std::size_t at = scene.error.find('\n'); at != std::string::npos; at = scene.error.find('\n', at + 1))
         scene.error.insert(at + 1, result.name + ": ");
@@ -93,7 +86,7 @@ public:
       // One catch at the boundary of each scene: the others still run.
       setError(error.what(), error.code());
     } catch (const std::exception& error) {
-      setError(error.what(), base::ExitCode::failed);
+      setError(base::wordsOf(error), base::ExitCode::failed);
     }
     result.conditions = reported(conditions.scene);
     for (std::string& warning : result.warnings) {

@@ -20,7 +20,7 @@ ViewBuilder::ViewBuilder(const Settings& settings, const Paths& paths, const gpu
     m_error.emplace(settings.width, settings.height, settings.samples);
   }
   if (paths.highend && paths.mobile) m_beforeTarget = makeFrame(false, std::nullopt);
-  if ((paths.highend && paths.mobile) || (settings.coverage && (paths.highend || paths.mobile)))
+  if ((paths.highend && paths.mobile) || settings.coverage)
     m_coverage.emplace(buffers, settings.samples);
   if (!paths.highend || !paths.mobile) return;
   const auto makeSwap = [&](std::optional<gpu::SwapBuilder>& swap, std::size_t planes, const glm::vec3& background,
@@ -80,6 +80,7 @@ void ViewBuilder::layMobileOfOriginals(const gpu::Surface& surface, const gpu::S
 void ViewBuilder::layReference(const gpu::Surface& surface, const ReferenceSurface& shaded) {
   m_reference->lay(surface, shaded.shaded);
   m_error->lay(surface, shaded);
+  if (m_coverage && !m_highend && !m_mobile) m_coverage->lay(surface, shaded.shaded);
   m_sampledPoints += shaded.sampledPoints;
   m_lightSamples += shaded.lightSamples;
 }

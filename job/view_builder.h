@@ -19,7 +19,7 @@ struct ViewFrames {
   base::Image referenceError;             // relative standard error of each pixel (job/reference_path.h)
   base::Image referenceTaken;             // samples of each pixel, of the environment, for each way of sampling
   double referenceSamples = 0;            // taken of the environment, a point and way of sampling
-  std::vector<base::PixelList> coverage;  // a list per material; for highend and mobile together, or settings.coverage
+  std::vector<base::PixelList> coverage;  // a list per material; of highend and mobile together, or with settings.coverage
   base::Image mobileBeforeTarget;         // mobile's colour as if nothing were stored; for both paths together
   base::Image mobileOfOriginals;          // with the textures as they are; empty where mobile has them, too
   // The material swap, one for each coverage list: the first path's picture in which the material alone carries the

@@ -1,11 +1,14 @@
 // Reads a glTF file: container, JSON, checks, model.
 #include "scenes/gltf_document.h"
 
+#include <algorithm>
+#include <cctype>
 #include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/error_words.h"
 #include "base/file.h"
 #include "scenes/gltf_container.h"
 #include "scenes/gltf_extensions.h"
@@ -33,6 +36,16 @@ void readBytes(GltfDocument& document) {
   }
   document.source = sourceFile(path, document.bytes);
   if (document.bytes.empty()) throw document.error("", "the file is empty");
+}
+
+// Whether the file is called a glb and is no JSON text either, which some exporters give that name.
+bool isNamedGlb(const GltfDocument& document) {
+  std::string extension = std::filesystem::path(document.label).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const auto first = std::ranges::find_if_not(document.bytes, [](std::byte b) {
+    return b == std::byte{' '} || b == std::byte{'\t'} || b == std::byte{'\r'} || b == std::byte{'\n'};
+  });
+  return extension == ".glb" && (first == document.bytes.end() || *first != std::byte{'{'});
 }
 
 std::filesystem::path folderOf(const GltfDocument& document) {
@@ -155,7 +168,7 @@ std::unique_ptr<GltfDocument> readGltfDocument(const std::string& file, const Lo
   const GltfPlace where{file, folderOf(*document)};
 
   GlbChunks chunks;
-  if (isGlb(document->bytes))
+  if (isGlb(document->bytes) || isNamedGlb(*document))
     chunks = splitGlb(document->bytes, file);
   else
     chunks.json = {reinterpret_cast<const char*>(document->bytes.data()), document->bytes.size()};
@@ -182,7 +195,7 @@ std::unique_ptr<GltfDocument> readGltfDocument(const std::string& file, const Lo
   } catch (const base::Error&) {
     throw;
   } catch (const std::exception& error) { // whatever the parser lets through
-    throw document->error("", error.what());
+    throw document->error("", base::wordsOf(error));
   }
   return document;
 }

@@ -8,6 +8,7 @@
 
 #include "base/file.h"
 #include "base/image_io.h"
+#include "base/jpeg_check.h"
 #include "base/parallel.h"
 #include "scenes/image_header.h"
 
@@ -22,7 +23,8 @@ struct Encoded {
   std::vector<std::byte> file;
   std::span<const std::byte> bytes;
   SourceFile source;
-  bool isUsable = false;
+  bool isUsable = false, isJpeg = false;
+  std::string damage; // of a JPEG, in libjpeg's words
 };
 
 void readEncoded(const GltfDocument& document, const GltfImageSource& source, Encoded& encoded) {
@@ -43,8 +45,8 @@ void readEncoded(const GltfDocument& document, const GltfImageSource& source, En
     encoded.bytes = source.embedded;
 }
 
-// The texels of the image, by its header. Throws Error (exit 4).
-std::size_t checkHeader(const GltfDocument& document, const Encoded& encoded, std::size_t texelsBefore) {
+// The texels of the image, by its header; sets its kind. Throws Error (exit 4).
+std::size_t checkHeader(const GltfDocument& document, Encoded& encoded, std::size_t texelsBefore) {
   const LoadOptions& options = document.options;
   const auto fail = [&](const std::string& reason) { return document.error(encoded.place, reason); };
   if (encoded.bytes.empty()) throw fail("the image is empty");
@@ -62,6 +64,7 @@ std::size_t checkHeader(const GltfDocument& document, const Encoded& encoded, st
         fmt::format("the images of the scene have more than {} texels together (--max-image)", options.maxImageTexels));
   if (header.isCutOff) throw fail("truncated: the image ends before its end marker");
   document.memory.take(texels * 4, encoded.place);
+  encoded.isJpeg = header.format == ImageFormat::jpeg;
   return texels;
 }
 
@@ -88,6 +91,7 @@ DecodedImages decodeImages(const GltfDocument& document, const std::vector<int>&
       if (!all[i].isUsable) continue;
       try {
         decoded.images[i].pixels = base::decodeImage8(all[i].bytes, decoded.images[i].name, 4);
+        if (all[i].isJpeg) all[i].damage = base::findJpegDamage(all[i].bytes);
       } catch (const base::Error& error) {
         failed[i] = document.error(all[i].place, error.reason());
       }
@@ -97,6 +101,9 @@ DecodedImages decodeImages(const GltfDocument& document, const std::vector<int>&
   });
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (failed[i]) problems.add(*failed[i]);
+    if (!all[i].damage.empty())
+      decoded.warnings.push_back(fmt::format("{}: the JPEG is damaged, a part of it is what the decoder made up ({})",
+                                             all[i].place, all[i].damage));
     if (!all[i].source.file.empty()) decoded.sources.push_back(all[i].source);
   }
   return decoded;

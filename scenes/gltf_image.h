@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "scenes/gltf_document.h"
@@ -10,8 +11,9 @@
 namespace parity::scenes {
 
 struct DecodedImages {
-  std::vector<TextureImage> images; // those that could not be read are empty
-  std::vector<SourceFile> sources;  // of those that have a file of their own
+  std::vector<TextureImage> images;  // those that could not be read are empty
+  std::vector<SourceFile> sources;   // of those that have a file of their own
+  std::vector<std::string> warnings; // of damaged JPEGs, parts of which are made up
 };
 
 // Decodes those images that `used` lists (indices into document.images), at the same time, each file once. Each that

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/error_words.h"
 
 namespace parity::scenes {
 namespace {
@@ -44,10 +45,9 @@ nlohmann::json parseGltfJson(std::string_view text, const std::string& label) {
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::exception& error) {
-    // "[json.exception.parse_error.101] parse error at line 3, column 7: syntax error ...": the tag says nothing to a
-    // user.
-    std::string_view reason = error.what();
-    if (const auto tag = reason.find("] "); tag != std::string_view::npos) reason.remove_prefix(tag + 2);
+    // "parse error at line 3, column 7: syntax error ..."
+    const std::string told = base::wordsOf(error);
+    std::string_view reason = told;
     constexpr std::string_view kPrefix = "parse error at ";
     if (reason.starts_with(kPrefix)) reason.remove_prefix(kPrefix.size());
     std::string words(reason.substr(0, 300));

@@ -81,7 +81,6 @@ std::optional<Light> readLight(const GltfDocument& document, const PlacedNode& n
       throw document.error(place, "color times intensity is not a finite 32-bit number");
   }
   if (light.color == glm::vec3(0)) warnings.push_back(fmt::format("{}: light '{}' is black", place, light.name));
-  if (source.range < 0) throw document.error(place + "/range", "is negative");
   light.range = light.kind == LightKind::directional ? 0.f : static_cast<float>(source.range);
   readFalloff(document, source, place, light, warnings);
   light.position = glm::vec3(node.toWorld[3]);

@@ -87,11 +87,11 @@ void finishFrames(Mesh& mesh, const Material& material, MemoryBudget& memory, co
                   std::vector<std::string>& warnings) {
   if (mesh.normals.empty())
     makeFlatNormals(mesh);
-  else if (const std::size_t count = mendNormals(mesh))
-    warnings.push_back(fmt::format("{}: {} normals of no length are replaced by those of their faces", place, count));
+  else if (const BrokenDirections broken = mendNormals(mesh); broken.any())
+    warnings.push_back(fmt::format("{}: replaced by those of their faces: {}", place, describe(broken, "normal")));
   if (!mesh.tangents.empty()) {
-    if (const std::size_t count = mendTangents(mesh))
-      warnings.push_back(fmt::format("{}: {} tangents of no length are replaced by some right angle", place, count));
+    if (const BrokenDirections broken = mendTangents(mesh); broken.any())
+      warnings.push_back(fmt::format("{}: replaced by some right angle: {}", place, describe(broken, "tangent")));
   } else if (material.normalTexture.present())
     if (const std::size_t count = makeTangentsCounted(mesh, material.normalTexture.texCoord, memory, place))
       warnings.push_back(fmt::format("{}: {} vertices have no area in uv, their tangents are arbitrary", place, count));

@@ -64,6 +64,7 @@ std::vector<SourceFile> readSceneImages(const GltfDocument& document, const std:
   }
   sources = sortUnique(std::move(sources));
   DecodedImages decoded = decodeImages(document, sources, problems);
+  scene.warnings.insert(scene.warnings.end(), decoded.warnings.begin(), decoded.warnings.end());
   const auto pixelsOf = [&](int image) -> const base::Image8* {
     if (image < 0) return nullptr;
     const base::Image8& pixels = decoded.images[placeIn(sources, image)].pixels;

@@ -48,9 +48,13 @@ public:
       if (!camera.contains(type)) m_problems.add(fmt::format("{}/{}", place, type), "is missing");
     });
     if (const Json* lights = extensionOf(m_document, "KHR_lights_punctual"))
-      for (std::size_t i = 0; i < (*lights)["lights"].size(); ++i)
-        if (const Json& light = (*lights)["lights"][i]; light["type"] == "spot" && !light.contains("spot"))
-          m_problems.add(fmt::format("/extensions/KHR_lights_punctual/lights/{}/spot", i), "is missing");
+      for (std::size_t i = 0; i < (*lights)["lights"].size(); ++i) {
+        const Json& light = (*lights)["lights"][i];
+        const std::string place = fmt::format("/extensions/KHR_lights_punctual/lights/{}", i);
+        if (light["type"] == "spot" && !light.contains("spot")) m_problems.add(place + "/spot", "is missing");
+        if (const auto range = light.find("range"); range != light.end() && !(range->get<double>() > 0))
+          m_problems.add(place + "/range", "is not above 0; without it the light has no end");
+      }
     forEach("animations", [&](const Json& animation, const std::string& place) { checkAnimation(animation, place); });
     checkNodes();
   }

@@ -87,6 +87,8 @@ std::vector<std::byte> decodeDataUri(std::string_view uri) {
   const auto comma = uri.find(',');
   if (!isDataUri(uri) || comma == std::string_view::npos)
     throw std::invalid_argument("a data uri without the comma before its data");
+  if (const std::string_view head = uri.substr(0, comma); head.find(";;") != std::string_view::npos)
+    throw std::invalid_argument(quote(head) + " is no data uri: a parameter is empty (';;')");
   const std::string_view data = uri.substr(comma + 1);
   if (uri.substr(0, comma).ends_with(";base64")) return decodeBase64(data);
   const std::string text = decodePercent(data);

@@ -8,6 +8,7 @@
 #include <span>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/parallel.h"
 #include "scenes/gltf_animation.h"
@@ -186,6 +187,25 @@ void dropRepeated(std::vector<std::string>& lines) {
   std::erase_if(lines, [&](const std::string& line) { return !known.insert(line).second; });
 }
 
+// Why no triangle is placed, in words.
+std::string whyEmpty(const GltfDocument& document, const NodeList& list, const MeshUses& uses,
+                     const std::vector<std::string>& warnings) {
+  if (document.model.meshes.empty()) return "the file has no mesh";
+  if (list.shown == 0) return "it has no nodes";
+  if (uses.uses.empty()) return "none of its nodes has a mesh";
+  // All that it has was left out, each with a warning.
+  constexpr std::size_t kMostNamed = 3;
+  std::vector<std::string> reasons;
+  for (const std::string& warning : warnings)
+    if (warning.ends_with("not drawn") || warning.ends_with("not shown")) reasons.push_back(warning);
+  dropRepeated(reasons);
+  if (reasons.empty()) return warnings.empty() ? "no triangle is placed in it" : warnings.back();
+  const std::size_t more = reasons.size() - std::min(reasons.size(), kMostNamed);
+  reasons.resize(reasons.size() - more);
+  return fmt::format("all is left out: {}{}", fmt::join(reasons, "; "),
+                     more > 0 ? fmt::format("; and {} more", more) : "");
+}
+
 } // namespace
 
 Scene loadGltf(const std::string& file, const LoadOptions& options) {
@@ -253,10 +273,8 @@ Scene loadGltf(const std::string& file, const LoadOptions& options) {
   placeAll(document, std::span(nodes).first(list.shown), uses, meshesOf, scene, problems);
   problems.throwIfAny();
 
-  if (scene.instances.empty() && !options.allMaterials) // the last warning then says why
-    throw document.error("", primitives.empty() || scene.warnings.empty()
-                                 ? "the scene is empty: no triangle is placed in it"
-                                 : "no triangle is placed in the scene: " + scene.warnings.back());
+  if (scene.instances.empty() && !options.allMaterials)
+    throw document.error("", "the scene is empty: " + whyEmpty(document, list, uses, scene.warnings));
   dropRepeated(scene.warnings); // a mesh in several poses says the same several times
   if (scene.warnings.size() > kMaxWarnings) {
     const std::size_t more = scene.warnings.size() - kMaxWarnings;

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace parity::scenes {
 namespace {
 
@@ -56,9 +58,21 @@ void makeFlatNormals(Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) mesh.indices[i] = static_cast<std::uint32_t>(i);
 }
 
-std::size_t mendNormals(Mesh& mesh) {
+std::string describe(const BrokenDirections& broken, const char* what) {
+  const auto number = [&](std::size_t count, bool named) {
+    return fmt::format("{}{}{}{}", count, named ? " " : "", named ? what : "", named && count != 1 ? "s" : "");
+  };
+  std::string text;
+  if (broken.zero > 0) text = number(broken.zero, true) + " of no length";
+  if (broken.notFinite > 0)
+    text += (text.empty() ? number(broken.notFinite, true) : " and " + number(broken.notFinite, false)) +
+            (broken.notFinite == 1 ? " that is NaN or infinite" : " that are NaN or infinite");
+  return text;
+}
+
+BrokenDirections mendNormals(Mesh& mesh) {
   std::vector<bool> broken(mesh.normals.size());
-  std::size_t count = 0;
+  BrokenDirections count;
   for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
     const glm::dvec3 normal = mesh.normals[i];
     const double length = glm::length(normal);
@@ -66,10 +80,10 @@ std::size_t mendNormals(Mesh& mesh) {
       mesh.normals[i] = glm::vec3(normal / length);
     else {
       broken[i] = true;
-      ++count;
+      ++(length == 0 ? count.zero : count.notFinite);
     }
   }
-  if (count == 0) return 0;
+  if (!count.any()) return count;
   std::vector<glm::dvec3> sums(mesh.normals.size(), glm::dvec3(0));
   for (std::size_t t = 0; 3 * t < mesh.indices.size(); ++t) {
     const glm::dvec3 normal = areaNormal(mesh, t);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "scenes/scene.h"
@@ -17,8 +18,17 @@ std::vector<std::uint32_t> listFromFan(const std::vector<std::uint32_t>& fan);
 // the file they have no meaning (glTF 2.0, 3.7.2.1). A triangle without area gets +Y.
 void makeFlatNormals(Mesh& mesh);
 
+// How many directions of a mesh could not be used.
+struct BrokenDirections {
+  std::size_t zero = 0, notFinite = 0;
+  bool any() const { return zero + notFinite > 0; }
+};
+
+// "2 normals of no length and 1 that is NaN or infinite".
+std::string describe(const BrokenDirections& broken, const char* what);
+
 // Scales normals to unit length. One that is zero or not finite becomes the mean of its faces' normals, weighted by
 // area (+Y where that is zero too). Returns how many were replaced.
-std::size_t mendNormals(Mesh& mesh);
+BrokenDirections mendNormals(Mesh& mesh);
 
 } // namespace parity::scenes

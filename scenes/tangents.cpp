@@ -100,13 +100,13 @@ std::size_t bytesToMakeTangents(const Mesh& mesh) {
          mesh.positions.size() * (4 + 16 + 2 * 8);
 }
 
-std::size_t mendTangents(Mesh& mesh) {
-  std::size_t count = 0;
+BrokenDirections mendTangents(Mesh& mesh) {
+  BrokenDirections count;
   for (std::size_t i = 0; i < mesh.tangents.size(); ++i) {
     glm::vec4& tangent = mesh.tangents[i];
     const float length = glm::length(glm::vec3(tangent));
     const bool usable = length > 0 && std::isfinite(length) && std::isfinite(tangent.w);
-    count += !usable;
+    if (!usable) ++(length == 0 && std::isfinite(tangent.w) ? count.zero : count.notFinite);
     tangent = usable ? glm::vec4(glm::vec3(tangent) / length, tangent.w < 0 ? -1.f : 1.f)
                      : glm::vec4(perpendicularTo(mesh.normals[i]), 1.f);
   }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "scenes/mesh_repair.h"
 #include "scenes/scene.h"
 
 namespace parity::scenes {
@@ -24,6 +25,6 @@ std::size_t bytesToMakeTangents(const Mesh& mesh);
 
 // Makes the tangents of a file unit length and w = +-1. One that is zero or not finite becomes perpendicularTo(n).
 // Returns how many were replaced.
-std::size_t mendTangents(Mesh& mesh);
+BrokenDirections mendTangents(Mesh& mesh);
 
 } // namespace parity::scenes

@@ -4,18 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "base/shown_text.h"
+
 namespace parity::plot {
 
 namespace {
 
 constexpr int kSteps = 64;
 constexpr double kF0s[] = {0.04, 1};
-
-std::string quoted(const std::string& name) {
-  std::string text = "\"";
-  for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text + "\"";
-}
 
 // Two of them and their difference.
 std::string triple(double table, double mobile) {
@@ -50,8 +46,8 @@ std::string materialsCsv(const std::vector<MaterialDeviation>& materials) {
   for (const MaterialDeviation& m : materials)
     text +=
         fmt::format("{},{},{},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g}\n",
-                    quoted(m.name), m.form, m.points, m.roughness, m.least, m.greatest, m.F0.x, m.F0.y, m.F0.z, m.mean,
-                    m.bias, m.max, m.NoVOfMax, m.tableMultiple, m.mobileMultiple);
+                    base::csvCell(m.name), m.form, m.points, m.roughness, m.least, m.greatest, m.F0.x, m.F0.y, m.F0.z,
+                    m.mean, m.bias, m.max, m.NoVOfMax, m.tableMultiple, m.mobileMultiple);
   return text;
 }
 

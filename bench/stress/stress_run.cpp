@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/error_words.h"
 #include "base/glob.h"
 #include "base/log.h"
 #include "base/stopwatch.h"
@@ -121,7 +122,7 @@ Report runStress(const Options& options, const Progress& progress) {
     stressFunctions(functions, options, device.get(), report, progress, share);
     if (options.renders) stressRenders(options, *renders, *source, report, progress, 1 - share);
   } catch (const std::exception& error) {
-    report.failure = error.what();
+    report.failure = base::wordsOf(error);
   }
   if (progress) progress("", 1);
   sortFindings(report.findings);

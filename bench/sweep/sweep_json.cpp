@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "base/shown_text.h"
 #include "compare/json_writer.h"
-#include "compare/text.h"
 #include "sweep/statistics.h"
 
 namespace parity::sweep {
@@ -169,15 +169,6 @@ void writeConclusions(JsonWriter& json, const Conclusions& c) {
   json.endObject();
 }
 
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : compare::cleanUtf8(text)) {
-    out += c;
-    if (c == '"') out += c;
-  }
-  return out + "\"";
-}
-
 } // namespace
 
 Conclusions conclude(const SweepReport& report, const std::optional<ErrorBudget>& budget) {
@@ -237,14 +228,15 @@ std::string toCsv(const SweepReport& report) {
       const Spread device = spreadOf(v.times.deviceMs);
       const auto number = [](bool known, double value) { return known ? fmt::format("{:.6g}", value) : std::string(); };
       const std::string head = fmt::format(
-          "{},{},{},{},{},{},{},{},{},{},{},{},{},{:.6g},{:.6g},{}", quoted(scene.scene), quoted(scene.environment),
-          quoted(scene.sun), v.path, quoted(v.name), stageKinds()[static_cast<std::size_t>(v.stage)],
-          number(shading, device.median), number(shading, device.low), number(shading, device.high),
-          number(shading, spreadOf(v.times.wallMs).median), number(shading, spreadOf(v.times.cpuMs).median),
-          number(shading, v.times.compileMs), number(v.stage == Stage::preparation, spreadOf(v.prepareMs).median),
-          v.cost.operations, v.cost.fetches, v.cost.samplers);
+          "{},{},{},{},{},{},{},{},{},{},{},{},{},{:.6g},{:.6g},{}", base::csvCell(scene.scene),
+          base::csvCell(scene.environment), base::csvCell(scene.sun), v.path, base::csvCell(v.name),
+          stageKinds()[static_cast<std::size_t>(v.stage)], number(shading, device.median), number(shading, device.low),
+          number(shading, device.high), number(shading, spreadOf(v.times.wallMs).median),
+          number(shading, spreadOf(v.times.cpuMs).median), number(shading, v.times.compileMs),
+          number(v.stage == Stage::preparation, spreadOf(v.prepareMs).median), v.cost.operations, v.cost.fetches,
+          v.cost.samplers);
       const auto line = [&](const RegionErrors& r) {
-        csv += fmt::format("{},{},{}", head, quoted(r.name), r.pixels);
+        csv += fmt::format("{},{},{}", head, base::csvCell(r.name), r.pixels);
         for (const std::string& name : errorNames())
           csv += "," + (r.truth ? fmt::format("{:.6g}", errorOf(*r.truth, name)) : std::string());
         for (const std::string& name : errorNames()) csv += fmt::format(",{:.6g}", errorOf(r.highend, name));

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/error_words.h"
 #include "base/file.h"
 #include "sweep/sweep_json.h"
 
@@ -97,7 +98,7 @@ SweepReport readSweep(const std::filesystem::path& file) {
     for (const Json& scene : json.at("scenes")) report.scenes.push_back(readScene(file, scene));
     return report;
   } catch (const Json::exception& error) {
-    throw base::fileError(file, "JSON", error.what());
+    throw base::fileError(file, "JSON", base::wordsOf(error));
   }
 }
 

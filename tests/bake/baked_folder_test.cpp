@@ -176,5 +176,26 @@ TEST(BakedFolder, objectsMustFitThePages) {
   refused([](BakedLight& baked) { baked.mobileScales.pop_back(); });
 }
 
+TEST(BakedFolder, isWholeWhileAllThatIsReadIsWhatTheManifestLists) {
+  const TempFolder temp;
+  const fs::path folder = temp / "baked";
+  writeBaked(folder, makeBaked());
+  EXPECT_TRUE(isWhole(folder));
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
+  for (const fs::path& file : files) {
+    const std::string name = file.filename().string();
+    const bool isRead = !name.starts_with("lightmap-") && name != "capture-0.exr" && name != "capture-1.exr";
+    fs::rename(file, temp / "aside");
+    EXPECT_EQ(isWhole(folder), !isRead) << name << " is missing";
+    fs::copy_file(temp / "aside", file);
+    std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(20).put('\x7e').put('\x7d');
+    if (name != kManifestFile) EXPECT_EQ(isWhole(folder), !isRead) << name << " is damaged";
+    fs::rename(temp / "aside", file);
+    EXPECT_TRUE(isWhole(folder));
+  }
+  EXPECT_FALSE(isWhole(temp / "none"));
+}
+
 } // namespace
 } // namespace parity::bake

@@ -1,5 +1,6 @@
 // Reading and writing whole files: what is refused, and that nothing is left half-written.
 #include "base/file.h"
+#include "base/temporary_name.h"
 
 #include <cstdlib>
 #include <fstream>
@@ -182,6 +183,19 @@ TEST(DefaultCacheFolder, FollowsTheDesktopSpecification) {
   EXPECT_EQ(defaultCacheFolder(), "/home/someone/.cache/parity");
   const Environment homeless("HOME", nullptr);
   expectError([] { defaultCacheFolder(); }, "cache", "HOME");
+}
+
+TEST(TemporaryName, IsKnownAgainAndNoOtherIs) {
+  const std::string name = temporaryNameOf("0-scene_0-auto_flip.png");
+  EXPECT_TRUE(name.starts_with(".0-scene_0-auto_flip.") && name.ends_with(".png")) << name;
+  EXPECT_NE(temporaryNameOf("a.png"), temporaryNameOf("a.png"));
+  EXPECT_EQ(ownNameOf(name), "0-scene_0-auto_flip.png");
+  EXPECT_EQ(ownNameOf(temporaryNameOf("report.json")), "report.json");
+  EXPECT_EQ(ownNameOf(temporaryNameOf("a.b.c.tar")), "a.b.c.tar");
+  EXPECT_EQ(ownNameOf(temporaryNameOf("plain")), "plain");
+  for (const char* other : {"a.png", ".a.png", ".a.12.png", ".a.12-.png", ".a.-3.png", ".a.1x-3.png", "a.12-3.png",
+                            ".12-3.png", "", ".", ".."})
+    EXPECT_EQ(ownNameOf(other), std::nullopt) << other;
 }
 
 } // namespace

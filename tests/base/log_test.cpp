@@ -29,6 +29,19 @@ TEST(Log, WritesWhatTheLevelLetsThrough) {
   EXPECT_EQ(logAll(LogLevel::verbose).err, "detail\nnews\nwarning: odd {}\nerror: broken %s\n");
 }
 
+TEST(Log, WarningsOfARunAreOneLineWithQuiet) {
+  const auto logRun = [](LogLevel level) {
+    setLogLevel(level);
+    testing::internal::CaptureStderr();
+    logRunWarnings({"one", "two"});
+    logRunWarnings({});
+    setLogLevel(LogLevel::normal);
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_EQ(logRun(LogLevel::quiet), "warning: one; two\n");
+  EXPECT_EQ(logRun(LogLevel::normal), "warning: one\nwarning: two\n");
+}
+
 TEST(Log, LeavesStdoutToTheResults) { EXPECT_EQ(logAll(LogLevel::verbose).out, ""); }
 
 } // namespace

@@ -157,6 +157,31 @@ TEST_F(BakedTest, resultsComeFromTheCacheUnlessTheBakeIsAnother) {
   EXPECT_FALSE(isCached());
 }
 
+TEST_F(BakedTest, nothingIsRecalledWhereAFileOfTheBakeIsMissingOrDamaged) {
+  const std::string scene = writeEmbedded(m_folder, makeLitCorner()), folder = bake({scene}, "baked");
+  const auto tryReport = [&] {
+    return run(join({{"report", scene, "--baked", folder, "-o", path("report"), "--size", "64x64"}}));
+  };
+  ASSERT_NE(tryReport().exitCode, 4);
+  for (const auto& [name, content] : readFolder(folder)) {
+    if (name == "manifest.json" || name.starts_with("lightmap-")) continue;
+    const std::filesystem::path file = std::filesystem::path(folder) / name;
+    std::filesystem::remove(file);
+    const RunResult missing = tryReport();
+    EXPECT_TRUE(exitedWith(4, missing)) << name;
+    EXPECT_TRUE(contains(missing.err, name) && contains(missing.err, "does not exist")) << missing.err;
+    std::string damaged = content;
+    damaged[damaged.size() / 2] ^= 1;
+    writeFile(file, damaged);
+    const RunResult changed = tryReport();
+    EXPECT_TRUE(exitedWith(4, changed)) << name;
+    EXPECT_TRUE(contains(changed.err, name + ": is not the file that the manifest lists")) << changed.err;
+    writeFile(file, content);
+  }
+  ASSERT_NE(tryReport().exitCode, 4);
+  EXPECT_FALSE(json::parse(readWholeFile(m_folder / "report" / "run.json")).at("cachedScenes").empty());
+}
+
 using BakeRepeatTest = BakeTest;
 
 TEST_F(BakeRepeatTest, isTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed) {

@@ -58,6 +58,48 @@ TEST_F(ExitCodeTest, Is4WhereAViewShowsNothing) {
   EXPECT_TRUE(exitedWith(4, diffSpheres("fail = 0.999", {"--orbit", "30,60,3", "--target", "0,500,0"})));
 }
 
+TEST_F(ExitCodeTest, Is4WhereNoMaterialWasCompared) {
+  const std::filesystem::path budgets = m_folder / "large.toml", folder = m_folder / "out";
+  writeFile(budgets,
+            "[[material]]\nname = \"*\"\nmin_pixels = 100000\nchecks = [ { metric = \"flip.mean\", fail = 0.9 } ]\n");
+  const RunResult result = runParity(
+      join({{"report", "builtin:spheres", "--budgets", budgets.string(), "-o", folder.string(), "-q"}, kSmall}));
+  EXPECT_TRUE(exitedWith(4, result));
+  EXPECT_EQ(result.err, "error: no material was compared: 24 too small\n");
+  EXPECT_EQ(readReport(folder)["problems"][0]["reason"], "no material was compared: 24 too small");
+  EXPECT_TRUE(
+      contains(readWholeFile(folder / "junit.xml"), "<error type=\"error\" message=\"no material was compared"));
+}
+
+TEST_F(ExitCodeTest, Is2WhereAnAssetHasLostAMaterialThatHasToBeSeen) {
+  const std::filesystem::path budgets = m_folder / "hero.toml", folder = m_folder / "out";
+  writeFile(budgets,
+            "[[material]]\nname = \"Hero\"\nrequire_seen = true\npreset = \"strict\"\n"
+            "[[material]]\nname = \"*\"\nmin_pixels = 1\nchecks = [ { metric = \"flip.mean\", fail = 0.999 } ]\n"
+            "[[whole]]\nchecks = [ { metric = \"flip.mean\", fail = 0.999 } ]\n");
+  const auto report = [&](const std::vector<std::string>& more) {
+    return runParity(join(
+        {{"report", "builtin:spheres", "--exposure", "-3", "--budgets", budgets.string(), "-o", folder.string(), "-q"},
+         kSmall,
+         more}));
+  };
+  const RunResult lost = report({});
+  EXPECT_TRUE(exitedWith(2, lost));
+  EXPECT_TRUE(contains(lost.err, "hero.toml, line 1: material 'Hero' is required to be seen")) << lost.err;
+  EXPECT_TRUE(contains(readWholeFile(folder / "junit.xml"), "material &#39;Hero&#39; is required to be seen"));
+  // The same rule without it only judges nothing: a warning of the run.
+  writeFile(budgets,
+            "[[material]]\nname = \"Hero\"\npreset = \"strict\"\n"
+            "[[material]]\nname = \"*\"\nmin_pixels = 1\nchecks = [ { metric = \"flip.mean\", fail = 0.999 } ]\n"
+            "[[whole]]\nchecks = [ { metric = \"flip.mean\", fail = 0.999 } ]\n");
+  EXPECT_TRUE(exitedWith(0, report({})));
+  const RunResult warned = report({"--warn-exit"});
+  EXPECT_TRUE(exitedWith(1, warned));
+  ASSERT_EQ(splitLines(warned.err).size(), 1u) << warned.err;
+  EXPECT_TRUE(warned.err.starts_with("warning: hero.toml: a rule judges nothing")) << warned.err;
+  EXPECT_TRUE(contains(readWholeFile(folder / "junit.xml"), "<system-out>warning: hero.toml: a rule judges nothing"));
+}
+
 // The highest that applies wins.
 TEST_F(ExitCodeTest, Is4WhereOneSceneIsOverBudgetAndAnotherFailed) {
   const RunResult result = runParity(join({{"report", "builtin:furnace", "builtin:nothing", "--budgets",

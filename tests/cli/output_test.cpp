@@ -70,5 +70,45 @@ TEST_F(OutputTest, FileInTheWayOfAPictureIsSaid) {
   EXPECT_EQ(listFiles(m_folder.path()), std::vector<std::string>{"file"});
 }
 
+TEST_F(OutputTest, WhatAKilledRunLeftInAReportsFolderTheNextOneRemoves) {
+  const std::filesystem::path folder = m_folder / "out";
+  const std::vector<std::string> left = {".report.4711-0.json", "images/.0-furnace_0-auto_flip.4711-3.png",
+                                         "images/.0-furnace_0-auto_m2_highend.4711-12.png",
+                                         "pixels/.0-furnace_0-auto.4711-7.js"},
+                                 others = {".gitignore", ".notes.4711-0.md", "images/.own.png",
+                                           "images/.0-furnace_0-auto_flip.png"};
+  for (const auto& files : {left, others})
+    for (const std::string& file : files) {
+      std::filesystem::create_directories((folder / file).parent_path());
+      writeFile(folder / file, "x");
+    }
+  ASSERT_NE(runParity(join({{"report", "builtin:furnace", "-o", folder.string()}, kSmall})).exitCode, 4);
+  for (const std::string& file : left) EXPECT_FALSE(std::filesystem::exists(folder / file)) << file;
+  for (const std::string& file : others) EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
+}
+
+TEST_F(OutputTest, AnInterruptedRunSaysWhatWasKept) {
+  RunOptions options;
+  options.terminal = true; // where progress is shown
+  options.interruptAt = "furnace: ";
+  for (const int signal : {SIGINT, SIGTERM}) {
+    options.interruptBy = signal;
+    const RunResult result = runParity(
+        join({{"report", "builtin:furnace", "builtin:spheres", "-o", (m_folder / "out").string(), "--no-cache"},
+              kSmall}),
+        options);
+    EXPECT_EQ(result.signal, signal) << result.err;
+    EXPECT_TRUE(contains(result.err, "error: interrupted: 0 of 2 scenes are compared; ")) << result.err;
+    EXPECT_TRUE(contains(result.err, "out holds no report")) << result.err;
+  }
+  options.interruptAt = "loading";
+  const RunResult rendered = runParity(
+      join({{"render", "builtin:spheres", "--path", "reference", "-o", (m_folder / "a.exr").string()}, kSmall}),
+      options);
+  if (rendered.signal != 0) { // else it was faster
+    EXPECT_TRUE(contains(rendered.err, "error: render: interrupted: nothing is written")) << rendered.err;
+  }
+}
+
 } // namespace
 } // namespace parity::tests

@@ -124,7 +124,7 @@ RunResult runParity(const std::vector<std::string>& arguments, const RunOptions&
     if (polled[1].revents) open[1] = readSome(err.ends[0], result.err);
     if (interrupts && result.err.find(options.interruptAt) != std::string::npos) {
       interrupts = false;
-      kill(child, SIGINT);
+      kill(child, options.interruptBy);
     }
   }
   int status = 0;

@@ -1,6 +1,7 @@
 // Runs the real program as a user does, and catches all that comes out of it.
 #pragma once
 
+#include <csignal>
 #include <filesystem>
 #include <initializer_list>
 #include <string>
@@ -13,7 +14,8 @@ struct RunOptions {
   std::vector<std::pair<std::string, std::string>> environment; // added to, or in place of, the test's own
   std::filesystem::path workingFolder;                          // empty: the test's own
   bool terminal = false;   // stderr is a terminal (a pseudo-terminal), as for a user who sends stdout to a file
-  std::string interruptAt; // SIGINT is sent, once, when stderr holds this; empty: never
+  std::string interruptAt; // the signal is sent, once, when stderr holds this; empty: never
+  int interruptBy = SIGINT;
   double timeoutS = 120;
 };
 

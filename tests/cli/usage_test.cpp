@@ -128,6 +128,18 @@ const BadUsage kBadUsages[] = {
     {"PlotWithoutFolder", {"plot", "env-brdf"}, {"--output"}},
     {"UnknownFitFormat", {"fit", "--format", "wgsl"}, {"--format", "hlsl"}},
     {"UnknownFitCompensation", {"fit", "--compensation", "all"}, {"--compensation", "turquin"}},
+    {"OutputOfNothing", {"report", "builtin:furnace", "-o", ""}, {"--output", "is given an empty value"}},
+    {"BakeIntoNothing", {"bake", "builtin:room", "-o", ""}, {"--output", "is given an empty value"}},
+    {"BenchIntoNothing", {"bench", "builtin:furnace", "--output="}, {"--output", "is given an empty value"}},
+    {"FlipMapOfNothing", {"flip", "a.png", "b.png", "-o", ""}, {"--output", "is given an empty value"}},
+    {"BudgetsIntoNothing", {"budget", "suggest", "r.json", "-o", ""}, {"--output", "is given an empty value"}},
+    {"FitIntoNothing", {"fit", "-o", ""}, {"--output", "is given an empty value"}},
+    {"StressIntoNothing", {"stress", "-o", ""}, {"--output", "is given an empty value"}},
+    {"SceneOfNothing", {"diff", ""}, {"scene", "is given an empty value"}},
+    {"BaselineOfNothing", {"diff", "builtin:furnace", "--baseline", ""}, {"--baseline", "is given an empty value"}},
+    {"BudgetsOfARender",
+     {"render", "builtin:furnace", "--path", "mobile", "-o", "o.exr", "--budgets", "b.toml"},
+     {"--budgets"}},
     {"UnknownGeometryTerm", {"diff", "builtin:furnace", "--geometry-term", "smith"}, {"height-correlated"}},
 };
 

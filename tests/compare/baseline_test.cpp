@@ -233,7 +233,7 @@ TEST(Baseline, WhatIsTooSmallNowIsHeldAgainstItAndNotJudged) {
   judgeMaterial(small, makeBudgets(), "s");
   const Report report = hold(now, makeRun({{"a", 0.10}}));
   EXPECT_EQ(materialOf(report).verdict, Verdict::tooSmall);
-  EXPECT_EQ(report.verdict, Verdict::tooSmall);
+  EXPECT_EQ(report.scenes[0].verdict, Verdict::tooSmall);
   EXPECT_NEAR(materialOf(report).baseline->changes.at(0).change(), 0.20, 1e-12) << "the change is told all the same";
 }
 

@@ -289,6 +289,35 @@ TEST(Budget, ARuleThatJudgesNothingIsSaidInWords) {
                                                   "scenes 'Lamp'), line 12 (whole images of scenes 'Lump')");
 }
 
+TEST(Budget, AMaterialThatHasToBeSeenAndThatNoSceneHasIsLost) {
+  const Report report = makeSampleReport();
+  std::vector<const SceneResult*> scenes = {&report.scenes[0]};
+  BudgetRule rule = defaultBudgets().materials[0];
+  rule.material = "Her?";
+  rule.requireSeen = true;
+  rule.origin = "b.toml, line 3";
+  Budgets budgets;
+  budgets.materials = {rule};
+  ASSERT_EQ(findLost(budgets, scenes).size(), 1u);
+  EXPECT_EQ(findLost(budgets, scenes)[0].verdict, Verdict::fail);
+  EXPECT_EQ(findLost(budgets, scenes)[0].reason, "b.toml, line 3: material 'Her?' is required to be seen "
+                                                 "(require_seen), and scene 'Lamp' has no such material");
+  budgets.materials[0].requireSeen = false;
+  EXPECT_TRUE(findLost(budgets, scenes).empty());
+  budgets.materials[0].requireSeen = true;
+  budgets.materials[0].scene = "Lump";
+  EXPECT_TRUE(findLost(budgets, scenes).empty()) << "of a scene that this run does not show nothing is known";
+  budgets.materials[0].scene = "*";
+  budgets.materials[0].material = "Gl*";
+  EXPECT_TRUE(findLost(budgets, scenes).empty()) << "it is there, whether or not another rule judges it";
+  budgets.materials[0].material = "Her?";
+  scenes.push_back(&report.scenes[1]);
+  EXPECT_TRUE(findLost(budgets, scenes).empty()) << "a scene that failed may have it";
+  scenes[1] = &report.scenes[0];
+  EXPECT_EQ(findLost(budgets, scenes)[0].reason, "b.toml, line 3: material 'Her?' is required to be seen "
+                                                 "(require_seen), and none of the scenes 'Lamp', 'Lamp' has one");
+}
+
 TEST(Budget, AMaterialWithoutPixelsIsNotSeenAndFailsWhereItMustBeSeen) {
   Budgets budgets = defaultBudgets();
   MaterialResult material = makeMaterial("x", 0, 0);

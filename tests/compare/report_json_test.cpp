@@ -32,8 +32,9 @@ TEST(ReportJson, KeysStandInAFixedOrder) {
     for (const auto& [key, value] : object.items()) names += (names.empty() ? "" : " ") + key;
     return names;
   };
-  EXPECT_EQ(keys(document), "schema tool version device verdict headline counts wholeCounts displayTable warnings "
-                            "baseline settings conditions statistics scenes");
+  EXPECT_EQ(keys(document),
+            "schema tool version device verdict headline counts wholeCounts displayTable problems warnings "
+            "baseline settings conditions statistics scenes");
   EXPECT_EQ(keys(document["scenes"][0]),
             "name source environment sun light conditions verdict error warnings views passes permutations");
   EXPECT_EQ(keys(document["scenes"][0]["views"][0]),

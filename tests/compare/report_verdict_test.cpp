@@ -46,6 +46,67 @@ Report withError(Report report, int code) {
   return report;
 }
 
+// Beside a scene that is well: then a run in which nothing else was compared is one.
+Report besidesAPass(Report report) {
+  report.scenes.push_back(reportOf(0.05).scenes[0]);
+  report.scenes.back().name = "well";
+  settleVerdicts(report);
+  return report;
+}
+
+TEST(Verdict, ARunThatComparedNoMaterialIsAnErrorWithTheReason) {
+  const Report notSeen = reportOf(0.05, 0), tooSmall = reportOf(0.05, 12),
+               notJudged = withClipping(reportOf(0.05), 0, 0.9);
+  for (const auto& [report, reason] :
+       {std::pair{notSeen, "1 not seen"}, {tooSmall, "1 too small"}, {notJudged, "1 not judged"}}) {
+    EXPECT_EQ(report.verdict, Verdict::error) << reason;
+    EXPECT_EQ(exitCode(report, false), 4) << reason;
+    ASSERT_EQ(problemsOf(report).size(), 1u) << reason;
+    EXPECT_EQ(problemsOf(report)[0].reason, std::string("no material was compared: ") + reason);
+    EXPECT_NE(toTable(report, false).find(reason), std::string::npos);
+    EXPECT_NE(toJunit(report, {}).find("<error type=\"error\" message=\"no material was compared: "),
+              std::string::npos);
+    EXPECT_NE(toGithubAnnotations(report, "/").find("::error title=parity::no material"), std::string::npos);
+    EXPECT_EQ(headline(report), "Nothing was compared");
+    const Report other = besidesAPass(report);
+    EXPECT_TRUE(problemsOf(other).empty()) << reason;
+    EXPECT_EQ(exitCode(other, false), 0) << reason;
+    EXPECT_EQ(exitCode(other, true), 1) << reason;
+  }
+  Report both = notSeen;
+  both.scenes.push_back(tooSmall.scenes[0]);
+  settleVerdicts(both);
+  EXPECT_EQ(problemsOf(both)[0].reason, "no material was compared: 1 not seen, 1 too small");
+  EXPECT_TRUE(problemsOf(withError(notSeen, 3)).empty()) << "that has a reason and an exit code of its own";
+  EXPECT_EQ(exitCode(withError(notSeen, 3), false), 3);
+  EXPECT_TRUE(problemsOf(reportOf(0.25)).empty()) << "what failed was compared";
+}
+
+TEST(Verdict, AWarningOfTheRunIsAWarning) {
+  Report report = reportOf(0.05);
+  report.warnings = {"b.toml: a rule judges nothing"};
+  settleVerdicts(report);
+  EXPECT_EQ(report.verdict, Verdict::warn);
+  EXPECT_EQ(headline(report), "Within budget, with 1 warning of the run");
+  EXPECT_EQ(exitCode(report, false), 0);
+  EXPECT_EQ(exitCode(report, true), 1);
+  EXPECT_NE(toJunit(report, {}).find("<system-out>warning: b.toml: a rule judges nothing"), std::string::npos);
+}
+
+TEST(Verdict, WhatIsLostFails) {
+  Report report = reportOf(0.05);
+  report.lost = {{Verdict::fail, "no scene has 'Hero'", "b.toml", 3}};
+  settleVerdicts(report);
+  EXPECT_EQ(report.verdict, Verdict::fail);
+  EXPECT_EQ(headline(report), "1 material is missing that a budget requires");
+  EXPECT_EQ(exitCode(report, false), 2);
+  EXPECT_NE(toJunit(report, {}).find("<failure type=\"budget\" message=\"no scene has &#39;Hero&#39;\""),
+            std::string::npos);
+  EXPECT_NE(toGithubAnnotations(report, "/").find("::error file=b.toml,line=3,title=parity::no scene has 'Hero'"),
+            std::string::npos);
+  EXPECT_NE(toTable(report, false).find("fail: no scene has 'Hero'"), std::string::npos);
+}
+
 TEST(Verdict, TheWorstPartIsTheVerdictOfTheWhole) {
   for (const auto& [mean, verdict] : {std::pair{0.05, Verdict::pass}, {0.15, Verdict::warn}, {0.25, Verdict::fail}}) {
     const Report report = reportOf(mean);
@@ -106,7 +167,7 @@ TEST(Verdict, NothingIsAnErrorNeverAPass) {
 
 TEST(Verdict, AMaterialThatAnotherViewShowsIsNotMissed) {
   Report report = reportOf(0.05, 0);
-  EXPECT_EQ(report.verdict, Verdict::notSeen);
+  EXPECT_EQ(report.scenes[0].verdict, Verdict::notSeen);
   EXPECT_EQ(countVerdicts(report).notSeen, 1u);
 
   ViewResult other = reportOf(0.05).scenes[0].views[0];
@@ -130,7 +191,7 @@ TEST(Verdict, ANamesakeInAnotherPlaceDoesNotMakeAMaterialSeen) {
   report.scenes[0].views.push_back(other);
   settleVerdicts(report);
   EXPECT_FALSE(report.scenes[0].views[0].materials[0].seenElsewhere);
-  EXPECT_EQ(report.verdict, Verdict::notSeen);
+  EXPECT_EQ(report.scenes[0].verdict, Verdict::notSeen);
 }
 
 TEST(Verdict, RequireSeenFailsOnlyWhereNoViewShowsIt) {
@@ -150,7 +211,7 @@ TEST(Verdict, AViewThatShowsNothingIsNotSeenEvenIfOthersShowAll) {
   away.checks.clear();
   report.scenes[0].views.push_back(away);
   settleVerdicts(report);
-  EXPECT_EQ(report.verdict, Verdict::notSeen);
+  EXPECT_EQ(report.scenes[0].verdict, Verdict::notSeen);
 }
 
 TEST(Verdict, NonFinitePixelsInTheWholeImageFail) {
@@ -177,7 +238,8 @@ TEST(Verdict, BothAllBlackIsIdenticalAndJudgesNothingAndSaysSo) {
   EXPECT_EQ(view.materials[0].reason, why);
   EXPECT_EQ(view.wholeVerdict, Verdict::warn) << "of a whole image black may be meant";
   EXPECT_EQ(view.reason, why);
-  EXPECT_EQ(report.verdict, Verdict::warn);
+  EXPECT_EQ(report.scenes[0].verdict, Verdict::warn);
+  EXPECT_EQ(report.verdict, Verdict::error) << "no material was compared";
   EXPECT_NE(toTable(report, false).find("identical  both are black; 100.0 %"), std::string::npos)
       << toTable(report, false);
   EXPECT_NE(toJson(report).find("\"bias\": \"both are black\""), std::string::npos);
@@ -188,10 +250,10 @@ TEST(Verdict, AMaterialOfFewPixelsIsTooSmallWhateverItsFiguresSay) {
     Report report = reportOf(mean, 63);
     EXPECT_EQ(materialOf(report).verdict, Verdict::tooSmall) << mean;
     EXPECT_EQ(materialOf(report).reason, "63 pixels, fewer than the 64 of its budget (min_pixels)");
-    EXPECT_EQ(report.verdict, Verdict::tooSmall) << mean;
+    EXPECT_EQ(report.scenes[0].verdict, Verdict::tooSmall) << mean;
     EXPECT_EQ(countVerdicts(report).tooSmall, 1u);
-    EXPECT_EQ(exitCode(report, false), 0) << "a warning";
-    EXPECT_EQ(exitCode(report, true), 1);
+    EXPECT_EQ(exitCode(besidesAPass(report), false), 0) << "a warning";
+    EXPECT_EQ(exitCode(besidesAPass(report), true), 1);
   }
   Report one = reportOf(0.05, 1);
   EXPECT_EQ(materialOf(one).reason, "1 pixel, fewer than the 64 of its budget (min_pixels)");
@@ -228,7 +290,7 @@ TEST(Verdict, ATooSmallMaterialThatAnotherViewShowsIsNotMissed) {
   other.name = "behind";
   report.scenes[0].views.push_back(other);
   settleVerdicts(report);
-  EXPECT_EQ(report.verdict, Verdict::tooSmall) << "too small in both";
+  EXPECT_EQ(report.scenes[0].verdict, Verdict::tooSmall) << "too small in both";
   EXPECT_FALSE(materialOf(report).seenElsewhere);
   EXPECT_EQ(countVerdicts(report).tooSmall, 2u);
 
@@ -289,17 +351,17 @@ TEST(Verdict, ClippingStandsBesideWhatElseWarnsAndHidesNoFailure) {
 TEST(Verdict, AMaterialThatIsMostlyClippedIsNotJudgedUnlessItFails) {
   for (const double mean : {0.0, 0.05, 0.15}) {
     Report report = withClipping(reportOf(mean), 0, 0.501);
-    EXPECT_EQ(report.verdict, Verdict::notJudged) << mean;
+    EXPECT_EQ(report.scenes[0].verdict, Verdict::notJudged) << mean;
     // What only warns is listed, and is no verdict.
     EXPECT_EQ(materialOf(report).reason,
               std::string(mean > 0.1 ? "mean FLIP 0.150 is above 0.100; 95th percentile of FLIP 0.375 is above 0.300; "
                                      : "") +
                   "50.1 % of the pixels are white in both pictures: lower --exposure");
     EXPECT_EQ(countVerdicts(report).notJudged, 1u);
-    EXPECT_EQ(exitCode(report, false), 0);
-    EXPECT_EQ(exitCode(report, true), 1);
+    EXPECT_EQ(exitCode(besidesAPass(report), false), 0);
+    EXPECT_EQ(exitCode(besidesAPass(report), true), 1);
   }
-  EXPECT_EQ(withClipping(reportOf(0.05), 0.3, 0.3).verdict, Verdict::notJudged);
+  EXPECT_EQ(withClipping(reportOf(0.05), 0.3, 0.3).scenes[0].verdict, Verdict::notJudged);
   EXPECT_EQ(withClipping(reportOf(0.25), 0, 0.99).verdict, Verdict::fail);
   EXPECT_EQ(withClipping(reportOf(0, 4000, 0.5), 0, 1).verdict, Verdict::fail)
       << "white on white, but of half the light";
@@ -344,7 +406,7 @@ TEST(Verdict, WhatNoPathModelsIsNeverAPlainPass) {
   Report unseen = reportOf(0, 0);
   materialOf(unseen).notModelled = {"clearcoat"};
   settleVerdicts(unseen);
-  EXPECT_EQ(unseen.verdict, Verdict::notSeen);
+  EXPECT_EQ(unseen.scenes[0].verdict, Verdict::notSeen);
 }
 
 TEST(Verdict, GravityIsInTheOrderOfTheNames) {
@@ -368,8 +430,8 @@ TEST(ExitCode, FollowsTheVerdict) {
 }
 
 TEST(ExitCode, NotSeenIsAWarning) {
-  EXPECT_EQ(exitCode(reportOf(0, 0), false), 0);
-  EXPECT_EQ(exitCode(reportOf(0, 0), true), 1);
+  EXPECT_EQ(exitCode(besidesAPass(reportOf(0, 0)), false), 0);
+  EXPECT_EQ(exitCode(besidesAPass(reportOf(0, 0)), true), 1);
 }
 
 TEST(ExitCode, TheHighestWins) {

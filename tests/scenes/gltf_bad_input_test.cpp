@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/jpeg_bytes.h"
 #include "scenes/gltf_writer.h"
 #include "scenes/load.h"
 
@@ -84,7 +85,8 @@ TEST(BadInput, WrongTypesNameThePlace) {
       {"/nodes/0/translation/1: is 1e+39, expected a number that 32 bits"});
   expectRefused([](GltfFile& f) { f.material()["alphaMode"] = "SOLID"; }, {"/materials/0/alphaMode", "SOLID"});
   expectRefused([](GltfFile& f) { f.json["meshes"][0].erase("primitives"); }, {"/meshes/0/primitives: is missing"});
-  expectRefused([](GltfFile& f) { f.primitive()["attributes"].erase("POSITION"); }, {"the scene is empty"});
+  expectRefused([](GltfFile& f) { f.primitive()["attributes"].erase("POSITION"); },
+                {"the scene is empty: all is left out: /meshes/0/primitives/0: has no POSITION, not drawn"});
   expectRefused([](GltfFile& f) { f.primitive()["mode"] = 9; },
                 {"/primitives/0/mode: is 9, expected one of 0, 1, 2, 3, 4, 5, 6"});
 }
@@ -232,17 +234,56 @@ TEST(BadInput, RequiredExtensionsThatAreNotSupported) {
       {"/extensionsRequired: ACME_shell is not supported", "/extensionsRequired: ACME_fur is not supported"});
 }
 
+TEST(BadInput, AJpegWithBytesCutOutIsAWarning) {
+  std::vector<std::byte> jpeg = base::makeNoisyJpeg(128, 96);
+  const auto warningsOf = [&] {
+    GltfFile file = makeQuad();
+    file.json["images"] = {{{"bufferView", file.addBufferView(jpeg)}, {"mimeType", "image/jpeg"}, {"name", "bark"}}};
+    file.json["textures"] = {{{"source", 0}}};
+    file.material()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+    return loadQuadlike(file).warnings;
+  };
+  EXPECT_FALSE(hasWarning(warningsOf(), "JPEG"));
+  jpeg.erase(jpeg.begin() + 2000, jpeg.begin() + 2600);
+  EXPECT_TRUE(
+      hasWarning(warningsOf(), "/images/0 'bark': the JPEG is damaged, a part of it is what the decoder made up"));
+}
+
+TEST(BadInput, AGlbThatIsNoneIsNamedAsSuch) {
+  const TempFolder folder;
+  const auto expectGlb = [&](const std::string& bytes, const char* reason) {
+    writeFile(folder / "a.glb", bytes);
+    expectError([&] { scenes::loadScene((folder / "a.glb").string()); }, {"a.glb: byte ", reason});
+  };
+  expectGlb("x", "byte 1: truncated: a glb header has 12 bytes");
+  expectGlb("g", "byte 1: truncated: a glb header has 12 bytes");
+  expectGlb("PK\x03\x04 an archive of something", "byte 0: not a glb: the magic 'glTF' is missing");
+}
+
+TEST(BadInput, ALightsRangeOfNothing) {
+  for (const double range : {0.0, -1.0})
+    expectRefused(
+        [&](GltfFile& f) {
+          f.json["extensionsUsed"] = {"KHR_lights_punctual"};
+          f.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}, {"range", range}}};
+          f.json["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
+        },
+        {"/extensions/KHR_lights_punctual/lights/0/range: is not above 0"});
+}
+
 TEST(BadInput, EmptyScenes) {
-  expectRefused([](GltfFile& f) { f.json["nodes"][0].erase("mesh"); }, {"the scene is empty"});
-  expectRefused([](GltfFile& f) { f.json["scenes"][0]["nodes"] = json::array(); }, {"the scene is empty"});
+  expectRefused([](GltfFile& f) { f.json["nodes"][0].erase("mesh"); },
+                {"the scene is empty: none of its nodes has a mesh"});
+  expectRefused([](GltfFile& f) { f.json["scenes"][0]["nodes"] = json::array(); },
+                {"the scene is empty: it has no nodes"});
   expectRefused([](GltfFile& f) { f.primitive()["mode"] = 0; },
-                {"no triangle is placed in the scene: /meshes/0/primitives/0: points and lines are not drawn"});
+                {"the scene is empty: all is left out: /meshes/0/primitives/0: points and lines are not drawn"});
   expectRefused(
       [](GltfFile& f) {
         f.json["nodes"][0]["scale"] = {1, 0, 0};
       },
-      {"no triangle is placed in the scene: /nodes/0 'quad': a scale of 0"});
-  expectTextRefused("{\"asset\": {\"version\": \"2.0\"}}", {"the scene is empty"});
+      {"the scene is empty: all is left out: /nodes/0 'quad': a scale of 0"});
+  expectTextRefused("{\"asset\": {\"version\": \"2.0\"}}", {"the scene is empty: the file has no mesh"});
 }
 
 void expectImageRefused(const std::vector<std::byte>& bytes, std::vector<std::string> parts) {

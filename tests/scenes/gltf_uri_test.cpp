@@ -22,7 +22,8 @@ TEST(GltfUri, DecodesDataUris) {
   EXPECT_EQ(textOf(decodeDataUri("data:;base64,TQ")), "M") << "padding may be left out";
   EXPECT_EQ(textOf(decodeDataUri("data:text/plain,a%20b%2")), "a b%2");
   EXPECT_EQ(textOf(decodeDataUri("data:;base64,")), "");
-  for (const char* bad : {"data:;base64,T", "data:;base64,T W=", "data:;base64", "data:;base64,TQ=x"})
+  for (const char* bad : {"data:;base64,T", "data:;base64,T W=", "data:;base64", "data:;base64,TQ=x",
+                          "data:;;base64,TWFu", "data:image/png;;base64,TWFu"})
     EXPECT_THROW(decodeDataUri(bad), std::invalid_argument) << bad;
 }
 

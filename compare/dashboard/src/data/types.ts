@@ -213,6 +213,7 @@ export interface Report {
   displayTable: string;
   counts: Counts;
   wholeCounts: Counts;
+  problems?: { verdict: "fail" | "error"; reason: string }[];
   warnings: string[];
   baseline: Baseline | null;
   settings: { name: string; value: string }[];

@@ -47,7 +47,8 @@ export function header(report: Report, run: Run | null, brief: boolean, theme: T
 }
 
 function notices(report: Report): TemplateResult {
-  return html`${baselineNotice(report)}${warnings("Warnings", allWarnings(report))}
+  const problems = (report.problems ?? []).map(({ verdict, reason }) => html`<p class="notice error" role="alert"><b>${verdict}:</b> <bdi>${reason}</bdi></p>`);
+  return html`${problems}${baselineNotice(report)}${warnings("Warnings", allWarnings(report))}
     <details class="notice quiet">
       <summary>Settings</summary>
       ${definitions([
