@@ -8,14 +8,17 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/exr_check.h"
 #include "base/file.h"
+#include "base/hdr_header.h"
 #include "base/image_format.h"
 #include "base/image_module.h"
+#include "base/jpeg_header.h"
 #include "base/module_file.h"
 #include "base/parallel.h"
 #include "base/pfm.h"
@@ -107,7 +110,18 @@ CheckedFile checkFile(const fs::path& file, const ImageLimits& limits, bool isRe
   const ImageFormat format = requireFormat(head, name, extensionOf(file));
   if (format == ImageFormat::png && isRead) checkPng(readFile(file), name, limits);
   if (format == ImageFormat::exr) checkExr(head, regularFileSize(file), name);
+  if (format == ImageFormat::jpeg) readJpegShape(readFile(file), name, limits);
   return {format, {.name = name, .format = readerOf(format), .limits = limits}};
+}
+
+ImageFile describePfm(Image pixels) {
+  ImageFile result{std::move(pixels), {}};
+  result.info.bits = 32;
+  result.info.fullWidth = result.pixels.width;
+  result.info.fullHeight = result.pixels.height;
+  result.info.channelNames =
+      result.pixels.channels == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};
+  return result;
 }
 
 void checkChannels(int channels) {
@@ -148,19 +162,14 @@ Image readImage(const fs::path& file, const ImageLimits& limits) { return readIm
 ImageFile readImageFile(const fs::path& file, const ImageLimits& limits) {
   const auto [format, source] = checkFile(file, limits);
   if (format == ImageFormat::webp) return readWebp(readFile(file), source.name, limits);
-  if (format != ImageFormat::pfm) return imageModule().read(source);
-  ImageFile result{readPfm(file, limits), {}};
-  result.info.bits = 32;
-  result.info.fullWidth = result.pixels.width;
-  result.info.fullHeight = result.pixels.height;
-  result.info.channelNames =
-      result.pixels.channels == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};
-  return result;
+  if (format == ImageFormat::pfm) return describePfm(readPfm(file, limits));
+  return imageModule().read(source);
 }
 
 ImageShape readImageShape(const fs::path& file, const ImageLimits& limits) {
   const auto [format, source] = checkFile(file, limits, false);
   if (format == ImageFormat::png) return readPngShape(readHead(file), source.name, limits);
+  if (format == ImageFormat::jpeg) return readJpegShape(readFile(file), source.name, limits);
   if (format == ImageFormat::webp) return readWebpShape(readHead(file), source.name, limits);
   return imageModule().readShape(source);
 }
@@ -188,15 +197,16 @@ Image8 decodeImage8(std::span<const std::byte> bytes, const std::string& name, i
   if (bytes.empty()) throw fileError(name, "", "is empty");
   const ImageFormat format = requireFormat(bytes, name, "");
   if (format == ImageFormat::webp) return decodeWebp(bytes, name, channels, limits);
+  if (format == ImageFormat::jpeg) readJpegShape(bytes, name, limits);
   checkPng(bytes, name, limits);
   checkExr(bytes, bytes.size(), name);
   return imageModule().read8({.name = name, .format = readerOf(format), .bytes = bytes, .limits = limits}, channels);
 }
 
-Image decodeRadiance(std::span<const std::byte> bytes, const std::string& name, const ImageLimits& limits) {
+ImageFile decodeRadiance(std::span<const std::byte> bytes, const std::string& name, const ImageLimits& limits) {
   if (bytes.empty()) throw fileError(name, "", "is empty");
   const std::optional<ImageFormat> format = findImageFormat(bytes, "");
-  if (format == ImageFormat::pfm) return decodePfm(bytes, name, limits);
+  if (format == ImageFormat::pfm) return describePfm(decodePfm(bytes, name, limits));
   if (format != ImageFormat::hdr && format != ImageFormat::exr)
     throw fileError(name, "", "no HDR environment: .hdr, .exr or .pfm is needed");
   checkExr(bytes, bytes.size(), name);
@@ -204,7 +214,9 @@ Image decodeRadiance(std::span<const std::byte> bytes, const std::string& name, 
   source.limits.maxPixels = std::min(limits.maxPixels, kMaxRadiancePixels);
   if (imageModule().readShape(source).integer)
     throw fileError(name, "", "an image of integers is no HDR environment: .hdr, .exr or .pfm of floats is needed");
-  return imageModule().read(source).pixels;
+  ImageFile file = imageModule().read(source);
+  if (*format == ImageFormat::hdr) file.info.orientation = readHdrOrientation(bytes, name);
+  return file;
 }
 
 bool isIntegerImage(const fs::path& file) { return readImageShape(file).integer; }

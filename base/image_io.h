@@ -32,8 +32,9 @@ struct ImageInfo {
   std::optional<std::array<float, 8>> chromaticities; // x, y of red, green, blue and white, where the file has them
   int x = 0, y = 0;                                   // where the pixels lie (the data window of OpenEXR) ...
   int fullX = 0, fullY = 0, fullWidth = 0, fullHeight = 0; // ... and the picture that they are a part of
-  int orientation = 1; // how the pixels are to be turned to be seen (EXIF: 1, not at all, to 8); reading does not
-  int images = 1;      // in the file, of which the first one is read; kMaxCountedImages stands for more
+  int orientation = 1;    // how the pixels are to be turned to be seen (EXIF: 1, not at all, to 8); reading does not
+  bool isCubeMap = false; // six faces, as the envmap attribute of OpenEXR says
+  int images = 1;         // in the file, of which the first one is read; kMaxCountedImages stands for more
 };
 inline constexpr int kMaxCountedImages = 100;
 
@@ -71,9 +72,9 @@ Image8 decodeImage8(std::span<const std::byte> bytes, const std::string& name, i
 // Largest number of pixels of a panorama: 16384 x 8192.
 inline constexpr std::size_t kMaxRadiancePixels = std::size_t{1} << 27;
 
-// Radiance from memory: Radiance HDR, OpenEXR of floats, or PFM, told by its first bytes; no other reader is tried.
-// Throws Error (exit 4).
-Image decodeRadiance(std::span<const std::byte> bytes, const std::string& name, const ImageLimits& limits = {});
+// Radiance from memory: Radiance HDR, OpenEXR of floats, or PFM, told by its first bytes; no other reader is tried. As
+// stored; how a Radiance HDR is to be turned, as its header says, stands in info.orientation. Throws Error (exit 4).
+ImageFile decodeRadiance(std::span<const std::byte> bytes, const std::string& name, const ImageLimits& limits = {});
 
 // Whether the file, by its format and stored type, holds display-referred 8- or 16-bit integers rather than floats.
 bool isIntegerImage(const std::filesystem::path& file);

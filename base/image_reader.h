@@ -100,6 +100,7 @@ public:
     info.x = spec.x, info.y = spec.y;
     info.fullX = spec.full_x, info.fullY = spec.full_y;
     info.fullWidth = spec.full_width, info.fullHeight = spec.full_height;
+    info.isCubeMap = spec.get_string_attribute("textureformat") == "CubeFace Environment";
     info.orientation = spec.get_int_attribute("Orientation", 1);
     return info;
   }

@@ -62,7 +62,8 @@ public:
     scenes::Environment environment;
     std::vector<std::string> warnings;
   };
-  std::shared_ptr<const LoadedEnvironment> environment(const std::string& file, float rotationDeg);
+  std::shared_ptr<const LoadedEnvironment> environment(const std::string& file, float rotationDeg,
+                                                       const scenes::LoadOptions& limits = {});
 
   // Prefiltered cube and SH of an environment, from the cache where it holds them; the last one of the run is at hand.
   // Thread-safe.

@@ -70,6 +70,41 @@ TEST(ReadImage, GivesNoReaderWhatItCannotTrust) {
   }
 }
 
+// Opening a progressive JPEG, the library takes the memory of all coefficients, whatever the file holds of them.
+TEST(ReadImage, RefusesAJpegByItsFrameHeader) {
+  const TempFolder folder;
+  std::vector<std::byte> bytes = makeProfiledImages("").at("a.jpg");
+  const auto text = std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::size_t frame = text.find("\xff\xc0");
+  ASSERT_NE(frame, std::string_view::npos);
+  bytes[frame + 1] = std::byte{0xc2};                          // progressive
+  bytes[frame + 5] = bytes[frame + 7] = std::byte{16384 >> 8}; // 16392 high and wide, too large a side
+  writeBytes(folder / "a.jpg", bytes);
+  expectError([&] { readImageShape(folder / "a.jpg"); }, "a.jpg", "16392 x 16392 pixels: the largest side");
+  bytes[frame + 6] = bytes[frame + 8] = std::byte{0};
+  writeBytes(folder / "a.jpg", bytes);
+  EXPECT_EQ(readImageShape(folder / "a.jpg").width, 16384);
+  const ImageLimits limits{.maxBytes = std::size_t{256} << 20};
+  expectError([&] { readImage(folder / "a.jpg", limits); }, "a.jpg",
+              "takes 513 MiB, the limit is 256 MiB (--max-memory)");
+  expectError([&] { decodeImage8(bytes, "b", 4, limits); }, "b", "takes 513 MiB");
+  bytes.resize(frame + 5);
+  expectError([&] { decodeImage8(bytes, "b"); }, "b", "has no frame header");
+}
+
+// What reading takes is known from the header, in every format.
+TEST(ReadImage, RefusesWhatTakesMoreThanTheLimit) {
+  const TempFolder folder;
+  for (const std::string name : {"a.png", "a.exr", "a.hdr", "a.pfm"}) {
+    writeImage(folder / name, Image(64, 32, 3, 0.5f));
+    EXPECT_NO_THROW(readImage(folder / name, {.maxSide = 64, .maxPixels = 2048, .maxBytes = 64 * 32 * 3 * 8})) << name;
+    expectError([&] { readImage(folder / name, {.maxBytes = 64 * 32 * 3 * 4 - 1}); }, name, "--max-memory");
+    expectError([&] { readImage(folder / name, {.maxSide = 63}); }, name, "63 (--max-image)");
+    expectError([&] { readImage(folder / name, {.maxPixels = 2047}); }, name, "2047 (--max-image)");
+    EXPECT_EQ(readImageShape(folder / name).height, 32) << name;
+  }
+}
+
 // A PNG is checked by its content: one of another extension would reach libpng, which talks on stderr.
 TEST(ReadImage, ChecksAPngOfAnyExtension) {
   const TempFolder folder;
