@@ -5,15 +5,20 @@
 #include <array>
 #include <cctype>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/exr_check.h"
 #include "base/file.h"
+#include "base/hdr_header.h"
+#include "base/image_format.h"
 #include "base/image_module.h"
+#include "base/jpeg_header.h"
 #include "base/module_file.h"
 #include "base/parallel.h"
 #include "base/pfm.h"
@@ -50,19 +55,73 @@ const ImageModule& imageModule() {
   return module;
 }
 
-void checkReadable(const fs::path& file) {
-  if (regularFileSize(file) == 0) throw fileError(file.string(), "", "is empty");
+// The first bytes of a file, or all.
+std::vector<std::byte> readHead(const fs::path& file) {
+  constexpr std::size_t kHeadBytes = std::size_t{1} << 20;
+  const std::uintmax_t size = regularFileSize(file);
+  if (size == 0) throw fileError(file.string(), "", "is empty");
+  std::vector<std::byte> head(static_cast<std::size_t>(std::min<std::uintmax_t>(size, kHeadBytes)));
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
+  return head;
 }
 
-void checkContent(const fs::path& file) {
-  checkReadable(file);
-  if (extensionOf(file) == ".png") checkPng(readFile(file), file.string());
-  if (extensionOf(file) == ".exr") {
-    std::vector<char> head(std::min<std::size_t>(regularFileSize(file), std::size_t{1} << 20));
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-    checkExr(std::as_bytes(std::span(head)), regularFileSize(file), file.string());
+// As the library calls the reader of a format.
+const char* readerOf(ImageFormat format) {
+  switch (format) {
+  case ImageFormat::png:
+    return "png";
+  case ImageFormat::jpeg:
+    return "jpeg";
+  case ImageFormat::tiff:
+    return "tiff";
+  case ImageFormat::webp:
+    return "webp";
+  case ImageFormat::hdr:
+    return "hdr";
+  case ImageFormat::exr:
+    return "openexr";
+  case ImageFormat::bmp:
+    return "bmp";
+  case ImageFormat::targa:
+    return "targa";
+  case ImageFormat::pfm:
+  case ImageFormat::pnm:
+    return "pnm";
   }
+  return "";
+}
+
+ImageFormat requireFormat(std::span<const std::byte> head, const std::string& name, const std::string& extension) {
+  if (const std::optional<ImageFormat> format = findImageFormat(head, extension)) return *format;
+  throw fileError(name, "cannot be decoded", "is none of " + std::string(kImageFormats));
+}
+
+// A file whose format is known and whose header has been checked as far as the library does not check it.
+struct CheckedFile {
+  ImageFormat format;
+  ImageSource source;
+};
+
+CheckedFile checkFile(const fs::path& file, const ImageLimits& limits, bool isRead = true) {
+  const std::string name = file.string();
+  const std::vector<std::byte> head = readHead(file);
+  const ImageFormat format = requireFormat(head, name, extensionOf(file));
+  if (format == ImageFormat::png && isRead) checkPng(readFile(file), name, limits);
+  if (format == ImageFormat::exr) checkExr(head, regularFileSize(file), name);
+  if (format == ImageFormat::jpeg) readJpegShape(readFile(file), name, limits);
+  return {format, {.name = name, .format = readerOf(format), .limits = limits}};
+}
+
+ImageFile describePfm(Image pixels) {
+  ImageFile result{std::move(pixels), {}};
+  result.info.bits = 32;
+  result.info.fullWidth = result.pixels.width;
+  result.info.fullHeight = result.pixels.height;
+  result.info.channelNames =
+      result.pixels.channels == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};
+  return result;
 }
 
 void checkChannels(int channels) {
@@ -98,53 +157,69 @@ void checkWritable(const fs::path& file, const BasicImage<T>& image, const Write
 
 } // namespace
 
-Image readImage(const fs::path& file) { return readImageFile(file).pixels; }
+Image readImage(const fs::path& file, const ImageLimits& limits) { return readImageFile(file, limits).pixels; }
 
-ImageFile readImageFile(const fs::path& file) {
-  checkContent(file);
-  if (extensionOf(file) != ".pfm") return imageModule().read(file);
-  ImageFile result{readPfm(file), {}};
-  result.info.bits = 32;
-  result.info.fullWidth = result.pixels.width;
-  result.info.fullHeight = result.pixels.height;
-  result.info.channelNames =
-      result.pixels.channels == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};
-  return result;
+ImageFile readImageFile(const fs::path& file, const ImageLimits& limits) {
+  const auto [format, source] = checkFile(file, limits);
+  if (format == ImageFormat::webp) return readWebp(readFile(file), source.name, limits);
+  if (format == ImageFormat::pfm) return describePfm(readPfm(file, limits));
+  return imageModule().read(source);
 }
 
-BasicImage<std::uint32_t> readIntegers(const fs::path& file) {
-  checkContent(file);
-  if (extensionOf(file) == ".pfm") throw fileError(file.string(), "", "holds floats, not integers");
-  return imageModule().readIntegers(file);
+ImageShape readImageShape(const fs::path& file, const ImageLimits& limits) {
+  const auto [format, source] = checkFile(file, limits, false);
+  if (format == ImageFormat::png) return readPngShape(readHead(file), source.name, limits);
+  if (format == ImageFormat::jpeg) return readJpegShape(readFile(file), source.name, limits);
+  if (format == ImageFormat::webp) return readWebpShape(readHead(file), source.name, limits);
+  return imageModule().readShape(source);
 }
 
-Image8 readImage8(const fs::path& file, int channels) {
+BasicImage<std::uint32_t> readIntegers(const fs::path& file, const ImageLimits& limits) {
+  const auto [format, source] = checkFile(file, limits);
+  if (format == ImageFormat::pfm) throw fileError(source.name, "", "holds floats, not integers");
+  if (format != ImageFormat::webp) return imageModule().readIntegers(source);
+  const Image8 stored = decodeWebp(readFile(file), source.name, 4, limits);
+  BasicImage<std::uint32_t> wide(stored.width, stored.height, stored.channels);
+  std::copy(stored.pixels.begin(), stored.pixels.end(), wide.pixels.begin());
+  return wide;
+}
+
+Image8 readImage8(const fs::path& file, int channels, const ImageLimits& limits) {
   checkChannels(channels);
-  checkContent(file);
-  if (extensionOf(file) == ".webp") return decodeWebp(readFile(file), file.string(), channels);
-  return imageModule().read8(file, channels);
+  const auto [format, source] = checkFile(file, limits);
+  if (format == ImageFormat::webp) return decodeWebp(readFile(file), source.name, channels, limits);
+  return imageModule().read8(source, channels);
 }
 
-Image8 decodeImage8(std::span<const std::byte> bytes, const std::string& name, int channels) {
+Image8 decodeImage8(std::span<const std::byte> bytes, const std::string& name, int channels,
+                    const ImageLimits& limits) {
   checkChannels(channels);
   if (bytes.empty()) throw fileError(name, "", "is empty");
-  checkPng(bytes, name);
-  if (isWebp(bytes)) return decodeWebp(bytes, name, channels);
-  return imageModule().decode8(bytes, name, channels);
-}
-
-Image decodeRadiance(std::span<const std::byte> bytes, const std::string& name) {
-  if (bytes.empty()) throw fileError(name, "", "is empty");
-  const std::string_view head(reinterpret_cast<const char*>(bytes.data()), std::min<std::size_t>(bytes.size(), 2));
-  if (head == "PF" || head == "Pf") return decodePfm(bytes, name);
+  const ImageFormat format = requireFormat(bytes, name, "");
+  if (format == ImageFormat::webp) return decodeWebp(bytes, name, channels, limits);
+  if (format == ImageFormat::jpeg) readJpegShape(bytes, name, limits);
+  checkPng(bytes, name, limits);
   checkExr(bytes, bytes.size(), name);
-  return imageModule().decodeRadiance(bytes, name);
+  return imageModule().read8({.name = name, .format = readerOf(format), .bytes = bytes, .limits = limits}, channels);
 }
 
-bool isIntegerImage(const fs::path& file) {
-  checkReadable(file);
-  return extensionOf(file) != ".pfm" && imageModule().isInteger(file);
+ImageFile decodeRadiance(std::span<const std::byte> bytes, const std::string& name, const ImageLimits& limits) {
+  if (bytes.empty()) throw fileError(name, "", "is empty");
+  const std::optional<ImageFormat> format = findImageFormat(bytes, "");
+  if (format == ImageFormat::pfm) return describePfm(decodePfm(bytes, name, limits));
+  if (format != ImageFormat::hdr && format != ImageFormat::exr)
+    throw fileError(name, "", "no HDR environment: .hdr, .exr or .pfm is needed");
+  checkExr(bytes, bytes.size(), name);
+  ImageSource source{.name = name, .format = readerOf(*format), .bytes = bytes, .limits = limits};
+  source.limits.maxPixels = std::min(limits.maxPixels, kMaxRadiancePixels);
+  if (imageModule().readShape(source).integer)
+    throw fileError(name, "", "an image of integers is no HDR environment: .hdr, .exr or .pfm of floats is needed");
+  ImageFile file = imageModule().read(source);
+  if (*format == ImageFormat::hdr) file.info.orientation = readHdrOrientation(bytes, name);
+  return file;
 }
+
+bool isIntegerImage(const fs::path& file) { return readImageShape(file).integer; }
 
 void writeImage(const fs::path& file, const Image& image, const WriteOptions& options) {
   checkWritable(file, image, options);

@@ -2,11 +2,9 @@
 #include "base/image_module.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <exception>
 #include <limits>
-#include <memory>
 #include <string_view>
 
 #include <OpenImageIO/filesystem.h>
@@ -36,11 +34,17 @@ template <typename Body> auto guarded(const std::string& name, Body&& body) {
   }
 }
 
-// Division, not multiplication with a reciprocal: v/255 is exact where other programs are.
-template <typename T> Image normalize(const BasicImage<T>& stored) {
-  Image image(stored.width, stored.height, stored.channels);
-  std::transform(stored.pixels.begin(), stored.pixels.end(), image.pixels.begin(),
-                 [](T v) { return static_cast<float>(v) / static_cast<float>(std::numeric_limits<T>::max()); });
+// Division, not multiplication with a reciprocal: v/255 is exact where other programs are. Band by band: of a large
+// picture we hold no second copy.
+template <typename T> Image readNormalized(Reader& reader) {
+  const oiio::ImageSpec spec = reader.spec();
+  Image image;
+  image.width = spec.width, image.height = spec.height, image.channels = spec.nchannels;
+  image.pixels.reserve(image.pixelCount() * static_cast<std::size_t>(spec.nchannels));
+  reader.readBands<T>([&](std::span<const T> band) {
+    for (const T v : band)
+      image.pixels.push_back(static_cast<float>(v) / static_cast<float>(std::numeric_limits<T>::max()));
+  });
   return image;
 }
 
@@ -93,14 +97,19 @@ Image8 readAs8(Reader& reader, int channels) {
 }
 
 Image readPixels(Reader& reader) {
-  if (reader.spec().format == oiio::TypeDesc::UINT8) return normalize(reader.read<std::uint8_t>());
-  if (reader.spec().format == oiio::TypeDesc::UINT16) return normalize(reader.read<std::uint16_t>());
+  if (reader.spec().format == oiio::TypeDesc::UINT8) return readNormalized<std::uint8_t>(reader);
+  if (reader.spec().format == oiio::TypeDesc::UINT16) return readNormalized<std::uint16_t>(reader);
   return reader.read<float>();
 }
 
-ImageFile read(const fs::path& file) {
-  return guarded(file.string(), [&] {
-    Reader reader(file.string());
+ImageShape readShape(const ImageSource& source) {
+  return guarded(source.name, [&] { return Reader(source).shape(); });
+}
+
+ImageFile read(const ImageSource& source) {
+  return guarded(source.name, [&] {
+    Reader reader(source);
+    reader.requireMemory(sizeof(float), reader.spec().nchannels, source.limits);
     ImageFile result{{}, reader.info()};
     result.pixels = readPixels(reader);
     result.info.images = reader.countImages();
@@ -108,72 +117,32 @@ ImageFile read(const fs::path& file) {
   });
 }
 
-template <typename T> BasicImage<std::uint32_t> widen(const BasicImage<T>& stored) {
-  BasicImage<std::uint32_t> wide(stored.width, stored.height, stored.channels);
-  std::copy(stored.pixels.begin(), stored.pixels.end(), wide.pixels.begin());
+template <typename T> BasicImage<std::uint32_t> readWidened(Reader& reader) {
+  const oiio::ImageSpec spec = reader.spec();
+  BasicImage<std::uint32_t> wide;
+  wide.width = spec.width, wide.height = spec.height, wide.channels = spec.nchannels;
+  wide.pixels.reserve(wide.pixelCount() * static_cast<std::size_t>(spec.nchannels));
+  reader.readBands<T>(
+      [&](std::span<const T> band) { wide.pixels.insert(wide.pixels.end(), band.begin(), band.end()); });
   return wide;
 }
 
-BasicImage<std::uint32_t> readIntegers(const fs::path& file) {
-  return guarded(file.string(), [&] {
-    Reader reader(file.string());
-    if (reader.spec().format == oiio::TypeDesc::UINT8) return widen(reader.read<std::uint8_t>());
-    if (reader.spec().format == oiio::TypeDesc::UINT16) return widen(reader.read<std::uint16_t>());
+BasicImage<std::uint32_t> readIntegers(const ImageSource& source) {
+  return guarded(source.name, [&] {
+    Reader reader(source);
+    reader.requireMemory(sizeof(std::uint32_t), reader.spec().nchannels, source.limits);
+    if (reader.spec().format == oiio::TypeDesc::UINT8) return readWidened<std::uint8_t>(reader);
+    if (reader.spec().format == oiio::TypeDesc::UINT16) return readWidened<std::uint16_t>(reader);
     if (reader.spec().format == oiio::TypeDesc::UINT32) return reader.read<std::uint32_t>();
-    throw fileError(file.string(), "", "holds no unsigned integers");
+    throw fileError(source.name, "", "holds no unsigned integers");
   });
 }
 
-Image8 read8(const fs::path& file, int channels) {
-  return guarded(file.string(), [&] {
-    Reader reader(file.string());
+Image8 read8(const ImageSource& source, int channels) {
+  return guarded(source.name, [&] {
+    Reader reader(source);
+    reader.requireMemory(1, channels, source.limits);
     return readAs8(reader, channels);
-  });
-}
-
-// The format that belongs to the first bytes; empty where it is none that textures come in.
-std::string sniffFormat(std::span<const std::byte> bytes) {
-  const std::string_view head(reinterpret_cast<const char*>(bytes.data()), std::min<std::size_t>(bytes.size(), 16));
-  struct Magic {
-    std::string_view bytes, format;
-  };
-  constexpr std::array kMagics{Magic{"\x89PNG\r\n\x1a\n", "png"}, Magic{"\xff\xd8\xff", "jpeg"}, Magic{"#?", "hdr"},
-                               Magic{"\x76\x2f\x31\x01", "openexr"}, Magic{"BM", "bmp"}};
-  for (const Magic& magic : kMagics)
-    if (head.starts_with(magic.bytes)) return std::string(magic.format);
-  return {};
-}
-
-Image8 decode8(std::span<const std::byte> bytes, const std::string& name, int channels) {
-  return guarded(name, [&] {
-    const std::string format = sniffFormat(bytes);
-    if (format.empty()) throw fileError(name, "cannot be decoded", "is none of PNG, JPEG, WebP, BMP, HDR and EXR");
-    Memory memory(bytes);
-    Reader reader(name, format, memory);
-    return readAs8(reader, channels);
-  });
-}
-
-Image decodeRadiance(std::span<const std::byte> bytes, const std::string& name) {
-  return guarded(name, [&] {
-    const std::string format = sniffFormat(bytes);
-    if (format != "hdr" && format != "openexr")
-      throw fileError(name, "", "no HDR environment: .hdr, .exr or .pfm is needed");
-    Memory memory(bytes);
-    Reader reader(name, format, memory);
-    if (!reader.spec().format.is_floating_point())
-      throw fileError(name, "", "an image of integers is no HDR environment: .hdr, .exr or .pfm of floats is needed");
-    const auto width = static_cast<std::size_t>(reader.spec().width);
-    if (width * static_cast<std::size_t>(reader.spec().height) > kMaxRadiancePixels)
-      throw fileError(name, "", fmt::format("more than {} pixels", kMaxRadiancePixels));
-    return reader.read<float>();
-  });
-}
-
-bool isInteger(const fs::path& file) {
-  return guarded(file.string(), [&] {
-    const oiio::TypeDesc type = Reader(file.string()).spec().format;
-    return type == oiio::TypeDesc::UINT8 || type == oiio::TypeDesc::UINT16;
   });
 }
 
@@ -235,8 +204,7 @@ void limitThreads(int threads) {
   oiio::attribute("exr_threads", threads);
 }
 
-constexpr ImageModule kModule{kImageModuleVersion, limitThreads, read,   readIntegers, read8, decode8,
-                              decodeRadiance,      isInteger,    encode, encode8};
+constexpr ImageModule kModule{kImageModuleVersion, limitThreads, readShape, read, readIntegers, read8, encode, encode8};
 
 } // namespace
 

@@ -5,10 +5,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <OpenImageIO/filesystem.h>
@@ -18,6 +18,7 @@
 
 #include "base/error.h"
 #include "base/image.h"
+#include "base/image_limits.h"
 #include "base/image_module.h"
 
 namespace parity::base {
@@ -55,27 +56,31 @@ public:
 // One opened image whose size has been checked.
 class Reader {
 public:
-  explicit Reader(const std::string& file) : m_name(file) {
-    const oiio::ImageSpec config = makeConfig();
-    open([&] { return oiio::ImageInput::open(file, &config); });
-  }
-
-  // format: as the library calls it. Only this one is tried: the others might look for a file.
-  Reader(std::string name, const std::string& format, oiio::Filesystem::IOProxy& memory) : m_name(std::move(name)) {
-    oiio::ImageSpec config = makeConfig(), spec;
-    oiio::Filesystem::IOProxy* proxy = &memory;
-    config.attribute("oiio:ioproxy", oiio::TypeDesc::PTR, &proxy);
-    open([&] {
-      oiio::ImageInput::unique_ptr input = oiio::ImageInput::create(format);
-      if (!input || !input->supports("ioproxy"))
-        throw fileError(m_name, "cannot be decoded", "the image library reads no " + format + " from memory");
-      if (!input->open(m_name, spec, config))
-        throw fileError(m_name, "cannot be decoded", reasonOf(input->geterror(), m_name));
-      return input;
-    });
+  // Only the reader of this format is tried: others may take almost any bytes for theirs, or look for other files.
+  explicit Reader(const ImageSource& source) : m_name(source.name) {
+    oiio::ImageSpec config, spec;
+    config.attribute("oiio:UnassociatedAlpha", 1); // textures and pictures as stored, not multiplied by alpha
+    m_input = oiio::ImageInput::create(source.format);
+    if (!m_input) throw fileError(m_name, "cannot be decoded", reasonOf(oiio::geterror(), m_name));
+    if (!source.bytes.empty()) {
+      m_memory = std::make_unique<Memory>(source.bytes);
+      oiio::Filesystem::IOProxy* proxy = m_memory.get();
+      config.attribute("oiio:ioproxy", oiio::TypeDesc::PTR, &proxy);
+      if (!m_input->supports("ioproxy"))
+        throw fileError(m_name, "cannot be decoded",
+                        std::string("the image library reads no ") + source.format + " from memory");
+    }
+    if (!m_input->open(m_name, spec, config))
+      throw fileError(m_name, "cannot be decoded", reasonOf(m_input->geterror(), m_name));
+    check(source.limits);
   }
 
   const oiio::ImageSpec& spec() const { return m_input->spec(); }
+
+  ImageShape shape() const {
+    const oiio::ImageSpec& spec = m_input->spec();
+    return {spec.width, spec.height, spec.nchannels, !spec.format.is_floating_point()};
+  }
 
   ImageInfo info() const {
     const oiio::ImageSpec& spec = m_input->spec();
@@ -95,6 +100,7 @@ public:
     info.x = spec.x, info.y = spec.y;
     info.fullX = spec.full_x, info.fullY = spec.full_y;
     info.fullWidth = spec.full_width, info.fullHeight = spec.full_height;
+    info.isCubeMap = spec.get_string_attribute("textureformat") == "CubeFace Environment";
     info.orientation = spec.get_int_attribute("Orientation", 1);
     return info;
   }
@@ -105,6 +111,16 @@ public:
     while (count < kMaxCountedImages && m_input->seek_subimage(count, 0)) ++count;
     m_input->geterror(); // that there is no further one is no error
     return count;
+  }
+
+  // Throws Error (exit 4) where handing on the image takes more than the limit: valueBytes for each of so many
+  // channels, beside what decoding takes.
+  void requireMemory(std::size_t valueBytes, int channels, const ImageLimits& limits) const {
+    const oiio::ImageSpec& spec = m_input->spec();
+    const std::size_t pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+    const std::size_t bytes = pixels * (valueBytes * static_cast<std::size_t>(channels) +
+                                        decodingBytes() * static_cast<std::size_t>(spec.nchannels));
+    checkImageBytes(m_name, fmt::format("an image of {} x {} pixels", spec.width, spec.height), bytes, limits.maxBytes);
   }
 
   template <typename T> BasicImage<T> read() {
@@ -131,6 +147,14 @@ public:
   }
 
 private:
+  // What the library itself may hold of a value while it decodes: the coefficients of a progressive JPEG are 16 bit;
+  // interlaced PNG, tiles, and strips as high as the picture are decoded as a whole; lines and bands are not.
+  std::size_t decodingBytes() const {
+    const std::string_view format = m_input->format_name();
+    if (format == "jpeg") return 2;
+    if (format == "hdr" || (format == "openexr" && m_input->spec().tile_width == 0)) return 0;
+    return m_input->spec().format.size();
+  }
   // In bands: a file that ends early has memory touched for no more than it holds. No format packs more lines together.
   int bandLines() const { return m_input->spec().tile_width ? m_input->spec().height : 256; }
   // Of the band that begins at line y.
@@ -151,28 +175,22 @@ private:
       throw fileError(m_name, "damaged or truncated", reasonOf(m_input->geterror(), m_name));
   }
 
-  static oiio::ImageSpec makeConfig() {
-    oiio::ImageSpec config;
-    config.attribute("oiio:UnassociatedAlpha", 1); // textures and pictures as stored, not multiplied by alpha
-    return config;
-  }
-
-  template <typename Open> void open(const Open& makeInput) {
-    m_input = makeInput();
-    if (!m_input) throw fileError(m_name, "cannot be decoded", reasonOf(oiio::geterror(), m_name));
-    const std::string_view format = m_input->format_name();
-    // A film's reader takes almost any bytes for a film, a text for a screen of letters; "null" invents its pixels.
-    if (format == "FFmpeg movie" || format == "null")
-      throw fileError(m_name, "cannot be decoded", "no image format that is known");
+  void check(const ImageLimits& limits) const {
     const oiio::ImageSpec& spec = m_input->spec();
-    checkImageSize(m_name, spec.width, spec.height, spec.nchannels);
+    checkImageSize(m_name, spec.width, spec.height, spec.nchannels, limits);
     if (spec.nchannels > kMaxImageChannels)
       throw fileError(m_name, "", fmt::format("{} channels: more than {}", spec.nchannels, kMaxImageChannels));
     if (spec.depth > 1 || spec.deep)
       throw fileError(m_name, "", "is a volume or a deep image, which have no pixels to compare");
+    // Unpacking the bits of CMYK, the library (2.4) counts three channels where four are stored, and writes too far.
+    constexpr int kSeparated = 5; // TIFF 6.0, PhotometricInterpretation
+    if (spec.get_int_attribute("tiff:PhotometricInterpretation") == kSeparated &&
+        spec.get_int_attribute("oiio:BitsPerSample", 8) % 8 != 0)
+      throw fileError(m_name, "cannot be decoded", "CMYK of less than 8 bits");
   }
 
   std::string m_name;
+  std::unique_ptr<Memory> m_memory; // outlives the input
   oiio::ImageInput::unique_ptr m_input;
 };
 

@@ -51,12 +51,16 @@ std::uint32_t swapBytes(std::uint32_t v) { return v << 24 | (v << 8 & 0xff0000) 
 
 } // namespace
 
-Image readPfm(const std::filesystem::path& file) { return decodePfm(readFile(file), file.string()); }
+Image readPfm(const std::filesystem::path& file, const ImageLimits& limits) {
+  return decodePfm(readFile(file), file.string(), limits);
+}
 
-Image decodePfm(std::span<const std::byte> bytes, const std::string& name) {
+Image decodePfm(std::span<const std::byte> bytes, const std::string& name, const ImageLimits& limits) {
   const Header header = parseHeader(name, bytes);
-  checkImageSize(name, header.width, header.height, header.channels);
+  checkImageSize(name, header.width, header.height, header.channels, limits);
   const std::size_t rowValues = static_cast<std::size_t>(header.width) * header.channels;
+  checkImageBytes(name, fmt::format("an image of {} x {} pixels", header.width, header.height),
+                  rowValues * header.height * sizeof(float), limits.maxBytes);
   const std::size_t expected = header.bytes + rowValues * header.height * sizeof(float);
   if (bytes.size() != expected)
     throw fileError(name, "",

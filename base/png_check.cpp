@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
+#include <iterator>
 #include <string_view>
 
 #include <fmt/format.h>
 #include <zlib.h>
 
 #include "base/error.h"
-#include "base/image.h"
 
 namespace parity::base {
 
@@ -27,13 +27,27 @@ std::uint32_t bigEndian(std::string_view bytes) {
 
 } // namespace
 
-void checkPng(std::span<const std::byte> bytes, const std::string& name) {
+ImageShape readPngShape(std::span<const std::byte> head, const std::string& name, const ImageLimits& limits) {
+  std::string_view rest(reinterpret_cast<const char*>(head.data()), head.size());
+  rest.remove_prefix(std::min(rest.size(), kSignature.size()));
+  constexpr std::size_t kColorType = 17; // behind width, height and the depth of a sample
+  if (rest.size() <= kColorType) throw fileError(name, "damaged or truncated", "ends within its header");
+  if (rest.substr(kLengthBytes, kTypeBytes) != "IHDR")
+    throw fileError(name, "damaged or truncated", "does not begin with an IHDR chunk");
+  const long long width = bigEndian(rest.substr(8)), height = bigEndian(rest.substr(12));
+  constexpr int kChannels[] = {1, 0, 3, 4, 2, 0, 4}; // by colour type: grey, RGB, palette, with alpha
+  const auto colorType = static_cast<unsigned char>(rest[kColorType]);
+  const int channels = colorType < std::size(kChannels) ? kChannels[colorType] : 0;
+  if (channels == 0) throw fileError(name, "IHDR", fmt::format("colour type {}, which there is none of", colorType));
+  checkImageSize(name, width, height, channels, limits);
+  return {static_cast<int>(width), static_cast<int>(height), channels, true};
+}
+
+void checkPng(std::span<const std::byte> bytes, const std::string& name, const ImageLimits& limits) {
   std::string_view rest(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (!rest.starts_with(kSignature)) return;
+  readPngShape(bytes, name, limits);
   rest.remove_prefix(kSignature.size());
-  // IHDR, always the first, begins with width and height.
-  if (rest.size() >= 16 && rest.substr(kLengthBytes, kTypeBytes) == "IHDR")
-    checkImageSize(name, bigEndian(rest.substr(8)), bigEndian(rest.substr(12)), 1);
   for (;;) {
     if (rest.size() < kLengthBytes + kTypeBytes)
       throw fileError(name, "damaged or truncated", "ends without an IEND chunk");

@@ -80,18 +80,19 @@ const base::Image& Context::envBrdfLut() {
   return m_lut;
 }
 
-std::shared_ptr<const Context::LoadedEnvironment> Context::environment(const std::string& file, float rotationDeg) {
+std::shared_ptr<const Context::LoadedEnvironment> Context::environment(const std::string& file, float rotationDeg,
+                                                                       const scenes::LoadOptions& limits) {
   const base::Stopwatch watch(&m_timings, "load environment");
   const std::lock_guard lock(m_lights->loadMutex);
   base::Hasher hasher;
-  hasher.add(file);
+  hasher.add(file).addValue(limits.maxImageSide).addValue(limits.maxMemoryBytes); // within which it was accepted
   std::error_code ignored;
   if (std::filesystem::is_regular_file(file, ignored)) hasher.add(base::readFile(file));
   const std::string key = hasher.hex();
   std::shared_ptr<const LoadedEnvironment>& last = m_lights->loaded;
   if (!last || last->key != key || last->rotationDeg != rotationDeg) {
     auto loaded = std::make_shared<LoadedEnvironment>(LoadedEnvironment{key, rotationDeg, {}, {}});
-    loaded->environment = scenes::loadEnvironment(file, rotationDeg, loaded->warnings);
+    loaded->environment = scenes::loadEnvironment(file, rotationDeg, loaded->warnings, limits);
     last = std::move(loaded);
   }
   return last;

@@ -62,7 +62,8 @@ public:
     scenes::Environment environment;
     std::vector<std::string> warnings;
   };
-  std::shared_ptr<const LoadedEnvironment> environment(const std::string& file, float rotationDeg);
+  std::shared_ptr<const LoadedEnvironment> environment(const std::string& file, float rotationDeg,
+                                                       const scenes::LoadOptions& limits = {});
 
   // What a path reads of an environment, from the cache where it holds it; the last ones of the run are at hand.
   // Thread-safe.

@@ -19,13 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What OpenImageIO 2.4 reads (its extension_list, less films, text screens and volumes), and .pfm.
+// What the formats that are read (base/image_format.h) are called.
 bool isPicture(const fs::path& file) {
-  constexpr std::string_view kExtensions =
-      " exr sxr mxr tif tiff tx env sm vsm jpg jpe jpeg jif jfif jfi bmp dib cin dds dcm dpx fits gif heic heif heics "
-      "avif hdr rgbe ico iff z jp2 j2k j2c png ppm pgm pbm pnm pfm psd pdd psb bay bmq cr2 cr3 crw cs1 dc2 dcr dng erf "
-      "fff k25 kdc mdc mos mrw nef orf pef pxn raf raw rdc sr2 srf x3f arw 3fr cine ia kc2 mef nrw qtk rw2 sti rwl srw "
-      "drf dsc ptx cap iiq rwz rla sgi rgb rgba bw int inta pic tga tpic webp zfile ";
+  constexpr std::string_view kExtensions = " exr sxr mxr tif tiff jpg jpe jpeg jif jfif jfi bmp dib hdr rgbe png ppm pgm "
+                                           "pbm pnm pfm tga tpic webp ";
   std::string extension = file.extension().string();
   if (extension.size() < 2 || extension.find(' ') != std::string::npos) return false;
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

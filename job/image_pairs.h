@@ -21,7 +21,7 @@ struct FilePairs {
   std::vector<std::string> skipped; // in the folders, passed over: of no kind that pictures have, or hidden
 };
 
-// Two files (any two), or two folders: every picture below one (by its extension: any that OpenImageIO reads; links are
+// Two files (any two), or two folders: every picture below one (by its extension: of the formats that are read; links are
 // followed; hidden files and folders are passed over) and its counterpart of the same relative path below the other;
 // where there is none, one of the same stem and another extension, if that leaves no choice. A picture without
 // counterpart, on either side, is a pair with `missing`.

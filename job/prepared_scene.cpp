@@ -165,7 +165,7 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
       },
       [&] {
         if (request.environment.empty()) return;
-        const auto loaded = context.environment(request.environment, request.environmentRotationDeg);
+        const auto loaded = context.environment(request.environment, request.environmentRotationDeg, request.load);
         panorama = loaded->environment;
         warnings = loaded->warnings;
       },

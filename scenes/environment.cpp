@@ -1,9 +1,11 @@
 // HDR environments from image files, cleaned of what no renderer can use.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -15,18 +17,84 @@
 
 namespace parity::scenes {
 
-base::Image toRgb(base::Image image, const std::string& label) {
-  if (image.width < 1 || image.height < 1 || image.pixels.empty())
-    throw base::fileError(label, "", "the image has no pixels");
-  if (image.channels != 1 && image.channels != 3 && image.channels != 4)
-    throw base::fileError(label, "", fmt::format("{} channels where 1, 3 or 4 are needed", image.channels));
-  if (image.channels == 3) return image;
-  base::Image rgb(image.width, image.height, 3);
-  for (std::size_t i = 0; i < image.pixelCount(); ++i)
-    for (std::size_t c = 0; c < 3; ++c)
-      rgb.pixels[3 * i + c] =
-          image.pixels[i * static_cast<std::size_t>(image.channels) + (image.channels == 1 ? 0 : c)];
-  return rgb;
+namespace {
+
+// Where R, G and B lie among the channels.
+std::array<std::size_t, 3> findColors(const base::ImageInfo& info, const std::string& label) {
+  const std::vector<std::string>& names = info.channelNames;
+  const auto find = [&](std::string_view name) {
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+  };
+  const std::array<std::size_t, 3> colors = {find("R"), find("G"), find("B")};
+  const auto isThere = [&](std::size_t channel) { return channel < names.size(); };
+  if (std::all_of(colors.begin(), colors.end(), isThere)) return colors;
+  // Chroma beside Y (RY, BY) would be colour that is lost.
+  const bool isGrey = std::all_of(names.begin(), names.end(),
+                                  [](const std::string& name) { return name == "Y" || name == "A" || name == "Z"; });
+  if (const std::size_t grey = find("Y"); isGrey && isThere(grey)) return {grey, grey, grey};
+  throw base::fileError(label, "",
+                        fmt::format("the channels are {}: an environment has R, G and B, or Y",
+                                    cleanName(fmt::format("{}", fmt::join(names, ", ")))));
+}
+
+} // namespace
+
+base::Image toUpright(base::Image image, int orientation) {
+  if (orientation <= 1 || orientation > 8) return image;
+  const bool isTransposed = orientation >= 5;
+  const auto stored = [&](int x, int y) {
+    const int right = image.width - 1, bottom = image.height - 1;
+    switch (orientation) {
+    case 2:
+      return image.at(right - x, y);
+    case 3:
+      return image.at(right - x, bottom - y);
+    case 4:
+      return image.at(x, bottom - y);
+    case 5:
+      return image.at(y, x);
+    case 6:
+      return image.at(y, bottom - x);
+    case 7:
+      return image.at(right - y, bottom - x);
+    default:
+      return image.at(right - y, x);
+    }
+  };
+  base::Image upright(isTransposed ? image.height : image.width, isTransposed ? image.width : image.height,
+                      image.channels);
+  for (int y = 0; y < upright.height; ++y)
+    for (int x = 0; x < upright.width; ++x) std::copy_n(stored(x, y), image.channels, upright.at(x, y));
+  return upright;
+}
+
+base::Image toPanorama(base::ImageFile file, const std::string& label) {
+  const base::ImageInfo& info = file.info;
+  base::Image& pixels = file.pixels;
+  if (pixels.empty()) throw base::fileError(label, "", "the image has no pixels");
+  if (info.isCubeMap)
+    throw base::fileError(label, "envmap", "is a cube map: an environment is a panorama of latitude and longitude");
+  if (info.x != info.fullX || info.y != info.fullY || pixels.width != info.fullWidth ||
+      pixels.height != info.fullHeight)
+    throw base::fileError(label, "dataWindow",
+                          fmt::format("{}x{} pixels at {:+}{:+} where the picture is {}x{} at {:+}{:+}: an environment "
+                                      "is whole",
+                                      pixels.width, pixels.height, info.x, info.y, info.fullWidth, info.fullHeight,
+                                      info.fullX, info.fullY));
+  const std::array<std::size_t, 3> colors = findColors(info, label);
+  if (pixels.channels != 3 || colors != std::array<std::size_t, 3>{0, 1, 2}) {
+    base::Image rgb(pixels.width, pixels.height, 3);
+    for (std::size_t i = 0; i < pixels.pixelCount(); ++i)
+      for (std::size_t c = 0; c < 3; ++c)
+        rgb.pixels[3 * i + c] = pixels.pixels[i * static_cast<std::size_t>(pixels.channels) + colors[c]];
+    pixels = std::move(rgb);
+  }
+  base::Image upright = toUpright(std::move(pixels), info.orientation);
+  if (upright.width != 2 * upright.height)
+    throw base::fileError(label, "",
+                          fmt::format("{}x{} pixels: a panorama of latitude and longitude is twice as wide as high",
+                                      upright.width, upright.height));
+  return upright;
 }
 
 CleanedCounts cleanRadiance(base::Image& radiance, const std::string& label) {
@@ -45,6 +113,8 @@ CleanedCounts cleanRadiance(base::Image& radiance, const std::string& label) {
     } else if (value < 0) { // -infinity too
       ++counts.negative;
       value = 0;
+    } else if (value < kMinRadiance) {
+      value = 0;
     } else if (std::isinf(value)) {
       ++counts.infinite;
       value = largest;
@@ -57,7 +127,8 @@ CleanedCounts cleanRadiance(base::Image& radiance, const std::string& label) {
   return counts;
 }
 
-Environment loadEnvironment(const std::string& fileOrBuiltin, float rotationDeg, std::vector<std::string>& warnings) {
+Environment loadEnvironment(const std::string& fileOrBuiltin, float rotationDeg, std::vector<std::string>& warnings,
+                            const LoadOptions& options) {
   if (!std::isfinite(rotationDeg))
     throw base::Error(base::ExitCode::usage, "--env-rotation", "", "not a finite number of degrees");
   constexpr std::string_view kBuiltin = "builtin:";
@@ -66,11 +137,13 @@ Environment loadEnvironment(const std::string& fileOrBuiltin, float rotationDeg,
     environment = makeBuiltinEnvironment(fileOrBuiltin.substr(kBuiltin.size()));
   else {
     const std::filesystem::path file(fileOrBuiltin);
+    const base::ImageLimits limits{.maxSide = options.maxImageSide, .maxBytes = options.maxMemoryBytes};
     environment.name = cleanName(file.stem().string());
     try {
-      environment.radiance = toRgb(base::decodeRadiance(base::readFile(file), fileOrBuiltin), fileOrBuiltin);
+      environment.radiance =
+          toPanorama(base::decodeRadiance(base::readFile(file), fileOrBuiltin, limits), fileOrBuiltin);
     } catch (const base::Error& error) { // the reader may know the file by another name
-      throw base::fileError(fileOrBuiltin, "", error.reason());
+      throw base::fileError(fileOrBuiltin, error.place(), error.reason());
     }
     const CleanedCounts counts = cleanRadiance(environment.radiance, fileOrBuiltin);
     if (counts.notANumber + counts.infinite + counts.negative > 0)

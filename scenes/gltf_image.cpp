@@ -90,7 +90,8 @@ DecodedImages decodeImages(const GltfDocument& document, const std::vector<int>&
       decoded.images[i].name = document.images[static_cast<std::size_t>(used[i])].name;
       if (!all[i].isUsable) continue;
       try {
-        decoded.images[i].pixels = base::decodeImage8(all[i].bytes, decoded.images[i].name, 4);
+        decoded.images[i].pixels =
+            base::decodeImage8(all[i].bytes, decoded.images[i].name, 4, {.maxBytes = document.options.maxMemoryBytes});
         if (all[i].isJpeg) all[i].damage = base::findJpegDamage(all[i].bytes);
       } catch (const base::Error& error) {
         failed[i] = document.error(all[i].place, error.reason());

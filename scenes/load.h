@@ -16,10 +16,13 @@ namespace parity::scenes {
 // finite.
 Scene loadScene(const std::string& fileOrBuiltin, const LoadOptions& options = {});
 
-// Loads an equirectangular .hdr, .exr or .pfm, or "builtin:NAME" (scenes/builtin.h). 1 channel is spread, a 4th
-// dropped. NaN, infinite and negative texels are set to 0 (NaN, negative) or the largest finite value (inf), those
-// above 1e30 to that, counted, and reported in lines appended to `warnings`. Throws Error (exit 4): unreadable,
-// zero-sized, of integers, not 1, 3 or 4 channels, nothing finite.
-Environment loadEnvironment(const std::string& fileOrBuiltin, float rotationDeg, std::vector<std::string>& warnings);
+// Loads an equirectangular .hdr, .exr or .pfm within the limits of the options (an image's side and the memory), or
+// "builtin:NAME" (scenes/builtin.h). Grey is spread, channels beside R, G, B are dropped; a .hdr is turned as its
+// header says. NaN, infinite and negative texels are set to 0 (NaN, negative) or the largest finite value (inf), those
+// above 1e30 to that, counted, and reported in lines appended to `warnings`; below 1e-30 they are 0. Throws Error (exit
+// 4): unreadable, zero-sized, of integers, other channels, a cube map, a part of a panorama, not twice as wide as high,
+// nothing finite.
+Environment loadEnvironment(const std::string& fileOrBuiltin, float rotationDeg, std::vector<std::string>& warnings,
+                            const LoadOptions& options = {});
 
 } // namespace parity::scenes

@@ -10,6 +10,7 @@
 #include "fuzz/environment_seeds.h"
 #include "fuzz/gltf_mutator.h"
 #include "fuzz/gltf_seeds.h"
+#include "fuzz/image_seeds.h"
 #include "fuzz/inputs.h"
 
 namespace parity::tests {
@@ -55,7 +56,18 @@ TEST(FuzzSeeds, EveryGltfFileLoads) { expectSeedsLoad(loadGltfBytes, makeGltfSee
 
 TEST(FuzzSeeds, EveryEnvironmentLoads) { expectSeedsLoad(loadEnvironmentBytes, makeEnvironmentSeeds()); }
 
+// As every kind of image, but that floats are no ids.
+TEST(FuzzSeeds, EveryImageLoads) {
+  for (const auto& [name, bytes] : makeImageSeeds()) {
+    const InputResult result = loadInTime(loadImageBytes, name, bytes);
+    EXPECT_TRUE(!result.isRefused || result.reason.find("holds no unsigned integers") != std::string::npos)
+        << name << ": " << result.reason;
+  }
+}
+
 TEST(FuzzCorpus, GltfFilesLoadOrAreRefused) { expectCorpusIsSurvived(loadGltfBytes, "gltf"); }
+
+TEST(FuzzCorpus, ImagesLoadOrAreRefused) { expectCorpusIsSurvived(loadImageBytes, "image"); }
 
 TEST(FuzzCorpus, EnvironmentsLoadOrAreRefused) { expectCorpusIsSurvived(loadEnvironmentBytes, "environment"); }
 

@@ -7,6 +7,7 @@
 
 #include "base/file.h"
 #include "base/image_io.h"
+#include "fuzz/exr_bytes.h"
 #include "scenes/gltf_writer.h"
 
 namespace parity::tests {
@@ -54,84 +55,6 @@ Bytes runRows(int width, int height) {
   return bytes;
 }
 
-void addAttribute(Bytes& bytes, const std::string& name, const std::string& type, const Bytes& value) {
-  addText(bytes, name + '\0');
-  addText(bytes, type + '\0');
-  add(bytes, value.size());
-  bytes.insert(bytes.end(), value.begin(), value.end());
-}
-
-struct ExrLayout {
-  int compression = 0;   // 0 none, 1 rle, 2 zips, 3 zip, 4 piz, 5 pxr24, 6 b44, 7 b44a, 8 dwaa, 9 dwab
-  int linesAChunk = 1;   // of that compression
-  bool isTiled = false;  // 4 x 4 texels
-  bool isPacked = false; // rle only: each chunk is a run of 128s
-};
-
-// 8 x 4 texels of three half floats.
-Bytes makeExr(const ExrLayout& layout) {
-  constexpr int kWidth = 8, kHeight = 4, kTile = 4, kChannels = 3, kHalfBytes = 2;
-  const auto ints = [](std::initializer_list<std::uint32_t> values) {
-    Bytes bytes;
-    for (const std::uint32_t value : values) add(bytes, value);
-    return bytes;
-  };
-  Bytes bytes, channels, byte;
-  add(bytes, 20000630);
-  add(bytes, layout.isTiled ? 0x202 : 2);
-  for (const char* name : {"B", "G", "R"}) {
-    addText(channels, name + std::string(1, '\0'));
-    for (const std::uint32_t value : {1u, 0u, 1u, 1u}) add(channels, value); // half, not perceptual, every texel
-  }
-  add(channels, 0, 1);
-  addAttribute(bytes, "channels", "chlist", channels);
-  add(byte, static_cast<std::uint64_t>(layout.compression), 1);
-  addAttribute(bytes, "compression", "compression", byte);
-  for (const char* name : {"dataWindow", "displayWindow"})
-    addAttribute(bytes, name, "box2i", ints({0, 0, kWidth - 1, kHeight - 1}));
-  addAttribute(bytes, "lineOrder", "lineOrder", {std::byte{0}});
-  const std::uint32_t one = std::bit_cast<std::uint32_t>(1.f);
-  addAttribute(bytes, "pixelAspectRatio", "float", ints({one}));
-  addAttribute(bytes, "screenWindowCenter", "v2f", ints({0, 0}));
-  addAttribute(bytes, "screenWindowWidth", "float", ints({one}));
-  if (layout.isTiled) {
-    Bytes tiles = ints({kTile, kTile});
-    add(tiles, 0, 1);
-    addAttribute(bytes, "tiles", "tiledesc", tiles);
-  }
-  add(bytes, 0, 1);
-
-  const int lines = layout.isTiled ? kTile : std::min(layout.linesAChunk, kHeight);
-  const int columns = layout.isTiled ? kTile : kWidth;
-  std::vector<Bytes> chunks;
-  for (int y = 0; y < kHeight; y += lines)
-    for (int x = 0; x < kWidth; x += columns) {
-      Bytes data;
-      const int raw = lines * columns * kChannels * kHalfBytes;
-      if (layout.isPacked)
-        for (int left = raw; left > 0; left -= 128) {
-          add(data, static_cast<std::uint64_t>(std::min(left, 128) - 1), 1); // that many times and once more
-          add(data, 128, 1);
-        }
-      else
-        for (int i = 0; i < raw / kHalfBytes; ++i) add(data, 0x3c00 + static_cast<std::uint64_t>(i), kHalfBytes);
-      Bytes& chunk = chunks.emplace_back();
-      if (layout.isTiled)
-        chunk = ints({static_cast<std::uint32_t>(x / kTile), static_cast<std::uint32_t>(y / kTile), 0, 0});
-      else
-        chunk = ints({static_cast<std::uint32_t>(y)});
-      add(chunk, data.size());
-      chunk.insert(chunk.end(), data.begin(), data.end());
-    }
-  std::size_t offset = bytes.size() + 8 * chunks.size();
-  for (const Bytes& chunk : chunks) {
-    add(bytes, offset, 8);
-    offset += chunk.size();
-  }
-  for (const Bytes& chunk : chunks) bytes.insert(bytes.end(), chunk.begin(), chunk.end());
-  return bytes;
-}
-
 Bytes makePfm(const std::string& kind, int channels) {
   Bytes bytes;
   addText(bytes, kind + "\n4 2\n-1.0\n");
@@ -144,8 +67,8 @@ Bytes makePfm(const std::string& kind, int channels) {
 std::map<std::string, Bytes> makeEnvironmentSeeds() {
   std::map<std::string, Bytes> seeds;
   seeds["flat.hdr"] = makeHdr(4, 2, "-Y +X ", flatRows(8));
-  seeds["runs.hdr"] = makeHdr(16, 2, "-Y +X ", runRows(16, 2));
-  seeds["upside-down.hdr"] = makeHdr(16, 2, "+Y +X ", runRows(16, 2));
+  seeds["runs.hdr"] = makeHdr(16, 8, "-Y +X ", runRows(16, 8));
+  seeds["upside-down.hdr"] = makeHdr(16, 8, "+Y +X ", runRows(16, 8));
   seeds["raw.exr"] = makeExr({});
   seeds["rle.exr"] = makeExr({.compression = 1, .isPacked = true});
   constexpr int kLines[] = {1, 1, 1, 16, 32, 16, 32, 32, 32, 256};

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/image_io.h"
 #include "scenes/load.h"
 #include "scenes/material_balls.h"
 #include "scenes/scene_info.h"
@@ -143,6 +144,37 @@ InputResult loadEnvironmentBytes(const InputFolder& folder, std::span<const std:
   } catch (const base::Error& error) {
     return refusedBy(error, file);
   }
+}
+
+InputResult loadImageBytes(const InputFolder& folder, std::span<const std::byte> bytes) {
+  constexpr base::ImageLimits kLimits{.maxSide = 1024, .maxBytes = std::size_t{64} << 20};
+  const std::string file = folder.write("input.png", bytes); // told by its first bytes, whatever it is called
+  InputResult result;
+  const auto attempt = [&](const std::string& name, const auto& read) {
+    try {
+      if (const std::string fault = read(); !fault.empty()) result.fault = fault;
+    } catch (const base::Error& error) {
+      InputResult refused = refusedBy(error, name);
+      if (result.fault.empty()) result = std::move(refused);
+    }
+  };
+  const auto faultOf = [](const auto& image, std::size_t channels) -> std::string {
+    return image.empty() || image.pixels.size() != channels * image.pixelCount() ? "an image of another size" : "";
+  };
+  attempt(file, [&] {
+    const base::ImageFile picture = base::readImageFile(file, kLimits);
+    const auto channels = static_cast<std::size_t>(picture.pixels.channels);
+    if (picture.info.channelNames.size() != channels || picture.info.alphaChannel >= picture.pixels.channels)
+      return std::string("other channels than there are pixels for");
+    return faultOf(picture.pixels, channels);
+  });
+  attempt(file, [&] { return faultOf(base::readImage8(file, 4, kLimits), 4); });
+  attempt("texture", [&] { return faultOf(base::decodeImage8(bytes, "texture", 3, kLimits), 3); });
+  attempt(file, [&] {
+    const auto ids = base::readIntegers(file, kLimits);
+    return faultOf(ids, static_cast<std::size_t>(ids.channels));
+  });
+  return result;
 }
 
 } // namespace parity::tests

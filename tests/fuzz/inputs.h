@@ -36,4 +36,7 @@ InputResult loadGltfBytes(const InputFolder& folder, std::span<const std::byte> 
 // As .exr, .pfm or .hdr, by their first bytes.
 InputResult loadEnvironmentBytes(const InputFolder& folder, std::span<const std::byte> bytes);
 
+// As a picture for flip, a texture and a mask, with small limits (64 MiB, 1024 pixels a side).
+InputResult loadImageBytes(const InputFolder& folder, std::span<const std::byte> bytes);
+
 } // namespace parity::tests

@@ -32,6 +32,11 @@ inline constexpr const char* kEnvironmentWords[] = {
     "type", "string", "scanlineimage", "tiledimage", "deepscanline", "deeptile", "name", "chunkCount", "version",
     "maxSamplesPerPixel", "preview", "chromaticities", "multiView", "stringvector", "dwaCompressionLevel",
     "rational", "framesPerSecond", "timecode", "keycode", "envmap"};
+
+inline constexpr const char* kImageWords[] = {
+    "IHDR", "IDAT", "IEND", "PLTE", "tRNS", "iCCP", "eXIf", "iTXt", "ICC_PROFILE", "Exif", "JFIF", "http://ns.adobe.com/xap/1.0/",
+    "Photoshop 3.0", "8BIM", "acsp", "desc", "cprt", "mluc", "mntrRGB XYZ ", "VP8X", "VP8L", "VP8 ", "ICCP", "ALPH", "EXIF",
+    "\xff\xe2", "\xff\xe1", "\xff\xed", "\xff\xc0", "\xff\xc2", "\xff\xda", "\xff\xd9", "II*", "MM", "\x73\x87", "\x83\xbb", "\x87\x69"};
 // clang-format on
 
 } // namespace parity::tests

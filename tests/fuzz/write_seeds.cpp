@@ -1,4 +1,5 @@
-// fuzz_seeds FOLDER: writes what both fuzz targets begin with: FOLDER/gltf/*, FOLDER/gltf.dict, and so for environment.
+// fuzz_seeds FOLDER: writes what the fuzz targets begin with: FOLDER/gltf/*, FOLDER/gltf.dict, and so for environment
+// and image.
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include "base/file.h"
 #include "fuzz/environment_seeds.h"
 #include "fuzz/gltf_seeds.h"
+#include "fuzz/image_seeds.h"
 #include "fuzz/words.h"
 
 namespace {
@@ -44,9 +46,12 @@ int main(int count, char** arguments) {
       parity::base::writeBytes(folder / "gltf" / name, bytes);
     for (const auto& [name, bytes] : parity::tests::makeEnvironmentSeeds())
       parity::base::writeBytes(folder / "environment" / name, bytes);
+    for (const auto& [name, bytes] : parity::tests::makeImageSeeds())
+      parity::base::writeBytes(folder / "image" / name, bytes);
     parity::base::writeText(folder / "gltf.dict",
                             makeDictionary(parity::tests::kGltfKeys) + makeDictionary(parity::tests::kGltfValues));
     parity::base::writeText(folder / "environment.dict", makeDictionary(parity::tests::kEnvironmentWords));
+    parity::base::writeText(folder / "image.dict", makeDictionary(parity::tests::kImageWords));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
     return 4;

@@ -1,10 +1,15 @@
 // Environments: cleaning, refusing, and the procedural ones against what their formulas say.
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 
+#include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 
+#include "base/file.h"
 #include "base/image_io.h"
+#include "fuzz/exr_bytes.h"
 #include "scenes/builtin.h"
 #include "scenes/environment.h"
 #include "scenes/gltf_writer.h"
@@ -46,16 +51,120 @@ TEST(Environment, RefusesOneWithNothingFinite) {
   expectError([&] { scenes::cleanRadiance(image, "x.hdr"); }, {"x.hdr", "no pixel of the environment is finite"});
 }
 
-TEST(Environment, SpreadsGreyDropsAlphaAndRefusesOtherChannels) {
-  base::Image grey(2, 1, 1);
-  grey.pixels = {1, 2};
-  EXPECT_EQ(scenes::toRgb(grey, "x").pixels, (std::vector<float>{1, 1, 1, 2, 2, 2}));
-  base::Image rgba(1, 1, 4);
-  rgba.pixels = {1, 2, 3, 0.5f};
-  EXPECT_EQ(scenes::toRgb(rgba, "x").pixels, (std::vector<float>{1, 2, 3}));
-  expectError([] { scenes::toRgb(base::Image(1, 1, 2), "x.exr"); }, {"x.exr", "2 channels"});
-  expectError([] { scenes::toRgb(base::Image(1, 1, 6), "x.exr"); }, {"x.exr", "6 channels"});
-  expectError([] { scenes::toRgb(base::Image(), "x.exr"); }, {"x.exr", "no pixels"});
+// A picture of 2 x 1 pixels whose values are 1, 2, 3...
+base::ImageFile makePicture(const std::vector<std::string>& channels) {
+  base::ImageFile file;
+  file.pixels = base::Image(2, 1, static_cast<int>(channels.size()));
+  std::iota(file.pixels.pixels.begin(), file.pixels.pixels.end(), 1.f);
+  file.info.channelNames = channels;
+  file.info.fullWidth = 2, file.info.fullHeight = 1;
+  return file;
+}
+
+TEST(Environment, FindsColoursByTheirNamesAndRefusesOthers) {
+  const auto pixels = [](const std::vector<std::string>& channels) {
+    return scenes::toPanorama(makePicture(channels), "x.exr").pixels;
+  };
+  EXPECT_EQ(pixels({"R", "G", "B"}), (std::vector<float>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(pixels({"Y"}), (std::vector<float>{1, 1, 1, 2, 2, 2}));
+  EXPECT_EQ(pixels({"Y", "A"}), (std::vector<float>{1, 1, 1, 3, 3, 3}));
+  EXPECT_EQ(pixels({"R", "G", "B", "A"}), (std::vector<float>{1, 2, 3, 5, 6, 7}));
+  EXPECT_EQ(pixels({"B", "G", "R", "Z", "id"}), (std::vector<float>{3, 2, 1, 8, 7, 6}));
+  const auto refuses = [&](const std::vector<std::string>& channels, const std::string& listed) {
+    expectError([&] { pixels(channels); }, {"x.exr", "the channels are " + listed});
+  };
+  refuses({"X", "Y", "Z"}, "X, Y, Z");
+  refuses({"Y", "RY", "BY"}, "Y, RY, BY");
+  refuses({"R", "G"}, "R, G");
+  refuses({"Z"}, "Z");
+  refuses({"diffuse.R", "diffuse.G", "diffuse.B"}, "diffuse.R");
+  expectError([] { scenes::toPanorama({}, "x.exr"); }, {"x.exr", "no pixels"});
+}
+
+TEST(Environment, RefusesCubeMapsPartsAndOtherShapes) {
+  const auto refuses = [](const std::function<void(base::ImageFile&)>& change, const std::string& reason) {
+    base::ImageFile file = makePicture({"R", "G", "B"});
+    change(file);
+    expectError([&] { scenes::toPanorama(file, "x.exr"); }, {"x.exr", reason});
+  };
+  refuses([](auto& file) { file.info.isCubeMap = true; }, "is a cube map");
+  refuses([](auto& file) { file.info.fullWidth = 4, file.info.fullHeight = 2; },
+          "dataWindow: 2x1 pixels at +0+0 where");
+  refuses([](auto& file) { file.info.x = 1; }, "at +1+0");
+  refuses([](auto& file) { file.info.orientation = 6; }, "1x2 pixels: a panorama");
+  refuses(
+      [](auto& file) {
+        file.pixels = base::Image(2, 2, 3, 1.f);
+        file.info.fullHeight = 2;
+      },
+      "2x2 pixels: a panorama");
+}
+
+// The header's words in an OpenEXR file: the library's own reading of them.
+TEST(Environment, RefusesAnExrCubeMapAndALargerDisplayWindow) {
+  const TempFolder folder;
+  const std::string file = (folder / "sky.exr").string();
+  std::vector<std::string> warnings;
+  const auto load = [&](const ExrLayout& layout) {
+    base::writeBytes(file, makeExr(layout));
+    return scenes::loadEnvironment(file, 0, warnings).radiance;
+  };
+  EXPECT_EQ(load({}).width, 8);
+  EXPECT_EQ(load({.envmap = 0}).width, 8) << "latitude and longitude";
+  expectError([&] { load({.envmap = 1}); }, {file, "is a cube map"});
+  expectError([&] { load({.displayWidth = 16}); }, {file, "dataWindow: 8x4 pixels at +0+0 where the picture is 16x4"});
+}
+
+// 4 x 2 pixels, numbered from the top left as they are to be seen, stored in each of the eight orders that a Radiance
+// file may have.
+TEST(Environment, IsTurnedAsTheHeaderOfAnHdrSays) {
+  const TempFolder folder;
+  const std::string file = (folder / "sky.hdr").string();
+  constexpr int kWidth = 4, kHeight = 2;
+  for (const char* slow : {"-Y", "+Y", "-X", "+X"})
+    for (const char* fast : {"-Y", "+Y", "-X", "+X"}) {
+      if (slow[1] == fast[1]) continue;
+      const auto length = [](const char* axis) { return axis[1] == 'X' ? kWidth : kHeight; };
+      std::string bytes =
+          fmt::format("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n{} {} {} {}\n", slow, length(slow), fast, length(fast));
+      for (int i = 0; i < length(slow); ++i)
+        for (int j = 0; j < length(fast); ++j) {
+          const char* alongX = slow[1] == 'X' ? slow : fast;
+          const char* alongY = slow[1] == 'Y' ? slow : fast;
+          const int along[] = {slow[1] == 'X' ? i : j, slow[1] == 'Y' ? i : j};
+          const int x = alongX[0] == '+' ? along[0] : kWidth - 1 - along[0];
+          const int y = alongY[0] == '-' ? along[1] : kHeight - 1 - along[1];
+          // Mantissas of 1/256 at the exponent 136: as they stand.
+          bytes += {static_cast<char>(128 + y * kWidth + x), '\0', '\0', static_cast<char>(136)};
+        }
+      base::writeText(file, bytes);
+      std::vector<std::string> warnings;
+      const base::Image radiance = scenes::loadEnvironment(file, 0, warnings).radiance;
+      ASSERT_EQ(radiance.width, kWidth) << slow << fast;
+      ASSERT_EQ(radiance.height, kHeight) << slow << fast;
+      for (int p = 0; p < kWidth * kHeight; ++p) EXPECT_EQ(radiance.pixels[3 * p], 128.f + p) << slow << fast << p;
+    }
+}
+
+TEST(Environment, IsRefusedBeyondTheLimitsOfLoading) {
+  const TempFolder folder;
+  const std::string file = (folder / "sky.exr").string();
+  base::writeImage(file, base::Image(64, 32, 3, 1.f));
+  std::vector<std::string> warnings;
+  EXPECT_NO_THROW(scenes::loadEnvironment(file, 0, warnings, {.maxImageSide = 64, .maxMemoryBytes = 1 << 20}));
+  expectError([&] { scenes::loadEnvironment(file, 0, warnings, {.maxImageSide = 63}); },
+              {file, "64 x 32", "--max-image"});
+  expectError([&] { scenes::loadEnvironment(file, 0, warnings, {.maxMemoryBytes = 1000}); },
+              {file, "64 x 32", "1 MiB", "--max-memory"});
+}
+
+// Filters of denormal numbers took some 20 times as long.
+TEST(Environment, HoldsNoValueWhoseProductsWouldBeDenormal) {
+  base::Image image(2, 1, 3);
+  image.pixels = {1e-40f, 1e-37f, 0.9e-30f, 1.1e-30f, 1e-20f, 2};
+  const scenes::CleanedCounts counts = scenes::cleanRadiance(image, "x.hdr");
+  EXPECT_EQ(image.pixels, (std::vector<float>{0, 0, 0, 1.1e-30f, 1e-20f, 2}));
+  EXPECT_EQ(counts.tooLarge + counts.negative + counts.notANumber + counts.infinite, 0u) << "no light is no defect";
 }
 
 TEST(Environment, LoadsFilesWithOneWarningForAllThatWasCleaned) {
