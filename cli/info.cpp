@@ -89,24 +89,25 @@ void printNames(const char* what, const std::vector<std::string>& names) {
   if (names.empty()) return;
   std::vector<std::string> shown;
   for (std::size_t i = 0; i < names.size(); ++i) shown.push_back(names[i].empty() ? fmt::format("({})", i) : names[i]);
-  print("{:<11} {}\n", what, fmt::join(shown, ", "));
+  cli::print("{:<11} {}\n", what, fmt::join(shown, ", "));
 }
 
 void printInfo(const std::string& file, const scenes::Scene& scene, const scenes::SceneInfo& info) {
   const scenes::SourceFacts& facts = scene.facts;
-  print("{}\n", file);
+  cli::print("{}\n", file);
   if (!facts.version.empty())
-    print("{:<11} {}{}{}\n", "glTF", facts.version, facts.generator.empty() ? "" : ", ", facts.generator);
-  if (!facts.copyright.empty()) print("{:<11} {}\n", "copyright", facts.copyright);
+    cli::print("{:<11} {}{}{}\n", "glTF", facts.version, facts.generator.empty() ? "" : ", ", facts.generator);
+  if (!facts.copyright.empty()) cli::print("{:<11} {}\n", "copyright", facts.copyright);
   std::vector<std::string> counts;
   for (const auto& [name, count] : facts.counts) counts.push_back(fmt::format("{} {}", count, name));
-  if (!counts.empty()) print("{:<11} {}\n", "file", fmt::join(counts, ", "));
-  print("{:<11} {} triangles, {} vertices, {} instances\n", "shown", info.triangles, info.vertices, info.instances);
+  if (!counts.empty()) cli::print("{:<11} {}\n", "file", fmt::join(counts, ", "));
+  cli::print("{:<11} {} triangles, {} vertices, {} instances\n", "shown", info.triangles, info.vertices,
+             info.instances);
   const glm::vec3 size = info.bounds.upper - info.bounds.lower;
-  print("{:<11} {:.4g} x {:.4g} x {:.4g} m, from ({:.4g}, {:.4g}, {:.4g})\n", "bounds", size.x, size.y, size.z,
-        info.bounds.lower.x, info.bounds.lower.y, info.bounds.lower.z);
-  print("{:<11} {:.1f} MiB of meshes, {:.1f} MiB of {} images ({:.2f} megapixels)\n", "memory", toMib(info.meshBytes),
-        toMib(info.imageBytes), info.images, static_cast<double>(info.texels) / 1e6);
+  cli::print("{:<11} {:.4g} x {:.4g} x {:.4g} m, from ({:.4g}, {:.4g}, {:.4g})\n", "bounds", size.x, size.y, size.z,
+             info.bounds.lower.x, info.bounds.lower.y, info.bounds.lower.z);
+  cli::print("{:<11} {:.1f} MiB of meshes, {:.1f} MiB of {} images ({:.2f} megapixels)\n", "memory",
+             toMib(info.meshBytes), toMib(info.imageBytes), info.images, static_cast<double>(info.texels) / 1e6);
   printNames("extensions", facts.extensionsUsed);
   printNames("scenes", facts.scenes);
   std::vector<std::string> animations;
@@ -117,20 +118,20 @@ void printInfo(const std::string& file, const scenes::Scene& scene, const scenes
   printNames("animations", animations);
   printNames("variants", facts.variants);
   for (const scenes::Camera& camera : scene.cameras)
-    print("{:<11} {}, {}\n", "camera", camera.name, camera.orthographic ? "orthographic" : "perspective");
+    cli::print("{:<11} {}, {}\n", "camera", camera.name, camera.orthographic ? "orthographic" : "perspective");
   for (const scenes::Light& light : scene.lights) {
     const bool hasExponent = light.falloff == scenes::Falloff::exponent;
-    print("{:<11} {}, {}, ({:.4g}, {:.4g}, {:.4g}) {}{}{}\n", "light", light.name, scenes::nameOf(light.kind),
-          light.color.x, light.color.y, light.color.z,
-          light.kind == scenes::LightKind::directional || hasExponent ? "lx" : "cd",
-          light.range > 0 ? fmt::format(", range {:.4g} m", light.range) : "",
-          hasExponent ? fmt::format(", falloff exponent {:.4g}", light.falloffExponent) : "");
+    cli::print("{:<11} {}, {}, ({:.4g}, {:.4g}, {:.4g}) {}{}{}\n", "light", light.name, scenes::nameOf(light.kind),
+               light.color.x, light.color.y, light.color.z,
+               light.kind == scenes::LightKind::directional || hasExponent ? "lx" : "cd",
+               light.range > 0 ? fmt::format(", range {:.4g} m", light.range) : "",
+               hasExponent ? fmt::format(", falloff exponent {:.4g}", light.falloffExponent) : "");
   }
 
   std::size_t width = 8;
   for (const scenes::MaterialInfo& material : info.materials)
     width = std::max(width, std::min<std::size_t>(material.name.size(), 40));
-  print("\n{:<{}} {:>10} {:>8} {:>9}  {}\n", "material", width, "triangles", "metallic", "roughness", "flags");
+  cli::print("\n{:<{}} {:>10} {:>8} {:>9}  {}\n", "material", width, "triangles", "metallic", "roughness", "flags");
   for (std::size_t m = 0; m < info.materials.size(); ++m) {
     const scenes::MaterialInfo& material = info.materials[m];
     std::vector<std::string> flags = material.flags;
@@ -138,9 +139,9 @@ void printInfo(const std::string& file, const scenes::Scene& scene, const scenes
                  fmt::format("alpha mask below {:.3g}", scene.materials[m].alphaCutoff));
     if (!scene.materials[m].notModelled.empty())
       flags.push_back(fmt::format("not modelled: {}", fmt::join(scene.materials[m].notModelled, ", ")));
-    print("{:<{}} {:>10} {:>8.3g} {:>9.3g}  {}\n", material.name, width, material.triangles,
-          scene.materials[m].metallic, scene.materials[m].roughness, fmt::join(flags, ", "));
-    for (const std::string& texture : material.textures) print("{:<{}}   {}\n", "", width, texture);
+    cli::print("{:<{}} {:>10} {:>8.3g} {:>9.3g}  {}\n", material.name, width, material.triangles,
+               scene.materials[m].metallic, scene.materials[m].roughness, fmt::join(flags, ", "));
+    for (const std::string& texture : material.textures) cli::print("{:<{}}   {}\n", "", width, texture);
   }
 }
 
@@ -152,8 +153,8 @@ int runInfoCommand(const InfoCommand& command) {
   if (!command.json.empty()) writeJson(command.json, dumpJson(infoJson(command.scene, scene, info)));
   if (command.json == "-") return 0;
   printInfo(command.scene, scene, info);
-  if (!scene.warnings.empty()) print("\n");
-  for (const std::string& warning : scene.warnings) print("warning: {}\n", warning);
+  if (!scene.warnings.empty()) cli::print("\n");
+  for (const std::string& warning : scene.warnings) cli::print("warning: {}\n", warning);
   return 0;
 }
 

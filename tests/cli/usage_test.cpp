@@ -130,7 +130,7 @@ const BadUsage kBadUsages[] = {
     {"UnknownFitCompensation", {"fit", "--compensation", "all"}, {"--compensation", "turquin"}},
     {"OutputOfNothing", {"report", "builtin:furnace", "-o", ""}, {"--output", "is given an empty value"}},
     {"BakeIntoNothing", {"bake", "builtin:room", "-o", ""}, {"--output", "is given an empty value"}},
-    {"BenchIntoNothing", {"bench", "builtin:furnace", "--output="}, {"--output", "is given an empty value"}},
+    {"BenchIntoNothing", {"bench", "builtin:furnace", "-o", ""}, {"--output", "is given an empty value"}},
     {"FlipMapOfNothing", {"flip", "a.png", "b.png", "-o", ""}, {"--output", "is given an empty value"}},
     {"BudgetsIntoNothing", {"budget", "suggest", "r.json", "-o", ""}, {"--output", "is given an empty value"}},
     {"FitIntoNothing", {"fit", "-o", ""}, {"--output", "is given an empty value"}},
