@@ -54,6 +54,7 @@ BenchCommand settleBench(const RawBenchOptions& raw) {
   if (command.scenes.empty() && !command.scaling && !command.list)
     throw CLI::RequiredError("bench: a SCENE, --scaling or --list");
   settle(command.common, raw.common);
+  requireSizeFits(command.common, kComparedPixelBytes);
   command.common.settings.costs = true;
   command.trial.truth = !raw.noReference;
   if (command.common.json == "-" && command.csv == "-")

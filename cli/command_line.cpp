@@ -219,14 +219,17 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
           if (!report.suite.empty() && reportApp.count(option) > 0) throw CLI::ExcludesError("--suite", option);
       settleAttribution(report.common.settings, raw);
       settle(report.common, raw);
+      requireSizeFits(report.common, kComparedPixelBytes);
       report.pixelData = raw.pixelData == "all";
       parsed.command = report;
     } else if (diffApp.parsed()) {
       settleAttribution(diff.common.settings, raw);
       settle(diff.common, raw);
+      requireSizeFits(diff.common, kComparedPixelBytes);
       parsed.command = diff;
     } else if (renderApp.parsed()) {
       settle(render.common, raw);
+      requireSizeFits(render.common, kDrawnPixelBytes);
       parsed.command = render;
     } else if (flipApp.parsed()) {
       settleFlip(flipApp, flip, rawFlip);

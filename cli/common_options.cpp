@@ -257,4 +257,14 @@ void settle(CommonOptions& common, const RawOptions& raw) {
   base::setLogLevel(raw.quiet ? base::LogLevel::quiet : raw.verbose ? base::LogLevel::verbose : base::LogLevel::normal);
 }
 
+void requireSizeFits(const CommonOptions& common, std::size_t pixelBytes) {
+  const auto width = static_cast<std::size_t>(common.settings.width);
+  const auto height = static_cast<std::size_t>(common.settings.height);
+  const std::size_t bytes = width * height * pixelBytes, limit = common.load.maxMemoryBytes;
+  if (bytes > limit)
+    throw CLI::ValidationError("--size",
+                               fmt::format("{}x{} pixels take some {} MiB, the limit is {} MiB (--max-memory)", width,
+                                           height, bytes >> 20, limit >> 20));
+}
+
 } // namespace parity::cli

@@ -64,4 +64,10 @@ void addTruthOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
 // Checks what CLI11 has filled in, and turns it into settings. Throws CLI::ValidationError.
 void settle(CommonOptions& common, const RawOptions& raw);
 
+// What a view takes for each pixel of --size at its peak, measured (docs/limits.md): compared by two paths, and drawn
+// by one.
+inline constexpr std::size_t kComparedPixelBytes = 350, kDrawnPixelBytes = 64;
+// After settle(). Throws CLI::ValidationError where that is more than --max-memory.
+void requireSizeFits(const CommonOptions& common, std::size_t pixelBytes);
+
 } // namespace parity::cli

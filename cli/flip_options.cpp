@@ -10,6 +10,7 @@
 #include "base/color.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "cli/load_options.h"
 #include "cli/option_parts.h"
 #include "compare/flip.h"
 #include "compare/flip_hdr.h"
@@ -100,6 +101,23 @@ void addPictureOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
       ->check(CLI::IsMember({"error", "worst"}))
       ->group("Pictures")
       ->capture_default_str();
+}
+
+void addSizeOptions(CLI::App& app, RawFlipOptions& raw) {
+  app.add_option("--max-image", raw.maxImage, "SIDE or SIDE,MEGAPIXELS: largest picture. Default 16384,256")
+      ->group("Pictures");
+  app.add_option("--max-memory", raw.maxMemory,
+                 "Most that comparing one pair may take, by its headers, such as 512M. Default 6G")
+      ->group("Pictures");
+}
+
+// Of one pair of 8-bit pictures 10900 pixels a side need 6 GiB.
+base::ImageLimits limitsOf(const RawFlipOptions& raw) {
+  scenes::LoadOptions load;
+  load.maxImageTexels = base::kMaxImagePixels;
+  load.maxMemoryBytes = std::size_t{6} << 30;
+  settleLimits(load, {.maxImage = raw.maxImage, .maxMemory = raw.maxMemory});
+  return {.maxSide = load.maxImageSide, .maxPixels = load.maxImageTexels, .maxBytes = load.maxMemoryBytes};
 }
 
 void addMetricOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
@@ -235,6 +253,7 @@ void addFlipOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
   app.add_option("test", flip.test, "Test image or folder");
   app.add_option("--pairs", flip.pairList, "A list of pairs instead");
   addPictureOptions(app, flip, raw);
+  addSizeOptions(app, raw);
   addMetricOptions(app, flip, raw);
   addLimitOptions(app, flip, raw);
   addOutputOptions(app, flip, raw);
@@ -256,6 +275,7 @@ void settleFlip(const CLI::App& app, FlipCommand& flip, const RawFlipOptions& ra
     if (raw.alpha != "composite") throw CLI::ValidationError("--background", "has no part in --alpha " + raw.alpha);
   }
   request.image.alpha = static_cast<job::AlphaMode>(indexIn(job::kAlphaModeNames, raw.alpha));
+  request.image.limits = request.mask.limits = limitsOf(raw);
   request.mask.file = raw.mask;
   request.mask.kind = static_cast<job::MaskKind>(indexIn(job::kMaskKindNames, raw.maskKind));
   if (request.mask.file.empty() && (!request.mask.ignoredIds.empty() || raw.maskKind != "auto"))

@@ -15,6 +15,7 @@ namespace parity::cli {
 struct RawFlipOptions {
   std::string background, region, mask, alpha = "composite", maskKind = "auto", nonFinite = "error", annotate,
                                         tonemapper;
+  std::string maxImage, maxMemory;
   std::string map, exposureMap, histogram, mapKind = "png";
   std::vector<std::string> metric; // one for each --metric; those below likewise
   std::vector<double> fail, warn, failPercent, warnPercent, hardFail, hardWarn;

@@ -27,7 +27,8 @@ void addLimitOptions(CLI::App& app, RawLoadOptions& raw) {
                  "SIDE or SIDE,MEGAPIXELS: largest texture, and all of a scene together. Default 16384,512")
       ->group("Scene");
   app.add_option("--max-memory", raw.maxMemory,
-                 "Most that loading a scene may take: its files, meshes, images together, such as 512M. Default 4G")
+                 "Most that loading a scene may take: its files, meshes, images together, such as 512M; and most\n"
+                 "for the pictures of --size. Default 4G")
       ->group("Scene");
 }
 

@@ -3,6 +3,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 #include <string_view>
 
@@ -80,6 +81,9 @@ int main(int argc, char** argv) {
   } catch (const parity::base::Error& error) {
     parity::base::logError(error.what());
     return static_cast<int>(error.code());
+  } catch (const std::bad_alloc&) {
+    parity::base::logError("parity: needs more memory than there is: lower --size or --max-memory");
+    return static_cast<int>(parity::base::ExitCode::failed);
   } catch (const std::exception& error) {
     parity::base::logError((argc > 1 ? std::string(argv[1]) : "parity") + ": " + parity::base::wordsOf(error));
     return static_cast<int>(parity::base::ExitCode::failed);

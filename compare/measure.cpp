@@ -53,14 +53,11 @@ Measurement measureRegions(const ImagePair& pair, const std::vector<base::PixelL
 
   Measurement out;
   out.regions.resize(lists.size());
-  {
-    const LightMaps light = makeLightMaps(input, box);
-    forRegions(regions, out.regions,
-               [&](const RegionRuns& region, Figures& figures) { fillLight(light, input, region, figures); });
-  }
+  fillLight(input, box, regions, out.regions);
   MetricMaps maps;
   std::string mapsName;
-  for (const MeasurePlan& plan : plans) {
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    const MeasurePlan& plan = plans[i];
     if (mapsName.empty() || mapsName != plan.metric->mapsName) {
       maps = {}; // before the next ones are made
       maps = plan.metric->makeMaps(input, request.options);
@@ -69,10 +66,15 @@ Measurement measureRegions(const ImagePair& pair, const std::vector<base::PixelL
     if (!plan.statistics.empty())
       forRegions(regions, out.regions, [&](const RegionRuns& region, Figures& figures) {
         const std::vector<double> values = plan.metric->pool(maps, region, plan.statistics);
-        for (std::size_t i = 0; i < values.size(); ++i) figures.values.push_back({plan.statistics[i].name, values[i]});
+        for (std::size_t k = 0; k < values.size(); ++k) figures.values.push_back({plan.statistics[k].name, values[k]});
       });
     if (!maps.note.empty()) out.notes.push_back(plan.metric->name + ": " + maps.note);
-    if (plan.keepMap) out.maps.emplace_back(plan.metric->name, maps.planes);
+    if (!plan.keepMap) continue;
+    const bool isLastUse = i + 1 == plans.size() || plans[i + 1].metric->mapsName != mapsName || mapsName.empty();
+    if (isLastUse)
+      out.maps.emplace_back(plan.metric->name, std::move(maps.planes)), mapsName.clear();
+    else
+      out.maps.emplace_back(plan.metric->name, maps.planes);
   }
   return out;
 }

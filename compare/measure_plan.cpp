@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "compare/color_rows.h"
 #include "compare/metric_parts.h"
 #include "compare/pooling.h"
@@ -25,6 +26,37 @@ std::uint64_t countWithin(const RegionRuns& region, const std::vector<std::uint3
     next = end;
   }
   return count;
+}
+
+// 1 where every value of both displayed images is `clipped`; 0 outside the box.
+template <typename Clipped> base::Image clippedMap(const MetricInput& input, const Rect& box, const Clipped& clipped) {
+  base::Image map(input.width(), input.height(), 1);
+  forRows(box, [&](int y) {
+    std::vector<float> rows[2];
+    for (int i = 0; i < 2; ++i) {
+      rows[i].resize(3 * static_cast<std::size_t>(box.width));
+      readDisplayRow(i == 0 ? input.reference : input.test, box.x, y, box.width, rows[i].data());
+    }
+    float* out = map.at(box.x, y);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(box.width); ++x) {
+      bool isClipped = true;
+      for (std::size_t c = 3 * x; c < 3 * x + 3; ++c)
+        for (const std::vector<float>& values : rows) isClipped = isClipped && clipped(values[c]);
+      out[x] = isClipped ? 1.f : 0.f;
+    }
+  });
+  return map;
+}
+
+// Luminance of linear light, as the images have it; 0 outside the box.
+base::Image lightMap(const PixelView& view, const base::Image* linear, const Rect& box) {
+  base::Image map(view.width, view.height, 1);
+  forRows(box, [&](int y) {
+    std::vector<float> rgb(3 * static_cast<std::size_t>(box.width));
+    readLinearRow(view, linear, box.x, y, box.width, rgb.data());
+    lumaRow(rgb.data(), box.width, map.at(box.x, y));
+  });
+  return map;
 }
 
 } // namespace
@@ -58,47 +90,29 @@ std::vector<MeasurePlan> makeMeasurePlans(const MeasureRequest& request, bool ha
   return plans;
 }
 
-LightMaps makeLightMaps(const MetricInput& input, const Rect& box) {
-  const auto make = [&] { return base::Image(input.width(), input.height(), 1); };
-  LightMaps maps{make(), make(), make(), make(), make(), make()};
-  forRows(box, [&](int y) {
-    const auto count = static_cast<std::size_t>(box.width);
-    std::vector<float> displayed[2], linear(3 * count);
-    for (int i = 0; i < 2; ++i) {
-      const PixelView& view = i == 0 ? input.reference : input.test;
-      displayed[i].resize(3 * count);
-      readDisplayRow(view, box.x, y, box.width, displayed[i].data());
-      lumaRow(displayed[i].data(), box.width, (i == 0 ? maps.referenceLuma : maps.testLuma).at(box.x, y));
-      readLinearRow(view, i == 0 ? input.referenceLinear : input.testLinear, box.x, y, box.width, linear.data());
-      lumaRow(linear.data(), box.width, (i == 0 ? maps.referenceLight : maps.testLight).at(box.x, y));
-    }
-    float *black = maps.black.at(box.x, y), *white = maps.white.at(box.x, y);
-    for (std::size_t x = 0; x < count; ++x) {
-      bool isBlack = true, isWhite = true;
-      for (std::size_t c = 3 * x; c < 3 * x + 3; ++c)
-        for (const std::vector<float>& values : displayed) {
-          isBlack = isBlack && values[c] <= 0;
-          isWhite = isWhite && values[c] >= 1;
-        }
-      black[x] = isBlack ? 1.f : 0.f;
-      white[x] = isWhite ? 1.f : 0.f;
-    }
+void fillLight(const MetricInput& input, const Rect& box, std::span<const RegionRuns> regions,
+               std::span<Figures> figures) {
+  const auto forRegions = [&](const auto& body) {
+    base::parallelFor(regions.size(), 1, [&](std::size_t i, std::size_t) {
+      if (regions[i].pixels > 0) body(regions[i], figures[i]);
+    });
+  };
+  forRegions([&](const RegionRuns& region, Figures& own) {
+    own.pixels = region.pixels;
+    own.nonFinite = countWithin(region, input.nonFinite);
   });
-  for (base::Image* map :
-       {&maps.referenceLuma, &maps.testLuma, &maps.referenceLight, &maps.testLight, &maps.black, &maps.white})
-    setPixels(*map, input.nonFinite, 0);
-  return maps;
-}
-
-void fillLight(const LightMaps& maps, const MetricInput& input, const RegionRuns& region, Figures& figures) {
-  figures.pixels = region.pixels;
-  figures.nonFinite = countWithin(region, input.nonFinite);
-  figures.clippedBlack = std::min(meanOf(maps.black, region), 1.); // rounding
-  figures.clippedWhite = std::min(meanOf(maps.white, region), 1.);
-  figures.referenceLuma = meanOf(maps.referenceLuma, region);
-  figures.testLuma = meanOf(maps.testLuma, region);
-  figures.referenceLuminance = meanOf(maps.referenceLight, region);
-  figures.testLuminance = meanOf(maps.testLight, region);
+  const auto fill = [&](double Figures::*figure, base::Image map) {
+    setPixels(map, input.nonFinite, 0);
+    forRegions([&](const RegionRuns& region, Figures& own) { own.*figure = meanOf(map, region); });
+  };
+  fill(&Figures::clippedBlack, clippedMap(input, box, [](float v) { return v <= 0; }));
+  fill(&Figures::clippedWhite, clippedMap(input, box, [](float v) { return v >= 1; }));
+  fill(&Figures::referenceLuma, lumaMap(input.reference, box));
+  fill(&Figures::testLuma, lumaMap(input.test, box));
+  fill(&Figures::referenceLuminance, lightMap(input.reference, input.referenceLinear, box));
+  fill(&Figures::testLuminance, lightMap(input.test, input.testLinear, box));
+  for (Figures& own : figures)
+    for (double* share : {&own.clippedBlack, &own.clippedWhite}) *share = std::min(*share, 1.); // rounding
 }
 
 } // namespace parity::compare

@@ -1,6 +1,7 @@
 // What a measurement needs before any region is pooled: which metrics with which figures, and the light of the images.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "compare/figures.h"
@@ -19,15 +20,9 @@ struct MeasurePlan {
 // In the registry's order. Throws Error as measureRegions does.
 std::vector<MeasurePlan> makeMeasurePlans(const MeasureRequest& request, bool hasLinear);
 
-// One-channel images of what Figures says besides its values; 0 outside the box and at pixels that are not finite.
-struct LightMaps {
-  base::Image referenceLuma, testLuma;   // of the displayed images
-  base::Image referenceLight, testLight; // luminance of linear light, as the images have it
-  base::Image black, white;              // 1 where both displayed images are
-};
-LightMaps makeLightMaps(const MetricInput& input, const Rect& box);
-
-// Fills all of `figures` but the values. region: of at least one pixel.
-void fillLight(const LightMaps& maps, const MetricInput& input, const RegionRuns& region, Figures& figures);
+// Fills all of `figures`, one for each region, but the values. One map of the pair at a time: together they would take
+// as much as both pictures. Regions without pixels are left as they are.
+void fillLight(const MetricInput& input, const Rect& box, std::span<const RegionRuns> regions,
+               std::span<Figures> figures);
 
 } // namespace parity::compare

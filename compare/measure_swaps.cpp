@@ -122,7 +122,7 @@ SwapMeasurement measureSwaps(const SwapReference& reference, std::span<const Swa
     Figures& figures = out.figures[s];
     MetricOptions options = request.options;
     options.box.reset();
-    fillLight(makeLightMaps(pair.input(), pair.box()), pair.input(), pair.region(), figures);
+    fillLight(pair.input(), pair.box(), {&pair.region(), 1}, {&figures, 1});
     MetricMaps maps;
     std::string mapsName;
     for (std::size_t p = 0; p < plans.size(); ++p) {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <string>
 
 #include "base/error.h"
@@ -144,6 +146,24 @@ std::vector<std::vector<WeightedValue>> valuesOfBins(const Pieces& pieces, const
   return all;
 }
 
+// The value that all values of weight > 0 in the bin have; none where they differ.
+std::optional<float> onlyValueOf(const Pieces& pieces, std::size_t bin) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  std::vector<std::pair<float, float>> extremes(pieces.size(), {kInfinity, -kInfinity});
+  base::parallelFor(pieces.size(), 1, [&](std::size_t piece, std::size_t) {
+    auto& [least, most] = extremes[piece];
+    for (const Stretch& s : pieces[piece])
+      for (std::size_t i = 0; i < s.count; ++i)
+        if (static_cast<std::size_t>(ValueBins::indexOf(s.values[i])) == bin && (!s.weights || s.weights[i] > 0)) {
+          least = std::min(least, s.values[i]);
+          most = std::max(most, s.values[i]);
+        }
+  });
+  float least = kInfinity, most = -kInfinity;
+  for (const auto& [low, high] : extremes) least = std::min(least, low), most = std::max(most, high);
+  return least == most ? std::optional(least) : std::nullopt;
+}
+
 std::vector<double> percentilesOf(const Pieces& pieces, const Sums& sums, std::span<const double> fractions) {
   if (fractions.empty()) return {};
   if (sums.all.min == sums.all.max) // nothing to look for
@@ -157,9 +177,22 @@ std::vector<double> percentilesOf(const Pieces& pieces, const Sums& sums, std::s
   }
   std::sort(bins.begin(), bins.end());
   bins.erase(std::unique(bins.begin(), bins.end()), bins.end());
+  // Where most pixels are equal, a list of them would take more than the map does.
+  constexpr double kLargeShare = 1. / 16;
+  std::map<std::size_t, float> known;
+  std::erase_if(bins, [&](std::size_t bin) {
+    if (sums.histogram[bin] <= kLargeShare * total) return false;
+    const std::optional<float> value = onlyValueOf(pieces, bin);
+    if (value) known[bin] = *value;
+    return value.has_value();
+  });
   std::vector<std::vector<WeightedValue>> values = valuesOfBins(pieces, bins);
   std::vector<double> out;
   for (std::size_t i = 0; i < fractions.size(); ++i) {
+    if (const auto only = known.find(found[i].bin); only != known.end()) {
+      out.push_back(static_cast<double>(only->second));
+      continue;
+    }
     const auto list = std::lower_bound(bins.begin(), bins.end(), found[i].bin) - bins.begin();
     out.push_back(static_cast<double>(
         selectValue(values[static_cast<std::size_t>(list)], found[i].before, fractions[i] * total)));

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "gpu/shaders/interface.h"
+
 namespace parity::gpu {
 
 namespace {

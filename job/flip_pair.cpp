@@ -14,6 +14,7 @@
 #include "job/flip_checks.h"
 #include "job/flip_files.h"
 #include "job/flip_judge.h"
+#include "job/flip_memory.h"
 
 namespace parity::job {
 
@@ -189,6 +190,7 @@ void writeFiles(const FlipRequest& request, const FlipImages& images, FlipPair& 
 
 void compareFiles(const FlipRequest& request, FlipPair& result) {
   if (!result.files.missing.empty()) throw base::Error(base::ExitCode::failed, result.files.missing, "", "");
+  requireFlipMemory(request, result.files);
   Pictures pictures = readPictures(request, result.files);
   requireComparable(pictures.reference, pictures.test, request.image);
   result.width = pictures.reference.color.width;

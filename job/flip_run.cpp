@@ -85,6 +85,8 @@ FlipResult runFlip(const FlipRequest& request, const std::function<void(const st
       // One of many pairs is no reason to lose what was found of the others.
       if (isUsage(error) && !request.files.many) throw;
       setError(pair, error.what(), error.code() == base::ExitCode::notComparable ? 3 : 4);
+    } catch (const std::bad_alloc&) {
+      setError(pair, files.name + ": needs more memory than there is; --max-memory refuses such pairs before", 4);
     } catch (const std::exception& error) {
       setError(pair, files.name + ": " + base::wordsOf(error), 4);
     }

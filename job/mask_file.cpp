@@ -155,7 +155,7 @@ MaskRegions findRegions(const MaskRequest& request, int width, int height) {
   }
   const std::string file = request.file.string();
   result.where += (result.where.empty() ? "mask " : " of mask ") + file;
-  const base::ImageFile stored = base::readImageFile(request.file);
+  const base::ImageFile stored = base::readImageFile(request.file, request.limits);
   requireSize(file, stored.pixels.width, stored.pixels.height, width, height);
   const bool ids = request.kind == MaskKind::ids ||
                    (request.kind == MaskKind::automatic && (!stored.info.integer || stored.info.bits > 16));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/frame.h"
+#include "base/image_limits.h"
 #include "compare/pixel_view.h"
 
 namespace parity::job {
@@ -26,6 +27,7 @@ struct MaskRequest {
   MaskKind kind = MaskKind::automatic;
   std::vector<std::uint32_t> ignoredIds;
   std::optional<compare::Rect> area; // only pixels in it count
+  base::ImageLimits limits{};        // of the file
 };
 
 struct MaskRegions {

@@ -188,7 +188,7 @@ void requireSameLayers(const PlainImage& reference, const PlainImage& test) {
 } // namespace
 
 PlainImage readPlainImage(const std::filesystem::path& file, const PlainImageOptions& options) {
-  base::ImageFile stored = base::readImageFile(file);
+  base::ImageFile stored = base::readImageFile(file, options.limits);
   PlainImage image;
   image.file = file.string();
   image.integer = stored.info.integer;

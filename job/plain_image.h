@@ -26,6 +26,7 @@ struct PlainImageOptions {
   std::string colorSpace = "auto";
   AlphaMode alpha = AlphaMode::composite;
   std::array<float, 3> background{}; // linear Rec.709 (with "raw": stored values)
+  base::ImageLimits limits{};        // of each file; of maxBytes, what comparing the pair takes
   bool ignoreLayers = false;         // what a file holds beyond the colour and alpha of its first image may differ
 };
 

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/image.h"
 #include "base/parallel.h"
+#include "scenes/environment.h"
 
 namespace parity::lighting {
 

@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "lighting/panorama.h"
+#include "scenes/environment.h"
 
 namespace parity::lighting {
 

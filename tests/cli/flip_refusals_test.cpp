@@ -51,6 +51,65 @@ TEST_F(FlipRefusals, DifferentSizesAndChannelsAreNotComparable) {
   EXPECT_TRUE(exitedWith(0, runParity({"flip", rgb, rgba, "--alpha", "ignore"})));
 }
 
+// A header that promises more than there is: nothing of it may be taken.
+std::string bigEndian(unsigned value, int bytes) {
+  std::string text;
+  for (int i = bytes; i-- > 0;) text += static_cast<char>(value >> (8 * i) & 0xff);
+  return text;
+}
+
+// T.81: a progressive frame of three components and one scan without data.
+std::string makeProgressiveJpeg(unsigned side) {
+  std::string text = "\xff\xd8\xff\xdb" + std::string("\0\x43\0", 3) + std::string(64, '\1');
+  text += std::string("\xff\xc2\0\x11\x08", 5) + bigEndian(side, 2) + bigEndian(side, 2) +
+          std::string("\3\1\x11\0\2\x11\0\3\x11\0", 10);
+  for (const char table : {'\x00', '\x10'})
+    text += std::string("\xff\xc4\0\x14", 4) + table + '\1' + std::string(16, '\0');
+  return text + std::string("\xff\xda\0\x0c\3\1\0\2\0\3\0\0\0\0", 14) + std::string(300, '\0') + "\xff\xd9";
+}
+
+TEST_F(FlipRefusals, PairsThatTakeMoreThanTheLimitAreRefusedByTheirHeaders) {
+  const auto write = [&](const std::string& name, const std::string& bytes) {
+    writeFile(m_folder / name, bytes);
+    return (m_folder / name).string();
+  };
+  const std::string png = write("huge.png", "\x89PNG\r\n\x1a\n" + bigEndian(13, 4) + "IHDR" + bigEndian(16384, 4) +
+                                                bigEndian(16384, 4) + std::string("\x08\2\0\0\0", 5));
+  const std::string jpeg = write("huge.jpg", makeProgressiveJpeg(16384));
+  for (const std::string& file : {png, jpeg}) {
+    const RunResult result = runParity({"flip", file, file});
+    expectRefused(result, 4, {file, "16384x16384", "takes 13569 MiB", "the limit is 6144 MiB", "--max-memory"});
+    EXPECT_LT(result.peakMiB, 200) << file;
+    expectRefused(runParity({"flip", file, file, "--max-image", "8192"}), 4, {file, "8192", "--max-image"});
+  }
+}
+
+TEST_F(FlipRefusals, LimitsOfSizeAndMemoryAreThoseOfTheOptions) {
+  const std::string a = (m_folder / "a.png").string();
+  base::writeImage(a, makePicture(64, 32));
+  EXPECT_TRUE(exitedWith(0, runParity({"flip", a, a, "--max-image", "64", "--max-memory", "257M"})));
+  expectRefused(runParity({"flip", a, a, "--max-image", "63"}), 4, {a, "64 x 32", "--max-image"});
+  expectRefused(runParity({"flip", a, a, "--max-memory", "256M"}), 4, {a, "64x32", "--max-memory"});
+  expectRefused(runParity({"flip", a, a, "--max-memory", "much"}), 64, {"--max-memory", "much"});
+}
+
+// What is promised is kept: 2048^2 pixels of noise, 52 bytes each beside the program.
+TEST_F(FlipRefusals, PeakOfAPairIsWithinWhatItsHeadersLead) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer's memory is counted, too";
+#endif
+  const std::string a = (m_folder / "a.png").string(), b = (m_folder / "b.png").string();
+  for (const std::string& file : {a, b}) {
+    base::Image8 image(2048, 2048, 3);
+    std::uint32_t state = file == a ? 1 : 2;
+    for (std::uint8_t& v : image.pixels) v = static_cast<std::uint8_t>((state = state * 1664525 + 1013904223) >> 24);
+    base::writeImage8(file, image);
+  }
+  const RunResult result = runParity({"flip", a, b});
+  EXPECT_TRUE(exitedWith(0, result));
+  EXPECT_LT(result.peakMiB, (2048L * 2048 * 52 >> 20) + 256);
+}
+
 TEST_F(FlipRefusals, EmptyMaskAndMaskOfAnotherSizeAreErrors) {
   const std::string a = write("a.png", makePicture(16, 8)), b = write("b.png", makePicture(16, 8, 0.8f));
   const std::string black = write("black.png", base::Image(16, 8, 1, 0.f)),
