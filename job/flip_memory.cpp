@@ -23,9 +23,9 @@ std::size_t readingBytes(const base::ImageShape& shape) {
   return channels * (sizeof(float) + (shape.integer ? 2 : 0)) + (channels == 3 ? 0 : kRgbBytes + kPlaneBytes);
 }
 
-// Of a pixel, while it is measured: both colours; of floats also what is displayed; alpha; the list of the region's
-// pixels, the map that is kept, and five at work (of `bias`, one of the default metrics, the most of any but the
-// SSIMs).
+// Of a pixel, while it is measured: both colours (18 bytes more than two of 8 bits take); of floats also what is
+// displayed; alpha; the list of the region's pixels, the map that is kept, and five at work (of `bias`, one of the
+// default metrics, the most of any but the SSIMs).
 std::size_t measuringBytes(const base::ImageShape& reference, const base::ImageShape& test,
                            const FlipRequest& request) {
   std::size_t bytes = 7 * kPlaneBytes;

@@ -1,7 +1,9 @@
 #include "job/flip_pair.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -131,20 +133,44 @@ void requireApplicable(const compare::MeasureRequest& measure, const FlipPair& r
                                     result.rangeReason));
 }
 
-compare::Measurement measureColors(const Pictures& pictures, const std::vector<base::PixelList>& regions,
+// The bytes that values of k / 255 stand for; none where there are others.
+std::optional<base::Image8> asBytes(const base::Image& image) {
+  base::Image8 bytes(image.width, image.height, image.channels);
+  std::atomic<bool> isExact = true;
+  base::parallelFor(static_cast<std::size_t>(image.height), 64, [&](std::size_t begin, std::size_t end) {
+    const std::size_t row = static_cast<std::size_t>(image.width) * image.channels;
+    for (std::size_t i = begin * row; i < end * row; ++i) {
+      const float scaled = 255 * image.pixels[i], whole = std::round(scaled);
+      // As far as rounding goes; NaN is none.
+      if (!(whole >= 0 && whole <= 255 && std::abs(scaled - whole) < 1e-4f)) {
+        isExact = false;
+        return;
+      }
+      bytes.pixels[i] = static_cast<std::uint8_t>(whole);
+    }
+  });
+  return isExact ? std::optional(std::move(bytes)) : std::nullopt;
+}
+
+// Of 8-bit pictures the bytes are kept alone: pictures' colours are empty then.
+compare::Measurement measureColors(Pictures& pictures, const std::vector<base::PixelList>& regions,
                                    const compare::MeasureRequest& request, bool hdr) {
   base::Image display[2], linear[2]; // only what is not at hand
-  const PlainImage* const images[] = {&pictures.reference, &pictures.test};
-  const base::Image *shown[2], *light[2];
+  std::optional<base::Image8> bytes[2];
+  PlainImage* const images[] = {&pictures.reference, &pictures.test};
+  const base::Image* light[2];
+  compare::PixelView shown[2];
   for (int i = 0; i < 2; ++i) {
-    const PlainImage& image = *images[i];
+    PlainImage& image = *images[i];
     const bool isShown = image.encoded && image.integer; // floats may lie outside [0,1]
     if (!isShown) display[i] = toDisplay(image);
-    shown[i] = isShown ? &image.color : &display[i];
+    if (isShown && !hdr && image.bits <= 8) bytes[i] = asBytes(image.color);
+    if (bytes[i]) image.color = {};
+    shown[i] = bytes[i] ? compare::PixelView(*bytes[i]) : compare::PixelView(isShown ? image.color : display[i]);
     if (hdr && image.encoded) linear[i] = toLinear(image);
     light[i] = image.encoded ? &linear[i] : &image.color;
   }
-  compare::ImagePair pair{*shown[0], *shown[1]};
+  compare::ImagePair pair{shown[0], shown[1]};
   if (hdr) pair.referenceLinear = light[0], pair.testLinear = light[1];
   return compare::measureRegions(pair, regions, request);
 }

@@ -21,16 +21,16 @@ double luminanceOf(const glm::dvec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0
 struct Cell {
   glm::dvec3 direction, light; // radiance times solid angle
   double luminance;            // of light
-  double spread;               // of the cell itself: a sixth of its solid angle, as for a square
+  double spread;               // of the cell itself, a rectangle
 };
 
 constexpr double kCompactSpread = 3e-5; // (.31 degrees)^2
-constexpr double kAround = 4, kShareOfAround = 0.5;
+constexpr double kAround = 4, kShareOfAround = 0.7;
 
 // lights: of each cell of the panorama, as it lies there, the luminance of what is taken.
 std::vector<Cell> takeCells(Panorama& p, std::vector<float>& lights) {
   lights.assign(p.columns.size(), 0.f);
-  const double columnWidth = 2 * std::numbers::pi / p.width;
+  const double columnWidth = 2 * std::numbers::pi / p.width, rowHeight = std::numbers::pi / p.height;
   double mean = 0;
   for (int x = 0; x < p.width; ++x)
     for (int y = 0; y < p.height; ++y)
@@ -48,7 +48,7 @@ std::vector<Cell> takeCells(Panorama& p, std::vector<float>& lights) {
       cells.push_back({{across * std::cos(azimuth), height, across * std::sin(azimuth)},
                        light,
                        luminanceOf(light),
-                       solidAngle / 6});
+                       (std::pow(columnWidth * across, 2) + rowHeight * rowHeight) / 12});
       lights[static_cast<std::size_t>(x) * p.height + y] = static_cast<float>(cells.back().luminance);
       radiance = rest;
     }

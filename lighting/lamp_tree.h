@@ -41,8 +41,8 @@ struct Lamps {
 // A group of cells is compact where
 // - the root mean square distance of its light from its direction is at most .31 degrees, as wide as the lobe of the
 //   sharpest level, which the level's texels blur;
-// - it has half of the light, at least, that is within four times that distance: a part of a softbox has .13, a part of
-//   a line .33;
+// - it has .7 of the light, at least, that is within four times that distance: a part of a softbox has .13, a part of a
+//   line .43, its ends .6;
 // - it is one of the kMaxCompactLamps of these with the most light.
 Lamps takeLamps(Panorama& panorama);
 

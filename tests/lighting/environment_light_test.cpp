@@ -244,9 +244,12 @@ TEST(EnvironmentLight, comesBackFromItsBytesAndRefusesDamagedOnes) {
 
 // A sky with one lamp of a texel and a bright half.
 TEST(EnvironmentLight, bringsItsLampsAndRefusesThoseThatLeadNowhere) {
+  const glm::dvec3 lamp = glm::normalize(glm::dvec3(1, 0.0061, 0.0061)); // the middle of a cell
   const EnvironmentLight light = makeEnvironmentLight(
-      makeEnvironment(256, [](const auto& d) { return glm::dvec3(d.y > 0 ? 5 : 1) + (d.x > 0.99985 ? 900.0 : 0.0); }),
-      {.faceSize = 32, .sampleCount = 8, .levels = PrefilterLevels::fine});
+      makeEnvironment(
+          512,
+          [&](const auto& d) { return glm::dvec3(d.y > 0 ? 5 : 1) + (glm::dot(d, lamp) > 0.99998 ? 900.0 : 0.0); }),
+      {.faceSize = 64, .sampleCount = 8, .levels = PrefilterLevels::fine});
   ASSERT_GE(light.lamps.compact.nodes.size(), 1u);
   ASSERT_GT(light.lamps.wide.nodes.size(), kMaxWideLampLeaves);
   EXPECT_LT(light.lamps.wide.nodes.size(), 2 * kMaxWideLampLeaves);

@@ -154,7 +154,7 @@ TEST(LampTree, takesNoPartOfALineForACompactLamp) {
   scenes::Environment environment = makeGrey(1024, 512, 0.1f);
   for (int x = 300; x < 430; ++x)
     for (int c = 0; c < 3; ++c) environment.radiance.at(x, 200)[c] = 500;
-  for (int c = 0; c < 3; ++c) environment.radiance.at(700, 250)[c] = 500; // a bulb beside it
+  for (int c = 0; c < 3; ++c) environment.radiance.at(700, 200)[c] = 500; // a bulb beside it
   Panorama p = makePanorama(environment, 256);
   const Lamps lamps = takeLamps(p);
   ASSERT_EQ(lamps.compact.nodes.size(), 1u);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/glm.hpp>
+
 #include "shading/shading.h"
 
 namespace parity::shading {
