@@ -25,9 +25,9 @@ std::map<std::string, std::vector<std::byte>> makeImageSeeds() {
   };
   add("plain", "");
   add("profile", base::makeIccProfile("cprt", 144, 24, "text" + std::string(20, 'a')));
-  add("names", base::makeIccProfile("desc", 144, 40,
-                                    "mluc" + std::string("\0\0\0\0\0\0\0\1\0\0\0\14enUS\0\0\0\10\0\0\0\34", 28) +
-                                        "\0a\0b\0c\0d"));
+  add("names", base::makeIccProfile("desc", 144, 36,
+                                    "mluc" + std::string("\0\0\0\0\0\0\0\1\0\0\0\14enUS\0\0\0\10\0\0\0\34", 24) +
+                                        std::string("\0a\0b\0c\0d", 8)));
   add("wraps", base::makeWrappingProfiles().front());
   const std::vector<std::uint8_t> samples(16, 7);
   seeds["grey16.png"] =
