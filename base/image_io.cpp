@@ -170,6 +170,7 @@ ImageShape readImageShape(const fs::path& file, const ImageLimits& limits) {
   const auto [format, source] = checkFile(file, limits, false);
   if (format == ImageFormat::png) return readPngShape(readHead(file), source.name, limits);
   if (format == ImageFormat::jpeg) return readJpegShape(readFile(file), source.name, limits);
+  if (format == ImageFormat::pfm) return readPfmShape(readHead(file), source.name, limits);
   if (format == ImageFormat::webp) return readWebpShape(readHead(file), source.name, limits);
   return imageModule().readShape(source);
 }

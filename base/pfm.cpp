@@ -76,6 +76,12 @@ Image decodePfm(std::span<const std::byte> bytes, const std::string& name, const
   return image;
 }
 
+ImageShape readPfmShape(std::span<const std::byte> head, const std::string& name, const ImageLimits& limits) {
+  const Header header = parseHeader(name, head);
+  checkImageSize(name, header.width, header.height, header.channels, limits);
+  return {header.width, header.height, header.channels, false};
+}
+
 void writePfm(const std::filesystem::path& file, const Image& image) {
   const std::string name = file.string();
   checkImageSize(name, image.width, image.height, image.channels);

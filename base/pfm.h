@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/image.h"
+#include "base/image_io.h"
 #include "base/image_limits.h"
 
 namespace parity::base {
@@ -16,6 +17,9 @@ Image readPfm(const std::filesystem::path& file, const ImageLimits& limits = {})
 
 // The same from memory; `name` is for messages.
 Image decodePfm(std::span<const std::byte> bytes, const std::string& name, const ImageLimits& limits = {});
+
+// How large it is, by its first bytes. Throws Error (exit 4).
+ImageShape readPfmShape(std::span<const std::byte> head, const std::string& name, const ImageLimits& limits = {});
 
 // Writes 1 or 3 channels, little-endian, to a temporary name that is then renamed. Throws Error (exit 4).
 void writePfm(const std::filesystem::path& file, const Image& image);

@@ -59,9 +59,9 @@ mobile base pass), compares them per material by FLIP, and judges them against b
 constexpr const char* kFooter = R"(
 Exit codes: 0 within budget; 1 warnings only (with --warn-exit); 2 over budget, for stress something that is not known, for
 bench a setting that is slower or none within the budget; 3 not comparable (sizes, channels, layers, a metric that does not
-apply); 4 something is missing, not finite, or could not be read, rendered, judged or written, or no material was
-compared; 64 usage. The highest that applies wins; the other scenes still run. Scenes are .gltf or .glb files, or builtin:materials, builtin:spheres,
-builtin:lights, builtin:lamps, builtin:shadows, builtin:room, builtin:courtyard, builtin:furnace.)";
+apply); 4 something is missing, not finite, or could not be read, rendered, judged or written, or no material was compared;
+64 usage. The highest that applies wins; the other scenes still run. Scenes are .gltf or .glb files, or builtin:materials,
+builtin:spheres, builtin:lights, builtin:lamps, builtin:shadows, builtin:room, builtin:courtyard, builtin:furnace.)";
 
 } // namespace
 

@@ -183,7 +183,7 @@ void addReferenceOptions(CLI::App& app, RawOptions& raw) {
 
 void addInterreflectionOption(CLI::App& app, RawOptions& raw) {
   app.add_option("--interreflection", raw.interreflection,
-                 "Number of bounces of light between surfaces in the reference, which switches its shadows on; 0: none")
+                 "Bounces of light between surfaces in the reference, with shadows; 0: none")
       ->check(CLI::Range(0, scenes::kMaxInterreflection))
       ->group("Reference")
       ->capture_default_str();

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 // What the formats that are read (base/image_format.h) are called.
 bool isPicture(const fs::path& file) {
   constexpr std::string_view kExtensions =
-      " exr sxr mxr tif tiff jpg jpe jpeg jif jfif jfi bmp dib hdr rgbe png ppm pgm "
+      " exr sxr mxr tif tiff tx env sm vsm jpg jpe jpeg jif jfif jfi bmp dib hdr rgbe png ppm pgm "
       "pbm pnm pfm tga tpic webp ";
   std::string extension = file.extension().string();
   if (extension.size() < 2 || extension.find(' ') != std::string::npos) return false;

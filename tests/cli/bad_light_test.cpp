@@ -94,6 +94,7 @@ TEST_F(BadLightTest, UnlitSceneWithoutLightIsShownWithAWarning) {
   GltfFile file = makeQuad();
   file.json["extensionsUsed"] = {"KHR_materials_unlit"};
   file.material()["extensions"]["KHR_materials_unlit"] = nlohmann::json::object();
+  file.material()["pbrMetallicRoughness"]["baseColorFactor"] = {0.5, 0.5, 0.5, 1}; // white is clipped, and not judged
   const RunResult result = runParity(join({{"diff", writeExternal(m_folder, file)}, kSmall}));
   EXPECT_TRUE(exitedWith(0, result));
   EXPECT_TRUE(contains(result.err, "no light and no environment")) << result.err;

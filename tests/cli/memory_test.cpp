@@ -12,7 +12,7 @@ protected:
     const std::vector<std::string> arguments =
         std::string(command) == "render"
             ? join({{"render", scene, "--path", "mobile", "-o", (m_folder / "out.exr").string()}, kSun, kSmall})
-            : join({{"diff", scene}, kSun, kSmall});
+            : join({{"diff", scene, "--size", "128x128", "--validation"}, kSun}); // enough pixels to be judged
     const RunResult result = runParity(arguments);
     EXPECT_TRUE(result.exitCode == 0 || result.exitCode == 2) << result.err; // 2: the paths differ, as they may
     return result.peakMiB;

@@ -30,7 +30,12 @@ std::string between(const std::string& text, const std::string& open, const std:
 class PageTest : public RenderingTest {
 protected:
   RunResult report(const std::string& folder, const std::vector<std::string>& more = {}) const {
-    return runParity(join({{"report", "builtin:furnace", "--size", "32x32", "-o", path(folder)}, more}));
+    // Its materials are of few pixels each.
+    writeFile(m_folder / "budgets.toml",
+              "[[material]]\nname = \"*\"\nmin_pixels = 1\nchecks = [ { metric = \"flip.mean\", fail = 0.9 } ]\n");
+    return runParity(
+        join({{"report", "builtin:furnace", "--size", "32x32", "-o", path(folder), "--budgets", path("budgets.toml")},
+              more}));
   }
   std::string path(const std::string& name) const { return (m_folder / name).string(); }
   std::string text(const std::string& name) const { return readWholeFile(m_folder / name); }

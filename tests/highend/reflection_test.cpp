@@ -131,7 +131,9 @@ TEST_F(HighendTest, compactLampsAreReflectedAsDirectionalLights) {
                                     : 0;
         const glm::vec3 expected =
             glm::max(sun[Term::sunSpecular] - static_cast<float>(multiple * NoL / 3.14159265358979) * lux, 0.f);
-        tests::expectNear(lamp[Term::skySpecular], expected, 1e-3f, "lamp");
+        // The cubic goes through what linear filtering makes of the table.
+        const float tolerance = compensation == Compensation::kullaConty ? 4e-3f : 1e-3f;
+        tests::expectNear(lamp[Term::skySpecular], expected, tolerance, "lamp");
       }
 }
 
