@@ -164,12 +164,18 @@ compare::Measurement measureColors(Pictures& pictures, const std::vector<base::P
     PlainImage& image = *images[i];
     const bool isShown = image.encoded && image.integer; // floats may lie outside [0,1]
     if (!isShown) display[i] = toDisplay(image);
-    if (isShown && !hdr && image.bits <= 8) bytes[i] = asBytes(image.color);
-    if (bytes[i]) image.color = {};
-    shown[i] = bytes[i] ? compare::PixelView(*bytes[i]) : compare::PixelView(isShown ? image.color : display[i]);
+    shown[i] = isShown ? image.color : display[i];
     if (hdr && image.encoded) linear[i] = toLinear(image);
     light[i] = image.encoded ? &linear[i] : &image.color;
   }
+  const auto hasBytes = [](const PlainImage* image) { return image->encoded && image->integer && image->bits <= 8; };
+  if (!hdr && std::ranges::all_of(images, hasBytes))
+    for (int i = 0; i < 2; ++i) bytes[i] = asBytes(images[i]->color);
+  if (bytes[0] && bytes[1])
+    for (int i = 0; i < 2; ++i) {
+      images[i]->color = {};
+      shown[i] = *bytes[i];
+    }
   compare::ImagePair pair{shown[0], shown[1]};
   if (hdr) pair.referenceLinear = light[0], pair.testLinear = light[1];
   return compare::measureRegions(pair, regions, request);

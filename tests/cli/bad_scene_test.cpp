@@ -96,7 +96,7 @@ const BadScene kBadScenes[] = {
      {"paint.png"}},
     {"NothingToSee",
      [](const TempFolder& f) { return writeEdited(f, [](GltfFile& g) { g.json["nodes"][0].erase("mesh"); }); },
-     {"scene.gltf", "no triangle"}},
+     {"scene.gltf", "the scene is empty", "none of its nodes has a mesh"}},
     {"RequiredExtension",
      [](const TempFolder& f) {
        return writeEdited(

@@ -29,6 +29,11 @@ testing::AssertionResult exitedWith(int code, const RunResult& result) {
   return failure << "\nstdout: " << result.out << "\nstderr: " << result.err;
 }
 
+bool isReported(const RunResult& result) {
+  return result.exitCode == 0 || result.exitCode == 2 ||
+         (result.exitCode == 4 && contains(result.err, "error: no material was compared"));
+}
+
 void expectRefused(const RunResult& result, int code, const std::vector<std::string>& parts) {
   EXPECT_TRUE(exitedWith(code, result));
   EXPECT_EQ(result.out, "") << result.commandLine;

@@ -30,6 +30,9 @@ protected:
 // Passes where the program came to an end by itself with this exit code; else says what it printed.
 testing::AssertionResult exitedWith(int code, const RunResult& result);
 
+// Whether a report is there, whatever its verdict: of tests whose pictures are too small for one.
+bool isReported(const RunResult& result);
+
 // Expects this exit code, nothing on stdout, and on stderr one line "error: ..." that holds all `parts`; and memory
 // below 2 GiB (DESIGN 10).
 void expectRefused(const RunResult& result, int code, const std::vector<std::string>& parts);

@@ -131,7 +131,7 @@ TEST_F(FlipLimits, LimitThatCannotBeMeantIsAUsageError) {
   refused({"--metric", "flip", "--fail", "0.1", "--failpercent", "101"}, {"--failpercent", "0 to 100"});
   refused({"--metric", "flip.mean", "--fail", "nan"}, {"--fail", "finite"});
   refused({"--metric", "flip.mean", "--fail", "1.5"}, {"flip.mean", "1.5"});
-  refused({"--metrics", ""}, {"--metrics", "names of metrics"});
+  refused({"--metrics", ""}, {"--metrics", "empty value"});
   refused({"--metric", "flip.mean", "--warn", "0.2", "--fail", "0.1"}, {"--warn", "never warn"});
   refused({"--metric", "psnr", "--warn", "20", "--fail", "30"}, {"--warn", "never warn"});
   refused({"--warn", "0.3", "--fail", "0.2"}, {"--warn", "never warn"});

@@ -129,7 +129,8 @@ TEST_F(ShadowsTest, LightsWithoutSenseAreRefusedInWords) {
   refused(R"({"type": "point", "intensity": 1e300})", {"lights/0/intensity", "32 bits"});
   refused(R"({"type": "point", "range": 1e300})", {"lights/0/range", "32 bits"});
   refused(R"({"type": "point", "intensity": 1e38, "color": [9, 9, 9]})", {"lights/0", "not a finite"});
-  refused(R"({"type": "point", "range": -2})", {"lights/0/range", "negative"});
+  refused(R"({"type": "point", "range": -2})", {"lights/0/range", "not above 0"});
+  refused(R"({"type": "point", "range": 0})", {"lights/0/range", "not above 0"});
   refused(R"({"type": "point", "intensity": "NaN"})", {"lights/0/intensity"});
   refused(R"({"type": "point", "range": null})", {"lights/0/range"});
   refused(R"({"type": "spot", "spot": {"innerConeAngle": 0.5, "outerConeAngle": 0.5}})", {"lights/0/spot", "inner"});
@@ -142,9 +143,9 @@ TEST_F(ShadowsTest, LightsWithoutSenseAreRefusedInWords) {
 // What has sense at the ends of its range is shown: finite, and lit where light comes.
 TEST_F(ShadowsTest, LightsAtTheEndsOfTheirRangesAreShown) {
   for (const char* light :
-       {R"({"type": "point", "range": 0})", R"({"type": "point", "range": 1e38})",
-        R"({"type": "point", "range": 1e-30})", R"({"type": "point", "intensity": 1e-30})",
-        R"({"type": "point", "intensity": 1e30})", R"({"type": "spot", "spot": {"outerConeAngle": 1e-6}})",
+       {R"({"type": "point", "range": 1e38})", R"({"type": "point", "range": 1e-30})",
+        R"({"type": "point", "intensity": 1e-30})", R"({"type": "point", "intensity": 1e30})",
+        R"({"type": "spot", "spot": {"outerConeAngle": 1e-6}})",
         R"({"type": "spot", "spot": {"innerConeAngle": 1.57079, "outerConeAngle": 1.5707963267948966}})",
         R"({"type": "directional", "intensity": 1e20})"}) {
     SCOPED_TRACE(light);

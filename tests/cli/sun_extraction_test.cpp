@@ -27,7 +27,7 @@ protected:
   nlohmann::json report(const std::vector<std::string>& more) const {
     const RunResult result =
         runParity(join({{"report", "-o", (m_folder / "report").string(), "--size", "16x16"}, more}));
-    EXPECT_TRUE(result.exitCode <= 2) << result.err;
+    EXPECT_TRUE(isReported(result)) << result.err;
     return readReport(m_folder / "report");
   }
 };
