@@ -144,7 +144,9 @@ private:
     } else if (type == "preview") {
       const bool hasSize = value.size() >= 8;
       const std::int64_t width = hasSize ? readInt(value) : -1, height = hasSize ? readInt(value.substr(4)) : -1;
-      fits = width >= 0 && height >= 0 && static_cast<std::int64_t>(value.size()) - 8 == 4 * width * height;
+      const std::int64_t bytes = static_cast<std::int64_t>(value.size()) - 8;
+      // The product of two sides of 2^31 and 4 would overflow.
+      fits = width >= 0 && height >= 0 && (height == 0 || width <= bytes / 4 / height) && bytes == 4 * width * height;
     } else if (type == "stringvector") {
       while (fits && !value.empty()) {
         const std::int64_t length = value.size() >= 4 ? readInt(value) : -1;
