@@ -99,8 +99,9 @@ std::string shownText(std::string_view text, Colors colors) {
   std::string out;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    out += shownLine(text.substr(at, end - at), colors);
-    if (end < text.size()) out += '\n';
+    const bool isCrlf = end < text.size() && end > at && text[end - 1] == '\r';
+    out += shownLine(text.substr(at, end - at - (isCrlf ? 1 : 0)), colors);
+    if (end < text.size()) out += isCrlf ? "\r\n" : "\n";
     at = end + 1;
   }
   return out;

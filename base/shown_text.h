@@ -16,7 +16,7 @@ std::string plainLine(std::string_view text);
 
 enum class Colors { none, ours }; // ours: the text was put together of plain lines and colours, ESC [ ... m, which stay
 
-// All that is printed: lines as plainLine() makes them, line feeds and tabs kept. Where a line would be a workflow
+// All that is printed: lines as plainLine() makes them; tabs and ends of lines (LF, CR LF) are kept. Where a line would be a workflow
 // command ("::stop-commands::..." behind white space, as GitHub Actions reads it), its second colon becomes U+FFFD.
 std::string shownText(std::string_view text, Colors colors = Colors::none);
 

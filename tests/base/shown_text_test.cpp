@@ -22,8 +22,9 @@ TEST(ShownText, CommandsOfLogsAreNone) {
   EXPECT_EQ(shownText("::stop-commands::tok\n  \t\u00A0::error::x\nmean ::x\n"),
             ":\uFFFDstop-commands::tok\n  \t\u00A0:\uFFFD"
             "error::x\nmean ::x\n");
-  EXPECT_EQ(shownText("a\r\n::b"), "a\uFFFD\n:\uFFFD"
+  EXPECT_EQ(shownText("a\r\n::b"), "a\r\n:\uFFFD"
                                    "b");
+  EXPECT_EQ(shownText("a\r::b\r\r\n\r"), "a\uFFFD::b\uFFFD\r\n\uFFFD");
   EXPECT_EQ(shownText(""), "");
 }
 

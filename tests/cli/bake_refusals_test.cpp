@@ -188,9 +188,11 @@ TEST_F(BakeOutputTest, leavesNothingWhereItCannotBeWritten) {
 // Some seconds' work.
 class BakeCancelTest : public BakeTest {
 protected:
-  RunResult bakeSlowly(const std::string& folder, const RunOptions& options = {}) const {
-    return run({"bake", "builtin:room", "-o", path(folder), "--texels-per-metre", "5", "--max-samples", "1024",
-                "--error", "0.1%", "--captures", "0", "--threads", "2"},
+  RunResult bakeSlowly(const std::string& folder, const RunOptions& options = {},
+                       const std::vector<std::string>& more = {}) const {
+    return run(join({{"bake", "builtin:room", "-o", path(folder), "--texels-per-metre", "5", "--max-samples", "1024",
+                      "--error", "0.1%", "--captures", "0", "--threads", "2"},
+                     more}),
                options);
   }
   static double raysOf(const RunResult& result) {
@@ -208,8 +210,9 @@ TEST_F(BakeCancelTest, leavesNothingAndGoesOnFromItsCache) {
   EXPECT_EQ(cancelled.out, "");
   EXPECT_TRUE(contains(cancelled.err, "error: bake: cancelled; what is done is in the cache")) << cancelled.err;
   EXPECT_EQ(entries(), std::vector<std::string>{"cache"});
-  const RunResult second = bakeSlowly("out");
+  const RunResult second = bakeSlowly("out", {}, {"--timings"});
   ASSERT_TRUE(exitedWith(0, second));
+  EXPECT_TRUE(contains(second.err, " ms  ")) << second.err;
   std::filesystem::remove_all(m_folder / "cache");
   const RunResult whole = bakeSlowly("whole");
   ASSERT_TRUE(exitedWith(0, whole));

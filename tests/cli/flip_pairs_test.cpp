@@ -163,6 +163,8 @@ TEST_F(FlipPairs, CsvHasALineARegionWithAllFigures) {
   write("ref/x, \"y\".png", 1), write("test/x, \"y\".png", 1);
   const RunResult result = runParity({"flip", path("ref"), path("test"), "--csv", "-"});
   EXPECT_TRUE(exitedWith(0, result));
+  EXPECT_TRUE(exitedWith(0, runParity({"flip", path("ref"), path("test"), "--csv", path("same.csv")})));
+  EXPECT_EQ(readWholeFile(path("same.csv")), result.out);
   std::istringstream stream(result.out);
   std::vector<std::string> lines;
   for (std::string line; std::getline(stream, line);) lines.push_back(line);

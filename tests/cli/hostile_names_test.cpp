@@ -133,6 +133,18 @@ TEST_F(HostileNamesTest, OfScenesAndMaterialsAreTextInEveryFormat) {
   expectNoFormulas(readWholeFile(m_folder / "plot" / "env-brdf-materials.csv"), "env-brdf-materials.csv");
   pugi::xml_document junit;
   EXPECT_TRUE(junit.load_file((folder / "junit.xml").c_str()));
+
+  const std::vector<std::string> bench = join({{"bench", file, "--settings", "highend: default", "--no-reference",
+                                                "--rounds", "2", "--preparation-rounds", "2", "--size", "32x32"},
+                                               view,
+                                               kSun});
+  expectHarmless(runParity(bench, here));
+  const RunResult csv = runParity(join({bench, {"--csv", "-"}}), here);
+  expectHarmless(csv);
+  expectNoFormulas(csv.out, "bench --csv -");
+  for (const std::string& line : splitLines(csv.out)) EXPECT_FALSE(contains(line, "\uFFFD\r")) << line;
+  EXPECT_EQ(readCsv(csv.out).back().size(), readCsv(csv.out).front().size());
+  EXPECT_TRUE(nlohmann::json::accept(runParity(join({bench, {"--json", "-"}}), here).out));
 }
 
 TEST_F(HostileNamesTest, OfFilesAreTextInMessages) {

@@ -1,7 +1,8 @@
-// Every option that `parity render` lists is read by it: another value makes another picture.
+// Every option that a command lists is read by it: another value makes another result.
 #include <algorithm>
 #include <map>
 #include <regex>
+#include <set>
 
 #include "base/image_io.h"
 #include "cli/checks.h"
@@ -11,13 +12,15 @@ namespace {
 
 // Another value of an option, and what is needed so that it can be seen.
 struct Probe {
-  std::vector<std::string> words; // the option, its value
-  std::string scene = "spheres", path = "mobile";
+  std::vector<std::string> words;                 // the option, its value
+  std::string scene = "spheres", path = "mobile"; // a built-in scene, or kChoices
   std::vector<std::string> base = {};
   std::string extension = ".pfm";
 };
 
-const std::vector<std::string> kFog = {"--fog", "0.5,0,0"}, kOrbit = {"--orbit", "10,50,4"}, kRough = {"--error", "5%"};
+const std::string kChoices = "choices"; // the file of writeChoices()
+const std::vector<std::string> kFog = {"--fog", "0.5,0,0"}, kOrbit = {"--orbit", "10,50,4"}, kRough = {"--error", "5%"},
+                               kFixed = join({kOrbit, {"--target", "0,0,0"}});
 
 const std::vector<Probe> kProbes = {
     {{"--env", "builtin:sky"}},
@@ -69,74 +72,126 @@ const std::vector<Probe> kProbes = {
     {{"--material", "dielectric*"}},
     {{"--material", "dielectric*"}, "spheres", "highend"},
     {{"--material", "dielectric*"}, "spheres", "reference", kRough},
+    {{"--time", "1"}, kChoices, "mobile", kFixed},
+    {{"--animation", "none"}, kChoices, "mobile", join({kFixed, {"--time", "1"}})},
+    {{"--scene", "1"}, kChoices, "mobile", kFixed},
+    {{"--variant", "red"}, kChoices, "mobile", kFixed},
+    {{"--camera", "0"}, kChoices},
 };
 
-// What shows elsewhere: in a file that has it, or in no picture.
-const std::map<std::string, std::string> kElsewhere = {{"--help", "help_test"},
-                                                       {"--path", "render_test"},
-                                                       {"--output", "render_test"},
-                                                       {"--terms", "render_test"},
-                                                       {"--list-terms", "render_test"},
-                                                       {"--size", "render_test"},
-                                                       {"--error-map", "reference_test"},
-                                                       {"--time", "gltf_pose_test"},
-                                                       {"--animation", "gltf_animation_test"},
-                                                       {"--scene", "gltf_node_test"},
-                                                       {"--variant", "gltf_material_test"},
-                                                       {"--camera", "render_test"},
-                                                       {"--max-image", "gltf_limits_test"},
-                                                       {"--max-memory", "gltf_limits_test"},
-                                                       {"--indirect-color-scale", "bake_test"},
-                                                       {"--baked", "bake_test"},
-                                                       {"--capture-scale", "bake_test"},
-                                                       {"--mixing-begin", "bake_test"},
-                                                       {"--mixing-end", "bake_test"},
-                                                       {"--mixing-largest", "bake_test"},
-                                                       {"--device", "devices_test"},
-                                                       {"--validation", "devices_test"},
-                                                       {"--threads", "determinism_test"},
-                                                       {"--cache", "result_cache_test"},
-                                                       {"--cache-size", "result_cache_test"},
-                                                       {"--no-cache", "result_cache_test"},
-                                                       {"--timings", "help_test"},
-                                                       {"--quiet", "output_test"},
-                                                       {"--verbose", "help_test"}};
+// Of pairs of pictures; the figures or files that are another's with them.
+const std::vector<std::vector<std::string>> kFlipProbes = {
+    {"--start-exposure", "-4"}, {"--stop-exposure", "4"}, {"--exposures", "3"},       {"--tonemapper", "reinhard"},
+    {"--mask-kind", "weights"}, {"--ppd", "20"},          {"--exposure-map", "e.png"}};
 
 class OptionsTest : public RenderingTest {
 protected:
-  std::string render(const Probe& probe, bool asked) const {
+  // A file with two scenes, a variant, a camera, and an animation that moves what the first scene shows.
+  std::string writeChoices() const {
+    GltfFile file = makeQuad();
+    file.json["materials"].push_back({{"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0, 1}}}}});
+    file.json["extensionsUsed"] = {"KHR_materials_variants"};
+    file.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "red"}}};
+    file.primitive()["extensions"]["KHR_materials_variants"]["mappings"] = {{{"material", 1}, {"variants", {0}}}};
+    file.json["nodes"].push_back({{"mesh", 0}, {"scale", {0.5, 0.5, 0.5}}});
+    file.json["scenes"].push_back({{"nodes", {1}}});
+    file.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}}};
+    file.json["nodes"].push_back({{"camera", 0}, {"translation", {0.2, 0, 6}}});
+    file.json["scenes"][0]["nodes"].push_back(2);
+    const int times = file.add<float>({0, 1}, "SCALAR"), places = file.add<float>({0, 0, 0, 0.7f, 0, 0}, "VEC3");
+    file.json["accessors"][times]["min"] = {0};
+    file.json["accessors"][times]["max"] = {1};
+    file.json["animations"] = {{{"samplers", {{{"input", times}, {"output", places}}}},
+                                {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+    return writeGlb(m_folder, file, kChoices);
+  }
+  std::string render(const Probe& probe, bool asked, const std::string& choices) const {
     const std::string file = (m_folder / ("a" + probe.extension)).string();
-    const RunResult result =
-        runParity(join({{"render", "builtin:" + probe.scene, "--path", probe.path, "--size", "32x32", "-o", file},
-                        probe.base,
-                        asked ? probe.words : std::vector<std::string>()}));
+    const std::vector<std::string> light = probe.scene == kChoices ? kSun : std::vector<std::string>();
+    const RunResult result = runParity(join({{"render", probe.scene == kChoices ? choices : "builtin:" + probe.scene,
+                                              "--path", probe.path, "--size", "32x32", "-o", file},
+                                             light,
+                                             probe.base,
+                                             asked ? probe.words : std::vector<std::string>()}));
     EXPECT_TRUE(exitedWith(0, result));
     return readWholeFile(file);
   }
 };
 
 TEST_F(OptionsTest, OfRenderMakeAnotherPicture) {
+  const std::string choices = writeChoices();
   std::map<std::string, std::string> without; // by what is asked for besides
   for (const Probe& probe : kProbes) {
     std::string key = probe.scene + " " + probe.path + probe.extension;
     for (const std::string& word : probe.base) key += " " + word;
-    if (!without.contains(key)) without[key] = render(probe, false);
-    EXPECT_TRUE(render(probe, true) != without[key]) << probe.words.front() << " does nothing";
+    if (!without.contains(key)) without[key] = render(probe, false, choices);
+    EXPECT_TRUE(render(probe, true, choices) != without[key]) << probe.words.front() << " does nothing";
   }
 }
 
-TEST(Options, OfRenderAreAllProbed) {
-  const std::string help = runParity({"render", "--help"}).out;
-  std::vector<std::string> listed;
-  for (const std::string& line : splitLines(help)) {
-    std::smatch match;
-    if (std::regex_search(line, match, std::regex("^ +(-[a-z],)?(--[a-z-]+)"))) listed.push_back(match[2]);
+TEST_F(OptionsTest, OfFlipMakeOtherFigures) {
+  base::Image a(32, 32, 3), b(32, 32, 3), ids(32, 32, 1);
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    a.pixels[i] = 0.01f * static_cast<float>(i % 97) + (i % 7 == 0 ? 20.f : 0.f);
+    b.pixels[i] = a.pixels[i] * (i % 5 == 0 ? 1.5f : 1.f);
   }
-  EXPECT_GT(listed.size(), 60u);
-  for (const std::string& option : listed)
-    EXPECT_TRUE(kElsewhere.contains(option) ||
-                std::ranges::any_of(kProbes, [&](const Probe& p) { return p.words.front() == option; }))
-        << option << " is listed: what does it do?";
+  for (std::size_t i = 0; i < ids.pixels.size(); ++i) ids.pixels[i] = static_cast<float>(1 + i % 2);
+  base::writeImage(m_folder / "a.exr", a);
+  base::writeImage(m_folder / "b.exr", b);
+  base::writeImage(m_folder / "ids.exr", ids);
+  RunOptions here;
+  here.workingFolder = m_folder.path();
+  const auto compare = [&](const std::vector<std::string>& words) {
+    const std::vector<std::string> mask =
+        words[0] == "--mask-kind" ? std::vector<std::string>{"--mask", "ids.exr"} : std::vector<std::string>();
+    const RunResult plain = runParity(join({{"flip", "a.exr", "b.exr", "--json", "-"}, mask}), here);
+    EXPECT_TRUE(exitedWith(0, plain));
+    const RunResult asked = runParity(join({{"flip", "a.exr", "b.exr", "--json", "-"}, mask, words}), here);
+    return plain.out != asked.out || std::filesystem::exists(m_folder / words[1]);
+  };
+  for (const std::vector<std::string>& words : kFlipProbes) EXPECT_TRUE(compare(words)) << words[0] << " does nothing";
+}
+
+// An option is one of the probes above, of a command that shares it with render, or some test runs the command with it.
+TEST(Options, OfEveryCommandAreUsedByATest) {
+  std::vector<std::string> sources;
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(PARITY_SOURCE_DIR) / "tests/cli"))
+    if (entry.path().extension() == ".cpp" && entry.path().filename() != "options_test.cpp")
+      sources.push_back(readWholeFile(entry.path()));
+  std::set<std::string> probed = {"--help"}; // which help_test.cpp asks of every command
+  for (const Probe& probe : kProbes) probed.insert(probe.words.front());
+  for (const std::vector<std::string>& words : kFlipProbes) probed.insert(words.front());
+  const std::regex listed("^ +(?:(-[a-zA-Z]),)?(--[a-z0-9-]+)");
+  std::size_t count = 0;
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"report"},
+                                                  {"diff"},
+                                                  {"render"},
+                                                  {"flip"},
+                                                  {"bake"},
+                                                  {"bench"},
+                                                  {"info"},
+                                                  {"budget", "suggest"},
+                                                  {"budget", "check"},
+                                                  {"cache"},
+                                                  {"devices"},
+                                                  {"stress"},
+                                                  {"fit"},
+                                                  {"plot", "env-brdf"}}) {
+    const auto isUsed = [&](const std::string& option) {
+      return std::ranges::any_of(sources, [&](const std::string& text) {
+        return contains(text, '"' + command.back() + '"') &&
+               (contains(text, '"' + option + '"') || contains(text, '"' + option + ' '));
+      });
+    };
+    for (const std::string& line : splitLines(runParity(join({command, {"--help"}})).out)) {
+      std::smatch match;
+      if (!std::regex_search(line, match, listed)) continue;
+      ++count;
+      EXPECT_TRUE(probed.contains(match[2]) || isUsed(match[2]) || (match[1].matched && isUsed(match[1])))
+          << command.back() << " " << match[2] << ": which test would see that nobody reads it?";
+    }
+  }
+  EXPECT_GT(count, 400u);
 }
 
 // What draws a material draws nothing else.

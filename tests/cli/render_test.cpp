@@ -23,6 +23,13 @@ protected:
   }
 };
 
+TEST(RenderTerms, AreListedWithTheirPaths) {
+  const RunResult listed = runParity({"render", "--list-terms"});
+  EXPECT_TRUE(exitedWith(0, listed));
+  for (const char* name : {"skySpecular", "NoL", "--path mobile", "--path highend"})
+    EXPECT_TRUE(contains(listed.out, name)) << name << " in " << listed.out;
+}
+
 // In black surroundings the colour of every pixel is the sum of the terms, 1e-3 relative (DESIGN 6).
 TEST_F(RenderTest, TermsAddUpToTheColorOnBothPaths) {
   for (const std::string scene : {"builtin:spheres", "builtin:lamps", "builtin:lights", "builtin:shadows"})

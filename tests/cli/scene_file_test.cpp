@@ -88,6 +88,16 @@ TEST(Limits, OfTheCommandLineAreObeyed) {
   EXPECT_TRUE(exitedWith(0, runParity({"info", path, "--max-image", "64", "--max-memory", "1M"})));
   expectRefused(runParity({"info", path, "--max-image", "63"}), 4, {path, "/images/0", "at most 63 a side"});
   expectRefused(runParity({"info", path, "--max-memory", "2K"}), 4, {path, "--max-memory"});
+  const std::string out = (folder / "out").string();
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"diff", path},
+                                                  {"report", path, "-o", out},
+                                                  {"render", path, "--path", "mobile", "-o", out + ".png"},
+                                                  {"bake", path, "-o", out + "-baked"},
+                                                  {"bench", path}}) {
+    const RunResult result = runParity(join({command, {"--sun", "0,45,3", "--max-image", "63"}}));
+    EXPECT_TRUE(exitedWith(4, result));
+    EXPECT_TRUE(contains(result.err, "at most 63 a side")) << command[0] << ": " << result.err;
+  }
   for (const auto& [option, value] :
        std::initializer_list<std::pair<const char*, const char*>>{{"--max-image", "0"},
                                                                   {"--max-image", "16385"},
