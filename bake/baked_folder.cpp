@@ -13,11 +13,11 @@
 
 #include "bake/baked_objects.h"
 #include "base/error.h"
-#include "base/error_words.h"
 #include "base/file.h"
 #include "base/hash.h"
-#include "base/image_io.h"
-#include "lighting/cube.h"
+#include "base/image/image_io.h"
+#include "base/text/error_words.h"
+#include "lighting/environment/cube.h"
 #include "shading/half.h"
 
 namespace parity::bake {
@@ -114,12 +114,12 @@ private:
 
 void writeInto(const fs::path& folder, const BakedLight& baked) {
   FolderWriter writer(folder);
-  for (std::size_t p = 0; p < baked.highend.size(); ++p) {
+  for (std::size_t p = 0; p < baked.halfPages.size(); ++p) {
     if (p < baked.sources.size())
       writer.image(fmt::format("lightmap-{}.exr", p), baked.sources[p],
                    {.channelNames = {"R", "G", "B", "L0", "L1.x", "L1.y", "L1.z", "N.x", "N.y", "N.z"}});
-    writer.image(fmt::format("highend-{}.exr", p), widened(baked.highend[p]), {.channelNames = {}, .half = true});
-    writer.image8(fmt::format("mobile-{}.png", p), baked.mobile[p]);
+    writer.image(fmt::format("highend-{}.exr", p), widened(baked.halfPages[p]), {.channelNames = {}, .half = true});
+    writer.image8(fmt::format("mobile-{}.png", p), baked.lqPages[p]);
     if (baked.sunMask.empty()) continue;
     writer.image8(fmt::format("sun-mask-{}.png", p), baked.sunMask[p]);
     writer.image8(fmt::format("sun-field-{}.png", p), baked.sunField[p]);
@@ -150,7 +150,7 @@ void writeInto(const fs::path& folder, const BakedLight& baked) {
                          {"localLights", baked.localLights == LocalLights::isStatic ? "static" : "stationary"},
                          {"astc", baked.astc},
                          {"pageSide", baked.pageSide},
-                         {"pages", baked.highend.size()},
+                         {"pages", baked.halfPages.size()},
                          {"hasSun", !baked.sunMask.empty()},
                          {"transitionScale", baked.transitionScale},
                          {"captures", captures},
@@ -238,9 +238,9 @@ BakedLight read(const fs::path& folder, const Json& manifest) {
       return image;
     };
     const fs::path highend = checked(fmt::format("highend-{}.exr", p));
-    const auto& page = baked.highend.emplace_back(narrowed(base::readImage(highend)));
+    const auto& page = baked.halfPages.emplace_back(narrowed(base::readImage(highend)));
     requireSize(highend, page.width, page.height, page.channels, side, 2, 4);
-    baked.mobile.push_back(readPage(fmt::format("mobile-{}.png", p), 2, 4));
+    baked.lqPages.push_back(readPage(fmt::format("mobile-{}.png", p), 2, 4));
     if (!hasSun) continue;
     baked.sunMask.push_back(readPage(fmt::format("sun-mask-{}.png", p), 1, 1));
     baked.sunField.push_back(readPage(fmt::format("sun-field-{}.png", p), 1, 1));

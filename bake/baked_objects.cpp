@@ -40,7 +40,7 @@ std::vector<std::byte> objectBytes(const BakedLight& baked) {
   std::vector<std::byte> bytes;
   append(bytes, baked.uvs.corners);
   append(bytes, baked.uvs.places);
-  append(bytes, baked.mobileScales);
+  append(bytes, baked.lqScales);
   return bytes;
 }
 
@@ -49,17 +49,17 @@ void readObjects(const std::filesystem::path& file, std::size_t captures, BakedL
   std::span<const std::byte> bytes(all);
   take(bytes, baked.uvs.corners, file.string());
   take(bytes, baked.uvs.places, file.string());
-  take(bytes, baked.mobileScales, file.string());
+  take(bytes, baked.lqScales, file.string());
   // Shaders trust all of it.
   const scenes::LightmapUvs& uvs = baked.uvs;
   const auto isFinite = [](const auto& v) { return !glm::any(glm::isnan(v)) && !glm::any(glm::isinf(v)); };
   const auto fits = [&](const scenes::LightmapUvs::Place& place) {
-    return place.page >= -1 && place.page < static_cast<std::int64_t>(baked.highend.size()) && isFinite(place.offset) &&
-           (place.page < 0 || place.firstCorner < uvs.corners.size()) &&
+    return place.page >= -1 && place.page < static_cast<std::int64_t>(baked.halfPages.size()) &&
+           isFinite(place.offset) && (place.page < 0 || place.firstCorner < uvs.corners.size()) &&
            (captures == 0 || place.capture < captures); // of none, none is read
   };
   if (!bytes.empty() || !std::ranges::all_of(uvs.places, fits) || !std::ranges::all_of(uvs.corners, isFinite) ||
-      !std::ranges::all_of(baked.mobileScales, isFinite) || baked.mobileScales.size() != 4 * uvs.places.size())
+      !std::ranges::all_of(baked.lqScales, isFinite) || baked.lqScales.size() != 4 * uvs.places.size())
     throw base::fileError(file.string(), "", "does not fit the pages of this bake");
 }
 

@@ -6,11 +6,18 @@
 #include <fmt/ranges.h>
 
 #include "base/hash.h"
-#include "lighting/surface_hash.h"
+#include "base/member_count.h"
+#include "lighting/surface/surface_hash.h"
 
 namespace parity::bake {
 
 namespace {
+
+// Not in the keys: names; the scale of specular light, which is not baked; the panorama's height, which its width and
+// pixels give.
+static_assert(base::memberCount<scenes::Light>() == 11 && base::memberCount<scenes::Environment>() == 3 &&
+                  base::memberCount<BakeLights>() == 3,
+              "a new member goes into the key, or is named here with the reason why not");
 
 template <typename T> void addAll(base::Hasher& hasher, const std::vector<T>& list) {
   hasher.addValue(list.size()).add(std::as_bytes(std::span{list}));

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "bake/integrate.h"
+#include "bake/light/integrate.h"
 #include "scenes/scene.h"
 
 namespace parity::bake {

@@ -8,7 +8,7 @@
 #include <string>
 #include <type_traits>
 
-#include "bake/integrate.h"
+#include "bake/light/integrate.h"
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/parallel.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/image.h"
+#include "base/image/image.h"
 
 namespace parity::base {
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "base/image.h"
+#include "base/image/image.h"
 
 namespace parity::base {
 

@@ -7,7 +7,7 @@
 #include <deque>
 #include <mutex>
 
-#include "base/shown_text.h"
+#include "base/text/shown_text.h"
 
 namespace parity::base {
 

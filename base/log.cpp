@@ -7,7 +7,7 @@
 
 #include <unistd.h>
 
-#include "base/shown_text.h"
+#include "base/text/shown_text.h"
 
 namespace parity::base {
 

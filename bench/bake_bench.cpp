@@ -14,15 +14,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "bake/dilation.h"
-#include "bake/distance_field.h"
-#include "bake/highend_encoding.h"
-#include "bake/integrate.h"
-#include "bake/lq_encoding.h"
-#include "bake/sun_pages.h"
+#include "bake/encode/dilation.h"
+#include "bake/encode/distance_field.h"
+#include "bake/encode/highend_encoding.h"
+#include "bake/encode/lq_encoding.h"
+#include "bake/encode/sun_pages.h"
+#include "bake/light/integrate.h"
 #include "job/bake_run.h"
-#include "scenes/builtin.h"
-#include "sweep/statistics.h"
+#include "scenes/builtin/builtin.h"
+#include "study/sweep/statistics.h"
 
 namespace parity::bench {
 namespace {

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "fit/harmonics.h"
 #include "shading/shading.h"
+#include "study/fit/harmonics.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // Prints the constants that shading/refit.glsl holds, with their errors. build/fit_refit; half a minute on 2 cores.
 #include <cstdio>
 
-#include "fit/refit.h"
-#include "fit/refit_text.h"
+#include "study/fit/refit.h"
+#include "study/fit/refit_text.h"
 
 int main() {
   using namespace parity::fit;

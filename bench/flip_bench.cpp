@@ -13,10 +13,10 @@
 #include <benchmark/benchmark.h>
 
 #include "base/parallel.h"
-#include "compare/flip.h"
-#include "compare/flip_filters.h"
-#include "compare/flip_hdr.h"
-#include "compare/flip_simd.h"
+#include "compare/flip/flip.h"
+#include "compare/flip/flip_filters.h"
+#include "compare/flip/flip_hdr.h"
+#include "compare/flip/flip_simd.h"
 
 namespace parity::compare {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "stress/function_table.h"
+#include "study/stress/function_table.h"
 
 namespace {
 
@@ -53,7 +53,7 @@ constexpr std::array kMobile = {kFnEnvBRDFApprox,
 int main() {
   fmt::print(
       "# What half precision costs each formula of the mobile path\n\n"
-      "Made by `build/half_errors`: {} rows of inputs a function (bench/stress/random_rows.cpp says over which "
+      "Made by `build/half_errors`: {} rows of inputs a function (study/stress/random_rows.cpp says over which "
       "ranges), rounded to half; the\nresult of half code, every operation rounded, against f64 at the same inputs, "
       "relative to the row's largest output. Device and CPU agree\nin half bit for bit "
       "(tests/shading/device_test.cpp), "

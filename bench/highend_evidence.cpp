@@ -13,21 +13,18 @@
 #include <fmt/format.h>
 
 #include "base/file.h"
-#include "bench/pareto_picture.h"
-#include "compare/measure.h"
-#include "job/displayed.h"
-#include "job/scene_renderer.h"
+#include "compare/metrics/measure.h"
+#include "highend/knobs.h"
+#include "job/scene/scene_renderer.h"
+#include "job/view/displayed.h"
 #include "scenes/view.h"
 #include "shading/terms.h"
+#include "study/sweep/pareto_svg.h"
 
 namespace {
 
 using namespace parity;
-using bench::Row;
 using highend::Compensation;
-using highend::DiffuseLobe;
-using highend::FresnelCurve;
-using highend::GeometryTerm;
 using highend::OffSpecular;
 
 constexpr int kErrorSize = 96, kTimeSize = 384, kTimeRounds = 5;
@@ -41,21 +38,14 @@ struct Setting {
 std::vector<Setting> settings() {
   const highend::Options chosen;
   std::vector<Setting> all = {{"default", chosen}};
-  const auto add = [&](const std::string& name, auto member, auto value) {
-    if (chosen.*member == value) return;
-    all.push_back({name, chosen});
-    all.back().options.*member = value;
-  };
-  const auto addAll = [&](const std::string& option, auto member, const std::vector<std::string>& names) {
-    using Enum = std::remove_cvref_t<decltype(chosen.*member)>;
-    for (std::size_t i = 0; i < names.size(); ++i)
-      add(fmt::format("{} {}", option, names[i]), member, static_cast<Enum>(i));
-  };
-  addAll("off-specular", &highend::Options::offSpecular, highend::offSpecularNames());
-  addAll("compensation", &highend::Options::compensation, highend::compensationNames());
-  addAll("geometry-term", &highend::Options::geometryTerm, highend::geometryTermNames());
-  addAll("fresnel", &highend::Options::fresnel, highend::fresnelNames());
-  addAll("diffuse", &highend::Options::diffuse, highend::diffuseNames());
+  for (const char* id : {"off-specular", "compensation", "geometry-term", "fresnel", "diffuse"}) {
+    const base::KnobRow<highend::Options>& row = *highend::knobs().find(id);
+    for (const std::string& choice : row.knob.choices) {
+      Setting setting{fmt::format("{} {}", id, choice), chosen};
+      row.set(setting.options, {choice});
+      if (row.text(setting.options) != row.text(chosen)) all.push_back(std::move(setting));
+    }
+  }
   all.push_back({"off-specular none, compensation turquin (Karis 2013 and Turquin)", chosen});
   all.back().options.offSpecular = OffSpecular::none;
   all.back().options.compensation = Compensation::turquin;
@@ -99,10 +89,8 @@ job::Settings jobSettings(const highend::Options& options, int size) {
   job::Settings s;
   s.width = s.height = size;
   s.terms = size == kErrorSize;
-  s.highend = options;
-  s.reference.model.geometryTerm = options.geometryTerm;
-  s.reference.model.fresnel = options.fresnel;
-  s.reference.model.diffuse = options.diffuse;
+  s.of<highend::Options>() = options;
+  s.reference.model.surface = options.model;
   s.reference.integral.relativeError = kTruthError;
   s.cacheFolder = base::defaultCacheFolder();
   return s;
@@ -111,19 +99,25 @@ job::Settings jobSettings(const highend::Options& options, int size) {
 job::SceneRequest requestOf(const Lit& lit) {
   job::SceneRequest request;
   request.scene = lit.scene;
-  request.environment = lit.environment;
+  request.settings.scene.environment = lit.environment;
   request.views = {{}};
   return request;
 }
 
 // What the truth depends on.
 std::string modelOf(const highend::Options& o) {
-  return fmt::format("{}{}{}", static_cast<int>(o.geometryTerm), static_cast<int>(o.fresnel),
-                     static_cast<int>(o.diffuse));
+  return fmt::format("{}{}{}", static_cast<int>(o.model.geometryTerm), static_cast<int>(o.model.fresnel),
+                     static_cast<int>(o.model.diffuse));
 }
 
 struct Errors {
   double relMse = 0, relMseSpecular = 0, flip = 0;
+};
+
+// One setting over all pairs of scene and environment: time over the default's, errors (median, worst).
+struct Row {
+  std::string name;
+  double ratio, relMse, worstRelMse, relMseSpecular, worstSpecular, flip, worstFlip;
 };
 
 struct Outcome {
@@ -165,7 +159,7 @@ class Trial {
 public:
   Trial(const Lit& lit, const std::vector<Setting>& all)
       : m_all(all), m_context(jobSettings({}, kErrorSize)),
-        m_prepared(job::prepareScene(m_context, requestOf(lit), {.reference = true})) {}
+        m_prepared(job::prepareScene(m_context, requestOf(lit), {.chosen = job::allPaths(), .truth = true})) {}
 
   std::vector<Outcome> run() {
     std::vector<Outcome> outcomes(m_all.size());
@@ -179,8 +173,9 @@ private:
     job::Context context;
     std::unique_ptr<job::SceneRenderer> renderer;
     scenes::Camera camera;
-    Renderer(const job::PreparedScene& prepared, const job::Settings& settings, const job::Paths& paths)
-        : context(settings), renderer(std::make_unique<job::SceneRenderer>(context, prepared, paths, 1)),
+    Renderer(const job::PreparedScene& prepared, const job::Settings& settings, const job::PathChoice& paths)
+        : context(settings),
+          renderer(std::make_unique<job::SceneRenderer>(context, prepared, context.settings(), paths, 1)),
           camera(scenes::makeCamera(prepared.scene, {}, 1)) {}
   };
 
@@ -190,12 +185,13 @@ private:
     for (std::size_t i = 0; i < m_all.size(); ++i) {
       const highend::Options& options = m_all[i].options;
       base::Frame& truth = truths[modelOf(options)];
-      Renderer r(m_prepared, jobSettings(options, kErrorSize),
-                 {.highend = true, .mobile = where.pixels.empty(), .reference = truth.color.empty()});
+      job::Settings settings = jobSettings(options, kErrorSize);
+      settings.coverage = where.pixels.empty();
+      Renderer r(m_prepared, settings, {.chosen = {job::allPaths().front()}, .truth = truth.color.empty()});
       job::ViewFrames frames = r.renderer->render(r.camera);
       if (where.pixels.empty()) where = coveredPixels(frames.coverage);
-      if (truth.color.empty()) truth = std::move(frames.reference);
-      outcomes[i].errors = errorsOf(truth, frames.highend, where, r.context.display());
+      if (truth.color.empty()) truth = std::move(frames.truth);
+      outcomes[i].errors = errorsOf(truth, frames.first().frame, where, r.context.display());
     }
   }
 
@@ -208,7 +204,7 @@ private:
     for (const Setting& setting : m_all) {
       order.push_back(renderers.size());
       renderers.push_back(std::make_unique<Renderer>(m_prepared, jobSettings(setting.options, kTimeSize),
-                                                     job::Paths{.highend = true, .mobile = false}));
+                                                     job::PathChoice{.chosen = {job::allPaths().front()}}));
     }
     std::mt19937 random(1);
     for (int round = 0; round <= kTimeRounds; ++round) {
@@ -254,6 +250,24 @@ std::vector<Row> summarise(const std::vector<Setting>& all, const std::vector<st
                     medianOf(flip), worst(flip)});
   }
   return rows;
+}
+
+std::string picture(const std::vector<Row>& rows) {
+  sweep::SceneSweep all;
+  for (const Row& row : rows) {
+    sweep::VariantResult& v = all.variants.emplace_back();
+    v.path = "highend";
+    v.name = row.name;
+    v.times.deviceMs = {row.ratio};
+    v.whole.truth = sweep::Errors{.relMse = row.relMse};
+  }
+  sweep::ParetoPlot plot = sweep::plotOf(all, sweep::Stage::shading, sweep::Against::truth, "relmse");
+  plot.timeTitle = "time of shading over the default's";
+  plot.timeUnit = "";
+  plot.errorTitle = "relMSE against the truth, median";
+  plot.namesDominated = true;
+  for (sweep::ParetoDot& dot : plot.dots) dot.details.clear();
+  return sweep::toSvg(std::move(plot));
 }
 
 std::string table(const std::vector<Row>& rows, const std::vector<Lit>& lits, const std::vector<Setting>& all,
@@ -314,7 +328,7 @@ int main(int argc, char** argv) {
     const std::vector<Lit> done(lits.begin(), lits.begin() + static_cast<std::ptrdiff_t>(trials.size()));
     const std::vector<Row> rows = summarise(all, trials);
     base::writeText(folder / "highend-error.md", table(rows, done, all, trials));
-    base::writeText(folder / "highend-pareto.svg", bench::paretoPicture(rows));
+    base::writeText(folder / "highend-pareto.svg", picture(rows));
   }
   return 0;
 }

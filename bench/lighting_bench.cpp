@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "highend/env_brdf_lut.h"
-#include "lighting/environment_light.h"
-#include "scenes/builtin.h"
+#include "lighting/environment/environment_light.h"
+#include "scenes/builtin/builtin.h"
 
 namespace {
 

@@ -12,10 +12,10 @@
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "gpu/surface_pass.h"
+#include "gpu/surface/surface_pass.h"
 #include "highend/renderer.h"
-#include "scenes/shapes.h"
-#include "sweep/statistics.h"
+#include "scenes/builtin/shapes.h"
+#include "study/sweep/statistics.h"
 
 namespace parity::bench {
 namespace {
@@ -102,7 +102,7 @@ std::vector<scenes::Light> makeLights(int count, double reaching) {
 void shade(benchmark::State& state, const Picture& seen, highend::Inputs inputs) {
   const highend::Renderer renderer(
       stage().device, stage().buffers, seen.pass.binKinds(), inputs,
-      {.diffuse = highend::DiffuseLobe::lambert, .compensation = highend::Compensation::none});
+      {.model = {.diffuse = highend::DiffuseLobe::lambert}, .compensation = highend::Compensation::none});
   renderer.shade(seen.surface, stage().camera); // compiles
   for (auto _ : state) benchmark::DoNotOptimize(renderer.shade(seen.surface, stage().camera).color.data());
   state.counters["pixels"] = static_cast<double>(seen.surface.size());

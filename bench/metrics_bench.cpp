@@ -10,10 +10,10 @@
 
 #include "base/gathered.h"
 #include "base/parallel.h"
-#include "compare/measure.h"
-#include "compare/measure_swaps.h"
-#include "compare/pooling.h"
-#include "compare/region.h"
+#include "compare/metrics/measure.h"
+#include "compare/metrics/measure_swaps.h"
+#include "compare/pooling/pooling.h"
+#include "compare/pooling/region.h"
 
 namespace parity::compare {
 namespace {

@@ -14,15 +14,16 @@
 #include <fmt/format.h>
 
 #include "base/file.h"
-#include "base/image_io.h"
+#include "base/image/image_io.h"
 #include "bench/parity_table.h"
-#include "compare/flip.h"
-#include "compare/magma.h"
-#include "compare/measure_swaps.h"
-#include "job/displayed.h"
-#include "job/material_swaps.h"
-#include "job/scene_renderer.h"
-#include "scenes/builtin.h"
+#include "compare/flip/flip.h"
+#include "compare/flip/magma.h"
+#include "compare/metrics/measure_swaps.h"
+#include "job/scene/scene_renderer.h"
+#include "job/view/displayed.h"
+#include "job/view/material_swaps.h"
+#include "mobile/options.h"
+#include "scenes/builtin/builtin.h"
 #include "scenes/view.h"
 
 namespace {
@@ -66,7 +67,7 @@ std::string shortName(const std::string& file) {
 job::Settings settingsOf(const std::string& preset, int size) {
   job::Settings s;
   s.width = s.height = size;
-  s.mobile = mobile::presetByName(preset);
+  s.of<mobile::Options>() = mobile::presetByName(preset);
   s.cacheFolder = base::defaultCacheFolder();
   return s;
 }
@@ -76,15 +77,16 @@ struct Bench {
   job::Context context;
   job::SceneRenderer renderer;
   scenes::Camera camera;
-  Bench(const job::PreparedScene& prepared, const job::Settings& settings, const job::Paths& paths)
-      : context(settings), renderer(context, prepared, paths, 1), camera(scenes::makeCamera(prepared.scene, {}, 1)) {}
+  Bench(const job::PreparedScene& prepared, const job::Settings& settings, const job::PathChoice& paths)
+      : context(settings), renderer(context, prepared, context.settings(), paths, 1),
+        camera(scenes::makeCamera(prepared.scene, {}, 1)) {}
 };
 
 job::SceneRequest requestOf(const std::string& scene, const std::string& environment, bool sun) {
   job::SceneRequest request;
   request.scene = scene;
-  request.environment = environment;
-  if (sun) request.sun = scenes::SunRequest{30, 50, 4};
+  request.settings.scene.environment = environment;
+  if (sun) request.settings.scene.sun = scenes::SunRequest{30, 50, 4};
   request.views = {{}};
   return request;
 }
@@ -104,24 +106,25 @@ Strip compareScene(const job::PreparedScene& prepared, const std::string& scene,
   std::vector<bench::MaterialFlip> rows;
   Strip strip, maps;
   for (std::size_t p = 0; p < kPresetCount; ++p) {
-    Bench bench(prepared, settingsOf(bench::kPresets[p], kErrorSize), {.highend = true, .mobile = true});
+    Bench bench(prepared, settingsOf(bench::kPresets[p], kErrorSize), {.chosen = job::allPaths()});
     const job::ViewFrames frames = bench.renderer.render(bench.camera);
-    const job::Displayed test = job::displayImage(frames.mobile.color, bench.context.display(), 0);
+    const job::Displayed test = job::displayImage(frames.paths[1].frame.color, bench.context.display(), 0);
     if (p == 0) {
-      highend = job::displayImage(frames.highend.color, bench.context.display(), 0);
+      highend = job::displayImage(frames.first().frame.color, bench.context.display(), 0);
       strip.push_back(highend.pixels);
     }
     std::vector<compare::Swap> swaps;
     for (std::size_t m = 0; m < frames.coverage.size(); ++m) {
       const base::PixelList& list = frames.coverage[m];
       if (list.pixels.empty()) continue;
-      swaps.push_back(job::displaySwap(bench.context, list, frames.highendMobile[m], 0, 0, &test));
+      swaps.push_back(job::displaySwap(bench.context, list, frames.paths[1].swap[m], 0, 0, &test));
       if (p == 0)
         rows.push_back(
             {shortName(scene), list.name, shortName(environment), sun, leavesSunOut(bench.renderer), {}, {}});
     }
     const std::vector<compare::Figures> figures =
-        compare::measureSwaps(job::referenceOf(highend, frames.highend.color), swaps, {.statistics = {"flip.mean"}})
+        compare::measureSwaps(job::referenceOf(highend, frames.first().frame.color), swaps,
+                              {.statistics = {"flip.mean"}})
             .figures;
     for (std::size_t m = 0; m < rows.size(); ++m) {
       rows[m].flip[p] = figures[m].find("flip.mean").value();
@@ -148,10 +151,11 @@ bench::SceneCost costsOf(const job::PreparedScene& prepared, const std::string& 
   std::vector<std::unique_ptr<Bench>> benches;
   for (std::size_t p = 0; p <= kPresetCount; ++p) { // the last is the high-end path
     job::Settings settings = settingsOf(bench::kPresets[std::min(p, kPresetCount - 1)], kTimeSize);
-    settings.mobile.precision = mobile::Precision::fp32;
+    settings.of<mobile::Options>().precision = mobile::Precision::fp32;
     settings.costs = true;
     const bool highend = p == kPresetCount;
-    benches.push_back(std::make_unique<Bench>(prepared, settings, job::Paths{.highend = highend, .mobile = !highend}));
+    benches.push_back(
+        std::make_unique<Bench>(prepared, settings, job::PathChoice{.chosen = {job::allPaths()[highend ? 0 : 1]}}));
   }
   std::vector<double> last(benches.size(), 0);
   std::vector<std::vector<double>> times(benches.size());
@@ -169,7 +173,7 @@ bench::SceneCost costsOf(const job::PreparedScene& prepared, const std::string& 
     }
   }
   for (std::size_t i = 0; i < benches.size(); ++i) {
-    const std::vector<compare::PathCost> costs = compare::costsByPath(benches[i]->renderer.permutations());
+    const std::vector<report::PathCost> costs = report::costsByPath(benches[i]->renderer.permutations());
     result.paths[i] = {bench::medianOf(times[i]), costs.at(0).operations, costs.at(0).fetches, costs.at(0).samplers};
   }
   return result;
@@ -202,7 +206,8 @@ int main(int argc, char** argv) {
     for (const std::string& environment : inputs.environments)
       for (const bool sun : {false, true}) {
         job::Context context(settingsOf("ue4-2020", kErrorSize));
-        const job::PreparedScene prepared = job::prepareScene(context, requestOf(scene, environment, sun));
+        const job::PreparedScene prepared =
+            job::prepareScene(context, requestOf(scene, environment, sun), {.chosen = job::allPaths()});
         Strip strip = compareScene(prepared, scene, environment, sun, table);
         const bool last = environment == inputs.environments.back() && sun;
         if (last && std::find(shown.begin(), shown.end(), shortName(scene)) != shown.end())

@@ -147,7 +147,8 @@ std::string toMarkdown(const ParityTable& table) {
          summarise(table) +
          "\n## Cost\n\nThe same surfaces at 512x512 in fp32, last environment and sun. High-end: device time in ms, "
          "then a "
-         "pixel's scalar operations and\nfetches, samplers at most (counted from SPIR-V, gpu/spirv_cost.h). Presets: "
+         "pixel's scalar operations and\nfetches, samplers at most (counted from SPIR-V, gpu/spirv/spirv_cost.h). "
+         "Presets: "
          "the "
          "same as shares of the high-end path's; samplers.\n\n" +
          costTable(table) + "\n## The worst of refit\n\n" + worstTable(table) +

@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-#include "lighting/sun_extraction.h"
+#include "lighting/environment/sun_extraction.h"
 #include "scenes/load.h"
 #include "support/prefilter_truth.h"
 

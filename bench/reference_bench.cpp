@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/parallel.h"
-#include "lighting/sun_extraction.h"
+#include "lighting/environment/sun_extraction.h"
 #include "reference/shade.h"
 #include "scenes/load.h"
 
@@ -57,7 +57,8 @@ std::vector<SurfaceSample> makePixels(Kind kind, int count) {
 }
 
 const reference::DirectionalAlbedo& albedo() {
-  static const reference::DirectionalAlbedo table(reference::Model{}.geometryTerm, reference::Model{}.fresnel);
+  static const reference::DirectionalAlbedo table(reference::Model{}.surface.geometryTerm,
+                                                  reference::Model{}.surface.fresnel);
   return table;
 }
 

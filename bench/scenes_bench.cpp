@@ -10,9 +10,9 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include "scenes/builtin/shapes.h"
+#include "scenes/gltf/tangents.h"
 #include "scenes/load.h"
-#include "scenes/shapes.h"
-#include "scenes/tangents.h"
 
 namespace parity {
 namespace {

@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 
-#include "base/image.h"
-#include "base/image_io.h"
+#include "base/image/image.h"
+#include "base/image/image_io.h"
 #include "scenes/load.h"
 #include "scenes/view.h"
-#include "shadows/shadow_error.h"
+#include "study/shadows/shadow_error.h"
 
 namespace parity {
 namespace {

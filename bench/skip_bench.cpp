@@ -14,9 +14,9 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/glob.h"
-#include "job/scene_renderer.h"
-#include "scenes/builtin.h"
+#include "base/text/glob.h"
+#include "job/scene/scene_renderer.h"
+#include "scenes/builtin/builtin.h"
 #include "scenes/view.h"
 
 namespace parity::bench {
@@ -129,14 +129,17 @@ struct Variant {
           return subject.settings;
         }()) {
     prepared.scene = std::move(subject.scene);
+    paths::Light light;
     if (subject.environment) {
       const scenes::Environment studio = scenes::makeBuiltinEnvironment("studio");
-      prepared.environment = prepared.mobileEnvironment = context.environmentLight(studio, lighting::kFinePrefilter);
-      prepared.cells = std::make_shared<const lighting::PanoramaCells>(lighting::makePanoramaCells(studio));
+      light.environment = context.environmentLight(studio, lighting::kFinePrefilter);
+      light.cells = std::make_shared<const lighting::PanoramaCells>(lighting::makePanoramaCells(studio));
     }
-    prepared.lights = prepared.mobileLights = subject.lights;
+    prepared.lights = light.lights = subject.lights;
+    for (const paths::Path* path : job::allPaths()) prepared.lightOfPath[path->name()] = light;
     camera = scenes::makeCamera(prepared.scene, {}, 1.f);
-    renderer.emplace(context, prepared, job::Paths{}, 1, subject.budget);
+    renderer.emplace(context, prepared, context.settings(), job::PathChoice{.chosen = job::allPaths()}, 1,
+                     subject.budget);
     const auto [first, second] = run();
     highend.firstMs = first;
     mobile.firstMs = second;

@@ -8,9 +8,9 @@
 
 #include "bake/baked_folder.h"
 #include "base/error.h"
-#include "base/error_words.h"
 #include "base/log.h"
 #include "base/parallel.h"
+#include "base/text/error_words.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
 #include "cli/requests.h"
@@ -49,15 +49,16 @@ struct Task {
 std::vector<Task> tasksOf(const BakeCommand& command) {
   std::vector<Task> tasks;
   if (!command.suite.empty()) {
-    for (job::SceneRequest& entry : scenes::loadSuite(command.suite).entries) {
-      if (entry.baked.empty()) continue;
+    const scenes::Suite suite = scenes::loadSuite(command.suite, job::suiteKnobs());
+    for (job::SceneRequest& entry : job::requestsOf(suite, command.common.plain, command.common.given)) {
+      const std::string& folder = entry.settings.scene.baked;
+      if (folder.empty()) continue;
       for (const Task& task : tasks)
-        if (task.folder.lexically_normal() == std::filesystem::path(entry.baked).lexically_normal())
+        if (task.folder.lexically_normal() == std::filesystem::path(folder).lexically_normal())
           throw base::fileError(
               command.suite, "baked",
               fmt::format("scenes '{}' and '{}' name the same folder", task.request.name, entry.name));
-      copyLimits(command.common.load, entry.load);
-      tasks.push_back({entry, entry.baked});
+      tasks.push_back({entry, folder});
     }
     if (tasks.empty()) throw base::fileError(command.suite, "baked", "no scene names a folder of baked light");
     return tasks;
@@ -82,7 +83,7 @@ std::string astcDb(const bake::BakeFigures& f) {
 void printSummary(const Task& task, const job::BakeResult& result, double seconds) {
   const bake::BakeFigures& f = result.light.figures;
   print("{}: {} texels on {} {} of {} x {}, {:.0f} samples a texel, {:.1f} s", task.request.name, f.texels,
-        result.light.highend.size(), result.light.highend.size() == 1 ? "page" : "pages", result.light.pageSide,
+        result.light.halfPages.size(), result.light.halfPages.size() == 1 ? "page" : "pages", result.light.pageSide,
         result.light.pageSide, f.samplesPerTexel, seconds);
   if (result.rays > 0) print(", {:.1f} million rays", static_cast<double>(result.rays) * 1e-6);
   print("\n  error {:.2g} % in the median, {:.2g} % at worst; {:.1f} % of texels within what was wanted{}\n",

@@ -8,32 +8,31 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "base/error_words.h"
 #include "base/file.h"
 #include "base/log.h"
 #include "base/parallel.h"
+#include "base/text/error_words.h"
+#include "base/text/text.h"
+#include "base/version.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
 #include "cli/requests.h"
-#include "compare/text.h"
-#include "gpu/device_report.h"
+#include "gpu/device/device_report.h"
 #include "job/context.h"
-#include "job/version.h"
-#include "sweep/machine.h"
-#include "sweep/pareto_svg.h"
-#include "sweep/scaling.h"
-#include "sweep/statistics.h"
-#include "sweep/sweep_json.h"
-#include "sweep/sweep_page.h"
-#include "sweep/trial.h"
+#include "study/sweep/machine.h"
+#include "study/sweep/pareto_svg.h"
+#include "study/sweep/scaling.h"
+#include "study/sweep/statistics.h"
+#include "study/sweep/sweep_json.h"
+#include "study/sweep/sweep_page.h"
+#include "study/sweep/trial.h"
 
 namespace parity::cli {
 
 namespace {
 
 int listSettings(const BenchCommand& command) {
-  const job::Settings& s = command.common.settings;
-  for (const sweep::Variant& v : sweep::makeVariants(s.highend, s.mobile, s.mobileTarget, s.mobileTextures)) {
+  for (const sweep::Variant& v : sweep::makeVariants(command.common.settings)) {
     const std::string needs = v.needs.empty() ? "" : "   (needs: " + v.needs + ")";
     print("{}{}\n", v.id(), needs);
   }
@@ -83,7 +82,7 @@ sweep::SweepReport measure(const BenchCommand& command, const std::vector<job::S
                            const std::string& commandLine) {
   job::Context context(command.common.settings);
   sweep::SweepReport report;
-  report.version = job::kVersion;
+  report.version = base::kVersion;
   report.commandLine = commandLine;
   report.startedAt = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   report.machine = sweep::describeMachine(context.deviceReport());
@@ -109,8 +108,8 @@ sweep::SweepReport measure(const BenchCommand& command, const std::vector<job::S
 // The settings that are worth their time, the fastest first.
 void printScene(const sweep::SceneSweep& scene, const sweep::Conclusions& c) {
   if (!scene.failure.empty()) return;
-  print("{} ({}, {} samples): worth their time by {} against the {}\n", compare::plainLine(scene.scene),
-        compare::plainLine(scene.environment), scene.pixels, c.figure,
+  print("{} ({}, {} samples): worth their time by {} against the {}\n", base::plainLine(scene.scene),
+        base::plainLine(scene.environment), scene.pixels, c.figure,
         c.against == sweep::Against::truth ? "reference" : "high-end default");
   print("{:>10} {:>10} {:>10} {:>11}  setting\n", "device ms", c.figure, "operations", "compile ms");
   const std::vector<bool> dominated = sweep::findDominated(scene, c.against, c.figure);
@@ -129,14 +128,14 @@ void printScene(const sweep::SceneSweep& scene, const sweep::Conclusions& c) {
 void printConclusions(const sweep::Conclusions& c) {
   for (const auto& each : c.cheapest)
     print("within {} <= {:g}, {}: {} {}\n", c.budget->figure, c.budget->limit,
-          each.scene.empty() ? "all scenes" : compare::plainLine(each.scene), each.path, each.setting.value_or("none"));
+          each.scene.empty() ? "all scenes" : base::plainLine(each.scene), each.path, each.setting.value_or("none"));
   for (const std::string& id : c.dominated) print("dominated in every scene: {}\n", id);
   if (!c.ratios) return;
-  for (const std::string& note : c.ratios->notes) print("note: {}\n", compare::plainLine(note));
+  for (const std::string& note : c.ratios->notes) print("note: {}\n", base::plainLine(note));
   for (const sweep::VariantRatio& v : c.ratios->variants)
     if (v.time.isSlower() || v.time.isFaster())
       print("{}: {} {} ({:.3f} of the time, {:.3f} to {:.3f})\n", v.time.isSlower() ? "slower" : "faster",
-            compare::plainLine(v.scene), v.id, v.time.ratio, v.time.low, v.time.high);
+            base::plainLine(v.scene), v.id, v.time.ratio, v.time.low, v.time.high);
   if (std::ranges::none_of(c.ratios->variants, [](const auto& v) { return v.time.isSlower() || v.time.isFaster(); }))
     print("none of {} settings has become slower or faster\n", c.ratios->variants.size());
 }
@@ -168,10 +167,10 @@ int runBenchCommand(const BenchCommand& command, const std::string& commandLine)
       const std::filesystem::path folder = command.folder;
       base::writeText(folder / "bench.json", json);
       base::writeText(folder / "bench.csv", csv);
-      base::writeText(folder / "index.html", sweep::toPage(report, conclusions));
+      writePage(folder, sweep::toPage(report, conclusions));
       for (std::size_t i = 0; i < report.scenes.size(); ++i) {
         const std::string svg =
-            sweep::paretoFile(report.scenes[i], sweep::Stage::shading, conclusions.against, conclusions.figure);
+            sweep::toSvg(plotOf(report.scenes[i], sweep::Stage::shading, conclusions.against, conclusions.figure));
         if (!svg.empty()) base::writeText(folder / paretoName(i), svg);
       }
       for (std::size_t i = report.scenes.size(); std::filesystem::remove(folder / paretoName(i)); ++i) {
@@ -193,7 +192,7 @@ int runBenchCommand(const BenchCommand& command, const std::string& commandLine)
   if (command.common.json != "-" && command.csv != "-" && !command.common.quiet) {
     for (const sweep::SceneSweep& scene : report.scenes) printScene(scene, conclusions);
     printConclusions(conclusions);
-    if (!command.folder.empty()) print("{}\n", (std::filesystem::path(command.folder) / "index.html").string());
+    if (!command.folder.empty()) printPage(command.folder, "bench.json");
   }
   return exitCodeOf(report, conclusions);
 }

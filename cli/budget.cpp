@@ -1,23 +1,23 @@
 // parity budget: limits proposed from what was observed, and what a budget file says.
-#include "compare/budget.h"
+#include "compare/verdict/budget.h"
 #include "base/file.h"
 #include "base/log.h"
+#include "base/text/text.h"
 #include "cli/file_conflicts.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
-#include "compare/report_reader.h"
-#include "compare/text.h"
+#include "report/reader.h"
 
 namespace parity::cli {
 
 int runBudgetSuggestCommand(const BudgetSuggestCommand& command) {
   std::vector<NamedFile> inputs;
-  for (const std::string& file : command.reports) inputs.push_back({"a report", compare::reportFileOf(file)});
+  for (const std::string& file : command.reports) inputs.push_back({"a report", report::reportFileOf(file)});
   requireSeparate({{"-o", command.output}}, inputs);
-  std::vector<compare::ObservedRun> runs;
-  for (const std::string& file : command.reports) runs.push_back({file, compare::readReport(file)});
-  const compare::SuggestedBudgets suggested = compare::suggestBudgets(runs, command.options);
-  for (const std::string& each : suggested.leftOut) base::logWarning("left out: " + compare::plainLine(each));
+  std::vector<report::ObservedRun> runs;
+  for (const std::string& file : command.reports) runs.push_back({file, report::readReport(file)});
+  const report::SuggestedBudgets suggested = report::suggestBudgets(runs, command.options);
+  for (const std::string& each : suggested.leftOut) base::logWarning("left out: " + base::plainLine(each));
   if (command.output.empty())
     printText(base::shownStrings(suggested.text));
   else

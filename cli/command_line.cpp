@@ -5,20 +5,21 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "base/nearest.h"
-#include "cli/bake_options.h"
-#include "cli/bench_options.h"
-#include "cli/budget_options.h"
-#include "cli/cache_options.h"
-#include "cli/common_options.h"
-#include "cli/fit_options.h"
-#include "cli/flip_options.h"
+#include "base/log.h"
+#include "base/text/nearest.h"
+#include "base/version.h"
 #include "cli/invocation.h"
-#include "cli/option_parts.h"
+#include "cli/options/bake_options.h"
+#include "cli/options/bench_options.h"
+#include "cli/options/budget_options.h"
+#include "cli/options/cache_options.h"
+#include "cli/options/common_options.h"
+#include "cli/options/fit_options.h"
+#include "cli/options/flip_options.h"
+#include "cli/options/option_parts.h"
+#include "cli/options/plot_options.h"
+#include "cli/options/stress_options.h"
 #include "cli/output.h"
-#include "cli/plot_options.h"
-#include "cli/stress_options.h"
-#include "job/version.h"
 
 namespace parity::cli {
 
@@ -39,6 +40,25 @@ void requireValues(const CLI::App& app) {
       throw CLI::ValidationError(option->get_name(), "is given an empty value");
   for (const CLI::App* chosen : app.get_subcommands()) requireValues(*chosen);
 }
+
+// Groups of knobs of what compares.
+const std::vector<std::string> kCompared = {"Scene", "Picture", "Paths", "Truth", "Verdict"};
+// What `info` does not show of a scene.
+const std::vector<std::string> kNotRead = {"env",
+                                           "env-rotation",
+                                           "sun-extraction",
+                                           "sun",
+                                           "sky-light-color",
+                                           "indirect-color-scale",
+                                           "sun-specular-scale",
+                                           "falloff",
+                                           "fog",
+                                           "fog-color",
+                                           "fog-start",
+                                           "fog-opacity",
+                                           "fully-rough",
+                                           "baked",
+                                           "subject"};
 
 constexpr const char* kIntro = R"(parity: does a material look the same on two shading paths?
 
@@ -69,11 +89,12 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   CLI::App app(kIntro, "parity");
   app.footer(kFooter);
   app.require_subcommand(1);
-  app.set_version_flag("--version", std::string("parity ") + job::kVersion);
+  app.set_version_flag("--version", std::string("parity ") + base::kVersion);
   app.get_formatter()->column_width(34);
 
   RawOptions raw;
   ReportCommand report;
+  DiffCommand diff;
   CLI::App& reportApp =
       *app.add_subcommand("report", "Compare scenes and write a report: index.html, report.json, junit.xml, images");
   reportApp.add_option("scenes", report.scenes, "Scene files or builtin:NAME");
@@ -83,44 +104,36 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   reportApp.add_option("-o,--output", report.folder, "Folder of the report")->required();
   addPageOptions(reportApp, report, raw);
   addVerdictOptions(reportApp, report.verdict);
-  reportApp.add_flag("--terms", report.common.settings.terms,
-                     "Also measure the terms (sun, sky, lights... diffuse and specular)");
-  addCostsOption(reportApp, report.common);
   reportApp.add_option("--json", report.common.json, "Also write report.json there; - for stdout");
-  addTruthOptions(reportApp, report.common, raw);
-  addCommonOptions(reportApp, report.common, raw);
-  addMaterialOption(reportApp, report.common, "Report");
+  for (job::Settings* settings : {&report.common.settings, &diff.common.settings}) {
+    settings->attribution = job::Attribution::overBudget;
+    settings->droppedLights = 8;
+  }
+  addKnobs(reportApp, report.common, raw, kCompared);
+  addViewKnobs(reportApp, raw);
+  addRunOptions(reportApp, report.common, raw);
   addBudgetsOption(reportApp, report.common);
-  addBakedOption(reportApp, report.common);
-  addMetricsOption(reportApp, raw);
-  addAttributionOption(reportApp, raw);
-  addDroppedLightsOption(reportApp, raw);
-  // A suite says for itself how each scene is lit and seen.
-  for (const char* option : {"--env", "--env-rotation", "--sun", "--camera", "--orbit", "--target", "--fov", "--baked"})
-    suite->excludes(reportApp.get_option(option));
 
-  DiffCommand diff;
   CLI::App& diffApp = *app.add_subcommand("diff", "Compare one scene and print a table, one row a material");
   diffApp.add_option("scene", diff.scene, "Scene file or builtin:NAME")->required();
   addVerdictOptions(diffApp, diff.verdict);
-  diffApp.add_flag("--terms", diff.common.settings.terms, "Also measure the terms");
-  addCostsOption(diffApp, diff.common);
   diffApp.add_option("--json", diff.common.json, "Write the result as JSON there; - for stdout, instead of the table");
-  addTruthOptions(diffApp, diff.common, raw);
-  addCommonOptions(diffApp, diff.common, raw);
-  addMaterialOption(diffApp, diff.common, "Report");
+  addKnobs(diffApp, diff.common, raw, kCompared);
+  addViewKnobs(diffApp, raw);
+  addRunOptions(diffApp, diff.common, raw);
   addBudgetsOption(diffApp, diff.common);
-  addBakedOption(diffApp, diff.common);
-  addMetricsOption(diffApp, raw);
-  addAttributionOption(diffApp, raw);
-  addDroppedLightsOption(diffApp, raw);
 
   RenderCommand render;
   CLI::App& renderApp = *app.add_subcommand("render", "Render one scene by one path");
   renderApp.add_option("scene", render.scene, "Scene file or builtin:NAME")->required();
-  renderApp.add_option("--path", render.path, "highend, mobile or reference (the ground truth: exact integrals, slow)")
+  std::vector<std::string> renderedPaths = job::pathNames();
+  renderedPaths.insert(renderedPaths.end(), {"truth", "reference"}); // the older name of it
+  renderApp
+      .add_option(
+          "--path", render.path,
+          fmt::format("{} or truth (the ground truth: exact integrals, slow)", fmt::join(job::pathNames(), ", ")))
       ->required()
-      ->check(CLI::IsMember({"highend", "mobile", "reference"}));
+      ->check(CLI::IsMember(renderedPaths));
   renderApp.add_option("-o,--output", render.output, ".exr, .pfm, .hdr: linear scene-referred; .png: as displayed")
       ->required()
       ->check(fileOfKind({".exr", ".pfm", ".hdr", ".png"}));
@@ -145,14 +158,12 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
         throw CLI::Success(); // needs no scene
       },
       "List what --term takes");
-  addReferenceOptions(renderApp, raw);
-  addInterreflectionOption(renderApp, raw);
   renderApp.add_option("--error-map", render.errorMap, "Write the achieved relative standard error of each pixel")
       ->check(fileOfKind({".exr", ".pfm"}))
-      ->group("Reference");
-  addCommonOptions(renderApp, render.common, raw);
-  addMaterialOption(renderApp, render.common, "Draw");
-  addBakedOption(renderApp, render.common);
+      ->group("Truth");
+  addKnobs(renderApp, render.common, raw, {"Scene", "Picture", "Paths", "Truth"}, {"truth", "costs", "paths"});
+  addViewKnobs(renderApp, raw);
+  addRunOptions(renderApp, render.common, raw);
 
   FlipCommand flip;
   RawFlipOptions rawFlip;
@@ -188,7 +199,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   CLI::App& bakeApp = *app.add_subcommand(
       "bake", "Bake the light of static scenes: lightmaps of both paths, the sun's shadow, environment captures");
   addBakeOptions(bakeApp, bake, rawBake);
-  addSceneOptions(bakeApp, bake.common, raw);
+  addKnobs(bakeApp, bake.common, raw, {"Scene"}, {"fully-rough", "baked"});
   addRunOptions(bakeApp, bake.common, raw);
 
   DevicesCommand devices;
@@ -199,9 +210,11 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   InfoCommand info;
   CLI::App& infoApp = *app.add_subcommand("info", "Say what is in a scene's file, and what is wrong with it");
   infoApp.add_option("file", info.scene, "Scene file or builtin:NAME")->required();
-  infoApp.add_option("--json", info.json, "Write it as JSON there; - for stdout, instead of the text");
-  addChoiceOptions(infoApp, info.load);
-  addLimitOptions(infoApp, raw.load);
+  infoApp.add_option("--json", info.common.json, "Write it as JSON there; - for stdout, instead of the text");
+  addKnobs(infoApp, info.common, raw, {"Scene"}, kNotRead);
+
+  const CLI::App& knobsApp =
+      *app.add_subcommand("knobs", "Print every setting: its option, its key in a suite file, values, default");
 
   RawCacheOptions rawCache;
   CLI::App& cacheApp = *app.add_subcommand("cache", "Say what is kept between runs, or remove it");
@@ -214,22 +227,22 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
     requireValues(app);
     if (reportApp.parsed()) {
       if (report.scenes.empty() && report.suite.empty()) throw CLI::RequiredError("report: a SCENE or --suite");
-      for (const auto& names : {lightOptionNames(), loadOptionNames()}) // as `excludes`, which would list them all
-        for (const std::string& option : names)
-          if (!report.suite.empty() && reportApp.count(option) > 0) throw CLI::ExcludesError("--suite", option);
-      settleAttribution(report.common.settings, raw);
-      settle(report.common, raw);
+      if (!report.suite.empty()) requireNoneOfScene(raw);
+      settle(reportApp, report.common, raw, !report.suite.empty());
       requireSizeFits(report.common, kComparedPixelBytes);
       report.pixelData = raw.pixelData == "all";
       parsed.command = report;
     } else if (diffApp.parsed()) {
-      settleAttribution(diff.common.settings, raw);
-      settle(diff.common, raw);
+      settle(diffApp, diff.common, raw);
       requireSizeFits(diff.common, kComparedPixelBytes);
       parsed.command = diff;
     } else if (renderApp.parsed()) {
-      settle(render.common, raw);
+      settle(renderApp, render.common, raw);
       requireSizeFits(render.common, kDrawnPixelBytes);
+      if (render.path == "reference") {
+        base::logInfo("--path reference is called --path truth now");
+        render.path = "truth";
+      }
       parsed.command = render;
     } else if (flipApp.parsed()) {
       settleFlip(flipApp, flip, rawFlip);
@@ -241,15 +254,18 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
     } else if (plotApp.parsed()) {
       parsed.command = settlePlot(rawPlot);
     } else if (benchApp.parsed()) {
-      parsed.command = settleBench(rawBench);
+      parsed.command = settleBench(benchApp, rawBench);
     } else if (stressApp.parsed()) {
       parsed.command = settleStress(rawStress);
     } else if (bakeApp.parsed()) {
-      settle(bake.common, raw);
+      if (!bake.suite.empty()) requireNoneOfScene(raw);
+      settle(bakeApp, bake.common, raw, !bake.suite.empty());
       parsed.command = settleBake(bake, rawBake, bakeApp);
     } else if (infoApp.parsed()) {
-      settleLimits(info.load, raw.load);
+      settle(infoApp, info.common, raw);
       parsed.command = info;
+    } else if (knobsApp.parsed()) {
+      parsed.command = KnobsCommand();
     } else if (cacheApp.parsed()) {
       parsed.command = settleCache(cacheApp, rawCache);
     } else {

@@ -21,12 +21,12 @@ int runDiffCommand(const DiffCommand& command, const std::string& commandLine) {
   requireSeparate({{"--json", command.common.json}}, inputFiles(command.common, command.verdict, request.scenes));
   job::Context context(command.common.settings);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
-  if (!command.common.json.empty()) writeJson(command.common.json, compare::toJson(result.report));
+  if (!command.common.json.empty()) writeJson(command.common.json, report::toJson(result.report));
   if (command.common.json != "-" && !command.common.quiet && result.report.scenes.front().error.empty())
     printTable(result.report);
   printAnnotations(command.verdict.annotate, result.report, command.common.json == "-");
   if (command.common.timings) printTimings(result.run.timings);
-  return compare::exitCode(result.report, command.verdict.warnExit);
+  return report::exitCode(result.report, command.verdict.warnExit);
 }
 
 } // namespace parity::cli

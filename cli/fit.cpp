@@ -6,8 +6,8 @@
 #include "base/parallel.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
-#include "fit/refit.h"
-#include "fit/refit_text.h"
+#include "study/fit/refit.h"
+#include "study/fit/refit_text.h"
 
 namespace parity::cli {
 

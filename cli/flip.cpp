@@ -13,8 +13,8 @@
 #include "cli/file_conflicts.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
-#include "job/flip_files.h"
-#include "job/flip_text.h"
+#include "compare/images/flip_files.h"
+#include "compare/images/flip_text.h"
 
 namespace parity::cli {
 
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr std::array kOutputKinds = {".exr", ".pfm", ".png", ".svg"};
 
 // Of many pairs each output is a folder.
-void requireFolders(const job::FlipOutputs& outputs) {
+void requireFolders(const compare::FlipOutputs& outputs) {
   for (const fs::path& folder : {outputs.map, outputs.exposureMap, outputs.histogram})
     if (std::find(kOutputKinds.begin(), kOutputKinds.end(), extensionOf(folder.string())) != kOutputKinds.end())
       throw base::Error(base::ExitCode::usage, "output", "'" + folder.string() + "'",
@@ -33,7 +33,7 @@ void requireFolders(const job::FlipOutputs& outputs) {
 }
 
 // Of a single pair each output is a file of a kind that can be written.
-void requireKinds(const job::FlipOutputs& outputs) {
+void requireKinds(const compare::FlipOutputs& outputs) {
   const auto require = [&](const char* option, const fs::path& file, const std::vector<std::string>& kinds) {
     if (!file.empty() && std::find(kinds.begin(), kinds.end(), extensionOf(file.string())) == kinds.end())
       throw base::Error(base::ExitCode::usage, option, "'" + file.string() + "'",
@@ -45,7 +45,7 @@ void requireKinds(const job::FlipOutputs& outputs) {
 }
 
 // Maps among the pictures of a folder would be pictures of the next run.
-void requireOutside(const job::FlipOutputs& outputs, const FlipCommand& command) {
+void requireOutside(const compare::FlipOutputs& outputs, const FlipCommand& command) {
   for (const fs::path& output : {outputs.map, outputs.exposureMap, outputs.histogram})
     for (const std::string& input : {command.reference, command.test})
       if (!output.empty() && liesIn(output, input))
@@ -53,15 +53,15 @@ void requireOutside(const job::FlipOutputs& outputs, const FlipCommand& command)
                           fmt::format("lies in '{}', whose pictures are compared", input));
 }
 
-void requireSeparateFiles(const FlipCommand& command, const job::FlipRequest& request) {
+void requireSeparateFiles(const FlipCommand& command, const compare::FlipRequest& request) {
   std::vector<NamedFile> inputs = {
       {"the mask", request.mask.file}, {"the budgets", command.budgets}, {"the list of pairs", command.pairList}};
-  for (const job::FilePair& pair : request.files.pairs) {
+  for (const compare::FilePair& pair : request.files.pairs) {
     inputs.push_back({"a reference, one of the images compared", pair.reference});
     inputs.push_back({"a test image, one of the images compared", pair.test});
   }
   std::vector<NamedFile> outputs = {{"--json", command.json}, {"--csv", command.csv}, {"--junit", command.junit}};
-  for (const job::OutputFile& file : job::listFlipFiles(request)) outputs.push_back({file.option, file.file});
+  for (const compare::OutputFile& file : compare::listFlipFiles(request)) outputs.push_back({file.option, file.file});
   requireSeparate(outputs, inputs);
 }
 
@@ -76,10 +76,10 @@ void warnOfSkipped(const std::vector<std::string>& skipped) {
                                named < skipped.size() ? fmt::format(" and {} more", skipped.size() - named) : ""));
 }
 
-job::FlipRequest makeRequest(const FlipCommand& command) {
-  job::FlipRequest request = command.request;
+compare::FlipRequest makeRequest(const FlipCommand& command) {
+  compare::FlipRequest request = command.request;
   if (command.metrics) request.metrics = compare::parseMetricNames(*command.metrics, "--metrics");
-  job::requireSense(request);
+  compare::requireSense(request);
   std::error_code error;
   const bool folders = fs::is_directory(command.reference, error) || fs::is_directory(command.test, error);
   if (command.pairList.empty() && !folders)
@@ -88,8 +88,8 @@ job::FlipRequest makeRequest(const FlipCommand& command) {
     requireFolders(request.outputs);
   if (folders) requireOutside(request.outputs, command);
   if (!command.budgets.empty()) request.budgets = compare::loadBudgets(command.budgets);
-  request.files =
-      command.pairList.empty() ? job::findPairs(command.reference, command.test) : job::readPairList(command.pairList);
+  request.files = command.pairList.empty() ? compare::findPairs(command.reference, command.test)
+                                           : compare::readPairList(command.pairList);
   requireSeparateFiles(command, request);
   warnOfSkipped(request.files.skipped);
   return request;
@@ -99,23 +99,24 @@ job::FlipRequest makeRequest(const FlipCommand& command) {
 
 int runFlipCommand(const FlipCommand& command) {
   const base::ThreadLimit threads(command.threads);
-  const job::FlipRequest request = makeRequest(command);
-  const job::FlipResult result = job::runFlip(request, makeProgress(command.quiet));
-  for (const job::FlipPair& pair : result.pairs)
+  const compare::FlipRequest request = makeRequest(command);
+  const compare::FlipResult result = compare::runFlip(request, makeProgress(command.quiet));
+  for (const compare::FlipPair& pair : result.pairs)
     if (pair.verdict == compare::Verdict::error) base::logError(pair.reason);
   base::logRunWarnings(result.warnings);
 
   // Files first: what cannot be written is told before anything that reads as a result.
-  if (!command.junit.empty()) base::writeText(command.junit, job::toJunit(result));
-  if (!command.csv.empty() && command.csv != "-") base::writeText(command.csv, job::toCsv(result, command.warnExit));
-  if (!command.json.empty()) writeJson(command.json, job::toJson(result, command.warnExit));
-  if (command.csv == "-") printText(job::toCsv(result, command.warnExit));
+  if (!command.junit.empty()) base::writeText(command.junit, compare::toJunit(result));
+  if (!command.csv.empty() && command.csv != "-")
+    base::writeText(command.csv, compare::toCsv(result, command.warnExit));
+  if (!command.json.empty()) writeJson(command.json, compare::toJson(result, command.warnExit));
+  if (command.csv == "-") printText(compare::toCsv(result, command.warnExit));
   const bool stdoutTaken = command.json == "-" || command.csv == "-";
   // The one pair's error has been printed, and what was found before it is no result.
   const bool nothingToShow = !request.files.many && result.pairs[0].errorCode != 0;
-  if (!stdoutTaken && !nothingToShow && !command.quiet) print("{}", job::toTable(result));
-  if (command.githubAnnotations) printCommands(job::toAnnotations(result, fs::current_path()), stdoutTaken);
-  return job::exitCode(result, command.warnExit);
+  if (!stdoutTaken && !nothingToShow && !command.quiet) print("{}", compare::toTable(result));
+  if (command.githubAnnotations) printCommands(compare::toAnnotations(result, fs::current_path()), stdoutTaken);
+  return compare::exitCode(result, command.warnExit);
 }
 
 } // namespace parity::cli

@@ -148,10 +148,10 @@ void printInfo(const std::string& file, const scenes::Scene& scene, const scenes
 } // namespace
 
 int runInfoCommand(const InfoCommand& command) {
-  const scenes::Scene scene = scenes::loadScene(command.scene, command.load);
+  const scenes::Scene scene = scenes::loadScene(command.scene, command.common.settings.scene.load);
   const scenes::SceneInfo info = scenes::describeScene(scene);
-  if (!command.json.empty()) writeJson(command.json, dumpJson(infoJson(command.scene, scene, info)));
-  if (command.json == "-") return 0;
+  if (!command.common.json.empty()) writeJson(command.common.json, dumpJson(infoJson(command.scene, scene, info)));
+  if (command.common.json == "-") return 0;
   printInfo(command.scene, scene, info);
   if (!scene.warnings.empty()) cli::print("\n");
   for (const std::string& warning : scene.warnings) cli::print("warning: {}\n", warning);

@@ -7,29 +7,22 @@
 #include <variant>
 #include <vector>
 
-#include "compare/budget_suggest.h"
-#include "fit/truth.h"
+#include "compare/images/flip_run.h"
 #include "job/bake_run.h"
-#include "job/flip_run.h"
-#include "job/settings.h"
+#include "job/knobs.h"
+#include "report/budget_suggest.h"
 #include "scenes/suite.h"
-#include "stress/stress_run.h"
-#include "sweep/pareto.h"
-#include "sweep/trial_options.h"
+#include "study/fit/truth.h"
+#include "study/stress/stress_run.h"
+#include "study/sweep/pareto.h"
+#include "study/sweep/trial_options.h"
 
 namespace parity::cli {
 
 struct CommonOptions {
-  job::Settings settings;
-  scenes::LoadOptions load;
-  scenes::Subject subject = scenes::Subject::scene;
-  std::string environment;
-  float environmentRotationDeg = 0;
-  std::optional<scenes::SunRequest> sun;
-  scenes::LightScales lightScales;
-  scenes::Falloff falloff = scenes::Falloff::khr;
-  std::optional<scenes::Fog> fog;
-  std::string baked; // folder of baked light; empty: none
+  job::Settings settings; // with what is given
+  job::Settings plain;    // without: what a suite's scenes begin with
+  base::GivenKnobs given;
   scenes::ViewRequest view;
   int threads = 0;
   std::string json; // file, "-" for stdout, "" for none
@@ -70,7 +63,7 @@ struct ListTermsCommand {};
 
 struct FlipCommand {
   std::string reference, test, pairList; // the first two, or the last
-  job::FlipRequest request;              // all but its files, metrics and budgets
+  compare::FlipRequest request;          // all but its files, metrics and budgets
   std::optional<std::string> metrics;    // as they were written; none: the default ones
   std::string budgets;                   // file; empty: none
   std::string json, csv, junit;          // file, "-" for stdout (not junit), "" for none
@@ -81,7 +74,7 @@ struct FlipCommand {
 struct BudgetSuggestCommand {
   std::vector<std::string> reports;
   std::string output; // empty: stdout
-  compare::SuggestOptions options;
+  report::SuggestOptions options;
 };
 
 struct BudgetCheckCommand {
@@ -99,8 +92,7 @@ struct FitCommand {
 struct PlotCommand {
   std::string what;          // "env-brdf"
   std::string scene, folder; // the scene: empty for none
-  highend::Options highend;
-  mobile::Options mobile;
+  paths::Options options;    // the two formulas
   int threads = 0;
   bool quiet = false;
 };
@@ -130,15 +122,17 @@ struct BakeCommand {
 };
 
 struct InfoCommand {
+  CommonOptions common; // of it what is loaded, and json: "-" for stdout in place of the text
   std::string scene;
-  scenes::LoadOptions load;
-  std::string json; // file, "-" for stdout in place of the text, "" for none
 };
 
 struct DevicesCommand {
   gpu::DeviceOptions device;
   std::string json;
 };
+
+// parity knobs.
+struct KnobsCommand {};
 
 struct CacheCommand {
   bool clear = false; // else it is described
@@ -148,7 +142,7 @@ struct CacheCommand {
 
 using Invocation = std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand,
                                 BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand, StressCommand,
-                                BakeCommand, DevicesCommand, InfoCommand, CacheCommand, PlotCommand>;
+                                BakeCommand, DevicesCommand, InfoCommand, CacheCommand, PlotCommand, KnobsCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, version, a usage error) with its
 // exit code.
@@ -181,5 +175,6 @@ int runBakeCommand(const BakeCommand& command);
 int runDevicesCommand(const DevicesCommand& command);
 int runInfoCommand(const InfoCommand& command);
 int runCacheCommand(const CacheCommand& command);
+int runKnobsCommand();
 
 } // namespace parity::cli

@@ -8,10 +8,10 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "base/error_words.h"
 #include "base/interrupt.h"
 #include "base/log.h"
-#include "base/shown_text.h"
+#include "base/text/error_words.h"
+#include "base/text/shown_text.h"
 #include "cli/invocation.h"
 
 namespace {
@@ -66,7 +66,8 @@ int run(int argc, char** argv) {
                                [](const DevicesCommand& c) { return runDevicesCommand(c); },
                                [](const InfoCommand& c) { return runInfoCommand(c); },
                                [](const CacheCommand& c) { return runCacheCommand(c); },
-                               [](const PlotCommand& c) { return runPlotCommand(c); }},
+                               [](const PlotCommand& c) { return runPlotCommand(c); },
+                               [](const KnobsCommand&) { return runKnobsCommand(); }},
                     *parsed.command);
 }
 

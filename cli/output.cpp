@@ -6,13 +6,13 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "report/dashboard_files.h"
 
 namespace parity::cli {
 
@@ -39,9 +39,9 @@ void printText(const std::string& text, base::Colors colors) {
     throw base::fileError("stdout", "", "could not be written");
 }
 
-void printTable(const compare::Report& report) {
+void printTable(const report::Report& report) {
   const bool color = isatty(STDOUT_FILENO) != 0;
-  printText(compare::toTable(report, color) + "\n", color ? base::Colors::ours : base::Colors::none);
+  printText(report::toTable(report, color) + "\n", color ? base::Colors::ours : base::Colors::none);
 }
 
 void printCommands(const std::string& commands, bool stdoutTaken) {
@@ -58,15 +58,26 @@ void writeJson(const std::string& target, const std::string& text) {
   if (std::fflush(stdout) != 0 && errno != EPIPE) throw base::fileError("stdout", "", "could not be written");
 }
 
+void writePage(const std::filesystem::path& folder, const std::string& html) {
+  if (!html.empty()) base::writeText(folder / "index.html", html);
+}
+
+void printPage(const std::filesystem::path& folder, const char* data) {
+  if (report::hasDashboard())
+    print("{}\n", (folder / "index.html").string());
+  else
+    print("{} (this parity was built without the page index.html)\n", (folder / data).string());
+}
+
 std::string extensionOf(const std::string& file) {
   std::string extension = std::filesystem::path(file).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension;
 }
 
-void printAnnotations(const std::string& annotate, const compare::Report& report, bool stdoutTaken) {
+void printAnnotations(const std::string& annotate, const report::Report& report, bool stdoutTaken) {
   if (annotate == "github")
-    printCommands(compare::toGithubAnnotations(report, std::filesystem::current_path()), stdoutTaken);
+    printCommands(report::toGithubAnnotations(report, std::filesystem::current_path()), stdoutTaken);
 }
 
 } // namespace parity::cli

@@ -1,6 +1,7 @@
 // What subcommands print: progress, timings, JSON to a file or stdout.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,9 +9,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json_fwd.hpp>
 
-#include "base/shown_text.h"
-#include "compare/report.h"
+#include "base/text/shown_text.h"
 #include "job/settings.h"
+#include "report/report.h"
 
 namespace parity::cli {
 
@@ -27,14 +28,19 @@ template <typename... Parts> void print(fmt::format_string<Parts...> format, Par
   printText(fmt::format(format, std::forward<Parts>(parts)...));
 }
 
-// compare::toTable(), in colours where stdout is a terminal.
-void printTable(const compare::Report& report);
+// report::toTable(), in colours where stdout is a terminal.
+void printTable(const report::Report& report);
 
 // Indented, with a line feed behind it. What is no UTF-8 becomes U+FFFD.
 std::string dumpJson(const nlohmann::ordered_json& json);
 
 // Writes JSON to stdout for "-" (base::shownStrings()), else to the file. Throws Error (exit 4).
 void writeJson(const std::string& target, const std::string& text);
+
+// index.html; nothing where the build has no page and `html` is empty. Throws Error (exit 4).
+void writePage(const std::filesystem::path& folder, const std::string& html);
+// To stdout: where it is, or where that file with the same data is, and why.
+void printPage(const std::filesystem::path& folder, const char* data);
 
 // The extension in lower case, with its dot: as base::writeImage chooses the format.
 std::string extensionOf(const std::string& file);
@@ -43,6 +49,6 @@ std::string extensionOf(const std::string& file);
 // JSON or CSV (GitHub reads either).
 void printCommands(const std::string& commands, bool stdoutTaken);
 // Those of a report, where `annotate` is "github".
-void printAnnotations(const std::string& annotate, const compare::Report& report, bool stdoutTaken);
+void printAnnotations(const std::string& annotate, const report::Report& report, bool stdoutTaken);
 
 } // namespace parity::cli

@@ -4,15 +4,15 @@
 #include <fmt/format.h>
 
 #include "base/file.h"
-#include "base/image_io.h"
+#include "base/image/image_io.h"
 #include "base/log.h"
 #include "base/parallel.h"
 #include "cli/file_conflicts.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
-#include "plot/env_brdf_picture.h"
-#include "plot/env_brdf_plot.h"
 #include "scenes/load.h"
+#include "study/plot/env_brdf_picture.h"
+#include "study/plot/env_brdf_plot.h"
 
 namespace parity::cli {
 
@@ -23,8 +23,8 @@ int runPlotCommand(const PlotCommand& command) {
                               ofMaterials = folder / "env-brdf-materials.csv";
   requireSeparate({{"-o", picture}, {"-o", numbers}, {"-o", ofMaterials}}, {{"the scene", command.scene}});
   const base::ThreadLimit threads(command.threads);
-  const plot::TableBrdf table(command.highend);
-  const plot::ApproximateBrdf approximate(command.mobile);
+  const plot::TableBrdf table(command.options.of<highend::Options>());
+  const plot::ApproximateBrdf approximate(command.options.of<mobile::Options>());
   std::vector<plot::MaterialDeviation> materials;
   std::string name;
   if (!command.scene.empty()) {

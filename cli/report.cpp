@@ -10,23 +10,25 @@
 #include "cli/invocation.h"
 #include "cli/output.h"
 #include "cli/requests.h"
-#include "compare/dashboard_files.h"
 #include "job/context.h"
 #include "job/report_folder.h"
 #include "job/report_run.h"
-#include "sweep/sweep_json.h"
+#include "report/dashboard_files.h"
+#include "study/sweep/pareto_svg.h"
+#include "study/sweep/sweep_json.h"
 
 namespace parity::cli {
 
 namespace {
 
-job::ReportRequest makeRequest(const ReportCommand& command) {
+// settings: those of the run, of scenes that say nothing else.
+job::ReportRequest makeRequest(const ReportCommand& command, job::Settings& settings) {
   job::ReportRequest request;
   if (!command.suite.empty()) {
-    scenes::Suite suite = scenes::loadSuite(command.suite);
+    const scenes::Suite suite = scenes::loadSuite(command.suite, job::suiteKnobs());
     request.suiteBudgets = suite.budgets;
-    request.scenes = std::move(suite.entries);
-    for (job::SceneRequest& entry : request.scenes) copyLimits(command.common.load, entry.load);
+    settings = job::defaultsOf(suite, command.common.plain, command.common.given);
+    request.scenes = job::requestsOf(suite, command.common.plain, command.common.given);
     return request;
   }
   std::set<std::string> names;
@@ -59,41 +61,40 @@ void requireSeparateFiles(const ReportCommand& command, const job::ReportRequest
 }
 
 // What it is is known here, and anything else refused, before anything is rendered.
-std::string readBench(const ReportCommand& command) {
+report::Bench readBench(const ReportCommand& command) {
   if (command.bench.empty()) return {};
   constexpr std::size_t kMaxBytes = std::size_t{64} << 20; // the page carries it
   std::string text = base::readText(benchFile(command), kMaxBytes);
-  sweep::readSweep(benchFile(command));
+  const sweep::SweepReport sweep = sweep::readSweep(benchFile(command));
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3); // a mark of the byte order, which JSON has none of
-  return text;
+  return {std::move(text), sweep::paretoJson(sweep, sweep::bestKnown(sweep), sweep.figure)};
 }
 
 } // namespace
 
 int runReportCommand(const ReportCommand& command, const std::string& commandLine) {
   const base::ThreadLimit threads(command.common.threads);
-  job::ReportRequest request = makeRequest(command);
+  job::Settings settings = command.common.settings;
+  job::ReportRequest request = makeRequest(command, settings);
   request.folder = command.folder;
   request.commandLine = commandLine;
   request.baseline = command.verdict.baseline;
   request.singleFile = command.singleFile;
-  request.pixelData = command.pixelData && compare::hasDashboard(); // which alone reads them
-  if (command.singleFile && !compare::hasDashboard())
+  request.pixelData = command.pixelData && report::hasDashboard(); // which alone reads them
+  if (command.singleFile && !report::hasDashboard())
     throw base::Error(base::ExitCode::usage, "--single-file", "", "this parity was built without the page index.html");
   requireSeparateFiles(command, request);
   request.bench = readBench(command);
-  job::Context context(command.common.settings);
+  job::Context context(settings);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
-  if (!command.common.json.empty()) writeJson(command.common.json, compare::toJson(result.report));
+  if (!command.common.json.empty()) writeJson(command.common.json, report::toJson(result.report));
   if (command.common.json != "-" && !command.common.quiet) {
     printTable(result.report);
-    print("{}\n", compare::hasDashboard() ? (request.folder / "index.html").string()
-                                          : (request.folder / "report.json").string() +
-                                                " (this parity was built without the page index.html)");
+    printPage(request.folder, "report.json");
   }
   printAnnotations(command.verdict.annotate, result.report, command.common.json == "-");
   if (command.common.timings) printTimings(result.run.timings);
-  return compare::exitCode(result.report, command.verdict.warnExit);
+  return report::exitCode(result.report, command.verdict.warnExit);
 }
 
 } // namespace parity::cli

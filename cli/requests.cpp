@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "bake/baked_folder.h"
-#include "compare/report_reader.h"
+#include "report/reader.h"
 #include "scenes/names.h"
 
 namespace parity::cli {
@@ -14,15 +14,8 @@ job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& s
   request.name = scenes::cleanName(scene.starts_with(kBuiltin) ? scene.substr(kBuiltin.size())
                                                                : std::filesystem::path(scene).stem().string());
   request.scene = scene;
-  request.load = common.load;
-  request.subject = common.subject;
-  request.environment = common.environment;
-  request.environmentRotationDeg = common.environmentRotationDeg;
-  request.sun = common.sun;
-  request.lightScales = common.lightScales;
-  request.falloff = common.falloff;
-  request.fog = common.fog;
-  request.baked = bakedFolder(common.baked, request.name);
+  request.settings = common.settings;
+  request.settings.scene.baked = bakedFolder(common.settings.scene.baked, request.name);
   request.views = {common.view};
   return request;
 }
@@ -42,18 +35,12 @@ std::string bakedFolder(const std::string& folder, const std::string& scene) {
   return std::filesystem::exists(own, none) ? own.string() : folder;
 }
 
-void copyLimits(const scenes::LoadOptions& from, scenes::LoadOptions& to) {
-  to.maxImageSide = from.maxImageSide;
-  to.maxImageTexels = from.maxImageTexels;
-  to.maxMemoryBytes = from.maxMemoryBytes;
-}
-
 std::vector<NamedFile> inputFiles(const CommonOptions& common, const std::vector<job::SceneRequest>& scenes) {
-  std::vector<NamedFile> files = {{"the environment", common.environment},
+  std::vector<NamedFile> files = {{"the environment", common.settings.scene.environment},
                                   {"the budgets", common.settings.budgets.value_or("")}};
   for (const job::SceneRequest& scene : scenes) {
     files.push_back({"the scene", scene.scene});
-    files.push_back({"the environment", scene.environment});
+    files.push_back({"the environment", scene.settings.scene.environment});
     files.push_back({"the budgets", scene.budgets.value_or("")});
   }
   return files;
@@ -62,7 +49,7 @@ std::vector<NamedFile> inputFiles(const CommonOptions& common, const std::vector
 std::vector<NamedFile> inputFiles(const CommonOptions& common, const VerdictOptions& verdict,
                                   const std::vector<job::SceneRequest>& scenes) {
   std::vector<NamedFile> files = inputFiles(common, scenes);
-  if (!verdict.baseline.empty()) files.push_back({"the baseline", compare::reportFileOf(verdict.baseline)});
+  if (!verdict.baseline.empty()) files.push_back({"the baseline", report::reportFileOf(verdict.baseline)});
   return files;
 }
 

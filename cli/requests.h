@@ -18,9 +18,6 @@ std::string folderName(const std::string& scene);
 // Where the baked light of a scene lies: the folder itself if it holds a bake, else that of the scene's name in it.
 std::string bakedFolder(const std::string& folder, const std::string& scene);
 
-// The limits of loading alone: what else is loaded, a suite says itself.
-void copyLimits(const scenes::LoadOptions& from, scenes::LoadOptions& to);
-
 // The files that a run reads: its scenes and what each has, budgets, baseline; for requireSeparate.
 std::vector<NamedFile> inputFiles(const CommonOptions& common, const std::vector<job::SceneRequest>& scenes);
 std::vector<NamedFile> inputFiles(const CommonOptions& common, const VerdictOptions& verdict,

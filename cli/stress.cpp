@@ -10,7 +10,7 @@
 #include "base/parallel.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
-#include "gpu/device.h"
+#include "gpu/device/device.h"
 
 namespace parity::cli {
 
@@ -41,12 +41,12 @@ int runStressCommand(const StressCommand& command) {
   if (!command.folder.empty()) {
     const std::filesystem::path folder = command.folder;
     base::writeText(folder / "stress.json", stress::formatJson(report));
-    base::writeText(folder / "index.html", stress::formatPage(report));
+    writePage(folder, stress::formatPage(report));
   }
   if (!command.json.empty()) writeJson(command.json, stress::formatJson(report));
   if (command.json != "-" && !command.quiet) {
     print("{}", stress::formatReport(report));
-    if (!command.folder.empty()) print("{}\n", (std::filesystem::path(command.folder) / "index.html").string());
+    if (!command.folder.empty()) printPage(command.folder, "stress.json");
   }
   if (!report.failure.empty()) {
     base::logError(report.failure);

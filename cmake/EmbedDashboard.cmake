@@ -1,5 +1,5 @@
 # cmake -D OUT=x.cpp [-D SCRIPT=dashboard.js -D STYLE=dashboard.css] -P EmbedDashboard.cmake
-# Writes what compare/dashboard_files.h declares: both files as they are, with their hashes. Without files they are empty.
+# Writes what report/dashboard_files.h declares: both files as they are, with their hashes. Without files they are empty.
 foreach(kind SCRIPT STYLE)
   set(text "")
   set(hash "")
@@ -24,11 +24,11 @@ foreach(kind SCRIPT STYLE)
   set(${kind}_HASH "${hash}")
 endforeach()
 file(WRITE ${OUT} "// Made by cmake/EmbedDashboard.cmake.
-#include \"compare/dashboard_files.h\"
+#include \"report/dashboard_files.h\"
 
 #pragma GCC diagnostic ignored \"-Woverlength-strings\"
 
-namespace parity::compare {
+namespace parity::report {
 
 using namespace std::string_view_literals; // whose length the compiler knows: it counts no more than 262,144 characters
 
@@ -42,5 +42,5 @@ const DashboardFile& dashboardStyle() {
   return file;
 }
 
-} // namespace parity::compare
+} // namespace parity::report
 ")

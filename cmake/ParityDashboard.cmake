@@ -1,7 +1,7 @@
 # parity_dashboard(TARGET)
 #
-# Builds the report's page, compare/dashboard (TypeScript), by npm and Vite into one script and one style sheet, and embeds
-# both in TARGET as compare/dashboard_files.h declares them. Without PARITY_DASHBOARD they are empty, and npm is not
+# Builds the report's page, report/dashboard (TypeScript), by npm and Vite into one script and one style sheet, and embeds
+# both in TARGET as report/dashboard_files.h declares them. Without PARITY_DASHBOARD they are empty, and npm is not
 # needed.
 function(parity_dashboard target)
   set(out ${CMAKE_BINARY_DIR}/dashboard)

@@ -1,7 +1,7 @@
 // The environment BRDF of the high-end path: split-sum A,B over (NoV, roughness) by deterministic quadrature.
 #pragma once
 
-#include "base/image.h"
+#include "base/image/image.h"
 #include "shading/surface_model.h"
 
 namespace parity::highend {

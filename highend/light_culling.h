@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "gpu/pipeline.h"
-#include "gpu/surface.h"
+#include "gpu/device/pipeline.h"
+#include "gpu/surface/surface.h"
 
 namespace parity::highend {
 

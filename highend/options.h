@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "highend/env_brdf_lut.h"
+#include "lighting/environment/environment_light.h"
 
 namespace parity::highend {
 
@@ -21,11 +22,12 @@ enum class OffSpecular {
 };
 
 struct Options {
-  GeometryTerm geometryTerm = GeometryTerm::heightCorrelated;
-  FresnelCurve fresnel = FresnelCurve::schlick;
-  DiffuseLobe diffuse = DiffuseLobe::balanced;
+  shading::SurfaceModel model{};
   Compensation compensation = Compensation::kullaConty;
   OffSpecular offSpecular = OffSpecular::threeTaps;
+  int lutSize = 128; // texels a side of the environment BRDF's table
+  // Of lighting::PrefilterOptions.
+  int prefilterSamples = lighting::kFinePrefilter.sampleCount, prefilterSize = lighting::kFinePrefilter.faceSize;
 };
 
 // Names as the command line and reports have them, in the order of the enumerators.

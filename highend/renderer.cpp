@@ -116,6 +116,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   }
   if (needsLut(inputs, options)) {
     assert(inputs.lut != nullptr);
+    m_hasLut = true;
     m_lut = uploadLut(device, *inputs.lut);
     program.pathTexture = &m_lut;
     ++m_ownSamplers;
@@ -130,9 +131,9 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   const std::uint32_t baked = bakedPartsOf(inputs, scene);
   if (baked & gpu::kBakedLightmap) ++m_ownSamplers;
   if (baked & gpu::kBakedSunShadow) ++m_ownSamplers;
-  program.constants = {static_cast<std::uint32_t>(options.geometryTerm),
-                       static_cast<std::uint32_t>(options.fresnel),
-                       static_cast<std::uint32_t>(options.diffuse),
+  program.constants = {static_cast<std::uint32_t>(options.model.geometryTerm),
+                       static_cast<std::uint32_t>(options.model.fresnel),
+                       static_cast<std::uint32_t>(options.model.diffuse),
                        static_cast<std::uint32_t>(options.compensation),
                        static_cast<std::uint32_t>(options.offSpecular),
                        kindsOf(lights),
@@ -168,6 +169,18 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
 std::size_t Renderer::countSamplers(const gpu::Permutation& permutation) const {
   const bool lit = (permutation.mustFeatures & gpu::kFeatureUnlit) == 0;
   return gpu::countTextures(permutation.textures) + (lit ? m_ownSamplers : 0);
+}
+
+paths::RendererWork Renderer::work() const {
+  return {.directionalLights = m_pass->directionalCount(),
+          .localLights = m_pass->localCount(),
+          .lightLists = m_culling ? m_culling->listCount() : 0,
+          .brdfTables = m_hasLut ? 1u : 0u};
+}
+
+std::vector<std::string> Renderer::warnings() const {
+  if (!m_shadows || m_shadows->note().empty()) return {};
+  return {m_shadows->note()};
 }
 
 } // namespace parity::highend

@@ -4,10 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "gpu/shading_pass.h"
+#include "gpu/surface/shading_pass.h"
 #include "highend/light_culling.h"
 #include "highend/options.h"
 #include "highend/views.h"
+#include "paths/path.h"
 
 namespace parity::highend {
 
@@ -27,32 +28,32 @@ struct Inputs {
   std::uint64_t expectedPixels = 0; // that the run will shade
 };
 
-class Renderer {
+class Renderer : public paths::Renderer {
 public:
   Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, const std::vector<gpu::BinKind>& binKinds,
            const Inputs& inputs, const Options& options);
-  gpu::ShadedSurface shade(const gpu::Surface& surface, const scenes::Camera& camera) const {
+  gpu::ShadedSurface shade(const gpu::Surface& surface, const scenes::Camera& camera) const override {
     if (m_shadows) m_shadows->fitTo(surface);
     return m_pass->shade(surface, camera);
   }
-  // Takes the light at this place of the inputs' list out of what is shaded from now on, or puts it back; the shaders
-  // stay the same, and so does every bit that the light adds nothing to.
-  void switchLight(std::size_t light, bool on) {
+  // The shaders stay the same, and so does every bit that the light adds nothing to.
+  void switchLight(std::size_t light, bool on) override {
     m_pass->setLightColor(m_lights[light].place, on ? m_lights[light].color : glm::vec3(0));
   }
-  const gpu::ShadingPass& pass() const { return *m_pass; }
-  // Samplers that a permutation binds, the environment's and the table's among them.
-  std::size_t countSamplers(const gpu::Permutation& permutation) const;
-
-  // How many lists of lights have been made so far, one for each group of pixels; 0 where all are asked for every
-  // pixel.
-  std::uint64_t lightLists() const { return m_culling ? m_culling->listCount() : 0; }
+  const gpu::ShadingPass& pass() const override { return *m_pass; }
+  // The environment's and the table's are among them.
+  std::size_t countSamplers(const gpu::Permutation& permutation) const override;
+  // Lists: one for each group of pixels so far; 0 where all lights are asked for every pixel.
+  paths::RendererWork work() const override;
+  const gpu::ShadowMaps* shadowMaps() const override { return m_shadows; }
+  // Of shadow maps that are smaller than asked for.
+  std::vector<std::string> warnings() const override;
 
   // Whether the table is read at all with these inputs.
   static bool needsLut(const Inputs& inputs, const Options& options) {
     return inputs.environment != nullptr || inputs.view != kViewLit ||
            ((!inputs.lights.empty() || inputs.baked) &&
-            (options.compensation != Compensation::none || options.diffuse == DiffuseLobe::balanced));
+            (options.compensation != Compensation::none || options.model.diffuse == DiffuseLobe::balanced));
   }
 
 private:
@@ -63,6 +64,7 @@ private:
   std::vector<InputLight> m_lights; // in the inputs' order
   std::size_t m_ownSamplers = 0;    // besides the materials'
   gpu::ShadowMaps* m_shadows = nullptr;
+  bool m_hasLut = false;
   gpu::DeviceImage m_lut;
   std::unique_ptr<LightCulling> m_culling; // where there are lights enough
   std::unique_ptr<gpu::ShadingPass> m_pass;

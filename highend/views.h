@@ -2,25 +2,16 @@
 // the mobile path has, too, have the same names there (mobile/views.h).
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
+#include <vector>
 
 #include "highend/shaders/views.h"
+#include "paths/path.h"
 
 namespace parity::highend {
 
-struct View {
-  std::string_view name;
-  std::string_view meaning;
-};
+using View = paths::Intermediate;
 
 // By number (highend/shaders/views.h). The first is the lit picture.
-extern const std::array<View, kViewCount> kViews;
-
-// The number of that name, or nothing.
-std::optional<std::uint32_t> viewByName(const std::string& name);
+const std::vector<View>& views();
 
 } // namespace parity::highend

@@ -5,18 +5,19 @@
 
 #include <fmt/format.h>
 
-#include "bake/capture_places.h"
-#include "bake/density.h"
-#include "bake/dilation.h"
-#include "bake/distance_field.h"
-#include "bake/highend_encoding.h"
-#include "bake/lq_encoding.h"
+#include "bake/atlas/density.h"
+#include "bake/encode/dilation.h"
+#include "bake/encode/distance_field.h"
+#include "bake/encode/highend_encoding.h"
+#include "bake/encode/lq_encoding.h"
+#include "bake/encode/sun_pages.h"
+#include "bake/light/capture_places.h"
 #include "bake/stages.h"
-#include "bake/sun_pages.h"
 #include "base/error.h"
 #include "base/hash.h"
-#include "job/baked_scene.h"
-#include "job/capture_render.h"
+#include "base/member_count.h"
+#include "job/scene/baked_scene.h"
+#include "job/scene/capture_render.h"
 
 namespace parity::job {
 
@@ -36,7 +37,7 @@ public:
 
   BakeResult run() {
     tell("loading", 0);
-    PreparedScene prepared = prepareScene(m_context, m_request, {.mobile = false, .bakes = true});
+    PreparedScene prepared = prepareScene(m_context, m_request, {.chosen = {allPaths().front()}, .bakes = true});
     if (!prepared.isLit)
       throw base::fileError(m_request.scene, "", "every material is unlit: there is nothing to bake");
     if (m_options.atlas.texelsPerMetre == 0)
@@ -95,6 +96,9 @@ private:
     return {scene, atlas, 4};
   }
 
+  // Not in the key: the texels a metre of the integration, which are the atlas'.
+  static_assert(base::memberCount<bake::AtlasOptions>() == 3 && base::memberCount<bake::IntegrateOptions>() == 5,
+                "a new member goes into the key, or is named here with the reason why not");
   bake::StaticLight integrate(const scenes::Scene& scene, const bake::Atlas& atlas, const bake::TexelGrid& grid,
                               const bake::BakeLights& lights, const bake::SceneHashes& hashes) {
     const base::Stopwatch watch(&m_context.timings(), "integrate light");
@@ -144,16 +148,16 @@ private:
               const bake::StaticLight& found, bake::BakedLight& light) const {
     const std::vector<bake::LightmapPage> pages = dilated(bake::makePages(scene, atlas, grid, found, true));
     for (const bake::LightmapPage& page : pages) light.sources.push_back(sourceOf(page));
-    bake::LqLightmap mobile = bake::encodeLq(pages, scene.instances.size(), {.block = m_options.astc});
-    light.mobile = std::move(mobile.pages);
-    for (const bake::LqScales& s : mobile.instances)
-      light.mobileScales.insert(light.mobileScales.end(), {s.colorScale, s.colorAdd, s.directionScale, s.directionAdd});
-    light.figures.quantizedError = mobile.figures.quantized.rms;
-    light.figures.storedError = mobile.figures.stored.rms;
-    light.figures.colorDb = std::min(mobile.figures.colorDb, bake::kNoLossDb);
-    light.figures.directionDb = std::min(mobile.figures.directionDb, bake::kNoLossDb);
+    bake::LqLightmap lq = bake::encodeLq(pages, scene.instances.size(), {.block = m_options.astc});
+    light.lqPages = std::move(lq.pages);
+    for (const bake::LqScales& s : lq.instances)
+      light.lqScales.insert(light.lqScales.end(), {s.colorScale, s.colorAdd, s.directionScale, s.directionAdd});
+    light.figures.quantizedError = lq.figures.quantized.rms;
+    light.figures.storedError = lq.figures.stored.rms;
+    light.figures.colorDb = std::min(lq.figures.colorDb, bake::kNoLossDb);
+    light.figures.directionDb = std::min(lq.figures.directionDb, bake::kNoLossDb);
     const auto encodeAll = [&](const std::vector<bake::LightmapPage>& all) {
-      for (const bake::LightmapPage& page : all) light.highend.push_back(bake::encodeHighend(page));
+      for (const bake::LightmapPage& page : all) light.halfPages.push_back(bake::encodeHighend(page));
     };
     if (m_options.localLights == bake::LocalLights::isStatic)
       encodeAll(pages);
@@ -213,14 +217,14 @@ private:
     // in the high-end lightmap cast shadows.
     prepared.scene.fog.reset();
     prepared.scene.lightScales = {};
-    prepared.shadows = m_options.localLights == bake::LocalLights::isStationary;
+    prepared.settings.shadows = m_options.localLights == bake::LocalLights::isStationary;
     const std::vector<scenes::Light> lights = prepared.lights;
     for (int pass = 0; pass < 2 && !places.empty(); ++pass) {
       tell(pass == 0 ? "captures" : "captures of captures", kEncoded + 0.05 * pass);
       prepared.lights = lights;
-      takeBaked(prepared, std::make_shared<const bake::BakedLight>(light));
-      const std::vector<lighting::EnvironmentLight> seen = renderCaptures(
-          m_context.settings(), prepared, positions, {.filter = {.faceSize = m_options.captureSize}, .samples = 4});
+      takeBaked(prepared, {.chosen = {allPaths().front()}}, std::make_shared<const bake::BakedLight>(light));
+      const std::vector<lighting::EnvironmentLight> seen =
+          renderCaptures(prepared, positions, {.filter = {.faceSize = m_options.captureSize}, .samples = 4});
       light.captures.clear();
       for (std::size_t k = 0; k < places.size(); ++k)
         light.captures.push_back({places[k].position, places[k].boxLower, places[k].boxUpper, places[k].radius,

@@ -3,10 +3,10 @@
 
 #include <functional>
 
-#include "bake/atlas.h"
+#include "bake/atlas/atlas.h"
 #include "bake/baked_light.h"
-#include "bake/integrate.h"
-#include "base/astc.h"
+#include "bake/light/integrate.h"
+#include "base/image/astc.h"
 #include "job/context.h"
 #include "job/scene_request.h"
 

@@ -1,11 +1,11 @@
 #include "job/context.h"
 
-#include <cstring>
 #include <filesystem>
 
 #include "base/file.h"
 #include "base/hash.h"
-#include "base/image_io.h"
+#include "base/image/image_io.h"
+#include "base/member_count.h"
 #include "scenes/load.h"
 
 namespace parity::job {
@@ -59,27 +59,6 @@ const gpu::DeviceReport& Context::deviceReport() {
   return *m_deviceReport;
 }
 
-const base::Image& Context::envBrdfLut() {
-  if (!m_lut.empty()) return m_lut;
-  const base::Stopwatch watch(&m_timings, "environment BRDF table");
-  constexpr int kSize = 128;
-  const highend::Options& options = m_settings.highend;
-  const std::string key =
-      "lut-" +
-      base::Hasher().add(m_buildId).addValue(options.geometryTerm).addValue(options.fresnel).addValue(kSize).hex();
-  base::Image lut(kSize, kSize, 4);
-  const std::size_t bytes = lut.pixels.size() * sizeof(float);
-  if (const auto cached = m_cache.find(key); cached && cached->size() == bytes) {
-    std::memcpy(lut.pixels.data(), cached->data(), bytes);
-  } else {
-    lut = highend::makeEnvBrdfLut(options.geometryTerm, options.fresnel, kSize);
-    const auto content = std::as_bytes(std::span{lut.pixels});
-    m_cache.store(key, {content.begin(), content.end()});
-  }
-  m_lut = std::move(lut);
-  return m_lut;
-}
-
 std::shared_ptr<const Context::LoadedEnvironment> Context::environment(const std::string& file, float rotationDeg,
                                                                        const scenes::LoadOptions& limits) {
   const base::Stopwatch watch(&m_timings, "load environment");
@@ -97,6 +76,10 @@ std::shared_ptr<const Context::LoadedEnvironment> Context::environment(const std
   }
   return last;
 }
+
+// Not in the key: the environment's name.
+static_assert(base::memberCount<lighting::PrefilterOptions>() == 4 && base::memberCount<scenes::Environment>() == 3,
+              "a new member goes into the key, or is named here with the reason why not");
 
 std::shared_ptr<const lighting::EnvironmentLight> Context::environmentLight(const scenes::Environment& environment,
                                                                             const lighting::PrefilterOptions& options) {

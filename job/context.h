@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "base/cache.h"
-#include "base/color.h"
-#include "base/image.h"
+#include "base/image/color.h"
 #include "base/stopwatch.h"
-#include "gpu/device.h"
-#include "gpu/pipeline.h"
+#include "gpu/device/device.h"
+#include "gpu/device/pipeline.h"
 #include "job/settings.h"
-#include "lighting/environment_light.h"
+#include "lighting/environment/environment_light.h"
+#include "paths/path.h"
 
 namespace parity::job {
 
@@ -31,6 +31,7 @@ public:
   // Adds what another thread's has timed and compiled.
   void take(const Context& other);
 
+  // Of scenes that say nothing else.
   const Settings& settings() const { return m_settings; }
   base::Timings& timings() { return m_timings; }
   const base::DisplayTransform& display() const { return m_display; }
@@ -44,9 +45,8 @@ public:
   // What that device is, without making it: for a run whose results may all be cached.
   const gpu::DeviceReport& deviceReport();
 
-  // The environment BRDF table of the settings' geometry term and Fresnel curve, made on first use or read from the
-  // cache.
-  const base::Image& envBrdfLut();
+  // What paths take of the run.
+  paths::Services services() { return {&m_timings, m_cache, m_buildId, m_store}; }
 
   // For results that are too large, or too particular, to be held here. The build id of the running binary belongs in
   // every key: what an older build has cached is not used. It covers the module of the image files. Empty where the
@@ -79,7 +79,7 @@ private:
   std::unique_ptr<gpu::Device> m_device;
   gpu::PipelineStore m_pipelines; // ends before the device
   std::optional<gpu::DeviceReport> m_deviceReport;
-  base::Image m_lut;
+  paths::Store m_store;
   std::set<gpu::PipelineStore::Key> m_takenShaders;
   struct Lights { // of all contexts of a run
     std::mutex loadMutex;

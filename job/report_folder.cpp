@@ -10,9 +10,9 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/temporary_name.h"
-#include "compare/dashboard_files.h"
-#include "compare/report_page.h"
-#include "job/display_table.h"
+#include "job/paths.h"
+#include "job/view/display_table.h"
+#include "report/dashboard_files.h"
 
 namespace parity::job {
 
@@ -33,8 +33,10 @@ bool isOfAView(std::string_view name) {
 
 // Whether a report could have given this name to a picture: "0-scene_0-view_m3_flip.png".
 bool isPictureOfAReport(std::string_view name) {
-  return isOfAView(name) && (name.ends_with("_highend.png") || name.ends_with("_mobile.png") ||
-                             name.ends_with("_flip.png") || name.ends_with("_truth.png"));
+  std::vector<std::string> kinds = pathNames();
+  kinds.insert(kinds.end(), {"flip", "truth"});
+  return isOfAView(name) &&
+         std::ranges::any_of(kinds, [&](const std::string& kind) { return name.ends_with("_" + kind + ".png"); });
 }
 
 // The same of a pixel file: "0-scene_0-view.js".
@@ -90,21 +92,21 @@ void prepareReportFolder(const std::filesystem::path& folder, bool singleFile) {
   if (error) throw base::fileError(folder.string(), "images", "cannot be made a folder: " + error.message());
 }
 
-void writeReport(const std::filesystem::path& folder, const compare::Report& report, const compare::RunInfo& run,
+void writeReport(const std::filesystem::path& folder, const report::Report& report, const report::RunInfo& run,
                  const ReportParts& parts) {
-  base::writeText(folder / "report.json", compare::toJson(report));
-  base::writeText(folder / "run.json", compare::toJson(run));
-  base::writeText(folder / "junit.xml", compare::toJunit(report, run));
-  if (!parts.bench.empty() && !parts.singleFile) base::writeText(folder / "bench.json", parts.bench);
-  if (!compare::hasDashboard()) return;
-  compare::PageRequest page{.bench = parts.bench, .singleFile = parts.singleFile, .files = {}};
+  base::writeText(folder / "report.json", report::toJson(report));
+  base::writeText(folder / "run.json", report::toJson(run));
+  base::writeText(folder / "junit.xml", report::toJunit(report, run));
+  if (!parts.bench.json.empty() && !parts.singleFile) base::writeText(folder / "bench.json", parts.bench.json);
+  if (!report::hasDashboard()) return;
+  report::PageRequest page{.bench = parts.bench, .singleFile = parts.singleFile, .files = {}};
   if (parts.singleFile)
     for (const EncodedPicture& picture : parts.pictures) page.files.push_back({picture.file, picture.bytes});
   if (!parts.singleFile) {
-    base::writeText(folder / "dashboard.js", compare::dashboardScript().text);
-    base::writeText(folder / "dashboard.css", compare::dashboardStyle().text);
+    base::writeText(folder / "dashboard.js", report::dashboardScript().text);
+    base::writeText(folder / "dashboard.css", report::dashboardStyle().text);
   }
-  base::writeText(folder / "index.html", compare::toHtml(report, run, page));
+  base::writeText(folder / "index.html", report::toHtml(report, run, page));
 }
 
 } // namespace parity::job

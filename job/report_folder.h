@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "compare/report.h"
-#include "job/view_pictures.h"
+#include "job/view/view_pictures.h"
+#include "report/page.h"
 
 namespace parity::job {
 
@@ -27,14 +27,14 @@ inline constexpr std::array<const char*, 7> kReportFiles = {"report.json",  "run
 void prepareReportFolder(const std::filesystem::path& folder, bool singleFile);
 
 struct ReportParts {
-  const std::string& bench;                    // bench.json; empty: none
+  const report::Bench& bench;
   bool singleFile = false;                     // index.html holds the bench, the pictures, script and style
   const std::vector<EncodedPicture>& pictures; // of a single file
 };
 
 // report.json, run.json, junit.xml and, where the build has the page, index.html with dashboard.js and dashboard.css;
 // bench.json where there is one. Throws Error (exit 4).
-void writeReport(const std::filesystem::path& folder, const compare::Report& report, const compare::RunInfo& run,
+void writeReport(const std::filesystem::path& folder, const report::Report& report, const report::RunInfo& run,
                  const ReportParts& parts);
 
 } // namespace parity::job

@@ -16,16 +16,16 @@
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/parallel.h"
-#include "compare/baseline.h"
-#include "compare/budget.h"
-#include "compare/report_reader.h"
+#include "base/version.h"
+#include "compare/verdict/budget.h"
 #include "job/conditions.h"
 #include "job/context.h"
-#include "job/display_table.h"
 #include "job/report_folder.h"
-#include "job/scene_comparison.h"
-#include "job/settings_text.h"
-#include "job/version.h"
+#include "job/scene/scene_comparison.h"
+#include "job/view/display_table.h"
+#include "report/baseline.h"
+#include "report/judge.h"
+#include "report/reader.h"
 
 namespace parity::job {
 
@@ -38,9 +38,9 @@ RunBudgets loadRunBudgets(const Settings& settings, const std::optional<std::str
 
 // Sets what budgets require and no scene has, and warns of rules that judged nothing, a line a budget file. With
 // --material nobody knows what they could have judged.
-void holdBudgets(const Settings& settings, const ReportRequest& request, compare::Report& report) {
+void holdBudgets(const Settings& settings, const ReportRequest& request, report::Report& report) {
   if (!settings.materials.empty()) return;
-  std::map<std::string, std::vector<const compare::SceneResult*>> files; // and whom each judges
+  std::map<std::string, std::vector<const report::SceneResult*>> files; // and whom each judges
   for (std::size_t i = 0; i < request.scenes.size(); ++i)
     for (const std::optional<std::string>& file : {settings.budgets, request.scenes[i].budgets, request.suiteBudgets}) {
       if (!file) continue;
@@ -50,9 +50,9 @@ void holdBudgets(const Settings& settings, const ReportRequest& request, compare
   for (const auto& [file, scenes] : files) {
     try {
       const compare::Budgets budgets = compare::loadBudgets(file);
-      if (std::string line = compare::describeUnusedRules(budgets, report); !line.empty())
+      if (std::string line = report::describeUnusedRules(budgets, report); !line.empty())
         report.warnings.push_back(std::move(line));
-      std::ranges::move(compare::findLost(budgets, scenes), std::back_inserter(report.lost));
+      std::ranges::move(report::findLost(budgets, scenes), std::back_inserter(report.lost));
     } catch (const base::Error&) {
       // A scene's own file that cannot be used is that scene's error already.
     }
@@ -141,12 +141,12 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   ReportResult result;
   result.run.startedAt = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   result.run.commandLine = request.commandLine;
-  result.report.version = kVersion;
+  result.report.version = base::kVersion;
 
   // What concerns the whole run comes first: without it nothing is rendered, and an older report stays.
   RunBudgets budgets = loadRunBudgets(context.settings(), request.suiteBudgets);
-  std::optional<compare::Report> baseline;
-  if (!request.baseline.empty()) baseline = compare::readReport(request.baseline);
+  std::optional<report::Report> baseline;
+  if (!request.baseline.empty()) baseline = report::readReport(request.baseline);
   if (baseline) budgets.baseline = &*baseline;
   result.report.device = context.deviceReport().description();
   result.report.settings = describeSettings(context.settings(), context.deviceReport());
@@ -164,13 +164,13 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   if (const std::size_t cached = result.run.cachedScenes.size(); cached > 0)
     base::logInfo(fmt::format("{} of {} scenes are unchanged: taken from the cache", cached, request.scenes.size()));
   holdBudgets(context.settings(), request, result.report);
-  compare::settleVerdicts(result.report);
+  report::settleVerdicts(result.report);
   if (baseline)
-    compare::compareWithBaseline(
+    report::compareWithBaseline(
         result.report, *baseline,
-        {compare::reportFileOf(request.baseline).string(), context.settings().materials, request.oneOfMany});
+        {report::reportFileOf(request.baseline).string(), context.settings().materials, request.oneOfMany});
   base::logRunWarnings(result.report.warnings);
-  for (const compare::RunProblem& problem : compare::problemsOf(result.report)) base::logError(problem.reason);
+  for (const report::RunProblem& problem : report::problemsOf(result.report)) base::logError(problem.reason);
   if (result.report.baseline && !result.report.baseline->error.empty())
     base::logError(fmt::format("{}: {}", request.baseline.string(), result.report.baseline->error));
   if (progress) progress("writing", 1);

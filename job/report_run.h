@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "compare/report.h"
 #include "job/scene_request.h"
 #include "job/settings.h"
+#include "report/page.h"
 
 namespace parity::job {
 
@@ -22,13 +22,13 @@ struct ReportRequest {
   bool oneOfMany = false;                  // scenes of the baseline that this run does not show are not gone
   bool pixelData = true;                   // the values behind the pictures are written, too: pixels/
   bool singleFile = false;                 // index.html holds everything that it shows
-  std::string bench;                       // bench.json of `parity bench`, for the page and the folder; empty: none
+  report::Bench bench;                     // for the page and the folder
   std::string commandLine;                 // for run.json
 };
 
 struct ReportResult {
-  compare::Report report;
-  compare::RunInfo run;
+  report::Report report;
+  report::RunInfo run;
 };
 
 // Compares every view of every scene. A scene that fails is an error in the report, with its reason, and the next one

@@ -7,8 +7,9 @@
 #include "bake/baked_folder.h"
 #include "base/file.h"
 #include "base/hash.h"
-#include "job/archive.h"
-#include "job/version.h"
+#include "base/member_count.h"
+#include "base/version.h"
+#include "report/record/archive.h"
 
 namespace parity::job {
 
@@ -35,11 +36,14 @@ std::string contentKey(const std::string& key, const SceneRequest& request,
 
 } // namespace
 
+static_assert(base::memberCount<ResultWish>() == 4 && base::memberCount<gpu::PermutationBudget>() == 2,
+              "a new member goes into the key, or is named here with the reason why not");
+
 std::optional<std::string> resultKey(Context& context, const Conditions& conditions, const ResultWish& wish) {
   if (!context.cache().enabled() || context.settings().device.validation) return std::nullopt;
   const gpu::DeviceReport& device = context.deviceReport();
   base::Hasher hasher;
-  hasher.add(kVersion).add(context.buildId());
+  hasher.add(base::kVersion).add(context.buildId());
   for (const std::string& text : {device.name, device.driver, device.build}) hasher.add(text);
   hasher.addValue(static_cast<std::int64_t>(hwy::SupportedTargets())); // what the metrics run on
   hasher.add(hashOf(conditions));
@@ -62,11 +66,11 @@ std::optional<SceneRecord> findResult(const base::Cache& cache, const std::strin
   const auto manifest = cache.find("files-" + key);
   if (!manifest) return std::nullopt;
   // The key holds what the bake's manifest says; its files may be others by now, or gone.
-  if (!request.baked.empty() && !bake::isWhole(request.baked)) return std::nullopt;
+  if (!request.settings.scene.baked.empty() && !bake::isWhole(request.settings.scene.baked)) return std::nullopt;
   std::vector<scenes::SourceFile> sources;
   std::string wanted;
   try {
-    Reader read(*manifest);
+    report::Reader read(*manifest);
     std::vector<std::string> files;
     read(files);
     for (const std::string& file : files) sources.push_back({file, contentOf(file)});
@@ -88,7 +92,7 @@ void storeResult(const base::Cache& cache, const std::string& key, const SceneRe
   } catch (const std::filesystem::filesystem_error&) { // a file is gone since
     return;
   }
-  Writer write;
+  report::Writer write;
   write(files);
   if (cache.store(wanted, toBytes(record))) cache.store("files-" + key, write.bytes());
 }

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "gpu/permutations.h"
+#include "gpu/surface/permutations.h"
 #include "job/conditions.h"
 #include "job/context.h"
-#include "job/scene_record.h"
+#include "job/scene/scene_record.h"
 
 namespace parity::job {
 
@@ -29,8 +29,8 @@ std::optional<std::string> resultKey(Context& context, const Conditions& conditi
 // by view: what the budgets lead to.
 std::string attributedKey(const std::string& key, const std::vector<std::vector<std::size_t>>& materials);
 
-// The result of that key, if the scene's files are what they were: all that its first run has read, by content; those of
-// baked light by the checksums of its manifest.
+// The result of that key, if the scene's files are what they were: all that its first run has read, by content; those
+// of baked light by the checksums of its manifest.
 std::optional<SceneRecord> findResult(const base::Cache& cache, const std::string& key, const SceneRequest& request);
 
 // sources: the files that the scene was read from. Without effect where one of them is out of reach by now.

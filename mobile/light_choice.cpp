@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "scenes/brightest_light.h"
 #include "shading/shading.h"
 
 namespace parity::mobile {
@@ -48,14 +49,6 @@ float rank(const scenes::Light& light, const Sphere& sphere) {
                                                                   light.range, light.falloffExponent);
 }
 
-// By luminance, the first among equals.
-std::optional<std::size_t> brightest(std::span<const scenes::Light> lights, scenes::LightKind kind) {
-  std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < lights.size(); ++i)
-    if (lights[i].kind == kind && (!best || luminanceOf(lights[i].color) > luminanceOf(lights[*best].color))) best = i;
-  return best;
-}
-
 // About the mean over the object of a light of this rank: that is of the nearest point, and by an inverse square has no
 // bound within the sphere; the object's surface lies about half a radius away, and a light that fades before it lights
 // a part of it.
@@ -85,14 +78,6 @@ std::vector<RankedLight> rankLocalLights(const scenes::Scene& scene, const scene
 
 } // namespace
 
-std::optional<std::size_t> chooseSun(std::span<const scenes::Light> lights) {
-  return brightest(lights, scenes::LightKind::directional);
-}
-
-std::optional<std::size_t> chooseShadowSpot(std::span<const scenes::Light> lights) {
-  return brightest(lights, scenes::LightKind::spot);
-}
-
 std::vector<std::array<std::uint32_t, kLightsPerObject>> chooseLocalLights(const scenes::Scene& scene,
                                                                            std::span<const scenes::Light> lights) {
   std::vector<std::array<std::uint32_t, kLightsPerObject>> chosen;
@@ -108,7 +93,7 @@ std::vector<std::array<std::uint32_t, kLightsPerObject>> chooseLocalLights(const
 std::vector<LightUse> countLightUse(const scenes::Scene& scene, std::span<const scenes::Light> lights, bool localLights,
                                     std::span<const std::uint64_t> pixels) {
   std::vector<LightUse> uses(lights.size());
-  const auto sun = chooseSun(lights);
+  const auto sun = scenes::brightestOf(lights, scenes::LightKind::directional);
   const std::size_t kept = localLights ? kLightsPerObject : 0;
   for (std::uint32_t object = 0; object < scene.instances.size(); ++object) {
     if (pixels[object] == 0) continue;

@@ -8,19 +8,13 @@
 #include <vector>
 
 #include "gpu/shaders/interface.h"
+#include "paths/path.h"
 #include "scenes/scene.h"
 
 namespace parity::mobile {
 
 using gpu::kLightsPerObject;
 using gpu::kNoLight;
-
-// Index of the brightest directional light by luminance (the first among equals), or nothing.
-std::optional<std::size_t> chooseSun(std::span<const scenes::Light> lights);
-
-// Index of the spot light that casts a shadow: the brightest by luminous intensity (the first among equals), or
-// nothing.
-std::optional<std::size_t> chooseShadowSpot(std::span<const scenes::Light> lights);
 
 // For each instance the indices (into `lights`) of its up to four local lights, the rest kNoLight. The rule: lights are
 // ranked by the luminance of their illuminance at the point of the object's bounding sphere nearest to the light (at
@@ -29,16 +23,9 @@ std::optional<std::size_t> chooseShadowSpot(std::span<const scenes::Light> light
 std::vector<std::array<std::uint32_t, kLightsPerObject>> chooseLocalLights(const scenes::Scene& scene,
                                                                            std::span<const scenes::Light> lights);
 
-// How a light fares on the mobile path, over the objects that are asked about.
-struct LightUse {
-  std::size_t keptBy = 0;               // objects that are shaded with it
-  std::vector<std::uint32_t> droppedBy; // instances that it reaches, and that do without it
-  // An estimate of what they lack: the sum over those of illuminance times `pixels`. That is the rank above, but of a
-  // light nearer than half the sphere's radius as if it were so far away.
-  double effect = 0;
-};
+using paths::LightUse;
 
-// Of each light, over the instances with pixels. Directional lights reach every object, all but chooseSun's are
+// Of each light, over the instances with pixels. Directional lights reach every object, all but the brightest are
 // dropped; of local lights those that an object's range and cone rule lets in and that are none of its four; all of
 // these where localLights is false (they are baked). A light that is black reaches nothing. pixels: a number for each
 // instance, 0: not asked about.

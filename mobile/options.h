@@ -4,6 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "base/image/texture_block.h"
+#include "gpu/surface/output_target.h"
+
 namespace parity::mobile {
 
 // What the device computes in: half wherever Unreal Engine 4 would (shading/mobile_base_pass.glsl), or the same code in
@@ -43,7 +46,7 @@ struct Options {
   EnvironmentBrdf environmentBrdf = EnvironmentBrdf::ue4;
   DirectLobe directLobe = DirectLobe::calcSpecular;
   CaptureScale captureScale = CaptureScale::automatic;
-  Mixing mixing;
+  Mixing mixing{};
   CaptureEncoding capture = CaptureEncoding::rgbm;
   SkyForm sky = SkyForm::sh4;
   bool localLights = true;          // up to four an object; false: all are baked
@@ -54,7 +57,10 @@ struct Options {
   float sunShadowDistance = 200;    // metres along the view from which on it is gone
   float sunShadowFade = 0.1f;       // the last share of that over which it goes, 0 to 1
   float roughnessFloor = 0.015625f; // 0.015625^4 = 2^-24
+  // What no preset sets.
   Precision precision = Precision::fp16;
+  gpu::OutputTarget target = gpu::OutputTarget::rgba16f;  // what its colour is stored in
+  base::TextureBlock textures = base::TextureBlock::none; // what its material textures go through
 };
 
 // "karis2014": the article. EnvBRDFApprox, D_Approx, no local lights, the environment scaled fully by the baked light,

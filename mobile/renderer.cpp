@@ -10,6 +10,7 @@
 #include "mobile/light_choice.h"
 #include "mobile_shaders/mobile_fp16.comp.h"
 #include "mobile_shaders/mobile_fp32.comp.h"
+#include "scenes/brightest_light.h"
 #include "shading/shading.h"
 
 namespace parity::mobile {
@@ -99,8 +100,7 @@ Precision precisionOn(const gpu::DeviceReport& device, const Options& options) {
 }
 
 Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, const std::vector<gpu::BinKind>& binKinds,
-                   const Inputs& inputs, const Options& options)
-    : m_hasEnvironment(inputs.environment != nullptr) {
+                   const Inputs& inputs, const Options& options) {
   gpu::PathProgram program;
   program.name = "mobile";
   const Precision precision = precisionOn(device.report(), options);
@@ -110,7 +110,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
 
   // The sun comes first, the local lights keep their order; pathData holds indices into this list.
   std::vector<scenes::Light> lights;
-  const auto sun = chooseSun(inputs.lights);
+  const auto sun = scenes::brightestOf(inputs.lights, scenes::LightKind::directional);
   if (sun) lights.push_back(inputs.lights[*sun]);
   const auto directional = std::count_if(inputs.lights.begin(), inputs.lights.end(),
                                          [](const auto& l) { return l.kind == scenes::LightKind::directional; });
@@ -139,8 +139,9 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   }
   const auto spots =
       std::count_if(lights.begin(), lights.end(), [](const auto& l) { return l.kind == scenes::LightKind::spot; });
-  const auto spot =
-      inputs.shadows && options.spotShadow && options.localLights ? chooseShadowSpot(lights) : std::nullopt;
+  const auto spot = inputs.shadows && options.spotShadow && options.localLights
+                        ? scenes::brightestOf(lights, scenes::LightKind::spot)
+                        : std::nullopt;
   const bool hasSunShadow = inputs.shadows && options.sunShadow && sun;
   if (options.sunShadow && !sun) m_notes.emplace_back("no sun casts a shadow: there is none");
   if (options.spotShadow && !options.localLights)
@@ -163,13 +164,18 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   program.baked = inputs.baked;
   if (inputs.baked) program.numbers[gpu::kPathAverageBrightness].y = inputs.baked->transitionScale;
   program.numbers[gpu::kPathShadows] = shadowNumbersOf(options);
-  m_baked = bakedPartsOf(inputs, scene, sun.has_value());
+  const std::uint32_t baked = bakedPartsOf(inputs, scene, sun.has_value());
+  m_samplers = {.environment = inputs.environment != nullptr,
+                .shadowMap = m_shadows != nullptr,
+                .lightmap = (baked & gpu::kBakedLightmap) != 0,
+                .sunShadow = (baked & gpu::kBakedSunShadow) != 0,
+                .normalVariance = scene.specularAa() == gpu::SpecularAa::toksvig};
   program.constants = constantsOf(options, inputs.view, (spot ? kShadowOfSpot : 0) | (hasSunShadow ? kShadowOfSun : 0),
-                                  m_baked, gpu::falloffsOf(lights));
+                                  baked, gpu::falloffsOf(lights));
   program.everySceneConstants = constantsOf(options, inputs.view,
                                             (options.spotShadow && options.localLights ? kShadowOfSpot : 0) |
                                                 (options.sunShadow ? kShadowOfSun : 0),
-                                            m_baked, gpu::kFalloffsAll);
+                                            baked, gpu::kFalloffsAll);
   program.terms = inputs.terms;
   program.premultiplied = true;
   program.expectedPixels = inputs.expectedPixels;
@@ -178,19 +184,13 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
 }
 
 std::vector<scenes::Light> Renderer::needsShadowMaps(const std::vector<scenes::Light>& lights, const Options& options) {
-  const auto sun = options.sunShadow ? chooseSun(lights) : std::nullopt;
-  const auto spot = options.spotShadow && options.localLights ? chooseShadowSpot(lights) : std::nullopt;
+  const auto sun = options.sunShadow ? scenes::brightestOf(lights, scenes::LightKind::directional) : std::nullopt;
+  const auto spot =
+      options.spotShadow && options.localLights ? scenes::brightestOf(lights, scenes::LightKind::spot) : std::nullopt;
   std::vector<scenes::Light> casting;
   for (const auto& light : {sun, spot})
     if (light) casting.push_back(lights[*light]);
   return casting;
-}
-
-std::size_t Renderer::countSamplers(const gpu::Permutation& permutation) const {
-  const bool lit = (permutation.mustFeatures & gpu::kFeatureUnlit) == 0;
-  const bool fetches = (permutation.mustFeatures & (gpu::kFeatureUnlit | gpu::kFeatureFullyRough)) == 0;
-  return gpu::countTextures(permutation.textures) + (m_hasEnvironment && fetches ? 1 : 0) + (m_shadows && lit ? 1 : 0) +
-         (lit ? std::popcount(m_baked & (gpu::kBakedLightmap | gpu::kBakedSunShadow)) : 0);
 }
 
 } // namespace parity::mobile

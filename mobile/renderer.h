@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "gpu/shading_pass.h"
+#include "gpu/surface/shading_pass.h"
 #include "mobile/options.h"
+#include "mobile/sampler_rule.h"
 #include "mobile/views.h"
+#include "paths/path.h"
 
 namespace parity::mobile {
 
@@ -29,31 +31,33 @@ struct Inputs {
 // What the device computes in: fp32 where it has no shaderFloat16, whatever the options ask for.
 Precision precisionOn(const gpu::DeviceReport& device, const Options& options);
 
-class Renderer {
+class Renderer : public paths::Renderer {
 public:
   Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, const std::vector<gpu::BinKind>& binKinds,
            const Inputs& inputs, const Options& options);
-  gpu::ShadedSurface shade(const gpu::Surface& surface, const scenes::Camera& camera) const {
+  gpu::ShadedSurface shade(const gpu::Surface& surface, const scenes::Camera& camera) const override {
     if (m_shadows) m_shadows->fitTo(surface);
     return m_pass->shade(surface, camera);
   }
-  const gpu::ShadingPass& pass() const { return *m_pass; }
-  // Samplers that a permutation binds; what the optimizer finds to be unused is not taken off.
-  std::size_t countSamplers(const gpu::Permutation& permutation) const;
-
-  // Objects for which local lights were chosen: none where the path loops over none.
-  std::size_t lightChoices() const { return m_lightChoices; }
+  const gpu::ShadingPass& pass() const override { return *m_pass; }
+  // What the optimizer finds to be unused is not taken off.
+  std::size_t countSamplers(const gpu::Permutation& permutation) const override {
+    return mobile::countSamplers(permutation, m_samplers);
+  }
+  std::string describeExcess(const scenes::Material& material) const override {
+    return mobile::describeExcess(material, m_samplers);
+  }
+  paths::RendererWork work() const override { return {.lightChoices = m_lightChoices}; }
+  const gpu::ShadowMaps* shadowMaps() const override { return m_shadows; }
 
   // The lights whose shadow maps it reads with these inputs: the sun, the brightest spot light, both or none.
   static std::vector<scenes::Light> needsShadowMaps(const std::vector<scenes::Light>& lights, const Options& options);
 
-  // What the path leaves out, in words for the report ("2 of 6 local lights: ..."); empty where it leaves out nothing.
-  const std::vector<std::string>& notes() const { return m_notes; }
+  std::vector<std::string> notes() const override { return m_notes; }
 
 private:
-  bool m_hasEnvironment;
   gpu::ShadowMaps* m_shadows = nullptr; // none where no light has one
-  std::uint32_t m_baked = 0;            // kBaked... bits
+  SamplerInputs m_samplers;
   std::size_t m_lightChoices = 0;
   std::vector<std::string> m_notes;
   std::unique_ptr<gpu::ShadingPass> m_pass;

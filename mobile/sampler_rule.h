@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "gpu/surface/permutations.h"
 #include "scenes/scene.h"
 
 namespace parity::mobile {
@@ -16,7 +17,7 @@ struct SamplerInputs {
   bool environment = false;                 // there is one to be fetched
   bool shadowMap = false;                   // a spot light or the sun has one: all lie in one image
   bool lightmap = false, sunShadow = false; // baked, for some object
-  bool normalVariance = false;              // normal maps carry the spread of their normals (gpu/normal_variance.h)
+  bool normalVariance = false; // normal maps carry the spread of their normals (gpu/surface/normal_variance.h)
 };
 
 // Pairs of an image and a sampler that the path reads for a material, the environment's included: unlit and fully rough
@@ -24,12 +25,11 @@ struct SamplerInputs {
 // lightmap and the sun's shadow a material may have five textures of its own.
 std::size_t countSamplers(const scenes::Material& material, const SamplerInputs& inputs);
 
+// The same of a permutation of the shader.
+std::size_t countSamplers(const gpu::Permutation& permutation, const SamplerInputs& inputs);
+
 // "needs 9 samplers on mobile, of at most 8"; empty where it does not.
 std::string describeExcess(const scenes::Material& material, const SamplerInputs& inputs,
                            std::size_t limit = kMaxSamplers);
-
-// A line for each such material of the scene, naming it.
-std::vector<std::string> samplerWarnings(const scenes::Scene& scene, const SamplerInputs& inputs,
-                                         std::size_t limit = kMaxSamplers);
 
 } // namespace parity::mobile

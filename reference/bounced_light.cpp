@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lighting/surface_material.h"
+#include "lighting/surface/surface_material.h"
 #include "reference/direct_light.h"
 #include "reference/reflection.h"
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "lighting/emitters.h"
-#include "lighting/surface_light.h"
-#include "lighting/visibility.h"
+#include "lighting/surface/emitters.h"
+#include "lighting/surface/surface_light.h"
+#include "lighting/surface/visibility.h"
 #include "reference/environment_sampler.h"
 #include "reference/lobes.h"
 #include "reference/point_visibility.h"

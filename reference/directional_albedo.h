@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "lighting/float4.h"
+#include "lighting/environment/float4.h"
 #include "shading/surface_model.h"
 
 namespace parity::reference {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "lighting/visibility.h"
+#include "lighting/surface/visibility.h"
 #include "reference/environment_sampler.h"
 #include "reference/lobes.h"
 

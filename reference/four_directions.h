@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-#include "lighting/float4.h"
+#include "lighting/environment/float4.h"
 
 namespace parity::reference {
 

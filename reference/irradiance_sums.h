@@ -8,7 +8,7 @@
 
 #include <glm/glm.hpp>
 
-#include "lighting/float4.h"
+#include "lighting/environment/float4.h"
 #include "reference/bright_cells.h"
 
 namespace parity::reference {
@@ -18,9 +18,9 @@ namespace parity::reference {
 // horizon gives N . integral L(w) w dw, exactly and whatever is in it (light vectors: Gershun 1936, "The Light Field");
 // of a row of patches those are one interval, the difference of two prefix sums. One that the horizon cuts counts as
 // spread evenly over as wide a range of heights above it as the patch covers; where its light is uneven, each of
-// its 4 x 4 parts does. A cell that holds more than 1e-3 of all light is integrated alone, exactly but for the horizon's azimuth,
-// which is one along a 16th of its height. Within 1e-5 of what a surface receives that faces the light
-// (tests/reference).
+// its 4 x 4 parts does. A cell that holds more than 1e-3 of all light is integrated alone, exactly but for the
+// horizon's azimuth, which is one along a 16th of its height. Within 1e-5 of what a surface receives that faces the
+// light (tests/reference).
 class IrradianceSums {
 public:
   // cells: radiance row by row, the top first, w not read. rowY: bounds of the rows as heights on the unit sphere,

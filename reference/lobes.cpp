@@ -31,22 +31,22 @@ Lobes::Lobes(const SurfaceSample& sample, const Model& model, double roughness, 
   m_lostOnAverage = 1 - m_row->average();
   if (model.scattering == Scattering::single || !(m_lostOnAverage > 1e-12)) return;
   m_hasMultiple = true;
-  const glm::dvec3 Favg = m_F0 + (m_F90 - m_F0) * fresnelMean(model.fresnel);
+  const glm::dvec3 Favg = m_F0 + (m_F90 - m_F0) * fresnelMean(model.surface.fresnel);
   m_Fms = Favg * Favg * m_row->average() / (1.0 - Favg * m_lostOnAverage);
 }
 
 LobeView Lobes::viewAt(double NoV) const {
   LobeView view{.lost = lostAt(NoV)};
-  if (m_model.diffuse == shading::DiffuseLobe::lambert || !hasSpecular()) return view;
+  if (m_model.surface.diffuse == shading::DiffuseLobe::lambert || !hasSpecular()) return view;
   const double E = m_row ? m_row->at(NoV) : 1;
-  const double f = m_row ? m_row->fresnelWeightAt(NoV) : fresnelWeight(m_model.fresnel, NoV);
+  const double f = m_row ? m_row->fresnelWeightAt(NoV) : fresnelWeight(m_model.surface.fresnel, NoV);
   const glm::dvec3 reflected = E * (m_F0 + (m_F90 - m_F0) * f) + m_Fms * view.lost;
   view.diffuse = glm::clamp(1.0 - reflected, 0.0, 1.0);
   return view;
 }
 
 glm::dvec3 Lobes::fresnel(double VoH) const {
-  const double f = fresnelWeight(m_model.fresnel, VoH);
+  const double f = fresnelWeight(m_model.surface.fresnel, VoH);
   return m_F0 * (1 - f) + m_F90 * f;
 }
 
@@ -55,7 +55,7 @@ LobeValues Lobes::evaluate(double NoV, double NoL, double NoH, double VoH, const
   values.diffuse = m_diffuseColor * atView.diffuse * (f64::Fd_Lambert() * NoL);
   if (!hasSpecular() || isMirror()) return values;
   const double D = f64::D_GGX(m_alpha, NoH);
-  const double V = m_model.geometryTerm == GeometryTerm::heightCorrelated ? f64::V_SmithGGXCorrelated(m_alpha, NoV, NoL)
+  const double V = m_model.surface.geometryTerm == GeometryTerm::heightCorrelated ? f64::V_SmithGGXCorrelated(m_alpha, NoV, NoL)
                                                                           : f64::V_SchlickSmith(m_alpha, NoV, NoL);
   values.specular = fresnel(VoH) * (D * V * NoL);
   if (m_hasMultiple)
@@ -70,14 +70,14 @@ std::array<Float4, 3> Lobes::estimateSpecular(const FourDirections& light, const
   const float NoV = glm::dot(normal, view);
   const Float4 alpha2 = Float4{} + static_cast<float>(m_alpha * m_alpha), &NoL = at.NoL;
   Float4 f;
-  if (m_model.fresnel == FresnelCurve::schlick) {
+  if (m_model.surface.fresnel == FresnelCurve::schlick) {
     f = schlickWeight(at.VoH);
   } else {
     for (int i = 0; i < 4; ++i)
-      f[i] = static_cast<float>(fresnelWeight(m_model.fresnel, std::min<double>(at.VoH[i], 1)));
+      f[i] = static_cast<float>(fresnelWeight(m_model.surface.fresnel, std::min<double>(at.VoH[i], 1)));
   }
   Float4 V;
-  if (m_model.geometryTerm == GeometryTerm::heightCorrelated) {
+  if (m_model.surface.geometryTerm == GeometryTerm::heightCorrelated) {
     V = V_SmithGGXCorrelated(alpha2, NoV, NoL);
   } else {
     const auto k = static_cast<float>(0.5 * m_alpha);

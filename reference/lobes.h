@@ -20,12 +20,10 @@ struct LobeValues {
 enum class Scattering { multiple, single };
 
 struct Model {
-  GeometryTerm geometryTerm = GeometryTerm::heightCorrelated;
-  FresnelCurve fresnel = FresnelCurve::schlick;
-  shading::DiffuseLobe diffuse = shading::DiffuseLobe::balanced;
+  shading::SurfaceModel surface;
   Scattering scattering = Scattering::multiple;
 
-  bool needsAlbedo() const { return scattering == Scattering::multiple || diffuse == shading::DiffuseLobe::balanced; }
+  bool needsAlbedo() const { return scattering == Scattering::multiple || surface.diffuse == shading::DiffuseLobe::balanced; }
 };
 
 // What depends on the view alone.

@@ -4,8 +4,8 @@
 #include <limits>
 #include <optional>
 
-#include "lighting/surface_point.h"
-#include "lighting/visibility.h"
+#include "lighting/surface/surface_point.h"
+#include "lighting/surface/visibility.h"
 #include "reference/surface_sample.h"
 
 namespace parity::reference {

@@ -9,8 +9,8 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/image_io.h"
-#include "scenes/builtin.h"
+#include "base/image/image_io.h"
+#include "scenes/builtin/builtin.h"
 #include "scenes/environment.h"
 #include "scenes/load.h"
 #include "scenes/names.h"

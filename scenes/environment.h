@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string>
 
-#include "base/image.h"
-#include "base/image_io.h"
+#include "base/image/image.h"
+#include "base/image/image_io.h"
 
 namespace parity::scenes {
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "scenes/builtin.h"
-#include "scenes/load_gltf.h"
+#include "scenes/builtin/builtin.h"
+#include "scenes/gltf/load_gltf.h"
 #include "scenes/names.h"
 
 namespace parity::scenes {

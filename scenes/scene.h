@@ -10,7 +10,7 @@
 
 #include <glm/glm.hpp>
 
-#include "base/image.h"
+#include "base/image/image.h"
 #include "scenes/scene_light.h"
 
 namespace parity::scenes {

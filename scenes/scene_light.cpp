@@ -12,7 +12,7 @@ const std::vector<std::string>& falloffNames() {
   return names;
 }
 
-std::string describe(const LightScales& scales, const std::optional<Fog>& fog, Falloff falloff) {
+std::string describe(const LightScales& scales, const Fog& fog, Falloff falloff) {
   const auto rgb = [](const glm::vec3& c) { return fmt::format("{},{},{}", c.x, c.y, c.z); };
   const LightScales plain;
   std::vector<std::string> parts;
@@ -23,10 +23,10 @@ std::string describe(const LightScales& scales, const std::optional<Fog>& fog, F
     parts.push_back(fmt::format("specular of directional lights x {}", scales.directionalSpecularScale));
   if (falloff != Falloff::khr)
     parts.push_back("falloff of local lights: " + falloffNames().at(static_cast<std::size_t>(falloff)));
-  if (fog && fog->isSeen())
+  if (fog.isSeen())
     parts.push_back(fmt::format("fog of {} per m at {} m, falloff {} per m, colour {}, from {} m on, opacity to {}",
-                                fog->density, fog->height, fog->heightFalloff, rgb(fog->color), fog->startDistance,
-                                fog->maxOpacity));
+                                fog.density, fog.height, fog.heightFalloff, rgb(fog.color), fog.startDistance,
+                                fog.maxOpacity));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 

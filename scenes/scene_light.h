@@ -43,6 +43,6 @@ inline constexpr float kMaxFalloffExponent = 1000;
 const std::vector<std::string>& falloffNames();
 
 // What differs from the defaults, in words for reports; empty where nothing does.
-std::string describe(const LightScales& scales, const std::optional<Fog>& fog, Falloff falloff);
+std::string describe(const LightScales& scales, const Fog& fog, Falloff falloff);
 
 } // namespace parity::scenes

@@ -1,18 +1,20 @@
 // The suite file: TOML, every key known, every value checked. docs/suite.md describes it.
 #include "scenes/suite.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
-#include <span>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/nearest.h"
+#include "base/text/nearest.h"
 #include "scenes/names.h"
+#include "scenes/scene_settings.h"
 
 namespace parity::scenes {
 namespace {
@@ -20,42 +22,15 @@ namespace {
 constexpr std::size_t kMaxSuiteBytes = std::size_t{16} << 20;
 constexpr std::string_view kBuiltin = "builtin:";
 
-constexpr std::array<std::string_view, 3> kSuiteKeys = {"name", "budgets", "scene"};
-constexpr std::array<std::string_view, 24> kSceneKeys = {"name",
-                                                         "file",
-                                                         "time",
-                                                         "animation",
-                                                         "scene",
-                                                         "variant",
-                                                         "subject",
-                                                         "environment",
-                                                         "environment_rotation",
-                                                         "sun_extraction",
-                                                         "sun",
-                                                         "sky_light_color",
-                                                         "indirect_lighting_color_scale",
-                                                         "directional_specular_scale",
-                                                         "falloff",
-                                                         "fog",
-                                                         "baked",
-                                                         "captures",
-                                                         "shadows",
-                                                         "interreflection",
-                                                         "fully_rough",
-                                                         "budgets",
-                                                         "exposure",
-                                                         "view"};
 constexpr std::size_t kMaxCapturePlaces = 8;
-constexpr std::array<std::string_view, 6> kFogKeys = {"density", "height_falloff", "height",
-                                                      "color",   "start_distance", "max_opacity"};
-constexpr std::array<std::string_view, 5> kViewKeys = {"name", "camera", "orbit", "target", "fov"};
 
 // One table of the file: typed access with errors that name file, line and key.
 class TableReader {
 public:
   TableReader(const std::string& label, const toml::table& table, std::string_view what,
-              std::span<const std::string_view> known)
+              const std::vector<std::string>& keys)
       : m_label(label), m_table(table) {
+    const std::vector<std::string_view> known(keys.begin(), keys.end());
     for (const auto& [key, node] : table) {
       const std::string_view name = key.str();
       if (std::find(known.begin(), known.end(), name) == known.end())
@@ -81,56 +56,20 @@ public:
     return value;
   }
 
-  std::optional<double> real(std::string_view key, double least, double most) const {
+  // The value of a knob as the command line would have it; nothing where it is absent.
+  std::optional<base::KnobValue> value(const std::string& key, const base::Knob& knob) const {
     const toml::node* node = m_table.get(key);
     if (!node) return std::nullopt;
-    return numberOf(*node, key, least, most);
-  }
-  std::optional<float> number(std::string_view key, double least, double most) const {
-    const std::optional<double> value = real(key, least, most);
-    return value ? std::optional(static_cast<float>(*value)) : std::nullopt;
-  }
-
-  std::optional<int> whole(std::string_view key, int least, int most) const {
-    const std::optional<double> value = real(key, least, most);
-    if (value && *value != std::floor(*value)) throw errorAt(key, "not a whole number");
-    return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
-  }
-
-  template <std::size_t kCount> std::optional<std::array<float, kCount>>
-  numbers(std::string_view key, double least = -1e30, double most = 1e30) const {
-    const toml::node* node = m_table.get(key);
-    if (!node) return std::nullopt;
-    const toml::array* list = node->as_array();
-    if (!list || list->size() != kCount) throw errorAt(key, fmt::format("not a list of {} numbers", kCount));
-    std::array<float, kCount> values;
-    for (std::size_t i = 0; i < kCount; ++i) values[i] = static_cast<float>(numberOf((*list)[i], key, least, most));
-    return values;
-  }
-
-  std::optional<glm::vec3> color(std::string_view key, double most) const {
-    const auto rgb = numbers<3>(key, 0, most);
-    return rgb ? std::optional(glm::vec3((*rgb)[0], (*rgb)[1], (*rgb)[2])) : std::nullopt;
-  }
-
-  std::optional<bool> truth(std::string_view key) const {
-    const toml::node* node = m_table.get(key);
-    if (!node) return std::nullopt;
-    if (!node->is_boolean()) throw errorAt(key, "neither true nor false");
-    return node->value<bool>();
-  }
-
-  std::vector<std::string> texts(std::string_view key) const {
-    const toml::node* node = m_table.get(key);
-    if (!node) return {};
-    const toml::array* list = node->as_array();
-    if (!list) throw errorAt(key, "not a list of strings");
-    std::vector<std::string> values;
-    for (const toml::node& entry : *list) {
-      if (!entry.is_string()) throw errorAt(entry, std::string(key), "not a list of strings");
-      values.push_back(entry.value_or(std::string{}));
+    if (knob.type == base::KnobType::numbers || knob.type == base::KnobType::texts) return listOf(*node, key, knob);
+    if (knob.type == base::KnobType::flag) {
+      if (!node->is_boolean()) throw errorAt(key, "neither true nor false");
+      return base::KnobValue{node->value_or(false) ? "on" : "off"};
     }
-    return values;
+    const bool isNumber = knob.type == base::KnobType::number || knob.type == base::KnobType::whole;
+    if (isNumber && !node->is_number()) throw errorAt(key, "not a number");
+    if (isNumber || (knob.type == base::KnobType::choice && node->is_number()))
+      return base::KnobValue{base::numberText(node->value_or(0.0))};
+    return base::KnobValue{*text(key)};
   }
 
   // A list of [x, y, z]; empty where it is absent.
@@ -150,10 +89,17 @@ public:
     return values;
   }
 
-  // [key]; null where it is absent.
-  const toml::table* table(std::string_view key) const {
+  bool has(std::string_view key) const { return m_table.contains(key); }
+  bool isList(std::string_view key) const { return has(key) && m_table.get(key)->is_array(); }
+  // As messages name it: "suite.toml: line 3: fov".
+  std::string placeOf(std::string_view key) const {
+    return fmt::format("{}: line {}: {}", m_label, m_table.get(key)->source().begin.line, key);
+  }
+
+  // [key]; null where it is absent. form: how it is written.
+  const toml::table* table(std::string_view key, std::string_view form) const {
     const toml::node* node = m_table.get(key);
-    if (node && !node->is_table()) throw errorAt(key, fmt::format("not a table: write [scene.{}]", key));
+    if (node && !node->is_table()) throw errorAt(key, fmt::format("not a table: write {}", form));
     return node ? node->as_table() : nullptr;
   }
 
@@ -172,6 +118,20 @@ public:
   }
 
 private:
+  base::KnobValue listOf(const toml::node& node, const std::string& key, const base::Knob& knob) const {
+    const bool ofTexts = knob.type == base::KnobType::texts;
+    const auto count = static_cast<std::size_t>(std::count(knob.form.begin(), knob.form.end(), ',')) + 1;
+    const std::string wanted = ofTexts ? "not a list of strings" : fmt::format("not a list of {} numbers", count);
+    const toml::array* list = node.as_array();
+    if (!list || (!ofTexts && list->size() != count)) throw errorAt(key, wanted);
+    base::KnobValue values;
+    for (const toml::node& entry : *list) {
+      if (ofTexts ? !entry.is_string() : !entry.is_number()) throw errorAt(entry, key, wanted);
+      values.push_back(ofTexts ? entry.value_or(std::string()) : base::numberText(entry.value_or(0.0)));
+    }
+    return ofTexts ? values : base::KnobValue{fmt::format("{}", fmt::join(values, ","))};
+  }
+
   double numberOf(const toml::node& node, std::string_view key, double least, double most) const {
     if (!node.is_number()) throw errorAt(node, std::string(key), "not a number");
     const double value = node.value_or(0.0);
@@ -193,114 +153,147 @@ std::string defaultName(const std::string& file) {
   return cleanName(std::filesystem::path(file).stem().string());
 }
 
-ViewRequest readView(const std::string& label, const toml::table& table, std::size_t number) {
-  const TableReader reader(label, table, "a view", kViewKeys);
-  ViewRequest view;
-  view.camera = reader.text("camera").value_or("");
-  if (const auto orbit = reader.numbers<3>("orbit")) {
-    if ((*orbit)[1] < 0 || (*orbit)[1] > 180 || (*orbit)[2] < 0)
-      throw reader.errorAt("orbit", "[theta, phi, radius]: phi is from 0 to 180, radius at least 0");
-    view.orbit = glm::vec3((*orbit)[0], (*orbit)[1], (*orbit)[2]);
+// The keys of these knobs, their older names too, after `others`.
+std::vector<std::string> keysOf(const std::vector<base::Knob>& knobs, std::vector<std::string> others) {
+  for (const base::Knob& knob : knobs) {
+    others.push_back(base::keyOf(knob.id));
+    for (const std::string& alias : knob.aliases) others.push_back(base::keyOf(alias));
   }
-  if (const auto target = reader.numbers<3>("target"))
-    view.target = glm::vec3((*target)[0], (*target)[1], (*target)[2]);
-  const bool isNamed = !view.camera.empty() && view.camera != "auto";
-  if (isNamed && (view.orbit || view.target))
-    throw reader.errorAt("camera", "given together with an orbit or a target");
-  view.fovYDeg = reader.number("fov", 1, 170).value_or(view.fovYDeg);
-  view.name = cleanName(reader.text("name").value_or(isNamed      ? view.camera
-                                                     : view.orbit ? fmt::format("view {}", number)
-                                                                  : std::string("auto")));
-  return view;
+  return others;
 }
 
-Fog readFog(const std::string& label, const toml::table& table) {
-  const TableReader reader(label, table, "a fog", kFogKeys);
-  Fog fog;
-  const auto density = reader.number("density", 0, kMaxFogDensity);
-  if (!density) throw reader.errorAt("density", "is missing: the extinction in 1/m");
-  fog.density = *density;
-  fog.heightFalloff = reader.number("height_falloff", 0, kMaxFogFalloff).value_or(fog.heightFalloff);
-  fog.height = reader.number("height", -kMaxFogLength, kMaxFogLength).value_or(fog.height);
-  fog.color = reader.color("color", kMaxFogRadiance).value_or(fog.color);
-  fog.startDistance = reader.number("start_distance", 0, kMaxFogLength).value_or(fog.startDistance);
-  fog.maxOpacity = reader.number("max_opacity", 0, 1).value_or(fog.maxOpacity);
-  return fog;
-}
+// One file.
+class SuiteReader {
+public:
+  SuiteReader(const std::filesystem::path& file, const SuiteKnobs& knobs)
+      : m_label(file.string()), m_folder(file.parent_path()), m_knobs(knobs) {}
 
-LightScales readLightScales(const TableReader& reader) {
-  LightScales scales;
-  scales.skyLightColor = reader.color("sky_light_color", kMaxLightScale).value_or(scales.skyLightColor);
-  scales.indirectColorScale =
-      reader.color("indirect_lighting_color_scale", kMaxLightScale).value_or(scales.indirectColorScale);
-  scales.directionalSpecularScale =
-      reader.number("directional_specular_scale", 0, kMaxLightScale).value_or(scales.directionalSpecularScale);
-  return scales;
-}
-
-Falloff readFalloff(const TableReader& reader) {
-  const std::string name = reader.text("falloff").value_or(falloffNames().front());
-  const auto found = std::find(falloffNames().begin(), falloffNames().end(), name);
-  if (found == falloffNames().end()) {
-    const std::vector<std::string_view> known(falloffNames().begin(), falloffNames().end());
-    throw reader.errorAt("falloff",
-                         fmt::format("'{}' is unknown; {}", cleanName(name), base::describeNearest(name, known)));
+  // What a table says of these knobs.
+  base::GivenKnobs readKnobs(const TableReader& reader, const std::vector<base::Knob>& knobs,
+                             const std::function<void(const base::Knob&, const base::KnobValue&)>& check) const {
+    base::GivenKnobs given;
+    for (const base::Knob& knob : knobs) {
+      std::vector<std::string> names = {knob.id};
+      names.insert(names.end(), knob.aliases.begin(), knob.aliases.end());
+      for (const std::string& name : names) {
+        const std::string key = base::keyOf(name);
+        std::optional<base::KnobValue> value = reader.value(key, knob);
+        if (!value) continue;
+        if (given.contains(knob.id)) throw reader.errorAt(key, fmt::format("'{}' says the same", base::keyOf(knob.id)));
+        if (knob.type == base::KnobType::file) value = base::KnobValue{resolve(m_folder, value->at(0))};
+        add(given, reader, key, knob, *value, check);
+      }
+    }
+    return given;
   }
-  return static_cast<Falloff>(found - falloffNames().begin());
-}
 
-// What of the file is compared.
-void readLoading(const TableReader& reader, SuiteEntry& entry) {
-  entry.load.timeSeconds = reader.real("time", -kMaxPoseSeconds, kMaxPoseSeconds).value_or(0.0);
-  entry.load.animation = reader.text("animation").value_or("");
-  entry.load.scene = reader.text("scene").value_or("");
-  entry.load.variant = reader.text("variant").value_or("");
-  const std::string subject = reader.text("subject").value_or("scene");
-  if (subject != "scene" && subject != "ball")
-    throw reader.errorAt("subject", fmt::format("'{}' is neither 'scene' nor 'ball'", cleanName(subject)));
-  if (subject == "ball") entry.subject = Subject::ball;
-}
+  base::GivenKnobs readDefaults(const toml::table& table) const {
+    const TableReader reader(m_label, table, "[defaults]", keysOf(m_knobs.knobs, {"fog"}));
+    return readSceneKnobs(reader);
+  }
 
-SuiteEntry readEntry(const std::string& label, const std::filesystem::path& folder, const toml::table& table) {
-  const TableReader reader(label, table, "a scene", kSceneKeys);
-  SuiteEntry entry;
-  const auto file = reader.text("file");
-  if (!file) throw reader.errorAt("file", "is missing: a scene needs a file or \"builtin:NAME\"");
-  entry.scene = resolve(folder, *file);
-  entry.name = cleanName(reader.text("name").value_or(defaultName(*file)));
-  readLoading(reader, entry);
-  if (const auto environment = reader.text("environment")) entry.environment = resolve(folder, *environment);
-  entry.environmentRotationDeg = reader.number("environment_rotation", -3600, 3600).value_or(0.f);
-  entry.extractSun = reader.truth("sun_extraction").value_or(true);
-  if (const auto sun = reader.numbers<3>("sun")) {
-    if (std::abs((*sun)[1]) > 90 || (*sun)[2] < 0)
-      throw reader.errorAt("sun", "[azimuth, elevation, lux]: elevation is from -90 to 90, lux at least 0");
-    entry.sun = SunRequest{(*sun)[0], (*sun)[1], (*sun)[2]};
+  SuiteEntry readEntry(const toml::table& table) const {
+    const TableReader reader(m_label, table, "a scene",
+                             keysOf(m_knobs.knobs, {"name", "file", "captures", "budgets", "view", "fog"}));
+    SuiteEntry entry;
+    const auto file = reader.text("file");
+    if (!file) throw reader.errorAt("file", "is missing: a scene needs a file or \"builtin:NAME\"");
+    entry.scene = resolve(m_folder, *file);
+    entry.name = cleanName(reader.text("name").value_or(defaultName(*file)));
+    entry.given = readSceneKnobs(reader);
+    entry.captures = reader.points("captures", kMaxCapturePlaces);
+    if (const auto budgets = reader.text("budgets")) entry.budgets = resolve(m_folder, *budgets);
+    std::set<std::string> names;
+    for (const toml::table* view : reader.tables("view")) {
+      entry.views.push_back(readView(*view, entry.views.size() + 1));
+      if (!names.insert(entry.views.back().name).second)
+        throw reader.errorAt(
+            *view, "view", fmt::format("a second view named '{}' in scene '{}'", entry.views.back().name, entry.name));
+    }
+    if (entry.views.empty()) entry.views.emplace_back();
+    return entry;
   }
-  entry.lightScales = readLightScales(reader);
-  entry.falloff = readFalloff(reader);
-  if (const toml::table* fog = reader.table("fog")) entry.fog = readFog(label, *fog);
-  if (const auto baked = reader.text("baked")) entry.baked = resolve(folder, *baked);
-  entry.captures = reader.points("captures", kMaxCapturePlaces);
-  entry.shadows = reader.truth("shadows");
-  entry.interreflection = reader.whole("interreflection", 0, kMaxInterreflection);
-  entry.fullyRough = reader.texts("fully_rough");
-  if (const auto budgets = reader.text("budgets")) entry.budgets = resolve(folder, *budgets);
-  entry.exposureEv = reader.number("exposure", -32, 32);
-  std::set<std::string> names;
-  for (const toml::table* view : reader.tables("view")) {
-    entry.views.push_back(readView(label, *view, entry.views.size() + 1));
-    if (!names.insert(entry.views.back().name).second)
-      throw reader.errorAt(*view, "view",
-                           fmt::format("a second view named '{}' in scene '{}'", entry.views.back().name, entry.name));
+
+  Suite read(const toml::table& root) const {
+    const TableReader reader(m_label, root, "a suite", {"name", "budgets", "defaults", "scene"});
+    Suite suite;
+    suite.name = cleanName(reader.text("name").value_or(std::filesystem::path(m_label).stem().string()));
+    if (const auto budgets = reader.text("budgets")) suite.budgets = resolve(m_folder, *budgets);
+    if (const toml::table* defaults = reader.table("defaults", "[defaults]")) suite.given = readDefaults(*defaults);
+    std::set<std::string> names;
+    for (const toml::table* table : reader.tables("scene")) {
+      suite.entries.push_back(readEntry(*table));
+      if (!names.insert(suite.entries.back().name).second)
+        throw reader.errorAt(
+            *table, "scene",
+            fmt::format("a second scene named '{}': give it a name of its own", suite.entries.back().name));
+    }
+    if (suite.entries.empty()) throw base::fileError(m_label, "", "the suite lists no scene: write [[scene]]");
+    return suite;
   }
-  if (entry.views.empty()) entry.views.emplace_back();
-  return entry;
-}
+
+private:
+  void add(base::GivenKnobs& given, const TableReader& reader, const std::string& key, const base::Knob& knob,
+           const base::KnobValue& value,
+           const std::function<void(const base::Knob&, const base::KnobValue&)>& check) const {
+    try {
+      check(knob, value);
+    } catch (const base::KnobError& error) {
+      throw reader.errorAt(key, error.reason);
+    }
+    given[knob.id] = {value, reader.placeOf(key)};
+  }
+
+  base::GivenKnobs readSceneKnobs(const TableReader& reader) const {
+    if (!reader.has("fog") || reader.isList("fog")) return readKnobs(reader, m_knobs.knobs, m_knobs.check);
+    // The table [fog]: each key is a knob of its own, but the first three, which are one.
+    std::vector<base::Knob> others;
+    std::copy_if(m_knobs.knobs.begin(), m_knobs.knobs.end(), std::back_inserter(others),
+                 [](const base::Knob& knob) { return knob.id != "fog"; });
+    base::GivenKnobs given = readKnobs(reader, others, m_knobs.check);
+    const TableReader fog(m_label, *reader.table("fog", "[scene.fog]"), "a fog",
+                          {"density", "height_falloff", "height", "color", "start_distance", "max_opacity"});
+    if (!fog.has("density")) throw fog.errorAt("density", "is missing: the extinction in 1/m");
+    const base::Knob number{.id = {}, .type = base::KnobType::number};
+    std::string numbers;
+    for (const char* key : {"density", "height_falloff", "height"})
+      numbers += (numbers.empty() ? "" : ",") + fog.value(key, number).value_or(base::KnobValue{"0"}).at(0);
+    for (const auto& [id, key] : {std::pair("fog", "density"), std::pair("fog-color", "color"),
+                                  std::pair("fog-start", "start_distance"), std::pair("fog-opacity", "max_opacity")}) {
+      // A lambda may not take a structured binding by reference in every compiler of C++20.
+      const auto knob = std::find_if(m_knobs.knobs.begin(), m_knobs.knobs.end(),
+                                     [id = id](const base::Knob& each) { return each.id == id; });
+      if (knob == m_knobs.knobs.end() || !fog.has(key)) continue;
+      add(given, fog, key, *knob, knob->id == "fog" ? base::KnobValue{numbers} : *fog.value(key, *knob), m_knobs.check);
+    }
+    return given;
+  }
+
+  ViewRequest readView(const toml::table& table, std::size_t number) const {
+    std::vector<base::Knob> knobs;
+    for (const auto& row : viewKnobs().rows()) knobs.push_back(row.knob);
+    const TableReader reader(m_label, table, "a view", keysOf(knobs, {"name"}));
+    ViewRequest view;
+    const auto set = [&](const base::Knob& knob, const base::KnobValue& value) {
+      viewKnobs().find(knob.id)->set(view, value);
+    };
+    readKnobs(reader, knobs, set);
+    if (!view.camera.empty() && (view.orbit || view.target))
+      throw reader.errorAt("camera", "given together with an orbit or a target");
+    view.name = cleanName(reader.text("name").value_or(!view.camera.empty() ? view.camera
+                                                       : view.orbit         ? fmt::format("view {}", number)
+                                                                            : std::string("auto")));
+    return view;
+  }
+
+  const std::string m_label;
+  const std::filesystem::path m_folder;
+  const SuiteKnobs& m_knobs;
+};
 
 } // namespace
 
-Suite loadSuite(const std::filesystem::path& file) {
+Suite loadSuite(const std::filesystem::path& file, const SuiteKnobs& knobs) {
   const std::string label = file.string();
   std::string text;
   try {
@@ -316,21 +309,7 @@ Suite loadSuite(const std::filesystem::path& file) {
                           fmt::format("line {}, column {}", error.source().begin.line, error.source().begin.column),
                           std::string(error.description()));
   }
-  const TableReader reader(label, root, "a suite", kSuiteKeys);
-  Suite suite;
-  const std::filesystem::path folder = file.parent_path();
-  suite.name = cleanName(reader.text("name").value_or(file.stem().string()));
-  if (const auto budgets = reader.text("budgets")) suite.budgets = resolve(folder, *budgets);
-  std::set<std::string> names;
-  for (const toml::table* table : reader.tables("scene")) {
-    suite.entries.push_back(readEntry(label, folder, *table));
-    if (!names.insert(suite.entries.back().name).second)
-      throw reader.errorAt(
-          *table, "scene",
-          fmt::format("a second scene named '{}': give it a name of its own", suite.entries.back().name));
-  }
-  if (suite.entries.empty()) throw base::fileError(label, "", "the suite lists no scene: write [[scene]]");
-  return suite;
+  return SuiteReader(file, knobs).read(root);
 }
 
 } // namespace parity::scenes

@@ -143,7 +143,8 @@ FN real3 fdezAgueraAlbedo(real3 F0, real F90, real3 Favg, real2 dfg) {
 FN real3 kullaContyAlbedo(real3 Favg, real E, real Eavg) {
   PRECISE real lost = max(R(1.0) - E, R(0.0));
   PRECISE real k = Eavg * lost;
-  PRECISE real3 albedo = real3(Favg.x * Favg.x * k / (R(1.0) - Favg.x + Favg.x * Eavg), Favg.y * Favg.y * k / (R(1.0) - Favg.y + Favg.y * Eavg),
+  PRECISE real3 albedo = real3(Favg.x * Favg.x * k / (R(1.0) - Favg.x + Favg.x * Eavg),
+                               Favg.y * Favg.y * k / (R(1.0) - Favg.y + Favg.y * Eavg),
                                Favg.z * Favg.z * k / (R(1.0) - Favg.z + Favg.z * Eavg));
   return albedo;
 }

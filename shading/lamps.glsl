@@ -1,4 +1,4 @@
-// Lamps of an environment, evaluated as lights beside its prefiltered levels (lighting/lamp_tree.h).
+// Lamps of an environment, evaluated as lights beside its prefiltered levels (lighting/environment/lamp_tree.h).
 //
 // The levels hold round lobes; that of GGX is round for N = V alone. What a light of the environment gives is known
 // both ways: filtered by the lobes that were read, and by the true one. Their difference is added, so that the levels

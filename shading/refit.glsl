@@ -2,7 +2,7 @@
 // as it is by default: GGX, height-correlated Smith, Schlick's Fresnel, what scatters more than once after Kulla and
 // Conty, balanced diffuse light, off-specular reads of the environment.
 //
-// All constants are printed by build/fit_refit (bench/fit), which says what is fitted to what; docs/refit.md has the errors
+// All constants are printed by build/fit_refit (study/fit), which says what is fitted to what; docs/refit.md has the errors
 // of every form. Everything is finite and not negative for roughness, F0 <= F90 and cosines in [0, 1], in f64, f32 and half
 // with or without denormals.
 #ifndef PARITY_SHADING_REFIT
@@ -129,7 +129,7 @@ FN real3 refitDiffuseColor(real3 BaseColor, real Metallic, real3 share) {
 // lobe has evaluated anyway, for the lobe's wide part about the normal, and for the rest one read, trilinear between the
 // mips of layer 0, not in V's mirror direction R at mipFromRoughness but along R + lean N (which needs no normalising):
 //   lean = alpha (d0 + d1 NoV),  mip = m0 + m1 log2(alpha) + m2 NoV,  wide = saturate(s0 alpha + s1 + s2 NoV)
-// docs/refit.md says how far this is from the lobe beside reads in the mirror and the GGX dominant direction (bench/fit).
+// docs/refit.md says how far this is from the lobe beside reads in the mirror and the GGX dominant direction (study/fit).
 // mip runs from below 0 to above the last one: the sampler clamps it. Roughness, NoV in [0, 1]; wide in [0, 1].
 struct RefitTap {
   real lean;

@@ -21,4 +21,11 @@ enum class Compensation {
   kullaConty, // a lobe of its own, as the reference has it (Kulla and Conty 2017)
 };
 
+// What the high-end path and the truth have in common: one is held against the other only where these agree.
+struct SurfaceModel {
+  GeometryTerm geometryTerm = GeometryTerm::heightCorrelated;
+  FresnelCurve fresnel = FresnelCurve::schlick;
+  DiffuseLobe diffuse = DiffuseLobe::balanced;
+};
+
 } // namespace parity::shading

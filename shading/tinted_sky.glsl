@@ -7,7 +7,7 @@
 
 // E(n)/pi = c0 + c1 x + c2 y + c3 z + tint q(n),  q = x (q0 x + q1 y + q2 z) + y (q3 y + q4 z): the part of z^2 is in the
 // constant, as n is a unit vector. Uniforms, as SkySh: at least fp32 in every precision. Made by
-// lighting/tinted_irradiance.h.
+// lighting/environment/tinted_irradiance.h.
 struct TintedSky {
   real32x3 c[4];
   real32x3 tint;

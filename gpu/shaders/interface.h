@@ -23,7 +23,8 @@ PARITY_CONST int kSlotEmissive = 4;
 PARITY_CONST int kSlotSpecular = 5;
 PARITY_CONST int kSlotSpecularColor = 6;
 PARITY_CONST int kSlotCount = 7;
-// In a texture mask, besides the slots: the normal map's alpha holds the spread of its normals (gpu/normal_variance.h).
+// In a texture mask, besides the slots: the normal map's alpha holds the spread of its normals
+// (gpu/surface/normal_variance.h).
 PARITY_CONST uint kNormalVariance = 1u << kSlotCount;
 
 // Features of a material, as bits.
@@ -57,7 +58,7 @@ PARITY_CONST uint kLampIsLeaf = 1u;
 PARITY_CONST uint kLampIsCompact = 2u; // no level holds it
 PARITY_CONST uint kMaxLamps = 1152u;   // 512 wide leaves, 64 compact ones, fewer nodes above them than leaves
 
-// What of baked light a path reads (gpu/baked_maps.h), as bits.
+// What of baked light a path reads (gpu/surface/baked_maps.h), as bits.
 PARITY_CONST uint kBakedLightmap = 1u;
 PARITY_CONST uint kBakedSunShadow = 2u;
 PARITY_CONST uint kBakedCaptures = 4u;
@@ -151,7 +152,7 @@ struct GpuLight {
   vec4 falloff;           // kFalloff... of shading/light.glsl; its exponent; 0, 0
 };
 
-// A square shadow map in a tile of a layer (gpu/shadow_views.h), as gpu/shaders/shadow.glsl reads it.
+// A square shadow map in a tile of a layer (gpu/shadows/shadow_views.h), as gpu/shaders/shadow.glsl reads it.
 struct GpuShadowView {
   vec4 right;   // unit; texels per tangent (perspective) or metre (orthographic)
   vec4 up;      // unit; layer
@@ -167,7 +168,7 @@ struct GpuCapture {
   vec4 boxUpper;
 };
 
-// A node of the environment's trees of lamps (lighting/lamp_tree.h), compact lamps first.
+// A node of the environment's trees of lamps (lighting/environment/lamp_tree.h), compact lamps first.
 struct GpuLamp {
   vec4 directionSpread; // unit, world; mean square distance of the light below from it
   // Radiance times solid angle, linear RGB; 4 n + kLampIsLeaf + kLampIsCompact with the first node n that is not below

@@ -1,5 +1,5 @@
 // Writes what a path's shader would begin with: the point and its resolved material, in the buffers that else hold colour
-// and terms. Read back by gpu/material_pass.cpp.
+// and terms. Read back by gpu/surface/material_pass.cpp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "gpu/shaders/path.glsl"

@@ -9,7 +9,7 @@
 
 layout(local_size_x = 64) in;
 
-// In the order in which gpu/shading_pass.cpp gives their values; a path's own follow from 8.
+// In the order in which gpu/surface/shading_pass.cpp gives their values; a path's own follow from 8.
 layout(constant_id = 0) const uint kTextures = 0u;
 layout(constant_id = 1) const uint kMayFeatures = 0u;
 layout(constant_id = 2) const uint kMustFeatures = 0u;
@@ -42,7 +42,7 @@ layout(set = 0, binding = 23, std430) readonly buffer Captures { uvec4 captureHe
 layout(set = 0, binding = 24, std430) readonly buffer LightmapScaling { GpuLightmapScales lightmapScales[]; }; // of instances
 
 layout(set = 0, binding = 25) uniform samplerCubeArray environmentIrradiance; // over pi; an array of one
-layout(set = 0, binding = 26) uniform sampler2D panorama; // lighting/panorama_cells.h
+layout(set = 0, binding = 26) uniform sampler2D panorama; // lighting/environment/panorama_cells.h
 // At least one. Not a storage buffer: lavapipe reads those lane by lane.
 layout(set = 0, binding = 27, std140) uniform Lamps { GpuLamp lamps[kMaxLamps]; };
 

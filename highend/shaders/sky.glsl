@@ -26,7 +26,7 @@ vec3 skyRadianceAtMip(vec3 direction, float mip, int capture) {
 // that a lamp of one cell does not leak into the next.
 float shareAbove(float place, float width) { return clamp((fract(place) - 0.5) / max(width, 1e-6) + 0.5, 0.0, 1.0); }
 
-// lighting/panorama_cells.h, readCells.
+// lighting/environment/panorama_cells.h, readCells.
 vec3 panoramaMean(vec3 direction, float boxWidth) {
   ivec2 base = textureSize(panorama, 0);
   float rowsWide = boxWidth * kInvPi * float(base.y);

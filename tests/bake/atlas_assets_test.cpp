@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "bake/atlas.h"
+#include "bake/atlas/atlas.h"
 #include "bake/atlas_truth.h"
 #include "scenes/load.h"
 

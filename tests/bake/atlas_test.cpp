@@ -1,5 +1,5 @@
 // The atlas by properties that every lightmap needs, over built-in scenes, generated shapes and random triangles.
-#include "bake/atlas.h"
+#include "bake/atlas/atlas.h"
 
 #include <iostream>
 #include <limits>
@@ -11,8 +11,8 @@
 
 #include "bake/atlas_truth.h"
 #include "base/error.h"
-#include "scenes/builtin.h"
-#include "scenes/shapes.h"
+#include "scenes/builtin/builtin.h"
+#include "scenes/builtin/shapes.h"
 #include "support/small_scenes.h"
 
 namespace parity::tests {

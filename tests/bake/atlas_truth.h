@@ -8,7 +8,7 @@
 
 #include <glm/glm.hpp>
 
-#include "bake/atlas.h"
+#include "bake/atlas/atlas.h"
 #include "scenes/scene.h"
 
 namespace parity::tests {

@@ -1,7 +1,7 @@
 // Scenes whose irradiance is known, and baking them.
 #pragma once
 
-#include "bake/integrate.h"
+#include "bake/light/integrate.h"
 #include "support/matte_scenes.h"
 
 namespace parity::bake::tests {

@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "base/file_size_limit.h"
 #include "base/temp_folder.h"
-#include "lighting/cube.h"
+#include "lighting/environment/cube.h"
 #include "shading/half.h"
 
 namespace parity::bake {
@@ -43,15 +43,15 @@ BakedLight makeBaked() {
     for (std::uint16_t& value : halves.pixels) // all finite ones, zeros of both signs and denormals among them
       do value = static_cast<std::uint16_t>(random());
       while ((value & 0x7c00) == 0x7c00);
-    baked.highend.push_back(halves);
+    baked.halfPages.push_back(halves);
     base::Image8 mobile(8, 16, 4), mask(8, 8, 1), field(8, 8, 1);
     for (auto* image : {&mobile, &mask, &field})
       for (std::uint8_t& value : image->pixels) value = static_cast<std::uint8_t>(random());
-    baked.mobile.push_back(mobile);
+    baked.lqPages.push_back(mobile);
     baked.sunMask.push_back(mask);
     baked.sunField.push_back(field);
   }
-  for (int i = 0; i < 8; ++i) baked.mobileScales.emplace_back(i, 0.1f * static_cast<float>(i), -1, 1e-30f);
+  for (int i = 0; i < 8; ++i) baked.lqScales.emplace_back(i, 0.1f * static_cast<float>(i), -1, 1e-30f);
   baked.transitionScale = 0.3f;
   for (int k = 0; k < 2; ++k) {
     std::vector<glm::vec4> texels(std::size_t{6} * 32 * 32, glm::vec4(1, 2, static_cast<float>(k), 1));
@@ -83,9 +83,9 @@ void expectSame(const BakedLight& a, const BakedLight& b) {
   EXPECT_EQ(a.pageSide, b.pageSide);
   EXPECT_TRUE(sameBits(a.uvs.corners, b.uvs.corners));
   EXPECT_TRUE(sameBits(a.uvs.places, b.uvs.places));
-  EXPECT_TRUE(sameImages(a.highend, b.highend));
-  EXPECT_TRUE(sameImages(a.mobile, b.mobile));
-  EXPECT_TRUE(sameBits(a.mobileScales, b.mobileScales));
+  EXPECT_TRUE(sameImages(a.halfPages, b.halfPages));
+  EXPECT_TRUE(sameImages(a.lqPages, b.lqPages));
+  EXPECT_TRUE(sameBits(a.lqScales, b.lqScales));
   EXPECT_TRUE(sameImages(a.sunMask, b.sunMask));
   EXPECT_TRUE(sameImages(a.sunField, b.sunField));
   EXPECT_EQ(a.transitionScale, b.transitionScale);
@@ -173,7 +173,7 @@ TEST(BakedFolder, objectsMustFitThePages) {
   };
   refused([](BakedLight& baked) { baked.uvs.places[0].page = 2; });
   refused([](BakedLight& baked) { baked.uvs.places[0].firstCorner = 3; });
-  refused([](BakedLight& baked) { baked.mobileScales.pop_back(); });
+  refused([](BakedLight& baked) { baked.lqScales.pop_back(); });
 }
 
 TEST(BakedFolder, isWholeWhileAllThatIsReadIsWhatTheManifestLists) {

@@ -1,13 +1,13 @@
 // Where captures stand, in rooms whose walls are known.
-#include "bake/capture_places.h"
+#include "bake/light/capture_places.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "base/parallel.h"
-#include "scenes/builtin.h"
-#include "scenes/shapes.h"
+#include "scenes/builtin/builtin.h"
+#include "scenes/builtin/shapes.h"
 
 namespace parity::bake {
 namespace {

@@ -1,5 +1,5 @@
 // How fine lightmaps are by default.
-#include "bake/density.h"
+#include "bake/atlas/density.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Dilation on pages small enough to work out by hand.
-#include "bake/dilation.h"
+#include "bake/encode/dilation.h"
 
 #include <algorithm>
 #include <cmath>

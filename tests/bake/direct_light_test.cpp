@@ -1,5 +1,5 @@
 // Light of each kind at a point, against KHR_lights_punctual's own formulas.
-#include "bake/direct_light.h"
+#include "bake/light/direct_light.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Points come as often as a guide wants them, and near ones stay near.
-#include "bake/direction_guide.h"
+#include "bake/light/direction_guide.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Directions come as often as their density says, and all that are above some point come.
-#include "bake/directions.h"
+#include "bake/light/directions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Distance-field shadows against shapes of known distance, area and blur, and on the courtyard.
-#include "bake/distance_field.h"
+#include "bake/encode/distance_field.h"
 
 #include <cmath>
 #include <limits>
@@ -10,8 +10,8 @@
 #include "bake/sun_masks.h"
 #include "base/error.h"
 #include "base/parallel.h"
-#include "lighting/visibility.h"
-#include "scenes/builtin.h"
+#include "lighting/surface/visibility.h"
+#include "scenes/builtin/builtin.h"
 
 namespace parity::bake {
 namespace {

@@ -1,5 +1,5 @@
 // Distances against a search through all sources.
-#include "bake/distance_transform.h"
+#include "bake/encode/distance_transform.h"
 
 #include <algorithm>
 #include <random>

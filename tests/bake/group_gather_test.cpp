@@ -1,5 +1,5 @@
 // Guided samples of a window far away against its closed form, and what the told error is worth.
-#include "bake/group_gather.h"
+#include "bake/light/group_gather.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The high-end lightmap's halves.
-#include "bake/highend_encoding.h"
+#include "bake/encode/highend_encoding.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // The integrator against closed forms.
-#include "bake/integrate.h"
+#include "bake/light/integrate.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "bake/bake_scenes.h"
-#include "bake/sun_pages.h"
+#include "bake/encode/sun_pages.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/temp_folder.h"

@@ -8,8 +8,8 @@
 
 #include <glm/glm.hpp>
 
-#include "bake/lightmap_page.h"
-#include "bake/lq_encoding.h"
+#include "bake/encode/lightmap_page.h"
+#include "bake/encode/lq_encoding.h"
 
 namespace parity::bake {
 

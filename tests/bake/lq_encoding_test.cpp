@@ -1,5 +1,5 @@
 // The mobile lightmap's 8 bits: how exact, what black and constant texels become, and what ASTC adds.
-#include "bake/lq_encoding.h"
+#include "bake/encode/lq_encoding.h"
 
 #include <cmath>
 #include <random>

@@ -1,5 +1,5 @@
 // Rectangles and charts in their pages: none over another, none beyond the page, little between them.
-#include "bake/packing.h"
+#include "bake/atlas/packing.h"
 
 #include <random>
 

@@ -1,5 +1,5 @@
 // What a ray finds of known irradiance where it ends.
-#include "bake/reflected_light.h"
+#include "bake/light/reflected_light.h"
 
 #include <gtest/gtest.h>
 

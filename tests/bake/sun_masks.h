@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "bake/sun_mask.h"
+#include "bake/encode/sun_mask.h"
 
 namespace parity::bake {
 

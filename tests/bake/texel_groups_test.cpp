@@ -1,5 +1,5 @@
 // Groups are of neighbours of one object, and have every texel once.
-#include "bake/texel_groups.h"
+#include "bake/light/texel_groups.h"
 
 #include <gtest/gtest.h>
 

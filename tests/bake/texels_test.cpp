@@ -1,5 +1,5 @@
 // What stands behind texels: places and normals of known surfaces, and that no surface is lost.
-#include "bake/texels.h"
+#include "bake/atlas/texels.h"
 
 #include <map>
 #include <random>
@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "bake/atlas_truth.h"
-#include "scenes/builtin.h"
-#include "scenes/shapes.h"
+#include "scenes/builtin/builtin.h"
+#include "scenes/builtin/shapes.h"
 #include "support/small_scenes.h"
 
 namespace parity::tests {

@@ -1,5 +1,5 @@
 // Surfaces of two sides, and emitters with holes: what the integrator makes of both.
-#include "bake/integrate.h"
+#include "bake/light/integrate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // TEXCOORD_1 is taken where it serves, and what is wrong with it is said where it does not.
-#include "bake/uv_check.h"
+#include "bake/atlas/uv_check.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-#include "bake/atlas.h"
+#include "bake/atlas/atlas.h"
 #include "bake/atlas_truth.h"
-#include "scenes/shapes.h"
+#include "scenes/builtin/shapes.h"
 #include "support/small_scenes.h"
 
 namespace parity::tests {

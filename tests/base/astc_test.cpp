@@ -1,5 +1,5 @@
 // ASTC there and back: how much is lost, what must not be, and that threads do not matter.
-#include "base/astc.h"
+#include "base/image/astc.h"
 
 #include <algorithm>
 #include <array>

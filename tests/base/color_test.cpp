@@ -1,5 +1,5 @@
 // The display transforms against closed forms and the Academy's own formulas.
-#include "base/color.h"
+#include "base/image/color.h"
 
 #include <algorithm>
 #include <cmath>

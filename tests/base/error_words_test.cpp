@@ -1,5 +1,5 @@
 // Libraries' own texts do not reach who reads a message.
-#include "base/error_words.h"
+#include "base/text/error_words.h"
 
 #include <filesystem>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // ETC2 there and back: blocks put together by hand from the specification's bit layout, and what a foreign encoder
 // chose, mode by mode: it measured its own errors by its own decoder.
-#include "base/etc2.h"
+#include "base/image/etc2.h"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/image/texture_block.h"
 #include "base/parallel.h"
-#include "base/texture_block.h"
 
 namespace parity::base {
 namespace {

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "base/exr_check.h"
 #include "base/file.h"
-#include "base/image_io.h"
+#include "base/image/exr_check.h"
+#include "base/image/image_io.h"
 #include "expect_error.h"
 #include "temp_folder.h"
 

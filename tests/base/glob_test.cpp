@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/glob.h"
+#include "base/text/glob.h"
 
 namespace parity::base {
 namespace {

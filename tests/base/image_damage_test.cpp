@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "base/file.h"
-#include "base/image_io.h"
+#include "base/image/image_io.h"
 #include "expect_error.h"
 #include "file_size_limit.h"
 #include "png_bytes.h"

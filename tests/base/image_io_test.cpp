@@ -1,5 +1,5 @@
 // Image files there and back: values, channels and bit depths.
-#include "base/image_io.h"
+#include "base/image/image_io.h"
 
 #include <algorithm>
 #include <cmath>

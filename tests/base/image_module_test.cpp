@@ -11,10 +11,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "base/color.h"
 #include "base/file.h"
 #include "base/hash.h"
-#include "base/image_io.h"
+#include "base/image/color.h"
+#include "base/image/image_io.h"
 #include "base/parallel.h"
 #include "expect_error.h"
 #include "temp_folder.h"

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "base/file.h"
-#include "base/image_format.h"
-#include "base/image_io.h"
+#include "base/image/image_format.h"
+#include "base/image/image_io.h"
 #include "expect_error.h"
 #include "png_bytes.h"
 #include "profiled_images.h"

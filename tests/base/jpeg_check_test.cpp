@@ -1,5 +1,5 @@
 // JPEGs with bytes cut out, which decoders fill in silence.
-#include "base/jpeg_check.h"
+#include "base/image/jpeg_check.h"
 
 #include <gtest/gtest.h>
 

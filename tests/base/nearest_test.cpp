@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/nearest.h"
+#include "base/text/nearest.h"
 
 namespace parity::base {
 namespace {

@@ -1,5 +1,5 @@
 // Portable float maps: the layout in the file, both byte orders, and what is refused.
-#include "base/pfm.h"
+#include "base/image/pfm.h"
 
 #include <cmath>
 #include <limits>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/file.h"
-#include "base/image_io.h"
+#include "base/image/image_io.h"
 #include "expect_error.h"
 #include "temp_folder.h"
 

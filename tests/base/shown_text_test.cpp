@@ -1,5 +1,5 @@
 // Hostile text, destination by destination: terminals and logs, JSON that is printed, CSV.
-#include "base/shown_text.h"
+#include "base/text/shown_text.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <webp/encode.h>
 
 #include "base/file.h"
-#include "base/image_io.h"
-#include "base/webp.h"
+#include "base/image/image_io.h"
+#include "base/image/webp.h"
 #include "expect_error.h"
 #include "temp_folder.h"
 

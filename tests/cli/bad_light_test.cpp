@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/image_io.h"
+#include "base/image/image_io.h"
 #include "cli/checks.h"
 
 namespace parity::tests {

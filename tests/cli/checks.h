@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/run_parity.h"
-#include "scenes/gltf_writer.h"
+#include "scenes/gltf/gltf_writer.h"
 
 namespace parity::tests {
 

@@ -1,5 +1,5 @@
 // The exit code says which kind of outcome it was, never how many (DESIGN 8).
-#include "base/image_io.h"
+#include "base/image/image_io.h"
 #include "cli/checks.h"
 
 namespace parity::tests {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/image_io.h"
+#include "base/image/image_io.h"
 #include "cli/checks.h"
-#include "scenes/builtin.h"
+#include "scenes/builtin/builtin.h"
 #include "shading/quadrature.h"
 
 namespace parity::tests {

@@ -2,7 +2,7 @@
 #include <regex>
 
 #include "cli/checks.h"
-#include "scenes/builtin.h"
+#include "scenes/builtin/builtin.h"
 
 namespace parity::tests {
 namespace {

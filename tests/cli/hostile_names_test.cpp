@@ -3,7 +3,7 @@
 
 #include <pugixml.hpp>
 
-#include "base/image_io.h"
+#include "base/image/image_io.h"
 #include "cli/checks.h"
 
 namespace parity::tests {

@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "base/image.h"
+#include "base/image/image.h"
 #include "shading/terms.h"
 
 namespace parity::tests {

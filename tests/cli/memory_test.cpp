@@ -1,7 +1,7 @@
 // The memory of a whole run against what the scene is decoded to.
 #include "cli/checks.h"
 
-#include "base/image_io.h"
+#include "base/image/image_io.h"
 
 namespace parity::tests {
 namespace {

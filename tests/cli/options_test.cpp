@@ -4,7 +4,7 @@
 #include <regex>
 #include <set>
 
-#include "base/image_io.h"
+#include "base/image/image_io.h"
 #include "cli/checks.h"
 
 namespace parity::tests {
@@ -51,6 +51,8 @@ const std::vector<Probe> kProbes = {
     {{"--sky-sh", "9"}},
     {{"--capture", "fp16"}},
     {{"--direct-lobe", "d-approx"}, "spheres", "mobile", kSun},
+    {{"--no-mobile-local-lights"}, "lamps"},
+    {{"--mobile-roughness-floor", "0.9"}},
     {{"--mobile-target", "rgba8-srgb"}},
     {{"--mobile-textures", "astc6x6"}},
     {{"--specular-aa", "toksvig"}},
@@ -65,6 +67,9 @@ const std::vector<Probe> kProbes = {
     {{"--diffuse", "lambert"}, "spheres", "highend"},
     {{"--compensation", "none"}, "spheres", "highend"},
     {{"--off-specular", "none"}, "spheres", "highend"},
+    {{"--lut-size", "8"}, "spheres", "highend"},
+    {{"--prefilter-samples", "8"}, "spheres", "highend"},
+    {{"--prefilter-size", "64"}, "spheres", "highend"},
     {{"--error", "5%"}, "spheres", "reference", {}},
     {{"--scattering", "single"}, "spheres", "reference", kRough},
     {{"--interreflection", "1"}, "room", "reference", {"--error", "5%", "--shadows"}},
@@ -155,7 +160,8 @@ TEST_F(OptionsTest, OfFlipMakeOtherFigures) {
 // An option is one of the probes above, of a command that shares it with render, or some test runs the command with it.
 TEST(Options, OfEveryCommandAreUsedByATest) {
   std::vector<std::string> sources;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(PARITY_SOURCE_DIR) / "tests/cli"))
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(std::filesystem::path(PARITY_SOURCE_DIR) / "tests/cli"))
     if (entry.path().extension() == ".cpp" && entry.path().filename() != "options_test.cpp")
       sources.push_back(readWholeFile(entry.path()));
   std::set<std::string> probed = {"--help"}; // which help_test.cpp asks of every command

@@ -1,7 +1,7 @@
 // parity plot: a picture and numbers of a formula, and of a scene's materials.
 #include "cli/checks.h"
 
-#include "base/image_io.h"
+#include "base/image/image_io.h"
 
 namespace parity::tests {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/image_io.h"
+#include "base/image/image_io.h"
 #include "cli/checks.h"
 #include "shading/terms.h"
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <thread>
 
-#include "base/image_io.h"
+#include "base/image/image_io.h"
 #include "cli/checks.h"
 
 namespace parity::tests {

@@ -8,10 +8,11 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/image_io.h"
-#include "compare/budget.h"
-#include "compare/sample_report.h"
+#include "base/image/image_io.h"
+#include "compare/verdict/budget.h"
 #include "job/report_folder.h"
+#include "report/judge.h"
+#include "report/sample_report.h"
 
 namespace {
 
@@ -34,9 +35,9 @@ base::Image8 disc(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
   return image;
 }
 
-compare::ImageSet writePictures(const fs::path& folder, const std::string& prefix, int tint) {
-  const compare::ImageSet images = {"images/" + prefix + "_highend.png", "images/" + prefix + "_mobile.png",
-                                    "images/" + prefix + "_flip.png"};
+report::ImageSet writePictures(const fs::path& folder, const std::string& prefix, int tint) {
+  const report::ImageSet images = {"images/" + prefix + "_highend.png", "images/" + prefix + "_mobile.png",
+                                   "images/" + prefix + "_flip.png"};
   const auto shade = [&](int base) { return static_cast<std::uint8_t>(base + 37 * tint % 60); };
   base::writeImage8(folder / images.reference, disc(shade(180), 140, shade(60)));
   base::writeImage8(folder / images.test, disc(shade(150), 120, shade(50)));
@@ -44,24 +45,24 @@ compare::ImageSet writePictures(const fs::path& folder, const std::string& prefi
   return images;
 }
 
-compare::Report emptyReport() {
-  compare::Report report;
+report::Report emptyReport() {
+  report::Report report;
   report.version = "0.1.0";
   report.device = "a test's device";
   report.settings = {{"size", "128x128"}, {"display", "sRGB"}};
   return report;
 }
 
-compare::ViewResult makeView(const std::string& name) {
-  compare::ViewResult view;
+report::ViewResult makeView(const std::string& name) {
+  report::ViewResult view;
   view.name = name;
   view.width = view.height = kSide;
-  view.whole = compare::makeFigures(0.05, kSide * kSide / 2, 0.95);
+  view.whole = report::makeFigures(0.05, kSide * kSide / 2, 0.95);
   return view;
 }
 
 // As many terms, notes and causes as a real report of materials over budget has.
-void addEvidence(compare::MaterialResult& material) {
+void addEvidence(report::MaterialResult& material) {
   for (const char* term : {"sunDiffuse", "sunSpecular", "localDiffuse", "localSpecular", "skyDiffuse", "skySpecular"})
     material.terms.push_back({term, 0.2, 0.15});
   material.notes = {"nonmetal: EnvBRDFApproxNonmetal on mobile"};
@@ -70,9 +71,9 @@ void addEvidence(compare::MaterialResult& material) {
     material.attribution = {flip, {{"skySpecular", flip / 4}, {"sunDiffuse", flip * 0.97}}};
 }
 
-void write(const fs::path& folder, compare::Report& report, const std::string& commandLine) {
-  compare::settleVerdicts(report);
-  compare::RunInfo run;
+void write(const fs::path& folder, report::Report& report, const std::string& commandLine) {
+  report::settleVerdicts(report);
+  report::RunInfo run;
   run.startedAt = "2026-01-02T03:04:05Z";
   run.commandLine = commandLine;
   run.timings = {{"surface", 12.5}, {"total", 1234}};
@@ -81,30 +82,30 @@ void write(const fs::path& folder, compare::Report& report, const std::string& c
 
 void writeGrid(const fs::path& folder, int scenes, int viewsEach, int materialsEach) {
   job::prepareReportFolder(folder, false);
-  compare::Report report = emptyReport();
+  report::Report report = emptyReport();
   int number = 0;
   for (int s = 0; s < scenes; ++s) {
-    compare::SceneResult scene;
+    report::SceneResult scene;
     scene.name = fmt::format("Scene {}", s + 1);
     scene.source = fmt::format("scene{}.glb", s + 1);
     scene.environment = scene.sun = "none";
     scene.passes = {{"surface", "samples", 1000, ""}, {"local lights", "lights", 0, "no local lights"}};
     for (int v = 0; v < viewsEach; ++v) {
-      compare::ViewResult view = makeView(fmt::format("view {}", v + 1));
+      report::ViewResult view = makeView(fmt::format("view {}", v + 1));
       view.images = writePictures(folder, fmt::format("{}-s_{}-v", s, v), s * viewsEach + v);
-      compare::judgeWhole(view, compare::defaultBudgets(), scene.name);
+      report::judgeWhole(view, compare::defaultBudgets(), scene.name);
       for (int m = 0; m < materialsEach; ++m, ++number) {
         const double mean = 0.3 * std::abs(std::sin(number * 0.7));
-        compare::MaterialResult material =
-            compare::makeMaterial(fmt::format("Material {}", number + 1), mean, 500 + number, 1 - mean);
+        report::MaterialResult material =
+            report::makeMaterial(fmt::format("Material {}", number + 1), mean, 500 + number, 1 - mean);
         material.crops = view.images;
         if (number % 10 == 3) material.notModelled = {"clearcoat", "sheen"};
-        compare::judgeMaterial(material, compare::defaultBudgets(), scene.name);
+        report::judgeMaterial(material, compare::defaultBudgets(), scene.name);
         addEvidence(material);
         view.materials.push_back(std::move(material));
       }
-      view.droppedLights = compare::makeDroppedLights("lamp", view.materials[0].name, view.materials[1].name);
-      compare::rankByEffect(*view.droppedLights);
+      view.droppedLights = report::makeDroppedLights("lamp", view.materials[0].name, view.materials[1].name);
+      report::rankByEffect(*view.droppedLights);
       scene.views.push_back(std::move(view));
     }
     report.scenes.push_back(std::move(scene));
@@ -129,38 +130,38 @@ std::vector<std::string> evilNames() {
                                     "",
                                     "twice",
                                     "twice"};
-  for (std::string& name : compare::hostileNames()) names.push_back(std::move(name));
+  for (std::string& name : report::hostileNames()) names.push_back(std::move(name));
   return names;
 }
 
 void writeEvil(const fs::path& folder) {
   job::prepareReportFolder(folder, false);
-  compare::Report report = emptyReport();
+  report::Report report = emptyReport();
   const std::string attack = "<img src=x onerror=\"window.broken = 7\"></script>";
   report.device = report.version = attack;
   report.warnings = {attack};
   report.settings.emplace_back(attack, attack);
-  compare::SceneResult scene;
+  report::SceneResult scene;
   scene.name = scene.source = scene.environment = scene.sun = scene.light = attack;
   scene.warnings = {attack};
   scene.passes = {{attack, attack, 0, attack}};
   scene.permutations = {{attack, attack, attack, 1, 1, std::nullopt}};
-  compare::ViewResult view = makeView(attack);
+  report::ViewResult view = makeView(attack);
   view.images = {"images/none_highend.png", "images/none_mobile.png", "images/none_flip.png"}; // none of them is there
   view.pixels = {"pixels/none.js", "pixels/none_terms.js"};
-  compare::judgeWhole(view, compare::defaultBudgets(), scene.name);
+  report::judgeWhole(view, compare::defaultBudgets(), scene.name);
   for (const std::string& name : evilNames()) {
-    compare::MaterialResult material = compare::makeMaterial(name, 0.3, 100, 0.8);
+    report::MaterialResult material = report::makeMaterial(name, 0.3, 100, 0.8);
     material.crops = view.images;
     material.notes = {attack};
-    compare::judgeMaterial(material, compare::defaultBudgets(), scene.name);
+    report::judgeMaterial(material, compare::defaultBudgets(), scene.name);
     addEvidence(material);
     material.rule.reason = material.rule.owner = attack;
     view.materials.push_back(std::move(material));
   }
-  view.droppedLights = compare::makeDroppedLights(attack, view.materials[0].name, attack);
+  view.droppedLights = report::makeDroppedLights(attack, view.materials[0].name, attack);
   scene.views.push_back(std::move(view));
-  compare::SceneResult failed;
+  report::SceneResult failed;
   failed.name = failed.source = attack;
   failed.error = attack;
   failed.errorExitCode = 4;
@@ -171,24 +172,24 @@ void writeEvil(const fs::path& folder) {
 // Figures that are not finite, materials that nothing shows, files that are missing.
 void writeBroken(const fs::path& folder) {
   job::prepareReportFolder(folder, false);
-  compare::Report report = emptyReport();
-  compare::SceneResult scene;
+  report::Report report = emptyReport();
+  report::SceneResult scene;
   scene.name = "Broken";
   scene.source = "broken.glb";
   scene.environment = scene.sun = "none";
-  compare::ViewResult view = makeView("auto");
+  report::ViewResult view = makeView("auto");
   view.images = {"images/none_highend.png", "images/none_mobile.png", "images/none_flip.png"};
   view.pixels = {"pixels/none.js", ""};
-  compare::judgeWhole(view, compare::defaultBudgets(), scene.name);
-  compare::MaterialResult nan = compare::makeMaterial("not a number", 0.1, 500, 1);
+  report::judgeWhole(view, compare::defaultBudgets(), scene.name);
+  report::MaterialResult nan = report::makeMaterial("not a number", 0.1, 500, 1);
   for (compare::Figure& figure : nan.figures.values) figure.value = std::nan("");
   nan.figures.nonFinite = 50;
   nan.figures.referenceLuma = nan.figures.referenceLuminance = INFINITY;
   nan.figures.clippedBlack = nan.figures.clippedWhite = std::nan("");
-  compare::MaterialResult same = compare::makeMaterial("identical", 0, 500, 1);
-  compare::MaterialResult unseen = compare::makeMaterial("not seen", 0, 0, 1);
-  for (compare::MaterialResult* material : {&nan, &same, &unseen}) {
-    compare::judgeMaterial(*material, compare::defaultBudgets(), scene.name);
+  report::MaterialResult same = report::makeMaterial("identical", 0, 500, 1);
+  report::MaterialResult unseen = report::makeMaterial("not seen", 0, 0, 1);
+  for (report::MaterialResult* material : {&nan, &same, &unseen}) {
+    report::judgeMaterial(*material, compare::defaultBudgets(), scene.name);
     view.materials.push_back(*material);
   }
   scene.views.push_back(std::move(view));
@@ -200,30 +201,30 @@ void writeBroken(const fs::path& folder) {
 // part, one of which no path models every part, one too dark for its exposure to be judged.
 void writeStates(const fs::path& folder) {
   job::prepareReportFolder(folder, false);
-  compare::Report report = emptyReport();
-  compare::SceneResult scene;
+  report::Report report = emptyReport();
+  report::SceneResult scene;
   scene.name = "States";
   scene.source = "states.glb";
   scene.environment = scene.sun = "none";
-  compare::ViewResult view = makeView("auto");
+  report::ViewResult view = makeView("auto");
   view.images = writePictures(folder, "0-s_0-v", 0);
   view.whole.clippedBlack = 0.3;
-  compare::judgeWhole(view, compare::defaultBudgets(), scene.name);
-  compare::MaterialResult alike = compare::makeMaterial("alike", 0.01, 500, 1);
-  compare::MaterialResult speck = compare::makeMaterial("speck", 0.3, 12, 0.7);
-  compare::MaterialResult panel = compare::makeMaterial("panel", 0.01, 500, 1);
+  report::judgeWhole(view, compare::defaultBudgets(), scene.name);
+  report::MaterialResult alike = report::makeMaterial("alike", 0.01, 500, 1);
+  report::MaterialResult speck = report::makeMaterial("speck", 0.3, 12, 0.7);
+  report::MaterialResult panel = report::makeMaterial("panel", 0.01, 500, 1);
   panel.figures.clippedWhite = 0.8;
   panel.figures.clippedBlack = 0;
-  compare::MaterialResult shade = compare::makeMaterial("shade", 0.02, 500, 1);
+  report::MaterialResult shade = report::makeMaterial("shade", 0.02, 500, 1);
   shade.figures.clippedWhite = 0.125;
-  compare::MaterialResult paint = compare::makeMaterial("paint", 0.03, 500, 1);
+  report::MaterialResult paint = report::makeMaterial("paint", 0.03, 500, 1);
   paint.notModelled = {"clearcoat", "sheen"};
-  compare::MaterialResult soot = compare::makeMaterial("soot", 0.01, 500, 0.5); // 1 EV darker
+  report::MaterialResult soot = report::makeMaterial("soot", 0.01, 500, 0.5); // 1 EV darker
   soot.figures.referenceLuminance = 0.001;
   soot.figures.testLuminance = 0.0005;
-  for (compare::MaterialResult* material : {&alike, &speck, &panel, &shade, &paint, &soot}) {
+  for (report::MaterialResult* material : {&alike, &speck, &panel, &shade, &paint, &soot}) {
     material->crops = view.images;
-    compare::judgeMaterial(*material, compare::defaultBudgets(), scene.name);
+    report::judgeMaterial(*material, compare::defaultBudgets(), scene.name);
     view.materials.push_back(*material);
   }
   scene.views.push_back(std::move(view));
@@ -233,7 +234,7 @@ void writeStates(const fs::path& folder) {
 
 void writeEmpty(const fs::path& folder) {
   job::prepareReportFolder(folder, false);
-  compare::Report report = emptyReport();
+  report::Report report = emptyReport();
   write(folder, report, "parity report -o out");
 }
 

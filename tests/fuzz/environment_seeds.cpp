@@ -6,22 +6,13 @@
 #include <cstdint>
 
 #include "base/file.h"
-#include "base/image_io.h"
+#include "base/image/image_io.h"
+#include "fuzz/byte_parts.h"
 #include "fuzz/exr_bytes.h"
-#include "scenes/gltf_writer.h"
+#include "scenes/gltf/gltf_writer.h"
 
 namespace parity::tests {
 namespace {
-
-using Bytes = std::vector<std::byte>;
-
-void addText(Bytes& bytes, const std::string& text) {
-  for (const char c : text) bytes.push_back(static_cast<std::byte>(c));
-}
-
-void add(Bytes& bytes, std::uint64_t value, int count = 4) {
-  for (int i = 0; i < count; ++i) bytes.push_back(static_cast<std::byte>(value >> (8 * i) & 0xff));
-}
 
 // Greg Ward's RGBE; `rows`: the encoded pixels.
 Bytes makeHdr(int width, int height, const std::string& orientation, const Bytes& rows) {

@@ -7,18 +7,10 @@
 #include <initializer_list>
 #include <string>
 
+#include "fuzz/byte_parts.h"
+
 namespace parity::tests {
 namespace {
-
-using Bytes = std::vector<std::byte>;
-
-void addText(Bytes& bytes, const std::string& text) {
-  for (const char c : text) bytes.push_back(static_cast<std::byte>(c));
-}
-
-void add(Bytes& bytes, std::uint64_t value, int count = 4) {
-  for (int i = 0; i < count; ++i) bytes.push_back(static_cast<std::byte>(value >> (8 * i) & 0xff));
-}
 
 void addAttribute(Bytes& bytes, const std::string& name, const std::string& type, const Bytes& value) {
   addText(bytes, name + '\0');

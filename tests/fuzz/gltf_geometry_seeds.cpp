@@ -4,7 +4,7 @@
 #include <meshoptimizer.h>
 
 #include "fuzz/seed_parts.h"
-#include "scenes/draco_writer.h"
+#include "scenes/gltf/draco_writer.h"
 
 namespace parity::tests {
 

@@ -7,8 +7,8 @@
 #include <zlib.h>
 
 #include "base/error.h"
-#include "scenes/gltf_container.h"
-#include "scenes/gltf_json.h"
+#include "scenes/gltf/file/container.h"
+#include "scenes/gltf/file/json.h"
 
 namespace parity::tests {
 namespace {

@@ -6,7 +6,7 @@
 #include <webp/encode.h>
 
 #include "fuzz/seed_parts.h"
-#include "scenes/gltf_writer.h"
+#include "scenes/gltf/gltf_writer.h"
 
 namespace parity::tests {
 namespace {

@@ -13,9 +13,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "base/image_io.h"
+#include "base/image/image_io.h"
+#include "scenes/builtin/material_balls.h"
 #include "scenes/load.h"
-#include "scenes/material_balls.h"
 #include "scenes/scene_info.h"
 
 namespace parity::tests {

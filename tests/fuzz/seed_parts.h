@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/gltf_writer.h"
+#include "scenes/gltf/gltf_writer.h"
 
 namespace parity::tests {
 

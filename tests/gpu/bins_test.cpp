@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "base/parallel.h"
-#include "gpu/bins.h"
+#include "gpu/surface/bins.h"
 
 namespace parity::gpu {
 namespace {

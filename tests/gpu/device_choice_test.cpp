@@ -1,7 +1,7 @@
 // Which device is taken, among made-up ones.
 #include <gtest/gtest.h>
 
-#include "gpu/device_choice.h"
+#include "gpu/device/device_choice.h"
 
 namespace parity::gpu {
 namespace {

@@ -1,8 +1,8 @@
 // Device choice, submission, buffers and images.
 #include "support/device.h"
 
-#include "gpu/buffer.h"
-#include "gpu/image.h"
+#include "gpu/device/buffer.h"
+#include "gpu/device/image.h"
 
 namespace parity::gpu {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "gpu/frame_builder.h"
+#include "gpu/surface/frame_builder.h"
 #include "shading/terms.h"
 
 namespace parity::gpu {

@@ -6,9 +6,9 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "gpu/coverage_builder.h"
-#include "gpu/frame_builder.h"
-#include "gpu/material_pass.h"
+#include "gpu/surface/coverage_builder.h"
+#include "gpu/surface/frame_builder.h"
+#include "gpu/surface/material_pass.h"
 
 namespace parity::gpu {
 namespace {

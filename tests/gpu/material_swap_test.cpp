@@ -6,8 +6,8 @@
 #include <memory>
 #include <random>
 
-#include "gpu/frame_builder.h"
-#include "gpu/material_swap.h"
+#include "gpu/surface/frame_builder.h"
+#include "gpu/surface/material_swap.h"
 
 namespace parity::gpu {
 namespace {

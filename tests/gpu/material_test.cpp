@@ -4,7 +4,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "gpu/material_pass.h"
+#include "gpu/surface/material_pass.h"
 
 namespace parity::gpu {
 namespace {

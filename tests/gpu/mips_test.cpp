@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gpu/mips.h"
+#include "gpu/surface/mips.h"
 
 namespace parity::gpu {
 namespace {

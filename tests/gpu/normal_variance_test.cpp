@@ -1,11 +1,11 @@
 // The spread of normals in the mips of normal maps.
-#include "gpu/normal_variance.h"
+#include "gpu/surface/normal_variance.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "gpu/mips.h"
+#include "gpu/surface/mips.h"
 
 namespace parity::gpu {
 namespace {

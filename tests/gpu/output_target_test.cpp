@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "gpu/output_target.h"
+#include "gpu/surface/output_target.h"
 #include "shading/shading.h"
 
 namespace parity::gpu {

@@ -3,8 +3,8 @@
 
 #include <set>
 
-#include "gpu/permutations.h"
 #include "gpu/shaders/interface.h"
+#include "gpu/surface/permutations.h"
 
 namespace parity::gpu {
 namespace {

@@ -1,5 +1,5 @@
 // Maps in layers: none overlaps another, nothing is wasted but the end, limits are told.
-#include "gpu/shadow_tiles.h"
+#include "gpu/shadows/shadow_tiles.h"
 
 #include <gtest/gtest.h>
 

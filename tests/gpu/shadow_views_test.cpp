@@ -1,5 +1,5 @@
 // What shadow maps look at: all that casts before something, as tightly as can be, and nothing else.
-#include "gpu/shadow_views.h"
+#include "gpu/shadows/shadow_views.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/error.h"
-#include "gpu/shadow_casters.h"
-#include "scenes/shapes.h"
+#include "gpu/shadows/shadow_casters.h"
+#include "scenes/builtin/shapes.h"
 #include "support/small_scenes.h"
 
 namespace parity::gpu {

@@ -1,5 +1,5 @@
 // The part of a sun's map that a view needs: it holds what is seen, is as small as that, and depends on nothing else.
-#include "gpu/shadow_window.h"
+#include "gpu/shadows/shadow_window.h"
 
 #include <gtest/gtest.h>
 

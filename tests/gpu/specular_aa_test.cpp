@@ -2,7 +2,7 @@
 #include "support/bumpy_quad.h"
 #include "support/device.h"
 
-#include "gpu/material_pass.h"
+#include "gpu/surface/material_pass.h"
 
 namespace parity::gpu {
 namespace {

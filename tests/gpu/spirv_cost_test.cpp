@@ -1,8 +1,8 @@
-// Costs of shaders that are small enough to count by hand (gpu/spirv_cost.h says what counts).
+// Costs of shaders that are small enough to count by hand (gpu/spirv/spirv_cost.h says what counts).
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "gpu/spirv_cost.h"
+#include "gpu/spirv/spirv_cost.h"
 #include "gpu_shaders/spirv_cost.comp.h"
 
 namespace parity::gpu {

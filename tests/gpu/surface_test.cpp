@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "gpu/surface_pass.h"
+#include "gpu/surface/surface_pass.h"
 
 namespace parity::gpu {
 namespace {

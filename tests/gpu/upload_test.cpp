@@ -2,9 +2,9 @@
 #include "support/device.h"
 #include "support/small_scenes.h"
 
-#include "gpu/image_upload.h"
-#include "gpu/mips.h"
-#include "gpu/scene_buffers.h"
+#include "gpu/device/image_upload.h"
+#include "gpu/surface/mips.h"
+#include "gpu/surface/scene_buffers.h"
 
 namespace parity::gpu {
 namespace {

@@ -1,7 +1,7 @@
 // Baked light of the high-end path against its formulas in double precision.
 #include "support/baked_quads.h"
 
-#include "gpu/shadow_maps.h"
+#include "gpu/shadows/shadow_maps.h"
 #include "highend/renderer.h"
 #include "shading/shading.h"
 
@@ -14,7 +14,7 @@ using tests::ShadedPixel;
 namespace f64 = shading::f64;
 
 constexpr Options kPlain{
-    .diffuse = DiffuseLobe::lambert, .compensation = Compensation::none, .offSpecular = OffSpecular::none};
+    .model = {.diffuse = DiffuseLobe::lambert}, .compensation = Compensation::none, .offSpecular = OffSpecular::none};
 constexpr float kTolerance = 1e-3f; // texels are fp16
 const glm::vec3 kIrradiance(0.5f, 1.25f, 0.0625f), kBase(0.8f, 0.5f, 0.2f);
 constexpr glm::vec3 kNoDirection(0);

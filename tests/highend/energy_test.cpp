@@ -79,7 +79,7 @@ TEST_F(HighendEnergyTest, furnaceStaysWithinAPercentOfOneAndNothingGainsLight) {
     const Inputs inputs{.environment = &white, .lut = &lut};
     for (const Compensation compensation :
          {Compensation::turquin, Compensation::fdezAguera, Compensation::kullaConty}) {
-      const Options options{.geometryTerm = term, .compensation = compensation};
+      const Options options{.model = {.geometryTerm = term}, .compensation = compensation};
       for (const float metallic : {0.f, 1.f}) {
         const std::vector<Patch> patches = sweep(metallic, glm::vec3(1));
         const std::vector<glm::vec3> colors = shade(patches, inputs, options);
@@ -93,7 +93,7 @@ TEST_F(HighendEnergyTest, furnaceStaysWithinAPercentOfOneAndNothingGainsLight) {
           for (int c = 0; c < 3; ++c) ASSERT_TRUE(color[c] > 0 && color[c] <= 1.01f) << color[c];
     }
     // What balancing and compensating are for.
-    const Options lambert{.geometryTerm = term, .diffuse = DiffuseLobe::lambert};
+    const Options lambert{.model = {.geometryTerm = term, .diffuse = DiffuseLobe::lambert}};
     const std::vector<glm::vec3> unbalanced = shade(sweep(0, glm::vec3(1)), inputs, lambert);
     EXPECT_GT(std::max_element(unbalanced.begin(), unbalanced.end(), [](auto& a, auto& b) { return a.x < b.x; })->x,
               1.2f);
@@ -128,8 +128,8 @@ TEST_F(HighendEnergyTest, isFiniteAndNotNegativeForAnyMaterialUnderAnyLight) {
   };
   for (int i = 0; i < 4; ++i) expectSane({.compensation = static_cast<Compensation>(i)});
   for (int i = 0; i < 5; ++i) expectSane({.offSpecular = static_cast<OffSpecular>(i)});
-  for (int i = 1; i < 3; ++i) expectSane({.fresnel = static_cast<FresnelCurve>(i)});
-  expectSane({.geometryTerm = GeometryTerm::schlickSmith, .diffuse = DiffuseLobe::lambert});
+  for (int i = 1; i < 3; ++i) expectSane({.model = {.fresnel = static_cast<FresnelCurve>(i)}});
+  expectSane({.model = {.geometryTerm = GeometryTerm::schlickSmith, .diffuse = DiffuseLobe::lambert}});
 }
 
 } // namespace

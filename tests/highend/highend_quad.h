@@ -11,7 +11,7 @@ namespace parity::highend {
 
 // Lambert, single scattering, N = V = R: without an environment no table is read.
 inline constexpr Options kPlain{
-    .diffuse = DiffuseLobe::lambert, .compensation = Compensation::none, .offSpecular = OffSpecular::none};
+    .model = {.diffuse = DiffuseLobe::lambert}, .compensation = Compensation::none, .offSpecular = OffSpecular::none};
 
 class HighendTest : public tests::DeviceTest {
 protected:

@@ -6,10 +6,10 @@
 #include <random>
 #include <set>
 
-#include "gpu/surface_pass.h"
+#include "gpu/surface/surface_pass.h"
 #include "highend/light_culling.h"
 #include "highend/renderer.h"
-#include "scenes/shapes.h"
+#include "scenes/builtin/shapes.h"
 
 namespace parity::highend {
 namespace {
@@ -82,7 +82,7 @@ protected:
       EXPECT_EQ(0, std::memcmp(a.terms[t].data(), b.terms[t].data(), a.terms[t].size() * sizeof(glm::vec4))) << t;
   }
   Field m_field;
-  Options m_options{.diffuse = DiffuseLobe::lambert, .compensation = Compensation::none};
+  Options m_options{.model = {.diffuse = DiffuseLobe::lambert}, .compensation = Compensation::none};
 };
 
 TEST_F(LightCullingTest, leavesThePictureAsItIsToTheLastBit) {

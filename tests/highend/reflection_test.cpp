@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "lighting/panorama_cells.h"
+#include "lighting/environment/panorama_cells.h"
 #include "shading/shading.h"
 
 namespace parity::highend {
@@ -211,6 +211,21 @@ TEST_F(HighendTest, lampsUnderTheHorizonGiveNothing) {
                                              makeNode(above, 1e-9f, glm::vec3(100), 2, gpu::kLampIsLeaf),
                                              makeNode(below, 1e-4f, glm::vec3(100), 0, gpu::kLampIsLeaf)});
   EXPECT_EQ(shade(scene, {.environment = &environment, .lut = &lut}, kPlain)[Term::skySpecular], none);
+  // A node whose middle is below, but whose light reaches above: its leaf is seen as if it were alone.
+  const glm::vec3 N(std::sin(0.3f), 0, std::cos(0.3f)), along = glm::normalize(glm::vec3(N.z, 0, -N.x)),
+                                                        under = glm::normalize(along - 0.05f * N),
+                                                        leaf = glm::normalize(along + 0.05f * N);
+  const auto shadeLamps = [&](const std::vector<gpu::GpuLamp>& lamps) {
+    environment.lamps = uploadLamps(device(), lamps);
+    return shade(scene, {.environment = &environment, .lut = &lut}, kPlain)[Term::skySpecular];
+  };
+  constexpr std::uint32_t kLeaf = gpu::kLampIsLeaf | gpu::kLampIsCompact;
+  scene.materials[0].roughness = 0.3f;
+  const glm::vec3 alone = shadeLamps({makeNode(leaf, 1e-9f, glm::vec3(1e4f), 0, kLeaf)}),
+                  reached = shadeLamps({makeNode(under, 0.02f, glm::vec3(1e4f), 0, gpu::kLampIsCompact),
+                                        makeNode(leaf, 1e-9f, glm::vec3(1e4f), 0, kLeaf)});
+  EXPECT_GT(alone.x, 2 * none.x);
+  EXPECT_EQ(reached, alone);
 }
 
 } // namespace

@@ -24,7 +24,7 @@ TEST_F(HighendTest, directionalLightIsFullGgxWithSchlickAndLambert) {
   for (const Case& c : kCases)
     for (const GeometryTerm term : {GeometryTerm::heightCorrelated, GeometryTerm::schlickSmith}) {
       Options options = kPlain;
-      options.geometryTerm = term;
+      options.model.geometryTerm = term;
       scenes::Scene scene = makeLeaningQuad(c.angle);
       scene.materials[0].baseColor = glm::vec4(base, 1);
       scene.materials[0].metallic = c.metallic;
@@ -109,7 +109,7 @@ TEST_F(HighendTest, constantEnvironmentIsReflectedByTheTableAndCompensated) {
   const glm::vec3 base(scene.materials[0].baseColor);
   tests::expectNear(shade(scene, inputs, kPlain)[Term::skyDiffuse], 2.f * base, 1e-5f, "white sky, Lambert");
   Options balanced = kPlain;
-  balanced.diffuse = DiffuseLobe::balanced;
+  balanced.model.diffuse = DiffuseLobe::balanced;
   tests::expectNear(shade(scene, inputs, balanced)[Term::skyDiffuse], 2.f * base * (1 - 0.04f * 0.5f - 0.1f), 1e-5f,
                     "what the specular lobe leaves");
 }
@@ -146,7 +146,7 @@ TEST_F(HighendTest, fresnelsCurveIsTheOneAskedFor) {
   const double VoH = glm::dot(glm::normalize(glm::vec3(0, 0, 1) + towards), towards);
   const auto specular = [&](FresnelCurve curve) {
     Options options = kPlain;
-    options.fresnel = curve;
+    options.model.fresnel = curve;
     return shade(scene, {.lights = {makeDirectional(towards, glm::vec3(3))}}, options)[Term::sunSpecular].x;
   };
   const double schlick = specular(FresnelCurve::schlick) / (0.04 + 0.96 * f64::schlickWeight(VoH));

@@ -8,8 +8,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "gpu/shadow_maps.h"
-#include "gpu/surface_pass.h"
+#include "gpu/shadows/shadow_maps.h"
+#include "gpu/surface/surface_pass.h"
 #include "highend/renderer.h"
 
 namespace parity::highend {
@@ -60,7 +60,7 @@ protected:
     inputs.lights = lights;
     inputs.shadows = maps ? &*maps : nullptr;
     inputs.cullLights = cull;
-    const Options plain{.diffuse = DiffuseLobe::lambert, .compensation = Compensation::none};
+    const Options plain{.model = {.diffuse = DiffuseLobe::lambert}, .compensation = Compensation::none};
     const Renderer renderer(device(), buffers, pass.binKinds(), inputs, plain);
     m_shaded = renderer.shade(surface, camera);
     if (maps) m_mapCount = maps->mapCount();

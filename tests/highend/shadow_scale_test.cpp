@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "scenes/shapes.h"
+#include "scenes/builtin/shapes.h"
 
 namespace parity::highend {
 namespace {

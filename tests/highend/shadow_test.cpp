@@ -1,7 +1,7 @@
 // Shadows whose place follows from similar triangles, and what casts none.
 #include "shadow_fixture.h"
 
-#include "scenes/shapes.h"
+#include "scenes/builtin/shapes.h"
 
 namespace parity::highend {
 namespace {

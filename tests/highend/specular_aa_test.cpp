@@ -27,7 +27,7 @@ protected:
     inputs.lights = {sun};
     inputs.terms = true;
     const Renderer renderer(device(), buffers, pass.binKinds(), inputs,
-                            {.diffuse = DiffuseLobe::lambert, .compensation = Compensation::none});
+                            {.model = {.diffuse = DiffuseLobe::lambert}, .compensation = Compensation::none});
     const gpu::ShadedSurface shaded = renderer.shade(surface, camera);
     std::vector<double> means(64);
     const std::uint32_t block = size / 8;
@@ -77,7 +77,7 @@ TEST_F(SpecularAaTest, pathSeesTheWidenedRoughness) {
         device(), scene,
         [&](const auto& buffers, const auto& kinds) {
           return Renderer(device(), buffers, kinds, inputs,
-                          {.diffuse = DiffuseLobe::lambert, .compensation = Compensation::none});
+                          {.model = {.diffuse = DiffuseLobe::lambert}, .compensation = Compensation::none});
         },
         specularAa);
   };

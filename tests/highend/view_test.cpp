@@ -20,10 +20,10 @@ protected:
     scene.materials[0].metallic = static_cast<float>(kMetallic);
     scene.materials[0].roughness = static_cast<float>(kRoughness);
     const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), static_cast<float>(kRadiance));
-    const base::Image lut = makeEnvBrdfLut(options.geometryTerm, options.fresnel);
+    const base::Image lut = makeEnvBrdfLut(options.model.geometryTerm, options.model.fresnel);
     Inputs inputs;
     inputs.environment = lit ? &environment : nullptr;
-    inputs.view = viewByName(name).value();
+    inputs.view = paths::placeOf(views(), name).value();
     EXPECT_TRUE(Renderer::needsLut(inputs, options));
     inputs.lut = &lut;
     return tests::shadeQuad(device(), scene,
@@ -36,12 +36,12 @@ protected:
 
 TEST(HighendViews, haveNamesOfTheirOwnAndUnknownOnesAreNone) {
   std::map<std::string_view, int> count;
-  for (const View& view : kViews) {
+  for (const View& view : views()) {
     EXPECT_EQ(++count[view.name], 1) << view.name;
     EXPECT_FALSE(view.meaning.empty());
   }
-  EXPECT_EQ(viewByName("EnvBRDF"), kViewEnvBrdf);
-  EXPECT_FALSE(viewByName("envbrdf").has_value());
+  EXPECT_EQ(paths::placeOf(views(), "EnvBRDF"), kViewEnvBrdf);
+  EXPECT_FALSE(paths::placeOf(views(), "envbrdf").has_value());
 }
 
 // Of either geometry term, with an environment and without any light.
@@ -49,7 +49,8 @@ TEST_F(HighendViewTest, environmentBrdfIsTheIntegral) {
   for (const GeometryTerm term : {GeometryTerm::heightCorrelated, GeometryTerm::schlickSmith})
     for (const Compensation compensation : {Compensation::none, Compensation::kullaConty})
       for (const bool lit : {true, false}) {
-        const Options options{.geometryTerm = term, .diffuse = DiffuseLobe::lambert, .compensation = compensation};
+        const Options options{.model = {.geometryTerm = term, .diffuse = DiffuseLobe::lambert},
+                              .compensation = compensation};
         const tests::EnvBrdf truth = tests::integrateEnvBrdf(
             term == GeometryTerm::schlickSmith ? tests::Geometry::schlickSmith : tests::Geometry::heightCorrelated,
             kRoughness, std::cos(kAngle));
@@ -67,7 +68,7 @@ TEST_F(HighendViewTest, environmentBrdfIsTheIntegral) {
 
 // What scatters more than once is apart: at F0 = 1 all that is missing, without compensation nothing.
 TEST_F(HighendViewTest, multipleScatteringIsApart) {
-  Options options{.diffuse = DiffuseLobe::lambert, .compensation = Compensation::none};
+  Options options{.model = {.diffuse = DiffuseLobe::lambert}, .compensation = Compensation::none};
   EXPECT_EQ(show("EnvBRDF.Multiple", options), glm::vec3(0));
   const glm::vec3 once = show("EnvBRDF", options);
   for (const Compensation compensation : {Compensation::turquin, Compensation::fdezAguera, Compensation::kullaConty}) {

@@ -1,5 +1,5 @@
 // Captures against the planes that their rays meet, and against the environment alone.
-#include "job/capture_render.h"
+#include "job/scene/capture_render.h"
 
 #include <array>
 #include <cmath>
@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "lighting/cube.h"
-#include "lighting/equirect.h"
-#include "scenes/procedural_environment.h"
+#include "lighting/environment/cube.h"
+#include "lighting/environment/equirect.h"
+#include "scenes/builtin/procedural_environment.h"
 #include "support/small_scenes.h"
 
 namespace parity::job {
@@ -26,11 +26,10 @@ protected:
     m_settings.device = {.name = name ? name : "", .validation = true};
   }
   // The base texels of a capture.
-  std::vector<glm::vec4> capture(const PreparedScene& prepared, const glm::vec3& position, int samples = 1) {
+  std::vector<glm::vec4> capture(PreparedScene prepared, const glm::vec3& position, int samples = 1) {
     const std::array positions = {position};
-    return renderCaptures(m_settings, prepared, positions, {.filter = kFilter, .samples = samples})
-        .front()
-        .prefiltered.mips[0];
+    prepared.settings = m_settings;
+    return renderCaptures(prepared, positions, {.filter = kFilter, .samples = samples}).front().prefiltered.mips[0];
   }
   Settings m_settings;
 };

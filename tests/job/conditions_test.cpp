@@ -1,5 +1,6 @@
 // One list of conditions: whatever decides a figure is seen by the cache's key, by the report and by the comparison
 // with a baseline.
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <set>
@@ -8,10 +9,11 @@
 
 #include "base/file.h"
 #include "base/temp_folder.h"
-#include "compare/baseline.h"
-#include "compare/report_reader.h"
+#include "highend/options.h"
 #include "job/conditions.h"
-#include "job/settings_text.h"
+#include "mobile/options.h"
+#include "report/baseline.h"
+#include "report/reader.h"
 
 namespace parity::job {
 namespace {
@@ -19,7 +21,7 @@ namespace {
 using compare::ActsOn;
 using compare::Condition;
 
-// What a run is asked for.
+// What a run is asked for: its settings are the scene's, too, but for what the scene says.
 struct Asked {
   Settings settings;
   SceneRequest request;
@@ -30,13 +32,14 @@ Asked makeAsked() {
   Asked asked;
   asked.settings.truth = true;
   asked.settings.reference.bounces = 1;
-  asked.settings.mobile.spotShadow = asked.settings.mobile.sunShadow = true;
+  mobile::Options& mobile = asked.settings.of<mobile::Options>();
+  mobile.spotShadow = mobile.sunShadow = true;
   asked.request.name = "Desk";
   asked.request.scene = "Desk.glb";
-  asked.request.environment = "no-such.hdr";
-  asked.request.baked = "no-such";
-  asked.request.sun = scenes::SunRequest{30, 50, 4};
-  asked.request.fog.emplace().density = 0.1f;
+  asked.settings.scene.environment = "no-such.hdr";
+  asked.settings.scene.baked = "no-such";
+  asked.settings.scene.sun = scenes::SunRequest{30, 50, 4};
+  asked.settings.scene.fog.density = 0.1f;
   asked.request.views.emplace_back().orbit = glm::vec3(30, 70, 2);
   asked.request.views[0].target = glm::vec3(0);
   return asked;
@@ -50,7 +53,11 @@ gpu::DeviceReport makeDevice() {
   return device;
 }
 
-Conditions conditionsOf(const Asked& asked) { return job::conditionsOf(asked.settings, asked.request, makeDevice()); }
+// As if the scene said nothing else than the run.
+Conditions conditionsOf(Asked asked) {
+  asked.request.settings = asked.settings;
+  return job::conditionsOf(asked.settings, asked.request, makeDevice());
+}
 
 // A change of one member, and the row that says so.
 struct Change {
@@ -72,86 +79,80 @@ const std::vector<Change> kChanges = {
     {"dropped lights", CHANGE(s.droppedLights = 3)},
     {"costs", CHANGE(s.costs = true)},
     {"specular anti-aliasing", CHANGE(s.specularAa = gpu::SpecularAa::toksvig)},
-    {"shadow maps", CHANGE(s.shadowMaps.mapSize = 512)},
-    {"shadow maps", CHANGE(s.shadowMaps.filter = 5)},
+    {"shadow map size", CHANGE(s.shadowMaps.mapSize = 512)},
+    {"shadow filter", CHANGE(s.shadowMaps.filter = 5)},
     {"memory of shadow maps", CHANGE(s.shadowMaps.maxBytes -= 1)},
-    {"highend geometry term", CHANGE(s.highend.geometryTerm = highend::GeometryTerm::schlickSmith)},
-    {"highend fresnel", CHANGE(s.highend.fresnel = highend::FresnelCurve::sphericalGaussian)},
-    {"highend diffuse", CHANGE(s.highend.diffuse = highend::DiffuseLobe::lambert)},
-    {"highend compensation", CHANGE(s.highend.compensation = highend::Compensation::none)},
-    {"highend off-specular", CHANGE(s.highend.offSpecular = highend::OffSpecular::dominant)},
-    {"mobile preset", CHANGE(s.mobile.preset = "refit")},
-    {"mobile environment BRDF", CHANGE(s.mobile.environmentBrdf = mobile::EnvironmentBrdf::karis2014)},
-    {"mobile direct lobe", CHANGE(s.mobile.directLobe = mobile::DirectLobe::dApprox)},
-    {"mobile capture scale", CHANGE(s.mobile.captureScale = mobile::CaptureScale::full)},
-    {"mobile capture", CHANGE(s.mobile.capture = mobile::CaptureEncoding::fp16)},
-    {"mobile sky", CHANGE(s.mobile.sky = mobile::SkyForm::sh9)},
-    {"mobile local lights", CHANGE(s.mobile.localLights = false)},
-    {"mobile mixing weight", CHANGE(s.mobile.mixing.begin = 0.1000001f)},
-    {"mobile mixing weight", CHANGE(s.mobile.mixing.end = 0.4f)},
-    {"mobile mixing weight", CHANGE(s.mobile.mixing.largest = 9999)},
-    {"mobile spot shadow", CHANGE(s.mobile.spotShadow = false)},
-    {"mobile spot shadow", CHANGE(s.mobile.spotShadowSharpen = 2)},
-    {"mobile spot shadow", CHANGE(s.mobile.spotShadowFade = 0.5f)},
-    {"mobile sun shadow", CHANGE(s.mobile.sunShadow = false)},
-    {"mobile sun shadow", CHANGE(s.mobile.sunShadowDistance = 100)},
-    {"mobile sun shadow", CHANGE(s.mobile.sunShadowFade = 0.2f)},
-    {"mobile roughness floor", CHANGE(s.mobile.roughnessFloor = 0.015625002f)},
-    {"mobile precision", CHANGE(s.mobile.precision = mobile::Precision::fp32)},
-    {"high-end view", CHANGE(s.highendView = 1)},
-    {"mobile view", CHANGE(s.mobileView = 1)},
-    {"mobile target", CHANGE(s.mobileTarget = gpu::OutputTarget::rgba8Srgb)},
-    {"mobile textures", CHANGE(s.mobileTextures = base::TextureBlock::astc6x6)},
+    {"highend geometry term",
+     CHANGE(s.of<highend::Options>().model.geometryTerm = highend::GeometryTerm::schlickSmith)},
+    {"highend fresnel", CHANGE(s.of<highend::Options>().model.fresnel = highend::FresnelCurve::sphericalGaussian)},
+    {"highend diffuse", CHANGE(s.of<highend::Options>().model.diffuse = highend::DiffuseLobe::lambert)},
+    {"highend compensation", CHANGE(s.of<highend::Options>().compensation = highend::Compensation::none)},
+    {"highend off-specular", CHANGE(s.of<highend::Options>().offSpecular = highend::OffSpecular::dominant)},
+    {"mobile preset", CHANGE(s.of<mobile::Options>().preset = "refit")},
+    {"mobile environment BRDF", CHANGE(s.of<mobile::Options>().environmentBrdf = mobile::EnvironmentBrdf::karis2014)},
+    {"mobile direct lobe", CHANGE(s.of<mobile::Options>().directLobe = mobile::DirectLobe::dApprox)},
+    {"mobile capture scale", CHANGE(s.of<mobile::Options>().captureScale = mobile::CaptureScale::full)},
+    {"mobile capture", CHANGE(s.of<mobile::Options>().capture = mobile::CaptureEncoding::fp16)},
+    {"mobile sky", CHANGE(s.of<mobile::Options>().sky = mobile::SkyForm::sh9)},
+    {"mobile local lights", CHANGE(s.of<mobile::Options>().localLights = false)},
+    {"mixing begin", CHANGE(s.of<mobile::Options>().mixing.begin = 0.1000001f)},
+    {"mixing end", CHANGE(s.of<mobile::Options>().mixing.end = 0.4f)},
+    {"mixing largest", CHANGE(s.of<mobile::Options>().mixing.largest = 9999)},
+    {"mobile spot shadow", CHANGE(s.of<mobile::Options>().spotShadow = false)},
+    {"mobile spot sharpen", CHANGE(s.of<mobile::Options>().spotShadowSharpen = 2)},
+    {"mobile spot fade", CHANGE(s.of<mobile::Options>().spotShadowFade = 0.5f)},
+    {"mobile sun shadow", CHANGE(s.of<mobile::Options>().sunShadow = false)},
+    {"mobile sun distance", CHANGE(s.of<mobile::Options>().sunShadowDistance = 100)},
+    {"mobile sun fade", CHANGE(s.of<mobile::Options>().sunShadowFade = 0.2f)},
+    {"mobile roughness floor", CHANGE(s.of<mobile::Options>().roughnessFloor = 0.015625002f)},
+    {"mobile precision", CHANGE(s.of<mobile::Options>().precision = mobile::Precision::fp32)},
+    {"highend lut size", CHANGE(s.of<highend::Options>().lutSize = 64)},
+    {"highend prefilter samples", CHANGE(s.of<highend::Options>().prefilterSamples = 8)},
+    {"highend prefilter size", CHANGE(s.of<highend::Options>().prefilterSize = 128)},
+    {"paths", CHANGE(std::ranges::reverse(s.pathNames))},
+    {"mobile target", CHANGE(s.of<mobile::Options>().target = gpu::OutputTarget::rgba8Srgb)},
+    {"mobile textures", CHANGE(s.of<mobile::Options>().textures = base::TextureBlock::astc6x6)},
     {"truth", CHANGE(s.truth = false)},
-    {"truth", CHANGE(s.reference.model.geometryTerm = shading::GeometryTerm::schlickSmith)},
-    {"truth", CHANGE(s.reference.model.fresnel = shading::FresnelCurve::dielectric)},
-    {"truth", CHANGE(s.reference.model.diffuse = shading::DiffuseLobe::lambert)},
-    {"truth", CHANGE(s.reference.model.scattering = reference::Scattering::single)},
-    {"truth", CHANGE(s.reference.integral.relativeError = 0.0050001)},
-    {"truth", CHANGE(s.reference.integral.minSamples = 512)},
-    {"truth", CHANGE(s.reference.integral.maxSamples = 512)},
-    {"truth", CHANGE(s.reference.integral.seed = 1)},
+    {"scattering of the truth", CHANGE(s.reference.model.scattering = reference::Scattering::single)},
+    {"error of the truth", CHANGE(s.reference.integral.relativeError = 0.0050001)},
+    {"truth min samples", CHANGE(s.reference.integral.minSamples = 512)},
+    {"truth max samples", CHANGE(s.reference.integral.maxSamples = 512)},
+    {"truth seed", CHANGE(s.reference.integral.seed = 1)},
     {"exposure", CHANGE(s.exposureEv = 1)},
-    {"exposure", CHANGE(r.exposureEv = -1)},
-    {"sun extraction", CHANGE(s.extractSun = false)},
-    {"sun extraction", CHANGE(r.extractSun = false)},
+    {"sun extraction", CHANGE(s.scene.extractSun = false)},
     {"shadows", CHANGE(s.shadows = true)},
-    {"shadows", CHANGE(r.shadows = true)},
     {"interreflection", CHANGE(s.reference.bounces = 2)},
-    {"interreflection", CHANGE(r.interreflection = 3)},
-    {"fully rough", CHANGE(s.fullyRough = {"*"})},
-    {"fully rough", CHANGE(r.fullyRough = {"*"})},
+    {"fully rough", CHANGE(s.scene.fullyRough = {"*"})},
     {"name", CHANGE(r.name = "Table")},
     {"file", CHANGE(r.scene = "Table.glb")},
-    {"time", CHANGE(r.load.timeSeconds = 1e-9)},
-    {"animation", CHANGE(r.load.animation = "all")},
-    {"scene of the file", CHANGE(r.load.scene = "1")},
-    {"variant", CHANGE(r.load.variant = "none")},
-    {"unused materials", CHANGE(r.load.allMaterials = true)},
-    {"limit of an image's side", CHANGE(r.load.maxImageSide = 64)},
-    {"limit of all images", CHANGE(r.load.maxImageTexels = 64)},
-    {"limit of memory", CHANGE(r.load.maxMemoryBytes = 64)},
-    {"subject", CHANGE(r.subject = scenes::Subject::ball)},
-    {"environment", CHANGE(r.environment = "builtin:studio")},
-    {"file of the environment", CHANGE(r.environment = "./no-such.hdr")},
-    {"environment rotation", CHANGE(r.environmentRotationDeg = 90)},
-    {"sun", CHANGE(r.sun.reset())},
-    {"sun", CHANGE(r.sun->azimuthDeg = 31)},
-    {"sun", CHANGE(r.sun->elevationDeg = 51)},
-    {"sun", CHANGE(r.sun->lux = 4.0000005f)},
-    {"sky light color", CHANGE(r.lightScales.skyLightColor.z = 0.5f)},
-    {"indirect color scale", CHANGE(r.lightScales.indirectColorScale.x = 0.5f)},
-    {"directional specular scale", CHANGE(r.lightScales.directionalSpecularScale = 0.5f)},
-    {"falloff", CHANGE(r.falloff = scenes::Falloff::ue4)},
-    {"fog", CHANGE(r.fog.reset())},
-    {"fog", CHANGE(r.fog->density = 0.2f)},
-    {"fog", CHANGE(r.fog->heightFalloff = 0.2f)},
-    {"fog", CHANGE(r.fog->height = 0.2f)},
-    {"fog", CHANGE(r.fog->color.x = 0.2f)},
-    {"fog", CHANGE(r.fog->startDistance = 0.2f)},
-    {"fog", CHANGE(r.fog->maxOpacity = 0.2f)},
-    {"baked light", CHANGE(r.baked.clear())},
-    {"folder of the baked light", CHANGE(r.baked = "./no-such/")},
+    {"time", CHANGE(s.scene.load.timeSeconds = 1e-9)},
+    {"animation", CHANGE(s.scene.load.animation = "all")},
+    {"scene of the file", CHANGE(s.scene.load.scene = "1")},
+    {"variant", CHANGE(s.scene.load.variant = "none")},
+    {"limit of images", CHANGE(s.scene.load.maxImageSide = 64)},
+    {"limit of images", CHANGE(s.scene.load.maxImageTexels = 64 << 20)},
+    {"limit of memory", CHANGE(s.scene.load.maxMemoryBytes = 64)},
+    {"subject", CHANGE(s.scene.subject = scenes::Subject::ball)},
+    {"environment", CHANGE(s.scene.environment = "builtin:studio")},
+    {"file of the environment", CHANGE(s.scene.environment = "./no-such.hdr")},
+    {"environment rotation", CHANGE(s.scene.environmentRotationDeg = 90)},
+    {"sun", CHANGE(s.scene.sun.reset())},
+    {"sun", CHANGE(s.scene.sun->azimuthDeg = 31)},
+    {"sun", CHANGE(s.scene.sun->elevationDeg = 51)},
+    {"sun", CHANGE(s.scene.sun->lux = 4.0000005f)},
+    {"sky light color", CHANGE(s.scene.lightScales.skyLightColor.z = 0.5f)},
+    {"indirect color scale", CHANGE(s.scene.lightScales.indirectColorScale.x = 0.5f)},
+    {"sun specular scale", CHANGE(s.scene.lightScales.directionalSpecularScale = 0.5f)},
+    {"falloff", CHANGE(s.scene.falloff = scenes::Falloff::ue4)},
+    {"fog", CHANGE(s.scene.fog = {})},
+    {"fog", CHANGE(s.scene.fog.density = 0.2f)},
+    {"fog", CHANGE(s.scene.fog.heightFalloff = 0.2f)},
+    {"fog", CHANGE(s.scene.fog.height = 0.2f)},
+    {"fog color", CHANGE(s.scene.fog.color.x = 0.2f)},
+    {"fog start", CHANGE(s.scene.fog.startDistance = 0.2f)},
+    {"fog opacity", CHANGE(s.scene.fog.maxOpacity = 0.2f)},
+    {"baked light", CHANGE(s.scene.baked.clear())},
+    {"file of the baked light", CHANGE(s.scene.baked = "./no-such/")},
     {"places of captures", CHANGE(r.captures.emplace_back(1, 2, 3))},
     {"view", CHANGE(r.views[0].name = "front")},
     {"camera", CHANGE(r.views[0].camera = "automatic")},
@@ -164,14 +165,14 @@ const std::vector<Change> kChanges = {
 #undef CHANGE
 
 // A run's report as later runs read it: one material that passes, also by its regressions where they can be judged.
-compare::Report makeReport(const Conditions& conditions) {
-  compare::Report report;
+report::Report makeReport(const Conditions& conditions) {
+  report::Report report;
   report.device = "llvmpipe (Mesa 22)";
   report.conditions = reported(conditions.run);
-  compare::SceneResult& scene = report.scenes.emplace_back();
+  report::SceneResult& scene = report.scenes.emplace_back();
   scene.name = "Desk";
   scene.conditions = reported(conditions.scene);
-  compare::ViewResult& view = scene.views.emplace_back();
+  report::ViewResult& view = scene.views.emplace_back();
   view.name = "auto";
   view.width = view.height = 64;
   view.conditions = reported(conditions.views.at(0));
@@ -185,23 +186,23 @@ compare::Report makeReport(const Conditions& conditions) {
   regression.regress = true;
   regression.failAbove = 0;
   regression.unjudged = "no baseline";
-  compare::MaterialResult& material = view.materials.emplace_back();
+  report::MaterialResult& material = view.materials.emplace_back();
   material.name = "Wood";
   view.whole = material.figures = figures;
   view.checks = material.checks = {level, regression};
-  compare::settleVerdicts(report);
+  report::settleVerdicts(report);
   return report;
 }
 
-compare::Report readBack(const compare::Report& report) {
+report::Report readBack(const report::Report& report) {
   const base::TempFolder folder;
-  base::writeText(folder / "report.json", compare::toJson(report));
-  return compare::readReport(folder.path());
+  base::writeText(folder / "report.json", report::toJson(report));
+  return report::readReport(folder.path());
 }
 
-compare::Report hold(const Conditions& now, const Conditions& before) {
-  compare::Report report = makeReport(now);
-  compare::compareWithBaseline(report, readBack(makeReport(before)), {"old", {}, false});
+report::Report hold(const Conditions& now, const Conditions& before) {
+  report::Report report = makeReport(now);
+  report::compareWithBaseline(report, readBack(makeReport(before)), {"old", {}, false});
   return report;
 }
 
@@ -218,11 +219,11 @@ std::map<std::string, ActsOn> rowsOf(const Conditions& conditions) {
 // The three notice one change as `actsOn` has it.
 void expectNoticed(const Conditions& before, const Conditions& now, const std::string& row, ActsOn actsOn) {
   EXPECT_NE(hashOf(now), hashOf(before)) << row << ": the key does not see it";
-  EXPECT_EQ(compare::toJson(makeReport(now)) != compare::toJson(makeReport(before)), actsOn != ActsOn::nothing)
+  EXPECT_EQ(report::toJson(makeReport(now)) != report::toJson(makeReport(before)), actsOn != ActsOn::nothing)
       << row << ": the report";
-  const compare::Report report = hold(now, before);
-  const compare::ViewResult& view = report.scenes[0].views[0];
-  const compare::MaterialResult& material = view.materials[0];
+  const report::Report report = hold(now, before);
+  const report::ViewResult& view = report.scenes[0].views[0];
+  const report::MaterialResult& material = view.materials[0];
   const auto expectOne = [&](const std::string& notComparable, compare::Verdict verdict, const compare::CheckResult& c,
                              bool differs) {
     EXPECT_EQ(notComparable.find(row + " was ") != std::string::npos, differs) << row << ": " << notComparable;
@@ -284,16 +285,22 @@ TEST(Conditions, WhatJudgesAfterwardsOrMakesNoDifferenceIsNone) {
 }
 
 TEST(Conditions, WhatASceneSaysHidesWhatTheRunSays) {
-  Asked asked = makeAsked(), other = asked;
-  asked.request.exposureEv = other.request.exposureEv = 2;
-  asked.request.shadows = other.request.shadows = false;
+  Asked asked = makeAsked();
+  asked.settings.exposureEv = 2;
+  Asked other = asked;
+  other.request.settings = asked.settings;
   other.settings.exposureEv = 1;
-  other.settings.shadows = true;
-  EXPECT_EQ(hashOf(conditionsOf(other)), hashOf(conditionsOf(asked)));
-  for (const Condition& condition : conditionsOf(other).scene)
-    if (condition.name == "exposure") {
-      EXPECT_EQ(condition.words, "2 EV");
-    }
+  other.settings.of<mobile::Options>() = mobile::presetByName("refit");
+  const Conditions own = job::conditionsOf(other.settings, other.request, makeDevice());
+  EXPECT_EQ(hashOf(own), hashOf(conditionsOf(asked)));
+  const auto count = [](const std::vector<Condition>& list, const std::string& name) {
+    return std::ranges::count(list, name, &Condition::name);
+  };
+  EXPECT_EQ(count(own.scene, "exposure"), 1) << "the run says another";
+  EXPECT_EQ(count(own.scene, "mobile preset"), 1);
+  EXPECT_EQ(count(own.scene, "display"), 0) << "the run says it";
+  const report::Report report = hold(own, conditionsOf(asked));
+  EXPECT_EQ(report.scenes[0].views[0].materials[0].baseline->notComparable, "");
 }
 
 // A user's name is none of the program's words, and two lists are never one text.
@@ -313,8 +320,8 @@ TEST(Conditions, FilesCountByTheirContentAndNoFolderIsSaid) {
   const base::TempFolder one, two;
   const auto conditionsWith = [](const std::filesystem::path& sky, const std::filesystem::path& baked) {
     Asked asked = makeAsked();
-    asked.request.environment = sky.string();
-    asked.request.baked = baked.string();
+    asked.settings.scene.environment = sky.string();
+    asked.settings.scene.baked = baked.string();
     return conditionsOf(asked);
   };
   for (const base::TempFolder* folder : {&one, &two}) {
@@ -323,16 +330,28 @@ TEST(Conditions, FilesCountByTheirContentAndNoFolderIsSaid) {
     base::writeText(*folder / "lamp" / "manifest.json", "{}");
   }
   const Conditions before = conditionsWith(one / "sky.hdr", one / "lamp");
-  const compare::Report same = hold(conditionsWith(two / "sky.hdr", two / "lamp/"), before);
+  const report::Report same = hold(conditionsWith(two / "sky.hdr", two / "lamp/"), before);
   EXPECT_EQ(same.scenes[0].views[0].materials[0].baseline->notComparable, "") << "elsewhere, but the same";
-  EXPECT_EQ(compare::toJson(same).find(two.path().string()), std::string::npos);
+  EXPECT_EQ(report::toJson(same).find(two.path().string()), std::string::npos);
   base::writeText(two / "sky.hdr", "other light");
   base::writeText(two / "lamp" / "manifest.json", "{ }");
-  const compare::Report other = hold(conditionsWith(two / "sky.hdr", two / "lamp"), before);
+  const report::Report other = hold(conditionsWith(two / "sky.hdr", two / "lamp"), before);
   const std::string words = other.scenes[0].views[0].materials[0].baseline->notComparable;
   EXPECT_EQ(words.find("environment was sky.hdr (content "), 0u) << words;
   EXPECT_NE(words.find("; baked light was lamp (content "), std::string::npos) << words;
-  EXPECT_EQ(compare::toJson(makeReport(conditionsWith(two / "none.hdr", ""))).find("/none.hdr"), std::string::npos);
+  EXPECT_EQ(report::toJson(makeReport(conditionsWith(two / "none.hdr", ""))).find("/none.hdr"), std::string::npos);
+}
+
+// A file may be called as the program calls none.
+TEST(Conditions, NoFileIsTakenForNone) {
+  Asked none = makeAsked(), named = none;
+  none.settings.scene.environment = none.settings.scene.baked = "";
+  named.settings.scene.environment = "not given";
+  named.settings.scene.baked = "none";
+  const std::map<std::string, ActsOn> rows = rowsOf(conditionsOf(named));
+  EXPECT_TRUE(rows.contains("file of the environment"));
+  EXPECT_TRUE(rows.contains("file of the baked light"));
+  EXPECT_NE(hashOf(conditionsOf(named)), hashOf(conditionsOf(none)));
 }
 
 TEST(Conditions, PrecisionIsWhatTheDeviceCan) {
@@ -343,7 +362,15 @@ TEST(Conditions, PrecisionIsWhatTheDeviceCan) {
     if (name == "mobile precision") {
       EXPECT_EQ(value, "fp32, as the device has no shaderFloat16");
     }
-  EXPECT_NE(hashOf(job::conditionsOf(asked.settings, asked.request, without)), hashOf(conditionsOf(asked)));
+  EXPECT_NE(hashOf(job::conditionsOf(
+                asked.settings,
+                [&] {
+                  SceneRequest r = asked.request;
+                  r.settings = asked.settings;
+                  return r;
+                }(),
+                without)),
+            hashOf(conditionsOf(asked)));
 }
 
 TEST(Conditions, SettingsAreTheirWords) {
@@ -355,7 +382,8 @@ TEST(Conditions, SettingsAreTheirWords) {
   EXPECT_EQ(texts["exposure"], "0 EV");
   EXPECT_EQ(texts["mobile sky"], "4 SH coefficients");
   EXPECT_EQ(texts["materials"], "all");
-  EXPECT_EQ(texts["shadow maps"], "2048 texels, filter of 3");
+  EXPECT_EQ(texts["shadow map size"], "2048");
+  EXPECT_EQ(texts["mobile textures"], "as they are");
   for (const Condition& condition : reported(runConditions(asked.settings, makeDevice())))
     EXPECT_EQ(texts[condition.name], condition.text());
   EXPECT_FALSE(texts.contains("terms")) << "it acts on nothing";

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "base/image_io.h"
+#include "base/image/image_io.h"
 #include "base/temp_folder.h"
 #include "job/context.h"
 

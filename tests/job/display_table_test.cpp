@@ -1,5 +1,5 @@
 // The page's table of a display transform against the transform itself.
-#include "job/display_table.h"
+#include "job/view/display_table.h"
 
 #include <algorithm>
 #include <array>

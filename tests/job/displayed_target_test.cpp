@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "gpu/output_target.h"
-#include "job/displayed.h"
+#include "gpu/surface/output_target.h"
+#include "job/view/displayed.h"
 
 namespace parity::job {
 namespace {

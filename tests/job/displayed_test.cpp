@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "job/displayed.h"
+#include "job/view/displayed.h"
 
 namespace parity::job {
 namespace {

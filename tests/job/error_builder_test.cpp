@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "job/reference_path.h"
+#include "job/scene/reference_path.h"
 
 namespace parity::job {
 namespace {

@@ -1,7 +1,7 @@
 // What may be freed of a scene while it is rendered.
 #include <gtest/gtest.h>
 
-#include "job/prepared_scene.h"
+#include "job/scene/prepared_scene.h"
 
 namespace parity::job {
 namespace {
@@ -14,21 +14,21 @@ PreparedScene makePrepared() {
 
 TEST(ImageRelease, FreesThePixelsOfOneImage) {
   PreparedScene prepared = makePrepared();
-  for (const Paths& paths : {Paths{}, Paths{.reference = true}}) {
-    const auto release = imageRelease(prepared, paths);
+  for (const bool truth : {false, true}) {
+    const auto release = imageRelease(prepared, {.chosen = allPaths(), .truth = truth});
     ASSERT_TRUE(release);
     release(1);
     EXPECT_TRUE(prepared.scene.images[1].pixels.empty());
     EXPECT_FALSE(prepared.scene.images[0].pixels.empty());
   }
-  prepared.shadows = true;
-  EXPECT_TRUE(imageRelease(prepared, Paths{})) << "no reference, no shadows";
+  prepared.settings.shadows = true;
+  EXPECT_TRUE(imageRelease(prepared, {.chosen = allPaths()})) << "no truth, no shadows";
 }
 
-TEST(ImageRelease, LeavesThemWhereTheReferenceLetsLightThroughMasks) {
+TEST(ImageRelease, LeavesThemWhereTheTruthLetsLightThroughMasks) {
   PreparedScene prepared = makePrepared();
-  prepared.shadows = true;
-  EXPECT_FALSE(imageRelease(prepared, Paths{.reference = true}));
+  prepared.settings.shadows = true;
+  EXPECT_FALSE(imageRelease(prepared, {.chosen = {}, .truth = true}));
 }
 
 } // namespace

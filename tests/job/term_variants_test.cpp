@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "job/term_variants.h"
+#include "job/view/term_variants.h"
 
 namespace parity::job {
 namespace {

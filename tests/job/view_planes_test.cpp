@@ -1,5 +1,5 @@
 // Which values of a view are written beside its pictures.
-#include "job/view_planes.h"
+#include "job/view/view_planes.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,13 @@
 namespace parity::job {
 namespace {
 
+const PathChoice kPaths = pathsOf({});
+
 ViewFrames makeFrames() {
   ViewFrames frames;
-  frames.highend.color = base::Image(3, 2, 3, 0.5f);
-  frames.mobile.color = base::Image(3, 2, 3, 0.25f);
+  frames.paths.resize(2);
+  frames.paths[0].frame.color = base::Image(3, 2, 3, 0.5f);
+  frames.paths[1].frame.color = base::Image(3, 2, 3, 0.25f);
   frames.coverage = {
       {"first", {0, 1, 4}, {1, 0.4f, 0.5f}}, {"second", {1, 2}, {}}, {"third", {1, 4, 5}, {0.6f, 0.5f, 1}}};
   return frames;
@@ -20,26 +23,26 @@ ViewFrames makeFrames() {
 // Of the pixels of each material, in the order of its list.
 const std::vector<std::vector<float>> kMaterialFlip = {{0.1f, 0.2f, 0.3f}, {0.4f, 0.5f}, {0.6f, 0.7f, 0.8f}};
 
-std::vector<std::string> namesOf(const std::vector<compare::PixelPlane>& planes) {
+std::vector<std::string> namesOf(const std::vector<report::PixelPlane>& planes) {
   std::vector<std::string> names;
-  for (const compare::PixelPlane& plane : planes) names.push_back(plane.name);
+  for (const report::PixelPlane& plane : planes) names.push_back(plane.name);
   return names;
 }
 
 TEST(ViewPlanes, AreBothPathsFlipAndMaterials) {
   ViewFrames frames = makeFrames();
   const base::Image flip(3, 2, 1, 0.1f);
-  const ViewPlanes planes = planesOf(frames, flip, kMaterialFlip, {0, 1, 2});
+  const ViewPlanes planes = planesOf(frames, kPaths, 1, flip, kMaterialFlip, {0, 1, 2});
   EXPECT_EQ(namesOf(planes.color), (std::vector<std::string>{"highend", "mobile", "flip", "materialFlip", "material"}));
-  EXPECT_EQ(planes.color[0].values, &frames.highend.color);
-  EXPECT_EQ(planes.color[1].values, &frames.mobile.color);
+  EXPECT_EQ(planes.color[0].values, &frames.paths[0].frame.color);
+  EXPECT_EQ(planes.color[1].values, &frames.paths[1].frame.color);
   EXPECT_EQ(planes.color[2].values, &flip);
-  EXPECT_EQ(planes.color[2].kind, compare::PlaneKind::unorm16);
-  EXPECT_EQ(planes.color[3].kind, compare::PlaneKind::unorm16);
-  EXPECT_EQ(planes.color[4].kind, compare::PlaneKind::uint16);
+  EXPECT_EQ(planes.color[2].kind, report::PlaneKind::unorm16);
+  EXPECT_EQ(planes.color[3].kind, report::PlaneKind::unorm16);
+  EXPECT_EQ(planes.color[4].kind, report::PlaneKind::uint16);
   EXPECT_TRUE(planes.terms.empty());
-  frames.reference.color = base::Image(3, 2, 3, 1.f);
-  EXPECT_EQ(namesOf(planesOf(frames, flip, {kMaterialFlip[0]}, {0}).color),
+  frames.truth.color = base::Image(3, 2, 3, 1.f);
+  EXPECT_EQ(namesOf(planesOf(frames, kPaths, 1, flip, {kMaterialFlip[0]}, {0}).color),
             (std::vector<std::string>{"highend", "mobile", "truth", "flip", "materialFlip", "material"}));
 }
 
@@ -50,7 +53,7 @@ TEST(ViewPlanes, APixelIsOfTheMaterialThatCoversMostOfItAndHasThatOnesFlip) {
                                 const std::vector<float>& ownFlip, const char* what) {
     std::vector<std::vector<float>> materialFlip;
     for (const std::size_t m : chosen) materialFlip.push_back(kMaterialFlip[m]);
-    const ViewPlanes planes = planesOf(frames, flip, materialFlip, chosen);
+    const ViewPlanes planes = planesOf(frames, kPaths, 1, flip, materialFlip, chosen);
     ASSERT_EQ(planes.color.size(), 5u) << what;
     EXPECT_EQ(planes.color[3].values->pixels, ownFlip) << what;
     EXPECT_EQ(planes.color[4].values->pixels, numbers) << what;
@@ -62,17 +65,16 @@ TEST(ViewPlanes, APixelIsOfTheMaterialThatCoversMostOfItAndHasThatOnesFlip) {
 
 TEST(ViewPlanes, TermsThatAreBlackInBothAreLeftOut) {
   ViewFrames frames = makeFrames();
-  EXPECT_TRUE(termPlanesOf(frames).empty());
-  for (base::Frame* frame : {&frames.highend, &frames.mobile})
-    frame->terms.assign(shading::kTermCount, base::Image(3, 2, 3));
-  EXPECT_TRUE(termPlanesOf(frames).empty());
-  frames.highend.terms[1].pixels[17] = 1e-6f;
-  frames.mobile.terms[6].pixels[0] = std::nanf("");
+  EXPECT_TRUE(termPlanesOf(frames, kPaths, 1).empty());
+  for (PathFrames& path : frames.paths) path.frame.terms.assign(shading::kTermCount, base::Image(3, 2, 3));
+  EXPECT_TRUE(termPlanesOf(frames, kPaths, 1).empty());
+  frames.paths[0].frame.terms[1].pixels[17] = 1e-6f;
+  frames.paths[1].frame.terms[6].pixels[0] = std::nanf("");
   const std::string first(shading::kTermNames[1]), second(shading::kTermNames[6]);
-  const std::vector<compare::PixelPlane> planes = termPlanesOf(frames);
+  const std::vector<report::PixelPlane> planes = termPlanesOf(frames, kPaths, 1);
   EXPECT_EQ(namesOf(planes),
             (std::vector<std::string>{"highend." + first, "mobile." + first, "highend." + second, "mobile." + second}));
-  EXPECT_EQ(planes[3].values, &frames.mobile.terms[6]);
+  EXPECT_EQ(planes[3].values, &frames.paths[1].frame.terms[6]);
 }
 
 } // namespace

@@ -4,8 +4,8 @@
 #include <array>
 #include <functional>
 
-#include "lighting/alpha_mask.h"
-#include "lighting/visibility.h"
+#include "lighting/surface/alpha_mask.h"
+#include "lighting/surface/visibility.h"
 #include "support/small_scenes.h"
 
 namespace parity::lighting {

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "lighting/visibility.h"
-#include "scenes/builtin.h"
+#include "lighting/surface/visibility.h"
+#include "scenes/builtin/builtin.h"
 
 namespace parity::lighting {
 namespace {

@@ -1,5 +1,5 @@
 // The capture of the mobile path: texels in their places, and how close 8 and 16 bits are.
-#include "lighting/capture.h"
+#include "lighting/environment/capture.h"
 
 #include <cmath>
 #include <cstring>

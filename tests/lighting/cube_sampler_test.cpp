@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
-#include "lighting/cube.h"
-#include "lighting/cube_sampler.h"
+#include "lighting/environment/cube.h"
+#include "lighting/environment/cube_sampler.h"
 
 namespace parity::lighting {
 namespace {

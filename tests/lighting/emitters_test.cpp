@@ -1,5 +1,5 @@
 // Points on emitting triangles come as often as their density says, and the density is that of their light.
-#include "lighting/emitters.h"
+#include "lighting/surface/emitters.h"
 
 #include <gtest/gtest.h>
 

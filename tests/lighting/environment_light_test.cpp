@@ -11,9 +11,9 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "lighting/cube.h"
-#include "lighting/environment_light.h"
-#include "lighting/equirect.h"
+#include "lighting/environment/cube.h"
+#include "lighting/environment/environment_light.h"
+#include "lighting/environment/equirect.h"
 #include "shading/shading.h"
 
 namespace parity::lighting {

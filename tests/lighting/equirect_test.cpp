@@ -7,8 +7,8 @@
 #include <random>
 
 #include "base/error.h"
-#include "lighting/cube.h"
-#include "lighting/equirect.h"
+#include "lighting/environment/cube.h"
+#include "lighting/environment/equirect.h"
 
 namespace parity::lighting {
 namespace {

@@ -10,10 +10,10 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "lighting/cube_sampler.h"
-#include "lighting/equirect.h"
-#include "lighting/irradiance_cube.h"
-#include "lighting/sun_extraction.h"
+#include "lighting/environment/cube_sampler.h"
+#include "lighting/environment/equirect.h"
+#include "lighting/environment/irradiance_cube.h"
+#include "lighting/environment/sun_extraction.h"
 #include "scenes/environment.h"
 #include "scenes/load.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lighting/lamp_tree.h"
+#include "lighting/environment/lamp_tree.h"
 #include "scenes/load.h"
 #include "shading/shading.h"
 

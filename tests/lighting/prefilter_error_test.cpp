@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "lighting/sun_extraction.h"
+#include "lighting/environment/sun_extraction.h"
 #include "scenes/load.h"
 #include "support/prefilter_truth.h"
 

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
-#include "lighting/cube.h"
-#include "lighting/prefilter.h"
+#include "lighting/environment/cube.h"
+#include "lighting/environment/prefilter.h"
 #include "shading/shading.h"
 
 namespace parity::lighting {

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lighting/environment_light.h"
+#include "lighting/environment/environment_light.h"
 #include "scenes/environment.h"
 #include "scenes/load.h"
 #include "shading/shading.h"

@@ -9,12 +9,12 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "lighting/cube.h"
-#include "lighting/equirect.h"
-#include "lighting/sun_extraction.h"
-#include "scenes/builtin.h"
+#include "lighting/environment/cube.h"
+#include "lighting/environment/equirect.h"
+#include "lighting/environment/sun_extraction.h"
+#include "scenes/builtin/builtin.h"
+#include "scenes/builtin/procedural_environment.h"
 #include "scenes/load.h"
-#include "scenes/procedural_environment.h"
 #include "scenes/view.h"
 
 namespace parity::lighting {

@@ -1,5 +1,5 @@
 // What a ray finds on a surface: normals, the smooth surface above facets, and the material's values there.
-#include "lighting/surface_material.h"
+#include "lighting/surface/surface_material.h"
 
 #include <gtest/gtest.h>
 

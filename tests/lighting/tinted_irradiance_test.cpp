@@ -1,12 +1,12 @@
 // One tint for the second band: nothing lost where the sky is grey, the best that one tint can do where it is not.
-#include "lighting/tinted_irradiance.h"
+#include "lighting/environment/tinted_irradiance.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "lighting/cube.h"
+#include "lighting/environment/cube.h"
 #include "shading/shading.h"
 
 namespace parity::lighting {

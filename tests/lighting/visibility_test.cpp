@@ -1,5 +1,5 @@
 // Rays against the scene: a double-precision loop over all triangles, and scenes whose shadows are known.
-#include "lighting/visibility.h"
+#include "lighting/surface/visibility.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <random>
 
 #include "base/parallel.h"
-#include "scenes/builtin.h"
-#include "scenes/shapes.h"
+#include "scenes/builtin/builtin.h"
+#include "scenes/builtin/shapes.h"
 #include "support/small_scenes.h"
 
 namespace parity::lighting {

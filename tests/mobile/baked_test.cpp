@@ -1,7 +1,7 @@
 // Baked light of the mobile path: the seed's order, with the formulas of shading/ on the CPU at equal precision.
 #include "support/baked_quads.h"
 
-#include "gpu/spirv_cost.h"
+#include "gpu/spirv/spirv_cost.h"
 #include "mobile/presets.h"
 #include "mobile/renderer.h"
 #include "shading/shading.h"

@@ -4,11 +4,11 @@
 
 #include "support/path_quad.h"
 
-#include "gpu/spirv_cost.h"
+#include "gpu/spirv/spirv_cost.h"
 #include "mobile/presets.h"
 #include "mobile/renderer.h"
 #include "mobile/sampler_rule.h"
-#include "scenes/builtin.h"
+#include "scenes/builtin/builtin.h"
 #include "scenes/view.h"
 
 namespace parity::mobile {

@@ -20,21 +20,6 @@ scenes::Light makeLight(scenes::LightKind kind, float intensity, const glm::vec3
   return light;
 }
 
-TEST(LightChoice, sunIsTheBrightestDirectionalLightAndTheFirstAmongEquals) {
-  using enum scenes::LightKind;
-  const scenes::Light lights[] = {makeLight(point, 100), makeLight(directional, 2), makeLight(directional, 3),
-                                  makeLight(directional, 3)};
-  EXPECT_EQ(chooseSun(lights), 2u);
-  EXPECT_EQ(chooseSun(std::span(lights, 1)), std::nullopt);
-}
-
-TEST(LightChoice, theShadowIsOfTheBrightestSpotAndTheFirstAmongEquals) {
-  using enum scenes::LightKind;
-  const scenes::Light lights[] = {makeLight(point, 100), makeLight(spot, 2), makeLight(spot, 3), makeLight(spot, 3)};
-  EXPECT_EQ(chooseShadowSpot(lights), 2u);
-  EXPECT_EQ(chooseShadowSpot(std::span(lights, 1)), std::nullopt);
-}
-
 TEST(LightChoice, countsBrightnessAtTheObjectNotAtTheLight) {
   const scenes::Scene scene = tests::makeQuadScene(); // sphere of radius sqrt(2)
   std::vector<scenes::Light> lights = {makeLight(scenes::LightKind::point, 100, {0, 0, 100}),

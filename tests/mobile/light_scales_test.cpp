@@ -1,7 +1,7 @@
 // Scales of light that the scene sets, in both paths; and premultiplied colour.
 #include "support/path_quad.h"
 
-#include "gpu/frame_builder.h"
+#include "gpu/surface/frame_builder.h"
 #include "highend/renderer.h"
 #include "mobile/presets.h"
 #include "mobile/renderer.h"

@@ -46,7 +46,7 @@ protected:
     const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), kSky);
     base::Image lut(2, 2, 4);
     for (int i = 0; i < 4; ++i) std::copy_n(std::array{kA, kB, kA + kB, 1.f}.data(), 4, lut.pixels.data() + 4 * i);
-    const highend::Options plain{.diffuse = highend::DiffuseLobe::lambert,
+    const highend::Options plain{.model = {.diffuse = highend::DiffuseLobe::lambert},
                                  .compensation = highend::Compensation::none,
                                  .offSpecular = highend::OffSpecular::none};
     const highend::Inputs inputs{

@@ -6,8 +6,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "gpu/shadow_maps.h"
-#include "gpu/surface_pass.h"
+#include "gpu/shadows/shadow_maps.h"
+#include "gpu/surface/surface_pass.h"
 #include "mobile/presets.h"
 #include "mobile/renderer.h"
 

@@ -38,17 +38,17 @@ protected:
                             })
         .color;
   }
-  static std::uint32_t numberOf(const std::string& name) { return viewByName(name).value(); }
+  static std::uint32_t numberOf(const std::string& name) { return paths::placeOf(views(), name).value(); }
 };
 
 TEST(Views, haveNamesOfTheirOwnAndUnknownOnesAreNone) {
   std::map<std::string_view, int> count;
-  for (const View& view : kViews) {
+  for (const View& view : views()) {
     EXPECT_EQ(++count[view.name], 1) << view.name;
     EXPECT_FALSE(view.meaning.empty());
   }
-  EXPECT_EQ(viewByName("Lit"), kViewLit);
-  EXPECT_FALSE(viewByName("lit").has_value());
+  EXPECT_EQ(paths::placeOf(views(), "Lit"), kViewLit);
+  EXPECT_FALSE(paths::placeOf(views(), "lit").has_value());
 }
 
 TEST_F(ViewTest, eachShowsWhatItsNameSays) {
@@ -101,7 +101,7 @@ TEST_F(ViewTest, eachShowsWhatItsNameSays) {
       {"EnvBRDF.Multiple", glm::dvec3(0)},
       {"Lit", (sun + lamp) * lighting + kRadiance * (specular + diffuse) + emissive},
   };
-  ASSERT_EQ(expected.size(), kViews.size()) << "a view without a test";
+  ASSERT_EQ(expected.size(), views().size()) << "a view without a test";
   for (const auto& [name, value] : expected) {
     const glm::vec3 actual = show(numberOf(name), options);
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(actual[k], value[k], 1e-3 * std::abs(value[k]) + 1e-6) << name << " " << k;

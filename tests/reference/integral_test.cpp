@@ -30,7 +30,7 @@ TEST_F(IntegralTest, whiteMetalInAWhiteFurnaceIsWhiteToFourDigits) {
     for (const float roughness : {0.f, 0.02f, 0.1f, 0.25f, 0.5f, 0.75f, 1.f})
       for (const double NoV : {0.05, 0.4, 1.0}) {
         SurfaceSample sample = tests::makePoint(NoV, roughness, 1);
-        const Lobes lobes(sample, Model{.geometryTerm = term}, roughness, &albedo(term));
+        const Lobes lobes(sample, Model{.surface = {.geometryTerm = term}}, roughness, &albedo(term));
         const Integral result = integrateEnvironment(sample, lobes, white(), glm::dvec3(0), fixed(1 << 16));
         EXPECT_NEAR(result.specular.x, 1, 1e-4) << "roughness " << roughness << ", NoV " << NoV;
         // The error it reports bounds what is left, but for the table's 1.5e-5: t of 15 degrees, 5 sigma.
@@ -42,8 +42,8 @@ TEST_F(IntegralTest, whiteMetalInAWhiteFurnaceIsWhiteToFourDigits) {
 // Diffuse light is what the specular lobe leaves: a white dielectric sends out all that it receives, and no more.
 TEST_F(IntegralTest, whiteDielectricInAWhiteFurnaceIsWhite) {
   for (const FresnelCurve curve : {FresnelCurve::schlick, FresnelCurve::dielectric}) {
-    const Model model{.fresnel = curve};
-    const DirectionalAlbedo table(model.geometryTerm, curve);
+    const Model model{.surface = {.fresnel = curve}};
+    const DirectionalAlbedo table(model.surface.geometryTerm, curve);
     for (const float roughness : {0.f, 0.05f, 0.4f, 1.f})
       for (const double NoV : {0.05, 0.6}) {
         const SurfaceSample sample = tests::makePoint(NoV, roughness, 0);
@@ -140,7 +140,7 @@ TEST_F(IntegralTest, nothingOfAnyMaterialIsNanOrNegative) {
   light.color = glm::vec3(1e6f);
   for (const GeometryTerm term : {GeometryTerm::heightCorrelated, GeometryTerm::schlickSmith}) {
     Options options;
-    options.model.geometryTerm = term;
+    options.model.surface.geometryTerm = term;
     options.integral.maxSamples = 256;
     const Inputs inputs{.environment = &sky, .albedo = &albedo(term), .lights = {light}};
     for (const ShadedSample& result : shade(samples, inputs, options)) {

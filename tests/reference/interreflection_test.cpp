@@ -86,7 +86,7 @@ TEST(Interreflection, closedBoxOfGlowingWallsIsAGeometricSeries) {
 // The same of all materials that lose nothing, whatever their lobes: 1 + N.
 TEST(Interreflection, closedBoxOfWhiteSurfacesKeepsAllItsLight) {
   const Model model; // balanced, with light between microfacets
-  const DirectionalAlbedo albedo(model.geometryTerm, model.fresnel);
+  const DirectionalAlbedo albedo(model.surface.geometryTerm, model.surface.fresnel);
   for (const float metallic : {0.f, 1.f})
     for (const float roughness : {0.f, 0.2f, 0.7f}) {
       scenes::Scene scene;

@@ -7,11 +7,11 @@
 #include <numbers>
 #include <random>
 
-#include "lighting/cube.h"
-#include "lighting/cube_sampler.h"
-#include "lighting/environment_light.h"
-#include "lighting/panorama_cells.h"
-#include "lighting/sun_extraction.h"
+#include "lighting/environment/cube.h"
+#include "lighting/environment/cube_sampler.h"
+#include "lighting/environment/environment_light.h"
+#include "lighting/environment/panorama_cells.h"
+#include "lighting/environment/sun_extraction.h"
 #include "reference/environment_sampler.h"
 #include "shading/shading.h"
 

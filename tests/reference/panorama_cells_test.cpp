@@ -1,5 +1,5 @@
-// What the high-end path's mirrors read (lighting/panorama_cells.h) against what the reference reads, for maps of any
-// size.
+// What the high-end path's mirrors read (lighting/environment/panorama_cells.h) against what the reference reads, for
+// maps of any size.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
-#include "lighting/panorama_cells.h"
+#include "lighting/environment/panorama_cells.h"
 #include "reference/environment_sampler.h"
-#include "scenes/procedural_environment.h"
+#include "scenes/builtin/procedural_environment.h"
 
 namespace parity::reference {
 namespace {

@@ -192,7 +192,7 @@ template <typename Lobe> LinearControl::Lobe inFours(const Lobe& lobe) {
 TEST(LinearControl, fitsToWhatTheLobeIs) {
   for (const auto& [term, curve] : {std::pair(GeometryTerm::heightCorrelated, FresnelCurve::schlick),
                                     std::pair(GeometryTerm::schlickSmith, FresnelCurve::dielectric)}) {
-    const Model model{.geometryTerm = term, .fresnel = curve};
+    const Model model{.surface = {.geometryTerm = term, .fresnel = curve}};
     const DirectionalAlbedo albedo(term, curve);
     for (const float roughness : {0.03f, 0.3f, 1.f}) {
       SurfaceSample sample = tests::makePoint(0.6, roughness, 0.5f);

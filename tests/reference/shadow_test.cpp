@@ -5,7 +5,7 @@
 #include "reference/environment_integral.h"
 #include "reference/sampling.h"
 #include "reference/surroundings.h"
-#include "scenes/shapes.h"
+#include "scenes/builtin/shapes.h"
 
 namespace parity::reference {
 namespace {

@@ -5,9 +5,9 @@
 #include <iostream>
 
 #include "base/file.h"
-#include "scenes/gltf_writer.h"
+#include "scenes/gltf/gltf_writer.h"
+#include "scenes/gltf/tangents.h"
 #include "scenes/load.h"
-#include "scenes/tangents.h"
 #include "scenes/view.h"
 
 namespace parity::tests {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes/builtin.h"
+#include "scenes/builtin/builtin.h"
 
 namespace parity::tests {
 namespace {

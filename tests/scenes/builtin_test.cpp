@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes/builtin.h"
+#include "scenes/builtin/builtin.h"
+#include "scenes/builtin/shapes.h"
 #include "scenes/load.h"
-#include "scenes/shapes.h"
 #include "scenes/view.h"
 
 namespace parity::tests {

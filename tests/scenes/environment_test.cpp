@@ -8,13 +8,13 @@
 #include <glm/gtc/constants.hpp>
 
 #include "base/file.h"
-#include "base/image_io.h"
+#include "base/image/image_io.h"
 #include "fuzz/exr_bytes.h"
-#include "scenes/builtin.h"
+#include "scenes/builtin/builtin.h"
+#include "scenes/builtin/procedural_environment.h"
 #include "scenes/environment.h"
-#include "scenes/gltf_writer.h"
+#include "scenes/gltf/gltf_writer.h"
 #include "scenes/load.h"
-#include "scenes/procedural_environment.h"
 
 namespace parity::tests {
 namespace {

@@ -1,7 +1,7 @@
 // Every material on a sphere of its own; what a scene says about itself.
-#include "scenes/gltf_writer.h"
+#include "scenes/builtin/material_balls.h"
+#include "scenes/gltf/gltf_writer.h"
 #include "scenes/load.h"
-#include "scenes/material_balls.h"
 #include "scenes/scene_info.h"
 #include "scenes/view.h"
 

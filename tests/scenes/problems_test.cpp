@@ -2,7 +2,7 @@
 #include <thread>
 
 #include "base/file.h"
-#include "scenes/gltf_writer.h"
+#include "scenes/gltf/gltf_writer.h"
 #include "scenes/load.h"
 #include "scenes/problems.h"
 

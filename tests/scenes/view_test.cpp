@@ -1,7 +1,7 @@
 // Cameras and the sun: DESIGN 8's convention, term by term.
 #include <cmath>
 
-#include "scenes/gltf_writer.h"
+#include "scenes/gltf/gltf_writer.h"
 #include "scenes/view.h"
 
 namespace parity::tests {

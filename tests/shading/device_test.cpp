@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "shading_shaders/unbound_buffer.comp.h"
-#include "stress/device_rows.h"
-#include "stress/function_table.h"
+#include "study/stress/device_rows.h"
+#include "study/stress/function_table.h"
 #include "support/device.h"
 
 namespace parity::tests {

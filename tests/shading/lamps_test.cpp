@@ -97,7 +97,9 @@ TEST(MeanOfGgx, isTheMeanOverADiscOfLights) {
         const double NoH2 = std::pow(glm::dot(N, middle), 2), VoH2 = std::pow(glm::dot(V, middle), 2);
         const double mean = lobe(L) * f64::meanOfGgx(alpha * alpha, NoH2, VoH2, r * r / 2);
         EXPECT_NEAR(mean / sum, 1, 0.03) << alpha << " " << V.y << " " << away;
-        EXPECT_LT(std::abs(mean / sum - 1), 0.7 * std::abs(lobe(L) / sum - 1) + 1e-3) << alpha << " " << away;
+        // Turning half as much or twice as much leaves half of the difference, or more, at the peak.
+        const double left = away == 0 ? 0.15 : 0.7;
+        EXPECT_LT(std::abs(mean / sum - 1), left * std::abs(lobe(L) / sum - 1) + 1e-3) << alpha << " " << away;
       }
 }
 

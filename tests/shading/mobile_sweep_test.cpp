@@ -7,7 +7,7 @@
 
 #include "shading_shaders/sweep_fp16.comp.h"
 #include "shading_shaders/sweep_fp32.comp.h"
-#include "stress/device_rows.h"
+#include "study/stress/device_rows.h"
 #include "support/device.h"
 
 namespace parity::tests {

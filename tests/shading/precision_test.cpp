@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "shading/shading.h"
-#include "stress/function_table.h"
+#include "study/stress/function_table.h"
 
 namespace parity::tests {
 namespace {

@@ -8,8 +8,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/packing.hpp>
 
-#include "gpu/baked_maps.h"
-#include "scenes/lightmap_uvs.h"
+#include "gpu/surface/baked_maps.h"
+#include "scenes/gltf/lightmap_uvs.h"
 
 namespace parity::tests {
 

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "base/error.h"
-#include "gpu/device.h"
+#include "gpu/device/device.h"
 
 namespace parity::tests {
 

@@ -3,8 +3,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "scenes/builtin/shapes.h"
 #include "scenes/scene.h"
-#include "scenes/shapes.h"
 
 namespace parity::tests {
 

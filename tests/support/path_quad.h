@@ -4,7 +4,7 @@
 #include "support/device.h"
 #include "support/small_scenes.h"
 
-#include "gpu/shading_pass.h"
+#include "gpu/surface/shading_pass.h"
 #include "shading/terms.h"
 
 namespace parity::tests {

@@ -10,11 +10,11 @@
 #include <glm/glm.hpp>
 
 #include "base/parallel.h"
-#include "lighting/cube.h"
-#include "lighting/cube_sampler.h"
-#include "lighting/environment_light.h"
-#include "lighting/panorama_cells.h"
-#include "scenes/procedural_environment.h"
+#include "lighting/environment/cube.h"
+#include "lighting/environment/cube_sampler.h"
+#include "lighting/environment/environment_light.h"
+#include "lighting/environment/panorama_cells.h"
+#include "scenes/builtin/procedural_environment.h"
 #include "shading/shading.h"
 
 namespace parity::tests {

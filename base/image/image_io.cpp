@@ -1,0 +1,248 @@
+// Image files: checks that need no library, PFM, and the way to the module that holds OpenImageIO.
+#include "base/image/image_io.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/image/exr_check.h"
+#include "base/image/hdr_header.h"
+#include "base/image/image_format.h"
+#include "base/image/image_module.h"
+#include "base/image/jpeg_header.h"
+#include "base/image/pfm.h"
+#include "base/image/png_check.h"
+#include "base/image/webp.h"
+#include "base/module_file.h"
+#include "base/parallel.h"
+
+namespace parity::base {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kModuleFile = "parity_imageio.so";
+
+std::string extensionOf(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+const ImageModule& loadModule() {
+  const auto get = reinterpret_cast<GetImageModule>(
+      moduleFunction(kModuleFile, kGetImageModule, "OpenImageIO 2.4 is needed: install libopenimageio2.4",
+                     "image files cannot be read or written"));
+  const ImageModule* module = get();
+  if (!module || module->version != kImageModuleVersion)
+    throw Error(ExitCode::failed, kModuleFile, "", "belongs to another build of this program: build or install both");
+  module->limitThreads(threadCount());
+  return *module;
+}
+
+const ImageModule& imageModule() {
+  static const ImageModule& module = loadModule(); // once, whichever thread comes first; tried again after a failure
+  return module;
+}
+
+// The first bytes of a file, or all.
+std::vector<std::byte> readHead(const fs::path& file) {
+  constexpr std::size_t kHeadBytes = std::size_t{1} << 20;
+  const std::uintmax_t size = regularFileSize(file);
+  if (size == 0) throw fileError(file.string(), "", "is empty");
+  std::vector<std::byte> head(static_cast<std::size_t>(std::min<std::uintmax_t>(size, kHeadBytes)));
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
+  return head;
+}
+
+// As the library calls the reader of a format.
+const char* readerOf(ImageFormat format) {
+  switch (format) {
+  case ImageFormat::png:
+    return "png";
+  case ImageFormat::jpeg:
+    return "jpeg";
+  case ImageFormat::tiff:
+    return "tiff";
+  case ImageFormat::webp:
+    return "webp";
+  case ImageFormat::hdr:
+    return "hdr";
+  case ImageFormat::exr:
+    return "openexr";
+  case ImageFormat::bmp:
+    return "bmp";
+  case ImageFormat::targa:
+    return "targa";
+  case ImageFormat::pfm:
+  case ImageFormat::pnm:
+    return "pnm";
+  }
+  return "";
+}
+
+ImageFormat requireFormat(std::span<const std::byte> head, const std::string& name, const std::string& extension) {
+  if (const std::optional<ImageFormat> format = findImageFormat(head, extension)) return *format;
+  throw fileError(name, "cannot be decoded", "is none of " + std::string(kImageFormats));
+}
+
+// A file whose format is known and whose header has been checked as far as the library does not check it.
+struct CheckedFile {
+  ImageFormat format;
+  ImageSource source;
+};
+
+CheckedFile checkFile(const fs::path& file, const ImageLimits& limits, bool isRead = true) {
+  const std::string name = file.string();
+  const std::vector<std::byte> head = readHead(file);
+  const ImageFormat format = requireFormat(head, name, extensionOf(file));
+  if (format == ImageFormat::png && isRead) checkPng(readFile(file), name, limits);
+  if (format == ImageFormat::exr) checkExr(head, regularFileSize(file), name);
+  if (format == ImageFormat::jpeg) readJpegShape(readFile(file), name, limits);
+  return {format, {.name = name, .format = readerOf(format), .limits = limits}};
+}
+
+ImageFile describePfm(Image pixels) {
+  ImageFile result{std::move(pixels), {}};
+  result.info.bits = 32;
+  result.info.fullWidth = result.pixels.width;
+  result.info.fullHeight = result.pixels.height;
+  result.info.channelNames =
+      result.pixels.channels == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};
+  return result;
+}
+
+void checkChannels(int channels) {
+  if (channels < 1 || channels > 4) throw std::invalid_argument("8-bit images have 1 to 4 channels");
+}
+
+template <typename T>
+void checkWritable(const fs::path& file, const BasicImage<T>& image, const WriteOptions& options) {
+  const std::string name = file.string(), extension = extensionOf(file);
+  checkImageSize(name, image.width, image.height, image.channels);
+  if (image.pixels.size() != image.pixelCount() * static_cast<std::size_t>(image.channels))
+    throw fileError(name, "", "the image's size does not fit its pixels");
+  struct Format {
+    const char* extension;
+    int minChannels, maxChannels;
+  };
+  constexpr std::array kFormats{Format{".png", 1, 4}, Format{".exr", 1, kMaxImageChannels}, Format{".hdr", 3, 3},
+                                Format{".pfm", 1, 3}};
+  const auto format =
+      std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& known) { return extension == known.extension; });
+  if (format == kFormats.end())
+    throw fileError(name, "", "cannot be written in this format; use .png, .exr, .hdr or .pfm");
+  if (image.channels < format->minChannels || image.channels > format->maxChannels)
+    throw fileError(name, "", fmt::format("{} cannot hold {} channels", extension, image.channels));
+  if (!options.channelNames.empty() && options.channelNames.size() != static_cast<std::size_t>(image.channels))
+    throw fileError(name, "",
+                    fmt::format("{} channel names for {} channels", options.channelNames.size(), image.channels));
+  // Two channels of one name would be one in the file.
+  const std::set<std::string> distinct(options.channelNames.begin(), options.channelNames.end());
+  if (distinct.size() != options.channelNames.size() || distinct.contains(""))
+    throw fileError(name, "", "a channel name is empty or stands twice");
+}
+
+} // namespace
+
+Image readImage(const fs::path& file, const ImageLimits& limits) { return readImageFile(file, limits).pixels; }
+
+ImageFile readImageFile(const fs::path& file, const ImageLimits& limits) {
+  const auto [format, source] = checkFile(file, limits);
+  if (format == ImageFormat::webp) return readWebp(readFile(file), source.name, limits);
+  if (format == ImageFormat::pfm) return describePfm(readPfm(file, limits));
+  return imageModule().read(source);
+}
+
+ImageShape readImageShape(const fs::path& file, const ImageLimits& limits) {
+  const auto [format, source] = checkFile(file, limits, false);
+  if (format == ImageFormat::png) return readPngShape(readHead(file), source.name, limits);
+  if (format == ImageFormat::jpeg) return readJpegShape(readFile(file), source.name, limits);
+  if (format == ImageFormat::pfm) return readPfmShape(readHead(file), source.name, limits);
+  if (format == ImageFormat::webp) return readWebpShape(readHead(file), source.name, limits);
+  return imageModule().readShape(source);
+}
+
+BasicImage<std::uint32_t> readIntegers(const fs::path& file, const ImageLimits& limits) {
+  const auto [format, source] = checkFile(file, limits);
+  if (format == ImageFormat::pfm) throw fileError(source.name, "", "holds floats, not integers");
+  if (format != ImageFormat::webp) return imageModule().readIntegers(source);
+  const Image8 stored = decodeWebp(readFile(file), source.name, 4, limits);
+  BasicImage<std::uint32_t> wide(stored.width, stored.height, stored.channels);
+  std::copy(stored.pixels.begin(), stored.pixels.end(), wide.pixels.begin());
+  return wide;
+}
+
+Image8 readImage8(const fs::path& file, int channels, const ImageLimits& limits) {
+  checkChannels(channels);
+  const auto [format, source] = checkFile(file, limits);
+  if (format == ImageFormat::webp) return decodeWebp(readFile(file), source.name, channels, limits);
+  return imageModule().read8(source, channels);
+}
+
+Image8 decodeImage8(std::span<const std::byte> bytes, const std::string& name, int channels,
+                    const ImageLimits& limits) {
+  checkChannels(channels);
+  if (bytes.empty()) throw fileError(name, "", "is empty");
+  const ImageFormat format = requireFormat(bytes, name, "");
+  if (format == ImageFormat::webp) return decodeWebp(bytes, name, channels, limits);
+  if (format == ImageFormat::jpeg) readJpegShape(bytes, name, limits);
+  checkPng(bytes, name, limits);
+  checkExr(bytes, bytes.size(), name);
+  return imageModule().read8({.name = name, .format = readerOf(format), .bytes = bytes, .limits = limits}, channels);
+}
+
+ImageFile decodeRadiance(std::span<const std::byte> bytes, const std::string& name, const ImageLimits& limits) {
+  if (bytes.empty()) throw fileError(name, "", "is empty");
+  const std::optional<ImageFormat> format = findImageFormat(bytes, "");
+  if (format == ImageFormat::pfm) return describePfm(decodePfm(bytes, name, limits));
+  if (format != ImageFormat::hdr && format != ImageFormat::exr)
+    throw fileError(name, "", "no HDR environment: .hdr, .exr or .pfm is needed");
+  checkExr(bytes, bytes.size(), name);
+  ImageSource source{.name = name, .format = readerOf(*format), .bytes = bytes, .limits = limits};
+  source.limits.maxPixels = std::min(limits.maxPixels, kMaxRadiancePixels);
+  if (imageModule().readShape(source).integer)
+    throw fileError(name, "", "an image of integers is no HDR environment: .hdr, .exr or .pfm of floats is needed");
+  ImageFile file = imageModule().read(source);
+  if (*format == ImageFormat::hdr) file.info.orientation = readHdrOrientation(bytes, name);
+  return file;
+}
+
+bool isIntegerImage(const fs::path& file) { return readImageShape(file).integer; }
+
+void writeImage(const fs::path& file, const Image& image, const WriteOptions& options) {
+  checkWritable(file, image, options);
+  if (extensionOf(file) == ".pfm") return writePfm(file, image);
+  writeBytes(file, imageModule().encode(file, image, options));
+}
+
+void writeImage8(const fs::path& file, const Image8& image, const WriteOptions& options) {
+  writeBytes(file, encodeImage8(file, image, options));
+}
+
+std::vector<std::byte> encodeImage8(const fs::path& file, const Image8& image, const WriteOptions& options) {
+  checkWritable(file, image, options);
+  if (extensionOf(file) != ".png") throw fileError(file.string(), "", "8-bit images are written as .png only");
+  return imageModule().encode8(file, image, options);
+}
+
+fs::path imageModuleFile() {
+  std::error_code error;
+  for (fs::path& file : moduleCandidates(kModuleFile))
+    if (fs::exists(file, error)) return std::move(file);
+  return {};
+}
+
+} // namespace parity::base

@@ -1,0 +1,215 @@
+// The module that holds OpenImageIO: image files of every kind to and from memory.
+#include "base/image/image_module.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <string_view>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/image/image_reader.h"
+
+namespace parity::base {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Whatever the library throws becomes an Error that names the file.
+template <typename Body> auto guarded(const std::string& name, Body&& body) {
+  try {
+    return body();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw fileError(name, "", "needs more memory than there is");
+  } catch (const std::exception& error) {
+    throw fileError(name, "", reasonOf(error.what(), name));
+  }
+}
+
+// Division, not multiplication with a reciprocal: v/255 is exact where other programs are. Band by band: of a large
+// picture we hold no second copy.
+template <typename T> Image readNormalized(Reader& reader) {
+  const oiio::ImageSpec spec = reader.spec();
+  Image image;
+  image.width = spec.width, image.height = spec.height, image.channels = spec.nchannels;
+  image.pixels.reserve(image.pixelCount() * static_cast<std::size_t>(spec.nchannels));
+  reader.readBands<T>([&](std::span<const T> band) {
+    for (const T v : band)
+      image.pixels.push_back(static_cast<float>(v) / static_cast<float>(std::numeric_limits<T>::max()));
+  });
+  return image;
+}
+
+std::uint8_t to8(std::uint8_t v) { return v; }
+std::uint8_t to8(std::uint16_t v) { return static_cast<std::uint8_t>((v + 128u) / 257u); } // round(v / 257) in integers
+
+// From a file's channels, of which one may be alpha, to as many as are wanted: an even number has alpha as the last.
+class ChannelMap {
+public:
+  ChannelMap(const oiio::ImageSpec& spec, int channels)
+      : m_from(spec.nchannels), m_alpha(spec.alpha_channel), m_to(channels) {}
+
+  bool keepsAll() const {
+    const bool hasAlpha = m_alpha >= 0;
+    return m_from == m_to && (!hasAlpha || m_alpha == m_from - 1) && hasAlpha == (m_to % 2 == 0);
+  }
+
+  template <typename T> void convert(const T* in, std::size_t count, std::uint8_t* out) const {
+    const int colors = m_from - (m_alpha >= 0 ? 1 : 0);
+    const bool wantsAlpha = m_to % 2 == 0;
+    const int wantedColors = m_to - (wantsAlpha ? 1 : 0);
+    for (std::size_t i = 0; i < count; ++i, in += m_from, out += m_to) {
+      for (int c = 0; c < wantedColors; ++c) out[c] = to8(in[colors >= 3 ? c : 0]);
+      if (wantsAlpha) out[wantedColors] = m_alpha >= 0 ? to8(in[m_alpha]) : std::uint8_t{255};
+    }
+  }
+
+private:
+  int m_from, m_alpha, m_to;
+};
+
+// Band by band: of a large picture stored in scanlines we hold no second copy.
+template <typename T> Image8 convertWhileReading(Reader& reader, const ChannelMap& map, int channels) {
+  const oiio::ImageSpec spec = reader.spec();
+  Image8 image;
+  image.width = spec.width, image.height = spec.height, image.channels = channels;
+  image.pixels.reserve(image.pixelCount() * static_cast<std::size_t>(channels));
+  reader.readBands<T>([&](std::span<const T> band) {
+    const std::size_t count = band.size() / static_cast<std::size_t>(spec.nchannels), before = image.pixels.size();
+    image.pixels.resize(before + count * static_cast<std::size_t>(channels));
+    map.convert(band.data(), count, image.pixels.data() + before);
+  });
+  return image;
+}
+
+Image8 readAs8(Reader& reader, int channels) {
+  const ChannelMap map(reader.spec(), channels);
+  if (reader.spec().format == oiio::TypeDesc::UINT16) return convertWhileReading<std::uint16_t>(reader, map, channels);
+  return map.keepsAll() ? reader.read<std::uint8_t>() : convertWhileReading<std::uint8_t>(reader, map, channels);
+}
+
+Image readPixels(Reader& reader) {
+  if (reader.spec().format == oiio::TypeDesc::UINT8) return readNormalized<std::uint8_t>(reader);
+  if (reader.spec().format == oiio::TypeDesc::UINT16) return readNormalized<std::uint16_t>(reader);
+  return reader.read<float>();
+}
+
+ImageShape readShape(const ImageSource& source) {
+  return guarded(source.name, [&] { return Reader(source).shape(); });
+}
+
+ImageFile read(const ImageSource& source) {
+  return guarded(source.name, [&] {
+    Reader reader(source);
+    reader.requireMemory(sizeof(float), reader.spec().nchannels, source.limits);
+    ImageFile result{{}, reader.info()};
+    result.pixels = readPixels(reader);
+    result.info.images = reader.countImages();
+    return result;
+  });
+}
+
+template <typename T> BasicImage<std::uint32_t> readWidened(Reader& reader) {
+  const oiio::ImageSpec spec = reader.spec();
+  BasicImage<std::uint32_t> wide;
+  wide.width = spec.width, wide.height = spec.height, wide.channels = spec.nchannels;
+  wide.pixels.reserve(wide.pixelCount() * static_cast<std::size_t>(spec.nchannels));
+  reader.readBands<T>(
+      [&](std::span<const T> band) { wide.pixels.insert(wide.pixels.end(), band.begin(), band.end()); });
+  return wide;
+}
+
+BasicImage<std::uint32_t> readIntegers(const ImageSource& source) {
+  return guarded(source.name, [&] {
+    Reader reader(source);
+    reader.requireMemory(sizeof(std::uint32_t), reader.spec().nchannels, source.limits);
+    if (reader.spec().format == oiio::TypeDesc::UINT8) return readWidened<std::uint8_t>(reader);
+    if (reader.spec().format == oiio::TypeDesc::UINT16) return readWidened<std::uint16_t>(reader);
+    if (reader.spec().format == oiio::TypeDesc::UINT32) return reader.read<std::uint32_t>();
+    throw fileError(source.name, "", "holds no unsigned integers");
+  });
+}
+
+Image8 read8(const ImageSource& source, int channels) {
+  return guarded(source.name, [&] {
+    Reader reader(source);
+    reader.requireMemory(1, channels, source.limits);
+    return readAs8(reader, channels);
+  });
+}
+
+// Into memory: on a full disk the library's own files come out short, and it reports no error (found with PNG and HDR).
+template <typename T> std::vector<std::byte> encodePixels(const fs::path& file, const BasicImage<T>& image,
+                                                          oiio::TypeDesc stored, const WriteOptions& options) {
+  const std::string name = file.string();
+  return guarded(name, [&] {
+    const oiio::ImageOutput::unique_ptr output = oiio::ImageOutput::create(name);
+    if (!output || !output->supports("ioproxy"))
+      throw fileError(name, "cannot be written", output ? "not by way of memory" : reasonOf(oiio::geterror(), name));
+    oiio::ImageSpec spec(image.width, image.height, image.channels, stored);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    if (std::string_view(output->format_name()) == "png") {
+      constexpr int kAverageFilter = 64; // PNG_FILTER_AVG: trying all five for each row costs more than it saves
+      spec.attribute("png:compressionLevel", options.pngCompression);
+      spec.attribute("png:filter", kAverageFilter);
+    } else if (std::string_view(output->format_name()) == "openexr") {
+      spec.attribute("compression", "zip");
+      spec.attribute("DateTime", ""); // without one the library stores the present, and no two files would be equal
+      if (!options.channelNames.empty()) {
+        spec.channelnames = options.channelNames;
+        spec.alpha_channel = -1; // a name, not a position, tells
+      }
+    }
+    std::vector<unsigned char> bytes;
+    oiio::Filesystem::IOVecOutput memory(bytes);
+    // Closing is where the last bytes come out.
+    if (!output->set_ioproxy(&memory) || !output->open(name, spec) ||
+        !output->write_image(oiio::BaseTypeFromC<T>::value, image.pixels.data()) || !output->close())
+      throw fileError(name, "cannot be written", reasonOf(output->geterror(), name));
+    const auto* begin = reinterpret_cast<const std::byte*>(bytes.data());
+    return std::vector<std::byte>(begin, begin + bytes.size());
+  });
+}
+
+std::vector<std::byte> encode8(const fs::path& file, const Image8& image, const WriteOptions& options) {
+  return encodePixels(file, image, oiio::TypeDesc::UINT8, options);
+}
+
+std::vector<std::byte> encode(const fs::path& file, const Image& image, const WriteOptions& options) {
+  if (oiio::Strutil::iends_with(file.string(), ".png")) {
+    Image8 rounded(image.width, image.height, image.channels);
+    // Both comparisons are false for NaN, which is written as 0.
+    std::transform(image.pixels.begin(), image.pixels.end(), rounded.pixels.begin(), [](float v) {
+      return static_cast<std::uint8_t>(v >= 1 ? 255.0f : v > 0 ? v * 255.0f + 0.5f : 0.0f);
+    });
+    return encode8(file, rounded, options);
+  }
+  if (oiio::Strutil::iends_with(file.string(), ".hdr"))
+    for (const float v : image.pixels)
+      if (!(v >= 0) || !std::isfinite(v))
+        throw fileError(file.string(), "", "the format holds neither negative nor non-finite values; use .exr");
+  return encodePixels(file, image, options.half ? oiio::TypeDesc::HALF : oiio::TypeDesc::FLOAT, options);
+}
+
+void limitThreads(int threads) {
+  oiio::attribute("threads", threads);
+  oiio::attribute("exr_threads", threads);
+}
+
+constexpr ImageModule kModule{kImageModuleVersion, limitThreads, readShape, read, readIntegers, read8, encode, encode8};
+
+} // namespace
+
+} // namespace parity::base
+
+extern "C" __attribute__((visibility("default"))) const parity::base::ImageModule* parityImageModule() {
+  return &parity::base::kModule;
+}

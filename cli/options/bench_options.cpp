@@ -1,0 +1,77 @@
+// By CLI11, as command_line.cpp, which it serves.
+#include "cli/options/bench_options.h"
+
+#include "base/error.h"
+#include "mobile/options.h"
+
+namespace parity::cli {
+
+void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
+  BenchCommand& bench = raw.bench;
+  job::Settings& s = bench.common.settings;
+  s.width = s.height = 256;
+  s.reference.integral.relativeError = 0.02;
+  s.of<mobile::Options>().precision =
+      mobile::Precision::fp32; // a software device emulates half; every preset is tried in both
+  app.add_option("scenes", bench.scenes, "Scene files or builtin:NAME");
+  app.add_option("-o,--output", bench.folder, "Folder for index.html, bench.json, bench.csv and pictures")
+      ->group("Output");
+  app.add_option("--json", bench.common.json, "Write bench.json there; - for stdout, instead of the table")
+      ->group("Output");
+  app.add_option("--csv", bench.csv, "Write bench.csv there; - for stdout, instead of the table")->group("Output");
+  app.add_option("--budget", raw.budget,
+                 "NAME=LIMIT (flip.mean, flip.p95, relmse): name the fastest setting within it; exit 2 where none is")
+      ->group("Bench");
+  app.add_option("--compare", bench.compare,
+                 "bench.json of an earlier run: ratios with confidence intervals; exit 2 where a setting is slower")
+      ->group("Bench");
+  app.add_option("--settings", bench.trial.settings,
+                 "Only these and the defaults: globs as 'mobile: refit*'; of --scaling: as 'lights'; repeatable")
+      ->group("Bench");
+  app.add_flag("--list", bench.list, "List the settings")->group("Bench");
+  app.add_option("--rounds", bench.trial.rounds, "Timed rounds, in random order, after one that compiles")
+      ->check(CLI::Range(2, 1000))
+      ->group("Bench")
+      ->capture_default_str();
+  app.add_option("--preparation-rounds", bench.trial.preparationRounds,
+                 "The same of what is prepared once, as tables; --compare judges from about 9 on")
+      ->check(CLI::Range(2, 1000))
+      ->group("Bench")
+      ->capture_default_str();
+  app.add_flag("--no-reference", raw.noReference, "No errors against the reference, which takes most of the time")
+      ->group("Bench");
+  app.add_flag("--scaling", bench.scaling,
+               "Instead: each stage against pixels, triangles, lights, materials, textures; generated scenes")
+      ->group("Bench")
+      ->excludes(app.get_option("scenes"))
+      ->excludes(app.get_option("--compare"))
+      ->excludes(app.get_option("--budget"))
+      ->excludes(app.get_option("--csv"));
+  addKnobs(app, bench.common, raw.common, {"Scene", "Picture", "Paths", "Truth"},
+           {"truth", "interreflection", "material", "costs"});
+  addViewKnobs(app, raw.common);
+  addRunOptions(app, bench.common, raw.common);
+  app.remove_option(app.get_option("--timings"));
+}
+
+BenchCommand settleBench(const CLI::App& app, const RawBenchOptions& raw) {
+  BenchCommand command = raw.bench;
+  if (command.scenes.empty() && !command.scaling && !command.list)
+    throw CLI::RequiredError("bench: a SCENE, --scaling or --list");
+  settle(app, command.common, raw.common);
+  requireSizeFits(command.common, kComparedPixelBytes);
+  command.common.settings.costs = true;
+  command.trial.truth = !raw.noReference;
+  if (command.common.json == "-" && command.csv == "-")
+    throw CLI::ValidationError("--csv", "JSON goes to stdout already");
+  if (!raw.budget.empty()) {
+    try {
+      command.budget = sweep::parseErrorBudget(raw.budget);
+    } catch (const base::Error& error) {
+      throw CLI::ValidationError("--budget", raw.budget + ": " + error.reason());
+    }
+  }
+  return command;
+}
+
+} // namespace parity::cli

@@ -1,0 +1,56 @@
+// By CLI11, as command_line.cpp, which it serves.
+#include "cli/options/budget_options.h"
+
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "cli/options/option_parts.h"
+
+namespace parity::cli {
+
+void addVerdictOptions(CLI::App& app, VerdictOptions& verdict) {
+  app.add_flag("--warn-exit", verdict.warnExit, "Exit 1 where there are warnings only")->group("Verdict");
+  app.add_option("--baseline", verdict.baseline,
+                 "Earlier report.json or its folder: show what changed, judge the budgets' regressions")
+      ->group("Verdict");
+  app.add_option("--annotate", verdict.annotate, "github: also print workflow commands for what is not well")
+      ->check(CLI::IsMember({"github"}))
+      ->group("Verdict");
+}
+
+void addBudgetOptions(CLI::App& app, RawBudgetOptions& raw) {
+  app.require_subcommand(1);
+  CLI::App& suggest = *app.add_subcommand("suggest", "Propose a budget file from reports of earlier runs");
+  suggest.add_option("reports", raw.suggest.reports, "report.json files or their folders, one a run")->required();
+  suggest.add_option("-o,--output", raw.suggest.output, "Budget file to write (TOML). Default: stdout");
+  suggest
+      .add_option("--margin", raw.suggest.options.margin,
+                  "Added to the observed 95th percentile, as a share of the error; twice that to fail")
+      ->check(within(0, 10))
+      ->capture_default_str();
+  raw.metrics = fmt::format("{}", fmt::join(raw.suggest.options.figures, ","));
+  suggest.add_option("--metrics", raw.metrics, "Figures to limit, as in budgets: flip.mean,ssim.mean,...")
+      ->capture_default_str();
+  CLI::App& check = *app.add_subcommand("check", "Read a budget file and print the rules that it makes");
+  check.add_option("file", raw.check.file, "Budget file (TOML)")->required();
+}
+
+Invocation settleBudget(const CLI::App& app, const RawBudgetOptions& raw) {
+  if (app.get_subcommand("check")->parsed()) return raw.check;
+  BudgetSuggestCommand suggest = raw.suggest;
+  suggest.options.figures.clear();
+  std::istringstream names(raw.metrics);
+  for (std::string name; std::getline(names, name, ',');) try {
+      suggest.options.figures.push_back(compare::requireStatistic(name, "--metrics").name);
+    } catch (const base::Error& error) {
+      throw CLI::ValidationError("--metrics", error.place() + ": " + error.reason());
+    }
+  if (suggest.options.figures.empty()) throw CLI::ValidationError("--metrics", "names no figure");
+  return suggest;
+}
+
+} // namespace parity::cli

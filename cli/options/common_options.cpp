@@ -1,0 +1,107 @@
+// The options that the subcommands share, by CLI11.
+#include "cli/options/common_options.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/log.h"
+#include "cli/options/knob_options.h"
+#include "cli/options/option_parts.h"
+#include "job/knobs.h"
+
+namespace parity::cli {
+
+void addKnobs(CLI::App& app, CommonOptions& common, RawOptions& raw, const std::vector<std::string>& groups,
+              const std::vector<std::string>& without) {
+  addKnobOptions<job::Settings>(app, job::knobs(), common.settings, raw.knobs, [&](const base::Knob& knob) {
+    return std::ranges::count(groups, knob.group) > 0 && std::ranges::count(without, knob.id) == 0;
+  });
+}
+
+void addViewKnobs(CLI::App& app, RawOptions& raw) {
+  addKnobOptions<scenes::ViewRequest>(app, scenes::viewKnobs(), {}, raw.views, [](const base::Knob&) { return true; });
+}
+
+void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
+  app.add_option("--device", common.settings.device.name,
+                 "Vulkan device: part of its name, or its number in 'parity devices'. Default: the software device");
+  app.add_flag("--validation", raw.validation, "Run under the Khronos validation layer; any message is an error");
+  app.add_option("--threads", common.threads, "CPU threads; 0: all cores")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_option("--cache", raw.cache, "Cache folder. Default: $XDG_CACHE_HOME/parity");
+  app.add_option("--cache-size", raw.cacheSize,
+                 "Bound of the cache, as 500M or 4G: what was used longest ago goes first")
+      ->capture_default_str();
+  app.add_flag("--no-cache", raw.noCache, "Neither read nor write the cache");
+  app.add_flag("--timings", common.timings, "Print time by stage to stderr");
+  app.add_flag("-q,--quiet", raw.quiet, "Errors only: no table either, the verdict is the exit code");
+  app.add_flag("-v,--verbose", raw.verbose, "Say more");
+}
+
+void addBudgetsOption(CLI::App& app, CommonOptions& common) {
+  app.add_option("--budgets", common.settings.budgets, "Budget file (TOML) instead of the built-in budgets")
+      ->group("Verdict");
+}
+
+void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw) {
+  app.add_flag("--single-file", report.singleFile,
+               "Put all that index.html shows into it: pictures, values, script; then it can be sent alone")
+      ->group("Page");
+  app.add_option("--pixel-data", raw.pixelData,
+                 "all: also write the values behind the pictures, for the page's inspector, exposure and threshold")
+      ->check(CLI::IsMember({"all", "none"}))
+      ->group("Page")
+      ->capture_default_str();
+  app.add_option("--bench", report.bench, "Show the error-against-time plot of this bench.json, or of its folder")
+      ->group("Page");
+}
+
+void requireNoneOfScene(const RawOptions& raw) {
+  for (const auto& [id, given] : raw.knobs)
+    if (job::knobs().find(id)->knob.ofScene) throw CLI::ExcludesError("--suite", given.where);
+  if (!raw.views.empty()) throw CLI::ExcludesError("--suite", raw.views.begin()->second.where);
+}
+
+void settle(const CLI::App& app, CommonOptions& common, const RawOptions& raw, bool isBesideSuite) {
+  base::setLogLevel(raw.quiet ? base::LogLevel::quiet : raw.verbose ? base::LogLevel::verbose : base::LogLevel::normal);
+  for (const auto& [id, given] : raw.knobs)
+    if (given.where != "--" + id && given.where != "--no-" + id)
+      base::logInfo(fmt::format("{} is called --{} now", given.where, id));
+  if (!isBesideSuite) requireNeeds(app, job::knobs(), raw.knobs);
+  job::Settings& s = common.settings;
+  s.device.validation |= raw.validation;
+  if (!raw.noCache) s.cacheFolder = raw.cache.empty() ? base::defaultCacheFolder() : std::filesystem::path(raw.cache);
+  s.cacheBytes = readOption("--cache-size", base::readBytes, raw.cacheSize);
+  common.quiet = raw.quiet;
+  common.plain = s;
+  common.given = raw.knobs;
+  try {
+    // Beside a suite each scene is asked whether all that is said of it goes together.
+    s = isBesideSuite ? s : job::withKnobs(s, raw.knobs);
+    if (isBesideSuite) job::knobs().apply(s, raw.knobs);
+    scenes::viewKnobs().apply(common.view, raw.views);
+    scenes::requireSense(common.view);
+  } catch (const base::Error& error) {
+    throw CLI::ValidationError(error.subject(), error.reason());
+  }
+  if (s.truth && !s.scene.baked.empty())
+    throw CLI::ValidationError("--truth", "cannot be combined with --baked: it knows of no baked light");
+  if (common.view.orbit) common.view.name = "orbit " + raw.views.at("orbit").value.at(0);
+  if (!common.view.camera.empty()) common.view.name = common.view.camera;
+}
+
+void requireSizeFits(const CommonOptions& common, std::size_t pixelBytes) {
+  const auto width = static_cast<std::size_t>(common.settings.width);
+  const auto height = static_cast<std::size_t>(common.settings.height);
+  const std::size_t bytes = width * height * pixelBytes, limit = common.settings.scene.load.maxMemoryBytes;
+  if (bytes > limit)
+    throw CLI::ValidationError("--size",
+                               fmt::format("{}x{} pixels take some {} MiB, the limit is {} MiB (--max-memory)", width,
+                                           height, bytes >> 20, limit >> 20));
+}
+
+} // namespace parity::cli

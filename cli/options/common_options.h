@@ -1,0 +1,45 @@
+// The options that the subcommands share: knobs, machine, page, verdict. Only for the files that know CLI11.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/invocation.h"
+
+namespace parity::cli {
+
+// What CLI11 fills in, of the one subcommand that is parsed; turned into CommonOptions when all is known.
+struct RawOptions {
+  base::GivenKnobs knobs, views;
+  std::string cache, cacheSize = "4G";
+  std::string pixelData = "all";
+  bool noCache = false, quiet = false, verbose = false, validation = false;
+};
+
+// Options of the knobs of these groups ("Scene", "Picture", ...) that are in `common`; `view`: those of a view, too.
+// common.settings holds what is where nothing is given. without: ids that the subcommand does not read.
+void addKnobs(CLI::App& app, CommonOptions& common, RawOptions& raw, const std::vector<std::string>& groups,
+              const std::vector<std::string>& without = {});
+void addViewKnobs(CLI::App& app, RawOptions& raw);
+
+// Device, threads, cache, verbosity.
+void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
+void addBudgetsOption(CLI::App& app, CommonOptions& common);
+// What a report's page holds: --single-file, --pixel-data, --bench.
+void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw);
+
+// Checks what CLI11 has filled in, and turns it into settings: beside a suite, whose scenes say more, each value alone.
+// Throws CLI::ValidationError.
+void settle(const CLI::App& app, CommonOptions& common, const RawOptions& raw, bool isBesideSuite = false);
+// Beside a suite: a suite says for itself how each scene is lit and seen. Throws CLI::ExcludesError.
+void requireNoneOfScene(const RawOptions& raw);
+
+// What a view takes for each pixel of --size at its peak, measured (docs/limits.md): compared by two paths, and drawn
+// by one.
+inline constexpr std::size_t kComparedPixelBytes = 350, kDrawnPixelBytes = 64;
+// After settle(). Throws CLI::ValidationError where that is more than --max-memory.
+void requireSizeFits(const CommonOptions& common, std::size_t pixelBytes);
+
+} // namespace parity::cli

@@ -1,0 +1,33 @@
+// By CLI11, as command_line.cpp, which it serves.
+#include "cli/options/fit_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "cli/options/knob_options.h"
+#include "highend/options.h"
+
+namespace parity::cli {
+
+void addFitOptions(CLI::App& app, RawFitOptions& raw) {
+  addFormulaKnobs(app, {"geometry-term", "fresnel", "compensation"}, raw.given);
+  app.add_option("--format", raw.fit.format, "Constants as glsl, hlsl or json")
+      ->check(CLI::IsMember({"glsl", "hlsl", "json"}))
+      ->capture_default_str();
+  app.add_option("-o,--output", raw.fit.output, "File to write. Default: stdout");
+  app.add_option("--threads", raw.fit.threads, "CPU threads; 0: all cores; the result is the same")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_flag("-q,--quiet", raw.fit.quiet, "Errors only");
+}
+
+FitCommand settleFit(const RawFitOptions& raw) {
+  FitCommand command = raw.fit;
+  const job::Settings settings = job::withKnobs({}, raw.given);
+  const auto& highend = settings.of<highend::Options>();
+  command.settings.geometryTerm = highend.model.geometryTerm;
+  command.settings.fresnel = highend.model.fresnel;
+  command.settings.compensation = highend.compensation;
+  return command;
+}
+
+} // namespace parity::cli

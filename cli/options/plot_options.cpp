@@ -1,0 +1,39 @@
+// By CLI11, as command_line.cpp, which it serves.
+#include "cli/options/plot_options.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+#include "base/text/nearest.h"
+#include "cli/options/knob_options.h"
+
+namespace parity::cli {
+
+void addPlotOptions(CLI::App& app, RawPlotOptions& raw) {
+  PlotCommand& plot = raw.plot;
+  app.add_option("what", plot.what, "env-brdf: the environment BRDF of high-end's table and of mobile's approximation")
+      ->required()
+      ->check(CLI::Validator(
+          [](const std::string& name) {
+            constexpr std::string_view kKnown[] = {"env-brdf"};
+            return name == kKnown[0] ? std::string() : name + ": no such plot; " + base::describeNearest(name, kKnown);
+          },
+          "NAME"));
+  app.add_option("scene", plot.scene, "Scene file or builtin:NAME: also how far the two are apart on its materials");
+  app.add_option("-o,--output", plot.folder, "Folder of the pictures (PNG) and numbers (CSV)")->required();
+  addFormulaKnobs(app, {"geometry-term", "fresnel", "compensation", "mobile-preset"}, raw.given);
+  app.add_option("--threads", plot.threads, "CPU threads; 0: all cores")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_flag("-q,--quiet", plot.quiet, "Errors only: no table either");
+}
+
+PlotCommand settlePlot(const RawPlotOptions& raw) {
+  PlotCommand plot = raw.plot;
+  plot.options = job::withKnobs({}, raw.given).options;
+  return plot;
+}
+
+} // namespace parity::cli

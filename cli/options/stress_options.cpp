@@ -1,0 +1,67 @@
+// By CLI11, as command_line.cpp, which it serves.
+#include "cli/options/stress_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "cli/options/option_parts.h"
+
+namespace parity::cli {
+
+void addStressOptions(CLI::App& app, RawStressOptions& raw) {
+  stress::Options& options = raw.stress.options;
+  app.add_option("--only", raw.only, "functions or renders. Default: both")
+      ->check(CLI::IsMember({"functions", "renders"}));
+  app.add_flag("--list", raw.stress.list, "List the functions with their inputs and demands, and the scenes");
+  app.add_option("--at", raw.stress.at,
+                 "FUNCTION:in1,in2,...: one input in every precision, on CPU and device, to the last bit")
+      ->excludes("--list");
+
+  app.add_option("--functions", options.functionGlob, "Only the functions whose names match this glob")
+      ->capture_default_str()
+      ->group("Functions");
+  app.add_option("--points", options.points.points, "Low-discrepancy points a function, besides the special values")
+      ->check(CLI::Range(0u, 4'000'000'000u))
+      ->capture_default_str()
+      ->group("Functions");
+  app.add_option("--device-points", options.points.devicePoints,
+                 "The same on the device, which costs more where it is software; 0: none on the device")
+      ->check(CLI::Range(0u, 4'000'000'000u))
+      ->capture_default_str()
+      ->group("Functions");
+
+  app.add_option("--renders", options.renderGlob, "Only the scenes whose names match this glob; random-SEED among them")
+      ->capture_default_str()
+      ->group("Renders");
+  app.add_option("--scenes", options.scenes, "Random scenes")
+      ->check(CLI::Range(0u, 1'000'000u))
+      ->capture_default_str()
+      ->group("Renders");
+  app.add_option("--seed", options.seed, "Seed of the first random scene; the others count on from it")
+      ->capture_default_str()
+      ->group("Renders");
+  app.add_option("--seconds", options.seconds, "Soak: random scenes until so many seconds have passed")
+      ->check(within(0, 1e7))
+      ->excludes("--scenes")
+      ->group("Renders");
+
+  app.add_option("-o,--output", raw.stress.folder, "Folder for index.html and stress.json");
+  app.add_option("--json", raw.stress.json, "Write stress.json there; - for stdout, instead of the tables");
+  app.add_option("--device", options.render.device.name,
+                 "Vulkan device: part of its name, or its number in 'parity devices'. Default: the software device");
+  app.add_flag("--no-validation", raw.noValidation,
+               "Without the Khronos validation layer, each message of which fails");
+  app.add_option("--threads", raw.stress.threads, "CPU threads; 0: all cores; the result is the same")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_flag("-q,--quiet", raw.stress.quiet, "Errors only");
+}
+
+StressCommand settleStress(const RawStressOptions& raw) {
+  StressCommand command = raw.stress;
+  command.options.functions = raw.only != "renders";
+  command.options.renders = raw.only != "functions";
+  command.options.render.device.validation = !raw.noValidation;
+  return command;
+}
+
+} // namespace parity::cli

@@ -1,0 +1,284 @@
+// Reading a budget file (TOML): every key is known or refused, every limit makes sense or is refused.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/image/image.h"
+#include "base/text/nearest.h"
+#include "compare/verdict/budget.h"
+
+namespace parity::compare {
+namespace {
+
+constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
+using Names = std::span<const std::string_view>;
+
+constexpr std::string_view kRootKeys[] = {"preset", "material", "whole"};
+constexpr std::string_view kPresetKeys[] = {"checks", "regress"};
+constexpr std::string_view kMaterialKeys[] = {"name",         "scene",      "preset", "checks", "regress",
+                                              "require_seen", "min_pixels", "reason", "owner"};
+constexpr std::string_view kWholeKeys[] = {"scene", "preset", "checks", "regress", "reason", "owner"};
+constexpr std::string_view kCheckKeys[] = {"metric", "warn", "fail"};
+
+// Either kind of rule takes its own limits of a built-in preset.
+enum class RuleKind { material, whole };
+
+// What a rule demands: its own lists and those of its preset.
+struct Checks {
+  std::vector<BudgetCheck> levels, regress;
+};
+
+// Those of a rule, and those of its preset over figures that the rule does not name itself.
+std::vector<BudgetCheck> merge(std::vector<BudgetCheck> own, const std::vector<BudgetCheck>& preset) {
+  const std::size_t count = own.size();
+  for (const BudgetCheck& check : preset)
+    if (std::none_of(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(count),
+                     [&](const BudgetCheck& other) { return other.statistic.name == check.statistic.name; }))
+      own.push_back(check);
+  return own;
+}
+
+class Reader {
+public:
+  explicit Reader(const std::filesystem::path& file) : m_file(file.string()), m_short(file.filename().string()) {}
+
+  Budgets read(const toml::table& root) {
+    refuseUnknown(root, kRootKeys);
+    readPresets(root);
+    Budgets budgets;
+    if (const toml::node* rules = root.get("material"))
+      for (const toml::table* rule : tablesOf(*rules, "material")) budgets.materials.push_back(materialRule(*rule));
+    if (const toml::node* rules = root.get("whole"))
+      for (const toml::table* rule : tablesOf(*rules, "whole")) budgets.wholes.push_back(wholeRule(*rule));
+    if (budgets.materials.empty() && budgets.wholes.empty())
+      throw base::fileError(m_file, "", "no rules: expected at least one [[material]] or [[whole]]");
+    refuseHidden(budgets.materials);
+    refuseHidden(budgets.wholes);
+    return budgets;
+  }
+
+  [[noreturn]] void refuse(const toml::source_region& where, const std::string& reason) const {
+    throw base::fileError(m_file, fmt::format("line {}", where.begin.line), reason);
+  }
+
+private:
+  void readPresets(const toml::table& root) {
+    for (const BudgetPreset& preset : builtInPresets()) {
+      m_presets[static_cast<int>(RuleKind::material)][preset.name] = {preset.materials, {}};
+      m_presets[static_cast<int>(RuleKind::whole)][preset.name] = {preset.wholes, {}};
+    }
+    const toml::node* node = root.get("preset");
+    if (!node) return;
+    if (!node->is_table()) refuse(node->source(), "'preset' must be tables: [preset.NAME]");
+    for (const auto& [key, value] : *node->as_table()) {
+      const std::string name(key.str());
+      if (!value.is_table()) refuse(key.source(), fmt::format("'{0}' must be a table: [preset.{0}]", name));
+      if (m_presets[0].contains(name))
+        refuse(key.source(), fmt::format("preset '{}' is built in: take another name", name));
+      const toml::table& table = *value.as_table();
+      refuseUnknown(table, kPresetKeys);
+      const Checks checks = readChecks(table, fmt::format("preset '{}'", name));
+      for (std::map<std::string, Checks>& presets : m_presets) presets[name] = checks;
+    }
+  }
+
+  const Checks* presetOf(const toml::table& table, RuleKind kind) const {
+    if (!table.contains("preset")) return nullptr;
+    const std::string name = textOf(table, "preset", "");
+    const std::map<std::string, Checks>& presets = m_presets[static_cast<int>(kind)];
+    const auto found = presets.find(name);
+    if (found != presets.end()) return &found->second;
+    std::vector<std::string_view> known;
+    for (const auto& [each, checks] : presets) known.push_back(each);
+    refuse(table.get("preset")->source(),
+           fmt::format("unknown preset '{}'; {}", name, base::describeNearest(name, known)));
+  }
+
+  // Both lists of a table; `owner`, in words, has to have one of them.
+  Checks readChecks(const toml::table& table, const std::string& owner) const {
+    Checks checks;
+    if (!table.contains("checks") && !table.contains("regress"))
+      refuse(table.source(), fmt::format("{} has neither 'checks' nor 'regress'", owner));
+    checks.levels = readList(table, "checks");
+    checks.regress = readList(table, "regress");
+    return checks;
+  }
+
+  std::vector<BudgetCheck> readList(const toml::table& table, std::string_view key) const {
+    std::vector<BudgetCheck> list;
+    const toml::node* checks = table.get(key);
+    if (!checks) return list;
+    std::set<std::string> seen;
+    for (const toml::table* check : tablesOf(*checks, key)) {
+      list.push_back(readCheck(*check, key == "regress"));
+      const BudgetCheck& last = list.back();
+      if (!seen.insert(last.statistic.name).second)
+        refuse(check->source(), fmt::format("'{}' is checked twice", last.statistic.name));
+    }
+    if (list.empty()) refuse(checks->source(), fmt::format("'{}' is empty: the rule would pass everything", key));
+    return list;
+  }
+
+  void refuseUnknown(const toml::table& table, Names known) const {
+    for (const auto& [key, node] : table)
+      if (std::ranges::find(known, key.str()) == known.end())
+        refuse(key.source(), fmt::format("unknown key '{}'; {}", key.str(), base::describeNearest(key.str(), known)));
+  }
+
+  std::vector<const toml::table*> tablesOf(const toml::node& node, std::string_view key) const {
+    const toml::array* array = node.as_array();
+    if (!array) refuse(node.source(), fmt::format("'{0}' must be an array of tables: [[{0}]]", key));
+    std::vector<const toml::table*> tables;
+    for (const toml::node& element : *array) {
+      if (!element.is_table()) refuse(element.source(), fmt::format("an entry of '{}' is not a table", key));
+      tables.push_back(element.as_table());
+    }
+    return tables;
+  }
+
+  std::string textOf(const toml::table& table, std::string_view key, std::string fallback) const {
+    const toml::node* node = table.get(key);
+    if (!node) return fallback;
+    const auto* text = node->as_string();
+    if (!text) refuse(node->source(), fmt::format("'{}' must be a string", key));
+    if (text->get().empty()) refuse(node->source(), fmt::format("'{}' is empty", key));
+    return text->get();
+  }
+
+  BudgetRule commonRule(const toml::table& table, RuleKind kind) const {
+    BudgetRule rule;
+    rule.scene = textOf(table, "scene", "*");
+    rule.reason = textOf(table, "reason", "");
+    rule.owner = textOf(table, "owner", "");
+    rule.line = static_cast<int>(table.source().begin.line);
+    rule.origin = fmt::format("{}, line {}", m_short, rule.line);
+    rule.file = m_file;
+    rule.preset = textOf(table, "preset", "");
+    const Checks* preset = presetOf(table, kind);
+    const bool hasOwn = table.contains("checks") || table.contains("regress");
+    const Checks own = hasOwn || !preset ? readChecks(table, "the rule") : Checks{};
+    rule.checks = preset ? merge(own.levels, preset->levels) : own.levels;
+    rule.regress = preset ? merge(own.regress, preset->regress) : own.regress;
+    return rule;
+  }
+
+  BudgetRule materialRule(const toml::table& table) const {
+    refuseUnknown(table, kMaterialKeys);
+    BudgetRule rule = commonRule(table, RuleKind::material);
+    if (!table.contains("name")) refuse(table.source(), "the rule has no 'name' (a glob over material names)");
+    rule.material = textOf(table, "name", "*");
+    if (const toml::node* node = table.get("require_seen")) {
+      if (!node->is_boolean()) refuse(node->source(), "'require_seen' must be true or false");
+      rule.requireSeen = node->as_boolean()->get();
+    }
+    if (const toml::node* node = table.get("min_pixels")) {
+      if (!node->is_integer()) refuse(node->source(), "'min_pixels' must be a whole number");
+      const std::int64_t count = node->as_integer()->get();
+      if (count < 1 || count > static_cast<std::int64_t>(base::kMaxImagePixels))
+        refuse(node->source(),
+               fmt::format("'min_pixels' is {}, outside the range 1..{}: 1 judges every material that is "
+                           "seen",
+                           count, base::kMaxImagePixels));
+      rule.minPixels = static_cast<std::uint64_t>(count);
+    }
+    return rule;
+  }
+
+  BudgetRule wholeRule(const toml::table& table) const {
+    refuseUnknown(table, kWholeKeys);
+    return commonRule(table, RuleKind::whole);
+  }
+
+  BudgetCheck readCheck(const toml::table& table, bool regress) const {
+    if (const toml::node* region = table.get("region"))
+      refuse(region->source(),
+             "'region' is gone: a material is judged by one figure over all of its pixels, in which no "
+             "neighbour takes part (docs/budgets.md): delete the key");
+    refuseUnknown(table, kCheckKeys);
+    BudgetCheck check;
+    if (!table.contains("metric")) refuse(table.source(), "the check has no 'metric'");
+    const std::string metric = textOf(table, "metric", "");
+    std::optional<Statistic> known = statisticByName(metric);
+    if (!known) {
+      const std::vector<std::string> names = knownStatistics();
+      refuse(table.get("metric")->source(),
+             fmt::format("unknown metric '{}'; {}", metric,
+                         base::describeNearest(metric, std::vector<std::string_view>(names.begin(), names.end()))));
+    }
+    check.statistic = std::move(*known);
+    check.warn = readLimit(table, "warn", check.statistic, regress);
+    check.fail = readLimit(table, "fail", check.statistic, regress);
+    if (!check.warn && !check.fail) refuse(table.source(), "the check has neither 'warn' nor 'fail'");
+    const bool lowerBound = check.statistic.better == Better::higher && !regress;
+    if (check.warn && check.fail && (lowerBound ? *check.warn < *check.fail : *check.warn > *check.fail))
+      refuse(table.source(), fmt::format("'warn' ({}) lies {} 'fail' ({}): it could never warn", *check.warn,
+                                         lowerBound ? "below" : "above", *check.fail));
+    return check;
+  }
+
+  // A limit of a regression is a distance, so it may be almost as large as the whole range.
+  std::optional<double> readLimit(const toml::table& table, std::string_view key, const Statistic& statistic,
+                                  bool regress) const {
+    const toml::node* node = table.get(key);
+    if (!node) return std::nullopt;
+    const std::optional<double> value = node->value<double>();
+    if (!node->is_number() || !value) refuse(node->source(), fmt::format("'{}' must be a number", key));
+    if (!std::isfinite(*value)) refuse(node->source(), fmt::format("'{}' is not a finite number", key));
+    const double least = regress ? 0 : statistic.least;
+    const double most = regress ? statistic.most - statistic.least : statistic.most;
+    if (*value < least || *value > most)
+      refuse(node->source(), fmt::format("'{}' is {}, outside the range {}..{} of {}{}", key, *value, least, most,
+                                         regress ? "changes of " : "", statistic.name));
+    if (regress ? *value >= most : !canBeBeyond(statistic, *value))
+      refuse(node->source(), fmt::format("'{}' is {}: {} can never be {} it, so this would always pass", key, *value,
+                                         regress ? "a change of " + statistic.name : statistic.name,
+                                         statistic.better == Better::higher && !regress ? "below" : "above"));
+    return value;
+  }
+
+  // A rule below one that takes everything never judges: its author believes in limits that nobody checks.
+  void refuseHidden(const std::vector<BudgetRule>& rules) const {
+    for (std::size_t later = 1; later < rules.size(); ++later)
+      for (std::size_t earlier = 0; earlier < later; ++earlier) {
+        const auto takes = [](const std::string& glob, const std::string& other) {
+          return glob == "*" || glob == other;
+        };
+        if (takes(rules[earlier].material, rules[later].material) && takes(rules[earlier].scene, rules[later].scene))
+          throw base::fileError(m_file, rules[later].origin.substr(m_short.size() + 2),
+                                fmt::format("the rule of {} matches all that this one could: put this one first",
+                                            rules[earlier].origin.substr(m_short.size() + 2)));
+      }
+  }
+
+  std::string m_file, m_short;
+  std::map<std::string, Checks> m_presets[2]; // of each RuleKind
+};
+
+} // namespace
+
+Budgets loadBudgets(const std::filesystem::path& file) {
+  const std::string text = base::readText(file, kMaxBytes);
+  Reader reader(file);
+  toml::table root;
+  try {
+    root = toml::parse(std::string_view(text), file.string());
+  } catch (const toml::parse_error& error) {
+    reader.refuse(error.source(), std::string(error.description()));
+  }
+  Budgets budgets = reader.read(root);
+  const Budgets& builtIn = defaultBudgets();
+  budgets.materials.insert(budgets.materials.end(), builtIn.materials.begin(), builtIn.materials.end());
+  budgets.wholes.insert(budgets.wholes.end(), builtIn.wholes.begin(), builtIn.wholes.end());
+  return budgets;
+}
+
+} // namespace parity::compare

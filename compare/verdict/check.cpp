@@ -1,0 +1,25 @@
+#include "compare/verdict/check.h"
+
+namespace parity::compare {
+
+const char* nameOf(Verdict verdict) {
+  switch (verdict) {
+  case Verdict::pass:
+    return "pass";
+  case Verdict::notSeen:
+    return "not seen";
+  case Verdict::tooSmall:
+    return "too small";
+  case Verdict::notJudged:
+    return "not judged";
+  case Verdict::warn:
+    return "warn";
+  case Verdict::fail:
+    return "fail";
+  case Verdict::error:
+    return "error";
+  }
+  return "error";
+}
+
+} // namespace parity::compare

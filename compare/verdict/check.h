@@ -1,0 +1,46 @@
+// One figure held against one limit, and the words for what came of it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace parity::compare {
+
+// In order of gravity; the worst of its parts is the verdict of a whole.
+enum class Verdict { pass, notSeen, tooSmall, notJudged, warn, fail, error };
+// "pass", "not seen", "too small" (fewer pixels than the budget's min_pixels), "not judged" (most pixels are clipped in
+// both pictures), "warn", "fail", "error".
+const char* nameOf(Verdict verdict);
+
+// One budget check: `metric` names a figure ("flip.mean", "psnr", ...; compare/pooling/statistic.h).
+struct CheckResult {
+  std::string metric;
+  bool regress = false; // `value` is not the figure but by how much it is worse than in the baseline (negative: better)
+  double value = 0;     // NaN where it is not known
+  std::optional<double> warnAbove, failAbove; // of a figure of which more is better, not of a regression: below
+  Verdict verdict = Verdict::pass;
+  std::string note;     // not empty where the value is not known: why
+  std::string unjudged; // not empty: there was nothing to judge by (a regression without a baseline), this says why;
+                        // the verdict then is what that is worth where nothing else judges
+  bool judged() const { return unjudged.empty(); }
+};
+
+// FLIP's filters are 21 pixels wide: of fewer pixels than these its mean says little.
+inline constexpr std::uint64_t kDefaultMinPixels = 64;
+
+// The budget rule that judged something.
+struct AppliedRule {
+  std::string origin;        // "built-in", or "budgets.toml, line 12"; empty where no rule matched
+  std::string reason, owner; // why these limits, and whose they are; may be empty
+  bool requireSeen = false;
+  std::uint64_t minPixels = kDefaultMinPixels; // a material of fewer is too small to be judged
+  std::string file;        // as the user named it, for annotations: may be absolute, so it is in no report
+  int line = 0;            // in it; 0: the rule stands in no file
+  std::string preset = {}; // whose limits it took; empty: none, all are its own
+};
+
+// From which share of clipped pixels (Figures::clipped) on a row warns, and above which a material is not judged.
+inline constexpr double kNotableClipping = 0.05, kMostClipping = 0.5;
+
+} // namespace parity::compare

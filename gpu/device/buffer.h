@@ -1,0 +1,48 @@
+// Buffers, with or without a view from the host.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include "gpu/device/device.h"
+
+namespace parity::gpu {
+
+// A storage buffer (also vertex, index, uniform and transfer) in device-local memory; mapped where the device allows
+// it.
+class Buffer {
+public:
+  Buffer() = default;
+  // size 0 is rounded up to 16 bytes: every binding must be filled.
+  Buffer(const Device& device, vk::DeviceSize size);
+  // With this content.
+  template <typename T> Buffer(const Device& device, std::span<const T> content)
+      : Buffer(device, content.size_bytes()) {
+    upload(std::as_bytes(content));
+  }
+
+  vk::Buffer handle() const { return *m_buffer; }
+  vk::DeviceSize size() const { return m_size; }
+  vk::DescriptorBufferInfo info() const { return {*m_buffer, 0, m_size}; }
+
+  // Copy from or to the host; staged where the memory is not mapped. Bytes beyond size() are a bug.
+  void upload(std::span<const std::byte> bytes, vk::DeviceSize offset = 0) const;
+  void download(std::span<std::byte> bytes, vk::DeviceSize offset = 0) const;
+  template <typename T> std::vector<T> downloadAs(std::size_t count, vk::DeviceSize offset = 0) const {
+    std::vector<T> values(count);
+    download(std::as_writable_bytes(std::span{values}), offset);
+    return values;
+  }
+
+private:
+  const Device* m_device = nullptr;
+  vk::DeviceSize m_size = 0;
+  vk::raii::DeviceMemory m_memory{nullptr};
+  vk::raii::Buffer m_buffer{nullptr};
+  std::byte* m_mapped = nullptr;
+};
+
+} // namespace parity::gpu

@@ -1,0 +1,223 @@
+#include "gpu/device/device.h"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "gpu/device/device_choice.h"
+
+namespace parity::gpu {
+
+using base::Error;
+using base::ExitCode;
+
+namespace {
+
+constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+constexpr const char* kInstallDriver =
+    "install a driver: 'apt-get install mesa-vulkan-drivers' gives the software device";
+
+Error deviceError(std::string place, std::string reason) {
+  return Error(ExitCode::failed, "Vulkan", std::move(place), std::move(reason));
+}
+
+vk::raii::Context makeContext() {
+  try {
+    return vk::raii::Context();
+  } catch (const std::exception&) {
+    throw deviceError("loader", "libvulkan.so.1 is not installed: 'apt-get install libvulkan1 mesa-vulkan-drivers'");
+  }
+}
+
+vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validation) {
+  const vk::ApplicationInfo application("parity", 1, nullptr, 0, VK_API_VERSION_1_3);
+  std::vector<const char*> layers, extensions;
+  if (validation) {
+    const auto known = context.enumerateInstanceLayerProperties();
+    if (std::none_of(known.begin(), known.end(),
+                     [](const auto& layer) { return std::string_view(layer.layerName.data()) == kValidationLayer; }))
+      throw deviceError(kValidationLayer, "not installed: 'apt-get install vulkan-validationlayers'");
+    layers.push_back(kValidationLayer);
+    extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
+  }
+  const vk::ValidationFeatureEnableEXT synchronization = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
+  const vk::ValidationFeaturesEXT features(synchronization);
+  vk::InstanceCreateInfo info({}, &application, layers, extensions);
+  if (validation) info.setPNext(&features);
+  try {
+    return vk::raii::Instance(context, info);
+  } catch (const vk::IncompatibleDriverError&) {
+    throw deviceError("instance", fmt::format("no driver found; {}", kInstallDriver));
+  }
+}
+
+// Throws Error with the reasons of every refusal.
+DeviceChoice requireChoice(const std::vector<vk::raii::PhysicalDevice>& devices, const DeviceOptions& options) {
+  DeviceChoice choice = chooseDevice(devices, options);
+  if (choice.taken >= 0) return choice;
+  std::string reasons;
+  for (const DeviceReport& report : choice.reports) reasons += fmt::format("; {}: {}", report.name, report.reason);
+  const std::string wanted =
+      options.name.empty() ? "no software device" : fmt::format("no device named '{}'", options.name);
+  throw deviceError("device", wanted + reasons + (options.name.empty() ? fmt::format("; {}", kInstallDriver) : ""));
+}
+
+} // namespace
+
+struct Device::Messages {
+  std::mutex mutex;
+  std::vector<std::string> lines;
+
+  static VkBool32 receive(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
+    auto* self = static_cast<Messages*>(user);
+    std::lock_guard lock(self->mutex);
+    self->lines.emplace_back(data->pMessage);
+    return VK_FALSE;
+  }
+};
+
+std::vector<DeviceReport> listDevices(const DeviceOptions& options) {
+  const vk::raii::Context context = makeContext();
+  try {
+    const vk::raii::Instance instance = makeInstance(context, false);
+    return chooseDevice(instance.enumeratePhysicalDevices(), options).reports;
+  } catch (const Error&) {
+    return {}; // a loader without a driver: no device
+  }
+}
+
+DeviceReport findDevice(const DeviceOptions& options) {
+  const vk::raii::Context context = makeContext();
+  const vk::raii::Instance instance = makeInstance(context, options.validation);
+  const DeviceChoice choice = requireChoice(instance.enumeratePhysicalDevices(), options);
+  return choice.reports[static_cast<std::size_t>(choice.taken)];
+}
+
+Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messages(std::make_unique<Messages>()) {
+  m_instance = makeInstance(m_context, options.validation);
+  if (options.validation) {
+    using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
+    using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
+    m_messenger = vk::raii::DebugUtilsMessengerEXT(
+        m_instance, vk::DebugUtilsMessengerCreateInfoEXT({}, Severity::eWarning | Severity::eError,
+                                                         Type::eGeneral | Type::eValidation | Type::ePerformance,
+                                                         &Messages::receive, m_messages.get()));
+  }
+
+  std::vector<vk::raii::PhysicalDevice> devices = m_instance.enumeratePhysicalDevices();
+  const DeviceChoice choice = requireChoice(devices, options);
+  m_physical = std::move(devices[choice.taken]);
+  m_report = choice.reports[choice.taken];
+  m_properties = m_physical.getProperties();
+  m_memory = m_physical.getMemoryProperties();
+  constexpr auto unified = vk::MemoryPropertyFlagBits::eDeviceLocal | vk::MemoryPropertyFlagBits::eHostVisible |
+                           vk::MemoryPropertyFlagBits::eHostCached;
+  for (std::uint32_t i = 0; i < m_memory.memoryTypeCount; ++i)
+    m_unifiedMemory |= (m_memory.memoryTypes[i].propertyFlags & unified) == unified;
+
+  m_queueFamily = *graphicsQueueFamily(m_physical);
+  m_timestampBits = m_physical.getQueueFamilyProperties()[m_queueFamily].timestampValidBits;
+  const float priority = 1;
+  const vk::DeviceQueueCreateInfo queue({}, m_queueFamily, 1, &priority);
+  vk::StructureChain<vk::DeviceCreateInfo, vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
+                     vk::PhysicalDeviceVulkan13Features>
+      info;
+  info.get<vk::DeviceCreateInfo>().setQueueCreateInfos(queue);
+  info.get<vk::PhysicalDeviceFeatures2>().features.geometryShader = true; // gl_PrimitiveID in fragment shaders
+  info.get<vk::PhysicalDeviceFeatures2>().features.imageCubeArray = true; // the prefiltered environment
+  info.get<vk::PhysicalDeviceVulkan13Features>().dynamicRendering = true;
+  info.get<vk::PhysicalDeviceVulkan13Features>().synchronization2 = true;
+  info.get<vk::PhysicalDeviceVulkan13Features>().maintenance4 = true; // a vertex output that no fragment shader reads
+  info.get<vk::PhysicalDeviceVulkan12Features>().shaderFloat16 = m_report.float16;
+  m_device = vk::raii::Device(m_physical, info.get<vk::DeviceCreateInfo>());
+  m_queue = m_device.getQueue(m_queueFamily, 0);
+  m_commandPool = vk::raii::CommandPool(
+      m_device, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient, m_queueFamily));
+  if (m_timestampBits > 0)
+    m_queries = vk::raii::QueryPool(m_device, vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, 2));
+  // Keeps the driver mapped for the life of the process: leak and thread checkers need its symbols after the instance
+  // has gone.
+  for (const char* driver : {"libvulkan_lvp.so", "libvk_swiftshader.so"})
+    dlopen(driver, RTLD_NOW | RTLD_NOLOAD | RTLD_NODELETE);
+}
+
+Device::~Device() = default;
+
+std::string DeviceReport::description() const { return fmt::format("{} ({})", name, driver); }
+
+bool Device::filtersLinearly(vk::Format format) const {
+  return static_cast<bool>(m_physical.getFormatProperties(format).optimalTilingFeatures &
+                           vk::FormatFeatureFlagBits::eSampledImageFilterLinear);
+}
+
+std::uint32_t Device::memoryType(std::uint32_t typeBits, vk::MemoryPropertyFlags wanted,
+                                 vk::MemoryPropertyFlags preferred) const {
+  for (const vk::MemoryPropertyFlags flags : {wanted | preferred, wanted})
+    for (std::uint32_t i = 0; i < m_memory.memoryTypeCount; ++i)
+      if ((typeBits >> i & 1) && (m_memory.memoryTypes[i].propertyFlags & flags) == flags) return i;
+  throw deviceError(m_report.name, "no memory type of the kind that is needed");
+}
+
+void Device::submit(const std::string& stage, const std::function<void(const vk::raii::CommandBuffer&)>& record) const {
+  vk::raii::CommandBuffers buffers(m_device,
+                                   vk::CommandBufferAllocateInfo(*m_commandPool, vk::CommandBufferLevel::ePrimary, 1));
+  const vk::raii::CommandBuffer& commands = buffers.front();
+  commands.begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
+  if (m_timestampBits > 0) {
+    commands.resetQueryPool(*m_queries, 0, 2);
+    commands.writeTimestamp2(vk::PipelineStageFlagBits2::eTopOfPipe, *m_queries, 0);
+  }
+  record(commands);
+  // A fence does not make the device's writes visible to the host; this does.
+  const vk::MemoryBarrier2 toHost(vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryWrite,
+                                  vk::PipelineStageFlagBits2::eHost, vk::AccessFlagBits2::eHostRead);
+  commands.pipelineBarrier2(vk::DependencyInfo({}, toHost));
+  if (m_timestampBits > 0) commands.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *m_queries, 1);
+  commands.end();
+  checkValidation();
+
+  const vk::raii::Fence fence(m_device, vk::FenceCreateInfo());
+  const vk::CommandBuffer handle = *commands;
+  const base::Stopwatch wall(nullptr, stage);
+  try {
+    m_queue.submit(vk::SubmitInfo({}, {}, handle), *fence);
+    if (m_device.waitForFences(*fence, true, UINT64_MAX) != vk::Result::eSuccess)
+      throw deviceError(stage, "the device did not finish");
+  } catch (const vk::DeviceLostError&) {
+    throw deviceError(stage, fmt::format("the device '{}' was lost", m_report.name));
+  }
+  const double wallMs = wall.elapsedMs();
+  checkValidation();
+  if (!m_timings) return;
+  if (m_properties.deviceType == vk::PhysicalDeviceType::eCpu) return m_timings->add("device: " + stage, wallMs);
+  if (m_timestampBits == 0) return;
+  const auto [result, ticks] =
+      m_queries.getResults<std::uint64_t>(0, 2, 2 * sizeof(std::uint64_t), sizeof(std::uint64_t),
+                                          vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
+  if (result == vk::Result::eSuccess)
+    m_timings->add("device: " + stage,
+                   static_cast<double>(ticks[1] - ticks[0]) * m_properties.limits.timestampPeriod * 1e-6);
+}
+
+void Device::checkValidation() const {
+  std::lock_guard lock(m_messages->mutex);
+  if (m_messages->lines.empty()) return;
+  const std::string first = m_messages->lines.front();
+  m_messages->lines.clear();
+  throw deviceError("validation", first);
+}
+
+void fullBarrier(const vk::raii::CommandBuffer& commands) {
+  const vk::MemoryBarrier2 barrier(vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryWrite,
+                                   vk::PipelineStageFlagBits2::eAllCommands,
+                                   vk::AccessFlagBits2::eMemoryRead | vk::AccessFlagBits2::eMemoryWrite);
+  commands.pipelineBarrier2(vk::DependencyInfo({}, barrier));
+}
+
+} // namespace parity::gpu

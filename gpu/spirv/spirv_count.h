@@ -1,0 +1,12 @@
+// The count itself: a module as it stands, by the rules of gpu/spirv/spirv_cost.h.
+#pragma once
+
+#include "gpu/spirv/spirv_cost.h"
+#include "gpu/spirv/spirv_module.h"
+
+namespace parity::gpu {
+
+// Throws Error (failed) for instructions that the count does not know, calls of functions among them.
+ShaderCost countOperations(const SpirvModule& module);
+
+} // namespace parity::gpu

@@ -1,0 +1,225 @@
+#include "gpu/spirv/spirv_module.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#define SPV_ENABLE_UTILITY_CODE
+#include <glslang/SPIRV/spirv.hpp>
+
+#include "base/error.h"
+
+namespace parity::gpu {
+
+namespace {
+
+constexpr std::uint64_t kMostTrips = 1 << 20; // beyond them a loop's count is not known
+
+// Whether a counter of value `a` against the constant `b` stays in the comparison.
+std::optional<bool> compare(std::uint32_t opcode, std::int64_t a, std::int64_t b) {
+  switch (opcode) {
+  case spv::OpSLessThan:
+  case spv::OpULessThan:
+    return a < b;
+  case spv::OpSLessThanEqual:
+  case spv::OpULessThanEqual:
+    return a <= b;
+  case spv::OpSGreaterThan:
+  case spv::OpUGreaterThan:
+    return a > b;
+  case spv::OpSGreaterThanEqual:
+  case spv::OpUGreaterThanEqual:
+    return a >= b;
+  case spv::OpIEqual:
+    return a == b;
+  case spv::OpINotEqual:
+    return a != b;
+  default:
+    return std::nullopt;
+  }
+}
+
+// A loop's counter: a phi of its header.
+struct Counter {
+  std::uint32_t phi = 0, next = 0; // next: the stepped value
+  std::int64_t first = 0, step = 0;
+};
+
+std::optional<Counter> counterOf(const SpirvModule& module, const SpirvInstruction& phi) {
+  if (phi.operands.size() != 4) return std::nullopt;
+  for (const auto& [start, next] :
+       {std::pair(phi.operands[0], phi.operands[2]), std::pair(phi.operands[2], phi.operands[0])}) {
+    const std::optional<std::int64_t> first = module.integerConstant(start);
+    const SpirvInstruction* step = module.find(next);
+    if (!first || !step || (step->opcode != spv::OpIAdd && step->opcode != spv::OpISub)) continue;
+    const bool isLeft = step->operands[0] == phi.result;
+    if (!isLeft && (step->operands[1] != phi.result || step->opcode == spv::OpISub)) continue;
+    const std::optional<std::int64_t> by = module.integerConstant(step->operands[isLeft ? 1 : 0]);
+    if (by) return Counter{phi.result, next, *first, step->opcode == spv::OpIAdd ? *by : -*by};
+  }
+  return std::nullopt;
+}
+
+// How often the body runs until this condition leaves the loop. leavesWhen: the condition's value at that.
+std::optional<std::uint64_t> countTrips(const SpirvModule& module, const Counter& counter, std::uint32_t condition,
+                                        bool leavesWhen, bool atEnd) {
+  const SpirvInstruction* test = module.find(condition);
+  if (test && test->opcode == spv::OpLogicalNot)
+    return countTrips(module, counter, test->operands[0], !leavesWhen, atEnd);
+  if (!test || test->operands.size() != 2) return std::nullopt;
+  const bool isLeft = test->operands[0] == counter.phi || test->operands[0] == counter.next;
+  const std::uint32_t value = test->operands[isLeft ? 0 : 1];
+  if (value != counter.phi && value != counter.next) return std::nullopt;
+  const std::optional<std::int64_t> bound = module.integerConstant(test->operands[isLeft ? 1 : 0]);
+  if (!bound) return std::nullopt;
+  const bool isNext = value == counter.next;
+  std::int64_t i = counter.first + (isNext ? counter.step : 0);
+  for (std::uint64_t trips = 0; trips < kMostTrips; ++trips, i += counter.step) {
+    const std::optional<bool> holds = isLeft ? compare(test->opcode, i, *bound) : compare(test->opcode, *bound, i);
+    if (!holds) return std::nullopt;
+    if (*holds == leavesWhen) return trips + (isNext || atEnd ? 1 : 0);
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+SpirvModule::SpirvModule(std::vector<std::uint32_t> words) : m_words(std::move(words)) {
+  const auto refuse = [](std::size_t word, const char* reason) {
+    throw base::Error(base::ExitCode::failed, "SPIR-V", fmt::format("word {}", word), reason);
+  };
+  if (m_words.size() < 5 || m_words[0] != spv::MagicNumber) refuse(0, "is not where a module begins");
+  for (std::size_t at = 5; at < m_words.size();) {
+    const std::uint32_t length = m_words[at] >> spv::WordCountShift;
+    if (length == 0 || at + length > m_words.size()) refuse(at, "an instruction of impossible length");
+    SpirvInstruction instruction;
+    instruction.opcode = m_words[at] & spv::OpCodeMask;
+    instruction.word = at;
+    bool hasResult = false, hasType = false;
+    spv::HasResultAndType(static_cast<spv::Op>(instruction.opcode), &hasResult, &hasType);
+    std::size_t first = at + 1;
+    if (length < 1u + (hasResult ? 1 : 0) + (hasType ? 1 : 0)) refuse(at, "an instruction too short for its result");
+    if (hasType) instruction.type = m_words[first++];
+    if (hasResult) {
+      instruction.result = m_words[first++];
+      m_definitions[instruction.result] = m_instructions.size();
+    }
+    instruction.operands = std::span(m_words).subspan(first, at + length - first);
+    m_instructions.push_back(instruction);
+    at += length;
+  }
+  findBlocks();
+}
+
+void SpirvModule::findBlocks() {
+  for (std::size_t i = 0; i < m_instructions.size(); ++i) {
+    const SpirvInstruction& instruction = m_instructions[i];
+    const std::span<const std::uint32_t> operands = instruction.operands;
+    if (instruction.opcode == spv::OpLabel) {
+      m_blockOfLabel[instruction.result] = m_blocks.size();
+      m_blocks.push_back({.label = instruction.result, .begin = i + 1, .end = i + 1, .successors = {}});
+      continue;
+    }
+    if (m_blocks.empty() || instruction.opcode == spv::OpFunction || instruction.opcode == spv::OpFunctionParameter ||
+        instruction.opcode == spv::OpFunctionEnd)
+      continue;
+    SpirvBlock& block = m_blocks.back();
+    block.end = i + 1;
+    if (instruction.opcode == spv::OpLoopMerge) {
+      block.merge = operands[0];
+      block.loopMergeAt = i;
+    }
+    if (instruction.opcode == spv::OpBranch) block.successors = {operands[0]};
+    if (instruction.opcode == spv::OpBranchConditional) block.successors = {operands[1], operands[2]};
+    if (instruction.opcode == spv::OpSwitch) { // selector, default, then pairs of a 32-bit literal and a label
+      block.successors = {operands[1]};
+      for (std::size_t k = 3; k < operands.size(); k += 2) block.successors.push_back(operands[k]);
+    }
+  }
+}
+
+const SpirvInstruction* SpirvModule::find(std::uint32_t id) const {
+  const auto found = m_definitions.find(id);
+  return found == m_definitions.end() ? nullptr : &m_instructions[found->second];
+}
+
+SpirvShape SpirvModule::shapeOfType(std::uint32_t type) const {
+  const SpirvInstruction* definition = find(type);
+  if (!definition) return {};
+  const std::span<const std::uint32_t> operands = definition->operands;
+  switch (definition->opcode) {
+  case spv::OpTypeFloat:
+    return {SpirvShape::Kind::real, operands[0]};
+  case spv::OpTypeInt:
+    return {SpirvShape::Kind::integer, operands[0]};
+  case spv::OpTypeBool:
+    return {SpirvShape::Kind::boolean, 1};
+  case spv::OpTypeVector: {
+    SpirvShape shape = shapeOfType(operands[0]);
+    shape.rows = operands[1];
+    return shape;
+  }
+  case spv::OpTypeMatrix: {
+    SpirvShape shape = shapeOfType(operands[0]);
+    shape.cols = operands[1];
+    return shape;
+  }
+  default:
+    return {};
+  }
+}
+
+SpirvShape SpirvModule::shapeOf(std::uint32_t value) const {
+  const SpirvInstruction* definition = find(value);
+  return definition ? shapeOfType(definition->type) : SpirvShape{};
+}
+
+std::optional<std::int64_t> SpirvModule::integerConstant(std::uint32_t id) const {
+  const SpirvInstruction* constant = find(id);
+  if (!constant) return std::nullopt;
+  const SpirvInstruction* type = find(constant->type);
+  if (!type || type->opcode != spv::OpTypeInt || type->operands[0] != 32) return std::nullopt;
+  if (constant->opcode == spv::OpConstantNull) return 0;
+  if (constant->opcode != spv::OpConstant) return std::nullopt;
+  const std::uint32_t bits = constant->operands[0];
+  if (type->operands[1] == 0) return std::int64_t{bits};
+  return std::int64_t{static_cast<std::int32_t>(bits)};
+}
+
+std::vector<std::size_t> SpirvModule::blocksOfLoop(const SpirvBlock& header) const {
+  // Structured control flow leaves a loop by its merge block alone.
+  std::vector<std::size_t> found = {m_blockOfLabel.at(header.label)};
+  for (std::size_t next = 0; next < found.size(); ++next)
+    for (const std::uint32_t label : m_blocks[found[next]].successors) {
+      const std::size_t block = m_blockOfLabel.at(label);
+      if (label != header.merge && std::find(found.begin(), found.end(), block) == found.end()) found.push_back(block);
+    }
+  return found;
+}
+
+std::optional<std::uint64_t> SpirvModule::tripsOf(const SpirvBlock& header) const {
+  const std::vector<std::size_t> body = blocksOfLoop(header);
+  const auto goesTo = [](const SpirvBlock& block, std::uint32_t label) {
+    return std::find(block.successors.begin(), block.successors.end(), label) != block.successors.end();
+  };
+  if (std::none_of(body.begin(), body.end(), [&](std::size_t b) { return goesTo(m_blocks[b], header.label); }))
+    return 1; // nothing leads back
+  std::optional<std::uint64_t> least;
+  for (std::size_t i = header.begin; i < header.end; ++i) {
+    if (m_instructions[i].opcode != spv::OpPhi) continue;
+    const std::optional<Counter> counter = counterOf(*this, m_instructions[i]);
+    if (!counter) continue;
+    for (const std::size_t b : body) {
+      const SpirvBlock& block = m_blocks[b];
+      const SpirvInstruction& last = m_instructions[block.end - 1];
+      if (last.opcode != spv::OpBranchConditional || !goesTo(block, header.merge)) continue;
+      const std::optional<std::uint64_t> trips =
+          countTrips(*this, *counter, last.operands[0], last.operands[1] == header.merge, goesTo(block, header.label));
+      if (trips && (!least || *trips < *least)) least = trips;
+    }
+  }
+  return least;
+}
+
+} // namespace parity::gpu

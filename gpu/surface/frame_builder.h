@@ -1,0 +1,38 @@
+// Frames from shaded surfaces: layers laid over one another, tiles put together, samples averaged.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/frame.h"
+#include "gpu/surface/output_target.h"
+#include "gpu/surface/shading_pass.h"
+
+namespace parity::gpu {
+
+// Gathers one path's picture. background: linear RGB, where no material is seen.
+class FrameBuilder {
+public:
+  // target: what the colour is stored in, sample by sample, layer over layer, and once more when samples become a
+  // pixel; none: nothing is rounded. Terms are never.
+  FrameBuilder(std::uint32_t width, std::uint32_t height, int samples, bool terms, const glm::vec3& background,
+               const std::optional<TargetCodec>& target = std::nullopt);
+
+  // One (tile, sample): begins with the background; then its layers from the back to the front, those of surfaces that
+  // are not blended first. The surfaces' pixels lie within the tile.
+  void begin(const Tile& tile);
+  void lay(const Surface& surface, const ShadedSurface& shaded);
+  void end();
+  // The mean over the samples, taken in the target's own numbers. The builder is empty afterwards.
+  base::Frame take();
+
+private:
+  int m_samples;
+  glm::vec3 m_background;
+  std::optional<TargetCodec> m_target;
+  base::Frame m_frame; // the sum over samples
+  Tile m_tile;
+  std::vector<std::vector<float>> m_sample; // of the tile: colour, then the terms
+};
+
+} // namespace parity::gpu

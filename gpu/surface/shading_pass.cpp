@@ -1,0 +1,297 @@
+#include "gpu/surface/shading_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "shading/shading.h"
+#include "shading/terms.h"
+
+namespace parity::gpu {
+
+namespace {
+
+constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
+
+struct Push {
+  std::uint32_t first = 0, count = 0, planeSize = 0, firstGroup = 0;
+};
+
+DeviceImage makeBlackCube(const Device& device) {
+  const std::vector<std::uint8_t> black(6 * 4, 0);
+  const std::span<const std::byte> mip = std::as_bytes(std::span{black});
+  return DeviceImage(device, {.width = 1, .height = 1, .mips = 1, .cube = true}, std::span{&mip, 1});
+}
+
+DeviceImage makeWhite(const Device& device, bool array = false) {
+  const std::vector<std::uint8_t> white(4, 255);
+  const std::span<const std::byte> mip = std::as_bytes(std::span{white});
+  return DeviceImage(device, {.width = 1, .height = 1, .mips = 1, .array = array}, std::span{&mip, 1});
+}
+
+vk::raii::Sampler makeLinearClamp(const Device& device) {
+  vk::SamplerCreateInfo info({}, vk::Filter::eLinear, vk::Filter::eLinear, vk::SamplerMipmapMode::eLinear);
+  info.addressModeU = info.addressModeV = info.addressModeW = vk::SamplerAddressMode::eClampToEdge;
+  info.maxLod = VK_LOD_CLAMP_NONE;
+  return vk::raii::Sampler(device.handle(), info);
+}
+
+std::vector<MaterialClass> classesOf(const std::vector<BinKind>& kinds) {
+  std::set<MaterialClass> classes;
+  for (const BinKind& kind : kinds) classes.insert(kind.materialClass);
+  return {classes.begin(), classes.end()};
+}
+
+Textures::Need needOf(const BinKind& kind) { return {kind.textureSet, kind.materialClass.textures}; }
+
+} // namespace
+
+std::vector<Textures::Need> texturesOf(std::span<const Bin> bins, std::span<const BinKind> kinds) {
+  std::vector<Textures::Need> needs;
+  for (const Bin& bin : bins) needs.push_back(needOf(kinds[bin.key]));
+  return needs;
+}
+
+GpuLight packLight(const scenes::Light& light, const ShadowOfLight& shadow) {
+  GpuLight out;
+  const std::uint32_t kind = light.kind == scenes::LightKind::directional ? kLightDirectional
+                             : light.kind == scenes::LightKind::point     ? kLightPoint
+                                                                          : kLightSpot;
+  out.colorRange = vec4(light.color, light.range);
+  out.positionKind = vec4(light.position, static_cast<float>(kind));
+  out.directionCosOuter = vec4(light.direction, std::cos(light.outerConeAngle));
+  out.cone = vec4(std::cos(light.innerConeAngle), light.specularScale,
+                  shadow.count > 0 ? static_cast<float>(shadow.first + 1) : 0.f, static_cast<float>(shadow.count));
+  out.falloff = vec4(static_cast<float>(light.falloff), light.falloffExponent, 0, 0);
+  return out;
+}
+
+std::uint32_t falloffsOf(std::span<const scenes::Light> lights) {
+  std::uint32_t falloffs = 0;
+  for (const scenes::Light& light : lights)
+    if (light.kind != scenes::LightKind::directional) falloffs |= 1u << static_cast<std::uint32_t>(light.falloff);
+  return falloffs;
+}
+
+namespace {
+
+// The shader is given the enumerators' numbers.
+constexpr bool is(scenes::Falloff falloff, int number) { return static_cast<int>(falloff) == number; }
+static_assert(is(scenes::Falloff::khr, shading::f32::kFalloffKhr) &&
+              is(scenes::Falloff::ue4, shading::f32::kFalloffUE4) &&
+              is(scenes::Falloff::exponent, shading::f32::kFalloffExponent));
+
+std::array<std::uint32_t, 4> countsOf(const SceneBuffers& scene, const PathProgram& program) {
+  return {program.directionalCount, program.localCount, program.environment ? 1u : 0u, scene.vertexData()};
+}
+
+// Binding 4: the scene's counts (path.glsl), then the path's own data.
+std::vector<std::uint32_t> withCounts(const SceneBuffers& scene, const PathProgram& program) {
+  const auto counts = countsOf(scene, program);
+  std::vector<std::uint32_t> data(counts.begin(), counts.end());
+  data.insert(data.end(), program.pathData.begin(), program.pathData.end());
+  return data;
+}
+
+} // namespace
+
+struct ShadingPass::Impl {
+  const Device& device;
+  const SceneBuffers& scene;
+  std::vector<BinKind> kinds;
+  PathProgram program;
+  DeviceImage blackCube, white, whiteArray;
+  vk::raii::Sampler linearClamp;
+  Buffer view, lights, pathData, nothing, noLamps;
+  vk::raii::DescriptorSetLayout textureLayout{nullptr}, surfaceLayout{nullptr};
+  std::vector<std::unique_ptr<DescriptorSets>> textureSets; // of each kind of bin that was seen
+  vk::raii::PipelineLayout layout{nullptr};
+  PermutationPlan plan;
+  std::vector<CompiledPermutation> compiled;
+  std::vector<vk::Pipeline> pipelines; // of those, in the store
+  PipelineStore ownStore;
+  PipelineStore& store;
+
+  Impl(const Device& dev, const SceneBuffers& buffers, const std::vector<BinKind>& binKinds, PathProgram p)
+      : device(dev), scene(buffers), kinds(binKinds), program(std::move(p)), blackCube(makeBlackCube(dev)),
+        white(makeWhite(dev)), whiteArray(makeWhite(dev, true)), linearClamp(makeLinearClamp(dev)),
+        view(dev, sizeof(GpuView)), lights(dev, std::span<const GpuLight>(program.lights)),
+        pathData(dev, std::span<const std::uint32_t>(withCounts(buffers, program))), nothing(dev, 0),
+        noLamps(dev, kMaxLamps * sizeof(GpuLamp)),
+        plan(program.compilation.budget, buffers.textureBits(), classesOf(kinds)),
+        store(program.compilation.store ? *program.compilation.store : ownStore) {
+    const auto none = textures().bindings({});
+    textureLayout = makeSetLayout(device, std::vector<Binding>(none.begin(), none.end()), kCompute);
+    textureSets.resize(kinds.size());
+  }
+
+  const Textures& textures() const { return program.textures ? *program.textures : scene.textures(); }
+
+  // Textures of the bins' materials, and of no others.
+  void bindTextures(const Surface& surface) {
+    textures().require(texturesOf(surface.bins, kinds));
+    for (const Bin& bin : surface.bins) {
+      if (textureSets[bin.key]) continue;
+      const auto infos = textures().bindings(needOf(kinds[bin.key]));
+      const std::vector<Binding> bindings(infos.begin(), infos.end());
+      textureSets[bin.key] = std::make_unique<DescriptorSets>(device, textureLayout, std::span(&bindings, 1));
+    }
+  }
+
+  std::vector<Binding> surfaceBindings(const Surface& s, const Buffer& data, const Buffer& color, const Buffer& termsA,
+                                       const Buffer& termsB) const {
+    std::vector<Binding> bindings = {uniform(view), storage(scene.materials), storage(scene.instances), storage(lights),
+                                     storage(data)};
+    for (const Buffer* buffer : {&s.position, &s.normal, &s.tangent, &s.uv, &s.uv0Derivatives, &s.uv1Derivatives,
+                                 &s.color, &s.fog, &s.lightmap, &color, &termsA, &termsB})
+      bindings.push_back(storage(*buffer));
+    constexpr auto kReadOnly = vk::ImageLayout::eShaderReadOnlyOptimal;
+    const EnvironmentMaps* sky = program.environment;
+    const vk::DescriptorImageInfo noSky(*linearClamp, blackCube.view(), kReadOnly);
+    bindings.push_back(sky ? vk::DescriptorImageInfo(*sky->sampler, sky->cube.view(), kReadOnly) : noSky);
+    bindings.push_back(vk::DescriptorImageInfo(
+        *linearClamp, program.pathTexture ? program.pathTexture->view() : white.view(), kReadOnly));
+    bindings.push_back(program.shadows ? program.shadows->image()
+                                       : vk::DescriptorImageInfo(*linearClamp, whiteArray.view(), kReadOnly));
+    bindings.push_back(storage(program.shadows ? program.shadows->views() : nothing));
+    const BakedMaps* baked = program.baked;
+    const vk::DescriptorImageInfo noPages(*linearClamp, whiteArray.view(), kReadOnly);
+    const auto pages = [&](std::uint32_t part, const DeviceImage& image) {
+      return baked && (baked->parts & part) != 0 ? vk::DescriptorImageInfo(*linearClamp, image.view(), kReadOnly)
+                                                 : noPages;
+    };
+    bindings.push_back(baked ? pages(kBakedLightmap, baked->lightmap) : noPages);
+    bindings.push_back(baked ? pages(kBakedSunShadow, baked->sunShadow) : noPages);
+    bindings.push_back(storage(baked ? baked->captures : nothing));
+    bindings.push_back(storage(baked ? baked->scales : nothing));
+    bindings.push_back(
+        sky && sky->irradiance ? vk::DescriptorImageInfo(*linearClamp, sky->irradiance->view(), kReadOnly) : noSky);
+    bindings.push_back(
+        vk::DescriptorImageInfo(*linearClamp, sky && sky->panorama ? sky->panorama->view() : white.view(), kReadOnly));
+    bindings.push_back(uniform(sky && sky->lamps ? *sky->lamps : noLamps));
+    return bindings;
+  }
+
+  // For the classes that this surface is the first to show, scaled to what the whole run will shade.
+  void planFor(const Surface& surface) {
+    std::map<MaterialClass, std::uint64_t> pixels;
+    for (const Bin& bin : surface.bins)
+      if (const MaterialClass& c = kinds[bin.key].materialClass; !plan.has(c)) pixels[c] += bin.count;
+    const double scale =
+        std::max(1.0, static_cast<double>(program.expectedPixels) / static_cast<double>(surface.size()));
+    std::vector<ClassPixels> classes;
+    for (const auto& [c, count] : pixels)
+      classes.push_back({c, static_cast<std::uint64_t>(static_cast<double>(count) * scale)});
+    plan.add(std::move(classes));
+  }
+
+  std::vector<std::uint32_t> constantsOf(const Permutation& permutation) const {
+    const bool any = permutation.everyScene;
+    const std::uint32_t vertexData = scene.vertexData();
+    std::vector<std::uint32_t> constants = {permutation.textures,
+                                            permutation.mayFeatures,
+                                            permutation.mustFeatures,
+                                            any ? kUnknown : program.directionalCount,
+                                            any                  ? kUnknown
+                                            : program.listLights ? kListed
+                                                                 : program.localCount,
+                                            any                   ? kUnknown
+                                            : program.environment ? 1u
+                                                                  : 0u,
+                                            program.terms ? 1u : 0u,
+                                            any ? kVertexAll : vertexData | vertexData << kVertexMustShift};
+    const auto& own = any && !program.everySceneConstants.empty() ? program.everySceneConstants : program.constants;
+    constants.insert(constants.end(), own.begin(), own.end());
+    return constants;
+  }
+
+  // entries: that it is wanted for.
+  vk::Pipeline pipelineFor(const MaterialClass& c, std::uint32_t entries) {
+    const Permutation permutation = plan.of(c);
+    const auto found =
+        std::ranges::find(compiled, permutation, [](const CompiledPermutation& each) { return each.permutation; });
+    if (found != compiled.end()) {
+      found->entries += entries;
+      return pipelines[static_cast<std::size_t>(found - compiled.begin())];
+    }
+    const std::vector<std::uint32_t> constants = constantsOf(permutation);
+    vk::Pipeline pipeline = store.find(program.spirv, constants);
+    if (!pipeline) {
+      const base::Stopwatch watch(device.timings(), "compile " + program.name);
+      pipeline = store.add(program.spirv, constants, makeComputePipeline(device, layout, program.spirv, constants));
+    }
+    pipelines.push_back(pipeline);
+    compiled.push_back({permutation, constants, entries});
+    return pipeline;
+  }
+
+  ShadedSurface shade(const Surface& surface, const scenes::Camera& camera);
+};
+
+ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Camera& camera) {
+  ShadedSurface result;
+  result.premultiplied = program.premultiplied;
+  const std::size_t n = surface.size();
+  if (program.terms) result.terms.resize(shading::kTermCount);
+  if (n == 0) return result;
+
+  GpuView gpuView = makeView(scene.scene(), camera, surface.width, surface.height);
+  std::copy(program.numbers.begin(), program.numbers.end(), gpuView.path);
+  view.upload(std::as_bytes(std::span{&gpuView, 1}));
+
+  constexpr std::size_t kTermsInB = shading::kTermCount - kTermsInA;
+  const vk::DeviceSize plane = n * sizeof(glm::vec4);
+  const Buffer color(device, plane), termsA(device, program.terms ? kTermsInA * plane : 0),
+      termsB(device, program.terms ? kTermsInB * plane : 0);
+  const Buffer lists = program.listLights ? program.listLights(surface, countsOf(scene, program)) : Buffer();
+  const std::vector<Binding> bindings =
+      surfaceBindings(surface, program.listLights ? lists : pathData, color, termsA, termsB);
+  if (!*surfaceLayout) {
+    surfaceLayout = makeSetLayout(device, bindings, kCompute);
+    layout = makePipelineLayout(device, std::array{*surfaceLayout, *textureLayout}, sizeof(Push), kCompute);
+  }
+  planFor(surface);
+  bindTextures(surface);
+  const DescriptorSets set(device, surfaceLayout, std::span(&bindings, 1));
+
+  device.submit("shade " + program.name, [&](const vk::raii::CommandBuffer& commands) {
+    std::uint32_t firstGroup = 0;
+    for (const Bin& bin : surface.bins) {
+      const BinKind& kind = kinds[bin.key];
+      commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipelineFor(kind.materialClass, bin.count));
+      commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, {set[0], (*textureSets[bin.key])[0]},
+                                  {});
+      commands.pushConstants<Push>(*layout, kCompute, 0,
+                                   Push{bin.first, bin.count, static_cast<std::uint32_t>(n), firstGroup});
+      const std::uint32_t groups = (bin.count + kGroupSize - 1) / kGroupSize;
+      firstGroup += groups;
+      commands.dispatch(std::min(groups, kMaxGroupsInRow), (groups + kMaxGroupsInRow - 1) / kMaxGroupsInRow, 1);
+    }
+    fullBarrier(commands);
+  });
+  result.color = color.downloadAs<glm::vec4>(n);
+  for (std::size_t t = 0; t < result.terms.size(); ++t)
+    result.terms[t] = t < kTermsInA ? termsA.downloadAs<glm::vec4>(n, t * plane)
+                                    : termsB.downloadAs<glm::vec4>(n, (t - kTermsInA) * plane);
+  return result;
+}
+
+ShadingPass::ShadingPass(const Device& device, const SceneBuffers& scene, const std::vector<BinKind>& binKinds,
+                         PathProgram program)
+    : m_impl(std::make_unique<Impl>(device, scene, binKinds, std::move(program))) {}
+ShadingPass::~ShadingPass() = default;
+ShadedSurface ShadingPass::shade(const Surface& surface, const scenes::Camera& camera) const {
+  return m_impl->shade(surface, camera);
+}
+void ShadingPass::setLightColor(std::size_t light, const glm::vec3& color) {
+  GpuLight& changed = m_impl->program.lights.at(light);
+  changed.colorRange = vec4(color, changed.colorRange.w);
+  m_impl->lights.upload(std::as_bytes(std::span{&changed, 1}), light * sizeof(GpuLight));
+}
+const std::vector<CompiledPermutation>& ShadingPass::compiled() const { return m_impl->compiled; }
+Spirv ShadingPass::spirv() const { return m_impl->program.spirv; }
+std::uint32_t ShadingPass::directionalCount() const { return m_impl->program.directionalCount; }
+std::uint32_t ShadingPass::localCount() const { return m_impl->program.localCount; }
+
+} // namespace parity::gpu

@@ -1,0 +1,58 @@
+#include "highend/knobs.h"
+
+#include "base/member_count.h"
+
+namespace parity::highend {
+
+namespace {
+
+static_assert(base::memberCount<shading::SurfaceModel>() == 3 && base::memberCount<Options>() == 6,
+              "a new member needs a row");
+
+base::KnobTable<Options> makeKnobs() {
+  using base::KnobStage;
+  base::KnobTable<Options> t;
+  t.section("Paths", {"highend", "truth"});
+  t.choice<&Options::model, &shading::SurfaceModel::geometryTerm>("geometry-term", geometryTermNames(),
+                                                                  "Geometry term of the high-end path and the truth")
+      .titled("highend geometry term")
+      .costs(KnobStage::shading);
+  t.choice<&Options::model, &shading::SurfaceModel::fresnel>("fresnel", fresnelNames(),
+                                                             "Fresnel's curve, in the high-end path and the truth")
+      .titled("highend fresnel")
+      .costs(KnobStage::shading);
+  t.choice<&Options::model, &shading::SurfaceModel::diffuse>(
+       "diffuse", diffuseNames(), "Diffuse lobe of both: what the specular lobe leaves of the light, or all of it")
+      .titled("highend diffuse")
+      .costs(KnobStage::shading);
+  t.section("Paths", {"highend"});
+  t.choice<&Options::compensation>("compensation", compensationNames(),
+                                   "High-end path: what returns the light that single scattering loses")
+      .titled("highend compensation")
+      .costs(KnobStage::shading);
+  t.choice<&Options::offSpecular>("off-specular", offSpecularNames(),
+                                  "High-end path: how the prefiltered environment is read away from N = V = R")
+      .titled("highend off-specular")
+      .costs(KnobStage::shading)
+      .needsScene("environment");
+  const auto prepares = [&](base::KnobRow<Options>& row) {
+    row.titled("highend " + row.knob.title).costs(KnobStage::preparation).needsScene("environment");
+  };
+  prepares(t.oneOf<&Options::lutSize>("lut-size", {"8", "16", "32", "64", "128", "256"},
+                                      "High-end path: texels a side of the environment BRDF's table"));
+  prepares(t.oneOf<&Options::prefilterSamples>(
+      "prefilter-samples", {"8", "32", "128", "512"},
+      "High-end path: samples of a texel of the prefiltered environment's first blurred mip"));
+  prepares(t.oneOf<&Options::prefilterSize>("prefilter-size", {"64", "128", "256"},
+                                            "High-end path: texels a side of the prefiltered environment's faces"));
+  return t;
+}
+
+} // namespace
+
+const base::KnobTable<Options>& knobs() {
+  static const base::KnobTable<Options> table = makeKnobs();
+  return table;
+}
+
+} // namespace parity::highend

@@ -1,0 +1,135 @@
+#include "highend/path.h"
+
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "base/hash.h"
+#include "highend/environment_upload.h"
+#include "highend/knobs.h"
+#include "highend/renderer.h"
+
+namespace parity::highend {
+
+namespace {
+
+base::Image makeOrRecallLut(const Options& options, const paths::Services& services) {
+  const base::Stopwatch watch(services.timings, "environment BRDF table");
+  const auto& [geometryTerm, fresnel, diffuse] = options.model;
+  const std::string key =
+      "lut-" +
+      base::Hasher().add(services.buildId).addValue(geometryTerm).addValue(fresnel).addValue(options.lutSize).hex();
+  base::Image lut(options.lutSize, options.lutSize, 4);
+  const std::size_t bytes = lut.pixels.size() * sizeof(float);
+  if (const auto cached = services.cache.find(key); cached && cached->size() == bytes) {
+    std::memcpy(lut.pixels.data(), cached->data(), bytes);
+    return lut;
+  }
+  lut = makeEnvBrdfLut(geometryTerm, fresnel, options.lutSize);
+  services.cache.store(key, std::as_bytes(std::span{lut.pixels}));
+  return lut;
+}
+
+lighting::PrefilterOptions prefilterOf(const Options& options) {
+  lighting::PrefilterOptions prefilter = lighting::kFinePrefilter;
+  prefilter.sampleCount = options.prefilterSamples;
+  prefilter.faceSize = options.prefilterSize;
+  return prefilter;
+}
+
+const gpu::EnvironmentMaps* environmentOf(const paths::Inputs& inputs) {
+  const base::Stopwatch watch(inputs.services.timings, "upload");
+  if (inputs.baked && !inputs.baked->captures.empty())
+    return inputs.store.get("highend captures", [&] {
+      return uploadCaptures(inputs.device, paths::cubesOf(*inputs.baked), *inputs.baked->captures.front().light);
+    });
+  const lighting::EnvironmentLight* const light = inputs.light.environment.get();
+  if (!light) return nullptr;
+  return inputs.store.get(fmt::format("highend environment {}", static_cast<const void*>(light)),
+                          [&] { return uploadEnvironment(inputs.device, *light, inputs.light.cells.get()); });
+}
+
+const gpu::BakedMaps* bakedOf(const paths::Inputs& inputs) {
+  if (!inputs.baked) return nullptr;
+  const base::Stopwatch watch(inputs.services.timings, "upload");
+  return inputs.store.get("highend lightmap", [&] { return uploadBaked(inputs.device, *inputs.baked); });
+}
+
+gpu::ShadowMaps* shadowsOf(const paths::Inputs& inputs) {
+  if (!inputs.asksForShadows || !inputs.isLit) return nullptr;
+  const base::Stopwatch watch(inputs.services.timings, "shadow maps");
+  return inputs.store.get("highend shadow maps", [&] {
+    return gpu::ShadowMaps(inputs.device, inputs.buffers, inputs.light.lights, inputs.shadowMaps);
+  });
+}
+
+class HighendPath final : public paths::Path {
+public:
+  const std::string& name() const override {
+    static const std::string name = "highend";
+    return name;
+  }
+  const std::string& title() const override {
+    static const std::string title = "high-end";
+    return title;
+  }
+  const base::KnobTable<paths::Options>& knobs() const override {
+    static const base::KnobTable<paths::Options> table = paths::knobsOf(highend::knobs());
+    return table;
+  }
+  paths::LightNeeds lightNeeds(const paths::Options& options) const override {
+    return {.prefilter = prefilterOf(options.of<Options>()), .cells = true};
+  }
+  const std::vector<paths::Intermediate>& intermediates() const override { return views(); }
+  bool switchesLights() const override { return true; }
+  const shading::SurfaceModel* surfaceModel(const paths::Options& options) const override {
+    return &options.of<Options>().model;
+  }
+
+  std::unique_ptr<paths::Renderer> makeRenderer(const paths::Inputs& inputs,
+                                                const paths::Options& options) const override {
+    const Options& own = options.of<Options>();
+    Inputs mine{.environment = environmentOf(inputs),
+                .lut = nullptr,
+                .lights = inputs.light.lights,
+                .shadows = shadowsOf(inputs),
+                .baked = bakedOf(inputs),
+                .terms = inputs.terms,
+                .view = inputs.intermediate,
+                .compilation = inputs.compilation,
+                .expectedPixels = inputs.expectedPixels};
+    if (Renderer::needsLut(mine, own)) mine.lut = &envBrdfLutOf(own, inputs.services);
+    return std::make_unique<Renderer>(inputs.device, inputs.buffers, inputs.binKinds, mine, own);
+  }
+
+  std::vector<KnobSet> knobSets() const override {
+    return {{"Karis 2013 (no off-specular read, no compensation)",
+             "environment",
+             {{"off-specular", "none"}, {"compensation", "none"}}},
+            {"Karis 2013 and Turquin 2019", "environment", {{"off-specular", "none"}, {"compensation", "turquin"}}}};
+  }
+  void prepareAgain(const std::string& knob, const paths::Options& options,
+                    const scenes::Environment& environment) const override {
+    const Options& own = options.of<Options>();
+    if (knob == "lut-size")
+      makeEnvBrdfLut(own.model.geometryTerm, own.model.fresnel, own.lutSize);
+    else
+      lighting::makeEnvironmentLight(environment, prefilterOf(own));
+  }
+};
+
+} // namespace
+
+const paths::Path& path() {
+  static const HighendPath path;
+  return path;
+}
+
+const base::Image& envBrdfLutOf(const Options& options, const paths::Services& services) {
+  return *services.store.get(fmt::format("environment BRDF table {} {} {}",
+                                         static_cast<int>(options.model.geometryTerm),
+                                         static_cast<int>(options.model.fresnel), options.lutSize),
+                             [&] { return makeOrRecallLut(options, services); });
+}
+
+} // namespace parity::highend

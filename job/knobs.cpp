@@ -1,0 +1,311 @@
+#include "job/knobs.h"
+
+#include <charconv>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/image/color.h"
+#include "base/member_count.h"
+#include "job/condition_text.h"
+#include "job/paths.h"
+
+namespace parity::job {
+
+namespace {
+
+using base::ActsOn, base::KnobStage, base::KnobTable, base::KnobType;
+using S = Settings;
+
+static_assert(base::memberCount<gpu::ShadowOptions>() == 3 && base::memberCount<reference::Options>() == 3 &&
+                  base::memberCount<reference::IntegralOptions>() == 4 && base::memberCount<reference::Model>() == 2,
+              "a new member needs a row");
+// Without a row: budgets, which judge afterwards, and what is of the machine: device, cacheFolder, cacheBytes.
+static_assert(base::memberCount<S>() == 25, "a new member needs a row, or a reason to have none");
+
+constexpr int kMaxInterreflection = 64;
+
+void setSize(S& s, const std::string& text) {
+  const char* const end = text.data() + text.size();
+  const auto [x, widthError] = std::from_chars(text.data(), end, s.width);
+  const bool split = widthError == std::errc() && x != end && *x == 'x';
+  const auto [tail, heightError] = std::from_chars(split ? x + 1 : end, end, s.height);
+  if (!split || heightError != std::errc() || tail != end || std::min(s.width, s.height) < 1 ||
+      std::max(s.width, s.height) > base::kMaxImageSide)
+    throw base::KnobError{fmt::format("'{}' is not WIDTHxHEIGHT with sides of 1 to {}", text, base::kMaxImageSide)};
+}
+
+void setBackground(S& s, const std::string& text) {
+  const auto n = base::readNumbers(text, "three numbers R,G,B");
+  if (n[0] < 0 || n[1] < 0 || n[2] < 0)
+    throw base::KnobError{fmt::format("'{}' is not a colour: a channel is negative", text)};
+  s.background = {n[0], n[1], n[2]};
+}
+
+void setMetrics(S& s, const std::string& text) {
+  try {
+    s.metrics = compare::parseMetricNames(text, "--metrics");
+  } catch (const base::Error& error) {
+    throw base::KnobError{error.place() + ": " + error.reason()};
+  }
+}
+
+std::string metricNames() {
+  std::vector<std::string> names;
+  for (const compare::Metric& metric : compare::metricRegistry()) names.push_back(metric.name);
+  return fmt::format("{}", fmt::join(names, ","));
+}
+
+void addPicture(KnobTable<S>& t) {
+  t.section("Picture");
+  t.special(KnobType::text, "size", "WIDTHxHEIGHT", "WIDTHxHEIGHT in pixels", setSize, [](const S& s) {
+     return fmt::format("{}x{}", s.width, s.height);
+   }).notInSuite();
+  t.whole<&S::samples>("samples", 1, 64, "Samples per pixel").notInSuite();
+  t.number<&S::exposureEv>("exposure", -32, 32, "Exposure, EV").inWords([](const S& s) {
+    return fmt::format("{} EV", s.exposureEv);
+  });
+  t.special(
+       KnobType::choice, "display", "", "Display transform",
+       [](S& s, const std::string& text) {
+         s.display = base::DisplayTransform::names()[base::readChoice(text, base::DisplayTransform::names())];
+       },
+       [](const S& s) { return s.display; })
+      .notInSuite()
+      .knob.choices = base::DisplayTransform::names();
+  t.special(KnobType::numbers, "background", "R,G,B", "Linear R,G,B behind the scene, in every path", setBackground,
+            [](const S& s) { return base::numbersText(&s.background.x, 3); })
+      .notInSuite();
+  t.texts<&S::materials>("material", "all", "Only these materials (glob, repeatable)")
+      .titled("materials")
+      .actsOn(ActsOn::wholes)
+      .notInSuite()
+      .inWords([](const S& s) { return wordsOf(s.materials, "all"); });
+}
+
+void addShadows(KnobTable<S>& t) {
+  using O = gpu::ShadowOptions;
+  t.flag<&S::shadows>("shadows",
+                      "Lights cast shadows: high-end by shadow maps, the truth by rays, of the environment too");
+  std::vector<std::string> sizes;
+  for (std::uint32_t size = gpu::kMinShadowMapSize; size <= gpu::kMaxShadowMapSize; size *= 2)
+    sizes.push_back(std::to_string(size));
+  t.oneOf<&S::shadowMaps, &O::mapSize>(
+      "shadow-map-size", sizes,
+      "Texels a side of directional lights' maps; local lights' have half, faces of a cube a fourth");
+  t.oneOf<&S::shadowMaps, &O::filter>("shadow-filter", {"0", "1", "3", "5", "7"},
+                                      "Width of the shadow maps' filter, texels; 0: one texel, hard");
+  t.whole<&S::shadowMaps, &O::maxBytes>("shadow-memory", 0, 1e15, "Bytes of all shadow maps at most")
+      .titled("memory of shadow maps")
+      .inWords([](const S& s) { return fmt::format("{} MiB at most", s.shadowMaps.maxBytes >> 20); })
+      .noOption();
+}
+
+void setPaths(S& s, const std::string& text) {
+  std::vector<std::string> names;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    names.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  const std::vector<std::string> known = pathNames();
+  for (const std::string& name : names)
+    if (std::ranges::count(known, name) == 0 || std::ranges::count(names, name) > 1)
+      throw base::KnobError{fmt::format("'{}' is not a list of different paths, of {}", text, fmt::join(known, ", "))};
+  if (names.size() < 2) throw base::KnobError{fmt::format("'{}' names one path: there is nothing to compare", text)};
+  s.pathNames = std::move(names);
+}
+
+void addPaths(KnobTable<S>& t) {
+  t.section("Paths");
+  addShadows(t);
+  for (const paths::Path* path : allPaths()) t.addAll<&S::options>(path->knobs());
+  t.section("Paths");
+  t.choice<&S::specularAa>("specular-aa", {"off", "toksvig"},
+                           "Roughness from minified normal maps, in every path: toksvig or off")
+      .titled("specular anti-aliasing")
+      .inWords([](const S& s) { return s.specularAa == gpu::SpecularAa::toksvig ? "Toksvig" : "off"; });
+  t.special(KnobType::text, "paths", "NAME,NAME", "Paths to compare: the others with the first", setPaths,
+            [](const S& s) { return fmt::format("{}", fmt::join(s.pathNames, ",")); })
+      .notInSuite();
+  t.flag<&S::costs>("costs", "Also count each specialised shader's operations, texture fetches and samplers")
+      .actsOn(ActsOn::nothing)
+      .notInSuite();
+}
+
+// Which truth it is, in a sentence.
+std::string describeTruth(const S& s) {
+  if (!s.truth) return "off";
+  const reference::Model& model = s.reference.model;
+  const bool multiple = model.scattering == reference::Scattering::multiple;
+  const bool correlated = model.surface.geometryTerm == reference::GeometryTerm::heightCorrelated;
+  const int bounces = s.reference.bounces;
+  return fmt::format(
+      "exact integrals, {} scattering between microfacets{}, {}, {} Fresnel curve, {} diffuse lobe{}{}, to a standard "
+      "error of {:.3g} %",
+      multiple ? "multiple" : "single", multiple ? " (Kulla-Conty)" : "",
+      correlated ? "height-correlated Smith" : "Schlick-Smith", knobs().find("fresnel")->text(s),
+      knobs().find("diffuse")->text(s), s.shadows || bounces > 0 ? ", with shadows" : "",
+      bounces > 0 ? fmt::format(", {} bounce{} between surfaces", bounces, bounces > 1 ? "s" : "") : "",
+      100 * s.reference.integral.relativeError);
+}
+
+void addTruth(KnobTable<S>& t) {
+  using O = reference::Options;
+  using I = reference::IntegralOptions;
+  t.section("Truth", {"truth"});
+  t.flag<&S::truth>(
+       "truth", "Also hold both paths against the ground truth, term by term: exact integrals, slow; judges nothing")
+      .alias("reference")
+      .actsOn(ActsOn::truth)
+      .inWords(describeTruth)
+      .notInSuite();
+  t.special(
+       KnobType::text, "error", "SHARE", "Relative standard error at which a pixel of the truth is done",
+       [](S& s, const std::string& text) { s.reference.integral.relativeError = base::readShare(text); },
+       [](const S& s) { return base::numberText(s.reference.integral.relativeError); })
+      .titled("error of the truth")
+      .actsOn(ActsOn::truth)
+      .otherwise("0.5%")
+      .needs("truth");
+  t.choice<&S::reference, &O::model, &reference::Model::scattering>(
+       "scattering", {"multiple", "single"}, "Light between microfacets: multiple (Kulla-Conty) or single")
+      .titled("scattering of the truth")
+      .actsOn(ActsOn::truth)
+      .needs("truth");
+  t.whole<&S::reference, &O::bounces>("interreflection", 0, kMaxInterreflection,
+                                      "Bounces of light between surfaces in the truth, with shadows; 0: none")
+      .actsOn(ActsOn::truth)
+      .needs("truth");
+  t.whole<&S::reference, &O::integral, &I::minSamples>("truth-min-samples", 1, 1 << 30, "Samples of a pixel at least")
+      .actsOn(ActsOn::truth)
+      .needs("truth")
+      .noOption();
+  t.whole<&S::reference, &O::integral, &I::maxSamples>("truth-max-samples", 1, 1 << 30, "Samples of a pixel at most")
+      .actsOn(ActsOn::truth)
+      .needs("truth")
+      .noOption();
+  t.whole<&S::reference, &O::integral, &I::seed>("truth-seed", 0, 4294967295.0, "Of the samples")
+      .actsOn(ActsOn::truth)
+      .needs("truth")
+      .noOption();
+}
+
+void addVerdict(KnobTable<S>& t) {
+  t.section("Verdict");
+  t.special(KnobType::text, "metrics", "LIST", "Metrics to report, of " + metricNames(), setMetrics,
+            [](const S& s) { return fmt::format("{}", fmt::join(s.metrics, ",")); })
+      .actsOn(ActsOn::nothing)
+      .notInSuite();
+  t.choice<&S::attribution>("attribution", {kAttributionNames.begin(), kAttributionNames.end()},
+                            "Name the term that makes these materials differ: over-budget, all or none")
+      .noCondition()
+      .notInSuite();
+  t.whole<&S::droppedLights>(
+       "dropped-lights", 0, 100000,
+       "Measure what so many of a view's lights do that mobile drops, the brightest of them; 0: none")
+      .actsOn(ActsOn::nothing)
+      .notInSuite();
+  t.flag<&S::terms>("terms", "Also measure the terms (sun, sky, lights... diffuse and specular)")
+      .actsOn(ActsOn::nothing)
+      .notInSuite();
+  t.flag<&S::coverage>("coverage", "Of each view's materials, also where one path alone is rendered")
+      .actsOn(ActsOn::nothing)
+      .noOption();
+}
+
+KnobTable<S> makeKnobs() {
+  KnobTable<S> t;
+  t.addAll<&S::scene>(scenes::sceneKnobs());
+  addPicture(t);
+  addPaths(t);
+  addTruth(t);
+  addVerdict(t);
+  return t;
+}
+
+// With what other members decide.
+Settings derived(Settings settings) {
+  for (const paths::Path* path : allPaths())
+    if (const shading::SurfaceModel* model = path->surfaceModel(settings.options)) {
+      settings.reference.model.surface = *model;
+      break;
+    }
+  settings.terms |= settings.truth || settings.attribution == Attribution::all;
+  return settings;
+}
+
+bool isOn(const std::string& text) { return text != "off" && text != "none"; }
+
+// What was given, and needs what is off.
+void requireNeeds(const Settings& settings, const base::GivenKnobs& given) {
+  for (const auto& [id, value] : given) {
+    const base::Knob& knob = knobs().find(id)->knob;
+    if (!isActive(knob, settings))
+      throw base::Error(base::ExitCode::usage, value.where, "", fmt::format("does nothing without {}", knob.needsKnob));
+  }
+}
+
+} // namespace
+
+const KnobTable<Settings>& knobs() {
+  static const KnobTable<Settings> table = makeKnobs();
+  return table;
+}
+
+const scenes::SuiteKnobs& suiteKnobs() {
+  static const scenes::SuiteKnobs all = [] {
+    scenes::SuiteKnobs s;
+    for (const auto& row : knobs().rows())
+      if (row.knob.inSuite) s.knobs.push_back(row.knob);
+    s.check = [](const base::Knob& knob, const base::KnobValue& value) {
+      Settings scratch;
+      knobs().find(knob.id)->set(scratch, value);
+    };
+    return s;
+  }();
+  return all;
+}
+
+bool isActive(const base::Knob& knob, const Settings& settings) {
+  return knob.needsKnob.empty() || isOn(knobs().find(knob.needsKnob)->text(settings));
+}
+
+Settings withKnobs(Settings settings, const base::GivenKnobs& given) {
+  knobs().apply(settings, given);
+  settings = derived(settings);
+  for (const paths::Path* path : allPaths()) path->requireSense(settings.options, settings.display);
+  const paths::Path& first = pathByName(settings.pathNames.front());
+  if (const auto target = first.target(settings.options, {}, 0); target && target->isDisplayed())
+    throw base::Error(
+        base::ExitCode::usage, "--paths", "",
+        fmt::format("'{}' comes first, and is stored in '{}': what the others are compared with must hold "
+                    "light above white",
+                    first.name(), first.targetName(settings.options)));
+  return settings;
+}
+
+Settings defaultsOf(const scenes::Suite& suite, const Settings& settings, const base::GivenKnobs& commandLine) {
+  Settings all = settings;
+  knobs().apply(all, base::merged(suite.given, commandLine)); // a scene may say what makes it go together
+  return derived(all);
+}
+
+std::vector<SceneRequest> requestsOf(const scenes::Suite& suite, const Settings& settings,
+                                     const base::GivenKnobs& commandLine) {
+  const base::GivenKnobs ofAll = base::merged(suite.given, commandLine);
+  std::vector<SceneRequest> requests;
+  for (const scenes::SuiteEntry& entry : suite.entries) {
+    SceneRequest& request =
+        requests.emplace_back(SceneRequest{entry.name, entry.scene, {}, entry.captures, entry.views, entry.budgets});
+    try {
+      request.settings = withKnobs(settings, base::merged(ofAll, entry.given));
+      requireNeeds(request.settings, entry.given);
+    } catch (const base::Error& error) {
+      throw base::Error(base::ExitCode::failed, fmt::format("scene '{}'", entry.name), error.subject(), error.reason());
+    }
+  }
+  return requests;
+}
+
+} // namespace parity::job

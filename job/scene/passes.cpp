@@ -1,0 +1,39 @@
+#include "job/scene/passes.h"
+
+namespace parity::job {
+
+std::vector<report::PassResult> describePasses(const Work& work, const NoNeed& why) {
+  std::vector<report::PassResult> passes;
+  const auto add = [&](const std::string& name, const char* unit, std::uint64_t count, const std::string& reason) {
+    passes.push_back({name, unit, count, count > 0 ? "" : reason.empty() ? "nothing seen needs it" : reason});
+  };
+  add("sun extraction", "environments", work.sunSearches, why.suns);
+  add("environment prefilter and SH", "maps", work.prefilteredMaps, why.environment);
+  add("environment BRDF table", "tables", work.brdfTables, why.table);
+  add("surface", "samples", work.surfaceSamples, "");
+  add("blended surface", "samples", work.blendedSamples, why.blended);
+  add("fog at vertices", "samples", work.fogSamples, why.fog);
+  add("textures", "images", work.images, why.texture);
+  add("spread of normals", "images", work.varianceImages, why.variance);
+  add("texture compression", "images", work.compressedImages, why.compression);
+  add("directional lights", "lights", work.directionalLights, why.directional);
+  add("local lights", "lights", work.localLights, why.local);
+  add("culling of local lights", "groups", work.lightLists, why.lightLists);
+  add("shadow maps", "maps", work.shadowMaps, why.shadows);
+  add("casters of shadows", "instances", work.shadowCasters, why.shadows);
+  add("lightmap", "pages", work.lightmapPages, why.baked);
+  add("environment captures", "captures", work.captures, why.captures);
+  add("choice of local lights", "objects", work.lightChoices, why.lightChoice);
+  for (const auto& [path, samples] : work.shadedSamples) add("shade " + path, "samples", samples, "");
+  add("terms", "samples", work.termSamples, why.terms);
+  add("reference materials", "samples", work.resolvedSamples, why.truth);
+  add("reference integrals", "samples", work.integratedSamples, why.truth);
+  add("reference occluders", "meshes", work.occluderMeshes, why.occluders);
+  add("compare", "pixels", work.comparedPixels, "");
+  add("compare with the truth", "pixels", work.comparedWithTruth, why.truth);
+  add("dropped lights", "pictures", work.lightPictures, why.droppedLights);
+  add("shader costs", "shaders", work.countedShaders, why.costs);
+  return passes;
+}
+
+} // namespace parity::job

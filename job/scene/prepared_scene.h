@@ -1,0 +1,49 @@
+// A scene made ready for its paths: loaded, lit, flagged.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bake/baked_light.h"
+#include "job/context.h"
+#include "job/paths.h"
+#include "job/scene/passes.h"
+#include "job/scene_request.h"
+#include "scenes/scene.h"
+
+namespace parity::job {
+
+// The light is the same for all paths, but what one has in its environment another may have as a directional light
+// (lighting/environment/sun_extraction.h). A path with one sun misses only that in its environment, and only where it
+// is the brightest directional light of all.
+struct PreparedScene {
+  scenes::Scene scene;                             // fully-rough flags, fog and scales of light as requested
+  std::vector<scenes::Light> lights;               // the scene's, --sun and what was extracted
+  std::map<std::string, paths::Light> lightOfPath; // by name, of the paths asked for
+  // Unfiltered, times the sky light's colour, to go with `lights`; kept for the truth and for baking alone.
+  std::optional<scenes::Environment> panorama;
+  // Takes the place of all lights but the sun, and its captures that of the environments (job/scene/baked_scene.h).
+  // Null: none.
+  std::shared_ptr<const bake::BakedLight> baked;
+  Settings settings;                    // by which it is rendered
+  bool isLit = true;                    // some object's material is not unlit: light is needed at all
+  Work work;                            // done so far
+  std::string environmentName, sunText; // for the report: the file without its folder; "none" where there is none
+};
+
+// A path's light; without lights and environment where the path was not asked for.
+const paths::Light& lightOf(const PreparedScene& prepared, const paths::Path& path);
+
+// Loads scene and environment (at the same time), extracts suns, applies flags. Throws Error: exit 4 for what cannot
+// be read, for an empty scene and for one with nothing that gives light; usage for a glob that no material matches.
+PreparedScene prepareScene(Context& context, const SceneRequest& request, const PathChoice& paths);
+
+// For SceneRenderer's onLastRead: frees the pixels of an image. Empty where the truth will read them, to let light
+// through masks or to reflect it. `prepared` must outlive it.
+std::function<void(int)> imageRelease(PreparedScene& prepared, const PathChoice& paths);
+
+} // namespace parity::job

@@ -1,0 +1,338 @@
+#include "job/scene/scene_comparison.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "base/text/error_words.h"
+#include "compare/verdict/budget.h"
+#include "job/conditions.h"
+#include "job/context.h"
+#include "job/report_folder.h"
+#include "job/result_cache.h"
+#include "job/scene/dropped_lights.h"
+#include "job/scene/material_choice.h"
+#include "job/view/view_attribution.h"
+#include "job/view/view_comparison.h"
+#include "report/judge.h"
+#include "scenes/names.h"
+
+namespace parity::job {
+
+namespace {
+
+// A message without the folders of the scene's files: a report does not say where on this machine they lie.
+std::string withoutFolders(std::string text, const SceneRequest& request) {
+  for (const std::string& file : {request.scene, request.settings.scene.environment, request.budgets.value_or("")}) {
+    const std::string folder = (std::filesystem::path(file).parent_path() / "").string();
+    if (folder.empty()) continue;
+    for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at))
+      if (at == 0 || text[at - 1] == ' ' || text[at - 1] == '\n' || text[at - 1] == '\'')
+        text.erase(at, folder.size());
+      else
+        ++at; // the end of another path
+  }
+  return text;
+}
+
+// For each view the materials that are attributed.
+using MaterialsByView = std::vector<std::vector<std::size_t>>;
+
+bool isEmpty(const MaterialsByView& materials) {
+  return std::ranges::all_of(materials, [](const auto& list) { return list.empty(); });
+}
+
+class SceneComparison {
+public:
+  SceneComparison(Context& context, const ReportRequest& request, const RunBudgets& budgets, const Tell& tell)
+      : m_context(context), m_request(request), m_budgets(budgets), m_tell(tell) {}
+
+  ComparedScene run(std::size_t index) {
+    const SceneRequest& request = m_request.scenes[index];
+    ComparedScene scene;
+    report::SceneResult& result = scene.result = startScene(request);
+    Conditions conditions;
+    const auto setError = [&](const std::string& message, base::ExitCode code) {
+      scene.error = fmt::format("{}: {}", result.name, message); // several problems are several lines
+      for (std::size_t at = scene.error.find('\n'); at != std::string::npos; at = scene.error.find('\n', at + 1))
+        scene.error.insert(at + 1, result.name + ": ");
+      result.error = withoutFolders(message, request);
+      result.errorExitCode = static_cast<int>(code);
+    };
+    try {
+      conditions = conditionsNow(request);
+      const compare::Budgets budgets = budgetsFor(request);
+      const Judges judges{budgets, m_budgets.baseline, request.name, conditions,
+                          m_context.deviceReport().description()};
+      const ResultWish wish = wishFor(index, budgets);
+      const std::optional<std::string> key = resultKey(m_context, conditions, wish);
+      if (std::optional<SceneRecord> cached = key ? recall(*key, index, judges) : std::nullopt) {
+        result = std::move(cached->result);
+        if (m_request.singleFile) scene.pictures = std::move(cached->pictures);
+        scene.isCached = true;
+      } else {
+        measureScene(index, wish, key, judges, scene);
+      }
+      result.passes.push_back(attributionPass(request.settings.attribution, result));
+      for (report::ViewResult& view : result.views) {
+        for (report::MaterialResult& material : view.materials) report::judgeMaterial(material, budgets, request.name);
+        report::judgeWhole(view, budgets, request.name);
+      }
+    } catch (const base::Error& error) {
+      // One catch at the boundary of each scene: the others still run.
+      setError(error.what(), error.code());
+    } catch (const std::exception& error) {
+      setError(base::wordsOf(error), base::ExitCode::failed);
+    }
+    result.conditions = reported(conditions.scene);
+    for (std::string& warning : result.warnings) {
+      scene.warnings.push_back(fmt::format("{}: {}", result.name, warning));
+      warning = withoutFolders(std::move(warning), request);
+    }
+    return scene;
+  }
+
+private:
+  // With the files as they are now.
+  Conditions conditionsNow(const SceneRequest& request) const {
+    return conditionsOf(m_context.settings(), request, m_context.deviceReport());
+  }
+
+  static report::SceneResult startScene(const SceneRequest& request) {
+    const scenes::SceneSettings& settings = request.settings.scene;
+    report::SceneResult result;
+    result.name = request.name;
+    result.source = scenes::cleanName(std::filesystem::path(request.scene).filename().string());
+    result.environment = settings.environment.empty()
+                             ? "none"
+                             : scenes::cleanName(std::filesystem::path(settings.environment).filename().string());
+    result.sun = "none";
+    result.light = scenes::describe(settings.lightScales, settings.fog, settings.falloff);
+    const auto add = [&](const std::string& text) { result.light += (result.light.empty() ? "" : "; ") + text; };
+    if (request.settings.shadows) add("shadows");
+    const int bounces = request.settings.reference.bounces;
+    if (request.settings.truth && bounces > 0)
+      add(fmt::format("in the truth {} bounce{} between surfaces", bounces, bounces > 1 ? "s" : ""));
+    return result;
+  }
+
+  std::vector<std::string> prefixesOf(std::size_t index) const {
+    const SceneRequest& request = m_request.scenes[index];
+    std::vector<std::string> prefixes;
+    forEachView(request, [&](const ViewOfPath& view) {
+      prefixes.push_back(imagePrefix(index, request.name, prefixes.size(), viewName(request, view)));
+    });
+    return prefixes;
+  }
+
+  // A view by one of the paths that are compared with the first: each is a row of the report.
+  struct ViewOfPath {
+    std::size_t view = 0, test = 1; // places in the request, and in the choice of paths
+  };
+  static void forEachView(const SceneRequest& request, auto&& act) {
+    for (std::size_t v = 0; v < request.views.size(); ++v)
+      for (std::size_t test = 1; test < request.settings.pathNames.size(); ++test) act(ViewOfPath{v, test});
+  }
+  static std::size_t rowOf(const SceneRequest& request, const ViewOfPath& view) {
+    return view.view * (request.settings.pathNames.size() - 1) + view.test - 1;
+  }
+  // The first of the paths needs no name of its own.
+  static std::string viewName(const SceneRequest& request, const ViewOfPath& view) {
+    const std::string& name = request.views[view.view].name;
+    return view.test == 1 ? name : fmt::format("{} ({})", name, request.settings.pathNames[view.test]);
+  }
+
+  static void setConditions(const SceneRequest& request, report::SceneResult& result, const Conditions& conditions) {
+    std::size_t row = 0;
+    forEachView(request, [&](const ViewOfPath& view) {
+      if (row < result.views.size()) result.views[row++].conditions = reported(conditions.views[view.view]);
+    });
+  }
+
+  // The scene as an earlier run has left it, its pictures written: with the attributions that this run's judges ask
+  // for, and no others.
+  std::optional<SceneRecord> recall(const std::string& key, std::size_t index, const Judges& judges) {
+    const base::Stopwatch watch(&m_context.timings(), "recall results");
+    std::optional<SceneRecord> record = findResult(m_context.cache(), key, m_request.scenes[index]);
+    if (!record) return std::nullopt;
+    MaterialsByView attributed;
+    setConditions(m_request.scenes[index], record->result, judges.conditions);
+    for (const report::ViewResult& view : record->result.views)
+      attributed.push_back(materialsToAttribute(m_request.scenes[index].settings.attribution, view, judges));
+    const std::vector<std::string> prefixes = prefixesOf(index);
+    renamePictures(*record, prefixes);
+    if (!isEmpty(attributed)) {
+      std::optional<SceneRecord> more =
+          findResult(m_context.cache(), attributedKey(key, attributed), m_request.scenes[index]);
+      if (!more) return std::nullopt;
+      renamePictures(*more, prefixes);
+      record->result = std::move(more->result);
+      setConditions(m_request.scenes[index], record->result, judges.conditions);
+      std::ranges::move(more->pictures, std::back_inserter(record->pictures));
+    }
+    if (!m_request.singleFile) writePictures(record->pictures, m_request.folder);
+    return record;
+  }
+
+  ResultWish wishFor(std::size_t index, const compare::Budgets& budgets) const {
+    return {compare::requiredStatistics(budgets), !m_request.folder.empty(), m_request.pixelData,
+            gpu::shareOf(index, m_request.scenes.size())};
+  }
+
+  // Fills the result, view by view: what was done before an error stays. Keeps it for later runs.
+  void measureScene(std::size_t index, const ResultWish& wish, const std::optional<std::string>& key,
+                    const Judges& judges, ComparedScene& scene) {
+    const SceneRequest& request = m_request.scenes[index];
+    report::SceneResult& result = scene.result;
+    m_tell(0, "loading");
+    const PathChoice paths = pathsOf(request.settings);
+    PreparedScene prepared = prepareScene(m_context, request, paths);
+    result.environment = prepared.environmentName;
+    result.sun = prepared.sunText;
+    const auto addLight = [&](const std::string& text) { result.light += (result.light.empty() ? "" : "; ") + text; };
+    if (prepared.baked) addLight(fmt::format("baked: {}; ASTC {}", prepared.baked->settings, prepared.baked->astc));
+    const bool hasCaptures = prepared.baked && !prepared.baked->captures.empty();
+    for (const paths::Path* path : paths.chosen)
+      if (hasCaptures || lightOf(prepared, *path).environment)
+        if (const std::string words = path->describeLight(request.settings.options, hasCaptures); !words.empty())
+          addLight(words);
+    result.warnings = prepared.scene.warnings;
+    requireMaterials(prepared.scene, request.settings.materials);
+    SceneRenderer renderer(m_context, prepared, prepared.settings, paths, request.views.size(), wish.permutations,
+                           imageRelease(prepared, paths));
+    for (std::string& note : renderer.notes()) result.warnings.push_back(std::move(note));
+    for (std::size_t i = 0; i < paths.chosen.size(); ++i)
+      for (const scenes::Material& material : prepared.scene.materials)
+        if (const std::string excess = renderer.renderer(i).describeExcess(material); !excess.empty())
+          result.warnings.push_back(fmt::format("material '{}' {}", material.name, excess));
+    // As if nothing were attributed, and what attribution adds: another run's budgets may ask for the one alone.
+    std::vector<report::ViewResult> plainViews;
+    std::vector<EncodedPicture> plainPictures, addedPictures;
+    MaterialsByView attributed;
+    std::uint64_t comparedPixels = 0;
+    ViewFrames frames;
+    forEachView(request, [&](const ViewOfPath& view) {
+      const std::size_t v = view.view, row = attributed.size();
+      if (view.test == 1) {
+        m_tell(static_cast<double>(v) / static_cast<double>(request.views.size()), request.views[v].name);
+        frames = {}; // before the next one takes memory
+        frames = renderView(request, v, prepared, renderer);
+      }
+      const scenes::Camera camera = cameraOf(request, v, prepared);
+      ComparedView compared = compareOne(index, view, prepared, renderer, frames, wish);
+      comparedPixels += compared.view.whole.pixels;
+      compared.view.conditions = reported(judges.conditions.views[v]);
+      compared.view.droppedLights = measureDroppedLights(m_context, prepared, renderer, camera, frames, compared);
+      if (key) plainViews.push_back(compared.view);
+      keepPictures(std::move(compared.pictures), scene, key ? &plainPictures : nullptr);
+      attributed.push_back(materialsToAttribute(request.settings.attribution, compared.view, judges));
+      if (!attributed[row].empty()) {
+        const bool isLate = !request.settings.terms; // compareView had none to write
+        if (isLate) {
+          std::vector<std::size_t> materials;
+          for (const std::size_t i : attributed[row]) materials.push_back(compared.materials[i]);
+          renderer.addTerms(frames, view.test, camera, materials);
+        }
+        attributeView(m_context, frames, attributed[row], request.settings, *paths.chosen[view.test], compared);
+        if (isLate && wish.pictures && wish.pixelData) {
+          const base::Stopwatch watch(&m_context.timings(), "encode images");
+          keepPictures(encodeTerms(compared.view, termPlanesOf(frames, paths, view.test), prefixesOf(index)[row]),
+                       scene, key ? &addedPictures : nullptr);
+        }
+        if (isLate) { // the next row is compared as if this one had none
+          frames.paths.front().frame.terms.clear();
+          frames.paths[view.test].frame.terms.clear();
+        }
+      }
+      result.views.push_back(std::move(compared.view));
+    });
+    for (std::string& warning : renderer.warnings()) result.warnings.push_back(std::move(warning));
+    result.permutations = renderer.permutations();
+    const auto passesOf = [&](Work work) {
+      work.comparedPixels = comparedPixels;
+      if (request.settings.truth) work.comparedWithTruth = comparedPixels;
+      if (request.settings.costs) work.countedShaders = result.permutations.size();
+      return describePasses(work, renderer.reasons());
+    };
+    result.passes = passesOf(renderer.workWithTerms());
+    // The same key again: the environment is still what it was when the scene was lit by it.
+    if (!key || resultKey(m_context, conditionsNow(request), wish) != key) return;
+    const base::Stopwatch watch(&m_context.timings(), "keep results");
+    SceneRecord plain{result, prefixesOf(index), std::move(plainPictures)};
+    plain.result.views = std::move(plainViews);
+    plain.result.passes = passesOf(renderer.work());
+    storeResult(m_context.cache(), *key, request, prepared.scene.sources, plain);
+    if (!isEmpty(attributed))
+      storeResult(m_context.cache(), attributedKey(*key, attributed), request, prepared.scene.sources,
+                  {result, plain.prefixes, std::move(addedPictures)});
+  }
+
+  // Writes them, or leaves them with the scene for a single file; and puts them with what is to be kept.
+  void keepPictures(std::vector<EncodedPicture> pictures, ComparedScene& scene, std::vector<EncodedPicture>* kept) {
+    if (m_request.singleFile) {
+      scene.pictures.insert(scene.pictures.end(), pictures.begin(), pictures.end());
+    } else {
+      const base::Stopwatch watch(&m_context.timings(), "write images");
+      writePictures(pictures, m_request.folder);
+    }
+    if (kept) std::ranges::move(pictures, std::back_inserter(*kept));
+  }
+
+  compare::Budgets budgetsFor(const SceneRequest& request) const {
+    if (m_budgets.first) return *m_budgets.first;
+    return request.budgets ? compare::loadBudgets(*request.budgets) : m_budgets.otherwise;
+  }
+
+  scenes::Camera cameraOf(const SceneRequest& request, std::size_t view, const PreparedScene& prepared) const {
+    const Settings& settings = request.settings;
+    return scenes::makeCamera(prepared.scene, request.views[view],
+                              static_cast<float>(settings.width) / static_cast<float>(settings.height));
+  }
+
+  ViewFrames renderView(const SceneRequest& request, std::size_t index, const PreparedScene& prepared,
+                        SceneRenderer& renderer) {
+    const scenes::ViewRequest& view = request.views[index];
+    const Progress tellReference = [&](const std::string& what, double done) {
+      m_tell((static_cast<double>(index) + done) / static_cast<double>(request.views.size()), view.name + ", " + what);
+    };
+    ViewFrames frames = renderer.render(cameraOf(request, index, prepared), tellReference);
+    // A picture of nothing but background compares as equal: that is no answer.
+    if (std::all_of(frames.coverage.begin(), frames.coverage.end(),
+                    [](const auto& list) { return list.pixels.empty(); }))
+      throw base::fileError(request.scene, fmt::format("view '{}'", view.name), "shows no part of the scene");
+    return frames;
+  }
+
+  ComparedView compareOne(std::size_t sceneIndex, const ViewOfPath& view, const PreparedScene& prepared,
+                          const SceneRenderer& renderer, const ViewFrames& frames, const ResultWish& wish) {
+    const SceneRequest& request = m_request.scenes[sceneIndex];
+    const std::string name = viewName(request, view);
+    return compareView(m_context, prepared.scene, frames,
+                       {.viewName = name,
+                        .settings = request.settings,
+                        .paths = renderer.paths(),
+                        .test = view.test,
+                        .renderer = renderer.renderer(view.test),
+                        .statistics = wish.statistics,
+                        .pictures = wish.pictures,
+                        .pixelData = wish.pixelData,
+                        .imagePrefix = prefixesOf(sceneIndex)[rowOf(request, view)]});
+  }
+
+  Context& m_context;
+  const ReportRequest& m_request;
+  const RunBudgets& m_budgets;
+  const Tell& m_tell;
+};
+
+} // namespace
+
+ComparedScene compareScene(Context& context, const ReportRequest& request, std::size_t index, const RunBudgets& budgets,
+                           const Tell& tell) {
+  return SceneComparison(context, request, budgets, tell).run(index);
+}
+
+} // namespace parity::job

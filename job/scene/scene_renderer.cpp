@@ -1,0 +1,230 @@
+#include "job/scene/scene_renderer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "job/view/term_variants.h"
+
+namespace parity::job {
+
+namespace {
+
+std::uint64_t pixelsOf(const Settings& settings, std::size_t views) {
+  return static_cast<std::uint64_t>(settings.width) * settings.height * settings.samples * views;
+}
+
+// Entries of surfaces that wait to be shaded again: two of each pixel of a tile.
+constexpr std::size_t kMaxKeptEntries = 2 * std::size_t{gpu::kMaxTilePixels};
+
+} // namespace
+
+SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, const Settings& settings,
+                             const PathChoice& paths, std::size_t views, const gpu::PermutationBudget& budget,
+                             gpu::ImageDone onLastRead)
+    : m_context(context), m_prepared(prepared), m_settings(settings), m_choice(paths), m_views(views), m_budget(budget),
+      m_work(prepared.work), m_scene(context, prepared, settings, paths, std::move(onLastRead)) {
+  if (prepared.baked) {
+    m_work.lightmapPages = prepared.baked->lqPages.size();
+    m_work.captures = prepared.baked->captures.size();
+  }
+  m_mayDropLights = mayDropLights();
+  for (const paths::Path* path : paths.chosen)
+    m_paths.push_back(
+        {path, makeRenderer(*path, {.terms = settings.terms, .intermediate = paths.intermediate}, views), {}, {}, {}});
+  for (std::size_t i = 1; i < m_paths.size(); ++i) // those that are compared with the first
+    if (m_scene.hasOwnTextures(*m_paths[i].path, settings.options))
+      m_paths[i].ofOriginals = makeRenderer(*m_paths[i].path, {.originalTextures = true}, views);
+  if (paths.truth) {
+    m_truth.emplace(context, prepared, settings, m_scene.buffers(), m_scene.surfacePass().binKinds(),
+                    pixelsOf(settings, views), gpu::Compilation{budget, &context.pipelines()});
+    if (prepared.settings.shadows || prepared.settings.reference.bounces > 0)
+      m_work.occluderMeshes = prepared.scene.meshes.size();
+  }
+}
+
+bool SceneRenderer::mayDropLights() const {
+  if (m_settings.droppedLights == 0 || !m_choice.compares() || !m_prepared.isLit) return false;
+  // Only of those that are compared, and where the first can leave a light out.
+  if (!m_choice.chosen.front()->switchesLights()) return false;
+  return std::any_of(m_choice.chosen.begin() + 1, m_choice.chosen.end(), [&](const paths::Path* path) {
+    return path->mayDropLights(lightOf(m_prepared, *path).lights, m_settings.options);
+  });
+}
+
+std::unique_ptr<paths::Renderer> SceneRenderer::makeRenderer(const paths::Path& path, SceneOnDevice::RendererWish wish,
+                                                             std::size_t views) {
+  wish.expectedPixels = pixelsOf(m_settings, views);
+  wish.budget = m_budget;
+  return m_scene.makeRenderer(path, m_settings.options, wish);
+}
+
+gpu::VisibleLayers SceneRenderer::rasterise(const scenes::Camera& camera, const gpu::Tile& tile,
+                                            const glm::vec2& sample) {
+  const base::Stopwatch watch(&m_context.timings(), "surface");
+  return m_scene.surfacePass().rasterise(camera, tile, sample);
+}
+
+gpu::Surface SceneRenderer::resolve(const gpu::VisibleLayers& visible, std::size_t layer,
+                                    const scenes::Camera& camera) {
+  const base::Stopwatch watch(&m_context.timings(), "surface");
+  return m_scene.surfacePass().resolve(visible, layer, camera);
+}
+
+void SceneRenderer::countSurface(const gpu::Surface& surface, Work& work) const {
+  (surface.blended ? work.blendedSamples : work.surfaceSamples) += surface.size();
+  if ((m_scene.buffers().vertexData() & gpu::kVertexFog) != 0) work.fogSamples += surface.size();
+}
+
+ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& progress) {
+  const Settings& settings = m_settings;
+  std::vector<ViewBuilder::PathPlan> plans;
+  for (const PathState& each : m_paths) {
+    ViewBuilder::PathPlan& plan = plans.emplace_back();
+    plan.ofOriginals = each.ofOriginals != nullptr;
+    if (m_choice.intermediate == 0) // others are looked at as they were computed
+      plan.target = each.path->target(settings.options, m_context.device().report(), settings.exposureEv);
+  }
+  ViewBuilder view(settings, plans, m_truth.has_value(), m_scene.buffers());
+  std::set<std::uint32_t> cutPixels;
+  m_kept.clear();
+  m_seenSamples.assign(m_mayDropLights ? m_prepared.scene.instances.size() : 0, 0);
+
+  const std::vector<gpu::Tile> tiles =
+      gpu::makeTiles(static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height));
+  const std::size_t parts = tiles.size() * static_cast<std::size_t>(settings.samples);
+  std::size_t part = 0;
+  for (const gpu::Tile& tile : tiles)
+    for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
+      const gpu::VisibleLayers visible = rasterise(camera, tile, sample);
+      cutPixels.insert(visible.cutPixels.begin(), visible.cutPixels.end());
+      m_scene.requireTextures(visible);
+      const bool mayAddTerms =
+          m_choice.compares() && !settings.terms && settings.attribution == Attribution::overBudget;
+      const bool keeps = parts == 1 && (mayAddTerms || m_mayDropLights) && visible.size() <= kMaxKeptEntries;
+      const std::size_t layerCount = visible.layers.size();
+      view.begin(tile);
+      // From the back to the front, as hardware blends; one layer's surface at a time.
+      for (std::size_t k = 0; k < layerCount; ++k) {
+        gpu::Surface surface = resolve(visible, k, camera);
+        if (m_mayDropLights)
+          for (const std::uint32_t instance : surface.instances) ++m_seenSamples[instance];
+        // Apart from each other, and the nearest layer's the same however many lie behind.
+        const std::size_t fromFront = layerCount - 1 - k, stream = 2 * part + (k == 0 ? 0 : 1 + 2 * parts * fromFront);
+        const auto told = [&](double done) {
+          const double share = (static_cast<double>(k) + done) / static_cast<double>(layerCount);
+          if (progress) progress("truth", (static_cast<double>(part) + share) / static_cast<double>(parts));
+        };
+        shade(surface, camera, static_cast<std::uint32_t>(stream), told, view);
+        if (keeps) m_kept.push_back(std::move(surface));
+      }
+      const base::Stopwatch watch(&m_context.timings(), "compose");
+      view.end();
+      ++part;
+    }
+  m_cutPixels += cutPixels.size();
+  m_work.integratedSamples += view.sampledPoints();
+  if (m_truth && progress) progress("truth", 1);
+  return view.take();
+}
+
+void SceneRenderer::shade(const gpu::Surface& surface, const scenes::Camera& camera, std::uint32_t stream,
+                          const reference::Progress& progress, ViewBuilder& view) {
+  countSurface(surface, m_work);
+  const auto begin = [&](const std::string& stage) {
+    if (m_settings.terms) m_work.termSamples += surface.size();
+    return base::Stopwatch(&m_context.timings(), stage);
+  };
+  std::vector<ShadedByPath> shaded;
+  for (const PathState& each : m_paths) {
+    const base::Stopwatch watch = begin("shade " + each.path->name());
+    ShadedByPath& by = shaded.emplace_back(each.plain->shade(surface, camera), std::nullopt);
+    if (each.ofOriginals) by.ofOriginals = each.ofOriginals->shade(surface, camera);
+  }
+  std::optional<ReferenceSurface> truth;
+  if (m_truth) {
+    const base::Stopwatch watch = begin("shade truth");
+    truth = m_truth->shade(surface, camera, stream, progress);
+    m_work.resolvedSamples += surface.size();
+  }
+  const base::Stopwatch watch(&m_context.timings(), "compose");
+  view.lay(surface, shaded, truth ? &*truth : nullptr);
+}
+
+void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes::Camera& camera,
+                             const std::vector<std::size_t>& materials) {
+  const Settings& settings = m_settings;
+  assert(path > 0 && !settings.terms);
+  PathState &first = m_paths.front(), &other = m_paths[path];
+  for (PathState* each : {&first, &other}) // for one view: whether there will be another is not known
+    if (!each->withTerms) each->withTerms = makeRenderer(*each->path, {.terms = true}, 1);
+  gpu::FrameBuilder firstFrame = makeFrame(true), otherFrame = makeFrame(true);
+  std::vector<char> wanted(m_prepared.scene.materials.size(), 0);
+  for (const std::size_t material : materials) wanted[material] = 1;
+  gpu::SwapBuilder variants(m_scene.buffers().materialOfInstance(), m_prepared.scene.materials.size(),
+                            static_cast<std::uint32_t>(settings.width), settings.samples,
+                            std::vector<glm::vec3>(TermVariants::kPlanes, settings.background), std::nullopt,
+                            std::move(wanted));
+  const auto lay = [&](const gpu::Surface& surface) {
+    const base::Stopwatch watch(&m_context.timings(), "shade terms");
+    m_again.termSamples += 2 * surface.size();
+    const gpu::ShadedSurface a = first.withTerms->shade(surface, camera), b = other.withTerms->shade(surface, camera);
+    firstFrame.lay(surface, a);
+    otherFrame.lay(surface, b);
+    variants.lay(surface, a, b, TermVariants(surface, a, b).planes());
+  };
+  layAgain(camera, m_again,
+           {[&](const gpu::Tile& tile) { firstFrame.begin(tile), otherFrame.begin(tile), variants.begin(tile); }, lay,
+            [&] { firstFrame.end(), otherFrame.end(), variants.end(); }});
+  frames.paths.front().frame.terms = firstFrame.take().terms;
+  frames.paths[path].frame.terms = otherFrame.take().terms;
+  frames.paths[path].termVariants = variants.take(frames.coverage, {});
+}
+
+base::Image SceneRenderer::renderWithout(std::size_t light, const scenes::Camera& camera) {
+  assert(m_mayDropLights);
+  PathState& first = m_paths.front();
+  if (!first.switched) first.switched = makeRenderer(*first.path, {}, m_views);
+  gpu::FrameBuilder frame = makeFrame(false);
+  first.switched->switchLight(light, false);
+  const auto lay = [&](const gpu::Surface& surface) {
+    const base::Stopwatch watch(&m_context.timings(), "shade without a light");
+    frame.lay(surface, first.switched->shade(surface, camera));
+  };
+  layAgain(camera, m_work, {[&](const gpu::Tile& tile) { frame.begin(tile); }, lay, [&] { frame.end(); }});
+  first.switched->switchLight(light, true);
+  ++m_work.lightPictures;
+  return frame.take().color;
+}
+
+gpu::FrameBuilder SceneRenderer::makeFrame(bool terms) const {
+  const Settings& settings = m_settings;
+  return {static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height), settings.samples,
+          terms, settings.background};
+}
+
+void SceneRenderer::layAgain(const scenes::Camera& camera, Work& work, const Composition& composition) {
+  const Settings& settings = m_settings;
+  for (const gpu::Tile& tile :
+       gpu::makeTiles(static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height)))
+    for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
+      composition.begin(tile);
+      if (!m_kept.empty()) {
+        for (const gpu::Surface& surface : m_kept) composition.lay(surface);
+      } else {
+        const gpu::VisibleLayers visible = rasterise(camera, tile, sample);
+        for (std::size_t k = 0; k < visible.layers.size(); ++k) {
+          const gpu::Surface surface = resolve(visible, k, camera);
+          countSurface(surface, work);
+          composition.lay(surface);
+        }
+      }
+      composition.end();
+    }
+}
+
+} // namespace parity::job

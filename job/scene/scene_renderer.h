@@ -1,0 +1,96 @@
+// Renders views of a prepared scene by every path over the very same surfaces.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "job/scene/scene_on_device.h"
+#include "job/view/view_builder.h"
+#include "report/permutation.h"
+
+namespace parity::job {
+
+class SceneRenderer {
+public:
+  // views: how many will be rendered, for the choice of permutations. budget: the scene's share of them in its run.
+  // settings, `prepared` and onLastRead: as of SceneOnDevice.
+  SceneRenderer(Context& context, const PreparedScene& prepared, const Settings& settings, const PathChoice& paths,
+                std::size_t views, const gpu::PermutationBudget& budget = {}, gpu::ImageDone onLastRead = {});
+
+  // progress: of the truth, which alone takes long.
+  ViewFrames render(const scenes::Camera& camera, const Progress& progress = {});
+
+  // Gives the frames of the view that was rendered last, by this camera, their terms, and these materials' the
+  // termVariants of the path at that place, by shading it once more: the colours stay as they are. For runs without
+  // settings.terms.
+  void addTerms(ViewFrames& frames, std::size_t path, const scenes::Camera& camera,
+                const std::vector<std::size_t>& materials);
+
+  // For runs that ask for what a path's dropped lights do (settings.droppedLights), where it may drop any: how many
+  // samples the view that was rendered last shows of each instance. Else empty.
+  const std::vector<std::uint64_t>& seenSamples() const { return m_seenSamples; }
+  // That view again, by the first path with one of the prepared scene's lights out: the picture's colour. Only where
+  // there are seenSamples.
+  base::Image renderWithout(std::size_t light, const scenes::Camera& camera);
+
+  const PathChoice& paths() const { return m_choice; }
+  const paths::Renderer& renderer(std::size_t path) const { return *m_paths[path].plain; }
+
+  // What the paths leave out, by their names.
+  std::vector<std::string> notes() const;
+  // What the pictures so far leave out, in every path.
+  std::vector<std::string> warnings() const;
+  // What has been done so far, the scene's preparation included; and why the rest was not needed.
+  Work work() const;          // without addTerms
+  Work workWithTerms() const; // with it
+  NoNeed reasons() const;
+
+  // The shaders of the paths so far, without those of addTerms.
+  std::vector<report::PermutationResult> permutations() const;
+
+private:
+  struct PathState {
+    const paths::Path* path = nullptr;
+    std::unique_ptr<paths::Renderer> plain;               // with terms where the settings ask for them
+    std::unique_ptr<paths::Renderer> ofOriginals;         // where it has textures of its own, and the run compares
+    std::unique_ptr<paths::Renderer> withTerms, switched; // made when first needed
+  };
+  std::unique_ptr<paths::Renderer> makeRenderer(const paths::Path& path, SceneOnDevice::RendererWish wish,
+                                                std::size_t views);
+  bool mayDropLights() const;
+  gpu::VisibleLayers rasterise(const scenes::Camera& camera, const gpu::Tile& tile, const glm::vec2& sample);
+  gpu::Surface resolve(const gpu::VisibleLayers& visible, std::size_t layer, const scenes::Camera& camera);
+  // By every path, laid over what is in `view` already.
+  void shade(const gpu::Surface& surface, const scenes::Camera& camera, std::uint32_t stream,
+             const reference::Progress& progress, ViewBuilder& view);
+  // What pictures are composed of once more.
+  struct Composition {
+    std::function<void(const gpu::Tile&)> begin;
+    std::function<void(const gpu::Surface&)> lay; // shades it into the pictures
+    std::function<void()> end;
+  };
+  // Composes the surfaces of the view that was rendered last: those that were kept, else rasterised again.
+  void layAgain(const scenes::Camera& camera, Work& work, const Composition& composition);
+  gpu::FrameBuilder makeFrame(bool terms) const;
+  void countSurface(const gpu::Surface& surface, Work& work) const;
+
+  Context& m_context;
+  const PreparedScene& m_prepared;
+  const Settings& m_settings;
+  const PathChoice m_choice;
+  std::size_t m_views;
+  gpu::PermutationBudget m_budget;
+  Work m_work, m_again; // by render and by addTerms
+  SceneOnDevice m_scene;
+  std::vector<gpu::Surface> m_kept; // all of the last view, where it may be shaded again: a picture in one part
+  bool m_mayDropLights = false;     // and the run wants to know what they do
+  std::vector<std::uint64_t> m_seenSamples;
+  std::uint64_t m_cutPixels = 0;  // of all views, with more blended layers than are shown
+  std::vector<PathState> m_paths; // as chosen
+  std::optional<ReferencePath> m_truth;
+};
+
+} // namespace parity::job

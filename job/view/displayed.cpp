@@ -1,0 +1,51 @@
+#include "job/view/displayed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "base/parallel.h"
+
+namespace parity::job {
+
+namespace {
+
+constexpr std::size_t kGrain = 16384;
+
+bool isFinite(const float* rgb) { return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]); }
+
+std::uint8_t toByte(float value) { return static_cast<std::uint8_t>(std::clamp(value, 0.f, 1.f) * 255 + 0.5f); }
+
+} // namespace
+
+Displayed displayImage(const base::Image& color, const base::DisplayTransform& display, float exposureEv) {
+  const base::Image encoded = display.apply(color, exposureEv);
+  Displayed out{base::Image8(color.width, color.height, 3), {}};
+  std::vector<std::vector<std::uint32_t>> nonFinite(color.pixelCount() / kGrain + 1);
+  base::parallelFor(color.pixelCount(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      // The frame decides, not the encoded value: an infinite radiance would be displayed as plain white.
+      if (isFinite(&color.pixels[3 * p]) && isFinite(&encoded.pixels[3 * p]))
+        std::transform(&encoded.pixels[3 * p], &encoded.pixels[3 * p] + 3, &out.pixels.pixels[3 * p], toByte);
+      else
+        nonFinite[begin / kGrain].push_back(static_cast<std::uint32_t>(p));
+    }
+  });
+  for (const auto& part : nonFinite) out.nonFinite.insert(out.nonFinite.end(), part.begin(), part.end());
+  return out;
+}
+
+base::Image expose(const base::Image& color, float exposureEv) {
+  base::Image out = color;
+  const float gain = std::exp2(exposureEv);
+  for (float& v : out.pixels) v *= gain;
+  return out;
+}
+
+base::Image8 quantize(const base::Image& display) {
+  base::Image8 out(display.width, display.height, display.channels);
+  std::transform(display.pixels.begin(), display.pixels.end(), out.pixels.begin(), toByte);
+  return out;
+}
+
+} // namespace parity::job

@@ -1,0 +1,257 @@
+#include "job/view/view_comparison.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/parallel.h"
+#include "base/text/glob.h"
+#include "compare/metrics/measure.h"
+#include "compare/metrics/measure_truth.h"
+#include "compare/pooling/region.h"
+#include "job/view/displayed.h"
+#include "job/view/material_swaps.h"
+#include "job/view/path_stage.h"
+#include "job/view/truth_comparison.h"
+#include "shading/terms.h"
+
+namespace parity::job {
+
+namespace {
+
+// The list's pixels with a margin, so that the crop shows what surrounds them. Empty for an empty list.
+compare::Rect cropOf(const base::PixelList& list, int width, int height) {
+  const base::PixelList* lists[] = {&list};
+  const compare::Rect box = compare::boundsOf(lists, width, height);
+  return compare::boundsOf(lists, width, height, std::max(8, std::max(box.width, box.height) / 16));
+}
+
+compare::Rect unionOf(const compare::Rect& a, const compare::Rect& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+  return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
+}
+
+// The pixels of these materials together.
+base::PixelList allPixels(const std::vector<base::PixelList>& coverage, const std::vector<std::size_t>& materials,
+                          std::size_t pixelCount) {
+  std::vector<float> weight(pixelCount, 0.f);
+  for (const std::size_t m : materials) {
+    const base::PixelList& list = coverage[m];
+    for (std::size_t i = 0; i < list.pixels.size(); ++i) {
+      float& w = weight[list.pixels[i]];
+      w = std::min(w + (list.weights.empty() ? 1.f : list.weights[i]), 1.f);
+    }
+  }
+  base::PixelList all{"all materials", {}, {}};
+  for (std::size_t p = 0; p < pixelCount; ++p)
+    if (weight[p] > 0) {
+      all.pixels.push_back(static_cast<std::uint32_t>(p));
+      all.weights.push_back(weight[p]);
+    }
+  if (std::all_of(all.weights.begin(), all.weights.end(), [](float w) { return w == 1; })) all.weights.clear();
+  return all;
+}
+
+std::vector<std::string> materialNotes(const scenes::Material& m, const paths::Path& path,
+                                       const paths::Options& options) {
+  std::vector<std::string> notes;
+  if (m.unlit) {
+    notes.push_back("unlit");
+    return notes;
+  }
+  if (m.fullyRough) notes.push_back("fully rough: no specular, no environment fetch on mobile");
+  for (std::string& note : path.notesOn(m, options)) notes.push_back(std::move(note));
+  const glm::vec3 f0 = m.dielectricF0();
+  if (f0.x != f0.y || f0.y != f0.z || m.specularColorTexture.present())
+    notes.push_back("tinted F0, kept as RGB by both paths");
+  if (std::max({f0.x, f0.y, f0.z}) > 0.08f) notes.push_back("F0 above 0.08, beyond UE4's Specular");
+  if (m.alphaMode == scenes::AlphaMode::blend) notes.push_back("alpha-blended: counts by its opacity");
+  return notes;
+}
+
+// The materials that the report is about: their places in the scene.
+std::vector<std::size_t> chooseMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs,
+                                         std::size_t count) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t m = 0; m < count; ++m)
+    if (globs.empty() || std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) {
+          return base::matchesGlob(glob, scene.materials[m].name);
+        }))
+      chosen.push_back(m);
+  return chosen;
+}
+
+// What is measured where: the whole image, and each chosen material.
+struct Subject {
+  base::PixelList whole;
+  std::vector<const base::PixelList*> materials;
+  std::vector<compare::Rect> crops; // of the materials
+  std::optional<compare::Rect> box; // where the report shows only some materials
+};
+
+Subject makeSubject(const ViewFrames& frames, const std::vector<std::size_t>& chosen, bool restricted) {
+  const int width = frames.first().frame.color.width, height = frames.first().frame.color.height;
+  Subject subject;
+  // With --material the whole is what was chosen, not what else is in the picture.
+  subject.whole = allPixels(frames.coverage, chosen, frames.first().frame.color.pixelCount());
+  compare::Rect box;
+  for (const std::size_t m : chosen) {
+    subject.materials.push_back(&frames.coverage[m]);
+    subject.crops.push_back(cropOf(frames.coverage[m], width, height));
+    box = unionOf(box, subject.crops.back());
+  }
+  if (restricted && !box.empty()) subject.box = box;
+  return subject;
+}
+
+// A frame's linear light as the camera exposes it.
+class Exposed {
+public:
+  Exposed(const base::Image& color, float exposureEv)
+      : m_copy(exposureEv != 0 ? expose(color, exposureEv) : base::Image()),
+        m_image(m_copy.empty() ? &color : &m_copy) {}
+  Exposed(const Exposed&) = delete;
+  Exposed& operator=(const Exposed&) = delete;
+  const base::Image& image() const { return *m_image; }
+
+private:
+  base::Image m_copy;
+  const base::Image* m_image;
+};
+
+struct ViewMeasurement {
+  compare::Measurement whole;
+  compare::SwapMeasurement materials;
+};
+
+ViewMeasurement measureView(Context& context, const ViewFrames& frames, const Displayed& reference,
+                            const Displayed& test, const Subject& subject, const ViewComparisonRequest& request) {
+  std::vector<std::uint32_t> invalid = reference.nonFinite;
+  invalid.insert(invalid.end(), test.nonFinite.begin(), test.nonFinite.end());
+  // A target that is displayed cuts light off above white: figures of linear light are of what the shader made.
+  const PathFrames& path = frames.paths[request.test];
+  const bool isCut = !path.swapLight.empty();
+  const Exposed referenceLight(frames.first().frame.color, request.settings.exposureEv),
+      testLight(isCut ? path.beforeTarget : path.frame.color, request.settings.exposureEv);
+  compare::MeasureRequest measure;
+  measure.metrics = request.settings.metrics;
+  measure.statistics = request.statistics;
+  measure.options.box = subject.box;
+  if (request.pictures) measure.keepMaps = {"flip"}; // for the pictures
+  std::vector<compare::Swap> swaps(subject.materials.size());
+  base::parallelFor(swaps.size(), 1, [&](std::size_t i, std::size_t) {
+    const base::PixelList& list = *subject.materials[i];
+    const std::size_t material = static_cast<std::size_t>(&list - frames.coverage.data());
+    swaps[i] = displaySwap(context, list, path.swap[material], 0, request.settings.exposureEv, &test);
+    if (isCut && !list.pixels.empty())
+      swaps[i].linear = Exposed(path.swapLight[material].planes[0], request.settings.exposureEv).image();
+  });
+  return {compare::measureRegions({reference.pixels, test.pixels, &referenceLight.image(), &testLight.image(), invalid},
+                                  {subject.whole}, measure),
+          compare::measureSwaps(referenceOf(reference, referenceLight.image()), swaps, measure)};
+}
+
+} // namespace
+
+std::vector<report::TermFigures> termFigures(const ViewFrames& frames, std::size_t test, const base::PixelList& list) {
+  const base::Frame &first = frames.first().frame, &other = frames.paths[test].frame;
+  std::vector<report::TermFigures> result;
+  if (first.terms.empty() || list.pixels.empty()) return result;
+  for (std::size_t t = 0; t < shading::kTermCount; ++t)
+    result.push_back({std::string(shading::kTermNames[t]), compare::meanLuminance(first.terms[t], list),
+                      compare::meanLuminance(other.terms[t], list)});
+  return result;
+}
+
+ComparedView compareView(Context& context, const scenes::Scene& scene, const ViewFrames& frames,
+                         const ViewComparisonRequest& request) {
+  const Settings& settings = request.settings;
+  const paths::Path& path = *request.paths.chosen[request.test];
+  const PathFrames& tested = frames.paths[request.test];
+  ComparedView compared;
+  compared.test = request.test;
+  Displayed &reference = compared.reference, &test = compared.tested;
+  {
+    const base::Stopwatch watch(&context.timings(), "display transform");
+    reference = displayImage(frames.first().frame.color, context.display(), settings.exposureEv);
+    test = displayImage(tested.frame.color, context.display(), settings.exposureEv);
+  }
+  const std::vector<std::size_t>& chosen = compared.materials =
+      chooseMaterials(scene, settings.materials, frames.coverage.size());
+  Subject subject;
+  ViewMeasurement measured;
+  {
+    const base::Stopwatch watch(&context.timings(), "metrics");
+    subject = makeSubject(frames, chosen, !settings.materials.empty());
+    measured = measureView(context, frames, reference, test, subject, request);
+  }
+
+  const auto measureSince = [&](const base::Image& before) {
+    return measureStage(context, {before, tested.frame.color, test, subject.whole, subject.materials, subject.box,
+                                  settings.exposureEv});
+  };
+  std::vector<compare::Figures> encoding, textures;
+  const std::string target = path.targetName(settings.options);
+  if (!target.empty()) encoding = measureSince(tested.beforeTarget);
+  const base::TextureBlock compressed = path.textureBlock(settings.options);
+  if (compressed != base::TextureBlock::none)
+    textures = measureSince(tested.ofOriginals.empty() ? tested.frame.color : tested.ofOriginals);
+  const std::string& block = base::textureBlockNames()[static_cast<std::size_t>(compressed)];
+
+  std::optional<TruthComparison> truth;
+  if (settings.truth)
+    truth = compareWithTruth(context, frames, request.test,
+                             {reference, test, subject.whole, subject.materials, subject.box, settings.exposureEv,
+                              settings.reference.integral.relativeError, request.pictures});
+
+  report::ViewResult& view = compared.view;
+  view.name = request.viewName;
+  view.reference = request.paths.chosen.front()->name();
+  view.test = path.name();
+  view.width = settings.width;
+  view.height = settings.height;
+  view.exposureEv = settings.exposureEv;
+  view.whole = measured.whole.regions[0];
+  if (!encoding.empty()) view.stages.push_back({report::kEncodingStage, target, std::move(encoding[0])});
+  if (!textures.empty()) view.stages.push_back({report::kTexturesStage, block, std::move(textures[0])});
+  if (truth) view.truth = truth->whole;
+  view.materials.resize(chosen.size());
+  base::parallelFor(chosen.size(), 1, [&](std::size_t i, std::size_t) {
+    const base::PixelList& list = frames.coverage[chosen[i]];
+    report::MaterialResult& material = view.materials[i];
+    material.name = scene.materials[chosen[i]].name;
+    material.test = path.name();
+    material.figures = measured.materials.figures[i];
+    material.notModelled = scene.materials[chosen[i]].notModelled;
+    material.notes = materialNotes(scene.materials[chosen[i]], path, settings.options);
+    if (std::string excess = request.renderer.describeExcess(scene.materials[chosen[i]]); !excess.empty())
+      material.notes.push_back(std::move(excess));
+    material.terms = termFigures(frames, request.test, list);
+    if (!encoding.empty()) material.stages.push_back({report::kEncodingStage, target, std::move(encoding[i + 1])});
+    if (!textures.empty()) material.stages.push_back({report::kTexturesStage, block, std::move(textures[i + 1])});
+    if (truth) material.truth = truth->materials[i];
+  });
+  if (!request.pictures) return compared;
+
+  const base::Stopwatch watch(&context.timings(), "encode images");
+  ViewPictures pictures;
+  pictures.reference = {request.paths.chosen.front()->name(), &reference.pixels};
+  pictures.test = {path.name(), &test.pixels};
+  pictures.flip = measured.whole.findMap("flip");
+  pictures.materials = subject.materials;
+  pictures.materialFlip = &measured.materials.flip;
+  if (truth) {
+    pictures.truth = &truth->truth.pixels;
+    pictures.referenceTruthFlip = &truth->referenceFlip;
+    pictures.testTruthFlip = &truth->testFlip;
+  }
+  if (request.pixelData)
+    pictures.planes = planesOf(frames, request.paths, request.test, *pictures.flip, measured.materials.flip, chosen);
+  compared.pictures = encodeViewPictures(view, pictures, subject.crops, chosen, request.imagePrefix);
+  return compared;
+}
+
+} // namespace parity::job

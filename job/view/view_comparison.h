@@ -1,0 +1,42 @@
+// One view compared: displayed images, FLIP map, figures per material, pictures.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "job/scene/scene_renderer.h"
+#include "job/view/displayed.h"
+#include "job/view/view_pictures.h"
+#include "report/report.h"
+
+namespace parity::job {
+
+struct ViewComparisonRequest {
+  std::string viewName;
+  const Settings& settings; // of the scene
+  const PathChoice& paths;
+  std::size_t test = 1;                  // place of the path that is compared with the first
+  const paths::Renderer& renderer;       // that path's
+  std::vector<std::string> statistics{}; // wanted by budgets, besides the settings' metrics
+  bool pictures = false;
+  bool pixelData = false;    // also the values behind the pictures
+  std::string imagePrefix{}; // unique to scene and view, safe in file names
+};
+
+struct ComparedView {
+  report::ViewResult view; // not judged
+  std::vector<EncodedPicture> pictures;
+  std::vector<std::size_t> materials; // of the view's materials their places in the scene
+  std::size_t test = 1;               // place of the path
+  Displayed reference, tested;        // what was compared: the first path's picture, and that one's
+};
+
+// frames: of the paths, and the coverage. The displayed images are compared as 8-bit pictures: `parity flip` on the
+// written PNGs gives the same map. Throws Error (exit 4) where a picture cannot be made.
+ComparedView compareView(Context& context, const scenes::Scene& scene, const ViewFrames& frames,
+                         const ViewComparisonRequest& request);
+
+// Mean scene-referred luminance of each term over the region; empty where the frames have no terms or it no pixels.
+std::vector<report::TermFigures> termFigures(const ViewFrames& frames, std::size_t test, const base::PixelList& list);
+
+} // namespace parity::job

@@ -1,0 +1,50 @@
+// All surfaces of one view, rasterised once, to be shaded by many renderers: for studies.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/frame.h"
+#include "gpu/surface/coverage_builder.h"
+#include "gpu/surface/frame_builder.h"
+#include "job/scene/scene_on_device.h"
+
+namespace parity::job {
+
+class ViewSurfaces {
+public:
+  // settings: of size, samples and background. All must outlive it.
+  ViewSurfaces(const SceneOnDevice& scene, const Settings& settings, const scenes::Camera& camera);
+
+  std::uint64_t size() const; // entries of all surfaces: what one round shades
+
+  // One entry a part: the layers of a tile and sample, from the back to the front.
+  struct Part {
+    gpu::Tile tile;
+    std::vector<gpu::Surface> layers;
+  };
+  const std::vector<Part>& parts() const { return m_parts; }
+  const scenes::Camera& camera() const { return m_camera; }
+
+  // All parts anew, for nothing but the time that it takes.
+  void rasteriseAgain() const;
+
+  // A part's layers.
+  using Shaded = std::vector<gpu::ShadedSurface>;
+  std::vector<Shaded> shade(const paths::Renderer& renderer) const;
+
+  // The picture, linear and scene-referred, through a target where there is one.
+  base::Image compose(const std::vector<Shaded>& shaded, const std::optional<gpu::TargetCodec>& target) const;
+  // A list a material; `shaded` gives the opacity of what is blended, and is the same by any path.
+  std::vector<base::PixelList> coverage(const std::vector<Shaded>& shaded) const;
+
+private:
+  void lay(std::size_t part, const Shaded& shaded, auto& builder) const;
+
+  const SceneOnDevice& m_scene;
+  const Settings& m_settings;
+  scenes::Camera m_camera;
+  std::vector<Part> m_parts;
+};
+
+} // namespace parity::job

@@ -1,0 +1,33 @@
+// The brightest texels of a cube, summed one by one where samples would hit or miss them.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "lighting/environment/float4.h"
+
+namespace parity::lighting {
+
+struct BrightTexels {
+  // Four texels each: x, y, z of their directions; red, green, blue of what they have above the limit times their solid
+  // angles. What is left over of the last four is 0.
+  struct Four {
+    std::array<Float4, 3> direction, energy;
+  };
+  std::vector<Four> fours;
+};
+
+// At most as many texels as this are told apart: in every texel of every mip each costs about a nanosecond.
+inline constexpr std::size_t kMaxBrightTexels = 512;
+
+// Takes out of a cube's six faces of n^2 texels what the brightest have above a limit: 20 times the mean luminance, or
+// as much as leaves kMaxBrightTexels above it. They keep their colours.
+BrightTexels takeBrightTexels(std::vector<glm::vec4>& faces, int n);
+
+// What they add to the radiance filtered by the lobe of N = V: sum energy D(h) NoL / integral D(h) NoL dl, with D of
+// GGX at alpha = roughness^2 (Walter et al. 2007, eq. 33) and NoH^2 = (1 + NoL) / 2; texels are points.
+glm::vec3 sumBrightTexels(const BrightTexels& texels, const glm::vec3& normal, double roughness);
+
+} // namespace parity::lighting

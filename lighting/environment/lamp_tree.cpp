@@ -1,0 +1,269 @@
+// The bright part of an environment as a tree of lights.
+#include "lighting/environment/lamp_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <queue>
+#include <span>
+#include <utility>
+
+#include "shading/shading.h"
+
+namespace parity::lighting {
+
+namespace {
+
+double luminanceOf(const glm::dvec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+
+// What a cell of the panorama has above the mean.
+struct Cell {
+  glm::dvec3 direction, light; // radiance times solid angle
+  double luminance;            // of light
+  double spread;               // of the cell itself, a rectangle
+};
+
+constexpr double kCompactSpread = 3e-5; // (.31 degrees)^2
+constexpr double kAround = 4, kShareOfAround = 0.7;
+
+// lights: of each cell of the panorama, as it lies there, the luminance of what is taken.
+std::vector<Cell> takeCells(Panorama& p, std::vector<float>& lights) {
+  lights.assign(p.columns.size(), 0.f);
+  const double columnWidth = 2 * std::numbers::pi / p.width, rowHeight = std::numbers::pi / p.height;
+  double mean = 0;
+  for (int x = 0; x < p.width; ++x)
+    for (int y = 0; y < p.height; ++y)
+      mean += luminanceOf(p.column(x)[y]) * (p.rowY[y] - p.rowY[y + 1]) * columnWidth / (4 * std::numbers::pi);
+  std::vector<Cell> cells;
+  for (int x = 0; x < p.width; ++x)
+    for (int y = 0; y < p.height; ++y) {
+      glm::vec3& radiance = p.columns[static_cast<std::size_t>(x) * p.height + y];
+      const double luminance = luminanceOf(radiance);
+      if (!(luminance > mean)) continue;
+      const glm::vec3 rest(glm::dvec3(radiance) * (mean / luminance));
+      const double solidAngle = (p.rowY[y] - p.rowY[y + 1]) * columnWidth, azimuth = p.azimuthAt(x + 0.5),
+                   height = (p.rowY[y] + p.rowY[y + 1]) / 2, across = std::sqrt(1 - height * height);
+      const glm::dvec3 light = solidAngle * (glm::dvec3(radiance) - glm::dvec3(rest));
+      cells.push_back({{across * std::cos(azimuth), height, across * std::sin(azimuth)},
+                       light,
+                       luminanceOf(light),
+                       (std::pow(columnWidth * across, 2) + rowHeight * rowHeight) / 12});
+      lights[static_cast<std::size_t>(x) * p.height + y] = static_cast<float>(cells.back().luminance);
+      radiance = rest;
+    }
+  std::erase_if(cells, [](const Cell& cell) { return !(cell.luminance > 0); }); // above the mean by rounding alone
+  return cells;
+}
+
+// Moments of some cells' light.
+struct Moments {
+  glm::dvec3 light{0.0}, mean{0.0}, axis{0.0}; // centroid; unit, along which they are spread most
+  double luminance = 0, spread = 0;
+};
+
+Moments momentsOf(std::span<const Cell> cells) {
+  Moments m;
+  for (const Cell& cell : cells) {
+    m.light += cell.light;
+    m.luminance += cell.luminance;
+    m.mean += cell.luminance * cell.direction;
+    m.spread += cell.luminance * cell.spread;
+  }
+  m.mean /= m.luminance;
+  m.spread /= m.luminance;
+  glm::dmat3 covariance(0.0);
+  for (const Cell& cell : cells) {
+    const glm::dvec3 d = cell.direction - m.mean;
+    covariance += cell.luminance / m.luminance * glm::outerProduct(d, d);
+  }
+  m.spread += covariance[0][0] + covariance[1][1] + covariance[2][2];
+  // No cell is farther away than twice the root of it.
+  for (const Cell& cell : cells) {
+    const glm::dvec3 d = cell.direction - m.mean;
+    m.spread = std::max(m.spread, glm::dot(d, d) / 4);
+  }
+  // The power method. It need not converge: any axis along which they are spread does.
+  m.axis = {0.267, 0.535, 0.802};
+  for (int i = 0; i < 12; ++i) {
+    const glm::dvec3 turned = covariance * m.axis;
+    const double length = glm::length(turned);
+    if (!(length > 1e-30)) break;
+    m.axis = turned / length;
+  }
+  return m;
+}
+
+// Lamps that face each other may have none: then any direction, as their spread is near 1 and they are divided.
+glm::dvec3 directionOf(const Moments& m) {
+  const double length = glm::length(m.mean);
+  return length > 1e-6 ? m.mean / length : m.axis;
+}
+
+void addNodes(std::span<Cell> cells, std::vector<LampNode>& nodes) {
+  const Moments m = momentsOf(cells);
+  const std::size_t index = nodes.size();
+  nodes.push_back(
+      {.direction = glm::vec3(directionOf(m)), .spread = static_cast<float>(m.spread), .light = glm::vec3(m.light)});
+  if (cells.size() > 1) {
+    const double middle = glm::dot(m.axis, m.mean);
+    const auto isBefore = [&](const Cell& cell) { return glm::dot(m.axis, cell.direction) < middle; };
+    auto split = std::stable_partition(cells.begin(), cells.end(), isBefore);
+    if (split == cells.begin() || split == cells.end()) split = cells.begin() + cells.size() / 2; // all in one place
+    addNodes({cells.begin(), split}, nodes);
+    addNodes({split, cells.end()}, nodes);
+  }
+  nodes[index].next = static_cast<std::uint32_t>(nodes.size());
+}
+
+// Leaves are the cells, which are brought into their order.
+LampTree makeTree(std::span<Cell> cells) {
+  LampTree tree;
+  if (cells.empty()) return tree;
+  tree.nodes.reserve(2 * cells.size() - 1);
+  addNodes(cells, tree.nodes);
+  return tree;
+}
+
+double lightOf(const LampNode& node) { return luminanceOf(node.light); }
+
+// Light (luminance) of the cells whose middles are within `radius` of a direction.
+double lightWithin(const Panorama& p, const std::vector<float>& lights, const glm::dvec3& direction, double radius) {
+  const double polar = std::acos(std::clamp(direction.y, -1.0, 1.0)),
+               column = p.columnAt(std::atan2(direction.z, direction.x));
+  const double cosine = std::cos(radius),
+               across = std::sin(polar) > 2 * radius ? std::asin(std::sin(radius) / std::sin(polar)) : 4.0;
+  const double columns = std::min(across / (2 * std::numbers::pi) * p.width + 1, p.width / 2.0);
+  const int top = std::max(0, static_cast<int>((polar - radius) / std::numbers::pi * p.height)),
+            bottom = std::min(p.height - 1, static_cast<int>((polar + radius) / std::numbers::pi * p.height)),
+            left = static_cast<int>(std::floor(column - columns)),
+            right = left + std::min(p.width, static_cast<int>(2 * columns) + 2);
+  double sum = 0;
+  for (int i = left; i < right; ++i)
+    for (int y = top; y <= bottom; ++y) {
+      const int x = (i % p.width + p.width) % p.width;
+      const double height = (p.rowY[y] + p.rowY[y + 1]) / 2, azimuth = p.azimuthAt(x + 0.5),
+                   r = std::sqrt(1 - height * height);
+      if (glm::dot(direction, {r * std::cos(azimuth), height, r * std::sin(azimuth)}) >= cosine)
+        sum += lights[static_cast<std::size_t>(x) * p.height + y];
+    }
+  return sum;
+}
+
+// The compact groups, from the first on. lights: of the panorama's cells.
+std::vector<std::uint32_t> findCompact(const LampTree& tree, const Panorama& panorama,
+                                       const std::vector<float>& lights) {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < tree.nodes.size();) {
+    const LampNode& node = tree.nodes[i];
+    const bool isCompact = node.spread <= kCompactSpread &&
+                           lightOf(node) >= kShareOfAround * lightWithin(panorama, lights, node.direction,
+                                                                         kAround * std::sqrt(double{node.spread}));
+    if (isCompact) found.push_back(i);
+    i = isCompact ? node.next : i + 1;
+  }
+  if (found.size() <= kMaxCompactLamps) return found;
+  std::ranges::stable_sort(found, std::greater(), [&](std::uint32_t i) { return lightOf(tree.nodes[i]); });
+  found.resize(kMaxCompactLamps);
+  std::ranges::sort(found);
+  return found;
+}
+
+} // namespace
+
+Lamps takeLamps(Panorama& panorama) {
+  std::vector<float> lights;
+  std::vector<Cell> cells = takeCells(panorama, lights);
+  Lamps lamps;
+  lamps.wide = makeTree(cells);
+  const std::vector<std::uint32_t> compact = findCompact(lamps.wide, panorama, lights);
+  if (compact.empty()) return lamps;
+  // The cells lie in the order of the tree's leaves.
+  std::vector<Cell> groups, rest;
+  std::size_t leaf = 0, group = 0;
+  for (std::size_t i = 0; i < lamps.wide.nodes.size();) {
+    const LampNode& node = lamps.wide.nodes[i];
+    if (group < compact.size() && compact[group] == i) {
+      const std::size_t count = (node.next - i + 1) / 2;
+      const Moments m = momentsOf({cells.data() + leaf, count});
+      groups.push_back({directionOf(m), m.light, m.luminance, m.spread});
+      leaf += count;
+      ++group;
+      i = node.next;
+      continue;
+    }
+    if (lamps.wide.isLeaf(i)) rest.push_back(cells[leaf++]);
+    ++i;
+  }
+  lamps.wide = makeTree(rest);
+  lamps.compact = makeTree(groups);
+  return lamps;
+}
+
+LampTree pruneLamps(const LampTree& tree, std::size_t leaves) {
+  LampTree pruned;
+  if (tree.nodes.empty()) return pruned;
+  const auto lessUrgent = [&](std::uint32_t a, std::uint32_t b) {
+    const auto urgency = [&](std::uint32_t i) {
+      return luminanceOf(tree.nodes[i].light) * static_cast<double>(tree.nodes[i].spread);
+    };
+    return std::pair(urgency(a), b) < std::pair(urgency(b), a);
+  };
+  std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, decltype(lessUrgent)> queue(lessUrgent);
+  std::vector<bool> isDivided(tree.nodes.size(), false);
+  queue.push(0);
+  std::size_t count = 1;
+  while (count < leaves && !queue.empty()) {
+    const std::uint32_t node = queue.top();
+    queue.pop();
+    if (tree.isLeaf(node)) continue;
+    isDivided[node] = true;
+    queue.push(node + 1);
+    queue.push(tree.nodes[node + 1].next);
+    ++count;
+  }
+  const auto add = [&](const auto& self, std::uint32_t node, float spreadAbove) -> void {
+    const float spread = tree.nodes[node].spread;
+    const bool isKept = !isDivided[node] || node == 0 || 4 * spread < spreadAbove;
+    const std::size_t index = pruned.nodes.size();
+    if (isKept) pruned.nodes.push_back(tree.nodes[node]);
+    if (isDivided[node]) {
+      self(self, node + 1, isKept ? spread : spreadAbove);
+      self(self, tree.nodes[node + 1].next, isKept ? spread : spreadAbove);
+    }
+    if (isKept) pruned.nodes[index].next = static_cast<std::uint32_t>(pruned.nodes.size());
+  };
+  add(add, 0, 0.f);
+  return pruned;
+}
+
+void addLamps(const LampTree& tree, const std::array<Float4, 3>& directions, float a2, std::array<Float4, 3>& sums) {
+  // Where the lobe's scale is 10 times a node's radius its light errs by some .1 %, of a long one by 3 %. The scale is
+  // that of 1 / t^2, a parabola as wide as the distance or the lobe, and that of the cosine, which ends at the horizon.
+  constexpr float kOpening = 96;
+  const float scale = 1 / shading::f32::prefilteredLobeIntegral(a2);
+  const LampNode* nodes = tree.nodes.data();
+  const std::size_t count = tree.nodes.size();
+  for (std::size_t i = 0; i < count;) {
+    const LampNode& node = nodes[i];
+    const Float4 dx = directions[0] - node.direction.x, dy = directions[1] - node.direction.y,
+                 dz = directions[2] - node.direction.z;
+    const Float4 u = (dx * dx + dy * dy + dz * dz) * 0.25f, t = u + a2 * (1 - u), cosine = 1 - 2 * u;
+    if (node.next != i + 1) {
+      const Float4 ofCosine = cosine * cosine + 0.02f;
+      const Int4 isNear = 4 * (t < ofCosine ? t : ofCosine) < kOpening * node.spread;
+      if ((isNear[0] | isNear[1] | isNear[2] | isNear[3]) != 0) {
+        ++i;
+        continue;
+      }
+    }
+    const Float4 inverse = 1 / t;
+    const Float4 x = node.spread * inverse * (1 - 1.5f * a2 * inverse); // meanOverSpread of shading/lamps.glsl
+    const Float4 curved = x < 0 ? 1 / (1 - x) : 1 + x;
+    const Float4 weight = (cosine > 0 ? cosine : Float4{}) * (inverse * inverse * scale) * curved;
+    for (int c = 0; c < 3; ++c) sums[c] += weight * node.light[c];
+    i = node.next;
+  }
+}
+
+} // namespace parity::lighting

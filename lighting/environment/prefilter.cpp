@@ -1,0 +1,118 @@
+// GGX prefiltering of a cube map for N = V = R.
+#include "lighting/environment/prefilter.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "base/parallel.h"
+#include "shading/shading.h"
+
+namespace parity::lighting {
+
+namespace {
+
+// Van der Corput's sequence in base 2: the bits of i mirrored behind the point.
+double radicalInverse(std::uint32_t i) {
+  double result = 0;
+  for (double digit = 0.5; i != 0; i >>= 1, digit *= 0.5) result += (i & 1) * digit;
+  return result;
+}
+
+// An orthonormal right-handed frame with n as its third axis (Duff et al. 2017, "Building an Orthonormal Basis,
+// Revisited", listing 3).
+glm::mat3 makeFrame(const glm::vec3& n) {
+  const float sign = std::copysign(1.f, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
+  return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+}
+
+void addLampsToRow(const LampTree& lamps, int face, int y, int size, double roughness, std::vector<glm::vec4>& texels) {
+  const auto a2 = static_cast<float>(std::pow(roughness, 4));
+  for (int x = 0; x < size; x += 4) {
+    const int count = std::min(4, size - x);
+    std::array<Float4, 3> directions, sums{};
+    for (int i = 0; i < 4; ++i) {
+      const glm::dvec3 direction = texelDirection(face, x + std::min(i, count - 1), y, size);
+      for (int c = 0; c < 3; ++c) directions[c][i] = static_cast<float>(direction[c]);
+    }
+    addLamps(lamps, directions, a2, sums);
+    for (int i = 0; i < count; ++i)
+      for (int c = 0; c < 3; ++c) texels[texelIndex(face, x + i, y, size)][c] += sums[c][i];
+  }
+}
+
+} // namespace
+
+std::vector<WeightedRead> makeLobeSamples(double roughness, int count, int faceSize, double footprintLog2,
+                                          Spread spread) {
+  assert(roughness > 0 && count >= 1 && faceSize >= 1);
+  const double alpha = roughness * roughness, a2 = alpha * alpha;
+  const double texelAngle = 4.0 / (static_cast<double>(faceSize) * faceSize);
+  std::vector<WeightedRead> samples(count);
+  double sum = 0;
+  for (int i = 0; i < count; ++i) {
+    // Half vectors beyond 45 degrees lead below the horizon: the first number is spread over the others, which are
+    // 1 / (1 + alpha^2) of the whole.
+    const double share = 1 / (1 + a2), xi = (i + 0.5) / count * share;
+    const double NoH2 = (1 - xi) / (1 - (1 - a2) * xi);
+    const double NoL = 2 * NoH2 - 1, sinL = std::sqrt(std::max(0.0, 1 - NoL * NoL));
+    const double phi = spread == Spread::spiral ? std::numbers::pi * (3 - std::sqrt(5.0)) * i
+                                                : 2 * std::numbers::pi * radicalInverse(static_cast<std::uint32_t>(i));
+    const double pdf = shading::f64::D_GGX(alpha, std::sqrt(NoH2)) / 4 / share; // D NoH / (4 VoH), and NoH = VoH
+    samples[i].direction = glm::vec3(glm::dvec3(sinL * std::cos(phi), sinL * std::sin(phi), NoL));
+    samples[i].sizeLog2 = static_cast<float>(0.5 * std::log2(1 / (count * pdf) / texelAngle) + footprintLog2);
+    samples[i].weight = static_cast<float>(NoL);
+    sum += NoL;
+  }
+  for (WeightedRead& sample : samples) sample.weight = static_cast<float>(sample.weight / sum);
+  return samples;
+}
+
+int samplesOfMip(int mip, const PrefilterOptions& options) {
+  constexpr int kQuarters[] = {0, 4, 16, 32, 64, 256}, kFineQuarters[] = {1, 4, 8, 16, 32, 128};
+  const bool isFine = options.levels == PrefilterLevels::fine;
+  assert(mip >= (isFine ? 0 : 1) && mip < static_cast<int>(std::size(kQuarters)));
+  return std::max(1, options.sampleCount * (isFine ? kFineQuarters : kQuarters)[mip] / 4);
+}
+
+std::vector<glm::vec4> prefilter(const FilterSource& source, int mip, int layer, const PrefilterOptions& options) {
+  const double roughness =
+      shading::f64::roughnessFromMip(mip + static_cast<double>(layer) / shading::f64::kPrefilterLayers);
+  const int size = options.faceSize >> mip;
+  const bool isFine = options.levels == PrefilterLevels::fine;
+  const Spread spread = isFine ? Spread::spiral : Spread::hammersley;
+  // A lobe narrower than the texels would be met or missed by their middles: alpha is half a texel's width at least.
+  const double roughnessOfBright = isFine ? std::max(roughness, std::sqrt(1.0 / size)) : roughness;
+  const std::vector<FourReads> samples = packReads(
+      makeLobeSamples(roughness, samplesOfMip(mip, options), options.faceSize, options.footprintLog2, spread));
+  std::vector<glm::vec4> texels(texelIndex(kCubeFaces, 0, 0, size));
+  base::parallelFor(static_cast<std::size_t>(kCubeFaces) * size, 1, [&](std::size_t row, std::size_t) {
+    const int face = static_cast<int>(row) / size, y = static_cast<int>(row) % size;
+    for (int x = 0; x < size; ++x) {
+      const auto normal = glm::vec3(texelDirection(face, x, y, size));
+      const glm::vec3 radiance =
+          source.cube->readSum(makeFrame(normal), samples) + sumBrightTexels(source.bright, normal, roughnessOfBright);
+      texels[texelIndex(face, x, y, size)] = glm::vec4(radiance, 1.f);
+    }
+    if (source.lamps) addLampsToRow(*source.lamps, face, y, size, roughnessOfBright, texels);
+  });
+  return texels;
+}
+
+std::vector<glm::vec4> fitBilinear(const std::vector<glm::vec4>& mip, int size) {
+  const CubeLevel level = makeCubeLevel(mip, size);
+  std::vector<glm::vec4> fitted(mip.size());
+  for (int face = 0; face < kCubeFaces; ++face)
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) {
+        const glm::vec4* texel =
+            level.faces.data() + (static_cast<std::size_t>(face) * level.stride + y + 1) * level.stride + x + 1;
+        const glm::vec4 neighbours = texel[-1] + texel[1] + texel[-level.stride] + texel[level.stride];
+        fitted[texelIndex(face, x, y, size)] = glm::max(*texel - (neighbours - 4.f * *texel) / 12.f, 0.5f * *texel);
+      }
+  return fitted;
+}
+
+} // namespace parity::lighting

@@ -1,0 +1,166 @@
+#include "mobile/knobs.h"
+
+#include <fmt/format.h>
+
+#include "base/member_count.h"
+
+namespace parity::mobile {
+
+namespace {
+
+static_assert(base::memberCount<Options>() == 18 && base::memberCount<Mixing>() == 3, "a new member needs a row");
+
+constexpr const char* kPresets = "the preset's";
+
+// Its names, and `none`, another name of `sky`: both leave the cube as it is but for SkyLightColor.
+void setCaptureScale(Options& options, const std::string& text) {
+  if (text == "by-roughness")
+    throw base::KnobError{"'by-roughness' is replaced by 'mixing', the engine's own weight (--mixing-begin, "
+                          "--mixing-end, --mixing-largest)"};
+  options.captureScale =
+      text == "none" ? CaptureScale::sky : static_cast<CaptureScale>(base::readChoice(text, captureScaleNames()));
+}
+
+void addLook(base::KnobTable<Options>& t) {
+  using base::KnobStage, base::KnobType;
+  t.special(
+       KnobType::choice, "mobile-preset", "", "Formulas of the mobile path",
+       [](Options& o, const std::string& text) {
+         const Options old = o;
+         o = presetByName(presetNames()[base::readChoice(text, presetNames())]);
+         o.precision = old.precision, o.target = old.target, o.textures = old.textures;
+       },
+       [](const Options& o) { return o.preset; })
+      .costs(KnobStage::shading)
+      .knob.choices = presetNames();
+  t.choice<&Options::environmentBrdf>("environment-brdf", environmentBrdfNames(), "Mobile path: the environment BRDF")
+      .titled("mobile environment BRDF")
+      .costs(KnobStage::shading)
+      .needsScene("environment")
+      .noOption();
+  t.choice<&Options::directLobe>("direct-lobe", directLobeNames(), "Mobile path: the lobe of direct light")
+      .titled("mobile direct lobe")
+      .otherwise(kPresets)
+      .costs(KnobStage::shading)
+      .needsScene("directional light");
+  t.special(KnobType::choice, "capture-scale", "",
+            "Mobile path: what scales reflections; auto: mixing of baked captures,\nelse sky", setCaptureScale,
+            [](const Options& o) { return captureScaleNames().at(static_cast<std::size_t>(o.captureScale)); })
+      .titled("mobile capture scale")
+      .otherwise(kPresets)
+      .costs(KnobStage::shading)
+      .needsScene("environment")
+      .knob.choices = captureScaleNames();
+  t.number<&Options::mixing, &Mixing::begin>("mixing-begin", 0, 1,
+                                             "Mobile path: roughness above which captures follow the lightmap");
+  t.number<&Options::mixing, &Mixing::end>("mixing-end", 0, 1,
+                                           "Mobile path: roughness from which they follow it whole");
+  t.number<&Options::mixing, &Mixing::largest>("mixing-largest", 1e-4, kMaxMixingWeight,
+                                               "Mobile path: the most that a capture is brightened by it");
+  t.choice<&Options::capture>("capture", captureEncodingNames(),
+                              "Mobile path: the environment in 8-bit rgbm, in rgb9e5 of as many bits,\nor in fp16")
+      .titled("mobile capture")
+      .otherwise(kPresets)
+      .costs(KnobStage::shading)
+      .needsScene("environment");
+  t.choice<&Options::sky>("sky-sh", skyFormNames(),
+                          "Mobile path: SH coefficients of the sky light, 4 or 9; tinted: 9, band 2\nin one tint")
+      .titled("mobile sky")
+      .otherwise(kPresets)
+      .costs(KnobStage::shading)
+      .needsScene("environment")
+      .inWords([](const Options& o) {
+        return o.sky == SkyForm::tinted
+                   ? std::string("9 SH coefficients, one tint for the second band")
+                   : fmt::format("{} SH coefficients", skyFormNames().at(static_cast<std::size_t>(o.sky)));
+      });
+  t.flag<&Options::localLights>("mobile-local-lights", "Mobile path: up to four local lights an object")
+      .titled("mobile local lights")
+      .otherwise(kPresets)
+      .costs(KnobStage::shading)
+      .needsScene("local light");
+}
+
+void addShadows(base::KnobTable<Options>& t) {
+  t.flag<&Options::spotShadow>("mobile-spot-shadow",
+                               "Mobile path: the brightest spot light casts a shadow, by a map of its own");
+  t.number<&Options::spotShadowSharpen>("mobile-spot-sharpen", 1, 8, "Sharpens that shadow's edge, 1 to 8")
+      .needs("mobile-spot-shadow");
+  t.number<&Options::spotShadowFade>("mobile-spot-fade", 0, 1, "How much of that shadow is seen, 0 to 1")
+      .needs("mobile-spot-shadow");
+  t.flag<&Options::sunShadow>(
+      "mobile-sun-shadow", "Mobile path: the sun casts a shadow by a map, too, beside the baked one, up to a distance");
+  t.number<&Options::sunShadowDistance>("mobile-sun-distance", 1e-3, 1e6,
+                                        "Metres along the view from which on that shadow is gone")
+      .needs("mobile-sun-shadow");
+  t.number<&Options::sunShadowFade>("mobile-sun-fade", 0, 1,
+                                    "The last share of that distance over which it goes, 0 to 1")
+      .needs("mobile-sun-shadow");
+}
+
+std::string describeTarget(const Options& o) {
+  return gpu::outputTargetNames().at(static_cast<std::size_t>(o.target)) +
+         (gpu::isDisplayed(o.target) ? ", as displayed: light above white is cut off" : "");
+}
+
+std::string describeTextures(const Options& o) {
+  return o.textures == base::TextureBlock::none
+             ? "as they are"
+             : fmt::format("{}, {:.2f} bits a texel",
+                           base::textureBlockNames().at(static_cast<std::size_t>(o.textures)),
+                           base::bitsPerTexel(o.textures));
+}
+
+void addStorage(base::KnobTable<Options>& t) {
+  t.choice<&Options::target>("mobile-target", gpu::outputTargetNames(),
+                             "Render target of the mobile path: what its colour is stored in")
+      .costs(base::KnobStage::storage)
+      .inWords(describeTarget);
+  t.choice<&Options::textures>("mobile-textures", base::textureBlockNames(),
+                               "Mobile path: blocks that material textures are compressed in, as a phone has them")
+      .costs(base::KnobStage::storage)
+      .needsScene("texture")
+      .inWords(describeTextures);
+}
+
+base::KnobTable<Options> makeKnobs() {
+  base::KnobTable<Options> t;
+  t.section("Paths", {"mobile"});
+  addLook(t);
+  addShadows(t);
+  t.number<&Options::roughnessFloor>("mobile-roughness-floor", 0, 1, "Mobile path: the least roughness")
+      .otherwise(kPresets);
+  t.choice<&Options::precision>("precision", precisionNames(),
+                                "Of the mobile path; fp16 falls back to fp32 where the device lacks it")
+      .titled("mobile precision")
+      .costs(base::KnobStage::shading);
+  addStorage(t);
+  return t;
+}
+
+} // namespace
+
+const base::KnobTable<Options>& knobs() {
+  static const base::KnobTable<Options> table = makeKnobs();
+  return table;
+}
+
+void requireSense(const Options& options, const std::string& display) {
+  const auto refuse = [](const char* option, const std::string& reason) {
+    throw base::Error(base::ExitCode::usage, option, "", reason);
+  };
+  if (!(options.mixing.begin < options.mixing.end))
+    refuse("--mixing-begin",
+           fmt::format("{} is not below --mixing-end, which is {}", options.mixing.begin, options.mixing.end));
+  // Refit's lobe and its environment BRDF share their terms: neither is anything without the other.
+  if ((options.directLobe == DirectLobe::refit) != (options.environmentBrdf == EnvironmentBrdf::refit))
+    refuse("--direct-lobe",
+           fmt::format("'{}' does not go with the preset {}: refit's lobe and its environment BRDF are one",
+                       directLobeNames().at(static_cast<std::size_t>(options.directLobe)), options.preset));
+  if (gpu::isDisplayed(options.target) && display != "sRGB")
+    refuse("--mobile-target",
+           fmt::format("'{}' is what the screen shows, as sRGB: the display transform '{}' needs a float target",
+                       gpu::outputTargetNames().at(static_cast<std::size_t>(options.target)), display));
+}
+
+} // namespace parity::mobile

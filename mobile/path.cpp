@@ -1,0 +1,168 @@
+#include "mobile/path.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "mobile/environment_upload.h"
+#include "mobile/knobs.h"
+#include "mobile/light_choice.h"
+#include "mobile/renderer.h"
+
+namespace parity::mobile {
+
+namespace {
+
+const gpu::EnvironmentMaps* environmentOf(const paths::Inputs& inputs, CaptureEncoding encoding) {
+  const base::Stopwatch watch(inputs.services.timings, "upload");
+  if (inputs.baked && !inputs.baked->captures.empty())
+    return inputs.store.get(fmt::format("mobile captures {}", static_cast<int>(encoding)), [&] {
+      return uploadCaptures(inputs.device, paths::cubesOf(*inputs.baked), *inputs.baked->captures.front().light,
+                            encoding);
+    });
+  const lighting::EnvironmentLight* const light = inputs.light.environment.get();
+  if (!light) return nullptr;
+  const std::string key =
+      fmt::format("mobile environment {} {}", static_cast<const void*>(light), static_cast<int>(encoding));
+  return inputs.store.get(key, [&] {
+    const lighting::CubeMap* cube = &light->prefiltered;
+    return uploadCaptures(inputs.device, {&cube, 1}, *light, encoding);
+  });
+}
+
+const gpu::BakedMaps* bakedOf(const paths::Inputs& inputs) {
+  if (!inputs.baked) return nullptr;
+  const base::Stopwatch watch(inputs.services.timings, "upload");
+  return inputs.store.get("mobile lightmap", [&] { return uploadBaked(inputs.device, *inputs.baked); });
+}
+
+gpu::ShadowMaps* shadowsOf(const paths::Inputs& inputs, const Options& options) {
+  const std::vector<scenes::Light> casting = Renderer::needsShadowMaps(inputs.light.lights, options);
+  if (casting.empty()) return nullptr;
+  const base::Stopwatch watch(inputs.services.timings, "shadow maps");
+  const std::string key = fmt::format("mobile shadow maps{}{}", options.sunShadow ? " of the sun" : "",
+                                      options.spotShadow && options.localLights ? " of the spot light" : "");
+  return inputs.store.get(key,
+                          [&] { return gpu::ShadowMaps(inputs.device, inputs.buffers, casting, inputs.shadowMaps); });
+}
+
+// With notes on what casts no shadow.
+class PathRenderer final : public Renderer {
+public:
+  PathRenderer(const paths::Inputs& inputs, const Inputs& mine, const Options& options)
+      : Renderer(inputs.device, inputs.buffers, inputs.binKinds, mine, options), m_maps(mine.shadows),
+        m_asksForAll(inputs.asksForShadows) {}
+
+  const gpu::ShadowMaps* shadowMaps() const override { return m_maps; }
+  std::vector<std::string> notes() const override {
+    std::vector<std::string> notes = Renderer::notes();
+    if (m_maps && !m_maps->note().empty()) notes.push_back(m_maps->note());
+    if (m_asksForAll)
+      notes.emplace_back(
+          m_maps ? "has its other shadows baked, and nothing is baked: only high-end casts those of all lights"
+                 : "has its shadows baked, and nothing is baked: only high-end casts them");
+    return notes;
+  }
+
+private:
+  const gpu::ShadowMaps* m_maps;
+  bool m_asksForAll;
+};
+
+class MobilePath final : public paths::Path {
+public:
+  const std::string& name() const override {
+    static const std::string name = "mobile";
+    return name;
+  }
+  const std::string& title() const override { return name(); }
+  const base::KnobTable<paths::Options>& knobs() const override {
+    static const base::KnobTable<paths::Options> table = paths::knobsOf(mobile::knobs());
+    return table;
+  }
+  void requireSense(const paths::Options& options, const std::string& display) const override {
+    mobile::requireSense(options.of<Options>(), display);
+  }
+  std::string adapt(paths::Options& options, const gpu::DeviceReport& device) const override {
+    Options& own = options.of<Options>();
+    const Precision taken = precisionOn(device, own);
+    if (taken == own.precision) return {};
+    own.precision = taken;
+    return "as the device has no shaderFloat16";
+  }
+  paths::LightNeeds lightNeeds(const paths::Options&) const override {
+    return {.prefilter = {.levels = lighting::PrefilterLevels::first}, .hasOneSun = true, .bakesLocalLights = true};
+  }
+  const std::vector<paths::Intermediate>& intermediates() const override { return views(); }
+
+  std::unique_ptr<paths::Renderer> makeRenderer(const paths::Inputs& inputs,
+                                                const paths::Options& options) const override {
+    const Options& own = options.of<Options>();
+    const Inputs mine{.environment = environmentOf(inputs, own.capture),
+                      .lights = inputs.light.lights,
+                      .shadows = shadowsOf(inputs, own),
+                      .textures = inputs.textures,
+                      .baked = bakedOf(inputs),
+                      .terms = inputs.terms,
+                      .view = inputs.intermediate,
+                      .compilation = inputs.compilation,
+                      .expectedPixels = inputs.expectedPixels};
+    return std::make_unique<PathRenderer>(inputs, mine, own);
+  }
+
+  std::optional<gpu::TargetCodec> target(const paths::Options& options, const gpu::DeviceReport& device,
+                                         float exposureEv) const override {
+    const Options& own = options.of<Options>();
+    return gpu::TargetCodec(own.target, exposureEv, precisionOn(device, own) == Precision::fp16);
+  }
+  std::string targetName(const paths::Options& options) const override {
+    return gpu::outputTargetNames().at(static_cast<std::size_t>(options.of<Options>().target));
+  }
+  base::TextureBlock textureBlock(const paths::Options& options) const override {
+    return options.of<Options>().textures;
+  }
+  bool asksForShadows(const paths::Options& options) const override {
+    return options.of<Options>().spotShadow || options.of<Options>().sunShadow;
+  }
+  std::vector<std::string> notesOn(const scenes::Material& m, const paths::Options& options) const override {
+    if (m.isNonmetal() && !m.fullyRough && options.of<Options>().environmentBrdf != EnvironmentBrdf::refit)
+      return {"nonmetal: EnvBRDFApproxNonmetal on mobile"};
+    return {};
+  }
+  std::string describeLight(const paths::Options& options, bool hasCaptures) const override {
+    const CaptureScale scale = captureScaleOf(options.of<Options>(), hasCaptures);
+    return "mobile reflections scaled: " + captureScaleNames().at(static_cast<std::size_t>(scale));
+  }
+
+  bool mayDropLights(const std::vector<scenes::Light>& lights, const paths::Options& options) const override {
+    return mobile::mayDropLights(lights, options.of<Options>().localLights);
+  }
+  std::vector<paths::LightUse> countLightUse(const scenes::Scene& scene, const std::vector<scenes::Light>& lights,
+                                             const paths::Options& options,
+                                             const std::vector<std::uint64_t>& samples) const override {
+    return mobile::countLightUse(scene, lights, options.of<Options>().localLights, samples);
+  }
+
+  // Every preset in both precisions; refit also where its capture costs no bits.
+  std::vector<KnobSet> knobSets() const override {
+    std::vector<KnobSet> sets;
+    for (const std::string& preset : presetNames())
+      for (const std::string& precision : precisionNames())
+        sets.push_back(
+            {fmt::format("{} {}", preset, precision), "", {{"mobile-preset", preset}, {"precision", precision}}});
+    for (const std::string& precision : precisionNames())
+      sets.push_back({fmt::format("refit {}, capture fp16", precision),
+                      "environment",
+                      {{"mobile-preset", "refit"}, {"precision", precision}, {"capture", "fp16"}}});
+    return sets;
+  }
+};
+
+} // namespace
+
+const paths::Path& path() {
+  static const MobilePath path;
+  return path;
+}
+
+} // namespace parity::mobile

@@ -1,0 +1,203 @@
+// The page as a whole: one state, which the URL's hash holds, and what of it is shown.
+import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { customElement, property, query, state } from "lit/decorators.js";
+
+import { filterOf, matches, sortRows } from "./data/filter";
+import type { Page } from "./data/page";
+import { makeRows, type Row } from "./data/rows";
+import { fromHash, isSameItem, openItem, toHash, type State } from "./data/state";
+import { HelpPopover } from "./help_popover";
+import { actionOf, shortcutsDialog, type Action } from "./keys";
+import { header } from "./overview/header";
+import { filters, kCategories } from "./overview/filters";
+import "./overview/list";
+import type { ParityList } from "./overview/list";
+import "./item/item";
+import type { ParityItem } from "./item/item";
+import { Theme } from "./theme";
+
+@customElement("parity-app")
+export class ParityApp extends LitElement {
+  @property({ attribute: false }) page!: Page;
+  @state() private state: State = fromHash(location.hash);
+  @query("parity-list") private list!: ParityList;
+  @query("parity-item") private item!: ParityItem | null;
+  @query("#shortcuts") private shortcuts!: HTMLDialogElement;
+  @query("#search") private search!: HTMLInputElement | null;
+
+  private rows: Row[] = [];
+  private shown: Row[] = [];
+  private shownKey = "";
+  private hashTimer = 0;
+  private readonly theme = new Theme(() => this.requestUpdate());
+  private readonly helpPopover = new HelpPopover();
+
+  protected override createRenderRoot(): this {
+    return this;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.rows = makeRows(this.page.report);
+    window.addEventListener("hashchange", this.onHash);
+    window.addEventListener("keydown", this.onKey);
+    window.addEventListener("keyup", this.onKeyUp);
+    this.addEventListener("parity-state", this.onState as EventListener);
+    this.helpPopover.listen(this);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    window.removeEventListener("hashchange", this.onHash);
+    window.removeEventListener("keydown", this.onKey);
+    window.removeEventListener("keyup", this.onKeyUp);
+    this.helpPopover.stop();
+  }
+
+  private readonly onHash = (): void => {
+    if (location.hash !== toHash(this.state)) this.state = fromHash(location.hash);
+  };
+
+  private readonly onState = (event: CustomEvent<Partial<State>>): void => this.set(event.detail);
+
+  /** What moves continuously replaces the URL's hash once it rests; what opens or closes an item is a step of the history. */
+  private set(patch: Partial<State>): void {
+    const before = this.state;
+    this.state = { ...before, ...patch };
+    const isStep = (["scene", "view", "material", "tab"] as const).some((key) => this.state[key] !== before[key]);
+    window.clearTimeout(this.hashTimer);
+    if (!isStep) {
+      this.hashTimer = window.setTimeout(() => this.writeHash(this.state, false), 150);
+      return;
+    }
+    this.writeHash(before, false); // it may not have rested yet
+    this.writeHash(this.state, true);
+  }
+
+  private writeHash(state: State, isStep: boolean): void {
+    const url = toHash(state) || location.pathname + location.search;
+    try {
+      if (isStep) history.pushState(null, "", url);
+      else history.replaceState(null, "", url);
+    } catch {
+      // A sandboxed frame has no history: the page works, its link just does not say what is shown.
+    }
+  }
+
+  /** The rows that pass the filter, sorted: made anew only when these change. */
+  private visibleRows(): Row[] {
+    const { list, query: words, verdicts, causedBy, preset, sort, ascending } = this.state;
+    const key = JSON.stringify([list, words, verdicts, causedBy, preset, sort, ascending]);
+    if (key !== this.shownKey) {
+      const filter = filterOf(this.state);
+      this.shown = sortRows(this.rows.filter((row) => matches(row, filter)), sort, ascending);
+      this.shownKey = key;
+    }
+    return this.shown;
+  }
+
+  private openRow(): Row | null {
+    return this.rows.find((row) => isSameItem(row.link, this.state)) ?? null;
+  }
+
+  private open(row: Row | undefined): void {
+    if (row) this.set(openItem(this.state, row.link));
+  }
+
+  private step(by: number): void {
+    const rows = this.visibleRows();
+    const open = this.openRow();
+    const at = open ? rows.indexOf(open) : -1;
+    this.open(rows[Math.min(rows.length - 1, Math.max(0, at < 0 ? (by > 0 ? 0 : rows.length - 1) : at + by))]);
+  }
+
+  private readonly onKey = (event: KeyboardEvent): void => {
+    if (this.shortcuts.open) return;
+    const action = actionOf(event);
+    if (action ? this.act(action) : this.openRow() !== null && (this.item?.handleKey(event) ?? false)) event.preventDefault();
+  };
+
+  private readonly onKeyUp = (event: KeyboardEvent): void => {
+    this.item?.handleKeyUp(event);
+  };
+
+  /** Whether it did anything. */
+  private act(action: Action): boolean {
+    switch (action.kind) {
+      case "help":
+        this.shortcuts.showModal();
+        return true;
+      case "search":
+        this.search?.focus();
+        return true;
+      case "step":
+        this.step(action.by);
+        return true;
+      case "category": {
+        const category = kCategories[action.index];
+        if (category) this.set({ verdicts: category.verdict === "" ? [] : [category.verdict] });
+        return category !== undefined;
+      }
+      case "tab":
+        if (this.openRow()?.judged) this.set({ tab: action.tab });
+        return this.openRow() !== null;
+      case "close":
+        if (!this.openRow()) return false;
+        this.set({ scene: "", view: "", material: "" });
+        return true;
+      case "theme":
+        this.theme.next();
+        return true;
+    }
+  }
+
+  protected override willUpdate(): void {
+    document.title = `${this.page.report.tool}: ${this.openRow()?.name.slice(0, 80) ?? this.page.report.headline}`;
+  }
+
+  protected override updated(changed: PropertyValues): void {
+    const before = changed.get("state") as State | undefined;
+    if (before && !isSameItem(before, this.state)) this.moveFocus(before);
+  }
+
+  /** Where the reader goes on: at the title of what was opened, at the row of what was closed. */
+  private moveFocus(before: State): void {
+    const isOpen = this.openRow() !== null;
+    const wasOpen = before.scene !== "";
+    void this.list?.updateComplete.then(async () => {
+      if (isOpen && !wasOpen) {
+        window.scrollTo(0, 0);
+        this.querySelector<HTMLElement>("#item-title")?.focus({ preventScroll: true });
+      }
+      await this.list?.reveal(isOpen ? this.state : before, !isOpen);
+    });
+  }
+
+  protected override render(): TemplateResult {
+    const rows = this.visibleRows();
+    const open = this.openRow();
+    const { report, run } = this.page;
+    return html`
+      ${header(report, run, open !== null, this.theme, () => this.shortcuts.showModal())}
+      <div class="layout ${open ? "with-item" : ""}">
+        <section class="overview" aria-label="Overview">
+          ${filters(report, this.rows, rows.length, this.state, (patch) => this.set(patch))}
+          <parity-list .report=${report} .rows=${rows} .state=${this.state} .compact=${open !== null}></parity-list>
+        </section>
+        ${
+          open
+            ? html`<parity-item
+                .page=${this.page}
+                .row=${open}
+                .state=${this.state}
+                .place=${`${rows.indexOf(open) + 1} of ${rows.length}`}
+                @parity-step=${(event: CustomEvent<number>) => this.step(event.detail)}
+                @parity-close=${() => this.act({ kind: "close" })}
+              ></parity-item>`
+            : nothing
+        }
+      </div>
+      ${shortcutsDialog()}
+    `;
+  }
+}

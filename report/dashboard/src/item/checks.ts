@@ -1,0 +1,40 @@
+// The budget checks of a row, each as a bar with its limits.
+import { html, nothing, type TemplateResult } from "lit";
+
+import type { Judged } from "../data/judged";
+import type { Check, Report } from "../data/types";
+import { change, figure } from "../format";
+import { help } from "../help";
+import { bar } from "../overview/row";
+import { badge } from "../parts";
+
+/** Limits as the figure reads: "warns above 0.100, fails above 0.200"; below for a figure of which more is better. */
+export function limitsOf(check: Check, report: Report): string {
+  const statistic = report.statistics[check.metric];
+  const beyond = statistic?.better === "higher" && !check.regress ? "below" : statistic?.better === "near zero" ? "beyond ±" : "above";
+  const limit = (verb: string, value: number | null): string =>
+    value === null ? "" : `${verb} ${beyond}${beyond.endsWith("±") ? "" : " "}${figure(value, statistic).replace(/^\+/, "")}`;
+  return [limit("warns", check.warn), limit("fails", check.fail)].filter((each) => each !== "").join(", ");
+}
+
+export function checkTable(judged: Judged, report: Report): TemplateResult {
+  const { budget } = judged;
+  if (judged.checks.length === 0) return html`<p class="aside">No budget was checked.</p>`;
+  return html`<section class="checks">
+    <h3>Budget ${help("budget")}</h3>
+    <div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
+      <thead><tr><th scope="col">figure</th><th scope="col">value</th><th scope="col">against its limits</th><th scope="col">verdict</th></tr></thead>
+      <tbody>${judged.checks.map((check) => {
+        const statistic = report.statistics[check.metric];
+        const value = check.regress ? change(check.value, statistic) : figure(check.value ?? undefined, statistic);
+        return html`<tr>
+          <th scope="row">${statistic?.label ?? check.metric}${check.regress ? ", against the baseline" : ""}</th>
+          <td class="number">${value}</td>
+          <td class="limits">${check.value === null || statistic?.better === "higher" ? nothing : bar(Math.max(0, check.regress ? check.value : Math.abs(check.value)), check)}<small>${limitsOf(check, report)}${check.note === "" ? nothing : html` (${check.note})`}</small></td>
+          <td>${badge(check.verdict)}</td></tr>`;
+      })}</tbody></table></div>
+    ${judged.verdict === "too small" ? html`<p class="aside">Of fewer than ${budget.minPixels} pixels (its budget's <code>min_pixels</code>) these say little: no check counts.</p>` : nothing}
+    ${judged.verdict === "not judged" ? html`<p class="aside">Most of its pixels are clipped in both pictures: no check that passes says anything.</p>` : nothing}
+    <p class="aside">${budget.rule === "" ? "No rule matched." : html`Rule: <bdi>${budget.rule}</bdi>`}${budget.preset === "" ? nothing : html`, preset <bdi>${budget.preset}</bdi>`}${budget.reason === "" ? nothing : html`. Why: <bdi>${budget.reason}</bdi>`}${budget.owner === "" ? nothing : html`. Ask: <bdi>${budget.owner}</bdi>`}</p>
+  </section>`;
+}

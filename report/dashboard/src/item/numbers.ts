@@ -1,0 +1,117 @@
+// Every figure of a row, and what the run did for its scene: for whoever has to know exactly.
+import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { customElement, property } from "lit/decorators.js";
+
+import type { Judged } from "../data/judged";
+import type { Page } from "../data/page";
+import type { Kind, Row } from "../data/rows";
+import type { Report, Scene, Truth } from "../data/types";
+import { change, count, duration, figure, figureIn, fixed } from "../format";
+import { help } from "../help";
+import { copyable, definitions } from "../parts";
+import { sceneNamed } from "../study/scene";
+import { acceptCommands, diffCommand } from "./commands";
+import { stageLine } from "./stages";
+
+function figureTable({ figures, baseline }: Judged, kind: Kind, report: Report): TemplateResult {
+  if (!figures) return html`<p class="aside">There are no figures: no pixel of this view shows it.</p>`;
+  const since = baseline && !baseline.new ? baseline.changes : null;
+  const share = (value: number | null): string => (value === null ? "–" : `${fixed(100 * value, 1)} %`);
+  const further: [string, string][] = [
+    ["pixels", count(figures.pixels)],
+    ["pixels that are not finite", count(figures.nonFinite)],
+    ["white in both pictures", share(figures.clippedWhite)],
+    ["black in both pictures", share(figures.clippedBlack)],
+    ["mean luma of high-end, displayed", fixed(figures.referenceLuma, 4)],
+    ["mean luma of mobile, displayed", fixed(figures.testLuma, 4)],
+    ["mean luminance of high-end, linear as exposed", fixed(figures.referenceLuminance, 4)],
+    ["mean luminance of mobile, linear as exposed", fixed(figures.testLuminance, 4)],
+  ];
+  return html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
+    <caption>${kind === "material" ? html`The high-end picture with mobile's colours of this material, against the high-end picture${help("materialFlip")}` : html`Mobile against high-end${help("wholeFlip")}`}</caption>
+    <thead><tr><th scope="col">figure</th><th scope="col">value</th>${since ? html`<th scope="col">since the baseline${help("baseline")}</th>` : nothing}</tr></thead>
+    <tbody>
+      ${Object.keys(figures.metrics).map((name) => html`<tr><th scope="row">${report.statistics[name]?.label ?? name} <code>${name}</code></th>
+        <td class="number">${figureIn(figures, name, report.statistics)}</td>
+        ${since ? html`<td class="number">${change(since[name], report.statistics[name])}</td>` : nothing}</tr>`)}
+      ${further.map(([name, value]) => html`<tr><th scope="row">${name}</th><td class="number">${value}</td>${since ? html`<td></td>` : nothing}</tr>`)}
+    </tbody></table></div>`;
+}
+
+function truthTables(truth: Truth, report: Report): TemplateResult {
+  const { figures } = truth;
+  if (!figures) return html`<p class="aside">The truth is not known here: there are no pixels.</p>`;
+  const names = [...new Set([...Object.keys(figures.reference.metrics), ...Object.keys(figures.test.metrics)])];
+  const ofTerm = (value: number | null | undefined): string => figure(value ?? undefined, report.statistics["flip.mean"]);
+  return html`<section><h3>Both paths against the truth ${help("truth")}</h3>
+    <div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
+      <thead><tr><th scope="col">figure</th><th scope="col">high-end</th><th scope="col">mobile</th></tr></thead>
+      <tbody>${names.map((name) => html`<tr><th scope="row">${report.statistics[name]?.label ?? name}</th><td class="number">${figureIn(figures.reference, name, report.statistics)}</td><td class="number">${figureIn(figures.test, name, report.statistics)}</td></tr>`)}</tbody>
+    </table></div>
+    <p class="aside">Standard error of the truth's own pixels: median ${fixed((figures.error.median ?? NaN) * 100, 2)} %, worst ${fixed((figures.error.worst ?? NaN) * 100, 2)} %${figures.nonFinite > 0 ? html`; <b>${figures.nonFinite} of its pixels are not finite</b>` : nothing}.</p>
+    ${truth.terms.length === 0 ? nothing : html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
+      <caption>Mean light by term${help("termLight")}</caption>
+      <thead><tr><th scope="col">term</th><th scope="col">truth</th><th scope="col">high-end</th><th scope="col">mobile</th><th scope="col">FLIP high-end</th><th scope="col">FLIP mobile</th></tr></thead>
+      <tbody>${truth.terms.map((term) => html`<tr><th scope="row">${term.term}</th><td class="number">${fixed(term.luminance.truth, 4)}</td><td class="number">${fixed(term.luminance.reference, 4)}</td><td class="number">${fixed(term.luminance.test, 4)}</td>
+          <td class="number">${ofTerm(term.figures?.reference["flip.mean"])}</td><td class="number">${ofTerm(term.figures?.test["flip.mean"])}</td></tr>`)}</tbody></table></div>`}
+    ${truth.notes.length > 0 ? html`<ul class="notes">${truth.notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
+  </section>`;
+}
+
+function passTable(scene: Scene): TemplateResult {
+  return html`<section><h3>What was done, what was skipped ${help("skipped")}</h3><div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
+    <thead><tr><th scope="col">pass</th><th scope="col">done</th><th scope="col">skipped, as</th></tr></thead>
+    <tbody>${scene.passes.map((pass) => html`<tr class=${pass.skipped === null ? "" : "skipped"}><th scope="row">${pass.name}</th><td class="number">${pass.skipped === null ? `${count(pass.count)} ${pass.unit}` : "–"}</td><td>${pass.skipped ?? ""}</td></tr>`)}</tbody>
+  </table></div></section>`;
+}
+
+function permutationTable(scene: Scene): TemplateResult {
+  const costs = scene.permutations.some((each) => each.cost);
+  return html`<section><h3>Shaders that ran ${help("permutations")}</h3><div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
+    <thead><tr><th scope="col">path</th><th scope="col">textures</th><th scope="col">made for</th><th scope="col">pixels</th><th scope="col">samplers</th>${costs ? html`<th scope="col">fp32</th><th scope="col">fp16</th><th scope="col">fetches</th>` : nothing}</tr></thead>
+    <tbody>${scene.permutations.map((each) => html`<tr><th scope="row">${each.path}</th><td>${each.textures}</td><td>${each.features}</td><td class="number">${count(each.pixels)}</td><td class="number">${each.samplers}</td>${costs ? html`<td class="number">${each.cost?.fp32 ?? "–"}</td><td class="number">${each.cost?.fp16 ?? "–"}</td><td class="number">${each.cost?.fetches ?? "–"}</td>` : nothing}</tr>`)}</tbody>
+  </table></div></section>`;
+}
+
+@customElement("parity-numbers")
+export class ParityNumbers extends LitElement {
+  @property({ attribute: false }) page!: Page;
+  @property({ attribute: false }) row!: Row;
+
+  protected override createRenderRoot(): this {
+    return this;
+  }
+
+  protected override render(): TemplateResult {
+    const { report, run, bench } = this.page;
+    const { judged } = this.row;
+    const scene = report.scenes[this.row.scene];
+    if (!scene || !judged) return html``;
+    return html`<div class="numbers">
+      ${figureTable(judged, this.row.kind, report)}
+      ${judged.stages.map((stage) => stageLine(stage, report))}
+      ${judged.truth ? truthTables(judged.truth, report) : nothing}
+      ${bench ? html`<section><h3>Error against time ${help("pareto")}</h3>${sceneNamed(bench, scene.name)}</section>` : nothing}
+      <section><h3>To see it again</h3>
+        ${run && run.commandLine !== "" ? html`<p>The whole report:</p>${copyable(run.commandLine, "the command of the report")}` : nothing}
+        ${run ? diffPart(run.commandLine, scene, this.row) : nothing}
+        <p>To accept what is:</p>${acceptCommands().map(({ what, command }) => html`<p class="aside">${what}</p>${copyable(command, what)}`)}
+      </section>
+      ${passTable(scene)}${permutationTable(scene)}
+      <section><h3>The run</h3>
+        ${definitions([
+          ["Source", scene.source], ["Environment", scene.environment], ["Sun", scene.sun], ["Light", scene.light ?? ""],
+          ["Device", report.device], ["Version", `${report.tool} ${report.version}`], ["Started", run?.startedAt ?? ""],
+          ["Shaders compiled", run ? String(run.compiledShaders) : ""],
+          ["From the cache", run && run.cachedScenes.includes(scene.name) ? "this scene, unchanged" : ""],
+        ])}
+        ${run ? html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table><caption>Times${help("timings")}</caption><thead><tr><th scope="col">stage</th><th scope="col">time</th></tr></thead><tbody>${run.timings.map(({ stage, timeMs }) => html`<tr><th scope="row">${stage}</th><td class="number">${duration(timeMs)}</td></tr>`)}</tbody></table></div>` : nothing}
+      </section>
+    </div>`;
+  }
+}
+
+function diffPart(commandLine: string, scene: Scene, of: Row): TemplateResult | typeof nothing {
+  const command = diffCommand(commandLine, scene, of);
+  return command === null ? nothing : html`<p>This ${of.kind === "material" ? "material" : "scene"} alone, as a table:</p>${copyable(command, "the command for this row")}`;
+}

@@ -1,0 +1,21 @@
+// What each stage of the mobile path alone makes of its picture.
+import { html, nothing, type TemplateResult } from "lit";
+
+import type { Report, Stage } from "../data/types";
+import { figureIn } from "../format";
+import { help, type Topic } from "../help";
+
+const kStages: Record<string, { words: string; topic: Topic }> = {
+  encoding: { words: "The render target", topic: "encoding" },
+  textures: { words: "Compression of textures by", topic: "textures" },
+};
+
+/** "The render target": what comes before the thing that the picture passes through. */
+export function wordsOf(stage: string): string {
+  return kStages[stage]?.words ?? `The stage ${stage} by`;
+}
+
+export function stageLine({ stage, through, figures }: Stage, report: Report): TemplateResult {
+  const topic = kStages[stage]?.topic;
+  return html`<p>${wordsOf(stage)} <code>${through}</code> alone makes FLIP ${figureIn(figures, "flip.mean", report.statistics)} in mobile's own picture.${topic ? help(topic) : nothing}</p>`;
+}

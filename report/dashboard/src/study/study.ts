@@ -1,0 +1,66 @@
+// The page of a sweep or of a stress run: its head, and what it is made of.
+import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { customElement, property } from "lit/decorators.js";
+
+import type { Study } from "../data/study";
+import { HelpPopover } from "../help_popover";
+import { actionOf } from "../keys";
+import { badge } from "../parts";
+import { Theme, themeButton } from "../theme";
+import { stressParts } from "./stress";
+import { sweepParts } from "./sweep";
+
+interface Head {
+  tool: string;
+  title: string;
+  verdict: "pass" | "fail" | null;
+  sub: readonly string[];
+}
+
+function headOf(study: Study): Head {
+  if (study.kind === "sweep") {
+    const { version, startedAt, machine } = study.sweep.bench;
+    return { tool: "parity bench", title: "Error against time", verdict: null, sub: [machine.device, startedAt.replace("T", " ").replace("Z", " UTC"), `parity ${version}`] };
+  }
+  const { unexpected, expected, device, version } = study.stress;
+  return { tool: "parity stress", title: `${unexpected} unexpected, ${expected} expected findings`, verdict: unexpected > 0 ? "fail" : "pass", sub: [device, `parity ${version}`] };
+}
+
+@customElement("parity-study")
+export class ParityStudy extends LitElement {
+  @property({ attribute: false }) study!: Study;
+  private readonly theme = new Theme(() => this.requestUpdate());
+  private readonly helpPopover = new HelpPopover();
+
+  protected override createRenderRoot(): this {
+    return this;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    window.addEventListener("keydown", this.onKey);
+    this.helpPopover.listen(this);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    window.removeEventListener("keydown", this.onKey);
+    this.helpPopover.stop();
+  }
+
+  private readonly onKey = (event: KeyboardEvent): void => {
+    if (actionOf(event)?.kind === "theme") this.theme.next();
+  };
+
+  protected override render(): TemplateResult {
+    const { tool, title, verdict, sub } = headOf(this.study);
+    return html`<header class="page-head ${verdict ?? ""}">
+        <div class="head-line">
+          <h1>${verdict ? badge(verdict) : nothing} <span>${title}</span></h1>
+          <div class="head-buttons">${themeButton(this.theme)}</div>
+        </div>
+        <p class="sub">${[tool, ...sub].filter((each) => each !== "").join(" · ")}</p>
+      </header>
+      <div class="study">${this.study.kind === "sweep" ? sweepParts(this.study.sweep) : stressParts(this.study.stress, this.study.times)}</div>`;
+  }
+}

@@ -1,0 +1,230 @@
+// Which panes a mode has and what each shows: image files, or jobs for canvases once values are needed.
+import type { Plane } from "../data/chunk";
+import { pathTitle, pathWord } from "../data/paths";
+import type { ViewerState } from "../data/state";
+import type { View } from "../data/types";
+import type { Layer } from "./pane";
+import type { Job } from "./paint";
+import { messageOf, valueOf, type Loaded, type PixelSource } from "./source";
+import { termLabel } from "./terms";
+
+export interface Scenery {
+  view: View;
+  material: number; // place in the view; -1: the whole view is looked at
+  state: ViewerState;
+  source: PixelSource;
+  isAtRest: boolean; // until then only image files are shown, where these do
+  missing: ReadonlySet<string>; // image files that could not be loaded
+  showsTest: boolean; // in the flicker
+}
+
+export interface PaneModel {
+  key: string;
+  label: string;
+  right: string; // of what is at the right of a divider; "": one label for all
+  note: string;
+  message: string; // not empty: instead of pictures
+  isWaiting: boolean; // for values; until then the image file is shown, if there is one
+  layers: Layer[];
+  filter: string;
+  split: number | null;
+}
+
+type Picture = "reference" | "test" | "truth";
+
+/** The name of the picture's path; of the truth its own. */
+function pathOf(view: View, picture: Picture): string {
+  return picture === "truth" ? "truth" : view[picture];
+}
+
+interface Part {
+  layer: Layer;
+  message: string;
+  isWaiting: boolean;
+}
+
+/** "+1.25 EV"; "" for none. */
+export function exposureText(exposure: number): string {
+  return exposure === 0 ? "" : `${exposure > 0 ? "+" : "\u2212"}${Math.abs(exposure)} EV`;
+}
+
+function imageOf({ view }: Scenery, picture: Picture): string {
+  if (picture === "truth") return view.whole.truth?.images.truth ?? "";
+  return view.images[picture];
+}
+
+function planeOf({ view, state, source }: Scenery, picture: Picture): ReturnType<PixelSource["color"]> {
+  if (state.term === "") return source.color(pathOf(view, picture));
+  if (picture === "truth") return { message: "The truth's terms are not in the report." };
+  return source.term(`${pathOf(view, picture)}.${state.term}`);
+}
+
+/** The layer with its job once that is there; image and missing are what it falls back on. */
+function makePart(scenery: Scenery, layer: Layer, needsValues: boolean, job: Job | null, message: string): Part {
+  const hasImage = layer.image !== "" && !scenery.missing.has(layer.image);
+  if (!hasImage) layer.image = "";
+  if (!needsValues && hasImage) return { layer, message: "", isWaiting: false };
+  if (message !== "") return { layer, message, isWaiting: false };
+  return { layer: { ...layer, job }, message: "", isWaiting: job === null };
+}
+
+/** Says that an image file is missing, where no values can stand in for it. */
+function missingText(scenery: Scenery, image: string, message: string): string {
+  if (image === "") return `There is no picture. ${message}`;
+  return scenery.missing.has(image) ? `${image} is missing. ${message}` : message;
+}
+
+function makePicture(scenery: Scenery, picture: Picture): Part {
+  const { state, source, view } = scenery;
+  const image = state.term === "" ? imageOf(scenery, picture) : "";
+  const needsValues = state.exposure !== 0 || image === "" || scenery.missing.has(image);
+  const layer: Layer = { key: picture, label: labelOf(scenery, picture), image, job: null };
+  if (!needsValues) return makePart(scenery, layer, false, null, "");
+  const plane = planeOf(scenery, picture);
+  const exposureEv = view.exposureEv + state.exposure;
+  const [values, display] = [valueOf(plane), valueOf(source.display)];
+  const job: Job | null = values && display ? { kind: "display", plane: values, display, exposureEv } : null;
+  const message = messageOf(plane) || messageOf(source.display);
+  return makePart(
+    scenery,
+    layer,
+    true,
+    job,
+    message && state.term === "" ? missingText(scenery, image, message) : message,
+  );
+}
+
+function labelOf({ view, state }: Scenery, picture: Picture): string {
+  const title = pathTitle(pathOf(view, picture));
+  return state.term === "" ? title : `${title}, ${termLabel(state.term)}`;
+}
+
+/** The plane of the FLIP that judges what is looked at: each material's own, or that of the whole pictures. */
+export function flipPlaneOf(material: number): "materialFlip" | "flip" {
+  return material < 0 ? "flip" : "materialFlip";
+}
+
+function makeFlip(scenery: Scenery): Part {
+  const { state, source, view } = scenery;
+  const image = view.images.flip;
+  const layer: Layer = { key: "flip", label: "FLIP map", image, job: null };
+  if (state.threshold === 0 && image !== "" && !scenery.missing.has(image))
+    return makePart(scenery, layer, false, null, "");
+  const plane = source.color("flip");
+  const values = valueOf(plane);
+  const job: Job | null = values && { kind: "flip", plane: values, threshold: state.threshold };
+  const message = messageOf(plane);
+  return makePart(scenery, layer, true, job, message && missingText(scenery, image, message));
+}
+
+/** Where no values are, the whole pictures' map says less, and says so. */
+function flipPane(scenery: Scenery): PaneModel {
+  const { state, source, material } = scenery;
+  const exposure = exposureText(state.exposure) && "at the report's exposure";
+  const whole = (note: string): PaneModel =>
+    onePane("flip", "FLIP map", [note, exposure].filter(Boolean).join(", "), [makeFlip(scenery)]);
+  if (material < 0) return whole("");
+  const plane: Loaded<Plane> = scenery.isAtRest ? source.color(flipPlaneOf(material)) : { waiting: true };
+  if (messageOf(plane) !== "") return whole("of the whole pictures: its own needs pixel values");
+  const values = valueOf(plane);
+  const job: Job | null = values && { kind: "flip", plane: values, threshold: state.threshold };
+  const layer: Layer = { key: "flip", label: "FLIP map", image: "", job };
+  return onePane("flip", "FLIP map", ["each material's own", exposure].filter(Boolean).join(", "), [
+    { layer, message: "", isWaiting: job === null },
+  ]);
+}
+
+/** What stands at the reference's place where two pictures share a pane. */
+function baseOf({ view, state }: Scenery): Picture {
+  return state.showTruth && view.whole.truth !== undefined ? "truth" : "reference";
+}
+
+function onePane(key: string, label: string, note: string, parts: Part[], more: Partial<PaneModel> = {}): PaneModel {
+  return {
+    key,
+    label,
+    right: "",
+    note,
+    message: parts.find((part) => part.message !== "")?.message ?? "",
+    isWaiting: parts.some((part) => part.isWaiting),
+    layers: parts.map((part) => part.layer),
+    filter: "",
+    split: null,
+    ...more,
+  };
+}
+
+/** Signed, from values; of the image files, by the browser's own filters, until the values are there. */
+function differencePane(scenery: Scenery): PaneModel {
+  const { state, source, view } = scenery;
+  const base = baseOf(scenery);
+  const [first, second] = [planeOf(scenery, base), planeOf(scenery, "test")];
+  const [reference, test, display] = [valueOf(first), valueOf(second), valueOf(source.display)];
+  const label = `Difference × ${state.gain}`;
+  const note = [`${pathWord(view.test)} less ${pathWord(pathOf(view, base))}`, exposureText(state.exposure)];
+  const exposureEv = view.exposureEv + state.exposure;
+  const job: Job | null =
+    reference && test && display
+      ? { kind: "difference", reference, test, display, exposureEv, gain: state.gain }
+      : null;
+  const layer: Layer = { key: "difference", label, image: "", job };
+  const message = messageOf(first) || messageOf(second) || messageOf(source.display);
+  const images = [imageOf(scenery, base), imageOf(scenery, "test")];
+  const hasImages = images.every((image) => image !== "" && !scenery.missing.has(image));
+  if (job !== null || state.exposure !== 0 || state.term !== "" || !hasImages)
+    return onePane("difference", label, note.filter(Boolean).join(", "), [
+      { layer, message, isWaiting: job === null && message === "" },
+    ]);
+  // Half of the one over the inverted other is grey where they are alike; the contrast enlarges what is not.
+  const layers: Layer[] = [
+    { key: "base", label: pathTitle(pathOf(view, base)), image: images[0]!, job: null, filter: "invert(1)" },
+    { key: "test", label: pathTitle(view.test), image: images[1]!, job: null, opacity: 0.5 },
+  ];
+  return onePane("difference", label, note[0]!, [], {
+    layers,
+    filter: `contrast(${2 * state.gain})`,
+    isWaiting: message === "",
+  });
+}
+
+/** The panes of the state's mode, in the order of the page. */
+export function arrange(scenery: Scenery): PaneModel[] {
+  const { state, view } = scenery;
+  const exposure = exposureText(state.exposure);
+  const pane = (picture: Picture): PaneModel =>
+    onePane(picture, labelOf(scenery, picture), exposure, [makePicture(scenery, picture)]);
+  const base = baseOf(scenery);
+  const pair = (
+    key: string,
+    label: string,
+    change: (layer: Layer) => Partial<Layer>,
+    more: Partial<PaneModel> = {},
+  ) => {
+    const test = makePicture(scenery, "test");
+    test.layer = { ...test.layer, ...change(test.layer) };
+    return [onePane(key, label, exposure, [makePicture(scenery, base), test], more)];
+  };
+  switch (state.mode) {
+    case "side": {
+      const truth = state.showTruth && view.whole.truth !== undefined ? [pane("truth")] : [];
+      return [pane("reference"), pane("test"), ...truth, state.term === "" ? flipPane(scenery) : differencePane(scenery)];
+    }
+    case "slider":
+      return pair("slider", labelOf(scenery, base), () => ({ isRight: true }), {
+        split: state.split,
+        right: labelOf(scenery, "test"),
+      });
+    case "onion":
+      return pair("onion", `${labelOf(scenery, "test")} over ${labelOf(scenery, base)}`, () => ({
+        opacity: state.opacity,
+      }));
+    case "flicker":
+      return pair("flicker", labelOf(scenery, scenery.showsTest ? "test" : base), () => ({
+        opacity: scenery.showsTest ? 1 : 0,
+      }));
+    case "difference":
+      return [differencePane(scenery)];
+    case "flip":
+      return [flipPane(scenery)];
+  }
+}

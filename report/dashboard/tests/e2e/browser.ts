@@ -1,0 +1,86 @@
+// Reports opened in real headless Chromium, from a folder, without a server.
+import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
+
+import { makeRows } from "../../src/data/rows";
+import { kDefaultState, toHash } from "../../src/data/state";
+import type { Report } from "../../src/data/types";
+
+const kPrograms = [process.env["PARITY_CHROMIUM"] ?? "", "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+
+/** Debian's chromium, or the program that PARITY_CHROMIUM names. */
+export function chromiumProgram(): string {
+  const found = kPrograms.find((each) => each !== "" && existsSync(each));
+  if (found === undefined) throw new Error("there is no chromium: scripts/install-deps installs it, PARITY_CHROMIUM names another");
+  return found;
+}
+
+/** Made by tests/dashboard: make_reports, and two real ones by parity. */
+export function reportFolder(name: string): string {
+  const root = process.env["PARITY_REPORTS"];
+  if (!root) throw new Error("PARITY_REPORTS must name the folder of the reports: ctest -R dashboard makes it");
+  return resolve(join(root, name));
+}
+
+export function readReport(name: string): Report {
+  return JSON.parse(readFileSync(join(reportFolder(name), "report.json"), "utf8")) as Report;
+}
+
+/** The hash of what stands at these places of a report, by its names. material: -1: the whole image. */
+export function hashOfItem(name: string, material = 0, scene = 0, view = 0): string {
+  const row = makeRows(readReport(name)).find((each) => each.scene === scene && each.view === view && each.material === material);
+  if (!row) throw new Error(`${name} has no such item`);
+  return toHash({ ...kDefaultState, ...row.link });
+}
+
+const changedFolders: string[] = [];
+
+/** The folder of a copy of a report, its page changed. */
+export function changedReport(name: string, change: (html: string) => string): string {
+  const folder = mkdtempSync(join(tmpdir(), "parity-page-"));
+  changedFolders.push(folder);
+  cpSync(reportFolder(name), folder, { recursive: true });
+  const file = join(folder, "index.html");
+  const before = readFileSync(file, "utf8");
+  const after = change(before);
+  if (after === before) throw new Error("nothing was changed");
+  writeFileSync(file, after);
+  return folder;
+}
+
+export function removeChanged(): void {
+  for (const folder of changedFolders.splice(0)) rmSync(folder, { recursive: true, force: true });
+}
+
+export interface Opened {
+  page: Page;
+  problems: string[]; // errors of scripts, of the policy, and of the page's console
+  requests: string[]; // all that the page asked for
+}
+
+export async function startBrowser(): Promise<Browser> {
+  return chromium.launch({ executablePath: chromiumProgram(), args: ["--no-sandbox", "--disable-background-networking"] });
+}
+
+/** The page of a report, once it is drawn. hash: with "#". */
+export async function openReport(browser: Browser, folder: string, hash = "", options: BrowserContextOptions = {}): Promise<Opened> {
+  const context = await browser.newContext({ viewport: { width: 1400, height: 900 }, ...options });
+  const page = await context.newPage();
+  const opened: Opened = { page, problems: [], requests: [] };
+  page.on("pageerror", (error) => opened.problems.push(String(error.stack ?? error)));
+  page.on("console", (message) => {
+    if (message.type() === "error") opened.problems.push(message.text());
+  });
+  page.on("request", (request) => opened.requests.push(request.url()));
+  await page.goto(pathToFileURL(join(folder, "index.html")).href + hash);
+  await page.waitForSelector("parity-app h1, parity-study h1, .failure h1", { state: "attached" }); // on a phone an item hides it
+  return opened;
+}
+
+/** Problems that are not the missing of a file that the test left out. */
+export function realProblems(opened: Opened): string[] {
+  return opened.problems.filter((text) => !text.includes("ERR_FILE_NOT_FOUND"));
+}

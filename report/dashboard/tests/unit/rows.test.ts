@@ -1,0 +1,173 @@
+import { describe, expect, it } from "vitest";
+
+import { countRows, filterOf, matches, sortRows } from "../../src/data/filter";
+import { baseLayerText, causeOf, checkOf, figureOf, gravityOf, linkNames, makeRows } from "../../src/data/rows";
+import { kDefaultState } from "../../src/data/state";
+import type { Check, Material, Verdict } from "../../src/data/types";
+import { makeFigures, makeMaterial, makeReport, makeScene, makeView } from "./sample";
+
+const attribution = { flip: 0.4, terms: [{ term: "skySpecular", flip: 0.1 }, { term: "sunDiffuse", flip: 0.39 }] };
+const report = makeReport([
+  makeScene("Desk", [
+    makeView("front", [
+      makeMaterial("Gold", "fail", 0.4, { attribution, reason: "mean FLIP is above" }),
+      makeMaterial("Wood", "pass", 0.02),
+      makeMaterial("Inside", "not seen", null),
+      makeMaterial("Elsewhere", "not seen", null, { seenElsewhere: true }),
+    ]),
+  ]),
+  makeScene("Broken", [], "is not a glTF"),
+]);
+const rows = makeRows(report);
+const shown = (patch: object): string[] => rows.filter((row) => matches(row, filterOf({ ...kDefaultState, ...patch }))).map((row) => row.name);
+
+describe("rows", () => {
+  it("has one for each material that counts, each whole image and each scene that failed", () => {
+    expect(rows.map((row) => [row.kind, row.name])).toEqual([
+      ["material", "Gold"], ["material", "Wood"], ["material", "Inside"], ["whole", "front"], ["scene", "Broken"],
+    ]);
+  });
+
+  it("counts the pixels that show it: none where there are no figures", () => {
+    expect(rows[0]?.pixels).toBe(100);
+    expect(rows[2]?.pixels).toBe(0);
+  });
+
+  it("says since the baseline what there is to compare with, and what is new", () => {
+    const since = (patch: object) => makeRows(makeReport([makeScene("Desk", [makeView("front", [makeMaterial("Gold", "pass", 0.1, patch)])])]))[0];
+    const changes = { "flip.mean": 0.03 };
+    expect(since({ baseline: { new: false, verdict: "pass", changes } })).toMatchObject({ change: 0.03, isNew: false });
+    expect(since({ baseline: { new: true, verdict: null, changes: {} } })).toMatchObject({ change: null, isNew: true });
+    expect(since({})).toMatchObject({ change: null, isNew: false });
+  });
+});
+
+describe("the names of links", () => {
+  const linksOf = (names: string[]): string[] => linkNames(names.map((name) => ({ name })));
+
+  it("tell apart what is called the same, and are never empty", () => {
+    expect(linksOf(["gold", "gold", "", "gold (2)", "gold"])).toEqual(["gold", "gold (2)", "(no name)", "gold (2) (2)", "gold (3)"]);
+  });
+
+  it("stay where something else comes before: a link leads to the same material of another run", () => {
+    const gold = makeMaterial("Gold", "pass", 0.1);
+    const linkOf = (materials: Material[]) => makeRows(makeReport([makeScene("Desk", [makeView("front", materials)])])).find((row) => row.name === "Gold")?.link;
+    expect(linkOf([gold])).toEqual({ scene: "Desk", view: "front", material: "Gold" });
+    expect(linkOf([makeMaterial("Iron", "pass", 0.1), gold])).toEqual(linkOf([gold]));
+  });
+});
+
+describe("a row's figures", () => {
+  const check = (metric: string, value: number | null, regress: boolean): Check => ({ metric, regress, value, warn: 0.1, fail: 0.2, verdict: "pass", note: "" });
+  const checks = [check("flip.mean", 0.01, true), check("flip.mean", 0.15, false), check("bias.ev", -0.3, false)];
+  const view = makeView("front", [makeMaterial("Gold", "pass", 0, { figures: makeFigures(0.15), checks })]);
+  Object.assign(view.whole, { figures: makeFigures(0.05), checks: [] });
+  const [material, whole] = makeRows(makeReport([makeScene("Desk", [view])]));
+  if (!material || !whole) throw new Error("two rows");
+
+  it("are the material's and the whole image's", () => {
+    expect(figureOf(material, "flip.mean")).toBe(0.15);
+    expect(figureOf(whole, "flip.mean")).toBe(0.05);
+    expect(figureOf(whole, "flip.p95")).toBeNull();
+  });
+
+  it("are held against the check of the figure, never against that of its regression", () => {
+    expect(checkOf(material, "flip.mean")?.value).toBe(0.15);
+    expect(checkOf(material, "bias.ev")?.value).toBe(-0.3);
+    expect(checkOf(whole, "flip.mean")).toBeNull();
+  });
+});
+
+describe("the cause", () => {
+  it("is the term whose swap lowers FLIP most", () => {
+    expect(rows[0]?.cause).toEqual({ term: "skySpecular", before: 0.4, after: 0.1 });
+  });
+
+  it("is none where no swap lowers FLIP by a tenth, or nothing is known", () => {
+    expect(causeOf({ ...attribution, terms: [{ term: "fog", flip: 0.361 }] })).toBeNull();
+    expect(causeOf({ ...attribution, terms: [{ term: "fog", flip: 0.36 }] })?.term).toBe("fog");
+    expect(causeOf({ ...attribution, flip: null })).toBeNull();
+    expect(causeOf(undefined)).toBeNull();
+    expect(causeOf({ flip: 0, terms: [{ term: "emissive", flip: 0 }] })).toBeNull();
+  });
+});
+
+describe("the filter", () => {
+  it("shows materials or views, and scenes that failed in both", () => {
+    expect(shown({})).toEqual(["Gold", "Wood", "Inside", "Broken"]);
+    expect(shown({ list: "views" })).toEqual(["front", "Broken"]);
+  });
+
+  it("needs every word, in the name, the place, the reason or the cause", () => {
+    expect(shown({ query: "desk GOLD" })).toEqual(["Gold"]);
+    expect(shown({ query: "above" })).toEqual(["Gold"]);
+    expect(shown({ query: "skyspec" })).toEqual(["Gold"]);
+    expect(shown({ query: "gold wood" })).toEqual([]);
+  });
+
+  it("narrows by verdict, cause and preset", () => {
+    expect(shown({ verdicts: ["fail", "not seen"] })).toEqual(["Gold", "Inside"]);
+    expect(shown({ causedBy: "skySpecular" })).toEqual(["Gold"]);
+    expect(shown({ causedBy: "fog" })).toEqual([]);
+    expect(shown({ preset: "default" })).toEqual(["Gold", "Wood", "Inside"]);
+  });
+
+  it("counts by verdict", () => {
+    expect(countRows(rows)).toEqual({ fail: 1, pass: 2, "not seen": 1, error: 1 });
+  });
+});
+
+describe("the order", () => {
+  const names = (key: string, ascending = false): string[] => sortRows(rows, key, ascending).map((row) => row.name);
+
+  it("has the gravest first, and the worse FLIP first among equals", () => {
+    expect(names("gravity")).toEqual(["Broken", "Gold", "Inside", "Wood", "front"]);
+  });
+
+  it("has what is not known last, whichever way", () => {
+    expect(names("flip.mean").slice(0, 3)).toEqual(["Gold", "Wood", "front"]);
+    expect(names("flip.mean", true).slice(0, 3)).toEqual(["front", "Wood", "Gold"]);
+  });
+
+  it("sorts names by letter and keeps the list it was given", () => {
+    expect(names("name", true)).toEqual(["Broken", "front", "Gold", "Inside", "Wood"]);
+    expect(rows[0]?.name).toBe("Gold");
+  });
+});
+
+describe("what is neither passed nor failed", () => {
+  const graver: Verdict[] = ["pass", "not seen", "too small", "not judged", "warn", "fail", "error"];
+  const materials = [
+    makeMaterial("Seen", "pass", 0.01),
+    makeMaterial("Hidden", "not seen", null),
+    makeMaterial("Speck", "too small", 0.3, { figures: makeFigures(0.3, { pixels: 12 }) }),
+    makeMaterial("Lamp", "not judged", 0.02, { figures: makeFigures(0.02, { clippedWhite: 0.8 }) }),
+    makeMaterial("Coat", "warn", 0.03, { notModelled: ["clearcoat", "sheen"] }),
+    makeMaterial("Bad", "fail", 0.3, { notModelled: ["clearcoat"], reason: "mean FLIP is above" }),
+  ];
+  const small = makeRows(makeReport([makeScene("Desk", [makeView("front", materials)])])).filter((row) => row.kind === "material");
+  const found = (patch: object): string[] => small.filter((row) => matches(row, filterOf({ ...kDefaultState, ...patch }))).map((row) => row.name);
+
+  it("weighs between what is seen and what is warned of, in the order of the report's verdicts", () => {
+    for (let i = 1; i < graver.length; ++i) expect(gravityOf(graver[i]!), graver[i]).toBeGreaterThan(gravityOf(graver[i - 1]!));
+    expect(sortRows(small, "gravity", false).map((row) => row.name)).toEqual(["Bad", "Coat", "Lamp", "Speck", "Hidden", "Seen"]);
+  });
+
+  it("is as grave as an error where the page does not know the verdict", () => {
+    expect(gravityOf("unheard of" as Verdict)).toBe(gravityOf("error"));
+  });
+
+  it("is filtered and counted by its own verdict", () => {
+    expect(found({ verdicts: ["too small"] })).toEqual(["Speck"]);
+    expect(found({ verdicts: ["not judged"] })).toEqual(["Lamp"]);
+    expect(countRows(small)).toEqual({ pass: 1, "not seen": 1, "too small": 1, "not judged": 1, warn: 1, fail: 1 });
+  });
+
+  it("says and finds what no path models, whatever the verdict is", () => {
+    expect(baseLayerText(["clearcoat", "sheen"])).toBe("base layer only: no path models clearcoat, sheen");
+    expect(baseLayerText([])).toBe("");
+    expect(found({ query: "clearcoat" })).toEqual(["Coat", "Bad"]);
+    expect(found({ query: "base layer" })).toEqual(["Coat", "Bad"]);
+    expect(small.map((row) => row.notModelled.length)).toEqual([0, 0, 0, 0, 2, 1]);
+  });
+});

@@ -1,0 +1,14 @@
+import { describe, expect, it } from "vitest";
+
+import type { Stage } from "../../src/data/types";
+import { stageLine, wordsOf } from "../../src/item/stages";
+import { makeFigures, makeReport } from "./sample";
+
+describe("a stage of the mobile path", () => {
+  it("is a line in words, also one that the page has no words for", () => {
+    expect(wordsOf("encoding")).toBe("The render target");
+    expect(wordsOf("textures")).toBe("Compression of textures by");
+    const third: Stage = { stage: "upscaling", through: "a bicubic of half size", figures: makeFigures(0.25) };
+    expect(stageLine(third, makeReport([])).values.slice(0, 3)).toEqual(["The stage upscaling by", "a bicubic of half size", "0.2500"]);
+  });
+});

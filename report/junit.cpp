@@ -1,0 +1,177 @@
+// junit.xml: what CI servers show. A suite a scene, a testcase a view x material and one for each whole image.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text/text.h"
+#include "compare/verdict/wording.h"
+#include "report/report.h"
+#include "report/wording.h"
+
+namespace parity::report {
+namespace {
+
+struct Tally {
+  std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
+
+  void add(const Tally& other) {
+    tests += other.tests;
+    failures += other.failures;
+    errors += other.errors;
+    skipped += other.skipped;
+  }
+  std::string attributes() const {
+    return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\"", tests, failures, errors, skipped);
+  }
+};
+
+struct Suite {
+  std::string name, cases;
+  Tally tally;
+};
+
+std::string ruleLines(const compare::AppliedRule& rule) {
+  std::string lines;
+  if (!rule.origin.empty()) lines += "budget: " + rule.origin + "\n";
+  if (!rule.reason.empty()) lines += "reason for the budget: " + rule.reason + "\n";
+  if (!rule.owner.empty()) lines += "owner: " + rule.owner + "\n";
+  return lines;
+}
+
+std::string baselineLines(const std::optional<BaselineChange>& baseline) {
+  if (!baseline) return {};
+  if (baseline->isNew) return "baseline: new, it does not show it\n";
+  if (!baseline->notComparable.empty()) return fmt::format("baseline: not comparable: {}\n", baseline->notComparable);
+  std::string line = fmt::format("baseline: {}", nameOf(baseline->before));
+  for (const FigureChange& change : baseline->changes)
+    line += fmt::format(", {} {}", change.metric, compare::formatChange(change.metric, change.change()));
+  return line + "\n";
+}
+
+std::string figureLines(const compare::Figures& figures, const std::string& test,
+                        const std::vector<compare::CheckResult>& checks) {
+  std::string lines;
+  for (const compare::CheckResult& check : checks) {
+    const bool said = !check.judged() || std::isnan(check.value); // the sentence holds the note
+    lines += fmt::format("{}: {}{}\n", check.judged() ? nameOf(check.verdict) : "not judged",
+                         compare::describeCheck(check), check.note.empty() || said ? "" : " (" + check.note + ")");
+  }
+  if (figures.pixels == 0) return lines;
+  lines += fmt::format("{} pixels", figures.pixels);
+  for (const compare::Figure& figure : figures.values)
+    lines += fmt::format(", {} {}", figure.name, compare::formatFigure(figure.name, figure.value));
+  lines += fmt::format("; {}\n", compare::describeBias(figures, test));
+  if (const std::string clipping = compare::describeClipping(figures); !clipping.empty())
+    lines += "clipped: " + clipping + "\n";
+  return lines;
+}
+
+void addCase(Suite& suite, const std::string& className, const std::string& name, compare::Verdict verdict,
+             const std::string& reason, const std::string& details) {
+  ++suite.tally.tests;
+  suite.cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\">\n", base::escapeMarkup(className),
+                             base::escapeMarkup(name));
+  const auto element = [&](const char* tag, const char* type) {
+    suite.cases += fmt::format("      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n", tag, type,
+                               base::escapeMarkup(reason), base::escapeMarkup(details));
+  };
+  switch (verdict) {
+  case compare::Verdict::pass:
+    break;
+  case compare::Verdict::notSeen:
+  case compare::Verdict::tooSmall:
+  case compare::Verdict::notJudged:
+    ++suite.tally.skipped;
+    suite.cases += fmt::format("      <skipped message=\"{}: {}\"/>\n", nameOf(verdict), base::escapeMarkup(reason));
+    break;
+  case compare::Verdict::warn: // JUnit knows no warnings: the case passes and says so
+    suite.cases += fmt::format("      <system-out>{}</system-out>\n",
+                               base::escapeMarkup(fmt::format("warning: {}\n{}", reason, details)));
+    break;
+  case compare::Verdict::fail:
+    ++suite.tally.failures;
+    element("failure", "budget");
+    break;
+  case compare::Verdict::error:
+    ++suite.tally.errors;
+    element("error", "error");
+    break;
+  }
+  suite.cases += "    </testcase>\n";
+}
+
+std::string materialDetails(const MaterialResult& material) {
+  std::string details = figureLines(material.figures, material.test, material.checks);
+  const std::string cause = material.attribution ? describeCause(*material.attribution) : "";
+  if (!cause.empty()) details += "cause: " + cause + "\n";
+  for (const std::string& note : material.notes) details += "note: " + note + "\n";
+  return details + baselineLines(material.baseline) + ruleLines(material.rule);
+}
+
+Suite makeSuite(const SceneResult& scene) {
+  Suite suite{scene.name, "", {}};
+  if (!scene.error.empty()) addCase(suite, scene.name, "scene", compare::Verdict::error, scene.error, "");
+  for (const ViewResult& view : scene.views) {
+    const std::string className = scene.name + "." + view.name;
+    addCase(suite, className, "(whole image)", view.wholeVerdict, view.reason,
+            figureLines(view.whole, view.test, view.checks) + baselineLines(view.baseline) + ruleLines(view.rule));
+    for (const MaterialResult& material : view.materials)
+      addCase(suite, className, material.name, material.verdict, material.reason, materialDetails(material));
+  }
+  return suite;
+}
+
+// What concerns the run as a whole. CI servers follow cases by name, so that a name holds no figures.
+Suite makeRunSuite(const Report& report, const std::vector<RunProblem>& problems) {
+  Suite suite{"run", "", {}};
+  for (std::size_t i = 0; i < problems.size(); ++i)
+    addCase(suite, "run", fmt::format("problem {}", i + 1), problems[i].verdict, problems[i].reason, "");
+  for (std::size_t i = 0; i < report.warnings.size(); ++i)
+    addCase(suite, "run", fmt::format("warning {}", i + 1), compare::Verdict::warn, report.warnings[i], "");
+  return suite;
+}
+
+Suite makeBaselineSuite(const BaselineSummary& baseline) {
+  Suite suite{"baseline", "", {}};
+  addCase(suite, "baseline", baseline.source, baseline.error.empty() ? compare::Verdict::pass : compare::Verdict::error,
+          baseline.error, "");
+  for (const GoneRow& row : baseline.gone)
+    addCase(suite, "baseline", describeGone(row), compare::Verdict::warn, describeGone(row), "");
+  return suite;
+}
+
+} // namespace
+
+std::string toJunit(const Report& report, const RunInfo& run) {
+  std::vector<Suite> suites;
+  for (const SceneResult& scene : report.scenes) suites.push_back(makeSuite(scene));
+  if (suites.empty()) {
+    suites.push_back({"report", "", {}});
+    addCase(suites.back(), "report", "report", compare::Verdict::error, "the report holds no scene", "");
+  }
+  const std::vector<RunProblem> problems = problemsOf(report);
+  if (!problems.empty() || !report.warnings.empty()) suites.push_back(makeRunSuite(report, problems));
+  if (report.baseline) suites.push_back(makeBaselineSuite(*report.baseline));
+  Tally total;
+  for (const Suite& suite : suites) total.add(suite.tally);
+
+  std::string properties;
+  const auto property = [&](const std::string& name, const std::string& value) {
+    properties += fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", base::escapeMarkup(name),
+                              base::escapeMarkup(value));
+  };
+  property("version", report.version);
+  property("device", report.device);
+  for (const auto& [name, value] : report.settings) property(name, value);
+  const std::string timestamp =
+      run.startedAt.empty() ? "" : fmt::format(" timestamp=\"{}\"", base::escapeMarkup(run.startedAt));
+
+  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  xml += fmt::format("<testsuites name=\"{}\" {}>\n", base::escapeMarkup(report.tool), total.attributes());
+  for (const Suite& suite : suites)
+    xml += fmt::format("  <testsuite name=\"{}\" {}{}>\n    <properties>\n{}    </properties>\n{}  </testsuite>\n",
+                       base::escapeMarkup(suite.name), suite.tally.attributes(), timestamp, properties, suite.cases);
+  return xml + "</testsuites>\n";
+}
+
+} // namespace parity::report

@@ -1,0 +1,211 @@
+// The result of a run as plain data: what report.json, junit.xml, index.html and the table are written from.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/text/json_writer.h"
+#include "compare/metrics/attribution.h"
+#include "compare/metrics/truth.h"
+#include "compare/pooling/condition.h"
+#include "compare/pooling/figures.h"
+#include "compare/verdict/check.h"
+#include "report/dropped_lights.h"
+#include "report/pass.h"
+#include "report/permutation.h"
+#include "report/stage.h"
+
+namespace parity::report {
+
+// What a figure was in the baseline and is now; either may be infinite (psnr).
+struct FigureChange {
+  std::string metric;
+  double before = 0, now = 0;
+  double change() const { return before == now ? 0 : now - before; } // also of infinities
+};
+
+// How a material or a whole image compares to the baseline's of the same name.
+struct BaselineChange {
+  bool isNew = false;                               // the baseline does not show it: all else is empty
+  compare::Verdict before = compare::Verdict::pass; // the verdict that it had there
+  std::vector<FigureChange> changes;                // of figures that both have, in this report's order; empty without
+                                                    // pixels, and where the baseline's were NaN or infinite
+  std::string notComparable = {}; // not empty: the conditions of its figures differ, these do; there are no changes
+};
+
+// Paths relative to the report folder, '/'-separated; empty where there is none.
+struct ImageSet {
+  std::string reference, test, flip; // PNG for display: high-end, mobile, FLIP in magma
+};
+
+// Mean scene-referred luminance of one term over the material's pixels, by both paths (only with --terms).
+struct TermFigures {
+  std::string term;
+  double reference = 0, test = 0;
+};
+
+// Files of the values behind a view's pictures (report/pixel_chunk.h), relative to the report folder; empty where
+// there is none.
+struct PixelFiles {
+  std::string color; // both paths (and the truth), FLIP, which material is where
+  std::string terms; // both paths' terms
+};
+
+struct MaterialResult {
+  std::string name;
+  std::string test = "mobile"; // the view's
+  compare::Figures
+      figures; // high-end against high-end with this material's mobile colours (compare/metrics/measure_swaps.h)
+  std::vector<compare::CheckResult> checks;
+  compare::Verdict verdict = compare::Verdict::pass;
+  std::string reason;                   // all that decided the verdict; empty on a pass
+  std::vector<std::string> notModelled; // parts of it that no path models ("clearcoat"): only its base layer is judged
+  std::vector<std::string> notes;       // permutation ("nonmetal", "fully rough"), sampler excess, tinted F0, ...
+  std::vector<TermFigures> terms;
+  ImageSet crops; // around the material's pixels; empty where it is not seen
+  compare::AppliedRule rule;
+  std::optional<BaselineChange> baseline;          // only where there is one
+  std::optional<compare::Truth> truth;             // only with --truth
+  std::vector<StageResult> stages;                 // in the order of the table's columns
+  std::optional<compare::Attribution> attribution; // of a material over budget, or as the run was asked
+  bool seenElsewhere = false; // set by settleVerdicts: not seen here, but in another view, so it does not count
+};
+
+struct ViewResult {
+  std::string name;
+  std::string reference = "highend", test = "mobile"; // the paths whose pictures its figures compare
+  int width = 0, height = 0;
+  compare::Figures whole; // high-end against mobile, over all pixels of any material
+  std::vector<compare::CheckResult> checks;
+  compare::AppliedRule rule;                              // of the whole image
+  std::optional<BaselineChange> baseline;                 // of the whole image; only where there is one
+  std::optional<compare::Truth> truth;                    // of the whole image; only with --truth
+  std::vector<StageResult> stages;                        // of the whole image
+  compare::Verdict verdict = compare::Verdict::pass;      // of the view: its whole image and its materials
+  compare::Verdict wholeVerdict = compare::Verdict::pass; // of the whole image alone
+  std::string reason;                                     // all that decided wholeVerdict; empty on a pass
+  std::vector<MaterialResult> materials;                  // in the scene's order
+  ImageSet images;
+  PixelFiles pixels;
+  double exposureEv = 0;                      // of its pictures: what the values of `pixels` are exposed by
+  std::optional<DroppedLights> droppedLights; // where mobile drops any, and the run was asked
+  std::vector<compare::Condition> conditions; // its camera
+};
+
+struct SceneResult {
+  std::string name, source, environment, sun; // as the user wrote them: no absolute paths
+  std::string light;                          // its scales and fog in words; empty: the defaults
+  std::vector<std::string> warnings;
+  std::vector<ViewResult> views;
+  std::vector<PassResult> passes;              // in the order of the work, over all views
+  std::vector<PermutationResult> permutations; // that made the pictures, by path, in order of first use
+  std::string error; // not empty: the scene could not be compared, this line says why; views hold what was done before
+  int errorExitCode = 0; // 3 or 4 where there is an error (settleVerdicts makes 4 of anything else)
+  compare::Verdict verdict = compare::Verdict::pass;
+  std::vector<compare::Condition> conditions; // its light, what of the file is shown, ...
+};
+
+// What the baseline shows and this run does not: a material, a whole view (material empty) or a whole scene (both).
+struct GoneRow {
+  std::string scene, view, material;
+};
+
+// The earlier report that a run was held against (report/baseline.h).
+struct BaselineSummary {
+  std::string source, version, device; // the file as given (without its folder, if that is absolute); what made it
+  std::size_t common = 0;              // material views that both show
+  std::vector<GoneRow> gone;           // not empty: at least a warning
+  std::string error;                   // not empty: it could not be used, this line says why
+  std::size_t notComparable = 0;       // rows that both show, under other conditions; not 0: at least a warning
+};
+
+// Why a run as a whole is no pass, whatever its rows say.
+struct RunProblem {
+  compare::Verdict verdict = compare::Verdict::error; // or fail
+  std::string reason;                                 // one sentence
+  std::string file; // of the budget rule that says so, as the user named it; empty: none
+  int line = 0;     // in it
+};
+
+struct Report {
+  std::string tool = "parity", version;
+  std::string device;                                        // Vulkan device name and driver
+  std::vector<std::pair<std::string, std::string>> settings; // name, value, in a fixed order: for people
+  std::vector<compare::Condition> conditions;                // of every scene; the device is one more
+  std::string displayTable;                                  // file of the display transform as a table (PixelFiles)
+  std::vector<std::string> warnings;                         // of the whole run: a rule that judges nothing, ...
+  std::vector<RunProblem> lost;                              // what budgets require and no scene has (findLost)
+  std::optional<BaselineSummary> baseline;
+  std::vector<SceneResult> scenes;
+  compare::Verdict verdict = compare::Verdict::pass;
+};
+
+// What differs from run to run, kept out of the report so that it is byte-identical.
+struct RunInfo {
+  std::string startedAt; // ISO 8601, UTC
+  std::string commandLine;
+  std::vector<std::pair<std::string, double>> timings; // stage, ms
+  std::size_t compiledShaders = 0;                     // of all paths, the same one once
+  std::vector<std::string> cachedScenes;               // whose results were taken from the cache, unchanged
+};
+
+// How many rows have each verdict.
+struct VerdictCounts {
+  std::size_t pass = 0, notSeen = 0, tooSmall = 0, notJudged = 0, warn = 0, fail = 0, error = 0;
+  std::size_t total() const { return pass + notSeen + tooSmall + notJudged + warn + fail + error; }
+};
+VerdictCounts countVerdicts(const Report& report); // material x view; those not seen here but elsewhere are left out
+VerdictCounts countWholes(const Report& report);   // whole images
+
+// Whether any view was held against the ground truth.
+bool hasTruth(const Report& report);
+
+// Sets one material's verdict and reason from its figures and checks, and `seenElsewhere` as given (it matters only
+// where there are fewer pixels than its budget's minPixels): no pixel = notSeen, few = tooSmall, or fail where its
+// budget requires it to be seen and no other view shows it; non-finite pixels = fail; no checks, none that could be
+// judged, a figure that is NaN or a truth that is not finite = error; else the worst check. (A rule of regressions
+// alone, for a material that the baseline does not have: warn, as it is new.) Where no check fails: notJudged above
+// kMostClipping, at least warn from kNotableClipping on and for parts that no path models. The reason names all checks
+// and conditions that have the verdict. What is not comparable to the baseline is at least a warning.
+void settleMaterial(MaterialResult& material, bool seenElsewhere);
+
+// Sets every verdict above the checks' from its parts, also the materials' by settleMaterial (another view of the scene
+// may show what this one does not: same place in the list, same name). A scene with an error, or with no view, is
+// `error`; so are a view with no materials, a report with no scenes, and one whose baseline has an error. A problem of
+// the run (problemsOf) is what it says; a warning of the run, and rows that are gone since the baseline, are at least a
+// warning. Idempotent.
+void settleVerdicts(Report& report);
+
+// The problems of a settled report as a whole, the gravest first: an error where scenes were compared, but no material
+// of theirs (all are not seen, too small or not judged), and what is lost.
+std::vector<RunProblem> problemsOf(const Report& report);
+
+// The exit code of a settled report (DESIGN 8): 0, 1 (only with warnExit; notSeen and the run's own warnings count), 2,
+// or the scenes' own 3 or 4 (4 for any other errorExitCode, and for a verdict `error`); the highest that applies.
+int exitCode(const Report& report, bool warnExit);
+
+// The whole report in a sentence: "3 of 40 materials over budget".
+std::string headline(const Report& report);
+
+// The version of report/report.schema.json: raised when a reader of the old form could misread the new one.
+inline constexpr int kReportSchema = 4;
+
+// JSON by report/report.schema.json, UTF-8, keys in fixed order, no times: byte-identical for equal
+// reports.
+std::string toJson(const Report& report, base::JsonLayout layout = base::JsonLayout::indented);
+std::string toJson(const RunInfo& run, base::JsonLayout layout = base::JsonLayout::indented);
+// JUnit: a testcase per scene x material; failures and errors with their figures.
+std::string toJunit(const Report& report, const RunInfo& run);
+// Per-material table for a terminal (parity diff), one row a material and view. color: ANSI.
+std::string toTable(const Report& report, bool color);
+// Workflow commands of GitHub Actions: "::error ..." for each row that failed or could not be judged, "::warning ..."
+// for each warning, the gravest first (only the first ten of a kind are shown), each with the place of its budget rule.
+// Files below `root` (the checkout) are named relative to it. Ends with a line feed, or is empty.
+std::string toGithubAnnotations(const Report& report, const std::filesystem::path& root);
+
+} // namespace parity::report

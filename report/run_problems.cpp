@@ -1,0 +1,42 @@
+// What makes a run as a whole no pass.
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "report/report.h"
+
+namespace parity::report {
+namespace {
+
+// Scenes that could not be compared, and views of no material, are errors with a reason of their own.
+bool hasOwnError(const Report& report) {
+  return report.scenes.empty() || std::ranges::any_of(report.scenes, [](const SceneResult& scene) {
+           return !scene.error.empty() || scene.views.empty() ||
+                  std::ranges::any_of(scene.views, [](const ViewResult& view) { return view.materials.empty(); });
+         });
+}
+
+// "3 not seen, 1 too small" where that is all there is; empty where any material was compared.
+std::string describeNothingCompared(const Report& report) {
+  if (hasOwnError(report)) return {};
+  const VerdictCounts counts = countVerdicts(report);
+  std::vector<std::string> parts;
+  for (const auto& [count, verdict] : {std::pair{counts.notSeen, compare::Verdict::notSeen},
+                                       {counts.tooSmall, compare::Verdict::tooSmall},
+                                       {counts.notJudged, compare::Verdict::notJudged}})
+    if (count > 0) parts.push_back(fmt::format("{} {}", count, nameOf(verdict)));
+  if (counts.notSeen + counts.tooSmall + counts.notJudged < counts.total()) return {};
+  return fmt::format("no material was compared: {}", fmt::join(parts, ", "));
+}
+
+} // namespace
+
+std::vector<RunProblem> problemsOf(const Report& report) {
+  std::vector<RunProblem> problems = report.lost;
+  if (std::string reason = describeNothingCompared(report); !reason.empty())
+    problems.insert(problems.begin(), {compare::Verdict::error, std::move(reason), "", 0});
+  return problems;
+}
+
+} // namespace parity::report

@@ -1,0 +1,276 @@
+// From checks to verdicts: of a material, a view, a scene, the report; and the exit code.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "compare/pooling/statistic.h"
+#include "compare/verdict/wording.h"
+#include "report/report.h"
+
+namespace parity::report {
+namespace {
+
+compare::Verdict worse(compare::Verdict a, compare::Verdict b) { return std::max(a, b); }
+
+// Infinite may only be what is better the more of it there is: psnr of identical images.
+bool isSound(const compare::Figure& figure) {
+  if (std::isfinite(figure.value)) return true;
+  const std::optional<compare::Statistic> statistic = compare::statisticByName(figure.name);
+  return figure.value == INFINITY && statistic && statistic->better == compare::Better::higher;
+}
+
+// The name of a figure that is no number; empty if there is none.
+std::string findUnsound(const compare::Figures& figures) {
+  if (!std::isfinite(figures.referenceLuma) || !std::isfinite(figures.testLuma)) return "luma";
+  if (!std::isfinite(figures.referenceLuminance) || !std::isfinite(figures.testLuminance)) return "luminance";
+  if (!std::isfinite(figures.clipped())) return "share of clipped pixels";
+  const auto unsound = std::ranges::find_if_not(figures.values, isSound);
+  return unsound == figures.values.end() ? "" : unsound->name;
+}
+
+struct Judgement {
+  compare::Verdict verdict = compare::Verdict::pass;
+  std::string reason;
+
+  void add(const std::string& sentence) { reason += (reason.empty() ? "" : "; ") + sentence; }
+};
+
+// The worst verdict of the checks that could be judged, and all sentences that have it.
+Judgement judgeChecks(const std::vector<compare::CheckResult>& checks) {
+  if (checks.empty()) return {compare::Verdict::error, "no budget check applies"};
+  const bool anyJudged = std::ranges::any_of(checks, &compare::CheckResult::judged);
+  Judgement judgement;
+  for (const compare::CheckResult& check : checks) {
+    if (anyJudged && !check.judged()) continue;
+    if (check.verdict > judgement.verdict) judgement = {check.verdict, {}};
+    if (check.verdict == judgement.verdict && check.verdict != compare::Verdict::pass)
+      judgement.add(compare::describeCheck(check));
+  }
+  if (!anyJudged) judgement.reason = "nothing of its budget could be judged: " + judgement.reason;
+  return judgement;
+}
+
+// What holds for a material and for a whole image alike, once there is a pixel. isMaterial: most of a material may be
+// clipped, so that it cannot be judged; a whole image only warns of it.
+Judgement judgeSeen(const compare::Figures& figures, const std::vector<compare::CheckResult>& checks,
+                    const std::vector<std::string>& notModelled, bool isMaterial) {
+  if (figures.nonFinite > 0)
+    return {compare::Verdict::fail, fmt::format("{} of {} pixels are NaN or infinite in one of the two renders",
+                                                figures.nonFinite, figures.pixels)};
+  if (const std::string unsound = findUnsound(figures); !unsound.empty())
+    return {compare::Verdict::error, fmt::format("a figure is not a number: {}", unsound)};
+  if (figures.values.empty()) return {compare::Verdict::error, "no figure was measured"};
+
+  Judgement judgement = judgeChecks(checks);
+  if (judgement.verdict == compare::Verdict::error) return judgement;
+  // Of what fails they are no reason, but its reader should know.
+  const auto warn = [&](const std::string& why) {
+    if (why.empty()) return;
+    judgement.verdict = std::max(judgement.verdict, compare::Verdict::warn);
+    judgement.add(why);
+  };
+  warn(compare::describeClipping(figures));
+  if (!notModelled.empty()) warn(fmt::format("base layer only: no path models {}", fmt::join(notModelled, ", ")));
+  // What warns of a material that is clipped for the most part is said, too: it is no verdict on it.
+  if (judgement.verdict < compare::Verdict::fail && isMaterial && figures.clipped() > compare::kMostClipping)
+    judgement.verdict = compare::Verdict::notJudged;
+  return judgement;
+}
+
+// A truth that is no number measured nothing: an error, whatever was judged besides.
+Judgement withTruth(Judgement judgement, const std::optional<compare::Truth>& truth) {
+  if (!truth || truth->figures.nonFinite == 0) return judgement;
+  std::string reason = fmt::format("{} of {} pixels of the truth are NaN or infinite", truth->figures.nonFinite,
+                                   truth->figures.reference.pixels);
+  if (!judgement.reason.empty()) reason += "; " + judgement.reason;
+  return {worse(judgement.verdict, compare::Verdict::error), std::move(reason)};
+}
+
+// What the baseline shows under other conditions was not held against it: that is no pass.
+Judgement withBaseline(Judgement judgement, const std::optional<BaselineChange>& baseline) {
+  if (!baseline || baseline->notComparable.empty()) return judgement;
+  judgement.verdict = worse(judgement.verdict, compare::Verdict::warn);
+  if (judgement.reason.find(baseline->notComparable) != std::string::npos) return judgement; // of a check
+  judgement.add("not comparable to the baseline: " + baseline->notComparable);
+  return judgement;
+}
+
+// Whether so much of the material is seen that it can be judged. NaN is never too small.
+bool isSeen(const MaterialResult& material) {
+  return material.figures.pixels > 0 &&
+         (material.figures.pixels >= material.rule.minPixels || material.figures.nonFinite > 0);
+}
+
+// The name of another view of the scene that shows enough of the material; empty if there is none.
+std::string findOtherView(const SceneResult& scene, const ViewResult& here, std::size_t index) {
+  for (const ViewResult& view : scene.views)
+    if (&view != &here && index < view.materials.size() && view.materials[index].name == here.materials[index].name &&
+        isSeen(view.materials[index]))
+      return view.name;
+  return {};
+}
+
+// "12 pixels, fewer than the 64 of its budget (min_pixels)".
+std::string describeSize(const MaterialResult& material) {
+  return fmt::format("{} pixel{}, fewer than the {} of its budget (min_pixels)", material.figures.pixels,
+                     material.figures.pixels == 1 ? "" : "s", material.rule.minPixels);
+}
+
+void settleWhole(ViewResult& view) {
+  Judgement judgement;
+  if (view.materials.empty())
+    judgement = {compare::Verdict::error, "the view holds no material to compare"};
+  else if (view.whole.pixels == 0)
+    judgement = {compare::Verdict::notSeen, "no pixel of this view shows any material"};
+  else
+    judgement = withBaseline(withTruth(judgeSeen(view.whole, view.checks, {}, false), view.truth), view.baseline);
+  view.wholeVerdict = judgement.verdict;
+  view.reason = std::move(judgement.reason);
+}
+
+void settleView(const SceneResult& scene, ViewResult& view) {
+  settleWhole(view);
+  view.verdict = view.wholeVerdict;
+  for (std::size_t i = 0; i < view.materials.size(); ++i) {
+    MaterialResult& material = view.materials[i];
+    const std::string other = findOtherView(scene, view, i);
+    settleMaterial(material, !other.empty());
+    if (material.seenElsewhere)
+      material.reason = fmt::format("{} in this view; view '{}' shows it",
+                                    material.figures.pixels > 0 ? describeSize(material) : "not seen", other);
+    if (!material.seenElsewhere) view.verdict = worse(view.verdict, material.verdict);
+  }
+}
+
+void settleScene(SceneResult& scene) {
+  if (scene.error.empty() && scene.views.empty()) {
+    scene.error = "no view was compared";
+    scene.errorExitCode = static_cast<int>(base::ExitCode::failed);
+  }
+  if (!scene.error.empty() && scene.errorExitCode != static_cast<int>(base::ExitCode::notComparable))
+    scene.errorExitCode = static_cast<int>(base::ExitCode::failed);
+  scene.verdict = scene.error.empty() ? compare::Verdict::pass : compare::Verdict::error;
+  for (ViewResult& view : scene.views) {
+    settleView(scene, view);
+    scene.verdict = worse(scene.verdict, view.verdict);
+  }
+}
+
+void count(VerdictCounts& counts, compare::Verdict verdict) {
+  switch (verdict) {
+  case compare::Verdict::pass:
+    ++counts.pass;
+    break;
+  case compare::Verdict::notSeen:
+    ++counts.notSeen;
+    break;
+  case compare::Verdict::tooSmall:
+    ++counts.tooSmall;
+    break;
+  case compare::Verdict::notJudged:
+    ++counts.notJudged;
+    break;
+  case compare::Verdict::warn:
+    ++counts.warn;
+    break;
+  case compare::Verdict::fail:
+    ++counts.fail;
+    break;
+  case compare::Verdict::error:
+    ++counts.error;
+    break;
+  }
+}
+
+compare::Verdict verdictOf(const BaselineSummary& baseline) {
+  if (!baseline.error.empty()) return compare::Verdict::error;
+  return baseline.gone.empty() ? compare::Verdict::pass : compare::Verdict::warn;
+}
+
+} // namespace
+
+VerdictCounts countVerdicts(const Report& report) {
+  VerdictCounts counts;
+  for (const SceneResult& scene : report.scenes)
+    for (const ViewResult& view : scene.views)
+      for (const MaterialResult& material : view.materials)
+        if (!material.seenElsewhere) count(counts, material.verdict);
+  return counts;
+}
+
+VerdictCounts countWholes(const Report& report) {
+  VerdictCounts counts;
+  for (const SceneResult& scene : report.scenes)
+    for (const ViewResult& view : scene.views) count(counts, view.wholeVerdict);
+  return counts;
+}
+
+bool hasTruth(const Report& report) {
+  return std::ranges::any_of(report.scenes, [](const SceneResult& scene) {
+    return std::ranges::any_of(scene.views, [](const ViewResult& view) { return view.truth.has_value(); });
+  });
+}
+
+void settleMaterial(MaterialResult& material, bool seenElsewhere) {
+  material.seenElsewhere = false;
+  Judgement judgement;
+  const bool isSmall = material.figures.pixels > 0;
+  if (isSeen(material)) {
+    judgement = withBaseline(
+        withTruth(judgeSeen(material.figures, material.checks, material.notModelled, true), material.truth),
+        material.baseline);
+  } else {
+    judgement = {isSmall ? compare::Verdict::tooSmall : compare::Verdict::notSeen,
+                 isSmall ? describeSize(material) : "no view shows it"};
+    if (seenElsewhere) {
+      material.seenElsewhere = true;
+      judgement.add("another view shows it");
+    } else if (material.rule.requireSeen) {
+      judgement = {compare::Verdict::fail, judgement.reason + ", and its budget requires that it is seen"};
+    }
+  }
+  material.verdict = judgement.verdict;
+  material.reason = std::move(judgement.reason);
+}
+
+void settleVerdicts(Report& report) {
+  report.verdict = report.scenes.empty() ? compare::Verdict::error : compare::Verdict::pass;
+  for (SceneResult& scene : report.scenes) {
+    settleScene(scene);
+    report.verdict = worse(report.verdict, scene.verdict);
+  }
+  if (report.baseline) report.verdict = worse(report.verdict, verdictOf(*report.baseline));
+  if (!report.warnings.empty()) report.verdict = worse(report.verdict, compare::Verdict::warn);
+  for (const RunProblem& problem : problemsOf(report)) report.verdict = worse(report.verdict, problem.verdict);
+}
+
+int exitCode(const Report& report, bool warnExit) {
+  using base::ExitCode;
+  ExitCode code = ExitCode::withinBudget;
+  const auto raise = [&](ExitCode other) { code = std::max(code, other); };
+  if (report.scenes.empty()) raise(ExitCode::failed);
+  if (report.baseline && verdictOf(*report.baseline) == compare::Verdict::error) raise(ExitCode::failed);
+  if (report.baseline && warnExit && verdictOf(*report.baseline) == compare::Verdict::warn)
+    raise(ExitCode::warningsOnly);
+  if (warnExit && !report.warnings.empty()) raise(ExitCode::warningsOnly);
+  for (const RunProblem& problem : problemsOf(report))
+    raise(problem.verdict == compare::Verdict::error ? ExitCode::failed : ExitCode::overBudget);
+  for (const SceneResult& scene : report.scenes) {
+    if (!scene.error.empty())
+      raise(scene.errorExitCode == static_cast<int>(ExitCode::notComparable) ? ExitCode::notComparable
+                                                                             : ExitCode::failed);
+    // A scene's own verdict is `error` also for its error line, whose code stands above; its views tell the rest.
+    if (scene.error.empty() && scene.views.empty()) raise(ExitCode::failed);
+    for (const ViewResult& view : scene.views) {
+      if (view.verdict == compare::Verdict::error) raise(ExitCode::failed);
+      if (view.verdict == compare::Verdict::fail) raise(ExitCode::overBudget);
+      if (warnExit && view.verdict != compare::Verdict::pass) raise(ExitCode::warningsOnly);
+    }
+  }
+  return static_cast<int>(code);
+}
+
+} // namespace parity::report

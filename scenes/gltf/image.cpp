@@ -1,0 +1,113 @@
+// Images of a glTF file: read, checked against the limits by their headers, decoded in parallel.
+#include "scenes/gltf/image.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/file.h"
+#include "base/image/image_io.h"
+#include "base/image/jpeg_check.h"
+#include "base/parallel.h"
+#include "scenes/gltf/file/image_header.h"
+
+namespace parity::scenes {
+namespace {
+
+constexpr std::size_t kMaxImageBytes = std::size_t{512} << 20; // of a file
+
+// One image on its way: its bytes until it is decoded.
+struct Encoded {
+  std::string place;
+  std::vector<std::byte> file;
+  std::span<const std::byte> bytes;
+  SourceFile source;
+  bool isUsable = false, isJpeg = false;
+  std::string damage; // of a JPEG, in libjpeg's words
+};
+
+void readEncoded(const GltfDocument& document, const GltfImageSource& source, Encoded& encoded) {
+  if (source.bufferView >= 0)
+    encoded.bytes = document.bufferView(source.bufferView);
+  else if (!source.file.empty()) {
+    try {
+      const std::size_t bytes = base::regularFileSize(source.file);
+      if (bytes > kMaxImageBytes) throw document.error("", fmt::format("is larger than {} MiB", kMaxImageBytes >> 20));
+      document.memory.take(bytes, encoded.place);
+      encoded.file = base::readFile(source.file, bytes);
+    } catch (const base::Error& error) {
+      throw document.error(encoded.place, error.reason());
+    }
+    encoded.bytes = encoded.file;
+    encoded.source = sourceFile(source.named, encoded.file);
+  } else
+    encoded.bytes = source.embedded;
+}
+
+// The texels of the image, by its header; sets its kind. Throws Error (exit 4).
+std::size_t checkHeader(const GltfDocument& document, Encoded& encoded, std::size_t texelsBefore) {
+  const LoadOptions& options = document.options;
+  const auto fail = [&](const std::string& reason) { return document.error(encoded.place, reason); };
+  if (encoded.bytes.empty()) throw fail("the image is empty");
+  const ImageHeader header = readImageHeader(encoded.bytes);
+  if (header.format == ImageFormat::ktx2)
+    throw fail("a KTX 2 image, expected PNG, JPEG or WebP: there is no Basis Universal transcoder here");
+  if (header.format == ImageFormat::unknown) throw fail("neither a PNG, a JPEG nor a WebP image");
+  if (header.width == 0 || header.height == 0) throw fail("a width or height of 0, or a truncated header");
+  if (std::max(header.width, header.height) > options.maxImageSide)
+    throw fail(fmt::format("{}x{} pixels, expected at most {} a side (--max-image)", header.width, header.height,
+                           options.maxImageSide));
+  const std::size_t texels = header.width * header.height;
+  if (texels > options.maxImageTexels || texelsBefore > options.maxImageTexels - texels)
+    throw fail(
+        fmt::format("the images of the scene have more than {} texels together (--max-image)", options.maxImageTexels));
+  if (header.isCutOff) throw fail("truncated: the image ends before its end marker");
+  document.memory.take(texels * 4, encoded.place);
+  encoded.isJpeg = header.format == ImageFormat::jpeg;
+  return texels;
+}
+
+} // namespace
+
+DecodedImages decodeImages(const GltfDocument& document, const std::vector<int>& used, Problems& problems) {
+  std::vector<Encoded> all(used.size());
+  std::size_t texels = 0;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const GltfImageSource& source = document.images[static_cast<std::size_t>(used[i])];
+    all[i].place = fmt::format("/images/{} '{}'", used[i], source.name);
+    all[i].isUsable = problems.attempt([&] {
+      readEncoded(document, source, all[i]);
+      texels += checkHeader(document, all[i], texels);
+    });
+  }
+
+  DecodedImages decoded;
+  decoded.images.resize(used.size());
+  std::vector<std::optional<base::Error>> failed(used.size());
+  base::parallelFor(used.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      decoded.images[i].name = document.images[static_cast<std::size_t>(used[i])].name;
+      if (!all[i].isUsable) continue;
+      try {
+        decoded.images[i].pixels =
+            base::decodeImage8(all[i].bytes, decoded.images[i].name, 4, {.maxBytes = document.options.maxMemoryBytes});
+        if (all[i].isJpeg) all[i].damage = base::findJpegDamage(all[i].bytes);
+      } catch (const base::Error& error) {
+        failed[i] = document.error(all[i].place, error.reason());
+      }
+      document.memory.release(all[i].file.size());
+      std::vector<std::byte>().swap(all[i].file);
+    }
+  });
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (failed[i]) problems.add(*failed[i]);
+    if (!all[i].damage.empty())
+      decoded.warnings.push_back(fmt::format("{}: the JPEG is damaged, a part of it is what the decoder made up ({})",
+                                             all[i].place, all[i].damage));
+    if (!all[i].source.file.empty()) decoded.sources.push_back(all[i].source);
+  }
+  return decoded;
+}
+
+} // namespace parity::scenes

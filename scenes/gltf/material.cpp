@@ -1,0 +1,204 @@
+// Materials of a glTF file.
+#include "scenes/gltf/material.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "scenes/gltf/file/extensions.h"
+#include "scenes/gltf/texture.h"
+#include "scenes/names.h"
+
+namespace parity::scenes {
+namespace {
+
+std::array<TextureSlot*, 7> slotsOf(Material& m) {
+  return {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture,       &m.occlusionTexture,
+          &m.emissiveTexture,  &m.specularTexture,          &m.specularColorTexture};
+}
+
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+// Reads one material; its factors are clamped here, with a warning each.
+class MaterialReader {
+public:
+  MaterialReader(const GltfDocument& document, std::size_t index, DerivedImages& derived,
+                 std::vector<std::string>& warnings)
+      : m_document(document), m_source(document.model.materials[index]), m_place(fmt::format("/materials/{}", index)),
+        m_derived(derived), m_warnings(warnings) {}
+
+  // The rest of glTF's defaults where something is wrong.
+  Material read(std::string name, UvSets& sets) {
+    m_material.name = std::move(name);
+    readSurface();
+    readAlpha();
+    readExtensions();
+    const tinygltf::Value& extras = m_source.extras;
+    m_material.fullyRough = extras.IsObject() && extras.Has("fullyRough") && extras.Get("fullyRough").IsBool() &&
+                            extras.Get("fullyRough").Get<bool>();
+    dropIdleTextures();
+    sets = chooseUvSets();
+    return std::move(m_material);
+  }
+
+private:
+  float clamp(double value, float lower, float upper, const char* factor) {
+    const float clamped = std::clamp(static_cast<float>(value), lower, upper);
+    if (clamped != static_cast<float>(value))
+      m_warnings.push_back(fmt::format("{}: {} of {} is out of range, taken as {}", m_place, factor, value, clamped));
+    return clamped;
+  }
+
+  TextureSlot slot(const auto& info, const char* key) const {
+    return readTextureSlot(m_document, info.index, info.texCoord, info.extensions, fmt::format("{}/{}", m_place, key));
+  }
+
+  void readSurface() {
+    const tinygltf::PbrMetallicRoughness& pbr = m_source.pbrMetallicRoughness;
+    for (int i = 0; i < 4; ++i)
+      m_material.baseColor[i] = clamp(pbr.baseColorFactor[static_cast<std::size_t>(i)], 0, 1, "baseColorFactor");
+    m_material.metallic = clamp(pbr.metallicFactor, 0, 1, "metallicFactor");
+    m_material.roughness = clamp(pbr.roughnessFactor, 0, 1, "roughnessFactor");
+    m_material.normalScale = static_cast<float>(m_source.normalTexture.scale);
+    m_material.occlusionStrength = clamp(m_source.occlusionTexture.strength, 0, 1, "occlusionTexture.strength");
+    for (int i = 0; i < 3; ++i)
+      m_material.emissive[i] = clamp(m_source.emissiveFactor[static_cast<std::size_t>(i)], 0, kInf, "emissiveFactor");
+    if (std::max({m_material.emissive.x, m_material.emissive.y, m_material.emissive.z}) > 1) // as some exporters write
+      m_warnings.push_back(fmt::format("{}: emissiveFactor is above 1, taken as it is "
+                                       "(KHR_materials_emissive_strength is meant for that)",
+                                       m_place));
+    m_material.baseColorTexture = slot(pbr.baseColorTexture, "pbrMetallicRoughness/baseColorTexture");
+    m_material.metallicRoughnessTexture =
+        slot(pbr.metallicRoughnessTexture, "pbrMetallicRoughness/metallicRoughnessTexture");
+    m_material.normalTexture = slot(m_source.normalTexture, "normalTexture");
+    m_material.occlusionTexture = slot(m_source.occlusionTexture, "occlusionTexture");
+    m_material.emissiveTexture = slot(m_source.emissiveTexture, "emissiveTexture");
+    m_material.doubleSided = m_source.doubleSided;
+  }
+
+  void readAlpha() {
+    if (m_source.alphaMode == "OPAQUE" || m_source.alphaMode.empty())
+      m_material.alphaMode = AlphaMode::opaque;
+    else if (m_source.alphaMode == "MASK")
+      m_material.alphaMode = AlphaMode::mask;
+    else if (m_source.alphaMode == "BLEND")
+      m_material.alphaMode = AlphaMode::blend;
+    else
+      throw m_document.error(m_place + "/alphaMode", fmt::format("'{}' is not a mode", cleanName(m_source.alphaMode)));
+    m_material.alphaCutoff = clamp(m_source.alphaCutoff, 0, kInf, "alphaCutoff");
+  }
+
+  const tinygltf::Value* extension(const char* name) const {
+    const auto found = m_source.extensions.find(name);
+    return found == m_source.extensions.end() ? nullptr : &found->second;
+  }
+
+  void readExtensions() {
+    m_material.unlit = extension("KHR_materials_unlit") != nullptr;
+    if (const tinygltf::Value* value = extension("KHR_materials_emissive_strength");
+        value && value->Has("emissiveStrength"))
+      m_material.emissive *= clamp(value->Get("emissiveStrength").GetNumberAsDouble(), 0, kInf, "emissiveStrength");
+    if (const tinygltf::Value* value = extension("KHR_materials_ior"); value && value->Has("ior")) {
+      const double ior = value->Get("ior").GetNumberAsDouble();
+      m_material.ior = ior == 0 ? 0 : clamp(ior, 1, kInf, "ior"); // 0 is defined: it reflects all
+    }
+    if (const tinygltf::Value* value = extension("KHR_materials_specular")) readSpecular(*value);
+    constexpr const char* kGlossiness = "KHR_materials_pbrSpecularGlossiness"; // goes before metallic-roughness
+    if (const tinygltf::Value* value = extension(kGlossiness))
+      readSpecularGlossiness(m_document, *value, fmt::format("{}/extensions/{}", m_place, kGlossiness), m_material,
+                             m_derived, m_warnings);
+    for (const auto& [name, value] : m_source.extensions)
+      if (const std::string_view what = notModelledName(name); !what.empty()) addNotModelled(std::string(what));
+    // The product of a factor and its strength may leave the range of floats though both lie within.
+    for (int i = 0; i < 3; ++i) m_material.emissive[i] = std::min(m_material.emissive[i], 3.4e38f);
+  }
+
+  void readSpecular(const tinygltf::Value& value) {
+    if (value.Has("specularFactor"))
+      m_material.specular = clamp(value.Get("specularFactor").GetNumberAsDouble(), 0, 1, "specularFactor");
+    if (value.Has("specularColorFactor"))
+      for (int i = 0; i < 3; ++i)
+        m_material.specularColor[i] =
+            clamp(value.Get("specularColorFactor").Get(i).GetNumberAsDouble(), 0, kInf, "specularColorFactor");
+    const auto read = [&](const char* key) {
+      return value.Has(key) ? readTextureSlot(m_document, value.Get(key),
+                                              fmt::format("{}/extensions/KHR_materials_specular/{}", m_place, key))
+                            : TextureSlot{};
+    };
+    m_material.specularTexture = read("specularTexture");
+    m_material.specularColorTexture = read("specularColorTexture");
+  }
+
+  // A mesh has two uv sets; a material that reads others has them put in their place.
+  UvSets chooseUvSets() {
+    std::vector<int> sets;
+    for (TextureSlot* slot : slotsOf(m_material))
+      if (slot->present() && std::find(sets.begin(), sets.end(), slot->texCoord) == sets.end())
+        sets.push_back(slot->texCoord);
+    std::sort(sets.begin(), sets.end());
+    if (sets.empty() || sets.back() <= 1) return {};
+    const UvSets chosen{sets[0], sets.size() > 1 ? sets[1] : sets[0]};
+    for (TextureSlot* slot : slotsOf(m_material)) {
+      if (!slot->present()) continue;
+      if (slot->texCoord == chosen.first)
+        slot->texCoord = 0;
+      else if (slot->texCoord == chosen.second)
+        slot->texCoord = 1;
+      else {
+        addNotModelled(fmt::format("a texture by TEXCOORD_{}, a third uv set", slot->texCoord));
+        *slot = {};
+      }
+    }
+    return chosen;
+  }
+
+  void addNotModelled(std::string what) {
+    std::vector<std::string>& list = m_material.notModelled;
+    if (std::find(list.begin(), list.end(), what) == list.end()) list.push_back(std::move(what));
+  }
+
+  // Work follows need (DESIGN 7): no texture is decoded, bound or read that cannot change the colour.
+  void dropIdleTextures() {
+    if (m_material.emissive == glm::vec3(0)) m_material.emissiveTexture = {};
+    if (m_material.occlusionStrength == 0) m_material.occlusionTexture = {};
+    const bool neverDielectric = m_material.metallic == 1 && !m_material.metallicRoughnessTexture.present();
+    if (m_material.specular == 0 || neverDielectric) m_material.specularTexture = m_material.specularColorTexture = {};
+    if (!m_material.unlit) return;
+    m_material.metallicRoughnessTexture = m_material.normalTexture = m_material.occlusionTexture = {};
+    m_material.emissiveTexture = m_material.specularTexture = m_material.specularColorTexture = {};
+  }
+
+  const GltfDocument& m_document;
+  const tinygltf::Material& m_source;
+  std::string m_place;
+  DerivedImages& m_derived;
+  std::vector<std::string>& m_warnings;
+  Material m_material;
+};
+
+} // namespace
+
+GltfMaterials readMaterials(const GltfDocument& document, bool needsDefault, Problems& problems,
+                            std::vector<std::string>& warnings) {
+  GltfMaterials result;
+  UniqueNames names;
+  for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
+    const std::string name = names.make(document.model.materials[i].name, fmt::format("material {}", i));
+    Material& material = result.materials.emplace_back();
+    UvSets& sets = result.uvSets.emplace_back();
+    problems.attempt([&] { material = MaterialReader(document, i, result.derived, warnings).read(name, sets); });
+    if (!material.notModelled.empty())
+      warnings.push_back(fmt::format("material '{}': not modelled: {}", name, fmt::join(material.notModelled, ", ")));
+  }
+  if (needsDefault) {
+    result.materials.emplace_back(); // glTF 2.0, 3.9.1: all properties at their defaults
+    result.materials.back().name = names.make("default material", {});
+    result.uvSets.emplace_back();
+  }
+  return result;
+}
+
+} // namespace parity::scenes

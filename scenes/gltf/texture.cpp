@@ -1,0 +1,128 @@
+// Texture slots of a glTF file: sampler, uv set, uv transform.
+#include "scenes/gltf/texture.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace parity::scenes {
+namespace {
+
+Wrap wrapOf(const GltfDocument& document, int mode, const std::string& place) {
+  switch (mode) {
+  case TINYGLTF_TEXTURE_WRAP_REPEAT:
+    return Wrap::repeat;
+  case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+    return Wrap::mirroredRepeat;
+  case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+    return Wrap::clampToEdge;
+  default:
+    throw document.error(place, fmt::format("{} is not a wrap mode", mode));
+  }
+}
+
+Sampler samplerOf(const GltfDocument& document, int index) {
+  Sampler sampler; // a texture without one repeats and is filtered as the program likes
+  if (index < 0) return sampler;
+  const tinygltf::Sampler& source = document.model.samplers[static_cast<std::size_t>(index)];
+  const std::string place = fmt::format("/samplers/{}", index);
+  sampler.wrapU = wrapOf(document, source.wrapS, place + "/wrapS");
+  sampler.wrapV = wrapOf(document, source.wrapT, place + "/wrapT");
+  switch (source.magFilter) {
+  case -1:
+  case TINYGLTF_TEXTURE_FILTER_LINEAR:
+    sampler.magFilter = Filter::linear;
+    break;
+  case TINYGLTF_TEXTURE_FILTER_NEAREST:
+    sampler.magFilter = Filter::nearest;
+    break;
+  default:
+    throw document.error(place + "/magFilter", fmt::format("{} is not a filter", source.magFilter));
+  }
+  const auto setMin = [&](Filter min, Filter mip, bool useMips) {
+    sampler.minFilter = min;
+    sampler.mipFilter = mip;
+    sampler.useMips = useMips;
+  };
+  switch (source.minFilter) {
+  case -1:
+  case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR:
+    setMin(Filter::linear, Filter::linear, true);
+    break;
+  case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
+    setMin(Filter::linear, Filter::nearest, true);
+    break;
+  case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
+    setMin(Filter::nearest, Filter::linear, true);
+    break;
+  case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
+    setMin(Filter::nearest, Filter::nearest, true);
+    break;
+  case TINYGLTF_TEXTURE_FILTER_LINEAR:
+    setMin(Filter::linear, Filter::nearest, false);
+    break;
+  case TINYGLTF_TEXTURE_FILTER_NEAREST:
+    setMin(Filter::nearest, Filter::nearest, false);
+    break;
+  default:
+    throw document.error(place + "/minFilter", fmt::format("{} is not a filter", source.minFilter));
+  }
+  return sampler;
+}
+
+// The image that a texture shows: WebP where it has one, else PNG or JPEG. Basis Universal has no decoder here: files
+// that use it mostly have a fallback.
+int imageOf(const GltfDocument& document, const tinygltf::Texture& texture, int index, const std::string& place) {
+  const auto find = [&](const char* extension) {
+    const auto found = texture.extensions.find(extension);
+    return found == texture.extensions.end() ? -1 : found->second.Get("source").GetNumberAsInt();
+  };
+  if (const int webp = find("EXT_texture_webp"); webp >= 0) return webp;
+  if (texture.source >= 0) return texture.source;
+  throw document.error(fmt::format("{} (/textures/{})", place, index),
+                       find("KHR_texture_basisu") >= 0
+                           ? "has a Basis Universal image (KHR_texture_basisu) alone, expected a PNG, JPEG or WebP "
+                             "image beside it: there is no transcoder here"
+                           : "has no image");
+}
+
+glm::dvec2 pairOf(const tinygltf::Value& value, const char* key, glm::dvec2 otherwise) {
+  if (!value.Has(key)) return otherwise;
+  const tinygltf::Value& pair = value.Get(key);
+  return {pair.Get(0).GetNumberAsDouble(), pair.Get(1).GetNumberAsDouble()};
+}
+
+} // namespace
+
+std::array<float, 6> uvTransform(glm::dvec2 offset, double rotation, glm::dvec2 scale) {
+  const double c = std::cos(rotation), s = std::sin(rotation);
+  return {static_cast<float>(c * scale.x),  static_cast<float>(s * scale.y), static_cast<float>(offset.x),
+          static_cast<float>(-s * scale.x), static_cast<float>(c * scale.y), static_cast<float>(offset.y)};
+}
+
+TextureSlot readTextureSlot(const GltfDocument& document, int texture, int texCoord,
+                            const tinygltf::ExtensionMap& extensions, const std::string& place) {
+  TextureSlot slot;
+  if (texture < 0) return slot;
+  const tinygltf::Texture& source = document.model.textures[static_cast<std::size_t>(texture)];
+  slot.image = document.firstOfImage[static_cast<std::size_t>(imageOf(document, source, texture, place))];
+  slot.sampler = samplerOf(document, source.sampler);
+  slot.texCoord = texCoord;
+  if (const auto found = extensions.find("KHR_texture_transform"); found != extensions.end()) {
+    const tinygltf::Value& transform = found->second;
+    const double rotation = transform.Has("rotation") ? transform.Get("rotation").GetNumberAsDouble() : 0.0;
+    slot.uvTransform = uvTransform(pairOf(transform, "offset", {0, 0}), rotation, pairOf(transform, "scale", {1, 1}));
+    if (transform.Has("texCoord")) slot.texCoord = transform.Get("texCoord").GetNumberAsInt();
+  }
+  return slot;
+}
+
+TextureSlot readTextureSlot(const GltfDocument& document, const tinygltf::Value& info, const std::string& place) {
+  tinygltf::ExtensionMap extensions;
+  if (info.Has("extensions") && info.Get("extensions").Has("KHR_texture_transform"))
+    extensions["KHR_texture_transform"] = info.Get("extensions").Get("KHR_texture_transform");
+  return readTextureSlot(document, info.Get("index").GetNumberAsInt(),
+                         info.Has("texCoord") ? info.Get("texCoord").GetNumberAsInt() : 0, extensions, place);
+}
+
+} // namespace parity::scenes

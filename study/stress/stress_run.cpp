@@ -1,0 +1,132 @@
+#include "study/stress/stress_run.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/log.h"
+#include "base/stopwatch.h"
+#include "base/text/error_words.h"
+#include "base/text/glob.h"
+#include "base/version.h"
+#include "gpu/device/device.h"
+
+namespace parity::stress {
+
+namespace {
+
+// Named scenes and random ones, by number.
+class SceneSource {
+public:
+  explicit SceneSource(const Options& options) : m_options(options) {
+    for (StressScene& scene : namedScenes())
+      if (base::matchesGlob(options.renderGlob, scene.name)) m_named.push_back(std::move(scene));
+    // A random scene is named by its seed: the glob picks out of those that are due.
+    for (std::uint32_t i = 0; i < options.scenes && options.seconds <= 0; ++i)
+      if (isWanted(options.seed + i)) m_seeds.push_back(options.seed + i);
+    const bool soaks = options.seconds > 0 && [&] {
+      for (std::uint64_t i = 0; i < kSeedsTried; ++i)
+        if (isWanted(options.seed + i)) return true;
+      return false;
+    }();
+    if (m_named.empty() && m_seeds.empty() && !soaks)
+      throw base::Error(base::ExitCode::usage, "--renders", options.renderGlob,
+                        "no such scene; parity stress --list names them");
+  }
+  // Whether the glob names the random scene of this seed.
+  bool isWanted(std::uint64_t seed) const {
+    return base::matchesGlob(m_options.renderGlob, fmt::format("random-{}", seed));
+  }
+  std::size_t count() const { return m_named.size() + m_seeds.size(); }
+  StressScene scene(std::size_t index) const {
+    return index < m_named.size() ? m_named[index] : randomScene(m_seeds[index - m_named.size()]);
+  }
+
+private:
+  static constexpr std::uint64_t kSeedsTried = 100000;
+
+  const Options& m_options;
+  std::vector<StressScene> m_named;
+  std::vector<std::uint64_t> m_seeds;
+};
+
+void stressFunctions(const std::vector<FunctionCase>& functions, const Options& options, const gpu::Device* device,
+                     Report& report, const Progress& progress, double share) {
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    if (progress) progress(functions[i].name, share * static_cast<double>(i) / static_cast<double>(functions.size()));
+    report.functions.push_back(stressFunction(functions[i], options.points, device));
+    for (const Finding& finding : findingsOf(report.functions.back())) report.findings.push_back(finding);
+    report.functionsMs += report.functions.back().timeMs;
+  }
+}
+
+void stressRenders(const Options& options, RenderStress& renders, const SceneSource& source, Report& report,
+                   const Progress& progress, double share) {
+  report.deviceName = renders.deviceName();
+  report.halfSkipped = renders.halfSkipped();
+  const auto add = [&](const StressScene& scene) {
+    report.scenes.push_back(renders.stress(scene));
+    for (const Finding& finding : report.scenes.back().findings) {
+      report.findings.push_back(finding);
+      if (!finding.expected) // now: a soak may run for hours
+        base::logWarning(fmt::format("{} {}: {} {}; parity stress {}", finding.subject, finding.place, finding.fault,
+                                     finding.example, finding.reproduce));
+    }
+    report.rendersMs += report.scenes.back().timeMs;
+  };
+  for (std::size_t i = 0; i < source.count(); ++i) {
+    const StressScene scene = source.scene(i);
+    if (progress)
+      progress(scene.name, 1 - share + share * static_cast<double>(i) / static_cast<double>(source.count()));
+    add(scene);
+  }
+  const base::Stopwatch watch(nullptr, "soak");
+  for (std::uint64_t seed = options.seed; watch.elapsedMs() < 1000 * options.seconds; ++seed) {
+    if (!source.isWanted(seed)) continue;
+    const StressScene scene = randomScene(seed);
+    if (progress) progress(scene.name, watch.elapsedMs() / (1000 * options.seconds));
+    add(scene);
+  }
+}
+
+} // namespace
+
+std::size_t Report::unexpected() const {
+  return static_cast<std::size_t>(
+      std::count_if(findings.begin(), findings.end(), [](const Finding& finding) { return !finding.expected; }));
+}
+
+Report runStress(const Options& options, const Progress& progress) {
+  Report report;
+  report.version = base::kVersion;
+  report.seed = options.seed;
+  report.points = options.points.points;
+  report.devicePoints = options.points.devicePoints;
+  const double share = !options.renders ? 1 : !options.functions ? 0 : 0.8;
+  std::unique_ptr<SceneSource> source;
+  std::unique_ptr<RenderStress> renders;
+  if (options.renders) { // what refuses it does so before hours of functions
+    source = std::make_unique<SceneSource>(options);
+    renders = std::make_unique<RenderStress>(options.render);
+  }
+  const std::vector<FunctionCase> functions =
+      options.functions ? functionsNamed(options.functionGlob) : std::vector<FunctionCase>();
+  std::unique_ptr<gpu::Device> device;
+  if (options.functions && options.points.devicePoints > 0) {
+    device = std::make_unique<gpu::Device>(options.render.device);
+    report.deviceName = device->report().description();
+    if (!device->report().float16) report.halfSkipped = device->report().name + " has no shaderFloat16";
+  }
+  try {
+    stressFunctions(functions, options, device.get(), report, progress, share);
+    if (options.renders) stressRenders(options, *renders, *source, report, progress, 1 - share);
+  } catch (const std::exception& error) {
+    report.failure = base::wordsOf(error);
+  }
+  if (progress) progress("", 1);
+  sortFindings(report.findings);
+  return report;
+}
+
+} // namespace parity::stress

@@ -1,0 +1,113 @@
+#include "study/sweep/variants.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "job/knobs.h"
+
+namespace parity::sweep {
+
+namespace {
+
+using base::KnobStage;
+
+bool costsIn(const base::Knob& knob, const std::string& path) {
+  return knob.stage != KnobStage::none && std::ranges::count(knob.paths, path) > 0;
+}
+
+std::vector<std::string> valuesOf(const base::Knob& knob) {
+  if (knob.type == base::KnobType::flag) return {"on", "off"};
+  return knob.choices;
+}
+
+Stage stageOf(const base::Knob& knob) {
+  if (knob.stage == KnobStage::preparation) return Stage::preparation;
+  return knob.stage == KnobStage::storage ? Stage::storage : Stage::shading;
+}
+
+// Variants of one path, each as its default but for what is turned.
+class Collector {
+public:
+  Collector(Variant plain, std::vector<Variant>& all) : m_plain(std::move(plain)), m_all(all) {
+    m_all.push_back(m_plain);
+  }
+
+  // Every knob that the path's pictures depend on. What does not go together is left out. What is prepared once: the
+  // default's value, too, which has a time of its own.
+  void addKnobs() {
+    for (const base::KnobRow<job::Settings>& row : job::knobs().rows()) {
+      if (!costsIn(row.knob, m_plain.path->name())) continue;
+      for (const std::string& value : valuesOf(row.knob)) {
+        Variant v = m_plain;
+        v.stage = stageOf(row.knob);
+        if (!set(v, {{row.knob.id, value}}) || (v.stage != Stage::preparation && isThere(v))) continue;
+        v.knob = row.knob.id;
+        v.name = row.knob.id + " " + value;
+        v.needs = row.knob.needsScene;
+        m_all.push_back(std::move(v));
+      }
+    }
+  }
+
+  void addSet(const paths::Path::KnobSet& knobs) {
+    Variant v = m_plain;
+    if (!set(v, knobs.values) || isThere(v)) return;
+    v.name = knobs.name;
+    v.needs = knobs.needs;
+    m_all.push_back(std::move(v));
+  }
+
+  const paths::Path& path() const { return *m_plain.path; }
+
+private:
+  bool isThere(const Variant& v) const {
+    return std::ranges::any_of(
+        m_all, [&, knobs = v.knobs()](const Variant& other) { return other.path == v.path && other.knobs() == knobs; });
+  }
+
+  static bool set(Variant& v, const std::vector<std::pair<std::string, std::string>>& values) {
+    base::GivenKnobs given;
+    for (const auto& [id, value] : values) given[id] = {{value}, "--" + id};
+    try {
+      v.settings = job::withKnobs(v.settings, given);
+    } catch (const base::Error&) {
+      return false;
+    }
+    return true;
+  }
+
+  Variant m_plain;
+  std::vector<Variant>& m_all;
+};
+
+} // namespace
+
+const std::vector<std::string>& stageKinds() {
+  static const std::vector<std::string> names = {"shading", "preparation", "storage"};
+  return names;
+}
+
+std::vector<std::pair<std::string, std::string>> Variant::knobs() const {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const base::KnobRow<job::Settings>& row : job::knobs().rows())
+    if (costsIn(row.knob, path->name())) all.emplace_back(row.knob.id, row.text(settings));
+  return all;
+}
+
+std::vector<Variant> makeVariants(const job::Settings& settings) {
+  std::vector<Variant> all;
+  std::vector<Collector> collectors; // the defaults come first
+  const job::PathChoice paths = job::pathsOf(settings);
+  if (paths.chosen.front() != job::allPaths().front())
+    throw base::Error(base::ExitCode::usage, "--paths", settings.pathNames.front(),
+                      "comes first: errors are against the default of " + job::allPaths().front()->name());
+  for (const paths::Path* path : paths.chosen)
+    collectors.emplace_back(Variant{.path = path, .settings = settings}, all);
+  for (Collector& collector : collectors) {
+    for (const paths::Path::KnobSet& set : collector.path().knobSets()) collector.addSet(set);
+    collector.addKnobs();
+  }
+  return all;
+}
+
+} // namespace parity::sweep
