@@ -111,7 +111,7 @@ const BadUsage kBadUsages[] = {
      {"--mobile-sun-fade", "0 to 1"}},
     {"TermOfAnotherPath",
      {"render", "builtin:furnace", "--path", "highend", "-o", "o.exr", "--term", "NoL"},
-     {"--term", "NoL", "mobile path"}},
+     {"--term", "NoL", "path mobile"}},
     {"UnknownPreset", {"diff", "builtin:furnace", "--mobile-preset", "ue5"}, {"--mobile-preset", "ue4-2020"}},
     {"UnknownPrecision", {"diff", "builtin:furnace", "--precision", "fp64"}, {"--precision", "fp32"}},
     {"UnknownMetric", {"diff", "builtin:furnace", "--metrics", "flip,pnsr"}, {"--metrics", "'pnsr'", "'psnr'"}},
