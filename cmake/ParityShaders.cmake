@@ -8,7 +8,7 @@ function(parity_shaders target)
   get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   set(out ${CMAKE_BINARY_DIR}/shaders/${target})
   file(MAKE_DIRECTORY ${out}/${folder}_shaders)
-  set(includes)
+  set(includes -I${CMAKE_CURRENT_SOURCE_DIR})
   foreach(dir ${ARG_INCLUDE})
     list(APPEND includes -I${CMAKE_BINARY_DIR}/include/${dir})
   endforeach()
@@ -17,6 +17,7 @@ function(parity_shaders target)
   set(headers)
   foreach(shader ${ARG_SHADERS})
     get_filename_component(file ${shader} NAME)
+    get_filename_component(shader ${shader} ABSOLUTE)
     string(REGEX REPLACE "[._]" ";" words ${file})
     set(symbol k)
     foreach(word ${words})
@@ -29,7 +30,7 @@ function(parity_shaders target)
     add_custom_command(
       OUTPUT ${header}
       COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.2 ${includes} ${defines}
-              --depfile ${header}.d --vn ${symbol} -o ${header} ${CMAKE_CURRENT_SOURCE_DIR}/${shader}
+              --depfile ${header}.d --vn ${symbol} -o ${header} ${shader}
       COMMAND sed -i -e "1i #pragma once\\n#include <cstdint>" -e "s/^const uint32_t/inline constexpr std::uint32_t/" ${header}
       DEPENDS ${shader}
       DEPFILE ${header}.d
@@ -39,4 +40,23 @@ function(parity_shaders target)
   endforeach()
   target_sources(${target} PRIVATE ${headers})
   target_include_directories(${target} PRIVATE ${out})
+endfunction()
+
+# parity_formula(TARGET formula.glsl): the mobile shader with that environment BRDF (mobile/formulas.h), in both precisions:
+# k<Formula>Fp16Comp and k<Formula>Fp32Comp, as parity_shaders makes them.
+function(parity_formula target formula)
+  get_filename_component(name ${formula} NAME_WE)
+  foreach(precision 16 32)
+    set(shader ${CMAKE_CURRENT_BINARY_DIR}/${name}_fp${precision}.comp)
+    file(CONFIGURE OUTPUT ${shader} CONTENT [[#version 460
+#extension GL_GOOGLE_include_directive : require
+#define PARITY_FP@precision@
+#define PARITY_OWN_ENVIRONMENT_BRDF
+#include "shading/real.glsl"
+#include "@formula@"
+#include "mobile/shaders/mobile.glsl"
+]] @ONLY)
+    list(APPEND shaders ${shader})
+  endforeach()
+  parity_shaders(${target} INCLUDE gpu shading mobile SHADERS ${shaders})
 endfunction()

@@ -1,41 +1,54 @@
 #include "mobile/options.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/error.h"
 
 namespace parity::mobile {
 
+namespace {
+
+std::vector<Options>& presets() {
+  static std::vector<Options> all = {{.preset = "karis2014",
+                                      .environmentBrdf = EnvironmentBrdf::karis2014,
+                                      .directLobe = DirectLobe::dApprox,
+                                      .captureScale = CaptureScale::full,
+                                      .localLights = false,
+                                      .roughnessFloor = 0},
+                                     {},
+                                     {.preset = "refit",
+                                      .environmentBrdf = EnvironmentBrdf::refit,
+                                      .directLobe = DirectLobe::refit,
+                                      .captureScale = CaptureScale::occlusion,
+                                      .capture = CaptureEncoding::rgb9e5,
+                                      .sky = SkyForm::tinted,
+                                      .roughnessFloor = 0}};
+  return all;
+}
+
+} // namespace
+
 const std::vector<std::string>& presetNames() {
-  static const std::vector<std::string> names = {"karis2014", "ue4-2020", "refit"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Options& preset : presets()) all.push_back(preset.preset);
+    return all;
+  }();
   return names;
 }
+
+void addPreset(const Options& options) { presets().push_back(options); }
 
 Options presetByName(const std::string& name) {
-  if (name == "ue4-2020") return {};
-  if (name == "karis2014")
-    return {.preset = name,
-            .environmentBrdf = EnvironmentBrdf::karis2014,
-            .directLobe = DirectLobe::dApprox,
-            .captureScale = CaptureScale::full,
-            .localLights = false,
-            .roughnessFloor = 0};
-  if (name == "refit")
-    return {.preset = name,
-            .environmentBrdf = EnvironmentBrdf::refit,
-            .directLobe = DirectLobe::refit,
-            .captureScale = CaptureScale::occlusion,
-            .capture = CaptureEncoding::rgb9e5,
-            .sky = SkyForm::tinted,
-            .roughnessFloor = 0};
-  throw base::Error(base::ExitCode::usage, "--mobile-preset", name,
-                    fmt::format("unknown; the presets are {}", fmt::join(presetNames(), ", ")));
+  const auto found = std::ranges::find(presets(), name, &Options::preset);
+  if (found == presets().end())
+    throw base::Error(base::ExitCode::usage, "--mobile-preset", name,
+                      fmt::format("unknown; the presets are {}", fmt::join(presetNames(), ", ")));
+  return *found;
 }
 
-const std::vector<std::string>& environmentBrdfNames() {
-  static const std::vector<std::string> names = {"karis2014", "ue4", "refit"};
-  return names;
-}
 CaptureScale captureScaleOf(const Options& options, bool hasCaptures) {
   if (options.captureScale != CaptureScale::automatic) return options.captureScale;
   return hasCaptures ? CaptureScale::mixing : CaptureScale::sky;

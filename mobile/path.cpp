@@ -125,7 +125,8 @@ public:
     return options.of<Options>().spotShadow || options.of<Options>().sunShadow;
   }
   std::vector<std::string> notesOn(const scenes::Material& m, const paths::Options& options) const override {
-    if (m.isNonmetal() && !m.fullyRough && options.of<Options>().environmentBrdf != EnvironmentBrdf::refit)
+    const EnvironmentBrdf brdf = options.of<Options>().environmentBrdf;
+    if (m.isNonmetal() && !m.fullyRough && (brdf == EnvironmentBrdf::karis2014 || brdf == EnvironmentBrdf::ue4))
       return {"nonmetal: EnvBRDFApproxNonmetal on mobile"};
     return {};
   }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "mobile/formulas.h"
 #include "mobile/light_choice.h"
 #include "mobile_shaders/mobile_fp16.comp.h"
 #include "mobile_shaders/mobile_fp32.comp.h"
@@ -42,7 +43,9 @@ constexpr std::uint32_t kShadowOfSpot = 1, kShadowOfSun = 2;
 std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t view, std::uint32_t shadowMaps,
                                        std::uint32_t baked, std::uint32_t falloffs) {
   const CaptureScale scale = captureScaleOf(options, (baked & gpu::kBakedCaptures) != 0);
-  return {static_cast<std::uint32_t>(options.environmentBrdf),
+  const bool own = formulaOf(options.environmentBrdf) != nullptr;
+  return {own ? static_cast<std::uint32_t>(numbers::kEnvironmentBrdfOwn)
+              : static_cast<std::uint32_t>(options.environmentBrdf),
           static_cast<std::uint32_t>(options.directLobe),
           static_cast<std::uint32_t>(scale) - 1,
           static_cast<std::uint32_t>(options.sky),
@@ -104,7 +107,9 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   gpu::PathProgram program;
   program.name = "mobile";
   const Precision precision = precisionOn(device.report(), options);
-  program.spirv = precision == Precision::fp16 ? gpu::Spirv(kMobileFp16Comp) : gpu::Spirv(kMobileFp32Comp);
+  static const Formula builtIn{"", kMobileFp16Comp, kMobileFp32Comp};
+  const Formula* const own = formulaOf(options.environmentBrdf);
+  program.spirv = precision == Precision::fp16 ? (own ? *own : builtIn).fp16 : (own ? *own : builtIn).fp32;
   if (precision != options.precision)
     m_notes.push_back(fmt::format("fp32 in place of fp16: {} has no shaderFloat16", device.report().name));
 

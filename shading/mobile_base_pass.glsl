@@ -20,6 +20,7 @@ CONSTANT int kEnvironmentBrdfKaris2014 = 0; // EnvBRDFApprox
 CONSTANT int kEnvironmentBrdfUE4 = 1;       // AB.y *= saturate(50 g)
 CONSTANT int kEnvironmentBrdfRefit = 2;     // shading/refit.glsl: with what scatters more than once, and what diffuse light has left
 CONSTANT int kEnvironmentBrdfRefitNonmetal = 3; // the same where all materials are nonmetals
+CONSTANT int kEnvironmentBrdfOwn = 4; // ownEnvironmentBrdfAB, of a shader that brings one: with PARITY_OWN_ENVIRONMENT_BRDF
 
 // Which lobe direct light has.
 CONSTANT int kSunDApprox = 0;      // around the reflection vector (Karis 2014)
@@ -89,6 +90,11 @@ FN MobileShadingModelContext initShadingModelContext(int environmentBrdf, bool n
     }
     c.SpecularColor = c.lobe.single;
     c.DiffuseColor = refitDiffuseColor(m.BaseColor, m.Metallic, share);
+#ifdef PARITY_OWN_ENVIRONMENT_BRDF
+  } else if (environmentBrdf == kEnvironmentBrdfOwn) {
+    real2 AB = ownEnvironmentBrdfAB(c.SpecPreEnvBrdf, c.Roughness, NoV);
+    c.SpecularColor = real3(c.SpecPreEnvBrdf.x * AB.x + AB.y, c.SpecPreEnvBrdf.y * AB.x + AB.y, c.SpecPreEnvBrdf.z * AB.x + AB.y);
+#endif
   } else if (nonmetal) {
     real E = EnvBRDFApproxNonmetal(c.Roughness, NoV);
     c.SpecularColor = real3(E, E, E);
@@ -110,6 +116,9 @@ FN real2 environmentBrdfAB(int environmentBrdf, bool fullyRough, real3 SpecPreEn
     PRECISE real a = R(1.0) - refitLoss(refitAlpha(Roughness), NoV) - b;
     return real2(a, b);
   }
+#ifdef PARITY_OWN_ENVIRONMENT_BRDF
+  if (environmentBrdf == kEnvironmentBrdfOwn) return ownEnvironmentBrdfAB(SpecPreEnvBrdf, Roughness, NoV);
+#endif
   real2 AB = EnvBRDFApproxAB(Roughness, NoV);
   if (environmentBrdf == kEnvironmentBrdfKaris2014) return AB;
   PRECISE real faded = AB.y * saturate(R(50.0) * SpecPreEnvBrdf.y);

@@ -1,0 +1,82 @@
+// A mobile preset with an environment BRDF of its own stands in every command once it is added.
+#include <cstdlib>
+
+#include "base/image/image_io.h"
+#include "cli/checks.h"
+
+namespace parity::tests {
+namespace {
+
+using nlohmann::json;
+
+class OwnPreset : public RenderingTest {
+protected:
+  OwnPreset() { setenv("PARITY_EXECUTABLE", PARITY_WITH_LINEAR, 1); }
+  ~OwnPreset() override { unsetenv("PARITY_EXECUTABLE"); }
+
+  base::Image render(const std::string& term, const std::string& precision, const std::string& preset = "linear") {
+    const std::string file = (m_folder / "a.exr").string();
+    EXPECT_TRUE(
+        exitedWith(0, runParity(join({{"render", "builtin:spheres", "--env", "builtin:studio", "--path", "mobile",
+                                       "--mobile-preset", preset, "--precision", precision, "--term", term, "-o", file},
+                                      kSmall}))));
+    return base::readImage(file);
+  }
+};
+
+// A = 1 - R/2 and B = (1 - NoV)/4 in all pixels, and the colour that is lit has them.
+TEST_F(OwnPreset, ShadesByItsFormulaInBothPrecisions) {
+  for (const auto& [precision, tolerance] : {std::pair{"fp32", 1e-6f}, std::pair{"fp16", 2e-3f}}) {
+    const base::Image A = render("EnvBRDF.A", precision), B = render("EnvBRDF.B", precision),
+                      E = render("EnvBRDF", precision), F0 = render("SpecPreEnvBrdf", precision),
+                      roughness = render("Roughness", precision), NoV = render("NoV", precision);
+    double seen = 0;
+    for (std::size_t i = 0; i < A.pixels.size(); ++i) {
+      if (A.pixels[i] == 0) continue; // nothing is there
+      ++seen;
+      ASSERT_NEAR(A.pixels[i], 1 - 0.5f * roughness.pixels[i], tolerance) << precision;
+      ASSERT_NEAR(B.pixels[i], 0.25f - 0.25f * NoV.pixels[i], tolerance) << precision;
+      ASSERT_NEAR(E.pixels[i], F0.pixels[i] * A.pixels[i] + B.pixels[i], 2 * tolerance) << precision;
+    }
+    EXPECT_GT(seen, 1000) << precision;
+  }
+}
+
+// So far from the truth that its verdict fails; the built-in presets are as they were.
+TEST_F(OwnPreset, IsReportedAndFails) {
+  const auto metals = [&](const std::string& preset) {
+    const std::string file = (m_folder / (preset + ".json")).string();
+    const RunResult result = runParity(join({{"diff", "builtin:spheres", "--env", "builtin:studio", "--mobile-preset",
+                                              preset, "--attribution", "all", "--json", file},
+                                             kSmall}));
+    EXPECT_EQ(result.signal, 0) << result.err;
+    return json::parse(readWholeFile(file)).at("scenes").at(0).at("views").at(0);
+  };
+  const json own = metals("linear"), ue4 = metals("ue4-2020");
+  const auto flip = [](const json& view) {
+    return view.at("whole").at("figures").at("metrics").at("flip.mean").get<double>();
+  };
+  EXPECT_GT(flip(own), 2 * flip(ue4));
+  EXPECT_EQ(own.at("verdict"), "fail");
+}
+
+TEST_F(OwnPreset, StandsInHelpKnobsBenchAndStress) {
+  EXPECT_TRUE(contains(runParity({"report", "--help"}).out, "linear"));
+  EXPECT_TRUE(contains(runParity({"knobs"}).out, "linear"));
+  EXPECT_TRUE(contains(runParity({"bench", "--list"}).out, "linear fp16"));
+  const std::string file = (m_folder / "stress.json").string();
+  runParity({"stress", "--only", "renders", "--renders", "roughness*", "--scenes", "0", "--presets", "linear", "--json",
+             file});
+  EXPECT_TRUE(contains(readWholeFile(file), "mobile linear fp16"));
+}
+
+// Nothing draws a formula that is known to the shader alone.
+TEST_F(OwnPreset, IsRefusedByPlotInALine) {
+  const RunResult result =
+      runParity({"plot", "env-brdf", "--mobile-preset", "linear", "-o", (m_folder / "plot").string()});
+  EXPECT_EQ(result.exitCode, 64) << result.err;
+  EXPECT_TRUE(contains(result.err, "linear")) << result.err;
+}
+
+} // namespace
+} // namespace parity::tests
