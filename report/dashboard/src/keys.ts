@@ -52,8 +52,8 @@ const kShortcuts: readonly (readonly [string, string])[] = [
   ["O", "onion skin"],
   ["D", "difference"],
   ["H", "FLIP map"],
-  ["F, held", "flicker: mobile while held"],
-  ["← →", "only high-end, only mobile"],
+  ["F, held", "flicker: the test path while held"],
+  ["← →", "only the reference path, only the test path"],
   ["+ −, Shift + arrows", "zoom, move"],
   ["W", "fit the width"],
   ["0", "fit all, exposure 0"],
@@ -70,14 +70,14 @@ export function shortcutsDialog(): TemplateResult {
       <dl class="keys">${kShortcuts.map(([keys, what]) => html`<div><dt><kbd>${keys}</kbd></dt><dd>${what}</dd></div>`)}</dl>
       <h2>How to read this page</h2>
       <p>
-        Every material is shaded twice at the very same surface points: by the high-end path and by the mobile path. FLIP says how
-        different the two look when one flips between them: 0 is alike, 1 is far apart. On an even mid grey, .03 is one step of 8 bit,
+        Every material is shaded twice at the very same surface points: by the reference path (high-end) and by the test path
+        (mobile). FLIP says how different the two look when one flips between them: 0 is alike, 1 is far apart. On an even mid grey, .03 is one step of 8 bit,
         .10 is 10 % more or less light (seen side by side), .20 about 25 % (seen at a glance), .50 twice as much or a third.
       </p>
       <p>
-        A material is judged by what it does itself: FLIP holds the high-end picture against the high-end picture in which this material
-        alone has mobile's colours. So its figures, its FLIP map and its histogram do not depend on its neighbours. A whole view holds the
-        high-end picture against the mobile picture.
+        A material is judged by what it does itself: FLIP holds the reference path's picture against that picture in which this material
+        alone has the test path's colours. So its figures, its FLIP map and its histogram do not depend on its neighbours. A whole view holds
+        the two paths' pictures against each other.
       </p>
       <p>
         Too small: fewer pixels than its budget asks for. Not judged: most of its pixels are black in both pictures, or white in both.

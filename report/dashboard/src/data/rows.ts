@@ -14,6 +14,8 @@ export interface Row {
   order: number; // in the report
   name: string; // of the material, or what the row is
   place: string; // scene and view
+  reference: string; // paths, by name; "" where none was rendered
+  test: string;
   verdict: Verdict;
   gravity: number; // larger is graver
   reason: string;
@@ -84,6 +86,8 @@ function judgedRow(kind: Kind, scene: Scene, view: View, judged: Judged, name: s
     kind,
     name,
     place,
+    reference: view.reference,
+    test: view.test,
     verdict: judged.verdict,
     gravity: gravityOf(judged.verdict),
     reason: judged.reason,
@@ -120,7 +124,7 @@ export function makeRows(report: Report): Row[] {
     const viewLinks = linkNames(scene.views);
     if (scene.error)
       rows.push({
-        kind: "scene", scene: s, view: -1, material: -1, link, order: rows.length, name: scene.name, place: scene.source,
+        kind: "scene", scene: s, view: -1, material: -1, link, order: rows.length, name: scene.name, place: scene.source, reference: "", test: "",
         verdict: "error", gravity: gravityOf("error"), reason: scene.error.message, bias: "", pixels: 0,
         judged: null, cause: null, preset: "", notModelled: [], isNew: false, change: null,
         text: `${scene.name} ${scene.source} ${scene.error.message}`.toLowerCase(),

@@ -1,6 +1,7 @@
-// The lights that mobile drops: what each does to a material, or in a view.
+// The lights that a path drops: what each does to a material, or in a view.
 import { html, nothing, type TemplateResult } from "lit";
 
+import { pathTitle, pathWord } from "../data/paths";
 import type { DroppedLight, DroppedLights, Report, View } from "../data/types";
 import { figure } from "../format";
 import { help } from "../help";
@@ -15,11 +16,11 @@ export function lightsOf(dropped: DroppedLights, material: string): { light: Dro
 }
 
 /** "Mobile drops 5 of 9 lights." */
-export function describeDropped(dropped: DroppedLights): string {
-  return `Mobile drops ${dropped.measured.length + dropped.notMeasured.length} of ${dropped.lights} light${dropped.lights === 1 ? "" : "s"}`;
+export function describeDropped(dropped: DroppedLights, path: string): string {
+  return `${pathTitle(path)} drops ${dropped.measured.length + dropped.notMeasured.length} of ${dropped.lights} light${dropped.lights === 1 ? "" : "s"}`;
 }
 
-/** material: its name; null: of the whole view. Nothing where mobile drops none of its lights. */
+/** material: its name; null: of the whole view. Nothing where its test path drops none of its lights. */
 export function droppedLights(view: View | undefined, material: string | null, report: Report): TemplateResult | typeof nothing {
   const dropped = view?.droppedLights;
   if (!dropped) return nothing;
@@ -30,8 +31,8 @@ export function droppedLights(view: View | undefined, material: string | null, r
   const changed = ({ materials }: DroppedLight): TemplateResult => html`${materials.slice(0, kNamed).map(
     ({ name, flip }, i) => html`${i > 0 ? ", " : ""}<bdi>${name}</bdi> ${figure(flip, statistic)}`,
   )}${materials.length > kNamed ? `, and ${materials.length - kNamed} more` : ""}`;
-  return html`<section class="dropped-lights"><h3>Lights that mobile drops ${help("droppedLights")}</h3>
-    <p>${describeDropped(dropped)} from an object of this view${material === null ? "" : rows.length === 0 ? "; of those measured, none from this material" : `, ${rows.length} of those measured from this material`}.</p>
+  return html`<section class="dropped-lights"><h3>Lights that ${pathWord(view.test)} drops ${help("droppedLights")}</h3>
+    <p>${describeDropped(dropped, view.test)} from an object of this view${material === null ? "" : rows.length === 0 ? "; of those measured, none from this material" : `, ${rows.length} of those measured from this material`}.</p>
     ${rows.length === 0 ? nothing : html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table class="attribution">
       <thead><tr><th scope="col">light</th><th scope="col">kind</th><th scope="col">kept by</th><th scope="col">dropped by</th><th scope="col"><span class="sr">bar</span></th><th scope="col">mean FLIP without it</th></tr></thead>
       <tbody>${rows.map(({ light, flip }) => html`<tr>

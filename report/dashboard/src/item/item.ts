@@ -4,6 +4,7 @@ import { customElement, property, query } from "lit/decorators.js";
 
 import type { Page } from "../data/page";
 import { clippingText } from "../data/clipping";
+import { pathWord } from "../data/paths";
 import type { Row } from "../data/rows";
 import { kTabs, type State, type Tab } from "../data/state";
 import type { Material } from "../data/types";
@@ -98,7 +99,7 @@ export class ParityItem extends LitElement {
           : nothing}
         ${clipped === "" ? nothing : html`<span class="caution">Clipped in both pictures: <b>${clipped}</b>${help("clipping")}</span>`}
         ${row.notModelled.length === 0 ? nothing : html`<span class="caution">No path models its <b><bdi>${row.notModelled.join(", ")}</bdi></b>${help("baseLayer")}</span>`}
-        ${row.cause ? html`<span>Cause: <b>${row.cause.term}</b>, ${figure(row.cause.before, report.statistics["flip.mean"])} → ${figure(row.cause.after, report.statistics["flip.mean"])} with high-end's${help("worstTerm")}</span>` : nothing}
+        ${row.cause ? html`<span>Cause: <b>${row.cause.term}</b>, ${figure(row.cause.before, report.statistics["flip.mean"])} → ${figure(row.cause.after, report.statistics["flip.mean"])} with ${pathWord(row.reference)}'s${help("worstTerm")}</span>` : nothing}
         ${this.renderDropped()}
       </p>
       <parity-viewer .report=${report} .scene=${row.scene} .view=${row.view} .material=${row.material} .state=${this.state}></parity-viewer>
@@ -114,7 +115,7 @@ export class ParityItem extends LitElement {
     const dropped = report.scenes[row.scene]?.views[row.view]?.droppedLights;
     if (!dropped) return nothing;
     const flip = (value: number): string => figure(value, report.statistics["flip.mean"]);
-    if (row.kind !== "material") return html`<span>${describeDropped(dropped)}${help("droppedLights")}</span>`;
+    if (row.kind !== "material") return html`<span>${describeDropped(dropped, row.test)}${help("droppedLights")}</span>`;
     const first = lightsOf(dropped, row.name)[0];
     return first ? html`<span>Dropped light: <b><bdi>${first.light.name}</bdi></b>, FLIP ${flip(first.flip)} without it${help("droppedLights")}</span>` : nothing;
   }

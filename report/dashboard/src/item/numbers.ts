@@ -4,7 +4,8 @@ import { customElement, property } from "lit/decorators.js";
 
 import type { Judged } from "../data/judged";
 import type { Page } from "../data/page";
-import type { Kind, Row } from "../data/rows";
+import { pathTitle, pathWord } from "../data/paths";
+import type { Row } from "../data/rows";
 import type { Report, Scene, Truth } from "../data/types";
 import { change, count, duration, figure, figureIn, fixed } from "../format";
 import { help } from "../help";
@@ -13,7 +14,7 @@ import { sceneNamed } from "../study/scene";
 import { acceptCommands, diffCommand } from "./commands";
 import { stageLine } from "./stages";
 
-function figureTable({ figures, baseline }: Judged, kind: Kind, report: Report): TemplateResult {
+function figureTable({ figures, baseline }: Judged, { kind, reference, test }: Row, report: Report): TemplateResult {
   if (!figures) return html`<p class="aside">There are no figures: no pixel of this view shows it.</p>`;
   const since = baseline && !baseline.new ? baseline.changes : null;
   const share = (value: number | null): string => (value === null ? "–" : `${fixed(100 * value, 1)} %`);
@@ -22,13 +23,13 @@ function figureTable({ figures, baseline }: Judged, kind: Kind, report: Report):
     ["pixels that are not finite", count(figures.nonFinite)],
     ["white in both pictures", share(figures.clippedWhite)],
     ["black in both pictures", share(figures.clippedBlack)],
-    ["mean luma of high-end, displayed", fixed(figures.referenceLuma, 4)],
-    ["mean luma of mobile, displayed", fixed(figures.testLuma, 4)],
-    ["mean luminance of high-end, linear as exposed", fixed(figures.referenceLuminance, 4)],
-    ["mean luminance of mobile, linear as exposed", fixed(figures.testLuminance, 4)],
+    [`mean luma of ${pathWord(reference)}, displayed`, fixed(figures.referenceLuma, 4)],
+    [`mean luma of ${pathWord(test)}, displayed`, fixed(figures.testLuma, 4)],
+    [`mean luminance of ${pathWord(reference)}, linear as exposed`, fixed(figures.referenceLuminance, 4)],
+    [`mean luminance of ${pathWord(test)}, linear as exposed`, fixed(figures.testLuminance, 4)],
   ];
   return html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
-    <caption>${kind === "material" ? html`The high-end picture with mobile's colours of this material, against the high-end picture${help("materialFlip")}` : html`Mobile against high-end${help("wholeFlip")}`}</caption>
+    <caption>${kind === "material" ? html`The ${pathWord(reference)} picture with ${pathWord(test)}'s colours of this material, against the ${pathWord(reference)} picture${help("materialFlip")}` : html`${pathTitle(test)} against ${pathWord(reference)}${help("wholeFlip")}`}</caption>
     <thead><tr><th scope="col">figure</th><th scope="col">value</th>${since ? html`<th scope="col">since the baseline${help("baseline")}</th>` : nothing}</tr></thead>
     <tbody>
       ${Object.keys(figures.metrics).map((name) => html`<tr><th scope="row">${report.statistics[name]?.label ?? name} <code>${name}</code></th>
@@ -38,20 +39,20 @@ function figureTable({ figures, baseline }: Judged, kind: Kind, report: Report):
     </tbody></table></div>`;
 }
 
-function truthTables(truth: Truth, report: Report): TemplateResult {
+function truthTables(truth: Truth, { reference, test }: Row, report: Report): TemplateResult {
   const { figures } = truth;
   if (!figures) return html`<p class="aside">The truth is not known here: there are no pixels.</p>`;
   const names = [...new Set([...Object.keys(figures.reference.metrics), ...Object.keys(figures.test.metrics)])];
   const ofTerm = (value: number | null | undefined): string => figure(value ?? undefined, report.statistics["flip.mean"]);
   return html`<section><h3>Both paths against the truth ${help("truth")}</h3>
     <div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
-      <thead><tr><th scope="col">figure</th><th scope="col">high-end</th><th scope="col">mobile</th></tr></thead>
+      <thead><tr><th scope="col">figure</th><th scope="col">${pathWord(reference)}</th><th scope="col">${pathWord(test)}</th></tr></thead>
       <tbody>${names.map((name) => html`<tr><th scope="row">${report.statistics[name]?.label ?? name}</th><td class="number">${figureIn(figures.reference, name, report.statistics)}</td><td class="number">${figureIn(figures.test, name, report.statistics)}</td></tr>`)}</tbody>
     </table></div>
     <p class="aside">Standard error of the truth's own pixels: median ${fixed((figures.error.median ?? NaN) * 100, 2)} %, worst ${fixed((figures.error.worst ?? NaN) * 100, 2)} %${figures.nonFinite > 0 ? html`; <b>${figures.nonFinite} of its pixels are not finite</b>` : nothing}.</p>
     ${truth.terms.length === 0 ? nothing : html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
       <caption>Mean light by term${help("termLight")}</caption>
-      <thead><tr><th scope="col">term</th><th scope="col">truth</th><th scope="col">high-end</th><th scope="col">mobile</th><th scope="col">FLIP high-end</th><th scope="col">FLIP mobile</th></tr></thead>
+      <thead><tr><th scope="col">term</th><th scope="col">truth</th><th scope="col">${pathWord(reference)}</th><th scope="col">${pathWord(test)}</th><th scope="col">FLIP ${pathWord(reference)}</th><th scope="col">FLIP ${pathWord(test)}</th></tr></thead>
       <tbody>${truth.terms.map((term) => html`<tr><th scope="row">${term.term}</th><td class="number">${fixed(term.luminance.truth, 4)}</td><td class="number">${fixed(term.luminance.reference, 4)}</td><td class="number">${fixed(term.luminance.test, 4)}</td>
           <td class="number">${ofTerm(term.figures?.reference["flip.mean"])}</td><td class="number">${ofTerm(term.figures?.test["flip.mean"])}</td></tr>`)}</tbody></table></div>`}
     ${truth.notes.length > 0 ? html`<ul class="notes">${truth.notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
@@ -88,9 +89,9 @@ export class ParityNumbers extends LitElement {
     const scene = report.scenes[this.row.scene];
     if (!scene || !judged) return html``;
     return html`<div class="numbers">
-      ${figureTable(judged, this.row.kind, report)}
-      ${judged.stages.map((stage) => stageLine(stage, report))}
-      ${judged.truth ? truthTables(judged.truth, report) : nothing}
+      ${figureTable(judged, this.row, report)}
+      ${judged.stages.map((stage) => stageLine(stage, this.row.test, report))}
+      ${judged.truth ? truthTables(judged.truth, this.row, report) : nothing}
       ${bench ? html`<section><h3>Error against time ${help("pareto")}</h3>${sceneNamed(bench, scene.name)}</section>` : nothing}
       <section><h3>To see it again</h3>
         ${run && run.commandLine !== "" ? html`<p>The whole report:</p>${copyable(run.commandLine, "the command of the report")}` : nothing}

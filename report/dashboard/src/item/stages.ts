@@ -1,6 +1,7 @@
-// What each stage of the mobile path alone makes of its picture.
+// What each stage of a path alone makes of its picture.
 import { html, nothing, type TemplateResult } from "lit";
 
+import { pathWord } from "../data/paths";
 import type { Report, Stage } from "../data/types";
 import { figureIn } from "../format";
 import { help, type Topic } from "../help";
@@ -15,7 +16,8 @@ export function wordsOf(stage: string): string {
   return kStages[stage]?.words ?? `The stage ${stage} by`;
 }
 
-export function stageLine({ stage, through, figures }: Stage, report: Report): TemplateResult {
+/** path: its name. */
+export function stageLine({ stage, through, figures }: Stage, path: string, report: Report): TemplateResult {
   const topic = kStages[stage]?.topic;
-  return html`<p>${wordsOf(stage)} <code>${through}</code> alone makes FLIP ${figureIn(figures, "flip.mean", report.statistics)} in mobile's own picture.${topic ? help(topic) : nothing}</p>`;
+  return html`<p>${wordsOf(stage)} <code>${through}</code> alone makes FLIP ${figureIn(figures, "flip.mean", report.statistics)} in ${pathWord(path)}'s own picture.${topic ? help(topic) : nothing}</p>`;
 }

@@ -53,10 +53,10 @@ export class ParityTerms extends LitElement {
       <td class="number">${figure(value ?? undefined, statistic)}</td>
       <td class="number">${kind === "now" || flip === null || value === null ? nothing : `${signed(((value - flip) / Math.max(flip, 1e-9)) * 100, 0)} %`}</td></tr>`;
     const sorted = [...terms].sort((a, b) => (a.flip ?? Infinity) - (b.flip ?? Infinity));
-    return html`<h3>Mean FLIP with one term of high-end's ${help("attribution")}</h3>
+    return html`<h3>Mean FLIP with one term of ${pathWord(this.row.reference)}'s ${help("attribution")}</h3>
       <p>${
         cause
-          ? html`The cause: <b>${cause.term}</b>. With high-end's, mean FLIP would be ${figure(cause.after, statistic)} in place of ${figure(cause.before, statistic)}.`
+          ? html`The cause: <b>${cause.term}</b>. With ${pathWord(this.row.reference)}'s, mean FLIP would be ${figure(cause.after, statistic)} in place of ${figure(cause.before, statistic)}.`
           : "No single term explains it: no swap lowers FLIP by a tenth."
       }</p>
       <div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table class="attribution">

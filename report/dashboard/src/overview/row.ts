@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 
 import { imageSource } from "../data/images";
+import { pathTitle } from "../data/paths";
 import { checkOf, figureOf, type Row } from "../data/rows";
 import type { Check, Images, Report } from "../data/types";
 import { count, figure } from "../format";
@@ -24,7 +25,7 @@ export function thumbnails(row: Row, report: Report): TemplateResult {
   const images = imagesOf(row, report);
   if (!images || images.reference === "") return html`<span class="no-picture">no picture</span>`;
   const name = row.name.slice(0, 200);
-  return html`${thumbnail(images.reference, "High-end picture", name)}${thumbnail(images.test, "Mobile picture", name)}${thumbnail(images.flip, "FLIP map", name)}`;
+  return html`${thumbnail(images.reference, `${pathTitle(row.reference)} picture`, name)}${thumbnail(images.test, `${pathTitle(row.test)} picture`, name)}${thumbnail(images.flip, "FLIP map", name)}`;
 }
 
 /** Shares of a bar's width, 0..100, for a value and its limits. */
@@ -81,7 +82,7 @@ export function fullRow(row: Row, report: Report, hash: string): TemplateResult 
 export function compactRow(row: Row, report: Report, hash: string, open: boolean): TemplateResult {
   const images = imagesOf(row, report);
   return html`
-    <span role="cell" class="cell-pictures">${images ? thumbnail(images.test, "Mobile picture", row.name.slice(0, 200)) : nothing}</span>
+    <span role="cell" class="cell-pictures">${images ? thumbnail(images.test, `${pathTitle(row.test)} picture`, row.name.slice(0, 200)) : nothing}</span>
     <span role="cell" class="cell-name">
       <a class="name" href=${hash} aria-current=${open ? "true" : "false"}><bdi>${row.name === "" ? "(no name)" : row.name}</bdi></a>
       <small class="place"><bdi>${row.place}</bdi></small>
