@@ -69,7 +69,8 @@ void RenderStress::openDevices() {
                   .preset = valueOf(set, "mobile-preset"),
                   .half = valueOf(set, "precision") == "fp16",
                   .context = nullptr};
-      const bool isWanted = setup.preset.empty() || std::ranges::count(m_options.presets, setup.preset) > 0;
+      const bool isWanted =
+          setup.preset.empty() || m_options.presets.empty() || std::ranges::count(m_options.presets, setup.preset) > 0;
       if (!isWanted || (setup.half && !m_halfSkipped.empty())) continue;
       job::Settings settings;
       settings.width = settings.height = m_options.size;

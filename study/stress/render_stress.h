@@ -13,8 +13,8 @@ namespace parity::stress {
 
 struct RenderOptions {
   gpu::DeviceOptions device;
-  int size = 64;                                                         // pixels a side
-  std::vector<std::string> presets = {"karis2014", "ue4-2020", "refit"}; // of the mobile path
+  int size = 64;                    // pixels a side
+  std::vector<std::string> presets; // only these of the mobile path; empty: all
 };
 
 struct SceneResult {

@@ -97,10 +97,10 @@ TEST_F(ResultCacheTest, BlocksOfTexturesCount) {
     EXPECT_NE(first.files.at("report.json"), before) << block;
     before = first.files.at("report.json");
     const nlohmann::json view = nlohmann::json::parse(before)["scenes"][0]["views"][0];
-    ASSERT_EQ(view["whole"]["stages"].size(), 1U) << block;
-    EXPECT_EQ(view["whole"]["stages"][0]["stage"], "textures");
-    EXPECT_EQ(view["whole"]["stages"][0]["through"], block);
-    EXPECT_GT(view["whole"]["stages"][0]["figures"]["metrics"]["flip.mean"], 0) << block;
+    const nlohmann::json stage = view["whole"]["stages"].back(); // behind the render target's
+    EXPECT_EQ(stage["stage"], "textures");
+    EXPECT_EQ(stage["through"], block);
+    EXPECT_GT(stage["figures"]["metrics"]["flip.mean"], 0) << block;
   }
 }
 
