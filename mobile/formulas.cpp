@@ -6,30 +6,30 @@ namespace {
 
 constexpr std::size_t kBuiltIn = static_cast<std::size_t>(EnvironmentBrdf::refit) + 1;
 
-std::vector<Formula>& formulas() {
-  static std::vector<Formula> all;
+struct Added {
+  std::vector<Options> presets;
+  std::vector<Formula> formulas;
+};
+
+Added& added() {
+  static Added all;
   return all;
 }
 
 } // namespace
 
-EnvironmentBrdf addFormula(const Formula& formula) {
-  formulas().push_back(formula);
-  return static_cast<EnvironmentBrdf>(kBuiltIn + formulas().size() - 1);
+bool addPreset(Options options, const Formula& formula) {
+  options.environmentBrdf = static_cast<EnvironmentBrdf>(kBuiltIn + added().formulas.size());
+  added().presets.push_back(std::move(options));
+  added().formulas.push_back(formula);
+  return true;
 }
+
+const std::vector<Options>& addedPresets() { return added().presets; }
 
 const Formula* formulaOf(EnvironmentBrdf environmentBrdf) {
   const auto place = static_cast<std::size_t>(environmentBrdf);
-  return place < kBuiltIn ? nullptr : &formulas().at(place - kBuiltIn);
-}
-
-const std::vector<std::string>& environmentBrdfNames() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = {"karis2014", "ue4", "refit"};
-    for (const Formula& formula : formulas()) all.push_back(formula.name);
-    return all;
-  }();
-  return names;
+  return place < kBuiltIn ? nullptr : &added().formulas.at(place - kBuiltIn);
 }
 
 } // namespace parity::mobile

@@ -1,23 +1,26 @@
-// Environment BRDFs beside those of the mobile shader: each with a shader that brings its formula along.
+// Presets beside the built-in ones, each with an environment BRDF of its own.
 #pragma once
 
-#include <string>
+#include <vector>
 
 #include "gpu/device/pipeline.h"
 #include "mobile/options.h"
 
 namespace parity::mobile {
 
-// parity_formula (cmake/ParityShaders.cmake) makes the shaders from a file that defines
+// The mobile shader with the formula of a file that defines
 //   real2 ownEnvironmentBrdfAB(real3 SpecularColor, real Roughness, real NoV)
-// A and B of SpecularColor A + B, of arguments in [0, 1]. Fully rough materials never ask for it.
+// A and B of SpecularColor A + B, of arguments in [0, 1]; fully rough materials never ask for it. parity_formula
+// (cmake/ParityShaders.cmake) makes both shaders from the file.
 struct Formula {
-  std::string name; // as environmentBrdfNames() has it
   gpu::Spirv fp16, fp32;
 };
 
-// Before main: the table of knobs is made once.
-EnvironmentBrdf addFormula(const Formula& formula);
+// options: those of the preset, with its name; the formula takes that name and the place of options.environmentBrdf.
+// Before main: the table of knobs is made once. Returns true.
+bool addPreset(Options options, const Formula& formula);
+// In the order in which they were added. The environment BRDF of the first is EnvironmentBrdf::refit + 1.
+const std::vector<Options>& addedPresets();
 // Null: one of the mobile shader's own.
 const Formula* formulaOf(EnvironmentBrdf environmentBrdf);
 

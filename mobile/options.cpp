@@ -5,26 +5,31 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "mobile/formulas.h"
 
 namespace parity::mobile {
 
 namespace {
 
-std::vector<Options>& presets() {
-  static std::vector<Options> all = {{.preset = "karis2014",
-                                      .environmentBrdf = EnvironmentBrdf::karis2014,
-                                      .directLobe = DirectLobe::dApprox,
-                                      .captureScale = CaptureScale::full,
-                                      .localLights = false,
-                                      .roughnessFloor = 0},
-                                     {},
-                                     {.preset = "refit",
-                                      .environmentBrdf = EnvironmentBrdf::refit,
-                                      .directLobe = DirectLobe::refit,
-                                      .captureScale = CaptureScale::occlusion,
-                                      .capture = CaptureEncoding::rgb9e5,
-                                      .sky = SkyForm::tinted,
-                                      .roughnessFloor = 0}};
+const std::vector<Options>& presets() {
+  static const std::vector<Options> all = [] {
+    std::vector<Options> presets = {{.preset = "karis2014",
+                                     .environmentBrdf = EnvironmentBrdf::karis2014,
+                                     .directLobe = DirectLobe::dApprox,
+                                     .captureScale = CaptureScale::full,
+                                     .localLights = false,
+                                     .roughnessFloor = 0},
+                                    {},
+                                    {.preset = "refit",
+                                     .environmentBrdf = EnvironmentBrdf::refit,
+                                     .directLobe = DirectLobe::refit,
+                                     .captureScale = CaptureScale::occlusion,
+                                     .capture = CaptureEncoding::rgb9e5,
+                                     .sky = SkyForm::tinted,
+                                     .roughnessFloor = 0}};
+    presets.insert(presets.end(), addedPresets().begin(), addedPresets().end());
+    return presets;
+  }();
   return all;
 }
 
@@ -39,8 +44,6 @@ const std::vector<std::string>& presetNames() {
   return names;
 }
 
-void addPreset(const Options& options) { presets().push_back(options); }
-
 Options presetByName(const std::string& name) {
   const auto found = std::ranges::find(presets(), name, &Options::preset);
   if (found == presets().end())
@@ -54,6 +57,14 @@ CaptureScale captureScaleOf(const Options& options, bool hasCaptures) {
   return hasCaptures ? CaptureScale::mixing : CaptureScale::sky;
 }
 
+const std::vector<std::string>& environmentBrdfNames() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = {"karis2014", "ue4", "refit"};
+    for (const Options& preset : addedPresets()) all.push_back(preset.preset);
+    return all;
+  }();
+  return names;
+}
 const std::vector<std::string>& precisionNames() {
   static const std::vector<std::string> names = {"fp16", "fp32"};
   return names;

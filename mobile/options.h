@@ -14,7 +14,7 @@ namespace parity::mobile {
 enum class Precision { fp16, fp32 };
 
 // The environment BRDF: Karis' EnvBRDFApprox, UE4's with AB.y *= saturate(50 g), or our own (shading/refit.glsl), whose
-// one read leans off the mirror direction and to which the direct lobe `refit` belongs. Beyond them: what addFormula
+// one read leans off the mirror direction and to which the direct lobe `refit` belongs. Beyond them: what addPreset
 // adds (mobile/formulas.h).
 enum class EnvironmentBrdf { karis2014, ue4, refit };
 
@@ -68,8 +68,6 @@ struct Options {
 // no roughness floor. "ue4-2020": UE4's base pass. "refit": our own, as close to the high-end path as the cost of
 // ue4-2020 allows.
 const std::vector<std::string>& presetNames();
-// One more, named options.preset; before main.
-void addPreset(const Options& options);
 // Throws Error (usage) naming the known presets.
 Options presetByName(const std::string& name);
 
@@ -77,7 +75,7 @@ Options presetByName(const std::string& name);
 CaptureScale captureScaleOf(const Options& options, bool hasCaptures);
 
 // Names as the command line and reports have them, in the order of the enumerators.
-const std::vector<std::string>& environmentBrdfNames(); // "karis2014", "ue4", "refit", those of addFormula
+const std::vector<std::string>& environmentBrdfNames(); // "karis2014", "ue4", "refit", those of addPreset
 const std::vector<std::string>& directLobeNames();      // "d-approx", "calc-specular", "refit", "phong-approx"
 const std::vector<std::string>& precisionNames();       // "fp16", "fp32"
 const std::vector<std::string>& captureScaleNames();    // "auto", "sky", "mixing", "full", "occlusion"

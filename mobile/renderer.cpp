@@ -107,7 +107,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   gpu::PathProgram program;
   program.name = "mobile";
   const Precision precision = precisionOn(device.report(), options);
-  static const Formula builtIn{"", kMobileFp16Comp, kMobileFp32Comp};
+  static const Formula builtIn{kMobileFp16Comp, kMobileFp32Comp};
   const Formula* const own = formulaOf(options.environmentBrdf);
   program.spirv = precision == Precision::fp16 ? (own ? *own : builtIn).fp16 : (own ? *own : builtIn).fp32;
   if (precision != options.precision)

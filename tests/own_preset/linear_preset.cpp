@@ -2,8 +2,4 @@
 #include "own_preset_shaders/linear_fp16.comp.h"
 #include "own_preset_shaders/linear_fp32.comp.h"
 
-static const bool kIsAdded =
-    (parity::mobile::addPreset(
-         {.preset = "linear",
-          .environmentBrdf = parity::mobile::addFormula({"linear", kLinearFp16Comp, kLinearFp32Comp})}),
-     true);
+static const bool kIsAdded = parity::mobile::addPreset({.preset = "linear"}, {kLinearFp16Comp, kLinearFp32Comp});
