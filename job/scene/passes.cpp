@@ -26,9 +26,9 @@ std::vector<report::PassResult> describePasses(const Work& work, const NoNeed& w
   add("choice of local lights", "objects", work.lightChoices, why.lightChoice);
   for (const auto& [path, samples] : work.shadedSamples) add("shade " + path, "samples", samples, "");
   add("terms", "samples", work.termSamples, why.terms);
-  add("reference materials", "samples", work.resolvedSamples, why.truth);
-  add("reference integrals", "samples", work.integratedSamples, why.truth);
-  add("reference occluders", "meshes", work.occluderMeshes, why.occluders);
+  add("truth materials", "samples", work.resolvedSamples, why.truth);
+  add("truth integrals", "samples", work.integratedSamples, why.truth);
+  add("truth occluders", "meshes", work.occluderMeshes, why.occluders);
   add("compare", "pixels", work.comparedPixels, "");
   add("compare with the truth", "pixels", work.comparedWithTruth, why.truth);
   add("dropped lights", "pictures", work.lightPictures, why.droppedLights);

@@ -109,9 +109,8 @@ TEST_F(PassesTest, LightsThatAreNotThereAreNeitherChosenNorLoopedOver) {
 TEST_F(PassesTest, FogTermsAndAllElseOnRequestOnly) {
   const std::string quad = writeQuad();
   const Passes plain = run(quad, kSun);
-  for (const char* pass :
-       {"terms", "reference materials", "reference integrals", "reference occluders", "compare with the truth",
-        "shader costs", "spread of normals", "texture compression", "attribution"}) {
+  for (const char* pass : {"terms", "truth materials", "truth integrals", "truth occluders", "compare with the truth",
+                           "shader costs", "spread of normals", "texture compression", "attribution"}) {
     EXPECT_EQ(plain[pass], 0u) << pass;
     EXPECT_EQ(plain.why(pass), "not asked for") << pass;
   }

@@ -34,7 +34,7 @@ json withoutTruth(json report) {
       const std::string name = s["name"];
       return contains(name, "truth") || name == "interreflection";
     });
-  const std::set<std::string> passes = {"reference materials", "reference integrals", "reference occluders",
+  const std::set<std::string> passes = {"truth materials", "truth integrals", "truth occluders",
                                         "compare with the truth", "terms"};
   for (json& scene : report["scenes"]) {
     std::erase_if(scene["passes"].get_ref<json::array_t&>(),
