@@ -9,6 +9,6 @@ describe("a stage of the mobile path", () => {
     expect(wordsOf("encoding")).toBe("The render target");
     expect(wordsOf("textures")).toBe("Compression of textures by");
     const third: Stage = { stage: "upscaling", through: "a bicubic of half size", figures: makeFigures(0.25) };
-    expect(stageLine(third, makeReport([])).values.slice(0, 3)).toEqual(["The stage upscaling by", "a bicubic of half size", "0.2500"]);
+    expect(stageLine(third, "mobile", makeReport([])).values.slice(0, 3)).toEqual(["The stage upscaling by", "a bicubic of half size", "0.2500"]);
   });
 });
