@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "mobile/approximate_brdf.h"
 #include "mobile/environment_upload.h"
 #include "mobile/knobs.h"
 #include "mobile/light_choice.h"
@@ -94,6 +95,10 @@ public:
     return {.prefilter = {.levels = lighting::PrefilterLevels::first}, .hasOneSun = true, .bakesLocalLights = true};
   }
   const std::vector<paths::Intermediate>& intermediates() const override { return views(); }
+  std::unique_ptr<paths::EnvBrdf> environmentBrdf(const paths::Options& options) const override {
+    return std::make_unique<ApproximateBrdf>(options.of<Options>());
+  }
+  std::vector<std::string> environmentBrdfKnobs() const override { return {"mobile-preset"}; }
 
   std::unique_ptr<paths::Renderer> makeRenderer(const paths::Inputs& inputs,
                                                 const paths::Options& options) const override {
