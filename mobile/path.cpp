@@ -130,7 +130,8 @@ public:
     return options.of<Options>().spotShadow || options.of<Options>().sunShadow;
   }
   std::vector<std::string> notesOn(const scenes::Material& m, const paths::Options& options) const override {
-    if (m.isNonmetal() && !m.fullyRough && options.of<Options>().environmentBrdf != EnvironmentBrdf::refit)
+    if (m.fullyRough) return {"fully rough: no specular, no environment fetch on mobile"};
+    if (m.isNonmetal() && options.of<Options>().environmentBrdf != EnvironmentBrdf::refit)
       return {"nonmetal: EnvBRDFApproxNonmetal on mobile"};
     return {};
   }
