@@ -16,7 +16,7 @@
 
 #include "bake/encode/dilation.h"
 #include "bake/encode/distance_field.h"
-#include "bake/encode/highend_encoding.h"
+#include "bake/encode/half_encoding.h"
 #include "bake/encode/lq_encoding.h"
 #include "bake/encode/sun_pages.h"
 #include "bake/light/integrate.h"
@@ -139,11 +139,11 @@ void dilatePages(benchmark::State& state) {
   countTexels(state, yard);
 }
 
-void encodeHighend(benchmark::State& state) {
+void encodeHalves(benchmark::State& state) {
   Yard& yard = yardOf(state);
   const std::vector<bake::LightmapPage> pages = yard.pages();
   for (auto _ : state)
-    for (const bake::LightmapPage& page : pages) benchmark::DoNotOptimize(bake::encodeHighend(page));
+    for (const bake::LightmapPage& page : pages) benchmark::DoNotOptimize(bake::encodeHalves(page));
   countTexels(state, yard);
 }
 
@@ -188,7 +188,7 @@ PARITY_BAKE(integrateLight)->RangeMultiplier(2)->Range(4, 16)->Iterations(1);
 PARITY_BAKE_OF(lightToOnePercent, room)->RangeMultiplier(2)->Range(4, 16)->Iterations(1);
 PARITY_BAKE_OF(lightToOnePercent, courtyard)->RangeMultiplier(2)->Range(4, 16)->Iterations(1);
 PARITY_BAKE(dilatePages)->RangeMultiplier(2)->Range(4, 16);
-PARITY_BAKE(encodeHighend)->RangeMultiplier(2)->Range(4, 16);
+PARITY_BAKE(encodeHalves)->RangeMultiplier(2)->Range(4, 16);
 PARITY_BAKE(encodeMobile8Bits)->RangeMultiplier(2)->Range(4, 16);
 PARITY_BAKE(encodeMobileAstc4x4)->RangeMultiplier(2)->Range(4, 16);
 PARITY_BAKE(encodeMobileAstc6x6)->RangeMultiplier(2)->Range(4, 16);

@@ -89,7 +89,7 @@ void printSummary(const Task& task, const job::BakeResult& result, double second
   print("\n  error {:.2g} % in the median, {:.2g} % at worst; {:.1f} % of texels within what was wanted{}\n",
         100 * f.errorMedian, 100 * f.errorWorst, 100 * f.shareWithinError,
         f.shareWithinError < 0.95 ? ": more with a larger --max-samples" : "");
-  print("  mobile lightmap: rms error {:.2g} % in 8 bits, {:.2g} % after ASTC {}{}\n", 100 * f.quantizedError,
+  print("  encoded lightmap: rms error {:.2g} % in 8 bits, {:.2g} % after ASTC {}{}\n", 100 * f.quantizedError,
         100 * f.storedError, result.light.astc, astcDb(f));
   print("  {} environment {}; {}\n", result.light.captures.size(),
         result.light.captures.size() == 1 ? "capture" : "captures", task.folder.string());

@@ -63,14 +63,14 @@ const std::vector<std::string> kNotRead = {"env",
 constexpr const char* kIntro = R"(parity: does a material look the same on two shading paths?
 
 Renders a glTF scene by a high-end path (full GGX, tabulated environment BRDF, all lights) and by a mobile path (Karis 2014, UE4's
-mobile base pass), compares them per material by FLIP, and judges them against budgets.
+base pass), compares them per material by FLIP, and judges them against budgets.
 
   parity report scene.glb --env studio.hdr --sun 30,50,4 -o out      a report with pictures: out/index.html
   parity diff   scene.glb --env studio.hdr                           a table, one row a material
   parity flip   reference.png test.png -o map.exr                    any two images
   parity budget suggest out/report.json -o budgets.toml              limits from what was observed
-  parity fit --geometry-term schlick-smith --format hlsl             mobile constants for your own high-end path
-  parity plot env-brdf scene.glb -o plot                             how far mobile's environment BRDF is from the table
+  parity fit --geometry-term schlick-smith --format hlsl             constants of the preset refit for a path of your own
+  parity plot env-brdf scene.glb -o plot                             how far EnvBRDFApprox is from the table
   parity bench scene.glb --env studio.hdr --budget flip.mean=0.02 -o out   what each setting costs, and is worth
   parity bake scene.glb --env studio.hdr -o baked                    light of everything but the sun, for --baked baked
   parity stress -o stress                                            what is not finite, negative or wrong, and where
@@ -175,13 +175,12 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addBudgetOptions(budgetApp, budget);
 
   RawFitOptions rawFit;
-  CLI::App& fitApp =
-      *app.add_subcommand("fit", "Fit the mobile preset refit to a high-end path's settings and print its constants");
+  CLI::App& fitApp = *app.add_subcommand("fit", "Fit the preset refit to a path's settings and print its constants");
   addFitOptions(fitApp, rawFit);
 
   RawPlotOptions rawPlot;
   CLI::App& plotApp =
-      *app.add_subcommand("plot", "Draw a formula of both paths and their difference; on a scene's materials, too");
+      *app.add_subcommand("plot", "Draw a formula of two paths and their difference; on a scene's materials, too");
   addPlotOptions(plotApp, rawPlot);
 
   RawBenchOptions rawBench;

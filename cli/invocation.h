@@ -92,7 +92,7 @@ struct FitCommand {
 struct PlotCommand {
   std::string what;          // "env-brdf"
   std::string scene, folder; // the scene: empty for none
-  paths::Options options;    // the two formulas
+  job::Settings settings;    // of these: the paths and their options
   int threads = 0;
   bool quiet = false;
 };

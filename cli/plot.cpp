@@ -10,6 +10,7 @@
 #include "cli/file_conflicts.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
+#include "job/paths.h"
 #include "scenes/load.h"
 #include "study/plot/env_brdf_picture.h"
 #include "study/plot/env_brdf_plot.h"
@@ -23,22 +24,20 @@ int runPlotCommand(const PlotCommand& command) {
                               ofMaterials = folder / "env-brdf-materials.csv";
   requireSeparate({{"-o", picture}, {"-o", numbers}, {"-o", ofMaterials}}, {{"the scene", command.scene}});
   const base::ThreadLimit threads(command.threads);
-  const plot::TableBrdf table(command.options.of<highend::Options>());
-  const plot::ApproximateBrdf approximate(command.options.of<mobile::Options>());
+  const plot::PlottedPair pair = plot::pairOf(job::pathsOf(command.settings).chosen, command.settings.options);
   std::vector<plot::MaterialDeviation> materials;
   std::string name;
   if (!command.scene.empty()) {
     const scenes::Scene scene = scenes::loadScene(command.scene);
     for (const std::string& warning : scene.warnings) base::logWarning(warning);
     name = scene.name;
-    materials = plot::deviationsOf(scene, table, approximate);
+    materials = plot::deviationsOf(scene, pair);
     if (materials.empty()) base::logWarning(command.scene + ": no material is lit, none is compared");
   }
-  base::writeImage8(picture, plot::drawEnvBrdf(table, approximate, materials, name),
-                    {.channelNames = {}, .pngCompression = 6});
-  base::writeText(numbers, plot::envBrdfCsv(table, approximate));
-  if (!materials.empty()) base::writeText(ofMaterials, plot::materialsCsv(materials));
-  if (!command.quiet) print("{}\n{}\n", plot::describe(table, approximate, materials), picture.string());
+  base::writeImage8(picture, plot::drawEnvBrdf(pair, materials, name), {.channelNames = {}, .pngCompression = 6});
+  base::writeText(numbers, plot::envBrdfCsv(pair));
+  if (!materials.empty()) base::writeText(ofMaterials, plot::materialsCsv(pair, materials));
+  if (!command.quiet) print("{}\n{}\n", plot::describe(pair, materials), picture.string());
   return 0;
 }
 

@@ -8,6 +8,7 @@
 #include "highend/environment_upload.h"
 #include "highend/knobs.h"
 #include "highend/renderer.h"
+#include "highend/table_brdf.h"
 
 namespace parity::highend {
 
@@ -84,6 +85,12 @@ public:
   bool switchesLights() const override { return true; }
   const shading::SurfaceModel* surfaceModel(const paths::Options& options) const override {
     return &options.of<Options>().model;
+  }
+  std::unique_ptr<paths::EnvBrdf> environmentBrdf(const paths::Options& options) const override {
+    return std::make_unique<TableBrdf>(options.of<Options>());
+  }
+  std::vector<std::string> environmentBrdfKnobs() const override {
+    return {"geometry-term", "fresnel", "compensation"};
   }
 
   std::unique_ptr<paths::Renderer> makeRenderer(const paths::Inputs& inputs,

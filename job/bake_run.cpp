@@ -8,7 +8,7 @@
 #include "bake/atlas/density.h"
 #include "bake/encode/dilation.h"
 #include "bake/encode/distance_field.h"
-#include "bake/encode/highend_encoding.h"
+#include "bake/encode/half_encoding.h"
 #include "bake/encode/lq_encoding.h"
 #include "bake/encode/sun_pages.h"
 #include "bake/light/capture_places.h"
@@ -157,7 +157,7 @@ private:
     light.figures.colorDb = std::min(lq.figures.colorDb, bake::kNoLossDb);
     light.figures.directionDb = std::min(lq.figures.directionDb, bake::kNoLossDb);
     const auto encodeAll = [&](const std::vector<bake::LightmapPage>& all) {
-      for (const bake::LightmapPage& page : all) light.halfPages.push_back(bake::encodeHighend(page));
+      for (const bake::LightmapPage& page : all) light.halfPages.push_back(bake::encodeHalves(page));
     };
     if (m_options.localLights == bake::LocalLights::isStatic)
       encodeAll(pages);

@@ -86,7 +86,7 @@ void addPicture(KnobTable<S>& t) {
 void addShadows(KnobTable<S>& t) {
   using O = gpu::ShadowOptions;
   t.flag<&S::shadows>("shadows",
-                      "Lights cast shadows: high-end by shadow maps, the truth by rays, of the environment too");
+                      "Lights cast shadows: by a path's shadow maps, in the truth by rays, of the environment too");
   std::vector<std::string> sizes;
   for (std::uint32_t size = gpu::kMinShadowMapSize; size <= gpu::kMaxShadowMapSize; size *= 2)
     sizes.push_back(std::to_string(size));
@@ -203,7 +203,7 @@ void addVerdict(KnobTable<S>& t) {
       .notInSuite();
   t.whole<&S::droppedLights>(
        "dropped-lights", 0, 100000,
-       "Measure what so many of a view's lights do that mobile drops, the brightest of them; 0: none")
+       "Measure what so many of a view's lights do that a path drops, the brightest of them; 0: none")
       .actsOn(ActsOn::nothing)
       .notInSuite();
   t.flag<&S::terms>("terms", "Also measure the terms (sun, sky, lights... diffuse and specular)")

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "mobile/approximate_brdf.h"
 #include "mobile/environment_upload.h"
+#include "mobile/formulas.h"
 #include "mobile/knobs.h"
 #include "mobile/light_choice.h"
 #include "mobile/renderer.h"
@@ -94,6 +96,12 @@ public:
     return {.prefilter = {.levels = lighting::PrefilterLevels::first}, .hasOneSun = true, .bakesLocalLights = true};
   }
   const std::vector<paths::Intermediate>& intermediates() const override { return views(); }
+  std::unique_ptr<paths::EnvBrdf> environmentBrdf(const paths::Options& options) const override {
+    const Options& own = options.of<Options>();
+    if (formulaOf(own.environmentBrdf)) return nullptr; // only its shader knows it
+    return std::make_unique<ApproximateBrdf>(own);
+  }
+  std::vector<std::string> environmentBrdfKnobs() const override { return {"mobile-preset"}; }
 
   std::unique_ptr<paths::Renderer> makeRenderer(const paths::Inputs& inputs,
                                                 const paths::Options& options) const override {
@@ -125,8 +133,9 @@ public:
     return options.of<Options>().spotShadow || options.of<Options>().sunShadow;
   }
   std::vector<std::string> notesOn(const scenes::Material& m, const paths::Options& options) const override {
+    if (m.fullyRough) return {"fully rough: no specular, no environment fetch on mobile"};
     const EnvironmentBrdf brdf = options.of<Options>().environmentBrdf;
-    if (m.isNonmetal() && !m.fullyRough && (brdf == EnvironmentBrdf::karis2014 || brdf == EnvironmentBrdf::ue4))
+    if (m.isNonmetal() && (brdf == EnvironmentBrdf::karis2014 || brdf == EnvironmentBrdf::ue4))
       return {"nonmetal: EnvBRDFApproxNonmetal on mobile"};
     return {};
   }

@@ -17,6 +17,7 @@
 #include "lighting/baked_light.h"
 #include "lighting/environment/environment_light.h"
 #include "lighting/environment/panorama_cells.h"
+#include "paths/env_brdf.h"
 #include "paths/options.h"
 #include "paths/store.h"
 #include "shading/surface_model.h"
@@ -128,6 +129,10 @@ public:
 
   // The surface that its lights meet, where the truth may take it over; null: none.
   virtual const shading::SurfaceModel* surfaceModel(const Options&) const { return nullptr; }
+  // The environment BRDF by itself, for plots; null: it has none that is a function of roughness and N.V alone. And the
+  // ids of the knobs that it depends on.
+  virtual std::unique_ptr<EnvBrdf> environmentBrdf(const Options&) const { return nullptr; }
+  virtual std::vector<std::string> environmentBrdfKnobs() const { return {}; }
   // What its colour is stored in; none: as it is computed. exposureEv: of the camera.
   virtual std::optional<gpu::TargetCodec> target(const Options&, const gpu::DeviceReport&, float /*exposureEv*/) const {
     return std::nullopt;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "compare/verdict/wording.h"
+#include "report/wording.h"
 
 namespace parity::report {
 
@@ -15,20 +16,21 @@ void rankByEffect(DroppedLights& dropped) {
   std::ranges::stable_sort(dropped.measured, std::greater<>(), &DroppedLight::worst);
 }
 
-std::string describe(const DroppedLights& dropped) {
+std::string describe(const DroppedLights& dropped, const std::string& reference, const std::string& test) {
   constexpr std::size_t kMaxNamed = 3;
-  std::string text =
-      fmt::format("mobile drops {} of {} light{}", dropped.count(), dropped.lights, dropped.lights == 1 ? "" : "s");
+  std::string text = fmt::format("{} drops {} of {} light{}", titleOf(test), dropped.count(), dropped.lights,
+                                 dropped.lights == 1 ? "" : "s");
   std::size_t named = 0;
   for (const DroppedLight& light : dropped.measured) {
     const std::string flip = compare::formatFigure("flip.mean", light.worst());
     if (named == kMaxNamed || flip == compare::formatFigure("flip.mean", 0)) break;
     const LightEffect& effect = light.materials.front();
-    text += named++ == 0 ? fmt::format("; without '{}' the high-end picture of '{}' changes by FLIP {}", light.name,
-                                       effect.material, flip)
+    text += named++ == 0 ? fmt::format("; without '{}' the {} picture of '{}' changes by FLIP {}", light.name,
+                                       titleOf(reference), effect.material, flip)
                          : fmt::format(", without '{}' of '{}' by {}", light.name, effect.material, flip);
   }
-  if (named == 0) text += "; without any one of those measured the high-end picture looks the same";
+  if (named == 0)
+    text += fmt::format("; without any one of those measured the {} picture looks the same", titleOf(reference));
   if (!dropped.notMeasured.empty())
     text += fmt::format("; {} more {} not measured (--dropped-lights)", dropped.notMeasured.size(),
                         dropped.notMeasured.size() == 1 ? "was" : "were");

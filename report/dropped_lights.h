@@ -1,4 +1,5 @@
-// The lights that the mobile path drops from a view's objects, and what each does in the high-end picture.
+// The lights that a path drops from a view's objects, and what each does in the picture of the path that it is held
+// against.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +8,8 @@
 
 namespace parity::report {
 
-// Mean FLIP of the displayed high-end picture in which the material alone lacks the light against that with all lights,
-// over the material's pixels.
+// Mean FLIP of the displayed reference picture in which the material alone lacks the light against that with all
+// lights, over the material's pixels.
 struct LightEffect {
   std::string material;
   double flip = 0;
@@ -23,7 +24,7 @@ struct DroppedLight {
 
 // Of a view.
 struct DroppedLights {
-  std::size_t lights = 0;             // that mobile could have, dropped or not
+  std::size_t lights = 0;             // that the path could have, dropped or not
   std::vector<DroppedLight> measured; // the most first
   std::vector<std::string>
       notMeasured; // names of those beyond the run's limit: of less estimated effect, the most first
@@ -34,7 +35,7 @@ struct DroppedLights {
 void rankByEffect(DroppedLights& dropped);
 
 // "mobile drops 5 of 9 lights; without 'lamp 3' the high-end picture of 'floor' changes by FLIP 0.043, without ...; 2
-// more were not measured": of up to three lights the material that each changes the most.
-std::string describe(const DroppedLights& dropped);
+// more were not measured": of up to three lights the material that each changes the most. Paths by their names.
+std::string describe(const DroppedLights& dropped, const std::string& reference, const std::string& test);
 
 } // namespace parity::report

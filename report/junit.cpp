@@ -100,9 +100,9 @@ void addCase(Suite& suite, const std::string& className, const std::string& name
   suite.cases += "    </testcase>\n";
 }
 
-std::string materialDetails(const MaterialResult& material) {
+std::string materialDetails(const MaterialResult& material, const std::string& reference) {
   std::string details = figureLines(material.figures, material.test, material.checks);
-  const std::string cause = material.attribution ? describeCause(*material.attribution) : "";
+  const std::string cause = material.attribution ? describeCause(*material.attribution, reference) : "";
   if (!cause.empty()) details += "cause: " + cause + "\n";
   for (const std::string& note : material.notes) details += "note: " + note + "\n";
   return details + baselineLines(material.baseline) + ruleLines(material.rule);
@@ -116,7 +116,8 @@ Suite makeSuite(const SceneResult& scene) {
     addCase(suite, className, "(whole image)", view.wholeVerdict, view.reason,
             figureLines(view.whole, view.test, view.checks) + baselineLines(view.baseline) + ruleLines(view.rule));
     for (const MaterialResult& material : view.materials)
-      addCase(suite, className, material.name, material.verdict, material.reason, materialDetails(material));
+      addCase(suite, className, material.name, material.verdict, material.reason,
+              materialDetails(material, view.reference));
   }
   return suite;
 }

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "report/wording.h"
+
 namespace parity::report {
 
 std::vector<PathCost> costsByPath(const std::vector<PermutationResult>& permutations) {
@@ -26,17 +28,18 @@ std::vector<PathCost> costsByPath(const std::vector<PermutationResult>& permutat
 
 std::string describeCosts(const std::vector<PermutationResult>& permutations) {
   const std::vector<PathCost> paths = costsByPath(permutations);
-  const auto highend = std::ranges::find(paths, "highend", &PathCost::path),
-             mobile = std::ranges::find(paths, "mobile", &PathCost::path);
-  if (highend == paths.end() || mobile == paths.end()) return {};
-  std::string text =
-      fmt::format("a pixel costs {:.0f} scalar operations and {:.1f} texture fetches by high-end, {:.0f} and {:.1f} by "
-                  "mobile",
-                  highend->operations, highend->fetches, mobile->operations, mobile->fetches);
-  if (highend->operations > 0)
-    text += fmt::format(": {:.2f} of the operations", mobile->operations / highend->operations);
-  if (highend->operations > 0 && highend->fetches > 0)
-    text += fmt::format(", {:.2f} of the fetches", mobile->fetches / highend->fetches);
+  if (paths.size() < 2) return {};
+  const PathCost& first = paths.front();
+  std::string text = fmt::format("a pixel costs {:.0f} scalar operations and {:.1f} texture fetches by {}",
+                                 first.operations, first.fetches, titleOf(first.path));
+  for (std::size_t i = 1; i < paths.size(); ++i) {
+    const PathCost& path = paths[i];
+    text += fmt::format("{} {:.0f} and {:.1f} by {}", i == 1 ? "," : ";", path.operations, path.fetches,
+                        titleOf(path.path));
+    if (first.operations > 0) text += fmt::format(": {:.2f} of the operations", path.operations / first.operations);
+    if (first.operations > 0 && first.fetches > 0)
+      text += fmt::format(", {:.2f} of the fetches", path.fetches / first.fetches);
+  }
   return text;
 }
 

@@ -19,7 +19,7 @@ struct PermutationCost {
 
 // A path's shader, specialised.
 struct PermutationResult {
-  std::string path;                    // "highend", "mobile"
+  std::string path;                    // paths::Path::name()
   std::string textures, features;      // what it reads and what it is made for, in words
   std::uint64_t pixels = 0;            // surface samples that it shaded, over all views
   std::uint64_t samplers = 0;          // that it binds: its materials' textures, and what else the path reads
@@ -37,7 +37,8 @@ struct PathCost {
 // In order of the paths' first permutation; those without costs, or without pixels, are left out.
 std::vector<PathCost> costsByPath(const std::vector<PermutationResult>& permutations);
 
-// "mobile takes 0.31 of highend's operations and 0.50 of its fetches"; empty where not both are known.
+// "a pixel costs 900 scalar operations and 11.0 texture fetches by high-end, 375 and 4.5 by mobile: 0.42 of the
+// operations, 0.41 of the fetches": every path held against the first. Empty where fewer than two are known.
 std::string describeCosts(const std::vector<PermutationResult>& permutations);
 
 } // namespace parity::report

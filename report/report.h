@@ -40,7 +40,7 @@ struct BaselineChange {
 
 // Paths relative to the report folder, '/'-separated; empty where there is none.
 struct ImageSet {
-  std::string reference, test, flip; // PNG for display: high-end, mobile, FLIP in magma
+  std::string reference, test, flip; // PNG for display; FLIP in magma
 };
 
 // Mean scene-referred luminance of one term over the material's pixels, by both paths (only with --terms).
@@ -58,9 +58,9 @@ struct PixelFiles {
 
 struct MaterialResult {
   std::string name;
-  std::string test = "mobile"; // the view's
+  std::string test; // the view's
   compare::Figures
-      figures; // high-end against high-end with this material's mobile colours (compare/metrics/measure_swaps.h)
+      figures; // the reference against itself with this material's test colours (compare/metrics/measure_swaps.h)
   std::vector<compare::CheckResult> checks;
   compare::Verdict verdict = compare::Verdict::pass;
   std::string reason;                   // all that decided the verdict; empty on a pass
@@ -80,7 +80,7 @@ struct ViewResult {
   std::string name;
   std::string reference = "highend", test = "mobile"; // the paths whose pictures its figures compare
   int width = 0, height = 0;
-  compare::Figures whole; // high-end against mobile, over all pixels of any material
+  compare::Figures whole; // reference against test, over all pixels of any material
   std::vector<compare::CheckResult> checks;
   compare::AppliedRule rule;                              // of the whole image
   std::optional<BaselineChange> baseline;                 // of the whole image; only where there is one
@@ -93,7 +93,7 @@ struct ViewResult {
   ImageSet images;
   PixelFiles pixels;
   double exposureEv = 0;                      // of its pictures: what the values of `pixels` are exposed by
-  std::optional<DroppedLights> droppedLights; // where mobile drops any, and the run was asked
+  std::optional<DroppedLights> droppedLights; // where the test drops any, and the run was asked
   std::vector<compare::Condition> conditions; // its camera
 };
 

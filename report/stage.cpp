@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "report/wording.h"
+
 namespace parity::report {
 namespace {
 
@@ -22,11 +24,13 @@ bool isShown(const StageResult& stage) {
   return mean && !(*mean < kNotable);
 }
 
-StageWords describe(const StageResult& stage) {
+StageWords describe(const StageResult& stage, const std::string& path) {
   if (stage.stage == kEncodingStage)
-    return {"target", fmt::format("mean FLIP that storing mobile's colour in {} makes by itself", stage.through)};
+    return {"target",
+            fmt::format("mean FLIP that storing {}'s colour in {} makes by itself", titleOf(path), stage.through)};
   if (stage.stage == kTexturesStage)
-    return {"textures", fmt::format("mean FLIP that mobile's textures in {} make by themselves", stage.through)};
+    return {"textures",
+            fmt::format("mean FLIP that {}'s textures in {} make by themselves", titleOf(path), stage.through)};
   return {stage.stage, fmt::format("mean FLIP that {} makes by itself", stage.through)};
 }
 

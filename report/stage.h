@@ -1,4 +1,4 @@
-// The stages that the mobile picture passes through: what each alone makes of it.
+// The stages that a path's picture passes through: what each alone makes of it.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace parity::report {
 inline constexpr const char *kEncodingStage = "encoding", // storing the colour in the render target
     *kTexturesStage = "textures";                         // compressing the textures
 
-// Of a material or a whole image. The reference is the mobile picture without the stage, the test is that with it, both
+// Of a material or a whole image. The reference is the path's picture without the stage, the test is that with it, both
 // as displayed; of every other stage after the target too.
 struct StageResult {
   std::string stage;        // kEncodingStage, kTexturesStage, ...: once in a list
@@ -28,10 +28,10 @@ const StageResult* findStage(const std::vector<StageResult>& stages, std::string
 bool isShown(const StageResult& stage);
 
 // Its column in a table, and what the figures in it are: "mean FLIP that storing mobile's colour in rgba8-gamma2 makes
-// by itself".
+// by itself". path: by its name.
 struct StageWords {
   std::string column, figures;
 };
-StageWords describe(const StageResult& stage);
+StageWords describe(const StageResult& stage, const std::string& path);
 
 } // namespace parity::report

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -42,6 +43,9 @@ bool showsStage(const ViewResult& view, const std::string& stage) {
   return shows(view.stages) || std::ranges::any_of(view.materials, shows, &MaterialResult::stages);
 }
 
+// "hi/truth".
+std::string truthColumn(const std::string& path) { return path.substr(0, 2) + "/truth"; }
+
 std::vector<Column> columnsOf(const ViewResult& view, bool baseline) {
   const compare::Figures* sample = view.whole.values.empty() ? nullptr : &view.whole;
   for (const MaterialResult& material : view.materials)
@@ -52,12 +56,12 @@ std::vector<Column> columnsOf(const ViewResult& view, bool baseline) {
   if (sample->find("bias.ev")) columns.push_back({.title = "EV", .metric = "bias.ev", .width = 8});
   if (baseline && sample->find("flip.mean")) columns.push_back({"since", "flip.mean", true, 6});
   if (view.truth) {
-    columns.push_back({"hi/truth ", "flip.mean", false, 9, &compare::TruthFigures::reference});
-    columns.push_back({"mo/truth ", "flip.mean", false, 9, &compare::TruthFigures::test});
+    columns.push_back({truthColumn(view.reference) + " ", "flip.mean", false, 9, &compare::TruthFigures::reference});
+    columns.push_back({truthColumn(view.test) + " ", "flip.mean", false, 9, &compare::TruthFigures::test});
   }
   for (const StageResult& stage : view.stages)
     if (showsStage(view, stage.stage)) {
-      const std::string title = describe(stage).column;
+      const std::string title = describe(stage, view.test).column;
       columns.push_back({.title = title, .metric = "flip.mean", .width = title.size(), .stage = stage.stage});
     }
   for (const auto& [metric, title] : kShown)
@@ -135,16 +139,17 @@ std::string formatView(const SceneResult& scene, const ViewResult& view, bool ba
   for (const Column& column : columns) out += fmt::format("  {:>{}}", column.title, column.width);
   out += "\n";
   for (const MaterialResult& material : view.materials)
-    out +=
-        formatRow({material.name, material.test, material.verdict, material.figures, material.baseline, material.truth,
-                   material.stages, material.reason, material.attribution ? describeCause(*material.attribution) : ""},
-                  nameColumns, columns, color);
+    out += formatRow({material.name, material.test, material.verdict, material.figures, material.baseline,
+                      material.truth, material.stages, material.reason,
+                      material.attribution ? describeCause(*material.attribution, view.reference) : ""},
+                     nameColumns, columns, color);
   out += formatRow({"whole image", view.test, view.wholeVerdict, view.whole, view.baseline, view.truth, view.stages,
                     view.reason, ""},
                    nameColumns, columns, color);
   if (view.truth)
     for (const std::string& note : view.truth->notes) out += fmt::format("  {}\n", base::plainLine(note));
-  if (view.droppedLights) out += fmt::format("  {}\n", base::plainLine(describe(*view.droppedLights)));
+  if (view.droppedLights)
+    out += fmt::format("  {}\n", base::plainLine(describe(*view.droppedLights, view.reference, view.test)));
   return out + "\n";
 }
 
@@ -216,13 +221,33 @@ std::string stageLines(const Report& report) {
       for (const StageResult& stage : view.stages) {
         auto line = std::ranges::find(lines, stage.stage, &std::pair<std::string, std::string>::first);
         if (line == lines.end()) line = lines.insert(line, {stage.stage, ""});
-        const StageWords words = describe(stage);
+        const StageWords words = describe(stage, view.test);
         if (line->second.empty() && showsStage(view, stage.stage))
           line->second = fmt::format("{}: {}.\n", words.column, words.figures);
       }
   std::string out;
   for (const auto& [stage, line] : lines) out += line;
   return out;
+}
+
+// Names of the paths, the one first that the others are compared with.
+std::vector<std::string> pathsOf(const Report& report) {
+  std::vector<std::string> paths;
+  const auto add = [&](const ViewResult& view) {
+    for (const std::string& path : {view.reference, view.test})
+      if (std::ranges::count(paths, path) == 0) paths.push_back(path);
+  };
+  for (const SceneResult& scene : report.scenes)
+    for (const ViewResult& view : scene.views) add(view);
+  if (paths.empty()) add({});
+  return paths;
+}
+
+std::string joined(const std::vector<std::string>& paths, const char* between,
+                   const std::function<std::string(const std::string&)>& shown) {
+  std::string text;
+  for (const std::string& path : paths) text += (text.empty() ? "" : between) + shown(path);
+  return text;
 }
 
 } // namespace
@@ -248,13 +273,18 @@ std::string toTable(const Report& report, bool color) {
     out += fmt::format("{}: {}\n", paint(problem.verdict, nameOf(problem.verdict), color),
                        base::plainLine(problem.reason));
   out += unjudgedLine(report);
-  out += "FLIP of the displayed images (0 alike, 1 far apart): mean, p95, max. Each material against the high-end "
-         "picture in which it alone has mobile's colours; the whole image high-end against mobile.\n";
+  const std::vector<std::string> paths = pathsOf(report);
+  const std::string tests = joined({paths.begin() + 1, paths.end()}, " or ", titleOf), first = titleOf(paths.front());
+  out +=
+      fmt::format("FLIP of the displayed images (0 alike, 1 far apart): mean, p95, max. Each material against the {} "
+                  "picture in which it alone has {}'s colours; the whole image {} against {}.\n",
+                  first, tests, first, tests);
   out += stageLines(report);
   if (hasTruth(report))
     out +=
-        "hi/truth, mo/truth: mean FLIP of high-end and of mobile against the truth; ~ where the difference is within 2 "
-        "standard errors of the truth.\n";
+        fmt::format("{}: mean FLIP of {} against the truth; ~ where the difference is within 2 standard errors of the "
+                    "truth.\n",
+                    joined(paths, ", ", truthColumn), joined(paths, " and of ", titleOf));
   return out + fmt::format("verdict: {} ({})\n", paint(report.verdict, nameOf(report.verdict), color), summary(report));
 }
 

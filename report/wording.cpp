@@ -21,14 +21,16 @@ std::string describeGone(const GoneRow& row) {
   return fmt::format("gone: {}: the baseline has it, this run does not", what);
 }
 
-std::string describeCause(const compare::Attribution& attribution) {
+std::string titleOf(const std::string& path) { return path == "highend" ? "high-end" : path; }
+
+std::string describeCause(const compare::Attribution& attribution, const std::string& reference) {
   const std::string flip = compare::formatFigure("flip.mean", attribution.flip);
   if (flip == compare::formatFigure("flip.mean", 0)) return {};
   const auto best = std::ranges::min_element(attribution.terms, {}, &compare::TermEffect::flip);
   if (best == attribution.terms.end() || !(best->flip <= (1 - kLeastExplained) * attribution.flip))
     return "no single term explains it";
-  return fmt::format("{}: FLIP {} -> {} with high-end's", best->term, flip,
-                     compare::formatFigure("flip.mean", best->flip));
+  return fmt::format("{}: FLIP {} -> {} with {}'s", best->term, flip, compare::formatFigure("flip.mean", best->flip),
+                     titleOf(reference));
 }
 
 } // namespace parity::report

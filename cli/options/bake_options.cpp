@@ -81,7 +81,7 @@ void addBakeOptions(CLI::App& app, BakeCommand& command, RawBakeOptions& raw) {
       ->check(powerOfTwo(64, 8192))
       ->group("Textures")
       ->capture_default_str();
-  app.add_option("--astc", raw.astc, "Blocks of mobile's lightmap: 4x4, 6x6, or none (8 bits, not compressed)")
+  app.add_option("--astc", raw.astc, "Blocks of the encoded lightmap: 4x4, 6x6, or none (8 bits, not compressed)")
       ->check(CLI::IsMember({"4x4", "6x6", "none"}))
       ->group("Textures")
       ->capture_default_str();

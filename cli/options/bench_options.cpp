@@ -2,7 +2,7 @@
 #include "cli/options/bench_options.h"
 
 #include "base/error.h"
-#include "mobile/options.h"
+#include "job/knobs.h"
 
 namespace parity::cli {
 
@@ -11,8 +11,7 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
   job::Settings& s = bench.common.settings;
   s.width = s.height = 256;
   s.reference.integral.relativeError = 0.02;
-  s.of<mobile::Options>().precision =
-      mobile::Precision::fp32; // a software device emulates half; every preset is tried in both
+  job::knobs().find("precision")->set(s, {"fp32"}); // a software device emulates half; every preset is tried in both
   app.add_option("scenes", bench.scenes, "Scene files or builtin:NAME");
   app.add_option("-o,--output", bench.folder, "Folder for index.html, bench.json, bench.csv and pictures")
       ->group("Output");
@@ -26,7 +25,7 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
                  "bench.json of an earlier run: ratios with confidence intervals; exit 2 where a setting is slower")
       ->group("Bench");
   app.add_option("--settings", bench.trial.settings,
-                 "Only these and the defaults: globs as 'mobile: refit*'; of --scaling: as 'lights'; repeatable")
+                 "Only these and the defaults: globs as '*: refit*'; of --scaling: as 'lights'; repeatable")
       ->group("Bench");
   app.add_flag("--list", bench.list, "List the settings")->group("Bench");
   app.add_option("--rounds", bench.trial.rounds, "Timed rounds, in random order, after one that compiles")

@@ -23,10 +23,10 @@ void addFitOptions(CLI::App& app, RawFitOptions& raw) {
 FitCommand settleFit(const RawFitOptions& raw) {
   FitCommand command = raw.fit;
   const job::Settings settings = job::withKnobs({}, raw.given);
-  const auto& highend = settings.of<highend::Options>();
-  command.settings.geometryTerm = highend.model.geometryTerm;
-  command.settings.fresnel = highend.model.fresnel;
-  command.settings.compensation = highend.compensation;
+  const auto& path = settings.of<highend::Options>();
+  command.settings.geometryTerm = path.model.geometryTerm;
+  command.settings.fresnel = path.model.fresnel;
+  command.settings.compensation = path.compensation;
   return command;
 }
 

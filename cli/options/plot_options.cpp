@@ -8,12 +8,13 @@
 
 #include "base/text/nearest.h"
 #include "cli/options/knob_options.h"
+#include "job/paths.h"
 
 namespace parity::cli {
 
 void addPlotOptions(CLI::App& app, RawPlotOptions& raw) {
   PlotCommand& plot = raw.plot;
-  app.add_option("what", plot.what, "env-brdf: the environment BRDF of high-end's table and of mobile's approximation")
+  app.add_option("what", plot.what, "env-brdf: the environment BRDF of two paths, the second against the first")
       ->required()
       ->check(CLI::Validator(
           [](const std::string& name) {
@@ -23,7 +24,10 @@ void addPlotOptions(CLI::App& app, RawPlotOptions& raw) {
           "NAME"));
   app.add_option("scene", plot.scene, "Scene file or builtin:NAME: also how far the two are apart on its materials");
   app.add_option("-o,--output", plot.folder, "Folder of the pictures (PNG) and numbers (CSV)")->required();
-  addFormulaKnobs(app, {"geometry-term", "fresnel", "compensation", "mobile-preset"}, raw.given);
+  std::vector<std::string> knobs = {"paths"};
+  for (const paths::Path* path : job::allPaths())
+    for (const std::string& id : path->environmentBrdfKnobs()) knobs.push_back(id);
+  addFormulaKnobs(app, knobs, raw.given);
   app.add_option("--threads", plot.threads, "CPU threads; 0: all cores")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
@@ -32,7 +36,7 @@ void addPlotOptions(CLI::App& app, RawPlotOptions& raw) {
 
 PlotCommand settlePlot(const RawPlotOptions& raw) {
   PlotCommand plot = raw.plot;
-  plot.options = job::withKnobs({}, raw.given).options;
+  plot.settings = job::withKnobs({}, raw.given);
   return plot;
 }
 

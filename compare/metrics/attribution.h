@@ -1,4 +1,4 @@
-// Which term makes a material look different: each swapped for the high-end path's, displayed and compared again.
+// Which term makes a material look different: each swapped for the reference path's, displayed and compared again.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace parity::compare {
 
-// What a material's FLIP becomes once one of mobile's terms is the high-end path's: its colour less the one, plus the
+// What a material's FLIP becomes once one of the test's terms is the reference's: its colour less the one, plus the
 // other, displayed and compared again (compare/metrics/attribution.h).
 struct TermEffect {
   std::string term;
@@ -22,14 +22,14 @@ struct Attribution {
   std::vector<TermEffect> terms; // those that are not the same in both paths there, in the order of shading::Term
 };
 
-// A material's swapped picture in which one of mobile's terms is the high-end path's.
+// A material's swapped picture in which one of the test's terms is the reference's.
 struct TermSwap {
   std::string term;
   Swap swap;
 };
 
 struct AttributionInput {
-  Swap swap;                   // with all of mobile's terms: what the material is judged by
+  Swap swap;                   // with all of the test's terms: what the material is judged by
   std::vector<TermSwap> terms; // those that are not the same in both paths, in the order of shading::Term
 };
 

@@ -95,7 +95,8 @@ TruthFigures describeError(const ErrorPlanes& planes, const base::Image& samples
   return result;
 }
 
-void noteCloseness(std::vector<std::string>& notes, const char* path, const Figures& figures, const TruthError& error) {
+void noteCloseness(std::vector<std::string>& notes, const std::string& path, const Figures& figures,
+                   const TruthError& error) {
   if (isWithinNoise(figures, error))
     notes.push_back(fmt::format("{}: the difference to the truth, relMSE {}, is within {:.0f} standard errors of the "
                                 "truth, whose noise alone gives {}",
@@ -104,27 +105,27 @@ void noteCloseness(std::vector<std::string>& notes, const char* path, const Figu
 }
 
 std::vector<std::string> notesOf(const TruthFigures& figures, const ErrorPlanes& planes, const RegionRuns& region,
-                                 double wanted) {
+                                 const TruthMeasureRequest& request) {
   std::vector<std::string> notes;
   const std::uint64_t unknown = countSet(planes.unknown, region), over = countSet(planes.over, region);
   if (unknown > 0)
     notes.push_back(fmt::format("the truth's error is not known at {} of {} pixels", unknown, region.pixels));
   if (over > 0)
-    notes.push_back(fmt::format("the truth did not reach a standard error of {:.3g} % at {} of {} pixels", 100 * wanted,
-                                over, region.pixels));
-  noteCloseness(notes, "high-end", figures.reference, figures.error);
-  noteCloseness(notes, "mobile", figures.test, figures.error);
+    notes.push_back(fmt::format("the truth did not reach a standard error of {:.3g} % at {} of {} pixels",
+                                100 * request.wantedError, over, region.pixels));
+  noteCloseness(notes, request.reference, figures.reference, figures.error);
+  noteCloseness(notes, request.test, figures.test, figures.error);
   return notes;
 }
 
 Truth describeTruth(const ErrorPlanes& planes, const base::Image& samples, const RegionRuns& region,
-                    Figures ofReference, Figures ofTest, double wanted) {
+                    Figures ofReference, Figures ofTest, const TruthMeasureRequest& request) {
   Truth truth;
   if (region.pixels == 0) return truth;
   truth.figures = describeError(planes, samples, region);
   truth.figures.reference = std::move(ofReference);
   truth.figures.test = std::move(ofTest);
-  truth.notes = notesOf(truth.figures, planes, region, wanted);
+  truth.notes = notesOf(truth.figures, planes, region, request);
   return truth;
 }
 
@@ -139,7 +140,7 @@ TruthMeasurement measureTruth(const TruthInput& input, const TruthErrorMaps& map
   const ErrorPlanes planes = makePlanes(input.truth, *maps.error, request.wantedError);
   TruthMeasurement out;
   out.truth = describeTruth(planes, *maps.samples, runsOf(list, maps.error->width, maps.error->height),
-                            std::move(ofReference.regions[0]), std::move(ofTest.regions[0]), request.wantedError);
+                            std::move(ofReference.regions[0]), std::move(ofTest.regions[0]), request);
   if (request.keepMaps) {
     out.referenceFlip = *ofReference.findMap("flip");
     out.testFlip = *ofTest.findMap("flip");
@@ -148,14 +149,14 @@ TruthMeasurement measureTruth(const TruthInput& input, const TruthErrorMaps& map
 }
 
 std::vector<Truth> measureTruthSwaps(const TruthPicture& truth, const TruthErrorMaps& maps,
-                                     std::span<const TruthSwap> swaps, double wantedError) {
+                                     std::span<const TruthSwap> swaps, const TruthMeasureRequest& request) {
   SwapFigures figures = measurePaths(truth, swaps, {.metrics = kMetrics});
-  const ErrorPlanes planes = makePlanes(truth, *maps.error, wantedError);
+  const ErrorPlanes planes = makePlanes(truth, *maps.error, request.wantedError);
   std::vector<Truth> out(swaps.size());
   base::parallelFor(swaps.size(), 1, [&](std::size_t s, std::size_t) {
     out[s] =
         describeTruth(planes, *maps.samples, runsOf(*swaps[s].reference.list, maps.error->width, maps.error->height),
-                      std::move(figures.reference[s]), std::move(figures.test[s]), wantedError);
+                      std::move(figures.reference[s]), std::move(figures.test[s]), request);
   });
   return out;
 }

@@ -36,9 +36,10 @@ struct TruthErrorMaps {
 };
 
 struct TruthMeasureRequest {
-  std::optional<Rect> box = {}; // as MetricOptions::box
-  bool keepMaps = false;        // whether TruthMeasurement holds the FLIP maps
-  double wantedError = 0;       // relative standard error that was asked for
+  std::optional<Rect> box = {};                       // as MetricOptions::box
+  bool keepMaps = false;                              // whether TruthMeasurement holds the FLIP maps
+  double wantedError = 0;                             // relative standard error that was asked for
+  std::string reference = "reference", test = "test"; // what notes call the paths
 };
 
 struct TruthMeasurement {
@@ -55,10 +56,10 @@ struct TruthMeasurement {
 TruthMeasurement measureTruth(const TruthInput& input, const TruthErrorMaps& maps, const base::PixelList& list,
                               const TruthMeasureRequest& request);
 
-// The same for materials by the material swap (compare/metrics/measure_swaps.h): as many as swaps, in their order.
-// Throws Error as measureSwaps does.
+// The same for materials by the material swap (compare/metrics/measure_swaps.h): as many as swaps, in their order. Of
+// the request neither box nor keepMaps matters. Throws Error as measureSwaps does.
 std::vector<Truth> measureTruthSwaps(const TruthPicture& truth, const TruthErrorMaps& maps,
-                                     std::span<const TruthSwap> swaps, double wantedError);
+                                     std::span<const TruthSwap> swaps, const TruthMeasureRequest& request);
 
 // One term: its figures "flip.mean" and "relmse", and mean luminances 0. Throw Error as measureRegions and measureSwaps
 // do.

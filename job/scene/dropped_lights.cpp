@@ -26,7 +26,8 @@ std::vector<std::uint64_t> samplesInQuestion(const scenes::Scene& scene, const s
   return samples;
 }
 
-// Mean FLIP against the high-end picture of those in which each of the materials that has pixels lacks the light alone.
+// Mean FLIP against the reference's picture of those in which each of the materials that has pixels lacks the light
+// alone.
 std::vector<report::LightEffect> effectsOn(Context& context, const std::set<std::size_t>& materials,
                                            const scenes::Scene& scene, const ViewFrames& frames,
                                            const Displayed& reference, const base::Image& without, float exposureEv) {

@@ -1,4 +1,4 @@
-// What the lights that mobile drops do: the high-end picture with and without each.
+// What the lights that a path drops do: the first path's picture with and without each.
 #pragma once
 
 #include <optional>
@@ -11,9 +11,9 @@
 namespace parity::job {
 
 // Of the view that was rendered last, by this camera, and compared. Lights count as dropped by what objects of the
-// report's materials do without (mobile/light_choice.h); settings.droppedLights of them, those of the most estimated
-// effect, are measured. A light goes from the whole picture, also where mobile keeps it, but only materials of objects
-// that drop it are measured. Nothing where none is dropped.
+// report's materials do without (paths::LightUse); settings.droppedLights of them, those of the most estimated
+// effect, are measured. A light goes from the whole picture, also where the path keeps it, but only materials of
+// objects that drop it are measured. Nothing where none is dropped.
 std::optional<report::DroppedLights> measureDroppedLights(Context& context, const PreparedScene& prepared,
                                                           SceneRenderer& renderer, const scenes::Camera& camera,
                                                           const ViewFrames& frames, const ComparedView& compared);

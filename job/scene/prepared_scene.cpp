@@ -221,7 +221,10 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
     requireFresh(prepared, settings.baked);
     takeBaked(prepared, paths, prepared.baked);
     if (prepared.baked->localLights == bake::LocalLights::isStationary && !prepared.settings.shadows)
-      scene.warnings.emplace_back("the high-end path shades stationary lights without shadows; give --shadows");
+      for (const paths::Path* path : paths.chosen)
+        if (!path->lightNeeds(prepared.settings.options).bakesLocalLights)
+          scene.warnings.push_back(
+              fmt::format("the {} path shades stationary lights without shadows; give --shadows", path->title()));
     prepared.panorama.reset();
   }
   if (prepared.isLit || !hasSky) requireLight(prepared, request.scene); // an unlit scene's sky was not filtered

@@ -37,7 +37,7 @@ std::vector<std::string> SceneRenderer::warnings() const {
   if (m_truth && m_settings.reference.bounces > 0)
     warnings.emplace_back("the truth has light between surfaces and shadows of all light: neither path has the former");
   else if (m_truth && m_settings.shadows && m_prepared.panorama)
-    warnings.emplace_back("the truth shadows the environment's light, too: high-end's maps are of lights alone");
+    warnings.emplace_back("the truth shadows the environment's light, too: shadow maps are of lights alone");
   return warnings;
 }
 
@@ -124,7 +124,7 @@ NoNeed SceneRenderer::reasons() const {
   if (m_prepared.baked && why.local == "no local lights" && !m_prepared.scene.lights.empty())
     why.local = "they are baked";
   why.lightChoice = work().localLights == 0 ? why.local : "the preset has them baked";
-  why.droppedLights = settings.droppedLights > 0 ? "mobile has all lights that reach what is seen" : "not asked for";
+  why.droppedLights = settings.droppedLights > 0 ? "no light that reaches what is seen is dropped" : "not asked for";
   why.terms = why.occluders = why.costs = "not asked for";
   why.truth = settings.truth ? why.environment : "not asked for";
   return why;

@@ -12,26 +12,26 @@ constexpr std::size_t kGrain = 16384;
 
 } // namespace
 
-TermVariants::TermVariants(const gpu::Surface& surface, const gpu::ShadedSurface& highend,
-                           const gpu::ShadedSurface& mobile)
-    : m_highend(highend), m_mobile(mobile) {
+TermVariants::TermVariants(const gpu::Surface& surface, const gpu::ShadedSurface& reference,
+                           const gpu::ShadedSurface& test)
+    : m_reference(reference), m_test(test) {
   for (std::vector<glm::vec4>& colors : m_colors) colors.resize(surface.size());
   base::parallelFor(surface.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      // The high-end term as mobile would have it: times the opacity where mobile's are.
-      const bool multiplied = surface.blended && mobile.premultiplied && !highend.premultiplied;
-      const double opacity = multiplied ? highend.color[i].w : 1;
+      // The reference's term as the test would have it: times the opacity where the test's are.
+      const bool multiplied = surface.blended && test.premultiplied && !reference.premultiplied;
+      const double opacity = multiplied ? reference.color[i].w : 1;
       for (std::size_t t = 0; t < shading::kTermCount; ++t) {
         glm::vec4& out = m_colors[t][i];
-        out.w = mobile.color[i].w;
+        out.w = test.color[i].w;
         for (int c = 0; c < 3; ++c) {
-          const double color = mobile.color[i][c], other = opacity * highend.terms[t][i][c];
+          const double color = test.color[i][c], other = opacity * reference.terms[t][i][c];
           double sum = other;
           if (std::isfinite(color)) { // in double: a term may be all of the colour
-            sum = color - mobile.terms[t][i][c] + other;
+            sum = color - test.terms[t][i][c] + other;
           } else {
             for (std::size_t k = 0; k < shading::kTermCount; ++k)
-              if (k != t) sum += mobile.terms[k][i][c];
+              if (k != t) sum += test.terms[k][i][c];
           }
           out[c] = static_cast<float>(sum);
         }
@@ -41,8 +41,8 @@ TermVariants::TermVariants(const gpu::Surface& surface, const gpu::ShadedSurface
 }
 
 std::vector<gpu::SwapPlane> TermVariants::planes() const {
-  std::vector<gpu::SwapPlane> planes = {{m_highend.color, m_mobile.color}};
-  for (const std::vector<glm::vec4>& colors : m_colors) planes.push_back({m_highend.color, colors});
+  std::vector<gpu::SwapPlane> planes = {{m_reference.color, m_test.color}};
+  for (const std::vector<glm::vec4>& colors : m_colors) planes.push_back({m_reference.color, colors});
   return planes;
 }
 

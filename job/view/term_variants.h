@@ -1,4 +1,4 @@
-// Mobile's colours with one of their terms exchanged for the high-end path's: what attribution composes.
+// The test path's colours with one of their terms exchanged for the reference path's: what attribution composes.
 #pragma once
 
 #include <array>
@@ -14,15 +14,15 @@ class TermVariants {
 public:
   static constexpr std::size_t kPlanes = 1 + shading::kTermCount;
 
-  // Variant t is mobile's colour less its term t, plus the high-end path's; where mobile's colour is not finite the sum
-  // of its other terms, plus the high-end path's, so that a term that is NaN is found. Nothing is clamped.
-  TermVariants(const gpu::Surface& surface, const gpu::ShadedSurface& highend, const gpu::ShadedSurface& mobile);
+  // Variant t is the test's colour less its term t, plus the reference's; where the test's colour is not finite the sum
+  // of its other terms, plus the reference's, so that a term that is NaN is found. Nothing is clamped.
+  TermVariants(const gpu::Surface& surface, const gpu::ShadedSurface& reference, const gpu::ShadedSurface& test);
 
-  // kPlanes of them: mobile's colours as they are, then the variants; the reference is the high-end path's colours.
+  // kPlanes of them: the test's colours as they are, then the variants; each beside the reference's colours.
   std::vector<gpu::SwapPlane> planes() const;
 
 private:
-  const gpu::ShadedSurface &m_highend, &m_mobile;
+  const gpu::ShadedSurface &m_reference, &m_test;
   std::array<std::vector<glm::vec4>, shading::kTermCount> m_colors;
 };
 

@@ -91,15 +91,18 @@ TruthComparison compareWithTruth(Context& context, const ViewFrames& frames, std
   const Prepared truth(frames.truth.color, displayImage(frames.truth.color, context.display(), exposureEv), exposureEv);
   const Prepared referencePicture(tested.reference.frame.color, request.reference, exposureEv);
   const Prepared testPicture(tested.test.frame.color, request.test, exposureEv);
-  const compare::TruthMeasureRequest measure{
-      .box = request.box, .keepMaps = request.pictures, .wantedError = request.wantedError};
+  const compare::TruthMeasureRequest measure{.box = request.box,
+                                             .keepMaps = request.pictures,
+                                             .wantedError = request.wantedError,
+                                             .reference = request.referenceTitle,
+                                             .test = request.testTitle};
   const compare::TruthErrorMaps maps{&frames.truthError, &frames.truthTaken};
   compare::TruthMeasurement measured = compare::measureTruth(
       {truth.picture, referencePicture.picture, testPicture.picture}, maps, request.whole, measure);
   TruthComparison comparison{truth.displayed, std::move(measured.truth),
                              compare::measureTruthSwaps(truth.picture, maps,
                                                         swapsOf(context, tested, &PathFrames::truthSwap, 0, true),
-                                                        measure.wantedError),
+                                                        measure),
                              std::move(measured.referenceFlip), std::move(measured.testFlip)};
   for (std::size_t term = 0; term < shading::kTermCount; ++term) addTerm(comparison, context, tested, term);
   return comparison;

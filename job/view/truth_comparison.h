@@ -18,8 +18,9 @@ struct TruthRequest {
   const std::vector<const base::PixelList*>& materials; // of frames.coverage
   std::optional<compare::Rect> box;                     // where the report shows only some materials
   float exposureEv = 0;
-  double wantedError = 0; // relative standard error
-  bool pictures = false;  // whether the FLIP maps are wanted
+  double wantedError = 0;                // relative standard error
+  bool pictures = false;                 // whether the FLIP maps are wanted
+  std::string referenceTitle, testTitle; // paths::Path::title()
 };
 
 struct TruthComparison {

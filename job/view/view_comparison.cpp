@@ -62,7 +62,6 @@ std::vector<std::string> materialNotes(const scenes::Material& m, const paths::P
     notes.push_back("unlit");
     return notes;
   }
-  if (m.fullyRough) notes.push_back("fully rough: no specular, no environment fetch on mobile");
   for (std::string& note : path.notesOn(m, options)) notes.push_back(std::move(note));
   const glm::vec3 f0 = m.dielectricF0();
   if (f0.x != f0.y || f0.y != f0.z || m.specularColorTexture.present())
@@ -205,7 +204,8 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
   if (settings.truth)
     truth = compareWithTruth(context, frames, request.test,
                              {reference, test, subject.whole, subject.materials, subject.box, settings.exposureEv,
-                              settings.reference.integral.relativeError, request.pictures});
+                              settings.reference.integral.relativeError, request.pictures,
+                              request.paths.chosen.front()->title(), path.title()});
 
   report::ViewResult& view = compared.view;
   view.name = request.viewName;

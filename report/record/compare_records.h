@@ -118,7 +118,7 @@ template <> inline constexpr auto kRecord<compare::AppliedRule> = record<compare
 template <> inline constexpr auto kRecord<compare::TermEffect> = record<compare::TermEffect>(
     "termEffect", "",
     field("term", &compare::TermEffect::term),
-    field("flip", &compare::TermEffect::flip, "Mean, once mobile has high-end's term", {.least = 0}));
+    field("flip", &compare::TermEffect::flip, "Mean, once the test has the reference's term", {.least = 0}));
 
 template <> inline constexpr auto kRecord<compare::Attribution> = record<compare::Attribution>(
     "attribution", "Which term makes it differ: only of a material over budget, or as the run was asked",

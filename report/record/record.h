@@ -3,7 +3,7 @@
 //
 //   template <> inline constexpr auto kRecord<TermEffect> = record<TermEffect>(
 //       "termEffect", "", field("term", &TermEffect::term),
-//       field("flip", &TermEffect::flip, "Mean, once mobile has high-end's term", {.least = 0}));
+//       field("flip", &TermEffect::flip, "Mean, once the test has the reference's term", {.least = 0}));
 #pragma once
 
 #include <cstddef>

@@ -57,7 +57,7 @@ template <> inline constexpr auto kRecord<PixelFiles> = record<PixelFiles>(
 
 template <> inline constexpr auto kRecord<StageResult> = record<StageResult>(
     "stage",
-    "What a stage of the mobile path alone makes of its picture: the reference is that without the stage, the test "
+    "What a stage of the test path alone makes of its picture: the reference is that without the stage, the test "
     "that with it, both as displayed. It judges nothing",
     field("stage", &StageResult::stage, "encoding: storing the colour in the target; textures: compressing them"),
     field("through", &StageResult::through, "What the picture passes through there: rgba8-gamma2, astc6x6"),
@@ -92,22 +92,22 @@ template <> inline constexpr auto kRecord<LightEffect> = record<LightEffect>(
     "lightEffect", "",
     field("name", &LightEffect::material),
     field("flip", &LightEffect::flip,
-          "Mean FLIP of the high-end picture without this light against that with all lights",
+          "Mean FLIP of the reference's picture without this light against that with all lights",
           {.finite = true, .least = 0, .most = 1}));
 
 template <> inline constexpr auto kRecord<DroppedLight> = record<DroppedLight>(
     "droppedLight", "",
     field("name", &DroppedLight::name),
     field("kind", &DroppedLight::kind, "", {.oneOf = "directional|point|spot"}),
-    field("keptBy", &DroppedLight::keptBy, "Objects of the view that mobile shades with it"),
+    field("keptBy", &DroppedLight::keptBy, "Objects of the view that the test path shades with it"),
     field("droppedBy", &DroppedLight::droppedBy, "Objects of the view that it reaches and that do without it",
           {.least = 1}),
     field("materials", &DroppedLight::materials, "Of the objects that drop it, the most changed first"));
 
 template <> inline constexpr auto kRecord<DroppedLights> = record<DroppedLights>(
     "droppedLights",
-    "Lights that mobile drops from objects that the view shows; absent: none, or not asked for. It judges nothing",
-    field("lights", &DroppedLights::lights, "That mobile could have, dropped or not", {.least = 1}),
+    "Lights that the test path drops from objects that the view shows; absent: none, or not asked for. It judges nothing",
+    field("lights", &DroppedLights::lights, "That it could have, dropped or not", {.least = 1}),
     field("measured", &DroppedLights::measured, "The most effect first"),
     field("notMeasured", &DroppedLights::notMeasured,
           "Names of the dropped lights beyond the run's limit (--dropped-lights), the most estimated effect first"));

@@ -23,27 +23,26 @@ using Quantity = std::function<double(double roughness, double NoV)>;
 
 struct Row {
   std::string name, note;
-  Quantity table, approximate;
+  Quantity reference, test;
 };
 
-std::vector<Row> rowsOf(const TableBrdf& table, const ApproximateBrdf& approximate) {
-  const auto once = [](const auto& brdf, double F0) -> Quantity {
-    return [&brdf, F0](double roughness, double NoV) { return brdf.once(roughness, NoV, glm::dvec3(F0)).x; };
+std::vector<Row> rowsOf(const PlottedPair& pair) {
+  const auto row = [&](const std::string& name, const std::string& note, const auto& valueOf) -> Row {
+    const auto of = [&](const Plotted& path) -> Quantity {
+      return [&brdf = *path.brdf, valueOf](double roughness, double NoV) { return valueOf(brdf, roughness, NoV); };
+    };
+    return {name, note, of(pair.reference), of(pair.test)};
   };
-  const auto multiple = [](const auto& brdf) -> Quantity {
-    return [&brdf](double roughness, double NoV) { return brdf.multiple(roughness, NoV, glm::dvec3(1)).x; };
+  using Brdf = paths::EnvBrdf;
+  const auto once = [&](double F0) {
+    const Deviation d = deviationOf(pair, F0);
+    return row(fmt::format("F0 A + B, F0 = {:g}", F0), fmt::format(", max {:.3f}, rms {:.3f}", d.max, d.rms),
+               [F0](const Brdf& brdf, double r, double n) { return brdf.once(r, n, glm::dvec3(F0)).x; });
   };
-  const auto describe = [&](double F0) {
-    const Deviation d = deviationOf(table, approximate, F0);
-    return fmt::format(", max {:.3f}, rms {:.3f}", d.max, d.rms);
-  };
-  return {{"A", "", [&](double r, double n) { return table.at(r, n).A; },
-           [&](double r, double n) { return approximate.at(r, n).A; }},
-          {"B", "", [&](double r, double n) { return table.at(r, n).B; },
-           [&](double r, double n) { return approximate.at(r, n).B; }},
-          {"F0 A + B, F0 = 0.04", describe(0.04), once(table, 0.04), once(approximate, 0.04)},
-          {"F0 A + B, F0 = 1", describe(1), once(table, 1), once(approximate, 1)},
-          {"multiple, F0 = 1", "", multiple(table), multiple(approximate)}};
+  return {row("A", "", [](const Brdf& brdf, double r, double n) { return brdf.at(r, n).A; }),
+          row("B", "", [](const Brdf& brdf, double r, double n) { return brdf.at(r, n).B; }), once(0.04), once(1),
+          row("multiple, F0 = 1", "",
+              [](const Brdf& brdf, double r, double n) { return brdf.multiple(r, n, glm::dvec3(1)).x; })};
 }
 
 // Over the core, roughness and N.V from .05: a corner beyond it sets no scale.
@@ -63,26 +62,24 @@ std::vector<MaterialDeviation> worstOf(std::vector<MaterialDeviation> materials)
   return materials;
 }
 
-void drawHead(Canvas& canvas, const TableBrdf& table, const ApproximateBrdf& approximate) {
-  const highend::Options& o = table.options();
-  const auto nameOf = [](const std::vector<std::string>& names, auto value) {
-    return names[static_cast<std::size_t>(value)];
+void drawHead(Canvas& canvas, const PlottedPair& pair) {
+  const auto& [reference, test] = pair;
+  const auto describe = [](const paths::EnvBrdfWords& words) {
+    return fmt::format("{}: {}, {}", words.label, words.formula, words.numbers);
   };
   canvas.text(kLeft, 48,
-              fmt::format("Environment BRDF: high-end's table and mobile's {}", approximate.options().preset),
+              fmt::format("Environment BRDF: {}'s {} and {}'s {}", reference.title, reference.words.variant, test.title,
+                          test.words.variant),
               Font::title, kInk);
-  canvas.text(kLeft, 80,
-              fmt::format("table: {}, Fresnel {}, 128 x 128        mobile: {}, in double",
-                          nameOf(highend::geometryTermNames(), o.model.geometryTerm),
-                          nameOf(highend::fresnelNames(), o.model.fresnel), approximate.formula()),
-              Font::body, kInk);
+  canvas.text(kLeft, 80, describe(reference.words) + "        " + describe(test.words), Font::body, kInk);
   canvas.text(kLeft, 104,
-              fmt::format("Light scattered once, but for the last row: what scatters more than once (high-end: {}), "
+              fmt::format("Light scattered once, but for the last row: what scatters more than once ({}: {}), "
                           "which is in no other. "
                           "Off-specular reads of the environment are no part of any.",
-                          nameOf(highend::compensationNames(), o.compensation)),
+                          reference.title, reference.words.multiple),
               Font::small, kPale);
-  const char* const heads[] = {"high-end: table", "mobile: approximation", "difference: mobile - high-end"};
+  const std::string heads[] = {reference.title + ": " + reference.words.kind, test.title + ": " + test.words.kind,
+                               fmt::format("difference: {} - {}", test.title, reference.title)};
   for (int c = 0; c < 3; ++c) canvas.text(kLeft + kAxisWidth + c * kColumn, kTop - 34, heads[c], Font::bold, kInk);
 }
 
@@ -96,9 +93,9 @@ std::vector<std::pair<double, std::string>> marksOf(const std::vector<MaterialDe
 }
 
 void drawRow(Canvas& canvas, const Row& row, int index, const std::vector<MaterialDeviation>& listed) {
-  const Quantity difference = [&](double r, double n) { return row.approximate(r, n) - row.table(r, n); };
+  const Quantity difference = [&](double r, double n) { return row.test(r, n) - row.reference(r, n); };
   const double y = kTop + index * kRow;
-  const double most = std::max(greatestOf(row.table), greatestOf(row.approximate));
+  const double most = std::max(greatestOf(row.reference), greatestOf(row.test));
   // All but the last are shares of the light: 0 to 1.
   const ColorScale values = index < kRows - 1 ? scaleUpTo(1) : scaleUpTo(std::max(most, 1e-3));
   const auto place = [&](int column) { return kLeft + kAxisWidth + column * kColumn; };
@@ -107,7 +104,7 @@ void drawRow(Canvas& canvas, const Row& row, int index, const std::vector<Materi
                      .width = kWidth,
                      .height = kHeight,
                      .caption = row.name,
-                     .value = row.table,
+                     .value = row.reference,
                      .scale = values,
                      .contours = false,
                      .marks = {}});
@@ -116,7 +113,7 @@ void drawRow(Canvas& canvas, const Row& row, int index, const std::vector<Materi
                      .width = kWidth,
                      .height = kHeight,
                      .caption = row.name,
-                     .value = row.approximate,
+                     .value = row.test,
                      .scale = values,
                      .contours = false,
                      .marks = {}});
@@ -131,28 +128,29 @@ void drawRow(Canvas& canvas, const Row& row, int index, const std::vector<Materi
                      .marks = marksOf(listed, index)});
 }
 
-void drawMaterials(Canvas& canvas, const std::vector<MaterialDeviation>& listed, std::size_t all,
-                   const std::string& scene, double top) {
+void drawMaterials(Canvas& canvas, const PlottedPair& pair, const std::vector<MaterialDeviation>& listed,
+                   std::size_t all, const std::string& scene, double top) {
   struct Column {
-    const char* head;
+    std::string head;
     double x;
     Align align;
   };
-  constexpr std::array<Column, 9> kColumns = {{{"", 24, Align::right},
-                                               {"material", 40, Align::left},
-                                               {"form", 470, Align::left},
-                                               {"roughness", 720, Align::right},
-                                               {"F0", 900, Align::right},
-                                               {"mean |dev|", 1040, Align::right},
-                                               {"mean dev", 1170, Align::right},
-                                               {"max |dev|, at N.V", 1360, Align::right},
-                                               {"multiple: table, mobile", 1580, Align::right}}};
+  const std::array<Column, 9> columns = {
+      {{"", 24, Align::right},
+       {"material", 40, Align::left},
+       {"form", 470, Align::left},
+       {"roughness", 720, Align::right},
+       {"F0", 900, Align::right},
+       {"mean |dev|", 1040, Align::right},
+       {"mean dev", 1170, Align::right},
+       {"max |dev|, at N.V", 1360, Align::right},
+       {fmt::format("multiple: {}, {}", pair.reference.words.label, pair.test.words.label), 1580, Align::right}}};
   canvas.text(kLeft, top,
               fmt::format("{}: {} of {} lit materials, by mean deviation of F0 A + F90 B (mean over N.V as a sphere "
                           "shows it; max from N.V = .05)",
                           scene, listed.size(), all),
               Font::bold, kInk);
-  for (const Column& column : kColumns)
+  for (const Column& column : columns)
     canvas.text(kLeft + column.x, top + kLine + 4, column.head, Font::small, kPale, column.align);
   for (std::size_t k = 0; k < listed.size(); ++k) {
     const MaterialDeviation& m = listed[k];
@@ -171,24 +169,24 @@ void drawMaterials(Canvas& canvas, const std::vector<MaterialDeviation>& listed,
                                               fmt::format("{:.4f}", m.mean),
                                               fmt::format("{:+.4f}", m.bias),
                                               fmt::format("{:.4f} at {:.2f}", m.max, m.NoVOfMax),
-                                              fmt::format("{:.4f}, {:.4f}", m.tableMultiple, m.mobileMultiple)};
+                                              fmt::format("{:.4f}, {:.4f}", m.referenceMultiple, m.testMultiple)};
     for (std::size_t c = 0; c < cells.size(); ++c)
-      canvas.text(kLeft + kColumns[c].x, y, cells[c], Font::body, kInk, kColumns[c].align);
+      canvas.text(kLeft + columns[c].x, y, cells[c], Font::body, kInk, columns[c].align);
   }
 }
 
 } // namespace
 
-base::Image8 drawEnvBrdf(const TableBrdf& table, const ApproximateBrdf& approximate,
-                         const std::vector<MaterialDeviation>& materials, const std::string& scene) {
+base::Image8 drawEnvBrdf(const PlottedPair& pair, const std::vector<MaterialDeviation>& materials,
+                         const std::string& scene) {
   const std::vector<MaterialDeviation> listed = worstOf(materials);
   const double below = kTop + kRows * kRow;
   const int listHeight = listed.empty() ? 0 : static_cast<int>(listed.size() + 3) * kLine;
   Canvas canvas(static_cast<int>(2 * kLeft + 3 * kColumn), static_cast<int>(below) + listHeight, kPaper);
-  drawHead(canvas, table, approximate);
-  const std::vector<Row> rows = rowsOf(table, approximate);
+  drawHead(canvas, pair);
+  const std::vector<Row> rows = rowsOf(pair);
   for (int index = 0; index < kRows; ++index) drawRow(canvas, rows[static_cast<std::size_t>(index)], index, listed);
-  if (!listed.empty()) drawMaterials(canvas, listed, materials.size(), scene, below + 10);
+  if (!listed.empty()) drawMaterials(canvas, pair, listed, materials.size(), scene, below + 10);
   return canvas.image();
 }
 

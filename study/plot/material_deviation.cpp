@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "lighting/surface/texture_read.h"
+#include "shading/shading.h"
 
 namespace parity::plot {
 
@@ -14,13 +15,6 @@ namespace f64 = shading::f64;
 namespace {
 
 constexpr int kPoints = 256, kCosines = 64;
-
-// A material at one point of a surface.
-struct Resolved {
-  f64::MobileMaterial mobile;
-  glm::dvec3 F0{0.0}; // of dielectric and metal
-  double F90 = 1;
-};
 
 bool isTextured(const scenes::Material& m) {
   return std::ranges::any_of(
@@ -34,8 +28,8 @@ glm::dvec3 linearOf(const glm::dvec4& texel) {
 }
 
 // As gpu/shaders/path.glsl resolves it. mesh: null where the factors alone are wanted.
-Resolved resolve(const scenes::Scene& scene, const scenes::Material& m, const scenes::Mesh* mesh,
-                 const lighting::TrianglePoint& point) {
+paths::EnvBrdfMaterial resolve(const scenes::Scene& scene, const scenes::Material& m, const scenes::Mesh* mesh,
+                               const lighting::TrianglePoint& point) {
   const auto read = [&](const scenes::TextureSlot& slot) -> std::optional<glm::dvec4> {
     if (!mesh || !slot.present()) return std::nullopt;
     return lighting::readTexture(scene, *mesh, slot, point);
@@ -52,18 +46,16 @@ Resolved resolve(const scenes::Scene& scene, const scenes::Material& m, const sc
   const double index = (m.ior - 1.0) / (m.ior + 1.0);
   glm::dvec3 dielectric = index * index * glm::dvec3(m.specularColor);
   if (const auto texel = read(m.specularColorTexture)) dielectric *= linearOf(*texel);
-  Resolved r;
   double F90 = m.specular;
   if (const auto texel = read(m.specularTexture)) F90 *= texel->w;
   dielectric = glm::min(dielectric, glm::dvec3(1)) * F90;
-  r.mobile.BaseColor = {base.x, base.y, base.z};
-  r.mobile.Metallic = metallic;
-  r.mobile.DielectricSpecular = {dielectric.x, dielectric.y, dielectric.z};
-  r.mobile.F90 = F90;
-  r.mobile.Roughness = std::clamp(roughness, 0.0, 1.0);
-  r.F0 = dielectric * (1 - metallic) + base * metallic;
-  r.F90 = F90 + (1 - F90) * metallic;
-  return r;
+  return {.baseColor = base,
+          .metallic = metallic,
+          .roughness = std::clamp(roughness, 0.0, 1.0),
+          .dielectric = dielectric,
+          .dielectricF90 = F90,
+          .nonmetal = m.isNonmetal() && !m.fullyRough,
+          .fullyRough = m.fullyRough};
 }
 
 // Where a material lies: triangles of instances, with their areas summed up.
@@ -109,31 +101,29 @@ std::pair<const scenes::Mesh*, lighting::TrianglePoint> pointOf(const Surfaces& 
   return {triangle.mesh, point};
 }
 
-MaterialDeviation measure(const scenes::Material& material, const std::vector<Resolved>& points, const TableBrdf& table,
-                          const ApproximateBrdf& approximate) {
+MaterialDeviation measure(const std::string& name, const std::vector<paths::EnvBrdfMaterial>& points,
+                          const PlottedPair& pair) {
+  const paths::EnvBrdf &reference = *pair.reference.brdf, &test = *pair.test.brdf;
   MaterialDeviation d;
-  d.name = material.name;
+  d.name = name;
   d.points = points.size();
-  const bool nonmetal = material.isNonmetal() && !material.fullyRough;
-  d.form = material.fullyRough ? "fully rough" : nonmetal ? "nonmetal" : "general";
+  d.form = test.form(points.front());
   d.least = 1;
-  for (const Resolved& r : points) {
+  for (const paths::EnvBrdfMaterial& r : points) {
     const double share = 1.0 / static_cast<double>(points.size());
-    d.roughness += r.mobile.Roughness * share;
-    d.least = std::min(d.least, r.mobile.Roughness);
-    d.greatest = std::max(d.greatest, r.mobile.Roughness);
-    d.F0 += r.F0 * share;
+    d.roughness += r.roughness * share;
+    d.least = std::min(d.least, r.roughness);
+    d.greatest = std::max(d.greatest, r.roughness);
+    d.F0 += r.F0() * share;
     for (int i = 0; i < kCosines; ++i) {
       const double NoV = (i + 0.5) / kCosines, weight = share * 2 * NoV / kCosines;
-      const glm::dvec3 error = approximate.once(r.mobile, nonmetal, material.fullyRough, NoV) -
-                               table.once(r.mobile.Roughness, NoV, r.F0, r.F90);
-      const glm::dvec3 tableMore = table.multiple(r.mobile.Roughness, NoV, r.F0, r.F90),
-                       mobileMore = approximate.multiple(r.mobile, nonmetal, material.fullyRough, NoV);
+      const glm::dvec3 error = test.once(r, NoV) - reference.once(r, NoV);
+      const glm::dvec3 referenceMore = reference.multiple(r, NoV), testMore = test.multiple(r, NoV);
       for (int c = 0; c < 3; ++c) {
         d.mean += weight * std::abs(error[c]) / 3;
         d.bias += weight * error[c] / 3;
-        d.tableMultiple += weight * tableMore[c] / 3;
-        d.mobileMultiple += weight * mobileMore[c] / 3;
+        d.referenceMultiple += weight * referenceMore[c] / 3;
+        d.testMultiple += weight * testMore[c] / 3;
         if (NoV >= 0.05 && std::abs(error[c]) > d.max) d.max = std::abs(error[c]), d.NoVOfMax = NoV;
       }
     }
@@ -143,8 +133,7 @@ MaterialDeviation measure(const scenes::Material& material, const std::vector<Re
 
 } // namespace
 
-std::vector<MaterialDeviation> deviationsOf(const scenes::Scene& scene, const TableBrdf& table,
-                                            const ApproximateBrdf& approximate) {
+std::vector<MaterialDeviation> deviationsOf(const scenes::Scene& scene, const PlottedPair& pair) {
   std::vector<MaterialDeviation> all;
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const scenes::Material& material = scene.materials[m];
@@ -152,7 +141,7 @@ std::vector<MaterialDeviation> deviationsOf(const scenes::Scene& scene, const Ta
     const Surfaces surfaces = surfacesOf(scene, m);
     const bool hasColors =
         std::ranges::any_of(surfaces.triangles, [](const auto& t) { return !t.mesh->colors.empty(); });
-    std::vector<Resolved> points;
+    std::vector<paths::EnvBrdfMaterial> points;
     if (!surfaces.triangles.empty() && surfaces.areaUpTo.back() > 0 && (isTextured(material) || hasColors))
       for (int k = 0; k < kPoints; ++k) {
         const auto [mesh, point] = pointOf(surfaces, k);
@@ -160,7 +149,7 @@ std::vector<MaterialDeviation> deviationsOf(const scenes::Scene& scene, const Ta
       }
     else
       points.push_back(resolve(scene, material, nullptr, {}));
-    all.push_back(measure(material, points, table, approximate));
+    all.push_back(measure(material.name, points, pair));
   }
   return all;
 }

@@ -20,13 +20,19 @@ double errorOf(const Errors& errors, const std::string& name) {
   return name == "flip.mean" ? errors.flipMean : name == "flip.p95" ? errors.flipP95 : errors.relMse;
 }
 
+std::string firstPathOf(const SweepReport& report) {
+  for (const SceneSweep& scene : report.scenes)
+    if (!scene.variants.empty()) return scene.variants.front().path;
+  return "first";
+}
+
 const VariantResult* findVariant(const SceneSweep& scene, const std::string& id) {
   const auto found = std::ranges::find_if(scene.variants, [&](const VariantResult& v) { return v.id() == id; });
   return found == scene.variants.end() ? nullptr : &*found;
 }
 
 std::optional<double> errorOf(const RegionErrors& region, Against against, const std::string& figure) {
-  if (against == Against::highend) return errorOf(region.highend, figure);
+  if (against == Against::first) return errorOf(region.first, figure);
   return region.truth ? std::optional(errorOf(*region.truth, figure)) : std::nullopt;
 }
 
@@ -34,7 +40,7 @@ Against bestKnown(const SweepReport& report) {
   const auto hasTruth = [](const SceneSweep& scene) {
     return !scene.failure.empty() || (!scene.variants.empty() && scene.variants.front().whole.truth.has_value());
   };
-  return std::ranges::all_of(report.scenes, hasTruth) ? Against::truth : Against::highend;
+  return std::ranges::all_of(report.scenes, hasTruth) ? Against::truth : Against::first;
 }
 
 double timeOf(const VariantResult& v) {

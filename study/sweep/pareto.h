@@ -9,8 +9,8 @@
 
 namespace parity::sweep {
 
-// What errors are taken against: the reference path, or the high-end path's default.
-enum class Against { truth, highend };
+// What errors are taken against: the truth, or the first path's default.
+enum class Against { truth, first };
 // The figure "flip.mean"... of a region; none where there is no truth.
 std::optional<double> errorOf(const RegionErrors& region, Against against, const std::string& figure);
 // The truth where every scene has one.

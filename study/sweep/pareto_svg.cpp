@@ -8,6 +8,7 @@
 
 #include "base/text/json_writer.h"
 #include "base/text/text.h"
+#include "report/wording.h"
 #include "study/sweep/statistics.h"
 
 namespace parity::sweep {
@@ -141,15 +142,15 @@ std::string detailsOf(const VariantResult& v) {
   return text;
 }
 
-const char* wordsOf(Against against) { return against == Against::truth ? "reference" : "highend"; }
-
 } // namespace
 
 ParetoPlot plotOf(const SceneSweep& scene, Stage stage, Against against, const std::string& figure) {
   ParetoPlot plot{.timeTitle = stage == Stage::shading ? "device time of shading" : "wall time of preparation",
                   .timeUnit = "ms",
-                  .errorTitle =
-                      figure + " against " + (against == Against::truth ? "the reference" : "the high-end default"),
+                  .errorTitle = figure + " against " +
+                                (against == Against::truth || scene.variants.empty()
+                                     ? "the reference"
+                                     : fmt::format("the {} default", report::titleOf(scene.variants.front().path))),
                   .dots = {}};
   const std::vector<bool> dominated = findDominated(scene, against, figure);
   for (std::size_t i = 0; i < scene.variants.size(); ++i) {
@@ -210,12 +211,12 @@ std::string paretoJson(const SweepReport& report, Against against, const std::st
       if (svg.empty()) return;
       json.beginObject();
       json.key("stage").text(stageKinds()[static_cast<std::size_t>(stage)]);
-      json.key("against").text(wordsOf(held));
+      json.key("against").text(held == Against::truth ? "reference" : scene.variants.front().path);
       json.key("svg").text(svg);
       json.endObject();
     };
     write(Stage::shading, against);
-    if (against == Against::truth) write(Stage::shading, Against::highend);
+    if (against == Against::truth) write(Stage::shading, Against::first);
     write(Stage::preparation, against);
     json.endArray();
   }

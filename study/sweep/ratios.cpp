@@ -102,7 +102,7 @@ SweepRatios compareSweeps(const SweepReport& before, const SweepReport& now) {
   for (const Pair& pair : pairs)
     ratios.variants.push_back({pair.scene->scene, pair.now->id(),
                                bootstrapRatio(timesOf(*pair.then), timesOf(*pair.now), ratios.confidence, draws),
-                               pair.then->whole.highend.flipMean, pair.now->whole.highend.flipMean});
+                               pair.then->whole.first.flipMean, pair.now->whole.first.flipMean});
   return ratios;
 }
 

@@ -12,7 +12,7 @@ namespace parity::sweep {
 struct VariantRatio {
   std::string scene, id;
   Ratio time;                         // of the device time, or of preparation where the knob costs there; now over then
-  double flipBefore = 0, flipNow = 0; // FLIP mean against the high-end default
+  double flipBefore = 0, flipNow = 0; // FLIP mean against the first path's default
 };
 
 struct SweepRatios {

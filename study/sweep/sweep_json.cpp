@@ -46,16 +46,16 @@ void writeErrors(JsonWriter& json, const char* key, const Errors& errors) {
   json.endObject();
 }
 
-void writeRegion(JsonWriter& json, const RegionErrors& region) {
+void writeRegion(JsonWriter& json, const RegionErrors& region, const std::string& firstPath) {
   json.beginObject();
   if (!region.name.empty()) json.key("name").text(region.name);
   json.key("pixels").integer(region.pixels);
   if (region.truth) writeErrors(json, "truth", *region.truth);
-  writeErrors(json, "highend", region.highend);
+  writeErrors(json, firstPath.c_str(), region.first);
   json.endObject();
 }
 
-void writeVariant(JsonWriter& json, const VariantResult& v, bool dominated) {
+void writeVariant(JsonWriter& json, const VariantResult& v, bool dominated, const std::string& firstPath) {
   json.beginObject();
   json.key("path").text(v.path);
   json.key("name").text(v.name);
@@ -81,9 +81,9 @@ void writeVariant(JsonWriter& json, const VariantResult& v, bool dominated) {
   json.endObject();
   json.key("dominated").boolean(dominated);
   json.key("error");
-  writeRegion(json, v.whole);
+  writeRegion(json, v.whole, firstPath);
   json.key("materials").beginArray();
-  for (const RegionErrors& region : v.materials) writeRegion(json, region);
+  for (const RegionErrors& region : v.materials) writeRegion(json, region, firstPath);
   json.endArray();
   json.endObject();
 }
@@ -105,7 +105,8 @@ void writeScene(JsonWriter& json, const SceneSweep& scene, const Conclusions& co
   writeTexts(json, "skipped", scene.skipped);
   const std::vector<bool> dominated = findDominated(scene, conclusions.against, conclusions.figure);
   json.key("variants").beginArray();
-  for (std::size_t i = 0; i < scene.variants.size(); ++i) writeVariant(json, scene.variants[i], dominated[i]);
+  for (std::size_t i = 0; i < scene.variants.size(); ++i)
+    writeVariant(json, scene.variants[i], dominated[i], conclusions.firstPath);
   json.endArray();
   json.endObject();
 }
@@ -133,7 +134,7 @@ void writeRatios(JsonWriter& json, const SweepRatios& ratios) {
 
 void writeConclusions(JsonWriter& json, const Conclusions& c) {
   json.key("conclusions").beginObject();
-  json.key("against").text(c.against == Against::truth ? "reference" : "highend");
+  json.key("against").text(c.against == Against::truth ? "reference" : c.firstPath);
   json.key("figure").text(c.figure);
   writeTexts(json, "dominatedEverywhere", c.dominated);
   if (c.budget) {
@@ -174,6 +175,7 @@ void writeConclusions(JsonWriter& json, const Conclusions& c) {
 Conclusions conclude(const SweepReport& report, const std::optional<ErrorBudget>& budget) {
   Conclusions c;
   c.against = bestKnown(report);
+  c.firstPath = firstPathOf(report);
   c.figure = budget ? budget->figure : report.figure;
   c.budget = budget;
   c.dominated = dominatedEverywhere(report, c.against, c.figure);
@@ -222,10 +224,12 @@ std::string toJson(const SweepReport& report, const Conclusions& conclusions, ba
 }
 
 std::string toCsv(const SweepReport& report) {
-  std::string csv = "scene,environment,sun,path,setting,stage,device_ms,device_ms_low,device_ms_high,wall_ms,cpu_ms,"
-                    "compile_ms,prepare_ms,operations,fetches,samplers,region,pixels,reference_flip_mean,"
-                    "reference_flip_p95,reference_relmse,highend_flip_mean,highend_flip_p95,highend_relmse,"
-                    "non_finite\r\n";
+  std::string csv =
+      fmt::format("scene,environment,sun,path,setting,stage,device_ms,device_ms_low,device_ms_high,wall_ms,cpu_ms,"
+                  "compile_ms,prepare_ms,operations,fetches,samplers,region,pixels,reference_flip_mean,"
+                  "reference_flip_p95,reference_relmse,{0}_flip_mean,{0}_flip_p95,{0}_relmse,"
+                  "non_finite\r\n",
+                  firstPathOf(report));
   for (const SceneSweep& scene : report.scenes)
     for (const VariantResult& v : scene.variants) {
       const bool shading = v.stage == Stage::shading;
@@ -243,8 +247,8 @@ std::string toCsv(const SweepReport& report) {
         csv += fmt::format("{},{},{}", head, base::csvCell(r.name), r.pixels);
         for (const std::string& name : errorNames())
           csv += "," + (r.truth ? fmt::format("{:.6g}", errorOf(*r.truth, name)) : std::string());
-        for (const std::string& name : errorNames()) csv += fmt::format(",{:.6g}", errorOf(r.highend, name));
-        csv += fmt::format(",{}\r\n", r.highend.nonFinite);
+        for (const std::string& name : errorNames()) csv += fmt::format(",{:.6g}", errorOf(r.first, name));
+        csv += fmt::format(",{}\r\n", r.first.nonFinite);
       };
       line(v.whole);
       for (const RegionErrors& region : v.materials) line(region);

@@ -17,7 +17,8 @@ void writeMachine(base::JsonWriter& json, const Machine& machine);
 
 // What is drawn from a sweep.
 struct Conclusions {
-  Against against = Against::highend; // what the errors below are taken against
+  Against against = Against::first; // what the errors below are taken against
+  std::string firstPath;            // by its name; also the key of errors against its default
   std::string figure = "flip.mean";
   std::vector<std::string> dominated; // everywhere
   std::optional<ErrorBudget> budget;

@@ -31,16 +31,16 @@ Errors readErrors(const Json& json) {
           json.at("nonFinite").get<std::uint64_t>()};
 }
 
-RegionErrors readRegion(const Json& json) {
+RegionErrors readRegion(const Json& json, const std::string& firstPath) {
   RegionErrors region;
   region.name = json.value("name", "");
   region.pixels = json.at("pixels").get<std::uint64_t>();
   if (json.contains("truth")) region.truth = readErrors(json.at("truth"));
-  region.highend = readErrors(json.at("highend"));
+  region.first = readErrors(json.at(firstPath));
   return region;
 }
 
-VariantResult readVariant(const std::filesystem::path& file, const Json& json) {
+VariantResult readVariant(const std::filesystem::path& file, const Json& json, const std::string& firstPath) {
   VariantResult v;
   v.path = json.at("path").get<std::string>();
   v.name = json.at("name").get<std::string>();
@@ -58,8 +58,8 @@ VariantResult readVariant(const std::filesystem::path& file, const Json& json) {
   }
   const Json& cost = json.at("cost");
   v.cost = {readNumber(cost, "operations"), readNumber(cost, "fetches"), cost.at("samplers").get<std::uint64_t>()};
-  v.whole = readRegion(json.at("error"));
-  for (const Json& region : json.at("materials")) v.materials.push_back(readRegion(region));
+  v.whole = readRegion(json.at("error"), firstPath);
+  for (const Json& region : json.at("materials")) v.materials.push_back(readRegion(region, firstPath));
   return v;
 }
 
@@ -75,7 +75,8 @@ SceneSweep readScene(const std::filesystem::path& file, const Json& json) {
   scene.pixels = json.at("pixels").get<std::uint64_t>();
   scene.truthError = readNumber(json, "truthError");
   scene.skipped = json.at("skipped").get<std::vector<std::string>>();
-  for (const Json& variant : json.at("variants")) scene.variants.push_back(readVariant(file, variant));
+  for (const Json& variants = json.at("variants"); const Json& variant : variants)
+    scene.variants.push_back(readVariant(file, variant, variants.front().at("path").get<std::string>()));
   return scene;
 }
 

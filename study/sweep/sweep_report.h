@@ -30,8 +30,8 @@ double errorOf(const Errors& errors, const std::string& name);
 struct RegionErrors {
   std::string name; // of the material; empty: everything that is covered
   std::uint64_t pixels = 0;
-  std::optional<Errors> truth; // against the reference path; none where it was not asked for
-  Errors highend;              // against the high-end path's default
+  std::optional<Errors> truth; // none where it was not asked for
+  Errors first;                // against the default of the first path
 };
 
 // Counted from SPIR-V, a pixel's mean (gpu/spirv/spirv_cost.h).
@@ -76,6 +76,9 @@ struct SweepReport {
   std::string figure = "flip.mean"; // by which settings are held against one another, where no budget names another
   std::vector<SceneSweep> scenes;
 };
+
+// Whose default the others are held against; "first" where nothing was measured.
+std::string firstPathOf(const SweepReport& report);
 
 // A variant by its id, or null.
 const VariantResult* findVariant(const SceneSweep& scene, const std::string& id);

@@ -225,14 +225,14 @@ private:
     const float exposure = m_prepared.settings.exposureEv;
     std::optional<Shown> truth;
     if (picture) truth.emplace(*picture, m_context, exposure);
-    const Shown highend(m_pictures.front(), m_context, exposure);
+    const Shown first(m_pictures.front(), m_context, exposure);
     for (std::size_t i = 0; i < m_pictures.size(); ++i) {
       tell("errors", i, m_pictures.size());
       const Shown test(m_pictures[i], m_context, exposure);
-      const std::vector<Errors> toHighend = errorsOf(highend, test, regions);
+      const std::vector<Errors> toFirst = errorsOf(first, test, regions);
       const std::vector<Errors> toTruth = truth ? errorsOf(*truth, test, regions) : std::vector<Errors>();
       for (std::size_t r = 0; r < regions.size(); ++r) {
-        RegionErrors region{regions[r].name, regions[r].pixels.size(), std::nullopt, toHighend[r]};
+        RegionErrors region{regions[r].name, regions[r].pixels.size(), std::nullopt, toFirst[r]};
         if (truth) region.truth = toTruth[r];
         if (r == 0)
           m_sweep.variants[i].whole = region;

@@ -96,7 +96,8 @@ TEST(Help, OfEachSubcommandNamesItsOptions) {
   expectHelp({"budget", "--help"}, {"suggest", "check"});
   expectHelp({"budget", "suggest", "--help"}, {"reports", "--output", "--margin", "--metrics"});
   expectHelp({"fit", "--help"}, {"--geometry-term", "--fresnel", "--compensation", "--format", "hlsl", "--output"});
-  expectHelp({"plot", "--help"}, {"env-brdf", "--geometry-term", "--compensation", "--mobile-preset", "--output"});
+  expectHelp({"plot", "--help"},
+             {"env-brdf", "--paths", "--geometry-term", "--compensation", "--mobile-preset", "--output"});
   expectHelp({"bench", "--help"}, join({kCommon,
                                         {"--budget", "--compare", "--settings", "--rounds", "--scaling",
                                          "--no-reference", "--csv", "--output"}}));

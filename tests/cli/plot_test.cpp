@@ -53,6 +53,14 @@ TEST_F(PlotTest, SaysHowFarTheApproximationIsOnTheMaterialsOfAScene) {
   EXPECT_EQ(runParity({"plot", "env-brdf", "builtin:materials", "-q", "-o", folder.string()}).out, "");
 }
 
+TEST_F(PlotTest, HoldsTheSecondPathAgainstTheFirst) {
+  const std::filesystem::path folder = m_folder / "plot";
+  const RunResult result = runParity({"plot", "env-brdf", "-o", folder.string(), "--paths", "mobile,highend"});
+  ASSERT_TRUE(exitedWith(0, result));
+  EXPECT_TRUE(contains(result.out, "Fresnel schlick against the approximation")) << result.out;
+  EXPECT_EQ(readCsv(folder / "env-brdf.csv")[0][2], "mobile_A");
+}
+
 TEST_F(PlotTest, RefusesASceneThatIsNotThere) {
   expectRefused(runParity({"plot", "env-brdf", "builtin:nothing", "-o", (m_folder / "plot").string()}), 4,
                 {"builtin:nothing"});

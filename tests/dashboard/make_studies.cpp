@@ -39,7 +39,7 @@ sweep::SweepReport makeSweep(double scale) {
       variants.back().times = {};
       variants.back().prepareMs = {0.9 * size, 1.0 * size, 1.1 * size};
     }
-    variants.back().whole.highend.flipMean = std::nan("");
+    variants.back().whole.first.flipMean = std::nan("");
     variants.push_back(sweep::makeVariant("mobile", "stored", 0, 0.3));
     variants.back().stage = sweep::Stage::storage;
     report.scenes.push_back(sweep::makeSceneSweep(name, std::move(variants)));

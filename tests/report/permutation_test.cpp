@@ -26,6 +26,10 @@ TEST(PermutationCosts, areMeansOverThePixelsOfEachPath) {
 TEST(PermutationCosts, areSaidOnlyWhereBothPathsAreKnown) {
   std::vector<PermutationResult> permutations = makeSampleReport().scenes[0].permutations;
   EXPECT_EQ(describeCosts(permutations), kWords);
+  permutations.push_back({"third", "none", "none", 100, 0, PermutationCost{.fp32 = 450, .fetches = 11}});
+  EXPECT_EQ(describeCosts(permutations),
+            std::string(kWords) + "; 450 and 11.0 by third: 0.50 of the operations, 1.00 of the fetches");
+  permutations.pop_back();
   permutations[0].cost.reset();
   EXPECT_EQ(describeCosts(permutations), "");
   EXPECT_EQ(costsByPath(permutations).size(), 1u);

@@ -92,6 +92,7 @@ void setFigure(compare::Figures& figures, const std::string& name, double value)
 
 MaterialResult makeMaterial(const std::string& name, double mean, std::uint64_t pixels, double gain) {
   MaterialResult material;
+  material.test = ViewResult().test;
   material.name = name;
   material.figures = makeFigures(mean, pixels, gain);
   return material;

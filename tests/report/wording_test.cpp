@@ -222,24 +222,24 @@ TEST(Wording, ARelMseKeepsTwoDigitsHoweverSmallItIs) {
 
 TEST(Wording, CauseIsTheTermThatExplainsMost) {
   const compare::Attribution sky{0.142, {{"sunSpecular", 0.1}, {"skySpecular", 0.031}, {"emissive", 0.142}}};
-  EXPECT_EQ(describeCause(sky), "skySpecular: FLIP 0.142 -> 0.031 with high-end's");
+  EXPECT_EQ(describeCause(sky, "highend"), "skySpecular: FLIP 0.142 -> 0.031 with high-end's");
   const std::string none = "no single term explains it";
-  EXPECT_EQ(describeCause({0.2, {{"fog", 0.181}, {"skySpecular", 0.3}}}), none);
-  EXPECT_EQ(describeCause({0.2, {{"fog", 0.18}}}), "fog: FLIP 0.200 -> 0.180 with high-end's");
-  EXPECT_EQ(describeCause({0.2, {}}), none);
-  EXPECT_EQ(describeCause({0.0004, {{"fog", 0}}}), "") << "there is nothing to explain";
+  EXPECT_EQ(describeCause({0.2, {{"fog", 0.181}, {"skySpecular", 0.3}}}, "highend"), none);
+  EXPECT_EQ(describeCause({0.2, {{"fog", 0.18}}}, "highend"), "fog: FLIP 0.200 -> 0.180 with high-end's");
+  EXPECT_EQ(describeCause({0.2, {}}, "highend"), none);
+  EXPECT_EQ(describeCause({0.0004, {{"fog", 0}}}, "highend"), "") << "there is nothing to explain";
 }
 
 TEST(Wording, DroppedLightsAreNamedByWhatTheyDo) {
   DroppedLights dropped = makeDroppedLights();
   rankByEffect(dropped);
-  EXPECT_EQ(describe(dropped),
+  EXPECT_EQ(describe(dropped, "highend", "mobile"),
             "mobile drops 4 of 5 lights; without 'lamp 2' the high-end picture of 'Glass' changes by "
             "FLIP 0.250, without 'lamp 1' of 'Rough metal' by 0.031; 2 more were not measured "
             "(--dropped-lights)");
   for (int i = 0; i < 4; ++i) dropped.measured.push_back(dropped.measured[0]);
   dropped.notMeasured.resize(1);
-  const std::string many = describe(dropped);
+  const std::string many = describe(dropped, "highend", "mobile");
   EXPECT_NE(many.find("7 of 5"), std::string::npos);
   std::size_t named = 0;
   for (std::size_t at = many.find("without '"); at != std::string::npos; at = many.find("without '", at + 1)) ++named;
@@ -250,7 +250,7 @@ TEST(Wording, DroppedLightsAreNamedByWhatTheyDo) {
   for (DroppedLight& light : dropped.measured)
     for (LightEffect& effect : light.materials) effect.flip = 0.0004;
   dropped.notMeasured.clear();
-  EXPECT_EQ(describe(dropped),
+  EXPECT_EQ(describe(dropped, "highend", "mobile"),
             "mobile drops 2 of 5 lights; without any one of those measured the high-end picture looks the same");
   dropped.measured[0].materials.clear(); // all of it is see-through
   rankByEffect(dropped);

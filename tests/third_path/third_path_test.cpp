@@ -39,9 +39,12 @@ TEST_F(ThirdPath, HasARowOfItsOwnInReportAndPage) {
   bool hasAttribution = false;
   for (const json& material : view(report, 1).at("materials")) {
     EXPECT_FALSE(contains(material.at("bias").get<std::string>(), "mobile")) << material.at("bias");
+    EXPECT_FALSE(contains(material.at("truth").at("notes").dump(), "mobile")) << material.at("truth");
     hasAttribution |= material.contains("attribution");
   }
   EXPECT_TRUE(hasAttribution);
+  EXPECT_TRUE(contains(result.out, "the whole image high-end against mobile or lambert.")) << result.out;
+  EXPECT_TRUE(contains(result.out, "hi/truth, mo/truth, la/truth: mean FLIP of high-end and of mobile and of lambert"));
   std::set<std::string> names;
   for (std::size_t i : {0, 1})
     for (const auto& [kind, file] : view(report, i).at("images").items()) {
@@ -106,6 +109,12 @@ TEST_F(ThirdPath, StandsInBenchAndStress) {
   const std::string stress = (m_folder / "stress.json").string();
   runParity({"stress", "--only", "renders", "--renders", "roughness*", "--scenes", "0", "--json", stress});
   EXPECT_TRUE(contains(readWholeFile(stress), "\"lambert\""));
+}
+
+TEST_F(ThirdPath, WithoutAnEnvironmentBrdfIsNotPlotted) {
+  const std::vector<std::string> plot = {"plot", "env-brdf", "-o", (m_folder / "plot").string(), "--paths"};
+  expectRefused(runParity(join({plot, {"highend,lambert"}})), 64, {"--paths: lambert: has no environment BRDF"});
+  expectRefused(runParity(join({plot, {"highend,mobile,lambert"}})), 64, {"two paths"});
 }
 
 } // namespace

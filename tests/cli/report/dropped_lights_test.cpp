@@ -190,7 +190,7 @@ TEST_F(DroppedLightsTest, NothingIsDoneWhereMobileHasAllLights) {
   for (const std::string& scene : {writeLights({1, 2, 3, 4}, false), std::string("builtin:materials")}) {
     const Json result = diff(scene, kSun);
     EXPECT_TRUE(dropped(result).is_null()) << scene;
-    EXPECT_EQ(whyNone(result), "mobile has all lights that reach what is seen") << scene;
+    EXPECT_EQ(whyNone(result), "no light that reaches what is seen is dropped") << scene;
     EXPECT_EQ(countOf(result, "shade highend"), countOf(result, "surface"));
   }
   // Baked, all of them are.

@@ -22,7 +22,9 @@ struct Trio {
 
   TruthInput input() const { return {{truth, &truth, broken}, {reference, &reference, {}}, {test, &test, testBroken}}; }
   Truth measure(const base::PixelList& list, double wanted = 0.02) const {
-    return measureTruth(input(), {&error, &samples}, list, {.wantedError = wanted}).truth;
+    return measureTruth(input(), {&error, &samples}, list,
+                        {.wantedError = wanted, .reference = "high-end", .test = "mobile"})
+        .truth;
   }
 };
 
@@ -220,7 +222,8 @@ struct SwappedTrio {
     return swap;
   }
   std::vector<Truth> measure(const std::vector<TruthSwap>& swaps, double wanted = 0.02) const {
-    return measureTruthSwaps(truth(), {&trio.error, &trio.samples}, swaps, wanted);
+    return measureTruthSwaps(truth(), {&trio.error, &trio.samples}, swaps,
+                             {.wantedError = wanted, .reference = "high-end", .test = "mobile"});
   }
 };
 

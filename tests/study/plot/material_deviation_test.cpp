@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "default_pair.h"
 #include "shading/quadrature.h"
 #include "support/small_scenes.h"
 
@@ -22,15 +23,9 @@ scenes::Scene makeScene() {
   return scene;
 }
 
-const TableBrdf& table() {
-  static const TableBrdf table({});
-  return table;
-}
-
 TEST(MaterialDeviation, isTheMeanOverASpheresNoV) {
   const scenes::Scene scene = makeScene();
-  const ApproximateBrdf karis(mobile::presetByName("karis2014"));
-  const auto deviations = deviationsOf(scene, table(), karis);
+  const auto deviations = deviationsOf(scene, pairWith("karis2014"));
   ASSERT_EQ(deviations.size(), 1u);
   const MaterialDeviation& d = deviations[0];
   double mean = 0, bias = 0, max = 0;
@@ -56,8 +51,8 @@ TEST(MaterialDeviation, isTheMeanOverASpheresNoV) {
   EXPECT_EQ(d.form, "general");
   EXPECT_NEAR(d.F0.y, 0.6, 1e-6);
   EXPECT_NEAR(d.roughness, 0.4, 1e-6);
-  EXPECT_GT(d.tableMultiple, 0);
-  EXPECT_EQ(d.mobileMultiple, 0);
+  EXPECT_GT(d.referenceMultiple, 0);
+  EXPECT_EQ(d.testMultiple, 0);
 }
 
 TEST(MaterialDeviation, followsTheTexturesOverTheSurface) {
@@ -69,8 +64,8 @@ TEST(MaterialDeviation, followsTheTexturesOverTheSurface) {
   scene.images.push_back(image);
   scene.materials[0].metallicRoughnessTexture.image = 0;
   scene.materials[0].roughness = 1;
-  const ApproximateBrdf ue4(mobile::presetByName("ue4-2020"));
-  const MaterialDeviation both = deviationsOf(scene, table(), ue4)[0];
+  const PlottedPair ue4 = pairWith("ue4-2020");
+  const MaterialDeviation both = deviationsOf(scene, ue4)[0];
   EXPECT_EQ(both.points, 256u);
   EXPECT_NEAR(both.roughness, 0.5, 0.01);
   EXPECT_NEAR(both.least, 0.2, 1e-6);
@@ -79,7 +74,7 @@ TEST(MaterialDeviation, followsTheTexturesOverTheSurface) {
   for (const float roughness : {0.2f, 0.8f}) {
     scenes::Scene plain = makeScene();
     plain.materials[0].roughness = roughness;
-    mean += 0.5 * deviationsOf(plain, table(), ue4)[0].mean;
+    mean += 0.5 * deviationsOf(plain, ue4)[0].mean;
   }
   EXPECT_NEAR(both.mean, mean, 0.02 * mean);
 }
@@ -90,7 +85,7 @@ TEST(MaterialDeviation, takesNonmetalsAndFullyRoughOnesByTheirOwnFormsAndLeavesU
   scene.materials[1].metallic = 0;
   scene.materials[2].fullyRough = true;
   scene.materials[3].unlit = true;
-  const auto deviations = deviationsOf(scene, table(), ApproximateBrdf(mobile::presetByName("ue4-2020")));
+  const auto deviations = deviationsOf(scene, pairWith("ue4-2020"));
   ASSERT_EQ(deviations.size(), 3u);
   EXPECT_EQ(deviations[1].form, "nonmetal");
   EXPECT_NEAR(deviations[1].F0.x, 0.04, 1e-6);
@@ -101,8 +96,8 @@ TEST(MaterialDeviation, takesNonmetalsAndFullyRoughOnesByTheirOwnFormsAndLeavesU
 // The preset that is fitted to this table is nearer to it.
 TEST(MaterialDeviation, ofRefitIsSmaller) {
   const scenes::Scene scene = makeScene();
-  const double refit = deviationsOf(scene, table(), ApproximateBrdf(mobile::presetByName("refit")))[0].mean;
-  const double ue4 = deviationsOf(scene, table(), ApproximateBrdf(mobile::presetByName("ue4-2020")))[0].mean;
+  const double refit = deviationsOf(scene, pairWith("refit"))[0].mean;
+  const double ue4 = deviationsOf(scene, pairWith("ue4-2020"))[0].mean;
   EXPECT_LT(refit, 0.5 * ue4);
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "default_pair.h"
 #include "study/plot/panel.h"
 
 namespace parity::plot {
@@ -61,8 +62,7 @@ TEST(Panel, linesOfEqualValueLieWhereTheValueIsEqual) {
 }
 
 TEST(EnvBrdfPicture, growsWithTheMaterialsThatItListsUpToTwelve) {
-  const TableBrdf table({});
-  const ApproximateBrdf ue4(mobile::presetByName("ue4-2020"));
+  const PlottedPair ue4 = pairWith("ue4-2020");
   std::vector<MaterialDeviation> materials(30);
   for (std::size_t k = 0; k < materials.size(); ++k) {
     materials[k].name = "a name that is longer than its column is wide, so that it is cut off with three dots";
@@ -70,9 +70,9 @@ TEST(EnvBrdfPicture, growsWithTheMaterialsThatItListsUpToTwelve) {
     materials[k].roughness = 0.5;
     materials[k].mean = 0.01 * static_cast<double>(k);
   }
-  const base::Image8 none = drawEnvBrdf(table, ue4, {}, "");
-  const base::Image8 two = drawEnvBrdf(table, ue4, {materials[0], materials[1]}, "scene");
-  const base::Image8 all = drawEnvBrdf(table, ue4, materials, "scene");
+  const base::Image8 none = drawEnvBrdf(ue4, {}, "");
+  const base::Image8 two = drawEnvBrdf(ue4, {materials[0], materials[1]}, "scene");
+  const base::Image8 all = drawEnvBrdf(ue4, materials, "scene");
   EXPECT_EQ(none.channels, 3);
   EXPECT_GT(none.width, 1200);
   EXPECT_GT(two.height, none.height);

@@ -104,7 +104,7 @@ TEST(Against, isTheTruthOnlyWhereAllHaveIt) {
   EXPECT_EQ(bestKnown(report), Against::truth);
   report.scenes.push_back(report.scenes[0]);
   report.scenes[1].variants[0].whole.truth.reset();
-  EXPECT_EQ(bestKnown(report), Against::highend);
+  EXPECT_EQ(bestKnown(report), Against::first);
 }
 
 } // namespace

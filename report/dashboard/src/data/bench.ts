@@ -1,17 +1,19 @@
 // bench.json of `parity bench` (study/sweep/sweep_json.cpp), and the pictures that the program has drawn of its scenes.
 
+import { pathWord } from "./paths";
+
 export type Maybe = number | null; // null: not finite
 export type Spread = Record<"median" | "low" | "high", number>;
 export type Figure = "flip.mean" | "flip.p95" | "relmse";
 export type Errors = Record<Figure, Maybe> & { nonFinite: number };
 export type Stage = "shading" | "preparation" | "storage";
-export type Against = "reference" | "highend";
+/** "reference": the truth; else the first path's default, by the path's name. */
+export type Against = string;
 
-export interface Region {
+export type Region = {
   name?: string; // of the material; none: all that is covered
   truth?: Errors;
-  highend: Errors;
-}
+} & Record<string, unknown>; // and by the first path's name Errors
 export interface Variant {
   path: string;
   name: string;
@@ -63,6 +65,6 @@ export function sweepOf(bench: unknown, plots: unknown): Sweep | null {
 }
 
 /** What a figure is taken against, in words. */
-export const wordsOf = (against: Against): string => (against === "reference" ? "the reference" : "the high-end default");
+export const wordsOf = (against: Against): string => (against === "reference" ? "the reference" : `the ${pathWord(against)} default`);
 
-export const errorsOf = (region: Region, against: Against): Errors | undefined => (against === "reference" ? region.truth : region.highend);
+export const errorsOf = (region: Region, against: Against): Errors | undefined => (against === "reference" ? region.truth : (region[against] as Errors | undefined));

@@ -208,7 +208,7 @@ export interface TruthImages {
   testFlip: string; // FLIP of the view's test against the truth
 }
 
-/** What a stage of the mobile path alone makes of its picture: the reference is that without the stage, the test that with it, both as displayed. It judges nothing */
+/** What a stage of the test path alone makes of its picture: the reference is that without the stage, the test that with it, both as displayed. It judges nothing */
 export interface Stage {
   stage: string; // encoding: storing the colour in the target; textures: compressing them
   through: string; // What the picture passes through there: rgba8-gamma2, astc6x6
@@ -256,7 +256,7 @@ export interface Attribution {
 
 export interface TermEffect {
   term: string;
-  flip: number | null; // Mean, once mobile has high-end's term
+  flip: number | null; // Mean, once the test has the reference's term
 }
 
 /** Files of the values behind the pictures, relative to the report's folder; empty: none */
@@ -265,9 +265,9 @@ export interface PixelFiles {
   terms: string; // Both paths' terms
 }
 
-/** Lights that mobile drops from objects that the view shows; absent: none, or not asked for. It judges nothing */
+/** Lights that the test path drops from objects that the view shows; absent: none, or not asked for. It judges nothing */
 export interface DroppedLights {
-  lights: number; // That mobile could have, dropped or not
+  lights: number; // That it could have, dropped or not
   measured: DroppedLight[]; // The most effect first
   notMeasured: string[]; // Names of the dropped lights beyond the run's limit (--dropped-lights), the most estimated effect first
 }
@@ -275,14 +275,14 @@ export interface DroppedLights {
 export interface DroppedLight {
   name: string;
   kind: "directional" | "point" | "spot";
-  keptBy: number; // Objects of the view that mobile shades with it
+  keptBy: number; // Objects of the view that the test path shades with it
   droppedBy: number; // Objects of the view that it reaches and that do without it
   materials: LightEffect[]; // Of the objects that drop it, the most changed first
 }
 
 export interface LightEffect {
   name: string;
-  flip: number; // Mean FLIP of the high-end picture without this light against that with all lights
+  flip: number; // Mean FLIP of the reference's picture without this light against that with all lights
 }
 
 export interface Pass {

@@ -50,14 +50,15 @@ function errorColumns(against: Against): Column<Variant>[] {
 }
 
 function variantTable(scene: MeasuredScene, stage: Stage): TemplateResult | typeof nothing {
-  const variants = scene.variants.filter((variant) => variant.stage === stage);
-  if (variants.length === 0) return nothing;
+  const variants = scene.variants.filter((variant) => variant.stage === stage), first = scene.variants[0]?.path;
+  if (variants.length === 0 || first === undefined) return nothing;
+  const nonFinite = ({ error }: Variant) => errorsOf(error, first)?.nonFinite;
   return table(`Settings, ${stage}`, variants, [
     kSetting,
     ...timeColumns(stage),
     ...(variants.some((variant) => variant.error.truth) ? errorColumns("reference") : []),
-    ...errorColumns("highend"),
-    { label: "NaN", value: (variant) => variant.error.highend.nonFinite, show: (variant) => variant.error.highend.nonFinite || "" },
+    ...errorColumns(first),
+    { label: "NaN", value: nonFinite, show: (variant) => nonFinite(variant) || "" },
   ], (variant) => (variant.name === "default" ? "plain" : variant.dominated ? "dominated" : ""));
 }
 

@@ -1,5 +1,5 @@
 // The high-end lightmap's halves.
-#include "bake/encode/highend_encoding.h"
+#include "bake/encode/half_encoding.h"
 
 #include <cmath>
 
@@ -29,7 +29,7 @@ TEST(HighendEncoding, holdsIrradianceAndDirectionInTwoHalves) {
   setTexel(page, 2, 2, 0, glm::dvec3(1e9), 2, glm::dvec3(0, .4, 0), {0, 1, 0});
   setTexel(page, 3, 2, 0, glm::dvec3(0), 0, glm::dvec3(0), {0, 1, 0});
   setTexel(page, 0, 0, 0, glm::dvec3(0), .1, glm::dvec3(7, 0, 0), {0, 1, 0}); // longer than light can make it
-  const auto halves = encodeHighend(page);
+  const auto halves = encodeHalves(page);
   ASSERT_EQ(halves.width, 4);
   ASSERT_EQ(halves.height, 6);
   const glm::dvec4 upper = texelAt(halves, 1, 2), lower = texelAt(halves, 1, 5);

@@ -1,4 +1,4 @@
-#include "bake/encode/highend_encoding.h"
+#include "bake/encode/half_encoding.h"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ shading::f64::real3 directionOf(const float* sh) {
 
 } // namespace
 
-base::BasicImage<std::uint16_t> encodeHighend(const LightmapPage& page) {
+base::BasicImage<std::uint16_t> encodeHalves(const LightmapPage& page) {
   base::BasicImage<std::uint16_t> halves(page.owner.width, 2 * page.owner.height, 4, bitsOf(1));
   const std::size_t below = page.owner.pixelCount();
   base::parallelFor(below, 4096, [&](std::size_t begin, std::size_t end) {

@@ -13,6 +13,6 @@ namespace parity::bake {
 // direction over world's x, y, z, of length 0 (light from everywhere) to 1 (from one direction), alpha 1:
 //   r = (l1 / l0) / sqrt(3), cut to length 1; 0 where l0 = 0.
 // sqrt(3) = Y1 / Y0: a single directional light has l1 = sqrt(3) l0 w. Texels without an owner hold zeros, alpha 1.
-base::BasicImage<std::uint16_t> encodeHighend(const LightmapPage& page);
+base::BasicImage<std::uint16_t> encodeHalves(const LightmapPage& page);
 
 } // namespace parity::bake
