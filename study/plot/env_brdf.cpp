@@ -13,7 +13,7 @@ Plotted plottedOf(const paths::Path& path, const paths::Options& options) {
   Plotted plotted{path.title(), path.environmentBrdf(options), {}};
   if (!plotted.brdf)
     throw base::Error(base::ExitCode::usage, "--paths", path.name(),
-                      "has no environment BRDF that is a function of roughness and N.V");
+                      "has no environment BRDF that can be drawn: none, or one that only its shader knows");
   plotted.words = plotted.brdf->words();
   return plotted;
 }
