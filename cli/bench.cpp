@@ -111,7 +111,7 @@ void printScene(const sweep::SceneSweep& scene, const sweep::Conclusions& c) {
   if (!scene.failure.empty()) return;
   print("{} ({}, {} samples): worth their time by {} against the {}\n", base::plainLine(scene.scene),
         base::plainLine(scene.environment), scene.pixels, c.figure,
-        c.against == sweep::Against::truth ? "reference" : report::titleOf(scene.variants.front().path) + " default");
+        c.against == sweep::Against::truth ? "truth" : report::titleOf(scene.variants.front().path) + " default");
   print("{:>10} {:>10} {:>10} {:>11}  setting\n", "device ms", c.figure, "operations", "compile ms");
   const std::vector<bool> dominated = sweep::findDominated(scene, c.against, c.figure);
   std::vector<const sweep::VariantResult*> front;

@@ -2,6 +2,7 @@
 #include "cli/options/bench_options.h"
 
 #include "base/error.h"
+#include "base/log.h"
 #include "job/knobs.h"
 
 namespace parity::cli {
@@ -37,8 +38,13 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
       ->check(CLI::Range(2, 1000))
       ->group("Bench")
       ->capture_default_str();
-  app.add_flag("--no-reference", raw.noReference, "No errors against the reference, which takes most of the time")
-      ->group("Bench");
+  app.add_flag("--no-truth", raw.noTruth, "No errors against the truth, which takes most of the time")->group("Bench");
+  app.add_flag_callback("--no-reference",
+                        [&raw] {
+                          base::logInfo("--no-reference is called --no-truth now");
+                          raw.noTruth = true;
+                        })
+      ->group("");
   app.add_flag("--scaling", bench.scaling,
                "Instead: each stage against pixels, triangles, lights, materials, textures; generated scenes")
       ->group("Bench")
@@ -60,7 +66,7 @@ BenchCommand settleBench(const CLI::App& app, const RawBenchOptions& raw) {
   settle(app, command.common, raw.common);
   requireSizeFits(command.common, kComparedPixelBytes);
   command.common.settings.costs = true;
-  command.trial.truth = !raw.noReference;
+  command.trial.truth = !raw.noTruth;
   if (command.common.json == "-" && command.csv == "-")
     throw CLI::ValidationError("--csv", "JSON goes to stdout already");
   if (!raw.budget.empty()) {

@@ -13,7 +13,7 @@ struct RawBenchOptions {
   BenchCommand bench;
   RawOptions common;
   std::string budget;
-  bool noReference = false;
+  bool noTruth = false;
 };
 
 // `raw` must outlive the parsing.

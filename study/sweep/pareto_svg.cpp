@@ -149,7 +149,7 @@ ParetoPlot plotOf(const SceneSweep& scene, Stage stage, Against against, const s
                   .timeUnit = "ms",
                   .errorTitle = figure + " against " +
                                 (against == Against::truth || scene.variants.empty()
-                                     ? "the reference"
+                                     ? "the truth"
                                      : fmt::format("the {} default", report::titleOf(scene.variants.front().path))),
                   .dots = {}};
   const std::vector<bool> dominated = findDominated(scene, against, figure);
@@ -211,7 +211,7 @@ std::string paretoJson(const SweepReport& report, Against against, const std::st
       if (svg.empty()) return;
       json.beginObject();
       json.key("stage").text(stageKinds()[static_cast<std::size_t>(stage)]);
-      json.key("against").text(held == Against::truth ? "reference" : scene.variants.front().path);
+      json.key("against").text(held == Against::truth ? "truth" : scene.variants.front().path);
       json.key("svg").text(svg);
       json.endObject();
     };

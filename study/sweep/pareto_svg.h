@@ -29,7 +29,7 @@ ParetoPlot plotOf(const SceneSweep& scene, Stage stage, Against against, const s
 std::string toSvg(ParetoPlot plot);
 
 // The pictures that go with the scenes of bench.json, in its order:
-// [[{"stage": "shading", "against": "reference", "svg": "<svg"...}, ...], ...].
+// [[{"stage": "shading", "against": "truth", "svg": "<svg"...}, ...], ...].
 std::string paretoJson(const SweepReport& report, Against against, const std::string& figure);
 
 } // namespace parity::sweep

@@ -134,7 +134,7 @@ void writeRatios(JsonWriter& json, const SweepRatios& ratios) {
 
 void writeConclusions(JsonWriter& json, const Conclusions& c) {
   json.key("conclusions").beginObject();
-  json.key("against").text(c.against == Against::truth ? "reference" : c.firstPath);
+  json.key("against").text(c.against == Against::truth ? "truth" : c.firstPath);
   json.key("figure").text(c.figure);
   writeTexts(json, "dominatedEverywhere", c.dominated);
   if (c.budget) {
@@ -226,8 +226,8 @@ std::string toJson(const SweepReport& report, const Conclusions& conclusions, ba
 std::string toCsv(const SweepReport& report) {
   std::string csv =
       fmt::format("scene,environment,sun,path,setting,stage,device_ms,device_ms_low,device_ms_high,wall_ms,cpu_ms,"
-                  "compile_ms,prepare_ms,operations,fetches,samplers,region,pixels,reference_flip_mean,"
-                  "reference_flip_p95,reference_relmse,{0}_flip_mean,{0}_flip_p95,{0}_relmse,"
+                  "compile_ms,prepare_ms,operations,fetches,samplers,region,pixels,truth_flip_mean,"
+                  "truth_flip_p95,truth_relmse,{0}_flip_mean,{0}_flip_p95,{0}_relmse,"
                   "non_finite\r\n",
                   firstPathOf(report));
   for (const SceneSweep& scene : report.scenes)

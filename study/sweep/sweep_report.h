@@ -57,7 +57,7 @@ struct SceneSweep {
   std::string scene, environment, sun;
   int width = 0, height = 0;
   std::uint64_t pixels = 0; // surface samples shaded in each round
-  double truthError = 0;    // median relative standard error of the reference's pixels; 0 without it
+  double truthError = 0;    // median relative standard error of the truth's pixels; 0 without it
   std::vector<VariantResult> variants;
   std::vector<std::string> skipped; // knobs that this scene does not need, with the reason
   std::string failure;              // why it could not be measured; empty where it could

@@ -6,10 +6,16 @@ namespace parity::tests {
 namespace {
 
 const std::vector<std::string> kShort = {
-    "bench",      "builtin:furnace",      "--size",      "24x24", "--rounds", "5", "--no-reference",
+    "bench",      "builtin:furnace",      "--size",      "24x24", "--rounds", "5", "--no-truth",
     "--settings", "mobile: capture fp16", "--validation"};
 
 class BenchOnDevice : public RenderingTest {};
+
+TEST(BenchOptions, OlderNameIsTakenWithANote) {
+  const RunResult result = runParity({"bench", "--no-reference", "--list"});
+  EXPECT_TRUE(exitedWith(0, result));
+  EXPECT_TRUE(contains(result.err, "--no-reference is called --no-truth now")) << result.err;
+}
 
 TEST_F(BenchOnDevice, writesItsFilesAndAJudgementOfAnEarlierRun) {
   const RunResult first = runParity(join({kShort, {"-o", (m_folder / "a").string(), "--budget", "flip.mean=0.9"}}));

@@ -134,7 +134,7 @@ TEST_F(HostileNamesTest, OfScenesAndMaterialsAreTextInEveryFormat) {
   pugi::xml_document junit;
   EXPECT_TRUE(junit.load_file((folder / "junit.xml").c_str()));
 
-  const std::vector<std::string> bench = join({{"bench", file, "--settings", "highend: default", "--no-reference",
+  const std::vector<std::string> bench = join({{"bench", file, "--settings", "highend: default", "--no-truth",
                                                 "--rounds", "2", "--preparation-rounds", "2", "--size", "32x32"},
                                                view,
                                                kSun});

@@ -98,7 +98,7 @@ TEST_F(ThirdPath, StandsInBenchAndStress) {
   EXPECT_TRUE(contains(list.out, "lambert: default")) << list.out;
   const std::string file = (m_folder / "bench.json").string();
   const RunResult bench = runParity(join({{"bench", "builtin:spheres", "--settings", "lambert*", "--rounds", "2",
-                                           "--no-reference", "--size", "32x32", "--no-cache", "--json", file},
+                                           "--no-truth", "--size", "32x32", "--no-cache", "--json", file},
                                           kThree,
                                           kSun}));
   EXPECT_TRUE(exitedWith(0, bench));

@@ -57,7 +57,7 @@ TEST_F(SweepFiles, conclusionsAreInTheFile) {
   const SweepReport report = makeReport();
   const auto json = nlohmann::json::parse(toJson(report, conclude(report, ErrorBudget{"flip.mean", 0.25})));
   const auto& c = json.at("conclusions");
-  EXPECT_EQ(c.at("against"), "reference");
+  EXPECT_EQ(c.at("against"), "truth");
   EXPECT_EQ(c.at("dominatedEverywhere"), nlohmann::json({"mobile: x"}));
   EXPECT_EQ(c.at("cheapest").at(0).at("setting"), "default");
   EXPECT_TRUE(c.at("cheapest").at(2).at("setting").is_null()) << "mobile has none";
@@ -126,7 +126,7 @@ TEST_F(SweepFiles, thePageHoldsTheSweepAndAPictureOfEachStageThatHasOne) {
   const nlohmann::json plots = block("bench-plots");
   ASSERT_EQ(plots.size(), 2u);
   ASSERT_EQ(plots[0].size(), 3u);
-  EXPECT_EQ(plots[0][0]["against"], "reference");
+  EXPECT_EQ(plots[0][0]["against"], "truth");
   EXPECT_EQ(plots[0][1]["against"], "highend");
   EXPECT_EQ(plots[0][2]["stage"], "preparation");
   EXPECT_TRUE(plots[1].empty()) << "it could not be measured";

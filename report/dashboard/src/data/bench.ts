@@ -7,7 +7,7 @@ export type Spread = Record<"median" | "low" | "high", number>;
 export type Figure = "flip.mean" | "flip.p95" | "relmse";
 export type Errors = Record<Figure, Maybe> & { nonFinite: number };
 export type Stage = "shading" | "preparation" | "storage";
-/** "reference": the truth; else the first path's default, by the path's name. */
+/** "truth"; else the first path's default, by the path's name. */
 export type Against = string;
 
 export type Region = {
@@ -65,6 +65,6 @@ export function sweepOf(bench: unknown, plots: unknown): Sweep | null {
 }
 
 /** What a figure is taken against, in words. */
-export const wordsOf = (against: Against): string => (against === "reference" ? "the reference" : `the ${pathWord(against)} default`);
+export const wordsOf = (against: Against): string => (against === "truth" ? "the truth" : `the ${pathWord(against)} default`);
 
-export const errorsOf = (region: Region, against: Against): Errors | undefined => (against === "reference" ? region.truth : (region[against] as Errors | undefined));
+export const errorsOf = (region: Region, against: Against): Errors | undefined => region[against] as Errors | undefined;

@@ -56,7 +56,7 @@ function variantTable(scene: MeasuredScene, stage: Stage): TemplateResult | type
   return table(`Settings, ${stage}`, variants, [
     kSetting,
     ...timeColumns(stage),
-    ...(variants.some((variant) => variant.error.truth) ? errorColumns("reference") : []),
+    ...(variants.some((variant) => variant.error.truth) ? errorColumns("truth") : []),
     ...errorColumns(first),
     { label: "NaN", value: nonFinite, show: (variant) => nonFinite(variant) || "" },
   ], (variant) => (variant.name === "default" ? "plain" : variant.dominated ? "dominated" : ""));
@@ -79,7 +79,7 @@ const pictures = (plots: readonly Plot[], stage: Stage): TemplateResult => html`
 
 /** All that is known of a scene by the place it has in the sweep. */
 export function sceneParts(scene: MeasuredScene, plots: readonly Plot[], conclusions: Conclusions): TemplateResult {
-  return html`<p class="sub">environment <bdi>${scene.environment}</bdi>, sun ${scene.sun}; ${scene.width}×${scene.height}, ${count(scene.pixels)} surface samples${scene.truthError > 0 ? `; the reference is known to ${significant(100 * scene.truthError, 2)} % (median pixel)` : ""}</p>
+  return html`<p class="sub">environment <bdi>${scene.environment}</bdi>, sun ${scene.sun}; ${scene.width}×${scene.height}, ${count(scene.pixels)} surface samples${scene.truthError > 0 ? `; the truth is known to ${significant(100 * scene.truthError, 2)} % (median pixel)` : ""}</p>
     ${pictures(plots, "shading")}${variantTable(scene, "shading")}
     ${pictures(plots, "preparation")}${variantTable(scene, "preparation")}
     ${variantTable(scene, "storage")}
