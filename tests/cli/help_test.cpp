@@ -98,7 +98,7 @@ TEST(Help, OfEachSubcommandNamesItsOptions) {
   expectHelp({"fit", "--help"}, {"--geometry-term", "--fresnel", "--compensation", "--format", "hlsl", "--output"});
   expectHelp({"plot", "--help"}, {"env-brdf", "--geometry-term", "--compensation", "--mobile-preset", "--output"});
   expectHelp({"bench", "--help"}, join({kCommon,
-                                        {"--budget", "--compare", "--settings", "--rounds", "--scaling",
+                                        {"--suite", "--budget", "--compare", "--settings", "--rounds", "--scaling",
                                          "--no-reference", "--csv", "--output"}}));
   expectHelp({"stress", "--help"},
              {"--only", "--list", "--at", "--functions", "--points", "--device-points", "--renders", "--scenes",

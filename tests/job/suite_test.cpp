@@ -233,12 +233,16 @@ TEST(Suite, WhatDoesNotGoTogetherNamesItsPlace) {
   expectRefused(head + "size = \"64x64\"\n", {"line 3: size: no such key in a scene"});
 }
 
-TEST(Suite, ShippedExampleLoads) {
-  const Suite suite =
-      scenes::loadSuite(std::filesystem::path(PARITY_SOURCE_DIR) / "scenes/data/nightly.example.toml", suiteKnobs());
-  EXPECT_EQ(suite.name, "nightly");
-  ASSERT_EQ(suite.entries.size(), 4u);
-  for (const scenes::SuiteEntry& entry : suite.entries) EXPECT_TRUE(entry.scene.starts_with("builtin:"));
+TEST(Suite, ShippedSuitesLoad) {
+  const std::filesystem::path data = std::filesystem::path(PARITY_SOURCE_DIR) / "scenes/data";
+  for (const auto& [file, name, count] : {std::tuple("nightly.example.toml", "nightly", 4u),
+                                          {"evidence.toml", "evidence", 12u},
+                                          {"demo.toml", "demo", 6u}}) {
+    const Suite suite = scenes::loadSuite(data / file, suiteKnobs());
+    EXPECT_EQ(suite.name, name);
+    EXPECT_EQ(requestsOf(suite, {}, {}).size(), count) << file;
+    for (const scenes::SuiteEntry& entry : suite.entries) EXPECT_TRUE(entry.scene.starts_with("builtin:"));
+  }
 }
 
 TEST(Suite, UnknownKeysNameTheLineAndTheNearestKnownKey) {
