@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/expect_error.h"
 #include "base/file.h"
 #include "base/temp_folder.h"
 #include "job/knobs.h"
@@ -11,19 +12,9 @@
 namespace parity::job {
 namespace {
 
+using base::expectError;
 using base::TempFolder;
 using scenes::Suite;
-
-void expectError(const auto& body, const std::vector<std::string>& parts) {
-  try {
-    body();
-    ADD_FAILURE() << "no Error: expected " << parts.front();
-  } catch (const base::Error& error) {
-    EXPECT_EQ(error.code(), base::ExitCode::failed);
-    for (const std::string& part : parts)
-      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << part << " in: " << error.what();
-  }
-}
 
 Suite load(const std::string& text) {
   const TempFolder folder;
