@@ -10,7 +10,6 @@ enum class LogLevel { quiet, normal, verbose };
 void setLogLevel(LogLevel level);
 LogLevel logLevel();
 
-void logVerbose(const std::string& message); // only with -v
 void logInfo(const std::string& message);    // not with -q
 void logWarning(const std::string& message); // "warning: ..."; not with -q
 // Of a whole run: a warning each; with -q all of them in one line.

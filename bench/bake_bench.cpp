@@ -20,6 +20,7 @@
 #include "bake/encode/lq_encoding.h"
 #include "bake/encode/sun_pages.h"
 #include "bake/light/integrate.h"
+#include "bench/exponents.h"
 #include "job/bake_run.h"
 #include "scenes/builtin/builtin.h"
 #include "study/sweep/statistics.h"
@@ -194,34 +195,6 @@ PARITY_BAKE(encodeMobileAstc4x4)->RangeMultiplier(2)->Range(4, 16);
 PARITY_BAKE(encodeMobileAstc6x6)->RangeMultiplier(2)->Range(4, 16);
 PARITY_BAKE(sunField)->RangeMultiplier(2)->Range(4, 16);
 
-// Also keeps the times by texels, for the exponents.
-class Reporter : public benchmark::ConsoleReporter {
-public:
-  void ReportRuns(const std::vector<Run>& runs) override {
-    benchmark::ConsoleReporter::ReportRuns(runs);
-    for (const Run& run : runs) {
-      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
-      m_times[run.run_name.function_name][run.counters.at("texels")].push_back(run.GetAdjustedCPUTime());
-    }
-  }
-  void printExponents() const {
-    for (const auto& [name, points] : m_times) {
-      std::vector<double> n, medians;
-      for (const auto& [texels, times] : points) {
-        n.push_back(texels);
-        medians.push_back(sweep::spreadOf(times).median);
-      }
-      const auto drop = static_cast<std::ptrdiff_t>(n.size() > 3 ? n.size() - 3 : 0);
-      n.erase(n.begin(), n.begin() + drop);
-      medians.erase(medians.begin(), medians.begin() + drop);
-      if (n.size() > 1) fmt::print("{:<28} n^{:.2f}\n", name, sweep::fitPowerLaw(n, medians).exponent);
-    }
-  }
-
-private:
-  std::map<std::string, std::map<double, std::vector<double>>> m_times; // by benchmark and texels
-};
-
 // A whole bake but for captures, whose memory has nothing to do with texels: no bounce, fewest samples.
 struct Peak {
   double texels = 0, kibibytes = 0;
@@ -278,10 +251,9 @@ int run(int count, char** arguments) {
     printMemory(); // before there are threads
     return 0;
   }
-  benchmark::Initialize(&count, arguments);
-  Reporter reporter;
-  benchmark::RunSpecifiedBenchmarks(&reporter);
-  reporter.printExponents();
+  runWithExponents(count, arguments, [](const auto& run) {
+    return std::pair(run.counters.at("texels").value, run.GetAdjustedCPUTime());
+  });
   return 0;
 }
 

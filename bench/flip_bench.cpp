@@ -13,6 +13,7 @@
 #include <benchmark/benchmark.h>
 
 #include "base/parallel.h"
+#include "bench/noisy_image.h"
 #include "compare/flip/flip.h"
 #include "compare/flip/flip_filters.h"
 #include "compare/flip/flip_hdr.h"
@@ -20,20 +21,6 @@
 
 namespace parity::compare {
 namespace {
-
-// Waves and noise, as a display shows them.
-base::Image8 makeImage(int width, int height, unsigned seed) {
-  base::Image8 image(width, height, 3);
-  unsigned state = seed;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      for (int c = 0; c < 3; ++c) {
-        state = state * 1664525u + 1013904223u;
-        const int wave = (x * (c + 1) + 2 * y) / 4 % 400, ramp = wave < 200 ? wave : 400 - wave;
-        image.at(x, y)[c] = static_cast<std::uint8_t>(20 + ramp + static_cast<int>(state >> 27));
-      }
-  return image;
-}
 
 base::Image toFloats(const base::Image8& bytes, bool hdr) {
   base::Image image(bytes.width, bytes.height, 3);
@@ -107,7 +94,7 @@ void ldr(benchmark::State& state) {
   const int width = static_cast<int>(state.range(0)), height = static_cast<int>(state.range(1));
   const int threads = static_cast<int>(state.range(2));
   const base::ThreadLimit limit(threads);
-  const base::Image8 reference = makeImage(width, height, 1), test = makeImage(width, height, 2);
+  const base::Image8 reference = makeNoisyImage(width, height, 1), test = makeNoisyImage(width, height, 2);
   measure(state, static_cast<double>(width) * height, threads, 1,
           [&] { benchmark::DoNotOptimize(flipMap(reference, test).pixels.data()); });
 }
@@ -117,8 +104,8 @@ BENCHMARK(ldr)->ArgNames({"w", "h", "threads"})->Apply(addSizes)->UseRealTime()-
 void ldrFloats(benchmark::State& state) {
   const int width = static_cast<int>(state.range(0)), height = static_cast<int>(state.range(1));
   const base::ThreadLimit limit(1);
-  const base::Image reference = toFloats(makeImage(width, height, 1), false);
-  const base::Image test = toFloats(makeImage(width, height, 2), false);
+  const base::Image reference = toFloats(makeNoisyImage(width, height, 1), false);
+  const base::Image test = toFloats(makeNoisyImage(width, height, 2), false);
   measure(state, static_cast<double>(width) * height, 1, 1,
           [&] { benchmark::DoNotOptimize(flipMap(reference, test).pixels.data()); });
 }
@@ -129,8 +116,8 @@ void hdr(benchmark::State& state) {
   const int width = static_cast<int>(state.range(0)), height = static_cast<int>(state.range(1));
   const int threads = static_cast<int>(state.range(2));
   const base::ThreadLimit limit(threads);
-  const base::Image reference = toFloats(makeImage(width, height, 1), true);
-  const base::Image test = toFloats(makeImage(width, height, 2), true);
+  const base::Image reference = toFloats(makeNoisyImage(width, height, 1), true);
+  const base::Image test = toFloats(makeNoisyImage(width, height, 2), true);
   const int exposures = exposureRange(reference, test, {}).count;
   measure(state, static_cast<double>(width) * height, threads, exposures,
           [&] { benchmark::DoNotOptimize(flipHdr(reference, test).flip.pixels.data()); });
@@ -148,7 +135,7 @@ void ldrBySimdLevel(benchmark::State& state) {
     return;
   }
   const base::ThreadLimit limit(1);
-  const base::Image8 reference = makeImage(1920, 1080, 1), test = makeImage(1920, 1080, 2);
+  const base::Image8 reference = makeNoisyImage(1920, 1080, 1), test = makeNoisyImage(1920, 1080, 2);
   useSimdLevel(levels[index]);
   measure(state, 1920. * 1080., 1, 1, [&] { benchmark::DoNotOptimize(flipMap(reference, test).pixels.data()); });
   useSimdLevel("");
@@ -161,7 +148,7 @@ enum class Differing { everywhere, block, scattered, nowhere };
 void partlyEqual(benchmark::State& state) {
   constexpr int kWidth = 3840, kHeight = 2160;
   const base::ThreadLimit limit(1);
-  const base::Image8 reference = makeImage(kWidth, kHeight, 1), other = makeImage(kWidth, kHeight, 2);
+  const base::Image8 reference = makeNoisyImage(kWidth, kHeight, 1), other = makeNoisyImage(kWidth, kHeight, 2);
   base::Image8 test = reference;
   const auto take = [&](int x, int y) { std::copy_n(other.at(x, y), 3, test.at(x, y)); };
   switch (static_cast<Differing>(state.range(0))) {
@@ -200,7 +187,7 @@ void memory(benchmark::State& state) {
     getrusage(RUSAGE_SELF, &usage);
     return 1024. * static_cast<double>(usage.ru_maxrss);
   };
-  const base::Image8 bytes = makeImage(kWidth, kHeight, 1), otherBytes = makeImage(kWidth, kHeight, 2);
+  const base::Image8 bytes = makeNoisyImage(kWidth, kHeight, 1), otherBytes = makeNoisyImage(kWidth, kHeight, 2);
   const base::Image reference = isHdr ? toFloats(bytes, true) : base::Image();
   const base::Image test = isHdr ? toFloats(otherBytes, true) : base::Image();
   const double before = peakBytes();

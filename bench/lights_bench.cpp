@@ -4,18 +4,15 @@
 // Shading of 640 x 480 pixels, the lists of lights included; counters: pixels, lights that reach one on average, maps.
 // Last, exponents k of t = c n^k through the largest three n of each.
 #include <cmath>
-#include <map>
-#include <memory>
 #include <random>
 
 #include <benchmark/benchmark.h>
-#include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "bench/exponents.h"
 #include "gpu/surface/surface_pass.h"
 #include "highend/renderer.h"
 #include "scenes/builtin/shapes.h"
-#include "study/sweep/statistics.h"
 
 namespace parity::bench {
 namespace {
@@ -148,39 +145,9 @@ PARITY_LIGHTS(pixelsOfAThousandLights)->Arg(12288)->Arg(49152)->Arg(196608)->Arg
 PARITY_LIGHTS(shadowedLights)->RangeMultiplier(10)->Range(10, 1000);
 PARITY_LIGHTS(drawnShadowMaps)->RangeMultiplier(10)->Range(10, 1000);
 
-// Also keeps the times by n, for the exponents.
-class Reporter : public benchmark::ConsoleReporter {
-public:
-  void ReportRuns(const std::vector<Run>& runs) override {
-    benchmark::ConsoleReporter::ReportRuns(runs);
-    for (const Run& run : runs) {
-      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
-      m_times[run.run_name.function_name][std::stod(run.run_name.args)].push_back(run.GetAdjustedRealTime());
-    }
-  }
-  void printExponents() const {
-    for (const auto& [name, points] : m_times) {
-      std::vector<double> n, medians;
-      for (const auto& [count, times] : points) {
-        n.push_back(count);
-        medians.push_back(sweep::spreadOf(times).median);
-      }
-      const auto drop = static_cast<std::ptrdiff_t>(n.size() > 3 ? n.size() - 3 : 0);
-      n.erase(n.begin(), n.begin() + drop);
-      medians.erase(medians.begin(), medians.begin() + drop);
-      if (n.size() > 1) fmt::print("{:<28} n^{:.2f}\n", name, sweep::fitPowerLaw(n, medians).exponent);
-    }
-  }
-
-private:
-  std::map<std::string, std::map<double, std::vector<double>>> m_times; // by benchmark and n
-};
-
 int run(int count, char** arguments) {
-  benchmark::Initialize(&count, arguments);
-  Reporter reporter;
-  benchmark::RunSpecifiedBenchmarks(&reporter);
-  reporter.printExponents();
+  runWithExponents(count, arguments,
+                   [](const auto& run) { return std::pair(std::stod(run.run_name.args), run.GetAdjustedRealTime()); });
   return 0;
 }
 

@@ -10,6 +10,7 @@
 
 #include "base/gathered.h"
 #include "base/parallel.h"
+#include "bench/noisy_image.h"
 #include "compare/metrics/measure.h"
 #include "compare/metrics/measure_swaps.h"
 #include "compare/pooling/pooling.h"
@@ -19,20 +20,6 @@ namespace parity::compare {
 namespace {
 
 constexpr int kWidth = 1920, kHeight = 1080;
-
-// Waves and noise, as a display shows them.
-base::Image8 makeImage(unsigned seed, int width = kWidth, int height = kHeight) {
-  base::Image8 image(width, height, 3);
-  unsigned state = seed;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      for (int c = 0; c < 3; ++c) {
-        state = state * 1664525u + 1013904223u;
-        const int wave = (x * (c + 1) + 2 * y) / 4 % 400, ramp = wave < 200 ? wave : 400 - wave;
-        image.at(x, y)[c] = static_cast<std::uint8_t>(20 + ramp + static_cast<int>(state >> 27));
-      }
-  return image;
-}
 
 // The pixels nearest to each of `count` points: materials of uneven shape that tile the image.
 std::vector<base::PixelList> makeCells(int count, int width = kWidth, int height = kHeight) {
@@ -119,7 +106,7 @@ Swap makeSwap(const base::PixelList& list, const base::Image8& test) {
 void measureMaterials(benchmark::State& state) {
   const base::ThreadLimit limit(static_cast<int>(state.range(1)));
   const int width = static_cast<int>(state.range(2)), height = width * 9 / 16;
-  const base::Image8 reference = makeImage(1, width, height), test = makeImage(2, width, height);
+  const base::Image8 reference = makeNoisyImage(width, height, 1), test = makeNoisyImage(width, height, 2);
   const std::vector<base::PixelList> lists = makeCells(static_cast<int>(state.range(0)), width, height);
   std::vector<Swap> swaps;
   for (const base::PixelList& list : lists) swaps.push_back(makeSwap(list, test));
@@ -137,7 +124,7 @@ BENCHMARK(measureMaterials)
 // A whole image: what all of its pixels cost in one region.
 void measureWholeImage(benchmark::State& state) {
   const base::ThreadLimit limit(static_cast<int>(state.range(0)));
-  const base::Image8 reference = makeImage(1), test = makeImage(2);
+  const base::Image8 reference = makeNoisyImage(kWidth, kHeight, 1), test = makeNoisyImage(kWidth, kHeight, 2);
   const std::vector<base::PixelList> whole = {wholeImage(kWidth, kHeight)};
   const MeasureRequest request{.metrics = defaultMetrics()};
   for (auto _ : state)
@@ -168,7 +155,7 @@ BENCHMARK(poolRegions)
 // Each metric's maps by one thread, of bytes; the HDR one's of linear images.
 void makeMaps(benchmark::State& state, const std::string& name) {
   const base::ThreadLimit limit(1);
-  const base::Image8 reference = makeImage(1), test = makeImage(2);
+  const base::Image8 reference = makeNoisyImage(kWidth, kHeight, 1), test = makeNoisyImage(kWidth, kHeight, 2);
   base::Image linear[2] = {base::Image(kWidth, kHeight, 3), base::Image(kWidth, kHeight, 3)};
   for (int i = 0; i < 2; ++i)
     std::transform((i == 0 ? reference : test).pixels.begin(), (i == 0 ? reference : test).pixels.end(),

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <ctime>
 #include <filesystem>
-#include <set>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -24,6 +23,7 @@
 #include "study/sweep/pareto_svg.h"
 #include "study/sweep/scaling.h"
 #include "study/sweep/statistics.h"
+#include "study/sweep/summary.h"
 #include "study/sweep/sweep_json.h"
 #include "study/sweep/sweep_page.h"
 #include "study/sweep/trial.h"
@@ -51,15 +51,18 @@ int runScaling(const BenchCommand& command) {
   return 0;
 }
 
-std::vector<job::SceneRequest> makeRequests(const BenchCommand& command) {
-  std::vector<job::SceneRequest> requests;
-  std::set<std::string> names;
-  for (const std::string& scene : command.scenes) {
-    job::SceneRequest& request = requests.emplace_back(sceneRequest(command.common, scene));
-    const std::string stem = request.name;
-    for (int copy = 2; !names.insert(request.name).second; ++copy) request.name = fmt::format("{} ({})", stem, copy);
-  }
-  return requests;
+// A view of a scene each.
+RunRequest requestOf(const BenchCommand& command) {
+  RunRequest run = runRequest(command.common, command.scenes, command.suite);
+  std::vector<job::SceneRequest> views;
+  for (const job::SceneRequest& scene : run.scenes)
+    for (const scenes::ViewRequest& view : scene.views) {
+      job::SceneRequest& each = views.emplace_back(scene);
+      each.views = {view};
+      if (scene.views.size() > 1) each.name += ", " + view.name;
+    }
+  run.scenes = std::move(views);
+  return run;
 }
 
 std::string paretoName(std::size_t scene) { return fmt::format("pareto-{}.svg", scene + 1); }
@@ -68,8 +71,9 @@ std::string paretoName(std::size_t scene) { return fmt::format("pareto-{}.svg", 
 void requireSeparateFiles(const BenchCommand& command, const std::vector<job::SceneRequest>& requests) {
   std::vector<NamedFile> inputs = inputFiles(command.common, requests), outputs;
   inputs.push_back({"--compare", command.compare});
+  inputs.push_back({"the suite", command.suite});
   if (!command.folder.empty())
-    for (const char* file : {"index.html", "bench.json", "bench.csv"})
+    for (const char* file : {"index.html", "bench.json", "bench.csv", "bench.md"})
       outputs.push_back({"-o", std::filesystem::path(command.folder) / file});
   if (!command.folder.empty())
     for (std::size_t i = 0; i < requests.size(); ++i)
@@ -79,9 +83,8 @@ void requireSeparateFiles(const BenchCommand& command, const std::vector<job::Sc
   requireSeparate(outputs, inputs);
 }
 
-sweep::SweepReport measure(const BenchCommand& command, const std::vector<job::SceneRequest>& requests,
-                           const std::string& commandLine) {
-  job::Context context(command.common.settings);
+sweep::SweepReport measure(const BenchCommand& command, const RunRequest& run, const std::string& commandLine) {
+  job::Context context(run.settings);
   sweep::SweepReport report;
   report.version = base::kVersion;
   report.commandLine = commandLine;
@@ -89,7 +92,7 @@ sweep::SweepReport measure(const BenchCommand& command, const std::vector<job::S
   report.machine = sweep::describeMachine(context.deviceReport());
   report.rounds = command.trial.rounds;
   const job::Progress progress = makeProgress(command.common.quiet);
-  for (const job::SceneRequest& request : requests) {
+  for (const job::SceneRequest& request : run.scenes) {
     try {
       report.scenes.push_back(sweep::runTrial(context, request, command.trial, progress));
     } catch (const std::exception& error) {
@@ -156,11 +159,11 @@ int runBenchCommand(const BenchCommand& command, const std::string& commandLine)
   if (command.list) return listSettings(command);
   const base::ThreadLimit threads(command.common.threads);
   if (command.scaling) return runScaling(command);
-  const std::vector<job::SceneRequest> requests = makeRequests(command);
-  requireSeparateFiles(command, requests);
+  const RunRequest run = requestOf(command);
+  requireSeparateFiles(command, run.scenes);
   std::optional<sweep::SweepReport> earlier;
   if (!command.compare.empty()) earlier = sweep::readSweep(command.compare); // before the minutes that follow
-  const sweep::SweepReport report = measure(command, requests, commandLine);
+  const sweep::SweepReport report = measure(command, run, commandLine);
   sweep::Conclusions conclusions = sweep::conclude(report, command.budget);
   const auto write = [&] {
     const std::string json = sweep::toJson(report, conclusions), csv = sweep::toCsv(report);
@@ -168,6 +171,7 @@ int runBenchCommand(const BenchCommand& command, const std::string& commandLine)
       const std::filesystem::path folder = command.folder;
       base::writeText(folder / "bench.json", json);
       base::writeText(folder / "bench.csv", csv);
+      base::writeText(folder / "bench.md", sweep::toMarkdown(report));
       writePage(folder, sweep::toPage(report, conclusions));
       for (std::size_t i = 0; i < report.scenes.size(); ++i) {
         const std::string svg =

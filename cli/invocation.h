@@ -102,7 +102,7 @@ struct BenchCommand {
   std::vector<std::string> scenes;
   sweep::TrialOptions trial;
   std::optional<sweep::ErrorBudget> budget;
-  std::string folder, csv, compare; // empty: none; csv "-" for stdout
+  std::string suite, folder, csv, compare; // empty: none; csv "-" for stdout
   bool scaling = false, list = false;
 };
 

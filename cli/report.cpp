@@ -1,8 +1,4 @@
 // parity report: scenes or a suite in, a folder with the report out.
-#include <set>
-
-#include <fmt/format.h>
-
 #include "base/error.h"
 #include "base/file.h"
 #include "base/log.h"
@@ -20,26 +16,6 @@
 namespace parity::cli {
 
 namespace {
-
-// settings: those of the run, of scenes that say nothing else.
-job::ReportRequest makeRequest(const ReportCommand& command, job::Settings& settings) {
-  job::ReportRequest request;
-  if (!command.suite.empty()) {
-    const scenes::Suite suite = scenes::loadSuite(command.suite, job::suiteKnobs());
-    request.suiteBudgets = suite.budgets;
-    settings = job::defaultsOf(suite, command.common.plain, command.common.given);
-    request.scenes = job::requestsOf(suite, command.common.plain, command.common.given);
-    return request;
-  }
-  std::set<std::string> names;
-  for (const std::string& scene : command.scenes) {
-    job::SceneRequest entry = sceneRequest(command.common, scene);
-    for (int copy = 2; !names.insert(entry.name).second; ++copy)
-      entry.name = fmt::format("{} ({})", sceneRequest(command.common, scene).name, copy);
-    request.scenes.push_back(entry);
-  }
-  return request;
-}
 
 std::filesystem::path benchFile(const ReportCommand& command) {
   const std::filesystem::path file = command.bench;
@@ -74,8 +50,10 @@ report::Bench readBench(const ReportCommand& command) {
 
 int runReportCommand(const ReportCommand& command, const std::string& commandLine) {
   const base::ThreadLimit threads(command.common.threads);
-  job::Settings settings = command.common.settings;
-  job::ReportRequest request = makeRequest(command, settings);
+  RunRequest run = runRequest(command.common, command.scenes, command.suite);
+  job::ReportRequest request;
+  request.scenes = std::move(run.scenes);
+  request.suiteBudgets = run.suiteBudgets;
   request.folder = command.folder;
   request.commandLine = commandLine;
   request.baseline = command.verdict.baseline;
@@ -85,7 +63,7 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
     throw base::Error(base::ExitCode::usage, "--single-file", "", "this parity was built without the page index.html");
   requireSeparateFiles(command, request);
   request.bench = readBench(command);
-  job::Context context(settings);
+  job::Context context(run.settings);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
   if (!command.common.json.empty()) writeJson(command.common.json, report::toJson(result.report));
   if (command.common.json != "-" && !command.common.quiet) {

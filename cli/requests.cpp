@@ -1,6 +1,9 @@
 #include "cli/requests.h"
 
 #include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
 
 #include "bake/baked_folder.h"
 #include "report/reader.h"
@@ -18,6 +21,22 @@ job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& s
   request.settings.scene.baked = bakedFolder(common.settings.scene.baked, request.name);
   request.views = {common.view};
   return request;
+}
+
+RunRequest runRequest(const CommonOptions& common, const std::vector<std::string>& scenes, const std::string& suite) {
+  if (!suite.empty()) {
+    const scenes::Suite loaded = scenes::loadSuite(suite, job::suiteKnobs());
+    return {job::defaultsOf(loaded, common.plain, common.given), job::requestsOf(loaded, common.plain, common.given),
+            loaded.budgets};
+  }
+  RunRequest run{common.settings, {}, std::nullopt};
+  std::set<std::string> names;
+  for (const std::string& scene : scenes) {
+    job::SceneRequest& entry = run.scenes.emplace_back(sceneRequest(common, scene));
+    const std::string stem = entry.name;
+    for (int copy = 2; !names.insert(entry.name).second; ++copy) entry.name = fmt::format("{} ({})", stem, copy);
+  }
+  return run;
 }
 
 std::string folderName(const std::string& scene) {

@@ -1,7 +1,9 @@
 // A scene request from the common options.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/file_conflicts.h"
 #include "cli/invocation.h"
@@ -11,6 +13,16 @@ namespace parity::cli {
 
 // The one view, environment and sun of the command line for this scene; named by the file's stem.
 job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& scene);
+
+// What a run over scenes is asked for.
+struct RunRequest {
+  job::Settings settings; // of scenes that say nothing else
+  std::vector<job::SceneRequest> scenes;
+  std::optional<std::string> suiteBudgets; // path of the suite's budget file
+};
+// Of a suite, or, where that is empty, of the scenes of the command line, of which each gets a name of its own: "bottle
+// (2)" for the second bottle. Throws Error (failed) with file, line and reason for a suite that is refused.
+RunRequest runRequest(const CommonOptions& common, const std::vector<std::string>& scenes, const std::string& suite);
 
 // A scene's name as a folder's: letters, digits and '-' stay, the rest becomes '_'.
 std::string folderName(const std::string& scene);

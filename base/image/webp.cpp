@@ -2,17 +2,11 @@
 #include "base/image/webp.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include <fmt/format.h>
 #include <webp/decode.h>
 
 namespace parity::base {
-
-bool isWebp(std::span<const std::byte> bytes) {
-  return bytes.size() >= 12 && std::memcmp(bytes.data(), "RIFF", 4) == 0 &&
-         std::memcmp(bytes.data() + 8, "WEBP", 4) == 0;
-}
 
 ImageShape readWebpShape(std::span<const std::byte> head, const std::string& name, const ImageLimits& limits) {
   WebPBitstreamFeatures features;

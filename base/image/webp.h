@@ -10,9 +10,6 @@
 
 namespace parity::base {
 
-// Whether the bytes begin as a WebP file does (RFC 9649).
-bool isWebp(std::span<const std::byte> bytes);
-
 // The image, 8 bit; an animation is refused; `channels` as decodeImage8 (image_io.h) gives them. Throws Error (exit 4):
 // truncated, damaged, beyond the limits.
 Image8 decodeWebp(std::span<const std::byte> bytes, const std::string& name, int channels,

@@ -14,7 +14,9 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
   s.reference.integral.relativeError = 0.02;
   job::knobs().find("precision")->set(s, {"fp32"}); // a software device emulates half; every preset is tried in both
   app.add_option("scenes", bench.scenes, "Scene files or builtin:NAME");
-  app.add_option("-o,--output", bench.folder, "Folder for index.html, bench.json, bench.csv and pictures")
+  app.add_option("--suite", bench.suite, "Suite file (TOML): many scenes with views and light")->excludes("scenes");
+  app.add_option("-o,--output", bench.folder,
+                 "Folder for index.html, bench.json, bench.csv, bench.md (all scenes in a table), pictures")
       ->group("Output");
   app.add_option("--json", bench.common.json, "Write bench.json there; - for stdout, instead of the table")
       ->group("Output");
@@ -49,6 +51,7 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
                "Instead: each stage against pixels, triangles, lights, materials, textures; generated scenes")
       ->group("Bench")
       ->excludes(app.get_option("scenes"))
+      ->excludes(app.get_option("--suite"))
       ->excludes(app.get_option("--compare"))
       ->excludes(app.get_option("--budget"))
       ->excludes(app.get_option("--csv"));
@@ -61,11 +64,13 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
 
 BenchCommand settleBench(const CLI::App& app, const RawBenchOptions& raw) {
   BenchCommand command = raw.bench;
-  if (command.scenes.empty() && !command.scaling && !command.list)
-    throw CLI::RequiredError("bench: a SCENE, --scaling or --list");
-  settle(app, command.common, raw.common);
+  const bool isSuite = !command.suite.empty();
+  if (command.scenes.empty() && !isSuite && !command.scaling && !command.list)
+    throw CLI::RequiredError("bench: a SCENE, --suite, --scaling or --list");
+  if (isSuite) requireNoneOfScene(raw.common);
+  settle(app, command.common, raw.common, isSuite);
   requireSizeFits(command.common, kComparedPixelBytes);
-  command.common.settings.costs = true;
+  command.common.settings.costs = command.common.plain.costs = true;
   command.trial.truth = !raw.noTruth;
   if (command.common.json == "-" && command.csv == "-")
     throw CLI::ValidationError("--csv", "JSON goes to stdout already");

@@ -10,21 +10,8 @@
 namespace parity::compare {
 namespace {
 
-std::string shapeOf(const base::Image& image) {
-  return std::to_string(image.width) + " x " + std::to_string(image.height) + " x " + std::to_string(image.channels);
-}
-
 bool allFinite(const float* values, int count) {
   return std::all_of(values, values + count, [](float v) { return std::isfinite(v); });
-}
-
-double squaredDifference(const float* a, const float* b, int channels) {
-  double sum = 0;
-  for (int c = 0; c < channels; ++c) {
-    const double d = static_cast<double>(a[c]) - static_cast<double>(b[c]);
-    sum += d * d;
-  }
-  return sum;
 }
 
 } // namespace
@@ -54,30 +41,6 @@ void requireFinite(const base::Image& image, const char* name) {
                         " NaN or infinite, this is the first");
 }
 
-void requireComparable(const base::Image& reference, const base::Image& test) {
-  if (reference.empty() || test.empty())
-    throw base::Error(base::ExitCode::notComparable, reference.empty() ? "reference" : "test", "",
-                      "the image has no pixels");
-  if (reference.width == test.width && reference.height == test.height && reference.channels == test.channels) return;
-  throw base::Error(base::ExitCode::notComparable, "images", "",
-                    "the reference is " + shapeOf(reference) + " (channels last), the test " + shapeOf(test));
-}
-
 double psnrOfMse(double mse) { return mse > 0 ? -10 * std::log10(mse) : std::numeric_limits<double>::infinity(); }
-
-double rmse(const base::Image& reference, const base::Image& test) {
-  requireComparable(reference, test);
-  requireFinite(reference, "reference");
-  requireFinite(test, "test");
-  double sum = 0;
-  for (int y = 0; y < reference.height; ++y)
-    sum += squaredDifference(reference.at(0, y), test.at(0, y), reference.width * reference.channels);
-  return std::sqrt(sum / static_cast<double>(reference.pixels.size()));
-}
-
-double psnr(const base::Image& reference, const base::Image& test) {
-  const double error = rmse(reference, test);
-  return psnrOfMse(error * error);
-}
 
 } // namespace parity::compare

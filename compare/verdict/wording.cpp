@@ -1,7 +1,6 @@
 // The sentences that an art lead reads.
 #include "compare/verdict/wording.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -96,8 +95,6 @@ std::string describeLuma(const Figures& figures, std::string_view test) {
 }
 
 } // namespace
-
-bool isLowerBound(const CheckResult& check) { return betterOf(check) == Better::higher; }
 
 std::string labelOf(const CheckResult& check) {
   const std::optional<Statistic> statistic = statisticByName(check.metric);

@@ -9,9 +9,6 @@
 
 namespace parity::compare {
 
-// Whether more of it is better (psnr), so that its limits are lower bounds. Never of a regression.
-bool isLowerBound(const CheckResult& check);
-
 // What a sentence calls the figure of a check: "mean FLIP", "PSNR, against the baseline".
 std::string labelOf(const CheckResult& check);
 

@@ -86,10 +86,4 @@ base::Image8 makeNextMip(const base::Image8& source, bool srgb) {
   return target;
 }
 
-std::vector<base::Image8> makeMips(const base::Image8& image, bool srgb) {
-  std::vector<base::Image8> mips{image};
-  while (mips.back().width > 1 || mips.back().height > 1) mips.push_back(makeNextMip(mips.back(), srgb));
-  return mips;
-}
-
 } // namespace parity::gpu

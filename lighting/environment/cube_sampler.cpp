@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <utility>
 
@@ -23,21 +22,6 @@ struct FloatFacePoint {
   int face;
   float s, t; // [-1, 1]
 };
-
-// facePointOf in single precision, for the inner loop.
-FloatFacePoint facePointOf(const glm::vec3& d) {
-  const float ax = std::abs(d.x), ay = std::abs(d.y), az = std::abs(d.z);
-  if (ax >= ay && ax >= az) {
-    const float k = 1 / ax;
-    return {d.x > 0 ? 0 : 1, (d.x > 0 ? -d.z : d.z) * k, -d.y * k};
-  }
-  if (ay >= az) {
-    const float k = 1 / ay;
-    return {d.y > 0 ? 2 : 3, d.x * k, (d.y > 0 ? d.z : -d.z) * k};
-  }
-  const float k = 1 / az;
-  return {d.z > 0 ? 4 : 5, (d.z > 0 ? d.x : -d.x) * k, -d.y * k};
-}
 
 // log2(x) for x in [1, 3], off by at most 0.006 (cubic through the Chebyshev nodes).
 template <typename T> T log2Coarse(T x) { return ((0.0708230f * x - 0.6317424f) * x + 2.3970716f) * x - 1.8303768f; }
@@ -125,11 +109,6 @@ CubeLevel makeCubeLevel(const std::vector<glm::vec4>& mip, int n) {
   return level;
 }
 
-glm::vec4 readLevel(const CubeLevel& level, const glm::vec3& direction) {
-  const Float4 value = bilinear(level.faces.data(), level.stride, facePointOf(direction));
-  return {value[0], value[1], value[2], value[3]};
-}
-
 CubeSampler::CubeSampler(std::vector<glm::vec4> base, int faceSize) {
   std::vector<glm::vec4> mip = std::move(base);
   for (int n = faceSize;; n /= 2) {
@@ -137,10 +116,6 @@ CubeSampler::CubeSampler(std::vector<glm::vec4> base, int faceSize) {
     if (n == 1) break;
     mip = halveMip(mip, n);
   }
-}
-
-glm::vec3 CubeSampler::read(const glm::vec3& direction, float sizeLog2) const {
-  return readSum(glm::mat3(1), packReads({{direction, sizeLog2, 1}}));
 }
 
 std::vector<FourReads> packReads(const std::vector<WeightedRead>& reads) {

@@ -22,9 +22,6 @@ struct CubeLevel {
 // mip: six faces of n^2 texels.
 CubeLevel makeCubeLevel(const std::vector<glm::vec4>& mip, int n);
 
-// Bilinear. direction: any length but 0.
-glm::vec4 readLevel(const CubeLevel& level, const glm::vec3& direction);
-
 // One reading of many: a direction in some frame, the size of what is to be averaged there, and its weight in the sum.
 struct WeightedRead {
   glm::vec3 direction{0.f};
@@ -48,12 +45,9 @@ public:
 
   int faceSize() const { return m_levels.front().stride - 2; }
 
-  // The radiance in a direction (any length but 0) at the mip whose texels there are 2^sizeLog2 times as wide as a base
-  // texel at a face's middle. Texels towards a face's corners are smaller by up to 3^(3/4): a finer mip at the middle
-  // serves the same size at a corner.
-  glm::vec3 read(const glm::vec3& direction, float sizeLog2) const;
-
-  // The weighted sum of many, their directions turned by `frame`. Finite where all texels and their sum are.
+  // The weighted sum of the radiance in many directions, turned by `frame`: each from the mip whose texels there are
+  // 2^sizeLog2 times as wide as a base texel at a face's middle. Texels towards a face's corners are smaller by up to
+  // 3^(3/4): a finer mip at the middle serves the same size at a corner. Finite where all texels and their sum are.
   glm::vec3 readSum(const glm::mat3& frame, std::span<const FourReads> reads) const;
 
 private:

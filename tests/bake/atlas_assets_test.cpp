@@ -1,5 +1,4 @@
 // Real assets in an atlas.
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 
@@ -9,14 +8,14 @@
 #include "bake/atlas/atlas.h"
 #include "bake/atlas_truth.h"
 #include "scenes/load.h"
+#include "support/shared_assets.h"
 
 namespace parity::tests {
 namespace {
 
 TEST(Atlas, IsSoundForRealAssets) {
-  const char* shared = std::getenv("PARITY_SHARED");
-  const std::filesystem::path assets = std::filesystem::path(shared ? shared : "../shared") / "assets";
-  if (!std::filesystem::exists(assets)) GTEST_SKIP() << "no shared assets";
+  const std::filesystem::path assets = tests::sharedAssets();
+  if (assets.empty()) GTEST_SKIP() << "no shared assets";
   const std::vector<std::pair<std::string, double>> cases = {
       {"Suzanne/Suzanne.gltf", 100}, {"ToyCar/ToyCar.gltf", 5000}, {"BoomBoxWithAxes/BoomBoxWithAxes.gltf", 200}};
   for (const auto& [file, density] : cases) {

@@ -1,12 +1,25 @@
 // Scenes whose irradiance is known, and baking them.
 #pragma once
 
+#include <cmath>
+#include <vector>
+
 #include "bake/light/integrate.h"
 #include "support/matte_scenes.h"
 
 namespace parity::bake::tests {
 
 using namespace parity::tests;
+
+// Irradiance of a polygon of even radiance (Lambert 1760): E = L/2 sum of angle_i (n . cross_i).
+inline double lambert(const std::vector<glm::dvec3>& polygon, const glm::dvec3& at, const glm::dvec3& normal) {
+  double sum = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec3 a = glm::normalize(polygon[i] - at), b = glm::normalize(polygon[(i + 1) % polygon.size()] - at);
+    sum += std::acos(glm::clamp(glm::dot(a, b), -1.0, 1.0)) * glm::dot(normal, glm::normalize(glm::cross(a, b)));
+  }
+  return std::abs(sum) / 2;
+}
 
 // A scene's atlas, texels and light together.
 struct Baked {

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "base/error.h"
+#include "base/expect_error.h"
 #include "base/file_size_limit.h"
 #include "base/temp_folder.h"
 #include "lighting/environment/cube.h"
@@ -109,15 +110,7 @@ void expectSame(const BakedLight& a, const BakedLight& b) {
   EXPECT_EQ(f.directionDb, g.directionDb);
 }
 
-void expectError(const std::function<void()>& body, const std::string& part) {
-  try {
-    body();
-    FAIL() << "no error: " << part;
-  } catch (const base::Error& error) {
-    EXPECT_EQ(error.code(), base::ExitCode::failed);
-    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
-}
+void expectError(const std::function<void()>& body, const std::string& part) { base::expectError(body, {part}); }
 
 TEST(BakedFolder, isReadAsItWasWritten) {
   const TempFolder folder;

@@ -36,16 +36,6 @@ scenes::Mesh boxWithWindow(float half, float window) {
   return mesh;
 }
 
-// Irradiance of a polygon of even radiance (Lambert 1760): E = L/2 sum of angle_i (n . cross_i).
-double lambert(const std::vector<glm::dvec3>& polygon, const glm::dvec3& at, const glm::dvec3& normal) {
-  double sum = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const glm::dvec3 a = glm::normalize(polygon[i] - at), b = glm::normalize(polygon[(i + 1) % polygon.size()] - at);
-    sum += std::acos(glm::clamp(glm::dot(a, b), -1.0, 1.0)) * glm::dot(normal, glm::normalize(glm::cross(a, b)));
-  }
-  return std::abs(sum) / 2;
-}
-
 TEST(GroupGather, tellsTheErrorOfWhatComesThroughAWindow) {
   scenes::Scene scene;
   addObject(scene, boxWithWindow(1, 0.4f), matte("walls", 0));

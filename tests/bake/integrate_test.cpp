@@ -10,6 +10,7 @@
 #include "bake/bake_scenes.h"
 #include "bake/encode/sun_pages.h"
 #include "base/error.h"
+#include "base/expect_error.h"
 #include "base/parallel.h"
 #include "base/temp_folder.h"
 
@@ -94,16 +95,6 @@ TEST(Integrate, errorIsWhatItSays) {
   });
   EXPECT_GE(count, 6 * 200);
   EXPECT_GE(within, 0.94 * count);
-}
-
-// Irradiance of a polygon of even radiance (Lambert 1760): E = L/2 sum of angle_i (n . cross_i).
-double lambert(const std::vector<glm::dvec3>& polygon, const glm::dvec3& at, const glm::dvec3& normal) {
-  double sum = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const glm::dvec3 a = glm::normalize(polygon[i] - at), b = glm::normalize(polygon[(i + 1) % polygon.size()] - at);
-    sum += std::acos(glm::clamp(glm::dot(a, b), -1.0, 1.0)) * glm::dot(normal, glm::normalize(glm::cross(a, b)));
-  }
-  return std::abs(sum) / 2;
 }
 
 TEST(Integrate, smallEmissivePanelAboveAFloor) {
@@ -253,13 +244,7 @@ TEST(Integrate, goesOnFromItsCacheWhenItWasCancelled) {
   std::atomic<int> asked = 0;
   Control control{.cache = &cache, .key = "key"};
   control.isCancelled = [&] { return ++asked > 3000; };
-  try {
-    Baked(work.scene, work.lights, {}, 16, control);
-    FAIL() << "was not cancelled";
-  } catch (const base::Error& error) {
-    EXPECT_EQ(error.code(), base::ExitCode::failed);
-    EXPECT_NE(std::string(error.what()).find("cancelled"), std::string::npos);
-  }
+  base::expectError([&] { Baked(work.scene, work.lights, {}, 16, control); }, {"cancelled"});
   EXPECT_GT(cache.describe().entries, 0u);
   control.isCancelled = {};
   const StaticLight again = Baked(work.scene, work.lights, {}, 16, control).light;

@@ -1,28 +1,55 @@
-// The one check for run-time failures: the type, the exit code, and that one line names the file and the reason.
+// The one check for run-time failures: the type, the exit code, and what the message holds.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/lines_of.h"
 
 namespace parity::base {
 
-// body must throw Error with `code` whose only line holds both `subject` and `reason`.
-template <typename Body>
-void expectError(Body&& body, const std::string& subject, const std::string& reason, ExitCode code = ExitCode::failed) {
+// An Error with all that it says, also where it is a list of them.
+class Caught : public Error {
+public:
+  explicit Caught(const Error& error) : Error(error), m_text(error.what()) {}
+  const char* what() const noexcept override { return m_text.c_str(); }
+
+private:
+  std::string m_text;
+};
+
+// The Error that `call` throws; fails the test where it throws none.
+template <typename Call> Caught errorOf(Call&& call) {
   try {
-    body();
+    call();
   } catch (const Error& error) {
-    const std::string line = error.what();
-    EXPECT_EQ(error.code(), code) << line;
-    EXPECT_NE(line.find(subject), std::string::npos) << "no '" << subject << "' in: " << line;
-    EXPECT_NE(line.find(reason), std::string::npos) << "no '" << reason << "' in: " << line;
-    EXPECT_EQ(line.find('\n'), std::string::npos) << line;
-    return;
+    return Caught(error);
   }
-  ADD_FAILURE() << "no Error: expected '" << subject << "' and '" << reason << "'";
+  ADD_FAILURE() << "no Error";
+  return Caught({ExitCode::withinBudget, "no Error", "", ""});
+}
+
+// call must throw Error with `code` whose message holds every part and each of whose lines begins with the subject.
+// Returns the message.
+template <typename Call>
+std::string expectError(Call&& call, const std::vector<std::string>& parts, ExitCode code = ExitCode::failed) {
+  const Caught error = errorOf(call);
+  const std::string message = error.what();
+  EXPECT_EQ(error.code(), code) << message;
+  for (const std::string& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << "no '" << part << "' in: " << message;
+  for (const std::string& line : tests::linesOf(message)) EXPECT_TRUE(line.starts_with(error.subject())) << message;
+  return message;
+}
+
+// The same of two parts, in a message of one line.
+template <typename Call>
+void expectError(Call&& call, const std::string& subject, const std::string& reason, ExitCode code = ExitCode::failed) {
+  const std::string message = expectError(call, std::vector{subject, reason}, code);
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
 } // namespace parity::base

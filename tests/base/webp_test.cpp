@@ -1,5 +1,4 @@
 // WebP: every value as stored, and damage is refused.
-#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -46,7 +45,6 @@ Image8 makePicture() {
 TEST(Webp, GivesEveryValueAsStored) {
   const Image8 picture = makePicture();
   const std::vector<std::byte> file = encode(picture);
-  ASSERT_TRUE(isWebp(file));
   EXPECT_EQ(decodeImage8(file, "a", 4), picture) << "alpha is not multiplied into the colour";
   const TempFolder folder;
   writeBytes(folder / "a.webp", file);
@@ -61,11 +59,11 @@ TEST(Webp, GivesEveryValueAsStored) {
 
 TEST(Webp, RefusesWhatIsCutOffOrDamaged) {
   std::vector<std::byte> file = encode(makePicture());
-  for (const std::size_t size : {std::size_t{12}, std::size_t{20}, std::size_t{25}, file.size() / 2, file.size() - 4})
+  for (const std::size_t size :
+       {std::size_t{11}, std::size_t{12}, std::size_t{20}, std::size_t{25}, file.size() / 2, file.size() - 4})
     expectError([&] { decodeWebp(std::span(file).first(size), "leaf", 4); }, "leaf", "cannot be decoded");
   file[16] = file[17] = file[20] = std::byte{0xff};
   expectError([&] { decodeWebp(file, "leaf", 4); }, "leaf", "cannot be decoded");
-  EXPECT_FALSE(isWebp(std::span(file).first(11)));
 }
 
 } // namespace

@@ -20,7 +20,7 @@ TEST(BenchOptions, OlderNameIsTakenWithANote) {
 TEST_F(BenchOnDevice, writesItsFilesAndAJudgementOfAnEarlierRun) {
   const RunResult first = runParity(join({kShort, {"-o", (m_folder / "a").string(), "--budget", "flip.mean=0.9"}}));
   ASSERT_TRUE(exitedWith(0, first));
-  std::vector<std::string> files = {"bench.csv", "bench.json", "index.html", "pareto-1.svg"};
+  std::vector<std::string> files = {"bench.csv", "bench.json", "bench.md", "index.html", "pareto-1.svg"};
   if (!kHasPage) std::erase(files, "index.html");
   EXPECT_EQ(listFiles(m_folder / "a"), files);
   EXPECT_TRUE(contains(first.out, "within flip.mean <= 0.9, furnace: mobile ")) << first.out;
@@ -41,6 +41,60 @@ TEST_F(BenchOnDevice, writesItsFilesAndAJudgementOfAnEarlierRun) {
     EXPECT_TRUE(contains(second.out, factor < 1 ? "slower: furnace highend: default" : "faster: furnace"))
         << second.out;
   }
+}
+
+TEST_F(BenchOnDevice, aSuiteIsTriedSceneBySceneEachWithItsKeysAndItsViews) {
+  writeFile(m_folder / "suite.toml", R"(
+[defaults]
+mobile_preset = "refit"
+[[scene]]
+name = "by night"
+file = "builtin:furnace"
+environment = "builtin:night"
+[[scene]]
+name = "rough"
+file = "builtin:furnace"
+mobile_preset = "karis2014"
+[[scene.view]]
+name = "left"
+orbit = [-40, 70, 0]
+[[scene.view]]
+name = "right"
+orbit = [40, 70, 0]
+)");
+  const std::vector<std::string> options = {
+      "--size",  "24x24",          "--rounds",    "2", "--error", "20%", "--settings", "highend: compensation none",
+      "--paths", "highend,mobile", "--validation"};
+  const std::filesystem::path folder = m_folder / "out";
+  const RunResult result = runParity(join({{"bench", "--suite", (m_folder / "suite.toml").string(), "-o", folder.string()}, options}));
+  ASSERT_TRUE(exitedWith(0, result));
+  const nlohmann::json json = nlohmann::json::parse(readWholeFile(folder / "bench.json"));
+  std::vector<std::string> names, environments, presets;
+  for (const nlohmann::json& scene : json["scenes"]) {
+    names.push_back(scene["scene"]);
+    environments.push_back(scene["environment"]);
+    ASSERT_EQ(scene["variants"].size(), 3u);
+    EXPECT_TRUE(scene["variants"][0]["error"].contains("truth"));
+    EXPECT_GT(scene["variants"][0]["cost"]["operations"], 0) << "shaders are counted";
+    presets.push_back(scene["variants"][1]["knobs"]["environment-brdf"]);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"by night", "rough, left", "rough, right"}));
+  EXPECT_NE(environments[0], environments[1]);
+  EXPECT_NE(presets[0], presets[1]) << "[defaults] of the one, a key of the other";
+  const std::string table = readWholeFile(folder / "bench.md");
+  for (const char* part : {"| highend: compensation none | 3 |", "| by night | rough, left | rough, right |"})
+    EXPECT_TRUE(contains(table, part)) << part << " in " << table;
+}
+
+TEST(Bench, aWrongSuiteIsRefusedWithItsLineAndTheReason) {
+  const TempFolder folder;
+  const std::string suite = (folder / "suite.toml").string();
+  writeFile(suite, "[[scene]]\nfile = \"builtin:furnace\"\nenviroment = \"builtin:sky\"\n");
+  expectRefused(runParity({"bench", "--suite", suite}), 4, {"suite.toml", "line 3: enviroment", "'environment'"});
+  expectRefused(runParity({"bench", "--suite", "no-such.toml"}), 4, {"no-such.toml"});
+  for (const std::vector<std::string>& beside :
+       {std::vector<std::string>{"builtin:furnace"}, {"--env", "builtin:sky"}, {"--orbit", "1,2,3"}, {"--scaling"}})
+    EXPECT_TRUE(exitedWith(64, runParity(join({{"bench", "--suite", suite}, beside}))));
 }
 
 TEST_F(BenchOnDevice, aBudgetThatNoSettingKeepsIsTwoAndABrokenSceneIsFourButLosesNothing) {

@@ -99,8 +99,8 @@ TEST(Help, OfEachSubcommandNamesItsOptions) {
   expectHelp({"plot", "--help"},
              {"env-brdf", "--paths", "--geometry-term", "--compensation", "--mobile-preset", "--output"});
   expectHelp({"bench", "--help"}, join({kCommon,
-                                        {"--budget", "--compare", "--settings", "--rounds", "--scaling", "--no-truth",
-                                         "--csv", "--output"}}));
+                                        {"--suite", "--budget", "--compare", "--settings", "--rounds", "--scaling",
+                                         "--no-truth", "--csv", "--output"}}));
   expectHelp({"stress", "--help"},
              {"--only", "--list", "--at", "--functions", "--points", "--device-points", "--renders", "--scenes",
               "--seed", "--seconds", "--output", "--json", "--no-validation"});

@@ -1,6 +1,7 @@
 // Device choice, submission, buffers and images.
 #include "support/device.h"
 
+#include "base/expect_error.h"
 #include "gpu/device/buffer.h"
 #include "gpu/device/image.h"
 
@@ -20,15 +21,8 @@ TEST_F(DeviceTest, listNamesOneTakenDeviceAndAReasonForEach) {
 }
 
 TEST_F(DeviceTest, unknownNameIsAnErrorWithTheReasonsOfRefusal) {
-  try {
-    const Device device({.name = "no such device", .validation = false});
-    FAIL() << "a device was taken";
-  } catch (const base::Error& error) {
-    EXPECT_EQ(error.code(), base::ExitCode::failed);
-    const std::string what = error.what();
-    EXPECT_NE(what.find("no such device"), std::string::npos) << what;
-    EXPECT_NE(what.find(listDevices({}).front().name), std::string::npos) << what;
-  }
+  base::expectError([] { const Device device({.name = "no such device", .validation = false}); },
+                    {"no such device", listDevices({}).front().name});
 }
 
 TEST_F(DeviceTest, validationMessageBecomesAnErrorAtSubmit) {

@@ -1,11 +1,10 @@
 // The spread of normals in the mips of normal maps.
 #include "gpu/surface/normal_variance.h"
+#include "support/mips.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "gpu/surface/mips.h"
 
 namespace parity::gpu {
 namespace {
@@ -32,7 +31,7 @@ TEST(NormalVariance, ofEqualNormalsIsExactlyZeroAtEveryLevelOfEverySize) {
   for (const auto& normal : normals)
     for (const auto& [width, height] :
          {std::pair(64, 64), std::pair(1023, 37), std::pair(1, 511), std::pair(700, 333)}) {
-      auto mips = makeMips(makeMap(width, height, [&](int, int) { return normal; }), false);
+      auto mips = tests::makeMips(makeMap(width, height, [&](int, int) { return normal; }), false);
       writeNormalVariance(mips);
       for (const base::Image8& mip : mips)
         for (std::size_t t = 0; t < mip.pixelCount(); ++t) ASSERT_EQ(mip.pixels[4 * t + 3], 0) << mip.width;
@@ -42,12 +41,13 @@ TEST(NormalVariance, ofEqualNormalsIsExactlyZeroAtEveryLevelOfEverySize) {
 // Two directions, 2 a apart, in equal shares: |n| = cos a, so alpha^2 grows by 2 (1 - cos a) / cos a.
 TEST(NormalVariance, ofTwoDirectionsIsToksvigsFromTheCosineBetweenThem) {
   for (const int code : {140, 170, 200}) {
-    auto mips = makeMips(makeMap(16, 16,
-                                 [&](int x, int y) {
-                                   const auto tilted = static_cast<std::uint8_t>((x + y) % 2 == 0 ? code : 255 - code);
-                                   return std::array<std::uint8_t, 3>{tilted, 127, 220};
-                                 }),
-                         false);
+    auto mips = tests::makeMips(makeMap(16, 16,
+                                        [&](int x, int y) {
+                                          const auto tilted =
+                                              static_cast<std::uint8_t>((x + y) % 2 == 0 ? code : 255 - code);
+                                          return std::array<std::uint8_t, 3>{tilted, 127, 220};
+                                        }),
+                                false);
     const auto before = mips;
     writeNormalVariance(mips);
     const double x = code / 127.5 - 1, yz = std::hypot(127 / 127.5 - 1, 220 / 127.5 - 1),
@@ -63,14 +63,14 @@ TEST(NormalVariance, ofTwoDirectionsIsToksvigsFromTheCosineBetweenThem) {
 
 // Opposite normals cancel; odd sizes weigh texels by what a mip's texel covers of them.
 TEST(NormalVariance, isOneWhereNormalsCancelAndWeighsByArea) {
-  auto opposite = makeMips(makeMap(2, 1,
-                                   [](int x, int) {
-                                     return std::array<std::uint8_t, 3>{std::uint8_t(x ? 255 : 0), 128, 128};
-                                   }),
-                           false);
+  auto opposite = tests::makeMips(makeMap(2, 1,
+                                          [](int x, int) {
+                                            return std::array<std::uint8_t, 3>{std::uint8_t(x ? 255 : 0), 128, 128};
+                                          }),
+                                  false);
   writeNormalVariance(opposite);
   EXPECT_EQ(opposite[1].pixels[3], 255);
-  auto third = makeMips(
+  auto third = tests::makeMips(
       makeMap(
           3, 1,
           [](int x, int) {

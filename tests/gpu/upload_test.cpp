@@ -3,8 +3,8 @@
 #include "support/small_scenes.h"
 
 #include "gpu/device/image_upload.h"
-#include "gpu/surface/mips.h"
 #include "gpu/surface/scene_buffers.h"
+#include "support/mips.h"
 
 namespace parity::gpu {
 namespace {
@@ -184,7 +184,7 @@ TEST_F(UploadTest, aCodecIsGivenEachMipOfTheImageAsItIs) {
     return given;
   };
   for (const auto& [slot, isColor] : {std::pair(kSlotBaseColor, true), std::pair(kSlotOcclusion, false)}) {
-    const std::vector<base::Image8> expected = makeMips(scene.images[0].pixels, isColor);
+    const std::vector<base::Image8> expected = tests::makeMips(scene.images[0].pixels, isColor);
     const auto mips = givenFor(slot);
     ASSERT_EQ(mips.size(), expected.size());
     for (std::size_t m = 0; m < mips.size(); ++m) {

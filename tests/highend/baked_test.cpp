@@ -2,7 +2,7 @@
 #include "support/baked_quads.h"
 
 #include "gpu/shadows/shadow_maps.h"
-#include "highend/renderer.h"
+#include "highend/highend_quad.h"
 #include "shading/shading.h"
 
 namespace parity::highend {
@@ -13,8 +13,6 @@ using tests::HostPages;
 using tests::ShadedPixel;
 namespace f64 = shading::f64;
 
-constexpr Options kPlain{
-    .model = {.diffuse = DiffuseLobe::lambert}, .compensation = Compensation::none, .offSpecular = OffSpecular::none};
 constexpr float kTolerance = 1e-3f; // texels are fp16
 const glm::vec3 kIrradiance(0.5f, 1.25f, 0.0625f), kBase(0.8f, 0.5f, 0.2f);
 constexpr glm::vec3 kNoDirection(0);
@@ -37,14 +35,6 @@ protected:
     return tests::shadeQuads(device(), scene, uvs, [&](const auto& buffers, const auto& kinds) {
       return Renderer(device(), buffers, kinds, inputs, options);
     });
-  }
-  static base::Image constantLut(float a, float b, float average) {
-    base::Image lut(2, 2, 4);
-    for (int i = 0; i < 4; ++i) {
-      const float texel[] = {a, b, average, 1};
-      std::copy_n(texel, 4, lut.pixels.data() + 4 * i);
-    }
-    return lut;
   }
   static scenes::Scene makeScene(float metallic = 0) {
     scenes::Scene scene = tests::makeQuadScene();

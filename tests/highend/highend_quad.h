@@ -13,6 +13,16 @@ namespace parity::highend {
 inline constexpr Options kPlain{
     .model = {.diffuse = DiffuseLobe::lambert}, .compensation = Compensation::none, .offSpecular = OffSpecular::none};
 
+// A table with the same A, B and average everywhere.
+inline base::Image constantLut(float a, float b, float average = 0.5f) {
+  base::Image lut(2, 2, 4);
+  for (int i = 0; i < 4; ++i) {
+    const float texel[] = {a, b, average, 1};
+    std::copy_n(texel, 4, lut.pixels.data() + 4 * i);
+  }
+  return lut;
+}
+
 class HighendTest : public tests::DeviceTest {
 protected:
   tests::ShadedPoint shade(const scenes::Scene& scene, Inputs inputs, const Options& options = {}) {
@@ -20,15 +30,6 @@ protected:
     return tests::shadeQuad(device(), scene, [&](const auto& buffers, const auto& kinds) {
       return Renderer(device(), buffers, kinds, inputs, options);
     });
-  }
-  // A table with the same A, B and average everywhere.
-  static base::Image constantLut(float a, float b, float average = 0.5f) {
-    base::Image lut(2, 2, 4);
-    for (int i = 0; i < 4; ++i) {
-      const float texel[] = {a, b, average, 1};
-      std::copy_n(texel, 4, lut.pixels.data() + 4 * i);
-    }
-    return lut;
   }
 };
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/expect_error.h"
 #include "base/file.h"
 #include "base/temp_folder.h"
 #include "job/knobs.h"
@@ -11,19 +12,9 @@
 namespace parity::job {
 namespace {
 
+using base::expectError;
 using base::TempFolder;
 using scenes::Suite;
-
-void expectError(const auto& body, const std::vector<std::string>& parts) {
-  try {
-    body();
-    ADD_FAILURE() << "no Error: expected " << parts.front();
-  } catch (const base::Error& error) {
-    EXPECT_EQ(error.code(), base::ExitCode::failed);
-    for (const std::string& part : parts)
-      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << part << " in: " << error.what();
-  }
-}
 
 Suite load(const std::string& text) {
   const TempFolder folder;
@@ -233,12 +224,16 @@ TEST(Suite, WhatDoesNotGoTogetherNamesItsPlace) {
   expectRefused(head + "size = \"64x64\"\n", {"line 3: size: no such key in a scene"});
 }
 
-TEST(Suite, ShippedExampleLoads) {
-  const Suite suite =
-      scenes::loadSuite(std::filesystem::path(PARITY_SOURCE_DIR) / "scenes/data/nightly.example.toml", suiteKnobs());
-  EXPECT_EQ(suite.name, "nightly");
-  ASSERT_EQ(suite.entries.size(), 4u);
-  for (const scenes::SuiteEntry& entry : suite.entries) EXPECT_TRUE(entry.scene.starts_with("builtin:"));
+TEST(Suite, ShippedSuitesLoad) {
+  const std::filesystem::path data = std::filesystem::path(PARITY_SOURCE_DIR) / "scenes/data";
+  for (const auto& [file, name, count] : {std::tuple("nightly.example.toml", "nightly", 4u),
+                                          {"evidence.toml", "evidence", 12u},
+                                          {"demo.toml", "demo", 6u}}) {
+    const Suite suite = scenes::loadSuite(data / file, suiteKnobs());
+    EXPECT_EQ(suite.name, name);
+    EXPECT_EQ(requestsOf(suite, {}, {}).size(), count) << file;
+    for (const scenes::SuiteEntry& entry : suite.entries) EXPECT_TRUE(entry.scene.starts_with("builtin:"));
+  }
 }
 
 TEST(Suite, UnknownKeysNameTheLineAndTheNearestKnownKey) {

@@ -1,7 +1,5 @@
 // The irradiance cube against closed forms and against sums over every cell of a panorama.
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <numbers>
@@ -16,6 +14,8 @@
 #include "lighting/environment/sun_extraction.h"
 #include "scenes/environment.h"
 #include "scenes/load.h"
+#include "support/read_level.h"
+#include "support/shared_assets.h"
 
 namespace parity::lighting {
 namespace {
@@ -47,7 +47,7 @@ std::vector<glm::dvec3> randomDirections(int count) {
 CubeLevel levelOf(const std::vector<glm::vec4>& cube) { return makeCubeLevel(cube, kIrradianceFaceSize); }
 CubeLevel levelOf(const scenes::Environment& environment) { return levelOf(makeIrradianceCube(environment)); }
 
-glm::dvec3 read(const CubeLevel& level, const glm::dvec3& n) { return glm::dvec3(readLevel(level, glm::vec3(n))); }
+glm::dvec3 read(const CubeLevel& level, const glm::dvec3& n) { return glm::dvec3(tests::readLevel(level, n)); }
 
 // Over pi, of every cell at its middle: the truth for maps of 1024 x 512 cells or more.
 glm::dvec3 sumOfCells(const base::Image& map, const glm::dvec3& n) {
@@ -139,10 +139,8 @@ class IrradianceOfRealMaps : public testing::TestWithParam<const char*> {};
 
 // The diffuse light of the high-end path against the truth: at most 0.2 %.
 TEST_P(IrradianceOfRealMaps, IsThatOfEveryCell) {
-  const char* shared = std::getenv("PARITY_SHARED");
-  const std::filesystem::path file =
-      std::filesystem::path(PARITY_SOURCE_DIR) / (shared ? shared : "../shared") / "assets/env" / GetParam();
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << GetParam();
+  const std::filesystem::path file = tests::sharedEnvironment(GetParam());
+  if (file.empty()) GTEST_SKIP() << "no " << GetParam();
   std::vector<std::string> warnings;
   const scenes::Environment whole = scenes::loadEnvironment(file.string(), 0, warnings);
   for (const scenes::Environment& environment : {whole, extractSuns(whole).environment}) {

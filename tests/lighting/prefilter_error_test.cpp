@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <functional>
 
 #include "lighting/environment/sun_extraction.h"
 #include "scenes/load.h"
 #include "support/prefilter_truth.h"
+#include "support/shared_assets.h"
 
 namespace parity::lighting {
 namespace {
@@ -30,9 +29,8 @@ class PrefilterError : public testing::TestWithParam<Map> {};
 TEST_P(PrefilterError, isWithinWhatIsPromised) {
   std::string file = GetParam().name;
   if (!file.starts_with("builtin:")) {
-    const char* shared = std::getenv("PARITY_SHARED");
-    file = (std::filesystem::path(PARITY_SOURCE_DIR) / (shared ? shared : "../shared") / "assets/env" / file).string();
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << GetParam().name;
+    file = tests::sharedEnvironment(file).string();
+    if (file.empty()) GTEST_SKIP() << "no " << GetParam().name;
   }
   std::vector<std::string> warnings;
   scenes::Environment environment = scenes::loadEnvironment(file, 0, warnings);

@@ -8,6 +8,7 @@
 #include "lighting/environment/cube.h"
 #include "lighting/environment/prefilter.h"
 #include "shading/shading.h"
+#include "support/read_level.h"
 
 namespace parity::lighting {
 namespace {
@@ -102,7 +103,7 @@ TEST(FitBilinear, halvesTheErrorOfBilinearReading) {
     double squares = 0;
     for (int i = 0; i < 20000; ++i) {
       const glm::dvec3 d = glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
-      squares += std::pow(readLevel(level, glm::vec3(d)).x - radianceAt(d), 2);
+      squares += std::pow(tests::readLevel(level, glm::vec3(d)).x - radianceAt(d), 2);
     }
     return std::sqrt(squares);
   };

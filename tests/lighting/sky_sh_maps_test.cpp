@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <numbers>
 
@@ -13,6 +12,7 @@
 #include "scenes/environment.h"
 #include "scenes/load.h"
 #include "shading/shading.h"
+#include "support/shared_assets.h"
 
 namespace parity::lighting {
 namespace {
@@ -54,10 +54,8 @@ class SkyOfRealMaps : public testing::TestWithParam<const char*> {};
 
 // Within 1 % of the sky's mean radiance: the program projects a cube of 256^2 faces, this a panorama of 1024 x 512.
 TEST_P(SkyOfRealMaps, IsPackedAsTheEngineDoes) {
-  const char* shared = std::getenv("PARITY_SHARED");
-  const std::filesystem::path file =
-      std::filesystem::path(PARITY_SOURCE_DIR) / (shared ? shared : "../shared") / "assets/env" / GetParam();
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << GetParam();
+  const std::filesystem::path file = tests::sharedEnvironment(GetParam());
+  if (file.empty()) GTEST_SKIP() << "no " << GetParam();
   std::vector<std::string> warnings;
   const scenes::Environment environment = scenes::loadEnvironment(file.string(), 0, warnings);
   const Packed expected = packByTheEngine(environment.radiance);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <numbers>
@@ -16,6 +15,7 @@
 #include "scenes/builtin/procedural_environment.h"
 #include "scenes/load.h"
 #include "scenes/view.h"
+#include "support/shared_assets.h"
 
 namespace parity::lighting {
 namespace {
@@ -245,11 +245,9 @@ TEST(SunExtraction, takesTheSunOfTheBuiltInSky) {
 }
 
 scenes::Environment loadShared(const std::string& file) {
-  const char* shared = std::getenv("PARITY_SHARED");
-  const std::filesystem::path path =
-      std::filesystem::path(PARITY_SOURCE_DIR) / (shared ? shared : "../shared") / "assets/env" / file;
+  const std::filesystem::path path = tests::sharedEnvironment(file);
   std::vector<std::string> warnings;
-  return std::filesystem::exists(path) ? scenes::loadEnvironment(path.string(), 0, warnings) : scenes::Environment{};
+  return path.empty() ? scenes::Environment{} : scenes::loadEnvironment(path.string(), 0, warnings);
 }
 
 // Frozen where this file was written; the sun's place by eye in the panorama: column 615, row 169 of 1024 x 512.

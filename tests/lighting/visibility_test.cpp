@@ -4,12 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 
+#include "base/expect_error.h"
 #include "base/parallel.h"
 #include "scenes/builtin/builtin.h"
 #include "scenes/builtin/shapes.h"
@@ -240,13 +239,7 @@ TEST(Visibility, nothingAndTrianglesOfNoUseOccludeNothing) {
 TEST(Visibility, moreTrianglesThanItTakesAreRefusedInWords) {
   scenes::Scene scene = makeScene(scenes::makeFloor(1, 1, 512)); // 2^19 triangles
   scene.instances.assign(17, scene.instances[0]);
-  try {
-    const Visibility visibility(scene);
-    FAIL();
-  } catch (const base::Error& error) {
-    EXPECT_EQ(error.code(), base::ExitCode::failed);
-    EXPECT_NE(std::string(error.what()).find("triangles over all instances"), std::string::npos) << error.what();
-  }
+  base::expectError([&] { const Visibility visibility(scene); }, {"triangles over all instances"});
 }
 
 TEST(Visibility, answersAllThreadsAlike) {

@@ -1,20 +1,12 @@
 // The one spot light that casts a shadow on mobile: where similar triangles put it.
-#include "support/device.h"
-#include "support/small_scenes.h"
+#include "mobile/shadow_fixture.h"
 
 #include <algorithm>
 
-#include <glm/gtc/matrix_transform.hpp>
-
-#include "gpu/shadows/shadow_maps.h"
-#include "gpu/surface/surface_pass.h"
 #include "mobile/presets.h"
-#include "mobile/renderer.h"
 
 namespace parity::mobile {
 namespace {
-
-constexpr std::uint32_t kSize = 96;
 
 scenes::Light makeSpot(float intensity) {
   scenes::Light light;
@@ -27,37 +19,14 @@ scenes::Light makeSpot(float intensity) {
   return light;
 }
 
-class SpotShadowTest : public tests::DeviceTest {
+class SpotShadowTest : public ShadowTest {
 protected:
-  // A floor of 4 m in z = 0 under a square of 1 m in z = 1, seen from between the two.
-  std::vector<float> floor(const std::vector<scenes::Light>& lights, Options options, std::uint32_t mapSize = 2048) {
-    scenes::Scene scene;
-    scene.name = "square";
-    scene.meshes = {tests::makeQuad(0), tests::makeQuad(0)};
-    scene.materials.resize(1);
-    scene.materials[0].metallic = 0;
-    scene.materials[0].doubleSided = true;
-    scene.instances = {{0, glm::scale(glm::mat4(1.f), glm::vec3(2, 2, 1)), "floor"},
-                       {1, glm::scale(tests::translation(0, 0, 1), glm::vec3(0.5f, 0.5f, 1)), "square"}};
-    scenes::Camera camera = tests::makeFrontCamera(2, 0.5f, true);
-    camera.zNear = 0.1f;
-    const gpu::SceneBuffers buffers(device(), scene);
-    const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
-    const auto surface = std::move(pass.render(camera, {0, kSize}, glm::vec2(0.5f)).front());
-    std::optional<gpu::ShadowMaps> maps;
-    if (const auto casting = Renderer::needsShadowMaps(lights, options); !casting.empty()) {
-      maps.emplace(device(), buffers, casting, gpu::ShadowOptions{.mapSize = mapSize});
-      EXPECT_EQ(maps->mapCount(), 1u);
-    }
-    Inputs inputs;
-    inputs.lights = lights;
-    inputs.shadows = maps ? &*maps : nullptr;
-    const Renderer renderer(device(), buffers, pass.binKinds(), inputs, options);
-    m_notes = renderer.notes();
-    const gpu::ShadedSurface shaded = renderer.shade(surface, camera);
-    std::vector<float> picture(kSize * kSize);
-    for (std::size_t i = 0; i < surface.size(); ++i) picture[surface.pixels[i]] = shaded.color[i].x;
-    return picture;
+  std::vector<float> floor(const std::vector<scenes::Light>& lights, const Options& options,
+                           std::uint32_t mapSize = 2048) {
+    Picture picture = render(lights, options, mapSize);
+    EXPECT_EQ(picture.mapCount.value_or(1), 1u);
+    m_notes = picture.notes;
+    return picture.lit;
   }
   std::vector<std::string> m_notes;
 };

@@ -1,20 +1,12 @@
 // The sun's shadow by a map on mobile: there near the eye, gone from its distance on, beside the baked one.
-#include "support/device.h"
-#include "support/small_scenes.h"
+#include "mobile/shadow_fixture.h"
 
 #include <algorithm>
 
-#include <glm/gtc/matrix_transform.hpp>
-
-#include "gpu/shadows/shadow_maps.h"
-#include "gpu/surface/surface_pass.h"
 #include "mobile/presets.h"
-#include "mobile/renderer.h"
 
 namespace parity::mobile {
 namespace {
-
-constexpr std::uint32_t kSize = 96;
 
 scenes::Light makeSun() {
   scenes::Light light;
@@ -24,39 +16,10 @@ scenes::Light makeSun() {
   return light;
 }
 
-struct Picture {
-  std::vector<float> lit; // 0 where there is nothing
-  std::vector<std::string> notes;
-};
-
-class SunShadowTest : public tests::DeviceTest {
+class SunShadowTest : public ShadowTest {
 protected:
-  // A floor of 4 m in z = 0 under a square of 1 m in z = 1, seen from between the two, half a metre above the floor.
   Picture render(const Options& options, const std::vector<scenes::Light>& lights = {makeSun()}) {
-    scenes::Scene scene;
-    scene.name = "square";
-    scene.meshes = {tests::makeQuad(0), tests::makeQuad(0)};
-    scene.materials.resize(1);
-    scene.materials[0].metallic = 0;
-    scene.materials[0].doubleSided = true;
-    scene.instances = {{0, glm::scale(glm::mat4(1.f), glm::vec3(2, 2, 1)), "floor"},
-                       {1, glm::scale(tests::translation(0, 0, 1), glm::vec3(0.5f, 0.5f, 1)), "square"}};
-    scenes::Camera camera = tests::makeFrontCamera(2, 0.5f, true);
-    camera.zNear = 0.1f;
-    const gpu::SceneBuffers buffers(device(), scene);
-    const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
-    const auto surface = std::move(pass.render(camera, {0, kSize}, glm::vec2(0.5f)).front());
-    std::optional<gpu::ShadowMaps> maps;
-    if (const auto casting = Renderer::needsShadowMaps(lights, options); !casting.empty())
-      maps.emplace(device(), buffers, casting, gpu::ShadowOptions{});
-    Inputs inputs;
-    inputs.lights = lights;
-    inputs.shadows = maps ? &*maps : nullptr;
-    const Renderer renderer(device(), buffers, pass.binKinds(), inputs, options);
-    const gpu::ShadedSurface shaded = renderer.shade(surface, camera);
-    Picture picture{std::vector<float>(kSize * kSize), renderer.notes()};
-    for (std::size_t i = 0; i < surface.size(); ++i) picture.lit[surface.pixels[i]] = shaded.color[i].x;
-    return picture;
+    return ShadowTest::render(lights, options);
   }
   static glm::vec2 placeOf(std::size_t pixel) {
     return {(static_cast<float>(pixel % kSize) + 0.5f) / kSize * 4 - 2,

@@ -1,21 +1,16 @@
 // GitHub annotations: one command a row that is not well, and names that cannot become commands.
 #include <algorithm>
-#include <sstream>
 
 #include <gtest/gtest.h>
 
+#include "base/lines_of.h"
 #include "compare/verdict/budget.h"
 #include "report/sample_report.h"
 
 namespace parity::report {
 namespace {
 
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
+using tests::linesOf;
 
 TEST(GithubAnnotations, EachRowThatIsNotWellIsOneCommandTheGravestFirst) {
   const auto lines = linesOf(toGithubAnnotations(makeSampleReport(), "/checkout"));

@@ -3,7 +3,6 @@
 
 #include <zlib.h>
 
-#include <array>
 #include <bit>
 #include <limits>
 #include <random>

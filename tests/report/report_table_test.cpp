@@ -1,9 +1,9 @@
 // The terminal's table: columns that line up, names that cannot steer the terminal.
 #include <algorithm>
-#include <sstream>
 
 #include <gtest/gtest.h>
 
+#include "base/lines_of.h"
 #include "base/text/text.h"
 #include "compare/verdict/budget.h"
 #include "report/judge.h"
@@ -13,12 +13,7 @@
 namespace parity::report {
 namespace {
 
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
+using tests::linesOf;
 
 // The columns up to where `word` ends in a line.
 std::size_t endOf(const std::string& line, const std::string& word) {

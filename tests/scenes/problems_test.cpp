@@ -2,19 +2,13 @@
 #include <thread>
 
 #include "base/file.h"
+#include "base/lines_of.h"
 #include "scenes/gltf/gltf_writer.h"
 #include "scenes/load.h"
 #include "scenes/problems.h"
 
 namespace parity::tests {
 namespace {
-
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
 
 std::vector<std::string> refusalOf(const std::string& path, const scenes::LoadOptions& options = {}) {
   try {

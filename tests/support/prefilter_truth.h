@@ -16,6 +16,7 @@
 #include "lighting/environment/panorama_cells.h"
 #include "scenes/builtin/procedural_environment.h"
 #include "shading/shading.h"
+#include "support/read_level.h"
 
 namespace parity::tests {
 
@@ -127,7 +128,7 @@ private:
 
   static constexpr int kLayers = shading::f64::kPrefilterLayers, kRoughest = shading::f64::kPrefilterRoughestMip;
   glm::dvec3 level(int index, const glm::dvec3& direction) const {
-    return glm::dvec3(lighting::readLevel(m_levels[index], glm::vec3(direction)));
+    return glm::dvec3(tests::readLevel(m_levels[index], direction));
   }
   std::vector<lighting::CubeLevel> m_levels;
   lighting::LampTree m_lamps;

@@ -1,11 +1,12 @@
 // The page as a whole: one state, which the URL's hash holds, and what of it is shown.
-import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 
 import { filterOf, matches, sortRows } from "./data/filter";
 import type { Page } from "./data/page";
 import { makeRows, type Row } from "./data/rows";
 import { fromHash, isSameItem, openItem, toHash, type State } from "./data/state";
+import { PageElement } from "./element";
 import { HelpPopover } from "./help_popover";
 import { actionOf, shortcutsDialog, type Action } from "./keys";
 import { header } from "./overview/header";
@@ -17,7 +18,7 @@ import type { ParityItem } from "./item/item";
 import { Theme } from "./theme";
 
 @customElement("parity-app")
-export class ParityApp extends LitElement {
+export class ParityApp extends PageElement {
   @property({ attribute: false }) page!: Page;
   @state() private state: State = fromHash(location.hash);
   @query("parity-list") private list!: ParityList;
@@ -31,10 +32,6 @@ export class ParityApp extends LitElement {
   private hashTimer = 0;
   private readonly theme = new Theme(() => this.requestUpdate());
   private readonly helpPopover = new HelpPopover();
-
-  protected override createRenderRoot(): this {
-    return this;
-  }
 
   override connectedCallback(): void {
     super.connectedCallback();

@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/expect_error.h"
 #include "base/parallel.h"
 #include "compare/flip/flip.h"
+#include "compare/flip/flip_filters.h"
 
 namespace parity::compare {
 namespace {
@@ -33,16 +35,7 @@ base::Image makeNoise(int width, int height, unsigned seed) {
   return image;
 }
 
-// The error that `call` throws; fails the test where it throws none.
-template <typename Call> base::Error errorOf(Call call) {
-  try {
-    call();
-  } catch (const base::Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "no error was thrown";
-  return {base::ExitCode::withinBudget, "", "", ""};
-}
+using base::errorOf;
 
 TEST(Flip, identicalImagesGiveExactlyZero) {
   for (const base::Image& image : {makeNoise(67, 45, 1), makeFlat(20, 20, 0, 0, 0), makeFlat(20, 20, 1, 1, 1)})
@@ -74,7 +67,7 @@ TEST(Flip, swappedImagesGiveTheSameMap) {
 
 TEST(Flip, oneDifferingPixelReachesJustAsFarAsTheFilterRadius) {
   for (float ppd : {20.f, kDefaultPixelsPerDegree}) {
-    const int radius = flipFilterRadius({.ppd = ppd}), centre = 2 * radius, size = 2 * centre + 1;
+    const int radius = colorFilterRadius(ppd), centre = 2 * radius, size = 2 * centre + 1;
     const base::Image reference = makeNoise(size, size, 4);
     base::Image test = reference;
     float* pixel = test.at(centre, centre);
@@ -148,7 +141,6 @@ TEST(Flip, distancesOutsideTheRangeAreAUsageError) {
   const base::Image image(4, 4, 3);
   for (float ppd : {0.f, -1.f, 0.99f, 1001.f, kNan, kInf}) {
     EXPECT_EQ(errorOf([&] { flipMap(image, image, {.ppd = ppd}); }).code(), base::ExitCode::usage) << ppd;
-    EXPECT_EQ(errorOf([&] { flipFilterRadius({.ppd = ppd}); }).code(), base::ExitCode::usage) << ppd;
   }
   EXPECT_EQ(errorOf([] { pixelsPerDegree(0.7f, 0.f, 0.7f); }).code(), base::ExitCode::usage);
   EXPECT_EQ(errorOf([] { pixelsPerDegree(kNan, 100.f, 0.7f); }).code(), base::ExitCode::usage);

@@ -1,6 +1,5 @@
 // FLIP of swapped pictures against flipMap of the same pictures made whole: bit by bit the same at the lists' pixels.
 #include <algorithm>
-#include <random>
 
 #include <gtest/gtest.h>
 

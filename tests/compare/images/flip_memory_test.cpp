@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/expect_error.h"
 #include "base/image/image_io.h"
 #include "base/temp_folder.h"
 #include "compare/images/flip_memory.h"
@@ -37,14 +38,8 @@ TEST(FlipMemory, BeyondTheLimitIsRefusedWithTheFigureAndTheOption) {
   request.image.limits.maxBytes = kFixed + 52 * 1024 * 512;
   EXPECT_NO_THROW(requireFlipMemory(request, pair));
   --request.image.limits.maxBytes;
-  try {
-    requireFlipMemory(request, pair);
-    FAIL() << "not refused";
-  } catch (const base::Error& error) {
-    EXPECT_EQ(error.code(), base::ExitCode::failed);
-    EXPECT_EQ(error.reason(),
-              "comparing 1024x512 pixels with 1024x512 takes 283 MiB, the limit is 281 MiB (--max-memory)");
-  }
+  base::expectError([&] { requireFlipMemory(request, pair); },
+                    {"comparing 1024x512 pixels with 1024x512 takes 283 MiB, the limit is 281 MiB (--max-memory)"});
 }
 
 } // namespace

@@ -1,6 +1,5 @@
 // Attribution by terms against hand-made swaps: the term that was changed explains all, no other anything.
 #include <algorithm>
-#include <limits>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
-// relMSE and signed bias on closed forms, and which images each metric looks at.
+// RMSE, PSNR, relMSE and signed bias on closed forms, and which images each metric looks at.
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -34,6 +35,18 @@ TEST(RelMse, decodesDisplayedImagesWhereThereAreNoLinearOnes) {
   const double r = std::pow((188 / 255. + 0.055) / 1.055, 2.4); // IEC 61966-2-1
   EXPECT_NEAR(measureWhole({reference, test}, {"relmse"}).find("relmse").value(), (1 - r) * (1 - r) / (r * r + 0.01),
               1e-5);
+}
+
+TEST(Rmse, andPsnrOfAConstantOffsetAndOfOneWrongChannel) {
+  const base::Image a(7, 5, 3, 0.25f), b(7, 5, 3, 0.75f), black(4, 4, 3);
+  base::Image one = black;
+  one.at(2, 1)[0] = 1.f;
+  const Figures offset = measureWhole({a, b}, {"rmse", "psnr"}), spread = measureWhole({black, one}, {"rmse", "psnr"});
+  EXPECT_DOUBLE_EQ(offset.find("rmse").value(), 0.5);
+  EXPECT_NEAR(offset.find("psnr").value(), 6.020599913, 1e-8); // 10 log10(4)
+  EXPECT_NEAR(spread.find("rmse").value(), std::sqrt(1. / 48), 1e-8) << "over all pixels and channels, in floats";
+  EXPECT_NEAR(spread.find("psnr").value(), 10 * std::log10(48.), 1e-6);
+  EXPECT_EQ(measureWhole({one, one}, {"rmse", "psnr"}).find("psnr"), std::numeric_limits<double>::infinity());
 }
 
 TEST(Rmse, isOfDisplayedImagesWhateverTheLinearOnes) {

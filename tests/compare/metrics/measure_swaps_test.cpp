@@ -1,7 +1,6 @@
 // Figures of the material swap: those of the whole picture in which the one material is swapped, over its pixels.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 

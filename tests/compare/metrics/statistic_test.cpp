@@ -1,9 +1,9 @@
 // Names of figures and metrics: what is known, how it is spelt, and what an unknown one is told.
-#include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "base/expect_error.h"
 #include "compare/metrics/metric.h"
 #include "compare/pooling/figures.h"
 #include "error_code.h"
@@ -64,14 +64,8 @@ TEST(Statistic, aLimitAtTheEndOfTheRangeCanNotBeBeyond) {
 }
 
 TEST(Statistic, anUnknownNameIsToldTheNearestKnownOne) {
-  try {
-    requireStatistic("flip.men", "budgets.toml");
-    FAIL();
-  } catch (const base::Error& error) {
-    EXPECT_EQ(error.code(), base::ExitCode::usage);
-    EXPECT_EQ(error.subject(), "budgets.toml");
-    EXPECT_NE(std::string(error.what()).find("'flip.mean'"), std::string::npos) << error.what();
-  }
+  base::expectError([] { requireStatistic("flip.men", "budgets.toml"); }, {"budgets.toml: ", "'flip.mean'"},
+                    base::ExitCode::usage);
   const std::vector<std::string> known = knownStatistics();
   EXPECT_NE(std::find(known.begin(), known.end(), "flip.fraction_over(X)"), known.end());
 }
@@ -80,12 +74,7 @@ TEST(MetricNames, areParsedIntoTheRegistrysOrderEachOnce) {
   EXPECT_EQ(parseMetricNames("psnr,flip,psnr", "--metrics"), (std::vector<std::string>{"flip", "psnr"}));
   for (const char* wrong : {"", ",", "flip,", ",flip", "flip,,psnr", "flip psnr", "Flip"})
     EXPECT_EQ(test::codeOf([&] { parseMetricNames(wrong, "--metrics"); }), base::ExitCode::usage) << wrong;
-  try {
-    parseMetricNames("flip,pnsr", "--metrics");
-    FAIL();
-  } catch (const base::Error& error) {
-    EXPECT_NE(std::string(error.what()).find("'psnr'"), std::string::npos) << error.what();
-  }
+  base::expectError([] { parseMetricNames("flip,pnsr", "--metrics"); }, {"'psnr'"}, base::ExitCode::usage);
 }
 
 TEST(Figures, areFoundByName) {

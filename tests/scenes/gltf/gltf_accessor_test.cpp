@@ -1,5 +1,4 @@
 // Accessors that are put together: sparse, without data, interleaved; and what is wrong with them.
-#include <cmath>
 #include <limits>
 
 #include "scenes/gltf/gltf_writer.h"

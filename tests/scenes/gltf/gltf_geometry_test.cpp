@@ -1,5 +1,4 @@
 // Meshes as a glTF file may store them: containers, component types, modes, strides, and what is generated.
-#include <cmath>
 
 #include "scenes/gltf/gltf_writer.h"
 #include "scenes/gltf/mesh_repair.h"

@@ -1,5 +1,4 @@
 // Materials, textures and their extensions.
-#include <cmath>
 
 #include <glm/gtc/constants.hpp>
 

@@ -3,13 +3,13 @@
 
 #include "support/device.h"
 
-#include <cstdlib>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "scenes/load.h"
 #include "scenes/view.h"
+#include "support/shared_assets.h"
 
 namespace parity::shadows {
 namespace {
@@ -47,9 +47,8 @@ TEST_F(ShadowErrorTest, IsSmallInTheShippedScenes) {
 }
 
 TEST_F(ShadowErrorTest, IsSmallInRealAssets) {
-  const char* shared = std::getenv("PARITY_SHARED");
-  const std::filesystem::path assets = std::filesystem::path(shared ? shared : "../shared") / "assets";
-  if (!std::filesystem::exists(assets)) GTEST_SKIP() << "no shared assets";
+  const std::filesystem::path assets = tests::sharedAssets();
+  if (assets.empty()) GTEST_SKIP() << "no shared assets";
   for (const char* file : {"ToyCar/ToyCar.gltf", "LightsPunctualLamp/LightsPunctualLamp.gltf", "Suzanne/Suzanne.gltf",
                            "AlphaBlendModeTest/AlphaBlendModeTest.glb"}) {
     const scenes::Scene scene = scenes::loadScene((assets / file).string(), {});

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/expect_error.h"
 
 namespace parity::tests {
 namespace {
@@ -143,13 +144,7 @@ TEST(StressTable, nothingUnexpectedInAShortRun) {
 }
 
 TEST(StressTable, anUnknownFunctionIsRefusedWithTheNearestName) {
-  try {
-    functionsNamed("D_GXG");
-    FAIL();
-  } catch (const base::Error& error) {
-    EXPECT_EQ(error.code(), base::ExitCode::usage);
-    EXPECT_NE(std::string(error.what()).find("D_GGX"), std::string::npos) << error.what();
-  }
+  base::expectError([] { functionsNamed("D_GXG"); }, {"D_GGX"}, base::ExitCode::usage);
 }
 
 } // namespace

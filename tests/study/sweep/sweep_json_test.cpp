@@ -1,5 +1,4 @@
 // A sweep's files: JSON and back, CSV, the page.
-#include <cmath>
 #include <filesystem>
 
 #include <nlohmann/json.hpp>
@@ -7,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/expect_error.h"
 #include "base/file.h"
 #include "report/dashboard_files.h"
 #include "study/sweep/samples.h"
@@ -67,12 +67,7 @@ TEST_F(SweepFiles, conclusionsAreInTheFile) {
 TEST_F(SweepFiles, malformedOnesAreErrorsWithTheFilesName) {
   const auto readText = [&](const std::string& text) {
     base::writeText(m_folder / "bad.json", text);
-    try {
-      readSweep(m_folder / "bad.json");
-    } catch (const base::Error& error) {
-      return std::string(error.what());
-    }
-    return std::string("no error");
+    return std::string(base::errorOf([&] { readSweep(m_folder / "bad.json"); }).what());
   };
   for (const char* text : {"", "[]", "{}", "{\"tool\":\"parity\"}", "{\"tool\":\"parity bench\",\"schema\":2}"})
     EXPECT_NE(readText(text).find("bad.json"), std::string::npos) << text;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/expect_error.h"
 #include "job/context.h"
 #include "mobile/options.h"
 #include "study/sweep/scaling_scene.h"
@@ -141,13 +142,8 @@ TEST(Trial, globThatMatchesNothingIsAnError) {
   job::Context context(smallSettings());
   TrialOptions options;
   options.settings = {"mobile: sky*", "desktop*"};
-  try {
-    runTrial(context, request("builtin:furnace", "", true), options, {});
-    FAIL();
-  } catch (const base::Error& error) {
-    EXPECT_EQ(error.code(), base::ExitCode::usage);
-    EXPECT_NE(std::string(error.what()).find("desktop*"), std::string::npos);
-  }
+  base::expectError([&] { runTrial(context, request("builtin:furnace", "", true), options, {}); }, {"desktop*"},
+                    base::ExitCode::usage);
 }
 
 } // namespace

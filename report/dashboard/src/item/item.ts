@@ -1,5 +1,5 @@
 // One row opened: what was decided and why, and three tabs of evidence.
-import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 
 import type { Page } from "../data/page";
@@ -8,6 +8,7 @@ import { pathWord } from "../data/paths";
 import type { Row } from "../data/rows";
 import { kTabs, type State, type Tab } from "../data/state";
 import type { Material } from "../data/types";
+import { PageElement } from "../element";
 import { count, figure, figureIn } from "../format";
 import { help } from "../help";
 import { badge, baseLayerBadge } from "../parts";
@@ -21,16 +22,12 @@ import "./terms";
 const kTabNames: Record<Tab, string> = { compare: "Compare", terms: "Terms", numbers: "Numbers" };
 
 @customElement("parity-item")
-export class ParityItem extends LitElement {
+export class ParityItem extends PageElement {
   @property({ attribute: false }) page!: Page;
   @property({ attribute: false }) row!: Row;
   @property({ attribute: false }) state!: State;
   @property() place = "";
   @query("parity-viewer") private viewer!: ParityViewer | null;
-
-  protected override createRenderRoot(): this {
-    return this;
-  }
 
   /** Whether the comparison view took the key. */
   handleKey(event: KeyboardEvent): boolean {

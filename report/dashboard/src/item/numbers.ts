@@ -1,5 +1,5 @@
 // Every figure of a row, and what the run did for its scene: for whoever has to know exactly.
-import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 
 import type { Judged } from "../data/judged";
@@ -7,6 +7,7 @@ import type { Page } from "../data/page";
 import { pathTitle, pathWord } from "../data/paths";
 import type { Row } from "../data/rows";
 import type { Report, Scene, Truth } from "../data/types";
+import { PageElement } from "../element";
 import { change, count, duration, figure, figureIn, fixed } from "../format";
 import { help } from "../help";
 import { copyable, definitions } from "../parts";
@@ -75,13 +76,9 @@ function permutationTable(scene: Scene): TemplateResult {
 }
 
 @customElement("parity-numbers")
-export class ParityNumbers extends LitElement {
+export class ParityNumbers extends PageElement {
   @property({ attribute: false }) page!: Page;
   @property({ attribute: false }) row!: Row;
-
-  protected override createRenderRoot(): this {
-    return this;
-  }
 
   protected override render(): TemplateResult {
     const { report, run, bench } = this.page;

@@ -1,6 +1,6 @@
 // Which term makes the two differ: in words first, then what each swap does, the lights that mobile
 // drops, then the terms' pictures.
-import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 
@@ -8,6 +8,7 @@ import { pathTitle, pathWord } from "../data/paths";
 import type { Row } from "../data/rows";
 import { toHash, type State } from "../data/state";
 import type { Attribution, Material, Report } from "../data/types";
+import { PageElement } from "../element";
 import { figure, fixed, signed } from "../format";
 import { help } from "../help";
 import "../viewer/term_image";
@@ -15,14 +16,10 @@ import { droppedLights } from "./dropped_lights";
 import { describeTerm, effectOf } from "./term_words";
 
 @customElement("parity-terms")
-export class ParityTerms extends LitElement {
+export class ParityTerms extends PageElement {
   @property({ attribute: false }) report!: Report;
   @property({ attribute: false }) row!: Row;
   @property({ attribute: false }) state!: State;
-
-  protected override createRenderRoot(): this {
-    return this;
-  }
 
   private get material(): Material | null {
     return this.report.scenes[this.row.scene]?.views[this.row.view]?.materials[this.row.material] ?? null;

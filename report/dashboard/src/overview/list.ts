@@ -1,6 +1,6 @@
 // The rows, of which only those in sight are in the page: thousands scroll smoothly.
 import { VirtualizerController } from "@tanstack/lit-virtual";
-import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { createRef, ref } from "lit/directives/ref.js";
 
@@ -8,6 +8,7 @@ import { sortsUpAtFirst } from "../data/filter";
 import type { Row } from "../data/rows";
 import { isSameItem, openItem, toHash, type Item, type State } from "../data/state";
 import type { Report } from "../data/types";
+import { PageElement } from "../element";
 import { help, type Topic } from "../help";
 import { compactRow, fullRow } from "./row";
 
@@ -33,7 +34,7 @@ const kPrintedRows = 500;
 const kRowHeight = { wide: 76, narrow: 132, compact: 58 } as const;
 
 @customElement("parity-list")
-export class ParityList extends LitElement {
+export class ParityList extends PageElement {
   @property({ attribute: false }) report!: Report;
   @property({ attribute: false }) rows: readonly Row[] = []; // as sorted and filtered
   @property({ attribute: false }) state!: State;
@@ -50,10 +51,6 @@ export class ParityList extends LitElement {
   });
   private readonly narrowQuery = window.matchMedia("(max-width: 760px)");
   private readonly printQuery = window.matchMedia("print");
-
-  protected override createRenderRoot(): this {
-    return this;
-  }
 
   override connectedCallback(): void {
     super.connectedCallback();

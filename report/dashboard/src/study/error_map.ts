@@ -1,8 +1,9 @@
 // Greatest errors of a function over roughness and cosine: from 1e-8 (black) to 1 and more (light).
-import { html, LitElement, type TemplateResult } from "lit";
+import { html, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 
 import { magmaColor } from "../data/magma";
+import { PageElement } from "../element";
 import { significant } from "../format";
 
 /** The place of an error in the colours of difference maps, 0..255, by its logarithm. */
@@ -11,16 +12,12 @@ export function colorIndex(error: number): number {
 }
 
 @customElement("parity-error-map")
-export class ParityErrorMap extends LitElement {
+export class ParityErrorMap extends PageElement {
   @property({ attribute: false }) map: readonly (number | null)[] = [];
   @property() label = "";
   @property({ attribute: false }) axes = { roughness: "", cosine: "" };
   @query("canvas") private canvas!: HTMLCanvasElement;
   @state() private at = "";
-
-  protected override createRenderRoot(): this {
-    return this;
-  }
 
   private get side(): number {
     return Math.round(Math.sqrt(this.map.length));

@@ -1,17 +1,15 @@
 // A picture of time against error: the SVG that the program has drawn (study/sweep/pareto_svg.cpp), in the page's colours.
-import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 
+import { PageElement } from "../element";
+
 @customElement("parity-pareto")
-export class ParityPareto extends LitElement {
+export class ParityPareto extends PageElement {
   @property({ attribute: false }) svg = "";
   @query(".plot") private place!: HTMLElement;
   @state() private paths: string[] = [];
   @state() private at = ""; // the setting that is pointed at
-
-  protected override createRenderRoot(): this {
-    return this;
-  }
 
   protected override updated(changed: PropertyValues): void {
     if (!changed.has("svg")) return;

@@ -1,8 +1,9 @@
 // The page of a sweep or of a stress run: its head, and what it is made of.
-import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 
 import type { Study } from "../data/study";
+import { PageElement } from "../element";
 import { HelpPopover } from "../help_popover";
 import { actionOf } from "../keys";
 import { badge } from "../parts";
@@ -27,14 +28,10 @@ function headOf(study: Study): Head {
 }
 
 @customElement("parity-study")
-export class ParityStudy extends LitElement {
+export class ParityStudy extends PageElement {
   @property({ attribute: false }) study!: Study;
   private readonly theme = new Theme(() => this.requestUpdate());
   private readonly helpPopover = new HelpPopover();
-
-  protected override createRenderRoot(): this {
-    return this;
-  }
 
   override connectedCallback(): void {
     super.connectedCallback();

@@ -1,7 +1,8 @@
 // A table that is sorted by any of its columns.
-import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 
+import { PageElement } from "../element";
 import { help, type Topic } from "../help";
 
 type Value = string | number | null | undefined;
@@ -27,17 +28,13 @@ export function sorted<Row>(rows: readonly Row[], value: (row: Row) => Value, as
 }
 
 @customElement("parity-table")
-export class ParityTable<Row> extends LitElement {
+export class ParityTable<Row> extends PageElement {
   @property() label = "";
   @property({ attribute: false }) columns: readonly Column<Row>[] = [];
   @property({ attribute: false }) rows: readonly Row[] = [];
   @property({ attribute: false }) rowClass: (row: Row) => string = () => "";
   @state() private by = -1; // -1: as they are given
   @state() private ascending = true;
-
-  protected override createRenderRoot(): this {
-    return this;
-  }
 
   /** Up, down, and as they were. */
   private sortBy(index: number): void {

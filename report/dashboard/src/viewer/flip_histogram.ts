@@ -1,5 +1,5 @@
 // How FLIP is spread over the pixels of the view or the material, with the budget of its mean.
-import { html, LitElement, type PropertyValues, type TemplateResult } from "lit";
+import { html, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
@@ -7,6 +7,7 @@ import "uplot/dist/uPlot.min.css";
 import type { Plane } from "../data/chunk";
 import { makeHistogram, type Histogram } from "../data/histogram";
 import type { Check } from "../data/types";
+import { PageElement } from "../element";
 import { count, fixed } from "../format";
 import { help } from "../help";
 
@@ -39,7 +40,7 @@ export function marksOf(histogram: Histogram, checks: readonly Check[], threshol
 }
 
 @customElement("parity-flip-histogram")
-export class ParityFlipHistogram extends LitElement {
+export class ParityFlipHistogram extends PageElement {
   @property({ attribute: false }) flip: Plane | null = null;
   @property({ attribute: false }) materials: Plane | null = null;
   @property({ attribute: false }) material = -1;
@@ -54,10 +55,6 @@ export class ParityFlipHistogram extends LitElement {
   private readonly resizing = new ResizeObserver(() => this.resize());
   private readonly dark = matchMedia("(prefers-color-scheme: dark)");
   private readonly theme = new MutationObserver(() => this.plot?.redraw(false));
-
-  protected override createRenderRoot(): this {
-    return this;
-  }
 
   override connectedCallback(): void {
     super.connectedCallback();

@@ -1,5 +1,5 @@
 // The values of one pixel: both paths (and the truth), FLIP, the material, and what each term adds.
-import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 
 import { reasonOf } from "../data/reason";
@@ -7,6 +7,7 @@ import type { Plane } from "../data/chunk";
 import type { Display } from "../data/display";
 import { pathWord } from "../data/paths";
 import { loadChunk, loadPlane } from "../data/pixels";
+import { PageElement } from "../element";
 import { fixed } from "../format";
 import { help } from "../help";
 import type { Point } from "./pane";
@@ -34,7 +35,7 @@ interface TermRow {
 
 /** Events: "inspector-unpin". */
 @customElement("parity-inspector")
-export class ParityInspector extends LitElement {
+export class ParityInspector extends PageElement {
   @property({ attribute: false }) inspected: Inspected | null = null;
   @property({ attribute: false }) message = "";
   @state() private terms: TermRow[] = [];
@@ -43,10 +44,6 @@ export class ParityInspector extends LitElement {
   @state() private copied = "";
   private termsKey = ""; // of the pixel whose terms were asked for last
   private shownKey = ""; // of the pixel that `terms` are of
-
-  protected override createRenderRoot(): this {
-    return this;
-  }
 
   protected override willUpdate(changed: PropertyValues): void {
     if (changed.has("inspected")) this.copied = "";

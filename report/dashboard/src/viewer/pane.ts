@@ -1,10 +1,11 @@
 // One pane of the comparison: pictures above one another, moved and zoomed together with the other panes.
 import { select } from "d3-selection";
 import { zoom, zoomIdentity, type D3ZoomEvent, type ZoomBehavior, type ZoomTransform } from "d3-zoom";
-import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 
+import { PageElement } from "../element";
 import type { Job } from "./paint";
 import "./picture";
 import {
@@ -51,7 +52,7 @@ function isTouch(event: Event): event is TouchEvent {
 
 /** Events: "pane-size" (Size), "pane-look" (Look), "pane-hover" (Point or null), "pane-pick" (Point), "pane-split" (0..1). */
 @customElement("parity-pane")
-export class ParityPane extends LitElement {
+export class ParityPane extends PageElement {
   @property({ attribute: false }) label = "";
   @property({ attribute: false }) right = ""; // of what is right of the divider
   @property({ attribute: false }) note = "";
@@ -74,10 +75,6 @@ export class ParityPane extends LitElement {
     this.send("pane-size", this.size);
   });
   private behavior: ZoomBehavior<HTMLElement, unknown> | null = null;
-
-  protected override createRenderRoot(): this {
-    return this;
-  }
 
   /** What is really looked at. */
   private get shownLook(): Look {

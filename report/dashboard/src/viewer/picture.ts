@@ -1,8 +1,9 @@
 // One picture of a pane: the report's image file, or a canvas once it depends on values.
-import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 
 import { imageSource } from "../data/images";
+import { PageElement } from "../element";
 import { isSameJob, paintCanvas, type Job } from "./paint";
 
 function isOtherJob(now: Job | null, before: Job | null | undefined): boolean {
@@ -10,7 +11,7 @@ function isOtherJob(now: Job | null, before: Job | null | undefined): boolean {
 }
 
 @customElement("parity-picture")
-export class ParityPicture extends LitElement {
+export class ParityPicture extends PageElement {
   /** Path of the report; shown while there is no job, or until it is painted. "": none. */
   @property({ attribute: false }) image = "";
   @property({ attribute: false, hasChanged: isOtherJob }) job: Job | null = null;
@@ -19,10 +20,6 @@ export class ParityPicture extends LitElement {
   @query("canvas") private canvas!: HTMLCanvasElement | null;
   private frame = 0;
   private painted: Job | null = null;
-
-  protected override createRenderRoot(): this {
-    return this;
-  }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();

@@ -1,10 +1,11 @@
 // A small picture of one term of one path, from the view's terms file: around the chosen material.
-import { html, LitElement, type PropertyValues, type TemplateResult } from "lit";
+import { html, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 
 import { reasonOf } from "../data/reason";
 import { loadChunk, loadPlane } from "../data/pixels";
 import type { Report, View } from "../data/types";
+import { PageElement } from "../element";
 import { paintCanvas, type Job } from "./paint";
 import { loadDisplay } from "./source";
 import { boundsOf, type Box } from "./transform";
@@ -29,7 +30,7 @@ async function boxOf(view: View, material: number): Promise<Box> {
 }
 
 @customElement("parity-term-image")
-export class ParityTermImage extends LitElement {
+export class ParityTermImage extends PageElement {
   @property({ attribute: false }) report!: Report;
   @property({ attribute: false }) scene = -1; // places in the report
   @property({ attribute: false }) view = -1;
@@ -49,10 +50,6 @@ export class ParityTermImage extends LitElement {
     },
     { rootMargin: "200px" },
   );
-
-  protected override createRenderRoot(): this {
-    return this;
-  }
 
   override connectedCallback(): void {
     super.connectedCallback();

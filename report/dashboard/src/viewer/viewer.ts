@@ -1,5 +1,5 @@
 // The comparison of one view or one of its materials: panes, controls, the pixel's values and how FLIP is spread.
-import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 
 import type { Plane } from "../data/chunk";
@@ -8,6 +8,7 @@ import { pathTitle } from "../data/paths";
 import { kDefaultState, type ViewerState } from "../data/state";
 import type { Judged } from "../data/judged";
 import type { Report, View } from "../data/types";
+import { PageElement } from "../element";
 import { arrange, flipPlaneOf, type PaneModel } from "./arrange";
 import { controls } from "./controls";
 import "./flip_histogram";
@@ -28,7 +29,7 @@ const kHoldMs = 350; // a press that is longer shows mobile only as long as it l
 
 /** Event: "parity-state" (Partial<ViewerState>), bubbling. */
 @customElement("parity-viewer")
-export class ParityViewer extends LitElement {
+export class ParityViewer extends PageElement {
   @property({ attribute: false }) report!: Report;
   @property({ attribute: false }) scene = -1; // places in the report
   @property({ attribute: false }) view = -1;
@@ -43,10 +44,6 @@ export class ParityViewer extends LitElement {
   private restTimer = 0;
   private pressedAt = 0;
   private bounds: { plane: Plane; material: number; box: Box | null } | null = null;
-
-  protected override createRenderRoot(): this {
-    return this;
-  }
 
   constructor() {
     super();

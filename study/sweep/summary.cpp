@@ -1,0 +1,103 @@
+#include "study/sweep/summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "base/text/shown_text.h"
+#include "study/sweep/pareto.h"
+#include "study/sweep/statistics.h"
+
+namespace parity::sweep {
+
+namespace {
+
+// What is gathered of one setting.
+struct Gathered {
+  std::string id;
+  std::size_t scenes = 0;
+  std::vector<double> times, flip, relMse, fromFirst, fromFirstOfParts;
+};
+
+MedianWorst medianWorstOf(const std::vector<double>& values) {
+  if (values.empty()) return {};
+  if (std::ranges::any_of(values, [](double value) { return std::isnan(value); })) return {std::nan(""), std::nan("")};
+  return {quantileOf(values, 0.5), std::ranges::max(values)};
+}
+
+std::string cells(const MedianWorst& figures) {
+  return fmt::format(" {:.4f} | {:.4f} |", figures.median, figures.worst);
+}
+
+// A name as a cell, in which it is no more than text.
+std::string cellOf(const std::string& name) {
+  std::string cell;
+  for (const char c : base::plainLine(name)) cell += c == '|' ? "\\|" : c == '<' ? "&lt;" : std::string(1, c);
+  return cell;
+}
+
+} // namespace
+
+std::vector<SettingSummary> summarise(const SweepReport& report) {
+  std::vector<Gathered> all;
+  std::map<std::string, std::size_t> places;
+  for (const SceneSweep& scene : report.scenes)
+    for (const VariantResult& v : scene.variants) {
+      const auto [at, isNew] = places.emplace(v.id(), all.size());
+      if (isNew) all.emplace_back().id = v.id();
+      Gathered& g = all[at->second];
+      ++g.scenes;
+      if (const VariantResult* plain = findVariant(scene, v.path + ": default");
+          v.stage == Stage::shading && plain && timeOf(*plain) > 0)
+        g.times.push_back(timeOf(v) / timeOf(*plain));
+      if (v.whole.truth) {
+        g.flip.push_back(v.whole.truth->flipMean);
+        g.relMse.push_back(v.whole.truth->relMse);
+      }
+      g.fromFirst.push_back(v.whole.highend.flipMean);
+      for (const RegionErrors& material : v.materials) g.fromFirstOfParts.push_back(material.highend.flipMean);
+    }
+  std::vector<SettingSummary> summaries;
+  for (const Gathered& g : all)
+    summaries.push_back({g.id, g.scenes, medianWorstOf(g.times).median, medianWorstOf(g.flip), medianWorstOf(g.relMse),
+                         medianWorstOf(g.fromFirst), medianWorstOf(g.fromFirstOfParts)});
+  return summaries;
+}
+
+std::string toMarkdown(const SweepReport& report) {
+  const bool hasTruth = bestKnown(report) == Against::truth;
+  std::string text = "| setting | scenes | time over its default's |";
+  if (hasTruth) text += " FLIP against the truth | worst | relMSE against the truth | worst |";
+  text += " FLIP against the first path | worst | of its materials | worst |\n|---|---|---|---|---|---|---|";
+  text += hasTruth ? "---|---|---|---|\n" : "\n";
+  const std::vector<SettingSummary> summaries = summarise(report);
+  for (const SettingSummary& s : summaries) {
+    text += fmt::format("| {} | {} | {} |", s.id, s.scenes, s.time > 0 ? fmt::format("{:.2f}", s.time) : "");
+    if (hasTruth) text += cells(s.flip) + fmt::format(" {:.2e} | {:.2e} |", s.relMse.median, s.relMse.worst);
+    text += cells(s.fromFirst) + cells(s.fromFirstOfParts) + "\n";
+  }
+  text += fmt::format("\nFLIP of each scene against the {}:\n\n| setting |", hasTruth ? "truth" : "first path");
+  std::string line = "\n|---|";
+  for (const SceneSweep& scene : report.scenes) {
+    if (!scene.failure.empty()) continue;
+    text += " " + cellOf(scene.scene) + " |";
+    line += "---|";
+  }
+  text += line + "\n";
+  for (const SettingSummary& s : summaries) {
+    text += "| " + s.id + " |";
+    for (const SceneSweep& scene : report.scenes) {
+      if (!scene.failure.empty()) continue;
+      const VariantResult* v = findVariant(scene, s.id);
+      const std::optional<double> error =
+          v ? errorOf(v->whole, hasTruth ? Against::truth : Against::highend, "flip.mean") : std::nullopt;
+      text += error ? fmt::format(" {:.4f} |", *error) : " |";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+} // namespace parity::sweep
