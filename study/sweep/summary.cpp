@@ -56,8 +56,8 @@ std::vector<SettingSummary> summarise(const SweepReport& report) {
         g.flip.push_back(v.whole.truth->flipMean);
         g.relMse.push_back(v.whole.truth->relMse);
       }
-      g.fromFirst.push_back(v.whole.highend.flipMean);
-      for (const RegionErrors& material : v.materials) g.fromFirstOfParts.push_back(material.highend.flipMean);
+      g.fromFirst.push_back(v.whole.first.flipMean);
+      for (const RegionErrors& material : v.materials) g.fromFirstOfParts.push_back(material.first.flipMean);
     }
   std::vector<SettingSummary> summaries;
   for (const Gathered& g : all)
@@ -92,7 +92,7 @@ std::string toMarkdown(const SweepReport& report) {
       if (!scene.failure.empty()) continue;
       const VariantResult* v = findVariant(scene, s.id);
       const std::optional<double> error =
-          v ? errorOf(v->whole, hasTruth ? Against::truth : Against::highend, "flip.mean") : std::nullopt;
+          v ? errorOf(v->whole, hasTruth ? Against::truth : Against::first, "flip.mean") : std::nullopt;
       text += error ? fmt::format(" {:.4f} |", *error) : " |";
     }
     text += "\n";
