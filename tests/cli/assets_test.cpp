@@ -1,5 +1,6 @@
 // The seven real assets in the three real environments, through a whole report, with and without a sun.
 #include "cli/checks.h"
+#include "support/shared_assets.h"
 
 namespace parity::tests {
 namespace {

@@ -1,6 +1,5 @@
 // Debian's assimp-testmodels: real exports and broken files. Each loads or is refused with a reason, in bounded time
 // and memory; what comes of each is frozen in assimp_models.txt, so that no change goes unnoticed.
-#include <algorithm>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -29,7 +28,7 @@ std::string outcomeOf(const std::string& file, const RunResult& result) {
     return fmt::format("loads: {} triangles{}", info["triangles"].get<std::size_t>(),
                        warnings ? fmt::format(", warnings: {}", warnings) : "");
   }
-  const std::vector<std::string> lines = splitLines(result.err);
+  const std::vector<std::string> lines = linesOf(result.err);
   std::string reason = lines.empty() ? "without a word" : lines.front();
   if (const std::string head = "error: " + file + ": "; reason.starts_with(head)) reason.erase(0, head.size());
   return fmt::format("refused: {}{}", reason, lines.size() > 1 ? fmt::format(" (and {} more)", lines.size() - 1) : "");
@@ -51,7 +50,7 @@ TEST(AssimpModels, EachLoadsOrIsRefusedWithAReason) {
         << result.err;
     EXPECT_LT(result.peakMiB, 2048) << file;
     if (result.exitCode == 4) {
-      for (const std::string& line : splitLines(result.err))
+      for (const std::string& line : linesOf(result.err))
         EXPECT_TRUE(line.starts_with("error: " + file + ": ")) << line;
       EXPECT_TRUE(result.out.empty()) << file;
     }
@@ -67,7 +66,7 @@ TEST(AssimpModels, EachLoadsOrIsRefusedWithAReason) {
     const fs::path actual = fs::path(PARITY_BINARY_DIR) / "assimp_models-actual.txt";
     std::ofstream(actual, std::ios::binary) << table;
     ADD_FAILURE() << "the outcomes differ; if each is right: cp " << actual.string() << " " << known.string();
-    EXPECT_EQ(splitLines(table), splitLines(readWholeFile(known)));
+    EXPECT_EQ(linesOf(table), linesOf(readWholeFile(known)));
   }
 }
 

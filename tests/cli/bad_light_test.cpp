@@ -13,7 +13,7 @@ protected:
   // Renders the quad in this environment.
   RunResult renderIn(const std::string& environment) const {
     return runParity(join({{"render", writeExternal(m_folder, makeQuad(), "quad"), "--path", "mobile", "-o",
-                            (m_folder / "out.exr").string(), "--env", environment},
+                            path("out.exr"), "--env", environment},
                            kSmall}));
   }
   void expectEnvironmentRefused(const std::string& environment, const std::vector<std::string>& parts) const {
@@ -22,7 +22,7 @@ protected:
   }
   std::string writeSuite(const std::string& text) const {
     writeFile(m_folder / "suite.toml", text);
-    return (m_folder / "suite.toml").string();
+    return path("suite.toml");
   }
   // A suite is checked as a whole before anything is rendered or written.
   void expectSuiteRefused(const std::string& text, const std::vector<std::string>& parts) const {
@@ -41,19 +41,19 @@ std::string writeSpoiltEnvironment(const TempFolder& folder, const std::vector<s
 }
 
 TEST_F(BadLightTest, EnvironmentThatCannotBeReadIsRefused) {
-  expectEnvironmentRefused((m_folder / "none.hdr").string(), {"none.hdr", "does not exist"});
+  expectEnvironmentRefused(path("none.hdr"), {"none.hdr", "does not exist"});
   expectEnvironmentRefused("builtin:studo", {"builtin:studo", "builtin:studio"});
   writeFile(m_folder / "torn.hdr", std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16 +X 32\n\x02\x02"));
-  expectEnvironmentRefused((m_folder / "torn.hdr").string(), {"torn.hdr"});
+  expectEnvironmentRefused(path("torn.hdr"), {"torn.hdr"});
   writeFile(m_folder / "text.exr", std::string("not an image"));
-  expectEnvironmentRefused((m_folder / "text.exr").string(), {"text.exr"});
+  expectEnvironmentRefused(path("text.exr"), {"text.exr"});
 }
 
 TEST_F(BadLightTest, EnvironmentOfNoPixelsIsRefused) {
   writeFile(m_folder / "empty.hdr", std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 0 +X 0\n"));
-  expectEnvironmentRefused((m_folder / "empty.hdr").string(), {"empty.hdr"});
+  expectEnvironmentRefused(path("empty.hdr"), {"empty.hdr"});
   writeFile(m_folder / "empty.pfm", std::string("PF\n0 0\n-1.0\n"));
-  expectEnvironmentRefused((m_folder / "empty.pfm").string(), {"empty.pfm"});
+  expectEnvironmentRefused(path("empty.pfm"), {"empty.pfm"});
 }
 
 // The scene can still be shown: spoilt texels are replaced, counted and said.
@@ -62,7 +62,7 @@ TEST_F(BadLightTest, EnvironmentWithNanIsCleanedWithAWarning) {
   const RunResult result = renderIn(writeSpoiltEnvironment(m_folder, {{30, kNan}, {90, kInf}}));
   ASSERT_TRUE(exitedWith(0, result));
   EXPECT_TRUE(result.err.starts_with("warning: ")) << result.err;
-  EXPECT_EQ(splitLines(result.err).size(), 1u) << result.err;
+  EXPECT_EQ(linesOf(result.err).size(), 1u) << result.err;
   for (const char* part : {"spoilt", "1 NaN", "1 infinite"}) EXPECT_TRUE(contains(result.err, part)) << result.err;
   const base::Image spoilt = base::readImage(m_folder / "out.exr");
   for (const float value : spoilt.pixels) ASSERT_TRUE(std::isfinite(value));
@@ -107,15 +107,15 @@ TEST_F(BadLightTest, SuiteThatCannotBeUsedIsRefused) {
   expectSuiteRefused("[[scene]]\nfile = 3\n", {"suite.toml", "line 2", "file", "not a string"});
   expectSuiteRefused("[[scene]\n", {"suite.toml", "line 1"});
   expectSuiteRefused("name = \"nothing\"\n", {"suite.toml", "no scene"});
-  expectRefused(runParity({"report", "--suite", (m_folder / "none.toml").string(), "-o", (m_folder / "out").string()}),
-                4, {"none.toml", "does not exist"});
+  expectRefused(runParity({"report", "--suite", path("none.toml"), "-o", path("out")}), 4,
+                {"none.toml", "does not exist"});
 }
 
 TEST_F(BadLightTest, BudgetsThatCannotBeUsedAreRefusedBeforeAnythingIsRendered) {
   const std::filesystem::path folder = m_folder / "out";
   writeFile(m_folder / "budgets.toml", std::string("[[material]]\nname = \"*\"\nchecks = [{ metric = \"flip.men\", "
                                                    "fail = 0.1 }]\n"));
-  const std::vector<std::string> budgets = {"--budgets", (m_folder / "budgets.toml").string()};
+  const std::vector<std::string> budgets = {"--budgets", path("budgets.toml")};
   expectRefused(runParity(join({{"diff", "builtin:furnace"}, budgets, kSmall})), 4,
                 {"budgets.toml", "line 3", "flip.men", "flip.mean"});
   expectRefused(
@@ -130,8 +130,8 @@ TEST_F(BadLightTest, BudgetsThatCannotBeUsedAreRefusedBeforeAnythingIsRendered) 
   refused("", "region = \"interior\", ", {"budgets.toml", "line 3", "'region' is gone", "one figure"});
   refused("min_pixels = -1\n", "", {"budgets.toml", "line 3", "min_pixels", "-1"});
   refused("min_pixels = 1.5\n", "", {"budgets.toml", "line 3", "min_pixels", "whole number"});
-  expectRefused(runParity(join({{"diff", "builtin:furnace", "--budgets", (m_folder / "none.toml").string()}, kSmall})),
-                4, {"none.toml", "does not exist"});
+  expectRefused(runParity(join({{"diff", "builtin:furnace", "--budgets", path("none.toml")}, kSmall})), 4,
+                {"none.toml", "does not exist"});
 }
 
 } // namespace

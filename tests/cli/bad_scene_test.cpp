@@ -110,7 +110,7 @@ class BadSceneTest : public RenderingTest, public testing::WithParamInterface<Ba
 TEST_P(BadSceneTest, IsRefusedInOneLineAndNothingIsWritten) {
   const std::string scene = GetParam().write(m_folder);
   const std::vector<std::string> before = listFiles(m_folder.path());
-  const std::string output = (m_folder / "out.exr").string();
+  const std::string output = path("out.exr");
   expectRefused(runParity(join({{"render", scene, "--path", "highend", "-o", output}, kSun, kSmall})), 4,
                 GetParam().parts);
   EXPECT_EQ(listFiles(m_folder.path()), before);
@@ -123,7 +123,7 @@ TEST_P(BadSceneTest, IsAnErrorInAReportThatIsWhole) {
   const std::filesystem::path folder = m_folder / "out";
   const RunResult result = runParity(join({{"report", scene, "-o", folder.string()}, kSun, kSmall}));
   EXPECT_TRUE(exitedWith(4, result));
-  EXPECT_EQ(splitLines(result.err).size(), 1u) << result.err;
+  EXPECT_EQ(linesOf(result.err).size(), 1u) << result.err;
   EXPECT_EQ(listFiles(folder), reportFiles());
 
   const nlohmann::json report = readReport(folder);
@@ -144,10 +144,9 @@ TEST_F(BadSceneAmongOthers, DoesNotStopThem) {
   writeFile(m_folder / "torn.gltf", std::string("{"));
   const std::string good = writeExternal(m_folder, makeQuad(), "good");
   const std::filesystem::path folder = m_folder / "out";
-  const RunResult result =
-      runParity(join({{"report", (m_folder / "torn.gltf").string(), good, (m_folder / "none.glb").string(),
-                       "builtin:furnace", "-o", folder.string(), "--env", "builtin:white"},
-                      kSmall}));
+  const RunResult result = runParity(join({{"report", path("torn.gltf"), good, path("none.glb"), "builtin:furnace",
+                                            "-o", folder.string(), "--env", "builtin:white"},
+                                           kSmall}));
   EXPECT_TRUE(exitedWith(4, result));
 
   const nlohmann::json report = readReport(folder);

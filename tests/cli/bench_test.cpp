@@ -18,7 +18,7 @@ TEST(BenchOptions, OlderNameIsTakenWithANote) {
 }
 
 TEST_F(BenchOnDevice, writesItsFilesAndAJudgementOfAnEarlierRun) {
-  const RunResult first = runParity(join({kShort, {"-o", (m_folder / "a").string(), "--budget", "flip.mean=0.9"}}));
+  const RunResult first = runParity(join({kShort, {"-o", path("a"), "--budget", "flip.mean=0.9"}}));
   ASSERT_TRUE(exitedWith(0, first));
   std::vector<std::string> files = {"bench.csv", "bench.json", "bench.md", "index.html", "pareto-1.svg"};
   if (!kHasPage) std::erase(files, "index.html");
@@ -34,7 +34,7 @@ TEST_F(BenchOnDevice, writesItsFilesAndAJudgementOfAnEarlierRun) {
     nlohmann::json other = json;
     for (nlohmann::json& variant : other["scenes"][0]["variants"])
       for (nlohmann::json& time : variant["timeMs"]["device"]["rounds"]) time = time.get<double>() * factor;
-    const std::string file = (m_folder / "other.json").string();
+    const std::string file = path("other.json");
     base::writeText(file, other.dump());
     const RunResult second = runParity(join({kShort, {"--compare", file}}));
     EXPECT_TRUE(exitedWith(factor < 1 ? 2 : 0, second));
@@ -66,7 +66,7 @@ orbit = [40, 70, 0]
       "--size",  "24x24",          "--rounds",    "2", "--error", "20%", "--settings", "highend: compensation none",
       "--paths", "highend,mobile", "--validation"};
   const std::filesystem::path folder = m_folder / "out";
-  const RunResult result = runParity(join({{"bench", "--suite", (m_folder / "suite.toml").string(), "-o", folder.string()}, options}));
+  const RunResult result = runParity(join({{"bench", "--suite", path("suite.toml"), "-o", folder.string()}, options}));
   ASSERT_TRUE(exitedWith(0, result));
   const nlohmann::json json = nlohmann::json::parse(readWholeFile(folder / "bench.json"));
   std::vector<std::string> names, environments, presets;

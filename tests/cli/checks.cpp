@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <fstream>
 #include <set>
-#include <sstream>
+
+#include "base/image/image_io.h"
 
 namespace parity::tests {
 
@@ -15,6 +16,15 @@ std::string missingDriver() {
 
 void RenderingTest::SetUp() {
   if (const std::string missing = missingDriver(); !missing.empty()) GTEST_SKIP() << missing;
+}
+
+base::Image RenderingTest::render(const std::string& scene, const std::string& by, const std::vector<std::string>& more,
+                                  const std::string& file) const {
+  const RunResult result = runParity(join({{"render", scene, "--path", by, "-o", path(file), "--validation"}, more}));
+  EXPECT_TRUE(exitedWith(0, result));
+  EXPECT_EQ(result.out, "");
+  m_err = result.err;
+  return base::readImage(m_folder / file);
 }
 
 testing::AssertionResult exitedWith(int code, const RunResult& result) {
@@ -37,18 +47,11 @@ bool isReported(const RunResult& result) {
 void expectRefused(const RunResult& result, int code, const std::vector<std::string>& parts) {
   EXPECT_TRUE(exitedWith(code, result));
   EXPECT_EQ(result.out, "") << result.commandLine;
-  const std::vector<std::string> lines = splitLines(result.err);
+  const std::vector<std::string> lines = linesOf(result.err);
   EXPECT_EQ(lines.size(), 1u) << result.commandLine << "\n" << result.err;
   EXPECT_TRUE(result.err.starts_with("error: ")) << result.err;
   for (const std::string& part : parts) EXPECT_TRUE(contains(result.err, part)) << part << " in: " << result.err;
   EXPECT_LT(result.peakMiB, 2048) << result.commandLine;
-}
-
-std::vector<std::string> splitLines(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
 }
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "base/image/image.h"
+#include "base/lines_of.h"
 #include "cli/run_parity.h"
 #include "scenes/gltf/gltf_writer.h"
 
@@ -20,11 +22,26 @@ inline const std::vector<std::string> kSun = {"--sun", "30,50,4"};
 // What the program says where there is no Vulkan driver; empty where there is one.
 std::string missingDriver();
 
-// A test that renders: skipped, visibly, where there is no Vulkan driver. Has a folder of its own.
-class RenderingTest : public testing::Test {
+// A test with a folder of its own.
+class FolderTest : public testing::Test {
+protected:
+  std::string path(const std::string& name) const { return (m_folder / name).string(); }
+  // The file's path.
+  std::string write(const std::string& name, const std::string& text) const {
+    writeFile(m_folder / name, text);
+    return path(name);
+  }
+  const TempFolder m_folder;
+};
+
+// One that renders: skipped, visibly, where there is no Vulkan driver.
+class RenderingTest : public FolderTest {
 protected:
   void SetUp() override;
-  const TempFolder m_folder;
+  // The picture that parity render SCENE --path PATH makes, under the validation layer; what it said goes to m_err.
+  base::Image render(const std::string& scene, const std::string& by, const std::vector<std::string>& more,
+                     const std::string& file = "out.exr") const;
+  mutable std::string m_err;
 };
 
 // Passes where the program came to an end by itself with this exit code; else says what it printed.
@@ -37,7 +54,6 @@ bool isReported(const RunResult& result);
 // below 2 GiB (DESIGN 10).
 void expectRefused(const RunResult& result, int code, const std::vector<std::string>& parts);
 
-std::vector<std::string> splitLines(const std::string& text);
 bool contains(const std::string& text, const std::string& part);
 std::string readWholeFile(const std::filesystem::path& file);
 

@@ -23,7 +23,7 @@ TEST_F(DevicesTest, SoftwareDeviceIsTheDefault) {
   ASSERT_TRUE(exitedWith(0, result));
   if (!contains(result.out, "llvmpipe")) GTEST_SKIP() << "no lavapipe here:\n" << result.out;
   bool found = false;
-  for (const std::string& line : splitLines(result.out)) found |= line.starts_with("* ") && contains(line, "llvmpipe");
+  for (const std::string& line : linesOf(result.out)) found |= line.starts_with("* ") && contains(line, "llvmpipe");
   EXPECT_TRUE(found) << result.out;
   EXPECT_TRUE(contains(result.out, "taken: the software device is the default")) << result.out;
   EXPECT_TRUE(exitedWith(0, runParity({"devices", "--device", "LLVMpipe"})));
@@ -43,7 +43,7 @@ TEST_F(DevicesTest, UnknownNameIsRefusedWithTheDevicesThereAre) {
   const RunResult listed = runParity({"devices", "--device", "voodoo"});
   EXPECT_TRUE(exitedWith(4, listed));
   EXPECT_TRUE(contains(listed.out, first)) << listed.out;
-  EXPECT_EQ(splitLines(listed.err).size(), 1u) << listed.err;
+  EXPECT_EQ(linesOf(listed.err).size(), 1u) << listed.err;
   EXPECT_TRUE(contains(listed.err, "voodoo")) << listed.err;
 }
 

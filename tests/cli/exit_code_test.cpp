@@ -15,7 +15,7 @@ protected:
   }
   std::string writePicture(const std::string& name, int width, int height) const {
     base::writeImage8(m_folder / name, base::Image8(width, height, 3, 128));
-    return (m_folder / name).string();
+    return path(name);
   }
 };
 
@@ -48,7 +48,7 @@ TEST_F(ExitCodeTest, Is3ForImagesOfDifferentSize) {
 
 TEST_F(ExitCodeTest, Is4ForWhatCannotBeReadOrWritten) {
   const std::string picture = writePicture("picture.png", 16, 16);
-  expectRefused(runParity({"flip", picture, (m_folder / "none.png").string()}), 4, {"none.png", "does not exist"});
+  expectRefused(runParity({"flip", picture, path("none.png")}), 4, {"none.png", "does not exist"});
   expectRefused(runParity({"flip", picture, picture, "-o", picture + "/map.exr"}), 4, {"picture.png"});
   EXPECT_TRUE(exitedWith(4, diffSpheres("fail = 0.999", {"--material", "no such *"})));
 }
@@ -95,7 +95,7 @@ TEST_F(ExitCodeTest, Is2WhereAnAssetHasLostAMaterialThatHasToBeSeen) {
   EXPECT_TRUE(exitedWith(0, report({})));
   const RunResult warned = report({"--warn-exit"});
   EXPECT_TRUE(exitedWith(1, warned));
-  ASSERT_EQ(splitLines(warned.err).size(), 1u) << warned.err;
+  ASSERT_EQ(linesOf(warned.err).size(), 1u) << warned.err;
   EXPECT_TRUE(warned.err.starts_with("warning: hero.toml: a rule judges nothing")) << warned.err;
   EXPECT_TRUE(contains(readWholeFile(folder / "junit.xml"), "<system-out>warning: hero.toml: a rule judges nothing"));
 }
@@ -103,7 +103,7 @@ TEST_F(ExitCodeTest, Is2WhereAnAssetHasLostAMaterialThatHasToBeSeen) {
 // The highest that applies wins.
 TEST_F(ExitCodeTest, Is4WhereOneSceneIsOverBudgetAndAnotherFailed) {
   const RunResult result = runParity(join({{"report", "builtin:furnace", "builtin:nothing", "--budgets",
-                                            writeBudgets(m_folder, "fail = 0.0"), "-o", (m_folder / "out").string()},
+                                            writeBudgets(m_folder, "fail = 0.0"), "-o", path("out")},
                                            kSmall}));
   EXPECT_TRUE(exitedWith(4, result));
   EXPECT_EQ(readReport(m_folder / "out")["scenes"][0]["verdict"], "fail");

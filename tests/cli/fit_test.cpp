@@ -1,5 +1,4 @@
 // parity fit: constants on stdout or in a file, alone there; what the shader holds by default.
-#include <cmath>
 
 #include "cli/checks.h"
 

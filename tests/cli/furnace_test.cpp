@@ -19,7 +19,7 @@ protected:
   // Renders builtin:furnace and returns the mean over each sphere's disc. The discs are found through the scene.
   std::vector<Disc> renderDiscs(const std::vector<std::string>& more) const {
     constexpr int kSize = 512;
-    const std::string file = (m_folder / "furnace.exr").string();
+    const std::string file = path("furnace.exr");
     const RunResult result = runParity(join({{"render", "builtin:furnace", "--path", "highend", "--size", "512x512",
                                               "--background", "0,0,0", "--validation", "-o", file},
                                              more}));

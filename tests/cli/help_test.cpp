@@ -68,7 +68,7 @@ void expectHelp(const std::vector<std::string>& arguments, const std::vector<std
   EXPECT_EQ(result.err, "");
   for (const std::string& word : mentioned)
     EXPECT_TRUE(contains(result.out, word)) << "'" << word << "' is not in" << result.commandLine;
-  for (const std::string& line : splitLines(result.out)) EXPECT_LE(line.size(), 132u) << line;
+  for (const std::string& line : linesOf(result.out)) EXPECT_LE(line.size(), 132u) << line;
 }
 
 TEST(Help, NamesEveryBuiltInScene) {
@@ -144,8 +144,8 @@ TEST_F(StreamsTest, JsonIntoAFileLeavesTheTableOnStdout) {
 TEST_F(StreamsTest, ReportPrintsItsTableAndWhereThePageLies) {
   const std::filesystem::path folder = m_folder / "out";
   const RunResult result = runParity(join({{"report", "builtin:furnace", "-o", folder.string()}, kSmall}));
-  ASSERT_FALSE(splitLines(result.out).empty());
-  EXPECT_EQ(splitLines(result.out).back(),
+  ASSERT_FALSE(linesOf(result.out).empty());
+  EXPECT_EQ(linesOf(result.out).back(),
             kHasPage ? (folder / "index.html").string()
                      : (folder / "report.json").string() + " (this parity was built without the page index.html)");
   EXPECT_FALSE(contains(result.out, "\x1b[")) << "colours are for terminals";

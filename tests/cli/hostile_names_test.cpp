@@ -24,7 +24,7 @@ const std::vector<std::string> kHostile = {"::stop-commands::tok",
 // What a terminal or a CI server would take for more than text; `commands`: lines of our own annotations may stand
 // there.
 void expectHarmless(const std::string& text, const std::string& where, bool commands = false) {
-  for (const std::string& line : splitLines(text)) {
+  for (const std::string& line : linesOf(text)) {
     const std::size_t start = std::min(line.find_first_not_of(" \t\r"), line.size());
     const bool isOurs = commands && (line.starts_with("::error ") || line.starts_with("::warning "));
     EXPECT_FALSE(line.compare(start, 2, "::") == 0 && !isOurs) << where << ": " << line;
@@ -142,7 +142,7 @@ TEST_F(HostileNamesTest, OfScenesAndMaterialsAreTextInEveryFormat) {
   const RunResult csv = runParity(join({bench, {"--csv", "-"}}), here);
   expectHarmless(csv);
   expectNoFormulas(csv.out, "bench --csv -");
-  for (const std::string& line : splitLines(csv.out)) EXPECT_FALSE(contains(line, "\uFFFD\r")) << line;
+  for (const std::string& line : linesOf(csv.out)) EXPECT_FALSE(contains(line, "\uFFFD\r")) << line;
   EXPECT_EQ(readCsv(csv.out).back().size(), readCsv(csv.out).front().size());
   EXPECT_TRUE(nlohmann::json::accept(runParity(join({bench, {"--json", "-"}}), here).out));
 }

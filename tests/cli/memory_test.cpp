@@ -11,7 +11,7 @@ protected:
   long peakOf(const std::string& scene, const char* command) {
     const std::vector<std::string> arguments =
         std::string(command) == "render"
-            ? join({{"render", scene, "--path", "mobile", "-o", (m_folder / "out.exr").string()}, kSun, kSmall})
+            ? join({{"render", scene, "--path", "mobile", "-o", path("out.exr")}, kSun, kSmall})
             : join({{"diff", scene, "--size", "128x128", "--validation"}, kSun}); // enough pixels to be judged
     const RunResult result = runParity(arguments);
     EXPECT_TRUE(result.exitCode == 0 || result.exitCode == 2) << result.err; // 2: the paths differ, as they may
@@ -33,7 +33,7 @@ TEST_F(MemoryTest, ofTexturesStaysWithinTwiceWhatTheyAreDecodedTo) {
   const auto texture = [&](int index) { return nlohmann::json{{"index", index}}; };
   for (int i = 0; i < 3 * kMaterials; ++i) {
     const std::string name = "paint" + std::to_string(i) + ".png";
-    base::writeImage8((m_folder / name).string(), base::Image8(kSide, kSide, 3, static_cast<std::uint8_t>(100 + i)));
+    base::writeImage8(path(name), base::Image8(kSide, kSide, 3, static_cast<std::uint8_t>(100 + i)));
     file.json["images"].push_back({{"uri", name}});
     file.json["textures"].push_back({{"source", i}});
   }

@@ -189,7 +189,7 @@ TEST(Options, OfEveryCommandAreUsedByATest) {
                (contains(text, '"' + option + '"') || contains(text, '"' + option + ' '));
       });
     };
-    for (const std::string& line : splitLines(runParity(join({command, {"--help"}})).out)) {
+    for (const std::string& line : linesOf(runParity(join({command, {"--help"}})).out)) {
       std::smatch match;
       if (!std::regex_search(line, match, listed)) continue;
       ++count;

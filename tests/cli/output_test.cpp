@@ -40,9 +40,7 @@ TEST_F(OutputTest, ReportReplacesAnOlderOneAndSparesWhatIsNotItsOwn) {
 
 TEST_F(OutputTest, ScenesOfOneNameAreKeptApart) {
   std::vector<std::string> command =
-      join({{"report", "--budgets", writeBudgets(m_folder, "fail = 0.999"), "-o", (m_folder / "out").string()},
-            kSun,
-            kSmall});
+      join({{"report", "--budgets", writeBudgets(m_folder, "fail = 0.999"), "-o", path("out")}, kSun, kSmall});
   for (const char* folder : {"a", "b"}) {
     std::filesystem::create_directory(m_folder / folder);
     command.push_back(writeGlb(m_folder, makeQuad(), std::string(folder) + "/quad"));
@@ -64,9 +62,9 @@ TEST_F(OutputTest, FileInTheWayOfTheReportIsSaidBeforeAnythingIsRendered) {
 TEST_F(OutputTest, FileInTheWayOfAPictureIsSaid) {
   writeFile(m_folder / "file", std::string("in the way"));
   const std::vector<std::string> render = {"render", "builtin:furnace", "--path", "mobile", "-o"};
-  expectRefused(runParity(join({render, {(m_folder / "file" / "out.exr").string()}, kSmall})), 4, {"file"});
+  expectRefused(runParity(join({render, {path("file/out.exr")}, kSmall})), 4, {"file"});
   std::filesystem::create_directory(m_folder / "folder.exr");
-  expectRefused(runParity(join({render, {(m_folder / "folder.exr").string()}, kSmall})), 4, {"folder.exr"});
+  expectRefused(runParity(join({render, {path("folder.exr")}, kSmall})), 4, {"folder.exr"});
   EXPECT_EQ(listFiles(m_folder.path()), std::vector<std::string>{"file"});
 }
 
@@ -94,17 +92,14 @@ TEST_F(OutputTest, AnInterruptedRunSaysWhatWasKept) {
   for (const int signal : {SIGINT, SIGTERM}) {
     options.interruptBy = signal;
     const RunResult result = runParity(
-        join({{"report", "builtin:furnace", "builtin:spheres", "-o", (m_folder / "out").string(), "--no-cache"},
-              kSmall}),
-        options);
+        join({{"report", "builtin:furnace", "builtin:spheres", "-o", path("out"), "--no-cache"}, kSmall}), options);
     EXPECT_EQ(result.signal, signal) << result.err;
     EXPECT_TRUE(contains(result.err, "error: interrupted: 0 of 2 scenes are compared; ")) << result.err;
     EXPECT_TRUE(contains(result.err, "out holds no report")) << result.err;
   }
   options.interruptAt = "loading";
-  const RunResult rendered = runParity(
-      join({{"render", "builtin:spheres", "--path", "reference", "-o", (m_folder / "a.exr").string()}, kSmall}),
-      options);
+  const RunResult rendered =
+      runParity(join({{"render", "builtin:spheres", "--path", "reference", "-o", path("a.exr")}, kSmall}), options);
   if (rendered.signal == options.interruptBy) { // else it was faster
     EXPECT_TRUE(contains(rendered.err, "error: render: interrupted: nothing is written")) << rendered.err;
   }

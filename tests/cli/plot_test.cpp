@@ -8,7 +8,7 @@ namespace {
 
 std::vector<std::vector<std::string>> readCsv(const std::filesystem::path& file) {
   std::vector<std::vector<std::string>> rows;
-  for (const std::string& line : splitLines(readWholeFile(file))) {
+  for (const std::string& line : linesOf(readWholeFile(file))) {
     std::istringstream cells(line);
     rows.emplace_back();
     for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
@@ -62,8 +62,7 @@ TEST_F(PlotTest, HoldsTheSecondPathAgainstTheFirst) {
 }
 
 TEST_F(PlotTest, RefusesASceneThatIsNotThere) {
-  expectRefused(runParity({"plot", "env-brdf", "builtin:nothing", "-o", (m_folder / "plot").string()}), 4,
-                {"builtin:nothing"});
+  expectRefused(runParity({"plot", "env-brdf", "builtin:nothing", "-o", path("plot")}), 4, {"builtin:nothing"});
 }
 
 } // namespace

@@ -13,13 +13,9 @@ namespace {
 class RenderTest : public RenderingTest {
 protected:
   // The picture read back from the file.
-  base::Image render(const std::string& scene, const std::string& path, const std::string& file,
+  base::Image render(const std::string& scene, const std::string& by, const std::string& file,
                      const std::vector<std::string>& more) const {
-    const RunResult result =
-        runParity(join({{"render", scene, "--path", path, "-o", (m_folder / file).string(), "--validation"}, more}));
-    EXPECT_TRUE(exitedWith(0, result));
-    EXPECT_EQ(result.out, "");
-    return base::readImage(m_folder / file);
+    return RenderingTest::render(scene, by, more, file);
   }
 };
 

@@ -151,7 +151,7 @@ TEST_F(ResultCacheTest, ChangedTextureRendersOnlyTheScenesThatUseIt) {
 TEST_F(ResultCacheTest, BufferAndEnvironmentCountByTheirContent) {
   paint("a.png", 200);
   const std::string scene = writeScene("one", "a.png");
-  const std::string sky = (m_folder / "sky.hdr").string();
+  const std::string sky = path("sky.hdr");
   base::writeImage(sky, base::Image(8, 4, 3, 0.5f));
   EXPECT_EQ(report({scene}).cached(), kNone);
   EXPECT_EQ(report({scene}, {"--env", sky}).cached(), kNone);
@@ -178,8 +178,8 @@ TEST_F(ResultCacheTest, LinkThatLeadsElsewhereIsAnotherScene) {
   EXPECT_EQ(report({scene}).cached().size(), 1u);
   std::filesystem::remove(m_folder / "asset/paint.png");
   std::filesystem::create_symlink("../outside.png", m_folder / "asset/paint.png"); // the same content
-  const RunResult refused = runParity({"report", scene, "--size", "48x48", "--sun", "60,60,4", "--cache",
-                                       cache().string(), "-q", "-o", (m_folder / "last").string()});
+  const RunResult refused = runParity(
+      {"report", scene, "--size", "48x48", "--sun", "60,60,4", "--cache", cache().string(), "-q", "-o", path("last")});
   EXPECT_TRUE(exitedWith(4, refused)) << "the link leaves the asset's folder";
 }
 

@@ -51,7 +51,7 @@ TEST(Info, ListsAllProblemsOfAFile) {
   const RunResult result = runParity({"info", path});
   EXPECT_TRUE(exitedWith(4, result));
   EXPECT_TRUE(result.out.empty()) << result.out;
-  const std::vector<std::string> lines = splitLines(result.err);
+  const std::vector<std::string> lines = linesOf(result.err);
   ASSERT_EQ(lines.size(), 3u) << result.err;
   for (const std::string& line : lines) EXPECT_TRUE(line.starts_with("error: " + path + ": /")) << line;
 }
@@ -66,14 +66,14 @@ TEST_F(SeveralProblems, AreALineEachWhereverAReportNamesThem) {
   const RunResult result = runParity(join(
       {{"report", path, "-o", (m_folder / "out").string(), "--annotate", "github", "--env", "builtin:white"}, kSmall}));
   EXPECT_TRUE(exitedWith(4, result));
-  const std::vector<std::string> lines = splitLines(result.out);
+  const std::vector<std::string> lines = linesOf(result.out);
   EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
                           [](const std::string& line) { return line.starts_with("bad-embedded: error: "); }),
             2)
       << result.out;
-  for (const std::string& line : splitLines(result.err)) EXPECT_TRUE(line.starts_with("error: bad-embedded: ")) << line;
+  for (const std::string& line : linesOf(result.err)) EXPECT_TRUE(line.starts_with("error: bad-embedded: ")) << line;
   const std::string message = readReport(m_folder / "out")["scenes"][0]["error"]["message"];
-  EXPECT_EQ(splitLines(message).size(), 2u) << message;
+  EXPECT_EQ(linesOf(message).size(), 2u) << message;
   EXPECT_FALSE(contains(message, m_folder.path().string())) << message;
   EXPECT_FALSE(contains(readWholeFile(m_folder / "out" / "junit.xml"), m_folder.path().string()));
 }

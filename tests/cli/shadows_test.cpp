@@ -8,12 +8,8 @@ namespace {
 
 class ShadowsTest : public RenderingTest {
 protected:
-  base::Image render(const std::string& scene, const std::string& path, const std::vector<std::string>& options) const {
-    const std::string file = (m_folder / "out.exr").string();
-    const RunResult result = runParity(join({{"render", scene, "--path", path, "-o", file}, kSmall, options}));
-    EXPECT_TRUE(exitedWith(0, result));
-    m_err = result.err;
-    return base::readImage(file);
+  base::Image render(const std::string& scene, const std::string& by, const std::vector<std::string>& options) const {
+    return RenderingTest::render(scene, by, join({{"--size", "64x64"}, options}));
   }
   nlohmann::json report(const std::vector<std::string>& arguments) const {
     const std::filesystem::path folder = m_folder / "report";
@@ -54,7 +50,6 @@ protected:
     }
     return writeEmbedded(m_folder, std::move(file), "lit");
   }
-  mutable std::string m_err;
 };
 
 double sumOf(const base::Image& image) {

@@ -35,7 +35,7 @@ TEST(Stress, whatItReportsCanBeReproduced) {
   const RunResult result = runParity({"stress", "--device-points", "0", "--at", at});
   ASSERT_TRUE(exitedWith(0, result));
   for (const char* part : {"cpu fp64", "cpu fp32", "cpu fp16"}) EXPECT_TRUE(contains(result.out, part)) << result.out;
-  EXPECT_EQ(splitLines(result.out).front(), at);
+  EXPECT_EQ(linesOf(result.out).front(), at);
 }
 
 TEST(Stress, listNamesFunctionsAndScenes) {

@@ -126,9 +126,7 @@ const BadUsage kBadUsages[] = {
     {"ShadowMapSize", {"diff", "builtin:furnace", "--shadow-map-size", "1000"}, {"--shadow-map-size", "1024"}},
     {"ShadowFilter", {"diff", "builtin:furnace", "--shadow-filter", "2"}, {"--shadow-filter", "3"}},
     {"ReferenceErrorOfNothing", {"diff", "builtin:furnace", "--truth", "--error", "0"}, {"--error", "'0'"}},
-    {"ReferenceOfARender",
-     {"render", "builtin:furnace", "--path", "mobile", "-o", "o.exr", "--truth"},
-     {"--truth"}},
+    {"ReferenceOfARender", {"render", "builtin:furnace", "--path", "mobile", "-o", "o.exr", "--truth"}, {"--truth"}},
     {"UnknownSpecularAa", {"diff", "builtin:furnace", "--specular-aa", "lean"}, {"--specular-aa", "toksvig"}},
     {"UnknownPlot", {"plot", "env-brfd", "-o", "out"}, {"env-brfd", "env-brdf"}},
     {"PlotWithoutFolder", {"plot", "env-brdf"}, {"--output"}},
@@ -162,7 +160,7 @@ TEST_P(UsageTest, Exits64WithTheReasonOnStderrAndWritesNothing) {
   EXPECT_EQ(result.out, "");
   for (const std::string& part : GetParam().parts)
     EXPECT_TRUE(contains(result.err, part)) << part << " in: " << result.err;
-  EXPECT_LE(splitLines(result.err).size(), 2u) << "a reason and where to find help: " << result.err;
+  EXPECT_LE(linesOf(result.err).size(), 2u) << "a reason and where to find help: " << result.err;
   EXPECT_EQ(listFiles(folder.path()), std::vector<std::string>());
 }
 
@@ -173,7 +171,7 @@ class UnknownNameTest : public RenderingTest {};
 
 // Names that only the scene can tell from wrong ones.
 TEST_F(UnknownNameTest, CameraOrGlobThatTheSceneDoesNotKnowIsSaidWithTheKnownOnes) {
-  const std::string output = (m_folder / "out.exr").string();
+  const std::string output = path("out.exr");
   const std::vector<std::string> render = {"render", "builtin:furnace", "--path", "mobile", "-o", output};
   expectRefused(runParity(join({render, {"--camera", "left"}, kSmall})), 64, {"left", "default"});
   expectRefused(runParity(join({render, {"--fully-rough", "rock*"}, kSmall})), 64, {"rock*", "no material"});

@@ -9,6 +9,7 @@
 #include "scenes/gltf/tangents.h"
 #include "scenes/load.h"
 #include "scenes/view.h"
+#include "support/shared_assets.h"
 
 namespace parity::tests {
 namespace {

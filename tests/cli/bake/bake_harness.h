@@ -27,10 +27,10 @@ using FolderContent = std::map<std::string, std::string>;
 FolderContent readFolder(const std::filesystem::path& folder);
 
 // Bakes into folders below one of its own, with a cache of its own.
-class BakeTest : public testing::Test {
+class BakeTest : public FolderTest {
 protected:
   RunResult run(const std::vector<std::string>& words, const RunOptions& options = {}) const {
-    return runParity(join({words, {"--cache", (m_folder / "cache").string()}}), options);
+    return runParity(join({words, {"--cache", path("cache")}}), options);
   }
   // kQuickBake goes before `options`, which therefore may give none of its options again.
   RunResult tryBake(const std::vector<std::string>& scenes, const std::string& folder,
@@ -44,11 +44,8 @@ protected:
     EXPECT_TRUE(exitedWith(0, result));
     return path(folder);
   }
-  std::string path(const std::string& name) const { return (m_folder / name).string(); }
   // Names directly in the test's folder.
   std::vector<std::string> entries() const;
-
-  const TempFolder m_folder;
 };
 
 // Those that render.

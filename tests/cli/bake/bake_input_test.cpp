@@ -63,7 +63,7 @@ TEST_F(BakeInputTest, uvsOfTheFileAreTakenWhereTheyServe) {
     file.primitive()["attributes"].erase("TEXCOORD_0");
     const RunResult result = tryBake({write(file, name)}, name);
     EXPECT_TRUE(exitedWith(0, result));
-    for (const std::string& line : splitLines(result.err))
+    for (const std::string& line : linesOf(result.err))
       if (contains(line, "ground")) return line;
     return result.err;
   };
@@ -87,7 +87,7 @@ TEST_F(BakeInputTest, manyObjects) {
   const RunResult result = run({"bake", scene, "-o", path("out"), "--texels-per-metre", "1", "--error", "50%",
                                 "--captures", "0", "--max-samples", "512", "--bounces", "0"});
   EXPECT_TRUE(exitedWith(0, result));
-  EXPECT_LT(splitLines(result.err).size(), 30u);
+  EXPECT_LT(linesOf(result.err).size(), 30u);
   EXPECT_LT(result.peakMiB, 2048);
 }
 

@@ -221,7 +221,7 @@ TEST_F(BakeRepeatTest, notesOfManyMeshesAreCutShortUnlessAskedFor) {
   const std::string scene = writeEmbedded(m_folder, std::move(file));
   const auto notes = [](const RunResult& result) {
     std::size_t count = 0;
-    for (const std::string& line : splitLines(result.err)) count += contains(line, "unwrapped into");
+    for (const std::string& line : linesOf(result.err)) count += contains(line, "unwrapped into");
     return count;
   };
   const RunResult few = tryBake({scene}, "a"), all = tryBake({scene}, "b", {"-v"}),

@@ -9,14 +9,7 @@
 namespace parity::tests {
 namespace {
 
-class FlipInputs : public testing::Test {
-protected:
-  std::string write(const std::string& name, const base::Image& image) const {
-    base::writeImage(m_folder / name, image);
-    return (m_folder / name).string();
-  }
-  const TempFolder m_folder;
-};
+class FlipInputs : public FlipPictures {};
 
 double decodeSrgb(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
 
@@ -78,9 +71,7 @@ TEST_F(FlipInputs, AlphaAsAChannelHasARowOfItsOwn) {
   EXPECT_EQ(rows[0]["figures"]["metrics"]["flip.max"], 0) << "the colour is the same";
   EXPECT_EQ(rows[1]["name"], "alpha");
   EXPECT_NEAR(rows[1]["figures"]["metrics"]["rmse"].get<double>(), 127 / 255., 1e-6);
-  flipJson({(m_folder / "a.png").string(), (m_folder / "b.png").string(), "--alpha", "channel", "--metric", "flip.mean",
-            "--fail", "0.01"},
-           2);
+  flipJson({path("a.png"), path("b.png"), "--alpha", "channel", "--metric", "flip.mean", "--fail", "0.01"}, 2);
 }
 
 TEST_F(FlipInputs, DeclaredColourSpaceIsConverted) {

@@ -32,12 +32,8 @@ std::string makeTiff(int pages, std::uint32_t orientation) {
   return bytes;
 }
 
-class FlipLayers : public testing::Test {
+class FlipLayers : public FolderTest {
 protected:
-  std::string write(const std::string& name, const std::string& bytes) const {
-    writeFile(m_folder / name, bytes);
-    return (m_folder / name).string();
-  }
   // RGB of a picture and further channels of one value each.
   std::string writeLayers(const std::string& name, const std::vector<std::string>& further, float value) const {
     const base::Image rgb = makePicture(16, 8);
@@ -48,9 +44,8 @@ protected:
     options.channelNames = {"R", "G", "B"};
     options.channelNames.insert(options.channelNames.end(), further.begin(), further.end());
     base::writeImage(m_folder / name, all, options);
-    return (m_folder / name).string();
+    return path(name);
   }
-  const TempFolder m_folder;
 };
 
 TEST_F(FlipLayers, PixelsAtAnotherPlaceOfThePictureAreNotComparable) {
@@ -66,7 +61,7 @@ TEST_F(FlipLayers, PixelsAtAnotherPlaceOfThePictureAreNotComparable) {
     x += 500;
     std::memcpy(place, &x, 4);
   }
-  const std::string a = (m_folder / "a.exr").string(), moved = write("moved.exr", bytes);
+  const std::string a = path("a.exr"), moved = write("moved.exr", bytes);
   expectRefused(runParity({"flip", a, moved}), 3, {"moved.exr", "at +500+0", "at +0+0"});
   EXPECT_TRUE(exitedWith(0, runParity({"flip", moved, moved})));
 }
@@ -85,7 +80,7 @@ TEST_F(FlipLayers, FurtherImagesOfAFileAreNeverCalledIdentical) {
   const RunResult result = runParity({"flip", two, two});
   EXPECT_TRUE(exitedWith(0, result));
   EXPECT_TRUE(contains(result.out, "holds 2 images, of which the first is compared")) << result.out;
-  EXPECT_TRUE(contains(splitLines(result.out).back(), "what was compared of the files")) << result.out;
+  EXPECT_TRUE(contains(linesOf(result.out).back(), "what was compared of the files")) << result.out;
   EXPECT_EQ(flipJson({two, two})["pairs"][0]["identical"], false);
   EXPECT_TRUE(exitedWith(0, runParity({"flip", one, two, "--ignore-layers"})));
 }
@@ -107,8 +102,8 @@ TEST_F(FlipLayers, IdsWithoutAPixelInTheAreaAreNamed) {
   base::Image ids(16, 8, 1, 3.f);
   for (int y = 0; y < 8; ++y) *ids.at(15, y) = 9;
   base::writeImage(m_folder / "ids.exr", ids);
-  const std::string a = (m_folder / "a.png").string();
-  const RunResult result = runParity({"flip", a, a, "--mask", (m_folder / "ids.exr").string(), "--region", "0,0,4,4"});
+  const std::string a = path("a.png");
+  const RunResult result = runParity({"flip", a, a, "--mask", path("ids.exr"), "--region", "0,0,4,4"});
   EXPECT_TRUE(contains(result.out, "region: id 3, 16 pixels (area 0,0,4,4 of mask ")) << result.out;
   EXPECT_TRUE(contains(result.out, "id 9")) << result.out;
 }

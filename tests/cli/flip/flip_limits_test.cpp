@@ -6,7 +6,7 @@ namespace parity::tests {
 namespace {
 
 // A picture, and one of which a block of 16x16 in 64x64 (6.25 % of the pixels) is much brighter.
-class FlipLimits : public testing::Test {
+class FlipLimits : public FolderTest {
 protected:
   void SetUp() override {
     base::Image image = makePicture(64, 64);
@@ -18,16 +18,14 @@ protected:
   }
 
   RunResult flip(const std::vector<std::string>& more) const {
-    return runParity(join({{"flip", (m_folder / "a.exr").string(), (m_folder / "b.exr").string()}, more}));
+    return runParity(join({{"flip", path("a.exr"), path("b.exr")}, more}));
   }
 
   void expectVerdict(int code, const std::vector<std::string>& options, const std::string& words) const {
     const RunResult result = flip(options);
     EXPECT_TRUE(exitedWith(code, result));
-    EXPECT_TRUE(contains(splitLines(result.out).back(), words)) << result.commandLine << "\n" << result.out;
+    EXPECT_TRUE(contains(linesOf(result.out).back(), words)) << result.commandLine << "\n" << result.out;
   }
-
-  const TempFolder m_folder;
 };
 
 TEST_F(FlipLimits, WithoutAnyNothingIsJudgedAndThatIsSaid) { expectVerdict(0, {}, "no limits were given"); }
@@ -77,30 +75,29 @@ TEST_F(FlipLimits, PixelsAreAlsoCountedByTheirLargestDifference) {
 }
 
 TEST_F(FlipLimits, OnlyWhatIsAskedForIsMeasured) {
-  const nlohmann::json rmse =
-      flipJson({(m_folder / "a.exr").string(), (m_folder / "b.exr").string(), "--metrics", "rmse"});
+  const nlohmann::json rmse = flipJson({path("a.exr"), path("b.exr"), "--metrics", "rmse"});
   EXPECT_EQ(firstFigures(rmse).size(), 1u);
   EXPECT_TRUE(rmse["pairs"][0]["pooling"].is_null()) << "FLIP was computed though nobody asked for it";
 }
 
 TEST_F(FlipLimits, BudgetRulesThatJudgeNothingAreNamed) {
-  const std::string budgets = (m_folder / "budgets.toml").string();
+  const std::string budgets = path("budgets.toml");
   const std::string strict = "[[material]]\nname = \"*\"\nchecks = [ { metric = \"flip.max\", fail = 0 } ]\n";
   writeFile(budgets, strict);
   const RunResult whole = flip({"--budgets", budgets});
   EXPECT_TRUE(contains(whole.err, "line 1 ('*')")) << whole.err;
   EXPECT_TRUE(contains(whole.err, "without a mask")) << whole.err;
   base::writeImage(m_folder / "mask.png", base::Image(64, 64, 1, 1.f));
-  const RunResult masked = flip({"--budgets", budgets, "--mask", (m_folder / "mask.png").string()});
+  const RunResult masked = flip({"--budgets", budgets, "--mask", path("mask.png")});
   EXPECT_TRUE(exitedWith(2, masked)) << "the rule judges regions of a mask";
   EXPECT_EQ(masked.err, "");
 }
 
 TEST_F(FlipLimits, RegressionsAreNotJudgedWithoutABaseline) {
-  const std::string budgets = (m_folder / "budgets.toml").string();
+  const std::string budgets = path("budgets.toml");
   const std::string regress = "regress = [ { metric = \"flip.mean\", fail = 0.1 } ]\n";
   writeFile(budgets, "[[whole]]\nchecks = [ { metric = \"flip.mean\", fail = 0.9 } ]\n" + regress);
-  const std::vector<std::string> pair = {(m_folder / "a.exr").string(), (m_folder / "b.exr").string()};
+  const std::vector<std::string> pair = {path("a.exr"), path("b.exr")};
   const nlohmann::json row = flipJson(join({pair, {"--budgets", budgets}}))["pairs"][0]["regions"][0];
   EXPECT_EQ(row["verdict"], "pass");
   EXPECT_EQ(row["checks"][1]["regress"], true);
@@ -112,7 +109,7 @@ TEST_F(FlipLimits, RegressionsAreNotJudgedWithoutABaseline) {
 
 TEST_F(FlipLimits, BudgetFileJudgesTheWholeImage) {
   writeFile(m_folder / "budgets.toml", "[[whole]]\nchecks = [ { metric = \"rmse\", fail = 0.001 } ]\n");
-  expectVerdict(2, {"--budgets", (m_folder / "budgets.toml").string()}, "RMSE");
+  expectVerdict(2, {"--budgets", path("budgets.toml")}, "RMSE");
 }
 
 TEST_F(FlipLimits, LimitThatCannotBeMeantIsAUsageError) {
@@ -164,7 +161,7 @@ TEST_F(FlipLimits, MetricThatDoesNotApplyIsNotComparable) {
 }
 
 TEST_F(FlipLimits, FailureIsAnAnnotationAndAJunitFailure) {
-  const std::string junit = (m_folder / "junit.xml").string();
+  const std::string junit = path("junit.xml");
   const RunResult result = flip({"--metric", "flip.mean", "--fail", "0.02", "--junit", junit, "--annotate", "github"});
   EXPECT_TRUE(exitedWith(2, result));
   EXPECT_TRUE(contains(result.out, "::error title=parity%3A ")) << result.out;
@@ -185,8 +182,8 @@ TEST_F(FlipLimits, AnnotationStandsAtTheRuleOrTheLineOfTheList) {
 }
 
 TEST_F(FlipLimits, WithoutAnyNothingReadsAsAPass) {
-  const std::string junit = (m_folder / "junit.xml").string();
-  const std::vector<std::string> pair = {(m_folder / "a.exr").string(), (m_folder / "b.exr").string()};
+  const std::string junit = path("junit.xml");
+  const std::vector<std::string> pair = {path("a.exr"), path("b.exr")};
   const nlohmann::json json = flipJson(join({pair, {"--junit", junit}}));
   EXPECT_EQ(json["verdict"], "not judged");
   EXPECT_EQ(json["pairs"][0]["verdict"], "not judged");
@@ -209,8 +206,7 @@ TEST_F(FlipLimits, AlphaOfAnHdrPairIsJudgedByTheSameLimits) {
   for (std::size_t p = 0; p < a.pixelCount(); ++p) b.pixels[4 * p + 3] = 0;
   base::writeImage(m_folder / "opaque.exr", a);
   base::writeImage(m_folder / "clear.exr", b);
-  const std::vector<std::string> pair = {(m_folder / "opaque.exr").string(), (m_folder / "clear.exr").string(),
-                                         "--alpha", "channel"};
+  const std::vector<std::string> pair = {path("opaque.exr"), path("clear.exr"), "--alpha", "channel"};
   for (const std::vector<std::string>& limit :
        std::vector<std::vector<std::string>>{{"--fail", "0.05"},
                                              {"--metric", "hdrflip.mean", "--fail", "0.05"},

@@ -1,6 +1,4 @@
 // parity flip with many pairs: folders, lists, what is missing, and every form of output.
-#include <fstream>
-#include <sstream>
 
 #include <pugixml.hpp>
 
@@ -10,7 +8,7 @@
 namespace parity::tests {
 namespace {
 
-class FlipPairs : public testing::Test {
+class FlipPairs : public FolderTest {
 protected:
   void SetUp() override {
     for (const char* side : {"ref", "test"}) std::filesystem::create_directories(m_folder / side / "sub");
@@ -20,11 +18,9 @@ protected:
   void write(const std::string& name, float gain) const {
     base::writeImage(m_folder / name, makePicture(24, 16, gain));
   }
-  std::string path(const std::string& name) const { return (m_folder / name).string(); }
   nlohmann::json flip(int code, const std::vector<std::string>& more = {}) const {
     return flipJson(join({{path("ref"), path("test")}, more}), code);
   }
-  const TempFolder m_folder;
 };
 
 std::vector<std::string> names(const nlohmann::json& json) {
@@ -61,7 +57,7 @@ TEST_F(FlipPairs, MissingCounterpartFailsAndTheOthersStillRun) {
     EXPECT_TRUE(contains(result.out, name)) << result.out;
   }
   EXPECT_TRUE(contains(reasons["d.png"], "more than one possible counterpart")) << reasons["d.png"];
-  EXPECT_TRUE(contains(splitLines(result.out).back(), "ERROR: 5 of 7 pairs")) << result.out;
+  EXPECT_TRUE(contains(linesOf(result.out).back(), "ERROR: 5 of 7 pairs")) << result.out;
 }
 
 TEST_F(FlipPairs, UnreadableFileAmongGoodPairsIsItsOwnFailure) {
@@ -73,7 +69,7 @@ TEST_F(FlipPairs, UnreadableFileAmongGoodPairsIsItsOwnFailure) {
   EXPECT_EQ(json["pairs"][0]["verdict"], "not judged");
   EXPECT_EQ(json["pairs"][2]["verdict"], "error");
   EXPECT_EQ(json["pairs"][2]["exitCode"], 4);
-  EXPECT_EQ(splitLines(readWholeFile(csv)).size(), 4u) << "a head and a line a pair";
+  EXPECT_EQ(linesOf(readWholeFile(csv)).size(), 4u) << "a head and a line a pair";
 }
 
 TEST_F(FlipPairs, FoldersWithoutAnyPairAreAnError) {
@@ -165,9 +161,7 @@ TEST_F(FlipPairs, CsvHasALineARegionWithAllFigures) {
   EXPECT_TRUE(exitedWith(0, result));
   EXPECT_TRUE(exitedWith(0, runParity({"flip", path("ref"), path("test"), "--csv", path("same.csv")})));
   EXPECT_EQ(readWholeFile(path("same.csv")), result.out);
-  std::istringstream stream(result.out);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  const std::vector<std::string> lines = linesOf(result.out);
   ASSERT_EQ(lines.size(), 4u) << result.out;
   EXPECT_TRUE(lines[0].starts_with("pair,reference,test,region,range,verdict,exit_code,pixels,non_finite,flip.mean,"));
   EXPECT_TRUE(lines[1].starts_with("a,")) << lines[1];

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/image/image.h"
+#include "base/image/image_io.h"
 #include "cli/checks.h"
 
 namespace parity::tests {
@@ -27,6 +27,15 @@ inline base::Image changed(base::Image image, const std::function<float(float)>&
   for (float& v : image.pixels) v = change(v);
   return image;
 }
+
+// Writes pictures into a folder of its own.
+class FlipPictures : public FolderTest {
+protected:
+  std::string write(const std::string& name, const base::Image& image) const {
+    base::writeImage(m_folder / name, image);
+    return path(name);
+  }
+};
 
 // parity flip ARGUMENTS --json -: its exit code is `code`. Null where it wrote no JSON.
 inline nlohmann::json flipJson(const std::vector<std::string>& arguments, int code = 0) {

@@ -7,14 +7,7 @@
 namespace parity::tests {
 namespace {
 
-class FlipRefusals : public testing::Test {
-protected:
-  std::string write(const std::string& name, const base::Image& image) const {
-    base::writeImage(m_folder / name, image);
-    return (m_folder / name).string();
-  }
-  const TempFolder m_folder;
-};
+class FlipRefusals : public FlipPictures {};
 
 TEST_F(FlipRefusals, NanOrInfinityInEitherImageIsAnErrorWithCountAndPlace) {
   const std::string good = write("good.exr", makePicture(8, 8));
@@ -71,7 +64,7 @@ std::string makeProgressiveJpeg(unsigned side) {
 TEST_F(FlipRefusals, PairsThatTakeMoreThanTheLimitAreRefusedByTheirHeaders) {
   const auto write = [&](const std::string& name, const std::string& bytes) {
     writeFile(m_folder / name, bytes);
-    return (m_folder / name).string();
+    return path(name);
   };
   const std::string png = write("huge.png", "\x89PNG\r\n\x1a\n" + bigEndian(13, 4) + "IHDR" + bigEndian(16384, 4) +
                                                 bigEndian(16384, 4) + std::string("\x08\2\0\0\0", 5));
@@ -85,7 +78,7 @@ TEST_F(FlipRefusals, PairsThatTakeMoreThanTheLimitAreRefusedByTheirHeaders) {
 }
 
 TEST_F(FlipRefusals, LimitsOfSizeAndMemoryAreThoseOfTheOptions) {
-  const std::string a = (m_folder / "a.png").string();
+  const std::string a = path("a.png");
   base::writeImage(a, makePicture(64, 32));
   EXPECT_TRUE(exitedWith(0, runParity({"flip", a, a, "--max-image", "64", "--max-memory", "257M"})));
   expectRefused(runParity({"flip", a, a, "--max-image", "63"}), 4, {a, "64 x 32", "--max-image"});
@@ -100,7 +93,7 @@ TEST_F(FlipRefusals, PeakOfAPairIsWithinWhatItsHeadersLead) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "a sanitizer's memory is counted, too";
 #endif
-  const std::string a = (m_folder / "a.png").string(), b = (m_folder / "b.png").string();
+  const std::string a = path("a.png"), b = path("b.png");
   for (const std::string& file : {a, b}) {
     base::Image8 image(2048, 2048, 3);
     std::uint32_t state = file == a ? 1 : 2;
@@ -123,7 +116,7 @@ TEST_F(FlipRefusals, EmptyMaskAndMaskOfAnotherSizeAreErrors) {
   expectRefused(runParity({"flip", a, b, "--mask", black}), 4, {"black.png", "empty"});
   expectRefused(runParity({"flip", a, b, "--mask", small}), 3, {"small.png", "8x8", "16x8"});
   expectRefused(runParity({"flip", a, b, "--mask", half}), 4, {"half.exr", "x 0, y 0", "0.5", "whole numbers"});
-  expectRefused(runParity({"flip", a, b, "--mask", (m_folder / "no.png").string()}), 4, {"no.png", "exist"});
+  expectRefused(runParity({"flip", a, b, "--mask", path("no.png")}), 4, {"no.png", "exist"});
   expectRefused(runParity({"flip", a, b, "--region", "8,0,9,8"}), 3, {"--region", "16x8"});
 }
 
@@ -152,7 +145,7 @@ TEST_F(FlipRefusals, TwoBlackImagesAreIdenticalAndSaySo) {
 TEST_F(FlipRefusals, TransparentImagesAreIdenticalButNothingWasSeen) {
   const std::string clear = write("clear.png", base::Image(16, 16, 4, 0.f));
   const RunResult result = runParity({"flip", clear, clear, "--metric", "flip.mean", "--fail", "0.1"});
-  EXPECT_TRUE(contains(splitLines(result.out).back(), "nothing was seen")) << result.out;
+  EXPECT_TRUE(contains(linesOf(result.out).back(), "nothing was seen")) << result.out;
 }
 
 TEST_F(FlipRefusals, OutputThatWouldOverwriteAnInputIsAUsageError) {
@@ -160,9 +153,9 @@ TEST_F(FlipRefusals, OutputThatWouldOverwriteAnInputIsAUsageError) {
   const RunResult result = runParity({"flip", a, b, "-o", a});
   EXPECT_TRUE(exitedWith(64, result));
   EXPECT_TRUE(contains(result.err, "one of the images")) << result.err;
-  const std::string mask = write("mask.png", base::Image(16, 8, 1, 1.f)), both = (m_folder / "both").string();
+  const std::string mask = write("mask.png", base::Image(16, 8, 1, 1.f)), both = path("both");
   std::filesystem::create_symlink("a.png", m_folder / "link.png");
-  const std::string link = (m_folder / "link.png").string();
+  const std::string link = path("link.png");
   for (const std::vector<std::string>& outputs : std::vector<std::vector<std::string>>{
            {"--json", b}, {"--csv", a}, {"--junit", mask}, {"-o", link}, {"--json", both, "--csv", both}}) {
     const RunResult other = runParity(join({{"flip", a, b, "--mask", mask}, outputs}));

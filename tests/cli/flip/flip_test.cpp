@@ -78,7 +78,7 @@ TEST_F(FlipOfAReport, IsTheFlipOfTheWrittenPictures) {
   ASSERT_GT(figures["metrics"]["flip.mean"].get<double>(), 0.01) << "nothing differs: nothing is tested";
 
   const auto picture = [&](const char* key) { return (folder / view["images"][key].get<std::string>()).string(); };
-  const std::string map = (m_folder / "map.png").string();
+  const std::string map = path("map.png");
   const nlohmann::json again = flipJson({picture("reference"), picture("test"), "-o", map});
   EXPECT_NEAR(firstFigures(again)["flip.mean"].get<double>(), figures["metrics"]["flip.mean"].get<double>(), 1e-6);
   EXPECT_NEAR(firstFigures(again)["flip.max"].get<double>(), figures["metrics"]["flip.max"].get<double>(), 1e-6);
@@ -97,7 +97,7 @@ TEST_F(FlipOfAReport, MapIsTheSameWithABackgroundToo) {
   ASSERT_NE(result.exitCode, 4) << result.err;
   const nlohmann::json view = readReport(folder)["scenes"][0]["views"][0];
   const auto picture = [&](const char* key) { return (folder / view["images"][key].get<std::string>()).string(); };
-  const std::string map = (m_folder / "map.png").string();
+  const std::string map = path("map.png");
   flipJson({picture("reference"), picture("test"), "-o", map});
   EXPECT_EQ(base::readImage8(map, 3), base::readImage8(picture("flip"), 3));
 }

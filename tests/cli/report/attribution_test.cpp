@@ -51,7 +51,7 @@ TEST_F(AttributionTest, ALightThatMobileLacksIsNamedAsTheCause) {
   EXPECT_TRUE(exitedWith(2, result));
   const std::string cause = "localDiffuse: FLIP ";
   bool said = false, annotated = false;
-  for (const std::string& line : splitLines(result.out)) {
+  for (const std::string& line : linesOf(result.out)) {
     said |= contains(line, "white ball") && contains(line, "; " + cause) && contains(line, " with high-end's");
     annotated |= contains(line, "::error ") && contains(line, "Cause: " + cause);
   }
@@ -194,9 +194,8 @@ target = [0.5, 0.5, 0]
 name = "far"
 orbit = [0, 80, 2]
 target = [50.5, 0.5, 0])"));
-  const Json scene = sceneOf(runParity(
-      join({{"report", "--suite", (m_folder / "suite.toml").string(), "-o", (m_folder / "out").string(), "--json", "-"},
-            kSmall})));
+  const Json scene =
+      sceneOf(runParity(join({{"report", "--suite", path("suite.toml"), "-o", path("out"), "--json", "-"}, kSmall})));
   ASSERT_EQ(scene["views"].size(), 2u) << scene.dump(1);
   EXPECT_EQ(scene["views"][0]["materials"][0]["terms"].size(), 0u);
   EXPECT_FALSE(scene["views"][0]["materials"][0].contains("attribution"));
@@ -216,7 +215,7 @@ TEST_F(AttributionTest, AMaterialThatFailsByItsRegressionIsAttributed) {
                                              "checks = [{ metric = \"flip.mean\", fail = 0.999 }]\n"
                                              "regress = [{ metric = \"flip.mean\", fail = 0.5 }]\n"
                                              "[[whole]]\nchecks = [{ metric = \"flip.mean\", fail = 0.999 }]\n"));
-  const std::vector<std::string> options = join({kSun, {"--budgets", (m_folder / "b.toml").string()}});
+  const std::vector<std::string> options = join({kSun, {"--budgets", path("b.toml")}});
   RunResult first = runParity(join({{"diff", quad, "--json", file.string()}, kSmall, options}));
   ASSERT_TRUE(exitedWith(0, first));
   const auto since = [&] { return diff(quad, join({options, {"--baseline", file.string()}})); };
@@ -254,7 +253,7 @@ TEST_F(AttributionTest, ReportsDoNotDependOnWhatTheCacheHolds) {
                     allFresh = fresh(loose, all);
   EXPECT_TRUE(contains(strictFresh, "\"attribution\"") && contains(allFresh, "\"attribution\""));
   const auto cached = [&](const std::string& limits, std::vector<std::string> more) {
-    more.insert(more.end(), {"--cache", (m_folder / "cache").string()});
+    more.insert(more.end(), {"--cache", path("cache")});
     return report(limits, more);
   };
   // Whether it is recalled, and what comes out.
@@ -270,10 +269,9 @@ TEST_F(AttributionTest, ReportsDoNotDependOnWhatTheCacheHolds) {
 TEST_F(AttributionTest, AnAttributionThatTheCacheLacksIsRendered) {
   const std::string quad = writeMetal(0.6);
   const auto run = [&](const std::string& limits) {
-    const RunResult result =
-        runParity(join({{"diff", quad, "--size", "48x48", "--json", "-", "--cache", (m_folder / "cache").string(),
-                         "--budgets", writeBudgets(m_folder, limits)},
-                        kSun}));
+    const RunResult result = runParity(join({{"diff", quad, "--size", "48x48", "--json", "-", "--cache", path("cache"),
+                                              "--budgets", writeBudgets(m_folder, limits)},
+                                             kSun}));
     return std::pair(sceneOf(result), contains(result.err, "taken from the cache"));
   };
   EXPECT_FALSE(run("fail = 0.999").second);

@@ -23,13 +23,8 @@ protected:
 
   // The regressions alone judge the material.
   RunResult report(const std::string& folder, const std::vector<std::string>& more) const {
-    return runParity(join({{"report"},
-                           more,
-                           {"--budgets", (m_folder / "b.toml").string()},
-                           kSmall,
-                           {"-o", (m_folder / folder).string()}}));
+    return runParity(join({{"report"}, more, {"--budgets", path("b.toml")}, kSmall, {"-o", path(folder)}}));
   }
-  std::string path(const std::string& name) const { return (m_folder / name).string(); }
 
   // A quad with two scenes, two variants and an animation.
   std::string writeRich() const {
@@ -124,8 +119,8 @@ TEST_F(BaselineTest, OfASuiteSceneByScene) {
 TEST_F(BaselineTest, TruthsOptionsActOnTheTruthAlone) {
   const std::vector<std::string> before = {writeRich(), "--sun", "30,50,4"};
   ASSERT_EQ(report("old", join({before, {"--truth"}})).exitCode, 4);
-  const RunResult result = report(
-      "new", join({before, {"--truth", "--scattering", "single", "--baseline", path("old"), "--warn-exit"}}));
+  const RunResult result =
+      report("new", join({before, {"--truth", "--scattering", "single", "--baseline", path("old"), "--warn-exit"}}));
   EXPECT_TRUE(exitedWith(0, result)) << result.err;
   EXPECT_EQ(readReport(m_folder / "new")["baseline"]["notComparable"], 0);
 }

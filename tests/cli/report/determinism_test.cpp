@@ -77,7 +77,7 @@ TEST_F(DeterminismTest, BrokenScenesKeepTheirPlaces) {
                                              kSmall}));
     EXPECT_TRUE(exitedWith(4, result));
     std::vector<std::string> messages;
-    for (const std::string& line : splitLines(result.err))
+    for (const std::string& line : linesOf(result.err))
       if (line.starts_with("error") || line.starts_with("warning")) messages.push_back(line);
     return std::pair(messages, readWholeFile(folder / "report.json"));
   };
@@ -90,7 +90,7 @@ TEST_F(DeterminismTest, BrokenScenesKeepTheirPlaces) {
 }
 
 TEST_F(DeterminismTest, CacheDoesNotShow) {
-  const std::string cache = (m_folder / "cache").string();
+  const std::string cache = path("cache");
   const auto filled = report("filled", {"--cache", cache});
   EXPECT_FALSE(listFiles(cache).empty());
   expectSame(filled, report("found", {"--cache", cache}));
@@ -101,7 +101,7 @@ class CacheTest : public RenderingTest {};
 
 TEST_F(CacheTest, NoCacheNeitherReadsNorWritesOne) {
   RunOptions options;
-  options.environment = {{"XDG_CACHE_HOME", (m_folder / "caches").string()}};
+  options.environment = {{"XDG_CACHE_HOME", path("caches")}};
   const std::vector<std::string> command = join({{"diff", "builtin:furnace"}, kSmall});
   EXPECT_NE(runParity(join({command, {"--no-cache"}}), options).exitCode, 4);
   EXPECT_EQ(listFiles(m_folder / "caches" / "parity"), std::vector<std::string>());
@@ -127,8 +127,7 @@ TEST_F(CacheTest, DamagedEntryIsMadeAnewAndChangesNothing) {
 
 TEST_F(CacheTest, CacheThatCannotBeWrittenIsNoReasonToFail) {
   writeFile(m_folder / "file", std::string("in the way"));
-  const RunResult result =
-      runParity(join({{"diff", "builtin:furnace", "--cache", (m_folder / "file").string()}, kSmall}));
+  const RunResult result = runParity(join({{"diff", "builtin:furnace", "--cache", path("file")}, kSmall}));
   EXPECT_NE(result.exitCode, 4) << result.err;
   EXPECT_TRUE(contains(result.out, "roughness 0.3"));
 }

@@ -234,7 +234,7 @@ TEST_F(DroppedLightsTest, TheCacheGivesTheSameAndKnowsTheLimit) {
   const auto run = [&](const std::string& limit) {
     const std::filesystem::path folder = m_folder / "out";
     const RunResult result = runParity(join({{"report", scene, "-o", folder.string(), "--size", "64x64", "--cache",
-                                              (m_folder / "cache").string(), "--dropped-lights", limit},
+                                              path("cache"), "--dropped-lights", limit},
                                              kCloseUp}));
     EXPECT_TRUE(result.exitCode == 0 || result.exitCode == 2) << result.err;
     const Json info = Json::parse(readWholeFile(folder / "run.json"));

@@ -37,7 +37,6 @@ protected:
         join({{"report", "builtin:furnace", "--size", "32x32", "-o", path(folder), "--budgets", path("budgets.toml")},
               more}));
   }
-  std::string path(const std::string& name) const { return (m_folder / name).string(); }
   std::string text(const std::string& name) const { return readWholeFile(m_folder / name); }
 
   // As `parity bench` writes it, of no scene. The command tries to end the block that the page holds it in.

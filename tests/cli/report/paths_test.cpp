@@ -9,7 +9,7 @@ using nlohmann::json;
 class PathsTest : public RenderingTest {
 protected:
   json diff(const std::vector<std::string>& more) {
-    const std::string file = (m_folder / "diff.json").string();
+    const std::string file = path("diff.json");
     const RunResult result = runParity(join({{"diff", "builtin:spheres", "--json", file}, kSmall, kSun, more}));
     EXPECT_EQ(result.signal, 0) << result.err;
     return json::parse(readWholeFile(file)).at("scenes").at(0).at("views").at(0);
@@ -56,7 +56,7 @@ TEST_F(PathsTest, BenchRefusesAnotherFirstOne) {
 }
 
 TEST_F(PathsTest, BenchReadsBakedLight) {
-  const RunResult result = runParity({"bench", "builtin:spheres", "--baked", (m_folder / "nowhere").string()});
+  const RunResult result = runParity({"bench", "builtin:spheres", "--baked", path("nowhere")});
   EXPECT_TRUE(exitedWith(4, result));
   EXPECT_TRUE(contains(result.err, "nowhere")) << result.err;
 }

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "cli/checks.h"
+#include "support/shared_assets.h"
 
 namespace parity::tests {
 namespace {
@@ -118,8 +119,8 @@ name = "*"
 checks = [{ metric = "flip.mean", fail = 0.999 }]
 [[whole]]
 checks = [{ metric = "flip.mean", fail = 0.999 }])"));
-  const json shown = view(writePanels(m_folder, materials, panels, "bars"),
-                          join({kKaris, {"--budgets", (m_folder / "b.toml").string()}}));
+  const json shown =
+      view(writePanels(m_folder, materials, panels, "bars"), join({kKaris, {"--budgets", path("b.toml")}}));
   const json bars = materialOf(shown, "bars");
   EXPECT_EQ(bars["verdict"], "pass") << bars.dump(1);
   EXPECT_EQ(flipOf(bars, "flip.max"), 0);
@@ -168,7 +169,7 @@ TEST_F(SwapTest, AMaterialOfFewPixelsIsTooSmallAndNeverPasses) {
               "[[material]]\nname = \"speck\"\nchecks = [{ metric = \"flip.mean\", fail = 0.999 }]\n" + rule +
                   "\n[[material]]\nname = \"*\"\nchecks = [{ metric = \"flip.mean\", fail = 0.999 }]\n"
                   "[[whole]]\nchecks = [{ metric = \"flip.mean\", fail = 0.999 }]\n");
-    return materialOf(view(scene, {"--budgets", (m_folder / "b.toml").string()}), "speck");
+    return materialOf(view(scene, {"--budgets", path("b.toml")}), "speck");
   };
   const json judged = run("");
   const int pixels = judged["figures"]["pixels"];

@@ -7,13 +7,8 @@ namespace {
 class VerdictTest : public RenderingTest {
 protected:
   RunResult report(const std::string& folder, const std::vector<std::string>& more = {}) const {
-    return runParity(join({{"report", "builtin:furnace", "-o", (m_folder / folder).string()}, kSmall, more}));
+    return runParity(join({{"report", "builtin:furnace", "-o", path(folder)}, kSmall, more}));
   }
-  std::string write(const std::string& name, const std::string& text) const {
-    writeFile(m_folder / name, text);
-    return (m_folder / name).string();
-  }
-  std::string path(const std::string& name) const { return (m_folder / name).string(); }
 };
 
 TEST_F(VerdictTest, AnUnchangedRunHasChangesOfZeroAndNoRegression) {
@@ -144,12 +139,12 @@ TEST_F(VerdictTest, TheTableSaysTheBiasInWords) {
   const RunResult result = runParity(join(
       {{"diff", writeGlb(m_folder, quad), "--background", "0,0,0", "--budgets", writeBudgets(m_folder, "fail = 0.999")},
        kSmall}));
-  for (const std::string& line : splitLines(result.out))
+  for (const std::string& line : linesOf(result.out))
     if (contains(line, "  paint ")) {
       EXPECT_TRUE(contains(line, "mobile is 1.0 EV darker")) << result.out;
     }
   EXPECT_TRUE(contains(result.out, "  paint ")) << result.out << result.err;
-  const std::vector<std::string> lines = splitLines(result.out);
+  const std::vector<std::string> lines = linesOf(result.out);
   EXPECT_TRUE(contains(lines.back() + lines[lines.size() - 2], "whole images: 1 pass")) << result.out;
 }
 
@@ -157,7 +152,7 @@ TEST_F(VerdictTest, TheTableSaysTheBiasInWords) {
 TEST_F(VerdictTest, NoOutputOverwritesAnInput) {
   const std::string budgets = writeBudgets(m_folder, "fail = 0.999"), text = readWholeFile(budgets);
   ASSERT_TRUE(exitedWith(0, report("old", {"--budgets", budgets})));
-  const std::string old = (m_folder / "old" / "report.json").string(), oldText = readWholeFile(old);
+  const std::string old = path("old/report.json"), oldText = readWholeFile(old);
   const std::string detour = (m_folder / "old" / ".." / std::filesystem::path(budgets).filename()).string();
   for (const char* command : {"report", "diff"}) {
     const std::vector<std::string> base = join(
@@ -170,7 +165,7 @@ TEST_F(VerdictTest, NoOutputOverwritesAnInput) {
   const std::string suite = write("suite.toml", "[[scene]]\nfile = \"builtin:furnace\"\n");
   expectRefused(runParity({"report", "--suite", suite, "-o", path("new"), "--json", suite}), 64,
                 {"would overwrite the suite"});
-  expectRefused(report("new", {"--json", (m_folder / "new" / "index.html").string()}), 64, {"what -o writes, too"});
+  expectRefused(report("new", {"--json", path("new/index.html")}), 64, {"what -o writes, too"});
   expectRefused(runParity({"budget", "suggest", path("old"), "-o", old}), 64, {"would overwrite a report"});
   EXPECT_FALSE(std::filesystem::exists(m_folder / "new"));
   EXPECT_EQ(readWholeFile(budgets), text);
@@ -211,8 +206,7 @@ regress = [ { metric = "flip.mean", fail = 0 } ])");
 TEST_F(VerdictTest, SuggestedBudgetsPassTheRunTheyCameFrom) {
   ASSERT_NE(report("old").exitCode, 4);
   const std::string budgets = path("suggested.toml");
-  const RunResult result =
-      runParity({"budget", "suggest", path("old"), (m_folder / "old" / "report.json").string(), "-o", budgets});
+  const RunResult result = runParity({"budget", "suggest", path("old"), path("old/report.json"), "-o", budgets});
   EXPECT_TRUE(exitedWith(0, result));
   EXPECT_EQ(result.out, "");
   EXPECT_TRUE(contains(readWholeFile(budgets), "# 1 run: flip.mean ")) << readWholeFile(budgets);

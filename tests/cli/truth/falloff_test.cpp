@@ -31,13 +31,10 @@ protected:
     return writeEmbedded(m_folder, file, name);
   }
   // The quad fills the picture, whose middle pixel sees its middle.
-  base::Image render(const std::string& scene, const std::string& path, const std::vector<std::string>& more) {
-    const std::filesystem::path file = m_folder / (path + ".exr");
-    EXPECT_TRUE(exitedWith(
-        0, runParity(join({{"render", scene, "--path", path, "-o", file.string(), "--size", "33x33", "--validation"},
-                           {"--orbit", "0,90,0.4", "--no-cache", "--error", "4%"},
-                           more}))));
-    return base::readImage(file);
+  base::Image render(const std::string& scene, const std::string& by, const std::vector<std::string>& more) const {
+    return RenderingTest::render(
+        scene, by, join({{"--size", "33x33", "--orbit", "0,90,0.4", "--no-cache", "--error", "4%"}, more}),
+        by + ".exr");
   }
   // Mean FLIP of mobile's picture against high-end's, both as displayed.
   double flipBetweenPaths(const std::string& scene, const std::vector<std::string>& more) {

@@ -9,22 +9,19 @@ namespace {
 class InterreflectionTest : public RenderingTest {
 protected:
   base::Image render(const std::string& file, const std::vector<std::string>& more) const {
-    const RunResult result = runParity(join({{"render", "builtin:room", "--path", "reference", "--size", "16x12"},
-                                             {"--error", "20%", "--terms", "-o", (m_folder / file).string()},
-                                             more}));
-    EXPECT_TRUE(exitedWith(0, result));
-    return base::readImage(m_folder / file);
+    return RenderingTest::render("builtin:room", "reference",
+                                 join({{"--size", "16x12", "--error", "20%", "--terms"}, more}), file);
   }
   nlohmann::json report(const std::vector<std::string>& more) const {
     const RunResult result =
-        runParity(join({{"report", "-o", (m_folder / "out").string(), "--size", "16x12", "--error", "30%"}, more}));
+        runParity(join({{"report", "-o", path("out"), "--size", "16x12", "--error", "30%"}, more}));
     EXPECT_TRUE(isReported(result)) << result.err;
     return readReport(m_folder / "out");
   }
 };
 
 TEST_F(InterreflectionTest, AddsLightToTheTermsOfTheSkyAlone) {
-  const std::vector<std::string> cache = {"--cache", (m_folder / "cache").string()};
+  const std::vector<std::string> cache = {"--cache", path("cache")};
   const base::Image shadows = render("shadows.exr", join({cache, {"--shadows"}}));
   render("none.exr", join({cache, {"--shadows", "--interreflection", "0"}}));
   EXPECT_EQ(readWholeFile(m_folder / "none.exr"), readWholeFile(m_folder / "shadows.exr"));
@@ -55,7 +52,7 @@ TEST_F(InterreflectionTest, TheReportSaysSo) {
 TEST_F(InterreflectionTest, OfASuiteIsASceneS) {
   const auto suite = [&](const std::string& line) {
     writeFile(m_folder / "suite.toml", "[[scene]]\nfile = \"builtin:room\"\n" + line);
-    return std::vector<std::string>{"--suite", (m_folder / "suite.toml").string(), "--truth"};
+    return std::vector<std::string>{"--suite", path("suite.toml"), "--truth"};
   };
   EXPECT_TRUE(contains(report(suite("interreflection = 1\n"))["scenes"][0].value("light", ""),
                        "in the truth 1 bounce between surfaces"));
@@ -63,24 +60,23 @@ TEST_F(InterreflectionTest, OfASuiteIsASceneS) {
       report(join({suite("interreflection = 0\n"), {"--interreflection", "1"}}))["scenes"][0].value("light", ""),
       "bounce"));
   for (const char* bad : {"-1", "65", "1.5", "true", "\"two\"", "nan", "1e300"})
-    expectRefused(runParity(join({{"report", "-o", (m_folder / "x").string()},
-                                  suite(std::string("interreflection = ") + bad + "\n")})),
+    expectRefused(runParity(join({{"report", "-o", path("x")}, suite(std::string("interreflection = ") + bad + "\n")})),
                   4, {"suite.toml", "line 3", "interreflection"});
 }
 
 TEST_F(InterreflectionTest, WhatHasNoSenseIsRefusedInOneLine) {
   const auto refused = [](const RunResult& result, const std::string& part) {
     EXPECT_TRUE(exitedWith(64, result));
-    EXPECT_TRUE(contains(splitLines(result.err).at(0), part)) << result.err;
+    EXPECT_TRUE(contains(linesOf(result.err).at(0), part)) << result.err;
   };
   for (const char* bad : {"-1", "65", "1000000000000", "1.5", "x", "", "nan"})
-    refused(runParity({"render", "builtin:room", "--path", "reference", "-o", (m_folder / "x.exr").string(),
+    refused(runParity({"render", "builtin:room", "--path", "reference", "-o", path("x.exr"),
                        std::string("--interreflection=") + bad}),
             "--interreflection");
   refused(runParity({"diff", "builtin:room", "--interreflection", "1"}), "--interreflection requires --truth");
-  expectRefused(runParity({"render", "builtin:room", "--path", "highend", "-o", (m_folder / "x.exr").string(),
-                           "--interreflection", "1"}),
-                64, {"--interreflection", "only the truth"});
+  expectRefused(
+      runParity({"render", "builtin:room", "--path", "highend", "-o", path("x.exr"), "--interreflection", "1"}), 64,
+      {"--interreflection", "only the truth"});
 }
 
 } // namespace

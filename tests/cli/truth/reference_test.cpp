@@ -1,6 +1,5 @@
 // parity render --path reference: close to highend where theory says so, errors, cache, refusals.
 #include <algorithm>
-#include <cmath>
 
 #include "base/image/image_io.h"
 #include "cli/checks.h"

@@ -1,6 +1,4 @@
 // The sun of an environment becomes a light: in every path, in the report, and not where it is not wanted.
-#include <cmath>
-#include <numbers>
 
 #include "base/image/image.h"
 #include "base/image/image_io.h"
@@ -15,14 +13,9 @@ const std::vector<std::string> kLeft = {"--no-sun-extraction"};
 
 class SunExtractionTest : public RenderingTest {
 protected:
-  base::Image render(const std::string& path, const std::vector<std::string>& more) const {
-    const std::filesystem::path file = m_folder / "render.exr";
-    const RunResult result =
-        runParity(join({{"render", "builtin:spheres", "--path", path, "-o", file.string(), "--terms", "--background",
-                         "0,0,0", "--error", "10%", "--size", "48x32", "--validation"},
-                        more}));
-    EXPECT_TRUE(exitedWith(0, result));
-    return base::readImage(file);
+  base::Image render(const std::string& by, const std::vector<std::string>& more) const {
+    return RenderingTest::render(
+        "builtin:spheres", by, join({{"--terms", "--background", "0,0,0", "--error", "10%", "--size", "48x32"}, more}));
   }
   nlohmann::json report(const std::vector<std::string>& more) const {
     const RunResult result =

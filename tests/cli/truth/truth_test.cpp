@@ -1,5 +1,4 @@
 // parity report and diff --truth: the truth beside both paths, which judges nothing.
-#include <cmath>
 #include <set>
 
 #include "cli/checks.h"

@@ -1,7 +1,6 @@
 // Bad files: each gives one line that names the file and the place, and exit code 4.
 #include <limits>
 
-#include "base/expect_error.h"
 #include "base/jpeg_bytes.h"
 #include "scenes/gltf/gltf_writer.h"
 #include "scenes/load.h"

@@ -1,6 +1,5 @@
 // Small files that ask for much work, and rounding and zeros that valid files have: each once a bug here.
 
-#include "base/expect_error.h"
 #include "scenes/builtin/material_balls.h"
 #include "scenes/gltf/gltf_writer.h"
 #include "scenes/load.h"

@@ -1,9 +1,7 @@
 // Small glTF files made by the tests themselves.
 #include "scenes/gltf/gltf_writer.h"
 
-#include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "base/file.h"
@@ -150,30 +148,10 @@ scenes::Scene loadQuadlike(const GltfFile& file) {
   return external;
 }
 
-void expectError(const std::function<void()>& body, const std::vector<std::string>& parts, base::ExitCode code) {
-  try {
-    body();
-    ADD_FAILURE() << "no error where one with '" << parts.front() << "' was due";
-  } catch (const base::Error& error) {
-    const std::string line = error.what();
-    EXPECT_EQ(error.code(), code) << line;
-    for (const std::string& part : parts) EXPECT_NE(line.find(part), std::string::npos) << part << " in: " << line;
-    std::istringstream lines(line); // each names the file
-    for (std::string each; std::getline(lines, each);) EXPECT_TRUE(each.starts_with(error.subject() + ": ")) << line;
-  }
-}
-
 bool hasWarning(const std::vector<std::string>& warnings, const std::string& part) {
   for (const std::string& warning : warnings)
     if (warning.find(part) != std::string::npos) return true;
   return false;
-}
-
-std::filesystem::path sharedAssets() {
-  const char* variable = std::getenv("PARITY_SHARED");
-  std::filesystem::path shared(variable ? variable : "../shared");
-  if (shared.is_relative()) shared = std::filesystem::path(PARITY_SOURCE_DIR) / shared;
-  return std::filesystem::exists(shared / "assets" / "manifest.json") ? shared / "assets" : std::filesystem::path();
 }
 
 } // namespace parity::tests

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,9 +11,12 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/expect_error.h"
 #include "scenes/scene.h"
 
 namespace parity::tests {
+
+using base::expectError;
 
 // A folder of its own for each test, removed with it.
 class TempFolder {
@@ -78,14 +80,7 @@ std::vector<std::byte> makePng(int width, int height);
 // Loads through every container (external, embedded, glb) and expects the same scene; returns it.
 scenes::Scene loadQuadlike(const GltfFile& file);
 
-// Runs `body`; expects an Error of this exit code that holds all `parts`, each line of it with the file first.
-void expectError(const std::function<void()>& body, const std::vector<std::string>& parts,
-                 base::ExitCode code = base::ExitCode::failed);
-
 // True where some warning holds `part`.
 bool hasWarning(const std::vector<std::string>& warnings, const std::string& part);
-
-// PARITY_SHARED/assets, empty where it is absent.
-std::filesystem::path sharedAssets();
 
 } // namespace parity::tests
