@@ -55,8 +55,9 @@ LobeValues Lobes::evaluate(double NoV, double NoL, double NoH, double VoH, const
   values.diffuse = m_diffuseColor * atView.diffuse * (f64::Fd_Lambert() * NoL);
   if (!hasSpecular() || isMirror()) return values;
   const double D = f64::D_GGX(m_alpha, NoH);
-  const double V = m_model.surface.geometryTerm == GeometryTerm::heightCorrelated ? f64::V_SmithGGXCorrelated(m_alpha, NoV, NoL)
-                                                                          : f64::V_SchlickSmith(m_alpha, NoV, NoL);
+  const double V = m_model.surface.geometryTerm == GeometryTerm::heightCorrelated
+                       ? f64::V_SmithGGXCorrelated(m_alpha, NoV, NoL)
+                       : f64::V_SchlickSmith(m_alpha, NoV, NoL);
   values.specular = fresnel(VoH) * (D * V * NoL);
   if (m_hasMultiple)
     values.specular += m_Fms * (atView.lost * lostAt(NoL) / m_lostOnAverage * std::numbers::inv_pi * NoL);

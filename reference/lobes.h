@@ -23,7 +23,9 @@ struct Model {
   shading::SurfaceModel surface;
   Scattering scattering = Scattering::multiple;
 
-  bool needsAlbedo() const { return scattering == Scattering::multiple || surface.diffuse == shading::DiffuseLobe::balanced; }
+  bool needsAlbedo() const {
+    return scattering == Scattering::multiple || surface.diffuse == shading::DiffuseLobe::balanced;
+  }
 };
 
 // What depends on the view alone.

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/member_count.h"
 #include "base/knob/table.h"
+#include "base/member_count.h"
 
 namespace parity::base {
 namespace {

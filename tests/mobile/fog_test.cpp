@@ -83,8 +83,9 @@ protected:
   }
   std::vector<SeenPoint> shadeHighend(const scenes::Scene& scene, const scenes::Camera& camera) {
     return shadeAll(scene, camera, [&](const auto& buffers, const auto& kinds) {
-      return highend::Renderer(device(), buffers, kinds, {.terms = true},
-                               {.model = {.diffuse = highend::DiffuseLobe::lambert}, .compensation = highend::Compensation::none});
+      return highend::Renderer(
+          device(), buffers, kinds, {.terms = true},
+          {.model = {.diffuse = highend::DiffuseLobe::lambert}, .compensation = highend::Compensation::none});
     });
   }
   std::vector<SeenPoint> shadeMobile(const scenes::Scene& scene, const scenes::Camera& camera) {

@@ -13,7 +13,8 @@ inline constexpr int kPanoramaWidth = 1024, kPanoramaHeight = 512; // not interp
 
 // Lambert and single scattering: what needs no table of albedos.
 inline reference::Model plainModel(reference::GeometryTerm term = reference::GeometryTerm::heightCorrelated) {
-  return {.surface = {.geometryTerm = term, .diffuse = shading::DiffuseLobe::lambert}, .scattering = reference::Scattering::single};
+  return {.surface = {.geometryTerm = term, .diffuse = shading::DiffuseLobe::lambert},
+          .scattering = reference::Scattering::single};
 }
 
 // The middle of a panorama's cell, as a direction: u = atan2(z, x) / 2 pi + 0.5, v from +Y down.
