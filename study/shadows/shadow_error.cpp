@@ -105,8 +105,8 @@ VisibilityError measureVisibility(const gpu::Device& device, const Setup& setup,
     inputs.lights = {light};
     inputs.shadows = shadows;
     inputs.terms = true;
-    const highend::Options plain{.model = {.diffuse = highend::DiffuseLobe::lambert},
-                                 .compensation = highend::Compensation::none};
+    const highend::Options plain{.model = {.diffuse = shading::DiffuseLobe::lambert},
+                                 .compensation = shading::Compensation::none};
     const highend::Renderer renderer(device, buffers, pass.binKinds(), inputs, plain);
     return lightOf(renderer.shade(surface, setup.camera), surface.size());
   };

@@ -55,7 +55,7 @@ TEST_F(StressRenders, aNanPlantedInARenderIsFound) {
 }
 
 TEST_F(StressRenders, aTwinThatDiffersIsFound) {
-  RenderStress stress(small({}));
+  RenderStress stress(small({"none"}));
   EXPECT_EQ(stress.stress(surfaceScenes().at(1)).paths, std::vector<std::string>{"highend"}) << "no preset";
   RenderStress both(small({"ue4-2020"}));
   StressScene scene = surfaceScenes().at(1);
