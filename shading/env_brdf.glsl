@@ -3,7 +3,8 @@
 // All approximate A(R,N), B(R,N) of  integral f_specular cos = F0 A + B  for Schlick-Smith, k = alpha/2
 // (docs/shading.md 1a). Deviation from that integral, absolute, max/rms over N >= 0.05 and R >= 0.05
 // (docs/shading.md 2b): at F0 = 0.04 .161/.024, at F0 = 1 .238/.076; from the height-correlated one .084/.020
-// and .396/.127. A + B = 1 - 0.55 R whatever N is; B reaches -0.0024 at R = 1, A -0.044 at R = N = 0; at R = N = 1 it says .450 for F0 = 1 where the integral is .307 (1 - ln 2).
+// and .396/.127. A + B = 1 - 0.55 R whatever N is; B reaches -0.0024 at R = 1, A -0.044 at R = N = 0; at R = N = 1 it
+// says .450 for F0 = 1 where the integral is .307 (1 - ln 2).
 #ifndef PARITY_SHADING_ENV_BRDF
 #define PARITY_SHADING_ENV_BRDF
 
