@@ -29,7 +29,7 @@ target_compile_options(parity_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
   # One flag for libraries and programs alike, so that both can use the same precompiled header.
   -fPIC
-  # The single-source maths must round alike on CPU and GPU (DESIGN 5): no silent fused multiply-add.
+  # The single-source maths must round alike on CPU and GPU (docs/design.md 5b): no silent fused multiply-add.
   -ffp-contract=off)
 if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC takes a source that another one includes for a header, where a type of an anonymous namespace would be a fault.

@@ -45,8 +45,7 @@ void applySceneLight(PreparedScene& prepared, const SceneRequest& request) {
   if (settings.fog.isSeen()) prepared.scene.fog = settings.fog;
   const auto scale = [&](std::vector<scenes::Light>& lights) {
     for (scenes::Light& light : lights)
-      if (light.kind == scenes::LightKind::directional)
-        light.specularScale *= settings.lightScales.directionalSpecularScale;
+      if (light.kind == scenes::LightKind::directional) light.specularScale *= settings.lightScales.sunSpecularScale;
   };
   scale(prepared.lights);
   for (auto& [name, light] : prepared.lightOfPath) scale(light.lights);

@@ -1,4 +1,4 @@
-// SHADING.md 8: lights and environments at their edges.
+// docs/shading.md 8: lights and environments at their edges.
 #include <fmt/format.h>
 
 #include "lighting/environment/environment_light.h"

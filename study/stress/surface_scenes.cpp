@@ -1,4 +1,4 @@
-// SHADING.md 8: materials, normals and tangents at their edges.
+// docs/shading.md 8: materials, normals and tangents at their edges.
 #include <fmt/format.h>
 
 #include "scenes/gltf/mesh_repair.h"
