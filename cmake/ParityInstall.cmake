@@ -27,6 +27,7 @@ install(FILES report/report.schema.json DESTINATION ${data})
 install(FILES README.md CONTRIBUTING.md DESTINATION ${documents})
 install(DIRECTORY docs DESTINATION ${documents} FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.svg)
 install(FILES scenes/README.md DESTINATION ${documents}/scenes)
+install(FILES integrations/github/README.md DESTINATION ${documents}/integrations/github)
 install(FILES compare/verdict/budgets.example.toml DESTINATION ${documents}/compare/verdict)
 
 # The licence and those of what is inside our files: static libraries, headers, letters, packages of the page.
