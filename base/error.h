@@ -8,7 +8,7 @@
 
 namespace parity::base {
 
-// Process exit codes (DESIGN 8). The highest that applies to a run wins; usage stands apart.
+// Process exit codes (docs/design.md 8a). The highest that applies to a run wins; usage stands apart.
 enum class ExitCode : int {
   withinBudget = 0,
   warningsOnly = 1,

@@ -33,7 +33,9 @@ namespace parity::cli {
 namespace {
 
 int listSettings(const BenchCommand& command) {
+  if (!command.suite.empty()) runRequest(command.common, {}, command.suite); // a wrong one is refused
   for (const sweep::Variant& v : sweep::makeVariants(command.common.settings)) {
+    if (!v.sameAs.empty()) continue;
     const std::string needs = v.needs.empty() ? "" : "   (needs: " + v.needs + ")";
     print("{}{}\n", v.id(), needs);
   }
@@ -84,6 +86,7 @@ void requireSeparateFiles(const BenchCommand& command, const std::vector<job::Sc
 }
 
 sweep::SweepReport measure(const BenchCommand& command, const RunRequest& run, const std::string& commandLine) {
+  sweep::requireMatches(sweep::makeVariants(run.settings), command.trial.settings); // before the first scene is loaded
   job::Context context(run.settings);
   sweep::SweepReport report;
   report.version = base::kVersion;
@@ -96,11 +99,12 @@ sweep::SweepReport measure(const BenchCommand& command, const RunRequest& run, c
     try {
       report.scenes.push_back(sweep::runTrial(context, request, command.trial, progress));
     } catch (const std::exception& error) {
-      // What was measured so far is not lost; what every scene would be refused for is said of the first.
+      // What was measured so far is not lost. A wrong command line is refused at the first scene; a suite's scenes have
+      // options of their own, so that the others still run.
       const auto* known = dynamic_cast<const base::Error*>(&error);
-      if (known && known->code() == base::ExitCode::usage && report.scenes.empty()) throw;
-      const std::string words = known ? known->what() : request.name + ": " + base::wordsOf(error);
-      base::logError(words);
+      if (known && known->code() == base::ExitCode::usage && command.suite.empty() && report.scenes.empty()) throw;
+      const std::string words = known ? known->what() : base::wordsOf(error);
+      base::logError(request.name + ": " + words);
       sweep::SceneSweep& scene = report.scenes.emplace_back();
       scene.scene = request.name;
       scene.failure = words;
@@ -133,6 +137,7 @@ void printConclusions(const sweep::Conclusions& c) {
   for (const auto& each : c.cheapest)
     print("within {} <= {:g}, {}: {} {}\n", c.budget->figure, c.budget->limit,
           each.scene.empty() ? "all scenes" : base::plainLine(each.scene), each.path, each.setting.value_or("none"));
+  for (const std::string& note : c.notes) print("note: {}\n", base::plainLine(note));
   for (const std::string& id : c.dominated) print("dominated in every scene: {}\n", id);
   if (!c.ratios) return;
   for (const std::string& note : c.ratios->notes) print("note: {}\n", base::plainLine(note));

@@ -1,4 +1,4 @@
-// parity: one line of error and the exit code of DESIGN 8, whatever happens.
+// parity: one line of error and the exit code of docs/design.md 8a, whatever happens.
 #include <cerrno>
 #include <csignal>
 #include <cstdio>

@@ -24,7 +24,7 @@ install(FILES compare/verdict/budgets.example.toml DESTINATION ${data})
 install(FILES report/report.schema.json DESTINATION ${data})
 
 # The documents keep their places to one another, so that their links hold.
-install(FILES README.md CONTRIBUTING.md DESTINATION ${documents})
+install(FILES README.md CONTRIBUTING.md CHANGELOG.md Containerfile DESTINATION ${documents})
 install(DIRECTORY docs DESTINATION ${documents} FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.svg)
 install(FILES scenes/README.md DESTINATION ${documents}/scenes)
 install(FILES integrations/github/README.md DESTINATION ${documents}/integrations/github)

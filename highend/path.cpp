@@ -90,7 +90,7 @@ public:
     return std::make_unique<TableBrdf>(options.of<Options>());
   }
   std::vector<std::string> environmentBrdfKnobs() const override {
-    return {"geometry-term", "fresnel", "compensation"};
+    return {"geometry-term", "fresnel", "compensation", "lut-size"};
   }
 
   std::unique_ptr<paths::Renderer> makeRenderer(const paths::Inputs& inputs,

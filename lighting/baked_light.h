@@ -13,7 +13,7 @@
 
 namespace parity::lighting {
 
-// The luminance of lightmaps (Unreal Engine 4's weights, SHADING 7).
+// The luminance of lightmaps (Unreal Engine 4's weights, docs/shading.md 7a).
 inline double lightmapLuminance(const glm::dvec3& c) { return 0.3 * c.x + 0.59 * c.y + 0.11 * c.z; }
 
 // What point and spot lights are: static ones are in all lightmaps and nowhere else; stationary ones are in the LQ
@@ -26,7 +26,7 @@ struct BakedCapture {
   float radius = 0;                                      // metres that its influence reaches
   std::shared_ptr<const EnvironmentLight> light;
 
-  // Luminance (.3, .59, .11) of its mean radiance: what mobile's normalisation divides by (SHADING 7).
+  // Luminance (.3, .59, .11) of its mean radiance: what mobile's normalisation divides by (docs/shading.md 7a).
   float averageBrightness() const;
 };
 

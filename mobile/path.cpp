@@ -101,7 +101,7 @@ public:
     if (formulaOf(own.environmentBrdf)) return nullptr; // only its shader knows it
     return std::make_unique<ApproximateBrdf>(own);
   }
-  std::vector<std::string> environmentBrdfKnobs() const override { return {"mobile-preset"}; }
+  std::vector<std::string> environmentBrdfKnobs() const override { return {"mobile-preset", "mobile-roughness-floor"}; }
 
   std::unique_ptr<paths::Renderer> makeRenderer(const paths::Inputs& inputs,
                                                 const paths::Options& options) const override {

@@ -185,8 +185,9 @@ void settleVerdicts(Report& report);
 // of theirs (all are not seen, too small or not judged), and what is lost.
 std::vector<RunProblem> problemsOf(const Report& report);
 
-// The exit code of a settled report (DESIGN 8): 0, 1 (only with warnExit; notSeen and the run's own warnings count), 2,
-// or the scenes' own 3 or 4 (4 for any other errorExitCode, and for a verdict `error`); the highest that applies.
+// The exit code of a settled report (docs/design.md 8a): 0, 1 (only with warnExit; notSeen and the run's own warnings
+// count), 2, or the scenes' own 3 or 4 (4 for any other errorExitCode, and for a verdict `error`); the highest that
+// applies.
 int exitCode(const Report& report, bool warnExit);
 
 // The whole report in a sentence: "3 of 40 materials over budget".

@@ -43,10 +43,17 @@ bool showsStage(const ViewResult& view, const std::string& stage) {
   return shows(view.stages) || std::ranges::any_of(view.materials, shows, &MaterialResult::stages);
 }
 
-// "hi/truth".
-std::string truthColumn(const std::string& path) { return path.substr(0, 2) + "/truth"; }
+// "hi/truth": two letters of the path's name, or as many as tell it from all others.
+std::string truthColumn(const std::string& path, const std::vector<std::string>& paths) {
+  std::size_t letters = 2;
+  const auto isTaken = [&](const std::string& other) {
+    return other != path && other.substr(0, letters) == path.substr(0, letters);
+  };
+  while (letters < path.size() && std::ranges::any_of(paths, isTaken)) ++letters;
+  return path.substr(0, letters) + "/truth";
+}
 
-std::vector<Column> columnsOf(const ViewResult& view, bool baseline) {
+std::vector<Column> columnsOf(const ViewResult& view, const std::vector<std::string>& paths, bool baseline) {
   const compare::Figures* sample = view.whole.values.empty() ? nullptr : &view.whole;
   for (const MaterialResult& material : view.materials)
     if (!sample && !material.figures.values.empty()) sample = &material.figures;
@@ -56,8 +63,12 @@ std::vector<Column> columnsOf(const ViewResult& view, bool baseline) {
   if (sample->find("bias.ev")) columns.push_back({.title = "EV", .metric = "bias.ev", .width = 8});
   if (baseline && sample->find("flip.mean")) columns.push_back({"since", "flip.mean", true, 6});
   if (view.truth) {
-    columns.push_back({truthColumn(view.reference) + " ", "flip.mean", false, 9, &compare::TruthFigures::reference});
-    columns.push_back({truthColumn(view.test) + " ", "flip.mean", false, 9, &compare::TruthFigures::test});
+    const auto add = [&](const std::string& path, auto figures) {
+      const std::string title = truthColumn(path, paths) + " ";
+      columns.push_back({title, "flip.mean", false, std::max<std::size_t>(title.size(), 9), figures});
+    };
+    add(view.reference, &compare::TruthFigures::reference);
+    add(view.test, &compare::TruthFigures::test);
   }
   for (const StageResult& stage : view.stages)
     if (showsStage(view, stage.stage)) {
@@ -125,12 +136,26 @@ std::string formatRow(const Row& row, std::size_t nameColumns, const std::vector
   return line + (words.empty() ? "" : "  " + words) + "\n";
 }
 
-std::string formatView(const SceneResult& scene, const ViewResult& view, bool baseline, bool color) {
+// Names of the paths, the one first that the others are compared with.
+std::vector<std::string> pathsOf(const Report& report) {
+  std::vector<std::string> paths;
+  const auto add = [&](const ViewResult& view) {
+    for (const std::string& path : {view.reference, view.test})
+      if (std::ranges::count(paths, path) == 0) paths.push_back(path);
+  };
+  for (const SceneResult& scene : report.scenes)
+    for (const ViewResult& view : scene.views) add(view);
+  if (paths.empty()) add({});
+  return paths;
+}
+
+std::string formatView(const SceneResult& scene, const ViewResult& view, const std::vector<std::string>& paths,
+                       bool baseline, bool color) {
   std::size_t nameColumns = kMinNameColumns;
   for (const MaterialResult& material : view.materials)
     nameColumns = std::max(nameColumns, base::displayWidth(base::plainLine(material.name)));
   nameColumns = std::min(nameColumns, kMaxNameColumns);
-  const std::vector<Column> columns = columnsOf(view, baseline);
+  const std::vector<Column> columns = columnsOf(view, paths, baseline);
 
   std::string out = fmt::format("{}, view {} ({}x{})\n", base::plainLine(scene.name), base::plainLine(view.name),
                                 view.width, view.height);
@@ -230,19 +255,6 @@ std::string stageLines(const Report& report) {
   return out;
 }
 
-// Names of the paths, the one first that the others are compared with.
-std::vector<std::string> pathsOf(const Report& report) {
-  std::vector<std::string> paths;
-  const auto add = [&](const ViewResult& view) {
-    for (const std::string& path : {view.reference, view.test})
-      if (std::ranges::count(paths, path) == 0) paths.push_back(path);
-  };
-  for (const SceneResult& scene : report.scenes)
-    for (const ViewResult& view : scene.views) add(view);
-  if (paths.empty()) add({});
-  return paths;
-}
-
 std::string joined(const std::vector<std::string>& paths, const char* between,
                    const std::function<std::string(const std::string&)>& shown) {
   std::string text;
@@ -254,8 +266,10 @@ std::string joined(const std::vector<std::string>& paths, const char* between,
 
 std::string toTable(const Report& report, bool color) {
   std::string out;
+  const std::vector<std::string> paths = pathsOf(report);
   for (const SceneResult& scene : report.scenes) {
-    for (const ViewResult& view : scene.views) out += formatView(scene, view, report.baseline.has_value(), color);
+    for (const ViewResult& view : scene.views)
+      out += formatView(scene, view, paths, report.baseline.has_value(), color);
     if (const std::string costs = describeCosts(scene.permutations); !costs.empty())
       out += fmt::format("{}: {}\n\n", base::plainLine(scene.name), costs);
     if (!scene.error.empty()) out += errorLines(scene, color) + "\n";
@@ -273,7 +287,6 @@ std::string toTable(const Report& report, bool color) {
     out += fmt::format("{}: {}\n", paint(problem.verdict, nameOf(problem.verdict), color),
                        base::plainLine(problem.reason));
   out += unjudgedLine(report);
-  const std::vector<std::string> paths = pathsOf(report);
   const std::string tests = joined({paths.begin() + 1, paths.end()}, " or ", titleOf), first = titleOf(paths.front());
   out +=
       fmt::format("FLIP of the displayed images (0 alike, 1 far apart): mean, p95, max. Each material against the {} "
@@ -284,7 +297,8 @@ std::string toTable(const Report& report, bool color) {
     out +=
         fmt::format("{}: mean FLIP of {} against the truth; ~ where the difference is within 2 standard errors of the "
                     "truth.\n",
-                    joined(paths, ", ", truthColumn), joined(paths, " and of ", titleOf));
+                    joined(paths, ", ", [&](const std::string& path) { return truthColumn(path, paths); }),
+                    joined(paths, " and of ", titleOf));
   return out + fmt::format("verdict: {} ({})\n", paint(report.verdict, nameOf(report.verdict), color), summary(report));
 }
 

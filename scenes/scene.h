@@ -88,7 +88,7 @@ struct Material {
   // Dielectric F0 before textures, linear RGB, clamped to [0,1]: ((ior-1)/(ior+1))^2 * specularColor * specular.
   // glTF's default gives exactly 0.04 = UE's Specular 0.5.
   glm::vec3 dielectricF0() const;
-  // Metallic exactly 0 with no texture that could raise it, and F0 exactly 0.04 untinted (DESIGN 6).
+  // Metallic exactly 0 with no texture that could raise it, and F0 exactly 0.04 untinted (docs/design.md 6c).
   bool isNonmetal() const;
 };
 

@@ -123,8 +123,8 @@ void addLight(KnobTable<SceneSettings>& t) {
                                                          "R,G,B that scales the light of lightmaps (--baked)")
       .alias("indirect-lighting-color-scale")
       .ofScene();
-  t.number<&S::lightScales, &Scales::directionalSpecularScale>("sun-specular-scale", 0, kMaxLightScale,
-                                                               "Scales the specular light of directional lights")
+  t.number<&S::lightScales, &Scales::sunSpecularScale>("sun-specular-scale", 0, kMaxLightScale,
+                                                       "Scales the specular light of directional lights")
       .alias("directional-specular-scale")
       .ofScene();
   t.choice<&S::falloff>("falloff", falloffNames(),

@@ -19,8 +19,8 @@ std::string describe(const LightScales& scales, const Fog& fog, Falloff falloff)
   if (scales.skyLightColor != plain.skyLightColor) parts.push_back("sky light x " + rgb(scales.skyLightColor));
   if (scales.indirectColorScale != plain.indirectColorScale)
     parts.push_back("lightmaps x " + rgb(scales.indirectColorScale));
-  if (scales.directionalSpecularScale != plain.directionalSpecularScale)
-    parts.push_back(fmt::format("specular of directional lights x {}", scales.directionalSpecularScale));
+  if (scales.sunSpecularScale != plain.sunSpecularScale)
+    parts.push_back(fmt::format("specular of directional lights x {}", scales.sunSpecularScale));
   if (falloff != Falloff::khr)
     parts.push_back("falloff of local lights: " + falloffNames().at(static_cast<std::size_t>(falloff)));
   if (fog.isSeen())

@@ -17,8 +17,8 @@ struct ViewRequest {
   float fovYDeg = 45;
 };
 
-// The camera of a view (DESIGN 8): eye = target + r*(sin phi sin theta, cos phi, sin phi cos theta), +Y up. The
-// automatic camera is the scene's own default where it names one (with its own field of view; a narrower image than
+// The camera of a view (docs/design.md 8c): eye = target + r*(sin phi sin theta, cos phi, sin phi cos theta), +Y up.
+// The automatic camera is the scene's own default where it names one (with its own field of view; a narrower image than
 // 1:1 shows as much of the width), else orbit (30, 70) fitted to the corners of the bounds; a target makes it an orbit.
 // Near and far planes enclose the bounds; a camera of a file keeps its own, but for an infinite far one. Throws Error
 // (usage) naming the known cameras where `camera` is unknown, for numbers without meaning, and where a camera is given

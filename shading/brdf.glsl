@@ -11,7 +11,7 @@
 // Written as (alpha / d)^2 / pi with d = (1 - NoH)(1 + NoH) + (alpha NoH)^2: 1 - NoH is exact for NoH >= 1/2, where
 // 1 - NoH^2 loses every digit near the peak. max(d, kSmallest): alpha = 0 at NoH = 1 gives 0 instead of 0/0; it also
 // bounds D by 1/(pi kSmallest), so half never overflows, at the price of a low peak below roughness 0.088 (there
-// alpha^2 is a half denormal, SHADING 4).
+// alpha^2 is a half denormal, docs/shading.md 4).
 FN real D_GGX(real alpha, real NoH) {
   PRECISE real n = alpha * NoH;
   PRECISE real d = (R(1.0) - NoH) * (R(1.0) + NoH) + n * n;
@@ -39,7 +39,7 @@ FN real V_SmithGGXCorrelated(real alpha, real NoV, real NoL) {
 // eq. 4), k = alpha / 2 for lights as for images, without the "hotness" remap (Karis 2014 removed it):
 //   G1(x) = x / (x (1 - k) + k),  G = G1(NoL) G1(NoV)
 // alpha in [0, 1], NoV and NoL in [0, 1]. The cosines cancel; max(., kSmallest) keeps alpha = 0 at a cosine of 0 finite.
-// From V_SmithGGXCorrelated the preintegrated A and B differ by up to 0.34 and 0.25 (SHADING 1).
+// From V_SmithGGXCorrelated the preintegrated A and B differ by up to 0.34 and 0.25 (docs/shading.md 1).
 FN real V_SchlickSmith(real alpha, real NoV, real NoL) {
   PRECISE real k = alpha * R(0.5);
   PRECISE real v = NoV * (R(1.0) - k) + k;

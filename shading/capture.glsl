@@ -22,7 +22,7 @@ struct MixingRange {
   real32 scale, bias, largest;
 };
 
-//   scale = 1 / (end - begin),  bias = -begin scale      (SHADING 7)
+//   scale = 1 / (end - begin),  bias = -begin scale      (docs/shading.md 7d)
 // Roughness 0 <= begin < end <= 1; largest above 0.
 FN MixingRange mixingRange(real32 begin, real32 end, real32 largest) {
   MixingRange range;
@@ -47,7 +47,8 @@ FN real mixingAlpha(real Roughness, MixingRange range) {
 // What the environment's reflection is multiplied with, so that it follows the baked light ("they are similarly normalized
 // and scaled by the lightmap", Karis 2014). With w = IndirectIrradiance / averageBrightness,
 //   kCaptureScaleSky        1: the cube is the skylight
-//   kCaptureScaleMixing     lerp(1, min(w, largest), mixingAlpha): UE4's ComputeMixingWeight, for scene captures (SHADING 7)
+//   kCaptureScaleMixing     lerp(1, min(w, largest), mixingAlpha): UE4's ComputeMixingWeight, for scene
+//                           captures (docs/shading.md 7d)
 //   kCaptureScaleFull       w
 //   kCaptureScaleOcclusion  MaterialAO, as the high-end path has it
 // IndirectIrradiance: luminance of the indirect diffuse light over pi, material AO included. averageBrightness: of the

@@ -1,9 +1,10 @@
 // The environment BRDF of the mobile path: Karis' analytic fit in place of the preintegrated table.
 //
-// All approximate A(R,N), B(R,N) of  integral f_specular cos = F0 A + B  for Schlick-Smith, k = alpha/2 (SHADING 1 a).
-// Deviation from that integral, absolute, max/rms over N >= 0.05 and R >= 0.05 (SHADING 2): at F0 = 0.04 .161/.024, at
-// F0 = 1 .238/.076; from the height-correlated one .084/.020 and .396/.127. A + B = 1 - 0.55 R whatever N is; B reaches
-// -0.0024 at R = 1, A -0.044 at R = N = 0; at R = N = 1 it says .450 for F0 = 1 where the integral is .307 (1 - ln 2).
+// All approximate A(R,N), B(R,N) of  integral f_specular cos = F0 A + B  for Schlick-Smith, k = alpha/2
+// (docs/shading.md 1a). Deviation from that integral, absolute, max/rms over N >= 0.05 and R >= 0.05
+// (docs/shading.md 2b): at F0 = 0.04 .161/.024, at F0 = 1 .238/.076; from the height-correlated one .084/.020
+// and .396/.127. A + B = 1 - 0.55 R whatever N is; B reaches -0.0024 at R = 1, A -0.044 at R = N = 0; at R = N = 1 it
+// says .450 for F0 = 1 where the integral is .307 (1 - ln 2).
 #ifndef PARITY_SHADING_ENV_BRDF
 #define PARITY_SHADING_ENV_BRDF
 
@@ -11,7 +12,7 @@
 
 // A and B of EnvBRDFApprox, as Karis 2014 ("Physically Based Shading on Mobile") prints them, after Lazarov 2013:
 //   r = R c0 + c1;  a004 = min(r.x^2, 2^(-9.28 N)) r.x + r.y;  AB = (-1.04, 1.04) a004 + r.zw
-// roughness in [0, 1], NoV in [0, 1]. Safe in half: at most 0.5 % relative (SHADING 4).
+// roughness in [0, 1], NoV in [0, 1]. Safe in half: at most 0.5 % relative (docs/shading.md 4).
 FN real2 EnvBRDFApproxAB(real roughness, real NoV) {
   PRECISE real rx = roughness * R(-1.0) + R(1.0);
   PRECISE real ry = roughness * R(-0.0275) + R(0.0425);
@@ -51,7 +52,7 @@ FN real EnvBRDFApproxNonmetal(real Roughness, real NoV) {
 
 // The "fully rough" flag (Karis 2014): roughness is 1, the environment is not fetched, its reflection becomes diffuse.
 //   DiffuseColor += 0.45 SpecularColor;  SpecularColor = 0
-// Against the integral at R = 1, F0 = 1, over N: rms .090 (a), .175 (b) (SHADING 2).
+// Against the integral at R = 1, F0 = 1, over N: rms .090 (a), .175 (b) (docs/shading.md 2c).
 FN void FullyRough(INOUT(real3) DiffuseColor, INOUT(real3) SpecularColor) {
   PRECISE real3 diffuse = real3(DiffuseColor.x + SpecularColor.x * R(0.45), DiffuseColor.y + SpecularColor.y * R(0.45),
                                 DiffuseColor.z + SpecularColor.z * R(0.45));

@@ -1,7 +1,7 @@
 // How point and spot lights fade: with distance, at the edge of their range, outside their cone.
 //
 // Distances and what is divided by their squares stay in real32 whatever the working precision: the square is infinite in
-// half from 256 m on (SHADING 4), its reciprocal a denormal.
+// half from 256 m on (docs/shading.md 4), its reciprocal a denormal.
 #ifndef PARITY_SHADING_LIGHT
 #define PARITY_SHADING_LIGHT
 

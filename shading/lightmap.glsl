@@ -8,7 +8,7 @@
 
 #include "shading/real.glsl"
 
-// ---- Mobile: Unreal Engine 4's LQ lightmap (4.20 to 4.26), a texture of two halves (SHADING 7). ----
+// ---- Mobile: Unreal Engine 4's LQ lightmap (4.20 to 4.26), a texture of two halves (docs/shading.md 7a). ----
 
 // 2^-8: log2 of the luminance is stored from there on.
 CONSTANT real kLogBlackPoint = R(0.00390625);
@@ -47,7 +47,7 @@ FN real32 lightmapDirectionality(LightmapSh SH, real32x3 N) {
 //   LogRGB = Lightmap0 Scale0 + Add0;  LogL = Luminance(LogRGB);  L = 2^(16 LogL - 8) - 2^-8
 //   SH = Lightmap1 Scale1 + Add1;  Luma = L Directionality;  Color = LogRGB (Luma / LogL)
 // Texels in [0, 1], WorldNormal unit; LogL up to 1.5, where half ends and saturates. Unlike the source, black (LogL = 0)
-// gives 0 instead of 0/0 (SHADING 4), and what rounding brings below 0 is 0.
+// gives 0 instead of 0/0 (docs/shading.md 4), and what rounding brings below 0 is 0.
 FN real4 GetLightMapColorLQ(real3 Lightmap0, real4 Lightmap1, LightmapScales scales, real32x3 WorldNormal) {
   real3 LogRGB = real3(lightmapLogChannel(Lightmap0.x, scales.Scale0.x, scales.Add0.x),
                        lightmapLogChannel(Lightmap0.y, scales.Scale0.y, scales.Add0.y),
@@ -120,8 +120,9 @@ FN real32x3 encodeLightmapLogRgb(real32x3 C) {
   return real32x3(R32(0.0), R32(0.0), R32(0.0));
 }
 
-// saturate(d T + .5 - .5 T)^2: what a distance-field shadow lets through (GetPrimaryPrecomputedShadowMask, SHADING 7). d:
-// texel in [0, 1], 0.5 at the shadow's edge. T: the transition scale, > 0. The uniform T keeps its digits, as in the source.
+// saturate(d T + .5 - .5 T)^2: what a distance-field shadow lets through (GetPrimaryPrecomputedShadowMask,
+// docs/shading.md 7f). d: texel in [0, 1], 0.5 at the shadow's edge. T: the transition scale, > 0. The
+// uniform T keeps its digits, as in the source.
 FN real distanceFieldShadow(real DistanceField, real32 TransitionScale) {
   PRECISE real32 x = real32(DistanceField) * TransitionScale + (R32(0.5) - R32(0.5) * TransitionScale);
   real ShadowFactor = real(max(min(x, R32(1.0)), R32(0.0)));

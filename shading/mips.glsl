@@ -14,8 +14,8 @@ FN real unclampedMip(real Roughness) {
 }
 
 // mip = max(0, 5 + 1.2 log2(max(R, 0.001)))
-// The mapping of Unreal Engine 4's reflection captures (ReflectionEnvironmentShared.ush; SHADING 7) for 256x256 faces.
-// Roughness in [0, 1]; at and below roughness 2^(-5/1.2) = 0.0557 it is mip 0. 0.001 keeps log2 off 0.
+// The mapping of Unreal Engine 4's reflection captures (ReflectionEnvironmentShared.ush; docs/shading.md 7c) for 256x256
+// faces. Roughness in [0, 1]; at and below roughness 2^(-5/1.2) = 0.0557 it is mip 0. 0.001 keeps log2 off 0.
 FN real mipFromRoughness(real Roughness) { return max(unclampedMip(Roughness), R(0.0)); }
 
 // The inverse, 2^((mip - 5) / 1.2), for mip in [0, 5]: the roughness that a mip is filtered with.

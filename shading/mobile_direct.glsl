@@ -1,7 +1,7 @@
 // Direct specular light of the mobile path, as the sources print it, with the types they print (real32 stands where they
 // say float inside half code). 1/pi is in the light's colour in all of them, and the caller multiplies by NoL.
 //
-// Reflectance over the height-correlated truth at F0 = 1 (SHADING 3), N = .1 .25 .5 .75 1:
+// Reflectance over the height-correlated truth at F0 = 1 (docs/shading.md 3), N = .1 .25 .5 .75 1:
 //   D_Approx     R=.1: .38 .95 1.89 2.84 3.78   R=.5: .57 .90 1.48 2.08 2.69   R=1: .31 .42 .63 .87 1.15
 //   CalcSpecular R=.1: .011 .066 .26 .58 1.04   R=.5: .11 .18 .35 .58 .91      R=1: .30 .38 .50 .62 .73
 // (CalcSpecular at R=.1 before the clamp at 2048, which leaves .70 of those.)
@@ -16,7 +16,8 @@
 // Karis 2014 ("Physically Based Shading on Mobile"). Roughness in (0, 1], RoL in [-1, 1]. Lacks the 1/4 of the microfacet
 // denominator, so smooth lobes are about 4 N too bright (rms log ratio .78, range .15-4.4, exitance up to 3.89). No
 // epsilon, because the article has none: in half it is inf for R <= .0625 at RoL = 1 and NaN for R <= .0574, where c is
-// inf (SHADING 4). RoL above 1 by a rounding makes 2^(c RoL - c) grow: inf up to roughness .13 in half, .006 in single.
+// inf (docs/shading.md 4). RoL above 1 by a rounding makes 2^(c RoL - c) grow: inf up to roughness .13 in half, .006 in
+// single.
 FN real D_Approx(real Roughness, real RoL) {
   PRECISE real a = Roughness * Roughness;
   PRECISE real a2 = a * a;
@@ -30,8 +31,8 @@ FN real D_Approx(real Roughness, real RoL) {
 
 // D_Approx as the engine ships it, with the types that it prints, all of them half:
 //   a = max(Roughness^2, 0.008),  D = min(2^(c RoL - c) / a^2, 1 / a^2),  c = 0.5/ln2 / a^2 + 0.275/ln2
-// PhongApprox of Unreal Engine 4's BRDF.ush (2015 to 2021), from memory of the published source: no seed article prints
-// it. Roughness in [0, 1], RoL in [0, 1], where the engine's base pass cuts it off, and above by a rounding.
+// PhongApprox of Unreal Engine 4's BRDF.ush (2015 to 2021), from memory of the published source: no article prints it.
+// Roughness in [0, 1], RoL in [0, 1], where the engine's base pass cuts it off, and above by a rounding.
 // 0.008: its square, 6.4e-5, is above 2^-14 = 6.1e-5, the smallest normal half, so that 1 / a^2 is at most 15625 and
 // finite also where denormals are flushed; it acts for Roughness <= .0894, where the lobe stays as wide as there.
 // min(., 1 / a^2): the peak is at RoL = 1; where RoL rounds to above 1, 2^(c RoL - c) grows without bound (the engine: "Avoid

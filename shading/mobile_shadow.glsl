@@ -1,5 +1,5 @@
 // Shadows by shadow maps on mobile: of a spot light, AccumulateLightingOfDynamicPointLight under SUPPORT_SPOTLIGHTS_SHADOW, and
-// of the sun, DIRECTIONAL_LIGHT_CSM. UE4's mobile base pass as the seed article of 2020 prints their parameters:
+// of the sun, DIRECTIONAL_LIGHT_CSM. UE4's mobile base pass as the listing of 2020 prints their parameters:
 // SoftTransitionScale, SpotLightShadowSharpenAndShadowFadeFraction, DirectionalLightDistanceFadeMADAndSpecularScale (of which
 // it prints the use of .z alone). The article does not print the bodies: these are UE4's CalculateOcclusion of
 // ShadowFilteringCommon.ush and the lines that follow it in the base pass, from memory.

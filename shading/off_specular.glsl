@@ -2,8 +2,8 @@
 //
 // A cube prefiltered for N = V = R holds rotationally symmetric lobes around the mirror direction. The lobe of GGX leans
 // towards the normal, is longer than wide and ends at the horizon; taking one for the other is the largest error of the
-// split sum (SHADING 6: 58 % relative RMSE at roughness .5 and NoV .3). Each tap here is a read of that cube in the
-// direction normalize(mix(N, R, blend)) at a mip, with a weight; the weights add up to 1.
+// split sum (docs/shading.md 6b: 58 % relative RMSE at roughness .5 and NoV .3). Each tap here is a read of that
+// cube in the direction normalize(mix(N, R, blend)) at a mip, with a weight; the weights add up to 1.
 #ifndef PARITY_SHADING_OFF_SPECULAR
 #define PARITY_SHADING_OFF_SPECULAR
 

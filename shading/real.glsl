@@ -84,7 +84,8 @@ FN real narrow(real32 x) {
 FN real3 narrow(real32x3 v) { return real3(narrow(v.x), narrow(v.y), narrow(v.z)); }
 
 // v / |v|; `fallback` where v is zero or has a NaN or infinite component. In at least fp32: normalize(half3) fails for
-// lengths <= 4.8e-4 and >= 257 (SHADING 4). Any length that fp32 holds works, as v is scaled by its largest component first.
+// lengths <= 4.8e-4 and >= 257 (docs/shading.md 4). Any length that fp32 holds works, as v is scaled by its largest
+// component first.
 // Comparisons are written so that NaN takes the fallback without negating one: fast-math may turn !(a >= b) into a < b.
 FN real32x3 safeNormalize(real32x3 v, real32x3 fallback) {
   real32 m = max(max(abs(v.x), abs(v.y)), abs(v.z));

@@ -1,4 +1,4 @@
-// RGBM, the 8-bit encoding of reflection captures that Unreal Engine 4's mobile renderer reads (SHADING 7):
+// RGBM, the 8-bit encoding of reflection captures that Unreal Engine 4's mobile renderer reads (docs/shading.md 7c):
 //   radiance = (rgb a 16)^2, up to 256
 #ifndef PARITY_SHADING_RGBM
 #define PARITY_SHADING_RGBM

@@ -49,7 +49,7 @@ FN real shCosineKernel(int band) {
 // Irradiance E(n) = sum E_i Y_i(n) (Ramamoorthi and Hanrahan 2001, eq. 9), in the units of radiance times sr: divide by
 // pi for the radiance that a white Lambertian sends out. Never below 0: where a small bright source makes the truncated
 // series ring, the negative part is cut. Off the exact irradiance by 2.3 % of its mean (average over 18 maps of the
-// median), 10.3 % at worst; with the sun taken out 1.35 and 6.1 % (SHADING 6). n: unit length.
+// median), 10.3 % at worst; with the sun taken out 1.35 and 6.1 % (docs/shading.md 6c). n: unit length.
 FN real3 evalIrradianceSH(IrradianceSh sh, real3 n) {
   ShBasis b = shBasis(n);
   PRECISE real3 e = real3(R(0.0), R(0.0), R(0.0));

@@ -19,9 +19,10 @@ FN real32x3 skyMeanRadiance(IrradianceSh sh) {
 }
 
 // From irradiance coefficients (shading/sh.glsl), for coefficients = 9 or 4. The factors of the first two bands, applied to
-// radiance, are those of SHADING 7: .282095 and .325735. With 9 the constant has a part of 3 z^2 - 1, which c6 zz lacks.
+// radiance, are those of docs/shading.md 7b: .282095 and .325735. With 9 the constant has a part of 3 z^2 - 1,
+// which c6 zz lacks.
 // With 4 the engine's constant keeps its part of the second band too, although nothing else of that band is read:
-//   W = C0 V0 - C3 V6,  C3 = sqrt(5) / (16 sqrt(pi)),  V6: of 3 z^2 - 1 with Z up      (SHADING 7)
+//   W = C0 V0 - C3 V6,  C3 = sqrt(5) / (16 sqrt(pi)),  V6: of 3 z^2 - 1 with Z up      (docs/shading.md 7e)
 // Y is up here, and 3 y^2 - 1 = -(3 z^2 - 1)/2 - 3 (x^2 - y^2)/2, so that V6 of the engine is -V6/2 - sqrt(3)/2 V8 of ours:
 //   W = C0 V0 + C3 (V6/2 + sqrt(3)/2 V8),  C3 V_i = sqrt(5/(16 pi)) E_i / pi
 // Done once, on the CPU.
@@ -63,8 +64,9 @@ FN real32 skyShLinear(real32 c0, real32 cx, real32 cy, real32 cz, real32x3 n) {
 
 // What UE4 calls GetSkySHDiffuseSimple: the linear band and the constant; E/pi, so the radiance of a white Lambertian. The
 // series that ends after the linear band is off the exact irradiance by 18 % of its mean (average over 18 maps of the
-// median), 41 % at worst (SHADING 6); what the constant keeps of the second band (packSkySh) is 10 to 15 % of it on real
-// maps (SHADING 7; 3, 5 and 11 % of the mean on those of tests/lighting). N: unit length; the result is not negative.
+// median), 41 % at worst (docs/shading.md 6c); what the constant keeps of the second band (packSkySh) is 10 to 15 % of
+// it on real maps (docs/shading.md 7e; 3, 5 and 11 % of the mean on those of tests/lighting). N: unit
+// length; the result is not negative.
 FN real3 GetSkySHDiffuseSimple(SkySh sky, real3 N) {
   real32x3 n = widen(N);
   real32x3 e = real32x3(max(skyShLinear(sky.c[0].x, sky.c[1].x, sky.c[2].x, sky.c[3].x, n), R32(0.0)),

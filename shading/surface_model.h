@@ -3,7 +3,7 @@
 
 namespace parity::shading {
 
-// Geometry term of the specular lobe (SHADING.md 1).
+// Geometry term of the specular lobe (docs/shading.md 1).
 enum class GeometryTerm { heightCorrelated, schlickSmith };
 
 // How Fresnel's reflectance runs from F0 to F90 (shading/brdf.glsl): schlickWeight, sphericalGaussianWeight or

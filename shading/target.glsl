@@ -1,4 +1,4 @@
-// What a mobile shader does to its colour before a render target keeps it (SHADING.md 7).
+// What a mobile shader does to its colour before a render target keeps it (docs/shading.md 7h).
 #ifndef PARITY_SHADING_TARGET
 #define PARITY_SHADING_TARGET
 

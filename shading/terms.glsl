@@ -1,4 +1,4 @@
-// The terms that a path's colour is the sum of (DESIGN 6), with the ids of shading/terms.h.
+// The terms that a path's colour is the sum of (docs/design.md 6a), with the ids of shading/terms.h.
 #ifndef PARITY_SHADING_TERMS
 #define PARITY_SHADING_TERMS
 

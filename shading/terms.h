@@ -1,4 +1,4 @@
-// The terms that a path's colour is the sum of (DESIGN 6): ids and names, for C++ and GLSL.
+// The terms that a path's colour is the sum of (docs/design.md 6a): ids and names, for C++ and GLSL.
 #pragma once
 
 #include <array>

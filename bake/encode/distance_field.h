@@ -1,4 +1,4 @@
-// The shadow of one light as mobile reads it: a distance field in texture space (SHADING.md 7).
+// The shadow of one light as mobile reads it: a distance field in texture space (docs/shading.md 7f).
 #pragma once
 
 #include "bake/encode/sun_mask.h"

@@ -1,5 +1,5 @@
 // The mobile lightmap: 8 bits a channel, two halves, and then ASTC, as Unreal Engine 4's mobile renderer stores its
-// "low quality" one (SHADING 7).
+// "low quality" one (docs/shading.md 7a).
 #pragma once
 
 #include <cstddef>

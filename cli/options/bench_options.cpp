@@ -41,12 +41,7 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
       ->group("Bench")
       ->capture_default_str();
   app.add_flag("--no-truth", raw.noTruth, "No errors against the truth, which takes most of the time")->group("Bench");
-  app.add_flag_callback("--no-reference",
-                        [&raw] {
-                          base::logInfo("--no-reference is called --no-truth now");
-                          raw.noTruth = true;
-                        })
-      ->group("");
+  app.add_flag("--no-reference", raw.noReference, "The older name of --no-truth")->group("");
   app.add_flag("--scaling", bench.scaling,
                "Instead: each stage against pixels, triangles, lights, materials, textures; generated scenes")
       ->group("Bench")
@@ -69,9 +64,10 @@ BenchCommand settleBench(const CLI::App& app, const RawBenchOptions& raw) {
     throw CLI::RequiredError("bench: a SCENE, --suite, --scaling or --list");
   if (isSuite) requireNoneOfScene(raw.common);
   settle(app, command.common, raw.common, isSuite);
+  if (raw.noReference) base::logInfo("--no-reference is called --no-truth now");
   requireSizeFits(command.common, kComparedPixelBytes);
   command.common.settings.costs = command.common.plain.costs = true;
-  command.trial.truth = !raw.noTruth;
+  command.trial.truth = !raw.noTruth && !raw.noReference;
   if (command.common.json == "-" && command.csv == "-")
     throw CLI::ValidationError("--csv", "JSON goes to stdout already");
   if (!raw.budget.empty()) {

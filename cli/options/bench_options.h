@@ -8,12 +8,12 @@
 
 namespace parity::cli {
 
-// What CLI11 fills in; its picture and its reference are smaller and coarser than a report's.
+// What CLI11 fills in; its picture and its truth are smaller and coarser than a report's.
 struct RawBenchOptions {
   BenchCommand bench;
   RawOptions common;
   std::string budget;
-  bool noTruth = false;
+  bool noTruth = false, noReference = false; // the latter is its older name
 };
 
 // `raw` must outlive the parsing.

@@ -9,7 +9,8 @@ struct Matrix3 {
 
 namespace flip_constants {
 
-// Linear sRGB to XYZ (D65) and back, and the white point: FLIP.md's rationals and digits, as in the reference code.
+// Linear sRGB to XYZ (D65) and back, and the white point: docs/flip-metric.md 2's rationals and digits, as in the
+// reference code.
 inline constexpr double kWhite[3] = {0.950428545, 1, 1.088900371}, kInverseWhite[3] = {1.052156925, 1, 0.918357670};
 inline constexpr double kToXyz[3][3] = {
     {10135552. / 24577794, 8788810. / 24577794, 4435075. / 24577794},

@@ -36,8 +36,8 @@ HWY_INLINE V evaluatePolynomial(D d, V x, const float (&k)[12]) {
   return hn::MulAdd(high, x8, hn::MulAdd(middle, x4, low));
 }
 
-// IEC 61966-2-1, as FLIP.md: c <= 0.04045 -> c/12.92, else ((c+0.055)/1.055)^2.4, here the Chebyshev interpolant of
-// degree 11 over [0.04045, 1], within 6e-8. c in [0,1].
+// IEC 61966-2-1, as docs/flip-metric.md 1b: c <= 0.04045 -> c/12.92, else ((c+0.055)/1.055)^2.4, here the Chebyshev
+// interpolant of degree 11 over [0.04045, 1], within 6e-8. c in [0,1].
 HWY_INLINE V decodeSrgb(D d, V c) {
   constexpr float kPower[] = {0.233240914f,    0.466891316f,    0.272591156f,     0.0303154423f,
                               -0.00377885563f, 0.00100312631f,  -0.000420915109f, 0.000193301703f,

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kTarget = 0.85; // what the ends of the range are exposed to
 
-// k0..k5 of (k0 x^2 + k1 x + k2)/(k3 x^2 + k4 x + k5): FLIP.md. ACES after K. Narkowicz 2016, Hable 2010.
+// k0..k5 of (k0 x^2 + k1 x + k2)/(k3 x^2 + k4 x + k5): docs/flip-metric.md 6b. ACES after K. Narkowicz 2016, Hable
+// 2010.
 constexpr float kAces[6] = {0.9036f, 0.018f, 0, 0.8748f, 0.354f, 0.14f};
 constexpr float kHable[6] = {0.231683f, 0.013791f, 0, 0.18f, 0.3f, 0.018f};
 

@@ -6,7 +6,7 @@
 namespace parity::compare {
 
 // Reads, checks, measures, judges and writes what request.outputs asks for. Throws Error for whatever keeps the pair
-// from being compared, with the exit code of DESIGN 8; `result` says what was found out until then.
+// from being compared, with the exit code of docs/design.md 8a; `result` says what was found out until then.
 void compareFiles(const FlipRequest& request, FlipPair& result);
 
 } // namespace parity::compare

@@ -97,7 +97,7 @@ FlipResult runFlip(const FlipRequest& request, const std::function<void(const st
 
 Verdict worstVerdict(const FlipResult& result);
 
-// Of one pair: 0, 1 (warnings, only with warnExit), 2, 3 or 4; of all, the highest (DESIGN 8).
+// Of one pair: 0, 1 (warnings, only with warnExit), 2, 3 or 4; of all, the highest (docs/design.md 8a).
 int exitCode(const FlipPair& pair, bool warnExit);
 int exitCode(const FlipResult& result, bool warnExit);
 

@@ -33,8 +33,8 @@ inline float labFunction(float t) {
   return t > kDelta * kDelta * kDelta ? root : line;
 }
 
-// Linear Rec.709 to XYZ of D65 (FLIP.md's rationals: sRGB's primaries in exact numbers), each row over its white, so
-// that (1,1,1) becomes (1,1,1).
+// Linear Rec.709 to XYZ of D65 (docs/flip-metric.md 2's rationals: sRGB's primaries in exact numbers), each row over
+// its white, so that (1,1,1) becomes (1,1,1).
 constexpr float kToXyz[3][3] = {
     {static_cast<float>(10135552. / 23359437), static_cast<float>(8788810. / 23359437),
      static_cast<float>(4435075. / 23359437)},

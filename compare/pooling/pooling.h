@@ -12,8 +12,8 @@
 namespace parity::compare {
 
 // For each p in [0,1] (in `fractions`) the first of `values`, ascending, whose running weight exceeds p times the total
-// weight (FLIP.md, pooling); the largest weighted value for p = 1. weights: as many as values, finite and >= 0, some
-// > 0; empty: all 1. Exact order statistics. Throws Error (failed): no values, no weight, NaN.
+// weight (docs/flip-metric.md 7); the largest weighted value for p = 1. weights: as many as values, finite and >= 0,
+// some > 0; empty: all 1. Exact order statistics. Throws Error (failed): no values, no weight, NaN.
 std::vector<float> weightedPercentiles(std::span<const float> values, std::span<const float> weights,
                                        std::span<const double> fractions);
 

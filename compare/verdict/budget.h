@@ -40,14 +40,14 @@ struct Budgets {
   std::vector<BudgetRule> materials, wholes;
 };
 
-// Limits for a mobile path (ue4-2020) against the full high-end one. For an even grey, FLIP = 0.0575 dL*^0.7 (FLIP.md;
-// dL* of CIELAB), so at 20 % grey a mean of 0.03 is one step of 8 bit, 0.10 is 10 % more or less light, 0.20 is 29 %
-// more or 24 % less, 0.30 is 54 % more, 0.50 is 2.3 times as much or a third.
-// Materials: flip.mean warns at 0.10 (seen side by side; approximated environment BRDFs stay below), fails at
-// 0.20 (seen without a side by side: a light or a lobe is missing). flip.p95 warns at 0.30, fails at 0.50: a twentieth
-// of the surface may hold displaced highlights, which a cheaper lobe always has, but not lost ones. Whole images: the
-// same for p95; flip.mean 0.08 and 0.16, as errors of materials should average out. Both: bias.ev warns from 0.25 EV
-// (19 % more light), fails from 0.5 (41 %): light before it is clipped, so that white on white does not hide it.
+// Limits for a mobile path (ue4-2020) against the full high-end one. For an even grey, FLIP = 0.0575 dL*^0.7
+// (docs/flip-metric.md 4; dL* of CIELAB), so at 20 % grey a mean of 0.03 is one step of 8 bit, 0.10 is 10 % more or
+// less light, 0.20 is 29 % more or 24 % less, 0.30 is 54 % more, 0.50 is 2.3 times as much or a third. Materials:
+// flip.mean warns at 0.10 (seen side by side; approximated environment BRDFs stay below), fails at 0.20 (seen without a
+// side by side: a light or a lobe is missing). flip.p95 warns at 0.30, fails at 0.50: a twentieth of the surface may
+// hold displaced highlights, which a cheaper lobe always has, but not lost ones. Whole images: the same for p95;
+// flip.mean 0.08 and 0.16, as errors of materials should average out. Both: bias.ev warns from 0.25 EV (19 % more
+// light), fails from 0.5 (41 %): light before it is clipped, so that white on white does not hide it.
 const Budgets& defaultBudgets();
 
 // A named list of checks that rules refer to by `preset`.

@@ -1,4 +1,5 @@
-// Which bins get a shader of their own: specialised where pixels x saving outweighs the compilation (DESIGN 7).
+// Which bins get a shader of their own: specialised where pixels x saving outweighs the compilation (docs/design.md
+// 7b).
 #pragma once
 
 #include <cstdint>

@@ -35,7 +35,7 @@ std::vector<std::string> SceneRenderer::warnings() const {
   for (const PathState& each : m_paths)
     for (const std::string& warning : each.plain->warnings()) warnings.push_back(warning);
   if (m_truth && m_settings.reference.bounces > 0)
-    warnings.emplace_back("the truth has light between surfaces and shadows of all light: neither path has the former");
+    warnings.emplace_back("the truth has light between surfaces and shadows of all light: no path has the former");
   else if (m_truth && m_settings.shadows && m_prepared.panorama)
     warnings.emplace_back("the truth shadows the environment's light, too: shadow maps are of lights alone");
   return warnings;

@@ -9,8 +9,8 @@ namespace parity::scenes {
 
 // Eleven spheres of F0 = 1, roughness 0 to 1 by tenths, each with its own material "roughness 0.3", in rows of four,
 // seen from +Z. Radius 0.45 on a grid of 1: no discs overlap. With V constant, a disc's mean is the integral of
-// E(N) 2N dN: the hemispherical albedo (SHADING.md 5). 128 x 64 quads: the silhouette is within 0.03 % of the circle,
-// and normals are interpolated between exact ones.
+// E(N) 2N dN: the hemispherical albedo (docs/shading.md 5). 128 x 64 quads: the silhouette is within 0.03 % of the
+// circle, and normals are interpolated between exact ones.
 Scene makeFurnaceScene() {
   constexpr int kColumns = 4, kCount = 11;
   SceneBuilder builder("furnace");

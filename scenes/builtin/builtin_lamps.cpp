@@ -1,4 +1,4 @@
-// builtin:lamps: more lights than the mobile path takes (DESIGN 6: up to 4), so that its cap shows.
+// builtin:lamps: more lights than the mobile path takes (docs/design.md 6e: up to 4), so that its cap shows.
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 

@@ -160,7 +160,7 @@ private:
     if (std::find(list.begin(), list.end(), what) == list.end()) list.push_back(std::move(what));
   }
 
-  // Work follows need (DESIGN 7): no texture is decoded, bound or read that cannot change the colour.
+  // Work follows need (docs/design.md 7a): no texture is decoded, bound or read that cannot change the colour.
   void dropIdleTextures() {
     if (m_material.emissive == glm::vec3(0)) m_material.emissiveTexture = {};
     if (m_material.occlusionStrength == 0) m_material.occlusionTexture = {};

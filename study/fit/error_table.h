@@ -1,4 +1,4 @@
-// How far the forms are from what they were fitted to, in the figures of SHADING 2 and 3.
+// How far the forms are from what they were fitted to, in the figures of docs/shading.md 2 and docs/shading.md 3.
 #pragma once
 
 #include <string>

@@ -26,7 +26,7 @@ struct Point {
   double lost() const { return 1 - A - B; }
 };
 
-// SHADING 2's domains: full is NoV in [1/256, 1] and roughness in [1/64, 1], core is both in [0.05, 1].
+// docs/shading.md 2a's domains: full is NoV in [1/256, 1] and roughness in [1/64, 1], core is both in [0.05, 1].
 enum class Domain { full, core };
 
 // The integrals for one high-end path's settings, from a table that is made once, in about 0.4 s on 2 cores.

@@ -40,7 +40,7 @@ struct StressScene {
   bool karisMustFail = false;
 };
 
-// The list of SHADING.md 8.
+// The list of docs/shading.md 8.
 std::vector<StressScene> namedScenes();
 std::vector<StressScene> surfaceScenes(); // materials, normals, tangents
 std::vector<StressScene> lightScenes();   // lights and environments

@@ -1,4 +1,4 @@
-// SHADING.md 8: materials, normals and tangents at their edges.
+// docs/shading.md 8: materials, normals and tangents at their edges.
 #include <fmt/format.h>
 
 #include "scenes/gltf/mesh_repair.h"
@@ -10,8 +10,6 @@ namespace parity::stress {
 using namespace parts;
 
 namespace {
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 StressScene lit(StressScene s, const glm::vec3& towards = {0.3f, 0.5f, 0.8f}) {
   s.scene.lights = {makeSun(towards, 2)};
@@ -101,7 +99,7 @@ StressScene twoSided() {
 
 StressScene badNormals() {
   scenes::Mesh mesh = makeQuad();
-  mesh.normals = {{0, 0, 0}, {kNan, 0, 1}, {0, 0, 1e-30f}, {std::numeric_limits<float>::infinity(), 0, 0}};
+  mesh.normals = {{0, 0, 0}, {kNan32, 0, 1}, {0, 0, 1e-30f}, {kInf32, 0, 0}};
   scenes::mendNormals(mesh);
   StressScene s = lit(makeScene("zero-and-nan-normals", "as the loader mends them: the picture of the face's normal",
                                 std::move(mesh), makeMaterial(0.4f)));

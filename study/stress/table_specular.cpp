@@ -156,7 +156,8 @@ std::vector<FunctionCase> directFunctions() {
           .relativeTo(0x1p-14)
           .mapped(0, 1)
           .expect({Fault::notFinite, kIn16, [](const Row& r) { return r[0] <= 0.0625; }, "roughness <= 0.0625",
-                   "c = 0.72 / R^4 + 0.4 is infinite in half, and c RoL - c is NaN (SHADING 4)", rowOf({{1, 1}})})
+                   "c = 0.72 / R^4 + 0.4 is infinite in half, and c RoL - c is NaN (docs/shading.md 4)",
+                   rowOf({{1, 1}})})
           .expect({Fault::notFinite, kIn32, [](const Row& r) { return r[0] <= 7.5e-10; }, "roughness <= 7.5e-10",
                    kPower, rowOf({{1, 1}})})
           .expect({Fault::notFinite, kIn64, [](const Row& r) { return r[0] == 0; }, "roughness 0", kPower,

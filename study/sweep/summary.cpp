@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/text/shown_text.h"
+#include "report/wording.h"
 #include "study/sweep/pareto.h"
 #include "study/sweep/statistics.h"
 
@@ -66,11 +67,43 @@ std::vector<SettingSummary> summarise(const SweepReport& report) {
   return summaries;
 }
 
+std::vector<std::string> notesOf(const SweepReport& report) {
+  struct Default {
+    std::string scene;
+    std::vector<std::pair<std::string, std::string>> knobs;
+  };
+  std::vector<std::string> notes;
+  std::map<std::string, Default> defaults; // of the first scene that has the path
+  const bool hasTruth = std::ranges::any_of(
+      report.scenes, [](const SceneSweep& s) { return !s.variants.empty() && s.variants.front().whole.truth; });
+  for (const SceneSweep& scene : report.scenes) {
+    if (!scene.failure.empty()) notes.push_back(fmt::format("{}: not measured: {}", scene.scene, scene.failure));
+    if (hasTruth && !scene.variants.empty() && !scene.variants.front().whole.truth)
+      notes.push_back(scene.scene + ": has no truth, so every error is against the first path's default");
+    for (const VariantResult& v : scene.variants) {
+      if (v.name != "default") continue;
+      const Default& first = defaults.emplace(v.path, Default{scene.scene, v.knobs}).first->second;
+      for (const auto& [knob, value] : v.knobs) {
+        const auto other = std::ranges::find(first.knobs, knob, &std::pair<std::string, std::string>::first);
+        if (other != first.knobs.end() && other->second != value)
+          notes.push_back(fmt::format("{}: the default of {} has {} {}; it has {} in {}. Figures over all scenes take "
+                                      "each scene's own default",
+                                      scene.scene, v.path, knob, value, other->second, first.scene));
+      }
+    }
+  }
+  return notes;
+}
+
 std::string toMarkdown(const SweepReport& report) {
   const bool hasTruth = bestKnown(report) == Against::truth;
-  std::string text = "| setting | scenes | time over its default's |";
+  const std::string first = report::titleOf(firstPathOf(report));
+  std::string text;
+  for (const std::string& note : notesOf(report)) text += "- " + cellOf(note) + "\n";
+  if (!text.empty()) text += "\n";
+  text += "| setting | scenes | time over its default's |";
   if (hasTruth) text += " FLIP against the truth | worst | relMSE against the truth | worst |";
-  text += " FLIP against the first path | worst | of its materials | worst |\n|---|---|---|---|---|---|---|";
+  text += fmt::format(" FLIP against {} | worst | of its materials | worst |\n|---|---|---|---|---|---|---|", first);
   text += hasTruth ? "---|---|---|---|\n" : "\n";
   const std::vector<SettingSummary> summaries = summarise(report);
   for (const SettingSummary& s : summaries) {
@@ -78,7 +111,7 @@ std::string toMarkdown(const SweepReport& report) {
     if (hasTruth) text += cells(s.flip) + fmt::format(" {:.2e} | {:.2e} |", s.relMse.median, s.relMse.worst);
     text += cells(s.fromFirst) + cells(s.fromFirstOfParts) + "\n";
   }
-  text += fmt::format("\nFLIP of each scene against the {}:\n\n| setting |", hasTruth ? "truth" : "first path");
+  text += fmt::format("\nFLIP of each scene against {}:\n\n| setting |", hasTruth ? "the truth" : first);
   std::string line = "\n|---|";
   for (const SceneSweep& scene : report.scenes) {
     if (!scene.failure.empty()) continue;

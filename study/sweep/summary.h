@@ -27,7 +27,12 @@ struct SettingSummary {
 // In the order in which settings are first met. Scenes that failed are left out.
 std::vector<SettingSummary> summarise(const SweepReport& report);
 
-// The summary, then FLIP of every setting in every scene, as Markdown: against the truth where every scene has one.
+// What a reader of figures over many scenes must know, one sentence each: scenes that were not measured with the
+// reason, scenes without truth, and paths whose default is another one in some scenes, with the knobs that differ.
+std::vector<std::string> notesOf(const SweepReport& report);
+
+// The notes, the summary, then FLIP of every setting in every scene, as Markdown: against the truth where every scene
+// has one.
 std::string toMarkdown(const SweepReport& report);
 
 } // namespace parity::sweep

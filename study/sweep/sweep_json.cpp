@@ -7,14 +7,13 @@
 
 #include "base/text/shown_text.h"
 #include "study/sweep/statistics.h"
+#include "study/sweep/summary.h"
 
 namespace parity::sweep {
 
 namespace {
 
 using base::JsonWriter;
-
-constexpr int kSchema = 1;
 
 void writeNumbers(JsonWriter& json, const char* key, const std::vector<double>& values) {
   json.key(key).beginArray();
@@ -136,6 +135,7 @@ void writeConclusions(JsonWriter& json, const Conclusions& c) {
   json.key("conclusions").beginObject();
   json.key("against").text(c.against == Against::truth ? "truth" : c.firstPath);
   json.key("figure").text(c.figure);
+  writeTexts(json, "notes", c.notes);
   writeTexts(json, "dominatedEverywhere", c.dominated);
   if (c.budget) {
     json.key("budget").beginObject();
@@ -178,6 +178,7 @@ Conclusions conclude(const SweepReport& report, const std::optional<ErrorBudget>
   c.firstPath = firstPathOf(report);
   c.figure = budget ? budget->figure : report.figure;
   c.budget = budget;
+  c.notes = notesOf(report);
   c.dominated = dominatedEverywhere(report, c.against, c.figure);
   c.purchases = rankPurchases(report, c.against, c.figure);
   if (!budget) return c;
@@ -209,7 +210,7 @@ std::string toJson(const SweepReport& report, const Conclusions& conclusions, ba
   JsonWriter json(layout);
   json.beginObject();
   json.key("tool").text("parity bench");
-  json.key("schema").integer(kSchema);
+  json.key("schema").integer(kSweepSchema);
   json.key("version").text(report.version);
   json.key("commandLine").text(report.commandLine);
   json.key("startedAt").text(report.startedAt);

@@ -12,6 +12,9 @@
 
 namespace parity::sweep {
 
+// Of bench.json. 2: errors against the truth have the key "truth"; those against the first path's default its name.
+constexpr int kSweepSchema = 2;
+
 // The key "machine" of an object that is being written.
 void writeMachine(base::JsonWriter& json, const Machine& machine);
 
@@ -20,6 +23,7 @@ struct Conclusions {
   Against against = Against::first; // what the errors below are taken against
   std::string firstPath;            // by its name; also the key of errors against its default
   std::string figure = "flip.mean";
+  std::vector<std::string> notes;     // what limits the conclusions, in words
   std::vector<std::string> dominated; // everywhere
   std::optional<ErrorBudget> budget;
   struct Cheapest {

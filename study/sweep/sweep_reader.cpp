@@ -86,7 +86,7 @@ SweepReport readSweep(const std::filesystem::path& file) {
   constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
   try {
     const Json json = Json::parse(base::readText(file, kMaxBytes));
-    if (json.at("tool") != "parity bench" || json.at("schema") != 1)
+    if (json.at("tool") != "parity bench" || json.at("schema") != kSweepSchema)
       throw base::fileError(file, "schema", "not a sweep of parity bench that this version can read");
     SweepReport report;
     report.version = json.at("version").get<std::string>();

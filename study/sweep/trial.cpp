@@ -141,11 +141,13 @@ private:
     const std::set<std::string> has = haves(m_prepared);
     std::set<std::string> skipped;
     const std::vector<Variant> all = makeVariants(m_prepared.settings);
-    for (const std::string& glob : m_options.settings)
-      if (std::ranges::none_of(all, [&](const Variant& v) { return base::matchesGlob(glob, v.id()); }))
-        throw base::Error(base::ExitCode::usage, "bench", "--settings " + glob, "no setting has such a name; --list");
+    requireMatches(all, m_options.settings);
     for (const Variant& v : all) {
       if (!isWanted(v)) continue;
+      if (!v.sameAs.empty()) { // the default's own values are told of only where the user named them
+        if (!m_options.settings.empty()) m_sweep.skipped.push_back(fmt::format("{}: equals {}", v.id(), v.sameAs));
+        continue;
+      }
       if (!has.contains(v.needs)) {
         const std::string what = v.path->name() + " " + (v.knob.empty() ? v.name : v.knob);
         if (skipped.insert(what).second) m_sweep.skipped.push_back(fmt::format("{}: no {}", what, v.needs));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/text/glob.h"
 #include "job/knobs.h"
 
 namespace parity::sweep {
@@ -40,7 +41,8 @@ public:
       for (const std::string& value : valuesOf(row.knob)) {
         Variant v = m_plain;
         v.stage = stageOf(row.knob);
-        if (!set(v, {{row.knob.id, value}}) || (v.stage != Stage::preparation && isThere(v))) continue;
+        if (!set(v, {{row.knob.id, value}})) continue;
+        if (v.stage != Stage::preparation) v.sameAs = sameAs(v);
         v.knob = row.knob.id;
         v.name = row.knob.id + " " + value;
         v.needs = row.knob.needsScene;
@@ -51,7 +53,8 @@ public:
 
   void addSet(const paths::Path::KnobSet& knobs) {
     Variant v = m_plain;
-    if (!set(v, knobs.values) || isThere(v)) return;
+    if (!set(v, knobs.values)) return;
+    v.sameAs = sameAs(v);
     v.name = knobs.name;
     v.needs = knobs.needs;
     m_all.push_back(std::move(v));
@@ -60,9 +63,11 @@ public:
   const paths::Path& path() const { return *m_plain.path; }
 
 private:
-  bool isThere(const Variant& v) const {
-    return std::ranges::any_of(
-        m_all, [&, knobs = v.knobs()](const Variant& other) { return other.path == v.path && other.knobs() == knobs; });
+  std::string sameAs(const Variant& v) const {
+    const auto found = std::ranges::find_if(m_all, [&, knobs = v.knobs()](const Variant& other) {
+      return other.path == v.path && other.sameAs.empty() && other.knobs() == knobs;
+    });
+    return found == m_all.end() ? "" : found->id();
   }
 
   static bool set(Variant& v, const std::vector<std::pair<std::string, std::string>>& values) {
@@ -108,6 +113,12 @@ std::vector<Variant> makeVariants(const job::Settings& settings) {
     collector.addKnobs();
   }
   return all;
+}
+
+void requireMatches(const std::vector<Variant>& variants, const std::vector<std::string>& globs) {
+  for (const std::string& glob : globs)
+    if (std::ranges::none_of(variants, [&](const Variant& v) { return base::matchesGlob(glob, v.id()); }))
+      throw base::Error(base::ExitCode::usage, "bench", "--settings " + glob, "no setting has such a name; --list");
 }
 
 } // namespace parity::sweep

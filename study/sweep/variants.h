@@ -22,6 +22,7 @@ struct Variant {
   std::string knob{};           // the one that is turned; empty: none, or several
   Stage stage = Stage::shading; // where that knob costs
   std::string needs{};          // "environment", "directional light", "local light", "texture"; empty: nothing
+  std::string sameAs{};         // id of an earlier variant with the same values; empty: none
   job::Settings settings;       // of them those of its path act
 
   std::string id() const { return path->name() + ": " + name; }
@@ -32,5 +33,8 @@ struct Variant {
 // Of each path that the settings name: its default, its sets of knobs (paths::Path::knobSets), then one knob at a time
 // by the table of knobs. Throws Error (usage) unless the first of all paths comes first.
 std::vector<Variant> makeVariants(const job::Settings& settings);
+
+// Throws Error (usage) for a glob that matches no id of these.
+void requireMatches(const std::vector<Variant>& variants, const std::vector<std::string>& globs);
 
 } // namespace parity::sweep

@@ -1,4 +1,4 @@
-// Pages of lightmaps made by hand, and a decoder of the mobile ones written from SHADING.md 7 alone.
+// Pages of lightmaps made by hand, and a decoder of the mobile ones written from docs/shading.md 7a alone.
 #pragma once
 
 #include <algorithm>

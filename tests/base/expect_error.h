@@ -41,7 +41,8 @@ std::string expectError(Call&& call, const std::vector<std::string>& parts, Exit
   EXPECT_EQ(error.code(), code) << message;
   for (const std::string& part : parts)
     EXPECT_NE(message.find(part), std::string::npos) << "no '" << part << "' in: " << message;
-  for (const std::string& line : tests::linesOf(message)) EXPECT_TRUE(line.starts_with(error.subject())) << message;
+  for (const std::string& line : tests::linesOf(message))
+    EXPECT_TRUE(line.starts_with(error.subject() + ": ")) << message;
   return message;
 }
 

@@ -15,6 +15,7 @@ TEST(BenchOptions, OlderNameIsTakenWithANote) {
   const RunResult result = runParity({"bench", "--no-reference", "--list"});
   EXPECT_TRUE(exitedWith(0, result));
   EXPECT_TRUE(contains(result.err, "--no-reference is called --no-truth now")) << result.err;
+  EXPECT_EQ(runParity({"bench", "--no-reference", "--list", "-q"}).err, "");
 }
 
 TEST_F(BenchOnDevice, writesItsFilesAndAJudgementOfAnEarlierRun) {
@@ -41,6 +42,38 @@ TEST_F(BenchOnDevice, writesItsFilesAndAJudgementOfAnEarlierRun) {
     EXPECT_TRUE(contains(second.out, factor < 1 ? "slower: furnace highend: default" : "faster: furnace"))
         << second.out;
   }
+}
+
+// The keys of a suite's scenes are options of each alone.
+TEST_F(BenchOnDevice, aBrokenFirstSceneOfASuiteStopsNoOther) {
+  const std::string suite = write("suite.toml", R"(
+[[scene]]
+name = "lost"
+file = "builtin:furnace"
+[[scene.view]]
+name = "left"
+camera = "no such camera"
+[[scene]]
+name = "like the setting"
+file = "builtin:furnace"
+compensation = "none"
+)");
+  const RunResult result = runParity({"bench", "--suite", suite, "--size", "24x24", "--rounds", "2", "--no-truth",
+                                      "--settings", "highend: compensation none", "-o", path("out"), "--validation"});
+  ASSERT_TRUE(exitedWith(4, result));
+  EXPECT_TRUE(contains(result.err, "error: lost: ")) << result.err;
+  EXPECT_TRUE(contains(result.err, "no such camera")) << result.err;
+  const nlohmann::json json = nlohmann::json::parse(readWholeFile(m_folder / "out" / "bench.json"));
+  ASSERT_EQ(json["scenes"].size(), 2u);
+  EXPECT_TRUE(contains(json["scenes"][0]["failure"], "no such camera"));
+  EXPECT_EQ(json["scenes"][1]["variants"].size(), 2u) << "the setting equals this scene's default";
+  EXPECT_EQ(json["scenes"][1]["skipped"],
+            (std::vector<std::string>{"highend: compensation none: equals highend: default"}));
+  EXPECT_TRUE(contains(readWholeFile(m_folder / "out" / "bench.md"), "- lost: not measured: "));
+}
+
+TEST(Bench, aSettingThatNoPathHasIsRefusedBeforeAnySceneIsLoaded) {
+  expectRefused(runParity({"bench", "no-such.gltf", "--settings", "desktop*"}), 64, {"--settings desktop*", "--list"});
 }
 
 TEST_F(BenchOnDevice, aSuiteIsTriedSceneBySceneEachWithItsKeysAndItsViews) {
@@ -82,7 +115,9 @@ orbit = [40, 70, 0]
   EXPECT_NE(environments[0], environments[1]);
   EXPECT_NE(presets[0], presets[1]) << "[defaults] of the one, a key of the other";
   const std::string table = readWholeFile(folder / "bench.md");
-  for (const char* part : {"| highend: compensation none | 3 |", "| by night | rough, left | rough, right |"})
+  for (const char* part :
+       {"| highend: compensation none | 3 |", "| by night | rough, left | rough, right |",
+        "- rough, left: the default of mobile has mobile-preset karis2014; it has refit in by night."})
     EXPECT_TRUE(contains(table, part)) << part << " in " << table;
 }
 

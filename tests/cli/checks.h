@@ -51,7 +51,7 @@ testing::AssertionResult exitedWith(int code, const RunResult& result);
 bool isReported(const RunResult& result);
 
 // Expects this exit code, nothing on stdout, and on stderr one line "error: ..." that holds all `parts`; and memory
-// below 2 GiB (DESIGN 10).
+// below 2 GiB (docs/design.md 10g).
 void expectRefused(const RunResult& result, int code, const std::vector<std::string>& parts);
 
 bool contains(const std::string& text, const std::string& part);

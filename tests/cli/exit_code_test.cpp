@@ -1,4 +1,4 @@
-// The exit code says which kind of outcome it was, never how many (DESIGN 8).
+// The exit code says which kind of outcome it was, never how many (docs/design.md 8a).
 #include "base/image/image_io.h"
 #include "cli/checks.h"
 

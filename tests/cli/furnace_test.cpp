@@ -76,7 +76,7 @@ protected:
   }
 };
 
-// SHADING.md 5, in per cent: the quadrature that the pictures are held against meets the losses given there. It is
+// docs/shading.md 5, in per cent: the quadrature that the pictures are held against meets the losses given there. It is
 // converged to 0.001; the table is off by up to 0.12 (also in tests/shading).
 TEST_F(FurnaceTest, QuadratureMeetsThePublishedLosses) {
   const double roughness[] = {.2, .4, .6, .8, 1}, a[] = {3.6, 13.0, 27.8, 45.4, 62.3},

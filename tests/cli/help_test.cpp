@@ -7,7 +7,7 @@
 namespace parity::tests {
 namespace {
 
-// The common options of DESIGN 8 as far as a subcommand has a use for them.
+// The common options of docs/design.md 8b as far as a subcommand has a use for them.
 const std::vector<std::string> kCommon = {"--size",
                                           "--env",
                                           "--env-rotation",

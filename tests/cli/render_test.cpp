@@ -26,7 +26,7 @@ TEST(RenderTerms, AreListedWithTheirPaths) {
     EXPECT_TRUE(contains(listed.out, name)) << name << " in " << listed.out;
 }
 
-// In black surroundings the colour of every pixel is the sum of the terms, 1e-3 relative (DESIGN 6).
+// In black surroundings the colour of every pixel is the sum of the terms, 1e-3 relative (docs/design.md 10d).
 TEST_F(RenderTest, TermsAddUpToTheColorOnBothPaths) {
   for (const std::string scene : {"builtin:spheres", "builtin:lamps", "builtin:lights", "builtin:shadows"})
     for (const std::string path : {"highend", "mobile"}) {
@@ -42,7 +42,7 @@ TEST_F(RenderTest, TermsAddUpToTheColorOnBothPaths) {
             ASSERT_GE(pixel[3 * t + static_cast<std::size_t>(c)], 0) << scene << " " << path << " pixel " << p;
             sum += pixel[3 * t + static_cast<std::size_t>(c)];
           }
-          // DESIGN 6: 1e-3 in fp32, 4e-3 in half, the mobile path's default.
+          // docs/design.md 10d: 1e-3 in fp32, 4e-3 in half, the mobile path's default.
           const double limit = path == "mobile" ? 4e-3 : 1e-3;
           ASSERT_NEAR(sum, pixel[c], limit * std::abs(pixel[c]) + 1e-7) << scene << " " << path << " pixel " << p;
           lit += c == 0 && sum > 0;

@@ -47,7 +47,7 @@ TEST(Permutations, mergeClassesWhoseSavingDoesNotPayForTheCompilation) {
 }
 
 TEST(Permutations, splitOffAClassWhoseSavingPaysForTheCompilation) {
-  // The rule of DESIGN 7: pixels x saving against the time of compiling.
+  // The rule of docs/design.md 7b: pixels x saving against the time of compiling.
   const auto enough = static_cast<std::uint64_t>(kPermutationCostMs * 1e6 / kPermutationSavingNsPerPixel);
   for (const bool pays : {true, false}) {
     const auto plan = planAll({{{1, kFeatureNonmetal}, kSmall}, {{2, 0}, pays ? enough + 1 : enough}});

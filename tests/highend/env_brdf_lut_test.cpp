@@ -63,14 +63,14 @@ AB read(const base::Image& lut, double NoV, double roughness) {
 class EnvBrdfLut : public testing::TestWithParam<GeometryTerm> {};
 
 TEST(EnvBrdfLutTruth, meetsTheClosedFormAtNormalIncidenceAndRoughnessOne) {
-  // Schlick-Smith, R = N = 1: the directional albedo is 1 - ln 2 (SHADING 1).
+  // Schlick-Smith, R = N = 1: the directional albedo is 1 - ln 2 (docs/shading.md 1a).
   const AB truth = integrateDirectly(GeometryTerm::schlickSmith, 1, 1, 512);
   EXPECT_NEAR(truth.a + truth.b, 1 - std::numbers::ln2, 2e-6);
 }
 
 TEST_P(EnvBrdfLut, readBilinearlyIsWithinTheTargetsOverTheCore) {
   const base::Image lut = makeEnvBrdfLut(GetParam());
-  // DESIGN 10, on F0 A + B at F0 = 1 and 0.04, over NoV, roughness in [0.05, 1]; points off the texel centres.
+  // docs/design.md 10c, on F0 A + B at F0 = 1 and 0.04, over NoV, roughness in [0.05, 1]; points off the texel centres.
   constexpr int kPoints = 48;
   double sum1 = 0, sum04 = 0, max1 = 0, max04 = 0;
   std::vector<AB> truths(kPoints * kPoints);
@@ -96,8 +96,8 @@ TEST_P(EnvBrdfLut, readBilinearlyIsWithinTheTargetsOverTheCore) {
   EXPECT_LE(max04, 5e-3);
 }
 
-// Observed over NoV >= 1/256 and roughness >= 1/64, where bilinear reading is all the error (SHADING 2): rms 2.9e-4 and
-// max 6.0e-3 (height-correlated), 3.6e-4 and 9.5e-3 (Schlick-Smith).
+// Observed over NoV >= 1/256 and roughness >= 1/64, where bilinear reading is all the error (docs/shading.md 2d):
+// rms 2.9e-4 and max 6.0e-3 (height-correlated), 3.6e-4 and 9.5e-3 (Schlick-Smith).
 TEST_P(EnvBrdfLut, readBilinearlyOverTheFullDomainStaysBounded) {
   const base::Image lut = makeEnvBrdfLut(GetParam());
   constexpr int kPoints = 64;
@@ -142,7 +142,7 @@ TEST_P(EnvBrdfLut, weighsFresnelByTheCurveAskedFor) {
   }
 }
 
-// SHADING 5: what a white sphere keeps in a furnace. Its figures are rounded.
+// docs/shading.md 5: what a white sphere keeps in a furnace. Its figures are rounded.
 TEST_P(EnvBrdfLut, holdsTheAverageOfItsAlbedo) {
   const base::Image lut = makeEnvBrdfLut(GetParam());
   const bool correlated = GetParam() == GeometryTerm::heightCorrelated;

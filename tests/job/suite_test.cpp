@@ -89,9 +89,9 @@ file = "builtin:spheres"
   EXPECT_EQ(all[0].scene, (folder / "WaterBottle.gltf").string()) << "beside the suite";
   EXPECT_EQ(bottle.environment, (folder / "env/studio.hdr").string());
   EXPECT_EQ(bottle.environmentRotationDeg, 90.f);
-  EXPECT_EQ(bottle.lightScales,
-            (scenes::LightScales{
-                .skyLightColor = {1, 0.5f, 2}, .indirectColorScale = {3, 2, 1}, .directionalSpecularScale = 0.25f}));
+  EXPECT_EQ(
+      bottle.lightScales,
+      (scenes::LightScales{.skyLightColor = {1, 0.5f, 2}, .indirectColorScale = {3, 2, 1}, .sunSpecularScale = 0.25f}));
   EXPECT_EQ(bottle.falloff, scenes::Falloff::ue4);
   EXPECT_EQ(spheres.falloff, scenes::Falloff::khr);
   EXPECT_EQ(bottle.fog, (scenes::Fog{.density = 0.02f,

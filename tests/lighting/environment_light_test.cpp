@@ -30,7 +30,7 @@ scenes::Environment makeEnvironment(int width, const std::function<glm::dvec3(co
   environment.radiance = base::Image(width, width / 2, 3);
   for (int y = 0; y < width / 2; ++y)
     for (int x = 0; x < width; ++x) {
-      // u = atan2(z, x) / 2pi + 0.5, v from +Y down (DESIGN 8).
+      // u = atan2(z, x) / 2pi + 0.5, v from +Y down (docs/design.md 8d).
       const double azimuth = ((x + 0.5) / width - 0.5) * 2 * kPi, polar = (y + 0.5) / (width / 2) * kPi;
       const glm::dvec3 d(std::sin(polar) * std::cos(azimuth), std::cos(polar), std::sin(polar) * std::sin(azimuth));
       const glm::dvec3 l = radiance(d);

@@ -30,7 +30,7 @@ scenes::Environment makeNoise(int width, int height) {
   return environment;
 }
 
-// The panorama's texel that a world direction falls into (DESIGN 8), for no rotation.
+// The panorama's texel that a world direction falls into (docs/design.md 8d), for no rotation.
 glm::dvec3 texelOf(const base::Image& image, const glm::dvec3& d) {
   const double u = std::atan2(d.z, d.x) / (2 * kPi) + 0.5, v = std::acos(d.y / glm::length(d)) / kPi;
   const int x = std::min(image.width - 1, static_cast<int>(u * image.width));
@@ -89,7 +89,7 @@ TEST(Equirect, keepsTheEnergyOfASunInPanoramasOfAllSizes) {
 }
 
 TEST(Equirect, putsOneColourToEachSideOfTheWorld) {
-  // Regions by DESIGN 8's mapping: +X at u = 0.5, +Z at 0.75, -X at 0 and 1, -Z at 0.25; +Y at v = 0.
+  // Regions by docs/design.md 8d's mapping: +X at u = 0.5, +Z at 0.75, -X at 0 and 1, -Z at 0.25; +Y at v = 0.
   scenes::Environment environment = makeBlack(64, 32);
   const glm::vec3 colors[kCubeFaces] = {{1, 0, 0}, {0, 1, 1}, {0, 1, 0}, {1, 0, 1}, {0, 0, 1}, {1, 1, 0}};
   const int sides[] = {1, 5, 5, 0, 0, 4, 4, 1}; // faces by eighths of u

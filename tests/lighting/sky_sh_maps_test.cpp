@@ -1,4 +1,5 @@
-// The sky light that mobile reads of real maps, against SHADING 7's formula in double, from the panorama itself.
+// The sky light that mobile reads of real maps, against docs/shading.md 7e's formula in double, from the panorama
+// itself.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,7 +27,7 @@ glm::dvec3 toEngine(const glm::dvec3& v) { return {v.x, v.z, v.y}; }
 using Packed = std::array<glm::dvec3, 4>;
 
 // The panorama projected on the engine's basis (Condon-Shortley phase), texel by texel with exact solid angles, and
-// packed as SHADING 7 says: X = -C1 V3, Y = -C1 V1, Z = C1 V2, W = C0 V0 - C3 V6.
+// packed as docs/shading.md 7e says: X = -C1 V3, Y = -C1 V1, Z = C1 V2, W = C0 V0 - C3 V6.
 Packed packByTheEngine(const base::Image& panorama) {
   std::array<glm::dvec3, 9> V{};
   for (int y = 0; y < panorama.height; ++y) {

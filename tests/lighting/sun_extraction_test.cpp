@@ -25,7 +25,7 @@ constexpr double kPi = std::numbers::pi;
 struct Disc {
   double azimuthDeg, elevationDeg, radiusDeg;
   glm::dvec3 radiance;
-  glm::dvec3 towards() const { // of the panorama, as the u of DESIGN 8 has it
+  glm::dvec3 towards() const { // of the panorama, as the u of docs/design.md 8d has it
     const double a = glm::radians(azimuthDeg), e = glm::radians(elevationDeg);
     return {std::cos(e) * std::cos(a), std::sin(e), std::cos(e) * std::sin(a)};
   }

@@ -1,4 +1,4 @@
-// Baked light of the mobile path: the seed's order, with the formulas of shading/ on the CPU at equal precision.
+// Baked light of the mobile path: the base pass's order, with the formulas of shading/ on the CPU at equal precision.
 #include "support/baked_quads.h"
 
 #include "gpu/spirv/spirv_cost.h"

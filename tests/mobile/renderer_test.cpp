@@ -1,4 +1,4 @@
-// The mobile path against the seeds' formulas in double precision, put together here in the order of the base pass.
+// The mobile path against the published formulas in double precision, put together here in the order of the base pass.
 #include "support/bumpy_quad.h"
 #include "support/path_quad.h"
 

@@ -69,7 +69,7 @@ TEST(DirectionalAlbedo, weighsFresnelsCurvesAsTheIntegralDoes) {
 }
 
 // alpha = 1: D = 1/pi, and height-correlated V = 1/2 / (NoL + NoV), so E = integral of l / (l + mu) dl = 1 - mu ln(1 +
-// 1/mu). Schlick-Smith has the same V at mu = 1: SHADING's 1 - ln 2.
+// 1/mu). Schlick-Smith has the same V at mu = 1: docs/shading.md 1a's 1 - ln 2.
 TEST(DirectionalAlbedo, atRoughnessOneHasItsClosedForm) {
   const AlbedoRow row = DirectionalAlbedo(GeometryTerm::heightCorrelated).row(1);
   for (const double mu : {0.01, 0.05, 0.2, 0.4, 0.8, 1.0})

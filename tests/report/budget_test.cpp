@@ -355,7 +355,7 @@ TEST(Budget, DefaultsJudgeEveryMaterialAndEveryWholeImage) {
 }
 
 // What budget.h and the page say a FLIP figure means, by our FLIP on even greys. Expected: FLIP = 0.95/(0.4 cmax) *
-// dL*^0.7 (FLIP.md, colour difference; no features), L* = 116 Y^(1/3) - 16 (CIE 15:2004).
+// dL*^0.7 (docs/flip-metric.md 4; no features), L* = 116 Y^(1/3) - 16 (CIE 15:2004).
 TEST(Budget, TheLimitsMeanWhatTheDocumentationSays) {
   const auto lightness = [](double y) { return 116 * std::cbrt(y) - 16; };
   const auto encode = [](double y) { return static_cast<float>(1.055 * std::pow(y, 1 / 2.4) - 0.055); };

@@ -1,4 +1,4 @@
-// Cameras and the sun: DESIGN 8's convention, term by term.
+// Cameras and the sun: docs/design.md 8c's convention, term by term.
 #include <cmath>
 
 #include "scenes/gltf/gltf_writer.h"

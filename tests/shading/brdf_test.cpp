@@ -106,12 +106,12 @@ TEST(Visibility, isFiniteAtGrazingAndZeroAlphaInEveryPrecision) {
     }
 }
 
-// SHADING.md, head: in closed form for Schlick-Smith, where D and G cancel at alpha = 1.
+// docs/shading.md 1a: in closed form for Schlick-Smith, where D and G cancel at alpha = 1.
 TEST(WhiteFurnace, roughestSurfaceSeenHeadOnReflectsOneMinusLn2) {
   EXPECT_NEAR(albedo(Geometry::schlickSmith, 1, 1), 1 - std::numbers::ln2, 1e-12);
 }
 
-// SHADING.md 5, single scattering. Its figures are printed to 0.1 and are up to 0.12 off these converged ones.
+// docs/shading.md 5, single scattering. Its figures are printed to 0.1 and are up to 0.12 off these converged ones.
 TEST(WhiteFurnace, losesWhatIsKnownOfBothGeometryTerms) {
   struct Loss {
     double roughness, schlickSmith, heightCorrelated;

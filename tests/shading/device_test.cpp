@@ -1,4 +1,4 @@
-// The shading functions on the device against the same source on the CPU, at equal precision (DESIGN 5).
+// The shading functions on the device against the same source on the CPU, at equal precision (docs/design.md 5b).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

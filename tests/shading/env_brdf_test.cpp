@@ -44,7 +44,7 @@ CoreDeviations deviationsFrom(Geometry geometry) {
   return core;
 }
 
-constexpr double kPrinted = 6e-4; // half a unit of SHADING.md 2's last digit, and the grid
+constexpr double kPrinted = 6e-4; // half a unit of docs/shading.md 2b's last digit, and the grid
 
 TEST(EnvBrdfApprox, deviatesFromSchlickSmithAsPublished) {
   const CoreDeviations core = deviationsFrom(Geometry::schlickSmith);
@@ -60,7 +60,8 @@ TEST(EnvBrdfApprox, deviatesFromHeightCorrelatedSmithAsPublished) {
   const CoreDeviations core = deviationsFrom(Geometry::heightCorrelated);
   EXPECT_NEAR(core.dielectric.max, 0.084, kPrinted);
   EXPECT_NEAR(core.dielectric.rms(), 0.020, kPrinted);
-  // SHADING.md prints .396, from a grid that stops short of the corner R = 1, N = 0.05; at the edge itself it is .3978.
+  // docs/shading.md 2b prints .396, from a grid that stops short of the corner R = 1, N = 0.05; at the edge itself it
+  // is .3978.
   EXPECT_NEAR(core.metal.max, 0.3978, kPrinted);
   EXPECT_NEAR(core.metal.rms(), 0.127, kPrinted);
   EXPECT_NEAR(core.nonmetal.max, 0.085, kPrinted);
@@ -121,7 +122,7 @@ TEST(FullyRough, movesFortyFivePercentOfSpecularIntoDiffuse) {
   EXPECT_EQ(specular.x + specular.y + specular.z, 0);
 }
 
-// SHADING.md 2: 0.45 F0 in place of the integral at R = 1, F0 = 1, over N in [0, 1]. Converged: .0893 and .1739.
+// docs/shading.md 2c: 0.45 F0 in place of the integral at R = 1, F0 = 1, over N in [0, 1]. Converged: .0893 and .1739.
 TEST(FullyRough, deviatesFromBothIntegralsAsPublished) {
   const PanelRule views({0.0, 0.01, 0.1, 0.3, 1.0}, 12);
   for (const auto& [geometry, rms] : {std::pair{Geometry::schlickSmith, 0.090}, {Geometry::heightCorrelated, 0.175}}) {

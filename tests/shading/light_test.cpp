@@ -120,7 +120,7 @@ TEST(ClampContribution65000, cutsEachChannelOnItsOwn) {
   EXPECT_EQ(c.z, 3);
 }
 
-// SHADING.md 4: "min(65000, x) stores 64992, and two such lights add up to inf".
+// docs/shading.md 4: "min(65000, x) stores 64992, and two such lights add up to inf".
 TEST(ClampContribution65000, letsTwoLightsOverflowHalf) {
   const Half huge = Half(65504.0);
   const Half one = f16::clampContribution65000({huge, huge, huge}).x;

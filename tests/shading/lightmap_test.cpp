@@ -83,7 +83,7 @@ f64::real4 readLq(const f64::real32x3& irradianceOverPi, const Baked& baked, con
 
 double stored(double value) { return std::floor(std::clamp(value, 0.0, 1.0) * 255 + 0.5) / 255; }
 
-// SHADING 7: a step of LogL is 4.5 % of L + 2^-8, so that half a step is 2.3 %.
+// docs/shading.md 7a: a step of LogL is 4.5 % of L + 2^-8, so that half a step is 2.3 %.
 TEST(Lightmap, eightBitsKeepGreysWithinHalfAStepOver16Stops) {
   double worst = 0, worstHalf = 0;
   for (double stop = -8; stop <= 8; stop += 1.0 / 64) {

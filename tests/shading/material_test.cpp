@@ -27,7 +27,7 @@ TEST(Material, metalsReflectTheirColourAndDiffuseNothing) {
   EXPECT_EQ(f64::specularColor(F0, base, 1).x, 0.9);
   EXPECT_EQ(f64::specularColor(F0, base, 1).z, 0.2);
   EXPECT_EQ(f64::diffuseColor(base, 1).x, 0);
-  // SHADING.md 8: metallic 1 over black is exactly 0.
+  // docs/shading.md 8: metallic 1 over black is exactly 0.
   EXPECT_EQ(f64::specularColor(F0, {0, 0, 0}, 1).y, 0);
   EXPECT_EQ(shading::f32::specularColor({0.04f, 0.04f, 0.04f}, {0, 0, 0}, 1).y, 0);
 }

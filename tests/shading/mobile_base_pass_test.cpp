@@ -116,7 +116,7 @@ TEST(EnvironmentBrdfAB, isWhatSpecularColorIsMadeOf) {
   EXPECT_EQ(f64::environmentBrdfAB(f64::kEnvironmentBrdfUE4, true, {1, 1, 1}, 0.5, 0.5).x, 0.45) << "fully rough";
 }
 
-// SHADING 8: N flipped, direct light 0; V = -L, H = N.
+// docs/shading.md 8: N flipped, direct light 0; V = -L, H = N.
 TEST(MobileIntegrateBxDF, givesNothingFromBehindAndSurvivesLightAgainstTheView) {
   const f64::MobileShadingModelContext c = f64::initShadingModelContext(1, false, false, copper(), 1);
   const f64::MobileFrame frame = f64::mobileFrame({0, 0, 1}, {0, 0, 1});
@@ -144,7 +144,7 @@ TEST(CaptureScale, isOneOfTheSkylightTheWholeWeightOfKarisAndOcclusionOfOurs) {
   EXPECT_EQ(f64::captureScale(f64::kCaptureScaleOcclusion, 0.5, 2, 0.5, 0.7, kMixing), 0.7);
 }
 
-// SHADING 7, by the engine's own steps, in numbers: scale 5, bias -.5.
+// docs/shading.md 7d, by the engine's own steps, in numbers: scale 5, bias -.5.
 TEST(CaptureScale, mixingIsWholeFromTheEndOnAndAbsentUpToTheBegin) {
   EXPECT_NEAR(kMixing.scale, 5, 1e-12);
   EXPECT_NEAR(kMixing.bias, -0.5, 1e-12);
@@ -176,7 +176,7 @@ TEST(CaptureScale, mixingInHalfIsWithinItsRounding) {
     }
 }
 
-// SHADING 8: "Average brightness 0: guarded", and what is black stays black.
+// docs/shading.md 8: "Average brightness 0: guarded", and what is black stays black.
 TEST(CaptureScale, ofABlackCaptureIsFiniteAndItsReflectionBlack) {
   const Half scale = f16::captureScale(f16::kCaptureScaleFull, Half(60000), 0, Half(1), Half(1), {});
   EXPECT_EQ(float(scale), 65504);

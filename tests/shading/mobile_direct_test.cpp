@@ -45,7 +45,7 @@ void expectPrinted(double actual, double printed, int decimals) {
   EXPECT_NEAR(actual, printed, 0.55 * std::pow(10, -decimals));
 }
 
-// SHADING.md 3.
+// docs/shading.md 3.
 TEST(DApprox, reflectsAgainstTheTruthAsPublished) {
   const std::array<std::pair<double, std::array<double, 5>>, 3> rows = {
       {{0.1, {.38, .95, 1.89, 2.84, 3.78}}, {0.5, {.57, .90, 1.48, 2.08, 2.69}}, {1, {.31, .42, .63, .87, 1.15}}}};
@@ -54,7 +54,7 @@ TEST(DApprox, reflectsAgainstTheTruthAsPublished) {
       expectPrinted(reflectanceOfDApprox(R, kViews[i]) / truth(R, kViews[i]), printed[i], 2);
 }
 
-// SHADING.md 3: "its smooth-lobe ratio is about 4N; exitance reaches 3.89", over roughness >= 0.05.
+// docs/shading.md 3a: "its smooth-lobe ratio is about 4N; exitance reaches 3.89", over roughness >= 0.05.
 TEST(DApprox, lacksTheQuarterOfTheMicrofacetDenominator) {
   for (const double N : kViews) // 1 - 0.55 R is EnvBRDFApprox at F0 = 1
     EXPECT_NEAR(reflectanceOfDApprox(0.05, N) / truth(0.05, N), 4 * N * (1 - 0.55 * 0.05), 0.01 * N);
@@ -122,7 +122,8 @@ TEST(GgxMobile, isClampedAt2048FromRoughness0149Down) {
   EXPECT_EQ(float(shading::f16::GGX_Mobile(shading::Half(0.015625), 1)), 2048);
 }
 
-// SHADING.md 3: "leaves 70 % of the energy at R=.1, 21 % at R=.05": of the projected area that D NoH integrates to.
+// docs/shading.md 3b: "leaves 70 % of the energy at R=.1, 21 % at R=.05": of the projected area that D NoH integrates
+// to.
 TEST(GgxMobile, clampLeavesTheShareOfEnergyThatIsPublished) {
   for (const auto& [R, percent] : {std::pair{0.1, 70.0}, {0.05, 21.0}, {0.2, 100.0}}) {
     const double kept = integrateLobe(R * R, 1, 20, [&](const Cosines& cosines) {
@@ -132,8 +133,8 @@ TEST(GgxMobile, clampLeavesTheShareOfEnergyThatIsPublished) {
   }
 }
 
-// SHADING.md 3. Its row R = .1 is before the clamp; with it, .70 of that is left (.72 at N = .1, where part of the lobe
-// is below the horizon).
+// docs/shading.md 3b. Its row R = .1 is before the clamp; with it, .70 of that is left (.72 at N = .1, where part of
+// the lobe is below the horizon).
 TEST(CalcSpecular, reflectsAgainstTheTruthAsPublished) {
   const std::array<std::pair<double, std::array<double, 5>>, 2> rows = {
       {{0.5, {.11, .18, .35, .58, .91}}, {1, {.30, .38, .50, .62, .73}}}};

@@ -80,7 +80,7 @@ TEST_F(MobileSweep, phongApproxMendsWhatDApproxFailsAt) {
   }
 }
 
-// SHADING.md 4: 1/R^4 is infinite at R = 0 in single; and B falls to -0.0024 at R = 1, which F0 = 0 does not hide.
+// docs/shading.md 4: 1/R^4 is infinite at R = 0 in single; and B falls to -0.0024 at R = 1, which F0 = 0 does not hide.
 TEST_F(MobileSweep, karis2014FailsInSingleOnlyWhereItsFormulasDo) {
   const Findings found = sweep(kKaris2014, false);
   EXPECT_GT(found.notANumber, 0);

@@ -1,4 +1,5 @@
-// The same functions in fp32 and fp16: fp32 against fp64, and the hazards of half precision as results (SHADING.md 4).
+// The same functions in fp32 and fp16: fp32 against fp64, and the hazards of half precision as results (docs/shading.md
+// 4).
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -38,7 +38,7 @@ double integrateAroundReflection(double c, double NoV, int order,
                                  const std::function<double(double NoL, double RoL)>& f);
 
 // A and B of the microfacet model in textbook form (D, G1, G2 written out here, not shading/): F0 A + B is the
-// directional albedo. SHADING 1's two truths.
+// directional albedo. docs/shading.md 1's two truths.
 struct EnvBrdf {
   double A, B;
 };

@@ -57,7 +57,8 @@ TEST(SafeNormalize, givesUnitLengthAtAnyLengthInEveryPrecision) {
     const f32::real3 n = f32::safeNormalize({length, -2 * length, 2 * length}, {0, 0, 1});
     EXPECT_NEAR(n.z, 2.0f / 3, 1e-7);
   }
-  // SHADING.md 4: normalize(half3) is bad for lengths <= 4.8e-4 and >= 257; half code normalises in single precision.
+  // docs/shading.md 4: normalize(half3) is bad for lengths <= 4.8e-4 and >= 257; half code normalises in single
+  // precision.
   for (const float length : {1e-4f, 257.0f, 1e30f}) {
     const f16::real3 n = f16::narrow(f16::safeNormalize({length, -2 * length, 2 * length}, {}));
     EXPECT_EQ(float(n.x), float(Half(1.0 / 3))) << length;

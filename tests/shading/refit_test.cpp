@@ -65,7 +65,7 @@ double total16(double F0, double R, double N) {
   return float(lobe.single.x) + float(lobe.multiple.x);
 }
 
-// Over the full domain of SHADING.md 2: NoV >= 1/256, roughness >= 1/64. Wanted: .01 at F0 = .04, .02 at F0 = 1.
+// Over the full domain of docs/shading.md 2a: NoV >= 1/256, roughness >= 1/64. Wanted: .01 at F0 = .04, .02 at F0 = 1.
 TEST(RefitLobe, reflectsWhatTheCompensatedHighEndLobeDoes) {
   constexpr std::array kF0 = {0.02, 0.04, 0.5, 0.75, 1.0};
   std::array<Deviation, kF0.size()> exact, half;

@@ -26,7 +26,8 @@ TEST(Rgbm, decodesToTheSquareOfRgbTimesAlphaTimesSixteen) {
   EXPECT_EQ(radiance.z, 0);
 }
 
-// SHADING 7: "8-bit error .4 % rms", here over greys of a uniform logarithm from 2^-4 to 2^8 and tinted colours.
+// docs/shading.md 7c: "8-bit error .4 % rms", here over greys of a uniform logarithm from 2^-4 to 2^8 and tinted
+// colours.
 TEST(Rgbm, loses04PercentRmsInEightBits) {
   double sum = 0, worst = 0;
   int count = 0;

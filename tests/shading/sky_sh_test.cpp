@@ -57,8 +57,8 @@ TEST(SkySh, fourCoefficientsAreExactForALinearSky) {
     }
 }
 
-// SHADING 7: W = C0 V0 - C3 V6, V6 of 3 z^2 - 1 with Z up. A sky of radiance 1 + a (3 up^2 - 1) has V6 = a times the
-// basis function's norm; the constant loses C3 V6, although nothing else of the band is read.
+// docs/shading.md 7e: W = C0 V0 - C3 V6, V6 of 3 z^2 - 1 with Z up. A sky of radiance 1 + a (3 up^2 - 1) has V6 = a
+// times the basis function's norm; the constant loses C3 V6, although nothing else of the band is read.
 TEST(SkySh, fourCoefficientsKeepTheSecondBandsPartOfTheConstant) {
   // 3 y^2 - 1 in the basis of shading/sh.glsl: -1/2 of its sixth over .3154, -3/2 of x^2 - y^2 over .5463.
   const double a = 0.2, Y0 = 0.282094791773878143, Y6 = 0.315391565252520006, Y8 = 0.546274215296039535;
@@ -73,7 +73,7 @@ TEST(SkySh, fourCoefficientsKeepTheSecondBandsPartOfTheConstant) {
   EXPECT_NEAR(f64::skyMeanRadiance(sh).x, 1, 1e-12) << "the mean is none of its business";
 }
 
-// "SH normalised so that L0 = .282095 and the linear factor is .325735" (SHADING 7), for projected radiance.
+// "SH normalised so that L0 = .282095 and the linear factor is .325735" (docs/shading.md 7b), for projected radiance.
 TEST(SkySh, factorsOfTheFirstTwoBandsAreThoseOfTheEngine) {
   f64::IrradianceSh sh{};
   sh.c[0] = {f64::shCosineKernel(0), 0, 0};

@@ -97,7 +97,7 @@ TEST_F(BakedTest, lightIsInTheTermsOfBothPaths) {
     }
     EXPECT_EQ(sumOfTerm(render(scene, by, {}), Term::lightmap), 0) << "without the bake";
   }
-  // Terms and the values that the seeds name.
+  // Terms and the values that the base pass names.
   for (const std::string& by : kPaths) EXPECT_GT(sumOf(renderTerm("lightmap", by, {"--baked", folder}), 0), 0) << by;
   EXPECT_GT(sumOf(renderTerm("IndirectColor", "mobile", {"--baked", folder}), 0), 0);
   const base::Image shadow = renderTerm("Shadow", "mobile", {"--baked", folder});

@@ -10,7 +10,7 @@ namespace {
 
 const std::string kGolden = std::string(PARITY_SOURCE_DIR) + "/tests/compare/flip/golden/";
 
-// Figures of FLIP.md for this pair, made with NVIDIA's tool.
+// Figures of docs/flip-metric.md 8 for this pair, made with NVIDIA's tool.
 TEST(FlipCommand, GoldenPairHasThePublishedFigures) {
   const TempFolder folder;
   const std::string map = (folder / "map.pfm").string();

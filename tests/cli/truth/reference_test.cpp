@@ -49,8 +49,8 @@ TEST_F(ReferenceTest, IsHighendWhereNothingIsIntegrated) {
   EXPECT_NEAR(sumOf(highend, specular) / sumOf(truth, specular), 1, 0.02);
 }
 
-// A white furnace: the highend's table and compensation against integrals; SHADING 1 promises 1 for both, highend
-// within 1 % (DESIGN 10). And the reference within its own error: 4 digits.
+// A white furnace: the highend's table and compensation against integrals; docs/shading.md 5 promises 1 for both,
+// highend within 1 % (docs/design.md 10f). And the reference within its own error: 4 digits.
 TEST_F(ReferenceTest, FurnaceIsWhite) {
   const base::Image truth =
       render("builtin:furnace", "reference", "f.exr", {"--size", "48x48", "--background", "1,1,1", "--error", "0.02%"});
@@ -61,7 +61,7 @@ TEST_F(ReferenceTest, FurnaceIsWhite) {
 }
 
 // Under a studio the diffuse light of a rough dielectric differs only by what SH of order 2 leaves out (2 % of the mean
-// for most maps, 10 % at worst, SHADING 6), and energy is kept: a sanity bound on the whole picture.
+// for most maps, 10 % at worst, docs/shading.md 6c), and energy is kept: a sanity bound on the whole picture.
 TEST_F(ReferenceTest, DiffuseIsHighendsWithinWhatShLeavesOut) {
   const std::vector<std::string> options = {"--size", "72x48", "--terms"};
   const base::Image highend = render("builtin:spheres", "highend", "a.exr", options);

@@ -26,7 +26,7 @@ protected:
 };
 
 // Half of the sky's light on these spheres is the sun's. What is moved from the one term to the other is not lost; the
-// split sum apart, which the rough spheres' highlights do without (SHADING 6).
+// split sum apart, which the rough spheres' highlights do without (docs/shading.md 6b).
 TEST_F(SunExtractionTest, MovesLightFromTheSkysTermsToTheSunsInEveryPath) {
   for (const char* path : {"highend", "mobile", "reference"}) {
     const base::Image with = render(path, kSky), left = render(path, join({kSky, kLeft}));

@@ -114,8 +114,8 @@ TEST_F(TruthTest, NamesSingleScatteringAndTheGeometryTerm) {
       "lobe, with shadows, to a standard error of 10 %");
 }
 
-// A white furnace: both high-end and truth are 1 (SHADING 1), so what is between them is the truth's noise and nothing
-// else: the very case that the notes are for. Mobile does not compensate.
+// A white furnace: both high-end and truth are 1 (docs/shading.md 5), so what is between them is the truth's noise and
+// nothing else: the very case that the notes are for. Mobile does not compensate.
 TEST_F(TruthTest, InAWhiteFurnaceHighendIsTheTruth) {
   const std::string file = (m_folder / "furnace.json").string();
   const RunResult result =

@@ -16,14 +16,14 @@
 namespace parity::compare {
 namespace {
 
-constexpr double kPixelTolerance = 1e-4, kMeanTolerance = 1e-6; // DESIGN 10
+constexpr double kPixelTolerance = 1e-4, kMeanTolerance = 1e-6; // docs/design.md 10a
 
 // Flat fields have no features, but the tool's float kernels find some 1e-8 there; under the square root of the feature
 // difference that is 1e-4, and moves its map by up to 1.8e-5. The double-precision oracle sides with us (below).
 constexpr double kToolsNoiseInFlatFields = 2e-5, kDrift = 5e-5;
 constexpr double kNotPrinted = std::numeric_limits<double>::quiet_NaN();
 
-// A row of FLIP.md's table: what the tool prints. kNotPrinted where the table has no figure.
+// A row of docs/flip-metric.md 8's table: what the tool prints. kNotPrinted where the table has no figure.
 struct Case {
   std::string pair, map;
   float ppd;
@@ -81,8 +81,8 @@ TEST_P(FlipGolden, pooledFiguresAreWhatTheReferenceToolPrints) {
   expectPrinted(pooled.max, c.max, "maximum");
 }
 
-// The pooling alone, on the tool's own map. Its running sums are float32 and drift (FLIP.md, faults): they stop up to
-// 2.9e-5 from where exact ones do.
+// The pooling alone, on the tool's own map. Its running sums are float32 and drift (docs/flip-metric.md 9a): they stop
+// up to 2.9e-5 from where exact ones do.
 TEST_P(FlipGolden, poolingOfTheToolsOwnMapGivesTheDigitsItPrinted) {
   const Case& c = GetParam();
   const Pooling pooled = poolMap(base::readPfm(test::goldenFolder() / (c.map + ".pfm")));

@@ -21,7 +21,7 @@ namespace {
 
 using test::makeHdrImage;
 
-// FLIP.md's table.
+// docs/flip-metric.md 8's table.
 struct Case {
   std::string map;
   HdrFlipOptions options;
@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(Maps, HdrFlipGolden, ::testing::ValuesIn(kCases),
                          [](const auto& instance) { return instance.param.map; });
 
 TEST(HdrFlip, theBrightestExposedValueComesOutAsPoint85) {
-  EXPECT_NEAR(brightestExposed(Tonemapper::aces), 2.11887232, 1e-6); // FLIP.md
+  EXPECT_NEAR(brightestExposed(Tonemapper::aces), 2.11887232, 1e-6); // docs/flip-metric.md 6a
   EXPECT_NEAR(brightestExposed(Tonemapper::hable), 3.12774928, 1e-5);
   EXPECT_NEAR(brightestExposed(Tonemapper::reinhard), 5.66666667, 1e-7);
 }

@@ -6,7 +6,7 @@
 
 namespace parity::oracle {
 
-// FLIP.md: (k0 x^2 + k1 x + k2)/(k3 x^2 + k4 x + k5), or RGB/(1 + luminance).
+// docs/flip-metric.md 6b: (k0 x^2 + k1 x + k2)/(k3 x^2 + k4 x + k5), or RGB/(1 + luminance).
 inline Pixel tonemap(compare::Tonemapper tonemapper, const Pixel& c) {
   if (tonemapper == compare::Tonemapper::reinhard) {
     const double scale = 1 + 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];

@@ -20,7 +20,7 @@ float percentile(const std::vector<float>& values, const std::vector<float>& wei
   return weightedPercentiles(values, weights, std::vector<double>{p})[0];
 }
 
-// The definition (FLIP.md, pooling), by sorting.
+// The definition (docs/flip-metric.md 7), by sorting.
 float sortedPercentile(const std::vector<float>& values, const std::vector<float>& weights, double p) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -102,7 +102,7 @@ TEST(Pooling, theHistogramCountsHundredthsAndPutsOneIntoTheLast) {
   EXPECT_EQ(std::accumulate(pooled.histogram.begin(), pooled.histogram.end(), std::uint64_t{0}), 8u);
 }
 
-// Float sums stall: the reference tool's mean is off by 1e-3 at this size (FLIP.md, faults).
+// Float sums stall: the reference tool's mean is off by 1e-3 at this size (docs/flip-metric.md 9a).
 TEST(Pooling, theMeanOfA4kMapDoesNotDrift) {
   const base::Image map(3840, 2160, 1, 0.1f);
   EXPECT_NEAR(poolMap(map).mean, static_cast<double>(0.1f), 1e-9);

@@ -1,4 +1,4 @@
-// The truth and the domain of the fits against figures that others published (SHADING.md 2): Karis' form with his
+// The truth and the domain of the fits against figures that others published (docs/shading.md 2): Karis' form with his
 // constants and re-fitted ones, and the form S3.
 #include <cmath>
 

@@ -13,7 +13,7 @@
 namespace parity::plot {
 namespace {
 
-// SHADING 2: over the core, max and rms of EnvBRDFApprox against either truth.
+// docs/shading.md 2b: over the core, max and rms of EnvBRDFApprox against either truth.
 TEST(Deviation, isWhatIsPublished) {
   struct Published {
     highend::GeometryTerm term;

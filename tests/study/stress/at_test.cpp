@@ -44,8 +44,10 @@ TEST(StressAt, numbersReadBackAsTheyWereWritten) {
 
 TEST(StressAt, refusesWhatIsNoInput) {
   for (const char* text :
-       {"D_GGX", "D_GGX:1", "D_GGX:1,2,3", "D_GGX:1,x", "D_GGX:1,", "nothing:1", "D_*:1,1", "D_GGX:1 ,2"})
+       {"D_GGX", "D_GGX:1", "D_GGX:1,2,3", "D_GGX:1,x", "D_GGX:1,", "nothing:1", "D_*:1,1", "D_GGX:1 ,2"}) {
+    SCOPED_TRACE(text);
     base::expectError([&] { parseAt(text); }, {}, base::ExitCode::usage);
+  }
 }
 
 TEST(StressAt, saysWhatLiesOutside) {

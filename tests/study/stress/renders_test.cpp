@@ -1,4 +1,4 @@
-// The generated scenes on the device: what SHADING.md 8 demands comes out, and what is broken is seen.
+// The generated scenes on the device: what docs/shading.md 8 demands comes out, and what is broken is seen.
 #include <cstring>
 
 #include "study/stress/render_stress.h"

@@ -43,15 +43,36 @@ TEST(Summary, aFigureThatIsNoNumberIsTheWorst) {
   EXPECT_FALSE(std::isnan(summarise(report)[0].relMse.worst));
 }
 
+TEST(Summary, notesSayWhatLimitsIt) {
+  SweepReport report = makeReport();
+  report.scenes[3].scene = "gone";
+  report.scenes[0].variants[0].knobs = {{"lut-size", "32"}};
+  report.scenes[1].variants[0].knobs = {{"lut-size", "64"}};
+  report.scenes[2].variants[0].knobs = {{"lut-size", "32"}};
+  for (VariantResult& v : report.scenes[2].variants) v.whole.truth.reset();
+  EXPECT_EQ(notesOf(report), (std::vector<std::string>{
+                                 "b|c: the default of highend has lut-size 64; it has 32 in a. Figures over all scenes "
+                                 "take each scene's own default",
+                                 "d: has no truth, so every error is against the first path's default",
+                                 "gone: not measured: no such file"}));
+  const std::string text = toMarkdown(report);
+  EXPECT_TRUE(holds(text, "- b\\|c: the default")) << text;
+  EXPECT_TRUE(holds(text, "\n\n| setting")) << "a table begins after an empty line";
+  report.scenes = {report.scenes[0]};
+  EXPECT_TRUE(notesOf(report).empty());
+}
+
 TEST(Summary, isATableWithAColumnAScene) {
   SweepReport report = makeReport();
   const std::string text = toMarkdown(report);
   EXPECT_TRUE(holds(text, "| highend: x | 2 | 1.25 | 0.4000 | 0.6000 |")) << text;
+  EXPECT_TRUE(holds(text, "FLIP of each scene against the truth:"));
   EXPECT_TRUE(holds(text, "| setting | a | b\\|c | d |")) << text;
   EXPECT_TRUE(holds(text, "| highend: x | 0.2000 | 0.6000 | |")) << text;
   for (SceneSweep& scene : report.scenes)
     for (VariantResult& v : scene.variants) v.whole.truth.reset();
   EXPECT_TRUE(holds(toMarkdown(report), "| highend: x | 0.1000 | 0.3000 | |")) << "against the first path";
+  EXPECT_TRUE(holds(toMarkdown(report), "FLIP against high-end | worst |"));
 }
 
 } // namespace

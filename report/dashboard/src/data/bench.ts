@@ -36,6 +36,7 @@ export type Ratio = Record<"scene" | "id", string> & Record<"ratio" | "low" | "h
 export interface Conclusions {
   against: Against;
   figure: Figure;
+  notes: string[]; // what limits the conclusions
   dominatedEverywhere: string[];
   budget?: Record<string, number>;
   cheapest?: { scene: string; path: string; setting: string | null }[];
@@ -60,7 +61,7 @@ const isObject = (value: unknown): value is Record<string, unknown> => typeof va
 
 /** null where it is no bench of the form that this page reads: parity checks all of it before it makes the page. */
 export function sweepOf(bench: unknown, plots: unknown): Sweep | null {
-  if (!isObject(bench) || bench["schema"] !== 1 || !Array.isArray(bench["scenes"]) || !isObject(bench["conclusions"])) return null;
+  if (!isObject(bench) || bench["schema"] !== 2 || !Array.isArray(bench["scenes"]) || !isObject(bench["conclusions"])) return null;
   return { bench: bench as unknown as Bench, plots: Array.isArray(plots) ? (plots as Plot[][]) : [] };
 }
 

@@ -89,7 +89,7 @@ export class ParityNumbers extends PageElement {
       ${figureTable(judged, this.row, report)}
       ${judged.stages.map((stage) => stageLine(stage, this.row.test, report))}
       ${judged.truth ? truthTables(judged.truth, this.row, report) : nothing}
-      ${bench ? html`<section><h3>Error against time ${help("pareto")}</h3>${sceneNamed(bench, scene.name)}</section>` : nothing}
+      ${bench ? html`<section><h3>Error against time ${help("pareto")}</h3>${sceneNamed(bench, scene.name, scene.views[this.row.view]?.name ?? "")}</section>` : nothing}
       <section><h3>To see it again</h3>
         ${run && run.commandLine !== "" ? html`<p>The whole report:</p>${copyable(run.commandLine, "the command of the report")}` : nothing}
         ${run ? diffPart(run.commandLine, scene, this.row) : nothing}

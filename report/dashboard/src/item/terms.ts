@@ -1,4 +1,4 @@
-// Which term makes the two differ: in words first, then what each swap does, the lights that mobile
+// Which term makes the two differ: in words first, then what each swap does, the lights that the second path
 // drops, then the terms' pictures.
 import { html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";

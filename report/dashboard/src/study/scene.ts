@@ -89,9 +89,10 @@ export function sceneParts(scene: MeasuredScene, plots: readonly Plot[], conclus
 
 const namesOf = (bench: Bench): TemplateResult[] => bench.scenes.map(({ scene }, index) => html`${index > 0 ? ", " : ""}<bdi>${scene}</bdi>`);
 
-/** What a sweep that goes with a report has of the scene of that name. */
-export function sceneNamed({ bench, plots }: Sweep, name: string): TemplateResult {
-  const index = bench.scenes.findIndex((each) => each.scene === name);
+/** What a sweep that goes with a report has of that view: a bench of a suite names a scene with several views "scene, view". */
+export function sceneNamed({ bench, plots }: Sweep, name: string, view: string): TemplateResult {
+  const place = (wanted: string): number => bench.scenes.findIndex((each) => each.scene === wanted);
+  const index = place(name) >= 0 ? place(name) : place(`${name}, ${view}`);
   const scene = bench.scenes[index];
   if (!scene || "failure" in scene) return html`<p class="aside">This bench does not have the scene <bdi>${name}</bdi>; it has ${namesOf(bench)}.</p>`;
   return sceneParts(scene, plots[index] ?? [], bench.conclusions);

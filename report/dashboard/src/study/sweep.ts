@@ -68,6 +68,7 @@ function runPart({ machine, rounds, commandLine }: Bench): TemplateResult {
 export function sweepParts({ bench, plots }: Sweep): TemplateResult {
   const c = bench.conclusions;
   return html`${runPart(bench)}${comparedPart(c)}${budgetPart(c)}${purchasePart(c)}
+    ${c.notes.length === 0 ? nothing : html`<section><h2>What limits the conclusions</h2>${list(c.notes)}</section>`}
     <section><h2>Dominated in every scene ${help("pareto")}</h2>
       <p class="sub">Another setting of the same path is as fast and as right everywhere (${c.figure}).</p>
       ${c.dominatedEverywhere.length === 0 ? html`<p>None.</p>` : list(c.dominatedEverywhere)}</section>

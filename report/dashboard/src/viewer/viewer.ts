@@ -25,7 +25,7 @@ import "./values.css";
 import "./viewer.css";
 
 const kRestMs = 150; // a view that is only passed by loads no values
-const kHoldMs = 350; // a press that is longer shows mobile only as long as it lasts
+const kHoldMs = 350; // a press that is longer shows the second picture only as long as it lasts
 
 /** Event: "parity-state" (Partial<ViewerState>), bubbling. */
 @customElement("parity-viewer")
