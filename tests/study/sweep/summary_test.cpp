@@ -44,7 +44,7 @@ TEST(Summary, aFigureThatIsNoNumberIsTheWorst) {
 }
 
 TEST(Summary, notesSayWhatLimitsIt) {
-  SweepReport report = makeReport();
+  SweepReport report = makeSummedReport();
   report.scenes[3].scene = "gone";
   report.scenes[0].variants[0].knobs = {{"lut-size", "32"}};
   report.scenes[1].variants[0].knobs = {{"lut-size", "64"}};
