@@ -24,8 +24,8 @@ void requireSense(const DistanceFieldOptions& options) {
   if (!(options.range > 0 && options.penumbra > 0 && options.penumbra <= 2 * options.range && options.range <= 1e4) ||
       options.sweeps < 0)
     throw base::fileError("distance field", "options",
-                          fmt::format("range {}, penumbra {}, {} sweeps: the penumbra lies within twice the range, all "
-                                      "above 0",
+                          fmt::format("range {}, penumbra {}, {} sweeps: the penumbra must be at most twice the range, and all "
+                                      "must be above 0",
                                       options.range, options.penumbra, options.sweeps));
 }
 

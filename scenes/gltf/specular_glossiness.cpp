@@ -104,7 +104,7 @@ void readSpecularGlossiness(const GltfDocument& document, const tinygltf::Value&
     material.baseColor = glm::vec4(diffuse * kept, alphaFactor);
   } else if (diffuseTexture.present() && !haveSameUvs(diffuseTexture, packed)) {
     material.baseColor = glm::vec4(diffuse, alphaFactor);
-    warnings.push_back(fmt::format("{}: the diffuse colour is not reduced by the specular one: their textures have "
+    warnings.push_back(fmt::format("{}: the specular colour does not reduce the diffuse colour, because their textures have "
                                    "different uvs",
                                    place));
   } else {

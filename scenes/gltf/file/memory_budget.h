@@ -23,7 +23,7 @@ public:
     if (bytes <= m_maxBytes && before <= m_maxBytes - bytes) return;
     m_taken -= bytes;
     throw base::fileError(m_label, place,
-                          fmt::format("needs {} MiB beside {} MiB, the limit of a scene is {} MiB (--max-memory)",
+                          fmt::format("needs {} MiB in addition to {} MiB; the limit for a scene is {} MiB (--max-memory)",
                                       (bytes >> 20) + 1, before >> 20, m_maxBytes >> 20));
   }
   // Counts bytes that are about to be decoded, which may be the same ones again and again: what a small file can make
@@ -31,7 +31,7 @@ public:
   void work(std::size_t bytes, const std::string& place) {
     if ((m_worked.fetch_add(bytes) + bytes) / 2 <= m_maxBytes) return;
     throw base::fileError(m_label, place,
-                          fmt::format("more than {} MiB of accessors are to be decoded, many of them several times "
+                          fmt::format("more than {} MiB of accessors need decoding, because many are used several times "
                                       "(--max-memory)",
                                       m_maxBytes >> 19));
   }
