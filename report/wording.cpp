@@ -18,7 +18,7 @@ std::string describeGone(const GoneRow& row) {
                                ? fmt::format("material '{}', scene {}, view {}", row.material, row.scene, row.view)
                            : !row.view.empty() ? fmt::format("view {} of scene {}", row.view, row.scene)
                                                : "scene " + row.scene;
-  return fmt::format("gone: {}: the baseline has it, this run does not", what);
+  return fmt::format("gone: {}: in the baseline, but not in this run", what);
 }
 
 std::string titleOf(const std::string& path) { return path == "highend" ? "high-end" : path; }

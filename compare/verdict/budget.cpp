@@ -42,7 +42,7 @@ bool isUsed(const BudgetRule& rule, bool ofWholes, const std::vector<JudgedScene
 std::string describeTooDark(std::string_view metric, const Figures& figures) {
   const double brighter = std::max(figures.referenceLuminance, figures.testLuminance);
   if (metric != "bias.ev" || !(brighter < kLeastLuminance)) return {};
-  return fmt::format("mean luminance is below {:g} in both pictures: too dark for a difference of exposure",
+  return fmt::format("mean luminance is below {:g} in both pictures, which is too dark to measure a difference of exposure",
                      kLeastLuminance);
 }
 
