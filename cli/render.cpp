@@ -15,6 +15,7 @@
 #include "job/scene/material_choice.h"
 #include "job/scene/scene_renderer.h"
 #include "job/view/displayed.h"
+#include "report/term_words.h"
 #include "scenes/view.h"
 #include "shading/terms.h"
 
@@ -96,7 +97,7 @@ std::vector<std::string> termNames() {
 
 int runListTermsCommand() {
   print("Terms of light, in every path:\n");
-  for (const std::string_view name : shading::kTermNames) print("  {}\n", name);
+  for (const auto& [term, words] : report::kTermWords) print("  {:<20} {}\n", term, words);
   for (const paths::Path* path : job::allPaths()) {
     print("Intermediates of the {} path (--path {}):\n", path->title(), path->name());
     for (const paths::Intermediate& each : path->intermediates()) print("  {:<20} {}\n", each.name, each.meaning);

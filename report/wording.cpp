@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "compare/verdict/wording.h"
+#include "report/term_words.h"
 
 namespace parity::report {
 namespace {
@@ -29,7 +30,7 @@ std::string describeCause(const compare::Attribution& attribution, const std::st
   const auto best = std::ranges::min_element(attribution.terms, {}, &compare::TermEffect::flip);
   if (best == attribution.terms.end() || !(best->flip <= (1 - kLeastExplained) * attribution.flip))
     return "no single term explains it";
-  return fmt::format("{}: FLIP {} -> {} with {}'s", best->term, flip, compare::formatFigure("flip.mean", best->flip),
+  return fmt::format("{}: FLIP {} -> {} with the {} term", termWithWords(best->term), flip, compare::formatFigure("flip.mean", best->flip),
                      titleOf(reference));
 }
 

@@ -3,6 +3,19 @@
 /** The form of report.json that is described here. */
 export const kSchema = 4;
 
+/** The terms of a path's light in words (report/term_words.h). */
+export const kTermWords: Readonly<Record<string, string>> = {
+  sunDiffuse: "diffuse light of the sun",
+  sunSpecular: "highlights of the sun",
+  localDiffuse: "diffuse light of local lights",
+  localSpecular: "highlights of local lights",
+  lightmap: "light of the lightmap",
+  skyDiffuse: "diffuse light of the environment",
+  skySpecular: "reflections of the environment",
+  emissive: "emitted light",
+  fog: "light of the fog",
+};
+
 /** How far apart two shading paths look, per material. Equal inputs give a byte-identical file; times and dates are in run.json. A number that is null is infinite (psnr of identical images) or not a number (the verdict is then 'error'). */
 export interface Report {
   schema: number; // Version of this format
