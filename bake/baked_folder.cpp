@@ -32,7 +32,7 @@ constexpr int kVersion = 1;
 constexpr std::size_t kMaxManifestBytes = std::size_t{64} << 20;
 constexpr std::size_t kMaxPages = 1024, kMaxCaptures = 64;
 
-std::string hashOfFile(const fs::path& file) { return base::Hasher().add(base::readFile(file)).hex(); }
+using base::hashOfFile;
 
 // Whether it holds a bake and nothing else: every entry is one that its manifest lists.
 bool holdsOnlyABake(const fs::path& folder) {

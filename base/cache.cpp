@@ -24,19 +24,19 @@ namespace fs = std::filesystem;
 // Only files of this extension are ever counted or removed: --cache may name a folder that holds other things. The
 // temporary files of a process that was killed bear it too, and so grow old and go.
 constexpr const char* kExtension = ".parity-blob";
-constexpr std::string_view kMagic = "PARITYB1";
+constexpr std::string_view kBlobMagic = "PARITYB1";
 
 // What stands before the content, in the machine's byte order: an entry of another machine fails the size check.
-struct Header {
+struct BlobHeader {
   char magic[8];
   std::uint64_t contentBytes;
   char checksum[32]; // Hasher of key and content
 };
-static_assert(sizeof(Header) == 48);
+static_assert(sizeof(BlobHeader) == 48);
 
-Header makeHeader(const std::string& key, std::span<const std::byte> content) {
-  Header header{};
-  std::memcpy(header.magic, kMagic.data(), sizeof header.magic);
+BlobHeader makeHeader(const std::string& key, std::span<const std::byte> content) {
+  BlobHeader header{};
+  std::memcpy(header.magic, kBlobMagic.data(), sizeof header.magic);
   header.contentBytes = content.size();
   const std::string checksum = Hasher().add(key).add(content).hex();
   assert(checksum.size() == sizeof header.checksum);
@@ -45,8 +45,8 @@ Header makeHeader(const std::string& key, std::span<const std::byte> content) {
 }
 
 bool isWhole(const std::string& key, std::span<const std::byte> file) {
-  if (file.size() < sizeof(Header)) return false;
-  const Header expected = makeHeader(key, file.subspan(sizeof(Header)));
+  if (file.size() < sizeof(BlobHeader)) return false;
+  const BlobHeader expected = makeHeader(key, file.subspan(sizeof(BlobHeader)));
   return std::memcmp(&expected, file.data(), sizeof expected) == 0;
 }
 
@@ -128,7 +128,7 @@ std::optional<std::vector<std::byte>> Cache::find(const std::string& key) const 
     return std::nullopt;
   }
   fs::last_write_time(file, fs::file_time_type::clock::now(), error); // a folder that is read-only still serves
-  bytes.erase(bytes.begin(), bytes.begin() + sizeof(Header));
+  bytes.erase(bytes.begin(), bytes.begin() + sizeof(BlobHeader));
   return bytes;
 }
 
@@ -136,11 +136,11 @@ bool Cache::store(const std::string& key, std::span<const std::byte> bytes) cons
   if (!enabled()) return false;
   const fs::path file = fileOf(key);
   if (const std::uintmax_t most = std::min<std::uintmax_t>(m_maxBytes, kMaxFileBytes);
-      bytes.size() > most || most - bytes.size() < sizeof(Header)) {
+      bytes.size() > most || most - bytes.size() < sizeof(BlobHeader)) {
     reportOnce("cache: an entry was not stored, because it is larger than the whole cache: " + file.string());
     return false;
   }
-  const Header header = makeHeader(key, bytes);
+  const BlobHeader header = makeHeader(key, bytes);
   std::vector<std::byte> content(sizeof header + bytes.size());
   std::memcpy(content.data(), &header, sizeof header);
   if (!bytes.empty()) std::memcpy(content.data() + sizeof header, bytes.data(), bytes.size());

@@ -7,6 +7,8 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "base/file.h"
+
 namespace parity::base {
 
 namespace {
@@ -41,5 +43,7 @@ std::string Hasher::hex() const {
   }
   return text;
 }
+
+std::string hashOfFile(const std::filesystem::path& file) { return Hasher().add(readFile(file)).hex(); }
 
 } // namespace parity::base

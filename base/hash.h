@@ -32,4 +32,7 @@ private:
   void* m_state;
 };
 
+// Of a file's bytes. Throws what readFile throws.
+std::string hashOfFile(const std::filesystem::path& file);
+
 } // namespace parity::base

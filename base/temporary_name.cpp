@@ -12,7 +12,7 @@ namespace parity::base {
 
 namespace {
 
-bool isNumber(std::string_view text) {
+bool isDigits(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
@@ -33,7 +33,7 @@ std::optional<std::string> ownNameOf(const std::string& temporaryName) {
     if (!inner.starts_with('.') || dot == 0) continue;
     const std::string_view number = std::string_view(inner).substr(dot + 1);
     const std::size_t dash = number.find('-');
-    if (dash == std::string_view::npos || !isNumber(number.substr(0, dash)) || !isNumber(number.substr(dash + 1)))
+    if (dash == std::string_view::npos || !isDigits(number.substr(0, dash)) || !isDigits(number.substr(dash + 1)))
       continue;
     return inner.substr(1, dot - 1) + last;
   }

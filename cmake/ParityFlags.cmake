@@ -12,6 +12,12 @@ set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g")
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
 
+# Unity builds (the presets turn them on): this many sources are compiled as one unit. More save little, and cost whoever
+# changes one of them.
+if(NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+endif()
+
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_PROGRAM})
@@ -25,6 +31,10 @@ target_compile_options(parity_flags INTERFACE
   -fPIC
   # The single-source maths must round alike on CPU and GPU (docs/design.md 5b): no silent fused multiply-add.
   -ffp-contract=off)
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC takes a source that another one includes for a header, where a type of an anonymous namespace would be a fault.
+  target_compile_options(parity_flags INTERFACE -Wno-subobject-linkage)
+endif()
 if(CCACHE_PROGRAM AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(parity_flags INTERFACE -fpch-preprocess)
 endif()

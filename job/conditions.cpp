@@ -23,7 +23,7 @@ using compare::Condition;
 
 std::string contentOf(const std::filesystem::path& file) {
   try {
-    return base::Hasher().add(base::readFile(file)).hex();
+    return base::hashOfFile(file);
   } catch (const base::Error&) { // loading it will say so
     return "not readable";
   }

@@ -15,8 +15,6 @@ namespace parity::job {
 
 namespace {
 
-std::string contentOf(const std::filesystem::path& file) { return base::Hasher().add(base::readFile(file)).hex(); }
-
 // Where a link leads is part of what a scene is: links out of its folder are refused.
 std::string placeOf(const std::filesystem::path& file, const SceneRequest& request) {
   const std::filesystem::path folder = std::filesystem::path(request.scene).parent_path();
@@ -73,7 +71,7 @@ std::optional<SceneRecord> findResult(const base::Cache& cache, const std::strin
     report::Reader read(*manifest);
     std::vector<std::string> files;
     read(files);
-    for (const std::string& file : files) sources.push_back({file, contentOf(file)});
+    for (const std::string& file : files) sources.push_back({file, base::hashOfFile(file)});
     wanted = contentKey(key, request, sources);
   } catch (const std::exception&) { // a file is gone: loading the scene will say so, if it still needs it
     return std::nullopt;

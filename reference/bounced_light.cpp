@@ -6,6 +6,7 @@
 #include "lighting/surface/surface_material.h"
 #include "reference/direct_light.h"
 #include "reference/reflection.h"
+#include "scenes/luminance.h"
 
 namespace parity::reference {
 
@@ -13,7 +14,7 @@ namespace {
 
 using lighting::Visibility;
 
-double luminanceOf(const glm::dvec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+using scenes::luminanceOf;
 
 SurfaceSample sampleAt(const scenes::Scene& scene, const Visibility::Hit& hit, const lighting::SurfacePoint& point,
                        const glm::dvec3& direction) {

@@ -6,7 +6,7 @@ namespace parity::reference {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int kBands = 16;
 
 } // namespace
@@ -16,7 +16,7 @@ glm::dvec3 lightOf(int width, std::span<const glm::vec4> cells, std::span<const 
   for (std::size_t y = 0; y + 1 < rowY.size(); ++y) {
     glm::dvec3 inRow(0);
     for (const glm::vec4& cell : cells.subspan(y * width, static_cast<std::size_t>(width))) inRow += glm::dvec3(cell);
-    sum += inRow * (2 * kPi / width * (rowY[y] - rowY[y + 1]));
+    sum += inRow * (2 * pi / width * (rowY[y] - rowY[y + 1]));
   }
   for (int c = 0; c < 3; ++c)
     if (!(sum[c] > 0)) sum[c] = 1;
@@ -25,14 +25,14 @@ glm::dvec3 lightOf(int width, std::span<const glm::vec4> cells, std::span<const 
 
 std::vector<BrightCell> findBrightCells(int width, std::span<const glm::vec4> cells, std::span<const double> rowY,
                                         const glm::dvec3& allLight) {
-  const double turn = 2 * kPi / width;
+  const double turn = 2 * pi / width;
   std::vector<BrightCell> bright;
   for (std::size_t y = 0; y + 1 < rowY.size(); ++y) {
     const double top = rowY[y], bottom = rowY[y + 1], radius = radiusUntil(top) - radiusUntil(bottom);
     for (int x = 0; x < width; ++x) {
       const glm::dvec3 radiance(cells[y * width + x]);
       if (!isBright(radiance / allLight * (turn * (top - bottom)))) continue;
-      const double left = x * turn - kPi, right = left + turn;
+      const double left = x * turn - pi, right = left + turn;
       const glm::dvec3 direction = {radius * (std::sin(right) - std::sin(left)),
                                     0.5 * turn * (top * top - bottom * bottom),
                                     radius * (std::cos(left) - std::cos(right))};
@@ -57,8 +57,8 @@ glm::dvec3 BrightCell::irradiance(const glm::dvec3& n) const {
     const double constant = n.y * 0.5 * (from * from - to * to);
     const double swing = horizontal * (radiusUntil(from) - radiusUntil(to));
     if (constant <= -swing) continue;
-    const double half = constant >= swing ? kPi : std::acos(-constant / swing);
-    for (const double around : {-2 * kPi, 0.0, 2 * kPi}) {
+    const double half = constant >= swing ? pi : std::acos(-constant / swing);
+    for (const double around : {-2 * pi, 0.0, 2 * pi}) {
       const double begin = std::max(left + around, azimuth - half), end = std::min(right + around, azimuth + half);
       if (begin < end) sum += constant * (end - begin) + swing * (std::sin(end - azimuth) - std::sin(begin - azimuth));
     }

@@ -18,7 +18,7 @@ namespace parity::reference {
 namespace {
 
 namespace f64 = shading::f64;
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 // Row 0 stands for the limit of small roughness at fixed mu / alpha.
 constexpr double kLeastRoughness = 1e-3;
 
@@ -30,7 +30,7 @@ struct Rule {
 Rule makeGaussRule(int n) {
   Rule rule;
   for (int i = 0; i < n; ++i) {
-    double x = std::cos(kPi * (i + 0.75) / (n + 0.5)), derivative = 1;
+    double x = std::cos(pi * (i + 0.75) / (n + 0.5)), derivative = 1;
     for (int step = 0; step < 20; ++step) {
       double p0 = 1, p1 = x;
       for (int k = 2; k <= n; ++k) p0 = std::exchange(p1, ((2 * k - 1) * x * p1 - (k - 1) * p0) / k);
@@ -48,13 +48,13 @@ Rule makeAzimuths() {
   constexpr int kPanels = 8;
   const Rule gauss = makeGaussRule(8);
   Rule rule;
-  double width = kPi / 2;
+  double width = pi / 2;
   for (int panel = 0; panel < kPanels; ++panel) {
     const double next = panel + 1 < kPanels ? width / 4 : 0;
     for (std::size_t i = 0; i < gauss.x.size(); ++i)
       for (const double side : {-1.0, 1.0}) {
-        rule.x.push_back(kPi / 2 + side * (next + (width - next) * gauss.x[i]));
-        rule.weight.push_back(gauss.weight[i] * (width - next) / kPi);
+        rule.x.push_back(pi / 2 + side * (next + (width - next) * gauss.x[i]));
+        rule.weight.push_back(gauss.weight[i] * (width - next) / pi);
       }
     width = next;
   }
@@ -89,7 +89,7 @@ Albedo integrate(GeometryTerm term, FresnelCurve fresnel, double alpha, double N
   for (std::size_t a = 0; a < azimuths.x.size(); ++a) {
     const double cosPhi = std::cos(azimuths.x[a]);
     // NoL = sinV cosPhi sin 2t + NoV cos 2t is positive up to 2t = atan2(sinV cosPhi, NoV) + pi/2.
-    const double limit = 0.5 * (std::atan2(sinV * cosPhi, NoV) + kPi / 2), s = std::sin(limit);
+    const double limit = 0.5 * (std::atan2(sinV * cosPhi, NoV) + pi / 2), s = std::sin(limit);
     // tan t = alpha tan psi: the share of D NoH within psi is sin^2 psi.
     const double psiLimit = std::atan2(s, alpha * std::cos(limit));
     for (std::size_t i = 0; i < polar.x.size(); ++i) {

@@ -11,21 +11,20 @@
 #include "reference/reflection.h"
 #include "reference/replicates.h"
 #include "reference/sampling.h"
+#include "scenes/luminance.h"
 #include "shading/shading.h"
 
 namespace parity::reference {
 
 namespace {
 
-enum Way { kByProduct, kByEnvironment, kByVisibleNormal, kWays };
-
-double luminance(const glm::dvec3& v) { return shading::f64::luminance(shading::f64::real3(v.x, v.y, v.z)); }
+using scenes::luminanceOf;
 
 // Directions are of the panorama's frame, or local, with the normal as +Z.
-class Integrator {
+class EnvironmentIntegrator {
 public:
-  Integrator(const SurfaceSample& sample, const Lobes& lobes, const EnvironmentSampler& environment, std::uint32_t seed,
-             const lighting::Visibility* visibility)
+  EnvironmentIntegrator(const SurfaceSample& sample, const Lobes& lobes, const EnvironmentSampler& environment,
+                        std::uint32_t seed, const lighting::Visibility* visibility)
       : m_lobes(lobes), m_environment(environment), m_fromHere(visibility, sample), m_isShadowed(visibility != nullptr),
         m_normal(glm::normalize(glm::dvec3(sample.normal))), m_frame(environment.toPanorama(m_normal)),
         m_view(visibleView(m_frame.toLocal(environment.toPanorama(glm::normalize(glm::dvec3(sample.view)))))),
@@ -34,7 +33,7 @@ public:
     // A smaller share is as well sampled with the rest.
     constexpr double kWorthIrradiance = 0.03;
     const glm::dvec3 multiple = lobes.multipleReflectance(m_atView);
-    if (!m_isShadowed && (lobes.hasDiffuse() || luminance(multiple) > kWorthIrradiance))
+    if (!m_isShadowed && (lobes.hasDiffuse() || luminanceOf(multiple) > kWorthIrradiance))
       m_spread = multiple * std::numbers::inv_pi;
     if (!m_isShadowed) return;
     m_reflection.emplace(sample, lobes, m_fromHere);
@@ -44,7 +43,7 @@ public:
   // What needs no sampling.
   Integral inClosedForm() const {
     Integral known;
-    if (!m_isShadowed && (m_lobes.hasDiffuse() || luminance(m_spread) > 0)) {
+    if (!m_isShadowed && (m_lobes.hasDiffuse() || luminanceOf(m_spread) > 0)) {
       const glm::dvec3 irradiance = m_environment.irradiance(m_normal);
       known.diffuse = m_lobes.diffuseReflectance(m_atView) * irradiance * std::numbers::inv_pi;
       known.specular = m_spread * irradiance;
@@ -57,19 +56,19 @@ public:
   // besides: what is in closed form.
   void prepareSampling(const glm::dvec3& besides) {
     ProductLobe lobe{.normal = m_frame.z, .view = m_frame.toWorld(m_view), .alpha = m_lobes.alpha()};
-    if (m_isGlossy) lobe.F0 = luminance(m_lobes.F0()), lobe.F90 = m_lobes.F90();
+    if (m_isGlossy) lobe.F0 = luminanceOf(m_lobes.F0()), lobe.F90 = m_lobes.F90();
     // Of what is in closed form about a fifth remains, either sign.
     constexpr double kRemainder = 0.2;
-    const double multiple = luminance(m_lobes.multipleReflectance(m_atView));
-    lobe.lambert = luminance(m_spread) > 0 ? kRemainder * multiple : multiple;
-    if (m_isShadowed) lobe.lambert += luminance(m_lobes.diffuseReflectance(m_atView));
+    const double multiple = luminanceOf(m_lobes.multipleReflectance(m_atView));
+    lobe.lambert = luminanceOf(m_spread) > 0 ? kRemainder * multiple : multiple;
+    if (m_isShadowed) lobe.lambert += luminanceOf(m_lobes.diffuseReflectance(m_atView));
     // Under an even sky blocks say nothing, and points without them are spread more smoothly.
     if (m_environment.isEven()) {
       m_uses[kByEnvironment] = true;
       m_uses[kByVisibleNormal] = m_isGlossy;
       return;
     }
-    m_product.emplace(m_environment.light(), lobe, luminance(besides) / m_environment.totalLuminance());
+    m_product.emplace(m_environment.light(), lobe, luminanceOf(besides) / m_environment.totalLuminance());
     m_uses[kByProduct] = !m_product->isBlack();
     // A wide lobe varies so little within the product's blocks that points by the lobe alone add noise to it. What is
     // folded up at the horizon the product does not know.
@@ -94,6 +93,8 @@ public:
   }
 
 private:
+  enum Way { kByProduct, kByEnvironment, kByVisibleNormal, kWays };
+
   glm::dvec3 reflectedByMirror() const {
     const glm::dvec3 mirrored = m_reflection ? m_reflection->mirrorDirection()
                                              : m_environment.toWorld(m_frame.toWorld({-m_view.x, -m_view.y, m_view.z}));
@@ -189,7 +190,7 @@ Integral integrateEnvironment(const SurfaceSample& sample, const Lobes& lobes, c
                               const glm::dvec3& otherLight, const IntegralOptions& options,
                               const lighting::Visibility* visibility) {
   if (environment.isBlack()) return {};
-  Integrator integrator(sample, lobes, environment, options.seed, visibility);
+  EnvironmentIntegrator integrator(sample, lobes, environment, options.seed, visibility);
   Integral known = integrator.inClosedForm();
   if (!integrator.needsSamples()) return known;
   integrator.prepareSampling(known.diffuse + known.specular);

@@ -7,16 +7,17 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "scenes/luminance.h"
 #include "shading/shading.h"
 
 namespace parity::reference {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int kMinWidth = 1024, kMinHeight = 512;
 
-double luminanceOf(const glm::dvec3& c) { return shading::f64::luminance(shading::f64::real3(c.x, c.y, c.z)); }
+using scenes::luminanceOf;
 
 glm::dvec3 texel(const base::Image& image, int x, int y) {
   const float* p = image.at(x, y);
@@ -77,11 +78,11 @@ EnvironmentSampler::EnvironmentSampler(const scenes::Environment& environment, T
   const int growY = (kMinHeight + image.height - 1) / image.height;
   m_width = image.width * growX;
   m_height = image.height * growY;
-  m_rotation = environment.rotationDeg * kPi / 180;
+  m_rotation = environment.rotationDeg * pi / 180;
   m_turn = {std::cos(m_rotation), std::sin(m_rotation)};
   m_cells.resize(static_cast<std::size_t>(m_width) * m_height);
   m_rowY.resize(m_height + std::size_t{1});
-  for (int y = 0; y <= m_height; ++y) m_rowY[y] = std::cos(kPi * y / m_height);
+  for (int y = 0; y <= m_height; ++y) m_rowY[y] = std::cos(pi * y / m_height);
   m_rowCdf.assign(m_height + std::size_t{1}, 0);
   m_columnCdf.assign((m_width + std::size_t{1}) * m_height, 0);
   m_columnGuide.resize(m_cells.size());
@@ -95,7 +96,7 @@ EnvironmentSampler::EnvironmentSampler(const scenes::Environment& environment, T
         cdf[x + 1] = luminanceOf(cell);
         m_cells[y * m_width + x] = glm::vec4(cell, 0);
       }
-      const double cellArea = (m_rowY[y] - m_rowY[y + 1]) * 2 * kPi / m_width;
+      const double cellArea = (m_rowY[y] - m_rowY[y + 1]) * 2 * pi / m_width;
       m_rowCdf[y + 1] = accumulate(cdf, m_width) * cellArea;
       std::uint32_t column = 0;
       for (int i = 0; i < m_width; ++i) {
@@ -110,9 +111,9 @@ EnvironmentSampler::EnvironmentSampler(const scenes::Environment& environment, T
   double square = 0; // the integral of the density squared; 1 / (4 pi) where it is the same everywhere
   for (int y = 0; y < m_height; ++y)
     for (int x = 0; x < m_width; ++x)
-      square += static_cast<double>(cell(x, y).w) * cell(x, y).w * (m_rowY[y] - m_rowY[y + std::size_t{1}]) * 2 * kPi /
+      square += static_cast<double>(cell(x, y).w) * cell(x, y).w * (m_rowY[y] - m_rowY[y + std::size_t{1}]) * 2 * pi /
                 m_width;
-  m_isEven = square * 4 * kPi < 1.02;
+  m_isEven = square * 4 * pi < 1.02;
   if (tables == Tables::forSamples) return;
   m_light.emplace(m_width, m_height, m_cells, m_rowY);
   m_irradiance.emplace(m_width, m_height, m_cells, m_rowY);
@@ -125,18 +126,18 @@ EnvironmentSample EnvironmentSampler::atCell(int x, int y) const {
 
 glm::dvec2 EnvironmentSampler::placeOf(const glm::dvec3& direction) const {
   constexpr double kMost = 1 - 0x1p-20; // of a cell
-  const double turns = std::atan2(direction.z, direction.x) / (2 * kPi) + 0.5;
+  const double turns = std::atan2(direction.z, direction.x) / (2 * pi) + 0.5;
   const double theta = std::acos(std::clamp(direction.y, -1.0, 1.0));
-  const int y = std::min(static_cast<int>(theta / kPi * m_height), m_height - 1);
+  const int y = std::min(static_cast<int>(theta / pi * m_height), m_height - 1);
   const double below = (m_rowY[y] - direction.y) / (m_rowY[y] - m_rowY[y + std::size_t{1}]);
   return {std::min(turns * m_width, m_width - 1 + kMost), y + std::clamp(below, 0.0, kMost)};
 }
 
 EnvironmentSample EnvironmentSampler::evaluate(const glm::dvec3& direction) const {
-  const double turns = (std::atan2(direction.z, direction.x) + m_rotation) / (2 * kPi) + 0.5;
+  const double turns = (std::atan2(direction.z, direction.x) + m_rotation) / (2 * pi) + 0.5;
   const int x = std::min(static_cast<int>((turns - std::floor(turns)) * m_width), m_width - 1);
   const double theta = std::acos(std::clamp(direction.y, -1.0, 1.0));
-  const int y = std::min(static_cast<int>(theta / kPi * m_height), m_height - 1);
+  const int y = std::min(static_cast<int>(theta / pi * m_height), m_height - 1);
   EnvironmentSample s = atCell(x, y);
   s.direction = direction;
   return s;
@@ -150,7 +151,7 @@ EnvironmentSample EnvironmentSampler::sample(const glm::dvec2& u) const {
   while (first + 1 < m_width && cdf[first + 1] <= u.x) ++first;
   const Interval column{first, placeIn(cdf, first, u.x)};
   EnvironmentSample s = atCell(column.index, row.index);
-  const double azimuth = ((column.index + column.place) / m_width - 0.5) * 2 * kPi - m_rotation;
+  const double azimuth = ((column.index + column.place) / m_width - 0.5) * 2 * pi - m_rotation;
   const double y = m_rowY[row.index] + (m_rowY[row.index + 1] - m_rowY[row.index]) * row.place;
   const double r = std::sqrt(std::max(0.0, 1 - y * y));
   s.direction = {r * std::cos(azimuth), y, r * std::sin(azimuth)};

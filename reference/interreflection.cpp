@@ -11,12 +11,10 @@ namespace parity::reference {
 
 namespace {
 
-enum Way { kByCosine, kByVisibleNormal, kByEmitter, kByMirror, kWays };
-
-class Integrator {
+class InterreflectionIntegrator {
 public:
-  Integrator(const SurfaceSample& sample, const Lobes& lobes, const Surroundings& around, int bounces,
-             std::uint32_t seed)
+  InterreflectionIntegrator(const SurfaceSample& sample, const Lobes& lobes, const Surroundings& around, int bounces,
+                            std::uint32_t seed)
       : m_lobes(lobes), m_around(around), m_bounces(bounces), m_fromHere(&around.visibility, sample),
         m_reflection(sample, lobes, m_fromHere), m_seed(hashCombine(hashCombine(sample.pixel, seed), 1)) {
     const bool glossy = lobes.hasSpecular() && !lobes.isMirror();
@@ -46,6 +44,8 @@ public:
   }
 
 private:
+  enum Way { kByCosine, kByVisibleNormal, kByEmitter, kByMirror, kWays };
+
   double density(const LobeValues& values, const glm::dvec3& local) const {
     return (m_uses[kByCosine] ? pdfCosine(local.z) : 0) + (m_uses[kByVisibleNormal] ? values.pdfSpecular : 0);
   }
@@ -107,7 +107,7 @@ Integral integrateInterreflection(const SurfaceSample& sample, const Lobes& lobe
                                   int bounces, const glm::dvec3& otherLight, const glm::dvec3& otherError,
                                   const IntegralOptions& options) {
   if (!lobes.hasDiffuse() && !lobes.hasSpecular()) return {};
-  const Integrator integrator(sample, lobes, around, bounces, options.seed);
+  const InterreflectionIntegrator integrator(sample, lobes, around, bounces, options.seed);
   return sumReplicates(
       options,
       [&](Sum& sum, int replicate, std::uint32_t begin, std::uint32_t end) {

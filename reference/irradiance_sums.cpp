@@ -13,7 +13,7 @@ namespace {
 
 using lighting::Float4;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int kSide = 4; // parts a side of a patch
 constexpr int kMostPartsAround = 1024, kMostPartsDown = 512;
 // The light that would have to move to make a patch even, as a share of all, times the patch's radius: less than this
@@ -29,12 +29,12 @@ int stepOf(int size, int most) {
 
 // Half the azimuths, in turns, over which cos(azimuth) > c. Abramowitz and Stegun 1964, 4.4.45: off by at most
 // kArcError.
-constexpr double kArcError = 6.8e-5 / (2 * kPi);
+constexpr double kArcError = 6.8e-5 / (2 * pi);
 double halfArc(double c) {
   if (!(c < 1)) return 0;
   if (!(c > -1)) return 0.5;
   const double x = std::abs(c);
-  const double arc = std::sqrt(1 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 + x * -0.0187293))) / (2 * kPi);
+  const double arc = std::sqrt(1 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 + x * -0.0187293))) / (2 * pi);
   return c < 0 ? 0.5 - arc : arc;
 }
 
@@ -73,7 +73,7 @@ IrradianceSums::IrradianceSums(int width, int height, std::span<const glm::vec4>
   makeRows(rowY);
   std::vector<glm::dvec2> rims; // cosine and sine of the azimuths between cells
   for (int x = 0; x <= width; ++x) {
-    const double azimuth = (static_cast<double>(x) / width - 0.5) * 2 * kPi;
+    const double azimuth = (static_cast<double>(x) / width - 0.5) * 2 * pi;
     rims.emplace_back(std::cos(azimuth), std::sin(azimuth));
   }
   m_patches.resize(m_rows.size() * m_columnCount);
@@ -93,7 +93,7 @@ IrradianceSums::IrradianceSums(int width, int height, std::span<const glm::vec4>
 }
 
 void IrradianceSums::makeColumns(int width) {
-  const auto azimuthAt = [&](int x) { return (static_cast<double>(std::min(x, width)) / width - 0.5) * 2 * kPi; };
+  const auto azimuthAt = [&](int x) { return (static_cast<double>(std::min(x, width)) / width - 0.5) * 2 * pi; };
   for (int column = 0; column < m_columnCount; ++column) {
     const int first = column * kSide * m_across;
     const double left = azimuthAt(first), right = azimuthAt(first + kSide * m_across), middle = 0.5 * (left + right);
@@ -143,7 +143,7 @@ std::array<glm::dvec3, 3> IrradianceSums::makePatch(int width, std::span<const g
                                                     int row, int column) {
   constexpr int kParts = kSide * kSide;
   const int height = static_cast<int>(rowY.size()) - 1, left = column * kSide * m_across, upper = row * kSide * m_down;
-  const double turn = 2 * kPi / width;
+  const double turn = 2 * pi / width;
   std::array<glm::dvec3, 3> vector{};
   std::array<glm::dvec3, kParts> light{};
   std::array<double, kParts> areas{};
@@ -247,7 +247,7 @@ glm::dvec3 IrradianceSums::irradiance(const glm::dvec3& normal) const {
   const Surface n{.x = static_cast<float>(normal.x),
                   .y = static_cast<float>(normal.y),
                   .z = static_cast<float>(normal.z),
-                  .place = std::min(std::atan2(normal.z, normal.x) / (2 * kPi) + 0.5, 1.0) * m_period,
+                  .place = std::min(std::atan2(normal.z, normal.x) / (2 * pi) + 0.5, 1.0) * m_period,
                   .slope = -normal.y / std::max(horizontal, 1e-30)};
   glm::dvec3 sum(0.0);
   double atTop = halfArc(n.slope * m_cotangents[0]);

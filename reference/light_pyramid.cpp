@@ -11,13 +11,13 @@ namespace parity::reference {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::size_t kRowsAtOnce = 16;
 
 // Along the meridian to the farther row, then along the widest circle of latitude. top, bottom: polar angles.
 double radiusOf(double top, double bottom, double halfWidth) {
-  const double widest = top < kPi / 2 && bottom > kPi / 2 ? 1 : std::max(std::sin(top), std::sin(bottom));
-  return std::min(kPi, 0.5 * (bottom - top) + halfWidth * widest);
+  const double widest = top < pi / 2 && bottom > pi / 2 ? 1 : std::max(std::sin(top), std::sin(bottom));
+  return std::min(pi, 0.5 * (bottom - top) + halfWidth * widest);
 }
 
 } // namespace
@@ -39,13 +39,13 @@ LightPyramid::LightPyramid(int width, int height, std::span<const glm::vec4> cel
       for (int i = 0; i < count; ++i)
         put(from + turn * i * side / all, from + turn * std::min((i + 1) * side, static_cast<double>(all)) / all);
     };
-    angles(w, width, 2 * kPi, -kPi, [&](double left, double right) {
+    angles(w, width, 2 * pi, -pi, [&](double left, double right) {
       const double a = 0.5 * (left + right);
       level.azimuth.emplace_back(std::cos(a), std::sin(a));
       level.halfWidth.push_back(0.5 * (right - left));
     });
-    const double halfWidth = std::min(kPi, kPi * side / width);
-    angles(h, height, kPi, 0, [&](double top, double bottom) {
+    const double halfWidth = std::min(pi, pi * side / width);
+    angles(h, height, pi, 0, [&](double top, double bottom) {
       const double a = 0.5 * (top + bottom);
       level.polar.emplace_back(std::cos(a), std::sin(a));
       level.halfHeight.push_back(0.5 * (bottom - top));
@@ -65,7 +65,7 @@ LightPyramid::LightPyramid(int width, int height, std::span<const glm::vec4> cel
         for (int x = 0; x < level.width; ++x) {
           double& power = level.power[y * level.width + x];
           if (l == 0) {
-            const double area = (m_rowY[y] - m_rowY[y + 1]) * 2 * kPi / width;
+            const double area = (m_rowY[y] - m_rowY[y + 1]) * 2 * pi / width;
             power = static_cast<double>(cells[y * width + x].w) * area;
           } else {
             const int below = static_cast<int>(l) - 1, top = 2 * static_cast<int>(y);
@@ -93,9 +93,9 @@ LightPyramid::LightPyramid(int width, int height, std::span<const glm::vec4> cel
 
 LightPyramid::Bounds LightPyramid::boundsOf(const PanoramaBlock& block) const {
   const PanoramaBlock cell = cellOf(block);
-  const double part = std::ldexp(1.0, block.level), turn = 2 * kPi / width() * part;
+  const double part = std::ldexp(1.0, block.level), turn = 2 * pi / width() * part;
   const double top = m_rowY[cell.y], fall = m_rowY[cell.y + 1] - top, below = block.y * part - cell.y;
-  return {block.x * turn - kPi, (block.x + 1) * turn - kPi, top + fall * below, top + fall * (below + part)};
+  return {block.x * turn - pi, (block.x + 1) * turn - pi, top + fall * below, top + fall * (below + part)};
 }
 
 // The integrals of direction over a cell or a part of one are in closed form.

@@ -11,7 +11,7 @@ namespace {
 // Beyond this a block is so much wider than the lobe that a line through it says nothing.
 constexpr double kMostSteepness = 0.6;
 // Blocks that give less than this share of what the point shows are not worth the fit.
-constexpr double kLeastShare = 1e-4;
+constexpr double kLeastFittedShare = 1e-4;
 
 // Gauss's two nodes on the arc through a block's middle.
 struct Nodes {
@@ -33,7 +33,7 @@ struct Nodes {
 LinearControl::LinearControl(const EnvironmentSampler& environment, const ProductSampler& product,
                              const glm::dvec3& normal, const Lobe& lobe)
     : m_fits(1), m_fitOf(product.nodes().size(), 0), m_remainders(product.nodes().size(), 1) {
-  const double least = kLeastShare * product.shown();
+  const double least = kLeastFittedShare * product.shown();
   for (std::size_t i = 0; i < m_fitOf.size(); ++i) {
     const ProductSampler::Node& node = product.nodes()[i];
     if (node.below || node.steepness > kMostSteepness || !(node.weight > least)) continue;

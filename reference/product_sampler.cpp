@@ -20,7 +20,7 @@ constexpr float kLargestRadius = 0.2f;
 // A block is divided where its half vectors spread over more than this share of the lobe's width there.
 constexpr double kSteepness = 0.25;
 // ... and where it gives more than this share of all that the point shows.
-constexpr double kLeastShare = 1e-3;
+constexpr double kLeastDividedShare = 1e-3;
 // A block is as steep as this many times its radius over its cosine, at least: towards the horizon lobes fall to 0.
 constexpr float kHorizonSteepness = 0.2f;
 // Cells are divided this often.
@@ -55,7 +55,7 @@ ProductSampler::ProductSampler(const LightPyramid& light, const ProductLobe& lob
     double divided = 0, parts = 0;
     for (std::size_t i = begin; i < end; ++i) {
       const Node node = m_nodes[i];
-      const bool matters = node.steepness > kSteepness && node.weight > kLeastShare * (total + besides);
+      const bool matters = node.steepness > kSteepness && node.weight > kLeastDividedShare * (total + besides);
       if (node.block.level == kFinestLevel || !(node.weight > 0) || !(node.isLarge || matters)) continue;
       m_nodes[i].below = static_cast<std::uint32_t>(m_nodes.size());
       divided += node.weight;

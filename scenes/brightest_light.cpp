@@ -1,12 +1,8 @@
 #include "scenes/brightest_light.h"
 
+#include "scenes/luminance.h"
+
 namespace parity::scenes {
-
-namespace {
-
-float luminanceOf(const glm::vec3& c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
-
-} // namespace
 
 std::optional<std::size_t> brightestOf(std::span<const Light> lights, LightKind kind) {
   std::optional<std::size_t> best;

@@ -17,7 +17,7 @@ namespace parity::bake {
 namespace {
 
 constexpr std::size_t kMaxHullEdges = 64;
-constexpr double kSlack = 1e-3;     // texels by which a chart may be squeezed to fit a whole number of them
+constexpr double kSqueeze = 1e-3;   // texels by which a chart may be squeezed to fit a whole number of them
 constexpr double kManyTexels = 1e9; // more than any page has, and still an int
 
 double crossOf(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
@@ -164,7 +164,7 @@ void fitToTexels(FlatChart& chart) {
   const glm::dvec2 extent = box.size();
   glm::dvec2 scale(1);
   for (int axis = 0; axis < 2; ++axis) {
-    chart.size[axis] = static_cast<int>(std::clamp(std::ceil(extent[axis] - kSlack), 1.0, kManyTexels));
+    chart.size[axis] = static_cast<int>(std::clamp(std::ceil(extent[axis] - kSqueeze), 1.0, kManyTexels));
     if (extent[axis] > 0) scale[axis] = chart.size[axis] / extent[axis];
   }
   for (FlatFace& face : chart.corners)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "base/parallel.h"
 #include "shading/shading.h"
@@ -10,7 +11,7 @@ namespace parity::bake {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+using std::numbers::pi;
 
 std::uint16_t bitsOf(double value) { return shading::Half(std::clamp(value, -65504.0, 65504.0)).bits(); }
 
@@ -32,7 +33,7 @@ base::BasicImage<std::uint16_t> encodeHalves(const LightmapPage& page) {
       if (page.owner.pixels[i] != kNoInstance && normal[0] == 0 && normal[1] == 0 && normal[2] == 0)
         upper[3] = bitsOf(0);
       for (int c = 0; c < 3; ++c) {
-        upper[c] = bitsOf(page.irradiance.pixels[3 * i + static_cast<std::size_t>(c)] / kPi);
+        upper[c] = bitsOf(page.irradiance.pixels[3 * i + static_cast<std::size_t>(c)] / pi);
         lower[c] = bitsOf(direction[static_cast<std::size_t>(c)]);
       }
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -20,7 +21,7 @@ namespace {
 using Vec3 = glm::dvec3;
 
 namespace formulas = shading::f64;
-constexpr double kPi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr std::array<double, 3> kLuminance = {.3, .59, .11};
 constexpr double kConstant = .282094791773878143, kLinear = .325735007935279943; // of directionality
 
@@ -45,7 +46,7 @@ Vec3 visibleFromBefore(double l0, const Vec3& l1, const Vec3& normal) {
 
 Values valuesOf(const Vec3& irradiance, double l0, const Vec3& l1, const Vec3& normal) {
   const formulas::LightmapSh sh = formulas::encodeLightmapSh(l0, toShading(visibleFromBefore(l0, l1, normal)));
-  const double scale = formulas::flatNormalScale(sh, toShading(normal)) / kPi;
+  const double scale = formulas::flatNormalScale(sh, toShading(normal)) / pi;
   const auto logRgb = formulas::encodeLightmapLogRgb(toShading(irradiance * scale));
   const auto f = [](double value) { return static_cast<float>(value); };
   return {{f(logRgb.x), f(logRgb.y), f(logRgb.z)}, {f(sh.x), f(sh.y), f(sh.z)}};
@@ -172,8 +173,8 @@ public:
       const LqScales& s = instances[page.owner.pixels[i]];
       const std::uint8_t *upper = codes.pixels.data() + 4 * i, *lower = upper + 4 * below;
       const Vec3 irradiance = vectorAt(page.irradiance, i);
-      const Vec3 difference = decode(upper, lower, s, vectorAt(page.normal, i)) * kPi - irradiance;
-      const double scale = 1 / (luminanceOf(irradiance) + kPi * formulas::kLogBlackPoint);
+      const Vec3 difference = decode(upper, lower, s, vectorAt(page.normal, i)) * pi - irradiance;
+      const double scale = 1 / (luminanceOf(irradiance) + pi * formulas::kLogBlackPoint);
       for (int c = 0; c < 3; ++c) {
         m_squares += std::pow(difference[c] * scale, 2);
         m_largest = std::max(m_largest, std::abs(difference[c] * scale));

@@ -11,7 +11,7 @@ namespace {
 // Share of the cosine in the density.
 constexpr double kCosineShare = 0.75;
 // Added to the sine of the widest angle: what is in sight of a point by rounding alone is not lost.
-constexpr double kSlack = 1e-5;
+constexpr double kSineSlack = 1e-5;
 
 } // namespace
 
@@ -21,8 +21,8 @@ Directions::Directions(std::span<const glm::vec3> normals, bool bothSides) : m_b
   m_axis = glm::dot(sum, sum) > 1e-12 ? glm::normalize(sum) : glm::dvec3(normals[0]);
   double least = 1; // cosine between the axis and a normal
   for (const glm::vec3& n : normals) least = std::min(least, glm::dot(glm::dvec3(n), m_axis));
-  if (!bothSides && least < 1 - kSlack * kSlack)
-    m_below = least > 0 ? std::min(std::sqrt(1 - least * least) + kSlack, 1.0) : 1;
+  if (!bothSides && least < 1 - kSineSlack * kSineSlack)
+    m_below = least > 0 ? std::min(std::sqrt(1 - least * least) + kSineSlack, 1.0) : 1;
   m_even = (1 - kCosineShare) / (1 + m_below);
   // A frame about the axis: Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
   const glm::dvec3& n = m_axis;

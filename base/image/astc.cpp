@@ -25,7 +25,7 @@ namespace {
 // Thorough is 3 to 12 times as slow for what fewer than 4 dB add to errors that pictures hardly show; fast loses up to
 // 5 dB in normal maps, where they do show. Medium is what asset pipelines ship by.
 const float kQuality = ASTCENC_PRE_MEDIUM;
-constexpr std::size_t kBlockBytes = 16;
+constexpr std::size_t kAstcBlockBytes = 16;
 
 void check(astcenc_error result) {
   if (result != ASTCENC_SUCCESS) throw Error(ExitCode::failed, "ASTC", "", astcenc_get_error_string(result));
@@ -45,7 +45,7 @@ ContextPointer makeContext(AstcBlock block, AstcUse use, unsigned int flags, int
 
 // A thread's share, in blocks, should outweigh its start.
 int threadsFor(std::size_t bytes) {
-  return static_cast<int>(std::clamp<std::size_t>(bytes / kBlockBytes / 64, 1, threadCount()));
+  return static_cast<int>(std::clamp<std::size_t>(bytes / kAstcBlockBytes / 64, 1, threadCount()));
 }
 
 astcenc_image imageOf(int width, int height, void** slice) {
@@ -67,7 +67,7 @@ int blockSide(AstcBlock block) { return block == AstcBlock::none ? 1 : block == 
 
 std::size_t astcBytes(int width, int height, AstcBlock block) {
   const int side = blockSide(block);
-  return kBlockBytes * static_cast<std::size_t>((width + side - 1) / side) *
+  return kAstcBlockBytes * static_cast<std::size_t>((width + side - 1) / side) *
          static_cast<std::size_t>((height + side - 1) / side);
 }
 

@@ -13,7 +13,7 @@ namespace parity::base {
 
 namespace {
 
-constexpr std::size_t kBlockBytes = 16;
+constexpr std::size_t kEtc2BlockBytes = 16;
 // Of 0 to 100: how many of the worst blocks are tried again. etc2comp's own default is 40; docs/textures.md has what
 // more effort is worth.
 constexpr int kEffort = 10;
@@ -159,7 +159,7 @@ void decodeAlpha(Bits bits, Texels& texels) {
 } // namespace
 
 std::size_t etc2Bytes(int width, int height) {
-  return kBlockBytes * static_cast<std::size_t>(roundUp(width) / kEtc2BlockSide) *
+  return kEtc2BlockBytes * static_cast<std::size_t>(roundUp(width) / kEtc2BlockSide) *
          static_cast<std::size_t>(roundUp(height) / kEtc2BlockSide);
 }
 
@@ -182,8 +182,8 @@ Image8 decodeEtc2(std::span<const std::uint8_t> blocks, int width, int height) {
   parallelFor(static_cast<std::size_t>(rows), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row)
       for (int column = 0; column < columns; ++column) {
-        const std::uint8_t* block =
-            blocks.data() + kBlockBytes * (row * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column));
+        const std::uint8_t* block = blocks.data() + kEtc2BlockBytes * (row * static_cast<std::size_t>(columns) +
+                                                                       static_cast<std::size_t>(column));
         Texels texels{};
         decodeAlpha(bitsAt(block), texels);
         decodeRgb(bitsAt(block + 8), texels);

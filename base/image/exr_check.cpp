@@ -16,7 +16,7 @@ namespace parity::base {
 
 namespace {
 
-constexpr std::string_view kMagic = "\x76\x2f\x31\x01";
+constexpr std::string_view kExrMagic = "\x76\x2f\x31\x01";
 constexpr std::uint32_t kDeepFlag = 0x800, kMultiPartFlag = 0x1000;
 constexpr std::size_t kOffsetBytes = 8; // of a chunk, in the table behind the headers
 constexpr std::int64_t kMaxChunkBytes = std::int64_t{1} << 28;
@@ -66,7 +66,7 @@ public:
       : m_rest(head), m_headBytes(head.size()), m_fileBytes(fileBytes), m_name(name) {}
 
   void run() {
-    if (!m_rest.starts_with(kMagic) || m_rest.size() < 8) return;
+    if (!m_rest.starts_with(kExrMagic) || m_rest.size() < 8) return;
     const auto version = static_cast<std::uint32_t>(readInt(m_rest.substr(4)));
     if (version & kDeepFlag) fail("is a deep image; give a flat image");
     m_rest.remove_prefix(8);

@@ -19,7 +19,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-struct Header {
+struct PfmHeader {
   int width = 0, height = 0, channels = 0;
   bool bigEndian = false;
   std::size_t bytes = 0; // of the header itself
@@ -27,13 +27,13 @@ struct Header {
 
 // "PF|Pf <width> <height> <scale>" and one white space. The sign of the scale gives the byte order (negative: little);
 // its size is a unit that no program agrees on, so it is not applied.
-Header parseHeader(const std::string& name, std::span<const std::byte> bytes) {
+PfmHeader parseHeader(const std::string& name, std::span<const std::byte> bytes) {
   constexpr std::size_t kMaxHeaderBytes = 256;
   std::istringstream text(std::string(reinterpret_cast<const char*>(bytes.data()), //
                                       std::min(bytes.size(), kMaxHeaderBytes)));
   text.imbue(std::locale::classic());
   std::string magic;
-  Header header;
+  PfmHeader header;
   double scale = 0;
   text >> magic;
   if (magic != "PF" && magic != "Pf") throw fileError(name, "", "is not a PFM image: it must begin with PF or Pf");
@@ -56,7 +56,7 @@ Image readPfm(const std::filesystem::path& file, const ImageLimits& limits) {
 }
 
 Image decodePfm(std::span<const std::byte> bytes, const std::string& name, const ImageLimits& limits) {
-  const Header header = parseHeader(name, bytes);
+  const PfmHeader header = parseHeader(name, bytes);
   checkImageSize(name, header.width, header.height, header.channels, limits);
   const std::size_t rowValues = static_cast<std::size_t>(header.width) * header.channels;
   checkImageBytes(name, fmt::format("an image of {} x {} pixels", header.width, header.height),
@@ -77,7 +77,7 @@ Image decodePfm(std::span<const std::byte> bytes, const std::string& name, const
 }
 
 ImageShape readPfmShape(std::span<const std::byte> head, const std::string& name, const ImageLimits& limits) {
-  const Header header = parseHeader(name, head);
+  const PfmHeader header = parseHeader(name, head);
   checkImageSize(name, header.width, header.height, header.channels, limits);
   return {header.width, header.height, header.channels, false};
 }

@@ -6,30 +6,23 @@
 
 #include <fmt/format.h>
 
+#include "base/text/code_ranges.h"
 #include "base/text/utf8.h"
 
 namespace parity::base {
 namespace {
 
-struct Range {
-  std::uint32_t first, last;
-};
-
-template <std::size_t N> bool contains(const std::array<Range, N>& ranges, std::uint32_t code) {
-  return std::ranges::any_of(ranges, [code](const Range& r) { return r.first <= code && code <= r.last; });
-}
-
 // Marks, embeddings, overrides and isolates of the bidirectional algorithm; line and paragraph separators.
-constexpr std::array kReordering = {Range{0x061C, 0x061C}, Range{0x200E, 0x200F}, Range{0x2028, 0x202E},
-                                    Range{0x2066, 0x2069}};
+constexpr std::array kReordering = {CodeRange{0x061C, 0x061C}, CodeRange{0x200E, 0x200F}, CodeRange{0x2028, 0x202E},
+                                    CodeRange{0x2066, 0x2069}};
 // What a log's reader may skip in front of a command (White_Space of Unicode, without what is replaced anyway).
-constexpr std::array kSpaces = {Range{'\t', '\t'},     Range{' ', ' '},       Range{0x00A0, 0x00A0},
-                                Range{0x1680, 0x1680}, Range{0x2000, 0x200A}, Range{0x202F, 0x202F},
-                                Range{0x205F, 0x205F}, Range{0x3000, 0x3000}};
+constexpr std::array kSpaces = {CodeRange{'\t', '\t'},     CodeRange{' ', ' '},       CodeRange{0x00A0, 0x00A0},
+                                CodeRange{0x1680, 0x1680}, CodeRange{0x2000, 0x200A}, CodeRange{0x202F, 0x202F},
+                                CodeRange{0x205F, 0x205F}, CodeRange{0x3000, 0x3000}};
 // = + - @ and their full-width forms.
-constexpr std::array kFormula = {Range{'=', '='},       Range{'+', '+'},       Range{'-', '-'},
-                                 Range{'@', '@'},       Range{0xFF1D, 0xFF1D}, Range{0xFF0B, 0xFF0B},
-                                 Range{0xFF0D, 0xFF0D}, Range{0xFF20, 0xFF20}};
+constexpr std::array kFormula = {CodeRange{'=', '='},       CodeRange{'+', '+'},       CodeRange{'-', '-'},
+                                 CodeRange{'@', '@'},       CodeRange{0xFF1D, 0xFF1D}, CodeRange{0xFF0B, 0xFF0B},
+                                 CodeRange{0xFF0D, 0xFF0D}, CodeRange{0xFF20, 0xFF20}};
 
 constexpr std::array<std::string_view, 2> kCommandMarks = {"##[", "##vso["};
 

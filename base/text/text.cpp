@@ -4,30 +4,23 @@
 #include <array>
 #include <cstdint>
 
+#include "base/text/code_ranges.h"
 #include "base/text/utf8.h"
 
 namespace parity::base {
 namespace {
 
-struct Range {
-  std::uint32_t first, last;
-};
-
-template <std::size_t N> bool contains(const std::array<Range, N>& ranges, std::uint32_t code) {
-  return std::ranges::any_of(ranges, [code](const Range& r) { return r.first <= code && code <= r.last; });
-}
-
 // Unicode Standard Annex 11, East_Asian_Width W and F, and emoji shown as such: the blocks, not each code point.
-constexpr std::array kWide = {Range{0x1100, 0x115F},   Range{0x231A, 0x231B},   Range{0x2E80, 0x303E},
-                              Range{0x3041, 0xA4CF},   Range{0xA960, 0xA97F},   Range{0xAC00, 0xD7A3},
-                              Range{0xF900, 0xFAFF},   Range{0xFE30, 0xFE6F},   Range{0xFF00, 0xFF60},
-                              Range{0xFFE0, 0xFFE6},   Range{0x1F300, 0x1F64F}, Range{0x1F680, 0x1F6FF},
-                              Range{0x1F900, 0x1F9FF}, Range{0x20000, 0x3FFFD}};
+constexpr std::array kWide = {CodeRange{0x1100, 0x115F},   CodeRange{0x231A, 0x231B},   CodeRange{0x2E80, 0x303E},
+                              CodeRange{0x3041, 0xA4CF},   CodeRange{0xA960, 0xA97F},   CodeRange{0xAC00, 0xD7A3},
+                              CodeRange{0xF900, 0xFAFF},   CodeRange{0xFE30, 0xFE6F},   CodeRange{0xFF00, 0xFF60},
+                              CodeRange{0xFFE0, 0xFFE6},   CodeRange{0x1F300, 0x1F64F}, CodeRange{0x1F680, 0x1F6FF},
+                              CodeRange{0x1F900, 0x1F9FF}, CodeRange{0x20000, 0x3FFFD}};
 // General categories Mn and Me of the common scripts, joiners and variation selectors.
-constexpr std::array kNoWidth = {Range{0x0300, 0x036F}, Range{0x0483, 0x0489}, Range{0x0591, 0x05BD},
-                                 Range{0x064B, 0x065F}, Range{0x1AB0, 0x1AFF}, Range{0x1DC0, 0x1DFF},
-                                 Range{0x200B, 0x200D}, Range{0x20D0, 0x20FF}, Range{0xFE00, 0xFE0F},
-                                 Range{0xFE20, 0xFE2F}, Range{0xFEFF, 0xFEFF}};
+constexpr std::array kNoWidth = {CodeRange{0x0300, 0x036F}, CodeRange{0x0483, 0x0489}, CodeRange{0x0591, 0x05BD},
+                                 CodeRange{0x064B, 0x065F}, CodeRange{0x1AB0, 0x1AFF}, CodeRange{0x1DC0, 0x1DFF},
+                                 CodeRange{0x200B, 0x200D}, CodeRange{0x20D0, 0x20FF}, CodeRange{0xFE00, 0xFE0F},
+                                 CodeRange{0xFE20, 0xFE2F}, CodeRange{0xFEFF, 0xFEFF}};
 std::size_t widthOf(std::uint32_t code) { return contains(kNoWidth, code) ? 0 : contains(kWide, code) ? 2 : 1; }
 
 } // namespace

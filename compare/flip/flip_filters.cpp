@@ -9,14 +9,14 @@ namespace {
 
 using Half = std::vector<double>; // weights of 0, 1, ... radius
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // a*sqrt(pi/b)*exp(-pi^2 x^2/b), x = i/ppd degrees (Andersson 2020, eq. 3).
 Half sensitivity(double a, double b, int radius, double ppd) {
   Half half(static_cast<std::size_t>(radius) + 1);
   for (int i = 0; i <= radius; ++i) {
     const double x = i / ppd;
-    half[static_cast<std::size_t>(i)] = a * std::sqrt(kPi / b) * std::exp(-kPi * kPi * x * x / b);
+    half[static_cast<std::size_t>(i)] = a * std::sqrt(pi / b) * std::exp(-pi * pi * x * x / b);
   }
   return half;
 }
@@ -47,7 +47,7 @@ Half cut(Half half) {
 } // namespace
 
 int colorFilterRadius(float ppd) {
-  return static_cast<int>(std::ceil(3.0 * std::sqrt(0.04 / (2 * kPi * kPi)) * static_cast<double>(ppd)));
+  return static_cast<int>(std::ceil(3.0 * std::sqrt(0.04 / (2 * pi * pi)) * static_cast<double>(ppd)));
 }
 
 FlipFilters makeFlipFilters(float pixelsPerDegree) {
@@ -64,7 +64,7 @@ FlipFilters makeFlipFilters(float pixelsPerDegree) {
   // amplitude; together their 2D sums S1^2 + S2^2 come to 1.
   const auto rootOfAmplitude = [&](double a, double b) {
     Half half = sensitivity(1, b, out.radius, ppd); // amplitude sqrt(pi/b)
-    for (double& weight : half) weight *= std::sqrt(a * std::sqrt(kPi / b)) / std::sqrt(kPi / b);
+    for (double& weight : half) weight *= std::sqrt(a * std::sqrt(pi / b)) / std::sqrt(pi / b);
     return half;
   };
   const Half a = rootOfAmplitude(34.1, 0.04), b = rootOfAmplitude(13.5, 0.025);

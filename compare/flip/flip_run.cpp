@@ -11,7 +11,7 @@
 namespace parity::compare {
 namespace {
 
-std::string shapeOf(const PixelView& view) {
+std::string shapeAndTypeOf(const PixelView& view) {
   return std::to_string(view.width) + " x " + std::to_string(view.height) + " x " + std::to_string(view.channels) +
          (view.floats ? " floats" : " bytes");
 }
@@ -32,7 +32,8 @@ void requireComparableViews(const PixelView& reference, const PixelView& test) {
   if (test.empty()) throw refuse("test", "the image has no pixels");
   if (reference.width != test.width || reference.height != test.height || reference.channels != test.channels ||
       !reference.floats != !test.floats)
-    throw refuse("images", "the reference is " + shapeOf(reference) + " (channels last), the test " + shapeOf(test));
+    throw refuse("images", "the reference is " + shapeAndTypeOf(reference) + " (channels last), the test " +
+                               shapeAndTypeOf(test));
   if (reference.channels != 3 && reference.channels != 4)
     throw refuse("FLIP", "needs images of 3 channels, not " + std::to_string(reference.channels));
 }

@@ -13,27 +13,16 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "compare/flip/difference_map.h"
+#include "compare/flip/flip_buffer.h"
 #include "compare/flip/flip_run.h"
 #include "compare/flip/swap_index.h"
 
 namespace parity::compare {
 namespace {
 
-constexpr int kAlignment = 16;   // floats: what the columns of a batch begin at multiples of
-constexpr int kBlockWidth = 32;  // columns that are filtered or left out together
-constexpr int kFilteredRows = 5; // of FilteredRow
 constexpr int kReferencePlanes = 3;
 constexpr int kBatches = kTileHeight / kBatchRows;
 static_assert(kTileWidth / kBlockWidth <= 8, "a byte holds a bit for each block of a row");
-
-int roundUp(int value, int multiple) { return (value + multiple - 1) / multiple * multiple; }
-
-using Buffer = hwy::AlignedFreeUniquePtr<float[]>;
-Buffer allocate(std::size_t count) {
-  auto memory = hwy::AllocateAligned<float>(count);
-  std::fill_n(memory.get(), count, 0.f); // columns beyond the rows' ends are read, and must be numbers
-  return memory;
-}
 
 std::size_t sizeOf(const PixelView& view) { return view.floats ? sizeof(float) : sizeof(std::uint8_t); }
 const std::uint8_t* bytesOf(const PixelView& view) {
@@ -264,11 +253,11 @@ private:
   int m_ringRows, m_windowRows;
   std::size_t m_pixelBytes, m_stride; // stride: values of one row of one plane
   Rect m_box;
-  Buffer m_referenceRows; // the tile's and its margin's rows, decoded
-  Buffer m_ring;          // rows of a swap, kSourcePlanes planes each
-  Buffer m_batch;         // planes of a batch, filtered across rows
-  Buffer m_kept;          // the reference's filtered rows
-  Buffer m_scratch;
+  FlipBuffer m_referenceRows; // the tile's and its margin's rows, decoded
+  FlipBuffer m_ring;          // rows of a swap, kSourcePlanes planes each
+  FlipBuffer m_batch;         // planes of a batch, filtered across rows
+  FlipBuffer m_kept;          // the reference's filtered rows
+  FlipBuffer m_scratch;
   std::vector<const float*> m_pointers; // to the rows of the batch's window, from the topmost
   std::vector<std::uint8_t> m_colors;   // a row of a swapped picture
 };

@@ -5,15 +5,12 @@
 
 #include <hwy/cache_control.h>
 
+#include "compare/flip/flip_buffer.h"
+
 namespace parity::compare {
 namespace {
 
-constexpr int kAlignment = 16;   // floats: what the columns of a batch begin at multiples of
-constexpr int kBlockWidth = 32;  // columns that are filtered or left out together
-constexpr int kFilteredRows = 5; // of FilteredRow
-constexpr int kResultRows = 3;   // of DifferenceRow
-
-int roundUp(int value, int multiple) { return (value + multiple - 1) / multiple * multiple; }
+constexpr int kResultRows = 3; // of DifferenceRow
 
 void prefetchRow(const PixelView& image, const Rect& box, int y) {
   constexpr std::ptrdiff_t kCacheLine = 64;
@@ -22,12 +19,6 @@ void prefetchRow(const PixelView& image, const Rect& box, int y) {
   const std::uint8_t* row = pixels + size * (y * image.stride + static_cast<std::ptrdiff_t>(box.x) * image.channels);
   const std::ptrdiff_t bytes = size * box.width * image.channels;
   for (std::ptrdiff_t at = 0; at < bytes; at += kCacheLine) hwy::Prefetch(row + at);
-}
-
-hwy::AlignedFreeUniquePtr<float[]> allocate(std::size_t count) {
-  auto memory = hwy::AllocateAligned<float>(count);
-  std::fill_n(memory.get(), count, 0.f); // columns beyond the rows' ends are read, and must be numbers
-  return memory;
 }
 
 } // namespace

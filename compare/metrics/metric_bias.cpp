@@ -19,7 +19,7 @@ constexpr double kBlack = 1. / 8192;
 // it away from 0, on the side where it is.
 constexpr double kWorstEv = 13, kWorstLab = 100;
 
-MetricMaps makeMaps(const MetricInput& input, const MetricOptions& options) {
+MetricMaps biasMaps(const MetricInput& input, const MetricOptions& options) {
   const Rect box = boxOf(input, options);
   MetricMaps maps;
   for (int plane = 0; plane < (input.nonFinite.empty() ? kUnusable : kPlanes); ++plane)
@@ -84,7 +84,7 @@ Metric makeBiasMetric() {
       {"bias.da", "bias", "mean red-green difference (da*)", "", Better::nearZero, 0, kInfinity, 2},
       {"bias.db", "bias", "mean yellow-blue difference (db*)", "", Better::nearZero, 0, kInfinity, 2},
   };
-  metric.makeMaps = makeMaps;
+  metric.makeMaps = biasMaps;
   metric.pool = pool;
   return metric;
 }

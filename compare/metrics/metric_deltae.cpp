@@ -13,7 +13,7 @@ namespace {
 // Above what any two colours of sRGB have (119, near blue against green).
 constexpr float kWorst = 120;
 
-MetricMaps makeMaps(const MetricInput& input, const MetricOptions& options) {
+MetricMaps deltaEMaps(const MetricInput& input, const MetricOptions& options) {
   const Rect box = boxOf(input, options);
   MetricMaps maps;
   base::Image& map = maps.planes.emplace_back(input.width(), input.height(), 1);
@@ -46,7 +46,7 @@ Metric makeDeltaEMetric() {
   metric.statistics = distributionStatistics(metric.name, metric.label, kParts,
                                              {Better::lower, 0, std::numeric_limits<double>::infinity(), 2});
   metric.hasFractionOver = true;
-  metric.makeMaps = makeMaps;
+  metric.makeMaps = deltaEMaps;
   metric.pool = poolDistribution;
   return metric;
 }

@@ -9,14 +9,14 @@
 namespace parity::compare {
 namespace {
 
-MetricMaps makeMaps(const MetricInput& input, const MetricOptions& options) {
+MetricMaps ldrFlipMaps(const MetricInput& input, const MetricOptions& options) {
   MetricMaps maps;
   maps.planes.push_back(flipMap(input.reference, input.test, {.ppd = options.ppd, .region = options.box}));
   setPixels(maps.planes[0], input.nonFinite, 1);
   return maps;
 }
 
-std::vector<std::vector<float>> makeSwapMaps(const MetricInput& reference, std::span<const SwapPixels> swaps,
+std::vector<std::vector<float>> ldrFlipSwapMaps(const MetricInput& reference, std::span<const SwapPixels> swaps,
                                              const MetricOptions& options) {
   std::vector<FlipSwap> all;
   for (const SwapPixels& swap : swaps) all.push_back({swap.pixels, swap.gathered ? swap.gathered->test : PixelView()});
@@ -38,8 +38,8 @@ Metric makeFlipMetric() {
         "image replaces the other; 0: none, 1: largest";
   metric.statistics = distributionStatistics(metric.name, metric.label, kParts, {});
   metric.hasFractionOver = true;
-  metric.makeMaps = makeMaps;
-  metric.makeSwapMaps = makeSwapMaps;
+  metric.makeMaps = ldrFlipMaps;
+  metric.makeSwapMaps = ldrFlipSwapMaps;
   metric.pool = poolDistribution;
   return metric;
 }

@@ -10,7 +10,7 @@
 namespace parity::compare {
 namespace {
 
-MetricMaps makeMaps(const MetricInput& input, const MetricOptions& options) {
+MetricMaps hdrFlipMaps(const MetricInput& input, const MetricOptions& options) {
   HdrFlipOptions hdr = options.hdr;
   hdr.ppd = options.ppd;
   hdr.region = options.box;
@@ -26,8 +26,8 @@ MetricMaps makeMaps(const MetricInput& input, const MetricOptions& options) {
   return maps;
 }
 
-std::vector<std::vector<float>> makeSwapMaps(const MetricInput& reference, std::span<const SwapPixels> swaps,
-                                             const MetricOptions& options) {
+std::vector<std::vector<float>> hdrFlipSwapMaps(const MetricInput& reference, std::span<const SwapPixels> swaps,
+                                                const MetricOptions& options) {
   HdrFlipOptions hdr = options.hdr;
   hdr.ppd = options.ppd;
   std::vector<FlipSwap> all;
@@ -52,8 +52,8 @@ Metric makeHdrFlipMetric() {
   metric.needsLinear = true;
   metric.statistics = distributionStatistics(metric.name, metric.label, kParts, {});
   metric.hasFractionOver = true;
-  metric.makeMaps = makeMaps;
-  metric.makeSwapMaps = makeSwapMaps;
+  metric.makeMaps = hdrFlipMaps;
+  metric.makeSwapMaps = hdrFlipSwapMaps;
   metric.pool = poolDistribution;
   return metric;
 }

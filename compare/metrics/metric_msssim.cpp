@@ -45,7 +45,7 @@ Rect halve(const Rect& box) {
 }
 
 // Planes: the contrast and structure of each scale, but all of SSIM at the coarsest (equation 7).
-MetricMaps makeMaps(const MetricInput& input, const MetricOptions& options) {
+MetricMaps msSsimMaps(const MetricInput& input, const MetricOptions& options) {
   Rect box = boxOf(input, options);
   const Rect everything{0, 0, input.width(), input.height()};
   const std::size_t scales = scalesOf(input.width(), input.height());
@@ -93,7 +93,7 @@ Metric makeMsSsimMetric() {
                        "rescaled, where the shorter side is below 176) of the displayed images' luma; 1 alike";
   metric.statistics = {{"msssim", "msssim", "MS-SSIM", "", Better::higher, 0, 1, 4}};
   metric.reach = kReachesAll;
-  metric.makeMaps = makeMaps;
+  metric.makeMaps = msSsimMaps;
   metric.pool = [](const MetricMaps& maps, const RegionRuns& region, std::span<const Statistic> wanted) {
     return std::vector<double>(wanted.size(), poolScales(maps, region));
   };

@@ -11,11 +11,9 @@ namespace {
 
 bool isDepth(vk::Format format) { return format == vk::Format::eD32Sfloat; }
 
-std::uint32_t layersOf(const DeviceImage::Shape& shape) { return (shape.cube ? 6 : 1) * shape.arraySize; }
-
 vk::ImageSubresourceRange wholeOf(const DeviceImage::Shape& shape) {
   return {isDepth(shape.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor, 0, shape.mips, 0,
-          layersOf(shape)};
+          shape.layers()};
 }
 
 } // namespace
@@ -29,7 +27,7 @@ DeviceImage::DeviceImage(const Device& device, const Shape& shape) : m_shape(sha
                       "the device allows at most " + std::to_string(limit) + " pixels a side");
   vk::ImageCreateInfo info(shape.cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags{},
                            vk::ImageType::e2D, shape.format, vk::Extent3D(shape.width, shape.height, 1), shape.mips,
-                           layersOf(shape), vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal, shape.usage);
+                           shape.layers(), vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal, shape.usage);
   m_image = vk::raii::Image(device.handle(), info);
   const vk::MemoryRequirements needs = m_image.getMemoryRequirements();
   try {

@@ -10,6 +10,10 @@
 
 namespace parity::gpu {
 
+// Layouts of images that are read, and of depth that is written.
+inline constexpr auto kReadOnlyLayout = vk::ImageLayout::eShaderReadOnlyOptimal;
+inline constexpr auto kDepthLayout = vk::ImageLayout::eDepthStencilAttachmentOptimal;
+
 // An image with its memory and a view of all of it.
 class DeviceImage {
 public:
@@ -20,6 +24,8 @@ public:
     bool array = false;          // seen as an array of `arraySize` layers
     std::uint32_t arraySize = 1; // of cubes, or of layers
     vk::ImageUsageFlags usage = vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst;
+
+    std::uint32_t layers() const { return (cube ? 6 : 1) * arraySize; }
   };
 
   DeviceImage() = default;

@@ -16,13 +16,11 @@ vk::DeviceSize alignUp(vk::DeviceSize size) { return (size + kAlignment - 1) / k
 
 std::uint32_t sideOf(std::uint32_t side, std::uint32_t mip) { return std::max(side >> mip, 1u); }
 
-std::uint32_t layersOf(const DeviceImage::Shape& shape) { return (shape.cube ? 6 : 1) * shape.arraySize; }
-
 vk::DeviceSize stagingBytes(const DeviceImage::Shape& shape) {
   vk::DeviceSize total = 0;
   for (std::uint32_t mip = 0; mip < shape.mips && total < kMaxStagingBytes; ++mip)
-    total += layersOf(shape) * alignUp(vk::DeviceSize{vk::blockSize(shape.format)} * sideOf(shape.width, mip) *
-                                       sideOf(shape.height, mip));
+    total += shape.layers() * alignUp(vk::DeviceSize{vk::blockSize(shape.format)} * sideOf(shape.width, mip) *
+                                      sideOf(shape.height, mip));
   return std::min(total, kMaxStagingBytes);
 }
 
@@ -37,8 +35,8 @@ void ImageUpload::write(std::uint32_t mip, std::span<const std::byte> pixels) {
   const DeviceImage::Shape& shape = m_image.shape();
   const std::uint32_t width = sideOf(shape.width, mip), height = sideOf(shape.height, mip);
   const vk::DeviceSize rowBytes = vk::DeviceSize{vk::blockSize(shape.format)} * width;
-  assert(pixels.size() == rowBytes * height * layersOf(shape) && rowBytes <= m_staging.size());
-  for (std::uint32_t layer = 0; layer < layersOf(shape); ++layer)
+  assert(pixels.size() == rowBytes * height * shape.layers() && rowBytes <= m_staging.size());
+  for (std::uint32_t layer = 0; layer < shape.layers(); ++layer)
     for (std::uint32_t row = 0; row < height;) {
       const vk::DeviceSize begin = alignUp(m_used);
       const vk::DeviceSize room = begin < m_staging.size() ? (m_staging.size() - begin) / rowBytes : 0;

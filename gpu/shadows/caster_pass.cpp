@@ -6,15 +6,6 @@
 
 namespace parity::gpu {
 
-namespace {
-
-struct RasterPush { // of visibility.vert
-  glm::mat4 toClip;
-  std::uint32_t instance = 0, vertexData = 0, layer = 0;
-};
-
-} // namespace
-
 CasterPass::CasterPass(const Device& device, const SceneBuffers& scene)
     : m_scene(scene), m_geometry{storage(scene.positions), storage(scene.normals),  storage(scene.tangents),
                                  storage(scene.uvs),       storage(scene.colors),   storage(scene.indices),

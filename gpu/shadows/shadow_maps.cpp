@@ -9,9 +9,6 @@ namespace parity::gpu {
 
 namespace {
 
-constexpr auto kDepth = vk::ImageLayout::eDepthStencilAttachmentOptimal;
-constexpr auto kReadOnly = vk::ImageLayout::eShaderReadOnlyOptimal;
-
 GpuShadowView pack(const ShadowView& view, const ShadowTile& tile, float layerSide, std::uint32_t filter) {
   GpuShadowView out{};
   const float half = 0.5f * static_cast<float>(view.side);
@@ -87,8 +84,8 @@ void ShadowMaps::draw(const std::vector<std::size_t>& views, bool first) {
     const bool isFirst = left == viewsOfLayer.size(), isLast = --left == 0;
     const vk::raii::ImageView target = m_image.layerView(m_device, layer);
     m_device.submit("shadow maps", [&](const vk::raii::CommandBuffer& commands) {
-      if (isFirst) changeLayout(commands, m_image, first ? vk::ImageLayout::eUndefined : kReadOnly, kDepth);
-      const vk::RenderingAttachmentInfo depth(*target, kDepth, {}, {}, {},
+      if (isFirst) changeLayout(commands, m_image, first ? vk::ImageLayout::eUndefined : kReadOnlyLayout, kDepthLayout);
+      const vk::RenderingAttachmentInfo depth(*target, kDepthLayout, {}, {}, {},
                                               first ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eLoad,
                                               vk::AttachmentStoreOp::eStore, vk::ClearDepthStencilValue(0.f, 0));
       commands.beginRendering(
@@ -96,7 +93,7 @@ void ShadowMaps::draw(const std::vector<std::size_t>& views, bool first) {
       m_pass.begin(commands);
       for (const std::size_t k : ofLayer) drawView(commands, k, !first);
       commands.endRendering();
-      if (isLast) changeLayout(commands, m_image, kDepth, kReadOnly);
+      if (isLast) changeLayout(commands, m_image, kDepthLayout, kReadOnlyLayout);
     });
   }
 }
@@ -151,6 +148,6 @@ ShadowOfLight ShadowMaps::of(const scenes::Light& light) const {
   return found == m_ofLight.end() ? ShadowOfLight() : found->second;
 }
 
-vk::DescriptorImageInfo ShadowMaps::image() const { return {*m_sampler, m_image.view(), kReadOnly}; }
+vk::DescriptorImageInfo ShadowMaps::image() const { return {*m_sampler, m_image.view(), kReadOnlyLayout}; }
 
 } // namespace parity::gpu

@@ -14,10 +14,6 @@ namespace parity::gpu {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& reason) {
-  throw base::Error(base::ExitCode::failed, "SPIR-V", "cost", reason);
-}
-
 using Words = std::vector<std::uint32_t>;
 
 Words optimize(std::span<const std::uint32_t> words, bool validate, const auto& registerPasses) {
@@ -30,7 +26,7 @@ Words optimize(std::span<const std::uint32_t> words, bool validate, const auto& 
   spvtools::OptimizerOptions options;
   options.set_run_validator(validate);
   Words out;
-  if (!optimizer.Run(words.data(), words.size(), &out, options)) refuse("spirv-opt: " + message);
+  if (!optimizer.Run(words.data(), words.size(), &out, options)) refuseCost("spirv-opt: " + message);
   return out;
 }
 

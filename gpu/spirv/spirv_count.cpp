@@ -15,10 +15,6 @@ namespace parity::gpu {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& reason) {
-  throw base::Error(base::ExitCode::failed, "SPIR-V", "cost", reason);
-}
-
 // Operations of an instruction of GLSL.std.450 whose largest operand has n components; 0: it converts.
 std::optional<std::uint64_t> extendedOperations(std::uint32_t instruction, std::uint64_t n) {
   switch (instruction) {
@@ -97,7 +93,7 @@ public:
 
 private:
   void addOperations(const SpirvShape& shape, std::uint64_t count) {
-    if (shape.kind == SpirvShape::Kind::real && shape.bits > 32) refuse("64-bit reals are not counted");
+    if (shape.kind == SpirvShape::Kind::real && shape.bits > 32) refuseCost("64-bit reals are not counted");
     std::uint64_t& sum = shape.kind != SpirvShape::Kind::real ? m_cost.integer
                          : shape.bits == 16                   ? m_cost.fp16
                                                               : m_cost.fp32;
@@ -120,7 +116,7 @@ private:
     for (const std::uint32_t operand : each.operands.subspan(2))
       n = std::max(n, m_module.shapeOf(operand).components());
     const std::optional<std::uint64_t> operations = extendedOperations(each.operands[1], n);
-    if (!operations) refuse(fmt::format("instruction {} of GLSL.std.450 is not counted", each.operands[1]));
+    if (!operations) refuseCost(fmt::format("instruction {} of GLSL.std.450 is not counted", each.operands[1]));
     if (*operations == 0)
       m_cost.conversions += n * m_weight;
     else
@@ -130,7 +126,7 @@ private:
   void addFetch(std::uint32_t image) {
     const SpirvInstruction* from = m_module.find(image);
     while (from && from->opcode != spv::OpVariable) from = m_module.find(from->operands[0]);
-    if (!from) refuse("a texture read of no variable");
+    if (!from) refuseCost("a texture read of no variable");
     m_fetches[m_places[from->result]] += m_weight;
   }
 
@@ -269,11 +265,13 @@ void Counter::add(const SpirvInstruction& each) {
   case spv::OpMemoryBarrier:
     return;
   default:
-    refuse(fmt::format("instruction {} is not counted", op));
+    refuseCost(fmt::format("instruction {} is not counted", op));
   }
 }
 
 } // namespace
+
+void refuseCost(const std::string& reason) { throw base::Error(base::ExitCode::failed, "SPIR-V", "cost", reason); }
 
 ShaderCost countOperations(const SpirvModule& module) { return Counter(module).count(); }
 

@@ -10,13 +10,13 @@ namespace parity::gpu {
 
 namespace {
 
-constexpr std::size_t kGrain = 16384;
+constexpr std::size_t kFrameGrain = 16384;
 
 // plane = value * weight + plane * keep at the pixels of a surface, in the target's numbers where there is one; the
 // plane begins at the tile's first pixel. weightsOf: entry -> (keep, weight).
 void composite(float* plane, std::size_t firstPixel, const Surface& surface, const std::vector<glm::vec4>& values,
                const auto& weightsOf, const TargetCodec* target) {
-  base::parallelFor(surface.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  base::parallelFor(surface.size(), kFrameGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       float* out = plane + (surface.pixels[i] - firstPixel) * 3;
       const auto [keep, weight] = weightsOf(i);
@@ -80,7 +80,7 @@ base::Frame FrameBuilder::take() {
     for (base::Image& term : m_frame.terms) divide(term);
   }
   if (m_target)
-    base::parallelFor(m_frame.color.pixelCount(), kGrain, [&](std::size_t begin, std::size_t end) {
+    base::parallelFor(m_frame.color.pixelCount(), kFrameGrain, [&](std::size_t begin, std::size_t end) {
       for (float* p = m_frame.color.pixels.data() + 3 * begin; p != m_frame.color.pixels.data() + 3 * end; p += 3) {
         const glm::vec3 light = m_target->read(m_target->store({p[0], p[1], p[2]}));
         for (int c = 0; c < 3; ++c) p[c] = light[c];

@@ -10,7 +10,7 @@ namespace parity::gpu {
 
 namespace {
 
-constexpr std::size_t kGrain = 16384;
+constexpr std::size_t kSwapGrain = 16384;
 
 // How a surface's entry lies over what is behind: out = value * weight + behind * keep.
 struct Over {
@@ -70,7 +70,7 @@ void SwapBuilder::lay(const Surface& surface, const ShadedSurface& reference, co
   const std::size_t first = m_entries.size();
   m_entries.resize(first + surface.size());
   m_colors.resize(m_entries.size() * m_planes);
-  base::parallelFor(surface.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  base::parallelFor(surface.size(), kSwapGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t place = surface.pixels[i] - m_firstPixel;
       const std::uint32_t material = m_materialOf[surface.instances[i]];

@@ -10,7 +10,7 @@ namespace parity::gpu {
 
 namespace {
 
-constexpr std::size_t kGrain = 65536; // texels
+constexpr std::size_t kTexelGrain = 65536; // texels
 
 glm::vec3 unitNormal(const std::uint8_t* texel) {
   const glm::vec3 n = glm::vec3(texel[0], texel[1], texel[2]) * (2 / 255.f) - 1.f;
@@ -39,7 +39,7 @@ std::vector<glm::vec3> average(int width, int height, int targetWidth, int targe
 } // namespace
 
 base::Image8 withoutVariance(base::Image8 image) {
-  base::parallelFor(image.pixelCount(), kGrain, [&](std::size_t begin, std::size_t end) {
+  base::parallelFor(image.pixelCount(), kTexelGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) image.pixels[4 * t + 3] = 0;
   });
   return image;
@@ -50,7 +50,7 @@ void NormalVariance::writeNext(const base::Image8& finer, base::Image8& mip) {
   const auto normalOf = [&](int x, int y) { return unitNormal(finer.at(x, y)); };
   m_means = m_means.empty() ? average(finer.width, finer.height, mip.width, mip.height, normalOf)
                             : average(finer.width, finer.height, mip.width, mip.height, meanOf);
-  base::parallelFor(mip.pixelCount(), kGrain, [&](std::size_t begin, std::size_t end) {
+  base::parallelFor(mip.pixelCount(), kTexelGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const double length = glm::length(glm::dvec3(m_means[t]));
       mip.pixels[4 * t + 3] =

@@ -146,29 +146,29 @@ struct ShadingPass::Impl {
     for (const Buffer* buffer : {&s.position, &s.normal, &s.tangent, &s.uv, &s.uv0Derivatives, &s.uv1Derivatives,
                                  &s.color, &s.fog, &s.lightmap, &color, &termsA, &termsB})
       bindings.push_back(storage(*buffer));
-    constexpr auto kReadOnly = vk::ImageLayout::eShaderReadOnlyOptimal;
     const EnvironmentMaps* sky = program.environment;
-    const vk::DescriptorImageInfo noSky(*linearClamp, blackCube.view(), kReadOnly);
-    bindings.push_back(sky ? vk::DescriptorImageInfo(*sky->sampler, sky->cube.view(), kReadOnly) : noSky);
+    const vk::DescriptorImageInfo noSky(*linearClamp, blackCube.view(), kReadOnlyLayout);
+    bindings.push_back(sky ? vk::DescriptorImageInfo(*sky->sampler, sky->cube.view(), kReadOnlyLayout) : noSky);
     bindings.push_back(vk::DescriptorImageInfo(
-        *linearClamp, program.pathTexture ? program.pathTexture->view() : white.view(), kReadOnly));
+        *linearClamp, program.pathTexture ? program.pathTexture->view() : white.view(), kReadOnlyLayout));
     bindings.push_back(program.shadows ? program.shadows->image()
-                                       : vk::DescriptorImageInfo(*linearClamp, whiteArray.view(), kReadOnly));
+                                       : vk::DescriptorImageInfo(*linearClamp, whiteArray.view(), kReadOnlyLayout));
     bindings.push_back(storage(program.shadows ? program.shadows->views() : nothing));
     const BakedMaps* baked = program.baked;
-    const vk::DescriptorImageInfo noPages(*linearClamp, whiteArray.view(), kReadOnly);
+    const vk::DescriptorImageInfo noPages(*linearClamp, whiteArray.view(), kReadOnlyLayout);
     const auto pages = [&](std::uint32_t part, const DeviceImage& image) {
-      return baked && (baked->parts & part) != 0 ? vk::DescriptorImageInfo(*linearClamp, image.view(), kReadOnly)
+      return baked && (baked->parts & part) != 0 ? vk::DescriptorImageInfo(*linearClamp, image.view(), kReadOnlyLayout)
                                                  : noPages;
     };
     bindings.push_back(baked ? pages(kBakedLightmap, baked->lightmap) : noPages);
     bindings.push_back(baked ? pages(kBakedSunShadow, baked->sunShadow) : noPages);
     bindings.push_back(storage(baked ? baked->captures : nothing));
     bindings.push_back(storage(baked ? baked->scales : nothing));
-    bindings.push_back(
-        sky && sky->irradiance ? vk::DescriptorImageInfo(*linearClamp, sky->irradiance->view(), kReadOnly) : noSky);
-    bindings.push_back(
-        vk::DescriptorImageInfo(*linearClamp, sky && sky->panorama ? sky->panorama->view() : white.view(), kReadOnly));
+    bindings.push_back(sky && sky->irradiance
+                           ? vk::DescriptorImageInfo(*linearClamp, sky->irradiance->view(), kReadOnlyLayout)
+                           : noSky);
+    bindings.push_back(vk::DescriptorImageInfo(
+        *linearClamp, sky && sky->panorama ? sky->panorama->view() : white.view(), kReadOnlyLayout));
     bindings.push_back(uniform(sky && sky->lamps ? *sky->lamps : noLamps));
     return bindings;
   }

@@ -9,14 +9,7 @@ namespace parity::gpu {
 
 namespace {
 
-struct RasterPush {
-  glm::mat4 toClip;
-  std::uint32_t instance = 0, vertexData = 0, layer = 0;
-};
-
-constexpr auto kReadOnly = vk::ImageLayout::eShaderReadOnlyOptimal;
 constexpr auto kColor = vk::ImageLayout::eColorAttachmentOptimal;
-constexpr auto kDepth = vk::ImageLayout::eDepthStencilAttachmentOptimal;
 
 std::vector<Binding> geometryBindings(const SceneBuffers& s) {
   return {storage(s.positions), storage(s.normals), storage(s.tangents),  storage(s.uvs),
@@ -94,7 +87,7 @@ struct VisibilityPass::Impl {
     for (const std::size_t before : {1, 0}) {
       std::vector<Binding>& bindings = sets.emplace_back();
       for (const DeviceImage* image : {&depth, &peeledDepth[before], &ids[before]})
-        bindings.push_back(vk::DescriptorImageInfo(*sampler, image->view(), kReadOnly));
+        bindings.push_back(vk::DescriptorImageInfo(*sampler, image->view(), kReadOnlyLayout));
     }
     peelSetLayout = makeSetLayout(device, sets.front(), kRasterStages);
     peelSets = std::make_unique<DescriptorSets>(device, peelSetLayout, sets);
@@ -142,12 +135,12 @@ void VisibilityPass::Impl::draw(const vk::raii::CommandBuffer& commands, const P
                                 const DeviceImage& toDepth, std::optional<std::uint32_t> layer) const {
   const auto w = static_cast<float>(width), h = static_cast<float>(height);
   changeLayout(commands, toIds, vk::ImageLayout::eUndefined, kColor);
-  changeLayout(commands, toDepth, vk::ImageLayout::eUndefined, kDepth);
+  changeLayout(commands, toDepth, vk::ImageLayout::eUndefined, kDepthLayout);
   constexpr auto kClear = vk::AttachmentLoadOp::eClear;
   constexpr auto kStore = vk::AttachmentStoreOp::eStore;
   const vk::RenderingAttachmentInfo color(toIds.view(), kColor, {}, {}, {}, kClear, kStore,
                                           vk::ClearColorValue(std::array<std::uint32_t, 4>{}));
-  const vk::RenderingAttachmentInfo depthInfo(toDepth.view(), kDepth, {}, {}, {}, kClear, kStore,
+  const vk::RenderingAttachmentInfo depthInfo(toDepth.view(), kDepthLayout, {}, {}, {}, kClear, kStore,
                                               vk::ClearDepthStencilValue(1.f, 0));
   const vk::Rect2D area({0, 0}, {width, part.tile.rows});
   commands.beginRendering(vk::RenderingInfo({}, area, 1, 0, color, &depthInfo));
@@ -179,7 +172,7 @@ VisibilityPass::Ids VisibilityPass::renderOpaque(const Part& part) const {
   impl.device.submit("surface raster", [&](const vk::raii::CommandBuffer& commands) {
     impl.draw(commands, part, impl.ids[0], impl.depth, std::nullopt);
     impl.copyOut(commands, impl.ids[0], part.tile.rows);
-    if (impl.blended) changeLayout(commands, impl.depth, kDepth, kReadOnly);
+    if (impl.blended) changeLayout(commands, impl.depth, kDepthLayout, kReadOnlyLayout);
   });
   return impl.idsOut.downloadAs<glm::uvec2>(std::size_t{impl.width} * part.tile.rows);
 }
@@ -189,13 +182,13 @@ VisibilityPass::Ids VisibilityPass::peel(const Part& part, std::uint32_t layer) 
   const std::size_t to = layer % 2, before = 1 - to;
   impl.device.submit("surface peel", [&](const vk::raii::CommandBuffer& commands) {
     if (layer == 0) { // it is bound, but not read
-      changeLayout(commands, impl.ids[before], vk::ImageLayout::eUndefined, kReadOnly);
-      changeLayout(commands, impl.peeledDepth[before], vk::ImageLayout::eUndefined, kReadOnly);
+      changeLayout(commands, impl.ids[before], vk::ImageLayout::eUndefined, kReadOnlyLayout);
+      changeLayout(commands, impl.peeledDepth[before], vk::ImageLayout::eUndefined, kReadOnlyLayout);
     }
     impl.draw(commands, part, impl.ids[to], impl.peeledDepth[to], layer);
     impl.copyOut(commands, impl.ids[to], part.tile.rows);
-    changeLayout(commands, impl.ids[to], vk::ImageLayout::eTransferSrcOptimal, kReadOnly);
-    changeLayout(commands, impl.peeledDepth[to], kDepth, kReadOnly);
+    changeLayout(commands, impl.ids[to], vk::ImageLayout::eTransferSrcOptimal, kReadOnlyLayout);
+    changeLayout(commands, impl.peeledDepth[to], kDepthLayout, kReadOnlyLayout);
   });
   return impl.idsOut.downloadAs<glm::uvec2>(std::size_t{impl.width} * part.tile.rows);
 }

@@ -16,6 +16,7 @@
 #include "scenes/brightest_light.h"
 #include "scenes/builtin/material_balls.h"
 #include "scenes/load.h"
+#include "scenes/luminance.h"
 #include "scenes/names.h"
 
 namespace parity::job {
@@ -91,14 +92,13 @@ void requireLight(PreparedScene& prepared, const std::string& file) {
       "the scene has no light and no environment, or only black ones: only emissive and unlit materials are visible");
 }
 
-float luminanceOf(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
-
 std::string describe(const lighting::SunExtraction& extraction) {
   const scenes::Light& sun = extraction.suns.front().light;
   const glm::vec3 towards = -sun.direction;
-  std::string text = fmt::format("extracted from {}: azimuth {:.2f}, elevation {:.2f}, {:.4g} lux",
-                                 extraction.environment.name, glm::degrees(std::atan2(towards.z, towards.x)),
-                                 glm::degrees(std::asin(std::clamp(towards.y, -1.f, 1.f))), luminanceOf(sun.color));
+  std::string text =
+      fmt::format("extracted from {}: azimuth {:.2f}, elevation {:.2f}, {:.4g} lux", extraction.environment.name,
+                  glm::degrees(std::atan2(towards.z, towards.x)),
+                  glm::degrees(std::asin(std::clamp(towards.y, -1.f, 1.f))), scenes::luminanceOf(sun.color));
   if (extraction.suns.size() > 1) text += fmt::format(", and {} fainter", extraction.suns.size() - 1);
   return text;
 }

@@ -10,7 +10,7 @@ namespace parity::job {
 
 namespace {
 
-constexpr std::size_t kGrain = 16384;
+constexpr std::size_t kGrainPixels = 16384;
 
 bool isFinite(const float* rgb) { return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]); }
 
@@ -21,14 +21,14 @@ std::uint8_t toByte(float value) { return static_cast<std::uint8_t>(std::clamp(v
 Displayed displayImage(const base::Image& color, const base::DisplayTransform& display, float exposureEv) {
   const base::Image encoded = display.apply(color, exposureEv);
   Displayed out{base::Image8(color.width, color.height, 3), {}};
-  std::vector<std::vector<std::uint32_t>> nonFinite(color.pixelCount() / kGrain + 1);
-  base::parallelFor(color.pixelCount(), kGrain, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::vector<std::uint32_t>> nonFinite(color.pixelCount() / kGrainPixels + 1);
+  base::parallelFor(color.pixelCount(), kGrainPixels, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       // The frame decides, not the encoded value: an infinite radiance would be displayed as plain white.
       if (isFinite(&color.pixels[3 * p]) && isFinite(&encoded.pixels[3 * p]))
         std::transform(&encoded.pixels[3 * p], &encoded.pixels[3 * p] + 3, &out.pixels.pixels[3 * p], toByte);
       else
-        nonFinite[begin / kGrain].push_back(static_cast<std::uint32_t>(p));
+        nonFinite[begin / kGrainPixels].push_back(static_cast<std::uint32_t>(p));
     }
   });
   for (const auto& part : nonFinite) out.nonFinite.insert(out.nonFinite.end(), part.begin(), part.end());

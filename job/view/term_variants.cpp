@@ -8,7 +8,7 @@ namespace parity::job {
 
 namespace {
 
-constexpr std::size_t kGrain = 16384;
+constexpr std::size_t kGrainSamples = 16384;
 
 } // namespace
 
@@ -16,7 +16,7 @@ TermVariants::TermVariants(const gpu::Surface& surface, const gpu::ShadedSurface
                            const gpu::ShadedSurface& test)
     : m_reference(reference), m_test(test) {
   for (std::vector<glm::vec4>& colors : m_colors) colors.resize(surface.size());
-  base::parallelFor(surface.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  base::parallelFor(surface.size(), kGrainSamples, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       // The reference's term as the test would have it: times the opacity where the test's are.
       const bool multiplied = surface.blended && test.premultiplied && !reference.premultiplied;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "lighting/environment/cube.h"
+#include "scenes/luminance.h"
 
 namespace parity::lighting {
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double kLimitOverMean = 20;
 
-double luminanceOf(const glm::vec4& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+double luminanceOf(const glm::vec4& c) { return scenes::luminanceOf(glm::dvec3(c)); }
 
 // integral NoL / t^2 dl over the hemisphere, where t = u + a^2 (1 - u), u = (1 - NoL) / 2 and a = alpha: D is a^2 / pi
 // times 1 / t^2, and so in both of numerator and denominator.

@@ -16,7 +16,7 @@ namespace parity::lighting {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // The weighted sum of what falls into a cube texel.
 struct Gathered {
@@ -34,7 +34,7 @@ template <typename Visit> void forEachColumn(const Panorama& p, double from, dou
   const double end = p.columnAt(to);
   for (double begin = p.columnAt(from); begin < end;) {
     const double next = std::min(end, std::floor(begin) + 1);
-    visit(p.azimuthAt(begin), (next - begin) / p.width * 2 * kPi, p.column(static_cast<long long>(std::floor(begin))));
+    visit(p.azimuthAt(begin), (next - begin) / p.width * 2 * pi, p.column(static_cast<long long>(std::floor(begin))));
     begin = next;
   }
 }
@@ -76,7 +76,7 @@ std::vector<Gathered> gatherPolarQuarter(const Panorama& p, bool top, int quarte
   // that coverage) better.
   const int rays = std::max(1, (64 * n + p.width - 1) / p.width);
   forEachColumn(
-      p, quarter * kPi / 2, (quarter + 1) * kPi / 2, [&](double azimuth, double width, const glm::vec3* column) {
+      p, quarter * pi / 2, (quarter + 1) * pi / 2, [&](double azimuth, double width, const glm::vec3* column) {
         for (int ray = 0; ray < rays; ++ray) {
           const double a = azimuth + (ray + 0.5) / rays * width, weight = width / rays;
           const double stepX = 1 / (half * std::abs(std::cos(a))), stepZ = 1 / (half * std::abs(std::sin(a)));
@@ -111,7 +111,7 @@ std::vector<glm::vec4> resampleEquirect(const Panorama& panorama, int n) {
     int face;
     double azimuth; // atan2(z, x) of its middle
   };
-  constexpr Side kSides[] = {{0, 0.0}, {1, kPi}, {4, kPi / 2}, {5, -kPi / 2}};
+  constexpr Side kSides[] = {{0, 0.0}, {1, pi}, {4, pi / 2}, {5, -pi / 2}};
   base::parallelFor(4 * static_cast<std::size_t>(n), 8, [&](std::size_t begin, std::size_t end) {
     std::vector<Gathered> texels;
     for (std::size_t i = begin; i < end; ++i) {

@@ -19,7 +19,7 @@ namespace parity::lighting {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // Directions within an angle of an axis.
 struct Cone {
@@ -82,8 +82,8 @@ Bundle makeBundle(std::vector<Patch> patches) {
 enum class Horizon { below, cuts, above };
 Horizon horizonOf(const Cone& tile, const Cone& sky) {
   const double angle = angleBetween(tile.axis, sky.axis), reach = tile.angle + sky.angle + 1e-6;
-  if (angle + reach <= kPi / 2) return Horizon::above;
-  return angle - reach >= kPi / 2 ? Horizon::below : Horizon::cuts;
+  if (angle + reach <= pi / 2) return Horizon::above;
+  return angle - reach >= pi / 2 ? Horizon::below : Horizon::cuts;
 }
 
 constexpr int kTile = 4; // normals a side
@@ -143,7 +143,7 @@ std::vector<glm::vec4> sumOver(const std::vector<Bundle>& bundles) {
       const glm::dvec3 normal = texelDirection(face, x, y, n);
       glm::vec4 texel(1.f);
       for (int c = 0; c < 3; ++c)
-        texel[c] = static_cast<float>((glm::dot(normal, tile.whole[c]) + tile.sums[i / 4][c][i % 4]) / kPi);
+        texel[c] = static_cast<float>((glm::dot(normal, tile.whole[c]) + tile.sums[i / 4][c][i % 4]) / pi);
       texels[texelIndex(face, x, y, n)] = texel;
     }
   });
@@ -164,7 +164,7 @@ glm::dvec3 directionAt(double azimuth, double y) {
 
 // The cells [x0, x1) x [y0, y1).
 Patch makePatch(const Panorama& p, int x0, int x1, int y0, int y1) {
-  const double width = 2 * kPi / p.width;
+  const double width = 2 * pi / p.width;
   Patch patch;
   for (int y = y0; y < y1; ++y)
     for (int x = x0; x < x1; ++x) {

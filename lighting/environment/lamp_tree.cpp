@@ -9,13 +9,14 @@
 #include <span>
 #include <utility>
 
+#include "scenes/luminance.h"
 #include "shading/shading.h"
 
 namespace parity::lighting {
 
 namespace {
 
-double luminanceOf(const glm::dvec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+using scenes::luminanceOf;
 
 // What a cell of the panorama has above the mean.
 struct Cell {

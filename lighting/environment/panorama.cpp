@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "base/error.h"
@@ -14,7 +15,7 @@ namespace parity::lighting {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 glm::vec3 texelAt(const base::Image& image, int x, int y) {
   const float* p = image.at(x, y);
@@ -56,7 +57,7 @@ glm::vec3 interpolateRadiance(const base::Image& image, double x, double y) {
 
 double panoramaAzimuth(double a, float rotationDeg) {
   // A turn by +r about +Y takes azimuth a to a - r, so what is seen at a stood at a + r.
-  return a + static_cast<double>(rotationDeg) * kPi / 180;
+  return a + static_cast<double>(rotationDeg) * pi / 180;
 }
 
 Panorama makePanorama(const scenes::Environment& environment, int faceSize) {
@@ -72,7 +73,7 @@ Panorama makePanorama(const scenes::Environment& environment, int faceSize) {
   p.height = image.height * growY / shrinkY;
   p.rotationDeg = environment.rotationDeg;
   p.rowY.resize(static_cast<std::size_t>(p.height) + 1);
-  for (int y = 0; y <= p.height; ++y) p.rowY[y] = std::cos(kPi * y / p.height);
+  for (int y = 0; y <= p.height; ++y) p.rowY[y] = std::cos(pi * y / p.height);
   p.columns.resize(static_cast<std::size_t>(p.width) * p.height);
   base::parallelFor(p.width, 16, [&](std::size_t begin, std::size_t end) {
     for (int y = 0; y < p.height; ++y)
@@ -85,7 +86,7 @@ Panorama makePanorama(const scenes::Environment& environment, int faceSize) {
         glm::dvec3 sum{0.0};
         double area = 0;
         for (int sy = y * shrinkY; sy < (y + 1) * shrinkY; ++sy) {
-          const double height = std::cos(kPi * sy / image.height) - std::cos(kPi * (sy + 1) / image.height);
+          const double height = std::cos(pi * sy / image.height) - std::cos(pi * (sy + 1) / image.height);
           for (int sx = 0; sx < shrinkX; ++sx)
             sum += height * glm::dvec3(texelAt(image, static_cast<int>(x) * shrinkX + sx, sy));
           area += height * shrinkX;

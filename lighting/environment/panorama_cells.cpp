@@ -12,7 +12,7 @@ namespace parity::lighting {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int kMinWidth = 1024, kMinHeight = 512; // as reference/environment_sampler.cpp has them
 
 // A cell of a halved side covers [begin, end) of `size` cells.
@@ -37,7 +37,7 @@ std::vector<glm::vec4> halve(const std::vector<glm::vec4>& cells, int width, int
         double area = 0;
         for (int j = rows.first(); j <= rows.last(); ++j)
           for (int i = columns.first(); i <= columns.last(); ++i) {
-            const double share = (std::cos(kPi * rows.from(j) / height) - std::cos(kPi * rows.to(j) / height)) *
+            const double share = (std::cos(pi * rows.from(j) / height) - std::cos(pi * rows.to(j) / height)) *
                                  (columns.to(i) - columns.from(i));
             sum += share * glm::dvec4(cells[static_cast<std::size_t>(j) * width + i]);
             area += share;
@@ -71,7 +71,7 @@ PanoramaCells makePanoramaCells(const scenes::Environment& environment) {
   PanoramaCells cells;
   cells.width = image.width * growX;
   cells.height = image.height * growY;
-  cells.turns = static_cast<float>(panoramaAzimuth(0, environment.rotationDeg) / (2 * kPi));
+  cells.turns = static_cast<float>(panoramaAzimuth(0, environment.rotationDeg) / (2 * pi));
   std::vector<glm::vec4> mip(static_cast<std::size_t>(cells.width) * cells.height);
   base::parallelFor(static_cast<std::size_t>(cells.height), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t y = begin; y < end; ++y)
@@ -83,23 +83,23 @@ PanoramaCells makePanoramaCells(const scenes::Environment& environment) {
     mip = halve(mip, cells.width, cells.height);
   cells.mips.push_back(std::move(mip));
   const double widest = shading::f64::sharpLobe(static_cast<double>(shading::f64::kSharpestPrefilteredMip)).width;
-  for (int m = 0; widest > kPi / heightOf(cells, m) && heightOf(cells, m + 1) > 0; ++m)
+  for (int m = 0; widest > pi / heightOf(cells, m) && heightOf(cells, m + 1) > 0; ++m)
     cells.mips.push_back(halve(cells.mips.back(), widthOf(cells, m), heightOf(cells, m)));
   return cells;
 }
 
 glm::vec3 readCells(const PanoramaCells& cells, const glm::dvec3& direction, double boxWidth) {
   const int last = static_cast<int>(cells.mips.size()) - 1;
-  const double rowsWide = boxWidth * cells.height / kPi;
+  const double rowsWide = boxWidth * cells.height / pi;
   const int mip = rowsWide > 1 ? std::min(last, static_cast<int>(std::ceil(std::log2(rowsWide)))) : 0;
   const int width = widthOf(cells, mip), height = heightOf(cells, mip);
   const double horizontal = std::hypot(direction.x, direction.z);
-  double turns = std::atan2(direction.z, direction.x) / (2 * kPi) + 0.5 + cells.turns;
+  double turns = std::atan2(direction.z, direction.x) / (2 * pi) + 0.5 + cells.turns;
   turns -= std::floor(turns);
   const double polar = std::atan2(horizontal, direction.y), sine = horizontal / glm::length(direction);
-  const double columnWidth = 2 * kPi / width * sine;
+  const double columnWidth = 2 * pi / width * sine;
   const Place x(turns * width - 0.5, boxWidth < columnWidth ? boxWidth / columnWidth : boxWidth > 0 ? 1 : 0);
-  const Place y(polar / kPi * height - 0.5, std::min(1.0, boxWidth * height / kPi));
+  const Place y(polar / pi * height - 0.5, std::min(1.0, boxWidth * height / pi));
   const auto at = [&](int column, int row) {
     return glm::dvec3(
         cells.mips[mip][static_cast<std::size_t>(std::clamp(row, 0, height - 1)) * width + (column + width) % width]);

@@ -9,18 +9,19 @@
 #include "base/parallel.h"
 #include "lighting/environment/panorama.h"
 #include "scenes/environment.h"
+#include "scenes/luminance.h"
 
 namespace parity::lighting {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double kLevelOverMean = 10; // on three real maps: above what glare leaves 3 degrees from a sun
 constexpr double kPeakOverLevel = 8;
-constexpr double kMaxRadius = 3 * kPi / 180;
+constexpr double kMaxRadius = 3 * pi / 180;
 constexpr double kLeastShare = 0.02; // of the map's flux: st_peters_square_night has 5 above, 15 above half of it
 
-double luminanceOf(const glm::dvec3& c) { return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722)); }
+using scenes::luminanceOf;
 
 // The panorama's cells: where they are and what they hold.
 class Cells {
@@ -28,13 +29,13 @@ public:
   explicit Cells(const base::Image& image) : m_image(image), m_luminance(image.pixelCount()) {
     const int w = width(), h = height();
     for (int x = 0; x < w; ++x) {
-      const double azimuth = ((x + 0.5) / w - 0.5) * 2 * kPi;
+      const double azimuth = ((x + 0.5) / w - 0.5) * 2 * pi;
       m_columns.emplace_back(std::cos(azimuth), std::sin(azimuth));
     }
     for (int y = 0; y < h; ++y) {
-      const double polar = (y + 0.5) / h * kPi;
+      const double polar = (y + 0.5) / h * pi;
       m_rows.emplace_back(std::sin(polar), std::cos(polar));
-      m_solidAngles.push_back(2 * kPi / w * (std::cos(kPi * y / h) - std::cos(kPi * (y + 1) / h)));
+      m_solidAngles.push_back(2 * pi / w * (std::cos(pi * y / h) - std::cos(pi * (y + 1) / h)));
     }
     std::vector<double> rowSums(h);
     base::parallelFor(h, 16, [&](std::size_t begin, std::size_t end) {
@@ -56,7 +57,7 @@ public:
   double luminance(std::size_t i) const { return m_luminance[i]; }
   double solidAngle(std::size_t i) const { return m_solidAngles[i / width()]; }
   double flux() const { return m_flux; } // the sum of luminance times solid angle
-  double mean() const { return m_flux / (4 * kPi); }
+  double mean() const { return m_flux / (4 * pi); }
   // In the panorama's own frame, unit length.
   glm::dvec3 direction(std::size_t i) const {
     const glm::dvec2 column = m_columns[i % width()], row = m_rows[i / width()];

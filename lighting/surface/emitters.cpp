@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "scenes/luminance.h"
+
 namespace parity::lighting {
 
 namespace {
@@ -19,7 +21,7 @@ std::array<glm::dvec3, 3> cornersOf(const scenes::Scene& scene, std::uint32_t in
   return corners;
 }
 
-double luminanceOf(const glm::dvec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+using scenes::luminanceOf;
 
 // Points of a triangle that stand for a quarter of it each.
 constexpr std::array<glm::vec2, 4> kQuarters = {

@@ -12,7 +12,7 @@
 namespace parity::scenes {
 namespace {
 
-constexpr double kSunAzimuthDeg = 62, kSunElevationDeg = 40;
+constexpr double kCourtyardSunAzimuthDeg = 62, kCourtyardSunElevationDeg = 40;
 
 // A wall along X of this thickness, z from 0 to it, with a round-headed archway through its middle.
 Mesh makeArchWall(double length, double height, double thickness, double archHalfWidth, double archSpring) {
@@ -131,7 +131,7 @@ Scene makeCourtyardScene() {
   builder.add(makeJar(), plastic("terracotta jar", {0.56f, 0.24f, 0.13f}, 0.65f), {-1.5f, 0.f, 0.9f});
   builder.add(makeSphere(0.3, 64, 32), metal("metal ball", {1.00f, 0.77f, 0.40f}, 0.15f), {1.5f, 0.3f, 1.7f});
 
-  Light sun = makeSun({kSunAzimuthDeg, kSunElevationDeg, 3.2f});
+  Light sun = makeSun({kCourtyardSunAzimuthDeg, kCourtyardSunElevationDeg, 3.2f});
   sun.color *= glm::vec3(1.0f, 0.94f, 0.84f);
   builder.add(sun);
   builder.setOrbitCamera(24, 66, 11.6f, 48, {-0.35f, 0.6f, -0.2f});
@@ -140,8 +140,8 @@ Scene makeCourtyardScene() {
   builder.add(makeFloor(4, 1, 1), paving, {0, 0, 0});
   // Its sun is the scene's own light; the ground is as bright as if that shone on it.
   SkyOptions sky;
-  sky.sunAzimuthDeg = kSunAzimuthDeg;
-  sky.sunElevationDeg = kSunElevationDeg;
+  sky.sunAzimuthDeg = kCourtyardSunAzimuthDeg;
+  sky.sunElevationDeg = kCourtyardSunElevationDeg;
   sky.sunIrradiance = 0;
   sky.groundAlbedo = 0.5;
   return builder.finish(makeSky(sky));

@@ -13,8 +13,8 @@
 namespace parity::scenes {
 namespace {
 
-constexpr int kColumns = 14, kRows = 18; // of spheres, and of tiles of the floor, a metre from each other
-constexpr int kLights = 1000;
+constexpr int kTileColumns = 14, kTileRows = 18; // of spheres, and of tiles of the floor, a metre from each other
+constexpr int kLightCount = 1000;
 constexpr float kRange = 0.95f;     // about eight reach a point of a sphere (tests/scenes/builtin_lights_test.cpp)
 constexpr float kClearance = 0.18f; // from spheres and floor, so that nothing is burnt out
 constexpr float kTop = 1.0f;        // of the lights
@@ -34,11 +34,11 @@ struct Ball {
 // On the floor, of radii from 0.28 to 0.43.
 std::vector<Ball> makeField() {
   std::vector<Ball> field;
-  for (int z = 0; z < kRows; ++z)
-    for (int x = 0; x < kColumns; ++x) {
-      const float radius = 0.28f + 0.15f * static_cast<float>(halton(z * kColumns + x + 1, 11));
-      const glm::vec3 center(static_cast<float>(2 * x - kColumns + 1), 2 * radius,
-                             static_cast<float>(2 * z - kRows + 1));
+  for (int z = 0; z < kTileRows; ++z)
+    for (int x = 0; x < kTileColumns; ++x) {
+      const float radius = 0.28f + 0.15f * static_cast<float>(halton(z * kTileColumns + x + 1, 11));
+      const glm::vec3 center(static_cast<float>(2 * x - kTileColumns + 1), 2 * radius,
+                             static_cast<float>(2 * z - kTileRows + 1));
       field.push_back({0.5f * center, radius});
     }
   return field;
@@ -55,11 +55,11 @@ glm::vec3 colorOf(double hue) {
 // Spread over the field by Halton's sequence; points too near to a sphere are left out.
 std::vector<Light> makeLamps(const std::vector<Ball>& field) {
   std::vector<Light> lamps;
-  for (int i = 1; lamps.size() < kLights; ++i) {
+  for (int i = 1; lamps.size() < kLightCount; ++i) {
     const glm::dvec3 at(halton(i, 2), halton(i, 5), halton(i, 3));
     Light lamp;
-    lamp.position = glm::mix(glm::vec3(-0.5f * kColumns, kClearance, -0.5f * kRows),
-                             glm::vec3(0.5f * kColumns, kTop, 0.5f * kRows), glm::vec3(at));
+    lamp.position = glm::mix(glm::vec3(-0.5f * kTileColumns, kClearance, -0.5f * kTileRows),
+                             glm::vec3(0.5f * kTileColumns, kTop, 0.5f * kTileRows), glm::vec3(at));
     const auto isTooNear = [&](const Ball& ball) {
       return glm::distance(lamp.position, ball.center) < ball.radius + kClearance;
     };
@@ -92,8 +92,8 @@ Scene makeLightsScene() {
   for (const Material& material : materials) builder.addMesh(makeSphere(1, 32, 16), material);
 
   const std::vector<Ball> field = makeField();
-  for (int i = 0; i < kColumns * kRows; ++i) {
-    const int which = (3 * (i % kColumns) + 2 * (i / kColumns)) % kMaterials; // no two neighbours alike
+  for (int i = 0; i < kTileColumns * kTileRows; ++i) {
+    const int which = (3 * (i % kTileColumns) + 2 * (i / kTileColumns)) % kMaterials; // no two neighbours alike
     const Ball& ball = field[static_cast<std::size_t>(i)];
     builder.place(static_cast<std::uint32_t>(which), fmt::format("{} {}", materials[which].name, i), ball.center, 0,
                   ball.radius);
@@ -105,7 +105,9 @@ Scene makeLightsScene() {
   for (const Ball& ball : field) builder.place(tile, "floor", {ball.center.x, 0, ball.center.z});
   for (int z = -1; z <= 1; ++z) // large ones around the field
     for (int x = -1; x <= 1; ++x)
-      if (x || z) builder.place(tile, "floor", {x * (z ? kRows : (kRows + kColumns) / 2), 0, z * kRows}, 0, kRows);
+      if (x || z)
+        builder.place(tile, "floor", {x * (z ? kTileRows : (kTileRows + kTileColumns) / 2), 0, z * kTileRows}, 0,
+                      kTileRows);
   return builder.finish(makeNight());
 }
 

@@ -11,7 +11,7 @@ namespace {
 // The air within, in metres, and the hole in the wall at +X.
 constexpr glm::dvec3 kLower(-1.5, 0, -2), kUpper(1.5, 2.6, 2);
 constexpr double kSill = 0.85, kLintel = 2.05, kWindowBack = -1.45, kWindowFront = -0.45, kWallThickness = 0.2;
-constexpr double kSunAzimuthDeg = -16, kSunElevationDeg = 42;
+constexpr double kRoomSunAzimuthDeg = -16, kRoomSunElevationDeg = 42;
 
 // The walls' inner faces alone: what nobody can see takes no texels of a lightmap. They meet edge to edge.
 Mesh makeQuad(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
@@ -94,8 +94,8 @@ void addWalls(SceneBuilder& builder) {
   builder.add(makeOuterEdges(), plastic("outside wall", white, 0.9f), {0, 0, 0});
 }
 
-void addLights(SceneBuilder& builder) {
-  Light sun = makeSun({kSunAzimuthDeg, kSunElevationDeg, 9});
+void addRoomLights(SceneBuilder& builder) {
+  Light sun = makeSun({kRoomSunAzimuthDeg, kRoomSunElevationDeg, 9});
   sun.color *= glm::vec3(1.0f, 0.94f, 0.82f);
   builder.add(sun);
   Light lamp;
@@ -122,12 +122,12 @@ Scene makeRoomScene() {
   panel.emissive = {4.0f, 3.7f, 3.2f};
   builder.add(makeQuad({-0.45, 2.535, 0.3}, {-0.45, 2.535, -0.3}, {0.45, 2.535, -0.3}, {0.45, 2.535, 0.3}), panel,
               {0, 0, 0});
-  addLights(builder);
+  addRoomLights(builder);
   builder.setOrbitCamera(0, 83, 2.6f, 74, {0.f, 1.05f, -0.75f});
   // Its sun is the scene's own light; the ground is as bright as if that shone on it.
   SkyOptions sky;
-  sky.sunAzimuthDeg = kSunAzimuthDeg;
-  sky.sunElevationDeg = kSunElevationDeg;
+  sky.sunAzimuthDeg = kRoomSunAzimuthDeg;
+  sky.sunElevationDeg = kRoomSunElevationDeg;
   sky.skyIrradiance = 3;
   sky.sunIrradiance = 0;
   sky.groundAlbedo = 0.5;

@@ -51,7 +51,7 @@ Mesh makeCage() {
   return mesh;
 }
 
-void addLights(SceneBuilder& builder) {
+void addShadowLights(SceneBuilder& builder) {
   Light sun;
   sun.name = "sun";
   sun.kind = LightKind::directional;
@@ -108,7 +108,7 @@ Scene makeShadowsScene() {
   pane.doubleSided = true;
   builder.add(makeCard(0.5, 0.55), pane, {-0.94f, 0.f, 0.74f}, -38);
 
-  addLights(builder);
+  addShadowLights(builder);
   builder.setOrbitCamera(6, 57, 5.2f, 30, {0.02f, 0.22f, 0.02f}); // fits the objects; the floor may leave the picture
   builder.add(makeFloor(2.2, 1, 22), plastic("floor", glm::vec3(0.5f), 0.75f), {0, 0, 0});
   return builder.finish(makeNight());

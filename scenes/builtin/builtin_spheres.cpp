@@ -9,7 +9,7 @@
 namespace parity::scenes {
 namespace {
 
-constexpr int kColumns = 6;
+constexpr int kSphereColumns = 6;
 
 Mesh makeColoredSphere(const Mesh& sphere) {
   Mesh mesh = sphere;
@@ -26,17 +26,17 @@ Scene makeSpheresScene() {
   const Mesh sphere = makeSphere(0.46, 96, 48);
   int placed = 0;
   const auto add = [&](const Mesh& mesh, const Material& material, float turnDeg = 0) {
-    builder.add(
-        mesh, material,
-        glm::vec3(static_cast<float>(placed % kColumns) - 2.5f, 1.5f - static_cast<float>(placed / kColumns), 0.f),
-        turnDeg);
+    builder.add(mesh, material,
+                glm::vec3(static_cast<float>(placed % kSphereColumns) - 2.5f,
+                          1.5f - static_cast<float>(placed / kSphereColumns), 0.f),
+                turnDeg);
     ++placed;
   };
 
-  for (int i = 0; i < kColumns; ++i)
+  for (int i = 0; i < kSphereColumns; ++i)
     add(sphere,
         metal(fmt::format("metal {:.1f}", i / 5.0), glm::vec3(0.91f, 0.92f, 0.92f), static_cast<float>(i) / 5.f));
-  for (int i = 0; i < kColumns; ++i)
+  for (int i = 0; i < kSphereColumns; ++i)
     add(sphere, plastic(fmt::format("dielectric {:.1f}", i / 5.0), glm::vec3(0.10f, 0.22f, 0.55f),
                         static_cast<float>(i) / 5.f));
 

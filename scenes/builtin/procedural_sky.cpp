@@ -22,7 +22,7 @@ struct Perez {
 };
 
 // Preetham et al. 1999, A.2: the distributions of luminance and chromaticity by turbidity.
-Perez luminanceOf(double t) {
+Perez luminanceCoefficients(double t) {
   return {0.1787 * t - 1.4630, -0.3554 * t + 0.4275, -0.0227 * t + 5.3251, 0.1206 * t - 2.5771, -0.0670 * t + 0.3703};
 }
 Perez chromaXOf(double t) {
@@ -64,7 +64,7 @@ glm::dvec3 directionAt(double u, double v) {
 }
 
 double perezLuminance(double turbidity, double theta, double gamma, double thetaSun) {
-  const Perez perez = luminanceOf(turbidity);
+  const Perez perez = luminanceCoefficients(turbidity);
   return perez(theta, gamma) / perez(0, thetaSun);
 }
 

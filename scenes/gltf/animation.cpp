@@ -35,10 +35,10 @@ Moment findMoment(const AccessorView& input, const std::vector<float>& keys, dou
 }
 
 // One animated property; `width` numbers a key.
-class Sampler {
+class AnimatedProperty {
 public:
-  Sampler(const GltfDocument& document, const tinygltf::AnimationSampler& source, const std::string& place,
-          std::size_t width)
+  AnimatedProperty(const GltfDocument& document, const tinygltf::AnimationSampler& source, const std::string& place,
+                   std::size_t width)
       : m_width(width), m_isCubic(source.interpolation == "CUBICSPLINE"), m_isStep(source.interpolation == "STEP") {
     const AccessorView input(document, source.input, place + "/input");
     const AccessorView output(document, source.output, place + "/output");
@@ -95,7 +95,7 @@ private:
 };
 
 // Spherical between two keys, the shorter way round; a spline's result is made unit length.
-glm::dquat evaluateRotation(const Sampler& sampler) {
+glm::dquat evaluateRotation(const AnimatedProperty& sampler) {
   const auto key = [&](std::size_t k) {
     return glm::dquat(sampler.at(k, 1, 3), sampler.at(k, 1, 0), sampler.at(k, 1, 1), sampler.at(k, 1, 2));
   };
@@ -125,13 +125,13 @@ std::vector<std::size_t> chosenAnimations(const GltfDocument& document) {
 double applyChannel(const GltfDocument& document, const tinygltf::AnimationChannel& channel,
                     const tinygltf::AnimationSampler& source, const std::string& place, Pose& pose) {
   const tinygltf::Node& node = document.model.nodes[static_cast<std::size_t>(channel.target_node)];
-  const auto sample = [&](std::size_t width) { return Sampler(document, source, place, width); };
+  const auto sample = [&](std::size_t width) { return AnimatedProperty(document, source, place, width); };
   if (channel.target_path == "weights") {
     const std::size_t targets =
         node.mesh < 0 ? 0
                       : document.model.meshes[static_cast<std::size_t>(node.mesh)].primitives.front().targets.size();
     if (targets == 0) throw document.error(place, "animates weights of a node whose mesh has no morph targets");
-    const Sampler sampler = sample(targets);
+    const AnimatedProperty sampler = sample(targets);
     const std::vector<double> value = sampler.evaluate();
     pose[channel.target_node].weights.emplace(value.begin(), value.end());
     return sampler.end();
@@ -140,13 +140,13 @@ double applyChannel(const GltfDocument& document, const tinygltf::AnimationChann
     throw document.error(fmt::format("/nodes/{}/matrix", channel.target_node),
                          "is on an animated node, expected translation, rotation and scale");
   if (channel.target_path == "rotation") {
-    const Sampler sampler = sample(4);
+    const AnimatedProperty sampler = sample(4);
     const glm::dquat rotation = evaluateRotation(sampler);
     if (!(glm::length(rotation) > 0)) throw document.error(place, "is a rotation of length 0");
     pose[channel.target_node].rotation = rotation;
     return sampler.end();
   }
-  const Sampler sampler = sample(3);
+  const AnimatedProperty sampler = sample(3);
   const std::vector<double> value = sampler.evaluate();
   (channel.target_path == "scale" ? pose[channel.target_node].scale : pose[channel.target_node].translation) =
       glm::dvec3(value[0], value[1], value[2]);

@@ -15,10 +15,6 @@
 namespace parity::scenes {
 namespace {
 
-const tinygltf::Primitive& primitiveOf(const GltfDocument& document, int mesh, int primitive) {
-  return document.model.meshes[static_cast<std::size_t>(mesh)].primitives[static_cast<std::size_t>(primitive)];
-}
-
 std::string placeOf(int mesh, int primitive) { return fmt::format("/meshes/{}/primitives/{}", mesh, primitive); }
 
 std::string nameOf(const GltfDocument& document, int mesh, int primitive) {

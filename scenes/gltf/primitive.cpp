@@ -61,11 +61,11 @@ const Semantic& semanticOf(const std::string& name, bool isTarget) {
   return *std::find_if(all.begin(), all.end(), [&](const Semantic& each) { return name.starts_with(each.name); });
 }
 
+} // namespace
+
 const tinygltf::Primitive& primitiveOf(const GltfDocument& document, int mesh, int primitive) {
   return document.model.meshes[static_cast<std::size_t>(mesh)].primitives[static_cast<std::size_t>(primitive)];
 }
-
-} // namespace
 
 PrimitiveReader::PrimitiveReader(const GltfDocument& document, int mesh, int primitive)
     : m_document(document), m_source(primitiveOf(document, mesh, primitive)),

@@ -12,6 +12,8 @@
 
 namespace parity::scenes {
 
+const tinygltf::Primitive& primitiveOf(const GltfDocument& document, int mesh, int primitive);
+
 class PrimitiveReader {
 public:
   // Decodes the Draco stream if the primitive has one: it is preferred to what the accessors hold themselves. Throws

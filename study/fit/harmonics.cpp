@@ -12,7 +12,7 @@ namespace parity::fit {
 namespace {
 
 namespace f64 = shading::f64;
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // The recurrence from band to band, P_(l+1)m = a (cosTheta P_lm - b P_(l-1)m), and along the diagonal.
 struct Recurrence {
@@ -20,7 +20,7 @@ struct Recurrence {
   std::array<double, kBands + 1> diagonal;
   Recurrence() {
     for (int m = 0; m <= kBands; ++m) {
-      diagonal[m] = m > 0 ? std::sqrt((2 * m + 1.0) / (2.0 * m)) : std::sqrt(1 / (4 * kPi));
+      diagonal[m] = m > 0 ? std::sqrt((2 * m + 1.0) / (2.0 * m)) : std::sqrt(1 / (4 * pi));
       for (int l = m; l <= kBands; ++l) {
         const double n = l + 1, square = static_cast<double>(m) * m;
         a[indexOf(l, m)] = std::sqrt((4 * n * n - 1) / (n * n - square));
@@ -66,7 +66,7 @@ Harmonics projectLobe(shading::GeometryTerm term, double roughness, double NoV, 
   for (int i = 0; i < steps.polar; ++i) {
     const double cos2 = cos2Of(alpha, (i + 0.5) / steps.polar), NoH = std::sqrt(cos2), sinH = std::sqrt(1 - cos2);
     for (int j = 0; j < steps.azimuth; ++j) {
-      const double phi = kPi * (j + 0.5) / steps.azimuth;
+      const double phi = pi * (j + 0.5) / steps.azimuth;
       const double VoH = NoV * NoH - sinV * sinH * std::cos(phi), NoL = 2 * VoH * NoH - NoV;
       if (VoH <= 0 || NoL <= 0) continue;
       const double V = correlated ? f64::V_SmithGGXCorrelated(alpha, NoV, NoL) : f64::V_SchlickSmith(alpha, NoV, NoL);

@@ -15,7 +15,7 @@ namespace parity::fit {
 namespace {
 
 namespace f64 = shading::f64;
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int kLastMip = f64::kPrefilterRoughestMip;
 
 // The lamp: a Gaussian of so many radians, of these powers (radiance times solid angle), before this radiance. The fit
@@ -40,7 +40,7 @@ double throughZonal(const Zonal& lobe, double angle) {
     below = at;
     at = above;
   }
-  return std::max(sum, 0.0) / (4 * kPi);
+  return std::max(sum, 0.0) / (4 * pi);
 }
 
 // The lamp in a direction through a lobe, per unit of power.
@@ -67,7 +67,7 @@ Tap evaluateTap(const TapConstants& c, double roughness, double NoV) {
 TapFit::TapFit(GeometryTerm term, const LobeSteps& steps) {
   base::parallelFor(m_mips.size(), 1, [&](std::size_t mip, std::size_t) {
     const Zonal lobe = dampingOf(f64::roughnessFromMip(static_cast<double>(mip)));
-    for (int a = 0; a <= kAngles; ++a) m_mips[mip].push_back(throughZonal(lobe, kPi * a / kAngles));
+    for (int a = 0; a <= kAngles; ++a) m_mips[mip].push_back(throughZonal(lobe, pi * a / kAngles));
   });
   for (int i = 1; i <= 10; ++i)
     for (const double NoV : {.06, .15, .27, .4, .55, .7, .85, .97}) m_points.push_back({0.1 * i, NoV, NoV + 0.1, {}});
@@ -77,15 +77,15 @@ TapFit::TapFit(GeometryTerm term, const LobeSteps& steps) {
     const Harmonics lobe = projectLobe(term, p.roughness, p.NoV, steps);
     const double mirrored = std::acos(p.NoV);
     const double sinR = std::sin(mirrored), cosR = std::cos(mirrored);
-    const auto angleOf = [](double ring) { return kPi * ring * ring / (kRings * kRings); };
+    const auto angleOf = [](double ring) { return pi * ring * ring / (kRings * kRings); };
     for (int ring = 0; ring < kRings; ++ring)
       for (int a = 0; a < kAzimuths; ++a) {
-        const double angle = angleOf(ring + 0.5), azimuth = kPi * (a + 0.5) / kAzimuths;
+        const double angle = angleOf(ring + 0.5), azimuth = pi * (a + 0.5) / kAzimuths;
         const double along = std::cos(angle), across = std::sin(angle) * std::cos(azimuth);
         const f64::real3 d(sinR * along + cosR * across, std::sin(angle) * std::sin(azimuth),
                            cosR * along - sinR * across);
-        const double solidAngle = 2 * kPi / kAzimuths * (std::cos(angleOf(ring)) - std::cos(angleOf(ring + 1)));
-        Direction direction{d.x, d.z, solidAngle, std::max(d.z, 0.0) / kPi, {}};
+        const double solidAngle = 2 * pi / kAzimuths * (std::cos(angleOf(ring)) - std::cos(angleOf(ring + 1)));
+        Direction direction{d.x, d.z, solidAngle, std::max(d.z, 0.0) / pi, {}};
         const double seen = throughLobe(lobe, d);
         for (int k = 0; k < kPowers; ++k) {
           direction.shown[k] = show(kBackground + kLampPowers[k] * seen);
@@ -104,7 +104,7 @@ double TapFit::errorAt(const Point& p, const Tap& tap) const {
   const double angle = angleOfBlend(p.NoV, tap.blend), x = std::sin(angle), z = std::cos(angle);
   double error = 0;
   for (const Direction& d : p.directions) {
-    const double node = std::acos(std::clamp(x * d.x + z * d.z, -1.0, 1.0)) / kPi * kAngles;
+    const double node = std::acos(std::clamp(x * d.x + z * d.z, -1.0, 1.0)) / pi * kAngles;
     const int a = std::min(static_cast<int>(node), kAngles - 1);
     const auto lobe = [&](int k) { return m_mips[k][a] + (m_mips[k][a + 1] - m_mips[k][a]) * (node - a); };
     const double seen = lower * lobe(j) + upper * lobe(j + 1) + tap.wide * d.cosine;

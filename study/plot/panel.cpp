@@ -9,7 +9,8 @@ namespace parity::plot {
 
 namespace {
 
-constexpr Rgb kInk{40, 42, 48}, kPale{120, 124, 132}, kContour{70, 74, 82}, kMark{20, 110, 60}, kPaper{255, 255, 255};
+constexpr Rgb kPanelInk{40, 42, 48}, kPanelPale{120, 124, 132}, kContour{70, 74, 82}, kMark{20, 110, 60},
+    kPanelPaper{255, 255, 255};
 
 void drawMap(Canvas& canvas, const Panel& p) {
   const auto left = static_cast<int>(p.x), top = static_cast<int>(p.y), width = static_cast<int>(p.width),
@@ -58,32 +59,33 @@ void drawContours(Canvas& canvas, const Panel& p) {
 
 void drawAxes(Canvas& canvas, const Panel& p) {
   const double bottom = p.y + p.height, right = p.x + p.width;
-  canvas.frame(p.x, p.y, p.width, p.height, kInk);
+  canvas.frame(p.x, p.y, p.width, p.height, kPanelInk);
   for (int k = 0; k <= 4; ++k) {
     const double x = p.x + k * p.width / 4, y = bottom - k * p.height / 4;
-    canvas.line(x, bottom, x, bottom + 5, 1, kInk);
-    canvas.text(x, bottom + 20, fmt::format("{:g}", k / 4.0), Font::small, kInk, Align::middle);
-    canvas.line(p.x - 5, y, p.x, y, 1, kInk);
-    canvas.text(p.x - 9, y + 5, fmt::format("{:g}", k / 4.0), Font::small, kInk, Align::right);
+    canvas.line(x, bottom, x, bottom + 5, 1, kPanelInk);
+    canvas.text(x, bottom + 20, fmt::format("{:g}", k / 4.0), Font::small, kPanelInk, Align::middle);
+    canvas.line(p.x - 5, y, p.x, y, 1, kPanelInk);
+    canvas.text(p.x - 9, y + 5, fmt::format("{:g}", k / 4.0), Font::small, kPanelInk, Align::right);
   }
-  canvas.text(0.5 * (p.x + right), bottom + 38, "N.V", Font::small, kPale, Align::middle);
-  canvas.textUpwards(p.x - 44, 0.5 * (p.y + bottom), "roughness", Font::small, kPale, Align::middle);
-  canvas.text(p.x, p.y - 10, p.caption, Font::body, kInk);
+  canvas.text(0.5 * (p.x + right), bottom + 38, "N.V", Font::small, kPanelPale, Align::middle);
+  canvas.textUpwards(p.x - 44, 0.5 * (p.y + bottom), "roughness", Font::small, kPanelPale, Align::middle);
+  canvas.text(p.x, p.y - 10, p.caption, Font::body, kPanelInk);
 }
 
 void drawScale(Canvas& canvas, const Panel& p) {
-  constexpr int kWidth = 14;
+  constexpr int kScaleBarWidth = 14;
   const auto left = static_cast<int>(p.x + p.width + 16), top = static_cast<int>(p.y),
              height = static_cast<int>(p.height);
   for (int j = 0; j < height; ++j)
-    canvas.fill(left, top + j, kWidth, 1, p.scale.of(p.scale.high - (j + 0.5) / height * (p.scale.high - p.scale.low)));
-  canvas.frame(left, top, kWidth, height, kInk);
+    canvas.fill(left, top + j, kScaleBarWidth, 1,
+                p.scale.of(p.scale.high - (j + 0.5) / height * (p.scale.high - p.scale.low)));
+  canvas.frame(left, top, kScaleBarWidth, height, kPanelInk);
   for (const double tick : p.scale.ticks()) {
     const double y = p.y + p.height * (p.scale.high - tick) / (p.scale.high - p.scale.low);
-    canvas.line(left + kWidth, y, left + kWidth + 4, y, 1, kInk);
+    canvas.line(left + kScaleBarWidth, y, left + kScaleBarWidth + 4, y, 1, kPanelInk);
     const std::string sign = p.scale.isSigned && tick > 1e-12 ? "+" : "";
-    canvas.text(left + kWidth + 8, y + 5, sign + fmt::format("{:.4g}", std::abs(tick) < 1e-12 ? 0 : tick), Font::small,
-                kInk);
+    canvas.text(left + kScaleBarWidth + 8, y + 5, sign + fmt::format("{:.4g}", std::abs(tick) < 1e-12 ? 0 : tick),
+                Font::small, kPanelInk);
   }
 }
 
@@ -103,7 +105,8 @@ void drawMarks(Canvas& canvas, const Panel& p) {
   }
   for (const auto& [y, letters] : labels) {
     const double width = Canvas::widthOf(letters, Font::small), right = p.x + p.width - 4;
-    canvas.fill(static_cast<int>(right - width - 6), static_cast<int>(y - 9), static_cast<int>(width + 8), 18, kPaper);
+    canvas.fill(static_cast<int>(right - width - 6), static_cast<int>(y - 9), static_cast<int>(width + 8), 18,
+                kPanelPaper);
     canvas.text(right - 2, y + 5, letters, Font::small, kMark, Align::right);
   }
 }

@@ -12,8 +12,6 @@ namespace parity::stress {
 
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
-
 // Half of it evenly over (0, 1), a quarter towards each end by powers of two.
 double spreadUnit(double u) {
   if (u < 0.5) return 2 * u;

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "study/stress/evaluate.h"
 
 namespace parity::stress {
+
+inline constexpr double kInf = std::numeric_limits<double>::infinity();
 
 // How points are spread over an input's range. All visit both ends.
 enum class Spacing {

@@ -11,8 +11,6 @@ using namespace parts;
 
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
-
 StressScene ball(const char* name, const char* wants, float roughness, std::vector<scenes::Light> lights) {
   StressScene s = makeScene(name, wants, makeBall(), makeMaterial(roughness, 0.5f));
   s.scene.lights = std::move(lights);
@@ -53,7 +51,7 @@ StressScene infiniteRadius() {
   const auto make = [](float range) {
     return ball("infinite-radius", "the same picture as without a range", 0.4f, {makePoint({0, 0.5f, 2}, 8, range)});
   };
-  StressScene s = make(kInf);
+  StressScene s = make(kInf32);
   s.twin = std::make_shared<StressScene>(make(0));
   s.check = [](const SceneFrames& frames, const SceneFrames* twin) { return requireSame(frames, twin, "no range"); };
   return s;
@@ -83,10 +81,10 @@ StressScene lightOnSurface() {
 
 StressScene badTexels() {
   scenes::Environment environment = makeEnvironment("bad texels", 1, [](base::Image& image) {
-    image.pixels[100] = kNan;
-    image.pixels[200] = kInf;
+    image.pixels[100] = kNan32;
+    image.pixels[200] = kInf32;
     image.pixels[300] = -3;
-    image.pixels[301] = -kInf;
+    image.pixels[301] = -kInf32;
   });
   const scenes::CleanedCounts counts = scenes::cleanRadiance(environment.radiance, environment.name);
   const bool counted = counts.notANumber == 1 && counts.infinite == 1 && counts.negative == 2;

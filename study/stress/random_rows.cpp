@@ -11,7 +11,7 @@ namespace {
 double uniform(Random& random, double low, double high) { return low + (high - low) * (random() * 0x1p-32); }
 
 // Often 0 or 1, else in between: the ends are where guards act.
-double unit(Random& random) {
+double unitShare(Random& random) {
   const auto pick = random() % 16;
   return pick == 0 ? 0.0 : pick == 1 ? 1.0 : uniform(random, 0, 1);
 }
@@ -38,7 +38,7 @@ Maker uniforms(int count, double low, double high) {
 Maker units(int count) {
   return [=](Random& random) {
     Row row{};
-    for (int i = 0; i < count; ++i) row[i] = unit(random);
+    for (int i = 0; i < count; ++i) row[i] = unitShare(random);
     return row;
   };
 }
@@ -57,7 +57,7 @@ Maker lobe(double low, double cosineLow) {
 // Roughness in [0, 1], within 1e-3 of 1 half of the time, where log2 is least exact.
 Row roughnessNearOne(Random& random) {
   Row row{};
-  row[0] = random() % 2 == 0 ? unit(random) : uniform(random, 0.999, 1);
+  row[0] = random() % 2 == 0 ? unitShare(random) : uniform(random, 0.999, 1);
   return row;
 }
 
@@ -121,17 +121,17 @@ Maker directions(int count) {
 // Base colour, dielectric F0, roughness, N, V, L, the preset, fully rough, metallic.
 Row litPoint(Random& random) {
   Row row{};
-  for (int i = 0; i < 6; ++i) row[i] = unit(random);
+  for (int i = 0; i < 6; ++i) row[i] = unitShare(random);
   row[6] = uniform(random, 0.0626, 1);
   for (const int at : {7, 10, 13}) putDirection(random, row, at);
-  for (const int at : {16, 17, 18}) row[at] = unit(random);
+  for (const int at : {16, 17, 18}) row[at] = unitShare(random);
   return row;
 }
 
 // Roughness and NoH within a lobe, VoH, colours, NoL and NoV.
 Row litLobe(Random& random) {
   Row row = lobe(0.015625, 0)(random);
-  for (int i = 2; i < 14; ++i) row[i] = unit(random);
+  for (int i = 2; i < 14; ++i) row[i] = unitShare(random);
   return row;
 }
 
@@ -143,11 +143,11 @@ Row localLight(Random& random) {
   for (int i = 0; i < 3; ++i) row[i] *= distance;
   for (int i = 3; i < 6; ++i) row[i] = std::exp2(uniform(random, -20, 15));
   row[6] = random() % 4 == 0 ? 0.0 : std::exp2(uniform(random, -3, 10));
-  row[7] = unit(random);
+  row[7] = unitShare(random);
   putDirection(random, row, 8);
   row[12] = uniform(random, -1, 1);
   row[11] = uniform(random, row[12], 1);
-  row[13] = unit(random);
+  row[13] = unitShare(random);
   return row;
 }
 
@@ -165,7 +165,7 @@ Row fogAndWay(Random& random) {
   row[1] = random() % 4 == 0 ? 0.0 : std::exp2(uniform(random, -10, 3));
   row[2] = uniform(random, -50, 50);
   row[3] = random() % 2 == 0 ? 0.0 : uniform(random, 0, 100);
-  row[4] = unit(random);
+  row[4] = unitShare(random);
   row[5] = uniform(random, -100, 100);
   row[7] = std::exp2(uniform(random, -4, 12));
   row[6] = row[7] * (random() % 8 == 0 ? 0.0 : uniform(random, -1, 1));

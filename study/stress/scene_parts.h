@@ -16,6 +16,9 @@ namespace parity::stress::parts {
 
 using shading::Term;
 
+inline constexpr float kNan32 = std::numeric_limits<float>::quiet_NaN(),
+                       kInf32 = std::numeric_limits<float>::infinity();
+
 // A square of side 2 in z = 0 that faces +Z.
 inline scenes::Mesh makeQuad(const glm::vec3& normal = {0, 0, 1}) {
   scenes::Mesh mesh;

@@ -11,8 +11,6 @@ using namespace parts;
 
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-
 StressScene lit(StressScene s, const glm::vec3& towards = {0.3f, 0.5f, 0.8f}) {
   s.scene.lights = {makeSun(towards, 2)};
   s.scene.environment = makeEnvironment("white", 1);
@@ -101,7 +99,7 @@ StressScene twoSided() {
 
 StressScene badNormals() {
   scenes::Mesh mesh = makeQuad();
-  mesh.normals = {{0, 0, 0}, {kNan, 0, 1}, {0, 0, 1e-30f}, {std::numeric_limits<float>::infinity(), 0, 0}};
+  mesh.normals = {{0, 0, 0}, {kNan32, 0, 1}, {0, 0, 1e-30f}, {kInf32, 0, 0}};
   scenes::mendNormals(mesh);
   StressScene s = lit(makeScene("zero-and-nan-normals", "the loader repairs them: the same picture as with the face normal",
                                 std::move(mesh), makeMaterial(0.4f)));

@@ -10,8 +10,6 @@ using namespace parts;
 
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
-
 // Three numbers in [low, high]; often a component is 0, as a direction's along an axis.
 void put3(Random& random, Row& row, int at, double low, double high) {
   for (int c = 0; c < 3; ++c) row[at + c] = random() % 8 == 0 ? 0 : low + (high - low) * (random() * 0x1p-32);

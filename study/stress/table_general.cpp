@@ -11,7 +11,6 @@ using namespace parts;
 
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kLargestFloat = std::numeric_limits<float>::max();
 
 Input anyNumber(int at, const char* name) { return powers(at, name, -kInf, kInf, 0x1p-30, 0x1p20); }

@@ -11,8 +11,6 @@ using namespace parts;
 
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
-
 Input radianceInput(int at, const char* name) { return powers(at, name, 0, 65504, 0x1p-24, 65504); }
 
 // Which of karis2014, UE4 and refit row[at] chooses.

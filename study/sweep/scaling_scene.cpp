@@ -39,15 +39,15 @@ constexpr int kFloat = 5126, kUnsignedInt = 5125, kVertices = 34962, kIndices = 
 Json addField(Buffer& buffer, double x, double z, double width, int side, int material) {
   std::vector<float> positions, normals, uvs;
   std::vector<std::uint32_t> indices;
-  constexpr double kWave = 40, kHeight = 0.004;
+  constexpr double kWave = 40, kWaveHeight = 0.004;
   float least = 1e9f, most = -1e9f;
   for (int j = 0; j <= side; ++j)
     for (int i = 0; i <= side; ++i) {
       const double u = static_cast<double>(i) / side, v = static_cast<double>(j) / side;
       const double px = x + width * u, pz = z + width * v;
-      const auto py = static_cast<float>(kHeight * std::sin(kWave * px) * std::sin(kWave * pz));
-      const double dx = kHeight * kWave * std::cos(kWave * px) * std::sin(kWave * pz);
-      const double dz = kHeight * kWave * std::sin(kWave * px) * std::cos(kWave * pz);
+      const auto py = static_cast<float>(kWaveHeight * std::sin(kWave * px) * std::sin(kWave * pz));
+      const double dx = kWaveHeight * kWave * std::cos(kWave * px) * std::sin(kWave * pz);
+      const double dz = kWaveHeight * kWave * std::sin(kWave * px) * std::cos(kWave * pz);
       const double length = std::sqrt(dx * dx + dz * dz + 1);
       positions.insert(positions.end(), {static_cast<float>(px), py, static_cast<float>(pz)});
       normals.insert(normals.end(), {static_cast<float>(-dx / length), static_cast<float>(1 / length),

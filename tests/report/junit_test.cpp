@@ -68,7 +68,7 @@ TEST(Junit, VerdictsBecomeFailuresErrorsAndSkips) {
                "mean FLIP 0.270 is above 0.200; 95th percentile of FLIP 0.675 is above 0.500");
   const std::string details = failure.child_value();
   EXPECT_NE(details.find("\n120000 pixels, flip.mean 0.270"), std::string::npos) << details;
-  EXPECT_NE(details.find("cause: skySpecular: FLIP 0.270 -> 0.061 with high-end's\n"), std::string::npos) << details;
+  EXPECT_NE(details.find("cause: skySpecular (reflections of the environment): FLIP 0.270 -> 0.061 with the high-end term\n"), std::string::npos) << details;
   EXPECT_NE(details.find("mobile is 0.5 EV darker\n"), std::string::npos) << details;
   EXPECT_NE(details.find("note: fully rough\n"), std::string::npos) << details;
 

@@ -221,10 +221,10 @@ TEST(Wording, ARelMseKeepsTwoDigitsHoweverSmallItIs) {
 
 TEST(Wording, CauseIsTheTermThatExplainsMost) {
   const compare::Attribution sky{0.142, {{"sunSpecular", 0.1}, {"skySpecular", 0.031}, {"emissive", 0.142}}};
-  EXPECT_EQ(describeCause(sky, "highend"), "skySpecular: FLIP 0.142 -> 0.031 with high-end's");
+  EXPECT_EQ(describeCause(sky, "highend"), "skySpecular (reflections of the environment): FLIP 0.142 -> 0.031 with the high-end term");
   const std::string none = "no single term explains it";
   EXPECT_EQ(describeCause({0.2, {{"fog", 0.181}, {"skySpecular", 0.3}}}, "highend"), none);
-  EXPECT_EQ(describeCause({0.2, {{"fog", 0.18}}}, "highend"), "fog: FLIP 0.200 -> 0.180 with high-end's");
+  EXPECT_EQ(describeCause({0.2, {{"fog", 0.18}}}, "highend"), "fog (light of the fog): FLIP 0.200 -> 0.180 with the high-end term");
   EXPECT_EQ(describeCause({0.2, {}}, "highend"), none);
   EXPECT_EQ(describeCause({0.0004, {{"fog", 0}}}, "highend"), "") << "there is nothing to explain";
 }

@@ -12,7 +12,7 @@
 namespace parity::scenes {
 namespace {
 
-constexpr std::array<std::string_view, 3> kModes = {"ATTRIBUTES", "TRIANGLES", "INDICES"};
+constexpr std::array<std::string_view, 3> kModeNames = {"ATTRIBUTES", "TRIANGLES", "INDICES"};
 constexpr std::array<std::string_view, 4> kFilters = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"};
 
 std::invalid_argument refusal(const std::string& reason) { return std::invalid_argument(reason); }
@@ -36,12 +36,12 @@ void checkFilter(const MeshoptLayout& layout) {
 
 } // namespace
 
-MeshoptMode meshoptModeOf(std::string_view name) { return valueOf<MeshoptMode>(name, kModes, "mode"); }
+MeshoptMode meshoptModeOf(std::string_view name) { return valueOf<MeshoptMode>(name, kModeNames, "mode"); }
 MeshoptFilter meshoptFilterOf(std::string_view name) { return valueOf<MeshoptFilter>(name, kFilters, "filter"); }
 
 void checkMeshoptLayout(const MeshoptLayout& layout, std::size_t compressedBytes) {
   const std::size_t count = layout.count, stride = layout.byteStride;
-  const std::string_view mode = kModes[static_cast<std::size_t>(layout.mode)];
+  const std::string_view mode = kModeNames[static_cast<std::size_t>(layout.mode)];
   if (count == 0) throw refusal("its count is 0");
   std::size_t least = 0; // bytes of the densest stream
   if (layout.mode == MeshoptMode::attributes) {
@@ -78,7 +78,7 @@ std::vector<std::byte> decodeMeshopt(std::span<const std::byte> compressed, cons
   }
   if (failure)
     throw refusal(fmt::format("the stream is damaged, or does not hold {} of {} elements of {} bytes",
-                              kModes[static_cast<std::size_t>(layout.mode)], count, stride));
+                              kModeNames[static_cast<std::size_t>(layout.mode)], count, stride));
   switch (layout.filter) {
   case MeshoptFilter::none:
     break;

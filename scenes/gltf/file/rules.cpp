@@ -105,7 +105,7 @@ constexpr Rule kBufferView[] = {required(index("buffer", "buffers")),
                                 text("name"),
                                 object("extensions", kViewExtensions)};
 constexpr int kComponentTypes[] = {5120, 5121, 5122, 5123, 5125, 5126}, kSparseTypes[] = {5121, 5123, 5125},
-              kModes[] = {0, 1, 2, 3, 4, 5, 6};
+              kPrimitiveModes[] = {0, 1, 2, 3, 4, 5, 6};
 constexpr std::string_view kAccessorTypes[] = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
 constexpr Rule kSparseIndices[] = {required(index("bufferView", "bufferViews")), count("byteOffset"),
                                    required(count("componentType", kSparseTypes))};
@@ -131,7 +131,7 @@ constexpr Rule kPrimitiveExtensions[] = {object("KHR_draco_mesh_compression", kD
 constexpr Rule kPrimitive[] = {required(indexMap("attributes", "accessors")),
                                index("indices", "accessors"),
                                index("material", "materials"),
-                               count("mode", kModes),
+                               count("mode", kPrimitiveModes),
                                {.key = "targets", .kind = RuleKind::indexMaps, .target = "accessors"},
                                object("extensions", kPrimitiveExtensions)};
 constexpr Rule kMesh[] = {text("name"), required(objects("primitives", kPrimitive)), numbers("weights", 0)};

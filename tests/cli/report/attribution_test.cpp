@@ -52,7 +52,7 @@ TEST_F(AttributionTest, ALightThatMobileLacksIsNamedAsTheCause) {
   const std::string cause = "localDiffuse: FLIP ";
   bool said = false, annotated = false;
   for (const std::string& line : linesOf(result.out)) {
-    said |= contains(line, "white ball") && contains(line, "; " + cause) && contains(line, " with high-end's");
+    said |= contains(line, "white ball") && contains(line, "; " + cause) && contains(line, " with the high-end term");
     annotated |= contains(line, "::error ") && contains(line, "Cause: " + cause);
   }
   EXPECT_TRUE(said) << result.out;
