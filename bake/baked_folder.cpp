@@ -288,7 +288,8 @@ void requireBakeFolder(const fs::path& folder) {
   if (!fs::exists(folder, error)) return;
   if (!fs::is_directory(folder, error)) throw base::fileError(folder.string(), "", "is not a folder");
   if (!fs::is_empty(folder, error) && !holdsOnlyABake(folder))
-    throw base::fileError(folder.string(), "", "holds files that no bake wrote, so it is not replaced; give another folder");
+    throw base::fileError(folder.string(), "",
+                          "holds files that no bake wrote, so it is not replaced; give another folder");
 }
 
 void writeBaked(const fs::path& folder, const BakedLight& baked) {
@@ -335,7 +336,8 @@ bool isWhole(const fs::path& folder) {
 BakedLight readBaked(const fs::path& folder) {
   const fs::path file = folder / kManifestFile;
   std::error_code error;
-  if (!fs::is_directory(folder, error)) throw base::fileError(folder.string(), "", "is not a folder of baked light; 'parity bake' makes one");
+  if (!fs::is_directory(folder, error))
+    throw base::fileError(folder.string(), "", "is not a folder of baked light; 'parity bake' makes one");
   const std::string text = base::readText(file, kMaxManifestBytes);
   try {
     const Json manifest = Json::parse(text);

@@ -43,9 +43,9 @@ void* moduleFunction(const std::string& file, const char* function, const std::s
                 "belongs to another build of this program; build or install both together");
   }
   const std::string target = file.substr(0, file.find('.'));
-  throw Error(ExitCode::failed, file, "not found",
-              fmt::format("{}; build the target {}, or install it next to the program (searched: {})", use,
-                          target, searched));
+  throw Error(
+      ExitCode::failed, file, "not found",
+      fmt::format("{}; build the target {}, or install it next to the program (searched: {})", use, target, searched));
 }
 
 } // namespace parity::base

@@ -55,12 +55,14 @@ std::vector<Task> tasksOf(const BakeCommand& command) {
       if (folder.empty()) continue;
       for (const Task& task : tasks)
         if (task.folder.lexically_normal() == std::filesystem::path(folder).lexically_normal())
-          throw base::fileError(
-              command.suite, "baked",
-              fmt::format("scenes '{}' and '{}' have the same folder; give each its own", task.request.name, entry.name));
+          throw base::fileError(command.suite, "baked",
+                                fmt::format("scenes '{}' and '{}' have the same folder; give each its own",
+                                            task.request.name, entry.name));
       tasks.push_back({entry, folder});
     }
-    if (tasks.empty()) throw base::fileError(command.suite, "baked", "no scene has this key; it names the scene's folder of baked light");
+    if (tasks.empty())
+      throw base::fileError(command.suite, "baked",
+                            "no scene has this key; it names the scene's folder of baked light");
     return tasks;
   }
   for (const std::string& scene : command.scenes) {
@@ -100,7 +102,8 @@ void printNotes(const std::string& scene, const std::vector<std::string>& notes)
   constexpr std::size_t kMostNotes = 20;
   const std::size_t shown = base::logLevel() == base::LogLevel::verbose ? notes.size() : kMostNotes;
   for (std::size_t i = 0; i < std::min(shown, notes.size()); ++i) base::logInfo(fmt::format("{}: {}", scene, notes[i]));
-  if (notes.size() > shown) base::logInfo(fmt::format("{}: and {} more notes (-v shows all)", scene, notes.size() - shown));
+  if (notes.size() > shown)
+    base::logInfo(fmt::format("{}: and {} more notes (-v shows all)", scene, notes.size() - shown));
 }
 
 } // namespace
@@ -112,8 +115,9 @@ int runBakeCommand(const BakeCommand& command) {
     bake::requireBakeFolder(task.folder);
     for (const NamedFile& input : inputFiles(command.common, {task.request}))
       if (!input.file.empty() && liesIn(input.file, task.folder))
-        throw base::Error(base::ExitCode::usage, "-o", task.folder.string(),
-                          fmt::format("{} lies in this folder, which the bake replaces; give another folder", input.name));
+        throw base::Error(
+            base::ExitCode::usage, "-o", task.folder.string(),
+            fmt::format("{} lies in this folder, which the bake replaces; give another folder", input.name));
   }
   const CancelOnSignal onSignal;
   job::Context context(command.common.settings);

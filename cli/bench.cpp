@@ -143,8 +143,9 @@ void printConclusions(const sweep::Conclusions& c) {
   for (const std::string& note : c.ratios->notes) print("note: {}\n", base::plainLine(note));
   for (const sweep::VariantRatio& v : c.ratios->variants)
     if (v.time.isSlower() || v.time.isFaster())
-      print("{}: {} {} (time x {:.3f}, confidence interval {:.3f} to {:.3f})\n", v.time.isSlower() ? "slower" : "faster",
-            base::plainLine(v.scene), v.id, v.time.ratio, v.time.low, v.time.high);
+      print("{}: {} {} (time x {:.3f}, confidence interval {:.3f} to {:.3f})\n",
+            v.time.isSlower() ? "slower" : "faster", base::plainLine(v.scene), v.id, v.time.ratio, v.time.low,
+            v.time.high);
   if (std::ranges::none_of(c.ratios->variants, [](const auto& v) { return v.time.isSlower() || v.time.isFaster(); }))
     print("none of the {} settings is slower or faster than before\n", c.ratios->variants.size());
 }

@@ -98,8 +98,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   CLI::App& reportApp =
       *app.add_subcommand("report", "Compare scenes and write a report: index.html, report.json, junit.xml, images");
   reportApp.add_option("scenes", report.scenes, "Scene files or builtin:NAME");
-  CLI::Option* suite =
-      reportApp.add_option("--suite", report.suite, "Suite file (TOML): many scenes, with their views, light and budgets");
+  CLI::Option* suite = reportApp.add_option("--suite", report.suite,
+                                            "Suite file (TOML): many scenes, with their views, light and budgets");
   suite->excludes(reportApp.get_option("scenes"));
   reportApp.add_option("-o,--output", report.folder, "Folder for the report")->required();
   addPageOptions(reportApp, report, raw);
@@ -117,7 +117,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   CLI::App& diffApp = *app.add_subcommand("diff", "Compare one scene and print a table with one row for each material");
   diffApp.add_option("scene", diff.scene, "Scene file or builtin:NAME")->required();
   addVerdictOptions(diffApp, diff.verdict);
-  diffApp.add_option("--json", diff.common.json, "Write the result as JSON to this file; - for stdout, instead of the table");
+  diffApp.add_option("--json", diff.common.json,
+                     "Write the result as JSON to this file; - for stdout, instead of the table");
   addKnobs(diffApp, diff.common, raw, kCompared);
   addViewKnobs(diffApp, raw);
   addRunOptions(diffApp, diff.common, raw);
@@ -134,13 +135,16 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
           fmt::format("Path: {} or truth (ground truth: exact integrals, slow)", fmt::join(job::pathNames(), ", ")))
       ->required()
       ->check(CLI::IsMember(renderedPaths));
-  renderApp.add_option("-o,--output", render.output, "Picture to write. .exr, .pfm, .hdr: linear scene-referred values; .png: as displayed")
+  renderApp
+      .add_option("-o,--output", render.output,
+                  "Picture to write. .exr, .pfm, .hdr: linear scene-referred values; .png: as displayed")
       ->required()
       ->check(fileOfKind({".exr", ".pfm", ".hdr", ".png"}));
-  renderApp.add_flag("--terms", render.common.settings.terms, "Also write the terms of light, as layers of the .exr file");
+  renderApp.add_flag("--terms", render.common.settings.terms,
+                     "Also write the terms of light, as layers of the .exr file");
   renderApp
       .add_option("--term", render.term,
-                  "Write one term, or one intermediate of the path's shader, instead of the colour. --list-terms lists them")
+                  "Write one term, or one intermediate of the path's shader, instead of the colour (--list-terms)")
       ->check(CLI::Validator(
           [](const std::string& name) {
             const std::vector<std::string> names = termNames();
@@ -175,7 +179,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addBudgetOptions(budgetApp, budget);
 
   RawFitOptions rawFit;
-  CLI::App& fitApp = *app.add_subcommand("fit", "Fit the preset refit to the settings of a path, and print its constants");
+  CLI::App& fitApp =
+      *app.add_subcommand("fit", "Fit the preset refit to the settings of a path, and print its constants");
   addFitOptions(fitApp, rawFit);
 
   RawPlotOptions rawPlot;
@@ -184,13 +189,13 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addPlotOptions(plotApp, rawPlot);
 
   RawBenchOptions rawBench;
-  CLI::App& benchApp =
-      *app.add_subcommand("bench", "Measure error and run time of every setting on the same surfaces, with Pareto plots");
+  CLI::App& benchApp = *app.add_subcommand(
+      "bench", "Measure error and run time of every setting on the same surfaces, with Pareto plots");
   addBenchOptions(benchApp, rawBench);
 
   RawStressOptions rawStress;
   CLI::App& stressApp = *app.add_subcommand(
-      "stress", "Test every shading function and whole renders at the edges of their domains. Exit code 2: a new finding");
+      "stress", "Test every shading function and whole renders at the edges of their domains; 2: a new finding");
   addStressOptions(stressApp, rawStress);
 
   BakeCommand bake;
@@ -209,11 +214,12 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   InfoCommand info;
   CLI::App& infoApp = *app.add_subcommand("info", "Show the content of a scene's file, and its errors");
   infoApp.add_option("file", info.scene, "Scene file or builtin:NAME")->required();
-  infoApp.add_option("--json", info.common.json, "Write the content as JSON to this file; - for stdout, instead of the text");
+  infoApp.add_option("--json", info.common.json,
+                     "Write the content as JSON to this file; - for stdout, instead of the text");
   addKnobs(infoApp, info.common, raw, {"Scene"}, kNotRead);
 
-  const CLI::App& knobsApp =
-      *app.add_subcommand("knobs", "Print every setting: its option, its key in a suite file, its values and its default");
+  const CLI::App& knobsApp = *app.add_subcommand(
+      "knobs", "Print every setting: its option, its key in a suite file, its values and its default");
 
   RawCacheOptions rawCache;
   CLI::App& cacheApp = *app.add_subcommand("cache", "Show or remove what is kept between runs");

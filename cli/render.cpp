@@ -46,9 +46,9 @@ void reportError(const job::ViewFrames& frames, double wanted) {
   if (errors.empty()) return; // all is in closed form
   std::sort(errors.begin(), errors.end());
   const auto over = errors.end() - std::upper_bound(errors.begin(), errors.end(), static_cast<float>(wanted));
-  const std::string text =
-      fmt::format("truth: standard error: median {:.3g} %, worst {:.3g} %; {:.0f} samples a pixel for each sampling strategy",
-                  100 * errors[errors.size() / 2], 100 * errors.back(), frames.truthSamples);
+  const std::string text = fmt::format(
+      "truth: standard error: median {:.3g} %, worst {:.3g} %; {:.0f} samples a pixel for each sampling strategy",
+      100 * errors[errors.size() / 2], 100 * errors.back(), frames.truthSamples);
   base::logInfo(text);
   if (over > 0)
     base::logWarning(fmt::format("truth: {} of {} pixels did not reach a standard error of {:.3g} %", over,
@@ -115,8 +115,9 @@ int runRenderCommand(const RenderCommand& command) {
   if (paths.intermediate != 0)
     if (const paths::Path& path = *paths.chosen.front();
         path.targetName(settings.options) != path.targetName(paths::Options()))
-      throw base::Error(base::ExitCode::usage, fmt::format("--{}-target", path.name()), command.term,
-                        "an intermediate is written as computed, so a render target has no effect on it; omit one of them");
+      throw base::Error(
+          base::ExitCode::usage, fmt::format("--{}-target", path.name()), command.term,
+          "an intermediate is written as computed, so a render target has no effect on it; omit one of them");
   if (layered && extension != ".exr")
     throw base::Error(base::ExitCode::usage, "--terms", command.output, "terms are layers, which need an .exr file");
   if (command.common.settings.reference.bounces > 0 && !paths.truth)

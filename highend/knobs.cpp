@@ -22,7 +22,9 @@ base::KnobTable<Options> makeKnobs() {
       .titled("highend fresnel")
       .costs(KnobStage::shading);
   t.choice<&Options::model, &shading::SurfaceModel::diffuse>(
-       "diffuse", diffuseNames(), "Diffuse lobe of the high-end path and the truth. balanced: only light that the specular lobe leaves; lambert: all light")
+       "diffuse", diffuseNames(),
+       "Diffuse lobe of the high-end path and the truth.\n"
+       "balanced: only light that the specular lobe leaves; lambert: all light")
       .titled("highend diffuse")
       .costs(KnobStage::shading);
   t.section("Paths", {"highend"});

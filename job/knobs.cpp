@@ -73,8 +73,8 @@ void addPicture(KnobTable<S>& t) {
        [](const S& s) { return s.display; })
       .notInSuite()
       .knob.choices = base::DisplayTransform::names();
-  t.special(KnobType::numbers, "background", "R,G,B", "Colour behind the scene in every path, linear R,G,B", setBackground,
-            [](const S& s) { return base::numbersText(&s.background.x, 3); })
+  t.special(KnobType::numbers, "background", "R,G,B", "Colour behind the scene in every path, linear R,G,B",
+            setBackground, [](const S& s) { return base::numbersText(&s.background.x, 3); })
       .notInSuite();
   t.texts<&S::materials>("material", "all", "Show only these materials (glob, repeatable)")
       .titled("materials")
@@ -85,14 +85,14 @@ void addPicture(KnobTable<S>& t) {
 
 void addShadows(KnobTable<S>& t) {
   using O = gpu::ShadowOptions;
-  t.flag<&S::shadows>("shadows",
-                      "Lights cast shadows: paths use shadow maps, the truth uses rays. In the truth the environment casts shadows, too");
+  t.flag<&S::shadows>("shadows", "Lights cast shadows: paths use shadow maps, the truth uses rays.\n"
+                                 "In the truth the environment casts shadows, too");
   std::vector<std::string> sizes;
   for (std::uint32_t size = gpu::kMinShadowMapSize; size <= gpu::kMaxShadowMapSize; size *= 2)
     sizes.push_back(std::to_string(size));
-  t.oneOf<&S::shadowMaps, &O::mapSize>(
-      "shadow-map-size", sizes,
-      "Side of a directional light's shadow map in texels. Spot lights use half, the faces of cube maps a quarter");
+  t.oneOf<&S::shadowMaps, &O::mapSize>("shadow-map-size", sizes,
+                                       "Side of a directional light's shadow map in texels. Spot lights use half,\n"
+                                       "the faces of cube maps a quarter");
   t.oneOf<&S::shadowMaps, &O::filter>("shadow-filter", {"0", "1", "3", "5", "7"},
                                       "Width of the shadow filter in texels; 0: hard shadows from one texel");
   t.whole<&S::shadowMaps, &O::maxBytes>("shadow-memory", 0, 1e15, "Largest size of all shadow maps together in bytes")
@@ -111,8 +111,10 @@ void setPaths(S& s, const std::string& text) {
   const std::vector<std::string> known = pathNames();
   for (const std::string& name : names)
     if (std::ranges::count(known, name) == 0 || std::ranges::count(names, name) > 1)
-      throw base::KnobError{fmt::format("'{}' is not a list of different paths; the paths are {}", text, fmt::join(known, ", "))};
-  if (names.size() < 2) throw base::KnobError{fmt::format("'{}' names only one path: give at least two to compare", text)};
+      throw base::KnobError{
+          fmt::format("'{}' is not a list of different paths; the paths are {}", text, fmt::join(known, ", "))};
+  if (names.size() < 2)
+    throw base::KnobError{fmt::format("'{}' names only one path: give at least two to compare", text)};
   s.pathNames = std::move(names);
 }
 
@@ -121,8 +123,9 @@ void addPaths(KnobTable<S>& t) {
   addShadows(t);
   for (const paths::Path* path : allPaths()) t.addAll<&S::options>(path->knobs());
   t.section("Paths");
-  t.choice<&S::specularAa>("specular-aa", {"off", "toksvig"},
-                           "Specular anti-aliasing of normal maps in every path; toksvig turns lost detail into roughness")
+  t.choice<&S::specularAa>(
+       "specular-aa", {"off", "toksvig"},
+       "Specular anti-aliasing of normal maps in every path; toksvig turns lost detail into roughness")
       .titled("specular anti-aliasing")
       .inWords([](const S& s) { return s.specularAa == gpu::SpecularAa::toksvig ? "Toksvig" : "off"; });
   t.special(KnobType::text, "paths", "NAME,NAME", "Paths to compare: each of the others with the first", setPaths,
@@ -154,8 +157,8 @@ void addTruth(KnobTable<S>& t) {
   using O = reference::Options;
   using I = reference::IntegralOptions;
   t.section("Truth", {"truth"});
-  t.flag<&S::truth>(
-       "truth", "Also compare all paths with the ground truth (exact integrals), term by term. Slow; does not change verdicts")
+  t.flag<&S::truth>("truth", "Also compare all paths with the ground truth (exact integrals), term by term.\n"
+                             "Slow; does not change verdicts")
       .alias("reference")
       .actsOn(ActsOn::truth)
       .inWords(describeTruth)
@@ -177,11 +180,13 @@ void addTruth(KnobTable<S>& t) {
                                       "Bounces of light between surfaces in the truth, with shadows; 0: none")
       .actsOn(ActsOn::truth)
       .needs("truth");
-  t.whole<&S::reference, &O::integral, &I::minSamples>("truth-min-samples", 1, 1 << 30, "Smallest number of samples a pixel")
+  t.whole<&S::reference, &O::integral, &I::minSamples>("truth-min-samples", 1, 1 << 30,
+                                                       "Smallest number of samples a pixel")
       .actsOn(ActsOn::truth)
       .needs("truth")
       .noOption();
-  t.whole<&S::reference, &O::integral, &I::maxSamples>("truth-max-samples", 1, 1 << 30, "Largest number of samples a pixel")
+  t.whole<&S::reference, &O::integral, &I::maxSamples>("truth-max-samples", 1, 1 << 30,
+                                                       "Largest number of samples a pixel")
       .actsOn(ActsOn::truth)
       .needs("truth")
       .noOption();
@@ -203,7 +208,7 @@ void addVerdict(KnobTable<S>& t) {
       .notInSuite();
   t.whole<&S::droppedLights>(
        "dropped-lights", 0, 100000,
-       "Number of lights to measure in each view among those that a path drops, the brightest first; 0: none")
+       "Lights to measure in each view among those that a path drops, the brightest first; 0: none")
       .actsOn(ActsOn::nothing)
       .notInSuite();
   t.flag<&S::terms>("terms", "Also measure each term of the light: sun, sky, lights (diffuse and specular) and others")
@@ -242,7 +247,8 @@ void requireNeeds(const Settings& settings, const base::GivenKnobs& given) {
   for (const auto& [id, value] : given) {
     const base::Knob& knob = knobs().find(id)->knob;
     if (!isActive(knob, settings))
-      throw base::Error(base::ExitCode::usage, value.where, "", fmt::format("has no effect without {}", knob.needsKnob));
+      throw base::Error(base::ExitCode::usage, value.where, "",
+                        fmt::format("has no effect without {}", knob.needsKnob));
   }
 }
 
@@ -279,9 +285,10 @@ Settings withKnobs(Settings settings, const base::GivenKnobs& given) {
   if (const auto target = first.target(settings.options, {}, 0); target && target->isDisplayed())
     throw base::Error(
         base::ExitCode::usage, "--paths", "",
-        fmt::format("'{}' comes first, but its target '{}' clips light above white; the first path needs a target that holds "
-                    "light above white",
-                    first.name(), first.targetName(settings.options)));
+        fmt::format(
+            "'{}' comes first, but its target '{}' clips light above white; the first path needs a target that holds "
+            "light above white",
+            first.name(), first.targetName(settings.options)));
   return settings;
 }
 

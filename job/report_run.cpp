@@ -66,8 +66,7 @@ void noteForInterrupt(const Context& context, const ReportRequest& request, std:
   if (compared > 0 && !context.cache().enabled()) text += ", and lost, because there is no cache";
   if (compared > 0 && context.cache().enabled()) text += " and stay in the cache for the next run";
   if (!request.folder.empty())
-    text += fmt::format("; {} holds no report, and the next run removes its pictures",
-                        request.folder.string());
+    text += fmt::format("; {} holds no report, and the next run removes its pictures", request.folder.string());
   base::setInterruptNote(text);
 }
 

@@ -51,14 +51,15 @@ void addLook(base::KnobTable<Options>& t) {
       .costs(KnobStage::shading)
       .needsScene("environment")
       .knob.choices = captureScaleNames();
-  t.number<&Options::mixing, &Mixing::begin>("mixing-begin", 0, 1,
-                                             "Mobile path: roughness above which the lightmap starts to scale captures");
+  t.number<&Options::mixing, &Mixing::begin>(
+      "mixing-begin", 0, 1, "Mobile path: roughness above which the lightmap starts to scale captures");
   t.number<&Options::mixing, &Mixing::end>("mixing-end", 0, 1,
                                            "Mobile path: roughness above which the lightmap scales captures in full");
   t.number<&Options::mixing, &Mixing::largest>("mixing-largest", 1e-4, kMaxMixingWeight,
                                                "Mobile path: largest factor by which the lightmap scales a capture");
-  t.choice<&Options::capture>("capture", captureEncodingNames(),
-                              "Mobile path: format of the environment: rgbm (8 bits a channel), rgb9e5 (as large)\nor fp16")
+  t.choice<&Options::capture>(
+       "capture", captureEncodingNames(),
+       "Mobile path: format of the environment: rgbm (8 bits a channel), rgb9e5 (as large)\nor fp16")
       .titled("mobile capture")
       .otherwise(kPresets)
       .costs(KnobStage::shading)
@@ -88,8 +89,9 @@ void addShadows(base::KnobTable<Options>& t) {
       .needs("mobile-spot-shadow");
   t.number<&Options::spotShadowFade>("mobile-spot-fade", 0, 1, "Strength of this shadow, 0 to 1")
       .needs("mobile-spot-shadow");
-  t.flag<&Options::sunShadow>(
-      "mobile-sun-shadow", "Mobile path: the sun casts a shadow from a shadow map up to a distance, in addition to its baked shadow");
+  t.flag<&Options::sunShadow>("mobile-sun-shadow",
+                              "Mobile path: the sun casts a shadow from a shadow map, up to a distance,\n"
+                              "in addition to its baked shadow");
   t.number<&Options::sunShadowDistance>("mobile-sun-distance", 1e-3, 1e6,
                                         "Distance from the camera at which this shadow ends, metres")
       .needs("mobile-sun-shadow");
@@ -112,8 +114,7 @@ std::string describeTextures(const Options& o) {
 }
 
 void addStorage(base::KnobTable<Options>& t) {
-  t.choice<&Options::target>("mobile-target", gpu::outputTargetNames(),
-                             "Mobile path: format of the render target")
+  t.choice<&Options::target>("mobile-target", gpu::outputTargetNames(), "Mobile path: format of the render target")
       .costs(base::KnobStage::storage)
       .inWords(describeTarget);
   t.choice<&Options::textures>("mobile-textures", base::textureBlockNames(),
@@ -154,9 +155,10 @@ void requireSense(const Options& options, const std::string& display) {
            fmt::format("{} is not below --mixing-end ({})", options.mixing.begin, options.mixing.end));
   // Refit's lobe and its environment BRDF share their terms: neither is anything without the other.
   if ((options.directLobe == DirectLobe::refit) != (options.environmentBrdf == EnvironmentBrdf::refit))
-    refuse("--direct-lobe",
-           fmt::format("'{}' cannot be combined with the preset {}: refit's lobe and its environment BRDF need each other",
-                       directLobeNames().at(static_cast<std::size_t>(options.directLobe)), options.preset));
+    refuse(
+        "--direct-lobe",
+        fmt::format("'{}' cannot be combined with the preset {}: refit's lobe and its environment BRDF need each other",
+                    directLobeNames().at(static_cast<std::size_t>(options.directLobe)), options.preset));
   if (gpu::isDisplayed(options.target) && display != "sRGB")
     refuse("--mobile-target",
            fmt::format("'{}' stores sRGB for the screen; the display transform '{}' needs a float target",

@@ -60,9 +60,8 @@ public:
     std::vector<std::string> notes = Renderer::notes();
     if (m_maps && !m_maps->note().empty()) notes.push_back(m_maps->note());
     if (m_asksForAll)
-      notes.emplace_back(
-          m_maps ? "there is no baked light, so only lights with a shadow map cast shadows; see --baked"
-                 : "there is no baked light, so no light casts shadows; see --baked");
+      notes.emplace_back(m_maps ? "there is no baked light, so only lights with a shadow map cast shadows; see --baked"
+                                : "there is no baked light, so no light casts shadows; see --baked");
     return notes;
   }
 

@@ -127,7 +127,8 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   const std::size_t localCount = lights.size() - (sun ? 1 : 0);
   if (!options.localLights) {
     if (localCount > 0)
-      m_notes.push_back(fmt::format("{} local lights are dropped: the preset {} expects them in baked light", localCount, options.preset));
+      m_notes.push_back(fmt::format("{} local lights are dropped: the preset {} expects them in baked light",
+                                    localCount, options.preset));
     lights.resize(sun ? 1 : 0);
   } else if (localCount > 0) {
     std::set<std::uint32_t> used;
@@ -150,12 +151,12 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   const bool hasSunShadow = inputs.shadows && options.sunShadow && sun;
   if (options.sunShadow && !sun) m_notes.emplace_back("--mobile-sun-shadow has no effect: the scene has no sun");
   if (options.spotShadow && !options.localLights)
-    m_notes.push_back(fmt::format("--mobile-spot-shadow has no effect: the preset {} expects local lights in baked light", options.preset));
+    m_notes.push_back(fmt::format(
+        "--mobile-spot-shadow has no effect: the preset {} expects local lights in baked light", options.preset));
   else if (options.spotShadow && spots == 0)
     m_notes.emplace_back("--mobile-spot-shadow has no effect: the scene has no spot light");
   else if (options.spotShadow && spots > 1)
-    m_notes.push_back(fmt::format("{} of {} spot lights cast no shadow: only the brightest does",
-                                  spots - 1, spots));
+    m_notes.push_back(fmt::format("{} of {} spot lights cast no shadow: only the brightest does", spots - 1, spots));
   for (std::size_t k = 0; k < lights.size(); ++k) {
     const bool casts = k == spot || (hasSunShadow && k == 0);
     program.lights.push_back(gpu::packLight(lights[k], casts ? inputs.shadows->of(lights[k]) : gpu::ShadowOfLight()));

@@ -288,17 +288,18 @@ std::string toTable(const Report& report, bool color) {
                        base::plainLine(problem.reason));
   out += unjudgedLine(report);
   const std::string tests = joined({paths.begin() + 1, paths.end()}, " or ", titleOf), first = titleOf(paths.front());
-  out +=
-      fmt::format("mean, p95, max: FLIP of the displayed images (0: identical, 1: largest difference). A material row compares the "
-                  "{} picture with a copy in which only this material has the colours of {}. The row of the whole image compares {} "
-                  "with {}.\n",
-                  first, tests, first, tests);
+  out += fmt::format(
+      "mean, p95, max: FLIP of the displayed images (0: identical, 1: largest difference). A material row compares the "
+      "{} picture with a copy in which only this material has the colours of {}. The row of the whole image compares "
+      "{} "
+      "with {}.\n",
+      first, tests, first, tests);
   out += stageLines(report);
   if (hasTruth(report))
-    out +=
-        fmt::format("{}: mean FLIP of {} against the truth; ~ marks a difference within 2 standard errors of the truth.\n",
-                    joined(paths, ", ", [&](const std::string& path) { return truthColumn(path, paths); }),
-                    joined(paths, " and of ", titleOf));
+    out += fmt::format(
+        "{}: mean FLIP of {} against the truth; ~ marks a difference within 2 standard errors of the truth.\n",
+        joined(paths, ", ", [&](const std::string& path) { return truthColumn(path, paths); }),
+        joined(paths, " and of ", titleOf));
   return out + fmt::format("verdict: {} ({})\n", paint(report.verdict, nameOf(report.verdict), color), summary(report));
 }
 

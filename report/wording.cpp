@@ -30,8 +30,8 @@ std::string describeCause(const compare::Attribution& attribution, const std::st
   const auto best = std::ranges::min_element(attribution.terms, {}, &compare::TermEffect::flip);
   if (best == attribution.terms.end() || !(best->flip <= (1 - kLeastExplained) * attribution.flip))
     return "no single term explains it";
-  return fmt::format("{}: FLIP {} -> {} with the {} term", termWithWords(best->term), flip, compare::formatFigure("flip.mean", best->flip),
-                     titleOf(reference));
+  return fmt::format("{}: FLIP {} -> {} with the {} term", termWithWords(best->term), flip,
+                     compare::formatFigure("flip.mean", best->flip), titleOf(reference));
 }
 
 } // namespace parity::report

@@ -72,15 +72,15 @@ base::Image toPanorama(base::ImageFile file, const std::string& label) {
   const base::ImageInfo& info = file.info;
   base::Image& pixels = file.pixels;
   if (pixels.empty()) throw base::fileError(label, "", "the image has no pixels");
-  if (info.isCubeMap)
-    throw base::fileError(label, "envmap", "is a cube map; give a latitude-longitude panorama");
+  if (info.isCubeMap) throw base::fileError(label, "envmap", "is a cube map; give a latitude-longitude panorama");
   if (info.x != info.fullX || info.y != info.fullY || pixels.width != info.fullWidth ||
       pixels.height != info.fullHeight)
-    throw base::fileError(label, "dataWindow",
-                          fmt::format("holds {}x{} pixels at {:+}{:+} of a picture of {}x{} at {:+}{:+}; an environment "
-                                      "must be complete",
-                                      pixels.width, pixels.height, info.x, info.y, info.fullWidth, info.fullHeight,
-                                      info.fullX, info.fullY));
+    throw base::fileError(
+        label, "dataWindow",
+        fmt::format("holds {}x{} pixels at {:+}{:+} of a picture of {}x{} at {:+}{:+}; an environment "
+                    "must be complete",
+                    pixels.width, pixels.height, info.x, info.y, info.fullWidth, info.fullHeight, info.fullX,
+                    info.fullY));
   const std::array<std::size_t, 3> colors = findColors(info, label);
   if (pixels.channels != 3 || colors != std::array<std::size_t, 3>{0, 1, 2}) {
     base::Image rgb(pixels.width, pixels.height, 3);
@@ -152,8 +152,9 @@ Environment loadEnvironment(const std::string& fileOrBuiltin, float rotationDeg,
                                      environment.name, environment.radiance.pixels.size(), counts.notANumber,
                                      counts.negative, counts.infinite));
     if (counts.tooLarge > 0)
-      warnings.push_back(fmt::format("environment {}: {} of {} values are above {:g} and are set to it", environment.name,
-                                     counts.tooLarge, environment.radiance.pixels.size(), kMaxRadiance));
+      warnings.push_back(fmt::format("environment {}: {} of {} values are above {:g} and are set to it",
+                                     environment.name, counts.tooLarge, environment.radiance.pixels.size(),
+                                     kMaxRadiance));
   }
   environment.rotationDeg = rotationDeg;
   return environment;

@@ -54,8 +54,9 @@ void addLoading(KnobTable<SceneSettings>& t) {
       .ofScene();
   t.text<&S::load, &L::variant>("variant", "none", "Variant of the materials, by name or number. Default: none")
       .ofScene();
-  t.choice<&S::subject>("subject", {"scene", "ball"},
-                        "scene: the scene as it is; ball: each material of the file on a sphere, so that every one is visible")
+  t.choice<&S::subject>(
+       "subject", {"scene", "ball"},
+       "scene: the scene as it is; ball: each material of the file on a sphere, so that all are visible")
       .ofScene();
   t.special(
        KnobType::text, "max-image", "SIDE[,MEGAPIXELS]",
@@ -96,7 +97,8 @@ void addSky(KnobTable<SceneSettings>& t) {
       .alias("environment-rotation")
       .titled("environment rotation")
       .ofScene();
-  t.flag<&S::extractSun>("sun-extraction", "Turn small bright sources of the environment, such as the sun, into lights");
+  t.flag<&S::extractSun>("sun-extraction",
+                         "Turn small bright sources of the environment, such as the sun, into lights");
   t.special(
        KnobType::numbers, "sun", "AZIMUTH,ELEVATION,LUX", "Add a directional light: AZIMUTH,ELEVATION,LUX (degrees)",
        [](S& s, const std::string& text) {
@@ -137,8 +139,8 @@ void addLight(KnobTable<SceneSettings>& t) {
          const auto n = base::readNumbers(text, "DENSITY,FALLOFF,HEIGHT");
          if (n[0] < 0 || n[0] > kMaxFogDensity || n[1] < 0 || n[1] > kMaxFogFalloff || std::abs(n[2]) > kMaxFogLength)
            throw base::KnobError{fmt::format(
-               "'{}' is not a fog: DENSITY must be from 0 to {:.0f}, FALLOFF from 0 to {:.0f}, HEIGHT within {:.0f} m", text,
-               kMaxFogDensity, kMaxFogFalloff, kMaxFogLength)};
+               "'{}' is not a fog: DENSITY must be from 0 to {:.0f}, FALLOFF from 0 to {:.0f}, HEIGHT within {:.0f} m",
+               text, kMaxFogDensity, kMaxFogFalloff, kMaxFogLength)};
          s.fog.density = n[0], s.fog.heightFalloff = n[1], s.fog.height = n[2];
        },
        [](const S& s) {
@@ -162,7 +164,8 @@ KnobTable<SceneSettings> makeSceneKnobs() {
   addSky(t);
   addLoading(t);
   addLight(t);
-  t.texts<&S::fullyRough>("fully-rough", "none", "Materials that use the mobile path's fully-rough shortcut (glob, repeatable)");
+  t.texts<&S::fullyRough>("fully-rough", "none",
+                          "Materials that use the mobile path's fully-rough shortcut (glob, repeatable)");
   t.file<&S::baked>("baked", "FOLDER", "none",
                     "Folder of baked light from 'parity bake'. All scenes of the command use it")
       .titled("baked light")
@@ -188,11 +191,13 @@ KnobTable<ViewRequest> makeViewKnobs() {
        })
       .otherwise("auto");
   t.special(
-       KnobType::numbers, "orbit", "THETA,PHI,RADIUS", "Camera around the target: angles in degrees, radius in metres (0: fit the scene)",
+       KnobType::numbers, "orbit", "THETA,PHI,RADIUS",
+       "Camera around the target: angles in degrees, radius in metres (0: fit the scene)",
        [](V& v, const std::string& text) {
          const auto n = base::readNumbers(text, "THETA,PHI,RADIUS");
          if (n[1] < 0 || n[1] > 180 || n[2] < 0)
-           throw base::KnobError{fmt::format("'{}' is not an orbit: PHI must be from 0 to 180, RADIUS at least 0", text)};
+           throw base::KnobError{
+               fmt::format("'{}' is not an orbit: PHI must be from 0 to 180, RADIUS at least 0", text)};
          v.orbit = glm::vec3(n[0], n[1], n[2]);
        },
        optionalText<&V::orbit>())

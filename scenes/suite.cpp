@@ -179,7 +179,9 @@ public:
         const std::string key = base::keyOf(name);
         std::optional<base::KnobValue> value = reader.value(key, knob);
         if (!value) continue;
-        if (given.contains(knob.id)) throw reader.errorAt(key, fmt::format("has the same meaning as '{}'; give only one of them", base::keyOf(knob.id)));
+        if (given.contains(knob.id))
+          throw reader.errorAt(
+              key, fmt::format("has the same meaning as '{}'; give only one of them", base::keyOf(knob.id)));
         if (knob.type == base::KnobType::file) value = base::KnobValue{resolve(m_folder, value->at(0))};
         add(given, reader, key, knob, *value, check);
       }
@@ -208,7 +210,8 @@ public:
       entry.views.push_back(readView(*view, entry.views.size() + 1));
       if (!names.insert(entry.views.back().name).second)
         throw reader.errorAt(
-            *view, "view", fmt::format("two views of scene '{1}' have the name '{0}'", entry.views.back().name, entry.name));
+            *view, "view",
+            fmt::format("two views of scene '{1}' have the name '{0}'", entry.views.back().name, entry.name));
     }
     if (entry.views.empty()) entry.views.emplace_back();
     return entry;

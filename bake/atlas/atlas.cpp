@@ -163,8 +163,7 @@ Atlas makeAtlas(const scenes::Scene& scene, const AtlasOptions& options) {
   });
 
   Items items = itemsOf(uses, layouts);
-  if (items.items.empty())
-    throw base::fileError(scene.name, "", "has nothing to bake: no lit object has an area");
+  if (items.items.empty()) throw base::fileError(scene.name, "", "has nothing to bake: no lit object has an area");
   // On one page the pieces of all objects may lie between each other; of several, an object has only one.
   std::optional<Packing> packing = packPage(items.rectangles, options.maxPageSide);
   if (!packing) {

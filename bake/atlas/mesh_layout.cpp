@@ -26,7 +26,8 @@ void checkMesh(const scenes::Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const glm::vec3& p = mesh.positions[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      throw base::fileError(mesh.name, "", fmt::format("the position of vertex {} is not finite, so it gets no lightmap", i));
+      throw base::fileError(mesh.name, "",
+                            fmt::format("the position of vertex {} is not finite, so it gets no lightmap", i));
   }
 }
 

@@ -45,7 +45,8 @@ const ImageModule& loadModule() {
                      "image files cannot be read or written"));
   const ImageModule* module = get();
   if (!module || module->version != kImageModuleVersion)
-    throw Error(ExitCode::failed, kModuleFile, "", "belongs to another build of this program; build or install both together");
+    throw Error(ExitCode::failed, kModuleFile, "",
+                "belongs to another build of this program; build or install both together");
   module->limitThreads(threadCount());
   return *module;
 }
@@ -214,7 +215,8 @@ ImageFile decodeRadiance(std::span<const std::byte> bytes, const std::string& na
   ImageSource source{.name = name, .format = readerOf(*format), .bytes = bytes, .limits = limits};
   source.limits.maxPixels = std::min(limits.maxPixels, kMaxRadiancePixels);
   if (imageModule().readShape(source).integer)
-    throw fileError(name, "", "holds integers, so it is not an HDR environment; give a .hdr, .exr or .pfm file of floats");
+    throw fileError(name, "",
+                    "holds integers, so it is not an HDR environment; give a .hdr, .exr or .pfm file of floats");
   ImageFile file = imageModule().read(source);
   if (*format == ImageFormat::hdr) file.info.orientation = readHdrOrientation(bytes, name);
   return file;

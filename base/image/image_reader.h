@@ -179,9 +179,9 @@ private:
     const oiio::ImageSpec& spec = m_input->spec();
     checkImageSize(m_name, spec.width, spec.height, spec.nchannels, limits);
     if (spec.nchannels > kMaxImageChannels)
-      throw fileError(m_name, "", fmt::format("has {} channels, expected at most {}", spec.nchannels, kMaxImageChannels));
-    if (spec.depth > 1 || spec.deep)
-      throw fileError(m_name, "", "is a volume or a deep image; give a flat image");
+      throw fileError(m_name, "",
+                      fmt::format("has {} channels, expected at most {}", spec.nchannels, kMaxImageChannels));
+    if (spec.depth > 1 || spec.deep) throw fileError(m_name, "", "is a volume or a deep image; give a flat image");
     // Unpacking the bits of CMYK, the library (2.4) counts three channels where four are stored, and writes too far.
     constexpr int kSeparated = 5; // TIFF 6.0, PhotometricInterpretation
     if (spec.get_int_attribute("tiff:PhotometricInterpretation") == kSeparated &&

@@ -64,8 +64,8 @@ Image decodePfm(std::span<const std::byte> bytes, const std::string& name, const
   const std::size_t expected = header.bytes + rowValues * header.height * sizeof(float);
   if (bytes.size() != expected)
     throw fileError(name, "",
-                    fmt::format("has {} bytes, but {} x {} pixels need {}{}", bytes.size(), header.width,
-                                header.height, expected, bytes.size() < expected ? " (truncated)" : ""));
+                    fmt::format("has {} bytes, but {} x {} pixels need {}{}", bytes.size(), header.width, header.height,
+                                expected, bytes.size() < expected ? " (truncated)" : ""));
 
   Image image(header.width, header.height, header.channels);
   const std::byte* source = bytes.data() + header.bytes;

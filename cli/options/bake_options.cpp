@@ -55,11 +55,11 @@ void addBakeOptions(CLI::App& app, BakeCommand& command, RawBakeOptions& raw) {
       ->check(CLI::Range(0, bake::kMaxBounces))
       ->group("Light")
       ->capture_default_str();
-  app.add_option("--error", raw.error,
-                 "Relative error at which a texel is done: 19 of 20 texels are within it")
+  app.add_option("--error", raw.error, "Relative error at which a texel is done: 19 of 20 texels are within it")
       ->group("Light")
       ->capture_default_str();
-  app.add_option("--max-samples", o.integrate.maxSamples, "Most samples a texel on average, whatever the error: a power of two")
+  app.add_option("--max-samples", o.integrate.maxSamples,
+                 "Most samples a texel on average, whatever the error: a power of two")
       ->check(powerOfTwo(bake::kMinSamples, bake::kMaxSamples))
       ->group("Light")
       ->capture_default_str();
@@ -67,15 +67,15 @@ void addBakeOptions(CLI::App& app, BakeCommand& command, RawBakeOptions& raw) {
       ->group("Light")
       ->capture_default_str();
   app.add_option("--local-lights", raw.localLights,
-                 "Point and spot lights. static: baked for both paths, without highlights; stationary: the high-end path "
-                 "shades them")
+                 "Point and spot lights. static: baked for both paths, without highlights;\n"
+                 "stationary: the high-end path shades them")
       ->check(CLI::IsMember({"static", "stationary"}))
       ->group("Light")
       ->capture_default_str();
 
   app.add_option("--texels-per-metre", raw.density,
-                 "Least texels a metre, of lightmaps and of the sun's shadow. auto: 16; more for small scenes, fewer for "
-                 "huge ones")
+                 "Least texels a metre, of lightmaps and of the sun's shadow.\n"
+                 "auto: 16; more for small scenes, fewer for huge ones")
       ->group("Textures")
       ->capture_default_str();
   app.add_option("--page-size", o.atlas.maxPageSide, "Largest side of a lightmap page in texels: a power of two")

@@ -14,21 +14,24 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
   s.reference.integral.relativeError = 0.02;
   job::knobs().find("precision")->set(s, {"fp32"}); // a software device emulates half; every preset is tried in both
   app.add_option("scenes", bench.scenes, "Scene files or builtin:NAME");
-  app.add_option("--suite", bench.suite, "Suite file (TOML): many scenes, with their views and light")->excludes("scenes");
+  app.add_option("--suite", bench.suite, "Suite file (TOML): many scenes, with their views and light")
+      ->excludes("scenes");
   app.add_option("-o,--output", bench.folder,
                  "Folder for index.html, bench.json, bench.csv, bench.md (one table of all scenes) and pictures")
       ->group("Output");
   app.add_option("--json", bench.common.json, "Write bench.json to this file; - for stdout, instead of the table")
       ->group("Output");
-  app.add_option("--csv", bench.csv, "Write bench.csv to this file; - for stdout, instead of the table")->group("Output");
+  app.add_option("--csv", bench.csv, "Write bench.csv to this file; - for stdout, instead of the table")
+      ->group("Output");
   app.add_option("--budget", raw.budget,
-                 "NAME=LIMIT (flip.mean, flip.p95, relmse): name the fastest setting within this limit; exit 2 if there is none")
+                 "NAME=LIMIT (flip.mean, flip.p95, relmse): name the fastest setting within it; exit 2 if none is")
       ->group("Bench");
   app.add_option("--compare", bench.compare,
-                 "bench.json of an earlier run: show time ratios with confidence intervals; exit 2 if a setting is slower")
+                 "Earlier bench.json: show time ratios with confidence intervals; exit 2 if a setting is slower")
       ->group("Bench");
   app.add_option("--settings", bench.trial.settings,
-                 "Only these settings and the defaults: globs such as '*: refit*', with --scaling such as 'lights'; repeatable")
+                 "Only these settings and the defaults (repeatable): globs such as '*: refit*';\n"
+                 "with --scaling such as 'lights'")
       ->group("Bench");
   app.add_flag("--list", bench.list, "List the settings")->group("Bench");
   app.add_option("--rounds", bench.trial.rounds, "Timed rounds, in random order. An untimed round compiles first")
@@ -40,10 +43,12 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
       ->check(CLI::Range(2, 1000))
       ->group("Bench")
       ->capture_default_str();
-  app.add_flag("--no-truth", raw.noTruth, "Do not measure errors against the truth; that takes most of the time")->group("Bench");
+  app.add_flag("--no-truth", raw.noTruth, "Do not measure errors against the truth; that takes most of the time")
+      ->group("Bench");
   app.add_flag("--no-reference", raw.noReference, "Older name of --no-truth")->group("");
   app.add_flag("--scaling", bench.scaling,
-               "Instead, time each stage over the number of pixels, triangles, lights, materials and textures, in generated scenes")
+               "Instead, time each stage over the number of pixels, triangles, lights, materials and textures,\n"
+               "in generated scenes")
       ->group("Bench")
       ->excludes(app.get_option("scenes"))
       ->excludes(app.get_option("--suite"))

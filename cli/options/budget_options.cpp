@@ -17,7 +17,8 @@ void addVerdictOptions(CLI::App& app, VerdictOptions& verdict) {
   app.add_option("--baseline", verdict.baseline,
                  "Earlier report.json or its folder: show what changed, and judge regressions")
       ->group("Verdict");
-  app.add_option("--annotate", verdict.annotate, "github: also print failures and warnings as annotations of GitHub Actions")
+  app.add_option("--annotate", verdict.annotate,
+                 "github: also print failures and warnings as annotations of GitHub Actions")
       ->check(CLI::IsMember({"github"}))
       ->group("Verdict");
 }
@@ -25,11 +26,12 @@ void addVerdictOptions(CLI::App& app, VerdictOptions& verdict) {
 void addBudgetOptions(CLI::App& app, RawBudgetOptions& raw) {
   app.require_subcommand(1);
   CLI::App& suggest = *app.add_subcommand("suggest", "Propose a budget file from reports of earlier runs");
-  suggest.add_option("reports", raw.suggest.reports, "report.json files or their folders, one for each run")->required();
+  suggest.add_option("reports", raw.suggest.reports, "report.json files or their folders, one for each run")
+      ->required();
   suggest.add_option("-o,--output", raw.suggest.output, "Budget file to write (TOML). Default: stdout");
   suggest
       .add_option("--margin", raw.suggest.options.margin,
-                  "Share of the error that is added to the observed 95th percentile; limits that fail add twice this share")
+                  "Share of the error to add to the observed 95th percentile; limits that fail add twice as much")
       ->check(within(0, 10))
       ->capture_default_str();
   raw.metrics = fmt::format("{}", fmt::join(raw.suggest.options.figures, ","));

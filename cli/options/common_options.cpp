@@ -28,7 +28,8 @@ void addViewKnobs(CLI::App& app, RawOptions& raw) {
 void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   app.add_option("--device", common.settings.device.name,
                  "Vulkan device: part of its name, or its number from 'parity devices'. Default: the software device");
-  app.add_flag("--validation", raw.validation, "Run with the Khronos validation layer; each of its messages is an error");
+  app.add_flag("--validation", raw.validation,
+               "Run with the Khronos validation layer; each of its messages is an error");
   app.add_option("--threads", common.threads, "CPU threads; 0: all cores")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();

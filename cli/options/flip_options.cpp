@@ -52,14 +52,18 @@ struct LimitOption {
   std::optional<double> compare::Threshold::*target;
 };
 constexpr LimitOption kLimits[] = {
-    {"--fail", "Fail if the figure, or any pixel, is beyond this limit", &RawFlipOptions::fail, &compare::Threshold::fail},
+    {"--fail", "Fail if the figure, or any pixel, is beyond this limit", &RawFlipOptions::fail,
+     &compare::Threshold::fail},
     {"--failpercent", "Percentage of pixels that may exceed --fail", &RawFlipOptions::failPercent,
      &compare::Threshold::failPercent},
-    {"--hardfail", "Fail if a single pixel is beyond this limit", &RawFlipOptions::hardFail, &compare::Threshold::hardFail},
-    {"--warn", "Warn if the figure, or any pixel, is beyond this limit", &RawFlipOptions::warn, &compare::Threshold::warn},
+    {"--hardfail", "Fail if a single pixel is beyond this limit", &RawFlipOptions::hardFail,
+     &compare::Threshold::hardFail},
+    {"--warn", "Warn if the figure, or any pixel, is beyond this limit", &RawFlipOptions::warn,
+     &compare::Threshold::warn},
     {"--warnpercent", "Percentage of pixels that may exceed --warn", &RawFlipOptions::warnPercent,
      &compare::Threshold::warnPercent},
-    {"--hardwarn", "Warn if a single pixel is beyond this limit", &RawFlipOptions::hardWarn, &compare::Threshold::hardWarn},
+    {"--hardwarn", "Warn if a single pixel is beyond this limit", &RawFlipOptions::hardWarn,
+     &compare::Threshold::hardWarn},
 };
 
 template <typename Names> std::string listNames(const Names& names) { return fmt::format("{}", fmt::join(names, ",")); }
@@ -87,7 +91,8 @@ void addPictureOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
   app.add_flag("--ignore-layers", request.image.ignoreLayers,
                "Compare only the first colour and alpha; other layers and images may differ")
       ->group("Pictures");
-  app.add_option("--mask", raw.mask, "Compare by region. The mask holds ids (32-bit floats) or weights (white is inside)")
+  app.add_option("--mask", raw.mask,
+                 "Compare by region. The mask holds ids (32-bit floats) or weights (white is inside)")
       ->group("Pictures");
   app.add_option("--mask-kind", raw.maskKind, "Content of the mask")
       ->check(CLI::IsMember(strings(compare::kMaskKindNames)))
@@ -97,7 +102,8 @@ void addPictureOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
       ->allow_extra_args(false)
       ->group("Pictures");
   app.add_option("--region", raw.region, "X,Y,WIDTH,HEIGHT: compare only this area")->group("Pictures");
-  app.add_option("--non-finite", raw.nonFinite, "NaN and infinity. error: the pair is an error; worst: count them as the worst error, and fail")
+  app.add_option("--non-finite", raw.nonFinite,
+                 "NaN and infinity. error: the pair is an error; worst: count them as the worst error, and fail")
       ->check(CLI::IsMember({"error", "worst"}))
       ->group("Pictures")
       ->capture_default_str();
@@ -140,7 +146,8 @@ void addMetricOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
   const auto viewing = [&](const char* name, float& value, const char* help) {
     app.add_option(name, value, help)->check(within(1e-6, kMost))->excludes(ppd)->group("Metrics");
   };
-  viewing("--distance", raw.distance, "Distance from the eye to the screen, metres. Use with the next two instead of --ppd");
+  viewing("--distance", raw.distance,
+          "Distance from the eye to the screen, metres. Use with the next two instead of --ppd");
   viewing("--resolution-x", raw.resolutionX, "Width of the screen in pixels");
   viewing("--screen-width", raw.screenWidth, "Width of the screen, metres");
   app.add_option("--tonemapper", raw.tonemapper, "Tone curve of HDR-FLIP. Default aces")
@@ -159,8 +166,7 @@ void addMetricOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
 }
 
 void addLimitOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
-  app.add_option("--metric", raw.metric,
-                 "Figure (flip.mean) or metric (flip) for the limits after it (repeatable)")
+  app.add_option("--metric", raw.metric, "Figure (flip.mean) or metric (flip) for the limits after it (repeatable)")
       ->allow_extra_args(false)
       ->group("Verdict");
   for (const LimitOption& limit : kLimits)
@@ -173,7 +179,8 @@ void addLimitOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
 void addOutputOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
   app.add_option("-o,--output", raw.map, "FLIP map: .exr or .pfm (values), .png (magma); a folder for many pairs")
       ->group("Output");
-  app.add_option("--exposure-map", raw.exposureMap, "Map of the worst exposure of an HDR pair, in the same formats")->group("Output");
+  app.add_option("--exposure-map", raw.exposureMap, "Map of the worst exposure of an HDR pair, in the same formats")
+      ->group("Output");
   app.add_option("--histogram", raw.histogram, "Histogram of the map: .svg; a folder for many pairs")->group("Output");
   app.add_option("--map-kind", raw.mapKind, "Format of the maps in a folder")
       ->check(CLI::IsMember({"png", "exr", "pfm"}))
@@ -215,7 +222,9 @@ void settlePixelsPerDegree(FlipCommand& flip, const RawFlipOptions& raw) {
   if (raw.ppd > 0) flip.request.metric.ppd = raw.ppd;
   const int given = (raw.distance > 0) + (raw.resolutionX > 0) + (raw.screenWidth > 0);
   if (given == 0) return;
-  if (given < 3) throw CLI::ValidationError("--distance", "--distance, --resolution-x and --screen-width need each other: give all three");
+  if (given < 3)
+    throw CLI::ValidationError("--distance",
+                               "--distance, --resolution-x and --screen-width need each other: give all three");
   const float ppd = compare::pixelsPerDegree(raw.distance, raw.resolutionX, raw.screenWidth);
   if (!(ppd >= compare::kMinPixelsPerDegree && ppd <= compare::kMaxPixelsPerDegree))
     throw CLI::ValidationError("--distance", fmt::format("gives {} pixels per degree; the range is {} to {}", ppd,
@@ -246,7 +255,8 @@ void requireFiles(const FlipCommand& flip) {
   if (flip.pairList.empty() && !two)
     throw CLI::ValidationError(flip.reference.empty() ? "reference" : "test",
                                "is missing: give a reference and a test image, two folders, or --pairs LIST");
-  if (flip.json == "-" && flip.csv == "-") throw CLI::ValidationError("--csv", "stdout already takes the JSON; give a file");
+  if (flip.json == "-" && flip.csv == "-")
+    throw CLI::ValidationError("--csv", "stdout already takes the JSON; give a file");
   if (flip.junit == "-") throw CLI::ValidationError("--junit", "needs a file, not stdout");
 }
 

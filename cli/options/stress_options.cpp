@@ -19,7 +19,8 @@ void addStressOptions(CLI::App& app, RawStressOptions& raw) {
   app.add_option("--functions", options.functionGlob, "Run only functions whose names match this glob")
       ->capture_default_str()
       ->group("Functions");
-  app.add_option("--points", options.points.points, "Low-discrepancy points for each function, in addition to the special values")
+  app.add_option("--points", options.points.points,
+                 "Low-discrepancy points for each function, in addition to the special values")
       ->check(CLI::Range(0u, 4'000'000'000u))
       ->capture_default_str()
       ->group("Functions");

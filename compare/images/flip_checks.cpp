@@ -75,7 +75,8 @@ void addPixelwise(std::vector<BudgetCheck>& checks, const Metric& metric, const 
     const Statistic& ranged = metric.statistics.front();
     throw misuse("--" + level, fmt::format("{}", *limit),
                  fmt::format("is not a limit for a pixel's {}, which is from {} to {}: {}", metric.label, ranged.least,
-                             ranged.most, *limit >= ranged.most ? "no pixel can be above it" : "every pixel is above it"));
+                             ranged.most,
+                             *limit >= ranged.most ? "no pixel can be above it" : "every pixel is above it"));
   }
   const double share = percent.value_or(0) / 100;
   if (!(share >= 0 && share <= 1))
@@ -98,8 +99,10 @@ void addHard(std::vector<BudgetCheck>& checks, const Metric& metric, const Thres
 }
 
 void requireSense(const std::string& name, const Threshold& t) {
-  if (t.failPercent && !t.fail) throw misuse("--failpercent", name, "needs --fail, the limit that the pixels may exceed");
-  if (t.warnPercent && !t.warn) throw misuse("--warnpercent", name, "needs --warn, the limit that the pixels may exceed");
+  if (t.failPercent && !t.fail)
+    throw misuse("--failpercent", name, "needs --fail, the limit that the pixels may exceed");
+  if (t.warnPercent && !t.warn)
+    throw misuse("--warnpercent", name, "needs --warn, the limit that the pixels may exceed");
   if (!t.fail && !t.warn && !t.hardFail && !t.hardWarn)
     throw misuse("--metric", name, "no limit follows it; add --fail, --warn, --hardfail or --hardwarn");
 }
@@ -145,7 +148,8 @@ std::vector<BudgetCheck> makeChecks(const std::vector<Threshold>& thresholds, bo
       const Statistic statistic = requireStatistic(name, "--metric");
       if (threshold.failPercent || threshold.warnPercent)
         throw misuse(threshold.failPercent ? "--failpercent" : "--warnpercent", name,
-                     "is one figure of the whole region; percentages need a metric with pixel values: " + joinPixelwise());
+                     "is one figure of the whole region; percentages need a metric with pixel values: " +
+                         joinPixelwise());
       addLimits(checks, statistic, threshold.warn, threshold.fail, "");
       metric = &requireMetric(statistic.metric, "--metric");
     }

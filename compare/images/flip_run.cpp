@@ -61,9 +61,10 @@ FlipResult runFlip(const FlipRequest& request, const std::function<void(const st
   result.judged = !request.thresholds.empty() || request.budgets;
   const std::size_t count = request.files.pairs.size();
   for (const FilePair& files : request.files.pairs) {
-    base::setInterruptNote(fmt::format("interrupted: {} of {} pairs are compared; finished maps stay, but no table, JSON, "
+    base::setInterruptNote(
+        fmt::format("interrupted: {} of {} pairs are compared; finished maps stay, but no table, JSON, "
                     "CSV or JUnit was written",
-                                       result.pairs.size(), count));
+                    result.pairs.size(), count));
     if (progress) progress(files.name, static_cast<double>(result.pairs.size()) / static_cast<double>(count));
     FlipPair pair;
     pair.files = files;

@@ -51,7 +51,8 @@ std::string listFigures(const FlipPair& pair) {
                                       {"weighted Q3", pair.pooling->weightedQ3},
                                       {"min", pair.pooling->min}})
       out += fmt::format("{} {:.6f}\n", base::fitColumns(flip + " " + name, width), value);
-    out += fmt::format("(weighted: pixels count by their error, as in NVIDIA's tool; in {}.p50 all pixels count the same)\n", flip);
+    out += fmt::format(
+        "(weighted: pixels count by their error, as in NVIDIA's tool; in {}.p50 all pixels count the same)\n", flip);
   }
   if (row.figures.find("bias.ev")) out += describeBias(row.figures, "the test") + "\n";
   return out;

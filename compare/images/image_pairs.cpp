@@ -124,8 +124,9 @@ FilePairs matchFolders(const fs::path& reference, const fs::path& test) {
   const bool anyPair =
       std::any_of(result.pairs.begin(), result.pairs.end(), [](const FilePair& p) { return p.missing.empty(); });
   if (!anyPair)
-    throw base::fileError(reference.string(), "",
-                          fmt::format("no picture has a counterpart in {}, so there is nothing to compare", test.string()));
+    throw base::fileError(
+        reference.string(), "",
+        fmt::format("no picture has a counterpart in {}, so there is nothing to compare", test.string()));
   for (const auto& [stem, group] : testGroups)
     for (const fs::path& picture : group)
       result.pairs.push_back({picture.generic_string(),

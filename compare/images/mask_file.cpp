@@ -42,7 +42,8 @@ Ids idsOf(const std::string& file, const base::ImageFile& stored) {
     const float v = image.pixels[p * image.channels];
     // 4294967296 is the first float beyond 32 bits; NaN fails every comparison.
     if (!(v >= 0 && v < 4294967296.0f && v == std::floor(v)))
-      throw base::fileError(file, placeOf(p, image.width), fmt::format("{} is not an id: ids are whole numbers from 0", v));
+      throw base::fileError(file, placeOf(p, image.width),
+                            fmt::format("{} is not an id: ids are whole numbers from 0", v));
     ids.pixels[p] = static_cast<std::uint32_t>(v);
   }
   return ids;
@@ -64,7 +65,8 @@ std::vector<base::PixelList> regionsOfIds(const MaskRequest& request, const Ids&
       if (lastPlace == std::numeric_limits<std::size_t>::max() || id != lastId) {
         const auto [place, isNew] = places.try_emplace(id, regions.size());
         if (isNew && regions.size() == kMaxRegions)
-          throw base::fileError(file, "", fmt::format("holds more than {} ids, so it is probably not a mask", kMaxRegions));
+          throw base::fileError(file, "",
+                                fmt::format("holds more than {} ids, so it is probably not a mask", kMaxRegions));
         if (isNew) regions.push_back({fmt::format("id {}", id), {}, {}});
         lastId = id;
         lastPlace = place->second;

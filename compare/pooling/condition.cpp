@@ -17,7 +17,7 @@ const Condition* findCondition(const std::vector<Condition>& list, const std::st
 // Words that are the same hide that the values are not.
 std::string describeChange(const Condition& before, const Condition& now) {
   const bool inWords = before.text() != now.text();
-  return fmt::format("{} was {}, is now {}", now.name, inWords ? before.text() : before.value,
+  return fmt::format("{} was {}, is {}", now.name, inWords ? before.text() : before.value,
                      inWords ? now.text() : now.value);
 }
 
@@ -40,14 +40,14 @@ std::vector<ConditionDifference> differencesOf(const std::vector<Condition>& bef
     const Condition* then = findCondition(before, condition.name);
     if (!then)
       differences.push_back({condition.name, condition.actsOn,
-                             fmt::format("{} was not recorded, is now {}", condition.name, condition.text())});
+                             fmt::format("{} was not recorded, is {}", condition.name, condition.text())});
     else if (then->value != condition.value)
       differences.push_back({condition.name, condition.actsOn, describeChange(*then, condition)});
   }
   for (const Condition& condition : before)
     if (!findCondition(now, condition.name))
       differences.push_back({condition.name, condition.actsOn,
-                             fmt::format("{} was {}, is now not recorded", condition.name, condition.text())});
+                             fmt::format("{} was {}, is not recorded", condition.name, condition.text())});
   return differences;
 }
 

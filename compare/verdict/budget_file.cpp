@@ -202,7 +202,7 @@ private:
     if (const toml::node* region = table.get("region"))
       refuse(region->source(),
              "'region' no longer exists: one figure over all pixels of a material judges it, without its "
-                     "neighbours (docs/budgets.md); delete the key");
+             "neighbours (docs/budgets.md); delete the key");
     refuseUnknown(table, kCheckKeys);
     BudgetCheck check;
     if (!table.contains("metric")) refuse(table.source(), "the check has no 'metric'");
@@ -239,8 +239,8 @@ private:
       refuse(node->source(), fmt::format("'{}' is {}, outside the range {}..{} of {}{}", key, *value, least, most,
                                          regress ? "changes of " : "", statistic.name));
     if (regress ? *value >= most : !canBeBeyond(statistic, *value))
-      refuse(node->source(), fmt::format("'{}' is {}, but {} can never be {} it, so the check would always pass", key, *value,
-                                         regress ? "a change of " + statistic.name : statistic.name,
+      refuse(node->source(), fmt::format("'{}' is {}, but {} can never be {} it, so the check would always pass", key,
+                                         *value, regress ? "a change of " + statistic.name : statistic.name,
                                          statistic.better == Better::higher && !regress ? "below" : "above"));
     return value;
   }
@@ -253,9 +253,10 @@ private:
           return glob == "*" || glob == other;
         };
         if (takes(rules[earlier].material, rules[later].material) && takes(rules[earlier].scene, rules[later].scene))
-          throw base::fileError(m_file, rules[later].origin.substr(m_short.size() + 2),
-                                fmt::format("the rule of {} already matches everything that this rule matches; put this rule first",
-                                            rules[earlier].origin.substr(m_short.size() + 2)));
+          throw base::fileError(
+              m_file, rules[later].origin.substr(m_short.size() + 2),
+              fmt::format("the rule of {} already matches everything that this rule matches; put this rule first",
+                          rules[earlier].origin.substr(m_short.size() + 2)));
       }
   }
 

@@ -174,10 +174,9 @@ std::string describeClipping(const Figures& figures) {
   constexpr double kSaid = 0.0005; // less would be said to be 0.0 %
   const bool isBlack = figures.clippedBlack >= kSaid, isWhite = figures.clippedWhite >= kSaid;
   if (isBlack && isWhite)
-    return fmt::format(
-        "{} of the pixels are black in both pictures and {} are white; {} --exposure shows more of them",
-        share(figures.clippedBlack), share(figures.clippedWhite),
-        figures.clippedBlack > figures.clippedWhite ? "a higher" : "a lower");
+    return fmt::format("{} of the pixels are black in both pictures and {} are white; {} --exposure shows more of them",
+                       share(figures.clippedBlack), share(figures.clippedWhite),
+                       figures.clippedBlack > figures.clippedWhite ? "a higher" : "a lower");
   return fmt::format("{} of the pixels are {} in both pictures; {} --exposure", share(figures.clipped()),
                      isBlack ? "black" : "white", isBlack ? "raise" : "lower");
 }

@@ -44,7 +44,8 @@ std::string refusal(const vk::raii::PhysicalDevice& device) {
   const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features>();
   if (!features.get<vk::PhysicalDeviceFeatures2>().features.geometryShader)
     return "it has no primitive ids in fragment shaders (geometryShader)";
-  if (!features.get<vk::PhysicalDeviceFeatures2>().features.imageCubeArray) return "it has no arrays of cube maps (imageCubeArray)";
+  if (!features.get<vk::PhysicalDeviceFeatures2>().features.imageCubeArray)
+    return "it has no arrays of cube maps (imageCubeArray)";
   if (!features.get<vk::PhysicalDeviceVulkan13Features>().dynamicRendering) return "it has no dynamic rendering";
   if (properties.limits.maxPerStageDescriptorStorageBuffers < kStorageBuffers)
     return fmt::format("it has {} storage buffers a stage, {} are needed",
@@ -116,13 +117,13 @@ DeviceChoice chooseDevice(const std::vector<vk::raii::PhysicalDevice>& devices, 
     if (!refusals[i].empty())
       report.reason = "cannot be used: " + refusals[i];
     else if (report.taken)
-      report.reason = options.name.empty() ? "used: the software device is the default, because its pictures are reproducible"
-                                           : fmt::format("used: --device '{}' selects it", options.name);
+      report.reason = options.name.empty()
+                          ? "used: the software device is the default, because its pictures are reproducible"
+                          : fmt::format("used: --device '{}' selects it", options.name);
     else if (!options.name.empty())
       report.reason = fmt::format("not used: --device '{}' does not select it", options.name);
     else
-      report.reason = report.kind == "cpu" ? "not used: lavapipe has priority"
-                                           : "not used: hardware needs --device";
+      report.reason = report.kind == "cpu" ? "not used: lavapipe has priority" : "not used: hardware needs --device";
   }
   return choice;
 }

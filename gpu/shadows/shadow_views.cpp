@@ -219,9 +219,10 @@ ShadowPlan planOnce(const std::string& scene, const Casters& casters, const Dist
     }
   });
   if (draws > kMaxShadowDraws)
-    throw base::fileError(scene, "shadows",
-                          fmt::format("the shadow maps of {} lights draw more than {} instances; give the lights a range",
-                                      distinct.lights.size(), kMaxShadowDraws));
+    throw base::fileError(
+        scene, "shadows",
+        fmt::format("the shadow maps of {} lights draw more than {} instances; give the lights a range",
+                    distinct.lights.size(), kMaxShadowDraws));
   ShadowPlan plan;
   std::vector<ShadowOfLight> of;
   for (std::vector<ShadowView>& each : views) {

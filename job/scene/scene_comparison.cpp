@@ -302,7 +302,8 @@ private:
     // A picture of nothing but background compares as equal: that is no answer.
     if (std::all_of(frames.coverage.begin(), frames.coverage.end(),
                     [](const auto& list) { return list.pixels.empty(); }))
-      throw base::fileError(request.scene, fmt::format("view '{}'", view.name), "shows no part of the scene; change the camera");
+      throw base::fileError(request.scene, fmt::format("view '{}'", view.name),
+                            "shows no part of the scene; change the camera");
     return frames;
   }
 

@@ -32,11 +32,12 @@ public:
   std::string write() {
     typeOf<Report>(Rule());
     typeOf<RunInfo>(Rule());
-    return fmt::format("// report.json and run.json. Made of report/record/*_records.h by "
-                       "build/describe_report: not to be edited.\n\n/** The form of report.json that is "
-                       "described here. */\nexport const kSchema = {};\n\n/** The terms of a path's light in words "
-                       "(report/term_words.h). */\nexport const kTermWords: Readonly<Record<string, string>> = {{\n{}}};\n\n{}",
-                       kReportSchema, termWords(), fmt::join(m_types, "\n"));
+    return fmt::format(
+        "// report.json and run.json. Made of report/record/*_records.h by "
+        "build/describe_report: not to be edited.\n\n/** The form of report.json that is "
+        "described here. */\nexport const kSchema = {};\n\n/** The terms of a path's light in words "
+        "(report/term_words.h). */\nexport const kTermWords: Readonly<Record<string, string>> = {{\n{}}};\n\n{}",
+        kReportSchema, termWords(), fmt::join(m_types, "\n"));
   }
 
 private:

@@ -201,8 +201,8 @@ Pose poseAt(const GltfDocument& document, const std::function<bool(int)>& isNeed
       }
       problems.attempt([&] {
         if (!own.insert(property).second)
-          throw document.error(
-              place, fmt::format("animates the {} of /nodes/{}, as an earlier channel does", property.second, property.first));
+          throw document.error(place, fmt::format("animates the {} of /nodes/{}, as an earlier channel does",
+                                                  property.second, property.first));
         const double last =
             applyChannel(document, channel, animation.samplers[static_cast<std::size_t>(channel.sampler)],
                          fmt::format("/animations/{}/samplers/{}", a, channel.sampler), pose);
@@ -213,9 +213,10 @@ Pose poseAt(const GltfDocument& document, const std::function<bool(int)>& isNeed
   }
   warnOfTime(document.options.timeSeconds, end, warnings);
   if (contradictions)
-    warnings.push_back(fmt::format("{} channels of later animations are ignored: an earlier animation moves the same nodes "
-                                   "(--animation chooses one)",
-                                   contradictions));
+    warnings.push_back(
+        fmt::format("{} channels of later animations are ignored: an earlier animation moves the same nodes "
+                    "(--animation chooses one)",
+                    contradictions));
   return pose;
 }
 

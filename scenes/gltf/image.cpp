@@ -103,8 +103,8 @@ DecodedImages decodeImages(const GltfDocument& document, const std::vector<int>&
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (failed[i]) problems.add(*failed[i]);
     if (!all[i].damage.empty())
-      decoded.warnings.push_back(fmt::format("{}: the JPEG is damaged; the decoder invented a part of it ({})",
-                                             all[i].place, all[i].damage));
+      decoded.warnings.push_back(
+          fmt::format("{}: the JPEG is damaged; the decoder invented a part of it ({})", all[i].place, all[i].damage));
     if (!all[i].source.file.empty()) decoded.sources.push_back(all[i].source);
   }
   return decoded;

@@ -38,8 +38,7 @@ void readFalloff(const GltfDocument& document, const tinygltf::Light& source, co
   const double exponent = value.IsNumber() ? value.GetNumberAsDouble() : 0;
   if (!(exponent > 0 && exponent <= kMaxFalloffExponent))
     throw document.error(
-        key, fmt::format("is not a number above 0, up to {}; omit it for the inverse square",
-                         kMaxFalloffExponent));
+        key, fmt::format("is not a number above 0, up to {}; omit it for the inverse square", kMaxFalloffExponent));
   if (light.kind == LightKind::directional) {
     warnings.push_back(fmt::format("{}: ignored, a directional light has no falloff", key));
     return;

@@ -131,7 +131,8 @@ public:
       m_scene.warnings.push_back(fmt::format("/nodes/{} '{}': EXT_mesh_gpu_instancing does not move a skinned mesh, "
                                              "so it is shown once, at its joints",
                                              node.node, node.path));
-    if (flat) m_scene.warnings.push_back(fmt::format("/nodes/{} '{}': has a scale of 0, not shown", node.node, node.path));
+    if (flat)
+      m_scene.warnings.push_back(fmt::format("/nodes/{} '{}': has a scale of 0, not shown", node.node, node.path));
   }
 
 private:

@@ -148,7 +148,8 @@ private:
       else if (slot->texCoord == chosen.second)
         slot->texCoord = 1;
       else {
-        addNotModelled(fmt::format("a texture uses TEXCOORD_{}, a third uv set; at most two are supported", slot->texCoord));
+        addNotModelled(
+            fmt::format("a texture uses TEXCOORD_{}, a third uv set; at most two are supported", slot->texCoord));
         *slot = {};
       }
     }

@@ -67,7 +67,8 @@ std::vector<int> rootsToShow(const GltfDocument& document, const std::vector<int
                                   ? static_cast<std::size_t>(std::max(model.defaultScene, 0))
                                   : findNamed(document.facts.scenes, wanted, document.label, "--scene", "scene");
     if (model.scenes.size() > 1 && wanted.empty())
-      warnings.push_back(fmt::format("the file has {} scenes, scene {} is shown (--scene chooses one)", model.scenes.size(), scene));
+      warnings.push_back(
+          fmt::format("the file has {} scenes, scene {} is shown (--scene chooses one)", model.scenes.size(), scene));
     return model.scenes[scene].nodes;
   }
   if (!document.options.scene.empty()) findNamed({}, document.options.scene, document.label, "--scene", "scene");

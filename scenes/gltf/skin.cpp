@@ -119,8 +119,8 @@ bool applySkin(const PrimitiveReader& reader, const SkinPose& pose, Mesh& mesh, 
   if (mirrored == mesh.positions.size())
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
   if (rescaled)
-    warnings.push_back(
-        fmt::format("{}: the weights of {} vertices do not sum to 1, so they are scaled", reader.place(), rescaled.load()));
+    warnings.push_back(fmt::format("{}: the weights of {} vertices do not sum to 1, so they are scaled", reader.place(),
+                                   rescaled.load()));
   if (unweighted)
     warnings.push_back(fmt::format("{}: {} vertices have no weight, so they follow their first joint", reader.place(),
                                    unweighted.load()));

@@ -20,7 +20,8 @@ namespace {
 double parseNumber(const std::string& text, const std::string& whole) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) refuse(whole, fmt::format("'{}' is not a number", text));
+  if (error != std::errc() || end != text.data() + text.size())
+    refuse(whole, fmt::format("'{}' is not a number", text));
   return value;
 }
 

@@ -54,7 +54,8 @@ void addExpected(const FunctionResult& result, const Column& column, std::vector
     finding.expected = hits > 0;
     if (hits == 0) {
       finding.fault = fmt::format("vanished: {}", nameOf(expected.fault));
-      finding.example = fmt::format("the table expects it for {}, but no row shows it; remove it from the table", expected.regionText);
+      finding.example = fmt::format("the table expects it for {}, but no row shows it; remove it from the table",
+                                    expected.regionText);
     } else if (const auto& worst = column.tally.faults[static_cast<std::size_t>(expected.fault)].worst) {
       finding.magnitude = worst->value;
       if (worst->value > 0) finding.example = describeExample(result.function, expected.fault, *worst);

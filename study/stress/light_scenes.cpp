@@ -72,8 +72,8 @@ StressScene zeroRadius() {
 
 // In the plane of the quad, at the middle of a pixel of a 64x64 picture and between pixels.
 StressScene lightOnSurface() {
-  StressScene s =
-      makeScene("light-on-the-surface", "a light exactly at a surface point: finite", makeQuad(), makeMaterial(0.3f, 0.5f));
+  StressScene s = makeScene("light-on-the-surface", "a light exactly at a surface point: finite", makeQuad(),
+                            makeMaterial(0.3f, 0.5f));
   const float step = 2.2f / 64;
   s.scene.lights = {makePoint({0.5f * step, 0.5f * step, 0}, 10), makePoint({0, 0, 0}, 10)};
   return s;
@@ -88,7 +88,8 @@ StressScene badTexels() {
   });
   const scenes::CleanedCounts counts = scenes::cleanRadiance(environment.radiance, environment.name);
   const bool counted = counts.notANumber == 1 && counts.infinite == 1 && counts.negative == 2;
-  StressScene s = ball("nan-and-inf-texels", "bad texels are cleaned once and counted, and the rest is finite", 0.3f, {});
+  StressScene s =
+      ball("nan-and-inf-texels", "bad texels are cleaned once and counted, and the rest is finite", 0.3f, {});
   s.scene.environment = std::move(environment);
   s.check = [counted](const SceneFrames&, const SceneFrames*) {
     return counted ? std::vector<std::string>{} : std::vector<std::string>{"some bad texels were not counted"};

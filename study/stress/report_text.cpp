@@ -77,8 +77,8 @@ std::string formatReport(const Report& report) {
                                     : ", none on the device (--device-points 0)\n";
   }
   if (!report.scenes.empty())
-    text += fmt::format("{} scenes, each rendered twice by {} paths, with the validation layers ({})\n", report.scenes.size(),
-                        report.scenes.front().paths.size(), report.deviceName);
+    text += fmt::format("{} scenes, each rendered twice by {} paths, with the validation layers ({})\n",
+                        report.scenes.size(), report.scenes.front().paths.size(), report.deviceName);
   if (!report.failure.empty()) text += fmt::format("stopped early: {}\n", report.failure);
   if (!report.halfSkipped.empty()) text += fmt::format("skipped: fp16 on the device: {}\n", report.halfSkipped);
   text += fmt::format("{} unexpected, {} expected findings\n", report.unexpected(),

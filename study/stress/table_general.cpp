@@ -35,7 +35,8 @@ std::vector<Input> attenuationInputs() {
 }
 
 FunctionCase heightFog() {
-  const Agreement fog{12, 1, 1, "exp2 of a product with exp2: an error of the exponent becomes an error of the transmittance"};
+  const Agreement fog{12, 1, 1,
+                      "exp2 of a product with exp2: an error of the exponent becomes an error of the transmittance"};
   FunctionCase f = entry("heightFogTransmittance", kFnHeightFogTransmittance, fogAndWay, fog);
   f.takes({wide(powers(0, "density", 0, 1000, 0x1p-20, 1000)), wide(powers(1, "heightFalloff", 0, 1000, 0x1p-20, 1000)),
            wide(powers(2, "height", -1e6, 1e6, 0x1p-4, 1e6)), wide(powers(3, "startDistance", 0, 1e6, 0x1p-4, 1e6)),

@@ -42,8 +42,7 @@ FunctionCase shadingModelContext() {
       .expect({Fault::negative, kInAll,
                [](const Row& r) { return !isRefit(r[9]) && r[11] < 0.75 && r[7] > 0.7 && leastF0(r, 0, 3, 6) < 0.006; },
                "forms karis2014 and UE4, roughness > 0.7, a channel of F0 < 0.006",
-               "B of EnvBRDFApprox falls to -0.0024; UE4's saturate(50 g) uses only green",
-               rowOf({{7, 1}, {8, 1}})})
+               "B of EnvBRDFApprox falls to -0.0024; UE4's saturate(50 g) uses only green", rowOf({{7, 1}, {8, 1}})})
       .expect({Fault::overUnity, kInAll, [](const Row& r) { return !isRefit(r[9]) && r[7] < 0.09 && r[8] < 0.09; },
                "forms karis2014 and UE4, roughness < 0.09 and NoV < 0.09", "B of EnvBRDFApprox reaches 1.044",
                rowOf({{3, 0.04}, {4, 0.04}, {5, 0.04}})})

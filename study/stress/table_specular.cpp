@@ -103,8 +103,8 @@ std::vector<FunctionCase> environmentBrdfFunctions() {
           .relativeTo(1.04)
           .mapped(0, 1)
           .expect({Fault::negative, kInAll, [](const Row& r) { return isSmoothAndGrazing(r[0], r[1]) || r[0] > 0.7; },
-                   "roughness < 0.09 and NoV < 0.09; roughness > 0.7", "A falls to -0.044 and B to -0.0024 in the fit itself",
-                   rowOf({{0, 1}, {1, 1}})})
+                   "roughness < 0.09 and NoV < 0.09; roughness > 0.7",
+                   "A falls to -0.044 and B to -0.0024 in the fit itself", rowOf({{0, 1}, {1, 1}})})
           .expect({Fault::overUnity, kInAll, grazing, "roughness < 0.09 and NoV < 0.09", kSum, rowOf({})}),
       entry("EnvBRDFApproxNonmetal", kFnEnvBRDFApproxNonmetal, units(2), kEnvBrdf)
           .takes({unit(0, "Roughness"), unit(1, "NoV")})
@@ -133,10 +133,10 @@ std::vector<FunctionCase> environmentBrdfFunctions() {
                      rowOf({{3, 0.04}, {4, 0.04}, {5, 0.04}})})
             .expect({Fault::notMonotone, kInAll, grazing, "roughness < 0.09 and NoV < 0.09", kA,
                      rowOf({{3, 0.04}, {4, 0.04}, {5, 0.04}})}));
-  all.back().expect(
-      {Fault::negative, kInAll, [](const Row& r) { return isSmoothAndGrazing(r[0], r[1]) && r[4] < 0.02; },
-       "roughness < 0.09 and NoV < 0.09, green of F0 < 0.02",
-       "A falls to -0.044, and saturate(50 g) removes the B that is larger than it", rowOf({{3, 1}})});
+  all.back().expect({Fault::negative, kInAll,
+                     [](const Row& r) { return isSmoothAndGrazing(r[0], r[1]) && r[4] < 0.02; },
+                     "roughness < 0.09 and NoV < 0.09, green of F0 < 0.02",
+                     "A falls to -0.044, and saturate(50 g) removes the B that is larger than it", rowOf({{3, 1}})});
   all.push_back(entry("FullyRough", kFnFullyRough, units(6))
                     .takes(join({rgb(unit(0, "DiffuseColor")), rgb(unit(3, "SpecularColor"))}))
                     .gives(6, first(6))
@@ -145,7 +145,8 @@ std::vector<FunctionCase> environmentBrdfFunctions() {
 }
 
 std::vector<FunctionCase> directFunctions() {
-  const Agreement dApprox{8, 8, 1e-4, "exp2; its denormals are flushed to 0, and 1/alpha^2 makes this visible below 1e-4"};
+  const Agreement dApprox{8, 8, 1e-4,
+                          "exp2; its denormals are flushed to 0, and 1/alpha^2 makes this visible below 1e-4"};
   const Input floored = within(0, "Roughness", 0.015625, 1);
   const char* const kPower = "1/R^4 is infinite, because the article has no roughness floor";
   return {

@@ -69,8 +69,8 @@ SweepRatios compareSweeps(const SweepReport& before, const SweepReport& now) {
       continue;
     }
     if (old->pixels != scene.pixels) {
-      ratios.notes.push_back(
-          fmt::format("{}: {} samples in the earlier sweep, {} now; not compared", scene.scene, old->pixels, scene.pixels));
+      ratios.notes.push_back(fmt::format("{}: {} samples in the earlier sweep, {} now; not compared", scene.scene,
+                                         old->pixels, scene.pixels));
       continue;
     }
     for (const VariantResult& v : scene.variants) {
@@ -79,7 +79,8 @@ SweepRatios compareSweeps(const SweepReport& before, const SweepReport& now) {
       if (then == nullptr)
         ratios.notes.push_back(fmt::format("{}, {}: not in the earlier sweep", scene.scene, v.id()));
       else if (knobsOf(*then) != knobsOf(v))
-        ratios.notes.push_back(fmt::format("{}, {}: was another setting in the earlier sweep; not compared", scene.scene, v.id()));
+        ratios.notes.push_back(
+            fmt::format("{}, {}: was another setting in the earlier sweep; not compared", scene.scene, v.id()));
       else
         pairs.push_back({&scene, then, &v});
     }

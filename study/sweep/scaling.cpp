@@ -176,7 +176,8 @@ std::vector<ScalingSeries> measureScaling(const job::Settings& settings, const S
     });
   });
   if (todo.empty())
-    throw base::Error(base::ExitCode::usage, "bench", "--settings", "no series has this name; names are pixels, triangles...");
+    throw base::Error(base::ExitCode::usage, "bench", "--settings",
+                      "no series has this name; names are pixels, triangles...");
   for (const Plan& plan : todo) {
     ScalingSeries& series = all.emplace_back();
     series.grows = plan.grows;

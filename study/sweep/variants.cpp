@@ -105,7 +105,8 @@ std::vector<Variant> makeVariants(const job::Settings& settings) {
   const job::PathChoice paths = job::pathsOf(settings);
   if (paths.chosen.front() != job::allPaths().front())
     throw base::Error(base::ExitCode::usage, "--paths", settings.pathNames.front(),
-                      "comes first, but bench measures errors against " + job::allPaths().front()->name() + "; put that path first");
+                      "comes first, but bench measures errors against " + job::allPaths().front()->name() +
+                          "; put that path first");
   for (const paths::Path* path : paths.chosen)
     collectors.emplace_back(Variant{.path = path, .settings = settings}, all);
   for (Collector& collector : collectors) {

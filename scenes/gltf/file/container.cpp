@@ -50,7 +50,8 @@ GlbChunks splitGlb(std::span<const std::byte> bytes, const std::string& label) {
     const std::size_t size = readU32(bytes, offset);
     const std::uint32_t type = readU32(bytes, offset + 4);
     const std::size_t begin = offset + kChunkHeader;
-    if (size > length - begin) throw fail(offset, fmt::format("chunk {} of {} bytes ends outside the file", number, size));
+    if (size > length - begin)
+      throw fail(offset, fmt::format("chunk {} of {} bytes ends outside the file", number, size));
     if (number == 0) {
       if (type != kChunkJson) throw fail(offset + 4, "the first chunk is not JSON");
       chunks.json = {reinterpret_cast<const char*>(bytes.data()) + begin, size};

@@ -49,7 +49,8 @@ void checkMeshoptLayout(const MeshoptLayout& layout, std::size_t compressedBytes
       throw refusal(fmt::format("its byteStride {} is not a multiple of 4 from 4 to 256", stride));
     least = count * stride / 64; // two bits for sixteen equal bytes
   } else {
-    if (stride != 2 && stride != 4) throw refusal(fmt::format("its byteStride is {}, but {} have 2 or 4", stride, mode));
+    if (stride != 2 && stride != 4)
+      throw refusal(fmt::format("its byteStride is {}, but {} have 2 or 4", stride, mode));
     if (layout.mode == MeshoptMode::triangles && count % 3)
       throw refusal(fmt::format("{} indices do not form whole triangles", count));
     least = layout.mode == MeshoptMode::triangles ? count / 3 : count; // a byte each

@@ -113,10 +113,9 @@ private:
     const std::size_t length = countOf(view, "byteLength");
     if (count == 0) return;
     if (stride == 0 || count - 1 > length / stride || offset + stride * (count - 1) + bytes > length)
-      m_problems.add(place,
-                     fmt::format("{} elements of {} bytes, {} apart, start at byte {}, and must end within the "
-                                 "{} bytes of /bufferViews/{}",
-                                 count, bytes, stride, offset, length, viewIndex));
+      m_problems.add(place, fmt::format("{} elements of {} bytes, {} apart, start at byte {}, and must end within the "
+                                        "{} bytes of /bufferViews/{}",
+                                        count, bytes, stride, offset, length, viewIndex));
   }
 
   void checkAccessor(const Json& accessor, const std::string& place) {
@@ -189,7 +188,8 @@ private:
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       for (const char* key : {"translation", "rotation", "scale"})
         if (nodes[n].contains("matrix") && nodes[n].contains(key))
-          m_problems.add(fmt::format("/nodes/{}/{}", n, key), "is given together with a matrix, expected only one of them");
+          m_problems.add(fmt::format("/nodes/{}/{}", n, key),
+                         "is given together with a matrix, expected only one of them");
       for (const Json& entry : listOf(nodes[n], "children")) {
         const auto child = entry.get<std::size_t>();
         if (parents[child] != kNone)

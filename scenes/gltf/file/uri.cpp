@@ -103,7 +103,8 @@ std::filesystem::path resolveUri(const std::filesystem::path& folder, std::strin
     if (form.empty()) throw std::invalid_argument("is an empty uri");
     if (hasScheme(form))
       throw std::invalid_argument(quote(uri) + " has a scheme; only data: and files in the asset's folder are read");
-    if (form.front() == '/') throw std::invalid_argument(quote(uri) + " is absolute; only files in the asset's folder are read");
+    if (form.front() == '/')
+      throw std::invalid_argument(quote(uri) + " is absolute; only files in the asset's folder are read");
     if (std::any_of(form.begin(), form.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }))
       throw std::invalid_argument(quote(uri) + " holds a control character");
     if (form.find('\\') != std::string_view::npos)

@@ -151,7 +151,7 @@ TEST_F(FlipPairs, EachPairHasItsFilesInTheFolders) {
   for (const char* folder : {"ref", "test/sub", "test/../ref/new"}) {
     const RunResult result = runParity({"flip", path("ref"), path("test"), "-o", path(folder)});
     EXPECT_TRUE(exitedWith(64, result));
-    EXPECT_TRUE(contains(result.err, "whose pictures are compared")) << result.err;
+    EXPECT_TRUE(contains(result.err, "which holds compared pictures")) << result.err;
   }
 }
 

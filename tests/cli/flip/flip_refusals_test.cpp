@@ -145,7 +145,7 @@ TEST_F(FlipRefusals, TwoBlackImagesAreIdenticalAndSaySo) {
 TEST_F(FlipRefusals, TransparentImagesAreIdenticalButNothingWasSeen) {
   const std::string clear = write("clear.png", base::Image(16, 16, 4, 0.f));
   const RunResult result = runParity({"flip", clear, clear, "--metric", "flip.mean", "--fail", "0.1"});
-  EXPECT_TRUE(contains(linesOf(result.out).back(), "nothing was seen")) << result.out;
+  EXPECT_TRUE(contains(linesOf(result.out).back(), "nothing is visible")) << result.out;
 }
 
 TEST_F(FlipRefusals, OutputThatWouldOverwriteAnInputIsAUsageError) {

@@ -144,7 +144,7 @@ TEST_F(AttributionTest, WithinBudgetNothingIsShadedTwice) {
   EXPECT_GT(sampled["surface"], 3 * sampled["compare"]);
 
   const Json none = diff(quad, join({strict, {"--attribution", "none"}}));
-  EXPECT_EQ(whyNotAttributed(none), "not asked for");
+  EXPECT_EQ(whyNotAttributed(none), "not requested");
   EXPECT_EQ(countsOf(none)["terms"], 0u);
   EXPECT_FALSE(none["views"][0]["materials"][0].contains("attribution"));
 }

@@ -41,7 +41,7 @@ describe("a sweep", () => {
     for (const label of ["Settings, shading", "Settings, preparation", "Settings, storage", "Error saved by a millisecond", "Fastest settings within the budget", "Comparison with the earlier sweep"])
       expect(await page.locator(`[aria-label="${label}"]`).count(), label).toBeGreaterThan(0);
     expect(await page.textContent(".notice.error")).toContain("<img");
-    expect(await page.textContent('[aria-label="Against the earlier sweep"]')).toContain("slower");
+    expect(await page.textContent('[aria-label="Comparison with the earlier sweep"]')).toContain("slower");
   });
 
   it("sorts its settings up, down and back", async () => {
