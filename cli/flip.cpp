@@ -57,8 +57,8 @@ void requireSeparateFiles(const FlipCommand& command, const compare::FlipRequest
   std::vector<NamedFile> inputs = {
       {"the mask", request.mask.file}, {"the budgets", command.budgets}, {"the list of pairs", command.pairList}};
   for (const compare::FilePair& pair : request.files.pairs) {
-    inputs.push_back({"a reference, one of the images compared", pair.reference});
-    inputs.push_back({"a test image, one of the images compared", pair.test});
+    inputs.push_back({"a compared reference image", pair.reference});
+    inputs.push_back({"a compared test image", pair.test});
   }
   std::vector<NamedFile> outputs = {{"--json", command.json}, {"--csv", command.csv}, {"--junit", command.junit}};
   for (const compare::OutputFile& file : compare::listFlipFiles(request)) outputs.push_back({file.option, file.file});

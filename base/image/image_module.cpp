@@ -153,7 +153,7 @@ template <typename T> std::vector<std::byte> encodePixels(const fs::path& file, 
   return guarded(name, [&] {
     const oiio::ImageOutput::unique_ptr output = oiio::ImageOutput::create(name);
     if (!output || !output->supports("ioproxy"))
-      throw fileError(name, "cannot be written", output ? "not by way of memory" : reasonOf(oiio::geterror(), name));
+      throw fileError(name, "cannot be written", output ? "not through memory" : reasonOf(oiio::geterror(), name));
     oiio::ImageSpec spec(image.width, image.height, image.channels, stored);
     spec.attribute("oiio:UnassociatedAlpha", 1);
     if (std::string_view(output->format_name()) == "png") {

@@ -223,8 +223,7 @@ void settlePixelsPerDegree(FlipCommand& flip, const RawFlipOptions& raw) {
   const int given = (raw.distance > 0) + (raw.resolutionX > 0) + (raw.screenWidth > 0);
   if (given == 0) return;
   if (given < 3)
-    throw CLI::ValidationError("--distance",
-                               "--distance, --resolution-x and --screen-width need each other: give all three");
+    throw CLI::ValidationError("--distance", "give --distance, --resolution-x and --screen-width together");
   const float ppd = compare::pixelsPerDegree(raw.distance, raw.resolutionX, raw.screenWidth);
   if (!(ppd >= compare::kMinPixelsPerDegree && ppd <= compare::kMaxPixelsPerDegree))
     throw CLI::ValidationError("--distance", fmt::format("gives {} pixels per degree; the range is {} to {}", ppd,

@@ -175,7 +175,7 @@ std::string countImages(const PlainImage& image) {
 void requireSameLayers(const PlainImage& reference, const PlainImage& test) {
   const auto refuse = [&](const std::string& what, const std::string& reason) {
     throw base::Error(base::ExitCode::notComparable, test.file, what,
-                      reason + " (--ignore-layers compares the colour of the first image alone)");
+                      reason + " (--ignore-layers compares only the colour of the first image)");
   };
   if (reference.info.images != test.info.images)
     refuse("holds " + countImages(test), "the reference " + countImages(reference));
@@ -251,7 +251,7 @@ void requireComparable(const PlainImage& reference, const PlainImage& test, cons
   const bool alphaDiffers = reference.hasAlpha != test.hasAlpha && options.alpha != AlphaMode::ignore;
   if (reference.colorChannels != test.colorChannels || alphaDiffers)
     refuse(describeChannels(test), fmt::format("the reference is {}{}", describeChannels(reference),
-                                               alphaDiffers ? " (--alpha ignore compares colour alone)" : ""));
+                                               alphaDiffers ? " (--alpha ignore compares only colour)" : ""));
   if (!options.ignoreLayers) requireSameLayers(reference, test);
 }
 

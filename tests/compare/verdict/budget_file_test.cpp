@@ -123,7 +123,7 @@ TEST(BudgetFile, TheLeastSizeOfAMaterialIsReadAndToldInWords) {
   EXPECT_EQ(rule("min_pixels = 500").minPixels, 500u);
   EXPECT_EQ(rule("min_pixels = 268435456").minPixels, base::kMaxImagePixels) << "the largest picture there is";
   const auto tell = [](const BudgetRule& told) { return describeBudgets({{told}, {}}); };
-  EXPECT_NE(tell(rule("min_pixels = 500")).find(", of at least 500 pixels"), std::string::npos);
+  EXPECT_NE(tell(rule("min_pixels = 500")).find(", at least 500 pixels"), std::string::npos);
   EXPECT_EQ(tell(rule("")).find("pixels"), std::string::npos) << "the built-in size is not worth a word";
 }
 
