@@ -69,7 +69,7 @@ base pass), compares them per material by FLIP, and judges them against budgets.
   parity diff   scene.glb --env studio.hdr                           table with one row for each material
   parity flip   reference.png test.png -o map.exr                    compare any two images
   parity budget suggest out/report.json -o budgets.toml              suggest limits from observed figures
-  parity fit --geometry-term schlick-smith --format hlsl             fit the preset refit to your own high-end path
+  parity fit --geometry-term schlick-smith --format hlsl             fit the preset refit to your own path
   parity plot env-brdf scene.glb -o plot                             error of EnvBRDFApprox against the table
   parity bench scene.glb --env studio.hdr --budget flip.mean=0.02 -o out   time and error of each setting
   parity bake scene.glb --env studio.hdr -o baked                    bake all light except the sun's, for --baked baked

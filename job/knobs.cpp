@@ -164,7 +164,8 @@ void addTruth(KnobTable<S>& t) {
       .inWords(describeTruth)
       .notInSuite();
   t.special(
-       KnobType::text, "error", "SHARE", "Relative standard error at which a pixel of the truth is done",
+       KnobType::text, "error", "SHARE",
+       "Relative standard error at which the truth stops sampling a pixel, such as 0.5%",
        [](S& s, const std::string& text) { s.reference.integral.relativeError = base::readShare(text); },
        [](const S& s) { return base::numberText(s.reference.integral.relativeError); })
       .titled("error of the truth")

@@ -42,7 +42,7 @@ A limit belongs to the --metric before it. Without --metric it belongs to FLIP, 
 an error. Budgets: [[whole]] rules judge a pair without a mask; [[material]] rules judge each region of a mask. Without limits
 nothing is judged: any two finite pictures of the same size exit with 0. Pixels that are NaN or infinite never pass.
 Exit codes: 0 within limits; 1 warnings only (with --warn-exit); 2 over a limit; 3 not comparable; 4 unreadable, missing or not
-finite; 64 usage. The highest that applies wins.)";
+finite; 64 wrong usage. The highest code wins.)";
 
 // A limit with its name and the place in Threshold that it goes to.
 struct LimitOption {

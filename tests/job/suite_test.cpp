@@ -273,14 +273,15 @@ TEST(Suite, WrongTypesAndRangesNameTheLine) {
                 {"line 3: captures: is not a list of at most 8 places"});
   expectRefused(head + "falloff = \"ue5\"\n", {"line 3: falloff: 'ue5' is unknown; did you mean 'ue4'?"});
   expectRefused(head + "falloff = 2\n", {"line 3: falloff: '2' is unknown; known: khr, ue4"});
-  expectRefused(head + "fog = 3\n", {"line 3: fog: not a table", "[scene.fog]"});
+  expectRefused(head + "fog = 3\n", {"line 3: fog: is not a table", "[scene.fog]"});
   expectRefused(head + "[scene.fog]\nheight = 1\n", {"density: is missing"});
   expectRefused(head + "[scene.fog]\ndensity = -1\n", {"line 4: density", "from 0 to 1000"});
   expectRefused(head + "[scene.fog]\ndensity = 1\nfalloff = 1\n", {"line 5: falloff", "unknown key in a fog"});
   expectRefused(head + "[scene.fog]\ndensity = 1\nmax_opacity = 1.5\n", {"line 5: max_opacity"});
   expectRefused(head + "[[scene.view]]\norbit = [0, 200, 1]\n", {"line 4: orbit", "PHI"});
   expectRefused(head + "[[scene.view]]\nfov = 0\n", {"line 4: fov"});
-  expectRefused(head + "[[scene.view]]\ncamera = \"a\"\norbit = [0, 90, 1]\n", {"line 4: camera", "together"});
+  expectRefused(head + "[[scene.view]]\ncamera = \"a\"\norbit = [0, 90, 1]\n",
+                {"line 4: camera", "cannot be combined"});
   expectRefused("scene = 3\n", {"line 1: scene", "[[scene]]"});
   expectRefused("[[scene]]\nname = \"x\"\n", {"file: is missing"});
   expectRefused("[[scene]]\nfile = \"\"\n", {"line 2: file: is an empty string"});

@@ -51,7 +51,7 @@ TEST(GithubAnnotations, NothingComparedAndABaselineWithoutUseAreErrors) {
   const auto lines = linesOf(toGithubAnnotations(report, "/checkout"));
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(lines[0], "::error title=parity::nothing was compared");
-  EXPECT_EQ(lines[1], "::error title=parity%3A baseline::nothing in common");
+  EXPECT_EQ(lines[1], "::error title=parity%3A baseline::no material of this run is visible in the baseline");
   EXPECT_EQ(lines[2].find("::warning title=parity%3A baseline::gone: scene Desk"), 0u);
   EXPECT_EQ(lines[3], "::warning title=parity::b.toml: a rule judges nothing");
 }

@@ -121,7 +121,7 @@ TEST(ReportReader, AReportOfTwoRegionsIsOneLineThatSaysWhatToDo) {
         json& figures = d["scenes"][0]["views"][0]["whole"]["figures"];
         figures = {{"interior", figures}, {"all", figures}};
       },
-      "/schema", "is 2, of an older version of parity; this one reads 3 to 4; make the report again");
+      "/schema", "is 2, from an older version of parity; this one reads 3 to 4; make the report again");
   expectRefusal(
       [](json& d) {
         json& figures = d["scenes"][0]["views"][0]["whole"]["figures"];

@@ -66,7 +66,7 @@ TEST(TexturesStage, isAColumnOfTheTableWhateverItIs) {
     const StageResult stage = makeStage(kTexturesStage, "astc6x6", mean);
     const std::string table = toTable(makeStaged(stage, stage), false);
     EXPECT_NE(table.find("  textures  "), std::string::npos) << table;
-    EXPECT_NE(table.find("mobile's textures in astc6x6"), std::string::npos) << table;
+    EXPECT_NE(table.find("the textures of mobile as astc6x6"), std::string::npos) << table;
     const std::size_t at = table.find("Glass");
     EXPECT_NE(table.substr(at, table.find('\n', at) - at).find(mean > 0 ? "   0.037 " : "   0.000 "), std::string::npos)
         << table;

@@ -101,9 +101,9 @@ TEST(Wording, ClippingIsSaidWithWhatWouldHelp) {
 }
 
 TEST(Wording, FewHighlightsDoNotMakeADarkerImageBrighter) {
-  EXPECT_EQ(describe(0.4, -4, 0, 0), "mobile has 0.4 EV more light in total, but is darker on the whole (dL* -4.0)");
+  EXPECT_EQ(describe(0.4, -4, 0, 0), "mobile has 0.4 EV more light in total, but is darker on average (dL* -4.0)");
   EXPECT_EQ(describe(-0.4, 4, 1.5, 2),
-            "mobile has 0.4 EV less light in total, but is brighter on the whole (dL* +4.0), warmer and redder");
+            "mobile has 0.4 EV less light in total, but is brighter on average (dL* +4.0), warmer and redder");
   EXPECT_EQ(describe(0.4, -0.5, 0, 0),
             "mobile has 0.4 EV more light in total, but is equally bright on average (dL* -0.5)");
 }

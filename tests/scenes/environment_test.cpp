@@ -71,7 +71,7 @@ TEST(Environment, FindsColoursByTheirNamesAndRefusesOthers) {
   EXPECT_EQ(pixels({"R", "G", "B", "A"}), (std::vector<float>{1, 2, 3, 5, 6, 7}));
   EXPECT_EQ(pixels({"B", "G", "R", "Z", "id"}), (std::vector<float>{3, 2, 1, 8, 7, 6}));
   const auto refuses = [&](const std::vector<std::string>& channels, const std::string& listed) {
-    expectError([&] { pixels(channels); }, {"x.exr", "the channels are " + listed});
+    expectError([&] { pixels(channels); }, {"x.exr", "has the channels " + listed});
   };
   refuses({"X", "Y", "Z"}, "X, Y, Z");
   refuses({"Y", "RY", "BY"}, "Y, RY, BY");
@@ -89,7 +89,7 @@ TEST(Environment, RefusesCubeMapsPartsAndOtherShapes) {
   };
   refuses([](auto& file) { file.info.isCubeMap = true; }, "is a cube map");
   refuses([](auto& file) { file.info.fullWidth = 4, file.info.fullHeight = 2; },
-          "dataWindow: 2x1 pixels at +0+0 where");
+          "dataWindow: holds 2x1 pixels at +0+0 of");
   refuses([](auto& file) { file.info.x = 1; }, "at +1+0");
   refuses([](auto& file) { file.info.orientation = 6; }, "has 1x2 pixels; a latitude-longitude panorama");
   refuses(

@@ -114,7 +114,7 @@ TEST_F(TexturesTest, areNoPartOfAReportThatDidNotAsk) {
 TEST_F(TexturesTest, standInTheTableAndTheSettings) {
   const RunResult result = runParity(join({{"diff", writeLeaves(), "--mobile-textures", "astc6x6"}, kSmall, kSun}));
   EXPECT_TRUE(contains(result.out, " textures ")) << result.out;
-  EXPECT_TRUE(contains(result.out, "mobile's textures in astc6x6")) << result.out;
+  EXPECT_TRUE(contains(result.out, "the textures of mobile as astc6x6")) << result.out;
   const RunResult report = runParity(join(
       {{"report", writeLeaves(), "--mobile-textures", "astc6x6", "-o", (m_folder / "out").string()}, kSmall, kSun}));
   EXPECT_EQ(report.signal, 0) << report.err;

@@ -167,8 +167,7 @@ TEST(BudgetFile, ListsThatWouldPassEverythingAreRefused) {
   expectRefusal("material = []", "", "no rules");
   expectRefusal("[[material]]\nname = \"*\"\n", "line 1", "the rule needs 'checks' or 'regress'");
   expectRefusal("[[material]]\nname = \"*\"\nchecks = []\n", "line 3", "'checks' is empty");
-  expectRefusal("[[material]]\nname = \"*\"\nchecks = [ { metric = \"rmse\" } ]\n", "line 3",
-                "neither 'warn' nor 'fail'");
+  expectRefusal("[[material]]\nname = \"*\"\nchecks = [ { metric = \"rmse\" } ]\n", "line 3", "needs 'warn' or 'fail'");
   expectRefusal(std::string("[[material]]\n") + kCheck, "line 1", "no 'name'");
   expectRefusal("[[material]]\nname = \"\"\n" + kCheck, "line 2", "'name' is empty");
 }
@@ -184,8 +183,8 @@ TEST(BudgetFile, LimitsThatMakeNoSenseAreRefused) {
   refuse(R"(metric = "psnr", warn = -1)", "outside the range 0..inf of psnr");
   refuse(R"(metric = "rmse", warn = "0.1")", "'warn' must be a number");
   refuse(R"(metric = "rmse", warn = true)", "'warn' must be a number");
-  refuse(R"(metric = "rmse", warn = 0.2, fail = 0.1)", "'warn' (0.2) lies above 'fail' (0.1)");
-  refuse(R"(metric = "psnr", warn = 28, fail = 32)", "'warn' (28) lies below 'fail' (32)");
+  refuse(R"(metric = "rmse", warn = 0.2, fail = 0.1)", "'warn' (0.2) is above 'fail' (0.1)");
+  refuse(R"(metric = "psnr", warn = 28, fail = 32)", "'warn' (28) is below 'fail' (32)");
   refuse(R"(metric = 7, warn = 1)", "'metric' must be a string");
   refuse(R"(warn = 1)", "no 'metric'");
   refuse(R"(metric = "rmse", warn = 0.1 }, { metric = "rmse", fail = 0.2)", "'rmse' is checked twice");
@@ -264,7 +263,7 @@ TEST(BudgetFile, RegressionsAreDistancesAndMayStandAlone) {
   EXPECT_EQ(budgets.materials[0].regress[0].warn, 1) << "worse by more than it: not a lower bound";
   expectRefusal(head + "regress = []", "line 3", "'regress' is empty");
   expectRefusal(head + "regress = [ { metric = \"psnr\", warn = 3, fail = 1 } ]", "line 3",
-                "'warn' (3) lies above 'fail' (1)");
+                "'warn' (3) is above 'fail' (1)");
   expectRefusal(head + "regress = [ { metric = \"flip.mean\", warn = -0.1 } ]", "line 3",
                 "outside the range 0..1 of changes of flip.mean");
 }

@@ -119,7 +119,8 @@ TEST(BadInput, AccessorsThatLeaveTheirBufferView) {
                 {"/accessors/0: 5 elements of 12 bytes, 12 apart, start at byte 0, and must end within the 48 bytes "
                  "of /bufferViews/0"});
   expectRefused("/accessors/0/byteOffset", 2147483644, {"/accessors/0"});
-  expectRefused("/accessors/0/byteOffset", 2, {"byteOffset: is 2 in a view at 0, expected a multiple of 4"});
+  expectRefused("/accessors/0/byteOffset", 2,
+                {"byteOffset: is 2 in a view at 0, expected their sum to be a multiple of 4"});
   expectRefused("/accessors/0/count", 0, {"/accessors/0/count: is 0, expected at least 1"});
   expectRefused("/accessors/0/componentType", 5130, {"/accessors/0", "5130"});
   expectRefused("/accessors/0/type", "MAT4", {"/accessors/0: 4 elements of 64 bytes"});
@@ -166,7 +167,7 @@ TEST(BadInput, LinksOutOfTheFolder) {
   std::filesystem::create_symlink(outside / "secret.bin", folder / "inside.bin");
   file.json["buffers"] = {{{"uri", "inside.bin"}, {"byteLength", file.bin.size()}}};
   const std::string path = writeExternal(folder, file);
-  expectError([&] { scenes::loadScene(path); }, {"/buffers/0/uri: 'inside.bin' leaves", "symbolic link"});
+  expectError([&] { scenes::loadScene(path); }, {"/buffers/0/uri: 'inside.bin' points outside", "symbolic link"});
 }
 
 TEST(BadInput, NumbersThatAreNotFinite) {

@@ -220,7 +220,7 @@ TEST(GltfMeshopt, RefusesLayoutsAndStreamsThatAreWrong) {
   refuse([](json&, json& e) { e["count"] = 5; },
          {place + ": decodes to 60 bytes, expected 1248, the byteLength of the view"});
   refuse([](json& v, json& e) { e["byteStride"] = 6, v["byteLength"] = 624; },
-         {place + ": a byteStride of 6 is not a multiple of 4"});
+         {place + ": its byteStride 6 is not a multiple of 4"});
   refuse([](json& v, json&) { v["byteStride"] = 16; }, {place + "/byteStride: is 12, expected 16 as in the view"});
   refuse([](json&, json& e) { e["mode"] = "POINTS"; }, {place + "/mode"});
   refuse([](json&, json& e) { e["filter"] = "OCTAHEDRAL"; },

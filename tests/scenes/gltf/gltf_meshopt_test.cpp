@@ -145,9 +145,9 @@ TEST(Meshopt, RefusesLayoutsThatTheExtensionForbids) {
   const std::vector<std::byte> stream = encodeAttributes(std::vector<float>(64, 1.f), 16);
   using enum MeshoptMode;
   expectReason(stream, {0, 16, attributes}, "its count is 0");
-  expectReason(stream, {16, 0, attributes}, "a byteStride of 0 is not a multiple of 4");
-  expectReason(stream, {16, 6, attributes}, "a byteStride of 6");
-  expectReason(stream, {16, 260, attributes}, "a byteStride of 260");
+  expectReason(stream, {16, 0, attributes}, "its byteStride 0 is not a multiple of 4");
+  expectReason(stream, {16, 6, attributes}, "its byteStride 6");
+  expectReason(stream, {16, 260, attributes}, "its byteStride 260");
   expectReason(stream, {16, 1, triangles}, "its byteStride is 1, but TRIANGLES have 2 or 4");
   expectReason(stream, {16, 8, indices}, "its byteStride is 8, but INDICES have 2 or 4");
   expectReason(stream, {16, 4, triangles}, "16 indices do not form whole triangles");
