@@ -44,13 +44,13 @@ TEST(ExrCheck, LetsSoundFilesPassWholeAndByTheirHead) {
 TEST(ExrCheck, RefusesAttributesLargerThanTheFile) {
   std::vector<std::byte> bytes = writeExr();
   patch(bytes, "compression", "compression", 0, 1694498816);
-  expectError([&] { check(bytes); }, "a.exr", "an attribute of 1694498816 bytes");
+  expectError([&] { check(bytes); }, "a.exr", "an attribute has 1694498816 bytes");
   patch(bytes, "compression", "compression", 0, -1);
-  expectError([&] { check(bytes); }, "a.exr", "an attribute of -1 bytes");
-  expectError([&] { decodeRadiance(bytes, "a.exr"); }, "a.exr", "an attribute of -1 bytes");
+  expectError([&] { check(bytes); }, "a.exr", "an attribute has -1 bytes");
+  expectError([&] { decodeRadiance(bytes, "a.exr"); }, "a.exr", "an attribute has -1 bytes");
   const TempFolder folder;
   writeBytes(folder / "a.exr", bytes);
-  expectError([&] { readImage(folder / "a.exr"); }, "a.exr", "an attribute of -1 bytes");
+  expectError([&] { readImage(folder / "a.exr"); }, "a.exr", "an attribute has -1 bytes");
 }
 
 // The library reads as many bytes as the type has, not as many as there are.

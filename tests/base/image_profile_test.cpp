@@ -87,7 +87,7 @@ TEST(ReadImage, RefusesAJpegByItsFrameHeader) {
   const ImageLimits limits{.maxBytes = std::size_t{256} << 20};
   expectError([&] { readImage(folder / "a.jpg", limits); }, "a.jpg",
               "needs 513 MiB; the limit is 256 MiB (--max-memory)");
-  expectError([&] { decodeImage8(bytes, "b", 4, limits); }, "b", "takes 513 MiB");
+  expectError([&] { decodeImage8(bytes, "b", 4, limits); }, "b", "needs 513 MiB");
   bytes.resize(frame + 5);
   expectError([&] { decodeImage8(bytes, "b"); }, "b", "has no frame header");
 }

@@ -91,7 +91,7 @@ TEST(Pfm, RefusesDamage) {
   refuses("Pf\n100000 1\n-1\n", "largest allowed side");
   refuses("Pf\n16384 16384\n-1\n" + floatBytes({1}), "truncated");
   refuses("Pf\n2 1\n-1\n" + floatBytes({1}), "truncated");
-  refuses("Pf\n1 1\n-1\n" + floatBytes({1, 2}), "bytes where");
+  refuses("Pf\n1 1\n-1\n" + floatBytes({1, 2}), "pixels need");
 }
 
 } // namespace

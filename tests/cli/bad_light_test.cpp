@@ -126,7 +126,7 @@ TEST_F(BadLightTest, BudgetsThatCannotBeUsedAreRefusedBeforeAnythingIsRendered) 
                                              "checks = [{ metric = \"flip.mean\", " + check + "fail = 0.1 }]\n");
     expectRefused(runParity(join({{"diff", "builtin:furnace"}, budgets, kSmall})), 4, parts);
   };
-  refused("", "region = \"interior\", ", {"budgets.toml", "line 3", "'region' is gone", "one figure"});
+  refused("", "region = \"interior\", ", {"budgets.toml", "line 3", "'region' no longer exists", "one figure"});
   refused("min_pixels = -1\n", "", {"budgets.toml", "line 3", "min_pixels", "-1"});
   refused("min_pixels = 1.5\n", "", {"budgets.toml", "line 3", "min_pixels", "whole number"});
   expectRefused(runParity(join({{"diff", "builtin:furnace", "--budgets", path("none.toml")}, kSmall})), 4,

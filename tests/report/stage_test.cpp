@@ -49,7 +49,7 @@ TEST(Stages, standInTheJsonByMaterialAndWhole) {
 TEST(EncodingStage, isAColumnOfTheTableWhereItIsNotable) {
   const std::string table = toTable(makeReport(0.037, 0.021), false);
   EXPECT_NE(table.find(" target "), std::string::npos) << table;
-  EXPECT_NE(table.find("storing mobile's colour in rgba8-gamma2"), std::string::npos);
+  EXPECT_NE(table.find("storing the colour of mobile in rgba8-gamma2"), std::string::npos);
   const auto lineOf = [&](const char* name) {
     const std::size_t at = table.find(name);
     return table.substr(at, table.find('\n', at) - at);

@@ -192,7 +192,7 @@ TEST(GltfAnimation, RefusesWhatHasNoMeaning) {
         sampler(f)["input"] = f.add<float>({1, 1}, "SCALAR");
       },
       {"/animations/0/samplers/0/input (/accessors/6): key 1 is at 1 s, expected increasing times from 0"});
-  refuse([&](GltfFile& f) { sampler(f)["input"] = f.add<float>({-1, 1}, "SCALAR"); }, {"key 0 at -1 s"});
+  refuse([&](GltfFile& f) { sampler(f)["input"] = f.add<float>({-1, 1}, "SCALAR"); }, {"key 0 is at -1 s"});
   refuse(
       [&](GltfFile& f) {
         sampler(f)["input"] = f.add<float>({0, nan}, "SCALAR");
