@@ -40,8 +40,8 @@ void judgeRow(FlipRow& row, const FlipRequest& request, const std::vector<Budget
   const bool asked = !request.thresholds.empty() || request.budgets;
   if (asked && std::ranges::none_of(row.checks, &CheckResult::judged)) {
     row.verdict = Verdict::error;
-    row.reason =
-        row.checks.empty() ? "no limit applies to it" : "its budget has only regressions, which need a baseline";
+    row.reason = row.checks.empty() ? "no limit applies to it"
+                                    : "its budget has only regressions, but there is no baseline for them";
   }
   if (row.figures.nonFinite > 0 && row.verdict < Verdict::fail) {
     row.verdict = Verdict::fail;
