@@ -17,7 +17,7 @@ MetricMaps ldrFlipMaps(const MetricInput& input, const MetricOptions& options) {
 }
 
 std::vector<std::vector<float>> ldrFlipSwapMaps(const MetricInput& reference, std::span<const SwapPixels> swaps,
-                                             const MetricOptions& options) {
+                                                const MetricOptions& options) {
   std::vector<FlipSwap> all;
   for (const SwapPixels& swap : swaps) all.push_back({swap.pixels, swap.gathered ? swap.gathered->test : PixelView()});
   std::vector<std::vector<float>> values = flipSwaps(reference.reference, all, options.ppd);
