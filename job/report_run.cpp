@@ -122,6 +122,10 @@ private:
   static void log(const ComparedScene& scene) {
     if (!scene.error.empty()) base::logError(scene.error);
     for (const std::string& warning : scene.warnings) base::logWarning(warning);
+    if (scene.isCached) base::logDetail(fmt::format("{}: taken from the cache", scene.result.name));
+    for (const report::PassResult& pass : scene.result.passes)
+      base::logDetail(pass.count > 0 ? fmt::format("{}: {}: {} {}", scene.result.name, pass.name, pass.count, pass.unit)
+                                     : fmt::format("{}: {}: skipped, {}", scene.result.name, pass.name, pass.skipped));
   }
 
   Context& m_context;
@@ -161,6 +165,7 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
     result.report.scenes.push_back(std::move(scene.result));
   }
   result.run.compiledShaders = context.compiledShaders().size();
+  base::logDetail(fmt::format("{} shaders were compiled", result.run.compiledShaders));
   if (const std::size_t cached = result.run.cachedScenes.size(); cached > 0)
     base::logInfo(fmt::format("{} of {} scenes are unchanged: taken from the cache", cached, request.scenes.size()));
   holdBudgets(context.settings(), request, result.report);

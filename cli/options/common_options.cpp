@@ -39,7 +39,6 @@ void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   app.add_flag("--no-cache", raw.noCache, "Neither read nor write the cache");
   app.add_flag("--timings", common.timings, "Print time by stage to stderr");
   app.add_flag("-q,--quiet", raw.quiet, "Errors only: no table either, the verdict is the exit code");
-  app.add_flag("-v,--verbose", raw.verbose, "Say more");
 }
 
 void addBudgetsOption(CLI::App& app, CommonOptions& common) {
@@ -67,7 +66,7 @@ void requireNoneOfScene(const RawOptions& raw) {
 }
 
 void settle(const CLI::App& app, CommonOptions& common, const RawOptions& raw, bool isBesideSuite) {
-  base::setLogLevel(raw.quiet ? base::LogLevel::quiet : raw.verbose ? base::LogLevel::verbose : base::LogLevel::normal);
+  if (raw.quiet) base::setLogLevel(base::LogLevel::quiet);
   for (const auto& [id, given] : raw.knobs)
     if (given.where != "--" + id && given.where != "--no-" + id)
       base::logInfo(fmt::format("{} is called --{} now", given.where, id));
