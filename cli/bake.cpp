@@ -117,6 +117,11 @@ int runBakeCommand(const BakeCommand& command) {
   }
   const CancelOnSignal onSignal;
   job::Context context(command.common.settings);
+  const auto hasCaptures = [&](const Task& task) {
+    return command.options.captures != 0 || !task.request.captures.empty();
+  };
+  if (!command.common.settings.device.name.empty() || std::ranges::any_of(tasks, hasCaptures))
+    context.deviceReport(); // captures need a device: refuse a wrong one before the minutes that follow
   int exitCode = 0;
   for (const Task& task : tasks) {
     try {

@@ -18,7 +18,7 @@ namespace parity::bake {
 namespace {
 
 using namespace tests;
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(Integrate, planeUnderAPointLight) {
   scenes::Scene scene;
@@ -48,10 +48,10 @@ TEST(Integrate, planeUnderAnEvenSky) {
   int count = 0;
   baked.forWhole([&](const SurfacePoint&, const TexelLight& direct, const TexelLight& gathered) {
     EXPECT_EQ(direct.irradiance, glm::vec3(0));
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(gathered.irradiance[c], kPi * radiance[c], 0.01 * kPi * radiance[c]);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(gathered.irradiance[c], pi * radiance[c], 0.01 * pi * radiance[c]);
     const double luminance = lightmapLuminance(radiance);
-    EXPECT_NEAR(gathered.sh.x, 2 * kPi * kY0 * luminance, 0.04 * 2 * kPi * kY0 * luminance);
-    EXPECT_NEAR(gathered.sh.z, kPi * kY1 * luminance, 0.04 * kPi * kY1 * luminance); // along the normal, +Y
+    EXPECT_NEAR(gathered.sh.x, 2 * pi * kY0 * luminance, 0.04 * 2 * pi * kY0 * luminance);
+    EXPECT_NEAR(gathered.sh.z, pi * kY1 * luminance, 0.04 * pi * kY1 * luminance); // along the normal, +Y
     EXPECT_NEAR(gathered.sh.y, 0, 0.15 * luminance);
     EXPECT_NEAR(gathered.sh.w, 0, 0.15 * luminance);
     ++count;
@@ -66,7 +66,7 @@ TEST(Integrate, furnace) {
     scenes::Scene scene;
     addObject(scene, insideOfBox(1), matte("walls", kAlbedo, kEmitted));
     const Baked baked(scene, {}, {.bounces = bounces, .error = 0.005}, 4);
-    const double E = kPi * kEmitted * (1 - std::pow(kAlbedo, bounces + 1)) / (1 - kAlbedo);
+    const double E = pi * kEmitted * (1 - std::pow(kAlbedo, bounces + 1)) / (1 - kAlbedo);
     double sum = 0;
     int count = 0;
     baked.forWhole([&](const SurfacePoint&, const TexelLight&, const TexelLight& gathered) {
@@ -77,7 +77,7 @@ TEST(Integrate, furnace) {
     ASSERT_GE(count, 6 * 36) << bounces;
     EXPECT_NEAR(sum / count, E, 0.0025 * E) << bounces;
     if (bounces == 24) {
-      EXPECT_NEAR(sum / count, kPi * kEmitted / (1 - kAlbedo), 0.003 * kPi * kEmitted / (1 - kAlbedo));
+      EXPECT_NEAR(sum / count, pi * kEmitted / (1 - kAlbedo), 0.003 * pi * kEmitted / (1 - kAlbedo));
     }
   }
 }
@@ -87,7 +87,7 @@ TEST(Integrate, errorIsWhatItSays) {
   scenes::Scene scene;
   addObject(scene, insideOfBox(1), matte("walls", 0, 2));
   const Baked baked(scene, {}, {.bounces = 0, .error = 0.01}, 8);
-  const double E = kPi * 2;
+  const double E = pi * 2;
   int within = 0, count = 0;
   baked.forWhole([&](const SurfacePoint&, const TexelLight&, const TexelLight& gathered) {
     within += std::abs(gathered.irradiance.y - E) <= 0.01 * E;
@@ -171,7 +171,7 @@ TEST(Integrate, sunIsNotInTheLightmapButItsBouncesAre) {
   int walls = 0;
   baked.forWhole([&](const SurfacePoint& point, const TexelLight& direct, const TexelLight& gathered) {
     EXPECT_EQ(direct.irradiance, glm::vec3(0));
-    const double E = point.instance == 1 ? 0.5 * 3 / kPi * lambert(floor, point.position, {1, 0, 0}) : 0;
+    const double E = point.instance == 1 ? 0.5 * 3 / pi * lambert(floor, point.position, {1, 0, 0}) : 0;
     EXPECT_NEAR(gathered.irradiance.x, E, 0.01 * E);
     walls += point.instance == 1;
   });

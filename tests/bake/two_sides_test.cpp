@@ -12,7 +12,7 @@ namespace parity::bake {
 namespace {
 
 using namespace tests;
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 scenes::Material twoSided(const std::string& name, float albedo, float emitted = 0) {
   scenes::Material material = matte(name, albedo, emitted);
@@ -37,7 +37,7 @@ TEST(TwoSides, bothSidesOfADoubleSidedObjectAreLit) {
       const float *sh = page.page.sh.pixels.data() + 4 * i, *E = page.page.irradiance.pixels.data() + 3 * i;
       EXPECT_EQ(page.page.normal.pixels[3 * i + 1], 0);
       EXPECT_NEAR(E[0] / E[1], 2, 1e-3);
-      EXPECT_NEAR(lightmapLuminance({E[0], E[1], E[2]}), kPi * kY0 * sh[0], 1e-3 * E[0]);
+      EXPECT_NEAR(lightmapLuminance({E[0], E[1], E[2]}), pi * kY0 * sh[0], 1e-3 * E[0]);
     }
 }
 

@@ -24,7 +24,7 @@ Image makeRamp(float low, float high) {
   return image;
 }
 
-Image makeNoise(double lowEv, double highEv) {
+Image makeLogNoise(double lowEv, double highEv) {
   Image image(301, 77, 3);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> ev(lowEv, highEv);
@@ -66,7 +66,7 @@ TEST(DisplayTransform, AcesFollowsTheAcademysFormulasOnGreys) {
 }
 
 TEST(DisplayTransform, AcesFollowsTheAcademysFormulasOnColours) {
-  const Image noise = makeNoise(-9, 5), shown = DisplayTransform("ACES SDR").apply(noise);
+  const Image noise = makeLogNoise(-9, 5), shown = DisplayTransform("ACES SDR").apply(noise);
   for (std::size_t i = 0; i < noise.pixels.size(); i += 3) {
     const auto expected = acesReference({noise.pixels[i], noise.pixels[i + 1], noise.pixels[i + 2]});
     // In dark reds OpenColorIO takes the saturation after the glow, the CTL before: seen up to 5.3e-4.
@@ -84,7 +84,7 @@ TEST(DisplayTransform, RawOnlyClamps) {
 }
 
 TEST(DisplayTransform, ExposureDoublesTheLightPerStop) {
-  const Image noise = makeNoise(-9, 2);
+  const Image noise = makeLogNoise(-9, 2);
   Image brighter = noise;
   for (float& v : brighter.pixels) v *= 4;
   for (const std::string& name : DisplayTransform::names()) {
@@ -118,7 +118,7 @@ TEST(DisplayTransform, KeepsWhatTheExposureMakesInfinite) {
 }
 
 TEST(DisplayTransform, StaysWithinZeroAndOne) {
-  const Image noise = makeNoise(-20, 20);
+  const Image noise = makeLogNoise(-20, 20);
   for (const std::string& name : DisplayTransform::names()) {
     const Image shown = DisplayTransform(name).apply(noise);
     const auto [least, most] = std::minmax_element(shown.pixels.begin(), shown.pixels.end());
@@ -128,7 +128,7 @@ TEST(DisplayTransform, StaysWithinZeroAndOne) {
 }
 
 TEST(DisplayTransform, GivesTheSameBitsWithAnyNumberOfThreads) {
-  const Image noise = makeNoise(-9, 5);
+  const Image noise = makeLogNoise(-9, 5);
   for (const std::string& name : DisplayTransform::names()) {
     const DisplayTransform display(name);
     const Image expected = display.apply(noise);

@@ -1,5 +1,7 @@
 // Scenes that cannot be used: one line with file, place and reason, exit code 4, and nothing half-written.
+#include <algorithm>
 #include <functional>
+#include <string_view>
 
 #include <pugixml.hpp>
 
@@ -107,17 +109,6 @@ const BadScene kBadScenes[] = {
 
 class BadSceneTest : public RenderingTest, public testing::WithParamInterface<BadScene> {};
 
-TEST_P(BadSceneTest, IsRefusedInOneLineAndNothingIsWritten) {
-  const std::string scene = GetParam().write(m_folder);
-  const std::vector<std::string> before = listFiles(m_folder.path());
-  const std::string output = path("out.exr");
-  expectRefused(runParity(join({{"render", scene, "--path", "highend", "-o", output}, kSun, kSmall})), 4,
-                GetParam().parts);
-  EXPECT_EQ(listFiles(m_folder.path()), before);
-  expectRefused(runParity(join({{"diff", scene}, kSun, kSmall})), 4, GetParam().parts);
-  EXPECT_EQ(listFiles(m_folder.path()), before);
-}
-
 TEST_P(BadSceneTest, IsAnErrorInAReportThatIsWhole) {
   const std::string scene = GetParam().write(m_folder);
   const std::filesystem::path folder = m_folder / "out";
@@ -137,6 +128,24 @@ TEST_P(BadSceneTest, IsAnErrorInAReportThatIsWhole) {
 
 INSTANTIATE_TEST_SUITE_P(, BadSceneTest, testing::ValuesIn(kBadScenes),
                          [](const auto& test) { return std::string(test.param.name); });
+
+class BadSceneOfTheOtherCommands : public RenderingTest, public testing::WithParamInterface<std::string_view> {};
+
+// Every command loads by the same code: three kinds of faults show that they refuse alike.
+TEST_P(BadSceneOfTheOtherCommands, IsRefusedInOneLineAndNothingIsWritten) {
+  const BadScene& bad = *std::ranges::find(kBadScenes, GetParam(), [](const BadScene& each) { return each.name; });
+  const std::string scene = bad.write(m_folder);
+  const std::vector<std::string> before = listFiles(m_folder.path());
+  const std::string output = path("out.exr");
+  expectRefused(runParity(join({{"render", scene, "--path", "highend", "-o", output}, kSun, kSmall})), 4, bad.parts);
+  EXPECT_EQ(listFiles(m_folder.path()), before);
+  expectRefused(runParity(join({{"diff", scene}, kSun, kSmall})), 4, bad.parts);
+  EXPECT_EQ(listFiles(m_folder.path()), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(, BadSceneOfTheOtherCommands,
+                         testing::Values("MissingFile", "JsonError", "ImageDoesNotDecode"),
+                         [](const auto& test) { return std::string(test.param); });
 
 class BadSceneAmongOthers : public RenderingTest {};
 

@@ -37,8 +37,10 @@ TEST_F(DevicesTest, UnknownNameIsRefusedWithTheDevicesThereAre) {
                 {"'voodoo'", first});
   EXPECT_FALSE(std::filesystem::exists(folder));
   expectRefused(runParity({"diff", "builtin:furnace", "--device", "99"}), 4, {"'99'", first});
-  expectRefused(runParity({"bake", "builtin:room", "--device", "voodoo", "-o", folder.string()}), 4,
-                {"'voodoo'", first});
+  expectRefused(
+      runParity({"bake", "builtin:room", "--device", "voodoo", "-o", folder.string(), "--cache", path("cache")}), 4,
+      {"'voodoo'", first});
+  EXPECT_EQ(listFiles(m_folder / "cache"), std::vector<std::string>()) << "no light was baked before";
 
   const RunResult listed = runParity({"devices", "--device", "voodoo"});
   EXPECT_TRUE(exitedWith(4, listed));

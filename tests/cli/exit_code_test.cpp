@@ -109,5 +109,36 @@ TEST_F(ExitCodeTest, Is4WhereOneSceneIsOverBudgetAndAnotherFailed) {
   EXPECT_EQ(readReport(m_folder / "out")["scenes"][0]["verdict"], "fail");
 }
 
+// The rows of usage_test.cpp try the parser alone.
+TEST(WrongCommandLine, Exits64WithTheReasonOnStderrAndWritesNothing) {
+  const TempFolder folder;
+  RunOptions options;
+  options.workingFolder = folder.path();
+  const std::pair<std::vector<std::string>, std::string> rows[] = {
+      {{}, "subcommand"},
+      {{"diff", "builtin:furnace", "--colour"}, "--colour"},
+      {{"report", "builtin:furnace", "-o", "out", "--size", "0x10"}, "--size"},
+      {{"flip", "a.png", "b.png", "-o", "map.tga"}, "map.tga"}};
+  for (const auto& [arguments, part] : rows) {
+    const RunResult result = runParity(arguments, options);
+    EXPECT_TRUE(exitedWith(64, result));
+    EXPECT_EQ(result.out, "");
+    EXPECT_TRUE(contains(result.err, part)) << part << " in: " << result.err;
+    EXPECT_LE(linesOf(result.err).size(), 2u) << "a reason and where to find help: " << result.err;
+    EXPECT_EQ(listFiles(folder.path()), std::vector<std::string>());
+  }
+}
+
+class UnknownNameTest : public RenderingTest {};
+
+// Names that only the scene can tell from wrong ones.
+TEST_F(UnknownNameTest, CameraOrGlobThatTheSceneDoesNotKnowIsSaidWithTheKnownOnes) {
+  const std::string output = path("out.exr");
+  const std::vector<std::string> render = {"render", "builtin:furnace", "--path", "mobile", "-o", output};
+  expectRefused(runParity(join({render, {"--camera", "left"}, kSmall})), 64, {"left", "default"});
+  expectRefused(runParity(join({render, {"--fully-rough", "rock*"}, kSmall})), 64, {"rock*", "no material"});
+  EXPECT_FALSE(std::filesystem::exists(output));
+}
+
 } // namespace
 } // namespace parity::tests

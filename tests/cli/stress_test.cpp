@@ -4,11 +4,11 @@
 namespace parity::tests {
 namespace {
 
-const std::vector<std::string> kShort = {
+const std::vector<std::string> kShortStress = {
     "stress", "--only", "functions", "--functions", "EnvBRDF*", "--points", "2000", "--device-points", "0"};
 
 TEST(Stress, jsonAloneOnStdoutAndKnownFailuresExitZero) {
-  const RunResult result = runParity(join({kShort, {"--json", "-"}}));
+  const RunResult result = runParity(join({kShortStress, {"--json", "-"}}));
   ASSERT_TRUE(exitedWith(0, result));
   const nlohmann::json json = nlohmann::json::parse(result.out);
   EXPECT_EQ(json["unexpected"], 0);
@@ -19,8 +19,8 @@ TEST(Stress, jsonAloneOnStdoutAndKnownFailuresExitZero) {
 
 TEST(Stress, writesAFolderThatIsTheSameWithOneThread) {
   const TempFolder folder;
-  ASSERT_TRUE(exitedWith(0, runParity(join({kShort, {"-o", (folder / "a").string()}}))));
-  ASSERT_TRUE(exitedWith(0, runParity(join({kShort, {"-o", (folder / "b").string(), "--threads", "1"}}))));
+  ASSERT_TRUE(exitedWith(0, runParity(join({kShortStress, {"-o", (folder / "a").string()}}))));
+  ASSERT_TRUE(exitedWith(0, runParity(join({kShortStress, {"-o", (folder / "b").string(), "--threads", "1"}}))));
   std::vector<std::string> files = {"index.html", "stress.json"};
   if (!kHasPage) std::erase(files, "index.html");
   EXPECT_EQ(listFiles(folder / "a"), files);
@@ -28,7 +28,7 @@ TEST(Stress, writesAFolderThatIsTheSameWithOneThread) {
 }
 
 TEST(Stress, whatItReportsCanBeReproduced) {
-  const RunResult run = runParity(join({kShort, {"--json", "-"}}));
+  const RunResult run = runParity(join({kShortStress, {"--json", "-"}}));
   ASSERT_TRUE(exitedWith(0, run));
   const nlohmann::json json = nlohmann::json::parse(run.out);
   const std::string at = json["functions"][0]["columns"][2]["worstError"]["at"];

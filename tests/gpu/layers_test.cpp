@@ -13,7 +13,7 @@
 namespace parity::gpu {
 namespace {
 
-constexpr std::uint32_t kSize = 32;
+constexpr std::uint32_t kLayersSide = 32;
 const glm::vec3 kBackground(0.125f, 0.25f, 0.5f);
 
 // A square of half side 1 in its own plane; opacity 1: not blended.
@@ -45,7 +45,8 @@ struct Seen {
 
 // What the ray through a pixel's centre meets in front of the first opaque pane, that one included, the nearest first.
 std::vector<Seen> seenBy(const std::vector<Pane>& panes, std::uint32_t pixel) {
-  const double x = (pixel % kSize + 0.5) * 2 / kSize - 1, y = 1 - (pixel / kSize + 0.5) * 2 / kSize;
+  const double x = (pixel % kLayersSide + 0.5) * 2 / kLayersSide - 1,
+               y = 1 - (pixel / kLayersSide + 0.5) * 2 / kLayersSide;
   std::vector<Seen> seen;
   for (std::size_t i = panes.size(); i-- > 0;) {
     const glm::dmat4 m(panes[i].toWorld);
@@ -85,13 +86,13 @@ protected:
   // In two tiles; what is seen is the resolved base colour.
   Rendered render(const scenes::Scene& scene) const {
     const SceneBuffers buffers(device(), scene);
-    const SurfacePass pass(device(), buffers, kSize, kSize);
-    const MaterialPass materials(device(), buffers, pass.binKinds(), kSize * kSize);
+    const SurfacePass pass(device(), buffers, kLayersSide, kLayersSide);
+    const MaterialPass materials(device(), buffers, pass.binKinds(), kLayersSide * kLayersSide);
     const scenes::Camera camera = tests::makeFrontCamera(1, 8, true);
-    FrameBuilder frame(kSize, kSize, 1, false, kBackground);
+    FrameBuilder frame(kLayersSide, kLayersSide, 1, false, kBackground);
     CoverageBuilder coverage(buffers, 1);
     Rendered rendered;
-    for (const Tile& tile : {Tile{0, kSize / 2}, Tile{kSize / 2, kSize / 2}}) {
+    for (const Tile& tile : {Tile{0, kLayersSide / 2}, Tile{kLayersSide / 2, kLayersSide / 2}}) {
       frame.begin(tile);
       coverage.begin(tile);
       const VisibleLayers visible = pass.rasterise(camera, tile, glm::vec2(0.5f));
@@ -114,7 +115,7 @@ protected:
   }
 
   static void expectComposite(const Rendered& rendered, const std::vector<Pane>& panes, const std::string& what) {
-    for (std::uint32_t pixel = 0; pixel < kSize * kSize; ++pixel) {
+    for (std::uint32_t pixel = 0; pixel < kLayersSide * kLayersSide; ++pixel) {
       const glm::dvec3 expected = compositeOf(panes, pixel);
       for (int c = 0; c < 3; ++c)
         ASSERT_NEAR(rendered.color.pixels[3 * pixel + c], expected[c], 1e-6)
@@ -172,7 +173,7 @@ TEST_F(LayersTest, BackFacesAreLayersWhereTheirMaterialIsDoubleSided) {
   expectComposite(render(sceneOf(panes)), panes, "double-sided");
   panes[0].doubleSided = false;
   expectComposite(render(sceneOf(panes)), panes, "back face culled");
-  EXPECT_EQ(seenBy(panes, kSize - 1).size(), 1u);
+  EXPECT_EQ(seenBy(panes, kLayersSide - 1).size(), 1u);
 }
 
 TEST_F(LayersTest, OpaqueSurfacesHideWhatLiesBehindAndNothingAtTheirDepth) {
@@ -197,11 +198,11 @@ TEST_F(LayersTest, APixelCountsForEachMaterialByItsContribution) {
                                    {turned(35, {1, 0, 0}), {0, 0, 1}, 0.45f}};
   const std::vector<base::PixelList> coverage = render(sceneOf(panes)).coverage;
   ASSERT_EQ(coverage.size(), panes.size());
-  std::vector<std::vector<double>> weights(panes.size(), std::vector<double>(kSize * kSize, 0.0));
+  std::vector<std::vector<double>> weights(panes.size(), std::vector<double>(kLayersSide * kLayersSide, 0.0));
   for (std::size_t m = 0; m < coverage.size(); ++m)
     for (std::size_t i = 0; i < coverage[m].pixels.size(); ++i)
       weights[m][coverage[m].pixels[i]] = coverage[m].weights.empty() ? 1 : coverage[m].weights[i];
-  for (std::uint32_t pixel = 0; pixel < kSize * kSize; ++pixel) {
+  for (std::uint32_t pixel = 0; pixel < kLayersSide * kLayersSide; ++pixel) {
     std::vector<double> expected(panes.size(), 0.0);
     double throughput = 1, sum = 0;
     for (const Seen& s : seenBy(panes, pixel)) {
@@ -213,7 +214,7 @@ TEST_F(LayersTest, APixelCountsForEachMaterialByItsContribution) {
       sum += weights[m][pixel];
     }
     ASSERT_NEAR(sum, 1 - throughput, 1e-6) << "pixel " << pixel;
-    if (pixel % kSize >= kSize / 2) {
+    if (pixel % kLayersSide >= kLayersSide / 2) {
       ASSERT_NEAR(sum, 1, 1e-6) << "before the wall";
     }
   }
@@ -223,7 +224,7 @@ TEST_F(LayersTest, LayersOfOneMaterialCountTogether) {
   scenes::Scene scene = sceneOf({{tests::translation(0, 0, 1), {1, 0, 0}, 0.5f}});
   scene.instances.push_back({0, tests::translation(0, 0, 2), "again"});
   const std::vector<base::PixelList> coverage = render(scene).coverage;
-  ASSERT_EQ(coverage[0].pixels.size(), kSize * kSize);
+  ASSERT_EQ(coverage[0].pixels.size(), kLayersSide * kLayersSide);
   for (const float weight : coverage[0].weights) ASSERT_EQ(weight, 0.75f);
 }
 
@@ -233,7 +234,7 @@ TEST_F(LayersTest, BeyondTheLimitTheFarthestAreLeftOutAndTheirPixelsNamed) {
     panes.push_back(
         {tests::translation(i < kMaxBlendedLayers ? 0.f : 1.f, 0, 2 - 0.125f * i), {i % 2, i % 3 / 2.f, 1}, 0.125f});
   const Rendered rendered = render(sceneOf(panes));
-  EXPECT_EQ(rendered.cutPixels, kSize * kSize / 2);
+  EXPECT_EQ(rendered.cutPixels, kLayersSide * kLayersSide / 2);
   EXPECT_EQ(rendered.layerSizes.size(), 2 * (1 + kMaxBlendedLayers));
   panes.resize(kMaxBlendedLayers);
   expectComposite(rendered, panes, "the nearest");
@@ -246,8 +247,8 @@ TEST_F(LayersTest, NothingIsPeeledWhereNothingIsBlended) {
   ownDevice.setTimings(&timings);
   const auto peels = [&](const scenes::Scene& scene) {
     const SceneBuffers buffers(ownDevice, scene);
-    const SurfacePass pass(ownDevice, buffers, kSize, kSize);
-    pass.render(tests::makeFrontCamera(1, 8, true), {0, kSize}, glm::vec2(0.5f));
+    const SurfacePass pass(ownDevice, buffers, kLayersSide, kLayersSide);
+    pass.render(tests::makeFrontCamera(1, 8, true), {0, kLayersSide}, glm::vec2(0.5f));
     const auto stages = timings.stages();
     return std::any_of(stages.begin(), stages.end(), [](const auto& s) { return s.first == "device: surface peel"; });
   };

@@ -8,11 +8,12 @@
 
 #include "gpu/surface/frame_builder.h"
 #include "gpu/surface/material_swap.h"
+#include "support/not_finite.h"
 
 namespace parity::gpu {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+using tests::kNan;
 constexpr std::uint32_t kWidth = 4;
 const std::vector<std::uint32_t> kMaterialOf = {0, 1, 2}; // of instance i material i
 

@@ -9,17 +9,17 @@
 namespace parity::gpu {
 namespace {
 
-constexpr std::uint32_t kSize = 8;
+constexpr std::uint32_t kMaterialSide = 8;
 
 class MaterialPassTest : public tests::DeviceTest {
 protected:
   std::vector<ResolvedMaterial> resolve(const scenes::Scene& scene) {
     const SceneBuffers buffers(device(), scene);
-    const SurfacePass surfaces(device(), buffers, kSize, kSize);
+    const SurfacePass surfaces(device(), buffers, kMaterialSide, kMaterialSide);
     const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
-    const std::vector<Surface> layers = surfaces.render(camera, {0, kSize}, glm::vec2(0.5f));
+    const std::vector<Surface> layers = surfaces.render(camera, {0, kMaterialSide}, glm::vec2(0.5f));
     const Surface& surface = layers.back();
-    EXPECT_EQ(surface.size(), std::size_t{kSize} * kSize);
+    EXPECT_EQ(surface.size(), std::size_t{kMaterialSide} * kMaterialSide);
     return MaterialPass(device(), buffers, surfaces.binKinds(), surface.size()).resolve(surface, camera);
   }
 };

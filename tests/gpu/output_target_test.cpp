@@ -8,11 +8,12 @@
 
 #include "gpu/surface/output_target.h"
 #include "shading/shading.h"
+#include "support/not_finite.h"
 
 namespace parity::gpu {
 namespace {
 
-constexpr float kInf = std::numeric_limits<float>::infinity(), kNan = std::numeric_limits<float>::quiet_NaN();
+using tests::kInf, tests::kNan;
 
 // All finite numbers of an unsigned float with 5 exponent bits, by their codes: ascending.
 std::vector<double> unsignedFloats(int mantissaBits) {

@@ -13,7 +13,7 @@ using tests::makeFrontCamera;
 using tests::makeQuadScene;
 using tests::translation;
 
-constexpr std::uint32_t kSize = 64;
+constexpr std::uint32_t kSurfaceSide = 64;
 
 struct Entry {
   glm::vec3 position, normal;
@@ -36,8 +36,8 @@ class SurfaceTest : public tests::DeviceTest {
 protected:
   Surface render(const scenes::Scene& scene, const scenes::Camera& camera) {
     m_buffers = std::make_unique<SceneBuffers>(device(), scene);
-    m_pass = std::make_unique<SurfacePass>(device(), *m_buffers, kSize, kSize);
-    return std::move(m_pass->render(camera, {0, kSize}, glm::vec2(0.5f)).front());
+    m_pass = std::make_unique<SurfacePass>(device(), *m_buffers, kSurfaceSide, kSurfaceSide);
+    return std::move(m_pass->render(camera, {0, kSurfaceSide}, glm::vec2(0.5f)).front());
   }
   void TearDown() override {
     m_pass.reset();
@@ -52,10 +52,10 @@ TEST_F(SurfaceTest, givesPositionFrameUvAndDerivativesOfAFacingPlaneInBothProjec
   const scenes::Scene scene = makeQuadScene();
   for (const bool orthographic : {false, true}) {
     const auto entries = download(render(scene, makeFrontCamera(1, 3, orthographic)));
-    ASSERT_EQ(entries.size(), std::size_t{kSize} * kSize);
+    ASSERT_EQ(entries.size(), std::size_t{kSurfaceSide} * kSurfaceSide);
     for (const auto& [pixel, e] : entries) {
-      const float x = (static_cast<float>(pixel % kSize) + 0.5f) / kSize,
-                  y = (static_cast<float>(pixel / kSize) + 0.5f) / kSize;
+      const float x = (static_cast<float>(pixel % kSurfaceSide) + 0.5f) / kSurfaceSide,
+                  y = (static_cast<float>(pixel / kSurfaceSide) + 0.5f) / kSurfaceSide;
       ASSERT_NEAR(e.position.x, 2 * x - 1, 2e-6f);
       ASSERT_NEAR(e.position.y, 1 - 2 * y, 2e-6f) << "row 0 is the top of the picture";
       ASSERT_NEAR(e.position.z, 0, 2e-6f);
@@ -63,10 +63,10 @@ TEST_F(SurfaceTest, givesPositionFrameUvAndDerivativesOfAFacingPlaneInBothProjec
       ASSERT_EQ(e.tangent, glm::vec4(1, 0, 0, 1));
       ASSERT_NEAR(e.uv.x, x, 2e-6f);
       ASSERT_NEAR(e.uv.y, 1 - y, 2e-6f);
-      ASSERT_NEAR(e.uvDerivatives.x, 1.f / kSize, 1e-6f);
+      ASSERT_NEAR(e.uvDerivatives.x, 1.f / kSurfaceSide, 1e-6f);
       ASSERT_NEAR(e.uvDerivatives.y, 0, 1e-6f);
       ASSERT_NEAR(e.uvDerivatives.z, 0, 1e-6f);
-      ASSERT_NEAR(e.uvDerivatives.w, -1.f / kSize, 1e-6f);
+      ASSERT_NEAR(e.uvDerivatives.w, -1.f / kSurfaceSide, 1e-6f);
     }
   }
 }
@@ -83,9 +83,9 @@ TEST_F(SurfaceTest, derivativesOfATiltedPlaneAreThoseOfTheProjection) {
   // sin a).
   const auto along = [&](double y) { return y * distance / (distance * std::cos(angle) - y * std::sin(angle)); };
   const auto acrossPerX = [&](double y) { return (distance + along(y) * std::sin(angle)) / distance; };
-  const double step = 2.0 / kSize;
+  const double step = 2.0 / kSurfaceSide;
   for (const auto& [pixel, e] : entries) {
-    const double y = 1 - (pixel / kSize + 0.5) * step, x = (pixel % kSize + 0.5) * step - 1, h = 1e-5;
+    const double y = 1 - (pixel / kSurfaceSide + 0.5) * step, x = (pixel % kSurfaceSide + 0.5) * step - 1, h = 1e-5;
     ASSERT_NEAR(e.uv.y, 0.5 + along(y) / 2, 2e-5);
     ASSERT_NEAR(e.uvDerivatives.x, step * acrossPerX(y) / 2, 2e-5);
     ASSERT_NEAR(e.uvDerivatives.y, 0, 2e-5);
@@ -101,7 +101,7 @@ TEST_F(SurfaceTest, backFaceTurnsItsFrameRoundOrIsCulledWhereSingleSided) {
   scene.instances[0].toWorld[0].x = -1; // half a turn about +Y
   scene.instances[0].toWorld[2].z = -1;
   const auto entries = download(render(scene, makeFrontCamera(1, 3, false)));
-  ASSERT_EQ(entries.size(), std::size_t{kSize} * kSize);
+  ASSERT_EQ(entries.size(), std::size_t{kSurfaceSide} * kSurfaceSide);
   // Normal and tangent of the turned quad are -Z and -X; the back shows them reversed, and its bitangent too (w).
   EXPECT_EQ(entries.begin()->second.normal, glm::vec3(0, 0, 1));
   EXPECT_EQ(entries.begin()->second.tangent, glm::vec4(1, 0, 0, -1));
@@ -114,7 +114,7 @@ TEST_F(SurfaceTest, mirroringTransformKeepsTheFrontAndFlipsTheBitangent) {
   scene.materials[0].doubleSided = false;
   scene.instances[0].toWorld[0].x = -1;
   const auto entries = download(render(scene, makeFrontCamera(1, 3, false)));
-  ASSERT_EQ(entries.size(), std::size_t{kSize} * kSize) << "a mirrored front face is still a front face";
+  ASSERT_EQ(entries.size(), std::size_t{kSurfaceSide} * kSurfaceSide) << "a mirrored front face is still a front face";
   // cross(n, t) of (0,0,1) and (-1,0,0) is -Y; the quad's v still grows along +Y, so w is -1.
   EXPECT_EQ(entries.begin()->second.normal, glm::vec3(0, 0, 1));
   EXPECT_EQ(entries.begin()->second.tangent, glm::vec4(-1, 0, 0, -1));
@@ -128,7 +128,7 @@ TEST_F(SurfaceTest, tinyScaleKeepsUnitNormals) {
     camera.zNear = 1e-13f;
     return camera;
   }()));
-  ASSERT_EQ(entries.size(), std::size_t{kSize} * kSize);
+  ASSERT_EQ(entries.size(), std::size_t{kSurfaceSide} * kSurfaceSide);
   EXPECT_EQ(entries.begin()->second.normal, glm::vec3(0, 0, 1));
 }
 
@@ -142,8 +142,8 @@ TEST_F(SurfaceTest, alphaMaskCutsByTheTextureItself) {
   material.baseColorTexture.image = 0;
   material.baseColorTexture.sampler.magFilter = scenes::Filter::nearest;
   const Surface surface = render(scene, makeFrontCamera(1, 3, false));
-  EXPECT_EQ(surface.size(), std::size_t{kSize} * kSize / 2);
-  for (const std::uint32_t pixel : surface.pixels) ASSERT_GE(pixel % kSize, kSize / 2);
+  EXPECT_EQ(surface.size(), std::size_t{kSurfaceSide} * kSurfaceSide / 2);
+  for (const std::uint32_t pixel : surface.pixels) ASSERT_GE(pixel % kSurfaceSide, kSurfaceSide / 2);
 }
 
 // A texture with mips on many small triangles: at the edges of one, too, it is read at the level that the pixels have.
@@ -173,11 +173,12 @@ TEST_F(SurfaceTest, alphaMaskIsNotTornAtTheEdgesOfTriangles) {
   for (const float cutoff : {0.3f, 0.7f}) {
     scene.materials[0].alphaCutoff = cutoff;
     const Surface surface = render(scene, makeFrontCamera(1, 3, false));
-    std::vector<int> shownInColumn(kSize, 0);
-    for (const std::uint32_t pixel : surface.pixels) ++shownInColumn[pixel % kSize];
-    for (std::uint32_t x = 0; x < kSize; ++x) {
-      if (x + 2 >= kSize / 2 && x <= kSize / 2 + 1) continue; // the cut itself
-      ASSERT_EQ(shownInColumn[x], x < kSize / 2 ? static_cast<int>(kSize) : 0) << "column " << x << ", " << cutoff;
+    std::vector<int> shownInColumn(kSurfaceSide, 0);
+    for (const std::uint32_t pixel : surface.pixels) ++shownInColumn[pixel % kSurfaceSide];
+    for (std::uint32_t x = 0; x < kSurfaceSide; ++x) {
+      if (x + 2 >= kSurfaceSide / 2 && x <= kSurfaceSide / 2 + 1) continue; // the cut itself
+      ASSERT_EQ(shownInColumn[x], x < kSurfaceSide / 2 ? static_cast<int>(kSurfaceSide) : 0)
+          << "column " << x << ", " << cutoff;
     }
   }
 }
@@ -188,8 +189,8 @@ TEST_F(SurfaceTest, nearerSurfaceHidesTheOther) {
   const Surface surface = render(scene, makeFrontCamera(2, 6, true));
   std::size_t front = 0, behind = 0;
   for (const std::uint32_t instance : surface.instances) ++(instance == 0 ? front : behind);
-  EXPECT_EQ(front, std::size_t{kSize} * kSize / 4);
-  EXPECT_EQ(behind, std::size_t{kSize} * kSize / 16);
+  EXPECT_EQ(front, std::size_t{kSurfaceSide} * kSurfaceSide / 4);
+  EXPECT_EQ(behind, std::size_t{kSurfaceSide} * kSurfaceSide / 16);
 }
 
 TEST_F(SurfaceTest, tilesOfALargePictureFitTogether) {
@@ -215,13 +216,13 @@ TEST_F(SurfaceTest, tilesOfALargePictureFitTogether) {
 TEST_F(SurfaceTest, samplePositionsMoveWhatAPixelSees) {
   const scenes::Scene scene = makeQuadScene();
   const SceneBuffers buffers(device(), scene);
-  const SurfacePass pass(device(), buffers, kSize, kSize);
+  const SurfacePass pass(device(), buffers, kSurfaceSide, kSurfaceSide);
   const scenes::Camera camera = makeFrontCamera(1, 3, true);
   for (const glm::vec2& sample : samplePositions(4)) {
-    const auto entries = download(pass.render(camera, {0, kSize}, sample).front());
-    const auto& e = entries.at(10 * kSize + 20);
-    EXPECT_NEAR(e.position.x, 2 * (20 + sample.x) / kSize - 1, 2e-6);
-    EXPECT_NEAR(e.position.y, 1 - 2 * (10 + sample.y) / kSize, 2e-6);
+    const auto entries = download(pass.render(camera, {0, kSurfaceSide}, sample).front());
+    const auto& e = entries.at(10 * kSurfaceSide + 20);
+    EXPECT_NEAR(e.position.x, 2 * (20 + sample.x) / kSurfaceSide - 1, 2e-6);
+    EXPECT_NEAR(e.position.y, 1 - 2 * (10 + sample.y) / kSurfaceSide, 2e-6);
   }
 }
 

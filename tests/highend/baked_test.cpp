@@ -13,7 +13,7 @@ using tests::HostPages;
 using tests::ShadedPixel;
 namespace f64 = shading::f64;
 
-constexpr float kTolerance = 1e-3f; // texels are fp16
+constexpr float kTexelTolerance = 1e-3f; // texels are fp16
 const glm::vec3 kIrradiance(0.5f, 1.25f, 0.0625f), kBase(0.8f, 0.5f, 0.2f);
 constexpr glm::vec3 kNoDirection(0);
 
@@ -55,9 +55,9 @@ TEST_F(BakedTest, constantIrradianceGivesItsRadianceUpToTheBordersOfThePage) {
     scene.lightScales.indirectColorScale = glm::vec3(indirectScale);
     for (const ShadedPixel& pixel :
          shade(scene, &uvs, &content, {.lights = {tests::makeDirectional({0, 0, 1}, glm::vec3(2))}})) {
-      tests::expectNear(pixel[Term::lightmap], kIrradiance * kBase * indirectScale, kTolerance, "lightmap");
+      tests::expectNear(pixel[Term::lightmap], kIrradiance * kBase * indirectScale, kTexelTolerance, "lightmap");
       EXPECT_GT(pixel[Term::sunDiffuse].x, 0.1f);
-      tests::expectNear(pixel.sum(), pixel.color, kTolerance, "sum of the terms");
+      tests::expectNear(pixel.sum(), pixel.color, kTexelTolerance, "sum of the terms");
     }
   }
 }
@@ -77,7 +77,7 @@ TEST_F(BakedTest, texelsAreReadBilinearlyAndNeverAcrossTheHalves) {
     const glm::vec2 texel = glm::clamp(uv * static_cast<float>(kTexels) - 0.5f, 0.f, kTexels - 1.f);
     EXPECT_NEAR(pixel[Term::lightmap].x, texel.x, 0.01f) << uv.x; // filters have 8 bits of fraction
     EXPECT_NEAR(pixel[Term::lightmap].y, texel.y, 0.01f) << uv.y;
-    EXPECT_NEAR(pixel[Term::lightmap].z, 1, kTolerance);
+    EXPECT_NEAR(pixel[Term::lightmap].z, 1, kTexelTolerance);
   }
 }
 
@@ -91,7 +91,7 @@ TEST_F(BakedTest, theShadingNormalTurnsTowardsTheLightByTheRatio) {
     const gpu::BakedContent content{.lightmap = pages.view()};
     const double ratio = f64::directionalLightmapRatio(vec(glm::dvec3(r)), vec(n), vec(N0));
     for (const ShadedPixel& pixel : shade(scene, &uvs, &content, {}))
-      tests::expectNear(pixel[Term::lightmap], kIrradiance * kBase * static_cast<float>(ratio), 2 * kTolerance,
+      tests::expectNear(pixel[Term::lightmap], kIrradiance * kBase * static_cast<float>(ratio), 2 * kTexelTolerance,
                         "directional lightmap");
     if (r.x > 0)
       EXPECT_GT(ratio, 1.01);
@@ -112,7 +112,8 @@ TEST_F(BakedTest, aBackAsksTheFrontsLightFromBehind) {
       f64::nonlinearIrradiance({0, 0, -0.5}, {0, 0, 1}) / f64::nonlinearIrradiance({0, 0, -0.5}, {0, 0, -1});
   ASSERT_LT(ratio, 0.2);
   for (const ShadedPixel& pixel : shade(scene, &uvs, &content, {}))
-    tests::expectNear(pixel[Term::lightmap], kIrradiance * kBase * static_cast<float>(ratio), kTolerance, "the back");
+    tests::expectNear(pixel[Term::lightmap], kIrradiance * kBase * static_cast<float>(ratio), kTexelTolerance,
+                      "the back");
 }
 
 TEST_F(BakedTest, objectsReadTheirPagesAndThoseWithoutOneLookAsUnbaked) {
@@ -137,12 +138,12 @@ TEST_F(BakedTest, objectsReadTheirPagesAndThoseWithoutOneLookAsUnbaked) {
              halfBaked = shade(scene, &left, &content, inputs);
   for (std::size_t i = 0; i < baked.size(); ++i) {
     const bool isLeft = baked[i].instance == 0;
-    tests::expectNear(baked[i][Term::lightmap], kBase * (isLeft ? 2.f : 1.f), kTolerance, "page");
+    tests::expectNear(baked[i][Term::lightmap], kBase * (isLeft ? 2.f : 1.f), kTexelTolerance, "page");
     EXPECT_EQ(baked[i][Term::skyDiffuse], glm::vec3(0)) << "it is in the lightmap";
     EXPECT_GT(unbaked[i][Term::skyDiffuse].x, 0.1f);
-    tests::expectNear(baked[i][Term::sunDiffuse], unbaked[i][Term::sunDiffuse] * (isLeft ? 1.f : 0.2f), kTolerance,
+    tests::expectNear(baked[i][Term::sunDiffuse], unbaked[i][Term::sunDiffuse] * (isLeft ? 1.f : 0.2f), kTexelTolerance,
                       "the sun through the mask, not squared");
-    tests::expectNear(baked[i].sum(), baked[i].color, kTolerance, "sum of the terms");
+    tests::expectNear(baked[i].sum(), baked[i].color, kTexelTolerance, "sum of the terms");
     EXPECT_EQ(halfBaked[i].color, isLeft ? baked[i].color : unbaked[i].color);
   }
 }
@@ -158,7 +159,7 @@ TEST_F(BakedTest, whereShadowMapsAreBoundTheBakedShadowIsNotRead) {
   const auto byMap = shade(scene, &uvs, &content, {.lights = lights, .shadows = &maps}),
              byMask = shade(scene, &uvs, &content, {.lights = lights});
   for (std::size_t i = 0; i < byMap.size(); ++i)
-    tests::expectNear(byMask[i].color, byMap[i].color * 0.2f, kTolerance, "mask");
+    tests::expectNear(byMask[i].color, byMap[i].color * 0.2f, kTexelTolerance, "mask");
 }
 
 // A = 0.5, B = 0.1, Eavg = 0.5: what scatters more often takes the lightmap's irradiance, the reflection its captures.
@@ -207,7 +208,7 @@ TEST_F(BakedTest, captureShowsTheWallThatTheReflectionHits) {
         const glm::dvec3 wall(pixel.position.x, pixel.position.y, upper.z);
         const std::uint32_t face = isInside ? tests::faceOf(wall - glm::dvec3(origin)) : 4;
         ++seen[face];
-        tests::expectNear(pixel[Term::skySpecular], colors[face] * single, kTolerance, "face");
+        tests::expectNear(pixel[Term::skySpecular], colors[face] * single, kTexelTolerance, "face");
       }
       EXPECT_EQ(std::ranges::count_if(seen, [](int n) { return n > 0; }), isInside ? 5 : 1);
     }
@@ -237,7 +238,7 @@ TEST_F(BakedTest, capturesAreBlendedByDistanceAndBeyondTheirRadiusTheNearestIsTa
       const glm::vec3 blended =
           (radiance[0] * static_cast<float>(weights[0]) + radiance[1] * static_cast<float>(weights[1])) /
           static_cast<float>(weights[0] + weights[1]);
-      tests::expectNear(pixel[Term::skySpecular], blended * single, kTolerance, "blend");
+      tests::expectNear(pixel[Term::skySpecular], blended * single, kTexelTolerance, "blend");
     }
     EXPECT_EQ(alone > 0, radius < 1) << "the radius is reached in one of both";
   }
@@ -260,8 +261,9 @@ TEST_F(BakedTest, captureFollowsTheLightmapByTheMixingWeight) {
     const double x = std::clamp((roughness - 0.1) / 0.2, 0.0, 1.0), s = x * x * (3 - 2 * x),
                  scale = 1 - s + s * irradiance / 1.5;
     tests::expectNear(shade(scene, &uvs, &content, inputs)[0][Term::skySpecular], reflected * static_cast<float>(scale),
-                      kTolerance, "with a lightmap");
-    tests::expectNear(shade(scene, &none, &content, inputs)[0][Term::skySpecular], reflected, kTolerance, "without");
+                      kTexelTolerance, "with a lightmap");
+    tests::expectNear(shade(scene, &none, &content, inputs)[0][Term::skySpecular], reflected, kTexelTolerance,
+                      "without");
   }
 }
 

@@ -14,7 +14,7 @@
 namespace parity::highend {
 namespace {
 
-constexpr std::uint32_t kSize = 128;
+constexpr std::uint32_t kCulledSide = 128;
 
 // Spheres of two materials over a plane, seen in perspective from above.
 struct Field {
@@ -64,8 +64,8 @@ class LightCullingTest : public tests::DeviceTest {
 protected:
   gpu::ShadedSurface shade(const std::vector<scenes::Light>& lights, bool cull, const gpu::PermutationBudget& budget) {
     const gpu::SceneBuffers buffers(device(), m_field.scene);
-    const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
-    const auto surfaces = pass.render(m_field.camera, {0, kSize}, glm::vec2(0.5f));
+    const gpu::SurfacePass pass(device(), buffers, kCulledSide, kCulledSide);
+    const auto surfaces = pass.render(m_field.camera, {0, kCulledSide}, glm::vec2(0.5f));
     Inputs inputs;
     inputs.lights = lights;
     inputs.terms = true;
@@ -105,8 +105,8 @@ TEST_F(LightCullingTest, leavesThePictureOfOneKindOfLightAsItIs) {
 // lists of lights and, of few, without.
 TEST_F(LightCullingTest, aSwitchedLightIsTheOneAskedForAndComesBack) {
   const gpu::SceneBuffers buffers(device(), m_field.scene);
-  const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
-  const auto surfaces = pass.render(m_field.camera, {0, kSize}, glm::vec2(0.5f));
+  const gpu::SurfacePass pass(device(), buffers, kCulledSide, kCulledSide);
+  const auto surfaces = pass.render(m_field.camera, {0, kCulledSide}, glm::vec2(0.5f));
   for (const std::size_t count : {6u, 70u}) {
     std::vector<scenes::Light> lights = makeLights(count, 3);
     lights[1].position = {0, 0, 3}; // the spot, where it is seen
@@ -144,8 +144,8 @@ TEST_F(LightCullingTest, aSwitchedLightIsTheOneAskedForAndComesBack) {
 
 TEST_F(LightCullingTest, listsWhatReachesAPixelAndLittleElse) {
   const gpu::SceneBuffers buffers(device(), m_field.scene);
-  const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
-  const auto surfaces = pass.render(m_field.camera, {0, kSize}, glm::vec2(0.5f));
+  const gpu::SurfacePass pass(device(), buffers, kCulledSide, kCulledSide);
+  const auto surfaces = pass.render(m_field.camera, {0, kCulledSide}, glm::vec2(0.5f));
   const gpu::Surface& surface = surfaces.front();
   std::vector<scenes::Light> lights = makeLights(600, 11);
   std::erase_if(lights, [](const auto& l) { return l.kind == scenes::LightKind::directional || l.range == 0; });
@@ -186,8 +186,8 @@ TEST_F(LightCullingTest, listsWhatReachesAPixelAndLittleElse) {
 
 TEST_F(LightCullingTest, takesAHundredThousandLightsAndSaysWhereTooManyReachAPixel) {
   const gpu::SceneBuffers buffers(device(), m_field.scene);
-  const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
-  const auto surfaces = pass.render(m_field.camera, {0, kSize}, glm::vec2(0.5f));
+  const gpu::SurfacePass pass(device(), buffers, kCulledSide, kCulledSide);
+  const auto surfaces = pass.render(m_field.camera, {0, kCulledSide}, glm::vec2(0.5f));
   scenes::Light light;
   light.color = glm::vec3(1);
   light.range = 0.05f;
@@ -219,7 +219,7 @@ TEST_F(LightCullingTest, takesAHundredThousandLightsAndSaysWhereTooManyReachAPix
 
 TEST_F(LightCullingTest, refusesMoreLightsThatReachEverythingThanALoopMayHave) {
   const gpu::SceneBuffers buffers(device(), m_field.scene);
-  const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
+  const gpu::SurfacePass pass(device(), buffers, kCulledSide, kCulledSide);
   Inputs inputs;
   inputs.lights.resize(60001); // points without a range
   EXPECT_THROW(Renderer(device(), buffers, pass.binKinds(), inputs, m_options), base::Error);

@@ -14,7 +14,7 @@
 
 namespace parity::highend {
 using scenes::LightKind;
-inline constexpr std::uint32_t kSize = 128;
+inline constexpr std::uint32_t kShadowedSide = 128;
 inline constexpr float kFloor = 2; // half its side
 
 inline scenes::Light makeLight(LightKind kind) {
@@ -52,8 +52,8 @@ protected:
                             const std::vector<scenes::Light>& lights, bool shadows,
                             const gpu::ShadowOptions& options = {}, bool cull = true) {
     const gpu::SceneBuffers buffers(device(), scene);
-    const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
-    const auto surface = std::move(pass.render(camera, {0, kSize}, glm::vec2(0.5f)).front());
+    const gpu::SurfacePass pass(device(), buffers, kShadowedSide, kShadowedSide);
+    const auto surface = std::move(pass.render(camera, {0, kShadowedSide}, glm::vec2(0.5f)).front());
     std::optional<gpu::ShadowMaps> maps;
     if (shadows) maps.emplace(device(), buffers, lights, options);
     Inputs inputs;
@@ -65,14 +65,15 @@ protected:
     m_shaded = renderer.shade(surface, camera);
     if (maps) m_mapCount = maps->mapCount();
     if (maps) m_drawCount = maps->drawCount();
-    std::vector<double> picture(kSize * kSize, -1);
+    std::vector<double> picture(kShadowedSide * kShadowedSide, -1);
     for (std::size_t i = 0; i < surface.size(); ++i)
       if (surface.instances[i] == 0) picture[surface.pixels[i]] = m_shaded.color[i].x;
     return picture;
   }
   static glm::vec2 placeOf(std::size_t pixel) {
-    const float x = static_cast<float>(pixel % kSize) + 0.5f, y = static_cast<float>(pixel / kSize) + 0.5f;
-    return glm::vec2(x / kSize * 2 - 1, 1 - y / kSize * 2) * kFloor;
+    const float x = static_cast<float>(pixel % kShadowedSide) + 0.5f,
+                y = static_cast<float>(pixel / kShadowedSide) + 0.5f;
+    return glm::vec2(x / kShadowedSide * 2 - 1, 1 - y / kShadowedSide * 2) * kFloor;
   }
   // inShadow of a place on the floor, given a margin in metres that the shadow is to be grown by.
   template <typename InShadow> void expectShadow(const scenes::Light& light, float texel, const InShadow& inShadow) {

@@ -96,14 +96,14 @@ TEST_F(ShadowTest, FiltersWidenTheEdgeByTheirTexels) {
     // The share of light along a row through the shadow, from the left edge's outside to its middle.
     double width = 0;
     const double texel = 1.002 / (64 - 2 * gpu::shadowGuard(filter, true)); // metres
-    const std::size_t row = kSize / 2;
+    const std::size_t row = kShadowedSide / 2;
     double before = 1;
-    for (std::size_t x = 0; x < kSize; ++x) {
-      const double share = shadowed[row * kSize + x] / open[row * kSize + x];
-      if (placeOf(row * kSize + x).x * kHalf / kFloor > 0.2f) break;
+    for (std::size_t x = 0; x < kShadowedSide; ++x) {
+      const double share = shadowed[row * kShadowedSide + x] / open[row * kShadowedSide + x];
+      if (placeOf(row * kShadowedSide + x).x * kHalf / kFloor > 0.2f) break;
       EXPECT_LE(share, before + 1e-6) << "filter " << filter << " column " << x;
       before = share;
-      width += share > 0.001 && share < 0.999 ? 2.0 * kHalf / kSize : 0;
+      width += share > 0.001 && share < 0.999 ? 2.0 * kHalf / kShadowedSide : 0;
     }
     EXPECT_EQ(before, 0);
     EXPECT_NEAR(width / texel, filter, 0.8) << "filter " << filter;

@@ -7,14 +7,12 @@
 
 #include "lighting/environment/cube.h"
 #include "lighting/environment/cube_sampler.h"
+#include "support/random_direction.h"
 
 namespace parity::lighting {
 namespace {
 
-glm::dvec3 randomDirection(std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
-}
+using tests::randomDirection;
 
 std::vector<glm::vec4> makeNoise(int n) {
   std::mt19937 random(7);

@@ -21,7 +21,7 @@ namespace parity::lighting {
 namespace {
 
 namespace f64 = shading::f64;
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // A panorama of a function of direction.
 scenes::Environment makeEnvironment(int width, const std::function<glm::dvec3(const glm::dvec3&)>& radiance) {
@@ -31,7 +31,7 @@ scenes::Environment makeEnvironment(int width, const std::function<glm::dvec3(co
   for (int y = 0; y < width / 2; ++y)
     for (int x = 0; x < width; ++x) {
       // u = atan2(z, x) / 2pi + 0.5, v from +Y down (docs/design.md 8d).
-      const double azimuth = ((x + 0.5) / width - 0.5) * 2 * kPi, polar = (y + 0.5) / (width / 2) * kPi;
+      const double azimuth = ((x + 0.5) / width - 0.5) * 2 * pi, polar = (y + 0.5) / (width / 2) * pi;
       const glm::dvec3 d(std::sin(polar) * std::cos(azimuth), std::cos(polar), std::sin(polar) * std::sin(azimuth));
       const glm::dvec3 l = radiance(d);
       for (int c = 0; c < 3; ++c) environment.radiance.at(x, y)[c] = static_cast<float>(l[c]);
@@ -87,7 +87,7 @@ TEST(EnvironmentLight, ofAConstantSkyIsThatConstantInEveryMipAndPiTimesItAsIrrad
       ASSERT_EQ(texel.w, 1);
     }
   for (const glm::dvec3& n : {glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::normalize(glm::dvec3(1, 2, -3))})
-    EXPECT_NEAR(irradiance(light, n).y, kPi, 1e-4);
+    EXPECT_NEAR(irradiance(light, n).y, pi, 1e-4);
 }
 
 TEST(EnvironmentLight, ofALinearGradientHasTheClosedFormIrradiance) {
@@ -99,7 +99,7 @@ TEST(EnvironmentLight, ofALinearGradientHasTheClosedFormIrradiance) {
   std::normal_distribution<double> normal;
   for (int i = 0; i < 20; ++i) {
     const glm::dvec3 n = glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
-    EXPECT_NEAR(irradiance(light, n).x, kPi + 2 * kPi / 3 * glm::dot(g, n), 2e-3);
+    EXPECT_NEAR(irradiance(light, n).x, pi + 2 * pi / 3 * glm::dot(g, n), 2e-3);
   }
 }
 
@@ -134,7 +134,7 @@ TEST(EnvironmentLight, keepsTheEnergyOfASingleBrightTexelAnywhere) {
     const std::vector<double> solidAngles = texelSolidAngles(256);
     double energy = 0;
     for (std::size_t i = 0; i < cube.size(); ++i) energy += solidAngles[i % solidAngles.size()] * cube[i].y;
-    const double truth = 68000 * (2 * kPi / 1024) * (std::cos(kPi * y / 512) - std::cos(kPi * (y + 1) / 512));
+    const double truth = 68000 * (2 * pi / 1024) * (std::cos(pi * y / 512) - std::cos(pi * (y + 1) / 512));
     EXPECT_NEAR(energy / truth, 1, 1e-3) << x << ", " << y;
   }
 }
@@ -156,13 +156,13 @@ TEST(EnvironmentLight, mipsAreTheGgxLobesOfTheirRoughness) {
       glm::dvec3 sum(0);
       double weights = 0;
       for (int i = 0; i < 400; ++i) {
-        const double s = (i + 0.5) / 400 * std::atan(1 / alpha * std::tan(kPi / 4)), tanH = alpha * std::tan(s),
+        const double s = (i + 0.5) / 400 * std::atan(1 / alpha * std::tan(pi / 4)), tanH = alpha * std::tan(s),
                      theta = 2 * std::atan(tanH);
         const double dTheta = 2 * alpha / (std::cos(s) * std::cos(s)) / (1 + tanH * tanH);
         const double weight = f64::D_GGX(alpha, std::cos(theta / 2)) * std::cos(theta) * std::sin(theta) * dTheta;
         if (weight <= 0) continue;
         for (int j = 0; j < 64; ++j) {
-          const double phi = 2 * kPi * (j + 0.5) / 64;
+          const double phi = 2 * pi * (j + 0.5) / 64;
           sum += weight * radiance(std::sin(theta) * (std::cos(phi) * T + std::sin(phi) * B) + std::cos(theta) * N);
           weights += weight;
         }

@@ -13,7 +13,7 @@
 namespace parity::lighting {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 scenes::Environment makeBlack(int width, int height, int channels = 3) {
   scenes::Environment environment;
@@ -32,14 +32,14 @@ scenes::Environment makeNoise(int width, int height) {
 
 // The panorama's texel that a world direction falls into (docs/design.md 8d), for no rotation.
 glm::dvec3 texelOf(const base::Image& image, const glm::dvec3& d) {
-  const double u = std::atan2(d.z, d.x) / (2 * kPi) + 0.5, v = std::acos(d.y / glm::length(d)) / kPi;
+  const double u = std::atan2(d.z, d.x) / (2 * pi) + 0.5, v = std::acos(d.y / glm::length(d)) / pi;
   const int x = std::min(image.width - 1, static_cast<int>(u * image.width));
   const int y = std::min(image.height - 1, static_cast<int>(v * image.height));
   const float* p = image.at(x, y);
   return {p[0], p[1], p[2]};
 }
 
-double energyOf(const std::vector<glm::vec4>& cube, int n) {
+double cubeEnergy(const std::vector<glm::vec4>& cube, int n) {
   const std::vector<double> angles = texelSolidAngles(n);
   double sum = 0;
   for (std::size_t i = 0; i < cube.size(); ++i) sum += angles[i % angles.size()] * cube[i].y;
@@ -47,7 +47,7 @@ double energyOf(const std::vector<glm::vec4>& cube, int n) {
 }
 
 double solidAngleOfRow(int y, int width, int height) {
-  return 2 * kPi / width * (std::cos(kPi * y / height) - std::cos(kPi * (y + 1) / height));
+  return 2 * pi / width * (std::cos(pi * y / height) - std::cos(pi * (y + 1) / height));
 }
 
 // White noise is the hardest panorama: each texel's share in each cube texel must be right.
@@ -83,7 +83,7 @@ TEST(Equirect, keepsTheEnergyOfASunInPanoramasOfAllSizes) {
     environment.rotationDeg = 33;
     environment.radiance.at(c.x, c.y)[1] = 68000;
     const double truth = 68000 * solidAngleOfRow(c.y, c.width, c.height);
-    EXPECT_NEAR(energyOf(resampleEquirect(environment, c.faceSize), c.faceSize) / truth, 1, 1e-3)
+    EXPECT_NEAR(cubeEnergy(resampleEquirect(environment, c.faceSize), c.faceSize) / truth, 1, 1e-3)
         << c.width << " x " << c.height;
   }
 }

@@ -11,7 +11,7 @@
 namespace parity::lighting {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 scenes::Environment makeGrey(int width, int height, float value) {
   scenes::Environment environment;
@@ -30,7 +30,7 @@ Panorama makeLamp(int cells, const glm::vec3& radiance) {
   return makePanorama(environment, 64);
 }
 
-double solidAngle(const Panorama& p, int y) { return (p.rowY[y] - p.rowY[y + 1]) * 2 * kPi / p.width; }
+double solidAngle(const Panorama& p, int y) { return (p.rowY[y] - p.rowY[y + 1]) * 2 * pi / p.width; }
 
 glm::dvec3 lightOf(const Panorama& p) {
   glm::dvec3 sum(0.0);
@@ -85,7 +85,7 @@ TEST(LampTree, hasParentsThatAreTheSumOfTheirChildren) {
 // A disc of angular radius r has a mean square distance of r^2 / 2 from its middle; a square of side s s^2 / 6.
 TEST(LampTree, knowsHowFarALampSpreads) {
   scenes::Environment environment = makeGrey(1024, 512, 0.f);
-  const double height = kPi / 512;
+  const double height = pi / 512;
   for (int y = 246; y < 266; ++y)
     for (int x = 502; x < 522; ++x)
       for (int c = 0; c < 3; ++c) environment.radiance.at(x, y)[c] = 5;

@@ -20,7 +20,7 @@
 namespace parity::lighting {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Disc {
   double azimuthDeg, elevationDeg, radiusDeg;
@@ -29,7 +29,7 @@ struct Disc {
     const double a = glm::radians(azimuthDeg), e = glm::radians(elevationDeg);
     return {std::cos(e) * std::cos(a), std::sin(e), std::cos(e) * std::sin(a)};
   }
-  double solidAngle() const { return 2 * kPi * (1 - std::cos(glm::radians(radiusDeg))); }
+  double solidAngle() const { return 2 * pi * (1 - std::cos(glm::radians(radiusDeg))); }
 };
 
 // Discs on a plain ground, edges smoothed by 12 x 12 points a cell.
@@ -63,7 +63,7 @@ glm::dvec3 fluxOf(const scenes::Environment& environment) {
   glm::dvec3 sum(0);
   for (int y = 0; y < image.height; ++y) {
     const double area =
-        2 * kPi / image.width * (std::cos(kPi * y / image.height) - std::cos(kPi * (y + 1) / image.height));
+        2 * pi / image.width * (std::cos(pi * y / image.height) - std::cos(pi * (y + 1) / image.height));
     for (int x = 0; x < image.width; ++x)
       for (int c = 0; c < 3; ++c) sum[c] += area * image.at(x, y)[c];
   }
@@ -97,7 +97,7 @@ TEST_P(OneDisc, becomesALightOfItsIrradianceAndDirectionAndLeavesTheGround) {
   EXPECT_EQ(light.kind, scenes::LightKind::directional);
   EXPECT_EQ(light.name, "sun 1 of test");
   expectEnergyKept(before, extraction);
-  const glm::dvec3 lux = (disc.radiance - ground) * disc.solidAngle(), painted = fluxOf(before) - 4 * kPi * ground;
+  const glm::dvec3 lux = (disc.radiance - ground) * disc.solidAngle(), painted = fluxOf(before) - 4 * pi * ground;
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(painted[c] / lux[c], 1, 0.025) << "the painter's edges, channel " << c;
     EXPECT_NEAR(light.color[c] / painted[c], 1, 1e-4) << "channel " << c;

@@ -12,6 +12,7 @@
 #include "base/parallel.h"
 #include "scenes/builtin/builtin.h"
 #include "scenes/builtin/shapes.h"
+#include "support/random_direction.h"
 #include "support/small_scenes.h"
 
 namespace parity::lighting {
@@ -28,10 +29,7 @@ scenes::Scene makeScene(const scenes::Mesh& mesh, const glm::mat4& toWorld = glm
   return scene;
 }
 
-glm::dvec3 randomDirection(std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
-}
+using tests::randomDirection;
 
 struct Ray {
   glm::dvec3 origin, direction;

@@ -1,4 +1,6 @@
 // Baked light of the mobile path: the base pass's order, with the formulas of shading/ on the CPU at equal precision.
+#include <numbers>
+
 #include "support/baked_quads.h"
 
 #include "gpu/spirv/spirv_cost.h"
@@ -15,8 +17,8 @@ using tests::ShadedPixel;
 namespace f64 = shading::f64;
 namespace f16 = shading::f16;
 
-constexpr double kPi = 3.14159265358979;
-const glm::vec3 kBase(0.8f, 0.5f, 0.2f);
+using std::numbers::pi;
+const glm::vec3 kBakedBase(0.8f, 0.5f, 0.2f);
 const glm::vec4 kLog(160, 140, 120, 255), kSh(150, 140, 200, 110); // codes of both halves
 // What brings the lower codes to -1..1 and the last to S(N)'s constant, as a baker's would.
 const gpu::GpuLightmapScales kScales{
@@ -78,7 +80,7 @@ protected:
   }
   static scenes::Scene makeScene(float metallic = 0.25f) {
     scenes::Scene scene = tests::makeQuadScene();
-    scene.materials[0].baseColor = glm::vec4(kBase, 1);
+    scene.materials[0].baseColor = glm::vec4(kBakedBase, 1);
     scene.materials[0].metallic = metallic;
     scene.materials[0].roughness = 0.5f;
     return scene;
@@ -97,7 +99,7 @@ TEST_F(BakedTest, lightmapGivesItsRadianceInEachPresetUpToTheBordersOfThePage) {
     const bool isRefit = setting.options.preset == "refit"; // whose specular lobe takes its share off
     const f64::MobileShadingModelContext context =
         f64::initShadingModelContext(isRefit ? f64::kEnvironmentBrdfRefit : f64::kEnvironmentBrdfUE4, false, false,
-                                     {{kBase.x, kBase.y, kBase.z}, 0.25, {0.04, 0.04, 0.04}, 1, 0.5}, 1);
+                                     {{kBakedBase.x, kBakedBase.y, kBakedBase.z}, 0.25, {0.04, 0.04, 0.04}, 1, 0.5}, 1);
     const f64::real3 diffuse = context.DiffuseColor, multiple = context.lobe.multiple;
     const glm::vec3 light = glm::vec3(read) * scene.lightScales.indirectColorScale;
     for (const ShadedPixel& pixel :
@@ -123,14 +125,14 @@ TEST_F(BakedTest, theShadingNormalIsReadInTheOrderOfTheSource) {
                    flat = readOnCpu(false, kLog, kSh, kScales, {0, 0, 1});
   ASSERT_GT(std::abs(leaning.w - flat.w), 0.1 * flat.w);
   for (const ShadedPixel& pixel : shade(scene, &uvs, &content, {}, options))
-    tests::expectNear(pixel[Term::lightmap], glm::vec3(leaning) * kBase, 1e-3f, "directional lightmap");
+    tests::expectNear(pixel[Term::lightmap], glm::vec3(leaning) * kBakedBase, 1e-3f, "directional lightmap");
 }
 
 // Scales, adds and pages of two objects; one without a lightmap looks as without bake.
 TEST_F(BakedTest, objectsReadTheirPagesAndScalesAndThoseWithoutALightmapLookAsUnbaked) {
   scenes::Scene scene = tests::makeTwoQuads();
   for (scenes::Material& material : scene.materials) {
-    material.baseColor = glm::vec4(kBase, 1);
+    material.baseColor = glm::vec4(kBakedBase, 1);
     material.metallic = 0;
   }
   const glm::vec4 logs[2] = {kLog, {90, 180, 30, 255}};
@@ -159,7 +161,7 @@ TEST_F(BakedTest, objectsReadTheirPagesAndScalesAndThoseWithoutALightmapLookAsUn
       const std::uint32_t at = baked[i].instance;
       const glm::dvec4 read = readOnCpu(setting.half, logs[1 - at], kSh, scales[at], {0, 0, 1});
       // Half: a sampler's last place may tip LogL by one of its own, 2^-11: .54 % of the light.
-      tests::expectNear(baked[i][Term::lightmap], glm::vec3(read) * kBase, setting.half ? 6e-3f : 1e-3f,
+      tests::expectNear(baked[i][Term::lightmap], glm::vec3(read) * kBakedBase, setting.half ? 6e-3f : 1e-3f,
                         "page and scales");
       EXPECT_EQ(baked[i][Term::skyDiffuse], glm::vec3(0)) << "no ENABLE_SKY_LIGHT";
       tests::expectNear(baked[i][Term::sunDiffuse],
@@ -181,7 +183,7 @@ TEST_F(BakedTest, viewsShowWhatTheLightmapAndTheDistanceFieldGive) {
   const glm::dvec4 read = readOnCpu(false, kLog, kSh, kScales, {0, 0, 1});
   const double d = 100 / 255.0 * 2 + 0.5 - 1;
   const std::pair<std::uint32_t, glm::vec3> expected[] = {
-      {kViewIndirectColor, glm::vec3(read) * kBase},
+      {kViewIndirectColor, glm::vec3(read) * kBakedBase},
       {kViewIndirectIrradiance, glm::vec3(static_cast<float>(read.w))},
       {kViewShadow, glm::vec3(static_cast<float>(d * d))},
       {kViewSkyDiffuseLighting, glm::vec3(0)}};
@@ -235,7 +237,7 @@ TEST_F(BakedTest, aBackReadsTheFrontsLightmapAtItsOwnNormal) {
                    front = readOnCpu(false, kLog, {128, 100, 128, 255}, kScales, {0, 0, -1});
   ASSERT_LT(back.w, 0.5 * front.w);
   tests::expectNear(shade(scene, &uvs, &content, {}, tests::inFp32("ue4-2020"))[0][Term::lightmap],
-                    glm::vec3(back) * kBase, 1e-3f, "the back");
+                    glm::vec3(back) * kBakedBase, 1e-3f, "the back");
 }
 
 // Each object takes its own capture whole, without parallax, in the scale that its average brightness gives.

@@ -13,7 +13,7 @@ using shading::Term;
 using tests::ShadedPoint;
 namespace f64 = shading::f64;
 
-constexpr std::uint32_t kSize = 24;
+constexpr std::uint32_t kFogSide = 24;
 constexpr float kHalf = 50, kEyeX = 10, kEyeY = 5, kDistance = 12, kHalfHeight = 30;
 constexpr scenes::Fog kFog{
     .density = 0.02f, .heightFalloff = 0.03f, .height = 2, .color = {0.5f, 0.7f, 2}, .startDistance = 3};
@@ -66,16 +66,16 @@ protected:
   template <typename MakeRenderer> std::vector<SeenPoint>
   shadeAll(const scenes::Scene& scene, const scenes::Camera& camera, const MakeRenderer& makeRenderer) {
     const gpu::SceneBuffers buffers(device(), scene);
-    const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
-    const std::vector<gpu::Surface> layers = pass.render(camera, {0, kSize}, glm::vec2(0.5f));
+    const gpu::SurfacePass pass(device(), buffers, kFogSide, kFogSide);
+    const std::vector<gpu::Surface> layers = pass.render(camera, {0, kFogSide}, glm::vec2(0.5f));
     const gpu::Surface& surface = layers.front();
-    EXPECT_EQ(surface.size(), std::size_t{kSize} * kSize);
+    EXPECT_EQ(surface.size(), std::size_t{kFogSide} * kFogSide);
     const gpu::ShadedSurface shaded = makeRenderer(buffers, pass.binKinds()).shade(surface, camera);
     std::vector<SeenPoint> points(surface.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::uint32_t x = surface.pixels[i] % kSize, y = surface.pixels[i] / kSize;
-      points[i].place = {kEyeX + kHalfHeight * ((x + 0.5) * 2 / kSize - 1),
-                         kEyeY - kHalfHeight * ((y + 0.5) * 2 / kSize - 1)};
+      const std::uint32_t x = surface.pixels[i] % kFogSide, y = surface.pixels[i] / kFogSide;
+      points[i].place = {kEyeX + kHalfHeight * ((x + 0.5) * 2 / kFogSide - 1),
+                         kEyeY - kHalfHeight * ((y + 0.5) * 2 / kFogSide - 1)};
       points[i].shaded.color = glm::vec3(shaded.color[i]);
       for (std::size_t t = 0; t < shading::kTermCount; ++t) points[i].shaded.terms[t] = glm::vec3(shaded.terms[t][i]);
     }
@@ -188,10 +188,10 @@ TEST_F(FogTest, aSceneWithoutFogHasNoBufferOfIt) {
   scenes::Scene scene = makeWall(1);
   const auto bytesOfFog = [&] {
     const gpu::SceneBuffers buffers(device(), scene);
-    const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
-    return pass.render(makeCamera(), {0, kSize}, glm::vec2(0.5f)).front().fog.size();
+    const gpu::SurfacePass pass(device(), buffers, kFogSide, kFogSide);
+    return pass.render(makeCamera(), {0, kFogSide}, glm::vec2(0.5f)).front().fog.size();
   };
-  EXPECT_EQ(bytesOfFog(), kSize * kSize * sizeof(glm::vec4));
+  EXPECT_EQ(bytesOfFog(), kFogSide * kFogSide * sizeof(glm::vec4));
   scene.fog.reset();
   EXPECT_EQ(bytesOfFog(), sizeof(glm::vec4));
 }

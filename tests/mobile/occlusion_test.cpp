@@ -16,17 +16,17 @@ namespace f64 = shading::f64;
 // A texel of 102/255 in a strength of .75: 1 + .75 (.4 - 1).
 constexpr float kOcclusion = 0.55f;
 constexpr float kSky = 0.7f; // radiance from everywhere
-const glm::vec3 kBase(0.8f, 0.5f, 0.2f);
-constexpr float kMetallic = 0.25f, kRoughness = 0.5f;
+const glm::vec3 kOccludedBase(0.8f, 0.5f, 0.2f);
+constexpr float kOccludedMetallic = 0.25f, kOccludedRoughness = 0.5f;
 
 class OcclusionTest : public tests::DeviceTest {
 protected:
   static scenes::Scene makeScene(bool occluded) {
     scenes::Scene scene = tests::makeQuadScene();
     scenes::Material& material = scene.materials[0];
-    material.baseColor = glm::vec4(kBase, 1);
-    material.metallic = kMetallic;
-    material.roughness = kRoughness;
+    material.baseColor = glm::vec4(kOccludedBase, 1);
+    material.metallic = kOccludedMetallic;
+    material.roughness = kOccludedRoughness;
     material.emissive = {0.1f, 0.2f, 0.3f};
     if (!occluded) return scene;
     scene.images = {{"occlusion", base::Image8(1, 1, 4, 102)}};
@@ -72,12 +72,15 @@ protected:
       EXPECT_EQ(occluded[term], open[term]) << static_cast<int>(term);
     }
   }
-  static glm::vec3 specularColor() { return glm::vec3(0.04f * (1 - kMetallic)) + kBase * kMetallic; }
+  static glm::vec3 specularColor() {
+    return glm::vec3(0.04f * (1 - kOccludedMetallic)) + kOccludedBase * kOccludedMetallic;
+  }
 };
 
 TEST_F(OcclusionTest, highendTakesItFromTheEnvironmentDiffuseAndSpecular) {
   const ShadedPixel occluded = shadeHighend(true), open = shadeHighend(false);
-  const glm::vec3 diffuse = kSky * kBase * (1 - kMetallic), specular = kSky * (specularColor() * kA + kB);
+  const glm::vec3 diffuse = kSky * kOccludedBase * (1 - kOccludedMetallic),
+                  specular = kSky * (specularColor() * kA + kB);
   tests::expectNear(open[Term::skyDiffuse], diffuse, 1e-4f, "open, diffuse");
   tests::expectNear(occluded[Term::skyDiffuse], kOcclusion * diffuse, 1e-4f, "diffuse");
   tests::expectNear(occluded[Term::skySpecular], kOcclusion * specular, 1e-4f, "specular");
@@ -110,8 +113,9 @@ TEST_F(OcclusionTest, mobileTakesItFromTheSkyLightAndFromTheReflectionAsItsScale
       const ShadedPixel occluded = shadeMobile(options, true), open = shadeMobile(options, false);
       if (options.environmentBrdf != EnvironmentBrdf::refit) { // whose own albedos are held in tests/shading
         const f64::real3 F0(specularColor().x, specularColor().y, specularColor().z);
-        const f64::real3 E = f64::EnvBRDFApproxUE4(F0, kRoughness, 1);
-        const glm::vec3 diffuse = kSky * kBase * (1 - kMetallic), specular = kSky * glm::vec3(E.x, E.y, E.z);
+        const f64::real3 E = f64::EnvBRDFApproxUE4(F0, kOccludedRoughness, 1);
+        const glm::vec3 diffuse = kSky * kOccludedBase * (1 - kOccludedMetallic),
+                        specular = kSky * glm::vec3(E.x, E.y, E.z);
         tests::expectNear(occluded[Term::skyDiffuse], kOcclusion * diffuse, tolerance, c.preset);
         tests::expectNear(occluded[Term::skySpecular], c.ofReflection * specular, tolerance, c.preset);
       }

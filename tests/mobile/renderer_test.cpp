@@ -1,4 +1,6 @@
 // The mobile path against the published formulas in double precision, put together here in the order of the base pass.
+#include <numbers>
+
 #include "support/bumpy_quad.h"
 #include "support/path_quad.h"
 
@@ -16,7 +18,7 @@ using tests::makeLeaningQuad;
 using tests::ShadedPoint;
 namespace f64 = shading::f64;
 
-constexpr double kPi = 3.14159265358979;
+using std::numbers::pi;
 constexpr float kTolerance = 1e-4f; // fp32 exp2 against double
 
 class MobileTest : public tests::DeviceTest {
@@ -84,12 +86,11 @@ TEST_F(MobileTest, sunOfKaris2014IsEnvBrdfTimesDApproxAroundTheReflection) {
     const glm::dvec3 environment =
         toGlm(f64::EnvBRDFApprox(fromGlm(specularColorOf(scene.materials[0])), roughness, glm::dot(N, V)));
     const double lobe = f64::D_Approx(roughness, glm::dot(R, L)), NoL = glm::dot(N, L);
-    tests::expectNear(point[Term::sunSpecular], glm::vec3(glm::dvec3(lux) / kPi * environment * lobe * NoL),
+    tests::expectNear(point[Term::sunSpecular], glm::vec3(glm::dvec3(lux) / pi * environment * lobe * NoL),
                       kTolerance * 4, "specular");
-    tests::expectNear(
-        point[Term::sunDiffuse],
-        glm::vec3(glm::dvec3(lux) / kPi * glm::dvec3(glm::vec3(scene.materials[0].baseColor)) * 0.3 * NoL), kTolerance,
-        "diffuse");
+    tests::expectNear(point[Term::sunDiffuse],
+                      glm::vec3(glm::dvec3(lux) / pi * glm::dvec3(glm::vec3(scene.materials[0].baseColor)) * 0.3 * NoL),
+                      kTolerance, "diffuse");
   }
 }
 
@@ -104,7 +105,7 @@ TEST_F(MobileTest, sunByPhongApproxIsFiniteWhereTheArticlesLobeIsNot) {
     const glm::dvec3 environment =
         toGlm(f64::EnvBRDFApprox(fromGlm(specularColorOf(scene.materials[0])), roughness, NoL));
     // At the peak; single precision's cosine there is wrong by 6e-8, times c.
-    const double expected = 2 / kPi * environment.x * NoL / (a * a);
+    const double expected = 2 / pi * environment.x * NoL / (a * a);
     EXPECT_NEAR(shade(scene, inputs, options)[Term::sunSpecular].x, expected, 5e-3 * expected) << roughness;
     Options half = options;
     half.precision = Precision::fp16;
@@ -124,7 +125,7 @@ TEST_F(MobileTest, sunOfUe4IsEnvBrdfTimesCalcSpecularAroundTheHalfVector) {
     const glm::dvec3 environment =
         toGlm(f64::EnvBRDFApproxUE4(fromGlm(specularColorOf(scene.materials[0])), roughness, glm::dot(N, V)));
     tests::expectNear(point[Term::sunSpecular],
-                      glm::vec3(glm::dvec3(lux) / kPi * environment * (NoL * f64::CalcSpecular(roughness, NoH))),
+                      glm::vec3(glm::dvec3(lux) / pi * environment * (NoL * f64::CalcSpecular(roughness, NoH))),
                       kTolerance * 4, "specular");
   }
 }
@@ -210,7 +211,7 @@ TEST_F(MobileTest, roughnessFloorKeepsUe4FiniteWhereKaris2014Fails) {
   // The clamp of 2048 at NoH = 1, and (R/4 + 1/4) at R = 1/64.
   const double lobe = (0.015625 * 0.25 + 0.25) * 2048;
   const glm::dvec3 E = toGlm(f64::EnvBRDFApproxUE4(fromGlm(specularColorOf(scene.materials[0])), 0.015625, 1));
-  tests::expectNear(ue4[Term::sunSpecular], glm::vec3(2 / kPi * lobe * E), kTolerance, "clamped peak");
+  tests::expectNear(ue4[Term::sunSpecular], glm::vec3(2 / pi * lobe * E), kTolerance, "clamped peak");
   EXPECT_FALSE(std::isfinite(karis.color.x))
       << "the article prints no floor: 1/R^4 is infinite, and the picture must show it";
 }
@@ -221,7 +222,7 @@ TEST_F(MobileTest, localLightsAreTheFourBrightestAndNoneWhereTheyAreBaked) {
   std::vector<scenes::Light> lights;
   for (int i = 0; i < 6; ++i) lights.push_back(makePoint({0, 0, 2000}, 1e6f * static_cast<float>(i + 1)));
   const ShadedPoint point = shade(scene, {.lights = lights}, kUe42020);
-  const double expected = (3e6 + 4e6 + 5e6 + 6e6) / (2000.0 * 2000.0) / kPi;
+  const double expected = (3e6 + 4e6 + 5e6 + 6e6) / (2000.0 * 2000.0) / pi;
   tests::expectNear(point[Term::localDiffuse], glm::vec3(static_cast<float>(expected)), 1e-3f, "diffuse");
   EXPECT_EQ(shade(scene, {.lights = lights}, kKaris2014).color, glm::vec3(0)) << "baked there";
 }

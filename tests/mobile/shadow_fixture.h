@@ -16,7 +16,7 @@
 
 namespace parity::mobile {
 
-inline constexpr std::uint32_t kSize = 96; // pixels a side
+inline constexpr std::uint32_t kShadowedSide = 96; // pixels a side
 
 struct Picture {
   std::vector<float> lit; // red, row by row from the top; 0 where there is nothing
@@ -39,8 +39,8 @@ protected:
     scenes::Camera camera = tests::makeFrontCamera(2, 0.5f, true);
     camera.zNear = 0.1f;
     const gpu::SceneBuffers buffers(device(), scene);
-    const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
-    const auto surface = std::move(pass.render(camera, {0, kSize}, glm::vec2(0.5f)).front());
+    const gpu::SurfacePass pass(device(), buffers, kShadowedSide, kShadowedSide);
+    const auto surface = std::move(pass.render(camera, {0, kShadowedSide}, glm::vec2(0.5f)).front());
     std::optional<gpu::ShadowMaps> maps;
     if (const auto casting = Renderer::needsShadowMaps(lights, options); !casting.empty())
       maps.emplace(device(), buffers, casting, gpu::ShadowOptions{.mapSize = mapSize});
@@ -49,7 +49,7 @@ protected:
     inputs.shadows = maps ? &*maps : nullptr;
     const Renderer renderer(device(), buffers, pass.binKinds(), inputs, options);
     const gpu::ShadedSurface shaded = renderer.shade(surface, camera);
-    Picture picture{std::vector<float>(kSize * kSize), renderer.notes(), std::nullopt};
+    Picture picture{std::vector<float>(kShadowedSide * kShadowedSide), renderer.notes(), std::nullopt};
     if (maps) picture.mapCount = maps->mapCount();
     for (std::size_t i = 0; i < surface.size(); ++i) picture.lit[surface.pixels[i]] = shaded.color[i].x;
     return picture;

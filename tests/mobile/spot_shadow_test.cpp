@@ -40,8 +40,8 @@ TEST_F(SpotShadowTest, LiesWhereTheSquareHidesTheLight) {
     const std::vector<float> shadowed = floor({makeSpot(5)}, options);
     int dark = 0, lit = 0;
     for (std::size_t p = 0; p < open.size(); ++p) {
-      const float x = std::abs((static_cast<float>(p % kSize) + 0.5f) / kSize * 4 - 2);
-      const float y = std::abs((static_cast<float>(p / kSize) + 0.5f) / kSize * 4 - 2);
+      const float x = std::abs((static_cast<float>(p % kShadowedSide) + 0.5f) / kShadowedSide * 4 - 2);
+      const float y = std::abs((static_cast<float>(p / kShadowedSide) + 0.5f) / kShadowedSide * 4 - 2);
       const float r = std::max(x, y);
       if (open[p] <= 0) continue;
       if (r < 0.72f) {
@@ -82,7 +82,7 @@ TEST_F(SpotShadowTest, FadeLetsLightThroughAndSharpenNarrowsTheEdge) {
 TEST_F(SpotShadowTest, OfSeveralSpotsTheBrightestHasOne) {
   Options options;
   options.spotShadow = true;
-  const std::size_t middle = kSize * kSize / 2 + kSize / 2;
+  const std::size_t middle = kShadowedSide * kShadowedSide / 2 + kShadowedSide / 2;
   const float faint = floor({makeSpot(2)}, Options{})[middle];
   EXPECT_EQ(floor({makeSpot(2), makeSpot(5)}, options)[middle], faint);
   EXPECT_EQ(m_notes,

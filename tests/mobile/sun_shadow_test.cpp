@@ -22,8 +22,8 @@ protected:
     return ShadowTest::render(lights, options);
   }
   static glm::vec2 placeOf(std::size_t pixel) {
-    return {(static_cast<float>(pixel % kSize) + 0.5f) / kSize * 4 - 2,
-            2 - (static_cast<float>(pixel / kSize) + 0.5f) / kSize * 4};
+    return {(static_cast<float>(pixel % kShadowedSide) + 0.5f) / kShadowedSide * 4 - 2,
+            2 - (static_cast<float>(pixel / kShadowedSide) + 0.5f) / kShadowedSide * 4};
   }
 };
 
@@ -58,7 +58,7 @@ TEST_F(SunShadowTest, IsThereNearAndGoneFromItsDistanceOn) {
   Options options = tests::inFp32("ue4-2020");
   const Picture open = render(options);
   options.sunShadow = true;
-  const std::size_t middle = kSize / 2 * kSize + kSize / 2 + kSize / 8; // x = .5
+  const std::size_t middle = kShadowedSide / 2 * kShadowedSide + kShadowedSide / 2 + kShadowedSide / 8; // x = .5
   ASSERT_GT(open.lit[middle], 0);
   for (const auto& [distance, fade, light] : {std::tuple{200.f, 0.1f, 0.0f},
                                               {0.55f, 0.05f, 0.0f},
@@ -69,7 +69,7 @@ TEST_F(SunShadowTest, IsThereNearAndGoneFromItsDistanceOn) {
     options.sunShadowFade = fade;
     const Picture shadowed = render(options);
     EXPECT_NEAR(shadowed.lit[middle], light * open.lit[middle], 1e-3f * open.lit[middle]) << distance << " " << fade;
-    EXPECT_EQ(shadowed.lit[kSize + 1], open.lit[kSize + 1]) << "lit stays lit";
+    EXPECT_EQ(shadowed.lit[kShadowedSide + 1], open.lit[kShadowedSide + 1]) << "lit stays lit";
   }
 }
 
@@ -91,8 +91,8 @@ TEST_F(SunShadowTest, StandsBesideTheSpotLights) {
   spot.position = {0, 0, 3};
   spot.direction = {0, 0, -1};
   spot.outerConeAngle = glm::radians(50.f);
-  const std::size_t both = kSize / 2 * kSize + kSize / 2 + kSize / 8,
-                    ofSpot = kSize / 2 * kSize + kSize / 2 - kSize / 8;
+  const std::size_t both = kShadowedSide / 2 * kShadowedSide + kShadowedSide / 2 + kShadowedSide / 8,
+                    ofSpot = kShadowedSide / 2 * kShadowedSide + kShadowedSide / 2 - kShadowedSide / 8;
   const auto at = [&](bool sunCasts, bool spotCasts, std::size_t pixel) {
     options.sunShadow = sunCasts;
     options.spotShadow = spotCasts;

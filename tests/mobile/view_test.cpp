@@ -2,6 +2,7 @@
 #include "support/path_quad.h"
 
 #include <map>
+#include <numbers>
 
 #include "mobile/presets.h"
 #include "mobile/renderer.h"
@@ -13,7 +14,7 @@ namespace {
 namespace f64 = shading::f64;
 
 constexpr double kAngle = 0.5, kRadiance = 1.5, kRoughness = 0.4, kMetallic = 0.75, kLux = 3;
-constexpr double kPi = 3.14159265358979;
+using std::numbers::pi;
 
 class ViewTest : public tests::DeviceTest {
 protected:
@@ -59,7 +60,7 @@ TEST_F(ViewTest, eachShowsWhatItsNameSays) {
   const f64::real2 AB = f64::EnvBRDFApproxAB(kRoughness, NoV); // F0 is above 2 %: nothing of B is faded
   const glm::dvec3 specular(E.x, E.y, E.z), diffuse = base * c, one(1);
   const double lobe = f64::CalcSpecular(kRoughness, NoV); // V = L = H
-  const double sun = kLux / kPi, lamp = 8e6 / (2000.0 * 2000.0) / kPi;
+  const double sun = kLux / pi, lamp = 8e6 / (2000.0 * 2000.0) / pi;
   const glm::dvec3 lighting = NoV * (diffuse + specular * lobe), emissive(0.1, 0.2, 0.3);
   const std::map<std::string, glm::dvec3> expected = {
       {"IndirectColor", glm::dvec3(0)},

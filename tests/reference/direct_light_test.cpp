@@ -1,6 +1,8 @@
 // Punctual lights against the textbook formulas, written out here.
 #include "reference/direct_light.h"
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "reference/surroundings.h"
@@ -9,7 +11,7 @@
 namespace parity::reference {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 scenes::Light makeSun(const glm::vec3& towards, const glm::vec3& lux) {
   scenes::Light light;
@@ -39,7 +41,7 @@ TEST(DirectLight, sunIsTheClosedFormForBothGeometryTerms) {
         const double F0 = sample.dielectricF0[c] * (1 - metallic) + base * metallic;
         const double F90 = double(sample.dielectricF90) * (1 - metallic) + metallic;
         const double F = F0 + (F90 - F0) * std::pow(1 - glm::dot(V, H), 5);
-        const double specular = sun.color[c] * lobe * F, diffuse = sun.color[c] * NoL * base * (1 - metallic) / kPi;
+        const double specular = sun.color[c] * lobe * F, diffuse = sun.color[c] * NoL * base * (1 - metallic) / pi;
         EXPECT_NEAR(result.sunSpecular[c], specular, 1e-9 * specular) << roughness;
         EXPECT_NEAR(result.sunDiffuse[c], diffuse, 1e-12);
       }
@@ -67,7 +69,7 @@ TEST(DirectLight, specularScaleOfALightIsOfItsSpecularLightAlone) {
 // What Kulla and Conty add, with the albedos by quadrature instead of the table; at F0 = 1 Fms is 1.
 TEST(DirectLight, multipleScatteringAddsKullaAndContysLobe) {
   const DirectionalAlbedo table(GeometryTerm::heightCorrelated);
-  const scenes::Light sun = makeSun({-0.5f, 0.7f, 0.2f}, glm::vec3(kPi));
+  const scenes::Light sun = makeSun({-0.5f, 0.7f, 0.2f}, glm::vec3(pi));
   for (const float roughness : {0.4f, 0.8f}) {
     SurfaceSample sample = tests::makePoint(0.35, roughness, 1);
     sample.baseColor = glm::vec3(1);
@@ -80,7 +82,7 @@ TEST(DirectLight, multipleScatteringAddsKullaAndContysLobe) {
     for (std::size_t i = 0; i < gauss.nodes.size(); ++i)
       average += gauss.weights[i] * 0.5 * (1 + gauss.nodes[i]) * lost(0.5 * (1 + gauss.nodes[i]));
     const double NoL = -sun.direction.y, NoV = glm::normalize(sample.view).y;
-    const double expected = kPi * NoL * lost(NoV) * lost(NoL) / (kPi * average);
+    const double expected = pi * NoL * lost(NoV) * lost(NoL) / (pi * average);
     const double added = shadeDirect(sample, {sun}, Model{}, &table).sunSpecular.x -
                          shadeDirect(sample, {sun}, tests::plainModel(), nullptr).sunSpecular.x;
     EXPECT_NEAR(added, expected, 2e-4 * expected) << roughness;
@@ -95,8 +97,8 @@ TEST(DirectLight, pointAndSpotFollowKhrLightsPunctual) {
   light.range = 4;
   const glm::dvec3 point = shadeDirect(sample, {light}, tests::plainModel(), nullptr).localDiffuse;
   // window 1 - (2/4)^4 = 15/16; over d^2 = 4; Lambert's 1/pi.
-  EXPECT_NEAR(point.x, 8 * (15.0 / 16) / 4 / kPi, 1e-12);
-  EXPECT_NEAR(point.z, 2 * (15.0 / 16) / 4 / kPi, 1e-12);
+  EXPECT_NEAR(point.x, 8 * (15.0 / 16) / 4 / pi, 1e-12);
+  EXPECT_NEAR(point.z, 2 * (15.0 / 16) / 4 / pi, 1e-12);
   light.kind = scenes::LightKind::spot;
   light.direction = glm::normalize(glm::vec3(0.2f, -1, 0));
   light.innerConeAngle = 0.1f;
@@ -116,10 +118,10 @@ TEST(DirectLight, fadesAsTheLightSays) {
   light.range = 4;
   light.falloff = scenes::Falloff::ue4;
   EXPECT_NEAR(shadeDirect(sample, {light}, tests::plainModel(), nullptr).localDiffuse.x,
-              8 * std::pow(15.0 / 16, 2) / (4 + 1e-4) / kPi, 1e-12);
+              8 * std::pow(15.0 / 16, 2) / (4 + 1e-4) / pi, 1e-12);
   light.falloff = scenes::Falloff::exponent;
   light.falloffExponent = 8;
-  EXPECT_NEAR(shadeDirect(sample, {light}, tests::plainModel(), nullptr).localDiffuse.x, 8 * std::pow(0.75, 8) / kPi,
+  EXPECT_NEAR(shadeDirect(sample, {light}, tests::plainModel(), nullptr).localDiffuse.x, 8 * std::pow(0.75, 8) / pi,
               1e-12);
 }
 

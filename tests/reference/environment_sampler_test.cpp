@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #define GLM_ENABLE_EXPERIMENTAL
@@ -14,16 +15,15 @@
 namespace parity::reference {
 namespace {
 
+using std::numbers::pi;
 using tests::cellDirection;
-constexpr double kPi = std::numbers::pi;
 
 TEST(EnvironmentSampler, densityIntegratesToOneAndFollowsLuminance) {
   const EnvironmentSampler sampler(tests::makeSunnyPanorama());
   double total = 0, light = 0;
   for (int y = 0; y < tests::kPanoramaHeight; ++y) {
-    const double area =
-        (std::cos(kPi * y / tests::kPanoramaHeight) - std::cos(kPi * (y + 1) / tests::kPanoramaHeight)) * 2 * kPi /
-        tests::kPanoramaWidth;
+    const double area = (std::cos(pi * y / tests::kPanoramaHeight) - std::cos(pi * (y + 1) / tests::kPanoramaHeight)) *
+                        2 * pi / tests::kPanoramaWidth;
     for (int x = 0; x < tests::kPanoramaWidth; ++x) {
       const EnvironmentSample s = sampler.evaluate(cellDirection(x, y));
       total += s.pdf * area;
@@ -50,7 +50,7 @@ TEST(EnvironmentSampler, samplesFollowTheDensityThatTheyCarry) {
     for (int x = 0; x < tests::kPanoramaWidth; ++x)
       expected[static_cast<std::size_t>(y / kBlock * kColumns + x / kBlock)] +=
           kCount * unturned.evaluate(cellDirection(x, y)).pdf *
-          (std::cos(kPi * y / tests::kPanoramaHeight) - std::cos(kPi * (y + 1) / tests::kPanoramaHeight)) * 2 * kPi /
+          (std::cos(pi * y / tests::kPanoramaHeight) - std::cos(pi * (y + 1) / tests::kPanoramaHeight)) * 2 * pi /
           tests::kPanoramaWidth;
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> uniform;
@@ -60,9 +60,9 @@ TEST(EnvironmentSampler, samplesFollowTheDensityThatTheyCarry) {
     const EnvironmentSample s = sampler.sample(glm::dvec2(u, v));
     ASSERT_NEAR(glm::length(s.direction), 1, 1e-12);
     disagree += sampler.evaluate(s.direction).pdf != s.pdf;
-    const double turns = std::atan2(s.direction.z, s.direction.x) / (2 * kPi) + 0.5 + 37.0 / 360;
+    const double turns = std::atan2(s.direction.z, s.direction.x) / (2 * pi) + 0.5 + 37.0 / 360;
     const int x = static_cast<int>((turns - std::floor(turns)) * kColumns) % kColumns;
-    const int y = std::min(static_cast<int>(std::acos(s.direction.y) / kPi * kRows), kRows - 1);
+    const int y = std::min(static_cast<int>(std::acos(s.direction.y) / pi * kRows), kRows - 1);
     ++seen[static_cast<std::size_t>(y * kColumns + x)];
   }
   EXPECT_LE(disagree, 2) << "but for roundings at the cells' borders";
@@ -92,7 +92,7 @@ TEST(EnvironmentSampler, smallPanoramaIsInterpolatedAndKeepsItsConstant) {
   const EnvironmentSampler sampler(environment);
   for (const glm::dvec3 d : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0), glm::dvec3(-1, 0, 0)})
     EXPECT_EQ(sampler.evaluate(d).radiance, glm::dvec3(0.75));
-  EXPECT_NEAR(sampler.evaluate(glm::dvec3(0, 0, 1)).pdf, 1 / (4 * kPi), 1e-6);
+  EXPECT_NEAR(sampler.evaluate(glm::dvec3(0, 0, 1)).pdf, 1 / (4 * pi), 1e-6);
 }
 
 TEST(EnvironmentSampler, blackIsToldAndWhatIsNotFiniteRefused) {

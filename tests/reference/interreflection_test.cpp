@@ -1,6 +1,8 @@
 // Light between surfaces: closed rooms whose series are known, mirrors that show what the reference shows there.
 #include "reference/interreflection.h"
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "base/parallel.h"
@@ -15,7 +17,7 @@ namespace {
 using shading::Term;
 using tests::addObject;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // A Lambertian without any specular light.
 scenes::Material lambert(const std::string& name, float albedo, float emitted = 0) {
@@ -132,9 +134,9 @@ TEST(Interreflection, integratingSphereIsLitEvenlyByItsWall) {
       double series = 0;
       for (int k = 1; k <= bounces; ++k) series += std::pow(kAlbedo, k);
       const ShadedSample shaded = shadeOne(sample, rays.inputs(nullptr, {lamp}), options(bounces, 1 << 12));
-      EXPECT_NEAR(termOf(shaded, Term::localDiffuse).x, kAlbedo / kPi * direct, 0.01 * direct);
+      EXPECT_NEAR(termOf(shaded, Term::localDiffuse).x, kAlbedo / pi * direct, 0.01 * direct);
       // Facets of 3.75 degrees: within 0.5 %.
-      EXPECT_NEAR(termOf(shaded, Term::skyDiffuse).x, kAlbedo / kPi * direct * series,
+      EXPECT_NEAR(termOf(shaded, Term::skyDiffuse).x, kAlbedo / pi * direct * series,
                   0.005 * series + 5 * shaded.standardError)
           << bounces;
     }
@@ -297,7 +299,7 @@ TEST(Interreflection, onlySidesAndPartsThatAreSeenSendLight) {
   };
   // Form factor of a square of side 2 at a height of 1, seen from below its centre: four times Howell's B-3 of a = b =
   // 1: 4 / (2 pi) * 2 * (1 / sqrt 2) atan(1 / sqrt 2).
-  const double formFactor = 4 / kPi / std::sqrt(2.0) * std::atan(1 / std::sqrt(2.0)), full = 0.5 * 3 * formFactor;
+  const double formFactor = 4 / pi / std::sqrt(2.0) * std::atan(1 / std::sqrt(2.0)), full = 0.5 * 3 * formFactor;
   EXPECT_NEAR(lightFrom([](scenes::Material&) {}, false), full, 1e-3);
   EXPECT_EQ(lightFrom([](scenes::Material&) {}, true), 0);
   EXPECT_NEAR(lightFrom([](scenes::Material& m) { m.doubleSided = true; }, true), full, 1e-3);

@@ -1,6 +1,8 @@
 // Irradiance in closed form against sums over every cell, and against what is known of simple skies.
 #include "reference/irradiance_sums.h"
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "reference/environment_sampler.h"
@@ -10,7 +12,7 @@
 namespace parity::reference {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // The cells' radiance times cosine times solid angle; those that the horizon crosses in 32 x 32 parts.
 glm::dvec3 sumOverCells(const scenes::Environment& environment, const glm::dvec3& N) {
@@ -22,9 +24,9 @@ glm::dvec3 sumOverCells(const scenes::Environment& environment, const glm::dvec3
       const int sub = middle < 0.01 ? 32 : 2;
       double cosine = 0;
       for (int j = 0; j < sub; ++j) {
-        const double top = kPi * (y + double(j) / sub) / tests::kPanoramaHeight;
-        const double area = (std::cos(top) - std::cos(top + kPi / sub / tests::kPanoramaHeight)) * 2 * kPi / sub /
-                            tests::kPanoramaWidth;
+        const double top = pi * (y + double(j) / sub) / tests::kPanoramaHeight;
+        const double area =
+            (std::cos(top) - std::cos(top + pi / sub / tests::kPanoramaHeight)) * 2 * pi / sub / tests::kPanoramaWidth;
         for (int i = 0; i < sub; ++i)
           cosine +=
               area *
@@ -43,9 +45,9 @@ TEST(IrradianceSums, ofAConstantIsPiAndOfAGradientItsClosedForm) {
                               glm::dvec3(-1, 0, -1e-9), glm::dvec3(0.3, 1e-4, -0.9), glm::dvec3(0.5, -0.7, 0.1)}) {
     const glm::dvec3 N = glm::normalize(v);
     SCOPED_TRACE(testing::Message() << N.x << ", " << N.y << ", " << N.z);
-    EXPECT_NEAR(white.irradiance(N).y / kPi, 1, 5e-6);
+    EXPECT_NEAR(white.irradiance(N).y / pi, 1, 5e-6);
     // pi (1 + 2/3 n_y): cells of a third of a degree leave 1.5e-5.
-    EXPECT_NEAR(sky.irradiance(N).y / kPi, 1 + 2.0 / 3 * N.y, 1.5e-5);
+    EXPECT_NEAR(sky.irradiance(N).y / pi, 1 + 2.0 / 3 * N.y, 1.5e-5);
   }
 }
 
@@ -102,12 +104,12 @@ TEST(IrradianceSums, turnsWithThePanorama) {
 TEST(IrradianceSums, doesNotMindOddSizesAndSingleTexels) {
   scenes::Environment environment;
   environment.radiance = base::Image(1537, 769, 3, 2.f);
-  EXPECT_NEAR(EnvironmentSampler(environment).irradiance(glm::normalize(glm::dvec3(-0.9, 0.2, -0.1))).x / (2 * kPi), 1,
+  EXPECT_NEAR(EnvironmentSampler(environment).irradiance(glm::normalize(glm::dvec3(-0.9, 0.2, -0.1))).x / (2 * pi), 1,
               5e-6);
   environment.radiance = base::Image(1024, 512, 3, 0.f);
   environment.radiance.at(700, 100)[1] = 1e30f;
   const glm::dvec3 texel = tests::cellDirection(700, 100);
-  const double area = (std::cos(kPi * 100 / 512) - std::cos(kPi * 101 / 512)) * 2 * kPi / 1024;
+  const double area = (std::cos(pi * 100 / 512) - std::cos(pi * 101 / 512)) * 2 * pi / 1024;
   const EnvironmentSampler sky(environment);
   for (const glm::dvec3& N : {texel, glm::normalize(texel + glm::dvec3(1, 0, 0))})
     EXPECT_NEAR(sky.irradiance(N).y / (1e30 * area * glm::dot(N, texel)), 1, 1e-5);

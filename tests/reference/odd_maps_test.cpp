@@ -20,7 +20,7 @@ namespace parity::reference {
 namespace {
 
 namespace f64 = shading::f64;
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 scenes::Environment makeMap(int width, int height, float radiance) {
   scenes::Environment environment;
@@ -39,7 +39,7 @@ std::vector<lighting::EnvironmentLight> lightsOf(const scenes::Environment& envi
 std::vector<glm::dvec3> makeSphere(int count) {
   std::vector<glm::dvec3> directions;
   for (int i = 0; i < count; ++i) { // Fibonacci's spiral
-    const double y = 1 - (2. * i + 1) / count, r = std::sqrt(1 - y * y), phi = i * kPi * (3 - std::sqrt(5.0));
+    const double y = 1 - (2. * i + 1) / count, r = std::sqrt(1 - y * y), phi = i * pi * (3 - std::sqrt(5.0));
     directions.emplace_back(r * std::cos(phi), y, r * std::sin(phi));
   }
   return directions;
@@ -60,7 +60,7 @@ double meanOf(const std::vector<glm::vec4>& faces, int n) {
   const std::vector<double> angles = lighting::texelSolidAngles(n);
   double sum = 0;
   for (std::size_t i = 0; i < faces.size(); ++i) sum += angles[i % angles.size()] * faces[i].y;
-  return sum / (4 * kPi);
+  return sum / (4 * pi);
 }
 
 // E(n) = L omega n.l: of the reference by its samples, whose density is the light's.
@@ -68,8 +68,8 @@ TEST(OddMaps, oneBrightTexelGivesItsIrradianceAndKeepsItsEnergyAtEveryLevel) {
   constexpr int kWidth = 1024, kHeight = 512, kX = 700, kY = 150;
   scenes::Environment environment = makeMap(kWidth, kHeight, 0);
   environment.radiance.at(kX, kY)[1] = 5000;
-  const double omega = 2 * kPi / kWidth * (std::cos(kPi * kY / kHeight) - std::cos(kPi * (kY + 1) / kHeight));
-  const double azimuth = ((kX + 0.5) / kWidth - 0.5) * 2 * kPi, polar = kPi * (kY + 0.5) / kHeight;
+  const double omega = 2 * pi / kWidth * (std::cos(pi * kY / kHeight) - std::cos(pi * (kY + 1) / kHeight));
+  const double azimuth = ((kX + 0.5) / kWidth - 0.5) * 2 * pi, polar = pi * (kY + 0.5) / kHeight;
   const glm::dvec3 L(std::sin(polar) * std::cos(azimuth), std::cos(polar), std::sin(polar) * std::sin(azimuth));
 
   const EnvironmentSampler sampler(environment);
@@ -97,7 +97,7 @@ TEST(OddMaps, oneBrightTexelGivesItsIrradianceAndKeepsItsEnergyAtEveryLevel) {
       EXPECT_TRUE(light.lamps.wide.nodes.empty());
     }
     forEachLevel(light.prefiltered, [&](int mip, int layer, const std::vector<glm::vec4>& faces, int n) {
-      const double share = meanOf(faces, n) / (5000 * omega / (4 * kPi));
+      const double share = meanOf(faces, n) / (5000 * omega / (4 * pi));
       if (isFine && (mip > 0 || layer > 0))
         EXPECT_NEAR(share, 0, 1e-4) << mip << ", " << layer;
       else
@@ -107,7 +107,7 @@ TEST(OddMaps, oneBrightTexelGivesItsIrradianceAndKeepsItsEnergyAtEveryLevel) {
   // So they do where texels are wider than the lobes.
   forEachLevel(lightsOf(environment)[1].prefiltered,
                [&](int mip, int layer, const std::vector<glm::vec4>& faces, int n) {
-                 EXPECT_NEAR(meanOf(faces, n) / (5000 * omega / (4 * kPi)), 1, 0.07) << mip << ", " << layer;
+                 EXPECT_NEAR(meanOf(faces, n) / (5000 * omega / (4 * pi)), 1, 0.07) << mip << ", " << layer;
                });
   const lighting::SunExtraction extraction = lighting::extractSuns(environment);
   ASSERT_EQ(extraction.suns.size(), 1u) << "all of the light in one place is a sun";
@@ -132,7 +132,7 @@ TEST(OddMaps, oneTexelIsAWhiteFurnace) {
     for (const auto& mip : light.prefiltered.mips)
       for (const glm::vec4& texel : mip)
         for (int c = 0; c < 3; ++c) ASSERT_NEAR(texel[c], 1, 1e-5);
-    EXPECT_NEAR(light.irradianceSh[0].x * 0.282094791773878, kPi, 1e-5 * kPi);
+    EXPECT_NEAR(light.irradianceSh[0].x * 0.282094791773878, pi, 1e-5 * pi);
   }
   const lighting::PanoramaCells cells = lighting::makePanoramaCells(environment);
   const EnvironmentSampler truth(environment);

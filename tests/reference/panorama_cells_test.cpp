@@ -14,7 +14,7 @@
 namespace parity::reference {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 scenes::Environment makeNoise(int width, int height, float rotationDeg = 0) {
   scenes::Environment environment;
@@ -65,12 +65,12 @@ INSTANTIATE_TEST_SUITE_P(Sizes, PanoramaOfAnySize,
 TEST(PanoramaCells, aBoxIsTheMeanOfWhatLiesInIt) {
   const scenes::Environment environment = makeNoise(1024, 512, 20);
   const lighting::PanoramaCells cells = lighting::makePanoramaCells(environment);
-  const double cell = kPi / 512;
+  const double cell = pi / 512;
   for (const double width : {0.1 * cell, 0.5 * cell, cell})
     for (const glm::dvec3& d : makeDirections(20)) {
       if (std::abs(d.y) > 0.5) continue;
       const double azimuth = std::atan2(d.z, d.x), polar = std::acos(d.y), sine = std::sin(polar);
-      if (width / sine > 2 * kPi / 1024) continue; // no more than a cell along the row
+      if (width / sine > 2 * pi / 1024) continue; // no more than a cell along the row
       glm::dvec3 sum(0);
       constexpr int kSteps = 200;
       for (int i = 0; i < kSteps; ++i)
@@ -93,8 +93,8 @@ TEST(PanoramaCells, coarserMipsKeepTheEnergyOfOddSizesToo) {
     double energy = 0;
     for (int y = 0; y < h; ++y)
       for (int x = 0; x < w; ++x)
-        energy += cells.mips[mip][static_cast<std::size_t>(y) * w + x].x * 2 * kPi / w *
-                  (std::cos(kPi * y / h) - std::cos(kPi * (y + 1) / h));
+        energy += cells.mips[mip][static_cast<std::size_t>(y) * w + x].x * 2 * pi / w *
+                  (std::cos(pi * y / h) - std::cos(pi * (y + 1) / h));
     return energy;
   };
   for (int mip = 1; mip < static_cast<int>(cells.mips.size()); ++mip) EXPECT_NEAR(energyOf(mip) / energyOf(0), 1, 1e-6);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #include "reference/environment_sampler.h"
@@ -13,11 +14,11 @@
 namespace parity::reference {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<double> evenRows(int height) {
   std::vector<double> rows;
-  for (int y = 0; y <= height; ++y) rows.push_back(std::cos(kPi * y / height));
+  for (int y = 0; y <= height; ++y) rows.push_back(std::cos(pi * y / height));
   return rows;
 }
 
@@ -31,7 +32,7 @@ TEST(LightPyramid, addsUpToTheWholeForAnySize) {
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         cells.emplace_back(0, 0, 0, uniform(random));
-        sum += static_cast<double>(cells.back().w) * (rows[y] - rows[y + 1]) * 2 * kPi / width;
+        sum += static_cast<double>(cells.back().w) * (rows[y] - rows[y + 1]) * 2 * pi / width;
       }
     const LightPyramid light(width, height, cells, rows);
     EXPECT_NEAR(light.power(light.whole()), sum, 1e-14 * sum) << width;
@@ -75,7 +76,7 @@ TEST(LightPyramid, momentsAreIntegralsOfRadianceTimesDirection) {
     for (int j = block.y * parts; j < (block.y + 1) * parts; ++j)
       for (int i = block.x * parts; i < (block.x + 1) * parts; ++i) {
         const PanoramaBlock cell = LightPyramid::cellOf({-4, i, j});
-        const double area = (rows[cell.y] - rows[cell.y + 1]) * 2 * kPi / kWidth / 256;
+        const double area = (rows[cell.y] - rows[cell.y + 1]) * 2 * pi / kWidth / 256;
         const glm::dvec3 d = light.directionIn({-4, i, j}, {0.5, 0.5});
         const glm::dvec3 L(cells[static_cast<std::size_t>(cell.y * kWidth + cell.x)]);
         sum += area * L, x += area * d.x * L, y += area * d.y * L, z += area * d.z * L;

@@ -1,4 +1,6 @@
 // The environment's light against a sum over every cell of the panorama, with textbook formulas.
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "reference/environment_integral.h"
@@ -8,7 +10,7 @@
 namespace parity::reference {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // Kulla and Conty's lobe and the diffuse one that the specular leaves, written out here with the albedos by quadrature.
 class Textbook {
@@ -28,7 +30,7 @@ public:
       lost += gauss.weights[i] * mu * at(m_lost, mu);
     }
     const double Favg = F0 + (1 - F0) / 21; // Schlick's curve
-    m_multiple = Favg * Favg * (1 - lost) / (1 - Favg * lost) / (kPi * lost);
+    m_multiple = Favg * Favg * (1 - lost) / (1 - Favg * lost) / (pi * lost);
     m_lostAverage = lost;
   }
 
@@ -40,7 +42,7 @@ public:
   }
   // What is left for the diffuse lobe.
   double rest(double NoV) const {
-    return m_lost.empty() ? 1 : 1 - at(m_first, NoV) - m_multiple * kPi * m_lostAverage * at(m_lost, NoV);
+    return m_lost.empty() ? 1 : 1 - at(m_first, NoV) - m_multiple * pi * m_lostAverage * at(m_lost, NoV);
   }
 
 private:
@@ -72,13 +74,13 @@ BruteForce integrate(const scenes::Environment& environment, const SurfaceSample
       for (int j = 0; j < sub; ++j)
         for (int i = 0; i < sub; ++i) {
           const glm::dvec3 L = tests::cellDirection(x + (i + 0.5) / sub - 0.5, y + (j + 0.5) / sub - 0.5);
-          const double top = kPi * (y + double(j) / sub) / tests::kPanoramaHeight;
-          const double area = (std::cos(top) - std::cos(top + kPi / sub / tests::kPanoramaHeight)) * 2 * kPi / sub /
+          const double top = pi * (y + double(j) / sub) / tests::kPanoramaHeight;
+          const double area = (std::cos(top) - std::cos(top + pi / sub / tests::kPanoramaHeight)) * 2 * pi / sub /
                               tests::kPanoramaWidth;
           const double NoL = glm::dot(N, L);
           if (!(NoL > 0)) continue;
           const glm::dvec3 H = glm::normalize(V + L);
-          sum.diffuse += radiance * area * albedo / kPi * NoL;
+          sum.diffuse += radiance * area * albedo / pi * NoL;
           sum.specular += radiance * area * textbook.specular(NoV, NoL, glm::dot(N, H), glm::dot(V, H));
         }
     }

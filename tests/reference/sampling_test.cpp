@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #include <algorithm>
@@ -17,7 +18,7 @@
 namespace parity::reference {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // A (0,2)-sequence: the first 2^k points put exactly one into each elementary interval of area 2^-k (Sobol 1967), which
 // Owen's scrambling keeps.
@@ -123,9 +124,9 @@ void expectDensity(const Sample& sample, const Pdf& pdf, double total, double sl
   double integral = 0;
   for (int r = 0; r < kRows * kSub; ++r)
     for (int c = 0; c < kColumns * kSub; ++c) {
-      const double z = (r + 0.5) / (kRows * kSub), phi = (c + 0.5) / (kColumns * kSub) * 2 * kPi;
+      const double z = (r + 0.5) / (kRows * kSub), phi = (c + 0.5) / (kColumns * kSub) * 2 * pi;
       const double s = std::sqrt(1 - z * z);
-      const double mass = pdf({s * std::cos(phi), s * std::sin(phi), z}) * 2 * kPi / (kRows * kSub * kColumns * kSub);
+      const double mass = pdf({s * std::cos(phi), s * std::sin(phi), z}) * 2 * pi / (kRows * kSub * kColumns * kSub);
       expected[static_cast<std::size_t>(r / kSub * kColumns + c / kSub)] += mass;
       integral += mass;
     }
@@ -139,8 +140,8 @@ void expectDensity(const Sample& sample, const Pdf& pdf, double total, double sl
     if (!(d.z > 0)) continue;
     const int row = std::min(static_cast<int>(d.z * kRows), kRows - 1);
     double phi = std::atan2(d.y, d.x);
-    if (phi < 0) phi += 2 * kPi;
-    const int column = std::min(static_cast<int>(phi / (2 * kPi) * kColumns), kColumns - 1);
+    if (phi < 0) phi += 2 * pi;
+    const int column = std::min(static_cast<int>(phi / (2 * pi) * kColumns), kColumns - 1);
     seen[static_cast<std::size_t>(row * kColumns + column)] += 1.0 / kCount;
   }
   double chi2 = 0;
@@ -194,13 +195,13 @@ TEST(VisibleNormals, densityOfHalfVectorsIntegratesToOne) {
       double sum = 0;
       constexpr int kPolar = 4000, kAzimuth = 256;
       for (int i = 0; i < kPolar; ++i) {
-        const double psi = (i + 0.5) / kPolar * kPi / 2, tanH = alpha * std::tan(psi); // tan theta = alpha tan psi
+        const double psi = (i + 0.5) / kPolar * pi / 2, tanH = alpha * std::tan(psi); // tan theta = alpha tan psi
         const double cosH = 1 / std::sqrt(1 + tanH * tanH), sinH = tanH * cosH;
-        const double dTheta = alpha * cosH * cosH / (std::cos(psi) * std::cos(psi)) * (kPi / 2 / kPolar);
+        const double dTheta = alpha * cosH * cosH / (std::cos(psi) * std::cos(psi)) * (pi / 2 / kPolar);
         for (int j = 0; j < kAzimuth; ++j) {
-          const double VoH = sinV * sinH * std::cos((j + 0.5) / kAzimuth * 2 * kPi) + NoV * cosH;
+          const double VoH = sinV * sinH * std::cos((j + 0.5) / kAzimuth * 2 * pi) + NoV * cosH;
           if (VoH > 0)
-            sum += 4 * VoH * pdfVisibleNormal(shading::f64::D_GGX(alpha, cosH), alpha, NoV) * sinH * dTheta * 2 * kPi /
+            sum += 4 * VoH * pdfVisibleNormal(shading::f64::D_GGX(alpha, cosH), alpha, NoV) * sinH * dTheta * 2 * pi /
                    kAzimuth;
         }
       }

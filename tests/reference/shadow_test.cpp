@@ -1,4 +1,6 @@
 // Visibility in the integrals: occluders whose form factors are known, suns and lamps behind something.
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "reference/direct_light.h"
@@ -10,7 +12,7 @@
 namespace parity::reference {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // Triangles of one opaque material, corners in threes.
 scenes::Scene makeOccluder(const std::vector<glm::vec3>& corners) {
@@ -40,7 +42,7 @@ scenes::Scene makeDisk(float radius, float height) {
   std::vector<glm::vec3> corners;
   constexpr int kSides = 720;
   const auto rim = [&](int i) {
-    return glm::vec3(radius * std::cos(2 * kPi * i / kSides), height, radius * std::sin(2 * kPi * i / kSides));
+    return glm::vec3(radius * std::cos(2 * pi * i / kSides), height, radius * std::sin(2 * pi * i / kSides));
   };
   for (int i = 0; i < kSides; ++i) corners.insert(corners.end(), {{0, height, 0}, rim(i), rim(i + 1)});
   return makeOccluder(corners);

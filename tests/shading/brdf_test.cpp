@@ -12,7 +12,7 @@ namespace {
 
 namespace f64 = shading::f64;
 namespace f32 = shading::f32;
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // Directional albedo at F0 = F90 = 1 of shading/'s own D and V.
 double albedo(Geometry geometry, double roughness, double NoV) {
@@ -38,12 +38,12 @@ double furnaceLossPercent(Geometry geometry, double roughness) {
 TEST(DGgx, projectedAreaIntegratesToOne) {
   for (const double alpha : {0.0025, 0.01, 0.1, 0.5, 1.0}) {
     // tan(theta) = alpha tan(psi) spreads the peak; integral of D NoH over the hemisphere.
-    const PanelRule psi({0.0, 0.5, 1.0, 1.4, 1.55, 1.568, kPi / 2}, 24);
+    const PanelRule psi({0.0, 0.5, 1.0, 1.4, 1.55, 1.568, pi / 2}, 24);
     double sum = 0;
     for (std::size_t i = 0; i < psi.nodes.size(); ++i) {
       const double theta = std::atan2(alpha * std::sin(psi.nodes[i]), std::cos(psi.nodes[i]));
       const double slope = alpha / (std::pow(alpha * std::sin(psi.nodes[i]), 2) + std::pow(std::cos(psi.nodes[i]), 2));
-      sum += psi.weights[i] * slope * std::sin(theta) * 2 * kPi * std::cos(theta) * f64::D_GGX(alpha, std::cos(theta));
+      sum += psi.weights[i] * slope * std::sin(theta) * 2 * pi * std::cos(theta) * f64::D_GGX(alpha, std::cos(theta));
     }
     EXPECT_NEAR(sum, 1, 1e-9) << "alpha " << alpha;
   }
@@ -53,7 +53,7 @@ TEST(DGgx, isTheTextbookForm) {
   for (const double alpha : {0.01, 0.3, 1.0})
     for (const double NoH : {0.0, 0.3, 0.9, 0.999, 1.0})
       EXPECT_NEAR(f64::D_GGX(alpha, NoH) / distribution(alpha, NoH), 1, 1e-9);
-  EXPECT_DOUBLE_EQ(f64::D_GGX(0.5, 1.0), 4 / kPi); // peak: 1 / (pi alpha^2)
+  EXPECT_DOUBLE_EQ(f64::D_GGX(0.5, 1.0), 4 / pi); // peak: 1 / (pi alpha^2)
 }
 
 TEST(DGgx, isFiniteWhereTheMirrorsPeakIsZeroOverZero) {
@@ -81,7 +81,7 @@ TEST(Visibility, smithMaskingConservesProjectedArea) {
     for (const double NoV : {0.2, 0.6, 0.95}) {
       const double G1 = 4 * NoV * f64::V_SmithGGXCorrelated(alpha, NoV, 1);
       const double sinV = std::sqrt(1 - NoV * NoV);
-      const PanelRule theta({0.0, 0.2, 0.6, 1.0, 1.3, 1.5, kPi / 2}, 16), phi({0.0, 0.8, kPi / 2, 2.3, kPi}, 64);
+      const PanelRule theta({0.0, 0.2, 0.6, 1.0, 1.3, 1.5, pi / 2}, 16), phi({0.0, 0.8, pi / 2, 2.3, pi}, 64);
       double area = 0;
       for (std::size_t i = 0; i < theta.nodes.size(); ++i)
         for (std::size_t k = 0; k < phi.nodes.size(); ++k) {
@@ -209,7 +209,7 @@ TEST(MultipleScattering, lobeOfKullaAndContyIntegratesToOne) {
   double sum = 0;
   for (int i = 0; i < 48; ++i) {
     const double mu = 0.5 + 0.5 * rule.nodes[i];
-    sum += 0.5 * rule.weights[i] * 2 * kPi * mu *
+    sum += 0.5 * rule.weights[i] * 2 * pi * mu *
            f64::kullaContyLobe(albedo(Geometry::heightCorrelated, kRoughness, mu), Eavg);
   }
   EXPECT_NEAR(sum, 1, 1e-3); // furnaceLossPercent's own 16 nodes
@@ -227,7 +227,7 @@ TEST(MultipleScattering, colouredBouncesAddUp) {
               (0.5 * 0.4 + 0.9 * 0.15) * kF * 0.45 / (1 - kF * 0.45), 1e-12);
 }
 
-TEST(FdLambert, reflectsAWhiteSkyWhole) { EXPECT_NEAR(f64::Fd_Lambert() * kPi, 1, 1e-15); }
+TEST(FdLambert, reflectsAWhiteSkyWhole) { EXPECT_NEAR(f64::Fd_Lambert() * pi, 1, 1e-15); }
 
 } // namespace
 } // namespace parity::tests

@@ -11,14 +11,14 @@
 namespace parity::shading {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // Sum over `count` heights of f(cos) 2 pi dcos, dense where cos is near 1.
 template <typename F> double overHemisphere(int count, const F& f) {
   double sum = 0;
   for (int i = 0; i < count; ++i) {
     const double x = (i + 0.5) / count, u = 0.5 * x * x * x; // (1 - cos) / 2
-    sum += f(u) * 2 * kPi * 2 * 1.5 * x * x / count;
+    sum += f(u) * 2 * pi * 2 * 1.5 * x * x / count;
   }
   return sum;
 }
@@ -62,7 +62,7 @@ TEST(PrefilteredLobe, takesTheMeanOverASpread) {
       double sum = 0;
       for (int i = 0; i < 64; ++i)
         for (int j = 0; j < 64; ++j) {
-          const double q = r * std::sqrt((i + 0.5) / 64), phi = 2 * kPi * (j + 0.5) / 64;
+          const double q = r * std::sqrt((i + 0.5) / 64), phi = 2 * pi * (j + 0.5) / 64;
           // Of a direction at `angle`, another by q towards phi.
           const double c = std::cos(angle) * std::cos(q) + std::sin(angle) * std::sin(q) * std::cos(phi);
           sum += lobeOf(a2, (1 - c) / 2) / 4096;
@@ -91,7 +91,7 @@ TEST(MeanOfGgx, isTheMeanOverADiscOfLights) {
         double sum = 0;
         for (int i = 0; i < 64; ++i)
           for (int j = 0; j < 64; ++j) {
-            const double q = r * std::sqrt((i + 0.5) / 64), phi = 2 * kPi * (j + 0.5) / 64;
+            const double q = r * std::sqrt((i + 0.5) / 64), phi = 2 * pi * (j + 0.5) / 64;
             sum += lobe(glm::normalize(L + q * (std::cos(phi) * across + std::sin(phi) * along))) / 4096;
           }
         const double NoH2 = std::pow(glm::dot(N, middle), 2), VoH2 = std::pow(glm::dot(V, middle), 2);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ namespace f64 = shading::f64;
 namespace f32 = shading::f32;
 namespace f16 = shading::f16;
 
-constexpr double kPi = 3.14159265358979324;
+using std::numbers::pi;
 
 struct Direction {
   double x, y, z;
@@ -34,15 +35,15 @@ struct Baked {
 };
 
 void addTo(Baked& baked, const Direction& w, double radianceTimesSolidAngle) {
-  baked.l0 += radianceTimesSolidAngle * std::sqrt(1 / (4 * kPi));
-  const double y1 = radianceTimesSolidAngle * std::sqrt(3 / (4 * kPi));
+  baked.l0 += radianceTimesSolidAngle * std::sqrt(1 / (4 * pi));
+  const double y1 = radianceTimesSolidAngle * std::sqrt(3 / (4 * pi));
   baked.l1 = {baked.l1.x + y1 * w.x, baked.l1.y + y1 * w.y, baked.l1.z + y1 * w.z};
 }
 
 Baked makeDelta(const Direction& w) {
   Baked baked;
   addTo(baked, w, 2);
-  baked.irradianceOverPi = [=](const Direction& n) { return 2 * std::max(0.0, dot(w, n)) / kPi; };
+  baked.irradianceOverPi = [=](const Direction& n) { return 2 * std::max(0.0, dot(w, n)) / pi; };
   return baked;
 }
 
@@ -55,8 +56,8 @@ Baked makeCap(double angle) {
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
       const double z = least + (1 - least) * (rule.nodes[i] + 1) / 2, s = std::sqrt(1 - z * z);
       for (int k = 0; k < kAround; ++k) {
-        const double phi = 2 * kPi * (k + 0.5) / kAround;
-        add({s * std::cos(phi), s * std::sin(phi), z}, rule.weights[i] * (1 - least) / 2 * 2 * kPi / kAround);
+        const double phi = 2 * pi * (k + 0.5) / kAround;
+        add({s * std::cos(phi), s * std::sin(phi), z}, rule.weights[i] * (1 - least) / 2 * 2 * pi / kAround);
       }
     }
   };
@@ -65,7 +66,7 @@ Baked makeCap(double angle) {
   baked.irradianceOverPi = [=](const Direction& n) {
     double sum = 0;
     integrate([&](const Direction& w, double solidAngle) { sum += std::max(0.0, dot(w, n)) * solidAngle; });
-    return sum / kPi;
+    return sum / pi;
   };
   return baked;
 }
@@ -131,7 +132,7 @@ TEST(Lightmap, blackStaysBlackAndNothingIsNegative) {
 TEST(Lightmap, theMobileTexelIsExactAtTheBakedNormal) {
   const Direction N0 = leaning(0.3);
   const f64::real32x3 E{0.7, 1.9, 0.02};
-  for (const Baked& baked : {makeDelta(leaning(1.1)), makeDelta(leaning(-0.4)), makeCap(kPi / 2), makeCap(0.4)}) {
+  for (const Baked& baked : {makeDelta(leaning(1.1)), makeDelta(leaning(-0.4)), makeCap(pi / 2), makeCap(0.4)}) {
     const f64::real4 read = readLq(E, baked, N0, N0);
     EXPECT_NEAR(read.x, E.x, 1e-9);
     EXPECT_NEAR(read.y, E.y, 1e-9);
@@ -142,7 +143,7 @@ TEST(Lightmap, theMobileTexelIsExactAtTheBakedNormal) {
 
 // dot(SH, (N.yzx, 1)) is S(N) / l0: the order in which the components are stored and read.
 TEST(Lightmap, theMobileTexelIsLinearShElsewhere) {
-  const Baked baked = makeCap(kPi / 2); // its irradiance is of order 1: (1 + cos) / 2
+  const Baked baked = makeCap(pi / 2); // its irradiance is of order 1: (1 + cos) / 2
   for (const double angle : {0.0, 0.5, 1.5, 2.5}) {
     const f64::real4 read = readLq({1, 1, 1}, baked, {0, 0, 1}, leaning(angle));
     EXPECT_NEAR(read.x, (1 + std::cos(angle)) / 2, 1e-9) << angle;
@@ -197,12 +198,12 @@ TEST(Lightmap, theNonlinearFormIsNearerToTheTruthThanTheLinearOneForLightFromFew
     Baked baked;
     bool linearIsExact;
   };
-  const Case cases[] = {{"delta light, 45 degrees", makeDelta(leaning(kPi / 4)), false},
-                        {"delta light, 75 degrees", makeDelta(leaning(kPi / 2.4)), false},
-                        {"cap of 20 degrees", makeCap(kPi / 9), false},
-                        {"cap of 45 degrees", makeCap(kPi / 4), false},
-                        {"hemisphere", makeCap(kPi / 2), true},
-                        {"uniform sky", makeCap(kPi), true}};
+  const Case cases[] = {{"delta light, 45 degrees", makeDelta(leaning(pi / 4)), false},
+                        {"delta light, 75 degrees", makeDelta(leaning(pi / 2.4)), false},
+                        {"cap of 20 degrees", makeCap(pi / 9), false},
+                        {"cap of 45 degrees", makeCap(pi / 4), false},
+                        {"hemisphere", makeCap(pi / 2), true},
+                        {"uniform sky", makeCap(pi), true}};
   const Direction N0{0, 0, 1};
   for (const Case& c : cases) {
     const f64::real32x3 r = f64::encodeLightmapDirection(c.baked.l0, vec(c.baked.l1));
@@ -210,7 +211,7 @@ TEST(Lightmap, theNonlinearFormIsNearerToTheTruthThanTheLinearOneForLightFromFew
     const double E0 = c.baked.irradianceOverPi(N0);
     double nonlinear = 0, linear = 0;
     int count = 0;
-    for (double angle = -kPi / 3; angle <= kPi / 3 + 1e-9; angle += kPi / 36, ++count) {
+    for (double angle = -pi / 3; angle <= pi / 3 + 1e-9; angle += pi / 36, ++count) {
       const Direction n = leaning(angle);
       const double truth = c.baked.irradianceOverPi(n);
       nonlinear += std::pow(E0 * f64::directionalLightmapRatio(r, vec(n), vec(N0)) - truth, 2);

@@ -14,7 +14,7 @@ namespace parity::tests {
 namespace {
 
 namespace f64 = shading::f64;
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::array kViews = {0.1, 0.25, 0.5, 0.75, 1.0};
 
 double environment(double roughness, double NoV) { return f64::EnvBRDFApprox({1, 1, 1}, roughness, NoV).x; }
@@ -29,14 +29,14 @@ double truth(double roughness, double NoV) {
 double reflectanceOfDApprox(double roughness, double NoV) {
   const double c = (0.5 / std::pow(roughness, 4) + 0.275) / std::numbers::ln2;
   return environment(roughness, NoV) * integrateAroundReflection(c, NoV, 12, [&](double NoL, double RoL) {
-           return f64::D_Approx(roughness, RoL) * NoL / kPi;
+           return f64::D_Approx(roughness, RoL) * NoL / pi;
          });
 }
 
 // The same for CalcSpecular; `distribution` stands for GGX_Mobile within it.
 template <typename D> double reflectanceOfCalcSpecular(double roughness, double NoV, D distributionTimesPi) {
   return environment(roughness, NoV) * integrateLobe(roughness * roughness, NoV, 12, [&](const Cosines& cosines) {
-           return (roughness * 0.25 + 0.25) * distributionTimesPi(cosines.NoH) * cosines.NoL / kPi;
+           return (roughness * 0.25 + 0.25) * distributionTimesPi(cosines.NoH) * cosines.NoL / pi;
          });
 }
 
@@ -108,7 +108,7 @@ TEST(PhongApprox, isFiniteInHalfAtEveryRoughness) {
 TEST(GgxMobile, isPiTimesGgxBelowTheClamp) {
   for (const double R : {0.2, 0.5, 1.0})
     for (const double NoH : {0.0, 0.5, 0.9, 1.0}) {
-      const double unclamped = kPi * distribution(R * R, NoH);
+      const double unclamped = pi * distribution(R * R, NoH);
       EXPECT_NEAR(f64::GGX_Mobile(R, NoH) / unclamped, 1, 1e-9);
     }
 }
@@ -127,7 +127,7 @@ TEST(GgxMobile, isClampedAt2048FromRoughness0149Down) {
 TEST(GgxMobile, clampLeavesTheShareOfEnergyThatIsPublished) {
   for (const auto& [R, percent] : {std::pair{0.1, 70.0}, {0.05, 21.0}, {0.2, 100.0}}) {
     const double kept = integrateLobe(R * R, 1, 20, [&](const Cosines& cosines) {
-      return f64::GGX_Mobile(R, cosines.NoH) / kPi * cosines.NoH / (4 * cosines.VoH);
+      return f64::GGX_Mobile(R, cosines.NoH) / pi * cosines.NoH / (4 * cosines.VoH);
     });
     EXPECT_NEAR(100 * kept, percent, 0.5);
   }
@@ -143,7 +143,7 @@ TEST(CalcSpecular, reflectsAgainstTheTruthAsPublished) {
       const double roughness = R;
       const double actual =
           environment(R, kViews[i]) * integrateLobe(R * R, kViews[i], 12, [&](const Cosines& cosines) {
-            return f64::CalcSpecular(roughness, cosines.NoH) * cosines.NoL / kPi;
+            return f64::CalcSpecular(roughness, cosines.NoH) * cosines.NoL / pi;
           });
       expectPrinted(actual / truth(R, kViews[i]), printed[i], 2);
     }
@@ -151,7 +151,7 @@ TEST(CalcSpecular, reflectsAgainstTheTruthAsPublished) {
   const std::array<int, 5> decimals = {3, 3, 2, 2, 2};
   for (std::size_t i = 0; i < kViews.size(); ++i) {
     const double unclamped =
-        reflectanceOfCalcSpecular(0.1, kViews[i], [](double NoH) { return kPi * distribution(0.01, NoH); });
+        reflectanceOfCalcSpecular(0.1, kViews[i], [](double NoH) { return pi * distribution(0.01, NoH); });
     expectPrinted(unclamped / truth(0.1, kViews[i]), smooth[i], decimals[i]);
     const double clamped =
         reflectanceOfCalcSpecular(0.1, kViews[i], [](double NoH) { return f64::GGX_Mobile(0.1, NoH); });

@@ -13,7 +13,7 @@ namespace parity::tests {
 namespace {
 
 namespace f64 = shading::f64;
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Vec {
   double x, y, z;
@@ -34,7 +34,7 @@ double reflect(const Sky& sky, double roughness, double NoV) {
   double sum = 0, total = 0;
   for (int i = 0; i < kSteps; ++i)
     for (int j = 0; j < kSteps; ++j) {
-      const double share = (i + 0.5) / kSteps, phi = 2 * kPi * (j + 0.5) / kSteps;
+      const double share = (i + 0.5) / kSteps, phi = 2 * pi * (j + 0.5) / kSteps;
       const double cos2 = (1 - share) / (1 + (alpha * alpha - 1) * share), s = std::sqrt(1 - cos2);
       const Vec H{s * std::cos(phi), s * std::sin(phi), std::sqrt(cos2)};
       const double VoH = dot(V, H);
@@ -60,7 +60,7 @@ double readCube(const Sky& sky, const Vec& direction, double mip, bool layered) 
     double sum = 0, total = 0;
     for (int i = 0; i < kSteps; ++i)
       for (int j = 0; j < kSteps; ++j) {
-        const double share = (i + 0.5) / kSteps, phi = 2 * kPi * (j + 0.5) / kSteps;
+        const double share = (i + 0.5) / kSteps, phi = 2 * pi * (j + 0.5) / kSteps;
         const double NoL = 2 * (1 - share) / (1 + (alpha * alpha - 1) * share) - 1;
         if (NoL <= 0) continue;
         const double s = std::sqrt(1 - NoL * NoL);
@@ -86,7 +86,7 @@ double irradianceOverPi(const Sky& sky) {
   double sum = 0;
   for (int i = 0; i < kSteps; ++i)
     for (int j = 0; j < kSteps; ++j) {
-      const double s = std::sqrt((i + 0.5) / kSteps), phi = 2 * kPi * (j + 0.5) / kSteps; // by their cosine
+      const double s = std::sqrt((i + 0.5) / kSteps), phi = 2 * pi * (j + 0.5) / kSteps; // by their cosine
       sum += sky({s * std::cos(phi), s * std::sin(phi), std::sqrt(1 - s * s)});
     }
   return sum / (kSteps * kSteps);

@@ -7,12 +7,12 @@
 
 namespace parity::tests {
 namespace {
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 }
 
 GaussRule::GaussRule(int n) : nodes(n), weights(n) {
   for (int i = 0; i < n; ++i) { // Newton on the Legendre polynomial from Chebyshev's guess
-    double x = std::cos(kPi * (i + 0.75) / (n + 0.5)), slope = 1;
+    double x = std::cos(pi * (i + 0.75) / (n + 0.5)), slope = 1;
     for (int iteration = 0; iteration < 100; ++iteration) {
       double p0 = 1, p1 = x;
       for (int k = 2; k <= n; ++k) {
@@ -43,7 +43,7 @@ PanelRule::PanelRule(const std::vector<double>& edges, int n) {
 
 double integrateLobe(double alpha, double NoV, int order, const std::function<double(const Cosines&)>& f) {
   // Panels gather where the integrand turns: phi = pi/2 at grazing views, psi = pi/2 in the far tail of a sharp lobe.
-  static const std::vector<double> phiEdges = {0.0, 0.7, 1.2, 1.45, 1.54, kPi / 2, 1.6, 1.69, 1.94, 2.44, kPi};
+  static const std::vector<double> phiEdges = {0.0, 0.7, 1.2, 1.45, 1.54, pi / 2, 1.6, 1.69, 1.94, 2.44, pi};
   static const std::vector<double> psiEdges = {0.0, 0.4, 0.7, 0.85, 0.95, 0.985, 1.0};
   const PanelRule phis(phiEdges, order), psis(psiEdges, order);
   const double sinV = std::sqrt(std::max(0.0, 1 - NoV * NoV));
@@ -51,7 +51,7 @@ double integrateLobe(double alpha, double NoV, int order, const std::function<do
   for (std::size_t p = 0; p < phis.nodes.size(); ++p) {
     const double side = sinV * std::cos(phis.nodes[p]);
     // NoL = M cos(2 theta - delta): the light sets where 2 theta = delta + pi/2.
-    const double thetaMax = (kPi / 2 + std::atan2(side, NoV)) / 2;
+    const double thetaMax = (pi / 2 + std::atan2(side, NoV)) / 2;
     const double psiMax = std::atan2(std::sin(thetaMax), alpha * std::cos(thetaMax));
     double inner = 0;
     for (std::size_t s = 0; s < psis.nodes.size(); ++s) {
@@ -97,7 +97,7 @@ double integrateAroundReflection(double c, double NoV, int order,
 
 double distribution(double alpha, double NoH) {
   const double b = NoH * NoH * (alpha * alpha - 1) + 1;
-  return alpha * alpha / (kPi * b * b);
+  return alpha * alpha / (pi * b * b);
 }
 
 double maskingShadowing(Geometry geometry, double alpha, double NoV, double NoL) {

@@ -16,7 +16,7 @@ namespace {
 namespace f64 = shading::f64;
 namespace f16 = shading::f16;
 using shading::Half;
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // The height-correlated lobe and what Kulla and Conty add to it (2017; Hill 2018), at one roughness.
 class Truth {
@@ -44,7 +44,7 @@ private:
   double m_roughness, m_average = 0;
 };
 
-struct Deviation {
+struct RefitDeviation {
   double squares = 0, max = 0;
   int count = 0;
   void add(double error) {
@@ -68,8 +68,8 @@ double total16(double F0, double R, double N) {
 // Over the full domain of docs/shading.md 2a: NoV >= 1/256, roughness >= 1/64. Wanted: .01 at F0 = .04, .02 at F0 = 1.
 TEST(RefitLobe, reflectsWhatTheCompensatedHighEndLobeDoes) {
   constexpr std::array kF0 = {0.02, 0.04, 0.5, 0.75, 1.0};
-  std::array<Deviation, kF0.size()> exact, half;
-  Deviation multiple;
+  std::array<RefitDeviation, kF0.size()> exact, half;
+  RefitDeviation multiple;
   for (int i = 0; i < 20; ++i) {
     const double R = 1.0 / 64 + (1 - 1.0 / 64) * (i + 0.5) / 20;
     const Truth truth(R);
@@ -145,14 +145,14 @@ TEST(RefitNonmetal, isTheGeneralFormBitForBit) {
 // <= 1.05.
 TEST(RefitLight, reflectsWhatTheCompensatedHighEndLightDoes) {
   for (const double F0 : {0.04, 1.0}) {
-    Deviation logs;
+    RefitDeviation logs;
     double least = 10, most = 0, exitance = 0;
     for (const double R : {0.07, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0}) {
       const Truth truth(R);
       for (const double N : {0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0}) {
         const f64::RefitLobe lobe = f64::refitLobe({F0, F0, F0}, 1, R, N);
         const double reflected = integrateLobe(R * R, N, 12, [&](const Cosines& c) {
-          return f64::refitLight(lobe, c.NoL, {std::min(c.NoH, 1.0), std::min(c.VoH, 1.0)}).x / kPi;
+          return f64::refitLight(lobe, c.NoL, {std::min(c.NoH, 1.0), std::min(c.VoH, 1.0)}).x / pi;
         });
         const double ratio = reflected / truth.total(F0, truth.at(N));
         logs.add(std::log(ratio));
@@ -183,8 +183,8 @@ TEST(RefitLight, isTheHighEndLobeWhereNothingScattersTwice) {
               distribution(R * R, H) * maskingShadowing(Geometry::heightCorrelated, R * R, N, L) / (4 * N * L);
           const double f = std::pow(1 - 0.7, 5);
           const f64::real3 light = f64::refitLight(lobe, L, {H, 0.7});
-          EXPECT_NEAR(light.x / (kPi * L * dv * (0.04 + 0.96 * f)), 1, 1e-9);
-          EXPECT_NEAR(light.z / (kPi * L * dv * (0.9 + 0.1 * f)), 1, 1e-9);
+          EXPECT_NEAR(light.x / (pi * L * dv * (0.04 + 0.96 * f)), 1, 1e-9);
+          EXPECT_NEAR(light.z / (pi * L * dv * (0.9 + 0.1 * f)), 1, 1e-9);
         }
 }
 

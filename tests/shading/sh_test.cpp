@@ -12,7 +12,7 @@ namespace {
 
 namespace f64 = shading::f64;
 using f64::real3;
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 double dot(const real3& a, const real3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
@@ -23,8 +23,8 @@ template <typename F> double integrateSphere(F f) {
   double sum = 0;
   for (std::size_t i = 0; i < z.nodes.size(); ++i)
     for (int k = 0; k < kAround; ++k) {
-      const double s = std::sqrt(1 - z.nodes[i] * z.nodes[i]), phi = 2 * kPi * (k + 0.5) / kAround;
-      sum += z.weights[i] * 2 * kPi / kAround * f(real3(s * std::cos(phi), s * std::sin(phi), z.nodes[i]));
+      const double s = std::sqrt(1 - z.nodes[i] * z.nodes[i]), phi = 2 * pi * (k + 0.5) / kAround;
+      sum += z.weights[i] * 2 * pi / kAround * f(real3(s * std::cos(phi), s * std::sin(phi), z.nodes[i]));
     }
   return sum;
 }
@@ -40,10 +40,10 @@ template <typename L> double integrateIrradiance(const real3& n, L radiance) {
   double sum = 0;
   for (std::size_t i = 0; i < cosine.nodes.size(); ++i)
     for (int k = 0; k < kAround; ++k) {
-      const double c = cosine.nodes[i], s = std::sqrt(1 - c * c), phi = 2 * kPi * (k + 0.5) / kAround;
+      const double c = cosine.nodes[i], s = std::sqrt(1 - c * c), phi = 2 * pi * (k + 0.5) / kAround;
       const double x = s * std::cos(phi), y = s * std::sin(phi);
       const real3 w(x * t.x + y * b.x + c * n.x, x * t.y + y * b.y + c * n.y, x * t.z + y * b.z + c * n.z);
-      sum += cosine.weights[i] * 2 * kPi / kAround * c * radiance(w);
+      sum += cosine.weights[i] * 2 * pi / kAround * c * radiance(w);
     }
   return sum;
 }
@@ -77,11 +77,11 @@ TEST(ShBasis, ordersItsLobesAsDocumented) {
   EXPECT_GT(f64::shBasis({0, 0, 1}).y[2], 0);
   EXPECT_GT(f64::shBasis({1, 0, 0}).y[3], 0);
   const double d = std::sqrt(0.5);
-  EXPECT_NEAR(f64::shBasis({d, d, 0}).y[4], 0.5 * std::sqrt(15 / kPi) / 2, 1e-12);
-  EXPECT_NEAR(f64::shBasis({0, d, d}).y[5], 0.5 * std::sqrt(15 / kPi) / 2, 1e-12);
-  EXPECT_NEAR(f64::shBasis({0, 0, 1}).y[6], 0.25 * std::sqrt(5 / kPi) * 2, 1e-12);
-  EXPECT_NEAR(f64::shBasis({d, 0, d}).y[7], 0.5 * std::sqrt(15 / kPi) / 2, 1e-12);
-  EXPECT_NEAR(f64::shBasis({1, 0, 0}).y[8], 0.25 * std::sqrt(15 / kPi), 1e-12);
+  EXPECT_NEAR(f64::shBasis({d, d, 0}).y[4], 0.5 * std::sqrt(15 / pi) / 2, 1e-12);
+  EXPECT_NEAR(f64::shBasis({0, d, d}).y[5], 0.5 * std::sqrt(15 / pi) / 2, 1e-12);
+  EXPECT_NEAR(f64::shBasis({0, 0, 1}).y[6], 0.25 * std::sqrt(5 / pi) * 2, 1e-12);
+  EXPECT_NEAR(f64::shBasis({d, 0, d}).y[7], 0.5 * std::sqrt(15 / pi) / 2, 1e-12);
+  EXPECT_NEAR(f64::shBasis({1, 0, 0}).y[8], 0.25 * std::sqrt(15 / pi), 1e-12);
 }
 
 // A_l = 2 pi integral of c P_l(c) dc over [0, 1], with Legendre's polynomials.
@@ -89,7 +89,7 @@ TEST(ShCosineKernel, isTheZonalProjectionOfTheClampedCosine) {
   const PanelRule cosine({0.0, 1.0}, 8);
   double a[3] = {0, 0, 0};
   for (std::size_t i = 0; i < cosine.nodes.size(); ++i) {
-    const double c = cosine.nodes[i], w = 2 * kPi * cosine.weights[i] * c;
+    const double c = cosine.nodes[i], w = 2 * pi * cosine.weights[i] * c;
     a[0] += w;
     a[1] += w * c;
     a[2] += w * (3 * c * c - 1) / 2;
@@ -118,7 +118,7 @@ TEST(EvalIrradianceSH, equalsTheHemisphereIntegralForQuadraticRadiance) {
 
 TEST(EvalIrradianceSH, ofAUniformSkyIsPiTimesItsRadiance) {
   const f64::IrradianceSh sh = project([](const real3&) { return 0.8; });
-  EXPECT_NEAR(f64::evalIrradianceSH(sh, {0, 0.6, 0.8}).x, 0.8 * kPi, 1e-12);
+  EXPECT_NEAR(f64::evalIrradianceSH(sh, {0, 0.6, 0.8}).x, 0.8 * pi, 1e-12);
 }
 
 TEST(EvalIrradianceSH, isNeverNegativeBehindASmallSource) {

@@ -23,7 +23,7 @@ const json& encodingOf(const json& region) {
   if (stage.at("stage") != "encoding") throw std::out_of_range("encoding");
   return stage;
 }
-double meanOf(const json& stage) { return stage.at("figures").at("metrics").at("flip.mean"); }
+double meanFlipOf(const json& stage) { return stage.at("figures").at("metrics").at("flip.mean"); }
 
 TEST_F(TargetTest, gammaTwoIsAStageOfItsOwn) {
   const RunResult result = diff("builtin:materials", "rgba8-gamma2");
@@ -31,7 +31,7 @@ TEST_F(TargetTest, gammaTwoIsAStageOfItsOwn) {
   EXPECT_TRUE(contains(result.out, "storing mobile's colour in rgba8-gamma2")) << result.out;
   const json shown = view(), whole = encodingOf(shown.at("whole"));
   EXPECT_EQ(whole.at("through"), "rgba8-gamma2");
-  EXPECT_GT(meanOf(whole), 0.03) << "ten codes at mid grey";
+  EXPECT_GT(meanFlipOf(whole), 0.03) << "ten codes at mid grey";
   std::size_t measured = 0;
   for (const json& material : shown.at("materials")) {
     if (encodingOf(material).at("figures").is_null()) continue;
@@ -55,9 +55,9 @@ TEST_F(TargetTest, whatSrgbDoesIsWhatTheScreenDoesAnyway) {
 
 TEST_F(TargetTest, floatTargetsCostLittleAndMoreWithFewerBits) {
   diff("builtin:spheres", "rgba16f");
-  const double half = meanOf(encodingOf(view().at("whole")));
+  const double half = meanFlipOf(encodingOf(view().at("whole")));
   diff("builtin:spheres", "r11g11b10f");
-  const double packed = meanOf(encodingOf(view().at("whole")));
+  const double packed = meanFlipOf(encodingOf(view().at("whole")));
   EXPECT_LT(half, 0.005);
   EXPECT_GT(packed, half);
   EXPECT_LT(packed, 0.1);

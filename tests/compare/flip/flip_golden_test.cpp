@@ -24,13 +24,13 @@ constexpr double kToolsNoiseInFlatFields = 2e-5, kDrift = 5e-5;
 constexpr double kNotPrinted = std::numeric_limits<double>::quiet_NaN();
 
 // A row of docs/flip-metric.md 8's table: what the tool prints. kNotPrinted where the table has no figure.
-struct Case {
+struct GoldenCase {
   std::string pair, map;
   float ppd;
   double mean, median, q1, q3, min, max;
 };
 
-const Case kCases[] = {
+const GoldenCase kGoldenCases[] = {
     {"ldrsyn256", "ldrsyn256.flip", kDefaultPixelsPerDegree, .155656994, .220928873, .173131, .295348, .000074,
      .998370},
     {"ldrsyn256", "ldrsyn256.ppd20.flip", 20, .143722894, .242412373, .166605458, .30729425, 0, 1},
@@ -49,7 +49,7 @@ const Case kCases[] = {
      .144170851, .958795846},
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.map; }
+void PrintTo(const GoldenCase& c, std::ostream* out) { *out << c.map; }
 
 FlipMaps mapsOf(const std::string& pair, float ppd) {
   const base::Image reference = base::readImage(test::goldenFolder() / (pair + ".ref.png"));
@@ -57,15 +57,15 @@ FlipMaps mapsOf(const std::string& pair, float ppd) {
   return flipMaps(reference, test, {.ppd = ppd});
 }
 
-class FlipGolden : public ::testing::TestWithParam<Case> {};
+class FlipGolden : public ::testing::TestWithParam<GoldenCase> {};
 
 TEST_P(FlipGolden, everyPixelIsTheReferenceToolsWithin1e4) {
-  const Case& c = GetParam();
+  const GoldenCase& c = GetParam();
   EXPECT_TRUE(test::matchesGolden(mapsOf(c.pair, c.ppd).flip, c.map, kPixelTolerance));
 }
 
 TEST_P(FlipGolden, pooledFiguresAreWhatTheReferenceToolPrints) {
-  const Case& c = GetParam();
+  const GoldenCase& c = GetParam();
   const Pooling pooled = poolMap(mapsOf(c.pair, c.ppd).flip);
   const bool isFlat = c.pair == "ldrext64" || c.pair == "ldrtiny1x1";
   EXPECT_NEAR(pooled.mean, c.mean, isFlat ? kToolsNoiseInFlatFields : kMeanTolerance);
@@ -84,7 +84,7 @@ TEST_P(FlipGolden, pooledFiguresAreWhatTheReferenceToolPrints) {
 // The pooling alone, on the tool's own map. Its running sums are float32 and drift (docs/flip-metric.md 9a): they stop
 // up to 2.9e-5 from where exact ones do.
 TEST_P(FlipGolden, poolingOfTheToolsOwnMapGivesTheDigitsItPrinted) {
-  const Case& c = GetParam();
+  const GoldenCase& c = GetParam();
   const Pooling pooled = poolMap(base::readPfm(test::goldenFolder() / (c.map + ".pfm")));
   EXPECT_NEAR(pooled.mean, c.mean, 1e-9);
   const auto expectPrinted = [](double actual, double printed, const char* what) {
@@ -101,7 +101,7 @@ TEST_P(FlipGolden, poolingOfTheToolsOwnMapGivesTheDigitsItPrinted) {
 
 // Without the tool's float noise in between: every pair, flat ones too.
 TEST_P(FlipGolden, meanIsTheDoublePrecisionOraclesWithin1e6) {
-  const Case& c = GetParam();
+  const GoldenCase& c = GetParam();
   const base::Image reference = base::readImage(test::goldenFolder() / (c.pair + ".ref.png"));
   const base::Image test = base::readImage(test::goldenFolder() / (c.pair + ".test.png"));
   const std::vector<double> exact = oracle::flip(reference, test, static_cast<double>(c.ppd)).flip;
@@ -109,7 +109,7 @@ TEST_P(FlipGolden, meanIsTheDoublePrecisionOraclesWithin1e6) {
   EXPECT_NEAR(poolMap(flipMap(reference, test, {.ppd = c.ppd})).mean, mean, kMeanTolerance);
 }
 
-INSTANTIATE_TEST_SUITE_P(Pairs, FlipGolden, ::testing::ValuesIn(kCases), [](const auto& instance) {
+INSTANTIATE_TEST_SUITE_P(Pairs, FlipGolden, ::testing::ValuesIn(kGoldenCases), [](const auto& instance) {
   std::string name = instance.param.map;
   for (char& c : name)
     if (c == '.') c = '_';

@@ -22,14 +22,14 @@ namespace {
 using test::makeHdrImage;
 
 // docs/flip-metric.md 8's table.
-struct Case {
+struct HdrCase {
   std::string map;
   HdrFlipOptions options;
   ExposureRange range;
   double mean, median, q1, q3, min, max;
 };
 
-const Case kCases[] = {
+const HdrCase kHdrCases[] = {
     {"aces",
      {.tonemapper = Tonemapper::aces},
      {-6.58165932f, 2.22690272f, 9, ""},
@@ -68,9 +68,9 @@ const Case kCases[] = {
      .277799636},
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.map; }
+void PrintTo(const HdrCase& c, std::ostream* out) { *out << c.map; }
 
-class HdrFlipGolden : public ::testing::TestWithParam<Case> {
+class HdrFlipGolden : public ::testing::TestWithParam<HdrCase> {
 protected:
   static HdrFlip compute() {
     return flipHdr(base::readImage(test::goldenFolder() / "hdrsyn256.ref.exr"),
@@ -93,7 +93,7 @@ TEST_P(HdrFlipGolden, exposuresAreTheReferenceToolsButForTies) {
 }
 
 TEST_P(HdrFlipGolden, theRangeAndThePooledFiguresAreWhatTheToolPrints) {
-  const Case& c = GetParam();
+  const HdrCase& c = GetParam();
   const HdrFlip found = compute();
   EXPECT_NEAR(found.range.start, c.range.start, 2e-6f);
   EXPECT_NEAR(found.range.stop, c.range.stop, 2e-6f);
@@ -108,7 +108,7 @@ TEST_P(HdrFlipGolden, theRangeAndThePooledFiguresAreWhatTheToolPrints) {
   EXPECT_NEAR(pooled.max, c.max, 1e-4);
 }
 
-INSTANTIATE_TEST_SUITE_P(Maps, HdrFlipGolden, ::testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Maps, HdrFlipGolden, ::testing::ValuesIn(kHdrCases),
                          [](const auto& instance) { return instance.param.map; });
 
 TEST(HdrFlip, theBrightestExposedValueComesOutAsPoint85) {

@@ -11,11 +11,12 @@
 #include "base/parallel.h"
 #include "compare/flip/flip.h"
 #include "compare/flip/flip_filters.h"
+#include "support/not_finite.h"
 
 namespace parity::compare {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
+using tests::kInf, tests::kNan;
 
 base::Image makeFlat(int width, int height, float r, float g, float b) {
   base::Image image(width, height, 3);

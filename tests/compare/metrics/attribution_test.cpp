@@ -13,12 +13,12 @@
 namespace parity::compare {
 namespace {
 
-constexpr int kWidth = 96, kHeight = 80;
+constexpr int kAttributedWidth = 96, kAttributedHeight = 80;
 
 // A picture of the view as displayed.
 base::Image8 makePicture(test::Kind kind, unsigned seed) {
-  const base::Image image = test::makeImage(kind, kWidth, kHeight, seed);
-  base::Image8 out(kWidth, kHeight, 3);
+  const base::Image image = test::makeImage(kind, kAttributedWidth, kAttributedHeight, seed);
+  base::Image8 out(kAttributedWidth, kAttributedHeight, 3);
   std::ranges::transform(image.pixels, out.pixels.begin(),
                          [](float v) { return static_cast<std::uint8_t>(std::clamp(v, 0.f, 1.f) * 255 + 0.5f); });
   return out;
@@ -27,7 +27,7 @@ base::Image8 makePicture(test::Kind kind, unsigned seed) {
 base::PixelList box(const char* name, int x0, int y0, int x1, int y1) {
   base::PixelList list{name, {}, {}};
   for (int y = y0; y < y1; ++y)
-    for (int x = x0; x < x1; ++x) list.pixels.push_back(static_cast<std::uint32_t>(y * kWidth + x));
+    for (int x = x0; x < x1; ++x) list.pixels.push_back(static_cast<std::uint32_t>(y * kAttributedWidth + x));
   return list;
 }
 
@@ -52,7 +52,7 @@ double measure(const base::Image8& reference, const Swap& swap, std::vector<std:
 }
 
 // Mobile's picture and those with a term of high-end's each.
-struct Pictures {
+struct AttributedPictures {
   base::Image8 reference = makePicture(test::Kind::smooth, 1), mobile = makePicture(test::Kind::noise, 2),
                sun = makePicture(test::Kind::noise8, 3), sky = makePicture(test::Kind::halves, 4);
 
@@ -62,7 +62,7 @@ struct Pictures {
 };
 
 TEST(Attribution, theTermThatMakesThePictureTheReferenceExplainsAll) {
-  const Pictures pictures;
+  const AttributedPictures pictures;
   const base::PixelList list = box("m", 8, 8, 80, 70);
   const AttributionInput input{swapOf(list, pictures.mobile), {{"skySpecular", swapOf(list, pictures.reference)}}};
   const auto found = attributeTerms({pictures.reference}, {&input, 1});
@@ -74,7 +74,7 @@ TEST(Attribution, theTermThatMakesThePictureTheReferenceExplainsAll) {
 }
 
 TEST(Attribution, theTermThatChangesNothingExplainsNothing) {
-  const Pictures pictures;
+  const AttributedPictures pictures;
   const base::PixelList list = box("m", 8, 8, 80, 60);
   const AttributionInput input{swapOf(list, pictures.mobile), {{"fog", swapOf(list, pictures.mobile)}}};
   const auto found = attributeTerms({pictures.reference}, {&input, 1});
@@ -82,7 +82,7 @@ TEST(Attribution, theTermThatChangesNothingExplainsNothing) {
 }
 
 TEST(Attribution, figuresAreThoseOfPicturesInWhichTheOneMaterialIsSwapped) {
-  const Pictures pictures;
+  const AttributedPictures pictures;
   base::PixelList weighted = box("weighted", 30, 20, 90, 60);
   for (std::size_t i = 0; i < weighted.pixels.size(); ++i)
     weighted.weights.push_back(0.25f + 0.5f * static_cast<float>(i % 2));
@@ -110,8 +110,9 @@ TEST(Attribution, figuresAreThoseOfPicturesInWhichTheOneMaterialIsSwapped) {
 
 // What another material's terms are is not seen: each is swapped alone.
 TEST(Attribution, aNeighbourChangesNothing) {
-  const Pictures pictures;
-  const base::PixelList left = box("left", 0, 0, 40, kHeight), right = box("right", 40, 0, kWidth, kHeight);
+  const AttributedPictures pictures;
+  const base::PixelList left = box("left", 0, 0, 40, kAttributedHeight),
+                        right = box("right", 40, 0, kAttributedWidth, kAttributedHeight);
   const AttributionInput both[] = {pictures.of(left), pictures.of(right)};
   const auto together = attributeTerms({pictures.reference}, both),
              alone = attributeTerms({pictures.reference}, {both, 1});
@@ -123,7 +124,7 @@ TEST(Attribution, aNeighbourChangesNothing) {
 }
 
 TEST(Attribution, nonFinitePixelsCountAsTheWorstValueAndNoFigureIsNan) {
-  const Pictures pictures;
+  const AttributedPictures pictures;
   const base::PixelList list = box("m", 8, 8, 80, 70);
   AttributionInput input = pictures.of(list);
   input.swap.nonFinite = {100, 200};
@@ -139,7 +140,8 @@ TEST(Attribution, nonFinitePixelsCountAsTheWorstValueAndNoFigureIsNan) {
   EXPECT_GT(found.flip, attributeTerms({pictures.reference}, {&sound, 1}).at(0).flip);
 
   // Where the high-end colour is no number nothing helps.
-  const std::vector<std::uint32_t> lost = {40 * kWidth + 40, 79 * kWidth + 95}; // of the material, and not
+  const std::vector<std::uint32_t> lost = {40 * kAttributedWidth + 40,
+                                           79 * kAttributedWidth + 95}; // of the material, and not
   input = {swapOf(list, pictures.mobile), {{"skySpecular", swapOf(list, pictures.reference)}}};
   const auto hopeless = attributeTerms({pictures.reference, nullptr, lost}, {&input, 1}).at(0);
   EXPECT_NEAR(hopeless.flip, measure(pictures.reference, input.swap, lost), 1e-9);
@@ -147,7 +149,7 @@ TEST(Attribution, nonFinitePixelsCountAsTheWorstValueAndNoFigureIsNan) {
 }
 
 TEST(Attribution, aMaterialWithoutPixelsHasNothingToExplain) {
-  const Pictures pictures;
+  const AttributedPictures pictures;
   base::PixelList empty{"empty", {}, {}}, weightless = box("weightless", 4, 4, 6, 6),
                                           thin = box("thin", 50, 10, 55, 12);
   weightless.weights.assign(4, 0.f);
@@ -164,7 +166,7 @@ TEST(Attribution, aMaterialWithoutPixelsHasNothingToExplain) {
 }
 
 TEST(Attribution, resultDoesNotDependOnTheThreads) {
-  const Pictures pictures;
+  const AttributedPictures pictures;
   const base::PixelList left = box("a", 0, 0, 40, 70), right = box("b", 40, 0, 96, 80);
   const auto run = [&](int threads) {
     const base::ThreadLimit limit(threads);
@@ -181,9 +183,9 @@ TEST(Attribution, resultDoesNotDependOnTheThreads) {
 }
 
 TEST(Attribution, picturesThatDoNotFitAreRefused) {
-  const Pictures pictures;
+  const AttributedPictures pictures;
   const base::PixelList list = box("m", 8, 8, 80, 70), other = box("m", 8, 8, 20, 20),
-                        outside{"outside", {kWidth * kHeight}, {}};
+                        outside{"outside", {kAttributedWidth * kAttributedHeight}, {}};
   const auto run = [&](const AttributionInput& input) {
     return test::codeOf([&] { attributeTerms({pictures.reference}, {&input, 1}); });
   };

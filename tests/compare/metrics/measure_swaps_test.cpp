@@ -13,7 +13,7 @@
 namespace parity::compare {
 namespace {
 
-constexpr int kWidth = 240, kHeight = 200; // MS-SSIM has all of its scales
+constexpr int kSwapWidth = 240, kSwapHeight = 200; // MS-SSIM has all of its scales
 
 base::Image8 toBytes(const base::Image& image) {
   base::Image8 out(image.width, image.height, 3);
@@ -39,17 +39,18 @@ base::PixelList box(int x0, int y0, int x1, int y1, bool weighted = false) {
   base::PixelList list{"box", {}, {}};
   for (int y = y0; y < y1; ++y)
     for (int x = x0; x < x1; ++x) {
-      list.pixels.push_back(static_cast<std::uint32_t>(y * kWidth + x));
+      list.pixels.push_back(static_cast<std::uint32_t>(y * kSwapWidth + x));
       if (weighted) list.weights.push_back(0.25f + 0.25f * static_cast<float>((x + y) % 4));
     }
   return list;
 }
 
 // Two pictures as displayed and as linear light.
-struct Pictures {
-  base::Image linear[2] = {test::makeHdrImage(kWidth, kHeight, 1, 8), test::makeHdrImage(kWidth, kHeight, 3, 8)};
-  base::Image8 shown[2] = {toBytes(test::makeImage(test::Kind::smooth, kWidth, kHeight, 5)),
-                           toBytes(test::makeImage(test::Kind::noise8, kWidth, kHeight, 6))};
+struct SwapPictures {
+  base::Image linear[2] = {test::makeHdrImage(kSwapWidth, kSwapHeight, 1, 8),
+                           test::makeHdrImage(kSwapWidth, kSwapHeight, 3, 8)};
+  base::Image8 shown[2] = {toBytes(test::makeImage(test::Kind::smooth, kSwapWidth, kSwapHeight, 5)),
+                           toBytes(test::makeImage(test::Kind::noise8, kSwapWidth, kSwapHeight, 6))};
 
   Swap swap(const base::PixelList& list) const { return {&list, gather(shown[1], list), gather(linear[1], list), {}}; }
   SwapReference reference() const { return {shown[0], &linear[0], {}}; }
@@ -62,8 +63,9 @@ std::vector<std::string> allMetrics() {
 }
 
 TEST(MeasureSwaps, everyMetricIsThatOfThePictureWithTheOneMaterialSwapped) {
-  const Pictures pictures;
-  const base::PixelList lists[] = {box(20, 30, 90, 110, true), box(100, 5, 103, 190), box(0, 0, kWidth, kHeight)};
+  const SwapPictures pictures;
+  const base::PixelList lists[] = {box(20, 30, 90, 110, true), box(100, 5, 103, 190),
+                                   box(0, 0, kSwapWidth, kSwapHeight)};
   std::vector<Swap> swaps;
   for (const base::PixelList& list : lists) swaps.push_back(pictures.swap(list));
   const MeasureRequest request{.metrics = allMetrics(), .statistics = {"flip.fraction_over(0.1)"}};
@@ -89,7 +91,7 @@ TEST(MeasureSwaps, everyMetricIsThatOfThePictureWithTheOneMaterialSwapped) {
 }
 
 TEST(MeasureSwaps, aMaterialThatIsEqualHasNoErrorBesideOneThatDiffers) {
-  const Pictures pictures;
+  const SwapPictures pictures;
   const base::PixelList equal = box(40, 40, 80, 80), differs = box(80, 40, 120, 80);
   const std::vector<Swap> swaps = {{&equal, gather(pictures.shown[0], equal), gather(pictures.linear[0], equal), {}},
                                    pictures.swap(differs)};
@@ -103,8 +105,8 @@ TEST(MeasureSwaps, aMaterialThatIsEqualHasNoErrorBesideOneThatDiffers) {
 }
 
 TEST(MeasureSwaps, oneThatCoversEverythingHasTheWholeImagesFigures) {
-  const Pictures pictures;
-  const base::PixelList all = wholeImage(kWidth, kHeight);
+  const SwapPictures pictures;
+  const base::PixelList all = wholeImage(kSwapWidth, kSwapHeight);
   const Swap swap = pictures.swap(all);
   const MeasureRequest request{.metrics = allMetrics()};
   const Figures one = measureSwaps(pictures.reference(), {&swap, 1}, request).figures[0];
@@ -119,11 +121,11 @@ TEST(MeasureSwaps, oneThatCoversEverythingHasTheWholeImagesFigures) {
 }
 
 TEST(MeasureSwaps, pixelsThatAreNotFiniteCountAsTheWorstAndAreCounted) {
-  Pictures pictures;
+  SwapPictures pictures;
   const base::PixelList list = box(10, 10, 20, 20), other = box(30, 10, 40, 20);
   Swap swap = pictures.swap(list);
   swap.nonFinite = {3};
-  const std::vector<std::uint32_t> broken = {10 * kWidth + 12, 150 * kWidth}; // in the list, and in neither
+  const std::vector<std::uint32_t> broken = {10 * kSwapWidth + 12, 150 * kSwapWidth}; // in the list, and in neither
   SwapReference reference = pictures.reference();
   reference.nonFinite = broken;
   const std::vector<Swap> swaps = {swap, pictures.swap(other)};
@@ -139,7 +141,7 @@ TEST(MeasureSwaps, pixelsThatAreNotFiniteCountAsTheWorstAndAreCounted) {
 }
 
 TEST(MeasureSwaps, clippedPixelsAreCountedWhereBothPicturesShowTheSameEnd) {
-  Pictures pictures;
+  SwapPictures pictures;
   std::ranges::fill(pictures.shown[0].pixels, 255);
   const base::PixelList list = box(0, 0, 40, 10);
   Swap swap = pictures.swap(list);
@@ -154,7 +156,7 @@ TEST(MeasureSwaps, clippedPixelsAreCountedWhereBothPicturesShowTheSameEnd) {
 }
 
 TEST(MeasureSwaps, aMaterialWithoutPixelsHasNoFigures) {
-  const Pictures pictures;
+  const SwapPictures pictures;
   const base::PixelList none{"none", {}, {}}, weightless{"weightless", {7}, {0.f}};
   const std::vector<Swap> swaps = {{&none, {}, {}, {}}, pictures.swap(weightless)};
   for (const Figures& figures : measureSwaps(pictures.reference(), swaps, {.metrics = allMetrics()}).figures) {
@@ -164,8 +166,8 @@ TEST(MeasureSwaps, aMaterialWithoutPixelsHasNoFigures) {
 }
 
 TEST(MeasureSwaps, refusesListsAndMetricsThatDoNotFit) {
-  const Pictures pictures;
-  const base::PixelList beyond{"beyond", {kWidth * kHeight}, {}}, list = box(0, 0, 2, 2);
+  const SwapPictures pictures;
+  const base::PixelList beyond{"beyond", {kSwapWidth * kSwapHeight}, {}}, list = box(0, 0, 2, 2);
   Swap swap = pictures.swap(list);
   EXPECT_EQ(test::codeOf([&] {
               measureSwaps(pictures.reference(), {&swap, 1}, {.metrics = {"nonsense"}});

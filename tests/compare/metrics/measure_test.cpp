@@ -11,11 +11,12 @@
 #include "compare/metrics/measure.h"
 #include "compare/pooling/region.h"
 #include "error_code.h"
+#include "support/not_finite.h"
 
 namespace parity::compare {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
+using tests::kInf, tests::kNan;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Pair {

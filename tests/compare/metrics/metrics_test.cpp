@@ -4,11 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "compare/metrics/metrics.h"
+#include "support/not_finite.h"
 
 namespace parity::compare {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
+using tests::kInf, tests::kNan;
 
 TEST(NonFinite, isCountedPerPixelWithTheFirstInRowOrder) {
   base::Image image(300, 4, 3, -1e38f);

@@ -10,11 +10,12 @@
 #include "base/parallel.h"
 #include "compare/pooling/pooling.h"
 #include "error_code.h"
+#include "support/not_finite.h"
 
 namespace parity::compare {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
+using tests::kInf, tests::kNan;
 
 float percentile(const std::vector<float>& values, const std::vector<float>& weights, double p) {
   return weightedPercentiles(values, weights, std::vector<double>{p})[0];

@@ -7,11 +7,12 @@
 
 #include "base/gathered.h"
 #include "compare/metrics/measure_truth.h"
+#include "support/not_finite.h"
 
 namespace parity::compare {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
+using tests::kInf, tests::kNan;
 constexpr int kWidth = 32, kHeight = 24;
 
 // Grey pictures; the truth is 0.5 with a relative standard error of 2 %.

@@ -68,7 +68,7 @@ TEST(GltfAccessor, ReadsInterleavedAttributesEvenUnderASparsePart) {
   EXPECT_EQ(mesh.uv0, (std::vector<glm::vec2>{{0, 1}, {1, 1}, {1, 0}, {0, 0}}));
 }
 
-void expectRefused(const std::function<void(GltfFile&)>& edit, const std::vector<std::string>& parts) {
+void expectEditRefused(const std::function<void(GltfFile&)>& edit, const std::vector<std::string>& parts) {
   const TempFolder folder;
   GltfFile file = makeQuad();
   edit(file);
@@ -81,23 +81,23 @@ TEST(GltfAccessor, RefusesSparseIndicesThatDoNotIncreaseOrLeaveIt) {
       file.json["accessors"][0]["sparse"] = sparseOf(file, indices, std::vector<float>(indices.size() * 3));
     };
   };
-  expectRefused(withIndices({1, 1}), {"POSITION (/accessors/0): sparse index 1 at 1 is not above the one before"});
-  expectRefused(withIndices({2, 1}), {"sparse index 1 at 1 is not above the one before"});
-  expectRefused(withIndices({1, 4}), {"sparse index 4 at 1 is out of range, expected an increasing order below 4"});
-  expectRefused(withIndices({0, 1, 2, 3, 4}), {"/accessors/0/sparse/count: is 5, expected 1 to 4"});
-  expectRefused(
+  expectEditRefused(withIndices({1, 1}), {"POSITION (/accessors/0): sparse index 1 at 1 is not above the one before"});
+  expectEditRefused(withIndices({2, 1}), {"sparse index 1 at 1 is not above the one before"});
+  expectEditRefused(withIndices({1, 4}), {"sparse index 4 at 1 is out of range, expected an increasing order below 4"});
+  expectEditRefused(withIndices({0, 1, 2, 3, 4}), {"/accessors/0/sparse/count: is 5, expected 1 to 4"});
+  expectEditRefused(
       [&](GltfFile& file) {
         withIndices({1, 3})(file);
         file.json["accessors"][0]["sparse"]["values"]["byteOffset"] = 4;
       },
       {"/accessors/0/sparse/values: 2 elements of 12 bytes"});
-  expectRefused(
+  expectEditRefused(
       [&](GltfFile& file) {
         withIndices({1, 3})(file);
         file.json["accessors"][0]["sparse"]["indices"]["componentType"] = 5126;
       },
       {"/accessors/0/sparse/indices/componentType"});
-  expectRefused(
+  expectEditRefused(
       [](GltfFile& file) {
         file.json["accessors"][0]["sparse"] =
             sparseOf<std::uint8_t>(file, {1}, {0, std::numeric_limits<float>::infinity(), 0});
@@ -125,17 +125,17 @@ TEST(GltfAccessor, CountsWhatItPutsTogether) {
 }
 
 TEST(GltfAccessor, RefusesIndicesThatWouldRestartThePrimitive) {
-  expectRefused(
+  expectEditRefused(
       [](GltfFile& f) {
         f.primitive()["indices"] = f.add<std::uint8_t>({0, 1, 255}, "SCALAR");
       },
       {"indices (/accessors/4): index 255 at element 2 would restart the primitive, which glTF forbids"});
-  expectRefused(
+  expectEditRefused(
       [](GltfFile& f) {
         f.primitive()["indices"] = f.add<std::uint16_t>({0, 65535, 2}, "SCALAR");
       },
       {"index 65535 at element 1 would restart"});
-  expectRefused(
+  expectEditRefused(
       [](GltfFile& f) { // also where there is such a vertex
         f.primitive()["attributes"] = {{"POSITION", f.add<float>(std::vector<float>(900, 1), "VEC3")}};
         f.primitive()["indices"] = f.add<std::uint8_t>({0, 1, 255}, "SCALAR");
@@ -168,12 +168,12 @@ TEST(GltfAccessor, JudgesComponentTypesByTheNameOfTheAttribute) {
   const TempFolder folder;
   expectError([&] { scenes::loadScene(writeGlb(folder, file)); },
               {"NORMAL (/accessors/4): has the componentType 5120, which NORMAL cannot have"});
-  expectRefused(
+  expectEditRefused(
       [](GltfFile& f) {
         f.primitive()["attributes"]["POSITION"] = f.add<std::uint32_t>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, "VEC3");
       },
       {"has the componentType 5125, which POSITION cannot have"});
-  expectRefused(
+  expectEditRefused(
       [](GltfFile& f) {
         f.primitive()["attributes"]["COLOR_0"] = f.add<std::uint8_t>(std::vector<std::uint8_t>(16, 9), "VEC4");
       },

@@ -7,6 +7,7 @@
 
 #include "scenes/builtin/shapes.h"
 #include "scenes/gltf/draco_writer.h"
+#include "scenes/gltf/expect_refused.h"
 #include "scenes/gltf/file/draco.h"
 #include "scenes/gltf/gltf_writer.h"
 #include "scenes/load.h"
@@ -16,11 +17,6 @@ namespace {
 
 using nlohmann::json;
 using scenes::Scene;
-
-void expectRefused(const GltfFile& file, const std::vector<std::string>& parts) {
-  const TempFolder folder;
-  expectError([&] { scenes::loadScene(writeGlb(folder, file)); }, parts);
-}
 
 // The quad as a Draco stream; its accessors lose their buffer views, but that of the uv, which the stream lacks.
 GltfFile makeDracoQuad() {

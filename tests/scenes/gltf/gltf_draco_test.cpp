@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "scenes/builtin/shapes.h"
+#include "scenes/gltf/bytes_as.h"
 #include "scenes/gltf/draco_writer.h"
 #include "scenes/gltf/file/draco.h"
 
@@ -40,12 +41,6 @@ DracoExpectation expectationOf(const DracoSource& source) {
           true,
           std::size_t{1} << 24,
           {{0, 5126, 3}, {1, 5126, 3}, {2, 5126, 2}, {3, 5121, 4}}};
-}
-
-template <typename T> std::vector<T> as(const std::vector<std::byte>& bytes) {
-  std::vector<T> values(bytes.size() / sizeof(T));
-  std::memcpy(values.data(), bytes.data(), bytes.size());
-  return values;
 }
 
 // A triangle as the numbers of its corners, free of the order of vertices and triangles.

@@ -9,6 +9,7 @@
 #include <meshoptimizer.h>
 
 #include "scenes/builtin/shapes.h"
+#include "scenes/gltf/bytes_as.h"
 #include "scenes/gltf/file/meshopt.h"
 
 namespace parity::tests {
@@ -19,23 +20,17 @@ using scenes::MeshoptFilter;
 using scenes::MeshoptLayout;
 using scenes::MeshoptMode;
 
-std::vector<std::byte> bytesOf(const std::vector<unsigned char>& values) {
+std::vector<std::byte> packed(const std::vector<unsigned char>& values) {
   std::vector<std::byte> bytes(values.size());
   std::memcpy(bytes.data(), values.data(), values.size());
   return bytes;
-}
-
-template <typename T> std::vector<T> as(const std::vector<std::byte>& bytes) {
-  std::vector<T> values(bytes.size() / sizeof(T));
-  std::memcpy(values.data(), bytes.data(), bytes.size());
-  return values;
 }
 
 template <typename T> std::vector<std::byte> encodeAttributes(const std::vector<T>& elements, std::size_t stride) {
   const std::size_t count = elements.size() * sizeof(T) / stride;
   std::vector<unsigned char> out(meshopt_encodeVertexBufferBound(count, stride));
   out.resize(meshopt_encodeVertexBuffer(out.data(), out.size(), elements.data(), count, stride));
-  return bytesOf(out);
+  return packed(out);
 }
 
 void expectReason(const std::vector<std::byte>& stream, const MeshoptLayout& layout, const std::string& part) {
@@ -51,15 +46,15 @@ void expectReason(const std::vector<std::byte>& stream, const MeshoptLayout& lay
 // kIndexSequenceV1, kVertexDataV0).
 TEST(Meshopt, DecodesTheLibrarysPublishedStreams) {
   const std::vector<std::byte> triangles =
-      bytesOf({0xe0, 0xf0, 0x10, 0xfe, 0xff, 0xf0, 0x0c, 0xff, 0x02, 0x02, 0x02, 0x00, 0x76, 0x87,
-               0x56, 0x67, 0x78, 0xa9, 0x86, 0x65, 0x89, 0x68, 0x98, 0x01, 0x69, 0x00, 0x00});
+      packed({0xe0, 0xf0, 0x10, 0xfe, 0xff, 0xf0, 0x0c, 0xff, 0x02, 0x02, 0x02, 0x00, 0x76, 0x87,
+              0x56, 0x67, 0x78, 0xa9, 0x86, 0x65, 0x89, 0x68, 0x98, 0x01, 0x69, 0x00, 0x00});
   const std::vector<std::uint32_t> list = {0, 1, 2, 2, 1, 3, 4, 6, 5, 7, 8, 9};
   EXPECT_EQ(as<std::uint32_t>(decodeMeshopt(triangles, {12, 4, MeshoptMode::triangles})), list);
   EXPECT_EQ(as<std::uint16_t>(decodeMeshopt(triangles, {12, 2, MeshoptMode::triangles})),
             std::vector<std::uint16_t>(list.begin(), list.end()));
 
   const std::vector<std::byte> sequence =
-      bytesOf({0xd1, 0x00, 0x04, 0xcd, 0x01, 0x04, 0x07, 0x98, 0x1f, 0x00, 0x00, 0x00, 0x00});
+      packed({0xd1, 0x00, 0x04, 0xcd, 0x01, 0x04, 0x07, 0x98, 0x1f, 0x00, 0x00, 0x00, 0x00});
   EXPECT_EQ(as<std::uint32_t>(decodeMeshopt(sequence, {6, 4, MeshoptMode::indices})),
             (std::vector<std::uint32_t>{0, 1, 51, 2, 49, 1000}));
 
@@ -68,7 +63,7 @@ TEST(Meshopt, DecodesTheLibrarysPublishedStreams) {
                                          0x00, 0x00, 0x00, 0x01, 0x3f, 0x00, 0x00, 0x00, 0x17, 0x18, 0x17, 0x01, 0x26,
                                          0x00, 0x00, 0x00, 0x01, 0x0c, 0x00, 0x00, 0x00, 0x17, 0x01, 0x08};
   vertices.resize(85, 0x00);
-  EXPECT_EQ(as<std::uint16_t>(decodeMeshopt(bytesOf(vertices), {4, 12, MeshoptMode::attributes})),
+  EXPECT_EQ(as<std::uint16_t>(decodeMeshopt(packed(vertices), {4, 12, MeshoptMode::attributes})),
             (std::vector<std::uint16_t>{0, 0,   0, 0, 0, 0,   300, 0,   0, 0, 500, 0,
                                         0, 300, 0, 0, 0, 500, 300, 300, 0, 0, 500, 500}));
 }
@@ -80,8 +75,7 @@ TEST(Meshopt, GivesTheMeshThatWasEncoded) {
             mesh.positions);
   std::vector<unsigned char> list(meshopt_encodeIndexBufferBound(mesh.indices.size(), mesh.positions.size()));
   list.resize(meshopt_encodeIndexBuffer(list.data(), list.size(), mesh.indices.data(), mesh.indices.size()));
-  const auto decoded =
-      as<std::uint32_t>(decodeMeshopt(bytesOf(list), {mesh.indices.size(), 4, MeshoptMode::triangles}));
+  const auto decoded = as<std::uint32_t>(decodeMeshopt(packed(list), {mesh.indices.size(), 4, MeshoptMode::triangles}));
   ASSERT_EQ(decoded.size(), mesh.indices.size());
   for (std::size_t i = 0; i < decoded.size(); i += 3) { // triangles may be rotated
     std::array<std::uint32_t, 3> a = {decoded[i], decoded[i + 1], decoded[i + 2]};

@@ -1,6 +1,7 @@
 // Morph targets and skins against poses in closed form.
 #include <cmath>
 
+#include "scenes/gltf/expect_refused.h"
 #include "scenes/gltf/gltf_writer.h"
 #include "scenes/load.h"
 
@@ -75,11 +76,6 @@ TEST(GltfMorph, MakesFlatNormalsOfTheMovedTriangles) {
   const scenes::Mesh posed = loadQuadlike(file).meshes[0];
   for (const glm::vec3& n : posed.normals)
     EXPECT_NEAR(glm::length(n - glm::normalize(glm::vec3(0, -1, 1))), 0.f, 1e-6f);
-}
-
-void expectRefused(const GltfFile& file, const std::vector<std::string>& parts) {
-  const TempFolder folder;
-  expectError([&] { scenes::loadScene(writeGlb(folder, file)); }, parts);
 }
 
 TEST(GltfMorph, RefusesCountsThatDoNotMatch) {

@@ -13,7 +13,7 @@ namespace parity::tests {
 namespace {
 
 using namespace stress;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNan64 = std::numeric_limits<double>::quiet_NaN();
 
 Expectation nanBelow(double r) {
   return {Fault::notFinite,
@@ -35,7 +35,7 @@ TEST(Finder, saysNothingOfAFunctionWithoutFaults) {
 
 TEST(Finder, findsARegionOfNan) {
   const FunctionResult result =
-      run(makePlanted(), [](double r, double c) { return r < 0.2 && c > 0.9 ? kNan : r + c; });
+      run(makePlanted(), [](double r, double c) { return r < 0.2 && c > 0.9 ? kNan64 : r + c; });
   const std::vector<Finding> found = unexpectedOf(result);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].fault, "not finite");
@@ -95,7 +95,7 @@ TEST(Finder, toleratesRoundingOfTheClaimsButNoMore) {
 TEST(Finder, aKnownFailureIsExpectedInsideItsRegionAlone) {
   FunctionCase function = makePlanted();
   function.expect(nanBelow(0.25));
-  const auto failing = [](double r, double) { return r < 0.2 ? kNan : r; };
+  const auto failing = [](double r, double) { return r < 0.2 ? kNan64 : r; };
   const FunctionResult result = run(function, failing);
   EXPECT_EQ(unexpectedOf(result).size(), 0u);
   ASSERT_EQ(findingsOf(result).size(), 3u) << "one a precision";
@@ -124,14 +124,14 @@ TEST(Finder, aWitnessIsTriedHoweverFewPointsThereAre) {
   expectation.witness[0] = 0.15625; // exact in half; no special value
   function.expect(expectation);
   EXPECT_EQ(unexpectedOf(run(
-                             function, [](double r, double) { return r == 0.15625 ? kNan : r; }, 0))
+                             function, [](double r, double) { return r == 0.15625 ? kNan64 : r; }, 0))
                 .size(),
             0u);
 }
 
 TEST(Finder, outsideOfTheDomainOnlyAContractFails) {
   FunctionCase function = makePlanted();
-  const auto strict = [](double r, double c) { return r > 1 || r < 0 ? kNan : c * r + 1; };
+  const auto strict = [](double r, double c) { return r > 1 || r < 0 ? kNan64 : c * r + 1; };
   const FunctionResult result = run(function, strict);
   EXPECT_TRUE(unexpectedOf(result).empty());
   EXPECT_GT(result.columns[2].tally.outsideNotFinite, 0u) << "but it is counted";

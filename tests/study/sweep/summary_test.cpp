@@ -11,7 +11,7 @@ namespace {
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-SweepReport makeReport() {
+SweepReport makeSummedReport() {
   SweepReport report;
   report.scenes = {
       makeSceneSweep("a", {makeVariant("highend", "default", 10, 0.1), makeVariant("highend", "x", 5, 0.2)}),
@@ -22,7 +22,7 @@ SweepReport makeReport() {
 }
 
 TEST(Summary, holdsMedianAndWorstOfTheScenesThatHaveASetting) {
-  const std::vector<SettingSummary> all = summarise(makeReport());
+  const std::vector<SettingSummary> all = summarise(makeSummedReport());
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].id, "highend: default");
   EXPECT_EQ(all[0].scenes, 3u);
@@ -37,14 +37,14 @@ TEST(Summary, holdsMedianAndWorstOfTheScenesThatHaveASetting) {
 }
 
 TEST(Summary, aFigureThatIsNoNumberIsTheWorst) {
-  SweepReport report = makeReport();
+  SweepReport report = makeSummedReport();
   report.scenes[0].variants[1].whole.truth->relMse = std::nan("");
   EXPECT_TRUE(std::isnan(summarise(report)[1].relMse.worst));
   EXPECT_FALSE(std::isnan(summarise(report)[0].relMse.worst));
 }
 
 TEST(Summary, notesSayWhatLimitsIt) {
-  SweepReport report = makeReport();
+  SweepReport report = makeSummedReport();
   report.scenes[3].scene = "gone";
   report.scenes[0].variants[0].knobs = {{"lut-size", "32"}};
   report.scenes[1].variants[0].knobs = {{"lut-size", "64"}};
@@ -63,7 +63,7 @@ TEST(Summary, notesSayWhatLimitsIt) {
 }
 
 TEST(Summary, isATableWithAColumnAScene) {
-  SweepReport report = makeReport();
+  SweepReport report = makeSummedReport();
   const std::string text = toMarkdown(report);
   EXPECT_TRUE(holds(text, "| highend: x | 2 | 1.25 | 0.4000 | 0.6000 |")) << text;
   EXPECT_TRUE(holds(text, "FLIP of each scene against the truth:"));

@@ -16,7 +16,7 @@
 namespace parity::sweep {
 namespace {
 
-SweepReport makeReport() {
+SweepReport makeWholeReport() {
   SweepReport report;
   report.version = "1";
   report.commandLine = "parity bench a";
@@ -44,7 +44,7 @@ protected:
 };
 
 TEST_F(SweepFiles, whatIsWrittenReadsBack) {
-  const SweepReport report = makeReport();
+  const SweepReport report = makeWholeReport();
   const std::string text = toJson(report, conclude(report, std::nullopt));
   base::writeText(m_folder / "bench.json", text);
   const SweepReport read = readSweep(m_folder / "bench.json");
@@ -54,7 +54,7 @@ TEST_F(SweepFiles, whatIsWrittenReadsBack) {
 }
 
 TEST_F(SweepFiles, conclusionsAreInTheFile) {
-  const SweepReport report = makeReport();
+  const SweepReport report = makeWholeReport();
   const auto json = nlohmann::json::parse(toJson(report, conclude(report, ErrorBudget{"flip.mean", 0.25})));
   const auto& c = json.at("conclusions");
   EXPECT_EQ(c.at("against"), "truth");
@@ -71,13 +71,13 @@ TEST_F(SweepFiles, malformedOnesAreErrorsWithTheFilesName) {
   };
   for (const char* text : {"", "[]", "{}", "{\"tool\":\"parity\"}", "{\"tool\":\"parity bench\",\"schema\":2}"})
     EXPECT_NE(readText(text).find("bad.json"), std::string::npos) << text;
-  std::string text = toJson(makeReport(), conclude(makeReport(), std::nullopt));
+  std::string text = toJson(makeWholeReport(), conclude(makeWholeReport(), std::nullopt));
   text.replace(text.find("\"shading\""), 9, "\"else\"");
   EXPECT_NE(readText(text).find("no such stage"), std::string::npos);
 }
 
 TEST_F(SweepFiles, csvHasALineForEachRegionAndAsManyFieldsAsItsHead) {
-  const std::string csv = toCsv(makeReport());
+  const std::string csv = toCsv(makeWholeReport());
   std::vector<std::string> lines;
   for (std::size_t at = 0, end; (end = csv.find("\r\n", at)) != std::string::npos; at = end + 2)
     lines.push_back(csv.substr(at, end - at));
@@ -96,7 +96,7 @@ TEST_F(SweepFiles, csvHasALineForEachRegionAndAsManyFieldsAsItsHead) {
 }
 
 TEST_F(SweepFiles, theFigureOfAnEarlierOneIsKeptAndMustBeKnown) {
-  std::string text = toJson(makeReport(), conclude(makeReport(), ErrorBudget{"relmse", 0.1}));
+  std::string text = toJson(makeWholeReport(), conclude(makeWholeReport(), ErrorBudget{"relmse", 0.1}));
   base::writeText(m_folder / "bench.json", text);
   EXPECT_EQ(readSweep(m_folder / "bench.json").figure, "relmse");
   text.replace(text.find("\"figure\": \"relmse\""), 18, "\"figure\": \"ssim\"");
@@ -105,7 +105,7 @@ TEST_F(SweepFiles, theFigureOfAnEarlierOneIsKeptAndMustBeKnown) {
 }
 
 TEST_F(SweepFiles, thePageHoldsTheSweepAndAPictureOfEachStageThatHasOne) {
-  SweepReport report = makeReport();
+  SweepReport report = makeWholeReport();
   report.scenes[0].variants.push_back(makeVariant("highend", "lut-size 9", 0, 0.4));
   report.scenes[0].variants.back().stage = Stage::preparation;
   report.scenes[0].variants.back().prepareMs = {9};
