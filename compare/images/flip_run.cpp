@@ -105,6 +105,8 @@ int exitCode(const FlipPair& pair, bool warnExit) {
   case Verdict::pass:
     return static_cast<int>(base::ExitCode::withinBudget);
   case Verdict::notSeen:
+  case Verdict::tooSmall: // these two are of a report's materials
+  case Verdict::notJudged:
   case Verdict::warn:
     return warnExit ? static_cast<int>(base::ExitCode::warningsOnly) : 0;
   case Verdict::fail:
