@@ -21,6 +21,7 @@
 #include "job/conditions.h"
 #include "job/context.h"
 #include "job/report_folder.h"
+#include "job/scene/passes.h"
 #include "job/scene/scene_comparison.h"
 #include "job/view/display_table.h"
 #include "report/baseline.h"
@@ -124,8 +125,7 @@ private:
     for (const std::string& warning : scene.warnings) base::logWarning(warning);
     if (scene.isCached) base::logDetail(fmt::format("{}: taken from the cache", scene.result.name));
     for (const report::PassResult& pass : scene.result.passes)
-      base::logDetail(pass.count > 0 ? fmt::format("{}: {}: {} {}", scene.result.name, pass.name, pass.count, pass.unit)
-                                     : fmt::format("{}: {}: skipped, {}", scene.result.name, pass.name, pass.skipped));
+      base::logDetail(fmt::format("{}: {}", scene.result.name, lineOf(pass)));
   }
 
   Context& m_context;
