@@ -92,6 +92,7 @@ builtin:spheres, builtin:lights, builtin:lamps, builtin:shadows, builtin:room, b
 
 } // namespace
 
+// NOLINTNEXTLINE(readability-function-size): a list, read from top to bottom
 Parsed parseCommandLine(int argc, const char* const* argv) {
   CLI::App app(kIntro, "parity");
   app.footer(kFooter);
