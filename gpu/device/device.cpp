@@ -28,6 +28,8 @@ Error deviceError(std::string place, std::string reason) {
 
 vk::raii::Context makeContext() {
   try {
+    // Keeps the loader mapped from its first use on: devices of two threads would else open it anew at the same time.
+    static const vk::DynamicLoader loader;
     return vk::raii::Context();
   } catch (const std::exception&) {
     throw deviceError("loader", "libvulkan.so.1 is not installed: 'apt-get install libvulkan1 mesa-vulkan-drivers'");

@@ -29,7 +29,8 @@ TEST_F(Verbose, CommandsThatRenderNameDeviceThreadsSceneAndCache) {
 }
 
 TEST_F(Verbose, CacheTellsWhatItHadAndWhatItKeeps) {
-  const std::vector<std::string> command = join({{"diff", "builtin:furnace", "-v", "--cache", path("cache")}, kSmall});
+  const std::vector<std::string> command = {"diff",        "builtin:furnace", "-v",   "--cache",
+                                            path("cache"), "--size",          "64x64"};
   EXPECT_TRUE(contains(runParity(command).err, " is kept, "));
   const RunResult again = runParity(command);
   EXPECT_TRUE(contains(again.err, "taken from the cache")) << again.err;
