@@ -33,7 +33,7 @@ TEST_F(Verbose, CacheTellsWhatItHadAndWhatItKeeps) {
                                             path("cache"), "--size",          "64x64"};
   EXPECT_TRUE(contains(runParity(command).err, " is kept, "));
   const RunResult again = runParity(command);
-  EXPECT_TRUE(contains(again.err, "taken from the cache")) << again.err;
+  EXPECT_TRUE(contains(again.err, "furnace: taken from the cache")) << again.err;
   EXPECT_FALSE(contains(again.err, "device: opened")) << "nothing is rendered: " << again.err;
 }
 
