@@ -10,6 +10,8 @@
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/file.h"
 #include "base/hash.h"
@@ -85,6 +87,9 @@ std::string kindOf(const fs::path& file) {
   return isTemporary(file) || dash == std::string::npos ? "other" : key.substr(0, dash);
 }
 
+// Kind and first digits: enough to tell entries apart.
+std::string shortOf(const std::string& key) { return key.substr(0, key.find('-') + 9); }
+
 CacheContents summarize(const std::vector<Entry>& entries) {
   std::map<std::string, CacheKind> kinds;
   CacheContents contents;
@@ -114,7 +119,10 @@ std::optional<std::vector<std::byte>> Cache::find(const std::string& key) const 
   if (!enabled()) return std::nullopt;
   const fs::path file = fileOf(key);
   std::error_code error;
-  if (!fs::is_regular_file(file, error)) return std::nullopt;
+  if (!fs::is_regular_file(file, error)) {
+    logDetail(fmt::format("cache: {} is not there", shortOf(key)));
+    return std::nullopt;
+  }
   std::vector<std::byte> bytes;
   try {
     bytes = readFile(file);
@@ -129,6 +137,7 @@ std::optional<std::vector<std::byte>> Cache::find(const std::string& key) const 
   }
   fs::last_write_time(file, fs::file_time_type::clock::now(), error); // a folder that is read-only still serves
   bytes.erase(bytes.begin(), bytes.begin() + sizeof(BlobHeader));
+  logDetail(fmt::format("cache: {} is taken, {} bytes", shortOf(key), bytes.size()));
   return bytes;
 }
 
@@ -150,6 +159,7 @@ bool Cache::store(const std::string& key, std::span<const std::byte> bytes) cons
     reportOnce(std::string("cache: ") + unwritable.what());
     return false;
   }
+  logDetail(fmt::format("cache: {} is kept, {} bytes", shortOf(key), bytes.size()));
   evictAllBut(file);
   return true;
 }
@@ -171,7 +181,9 @@ void Cache::evictAllBut(const fs::path& kept) const {
     if (entry.file == kept) continue;
     std::error_code error;
     fs::remove(entry.file, error); // gone already: another process evicts as well
-    if (!error) sum -= entry.size;
+    if (error) continue;
+    logDetail(fmt::format("cache: {} is removed to make room", shortOf(entry.file.stem().string())));
+    sum -= entry.size;
   }
 }
 

@@ -31,6 +31,10 @@ void writeLine(std::string_view prefix, const std::string& message) {
 void setLogLevel(LogLevel newLevel) { level = newLevel; }
 LogLevel logLevel() { return level; }
 
+void logDetail(const std::string& message) {
+  if (level == LogLevel::verbose) writeLine("", message);
+}
+
 void logInfo(const std::string& message) {
   if (level != LogLevel::quiet) writeLine("", message);
 }

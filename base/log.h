@@ -10,6 +10,7 @@ enum class LogLevel { quiet, normal, verbose };
 void setLogLevel(LogLevel level);
 LogLevel logLevel();
 
+void logDetail(const std::string& message);  // with -v alone: what is done and with what, for who looks into a run
 void logInfo(const std::string& message);    // not with -q
 void logWarning(const std::string& message); // "warning: ..."; not with -q
 // Of a whole run: a warning each; with -q all of them in one line.

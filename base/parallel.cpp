@@ -10,6 +10,10 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <fmt/format.h>
+
+#include "base/log.h"
+
 #ifdef __SANITIZE_THREAD__
 // TBB's library is not built for the thread sanitizer, which therefore sees neither what orders a loop's start and end
 // (told to it below), nor that TBB hands over its own tasks, and the loop's closure in them, in order. What the loop's
@@ -52,7 +56,9 @@ struct ThreadLimit::Impl {
 
 ThreadLimit::ThreadLimit(int threads)
     : m_impl(
-          std::make_unique<Impl>(static_cast<std::size_t>(threads > 0 ? threads : tbb::info::default_concurrency()))) {}
+          std::make_unique<Impl>(static_cast<std::size_t>(threads > 0 ? threads : tbb::info::default_concurrency()))) {
+  logDetail(fmt::format("threads: {}", threadCount()));
+}
 
 ThreadLimit::~ThreadLimit() = default;
 

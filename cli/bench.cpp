@@ -34,8 +34,13 @@ namespace {
 
 int listSettings(const BenchCommand& command) {
   if (!command.suite.empty()) runRequest(command.common, {}, command.suite); // a wrong one is refused
-  for (const sweep::Variant& v : sweep::makeVariants(command.common.settings)) {
-    if (!v.sameAs.empty()) continue;
+  const std::vector<sweep::Variant> variants = sweep::makeVariants(command.common.settings);
+  base::logDetail(fmt::format("{} settings", variants.size()));
+  for (const sweep::Variant& v : variants) {
+    if (!v.sameAs.empty()) {
+      base::logDetail(fmt::format("{} is the same as {}", v.id(), v.sameAs));
+      continue;
+    }
     const std::string needs = v.needs.empty() ? "" : "   (needs: " + v.needs + ")";
     print("{}{}\n", v.id(), needs);
   }

@@ -1,11 +1,13 @@
 // parity budget: limits proposed from what was observed, and what a budget file says.
-#include "compare/verdict/budget.h"
+#include <fmt/format.h>
+
 #include "base/file.h"
 #include "base/log.h"
 #include "base/text/text.h"
 #include "cli/file_conflicts.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
+#include "compare/verdict/budget.h"
 #include "report/reader.h"
 
 namespace parity::cli {
@@ -15,7 +17,12 @@ int runBudgetSuggestCommand(const BudgetSuggestCommand& command) {
   for (const std::string& file : command.reports) inputs.push_back({"a report", report::reportFileOf(file)});
   requireSeparate({{"-o", command.output}}, inputs);
   std::vector<report::ObservedRun> runs;
-  for (const std::string& file : command.reports) runs.push_back({file, report::readReport(file)});
+  for (const std::string& file : command.reports) {
+    runs.push_back({file, report::readReport(file)});
+    base::logDetail(fmt::format("read {}: {} scenes, by parity {} on {}", report::reportFileOf(file).string(),
+                                runs.back().report.scenes.size(), runs.back().report.version,
+                                runs.back().report.device));
+  }
   const report::SuggestedBudgets suggested = report::suggestBudgets(runs, command.options);
   for (const std::string& each : suggested.leftOut) base::logWarning("left out: " + base::plainLine(each));
   if (command.output.empty())
@@ -26,7 +33,10 @@ int runBudgetSuggestCommand(const BudgetSuggestCommand& command) {
 }
 
 int runBudgetCheckCommand(const BudgetCheckCommand& command) {
-  print("{}", compare::describeBudgets(compare::loadBudgets(command.file)));
+  const compare::Budgets budgets = compare::loadBudgets(command.file);
+  base::logDetail(fmt::format("read {}: with the built-in ones {} rules for materials, {} for whole images",
+                              command.file, budgets.materials.size(), budgets.wholes.size()));
+  print("{}", compare::describeBudgets(budgets));
   return 0;
 }
 

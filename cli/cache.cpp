@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/cache.h"
+#include "base/log.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
 
@@ -23,6 +24,10 @@ std::string describeBytes(std::uintmax_t bytes) {
 
 int runCacheCommand(const CacheCommand& command) {
   const base::Cache cache(command.folder);
+  std::error_code unknown; // what a folder on a full or foreign disk does not tell
+  const std::uintmax_t free = std::filesystem::space(command.folder, unknown).available;
+  base::logDetail(unknown ? fmt::format("{}: {}", command.folder.string(), unknown.message())
+                          : fmt::format("{}: {} are free on its disk", command.folder.string(), describeBytes(free)));
   const base::CacheContents contents = command.clear ? cache.clear() : cache.describe();
   if (!command.json.empty()) {
     nlohmann::ordered_json kinds = nlohmann::ordered_json::array();

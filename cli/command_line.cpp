@@ -41,6 +41,13 @@ void requireValues(const CLI::App& app) {
   for (const CLI::App* chosen : app.get_subcommands()) requireValues(*chosen);
 }
 
+// -v: of every subcommand that runs something.
+void addVerbose(CLI::App& app, bool& verbose) {
+  const std::vector<CLI::App*> below = app.get_subcommands([](const CLI::App*) { return true; });
+  if (below.empty()) app.add_flag("-v,--verbose", verbose, "Say what is done, and with what, on stderr");
+  for (CLI::App* each : below) addVerbose(*each, verbose);
+}
+
 // Groups of knobs of what compares.
 const std::vector<std::string> kCompared = {"Scene", "Picture", "Paths", "Truth", "Verdict"};
 // What `info` does not show of a scene.
@@ -85,6 +92,7 @@ builtin:lamps, builtin:shadows, builtin:room, builtin:courtyard, builtin:furnace
 
 } // namespace
 
+// NOLINTNEXTLINE(readability-function-size): a list, read from top to bottom
 Parsed parseCommandLine(int argc, const char* const* argv) {
   CLI::App app(kIntro, "parity");
   app.footer(kFooter);
@@ -225,10 +233,14 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   CLI::App& cacheApp = *app.add_subcommand("cache", "Show or remove what is kept between runs");
   addCacheOptions(cacheApp, rawCache);
 
+  bool verbose = false;
+  addVerbose(app, verbose);
+
   Parsed parsed;
   try {
     requireKnownSubcommand(app, argc, argv);
     app.parse(argc, argv);
+    if (verbose) base::setLogLevel(base::LogLevel::verbose); // -q, which is asked later, goes first
     requireValues(app);
     if (reportApp.parsed()) {
       if (report.scenes.empty() && report.suite.empty()) throw CLI::RequiredError("report: SCENE or --suite");

@@ -16,6 +16,10 @@ int runFitCommand(const FitCommand& command) {
   const base::ThreadLimit threads(command.threads);
   const fit::Refit refit =
       fit::fitRefit(command.settings, [](const std::string& what) { base::logInfo("fit: " + what); });
+  base::logDetail(
+      fmt::format("fit: worst error of the environment's read: {:.4f}; of one read at the roughness {:.4f}, "
+                  "in the dominant direction {:.4f}",
+                  refit.tapError, refit.mirrorError, refit.dominantError));
   const std::string text =
       command.format == "json"
           ? fit::formatJson(refit)

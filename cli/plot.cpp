@@ -25,6 +25,7 @@ int runPlotCommand(const PlotCommand& command) {
   requireSeparate({{"-o", picture}, {"-o", numbers}, {"-o", ofMaterials}}, {{"the scene", command.scene}});
   const base::ThreadLimit threads(command.threads);
   const plot::PlottedPair pair = plot::pairOf(job::pathsOf(command.settings).chosen, command.settings.options);
+  base::logDetail(fmt::format("plot: {} against {}", pair.test.title, pair.reference.title));
   std::vector<plot::MaterialDeviation> materials;
   std::string name;
   if (!command.scene.empty()) {

@@ -13,6 +13,7 @@
 #include "cli/requests.h"
 #include "compare/metrics/metrics.h"
 #include "job/scene/material_choice.h"
+#include "job/scene/passes.h"
 #include "job/scene/scene_renderer.h"
 #include "job/view/displayed.h"
 #include "report/term_words.h"
@@ -140,6 +141,8 @@ int runRenderCommand(const RenderCommand& command) {
   job::ViewFrames frames = renderer.render(scenes::makeCamera(prepared.scene, request.views.front(), aspect),
                                            makeProgress(command.common.quiet));
   for (const std::string& warning : renderer.warnings()) base::logWarning(warning);
+  for (const report::PassResult& pass : job::describePasses(renderer.work(), renderer.reasons()))
+    if (pass.count > 0) base::logDetail(job::lineOf(pass));
   base::Frame& frame = paths.truth ? frames.truth : frames.paths.front().frame;
   job::keepMaterials(frame, prepared.scene, settings.materials, frames.coverage, settings.background);
   const auto term = command.term.empty() ? std::nullopt : shading::termByName(command.term);

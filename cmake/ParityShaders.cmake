@@ -1,3 +1,11 @@
+# parity_generated(NAME headers...): headers that are made before anything is compiled, and can be made without: the target
+# `generated` makes all of them, as clang-tidy needs them (scripts/check).
+add_custom_target(generated)
+function(parity_generated name)
+  add_custom_target(${name} DEPENDS ${ARGN})
+  add_dependencies(generated ${name})
+endfunction()
+
 # parity_shaders(TARGET [INCLUDE folders...] [DEFINES A=1...] SHADERS x.comp y.vert ...)
 #
 # Compiles each shader to SPIR-V at build time, with its includes as dependencies, and embeds it: the header
@@ -40,6 +48,8 @@ function(parity_shaders target)
   endforeach()
   target_sources(${target} PRIVATE ${headers})
   target_include_directories(${target} PRIVATE ${out})
+  parity_generated(${target}_shaders ${headers})
+  add_dependencies(${target} ${target}_shaders)
 endfunction()
 
 # parity_formula(TARGET formula.glsl): the mobile shader with that environment BRDF (mobile/formulas.h), in both precisions:

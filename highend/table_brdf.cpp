@@ -68,15 +68,15 @@ glm::dvec3 TableBrdf::once(const paths::EnvBrdfMaterial& material, double NoV) c
 glm::dvec3 TableBrdf::multiple(const paths::EnvBrdfMaterial& material, double NoV) const {
   const glm::dvec3 texel = read(material.roughness, NoV), F0 = material.F0();
   const double F90 = material.F90();
-  const f64::real2 AB(texel.x, texel.y);
+  const f64::real2 scaleAndBias(texel.x, texel.y);
   const f64::real3 mean = f64::mixFresnel(fromGlm(F0), F90, fresnelMean(m_options.model.fresnel));
   switch (m_options.compensation) {
   case Compensation::turquin:
-    return (F0 * AB.x + F90 * AB.y) * (toGlm(f64::energyCompensation(fromGlm(F0), AB)) - 1.0);
+    return (F0 * texel.x + F90 * texel.y) * (toGlm(f64::energyCompensation(fromGlm(F0), scaleAndBias)) - 1.0);
   case Compensation::fdezAguera:
-    return toGlm(f64::fdezAgueraAlbedo(fromGlm(F0), F90, mean, AB));
+    return toGlm(f64::fdezAgueraAlbedo(fromGlm(F0), F90, mean, scaleAndBias));
   case Compensation::kullaConty:
-    return toGlm(f64::kullaContyAlbedo(mean, AB.x + AB.y, texel.z));
+    return toGlm(f64::kullaContyAlbedo(mean, texel.x + texel.y, texel.z));
   case Compensation::none:
     break;
   }

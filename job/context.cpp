@@ -2,9 +2,12 @@
 
 #include <filesystem>
 
+#include <fmt/format.h>
+
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/image/image_io.h"
+#include "base/log.h"
 #include "base/member_count.h"
 #include "scenes/load.h"
 
@@ -24,7 +27,9 @@ std::string hashOfThisBuild() {
 Context::Context(const Settings& settings)
     : m_settings(settings), m_display(settings.display),
       m_cache(settings.cacheFolder ? base::Cache(*settings.cacheFolder, settings.cacheBytes) : base::Cache::disabled()),
-      m_buildId(settings.cacheFolder ? hashOfThisBuild() : std::string()) {}
+      m_buildId(settings.cacheFolder ? hashOfThisBuild() : std::string()) {
+  base::logDetail(m_cache.enabled() ? fmt::format("cache: {}", m_cache.folder().string()) : "cache: off");
+}
 
 Context::Context(const Context& first, ForAnotherThread)
     : m_settings(first.m_settings), m_display(first.m_settings.display), m_cache(first.m_cache),

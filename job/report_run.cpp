@@ -21,6 +21,7 @@
 #include "job/conditions.h"
 #include "job/context.h"
 #include "job/report_folder.h"
+#include "job/scene/passes.h"
 #include "job/scene/scene_comparison.h"
 #include "job/view/display_table.h"
 #include "report/baseline.h"
@@ -121,6 +122,9 @@ private:
   static void log(const ComparedScene& scene) {
     if (!scene.error.empty()) base::logError(scene.error);
     for (const std::string& warning : scene.warnings) base::logWarning(warning);
+    if (scene.isCached) base::logDetail(fmt::format("{}: taken from the cache", scene.result.name));
+    for (const report::PassResult& pass : scene.result.passes)
+      base::logDetail(fmt::format("{}: {}", scene.result.name, lineOf(pass)));
   }
 
   Context& m_context;
@@ -160,6 +164,7 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
     result.report.scenes.push_back(std::move(scene.result));
   }
   result.run.compiledShaders = context.compiledShaders().size();
+  base::logDetail(fmt::format("{} shaders were compiled", result.run.compiledShaders));
   if (const std::size_t cached = result.run.cachedScenes.size(); cached > 0)
     base::logInfo(fmt::format("{} of {} scenes are unchanged and come from the cache", cached, request.scenes.size()));
   holdBudgets(context.settings(), request, result.report);

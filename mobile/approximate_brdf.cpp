@@ -48,9 +48,9 @@ paths::EnvBrdfWords ApproximateBrdf::words() const {
 
 paths::EnvBrdf::AB ApproximateBrdf::at(double roughness, double NoV) const {
   const double floored = std::max(roughness, static_cast<double>(m_options.roughnessFloor));
-  const f64::real2 AB =
+  const f64::real2 scaleAndBias =
       f64::environmentBrdfAB(static_cast<int>(m_options.environmentBrdf), false, {1, 1, 1}, floored, NoV);
-  return {AB.x, AB.y};
+  return {scaleAndBias.x, scaleAndBias.y};
 }
 
 glm::dvec3 ApproximateBrdf::once(const paths::EnvBrdfMaterial& material, double NoV) const {

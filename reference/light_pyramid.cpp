@@ -33,7 +33,10 @@ LightShares sharesOf(double upperLeft, double upperRight, double lowerLeft, doub
 LightPyramid::LightPyramid(int width, int height, std::span<const glm::vec4> cells, std::span<const double> rowY)
     : m_rowY(rowY.begin(), rowY.end()) {
   for (int w = width, h = height;; w = (w + 1) / 2, h = (h + 1) / 2) {
-    Level level{.width = w, .height = h, .power = std::vector<double>(static_cast<std::size_t>(w) * h)};
+    Level level;
+    level.width = w;
+    level.height = h;
+    level.power.resize(static_cast<std::size_t>(w) * h);
     const double side = std::ldexp(1.0, static_cast<int>(m_levels.size()));
     const auto angles = [&](int count, int all, double turn, double from, auto&& put) {
       for (int i = 0; i < count; ++i)

@@ -114,7 +114,8 @@ void ProductSampler::addFour(const std::array<PanoramaBlock, 4>& blocks, const P
   }
   const Float4 weight = reflected * NoL;
   for (int i = 0; i < 4; ++i) {
-    Node node{.block = blocks[i]};
+    Node node;
+    node.block = blocks[i];
     node.isLarge = radius[i] > kLargestRadius;
     if (power[i] > 0 && at.NoL[i] > -radius[i]) {
       node.steepness = steepness[i];

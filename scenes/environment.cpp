@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/image/image_io.h"
+#include "base/log.h"
 #include "scenes/builtin/builtin.h"
 #include "scenes/environment.h"
 #include "scenes/load.h"
@@ -157,6 +158,8 @@ Environment loadEnvironment(const std::string& fileOrBuiltin, float rotationDeg,
                                      kMaxRadiance));
   }
   environment.rotationDeg = rotationDeg;
+  base::logDetail(fmt::format("environment {}: {} x {} pixels", fileOrBuiltin, environment.radiance.width,
+                              environment.radiance.height));
   return environment;
 }
 

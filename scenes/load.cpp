@@ -4,13 +4,16 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/log.h"
 #include "scenes/builtin/builtin.h"
 #include "scenes/gltf/load_gltf.h"
 #include "scenes/names.h"
 
 namespace parity::scenes {
 
-Scene loadScene(const std::string& fileOrBuiltin, const LoadOptions& options) {
+namespace {
+
+Scene readScene(const std::string& fileOrBuiltin, const LoadOptions& options) {
   constexpr std::string_view kBuiltin = "builtin:";
   if (fileOrBuiltin.starts_with(kBuiltin)) {
     for (const auto& [option, value] : {std::pair("--scene", &options.scene), std::pair("--variant", &options.variant),
@@ -21,6 +24,17 @@ Scene loadScene(const std::string& fileOrBuiltin, const LoadOptions& options) {
     return makeBuiltinScene(fileOrBuiltin.substr(kBuiltin.size()));
   }
   return loadGltf(fileOrBuiltin, options);
+}
+
+} // namespace
+
+Scene loadScene(const std::string& fileOrBuiltin, const LoadOptions& options) {
+  Scene scene = readScene(fileOrBuiltin, options);
+  for (const SourceFile& file : scene.sources) base::logDetail(fmt::format("read {}", file.file.string()));
+  base::logDetail(fmt::format("scene {}: {} triangles, {} instances of {} meshes, {} materials, {} images, {} lights",
+                              fileOrBuiltin, scene.triangleCount(), scene.instances.size(), scene.meshes.size(),
+                              scene.materials.size(), scene.images.size(), scene.lights.size()));
+  return scene;
 }
 
 } // namespace parity::scenes

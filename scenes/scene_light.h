@@ -15,7 +15,7 @@ namespace parity::scenes {
 struct LightScales {
   glm::vec3 skyLightColor{1.f};      // linear RGB; of the environment's light (not of suns that were extracted from it)
   glm::vec3 indirectColorScale{1.f}; // linear RGB; of the light of lightmaps: without effect where there is none
-  float sunSpecularScale = 1; // of the specular light of directional lights: into their Light::specularScale
+  float sunSpecularScale = 1;        // of the specular light of directional lights: into their Light::specularScale
   bool operator==(const LightScales&) const = default;
 };
 inline constexpr float kMaxLightScale = 1000;

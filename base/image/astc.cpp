@@ -57,6 +57,7 @@ constexpr astcenc_swizzle kSwizzle{ASTCENC_SWZ_R, ASTCENC_SWZ_G, ASTCENC_SWZ_B, 
 // The codec hands out blocks to whoever asks, each a matter of its own texels alone.
 void runOn(int threads, const std::function<astcenc_error(unsigned int)>& body) {
   std::vector<std::function<void()>> tasks;
+  tasks.reserve(static_cast<std::size_t>(threads));
   for (int i = 0; i < threads; ++i) tasks.emplace_back([&body, i] { check(body(static_cast<unsigned int>(i))); });
   parallelInvoke(tasks);
 }

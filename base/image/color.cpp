@@ -19,7 +19,7 @@ namespace {
 namespace ocio = OCIO_NAMESPACE;
 
 ocio::BuiltinTransformRcPtr builtin(const char* style, ocio::TransformDirection direction) {
-  const ocio::BuiltinTransformRcPtr transform = ocio::BuiltinTransform::Create();
+  ocio::BuiltinTransformRcPtr transform = ocio::BuiltinTransform::Create();
   transform->setStyle(style);
   transform->setDirection(direction);
   return transform;

@@ -40,7 +40,6 @@ void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   app.add_flag("--no-cache", raw.noCache, "Do not use the cache");
   app.add_flag("--timings", common.timings, "Print the time of each stage to stderr");
   app.add_flag("-q,--quiet", raw.quiet, "Print errors only, no table; the exit code is the verdict");
-  app.add_flag("-v,--verbose", raw.verbose, "Print more details");
 }
 
 void addBudgetsOption(CLI::App& app, CommonOptions& common) {
@@ -68,7 +67,7 @@ void requireNoneOfScene(const RawOptions& raw) {
 }
 
 void settle(const CLI::App& app, CommonOptions& common, const RawOptions& raw, bool isBesideSuite) {
-  base::setLogLevel(raw.quiet ? base::LogLevel::quiet : raw.verbose ? base::LogLevel::verbose : base::LogLevel::normal);
+  if (raw.quiet) base::setLogLevel(base::LogLevel::quiet);
   for (const auto& [id, given] : raw.knobs)
     if (given.where != "--" + id && given.where != "--no-" + id)
       base::logInfo(fmt::format("{} is now called --{}", given.where, id));

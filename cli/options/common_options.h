@@ -15,7 +15,7 @@ struct RawOptions {
   base::GivenKnobs knobs, views;
   std::string cache, cacheSize = "4G";
   std::string pixelData = "all";
-  bool noCache = false, quiet = false, verbose = false, validation = false;
+  bool noCache = false, quiet = false, validation = false;
 };
 
 // Options of the knobs of these groups ("Scene", "Picture", ...) that are in `common`; `view`: those of a view, too.

@@ -275,7 +275,6 @@ void addFlipOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   app.add_flag("-q,--quiet", raw.quiet, "Print errors only, no table; the exit code is the verdict");
-  app.add_flag("-v,--verbose", raw.verbose, "Print more details");
 }
 
 void settleFlip(const CLI::App& app, FlipCommand& flip, const RawFlipOptions& raw) {
@@ -309,7 +308,7 @@ void settleFlip(const CLI::App& app, FlipCommand& flip, const RawFlipOptions& ra
     if (app.count(option) > 0) request.hdrOptions.emplace_back(option);
   flip.githubAnnotations = !raw.annotate.empty();
   flip.quiet = raw.quiet;
-  base::setLogLevel(raw.quiet ? base::LogLevel::quiet : raw.verbose ? base::LogLevel::verbose : base::LogLevel::normal);
+  if (raw.quiet) base::setLogLevel(base::LogLevel::quiet);
 }
 
 } // namespace parity::cli

@@ -19,7 +19,7 @@ struct RawFlipOptions {
   std::string map, exposureMap, histogram, mapKind = "png";
   std::vector<std::string> metric; // one for each --metric; those below likewise
   std::vector<double> fail, warn, failPercent, warnPercent, hardFail, hardWarn;
-  bool hdr = false, ldr = false, quiet = false, verbose = false;
+  bool hdr = false, ldr = false, quiet = false;
   float ppd = 0, distance = 0, resolutionX = 0, screenWidth = 0; // 0: not given
 };
 

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/interrupt.h"
+#include "base/log.h"
 #include "base/text/error_words.h"
 #include "compare/images/flip_pair.h"
 
@@ -70,6 +71,10 @@ FlipResult runFlip(const FlipRequest& request, const std::function<void(const st
     pair.files = files;
     try {
       compareFiles(request, pair);
+      base::logDetail(fmt::format("{}: {} x {} pixels, {}, {} ({}); {} region{}, {} file{} written", files.name,
+                                  pair.width, pair.height, pair.channels, pair.hdr ? "HDR" : "LDR", pair.rangeReason,
+                                  pair.rows.size(), pair.rows.size() == 1 ? "" : "s", pair.written.size(),
+                                  pair.written.size() == 1 ? "" : "s"));
     } catch (const base::Error& error) {
       // One of many pairs is no reason to lose what was found of the others.
       if (isUsage(error) && !request.files.many) throw;
@@ -101,6 +106,8 @@ int exitCode(const FlipPair& pair, bool warnExit) {
   case Verdict::pass:
     return static_cast<int>(base::ExitCode::withinBudget);
   case Verdict::notSeen:
+  case Verdict::tooSmall: // these two are of a report's materials
+  case Verdict::notJudged:
   case Verdict::warn:
     return warnExit ? static_cast<int>(base::ExitCode::warningsOnly) : 0;
   case Verdict::fail:

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/log.h"
 #include "gpu/device/device_choice.h"
 
 namespace parity::gpu {
@@ -27,6 +28,8 @@ Error deviceError(std::string place, std::string reason) {
 
 vk::raii::Context makeContext() {
   try {
+    // Keeps the loader mapped from its first use on: devices of two threads would else open it anew at the same time.
+    static const vk::DynamicLoader loader;
     return vk::raii::Context();
   } catch (const std::exception&) {
     throw deviceError("loader", "libvulkan.so.1 is not installed: 'apt-get install libvulkan1 mesa-vulkan-drivers'");
@@ -84,6 +87,11 @@ struct Device::Messages {
 
 std::vector<DeviceReport> listDevices(const DeviceOptions& options) {
   const vk::raii::Context context = makeContext();
+  const std::uint32_t loader = context.enumerateInstanceVersion();
+  base::logDetail(fmt::format("Vulkan loader {}.{}.{}", VK_API_VERSION_MAJOR(loader), VK_API_VERSION_MINOR(loader),
+                              VK_API_VERSION_PATCH(loader)));
+  for (const vk::LayerProperties& layer : context.enumerateInstanceLayerProperties())
+    base::logDetail(fmt::format("layer {}", layer.layerName.data()));
   try {
     const vk::raii::Instance instance = makeInstance(context, false);
     return chooseDevice(instance.enumeratePhysicalDevices(), options).reports;
@@ -96,6 +104,8 @@ DeviceReport findDevice(const DeviceOptions& options) {
   const vk::raii::Context context = makeContext();
   const vk::raii::Instance instance = makeInstance(context, options.validation);
   const DeviceChoice choice = requireChoice(instance.enumeratePhysicalDevices(), options);
+  for (const DeviceReport& each : choice.reports)
+    base::logDetail(fmt::format("device: {}: {}", each.description(), each.reason));
   return choice.reports[static_cast<std::size_t>(choice.taken)];
 }
 
@@ -145,6 +155,8 @@ Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messa
   // has gone.
   for (const char* driver : {"libvulkan_lvp.so", "libvk_swiftshader.so"})
     dlopen(driver, RTLD_NOW | RTLD_NOLOAD | RTLD_NODELETE);
+  base::logDetail(fmt::format("device: opened {}, Vulkan {}, {}{}", m_report.description(), m_report.apiVersion,
+                              m_report.float16 ? "fp16" : "no fp16", options.validation ? ", with validation" : ""));
 }
 
 Device::~Device() = default;

@@ -83,7 +83,7 @@ void ShadowMaps::draw(const std::vector<std::size_t>& views, bool first) {
   for (const auto& [layer, ofLayer] : viewsOfLayer) {
     const bool isFirst = left == viewsOfLayer.size(), isLast = --left == 0;
     const vk::raii::ImageView target = m_image.layerView(m_device, layer);
-    m_device.submit("shadow maps", [&](const vk::raii::CommandBuffer& commands) {
+    m_device.submit("shadow maps", [&, &ofLayer = ofLayer](const vk::raii::CommandBuffer& commands) {
       if (isFirst) changeLayout(commands, m_image, first ? vk::ImageLayout::eUndefined : kReadOnlyLayout, kDepthLayout);
       const vk::RenderingAttachmentInfo depth(*target, kDepthLayout, {}, {}, {},
                                               first ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eLoad,

@@ -140,6 +140,7 @@ private:
   ShaderCost m_cost;
 };
 
+// NOLINTNEXTLINE(readability-function-size): a table of opcodes
 void Counter::add(const SpirvInstruction& each) {
   const auto shapeAt = [&](std::size_t operand) { return m_module.shapeOf(each.operands[operand]); };
   const std::uint32_t op = each.opcode;

@@ -1,5 +1,7 @@
 #include "job/scene/passes.h"
 
+#include <fmt/format.h>
+
 namespace parity::job {
 
 std::vector<report::PassResult> describePasses(const Work& work, const NoNeed& why) {
@@ -34,6 +36,11 @@ std::vector<report::PassResult> describePasses(const Work& work, const NoNeed& w
   add("dropped lights", "pictures", work.lightPictures, why.droppedLights);
   add("shader costs", "shaders", work.countedShaders, why.costs);
   return passes;
+}
+
+std::string lineOf(const report::PassResult& pass) {
+  return pass.count > 0 ? fmt::format("{}: {} {}", pass.name, pass.count, pass.unit)
+                        : fmt::format("{}: skipped, {}", pass.name, pass.skipped);
 }
 
 } // namespace parity::job

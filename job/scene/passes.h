@@ -43,5 +43,7 @@ struct NoNeed {
 
 // In the order of the work. A count of 0 has a reason.
 std::vector<report::PassResult> describePasses(const Work& work, const NoNeed& reasons);
+// "textures: 3 images", or "textures: skipped, no material that is seen has one".
+std::string lineOf(const report::PassResult& pass);
 
 } // namespace parity::job

@@ -13,9 +13,9 @@ namespace parity::report {
 namespace {
 
 std::string jsonText(std::string_view text) {
-  base::JsonWriter json(base::JsonLayout::compact);
-  json.text(text);
-  std::string out = json.finish();
+  base::JsonWriter writer(base::JsonLayout::compact);
+  writer.text(text);
+  std::string out = writer.finish();
   out.pop_back(); // the line feed
   return out;
 }

@@ -26,9 +26,8 @@ Scene makeSpheresScene() {
   const Mesh sphere = makeSphere(0.46, 96, 48);
   int placed = 0;
   const auto add = [&](const Mesh& mesh, const Material& material, float turnDeg = 0) {
-    builder.add(mesh, material,
-                glm::vec3(static_cast<float>(placed % kSphereColumns) - 2.5f,
-                          1.5f - static_cast<float>(placed / kSphereColumns), 0.f),
+    const int column = placed % kSphereColumns, row = placed / kSphereColumns;
+    builder.add(mesh, material, glm::vec3(static_cast<float>(column) - 2.5f, 1.5f - static_cast<float>(row), 0.f),
                 turnDeg);
     ++placed;
   };

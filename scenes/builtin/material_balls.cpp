@@ -61,8 +61,9 @@ Scene makeMaterialBalls(Scene scene) {
     mesh.name = fmt::format("ball {}", m);
     mesh.material = static_cast<std::uint32_t>(m);
     if (const TextureSlot& slot = scene.materials[m].normalTexture; slot.present()) makeTangents(mesh, slot.texCoord);
-    const glm::vec3 center(static_cast<float>(m % columns) - 0.5f * static_cast<float>(columns - 1),
-                           0.5f * static_cast<float>(rows - 1) - static_cast<float>(m / columns), 0.f);
+    const std::size_t column = m % columns, row = m / columns;
+    const glm::vec3 center(static_cast<float>(column) - 0.5f * static_cast<float>(columns - 1),
+                           0.5f * static_cast<float>(rows - 1) - static_cast<float>(row), 0.f);
     const glm::mat4 turned = glm::rotate(glm::translate(glm::mat4(1.f), center), kTurn, {0.f, 1.f, 0.f});
     scene.instances.push_back({static_cast<std::uint32_t>(m), turned, mesh.name});
     scene.meshes.push_back(std::move(mesh));

@@ -97,7 +97,10 @@ void drawMarks(Canvas& canvas, const Panel& p) {
   std::vector<std::pair<double, std::string>> labels;
   for (const auto& [roughness, letters] : marks) {
     const double y = p.y + p.height * (1 - roughness);
-    for (double x = p.x; x < p.x + p.width; x += 9) canvas.line(x, y, std::min(x + 4, p.x + p.width), y, 1.3, kMark);
+    for (int dash = 0; 9 * dash < p.width; ++dash) {
+      const double x = p.x + 9 * dash;
+      canvas.line(x, y, std::min(x + 4, p.x + p.width), y, 1.3, kMark);
+    }
     if (!labels.empty() && labels.back().first - y < kLineHeight)
       labels.back().second += " " + letters;
     else

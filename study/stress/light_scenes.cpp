@@ -99,7 +99,7 @@ StressScene badTexels() {
 
 StressScene hotSun() {
   scenes::Environment environment = makeEnvironment("hot sun", 1, [](base::Image& image) {
-    for (int c = 0; c < 3; ++c) image.pixels[static_cast<std::size_t>(3 * (5 * image.width + 7) + c)] = 65504;
+    for (int c = 0; c < 3; ++c) image.at(7, 5)[c] = 65504;
   });
   StressScene s = ball("sun-65504", "a texel of 65504: finite mips", 0.3f, {});
   bool finite = true;

@@ -58,6 +58,7 @@ void stressFunctions(const std::vector<FunctionCase>& functions, const Options& 
     report.functions.push_back(stressFunction(functions[i], options.points, device));
     for (const Finding& finding : findingsOf(report.functions.back())) report.findings.push_back(finding);
     report.functionsMs += report.functions.back().timeMs;
+    base::logDetail(fmt::format("{}: {:.0f} ms", functions[i].name, report.functions.back().timeMs));
   }
 }
 
@@ -74,6 +75,7 @@ void stressRenders(const Options& options, RenderStress& renders, const SceneSou
                                      finding.example, finding.reproduce));
     }
     report.rendersMs += report.scenes.back().timeMs;
+    base::logDetail(fmt::format("{}: {:.0f} ms", scene.name, report.scenes.back().timeMs));
   };
   for (std::size_t i = 0; i < source.count(); ++i) {
     const StressScene scene = source.scene(i);

@@ -13,9 +13,8 @@ namespace {
 
 Input radianceInput(int at, const char* name) { return powers(at, name, 0, 65504, 0x1p-24, 65504); }
 
-// Which of karis2014, UE4 and refit row[at] chooses.
-bool isKaris(double form) { return form < 0.33; }
 bool isDApprox(double form) { return form < 0.12; } // and PhongApprox in between
+// Which of UE4 and refit row[at] chooses; below them karis2014.
 bool isUe4(double form) { return form >= 0.33 && form < 0.67; }
 bool isRefit(double form) { return form >= 0.67; }
 double leastF0(const Row& r, int base, int dielectric, int metallic) {

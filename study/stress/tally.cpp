@@ -161,6 +161,7 @@ void countRow(const FunctionCase& function, Precision precision, std::uint64_t i
   }
 }
 
+// NOLINTNEXTLINE(readability-function-size): of a pair there are two of everything
 void countPair(const FunctionCase& function, Precision precision, std::uint64_t index, const Claim& claim,
                const Row& first, const Result& firstResult, const Row& second, const Result& secondResult,
                Tally& tally) {

@@ -100,7 +100,8 @@ std::filesystem::path writeScalingScene(const std::filesystem::path& folder, con
   Json meshes = Json::array(), nodes = Json::array(), materials = Json::array(), images = Json::array(),
        textures = Json::array(), roots = Json::array();
   for (int m = 0; m < size.materials; ++m) {
-    meshes.push_back({{"primitives", {addField(buffer, m % grid * width, m / grid * width, width, side, m)}}});
+    const int column = m % grid, row = m / grid;
+    meshes.push_back({{"primitives", {addField(buffer, column * width, row * width, width, side, m)}}});
     roots.push_back(nodes.size());
     nodes.push_back({{"mesh", m}});
     Json pbr = {{"metallicFactor", m % 2 ? 1.0 : 0.0}, {"roughnessFactor", 0.2 + 0.6 * (m % 7) / 6.0}};

@@ -14,6 +14,7 @@ Output logAll(LogLevel level) {
   setLogLevel(level);
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
+  logDetail("detail");
   logInfo("news");
   logWarning("odd {}");
   logError("broken %s");
@@ -25,7 +26,7 @@ Output logAll(LogLevel level) {
 TEST(Log, WritesWhatTheLevelLetsThrough) {
   EXPECT_EQ(logAll(LogLevel::quiet).err, "error: broken %s\n");
   EXPECT_EQ(logAll(LogLevel::normal).err, "news\nwarning: odd {}\nerror: broken %s\n");
-  EXPECT_EQ(logAll(LogLevel::verbose).err, "news\nwarning: odd {}\nerror: broken %s\n");
+  EXPECT_EQ(logAll(LogLevel::verbose).err, "detail\nnews\nwarning: odd {}\nerror: broken %s\n");
 }
 
 TEST(Log, WarningsOfARunAreOneLineWithQuiet) {

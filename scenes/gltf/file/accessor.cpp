@@ -153,7 +153,7 @@ void AccessorView::applySparse(const tinygltf::Accessor& source, std::vector<std
 
 template <typename Vec> std::vector<Vec> AccessorView::readVectors(float fill, bool finite) const {
   if (m_isMatrix) throw error("holds matrices, expected scalars or vectors");
-  constexpr std::size_t kWidth = sizeof(Vec) / sizeof(float);
+  constexpr std::size_t kWidth = sizeof(Vec) / sizeof(float); // NOLINT(bugprone-sizeof-expression): 1 for a scalar
   const std::size_t components = std::min(static_cast<std::size_t>(m_componentCount), kWidth);
   std::vector<Vec> out(m_count, Vec(fill));
   float* numbers = reinterpret_cast<float*>(out.data());

@@ -114,7 +114,7 @@ template <typename T> std::vector<std::byte> readAs(const draco::PointAttribute&
           if (!(exact >= static_cast<double>(std::numeric_limits<T>::min()) &&
                 exact <= static_cast<double>(std::numeric_limits<T>::max())))
             throw refusal(fmt::format("vertex {}: {} does not fit the accessor's componentType", p, exact));
-          number = static_cast<T>(value[c]);
+          number = static_cast<T>(exact);
         }
         std::memcpy(&out[(p * components + c) * sizeof(T)], &number, sizeof(T));
       }

@@ -119,7 +119,7 @@ std::filesystem::path resolveUri(const std::filesystem::path& folder, std::strin
     }
   }
   std::error_code failed;
-  const std::filesystem::path file = std::filesystem::weakly_canonical(folder / decoded, failed);
+  std::filesystem::path file = std::filesystem::weakly_canonical(folder / decoded, failed);
   if (failed) throw std::invalid_argument(quote(uri) + " cannot be found: " + failed.message());
   if (!isWithin(folder, file))
     throw std::invalid_argument(quote(uri) + " points outside the asset's folder through a symbolic link");

@@ -4,7 +4,6 @@ import { checkChunk, decodePlane, type Chunk, type Plane } from "./chunk";
 import { embeddedText, relativeUrl } from "./embedded";
 
 declare global {
-  // eslint-disable-next-line no-var
   var parityChunk: ((chunk: unknown) => void) | undefined;
 }
 
@@ -61,7 +60,7 @@ function runScript(file: string): Promise<Chunk> {
       try {
         resolve(checkChunk(handedOver.get(script), file));
       } catch (error) {
-        reject(error as Error);
+        reject(error instanceof Error ? error : new Error(String(error)));
       }
     });
     script.addEventListener("error", () => {

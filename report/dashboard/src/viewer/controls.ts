@@ -18,9 +18,9 @@ export interface ControlScene {
   zoom: string;
   showsTest: boolean;
   test: string; // the path that is compared with the reference
-  set(change: Partial<ViewerState>): void;
-  zoomBy(factor: number): void;
-  holdTest(event: Event): void; // of the flicker's button
+  set: (change: Partial<ViewerState>) => void;
+  zoomBy: (factor: number) => void;
+  holdTest: (event: Event) => void; // of the flicker's button
 }
 
 const kModeNames: Readonly<Record<Mode, { name: string; key: string }>> = {

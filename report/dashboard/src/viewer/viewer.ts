@@ -179,7 +179,7 @@ export class ParityViewer extends PageElement {
       [view.test, pathTitle(view.test)],
       ...(view.whole.truth ? [["truth", "Truth"]] : []),
     ] as const;
-    const loaded = names.map(([plane, name]) => ({ name: name!, loaded: source.color(plane!) }));
+    const loaded = names.map(([plane, name]) => ({ name, loaded: source.color(plane) }));
     const pictures = loaded.flatMap(({ name, loaded: each }) => {
       const plane = valueOf(each);
       return plane === null ? [] : [{ name, plane }];

@@ -41,7 +41,7 @@ async function pixelsOf(base64: string, places: readonly (readonly [number, numb
       canvas.height = image.height;
       const context = canvas.getContext("2d")!;
       context.drawImage(image, 0, 0);
-      return at.map(([x, y]) => [...context.getImageData(x!, y!, 1, 1).data].slice(0, 3));
+      return at.map(([x, y]) => [...context.getImageData(x, y, 1, 1).data].slice(0, 3));
     },
     { data: base64, at: places as [number, number][] },
   );

@@ -72,7 +72,7 @@ describe("loading pixel files", () => {
     files["pixels/a.js"] = makeFile("pixels/a.js");
     const { loadPlane } = await load();
     const planes = await Promise.all([loadPlane("pixels/a.js", "flip"), loadPlane("pixels/a.js", "flip")]);
-    expect([...planes[0]!.values]).toEqual([7, 8]);
+    expect([...planes[0].values]).toEqual([7, 8]);
     expect(planes[1]).toBe(planes[0]);
     expect(await loadPlane("pixels/a.js", "flip")).toBe(planes[0]);
     expect(loads).toEqual(["pixels/a.js"]);
