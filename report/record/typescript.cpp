@@ -61,12 +61,12 @@ private:
     for (const T value : Names<T>::values) names.push_back(Names<T>::nameOf(value));
     if (!rule.oneOf.empty()) return unionOf(splitNames(rule.oneOf));
     if (Names<T>::name.empty()) return unionOf(names);
-    const std::string name = typeName(Names<T>::name);
+    std::string name = typeName(Names<T>::name);
     define(name, Names<T>::words, [&] { return fmt::format("type {} = {};\n", name, unionOf(names)); });
     return name;
   }
   template <Described T> std::string named(const Rule&) {
-    const std::string name = typeName(kRecord<T>.name);
+    std::string name = typeName(kRecord<T>.name);
     define(name, kRecord<T>.words,
            [&] { return fmt::format("interface {} {{\n{}}}\n", name, members("  ", kRecord<T>.rows, T())); });
     return name;
