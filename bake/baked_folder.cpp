@@ -184,10 +184,10 @@ void requireFile(const fs::path& folder, const std::string& name, const Json& fi
   const std::uintmax_t bytes = base::regularFileSize(file), wanted = entry->at("bytes").get<std::uintmax_t>();
   if (bytes != wanted)
     throw base::fileError(file.string(), "",
-                          fmt::format("{} bytes, the manifest says {}: it is {}", bytes, wanted,
+                          fmt::format("has {} bytes, but {} in the manifest: it is {}", bytes, wanted,
                                       bytes < wanted ? "truncated" : "another file"));
   if (hashOfFile(file) != entry->at("hash").get<std::string>())
-    throw base::fileError(file.string(), "", "is not the file that the manifest lists: it has been changed");
+    throw base::fileError(file.string(), "", "does not match its hash in the manifest: it has changed");
 }
 
 void requireSize(const fs::path& file, int width, int height, int channels, int wantedSide, int halves,
@@ -255,7 +255,7 @@ BakedLight read(const fs::path& folder, const Json& manifest) {
                               readCapture(file, bytes)});
     const Capture& capture = baked.captures.back();
     if (capture.light->prefiltered.faceSize != baked.captures.front().light->prefiltered.faceSize)
-      throw base::fileError(file.string(), "", "is not of the size of the first capture");
+      throw base::fileError(file.string(), "", "has another size than the first capture");
     for (const glm::vec3& v : {capture.position, capture.boxLower, capture.boxUpper, glm::vec3(capture.radius)})
       if (glm::any(glm::isnan(v)) || glm::any(glm::isinf(v)))
         throw base::fileError((folder / kManifestFile).string(), "captures", "has a number that is not finite");
@@ -288,7 +288,8 @@ void requireBakeFolder(const fs::path& folder) {
   if (!fs::exists(folder, error)) return;
   if (!fs::is_directory(folder, error)) throw base::fileError(folder.string(), "", "is not a folder");
   if (!fs::is_empty(folder, error) && !holdsOnlyABake(folder))
-    throw base::fileError(folder.string(), "", "holds files that are not of an earlier bake: it is not replaced");
+    throw base::fileError(folder.string(), "",
+                          "holds files that no bake wrote, so it is not replaced; give another folder");
 }
 
 void writeBaked(const fs::path& folder, const BakedLight& baked) {
@@ -335,7 +336,8 @@ bool isWhole(const fs::path& folder) {
 BakedLight readBaked(const fs::path& folder) {
   const fs::path file = folder / kManifestFile;
   std::error_code error;
-  if (!fs::is_directory(folder, error)) throw base::fileError(folder.string(), "", "is no folder of baked light");
+  if (!fs::is_directory(folder, error))
+    throw base::fileError(folder.string(), "", "is not a folder of baked light; 'parity bake' makes one");
   const std::string text = base::readText(file, kMaxManifestBytes);
   try {
     const Json manifest = Json::parse(text);
@@ -344,7 +346,7 @@ BakedLight readBaked(const fs::path& folder) {
     if (manifest.at("version").get<int>() != kVersion)
       throw base::fileError(
           file.string(), "version",
-          fmt::format("{}, this program reads {}: bake it again", manifest.at("version").dump(), kVersion));
+          fmt::format("is {}, but this program reads {}; bake again", manifest.at("version").dump(), kVersion));
     return read(folder, manifest);
   } catch (const Json::exception& problem) {
     throw base::fileError(file.string(), "", "is damaged: " + base::wordsOf(problem));

@@ -60,7 +60,7 @@ void readObjects(const std::filesystem::path& file, std::size_t captures, BakedL
   };
   if (!bytes.empty() || !std::ranges::all_of(uvs.places, fits) || !std::ranges::all_of(uvs.corners, isFinite) ||
       !std::ranges::all_of(baked.lqScales, isFinite) || baked.lqScales.size() != 4 * uvs.places.size())
-    throw base::fileError(file.string(), "", "does not fit the pages of this bake");
+    throw base::fileError(file.string(), "", "does not match the pages of this bake");
 }
 
 } // namespace parity::bake

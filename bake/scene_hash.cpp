@@ -62,7 +62,7 @@ std::string describeChange(const SceneHashes& baked, const SceneHashes& now) {
   if (baked.lights != now.lights) parts.emplace_back("lights");
   if (baked.sky != now.sky) parts.emplace_back("environment");
   if (parts.empty()) return {};
-  return fmt::format("stale: not the {} that it was baked from", fmt::join(parts, ", "));
+  return fmt::format("is stale: the {} changed after the bake", fmt::join(parts, ", "));
 }
 
 } // namespace parity::bake

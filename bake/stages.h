@@ -17,8 +17,9 @@ namespace parity::bake {
 
 [[noreturn]] inline void throwCancelled(bool isCached) {
   throw base::fileError("bake", "",
-                        isCached ? "cancelled; what is done is in the cache, from which the same command goes on"
-                                 : "cancelled");
+                        isCached
+                            ? "cancelled; the cache keeps the finished part, and the same command continues from there"
+                            : "cancelled");
 }
 
 class Stages {

@@ -146,7 +146,7 @@ bool Cache::store(const std::string& key, std::span<const std::byte> bytes) cons
   const fs::path file = fileOf(key);
   if (const std::uintmax_t most = std::min<std::uintmax_t>(m_maxBytes, kMaxFileBytes);
       bytes.size() > most || most - bytes.size() < sizeof(BlobHeader)) {
-    reportOnce("cache: an entry larger than the cache may be was not stored: " + file.string());
+    reportOnce("cache: an entry was not stored, because it is larger than the whole cache: " + file.string());
     return false;
   }
   const BlobHeader header = makeHeader(key, bytes);

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 std::string reasonOf(int errorNumber) { return std::generic_category().message(errorNumber); }
 
 std::string kindOf(fs::file_type type) {
-  return type == fs::file_type::directory ? "is a folder" : "is no regular file";
+  return type == fs::file_type::directory ? "is a folder" : "is not a regular file";
 }
 
 class OpenFile {
@@ -87,7 +87,7 @@ template <typename Container> Container readWhole(const fs::path& file, std::siz
   regularFileSize(file);                            // before opening: that would wait on a pipe without a writer
   const OpenFile open(file, O_RDONLY | O_NONBLOCK); // it may have become one since
   const struct stat status = open.status();
-  if (!S_ISREG(status.st_mode)) throw fileError(file.string(), "", "is no regular file");
+  if (!S_ISREG(status.st_mode)) throw fileError(file.string(), "", "is not a regular file");
   const auto size = static_cast<std::size_t>(status.st_size);
   if (size > maxBytes) throw fileError(file.string(), "", fmt::format("has {} bytes; the limit is {}", size, maxBytes));
   Container content(size, typename Container::value_type{});
@@ -124,10 +124,10 @@ void writeAtomically(const fs::path& file, const std::function<void(const fs::pa
   const fs::file_status status = fs::status(target, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw fileError(file.string(), "cannot be written", kindOf(status.type()));
-  if (!target.has_filename()) throw fileError(file.string(), "cannot be written", "names no file");
+  if (!target.has_filename()) throw fileError(file.string(), "cannot be written", "is not a file name");
   if (const fs::path folder = target.parent_path(); !folder.empty()) {
     fs::create_directories(folder, error);
-    if (error) throw fileError(file.string(), "its folder cannot be made", error.message());
+    if (error) throw fileError(file.string(), "its folder cannot be created", error.message());
   }
 
   // Beside the target, so that the rename stays on one file system; with the same extension, by which image libraries
@@ -162,7 +162,7 @@ fs::path defaultCacheFolder() {
   if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && fs::path(cache).is_absolute())
     return fs::path(cache) / "parity";
   if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache" / "parity";
-  throw fileError("cache", "", "neither XDG_CACHE_HOME nor HOME says where it may lie");
+  throw fileError("cache", "", "its place is unknown: set XDG_CACHE_HOME or HOME, or give --cache");
 }
 
 } // namespace parity::base

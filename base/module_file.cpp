@@ -40,12 +40,12 @@ void* moduleFunction(const std::string& file, const char* function, const std::s
       throw Error(ExitCode::failed, candidate.string(), "cannot be loaded", fmt::format("{} ({})", dlerror(), needs));
     if (void* found = dlsym(handle, function)) return found;
     throw Error(ExitCode::failed, candidate.string(), "",
-                "belongs to another build of this program: build or install both");
+                "belongs to another build of this program; build or install both together");
   }
   const std::string target = file.substr(0, file.find('.'));
-  throw Error(ExitCode::failed, file, "not found",
-              fmt::format("{} without it; build the target {} or install it beside the program (searched: {})", use,
-                          target, searched));
+  throw Error(
+      ExitCode::failed, file, "not found",
+      fmt::format("{}; build the target {}, or install it next to the program (searched: {})", use, target, searched));
 }
 
 } // namespace parity::base

@@ -52,13 +52,19 @@ constexpr std::array kMobile = {kFnEnvBRDFApprox,
 
 int main() {
   fmt::print(
-      "# What half precision costs each formula of the mobile path\n\n"
-      "Made by `build/half_errors`: {} rows of inputs a function (study/stress/random_rows.cpp says over which "
-      "ranges), rounded to half; the\nresult of half code, every operation rounded, against f64 at the same inputs, "
-      "relative to the row's largest output. Device and CPU agree\nin half bit for bit "
-      "(tests/shading/device_test.cpp), "
-      "so this is the formulas' doing, not a driver's. Outside: rows whose largest output is below half's smallest "
-      "normal number,\n2^-14, or above 65504, where half saturates; they are left out.\n\n"
+      "# What half precision costs each formula of the mobile path\n"
+      "\n"
+      "The table gives the relative error of half precision, function by function. `build/half_errors` makes this\n"
+      "page.\n"
+      "\n"
+      "- Each function gets {} rows of inputs, rounded to half (study/stress/random_rows.cpp gives the ranges).\n"
+      "- The half code rounds every operation. Its result is compared with f64 at the same inputs.\n"
+      "- The error is relative to the row's largest output.\n"
+      "- Device and CPU agree in half bit for bit (tests/shading/device_test.cpp). So the formulas cause the errors,\n"
+      "  not a driver.\n"
+      "- \"Outside\" are rows with a largest output below half's smallest normal number, 2^-14, or above 65504, where\n"
+      "  half saturates. They are left out.\n"
+      "\n"
       "| function | median | 99 % | 99.9 % | largest | not finite | outside |\n|---|---|---|---|---|---|---|\n",
       kRows);
   for (const FunctionCase& function : functionTable()) {

@@ -55,12 +55,14 @@ std::vector<Task> tasksOf(const BakeCommand& command) {
       if (folder.empty()) continue;
       for (const Task& task : tasks)
         if (task.folder.lexically_normal() == std::filesystem::path(folder).lexically_normal())
-          throw base::fileError(
-              command.suite, "baked",
-              fmt::format("scenes '{}' and '{}' name the same folder", task.request.name, entry.name));
+          throw base::fileError(command.suite, "baked",
+                                fmt::format("scenes '{}' and '{}' have the same folder; give each its own",
+                                            task.request.name, entry.name));
       tasks.push_back({entry, folder});
     }
-    if (tasks.empty()) throw base::fileError(command.suite, "baked", "no scene names a folder of baked light");
+    if (tasks.empty())
+      throw base::fileError(command.suite, "baked",
+                            "no scene has this key; it names the scene's folder of baked light");
     return tasks;
   }
   for (const std::string& scene : command.scenes) {
@@ -71,7 +73,7 @@ std::vector<Task> tasksOf(const BakeCommand& command) {
   for (std::size_t i = 0; i < tasks.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (tasks[i].folder == tasks[j].folder)
-        throw base::Error(base::ExitCode::usage, "bake", tasks[i].request.name, "two scenes of that name");
+        throw base::Error(base::ExitCode::usage, "bake", tasks[i].request.name, "two scenes have this name");
   return tasks;
 }
 
@@ -86,9 +88,9 @@ void printSummary(const Task& task, const job::BakeResult& result, double second
         result.light.halfPages.size(), result.light.halfPages.size() == 1 ? "page" : "pages", result.light.pageSide,
         result.light.pageSide, f.samplesPerTexel, seconds);
   if (result.rays > 0) print(", {:.1f} million rays", static_cast<double>(result.rays) * 1e-6);
-  print("\n  error {:.2g} % in the median, {:.2g} % at worst; {:.1f} % of texels within what was wanted{}\n",
+  print("\n  error: median {:.2g} %, worst {:.2g} %; {:.1f} % of the texels are within --error{}\n",
         100 * f.errorMedian, 100 * f.errorWorst, 100 * f.shareWithinError,
-        f.shareWithinError < 0.95 ? ": more with a larger --max-samples" : "");
+        f.shareWithinError < 0.95 ? "; a larger --max-samples helps" : "");
   print("  encoded lightmap: rms error {:.2g} % in 8 bits, {:.2g} % after ASTC {}{}\n", 100 * f.quantizedError,
         100 * f.storedError, result.light.astc, astcDb(f));
   print("  {} environment {}; {}\n", result.light.captures.size(),
@@ -100,7 +102,8 @@ void printNotes(const std::string& scene, const std::vector<std::string>& notes)
   constexpr std::size_t kMostNotes = 20;
   const std::size_t shown = base::logLevel() == base::LogLevel::verbose ? notes.size() : kMostNotes;
   for (std::size_t i = 0; i < std::min(shown, notes.size()); ++i) base::logInfo(fmt::format("{}: {}", scene, notes[i]));
-  if (notes.size() > shown) base::logInfo(fmt::format("{}: and {} more (-v: all)", scene, notes.size() - shown));
+  if (notes.size() > shown)
+    base::logInfo(fmt::format("{}: and {} more notes (-v shows all)", scene, notes.size() - shown));
 }
 
 } // namespace
@@ -112,8 +115,9 @@ int runBakeCommand(const BakeCommand& command) {
     bake::requireBakeFolder(task.folder);
     for (const NamedFile& input : inputFiles(command.common, {task.request}))
       if (!input.file.empty() && liesIn(input.file, task.folder))
-        throw base::Error(base::ExitCode::usage, "-o", task.folder.string(),
-                          fmt::format("{} lies in it, and the folder is replaced", input.name));
+        throw base::Error(
+            base::ExitCode::usage, "-o", task.folder.string(),
+            fmt::format("{} lies in this folder, which the bake replaces; give another folder", input.name));
   }
   const CancelOnSignal onSignal;
   job::Context context(command.common.settings);

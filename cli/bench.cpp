@@ -121,7 +121,7 @@ sweep::SweepReport measure(const BenchCommand& command, const RunRequest& run, c
 // The settings that are worth their time, the fastest first.
 void printScene(const sweep::SceneSweep& scene, const sweep::Conclusions& c) {
   if (!scene.failure.empty()) return;
-  print("{} ({}, {} samples): worth their time by {} against the {}\n", base::plainLine(scene.scene),
+  print("{} ({}, {} samples): settings on the Pareto front, by {} against the {}\n", base::plainLine(scene.scene),
         base::plainLine(scene.environment), scene.pixels, c.figure,
         c.against == sweep::Against::truth ? "truth" : report::titleOf(scene.variants.front().path) + " default");
   print("{:>10} {:>10} {:>10} {:>11}  setting\n", "device ms", c.figure, "operations", "compile ms");
@@ -140,7 +140,7 @@ void printScene(const sweep::SceneSweep& scene, const sweep::Conclusions& c) {
 
 void printConclusions(const sweep::Conclusions& c) {
   for (const auto& each : c.cheapest)
-    print("within {} <= {:g}, {}: {} {}\n", c.budget->figure, c.budget->limit,
+    print("fastest with {} <= {:g}, {}: {} {}\n", c.budget->figure, c.budget->limit,
           each.scene.empty() ? "all scenes" : base::plainLine(each.scene), each.path, each.setting.value_or("none"));
   for (const std::string& note : c.notes) print("note: {}\n", base::plainLine(note));
   for (const std::string& id : c.dominated) print("dominated in every scene: {}\n", id);
@@ -148,10 +148,11 @@ void printConclusions(const sweep::Conclusions& c) {
   for (const std::string& note : c.ratios->notes) print("note: {}\n", base::plainLine(note));
   for (const sweep::VariantRatio& v : c.ratios->variants)
     if (v.time.isSlower() || v.time.isFaster())
-      print("{}: {} {} ({:.3f} of the time, {:.3f} to {:.3f})\n", v.time.isSlower() ? "slower" : "faster",
-            base::plainLine(v.scene), v.id, v.time.ratio, v.time.low, v.time.high);
+      print("{}: {} {} (time x {:.3f}, confidence interval {:.3f} to {:.3f})\n",
+            v.time.isSlower() ? "slower" : "faster", base::plainLine(v.scene), v.id, v.time.ratio, v.time.low,
+            v.time.high);
   if (std::ranges::none_of(c.ratios->variants, [](const auto& v) { return v.time.isSlower() || v.time.isFaster(); }))
-    print("none of {} settings has become slower or faster\n", c.ratios->variants.size());
+    print("none of the {} settings is slower or faster than before\n", c.ratios->variants.size());
 }
 
 int exitCodeOf(const sweep::SweepReport& report, const sweep::Conclusions& c) {

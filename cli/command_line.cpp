@@ -30,21 +30,21 @@ void requireKnownSubcommand(const CLI::App& app, int argc, const char* const* ar
   const auto known = app.get_subcommands([](const CLI::App*) { return true; });
   if (argc > 1 && argv[1][0] != '-' &&
       std::none_of(known.begin(), known.end(), [&](const CLI::App* s) { return s->check_name(argv[1]); }))
-    throw CLI::ValidationError(argv[1], "no such subcommand");
+    throw CLI::ValidationError(argv[1], "unknown subcommand; 'parity --help' lists them");
 }
 
 // An empty value is a variable of a script that is not set: nothing that can be meant.
 void requireValues(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options())
     if (std::ranges::any_of(option->results(), [](const std::string& value) { return value.empty(); }))
-      throw CLI::ValidationError(option->get_name(), "is given an empty value");
+      throw CLI::ValidationError(option->get_name(), "has an empty value");
   for (const CLI::App* chosen : app.get_subcommands()) requireValues(*chosen);
 }
 
 // -v: of every subcommand that runs something.
 void addVerbose(CLI::App& app, bool& verbose) {
   const std::vector<CLI::App*> below = app.get_subcommands([](const CLI::App*) { return true; });
-  if (below.empty()) app.add_flag("-v,--verbose", verbose, "Say what is done, and with what, on stderr");
+  if (below.empty()) app.add_flag("-v,--verbose", verbose, "Print to stderr what is done, and with what");
   for (CLI::App* each : below) addVerbose(*each, verbose);
 }
 
@@ -72,23 +72,23 @@ constexpr const char* kIntro = R"(parity: does a material look the same on two s
 Renders a glTF scene by a high-end path (full GGX, tabulated environment BRDF, all lights) and by a mobile path (Karis 2014, UE4's
 base pass), compares them per material by FLIP, and judges them against budgets.
 
-  parity report scene.glb --env studio.hdr --sun 30,50,4 -o out      a report with pictures: out/index.html
-  parity diff   scene.glb --env studio.hdr                           a table, one row a material
-  parity flip   reference.png test.png -o map.exr                    any two images
-  parity budget suggest out/report.json -o budgets.toml              limits from what was observed
-  parity fit --geometry-term schlick-smith --format hlsl             constants of the preset refit for a path of your own
-  parity plot env-brdf scene.glb -o plot                             how far EnvBRDFApprox is from the table
-  parity bench scene.glb --env studio.hdr --budget flip.mean=0.02 -o out   what each setting costs, and is worth
-  parity bake scene.glb --env studio.hdr -o baked                    light of everything but the sun, for --baked baked
-  parity stress -o stress                                            what is not finite, negative or wrong, and where
+  parity report scene.glb --env studio.hdr --sun 30,50,4 -o out      report with pictures: out/index.html
+  parity diff   scene.glb --env studio.hdr                           table with one row for each material
+  parity flip   reference.png test.png -o map.exr                    compare any two images
+  parity budget suggest out/report.json -o budgets.toml              suggest limits from observed figures
+  parity fit --geometry-term schlick-smith --format hlsl             fit the preset refit to your own path
+  parity plot env-brdf scene.glb -o plot                             error of EnvBRDFApprox against the table
+  parity bench scene.glb --env studio.hdr --budget flip.mean=0.02 -o out   time and error of each setting
+  parity bake scene.glb --env studio.hdr -o baked                    bake all light except the sun's, for --baked baked
+  parity stress -o stress                                            find results that are not finite, negative or wrong
 )";
 
 constexpr const char* kFooter = R"(
-Exit codes: 0 within budget; 1 warnings only (with --warn-exit); 2 over budget, for stress something that is not known, for
-bench a setting that is slower or none within the budget; 3 not comparable (sizes, channels, layers, a metric that does not
-apply); 4 something is missing, not finite, or could not be read, rendered, judged or written, or no material was compared;
-64 usage. The highest that applies wins; the other scenes still run. Scenes are .gltf or .glb files, or builtin:materials,
-builtin:spheres, builtin:lights, builtin:lamps, builtin:shadows, builtin:room, builtin:courtyard, builtin:furnace.)";
+Exit codes: 0 within budget; 1 warnings only (with --warn-exit); 2 over budget (stress: a new finding; bench: a setting is slower,
+or none is within the budget); 3 not comparable (sizes, channels, layers, or a metric that does not apply); 4 a file is missing or
+not finite, a step failed (read, render, judge, write), or no material was compared; 64 wrong usage. The highest code wins. If a
+scene fails, the others still run. Scenes are .gltf or .glb files, or builtin:materials, builtin:spheres, builtin:lights,
+builtin:lamps, builtin:shadows, builtin:room, builtin:courtyard, builtin:furnace.)";
 
 } // namespace
 
@@ -106,13 +106,13 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   CLI::App& reportApp =
       *app.add_subcommand("report", "Compare scenes and write a report: index.html, report.json, junit.xml, images");
   reportApp.add_option("scenes", report.scenes, "Scene files or builtin:NAME");
-  CLI::Option* suite =
-      reportApp.add_option("--suite", report.suite, "Suite file (TOML): many scenes with views, light and budgets");
+  CLI::Option* suite = reportApp.add_option("--suite", report.suite,
+                                            "Suite file (TOML): many scenes, with their views, light and budgets");
   suite->excludes(reportApp.get_option("scenes"));
-  reportApp.add_option("-o,--output", report.folder, "Folder of the report")->required();
+  reportApp.add_option("-o,--output", report.folder, "Folder for the report")->required();
   addPageOptions(reportApp, report, raw);
   addVerdictOptions(reportApp, report.verdict);
-  reportApp.add_option("--json", report.common.json, "Also write report.json there; - for stdout");
+  reportApp.add_option("--json", report.common.json, "Also write report.json to this file; - for stdout");
   for (job::Settings* settings : {&report.common.settings, &diff.common.settings}) {
     settings->attribution = job::Attribution::overBudget;
     settings->droppedLights = 8;
@@ -122,40 +122,44 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addRunOptions(reportApp, report.common, raw);
   addBudgetsOption(reportApp, report.common);
 
-  CLI::App& diffApp = *app.add_subcommand("diff", "Compare one scene and print a table, one row a material");
+  CLI::App& diffApp = *app.add_subcommand("diff", "Compare one scene and print a table with one row for each material");
   diffApp.add_option("scene", diff.scene, "Scene file or builtin:NAME")->required();
   addVerdictOptions(diffApp, diff.verdict);
-  diffApp.add_option("--json", diff.common.json, "Write the result as JSON there; - for stdout, instead of the table");
+  diffApp.add_option("--json", diff.common.json,
+                     "Write the result as JSON to this file; - for stdout, instead of the table");
   addKnobs(diffApp, diff.common, raw, kCompared);
   addViewKnobs(diffApp, raw);
   addRunOptions(diffApp, diff.common, raw);
   addBudgetsOption(diffApp, diff.common);
 
   RenderCommand render;
-  CLI::App& renderApp = *app.add_subcommand("render", "Render one scene by one path");
+  CLI::App& renderApp = *app.add_subcommand("render", "Render one scene with one path");
   renderApp.add_option("scene", render.scene, "Scene file or builtin:NAME")->required();
   std::vector<std::string> renderedPaths = job::pathNames();
   renderedPaths.insert(renderedPaths.end(), {"truth", "reference"}); // the older name of it
   renderApp
       .add_option(
           "--path", render.path,
-          fmt::format("{} or truth (the ground truth: exact integrals, slow)", fmt::join(job::pathNames(), ", ")))
+          fmt::format("Path: {} or truth (ground truth: exact integrals, slow)", fmt::join(job::pathNames(), ", ")))
       ->required()
       ->check(CLI::IsMember(renderedPaths));
-  renderApp.add_option("-o,--output", render.output, ".exr, .pfm, .hdr: linear scene-referred; .png: as displayed")
+  renderApp
+      .add_option("-o,--output", render.output,
+                  "Picture to write. .exr, .pfm, .hdr: linear scene-referred values; .png: as displayed")
       ->required()
       ->check(fileOfKind({".exr", ".pfm", ".hdr", ".png"}));
-  renderApp.add_flag("--terms", render.common.settings.terms, "Write the terms as layers beside the colour (.exr)");
+  renderApp.add_flag("--terms", render.common.settings.terms,
+                     "Also write the terms of light, as layers of the .exr file");
   renderApp
       .add_option("--term", render.term,
-                  "Write one term, or an intermediate of the path's shader, in place of the colour; --list-terms")
+                  "Write one term, or one intermediate of the path's shader, instead of the colour (--list-terms)")
       ->check(CLI::Validator(
           [](const std::string& name) {
             const std::vector<std::string> names = termNames();
             const std::vector<std::string_view> known(names.begin(), names.end());
             return std::find(known.begin(), known.end(), name) != known.end()
                        ? std::string()
-                       : name + ": no such term; " + base::describeNearest(name, known);
+                       : name + ": unknown term; " + base::describeNearest(name, known);
           },
           "NAME"));
   bool listTerms = false;
@@ -165,8 +169,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
         listTerms = true;
         throw CLI::Success(); // needs no scene
       },
-      "List what --term takes");
-  renderApp.add_option("--error-map", render.errorMap, "Write the achieved relative standard error of each pixel")
+      "List the values of --term");
+  renderApp.add_option("--error-map", render.errorMap, "Write the relative standard error of each pixel to this file")
       ->check(fileOfKind({".exr", ".pfm"}))
       ->group("Truth");
   addKnobs(renderApp, render.common, raw, {"Scene", "Picture", "Paths", "Truth"}, {"truth", "costs", "paths"});
@@ -183,48 +187,50 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addBudgetOptions(budgetApp, budget);
 
   RawFitOptions rawFit;
-  CLI::App& fitApp = *app.add_subcommand("fit", "Fit the preset refit to a path's settings and print its constants");
+  CLI::App& fitApp =
+      *app.add_subcommand("fit", "Fit the preset refit to the settings of a path, and print its constants");
   addFitOptions(fitApp, rawFit);
 
   RawPlotOptions rawPlot;
   CLI::App& plotApp =
-      *app.add_subcommand("plot", "Draw a formula of two paths and their difference; on a scene's materials, too");
+      *app.add_subcommand("plot", "Draw a formula of two paths and their difference, also on the materials of a scene");
   addPlotOptions(plotApp, rawPlot);
 
   RawBenchOptions rawBench;
-  CLI::App& benchApp =
-      *app.add_subcommand("bench", "Error against run time: every setting over the same surfaces; Pareto pictures");
+  CLI::App& benchApp = *app.add_subcommand(
+      "bench", "Measure error and run time of every setting on the same surfaces, with Pareto plots");
   addBenchOptions(benchApp, rawBench);
 
   RawStressOptions rawStress;
   CLI::App& stressApp = *app.add_subcommand(
-      "stress", "Try every shading function and whole renders at the edges of their domains; 2: something new");
+      "stress", "Test every shading function and whole renders at the edges of their domains; 2: a new finding");
   addStressOptions(stressApp, rawStress);
 
   BakeCommand bake;
   RawBakeOptions rawBake;
   CLI::App& bakeApp = *app.add_subcommand(
-      "bake", "Bake the light of static scenes: lightmaps of both paths, the sun's shadow, environment captures");
+      "bake", "Bake the light of static scenes: lightmaps for both paths, the sun's shadow, environment captures");
   addBakeOptions(bakeApp, bake, rawBake);
   addKnobs(bakeApp, bake.common, raw, {"Scene"}, {"fully-rough", "baked"});
   addRunOptions(bakeApp, bake.common, raw);
 
   DevicesCommand devices;
-  CLI::App& devicesApp = *app.add_subcommand("devices", "List Vulkan devices, and why each is taken or not");
-  devicesApp.add_option("--device", devices.device.name, "Show what this choice leads to");
-  devicesApp.add_option("--json", devices.json, "Write the list as JSON there; - for stdout");
+  CLI::App& devicesApp = *app.add_subcommand("devices", "List Vulkan devices, and the reason why each is used or not");
+  devicesApp.add_option("--device", devices.device.name, "Show which device this option selects");
+  devicesApp.add_option("--json", devices.json, "Write the list as JSON to this file; - for stdout");
 
   InfoCommand info;
-  CLI::App& infoApp = *app.add_subcommand("info", "Say what is in a scene's file, and what is wrong with it");
+  CLI::App& infoApp = *app.add_subcommand("info", "Show the content of a scene's file, and its errors");
   infoApp.add_option("file", info.scene, "Scene file or builtin:NAME")->required();
-  infoApp.add_option("--json", info.common.json, "Write it as JSON there; - for stdout, instead of the text");
+  infoApp.add_option("--json", info.common.json,
+                     "Write the content as JSON to this file; - for stdout, instead of the text");
   addKnobs(infoApp, info.common, raw, {"Scene"}, kNotRead);
 
-  const CLI::App& knobsApp =
-      *app.add_subcommand("knobs", "Print every setting: its option, its key in a suite file, values, default");
+  const CLI::App& knobsApp = *app.add_subcommand(
+      "knobs", "Print every setting: its option, its key in a suite file, its values and its default");
 
   RawCacheOptions rawCache;
-  CLI::App& cacheApp = *app.add_subcommand("cache", "Say what is kept between runs, or remove it");
+  CLI::App& cacheApp = *app.add_subcommand("cache", "Show or remove what is kept between runs");
   addCacheOptions(cacheApp, rawCache);
 
   bool verbose = false;
@@ -237,7 +243,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
     if (verbose) base::setLogLevel(base::LogLevel::verbose); // -q, which is asked later, goes first
     requireValues(app);
     if (reportApp.parsed()) {
-      if (report.scenes.empty() && report.suite.empty()) throw CLI::RequiredError("report: a SCENE or --suite");
+      if (report.scenes.empty() && report.suite.empty()) throw CLI::RequiredError("report: SCENE or --suite");
       if (!report.suite.empty()) requireNoneOfScene(raw);
       settle(reportApp, report.common, raw, !report.suite.empty());
       requireSizeFits(report.common, kComparedPixelBytes);
@@ -251,7 +257,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       settle(renderApp, render.common, raw);
       requireSizeFits(render.common, kDrawnPixelBytes);
       if (render.path == "reference") {
-        base::logInfo("--path reference is called --path truth now");
+        base::logInfo("--path reference is now called --path truth");
         render.path = "truth";
       }
       parsed.command = render;

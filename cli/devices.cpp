@@ -32,11 +32,12 @@ int runDevicesCommand(const DevicesCommand& command) {
             r.driver, r.float16 ? "fp16" : "no fp16", r.reason);
     }
   if (std::none_of(reports.begin(), reports.end(), [](const auto& r) { return r.taken; }))
-    throw base::Error(base::ExitCode::failed, "Vulkan", "device",
-                      !reports.empty() && !command.device.name.empty()
-                          ? fmt::format("none is named '{}'", command.device.name)
-                          : fmt::format("{}; 'apt-get install mesa-vulkan-drivers' gives the software device",
-                                        reports.empty() ? "no driver found" : "none can be used"));
+    throw base::Error(
+        base::ExitCode::failed, "Vulkan", "device",
+        !reports.empty() && !command.device.name.empty()
+            ? fmt::format("no device has the name or number '{}'; 'parity devices' lists them", command.device.name)
+            : fmt::format("{}; 'apt-get install mesa-vulkan-drivers' installs the software device",
+                          reports.empty() ? "no driver was found" : "no device can be used"));
   return 0;
 }
 

@@ -37,7 +37,7 @@ void requireSeparate(const std::vector<NamedFile>& outputs, const std::vector<Na
                         fmt::format("would overwrite {}", found->second->name));
     if (const auto [other, isNew] = written.emplace(file, &output); !isNew)
       throw base::Error(base::ExitCode::usage, output.name, "'" + output.file.string() + "'",
-                        fmt::format("is what {} writes, too", other->second->name));
+                        fmt::format("is also the file of {}; give another file", other->second->name));
   }
 }
 

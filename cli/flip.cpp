@@ -29,7 +29,7 @@ void requireFolders(const compare::FlipOutputs& outputs) {
   for (const fs::path& folder : {outputs.map, outputs.exposureMap, outputs.histogram})
     if (std::find(kOutputKinds.begin(), kOutputKinds.end(), extensionOf(folder.string())) != kOutputKinds.end())
       throw base::Error(base::ExitCode::usage, "output", "'" + folder.string() + "'",
-                        "is a file's name; many pairs need a folder (--map-kind tells the kind of its maps)");
+                        "is a file name; many pairs need a folder (--map-kind sets the format of its maps)");
 }
 
 // Of a single pair each output is a file of a kind that can be written.
@@ -37,7 +37,7 @@ void requireKinds(const compare::FlipOutputs& outputs) {
   const auto require = [&](const char* option, const fs::path& file, const std::vector<std::string>& kinds) {
     if (!file.empty() && std::find(kinds.begin(), kinds.end(), extensionOf(file.string())) == kinds.end())
       throw base::Error(base::ExitCode::usage, option, "'" + file.string() + "'",
-                        fmt::format("is none of the kinds {}", fmt::join(kinds, ", ")));
+                        fmt::format("is not a file of the kinds {}", fmt::join(kinds, ", ")));
   };
   require("--output", outputs.map, {".exr", ".pfm", ".png"});
   require("--exposure-map", outputs.exposureMap, {".exr", ".pfm", ".png"});
@@ -50,15 +50,15 @@ void requireOutside(const compare::FlipOutputs& outputs, const FlipCommand& comm
     for (const std::string& input : {command.reference, command.test})
       if (!output.empty() && liesIn(output, input))
         throw base::Error(base::ExitCode::usage, "output", "'" + output.string() + "'",
-                          fmt::format("lies in '{}', whose pictures are compared", input));
+                          fmt::format("lies in '{}', which holds compared pictures; give another folder", input));
 }
 
 void requireSeparateFiles(const FlipCommand& command, const compare::FlipRequest& request) {
   std::vector<NamedFile> inputs = {
       {"the mask", request.mask.file}, {"the budgets", command.budgets}, {"the list of pairs", command.pairList}};
   for (const compare::FilePair& pair : request.files.pairs) {
-    inputs.push_back({"a reference, one of the images compared", pair.reference});
-    inputs.push_back({"a test image, one of the images compared", pair.test});
+    inputs.push_back({"a compared reference image", pair.reference});
+    inputs.push_back({"a compared test image", pair.test});
   }
   std::vector<NamedFile> outputs = {{"--json", command.json}, {"--csv", command.csv}, {"--junit", command.junit}};
   for (const compare::OutputFile& file : compare::listFlipFiles(request)) outputs.push_back({file.option, file.file});
@@ -71,7 +71,7 @@ void warnOfSkipped(const std::vector<std::string>& skipped) {
   if (skipped.empty()) return;
   const std::size_t named = std::min(skipped.size(), kMostNamed);
   const std::vector<std::string> names(skipped.begin(), skipped.begin() + static_cast<std::ptrdiff_t>(named));
-  base::logWarning(fmt::format("{} file{} not compared, of no kind that pictures have, or hidden: {}{}", skipped.size(),
+  base::logWarning(fmt::format("{} file{} skipped, hidden or not a picture: {}{}", skipped.size(),
                                skipped.size() == 1 ? " was" : "s were", fmt::join(names, ", "),
                                named < skipped.size() ? fmt::format(" and {} more", skipped.size() - named) : ""));
 }

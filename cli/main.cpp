@@ -51,7 +51,7 @@ int run(int argc, char** argv) {
   }
   const std::string line = joinCommandLine(argc, argv);
   parity::base::setInterruptNote(std::string(argv[1]) +
-                                 ": interrupted: nothing is written; what is in the cache stays");
+                                 ": interrupted: no output was written; the cache keeps its entries");
   return std::visit(Overloaded{[&](const ReportCommand& c) { return runReportCommand(c, line); },
                                [&](const DiffCommand& c) { return runDiffCommand(c, line); },
                                [](const RenderCommand& c) { return runRenderCommand(c); },
@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
     parity::base::logError(error.what());
     return static_cast<int>(error.code());
   } catch (const std::bad_alloc&) {
-    parity::base::logError("parity: needs more memory than there is: lower --size or --max-memory");
+    parity::base::logError("parity: out of memory; lower --size or --max-memory");
     return static_cast<int>(parity::base::ExitCode::failed);
   } catch (const std::exception& error) {
     parity::base::logError((argc > 1 ? std::string(argv[1]) : "parity") + ": " + parity::base::wordsOf(error));

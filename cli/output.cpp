@@ -66,7 +66,7 @@ void printPage(const std::filesystem::path& folder, const char* data) {
   if (report::hasDashboard())
     print("{}\n", (folder / "index.html").string());
   else
-    print("{} (this parity was built without the page index.html)\n", (folder / data).string());
+    print("{} (this build of parity has no page index.html)\n", (folder / data).string());
 }
 
 std::string extensionOf(const std::string& file) {

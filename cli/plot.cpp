@@ -33,7 +33,7 @@ int runPlotCommand(const PlotCommand& command) {
     for (const std::string& warning : scene.warnings) base::logWarning(warning);
     name = scene.name;
     materials = plot::deviationsOf(scene, pair);
-    if (materials.empty()) base::logWarning(command.scene + ": no material is lit, none is compared");
+    if (materials.empty()) base::logWarning(command.scene + ": no material is lit, so none is compared");
   }
   base::writeImage8(picture, plot::drawEnvBrdf(pair, materials, name), {.channelNames = {}, .pngCompression = 6});
   base::writeText(numbers, plot::envBrdfCsv(pair));

@@ -16,6 +16,7 @@
 #include "job/scene/passes.h"
 #include "job/scene/scene_renderer.h"
 #include "job/view/displayed.h"
+#include "report/term_words.h"
 #include "scenes/view.h"
 #include "shading/terms.h"
 
@@ -46,9 +47,9 @@ void reportError(const job::ViewFrames& frames, double wanted) {
   if (errors.empty()) return; // all is in closed form
   std::sort(errors.begin(), errors.end());
   const auto over = errors.end() - std::upper_bound(errors.begin(), errors.end(), static_cast<float>(wanted));
-  const std::string text =
-      fmt::format("truth: standard error {:.3g} % in the median, {:.3g} % at worst; {:.0f} samples a pixel in each way",
-                  100 * errors[errors.size() / 2], 100 * errors.back(), frames.truthSamples);
+  const std::string text = fmt::format(
+      "truth: standard error: median {:.3g} %, worst {:.3g} %; {:.0f} samples a pixel for each sampling strategy",
+      100 * errors[errors.size() / 2], 100 * errors.back(), frames.truthSamples);
   base::logInfo(text);
   if (over > 0)
     base::logWarning(fmt::format("truth: {} of {} pixels did not reach a standard error of {:.3g} %", over,
@@ -71,7 +72,7 @@ job::PathChoice choiceOf(const RenderCommand& command) {
   for (const paths::Path* path : job::allPaths())
     if (paths::placeOf(path->intermediates(), command.term)) owners.push_back(path->name());
   throw base::Error(base::ExitCode::usage, "--term", command.term,
-                    fmt::format("is an intermediate of the path {}; the path '{}' has none of that name (--list-terms)",
+                    fmt::format("is an intermediate of the path {}; the path '{}' does not have it (--list-terms)",
                                 fmt::join(owners, " and "), command.path));
 }
 
@@ -96,8 +97,8 @@ std::vector<std::string> termNames() {
 }
 
 int runListTermsCommand() {
-  print("Terms, of every path:\n");
-  for (const std::string_view name : shading::kTermNames) print("  {}\n", name);
+  print("Terms of light, in every path:\n");
+  for (const auto& [term, words] : report::kTermWords) print("  {:<20} {}\n", term, words);
   for (const paths::Path* path : job::allPaths()) {
     print("Intermediates of the {} path (--path {}):\n", path->title(), path->name());
     for (const paths::Intermediate& each : path->intermediates()) print("  {:<20} {}\n", each.name, each.meaning);
@@ -110,20 +111,21 @@ int runRenderCommand(const RenderCommand& command) {
   const std::string extension = extensionOf(command.output);
   const bool layered = settings.terms && command.term.empty();
   if (command.common.settings.terms && !command.term.empty())
-    throw base::Error(base::ExitCode::usage, "--term", command.term, "excludes --terms");
+    throw base::Error(base::ExitCode::usage, "--term", command.term, "cannot be combined with --terms");
   const job::PathChoice paths = choiceOf(command);
   if (paths.intermediate != 0)
     if (const paths::Path& path = *paths.chosen.front();
         path.targetName(settings.options) != path.targetName(paths::Options()))
-      throw base::Error(base::ExitCode::usage, fmt::format("--{}-target", path.name()), command.term,
-                        "an intermediate is written as it was computed: no target stores it");
+      throw base::Error(
+          base::ExitCode::usage, fmt::format("--{}-target", path.name()), command.term,
+          "an intermediate is written as computed, so a render target has no effect on it; omit one of them");
   if (layered && extension != ".exr")
-    throw base::Error(base::ExitCode::usage, "--terms", command.output, "layers need an .exr file");
+    throw base::Error(base::ExitCode::usage, "--terms", command.output, "terms are layers, which need an .exr file");
   if (command.common.settings.reference.bounces > 0 && !paths.truth)
     throw base::Error(base::ExitCode::usage, "--interreflection", command.path,
-                      "only the truth has light between surfaces");
+                      "only --path truth has light between surfaces");
   if (!command.errorMap.empty() && !paths.truth)
-    throw base::Error(base::ExitCode::usage, "--error-map", command.path, "only the truth has an error");
+    throw base::Error(base::ExitCode::usage, "--error-map", command.path, "only --path truth has an error map");
 
   job::SceneRequest request = sceneRequest(command.common, command.scene);
   request.settings = settings;
@@ -149,7 +151,7 @@ int runRenderCommand(const RenderCommand& command) {
   if (!command.errorMap.empty()) base::writeImage(command.errorMap, frames.truthError);
 
   if (const compare::NonFinite bad = compare::countNonFinite(color); bad.count > 0)
-    base::logWarning(fmt::format("{} of {} pixels are NaN or infinite, the first at x {}, y {}", bad.count,
+    base::logWarning(fmt::format("{} of {} pixels are NaN or infinite; the first is at x {}, y {}", bad.count,
                                  color.pixelCount(), bad.x, bad.y));
   if (extension == ".png") {
     base::writeImage8(command.output, job::displayImage(color, context.display(), settings.exposureEv).pixels);

@@ -60,7 +60,7 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
   request.singleFile = command.singleFile;
   request.pixelData = command.pixelData && report::hasDashboard(); // which alone reads them
   if (command.singleFile && !report::hasDashboard())
-    throw base::Error(base::ExitCode::usage, "--single-file", "", "this parity was built without the page index.html");
+    throw base::Error(base::ExitCode::usage, "--single-file", "", "this build of parity has no page index.html");
   requireSeparateFiles(command, request);
   request.bench = readBench(command);
   job::Context context(run.settings);

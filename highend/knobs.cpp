@@ -18,20 +18,22 @@ base::KnobTable<Options> makeKnobs() {
       .titled("highend geometry term")
       .costs(KnobStage::shading);
   t.choice<&Options::model, &shading::SurfaceModel::fresnel>("fresnel", fresnelNames(),
-                                                             "Fresnel's curve, in the high-end path and the truth")
+                                                             "Fresnel curve of the high-end path and the truth")
       .titled("highend fresnel")
       .costs(KnobStage::shading);
   t.choice<&Options::model, &shading::SurfaceModel::diffuse>(
-       "diffuse", diffuseNames(), "Diffuse lobe of both: what the specular lobe leaves of the light, or all of it")
+       "diffuse", diffuseNames(),
+       "Diffuse lobe of the high-end path and the truth.\n"
+       "balanced: only light that the specular lobe leaves; lambert: all light")
       .titled("highend diffuse")
       .costs(KnobStage::shading);
   t.section("Paths", {"highend"});
   t.choice<&Options::compensation>("compensation", compensationNames(),
-                                   "High-end path: what returns the light that single scattering loses")
+                                   "High-end path: method that restores the light that single scattering loses")
       .titled("highend compensation")
       .costs(KnobStage::shading);
   t.choice<&Options::offSpecular>("off-specular", offSpecularNames(),
-                                  "High-end path: how the prefiltered environment is read away from N = V = R")
+                                  "High-end path: correction of the prefiltered environment, which assumes N = V = R")
       .titled("highend off-specular")
       .costs(KnobStage::shading)
       .needsScene("environment");
@@ -39,12 +41,12 @@ base::KnobTable<Options> makeKnobs() {
     row.titled("highend " + row.knob.title).costs(KnobStage::preparation).needsScene("environment");
   };
   prepares(t.oneOf<&Options::lutSize>("lut-size", {"8", "16", "32", "64", "128", "256"},
-                                      "High-end path: texels a side of the environment BRDF's table"));
+                                      "High-end path: side of the environment BRDF's table in texels"));
   prepares(t.oneOf<&Options::prefilterSamples>(
       "prefilter-samples", {"8", "32", "128", "512"},
-      "High-end path: samples of a texel of the prefiltered environment's first blurred mip"));
+      "High-end path: samples for each texel in the first blurred mip of the prefiltered environment"));
   prepares(t.oneOf<&Options::prefilterSize>("prefilter-size", {"64", "128", "256"},
-                                            "High-end path: texels a side of the prefiltered environment's faces"));
+                                            "High-end path: side of the prefiltered environment's faces in texels"));
   return t;
 }
 

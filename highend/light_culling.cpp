@@ -98,12 +98,13 @@ gpu::Buffer LightCulling::makeLists(const gpu::Surface& surface, const std::vect
     begins.push_back(static_cast<std::uint32_t>(end));
     end += g < groupCount ? lengths[g] : 0;
     if ((kCounts + end) * sizeof(std::uint32_t) > limit)
-      throw base::Error(base::ExitCode::failed, m_device.report().name, fmt::format("{} local lights", m_boundedCount),
-                        fmt::format("their lists take more than the {} MiB that the device binds", limit >> 20));
+      throw base::Error(
+          base::ExitCode::failed, m_device.report().name, fmt::format("{} local lights", m_boundedCount),
+          fmt::format("their lists need more than {} MiB, the most that the device can bind", limit >> 20));
     if (larger && g < groupCount && lengths[g] + data[1] > gpu::kMaxLightsOfAPixel)
       throw base::Error(base::ExitCode::failed, m_device.report().name, fmt::format("{} local lights", m_boundedCount),
-                        fmt::format("{} of them reach the same pixels, expected at most {}", lengths[g] + data[1],
-                                    gpu::kMaxLightsOfAPixel));
+                        fmt::format("{} of them reach the same pixels, expected at most {}; give lights a range",
+                                    lengths[g] + data[1], gpu::kMaxLightsOfAPixel));
   }
   data.insert(data.end(), begins.begin(), begins.end());
   gpu::Buffer lists(m_device, (kCounts + end) * sizeof(std::uint32_t));

@@ -39,7 +39,7 @@ public:
     tell("loading", 0);
     PreparedScene prepared = prepareScene(m_context, m_request, {.chosen = {allPaths().front()}, .bakes = true});
     if (!prepared.isLit)
-      throw base::fileError(m_request.scene, "", "every material is unlit: there is nothing to bake");
+      throw base::fileError(m_request.scene, "", "every material is unlit, so there is nothing to bake");
     if (m_options.atlas.texelsPerMetre == 0)
       m_options.atlas.texelsPerMetre = bake::defaultTexelsPerMetre(prepared.scene);
     m_options.integrate.texelsPerMetre = m_options.atlas.texelsPerMetre;

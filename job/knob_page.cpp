@@ -15,9 +15,9 @@ using base::Knob, base::KnobType;
 
 constexpr const char* kIntro = R"(# Knobs
 
-Made by `parity knobs`. Every setting of a run, by its option on the command line and its key in a suite file
-([suite.md](suite.md)). What a `[[scene]]` of a suite says goes before the command line, the command line before the suite's
-`[defaults]`. A flag is switched off by `--no-` and its name. The subcommands list in `--help` which of them they read.
+Made by `parity knobs`. This page lists every setting of a run, with its option on the command line and its key in a suite file
+([suite.md](suite.md)). A `[[scene]]` of a suite overrides the command line, and the command line overrides the `[defaults]` of
+the suite. `--no-` before the name of a flag switches it off. `--help` of a subcommand lists the settings that it reads.
 )";
 
 // A cell of a table holds no bar and no line feed.
@@ -79,7 +79,7 @@ template <typename T> void addRows(std::string& page, std::string& group, const 
 std::string describeKnobs() {
   std::string page = kIntro, group;
   addRows(page, group, knobs());
-  page += "\nOf a `[[scene.view]]`, on the command line of the one view:\n";
+  page += "\nSettings of a `[[scene.view]]`; on the command line, of the only view:\n";
   addRows(page, group, scenes::viewKnobs());
   return page;
 }

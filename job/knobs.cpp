@@ -38,7 +38,7 @@ void setSize(S& s, const std::string& text) {
 void setBackground(S& s, const std::string& text) {
   const auto n = base::readNumbers(text, "three numbers R,G,B");
   if (n[0] < 0 || n[1] < 0 || n[2] < 0)
-    throw base::KnobError{fmt::format("'{}' is not a colour: a channel is negative", text)};
+    throw base::KnobError{fmt::format("'{}' is not a colour: no channel may be negative", text)};
   s.background = {n[0], n[1], n[2]};
 }
 
@@ -58,7 +58,7 @@ std::string metricNames() {
 
 void addPicture(KnobTable<S>& t) {
   t.section("Picture");
-  t.special(KnobType::text, "size", "WIDTHxHEIGHT", "WIDTHxHEIGHT in pixels", setSize, [](const S& s) {
+  t.special(KnobType::text, "size", "WIDTHxHEIGHT", "Size of the picture in pixels", setSize, [](const S& s) {
      return fmt::format("{}x{}", s.width, s.height);
    }).notInSuite();
   t.whole<&S::samples>("samples", 1, 64, "Samples per pixel").notInSuite();
@@ -66,17 +66,17 @@ void addPicture(KnobTable<S>& t) {
     return fmt::format("{} EV", s.exposureEv);
   });
   t.special(
-       KnobType::choice, "display", "", "Display transform",
+       KnobType::choice, "display", "", "Display transform of the pictures",
        [](S& s, const std::string& text) {
          s.display = base::DisplayTransform::names()[base::readChoice(text, base::DisplayTransform::names())];
        },
        [](const S& s) { return s.display; })
       .notInSuite()
       .knob.choices = base::DisplayTransform::names();
-  t.special(KnobType::numbers, "background", "R,G,B", "Linear R,G,B behind the scene, in every path", setBackground,
-            [](const S& s) { return base::numbersText(&s.background.x, 3); })
+  t.special(KnobType::numbers, "background", "R,G,B", "Colour behind the scene in every path, linear R,G,B",
+            setBackground, [](const S& s) { return base::numbersText(&s.background.x, 3); })
       .notInSuite();
-  t.texts<&S::materials>("material", "all", "Only these materials (glob, repeatable)")
+  t.texts<&S::materials>("material", "all", "Show only these materials (glob, repeatable)")
       .titled("materials")
       .actsOn(ActsOn::wholes)
       .notInSuite()
@@ -85,17 +85,17 @@ void addPicture(KnobTable<S>& t) {
 
 void addShadows(KnobTable<S>& t) {
   using O = gpu::ShadowOptions;
-  t.flag<&S::shadows>("shadows",
-                      "Lights cast shadows: by a path's shadow maps, in the truth by rays, of the environment too");
+  t.flag<&S::shadows>("shadows", "Lights cast shadows: paths use shadow maps, the truth uses rays.\n"
+                                 "In the truth the environment casts shadows, too");
   std::vector<std::string> sizes;
   for (std::uint32_t size = gpu::kMinShadowMapSize; size <= gpu::kMaxShadowMapSize; size *= 2)
     sizes.push_back(std::to_string(size));
-  t.oneOf<&S::shadowMaps, &O::mapSize>(
-      "shadow-map-size", sizes,
-      "Texels a side of directional lights' maps; local lights' have half, faces of a cube a fourth");
+  t.oneOf<&S::shadowMaps, &O::mapSize>("shadow-map-size", sizes,
+                                       "Side of a directional light's shadow map in texels. Spot lights use half,\n"
+                                       "the faces of cube maps a quarter");
   t.oneOf<&S::shadowMaps, &O::filter>("shadow-filter", {"0", "1", "3", "5", "7"},
-                                      "Width of the shadow maps' filter, texels; 0: one texel, hard");
-  t.whole<&S::shadowMaps, &O::maxBytes>("shadow-memory", 0, 1e15, "Bytes of all shadow maps at most")
+                                      "Width of the shadow filter in texels; 0: hard shadows from one texel");
+  t.whole<&S::shadowMaps, &O::maxBytes>("shadow-memory", 0, 1e15, "Largest size of all shadow maps together in bytes")
       .titled("memory of shadow maps")
       .inWords([](const S& s) { return fmt::format("{} MiB at most", s.shadowMaps.maxBytes >> 20); })
       .noOption();
@@ -111,8 +111,10 @@ void setPaths(S& s, const std::string& text) {
   const std::vector<std::string> known = pathNames();
   for (const std::string& name : names)
     if (std::ranges::count(known, name) == 0 || std::ranges::count(names, name) > 1)
-      throw base::KnobError{fmt::format("'{}' is not a list of different paths, of {}", text, fmt::join(known, ", "))};
-  if (names.size() < 2) throw base::KnobError{fmt::format("'{}' names one path: there is nothing to compare", text)};
+      throw base::KnobError{
+          fmt::format("'{}' is not a list of different paths; the paths are {}", text, fmt::join(known, ", "))};
+  if (names.size() < 2)
+    throw base::KnobError{fmt::format("'{}' names only one path: give at least two to compare", text)};
   s.pathNames = std::move(names);
 }
 
@@ -121,14 +123,15 @@ void addPaths(KnobTable<S>& t) {
   addShadows(t);
   for (const paths::Path* path : allPaths()) t.addAll<&S::options>(path->knobs());
   t.section("Paths");
-  t.choice<&S::specularAa>("specular-aa", {"off", "toksvig"},
-                           "Roughness from minified normal maps, in every path: toksvig or off")
+  t.choice<&S::specularAa>(
+       "specular-aa", {"off", "toksvig"},
+       "Specular anti-aliasing of normal maps in every path; toksvig turns lost detail into roughness")
       .titled("specular anti-aliasing")
       .inWords([](const S& s) { return s.specularAa == gpu::SpecularAa::toksvig ? "Toksvig" : "off"; });
-  t.special(KnobType::text, "paths", "NAME,NAME", "Paths to compare: the others with the first", setPaths,
+  t.special(KnobType::text, "paths", "NAME,NAME", "Paths to compare: each of the others with the first", setPaths,
             [](const S& s) { return fmt::format("{}", fmt::join(s.pathNames, ",")); })
       .notInSuite();
-  t.flag<&S::costs>("costs", "Also count each specialised shader's operations, texture fetches and samplers")
+  t.flag<&S::costs>("costs", "Also count operations, texture fetches and samplers of each specialised shader")
       .actsOn(ActsOn::nothing)
       .notInSuite();
 }
@@ -154,14 +157,15 @@ void addTruth(KnobTable<S>& t) {
   using O = reference::Options;
   using I = reference::IntegralOptions;
   t.section("Truth", {"truth"});
-  t.flag<&S::truth>(
-       "truth", "Also hold both paths against the ground truth, term by term: exact integrals, slow; judges nothing")
+  t.flag<&S::truth>("truth", "Also compare all paths with the ground truth (exact integrals), term by term.\n"
+                             "Slow; does not change verdicts")
       .alias("reference")
       .actsOn(ActsOn::truth)
       .inWords(describeTruth)
       .notInSuite();
   t.special(
-       KnobType::text, "error", "SHARE", "Relative standard error at which a pixel of the truth is done",
+       KnobType::text, "error", "SHARE",
+       "Relative standard error at which the truth stops sampling a pixel, such as 0.5%",
        [](S& s, const std::string& text) { s.reference.integral.relativeError = base::readShare(text); },
        [](const S& s) { return base::numberText(s.reference.integral.relativeError); })
       .titled("error of the truth")
@@ -177,15 +181,17 @@ void addTruth(KnobTable<S>& t) {
                                       "Bounces of light between surfaces in the truth, with shadows; 0: none")
       .actsOn(ActsOn::truth)
       .needs("truth");
-  t.whole<&S::reference, &O::integral, &I::minSamples>("truth-min-samples", 1, 1 << 30, "Samples of a pixel at least")
+  t.whole<&S::reference, &O::integral, &I::minSamples>("truth-min-samples", 1, 1 << 30,
+                                                       "Smallest number of samples a pixel")
       .actsOn(ActsOn::truth)
       .needs("truth")
       .noOption();
-  t.whole<&S::reference, &O::integral, &I::maxSamples>("truth-max-samples", 1, 1 << 30, "Samples of a pixel at most")
+  t.whole<&S::reference, &O::integral, &I::maxSamples>("truth-max-samples", 1, 1 << 30,
+                                                       "Largest number of samples a pixel")
       .actsOn(ActsOn::truth)
       .needs("truth")
       .noOption();
-  t.whole<&S::reference, &O::integral, &I::seed>("truth-seed", 0, 4294967295.0, "Of the samples")
+  t.whole<&S::reference, &O::integral, &I::seed>("truth-seed", 0, 4294967295.0, "Seed of the random samples")
       .actsOn(ActsOn::truth)
       .needs("truth")
       .noOption();
@@ -193,23 +199,23 @@ void addTruth(KnobTable<S>& t) {
 
 void addVerdict(KnobTable<S>& t) {
   t.section("Verdict");
-  t.special(KnobType::text, "metrics", "LIST", "Metrics to report, of " + metricNames(), setMetrics,
+  t.special(KnobType::text, "metrics", "LIST", "Metrics to report. All: " + metricNames(), setMetrics,
             [](const S& s) { return fmt::format("{}", fmt::join(s.metrics, ",")); })
       .actsOn(ActsOn::nothing)
       .notInSuite();
   t.choice<&S::attribution>("attribution", {kAttributionNames.begin(), kAttributionNames.end()},
-                            "Name the term that makes these materials differ: over-budget, all or none")
+                            "Name the term of light that makes a material differ, for these materials")
       .noCondition()
       .notInSuite();
   t.whole<&S::droppedLights>(
        "dropped-lights", 0, 100000,
-       "Measure what so many of a view's lights do that a path drops, the brightest of them; 0: none")
+       "Lights to measure in each view among those that a path drops, the brightest first; 0: none")
       .actsOn(ActsOn::nothing)
       .notInSuite();
-  t.flag<&S::terms>("terms", "Also measure the terms (sun, sky, lights... diffuse and specular)")
+  t.flag<&S::terms>("terms", "Also measure each term of the light: sun, sky, lights (diffuse and specular) and others")
       .actsOn(ActsOn::nothing)
       .notInSuite();
-  t.flag<&S::coverage>("coverage", "Of each view's materials, also where one path alone is rendered")
+  t.flag<&S::coverage>("coverage", "Find the pixels of each material even if only one path is rendered")
       .actsOn(ActsOn::nothing)
       .noOption();
 }
@@ -242,7 +248,8 @@ void requireNeeds(const Settings& settings, const base::GivenKnobs& given) {
   for (const auto& [id, value] : given) {
     const base::Knob& knob = knobs().find(id)->knob;
     if (!isActive(knob, settings))
-      throw base::Error(base::ExitCode::usage, value.where, "", fmt::format("does nothing without {}", knob.needsKnob));
+      throw base::Error(base::ExitCode::usage, value.where, "",
+                        fmt::format("has no effect without {}", knob.needsKnob));
   }
 }
 
@@ -279,9 +286,10 @@ Settings withKnobs(Settings settings, const base::GivenKnobs& given) {
   if (const auto target = first.target(settings.options, {}, 0); target && target->isDisplayed())
     throw base::Error(
         base::ExitCode::usage, "--paths", "",
-        fmt::format("'{}' comes first, and is stored in '{}': what the others are compared with must hold "
-                    "light above white",
-                    first.name(), first.targetName(settings.options)));
+        fmt::format(
+            "'{}' comes first, but its target '{}' clips light above white; the first path needs a target that holds "
+            "light above white",
+            first.name(), first.targetName(settings.options)));
   return settings;
 }
 

@@ -34,7 +34,7 @@ const paths::Path& pathByName(const std::string& name) {
   const auto found = std::ranges::find_if(list(), [&](const paths::Path* path) { return path->name() == name; });
   if (found == list().end())
     throw base::Error(base::ExitCode::usage, "--paths", name,
-                      fmt::format("is no path; the paths are {}", fmt::join(pathNames(), ", ")));
+                      fmt::format("is not a path; the paths are {}", fmt::join(pathNames(), ", ")));
   return **found;
 }
 

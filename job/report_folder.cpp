@@ -79,9 +79,9 @@ std::string imagePrefix(std::size_t sceneIndex, const std::string& scene, std::s
 void prepareReportFolder(const std::filesystem::path& folder, bool singleFile) {
   std::error_code error;
   if (std::filesystem::exists(folder / "index.html", error) && !std::filesystem::exists(folder / "report.json", error))
-    throw base::fileError(folder.string(), "index.html", "is not a report's: give another folder");
+    throw base::fileError(folder.string(), "index.html", "was not written by a report; give another folder");
   std::filesystem::create_directories(folder, error);
-  if (error) throw base::fileError(folder.string(), "", "cannot be made a folder: " + error.message());
+  if (error) throw base::fileError(folder.string(), "", "cannot be created as a folder: " + error.message());
 
   error = clean(folder, isReportFile);
   if (!error) error = cleanOwn(folder / "images", isPictureOfAReport);
@@ -89,7 +89,7 @@ void prepareReportFolder(const std::filesystem::path& folder, bool singleFile) {
   if (error) throw base::fileError(folder.string(), "", "an older report cannot be removed: " + error.message());
   // What is in the way of the pictures is said before anything is rendered.
   if (!singleFile) std::filesystem::create_directories(folder / "images", error);
-  if (error) throw base::fileError(folder.string(), "images", "cannot be made a folder: " + error.message());
+  if (error) throw base::fileError(folder.string(), "images", "cannot be created as a folder: " + error.message());
 }
 
 void writeReport(const std::filesystem::path& folder, const report::Report& report, const report::RunInfo& run,

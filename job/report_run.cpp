@@ -64,11 +64,10 @@ void holdBudgets(const Settings& settings, const ReportRequest& request, report:
 void noteForInterrupt(const Context& context, const ReportRequest& request, std::size_t compared) {
   std::string text = fmt::format("interrupted: {} of {} scenes {} compared", compared, request.scenes.size(),
                                  compared == 1 ? "is" : "are");
-  if (compared > 0 && !context.cache().enabled()) text += ", nothing of it is kept (no cache)";
-  if (compared > 0 && context.cache().enabled()) text += " and kept in the cache, where the next run finds them";
+  if (compared > 0 && !context.cache().enabled()) text += ", and lost, because there is no cache";
+  if (compared > 0 && context.cache().enabled()) text += " and stay in the cache for the next run";
   if (!request.folder.empty())
-    text += fmt::format("; {} holds no report, and what pictures it has the next run there removes",
-                        request.folder.string());
+    text += fmt::format("; {} holds no report, and the next run removes its pictures", request.folder.string());
   base::setInterruptNote(text);
 }
 
@@ -167,7 +166,7 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   result.run.compiledShaders = context.compiledShaders().size();
   base::logDetail(fmt::format("{} shaders were compiled", result.run.compiledShaders));
   if (const std::size_t cached = result.run.cachedScenes.size(); cached > 0)
-    base::logInfo(fmt::format("{} of {} scenes are unchanged: taken from the cache", cached, request.scenes.size()));
+    base::logInfo(fmt::format("{} of {} scenes are unchanged and come from the cache", cached, request.scenes.size()));
   holdBudgets(context.settings(), request, result.report);
   report::settleVerdicts(result.report);
   if (baseline)

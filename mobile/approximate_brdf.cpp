@@ -28,7 +28,7 @@ const char* describe(EnvironmentBrdf brdf) {
   case EnvironmentBrdf::karis2014:
     return "EnvBRDFApprox (Karis 2014)";
   case EnvironmentBrdf::ue4:
-    return "EnvBRDFApprox, B off below F0 = 2 % (UE4)";
+    return "EnvBRDFApprox, B is 0 below F0 = 2 % (UE4)";
   case EnvironmentBrdf::refit:
     break;
   }

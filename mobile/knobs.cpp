@@ -10,12 +10,12 @@ namespace {
 
 static_assert(base::memberCount<Options>() == 18 && base::memberCount<Mixing>() == 3, "a new member needs a row");
 
-constexpr const char* kPresets = "the preset's";
+constexpr const char* kPresets = "set by the preset";
 
 // Its names, and `none`, another name of `sky`: both leave the cube as it is but for SkyLightColor.
 void setCaptureScale(Options& options, const std::string& text) {
   if (text == "by-roughness")
-    throw base::KnobError{"'by-roughness' is replaced by 'mixing', the engine's own weight (--mixing-begin, "
+    throw base::KnobError{"'by-roughness' is no longer known: use 'mixing', the engine's own weight (--mixing-begin, "
                           "--mixing-end, --mixing-largest)"};
   options.captureScale =
       text == "none" ? CaptureScale::sky : static_cast<CaptureScale>(base::readChoice(text, captureScaleNames()));
@@ -44,27 +44,28 @@ void addLook(base::KnobTable<Options>& t) {
       .costs(KnobStage::shading)
       .needsScene("directional light");
   t.special(KnobType::choice, "capture-scale", "",
-            "Mobile path: what scales reflections; auto: mixing of baked captures,\nelse sky", setCaptureScale,
+            "Mobile path: scale of reflections; auto: mixing with baked captures,\nsky without them", setCaptureScale,
             [](const Options& o) { return captureScaleNames().at(static_cast<std::size_t>(o.captureScale)); })
       .titled("mobile capture scale")
       .otherwise(kPresets)
       .costs(KnobStage::shading)
       .needsScene("environment")
       .knob.choices = captureScaleNames();
-  t.number<&Options::mixing, &Mixing::begin>("mixing-begin", 0, 1,
-                                             "Mobile path: roughness above which captures follow the lightmap");
+  t.number<&Options::mixing, &Mixing::begin>(
+      "mixing-begin", 0, 1, "Mobile path: roughness above which the lightmap starts to scale captures");
   t.number<&Options::mixing, &Mixing::end>("mixing-end", 0, 1,
-                                           "Mobile path: roughness from which they follow it whole");
+                                           "Mobile path: roughness above which the lightmap scales captures in full");
   t.number<&Options::mixing, &Mixing::largest>("mixing-largest", 1e-4, kMaxMixingWeight,
-                                               "Mobile path: the most that a capture is brightened by it");
-  t.choice<&Options::capture>("capture", captureEncodingNames(),
-                              "Mobile path: the environment in 8-bit rgbm, in rgb9e5 of as many bits,\nor in fp16")
+                                               "Mobile path: largest factor by which the lightmap scales a capture");
+  t.choice<&Options::capture>(
+       "capture", captureEncodingNames(),
+       "Mobile path: format of the environment: rgbm (8 bits a channel), rgb9e5 (as large)\nor fp16")
       .titled("mobile capture")
       .otherwise(kPresets)
       .costs(KnobStage::shading)
       .needsScene("environment");
   t.choice<&Options::sky>("sky-sh", skyFormNames(),
-                          "Mobile path: SH coefficients of the sky light, 4 or 9; tinted: 9, band 2\nin one tint")
+                          "Mobile path: SH coefficients of the sky light; tinted: 9, with one colour\nfor band 2")
       .titled("mobile sky")
       .otherwise(kPresets)
       .costs(KnobStage::shading)
@@ -74,7 +75,7 @@ void addLook(base::KnobTable<Options>& t) {
                    ? std::string("9 SH coefficients, one tint for the second band")
                    : fmt::format("{} SH coefficients", skyFormNames().at(static_cast<std::size_t>(o.sky)));
       });
-  t.flag<&Options::localLights>("mobile-local-lights", "Mobile path: up to four local lights an object")
+  t.flag<&Options::localLights>("mobile-local-lights", "Mobile path: shade up to four local lights for each object")
       .titled("mobile local lights")
       .otherwise(kPresets)
       .costs(KnobStage::shading)
@@ -83,18 +84,19 @@ void addLook(base::KnobTable<Options>& t) {
 
 void addShadows(base::KnobTable<Options>& t) {
   t.flag<&Options::spotShadow>("mobile-spot-shadow",
-                               "Mobile path: the brightest spot light casts a shadow, by a map of its own");
-  t.number<&Options::spotShadowSharpen>("mobile-spot-sharpen", 1, 8, "Sharpens that shadow's edge, 1 to 8")
+                               "Mobile path: the brightest spot light casts a shadow, from its own shadow map");
+  t.number<&Options::spotShadowSharpen>("mobile-spot-sharpen", 1, 8, "Sharpness of the edge of this shadow, 1 to 8")
       .needs("mobile-spot-shadow");
-  t.number<&Options::spotShadowFade>("mobile-spot-fade", 0, 1, "How much of that shadow is seen, 0 to 1")
+  t.number<&Options::spotShadowFade>("mobile-spot-fade", 0, 1, "Strength of this shadow, 0 to 1")
       .needs("mobile-spot-shadow");
-  t.flag<&Options::sunShadow>(
-      "mobile-sun-shadow", "Mobile path: the sun casts a shadow by a map, too, beside the baked one, up to a distance");
+  t.flag<&Options::sunShadow>("mobile-sun-shadow",
+                              "Mobile path: the sun casts a shadow from a shadow map, up to a distance,\n"
+                              "in addition to its baked shadow");
   t.number<&Options::sunShadowDistance>("mobile-sun-distance", 1e-3, 1e6,
-                                        "Metres along the view from which on that shadow is gone")
+                                        "Distance from the camera at which this shadow ends, metres")
       .needs("mobile-sun-shadow");
   t.number<&Options::sunShadowFade>("mobile-sun-fade", 0, 1,
-                                    "The last share of that distance over which it goes, 0 to 1")
+                                    "Share of this distance over which the shadow fades out, 0 to 1")
       .needs("mobile-sun-shadow");
 }
 
@@ -112,12 +114,11 @@ std::string describeTextures(const Options& o) {
 }
 
 void addStorage(base::KnobTable<Options>& t) {
-  t.choice<&Options::target>("mobile-target", gpu::outputTargetNames(),
-                             "Render target of the mobile path: what its colour is stored in")
+  t.choice<&Options::target>("mobile-target", gpu::outputTargetNames(), "Mobile path: format of the render target")
       .costs(base::KnobStage::storage)
       .inWords(describeTarget);
   t.choice<&Options::textures>("mobile-textures", base::textureBlockNames(),
-                               "Mobile path: blocks that material textures are compressed in, as a phone has them")
+                               "Mobile path: compression of material textures, as on a phone")
       .costs(base::KnobStage::storage)
       .needsScene("texture")
       .inWords(describeTextures);
@@ -128,10 +129,10 @@ base::KnobTable<Options> makeKnobs() {
   t.section("Paths", {"mobile"});
   addLook(t);
   addShadows(t);
-  t.number<&Options::roughnessFloor>("mobile-roughness-floor", 0, 1, "Mobile path: the least roughness")
+  t.number<&Options::roughnessFloor>("mobile-roughness-floor", 0, 1, "Mobile path: smallest roughness")
       .otherwise(kPresets);
   t.choice<&Options::precision>("precision", precisionNames(),
-                                "Of the mobile path; fp16 falls back to fp32 where the device lacks it")
+                                "Mobile path: precision of its arithmetic; fp16 becomes fp32 on a device without it")
       .titled("mobile precision")
       .costs(base::KnobStage::shading);
   addStorage(t);
@@ -151,15 +152,16 @@ void requireSense(const Options& options, const std::string& display) {
   };
   if (!(options.mixing.begin < options.mixing.end))
     refuse("--mixing-begin",
-           fmt::format("{} is not below --mixing-end, which is {}", options.mixing.begin, options.mixing.end));
+           fmt::format("{} is not below --mixing-end ({})", options.mixing.begin, options.mixing.end));
   // Refit's lobe and its environment BRDF share their terms: neither is anything without the other.
   if ((options.directLobe == DirectLobe::refit) != (options.environmentBrdf == EnvironmentBrdf::refit))
-    refuse("--direct-lobe",
-           fmt::format("'{}' does not go with the preset {}: refit's lobe and its environment BRDF are one",
-                       directLobeNames().at(static_cast<std::size_t>(options.directLobe)), options.preset));
+    refuse(
+        "--direct-lobe",
+        fmt::format("'{}' cannot be combined with the preset {}: refit's lobe and its environment BRDF need each other",
+                    directLobeNames().at(static_cast<std::size_t>(options.directLobe)), options.preset));
   if (gpu::isDisplayed(options.target) && display != "sRGB")
     refuse("--mobile-target",
-           fmt::format("'{}' is what the screen shows, as sRGB: the display transform '{}' needs a float target",
+           fmt::format("'{}' stores sRGB for the screen; the display transform '{}' needs a float target",
                        gpu::outputTargetNames().at(static_cast<std::size_t>(options.target)), display));
 }
 

@@ -60,9 +60,8 @@ public:
     std::vector<std::string> notes = Renderer::notes();
     if (m_maps && !m_maps->note().empty()) notes.push_back(m_maps->note());
     if (m_asksForAll)
-      notes.emplace_back(
-          m_maps ? "has its other shadows baked, and nothing is baked: only high-end casts those of all lights"
-                 : "has its shadows baked, and nothing is baked: only high-end casts them");
+      notes.emplace_back(m_maps ? "there is no baked light, so only lights with a shadow map cast shadows; see --baked"
+                                : "there is no baked light, so no light casts shadows; see --baked");
     return notes;
   }
 
@@ -90,7 +89,7 @@ public:
     const Precision taken = precisionOn(device, own);
     if (taken == own.precision) return {};
     own.precision = taken;
-    return "as the device has no shaderFloat16";
+    return "because the device has no shaderFloat16";
   }
   paths::LightNeeds lightNeeds(const paths::Options&) const override {
     return {.prefilter = {.levels = lighting::PrefilterLevels::first}, .hasOneSun = true, .bakesLocalLights = true};
@@ -133,15 +132,15 @@ public:
     return options.of<Options>().spotShadow || options.of<Options>().sunShadow;
   }
   std::vector<std::string> notesOn(const scenes::Material& m, const paths::Options& options) const override {
-    if (m.fullyRough) return {"fully rough: no specular, no environment fetch on mobile"};
+    if (m.fullyRough) return {"fully rough: mobile has no specular light and no environment fetch"};
     const EnvironmentBrdf brdf = options.of<Options>().environmentBrdf;
     if (m.isNonmetal() && (brdf == EnvironmentBrdf::karis2014 || brdf == EnvironmentBrdf::ue4))
-      return {"nonmetal: EnvBRDFApproxNonmetal on mobile"};
+      return {"nonmetal: mobile uses EnvBRDFApproxNonmetal"};
     return {};
   }
   std::string describeLight(const paths::Options& options, bool hasCaptures) const override {
     const CaptureScale scale = captureScaleOf(options.of<Options>(), hasCaptures);
-    return "mobile reflections scaled: " + captureScaleNames().at(static_cast<std::size_t>(scale));
+    return "scale of mobile reflections: " + captureScaleNames().at(static_cast<std::size_t>(scale));
   }
 
   bool mayDropLights(const std::vector<scenes::Light>& lights, const paths::Options& options) const override {

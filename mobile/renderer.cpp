@@ -111,7 +111,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   const Formula* const own = formulaOf(options.environmentBrdf);
   program.spirv = precision == Precision::fp16 ? (own ? *own : builtIn).fp16 : (own ? *own : builtIn).fp32;
   if (precision != options.precision)
-    m_notes.push_back(fmt::format("fp32 in place of fp16: {} has no shaderFloat16", device.report().name));
+    m_notes.push_back(fmt::format("fp32 replaces fp16: {} has no shaderFloat16", device.report().name));
 
   // The sun comes first, the local lights keep their order; pathData holds indices into this list.
   std::vector<scenes::Light> lights;
@@ -120,14 +120,15 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   const auto directional = std::count_if(inputs.lights.begin(), inputs.lights.end(),
                                          [](const auto& l) { return l.kind == scenes::LightKind::directional; });
   if (directional > 1)
-    m_notes.push_back(fmt::format("{} of {} directional lights are left out: the path has one sun, the brightest",
+    m_notes.push_back(fmt::format("{} of {} directional lights are dropped: the path shades only the brightest",
                                   directional - 1, directional));
   for (const scenes::Light& light : inputs.lights)
     if (light.kind != scenes::LightKind::directional) lights.push_back(light);
   const std::size_t localCount = lights.size() - (sun ? 1 : 0);
   if (!options.localLights) {
     if (localCount > 0)
-      m_notes.push_back(fmt::format("{} local lights are left out: {} has them baked", localCount, options.preset));
+      m_notes.push_back(fmt::format("{} local lights are dropped: the preset {} expects them in baked light",
+                                    localCount, options.preset));
     lights.resize(sun ? 1 : 0);
   } else if (localCount > 0) {
     std::set<std::uint32_t> used;
@@ -140,7 +141,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
     program.localCount = static_cast<std::uint32_t>(used.size());
     if (localCount > kLightsPerObject)
       m_notes.push_back(
-          fmt::format("of {} local lights each object gets the {} brightest", localCount, kLightsPerObject));
+          fmt::format("each object gets only the {1} brightest of {0} local lights", localCount, kLightsPerObject));
   }
   const auto spots =
       std::count_if(lights.begin(), lights.end(), [](const auto& l) { return l.kind == scenes::LightKind::spot; });
@@ -148,14 +149,14 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
                         ? scenes::brightestOf(lights, scenes::LightKind::spot)
                         : std::nullopt;
   const bool hasSunShadow = inputs.shadows && options.sunShadow && sun;
-  if (options.sunShadow && !sun) m_notes.emplace_back("no sun casts a shadow: there is none");
+  if (options.sunShadow && !sun) m_notes.emplace_back("--mobile-sun-shadow has no effect: the scene has no sun");
   if (options.spotShadow && !options.localLights)
-    m_notes.push_back(fmt::format("no spot light casts a shadow: {} has local lights baked", options.preset));
+    m_notes.push_back(fmt::format(
+        "--mobile-spot-shadow has no effect: the preset {} expects local lights in baked light", options.preset));
   else if (options.spotShadow && spots == 0)
-    m_notes.emplace_back("no spot light casts a shadow: there is none");
+    m_notes.emplace_back("--mobile-spot-shadow has no effect: the scene has no spot light");
   else if (options.spotShadow && spots > 1)
-    m_notes.push_back(fmt::format("{} of {} spot lights cast no shadow: the path has one that does, the brightest",
-                                  spots - 1, spots));
+    m_notes.push_back(fmt::format("{} of {} spot lights cast no shadow: only the brightest does", spots - 1, spots));
   for (std::size_t k = 0; k < lights.size(); ++k) {
     const bool casts = k == spot || (hasSunShadow && k == 0);
     program.lights.push_back(gpu::packLight(lights[k], casts ? inputs.shadows->of(lights[k]) : gpu::ShadowOfLight()));

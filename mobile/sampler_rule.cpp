@@ -30,7 +30,7 @@ std::size_t countSamplers(const gpu::Permutation& permutation, const SamplerInpu
 
 std::string describeExcess(const scenes::Material& material, const SamplerInputs& inputs, std::size_t limit) {
   const std::size_t count = countSamplers(material, inputs);
-  return count > limit ? fmt::format("needs {} samplers on mobile, of at most {}", count, limit) : "";
+  return count > limit ? fmt::format("needs {} samplers on mobile, expected at most {}", count, limit) : "";
 }
 
 } // namespace parity::mobile

@@ -13,7 +13,7 @@ gpu::EnvironmentMaps makeCubes(const gpu::Device& device, const gpu::DeviceImage
                       fmt::format("the device cannot filter textures of {}", vk::to_string(shape.format)));
   if (const std::uint32_t limit = device.properties().limits.maxImageArrayLayers; 6 * shape.arraySize > limit)
     throw base::Error(base::ExitCode::failed, device.report().name, "environment captures",
-                      fmt::format("{} cubes, the device takes {} at most", shape.arraySize, limit / 6));
+                      fmt::format("{} cube maps; the device allows at most {}", shape.arraySize, limit / 6));
   vk::SamplerCreateInfo sampler({}, vk::Filter::eLinear, vk::Filter::eLinear, vk::SamplerMipmapMode::eLinear);
   sampler.addressModeU = sampler.addressModeV = sampler.addressModeW = vk::SamplerAddressMode::eClampToEdge;
   sampler.maxLod = VK_LOD_CLAMP_NONE;

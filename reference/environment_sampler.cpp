@@ -39,7 +39,7 @@ void check(const scenes::Environment& environment) {
   const auto fail = [&](const std::string& reason) {
     throw base::fileError("environment " + environment.name, "", reason);
   };
-  if (image.empty() || image.channels != 3) fail("is no image of 3 channels");
+  if (image.empty() || image.channels != 3) fail("is not an image of 3 channels");
   for (const float value : image.pixels)
     if (!(value >= 0 && std::isfinite(value))) fail("holds a radiance that is negative or not finite");
   if (!std::isfinite(environment.rotationDeg)) fail("has a rotation that is not finite");

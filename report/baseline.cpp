@@ -72,7 +72,7 @@ public:
     const std::string effect = rows == 0   ? ""
                                : rows == 1 ? ", so one row is not comparable"
                                            : fmt::format(", so {} rows are not comparable", rows);
-    return fmt::format("the baseline was made otherwise{}: {}", effect, fmt::join(parts, "; "));
+    return fmt::format("the baseline was made with other settings{}: {}", effect, fmt::join(parts, "; "));
   }
 
 private:
@@ -110,7 +110,7 @@ void judgeRegression(compare::CheckResult& check, const compare::Figures* before
   }
   if (!before || before->pixels == 0) {
     check.verdict = compare::Verdict::warn;
-    check.unjudged = !before ? "new, the baseline does not have it" : "the baseline does not show it";
+    check.unjudged = !before ? "new: the baseline does not have it" : "the baseline does not show it";
     return;
   }
   check.unjudged = compare::describeTooDark(check.metric, now);
@@ -232,7 +232,7 @@ void compareWithBaseline(Report& report, const Report& baseline, const BaselineO
     if (!now || !now->error.empty()) continue; // what a scene that failed shows is not known
     for (const ViewResult& view : before.views) collectGone(view, *now, options, summary.gone);
   }
-  if (summary.common == 0) summary.error = "nothing in common: no material that this run shows is shown in it";
+  if (summary.common == 0) summary.error = "no material of this run is visible in the baseline";
   if (std::string other = others.describe(summary.notComparable); !other.empty())
     report.warnings.push_back(std::move(other));
   report.baseline = std::move(summary);

@@ -185,7 +185,7 @@ std::vector<ObservedRun> dropRepeated(const std::vector<ObservedRun>& runs, std:
       texts.push_back(std::move(text));
       once.push_back(run);
     } else {
-      leftOut.push_back(fmt::format("{} is the same as {}: one run", run.source,
+      leftOut.push_back(fmt::format("{} is the same run as {}, so it counts once", run.source,
                                     once[static_cast<std::size_t>(same - texts.begin())].source));
     }
   }
@@ -217,7 +217,7 @@ std::string formatRule(const Subject& subject, const std::string& name, const st
     if (!std::isfinite(value)) continue;
     const std::string limits = formatLimits(figure, value, margin);
     if (limits.find("fail") == std::string::npos)
-      leftOut.push_back(fmt::format("{}: no {} of {} is suggested, nothing could be beyond it (observed: {})", name,
+      leftOut.push_back(fmt::format("{}: no {} of {} is suggested, because no value can exceed it (observed: {})", name,
                                     limits.empty() ? "limit" : "'fail'", figure.name,
                                     compare::formatFigure(figure.name, value)));
     if (!limits.empty()) checks += fmt::format("  {{ metric = {}, {} }},\n", quoteToml(figure.name), limits);
@@ -251,17 +251,17 @@ SuggestedBudgets suggestBudgets(const std::vector<ObservedRun>& given, const Sug
     const std::string name =
         fmt::format("'{}' of scene '{}'", subject.whole ? "whole image" : subject.material, subject.scene);
     if (subject.scene.empty() || (!subject.whole && subject.material.empty())) {
-      leftOut.push_back(name + " has no name that a rule could match");
+      leftOut.push_back(name + " has no name, so no rule can match it");
       continue;
     }
     if (subject.nonFinite) continue; // said while it was gathered
-    if (isIdentical(subject)) leftOut.push_back(name + " was identical: nothing to limit");
+    if (isIdentical(subject)) leftOut.push_back(name + " was identical, so it needs no limit");
     const std::string rule = formatRule(subject, name, figures, options.margin, leftOut);
     (subject.whole ? wholes : rules) += rule;
   }
   if (rules.empty() && wholes.empty())
     throw base::fileError(runs.front().source, "",
-                          leftOut.empty() ? "no material was compared in it: nothing to suggest"
+                          leftOut.empty() ? "compared no material, so there is nothing to suggest"
                                           : fmt::format("nothing to suggest: {}", fmt::join(leftOut, "; ")));
 
   std::string text = fmt::format("# Budgets suggested from {}", countRuns(runs.size()));
@@ -271,7 +271,7 @@ SuggestedBudgets suggestBudgets(const std::vector<ObservedRun>& given, const Sug
       "fail.\n",
       100 * options.margin, 200 * options.margin);
   if (runs.size() < 20)
-    text += "# Of fewer than 20 runs the 95th percentile is the largest value: more runs say more.\n";
+    text += "# With fewer than 20 runs the 95th percentile is the largest value; more runs give better limits.\n";
   for (const std::string& each : leftOut) text += "# Left out: " + base::plainLine(each) + "\n";
   return {text + rules + wholes, std::move(leftOut)};
 }

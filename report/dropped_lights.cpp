@@ -27,10 +27,9 @@ std::string describe(const DroppedLights& dropped, const std::string& reference,
     const LightEffect& effect = light.materials.front();
     text += named++ == 0 ? fmt::format("; without '{}' the {} picture of '{}' changes by FLIP {}", light.name,
                                        titleOf(reference), effect.material, flip)
-                         : fmt::format(", without '{}' of '{}' by {}", light.name, effect.material, flip);
+                         : fmt::format(", '{1}' by {2} without '{0}'", light.name, effect.material, flip);
   }
-  if (named == 0)
-    text += fmt::format("; without any one of those measured the {} picture looks the same", titleOf(reference));
+  if (named == 0) text += fmt::format("; no measured light changes the {} picture", titleOf(reference));
   if (!dropped.notMeasured.empty())
     text += fmt::format("; {} more {} not measured (--dropped-lights)", dropped.notMeasured.size(),
                         dropped.notMeasured.size() == 1 ? "was" : "were");

@@ -34,8 +34,9 @@ struct DroppedLights {
 // Puts the materials of each light, and the lights, in order of their effect; equal ones stay in the order they have.
 void rankByEffect(DroppedLights& dropped);
 
-// "mobile drops 5 of 9 lights; without 'lamp 3' the high-end picture of 'floor' changes by FLIP 0.043, without ...; 2
-// more were not measured": of up to three lights the material that each changes the most. Paths by their names.
+// "mobile drops 5 of 9 lights; without 'lamp 3' the high-end picture of 'floor' changes by FLIP 0.043, 'wall' by
+// 0.03 without 'lamp 1'; 2 more were not measured": of up to three lights the material that each changes the most.
+// Paths by their names.
 std::string describe(const DroppedLights& dropped, const std::string& reference, const std::string& test);
 
 } // namespace parity::report

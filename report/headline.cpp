@@ -41,7 +41,8 @@ std::string headline(const Report& report) {
       return fmt::format("Within budget, with warnings for {} of {} {}", counts.warn, counts.total(), rows);
     if (countWholes(report).warn > 0) return "Within budget, with a warning for a whole image";
     return !report.baseline || report.baseline->gone.empty()
-               ? fmt::format("Within budget, with {} of the run", plural(report.warnings.size(), "warning", "warnings"))
+               ? fmt::format("Within budget, with {} about the run",
+                             plural(report.warnings.size(), "warning", "warnings"))
                : fmt::format(
                      "Within budget, but {} missing",
                      plural(report.baseline->gone.size(), "entry of the baseline is", "entries of the baseline are"));

@@ -68,8 +68,8 @@ std::vector<RunProblem> findLost(const compare::Budgets& budgets, const std::vec
                                   ? fmt::format("none of the scenes {} has", fmt::join(names, ", "))
                                   : fmt::format("none of {} scenes has", names.size());
     lost.push_back({compare::Verdict::fail,
-                    fmt::format("{}: material '{}' is required to be seen (require_seen), and {} {}", rule.origin,
-                                rule.material, where, names.size() == 1 ? "no such material" : "one"),
+                    fmt::format("{}: require_seen requires material '{}', but {} {}", rule.origin, rule.material, where,
+                                names.size() == 1 ? "no such material" : "one"),
                     rule.file, rule.line});
   }
   return lost;

@@ -40,7 +40,7 @@ std::string ruleLines(const compare::AppliedRule& rule) {
 
 std::string baselineLines(const std::optional<BaselineChange>& baseline) {
   if (!baseline) return {};
-  if (baseline->isNew) return "baseline: new, it does not show it\n";
+  if (baseline->isNew) return "baseline: does not show this material\n";
   if (!baseline->notComparable.empty()) return fmt::format("baseline: not comparable: {}\n", baseline->notComparable);
   std::string line = fmt::format("baseline: {}", nameOf(baseline->before));
   for (const FigureChange& change : baseline->changes)

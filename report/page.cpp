@@ -38,7 +38,7 @@ std::vector<std::string> rowsOverBudget(const Report& report) {
 
 // For readers without scripts.
 std::string plainPage(const Report& report) {
-  std::string html = "<p>This page needs JavaScript; all of its data is in report.json.</p>\n";
+  std::string html = "<p>This page needs JavaScript; report.json holds all of its data.</p>\n";
   if (report.baseline && !report.baseline->error.empty())
     html += fmt::format("<p>{}</p>\n", base::escapeMarkup(report.baseline->error));
   if (const std::vector<std::string> rows = rowsOverBudget(report); !rows.empty()) {

@@ -30,11 +30,11 @@ std::string describeCosts(const std::vector<PermutationResult>& permutations) {
   const std::vector<PathCost> paths = costsByPath(permutations);
   if (paths.size() < 2) return {};
   const PathCost& first = paths.front();
-  std::string text = fmt::format("a pixel costs {:.0f} scalar operations and {:.1f} texture fetches by {}",
+  std::string text = fmt::format("cost of a pixel: {2} {0:.0f} scalar operations and {1:.1f} texture fetches",
                                  first.operations, first.fetches, titleOf(first.path));
   for (std::size_t i = 1; i < paths.size(); ++i) {
     const PathCost& path = paths[i];
-    text += fmt::format("{} {:.0f} and {:.1f} by {}", i == 1 ? "," : ";", path.operations, path.fetches,
+    text += fmt::format("{0} {3} {1:.0f} and {2:.1f}", i == 1 ? "," : ";", path.operations, path.fetches,
                         titleOf(path.path));
     if (first.operations > 0) text += fmt::format(": {:.2f} of the operations", path.operations / first.operations);
     if (first.operations > 0 && first.fetches > 0)

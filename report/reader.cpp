@@ -46,7 +46,7 @@ public:
   }
   bool isNull() const { return m_value.is_null(); }
   std::string text() const {
-    if (!m_value.is_string()) refuse("is not a text");
+    if (!m_value.is_string()) refuse("is not a string");
     return m_value.get<std::string>();
   }
   double number() const {
@@ -139,13 +139,13 @@ Report readReport(const std::filesystem::path& fileOrFolder) {
   try {
     document = json::parse(text);
   } catch (const json::parse_error& error) {
-    throw base::fileError(path.string(), fmt::format("byte {}", error.byte), "is no JSON");
+    throw base::fileError(path.string(), fmt::format("byte {}", error.byte), "is not JSON");
   }
   const Node root(document, path.string(), "");
   const std::uint64_t schema = root.at("schema").count();
   if (schema < kOldestRead || schema > kReportSchema)
     root.at("schema").refuse(
-        fmt::format("is {}, of {} version of parity; this one reads {} to {}: make the report again", schema,
+        fmt::format("is {}, from {} version of parity; this one reads {} to {}; make the report again", schema,
                     schema > kReportSchema ? "a newer" : "an older", kOldestRead, kReportSchema));
   Report report;
   readRecord(root, report);

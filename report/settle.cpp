@@ -49,7 +49,7 @@ Judgement judgeChecks(const std::vector<compare::CheckResult>& checks) {
     if (check.verdict == judgement.verdict && check.verdict != compare::Verdict::pass)
       judgement.add(compare::describeCheck(check));
   }
-  if (!anyJudged) judgement.reason = "nothing of its budget could be judged: " + judgement.reason;
+  if (!anyJudged) judgement.reason = "no check of its budget could be judged: " + judgement.reason;
   return judgement;
 }
 
@@ -115,7 +115,7 @@ std::string findOtherView(const SceneResult& scene, const ViewResult& here, std:
 
 // "12 pixels, fewer than the 64 of its budget (min_pixels)".
 std::string describeSize(const MaterialResult& material) {
-  return fmt::format("{} pixel{}, fewer than the {} of its budget (min_pixels)", material.figures.pixels,
+  return fmt::format("{} pixel{}, fewer than min_pixels = {} of its budget", material.figures.pixels,
                      material.figures.pixels == 1 ? "" : "s", material.rule.minPixels);
 }
 
@@ -124,7 +124,7 @@ void settleWhole(ViewResult& view) {
   if (view.materials.empty())
     judgement = {compare::Verdict::error, "the view holds no material to compare"};
   else if (view.whole.pixels == 0)
-    judgement = {compare::Verdict::notSeen, "no pixel of this view shows any material"};
+    judgement = {compare::Verdict::notSeen, "no pixel of this view shows a material"};
   else
     judgement = withBaseline(withTruth(judgeSeen(view.whole, view.checks, {}, false), view.truth), view.baseline);
   view.wholeVerdict = judgement.verdict;
@@ -229,7 +229,7 @@ void settleMaterial(MaterialResult& material, bool seenElsewhere) {
       material.seenElsewhere = true;
       judgement.add("another view shows it");
     } else if (material.rule.requireSeen) {
-      judgement = {compare::Verdict::fail, judgement.reason + ", and its budget requires that it is seen"};
+      judgement = {compare::Verdict::fail, judgement.reason + ", but its budget requires that it is seen"};
     }
   }
   material.verdict = judgement.verdict;

@@ -27,11 +27,11 @@ bool isShown(const StageResult& stage) {
 StageWords describe(const StageResult& stage, const std::string& path) {
   if (stage.stage == kEncodingStage)
     return {"target",
-            fmt::format("mean FLIP that storing {}'s colour in {} makes by itself", titleOf(path), stage.through)};
+            fmt::format("mean FLIP caused only by storing the colour of {} in {}", titleOf(path), stage.through)};
   if (stage.stage == kTexturesStage)
     return {"textures",
-            fmt::format("mean FLIP that {}'s textures in {} make by themselves", titleOf(path), stage.through)};
-  return {stage.stage, fmt::format("mean FLIP that {} makes by itself", stage.through)};
+            fmt::format("mean FLIP caused only by compressing the textures of {} as {}", titleOf(path), stage.through)};
+  return {stage.stage, fmt::format("mean FLIP caused only by {}", stage.through)};
 }
 
 } // namespace parity::report

@@ -223,8 +223,8 @@ std::string unjudgedLine(const Report& report) {
   if (count == 0) return {};
   return fmt::format("regressions not judged: {} ({})\n", count,
                      !report.baseline                     ? "no --baseline was given"
-                     : report.baseline->notComparable > 0 ? "the baseline has nothing comparable to hold them against"
-                                                          : "the baseline has nothing to hold them against");
+                     : report.baseline->notComparable > 0 ? "the baseline has no comparable figures"
+                                                          : "the baseline does not have their figures");
 }
 
 // A line for each problem.
@@ -288,17 +288,18 @@ std::string toTable(const Report& report, bool color) {
                        base::plainLine(problem.reason));
   out += unjudgedLine(report);
   const std::string tests = joined({paths.begin() + 1, paths.end()}, " or ", titleOf), first = titleOf(paths.front());
-  out +=
-      fmt::format("FLIP of the displayed images (0 alike, 1 far apart): mean, p95, max. Each material against the {} "
-                  "picture in which it alone has {}'s colours; the whole image {} against {}.\n",
-                  first, tests, first, tests);
+  out += fmt::format(
+      "mean, p95, max: FLIP of the displayed images (0: identical, 1: largest difference). A material row compares the "
+      "{} picture with a copy in which only this material has the colours of {}. The row of the whole image compares "
+      "{} "
+      "with {}.\n",
+      first, tests, first, tests);
   out += stageLines(report);
   if (hasTruth(report))
-    out +=
-        fmt::format("{}: mean FLIP of {} against the truth; ~ where the difference is within 2 standard errors of the "
-                    "truth.\n",
-                    joined(paths, ", ", [&](const std::string& path) { return truthColumn(path, paths); }),
-                    joined(paths, " and of ", titleOf));
+    out += fmt::format(
+        "{}: mean FLIP of {} against the truth; ~ marks a difference within 2 standard errors of the truth.\n",
+        joined(paths, ", ", [&](const std::string& path) { return truthColumn(path, paths); }),
+        joined(paths, " and of ", titleOf));
   return out + fmt::format("verdict: {} ({})\n", paint(report.verdict, nameOf(report.verdict), color), summary(report));
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "compare/verdict/wording.h"
+#include "report/term_words.h"
 
 namespace parity::report {
 namespace {
@@ -18,7 +19,7 @@ std::string describeGone(const GoneRow& row) {
                                ? fmt::format("material '{}', scene {}, view {}", row.material, row.scene, row.view)
                            : !row.view.empty() ? fmt::format("view {} of scene {}", row.view, row.scene)
                                                : "scene " + row.scene;
-  return fmt::format("gone: {}: the baseline has it, this run does not", what);
+  return fmt::format("gone: {}: in the baseline, but not in this run", what);
 }
 
 std::string titleOf(const std::string& path) { return path == "highend" ? "high-end" : path; }
@@ -29,8 +30,8 @@ std::string describeCause(const compare::Attribution& attribution, const std::st
   const auto best = std::ranges::min_element(attribution.terms, {}, &compare::TermEffect::flip);
   if (best == attribution.terms.end() || !(best->flip <= (1 - kLeastExplained) * attribution.flip))
     return "no single term explains it";
-  return fmt::format("{}: FLIP {} -> {} with {}'s", best->term, flip, compare::formatFigure("flip.mean", best->flip),
-                     titleOf(reference));
+  return fmt::format("{}: FLIP {} -> {} with the {} term", termWithWords(best->term), flip,
+                     compare::formatFigure("flip.mean", best->flip), titleOf(reference));
 }
 
 } // namespace parity::report

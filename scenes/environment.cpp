@@ -34,7 +34,7 @@ std::array<std::size_t, 3> findColors(const base::ImageInfo& info, const std::st
                                   [](const std::string& name) { return name == "Y" || name == "A" || name == "Z"; });
   if (const std::size_t grey = find("Y"); isGrey && isThere(grey)) return {grey, grey, grey};
   throw base::fileError(label, "",
-                        fmt::format("the channels are {}: an environment has R, G and B, or Y",
+                        fmt::format("has the channels {}; an environment needs R, G and B, or Y",
                                     cleanName(fmt::format("{}", fmt::join(names, ", ")))));
 }
 
@@ -73,15 +73,15 @@ base::Image toPanorama(base::ImageFile file, const std::string& label) {
   const base::ImageInfo& info = file.info;
   base::Image& pixels = file.pixels;
   if (pixels.empty()) throw base::fileError(label, "", "the image has no pixels");
-  if (info.isCubeMap)
-    throw base::fileError(label, "envmap", "is a cube map: an environment is a panorama of latitude and longitude");
+  if (info.isCubeMap) throw base::fileError(label, "envmap", "is a cube map; give a latitude-longitude panorama");
   if (info.x != info.fullX || info.y != info.fullY || pixels.width != info.fullWidth ||
       pixels.height != info.fullHeight)
-    throw base::fileError(label, "dataWindow",
-                          fmt::format("{}x{} pixels at {:+}{:+} where the picture is {}x{} at {:+}{:+}: an environment "
-                                      "is whole",
-                                      pixels.width, pixels.height, info.x, info.y, info.fullWidth, info.fullHeight,
-                                      info.fullX, info.fullY));
+    throw base::fileError(
+        label, "dataWindow",
+        fmt::format("holds {}x{} pixels at {:+}{:+} of a picture of {}x{} at {:+}{:+}; an environment "
+                    "must be complete",
+                    pixels.width, pixels.height, info.x, info.y, info.fullWidth, info.fullHeight, info.fullX,
+                    info.fullY));
   const std::array<std::size_t, 3> colors = findColors(info, label);
   if (pixels.channels != 3 || colors != std::array<std::size_t, 3>{0, 1, 2}) {
     base::Image rgb(pixels.width, pixels.height, 3);
@@ -93,7 +93,7 @@ base::Image toPanorama(base::ImageFile file, const std::string& label) {
   base::Image upright = toUpright(std::move(pixels), info.orientation);
   if (upright.width != 2 * upright.height)
     throw base::fileError(label, "",
-                          fmt::format("{}x{} pixels: a panorama of latitude and longitude is twice as wide as high",
+                          fmt::format("has {}x{} pixels; a latitude-longitude panorama must be twice as wide as high",
                                       upright.width, upright.height));
   return upright;
 }
@@ -148,13 +148,14 @@ Environment loadEnvironment(const std::string& fileOrBuiltin, float rotationDeg,
     }
     const CleanedCounts counts = cleanRadiance(environment.radiance, fileOrBuiltin);
     if (counts.notANumber + counts.infinite + counts.negative > 0)
-      warnings.push_back(fmt::format("environment {}: of {} values, {} NaN and {} negative became 0, {} infinite the "
-                                     "largest finite",
+      warnings.push_back(fmt::format("environment {}: of {} values, {} NaN and {} negative ones are set to 0, and {} "
+                                     "infinite ones to the largest finite value",
                                      environment.name, environment.radiance.pixels.size(), counts.notANumber,
                                      counts.negative, counts.infinite));
     if (counts.tooLarge > 0)
-      warnings.push_back(fmt::format("environment {}: {} of {} values are above {:g} and became that", environment.name,
-                                     counts.tooLarge, environment.radiance.pixels.size(), kMaxRadiance));
+      warnings.push_back(fmt::format("environment {}: {} of {} values are above {:g} and are set to it",
+                                     environment.name, counts.tooLarge, environment.radiance.pixels.size(),
+                                     kMaxRadiance));
   }
   environment.rotationDeg = rotationDeg;
   base::logDetail(fmt::format("environment {}: {} x {} pixels", fileOrBuiltin, environment.radiance.width,

@@ -20,7 +20,7 @@ Scene readScene(const std::string& fileOrBuiltin, const LoadOptions& options) {
                                         std::pair("--animation", &options.animation)})
       if (!value->empty() && !(value == &options.animation && *value == kNoAnimation))
         throw base::Error(base::ExitCode::usage, option, "",
-                          fmt::format("'{}': {} has none to choose from", cleanName(*value), fileOrBuiltin));
+                          fmt::format("'{}' is unknown: {} has none", cleanName(*value), fileOrBuiltin));
     return makeBuiltinScene(fileOrBuiltin.substr(kBuiltin.size()));
   }
   return loadGltf(fileOrBuiltin, options);

@@ -41,25 +41,26 @@ void addLoading(KnobTable<SceneSettings>& t) {
   using S = SceneSettings;
   using L = LoadOptions;
   t.number<&S::load, &L::timeSeconds>("time", -kMaxPoseSeconds, kMaxPoseSeconds,
-                                      "The pose of the file's animations at this time, seconds")
+                                      "Time in seconds; the file's animations are posed at it")
       .ofScene()
       .inWords([](const S& s) { return fmt::format("{} s", s.load.timeSeconds); });
   t.text<&S::load, &L::animation>("animation", "all",
-                                  "Only this animation, by name or number; none: the rest pose. Default: all that\n"
-                                  "move nothing an earlier one does")
+                                  "Only this animation, by name or number; none: the rest pose. Default: every\n"
+                                  "animation that moves nothing an earlier one moves")
       .ofScene();
   t.text<&S::load, &L::scene>("scene", "the default",
-                              "The scene of the file, by name or number. Default: the file's own choice")
+                              "Scene in the file, by name or number. Default: the file's default scene")
       .titled("scene of the file")
       .ofScene();
-  t.text<&S::load, &L::variant>("variant", "none", "The variant of its materials, by name or number. Default: none")
+  t.text<&S::load, &L::variant>("variant", "none", "Variant of the materials, by name or number. Default: none")
       .ofScene();
-  t.choice<&S::subject>("subject", {"scene", "ball"},
-                        "scene, or ball: each material of the file on a sphere, so that every one is seen")
+  t.choice<&S::subject>(
+       "subject", {"scene", "ball"},
+       "scene: the scene as it is; ball: each material of the file on a sphere, so that all are visible")
       .ofScene();
   t.special(
        KnobType::text, "max-image", "SIDE[,MEGAPIXELS]",
-       "SIDE or SIDE,MEGAPIXELS: largest texture, and all of a scene together. Default 16384,512",
+       "Largest side of a texture, and megapixels of all textures together. Default 16384,512",
        [](S& s, const std::string& text) {
          const bool both = text.find(',') != std::string::npos;
          const std::string form = both ? "SIDE,MEGAPIXELS" : "SIDE";
@@ -76,8 +77,8 @@ void addLoading(KnobTable<SceneSettings>& t) {
       .otherwise("16384,512");
   t.special(
        KnobType::text, "max-memory", "BYTES",
-       "Most that loading a scene may take: its files, meshes, images together, such as 512M; and most\n"
-       "for the pictures of --size. Default 4G",
+       "Memory limit for loading a scene (files, meshes and images together), and for the pictures\n"
+       "of --size; such as 512M. Default 4G",
        [](S& s, const std::string& text) { s.load.maxMemoryBytes = base::readBytes(text); },
        [](const S& s) { return std::to_string(s.load.maxMemoryBytes); })
       .titled("limit of memory")
@@ -88,22 +89,23 @@ void addLoading(KnobTable<SceneSettings>& t) {
 void addSky(KnobTable<SceneSettings>& t) {
   using S = SceneSettings;
   t.file<&S::environment>("env", "FILE", "not given",
-                          "HDR environment: .hdr, .exr, .pfm or builtin:sky, studio, night, white")
+                          "HDR environment: .hdr, .exr or .pfm file, or builtin:sky, studio, night, white")
       .alias("environment")
       .titled("environment")
       .ofScene();
-  t.number<&S::environmentRotationDeg>("env-rotation", -3600, 3600, "Turn the environment about +Y, degrees")
+  t.number<&S::environmentRotationDeg>("env-rotation", -3600, 3600, "Rotation of the environment about +Y, degrees")
       .alias("environment-rotation")
       .titled("environment rotation")
       .ofScene();
-  t.flag<&S::extractSun>("sun-extraction", "Bright compact sources (the sun) of the environment become lights");
+  t.flag<&S::extractSun>("sun-extraction",
+                         "Turn small bright sources of the environment, such as the sun, into lights");
   t.special(
        KnobType::numbers, "sun", "AZIMUTH,ELEVATION,LUX", "Add a directional light: AZIMUTH,ELEVATION,LUX (degrees)",
        [](S& s, const std::string& text) {
          const auto n = base::readNumbers(text, "AZIMUTH,ELEVATION,LUX");
          if (std::abs(n[1]) > 90)
-           throw base::KnobError{fmt::format("'{}' is not a place in the sky: ELEVATION is from -90 to 90", text)};
-         if (n[2] < 0) throw base::KnobError{fmt::format("'{}' is not a light: LUX is negative", text)};
+           throw base::KnobError{fmt::format("'{}' is not a direction: ELEVATION must be from -90 to 90", text)};
+         if (n[2] < 0) throw base::KnobError{fmt::format("'{}' is not a light: LUX must not be negative", text)};
          s.sun = SunRequest{n[0], n[1], n[2]};
        },
        [](const S& s) {
@@ -117,28 +119,28 @@ void addLight(KnobTable<SceneSettings>& t) {
   using S = SceneSettings;
   using Scales = LightScales;
   addColor<&S::lightScales, &Scales::skyLightColor>(t, "sky-light-color", kMaxLightScale,
-                                                    "R,G,B that scales the environment's light")
+                                                    "Scale of the environment's light")
       .ofScene();
   addColor<&S::lightScales, &Scales::indirectColorScale>(t, "indirect-color-scale", kMaxLightScale,
-                                                         "R,G,B that scales the light of lightmaps (--baked)")
+                                                         "Scale of the light in lightmaps (--baked)")
       .alias("indirect-lighting-color-scale")
       .ofScene();
   t.number<&S::lightScales, &Scales::sunSpecularScale>("sun-specular-scale", 0, kMaxLightScale,
-                                                       "Scales the specular light of directional lights")
+                                                       "Scale of the specular light of directional lights")
       .alias("directional-specular-scale")
       .ofScene();
   t.choice<&S::falloff>("falloff", falloffNames(),
-                        "How point and spot lights fade, in every path: as KHR_lights_punctual or as UE4")
+                        "Falloff of point and spot lights in every path: as in KHR_lights_punctual or as in UE4")
       .ofScene();
   t.special(
        KnobType::numbers, "fog", "DENSITY,FALLOFF,HEIGHT",
-       "Height fog: DENSITY,FALLOFF,HEIGHT (1/m at HEIGHT; halves every 1/FALLOFF m upwards; m)",
+       "Height fog: DENSITY in 1/m at HEIGHT metres; density halves with each 1/FALLOFF metres of height",
        [](S& s, const std::string& text) {
          const auto n = base::readNumbers(text, "DENSITY,FALLOFF,HEIGHT");
          if (n[0] < 0 || n[0] > kMaxFogDensity || n[1] < 0 || n[1] > kMaxFogFalloff || std::abs(n[2]) > kMaxFogLength)
            throw base::KnobError{fmt::format(
-               "'{}' is not a fog: DENSITY is from 0 to {:.0f}, FALLOFF from 0 to {:.0f}, HEIGHT within {:.0f} m", text,
-               kMaxFogDensity, kMaxFogFalloff, kMaxFogLength)};
+               "'{}' is not a fog: DENSITY must be from 0 to {:.0f}, FALLOFF from 0 to {:.0f}, HEIGHT within {:.0f} m",
+               text, kMaxFogDensity, kMaxFogFalloff, kMaxFogLength)};
          s.fog.density = n[0], s.fog.heightFalloff = n[1], s.fog.height = n[2];
        },
        [](const S& s) {
@@ -146,13 +148,13 @@ void addLight(KnobTable<SceneSettings>& t) {
        })
       .otherwise("none")
       .ofScene();
-  addColor<&S::fog, &Fog::color>(t, "fog-color", kMaxFogRadiance, "Radiance of thick fog, linear R,G,B")
+  addColor<&S::fog, &Fog::color>(t, "fog-color", kMaxFogRadiance, "Radiance of dense fog, linear R,G,B")
       .needs("fog")
       .ofScene();
-  t.number<&S::fog, &Fog::startDistance>("fog-start", 0, kMaxFogLength, "No fog nearer than this, metres")
+  t.number<&S::fog, &Fog::startDistance>("fog-start", 0, kMaxFogLength, "Distance at which fog starts, metres")
       .needs("fog")
       .ofScene();
-  t.number<&S::fog, &Fog::maxOpacity>("fog-opacity", 0, 1, "The most that fog hides, 0 to 1").needs("fog").ofScene();
+  t.number<&S::fog, &Fog::maxOpacity>("fog-opacity", 0, 1, "Largest opacity of fog, 0 to 1").needs("fog").ofScene();
 }
 
 KnobTable<SceneSettings> makeSceneKnobs() {
@@ -162,9 +164,10 @@ KnobTable<SceneSettings> makeSceneKnobs() {
   addSky(t);
   addLoading(t);
   addLight(t);
-  t.texts<&S::fullyRough>("fully-rough", "none", "Materials that take the fully-rough shortcut (glob, repeatable)");
+  t.texts<&S::fullyRough>("fully-rough", "none",
+                          "Materials that use the mobile path's fully-rough shortcut (glob, repeatable)");
   t.file<&S::baked>("baked", "FOLDER", "none",
-                    "Folder of baked light, by 'parity bake'; of several scenes: that of all")
+                    "Folder of baked light from 'parity bake'. All scenes of the command use it")
       .titled("baked light")
       .ofScene();
   return t;
@@ -181,31 +184,33 @@ KnobTable<ViewRequest> makeViewKnobs() {
   KnobTable<V> t;
   t.section("View");
   t.special(
-       KnobType::text, "camera", "", "A glTF camera by name or number, or auto",
+       KnobType::text, "camera", "", "glTF camera, by name or number, or auto",
        [](V& v, const std::string& text) { v.camera = text == "auto" ? "" : text; },
        [](const V& v) {
          return v.camera.empty() || v.camera == "auto" ? std::string("automatic") : base::listText({v.camera}, "");
        })
       .otherwise("auto");
   t.special(
-       KnobType::numbers, "orbit", "THETA,PHI,RADIUS", "THETA,PHI,RADIUS: degrees, metres (radius 0 fits the scene)",
+       KnobType::numbers, "orbit", "THETA,PHI,RADIUS",
+       "Camera around the target: angles in degrees, radius in metres (0: fit the scene)",
        [](V& v, const std::string& text) {
          const auto n = base::readNumbers(text, "THETA,PHI,RADIUS");
          if (n[1] < 0 || n[1] > 180 || n[2] < 0)
-           throw base::KnobError{fmt::format("'{}' is not an orbit: PHI is from 0 to 180, RADIUS at least 0", text)};
+           throw base::KnobError{
+               fmt::format("'{}' is not an orbit: PHI must be from 0 to 180, RADIUS at least 0", text)};
          v.orbit = glm::vec3(n[0], n[1], n[2]);
        },
        optionalText<&V::orbit>())
       .otherwise("not given");
   t.special(
-       KnobType::numbers, "target", "X,Y,Z", "X,Y,Z to look at, metres. Default: the centre of the scene",
+       KnobType::numbers, "target", "X,Y,Z", "Point to look at, metres. Default: the centre of the scene",
        [](V& v, const std::string& text) {
          const auto n = base::readNumbers(text, "X,Y,Z");
          v.target = glm::vec3(n[0], n[1], n[2]);
        },
        optionalText<&V::target>())
       .otherwise("not given");
-  t.number<&V::fovYDeg>("fov", 1, 170, "Vertical field of view, degrees; a scene's own camera keeps its own")
+  t.number<&V::fovYDeg>("fov", 1, 170, "Vertical field of view, degrees. Does not apply to a camera of the file")
       .titled("field of view");
   return t;
 }

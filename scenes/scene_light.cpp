@@ -24,9 +24,9 @@ std::string describe(const LightScales& scales, const Fog& fog, Falloff falloff)
   if (falloff != Falloff::khr)
     parts.push_back("falloff of local lights: " + falloffNames().at(static_cast<std::size_t>(falloff)));
   if (fog.isSeen())
-    parts.push_back(fmt::format("fog of {} per m at {} m, falloff {} per m, colour {}, from {} m on, opacity to {}",
-                                fog.density, fog.height, fog.heightFalloff, rgb(fog.color), fog.startDistance,
-                                fog.maxOpacity));
+    parts.push_back(
+        fmt::format("fog: density {} per m at {} m, falloff {} per m, colour {}, start {} m, largest opacity {}",
+                    fog.density, fog.height, fog.heightFalloff, rgb(fog.color), fog.startDistance, fog.maxOpacity));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 

@@ -35,7 +35,7 @@ public:
       const std::string_view name = key.str();
       if (std::find(known.begin(), known.end(), name) == known.end())
         throw errorAt(node, cleanName(name),
-                      fmt::format("no such key in {}; {}", what, base::describeNearest(name, known)));
+                      fmt::format("unknown key in {}; {}", what, base::describeNearest(name, known)));
     }
   }
 
@@ -50,9 +50,9 @@ public:
   std::optional<std::string> text(std::string_view key) const {
     const toml::node* node = m_table.get(key);
     if (!node) return std::nullopt;
-    if (!node->is_string()) throw errorAt(key, "not a string");
+    if (!node->is_string()) throw errorAt(key, "is not a string");
     std::string value = node->value_or(std::string{});
-    if (value.empty()) throw errorAt(key, "an empty string");
+    if (value.empty()) throw errorAt(key, "is an empty string");
     return value;
   }
 
@@ -62,11 +62,11 @@ public:
     if (!node) return std::nullopt;
     if (knob.type == base::KnobType::numbers || knob.type == base::KnobType::texts) return listOf(*node, key, knob);
     if (knob.type == base::KnobType::flag) {
-      if (!node->is_boolean()) throw errorAt(key, "neither true nor false");
+      if (!node->is_boolean()) throw errorAt(key, "is not true or false");
       return base::KnobValue{node->value_or(false) ? "on" : "off"};
     }
     const bool isNumber = knob.type == base::KnobType::number || knob.type == base::KnobType::whole;
-    if (isNumber && !node->is_number()) throw errorAt(key, "not a number");
+    if (isNumber && !node->is_number()) throw errorAt(key, "is not a number");
     if (isNumber || (knob.type == base::KnobType::choice && node->is_number()))
       return base::KnobValue{base::numberText(node->value_or(0.0))};
     return base::KnobValue{*text(key)};
@@ -77,11 +77,11 @@ public:
     const toml::node* node = m_table.get(key);
     if (!node) return {};
     const toml::array* list = node->as_array();
-    if (!list || list->size() > most) throw errorAt(key, fmt::format("not a list of at most {} places", most));
+    if (!list || list->size() > most) throw errorAt(key, fmt::format("is not a list of at most {} places", most));
     std::vector<glm::vec3> values;
     for (const toml::node& entry : *list) {
       const toml::array* place = entry.as_array();
-      if (!place || place->size() != 3) throw errorAt(entry, std::string(key), "not a list of places [x, y, z]");
+      if (!place || place->size() != 3) throw errorAt(entry, std::string(key), "is not a list of places [x, y, z]");
       glm::vec3& value = values.emplace_back();
       for (int c = 0; c < 3; ++c)
         value[c] = static_cast<float>(numberOf((*place)[static_cast<std::size_t>(c)], key, -1e6, 1e6));
@@ -99,7 +99,7 @@ public:
   // [key]; null where it is absent. form: how it is written.
   const toml::table* table(std::string_view key, std::string_view form) const {
     const toml::node* node = m_table.get(key);
-    if (node && !node->is_table()) throw errorAt(key, fmt::format("not a table: write {}", form));
+    if (node && !node->is_table()) throw errorAt(key, fmt::format("is not a table; write {}", form));
     return node ? node->as_table() : nullptr;
   }
 
@@ -108,10 +108,10 @@ public:
     const toml::node* node = m_table.get(key);
     if (!node) return {};
     const toml::array* list = node->as_array();
-    if (!list) throw errorAt(key, fmt::format("not a list of tables: write [[{}]]", key));
+    if (!list) throw errorAt(key, fmt::format("is not a list of tables; write [[{}]]", key));
     std::vector<const toml::table*> values;
     for (const toml::node& entry : *list) {
-      if (!entry.is_table()) throw errorAt(entry, std::string(key), fmt::format("not a table: write [[{}]]", key));
+      if (!entry.is_table()) throw errorAt(entry, std::string(key), fmt::format("is not a table; write [[{}]]", key));
       values.push_back(entry.as_table());
     }
     return values;
@@ -121,7 +121,7 @@ private:
   base::KnobValue listOf(const toml::node& node, const std::string& key, const base::Knob& knob) const {
     const bool ofTexts = knob.type == base::KnobType::texts;
     const auto count = static_cast<std::size_t>(std::count(knob.form.begin(), knob.form.end(), ',')) + 1;
-    const std::string wanted = ofTexts ? "not a list of strings" : fmt::format("not a list of {} numbers", count);
+    const std::string wanted = ofTexts ? "is not a list of strings" : fmt::format("is not a list of {} numbers", count);
     const toml::array* list = node.as_array();
     if (!list || (!ofTexts && list->size() != count)) throw errorAt(key, wanted);
     base::KnobValue values;
@@ -133,7 +133,7 @@ private:
   }
 
   double numberOf(const toml::node& node, std::string_view key, double least, double most) const {
-    if (!node.is_number()) throw errorAt(node, std::string(key), "not a number");
+    if (!node.is_number()) throw errorAt(node, std::string(key), "is not a number");
     const double value = node.value_or(0.0);
     if (!(value >= least && value <= most)) // NaN too
       throw errorAt(node, std::string(key), fmt::format("{} is not from {} to {}", value, least, most));
@@ -179,7 +179,9 @@ public:
         const std::string key = base::keyOf(name);
         std::optional<base::KnobValue> value = reader.value(key, knob);
         if (!value) continue;
-        if (given.contains(knob.id)) throw reader.errorAt(key, fmt::format("'{}' says the same", base::keyOf(knob.id)));
+        if (given.contains(knob.id))
+          throw reader.errorAt(
+              key, fmt::format("has the same meaning as '{}'; give only one of them", base::keyOf(knob.id)));
         if (knob.type == base::KnobType::file) value = base::KnobValue{resolve(m_folder, value->at(0))};
         add(given, reader, key, knob, *value, check);
       }
@@ -197,7 +199,7 @@ public:
                              keysOf(m_knobs.knobs, {"name", "file", "captures", "budgets", "view", "fog"}));
     SuiteEntry entry;
     const auto file = reader.text("file");
-    if (!file) throw reader.errorAt("file", "is missing: a scene needs a file or \"builtin:NAME\"");
+    if (!file) throw reader.errorAt("file", "is missing; a scene needs a file or \"builtin:NAME\"");
     entry.scene = resolve(m_folder, *file);
     entry.name = cleanName(reader.text("name").value_or(defaultName(*file)));
     entry.given = readSceneKnobs(reader);
@@ -208,7 +210,8 @@ public:
       entry.views.push_back(readView(*view, entry.views.size() + 1));
       if (!names.insert(entry.views.back().name).second)
         throw reader.errorAt(
-            *view, "view", fmt::format("a second view named '{}' in scene '{}'", entry.views.back().name, entry.name));
+            *view, "view",
+            fmt::format("two views of scene '{1}' have the name '{0}'", entry.views.back().name, entry.name));
     }
     if (entry.views.empty()) entry.views.emplace_back();
     return entry;
@@ -226,9 +229,9 @@ public:
       if (!names.insert(suite.entries.back().name).second)
         throw reader.errorAt(
             *table, "scene",
-            fmt::format("a second scene named '{}': give it a name of its own", suite.entries.back().name));
+            fmt::format("two scenes have the name '{}'; give each its own name", suite.entries.back().name));
     }
-    if (suite.entries.empty()) throw base::fileError(m_label, "", "the suite lists no scene: write [[scene]]");
+    if (suite.entries.empty()) throw base::fileError(m_label, "", "has no scene; add [[scene]]");
     return suite;
   }
 
@@ -253,7 +256,7 @@ private:
     base::GivenKnobs given = readKnobs(reader, others, m_knobs.check);
     const TableReader fog(m_label, *reader.table("fog", "[scene.fog]"), "a fog",
                           {"density", "height_falloff", "height", "color", "start_distance", "max_opacity"});
-    if (!fog.has("density")) throw fog.errorAt("density", "is missing: the extinction in 1/m");
+    if (!fog.has("density")) throw fog.errorAt("density", "is missing; it is the extinction in 1/m");
     const base::Knob number{.id = {}, .type = base::KnobType::number};
     std::string numbers;
     for (const char* key : {"density", "height_falloff", "height"})
@@ -279,7 +282,7 @@ private:
     };
     readKnobs(reader, knobs, set);
     if (!view.camera.empty() && (view.orbit || view.target))
-      throw reader.errorAt("camera", "given together with an orbit or a target");
+      throw reader.errorAt("camera", "cannot be combined with an orbit or a target");
     view.name = cleanName(reader.text("name").value_or(!view.camera.empty() ? view.camera
                                                        : view.orbit         ? fmt::format("view {}", number)
                                                                             : std::string("auto")));

@@ -58,7 +58,7 @@ Camera orbit(const Scene& scene, const ViewRequest& request, float aspect) {
     throw usageError("--orbit", "THETA,PHI,RADIUS: finite numbers, PHI from 0 to 180, RADIUS at least 0");
   if (!(request.fovYDeg >= 1 && request.fovYDeg <= 170))
     throw usageError("--fov", fmt::format("{} is not from 1 to 170 degrees", request.fovYDeg));
-  if (request.target && !isFinite(*request.target)) throw usageError("--target", "not three finite numbers");
+  if (request.target && !isFinite(*request.target)) throw usageError("--target", "is not three finite numbers");
 
   const float theta = glm::radians(parameters.x), phi = glm::radians(parameters.y);
   const float st = std::sin(theta), ct = std::cos(theta), sp = std::sin(phi), cp = std::cos(phi);
@@ -97,12 +97,12 @@ std::size_t findCamera(const Scene& scene, const std::string& wanted) {
 } // namespace
 
 Camera makeCamera(const Scene& scene, const ViewRequest& request, float aspect) {
-  if (!(aspect > 0) || !std::isfinite(aspect)) throw usageError("--size", "width and height are at least 1");
+  if (!(aspect > 0) || !std::isfinite(aspect)) throw usageError("--size", "width and height must be at least 1");
   if (scene.triangleCount() == 0)
-    throw base::fileError(scene.name, "", "the scene is empty: there is nothing to look at");
+    throw base::fileError(scene.name, "", "the scene is empty, so the camera has no target");
   const bool isAutomatic = request.camera.empty() || request.camera == "auto";
-  if (!isAutomatic && request.orbit) throw usageError("--camera", "given together with --orbit");
-  if (!isAutomatic && request.target) throw usageError("--camera", "given together with --target");
+  if (!isAutomatic && request.orbit) throw usageError("--camera", "cannot be combined with --orbit");
+  if (!isAutomatic && request.target) throw usageError("--camera", "cannot be combined with --target");
   if (isAutomatic && (request.orbit || request.target || scene.defaultCamera < 0)) return orbit(scene, request, aspect);
 
   const std::size_t index =

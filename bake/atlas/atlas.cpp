@@ -51,7 +51,7 @@ std::vector<Use> usesOf(const scenes::Scene& scene) {
     const scenes::Mesh& mesh = scene.meshes[scene.instances[i].mesh];
     scales.push_back(largestScale(scene.instances[i].toWorld));
     if (!std::isfinite(scales.back()))
-      throw base::fileError(mesh.name, scene.instances[i].node, "its transform is not finite: no lightmap");
+      throw base::fileError(mesh.name, scene.instances[i].node, "its transform is not finite, so it gets no lightmap");
     if (!scene.materials[mesh.material].unlit && scales.back() > 0) order.push_back(i);
   }
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -84,11 +84,11 @@ void checkOptions(const AtlasOptions& options) {
   const double smallest = static_cast<double>(pieces) * (1 + padding) * (1 + padding); // a texel each
   throw base::fileError(
       scene.name, "",
-      fmt::format("its lightmap needs {:.0f} million texels, and {:.0f} million is the most: {}",
+      fmt::format("its lightmap needs {:.0f} million texels, expected at most {:.0f} million; {}",
                   std::ceil(texels / 1e6), static_cast<double>(kMaxTexels) / 1e6,
                   smallest < static_cast<double>(kMaxTexels)
                       ? "lower --texels-per-metre"
-                      : fmt::format("it falls into {} charts, too many at any --texels-per-metre", pieces)));
+                      : fmt::format("its {} charts are too many for any --texels-per-metre", pieces)));
 }
 
 void addCorners(const scenes::Scene& scene, const std::vector<Use>& uses, std::vector<MeshLayout>& layouts,
@@ -163,8 +163,7 @@ Atlas makeAtlas(const scenes::Scene& scene, const AtlasOptions& options) {
   });
 
   Items items = itemsOf(uses, layouts);
-  if (items.items.empty())
-    throw base::fileError(scene.name, "", "has nothing to bake: no object is lit and has an area");
+  if (items.items.empty()) throw base::fileError(scene.name, "", "has nothing to bake: no lit object has an area");
   // On one page the pieces of all objects may lie between each other; of several, an object has only one.
   std::optional<Packing> packing = packPage(items.rectangles, options.maxPageSide);
   if (!packing) {

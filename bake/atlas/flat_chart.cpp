@@ -129,8 +129,8 @@ std::vector<Chart> cutLoose(const scenes::Mesh& mesh, const MeshFaces& faces, co
 [[noreturn]] void throwTooLarge(const scenes::Mesh& mesh, const glm::ivec2& size, int maxSide) {
   throw base::fileError(
       mesh.name, "",
-      fmt::format("a piece of its surface needs {} x {} texels, and a lightmap page has at most {} a side: lower "
-                  "--texels-per-metre, or divide the mesh",
+      fmt::format("a part of its surface needs {} x {} texels, but a lightmap page has at most {} a side; lower "
+                  "--texels-per-metre or split the mesh",
                   size.x, size.y, maxSide));
 }
 

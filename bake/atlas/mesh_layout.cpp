@@ -22,11 +22,12 @@ constexpr double kTinyChartTexels = 9;
 void checkMesh(const scenes::Mesh& mesh) {
   for (const std::uint32_t index : mesh.indices)
     if (index >= mesh.positions.size())
-      throw base::fileError(mesh.name, "", fmt::format("has an index, {}, beyond its vertices", index));
+      throw base::fileError(mesh.name, "", fmt::format("its index {} is out of range of its vertices", index));
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const glm::vec3& p = mesh.positions[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      throw base::fileError(mesh.name, "", fmt::format("the position of vertex {} is not finite: no lightmap", i));
+      throw base::fileError(mesh.name, "",
+                            fmt::format("the position of vertex {} is not finite, so it gets no lightmap", i));
   }
 }
 
@@ -45,7 +46,7 @@ MeshLayout layOutMesh(const scenes::Mesh& mesh, const LayoutOptions& options) {
   MeshLayout layout;
   const MeshFaces faces = makeMeshFaces(mesh);
   if (!(faces.area > 0)) {
-    layout.note = "no lightmap (all its triangles are without area)";
+    layout.note = "no lightmap (no triangle has an area)";
     return layout;
   }
   layout.corners.assign(mesh.indices.size(), glm::vec2(0));
@@ -75,8 +76,8 @@ void joinPieces(const scenes::Mesh& mesh, int maxSide, MeshLayout& layout) {
   const int side = std::max(packing.width, packing.height);
   if (side > maxSide)
     throw base::fileError(mesh.name, "",
-                          fmt::format("needs a lightmap page of {} texels a side, and one has at most {}: lower "
-                                      "--texels-per-metre, or divide the mesh",
+                          fmt::format("needs a lightmap page of {} texels a side, but the most is {}; lower "
+                                      "--texels-per-metre or split the mesh",
                                       side, maxSide));
   Piece joined{{packing.width, packing.height}, {}, {}};
   for (std::size_t i = 0; i < layout.pieces.size(); ++i) {

@@ -129,7 +129,7 @@ CheckedUvs checkLightmapUvs(const scenes::Mesh& mesh, const MeshFaces& faces, co
   if (!(uvArea > 0)) return refuse("TEXCOORD_1 has no area");
   for (std::size_t i = 0; i < flat.faces.size(); ++i)
     if (std::abs(doubleArea(flat.corners[i])) / 2 < kLeastAreaShare * uvArea * faces.areas[flat.faces[i]] / faces.area)
-      return refuse("TEXCOORD_1 has triangles of almost no area");
+      return refuse("TEXCOORD_1 has triangles with almost no area");
 
   const double texelsPerUv = options.texelsPerUnit * std::sqrt(faces.area / uvArea);
   for (FlatFace& corners : flat.corners)
@@ -140,10 +140,10 @@ CheckedUvs checkLightmapUvs(const scenes::Mesh& mesh, const MeshFaces& faces, co
   const ChartNumbers charts = numberCharts(mesh, faces, flat.faces);
   const double least = leastDensity(faces, flat, charts) / options.texelsPerUnit;
   if (least < kLeastDensity)
-    return refuse(fmt::format("TEXCOORD_1 is uneven: a chart has {:.2g} of the density asked for", least));
-  if (facesOverlap(flat)) return refuse("TEXCOORD_1 has triangles over each other");
+    return refuse(fmt::format("TEXCOORD_1 is uneven: a chart has {:.2g} of the requested density", least));
+  if (facesOverlap(flat)) return refuse("TEXCOORD_1 has triangles that overlap");
   if (chartsTooClose(flat, charts, options.padding))
-    return refuse(fmt::format("TEXCOORD_1 has charts closer than {} texels", options.padding));
+    return refuse(fmt::format("TEXCOORD_1 has charts less than {} texels apart", options.padding));
   result.charts = charts.count;
   return result;
 }

@@ -23,10 +23,11 @@ constexpr int kMargin = 1;
 void requireSense(const DistanceFieldOptions& options) {
   if (!(options.range > 0 && options.penumbra > 0 && options.penumbra <= 2 * options.range && options.range <= 1e4) ||
       options.sweeps < 0)
-    throw base::fileError("distance field", "options",
-                          fmt::format("range {}, penumbra {}, {} sweeps: the penumbra lies within twice the range, all "
-                                      "above 0",
-                                      options.range, options.penumbra, options.sweeps));
+    throw base::fileError(
+        "distance field", "options",
+        fmt::format("range {}, penumbra {}, {} sweeps: the penumbra must be at most twice the range, and all "
+                    "must be above 0",
+                    options.range, options.penumbra, options.sweeps));
 }
 
 base::BasicImage<std::int32_t> distancesTo(const ChartMask& chart, std::uint8_t sight) {

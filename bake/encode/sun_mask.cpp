@@ -21,7 +21,7 @@ void requireSizes(const SunMask& mask) {
       (isOf(mask.owner, mask.sight.width, mask.sight.height) || isOf(mask.owner, mask.width(), mask.height()));
   if (!fits)
     throw base::fileError("sun mask", "size",
-                          fmt::format("{} x {} sub-texels, {} a texel, {} x {} owners do not fit", mask.sight.width,
+                          fmt::format("{} x {} sub-texels, {} a texel, do not match {} x {} owners", mask.sight.width,
                                       mask.sight.height, mask.factor, mask.owner.width, mask.owner.height));
 }
 

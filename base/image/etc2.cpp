@@ -171,7 +171,7 @@ std::vector<std::uint8_t> encodeEtc2(const Image8& rgba, bool isColor) {
   std::vector<std::uint8_t> blocks(etc2Bytes(width, height));
   if (!encode(values.data(), static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), kEffort, isColor,
               blocks.data()))
-    throw Error(ExitCode::failed, "ETC2", "", "the codec gave no blocks");
+    throw Error(ExitCode::failed, "ETC2", "", "the codec returned no blocks");
   return blocks;
 }
 

@@ -68,7 +68,7 @@ public:
   void run() {
     if (!m_rest.starts_with(kExrMagic) || m_rest.size() < 8) return;
     const auto version = static_cast<std::uint32_t>(readInt(m_rest.substr(4)));
-    if (version & kDeepFlag) fail("is a deep image, which has no pixels to show");
+    if (version & kDeepFlag) fail("is a deep image; give a flat image");
     m_rest.remove_prefix(8);
     if (!walkHeader()) return;
     while (version & kMultiPartFlag && !m_rest.empty() && m_rest[0] != '\0')
@@ -100,7 +100,7 @@ private:
       m_rest.remove_prefix(4);
       const std::size_t left = m_fileBytes - (m_headBytes - m_rest.size());
       if (size < 0 || static_cast<std::size_t>(size) > left)
-        fail(fmt::format("an attribute of {} bytes, expected at most {}, the rest of the file", size, left));
+        fail(fmt::format("an attribute has {} bytes, expected at most {}, the rest of the file", size, left));
       for (const TypeSize& each : kTypeSizes)
         if (*type == each.type && static_cast<std::size_t>(size) != each.bytes)
           fail(fmt::format("an attribute of type {} has {} bytes, expected {}", each.type, size, each.bytes));
@@ -124,14 +124,14 @@ private:
       } else if (*attribute == "chunkCount" && value.size() == 4) {
         checkChunks(readInt(value));
       } else if (*attribute == "type" && value.starts_with("deep")) {
-        fail("is a deep image, which has no pixels to show");
+        fail("is a deep image; give a flat image");
       }
     }
     if (tileWidth > 0) checkChunks((width + tileWidth - 1) / tileWidth * ((height + tileHeight - 1) / tileHeight));
     // The library takes the memory of some chunks when it opens the file.
     const std::int64_t texels = tileWidth > 0 ? tileWidth * tileHeight : width * lines;
     if (texels > 0 && channels > kMaxChunkBytes / 4 / texels)
-      fail(fmt::format("{} channels of {} texels are stored as one, more than {} MiB", channels, texels,
+      fail(fmt::format("{} channels of {} texels form one block of more than {} MiB", channels, texels,
                        kMaxChunkBytes >> 20));
     return true;
   }
@@ -154,7 +154,7 @@ private:
         if (fits) value.remove_prefix(4 + static_cast<std::size_t>(length));
       }
     }
-    if (!fits) fail(fmt::format("an attribute of type {} does not end where it says", type));
+    if (!fits) fail(fmt::format("the length of an attribute of type {} does not match its content", type));
   }
 
   // A name, a zero and 16 bytes each; a zero ends them. -1 where they do not end with the bytes.
@@ -171,7 +171,7 @@ private:
 
   void checkChunks(std::int64_t count) const {
     if (count < 0 || static_cast<std::size_t>(count) > m_fileBytes / kOffsetBytes)
-      fail(fmt::format("{} parts of the image in a file of {} bytes", count, m_fileBytes));
+      fail(fmt::format("the image has {} parts, too many for a file of {} bytes", count, m_fileBytes));
   }
 
   std::string_view m_rest;

@@ -23,7 +23,7 @@ int readHdrOrientation(std::span<const std::byte> bytes, const std::string& name
   for (const Order& order : kOrders)
     if (text.starts_with(order.scanlines) && text.find(order.pixels) != std::string_view::npos)
       return order.orientation;
-  throw fileError(name, "header", "the resolution string is none such as '-Y 512 +X 1024'");
+  throw fileError(name, "header", "the resolution string is not of the form '-Y 512 +X 1024'");
 }
 
 } // namespace parity::base

@@ -41,9 +41,10 @@ inline void checkImageSize(const std::string& name, long long width, long long h
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (width < 1 || height < 1) throw fileError(name, "", "has no pixels (" + size + ")");
   if (width > kMaxImageSide || height > kMaxImageSide)
-    throw fileError(name, "", size + ": the largest side allowed is " + std::to_string(kMaxImageSide));
+    throw fileError(name, "", size + ": the largest allowed side is " + std::to_string(kMaxImageSide));
   const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  if (pixels > kMaxImagePixels) throw fileError(name, "", size + ": more than " + std::to_string(kMaxImagePixels));
+  if (pixels > kMaxImagePixels)
+    throw fileError(name, "", size + ": the largest allowed number is " + std::to_string(kMaxImagePixels));
   if (channels < 1) throw fileError(name, "", "has no channels");
   if (static_cast<unsigned long long>(channels) > kMaxImageValues / pixels)
     throw fileError(name, "", size + " of " + std::to_string(channels) + " channels: too many values");

@@ -45,7 +45,8 @@ const ImageModule& loadModule() {
                      "image files cannot be read or written"));
   const ImageModule* module = get();
   if (!module || module->version != kImageModuleVersion)
-    throw Error(ExitCode::failed, kModuleFile, "", "belongs to another build of this program: build or install both");
+    throw Error(ExitCode::failed, kModuleFile, "",
+                "belongs to another build of this program; build or install both together");
   module->limitThreads(threadCount());
   return *module;
 }
@@ -95,7 +96,7 @@ const char* readerOf(ImageFormat format) {
 
 ImageFormat requireFormat(std::span<const std::byte> head, const std::string& name, const std::string& extension) {
   if (const std::optional<ImageFormat> format = findImageFormat(head, extension)) return *format;
-  throw fileError(name, "cannot be decoded", "is none of " + std::string(kImageFormats));
+  throw fileError(name, "cannot be decoded", "is not one of " + std::string(kImageFormats));
 }
 
 // A file whose format is known and whose header has been checked as far as the library does not check it.
@@ -152,7 +153,7 @@ void checkWritable(const fs::path& file, const BasicImage<T>& image, const Write
   // Two channels of one name would be one in the file.
   const std::set<std::string> distinct(options.channelNames.begin(), options.channelNames.end());
   if (distinct.size() != options.channelNames.size() || distinct.contains(""))
-    throw fileError(name, "", "a channel name is empty or stands twice");
+    throw fileError(name, "", "a channel name is empty or used twice");
 }
 
 } // namespace
@@ -209,12 +210,13 @@ ImageFile decodeRadiance(std::span<const std::byte> bytes, const std::string& na
   const std::optional<ImageFormat> format = findImageFormat(bytes, "");
   if (format == ImageFormat::pfm) return describePfm(decodePfm(bytes, name, limits));
   if (format != ImageFormat::hdr && format != ImageFormat::exr)
-    throw fileError(name, "", "no HDR environment: .hdr, .exr or .pfm is needed");
+    throw fileError(name, "", "is not an HDR environment; give a .hdr, .exr or .pfm file");
   checkExr(bytes, bytes.size(), name);
   ImageSource source{.name = name, .format = readerOf(*format), .bytes = bytes, .limits = limits};
   source.limits.maxPixels = std::min(limits.maxPixels, kMaxRadiancePixels);
   if (imageModule().readShape(source).integer)
-    throw fileError(name, "", "an image of integers is no HDR environment: .hdr, .exr or .pfm of floats is needed");
+    throw fileError(name, "",
+                    "holds integers, so it is not an HDR environment; give a .hdr, .exr or .pfm file of floats");
   ImageFile file = imageModule().read(source);
   if (*format == ImageFormat::hdr) file.info.orientation = readHdrOrientation(bytes, name);
   return file;

@@ -28,15 +28,15 @@ inline void checkImageSize(const std::string& name, long long width, long long h
                     std::to_string(width) + " x " + std::to_string(height) + " pixels: " + what + std::to_string(most) +
                         " (--max-image)");
   };
-  if (across > limits.maxSide || down > limits.maxSide) refuse("the largest side allowed is ", limits.maxSide);
-  if (across * down > limits.maxPixels) refuse("more than ", limits.maxPixels);
+  if (across > limits.maxSide || down > limits.maxSide) refuse("the largest allowed side is ", limits.maxSide);
+  if (across * down > limits.maxPixels) refuse("the largest allowed number is ", limits.maxPixels);
 }
 
 // Throws Error (exit 4) where `what` ("an image of 3 x 2 pixels") takes more bytes than the limit.
 inline void checkImageBytes(const std::string& name, const std::string& what, std::size_t bytes, std::size_t limit) {
   if (bytes <= limit) return;
   throw fileError(name, "",
-                  what + " takes " + std::to_string((bytes >> 20) + 1) + " MiB, the limit is " +
+                  what + " needs " + std::to_string((bytes >> 20) + 1) + " MiB; the limit is " +
                       std::to_string(limit >> 20) + " MiB (--max-memory)");
 }
 

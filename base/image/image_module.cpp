@@ -28,7 +28,7 @@ template <typename Body> auto guarded(const std::string& name, Body&& body) {
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
-    throw fileError(name, "", "needs more memory than there is");
+    throw fileError(name, "", "out of memory");
   } catch (const std::exception& error) {
     throw fileError(name, "", reasonOf(error.what(), name));
   }
@@ -153,7 +153,7 @@ template <typename T> std::vector<std::byte> encodePixels(const fs::path& file, 
   return guarded(name, [&] {
     const oiio::ImageOutput::unique_ptr output = oiio::ImageOutput::create(name);
     if (!output || !output->supports("ioproxy"))
-      throw fileError(name, "cannot be written", output ? "not by way of memory" : reasonOf(oiio::geterror(), name));
+      throw fileError(name, "cannot be written", output ? "not through memory" : reasonOf(oiio::geterror(), name));
     oiio::ImageSpec spec(image.width, image.height, image.channels, stored);
     spec.attribute("oiio:UnassociatedAlpha", 1);
     if (std::string_view(output->format_name()) == "png") {
@@ -195,7 +195,7 @@ std::vector<std::byte> encode(const fs::path& file, const Image& image, const Wr
   if (oiio::Strutil::iends_with(file.string(), ".hdr"))
     for (const float v : image.pixels)
       if (!(v >= 0) || !std::isfinite(v))
-        throw fileError(file.string(), "", "the format holds neither negative nor non-finite values; use .exr");
+        throw fileError(file.string(), "", "the format cannot hold negative or non-finite values; use .exr");
   return encodePixels(file, image, options.half ? oiio::TypeDesc::HALF : oiio::TypeDesc::FLOAT, options);
 }
 

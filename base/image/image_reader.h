@@ -27,7 +27,7 @@ namespace oiio = OIIO;
 
 // The first line of the library's own words in ASCII, less the file's name, which Error carries.
 inline std::string reasonOf(std::string message, const std::string& path) {
-  if (message.empty()) return "the image library gives no reason";
+  if (message.empty()) return "the image library reports no reason";
   const std::string quoted = "\"" + path + "\"";
   if (const std::size_t at = message.find(quoted); at != std::string::npos)
     message.replace(at, quoted.size(), "the file");
@@ -179,14 +179,14 @@ private:
     const oiio::ImageSpec& spec = m_input->spec();
     checkImageSize(m_name, spec.width, spec.height, spec.nchannels, limits);
     if (spec.nchannels > kMaxImageChannels)
-      throw fileError(m_name, "", fmt::format("{} channels: more than {}", spec.nchannels, kMaxImageChannels));
-    if (spec.depth > 1 || spec.deep)
-      throw fileError(m_name, "", "is a volume or a deep image, which have no pixels to compare");
+      throw fileError(m_name, "",
+                      fmt::format("has {} channels, expected at most {}", spec.nchannels, kMaxImageChannels));
+    if (spec.depth > 1 || spec.deep) throw fileError(m_name, "", "is a volume or a deep image; give a flat image");
     // Unpacking the bits of CMYK, the library (2.4) counts three channels where four are stored, and writes too far.
     constexpr int kSeparated = 5; // TIFF 6.0, PhotometricInterpretation
     if (spec.get_int_attribute("tiff:PhotometricInterpretation") == kSeparated &&
         spec.get_int_attribute("oiio:BitsPerSample", 8) % 8 != 0)
-      throw fileError(m_name, "cannot be decoded", "CMYK of less than 8 bits");
+      throw fileError(m_name, "cannot be decoded", "CMYK with less than 8 bits is not supported");
   }
 
   std::string m_name;

@@ -36,7 +36,7 @@ PfmHeader parseHeader(const std::string& name, std::span<const std::byte> bytes)
   PfmHeader header;
   double scale = 0;
   text >> magic;
-  if (magic != "PF" && magic != "Pf") throw fileError(name, "", "is no PFM image: it begins with neither PF nor Pf");
+  if (magic != "PF" && magic != "Pf") throw fileError(name, "", "is not a PFM image: it must begin with PF or Pf");
   text >> header.width >> header.height >> scale;
   if (!text || text.peek() == std::istringstream::traits_type::eof() || !std::isfinite(scale) || scale == 0)
     throw fileError(name, "header", "has no width, height and scale");
@@ -64,8 +64,8 @@ Image decodePfm(std::span<const std::byte> bytes, const std::string& name, const
   const std::size_t expected = header.bytes + rowValues * header.height * sizeof(float);
   if (bytes.size() != expected)
     throw fileError(name, "",
-                    fmt::format("has {} bytes where {} x {} pixels take {}{}", bytes.size(), header.width,
-                                header.height, expected, bytes.size() < expected ? " (truncated)" : ""));
+                    fmt::format("has {} bytes, but {} x {} pixels need {}{}", bytes.size(), header.width, header.height,
+                                expected, bytes.size() < expected ? " (truncated)" : ""));
 
   Image image(header.width, header.height, header.channels);
   const std::byte* source = bytes.data() + header.bytes;

@@ -31,14 +31,14 @@ ImageShape readPngShape(std::span<const std::byte> head, const std::string& name
   std::string_view rest(reinterpret_cast<const char*>(head.data()), head.size());
   rest.remove_prefix(std::min(rest.size(), kSignature.size()));
   constexpr std::size_t kColorType = 17; // behind width, height and the depth of a sample
-  if (rest.size() <= kColorType) throw fileError(name, "damaged or truncated", "ends within its header");
+  if (rest.size() <= kColorType) throw fileError(name, "damaged or truncated", "the file ends inside its header");
   if (rest.substr(kLengthBytes, kTypeBytes) != "IHDR")
     throw fileError(name, "damaged or truncated", "does not begin with an IHDR chunk");
   const long long width = bigEndian(rest.substr(8)), height = bigEndian(rest.substr(12));
   constexpr int kChannels[] = {1, 0, 3, 4, 2, 0, 4}; // by colour type: grey, RGB, palette, with alpha
   const auto colorType = static_cast<unsigned char>(rest[kColorType]);
   const int channels = colorType < std::size(kChannels) ? kChannels[colorType] : 0;
-  if (channels == 0) throw fileError(name, "IHDR", fmt::format("colour type {}, which there is none of", colorType));
+  if (channels == 0) throw fileError(name, "IHDR", fmt::format("the colour type {} does not exist", colorType));
   checkImageSize(name, width, height, channels, limits);
   return {static_cast<int>(width), static_cast<int>(height), channels, true};
 }
@@ -50,13 +50,13 @@ void checkPng(std::span<const std::byte> bytes, const std::string& name, const I
   rest.remove_prefix(kSignature.size());
   for (;;) {
     if (rest.size() < kLengthBytes + kTypeBytes)
-      throw fileError(name, "damaged or truncated", "ends without an IEND chunk");
+      throw fileError(name, "damaged or truncated", "the file ends without an IEND chunk");
     const std::size_t length = bigEndian(rest);
     const std::string_view type = rest.substr(kLengthBytes, kTypeBytes);
     if (!std::all_of(type.begin(), type.end(), [](unsigned char c) { return std::isalpha(c); }))
-      throw fileError(name, "damaged or truncated", "a chunk has no proper name");
+      throw fileError(name, "damaged or truncated", "a chunk has no valid name");
     if (rest.size() - kLengthBytes - kTypeBytes < length + kChecksumBytes)
-      throw fileError(name, "damaged or truncated", fmt::format("ends within a chunk {}", type));
+      throw fileError(name, "damaged or truncated", fmt::format("the file ends inside a chunk {}", type));
     const std::string_view checked = rest.substr(kLengthBytes, kTypeBytes + length);
     const std::uint32_t checksum = bigEndian(rest.substr(kLengthBytes + kTypeBytes + length));
     if (crc32_z(0, reinterpret_cast<const Bytef*>(checked.data()), checked.size()) != checksum)

@@ -89,7 +89,7 @@ double readShare(const std::string& text) {
   const bool percent = text.ends_with('%');
   const std::optional<double> value = numberOf(percent ? text.substr(0, text.size() - 1) : text);
   const double share = value ? (percent ? *value / 100 : *value) : NAN;
-  if (!(share >= 1e-6 && share <= 1)) refuse(text, "a share of 0.0001% to 100%, as 0.5% or 0.005");
+  if (!(share >= 1e-6 && share <= 1)) refuse(text, "a share from 0.0001% to 100%, such as 0.5% or 0.005");
   return share;
 }
 
@@ -104,7 +104,7 @@ std::size_t readBytes(const std::string& text) {
         unit != std::string_view::npos)
       shift = 10 * (static_cast<int>(unit) + 1), ++rest;
   if (error != std::errc() || rest != end || count == 0 || count > std::numeric_limits<std::uint64_t>::max() >> shift)
-    refuse(text, "a size of at least a byte, as 500M or 4G");
+    refuse(text, "a size of at least one byte, such as 500M or 4G");
   return count << shift;
 }
 

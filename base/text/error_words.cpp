@@ -13,10 +13,10 @@ std::string wordsOf(const std::exception& error) {
   if (dynamic_cast<const Error*>(&error)) return error.what();
   // A length beyond what a container can have is memory that was asked for, too.
   if (dynamic_cast<const std::bad_alloc*>(&error) || dynamic_cast<const std::length_error*>(&error))
-    return "needs more memory than there is";
+    return "out of memory";
   if (const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
     return (file->path1().empty() ? "" : file->path1().string() + ": ") + file->code().message();
-  if (dynamic_cast<const std::out_of_range*>(&error)) return "an internal error: please report it";
+  if (dynamic_cast<const std::out_of_range*>(&error)) return "internal error, please report it";
   std::string_view words = error.what();
   if (const auto tag = words.find("] "); words.starts_with('[') && tag != std::string_view::npos)
     words.remove_prefix(tag + 2);

@@ -26,7 +26,7 @@ CLI::Validator powerOfTwo(int least, int most) {
 
 double parseDensity(const std::string& text) {
   if (text == "auto") return 0;
-  const std::string wanted = "auto or a number of 0.01 to 1000000";
+  const std::string wanted = "auto or a number from 0.01 to 1000000";
   const double density = readOption("--texels-per-metre", base::readNumbers, text, wanted).front();
   if (!(density >= 0.01 && density <= 1e6)) throw invalid("--texels-per-metre", text, wanted);
   return density;
@@ -47,37 +47,38 @@ void addBakeOptions(CLI::App& app, BakeCommand& command, RawBakeOptions& raw) {
   job::BakeOptions& o = command.options;
   app.add_option("scenes", command.scenes, "Scene files or builtin:NAME");
   app.add_option("--suite", command.suite,
-                 "Suite file (TOML): bakes each scene that names a folder by `baked`, into that")
+                 "Suite file (TOML): bakes each scene that has the key `baked`, into the folder it names")
       ->excludes("scenes");
-  app.add_option("-o,--output", command.folder, "Folder of the bake; of several scenes: a folder in it for each");
+  app.add_option("-o,--output", command.folder, "Folder for the bake. Each of several scenes gets a folder inside it");
 
-  app.add_option("--bounces", o.integrate.bounces, "Times that diffuse light goes from surface to surface")
+  app.add_option("--bounces", o.integrate.bounces, "Bounces of diffuse light between surfaces")
       ->check(CLI::Range(0, bake::kMaxBounces))
       ->group("Light")
       ->capture_default_str();
-  app.add_option("--error", raw.error,
-                 "Error over a texel's irradiance at which it is done: 19 of 20 texels are within it")
+  app.add_option("--error", raw.error, "Relative error at which a texel is done: 19 of 20 texels are within it")
       ->group("Light")
       ->capture_default_str();
-  app.add_option("--max-samples", o.integrate.maxSamples, "Of a texel in the mean, whatever the errors: a power of two")
+  app.add_option("--max-samples", o.integrate.maxSamples,
+                 "Most samples a texel on average, whatever the error: a power of two")
       ->check(powerOfTwo(bake::kMinSamples, bake::kMaxSamples))
       ->group("Light")
       ->capture_default_str();
-  app.add_option("--seed", o.integrate.seed, "Of the sampling: the same seed gives the same bake")
+  app.add_option("--seed", o.integrate.seed, "Seed of the random samples: the same seed gives the same bake")
       ->group("Light")
       ->capture_default_str();
   app.add_option("--local-lights", raw.localLights,
-                 "static: point and spot lights are baked for both paths, without highlights; stationary: the high-end "
-                 "path shades them itself")
+                 "Point and spot lights. static: baked for both paths, without highlights;\n"
+                 "stationary: the high-end path shades them")
       ->check(CLI::IsMember({"static", "stationary"}))
       ->group("Light")
       ->capture_default_str();
 
   app.add_option("--texels-per-metre", raw.density,
-                 "Of lightmaps and of the sun's shadow, at least. auto: 16, more of small scenes, fewer of huge ones")
+                 "Least texels a metre, of lightmaps and of the sun's shadow.\n"
+                 "auto: 16; more for small scenes, fewer for huge ones")
       ->group("Textures")
       ->capture_default_str();
-  app.add_option("--page-size", o.atlas.maxPageSide, "The largest side of a lightmap's page, texels: a power of two")
+  app.add_option("--page-size", o.atlas.maxPageSide, "Largest side of a lightmap page in texels: a power of two")
       ->check(powerOfTwo(64, 8192))
       ->group("Textures")
       ->capture_default_str();
@@ -85,10 +86,10 @@ void addBakeOptions(CLI::App& app, BakeCommand& command, RawBakeOptions& raw) {
       ->check(CLI::IsMember({"4x4", "6x6", "none"}))
       ->group("Textures")
       ->capture_default_str();
-  app.add_option("--captures", raw.captures, "Environment captures: a number, or auto. A suite may say where")
+  app.add_option("--captures", raw.captures, "Number of environment captures, or auto. A suite can set their places")
       ->group("Textures")
       ->capture_default_str();
-  app.add_option("--capture-size", o.captureSize, "Texels along a face of a capture: a power of two")
+  app.add_option("--capture-size", o.captureSize, "Side of a capture's face in texels: a power of two")
       ->check(powerOfTwo(lighting::kMinFaceSize, lighting::kMaxFaceSize))
       ->group("Textures")
       ->capture_default_str();
@@ -96,7 +97,7 @@ void addBakeOptions(CLI::App& app, BakeCommand& command, RawBakeOptions& raw) {
 
 BakeCommand settleBake(const BakeCommand& given, const RawBakeOptions& raw, const CLI::App& app) {
   BakeCommand command = given;
-  if (command.scenes.empty() && command.suite.empty()) throw CLI::RequiredError("bake: a SCENE or --suite");
+  if (command.scenes.empty() && command.suite.empty()) throw CLI::RequiredError("bake: SCENE or --suite");
   if (command.suite.empty() && command.folder.empty()) throw CLI::RequiredError("--output");
   if (!command.suite.empty()) {
     if (app.count("--output") > 0) throw CLI::ExcludesError("--suite", "--output");

@@ -14,36 +14,41 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
   s.reference.integral.relativeError = 0.02;
   job::knobs().find("precision")->set(s, {"fp32"}); // a software device emulates half; every preset is tried in both
   app.add_option("scenes", bench.scenes, "Scene files or builtin:NAME");
-  app.add_option("--suite", bench.suite, "Suite file (TOML): many scenes with views and light")->excludes("scenes");
+  app.add_option("--suite", bench.suite, "Suite file (TOML): many scenes, with their views and light")
+      ->excludes("scenes");
   app.add_option("-o,--output", bench.folder,
-                 "Folder for index.html, bench.json, bench.csv, bench.md (all scenes in a table), pictures")
+                 "Folder for index.html, bench.json, bench.csv, bench.md (one table of all scenes) and pictures")
       ->group("Output");
-  app.add_option("--json", bench.common.json, "Write bench.json there; - for stdout, instead of the table")
+  app.add_option("--json", bench.common.json, "Write bench.json to this file; - for stdout, instead of the table")
       ->group("Output");
-  app.add_option("--csv", bench.csv, "Write bench.csv there; - for stdout, instead of the table")->group("Output");
+  app.add_option("--csv", bench.csv, "Write bench.csv to this file; - for stdout, instead of the table")
+      ->group("Output");
   app.add_option("--budget", raw.budget,
-                 "NAME=LIMIT (flip.mean, flip.p95, relmse): name the fastest setting within it; exit 2 where none is")
+                 "NAME=LIMIT (flip.mean, flip.p95, relmse): name the fastest setting within it; exit 2 if none is")
       ->group("Bench");
   app.add_option("--compare", bench.compare,
-                 "bench.json of an earlier run: ratios with confidence intervals; exit 2 where a setting is slower")
+                 "Earlier bench.json: show time ratios with confidence intervals; exit 2 if a setting is slower")
       ->group("Bench");
   app.add_option("--settings", bench.trial.settings,
-                 "Only these and the defaults: globs as '*: refit*'; of --scaling: as 'lights'; repeatable")
+                 "Only these settings and the defaults (repeatable): globs such as '*: refit*';\n"
+                 "with --scaling such as 'lights'")
       ->group("Bench");
   app.add_flag("--list", bench.list, "List the settings")->group("Bench");
-  app.add_option("--rounds", bench.trial.rounds, "Timed rounds, in random order, after one that compiles")
+  app.add_option("--rounds", bench.trial.rounds, "Timed rounds, in random order. An untimed round compiles first")
       ->check(CLI::Range(2, 1000))
       ->group("Bench")
       ->capture_default_str();
   app.add_option("--preparation-rounds", bench.trial.preparationRounds,
-                 "The same of what is prepared once, as tables; --compare judges from about 9 on")
+                 "Timed rounds of what is prepared once, such as tables; --compare needs about 9 to judge")
       ->check(CLI::Range(2, 1000))
       ->group("Bench")
       ->capture_default_str();
-  app.add_flag("--no-truth", raw.noTruth, "No errors against the truth, which takes most of the time")->group("Bench");
-  app.add_flag("--no-reference", raw.noReference, "The older name of --no-truth")->group("");
+  app.add_flag("--no-truth", raw.noTruth, "Do not measure errors against the truth; that takes most of the time")
+      ->group("Bench");
+  app.add_flag("--no-reference", raw.noReference, "Older name of --no-truth")->group("");
   app.add_flag("--scaling", bench.scaling,
-               "Instead: each stage against pixels, triangles, lights, materials, textures; generated scenes")
+               "Instead, time each stage over the number of pixels, triangles, lights, materials and textures,\n"
+               "in generated scenes")
       ->group("Bench")
       ->excludes(app.get_option("scenes"))
       ->excludes(app.get_option("--suite"))
@@ -61,15 +66,15 @@ BenchCommand settleBench(const CLI::App& app, const RawBenchOptions& raw) {
   BenchCommand command = raw.bench;
   const bool isSuite = !command.suite.empty();
   if (command.scenes.empty() && !isSuite && !command.scaling && !command.list)
-    throw CLI::RequiredError("bench: a SCENE, --suite, --scaling or --list");
+    throw CLI::RequiredError("bench: SCENE, --suite, --scaling or --list");
   if (isSuite) requireNoneOfScene(raw.common);
   settle(app, command.common, raw.common, isSuite);
-  if (raw.noReference) base::logInfo("--no-reference is called --no-truth now");
+  if (raw.noReference) base::logInfo("--no-reference is now called --no-truth");
   requireSizeFits(command.common, kComparedPixelBytes);
   command.common.settings.costs = command.common.plain.costs = true;
   command.trial.truth = !raw.noTruth && !raw.noReference;
   if (command.common.json == "-" && command.csv == "-")
-    throw CLI::ValidationError("--csv", "JSON goes to stdout already");
+    throw CLI::ValidationError("--csv", "stdout already takes the JSON; give a file");
   if (!raw.budget.empty()) {
     try {
       command.budget = sweep::parseErrorBudget(raw.budget);

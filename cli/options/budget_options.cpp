@@ -13,11 +13,12 @@
 namespace parity::cli {
 
 void addVerdictOptions(CLI::App& app, VerdictOptions& verdict) {
-  app.add_flag("--warn-exit", verdict.warnExit, "Exit 1 where there are warnings only")->group("Verdict");
+  app.add_flag("--warn-exit", verdict.warnExit, "Exit with 1 if there are only warnings")->group("Verdict");
   app.add_option("--baseline", verdict.baseline,
-                 "Earlier report.json or its folder: show what changed, judge the budgets' regressions")
+                 "Earlier report.json or its folder: show what changed, and judge regressions")
       ->group("Verdict");
-  app.add_option("--annotate", verdict.annotate, "github: also print workflow commands for what is not well")
+  app.add_option("--annotate", verdict.annotate,
+                 "github: also print failures and warnings as annotations of GitHub Actions")
       ->check(CLI::IsMember({"github"}))
       ->group("Verdict");
 }
@@ -25,17 +26,18 @@ void addVerdictOptions(CLI::App& app, VerdictOptions& verdict) {
 void addBudgetOptions(CLI::App& app, RawBudgetOptions& raw) {
   app.require_subcommand(1);
   CLI::App& suggest = *app.add_subcommand("suggest", "Propose a budget file from reports of earlier runs");
-  suggest.add_option("reports", raw.suggest.reports, "report.json files or their folders, one a run")->required();
+  suggest.add_option("reports", raw.suggest.reports, "report.json files or their folders, one for each run")
+      ->required();
   suggest.add_option("-o,--output", raw.suggest.output, "Budget file to write (TOML). Default: stdout");
   suggest
       .add_option("--margin", raw.suggest.options.margin,
-                  "Added to the observed 95th percentile, as a share of the error; twice that to fail")
+                  "Share of the error to add to the observed 95th percentile; limits that fail add twice as much")
       ->check(within(0, 10))
       ->capture_default_str();
   raw.metrics = fmt::format("{}", fmt::join(raw.suggest.options.figures, ","));
-  suggest.add_option("--metrics", raw.metrics, "Figures to limit, as in budgets: flip.mean,ssim.mean,...")
+  suggest.add_option("--metrics", raw.metrics, "Figures to limit, named as in budgets: flip.mean,ssim.mean,...")
       ->capture_default_str();
-  CLI::App& check = *app.add_subcommand("check", "Read a budget file and print the rules that it makes");
+  CLI::App& check = *app.add_subcommand("check", "Read a budget file and print its rules");
   check.add_option("file", raw.check.file, "Budget file (TOML)")->required();
 }
 

@@ -9,10 +9,10 @@ namespace parity::cli {
 
 void addCacheOptions(CLI::App& app, RawCacheOptions& raw) {
   app.require_subcommand(1);
-  for (CLI::App* each : {app.add_subcommand("info", "Say what the cache holds, kind by kind, and where it lies"),
-                         app.add_subcommand("clear", "Remove all of its entries, and nothing else")}) {
+  for (CLI::App* each : {app.add_subcommand("info", "Show the cache's folder, and what it holds of each kind"),
+                         app.add_subcommand("clear", "Remove all entries of the cache, and nothing else")}) {
     each->add_option("--cache", raw.folder, "Cache folder. Default: $XDG_CACHE_HOME/parity");
-    each->add_option("--json", raw.json, "Write what it held as JSON there; - for stdout");
+    each->add_option("--json", raw.json, "Write the contents as JSON to this file; - for stdout");
   }
 }
 

@@ -27,18 +27,19 @@ void addViewKnobs(CLI::App& app, RawOptions& raw) {
 
 void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   app.add_option("--device", common.settings.device.name,
-                 "Vulkan device: part of its name, or its number in 'parity devices'. Default: the software device");
-  app.add_flag("--validation", raw.validation, "Run under the Khronos validation layer; any message is an error");
+                 "Vulkan device: part of its name, or its number from 'parity devices'. Default: the software device");
+  app.add_flag("--validation", raw.validation,
+               "Run with the Khronos validation layer; each of its messages is an error");
   app.add_option("--threads", common.threads, "CPU threads; 0: all cores")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   app.add_option("--cache", raw.cache, "Cache folder. Default: $XDG_CACHE_HOME/parity");
   app.add_option("--cache-size", raw.cacheSize,
-                 "Bound of the cache, as 500M or 4G: what was used longest ago goes first")
+                 "Largest size of the cache, such as 500M or 4G. The entries used longest ago are removed first")
       ->capture_default_str();
-  app.add_flag("--no-cache", raw.noCache, "Neither read nor write the cache");
-  app.add_flag("--timings", common.timings, "Print time by stage to stderr");
-  app.add_flag("-q,--quiet", raw.quiet, "Errors only: no table either, the verdict is the exit code");
+  app.add_flag("--no-cache", raw.noCache, "Do not use the cache");
+  app.add_flag("--timings", common.timings, "Print the time of each stage to stderr");
+  app.add_flag("-q,--quiet", raw.quiet, "Print errors only, no table; the exit code is the verdict");
 }
 
 void addBudgetsOption(CLI::App& app, CommonOptions& common) {
@@ -48,14 +49,14 @@ void addBudgetsOption(CLI::App& app, CommonOptions& common) {
 
 void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw) {
   app.add_flag("--single-file", report.singleFile,
-               "Put all that index.html shows into it: pictures, values, script; then it can be sent alone")
+               "Put pictures, values and script into index.html, so that you can send this one file")
       ->group("Page");
   app.add_option("--pixel-data", raw.pixelData,
-                 "all: also write the values behind the pictures, for the page's inspector, exposure and threshold")
+                 "all: also write the pixel values; the page's inspector, exposure and threshold need them")
       ->check(CLI::IsMember({"all", "none"}))
       ->group("Page")
       ->capture_default_str();
-  app.add_option("--bench", report.bench, "Show the error-against-time plot of this bench.json, or of its folder")
+  app.add_option("--bench", report.bench, "Add the plot of error over time from this bench.json, or from its folder")
       ->group("Page");
 }
 
@@ -69,7 +70,7 @@ void settle(const CLI::App& app, CommonOptions& common, const RawOptions& raw, b
   if (raw.quiet) base::setLogLevel(base::LogLevel::quiet);
   for (const auto& [id, given] : raw.knobs)
     if (given.where != "--" + id && given.where != "--no-" + id)
-      base::logInfo(fmt::format("{} is called --{} now", given.where, id));
+      base::logInfo(fmt::format("{} is now called --{}", given.where, id));
   if (!isBesideSuite) requireNeeds(app, job::knobs(), raw.knobs);
   job::Settings& s = common.settings;
   s.device.validation |= raw.validation;
@@ -88,7 +89,7 @@ void settle(const CLI::App& app, CommonOptions& common, const RawOptions& raw, b
     throw CLI::ValidationError(error.subject(), error.reason());
   }
   if (s.truth && !s.scene.baked.empty())
-    throw CLI::ValidationError("--truth", "cannot be combined with --baked: it knows of no baked light");
+    throw CLI::ValidationError("--truth", "cannot be combined with --baked: the truth does not use baked light");
   if (common.view.orbit) common.view.name = "orbit " + raw.views.at("orbit").value.at(0);
   if (!common.view.camera.empty()) common.view.name = common.view.camera;
 }
@@ -99,7 +100,7 @@ void requireSizeFits(const CommonOptions& common, std::size_t pixelBytes) {
   const std::size_t bytes = width * height * pixelBytes, limit = common.settings.scene.load.maxMemoryBytes;
   if (bytes > limit)
     throw CLI::ValidationError("--size",
-                               fmt::format("{}x{} pixels take some {} MiB, the limit is {} MiB (--max-memory)", width,
+                               fmt::format("{}x{} pixels need about {} MiB; the limit is {} MiB (--max-memory)", width,
                                            height, bytes >> 20, limit >> 20));
 }
 

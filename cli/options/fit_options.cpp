@@ -10,14 +10,14 @@ namespace parity::cli {
 
 void addFitOptions(CLI::App& app, RawFitOptions& raw) {
   addFormulaKnobs(app, {"geometry-term", "fresnel", "compensation"}, raw.given);
-  app.add_option("--format", raw.fit.format, "Constants as glsl, hlsl or json")
+  app.add_option("--format", raw.fit.format, "Format of the constants: glsl, hlsl or json")
       ->check(CLI::IsMember({"glsl", "hlsl", "json"}))
       ->capture_default_str();
   app.add_option("-o,--output", raw.fit.output, "File to write. Default: stdout");
-  app.add_option("--threads", raw.fit.threads, "CPU threads; 0: all cores; the result is the same")
+  app.add_option("--threads", raw.fit.threads, "CPU threads; 0: all cores. The result does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  app.add_flag("-q,--quiet", raw.fit.quiet, "Errors only");
+  app.add_flag("-q,--quiet", raw.fit.quiet, "Print errors only");
 }
 
 FitCommand settleFit(const RawFitOptions& raw) {

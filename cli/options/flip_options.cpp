@@ -20,29 +20,29 @@ namespace parity::cli {
 namespace {
 
 constexpr const char* kFlipFooter = R"(
-Two folders are matched by relative path, or by stem where that leaves no choice; a picture without counterpart fails (exit 4),
-and the others still run; other files are passed over, with a warning. A list has two paths a line, "..." around spaces, # before
-comments, relative to the list's folder.
+Pictures in two folders are matched by relative path, or by stem if only one file has it. A picture without counterpart fails
+(exit 4); the others still run. Other files are skipped with a warning. Each line of a list has two paths, relative to the list's
+folder; put "..." around a path with spaces, and # before a comment.
 
-Colour: integers are sRGB, floats linear Rec.709, unless the file or --colorspace says otherwise. A pair is HDR where both files
-hold floats and any value is above 1; then hdrflip takes the place of flip. Grey is spread over RGB; channels must be the same.
-Files that differ in what they hold beyond that (layers, further images, the place of the pixels in a larger picture, their
-orientation) are not comparable; --ignore-layers compares the colour and alpha of the first image alone.
-Alpha: both are composited over --background, linear Rec.709 in any case: C + (1-a) B where colour is multiplied by alpha
-(OpenEXR, some TIFF), a C + (1-a) B elsewhere (PNG). With --alpha channel, colour is compared as stored, and alpha as a grey
-picture in a row of its own.
+Colour: integers are sRGB and floats are linear Rec.709, unless the file or --colorspace says otherwise. A pair is HDR if both files
+hold floats and any value is above 1; then hdrflip replaces flip. Grey is copied to R, G and B. Both files need the same channels.
+Files are not comparable if they differ in layers, further images, orientation, or the position of the pixels in a larger picture;
+--ignore-layers compares only the colour and alpha of the first image.
+Alpha: both are composited over --background, always in linear Rec.709: C + (1-a) B if the colour is multiplied by alpha
+(OpenEXR, some TIFF), a C + (1-a) B if not (PNG). With --alpha channel, colour is compared as stored, and alpha as a separate
+grey picture.
 
-Limits belong to the --metric before them; without one, to the pair's FLIP, pixel by pixel.
-  --metric flip.mean --fail 0.05             a pooled figure: fails above 0.05 (psnr, ssim...: below; bias: in absolute value)
+A limit belongs to the --metric before it. Without --metric it belongs to FLIP, pixel by pixel.
+  --metric flip.mean --fail 0.05             a pooled figure: fails above 0.05 (psnr, ssim...: below; bias: absolute value)
   --metric flip --fail 0.2 --failpercent 1   pixel by pixel, as idiff: fails if more than 1 % of the pixels are over 0.2
-  --metric maxabs --fail 0.01 --failpercent 1  likewise by the largest difference of R, G, B, which is idiff's own
+  --metric maxabs --fail 0.01 --failpercent 1  the same with the largest difference of R, G, B, as in idiff
   --metric flip --hardfail 0.9               fails if any pixel is over 0.9
   --fail 0.2                                 the same as --metric flip --fail 0.2 --failpercent 0
---warn, --warnpercent and --hardwarn warn in the same way. Every region has to hold all limits; a limit that nothing can be beyond
-is an error. Budgets: without a mask a pair is judged by [[whole]] rules, with one each region by [[material]] rules. Without limits
-nothing is judged, and any two finite pictures of one size exit with 0. Pixels that are NaN or infinite never pass.
+--warn, --warnpercent and --hardwarn warn in the same way. Every region must hold all limits. A limit that no value can exceed is
+an error. Budgets: [[whole]] rules judge a pair without a mask; [[material]] rules judge each region of a mask. Without limits
+nothing is judged: any two finite pictures of the same size exit with 0. Pixels that are NaN or infinite never pass.
 Exit codes: 0 within limits; 1 warnings only (with --warn-exit); 2 over a limit; 3 not comparable; 4 unreadable, missing or not
-finite; 64 usage. The highest that applies wins.)";
+finite; 64 wrong usage. The highest code wins.)";
 
 // A limit with its name and the place in Threshold that it goes to.
 struct LimitOption {
@@ -52,14 +52,18 @@ struct LimitOption {
   std::optional<double> compare::Threshold::*target;
 };
 constexpr LimitOption kLimits[] = {
-    {"--fail", "Fail beyond it: the figure, or any pixel", &RawFlipOptions::fail, &compare::Threshold::fail},
-    {"--failpercent", "... but for this percentage of the pixels", &RawFlipOptions::failPercent,
+    {"--fail", "Fail if the figure, or any pixel, is beyond this limit", &RawFlipOptions::fail,
+     &compare::Threshold::fail},
+    {"--failpercent", "Percentage of pixels that may exceed --fail", &RawFlipOptions::failPercent,
      &compare::Threshold::failPercent},
-    {"--hardfail", "Fail where a single pixel is beyond it", &RawFlipOptions::hardFail, &compare::Threshold::hardFail},
-    {"--warn", "Warn beyond it: the figure, or any pixel", &RawFlipOptions::warn, &compare::Threshold::warn},
-    {"--warnpercent", "... but for this percentage of the pixels", &RawFlipOptions::warnPercent,
+    {"--hardfail", "Fail if a single pixel is beyond this limit", &RawFlipOptions::hardFail,
+     &compare::Threshold::hardFail},
+    {"--warn", "Warn if the figure, or any pixel, is beyond this limit", &RawFlipOptions::warn,
+     &compare::Threshold::warn},
+    {"--warnpercent", "Percentage of pixels that may exceed --warn", &RawFlipOptions::warnPercent,
      &compare::Threshold::warnPercent},
-    {"--hardwarn", "Warn where a single pixel is beyond it", &RawFlipOptions::hardWarn, &compare::Threshold::hardWarn},
+    {"--hardwarn", "Warn if a single pixel is beyond this limit", &RawFlipOptions::hardWarn,
+     &compare::Threshold::hardWarn},
 };
 
 template <typename Names> std::string listNames(const Names& names) { return fmt::format("{}", fmt::join(names, ",")); }
@@ -70,34 +74,36 @@ void addPictureOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
   compare::FlipRequest& request = flip.request;
   std::vector<std::string> spaces = {"auto", "raw"};
   spaces.insert(spaces.end(), base::colorSpaceNames().begin(), base::colorSpaceNames().end());
-  app.add_option("--colorspace", request.image.colorSpace, "What both files hold; raw: shown as stored")
+  app.add_option("--colorspace", request.image.colorSpace, "Colour space of both files; raw: show the values as stored")
       ->check(CLI::IsMember(spaces))
       ->group("Pictures")
       ->capture_default_str();
-  app.add_option("--alpha", raw.alpha, "Composite over --background, compare as a channel of its own, or ignore")
+  app.add_option("--alpha", raw.alpha, "Composite over --background, compare as a separate channel, or ignore")
       ->check(CLI::IsMember(strings(compare::kAlphaModeNames)))
       ->group("Pictures")
       ->capture_default_str();
-  app.add_option("--background", raw.background, "R,G,B behind alpha, linear Rec.709. Default 0,0,0")
+  app.add_option("--background", raw.background, "Colour behind alpha, linear Rec.709 R,G,B. Default 0,0,0")
       ->group("Pictures");
   CLI::Option* hdr = app.add_flag("--hdr", raw.hdr, "Compare as HDR, whatever the files hold")->group("Pictures");
   app.add_flag("--ldr", raw.ldr, "Compare as displayed (sRGB, clamped), whatever the files hold")
       ->excludes(hdr)
       ->group("Pictures");
   app.add_flag("--ignore-layers", request.image.ignoreLayers,
-               "Layers and images of a file beyond its first colour and alpha may differ")
+               "Compare only the first colour and alpha; other layers and images may differ")
       ->group("Pictures");
-  app.add_option("--mask", raw.mask, "Compare by region: ids (floats, 32 bit) or weights (white is in)")
+  app.add_option("--mask", raw.mask,
+                 "Compare by region. The mask holds ids (32-bit floats) or weights (white is inside)")
       ->group("Pictures");
-  app.add_option("--mask-kind", raw.maskKind, "How the mask is meant")
+  app.add_option("--mask-kind", raw.maskKind, "Content of the mask")
       ->check(CLI::IsMember(strings(compare::kMaskKindNames)))
       ->group("Pictures")
       ->capture_default_str();
-  app.add_option("--ignore-id", request.mask.ignoredIds, "Leave this id of the mask out (repeatable)")
+  app.add_option("--ignore-id", request.mask.ignoredIds, "Ignore this id of the mask (repeatable)")
       ->allow_extra_args(false)
       ->group("Pictures");
   app.add_option("--region", raw.region, "X,Y,WIDTH,HEIGHT: compare only this area")->group("Pictures");
-  app.add_option("--non-finite", raw.nonFinite, "NaN and infinity: an error; or counted as the worst error, and failed")
+  app.add_option("--non-finite", raw.nonFinite,
+                 "NaN and infinity. error: the pair is an error; worst: count them as the worst error, and fail")
       ->check(CLI::IsMember({"error", "worst"}))
       ->group("Pictures")
       ->capture_default_str();
@@ -107,7 +113,7 @@ void addSizeOptions(CLI::App& app, RawFlipOptions& raw) {
   app.add_option("--max-image", raw.maxImage, "SIDE or SIDE,MEGAPIXELS: largest picture. Default 16384,256")
       ->group("Pictures");
   app.add_option("--max-memory", raw.maxMemory,
-                 "Most that comparing one pair may take, by its headers, such as 512M. Default 6G")
+                 "Memory limit for one pair, computed from its headers, such as 512M. Default 6G")
       ->group("Pictures");
 }
 
@@ -130,7 +136,7 @@ void addMetricOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
   std::vector<std::string> names;
   for (const compare::Metric& metric : compare::metricRegistry()) names.push_back(metric.name);
   app.add_option("--metrics", flip.metrics,
-                 fmt::format("What is measured. Default {}; of HDR pairs {}.\nAll: {}",
+                 fmt::format("Metrics to measure. Default {}; for HDR pairs {}.\nAll: {}",
                              listNames(compare::defaultFlipMetrics(false)),
                              listNames(compare::defaultFlipMetrics(true)), listNames(names)))
       ->group("Metrics");
@@ -140,48 +146,49 @@ void addMetricOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
   const auto viewing = [&](const char* name, float& value, const char* help) {
     app.add_option(name, value, help)->check(within(1e-6, kMost))->excludes(ppd)->group("Metrics");
   };
-  viewing("--distance", raw.distance, "From the eye to the screen, metres; with the two below instead of --ppd");
-  viewing("--resolution-x", raw.resolutionX, "Pixels across the screen");
+  viewing("--distance", raw.distance,
+          "Distance from the eye to the screen, metres. Use with the next two instead of --ppd");
+  viewing("--resolution-x", raw.resolutionX, "Width of the screen in pixels");
   viewing("--screen-width", raw.screenWidth, "Width of the screen, metres");
-  app.add_option("--tonemapper", raw.tonemapper, "Of HDR-FLIP. Default aces")
+  app.add_option("--tonemapper", raw.tonemapper, "Tone curve of HDR-FLIP. Default aces")
       ->check(CLI::IsMember(strings(compare::kTonemapperNames)))
       ->group("Metrics");
   compare::HdrFlipOptions& hdr = flip.request.metric.hdr;
-  app.add_option("--start-exposure", hdr.start, "First exposure of HDR-FLIP, EV. Default: by the reference")
+  app.add_option("--start-exposure", hdr.start, "First exposure of HDR-FLIP, EV. Default: from the reference")
       ->check(within(-compare::kMaxExposureEv, compare::kMaxExposureEv))
       ->group("Metrics");
-  app.add_option("--stop-exposure", hdr.stop, "Last exposure, EV")
+  app.add_option("--stop-exposure", hdr.stop, "Last exposure of HDR-FLIP, EV. Default: from the reference")
       ->check(within(-compare::kMaxExposureEv, compare::kMaxExposureEv))
       ->group("Metrics");
-  app.add_option("--exposures", hdr.exposures, "How many, both included. Default: one a stop")
+  app.add_option("--exposures", hdr.exposures, "Number of exposures, first and last included. Default: one for each EV")
       ->check(CLI::Range(2, compare::kMaxExposures))
       ->group("Metrics");
 }
 
 void addLimitOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
-  app.add_option("--metric", raw.metric,
-                 "Figure (flip.mean) or metric (flip) that the limits behind it are for (repeatable)")
+  app.add_option("--metric", raw.metric, "Figure (flip.mean) or metric (flip) for the limits after it (repeatable)")
       ->allow_extra_args(false)
       ->group("Verdict");
   for (const LimitOption& limit : kLimits)
     app.add_option(limit.name, raw.*limit.values, limit.help)->allow_extra_args(false)->group("Verdict");
-  app.add_option("--budgets", flip.budgets, "Budget file (TOML): regions are materials, pairs scenes")
+  app.add_option("--budgets", flip.budgets, "Budget file (TOML): its materials are regions, its scenes are pairs")
       ->group("Verdict");
-  app.add_flag("--warn-exit", flip.warnExit, "Exit 1 where there are warnings only")->group("Verdict");
+  app.add_flag("--warn-exit", flip.warnExit, "Exit with 1 if there are only warnings")->group("Verdict");
 }
 
 void addOutputOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
   app.add_option("-o,--output", raw.map, "FLIP map: .exr or .pfm (values), .png (magma); a folder for many pairs")
       ->group("Output");
-  app.add_option("--exposure-map", raw.exposureMap, "Of HDR pairs, which exposure is worst; likewise")->group("Output");
+  app.add_option("--exposure-map", raw.exposureMap, "Map of the worst exposure of an HDR pair, in the same formats")
+      ->group("Output");
   app.add_option("--histogram", raw.histogram, "Histogram of the map: .svg; a folder for many pairs")->group("Output");
-  app.add_option("--map-kind", raw.mapKind, "Of the maps in a folder")
+  app.add_option("--map-kind", raw.mapKind, "Format of the maps in a folder")
       ->check(CLI::IsMember({"png", "exr", "pfm"}))
       ->group("Output")
       ->capture_default_str();
-  app.add_option("--json", flip.json, "Write the result as JSON there; - for stdout")->group("Output");
-  app.add_option("--csv", flip.csv, "... as CSV, a line a region")->group("Output");
-  app.add_option("--junit", flip.junit, "... as JUnit XML")->group("Output");
+  app.add_option("--json", flip.json, "Write the result as JSON to this file; - for stdout")->group("Output");
+  app.add_option("--csv", flip.csv, "Write the result as CSV, one line for each region; - for stdout")->group("Output");
+  app.add_option("--junit", flip.junit, "Write the result as JUnit XML")->group("Output");
   app.add_option("--annotate", raw.annotate, "github: print failures as annotations of GitHub Actions")
       ->check(CLI::IsMember({"github"}))
       ->group("Output");
@@ -203,9 +210,9 @@ std::vector<compare::Threshold> collectThresholds(const CLI::App& app, const Raw
       if (option != app.get_option(limit.name)) continue;
       if (thresholds.empty()) thresholds.emplace_back();
       std::optional<double>& target = thresholds.back().*limit.target;
-      if (target) throw CLI::ValidationError(limit.name, "stands twice for one --metric");
+      if (target) throw CLI::ValidationError(limit.name, "is given twice for one --metric");
       target = (raw.*limit.values).at(index);
-      if (!std::isfinite(*target)) throw CLI::ValidationError(limit.name, "is no finite number");
+      if (!std::isfinite(*target)) throw CLI::ValidationError(limit.name, "is not a finite number");
     }
   }
   return thresholds;
@@ -215,10 +222,11 @@ void settlePixelsPerDegree(FlipCommand& flip, const RawFlipOptions& raw) {
   if (raw.ppd > 0) flip.request.metric.ppd = raw.ppd;
   const int given = (raw.distance > 0) + (raw.resolutionX > 0) + (raw.screenWidth > 0);
   if (given == 0) return;
-  if (given < 3) throw CLI::ValidationError("--distance", "needs --resolution-x and --screen-width, and they need it");
+  if (given < 3)
+    throw CLI::ValidationError("--distance", "give --distance, --resolution-x and --screen-width together");
   const float ppd = compare::pixelsPerDegree(raw.distance, raw.resolutionX, raw.screenWidth);
   if (!(ppd >= compare::kMinPixelsPerDegree && ppd <= compare::kMaxPixelsPerDegree))
-    throw CLI::ValidationError("--distance", fmt::format("makes {} pixels per degree; {} to {} are possible", ppd,
+    throw CLI::ValidationError("--distance", fmt::format("gives {} pixels per degree; the range is {} to {}", ppd,
                                                          compare::kMinPixelsPerDegree, compare::kMaxPixelsPerDegree));
   flip.request.metric.ppd = ppd;
 }
@@ -246,8 +254,9 @@ void requireFiles(const FlipCommand& flip) {
   if (flip.pairList.empty() && !two)
     throw CLI::ValidationError(flip.reference.empty() ? "reference" : "test",
                                "is missing: give a reference and a test image, two folders, or --pairs LIST");
-  if (flip.json == "-" && flip.csv == "-") throw CLI::ValidationError("--csv", "stdout is taken by --json");
-  if (flip.junit == "-") throw CLI::ValidationError("--junit", "goes to a file");
+  if (flip.json == "-" && flip.csv == "-")
+    throw CLI::ValidationError("--csv", "stdout already takes the JSON; give a file");
+  if (flip.junit == "-") throw CLI::ValidationError("--junit", "needs a file, not stdout");
 }
 
 } // namespace
@@ -256,7 +265,7 @@ void addFlipOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
   app.footer(kFlipFooter);
   app.add_option("reference", flip.reference, "Reference image or folder");
   app.add_option("test", flip.test, "Test image or folder");
-  app.add_option("--pairs", flip.pairList, "A list of pairs instead");
+  app.add_option("--pairs", flip.pairList, "List of pairs, instead of two images or folders");
   addPictureOptions(app, flip, raw);
   addSizeOptions(app, raw);
   addMetricOptions(app, flip, raw);
@@ -265,7 +274,7 @@ void addFlipOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
   app.add_option("--threads", flip.threads, "CPU threads; 0: all cores")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  app.add_flag("-q,--quiet", raw.quiet, "Errors only: no table, the exit code tells");
+  app.add_flag("-q,--quiet", raw.quiet, "Print errors only, no table; the exit code is the verdict");
 }
 
 void settleFlip(const CLI::App& app, FlipCommand& flip, const RawFlipOptions& raw) {
@@ -274,16 +283,16 @@ void settleFlip(const CLI::App& app, FlipCommand& flip, const RawFlipOptions& ra
   if (!raw.background.empty()) {
     const auto n = readOption("--background", base::readNumbers, raw.background, std::string("three numbers R,G,B"));
     if (*std::min_element(n.begin(), n.end()) < 0)
-      throw invalid("--background", raw.background, "a colour: a channel is negative");
+      throw invalid("--background", raw.background, "a colour: no channel may be negative");
     std::copy(n.begin(), n.end(), request.image.background.begin());
-    if (raw.alpha != "composite") throw CLI::ValidationError("--background", "has no part in --alpha " + raw.alpha);
+    if (raw.alpha != "composite") throw CLI::ValidationError("--background", "has no effect with --alpha " + raw.alpha);
   }
   request.image.alpha = static_cast<compare::AlphaMode>(indexIn(compare::kAlphaModeNames, raw.alpha));
   request.image.limits = request.mask.limits = limitsOf(raw);
   request.mask.file = raw.mask;
   request.mask.kind = static_cast<compare::MaskKind>(indexIn(compare::kMaskKindNames, raw.maskKind));
   if (request.mask.file.empty() && (!request.mask.ignoredIds.empty() || raw.maskKind != "auto"))
-    throw CLI::ValidationError("--mask", "is missing, of which --ignore-id and --mask-kind speak");
+    throw CLI::ValidationError("--mask", "is missing; --ignore-id and --mask-kind need a mask");
   request.range = raw.hdr   ? compare::DynamicRange::hdr
                   : raw.ldr ? compare::DynamicRange::ldr
                             : compare::DynamicRange::automatic;

@@ -30,7 +30,7 @@ std::string typeOf(const base::Knob& knob) {
 }
 
 std::string helpOf(const base::Knob& knob) {
-  return knob.help + (knob.otherwise == "the preset's" ? " (the preset's)" : "");
+  return knob.help + (knob.otherwise == "set by the preset" ? ". Default: set by the preset" : "");
 }
 
 // Sets what is given.
@@ -47,7 +47,7 @@ public:
     } catch (const base::KnobError& error) {
       throw CLI::ValidationError(option, error.reason);
     }
-    if (m_name != m_id && m_name != "no-" + m_id) base::logInfo(fmt::format("{} is called --{} now", option, m_id));
+    if (m_name != m_id && m_name != "no-" + m_id) base::logInfo(fmt::format("{} is now called --{}", option, m_id));
     m_given[m_id] = {std::move(value), option};
   }
 

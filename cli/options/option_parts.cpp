@@ -28,7 +28,7 @@ CLI::Validator within(double least, double most) {
 CLI::Validator fileOfKind(const std::vector<std::string>& extensions) {
   return {[=](std::string& file) {
             if (std::count(extensions.begin(), extensions.end(), extensionOf(file)) > 0) return std::string();
-            return fmt::format("'{}' is none of the kinds {}", file, fmt::join(extensions, ", "));
+            return fmt::format("'{}' is not a file of the kinds {}", file, fmt::join(extensions, ", "));
           },
           "FILE"};
 }

@@ -14,16 +14,16 @@ namespace parity::cli {
 
 void addPlotOptions(CLI::App& app, RawPlotOptions& raw) {
   PlotCommand& plot = raw.plot;
-  app.add_option("what", plot.what, "env-brdf: the environment BRDF of two paths, the second against the first")
+  app.add_option("what", plot.what, "env-brdf: the environment BRDF of two paths, and their difference")
       ->required()
       ->check(CLI::Validator(
           [](const std::string& name) {
             constexpr std::string_view kKnown[] = {"env-brdf"};
-            return name == kKnown[0] ? std::string() : name + ": no such plot; " + base::describeNearest(name, kKnown);
+            return name == kKnown[0] ? std::string() : name + ": unknown plot; " + base::describeNearest(name, kKnown);
           },
           "NAME"));
-  app.add_option("scene", plot.scene, "Scene file or builtin:NAME: also how far the two are apart on its materials");
-  app.add_option("-o,--output", plot.folder, "Folder of the pictures (PNG) and numbers (CSV)")->required();
+  app.add_option("scene", plot.scene, "Scene file or builtin:NAME: also show the difference on its materials");
+  app.add_option("-o,--output", plot.folder, "Folder for pictures (PNG) and numbers (CSV)")->required();
   std::vector<std::string> knobs = {"paths"};
   for (const paths::Path* path : job::allPaths())
     for (const std::string& id : path->environmentBrdfKnobs()) knobs.push_back(id);
@@ -31,7 +31,7 @@ void addPlotOptions(CLI::App& app, RawPlotOptions& raw) {
   app.add_option("--threads", plot.threads, "CPU threads; 0: all cores")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  app.add_flag("-q,--quiet", plot.quiet, "Errors only: no table either");
+  app.add_flag("-q,--quiet", plot.quiet, "Print errors only, no table");
 }
 
 PlotCommand settlePlot(const RawPlotOptions& raw) {

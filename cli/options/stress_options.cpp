@@ -9,51 +9,52 @@ namespace parity::cli {
 
 void addStressOptions(CLI::App& app, RawStressOptions& raw) {
   stress::Options& options = raw.stress.options;
-  app.add_option("--only", raw.only, "functions or renders. Default: both")
+  app.add_option("--only", raw.only, "Part to run: functions or renders. Default: both")
       ->check(CLI::IsMember({"functions", "renders"}));
-  app.add_flag("--list", raw.stress.list, "List the functions with their inputs and demands, and the scenes");
+  app.add_flag("--list", raw.stress.list, "List the functions with their inputs and requirements, and the scenes");
   app.add_option("--at", raw.stress.at,
-                 "FUNCTION:in1,in2,...: one input in every precision, on CPU and device, to the last bit")
+                 "FUNCTION:in1,in2,...: evaluate one input in every precision, on CPU and device, and print all bits")
       ->excludes("--list");
 
-  app.add_option("--functions", options.functionGlob, "Only the functions whose names match this glob")
+  app.add_option("--functions", options.functionGlob, "Run only functions whose names match this glob")
       ->capture_default_str()
       ->group("Functions");
-  app.add_option("--points", options.points.points, "Low-discrepancy points a function, besides the special values")
+  app.add_option("--points", options.points.points,
+                 "Low-discrepancy points for each function, in addition to the special values")
       ->check(CLI::Range(0u, 4'000'000'000u))
       ->capture_default_str()
       ->group("Functions");
   app.add_option("--device-points", options.points.devicePoints,
-                 "The same on the device, which costs more where it is software; 0: none on the device")
+                 "Points for each function on the device; a software device is slow. 0: do not run on the device")
       ->check(CLI::Range(0u, 4'000'000'000u))
       ->capture_default_str()
       ->group("Functions");
 
-  app.add_option("--renders", options.renderGlob, "Only the scenes whose names match this glob; random-SEED among them")
+  app.add_option("--renders", options.renderGlob, "Run only scenes whose names match this glob, such as random-SEED")
       ->capture_default_str()
       ->group("Renders");
-  app.add_option("--scenes", options.scenes, "Random scenes")
+  app.add_option("--scenes", options.scenes, "Number of random scenes")
       ->check(CLI::Range(0u, 1'000'000u))
       ->capture_default_str()
       ->group("Renders");
-  app.add_option("--seed", options.seed, "Seed of the first random scene; the others count on from it")
+  app.add_option("--seed", options.seed, "Seed of the first random scene; each next scene adds 1")
       ->capture_default_str()
       ->group("Renders");
-  app.add_option("--seconds", options.seconds, "Soak: random scenes until so many seconds have passed")
+  app.add_option("--seconds", options.seconds, "Soak test: render random scenes for this many seconds")
       ->check(within(0, 1e7))
       ->excludes("--scenes")
       ->group("Renders");
 
   app.add_option("-o,--output", raw.stress.folder, "Folder for index.html and stress.json");
-  app.add_option("--json", raw.stress.json, "Write stress.json there; - for stdout, instead of the tables");
+  app.add_option("--json", raw.stress.json, "Write stress.json to this file; - for stdout, instead of the tables");
   app.add_option("--device", options.render.device.name,
-                 "Vulkan device: part of its name, or its number in 'parity devices'. Default: the software device");
+                 "Vulkan device: part of its name, or its number from 'parity devices'. Default: the software device");
   app.add_flag("--no-validation", raw.noValidation,
-               "Without the Khronos validation layer, each message of which fails");
-  app.add_option("--threads", raw.stress.threads, "CPU threads; 0: all cores; the result is the same")
+               "Run without the Khronos validation layer. With it, each of its messages fails the run");
+  app.add_option("--threads", raw.stress.threads, "CPU threads; 0: all cores. The result does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  app.add_flag("-q,--quiet", raw.stress.quiet, "Errors only");
+  app.add_flag("-q,--quiet", raw.stress.quiet, "Print errors only");
 }
 
 StressCommand settleStress(const RawStressOptions& raw) {

@@ -127,7 +127,7 @@ ExposureRange exposureRange(const PixelView& reference, const PixelView& test, c
     if (!(found.max > 0)) {
       requireFinite(test, whole, "test");
       found = measureLuminances(test);
-      range.note = "the reference is black: exposures are the test's";
+      range.note = "the reference is black, so the exposures come from the test";
     }
     if (found.max > 0) {
       const double brightest = brightestExposed(options.tonemapper);
@@ -139,8 +139,9 @@ ExposureRange exposureRange(const PixelView& reference, const PixelView& test, c
       range.stop = exposureFor(found.median);
     } else {
       if (!areEqual(reference, test))
-        throw base::Error(base::ExitCode::notComparable, "HDR-FLIP", "",
-                          "neither image has a positive luminance, though they differ: give the exposures");
+        throw base::Error(
+            base::ExitCode::notComparable, "HDR-FLIP", "",
+            "the images differ, but none has a positive luminance; give --start-exposure and --stop-exposure");
       range.start = -1, range.stop = 1;
       range.note = "both images are black";
     }
@@ -149,11 +150,11 @@ ExposureRange exposureRange(const PixelView& reference, const PixelView& test, c
   range.stop = options.stop.value_or(range.stop);
   if (range.start > range.stop)
     refuse("exposures", std::to_string(range.start) + " to " + std::to_string(range.stop),
-           "the start lies above the stop");
+           "the first exposure is above the last");
   const double stops = std::ceil(static_cast<double>(range.stop) - static_cast<double>(range.start));
   range.count = options.exposures.value_or(static_cast<int>(std::clamp(stops, 2., double{kMaxExposures})));
   if (!options.exposures && stops > kMaxExposures)
-    range.note += (range.note.empty() ? "" : "; ") + std::to_string(static_cast<int>(stops)) + " stops: sampled at " +
+    range.note += (range.note.empty() ? "" : "; ") + std::to_string(static_cast<int>(stops)) + " EV are sampled at " +
                   std::to_string(kMaxExposures) + " exposures";
   return range;
 }

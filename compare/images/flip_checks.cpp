@@ -35,10 +35,10 @@ void requireInRange(const std::string& option, const Statistic& statistic, doubl
   if (!(limit >= statistic.least && limit <= statistic.most))
     throw misuse(
         option, fmt::format("{}", limit),
-        fmt::format("no limit for {}, which lies from {} to {}", statistic.name, statistic.least, statistic.most));
+        fmt::format("is not a limit for {}, which is from {} to {}", statistic.name, statistic.least, statistic.most));
   if (!canBeBeyond(statistic, limit))
     throw misuse(option, fmt::format("{}", limit),
-                 fmt::format("would always pass: {} lies from {} to {}, so it is never {} it", statistic.name,
+                 fmt::format("would always pass: {} is from {} to {}, so it is never {} this limit", statistic.name,
                              statistic.least, statistic.most, statistic.better == Better::higher ? "below" : "above"));
 }
 
@@ -48,7 +48,7 @@ void requireWarnFirst(const std::string& warnOption, const Statistic& statistic,
   const bool higher = statistic.better == Better::higher;
   if (warn && fail && (higher ? *warn < *fail : *warn > *fail))
     throw misuse(warnOption, fmt::format("{}", *warn),
-                 fmt::format("lies beyond the limit that fails, {}: it would never warn", *fail));
+                 fmt::format("would never warn: it is beyond the limit that fails, {}", *fail));
 }
 
 // warn and fail limits on one figure, where there are any.
@@ -74,15 +74,16 @@ void addPixelwise(std::vector<BudgetCheck>& checks, const Metric& metric, const 
   if (!statistic || !std::isfinite(*limit)) {
     const Statistic& ranged = metric.statistics.front();
     throw misuse("--" + level, fmt::format("{}", *limit),
-                 fmt::format("no limit for a pixel's {}, which lies from {} to {}: {}", metric.label, ranged.least,
-                             ranged.most, *limit >= ranged.most ? "none could be above it" : "each would be above it"));
+                 fmt::format("is not a limit for a pixel's {}, which is from {} to {}: {}", metric.label, ranged.least,
+                             ranged.most,
+                             *limit >= ranged.most ? "no pixel can be above it" : "every pixel is above it"));
   }
   const double share = percent.value_or(0) / 100;
   if (!(share >= 0 && share <= 1))
-    throw misuse(fmt::format("--{}percent", level), fmt::format("{}", *percent), "is no percentage of 0 to 100");
+    throw misuse(fmt::format("--{}percent", level), fmt::format("{}", *percent), "is not a percentage from 0 to 100");
   if (share == 1)
     throw misuse(fmt::format("--{}percent", level), fmt::format("{}", *percent),
-                 "would always pass: no more than all pixels can be beyond");
+                 "would always pass; give less than 100");
   const bool fails = level == "fail";
   addLimits(checks, *statistic, fails ? std::nullopt : std::optional(share),
             fails ? std::optional(share) : std::nullopt, "");
@@ -98,10 +99,12 @@ void addHard(std::vector<BudgetCheck>& checks, const Metric& metric, const Thres
 }
 
 void requireSense(const std::string& name, const Threshold& t) {
-  if (t.failPercent && !t.fail) throw misuse("--failpercent", name, "of the pixels over what? It belongs to a --fail");
-  if (t.warnPercent && !t.warn) throw misuse("--warnpercent", name, "of the pixels over what? It belongs to a --warn");
+  if (t.failPercent && !t.fail)
+    throw misuse("--failpercent", name, "needs --fail, the limit that the pixels may exceed");
+  if (t.warnPercent && !t.warn)
+    throw misuse("--warnpercent", name, "needs --warn, the limit that the pixels may exceed");
   if (!t.fail && !t.warn && !t.hardFail && !t.hardWarn)
-    throw misuse("--metric", name, "no limit stands behind it: --fail, --warn, --hardfail or --hardwarn");
+    throw misuse("--metric", name, "no limit follows it; add --fail, --warn, --hardfail or --hardwarn");
 }
 
 // Of limits on pixels: a warning that needs more pixels, each further beyond, than a failure does.
@@ -110,7 +113,7 @@ void requireWarnFirst(const Threshold& t) {
   const double warnPercent = t.warnPercent.value_or(0), failPercent = t.failPercent.value_or(0);
   if (*t.warn >= *t.fail && warnPercent >= failPercent && (*t.warn > *t.fail || warnPercent > failPercent))
     throw misuse("--warn", fmt::format("{}", *t.warn),
-                 fmt::format("for {} % of the pixels lies beyond what fails, {} for {} %: it would never warn",
+                 fmt::format("for {} % of the pixels would never warn: it is beyond the limit that fails, {} for {} %",
                              warnPercent, *t.fail, failPercent));
 }
 
@@ -135,7 +138,7 @@ std::vector<BudgetCheck> makeChecks(const std::vector<Threshold>& thresholds, bo
     const bool percents = threshold.failPercent || threshold.warnPercent;
     const bool pixelwise = metric && metric->hasFractionOver && (percents || !statisticByName(name));
     if (metric && !pixelwise && !statisticByName(name))
-      throw misuse("--metric", name, fmt::format("which of its figures? {}", joinFigures(*metric)));
+      throw misuse("--metric", name, fmt::format("has several figures; give one of {}", joinFigures(*metric)));
     requireSense(name, threshold);
     if (pixelwise) {
       requireWarnFirst(threshold);
@@ -145,7 +148,8 @@ std::vector<BudgetCheck> makeChecks(const std::vector<Threshold>& thresholds, bo
       const Statistic statistic = requireStatistic(name, "--metric");
       if (threshold.failPercent || threshold.warnPercent)
         throw misuse(threshold.failPercent ? "--failpercent" : "--warnpercent", name,
-                     "is one figure of the whole region; percents count pixels, of " + joinPixelwise());
+                     "is one figure of the whole region; percentages need a metric with pixel values: " +
+                         joinPixelwise());
       addLimits(checks, statistic, threshold.warn, threshold.fail, "");
       metric = &requireMetric(statistic.metric, "--metric");
     }

@@ -15,7 +15,7 @@ namespace {
 // The rule that judges the row. A region is to its pair what a material is to its scene.
 BudgetRule findRule(const FlipRow& row, const Budgets& budgets, const std::string& scene) {
   const BudgetRule* rule = row.whole ? findWholeRule(budgets, scene) : findMaterialRule(budgets, scene, row.name);
-  if (!rule) throw base::Error(base::ExitCode::failed, "budgets", row.name, "no rule judges it");
+  if (!rule) throw base::Error(base::ExitCode::failed, "budgets", row.name, "no rule applies to it");
   return *rule;
 }
 
@@ -41,7 +41,7 @@ void judgeRow(FlipRow& row, const FlipRequest& request, const std::vector<Budget
   if (asked && std::ranges::none_of(row.checks, &CheckResult::judged)) {
     row.verdict = Verdict::error;
     row.reason = row.checks.empty() ? "no limit applies to it"
-                                    : "its budget holds regressions only, and there is no baseline to hold it against";
+                                    : "its budget has only regressions, but there is no baseline for them";
   }
   if (row.figures.nonFinite > 0 && row.verdict < Verdict::fail) {
     row.verdict = Verdict::fail;
@@ -58,7 +58,7 @@ void settlePair(FlipPair& pair) {
     }
   const auto unjudged = [](const FlipRow& row) { return !std::ranges::all_of(row.checks, &CheckResult::judged); };
   if (std::ranges::any_of(pair.rows, unjudged))
-    pair.notes.emplace_back("the regressions of the budgets are not judged: there is no baseline");
+    pair.notes.emplace_back("the regressions of the budgets are not judged, because there is no baseline");
 }
 
 } // namespace parity::compare

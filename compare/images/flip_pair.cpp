@@ -68,14 +68,14 @@ float largestOf(const base::Image& image) {
 void chooseRange(const FlipRequest& request, const Pictures& pictures, FlipPair& result) {
   if (request.range != DynamicRange::automatic) {
     result.hdr = request.range == DynamicRange::hdr;
-    result.rangeReason = "as asked for";
+    result.rangeReason = "as requested";
     return;
   }
   for (const PlainImage* image : {&pictures.reference, &pictures.test})
     if (image->integer || image->encoded) {
       const char* which = image == &pictures.reference ? "reference" : "test";
       result.rangeReason = image->integer ? fmt::format("the {} holds {}-bit integers", which, image->bits)
-                                          : fmt::format("the {} is taken for display-encoded", which);
+                                          : fmt::format("the {} is read as display-encoded", which);
       return;
     }
   const float largest = std::max(largestOf(pictures.reference.color), largestOf(pictures.test.color));
@@ -199,10 +199,10 @@ std::vector<Figures> measureAlpha(const Pictures& pictures, const std::vector<ba
 // HDR-FLIP's options have no part in an LDR pair, which may surprise.
 void noteUnusedOptions(const FlipRequest& request, FlipPair& result) {
   if (!result.hdr && !request.outputs.exposureMap.empty())
-    result.notes.emplace_back("no exposure map: the pair is LDR");
+    result.notes.emplace_back("no exposure map, because the pair is LDR");
   if (!result.hdr && !request.hdrOptions.empty())
     result.notes.push_back(
-        fmt::format("{}: no part in an LDR pair; --hdr compares it as HDR", fmt::join(request.hdrOptions, ", ")));
+        fmt::format("{}: no effect on an LDR pair; --hdr compares it as HDR", fmt::join(request.hdrOptions, ", ")));
 }
 
 // Where a file of the pair could not be written, none of its rows may read as a pass.

@@ -49,7 +49,7 @@ void requireSense(const FlipRequest& request) {
       throw base::Error(base::ExitCode::usage, "--ldr", name, "does not apply to LDR: it needs linear light");
   }
   if (request.range == DynamicRange::ldr && !request.hdrOptions.empty())
-    throw base::Error(base::ExitCode::usage, "--ldr", request.hdrOptions.front(), "is for HDR-FLIP alone");
+    throw base::Error(base::ExitCode::usage, "--ldr", request.hdrOptions.front(), "needs HDR-FLIP");
   for (const BudgetCheck& check : makeChecks(request.thresholds, request.range == DynamicRange::hdr))
     if (request.range == DynamicRange::ldr && requireMetric(check.statistic.metric, "--metric").needsLinear)
       throw base::Error(base::ExitCode::usage, "--ldr", check.statistic.name,
@@ -62,9 +62,10 @@ FlipResult runFlip(const FlipRequest& request, const std::function<void(const st
   result.judged = !request.thresholds.empty() || request.budgets;
   const std::size_t count = request.files.pairs.size();
   for (const FilePair& files : request.files.pairs) {
-    base::setInterruptNote(fmt::format("interrupted: {} of {} pairs are compared; the maps that are written stay, no "
-                                       "table, JSON, CSV or JUnit is",
-                                       result.pairs.size(), count));
+    base::setInterruptNote(
+        fmt::format("interrupted: {} of {} pairs are compared; finished maps stay, but no table, JSON, "
+                    "CSV or JUnit was written",
+                    result.pairs.size(), count));
     if (progress) progress(files.name, static_cast<double>(result.pairs.size()) / static_cast<double>(count));
     FlipPair pair;
     pair.files = files;
@@ -79,7 +80,7 @@ FlipResult runFlip(const FlipRequest& request, const std::function<void(const st
       if (isUsage(error) && !request.files.many) throw;
       setError(pair, error.what(), error.code() == base::ExitCode::notComparable ? 3 : 4);
     } catch (const std::bad_alloc&) {
-      setError(pair, files.name + ": needs more memory than there is; --max-memory refuses such pairs before", 4);
+      setError(pair, files.name + ": out of memory; a lower --max-memory rejects such pairs in advance", 4);
     } catch (const std::exception& error) {
       setError(pair, files.name + ": " + base::wordsOf(error), 4);
     }

@@ -51,7 +51,8 @@ std::string listFigures(const FlipPair& pair) {
                                       {"weighted Q3", pair.pooling->weightedQ3},
                                       {"min", pair.pooling->min}})
       out += fmt::format("{} {:.6f}\n", base::fitColumns(flip + " " + name, width), value);
-    out += fmt::format("(weighted: by the error itself, as NVIDIA's tool; {}.p50 counts every pixel alike)\n", flip);
+    out += fmt::format(
+        "(weighted: pixels count by their error, as in NVIDIA's tool; in {}.p50 all pixels count the same)\n", flip);
   }
   if (row.figures.find("bias.ev")) out += describeBias(row.figures, "the test") + "\n";
   return out;
@@ -78,7 +79,7 @@ std::vector<std::string> columnsOf(const FlipResult& result) {
 
 // What may be said of a pair whose compared pixels are all the same.
 std::string sameness(const FlipPair& pair) {
-  return std::string(pair.partial ? "what was compared is the same" : "identical") +
+  return std::string(pair.partial ? "the compared parts are the same" : "identical") +
          (pair.invisible ? ", transparent" : "");
 }
 
@@ -160,10 +161,10 @@ std::string describeOutcome(const FlipResult& result) {
                      : fmt::format("warning: {}", reason);
   if (count == 1 && result.pairs[0].identical) {
     const FlipPair& pair = result.pairs[0];
-    const char* what = pair.partial ? "what was compared of the files is identical" : "identical";
+    const char* what = pair.partial ? "the compared parts of the files are identical" : "identical";
     return fmt::format("{}{}: every pixel is the same{}", result.judged ? "pass, " : "", what,
-                       pair.invisible ? ", but all are transparent: nothing was seen"
-                       : pair.black   ? ", and black, in both"
+                       pair.invisible ? ", but all are transparent, so nothing is visible"
+                       : pair.black   ? ", and black in both"
                                       : "");
   }
   const auto same = static_cast<std::size_t>(std::count_if(

@@ -43,7 +43,7 @@ private:
   void visit(const fs::path& folder, std::set<fs::path> outer) {
     std::error_code error;
     if (!outer.insert(fs::canonical(folder, error)).second) {
-      skipped.push_back(folder.string() + " (a link back to a folder around it)");
+      skipped.push_back(folder.string() + " (a link to one of its parent folders)");
       return;
     }
     fs::directory_iterator it(folder, error);
@@ -96,7 +96,7 @@ FilePairs matchFolders(const fs::path& reference, const fs::path& test) {
     result.skipped.insert(result.skipped.end(), listing->skipped.begin(), listing->skipped.end());
   std::sort(result.skipped.begin(), result.skipped.end());
   if (references.empty() && tests.empty())
-    throw base::fileError(reference.string(), "", fmt::format("neither it nor {} holds a picture", test.string()));
+    throw base::fileError(reference.string(), "", fmt::format("holds no picture, and neither does {}", test.string()));
   for (auto it = references.begin(); it != references.end();) {
     if (!tests.contains(*it)) {
       ++it;
@@ -124,8 +124,9 @@ FilePairs matchFolders(const fs::path& reference, const fs::path& test) {
   const bool anyPair =
       std::any_of(result.pairs.begin(), result.pairs.end(), [](const FilePair& p) { return p.missing.empty(); });
   if (!anyPair)
-    throw base::fileError(reference.string(), "",
-                          fmt::format("no picture has a counterpart in {}: nothing to compare", test.string()));
+    throw base::fileError(
+        reference.string(), "",
+        fmt::format("no picture has a counterpart in {}, so there is nothing to compare", test.string()));
   for (const auto& [stem, group] : testGroups)
     for (const fs::path& picture : group)
       result.pairs.push_back({picture.generic_string(),
@@ -180,7 +181,7 @@ FilePairs findPairs(const fs::path& reference, const fs::path& test) {
   const bool folders[] = {fs::is_directory(reference, error), fs::is_directory(test, error)};
   if (folders[0] != folders[1])
     throw base::Error(base::ExitCode::usage, test.string(), "",
-                      fmt::format("is a {}, the reference a {}: give two files or two folders",
+                      fmt::format("is a {}, but the reference is a {}; give two files or two folders",
                                   folders[1] ? "folder" : "file", folders[0] ? "folder" : "file"));
   if (folders[0]) return matchFolders(reference, test);
   FilePairs result;
@@ -207,11 +208,11 @@ FilePairs readPairList(const fs::path& list) {
     while (const auto path = nextPath(line, at, list.string(), number)) paths.push_back(*path);
     if (paths.empty()) continue;
     if (paths.size() != 2)
-      refuse(fmt::format("{} path{} where two belong (\"...\" goes around one with spaces)", paths.size(),
+      refuse(fmt::format("has {} path{}, expected two (put \"...\" around a path with spaces)", paths.size(),
                          paths.size() == 1 ? "" : "s"));
     if (paths[0].empty() || paths[1].empty()) refuse("a path is empty");
     const fs::path reference = list.parent_path() / paths[0], test = list.parent_path() / paths[1];
-    if (!seen.insert({reference, test}).second) refuse("the same pair stands above");
+    if (!seen.insert({reference, test}).second) refuse("the list already has this pair");
     FilePair pair{pairName(paths[0]), reference, test, "", list, number};
     for (const fs::path& file : {reference, test}) {
       std::error_code error;
@@ -220,7 +221,7 @@ FilePairs readPairList(const fs::path& list) {
     }
     result.pairs.push_back(pair);
   }
-  if (result.pairs.empty()) throw base::fileError(list.string(), "", "lists no pairs");
+  if (result.pairs.empty()) throw base::fileError(list.string(), "", "has no pairs");
   makeUnique(result.pairs);
   return result;
 }

@@ -42,7 +42,8 @@ Ids idsOf(const std::string& file, const base::ImageFile& stored) {
     const float v = image.pixels[p * image.channels];
     // 4294967296 is the first float beyond 32 bits; NaN fails every comparison.
     if (!(v >= 0 && v < 4294967296.0f && v == std::floor(v)))
-      throw base::fileError(file, placeOf(p, image.width), fmt::format("{} is no id: ids are whole numbers from 0", v));
+      throw base::fileError(file, placeOf(p, image.width),
+                            fmt::format("{} is not an id: ids are whole numbers from 0", v));
     ids.pixels[p] = static_cast<std::uint32_t>(v);
   }
   return ids;
@@ -52,7 +53,7 @@ std::vector<base::PixelList> regionsOfIds(const MaskRequest& request, const Ids&
   const std::string file = request.file.string();
   for (const std::uint32_t id : request.ignoredIds)
     if (std::find(ids.pixels.begin(), ids.pixels.end(), id) == ids.pixels.end())
-      throw base::fileError(file, fmt::format("id {}", id), "is to be ignored, but no pixel has it");
+      throw base::fileError(file, fmt::format("id {}", id), "no pixel has it, so --ignore-id has no effect");
   std::map<std::uint32_t, std::size_t> places;
   std::vector<base::PixelList> regions;
   // Neighbours mostly share an id: the last one is tried first.
@@ -64,7 +65,8 @@ std::vector<base::PixelList> regionsOfIds(const MaskRequest& request, const Ids&
       if (lastPlace == std::numeric_limits<std::size_t>::max() || id != lastId) {
         const auto [place, isNew] = places.try_emplace(id, regions.size());
         if (isNew && regions.size() == kMaxRegions)
-          throw base::fileError(file, "", fmt::format("holds more than {} ids: is it a mask?", kMaxRegions));
+          throw base::fileError(file, "",
+                                fmt::format("holds more than {} ids, so it is probably not a mask", kMaxRegions));
         if (isNew) regions.push_back({fmt::format("id {}", id), {}, {}});
         lastId = id;
         lastPlace = place->second;
@@ -76,7 +78,7 @@ std::vector<base::PixelList> regionsOfIds(const MaskRequest& request, const Ids&
   for (const auto& [id, place] : places)
     if (std::find(request.ignoredIds.begin(), request.ignoredIds.end(), id) == request.ignoredIds.end())
       sorted.push_back(std::move(regions[place]));
-  if (sorted.empty()) throw base::fileError(file, "", "no pixel is left: every id in it is ignored");
+  if (sorted.empty()) throw base::fileError(file, "", "no pixel is left, because every id is ignored");
   return sorted;
 }
 
@@ -96,7 +98,7 @@ std::string describeAbsent(const MaskRequest& request, const Ids& ids, const std
     if (const std::string name = fmt::format("id {}", id); !present.contains(name) && ++count <= kMostNamed)
       names += (names.empty() ? "" : ", ") + name;
   if (count > kMostNamed) names += fmt::format(" and {} more", count - kMostNamed);
-  return count == 0 ? "" : "without a pixel in the area, so not compared: " + names;
+  return count == 0 ? "" : "not compared, because they have no pixel in the area: " + names;
 }
 
 // One weight a pixel, from grey of one or three equal channels.
@@ -113,15 +115,15 @@ base::PixelList regionOfWeights(const std::string& file, const base::ImageFile& 
       for (int c = 0; c < image.channels; ++c)
         if (c == alpha && image.channels > 1 ? values[c] != 1 : values[c] != weight)
           throw base::fileError(file, placeOf(pixel, image.width),
-                                c == alpha ? "is not opaque: white is in, black is out"
-                                           : "is not grey: white is in, black is out");
+                                c == alpha ? "is not opaque; white must mean inside, black outside"
+                                           : "is not grey; white must mean inside, black outside");
       if (!(weight >= 0 && weight <= 1))
-        throw base::fileError(file, placeOf(pixel, image.width), fmt::format("{} is no weight of 0 to 1", weight));
+        throw base::fileError(file, placeOf(pixel, image.width), fmt::format("{} is not a weight from 0 to 1", weight));
       if (weight == 0) continue;
       region.pixels.push_back(static_cast<std::uint32_t>(pixel));
       region.weights.push_back(weight);
     }
-  if (region.pixels.empty()) throw base::fileError(file, "", "the mask is empty: no pixel is in");
+  if (region.pixels.empty()) throw base::fileError(file, "", "the mask is empty: no pixel is inside");
   if (std::all_of(region.weights.begin(), region.weights.end(), [](float w) { return w == 1; })) region.weights.clear();
   return region;
 }
@@ -145,7 +147,7 @@ MaskRegions findRegions(const MaskRequest& request, int width, int height) {
   if (area.empty() || area.x < 0 || area.y < 0 || area.width > width - area.x || area.height > height - area.y)
     throw base::Error(base::ExitCode::notComparable, "--region",
                       fmt::format("{},{},{},{}", area.x, area.y, area.width, area.height),
-                      fmt::format("reaches beyond the pictures, which are {}x{}", width, height));
+                      fmt::format("is partly outside the pictures, which are {}x{}", width, height));
   MaskRegions result;
   if (area != Rect{0, 0, width, height})
     result.where = fmt::format("area {},{},{},{}", area.x, area.y, area.width, area.height);
@@ -168,7 +170,7 @@ MaskRegions findRegions(const MaskRequest& request, int width, int height) {
   }
   if (!request.ignoredIds.empty())
     throw base::Error(base::ExitCode::usage, "--ignore-id", file,
-                      "is a mask of weights; --mask-kind ids reads it as ids");
+                      "is read as a mask of weights; --mask-kind ids reads it as ids");
   result.lists = {regionOfWeights(file, stored, area)};
   return result;
 }

@@ -49,7 +49,7 @@ void chooseColorSpace(PlainImage& image, const base::ImageInfo& info, const std:
     const char* space = spaceOfPrimaries(*info.chromaticities);
     if (!space)
       throw base::fileError(image.file, "chromaticities",
-                            fmt::format("{:.4g} are of no known colour space; say by --colorspace what to take it for",
+                            fmt::format("{:.4g} are the primaries of an unknown colour space; set --colorspace",
                                         fmt::join(*info.chromaticities, " ")));
     image.colorSpace = space;
     image.colorReason = "declared by the file";
@@ -74,14 +74,14 @@ Layout findChannels(PlainImage& image, const base::ImageInfo& info, int channels
     if (c != layout.alpha) colors.push_back(c);
   if (colors.empty() || colors.size() == 2)
     throw base::Error(base::ExitCode::notComparable, image.file, fmt::format("{}", fmt::join(info.channelNames, ", ")),
-                      "these channels are neither grey nor RGB");
+                      "the channels are not grey or RGB");
   image.colorChannels = colors.size() == 1 ? 1 : 3;
   image.hasAlpha = layout.alpha >= 0;
   for (int c = 0; c < 3; ++c) layout.color[c] = colors[image.colorChannels == 3 ? c : 0];
   const auto nameOf = [&](int c) { return info.channelNames[static_cast<std::size_t>(c)]; };
   if (image.colorChannels == 3 && std::array{nameOf(layout.color[0]), nameOf(layout.color[1]),
                                              nameOf(layout.color[2])} != std::array<std::string, 3>{"R", "G", "B"})
-    image.notes.push_back(fmt::format("the channels {}, {}, {} are taken for R, G, B", nameOf(layout.color[0]),
+    image.notes.push_back(fmt::format("the channels {}, {}, {} are read as R, G, B", nameOf(layout.color[0]),
                                       nameOf(layout.color[1]), nameOf(layout.color[2])));
   if (colors.size() > 3) layout.further.assign(colors.begin() + 3, colors.end());
   for (const int c : layout.further) image.furtherNames.push_back(nameOf(c));
@@ -123,7 +123,7 @@ void composite(PlainImage& image, const base::Image& alpha, bool associated, con
   const auto isZero = [](float v) { return v == 0; };
   image.invisible = std::all_of(alpha.pixels.begin(), alpha.pixels.end(), isZero) &&
                     (!associated || std::all_of(image.color.pixels.begin(), image.color.pixels.end(), isZero));
-  if (image.invisible) image.notes.emplace_back("every pixel is transparent: nothing but the background is seen");
+  if (image.invisible) image.notes.emplace_back("every pixel is transparent, so only the background is visible");
   if (std::all_of(alpha.pixels.begin(), alpha.pixels.end(), [](float a) { return a == 1; })) return;
   if (!image.encoded || image.colorSpace == "raw") {
     image.color = compositeOver(image.color, alpha, associated, background);
@@ -175,14 +175,14 @@ std::string countImages(const PlainImage& image) {
 void requireSameLayers(const PlainImage& reference, const PlainImage& test) {
   const auto refuse = [&](const std::string& what, const std::string& reason) {
     throw base::Error(base::ExitCode::notComparable, test.file, what,
-                      reason + " (--ignore-layers compares the colour of the first image alone)");
+                      reason + " (--ignore-layers compares only the colour of the first image)");
   };
   if (reference.info.images != test.info.images)
     refuse("holds " + countImages(test), "the reference " + countImages(reference));
   if (reference.furtherNames != test.furtherNames)
     refuse("further channels " + listChannels(test), "the reference has " + listChannels(reference));
   if (const auto differing = differingChannels(reference, test); !differing.empty())
-    refuse(fmt::format("{}", fmt::join(differing, ", ")), "differs from the reference, and no metric measures it");
+    refuse(fmt::format("{}", fmt::join(differing, ", ")), "differs from the reference, but no metric measures it");
 }
 
 } // namespace
@@ -201,7 +201,7 @@ PlainImage readPlainImage(const std::filesystem::path& file, const PlainImageOpt
     image.notes.push_back(fmt::format("the channels {} {}", listChannels(image),
                                       options.ignoreLayers ? "are not compared" : "hold the same bits in both"));
   if (image.info.images > 1)
-    image.notes.push_back(fmt::format("holds {}, of which the first is compared", countImages(image)));
+    image.notes.push_back(fmt::format("holds {}; only the first is compared", countImages(image)));
   if (image.info.orientation != 1)
     image.notes.push_back(
         fmt::format("is compared as stored; its orientation ({}) is not applied", image.info.orientation));
@@ -251,7 +251,7 @@ void requireComparable(const PlainImage& reference, const PlainImage& test, cons
   const bool alphaDiffers = reference.hasAlpha != test.hasAlpha && options.alpha != AlphaMode::ignore;
   if (reference.colorChannels != test.colorChannels || alphaDiffers)
     refuse(describeChannels(test), fmt::format("the reference is {}{}", describeChannels(reference),
-                                               alphaDiffers ? " (--alpha ignore compares colour alone)" : ""));
+                                               alphaDiffers ? " (--alpha ignore compares only colour)" : ""));
   if (!options.ignoreLayers) requireSameLayers(reference, test);
 }
 

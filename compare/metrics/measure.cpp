@@ -20,7 +20,7 @@ std::vector<RegionRuns> makeRegions(const std::vector<base::PixelList>& lists, c
       const int x = static_cast<int>(run.first % width), y = static_cast<int>(run.first / width);
       if (x < box.x || x + static_cast<int>(run.count) > box.x + box.width || y < box.y || y >= box.y + box.height)
         throw base::Error(base::ExitCode::failed, "region '" + lists[i].name + "'",
-                          "x " + std::to_string(x) + ", y " + std::to_string(y), "lies outside what is measured");
+                          "x " + std::to_string(x) + ", y " + std::to_string(y), "is outside the measured area");
     }
   });
   return regions;

@@ -84,7 +84,7 @@ std::vector<MeasurePlan> makeMeasurePlans(const MeasureRequest& request, bool ha
     if (plan.statistics.empty() && !plan.keepMap) continue;
     if (metric.needsLinear && !hasLinear)
       throw base::Error(base::ExitCode::notComparable, metric.name, "",
-                        "needs linear (HDR) images; these are displayed ones");
+                        "needs linear (HDR) images, but these are displayed images");
     plans.push_back(std::move(plan));
   }
   return plans;

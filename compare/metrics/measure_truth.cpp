@@ -99,7 +99,7 @@ void noteCloseness(std::vector<std::string>& notes, const std::string& path, con
                    const TruthError& error) {
   if (isWithinNoise(figures, error))
     notes.push_back(fmt::format("{}: the difference to the truth, relMSE {}, is within {:.0f} standard errors of the "
-                                "truth, whose noise alone gives {}",
+                                "truth; the noise of the truth alone gives {}",
                                 path, formatRelMse(figures.find("relmse").value_or(0)), kFewStandardErrors,
                                 formatRelMse(error.relmse)));
 }
@@ -109,7 +109,7 @@ std::vector<std::string> notesOf(const TruthFigures& figures, const ErrorPlanes&
   std::vector<std::string> notes;
   const std::uint64_t unknown = countSet(planes.unknown, region), over = countSet(planes.over, region);
   if (unknown > 0)
-    notes.push_back(fmt::format("the truth's error is not known at {} of {} pixels", unknown, region.pixels));
+    notes.push_back(fmt::format("the error of the truth is unknown at {} of {} pixels", unknown, region.pixels));
   if (over > 0)
     notes.push_back(fmt::format("the truth did not reach a standard error of {:.3g} % at {} of {} pixels",
                                 100 * request.wantedError, over, region.pixels));

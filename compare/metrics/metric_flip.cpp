@@ -34,8 +34,8 @@ Metric makeFlipMetric() {
   Metric metric;
   metric.name = "flip";
   metric.label = "FLIP";
-  metric.description = "LDR-FLIP (Andersson et al. 2020) of the displayed images: how visible a difference is when one "
-                       "is swapped for the other; 0 none, 1 the largest";
+  metric.description = "LDR-FLIP (Andersson et al. 2020) of the displayed images: visibility of a difference when one "
+                       "image replaces the other; 0: none, 1: largest";
   metric.statistics = distributionStatistics(metric.name, metric.label, kParts, {});
   metric.hasFractionOver = true;
   metric.makeMaps = ldrFlipMaps;

@@ -48,7 +48,7 @@ Metric makeHdrFlipMetric() {
   metric.name = "hdrflip";
   metric.label = "HDR-FLIP";
   metric.description = "HDR-FLIP (Andersson et al. 2021) of linear images: the largest FLIP over the exposures between "
-                       "which the reference is neither all dark nor all white";
+                       "which the reference is not all dark or all white";
   metric.needsLinear = true;
   metric.statistics = distributionStatistics(metric.name, metric.label, kParts, {});
   metric.hasFractionOver = true;

@@ -86,7 +86,7 @@ MetricInput::MetricInput(const ImagePair& pair)
   }
   for (const std::uint32_t pixel : nonFinite)
     if (pixel >= pixelCount())
-      throw base::Error(base::ExitCode::failed, "images", "pixel " + std::to_string(pixel), "lies outside the image");
+      throw base::Error(base::ExitCode::failed, "images", "pixel " + std::to_string(pixel), "is outside the image");
 
   for (int i = 0; i < 2; ++i) {
     PixelView& view = i == 0 ? reference : test;

@@ -90,7 +90,7 @@ Metric makeMsSsimMetric() {
   metric.name = "msssim";
   metric.label = "MS-SSIM";
   metric.description = "multi-scale structural similarity (Wang et al. 2003, five scales; fewer, with the weights "
-                       "rescaled, where the shorter side is below 176) of the displayed images' luma; 1 alike";
+                       "rescaled, where the shorter side is below 176) of the displayed images' luma; 1: identical";
   metric.statistics = {{"msssim", "msssim", "MS-SSIM", "", Better::higher, 0, 1, 4}};
   metric.reach = kReachesAll;
   metric.makeMaps = msSsimMaps;

@@ -55,7 +55,7 @@ Rect boxOf(const MetricInput& input, const MetricOptions& options) {
   if (box.empty() || box.x < 0 || box.y < 0 || box.x + box.width > input.width() || box.y + box.height > input.height())
     throw base::Error(base::ExitCode::failed, "region",
                       fmt::format("{} x {} at {}, {}", box.width, box.height, box.x, box.y),
-                      fmt::format("does not lie within the image of {} x {}", input.width(), input.height()));
+                      fmt::format("is not inside the image of {} x {}", input.width(), input.height()));
   return box;
 }
 

@@ -37,7 +37,7 @@ std::vector<std::string> parseMetricNames(std::string_view commaSeparated, const
     const std::string_view part = commaSeparated.substr(begin, end - begin);
     if (part.empty())
       throw base::Error(base::ExitCode::usage, subject, "'" + std::string(commaSeparated) + "'",
-                        "names of metrics are needed, with commas between");
+                        "give names of metrics, separated by commas");
     wanted.push_back(requireMetric(part, subject).name);
     begin = end + 1;
   }

@@ -13,7 +13,7 @@ Metric makeSsimMetric() {
   metric.name = "ssim";
   metric.label = "SSIM";
   metric.description = "structural similarity (Wang et al. 2004: Gaussian window 11x11, sigma 1.5, K 0.01 and 0.03, "
-                       "edges mirrored) of the displayed images' luma; 1 alike, -1 the least";
+                       "edges mirrored) of the displayed images' luma; 1: identical, -1: smallest";
   metric.statistics = distributionStatistics(metric.name, metric.label, kParts, {Better::higher, -1, 1, 4});
   metric.reach = 5; // half of the window
   metric.makeMaps = [](const MetricInput& input, const MetricOptions& options) {

@@ -246,7 +246,8 @@ std::vector<float> weightedPercentiles(std::span<const float> values, std::span<
                                        std::span<const double> fractions) {
   const auto refuse = [](const char* reason) { return base::Error(base::ExitCode::failed, "percentiles", "", reason); };
   if (values.empty()) throw refuse("there are no values");
-  if (!weights.empty() && weights.size() != values.size()) throw refuse("there are not as many weights as values");
+  if (!weights.empty() && weights.size() != values.size())
+    throw refuse("the number of weights is not the number of values");
   if (std::any_of(values.begin(), values.end(), [](float v) { return std::isnan(v); })) throw refuse("a value is NaN");
   if (std::any_of(weights.begin(), weights.end(), [](float w) { return !(w >= 0 && std::isfinite(w)); }))
     throw refuse("a weight is negative or not finite");

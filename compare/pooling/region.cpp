@@ -15,9 +15,9 @@ void requireWellFormed(const base::PixelList& list, std::size_t pixelCount) {
     return base::Error(base::ExitCode::failed, "region '" + list.name + "'", "entry " + std::to_string(i), reason);
   };
   if (!list.weights.empty() && list.weights.size() != list.pixels.size())
-    throw refuse(list.weights.size(), "there are not as many weights as pixels");
+    throw refuse(list.weights.size(), "the number of weights is not the number of pixels");
   for (std::size_t i = 0; i < list.pixels.size(); ++i) {
-    if (list.pixels[i] >= pixelCount) throw refuse(i, "the pixel lies outside the image");
+    if (list.pixels[i] >= pixelCount) throw refuse(i, "the pixel is outside the image");
     if (i > 0 && list.pixels[i] <= list.pixels[i - 1]) throw refuse(i, "the pixels are not in ascending order");
   }
   for (std::size_t i = 0; i < list.weights.size(); ++i)

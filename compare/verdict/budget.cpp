@@ -42,8 +42,9 @@ bool isUsed(const BudgetRule& rule, bool ofWholes, const std::vector<JudgedScene
 std::string describeTooDark(std::string_view metric, const Figures& figures) {
   const double brighter = std::max(figures.referenceLuminance, figures.testLuminance);
   if (metric != "bias.ev" || !(brighter < kLeastLuminance)) return {};
-  return fmt::format("mean luminance is below {:g} in both pictures: too dark for a difference of exposure",
-                     kLeastLuminance);
+  return fmt::format(
+      "mean luminance is below {:g} in both pictures, which is too dark to measure a difference of exposure",
+      kLeastLuminance);
 }
 
 std::vector<std::string> requiredStatistics(const Budgets& budgets) {

@@ -60,7 +60,7 @@ public:
     if (const toml::node* rules = root.get("whole"))
       for (const toml::table* rule : tablesOf(*rules, "whole")) budgets.wholes.push_back(wholeRule(*rule));
     if (budgets.materials.empty() && budgets.wholes.empty())
-      throw base::fileError(m_file, "", "no rules: expected at least one [[material]] or [[whole]]");
+      throw base::fileError(m_file, "", "has no rules; add a [[material]] or [[whole]]");
     refuseHidden(budgets.materials);
     refuseHidden(budgets.wholes);
     return budgets;
@@ -78,12 +78,12 @@ private:
     }
     const toml::node* node = root.get("preset");
     if (!node) return;
-    if (!node->is_table()) refuse(node->source(), "'preset' must be tables: [preset.NAME]");
+    if (!node->is_table()) refuse(node->source(), "'preset' must hold tables: [preset.NAME]");
     for (const auto& [key, value] : *node->as_table()) {
       const std::string name(key.str());
       if (!value.is_table()) refuse(key.source(), fmt::format("'{0}' must be a table: [preset.{0}]", name));
       if (m_presets[0].contains(name))
-        refuse(key.source(), fmt::format("preset '{}' is built in: take another name", name));
+        refuse(key.source(), fmt::format("preset '{}' is built in; use another name", name));
       const toml::table& table = *value.as_table();
       refuseUnknown(table, kPresetKeys);
       const Checks checks = readChecks(table, fmt::format("preset '{}'", name));
@@ -107,7 +107,7 @@ private:
   Checks readChecks(const toml::table& table, const std::string& owner) const {
     Checks checks;
     if (!table.contains("checks") && !table.contains("regress"))
-      refuse(table.source(), fmt::format("{} has neither 'checks' nor 'regress'", owner));
+      refuse(table.source(), fmt::format("{} needs 'checks' or 'regress'", owner));
     checks.levels = readList(table, "checks");
     checks.regress = readList(table, "regress");
     return checks;
@@ -124,7 +124,7 @@ private:
       if (!seen.insert(last.statistic.name).second)
         refuse(check->source(), fmt::format("'{}' is checked twice", last.statistic.name));
     }
-    if (list.empty()) refuse(checks->source(), fmt::format("'{}' is empty: the rule would pass everything", key));
+    if (list.empty()) refuse(checks->source(), fmt::format("'{}' is empty, so the rule would always pass", key));
     return list;
   }
 
@@ -201,8 +201,8 @@ private:
   BudgetCheck readCheck(const toml::table& table, bool regress) const {
     if (const toml::node* region = table.get("region"))
       refuse(region->source(),
-             "'region' is gone: a material is judged by one figure over all of its pixels, in which no "
-             "neighbour takes part (docs/budgets.md): delete the key");
+             "'region' no longer exists: one figure over all pixels of a material judges it, without its "
+             "neighbours (docs/budgets.md); delete the key");
     refuseUnknown(table, kCheckKeys);
     BudgetCheck check;
     if (!table.contains("metric")) refuse(table.source(), "the check has no 'metric'");
@@ -217,10 +217,10 @@ private:
     check.statistic = std::move(*known);
     check.warn = readLimit(table, "warn", check.statistic, regress);
     check.fail = readLimit(table, "fail", check.statistic, regress);
-    if (!check.warn && !check.fail) refuse(table.source(), "the check has neither 'warn' nor 'fail'");
+    if (!check.warn && !check.fail) refuse(table.source(), "the check needs 'warn' or 'fail'");
     const bool lowerBound = check.statistic.better == Better::higher && !regress;
     if (check.warn && check.fail && (lowerBound ? *check.warn < *check.fail : *check.warn > *check.fail))
-      refuse(table.source(), fmt::format("'warn' ({}) lies {} 'fail' ({}): it could never warn", *check.warn,
+      refuse(table.source(), fmt::format("'warn' ({}) is {} 'fail' ({}), so it would never warn", *check.warn,
                                          lowerBound ? "below" : "above", *check.fail));
     return check;
   }
@@ -239,8 +239,8 @@ private:
       refuse(node->source(), fmt::format("'{}' is {}, outside the range {}..{} of {}{}", key, *value, least, most,
                                          regress ? "changes of " : "", statistic.name));
     if (regress ? *value >= most : !canBeBeyond(statistic, *value))
-      refuse(node->source(), fmt::format("'{}' is {}: {} can never be {} it, so this would always pass", key, *value,
-                                         regress ? "a change of " + statistic.name : statistic.name,
+      refuse(node->source(), fmt::format("'{}' is {}, but {} can never be {} it, so the check would always pass", key,
+                                         *value, regress ? "a change of " + statistic.name : statistic.name,
                                          statistic.better == Better::higher && !regress ? "below" : "above"));
     return value;
   }
@@ -253,9 +253,10 @@ private:
           return glob == "*" || glob == other;
         };
         if (takes(rules[earlier].material, rules[later].material) && takes(rules[earlier].scene, rules[later].scene))
-          throw base::fileError(m_file, rules[later].origin.substr(m_short.size() + 2),
-                                fmt::format("the rule of {} matches all that this one could: put this one first",
-                                            rules[earlier].origin.substr(m_short.size() + 2)));
+          throw base::fileError(
+              m_file, rules[later].origin.substr(m_short.size() + 2),
+              fmt::format("the rule of {} already matches everything that this rule matches; put this rule first",
+                          rules[earlier].origin.substr(m_short.size() + 2)));
       }
   }
 

@@ -22,8 +22,8 @@ std::string describeLimits(const BudgetCheck& check, bool regress) {
 std::string describeRule(const BudgetRule& rule, const std::string& subject) {
   std::string text = fmt::format("{}: {}", base::plainLine(rule.origin), subject);
   if (rule.scene != "*") text += fmt::format(" of scenes '{}'", base::plainLine(rule.scene));
-  if (rule.requireSeen) text += ", which a view has to show";
-  if (rule.minPixels != kDefaultMinPixels) text += fmt::format(", of at least {} pixels", rule.minPixels);
+  if (rule.requireSeen) text += ", must be visible in a view";
+  if (rule.minPixels != kDefaultMinPixels) text += fmt::format(", at least {} pixels", rule.minPixels);
   if (!rule.owner.empty()) text += ", owner " + base::plainLine(rule.owner);
   if (!rule.reason.empty()) text += ": " + base::plainLine(rule.reason);
   text += "\n";

@@ -81,7 +81,7 @@ std::string describeLight(const Figures& figures, double ev) {
     const std::string size = fmt::format("{:.{}f} EV", std::abs(ev), std::abs(ev) < 0.1 ? 2 : 1);
     if (ev * lightness >= 0) return fmt::format("is {} {}", size, ev < 0 ? "darker" : "brighter");
     const char* seen = std::abs(lightness) < kLeastLab ? "equally bright" : lightness < 0 ? "darker" : "brighter";
-    return fmt::format("has {} {} light in all, but is {} on the whole (dL* {:+.1f})", size, ev < 0 ? "less" : "more",
+    return fmt::format("has {} {} light in total, but is {} on average (dL* {:+.1f})", size, ev < 0 ? "less" : "more",
                        seen, lightness);
   }
   if (std::abs(lightness) < kLeastLab) return {};
@@ -90,7 +90,7 @@ std::string describeLight(const Figures& figures, double ev) {
 
 std::string describeLuma(const Figures& figures, std::string_view test) {
   const double percent = 100 * (figures.testLuma / figures.referenceLuma - 1);
-  if (std::abs(percent) < 0.5) return "equally bright on average";
+  if (std::abs(percent) < 0.5) return "same brightness on average";
   return fmt::format("{} is {:.1f} % {}", test, std::abs(percent), percent < 0 ? "darker" : "brighter");
 }
 
@@ -174,16 +174,15 @@ std::string describeClipping(const Figures& figures) {
   constexpr double kSaid = 0.0005; // less would be said to be 0.0 %
   const bool isBlack = figures.clippedBlack >= kSaid, isWhite = figures.clippedWhite >= kSaid;
   if (isBlack && isWhite)
-    return fmt::format(
-        "{} of the pixels are black in both pictures and {} white: {} --exposure would show more of them",
-        share(figures.clippedBlack), share(figures.clippedWhite),
-        figures.clippedBlack > figures.clippedWhite ? "a higher" : "a lower");
-  return fmt::format("{} of the pixels are {} in both pictures: {} --exposure", share(figures.clipped()),
+    return fmt::format("{} of the pixels are black in both pictures and {} are white; {} --exposure shows more of them",
+                       share(figures.clippedBlack), share(figures.clippedWhite),
+                       figures.clippedBlack > figures.clippedWhite ? "a higher" : "a lower");
+  return fmt::format("{} of the pixels are {} in both pictures; {} --exposure", share(figures.clipped()),
                      isBlack ? "black" : "white", isBlack ? "raise" : "lower");
 }
 
 std::string describeBias(const Figures& figures, std::string_view test) {
-  if (figures.nonFinite > 0) return "bias not known: some pixels are NaN or infinite";
+  if (figures.nonFinite > 0) return "bias is unknown: some pixels are NaN or infinite";
   constexpr double kBlack = 0.5 / 255; // shown as 0
   const std::optional<double> ev = figures.find("bias.ev");
   if (figures.referenceLuma < kBlack && figures.testLuma >= kBlack) return "the reference is nearly black";
@@ -200,8 +199,8 @@ std::string describeBias(const Figures& figures, std::string_view test) {
   addTint("bias.db", "warmer", "cooler");
   addTint("bias.da", "redder", "greener");
   if (light.empty() && tints.empty()) {
-    if (figures.clipped() > kMostClipping) return "as much light, before most of it is clipped";
-    return "equally bright and of the same tint on average";
+    if (figures.clipped() > kMostClipping) return "equal light before clipping, but most of it is clipped";
+    return "same brightness and tint on average";
   }
   text += " " + (light.empty() ? "is " + tints.front() : light);
   for (std::size_t i = light.empty() ? 1 : 0; i < tints.size(); ++i)

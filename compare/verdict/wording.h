@@ -37,16 +37,16 @@ std::string formatLimit(const CheckResult& check, double limit);
 std::string describeCheck(const CheckResult& check);
 
 // How much is clipped in both pictures and what would help, from kNotableClipping on: "12.0 % of the pixels are white
-// in both pictures: lower --exposure". Empty below.
+// in both pictures; lower --exposure". Empty below.
 std::string describeClipping(const Figures& figures);
 
 // What artists ask first: "mobile is 0.3 EV darker and warmer", by bias.ev, bias.dl, bias.da, bias.db (test minus
 // reference, means over the region). Said is what most see where the two stand side by side: 0.05 EV of light (0.8 L*
 // at mid grey; 4 %), else 1 of L*; 1 of a* ("redder", "greener") and 1 of b* ("warmer" is yellower, "cooler" is bluer):
-// a dE*ab of 1 is about the least that is seen, of 2.3 what is seen without looking for it (Mahy et al. 1994). "equally
-// bright and of the same tint on average" below all of these: single pixels may differ all the same. Few bright
+// a dE*ab of 1 is about the least that is seen, of 2.3 what is seen without looking for it (Mahy et al. 1994). "same
+// brightness and tint on average" below all of these: single pixels may differ all the same. Few bright
 // highlights may hold more light than all else: where light and mean lightness disagree, both are said ("mobile has 0.4
-// EV more light in all, but is darker on the whole (dL* -4.0)"). Where the bias was not measured: by displayed luma,
+// EV more light in total, but is darker on average (dL* -4.0)"). Where the bias was not measured: by displayed luma,
 // "mobile is 4.2 % darker", "equally bright" (below 0.5 %). Both: "the reference is nearly black", "both are black"
 // (every pixel of both), "both are nearly black on average" (unless the light in them differs). Of a region with NaN or
 // infinite pixels nothing is said. test: what "mobile" is called.

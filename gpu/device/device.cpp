@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 constexpr const char* kInstallDriver =
-    "install a driver: 'apt-get install mesa-vulkan-drivers' gives the software device";
+    "install a driver: 'apt-get install mesa-vulkan-drivers' installs the software device";
 
 Error deviceError(std::string place, std::string reason) {
   return Error(ExitCode::failed, "Vulkan", std::move(place), std::move(reason));
@@ -55,7 +55,7 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validatio
   try {
     return vk::raii::Instance(context, info);
   } catch (const vk::IncompatibleDriverError&) {
-    throw deviceError("instance", fmt::format("no driver found; {}", kInstallDriver));
+    throw deviceError("instance", fmt::format("no driver was found; {}", kInstallDriver));
   }
 }
 
@@ -173,7 +173,7 @@ std::uint32_t Device::memoryType(std::uint32_t typeBits, vk::MemoryPropertyFlags
   for (const vk::MemoryPropertyFlags flags : {wanted | preferred, wanted})
     for (std::uint32_t i = 0; i < m_memory.memoryTypeCount; ++i)
       if ((typeBits >> i & 1) && (m_memory.memoryTypes[i].propertyFlags & flags) == flags) return i;
-  throw deviceError(m_report.name, "no memory type of the kind that is needed");
+  throw deviceError(m_report.name, "no memory type fits");
 }
 
 void Device::submit(const std::string& stage, const std::function<void(const vk::raii::CommandBuffer&)>& record) const {
@@ -200,7 +200,7 @@ void Device::submit(const std::string& stage, const std::function<void(const vk:
   try {
     m_queue.submit(vk::SubmitInfo({}, {}, handle), *fence);
     if (m_device.waitForFences(*fence, true, UINT64_MAX) != vk::Result::eSuccess)
-      throw deviceError(stage, "the device did not finish");
+      throw deviceError(stage, "the device did not finish its work");
   } catch (const vk::DeviceLostError&) {
     throw deviceError(stage, fmt::format("the device '{}' was lost", m_report.name));
   }

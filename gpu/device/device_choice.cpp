@@ -38,19 +38,20 @@ const char* kindName(vk::PhysicalDeviceType type) {
 std::string refusal(const vk::raii::PhysicalDevice& device) {
   const auto properties = device.getProperties();
   if (properties.apiVersion < VK_API_VERSION_1_3)
-    return fmt::format("Vulkan {}.{} only, 1.3 is needed", VK_API_VERSION_MAJOR(properties.apiVersion),
+    return fmt::format("it has Vulkan {}.{}, 1.3 is needed", VK_API_VERSION_MAJOR(properties.apiVersion),
                        VK_API_VERSION_MINOR(properties.apiVersion));
-  if (!graphicsQueueFamily(device)) return "no queue with graphics and compute";
+  if (!graphicsQueueFamily(device)) return "it has no queue with graphics and compute";
   const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features>();
   if (!features.get<vk::PhysicalDeviceFeatures2>().features.geometryShader)
-    return "no primitive ids in fragment shaders";
-  if (!features.get<vk::PhysicalDeviceFeatures2>().features.imageCubeArray) return "no arrays of cubes";
-  if (!features.get<vk::PhysicalDeviceVulkan13Features>().dynamicRendering) return "no dynamic rendering";
+    return "it has no primitive ids in fragment shaders (geometryShader)";
+  if (!features.get<vk::PhysicalDeviceFeatures2>().features.imageCubeArray)
+    return "it has no arrays of cube maps (imageCubeArray)";
+  if (!features.get<vk::PhysicalDeviceVulkan13Features>().dynamicRendering) return "it has no dynamic rendering";
   if (properties.limits.maxPerStageDescriptorStorageBuffers < kStorageBuffers)
-    return fmt::format("{} storage buffers a stage, {} are needed",
+    return fmt::format("it has {} storage buffers a stage, {} are needed",
                        properties.limits.maxPerStageDescriptorStorageBuffers, kStorageBuffers);
   if (properties.limits.maxUniformBufferRange < kMaxLamps * sizeof(GpuLamp))
-    return fmt::format("uniform buffers of {} bytes at most, {} are needed", properties.limits.maxUniformBufferRange,
+    return fmt::format("its uniform buffers hold {} bytes, {} are needed", properties.limits.maxUniformBufferRange,
                        kMaxLamps * sizeof(GpuLamp));
   return {};
 }
@@ -114,15 +115,15 @@ DeviceChoice chooseDevice(const std::vector<vk::raii::PhysicalDevice>& devices, 
     DeviceReport& report = choice.reports[i];
     report.taken = static_cast<int>(i) == choice.taken;
     if (!refusals[i].empty())
-      report.reason = "refused: " + refusals[i];
+      report.reason = "cannot be used: " + refusals[i];
     else if (report.taken)
-      report.reason = options.name.empty() ? "taken: the software device is the default, its pictures are reproducible"
-                                           : fmt::format("taken: named by '{}'", options.name);
+      report.reason = options.name.empty()
+                          ? "used: the software device is the default, because its pictures are reproducible"
+                          : fmt::format("used: --device '{}' selects it", options.name);
     else if (!options.name.empty())
-      report.reason = fmt::format("not taken: '{}' names another", options.name);
+      report.reason = fmt::format("not used: --device '{}' does not select it", options.name);
     else
-      report.reason = report.kind == "cpu" ? "not taken: lavapipe goes first"
-                                           : "not taken: hardware is used only where --device names it";
+      report.reason = report.kind == "cpu" ? "not used: lavapipe has priority" : "not used: hardware needs --device";
   }
   return choice;
 }

@@ -24,7 +24,7 @@ DeviceImage::DeviceImage(const Device& device, const Shape& shape) : m_shape(sha
   if (const std::uint32_t limit = shape.cube ? limits.maxImageDimensionCube : limits.maxImageDimension2D; side > limit)
     throw base::Error(base::ExitCode::failed, device.report().name,
                       "image of " + std::to_string(shape.width) + "x" + std::to_string(shape.height),
-                      "the device takes " + std::to_string(limit) + " pixels a side at most");
+                      "the device allows at most " + std::to_string(limit) + " pixels a side");
   vk::ImageCreateInfo info(shape.cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags{},
                            vk::ImageType::e2D, shape.format, vk::Extent3D(shape.width, shape.height, 1), shape.mips,
                            shape.layers(), vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal, shape.usage);

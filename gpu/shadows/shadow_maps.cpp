@@ -139,7 +139,7 @@ std::string ShadowMaps::note() const {
     if (view.side > 0) least = std::min(least, view.side);
   if (!m_plan.shrunk) return "";
   return fmt::format(
-      "shadow maps are smaller than asked for, down to {0}x{0} texels: all together take {1} MiB at most", least,
+      "shadow maps are smaller than requested, down to {0}x{0} texels: the limit for all of them is {1} MiB", least,
       m_options.maxBytes >> 20);
 }
 

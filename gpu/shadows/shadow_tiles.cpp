@@ -35,7 +35,7 @@ ShadowTiling packTiles(std::span<const std::uint32_t> sides, std::uint32_t maxSi
   const std::uint32_t largest = sides[order.front()];
   if (largest > maxSide)
     throw base::Error(base::ExitCode::failed, device, fmt::format("shadow map of {0}x{0}", largest),
-                      fmt::format("the device takes {} texels a side at most", maxSide));
+                      fmt::format("the device allows at most {} texels a side", maxSide));
   // A few small maps need no large layer.
   std::uint32_t side = largest;
   while (side < kMinLayerSide && 2 * side <= maxSide && std::uint64_t{side} * side < texels) side *= 2;
@@ -53,7 +53,7 @@ ShadowTiling packTiles(std::span<const std::uint32_t> sides, std::uint32_t maxSi
   if (layers > maxLayers)
     throw base::Error(base::ExitCode::failed, device,
                       fmt::format("shadow maps in {} layers of {}x{}", layers, side, side),
-                      fmt::format("the device takes {} layers at most", maxLayers));
+                      fmt::format("the device allows at most {} layers", maxLayers));
   tiling.layers = static_cast<std::uint32_t>(layers);
   return tiling;
 }

@@ -219,9 +219,10 @@ ShadowPlan planOnce(const std::string& scene, const Casters& casters, const Dist
     }
   });
   if (draws > kMaxShadowDraws)
-    throw base::fileError(scene, "shadows",
-                          fmt::format("the maps of {} lights draw more than {} instances: give lights a range",
-                                      distinct.lights.size(), kMaxShadowDraws));
+    throw base::fileError(
+        scene, "shadows",
+        fmt::format("the shadow maps of {} lights draw more than {} instances; give the lights a range",
+                    distinct.lights.size(), kMaxShadowDraws));
   ShadowPlan plan;
   std::vector<ShadowOfLight> of;
   for (std::vector<ShadowView>& each : views) {
@@ -272,7 +273,7 @@ ShadowPlan planShadows(const scenes::Scene& scene, const std::vector<scenes::Lig
     while (shrink < kMost && bytesOf(plan, options, shrink) > options.maxBytes) shrink *= 2;
     if (bytesOf(plan, options, shrink) > options.maxBytes)
       throw base::fileError(scene.name, "shadows",
-                            fmt::format("the smallest maps of {} lights take {} MiB, expected at most {}",
+                            fmt::format("the smallest shadow maps of {} lights need {} MiB, expected at most {}",
                                         distinct.lights.size(), bytesOf(plan, options, shrink) >> 20,
                                         options.maxBytes >> 20));
   }

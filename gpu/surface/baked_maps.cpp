@@ -18,7 +18,7 @@ DeviceImage makePages(const Device& device, const BakedPages& pages, const char*
   if (!device.filtersLinearly(pages.format))
     throw refuse(fmt::format("the device cannot filter textures of {}", vk::to_string(pages.format)));
   if (const std::uint32_t limit = device.properties().limits.maxImageArrayLayers; pages.count > limit)
-    throw refuse(fmt::format("{} pages, the device takes {} at most", pages.count, limit));
+    throw refuse(fmt::format("{} pages; the device allows at most {}", pages.count, limit));
   return DeviceImage(device,
                      {.format = pages.format,
                       .width = pages.width,

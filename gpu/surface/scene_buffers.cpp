@@ -86,7 +86,7 @@ public:
     const std::size_t bytes = count * sizeof(T), limit = device.properties().limits.maxStorageBufferRange;
     if (bytes > limit)
       throw base::fileError(scene.name, what,
-                            fmt::format("{} MiB of geometry, the device '{}' binds {} MiB at most", bytes >> 20,
+                            fmt::format("{} MiB of geometry; the device '{}' can bind at most {} MiB", bytes >> 20,
                                         device.report().name, limit >> 20));
     m_buffer = Buffer(device, bytes);
     m_most = (device.unifiedMemory() ? kMappedPart : kStagedPart) / sizeof(T);

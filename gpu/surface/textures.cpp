@@ -137,7 +137,7 @@ void Textures::require(std::span<const Need> needs) const {
         if (!m_images[image]) missing.insert(image);
   for (const int each : missing) {
     const auto [image, use] = m_sources[each];
-    assert(!m_scene.images[image].pixels.empty() && "read by a material that is not placed");
+    assert(!m_scene.images[image].pixels.empty() && "is used by a material that no object has");
     NormalVariance variance;
     m_images[each] = upload(m_device, m_scene.images[image].pixels, use == Use::color,
                             use == Use::normalVariance ? &variance : nullptr, m_codec, [&] { countAsRead(image); });

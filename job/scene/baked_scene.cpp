@@ -19,8 +19,8 @@ void requireFresh(const PreparedScene& prepared, const std::string& folder) {
   if (!change.empty()) {
     const bool isAnother = prepared.baked->scene != prepared.scene.name;
     throw base::fileError(folder, "",
-                          fmt::format("{}; parity bake makes it anew{}", change,
-                                      isAnother ? fmt::format(" (it is the bake of '{}', this is '{}')",
+                          fmt::format("{}; run parity bake again{}", change,
+                                      isAnother ? fmt::format(" (this bake is of '{}', the scene is '{}')",
                                                               prepared.baked->scene, prepared.scene.name)
                                                 : ""));
   }
@@ -30,7 +30,7 @@ void requireFresh(const PreparedScene& prepared, const std::string& folder) {
     fits = uvs.places[i].page < 0 || // it has no lightmap
            uvs.places[i].firstCorner + prepared.scene.meshes[prepared.scene.instances[i].mesh].indices.size() <=
                uvs.corners.size();
-  if (!fits) throw base::fileError(folder, "", "has not the objects of this scene; parity bake makes it anew");
+  if (!fits) throw base::fileError(folder, "", "does not have the objects of this scene; run parity bake again");
 }
 
 void takeBaked(PreparedScene& prepared, const PathChoice& paths, std::shared_ptr<const bake::BakedLight> baked) {

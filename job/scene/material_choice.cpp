@@ -41,7 +41,7 @@ void requireMaterials(const scenes::Scene& scene, const std::vector<std::string>
   for (const std::string& glob : globs)
     if (std::ranges::none_of(scene.materials, [&](const auto& m) { return base::matchesGlob(glob, m.name); }))
       throw base::Error(base::ExitCode::failed, scene.name, fmt::format("--material '{}'", glob),
-                        "no material has such a name");
+                        "no material has this name");
 }
 
 void keepMaterials(base::Frame& frame, const scenes::Scene& scene, const std::vector<std::string>& globs,

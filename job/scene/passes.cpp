@@ -7,7 +7,7 @@ namespace parity::job {
 std::vector<report::PassResult> describePasses(const Work& work, const NoNeed& why) {
   std::vector<report::PassResult> passes;
   const auto add = [&](const std::string& name, const char* unit, std::uint64_t count, const std::string& reason) {
-    passes.push_back({name, unit, count, count > 0 ? "" : reason.empty() ? "nothing seen needs it" : reason});
+    passes.push_back({name, unit, count, count > 0 ? "" : reason.empty() ? "no visible object needs it" : reason});
   };
   add("sun extraction", "environments", work.sunSearches, why.suns);
   add("environment prefilter and SH", "maps", work.prefilteredMaps, why.environment);

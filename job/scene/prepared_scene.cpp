@@ -30,7 +30,7 @@ void applyFullyRough(scenes::Scene& scene, const std::vector<std::string>& globs
       if (base::matchesGlob(glob, material.name)) material.fullyRough = matched = true;
     if (!matched)
       throw base::Error(base::ExitCode::usage, scene.name, fmt::format("fully rough '{}'", glob),
-                        "no material has such a name");
+                        "no material has this name");
   }
 }
 
@@ -87,9 +87,9 @@ void requireLight(PreparedScene& prepared, const std::string& file) {
   if (lit) return;
   if (std::none_of(prepared.scene.materials.begin(), prepared.scene.materials.end(), givesLight))
     throw base::fileError(file, "light",
-                          "the scene has neither light nor environment (or a black one); give --env or --sun");
+                          "the scene has no light and no environment, or only black ones; give --env or --sun");
   prepared.scene.warnings.emplace_back(
-      "no light and no environment (or a black one): only emissive and unlit materials are seen");
+      "the scene has no light and no environment, or only black ones: only emissive and unlit materials are visible");
 }
 
 std::string describe(const lighting::SunExtraction& extraction) {
@@ -180,7 +180,7 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
   });
   if (!settings.baked.empty() && !paths.bakes) {
     if (paths.truth)
-      throw base::Error(base::ExitCode::usage, "--baked", settings.baked, "the truth knows of no baked light");
+      throw base::Error(base::ExitCode::usage, "--baked", settings.baked, "the truth does not use baked light");
     const base::Stopwatch watch(&context.timings(), "read baked light");
     prepared.baked = std::make_shared<const bake::BakedLight>(bake::readBaked(settings.baked));
   }
@@ -190,7 +190,7 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
   if (!request.name.empty()) scene.name = request.name;
   scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
   if (scene.instances.empty() || scene.triangleCount() == 0)
-    throw base::fileError(request.scene, "scene", "it shows no triangles");
+    throw base::fileError(request.scene, "scene", "the scene has no triangles");
 
   if (!panorama && scene.environment) {
     // A built-in scene's own environment; the request's goes first.

@@ -115,7 +115,7 @@ private:
     if (request.settings.shadows) add("shadows");
     const int bounces = request.settings.reference.bounces;
     if (request.settings.truth && bounces > 0)
-      add(fmt::format("in the truth {} bounce{} between surfaces", bounces, bounces > 1 ? "s" : ""));
+      add(fmt::format("{} bounce{} between surfaces in the truth", bounces, bounces > 1 ? "s" : ""));
     return result;
   }
 
@@ -302,7 +302,8 @@ private:
     // A picture of nothing but background compares as equal: that is no answer.
     if (std::all_of(frames.coverage.begin(), frames.coverage.end(),
                     [](const auto& list) { return list.pixels.empty(); }))
-      throw base::fileError(request.scene, fmt::format("view '{}'", view.name), "shows no part of the scene");
+      throw base::fileError(request.scene, fmt::format("view '{}'", view.name),
+                            "shows no part of the scene; change the camera");
     return frames;
   }
 

@@ -48,7 +48,7 @@ SceneOnDevice::SceneOnDevice(Context& context, const PreparedScene& prepared, co
                              const PathChoice& paths, gpu::ImageDone onLastRead)
     : m_context(context), m_prepared(prepared), m_settings(settings),
       m_sharesTextures(sharesTextures(paths, settings.options)),
-      // Where all have their own, the shared ones are read no further than alpha decides what is seen: before those.
+      // If every path has its own textures, only the alpha test reads the shared ones, before the paths read theirs.
       m_onLastRead(afterReaders(blocksOf(paths, settings.options).size() + (m_sharesTextures ? 1 : 0),
                                 prepared.scene.images.size(), std::move(onLastRead))),
       m_buffers([&] {

@@ -30,14 +30,14 @@ std::vector<std::string> SceneRenderer::warnings() const {
   std::vector<std::string> warnings;
   if (m_cutPixels > 0)
     warnings.push_back(
-        fmt::format("{} pixels show more than {} blended surfaces behind one another: the farthest are left out",
+        fmt::format("{} pixels show more than {} layers of blended surfaces; the farthest layers are ignored",
                     m_cutPixels, gpu::kMaxBlendedLayers));
   for (const PathState& each : m_paths)
     for (const std::string& warning : each.plain->warnings()) warnings.push_back(warning);
   if (m_truth && m_settings.reference.bounces > 0)
-    warnings.emplace_back("the truth has light between surfaces and shadows of all light: no path has the former");
+    warnings.emplace_back("the truth has light between surfaces, which no path has, and shadows of all light");
   else if (m_truth && m_settings.shadows && m_prepared.panorama)
-    warnings.emplace_back("the truth shadows the environment's light, too: shadow maps are of lights alone");
+    warnings.emplace_back("the environment casts shadows in the truth; shadow maps exist only for lights");
   return warnings;
 }
 
@@ -94,19 +94,19 @@ Work SceneRenderer::workWithTerms() const {
 NoNeed SceneRenderer::reasons() const {
   const Settings& settings = m_settings;
   const std::string none = m_prepared.environmentName == "none" ? "no environment" : "",
-                    unlit = m_prepared.isLit ? "" : "all that is placed is unlit";
+                    unlit = m_prepared.isLit ? "" : "all objects are unlit";
   NoNeed why;
   why.environment = !none.empty() ? none : unlit;
   why.suns = !why.environment.empty() ? why.environment : "switched off";
   why.table = !unlit.empty()              ? unlit
               : m_prepared.lights.empty() ? "no environment and no lights"
-                                          : "no environment, no compensation, no balance";
-  why.texture = "no material that is seen has one";
-  why.variance = settings.specularAa == gpu::SpecularAa::off ? "not asked for" : "no normal map is seen";
+                                          : "no environment, no compensation, no balanced diffuse lobe";
+  why.texture = "no visible material has one";
+  why.variance = settings.specularAa == gpu::SpecularAa::off ? "not requested" : "no normal map is visible";
   const bool compresses = std::ranges::any_of(m_choice.chosen, [&](const paths::Path* path) {
     return path->textureBlock(settings.options) != base::TextureBlock::none;
   });
-  why.compression = compresses ? why.texture : "not asked for";
+  why.compression = compresses ? why.texture : "not requested";
   why.blended = "no blended material";
   why.fog = "no fog";
   why.directional = !unlit.empty() ? unlit : "no directional light";
@@ -115,18 +115,18 @@ NoNeed SceneRenderer::reasons() const {
   const bool asksForShadows = settings.shadows || std::ranges::any_of(m_choice.chosen, [&](const paths::Path* path) {
                                 return path->asksForShadows(settings.options);
                               });
-  why.shadows = !asksForShadows             ? "not asked for"
+  why.shadows = !asksForShadows             ? "not requested"
                 : !unlit.empty()            ? unlit
                 : m_prepared.lights.empty() ? "no lights"
-                                            : "nothing stands before anything";
-  why.baked = why.captures = m_prepared.baked ? "the bake has none" : "nothing is baked";
-  if (m_prepared.baked && why.environment.empty()) why.environment = "the captures take its place";
+                                            : "no object can cast a shadow";
+  why.baked = why.captures = m_prepared.baked ? "the bake has none" : "no baked light";
+  if (m_prepared.baked && why.environment.empty()) why.environment = "the captures replace it";
   if (m_prepared.baked && why.local == "no local lights" && !m_prepared.scene.lights.empty())
     why.local = "they are baked";
-  why.lightChoice = work().localLights == 0 ? why.local : "the preset has them baked";
-  why.droppedLights = settings.droppedLights > 0 ? "no light that reaches what is seen is dropped" : "not asked for";
-  why.terms = why.occluders = why.costs = "not asked for";
-  why.truth = settings.truth ? why.environment : "not asked for";
+  why.lightChoice = work().localLights == 0 ? why.local : "the preset expects them baked";
+  why.droppedLights = settings.droppedLights > 0 ? "no light of a visible object is dropped" : "not requested";
+  why.terms = why.occluders = why.costs = "not requested";
+  why.truth = settings.truth ? why.environment : "not requested";
   return why;
 }
 

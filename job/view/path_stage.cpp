@@ -8,7 +8,7 @@
 namespace parity::job {
 
 std::vector<compare::Figures> measureStage(Context& context, const StageRequest& request) {
-  const base::Stopwatch watch(&context.timings(), "stages of a path");
+  const base::Stopwatch watch(&context.timings(), "compare path stages");
   // A shader that computes in halves loses nothing in a target of halves.
   const bool isSame = request.before.pixels == request.after.pixels; // never where a pixel is NaN
   Displayed shown;

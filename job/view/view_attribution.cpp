@@ -124,7 +124,7 @@ report::PassResult attributionPass(Attribution wanted, const report::SceneResult
     pass.count += swapped.size();
   }
   if (pass.count == 0)
-    pass.skipped = wanted == Attribution::none ? "not asked for"
+    pass.skipped = wanted == Attribution::none ? "not requested"
                    : any                       ? "no term differs"
                                                : "no material is over budget";
   return pass;

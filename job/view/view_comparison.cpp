@@ -65,9 +65,9 @@ std::vector<std::string> materialNotes(const scenes::Material& m, const paths::P
   for (std::string& note : path.notesOn(m, options)) notes.push_back(std::move(note));
   const glm::vec3 f0 = m.dielectricF0();
   if (f0.x != f0.y || f0.y != f0.z || m.specularColorTexture.present())
-    notes.push_back("tinted F0, kept as RGB by both paths");
-  if (std::max({f0.x, f0.y, f0.z}) > 0.08f) notes.push_back("F0 above 0.08, beyond UE4's Specular");
-  if (m.alphaMode == scenes::AlphaMode::blend) notes.push_back("alpha-blended: counts by its opacity");
+    notes.push_back("tinted F0: both paths keep it as RGB");
+  if (std::max({f0.x, f0.y, f0.z}) > 0.08f) notes.push_back("F0 is above 0.08, the limit of UE4's Specular");
+  if (m.alphaMode == scenes::AlphaMode::blend) notes.push_back("alpha-blended: its pixels count by their opacity");
   return notes;
 }
 

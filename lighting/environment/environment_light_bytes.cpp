@@ -52,8 +52,8 @@ void checkLamps(const LampTree& tree) {
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const LampNode& node = tree.nodes[i];
     requireFinite(&node.direction.x, 7);
-    if (!(node.spread > 0)) fail("holds a lamp without extent");
-    if (node.next <= i || node.next > tree.nodes.size()) fail("holds lamps that are no tree");
+    if (!(node.spread > 0)) fail("holds a lamp of size 0");
+    if (node.next <= i || node.next > tree.nodes.size()) fail("holds lamps that do not form a tree");
   }
 }
 
@@ -89,12 +89,12 @@ EnvironmentLight environmentLightFromBytes(std::span<const std::byte> bytes) {
   if (bytes.size() < sizeof header) fail("is shorter than its header");
   std::memcpy(&header, bytes.data(), sizeof header);
   if (std::ranges::find(kEarlierMagics, header.magic) != std::end(kEarlierMagics))
-    fail("was made by an earlier version: bake again");
-  if (header.magic != kMagic) fail("is not of this kind");
+    fail("was made by an earlier version; bake again");
+  if (header.magic != kMagic) fail("is not an environment light");
   if (header.mipCount != kMipCount) fail("has " + std::to_string(header.mipCount) + " mips");
   if (header.faceSize < kMinFaceSize || header.faceSize > kMaxFaceSize || !std::has_single_bit(header.faceSize))
     fail("has faces of " + std::to_string(header.faceSize) + " texels");
-  if (header.levels > static_cast<std::uint32_t>(PrefilterLevels::fine)) fail("has levels of no known kind");
+  if (header.levels > static_cast<std::uint32_t>(PrefilterLevels::fine)) fail("has levels of an unknown kind");
   const auto levels = static_cast<PrefilterLevels>(header.levels);
   for (const auto& [count, leaves] :
        {std::pair(header.wideLamps, kMaxWideLampLeaves), std::pair(header.compactLamps, kMaxCompactLamps)})

@@ -38,7 +38,7 @@ void checkRadiance(const scenes::Environment& environment) {
   };
   if (image.empty() || image.width < 1 || image.height < 1) fail("has no pixels");
   if (image.channels != 3) fail("has " + std::to_string(image.channels) + " channels instead of 3");
-  if (image.pixels.size() != image.pixelCount() * 3) fail("has a size that is not that of its pixels");
+  if (image.pixels.size() != image.pixelCount() * 3) fail("has a size that does not match its pixels");
   for (const float value : image.pixels)
     if (!(value >= 0 && std::isfinite(value))) fail("holds a radiance that is negative or not finite");
   if (!std::isfinite(environment.rotationDeg)) fail("has a rotation that is not finite");

@@ -136,7 +136,7 @@ Visibility::Visibility(const scenes::Scene& scene) : m_impl(std::make_unique<Imp
       triangles += std::max(mesh.indices.size(), mesh.positions.size()) / 3;
   if (triangles > kMaxTriangles)
     throw base::fileError(scene.name, "shadows",
-                          fmt::format("{} triangles over all instances, {} at most", triangles, kMaxTriangles));
+                          fmt::format("{} triangles in all instances, expected at most {}", triangles, kMaxTriangles));
 
   Impl& impl = *m_impl;
   impl.whole = &scene;

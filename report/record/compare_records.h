@@ -19,8 +19,8 @@ namespace parity::report {
 template <> struct Names<compare::Verdict> {
   using enum compare::Verdict;
   static constexpr std::array values = {pass, notSeen, tooSmall, notJudged, warn, fail, error};
-  static constexpr std::string_view name = "verdict", refusal = "'{}' is no verdict",
-                                    words = "In order of gravity; a whole has the worst of its parts'";
+  static constexpr std::string_view name = "verdict", refusal = "'{}' is not a verdict",
+                                    words = "In order of severity; a whole has the worst verdict of its parts";
   static std::string nameOf(compare::Verdict value) { return compare::nameOf(value); }
 };
 
@@ -50,13 +50,13 @@ template <> struct ByName<compare::Figure> {
 
 template <> inline constexpr auto kRecord<compare::Condition> = record<compare::Condition>(
     "condition",
-    "What decides the figures besides the scene's files: a baseline of other conditions is not comparable",
+    "A condition, besides the scene's files, that decides figures: a baseline with other conditions is not comparable",
     field("name", &compare::Condition::name, "", {.read = true, .filled = true}),
-    field("value", &compare::Condition::value, "In full precision; files by their content", {.read = true}),
+    field("value", &compare::Condition::value, "With full precision; a file counts by its content", {.read = true}),
     field("actsOn", &compare::Condition::actsOn,
-          "The figures that it decides: all but the truth's, those of whole images alone, those against the truth "
-          "alone", {.read = true}),
-    field("words", &compare::Condition::words, "The value for people; absent: the value says it",
+          "The figures that it decides: all except those against the truth, only those of whole images, or only those "
+          "against the truth", {.read = true}),
+    field("words", &compare::Condition::words, "The value in words; absent: the same as the value",
           {.read = true, .ifEmpty = IfEmpty::absent, .filled = true}));
 
 template <> inline constexpr auto kRecord<compare::Figures> = record<compare::Figures>(
@@ -64,18 +64,18 @@ template <> inline constexpr auto kRecord<compare::Figures> = record<compare::Fi
     field("pixels", &compare::Figures::pixels, "", {.read = true, .least = 1}),
     field("nonFinite", &compare::Figures::nonFinite, "Pixels where either render is NaN or infinite", {.read = true}),
     field("metrics", &compare::Figures::values,
-          "By the figure's name: flip.mean, flip.fraction_over(0.1), psnr, bias.ev, ... (compare/pooling/statistic.h)",
+          "By the name of the figure: flip.mean, flip.fraction_over(0.1), psnr, bias.ev, ... (compare/pooling/statistic.h)",
           {.read = true}),
     field("clippedBlack", &compare::Figures::clippedBlack,
-          "Share that is black in both displayed images: it says nothing", {.least = 0, .most = 1}),
+          "Share of pixels that are black in both displayed images, so that they show no difference", {.least = 0, .most = 1}),
     field("clippedWhite", &compare::Figures::clippedWhite,
-          "Share that is white in both displayed images: it says nothing", {.least = 0, .most = 1}),
+          "Share of pixels that are white in both displayed images, so that they show no difference", {.least = 0, .most = 1}),
     field("referenceLuma", &compare::Figures::referenceLuma, "Mean Rec.709 luma of the displayed reference",
           {.least = 0, .most = 1}),
-    field("testLuma", &compare::Figures::testLuma, "The same of the test", {.least = 0, .most = 1}),
+    field("testLuma", &compare::Figures::testLuma, "The same for the test", {.least = 0, .most = 1}),
     field("referenceLuminance", &compare::Figures::referenceLuminance,
           "Mean linear luminance of the reference as exposed, before clipping; 1 is white"),
-    field("testLuminance", &compare::Figures::testLuminance, "The same of the test"));
+    field("testLuminance", &compare::Figures::testLuminance, "The same for the test"));
 // Without pixels all else is meaningless: a zero there would read as "alike".
 template <> struct Emptiness<compare::Figures> {
   static bool isEmpty(const compare::Figures& figures) { return figures.pixels == 0; }
@@ -83,21 +83,21 @@ template <> struct Emptiness<compare::Figures> {
 
 template <> inline constexpr auto kRecord<compare::CheckResult> = record<compare::CheckResult>(
     "check", "",
-    field("metric", &compare::CheckResult::metric, "A name of 'metrics'", {.filled = true}),
+    field("metric", &compare::CheckResult::metric, "A name in 'metrics'", {.filled = true}),
     field("regress", &compare::CheckResult::regress,
-          "The value is by how much the figure is worse than in the baseline, not the figure"),
-    field("value", &compare::CheckResult::value, "null: infinite, not a number, or not known"),
+          "true: the value is not the figure, but its loss against the baseline"),
+    field("value", &compare::CheckResult::value, "null: infinite, not a number, or unknown"),
     field("warn", &compare::CheckResult::warnAbove,
-          "Beyond it (below, where more is better: psnr, ssim; in absolute value, where signed) the verdict is warn; "
-          "null: no such limit", {.ifEmpty = IfEmpty::null}),
+          "Limit of the verdict warn: an upper limit, or a lower limit if more is better (psnr, ssim); of the absolute "
+          "value if the figure has a sign; null: no limit", {.ifEmpty = IfEmpty::null}),
     field("fail", &compare::CheckResult::failAbove,
-          "Beyond it (below, where more is better: psnr, ssim; in absolute value, where signed) the verdict is fail; "
-          "null: no such limit", {.ifEmpty = IfEmpty::null}),
+          "Limit of the verdict fail: an upper limit, or a lower limit if more is better (psnr, ssim); of the absolute "
+          "value if the figure has a sign; null: no limit", {.ifEmpty = IfEmpty::null}),
     shown("verdict", &compare::CheckResult::verdict,
           [](const compare::CheckResult& check) {
             return check.judged() ? check.verdict : compare::Verdict::notJudged;
           },
-          "not judged: a regression without a counterpart in a baseline, or with one of other conditions",
+          "not judged: a regression whose baseline has no counterpart, or has other conditions",
           {.oneOf = "pass|warn|fail|error|not judged"}),
     shown("note", &compare::CheckResult::note,
           [](const compare::CheckResult& check) { return check.judged() ? check.note : check.unjudged; }),
@@ -105,12 +105,12 @@ template <> inline constexpr auto kRecord<compare::CheckResult> = record<compare
 
 template <> inline constexpr auto kRecord<compare::AppliedRule> = record<compare::AppliedRule>(
     "rule", "The budget rule that judged it",
-    field("rule", &compare::AppliedRule::origin, "Where the rule stands; empty: none matched"),
-    field("preset", &compare::AppliedRule::preset, "Whose limits it took; empty: all are its own"),
+    field("rule", &compare::AppliedRule::origin, "Place of the rule; empty: no rule matched"),
+    field("preset", &compare::AppliedRule::preset, "Preset whose limits it uses; empty: it has its own limits"),
     field("reason", &compare::AppliedRule::reason),
     field("owner", &compare::AppliedRule::owner),
     field("requireSeen", &compare::AppliedRule::requireSeen),
-    field("minPixels", &compare::AppliedRule::minPixels, "A material of fewer pixels is too small to be judged",
+    field("minPixels", &compare::AppliedRule::minPixels, "A material with fewer pixels is too small to be judged",
           {.least = 1}),
     hidden(&compare::AppliedRule::file),
     hidden(&compare::AppliedRule::line));
@@ -118,28 +118,28 @@ template <> inline constexpr auto kRecord<compare::AppliedRule> = record<compare
 template <> inline constexpr auto kRecord<compare::TermEffect> = record<compare::TermEffect>(
     "termEffect", "",
     field("term", &compare::TermEffect::term),
-    field("flip", &compare::TermEffect::flip, "Mean, once the test has the reference's term", {.least = 0}));
+    field("flip", &compare::TermEffect::flip, "Mean FLIP after the test takes this term from the reference", {.least = 0}));
 
 template <> inline constexpr auto kRecord<compare::Attribution> = record<compare::Attribution>(
-    "attribution", "Which term makes it differ: only of a material over budget, or as the run was asked",
-    field("flip", &compare::Attribution::flip, "Mean, as it is", {.least = 0}),
-    field("terms", &compare::Attribution::terms, "Those that are not the same in both paths"));
+    "attribution", "The term that makes the material differ; only for materials over budget, or as --attribution requests",
+    field("flip", &compare::Attribution::flip, "Mean FLIP without a swap", {.least = 0}),
+    field("terms", &compare::Attribution::terms, "Terms that differ between the paths"));
 
 template <> inline constexpr auto kRecord<compare::TruthError> = record<compare::TruthError>(
-    "truthError", "How well the truth is known; null: not known",
-    field("median", &compare::TruthError::median, "Of the pixels' relative standard errors", {.least = 0}),
-    field("worst", &compare::TruthError::worst, "The largest of them", {.least = 0}),
+    "truthError", "Error of the truth; null: unknown",
+    field("median", &compare::TruthError::median, "Median of the relative standard errors of the pixels", {.least = 0}),
+    field("worst", &compare::TruthError::worst, "Largest relative standard error of a pixel", {.least = 0}),
     field("relmse", &compare::TruthError::relmse,
-          "What that error alone would give, about; every relmse against the truth holds it", {.least = 0}),
+          "Approximate relmse from this error alone; every relmse against the truth includes it", {.least = 0}),
     field("samples", &compare::TruthError::samples,
-          "Of the environment, a pixel and way of sampling, on average; 0: all in closed form", {.least = 0}));
+          "Mean number of environment samples for each pixel and sampling strategy; 0: all in closed form", {.least = 0}));
 
 template <> inline constexpr auto kRecord<compare::TruthFigures> = record<compare::TruthFigures>(
     "truthFigures", "",
     field("nonFinite", &compare::TruthFigures::nonFinite,
           "Pixels where the truth itself is NaN or infinite; the verdict then is 'error'"),
-    field("reference", &compare::TruthFigures::reference, "Of the view's reference against the truth"),
-    field("test", &compare::TruthFigures::test, "Of the view's test against the truth"),
+    field("reference", &compare::TruthFigures::reference, "Figures of the reference against the truth"),
+    field("test", &compare::TruthFigures::test, "Figures of the test against the truth"),
     field("error", &compare::TruthFigures::error));
 template <> struct Emptiness<compare::TruthFigures> {
   static bool isEmpty(const compare::TruthFigures& figures) { return figures.reference.pixels == 0; }
@@ -153,7 +153,7 @@ template <> inline constexpr auto kRecord<compare::TruthTerm> = record<compare::
         field("reference", &compare::TruthTerm::reference),
         field("test", &compare::TruthTerm::test)),
     groupOrNull("figures",
-                "Of the term alone, displayed and exposed as the colour is, against the truth's, by name; null: no "
+                "Figures of the term alone against the same term of the truth, displayed like the colour, by name; null: no "
                 "pixel", [](const compare::TruthTerm& term) { return term.referenceFigures.pixels == 0; },
         shown("reference", &compare::TruthTerm::referenceFigures,
               [](const compare::TruthTerm& term) { return term.referenceFigures.values; }),
@@ -167,10 +167,10 @@ template <> inline constexpr auto kRecord<compare::TruthImages> = record<compare
     field("testFlip", &compare::TruthImages::testFlip, "FLIP of the view's test against the truth"));
 
 template <> inline constexpr auto kRecord<compare::Truth> = record<compare::Truth>(
-    "truth", "Both paths against the ground truth; only of a run that was asked for it. It judges nothing",
-    field("figures", &compare::Truth::figures, "null: no pixel, nothing is known", {.ifEmpty = IfEmpty::null}),
-    field("terms", &compare::Truth::terms, "Without those that are black in all three"),
-    field("notes", &compare::Truth::notes, "What to beware of in these figures"),
+    "truth", "Both paths against the ground truth; only with --truth. It does not change verdicts",
+    field("figures", &compare::Truth::figures, "null: no pixel", {.ifEmpty = IfEmpty::null}),
+    field("terms", &compare::Truth::terms, "Without terms that are black in the truth and in both paths"),
+    field("notes", &compare::Truth::notes, "Cautions about these figures"),
     field("images", &compare::Truth::images));
 
 // clang-format on

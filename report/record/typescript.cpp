@@ -6,6 +6,7 @@
 
 #include "report/record/generated.h"
 #include "report/record/report_records.h"
+#include "report/term_words.h"
 
 namespace parity::report {
 namespace {
@@ -13,6 +14,12 @@ namespace {
 std::string typeName(std::string_view name) {
   std::string out(name);
   out[0] = static_cast<char>(out[0] - 'a' + 'A');
+  return out;
+}
+
+std::string termWords() {
+  std::string out;
+  for (const auto& [term, words] : kTermWords) out += fmt::format("  {}: \"{}\",\n", term, words);
   return out;
 }
 
@@ -25,10 +32,12 @@ public:
   std::string write() {
     typeOf<Report>(Rule());
     typeOf<RunInfo>(Rule());
-    return fmt::format("// report.json and run.json. Made of report/record/*_records.h by "
-                       "build/describe_report: not to be edited.\n\n/** The form of report.json that is "
-                       "described here. */\nexport const kSchema = {};\n\n{}",
-                       kReportSchema, fmt::join(m_types, "\n"));
+    return fmt::format(
+        "// report.json and run.json. Made of report/record/*_records.h by "
+        "build/describe_report: not to be edited.\n\n/** The form of report.json that is "
+        "described here. */\nexport const kSchema = {};\n\n/** The terms of a path's light in words "
+        "(report/term_words.h). */\nexport const kTermWords: Readonly<Record<string, string>> = {{\n{}}};\n\n{}",
+        kReportSchema, termWords(), fmt::join(m_types, "\n"));
   }
 
 private:

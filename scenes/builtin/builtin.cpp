@@ -44,7 +44,7 @@ template <typename Table> auto makerOf(const Table& table, const std::string& na
     known.push_back(key);
   }
   throw base::fileError("builtin:" + name, "",
-                        fmt::format("no such {}; {}", what, base::describeNearest(name, known, "builtin:")));
+                        fmt::format("unknown {}; {}", what, base::describeNearest(name, known, "builtin:")));
 }
 
 } // namespace

@@ -47,10 +47,10 @@ Mesh makeBall(std::size_t count) {
 
 Scene makeMaterialBalls(Scene scene) {
   const std::size_t count = scene.materials.size();
-  if (count == 0) throw base::fileError(scene.name, "/materials", "there are none to be shown on balls");
+  if (count == 0) throw base::fileError(scene.name, "/materials", "the file has none, so --subject ball shows nothing");
   if (count > kMaxBalls)
     throw base::fileError(scene.name, "/materials",
-                          fmt::format("{} are too many to be shown on balls, expected at most {}", count, kMaxBalls));
+                          fmt::format("{} are too many for --subject ball, expected at most {}", count, kMaxBalls));
   const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
   const std::size_t rows = (count + columns - 1) / columns;
   const Mesh ball = makeBall(count);

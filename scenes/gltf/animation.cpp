@@ -24,7 +24,7 @@ struct Moment {
 Moment findMoment(const AccessorView& input, const std::vector<float>& keys, double time) {
   for (std::size_t i = 0; i < keys.size(); ++i)
     if (keys[i] < 0 || (i > 0 && keys[i] <= keys[i - 1]))
-      throw input.error(fmt::format("key {} at {} s, expected times from 0 that increase", i, keys[i]));
+      throw input.error(fmt::format("key {} is at {} s, expected increasing times from 0", i, keys[i]));
   // As the keys are, so that a key's own time is that key.
   const auto after = std::upper_bound(keys.begin(), keys.end(), static_cast<float>(time));
   if (after == keys.begin()) return {};
@@ -138,11 +138,11 @@ double applyChannel(const GltfDocument& document, const tinygltf::AnimationChann
   }
   if (!node.matrix.empty())
     throw document.error(fmt::format("/nodes/{}/matrix", channel.target_node),
-                         "is there on an animated node, expected translation, rotation and scale");
+                         "is on an animated node, expected translation, rotation and scale");
   if (channel.target_path == "rotation") {
     const AnimatedProperty sampler = sample(4);
     const glm::dquat rotation = evaluateRotation(sampler);
-    if (!(glm::length(rotation) > 0)) throw document.error(place, "a rotation of length 0");
+    if (!(glm::length(rotation) > 0)) throw document.error(place, "is a rotation of length 0");
     pose[channel.target_node].rotation = rotation;
     return sampler.end();
   }
@@ -156,11 +156,11 @@ double applyChannel(const GltfDocument& document, const tinygltf::AnimationChann
 // Where the time that was asked for shows nothing of its own.
 void warnOfTime(double time, const std::optional<double>& end, std::vector<std::string>& warnings) {
   if (time != 0 && !end)
-    warnings.push_back(fmt::format("--time {:g}: no animation moves anything that is shown", time));
+    warnings.push_back(fmt::format("--time {:g} has no effect: no animation moves a visible object", time));
   else if (time < 0)
-    warnings.push_back(fmt::format("--time {:g}: the first pose is shown, animations begin at 0 s", time));
+    warnings.push_back(fmt::format("--time {:g} shows the first pose, because animations begin at 0 s", time));
   else if (end && time > *end && static_cast<float>(time) > static_cast<float>(*end))
-    warnings.push_back(fmt::format("--time {:g}: the last pose is shown, the last key is at {:g} s", time, *end));
+    warnings.push_back(fmt::format("--time {:g} shows the last pose, because the last key is at {:g} s", time, *end));
 }
 
 } // namespace
@@ -190,7 +190,7 @@ Pose poseAt(const GltfDocument& document, const std::function<bool(int)>& isNeed
       const std::string place = fmt::format("/animations/{}/channels/{}", a, c);
       constexpr std::array kPaths = {"translation", "rotation", "scale", "weights"};
       if (std::find(kPaths.begin(), kPaths.end(), channel.target_path) == kPaths.end()) { // an extension's
-        warnings.push_back(place + ": animates something else than a node, ignored");
+        warnings.push_back(place + ": does not animate a node, ignored");
         continue;
       }
       if (channel.target_node < 0 || !isNeeded(channel.target_node)) continue;
@@ -201,8 +201,8 @@ Pose poseAt(const GltfDocument& document, const std::function<bool(int)>& isNeed
       }
       problems.attempt([&] {
         if (!own.insert(property).second)
-          throw document.error(
-              place, fmt::format("animates the {} of /nodes/{} a second time", property.second, property.first));
+          throw document.error(place, fmt::format("animates the {} of /nodes/{}, as an earlier channel does",
+                                                  property.second, property.first));
         const double last =
             applyChannel(document, channel, animation.samplers[static_cast<std::size_t>(channel.sampler)],
                          fmt::format("/animations/{}/samplers/{}", a, channel.sampler), pose);
@@ -213,9 +213,10 @@ Pose poseAt(const GltfDocument& document, const std::function<bool(int)>& isNeed
   }
   warnOfTime(document.options.timeSeconds, end, warnings);
   if (contradictions)
-    warnings.push_back(fmt::format("{} channels of later animations are left out: an earlier one moves the same "
-                                   "(--animation chooses one)",
-                                   contradictions));
+    warnings.push_back(
+        fmt::format("{} channels of later animations are ignored: an earlier animation moves the same nodes "
+                    "(--animation chooses one)",
+                    contradictions));
   return pose;
 }
 

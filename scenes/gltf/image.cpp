@@ -52,17 +52,17 @@ std::size_t checkHeader(const GltfDocument& document, Encoded& encoded, std::siz
   if (encoded.bytes.empty()) throw fail("the image is empty");
   const ImageHeader header = readImageHeader(encoded.bytes);
   if (header.format == ImageFormat::ktx2)
-    throw fail("a KTX 2 image, expected PNG, JPEG or WebP: there is no Basis Universal transcoder here");
-  if (header.format == ImageFormat::unknown) throw fail("neither a PNG, a JPEG nor a WebP image");
-  if (header.width == 0 || header.height == 0) throw fail("a width or height of 0, or a truncated header");
+    throw fail("is a KTX 2 image, expected PNG, JPEG or WebP: parity has no Basis Universal transcoder");
+  if (header.format == ImageFormat::unknown) throw fail("is not a PNG, JPEG or WebP image");
+  if (header.width == 0 || header.height == 0) throw fail("has a width or height of 0, or a truncated header");
   if (std::max(header.width, header.height) > options.maxImageSide)
-    throw fail(fmt::format("{}x{} pixels, expected at most {} a side (--max-image)", header.width, header.height,
+    throw fail(fmt::format("has {}x{} pixels, expected at most {} a side (--max-image)", header.width, header.height,
                            options.maxImageSide));
   const std::size_t texels = header.width * header.height;
   if (texels > options.maxImageTexels || texelsBefore > options.maxImageTexels - texels)
     throw fail(
         fmt::format("the images of the scene have more than {} texels together (--max-image)", options.maxImageTexels));
-  if (header.isCutOff) throw fail("truncated: the image ends before its end marker");
+  if (header.isCutOff) throw fail("is truncated: the end marker is missing");
   document.memory.take(texels * 4, encoded.place);
   encoded.isJpeg = header.format == ImageFormat::jpeg;
   return texels;
@@ -103,8 +103,8 @@ DecodedImages decodeImages(const GltfDocument& document, const std::vector<int>&
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (failed[i]) problems.add(*failed[i]);
     if (!all[i].damage.empty())
-      decoded.warnings.push_back(fmt::format("{}: the JPEG is damaged, a part of it is what the decoder made up ({})",
-                                             all[i].place, all[i].damage));
+      decoded.warnings.push_back(
+          fmt::format("{}: the JPEG is damaged; the decoder invented a part of it ({})", all[i].place, all[i].damage));
     if (!all[i].source.file.empty()) decoded.sources.push_back(all[i].source);
   }
   return decoded;

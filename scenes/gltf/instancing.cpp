@@ -46,13 +46,13 @@ std::vector<glm::dmat4> readInstances(const GltfDocument& document, int node) {
     if (!view->isFloat() && !(mayBeNormalized && view->isNormalized() && isSigned))
       throw view->error(mayBeNormalized ? "expected FLOAT, or BYTE or SHORT, normalized" : "expected FLOAT");
     if (count && view->count() != *count)
-      throw view->error(fmt::format("has {} elements where another attribute has {}", view->count(), *count));
+      throw view->error(fmt::format("has {} elements, but another attribute has {}", view->count(), *count));
     count = view->count();
     return view;
   };
   const auto translations = find("TRANSLATION", 3, false), rotations = find("ROTATION", 4, true),
              scales = find("SCALE", 3, false);
-  if (!count) throw document.error(place, "has none of TRANSLATION, ROTATION and SCALE");
+  if (!count) throw document.error(place, "needs TRANSLATION, ROTATION or SCALE");
   const MemoryCharge charge(document.memory, *count * (sizeof(glm::dmat4) + sizeof(glm::vec4)), place);
   std::vector<glm::dmat4> transforms(*count, glm::dmat4(1.0));
   if (translations) {

@@ -22,7 +22,7 @@ std::optional<glm::dmat3> axesOf(const PlacedNode& node, const char* what, std::
   const glm::dvec3 x = glm::cross(y, z);
   if (!(glm::length(x) > 0) || !std::isfinite(glm::length(x))) {
     warnings.push_back(
-        fmt::format("/nodes/{} '{}': its scale leaves its {} no direction, left out", node.node, node.path, what));
+        fmt::format("/nodes/{} '{}': ignored, its scale gives its {} no direction", node.node, node.path, what));
     return std::nullopt;
   }
   const glm::dvec3 back = glm::normalize(z), right = glm::normalize(x);
@@ -38,13 +38,12 @@ void readFalloff(const GltfDocument& document, const tinygltf::Light& source, co
   const double exponent = value.IsNumber() ? value.GetNumberAsDouble() : 0;
   if (!(exponent > 0 && exponent <= kMaxFalloffExponent))
     throw document.error(
-        key, fmt::format("is not a number above 0, up to {}; without it the light fades by the inverse square",
-                         kMaxFalloffExponent));
+        key, fmt::format("is not a number above 0, up to {}; omit it for the inverse square", kMaxFalloffExponent));
   if (light.kind == LightKind::directional) {
-    warnings.push_back(fmt::format("{}: ignored, a directional light does not fade", key));
+    warnings.push_back(fmt::format("{}: ignored, a directional light has no falloff", key));
     return;
   }
-  if (!(light.range > 0)) throw document.error(key, "needs a finite range: the light fades to nothing there");
+  if (!(light.range > 0)) throw document.error(key, "needs a finite range, at which the light ends");
   light.falloff = Falloff::exponent;
   light.falloffExponent = static_cast<float>(exponent);
 }
@@ -95,7 +94,7 @@ std::optional<Light> readLight(const GltfDocument& document, const PlacedNode& n
     constexpr float kHalfPi = glm::half_pi<float>();
     if (!(light.innerConeAngle >= 0 && light.innerConeAngle < light.outerConeAngle &&
           light.outerConeAngle <= kHalfPi + 1e-4f))
-      throw document.error(place + "/spot", fmt::format("cone angles {} and {} are not 0 <= inner < outer <= pi/2",
+      throw document.error(place + "/spot", fmt::format("cone angles {} and {} must satisfy 0 <= inner < outer <= pi/2",
                                                         light.innerConeAngle, light.outerConeAngle));
     light.outerConeAngle = std::min(light.outerConeAngle, kHalfPi);
   }
@@ -123,7 +122,7 @@ std::optional<Camera> readCamera(const GltfDocument& document, const PlacedNode&
     if (!(camera.halfHeight > 0)) throw document.error(place + "/orthographic/ymag", "is 0");
     zNear = source.orthographic.znear;
     zFar = source.orthographic.zfar;
-    if (!(zNear >= 0 && zFar > zNear)) throw document.error(place + "/orthographic", "not 0 <= znear < zfar");
+    if (!(zNear >= 0 && zFar > zNear)) throw document.error(place + "/orthographic", "needs 0 <= znear < zfar");
   } else {
     if (!(source.perspective.yfov > 0 && source.perspective.yfov < glm::pi<double>()))
       throw document.error(place + "/perspective/yfov",
@@ -132,7 +131,7 @@ std::optional<Camera> readCamera(const GltfDocument& document, const PlacedNode&
     zNear = source.perspective.znear;
     zFar = source.perspective.zfar; // 0: absent, that is infinite
     if (!(zNear > 0 && (zFar == 0 || zFar > zNear)))
-      throw document.error(place + "/perspective", "not 0 < znear < zfar");
+      throw document.error(place + "/perspective", "needs 0 < znear < zfar");
   }
   camera.zNear = static_cast<float>(zNear);
   camera.zFar = static_cast<float>(zFar);

@@ -129,9 +129,10 @@ public:
       }
     if (isSkinned && isInstanced(m_document, node.node))
       m_scene.warnings.push_back(fmt::format("/nodes/{} '{}': EXT_mesh_gpu_instancing does not move a skinned mesh, "
-                                             "it is shown once, where its joints are",
+                                             "so it is shown once, at its joints",
                                              node.node, node.path));
-    if (flat) m_scene.warnings.push_back(fmt::format("/nodes/{} '{}': a scale of 0, not shown", node.node, node.path));
+    if (flat)
+      m_scene.warnings.push_back(fmt::format("/nodes/{} '{}': has a scale of 0, not shown", node.node, node.path));
   }
 
 private:
@@ -149,7 +150,7 @@ private:
       if (!(std::max({placed.x, placed.y, placed.z}) <= kMaxCoordinate)) // NaN too
         throw m_document.error(
             fmt::format("/nodes/{}", node.node),
-            fmt::format("places '{}' beyond {:g} m, or nowhere", m_scene.meshes[mesh].name, kMaxCoordinate));
+            fmt::format("places '{}' farther than {:g} m, or at NaN", m_scene.meshes[mesh].name, kMaxCoordinate));
     }
     m_document.memory.take(sizeof(Instance) + node.path.size(), "/nodes");
     m_scene.instances.push_back({mesh, glm::mat4(toWorld), node.path});
@@ -199,10 +200,10 @@ std::string whyEmpty(const GltfDocument& document, const NodeList& list, const M
   for (const std::string& warning : warnings)
     if (warning.ends_with("not drawn") || warning.ends_with("not shown")) reasons.push_back(warning);
   dropRepeated(reasons);
-  if (reasons.empty()) return warnings.empty() ? "no triangle is placed in it" : warnings.back();
+  if (reasons.empty()) return warnings.empty() ? "no object has a triangle" : warnings.back();
   const std::size_t more = reasons.size() - std::min(reasons.size(), kMostNamed);
   reasons.resize(reasons.size() - more);
-  return fmt::format("all is left out: {}{}", fmt::join(reasons, "; "),
+  return fmt::format("every object is ignored: {}{}", fmt::join(reasons, "; "),
                      more > 0 ? fmt::format("; and {} more", more) : "");
 }
 
@@ -210,7 +211,7 @@ std::string whyEmpty(const GltfDocument& document, const NodeList& list, const M
 
 Scene loadGltf(const std::string& file, const LoadOptions& options) {
   if (!std::isfinite(options.timeSeconds))
-    throw base::Error(base::ExitCode::usage, "--time", "", "not a finite number of seconds");
+    throw base::Error(base::ExitCode::usage, "--time", "", "is not a finite number of seconds");
   const std::unique_ptr<GltfDocument> read = readGltfDocument(file, options);
   const GltfDocument& document = *read;
   Scene scene;

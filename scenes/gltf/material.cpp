@@ -48,7 +48,7 @@ private:
   float clamp(double value, float lower, float upper, const char* factor) {
     const float clamped = std::clamp(static_cast<float>(value), lower, upper);
     if (clamped != static_cast<float>(value))
-      m_warnings.push_back(fmt::format("{}: {} of {} is out of range, taken as {}", m_place, factor, value, clamped));
+      m_warnings.push_back(fmt::format("{}: {} of {} is out of range, {} is used", m_place, factor, value, clamped));
     return clamped;
   }
 
@@ -67,8 +67,8 @@ private:
     for (int i = 0; i < 3; ++i)
       m_material.emissive[i] = clamp(m_source.emissiveFactor[static_cast<std::size_t>(i)], 0, kInf, "emissiveFactor");
     if (std::max({m_material.emissive.x, m_material.emissive.y, m_material.emissive.z}) > 1) // as some exporters write
-      m_warnings.push_back(fmt::format("{}: emissiveFactor is above 1, taken as it is "
-                                       "(KHR_materials_emissive_strength is meant for that)",
+      m_warnings.push_back(fmt::format("{}: emissiveFactor is above 1 and is used as it is "
+                                       "(the proper way is KHR_materials_emissive_strength)",
                                        m_place));
     m_material.baseColorTexture = slot(pbr.baseColorTexture, "pbrMetallicRoughness/baseColorTexture");
     m_material.metallicRoughnessTexture =
@@ -148,7 +148,8 @@ private:
       else if (slot->texCoord == chosen.second)
         slot->texCoord = 1;
       else {
-        addNotModelled(fmt::format("a texture by TEXCOORD_{}, a third uv set", slot->texCoord));
+        addNotModelled(
+            fmt::format("a texture uses TEXCOORD_{}, a third uv set; at most two are supported", slot->texCoord));
         *slot = {};
       }
     }

@@ -39,10 +39,10 @@ void checkLimits(const GltfDocument& document, const PrimitiveReader& reader, co
   for (int i = 0; i < 3; ++i)
     if (const auto c = static_cast<std::size_t>(i);
         lower[i] < accessor.minValues[c] - 1e-4 * largest || upper[i] > accessor.maxValues[c] + 1e-4 * largest) {
-      warnings.push_back(fmt::format("{}/attributes/POSITION (/accessors/{}): reaches from {} to {} in {}, beyond its "
-                                     "min and max, {} and {}",
-                                     reader.place(), index, lower[i], upper[i], "xyz"[i], accessor.minValues[c],
-                                     accessor.maxValues[c]));
+      warnings.push_back(fmt::format(
+          "{}/attributes/POSITION (/accessors/{}): its values go from {} to {} in {}, outside its "
+          "min and max, {} and {}",
+          reader.place(), index, lower[i], upper[i], "xyz"[i], accessor.minValues[c], accessor.maxValues[c]));
       return;
     }
 }
@@ -62,7 +62,7 @@ void readTexCoords(const PrimitiveReader& reader, Mesh& mesh, const Material& ma
                                   {"specularColorTexture", &material.specularColorTexture}})
     if (slot->present() && (slot->texCoord == 0 ? mesh.uv0 : mesh.uv1).empty())
       warnings.push_back(
-          fmt::format("{}: the {} of material '{}' is read by TEXCOORD_{}, which the mesh lacks: at (0,0)",
+          fmt::format("{}: the {} of material '{}' needs TEXCOORD_{}, which the mesh lacks; it is read at (0,0)",
                       reader.place(), key, material.name, slot->texCoord == 0 ? sets.first : sets.second));
 }
 
@@ -84,13 +84,14 @@ void finishFrames(Mesh& mesh, const Material& material, MemoryBudget& memory, co
   if (mesh.normals.empty())
     makeFlatNormals(mesh);
   else if (const BrokenDirections broken = mendNormals(mesh); broken.any())
-    warnings.push_back(fmt::format("{}: replaced by those of their faces: {}", place, describe(broken, "normal")));
+    warnings.push_back(fmt::format("{}: normals of the faces replace {}", place, describe(broken, "normal")));
   if (!mesh.tangents.empty()) {
     if (const BrokenDirections broken = mendTangents(mesh); broken.any())
-      warnings.push_back(fmt::format("{}: replaced by some right angle: {}", place, describe(broken, "tangent")));
+      warnings.push_back(
+          fmt::format("{}: arbitrary perpendicular tangents replace {}", place, describe(broken, "tangent")));
   } else if (material.normalTexture.present())
     if (const std::size_t count = makeTangentsCounted(mesh, material.normalTexture.texCoord, memory, place))
-      warnings.push_back(fmt::format("{}: {} vertices have no area in uv, their tangents are arbitrary", place, count));
+      warnings.push_back(fmt::format("{}: {} vertices have no uv area, so their tangents are arbitrary", place, count));
 }
 
 } // namespace

@@ -63,7 +63,7 @@ std::string describe(const BrokenDirections& broken, const char* what) {
     return fmt::format("{}{}{}{}", count, named ? " " : "", named ? what : "", named && count != 1 ? "s" : "");
   };
   std::string text;
-  if (broken.zero > 0) text = number(broken.zero, true) + " of no length";
+  if (broken.zero > 0) text = number(broken.zero, true) + " of length 0";
   if (broken.notFinite > 0)
     text += (text.empty() ? number(broken.notFinite, true) : " and " + number(broken.notFinite, false)) +
             (broken.notFinite == 1 ? " that is NaN or infinite" : " that are NaN or infinite");

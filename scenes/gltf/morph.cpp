@@ -26,13 +26,15 @@ std::vector<float> morphWeights(const GltfDocument& document, int node, const Po
   const std::size_t count = mesh.primitives.empty() ? 0 : mesh.primitives.front().targets.size();
   for (std::size_t p = 0; p < mesh.primitives.size(); ++p)
     if (const std::size_t targets = mesh.primitives[p].targets.size(); targets != count)
-      throw document.error(fmt::format("/meshes/{}/primitives/{}/targets", source.mesh, p),
-                           fmt::format("has {} targets, expected {} as the mesh's first primitive", targets, count));
+      throw document.error(
+          fmt::format("/meshes/{}/primitives/{}/targets", source.mesh, p),
+          fmt::format("has {} targets, expected {} as in the first primitive of the mesh", targets, count));
   if (count == 0) return {};
   document.memory.take(count * sizeof(float), fmt::format("/nodes/{}/weights", node));
   const auto check = [&](const std::vector<double>& weights, const std::string& place) {
     if (!weights.empty() && weights.size() != count)
-      throw document.error(place, fmt::format("holds {} weights, expected {}, one a target", weights.size(), count));
+      throw document.error(place,
+                           fmt::format("holds {} weights, expected {}, one for each target", weights.size(), count));
   };
   check(mesh.weights, fmt::format("/meshes/{}/weights", source.mesh));
   check(source.weights, fmt::format("/nodes/{}/weights", node));

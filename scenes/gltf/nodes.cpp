@@ -51,7 +51,7 @@ glm::dmat4 localTransform(const GltfDocument& document, int index, const NodePos
     local *= glm::mat4_cast(*pose.rotation);
   else if (!node.rotation.empty()) {
     const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
-    if (!(glm::length(rotation) > 0)) throw document.error(place + "/rotation", "a quaternion of length 0");
+    if (!(glm::length(rotation) > 0)) throw document.error(place + "/rotation", "is a quaternion of length 0");
     local *= glm::mat4_cast(glm::normalize(rotation));
   }
   if (pose.scale || !node.scale.empty()) local = glm::scale(local, pose.scale ? *pose.scale : own(node.scale));
@@ -67,14 +67,15 @@ std::vector<int> rootsToShow(const GltfDocument& document, const std::vector<int
                                   ? static_cast<std::size_t>(std::max(model.defaultScene, 0))
                                   : findNamed(document.facts.scenes, wanted, document.label, "--scene", "scene");
     if (model.scenes.size() > 1 && wanted.empty())
-      warnings.push_back(fmt::format("{} scenes in the file, scene {} is shown (--scene)", model.scenes.size(), scene));
+      warnings.push_back(
+          fmt::format("the file has {} scenes, scene {} is shown (--scene chooses one)", model.scenes.size(), scene));
     return model.scenes[scene].nodes;
   }
   if (!document.options.scene.empty()) findNamed({}, document.options.scene, document.label, "--scene", "scene");
   std::vector<int> roots;
   for (std::size_t n = 0; n < parents.size(); ++n)
     if (parents[n] < 0) roots.push_back(static_cast<int>(n));
-  warnings.push_back("the file has no scene: all its root nodes are shown");
+  warnings.push_back("the file has no scene, so all its root nodes are shown");
   return roots;
 }
 

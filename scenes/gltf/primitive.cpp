@@ -80,7 +80,7 @@ PrimitiveReader::PrimitiveReader(const GltfDocument& document, int mesh, int pri
 void PrimitiveReader::decodeStream(const tinygltf::Value& extension) {
   const std::string place = m_place + "/extensions/KHR_draco_mesh_compression";
   if (m_source.mode != TINYGLTF_MODE_TRIANGLES && m_source.mode != TINYGLTF_MODE_TRIANGLE_STRIP)
-    throw m_document.error(m_place + "/mode", "expected TRIANGLES or TRIANGLE_STRIP beside KHR_draco_mesh_compression");
+    throw m_document.error(m_place + "/mode", "expected TRIANGLES or TRIANGLE_STRIP with KHR_draco_mesh_compression");
   const auto accessorAt = [&](int index) -> const tinygltf::Accessor& {
     return m_document.model.accessors[static_cast<std::size_t>(index)];
   };
@@ -150,11 +150,11 @@ std::optional<AccessorView> PrimitiveReader::target(std::size_t target, const st
 std::optional<AccessorView> PrimitiveReader::checked(std::optional<AccessorView> view, const std::string& name,
                                                      bool isTarget, std::vector<std::string>& warnings) const {
   const Semantic& semantic = semanticOf(name, isTarget);
-  if (view->isMatrix()) throw view->error("a matrix where a scalar or vector is needed");
+  if (view->isMatrix()) throw view->error("is a matrix, expected a scalar or vector");
   if (view->componentCount() < semantic.least || view->componentCount() > semantic.most)
     throw view->error(fmt::format("has {} components, expected {}", view->componentCount(), semantic.least));
   if (view->count() != m_vertexCount)
-    throw view->error(fmt::format("has {} elements where POSITION has {}", view->count(), m_vertexCount));
+    throw view->error(fmt::format("has {} elements, but POSITION has {}", view->count(), m_vertexCount));
   const Types type = typeOf(*view);
   if (type & semantic.core) return view;
   if (!(type & semantic.quantized))
@@ -180,7 +180,7 @@ std::vector<std::uint32_t> PrimitiveReader::readTriangles(std::vector<std::strin
   if (m_source.mode == TINYGLTF_MODE_TRIANGLE_FAN) return listFromFan(indices);
   if (indices.size() % 3) {
     warnings.push_back(
-        fmt::format("{}: {} indices are no whole number of triangles, the rest is dropped", m_place, indices.size()));
+        fmt::format("{}: {} indices do not form whole triangles, the rest is ignored", m_place, indices.size()));
     indices.resize(indices.size() / 3 * 3);
   }
   return indices;

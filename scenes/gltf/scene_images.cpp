@@ -90,9 +90,10 @@ std::vector<SourceFile> readSceneImages(const GltfDocument& document, const std:
       const std::size_t count = texelsOf(packed, diffuse);
       derivedTexels += count;
       if (derivedTexels > document.options.maxImageTexels)
-        throw document.error(place, fmt::format("what is computed of it and others has more than {} texels together "
-                                                "(--max-image)",
-                                                document.options.maxImageTexels));
+        throw document.error(place,
+                             fmt::format("the images computed from it and others have more than {} texels together "
+                                         "(--max-image)",
+                                         document.options.maxImageTexels));
       document.memory.take(4 * count, place);
       out.pixels = derive(recipe, packed, diffuse);
     });

@@ -28,7 +28,7 @@ std::vector<InfluenceSet> readInfluences(const PrimitiveReader& reader, std::siz
     if (!joints && !weights) return sets;
     if (!joints || !weights)
       throw reader.document().error(reader.place() + "/attributes",
-                                    fmt::format("has one of JOINTS_{0} and WEIGHTS_{0}, expected both", n));
+                                    fmt::format("has only one of JOINTS_{0} and WEIGHTS_{0}, expected both", n));
     InfluenceSet set{joints->readJoints(), weights->readVec4(0.f)};
     for (std::size_t v = 0; v < set.weights.size(); ++v)
       for (int i = 0; i < 4; ++i) {
@@ -64,7 +64,7 @@ SkinPose poseSkin(const GltfDocument& document, int index, const std::function<c
     inverseBind.assign(matrices.begin(), matrices.end());
     if (inverseBind.size() < skin.joints.size())
       throw view.error(
-          fmt::format("has {} matrices, expected {}, one a joint", inverseBind.size(), skin.joints.size()));
+          fmt::format("has {} matrices, expected {}, one for each joint", inverseBind.size(), skin.joints.size()));
     for (std::size_t i = 0; i < skin.joints.size(); ++i)
       if (!makeAffine(inverseBind[i]))
         throw view.error(fmt::format("element {} is not affine: its last row is not 0 0 0 1", i));
@@ -79,7 +79,7 @@ SkinPose poseSkin(const GltfDocument& document, int index, const std::function<c
 bool applySkin(const PrimitiveReader& reader, const SkinPose& pose, Mesh& mesh, std::vector<std::string>& warnings) {
   const std::vector<InfluenceSet> sets = readInfluences(reader, pose.matrices.size(), warnings);
   if (sets.empty()) {
-    warnings.push_back(reader.place() + ": has a skin, but no JOINTS_0 and WEIGHTS_0: shown as its node stands");
+    warnings.push_back(reader.place() + ": has a skin but no JOINTS_0 and WEIGHTS_0, so the skin is ignored");
     return false;
   }
   std::atomic<std::size_t> rescaled = 0, unweighted = 0, mirrored = 0;
@@ -115,14 +115,14 @@ bool applySkin(const PrimitiveReader& reader, const SkinPose& pose, Mesh& mesh, 
   });
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     if (const glm::vec3& p = mesh.positions[v]; !std::isfinite(p.x + p.y + p.z))
-      throw reader.document().error(reader.place(), fmt::format("vertex {} is not finite in the world", v));
+      throw reader.document().error(reader.place(), fmt::format("vertex {} is not finite in world space", v));
   if (mirrored == mesh.positions.size())
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
   if (rescaled)
-    warnings.push_back(
-        fmt::format("{}: the weights of {} vertices do not sum to 1, scaled", reader.place(), rescaled.load()));
+    warnings.push_back(fmt::format("{}: the weights of {} vertices do not sum to 1, so they are scaled", reader.place(),
+                                   rescaled.load()));
   if (unweighted)
-    warnings.push_back(fmt::format("{}: {} vertices have no weight, they follow their first joint", reader.place(),
+    warnings.push_back(fmt::format("{}: {} vertices have no weight, so they follow their first joint", reader.place(),
                                    unweighted.load()));
   return true;
 }

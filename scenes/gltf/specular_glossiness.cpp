@@ -104,9 +104,10 @@ void readSpecularGlossiness(const GltfDocument& document, const tinygltf::Value&
     material.baseColor = glm::vec4(diffuse * kept, alphaFactor);
   } else if (diffuseTexture.present() && !haveSameUvs(diffuseTexture, packed)) {
     material.baseColor = glm::vec4(diffuse, alphaFactor);
-    warnings.push_back(fmt::format("{}: the diffuse colour is not reduced by the specular one: their textures have "
-                                   "different uvs",
-                                   place));
+    warnings.push_back(
+        fmt::format("{}: the specular colour does not reduce the diffuse colour, because their textures have "
+                    "different uvs",
+                    place));
   } else {
     material.baseColor = glm::vec4(1, 1, 1, alphaFactor);
     if (!diffuseTexture.present()) material.baseColorTexture = packed;

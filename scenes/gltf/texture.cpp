@@ -81,8 +81,8 @@ int imageOf(const GltfDocument& document, const tinygltf::Texture& texture, int 
   if (texture.source >= 0) return texture.source;
   throw document.error(fmt::format("{} (/textures/{})", place, index),
                        find("KHR_texture_basisu") >= 0
-                           ? "has a Basis Universal image (KHR_texture_basisu) alone, expected a PNG, JPEG or WebP "
-                             "image beside it: there is no transcoder here"
+                           ? "has only a Basis Universal image (KHR_texture_basisu), expected also a PNG, JPEG or WebP "
+                             "image: parity has no transcoder"
                            : "has no image");
 }
 

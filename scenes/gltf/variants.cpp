@@ -22,7 +22,7 @@ std::size_t findNamed(const std::vector<std::string>& names, const std::string& 
   if (known.size() < names.size()) known.push_back(fmt::format("and {} more", names.size() - known.size()));
   throw base::Error(base::ExitCode::usage, option, "",
                     known.empty()
-                        ? fmt::format("'{}': {} has no {}", wanted, label, what)
+                        ? fmt::format("'{}' is unknown: {} has no {}", wanted, label, what)
                         : fmt::format("{} has no {} '{}'; known: {}", label, what, wanted, fmt::join(known, ", ")));
 }
 

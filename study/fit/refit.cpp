@@ -15,9 +15,9 @@ Refit fitRefit(const Settings& settings, const Say& say) {
   const Truth truth(settings);
   refit.lobe = fitLobe(truth);
   refit.spread = roundConstant(truth.spread());
-  say("projecting lobes for the environment's read");
+  say("projecting lobes of the environment");
   const TapFit taps(settings.geometryTerm);
-  say("fitting the environment's read");
+  say("fitting the environment fetch");
   refit.tap = taps.fit();
   say("measuring errors");
   refit.tapError = taps.errorOf([&](double R, double N) { return evaluateTap(refit.tap, R, N); });

@@ -13,7 +13,7 @@ Plotted plottedOf(const paths::Path& path, const paths::Options& options) {
   Plotted plotted{path.title(), path.environmentBrdf(options), {}};
   if (!plotted.brdf)
     throw base::Error(base::ExitCode::usage, "--paths", path.name(),
-                      "has no environment BRDF that can be drawn: none, or one that only its shader knows");
+                      "has no environment BRDF that plot can draw: it has none, or has one only in its shader");
   plotted.words = plotted.brdf->words();
   return plotted;
 }
@@ -21,7 +21,7 @@ Plotted plottedOf(const paths::Path& path, const paths::Options& options) {
 } // namespace
 
 PlottedPair pairOf(const std::vector<const paths::Path*>& paths, const paths::Options& options) {
-  if (paths.size() != 2) throw base::Error(base::ExitCode::usage, "--paths", "", "plot draws two paths");
+  if (paths.size() != 2) throw base::Error(base::ExitCode::usage, "--paths", "", "plot needs two paths");
   return {plottedOf(*paths[0], options), plottedOf(*paths[1], options)};
 }
 

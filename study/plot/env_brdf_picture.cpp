@@ -73,9 +73,8 @@ void drawHead(Canvas& canvas, const PlottedPair& pair) {
               Font::title, kInk);
   canvas.text(kLeft, 80, describe(reference.words) + "        " + describe(test.words), Font::body, kInk);
   canvas.text(kLeft, 104,
-              fmt::format("Light scattered once, but for the last row: what scatters more than once ({}: {}), "
-                          "which is in no other. "
-                          "Off-specular reads of the environment are no part of any.",
+              fmt::format("All rows but the last: single scattering. Last row: only multiple scattering ({}: {}). "
+                          "Off-specular reads of the environment are not included.",
                           reference.title, reference.words.multiple),
               Font::small, kPale);
   const std::string heads[] = {reference.title + ": " + reference.words.kind, test.title + ": " + test.words.kind,
@@ -146,8 +145,8 @@ void drawMaterials(Canvas& canvas, const PlottedPair& pair, const std::vector<Ma
        {"max |dev|, at N.V", 1360, Align::right},
        {fmt::format("multiple: {}, {}", pair.reference.words.label, pair.test.words.label), 1580, Align::right}}};
   canvas.text(kLeft, top,
-              fmt::format("{}: {} of {} lit materials, by mean deviation of F0 A + F90 B (mean over N.V as a sphere "
-                          "shows it; max from N.V = .05)",
+              fmt::format("{}: {} of {} lit materials, by mean deviation of F0 A + F90 B (mean: N.V weighted as on a "
+                          "sphere; max: from N.V = .05)",
                           scene, listed.size(), all),
               Font::bold, kInk);
   for (const Column& column : columns)

@@ -56,8 +56,8 @@ std::string materialsCsv(const PlottedPair& pair, const std::vector<MaterialDevi
 
 std::string describe(const PlottedPair& pair, const std::vector<MaterialDeviation>& materials) {
   const paths::EnvBrdfWords &reference = pair.reference.words, &test = pair.test.words;
-  std::string text = fmt::format("{} against the {}, light scattered once, roughness and N.V from .05:\n", test.formula,
-                                 reference.kind);
+  std::string text =
+      fmt::format("{} against the {}, single scattering, roughness and N.V from .05:\n", test.formula, reference.kind);
   for (const double F0 : kF0s) {
     const Deviation d = deviationOf(pair, F0);
     text += fmt::format("  F0 = {:<4g}  max {:.4f}  rms {:.4f}\n", F0, d.max, d.rms);

@@ -20,7 +20,8 @@ namespace {
 double parseNumber(const std::string& text, const std::string& whole) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) refuse(whole, fmt::format("'{}' is no number", text));
+  if (error != std::errc() || end != text.data() + text.size())
+    refuse(whole, fmt::format("'{}' is not a number", text));
   return value;
 }
 
@@ -68,13 +69,13 @@ At parseAt(const std::string& text) {
   const std::string name = text.substr(0, colon), numbers = text.substr(colon + 1);
   At at;
   at.function = functionsNamed(name).front();
-  if (at.function.name != name) refuse(text, "names a function by a pattern; give its whole name");
+  if (at.function.name != name) refuse(text, "has a pattern; give the whole name of one function");
   const Domain& domain = at.function.domain;
   const std::vector<std::string> parts = numbers.empty() ? std::vector<std::string>{} : split(numbers, ',');
   if (static_cast<int>(parts.size()) != domain.numbers()) {
     std::string names;
     for (int n = 0; n < domain.numbers(); ++n) names += (n > 0 ? ", " : "") + domain.nameOf(n);
-    refuse(text, fmt::format("has {} numbers, {} takes {}: {}", parts.size(), name, domain.numbers(), names));
+    refuse(text, fmt::format("has {} numbers, but {} needs {}: {}", parts.size(), name, domain.numbers(), names));
   }
   for (int n = 0; n < domain.numbers(); ++n)
     at.row[domain.position(n)] = parseNumber(parts[static_cast<std::size_t>(n)], text);
@@ -86,7 +87,7 @@ std::string describeAt(const At& at, const gpu::Device* device) {
   std::string text = formatAt(function, at.row) + "\n";
   for (int n = 0; n < function.domain.numbers(); ++n)
     text += fmt::format("  {:<22} {}\n", function.domain.nameOf(n), formatExactly(at.row[function.domain.position(n)]));
-  if (!function.domain.contains(at.row)) text += "  outside of the function's domain\n";
+  if (!function.domain.contains(at.row)) text += "  outside the function's domain\n";
   for (const bool onDevice : {false, true})
     for (const Precision precision : kPrecisions) {
       if (onDevice && (!device || precision == Precision::f64)) continue;

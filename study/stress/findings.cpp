@@ -13,7 +13,7 @@ namespace {
 std::string describeExample(const FunctionCase& function, Fault fault, const Example& example) {
   const std::string row = formatAt(function, example.row);
   if (example.second)
-    return fmt::format("output {} from {} to {}: wrong by {:.3g} units in the last place", example.output, row,
+    return fmt::format("output {} from {} to {}: error of {:.3g} units in the last place", example.output, row,
                        formatAt(function, *example.second), example.value);
   if (fault == Fault::negative) return fmt::format("output {} is {:.4g} at {}", example.output, -example.value, row);
   if (fault == Fault::overUnity) return fmt::format("output {} is {:.6g} at {}", example.output, example.value, row);
@@ -54,7 +54,8 @@ void addExpected(const FunctionResult& result, const Column& column, std::vector
     finding.expected = hits > 0;
     if (hits == 0) {
       finding.fault = fmt::format("vanished: {}", nameOf(expected.fault));
-      finding.example = fmt::format("the table expects it for {}, and no row shows it any more", expected.regionText);
+      finding.example = fmt::format("the table expects it for {}, but no row shows it; remove it from the table",
+                                    expected.regionText);
     } else if (const auto& worst = column.tally.faults[static_cast<std::size_t>(expected.fault)].worst) {
       finding.magnitude = worst->value;
       if (worst->value > 0) finding.example = describeExample(result.function, expected.fault, *worst);

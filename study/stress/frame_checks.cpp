@@ -105,10 +105,10 @@ void checkPath(const StressScene& scene, const SceneFrames& frames, const PathFr
   if (bad > 0) {
     Finding& finding = findings.emplace_back(makeFinding(scene, path.path, "not finite"));
     finding.count = bad;
-    finding.example = fmt::format("{} of {} pixels, the first at {}", bad, color.pixelCount(), place(firstBad));
+    finding.example = fmt::format("{} of {} pixels; the first is at {}", bad, color.pixelCount(), place(firstBad));
   }
   if (apart > 0) {
-    Finding& finding = findings.emplace_back(makeFinding(scene, path.path, "terms do not add up"));
+    Finding& finding = findings.emplace_back(makeFinding(scene, path.path, "the terms do not sum to the colour"));
     finding.count = apart;
     finding.magnitude = worst;
     finding.example = fmt::format("{} pixels, by {:.3g} % at {}", apart, 100 * worst, place(worstApart));
@@ -120,7 +120,7 @@ void checkPath(const StressScene& scene, const SceneFrames& frames, const PathFr
     finding.expected = known > 0;
     finding.count = known;
     finding.region = fmt::format("karis2014, materials of roughness <= {}", karisFailsUpTo(path.half));
-    finding.reason = "D_Approx: the article prints no floor";
+    finding.reason = "D_Approx: the article has no roughness floor";
     finding.example = fmt::format("{} pixels", known);
   }
 }
@@ -132,15 +132,15 @@ std::vector<Finding> checkFrames(const StressScene& scene, const SceneFrames& fr
   if (frames.paths.empty()) findings.push_back(makeFinding(scene, "", "nothing was rendered"));
   for (const PathFrame& path : frames.paths) {
     if (path.frame.color.empty() || path.frame.terms.size() != shading::kTermCount)
-      findings.push_back(makeFinding(scene, path.path, "no picture with terms"));
+      findings.push_back(makeFinding(scene, path.path, "no picture has terms"));
     else
       checkPath(scene, frames, path, findings);
   }
   if (scene.check && findings.end() == std::find_if(findings.begin(), findings.end(), [](const Finding& f) {
-                       return f.fault == "no picture with terms" || f.fault == "nothing was rendered";
+                       return f.fault == "no picture has terms" || f.fault == "nothing was rendered";
                      }))
     for (const std::string& text : scene.check(frames, twin)) {
-      Finding& finding = findings.emplace_back(makeFinding(scene, "", "not as it must be"));
+      Finding& finding = findings.emplace_back(makeFinding(scene, "", "not as expected"));
       finding.example = text;
     }
   return findings;
@@ -155,7 +155,7 @@ std::vector<Finding> checkSame(const StressScene& scene, const PathFrame& first,
   for (std::size_t t = 0; same && t < first.frame.terms.size(); ++t)
     same = sameBits(first.frame.terms[t], second.frame.terms[t]);
   if (same) return {};
-  return {makeFinding(scene, first.path, "rendered twice, two pictures")};
+  return {makeFinding(scene, first.path, "two renders differ")};
 }
 
 } // namespace parity::stress

@@ -19,21 +19,21 @@ StressScene ball(const char* name, const char* wants, float roughness, std::vect
 
 // V = -L: the half vector has no length.
 StressScene backlight() {
-  StressScene s = makeScene("backlight", "V = -L: H is N or nothing, and all is finite", makeQuad({0, 0, -1}),
+  StressScene s = makeScene("backlight", "V = -L: H is N or 0, and all values are finite", makeQuad({0, 0, -1}),
                             makeMaterial(0.2f, 1));
   s.scene.lights = {makeSun({0, 0, -1}, 2)};
   return s;
 }
 
 StressScene light1e6() {
-  StressScene s = ball("light-1e6", "half targets saturate at 65504, and nothing is infinite", 0.2f,
+  StressScene s = ball("light-1e6", "half targets saturate at 65504, and no value is infinite", 0.2f,
                        {makeSun({0.2f, 0.3f, 1}, 1e6f), makePoint({0, 0, 1.5f}, 1e6f), makePoint({1, 0, 1.5f}, 1e6f)});
   s.check = [](const SceneFrames& frames, const SceneFrames*) { return requireWithinHalf(frames); };
   return s;
 }
 
 StressScene denormalLight() {
-  StressScene s = ball("denormal-light", "0, or a denormal that a target rounds to 0", 0.4f,
+  StressScene s = ball("denormal-light", "0, or a denormal that the target rounds to 0", 0.4f,
                        {makeSun({0.2f, 0.3f, 1}, 1e-41f), makePoint({0, 0, 2}, 1e-41f)});
   s.check = [](const SceneFrames& frames, const SceneFrames*) {
     std::vector<std::string> wrong;
@@ -49,7 +49,7 @@ StressScene denormalLight() {
 
 StressScene infiniteRadius() {
   const auto make = [](float range) {
-    return ball("infinite-radius", "no window: the picture without a range", 0.4f, {makePoint({0, 0.5f, 2}, 8, range)});
+    return ball("infinite-radius", "the same picture as without a range", 0.4f, {makePoint({0, 0.5f, 2}, 8, range)});
   };
   StressScene s = make(kInf32);
   s.twin = std::make_shared<StressScene>(make(0));
@@ -59,7 +59,7 @@ StressScene infiniteRadius() {
 
 // A range of 0 stands for an infinite one (scenes/scene.h): the smallest that is one.
 StressScene zeroRadius() {
-  StressScene s = ball("vanishing-radius", "ranges of 1e-6 m and of a denormal: nothing", 0.4f,
+  StressScene s = ball("vanishing-radius", "ranges of 1e-6 m and of a denormal: no light", 0.4f,
                        {makePoint({0, 0.5f, 2}, 8, 1e-6f), makePoint({0, 0.5f, 2}, 8, 1e-40f)});
   s.check = [](const SceneFrames& frames, const SceneFrames*) {
     std::vector<std::string> wrong;
@@ -72,8 +72,8 @@ StressScene zeroRadius() {
 
 // In the plane of the quad, at the middle of a pixel of a 64x64 picture and between pixels.
 StressScene lightOnSurface() {
-  StressScene s =
-      makeScene("light-on-the-surface", "a light at the very point: finite", makeQuad(), makeMaterial(0.3f, 0.5f));
+  StressScene s = makeScene("light-on-the-surface", "a light exactly at a surface point: finite", makeQuad(),
+                            makeMaterial(0.3f, 0.5f));
   const float step = 2.2f / 64;
   s.scene.lights = {makePoint({0.5f * step, 0.5f * step, 0}, 10), makePoint({0, 0, 0}, 10)};
   return s;
@@ -88,10 +88,11 @@ StressScene badTexels() {
   });
   const scenes::CleanedCounts counts = scenes::cleanRadiance(environment.radiance, environment.name);
   const bool counted = counts.notANumber == 1 && counts.infinite == 1 && counts.negative == 2;
-  StressScene s = ball("nan-and-inf-texels", "cleaned once, counted, finite", 0.3f, {});
+  StressScene s =
+      ball("nan-and-inf-texels", "bad texels are cleaned once and counted, and the rest is finite", 0.3f, {});
   s.scene.environment = std::move(environment);
   s.check = [counted](const SceneFrames&, const SceneFrames*) {
-    return counted ? std::vector<std::string>{} : std::vector<std::string>{"not all bad texels were counted"};
+    return counted ? std::vector<std::string>{} : std::vector<std::string>{"some bad texels were not counted"};
   };
   return s;
 }

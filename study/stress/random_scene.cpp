@@ -182,7 +182,7 @@ StressScene randomScene(std::uint64_t seed) {
   Dice dice(seed);
   StressScene s;
   s.name = fmt::format("random-{}", seed);
-  s.wants = "finite, terms add up, the same bits twice";
+  s.wants = "finite, the terms sum to the colour, two renders have the same bits";
   s.scene.name = s.name;
   s.reproduce = fmt::format("--only renders --renders random-{} --seed {} --scenes 1", seed, seed);
   const int objects = 1 + dice.below(3), lights = dice.below(7);

@@ -22,7 +22,7 @@ std::string formatPage(const Report& report) {
       .title = fmt::format("{} unexpected, {} expected findings", unexpected, report.findings.size() - unexpected),
       .verdict = unexpected > 0 ? "fail" : "pass",
       .sub = report.deviceName,
-      .plain = "<p>This page needs JavaScript; all of its data is in stress.json.</p>\n",
+      .plain = "<p>This page needs JavaScript; stress.json holds all of its data.</p>\n",
       .blocks = {{"stress", json}, {"stress-times", timesJson}},
       .files = {}});
 }

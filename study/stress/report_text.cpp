@@ -19,7 +19,7 @@ std::string describeFindings(const Report& report) {
     text += fmt::format("UNEXPECTED  {} ({}): {}", finding.subject, finding.place, finding.fault);
     if (finding.count > 0) text += fmt::format(", {} times", finding.count);
     text += fmt::format("\n    {}\n", finding.example);
-    if (!finding.reason.empty()) text += fmt::format("    it was expected because {}\n", finding.reason);
+    if (!finding.reason.empty()) text += fmt::format("    the table expected it because {}\n", finding.reason);
     text += fmt::format("    parity stress {}\n", finding.reproduce);
   }
   // What is known: a line for each, whatever the precisions and sides.
@@ -74,12 +74,12 @@ std::string formatReport(const Report& report) {
     text += fmt::format("\n{} functions, {} points each on the CPU in fp64, fp32 and fp16", report.functions.size(),
                         report.points);
     text += report.devicePoints > 0 ? fmt::format(", {} on the device ({})\n", report.devicePoints, report.deviceName)
-                                    : ", none on the device: --device-points 0\n";
+                                    : ", none on the device (--device-points 0)\n";
   }
   if (!report.scenes.empty())
-    text += fmt::format("{} scenes by {} paths each, twice, under the validation layers ({})\n", report.scenes.size(),
-                        report.scenes.front().paths.size(), report.deviceName);
-  if (!report.failure.empty()) text += fmt::format("ended early: {}\n", report.failure);
+    text += fmt::format("{} scenes, each rendered twice by {} paths, with the validation layers ({})\n",
+                        report.scenes.size(), report.scenes.front().paths.size(), report.deviceName);
+  if (!report.failure.empty()) text += fmt::format("stopped early: {}\n", report.failure);
   if (!report.halfSkipped.empty()) text += fmt::format("skipped: fp16 on the device: {}\n", report.halfSkipped);
   text += fmt::format("{} unexpected, {} expected findings\n", report.unexpected(),
                       report.findings.size() - report.unexpected());
@@ -87,7 +87,7 @@ std::string formatReport(const Report& report) {
 }
 
 std::string formatList(const Options& options) {
-  std::string text = "Functions of shading/, their inputs and what is demanded:\n";
+  std::string text = "Functions of shading/, their inputs and requirements:\n";
   for (const FunctionCase& function : functionsNamed(options.functionGlob)) {
     text += fmt::format("  {}\n", function.name);
     for (const Input& input : function.domain.inputs)
@@ -95,11 +95,11 @@ std::string formatList(const Options& options) {
                                                   : fmt::format("      {:<22} {} to {}\n", input.name,
                                                                 formatExactly(input.low), formatExactly(input.high));
     if (function.errorScale > 0)
-      text += fmt::format("      errors relative to no less than {:.3g}\n", function.errorScale);
+      text += fmt::format("      errors are relative to at least {:.3g}\n", function.errorScale);
     for (const Claim& claim : function.claims) {
       const std::string& input = function.domain.inputs[static_cast<std::size_t>(claim.input)].name;
       text += claim.kind == Claim::Kind::symmetric
-                  ? fmt::format("      the same with {} and {} swapped\n", input,
+                  ? fmt::format("      unchanged if {} and {} are swapped\n", input,
                                 function.domain.inputs[static_cast<std::size_t>(claim.other)].name)
                   : fmt::format("      {} with {}\n", claim.kind == Claim::Kind::increasing ? "grows" : "falls", input);
     }
@@ -109,7 +109,7 @@ std::string formatList(const Options& options) {
   }
   text += "Scenes:\n";
   for (const StressScene& scene : namedScenes()) text += fmt::format("  {:<28} {}\n", scene.name, scene.wants);
-  return text + "  random-SEED                  finite, terms add up, the same bits twice\n";
+  return text + "  random-SEED                  finite, the terms sum to the colour, two renders have the same bits\n";
 }
 
 } // namespace parity::stress

@@ -19,7 +19,7 @@ std::vector<std::string> requireWithinHalf(const SceneFrames& frames) {
   std::vector<std::string> wrong;
   for (const PathFrame& path : frames.paths)
     if (const float most = greatest(path.frame.color); !path.preset.empty() && most > 65504)
-      wrong.push_back(fmt::format("{}: {:.6g} is more than a half target holds", path.path, most));
+      wrong.push_back(fmt::format("{}: {:.6g} is more than a half target can hold", path.path, most));
   return wrong;
 }
 
@@ -28,7 +28,7 @@ std::vector<std::string> requireSame(const SceneFrames& frames, const SceneFrame
   for (std::size_t p = 0; twin && p < frames.paths.size(); ++p) {
     const std::vector<float>&a = frames.paths[p].frame.color.pixels, &b = twin->paths[p].frame.color.pixels;
     if (a.size() != b.size() || std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) != 0)
-      wrong.push_back(fmt::format("{}: not the picture of {}", frames.paths[p].path, as));
+      wrong.push_back(fmt::format("{}: differs from the picture of {}", frames.paths[p].path, as));
   }
   return wrong;
 }

@@ -32,7 +32,7 @@ public:
     }();
     if (m_named.empty() && m_seeds.empty() && !soaks)
       throw base::Error(base::ExitCode::usage, "--renders", options.renderGlob,
-                        "no such scene; parity stress --list names them");
+                        "unknown scene; parity stress --list lists them");
   }
   // Whether the glob names the random scene of this seed.
   bool isWanted(std::uint64_t seed) const {

@@ -29,15 +29,16 @@ scenes::TextureSlot oneTexel(scenes::Scene& scene, std::array<std::uint8_t, 4> t
 }
 
 StressScene roughness0() {
-  StressScene s = lit(makeScene("roughness-0", "finite; karis2014 alone, which prints no floor, is NaN", makeBall(),
-                                makeMaterial(0, 1)));
+  StressScene s = lit(makeScene("roughness-0", "finite, except karis2014, which has no roughness floor and is NaN",
+                                makeBall(), makeMaterial(0, 1)));
   s.karisMustFail = true;
   return s;
 }
 
 StressScene roughnessAbove1() {
   const auto make = [](float roughness) {
-    return lit(makeScene("roughness-above-1", "the picture of roughness 1", makeBall(), makeMaterial(roughness, 1)));
+    return lit(
+        makeScene("roughness-above-1", "the same picture as with roughness 1", makeBall(), makeMaterial(roughness, 1)));
   };
   StressScene s = make(5);
   s.twin = std::make_shared<StressScene>(make(1));
@@ -47,7 +48,7 @@ StressScene roughnessAbove1() {
 
 // NoV = 0: the normal is at right angles to the view, the light comes along it.
 StressScene grazing() {
-  StressScene s = makeScene("grazing", "N.V = 0: finite, and direct light no more than its irradiance",
+  StressScene s = makeScene("grazing", "N.V = 0: finite, and direct light is at most its irradiance",
                             makeQuad({1, 0, 0}), makeMaterial(0.5f, 0, glm::vec3(1)));
   s.scene.lights = {makeSun({1, 0, 0}, 2)};
   s.check = [](const SceneFrames& frames, const SceneFrames*) {
@@ -84,9 +85,9 @@ StressScene flippedNormals() {
 StressScene twoSided() {
   scenes::Material material = makeMaterial(0.4f);
   material.doubleSided = true;
-  StressScene s = lit(makeScene("two-sided", "seen from behind, lit from there: the normal flips, and there is light",
-                                makeQuad(), material),
-                      {0, 0.2f, -1});
+  StressScene s = lit(
+      makeScene("two-sided", "seen and lit from behind: the normal flips, and there is light", makeQuad(), material),
+      {0, 0.2f, -1});
   s.camera = makeCamera(true);
   s.check = [](const SceneFrames& frames, const SceneFrames*) {
     std::vector<std::string> wrong;
@@ -101,11 +102,12 @@ StressScene badNormals() {
   scenes::Mesh mesh = makeQuad();
   mesh.normals = {{0, 0, 0}, {kNan32, 0, 1}, {0, 0, 1e-30f}, {kInf32, 0, 0}};
   scenes::mendNormals(mesh);
-  StressScene s = lit(makeScene("zero-and-nan-normals", "as the loader mends them: the picture of the face's normal",
-                                std::move(mesh), makeMaterial(0.4f)));
+  StressScene s =
+      lit(makeScene("zero-and-nan-normals", "the loader repairs them: the same picture as with the face normal",
+                    std::move(mesh), makeMaterial(0.4f)));
   s.twin = std::make_shared<StressScene>(lit(makeScene("zero-and-nan-normals", "", makeQuad(), makeMaterial(0.4f))));
   s.check = [](const SceneFrames& frames, const SceneFrames* twin) {
-    return requireSame(frames, twin, "the right normals");
+    return requireSame(frames, twin, "correct normals");
   };
   return s;
 }
@@ -120,11 +122,13 @@ StressScene degenerateTangents() {
     orthonormal =
         orthonormal && std::fabs(glm::length(t) - 1) < 1e-5f && std::fabs(glm::dot(t, mesh.normals[v])) < 1e-5f;
   }
-  StressScene s = lit(makeScene("degenerate-tangents", "no area in uv: an orthonormal fallback, and finite",
+  StressScene s = lit(makeScene("degenerate-tangents",
+                                "no uv area: the tangents fall back to an orthonormal frame, and all is finite",
                                 std::move(mesh), makeMaterial(0.4f)));
   s.scene.materials[0].normalTexture = oneTexel(s.scene, {200, 90, 220, 255});
   s.check = [orthonormal](const SceneFrames&, const SceneFrames*) {
-    return orthonormal ? std::vector<std::string>{} : std::vector<std::string>{"the loader's tangents are no frame"};
+    return orthonormal ? std::vector<std::string>{}
+                       : std::vector<std::string>{"the loader's tangents do not form a frame"};
   };
   return s;
 }
@@ -138,7 +142,7 @@ StressScene zeroTangents() {
 }
 
 StressScene badNormalMap() {
-  StressScene s = makeScene("normal-map-into-the-surface", "normals below the surface and of next to no length: finite",
+  StressScene s = makeScene("normal-map-into-the-surface", "normals below the surface and of almost no length: finite",
                             makeQuad(), makeMaterial(0.2f, 1));
   scenes::makeTangents(s.scene.meshes[0], 0);
   s.scene.materials[0].normalTexture = oneTexel(s.scene, {127, 128, 0, 255});
@@ -147,7 +151,7 @@ StressScene badNormalMap() {
 
 // Exactly 0 wherever the formulas have no F90 of their own: the fit of karis2014 is negative or positive there.
 StressScene blackMetal() {
-  StressScene s = lit(makeScene("black-metal", "metallic 1 over black: no diffuse light; of ue4-2020 no light at all",
+  StressScene s = lit(makeScene("black-metal", "metallic 1 over black: no diffuse light; in ue4-2020 no light",
                                 makeBall(), makeMaterial(0.4f, 1, glm::vec3(0))));
   s.check = [](const SceneFrames& frames, const SceneFrames*) {
     std::vector<std::string> wrong;

@@ -46,7 +46,7 @@ std::vector<FunctionCase> lightmapFunctions() {
   constexpr double kDark = 1.0 / 256 / 0.11;
   return {
       entry("GetLightMapColorLQ", kFnGetLightMapColorLQ, texelAndScales,
-            {16, 16, 4 * kDark, "exp2; 2^-8 is taken off a number near it"})
+            {16, 16, 4 * kDark, "exp2; 2^-8 is subtracted from a number close to it"})
           .takes(join({rgb(unit(0, "Lightmap0")),
                        rgb(unit(3, "Lightmap1")),
                        {wide(direction(6, "WorldNormal")), wide(unit(9, "Scale0")), wide(within(10, "Add0", 0, 0.375)),

@@ -35,7 +35,8 @@ std::vector<Input> attenuationInputs() {
 }
 
 FunctionCase heightFog() {
-  const Agreement fog{12, 1, 1, "exp2 of a product with exp2: an error of the exponent is one of the transmittance"};
+  const Agreement fog{12, 1, 1,
+                      "exp2 of a product with exp2: an error of the exponent becomes an error of the transmittance"};
   FunctionCase f = entry("heightFogTransmittance", kFnHeightFogTransmittance, fogAndWay, fog);
   f.takes({wide(powers(0, "density", 0, 1000, 0x1p-20, 1000)), wide(powers(1, "heightFalloff", 0, 1000, 0x1p-20, 1000)),
            wide(powers(2, "height", -1e6, 1e6, 0x1p-4, 1e6)), wide(powers(3, "startDistance", 0, 1e6, 0x1p-4, 1e6)),
@@ -92,13 +93,13 @@ std::vector<FunctionCase> realFunctions() {
           .gives(1)
           .relativeTo(1)
           .expect({Fault::notFinite, kIn16, [](const Row& r) { return dotOf(r) > 65472; }, "sum of |a b| > 65472",
-                   "a product or a sum beyond half's largest number: unit vectors stay within 3",
+                   "a product or a sum exceeds the largest half; unit vectors stay within 3",
                    rowOf({{0, 1000}, {3, 1000}})}),
       entry("sqr", kFnSqr, uniforms(1, -10, 10))
           .takes({within(0, "x", -10000, 10000)})
           .gives(1, 1)
           .expect({Fault::notFinite, kIn16, [](const Row& r) { return std::fabs(r[0]) >= 255.9; }, "|x| >= 256",
-                   "x^2 is beyond half's largest number: squared distances are taken in single", rowOf({{0, 256}})}),
+                   "x^2 exceeds the largest half; squared distances are computed in single", rowOf({{0, 256}})}),
       entry("narrow", kFnNarrow, uniforms(1, 0, 65504))
           .takes({wide(powers(0, "x", -65504, kInf, 0x1p-30, 0x1p126))})
           .gives(1)

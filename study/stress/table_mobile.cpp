@@ -27,7 +27,7 @@ double leastF0(const Row& r, int base, int dielectric, int metallic) {
 bool isGreenless(const Row& r, int base, int dielectric, int metallic) {
   return r[dielectric + 1] * (1 - r[metallic]) + r[base + 1] * r[metallic] < 0.02;
 }
-const char* const kGreenless = "A falls to -0.044 there, and saturate(50 g) takes away the B that outweighs it";
+const char* const kGreenless = "A falls to -0.044, and saturate(50 g) removes the B that is larger than it";
 
 FunctionCase shadingModelContext() {
   FunctionCase f = entry("initShadingModelContext", kFnInitShadingModelContext, units(12), kEnvBrdf);
@@ -41,8 +41,7 @@ FunctionCase shadingModelContext() {
       .expect({Fault::negative, kInAll,
                [](const Row& r) { return !isRefit(r[9]) && r[11] < 0.75 && r[7] > 0.7 && leastF0(r, 0, 3, 6) < 0.006; },
                "forms karis2014 and UE4, roughness > 0.7, a channel of F0 < 0.006",
-               "B of EnvBRDFApprox falls to -0.0024; UE4's saturate(50 g) looks at green alone",
-               rowOf({{7, 1}, {8, 1}})})
+               "B of EnvBRDFApprox falls to -0.0024; UE4's saturate(50 g) uses only green", rowOf({{7, 1}, {8, 1}})})
       .expect({Fault::overUnity, kInAll, [](const Row& r) { return !isRefit(r[9]) && r[7] < 0.09 && r[8] < 0.09; },
                "forms karis2014 and UE4, roughness < 0.09 and NoV < 0.09", "B of EnvBRDFApprox reaches 1.044",
                rowOf({{3, 0.04}, {4, 0.04}, {5, 0.04}})})
@@ -110,7 +109,7 @@ FunctionCase integrateBxDF() {
           {Fault::negative, kInAll,
            [](const Row& r) { return !isRefit(r[16]) && r[17] < 0.75 && r[6] > 0.7 && leastF0(r, 0, 3, 18) < 0.006; },
            "karis2014 and UE4, roughness > 0.7, a channel of F0 < 0.006",
-           "B of EnvBRDFApprox falls to -0.0024; UE4's saturate(50 g) looks at green alone",
+           "B of EnvBRDFApprox falls to -0.0024; UE4's saturate(50 g) uses only green",
            rowOf({{9, 1}, {12, 1}, {15, 1}, {6, 1}})})
       .expect(
           {Fault::negative, kInAll,

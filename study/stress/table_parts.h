@@ -38,7 +38,7 @@ inline constexpr double kCode = 1.0 / 255;
 
 // lavapipe's exp2 is within 2.9 ulp; what is computed from it inherits that.
 inline const Agreement kEnvBrdf{8, 8, 1.04, "exp2; -1.04 a004 + r.z and 1.04 a004 + r.w cancel"};
-inline const Agreement kMip{8, 8, 5, "log2; near roughness 1 it is small beside the 5 it is added to"};
+inline const Agreement kMip{8, 8, 5, "log2; near roughness 1 it is small compared with the 5 that it is added to"};
 inline const Agreement kExp2{8, 8, 0, "exp2"};
 inline const Agreement kPow{32, 16, 1, "pow as exp2 of a product with log2"};
 inline const Agreement kExp2AtOne{8, 8, 1, "exp2"};

@@ -92,8 +92,8 @@ bool isSmoothAndGrazing(double roughness, double NoV) { return roughness < 0.09 
 bool isRoughAndBlack(double roughness, double F0) { return roughness > 0.7 && F0 < 0.006; }
 
 std::vector<FunctionCase> environmentBrdfFunctions() {
-  const char* const kB = "B falls to -0.0024: the fit's own, the article clamps nothing";
-  const char* const kA = "A falls to -0.044: the fit's own, the article clamps nothing";
+  const char* const kB = "B falls to -0.0024 in the fit itself, which the article does not clamp";
+  const char* const kA = "A falls to -0.044 in the fit itself, which the article does not clamp";
   const char* const kSum = "A + B is 1 - 0.55 R, but B alone reaches 1.044";
   const auto grazing = [](const Row& r) { return isSmoothAndGrazing(r[0], r[1]); };
   std::vector<FunctionCase> all = {
@@ -103,8 +103,8 @@ std::vector<FunctionCase> environmentBrdfFunctions() {
           .relativeTo(1.04)
           .mapped(0, 1)
           .expect({Fault::negative, kInAll, [](const Row& r) { return isSmoothAndGrazing(r[0], r[1]) || r[0] > 0.7; },
-                   "roughness < 0.09 and NoV < 0.09; roughness > 0.7", "A falls to -0.044, B to -0.0024: the fit's own",
-                   rowOf({{0, 1}, {1, 1}})})
+                   "roughness < 0.09 and NoV < 0.09; roughness > 0.7",
+                   "A falls to -0.044 and B to -0.0024 in the fit itself", rowOf({{0, 1}, {1, 1}})})
           .expect({Fault::overUnity, kInAll, grazing, "roughness < 0.09 and NoV < 0.09", kSum, rowOf({})}),
       entry("EnvBRDFApproxNonmetal", kFnEnvBRDFApproxNonmetal, units(2), kEnvBrdf)
           .takes({unit(0, "Roughness"), unit(1, "NoV")})
@@ -127,16 +127,16 @@ std::vector<FunctionCase> environmentBrdfFunctions() {
                      ue4 ? [](const Row& r) { return isRoughAndBlack(r[0], std::min({r[3], r[4], r[5]})) && r[4] > 0; }
                          : [](const Row& r) { return isRoughAndBlack(r[0], std::min({r[3], r[4], r[5]})); },
                      ue4 ? "roughness > 0.7, a channel of F0 < 0.006, green not 0" : "roughness > 0.7, F0 < 0.006",
-                     ue4 ? "B falls to -0.0024, and saturate(50 g) looks at green alone" : kB,
+                     ue4 ? "B falls to -0.0024, and saturate(50 g) uses only green" : kB,
                      rowOf({{0, 1}, {1, 1}, {4, ue4 ? 0.04 : 0.0}})})
             .expect({Fault::overUnity, kInAll, grazing, "roughness < 0.09 and NoV < 0.09", kSum,
                      rowOf({{3, 0.04}, {4, 0.04}, {5, 0.04}})})
             .expect({Fault::notMonotone, kInAll, grazing, "roughness < 0.09 and NoV < 0.09", kA,
                      rowOf({{3, 0.04}, {4, 0.04}, {5, 0.04}})}));
-  all.back().expect(
-      {Fault::negative, kInAll, [](const Row& r) { return isSmoothAndGrazing(r[0], r[1]) && r[4] < 0.02; },
-       "roughness < 0.09 and NoV < 0.09, green of F0 < 0.02",
-       "A falls to -0.044 there, and saturate(50 g) takes away the B that outweighs it", rowOf({{3, 1}})});
+  all.back().expect({Fault::negative, kInAll,
+                     [](const Row& r) { return isSmoothAndGrazing(r[0], r[1]) && r[4] < 0.02; },
+                     "roughness < 0.09 and NoV < 0.09, green of F0 < 0.02",
+                     "A falls to -0.044, and saturate(50 g) removes the B that is larger than it", rowOf({{3, 1}})});
   all.push_back(entry("FullyRough", kFnFullyRough, units(6))
                     .takes(join({rgb(unit(0, "DiffuseColor")), rgb(unit(3, "SpecularColor"))}))
                     .gives(6, first(6))
@@ -145,9 +145,10 @@ std::vector<FunctionCase> environmentBrdfFunctions() {
 }
 
 std::vector<FunctionCase> directFunctions() {
-  const Agreement dApprox{8, 8, 1e-4, "exp2; its denormals are flushed, which 1/alpha^2 makes visible below 1e-4"};
+  const Agreement dApprox{8, 8, 1e-4,
+                          "exp2; its denormals are flushed to 0, and 1/alpha^2 makes this visible below 1e-4"};
   const Input floored = within(0, "Roughness", 0.015625, 1);
-  const char* const kPower = "1/R^4 is infinite: the article prints no floor";
+  const char* const kPower = "1/R^4 is infinite, because the article has no roughness floor";
   return {
       entry("D_Approx", kFnD_Approx, lobe(0.0625, -1), dApprox)
           .takes({unit(0, "Roughness"), cosine(1, "RoL")})

@@ -99,7 +99,7 @@ ErrorBudget parseErrorBudget(const std::string& text) {
   if (std::ranges::find(errorNames(), budget.figure) == errorNames().end() || error != std::errc() || stop != end ||
       !(budget.limit > 0) || !std::isfinite(budget.limit))
     throw base::Error(base::ExitCode::usage, "bench", "--budget " + text,
-                      "wanted NAME=LIMIT with flip.mean, flip.p95 or relmse and a positive number");
+                      "is not NAME=LIMIT with flip.mean, flip.p95 or relmse and a positive number");
   return budget;
 }
 

@@ -25,7 +25,7 @@ const SceneSweep* findScene(const SweepReport& report, const SceneSweep& like) {
 std::vector<std::string> machineNotes(const Machine& before, const Machine& now) {
   std::vector<std::string> notes;
   const auto compare = [&](const char* what, const std::string& a, const std::string& b) {
-    if (a != b) notes.push_back(fmt::format("another {}: {} then, {} now", what, a, b));
+    if (a != b) notes.push_back(fmt::format("the {} differs: {} in the earlier sweep, {} now", what, a, b));
   };
   compare("processor", before.processor, now.processor);
   compare("number of threads", std::to_string(before.threads), std::to_string(now.threads));
@@ -69,8 +69,8 @@ SweepRatios compareSweeps(const SweepReport& before, const SweepReport& now) {
       continue;
     }
     if (old->pixels != scene.pixels) {
-      ratios.notes.push_back(
-          fmt::format("{}: {} samples then, {} now; left out", scene.scene, old->pixels, scene.pixels));
+      ratios.notes.push_back(fmt::format("{}: {} samples in the earlier sweep, {} now; not compared", scene.scene,
+                                         old->pixels, scene.pixels));
       continue;
     }
     for (const VariantResult& v : scene.variants) {
@@ -79,25 +79,26 @@ SweepRatios compareSweeps(const SweepReport& before, const SweepReport& now) {
       if (then == nullptr)
         ratios.notes.push_back(fmt::format("{}, {}: not in the earlier sweep", scene.scene, v.id()));
       else if (knobsOf(*then) != knobsOf(v))
-        ratios.notes.push_back(fmt::format("{}, {}: was another setting then; left out", scene.scene, v.id()));
+        ratios.notes.push_back(
+            fmt::format("{}, {}: was another setting in the earlier sweep; not compared", scene.scene, v.id()));
       else
         pairs.push_back({&scene, then, &v});
     }
     for (const VariantResult& then : old->variants)
       if (findVariant(scene, then.id()) == nullptr)
-        ratios.notes.push_back(fmt::format("{}, {}: in the earlier sweep alone", scene.scene, then.id()));
+        ratios.notes.push_back(fmt::format("{}, {}: only in the earlier sweep", scene.scene, then.id()));
   }
   for (const SceneSweep& scene : before.scenes)
     if (std::ranges::none_of(now.scenes, [&](const SceneSweep& s) { return s.scene == scene.scene; }))
-      ratios.notes.push_back(scene.scene + ": in the earlier sweep alone");
+      ratios.notes.push_back(scene.scene + ": only in the earlier sweep");
   if (pairs.empty())
     throw base::Error(base::ExitCode::usage, "bench", "--compare",
-                      "the two sweeps have no setting of any scene in common");
+                      "the two sweeps have no setting and scene in common");
   ratios.confidence = 1 - 0.05 / static_cast<double>(pairs.size());
   const std::size_t few = std::erase_if(pairs, [&](const Pair& pair) {
     return chanceOfNoOverlap(timesOf(*pair.then).size(), timesOf(*pair.now).size()) > 1 - ratios.confidence;
   });
-  if (few > 0) ratios.notes.push_back(fmt::format("{} settings are not judged: too few rounds", few));
+  if (few > 0) ratios.notes.push_back(fmt::format("{} settings are not judged, because they have too few rounds", few));
   const auto draws = static_cast<std::size_t>(std::clamp(20 / (1 - ratios.confidence), 1e4, 1e5)); // some in each tail
   for (const Pair& pair : pairs)
     ratios.variants.push_back({pair.scene->scene, pair.now->id(),

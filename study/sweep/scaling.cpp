@@ -33,7 +33,7 @@ class TemporaryFolder {
 public:
   TemporaryFolder() {
     std::string path = (std::filesystem::temp_directory_path() / "parity-bench-XXXXXX").string();
-    if (mkdtemp(path.data()) == nullptr) throw base::fileError(path, "", "could not be made");
+    if (mkdtemp(path.data()) == nullptr) throw base::fileError(path, "", "could not be created");
     m_path = path;
   }
   ~TemporaryFolder() {
@@ -176,7 +176,8 @@ std::vector<ScalingSeries> measureScaling(const job::Settings& settings, const S
     });
   });
   if (todo.empty())
-    throw base::Error(base::ExitCode::usage, "bench", "--settings", "no series has such a name; pixels, triangles...");
+    throw base::Error(base::ExitCode::usage, "bench", "--settings",
+                      "no series has this name; names are pixels, triangles...");
   for (const Plan& plan : todo) {
     ScalingSeries& series = all.emplace_back();
     series.grows = plan.grows;

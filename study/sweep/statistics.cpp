@@ -25,7 +25,7 @@ Ratio bootstrapRatio(const std::vector<double>& before, const std::vector<double
                      std::size_t draws, std::uint32_t seed) {
   for (const auto* set : {&before, &after})
     if (set->size() < 2 || std::any_of(set->begin(), set->end(), [](double v) { return !(v > 0); }))
-      throw base::Error(base::ExitCode::usage, "bench", "ratio", "it takes two positive times at least on either side");
+      throw base::Error(base::ExitCode::usage, "bench", "ratio", "both sides need at least two positive times");
   std::mt19937 random(seed);
   const auto medianOfDraw = [&](const std::vector<double>& set) {
     // Not uniform_int_distribution, whose numbers differ from library to library.
@@ -54,7 +54,7 @@ PowerLaw fitPowerLaw(const std::vector<double>& n, const std::vector<double>& t)
   }
   const double spread = count * sumXX - sumX * sumX;
   if (!(spread > 1e-9) || !std::isfinite(sumY))
-    throw base::Error(base::ExitCode::usage, "bench", "exponent", "it takes positive times at two sizes at least");
+    throw base::Error(base::ExitCode::usage, "bench", "exponent", "it needs positive times at two sizes or more");
   const double exponent = (count * sumXY - sumX * sumY) / spread;
   return {exponent, std::exp((sumY - exponent * sumX) / count)};
 }

@@ -79,15 +79,15 @@ std::vector<std::string> notesOf(const SweepReport& report) {
   for (const SceneSweep& scene : report.scenes) {
     if (!scene.failure.empty()) notes.push_back(fmt::format("{}: not measured: {}", scene.scene, scene.failure));
     if (hasTruth && !scene.variants.empty() && !scene.variants.front().whole.truth)
-      notes.push_back(scene.scene + ": has no truth, so every error is against the first path's default");
+      notes.push_back(scene.scene + ": has no truth, so all errors are against the default of the first path");
     for (const VariantResult& v : scene.variants) {
       if (v.name != "default") continue;
       const Default& first = defaults.emplace(v.path, Default{scene.scene, v.knobs}).first->second;
       for (const auto& [knob, value] : v.knobs) {
         const auto other = std::ranges::find(first.knobs, knob, &std::pair<std::string, std::string>::first);
         if (other != first.knobs.end() && other->second != value)
-          notes.push_back(fmt::format("{}: the default of {} has {} {}; it has {} in {}. Figures over all scenes take "
-                                      "each scene's own default",
+          notes.push_back(fmt::format("{}: the default of {} has {} {}, but {} in {}. Figures over all scenes use the "
+                                      "default of each scene",
                                       scene.scene, v.path, knob, value, other->second, first.scene));
       }
     }
@@ -101,9 +101,9 @@ std::string toMarkdown(const SweepReport& report) {
   std::string text;
   for (const std::string& note : notesOf(report)) text += "- " + cellOf(note) + "\n";
   if (!text.empty()) text += "\n";
-  text += "| setting | scenes | time over its default's |";
+  text += "| setting | scenes | time relative to the default |";
   if (hasTruth) text += " FLIP against the truth | worst | relMSE against the truth | worst |";
-  text += fmt::format(" FLIP against {} | worst | of its materials | worst |\n|---|---|---|---|---|---|---|", first);
+  text += fmt::format(" FLIP against {} | worst | FLIP of materials | worst |\n|---|---|---|---|---|---|---|", first);
   text += hasTruth ? "---|---|---|---|\n" : "\n";
   const std::vector<SettingSummary> summaries = summarise(report);
   for (const SettingSummary& s : summaries) {

@@ -15,7 +15,7 @@ std::string toPage(const SweepReport& report, const Conclusions& conclusions) {
                        .title = "Error against time",
                        .verdict = "",
                        .sub = report.machine.device,
-                       .plain = "<p>This page needs JavaScript; all of its data is in bench.json.</p>\n",
+                       .plain = "<p>This page needs JavaScript; bench.json holds all of its data.</p>\n",
                        .blocks = {{"bench", json}, {"bench-plots", plots}},
                        .files = {}});
 }

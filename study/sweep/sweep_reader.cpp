@@ -46,7 +46,7 @@ VariantResult readVariant(const std::filesystem::path& file, const Json& json, c
   v.name = json.at("name").get<std::string>();
   v.knob = json.at("knob").get<std::string>();
   const auto stage = std::ranges::find(stageKinds(), json.at("stage").get<std::string>());
-  if (stage == stageKinds().end()) throw base::fileError(file, "stage", "no such stage");
+  if (stage == stageKinds().end()) throw base::fileError(file, "stage", "unknown stage");
   v.stage = static_cast<Stage>(stage - stageKinds().begin());
   for (const auto& [knob, value] : json.at("knobs").items()) v.knobs.emplace_back(knob, value.get<std::string>());
   if (v.stage == Stage::shading) {
@@ -87,7 +87,7 @@ SweepReport readSweep(const std::filesystem::path& file) {
   try {
     const Json json = Json::parse(base::readText(file, kMaxBytes));
     if (json.at("tool") != "parity bench" || json.at("schema") != kSweepSchema)
-      throw base::fileError(file, "schema", "not a sweep of parity bench that this version can read");
+      throw base::fileError(file, "schema", "is not a sweep of parity bench that this version can read");
     SweepReport report;
     report.version = json.at("version").get<std::string>();
     report.commandLine = json.at("commandLine").get<std::string>();
@@ -99,7 +99,7 @@ SweepReport readSweep(const std::filesystem::path& file) {
     report.rounds = json.at("rounds").get<int>();
     report.figure = json.value("/conclusions/figure"_json_pointer, report.figure);
     if (std::ranges::find(errorNames(), report.figure) == errorNames().end())
-      throw base::fileError(file, "figure", "no such figure");
+      throw base::fileError(file, "figure", "unknown figure");
     for (const Json& scene : json.at("scenes")) report.scenes.push_back(readScene(file, scene));
     return report;
   } catch (const Json::exception& error) {

@@ -105,7 +105,7 @@ public:
     m_sweep.width = m_prepared.settings.width;
     m_sweep.height = m_prepared.settings.height;
     m_sweep.pixels = m_surfaces.size();
-    if (m_sweep.pixels == 0) throw base::fileError(request.scene, "view", "no pixel shows any of it");
+    if (m_sweep.pixels == 0) throw base::fileError(request.scene, "view", "no pixel shows a part of it");
   }
 
   SceneSweep run() {
@@ -145,7 +145,7 @@ private:
     for (const Variant& v : all) {
       if (!isWanted(v)) continue;
       if (!v.sameAs.empty()) { // the default's own values are told of only where the user named them
-        if (!m_options.settings.empty()) m_sweep.skipped.push_back(fmt::format("{}: equals {}", v.id(), v.sameAs));
+        if (!m_options.settings.empty()) m_sweep.skipped.push_back(fmt::format("{}: the same as {}", v.id(), v.sameAs));
         continue;
       }
       if (!has.contains(v.needs)) {
@@ -156,7 +156,7 @@ private:
       if (v.stage == Stage::preparation && !m_prepared.panorama) {
         if (skipped.insert(v.knob).second)
           m_sweep.skipped.push_back(
-              fmt::format("{} {}: its panorama is not kept beside baked light", v.path->name(), v.knob));
+              fmt::format("{} {}: baked light keeps no panorama to prepare again", v.path->name(), v.knob));
         continue;
       }
       // As many as if it were shaded often: each setting gets the permutations that suit it.

@@ -105,7 +105,8 @@ std::vector<Variant> makeVariants(const job::Settings& settings) {
   const job::PathChoice paths = job::pathsOf(settings);
   if (paths.chosen.front() != job::allPaths().front())
     throw base::Error(base::ExitCode::usage, "--paths", settings.pathNames.front(),
-                      "comes first: errors are against the default of " + job::allPaths().front()->name());
+                      "comes first, but bench measures errors against " + job::allPaths().front()->name() +
+                          "; put that path first");
   for (const paths::Path* path : paths.chosen)
     collectors.emplace_back(Variant{.path = path, .settings = settings}, all);
   for (Collector& collector : collectors) {
@@ -118,7 +119,7 @@ std::vector<Variant> makeVariants(const job::Settings& settings) {
 void requireMatches(const std::vector<Variant>& variants, const std::vector<std::string>& globs) {
   for (const std::string& glob : globs)
     if (std::ranges::none_of(variants, [&](const Variant& v) { return base::matchesGlob(glob, v.id()); }))
-      throw base::Error(base::ExitCode::usage, "bench", "--settings " + glob, "no setting has such a name; --list");
+      throw base::Error(base::ExitCode::usage, "bench", "--settings " + glob, "no setting matches; --list lists them");
 }
 
 } // namespace parity::sweep

@@ -181,14 +181,13 @@ TEST(Atlas, PlacesAHundredThousandObjects) {
   for (const scenes::LightmapUvs::Place& place : atlas.uvs.places) EXPECT_GE(place.page, 0);
   EXPECT_LE(static_cast<std::size_t>(atlas.pageCount) * atlas.pageSide * atlas.pageSide, bake::kMaxTexels);
   const std::string refusal = refusalOf(scene, {40, 2048, 2});
-  EXPECT_TRUE(contains(refusal, "million is the most: lower --texels-per-metre")) << refusal;
+  EXPECT_TRUE(contains(refusal, "million; lower --texels-per-metre")) << refusal;
 }
 
 TEST(Atlas, SaysWhereALowerDensityWouldNotHelp) {
   const std::string refusal = refusalOf(sceneOf(makeSoup(16'000, 0.01f, 3)), {1, 2048, 64});
-  EXPECT_EQ(refusal,
-            "scene: its lightmap needs 68 million texels, and 67 million is the most: it falls into 16000 charts, "
-            "too many at any --texels-per-metre");
+  EXPECT_EQ(refusal, "scene: its lightmap needs 68 million texels, expected at most 67 million; its 16000 charts are "
+                     "too many for any --texels-per-metre");
 }
 
 TEST(Atlas, LeavesOutWhatHasNoAreaOrNoLight) {
@@ -206,9 +205,9 @@ TEST(Atlas, LeavesOutWhatHasNoAreaOrNoLight) {
   EXPECT_EQ(atlas.uvs.places[0].page, 0);
   for (int i = 1; i < 4; ++i) EXPECT_EQ(atlas.uvs.places[i].page, -1) << i;
   ASSERT_EQ(atlas.notes.size(), 2u);
-  EXPECT_EQ(atlas.notes[1], "line: no lightmap (all its triangles are without area)");
+  EXPECT_EQ(atlas.notes[1], "line: no lightmap (no triangle has an area)");
   scene.instances.erase(scene.instances.begin());
-  EXPECT_EQ(refusalOf(scene, {}), "scene: has nothing to bake: no object is lit and has an area");
+  EXPECT_EQ(refusalOf(scene, {}), "scene: has nothing to bake: no lit object has an area");
 }
 
 TEST(Atlas, SkipsTrianglesWithoutArea) {
@@ -222,20 +221,20 @@ TEST(Atlas, SkipsTrianglesWithoutArea) {
 TEST(Atlas, RefusesInWords) {
   Scene broken = sceneOf(makeQuad(0));
   broken.meshes[0].positions[2].y = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(refusalOf(broken, {}), "quad: the position of vertex 2 is not finite: no lightmap");
+  EXPECT_EQ(refusalOf(broken, {}), "quad: the position of vertex 2 is not finite, so it gets no lightmap");
   Scene beyond = sceneOf(makeQuad(0));
   beyond.meshes[0].indices[4] = 9;
-  EXPECT_EQ(refusalOf(beyond, {}), "quad: has an index, 9, beyond its vertices");
+  EXPECT_EQ(refusalOf(beyond, {}), "quad: its index 9 is out of range of its vertices");
   Scene moved = sceneOf(makeQuad(0));
   moved.instances[0].toWorld[0][0] = std::numeric_limits<float>::infinity();
   EXPECT_TRUE(contains(refusalOf(moved, {}), "quad: node: its transform is not finite"));
 
   EXPECT_EQ(refusalOf(sceneOf(makeQuad(0)), {100, 128, 2}),
-            "quad: a piece of its surface needs 200 x 200 texels, and a lightmap page has at most 126 a side: lower "
-            "--texels-per-metre, or divide the mesh");
+            "quad: a part of its surface needs 200 x 200 texels, but a lightmap page has at most 126 a side; lower "
+            "--texels-per-metre or split the mesh");
   const std::string tooLarge = refusalOf(sceneOf(scenes::makeRoundedBox({1, 1, 1}, 0.01, 1)), {60, 128, 2});
   EXPECT_TRUE(contains(tooLarge, "mesh: needs a lightmap page of ")) << tooLarge;
-  EXPECT_TRUE(contains(tooLarge, "lower --texels-per-metre, or divide the mesh")) << tooLarge;
+  EXPECT_TRUE(contains(tooLarge, "lower --texels-per-metre or split the mesh")) << tooLarge;
 
   EXPECT_TRUE(contains(refusalOf(sceneOf(makeQuad(0)), {0, 128, 2}), "--texels-per-metre: must be above 0"));
   EXPECT_TRUE(contains(refusalOf(sceneOf(makeQuad(0)), {1, 130, 2}), "multiple of 4"));

@@ -41,7 +41,7 @@ std::string changeBy(const std::function<void(Lit&)>& change) {
 }
 
 void expectChange(const std::string& part, const std::vector<std::function<void(Lit&)>>& changes) {
-  const std::string expected = part.empty() ? "" : "stale: not the " + part + " that it was baked from";
+  const std::string expected = part.empty() ? "" : "is stale: the " + part + " changed after the bake";
   for (std::size_t i = 0; i < changes.size(); ++i) EXPECT_EQ(changeBy(changes[i]), expected) << "change " << i;
 }
 
@@ -109,7 +109,7 @@ TEST(SceneHash, allThatHasChangedIsNamed) {
               l.scene.materials[0].metallic = 1;
               l.lights = {};
             }),
-            "stale: not the geometry, materials, lights, environment that it was baked from");
+            "is stale: the geometry, materials, lights, environment changed after the bake");
 }
 
 } // namespace

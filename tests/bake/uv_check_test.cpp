@@ -51,9 +51,9 @@ TEST(LightmapUvs, MayBeMirroredAndAnywhere) {
 
 TEST(LightmapUvs, AreRefusedWithTheReason) {
   const std::string own = "cards: unwrapped into 2 charts (";
-  EXPECT_EQ(noteOf(twoCards(0.4f, {0.2f, 0.1f})), own + "TEXCOORD_1 has triangles over each other)");
-  EXPECT_EQ(noteOf(twoCards(0.4f, {0, 0})), own + "TEXCOORD_1 has triangles over each other)");
-  EXPECT_EQ(noteOf(twoCards(0.4f, {0.42f, 0})), own + "TEXCOORD_1 has charts closer than 2 texels)");
+  EXPECT_EQ(noteOf(twoCards(0.4f, {0.2f, 0.1f})), own + "TEXCOORD_1 has triangles that overlap)");
+  EXPECT_EQ(noteOf(twoCards(0.4f, {0, 0})), own + "TEXCOORD_1 has triangles that overlap)");
+  EXPECT_EQ(noteOf(twoCards(0.4f, {0.42f, 0})), own + "TEXCOORD_1 has charts less than 2 texels apart)");
   EXPECT_EQ(noteOf(twoCards(0, {1, 0})), own + "TEXCOORD_1 has no area)");
 
   Mesh infinite = twoCards(0.4f, {0.6f, 0});
@@ -61,10 +61,10 @@ TEST(LightmapUvs, AreRefusedWithTheReason) {
   EXPECT_EQ(noteOf(infinite), own + "TEXCOORD_1 is not finite)");
   Mesh pinched = twoCards(0.4f, {0.6f, 0});
   for (std::size_t i = 4; i < 8; ++i) pinched.uv1[i] = {0.9f, 0.9f};
-  EXPECT_EQ(noteOf(pinched), own + "TEXCOORD_1 has triangles of almost no area)");
+  EXPECT_EQ(noteOf(pinched), own + "TEXCOORD_1 has triangles with almost no area)");
   Mesh uneven = twoCards(0.4f, {0.6f, 0});
   for (std::size_t i = 4; i < 8; ++i) uneven.uv1[i] = glm::vec2(0.6f, 0) + 0.15f * (uneven.uv1[i] - glm::vec2(0.6f, 0));
-  EXPECT_EQ(noteOf(uneven), own + "TEXCOORD_1 is uneven: a chart has 0.21 of the density asked for)");
+  EXPECT_EQ(noteOf(uneven), own + "TEXCOORD_1 is uneven: a chart has 0.21 of the requested density)");
   Mesh wide = twoCards(0.4f, {100, 0});
   EXPECT_EQ(noteOf(wide, {16, 2048, 2}), own + "TEXCOORD_1 needs 4016 x 16 texels, more than a page)");
 }

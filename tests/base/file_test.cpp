@@ -64,9 +64,9 @@ TEST(ReadFile, RefusesAFolder) {
 
 TEST(ReadFile, RefusesDevicesAndPipesWithoutWaitingOnThem) {
   const TempFolder folder;
-  expectError([] { readFile("/dev/zero"); }, "/dev/zero", "is no regular file");
+  expectError([] { readFile("/dev/zero"); }, "/dev/zero", "is not a regular file");
   ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
-  expectError([&] { readFile(folder / "pipe"); }, "pipe", "is no regular file");
+  expectError([&] { readFile(folder / "pipe"); }, "pipe", "is not a regular file");
 }
 
 TEST(ReadFile, RefusesMoreBytesThanTheLimitBeforeItTakesMemory) {
@@ -143,7 +143,7 @@ TEST(WriteText, DoesNotReplaceFoldersOrDevices) {
   fs::create_directory(folder / "sub");
   expectError([&] { writeText(folder / "sub", "x"); }, "sub", "is a folder");
   ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
-  expectError([&] { writeText(folder / "pipe", "x"); }, "pipe", "is no regular file");
+  expectError([&] { writeText(folder / "pipe", "x"); }, "pipe", "is not a regular file");
   EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
   expectError([&] { writeText(folder.path() / "", "x"); }, folder.path().string(), "");
   EXPECT_EQ(folder.entries(), (std::vector<std::string>{"pipe", "sub"}));

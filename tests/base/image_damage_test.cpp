@@ -83,7 +83,7 @@ TEST(ReadImage, RefusesWhatIsNoImage) {
     for (const std::string& content : {text, noise}) {
       writeText(folder / name, content);
       expectError([&] { readImage(folder / name); }, name, "decoded");
-      expectError([&] { decodeImage8(readFile(folder / name), "embedded"); }, "embedded", "is none of PNG");
+      expectError([&] { decodeImage8(readFile(folder / name), "embedded"); }, "embedded", "is not one of PNG");
     }
 }
 
@@ -100,10 +100,10 @@ TEST(ReadImage, RefusesSizesOutOfRange) {
   refuses(0, 0, "has no pixels (0 x 0");
   refuses(0, 16, "has no pixels");
   refuses(16, 0, "has no pixels");
-  refuses(16385, 1, "largest side");
-  refuses(1, 100000, "largest side");
+  refuses(16385, 1, "largest allowed side");
+  refuses(1, 100000, "largest allowed side");
   writeText(folder / "a.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 20000 +X 2\n" + std::string(100, 'x'));
-  expectError([&] { readImage(folder / "a.hdr"); }, "a.hdr", "largest side");
+  expectError([&] { readImage(folder / "a.hdr"); }, "a.hdr", "largest allowed side");
   writeText(folder / "a.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 0 +X 0\n");
   expectError([&] { readImage(folder / "a.hdr"); }, "a.hdr", "");
 }

@@ -211,7 +211,7 @@ TEST(Hdr, KeepsAnEighthBitOfMantissa) {
 TEST(Hdr, RefusesWhatItCannotHold) {
   const TempFolder folder;
   for (const float v : {-1.0f, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()})
-    expectError([&] { writeImage(folder / "a.hdr", Image(2, 2, 3, v)); }, "a.hdr", "negative nor non-finite");
+    expectError([&] { writeImage(folder / "a.hdr", Image(2, 2, 3, v)); }, "a.hdr", "negative or non-finite");
   expectError([&] { writeImage(folder / "a.hdr", Image(2, 2, 1)); }, "a.hdr", "cannot hold 1 channels");
   EXPECT_TRUE(folder.entries().empty());
 }

@@ -66,7 +66,7 @@ TEST(ReadImage, GivesNoReaderWhatItCannotTrust) {
   const TempFolder folder;
   for (const std::string name : {"a.psd", "a.gif", "a.jp2", "a.ico"}) {
     writeText(folder / name, std::string("8BPS\0\1\0\0\0\0\0\0\0\3", 14) + std::string(100, '\0'));
-    expectError([&] { readImage(folder / name); }, name, "is none of PNG, JPEG, TIFF");
+    expectError([&] { readImage(folder / name); }, name, "is not one of PNG, JPEG, TIFF");
   }
 }
 
@@ -80,14 +80,14 @@ TEST(ReadImage, RefusesAJpegByItsFrameHeader) {
   bytes[frame + 1] = std::byte{0xc2};                          // progressive
   bytes[frame + 5] = bytes[frame + 7] = std::byte{16384 >> 8}; // 16392 high and wide, too large a side
   writeBytes(folder / "a.jpg", bytes);
-  expectError([&] { readImageShape(folder / "a.jpg"); }, "a.jpg", "16392 x 16392 pixels: the largest side");
+  expectError([&] { readImageShape(folder / "a.jpg"); }, "a.jpg", "16392 x 16392 pixels: the largest allowed side");
   bytes[frame + 6] = bytes[frame + 8] = std::byte{0};
   writeBytes(folder / "a.jpg", bytes);
   EXPECT_EQ(readImageShape(folder / "a.jpg").width, 16384);
   const ImageLimits limits{.maxBytes = std::size_t{256} << 20};
   expectError([&] { readImage(folder / "a.jpg", limits); }, "a.jpg",
-              "takes 513 MiB, the limit is 256 MiB (--max-memory)");
-  expectError([&] { decodeImage8(bytes, "b", 4, limits); }, "b", "takes 513 MiB");
+              "needs 513 MiB; the limit is 256 MiB (--max-memory)");
+  expectError([&] { decodeImage8(bytes, "b", 4, limits); }, "b", "needs 513 MiB");
   bytes.resize(frame + 5);
   expectError([&] { decodeImage8(bytes, "b"); }, "b", "has no frame header");
 }

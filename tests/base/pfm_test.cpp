@@ -78,9 +78,9 @@ TEST(Pfm, RefusesDamage) {
   const auto refuses = [&](const std::string& content, const std::string& reason) {
     expectError([&] { readText(folder, content); }, (folder / "a.pfm").string(), reason);
   };
-  refuses("", "neither PF nor Pf");
-  refuses("P6\n1 1\n255\nabc", "neither PF nor Pf");
-  refuses("PFx 1 1 -1\n" + floatBytes({1, 2, 3}), "neither PF nor Pf");
+  refuses("", "must begin with PF or Pf");
+  refuses("P6\n1 1\n255\nabc", "must begin with PF or Pf");
+  refuses("PFx 1 1 -1\n" + floatBytes({1, 2, 3}), "must begin with PF or Pf");
   refuses("Pf\n1", "no width, height and scale");
   refuses("Pf\n1 1\n-1", "no width, height and scale");
   refuses("Pf\n1 1\n0\n" + floatBytes({1}), "no width, height and scale");
@@ -88,10 +88,10 @@ TEST(Pfm, RefusesDamage) {
   refuses("Pf\n99999999999 1\n-1\n" + floatBytes({1}), "no width, height and scale");
   refuses("Pf\n0 5\n-1\n", "has no pixels");
   refuses("Pf\n-3 5\n-1\n", "has no pixels");
-  refuses("Pf\n100000 1\n-1\n", "largest side");
+  refuses("Pf\n100000 1\n-1\n", "largest allowed side");
   refuses("Pf\n16384 16384\n-1\n" + floatBytes({1}), "truncated");
   refuses("Pf\n2 1\n-1\n" + floatBytes({1}), "truncated");
-  refuses("Pf\n1 1\n-1\n" + floatBytes({1, 2}), "bytes where");
+  refuses("Pf\n1 1\n-1\n" + floatBytes({1, 2}), "pixels need");
 }
 
 } // namespace

@@ -84,9 +84,8 @@ TEST_F(BadLightTest, WarningsOfAScenePassIntoItsReport) {
 
 TEST_F(BadLightTest, SceneWithNeitherLightNorEnvironmentIsRefused) {
   const std::string scene = writeExternal(m_folder, makeQuad());
-  expectRefused(runParity(join({{"diff", scene}, kSmall})), 4,
-                {"scene.gltf", "neither light nor environment", "--env"});
-  expectRefused(runParity(join({{"diff", scene, "--sun", "0,45,0"}, kSmall})), 4, {"neither light nor environment"});
+  expectRefused(runParity(join({{"diff", scene}, kSmall})), 4, {"scene.gltf", "no light and no environment", "--env"});
+  expectRefused(runParity(join({{"diff", scene, "--sun", "0,45,0"}, kSmall})), 4, {"no light and no environment"});
 }
 
 // What gives light itself can be seen in the dark: a warning, not an error.
@@ -104,7 +103,7 @@ TEST_F(BadLightTest, SuiteThatCannotBeUsedIsRefused) {
   expectSuiteRefused("[[scene]]\nfile = \"builtin:spheres\"\nenviroment = \"builtin:sky\"\n",
                      {"suite.toml", "line 3", "enviroment", "did you mean 'environment'"});
   expectSuiteRefused("scenes = 3\n", {"suite.toml", "line 1", "scenes"});
-  expectSuiteRefused("[[scene]]\nfile = 3\n", {"suite.toml", "line 2", "file", "not a string"});
+  expectSuiteRefused("[[scene]]\nfile = 3\n", {"suite.toml", "line 2", "file", "is not a string"});
   expectSuiteRefused("[[scene]\n", {"suite.toml", "line 1"});
   expectSuiteRefused("name = \"nothing\"\n", {"suite.toml", "no scene"});
   expectRefused(runParity({"report", "--suite", path("none.toml"), "-o", path("out")}), 4,
@@ -127,7 +126,7 @@ TEST_F(BadLightTest, BudgetsThatCannotBeUsedAreRefusedBeforeAnythingIsRendered) 
                                              "checks = [{ metric = \"flip.mean\", " + check + "fail = 0.1 }]\n");
     expectRefused(runParity(join({{"diff", "builtin:furnace"}, budgets, kSmall})), 4, parts);
   };
-  refused("", "region = \"interior\", ", {"budgets.toml", "line 3", "'region' is gone", "one figure"});
+  refused("", "region = \"interior\", ", {"budgets.toml", "line 3", "'region' no longer exists", "one figure"});
   refused("min_pixels = -1\n", "", {"budgets.toml", "line 3", "min_pixels", "-1"});
   refused("min_pixels = 1.5\n", "", {"budgets.toml", "line 3", "min_pixels", "whole number"});
   expectRefused(runParity(join({{"diff", "builtin:furnace", "--budgets", path("none.toml")}, kSmall})), 4,

@@ -14,7 +14,7 @@ class BenchOnDevice : public RenderingTest {};
 TEST(BenchOptions, OlderNameIsTakenWithANote) {
   const RunResult result = runParity({"bench", "--no-reference", "--list"});
   EXPECT_TRUE(exitedWith(0, result));
-  EXPECT_TRUE(contains(result.err, "--no-reference is called --no-truth now")) << result.err;
+  EXPECT_TRUE(contains(result.err, "--no-reference is now called --no-truth")) << result.err;
   EXPECT_EQ(runParity({"bench", "--no-reference", "--list", "-q"}).err, "");
 }
 
@@ -68,7 +68,7 @@ compensation = "none"
   EXPECT_TRUE(contains(json["scenes"][0]["failure"], "no such camera"));
   EXPECT_EQ(json["scenes"][1]["variants"].size(), 2u) << "the setting equals this scene's default";
   EXPECT_EQ(json["scenes"][1]["skipped"],
-            (std::vector<std::string>{"highend: compensation none: equals highend: default"}));
+            (std::vector<std::string>{"highend: compensation none: the same as highend: default"}));
   EXPECT_TRUE(contains(readWholeFile(m_folder / "out" / "bench.md"), "- lost: not measured: "));
 }
 

@@ -25,7 +25,7 @@ TEST_F(DevicesTest, SoftwareDeviceIsTheDefault) {
   bool found = false;
   for (const std::string& line : linesOf(result.out)) found |= line.starts_with("* ") && contains(line, "llvmpipe");
   EXPECT_TRUE(found) << result.out;
-  EXPECT_TRUE(contains(result.out, "taken: the software device is the default")) << result.out;
+  EXPECT_TRUE(contains(result.out, "used: the software device is the default")) << result.out;
   EXPECT_TRUE(exitedWith(0, runParity({"devices", "--device", "LLVMpipe"})));
   EXPECT_TRUE(exitedWith(0, runParity({"devices", "--device", "0"})));
 }

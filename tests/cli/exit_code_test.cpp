@@ -85,8 +85,8 @@ TEST_F(ExitCodeTest, Is2WhereAnAssetHasLostAMaterialThatHasToBeSeen) {
   };
   const RunResult lost = report({});
   EXPECT_TRUE(exitedWith(2, lost));
-  EXPECT_TRUE(contains(lost.err, "hero.toml, line 1: material 'Hero' is required to be seen")) << lost.err;
-  EXPECT_TRUE(contains(readWholeFile(folder / "junit.xml"), "material &#39;Hero&#39; is required to be seen"));
+  EXPECT_TRUE(contains(lost.err, "hero.toml, line 1: require_seen requires material 'Hero'")) << lost.err;
+  EXPECT_TRUE(contains(readWholeFile(folder / "junit.xml"), "require_seen requires material &#39;Hero&#39;"));
   // The same rule without it only judges nothing: a warning of the run.
   writeFile(budgets,
             "[[material]]\nname = \"Hero\"\npreset = \"strict\"\n"

@@ -147,7 +147,7 @@ TEST_F(StreamsTest, ReportPrintsItsTableAndWhereThePageLies) {
   ASSERT_FALSE(linesOf(result.out).empty());
   EXPECT_EQ(linesOf(result.out).back(),
             kHasPage ? (folder / "index.html").string()
-                     : (folder / "report.json").string() + " (this parity was built without the page index.html)");
+                     : (folder / "report.json").string() + " (this build of parity has no page index.html)");
   EXPECT_FALSE(contains(result.out, "\x1b[")) << "colours are for terminals";
 }
 

@@ -54,7 +54,7 @@ TEST_F(OutputTest, ScenesOfOneNameAreKeptApart) {
 
 TEST_F(OutputTest, FileInTheWayOfTheReportIsSaidBeforeAnythingIsRendered) {
   writeFile(m_folder / "out", std::string("in the way"));
-  expectRefused(reportInto(m_folder / "out", "builtin:furnace"), 4, {"out", "cannot be made a folder"});
+  expectRefused(reportInto(m_folder / "out", "builtin:furnace"), 4, {"out", "cannot be created as a folder"});
   expectRefused(reportInto(m_folder / "out" / "deeper", "builtin:furnace"), 4, {"out"});
   EXPECT_EQ(readWholeFile(m_folder / "out"), "in the way");
 }
@@ -101,7 +101,7 @@ TEST_F(OutputTest, AnInterruptedRunSaysWhatWasKept) {
   const RunResult rendered =
       runParity(join({{"render", "builtin:spheres", "--path", "reference", "-o", path("a.exr")}, kSmall}), options);
   if (rendered.signal == options.interruptBy) { // else it was faster
-    EXPECT_TRUE(contains(rendered.err, "error: render: interrupted: nothing is written")) << rendered.err;
+    EXPECT_TRUE(contains(rendered.err, "error: render: interrupted: no output was written")) << rendered.err;
   }
 }
 

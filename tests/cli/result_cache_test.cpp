@@ -118,7 +118,7 @@ TEST_F(ResultCacheTest, UnchangedScenesGiveTheSameBytesAndAreNotRendered) {
   EXPECT_TRUE(again.files == first.files);
   EXPECT_TRUE(uncached.files == first.files);
   EXPECT_EQ(again.run.exitCode, first.run.exitCode);
-  EXPECT_EQ(again.run.err, first.run.err + "2 of 2 scenes are unchanged: taken from the cache\n");
+  EXPECT_EQ(again.run.err, first.run.err + "2 of 2 scenes are unchanged and come from the cache\n");
   EXPECT_FALSE(contains(again.files.at("report.json"), "cache"));
 }
 

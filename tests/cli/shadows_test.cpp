@@ -80,12 +80,12 @@ TEST_F(ShadowsTest, AreOffUnlessAskedForAndTheReportSaysSo) {
   const nlohmann::json off = report({"builtin:shadows"});
   EXPECT_EQ(settingOf(off, "shadows"), "off");
   EXPECT_EQ(passOf(off, "shadow maps"), 0u);
-  EXPECT_EQ(lightOf(off, 0), "mobile reflections scaled: sky");
+  EXPECT_EQ(lightOf(off, 0), "scale of mobile reflections: sky");
   const nlohmann::json on = report({"builtin:shadows", "--shadows", "--shadow-filter", "5"});
   EXPECT_EQ(settingOf(on, "shadows"), "on");
   EXPECT_EQ(settingOf(on, "shadow map size"), "2048");
   EXPECT_EQ(settingOf(on, "shadow filter"), "5");
-  EXPECT_EQ(lightOf(on, 0), "shadows; mobile reflections scaled: sky");
+  EXPECT_EQ(lightOf(on, 0), "shadows; scale of mobile reflections: sky");
   EXPECT_GT(passOf(on, "shadow maps"), 3u);
   EXPECT_GT(passOf(on, "casters of shadows"), passOf(on, "shadow maps"));
 }
@@ -98,12 +98,12 @@ TEST_F(ShadowsTest, OfASuiteAreASceneAndAreDrawnOnceForAllViews) {
     return report({"--suite", (m_folder / "suite.toml").string(), "--no-cache"});
   };
   const nlohmann::json one = suite("");
-  EXPECT_EQ(lightOf(one, 0), "shadows; mobile reflections scaled: sky");
-  EXPECT_EQ(lightOf(one, 1), "mobile reflections scaled: sky");
+  EXPECT_EQ(lightOf(one, 0), "shadows; scale of mobile reflections: sky");
+  EXPECT_EQ(lightOf(one, 1), "scale of mobile reflections: sky");
   // What the scene says goes before what the run says.
   writeFile(m_folder / "suite.toml", std::string("[[scene]]\nfile = \"builtin:shadows\"\nshadows = false\n"));
   EXPECT_EQ(lightOf(report({"--suite", (m_folder / "suite.toml").string(), "--shadows"}), 0),
-            "mobile reflections scaled: sky");
+            "scale of mobile reflections: sky");
   const nlohmann::json two = suite("[[scene.view]]\n[[scene.view]]\norbit = [100, 60, 0]\n");
   EXPECT_EQ(two["scenes"][0]["views"].size(), 2u);
   EXPECT_EQ(passOf(two, "shadow maps"), passOf(one, "shadow maps"));
@@ -133,7 +133,7 @@ TEST_F(ShadowsTest, LightsWithoutSenseAreRefusedInWords) {
   refused(R"({"type": "spot", "spot": {"innerConeAngle": 0.9, "outerConeAngle": 0.5}})", {"lights/0/spot", "inner"});
   refused(R"({"type": "spot", "spot": {"innerConeAngle": -0.1}})", {"lights/0/spot"});
   refused(R"({"type": "spot", "spot": {"outerConeAngle": 2}})", {"lights/0/spot"});
-  refused(R"({"type": "point", "intensity": 0})", {"neither light nor environment"});
+  refused(R"({"type": "point", "intensity": 0})", {"no light and no environment"});
 }
 
 // What has sense at the ends of its range is shown: finite, and lit where light comes.

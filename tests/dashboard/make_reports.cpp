@@ -65,7 +65,7 @@ report::ViewResult makeView(const std::string& name) {
 void addEvidence(report::MaterialResult& material) {
   for (const char* term : {"sunDiffuse", "sunSpecular", "localDiffuse", "localSpecular", "skyDiffuse", "skySpecular"})
     material.terms.push_back({term, 0.2, 0.15});
-  material.notes = {"nonmetal: EnvBRDFApproxNonmetal on mobile"};
+  material.notes = {"nonmetal: mobile uses EnvBRDFApproxNonmetal"};
   const double flip = material.figures.find("flip.mean").value_or(0);
   if (material.verdict == compare::Verdict::fail || flip > 0.2)
     material.attribution = {flip, {{"skySpecular", flip / 4}, {"sunDiffuse", flip * 0.97}}};

@@ -74,9 +74,9 @@ std::string refusal(const std::vector<std::uint32_t>& sides, std::uint32_t maxSi
 }
 
 TEST(ShadowTiles, LimitsAreTold) {
-  EXPECT_EQ(refusal({512}, 256, 4), "small device: shadow map of 512x512: the device takes 256 texels a side at most");
+  EXPECT_EQ(refusal({512}, 256, 4), "small device: shadow map of 512x512: the device allows at most 256 texels a side");
   EXPECT_EQ(refusal(std::vector<std::uint32_t>(17, 512), 1024, 4),
-            "small device: shadow maps in 5 layers of 1024x1024: the device takes 4 layers at most");
+            "small device: shadow maps in 5 layers of 1024x1024: the device allows at most 4 layers");
   EXPECT_EQ(refusal(std::vector<std::uint32_t>(16, 512), 1024, 4), "");
 }
 

@@ -233,7 +233,7 @@ TEST(ShadowViews, LocalMapsShrinkUntilAllFit) {
   EXPECT_LT(tiny.views[0].side, 2048u);
   tight.maxBytes = 1 << 14;
   base::expectError([&] { planShadows(f.scene, lights, tight); },
-                    {"floor and ball: shadows: the smallest maps of 21 lights take"});
+                    {"floor and ball: shadows: the smallest shadow maps of 21 lights need"});
 }
 
 } // namespace

@@ -360,7 +360,7 @@ TEST(Conditions, PrecisionIsWhatTheDeviceCan) {
   without.float16 = false;
   for (const auto& [name, value] : describeSettings(asked.settings, without))
     if (name == "mobile precision") {
-      EXPECT_EQ(value, "fp32, as the device has no shaderFloat16");
+      EXPECT_EQ(value, "fp32, because the device has no shaderFloat16");
     }
   EXPECT_NE(hashOf(job::conditionsOf(
                 asked.settings,

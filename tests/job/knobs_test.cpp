@@ -101,9 +101,8 @@ TEST(Knobs, GoIntoSettingsThatMakeSense) {
   const auto one = [](const std::string& id, const std::string& text) {
     return base::GivenKnobs{{id, {{text}, "--" + id}}};
   };
-  EXPECT_EQ(
-      reasonOf(one("direct-lobe", "refit")),
-      "--direct-lobe: 'refit' does not go with the preset ue4-2020: refit's lobe and its environment BRDF are one");
+  EXPECT_EQ(reasonOf(one("direct-lobe", "refit")), "--direct-lobe: 'refit' cannot be combined with the preset "
+                                                   "ue4-2020: refit's lobe and its environment BRDF need each other");
   EXPECT_NE(reasonOf(one("mixing-end", "0.1")), "");
   EXPECT_NE(reasonOf(base::merged(one("mobile-target", "rgba8-srgb"), one("display", "raw"))), "");
   EXPECT_EQ(reasonOf(one("direct-lobe", "phong-approx")), "");

@@ -211,17 +211,17 @@ TEST(Suite, WhatTheCommandLineSaysIsHeldAgainstEachScene) {
   EXPECT_EQ(requests(refit, lobe).at(0).settings.of<mobile::Options>().directLobe, mobile::DirectLobe::refit);
   EXPECT_EQ(defaultsOf(load(refit), {}, lobe).of<mobile::Options>().directLobe, mobile::DirectLobe::refit);
   expectError([&] { requests(refit + "[[scene]]\nfile = \"builtin:lamps\"\n", lobe); },
-              {"scene 'lamps': --direct-lobe: 'refit' does not go with the preset ue4-2020"});
+              {"scene 'lamps': --direct-lobe: 'refit' cannot be combined with the preset ue4-2020"});
 }
 
 TEST(Suite, WhatDoesNotGoTogetherNamesItsPlace) {
   const std::string head = "[[scene]]\nfile = \"builtin:spheres\"\n";
   expectError([&] { requests(head + "mobile_spot_fade = 0.5\n"); },
-              {"scene 'spheres': ", "line 3: mobile_spot_fade: does nothing without mobile-spot-shadow"});
+              {"scene 'spheres': ", "line 3: mobile_spot_fade: has no effect without mobile-spot-shadow"});
   expectError([&] { requests(head + "mixing_begin = 0.5\n"); },
               {"scene 'spheres': --mixing-begin: 0.5 is not below --mixing-end"});
-  expectRefused(head + "env = \"a.hdr\"\nenvironment = \"b.hdr\"\n", {"environment: 'env' says the same"});
-  expectRefused(head + "size = \"64x64\"\n", {"line 3: size: no such key in a scene"});
+  expectRefused(head + "env = \"a.hdr\"\nenvironment = \"b.hdr\"\n", {"environment: has the same meaning as 'env'"});
+  expectRefused(head + "size = \"64x64\"\n", {"line 3: size: unknown key in a scene"});
 }
 
 TEST(Suite, ShippedSuitesLoad) {
@@ -239,9 +239,9 @@ TEST(Suite, ShippedSuitesLoad) {
 TEST(Suite, UnknownKeysNameTheLineAndTheNearestKnownKey) {
   expectRefused("nmae = \"x\"\n[[scene]]\nfile = \"builtin:spheres\"\n", {"line 1: nmae", "did you mean 'name'?"});
   expectRefused("[[scene]]\nfile = \"builtin:spheres\"\nenviroment = \"x.hdr\"\n",
-                {"line 3: enviroment: no such key in a scene; did you mean 'environment'?"});
+                {"line 3: enviroment: unknown key in a scene; did you mean 'environment'?"});
   expectRefused("[[scene]]\nfile = \"builtin:spheres\"\n[[scene.view]]\nfovy = 3\n",
-                {"line 4: fovy: no such key in a view; did you mean 'fov'?"});
+                {"line 4: fovy: unknown key in a view; did you mean 'fov'?"});
 }
 
 TEST(Suite, SyntaxErrorsNameLineAndColumn) {
@@ -251,47 +251,47 @@ TEST(Suite, SyntaxErrorsNameLineAndColumn) {
 
 TEST(Suite, WrongTypesAndRangesNameTheLine) {
   const std::string head = "[[scene]]\nfile = \"builtin:spheres\"\n";
-  expectRefused(head + "sun = [1, 2]\n", {"line 3: sun: not a list of 3 numbers"});
+  expectRefused(head + "sun = [1, 2]\n", {"line 3: sun: is not a list of 3 numbers"});
   expectRefused(head + "sun = [1, 95, 2]\n", {"line 3: sun", "ELEVATION"});
   expectRefused(head + "sun = [1, nan, 2]\n", {"line 3: sun"});
-  expectRefused(head + "exposure = \"bright\"\n", {"line 3: exposure: not a number"});
+  expectRefused(head + "exposure = \"bright\"\n", {"line 3: exposure: is not a number"});
   expectRefused(head + "exposure = inf\n", {"line 3: exposure", "is not a number from -32 to 32"});
-  expectRefused(head + "fully_rough = \"x\"\n", {"line 3: fully_rough: not a list of strings"});
+  expectRefused(head + "fully_rough = \"x\"\n", {"line 3: fully_rough: is not a list of strings"});
   expectRefused(head + "fully_rough = [1]\n", {"line 3: fully_rough"});
-  expectRefused(head + "sun_extraction = 0\n", {"line 3: sun_extraction: neither true nor false"});
-  expectRefused(head + "name = 3\n", {"line 3: name: not a string"});
+  expectRefused(head + "sun_extraction = 0\n", {"line 3: sun_extraction: is not true or false"});
+  expectRefused(head + "name = 3\n", {"line 3: name: is not a string"});
   expectRefused(head + "sky_light_color = [1, -1, 1]\n", {"line 3: sky_light_color", "from 0 to 1000"});
   expectRefused(head + "indirect_lighting_color_scale = 2\n", {"line 3: indirect_lighting_color_scale", "3 numbers"});
   expectRefused(head + "directional_specular_scale = -1\n", {"line 3: directional_specular_scale"});
-  expectRefused(head + "baked = true\n", {"line 3: baked: not a string"});
-  expectRefused(head + "captures = 3\n", {"line 3: captures: not a list of at most 8 places"});
-  expectRefused(head + "captures = [1, 2, 3]\n", {"line 3: captures: not a list of places [x, y, z]"});
-  expectRefused(head + "captures = [[1, 2]]\n", {"line 3: captures: not a list of places [x, y, z]"});
-  expectRefused(head + "captures = [\n[1, 2, 3],\n[1, 2, \"x\"]]\n", {"line 5: captures: not a number"});
+  expectRefused(head + "baked = true\n", {"line 3: baked: is not a string"});
+  expectRefused(head + "captures = 3\n", {"line 3: captures: is not a list of at most 8 places"});
+  expectRefused(head + "captures = [1, 2, 3]\n", {"line 3: captures: is not a list of places [x, y, z]"});
+  expectRefused(head + "captures = [[1, 2]]\n", {"line 3: captures: is not a list of places [x, y, z]"});
+  expectRefused(head + "captures = [\n[1, 2, 3],\n[1, 2, \"x\"]]\n", {"line 5: captures: is not a number"});
   expectRefused(head + "captures = [[1, 2, 1e7]]\n", {"line 3: captures", "not from"});
   expectRefused(head + "captures = [[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0]]\n",
-                {"line 3: captures: not a list of at most 8 places"});
+                {"line 3: captures: is not a list of at most 8 places"});
   expectRefused(head + "falloff = \"ue5\"\n", {"line 3: falloff: 'ue5' is unknown; did you mean 'ue4'?"});
   expectRefused(head + "falloff = 2\n", {"line 3: falloff: '2' is unknown; known: khr, ue4"});
-  expectRefused(head + "fog = 3\n", {"line 3: fog: not a table", "[scene.fog]"});
+  expectRefused(head + "fog = 3\n", {"line 3: fog: is not a table", "[scene.fog]"});
   expectRefused(head + "[scene.fog]\nheight = 1\n", {"density: is missing"});
   expectRefused(head + "[scene.fog]\ndensity = -1\n", {"line 4: density", "from 0 to 1000"});
-  expectRefused(head + "[scene.fog]\ndensity = 1\nfalloff = 1\n", {"line 5: falloff", "no such key in a fog"});
+  expectRefused(head + "[scene.fog]\ndensity = 1\nfalloff = 1\n", {"line 5: falloff", "unknown key in a fog"});
   expectRefused(head + "[scene.fog]\ndensity = 1\nmax_opacity = 1.5\n", {"line 5: max_opacity"});
   expectRefused(head + "[[scene.view]]\norbit = [0, 200, 1]\n", {"line 4: orbit", "PHI"});
   expectRefused(head + "[[scene.view]]\nfov = 0\n", {"line 4: fov"});
-  expectRefused(head + "[[scene.view]]\ncamera = \"a\"\norbit = [0, 90, 1]\n", {"line 4: camera", "together"});
+  expectRefused(head + "[[scene.view]]\ncamera = \"a\"\norbit = [0, 90, 1]\n",
+                {"line 4: camera", "cannot be combined"});
   expectRefused("scene = 3\n", {"line 1: scene", "[[scene]]"});
   expectRefused("[[scene]]\nname = \"x\"\n", {"file: is missing"});
-  expectRefused("[[scene]]\nfile = \"\"\n", {"line 2: file: an empty string"});
+  expectRefused("[[scene]]\nfile = \"\"\n", {"line 2: file: is an empty string"});
 }
 
 TEST(Suite, NamesMustDifferAndSomethingMustBeListed) {
-  expectRefused("", {"the suite lists no scene"});
+  expectRefused("", {"has no scene"});
   expectRefused("[[scene]]\nfile = \"a/x.glb\"\n[[scene]]\nfile = \"b/x.glb\"\n",
-                {"line 3", "a second scene named 'x'"});
-  expectRefused("[[scene]]\nfile = \"x.glb\"\n[[scene.view]]\n[[scene.view]]\n",
-                {"line 4", "second view named 'auto'"});
+                {"line 3", "two scenes have the name 'x'"});
+  expectRefused("[[scene]]\nfile = \"x.glb\"\n[[scene.view]]\n[[scene.view]]\n", {"line 4", "have the name 'auto'"});
   expectError([] { scenes::loadSuite("none.toml", suiteKnobs()); }, {"none.toml"});
 }
 

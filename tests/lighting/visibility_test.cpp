@@ -237,7 +237,7 @@ TEST(Visibility, nothingAndTrianglesOfNoUseOccludeNothing) {
 TEST(Visibility, moreTrianglesThanItTakesAreRefusedInWords) {
   scenes::Scene scene = makeScene(scenes::makeFloor(1, 1, 512)); // 2^19 triangles
   scene.instances.assign(17, scene.instances[0]);
-  base::expectError([&] { const Visibility visibility(scene); }, {"triangles over all instances"});
+  base::expectError([&] { const Visibility visibility(scene); }, {"triangles in all instances"});
 }
 
 TEST(Visibility, answersAllThreadsAlike) {

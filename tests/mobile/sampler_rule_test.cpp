@@ -30,7 +30,8 @@ TEST(SamplerRule, countsBakedLightForAllButUnlitMaterials) {
   scenes::Material m = makeFull();
   EXPECT_EQ(countSamplers(m, {.environment = true, .lightmap = true}), 9u);
   EXPECT_EQ(countSamplers(m, {.environment = true, .lightmap = true, .sunShadow = true}), 10u);
-  EXPECT_EQ(describeExcess(m, {.environment = true, .lightmap = true}), "needs 9 samplers on mobile, of at most 8");
+  EXPECT_EQ(describeExcess(m, {.environment = true, .lightmap = true}),
+            "needs 9 samplers on mobile, expected at most 8");
   m.fullyRough = true;
   EXPECT_EQ(countSamplers(m, {.environment = true, .lightmap = true, .sunShadow = true}), 9u);
   m.unlit = true;
@@ -67,7 +68,7 @@ TEST(SamplerRule, saysWhichMaterialExceedsTheLimit) {
   const SamplerInputs inputs{.environment = true};
   EXPECT_EQ(describeExcess(makeFull(), inputs), "") << "8 are allowed";
   EXPECT_EQ(describeExcess(scenes::Material{}, inputs, 7), "");
-  EXPECT_EQ(describeExcess(makeFull(), inputs, 7), "needs 8 samplers on mobile, of at most 7");
+  EXPECT_EQ(describeExcess(makeFull(), inputs, 7), "needs 8 samplers on mobile, expected at most 7");
 }
 
 } // namespace

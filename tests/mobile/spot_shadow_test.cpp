@@ -85,8 +85,7 @@ TEST_F(SpotShadowTest, OfSeveralSpotsTheBrightestHasOne) {
   const std::size_t middle = kShadowedSide * kShadowedSide / 2 + kShadowedSide / 2;
   const float faint = floor({makeSpot(2)}, Options{})[middle];
   EXPECT_EQ(floor({makeSpot(2), makeSpot(5)}, options)[middle], faint);
-  EXPECT_EQ(m_notes,
-            (std::vector<std::string>{"1 of 2 spot lights cast no shadow: the path has one that does, the brightest"}));
+  EXPECT_EQ(m_notes, (std::vector<std::string>{"1 of 2 spot lights cast no shadow: only the brightest does"}));
   options.localLights = false;
   EXPECT_TRUE(Renderer::needsShadowMaps({makeSpot(2)}, options).empty()) << "all are baked";
   EXPECT_EQ(floor({makeSpot(2), makeSpot(5)}, options)[middle], 0);

@@ -78,7 +78,8 @@ TEST_F(SunShadowTest, IsNotedWhereThereIsNoSun) {
   options.sunShadow = true;
   scenes::Light lamp;
   lamp.position = {0, 0, 0.4f};
-  EXPECT_EQ(render(options, {lamp}).notes, std::vector<std::string>{"no sun casts a shadow: there is none"});
+  EXPECT_EQ(render(options, {lamp}).notes,
+            std::vector<std::string>{"--mobile-sun-shadow has no effect: the scene has no sun"});
   EXPECT_TRUE(Renderer::needsShadowMaps({lamp}, options).empty());
 }
 

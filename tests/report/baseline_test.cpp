@@ -127,7 +127,7 @@ TEST(Baseline, ARuleOfRegressionsAloneIsAnErrorWithoutOne) {
   budgets.materials[0].checks.clear();
   const Report alone = makeRun({{"a", 0.10}}, budgets);
   EXPECT_EQ(materialOf(alone).verdict, compare::Verdict::error);
-  EXPECT_EQ(materialOf(alone).reason, "nothing of its budget could be judged: regression of mean FLIP: no baseline");
+  EXPECT_EQ(materialOf(alone).reason, "no check of its budget could be judged: regression of mean FLIP: no baseline");
   EXPECT_EQ(exitCode(alone, false), 4);
   EXPECT_EQ(materialOf(hold(alone, makeRun({{"a", 0.10}}))).verdict, compare::Verdict::pass);
 }
@@ -136,7 +136,7 @@ TEST(Baseline, WhatIsNewIsMarkedAndAWarningWhereNothingElseJudgesIt) {
   const Report report = hold(makeRun({{"a", 0.10}, {"b", 0.10}}), makeRun({{"a", 0.10}}));
   EXPECT_TRUE(materialOf(report, 1).baseline->isNew);
   EXPECT_EQ(materialOf(report, 1).verdict, compare::Verdict::pass) << "its level was judged";
-  EXPECT_EQ(materialOf(report, 1).checks[1].unjudged, "new, the baseline does not have it");
+  EXPECT_EQ(materialOf(report, 1).checks[1].unjudged, "new: the baseline does not have it");
 
   compare::Budgets budgets = makeBudgets();
   budgets.materials[0].checks.clear();
@@ -185,9 +185,9 @@ TEST(Baseline, WhatWasNotAskedForOrCouldNotBeComparedIsNotGone) {
 TEST(Baseline, NothingInCommonIsAnError) {
   const Report report = hold(makeRun({{"a", 0.10}}), makeRun({{"b", 0.10}}));
   EXPECT_EQ(report.verdict, compare::Verdict::error);
-  EXPECT_NE(report.baseline->error.find("nothing in common"), std::string::npos);
+  EXPECT_NE(report.baseline->error.find("no material of this run is visible in the baseline"), std::string::npos);
   EXPECT_EQ(exitCode(report, false), 4);
-  EXPECT_NE(toTable(report, false).find("error: baseline: nothing in common"), std::string::npos);
+  EXPECT_NE(toTable(report, false).find("error: baseline: no material of this run is visible"), std::string::npos);
   EXPECT_EQ(hold(makeRun({{"a", 0.10}}), Report{}).verdict, compare::Verdict::error) << "a baseline without scenes";
 
   Report unseen = makeRun({{"a", 0.10}});
@@ -311,7 +311,7 @@ TEST(Baseline, OtherConditionsOnAnyLevelAreNotComparableAndNeitherRegressionNorP
     EXPECT_EQ(exitCode(report, false), 0);
     EXPECT_EQ(exitCode(report, true), 1);
     EXPECT_NE(toGithubAnnotations(report, ".").find("not comparable to the baseline: " + sentence), std::string::npos);
-    EXPECT_NE(toTable(report, false).find("regressions not judged: 2 (the baseline has nothing comparable"),
+    EXPECT_NE(toTable(report, false).find("regressions not judged: 2 (the baseline has no comparable figures"),
               std::string::npos);
     // The same again, better than the baseline: no more comparable, so no pass either.
     Report better = makeRunUnder(now.conditions, now.scenes[0].conditions, now.scenes[0].views[0].conditions, 0.01);
@@ -326,7 +326,7 @@ TEST(Baseline, ARuleOfRegressionsAloneWarnsWhereNothingIsComparable) {
   const Report report = hold(makeRunUnder({}, {{"variant", "'beach'"}}, {}, 0.1, budgets), before);
   EXPECT_EQ(materialOf(report).verdict, compare::Verdict::warn);
   EXPECT_EQ(materialOf(report).reason,
-            "nothing of its budget could be judged: regression of mean FLIP: not comparable: "
+            "no check of its budget could be judged: regression of mean FLIP: not comparable: "
             "variant was none, is 'beach'");
 }
 
@@ -393,9 +393,9 @@ TEST(Baseline, OtherConditionsAreOneWarningThatSaysEachOnceAndWhere) {
   now.scenes[1].views[0].conditions[0].value = "'Front'";
   const Report report = hold(now, before);
   ASSERT_EQ(report.warnings.size(), 1u);
-  EXPECT_EQ(report.warnings[0],
-            "the baseline was made otherwise, so 4 rows are not comparable: size was 64x64, is 128x128; sun was none, "
-            "is 30,50,4 (scene s, scene t); camera was automatic, is 'Front' (view v of scene t)");
+  EXPECT_EQ(report.warnings[0], "the baseline was made with other settings, so 4 rows are not comparable: size was "
+                                "64x64, is 128x128; sun was none, "
+                                "is 30,50,4 (scene s, scene t); camera was automatic, is 'Front' (view v of scene t)");
   EXPECT_TRUE(hold(now, now).warnings.empty());
 }
 

@@ -144,7 +144,7 @@ TEST(BudgetSuggest, SaysWhatItRestsOnAndWhatItLeavesOut) {
   ObservedRun other = run;
   other.report.version = "0.2.0";
   const std::string text = suggestBudgets({run, other, run}, {}).text;
-  for (const char* part : {"# Budgets suggested from 2 runs", "#   sample.json", "Of fewer than 20 runs",
+  for (const char* part : {"# Budgets suggested from 2 runs", "#   sample.json", "With fewer than 20 runs",
                            "# Left out: scene 'Broken' could not be compared in sample.json",
                            "# Left out: no view shows 'Screw' of scene 'Lamp' in sample.json",
                            "# Left out: 'Rivet' of scene 'Lamp' is too small in sample.json",
@@ -184,8 +184,8 @@ TEST(BudgetSuggest, NoLimitIsSuggestedThatNothingCouldBeBeyond) {
   EXPECT_FALSE(budgets.materials.at(0).checks[0].fail) << "1.2 is none";
   EXPECT_EQ(compare::findMaterialRule(budgets, "s", "b")->origin, "built-in") << "its limits would be 1.2 and 1.6";
   const std::vector<std::string> said = {
-      "'a' of scene 's': no 'fail' of flip.mean is suggested, nothing could be beyond it (observed: 0.600)",
-      "'b' of scene 's': no limit of flip.mean is suggested, nothing could be beyond it (observed: 0.800)"};
+      "'a' of scene 's': no 'fail' of flip.mean is suggested, because no value can exceed it (observed: 0.600)",
+      "'b' of scene 's': no limit of flip.mean is suggested, because no value can exceed it (observed: 0.800)"};
   EXPECT_EQ(suggested.leftOut, said);
 }
 
@@ -193,7 +193,7 @@ TEST(BudgetSuggest, TheSameReportTwiceIsOneRun) {
   ObservedRun copy = runOf(0.1);
   copy.source = "copy.json";
   const SuggestedBudgets suggested = suggestBudgets({runOf(0.1), copy}, {0.5, {"flip.mean"}});
-  EXPECT_EQ(suggested.leftOut, std::vector<std::string>{"copy.json is the same as run.json: one run"});
+  EXPECT_EQ(suggested.leftOut, std::vector<std::string>{"copy.json is the same run as run.json, so it counts once"});
   EXPECT_NE(suggested.text.find("# Budgets suggested from 1 run\n"), std::string::npos);
 }
 

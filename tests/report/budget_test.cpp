@@ -161,10 +161,11 @@ TEST(Budget, AnExposureBetweenTwoNearlyBlackPicturesIsNotJudgedAndSaysWhy) {
   ASSERT_NE(ev, material.checks.end());
   EXPECT_FALSE(ev->judged());
   EXPECT_EQ(ev->value, 2) << "the figure is told all the same";
-  EXPECT_EQ(ev->unjudged, "mean luminance is below 0.002 in both pictures: too dark for a difference of exposure");
+  EXPECT_EQ(ev->unjudged,
+            "mean luminance is below 0.002 in both pictures, which is too dark to measure a difference of exposure");
   EXPECT_EQ(compare::describeCheck(*ev),
-            "mean exposure difference +2.00 EV is not judged: mean luminance is below 0.002 in both "
-            "pictures: too dark for a difference of exposure");
+            "mean exposure difference +2.00 EV is not judged: mean luminance is below 0.002 in both pictures, which is "
+            "too dark to measure a difference of exposure");
 
   setFigure(material.figures, "flip.mean", 0.15);
   judgeMaterial(material, compare::defaultBudgets(), "scene");
@@ -190,7 +191,7 @@ TEST(Budget, ABudgetOfExposureAloneJudgesNothingInTheDarkAndWarns) {
   material.figures.referenceLuminance = material.figures.testLuminance = 0.001;
   judgeMaterial(material, budgets, "scene");
   EXPECT_EQ(material.verdict, compare::Verdict::warn);
-  EXPECT_EQ(material.reason.find("nothing of its budget could be judged: mean exposure difference "), 0u)
+  EXPECT_EQ(material.reason.find("no check of its budget could be judged: mean exposure difference "), 0u)
       << material.reason;
   setFigure(material.figures, "bias.ev", kNan);
   judgeMaterial(material, budgets, "scene");
@@ -303,8 +304,8 @@ TEST(Budget, AMaterialThatHasToBeSeenAndThatNoSceneHasIsLost) {
   budgets.materials = {rule};
   ASSERT_EQ(findLost(budgets, scenes).size(), 1u);
   EXPECT_EQ(findLost(budgets, scenes)[0].verdict, compare::Verdict::fail);
-  EXPECT_EQ(findLost(budgets, scenes)[0].reason, "b.toml, line 3: material 'Her?' is required to be seen "
-                                                 "(require_seen), and scene 'Lamp' has no such material");
+  EXPECT_EQ(findLost(budgets, scenes)[0].reason,
+            "b.toml, line 3: require_seen requires material 'Her?', but scene 'Lamp' has no such material");
   budgets.materials[0].requireSeen = false;
   EXPECT_TRUE(findLost(budgets, scenes).empty());
   budgets.materials[0].requireSeen = true;
@@ -317,8 +318,8 @@ TEST(Budget, AMaterialThatHasToBeSeenAndThatNoSceneHasIsLost) {
   scenes.push_back(&report.scenes[1]);
   EXPECT_TRUE(findLost(budgets, scenes).empty()) << "a scene that failed may have it";
   scenes[1] = &report.scenes[0];
-  EXPECT_EQ(findLost(budgets, scenes)[0].reason, "b.toml, line 3: material 'Her?' is required to be seen "
-                                                 "(require_seen), and none of the scenes 'Lamp', 'Lamp' has one");
+  EXPECT_EQ(findLost(budgets, scenes)[0].reason,
+            "b.toml, line 3: require_seen requires material 'Her?', but none of the scenes 'Lamp', 'Lamp' has one");
 }
 
 TEST(Budget, AMaterialWithoutPixelsIsNotSeenAndFailsWhereItMustBeSeen) {

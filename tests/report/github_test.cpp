@@ -22,8 +22,8 @@ TEST(GithubAnnotations, EachRowThatIsNotWellIsOneCommandTheGravestFirst) {
   EXPECT_EQ(
       lines[1],
       "::error title=parity%3A Rough metal (Lamp%2C view front)::fail: mean FLIP 0.270 is above 0.200; 95th percentile "
-      "of FLIP 0.675 is above 0.500%0Amobile is 0.5 EV darker%0ACause: skySpecular: FLIP 0.270 -> 0.061 with "
-      "high-end's");
+      "of FLIP 0.675 is above 0.500%0Amobile is 0.5 EV darker%0ACause: skySpecular (reflections of the environment): "
+      "FLIP 0.270 -> 0.061 with the high-end term");
   EXPECT_EQ(lines[3].find("::warning title=parity%3A Shade%2C cloth (Lamp%2C view front)::warn: "), 0u) << lines[3];
   EXPECT_EQ(lines[5].find("::warning title=parity%3A Lit panel (Lamp%2C view front)::not judged: "), 0u) << lines[5];
   EXPECT_EQ(lines[7].find("::warning title=parity%3A Rivet (Lamp%2C view front)::too small: 12 pixels, fewer "), 0u)
@@ -44,13 +44,14 @@ TEST(GithubAnnotations, AReportThatIsWellHasNone) {
 
 TEST(GithubAnnotations, NothingComparedAndABaselineWithoutUseAreErrors) {
   Report report;
-  report.baseline = BaselineSummary{"report.json", "", "", 0, {{"Desk", "", ""}}, "nothing in common"};
+  report.baseline = BaselineSummary{
+      "report.json", "", "", 0, {{"Desk", "", ""}}, "no material of this run is visible in the baseline"};
   report.warnings = {"b.toml: a rule judges nothing"};
   settleVerdicts(report);
   const auto lines = linesOf(toGithubAnnotations(report, "/checkout"));
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(lines[0], "::error title=parity::nothing was compared");
-  EXPECT_EQ(lines[1], "::error title=parity%3A baseline::nothing in common");
+  EXPECT_EQ(lines[1], "::error title=parity%3A baseline::no material of this run is visible in the baseline");
   EXPECT_EQ(lines[2].find("::warning title=parity%3A baseline::gone: scene Desk"), 0u);
   EXPECT_EQ(lines[3], "::warning title=parity::b.toml: a rule judges nothing");
 }

@@ -9,8 +9,8 @@
 namespace parity::report {
 namespace {
 
-constexpr const char* kWords = "a pixel costs 900 scalar operations and 11.0 texture fetches by high-end, 375 and 4.5 "
-                               "by mobile: 0.42 of the operations, 0.41 of the fetches";
+constexpr const char* kWords = "cost of a pixel: high-end 900 scalar operations and 11.0 texture fetches, mobile 375 "
+                               "and 4.5: 0.42 of the operations, 0.41 of the fetches";
 
 TEST(PermutationCosts, areMeansOverThePixelsOfEachPath) {
   const std::vector<PathCost> paths = costsByPath(makeSampleReport().scenes[0].permutations);
@@ -28,7 +28,7 @@ TEST(PermutationCosts, areSaidOnlyWhereBothPathsAreKnown) {
   EXPECT_EQ(describeCosts(permutations), kWords);
   permutations.push_back({"third", "none", "none", 100, 0, PermutationCost{.fp32 = 450, .fetches = 11}});
   EXPECT_EQ(describeCosts(permutations),
-            std::string(kWords) + "; 450 and 11.0 by third: 0.50 of the operations, 1.00 of the fetches");
+            std::string(kWords) + "; third 450 and 11.0: 0.50 of the operations, 1.00 of the fetches");
   permutations.pop_back();
   permutations[0].cost.reset();
   EXPECT_EQ(describeCosts(permutations), "");

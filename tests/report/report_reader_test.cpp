@@ -121,7 +121,7 @@ TEST(ReportReader, AReportOfTwoRegionsIsOneLineThatSaysWhatToDo) {
         json& figures = d["scenes"][0]["views"][0]["whole"]["figures"];
         figures = {{"interior", figures}, {"all", figures}};
       },
-      "/schema", "is 2, of an older version of parity; this one reads 3 to 4: make the report again");
+      "/schema", "is 2, from an older version of parity; this one reads 3 to 4; make the report again");
   expectRefusal(
       [](json& d) {
         json& figures = d["scenes"][0]["views"][0]["whole"]["figures"];
@@ -133,8 +133,8 @@ TEST(ReportReader, AReportOfTwoRegionsIsOneLineThatSaysWhatToDo) {
 TEST(ReportReader, EveryFaultIsNamedWithItsPlace) {
   expectRefusal([](json& d) { d["scenes"][0]["views"][1].erase("whole"); }, "/scenes/0/views/1", "lacks 'whole'");
   expectRefusal([](json& d) { d["scenes"][0]["views"] = 3; }, "/scenes/0/views", "is not a list");
-  expectRefusal([](json& d) { d["scenes"][0]["name"] = nullptr; }, "/scenes/0/name", "is not a text");
-  expectRefusal([](json& d) { d["verdict"] = "fine"; }, "/verdict", "'fine' is no verdict");
+  expectRefusal([](json& d) { d["scenes"][0]["name"] = nullptr; }, "/scenes/0/name", "is not a string");
+  expectRefusal([](json& d) { d["verdict"] = "fine"; }, "/verdict", "'fine' is not a verdict");
   expectRefusal([](json& d) { d["scenes"][0]["views"][0]["whole"]["figures"]["pixels"] = -1; },
                 "/scenes/0/views/0/whole/figures/pixels", "at least 0");
   expectRefusal([](json& d) { d["scenes"][0]["views"][0]["whole"]["figures"]["metrics"]["rmse"] = "0.1"; },
@@ -144,16 +144,16 @@ TEST(ReportReader, EveryFaultIsNamedWithItsPlace) {
   expectRefusal([](json& d) { d["scenes"][0]["views"][0]["conditions"] = "none"; }, "/scenes/0/views/0/conditions",
                 "is not a list");
   expectRefusal([](json& d) { d["scenes"][0]["conditions"][1]["value"] = 90; }, "/scenes/0/conditions/1/value",
-                "is not a text");
+                "is not a string");
   expectRefusal([](json& d) { d["conditions"][0]["actsOn"] = "taste"; }, "/conditions/0/actsOn",
                 "'taste' is not what a condition acts on");
 }
 
 TEST(ReportReader, WhatIsNoReportIsRefused) {
-  base::expectError([] { readText("{ \"schema\": "); }, "report.json: byte 13", "is no JSON");
-  base::expectError([] { readText(""); }, "report.json: byte 1", "is no JSON");
+  base::expectError([] { readText("{ \"schema\": "); }, "report.json: byte 13", "is not JSON");
+  base::expectError([] { readText(""); }, "report.json: byte 1", "is not JSON");
   base::expectError([] { readText("[]"); }, "report.json: /", "is not an object");
-  base::expectError([] { readText(std::string(100000, '[')); }, "report.json: byte", "is no JSON");
+  base::expectError([] { readText(std::string(100000, '[')); }, "report.json: byte", "is not JSON");
   const base::TempFolder folder;
   base::expectError([&] { readReport(folder / "none.json"); }, "none.json", "does not exist");
   base::expectError([&] { readReport(folder.path()); }, "report.json", "does not exist");

@@ -36,7 +36,9 @@ TEST(ReportTable, EachMaterialAndViewIsARow) {
   EXPECT_NE(lines[3].find(" 120000  0.270  0.675  1.000  -0.49 EV"), std::string::npos) << lines[3];
   EXPECT_NE(lines[3].find("mobile is 0.5 EV darker; mean FLIP 0.270 is above 0.200; 95th "), std::string::npos)
       << lines[3];
-  EXPECT_TRUE(lines[3].ends_with("; skySpecular: FLIP 0.270 -> 0.061 with high-end's")) << lines[3];
+  EXPECT_TRUE(
+      lines[3].ends_with("; skySpecular (reflections of the environment): FLIP 0.270 -> 0.061 with the high-end term"))
+      << lines[3];
   EXPECT_EQ(lines[7].find("  too small   Rivet"), 0u) << lines[7];
   EXPECT_EQ(lines[8].find("  not judged  Lit panel"), 0u) << lines[8];
   EXPECT_EQ(lines.back(), "verdict: error (materials: 3 pass, 2 not seen, 2 too small, 2 not judged, 2 warn, 2 fail; "
@@ -92,7 +94,7 @@ TEST(ReportTable, ATruthAddsTwoColumnsAndMarksWhatItsNoiseHides) {
   EXPECT_NE(lines[2].find("0.010~"), std::string::npos) << lines[2];
   EXPECT_EQ(lines[2].find("0.030~"), std::string::npos) << "mobile is further away: " << lines[2];
   EXPECT_EQ(lines[3].find('~'), std::string::npos) << lines[3];
-  EXPECT_NE(toTable(makeSampleReportWithTruth(), false).find("~ where the difference is within 2 standard errors"),
+  EXPECT_NE(toTable(makeSampleReportWithTruth(), false).find("~ marks a difference within 2 standard errors"),
             std::string::npos);
   EXPECT_EQ(toTable(makeSampleReport(), false).find("truth"), std::string::npos);
 }

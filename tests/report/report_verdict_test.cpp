@@ -88,7 +88,7 @@ TEST(Verdict, AWarningOfTheRunIsAWarning) {
   report.warnings = {"b.toml: a rule judges nothing"};
   settleVerdicts(report);
   EXPECT_EQ(report.verdict, compare::Verdict::warn);
-  EXPECT_EQ(headline(report), "Within budget, with 1 warning of the run");
+  EXPECT_EQ(headline(report), "Within budget, with 1 warning about the run");
   EXPECT_EQ(exitCode(report, false), 0);
   EXPECT_EQ(exitCode(report, true), 1);
   EXPECT_NE(toJunit(report, {}).find("<system-out>warning: b.toml: a rule judges nothing"), std::string::npos);
@@ -235,7 +235,7 @@ TEST(Verdict, BothAllBlackIsIdenticalAndJudgesNothingAndSaysSo) {
   judgeMaterial(view.materials[0], compare::defaultBudgets(), "s");
   judgeWhole(view, compare::defaultBudgets(), "s");
   settleVerdicts(report);
-  const std::string why = "100.0 % of the pixels are black in both pictures: raise --exposure";
+  const std::string why = "100.0 % of the pixels are black in both pictures; raise --exposure";
   EXPECT_EQ(view.materials[0].verdict, compare::Verdict::notJudged);
   EXPECT_EQ(view.materials[0].reason, why);
   EXPECT_EQ(view.wholeVerdict, compare::Verdict::warn) << "of a whole image black may be meant";
@@ -251,14 +251,14 @@ TEST(Verdict, AMaterialOfFewPixelsIsTooSmallWhateverItsFiguresSay) {
   for (const double mean : {0.0, 0.05, 0.15, 0.9}) {
     Report report = reportOf(mean, 63);
     EXPECT_EQ(materialOf(report).verdict, compare::Verdict::tooSmall) << mean;
-    EXPECT_EQ(materialOf(report).reason, "63 pixels, fewer than the 64 of its budget (min_pixels)");
+    EXPECT_EQ(materialOf(report).reason, "63 pixels, fewer than min_pixels = 64 of its budget");
     EXPECT_EQ(report.scenes[0].verdict, compare::Verdict::tooSmall) << mean;
     EXPECT_EQ(countVerdicts(report).tooSmall, 1u);
     EXPECT_EQ(exitCode(besidesAPass(report), false), 0) << "a warning";
     EXPECT_EQ(exitCode(besidesAPass(report), true), 1);
   }
   Report one = reportOf(0.05, 1);
-  EXPECT_EQ(materialOf(one).reason, "1 pixel, fewer than the 64 of its budget (min_pixels)");
+  EXPECT_EQ(materialOf(one).reason, "1 pixel, fewer than min_pixels = 64 of its budget");
 }
 
 TEST(Verdict, ExactlyTheLeastSizeIsJudged) {
@@ -281,7 +281,7 @@ TEST(Verdict, AMaterialThatHasToBeSeenFailsWhereItIsTooSmall) {
   settleVerdicts(report);
   EXPECT_EQ(report.verdict, compare::Verdict::fail);
   EXPECT_EQ(materialOf(report).reason,
-            "12 pixels, fewer than the 64 of its budget (min_pixels), and its budget requires that it is seen");
+            "12 pixels, fewer than min_pixels = 64 of its budget, but its budget requires that it is seen");
   report.scenes[0].views.push_back(reportOf(0.05).scenes[0].views[0]);
   settleVerdicts(report);
   EXPECT_EQ(report.verdict, compare::Verdict::pass) << "the other view shows enough of it";
@@ -303,8 +303,7 @@ TEST(Verdict, ATooSmallMaterialThatAnotherViewShowsIsNotMissed) {
   const MaterialResult& small = materialOf(report);
   EXPECT_TRUE(small.seenElsewhere);
   EXPECT_EQ(small.verdict, compare::Verdict::tooSmall);
-  EXPECT_EQ(small.reason,
-            "12 pixels, fewer than the 64 of its budget (min_pixels) in this view; view 'behind' shows it");
+  EXPECT_EQ(small.reason, "12 pixels, fewer than min_pixels = 64 of its budget in this view; view 'behind' shows it");
   EXPECT_EQ(report.verdict, compare::Verdict::pass);
   EXPECT_EQ(countVerdicts(report).total(), 1u);
 
@@ -342,12 +341,11 @@ TEST(Verdict, ClippingStandsBesideWhatElseWarnsAndHidesNoFailure) {
   Report warned = withClipping(reportOf(0.12), 0, 0.1);
   EXPECT_EQ(warned.verdict, compare::Verdict::warn);
   EXPECT_EQ(materialOf(warned).reason,
-            "mean FLIP 0.120 is above 0.100; 10.0 % of the pixels are white in both pictures: lower --exposure");
+            "mean FLIP 0.120 is above 0.100; 10.0 % of the pixels are white in both pictures; lower --exposure");
   Report failed = withClipping(reportOf(0.25), 0, 0.1);
   EXPECT_EQ(failed.verdict, compare::Verdict::fail);
-  EXPECT_EQ(materialOf(failed).reason,
-            "mean FLIP 0.250 is above 0.200; 95th percentile of FLIP 0.625 is above 0.500; 10.0 % of the pixels are "
-            "white in both pictures: lower --exposure")
+  EXPECT_EQ(materialOf(failed).reason, "mean FLIP 0.250 is above 0.200; 95th percentile of FLIP 0.625 is above 0.500; "
+                                       "10.0 % of the pixels are white in both pictures; lower --exposure")
       << "no reason of it, but its reader should know";
 }
 
@@ -359,7 +357,7 @@ TEST(Verdict, AMaterialThatIsMostlyClippedIsNotJudgedUnlessItFails) {
     EXPECT_EQ(materialOf(report).reason,
               std::string(mean > 0.1 ? "mean FLIP 0.150 is above 0.100; 95th percentile of FLIP 0.375 is above 0.300; "
                                      : "") +
-                  "50.1 % of the pixels are white in both pictures: lower --exposure");
+                  "50.1 % of the pixels are white in both pictures; lower --exposure");
     EXPECT_EQ(countVerdicts(report).notJudged, 1u);
     EXPECT_EQ(exitCode(besidesAPass(report), false), 0);
     EXPECT_EQ(exitCode(besidesAPass(report), true), 1);
@@ -385,7 +383,7 @@ TEST(Verdict, AWholeImageThatIsMostlyClippedWarns) {
   view.whole.clippedWhite = 0;
   settleVerdicts(report);
   EXPECT_EQ(view.wholeVerdict, compare::Verdict::warn);
-  EXPECT_EQ(view.reason, "90.0 % of the pixels are black in both pictures: raise --exposure");
+  EXPECT_EQ(view.reason, "90.0 % of the pixels are black in both pictures; raise --exposure");
   EXPECT_EQ(report.verdict, compare::Verdict::warn);
 }
 
@@ -398,7 +396,7 @@ TEST(Verdict, WhatNoPathModelsIsNeverAPlainPass) {
   EXPECT_EQ(exitCode(report, true), 1);
 
   Report clipped = withClipping(report, 0.2, 0);
-  EXPECT_EQ(materialOf(clipped).reason, "20.0 % of the pixels are black in both pictures: raise --exposure; base layer "
+  EXPECT_EQ(materialOf(clipped).reason, "20.0 % of the pixels are black in both pictures; raise --exposure; base layer "
                                         "only: no path models clearcoat, sheen");
   Report failed = reportOf(0.25);
   materialOf(failed).notModelled = {"clearcoat"};

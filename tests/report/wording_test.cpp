@@ -6,7 +6,9 @@
 
 #include "compare/verdict/wording.h"
 #include "report/sample_report.h"
+#include "report/term_words.h"
 #include "report/wording.h"
+#include "shading/terms.h"
 
 namespace parity::report {
 namespace {
@@ -28,7 +30,7 @@ TEST(Wording, BiasIsSaidAsArtistsSayIt) {
 }
 
 TEST(Wording, BiasThatNobodySeesIsNotSaid) {
-  EXPECT_EQ(describe(0.049, 0.9, 0.9, -0.9), "equally bright and of the same tint on average");
+  EXPECT_EQ(describe(0.049, 0.9, 0.9, -0.9), "same brightness and tint on average");
   EXPECT_EQ(describe(0.05, 0, 0, 0), "mobile is 0.05 EV brighter");
   EXPECT_EQ(describe(-0.05, 0, 0.99, 1), "mobile is 0.05 EV darker and warmer");
 }
@@ -46,7 +48,7 @@ TEST(Wording, WithoutBiasTheLumaIsSaid) {
   };
   EXPECT_EQ(say(0.5, 0.4), "mobile is 20.0 % darker");
   EXPECT_EQ(say(0.4, 0.5), "mobile is 25.0 % brighter");
-  EXPECT_EQ(say(0.4, 0.4001), "equally bright on average");
+  EXPECT_EQ(say(0.4, 0.4001), "same brightness on average");
   EXPECT_EQ(say(0, 0), "both are nearly black on average") << "not known of each pixel";
   EXPECT_EQ(say(0, 0.5), "the reference is nearly black");
 }
@@ -85,30 +87,31 @@ TEST(Wording, ClippingIsSaidWithWhatWouldHelp) {
   };
   EXPECT_EQ(say(0, 0), "");
   EXPECT_EQ(say(0.02, 0.029), "");
-  EXPECT_EQ(say(0, 0.12), "12.0 % of the pixels are white in both pictures: lower --exposure");
-  EXPECT_EQ(say(0.05, 0), "5.0 % of the pixels are black in both pictures: raise --exposure");
-  EXPECT_EQ(say(1, 0), "100.0 % of the pixels are black in both pictures: raise --exposure");
-  EXPECT_EQ(say(0.1, 0.03),
-            "10.0 % of the pixels are black in both pictures and 3.0 % white: a higher --exposure would "
-            "show more of them");
-  EXPECT_EQ(say(0.03, 0.1), "3.0 % of the pixels are black in both pictures and 10.0 % white: a lower --exposure would "
-                            "show more of them");
-  EXPECT_EQ(say(0.0004, 0.229), "22.9 % of the pixels are white in both pictures: lower --exposure");
+  EXPECT_EQ(say(0, 0.12), "12.0 % of the pixels are white in both pictures; lower --exposure");
+  EXPECT_EQ(say(0.05, 0), "5.0 % of the pixels are black in both pictures; raise --exposure");
+  EXPECT_EQ(say(1, 0), "100.0 % of the pixels are black in both pictures; raise --exposure");
+  EXPECT_EQ(
+      say(0.1, 0.03),
+      "10.0 % of the pixels are black in both pictures and 3.0 % are white; a higher --exposure shows more of them");
+  EXPECT_EQ(
+      say(0.03, 0.1),
+      "3.0 % of the pixels are black in both pictures and 10.0 % are white; a lower --exposure shows more of them");
+  EXPECT_EQ(say(0.0004, 0.229), "22.9 % of the pixels are white in both pictures; lower --exposure");
   EXPECT_EQ(compare::describeClipping(compare::Figures{}), "") << "of nothing";
 }
 
 TEST(Wording, FewHighlightsDoNotMakeADarkerImageBrighter) {
-  EXPECT_EQ(describe(0.4, -4, 0, 0), "mobile has 0.4 EV more light in all, but is darker on the whole (dL* -4.0)");
+  EXPECT_EQ(describe(0.4, -4, 0, 0), "mobile has 0.4 EV more light in total, but is darker on average (dL* -4.0)");
   EXPECT_EQ(describe(-0.4, 4, 1.5, 2),
-            "mobile has 0.4 EV less light in all, but is brighter on the whole (dL* +4.0), warmer and redder");
+            "mobile has 0.4 EV less light in total, but is brighter on average (dL* +4.0), warmer and redder");
   EXPECT_EQ(describe(0.4, -0.5, 0, 0),
-            "mobile has 0.4 EV more light in all, but is equally bright on the whole (dL* -0.5)");
+            "mobile has 0.4 EV more light in total, but is equally bright on average (dL* -0.5)");
 }
 
 TEST(Wording, OfNonFinitePixelsNoBiasIsSaid) {
   compare::Figures figures = makeFigures(0.1, 4000, 0.8);
   figures.nonFinite = 1;
-  EXPECT_EQ(compare::describeBias(figures, "mobile"), "bias not known: some pixels are NaN or infinite");
+  EXPECT_EQ(compare::describeBias(figures, "mobile"), "bias is unknown: some pixels are NaN or infinite");
 }
 
 compare::CheckResult checkOf(const char* metric, double value, std::optional<double> warn, double fail,
@@ -205,10 +208,10 @@ TEST(Wording, NumbersCarryTheirUnitAndSign) {
 
 TEST(Wording, WhatIsGoneIsNamedAsFarAsItIsKnown) {
   EXPECT_EQ(describeGone({"Desk", "front", "Lamp"}),
-            "gone: material 'Lamp', scene Desk, view front: the baseline has it, this run does not");
+            "gone: material 'Lamp', scene Desk, view front: in the baseline, but not in this run");
   EXPECT_EQ(describeGone({"Desk", "front", ""}),
-            "gone: view front of scene Desk: the baseline has it, this run does not");
-  EXPECT_EQ(describeGone({"Desk", "", ""}), "gone: scene Desk: the baseline has it, this run does not");
+            "gone: view front of scene Desk: in the baseline, but not in this run");
+  EXPECT_EQ(describeGone({"Desk", "", ""}), "gone: scene Desk: in the baseline, but not in this run");
 }
 
 TEST(Wording, ARelMseKeepsTwoDigitsHoweverSmallItIs) {
@@ -221,12 +224,24 @@ TEST(Wording, ARelMseKeepsTwoDigitsHoweverSmallItIs) {
 
 TEST(Wording, CauseIsTheTermThatExplainsMost) {
   const compare::Attribution sky{0.142, {{"sunSpecular", 0.1}, {"skySpecular", 0.031}, {"emissive", 0.142}}};
-  EXPECT_EQ(describeCause(sky, "highend"), "skySpecular: FLIP 0.142 -> 0.031 with high-end's");
+  EXPECT_EQ(describeCause(sky, "highend"),
+            "skySpecular (reflections of the environment): FLIP 0.142 -> 0.031 with the high-end term");
   const std::string none = "no single term explains it";
   EXPECT_EQ(describeCause({0.2, {{"fog", 0.181}, {"skySpecular", 0.3}}}, "highend"), none);
-  EXPECT_EQ(describeCause({0.2, {{"fog", 0.18}}}, "highend"), "fog: FLIP 0.200 -> 0.180 with high-end's");
+  EXPECT_EQ(describeCause({0.2, {{"fog", 0.18}}}, "highend"),
+            "fog (light of the fog): FLIP 0.200 -> 0.180 with the high-end term");
   EXPECT_EQ(describeCause({0.2, {}}, "highend"), none);
   EXPECT_EQ(describeCause({0.0004, {{"fog", 0}}}, "highend"), "") << "there is nothing to explain";
+}
+
+TEST(Wording, EveryTermHasWordsInTheOrderOfShading) {
+  ASSERT_EQ(kTermWords.size(), shading::kTermNames.size());
+  for (std::size_t i = 0; i < kTermWords.size(); ++i) {
+    EXPECT_EQ(kTermWords[i].term, shading::kTermNames[i]);
+    EXPECT_FALSE(kTermWords[i].words.empty()) << kTermWords[i].term;
+  }
+  EXPECT_EQ(termWithWords("emissive"), "emissive (emitted light)");
+  EXPECT_EQ(termWithWords("of a later version"), "of a later version");
 }
 
 TEST(Wording, DroppedLightsAreNamedByWhatTheyDo) {
@@ -234,7 +249,7 @@ TEST(Wording, DroppedLightsAreNamedByWhatTheyDo) {
   rankByEffect(dropped);
   EXPECT_EQ(describe(dropped, "highend", "mobile"),
             "mobile drops 4 of 5 lights; without 'lamp 2' the high-end picture of 'Glass' changes by "
-            "FLIP 0.250, without 'lamp 1' of 'Rough metal' by 0.031; 2 more were not measured "
+            "FLIP 0.250, 'Rough metal' by 0.031 without 'lamp 1'; 2 more were not measured "
             "(--dropped-lights)");
   for (int i = 0; i < 4; ++i) dropped.measured.push_back(dropped.measured[0]);
   dropped.notMeasured.resize(1);
@@ -250,7 +265,7 @@ TEST(Wording, DroppedLightsAreNamedByWhatTheyDo) {
     for (LightEffect& effect : light.materials) effect.flip = 0.0004;
   dropped.notMeasured.clear();
   EXPECT_EQ(describe(dropped, "highend", "mobile"),
-            "mobile drops 2 of 5 lights; without any one of those measured the high-end picture looks the same");
+            "mobile drops 2 of 5 lights; no measured light changes the high-end picture");
   dropped.measured[0].materials.clear(); // all of it is see-through
   rankByEffect(dropped);
   EXPECT_EQ(dropped.measured[0].name, "lamp 2");

@@ -42,7 +42,7 @@ TEST(Environment, BringsWhatIsNearTheFloatLimitDownAndSaysSo) {
   const scenes::Environment environment = scenes::loadEnvironment((folder / "huge.exr").string(), 0, warnings);
   EXPECT_EQ(environment.radiance.pixels, (std::vector<float>{1, 1e30f, 1e30f, 1e30f, 1e30f, 0}));
   ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_EQ(warnings[1], "environment huge: 3 of 6 values are above 1e+30 and became that");
+  EXPECT_EQ(warnings[1], "environment huge: 3 of 6 values are above 1e+30 and are set to it");
 }
 
 TEST(Environment, RefusesOneWithNothingFinite) {
@@ -71,7 +71,7 @@ TEST(Environment, FindsColoursByTheirNamesAndRefusesOthers) {
   EXPECT_EQ(pixels({"R", "G", "B", "A"}), (std::vector<float>{1, 2, 3, 5, 6, 7}));
   EXPECT_EQ(pixels({"B", "G", "R", "Z", "id"}), (std::vector<float>{3, 2, 1, 8, 7, 6}));
   const auto refuses = [&](const std::vector<std::string>& channels, const std::string& listed) {
-    expectError([&] { pixels(channels); }, {"x.exr", "the channels are " + listed});
+    expectError([&] { pixels(channels); }, {"x.exr", "has the channels " + listed});
   };
   refuses({"X", "Y", "Z"}, "X, Y, Z");
   refuses({"Y", "RY", "BY"}, "Y, RY, BY");
@@ -89,15 +89,15 @@ TEST(Environment, RefusesCubeMapsPartsAndOtherShapes) {
   };
   refuses([](auto& file) { file.info.isCubeMap = true; }, "is a cube map");
   refuses([](auto& file) { file.info.fullWidth = 4, file.info.fullHeight = 2; },
-          "dataWindow: 2x1 pixels at +0+0 where");
+          "dataWindow: holds 2x1 pixels at +0+0 of");
   refuses([](auto& file) { file.info.x = 1; }, "at +1+0");
-  refuses([](auto& file) { file.info.orientation = 6; }, "1x2 pixels: a panorama");
+  refuses([](auto& file) { file.info.orientation = 6; }, "has 1x2 pixels; a latitude-longitude panorama");
   refuses(
       [](auto& file) {
         file.pixels = base::Image(2, 2, 3, 1.f);
         file.info.fullHeight = 2;
       },
-      "2x2 pixels: a panorama");
+      "has 2x2 pixels; a latitude-longitude panorama");
 }
 
 // The header's words in an OpenEXR file: the library's own reading of them.
@@ -112,7 +112,7 @@ TEST(Environment, RefusesAnExrCubeMapAndALargerDisplayWindow) {
   EXPECT_EQ(load({}).width, 8);
   EXPECT_EQ(load({.envmap = 0}).width, 8) << "latitude and longitude";
   expectError([&] { load({.envmap = 1}); }, {file, "is a cube map"});
-  expectError([&] { load({.displayWidth = 16}); }, {file, "dataWindow: 8x4 pixels at +0+0 where the picture is 16x4"});
+  expectError([&] { load({.displayWidth = 16}); }, {file, "dataWindow: holds 8x4 pixels at +0+0 of a picture of 16x4"});
 }
 
 // 4 x 2 pixels, numbered from the top left as they are to be seen, stored in each of the eight orders that a Radiance
@@ -181,8 +181,8 @@ TEST(Environment, LoadsFilesWithOneWarningForAllThatWasCleaned) {
   EXPECT_EQ(environment.radiance.pixels[0], 0.f);
   EXPECT_EQ(environment.radiance.pixels[5], 0.25f);
   ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_EQ(warnings[1],
-            "environment sick: of 24 values, 1 NaN and 0 negative became 0, 1 infinite the largest finite");
+  EXPECT_EQ(warnings[1], "environment sick: of 24 values, 1 NaN and 0 negative ones are set to 0, and 1 infinite ones "
+                         "to the largest finite value");
 }
 
 TEST(Environment, RefusesMissingTruncatedAndInteger) {

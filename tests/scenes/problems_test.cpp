@@ -59,7 +59,7 @@ TEST(Problems, OfEveryStageAreGathered) {
   const std::vector<std::string> lines = refusalOf(writeEmbedded(folder, data, "data"));
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_NE(lines[0].find("/images/0 'none.png'"), std::string::npos) << lines[0];
-  EXPECT_NE(lines[1].find("/images/1 'image 1': neither a PNG"), std::string::npos) << lines[1];
+  EXPECT_NE(lines[1].find("/images/1 'image 1': is not a PNG"), std::string::npos) << lines[1];
   EXPECT_NE(lines[2].find("/meshes/0/primitives/0/indices"), std::string::npos) << lines[2];
   EXPECT_NE(lines[3].find("/cameras/0/perspective/yfov"), std::string::npos) << lines[3];
 }

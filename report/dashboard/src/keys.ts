@@ -52,13 +52,13 @@ const kShortcuts: readonly (readonly [string, string])[] = [
   ["O", "onion skin"],
   ["D", "difference"],
   ["H", "FLIP map"],
-  ["F, held", "flicker: the test path while held"],
+  ["F, held", "flicker: show the test path while held"],
   ["← →", "only the reference path, only the test path"],
   ["+ −, Shift + arrows", "zoom, move"],
   ["W", "fit the width"],
   ["0", "fit all, exposure 0"],
   ["[ ]", "exposure down, up"],
-  ["L", "dark, light, as the system"],
+  ["L", "dark, light, as in the system"],
   ["Esc", "back to the overview"],
   ["?", "this list"],
 ];
@@ -70,18 +70,18 @@ export function shortcutsDialog(): TemplateResult {
       <dl class="keys">${kShortcuts.map(([keys, what]) => html`<div><dt><kbd>${keys}</kbd></dt><dd>${what}</dd></div>`)}</dl>
       <h2>How to read this page</h2>
       <p>
-        Every material is shaded twice at the very same surface points: by the reference path (high-end) and by the test path
-        (mobile). FLIP says how different the two look when one flips between them: 0 is alike, 1 is far apart. On an even mid grey, .03 is one step of 8 bit,
-        .10 is 10 % more or less light (seen side by side), .20 about 25 % (seen at a glance), .50 twice as much or a third.
+        Two paths shade every material at the same surface points: the reference path (high-end) and the test path (mobile). FLIP
+        measures how different the two look if you flip between them. 0: identical, 1: largest difference. On an even mid grey, .03 is one step
+        of 8 bits, .10 is 10 % more or less light (visible side by side), .20 is about 25 % (visible at a glance), .50 is twice or a third of the light.
       </p>
       <p>
-        A material is judged by what it does itself: FLIP holds the reference path's picture against that picture in which this material
-        alone has the test path's colours. So its figures, its FLIP map and its histogram do not depend on its neighbours. A whole view holds
-        the two paths' pictures against each other.
+        A material is judged by its own contribution. FLIP compares the reference path's picture with a copy in which only this material
+        has the test path's colours. So its figures, its FLIP map and its histogram do not depend on its neighbours. For a whole view, FLIP
+        compares the pictures of the two paths.
       </p>
       <p>
-        Too small: fewer pixels than its budget asks for. Not judged: most of its pixels are black in both pictures, or white in both.
-        Base layer only: it has parts that neither path models. None of these is a pass.
+        Too small: the material has fewer pixels than its budget requires. Not judged: most of its pixels are black in both pictures, or
+        white in both. Base layer only: it has parts that no path models. None of these is a pass.
       </p>
       <button autofocus>Close</button>
     </form>

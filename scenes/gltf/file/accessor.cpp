@@ -143,8 +143,8 @@ void AccessorView::applySparse(const tinygltf::Accessor& source, std::vector<std
     for (std::size_t i = 0; i < static_cast<std::size_t>(sparse.count); ++i) {
       const auto index = static_cast<std::size_t>(load<T>(&indices[i * sizeof(T)]));
       if (index < next || index >= m_count)
-        throw error(fmt::format("sparse index {} at {} is {}, expected an increasing order below {}", index, i,
-                                index < next ? "not above the one before" : "out of range", m_count));
+        throw error(fmt::format("sparse index {} at {} is {}, expected increasing indices below {}", index, i,
+                                index < next ? "not above the previous one" : "out of range", m_count));
       std::memcpy(&packed[index * m_elementBytes], &values[i * m_elementBytes], m_elementBytes);
       next = index + 1;
     }
@@ -152,7 +152,7 @@ void AccessorView::applySparse(const tinygltf::Accessor& source, std::vector<std
 }
 
 template <typename Vec> std::vector<Vec> AccessorView::readVectors(float fill, bool finite) const {
-  if (m_isMatrix) throw error("is of matrices, expected scalars or vectors");
+  if (m_isMatrix) throw error("holds matrices, expected scalars or vectors");
   constexpr std::size_t kWidth = sizeof(Vec) / sizeof(float); // NOLINT(bugprone-sizeof-expression): 1 for a scalar
   const std::size_t components = std::min(static_cast<std::size_t>(m_componentCount), kWidth);
   std::vector<Vec> out(m_count, Vec(fill));
@@ -224,7 +224,7 @@ std::vector<std::uint32_t> AccessorView::readIndices(std::size_t limit) const {
   if (largest < std::min<std::size_t>(limit, restart)) return out;
   const auto bad = std::find_if(out.begin(), out.end(), [&](std::uint32_t v) { return v >= limit || v == restart; });
   throw error(*bad < limit || *bad == restart
-                  ? fmt::format("index {} at element {} would restart the primitive, which glTF forbids", *bad,
+                  ? fmt::format("index {} at element {} is the primitive restart value, which glTF forbids", *bad,
                                 bad - out.begin())
                   : fmt::format("index {} at element {} is out of range: there are {} vertices", *bad,
                                 bad - out.begin(), limit));

@@ -134,7 +134,7 @@ std::span<const std::byte> GltfBuffers::buffer(std::size_t index) const {
     else if (index == 0 && m_hasBinary)
       buffer.bytes = m_binary;
     else
-      throw base::fileError(m_where.label, place, "has neither a uri nor the container's binary chunk");
+      throw base::fileError(m_where.label, place, "has no uri, and the file has no binary chunk");
     if (const std::size_t held = buffer.bytes.size(); held < buffer.byteLength) {
       m_budget.release(buffer.storage.size());
       std::vector<std::byte>().swap(buffer.storage);

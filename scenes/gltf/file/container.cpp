@@ -35,22 +35,23 @@ GlbChunks splitGlb(std::span<const std::byte> bytes, const std::string& label) {
     return base::fileError(label, fmt::format("byte {}", offset), reason);
   };
   constexpr std::size_t kHeader = 12, kChunkHeader = 8;
-  if (bytes.size() < kHeader) throw fail(bytes.size(), fmt::format("truncated: a glb header has {} bytes", kHeader));
-  if (readU32(bytes, 0) != kMagic) throw fail(0, "not a glb: the magic 'glTF' is missing");
+  if (bytes.size() < kHeader) throw fail(bytes.size(), fmt::format("is truncated: a glb header has {} bytes", kHeader));
+  if (readU32(bytes, 0) != kMagic) throw fail(0, "is not a glb: the magic 'glTF' is missing");
   if (const std::uint32_t version = readU32(bytes, 4); version != 2)
     throw fail(4, fmt::format("glb version {} is not 2", version));
   const std::size_t length = readU32(bytes, 8);
-  if (length > bytes.size()) throw fail(bytes.size(), fmt::format("truncated: the header promises {} bytes", length));
-  if (length < kHeader + kChunkHeader) throw fail(8, fmt::format("a length of {} holds no chunk", length));
+  if (length > bytes.size()) throw fail(bytes.size(), fmt::format("is truncated: the header says {} bytes", length));
+  if (length < kHeader + kChunkHeader) throw fail(8, fmt::format("a length of {} has no room for a chunk", length));
 
   GlbChunks chunks;
   std::size_t offset = kHeader;
   for (int number = 0; offset < length; ++number) {
-    if (length - offset < kChunkHeader) throw fail(offset, "truncated chunk header");
+    if (length - offset < kChunkHeader) throw fail(offset, "a chunk header is truncated");
     const std::size_t size = readU32(bytes, offset);
     const std::uint32_t type = readU32(bytes, offset + 4);
     const std::size_t begin = offset + kChunkHeader;
-    if (size > length - begin) throw fail(offset, fmt::format("chunk {} of {} bytes leaves the file", number, size));
+    if (size > length - begin)
+      throw fail(offset, fmt::format("chunk {} of {} bytes ends outside the file", number, size));
     if (number == 0) {
       if (type != kChunkJson) throw fail(offset + 4, "the first chunk is not JSON");
       chunks.json = {reinterpret_cast<const char*>(bytes.data()) + begin, size};

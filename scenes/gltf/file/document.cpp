@@ -53,7 +53,7 @@ std::filesystem::path folderOf(const GltfDocument& document) {
   std::error_code failed;
   std::filesystem::path folder =
       std::filesystem::canonical(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."), failed);
-  if (failed) throw document.error("", "its folder cannot be resolved: " + failed.message());
+  if (failed) throw document.error("", "its folder cannot be found: " + failed.message());
   return folder;
 }
 
@@ -156,7 +156,7 @@ void parseModel(GltfDocument& document, Json& json) {
   std::string error, warning;
   const bool parsed = parser.LoadASCIIFromString(&document.model, &error, &warning, text.c_str(),
                                                  static_cast<unsigned>(text.size()), "", tinygltf::NO_REQUIRE);
-  if (!parsed || !error.empty()) throw document.error("", error.empty() ? "not understood by the glTF parser" : error);
+  if (!parsed || !error.empty()) throw document.error("", error.empty() ? "the glTF parser cannot read it" : error);
   for (const std::size_t i : withoutView) document.model.accessors[i].bufferView = -1;
 }
 
@@ -173,7 +173,7 @@ std::unique_ptr<GltfDocument> readGltfDocument(const std::string& file, const Lo
   else
     chunks.json = {reinterpret_cast<const char*>(document->bytes.data()), document->bytes.size()};
   if (chunks.json.size() > kMaxJsonBytes)
-    throw document->error("JSON", fmt::format("larger than {} MiB", kMaxJsonBytes >> 20));
+    throw document->error("JSON", fmt::format("is larger than {} MiB", kMaxJsonBytes >> 20));
 
   while (chunks.json.ends_with('\0')) chunks.json.remove_suffix(1); // padding that some exporters write
   Json json = parseGltfJson(chunks.json, file);

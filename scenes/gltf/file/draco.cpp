@@ -29,11 +29,11 @@ public:
   // Refuses counts that are not the expected ones.
   void check(const DracoExpectation& expected) {
     draco::DracoHeader header;
-    if (!draco::PointCloudDecoder::DecodeHeader(&m_buffer, &header).ok()) throw refusal("not a Draco stream");
-    if (header.encoder_type != draco::TRIANGULAR_MESH) throw refusal("not a Draco stream of a triangle mesh");
+    if (!draco::PointCloudDecoder::DecodeHeader(&m_buffer, &header).ok()) throw refusal("is not a Draco stream");
+    if (header.encoder_type != draco::TRIANGULAR_MESH) throw refusal("is not a Draco stream of a triangle mesh");
     if (header.version_major != 2 || header.version_minor != 2)
       throw refusal(
-          fmt::format("Draco bitstream {}.{} where the extension has 2.2", header.version_major, header.version_minor));
+          fmt::format("is a Draco bitstream {}.{}, expected 2.2", header.version_major, header.version_minor));
     m_buffer.set_bitstream_version(DRACO_BITSTREAM_VERSION(2, 2));
     if (header.flags & METADATA_FLAG_MASK) {
       draco::GeometryMetadata metadata;
@@ -42,7 +42,7 @@ public:
     if (header.encoder_method == draco::MESH_SEQUENTIAL_ENCODING) {
       checkFaces(number(), expected);
       if (const std::size_t points = number(); points != expected.vertices)
-        throw refusal(fmt::format("{} vertices in the stream where the accessors have {}", points, expected.vertices));
+        throw refusal(fmt::format("the stream has {} vertices, but the accessors have {}", points, expected.vertices));
     } else if (header.encoder_method == draco::MESH_EDGEBREAKER_ENCODING) {
       byte(); // how it is traversed
       const std::size_t vertices = number(), faces = number();
@@ -72,7 +72,7 @@ private:
                                               : faces <= expected.indices;
     if (!fits)
       throw refusal(
-          fmt::format("{} triangles in the stream where the accessor has {} indices", faces, expected.indices));
+          fmt::format("the stream has {} triangles, but the accessor has {} indices", faces, expected.indices));
   }
 
   draco::DecoderBuffer m_buffer;
@@ -87,7 +87,7 @@ public:
     const std::size_t size = static_cast<std::size_t>(draco::DataTypeLength(attribute->data_type()));
     const std::size_t perPoint = dracoBytesOfVertex(attribute->num_components(), size);
     if (perPoint > m_left / std::max<std::size_t>(num_points(), 1))
-      throw refusal("the stream's attributes take more memory than there is for them");
+      throw refusal("the attributes of the stream need more memory than the limit allows");
     m_left -= perPoint * num_points();
     draco::Mesh::SetAttribute(id, std::move(attribute));
   }
@@ -144,7 +144,7 @@ template <typename T> std::vector<std::byte> readAs(const draco::PointAttribute&
     convert(float{});
     break;
   default:
-    throw refusal(fmt::format("an attribute of Draco's type {} is none that glTF has", static_cast<int>(type)));
+    throw refusal(fmt::format("an attribute has the Draco type {}, which glTF does not have", static_cast<int>(type)));
   }
   return out;
 }
@@ -153,7 +153,7 @@ std::vector<std::byte> readAttribute(const draco::Mesh& mesh, const DracoAttribu
   const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(wanted.id);
   if (!attribute) throw refusal(fmt::format("the stream has no attribute {}", wanted.id));
   if (attribute->num_components() != wanted.componentCount)
-    throw refusal(fmt::format("attribute {} has {} components where the accessor has {}", wanted.id,
+    throw refusal(fmt::format("attribute {} has {} components, but the accessor has {}", wanted.id,
                               static_cast<int>(attribute->num_components()), wanted.componentCount));
   const std::size_t points = mesh.num_points();
   for (std::size_t p = 0; p < points; ++p)
@@ -189,12 +189,12 @@ DracoMesh decodeDraco(std::span<const std::byte> compressed, const DracoExpectat
                                                     : "the Draco stream is damaged: " + status.error_msg_string());
   if (mesh.num_points() != expected.vertices)
     throw refusal(
-        fmt::format("{} vertices in the stream where the accessors have {}", mesh.num_points(), expected.vertices));
+        fmt::format("the stream has {} vertices, but the accessors have {}", mesh.num_points(), expected.vertices));
   DracoMesh out;
   out.indices.reserve(3 * std::size_t{mesh.num_faces()});
   for (draco::FaceIndex f(0); f < mesh.num_faces(); ++f)
     for (const draco::PointIndex& point : mesh.face(f)) {
-      if (point.value() >= mesh.num_points()) throw refusal("a triangle of the stream has a vertex out of range");
+      if (point.value() >= mesh.num_points()) throw refusal("a triangle of the stream has a vertex index out of range");
       out.indices.push_back(point.value());
     }
   for (const DracoAttribute& wanted : expected.attributes) out.attributes.push_back(readAttribute(mesh, wanted));

@@ -75,7 +75,7 @@ void checkGltfExtensions(const Json& document, Problems& problems, std::vector<s
   constexpr std::size_t kMaxListed = 32;
   if (auto names = listUnknown(document, "extensionsUsed"); !names.empty()) {
     names.resize(std::min(names.size(), kMaxListed));
-    warnings.push_back(fmt::format("extensions not supported, ignored: {}", fmt::join(names, ", ")));
+    warnings.push_back(fmt::format("extensions that are not supported are ignored: {}", fmt::join(names, ", ")));
   }
 }
 

@@ -27,14 +27,14 @@ void checkLimits(std::string_view text, const std::string& label) {
       inString = true;
     else if (c == '{' || c == '[') {
       if (++depth > kMaxJsonDepth)
-        throw base::fileError(label, "JSON", fmt::format("nested deeper than {} levels", kMaxJsonDepth));
+        throw base::fileError(label, "JSON", fmt::format("is nested deeper than {} levels", kMaxJsonDepth));
       ++values;
     } else if (c == '}' || c == ']')
       --depth;
     else if (c == ',' || c == ':')
       ++values;
     if (values > kMaxJsonValues)
-      throw base::fileError(label, "JSON", fmt::format("more than {} values", kMaxJsonValues));
+      throw base::fileError(label, "JSON", fmt::format("has more than {} values", kMaxJsonValues));
   }
 }
 

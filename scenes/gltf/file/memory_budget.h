@@ -22,18 +22,20 @@ public:
     const std::size_t before = m_taken.fetch_add(bytes);
     if (bytes <= m_maxBytes && before <= m_maxBytes - bytes) return;
     m_taken -= bytes;
-    throw base::fileError(m_label, place,
-                          fmt::format("needs {} MiB beside {} MiB, the limit of a scene is {} MiB (--max-memory)",
-                                      (bytes >> 20) + 1, before >> 20, m_maxBytes >> 20));
+    throw base::fileError(
+        m_label, place,
+        fmt::format("needs {} MiB in addition to {} MiB; the limit for a scene is {} MiB (--max-memory)",
+                    (bytes >> 20) + 1, before >> 20, m_maxBytes >> 20));
   }
   // Counts bytes that are about to be decoded, which may be the same ones again and again: what a small file can make
   // us do is bounded, too, by twice as much. Throws Error (exit 4).
   void work(std::size_t bytes, const std::string& place) {
     if ((m_worked.fetch_add(bytes) + bytes) / 2 <= m_maxBytes) return;
-    throw base::fileError(m_label, place,
-                          fmt::format("more than {} MiB of accessors are to be decoded, many of them several times "
-                                      "(--max-memory)",
-                                      m_maxBytes >> 19));
+    throw base::fileError(
+        m_label, place,
+        fmt::format("more than {} MiB of accessors need decoding, because many are used several times "
+                    "(--max-memory)",
+                    m_maxBytes >> 19));
   }
   // Of those taken, bytes that have been released.
   void release(std::size_t bytes) { m_taken -= bytes; }

@@ -27,7 +27,7 @@ Enum valueOf(std::string_view name, const std::array<std::string_view, kCount>& 
 void checkFilter(const MeshoptLayout& layout) {
   const std::string_view name = kFilters[static_cast<std::size_t>(layout.filter)];
   if (layout.filter != MeshoptFilter::none && layout.mode != MeshoptMode::attributes)
-    throw refusal(fmt::format("the filter {} applies to the mode ATTRIBUTES only", name));
+    throw refusal(fmt::format("the filter {} works only with the mode ATTRIBUTES", name));
   const bool fits = layout.filter == MeshoptFilter::octahedral   ? layout.byteStride == 4 || layout.byteStride == 8
                     : layout.filter == MeshoptFilter::quaternion ? layout.byteStride == 8
                                                                  : true; // a multiple of 4, as all are
@@ -42,16 +42,17 @@ MeshoptFilter meshoptFilterOf(std::string_view name) { return valueOf<MeshoptFil
 void checkMeshoptLayout(const MeshoptLayout& layout, std::size_t compressedBytes) {
   const std::size_t count = layout.count, stride = layout.byteStride;
   const std::string_view mode = kModeNames[static_cast<std::size_t>(layout.mode)];
-  if (count == 0) throw refusal("a count of 0");
+  if (count == 0) throw refusal("its count is 0");
   std::size_t least = 0; // bytes of the densest stream
   if (layout.mode == MeshoptMode::attributes) {
     if (stride < 4 || stride > 256 || stride % 4)
-      throw refusal(fmt::format("a byteStride of {} is not a multiple of 4 from 4 to 256", stride));
+      throw refusal(fmt::format("its byteStride {} is not a multiple of 4 from 4 to 256", stride));
     least = count * stride / 64; // two bits for sixteen equal bytes
   } else {
-    if (stride != 2 && stride != 4) throw refusal(fmt::format("a byteStride of {} where {} have 2 or 4", stride, mode));
+    if (stride != 2 && stride != 4)
+      throw refusal(fmt::format("its byteStride is {}, but {} have 2 or 4", stride, mode));
     if (layout.mode == MeshoptMode::triangles && count % 3)
-      throw refusal(fmt::format("{} indices are no whole number of triangles", count));
+      throw refusal(fmt::format("{} indices do not form whole triangles", count));
     least = layout.mode == MeshoptMode::triangles ? count / 3 : count; // a byte each
   }
   checkFilter(layout);
@@ -77,7 +78,7 @@ std::vector<std::byte> decodeMeshopt(std::span<const std::byte> compressed, cons
     break;
   }
   if (failure)
-    throw refusal(fmt::format("the stream is not {} of {} elements of {} bytes, or is damaged",
+    throw refusal(fmt::format("the stream is damaged, or does not hold {} of {} elements of {} bytes",
                               kModeNames[static_cast<std::size_t>(layout.mode)], count, stride));
   switch (layout.filter) {
   case MeshoptFilter::none:

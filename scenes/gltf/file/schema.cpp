@@ -139,7 +139,7 @@ private:
     if (value.get<std::size_t>() < size) return;
     const std::string name(target.substr(target.rfind('/') + 1));
     fail(place, value,
-         size == 0 ? fmt::format("none: there are no {}", name)
+         size == 0 ? fmt::format("no index, because there are no {}", name)
                    : fmt::format("an index of {}, 0 to {}", name, size - 1));
   }
 

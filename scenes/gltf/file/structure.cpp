@@ -53,7 +53,7 @@ public:
         const std::string place = fmt::format("/extensions/KHR_lights_punctual/lights/{}", i);
         if (light["type"] == "spot" && !light.contains("spot")) m_problems.add(place + "/spot", "is missing");
         if (const auto range = light.find("range"); range != light.end() && !(range->get<double>() > 0))
-          m_problems.add(place + "/range", "is not above 0; without it the light has no end");
+          m_problems.add(place + "/range", "is not above 0; omit it for a light without a range");
       }
     forEach("animations", [&](const Json& animation, const std::string& place) { checkAnimation(animation, place); });
     checkNodes();
@@ -94,7 +94,7 @@ private:
                                      countOf(view, "byteLength")));
     if (const std::size_t own = countOf(*packed, "byteStride"); countOf(view, "byteStride", own) != own)
       m_problems.add(at + "/byteStride",
-                     fmt::format("is {}, expected {} as the view has", own, countOf(view, "byteStride")));
+                     fmt::format("is {}, expected {} as in the view", own, countOf(view, "byteStride")));
     try {
       checkMeshoptLayout(meshoptLayoutOf(*packed), countOf(*packed, "byteLength"));
     } catch (const std::invalid_argument& reason) {
@@ -108,15 +108,14 @@ private:
     const Json& view = m_document["bufferViews"][viewIndex];
     if ((offset + countOf(view, "byteOffset")) % alignment)
       m_problems.add(place + "/byteOffset",
-                     fmt::format("is {} in a view at {}, expected a multiple of {} in the buffer", offset,
+                     fmt::format("is {} in a view at {}, expected their sum to be a multiple of {}", offset,
                                  countOf(view, "byteOffset"), alignment));
     const std::size_t length = countOf(view, "byteLength");
     if (count == 0) return;
     if (stride == 0 || count - 1 > length / stride || offset + stride * (count - 1) + bytes > length)
-      m_problems.add(place,
-                     fmt::format("{} elements of {} bytes, {} apart, from byte {} on, expected to end within the "
-                                 "{} bytes of /bufferViews/{}",
-                                 count, bytes, stride, offset, length, viewIndex));
+      m_problems.add(place, fmt::format("{} elements of {} bytes, {} apart, start at byte {}, and must end within the "
+                                        "{} bytes of /bufferViews/{}",
+                                        count, bytes, stride, offset, length, viewIndex));
   }
 
   void checkAccessor(const Json& accessor, const std::string& place) {
@@ -134,7 +133,7 @@ private:
       const std::size_t stride = countOf(m_document["bufferViews"][view], "byteStride", bytes);
       if (stride < bytes || stride % component)
         m_problems.add(place,
-                       fmt::format("has elements of {} bytes, expected to fit the byteStride {} of /bufferViews/{}",
+                       fmt::format("has elements of {} bytes, expected at most the byteStride {} of /bufferViews/{}",
                                    bytes, stride, view));
       else
         checkFit(view, countOf(accessor, "byteOffset"), count, bytes, stride, component, place);
@@ -148,7 +147,7 @@ private:
                    const std::string& place) {
     const std::size_t changed = countOf(sparse, "count");
     if (changed == 0 || changed > count)
-      m_problems.add(place + "/count", fmt::format("is {}, expected 1 to {}, the elements there are", changed, count));
+      m_problems.add(place + "/count", fmt::format("is {}, expected 1 to {}, the number of elements", changed, count));
     const Json &indices = sparse["indices"], &values = sparse["values"];
     const std::size_t indexBytes = bytesOfComponent(indices["componentType"]);
     checkFit(indices["bufferView"], countOf(indices, "byteOffset"), changed, indexBytes, indexBytes, indexBytes,
@@ -189,7 +188,8 @@ private:
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       for (const char* key : {"translation", "rotation", "scale"})
         if (nodes[n].contains("matrix") && nodes[n].contains(key))
-          m_problems.add(fmt::format("/nodes/{}/{}", n, key), "is there beside a matrix, expected one of the two");
+          m_problems.add(fmt::format("/nodes/{}/{}", n, key),
+                         "is given together with a matrix, expected only one of them");
       for (const Json& entry : listOf(nodes[n], "children")) {
         const auto child = entry.get<std::size_t>();
         if (parents[child] != kNone)
@@ -209,7 +209,7 @@ private:
         const auto root = entry.get<std::size_t>();
         const bool isListed = listedBy[root] == number;
         if (parents[root] != kNone || isListed)
-          m_problems.add(place + "/nodes", fmt::format("/nodes/{} is {}, expected a root once", root,
+          m_problems.add(place + "/nodes", fmt::format("/nodes/{} is {}, expected each root once", root,
                                                        isListed ? "listed twice" : "a child of another node"));
         listedBy[root] = number;
       }

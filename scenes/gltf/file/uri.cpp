@@ -52,14 +52,14 @@ std::vector<std::byte> decodeBase64(std::string_view text) {
     return values;
   }();
   for (int pad = 0; pad < 2 && text.ends_with('='); ++pad) text.remove_suffix(1);
-  if (text.size() % 4 == 1) throw std::invalid_argument("base64 data is cut short");
+  if (text.size() % 4 == 1) throw std::invalid_argument("base64 data is truncated");
   std::vector<std::byte> bytes;
   bytes.reserve(text.size() / 4 * 3 + 2);
   std::uint32_t bits = 0;
   int count = 0;
   for (const char c : text) {
     const int value = kValues[static_cast<unsigned char>(c)];
-    if (value < 0) throw std::invalid_argument("base64 data holds a character outside of its alphabet");
+    if (value < 0) throw std::invalid_argument("base64 data holds an invalid character");
     bits = bits << 6 | static_cast<std::uint32_t>(value);
     if (count += 6; count >= 8) bytes.push_back(static_cast<std::byte>(bits >> (count -= 8) & 0xff));
   }
@@ -86,9 +86,9 @@ bool isDataUri(std::string_view uri) { return uri.starts_with("data:"); }
 std::vector<std::byte> decodeDataUri(std::string_view uri) {
   const auto comma = uri.find(',');
   if (!isDataUri(uri) || comma == std::string_view::npos)
-    throw std::invalid_argument("a data uri without the comma before its data");
+    throw std::invalid_argument("is a data uri without the comma before its data");
   if (const std::string_view head = uri.substr(0, comma); head.find(";;") != std::string_view::npos)
-    throw std::invalid_argument(quote(head) + " is no data uri: a parameter is empty (';;')");
+    throw std::invalid_argument(quote(head) + " is not a data uri: a parameter is empty (';;')");
   const std::string_view data = uri.substr(comma + 1);
   if (uri.substr(0, comma).ends_with(";base64")) return decodeBase64(data);
   const std::string text = decodePercent(data);
@@ -100,28 +100,29 @@ std::filesystem::path resolveUri(const std::filesystem::path& folder, std::strin
   // Checked twice: as written, and as decoded, for what percent-encoding may hide.
   const std::string decoded = decodePercent(uri);
   for (const std::string_view form : {uri, std::string_view(decoded)}) {
-    if (form.empty()) throw std::invalid_argument("an empty uri");
+    if (form.empty()) throw std::invalid_argument("is an empty uri");
     if (hasScheme(form))
-      throw std::invalid_argument(quote(uri) + " has a scheme: only files of the asset's folder and data: are read");
-    if (form.front() == '/') throw std::invalid_argument(quote(uri) + " is absolute");
+      throw std::invalid_argument(quote(uri) + " has a scheme; only data: and files in the asset's folder are read");
+    if (form.front() == '/')
+      throw std::invalid_argument(quote(uri) + " is absolute; only files in the asset's folder are read");
     if (std::any_of(form.begin(), form.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }))
       throw std::invalid_argument(quote(uri) + " holds a control character");
     if (form.find('\\') != std::string_view::npos)
-      throw std::invalid_argument(quote(uri) + " holds a backslash: uris are written with '/'");
+      throw std::invalid_argument(quote(uri) + " holds a backslash; uris use '/'");
     int depth = 0;
     for (const auto& part : std::filesystem::path(form)) {
       if (part == "..")
         --depth;
       else if (part != "." && !part.empty())
         ++depth;
-      if (depth < 0) throw std::invalid_argument(quote(uri) + " leaves the asset's folder");
+      if (depth < 0) throw std::invalid_argument(quote(uri) + " points outside the asset's folder");
     }
   }
   std::error_code failed;
   std::filesystem::path file = std::filesystem::weakly_canonical(folder / decoded, failed);
-  if (failed) throw std::invalid_argument(quote(uri) + " cannot be resolved: " + failed.message());
+  if (failed) throw std::invalid_argument(quote(uri) + " cannot be found: " + failed.message());
   if (!isWithin(folder, file))
-    throw std::invalid_argument(quote(uri) + " leaves the asset's folder through a symbolic link");
+    throw std::invalid_argument(quote(uri) + " points outside the asset's folder through a symbolic link");
   return file;
 }
 

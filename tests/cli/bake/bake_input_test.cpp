@@ -124,11 +124,11 @@ TEST_F(BakeInputTest, withASunAloneTheLightmapHoldsItsBounces) {
 }
 
 TEST_F(BakeInputTest, withoutAnyLightIsRefused) {
-  expectRefused(tryBake({write(makeCorner())}, "dark", {"-q"}), 4, {"neither light nor environment"});
+  expectRefused(tryBake({write(makeCorner())}, "dark", {"-q"}), 4, {"no light and no environment"});
   GltfFile unlit = makeLitCorner();
   unlit.json["extensionsUsed"].push_back("KHR_materials_unlit");
   for (json& material : unlit.json["materials"]) material["extensions"]["KHR_materials_unlit"] = json::object();
-  expectRefused(tryBake({write(unlit)}, "unlit", {"-q"}), 4, {"every material is unlit: there is nothing to bake"});
+  expectRefused(tryBake({write(unlit)}, "unlit", {"-q"}), 4, {"every material is unlit, so there is nothing to bake"});
   GltfFile glowing = makeCorner();
   glowing.material()["emissiveFactor"] = {1, 1, 1};
   bake({write(glowing)}, "glowing"); // emission alone is light
@@ -141,7 +141,7 @@ TEST_F(BakeInputTest, scenesThatCannotBeReadDoNotStopTheOthers) {
   EXPECT_TRUE(exitedWith(4, result));
   EXPECT_TRUE(contains(result.err, "error: " + path("none.gltf"))) << result.err;
   EXPECT_EQ(listFiles(m_folder / "all" / "scene-embedded").size(), 5u);
-  expectRefused(tryBake({scene, scene}, "twice"), 64, {"two scenes of that name"});
+  expectRefused(tryBake({scene, scene}, "twice"), 64, {"two scenes have this name"});
 }
 
 TEST_F(BakeInputTest, wrongOptionsAreUsage) {

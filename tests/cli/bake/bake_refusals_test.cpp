@@ -18,7 +18,7 @@ protected:
                    const std::string& changed) const {
     SCOPED_TRACE(changed);
     expectRefused(renderWith(scene, options), 4,
-                  {path("baked"), "stale: not the " + changed + " that it was baked from", "parity bake"});
+                  {path("baked"), "is stale: the " + changed + " changed after the bake", "parity bake"});
     EXPECT_FALSE(std::filesystem::exists(m_folder / "out.png"));
   }
 };
@@ -54,9 +54,9 @@ TEST_F(StaleBakeTest, namesWhatIsNotAsItWas) {
 TEST_F(StaleBakeTest, foreignFoldersAreRefused) {
   const std::string scene = writeEmbedded(m_folder, makeLitCorner());
   const auto refused = [&](const std::vector<std::string>& parts) { expectRefused(renderWith(scene, {}), 4, parts); };
-  refused({path("baked"), "is no folder of baked light"});
+  refused({path("baked"), "is not a folder of baked light"});
   writeFile(m_folder / "baked", std::string("a file"));
-  refused({path("baked"), "is no folder of baked light"});
+  refused({path("baked"), "is not a folder of baked light"});
   std::filesystem::remove(m_folder / "baked");
   std::filesystem::create_directory(m_folder / "baked");
   const std::string manifest = path("baked") + "/manifest.json";
@@ -71,7 +71,7 @@ TEST_F(StaleBakeTest, foreignFoldersAreRefused) {
     refused({manifest, "is damaged"});
   }
   writeFile(manifest, std::string(R"({"format": "parity-bake", "version": 2})"));
-  refused({manifest, "version: 2, this program reads 1: bake it again"});
+  refused({manifest, "version: is 2, but this program reads 1; bake again"});
 }
 
 TEST_F(StaleBakeTest, damagedFilesAreNamed) {
@@ -91,7 +91,7 @@ TEST_F(StaleBakeTest, damagedFilesAreNamed) {
     std::string changed = whole;
     changed[changed.size() / 2] ^= 1;
     writeFile(folder / name, changed);
-    refused(name, "it has been changed");
+    refused(name, "it has changed");
     writeFile(folder / name, whole + "x");
     refused(name, "another file");
     std::filesystem::remove(folder / name);
@@ -140,18 +140,17 @@ TEST_F(BakeOutputTest, takesThePlaceOfAnEarlierBakeAndOfNothingElse) {
   EXPECT_EQ(entries(), (std::vector<std::string>{"cache", "out", "scene-embedded.gltf"})) << "nothing left beside it";
   writeFile(folder / "notes.txt", std::string("the user's own"));
   const FolderContent kept = readFolder(folder);
-  expectRefused(tryBake({m_scene}, "out"), 4, {folder.string(), "not of an earlier bake"});
+  expectRefused(tryBake({m_scene}, "out"), 4, {folder.string(), "that no bake wrote"});
   EXPECT_TRUE(readFolder(folder) == kept);
   std::filesystem::remove(folder / "notes.txt");
   std::filesystem::create_directory(folder / "more");
-  expectRefused(tryBake({m_scene}, "out"), 4, {folder.string(), "not of an earlier bake"});
+  expectRefused(tryBake({m_scene}, "out"), 4, {folder.string(), "that no bake wrote"});
   std::filesystem::create_directory(m_folder / "user");
   writeFile(m_folder / "user" / "manifest.json", std::string("{}"));
-  expectRefused(tryBake({m_scene}, "user"), 4, {path("user"), "not of an earlier bake"});
+  expectRefused(tryBake({m_scene}, "user"), 4, {path("user"), "that no bake wrote"});
   writeFile(m_folder / "file", std::string("a file"));
   expectRefused(tryBake({m_scene}, "file"), 4, {path("file"), "is not a folder"});
-  expectRefused(run(join({{"bake", m_scene, "-o", m_folder.path().string()}, kQuickBake})), 4,
-                {"not of an earlier bake"});
+  expectRefused(run(join({{"bake", m_scene, "-o", m_folder.path().string()}, kQuickBake})), 4, {"that no bake wrote"});
 }
 
 TEST_F(BakeOutputTest, goesWhereALinkLeads) {
@@ -208,7 +207,7 @@ TEST_F(BakeCancelTest, leavesNothingAndGoesOnFromItsCache) {
   const RunResult cancelled = bakeSlowly("out", options);
   EXPECT_TRUE(exitedWith(4, cancelled));
   EXPECT_EQ(cancelled.out, "");
-  EXPECT_TRUE(contains(cancelled.err, "error: bake: cancelled; what is done is in the cache")) << cancelled.err;
+  EXPECT_TRUE(contains(cancelled.err, "error: bake: cancelled; the cache keeps the finished part")) << cancelled.err;
   EXPECT_EQ(entries(), std::vector<std::string>{"cache"});
   const RunResult second = bakeSlowly("out", {}, {"--timings"});
   ASSERT_TRUE(exitedWith(0, second));

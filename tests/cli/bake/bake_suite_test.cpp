@@ -59,7 +59,7 @@ baked = "light/b"
   const RunResult truth = reportSuite({"--truth"});
   EXPECT_TRUE(exitedWith(4, truth));
   EXPECT_EQ(readReport(m_folder / "report").at("scenes").size(), 3u);
-  EXPECT_TRUE(contains(truth.err, "the truth knows of no baked light")) << truth.err;
+  EXPECT_TRUE(contains(truth.err, "the truth does not use baked light")) << truth.err;
   std::filesystem::remove_all(m_folder / "light" / "b");
   EXPECT_TRUE(exitedWith(4, reportSuite()));
   EXPECT_FALSE(readReport(m_folder / "report").at("scenes")[0].at("views").empty());
@@ -72,12 +72,12 @@ TEST_F(BakeSuiteTest, keysThatMakeNoSenseNameTheLine) {
     writeSuite(text);
     expectRefused(bakeSuite({"-q"}), 4, parts);
   };
-  refused(head, {"suite.toml", "no scene names a folder of baked light"});
-  refused(head + "baked = 3\n", {"line 3: baked: not a string"});
-  refused(head + "baked = \"\"\n", {"line 3: baked: an empty string"});
+  refused(head, {"suite.toml", "no scene has this key"});
+  refused(head + "baked = 3\n", {"line 3: baked: is not a string"});
+  refused(head + "baked = \"\"\n", {"line 3: baked: is an empty string"});
   refused(head + "baked = \"x\"\ncaptures = [1, 2, 3]\n", {"line 4: captures"});
   refused(head + "baked = \"x\"\n[[scene]]\nname = \"other\"\nfile = \"builtin:room\"\nbaked = \"y/../x\"\n",
-          {"suite.toml", "'room' and 'other' name the same folder"});
+          {"suite.toml", "'room' and 'other' have the same folder"});
   EXPECT_EQ(entries(), std::vector<std::string>{"suite.toml"});
 }
 

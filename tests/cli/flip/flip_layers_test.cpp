@@ -79,8 +79,8 @@ TEST_F(FlipLayers, FurtherImagesOfAFileAreNeverCalledIdentical) {
   expectRefused(runParity({"flip", one, two}), 3, {"two.tif", "2 images", "1 image"});
   const RunResult result = runParity({"flip", two, two});
   EXPECT_TRUE(exitedWith(0, result));
-  EXPECT_TRUE(contains(result.out, "holds 2 images, of which the first is compared")) << result.out;
-  EXPECT_TRUE(contains(linesOf(result.out).back(), "what was compared of the files")) << result.out;
+  EXPECT_TRUE(contains(result.out, "holds 2 images; only the first is compared")) << result.out;
+  EXPECT_TRUE(contains(linesOf(result.out).back(), "the compared parts of the files")) << result.out;
   EXPECT_EQ(flipJson({two, two})["pairs"][0]["identical"], false);
   EXPECT_TRUE(exitedWith(0, runParity({"flip", one, two, "--ignore-layers"})));
 }

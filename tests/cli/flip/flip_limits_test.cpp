@@ -121,8 +121,8 @@ TEST_F(FlipLimits, LimitThatCannotBeMeantIsAUsageError) {
   };
   refused({"--metric", "flip.meen", "--fail", "0.1"}, {"flip.meen", "'flip.mean'"});
   refused({"--metrics", "flip,ssym"}, {"ssym", "did you mean 'ssim'"});
-  refused({"--metric", "bias", "--fail", "0.1"}, {"bias.ev", "which of its figures"});
-  refused({"--metric", "flip.mean"}, {"no limit stands behind it"});
+  refused({"--metric", "bias", "--fail", "0.1"}, {"bias.ev", "has several figures"});
+  refused({"--metric", "flip.mean"}, {"no limit follows it"});
   refused({"--metric", "flip", "--failpercent", "5"}, {"--failpercent", "--fail"});
   refused({"--metric", "flip.mean", "--fail", "0.1", "--failpercent", "5"}, {"flip.mean", "one figure"});
   refused({"--metric", "flip", "--fail", "0.1", "--failpercent", "101"}, {"--failpercent", "0 to 100"});
@@ -151,7 +151,7 @@ TEST_F(FlipLimits, LimitThatCannotTripIsAUsageError) {
     EXPECT_TRUE(exitedWith(64, result));
     EXPECT_TRUE(contains(result.err, "would always pass")) << result.err;
   }
-  EXPECT_TRUE(contains(flip({"--fail", "1"}).err, "none could be above it"));
+  EXPECT_TRUE(contains(flip({"--fail", "1"}).err, "no pixel can be above it"));
 }
 
 TEST_F(FlipLimits, MetricThatDoesNotApplyIsNotComparable) {

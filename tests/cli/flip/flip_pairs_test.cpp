@@ -132,7 +132,7 @@ TEST_F(FlipPairs, ListThatCannotBeMeantIsAnErrorWithItsLine) {
   refused("ref/a.png test/a.png\nref/a.png\n", {"list.txt", "line 2", "1 path"});
   refused("a b c\n", {"line 1", "3 paths"});
   refused("\"a b\n", {"line 1", "quote"});
-  refused("ref/a.png test/a.png\nref/a.png test/a.png\n", {"line 2", "same pair"});
+  refused("ref/a.png test/a.png\nref/a.png test/a.png\n", {"line 2", "already has this pair"});
   const RunResult both = runParity({"flip", path("ref"), path("test"), "--pairs", path("list.txt")});
   EXPECT_TRUE(exitedWith(64, both));
 }
@@ -151,7 +151,7 @@ TEST_F(FlipPairs, EachPairHasItsFilesInTheFolders) {
   for (const char* folder : {"ref", "test/sub", "test/../ref/new"}) {
     const RunResult result = runParity({"flip", path("ref"), path("test"), "-o", path(folder)});
     EXPECT_TRUE(exitedWith(64, result));
-    EXPECT_TRUE(contains(result.err, "whose pictures are compared")) << result.err;
+    EXPECT_TRUE(contains(result.err, "which holds compared pictures")) << result.err;
   }
 }
 

@@ -71,7 +71,7 @@ TEST_F(FlipRefusals, PairsThatTakeMoreThanTheLimitAreRefusedByTheirHeaders) {
   const std::string jpeg = write("huge.jpg", makeProgressiveJpeg(16384));
   for (const std::string& file : {png, jpeg}) {
     const RunResult result = runParity({"flip", file, file});
-    expectRefused(result, 4, {file, "16384x16384", "takes 13569 MiB", "the limit is 6144 MiB", "--max-memory"});
+    expectRefused(result, 4, {file, "16384x16384", "needs 13569 MiB", "the limit is 6144 MiB", "--max-memory"});
     EXPECT_LT(result.peakMiB, 200) << file;
     expectRefused(runParity({"flip", file, file, "--max-image", "8192"}), 4, {file, "8192", "--max-image"});
   }
@@ -145,14 +145,14 @@ TEST_F(FlipRefusals, TwoBlackImagesAreIdenticalAndSaySo) {
 TEST_F(FlipRefusals, TransparentImagesAreIdenticalButNothingWasSeen) {
   const std::string clear = write("clear.png", base::Image(16, 16, 4, 0.f));
   const RunResult result = runParity({"flip", clear, clear, "--metric", "flip.mean", "--fail", "0.1"});
-  EXPECT_TRUE(contains(linesOf(result.out).back(), "nothing was seen")) << result.out;
+  EXPECT_TRUE(contains(linesOf(result.out).back(), "nothing is visible")) << result.out;
 }
 
 TEST_F(FlipRefusals, OutputThatWouldOverwriteAnInputIsAUsageError) {
   const std::string a = write("a.png", makePicture(16, 8)), b = write("b.png", makePicture(16, 8));
   const RunResult result = runParity({"flip", a, b, "-o", a});
   EXPECT_TRUE(exitedWith(64, result));
-  EXPECT_TRUE(contains(result.err, "one of the images")) << result.err;
+  EXPECT_TRUE(contains(result.err, "a compared reference image")) << result.err;
   const std::string mask = write("mask.png", base::Image(16, 8, 1, 1.f)), both = path("both");
   std::filesystem::create_symlink("a.png", m_folder / "link.png");
   const std::string link = path("link.png");

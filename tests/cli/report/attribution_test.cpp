@@ -52,7 +52,7 @@ TEST_F(AttributionTest, ALightThatMobileLacksIsNamedAsTheCause) {
   const std::string cause = "localDiffuse: FLIP ";
   bool said = false, annotated = false;
   for (const std::string& line : linesOf(result.out)) {
-    said |= contains(line, "white ball") && contains(line, "; " + cause) && contains(line, " with high-end's");
+    said |= contains(line, "white ball") && contains(line, "; " + cause) && contains(line, " with the high-end term");
     annotated |= contains(line, "::error ") && contains(line, "Cause: " + cause);
   }
   EXPECT_TRUE(said) << result.out;
@@ -144,7 +144,7 @@ TEST_F(AttributionTest, WithinBudgetNothingIsShadedTwice) {
   EXPECT_GT(sampled["surface"], 3 * sampled["compare"]);
 
   const Json none = diff(quad, join({strict, {"--attribution", "none"}}));
-  EXPECT_EQ(whyNotAttributed(none), "not asked for");
+  EXPECT_EQ(whyNotAttributed(none), "not requested");
   EXPECT_EQ(countsOf(none)["terms"], 0u);
   EXPECT_FALSE(none["views"][0]["materials"][0].contains("attribution"));
 }

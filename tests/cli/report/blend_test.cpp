@@ -98,10 +98,10 @@ TEST_F(BlendTest, TooManyLayersAreAWarningWithTheirPixels) {
   const RunResult shot = runParity(
       join({{"render", scene, "--path", "mobile", "-o", (m_folder / "many.exr").string()}, kSmall, kFrontal}));
   EXPECT_TRUE(exitedWith(0, shot));
-  EXPECT_TRUE(contains(shot.err, "pixels show more than 16 blended surfaces behind one another")) << shot.err;
+  EXPECT_TRUE(contains(shot.err, "pixels show more than 16 layers of blended surfaces")) << shot.err;
   const RunResult diff = runParity(join({{"diff", scene, "--json", "-"}, kSmall, kFrontal}));
   const json warnings = json::parse(diff.out)["scenes"][0]["warnings"];
-  EXPECT_TRUE(contains(warnings.dump(), "pixels show more than 16 blended surfaces")) << warnings;
+  EXPECT_TRUE(contains(warnings.dump(), "pixels show more than 16 layers of blended surfaces")) << warnings;
 }
 
 } // namespace

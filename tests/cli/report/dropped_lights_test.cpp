@@ -172,7 +172,7 @@ TEST_F(DroppedLightsTest, ALimitMeasuresTheBrightestAndNamesTheOthersAndZeroLook
 
   const Json none = diff(scene, join({kCloseUp, {"--dropped-lights", "0"}}));
   EXPECT_TRUE(dropped(none).is_null());
-  EXPECT_EQ(whyNone(none), "not asked for");
+  EXPECT_EQ(whyNone(none), "not requested");
   EXPECT_EQ(countOf(none, "shade highend"), countOf(none, "surface"));
   Json with = two["views"][0], without = none["views"][0];
   with.erase("droppedLights");
@@ -190,7 +190,7 @@ TEST_F(DroppedLightsTest, NothingIsDoneWhereMobileHasAllLights) {
   for (const std::string& scene : {writeLights({1, 2, 3, 4}, false), std::string("builtin:materials")}) {
     const Json result = diff(scene, kSun);
     EXPECT_TRUE(dropped(result).is_null()) << scene;
-    EXPECT_EQ(whyNone(result), "no light that reaches what is seen is dropped") << scene;
+    EXPECT_EQ(whyNone(result), "no light of a visible object is dropped") << scene;
     EXPECT_EQ(countOf(result, "shade highend"), countOf(result, "surface"));
   }
   // Baked, all of them are.

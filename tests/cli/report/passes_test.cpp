@@ -82,7 +82,7 @@ TEST_F(PassesTest, WithoutEnvironmentNothingIsPrefilteredAndNoTableRead) {
   EXPECT_EQ(sun["environment BRDF table"], 1u) << "the balance of energy reads it for lights, too";
   const Passes plain = run(quad, join({kSun, {"--compensation", "none", "--diffuse", "lambert"}}));
   EXPECT_EQ(plain["environment BRDF table"], 0u);
-  EXPECT_EQ(plain.why("environment BRDF table"), "no environment, no compensation, no balance");
+  EXPECT_EQ(plain.why("environment BRDF table"), "no environment, no compensation, no balanced diffuse lobe");
 
   const Passes sky = run(quad, {"--env", "builtin:white", "--compensation", "none", "--diffuse", "lambert"});
   EXPECT_EQ(sky["environment prefilter and SH"], 2u) << "fine levels for the high-end path, the first for mobile";
@@ -103,7 +103,7 @@ TEST_F(PassesTest, LightsThatAreNotThereAreNeitherChosenNorLoopedOver) {
   EXPECT_GT(lamps["choice of local lights"], 1u);
   const Passes baked = run("builtin:lamps", {"--mobile-preset", "karis2014"});
   EXPECT_EQ(baked["choice of local lights"], 0u);
-  EXPECT_EQ(baked.why("choice of local lights"), "the preset has them baked");
+  EXPECT_EQ(baked.why("choice of local lights"), "the preset expects them baked");
 }
 
 TEST_F(PassesTest, FogTermsAndAllElseOnRequestOnly) {
@@ -112,7 +112,7 @@ TEST_F(PassesTest, FogTermsAndAllElseOnRequestOnly) {
   for (const char* pass : {"terms", "truth materials", "truth integrals", "truth occluders", "compare with the truth",
                            "shader costs", "spread of normals", "texture compression", "attribution"}) {
     EXPECT_EQ(plain[pass], 0u) << pass;
-    EXPECT_EQ(plain.why(pass), "not asked for") << pass;
+    EXPECT_EQ(plain.why(pass), "not requested") << pass;
   }
   EXPECT_EQ(plain["fog at vertices"], 0u);
   EXPECT_EQ(plain["blended surface"], 0u);
@@ -141,7 +141,7 @@ TEST_F(PassesTest, UnlitNeedsNoLight) {
   for (const char* pass : {"sun extraction", "environment prefilter and SH", "environment BRDF table",
                            "directional lights", "local lights"}) {
     EXPECT_EQ(passes[pass], 0u) << pass;
-    EXPECT_EQ(passes.why(pass), "all that is placed is unlit") << pass;
+    EXPECT_EQ(passes.why(pass), "all objects are unlit") << pass;
   }
   EXPECT_GT(passes["shade mobile"], 100u);
   for (const nlohmann::json& permutation : passes.permutations) EXPECT_EQ(permutation["features"], "unlit");

@@ -28,7 +28,7 @@ double meanFlipOf(const json& stage) { return stage.at("figures").at("metrics").
 TEST_F(TargetTest, gammaTwoIsAStageOfItsOwn) {
   const RunResult result = diff("builtin:materials", "rgba8-gamma2");
   EXPECT_TRUE(contains(result.out, " target ")) << result.out;
-  EXPECT_TRUE(contains(result.out, "storing mobile's colour in rgba8-gamma2")) << result.out;
+  EXPECT_TRUE(contains(result.out, "storing the colour of mobile in rgba8-gamma2")) << result.out;
   const json shown = view(), whole = encodingOf(shown.at("whole"));
   EXPECT_EQ(whole.at("through"), "rgba8-gamma2");
   EXPECT_GT(meanFlipOf(whole), 0.03) << "ten codes at mid grey";

@@ -153,10 +153,10 @@ TEST_F(FalloffOfTheProgram, TheReportSaysWhatScalesTheReflection) {
     EXPECT_LE(result.exitCode, 2) << result.err;
     return Json::parse(result.out)["scenes"][0].value("light", "");
   };
-  EXPECT_EQ(lightOf({}), "mobile reflections scaled: sky");
-  EXPECT_EQ(lightOf({"--capture-scale", "none"}), "mobile reflections scaled: sky") << "another name";
-  EXPECT_EQ(lightOf({"--mobile-preset", "karis2014"}), "mobile reflections scaled: full");
-  EXPECT_EQ(lightOf({"--capture-scale", "mixing"}), "mobile reflections scaled: mixing");
+  EXPECT_EQ(lightOf({}), "scale of mobile reflections: sky");
+  EXPECT_EQ(lightOf({"--capture-scale", "none"}), "scale of mobile reflections: sky") << "another name";
+  EXPECT_EQ(lightOf({"--mobile-preset", "karis2014"}), "scale of mobile reflections: full");
+  EXPECT_EQ(lightOf({"--capture-scale", "mixing"}), "scale of mobile reflections: mixing");
 }
 
 } // namespace

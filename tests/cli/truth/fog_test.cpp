@@ -116,9 +116,9 @@ TEST_F(FogOfTheProgram, IsNamedInTheReportWhereItIsNotTheDefault) {
   EXPECT_LE(result.exitCode, 2) << result.err;
   nlohmann::json scenes = readReport(folder)["scenes"];
   ASSERT_EQ(scenes.size(), 2u);
-  EXPECT_EQ(scenes[0]["light"], "mobile reflections scaled: sky");
-  EXPECT_EQ(scenes[1]["light"], "sky light x 1,0.5,0; fog of 0.2 per m at 0 m, falloff 0 per m, colour 0.447,0.638,1, "
-                                "from 0 m on, opacity to 1; mobile reflections scaled: sky");
+  EXPECT_EQ(scenes[0]["light"], "scale of mobile reflections: sky");
+  EXPECT_EQ(scenes[1]["light"], "sky light x 1,0.5,0; fog: density 0.2 per m at 0 m, falloff 0 per m, colour "
+                                "0.447,0.638,1, start 0 m, largest opacity 1; scale of mobile reflections: sky");
   EXPECT_TRUE(contains(scenes[0].at("passes").dump(), "no fog"));
   EXPECT_FALSE(contains(scenes[1].at("passes").dump(), "no fog"));
 }
@@ -126,7 +126,7 @@ TEST_F(FogOfTheProgram, IsNamedInTheReportWhereItIsNotTheDefault) {
 // A black sky is no light.
 TEST_F(FogOfTheProgram, ASkyScaledToBlackIsRefusedWhereNothingElseShines) {
   const RunResult result = runParity(join({{"diff", "builtin:furnace", "--sky-light-color", "0,0,0"}, kSmall}));
-  expectRefused(result, 4, {"neither light nor environment"});
+  expectRefused(result, 4, {"no light and no environment"});
 }
 
 } // namespace

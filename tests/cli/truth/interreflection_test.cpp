@@ -46,7 +46,7 @@ TEST_F(InterreflectionTest, TheReportSaysSo) {
   for (const nlohmann::json& setting : json["settings"])
     if (setting["name"] == "truth") truth = setting["value"];
   EXPECT_TRUE(contains(truth, ", with shadows, 2 bounces between surfaces,")) << truth;
-  EXPECT_TRUE(contains(json["scenes"][0].value("light", ""), "in the truth 2 bounces between surfaces"));
+  EXPECT_TRUE(contains(json["scenes"][0].value("light", ""), "2 bounces between surfaces in the truth"));
 }
 
 TEST_F(InterreflectionTest, OfASuiteIsASceneS) {
@@ -55,7 +55,7 @@ TEST_F(InterreflectionTest, OfASuiteIsASceneS) {
     return std::vector<std::string>{"--suite", path("suite.toml"), "--truth"};
   };
   EXPECT_TRUE(contains(report(suite("interreflection = 1\n"))["scenes"][0].value("light", ""),
-                       "in the truth 1 bounce between surfaces"));
+                       "1 bounce between surfaces in the truth"));
   EXPECT_FALSE(contains(
       report(join({suite("interreflection = 0\n"), {"--interreflection", "1"}}))["scenes"][0].value("light", ""),
       "bounce"));
@@ -76,7 +76,7 @@ TEST_F(InterreflectionTest, WhatHasNoSenseIsRefusedInOneLine) {
   refused(runParity({"diff", "builtin:room", "--interreflection", "1"}), "--interreflection requires --truth");
   expectRefused(
       runParity({"render", "builtin:room", "--path", "highend", "-o", path("x.exr"), "--interreflection", "1"}), 64,
-      {"--interreflection", "only the truth"});
+      {"--interreflection", "only --path truth"});
 }
 
 } // namespace

@@ -39,7 +39,7 @@ TEST(FlipMemory, BeyondTheLimitIsRefusedWithTheFigureAndTheOption) {
   EXPECT_NO_THROW(requireFlipMemory(request, pair));
   --request.image.limits.maxBytes;
   base::expectError([&] { requireFlipMemory(request, pair); },
-                    {"comparing 1024x512 pixels with 1024x512 takes 283 MiB, the limit is 281 MiB (--max-memory)"});
+                    {"comparing 1024x512 pixels with 1024x512 needs 283 MiB; the limit is 281 MiB (--max-memory)"});
 }
 
 } // namespace

@@ -86,7 +86,7 @@ TEST(Truth, ADifferenceWithinTwoStandardErrorsIsSaid) {
   EXPECT_FALSE(isWithinNoise(truth.figures.test, truth.figures.error));
   ASSERT_EQ(truth.notes.size(), 1u);
   EXPECT_EQ(truth.notes[0], "high-end: the difference to the truth, relMSE 0.0015, is within 2 standard errors of the "
-                            "truth, whose noise alone gives 0.00038");
+                            "truth; the noise of the truth alone gives 0.00038");
 }
 
 TEST(Truth, AnExactTruthHidesNothing) {
@@ -156,7 +156,7 @@ TEST(Truth, AnErrorThatIsNotKnownIsNotNone) {
   for (const double value : {truth.figures.error.median, truth.figures.error.worst, truth.figures.error.relmse})
     EXPECT_TRUE(std::isnan(value));
   ASSERT_EQ(truth.notes.size(), 1u);
-  EXPECT_EQ(truth.notes[0], "the truth's error is not known at 1 of 2 pixels");
+  EXPECT_EQ(truth.notes[0], "the error of the truth is unknown at 1 of 2 pixels");
 }
 
 TEST(Truth, WhatIsNotSeenHasNoFigures) {

@@ -80,7 +80,7 @@ TEST(BudgetFile, TheExampleListsTheFiguresThatThereAre) {
 
 TEST(BudgetFile, ItsRulesAreToldInWords) {
   const std::string text = describeBudgets(loadBudgets(PARITY_SOURCE_DIR "/compare/verdict/budgets.example.toml"));
-  for (const char* part : {": materials '*Hero*', which a view has to show, of at least 200 pixels, owner characters: "
+  for (const char* part : {": materials '*Hero*', must be visible in a view, at least 200 pixels, owner characters: "
                            "shown on the title screen",
                            "    mean FLIP (flip.mean): warn above 0.050, fail above 0.100\n",
                            "    PSNR (psnr): warn below 32.0 dB, fail below 28.0 dB\n",
@@ -108,8 +108,8 @@ TEST(BudgetFile, RegionsAreRefusedWithWhatTakesTheirPlace) {
       for (const char* head : {"[[material]]\nname = \"*\"\n", "[[whole]]\nscene = \"*\"\n", "[preset.a]\n\n"})
         expectRefusal(std::string(head) + list + " = [ { metric = \"rmse\", region = " + value + ", warn = 0.1 } ]",
                       "line 3",
-                      "'region' is gone: a material is judged by one figure over all of its pixels, in which no "
-                      "neighbour takes part (docs/budgets.md): delete the key");
+                      "'region' no longer exists: one figure over all pixels of a material judges it, without its "
+                      "neighbours (docs/budgets.md); delete the key");
   expectRefusal("[[material]]\nname = \"*\"\nregion = \"all\"\n" + kCheck, "line 3", "unknown key 'region'");
 }
 
@@ -123,7 +123,7 @@ TEST(BudgetFile, TheLeastSizeOfAMaterialIsReadAndToldInWords) {
   EXPECT_EQ(rule("min_pixels = 500").minPixels, 500u);
   EXPECT_EQ(rule("min_pixels = 268435456").minPixels, base::kMaxImagePixels) << "the largest picture there is";
   const auto tell = [](const BudgetRule& told) { return describeBudgets({{told}, {}}); };
-  EXPECT_NE(tell(rule("min_pixels = 500")).find(", of at least 500 pixels"), std::string::npos);
+  EXPECT_NE(tell(rule("min_pixels = 500")).find(", at least 500 pixels"), std::string::npos);
   EXPECT_EQ(tell(rule("")).find("pixels"), std::string::npos) << "the built-in size is not worth a word";
 }
 
@@ -165,10 +165,9 @@ TEST(BudgetFile, UnknownNamesAreRefusedWithTheNearestKnownOne) {
 TEST(BudgetFile, ListsThatWouldPassEverythingAreRefused) {
   expectRefusal("", "", "no rules");
   expectRefusal("material = []", "", "no rules");
-  expectRefusal("[[material]]\nname = \"*\"\n", "line 1", "the rule has neither 'checks' nor 'regress'");
+  expectRefusal("[[material]]\nname = \"*\"\n", "line 1", "the rule needs 'checks' or 'regress'");
   expectRefusal("[[material]]\nname = \"*\"\nchecks = []\n", "line 3", "'checks' is empty");
-  expectRefusal("[[material]]\nname = \"*\"\nchecks = [ { metric = \"rmse\" } ]\n", "line 3",
-                "neither 'warn' nor 'fail'");
+  expectRefusal("[[material]]\nname = \"*\"\nchecks = [ { metric = \"rmse\" } ]\n", "line 3", "needs 'warn' or 'fail'");
   expectRefusal(std::string("[[material]]\n") + kCheck, "line 1", "no 'name'");
   expectRefusal("[[material]]\nname = \"\"\n" + kCheck, "line 2", "'name' is empty");
 }
@@ -184,8 +183,8 @@ TEST(BudgetFile, LimitsThatMakeNoSenseAreRefused) {
   refuse(R"(metric = "psnr", warn = -1)", "outside the range 0..inf of psnr");
   refuse(R"(metric = "rmse", warn = "0.1")", "'warn' must be a number");
   refuse(R"(metric = "rmse", warn = true)", "'warn' must be a number");
-  refuse(R"(metric = "rmse", warn = 0.2, fail = 0.1)", "'warn' (0.2) lies above 'fail' (0.1)");
-  refuse(R"(metric = "psnr", warn = 28, fail = 32)", "'warn' (28) lies below 'fail' (32)");
+  refuse(R"(metric = "rmse", warn = 0.2, fail = 0.1)", "'warn' (0.2) is above 'fail' (0.1)");
+  refuse(R"(metric = "psnr", warn = 28, fail = 32)", "'warn' (28) is below 'fail' (32)");
   refuse(R"(metric = 7, warn = 1)", "'metric' must be a string");
   refuse(R"(warn = 1)", "no 'metric'");
   refuse(R"(metric = "rmse", warn = 0.1 }, { metric = "rmse", fail = 0.2)", "'rmse' is checked twice");
@@ -249,11 +248,11 @@ preset = "hero")");
 TEST(BudgetFile, PresetsThatMakeNoSenseAreRefused) {
   const std::string rule = "[[material]]\nname = \"*\"\n";
   expectRefusal("[preset.strict]\nchecks = [ { metric = \"rmse\", warn = 0.1 } ]\n" + rule, "line 1", "is built in");
-  expectRefusal("[preset.a]\n" + rule + kCheck, "line 1", "preset 'a' has neither 'checks' nor 'regress'");
+  expectRefusal("[preset.a]\n" + rule + kCheck, "line 1", "preset 'a' needs 'checks' or 'regress'");
   expectRefusal("[preset.a]\nchecks = []\n" + rule + kCheck, "line 2", "'checks' is empty");
-  expectRefusal("preset = 3\n" + rule + kCheck, "line 1", "'preset' must be tables");
+  expectRefusal("preset = 3\n" + rule + kCheck, "line 1", "'preset' must hold tables");
   expectRefusal("[preset]\na = 3\n" + rule + kCheck, "line 2", "'a' must be a table");
-  expectRefusal(rule, "line 1", "the rule has neither 'checks' nor 'regress'");
+  expectRefusal(rule, "line 1", "the rule needs 'checks' or 'regress'");
   expectRefusal(rule + "preset = \"\"", "line 3", "'preset' is empty");
 }
 
@@ -264,7 +263,7 @@ TEST(BudgetFile, RegressionsAreDistancesAndMayStandAlone) {
   EXPECT_EQ(budgets.materials[0].regress[0].warn, 1) << "worse by more than it: not a lower bound";
   expectRefusal(head + "regress = []", "line 3", "'regress' is empty");
   expectRefusal(head + "regress = [ { metric = \"psnr\", warn = 3, fail = 1 } ]", "line 3",
-                "'warn' (3) lies above 'fail' (1)");
+                "'warn' (3) is above 'fail' (1)");
   expectRefusal(head + "regress = [ { metric = \"flip.mean\", warn = -0.1 } ]", "line 3",
                 "outside the range 0..1 of changes of flip.mean");
 }
@@ -272,7 +271,7 @@ TEST(BudgetFile, RegressionsAreDistancesAndMayStandAlone) {
 TEST(BudgetFile, ARuleThatCanNeverMatchIsRefused) {
   const std::string all = std::string("[[material]]\nname = \"*\"\n") + kCheck;
   const std::string hero = std::string("[[material]]\nname = \"Hero\"\n") + kCheck;
-  expectRefusal(all + hero, "line 4", "the rule of line 1 matches all that this one could");
+  expectRefusal(all + hero, "line 4", "the rule of line 1 already matches everything that this rule matches");
   expectRefusal(hero + hero, "line 4", "line 1");
   EXPECT_NO_THROW(load(hero + all));
   EXPECT_NO_THROW(load(std::string("[[material]]\nname = \"Hero\"\nscene = \"Title\"\n") + kCheck + hero));

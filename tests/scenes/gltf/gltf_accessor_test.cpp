@@ -81,9 +81,10 @@ TEST(GltfAccessor, RefusesSparseIndicesThatDoNotIncreaseOrLeaveIt) {
       file.json["accessors"][0]["sparse"] = sparseOf(file, indices, std::vector<float>(indices.size() * 3));
     };
   };
-  expectEditRefused(withIndices({1, 1}), {"POSITION (/accessors/0): sparse index 1 at 1 is not above the one before"});
-  expectEditRefused(withIndices({2, 1}), {"sparse index 1 at 1 is not above the one before"});
-  expectEditRefused(withIndices({1, 4}), {"sparse index 4 at 1 is out of range, expected an increasing order below 4"});
+  expectEditRefused(withIndices({1, 1}),
+                    {"POSITION (/accessors/0): sparse index 1 at 1 is not above the previous one"});
+  expectEditRefused(withIndices({2, 1}), {"sparse index 1 at 1 is not above the previous one"});
+  expectEditRefused(withIndices({1, 4}), {"sparse index 4 at 1 is out of range, expected increasing indices below 4"});
   expectEditRefused(withIndices({0, 1, 2, 3, 4}), {"/accessors/0/sparse/count: is 5, expected 1 to 4"});
   expectEditRefused(
       [&](GltfFile& file) {
@@ -121,7 +122,7 @@ TEST(GltfAccessor, CountsWhatItPutsTogether) {
   file.json["accessors"].push_back({{"componentType", 5126}, {"count", 100000}, {"type", "VEC3"}}); // 1.2 MB of zeros
   file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", 4}};
   expectError([&] { scenes::loadScene(writeGlb(folder, file), {.maxMemoryBytes = 1 << 20}); },
-              {"TRANSLATION (/accessors/4): needs 2 MiB beside", "(--max-memory)"});
+              {"TRANSLATION (/accessors/4): needs 2 MiB in addition to", "(--max-memory)"});
 }
 
 TEST(GltfAccessor, RefusesIndicesThatWouldRestartThePrimitive) {
@@ -129,18 +130,18 @@ TEST(GltfAccessor, RefusesIndicesThatWouldRestartThePrimitive) {
       [](GltfFile& f) {
         f.primitive()["indices"] = f.add<std::uint8_t>({0, 1, 255}, "SCALAR");
       },
-      {"indices (/accessors/4): index 255 at element 2 would restart the primitive, which glTF forbids"});
+      {"indices (/accessors/4): index 255 at element 2 is the primitive restart value, which glTF forbids"});
   expectEditRefused(
       [](GltfFile& f) {
         f.primitive()["indices"] = f.add<std::uint16_t>({0, 65535, 2}, "SCALAR");
       },
-      {"index 65535 at element 1 would restart"});
+      {"index 65535 at element 1 is the primitive restart value"});
   expectEditRefused(
       [](GltfFile& f) { // also where there is such a vertex
         f.primitive()["attributes"] = {{"POSITION", f.add<float>(std::vector<float>(900, 1), "VEC3")}};
         f.primitive()["indices"] = f.add<std::uint8_t>({0, 1, 255}, "SCALAR");
       },
-      {"index 255 at element 2 would restart"});
+      {"index 255 at element 2 is the primitive restart value"});
 }
 
 TEST(GltfAccessor, SaysWherePositionsLeaveTheirDeclaredLimits) {
@@ -151,8 +152,9 @@ TEST(GltfAccessor, SaysWherePositionsLeaveTheirDeclaredLimits) {
   file.json["accessors"][0]["max"] = {1, 0.5, 0};
   const Scene scene = loadQuadlike(file);
   ASSERT_EQ(scene.warnings.size(), 1u);
-  EXPECT_TRUE(hasWarning(scene.warnings, "POSITION (/accessors/0): reaches from 0 to 1 in y, beyond its min and max, 0 "
-                                         "and 0.5"));
+  EXPECT_TRUE(hasWarning(scene.warnings,
+                         "POSITION (/accessors/0): its values go from 0 to 1 in y, outside its min and max, 0 "
+                         "and 0.5"));
 }
 
 TEST(GltfAccessor, JudgesComponentTypesByTheNameOfTheAttribute) {

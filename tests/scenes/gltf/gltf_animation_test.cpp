@@ -58,10 +58,10 @@ TEST(GltfAnimation, SaysWhereATimeShowsNothingOfItsOwn) {
     EXPECT_EQ(scene.warnings.size(), 1u);
     return scene.warnings.empty() ? std::string() : scene.warnings[0];
   };
-  EXPECT_EQ(only(loadAt(file, 5)), "--time 5: no animation moves anything that is shown");
+  EXPECT_EQ(only(loadAt(file, 5)), "--time 5 has no effect: no animation moves a visible object");
   const json& animation = animate(file, "translation", {1, 2, 4.2f}, {0, 0, 0, 4, 0, 0, 4, 2, 0}, "VEC3", "LINEAR");
-  EXPECT_EQ(only(loadAt(file, 5)), "--time 5: the last pose is shown, the last key is at 4.2 s");
-  EXPECT_EQ(only(loadAt(file, -1)), "--time -1: the first pose is shown, animations begin at 0 s");
+  EXPECT_EQ(only(loadAt(file, 5)), "--time 5 shows the last pose, because the last key is at 4.2 s");
+  EXPECT_EQ(only(loadAt(file, -1)), "--time -1 shows the first pose, because animations begin at 0 s");
   for (const double time : {0.0, 0.5, 4.2}) EXPECT_TRUE(loadAt(file, time).warnings.empty()) << time;
   EXPECT_EQ(loadAt(file, 0).facts.animationSeconds, std::vector<double>{0}) << "it declares no max";
   const auto input = animation["samplers"][0]["input"].get<std::size_t>();
@@ -134,7 +134,7 @@ TEST(GltfAnimation, PlaysAllThatDoNotContradictAnEarlierOneOrTheOneAskedFor) {
   expectNear(glm::vec3(scene.instances[0].toWorld[3]), {1, 0, 0});
   EXPECT_EQ(scene.instances[0].toWorld[1].y, 2.f);
   ASSERT_EQ(scene.warnings.size(), 1u);
-  EXPECT_TRUE(hasWarning(scene.warnings, "1 channels of later animations are left out"));
+  EXPECT_TRUE(hasWarning(scene.warnings, "1 channels of later animations are ignored"));
   scene = loadAt(file, 0, "run");
   expectNear(glm::vec3(scene.instances[0].toWorld[3]), {5, 0, 0});
   EXPECT_EQ(scene.instances[0].toWorld[1].y, 1.f);
@@ -147,7 +147,7 @@ TEST(GltfAnimation, PlaysAllThatDoNotContradictAnEarlierOneOrTheOneAskedFor) {
   expectNear(glm::vec3(scene.instances[0].toWorld[3]), {0, 0, 0});
   EXPECT_EQ(scene.instances[0].toWorld[1].y, 1.f);
   EXPECT_TRUE(scene.warnings.empty());
-  EXPECT_TRUE(hasWarning(loadAt(file, 2, "none").warnings, "no animation moves anything"));
+  EXPECT_TRUE(hasWarning(loadAt(file, 2, "none").warnings, "no animation moves a visible object"));
   EXPECT_NO_THROW(loadAt(makeQuad(), 0, "none"));
   EXPECT_NO_THROW(scenes::loadScene("builtin:spheres", {.animation = "none"}));
   file.json["animations"][1]["name"] = "none"; // an animation of that name is played
@@ -191,8 +191,8 @@ TEST(GltfAnimation, RefusesWhatHasNoMeaning) {
       [&](GltfFile& f) {
         sampler(f)["input"] = f.add<float>({1, 1}, "SCALAR");
       },
-      {"/animations/0/samplers/0/input (/accessors/6): key 1 at 1 s, expected times from 0 that increase"});
-  refuse([&](GltfFile& f) { sampler(f)["input"] = f.add<float>({-1, 1}, "SCALAR"); }, {"key 0 at -1 s"});
+      {"/animations/0/samplers/0/input (/accessors/6): key 1 is at 1 s, expected increasing times from 0"});
+  refuse([&](GltfFile& f) { sampler(f)["input"] = f.add<float>({-1, 1}, "SCALAR"); }, {"key 0 is at -1 s"});
   refuse(
       [&](GltfFile& f) {
         sampler(f)["input"] = f.add<float>({0, nan}, "SCALAR");
@@ -223,9 +223,9 @@ TEST(GltfAnimation, RefusesWhatHasNoMeaning) {
   refuse([&](GltfFile& f) { f.json["animations"][0]["channels"][0]["sampler"] = 1; },
          {"/animations/0/channels/0/sampler: is 1, expected an index of the animation's 1 samplers"});
   refuse([&](GltfFile& f) { f.json["animations"][0]["channels"].push_back(f.json["animations"][0]["channels"][0]); },
-         {"/animations/0/channels/1: animates the translation of /nodes/0 a second time"});
+         {"/animations/0/channels/1: animates the translation of /nodes/0, as an earlier channel does"});
   refuse([&](GltfFile& f) { f.json["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; },
-         {"/nodes/0/matrix: is there on an animated node"});
+         {"/nodes/0/matrix: is on an animated node"});
   refuse([&](GltfFile& f) { f.json["animations"][0]["channels"][0]["target"]["path"] = "weights"; },
          {"a node whose mesh has no morph targets"});
   refuse(
@@ -233,7 +233,7 @@ TEST(GltfAnimation, RefusesWhatHasNoMeaning) {
         f.json["animations"][0]["channels"][0]["target"]["path"] = "rotation";
         sampler(f)["output"] = f.add<float>({0, 0, 0, 0, 0, 0, 0, 1}, "VEC4");
       },
-      {"/animations/0/samplers/0: a rotation of length 0"});
+      {"/animations/0/samplers/0: is a rotation of length 0"});
 }
 
 } // namespace

@@ -45,7 +45,7 @@ TEST(BadInput, JsonErrorsNameLineAndColumn) {
   expectTextRefused("{\"asset\": ", {"JSON: line 1, column 11"});
   expectTextRefused("[]", {"the root is not an object"});
   expectTextRefused("\"\xff\"", {"JSON", "last read: '\"?'"});
-  expectTextRefused(std::string(100000, '['), {"JSON: nested deeper than 64 levels"});
+  expectTextRefused(std::string(100000, '['), {"JSON: is nested deeper than 64 levels"});
   expectTextRefused("{}", {"asset: is missing"});
 }
 
@@ -77,7 +77,7 @@ TEST(BadInput, WrongTypesNameThePlace) {
   expectRefused("/materials/0/alphaMode", "SOLID", {"/materials/0/alphaMode", "SOLID"});
   expectRefused([](GltfFile& f) { f.json["meshes"][0].erase("primitives"); }, {"/meshes/0/primitives: is missing"});
   expectRefused([](GltfFile& f) { f.primitive()["attributes"].erase("POSITION"); },
-                {"the scene is empty: all is left out: /meshes/0/primitives/0: has no POSITION, not drawn"});
+                {"the scene is empty: every object is ignored: /meshes/0/primitives/0: has no POSITION, not drawn"});
   expectRefused("/meshes/0/primitives/0/mode", 9, {"/primitives/0/mode: is 9, expected one of 0, 1, 2, 3, 4, 5, 6"});
 }
 
@@ -94,10 +94,11 @@ TEST(BadInput, IndicesOutOfRangeNameTheArray) {
   expectRefused("/nodes/0/camera", 0, {"there are no cameras"});
   expectRefused("/scene", 1, {"/scene: is 1"});
   expectRefused("/materials/0/normalTexture", {{"index", 0}},
-                {"/materials/0/normalTexture/index: is 0, expected none: there are no textures"});
+                {"/materials/0/normalTexture/index: is 0, expected no index, because there are no textures"});
   expectRefused("/textures", {{{"source", 0}}}, {"/textures/0/source: is 0"});
-  expectRefused("/nodes/0/extensions/KHR_lights_punctual/light", 0,
-                {"/nodes/0/extensions/KHR_lights_punctual/light: is 0, expected none: there are no lights"});
+  expectRefused(
+      "/nodes/0/extensions/KHR_lights_punctual/light", 0,
+      {"/nodes/0/extensions/KHR_lights_punctual/light: is 0, expected no index, because there are no lights"});
 }
 
 TEST(BadInput, VertexIndicesBeyondTheVertices) {
@@ -115,10 +116,11 @@ TEST(BadInput, VertexIndicesBeyondTheVertices) {
 
 TEST(BadInput, AccessorsThatLeaveTheirBufferView) {
   expectRefused("/accessors/0/count", 5,
-                {"/accessors/0: 5 elements of 12 bytes, 12 apart, from byte 0 on, expected to end within the 48 bytes "
+                {"/accessors/0: 5 elements of 12 bytes, 12 apart, start at byte 0, and must end within the 48 bytes "
                  "of /bufferViews/0"});
   expectRefused("/accessors/0/byteOffset", 2147483644, {"/accessors/0"});
-  expectRefused("/accessors/0/byteOffset", 2, {"byteOffset: is 2 in a view at 0, expected a multiple of 4"});
+  expectRefused("/accessors/0/byteOffset", 2,
+                {"byteOffset: is 2 in a view at 0, expected their sum to be a multiple of 4"});
   expectRefused("/accessors/0/count", 0, {"/accessors/0/count: is 0, expected at least 1"});
   expectRefused("/accessors/0/componentType", 5130, {"/accessors/0", "5130"});
   expectRefused("/accessors/0/type", "MAT4", {"/accessors/0: 4 elements of 64 bytes"});
@@ -127,7 +129,7 @@ TEST(BadInput, AccessorsThatLeaveTheirBufferView) {
       [](GltfFile& f) {
         f.primitive()["attributes"]["NORMAL"] = f.add<float>({0, 0, 1}, "VEC3");
       },
-      {"NORMAL (/accessors/4): has 1 elements where POSITION has 4"});
+      {"NORMAL (/accessors/4): has 1 elements, but POSITION has 4"});
 }
 
 TEST(BadInput, BufferViewsThatLeaveTheirBuffer) {
@@ -136,7 +138,7 @@ TEST(BadInput, BufferViewsThatLeaveTheirBuffer) {
   expectRefused("/bufferViews/0/byteOffset", 2147483647, {"/bufferViews/0"});
   expectRefused("/bufferViews/0/byteStride", 6, {"byteStride: is 6, expected a multiple of 4"});
   expectRefused("/bufferViews/0/byteStride", 8,
-                {"/accessors/0: has elements of 12 bytes, expected to fit the byteStride 8"});
+                {"/accessors/0: has elements of 12 bytes, expected at most the byteStride 8"});
   expectRefused("/bufferViews/0/byteLength", 0, {"/bufferViews/0/byteLength: is 0, expected at least 1"});
 }
 
@@ -147,16 +149,15 @@ TEST(BadInput, BuffersThatAreMissingFoldersTooShortOrOutside) {
   expectRefused(withUri("scene.bin", 141), {"/buffers/0: holds 140 bytes, expected 141, its byteLength"});
   expectRefused(withUri("absent.bin"), {"/buffers/0/uri: 'absent.bin'"});
   expectRefused(withUri("."), {"/buffers/0/uri"});
-  expectRefused(withUri("../scene.bin"), {"/buffers/0/uri: '../scene.bin' leaves the asset's folder"});
-  expectRefused(withUri("%2e%2e%2fscene.bin"), {"/buffers/0/uri", "leaves the asset's folder"});
+  expectRefused(withUri("../scene.bin"), {"/buffers/0/uri: '../scene.bin' points outside the asset's folder"});
+  expectRefused(withUri("%2e%2e%2fscene.bin"), {"/buffers/0/uri", "points outside the asset's folder"});
   expectRefused(withUri("/etc/hostname"), {"/buffers/0/uri: '/etc/hostname' is absolute"});
   expectRefused(withUri("file:///etc/hostname"), {"/buffers/0/uri", "has a scheme"});
   expectRefused(withUri("http://example.org/a.bin"), {"/buffers/0/uri", "has a scheme"});
   expectRefused(withUri("data:application/octet-stream;base64,AA*A"), {"/buffers/0/uri", "base64"});
   expectRefused(withUri("data:nothing"), {"/buffers/0/uri", "comma"});
-  expectRefused(withUri(""), {"/buffers/0/uri: an empty uri"});
-  expectRefused("/buffers", {{{"byteLength", 140}}},
-                {"/buffers/0: has neither a uri nor the container's binary chunk"});
+  expectRefused(withUri(""), {"/buffers/0/uri: is an empty uri"});
+  expectRefused("/buffers", {{{"byteLength", 140}}}, {"/buffers/0: has no uri, and the file has no binary chunk"});
 }
 
 TEST(BadInput, LinksOutOfTheFolder) {
@@ -166,7 +167,7 @@ TEST(BadInput, LinksOutOfTheFolder) {
   std::filesystem::create_symlink(outside / "secret.bin", folder / "inside.bin");
   file.json["buffers"] = {{{"uri", "inside.bin"}, {"byteLength", file.bin.size()}}};
   const std::string path = writeExternal(folder, file);
-  expectError([&] { scenes::loadScene(path); }, {"/buffers/0/uri: 'inside.bin' leaves", "symbolic link"});
+  expectError([&] { scenes::loadScene(path); }, {"/buffers/0/uri: 'inside.bin' points outside", "symbolic link"});
 }
 
 TEST(BadInput, NumbersThatAreNotFinite) {
@@ -200,7 +201,7 @@ TEST(BadInput, HierarchiesThatAreNoTrees) {
         f.json["nodes"] = {{{"mesh", 0}, {"children", {1}}}, json::object()};
         f.json["scenes"][0]["nodes"] = {0, 1};
       },
-      {"/scenes/0/nodes: /nodes/1 is a child of another node, expected a root"});
+      {"/scenes/0/nodes: /nodes/1 is a child of another node, expected each root"});
 }
 
 TEST(BadInput, RequiredExtensionsThatAreNotSupported) {
@@ -219,8 +220,7 @@ TEST(BadInput, AJpegWithBytesCutOutIsAWarning) {
   };
   EXPECT_FALSE(hasWarning(warningsOf(), "JPEG"));
   jpeg.erase(jpeg.begin() + 2000, jpeg.begin() + 2600);
-  EXPECT_TRUE(
-      hasWarning(warningsOf(), "/images/0 'bark': the JPEG is damaged, a part of it is what the decoder made up"));
+  EXPECT_TRUE(hasWarning(warningsOf(), "/images/0 'bark': the JPEG is damaged; the decoder invented a part of it"));
 }
 
 TEST(BadInput, AGlbThatIsNoneIsNamedAsSuch) {
@@ -229,9 +229,9 @@ TEST(BadInput, AGlbThatIsNoneIsNamedAsSuch) {
     writeFile(folder / "a.glb", bytes);
     expectError([&] { scenes::loadScene((folder / "a.glb").string()); }, {"a.glb: byte ", reason});
   };
-  expectGlb("x", "byte 1: truncated: a glb header has 12 bytes");
-  expectGlb("g", "byte 1: truncated: a glb header has 12 bytes");
-  expectGlb("PK\x03\x04 an archive of something", "byte 0: not a glb: the magic 'glTF' is missing");
+  expectGlb("x", "byte 1: is truncated: a glb header has 12 bytes");
+  expectGlb("g", "byte 1: is truncated: a glb header has 12 bytes");
+  expectGlb("PK\x03\x04 an archive of something", "byte 0: is not a glb: the magic 'glTF' is missing");
 }
 
 TEST(BadInput, ALightsRangeOfNothing) {
@@ -249,9 +249,11 @@ TEST(BadInput, EmptyScenes) {
   expectRefused([](GltfFile& f) { f.json["nodes"][0].erase("mesh"); },
                 {"the scene is empty: none of its nodes has a mesh"});
   expectRefused("/scenes/0/nodes", json::array(), {"the scene is empty: it has no nodes"});
-  expectRefused("/meshes/0/primitives/0/mode", 0,
-                {"the scene is empty: all is left out: /meshes/0/primitives/0: points and lines are not drawn"});
-  expectRefused("/nodes/0/scale", {1, 0, 0}, {"the scene is empty: all is left out: /nodes/0 'quad': a scale of 0"});
+  expectRefused(
+      "/meshes/0/primitives/0/mode", 0,
+      {"the scene is empty: every object is ignored: /meshes/0/primitives/0: points and lines are not drawn"});
+  expectRefused("/nodes/0/scale", {1, 0, 0},
+                {"the scene is empty: every object is ignored: /nodes/0 'quad': has a scale of 0"});
   expectTextRefused("{\"asset\": {\"version\": \"2.0\"}}", {"the scene is empty: the file has no mesh"});
 }
 
@@ -268,7 +270,7 @@ void expectImageRefused(const std::vector<std::byte>& bytes, std::vector<std::st
 
 TEST(BadInput, ImagesThatDoNotDecode) {
   const std::vector<std::byte> png = makePng(64, 64);
-  expectImageRefused(std::vector<std::byte>(40, std::byte{7}), {"neither a PNG, a JPEG nor a WebP image"});
+  expectImageRefused(std::vector<std::byte>(40, std::byte{7}), {"is not a PNG, JPEG or WebP image"});
   expectImageRefused({png.begin(), png.begin() + 20}, {"truncated header"});
   expectImageRefused({png.begin(), png.begin() + static_cast<std::ptrdiff_t>(png.size() / 2)}, {});
   std::vector<std::byte> zero = png;
@@ -290,10 +292,11 @@ TEST(BadInput, ImagesThatDoNotDecode) {
         f.json["textures"] = {{{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}}};
         f.material()["normalTexture"] = {{"index", 0}};
       },
-      {"/materials/0/normalTexture (/textures/0): has a Basis Universal image (KHR_texture_basisu) alone, expected a "
-       "PNG"});
+      {"/materials/0/normalTexture (/textures/0): has only a Basis Universal image (KHR_texture_basisu), expected also "
+       "a PNG"});
   expectRefused("/images", json::array({json::object()}), {"/images/0: needs either a uri"});
-  expectRefused("/images", {{{"uri", "../../x.png"}}}, {"/images/0/uri: '../../x.png' leaves the asset's folder"});
+  expectRefused("/images", {{{"uri", "../../x.png"}}},
+                {"/images/0/uri: '../../x.png' points outside the asset's folder"});
 }
 
 TEST(BadInput, TexturesAndSamplersThatWeCannotRead) {
@@ -327,7 +330,7 @@ TEST(BadInput, CamerasOutOfRange) {
   expectRefused(withCamera({{"type", "perspective"}, {"perspective", {{"yfov", 4}, {"znear", 1}}}}),
                 {"/cameras/0/perspective/yfov"});
   expectRefused(withCamera({{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 2}, {"zfar", 1}}}}),
-                {"/cameras/0/perspective: not 0 < znear < zfar"});
+                {"/cameras/0/perspective: needs 0 < znear < zfar"});
   expectRefused(withCamera({{"type", "fisheye"}}), {"fisheye"});
   expectRefused(withCamera({{"type", "perspective"}}), {"amera"});
 }

@@ -81,7 +81,7 @@ TEST(GltfDraco, RefusesStreamsThatAreNotWhatTheAccessorsSay) {
   const json good = extension;
   const std::string place = "/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression";
   file.json["accessors"][3]["count"] = 3;
-  expectRefused(file, {place + ": 2 triangles in the stream where the accessor has 3 indices"});
+  expectRefused(file, {place + ": the stream has 2 triangles, but the accessor has 3 indices"});
   file.json["accessors"][3]["count"] = 6;
   extension["attributes"]["NORMAL"] = 7;
   expectRefused(file, {place + ": the stream has no attribute 7"});
@@ -90,7 +90,7 @@ TEST(GltfDraco, RefusesStreamsThatAreNotWhatTheAccessorsSay) {
   expectRefused(file, {place + "/attributes: names an attribute that the primitive does not have"});
   extension = good;
   extension["bufferView"] = 2;
-  expectRefused(file, {place + ": not a Draco stream"});
+  expectRefused(file, {place + ": is not a Draco stream"});
   extension = good;
   extension["bufferView"] = 99;
   expectRefused(file, {place + "/bufferView: is 99, expected an index of bufferViews"});
@@ -99,7 +99,7 @@ TEST(GltfDraco, RefusesStreamsThatAreNotWhatTheAccessorsSay) {
   expectRefused(file, {"/meshes/0/primitives/0/mode: expected TRIANGLES or TRIANGLE_STRIP"});
   file.primitive()["mode"] = 4;
   file.json["accessors"][0]["count"] = file.json["accessors"][1]["count"] = 1000000;
-  expectRefused(file, {place + ": 4 vertices in the stream where the accessors have 1000000"});
+  expectRefused(file, {place + ": the stream has 4 vertices, but the accessors have 1000000"});
 }
 
 // A buffer view of `bytes` that decodes to count * stride bytes. The buffer it names itself holds nothing.
@@ -216,14 +216,14 @@ TEST(GltfMeshopt, RefusesLayoutsAndStreamsThatAreWrong) {
   refuse([](json&, json& e) { e["count"] = 5; },
          {place + ": decodes to 60 bytes, expected 1248, the byteLength of the view"});
   refuse([](json& v, json& e) { e["byteStride"] = 6, v["byteLength"] = 624; },
-         {place + ": a byteStride of 6 is not a multiple of 4"});
-  refuse([](json& v, json&) { v["byteStride"] = 16; }, {place + "/byteStride: is 12, expected 16 as the view has"});
+         {place + ": its byteStride 6 is not a multiple of 4"});
+  refuse([](json& v, json&) { v["byteStride"] = 16; }, {place + "/byteStride: is 12, expected 16 as in the view"});
   refuse([](json&, json& e) { e["mode"] = "POINTS"; }, {place + "/mode"});
   refuse([](json&, json& e) { e["filter"] = "OCTAHEDRAL"; },
          {place + ": the filter OCTAHEDRAL cannot have a byteStride of 12"});
   refuse([](json&, json& e) { e["byteLength"] = 100000; }, {place + ": ends at byte"});
   refuse([](json&, json& e) { e["byteLength"] = e["byteLength"].get<int>() - 1; },
-         {place + ": the stream is not ATTRIBUTES of 104 elements"});
+         {place + ": the stream is damaged, or does not hold ATTRIBUTES of 104 elements"});
   refuse([](json& v, json& e) { e["count"] = 100000000, v["byteLength"] = 1200000000; }, {place});
 }
 

@@ -129,19 +129,19 @@ TEST(Draco, RefusesWhatTheAccessorsDoNotSay) {
     const std::vector<std::byte> stream = encodeDraco(source, edgebreaker);
     DracoExpectation expected = expectationOf(source);
     expected.indices -= 3;
-    expectReason(stream, expected, "triangles in the stream where the accessor has");
+    expectReason(stream, expected, "triangles, but the accessor has");
     expected = expectationOf(source);
     expected.vertices += 1;
-    expectReason(stream, expected, "vertices in the stream where the accessors have");
+    expectReason(stream, expected, "vertices, but the accessors have");
     expected = expectationOf(source);
     expected.attributes[2].componentCount = 3;
-    expectReason(stream, expected, "attribute 2 has 2 components where the accessor has 3");
+    expectReason(stream, expected, "attribute 2 has 2 components, but the accessor has 3");
     expected = expectationOf(source);
     expected.attributes[1].id = 9;
     expectReason(stream, expected, "the stream has no attribute 9");
     expected = expectationOf(source);
     expected.maxBytes = 5000;
-    expectReason(stream, expected, "more memory than there is");
+    expectReason(stream, expected, "more memory than the limit allows");
   }
 }
 
@@ -151,7 +151,7 @@ TEST(Draco, RefusesWhatIsNoStreamOfAMesh) {
   expectReason(std::vector<std::byte>(200, std::byte{7}), expected, "not a Draco stream");
   std::vector<std::byte> stream = encodeDraco(makeSource(), true);
   stream[6] = std::byte{1};
-  expectReason(stream, expected, "Draco bitstream 2.1 where the extension has 2.2");
+  expectReason(stream, expected, "Draco bitstream 2.1, expected 2.2");
   stream[6] = std::byte{2};
   stream[7] = std::byte{0};
   expectReason(stream, expected, "not a Draco stream of a triangle mesh");

@@ -176,7 +176,7 @@ TEST(GltfContainer, NamesTheByteWhereAContainerBreaks) {
   expectError([&] { scenes::splitGlb(bad, "a.glb"); }, {"a.glb: byte 16: the first chunk is not JSON"});
   bad = glb;
   bad[15] = std::byte{0x7f};
-  expectError([&] { scenes::splitGlb(bad, "a.glb"); }, {"a.glb: byte 12: chunk 0", "leaves the file"});
+  expectError([&] { scenes::splitGlb(bad, "a.glb"); }, {"a.glb: byte 12: chunk 0", "ends outside the file"});
   const scenes::GlbChunks chunks = scenes::splitGlb(glb, "a.glb");
   EXPECT_TRUE(chunks.hasBinary);
   EXPECT_EQ(chunks.json.front(), '{');

@@ -39,7 +39,7 @@ TEST(GltfGeometry, ReadsIndicesOfAllTypesAndNone) {
   file.primitive().erase("indices");
   const Scene scene = loadQuadlike(file); // four vertices: one triangle and a rest
   EXPECT_EQ(scene.meshes[0].indices, (std::vector<std::uint32_t>{0, 1, 2}));
-  EXPECT_TRUE(hasWarning(scene.warnings, "4 indices are no whole number of triangles"));
+  EXPECT_TRUE(hasWarning(scene.warnings, "4 indices do not form whole triangles"));
 }
 
 TEST(GltfGeometry, TurnsStripsAndFansIntoListsWithTheSameWinding) {
@@ -172,7 +172,7 @@ TEST(GltfGeometry, NormalizesNormalsAndReplacesThoseWithoutLengthOrNotFinite) {
   EXPECT_EQ(scene.meshes[0].normals[1], glm::vec3(0, 0, 1)) << "its face's";
   EXPECT_EQ(scene.meshes[0].normals[2], glm::vec3(0, 0, 1));
   EXPECT_EQ(scene.meshes[0].normals[3], glm::vec3(0.6f, 0, 0.8f));
-  EXPECT_TRUE(hasWarning(scene.warnings, "1 normal of no length and 1 that is NaN or infinite"));
+  EXPECT_TRUE(hasWarning(scene.warnings, "1 normal of length 0 and 1 that is NaN or infinite"));
 }
 
 TEST(GltfGeometry, MakesOneMeshAPrimitiveAndADefaultMaterialWhereNoneIsGiven) {

@@ -49,12 +49,11 @@ TEST(GltfInstancing, RefusesOtherTypesAndCounts) {
   const auto refuse = [&](GltfFile file, const std::vector<std::string>& parts) {
     expectError([&] { scenes::loadScene(writeGlb(folder, file)); }, parts);
   };
-  refuse(makeInstanced(json::object()),
-         {"/nodes/0/extensions/EXT_mesh_gpu_instancing/attributes: has none of TRANSLATION"});
+  refuse(makeInstanced(json::object()), {"/nodes/0/extensions/EXT_mesh_gpu_instancing/attributes: needs TRANSLATION"});
   refuse(makeInstanced({{"TRANSLATION", 2}}), {"TRANSLATION (/accessors/2): expected 3 components"});
   GltfFile file = makeInstanced({{"TRANSLATION", 0}, {"SCALE", 4}});
   file.add<float>({1, 1, 1}, "VEC3");
-  refuse(file, {"SCALE (/accessors/4): has 1 elements where another attribute has 4"});
+  refuse(file, {"SCALE (/accessors/4): has 1 elements, but another attribute has 4"});
   file = makeInstanced({{"SCALE", 4}});
   file.add<std::int16_t>({1, 1, 1, 1}, "VEC3", true);
   file.json["accessors"][4]["count"] = 1;

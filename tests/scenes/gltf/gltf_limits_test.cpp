@@ -20,7 +20,7 @@ TEST(GltfLimits, RefusesMeshesThatGrowBeyondTheMemoryAllowed) {
   for (int i = 0; i < 100; ++i) file.json["meshes"][0]["primitives"].push_back(primitive);
   const std::string path = writeGlb(folder, file);
   expectError([&] { scenes::loadScene(path, {.maxMemoryBytes = std::size_t{1} << 30}); },
-              {path, "/meshes/0/primitives/", "the limit of a scene is 1024 MiB (--max-memory)"});
+              {path, "/meshes/0/primitives/", "the limit for a scene is 1024 MiB (--max-memory)"});
 }
 
 // 2.4 MB of corners; making tangents takes 172 bytes of each.
@@ -117,9 +117,9 @@ TEST(GltfLimits, RefusesAMillionInstances) {
 TEST(GltfLimits, RefusesJsonOfTooManyValues) {
   std::string text = "[0";
   for (std::size_t i = 0; i <= scenes::kMaxJsonValues; ++i) text += ",0";
-  expectError([&] { scenes::parseGltfJson(text + "]", "a.gltf"); }, {"a.gltf: JSON: more than 8388608 values"});
+  expectError([&] { scenes::parseGltfJson(text + "]", "a.gltf"); }, {"a.gltf: JSON: has more than 8388608 values"});
   const std::string nested(scenes::kMaxJsonDepth + 1, '[');
-  expectError([&] { scenes::parseGltfJson(nested, "a.gltf"); }, {"nested deeper than 64 levels"});
+  expectError([&] { scenes::parseGltfJson(nested, "a.gltf"); }, {"is nested deeper than 64 levels"});
   EXPECT_EQ(scenes::parseGltfJson("[\"[[{,:\\\"[\"]", "a.gltf").size(), 1u) << "strings are no structure";
 }
 

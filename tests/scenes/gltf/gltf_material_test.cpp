@@ -103,7 +103,7 @@ TEST(GltfMaterial, ClampsFactorsOutOfRangeWithAWarning) {
   EXPECT_EQ(scene.materials[0].roughness, 1.f);
   EXPECT_EQ(scene.materials[0].metallic, 0.f);
   EXPECT_EQ(scene.materials[0].ior, 1.f);
-  EXPECT_TRUE(hasWarning(scene.warnings, "/materials/0: roughnessFactor of 1.5 is out of range, taken as 1"));
+  EXPECT_TRUE(hasWarning(scene.warnings, "/materials/0: roughnessFactor of 1.5 is out of range, 1 is used"));
   EXPECT_EQ(scene.warnings.size(), 3u);
 }
 
@@ -126,7 +126,7 @@ TEST(GltfMaterial, ListsUnsupportedExtensionsOnce) {
   file.json["extensionsRequired"] = {"KHR_materials_sheen"}; // known not to be modelled: the base layer is shown
   const Scene scene = loadQuadlike(file);
   ASSERT_EQ(scene.warnings.size(), 1u);
-  EXPECT_EQ(scene.warnings[0], "extensions not supported, ignored: ACME_y, ACME_x");
+  EXPECT_EQ(scene.warnings[0], "extensions that are not supported are ignored: ACME_y, ACME_x");
 }
 
 TEST(GltfMaterial, ReadsAnyTwoUvSets) {
@@ -144,7 +144,8 @@ TEST(GltfMaterial, ReadsAnyTwoUvSets) {
   file.material()["emissiveTexture"] = {{"index", 1}, {"texCoord", 5}};
   scene = loadQuadlike(file);
   EXPECT_FALSE(scene.materials[0].emissiveTexture.present());
-  EXPECT_EQ(scene.materials[0].notModelled, std::vector<std::string>{"a texture by TEXCOORD_5, a third uv set"});
+  EXPECT_EQ(scene.materials[0].notModelled,
+            std::vector<std::string>{"a texture uses TEXCOORD_5, a third uv set; at most two are supported"});
   EXPECT_TRUE(scene.materials[0].baseColorTexture.present());
 }
 
@@ -241,7 +242,7 @@ TEST(GltfTexture, LeavesOutTexturesThatCannotChangeTheColor) {
 TEST(GltfTexture, WarnsWhereAMeshLacksTheUvThatATextureReads) {
   GltfFile file = makeTextured();
   file.material() = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 1}, {"texCoord", 1}}}}}};
-  EXPECT_TRUE(hasWarning(loadQuadlike(file).warnings, "is read by TEXCOORD_1, which the mesh lacks"));
+  EXPECT_TRUE(hasWarning(loadQuadlike(file).warnings, "needs TEXCOORD_1, which the mesh lacks"));
 }
 
 TEST(GltfTexture, ReadsImagesFromFilesDataUrisAndPercentEncodedNames) {

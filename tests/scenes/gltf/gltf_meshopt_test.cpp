@@ -138,21 +138,21 @@ TEST(Meshopt, AppliesTheExponentialFilterAsDefined) {
 TEST(Meshopt, RefusesLayoutsThatTheExtensionForbids) {
   const std::vector<std::byte> stream = encodeAttributes(std::vector<float>(64, 1.f), 16);
   using enum MeshoptMode;
-  expectReason(stream, {0, 16, attributes}, "a count of 0");
-  expectReason(stream, {16, 0, attributes}, "a byteStride of 0 is not a multiple of 4");
-  expectReason(stream, {16, 6, attributes}, "a byteStride of 6");
-  expectReason(stream, {16, 260, attributes}, "a byteStride of 260");
-  expectReason(stream, {16, 1, triangles}, "a byteStride of 1 where TRIANGLES have 2 or 4");
-  expectReason(stream, {16, 8, indices}, "a byteStride of 8 where INDICES have 2 or 4");
-  expectReason(stream, {16, 4, triangles}, "16 indices are no whole number of triangles");
+  expectReason(stream, {0, 16, attributes}, "its count is 0");
+  expectReason(stream, {16, 0, attributes}, "its byteStride 0 is not a multiple of 4");
+  expectReason(stream, {16, 6, attributes}, "its byteStride 6");
+  expectReason(stream, {16, 260, attributes}, "its byteStride 260");
+  expectReason(stream, {16, 1, triangles}, "its byteStride is 1, but TRIANGLES have 2 or 4");
+  expectReason(stream, {16, 8, indices}, "its byteStride is 8, but INDICES have 2 or 4");
+  expectReason(stream, {16, 4, triangles}, "16 indices do not form whole triangles");
   expectReason(stream, {15, 4, triangles, MeshoptFilter::exponential},
-               "the filter EXPONENTIAL applies to the mode ATT");
+               "the filter EXPONENTIAL works only with the mode ATT");
   expectReason(stream, {16, 16, attributes, MeshoptFilter::octahedral},
                "the filter OCTAHEDRAL cannot have a byteStride of 16");
   expectReason(stream, {16, 16, attributes, MeshoptFilter::quaternion}, "the filter QUATERNION cannot have");
   expectReason(stream, {std::size_t{1} << 31, 256, attributes}, "bytes cannot hold 2147483648 elements of 256 bytes");
   expectReason(stream, {3000000000, 4, triangles}, "cannot hold");
-  expectReason(stream, {16, 4, indices}, "the stream is not INDICES");
+  expectReason(stream, {16, 4, indices}, "the stream is damaged, or does not hold INDICES");
   EXPECT_THROW(scenes::meshoptModeOf("TRIANGLE"), std::invalid_argument);
   EXPECT_THROW(scenes::meshoptFilterOf(""), std::invalid_argument);
   EXPECT_EQ(scenes::meshoptModeOf("INDICES"), indices);

@@ -45,7 +45,7 @@ TEST(GltfNodes, ShowsTheDefaultSceneElseTheFirstElseAllRoots) {
   Scene scene = loadQuadlike(file);
   ASSERT_EQ(scene.instances.size(), 1u);
   EXPECT_EQ(origin(scene, 0).x, 5.f);
-  EXPECT_TRUE(hasWarning(scene.warnings, "2 scenes in the file, scene 1 is shown"));
+  EXPECT_TRUE(hasWarning(scene.warnings, "the file has 2 scenes, scene 1 is shown"));
   file.json.erase("scene");
   scene = loadQuadlike(file);
   EXPECT_EQ(origin(scene, 0).x, 0.f);

@@ -81,7 +81,7 @@ TEST(GltfMorph, MakesFlatNormalsOfTheMovedTriangles) {
 TEST(GltfMorph, RefusesCountsThatDoNotMatch) {
   GltfFile file = makeMorphed();
   file.json["nodes"][0]["weights"] = {1};
-  expectRefused(file, {"/nodes/0/weights: holds 1 weights, expected 2, one a target"});
+  expectRefused(file, {"/nodes/0/weights: holds 1 weights, expected 2, one for each target"});
   file = makeMorphed();
   file.json["meshes"][0]["weights"] = {1, 2, 3};
   expectRefused(file, {"/meshes/0/weights: holds 3 weights, expected 2"});
@@ -92,8 +92,7 @@ TEST(GltfMorph, RefusesCountsThatDoNotMatch) {
   file = makeMorphed();
   file.json["meshes"][0]["weights"] = {1, 0};
   file.primitive()["targets"][0]["POSITION"] = file.add<float>({0, 0, 1}, "VEC3");
-  expectRefused(file,
-                {"/meshes/0/primitives/0/targets/0/POSITION (/accessors/7): has 1 elements where POSITION has 4"});
+  expectRefused(file, {"/meshes/0/primitives/0/targets/0/POSITION (/accessors/7): has 1 elements, but POSITION has 4"});
   file.primitive()["targets"][0]["POSITION"] = file.add<float>(std::vector<float>(12, std::nanf("")), "VEC3");
   expectRefused(file, {"targets/0/POSITION", "element 0 is not finite"});
 }
@@ -223,7 +222,7 @@ TEST(GltfSkin, ShowsAMeshWithoutJointsWhereItsNodeStands) {
   file.primitive()["attributes"].erase("WEIGHTS_0");
   const Scene scene = loadQuadlike(file);
   EXPECT_EQ(glm::vec3(scene.instances[0].toWorld[3]), glm::vec3(50, 60, 70));
-  EXPECT_TRUE(hasWarning(scene.warnings, "has a skin, but no JOINTS_0 and WEIGHTS_0"));
+  EXPECT_TRUE(hasWarning(scene.warnings, "has a skin but no JOINTS_0 and WEIGHTS_0"));
 }
 
 TEST(GltfSkin, RefusesWhatHasNoMeaning) {
@@ -245,7 +244,7 @@ TEST(GltfSkin, RefusesWhatHasNoMeaning) {
   refuse([&](GltfFile& f) { attribute(f, "WEIGHTS_0") = f.add<float>(std::vector<float>(16, std::nanf("")), "VEC4"); },
          {"WEIGHTS_0", "element 0 is not finite"});
   refuse([](GltfFile& f) { f.primitive()["attributes"].erase("WEIGHTS_0"); },
-         {"/meshes/0/primitives/0/attributes: has one of JOINTS_0 and WEIGHTS_0, expected both"});
+         {"/meshes/0/primitives/0/attributes: has only one of JOINTS_0 and WEIGHTS_0, expected both"});
   refuse([](GltfFile& f) { f.json["skins"][0]["joints"] = json::array(); }, {"/skins/0/joints: is empty"});
   refuse(
       [](GltfFile& f) {

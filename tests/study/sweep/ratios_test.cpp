@@ -43,7 +43,7 @@ TEST(Ratios, whatOnlyOneHasAndWhatDiffersIsSaid) {
   now.scenes.push_back(makeSceneSweep("b", {makeVariant("mobile", "default", 3, 0.1)}));
   const SweepRatios ratios = compareSweeps(before, now);
   ASSERT_EQ(ratios.notes.size(), 3u);
-  EXPECT_EQ(ratios.notes[0], "another processor: old then, new now");
+  EXPECT_EQ(ratios.notes[0], "the processor differs: old in the earlier sweep, new now");
   EXPECT_EQ(ratios.notes[1], "a, mobile: new one: not in the earlier sweep");
   EXPECT_EQ(ratios.notes[2], "b: not in the earlier sweep");
 }
@@ -58,9 +58,9 @@ TEST(Ratios, anotherSettingOfTheSameNameIsLeftOut) {
   const SweepRatios ratios = compareSweeps(before, now);
   EXPECT_FALSE(ratios.anySlower());
   EXPECT_EQ(ratios.notes,
-            (std::vector<std::string>{"a, mobile: default: was another setting then; left out",
-                                      "a, mobile: old one: in the earlier sweep alone",
-                                      "failed: could not be measured now", "old: in the earlier sweep alone"}));
+            (std::vector<std::string>{"a, mobile: default: was another setting in the earlier sweep; not compared",
+                                      "a, mobile: old one: only in the earlier sweep",
+                                      "failed: could not be measured now", "old: only in the earlier sweep"}));
 }
 
 // Three times against three lie apart by chance once in ten.
@@ -72,7 +72,7 @@ TEST(Ratios, fewRoundsAreNotJudged) {
   const SweepRatios ratios = compareSweeps(before, now);
   EXPECT_FALSE(ratios.anySlower());
   ASSERT_EQ(ratios.variants.size(), 1u) << "the table's nine rounds";
-  EXPECT_EQ(ratios.notes, std::vector<std::string>{"2 settings are not judged: too few rounds"});
+  EXPECT_EQ(ratios.notes, std::vector<std::string>{"2 settings are not judged, because they have too few rounds"});
 }
 
 // Sixty settings that are what they were: how often is any called slower? Wanted: at most one sweep in twenty.

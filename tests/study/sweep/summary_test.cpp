@@ -50,11 +50,11 @@ TEST(Summary, notesSayWhatLimitsIt) {
   report.scenes[1].variants[0].knobs = {{"lut-size", "64"}};
   report.scenes[2].variants[0].knobs = {{"lut-size", "32"}};
   for (VariantResult& v : report.scenes[2].variants) v.whole.truth.reset();
-  EXPECT_EQ(notesOf(report), (std::vector<std::string>{
-                                 "b|c: the default of highend has lut-size 64; it has 32 in a. Figures over all scenes "
-                                 "take each scene's own default",
-                                 "d: has no truth, so every error is against the first path's default",
-                                 "gone: not measured: no such file"}));
+  EXPECT_EQ(notesOf(report),
+            (std::vector<std::string>{"b|c: the default of highend has lut-size 64, but 32 in a. Figures over all "
+                                      "scenes use the default of each scene",
+                                      "d: has no truth, so all errors are against the default of the first path",
+                                      "gone: not measured: no such file"}));
   const std::string text = toMarkdown(report);
   EXPECT_TRUE(holds(text, "- b\\|c: the default")) << text;
   EXPECT_TRUE(holds(text, "\n\n| setting")) << "a table begins after an empty line";

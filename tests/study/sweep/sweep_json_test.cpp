@@ -73,7 +73,7 @@ TEST_F(SweepFiles, malformedOnesAreErrorsWithTheFilesName) {
     EXPECT_NE(readText(text).find("bad.json"), std::string::npos) << text;
   std::string text = toJson(makeWholeReport(), conclude(makeWholeReport(), std::nullopt));
   text.replace(text.find("\"shading\""), 9, "\"else\"");
-  EXPECT_NE(readText(text).find("no such stage"), std::string::npos);
+  EXPECT_NE(readText(text).find("unknown stage"), std::string::npos);
 }
 
 TEST_F(SweepFiles, csvHasALineForEachRegionAndAsManyFieldsAsItsHead) {

@@ -39,7 +39,7 @@ function checkPlane(value: unknown, file: string): PackedPlane {
   if (!isObject(value) || typeof value.name !== "string" || typeof value.data !== "string")
     throw new Error(`${file} is damaged: a plane has no name or no data`);
   if (typeof value.kind !== "string" || !Object.hasOwn(kChannels, value.kind))
-    throw new Error(`${file}: the plane ${value.name} is of a kind that this page does not know`);
+    throw new Error(`${file}: the plane ${value.name} has a kind that this page does not know`);
   return { name: value.name, kind: value.kind as PlaneKind, data: value.data };
 }
 
@@ -47,7 +47,7 @@ function checkPlane(value: unknown, file: string): PackedPlane {
 export function checkChunk(value: unknown, file: string): Chunk {
   if (!isObject(value)) throw new Error(`${file} holds no pixel values`);
   if (value.format !== kFormat)
-    throw new Error(`${file} is of format ${String(value.format)}, this page reads format ${kFormat}`);
+    throw new Error(`${file} has format ${String(value.format)}, but this page reads format ${kFormat}`);
   if (value.file !== file) throw new Error(`${file} holds the values of another file`);
   const { width, height, planes } = value;
   const isSize = (n: unknown): n is number => typeof n === "number" && Number.isInteger(n) && n > 0;
@@ -82,12 +82,12 @@ async function inflate(packed: Uint8Array<ArrayBuffer>, size: number): Promise<U
     if (done) break;
     if (filled + value.length > size) {
       await reader.cancel();
-      throw new Error("more values than its size says");
+      throw new Error("more values than its size");
     }
     bytes.set(value, filled);
     filled += value.length;
   }
-  if (filled !== size) throw new Error("fewer values than its size says");
+  if (filled !== size) throw new Error("fewer values than its size");
   return bytes;
 }
 

@@ -27,9 +27,9 @@ export function readDisplayTable(chunk: Chunk, plane: Plane): DisplayTable {
   const size = chunk.height;
   const { minLog2, maxLog2 } = chunk;
   if (size < 2 || chunk.width !== size * size || plane.kind !== "rgb16f")
-    throw new Error(`${chunk.file} is no cube of display colours`);
+    throw new Error(`${chunk.file} is not a cube of display colours`);
   if (minLog2 === null || maxLog2 === null || !(minLog2 < maxLog2))
-    throw new Error(`${chunk.file} does not say what range its colours are for`);
+    throw new Error(`${chunk.file} lacks the range of its colours`);
   const halves = halfValues();
   const count = size ** 3;
   const nodes = new Float32Array(3 * count);

@@ -47,10 +47,10 @@ export function readPage(document: Document): Page | Problem {
 
 /** Why it is no report that this page can show; "" if it is one. */
 export function problemOf(report: unknown): string {
-  if (!isObject(report)) return "There is no report in this page.";
+  if (!isObject(report)) return "This page holds no report.";
   if (report["schema"] !== kSchema)
     return `It has schema version ${JSON.stringify(report["schema"]) ?? "unknown"}; this page reads version ${kSchema}. Open it with the version of parity that wrote it.`;
   if (!Array.isArray(report["scenes"]) || !Array.isArray(report["settings"]) || !isObject(report["counts"]))
-    return "Its data is not whole.";
+    return "Its data is not complete.";
   return "";
 }

@@ -14,7 +14,7 @@ export function readStudy(document: Document): Study | Problem | null {
       return { kind: "stress", stress: parseBlock(document, "stress") as Stress, times: parseBlock(document, "stress-times") as StressTimes | null };
     if (!hasBlock(document, "bench")) return null;
     const sweep = sweepOf(parseBlock(document, "bench"), parseBlock(document, "bench-plots"));
-    return sweep ? { kind: "sweep", sweep } : { problem: "Its data is not of the form that this page reads." };
+    return sweep ? { kind: "sweep", sweep } : { problem: "This page cannot read the form of its data." };
   } catch (error) {
     return { problem: `Its data is damaged: ${reasonOf(error)}.` };
   }

@@ -3,7 +3,20 @@
 /** The form of report.json that is described here. */
 export const kSchema = 4;
 
-/** How far apart two shading paths look, per material. Equal inputs give a byte-identical file; times and dates are in run.json. A number that is null is infinite (psnr of identical images) or not a number (the verdict is then 'error'). */
+/** The terms of a path's light in words (report/term_words.h). */
+export const kTermWords: Readonly<Record<string, string>> = {
+  sunDiffuse: "diffuse light of the sun",
+  sunSpecular: "highlights of the sun",
+  localDiffuse: "diffuse light of local lights",
+  localSpecular: "highlights of local lights",
+  lightmap: "light of the lightmap",
+  skyDiffuse: "diffuse light of the environment",
+  skySpecular: "reflections of the environment",
+  emissive: "emitted light",
+  fog: "light of the fog",
+};
+
+/** Visible difference of two shading paths, per material. Equal inputs give a byte-identical file; times and dates are in run.json. null in place of a number means infinite (psnr of identical images) or not a number (then the verdict is 'error'). */
 export interface Report {
   schema: number; // Version of this format
   tool: string;
@@ -14,19 +27,19 @@ export interface Report {
   counts: Counts;
   wholeCounts: Counts;
   displayTable: string; // File of the display transform as a table, relative to the report's folder; empty: none
-  problems: Problem[]; // Why the run as a whole is no pass: no material was compared, or none is where a budget requires one
-  warnings: string[]; // Of the whole run
-  baseline: Baseline | null; // The earlier report that this run was held against
-  settings: Setting[]; // What the run was asked for, in a fixed order
-  conditions: Condition[]; // Of every scene; the device is one more
-  statistics: Record<string, Statistic>; // How to read each figure of 'metrics' and 'checks', by its name
+  problems: Problem[]; // Reasons why the whole run does not pass: no material was compared, or a material that a budget requires is missing
+  warnings: string[]; // Warnings about the whole run
+  baseline: Baseline | null; // The earlier report that this run was compared with
+  settings: Setting[]; // Settings of the run, in a fixed order
+  conditions: Condition[]; // Conditions of every scene; the device is one more condition
+  statistics: Record<string, Statistic>; // Label, unit and digits of each figure in 'metrics' and 'checks', by its name
   scenes: Scene[];
 }
 
-/** In order of gravity; a whole has the worst of its parts' */
+/** In order of severity; a whole has the worst verdict of its parts */
 export type Verdict = "pass" | "not seen" | "too small" | "not judged" | "warn" | "fail" | "error";
 
-/** counts: rows (material x view) by verdict, without those that another view shows; wholeCounts: whole images */
+/** counts: rows (material x view) by verdict, without materials that only another view shows; wholeCounts: whole images */
 export interface Counts {
   pass: number;
   notSeen: number;
@@ -43,13 +56,13 @@ export interface Problem {
 }
 
 export interface Baseline {
-  source: string; // The file as it was given; without its folder, if that path is absolute
-  version: string; // Of the program that made it
+  source: string; // The file as given; without its folder if the path is absolute
+  version: string; // Version of the program that made it
   device: string;
-  common: number; // Material views that both show
-  notComparable: number; // Material views and whole images that both show, under other conditions; at least a warning
-  gone: GoneRow[]; // What the baseline has and this run has not; at least a warning
-  error: string; // Why it could not be used (the verdict is 'error'); empty: it was
+  common: number; // Number of material views in both reports
+  notComparable: number; // Number of material views and whole images in both reports with different conditions; at least a warning
+  gone: GoneRow[]; // Rows of the baseline that this run does not have; at least a warning
+  error: string; // Reason why it could not be used (then the verdict is 'error'); empty: it was used
 }
 
 export interface GoneRow {
@@ -63,63 +76,63 @@ export interface Setting {
   value: string;
 }
 
-/** What decides the figures besides the scene's files: a baseline of other conditions is not comparable */
+/** A condition, besides the scene's files, that decides figures: a baseline with other conditions is not comparable */
 export interface Condition {
   name: string;
-  value: string; // In full precision; files by their content
-  actsOn: "figures" | "whole images" | "truth"; // The figures that it decides: all but the truth's, those of whole images alone, those against the truth alone
-  words?: string; // The value for people; absent: the value says it
+  value: string; // With full precision; a file counts by its content
+  actsOn: "figures" | "whole images" | "truth"; // The figures that it decides: all except those against the truth, only those of whole images, or only those against the truth
+  words?: string; // The value in words; absent: the same as the value
 }
 
 export interface Statistic {
-  label: string; // In a sentence
-  unit: string; // %: of a share, which is 0 to 1 in this file
-  digits: number; // After the point, where people read it
+  label: string; // Name in a sentence
+  unit: string; // %: a share, which is 0 to 1 in this file
+  digits: number; // Digits after the point for display
   better: "lower" | "higher" | "near zero";
 }
 
 export interface Scene {
   name: string;
-  source: string; // The file as it was named, or builtin:NAME
-  environment: string; // 'none': none
-  sun: string; // 'none': none
-  light?: string; // Scales of its light and its fog, in words; absent: the defaults
-  conditions: Condition[]; // Of the scene: its light, what of the file is shown, ...
+  source: string; // The file as named in the command or suite, or builtin:NAME
+  environment: string; // Name, or 'none'
+  sun: string; // In words, or 'none'
+  light?: string; // Scales of light, and fog, in words; absent: the defaults
+  conditions: Condition[]; // Conditions of the scene: its light, the shown part of the file, ...
   verdict: Verdict;
-  /** The scene could not be compared; the views hold what was done before. null: it was compared */
+  /** Reason why the scene could not be compared; the views hold the part done before. null: it was compared */
   error: {
     message: string;
     exitCode: number;
   } | null;
   warnings: string[];
   views: View[];
-  passes: Pass[]; // What was done for the scene, over all views, and what was skipped
-  permutations: Permutation[]; // The specialised shaders that made the pictures, by path, in order of their first use
+  passes: Pass[]; // Work done for the scene in all views, and skipped work
+  permutations: Permutation[]; // The specialised shaders of the pictures, by path, in order of their first use
 }
 
 export interface View {
   name: string;
-  reference: string; // The path that its figures compare with
-  test: string; // The path that its figures are of
+  reference: string; // The reference path of the figures
+  test: string; // The test path of the figures
   width: number;
   height: number;
-  conditions: Condition[]; // Of the view: its camera
+  conditions: Condition[]; // Conditions of the view: its camera
   verdict: Verdict;
-  /** All pixels of any material */
+  /** All pixels that show a material */
   whole: {
     verdict: Verdict;
-    reason: string; // What decided the verdict; empty on a pass
-    bias: string; // How the test's light and tint differ, in words; empty without pixels
-    figures: Figures | null; // null: no pixel, nothing is known
+    reason: string; // Reason of the verdict; empty for a pass
+    bias: string; // Difference of light and tint in words; empty without pixels
+    figures: Figures | null; // null: no pixel
     checks: Check[];
     budget: Rule;
     baseline: Change | null; // null: there is no baseline
     truth?: Truth;
     stages: Stage[];
   };
-  materials: Material[]; // In the scene's order
+  materials: Material[]; // In the order of the scene
   images: Images;
-  exposureEv: number; // Of its pictures: what the values of 'pixels' are exposed by
+  exposureEv: number; // Exposure of the pictures; apply it to the values of 'pixels'
   pixels: PixelFiles;
   droppedLights?: DroppedLights;
 }
@@ -127,63 +140,63 @@ export interface View {
 export interface Figures {
   pixels: number;
   nonFinite: number; // Pixels where either render is NaN or infinite
-  metrics: Record<string, number | null>; // By the figure's name: flip.mean, flip.fraction_over(0.1), psnr, bias.ev, ... (compare/pooling/statistic.h)
-  clippedBlack: number | null; // Share that is black in both displayed images: it says nothing
-  clippedWhite: number | null; // Share that is white in both displayed images: it says nothing
+  metrics: Record<string, number | null>; // By the name of the figure: flip.mean, flip.fraction_over(0.1), psnr, bias.ev, ... (compare/pooling/statistic.h)
+  clippedBlack: number | null; // Share of pixels that are black in both displayed images, so that they show no difference
+  clippedWhite: number | null; // Share of pixels that are white in both displayed images, so that they show no difference
   referenceLuma: number | null; // Mean Rec.709 luma of the displayed reference
-  testLuma: number | null; // The same of the test
+  testLuma: number | null; // The same for the test
   referenceLuminance: number | null; // Mean linear luminance of the reference as exposed, before clipping; 1 is white
-  testLuminance: number | null; // The same of the test
+  testLuminance: number | null; // The same for the test
 }
 
 export interface Check {
-  metric: string; // A name of 'metrics'
-  regress: boolean; // The value is by how much the figure is worse than in the baseline, not the figure
-  value: number | null; // null: infinite, not a number, or not known
-  warn: number | null; // Beyond it (below, where more is better: psnr, ssim; in absolute value, where signed) the verdict is warn; null: no such limit
-  fail: number | null; // Beyond it (below, where more is better: psnr, ssim; in absolute value, where signed) the verdict is fail; null: no such limit
-  verdict: "pass" | "warn" | "fail" | "error" | "not judged"; // not judged: a regression without a counterpart in a baseline, or with one of other conditions
+  metric: string; // A name in 'metrics'
+  regress: boolean; // true: the value is not the figure, but its loss against the baseline
+  value: number | null; // null: infinite, not a number, or unknown
+  warn: number | null; // Limit of the verdict warn: an upper limit, or a lower limit if more is better (psnr, ssim); of the absolute value if the figure has a sign; null: no limit
+  fail: number | null; // Limit of the verdict fail: an upper limit, or a lower limit if more is better (psnr, ssim); of the absolute value if the figure has a sign; null: no limit
+  verdict: "pass" | "warn" | "fail" | "error" | "not judged"; // not judged: a regression whose baseline has no counterpart, or has other conditions
   note: string;
 }
 
 /** The budget rule that judged it */
 export interface Rule {
-  rule: string; // Where the rule stands; empty: none matched
-  preset: string; // Whose limits it took; empty: all are its own
+  rule: string; // Place of the rule; empty: no rule matched
+  preset: string; // Preset whose limits it uses; empty: it has its own limits
   reason: string;
   owner: string;
   requireSeen: boolean;
-  minPixels: number; // A material of fewer pixels is too small to be judged
+  minPixels: number; // A material with fewer pixels is too small to be judged
 }
 
 export interface Change {
   new: boolean; // The baseline does not have it
-  verdict: Verdict | null; // In the baseline; null: new
-  notComparable: string; // The conditions that differ, in words: there are no changes, and the verdict is at least warn; empty: none does
-  changes: Record<string, number | null>; // Now minus then; null: to or from infinite
+  verdict: Verdict | null; // Verdict in the baseline; null: new
+  notComparable: string; // The conditions that differ, in words; then there are no changes and the verdict is at least warn; empty: no condition differs
+  changes: Record<string, number | null>; // Figure of this run minus figure of the baseline; null: from or to infinite
 }
 
-/** Both paths against the ground truth; only of a run that was asked for it. It judges nothing */
+/** Both paths against the ground truth; only with --truth. It does not change verdicts */
 export interface Truth {
-  figures: TruthFigures | null; // null: no pixel, nothing is known
-  terms: TruthTerm[]; // Without those that are black in all three
-  notes: string[]; // What to beware of in these figures
+  figures: TruthFigures | null; // null: no pixel
+  terms: TruthTerm[]; // Without terms that are black in the truth and in both paths
+  notes: string[]; // Cautions about these figures
   images: TruthImages;
 }
 
 export interface TruthFigures {
   nonFinite: number; // Pixels where the truth itself is NaN or infinite; the verdict then is 'error'
-  reference: Figures; // Of the view's reference against the truth
-  test: Figures; // Of the view's test against the truth
+  reference: Figures; // Figures of the reference against the truth
+  test: Figures; // Figures of the test against the truth
   error: TruthError;
 }
 
-/** How well the truth is known; null: not known */
+/** Error of the truth; null: unknown */
 export interface TruthError {
-  median: number | null; // Of the pixels' relative standard errors
-  worst: number | null; // The largest of them
-  relmse: number | null; // What that error alone would give, about; every relmse against the truth holds it
-  samples: number | null; // Of the environment, a pixel and way of sampling, on average; 0: all in closed form
+  median: number | null; // Median of the relative standard errors of the pixels
+  worst: number | null; // Largest relative standard error of a pixel
+  relmse: number | null; // Approximate relmse from this error alone; every relmse against the truth includes it
+  samples: number | null; // Mean number of environment samples for each pixel and sampling strategy; 0: all in closed form
 }
 
 export interface TruthTerm {
@@ -194,7 +207,7 @@ export interface TruthTerm {
     reference: number | null;
     test: number | null;
   };
-  /** Of the term alone, displayed and exposed as the colour is, against the truth's, by name; null: no pixel */
+  /** Figures of the term alone against the same term of the truth, displayed like the colour, by name; null: no pixel */
   figures: {
     reference: Record<string, number | null>;
     test: Record<string, number | null>;
@@ -208,24 +221,24 @@ export interface TruthImages {
   testFlip: string; // FLIP of the view's test against the truth
 }
 
-/** What a stage of the test path alone makes of its picture: the reference is that without the stage, the test that with it, both as displayed. It judges nothing */
+/** Change that one stage of the test path alone causes in its picture: the reference is the displayed picture without the stage, the test is the displayed picture with it. It does not change verdicts */
 export interface Stage {
   stage: string; // encoding: storing the colour in the target; textures: compressing them
-  through: string; // What the picture passes through there: rgba8-gamma2, astc6x6
-  figures: Figures | null; // null: no pixel, nothing is known
+  through: string; // Format of the stage: rgba8-gamma2, astc6x6
+  figures: Figures | null; // null: no pixel
 }
 
 export interface Material {
   name: string;
   verdict: Verdict;
-  reason: string; // What decided the verdict; empty on a pass
-  seenElsewhere: boolean; // Not seen in this view, or too small, but seen in another one: the row does not count
-  bias: string; // How the test's light and tint differ, in words; empty without pixels
-  figures: Figures | null; // null: no pixel, nothing is known
-  checks: Check[]; // Empty where the material is not seen
+  reason: string; // Reason of the verdict; empty for a pass
+  seenElsewhere: boolean; // Not seen or too small in this view, but seen in another view; the row does not count
+  bias: string; // Difference of light and tint in words; empty without pixels
+  figures: Figures | null; // null: no pixel
+  checks: Check[]; // Empty if the material is not seen
   budget: Rule;
   baseline: Change | null; // null: there is no baseline
-  notModelled: string[]; // Parts of it that no path models: only its base layer is judged, which is at least a warning
+  notModelled: string[]; // Parts that no path models; then only the base layer is judged, and the verdict is at least warn
   notes: string[]; // Permutation, sampler excess, tinted F0, ...
   terms: TermLight[];
   crops: Images;
@@ -248,76 +261,76 @@ export interface Images {
   flip: string;
 }
 
-/** Which term makes it differ: only of a material over budget, or as the run was asked */
+/** The term that makes the material differ; only for materials over budget, or as --attribution requests */
 export interface Attribution {
-  flip: number | null; // Mean, as it is
-  terms: TermEffect[]; // Those that are not the same in both paths
+  flip: number | null; // Mean FLIP without a swap
+  terms: TermEffect[]; // Terms that differ between the paths
 }
 
 export interface TermEffect {
   term: string;
-  flip: number | null; // Mean, once the test has the reference's term
+  flip: number | null; // Mean FLIP after the test takes this term from the reference
 }
 
-/** Files of the values behind the pictures, relative to the report's folder; empty: none */
+/** Files of pixel values, relative to the report's folder; empty: none */
 export interface PixelFiles {
-  color: string; // Both paths, FLIP of the whole images, FLIP of each material by the swap, which material is where
-  terms: string; // Both paths' terms
+  color: string; // Both paths, FLIP of the whole images, FLIP of each material by swap, and the material of each pixel
+  terms: string; // Terms of both paths
 }
 
-/** Lights that the test path drops from objects that the view shows; absent: none, or not asked for. It judges nothing */
+/** Lights that the test path drops for visible objects; absent: none, or not requested. They do not change verdicts */
 export interface DroppedLights {
-  lights: number; // That it could have, dropped or not
-  measured: DroppedLight[]; // The most effect first
-  notMeasured: string[]; // Names of the dropped lights beyond the run's limit (--dropped-lights), the most estimated effect first
+  lights: number; // Number of lights that reach visible objects, dropped or not
+  measured: DroppedLight[]; // The largest effect first
+  notMeasured: string[]; // Names of dropped lights that were not measured (--dropped-lights), the largest estimated effect first
 }
 
 export interface DroppedLight {
   name: string;
   kind: "directional" | "point" | "spot";
-  keptBy: number; // Objects of the view that the test path shades with it
-  droppedBy: number; // Objects of the view that it reaches and that do without it
-  materials: LightEffect[]; // Of the objects that drop it, the most changed first
+  keptBy: number; // Number of visible objects that the test path shades with this light
+  droppedBy: number; // Number of visible objects that this light reaches and that the test path shades without it
+  materials: LightEffect[]; // Materials of the objects that drop the light, the largest change first
 }
 
 export interface LightEffect {
   name: string;
-  flip: number; // Mean FLIP of the reference's picture without this light against that with all lights
+  flip: number; // Mean FLIP of the reference's picture without this light against its picture with all lights
 }
 
 export interface Pass {
   name: string;
-  count: number; // Of the unit; what a cache gave counts as done
+  count: number; // Number of units; work from a cache counts as done
   unit: string;
-  skipped: string | null; // Why nothing was done; null where count is not 0
+  skipped: string | null; // Reason why nothing was done; null if count is not 0
 }
 
 export interface Permutation {
   path: string;
-  textures: string; // That it reads; 'none'
-  features: string; // Of the materials that it is made for; 'none'
-  pixels: number; // Surface samples that it shaded, over all views
-  samplers: number; // That it binds: its materials' textures, and what else the path reads
+  textures: string; // Textures that it reads, or 'none'
+  features: string; // Features of its materials, or 'none'
+  pixels: number; // Number of surface samples that it shaded, in all views
+  samplers: number; // Number of samplers that it binds: textures of its materials, and other inputs of the path
   cost?: PermutationCost;
 }
 
-/** A pixel's at most, counted from SPIR-V; only of a run that was asked for it (--costs) */
+/** Largest cost of a pixel, counted from SPIR-V; only with --costs */
 export interface PermutationCost {
   fp32: number; // Scalar operations on 32-bit reals
   fp16: number; // Scalar operations on 16-bit reals
   integer: number; // Scalar operations on integers and booleans
   fetches: number; // Texture reads
-  openLoops: number; // Loops whose number of turns is not known: their bodies count once
+  openLoops: number; // Number of loops with unknown iteration count; their bodies count once
 }
 
-/** What differs from run to run, kept out of the report */
+/** Data that differs from run to run, so that it is not in the report */
 export interface Run {
   schema: number;
   startedAt: string; // ISO 8601, UTC
   commandLine: string;
   timings: Timing[];
-  compiledShaders: number; // Of all paths, the same one once
-  cachedScenes: string[]; // Whose results were taken from the cache, unchanged
+  compiledShaders: number; // Shaders of all paths; equal shaders count once
+  cachedScenes: string[]; // Scenes whose unchanged results came from the cache
 }
 
 export interface Timing {

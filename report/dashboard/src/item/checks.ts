@@ -23,7 +23,7 @@ export function checkTable(judged: Judged, report: Report): TemplateResult {
   return html`<section class="checks">
     <h3>Budget ${help("budget")}</h3>
     <div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
-      <thead><tr><th scope="col">figure</th><th scope="col">value</th><th scope="col">against its limits</th><th scope="col">verdict</th></tr></thead>
+      <thead><tr><th scope="col">figure</th><th scope="col">value</th><th scope="col">limits</th><th scope="col">verdict</th></tr></thead>
       <tbody>${judged.checks.map((check) => {
         const statistic = report.statistics[check.metric];
         const value = check.regress ? change(check.value, statistic) : figure(check.value ?? undefined, statistic);
@@ -33,8 +33,8 @@ export function checkTable(judged: Judged, report: Report): TemplateResult {
           <td class="limits">${check.value === null || statistic?.better === "higher" ? nothing : bar(Math.max(0, check.regress ? check.value : Math.abs(check.value)), check)}<small>${limitsOf(check, report)}${check.note === "" ? nothing : html` (${check.note})`}</small></td>
           <td>${badge(check.verdict)}</td></tr>`;
       })}</tbody></table></div>
-    ${judged.verdict === "too small" ? html`<p class="aside">Of fewer than ${budget.minPixels} pixels (its budget's <code>min_pixels</code>) these say little: no check counts.</p>` : nothing}
-    ${judged.verdict === "not judged" ? html`<p class="aside">Most of its pixels are clipped in both pictures: no check that passes says anything.</p>` : nothing}
-    <p class="aside">${budget.rule === "" ? "No rule matched." : html`Rule: <bdi>${budget.rule}</bdi>`}${budget.preset === "" ? nothing : html`, preset <bdi>${budget.preset}</bdi>`}${budget.reason === "" ? nothing : html`. Why: <bdi>${budget.reason}</bdi>`}${budget.owner === "" ? nothing : html`. Ask: <bdi>${budget.owner}</bdi>`}</p>
+    ${judged.verdict === "too small" ? html`<p class="aside">The material has fewer than ${budget.minPixels} pixels (<code>min_pixels</code> of its budget), so no check counts.</p>` : nothing}
+    ${judged.verdict === "not judged" ? html`<p class="aside">Most of its pixels are clipped in both pictures, so a check that passes means nothing.</p>` : nothing}
+    <p class="aside">${budget.rule === "" ? "No rule matched." : html`Rule: <bdi>${budget.rule}</bdi>`}${budget.preset === "" ? nothing : html`, preset <bdi>${budget.preset}</bdi>`}${budget.reason === "" ? nothing : html`. Reason: <bdi>${budget.reason}</bdi>`}${budget.owner === "" ? nothing : html`. Owner: <bdi>${budget.owner}</bdi>`}</p>
   </section>`;
 }

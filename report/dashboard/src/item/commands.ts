@@ -68,7 +68,7 @@ export function diffCommand(commandLine: string, scene: Scene, row: Row): string
 /** The ways to accept a report as it is. */
 export function acceptCommands(): { what: string; command: string }[] {
   return [
-    { what: "New limits from what this report observed:", command: "parity budget suggest report.json -o budgets.toml" },
-    { what: "Keep this report as the baseline that later runs are held against:", command: "cp report.json baseline.json && parity report ... --baseline baseline.json" },
+    { what: "Make new limits from the figures of this report:", command: "parity budget suggest report.json -o budgets.toml" },
+    { what: "Keep this report as the baseline of later runs:", command: "cp report.json baseline.json && parity report ... --baseline baseline.json" },
   ];
 }

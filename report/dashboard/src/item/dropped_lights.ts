@@ -32,7 +32,7 @@ export function droppedLights(view: View | undefined, material: string | null, r
     ({ name, flip }, i) => html`${i > 0 ? ", " : ""}<bdi>${name}</bdi> ${figure(flip, statistic)}`,
   )}${materials.length > kNamed ? `, and ${materials.length - kNamed} more` : ""}`;
   return html`<section class="dropped-lights"><h3>Lights that ${pathWord(view.test)} drops ${help("droppedLights")}</h3>
-    <p>${describeDropped(dropped, view.test)} from an object of this view${material === null ? "" : rows.length === 0 ? "; of those measured, none from this material" : `, ${rows.length} of those measured from this material`}.</p>
+    <p>${describeDropped(dropped, view.test)} for at least one object of this view${material === null ? "" : rows.length === 0 ? "; no measured light is dropped for this material" : `; ${rows.length} of the measured lights are dropped for this material`}.</p>
     ${rows.length === 0 ? nothing : html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table class="attribution">
       <thead><tr><th scope="col">light</th><th scope="col">kind</th><th scope="col">kept by</th><th scope="col">dropped by</th><th scope="col"><span class="sr">bar</span></th><th scope="col">mean FLIP without it</th></tr></thead>
       <tbody>${rows.map(({ light, flip }) => html`<tr>
@@ -44,7 +44,7 @@ export function droppedLights(view: View | undefined, material: string | null, r
         <td class=${material === null ? "" : "number"}>${material === null ? changed(light) : figure(flip, statistic)}</td></tr>`)}</tbody>
     </table></div>`}
     ${dropped.notMeasured.length === 0 ? nothing : html`<details><summary>${dropped.notMeasured.length} more ${dropped.notMeasured.length === 1 ? "was" : "were"} not measured</summary>
-      <p class="aside">Of less estimated effect; <code>--dropped-lights</code> says how many are measured.</p>
+      <p class="aside">Their estimated effect is smaller; <code>--dropped-lights</code> sets the number of lights to measure.</p>
       <ul>${dropped.notMeasured.map((name) => html`<li><bdi>${name}</bdi></li>`)}</ul></details>`}
   </section>`;
 }

@@ -12,6 +12,7 @@ import { PageElement } from "../element";
 import { count, figure, figureIn } from "../format";
 import { help } from "../help";
 import { badge, baseLayerBadge } from "../parts";
+import { termLabel } from "../viewer/terms";
 import "../viewer/viewer";
 import type { ParityViewer } from "../viewer/viewer";
 import { checkTable } from "./checks";
@@ -95,8 +96,8 @@ export class ParityItem extends PageElement {
           ? html`<span>FLIP${help(row.kind === "material" ? "materialFlip" : "wholeFlip")} mean ${value("flip.mean")}${help("mean")}, p95 ${value("flip.p95")}${help("p95")}, max ${value("flip.max")}${help("max")} over ${count(row.pixels)} pixel${row.pixels === 1 ? "" : "s"}${help("pixels")}</span>`
           : nothing}
         ${clipped === "" ? nothing : html`<span class="caution">Clipped in both pictures: <b>${clipped}</b>${help("clipping")}</span>`}
-        ${row.notModelled.length === 0 ? nothing : html`<span class="caution">No path models its <b><bdi>${row.notModelled.join(", ")}</bdi></b>${help("baseLayer")}</span>`}
-        ${row.cause ? html`<span>Cause: <b>${row.cause.term}</b>, ${figure(row.cause.before, report.statistics["flip.mean"])} → ${figure(row.cause.after, report.statistics["flip.mean"])} with ${pathWord(row.reference)}'s${help("worstTerm")}</span>` : nothing}
+        ${row.notModelled.length === 0 ? nothing : html`<span class="caution">No path models these parts: <b><bdi>${row.notModelled.join(", ")}</bdi></b>${help("baseLayer")}</span>`}
+        ${row.cause ? html`<span>Cause: <b>${row.cause.term}</b> (${termLabel(row.cause.term)}), FLIP ${figure(row.cause.before, report.statistics["flip.mean"])} → ${figure(row.cause.after, report.statistics["flip.mean"])} with the ${pathWord(row.reference)} term${help("worstTerm")}</span>` : nothing}
         ${this.renderDropped()}
       </p>
       <parity-viewer .report=${report} .scene=${row.scene} .view=${row.view} .material=${row.material} .state=${this.state}></parity-viewer>

@@ -12,11 +12,12 @@ import { change, count, duration, figure, figureIn, fixed } from "../format";
 import { help } from "../help";
 import { copyable, definitions } from "../parts";
 import { sceneNamed } from "../study/scene";
+import { termLabel } from "../viewer/terms";
 import { acceptCommands, diffCommand } from "./commands";
 import { stageLine } from "./stages";
 
 function figureTable({ figures, baseline }: Judged, { kind, reference, test }: Row, report: Report): TemplateResult {
-  if (!figures) return html`<p class="aside">There are no figures: no pixel of this view shows it.</p>`;
+  if (!figures) return html`<p class="aside">There are no figures, because no pixel of this view shows it.</p>`;
   const since = baseline && !baseline.new ? baseline.changes : null;
   const share = (value: number | null): string => (value === null ? "–" : `${fixed(100 * value, 1)} %`);
   const further: [string, string][] = [
@@ -30,7 +31,7 @@ function figureTable({ figures, baseline }: Judged, { kind, reference, test }: R
     [`mean luminance of ${pathWord(test)}, linear as exposed`, fixed(figures.testLuminance, 4)],
   ];
   return html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
-    <caption>${kind === "material" ? html`The ${pathWord(reference)} picture with ${pathWord(test)}'s colours of this material, against the ${pathWord(reference)} picture${help("materialFlip")}` : html`${pathTitle(test)} against ${pathWord(reference)}${help("wholeFlip")}`}</caption>
+    <caption>${kind === "material" ? html`The ${pathWord(reference)} picture against a copy in which only this material has the colours of ${pathWord(test)}${help("materialFlip")}` : html`${pathTitle(test)} against ${pathWord(reference)}${help("wholeFlip")}`}</caption>
     <thead><tr><th scope="col">figure</th><th scope="col">value</th>${since ? html`<th scope="col">since the baseline${help("baseline")}</th>` : nothing}</tr></thead>
     <tbody>
       ${Object.keys(figures.metrics).map((name) => html`<tr><th scope="row">${report.statistics[name]?.label ?? name} <code>${name}</code></th>
@@ -42,7 +43,7 @@ function figureTable({ figures, baseline }: Judged, { kind, reference, test }: R
 
 function truthTables(truth: Truth, { reference, test }: Row, report: Report): TemplateResult {
   const { figures } = truth;
-  if (!figures) return html`<p class="aside">The truth is not known here: there are no pixels.</p>`;
+  if (!figures) return html`<p class="aside">The truth is unknown here, because there are no pixels.</p>`;
   const names = [...new Set([...Object.keys(figures.reference.metrics), ...Object.keys(figures.test.metrics)])];
   const ofTerm = (value: number | null | undefined): string => figure(value ?? undefined, report.statistics["flip.mean"]);
   return html`<section><h3>Both paths against the truth ${help("truth")}</h3>
@@ -50,19 +51,19 @@ function truthTables(truth: Truth, { reference, test }: Row, report: Report): Te
       <thead><tr><th scope="col">figure</th><th scope="col">${pathWord(reference)}</th><th scope="col">${pathWord(test)}</th></tr></thead>
       <tbody>${names.map((name) => html`<tr><th scope="row">${report.statistics[name]?.label ?? name}</th><td class="number">${figureIn(figures.reference, name, report.statistics)}</td><td class="number">${figureIn(figures.test, name, report.statistics)}</td></tr>`)}</tbody>
     </table></div>
-    <p class="aside">Standard error of the truth's own pixels: median ${fixed((figures.error.median ?? NaN) * 100, 2)} %, worst ${fixed((figures.error.worst ?? NaN) * 100, 2)} %${figures.nonFinite > 0 ? html`; <b>${figures.nonFinite} of its pixels are not finite</b>` : nothing}.</p>
+    <p class="aside">Standard error of the truth's pixels: median ${fixed((figures.error.median ?? NaN) * 100, 2)} %, worst ${fixed((figures.error.worst ?? NaN) * 100, 2)} %${figures.nonFinite > 0 ? html`; <b>${figures.nonFinite} of its pixels are not finite</b>` : nothing}.</p>
     ${truth.terms.length === 0 ? nothing : html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
       <caption>Mean light by term${help("termLight")}</caption>
       <thead><tr><th scope="col">term</th><th scope="col">truth</th><th scope="col">${pathWord(reference)}</th><th scope="col">${pathWord(test)}</th><th scope="col">FLIP ${pathWord(reference)}</th><th scope="col">FLIP ${pathWord(test)}</th></tr></thead>
-      <tbody>${truth.terms.map((term) => html`<tr><th scope="row">${term.term}</th><td class="number">${fixed(term.luminance.truth, 4)}</td><td class="number">${fixed(term.luminance.reference, 4)}</td><td class="number">${fixed(term.luminance.test, 4)}</td>
+      <tbody>${truth.terms.map((term) => html`<tr><th scope="row">${term.term} <small>${termLabel(term.term)}</small></th><td class="number">${fixed(term.luminance.truth, 4)}</td><td class="number">${fixed(term.luminance.reference, 4)}</td><td class="number">${fixed(term.luminance.test, 4)}</td>
           <td class="number">${ofTerm(term.figures?.reference["flip.mean"])}</td><td class="number">${ofTerm(term.figures?.test["flip.mean"])}</td></tr>`)}</tbody></table></div>`}
     ${truth.notes.length > 0 ? html`<ul class="notes">${truth.notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
   </section>`;
 }
 
 function passTable(scene: Scene): TemplateResult {
-  return html`<section><h3>What was done, what was skipped ${help("skipped")}</h3><div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
-    <thead><tr><th scope="col">pass</th><th scope="col">done</th><th scope="col">skipped, as</th></tr></thead>
+  return html`<section><h3>Passes done and skipped ${help("skipped")}</h3><div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
+    <thead><tr><th scope="col">pass</th><th scope="col">done</th><th scope="col">reason for skipping</th></tr></thead>
     <tbody>${scene.passes.map((pass) => html`<tr class=${pass.skipped === null ? "" : "skipped"}><th scope="row">${pass.name}</th><td class="number">${pass.skipped === null ? `${count(pass.count)} ${pass.unit}` : "–"}</td><td>${pass.skipped ?? ""}</td></tr>`)}</tbody>
   </table></div></section>`;
 }
@@ -90,10 +91,10 @@ export class ParityNumbers extends PageElement {
       ${judged.stages.map((stage) => stageLine(stage, this.row.test, report))}
       ${judged.truth ? truthTables(judged.truth, this.row, report) : nothing}
       ${bench ? html`<section><h3>Error against time ${help("pareto")}</h3>${sceneNamed(bench, scene.name, scene.views[this.row.view]?.name ?? "")}</section>` : nothing}
-      <section><h3>To see it again</h3>
+      <section><h3>Repeat the comparison</h3>
         ${run && run.commandLine !== "" ? html`<p>The whole report:</p>${copyable(run.commandLine, "the command of the report")}` : nothing}
         ${run ? diffPart(run.commandLine, scene, this.row) : nothing}
-        <p>To accept what is:</p>${acceptCommands().map(({ what, command }) => html`<p class="aside">${what}</p>${copyable(command, what)}`)}
+        <p>Accept the result:</p>${acceptCommands().map(({ what, command }) => html`<p class="aside">${what}</p>${copyable(command, what)}`)}
       </section>
       ${passTable(scene)}${permutationTable(scene)}
       <section><h3>The run</h3>

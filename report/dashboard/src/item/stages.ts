@@ -8,16 +8,16 @@ import { help, type Topic } from "../help";
 
 const kStages: Record<string, { words: string; topic: Topic }> = {
   encoding: { words: "The render target", topic: "encoding" },
-  textures: { words: "Compression of textures by", topic: "textures" },
+  textures: { words: "Texture compression with", topic: "textures" },
 };
 
 /** "The render target": what comes before the thing that the picture passes through. */
 export function wordsOf(stage: string): string {
-  return kStages[stage]?.words ?? `The stage ${stage} by`;
+  return kStages[stage]?.words ?? `The stage ${stage} with`;
 }
 
 /** path: its name. */
 export function stageLine({ stage, through, figures }: Stage, path: string, report: Report): TemplateResult {
   const topic = kStages[stage]?.topic;
-  return html`<p>${wordsOf(stage)} <code>${through}</code> alone makes FLIP ${figureIn(figures, "flip.mean", report.statistics)} in ${pathWord(path)}'s own picture.${topic ? help(topic) : nothing}</p>`;
+  return html`<p>${wordsOf(stage)} <code>${through}</code> alone causes FLIP ${figureIn(figures, "flip.mean", report.statistics)} in the picture of ${pathWord(path)}.${topic ? help(topic) : nothing}</p>`;
 }

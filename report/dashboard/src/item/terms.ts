@@ -12,6 +12,7 @@ import { PageElement } from "../element";
 import { figure, fixed, signed } from "../format";
 import { help } from "../help";
 import "../viewer/term_image";
+import { termLabel } from "../viewer/terms";
 import { droppedLights } from "./dropped_lights";
 import { describeTerm, effectOf } from "./term_words";
 
@@ -28,7 +29,7 @@ export class ParityTerms extends PageElement {
   protected override render(): TemplateResult {
     const { material, row } = this;
     return html`<section class="terms">
-      <p class="bias-words"><b>${row.bias === "" ? "Nothing is seen of it." : row.bias}</b>${row.bias === "" ? nothing : help("bias")}</p>
+      <p class="bias-words"><b>${row.bias === "" ? "No pixel of this view shows it." : row.bias}</b>${row.bias === "" ? nothing : help("bias")}</p>
       ${material?.attribution ? this.renderAttribution(material.attribution) : this.renderWhyNone(material)}
       ${droppedLights(this.report.scenes[row.scene]?.views[row.view], row.kind === "material" ? row.name : null, this.report)}
       ${this.renderTerms(material)}
@@ -36,8 +37,8 @@ export class ParityTerms extends PageElement {
   }
 
   private renderWhyNone(material: Material | null): TemplateResult {
-    if (!material) return html`<p class="aside">Causes are found per material: open one of this view's.</p>`;
-    return html`<p class="aside">Which term is the cause is worked out for materials over budget, or for all with <code>--attribution all</code>.</p>`;
+    if (!material) return html`<p class="aside">Only materials have causes. Open a material of this view.</p>`;
+    return html`<p class="aside">The report looks for the cause of materials over budget. <code>--attribution all</code> looks for the cause of all.</p>`;
   }
 
   private renderAttribution({ flip, terms }: Attribution): TemplateResult {
@@ -50,15 +51,15 @@ export class ParityTerms extends PageElement {
       <td class="number">${figure(value ?? undefined, statistic)}</td>
       <td class="number">${kind === "now" || flip === null || value === null ? nothing : `${signed(((value - flip) / Math.max(flip, 1e-9)) * 100, 0)} %`}</td></tr>`;
     const sorted = [...terms].sort((a, b) => (a.flip ?? Infinity) - (b.flip ?? Infinity));
-    return html`<h3>Mean FLIP with one term of ${pathWord(this.row.reference)}'s ${help("attribution")}</h3>
+    return html`<h3>Mean FLIP with one term from ${pathWord(this.row.reference)} ${help("attribution")}</h3>
       <p>${
         cause
-          ? html`The cause: <b>${cause.term}</b>. With ${pathWord(this.row.reference)}'s, mean FLIP would be ${figure(cause.after, statistic)} in place of ${figure(cause.before, statistic)}.`
-          : "No single term explains it: no swap lowers FLIP by a tenth."
+          ? html`The cause is <b>${cause.term}</b> (${termLabel(cause.term)}). With the ${pathWord(this.row.reference)} term, mean FLIP is ${figure(cause.after, statistic)} instead of ${figure(cause.before, statistic)}.`
+          : "No single term explains it: no swap lowers FLIP by 10 %."
       }</p>
       <div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table class="attribution">
-        <thead><tr><th scope="col">swapped</th><th scope="col"><span class="sr">bar</span></th><th scope="col">mean FLIP</th><th scope="col">change</th></tr></thead>
-        <tbody>${line("nothing, as it is", flip, "now")}${sorted.map((each) => line(each.term, each.flip, effectOf(each.flip, flip)))}</tbody>
+        <thead><tr><th scope="col">swapped term</th><th scope="col"><span class="sr">bar</span></th><th scope="col">mean FLIP</th><th scope="col">change</th></tr></thead>
+        <tbody>${line("none", flip, "now")}${sorted.map((each) => line(html`${each.term} <small>${termLabel(each.term)}</small>`, each.flip, effectOf(each.flip, flip)))}</tbody>
       </table></div>`;
   }
 
@@ -69,14 +70,14 @@ export class ParityTerms extends PageElement {
     const names = lights.filter((each) => describeTerm(each, view.test) !== "black in both").map((each) => each.term);
     if (names.length === 0 && view.pixels.terms === "") return nothing;
     const shown = names.length > 0 ? names : [...new Set(view.materials.flatMap((each) => each.terms.filter((term) => describeTerm(term, view.test) !== "black in both").map((term) => term.term)))];
-    return html`<h3>The terms of both paths ${help("termLight")}</h3>
+    return html`<h3>Terms of light in both paths ${help("termLight")}</h3>
       <div class="term-grid">${repeat(shown, (term) => [this.row.scene, this.row.view, this.row.material, term].join(" "), (term) => {
         const light = lights.find((each) => each.term === term);
         const hash = toHash({ ...this.state, term, tab: "compare", mode: "side" });
         const image = (path: string, light: number | null | undefined): TemplateResult => html`<figure>
           <parity-term-image .report=${this.report} .scene=${this.row.scene} .view=${this.row.view} .material=${this.row.material} .plane=${`${path}.${term}`} .exposure=${this.state.exposure} .label=${`${pathTitle(path)} ${term}`}></parity-term-image>
           <figcaption>${pathTitle(path)} ${light !== undefined ? html`<span class="number">${fixed(light, 4)}</span>` : nothing}</figcaption></figure>`;
-        return html`<section class="term"><h4><a href=${hash}>${term}</a>${light ? html` <small>${describeTerm(light, view.test)}</small>` : nothing}</h4>
+        return html`<section class="term"><h4><a href=${hash} title=${termLabel(term)}>${term}</a>${light ? html` <small>${describeTerm(light, view.test)}</small>` : nothing}</h4>
           ${view.pixels.terms === "" ? html`<p class="aside">${light ? `${pathWord(view.reference)} ${fixed(light.reference, 4)}, ${pathWord(view.test)} ${fixed(light.test, 4)}` : ""}</p>` : html`<div class="pair">${image(view.reference, light?.reference)}${image(view.test, light?.test)}</div>`}</section>`;
       })}</div>`;
   }

@@ -42,7 +42,7 @@ function distinct(values: Iterable<string>): string[] {
 
 const kSorts: readonly (readonly [string, string])[] = [
   ["gravity", "verdict"], ["flip.mean", "mean FLIP"], ["flip.p95", "p95 FLIP"], ["flip.max", "max FLIP"],
-  ["bias", "brightness difference"], ["cause", "what its worst term explains"], ["pixels", "pixels"],
+  ["bias", "brightness difference"], ["cause", "share that the cause explains"], ["pixels", "pixels"],
   ["change", "change since the baseline"], ["name", "name"], ["place", "scene and view"], ["order", "order in the report"],
 ];
 
@@ -59,7 +59,7 @@ export function filters(report: Report, rows: readonly Row[], shown: number, sta
   const list = (each: List, label: string): TemplateResult => {
     const of = rows.filter((row) => isListed(row, each));
     const over = of.filter((row) => row.verdict === "fail" || row.verdict === "error").length;
-    return html`<button type="button" aria-pressed=${state.list === each ? "true" : "false"} @click=${() => set({ list: each })}>${label} <b>${count(of.length)}</b>${over > 0 ? html`<span class="over" title="failed, or errors">✕ ${count(over)}<span class="sr"> failed, or errors</span></span>` : nothing}</button>`;
+    return html`<button type="button" aria-pressed=${state.list === each ? "true" : "false"} @click=${() => set({ list: each })}>${label} <b>${count(of.length)}</b>${over > 0 ? html`<span class="over" title="failed or errors">✕ ${count(over)}<span class="sr"> failed or errors</span></span>` : nothing}</button>`;
   };
   const toggle = (verdict: string): void => {
     if (verdict === "") return set({ verdicts: [] });
@@ -67,7 +67,7 @@ export function filters(report: Report, rows: readonly Row[], shown: number, sta
     set({ verdicts: has ? state.verdicts.filter((each) => each !== verdict) : [...state.verdicts, verdict] });
   };
   return html`<div class="filters" role="search">
-    <div class="lists" role="group" aria-label="What is listed">${list("materials", "Materials")}${list("views", "Views")}</div>
+    <div class="lists" role="group" aria-label="List">${list("materials", "Materials")}${list("views", "Views")}</div>
     <input
       id="search" type="search" placeholder="Search materials, scenes, reasons" aria-label="Search materials, scenes, reasons"
       .value=${state.query} @input=${(event: Event) => set({ query: (event.target as HTMLInputElement).value })}

@@ -25,7 +25,7 @@ const kColumns: readonly Column[] = [
   { key: "flip.p95", label: "p95", topic: "p95" },
   { key: "flip.max", label: "Max", topic: "max" },
   { key: "bias", label: "Bias", topic: "bias" },
-  { key: "cause", label: "Worst term", topic: "worstTerm" },
+  { key: "cause", label: "Cause", topic: "worstTerm" },
   { key: "pixels", label: "Pixels", topic: "pixels" },
 ];
 const kPrintedRows = 500;

@@ -7,6 +7,7 @@ import { checkOf, figureOf, type Row } from "../data/rows";
 import type { Check, Images, Report } from "../data/types";
 import { count, figure } from "../format";
 import { badge, baseLayerBadge } from "../parts";
+import { termLabel } from "../viewer/terms";
 
 /** The pictures of a row; materials have crops, whole images the view's. */
 export function imagesOf(row: Row, report: Report): Images | null {
@@ -72,7 +73,7 @@ export function fullRow(row: Row, report: Report, hash: string): TemplateResult 
     <span role="cell" class="cell-bias">${row.bias}</span>
     <span role="cell" class="cell-cause">${
       row.cause
-        ? html`<b>${row.cause.term}</b><small>${figure(row.cause.before, report.statistics["flip.mean"])} → ${figure(row.cause.after, report.statistics["flip.mean"])}</small>`
+        ? html`<b title=${termLabel(row.cause.term)}>${row.cause.term}</b><small>${figure(row.cause.before, report.statistics["flip.mean"])} → ${figure(row.cause.after, report.statistics["flip.mean"])}</small>`
         : nothing
     }</span>
     <span role="cell" class="cell-pixels number">${row.judged ? count(row.pixels) : ""}</span>

@@ -38,7 +38,7 @@ export class ParityPareto extends PageElement {
   protected override render(): TemplateResult {
     return html`<div class="pareto-keys">
         ${this.paths.map((path, index) => html`<label><input type="checkbox" checked @change=${(event: Event) => this.showPath(index, (event.target as HTMLInputElement).checked)} /><span class="swatch path-${index}"></span>${path}</label>`)}
-        ${this.paths.length > 0 ? html`<span><span class="swatch dominated"></span>dominated; the larger dot is a path's default</span>` : nothing}
+        ${this.paths.length > 0 ? html`<span><span class="swatch dominated"></span>dominated; the larger dot is the default of a path</span>` : nothing}
       </div>
       <div class="plot table-scroll" tabindex="0" role="group" aria-label="Picture" @pointermove=${this.onMove}></div>
       <p class="aside plot-hover" aria-hidden="true">${this.at === "" ? "Point at a setting." : this.at}</p>`;

@@ -79,12 +79,12 @@ const pictures = (plots: readonly Plot[], stage: Stage): TemplateResult => html`
 
 /** All that is known of a scene by the place it has in the sweep. */
 export function sceneParts(scene: MeasuredScene, plots: readonly Plot[], conclusions: Conclusions): TemplateResult {
-  return html`<p class="sub">environment <bdi>${scene.environment}</bdi>, sun ${scene.sun}; ${scene.width}×${scene.height}, ${count(scene.pixels)} surface samples${scene.truthError > 0 ? `; the truth is known to ${significant(100 * scene.truthError, 2)} % (median pixel)` : ""}</p>
+  return html`<p class="sub">environment <bdi>${scene.environment}</bdi>, sun ${scene.sun}; ${scene.width}×${scene.height}, ${count(scene.pixels)} surface samples${scene.truthError > 0 ? `; the error of the truth is ${significant(100 * scene.truthError, 2)} % (median pixel)` : ""}</p>
     ${pictures(plots, "shading")}${variantTable(scene, "shading")}
     ${pictures(plots, "preparation")}${variantTable(scene, "preparation")}
     ${variantTable(scene, "storage")}
     ${materialTable(scene, conclusions)}
-    ${scene.skipped.length === 0 ? nothing : html`<p class="sub">Not tried, for the scene does not need it:</p><ul class="notes">${scene.skipped.map((each) => html`<li>${each}</li>`)}</ul>`}`;
+    ${scene.skipped.length === 0 ? nothing : html`<p class="sub">Not measured, because the scene does not need it:</p><ul class="notes">${scene.skipped.map((each) => html`<li>${each}</li>`)}</ul>`}`;
 }
 
 const namesOf = (bench: Bench): TemplateResult[] => bench.scenes.map(({ scene }, index) => html`${index > 0 ? ", " : ""}<bdi>${scene}</bdi>`);

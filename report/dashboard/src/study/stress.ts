@@ -11,7 +11,7 @@ import { table, type Column } from "./table";
 function unexpectedCard(finding: Finding): TemplateResult {
   return html`<article class="finding">
     <p><b>${finding.subject}</b> ${finding.place} <span class="badge fail">✕ unexpected</span> ${finding.fault}${finding.count > 0 ? `, ${count(finding.count)} times` : ""}</p>
-    ${finding.region === "" ? nothing : html`<p>It was expected where ${finding.region}: ${finding.reason}</p>`}
+    ${finding.region === "" ? nothing : html`<p>The table expected it where ${finding.region}: ${finding.reason}</p>`}
     ${finding.example === "" ? nothing : html`<p class="aside">Worst: ${finding.example}</p>`}
     ${copyable(`parity stress ${finding.reproduce}`, `the command for ${finding.subject}`)}
   </article>`;
@@ -23,11 +23,11 @@ function knownPart(stress: Stress): TemplateResult | typeof nothing {
   const first = ({ findings }: Cause): Finding | undefined => findings[0];
   return html`<section><h2>Known</h2>
     ${table<Cause>("Known findings", causesOf(stress.findings), [
-      { label: "of", isText: true, value: (each) => each.subject, show: (each) => html`<b>${each.subject}</b>` },
-      { label: "what", isText: true, value: (each) => each.fault },
-      { label: "where and why", isText: true, value: (each) => each.region, show: (each) => html`<div class="why">${each.region}. ${first(each)?.reason}</div>` },
+      { label: "subject", isText: true, value: (each) => each.subject, show: (each) => html`<b>${each.subject}</b>` },
+      { label: "finding", isText: true, value: (each) => each.fault },
+      { label: "region and reason", isText: true, value: (each) => each.region, show: (each) => html`<div class="why">${each.region}. ${first(each)?.reason}</div>` },
       { label: "rows or pixels", value: total, show: (each) => each.findings.map((one) => html`<div>${one.place}: ${count(one.count)}</div>`) },
-      { label: "worst of the first", isText: true, value: (each) => first(each)?.example, show: (each) => html`<small class="why">${first(each)?.example}</small>` },
+      { label: "worst of the first place", isText: true, value: (each) => first(each)?.example, show: (each) => html`<small class="why">${first(each)?.example}</small>` },
       { label: "repeat", isText: true, value: (each) => first(each)?.reproduce, show: (each) => html`<code class="why">${first(each)?.reproduce}</code>` },
     ])}</section>`;
 }
@@ -37,7 +37,7 @@ function mapsPart(functions: readonly StressFunction[]): TemplateResult | typeof
   if (mapped.length === 0) return nothing;
   const maps = ({ columns }: StressFunction): Side[] => columns.filter((each) => each.side === "cpu" && each.precision !== "fp64" && each.map);
   return html`<section><h2>Errors over roughness and cosine</h2>
-    <p class="sub">Greatest error against fp64 at the same inputs, relative to the value (or to the scale that the table states), from 1e−8 (black) to 1 and more (light).</p>
+    <p class="sub">Largest error against fp64 at the same inputs, relative to the value (or to the scale in the table), from 1e−8 (black) to 1 and more (light).</p>
     <div class="maps">${mapped.map((each) => html`<figure><figcaption>${each.name}</figcaption>
       <div class="pair">${maps(each).map((side) => html`<div><parity-error-map .map=${side.map} .axes=${each.mapAxes} .label=${`${each.name}, ${side.side} ${side.precision}`}></parity-error-map><small>${side.side} ${side.precision}</small></div>`)}</div>
     </figure>`)}</div></section>`;
@@ -84,7 +84,7 @@ function scenesPart({ scenes, findings }: Stress): TemplateResult | typeof nothi
   return html`<section><h2>Scenes</h2>
     ${table("Scenes", scenes, [
       { label: "scene", isText: true, value: (scene) => scene.name, show: (scene) => html`<b>${scene.name}</b>` },
-      { label: "what must come out", isText: true, value: (scene) => scene.wants },
+      { label: "expected result", isText: true, value: (scene) => scene.wants },
       { label: "result", isText: true, value: (scene) => found(scene.name, false), show: (scene) => verdict(scene.name) },
     ])}</section>`;
 }
@@ -95,9 +95,9 @@ const seconds = (timeMs: number | undefined): string => (timeMs === undefined ? 
 export function stressParts(stress: Stress, times: StressTimes | null): TemplateResult {
   const unexpected = stress.findings.filter((each) => !each.expected);
   return html`<section>
-      ${stress.functions.length === 0 ? nothing : html`<p>${several(stress.functions.length, "function")}, ${count(stress.points)} points each on the CPU, ${count(stress.devicePoints)} on the device, besides special values${seconds(times?.functionsMs)}.</p>`}
-      ${stress.scenes.length === 0 ? nothing : html`<p>${several(stress.scenes.length, "scene")} by every path, twice, under the validation layers${seconds(times?.rendersMs)}.</p>`}
-      ${stress.failure === null ? nothing : html`<p class="notice error" role="alert">Ended early: ${stress.failure}</p>`}
+      ${stress.functions.length === 0 ? nothing : html`<p>${several(stress.functions.length, "function")}, ${count(stress.points)} points each on the CPU, ${count(stress.devicePoints)} on the device, in addition to special values${seconds(times?.functionsMs)}.</p>`}
+      ${stress.scenes.length === 0 ? nothing : html`<p>${several(stress.scenes.length, "scene")} rendered twice by every path, with the validation layers${seconds(times?.rendersMs)}.</p>`}
+      ${stress.failure === null ? nothing : html`<p class="notice error" role="alert">Stopped early: ${stress.failure}</p>`}
       ${stress.fp16Skipped === null ? nothing : html`<p class="caution">Skipped: fp16 on the device: ${stress.fp16Skipped}</p>`}
     </section>
     <section><h2>New ${help("unexpected")}</h2>${unexpected.length === 0 ? html`<p>None.</p>` : unexpected.map(unexpectedCard)}</section>

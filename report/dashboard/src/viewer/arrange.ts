@@ -55,7 +55,7 @@ function imageOf({ view }: Scenery, picture: Picture): string {
 
 function planeOf({ view, state, source }: Scenery, picture: Picture): ReturnType<PixelSource["color"]> {
   if (state.term === "") return source.color(pathOf(view, picture));
-  if (picture === "truth") return { message: "The truth's terms are not in the report." };
+  if (picture === "truth") return { message: "The report does not hold the terms of the truth." };
   return source.term(`${pathOf(view, picture)}.${state.term}`);
 }
 
@@ -125,11 +125,11 @@ function flipPane(scenery: Scenery): PaneModel {
     onePane("flip", "FLIP map", [note, exposure].filter(Boolean).join(", "), [makeFlip(scenery)]);
   if (material < 0) return whole("");
   const plane: Loaded<Plane> = scenery.isAtRest ? source.color(flipPlaneOf(material)) : { waiting: true };
-  if (messageOf(plane) !== "") return whole("of the whole pictures: its own needs pixel values");
+  if (messageOf(plane) !== "") return whole("of the whole pictures; the own map of each material needs pixel values");
   const values = valueOf(plane);
   const job: Job | null = values && { kind: "flip", plane: values, threshold: state.threshold };
   const layer: Layer = { key: "flip", label: "FLIP map", image: "", job };
-  return onePane("flip", "FLIP map", ["each material's own", exposure].filter(Boolean).join(", "), [
+  return onePane("flip", "FLIP map", ["own map of each material", exposure].filter(Boolean).join(", "), [
     { layer, message: "", isWaiting: job === null },
   ]);
 }
@@ -161,7 +161,7 @@ function differencePane(scenery: Scenery): PaneModel {
   const [first, second] = [planeOf(scenery, base), planeOf(scenery, "test")];
   const [reference, test, display] = [valueOf(first), valueOf(second), valueOf(source.display)];
   const label = `Difference × ${state.gain}`;
-  const note = [`${pathWord(view.test)} less ${pathWord(pathOf(view, base))}`, exposureText(state.exposure)];
+  const note = [`${pathWord(view.test)} minus ${pathWord(pathOf(view, base))}`, exposureText(state.exposure)];
   const exposureEv = view.exposureEv + state.exposure;
   const job: Job | null =
     reference && test && display

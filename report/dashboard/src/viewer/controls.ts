@@ -64,8 +64,8 @@ function range(r: Range): TemplateResult {
       type="button"
       class="reset"
       ?disabled=${r.value === r.usual}
-      aria-label=${`${r.label}: back to usual`}
-      title="Back to usual"
+      aria-label=${`${r.label}: reset`}
+      title="Reset"
       @click=${() => r.set(r.usual)}
     >
       ↺
@@ -119,7 +119,7 @@ function termChoice({ state, hasTerms, set }: ControlScene): TemplateResult | ty
     <select id="viewer-term" @change=${(event: Event) => set({ term: (event.target as HTMLSelectElement).value })}>
       <option value="" .selected=${state.term === ""}>colour</option>
       ${kTermNames.map(
-        (term) => html`<option value=${term} .selected=${state.term === term}>${termLabel(term)}</option>`,
+        (term) => html`<option value=${term} .selected=${state.term === term}>${term}: ${termLabel(term)}</option>`,
       )}
     </select>
     ${help("showTerm")}</span

@@ -178,13 +178,13 @@ export class ParityFlipHistogram extends PageElement {
   /** The same in a sentence, for whoever does not see the plot. */
   private get summary(): string {
     const h = this.histogram;
-    if (h === null || h.total === 0) return "No pixel is counted.";
-    return `${count(h.total)} pixels: half are at most ${fixed(h.median, 3)}, 95 % at most ${fixed(h.p95, 3)}, the worst is ${fixed(h.max, 3)}; the mean is ${fixed(h.mean, 3)}.`;
+    if (h === null || h.total === 0) return "No pixel counts.";
+    return `${count(h.total)} pixels: median ${fixed(h.median, 3)}, p95 ${fixed(h.p95, 3)}, max ${fixed(h.max, 3)}, mean ${fixed(h.mean, 3)}.`;
   }
 
   protected override render(): TemplateResult {
     return html`<section class="histogram">
-      <h3>FLIP of its pixels${help("histogram")}</h3>
+      <h3>FLIP of the pixels${help("histogram")}</h3>
       ${this.flip === null
         ? html`<p class="aside">${this.message === "" ? "Loading…" : this.message}</p>`
         : html`<div

@@ -150,7 +150,7 @@ export class ParityInspector extends PageElement {
                 ${this.terms.map(
                   ({ term, reference, test }) =>
                     html`<tr>
-                      <th scope="row">${termLabel(term)}</th>
+                      <th scope="row" title=${term}>${termLabel(term)}</th>
                       ${[reference, test].map(
                         (rgb) =>
                           html`<td class="number">${rgb.map((value) => html`<span>${linearText(value)}</span> `)}</td>`,
@@ -198,7 +198,7 @@ export class ParityInspector extends PageElement {
           Unpin
         </button>
         <span class="aside"
-          >${at.isPinned ? "Pinned; arrow keys move it while a picture has the focus." : "A click pins it."}</span
+          >${at.isPinned ? "Pinned. Arrow keys move it while a picture has the focus." : "Click to pin it."}</span
         >
       </p>`;
   }
@@ -210,7 +210,7 @@ export class ParityInspector extends PageElement {
       ${at === null
         ? html`<p class="aside">
             ${this.message === ""
-              ? "Point at a picture, click to pin; or press an arrow key while a picture has the focus."
+              ? "Point at a picture and click to pin a pixel, or press an arrow key while a picture has the focus."
               : this.message}
           </p>`
         : this.renderPixel(at)}

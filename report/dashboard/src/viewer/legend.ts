@@ -14,13 +14,13 @@ function at(share: number): string {
 }
 
 export function legend(threshold: number): TemplateResult {
-  const words = threshold > 0 ? `; below the threshold ${threshold.toFixed(2)} it is grey` : "";
+  const words = threshold > 0 ? `; grey below the threshold ${threshold.toFixed(2)}` : "";
   return html`<div class="legend">
     <span class="legend-name">FLIP${help("magma")}</span>
     <div
       class="legend-scale"
       role="img"
-      aria-label=${`FLIP from 0, black, alike, to 1, bright yellow, far apart${words}`}
+      aria-label=${`FLIP from 0 (black, identical) to 1 (bright yellow, largest difference)${words}`}
     >
       <div class="legend-bar" .style=${styleText({ background: kGradient })}>
         ${threshold > 0

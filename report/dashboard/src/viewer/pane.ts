@@ -240,7 +240,7 @@ export class ParityPane extends PageElement {
         role="application"
         data-keys="own"
         ?data-free=${isUsual(this.look)}
-        aria-label=${`${this.label}${this.right === "" ? "" : ` left, ${this.right} right`}: plus and minus zoom, Shift and arrows move, arrows move the inspected pixel`}
+        aria-label=${`${this.label}${this.right === "" ? "" : ` left, ${this.right} right`}: plus and minus zoom, Shift and arrows move the picture, arrows move the inspected pixel`}
         @pointermove=${this.onMove}
         @pointerleave=${this.onLeave}
         @click=${this.onClick}

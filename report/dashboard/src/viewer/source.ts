@@ -23,7 +23,7 @@ export function messageOf<T>(loaded: Loaded<T>): string {
 export async function loadDisplay(report: Report): Promise<Display> {
   const name = report.settings.find((setting) => setting.name === "display")?.value ?? "sRGB";
   if (name === "sRGB" || name === "raw") return { kind: name };
-  if (report.displayTable === "") throw new Error(`this report has no table of its display transform "${name}"`);
+  if (report.displayTable === "") throw new Error(`this report has no table for its display transform "${name}"`);
   const chunk = await loadChunk(report.displayTable);
   return { kind: "table", table: readDisplayTable(chunk, await loadPlane(report.displayTable, "table")) };
 }
@@ -89,10 +89,10 @@ export class PixelSource {
   private async load(file: string, name: string): Promise<Plane> {
     const view = this.view;
     if (file === view?.pixels.terms && !(await loadChunk(file)).planes.some((plane) => plane.name === name))
-      throw new Error("This term is black here, in both paths.");
+      throw new Error("This term is black in both paths.");
     const plane = await loadPlane(file, name);
     if (view !== null && (plane.width !== view.width || plane.height !== view.height))
-      throw new Error(`${file} is ${plane.width} x ${plane.height}, its view ${view.width} x ${view.height}`);
+      throw new Error(`${file} is ${plane.width} x ${plane.height}, but its view is ${view.width} x ${view.height}`);
     return plane;
   }
 

@@ -1,19 +1,10 @@
-// The names of the terms that a path's colour is the sum of, as people read them (shading/terms.h).
+// The terms that a path's colour is the sum of, in words.
+import { kTermWords } from "../data/types";
 
 /** In the order of the report. */
-export const kTermNames = [
-  "sunDiffuse",
-  "sunSpecular",
-  "localDiffuse",
-  "localSpecular",
-  "lightmap",
-  "skyDiffuse",
-  "skySpecular",
-  "emissive",
-  "fog",
-] as const;
+export const kTermNames: readonly string[] = Object.keys(kTermWords);
 
-/** "skySpecular" is "sky specular". */
+/** "reflections of the environment"; the name of a term that has no words. */
 export function termLabel(term: string): string {
-  return term.replace(/[A-Z]/g, (letter) => " " + letter.toLowerCase());
+  return kTermWords[term] ?? term;
 }

@@ -28,7 +28,7 @@ describe("the overview of 500 materials", () => {
     expect(await page.locator(".list .row .badge.base-layer").count()).toBe(await page.locator(".list .row").count());
     await page.click(".list .row .name >> nth=0");
     await page.waitForSelector("parity-item h2 .badge.base-layer");
-    expect(await page.textContent("parity-item .facts")).toContain("No path models its clearcoat, sheen");
+    expect(await page.textContent("parity-item .facts")).toContain("No path models these parts: clearcoat, sheen");
   });
 
   it("says which lights mobile drops from a material, and from a view, and what they do", async () => {
@@ -171,8 +171,8 @@ describe("what is neither a plain pass nor a plain failure", () => {
   });
 
   it("shows the whole pictures' FLIP map where a material's own has no values, and says so", async () => {
-    expect(await open(0)).toContain("of the whole pictures: its own needs pixel values");
-    expect(await open(-1)).not.toContain("its own needs pixel values");
+    expect(await open(0)).toContain("of the whole pictures; the own map of each material needs pixel values");
+    expect(await open(-1)).not.toContain("the own map of each material needs pixel values");
   });
 });
 

@@ -38,10 +38,10 @@ describe("a sweep", () => {
   it("shows pictures against the truth and the high-end default, of preparation, and tables of each stage", async () => {
     const { page } = await openReport(browser, reportFolder("sweep"));
     expect(await page.locator("parity-pareto svg").count()).toBe(2 * 3 - 2 + 2 * 0 + 1 + 1);
-    for (const label of ["Settings, shading", "Settings, preparation", "Settings, storage", "What a millisecond buys", "The fastest within the budget", "Against the earlier sweep"])
+    for (const label of ["Settings, shading", "Settings, preparation", "Settings, storage", "Error saved by a millisecond", "Fastest settings within the budget", "Comparison with the earlier sweep"])
       expect(await page.locator(`[aria-label="${label}"]`).count(), label).toBeGreaterThan(0);
     expect(await page.textContent(".notice.error")).toContain("<img");
-    expect(await page.textContent('[aria-label="Against the earlier sweep"]')).toContain("slower");
+    expect(await page.textContent('[aria-label="Comparison with the earlier sweep"]')).toContain("slower");
   });
 
   it("sorts its settings up, down and back", async () => {

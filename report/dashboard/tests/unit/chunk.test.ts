@@ -54,7 +54,7 @@ describe("pixel files", () => {
     const plane = { name: "p", kind: "uint16", data: "" };
     const check = (value: unknown) => () => checkChunk(value, "pixels/a.js");
     expect(check(undefined)).toThrow("holds no pixel values");
-    expect(check(makeChunk(plane, { format: 2 }))).toThrow("is of format 2, this page reads format 1");
+    expect(check(makeChunk(plane, { format: 2 }))).toThrow("has format 2, but this page reads format 1");
     expect(check(makeChunk(plane, { file: "pixels/b.js" }))).toThrow("another file");
     for (const size of [0, -1, 1.5, "7", null, NaN, 2 ** 30])
       expect(check(makeChunk(plane, { width: size }))).toThrow("its size is wrong");

@@ -112,6 +112,6 @@ describe("display transform", () => {
     const planes = [{ name: "table", kind: "rgb16f", data: packValues(new Uint16Array(3 * 6), 3, 2) }];
     const chunk = checkChunk({ file: "f", format: 1, width: 3, height: 2, planes, minLog2: 0, maxLog2: 1 }, "f");
     const plane = await decodePlane(chunk, "table");
-    expect(() => readDisplayTable(chunk, plane)).toThrow("no cube");
+    expect(() => readDisplayTable(chunk, plane)).toThrow("not a cube");
   });
 });

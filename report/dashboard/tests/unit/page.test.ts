@@ -13,6 +13,6 @@ describe("a report that the page reads", () => {
 
   it("is whole", () => {
     expect(problemOf(null)).toMatch(/no report/);
-    expect(problemOf({ ...makeReport([]), scenes: {} })).toMatch(/not whole/);
+    expect(problemOf({ ...makeReport([]), scenes: {} })).toMatch(/not complete/);
   });
 });
