@@ -31,12 +31,6 @@ target_compile_options(parity_flags INTERFACE
   -fPIC
   # The single-source maths must round alike on CPU and GPU (docs/design.md 5b): no silent fused multiply-add.
   -ffp-contract=off)
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  # GCC 12 follows inlined strings wrongly (its bugs 105329 and 105651): what it says of them stays a warning where the presets
-  # take warnings for errors.
-  target_compile_options(parity_flags INTERFACE -Wno-error=array-bounds -Wno-error=restrict -Wno-error=stringop-overflow
-                                                -Wno-error=stringop-overread -Wno-error=maybe-uninitialized)
-endif()
 if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC takes a source that another one includes for a header, where a type of an anonymous namespace would be a fault.
   target_compile_options(parity_flags INTERFACE -Wno-subobject-linkage)

@@ -112,7 +112,7 @@ void expectSame(const BakedLight& a, const BakedLight& b) {
 
 void expectError(const std::function<void()>& body, const std::string& part) { base::expectError(body, {part}); }
 
-TEST(BakedFolder, isReadAsItWasWritten) {
+TEST(BakedFolder, IsReadAsItWasWritten) {
   const TempFolder folder;
   const BakedLight baked = makeBaked();
   writeBaked(folder / "below" / "it", baked);
@@ -128,7 +128,7 @@ TEST(BakedFolder, isReadAsItWasWritten) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder / "below"), {}), 1) << "nothing is left beside it";
 }
 
-TEST(BakedFolder, earlierOneStaysWhereTheDiskIsFull) {
+TEST(BakedFolder, EarlierOneStaysWhereTheDiskIsFull) {
   const TempFolder folder;
   const BakedLight baked = makeBaked();
   writeBaked(folder / "bake", baked);
@@ -141,7 +141,7 @@ TEST(BakedFolder, earlierOneStaysWhereTheDiskIsFull) {
   expectSame(readBaked(folder / "bake"), baked);
 }
 
-TEST(BakedFolder, replacesOnlyWhatItsManifestLists) {
+TEST(BakedFolder, ReplacesOnlyWhatItsManifestLists) {
   const TempFolder folder;
   requireBakeFolder(folder / "none");
   fs::create_directory(folder / "empty");
@@ -156,7 +156,7 @@ TEST(BakedFolder, replacesOnlyWhatItsManifestLists) {
 }
 
 // A manifest of honest hashes over objects that are not those of its pages.
-TEST(BakedFolder, objectsMustFitThePages) {
+TEST(BakedFolder, ObjectsMustFitThePages) {
   const TempFolder folder;
   const auto refused = [&](const std::function<void(BakedLight&)>& change) {
     BakedLight baked = makeBaked();
@@ -169,7 +169,7 @@ TEST(BakedFolder, objectsMustFitThePages) {
   refused([](BakedLight& baked) { baked.lqScales.pop_back(); });
 }
 
-TEST(BakedFolder, isWholeWhileAllThatIsReadIsWhatTheManifestLists) {
+TEST(BakedFolder, IsWholeWhileAllThatIsReadIsWhatTheManifestLists) {
   const TempFolder temp;
   const fs::path folder = temp / "baked";
   writeBaked(folder, makeBaked());

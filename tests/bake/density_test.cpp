@@ -14,7 +14,7 @@ scenes::Scene sceneOf(float half) {
   return scene;
 }
 
-TEST(Density, isSixteenButOfVerySmallAndLargeScenes) {
+TEST(Density, IsSixteenButOfVerySmallAndLargeScenes) {
   EXPECT_DOUBLE_EQ(defaultTexelsPerMetre(sceneOf(5)), 16);              // 100 m^2: 25,600 texels
   EXPECT_NEAR(defaultTexelsPerMetre(sceneOf(0.01f)), 128 / 0.02, 0.01); // 2 cm: 128 x 128 texels
   EXPECT_NEAR(defaultTexelsPerMetre(sceneOf(500)), 1024 / 1000., 1e-4); // 1 km: 1024 x 1024

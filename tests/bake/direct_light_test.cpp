@@ -34,7 +34,7 @@ protected:
   mutable bool m_reached = false;
 };
 
-TEST_F(DirectLight, ofASpotFallsOffTowardsItsCone) {
+TEST_F(DirectLight, OfASpotFallsOffTowardsItsCone) {
   scenes::Light light = pointLight({2, 2, 0}, {10, 20, 30});
   light.kind = scenes::LightKind::spot;
   light.direction = {0, -1, 0};
@@ -53,7 +53,7 @@ TEST_F(DirectLight, ofASpotFallsOffTowardsItsCone) {
   }
 }
 
-TEST_F(DirectLight, endsAtTheRange) {
+TEST_F(DirectLight, EndsAtTheRange) {
   scenes::Light light = pointLight({3, 2, 0}, {5, 5, 5});
   light.range = 2.5f;
   EXPECT_NEAR(at({3, 0, 0}, light).irradiance.x, 5 * (1 - std::pow(2 / 2.5, 4)) / 4, 1e-5);
@@ -63,7 +63,7 @@ TEST_F(DirectLight, endsAtTheRange) {
   EXPECT_GT(at({3, 0, 1.6f}, light).irradiance.x, 0);
 }
 
-TEST_F(DirectLight, fadesAsTheLightSays) {
+TEST_F(DirectLight, FadesAsTheLightSays) {
   scenes::Light light = pointLight({3, 2, 0}, {5, 5, 5});
   light.range = 2.5f;
   light.falloff = scenes::Falloff::ue4;
@@ -74,7 +74,7 @@ TEST_F(DirectLight, fadesAsTheLightSays) {
   EXPECT_EQ(at({3, 0, 1.6f}, light).irradiance.x, 0) << "beyond the range";
 }
 
-TEST_F(DirectLight, ofASunHasNoDistanceAndIsStopped) {
+TEST_F(DirectLight, OfASunHasNoDistanceAndIsStopped) {
   scenes::Light sun = pointLight({}, {2, 3, 4});
   sun.kind = scenes::LightKind::directional;
   sun.direction = glm::normalize(glm::vec3(-1, -1, 0));
@@ -85,7 +85,7 @@ TEST_F(DirectLight, ofASunHasNoDistanceAndIsStopped) {
   EXPECT_GT(at({-2, 0, 0}, sun).irradiance.y, 0) << "and here no more";
 }
 
-TEST_F(DirectLight, fromBehindAddsToDirectionsOfDoubleSidedSurfacesAlone) {
+TEST_F(DirectLight, FromBehindAddsToDirectionsOfDoubleSidedSurfacesAlone) {
   const scenes::Light light = pointLight({2, -1, 0}, {1, 1, 1});
   EXPECT_EQ(at({2, 0, 0}, light).sh.x, 0);
   EXPECT_FALSE(m_reached);
@@ -95,7 +95,7 @@ TEST_F(DirectLight, fromBehindAddsToDirectionsOfDoubleSidedSurfacesAlone) {
   EXPECT_NEAR(both.sh.z, -kY1, 1e-6);
 }
 
-TEST_F(DirectLight, atTheLightItselfIsNone) {
+TEST_F(DirectLight, AtTheLightItselfIsNone) {
   EXPECT_EQ(at({2, 0, 0}, pointLight({2, 0, 0}, {1, 1, 1})).irradiance, glm::dvec3(0));
   const LightSum near = at({2, 0, 0}, pointLight({2, 0.001f, 0}, {1, 1, 1}));
   EXPECT_TRUE(std::isfinite(near.irradiance.x));
@@ -103,7 +103,7 @@ TEST_F(DirectLight, atTheLightItselfIsNone) {
 }
 
 // A sky of radiance 2, 3, 4 everywhere has their luminance.
-TEST(Capture, averageBrightnessIsTheMeanLuminance) {
+TEST(Capture, AverageBrightnessIsTheMeanLuminance) {
   const std::vector<glm::vec4> texels(std::size_t{6} * 32 * 32, glm::vec4(2, 3, 4, 1));
   Capture capture;
   capture.light = std::make_shared<const lighting::EnvironmentLight>(

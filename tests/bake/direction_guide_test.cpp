@@ -17,7 +17,7 @@ std::array<double, DirectionGuide::kCells> someWishes() {
   return wanted;
 }
 
-TEST(DirectionGuide, takesPointsInProportionToWhatIsWanted) {
+TEST(DirectionGuide, TakesPointsInProportionToWhatIsWanted) {
   const auto wanted = someWishes();
   double total = 0;
   for (const double w : wanted) total += w;
@@ -45,7 +45,7 @@ TEST(DirectionGuide, takesPointsInProportionToWhatIsWanted) {
   }
 }
 
-TEST(DirectionGuide, isEvenWithoutWishes) {
+TEST(DirectionGuide, IsEvenWithoutWishes) {
   glm::dvec2 u(0.3, 0.7);
   EXPECT_EQ(DirectionGuide().warp(u), 1);
   EXPECT_EQ(u, glm::dvec2(0.3, 0.7));

@@ -30,7 +30,7 @@ std::vector<Case> cases() {
           {{up, -up}, false}, {{tilted}, true},      {{up, tilted}, true}};
 }
 
-TEST(Directions, haveADensityWhoseIntegralIsOneAndComeByIt) {
+TEST(Directions, HaveADensityWhoseIntegralIsOneAndComeByIt) {
   for (const Case& c : cases()) {
     const Directions directions(c.normals, c.bothSides);
     double total = 0;
@@ -52,7 +52,7 @@ TEST(Directions, haveADensityWhoseIntegralIsOneAndComeByIt) {
   }
 }
 
-TEST(Directions, leaveOutNothingThatAPointSees) {
+TEST(Directions, LeaveOutNothingThatAPointSees) {
   for (const Case& c : cases()) {
     const Directions directions(c.normals, c.bothSides);
     for (std::uint32_t i = 0; i < kCount; ++i) {

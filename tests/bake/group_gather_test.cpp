@@ -36,7 +36,7 @@ scenes::Mesh boxWithWindow(float half, float window) {
   return mesh;
 }
 
-TEST(GroupGather, tellsTheErrorOfWhatComesThroughAWindow) {
+TEST(GroupGather, TellsTheErrorOfWhatComesThroughAWindow) {
   scenes::Scene scene;
   addObject(scene, boxWithWindow(1, 0.4f), matte("walls", 0));
   const std::vector<glm::dvec3> window = {{-0.4, 1, -0.4}, {0.4, 1, -0.4}, {0.4, 1, 0.4}, {-0.4, 1, 0.4}};
@@ -63,7 +63,7 @@ TEST(GroupGather, tellsTheErrorOfWhatComesThroughAWindow) {
   EXPECT_LE(samples / count, 4096);
 }
 
-TEST(GroupGather, takesNoMoreThanTheSamplesOfAllTexelsTogether) {
+TEST(GroupGather, TakesNoMoreThanTheSamplesOfAllTexelsTogether) {
   scenes::Scene scene;
   addObject(scene, boxWithWindow(1, 0.1f), matte("walls", 0.5f));
   for (const double error : {1e-9, 0.03}) {
@@ -80,7 +80,7 @@ TEST(GroupGather, takesNoMoreThanTheSamplesOfAllTexelsTogether) {
 }
 
 // Tables of Student's distribution, two-sided 95 %.
-TEST(GroupGather, knowsStudentsDistribution) {
+TEST(GroupGather, KnowsStudentsDistribution) {
   const std::pair<double, double> table[] = {{3, 3.182}, {4, 2.776}, {7, 2.365}, {24, 2.064}, {1e9, 1.960}};
   for (const auto& [freedom, factor] : table) EXPECT_NEAR(studentOf95Percent(freedom), factor, 0.01 * factor);
 }

@@ -22,7 +22,7 @@ glm::dvec4 texelAt(const base::BasicImage<std::uint16_t>& halves, int x, int y) 
   return {fromHalf(p[0]), fromHalf(p[1]), fromHalf(p[2]), fromHalf(p[3])};
 }
 
-TEST(HighendEncoding, holdsIrradianceAndDirectionInTwoHalves) {
+TEST(HighendEncoding, HoldsIrradianceAndDirectionInTwoHalves) {
   LightmapPage page = makePage(4, 3);
   const glm::dvec3 towards = glm::normalize(glm::dvec3(1, 2, -2));
   setTexel(page, 1, 2, 0, {kTestPi, 2 * kTestPi, 0.001 * kTestPi}, .5, towards * (.5 * std::sqrt(3.0)), {0, 1, 0});

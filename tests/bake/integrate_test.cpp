@@ -20,7 +20,7 @@ namespace {
 using namespace tests;
 using std::numbers::pi;
 
-TEST(Integrate, planeUnderAPointLight) {
+TEST(Integrate, PlaneUnderAPointLight) {
   scenes::Scene scene;
   addObject(scene, square(2), matte("floor", 0.5f));
   const glm::vec3 candela(30, 20, 10);
@@ -40,7 +40,7 @@ TEST(Integrate, planeUnderAPointLight) {
   EXPECT_GE(count, 900); // 4 m at 8 texels a metre
 }
 
-TEST(Integrate, planeUnderAnEvenSky) {
+TEST(Integrate, PlaneUnderAnEvenSky) {
   scenes::Scene scene;
   addObject(scene, square(1), matte("floor", 0.5f));
   const glm::vec3 radiance(0.5f, 1, 2);
@@ -60,7 +60,7 @@ TEST(Integrate, planeUnderAnEvenSky) {
 }
 
 // Every wall emits and reflects: radiance Le (1 + rho + rho^2 + ...) everywhere.
-TEST(Integrate, furnace) {
+TEST(Integrate, Furnace) {
   constexpr float kAlbedo = 0.6f, kEmitted = 2;
   for (const int bounces : {0, 1, 3, 24}) {
     scenes::Scene scene;
@@ -83,7 +83,7 @@ TEST(Integrate, furnace) {
 }
 
 // The wanted error is what 19 of 20 texels are within.
-TEST(Integrate, errorIsWhatItSays) {
+TEST(Integrate, ErrorIsWhatItSays) {
   scenes::Scene scene;
   addObject(scene, insideOfBox(1), matte("walls", 0, 2));
   const Baked baked(scene, {}, {.bounces = 0, .error = 0.01}, 8);
@@ -97,7 +97,7 @@ TEST(Integrate, errorIsWhatItSays) {
   EXPECT_GE(within, 0.94 * count);
 }
 
-TEST(Integrate, smallEmissivePanelAboveAFloor) {
+TEST(Integrate, SmallEmissivePanelAboveAFloor) {
   scenes::Scene scene;
   addObject(scene, square(1.5f), matte("floor", 0));
   const glm::mat4 above =
@@ -116,7 +116,7 @@ TEST(Integrate, smallEmissivePanelAboveAFloor) {
 }
 
 // What stands on a floor hides it, and what lies in it is not baked.
-TEST(Integrate, texelsWithinOtherObjectsAreNotValid) {
+TEST(Integrate, TexelsWithinOtherObjectsAreNotValid) {
   scenes::Scene scene;
   addObject(scene, square(1), matte("floor", 0.5f));
   addObject(scene, scenes::makeRoundedBox({0.4, 0.3, 0.4}, 0.02, 1), matte("box", 0.5f),
@@ -144,7 +144,7 @@ TEST(Integrate, texelsWithinOtherObjectsAreNotValid) {
   EXPECT_GE(outside, 10000);
 }
 
-TEST(Integrate, lightInAWallLightsNothing) {
+TEST(Integrate, LightInAWallLightsNothing) {
   scenes::Scene scene;
   addObject(scene, insideOfBox(2), matte("room", 0.5f));
   addObject(scene, scenes::makeRoundedBox({0.3, 1.2, 1.2}, 0.02, 1), matte("wall", 0.5f));
@@ -156,7 +156,7 @@ TEST(Integrate, lightInAWallLightsNothing) {
 }
 
 // A room that the sun shines into: reflected once, its light is what the lit patch sends out.
-TEST(Integrate, sunIsNotInTheLightmapButItsBouncesAre) {
+TEST(Integrate, SunIsNotInTheLightmapButItsBouncesAre) {
   scenes::Scene scene;
   addObject(scene, square(1), matte("floor", 0.5f));
   scenes::Mesh wall = square(1);
@@ -183,7 +183,7 @@ TEST(Integrate, sunIsNotInTheLightmapButItsBouncesAre) {
 }
 
 // A ball under a roof that leaves none of it to the sun: light along its terminator would be a leak.
-TEST(Integrate, sunLightsNothingThatIsWhollyInShadow) {
+TEST(Integrate, SunLightsNothingThatIsWhollyInShadow) {
   scenes::Scene scene;
   addObject(scene, scenes::makeSphere(0.5, 32, 16), matte("ball", 0.5f));
   addObject(scene, square(5), matte("roof", 0.5f), glm::translate(glm::mat4(1.f), glm::vec3(0, 2, 0)));
@@ -225,7 +225,7 @@ bool areSame(const StaticLight& a, const StaticLight& b) {
          same(a.samples, b.samples);
 }
 
-TEST(Integrate, isTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed) {
+TEST(Integrate, IsTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed) {
   const Work work;
   const IntegrateOptions options{.error = 0.05};
   const StaticLight all = Baked(work.scene, work.lights, options).light;
@@ -236,7 +236,7 @@ TEST(Integrate, isTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed) {
   EXPECT_FALSE(areSame(all, Baked(work.scene, work.lights, {.error = 0.05, .seed = 1}).light));
 }
 
-TEST(Integrate, goesOnFromItsCacheWhenItWasCancelled) {
+TEST(Integrate, GoesOnFromItsCacheWhenItWasCancelled) {
   const Work work;
   const parity::base::TempFolder folder;
   const base::Cache cache(folder.path());
@@ -256,7 +256,7 @@ TEST(Integrate, goesOnFromItsCacheWhenItWasCancelled) {
   EXPECT_GT(Baked(work.scene, work.lights, {}, 16, control).light.rays, 0u);
 }
 
-TEST(Integrate, samplesUntilTheErrorIsWhatWasWanted) {
+TEST(Integrate, SamplesUntilTheErrorIsWhatWasWanted) {
   const Work work;
   std::vector<double> samples;
   for (const double wanted : {0.05, 0.005, 0.002}) {
@@ -272,7 +272,7 @@ TEST(Integrate, samplesUntilTheErrorIsWhatWasWanted) {
   EXPECT_LT(samples[1], samples[2]);
 }
 
-TEST(Integrate, noLightAtAllIsBlack) {
+TEST(Integrate, NoLightAtAllIsBlack) {
   Work work;
   work.scene.materials[1].emissive = glm::vec3(0);
   const StaticLight light = Baked(work.scene, {}).light;

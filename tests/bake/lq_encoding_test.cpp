@@ -48,7 +48,7 @@ double largestError(const std::vector<LightmapPage>& pages, const LqLightmap& li
   return largest;
 }
 
-TEST(LqEncoding, keepsGreysOverSixteenStopsWithinHalfAStep) {
+TEST(LqEncoding, KeepsGreysOverSixteenStopsWithinHalfAStep) {
   constexpr int kCount = 1024;
   std::vector<LightmapPage> pages = {makePage(kCount, 1)};
   for (int x = 0; x < kCount; ++x) setEven(pages[0], x, 0, 0, dvec3(luminanceAt(16.0 * x / (kCount - 1))));
@@ -60,7 +60,7 @@ TEST(LqEncoding, keepsGreysOverSixteenStopsWithinHalfAStep) {
   for (int c = 0; c < 3; ++c) EXPECT_EQ(lightmap.instances[0].colorAdd[c], 0);
 }
 
-TEST(LqEncoding, keepsTheLuminanceOfAnyColourWithinHalfAStep) {
+TEST(LqEncoding, KeepsTheLuminanceOfAnyColourWithinHalfAStep) {
   for (const unsigned seed : {1u, 2u, 3u}) {
     const std::vector<LightmapPage> pages = makeColors(seed);
     LqLightmap lightmap = encodeLq(pages, 1, kPlain);
@@ -84,13 +84,13 @@ TEST(LqEncoding, keepsTheLuminanceOfAnyColourWithinHalfAStep) {
 }
 
 // What green gives for luminance costs little hue: of E relative to its luminance.
-TEST(LqEncoding, keepsHuesWithinAFewSteps) {
+TEST(LqEncoding, KeepsHuesWithinAFewSteps) {
   const LqLightmap lightmap = encodeLq(makeColors(1), 1, kPlain);
   EXPECT_LE(lightmap.figures.quantized.rms, 0.032); // of each channel for itself
   EXPECT_EQ(lightmap.figures.quantized.rms, lightmap.figures.stored.rms);
 }
 
-TEST(LqEncoding, hasScalesOfEachInstanceAndExactEnds) {
+TEST(LqEncoding, HasScalesOfEachInstanceAndExactEnds) {
   std::vector<LightmapPage> pages = {makePage(8, 8), makePage(8, 8)};
   setEven(pages[0], 1, 1, 0, dvec3(0));
   setEven(pages[0], 2, 1, 0, {3, 2, 1});
@@ -112,7 +112,7 @@ TEST(LqEncoding, hasScalesOfEachInstanceAndExactEnds) {
 }
 
 // A light from one direction over a plane and a normal map: radiance follows S(n) / S(N0).
-TEST(LqEncoding, bendsWithTheNormalAsTheShDo) {
+TEST(LqEncoding, BendsWithTheNormalAsTheShDo) {
   std::mt19937 random(5);
   std::normal_distribution<double> gauss;
   const auto direction = [&] { return glm::normalize(dvec3(gauss(random), gauss(random), gauss(random))); };
@@ -143,7 +143,7 @@ TEST(LqEncoding, bendsWithTheNormalAsTheShDo) {
   }
 }
 
-TEST(LqEncoding, ofLightFromBehindTheNormalIsWhatArrivesBeforeIt) {
+TEST(LqEncoding, OfLightFromBehindTheNormalIsWhatArrivesBeforeIt) {
   std::vector<LightmapPage> pages = {makePage(4, 4)};
   setTexel(pages[0], 0, 0, 0, dvec3(1), 1, {0, -std::sqrt(3.0), 0}, {0, 1, 0});
   setTexel(pages[0], 1, 0, 0, dvec3(1), 0, {0, 0, 0}, {0, 1, 0}); // no SH, yet irradiance
@@ -169,7 +169,7 @@ LightmapPage makeScene(bool striped) {
   return page;
 }
 
-TEST(LqEncoding, statesWhatAstcCosts) {
+TEST(LqEncoding, StatesWhatAstcCosts) {
   const std::vector<LightmapPage> pages = {makeScene(false)};
   const LqLightmap plain = encodeLq(pages, 2, kPlain), fine = encodeLq(pages, 2, {base::AstcBlock::astc4x4}),
                    coarse = encodeLq(pages, 2, {base::AstcBlock::astc6x6});
@@ -200,7 +200,7 @@ TEST(LqEncoding, statesWhatAstcCosts) {
 }
 
 // Texels that nobody owns lie between the stripes: they may cost those beside them hardly anything.
-TEST(LqEncoding, losesHardlyMoreBesideTexelsOfNobody) {
+TEST(LqEncoding, LosesHardlyMoreBesideTexelsOfNobody) {
   for (const base::AstcBlock block : {base::AstcBlock::astc4x4, base::AstcBlock::astc6x6}) {
     const LqFigures whole = encodeLq({makeScene(false)}, 2, {block}).figures,
                     striped = encodeLq({makeScene(true)}, 2, {block}).figures;
@@ -209,7 +209,7 @@ TEST(LqEncoding, losesHardlyMoreBesideTexelsOfNobody) {
   }
 }
 
-TEST(LqEncoding, isTheSameForAnyNumberOfThreads) {
+TEST(LqEncoding, IsTheSameForAnyNumberOfThreads) {
   const std::vector<LightmapPage> pages = {makeScene(true)};
   const LqLightmap expected = encodeLq(pages, 2, {});
   const base::ThreadLimit one(1);
@@ -217,7 +217,7 @@ TEST(LqEncoding, isTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(again.pages, expected.pages);
 }
 
-TEST(LqEncoding, ofAPageWithoutOwnersIsEmpty) {
+TEST(LqEncoding, OfAPageWithoutOwnersIsEmpty) {
   const LqLightmap lightmap = encodeLq({makePage(8, 4)}, 1, {});
   EXPECT_EQ(lightmap.pages[0].width, 8);
   EXPECT_EQ(lightmap.pages[0].height, 8);

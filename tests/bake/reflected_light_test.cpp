@@ -46,7 +46,7 @@ glm::vec3 placeOf(const scenes::Mesh& mesh, const lighting::Visibility::Hit& hit
   return (1 - b.x - b.y) * corner(0) + b.x * corner(1) + b.y * corner(2);
 }
 
-TEST(ReflectedLight, isBilinearBetweenTexelsAndBlackWithoutALightmap) {
+TEST(ReflectedLight, IsBilinearBetweenTexelsAndBlackWithoutALightmap) {
   const Floor floor;
   std::vector<glm::vec3> irradiance;
   for (const Texel& t : floor.grid.texels()) irradiance.push_back(ramp(floor.middleOf(t)));
@@ -67,7 +67,7 @@ TEST(ReflectedLight, isBilinearBetweenTexelsAndBlackWithoutALightmap) {
   }
 }
 
-TEST(ReflectedLight, takesWhatIsNotKnownFromItsNeighbours) {
+TEST(ReflectedLight, TakesWhatIsNotKnownFromItsNeighbours) {
   const Floor floor;
   const std::size_t count = floor.grid.texels().size();
   std::vector<glm::vec3> irradiance(count, glm::vec3(3));

@@ -45,7 +45,7 @@ void expectChange(const std::string& part, const std::vector<std::function<void(
   for (std::size_t i = 0; i < changes.size(); ++i) EXPECT_EQ(changeBy(changes[i]), expected) << "change " << i;
 }
 
-TEST(SceneHash, geometryIsMeshesAndWhereTheyStand) {
+TEST(SceneHash, GeometryIsMeshesAndWhereTheyStand) {
   expectChange("geometry",
                {[](Lit& l) { l.scene.meshes[0].positions[1].y += 1e-6f; },
                 [](Lit& l) { l.scene.meshes[0].normals[1].x += 1e-6f; }, [](Lit& l) { l.scene.meshes[0].uv0[0].x = 0; },
@@ -57,7 +57,7 @@ TEST(SceneHash, geometryIsMeshesAndWhereTheyStand) {
                 [](Lit& l) { std::swap(l.scene.instances[0], l.scene.instances[1]); }});
 }
 
-TEST(SceneHash, materialsAreWhatReflectsEmitsAndCovers) {
+TEST(SceneHash, MaterialsAreWhatReflectsEmitsAndCovers) {
   expectChange(
       "materials",
       {[](Lit& l) { l.scene.materials[0].baseColor.y = 0.49f; }, [](Lit& l) { l.scene.materials[0].metallic = 0.1f; },
@@ -71,7 +71,7 @@ TEST(SceneHash, materialsAreWhatReflectsEmitsAndCovers) {
        [](Lit& l) { l.scene.images[0].pixels.pixels[3] = 99; }});
 }
 
-TEST(SceneHash, lightsAreThoseAndWhichIsTheSun) {
+TEST(SceneHash, LightsAreThoseAndWhichIsTheSun) {
   expectChange("lights",
                {[](Lit& l) { l.lights.lights[0].color.x = 2; }, [](Lit& l) { l.lights.lights[0].range = 9; },
                 [](Lit& l) { l.lights.lights[0].position.x = 2; },
@@ -86,7 +86,7 @@ TEST(SceneHash, lightsAreThoseAndWhichIsTheSun) {
                 [](Lit& l) { l.lights.sun.reset(); }, [](Lit& l) { l.lights.sun = 0; }});
 }
 
-TEST(SceneHash, skyIsItsRadianceAndHowItIsTurned) {
+TEST(SceneHash, SkyIsItsRadianceAndHowItIsTurned) {
   expectChange(
       "environment",
       {[](Lit& l) { l.lights.environment.reset(); }, [](Lit& l) { l.lights.environment->rotationDeg = 1; },
@@ -94,7 +94,7 @@ TEST(SceneHash, skyIsItsRadianceAndHowItIsTurned) {
        [](Lit& l) { std::swap(l.lights.environment->radiance.width, l.lights.environment->radiance.height); }});
 }
 
-TEST(SceneHash, nothingElseCounts) {
+TEST(SceneHash, NothingElseCounts) {
   expectChange(
       "", {[](Lit&) {}, [](Lit& l) { l.scene.name = "another"; }, [](Lit& l) { l.scene.meshes[0].name = "another"; },
            [](Lit& l) { l.scene.materials[0].name = "another"; }, [](Lit& l) { l.scene.instances[0].node = "another"; },
@@ -103,7 +103,7 @@ TEST(SceneHash, nothingElseCounts) {
            [](Lit& l) { l.scene.images[1].pixels.pixels[3] = 99; }});
 }
 
-TEST(SceneHash, allThatHasChangedIsNamed) {
+TEST(SceneHash, AllThatHasChangedIsNamed) {
   EXPECT_EQ(changeBy([](Lit& l) {
               l.scene.meshes[0].positions[0].x = 9;
               l.scene.materials[0].metallic = 1;

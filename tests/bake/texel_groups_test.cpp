@@ -12,7 +12,7 @@ namespace {
 
 using namespace tests;
 
-TEST(TexelGroups, haveEachTexelOnceWithNeighboursOfItsObject) {
+TEST(TexelGroups, HaveEachTexelOnceWithNeighboursOfItsObject) {
   scenes::Scene scene;
   addObject(scene, insideOfBox(0.5), matte("box", 0.5f));
   addObject(scene, scenes::makeSphere(0.2, 16, 8), matte("ball", 0.5f));

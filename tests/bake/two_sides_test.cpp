@@ -20,7 +20,7 @@ scenes::Material twoSided(const std::string& name, float albedo, float emitted =
   return material;
 }
 
-TEST(TwoSides, bothSidesOfADoubleSidedObjectAreLit) {
+TEST(TwoSides, BothSidesOfADoubleSidedObjectAreLit) {
   scenes::Scene scene;
   addObject(scene, square(0.5f), twoSided("leaf", 0));
   const Baked baked(scene, {{pointLight({0, -2, 0}, glm::vec3(8, 4, 4))}, {}, {}});
@@ -41,7 +41,7 @@ TEST(TwoSides, bothSidesOfADoubleSidedObjectAreLit) {
     }
 }
 
-TEST(TwoSides, sealedDoubleSidedBoxIsDarkWithin) {
+TEST(TwoSides, SealedDoubleSidedBoxIsDarkWithin) {
   scenes::Scene scene;
   scenes::Mesh box = insideOfBox(1);
   addObject(scene, box, twoSided("box", 0.7f));
@@ -59,7 +59,7 @@ TEST(TwoSides, sealedDoubleSidedBoxIsDarkWithin) {
   });
 }
 
-TEST(TwoSides, sunCastsShadowsOnBacksOfDoubleSidedObjects) {
+TEST(TwoSides, SunCastsShadowsOnBacksOfDoubleSidedObjects) {
   for (const bool turned : {false, true}) {
     scenes::Scene scene;
     addObject(scene, square(2), twoSided("ground", 0.5f),
@@ -77,7 +77,7 @@ TEST(TwoSides, sunCastsShadowsOnBacksOfDoubleSidedObjects) {
 }
 
 // A panel of which the left half is cut out is one of half the size.
-TEST(MaskedEmitters, doNotShineFromTheirHoles) {
+TEST(MaskedEmitters, DoNotShineFromTheirHoles) {
   const auto lit = [](bool masked) {
     scenes::Scene scene;
     addObject(scene, square(1), matte("floor", 0));

@@ -54,7 +54,7 @@ int largestDifference(const Image8& a, const Image8& b) {
   return largest;
 }
 
-TEST(Astc, storesWholeBlocksRowByRow) {
+TEST(Astc, StoresWholeBlocksRowByRow) {
   const Image8 image = makeNoise(13, 7);
   const std::vector<std::uint8_t> fine = encodeAstc(image, AstcBlock::astc4x4, AstcUse::data),
                                   coarse = encodeAstc(image, AstcBlock::astc6x6, AstcUse::data);
@@ -64,7 +64,7 @@ TEST(Astc, storesWholeBlocksRowByRow) {
             throughAstc(image, AstcBlock::astc4x4, AstcUse::data));
 }
 
-TEST(Astc, noneLosesNothing) {
+TEST(Astc, NoneLosesNothing) {
   const Image8 noise = makeNoise(13, 7);
   EXPECT_EQ(throughAstc(noise, AstcBlock::none, AstcUse::color), noise);
 }
@@ -72,7 +72,7 @@ TEST(Astc, noneLosesNothing) {
 // White noise of four channels is the worst there is: 128 bits hold, of the 512 or 1152 of a block, little more than
 // its mean. Ramps are what blocks interpolate. Version 4.2 makes 15.7 and
 // 13.1 dB of noise, 46.9 and 45.3 of ramps.
-TEST(Astc, losesMuchOfNoiseAndLittleOfRamps) {
+TEST(Astc, LosesMuchOfNoiseAndLittleOfRamps) {
   const Image8 noise = makeNoise(96, 96), ramp = makeGradient(96);
   const double noiseLoss[] = {psnrOf(throughAstc(noise, kBlocks[0], AstcUse::data), noise),
                               psnrOf(throughAstc(noise, kBlocks[1], AstcUse::data), noise)};
@@ -87,7 +87,7 @@ TEST(Astc, losesMuchOfNoiseAndLittleOfRamps) {
   EXPECT_GT(rampLoss[1], 41);
 }
 
-TEST(Astc, keepsOpaqueAlphaAndTellsItFromRamps) {
+TEST(Astc, KeepsOpaqueAlphaAndTellsItFromRamps) {
   Image8 opaque = makeNoise(24, 24);
   Image8 ramp = makeGradient(24);
   for (std::size_t i = 3; i < opaque.pixels.size(); i += 4) opaque.pixels[i] = 255;
@@ -101,7 +101,7 @@ TEST(Astc, keepsOpaqueAlphaAndTellsItFromRamps) {
     }
 }
 
-TEST(Astc, isExactForConstantImagesOfAnySize) {
+TEST(Astc, IsExactForConstantImagesOfAnySize) {
   for (const AstcBlock block : kBlocks)
     for (const AstcUse use : kUses)
       for (const auto& [width, height] : {std::pair(1, 1), std::pair(3, 5), std::pair(4, 4), std::pair(17, 13)}) {
@@ -111,7 +111,7 @@ TEST(Astc, isExactForConstantImagesOfAnySize) {
       }
 }
 
-TEST(Astc, keepsBlackBlackAndWhiteWhite) {
+TEST(Astc, KeepsBlackBlackAndWhiteWhite) {
   for (const AstcBlock block : kBlocks)
     for (const AstcUse use : kUses)
       for (const int value : {0, 255}) {
@@ -121,7 +121,7 @@ TEST(Astc, keepsBlackBlackAndWhiteWhite) {
 }
 
 // What hangs over the edge must not pull on what is seen: the last column and row of a ramp are as good as the rest.
-TEST(Astc, servesSizesThatAreNoMultipleOfTheBlock) {
+TEST(Astc, ServesSizesThatAreNoMultipleOfTheBlock) {
   const Image8 ramp = makeGradient(35);
   for (const AstcBlock block : kBlocks) {
     const Image8 decoded = throughAstc(ramp, block, AstcUse::data);
@@ -131,7 +131,7 @@ TEST(Astc, servesSizesThatAreNoMultipleOfTheBlock) {
   }
 }
 
-TEST(Astc, isTheSameForAnyNumberOfThreads) {
+TEST(Astc, IsTheSameForAnyNumberOfThreads) {
   const Image8 image = makeNoise(110, 90);
   for (const AstcBlock block : kBlocks) {
     const Image8 expected = throughAstc(image, block, AstcUse::color);

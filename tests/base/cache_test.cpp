@@ -56,7 +56,7 @@ void age(const fs::path& file, int hours) {
   fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(hours));
 }
 
-TEST(Cache, returnsWhatWasStoredUnderThatKeyAlone) {
+TEST(Cache, ReturnsWhatWasStoredUnderThatKeyAlone) {
   const TempFolder temp;
   const Cache cache(temp.path() / "deep" / "cache");
   EXPECT_TRUE(cache.enabled());
@@ -72,14 +72,14 @@ TEST(Cache, returnsWhatWasStoredUnderThatKeyAlone) {
   EXPECT_EQ(Cache(temp.path() / "deep" / "cache").find(keyOf("a")), makeBytes(10, 3));
 }
 
-TEST(Cache, disabledFindsAndWritesNothing) {
+TEST(Cache, DisabledFindsAndWritesNothing) {
   const Cache cache = Cache::disabled();
   EXPECT_FALSE(cache.enabled());
   cache.store(keyOf("a"), makeBytes(10, 1));
   EXPECT_FALSE(cache.find(keyOf("a")));
 }
 
-TEST(Cache, everyDamagedByteIsAMissAndTheEntryIsRemoved) {
+TEST(Cache, EveryDamagedByteIsAMissAndTheEntryIsRemoved) {
   const TempFolder temp;
   const Cache cache(temp.path());
   const std::string key = keyOf("a");
@@ -95,7 +95,7 @@ TEST(Cache, everyDamagedByteIsAMissAndTheEntryIsRemoved) {
   }
 }
 
-TEST(Cache, truncatedAndOverlongEntriesAreMissesAndRemoved) {
+TEST(Cache, TruncatedAndOverlongEntriesAreMissesAndRemoved) {
   const TempFolder temp;
   const Cache cache(temp.path());
   const std::string key = keyOf("a");
@@ -114,7 +114,7 @@ TEST(Cache, truncatedAndOverlongEntriesAreMissesAndRemoved) {
   EXPECT_EQ(cache.find(key), content);
 }
 
-TEST(Cache, anEntryOfAnotherKeyIsAMiss) {
+TEST(Cache, AnEntryOfAnotherKeyIsAMiss) {
   const TempFolder temp;
   const Cache cache(temp.path());
   const fs::path a = storeAlone(temp.path(), cache, "a", makeBytes(60, 1));
@@ -123,7 +123,7 @@ TEST(Cache, anEntryOfAnotherKeyIsAMiss) {
   EXPECT_TRUE(filesIn(temp.path()).empty());
 }
 
-TEST(Cache, removesWhatWasUsedLongestAgo) {
+TEST(Cache, RemovesWhatWasUsedLongestAgo) {
   const TempFolder temp;
   const Cache cache(temp.path(), 3500); // three entries of 1048 bytes
   for (const char* key : {"a", "b", "c"}) cache.store(key, makeBytes(1000, 1));
@@ -138,7 +138,7 @@ TEST(Cache, removesWhatWasUsedLongestAgo) {
   EXPECT_LE(bytesIn(temp.path()), 3500u);
 }
 
-TEST(Cache, staysWithinItsBoundWhateverIsStored) {
+TEST(Cache, StaysWithinItsBoundWhateverIsStored) {
   const TempFolder temp;
   const Cache cache(temp.path(), 5000);
   for (unsigned i = 0; i < 40; ++i) {
@@ -154,7 +154,7 @@ TEST(Cache, staysWithinItsBoundWhateverIsStored) {
   EXPECT_TRUE(cache.find("fits"));
 }
 
-TEST(Cache, neverTouchesFilesOfOthers) {
+TEST(Cache, NeverTouchesFilesOfOthers) {
   const TempFolder temp;
   writeText(temp.path() / "thesis.txt", std::string(100000, 'x'));
   age(temp.path() / "thesis.txt", 1000);
@@ -163,7 +163,7 @@ TEST(Cache, neverTouchesFilesOfOthers) {
   EXPECT_EQ(fs::file_size(temp.path() / "thesis.txt"), 100000u);
 }
 
-TEST(Cache, temporaryFilesOfAKilledProcessAreRemovedInTheEnd) {
+TEST(Cache, TemporaryFilesOfAKilledProcessAreRemovedInTheEnd) {
   const TempFolder temp;
   const fs::path left = temp.path() / ".a.999-0.parity-blob"; // as base::writeAtomically names them
   writeText(left, std::string(1500, 'x'));
@@ -174,7 +174,7 @@ TEST(Cache, temporaryFilesOfAKilledProcessAreRemovedInTheEnd) {
   EXPECT_TRUE(cache.find("b"));
 }
 
-TEST(Cache, mayBeDeletedAtAnyTime) {
+TEST(Cache, MayBeDeletedAtAnyTime) {
   const TempFolder temp;
   const Cache cache(temp.path() / "cache");
   cache.store("a", makeBytes(10, 1));
@@ -184,7 +184,7 @@ TEST(Cache, mayBeDeletedAtAnyTime) {
   EXPECT_TRUE(cache.find("a"));
 }
 
-TEST(Cache, aFolderThatCannotBeWrittenIsOneWarningAndNoError) {
+TEST(Cache, AFolderThatCannotBeWrittenIsOneWarningAndNoError) {
   const TempFolder temp;
   writeText(temp.path() / "file", "not a folder");
   const Cache cache(temp.path() / "file");
@@ -197,7 +197,7 @@ TEST(Cache, aFolderThatCannotBeWrittenIsOneWarningAndNoError) {
   EXPECT_TRUE(log.starts_with("warning: cache: ")) << log;
 }
 
-TEST(Cache, describesItsEntriesByKindAndRemovesThemAlone) {
+TEST(Cache, DescribesItsEntriesByKindAndRemovesThemAlone) {
   const TempFolder temp;
   const Cache cache(temp.path() / "cache");
   EXPECT_EQ(cache.describe().entries, 0u);
@@ -222,7 +222,7 @@ TEST(Cache, describesItsEntriesByKindAndRemovesThemAlone) {
 }
 
 // Each process stores and finds the same few keys in a cache too small for all of them: every hit is whole and right.
-TEST(Cache, servesSeveralProcessesAtOnce) {
+TEST(Cache, ServesSeveralProcessesAtOnce) {
   const TempFolder temp;
   constexpr int kProcesses = 4, kRounds = 150;
   std::vector<pid_t> children;

@@ -47,7 +47,7 @@ std::uint64_t indexAt(int x, int y, std::uint64_t index) {
   return (index >> 1) << (16 + 4 * x + y) | (index & 1) << (4 * x + y);
 }
 
-TEST(Etc2, decodesIndividualHalvesSideBySide) {
+TEST(Etc2, DecodesIndividualHalvesSideBySide) {
   // R 1 and 15, G 2 and 0, B 3 and 8, in 4 bits; tables 0 (2, 8) and 7 (47, 183); not flipped.
   const std::uint64_t bits = bitsOf({{60, 1}, {56, 15}, {52, 2}, {48, 0}, {44, 3}, {40, 8}, {37, 0}, {34, 7}}) |
                              indexAt(0, 1, 1) | indexAt(1, 3, 2) | indexAt(2, 0, 3) | indexAt(3, 3, 1);
@@ -59,7 +59,7 @@ TEST(Etc2, decodesIndividualHalvesSideBySide) {
   EXPECT_EQ(texel(image, 3, 3), (Rgba{255, 183, 255, 77})) << "clamped at 255";
 }
 
-TEST(Etc2, decodesDifferencesOneAboveTheOther) {
+TEST(Etc2, DecodesDifferencesOneAboveTheOther) {
   // 5 bits: R 10 and 10 - 1, G 20 and 20 + 3, B 31 and 31 - 4; tables 1 (5, 17) and 2 (9, 29); flipped.
   const std::uint64_t bits =
       bitsOf({{59, 10}, {56, 7}, {51, 20}, {48, 3}, {43, 31}, {40, 4}, {37, 1}, {34, 2}, {33, 1}, {32, 1}});
@@ -68,7 +68,7 @@ TEST(Etc2, decodesDifferencesOneAboveTheOther) {
   EXPECT_EQ(texel(image, 0, 2), (Rgba{74 + 9, 189 + 9, 222 + 9, 255})); // 9: 01001|010, 23: 10111|101, 27: 11011|110
 }
 
-TEST(Etc2, decodesModeT) {
+TEST(Etc2, DecodesModeT) {
   // R 31 + 3 overflows: the first colour's R is bits 60-59 and 57-56, here 3 and 3 with bits 63-61 set and 58 clear.
   const std::uint64_t bits = bitsOf({{61, 7},
                                      {59, 3},
@@ -90,7 +90,7 @@ TEST(Etc2, decodesModeT) {
   EXPECT_EQ(texel(image, 3, 0), (Rgba{136 - 32, 153 - 32, 170 - 32, 255}));
 }
 
-TEST(Etc2, decodesModeH) {
+TEST(Etc2, DecodesModeH) {
   // R 4 bits at 59, G 3 at 56 and 1 at 52, B 1 at 51 and 3 at 47. Bits 63-59 and 58-56 must make no overflow of R (0
   // here), 55-51 and 50-48 one of G: G 31 (11111) + 1. R1 = 0111: bits 62-59; G1 = 001 and 1: 3; B1 = 1 and 010: 10.
   const std::uint64_t bits = bitsOf({{59, 7},
@@ -115,7 +115,7 @@ TEST(Etc2, decodesModeH) {
   EXPECT_EQ(texel(image, 3, 0), (Rgba{204 - 23, 68 - 23, 102 - 23, 255}));
 }
 
-TEST(Etc2, decodesPlanes) {
+TEST(Etc2, DecodesPlanes) {
   // Origin R 32, G 64, B 32 of 6, 7 and 6 bits; to the right R 48, down G 96; B as it is. B's field 47-43 with 42-40:
   // 00000 and -1 leaves the range: bits 44-43 are B's, 41-39 too. RO 100000: 62-57. GO 1000000: 56, 54-49. BO 100000:
   // 48, 44-43, 41-39. RH 110000: 38-34, 32. GH 1000000: 31-25. BH 100000: 24-19. RV 100000: 18-13. GV 1100000: 12-6. BV
@@ -143,7 +143,7 @@ TEST(Etc2, decodesPlanes) {
           << x << " " << y;
 }
 
-TEST(Etc2, decodesAlphaByItsTableAndMultiplier) {
+TEST(Etc2, DecodesAlphaByItsTableAndMultiplier) {
   Block block = blockOf(0, 100);
   block[1] = 0x3d; // multiplier 3, table 13: -1 -2 -3 -10 0 1 2 9
   // Texel 0 (0, 0) takes index 7, texel 1 (0, 1) index 3, the others 0.
@@ -187,7 +187,7 @@ std::string modeOf(const std::uint8_t* color) {
 
 // Root mean square errors by mode: a mode that were decoded wrongly would be off by far more than its encoder let it
 // be.
-TEST(Etc2, showsWhatTheEncoderMeantInEachMode) {
+TEST(Etc2, ShowsWhatTheEncoderMeantInEachMode) {
   std::map<std::string, std::pair<double, int>> errors;
   for (const int kind : {0, 1, 2}) {
     const Image8 image = makePicture(96, 64, kind);
@@ -219,7 +219,7 @@ TEST(Etc2, showsWhatTheEncoderMeantInEachMode) {
   }
 }
 
-TEST(Etc2, takesSidesThatAreNoMultiplesOfFour) {
+TEST(Etc2, TakesSidesThatAreNoMultiplesOfFour) {
   const Image8 image = makePicture(13, 7, 0);
   const std::vector<std::uint8_t> blocks = encodeEtc2(image, true);
   EXPECT_EQ(blocks.size(), 4u * 2 * 16);
@@ -233,7 +233,7 @@ TEST(Etc2, takesSidesThatAreNoMultiplesOfFour) {
   EXPECT_EQ(decodeEtc2(encodeEtc2(Image8(1, 1, 4, 100), false), 1, 1).width, 1);
 }
 
-TEST(Etc2, isTheSameOnAnyNumberOfThreads) {
+TEST(Etc2, IsTheSameOnAnyNumberOfThreads) {
   const Image8 image = makePicture(64, 64, 2);
   const std::vector<std::uint8_t> expected = encodeEtc2(image, true);
   for (const int threads : {1, 2, 5}) {
@@ -243,7 +243,7 @@ TEST(Etc2, isTheSameOnAnyNumberOfThreads) {
   }
 }
 
-TEST(TextureBlock, hasNamesAndSizesOfItsOwn) {
+TEST(TextureBlock, HasNamesAndSizesOfItsOwn) {
   EXPECT_EQ(textureBlockNames(), (std::vector<std::string>{"none", "astc4x4", "astc6x6", "etc2"}));
   EXPECT_DOUBLE_EQ(bitsPerTexel(TextureBlock::none), 32);
   EXPECT_DOUBLE_EQ(bitsPerTexel(TextureBlock::astc4x4), 8);

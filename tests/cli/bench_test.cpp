@@ -18,7 +18,7 @@ TEST(BenchOptions, OlderNameIsTakenWithANote) {
   EXPECT_EQ(runParity({"bench", "--no-reference", "--list", "-q"}).err, "");
 }
 
-TEST_F(BenchOnDevice, writesItsFilesAndAJudgementOfAnEarlierRun) {
+TEST_F(BenchOnDevice, WritesItsFilesAndAJudgementOfAnEarlierRun) {
   const RunResult first = runParity(join({kShort, {"-o", path("a"), "--budget", "flip.mean=0.9"}}));
   ASSERT_TRUE(exitedWith(0, first));
   std::vector<std::string> files = {"bench.csv", "bench.json", "bench.md", "index.html", "pareto-1.svg"};
@@ -45,7 +45,7 @@ TEST_F(BenchOnDevice, writesItsFilesAndAJudgementOfAnEarlierRun) {
 }
 
 // The keys of a suite's scenes are options of each alone.
-TEST_F(BenchOnDevice, aBrokenFirstSceneOfASuiteStopsNoOther) {
+TEST_F(BenchOnDevice, ABrokenFirstSceneOfASuiteStopsNoOther) {
   const std::string suite = write("suite.toml", R"(
 [[scene]]
 name = "lost"
@@ -72,11 +72,11 @@ compensation = "none"
   EXPECT_TRUE(contains(readWholeFile(m_folder / "out" / "bench.md"), "- lost: not measured: "));
 }
 
-TEST(Bench, aSettingThatNoPathHasIsRefusedBeforeAnySceneIsLoaded) {
+TEST(Bench, ASettingThatNoPathHasIsRefusedBeforeAnySceneIsLoaded) {
   expectRefused(runParity({"bench", "no-such.gltf", "--settings", "desktop*"}), 64, {"--settings desktop*", "--list"});
 }
 
-TEST_F(BenchOnDevice, aSuiteIsTriedSceneBySceneEachWithItsKeysAndItsViews) {
+TEST_F(BenchOnDevice, ASuiteIsTriedSceneBySceneEachWithItsKeysAndItsViews) {
   writeFile(m_folder / "suite.toml", R"(
 [defaults]
 mobile_preset = "refit"
@@ -121,7 +121,7 @@ orbit = [40, 70, 0]
     EXPECT_TRUE(contains(table, part)) << part << " in " << table;
 }
 
-TEST(Bench, aWrongSuiteIsRefusedWithItsLineAndTheReason) {
+TEST(Bench, AWrongSuiteIsRefusedWithItsLineAndTheReason) {
   const TempFolder folder;
   const std::string suite = (folder / "suite.toml").string();
   writeFile(suite, "[[scene]]\nfile = \"builtin:furnace\"\nenviroment = \"builtin:sky\"\n");
@@ -132,7 +132,7 @@ TEST(Bench, aWrongSuiteIsRefusedWithItsLineAndTheReason) {
     EXPECT_TRUE(exitedWith(64, runParity(join({{"bench", "--suite", suite}, beside}))));
 }
 
-TEST_F(BenchOnDevice, aBudgetThatNoSettingKeepsIsTwoAndABrokenSceneIsFourButLosesNothing) {
+TEST_F(BenchOnDevice, ABudgetThatNoSettingKeepsIsTwoAndABrokenSceneIsFourButLosesNothing) {
   EXPECT_TRUE(exitedWith(2, runParity(join({kShort, {"--budget", "flip.mean=1e-9"}}))));
   const RunResult result = runParity(join({kShort, {"no-such.gltf", "--json", "-"}}));
   ASSERT_TRUE(exitedWith(4, result));
@@ -142,7 +142,7 @@ TEST_F(BenchOnDevice, aBudgetThatNoSettingKeepsIsTwoAndABrokenSceneIsFourButLose
   EXPECT_TRUE(contains(json["scenes"][1]["failure"], "no-such.gltf"));
 }
 
-TEST(Bench, listsItsSettings) {
+TEST(Bench, ListsItsSettings) {
   const RunResult result = runParity({"bench", "--list"});
   ASSERT_TRUE(exitedWith(0, result));
   for (const char* part :
@@ -150,7 +150,7 @@ TEST(Bench, listsItsSettings) {
     EXPECT_TRUE(contains(result.out, part)) << part;
 }
 
-TEST(Bench, refusesWhatItCannotDo) {
+TEST(Bench, RefusesWhatItCannotDo) {
   EXPECT_TRUE(exitedWith(64, runParity({"bench"})));
   EXPECT_TRUE(exitedWith(64, runParity({"bench", "builtin:furnace", "--budget", "ssim=1"})));
   EXPECT_TRUE(exitedWith(64, runParity({"bench", "builtin:furnace", "--scaling"})));

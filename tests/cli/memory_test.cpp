@@ -21,7 +21,7 @@ protected:
 
 // The device shares the memory. Twelve textures of 2048^2, each of one colour, as files small: 192 MiB decoded, and a
 // third more on the device.
-TEST_F(MemoryTest, ofTexturesStaysWithinTwiceWhatTheyAreDecodedTo) {
+TEST_F(MemoryTest, OfTexturesStaysWithinTwiceWhatTheyAreDecodedTo) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "a sanitizer's memory is counted, too";
 #endif

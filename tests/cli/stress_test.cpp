@@ -7,7 +7,7 @@ namespace {
 const std::vector<std::string> kShortStress = {
     "stress", "--only", "functions", "--functions", "EnvBRDF*", "--points", "2000", "--device-points", "0"};
 
-TEST(Stress, jsonAloneOnStdoutAndKnownFailuresExitZero) {
+TEST(Stress, JsonAloneOnStdoutAndKnownFailuresExitZero) {
   const RunResult result = runParity(join({kShortStress, {"--json", "-"}}));
   ASSERT_TRUE(exitedWith(0, result));
   const nlohmann::json json = nlohmann::json::parse(result.out);
@@ -17,7 +17,7 @@ TEST(Stress, jsonAloneOnStdoutAndKnownFailuresExitZero) {
   EXPECT_EQ(json["functions"][0]["columns"].size(), 3u) << "no device";
 }
 
-TEST(Stress, writesAFolderThatIsTheSameWithOneThread) {
+TEST(Stress, WritesAFolderThatIsTheSameWithOneThread) {
   const TempFolder folder;
   ASSERT_TRUE(exitedWith(0, runParity(join({kShortStress, {"-o", (folder / "a").string()}}))));
   ASSERT_TRUE(exitedWith(0, runParity(join({kShortStress, {"-o", (folder / "b").string(), "--threads", "1"}}))));
@@ -27,7 +27,7 @@ TEST(Stress, writesAFolderThatIsTheSameWithOneThread) {
   EXPECT_EQ(readWholeFile(folder / "a" / "stress.json"), readWholeFile(folder / "b" / "stress.json"));
 }
 
-TEST(Stress, whatItReportsCanBeReproduced) {
+TEST(Stress, WhatItReportsCanBeReproduced) {
   const RunResult run = runParity(join({kShortStress, {"--json", "-"}}));
   ASSERT_TRUE(exitedWith(0, run));
   const nlohmann::json json = nlohmann::json::parse(run.out);
@@ -38,14 +38,14 @@ TEST(Stress, whatItReportsCanBeReproduced) {
   EXPECT_EQ(linesOf(result.out).front(), at);
 }
 
-TEST(Stress, listNamesFunctionsAndScenes) {
+TEST(Stress, ListNamesFunctionsAndScenes) {
   const RunResult result = runParity({"stress", "--list"});
   ASSERT_TRUE(exitedWith(0, result));
   for (const char* part : {"D_Approx", "roughness <= 0.0625", "grows with NoH", "roughness-0", "black-environment"})
     EXPECT_TRUE(contains(result.out, part)) << part;
 }
 
-TEST(Stress, refusesWhatItDoesNotKnow) {
+TEST(Stress, RefusesWhatItDoesNotKnow) {
   expectRefused(runParity({"stress", "--functions", "D_GXG", "--only", "functions", "--device-points", "0"}), 64,
                 {"D_GXG", "D_GGX"});
   expectRefused(runParity({"stress", "--at", "D_GGX:1"}), 64, {"D_GGX", "takes 2: alpha, NoH"});
@@ -56,7 +56,7 @@ TEST(Stress, refusesWhatItDoesNotKnow) {
 
 class StressOnDevice : public RenderingTest {};
 
-TEST_F(StressOnDevice, functionsAndASceneOnTheDevice) {
+TEST_F(StressOnDevice, FunctionsAndASceneOnTheDevice) {
   const RunResult result = runParity({"stress", "--functions", "GGX_Mobile", "--points", "1000", "--device-points",
                                       "1000", "--renders", "denormal-light", "--json", "-"});
   ASSERT_TRUE(exitedWith(0, result));
@@ -66,7 +66,7 @@ TEST_F(StressOnDevice, functionsAndASceneOnTheDevice) {
   EXPECT_EQ(json["scenes"].size(), 1u);
 }
 
-TEST_F(StressOnDevice, anUnknownDeviceIsAnErrorNotASkip) {
+TEST_F(StressOnDevice, AnUnknownDeviceIsAnErrorNotASkip) {
   EXPECT_TRUE(
       exitedWith(4, runParity({"stress", "--only", "renders", "--renders", "backlight", "--device", "no such"})));
 }

@@ -16,7 +16,7 @@ const Pages kPages = {{"docs/house.md", parsePage("# The house\n\n"
 std::vector<std::string> faultsOf(std::string_view text) { return checkCitations(text, kPages).faults; }
 using Faults = std::vector<std::string>;
 
-TEST(Citations, resolveToPagesSectionsAndItems) {
+TEST(Citations, ResolveToPagesSectionsAndItems) {
   const Citations found =
       checkCitations("// docs/house.md, docs/house.md 1, (docs/house.md 1b) docs/house.md 2a's doors: see\n"
                      "// docs/house.md\n"
@@ -27,7 +27,7 @@ TEST(Citations, resolveToPagesSectionsAndItems) {
   EXPECT_EQ(found.sections, 5);
 }
 
-TEST(Citations, ofWhatIsNotThereAreNamedWithTheirLine) {
+TEST(Citations, OfWhatIsNotThereAreNamedWithTheirLine) {
   EXPECT_EQ(faultsOf("\n docs/garden.md 1"), Faults{"2: docs/garden.md does not exist"});
   EXPECT_EQ(faultsOf("docs/house.md 4"), Faults{"1: docs/house.md has no section 4"});
   EXPECT_EQ(faultsOf("docs/house.md 3"), Faults{"1: docs/house.md has no section 3"}) << "a heading within code";
@@ -40,7 +40,7 @@ TEST(Citations, ofWhatIsNotThereAreNamedWithTheirLine) {
 }
 
 // Written in two parts, so that this file is not refused.
-TEST(Citations, ofDocumentsThatAreNotInTheRepositoryAreRefused) {
+TEST(Citations, OfDocumentsThatAreNotInTheRepositoryAreRefused) {
   for (const std::string old : {"DESIGN"
                                 " 8",
                                 "SHADING"
@@ -58,7 +58,7 @@ TEST(Citations, ofDocumentsThatAreNotInTheRepositoryAreRefused) {
     EXPECT_EQ(faultsOf(other), Faults{}) << other;
 }
 
-TEST(Citations, ofTheSourcesResolve) {
+TEST(Citations, OfTheSourcesResolve) {
   const Pages pages = loadPages(PARITY_SOURCE_DIR);
   int count = 0, sections = 0;
   for (const std::filesystem::path& file : listSources(PARITY_SOURCE_DIR)) {

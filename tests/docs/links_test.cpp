@@ -33,7 +33,7 @@ std::vector<std::string> faultsOf(const fs::path& page, const std::string& text)
   return faults;
 }
 
-TEST(Links, thatLeadNowhereAreFound) {
+TEST(Links, ThatLeadNowhereAreFound) {
   const std::string text = "# Two words\n[a](#two-words) [b](#three) [c](../README.md) [d](none.md) `[e](f)`\n"
                            "[f](design.md#no-heading) [g](https://example.org/none)";
   EXPECT_EQ(faultsOf(kRoot / "docs/README.md", text),
@@ -41,7 +41,7 @@ TEST(Links, thatLeadNowhereAreFound) {
                                       "design.md#no-heading: there is no such heading"}));
 }
 
-TEST(Links, ofEveryPageLeadToFilesAndHeadings) {
+TEST(Links, OfEveryPageLeadToFilesAndHeadings) {
   int pages = 0;
   for (const fs::path& file : listSources(kRoot)) {
     if (file.extension() != ".md") continue;
@@ -52,7 +52,7 @@ TEST(Links, ofEveryPageLeadToFilesAndHeadings) {
   EXPECT_GT(pages, 25);
 }
 
-TEST(Index, namesEveryPage) {
+TEST(Index, NamesEveryPage) {
   const std::string index = base::readText(kRoot / "docs/README.md");
   for (const auto& [name, page] : loadPages(kRoot)) {
     const std::string file = name.substr(std::string("docs/").size());
@@ -62,7 +62,7 @@ TEST(Index, namesEveryPage) {
 }
 
 // The folders that CMakeLists.txt adds, in the picture of the house.
-TEST(Index, drawsEveryFolder) {
+TEST(Index, DrawsEveryFolder) {
   const std::string cmake = base::readText(kRoot / "CMakeLists.txt"),
                     picture = base::readText(kRoot / "docs/house.svg");
   const std::size_t order = cmake.rfind("foreach(folder IN ITEMS ");

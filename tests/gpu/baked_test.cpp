@@ -29,7 +29,7 @@ protected:
   vk::DeviceSize m_bytes = 0;
 };
 
-TEST_F(BakedSurfaceTest, interpolatesTheCornersOfEachTriangleAndAddsTheOffset) {
+TEST_F(BakedSurfaceTest, InterpolatesTheCornersOfEachTriangleAndAddsTheOffset) {
   scenes::LightmapUvs uvs;
   uvs.corners = {{9, 9}}; // of another object
   // The second triangle's chart lies elsewhere than the first one's: shared vertices have two uvs.
@@ -50,7 +50,7 @@ TEST_F(BakedSurfaceTest, interpolatesTheCornersOfEachTriangleAndAddsTheOffset) {
   }
 }
 
-TEST_F(BakedSurfaceTest, tellsTheBackFromTheFrontAndObjectsWithoutALightmap) {
+TEST_F(BakedSurfaceTest, TellsTheBackFromTheFrontAndObjectsWithoutALightmap) {
   scenes::Scene scene = tests::makeTwoQuads();
   scene.instances[0].toWorld[0].x *= -1; // half a turn about +Y
   scene.instances[0].toWorld[2].z *= -1;
@@ -67,7 +67,7 @@ TEST_F(BakedSurfaceTest, tellsTheBackFromTheFrontAndObjectsWithoutALightmap) {
   }
 }
 
-TEST_F(BakedSurfaceTest, withoutLightmapsNothingIsWritten) {
+TEST_F(BakedSurfaceTest, WithoutLightmapsNothingIsWritten) {
   EXPECT_TRUE(places(tests::makeQuadScene(), nullptr).empty());
   EXPECT_EQ(m_bytes, 16u);
   const scenes::LightmapUvs none{{}, {{.page = -1, .capture = 1}}};
@@ -75,7 +75,7 @@ TEST_F(BakedSurfaceTest, withoutLightmapsNothingIsWritten) {
   EXPECT_EQ(m_vertexData & kVertexLightmap, 0u);
 }
 
-TEST_F(BakedSurfaceTest, mapsSayWhatIsThere) {
+TEST_F(BakedSurfaceTest, MapsSayWhatIsThere) {
   EXPECT_EQ(makeBakedMaps(device(), {}).parts, 0u);
   const tests::HostPages lightmap = tests::makeLightmapPages(vk::Format::eR8G8B8A8Unorm, 2, 3,
                                                              [](auto...) { return glm::vec4(0.5f); }),
@@ -95,7 +95,7 @@ TEST_F(BakedSurfaceTest, mapsSayWhatIsThere) {
   EXPECT_EQ(stored[1], glm::vec4(1, 2, 3, 4));
 }
 
-TEST_F(BakedSurfaceTest, morePagesThanTheDeviceTakesAreRefused) {
+TEST_F(BakedSurfaceTest, MorePagesThanTheDeviceTakesAreRefused) {
   const std::uint32_t count = device().properties().limits.maxImageArrayLayers + 1;
   const std::vector<std::byte> none;
   EXPECT_THROW(makeBakedMaps(device(), {.lightmap = {vk::Format::eR8G8B8A8Unorm, 1, 2, count, none}}), base::Error);

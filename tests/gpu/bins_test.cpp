@@ -18,7 +18,7 @@ std::vector<glm::uvec2> randomIds(std::size_t count, std::uint32_t instances) {
   return ids;
 }
 
-TEST(Bins, holdEveryCoveredPixelOnceInPixelOrderWithinItsBin) {
+TEST(Bins, HoldEveryCoveredPixelOnceInPixelOrderWithinItsBin) {
   const std::vector<std::uint32_t> keys = {2, 0, 2, 3, 0}; // key 1 has no instance
   const auto ids = randomIds(100'003, 5);
   const Bins bins = makeBins(ids, keys, 4);
@@ -42,7 +42,7 @@ TEST(Bins, holdEveryCoveredPixelOnceInPixelOrderWithinItsBin) {
   }
 }
 
-TEST(Bins, doNotDependOnTheNumberOfThreads) {
+TEST(Bins, DoNotDependOnTheNumberOfThreads) {
   const std::vector<std::uint32_t> keys = {0, 1, 2};
   const auto ids = randomIds(300'000, 3);
   const Bins all = makeBins(ids, keys, 3);
@@ -50,7 +50,7 @@ TEST(Bins, doNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(makeBins(ids, keys, 3).entries, all.entries);
 }
 
-TEST(Bins, orderedByBlocksHoldTheSamePixelsBlockAfterBlock) {
+TEST(Bins, OrderedByBlocksHoldTheSamePixelsBlockAfterBlock) {
   constexpr std::uint32_t kWidth = 37;
   const std::vector<std::uint32_t> keys = {1, 0, 1};
   const auto ids = randomIds(std::size_t{kWidth} * 50 - 5, 3);
@@ -70,7 +70,7 @@ TEST(Bins, orderedByBlocksHoldTheSamePixelsBlockAfterBlock) {
   }
 }
 
-TEST(Bins, ofAnEmptyPictureAreNone) {
+TEST(Bins, OfAnEmptyPictureAreNone) {
   const std::vector<glm::uvec2> ids(1000, glm::uvec2(0));
   const Bins bins = makeBins(ids, std::vector<std::uint32_t>{0}, 1);
   EXPECT_TRUE(bins.bins.empty());

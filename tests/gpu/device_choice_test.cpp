@@ -17,13 +17,13 @@ const std::vector<DeviceReport> kDevices = {makeReport("Big GPU 5000", "discrete
                                             makeReport("llvmpipe (LLVM 15.0.6, 256 bits)", "cpu")};
 const std::vector<std::string> kNoRefusals(3);
 
-TEST(DeviceChoice, isLavapipeThenAnyOtherSoftwareDeviceNeverHardwareUnasked) {
+TEST(DeviceChoice, IsLavapipeThenAnyOtherSoftwareDeviceNeverHardwareUnasked) {
   EXPECT_EQ(chooseByName(kDevices, kNoRefusals, ""), 2);
   EXPECT_EQ(chooseByName(kDevices, {"", "", "too old"}, ""), 1);
   EXPECT_EQ(chooseByName(kDevices, {"", "too old", "too old"}, ""), -1);
 }
 
-TEST(DeviceChoice, takesPartOfANameInAnyCase) {
+TEST(DeviceChoice, TakesPartOfANameInAnyCase) {
   EXPECT_EQ(chooseByName(kDevices, kNoRefusals, "big gpu"), 0);
   EXPECT_EQ(chooseByName(kDevices, kNoRefusals, "SWIFT"), 1);
   EXPECT_EQ(chooseByName(kDevices, kNoRefusals, "radeon"), -1);
@@ -31,7 +31,7 @@ TEST(DeviceChoice, takesPartOfANameInAnyCase) {
       << "a refused device is not taken by name either";
 }
 
-TEST(DeviceChoice, takesDigitsAsAnIndexOnly) {
+TEST(DeviceChoice, TakesDigitsAsAnIndexOnly) {
   EXPECT_EQ(chooseByName(kDevices, kNoRefusals, "1"), 1);
   EXPECT_EQ(chooseByName(kDevices, kNoRefusals, "5"), -1) << "although names hold a 5";
 }

@@ -10,7 +10,7 @@ namespace {
 
 using DeviceTest = tests::DeviceTest;
 
-TEST_F(DeviceTest, listNamesOneTakenDeviceAndAReasonForEach) {
+TEST_F(DeviceTest, ListNamesOneTakenDeviceAndAReasonForEach) {
   const auto reports = listDevices({});
   int taken = 0;
   for (const DeviceReport& report : reports) {
@@ -20,12 +20,12 @@ TEST_F(DeviceTest, listNamesOneTakenDeviceAndAReasonForEach) {
   EXPECT_EQ(taken, 1);
 }
 
-TEST_F(DeviceTest, unknownNameIsAnErrorWithTheReasonsOfRefusal) {
+TEST_F(DeviceTest, UnknownNameIsAnErrorWithTheReasonsOfRefusal) {
   base::expectError([] { const Device device({.name = "no such device", .validation = false}); },
                     {"no such device", listDevices({}).front().name});
 }
 
-TEST_F(DeviceTest, validationMessageBecomesAnErrorAtSubmit) {
+TEST_F(DeviceTest, ValidationMessageBecomesAnErrorAtSubmit) {
   // A copy beyond the end of the target is what the layer is for.
   const Buffer from(device(), 256), to(device(), 64);
   EXPECT_THROW(device().submit("bad copy",
@@ -35,7 +35,7 @@ TEST_F(DeviceTest, validationMessageBecomesAnErrorAtSubmit) {
                base::Error);
 }
 
-TEST_F(DeviceTest, bufferGivesBackWhatWasPutIn) {
+TEST_F(DeviceTest, BufferGivesBackWhatWasPutIn) {
   std::vector<std::uint32_t> values(1000);
   for (std::uint32_t i = 0; i < values.size(); ++i) values[i] = i * i;
   const Buffer buffer(device(), std::span<const std::uint32_t>(values));
@@ -43,7 +43,7 @@ TEST_F(DeviceTest, bufferGivesBackWhatWasPutIn) {
   EXPECT_EQ(buffer.downloadAs<std::uint32_t>(1, 40)[0], 100u);
 }
 
-TEST_F(DeviceTest, submitMeasuresDeviceTime) {
+TEST_F(DeviceTest, SubmitMeasuresDeviceTime) {
   base::Timings timings;
   Device timed({.name = "", .validation = true});
   timed.setTimings(&timings);

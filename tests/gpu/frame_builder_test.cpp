@@ -33,20 +33,20 @@ template <typename... Layers> void add(FrameBuilder& builder, const Layers&... l
   builder.end();
 }
 
-TEST(FrameBuilder, showsTheBackgroundWhereNothingIsSeen) {
+TEST(FrameBuilder, ShowsTheBackgroundWhereNothingIsSeen) {
   FrameBuilder builder(2, 1, 1, false, glm::vec3(0.1f, 0.2f, 0.3f));
   add(builder, ShadedLayer{makeSurface({1}), {{glm::vec4(5, 6, 7, 1)}, {}}});
   EXPECT_EQ(builder.take().color.pixels, (std::vector<float>{0.1f, 0.2f, 0.3f, 5, 6, 7}));
 }
 
-TEST(FrameBuilder, averagesSamplesInLinearLight) {
+TEST(FrameBuilder, AveragesSamplesInLinearLight) {
   FrameBuilder builder(2, 1, 2, false, glm::vec3(0));
   add(builder, ShadedLayer{makeSurface({0}), {{glm::vec4(1, 1, 1, 1)}, {}}});
   add(builder, ShadedLayer{makeSurface({0, 1}), {{glm::vec4(3, 3, 3, 1), glm::vec4(8, 8, 8, 1)}, {}}});
   EXPECT_EQ(builder.take().color.pixels, (std::vector<float>{2, 2, 2, 4, 4, 4}));
 }
 
-TEST(FrameBuilder, laysTheBlendedLayerOverColourAndTermsAlike) {
+TEST(FrameBuilder, LaysTheBlendedLayerOverColourAndTermsAlike) {
   FrameBuilder builder(2, 1, 1, true, glm::vec3(1));
   ShadedSurface below{{glm::vec4(4, 4, 4, 1)},
                       std::vector<std::vector<glm::vec4>>(shading::kTermCount, {glm::vec4(0)})};
@@ -63,7 +63,7 @@ TEST(FrameBuilder, laysTheBlendedLayerOverColourAndTermsAlike) {
   EXPECT_EQ(frame.terms[7].pixels[3], 4);
 }
 
-TEST(FrameBuilder, addsPremultipliedColourAndTermsAsTheyAre) {
+TEST(FrameBuilder, AddsPremultipliedColourAndTermsAsTheyAre) {
   FrameBuilder builder(2, 1, 1, true, glm::vec3(1));
   const auto terms = [](float value) {
     return std::vector<std::vector<glm::vec4>>(shading::kTermCount, {glm::vec4(value)});
@@ -84,7 +84,7 @@ glm::vec3 blend(const std::optional<TargetCodec>& target) {
   return {frame.color.pixels[0], frame.color.pixels[1], frame.color.pixels[2]};
 }
 
-TEST(FrameBuilder, blendsInTheNumbersOfItsTarget) {
+TEST(FrameBuilder, BlendsInTheNumbersOfItsTarget) {
   EXPECT_FLOAT_EQ(blend(std::nullopt).x, 0.34f);
   // Halves: 0.64 is 1311/2048; half of it and 0.02 is 0.340068, 1393 of 2^-12.
   EXPECT_EQ(blend(TargetCodec(OutputTarget::rgba16f, 0)).x, 1393 * 0x1p-12f);
@@ -95,7 +95,7 @@ TEST(FrameBuilder, blendsInTheNumbersOfItsTarget) {
 }
 
 // As hardware does: what each layer leaves is stored before the next one is blended over it.
-TEST(FrameBuilder, roundsAfterEachLayer) {
+TEST(FrameBuilder, RoundsAfterEachLayer) {
   FrameBuilder builder(2, 1, 1, false, glm::vec3(0), TargetCodec(OutputTarget::rgba8Gamma2, 0));
   const float light = 9 / 255.f * (9 / 255.f);
   const ShadedSurface half{{glm::vec4(0, 0, 0, 0.5f)}, {}};
@@ -105,7 +105,7 @@ TEST(FrameBuilder, roundsAfterEachLayer) {
   EXPECT_NEAR(builder.take().color.pixels[0], 3 / 255.f / 12.92f, 1e-7f) << "the light of sRGB code 3";
 }
 
-TEST(FrameBuilder, resolvesSamplesAsItsTargetWould) {
+TEST(FrameBuilder, ResolvesSamplesAsItsTargetWould) {
   const auto resolve = [](OutputTarget target) {
     FrameBuilder builder(2, 1, 2, false, glm::vec3(0), TargetCodec(target, 0));
     add(builder, ShadedLayer{makeSurface({0}), {{glm::vec4(1)}, {}}});
@@ -117,13 +117,13 @@ TEST(FrameBuilder, resolvesSamplesAsItsTargetWould) {
   EXPECT_NEAR(resolve(OutputTarget::rgba8Gamma2), 0.215861f, 1e-6f) << "half of the codes is 128";
 }
 
-TEST(FrameBuilder, storesTheBackgroundInItsTarget) {
+TEST(FrameBuilder, StoresTheBackgroundInItsTarget) {
   FrameBuilder builder(2, 1, 1, false, glm::vec3(0.18f), TargetCodec(OutputTarget::rgba8Gamma2, 0));
   add(builder, ShadedLayer{makeSurface({}), {}});
   EXPECT_NEAR(builder.take().color.pixels[0], 0.149960f, 1e-6f) << "code 108";
 }
 
-TEST(FrameBuilder, aTargetLeavesTermsAndNonFinitePixelsAlone) {
+TEST(FrameBuilder, ATargetLeavesTermsAndNonFinitePixelsAlone) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   FrameBuilder builder(2, 1, 1, true, glm::vec3(0), TargetCodec(OutputTarget::rgba8Gamma2, 0));
   ShadedSurface shaded{{glm::vec4(kNan, 1, 1, 1), glm::vec4(0.3f, 0.3f, 0.3f, 1)},

@@ -103,7 +103,7 @@ float valueOf(const Composed& composed, std::size_t material, std::uint32_t pixe
   return kNan;
 }
 
-TEST(MaterialSwap, anOpaquePixelShowsTheTestColour) {
+TEST(MaterialSwap, AnOpaquePixelShowsTheTestColour) {
   const Composed found = compose({{makeLayer({{0, 0, 0.5f, 0.7f}, {1, 1, 0.1f, 60000.f}})}});
   EXPECT_EQ(valueOf(found, 0, 0), 0.7f);
   EXPECT_EQ(valueOf(found, 1, 1), 60000.f);
@@ -111,7 +111,7 @@ TEST(MaterialSwap, anOpaquePixelShowsTheTestColour) {
   EXPECT_TRUE(found.swaps[2].planes.empty()) << "it is not seen";
 }
 
-TEST(MaterialSwap, behindAPaneEachMaterialIsSwappedAlone) {
+TEST(MaterialSwap, BehindAPaneEachMaterialIsSwappedAlone) {
   // A pane of opacity .25 before a wall.
   const Composed found = compose({{makeLayer({{0, 0, 0.4f, 0.8f}}), makeLayer({{0, 1, 1.f, 3.f, 0.25f}}, true)}});
   EXPECT_FLOAT_EQ(found.reference.pixels[0], 0.75f * 0.4f + 0.25f * 1);
@@ -121,7 +121,7 @@ TEST(MaterialSwap, behindAPaneEachMaterialIsSwappedAlone) {
   EXPECT_TRUE(found.swaps[1].whole.empty());
 }
 
-TEST(MaterialSwap, anEqualPaneIsTheReferencePictureBitByBitWhateverLiesBehind) {
+TEST(MaterialSwap, AnEqualPaneIsTheReferencePictureBitByBitWhateverLiesBehind) {
   for (const bool premultiplied : {false, true}) {
     const Composed found =
         compose({{makeLayer({{0, 0, 0.337f, 7.1f}, {1, 0, 0.2f, kNan}}),
@@ -131,7 +131,7 @@ TEST(MaterialSwap, anEqualPaneIsTheReferencePictureBitByBitWhateverLiesBehind) {
   }
 }
 
-TEST(MaterialSwap, severalLayersOfOneMaterialAreSwappedTogether) {
+TEST(MaterialSwap, SeveralLayersOfOneMaterialAreSwappedTogether) {
   const Composed found = compose({{makeLayer({{0, 0, 0.4f, 0.8f}}), makeLayer({{0, 1, 1, 2, 0.5f}}, true),
                                    makeLayer({{0, 0, 0.2f, 0.6f, 0.25f}}, true)}});
   const float behind = 0.5f * 0.8f + 0.5f * 1; // own wall, the other's pane as the reference has it
@@ -139,7 +139,7 @@ TEST(MaterialSwap, severalLayersOfOneMaterialAreSwappedTogether) {
   EXPECT_FLOAT_EQ(valueOf(found, 1, 0), 0.75f * (0.5f * 0.4f + 0.5f * 2) + 0.25f * 0.2f);
 }
 
-TEST(MaterialSwap, opacitiesThatDifferAreTheTestPathsOwn) {
+TEST(MaterialSwap, OpacitiesThatDifferAreTheTestPathsOwn) {
   Layer pane = makeLayer({{0, 1, 1, 1, 0.5f}}, true);
   pane.test.color[0].w = 0.75f; // its textures are compressed
   const Composed found = compose({{makeLayer({{0, 0, 0.2f, 0.2f}}), pane}});
@@ -147,7 +147,7 @@ TEST(MaterialSwap, opacitiesThatDifferAreTheTestPathsOwn) {
   EXPECT_FLOAT_EQ(valueOf(found, 0, 0), found.reference.pixels[0]);
 }
 
-TEST(MaterialSwap, samplesAreAveragedAndThoseWithoutTheMaterialStayAsTheyAre) {
+TEST(MaterialSwap, SamplesAreAveragedAndThoseWithoutTheMaterialStayAsTheyAre) {
   // Material 0 covers half of pixel 0, the background the rest; all of pixel 1.
   const std::vector<Sample> samples = {{makeLayer({{0, 0, 0.5f, 0.9f}, {1, 0, 0.3f, 0.7f}})},
                                        {makeLayer({{1, 0, 0.3f, 0.5f}})}};
@@ -157,7 +157,7 @@ TEST(MaterialSwap, samplesAreAveragedAndThoseWithoutTheMaterialStayAsTheyAre) {
   EXPECT_EQ(found.swaps[0].whole, std::vector<std::uint32_t>{1});
 }
 
-TEST(MaterialSwap, largeLightBesideDarkLightLosesNothing) {
+TEST(MaterialSwap, LargeLightBesideDarkLightLosesNothing) {
   const std::vector<Sample> samples = {{makeLayer({{0, 0, 60000.f, 0.1f}})}, {makeLayer({{0, 1, 0.2f, 0.2f}})}};
   const Composed found = compose(samples);
   EXPECT_NEAR(valueOf(found, 0, 0), 0.15f, 1e-6);
@@ -165,7 +165,7 @@ TEST(MaterialSwap, largeLightBesideDarkLightLosesNothing) {
 }
 
 // The formula of the design: reference + sum over the material's entries of weight * (test - reference).
-TEST(MaterialSwap, randomLayersAreTheSumOfWeightedDifferences) {
+TEST(MaterialSwap, RandomLayersAreTheSumOfWeightedDifferences) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> uniform(0, 1);
   std::uniform_int_distribution<std::uint32_t> instance(0, 2);
@@ -200,7 +200,7 @@ TEST(MaterialSwap, randomLayersAreTheSumOfWeightedDifferences) {
   }
 }
 
-TEST(MaterialSwap, opaquePixelsTakeWhatTheTargetReturns) {
+TEST(MaterialSwap, OpaquePixelsTakeWhatTheTargetReturns) {
   for (const OutputTarget target :
        {OutputTarget::rgba16f, OutputTarget::r11g11b10f, OutputTarget::rgba8Srgb, OutputTarget::rgba8Gamma2}) {
     const TargetCodec codec(target, 0);
@@ -211,7 +211,7 @@ TEST(MaterialSwap, opaquePixelsTakeWhatTheTargetReturns) {
   }
 }
 
-TEST(MaterialSwap, whatADisplayedTargetMakesOfThePictureBehindIsNotThePanes) {
+TEST(MaterialSwap, WhatADisplayedTargetMakesOfThePictureBehindIsNotThePanes) {
   const TargetCodec codec(OutputTarget::rgba8Srgb, 0);
   // Light above white behind an equal pane: the target cuts it off, and rounds it.
   const Composed found = compose({{makeLayer({{0, 0, 5.f, 5.f}, {1, 0, 0.3217f, 0.9f}}),
@@ -222,7 +222,7 @@ TEST(MaterialSwap, whatADisplayedTargetMakesOfThePictureBehindIsNotThePanes) {
   EXPECT_NEAR(valueOf(found, 1, 1), found.reference.pixels[3], step);
 }
 
-TEST(MaterialSwap, aTargetThatBlendsRootsIsChargedToThePane) {
+TEST(MaterialSwap, ATargetThatBlendsRootsIsChargedToThePane) {
   const TargetCodec codec(OutputTarget::rgba8Gamma2, 0);
   const Composed found =
       compose({{makeLayer({{0, 0, 0.64f, 0.64f}}), makeLayer({{0, 1, 0.04f, 0.04f, 0.5f}}, true)}}, 0.25f, codec);
@@ -232,7 +232,7 @@ TEST(MaterialSwap, aTargetThatBlendsRootsIsChargedToThePane) {
   EXPECT_NEAR(valueOf(found, 1, 0), shown + 0.5f * (0.64f - wall), 0.01f) << "less what it makes of the wall alone";
 }
 
-TEST(MaterialSwap, onlyWantedMaterialsAreSwapped) {
+TEST(MaterialSwap, OnlyWantedMaterialsAreSwapped) {
   const Composed found = compose({{makeLayer({{0, 0, 0.4f, 0.8f}}), makeLayer({{0, 1, 1, 2, 0.5f}}, true)}}, 0.25f,
                                  std::nullopt, {1, 0, 0});
   EXPECT_FLOAT_EQ(valueOf(found, 0, 0), 0.5f * 0.8f + 0.5f * 1);
@@ -240,7 +240,7 @@ TEST(MaterialSwap, onlyWantedMaterialsAreSwapped) {
   EXPECT_TRUE(found.swaps[1].planes.empty());
 }
 
-TEST(MaterialSwap, planesAreComposedSideBySide) {
+TEST(MaterialSwap, PlanesAreComposedSideBySide) {
   const Layer layer = makeLayer({{2, 0, 0.5f, 0.7f}});
   const std::vector<glm::vec4> black = {glm::vec4(0, 0, 0, 1)}, bright = {glm::vec4(9, 9, 9, 1)};
   SwapBuilder swap(kMaterialOf, 3, kWidth, 1, {glm::vec3(0.25f), glm::vec3(0)});

@@ -36,7 +36,7 @@ int addTexel(scenes::Scene& scene, std::array<std::uint8_t, 4> rgba) {
   return static_cast<int>(scene.images.size()) - 1;
 }
 
-TEST_F(MaterialPassTest, factorsComeBackAsTheMaterialHasThem) {
+TEST_F(MaterialPassTest, FactorsComeBackAsTheMaterialHasThem) {
   scenes::Scene scene = tests::makeQuadScene();
   scenes::Material& material = scene.materials[0];
   material.baseColor = glm::vec4(0.8f, 0.5f, 0.2f, 1);
@@ -67,7 +67,7 @@ TEST_F(MaterialPassTest, factorsComeBackAsTheMaterialHasThem) {
 }
 
 // Each texture multiplies its factor: sRGB 188 is 0.5029 linear (IEC 61966-2-1), data is code / 255.
-TEST_F(MaterialPassTest, texturesMultiplyTheirFactorsAndTurnTheNormal) {
+TEST_F(MaterialPassTest, TexturesMultiplyTheirFactorsAndTurnTheNormal) {
   scenes::Scene scene = tests::makeQuadScene();
   const int color = addTexel(scene, {188, 255, 0, 255}), data = addTexel(scene, {102, 51, 204, 255});
   const int normal = addTexel(scene, {204, 128, 230, 255}); // (0.6, 0, 0.8) within 0.3 degrees
@@ -90,7 +90,7 @@ TEST_F(MaterialPassTest, texturesMultiplyTheirFactorsAndTurnTheNormal) {
 }
 
 // Shading normals lean, the surface does not; a back face shows its other side.
-TEST_F(MaterialPassTest, geometricNormalIsTheTrianglesOnTheSideOfTheEye) {
+TEST_F(MaterialPassTest, GeometricNormalIsTheTrianglesOnTheSideOfTheEye) {
   scenes::Scene scene = tests::makeQuadScene();
   scene.meshes[0].normals.assign(4, glm::normalize(glm::vec3(0.6f, 0, 0.8f)));
   const glm::vec3 axis = glm::normalize(glm::vec3(0, 1, 0));
@@ -102,7 +102,7 @@ TEST_F(MaterialPassTest, geometricNormalIsTheTrianglesOnTheSideOfTheEye) {
   }
 }
 
-TEST_F(MaterialPassTest, unlitAndOpacityAreTold) {
+TEST_F(MaterialPassTest, UnlitAndOpacityAreTold) {
   scenes::Scene scene = tests::makeQuadScene();
   scene.materials[0].unlit = true;
   scene.materials[0].alphaMode = scenes::AlphaMode::blend;

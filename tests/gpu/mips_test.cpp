@@ -11,7 +11,7 @@ namespace {
 
 double toLinear(double s) { return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4); }
 
-TEST(Mips, goDownToOneTexelByHalves) {
+TEST(Mips, GoDownToOneTexelByHalves) {
   const auto mips = tests::makeMips(base::Image8(13, 4, 4, 7), false);
   const int sizes[][2] = {{13, 4}, {6, 2}, {3, 1}, {1, 1}};
   ASSERT_EQ(mips.size(), 4u);
@@ -21,14 +21,14 @@ TEST(Mips, goDownToOneTexelByHalves) {
   }
 }
 
-TEST(Mips, ofAConstantImageAreThatConstantInBothEncodings) {
+TEST(Mips, OfAConstantImageAreThatConstantInBothEncodings) {
   for (const bool srgb : {false, true})
     for (const int value : {0, 1, 5, 11, 100, 128, 254, 255})
       for (const base::Image8& mip : tests::makeMips(base::Image8(31, 17, 4, static_cast<std::uint8_t>(value)), srgb))
         for (const std::uint8_t v : mip.pixels) ASSERT_EQ(v, value) << (srgb ? "sRGB" : "linear");
 }
 
-TEST(Mips, averageColourInLinearLightAndAlphaAsItIs) {
+TEST(Mips, AverageColourInLinearLightAndAlphaAsItIs) {
   base::Image8 image(2, 1, 4);
   image.pixels = {255, 255, 255, 255, 0, 0, 0, 0};
   const base::Image8 mip = tests::makeMips(image, true)[1];
@@ -37,7 +37,7 @@ TEST(Mips, averageColourInLinearLightAndAlphaAsItIs) {
   EXPECT_EQ(tests::makeMips(image, false)[1].pixels[0], 128);
 }
 
-TEST(Mips, ofOddSizesKeepTheMean) {
+TEST(Mips, OfOddSizesKeepTheMean) {
   base::Image8 image(5, 3, 4);
   double sum = 0;
   for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = static_cast<std::uint8_t>(i * 37 % 251);
@@ -62,7 +62,7 @@ double averageUnder(const base::Image8& image, int x, int y, int width, int heig
   return sum;
 }
 
-TEST(Mips, areTheAreaWeightedAveragesAtEverySmallSize) {
+TEST(Mips, AreTheAreaWeightedAveragesAtEverySmallSize) {
   for (int width = 1; width <= 9; ++width)
     for (int height = 1; height <= 9; ++height)
       for (const bool srgb : {false, true}) {

@@ -25,7 +25,7 @@ void writeNormalVariance(std::vector<base::Image8>& mips) {
   for (std::size_t level = 1; level < mips.size(); ++level) variance.writeNext(mips[level - 1], mips[level]);
 }
 
-TEST(NormalVariance, ofEqualNormalsIsExactlyZeroAtEveryLevelOfEverySize) {
+TEST(NormalVariance, OfEqualNormalsIsExactlyZeroAtEveryLevelOfEverySize) {
   const std::array<std::uint8_t, 3> normals[] = {
       {128, 128, 255}, {127, 127, 254}, {200, 90, 201}, {0, 0, 0}, {127, 128, 127}};
   for (const auto& normal : normals)
@@ -39,7 +39,7 @@ TEST(NormalVariance, ofEqualNormalsIsExactlyZeroAtEveryLevelOfEverySize) {
 }
 
 // Two directions, 2 a apart, in equal shares: |n| = cos a, so alpha^2 grows by 2 (1 - cos a) / cos a.
-TEST(NormalVariance, ofTwoDirectionsIsToksvigsFromTheCosineBetweenThem) {
+TEST(NormalVariance, OfTwoDirectionsIsToksvigsFromTheCosineBetweenThem) {
   for (const int code : {140, 170, 200}) {
     auto mips = tests::makeMips(makeMap(16, 16,
                                         [&](int x, int y) {
@@ -62,7 +62,7 @@ TEST(NormalVariance, ofTwoDirectionsIsToksvigsFromTheCosineBetweenThem) {
 }
 
 // Opposite normals cancel; odd sizes weigh texels by what a mip's texel covers of them.
-TEST(NormalVariance, isOneWhereNormalsCancelAndWeighsByArea) {
+TEST(NormalVariance, IsOneWhereNormalsCancelAndWeighsByArea) {
   auto opposite = tests::makeMips(makeMap(2, 1,
                                           [](int x, int) {
                                             return std::array<std::uint8_t, 3>{std::uint8_t(x ? 255 : 0), 128, 128};

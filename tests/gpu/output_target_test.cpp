@@ -45,7 +45,7 @@ glm::vec3 through(OutputTarget target, const glm::vec3& color, float exposureEv 
   return codec.read(codec.store(codec.write(color)));
 }
 
-TEST(UnsignedFloat, roundsToTheNearestOfAllItsNumbers) {
+TEST(UnsignedFloat, RoundsToTheNearestOfAllItsNumbers) {
   for (const int bits : {5, 6}) {
     const std::vector<double> values = unsignedFloats(bits);
     EXPECT_EQ(values.back(), bits == 6 ? 65024 : 64512) << "the specification's own figures";
@@ -64,7 +64,7 @@ TEST(UnsignedFloat, roundsToTheNearestOfAllItsNumbers) {
   }
 }
 
-TEST(UnsignedFloat, hasNoSignSaturatesAndKeepsNan) {
+TEST(UnsignedFloat, HasNoSignSaturatesAndKeepsNan) {
   for (const float x : {-1.f, -0.f, -1e-30f, -3e38f}) EXPECT_EQ(roundToUnsignedFloat(x, 6), 0) << x;
   EXPECT_EQ(roundToUnsignedFloat(1e9f, 6), 65024);
   EXPECT_EQ(roundToUnsignedFloat(std::numeric_limits<float>::max(), 5), 64512);
@@ -72,18 +72,18 @@ TEST(UnsignedFloat, hasNoSignSaturatesAndKeepsNan) {
   EXPECT_EQ(roundToUnsignedFloat(kInf, 6), kInf);
 }
 
-TEST(OutputTarget, packedFloatsHaveLessBlue) {
+TEST(OutputTarget, PackedFloatsHaveLessBlue) {
   const glm::vec3 kept = through(OutputTarget::r11g11b10f, glm::vec3(1.02f));
   EXPECT_EQ(kept, glm::vec3(1 + 1 / 64.f, 1 + 1 / 64.f, 1 + 1 / 32.f));
 }
 
-TEST(OutputTarget, halvesRoundToEvenAndSaturate) {
+TEST(OutputTarget, HalvesRoundToEvenAndSaturate) {
   const glm::vec3 kept = through(OutputTarget::rgba16f, {1 + 0x1p-11f, 1 + 3 * 0x1p-11f, 1e6f});
   EXPECT_EQ(kept, glm::vec3(1, 1 + 0x1p-9f, 65504));
   EXPECT_EQ(through(OutputTarget::rgba16f, {-2, -1e9f, 65519.9f}), glm::vec3(-2, -65504, 65504));
 }
 
-TEST(OutputTarget, srgbKeepsTheNearestOf256Codes) {
+TEST(OutputTarget, SrgbKeepsTheNearestOf256Codes) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> uniform(-0.2f, 1.2f);
   for (int i = 0; i < 20000; ++i) {
@@ -97,7 +97,7 @@ TEST(OutputTarget, srgbKeepsTheNearestOf256Codes) {
 }
 
 // sqrt(0.18) = 0.424 is code 108, where sRGB has 118: shown as sRGB that is 0.36 EV less light.
-TEST(OutputTarget, gammaTwoIsDarkerAtMidGreyByTenCodes) {
+TEST(OutputTarget, GammaTwoIsDarkerAtMidGreyByTenCodes) {
   const float shown = through(OutputTarget::rgba8Gamma2, glm::vec3(0.18f)).x;
   EXPECT_FLOAT_EQ(shown, static_cast<float>(srgbToLinear(108 / 255.)));
   EXPECT_EQ(std::lround(255 * linearToSrgb(shown)), 108);
@@ -106,7 +106,7 @@ TEST(OutputTarget, gammaTwoIsDarkerAtMidGreyByTenCodes) {
 }
 
 // The figures that shading/target.glsl states.
-TEST(OutputTarget, gammaTwoIsOffByNineAndAHalfCodesAtMost) {
+TEST(OutputTarget, GammaTwoIsOffByNineAndAHalfCodesAtMost) {
   double darkest = 0, brightest = 0, darkestAt = 0, brightestAt = 0, equalAt = 0;
   for (int i = 1; i <= 200000; ++i) {
     const double c = i / 200000.0, codes = 255 * (shading::f64::encodeGamma2({c, c, c}).x - linearToSrgb(c));
@@ -121,7 +121,7 @@ TEST(OutputTarget, gammaTwoIsOffByNineAndAHalfCodesAtMost) {
   EXPECT_NEAR(equalAt, 0.0101, 1e-5);
 }
 
-TEST(OutputTarget, exposureComesBeforeTheTargetsOfEightBitsOnly) {
+TEST(OutputTarget, ExposureComesBeforeTheTargetsOfEightBitsOnly) {
   // 3 EV up, 2.0 is 16: white. Read without the exposure that is 1/8.
   for (const OutputTarget target : {OutputTarget::rgba8Srgb, OutputTarget::rgba8Gamma2})
     EXPECT_EQ(through(target, glm::vec3(2), 3), glm::vec3(0.125f));
@@ -131,7 +131,7 @@ TEST(OutputTarget, exposureComesBeforeTheTargetsOfEightBitsOnly) {
     EXPECT_EQ(through(target, glm::vec3(2), 3), glm::vec3(2));
 }
 
-TEST(OutputTarget, neverHidesWhatIsNotFinite) {
+TEST(OutputTarget, NeverHidesWhatIsNotFinite) {
   for (int t = 0; t < 4; ++t) {
     const auto target = static_cast<OutputTarget>(t);
     const glm::vec3 kept = through(target, {kNan, kInf, 0.25f});
@@ -144,7 +144,7 @@ TEST(OutputTarget, neverHidesWhatIsNotFinite) {
   }
 }
 
-TEST(OutputTarget, halfPrecisionRoundsBeforeTheRoot) {
+TEST(OutputTarget, HalfPrecisionRoundsBeforeTheRoot) {
   // Between two halves at 0.25: the root of the half is 1/2 exactly.
   const float x = 0.25f + 0x1p-14f;
   EXPECT_EQ(TargetCodec(OutputTarget::rgba8Gamma2, 0, true).write(glm::vec3(x)).x, 0.5f);

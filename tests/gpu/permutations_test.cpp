@@ -36,17 +36,17 @@ void expectServes(const Permutation& permutation, const MaterialClass& c) {
   EXPECT_EQ(permutation.mustFeatures & ~c.features, 0u) << "a feature that the class lacks must not be compiled in";
 }
 
-TEST(Permutations, areExactForASingleClassHoweverSmall) {
+TEST(Permutations, AreExactForASingleClassHoweverSmall) {
   EXPECT_EQ(planAll({{{5, kFeatureNonmetal}, kSmall}})[0], (Permutation{5, kFeatureNonmetal, kFeatureNonmetal}));
 }
 
-TEST(Permutations, mergeClassesWhoseSavingDoesNotPayForTheCompilation) {
+TEST(Permutations, MergeClassesWhoseSavingDoesNotPayForTheCompilation) {
   const auto plan = planAll({{{1, kFeatureNonmetal}, kSmall}, {{2, 0}, kSmall}});
   EXPECT_EQ(plan[0], plan[1]);
   EXPECT_EQ(plan[0], (Permutation{3, kFeatureNonmetal, 0}));
 }
 
-TEST(Permutations, splitOffAClassWhoseSavingPaysForTheCompilation) {
+TEST(Permutations, SplitOffAClassWhoseSavingPaysForTheCompilation) {
   // The rule of docs/design.md 7b: pixels x saving against the time of compiling.
   const auto enough = static_cast<std::uint64_t>(kPermutationCostMs * 1e6 / kPermutationSavingNsPerPixel);
   for (const bool pays : {true, false}) {
@@ -56,7 +56,7 @@ TEST(Permutations, splitOffAClassWhoseSavingPaysForTheCompilation) {
   }
 }
 
-TEST(Permutations, areAtMostEightAndServeEveryClass) {
+TEST(Permutations, AreAtMostEightAndServeEveryClass) {
   for (const std::uint64_t pixels : {kSmall, kBig}) {
     const std::vector<ClassPixels> classes = makeClasses(30, pixels);
     const auto plan = planAll(classes);
@@ -65,7 +65,7 @@ TEST(Permutations, areAtMostEightAndServeEveryClass) {
   }
 }
 
-TEST(Permutations, areMadeForWhatIsSeenAndAtMostEightWhateverIsSeenLater) {
+TEST(Permutations, AreMadeForWhatIsSeenAndAtMostEightWhateverIsSeenLater) {
   for (const std::uint64_t pixels : {kSmall, kBig}) {
     const std::vector<ClassPixels> classes = makeClasses(30, pixels);
     std::vector<MaterialClass> all;
@@ -85,7 +85,7 @@ TEST(Permutations, areMadeForWhatIsSeenAndAtMostEightWhateverIsSeenLater) {
   }
 }
 
-TEST(Permutations, ofASceneWithoutItsOwnAreThatOfEveryScene) {
+TEST(Permutations, OfASceneWithoutItsOwnAreThatOfEveryScene) {
   const std::vector<ClassPixels> classes = makeClasses(30, kBig);
   const Permutation every = everyScenePermutation(kAllTextures);
   const auto none = planAll(classes, {.own = 0, .shares = true}), two = planAll(classes, {.own = 2, .shares = true});
@@ -97,7 +97,7 @@ TEST(Permutations, ofASceneWithoutItsOwnAreThatOfEveryScene) {
   EXPECT_EQ(planAll({{{5, 0}, kSmall}}, {.own = 2, .shares = true})[0], every) << "it does not pay";
 }
 
-TEST(Permutations, ofARunAreEightHoweverManyScenesItHas) {
+TEST(Permutations, OfARunAreEightHoweverManyScenesItHas) {
   EXPECT_EQ(shareOf(0, 1), PermutationBudget{});
   for (const std::size_t scenes : {2u, 3u, 7u, 8u, 9u, 100u}) {
     const bool shares = scenes > kMaxPermutations;
@@ -111,7 +111,7 @@ TEST(Permutations, ofARunAreEightHoweverManyScenesItHas) {
   }
 }
 
-TEST(Permutations, areSaidInWords) {
+TEST(Permutations, AreSaidInWords) {
   EXPECT_EQ(describeTextures(0), "none");
   EXPECT_EQ(describeTextures(1u << kSlotBaseColor | 1u << kSlotNormal | 1u << kSlotSpecularColor | kNormalVariance),
             "base colour, normal, specular colour, spread of normals");

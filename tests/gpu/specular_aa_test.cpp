@@ -39,7 +39,7 @@ double rootOfGrowth(const base::Image8& map, int blocks, int column, int rowFrom
   return scale * std::sqrt(2 * (1 - length) / length);
 }
 
-TEST_F(SpecularAaMaterialTest, minifiedBumpsAreRoughAsTheirMeanNormalsSay) {
+TEST_F(SpecularAaMaterialTest, MinifiedBumpsAreRoughAsTheirMeanNormalsSay) {
   for (const float scale : {1.f, 0.5f})
     for (const int size : {8, 16}) {
       scenes::Scene scene = tests::makeBumpyQuad(kTexels, 0.2, 0.3f);
@@ -64,14 +64,14 @@ TEST_F(SpecularAaMaterialTest, minifiedBumpsAreRoughAsTheirMeanNormalsSay) {
   EXPECT_NEAR(mean, 0.074, 0.008);
 }
 
-TEST_F(SpecularAaMaterialTest, magnifiedBumpsAndFlatMapsKeepTheirRoughnessToTheBit) {
+TEST_F(SpecularAaMaterialTest, MagnifiedBumpsAndFlatMapsKeepTheirRoughnessToTheBit) {
   const scenes::Scene bumpy = tests::makeBumpyQuad(8, 0.3, 0.37f), flat = tests::makeBumpyQuad(64, 0, 0.37f);
   for (const auto& [scene, size] : {std::pair(&bumpy, 32u), std::pair(&bumpy, 8u), std::pair(&flat, 8u)})
     for (const ResolvedMaterial& m : resolve(*scene, size, SpecularAa::toksvig)) ASSERT_EQ(m.roughness, 0.37f);
 }
 
 // An image may hold normals in RGB and specular in A: only the normal slot's copy gives up its alpha.
-TEST_F(SpecularAaMaterialTest, otherSlotsOfTheSameImageKeepItsAlpha) {
+TEST_F(SpecularAaMaterialTest, OtherSlotsOfTheSameImageKeepItsAlpha) {
   scenes::Scene scene = tests::makeBumpyQuad(kTexels, 0.2, 0.3f);
   for (std::size_t t = 0; t < scene.images[0].pixels.pixelCount(); ++t) scene.images[0].pixels.pixels[4 * t + 3] = 51;
   scene.materials[0].specularTexture.image = 0;
@@ -81,7 +81,7 @@ TEST_F(SpecularAaMaterialTest, otherSlotsOfTheSameImageKeepItsAlpha) {
   }
 }
 
-TEST_F(SpecularAaMaterialTest, materialsWithoutNormalMapAreAsTheyWere) {
+TEST_F(SpecularAaMaterialTest, MaterialsWithoutNormalMapAreAsTheyWere) {
   scenes::Scene scene = tests::makeBumpyQuad(kTexels, 0.2, 0.3f);
   scene.materials[0].normalTexture = {};
   EXPECT_EQ(resolve(scene, 8, SpecularAa::toksvig).front().roughness, 0.3f);

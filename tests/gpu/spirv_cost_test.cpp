@@ -13,7 +13,7 @@ ShaderCost costOfPiece(std::uint32_t piece, std::uint32_t turns = 1, std::uint32
   return costOf(kSpirvCostComp, constants);
 }
 
-TEST(SpirvCost, countsScalarsOfEachOperation) {
+TEST(SpirvCost, CountsScalarsOfEachOperation) {
   struct Known {
     std::uint32_t piece;
     std::uint64_t operations;
@@ -43,7 +43,7 @@ TEST(SpirvCost, countsScalarsOfEachOperation) {
   }
 }
 
-TEST(SpirvCost, tellsHalfFromFloatAndConversionsFromBoth) {
+TEST(SpirvCost, TellsHalfFromFloatAndConversionsFromBoth) {
   const ShaderCost cost = costOfPiece(10);
   EXPECT_EQ(cost.fp16, 3u);
   EXPECT_EQ(cost.fp32, 0u);
@@ -51,7 +51,7 @@ TEST(SpirvCost, tellsHalfFromFloatAndConversionsFromBoth) {
   EXPECT_EQ(cost.operations(), 3u);
 }
 
-TEST(SpirvCost, unrollsShortLoopsAndMultipliesLongOnes) {
+TEST(SpirvCost, UnrollsShortLoopsAndMultipliesLongOnes) {
   const ShaderCost unrolled = costOfPiece(12, 16);
   EXPECT_EQ(unrolled.fp32, 64u);
   EXPECT_EQ(unrolled.integer + unrolled.branches, 0u) << "no counter is left";
@@ -62,24 +62,24 @@ TEST(SpirvCost, unrollsShortLoopsAndMultipliesLongOnes) {
   EXPECT_EQ(costOfPiece(12, 0).fp32, 0u) << "no turn at all";
 }
 
-TEST(SpirvCost, multipliesNestedLoopsDownwardsToo) {
+TEST(SpirvCost, MultipliesNestedLoopsDownwardsToo) {
   EXPECT_EQ(costOfPiece(17).fp32, 20u * 30 * 4);
   EXPECT_EQ(costOfPiece(17).openLoops, 0u);
 }
 
-TEST(SpirvCost, countsALoopWithABreakAsOftenAsItRunsAtMost) {
+TEST(SpirvCost, CountsALoopWithABreakAsOftenAsItRunsAtMost) {
   const ShaderCost cost = costOfPiece(13);
   EXPECT_EQ(cost.fp32, 4u * (1 + 4));
   EXPECT_EQ(cost.openLoops, 0u);
 }
 
-TEST(SpirvCost, saysWhereALoopsTurnsAreNotKnown) {
+TEST(SpirvCost, SaysWhereALoopsTurnsAreNotKnown) {
   const ShaderCost cost = costOfPiece(14);
   EXPECT_EQ(cost.openLoops, 1u);
   EXPECT_EQ(cost.fp32, 4u) << "once";
 }
 
-TEST(SpirvCost, aBranchThatSpecializationRemovesCostsNeitherOperationsNorItsSampler) {
+TEST(SpirvCost, ABranchThatSpecializationRemovesCostsNeitherOperationsNorItsSampler) {
   const ShaderCost without = costOfPiece(15), with = costOfPiece(15, 1, 1);
   EXPECT_EQ(without.fp32, 4u);
   EXPECT_EQ(without.fetches(), 2u);
@@ -93,12 +93,12 @@ TEST(SpirvCost, aBranchThatSpecializationRemovesCostsNeitherOperationsNorItsSamp
   EXPECT_EQ(with.images[1].binding, 5u);
 }
 
-TEST(SpirvCost, isTheSameEveryTime) {
+TEST(SpirvCost, IsTheSameEveryTime) {
   EXPECT_EQ(costOfPiece(17).integer, costOfPiece(17).integer);
   EXPECT_EQ(costOfPiece(15, 1, 1).moves, costOfPiece(15, 1, 1).moves);
 }
 
-TEST(SpirvCost, refusesWhatIsNoSpirv) {
+TEST(SpirvCost, RefusesWhatIsNoSpirv) {
   const std::uint32_t words[] = {1, 2, 3};
   EXPECT_THROW(costOf(words, {}), base::Error);
   std::vector<std::uint32_t> cut(std::begin(kSpirvCostComp), std::end(kSpirvCostComp));

@@ -48,7 +48,7 @@ protected:
   std::unique_ptr<SurfacePass> m_pass;
 };
 
-TEST_F(SurfaceTest, givesPositionFrameUvAndDerivativesOfAFacingPlaneInBothProjections) {
+TEST_F(SurfaceTest, GivesPositionFrameUvAndDerivativesOfAFacingPlaneInBothProjections) {
   const scenes::Scene scene = makeQuadScene();
   for (const bool orthographic : {false, true}) {
     const auto entries = download(render(scene, makeFrontCamera(1, 3, orthographic)));
@@ -71,7 +71,7 @@ TEST_F(SurfaceTest, givesPositionFrameUvAndDerivativesOfAFacingPlaneInBothProjec
   }
 }
 
-TEST_F(SurfaceTest, derivativesOfATiltedPlaneAreThoseOfTheProjection) {
+TEST_F(SurfaceTest, DerivativesOfATiltedPlaneAreThoseOfTheProjection) {
   scenes::Scene scene = makeQuadScene();
   const float angle = 1.2f; // about +X: the top leans away
   scene.instances[0].toWorld[1] = glm::vec4(0, std::cos(angle), -std::sin(angle), 0);
@@ -96,7 +96,7 @@ TEST_F(SurfaceTest, derivativesOfATiltedPlaneAreThoseOfTheProjection) {
   }
 }
 
-TEST_F(SurfaceTest, backFaceTurnsItsFrameRoundOrIsCulledWhereSingleSided) {
+TEST_F(SurfaceTest, BackFaceTurnsItsFrameRoundOrIsCulledWhereSingleSided) {
   scenes::Scene scene = makeQuadScene();
   scene.instances[0].toWorld[0].x = -1; // half a turn about +Y
   scene.instances[0].toWorld[2].z = -1;
@@ -109,7 +109,7 @@ TEST_F(SurfaceTest, backFaceTurnsItsFrameRoundOrIsCulledWhereSingleSided) {
   EXPECT_EQ(render(scene, makeFrontCamera(1, 3, false)).size(), 0u);
 }
 
-TEST_F(SurfaceTest, mirroringTransformKeepsTheFrontAndFlipsTheBitangent) {
+TEST_F(SurfaceTest, MirroringTransformKeepsTheFrontAndFlipsTheBitangent) {
   scenes::Scene scene = makeQuadScene();
   scene.materials[0].doubleSided = false;
   scene.instances[0].toWorld[0].x = -1;
@@ -120,7 +120,7 @@ TEST_F(SurfaceTest, mirroringTransformKeepsTheFrontAndFlipsTheBitangent) {
   EXPECT_EQ(entries.begin()->second.tangent, glm::vec4(-1, 0, 0, -1));
 }
 
-TEST_F(SurfaceTest, tinyScaleKeepsUnitNormals) {
+TEST_F(SurfaceTest, TinyScaleKeepsUnitNormals) {
   scenes::Scene scene = makeQuadScene();
   for (int c = 0; c < 3; ++c) scene.instances[0].toWorld[c] *= 1e-12f;
   const auto entries = download(render(scene, [] {
@@ -132,7 +132,7 @@ TEST_F(SurfaceTest, tinyScaleKeepsUnitNormals) {
   EXPECT_EQ(entries.begin()->second.normal, glm::vec3(0, 0, 1));
 }
 
-TEST_F(SurfaceTest, alphaMaskCutsByTheTextureItself) {
+TEST_F(SurfaceTest, AlphaMaskCutsByTheTextureItself) {
   scenes::Scene scene = makeQuadScene();
   scenes::TextureImage image{"half", base::Image8(2, 1, 4, 255)};
   image.pixels.pixels[3] = 0; // the left texel is transparent
@@ -147,7 +147,7 @@ TEST_F(SurfaceTest, alphaMaskCutsByTheTextureItself) {
 }
 
 // A texture with mips on many small triangles: at the edges of one, too, it is read at the level that the pixels have.
-TEST_F(SurfaceTest, alphaMaskIsNotTornAtTheEdgesOfTriangles) {
+TEST_F(SurfaceTest, AlphaMaskIsNotTornAtTheEdgesOfTriangles) {
   scenes::Scene scene = makeQuadScene();
   constexpr std::uint32_t kCells = 16; // over 64 pixels, off their grid
   scenes::Mesh& mesh = scene.meshes[0];
@@ -183,7 +183,7 @@ TEST_F(SurfaceTest, alphaMaskIsNotTornAtTheEdgesOfTriangles) {
   }
 }
 
-TEST_F(SurfaceTest, nearerSurfaceHidesTheOther) {
+TEST_F(SurfaceTest, NearerSurfaceHidesTheOther) {
   scenes::Scene scene = makeQuadScene();
   scene.instances.push_back({0, translation(0.5f, 0, -1), "behind"});
   const Surface surface = render(scene, makeFrontCamera(2, 6, true));
@@ -193,7 +193,7 @@ TEST_F(SurfaceTest, nearerSurfaceHidesTheOther) {
   EXPECT_EQ(behind, std::size_t{kSurfaceSide} * kSurfaceSide / 16);
 }
 
-TEST_F(SurfaceTest, tilesOfALargePictureFitTogether) {
+TEST_F(SurfaceTest, TilesOfALargePictureFitTogether) {
   const std::uint32_t width = 1200, height = 1100;
   const auto tiles = makeTiles(width, height);
   ASSERT_EQ(tiles.size(), 2u);
@@ -213,7 +213,7 @@ TEST_F(SurfaceTest, tilesOfALargePictureFitTogether) {
   EXPECT_EQ(total, std::size_t{width} * height);
 }
 
-TEST_F(SurfaceTest, samplePositionsMoveWhatAPixelSees) {
+TEST_F(SurfaceTest, SamplePositionsMoveWhatAPixelSees) {
   const scenes::Scene scene = makeQuadScene();
   const SceneBuffers buffers(device(), scene);
   const SurfacePass pass(device(), buffers, kSurfaceSide, kSurfaceSide);
@@ -226,7 +226,7 @@ TEST_F(SurfaceTest, samplePositionsMoveWhatAPixelSees) {
   }
 }
 
-TEST(SamplePositions, averageToThePixelCentreAndStayInside) {
+TEST(SamplePositions, AverageToThePixelCentreAndStayInside) {
   for (const int count : {1, 2, 4, 16, 64}) {
     glm::vec2 sum(0);
     for (const glm::vec2& p : samplePositions(count)) {

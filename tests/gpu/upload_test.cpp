@@ -41,7 +41,7 @@ std::vector<std::byte> makePixels(std::size_t bytes, std::uint32_t seed) {
   return pixels;
 }
 
-TEST_F(UploadTest, anImageLargerThanTheStagingBufferHasAllItsMips) {
+TEST_F(UploadTest, AnImageLargerThanTheStagingBufferHasAllItsMips) {
   DeviceImage::Shape shape{.width = 2501, .height = 2003, .mips = 3, .usage = kUsage}; // 20 MB and two more
   const DeviceImage image(device(), shape);
   ImageUpload upload(device(), image);
@@ -55,7 +55,7 @@ TEST_F(UploadTest, anImageLargerThanTheStagingBufferHasAllItsMips) {
     EXPECT_EQ(download(image, mip, 0, mips[mip].size()), mips[mip]) << mip;
 }
 
-TEST_F(UploadTest, aCubeOfWideTexelsHasAllItsLayers) {
+TEST_F(UploadTest, ACubeOfWideTexelsHasAllItsLayers) {
   DeviceImage::Shape shape{.format = vk::Format::eR32G32B32A32Sfloat,
                            .width = 512,
                            .height = 512,
@@ -76,7 +76,7 @@ TEST_F(UploadTest, aCubeOfWideTexelsHasAllItsLayers) {
   }
 }
 
-TEST_F(UploadTest, geometryOfManyPartsIsThatOfAllMeshesWithDefaultsForWhatOneLacks) {
+TEST_F(UploadTest, GeometryOfManyPartsIsThatOfAllMeshesWithDefaultsForWhatOneLacks) {
   scenes::Scene scene = tests::makeQuadScene();
   scenes::Mesh dense = scene.meshes[0];
   dense.tangents.clear();
@@ -122,7 +122,7 @@ TEST_F(UploadTest, geometryOfManyPartsIsThatOfAllMeshesWithDefaultsForWhatOneLac
 
 // Image 0 is read as colour by one material and as data by another; image 1 as colour by both; image 2 by one that is
 // not placed, image 3 by a slot that an unlit material does not read.
-TEST_F(UploadTest, anImageIsDoneWithWhenTheLastOfItsUsesIsUploaded) {
+TEST_F(UploadTest, AnImageIsDoneWithWhenTheLastOfItsUsesIsUploaded) {
   scenes::Scene scene = tests::makeQuadScene();
   for (int i = 0; i < 4; ++i) scene.images.push_back({"image", base::Image8(5, 3, 4, 100)});
   scene.materials.resize(4);
@@ -160,7 +160,7 @@ TEST_F(UploadTest, anImageIsDoneWithWhenTheLastOfItsUsesIsUploaded) {
 }
 
 // Image 0 is read as colour and as data, image 1 as a normal map with the spread of its normals.
-TEST_F(UploadTest, aCodecIsGivenEachMipOfTheImageAsItIs) {
+TEST_F(UploadTest, ACodecIsGivenEachMipOfTheImageAsItIs) {
   scenes::Scene scene = tests::makeQuadScene();
   std::uint32_t state = 7;
   for (int i = 0; i < 2; ++i) {

@@ -46,7 +46,7 @@ protected:
 };
 
 // The lower half holds a long direction: read together with it, the upper one would be off at the border between them.
-TEST_F(BakedTest, constantIrradianceGivesItsRadianceUpToTheBordersOfThePage) {
+TEST_F(BakedTest, ConstantIrradianceGivesItsRadianceUpToTheBordersOfThePage) {
   const HostPages pages = lightmapOf(kIrradiance, {0.9f, 0, 0});
   const gpu::BakedContent content{.lightmap = pages.view()};
   const scenes::LightmapUvs uvs = tests::wholePage();
@@ -62,7 +62,7 @@ TEST_F(BakedTest, constantIrradianceGivesItsRadianceUpToTheBordersOfThePage) {
   }
 }
 
-TEST_F(BakedTest, texelsAreReadBilinearlyAndNeverAcrossTheHalves) {
+TEST_F(BakedTest, TexelsAreReadBilinearlyAndNeverAcrossTheHalves) {
   constexpr std::uint32_t kTexels = 4;
   const HostPages pages = tests::makeLightmapPages(
       vk::Format::eR16G16B16A16Sfloat, kTexels, 1, [](std::uint32_t, bool lower, std::uint32_t x, std::uint32_t y) {
@@ -81,7 +81,7 @@ TEST_F(BakedTest, texelsAreReadBilinearlyAndNeverAcrossTheHalves) {
   }
 }
 
-TEST_F(BakedTest, theShadingNormalTurnsTowardsTheLightByTheRatio) {
+TEST_F(BakedTest, TheShadingNormalTurnsTowardsTheLightByTheRatio) {
   scenes::Scene scene = makeScene();
   const glm::dvec3 n = tests::leanByNormalMap(scene, 204, 128, 230), N0(0, 0, 1);
   const scenes::LightmapUvs uvs = tests::wholePage();
@@ -100,7 +100,7 @@ TEST_F(BakedTest, theShadingNormalTurnsTowardsTheLightByTheRatio) {
   }
 }
 
-TEST_F(BakedTest, aBackAsksTheFrontsLightFromBehind) {
+TEST_F(BakedTest, ABackAsksTheFrontsLightFromBehind) {
   scenes::Scene scene = makeScene();
   scene.instances[0].toWorld[0].x = -1; // half a turn about +Y: baked normal -Z, the back shows +Z
   scene.instances[0].toWorld[2].z = -1;
@@ -116,7 +116,7 @@ TEST_F(BakedTest, aBackAsksTheFrontsLightFromBehind) {
                       "the back");
 }
 
-TEST_F(BakedTest, objectsReadTheirPagesAndThoseWithoutOneLookAsUnbaked) {
+TEST_F(BakedTest, ObjectsReadTheirPagesAndThoseWithoutOneLookAsUnbaked) {
   scenes::Scene scene = tests::makeTwoQuads();
   for (scenes::Material& material : scene.materials) {
     material.baseColor = glm::vec4(kBase, 1);
@@ -148,7 +148,7 @@ TEST_F(BakedTest, objectsReadTheirPagesAndThoseWithoutOneLookAsUnbaked) {
   }
 }
 
-TEST_F(BakedTest, whereShadowMapsAreBoundTheBakedShadowIsNotRead) {
+TEST_F(BakedTest, WhereShadowMapsAreBoundTheBakedShadowIsNotRead) {
   const scenes::Scene scene = makeScene();
   const HostPages shadow = tests::makeShadowPages(4, 1, [](auto) { return 51; });
   const gpu::BakedContent content{.sunShadow = shadow.view()};
@@ -163,7 +163,7 @@ TEST_F(BakedTest, whereShadowMapsAreBoundTheBakedShadowIsNotRead) {
 }
 
 // A = 0.5, B = 0.1, Eavg = 0.5: what scatters more often takes the lightmap's irradiance, the reflection its captures.
-TEST_F(BakedTest, multipleScatteringTakesItsLightFromTheLightmap) {
+TEST_F(BakedTest, MultipleScatteringTakesItsLightFromTheLightmap) {
   scenes::Scene scene = makeScene(1);
   const HostPages pages = lightmapOf(kIrradiance, kNoDirection);
   const gpu::BakedContent content{.lightmap = pages.view()};
@@ -186,7 +186,7 @@ TEST_F(BakedTest, multipleScatteringTakesItsLightFromTheLightmap) {
 }
 
 // A capture whose six faces have colours of their own, in a box that is far wider than high.
-TEST_F(BakedTest, captureShowsTheWallThatTheReflectionHits) {
+TEST_F(BakedTest, CaptureShowsTheWallThatTheReflectionHits) {
   const glm::vec3 colors[6] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
   const gpu::EnvironmentMaps environment = tests::makeCubes(
       device(), 1, shading::f32::kPrefilterLayers, [&](std::uint32_t, std::uint32_t face) { return colors[face]; });
@@ -214,7 +214,7 @@ TEST_F(BakedTest, captureShowsTheWallThatTheReflectionHits) {
     }
 }
 
-TEST_F(BakedTest, capturesAreBlendedByDistanceAndBeyondTheirRadiusTheNearestIsTaken) {
+TEST_F(BakedTest, CapturesAreBlendedByDistanceAndBeyondTheirRadiusTheNearestIsTaken) {
   const glm::vec3 radiance[2] = {glm::vec3(1, 0, 0.5f), glm::vec3(0, 3, 0.5f)};
   const gpu::EnvironmentMaps environment = tests::makeCubes(device(), 2, shading::f32::kPrefilterLayers,
                                                             [&](std::uint32_t cube, auto) { return radiance[cube]; });
@@ -244,7 +244,7 @@ TEST_F(BakedTest, capturesAreBlendedByDistanceAndBeyondTheirRadiusTheNearestIsTa
   }
 }
 
-TEST_F(BakedTest, captureFollowsTheLightmapByTheMixingWeight) {
+TEST_F(BakedTest, CaptureFollowsTheLightmapByTheMixingWeight) {
   const HostPages pages = lightmapOf(kIrradiance, kNoDirection);
   const gpu::EnvironmentMaps environment =
       tests::makeCubes(device(), 1, shading::f32::kPrefilterLayers, [](auto...) { return glm::vec3(0.5f, 1, 2); });

@@ -72,7 +72,7 @@ protected:
   }
 };
 
-TEST_F(HighendEnergyTest, furnaceStaysWithinAPercentOfOneAndNothingGainsLight) {
+TEST_F(HighendEnergyTest, FurnaceStaysWithinAPercentOfOneAndNothingGainsLight) {
   const gpu::EnvironmentMaps white = tests::makeConstantEnvironment(device(), 1);
   for (const GeometryTerm term : {GeometryTerm::heightCorrelated, GeometryTerm::schlickSmith}) {
     const base::Image lut = makeEnvBrdfLut(term);
@@ -100,7 +100,7 @@ TEST_F(HighendEnergyTest, furnaceStaysWithinAPercentOfOneAndNothingGainsLight) {
   }
 }
 
-TEST_F(HighendEnergyTest, isFiniteAndNotNegativeForAnyMaterialUnderAnyLight) {
+TEST_F(HighendEnergyTest, IsFiniteAndNotNegativeForAnyMaterialUnderAnyLight) {
   const gpu::EnvironmentMaps bright = tests::makeConstantEnvironment(device(), 65504);
   const base::Image lut = makeEnvBrdfLut(GeometryTerm::heightCorrelated);
   scenes::Light lamp; // on the surface, at its middle

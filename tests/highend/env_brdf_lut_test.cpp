@@ -62,13 +62,13 @@ AB read(const base::Image& lut, double NoV, double roughness) {
 
 class EnvBrdfLut : public testing::TestWithParam<GeometryTerm> {};
 
-TEST(EnvBrdfLutTruth, meetsTheClosedFormAtNormalIncidenceAndRoughnessOne) {
+TEST(EnvBrdfLutTruth, MeetsTheClosedFormAtNormalIncidenceAndRoughnessOne) {
   // Schlick-Smith, R = N = 1: the directional albedo is 1 - ln 2 (docs/shading.md 1a).
   const AB truth = integrateDirectly(GeometryTerm::schlickSmith, 1, 1, 512);
   EXPECT_NEAR(truth.a + truth.b, 1 - std::numbers::ln2, 2e-6);
 }
 
-TEST_P(EnvBrdfLut, readBilinearlyIsWithinTheTargetsOverTheCore) {
+TEST_P(EnvBrdfLut, ReadBilinearlyIsWithinTheTargetsOverTheCore) {
   const base::Image lut = makeEnvBrdfLut(GetParam());
   // docs/design.md 10c, on F0 A + B at F0 = 1 and 0.04, over NoV, roughness in [0.05, 1]; points off the texel centres.
   constexpr int kPoints = 48;
@@ -98,7 +98,7 @@ TEST_P(EnvBrdfLut, readBilinearlyIsWithinTheTargetsOverTheCore) {
 
 // Observed over NoV >= 1/256 and roughness >= 1/64, where bilinear reading is all the error (docs/shading.md 2d):
 // rms 2.9e-4 and max 6.0e-3 (height-correlated), 3.6e-4 and 9.5e-3 (Schlick-Smith).
-TEST_P(EnvBrdfLut, readBilinearlyOverTheFullDomainStaysBounded) {
+TEST_P(EnvBrdfLut, ReadBilinearlyOverTheFullDomainStaysBounded) {
   const base::Image lut = makeEnvBrdfLut(GetParam());
   constexpr int kPoints = 64;
   std::vector<double> errors(kPoints * kPoints);
@@ -119,7 +119,7 @@ TEST_P(EnvBrdfLut, readBilinearlyOverTheFullDomainStaysBounded) {
   EXPECT_LE(most, 0.012);
 }
 
-TEST_P(EnvBrdfLut, weighsFresnelByTheCurveAskedFor) {
+TEST_P(EnvBrdfLut, WeighsFresnelByTheCurveAskedFor) {
   struct Curve {
     FresnelCurve curve;
     double (*weight)(double);
@@ -143,7 +143,7 @@ TEST_P(EnvBrdfLut, weighsFresnelByTheCurveAskedFor) {
 }
 
 // docs/shading.md 5: what a white sphere keeps in a furnace. Its figures are rounded.
-TEST_P(EnvBrdfLut, holdsTheAverageOfItsAlbedo) {
+TEST_P(EnvBrdfLut, HoldsTheAverageOfItsAlbedo) {
   const base::Image lut = makeEnvBrdfLut(GetParam());
   const bool correlated = GetParam() == GeometryTerm::heightCorrelated;
   for (const auto& [roughness, loss] : correlated ? std::map<double, double>{{0.4, 5.9}, {0.8, 39.7}, {1.0, 59.1}}
@@ -151,13 +151,13 @@ TEST_P(EnvBrdfLut, holdsTheAverageOfItsAlbedo) {
     EXPECT_NEAR(read(lut, 0.5, roughness).average, 1 - loss / 100, 2e-3) << roughness;
 }
 
-TEST_P(EnvBrdfLut, isBitIdenticalForAnyNumberOfThreads) {
+TEST_P(EnvBrdfLut, IsBitIdenticalForAnyNumberOfThreads) {
   const base::Image all = makeEnvBrdfLut(GetParam(), FresnelCurve::schlick, 32);
   const base::ThreadLimit one(1);
   EXPECT_EQ(makeEnvBrdfLut(GetParam(), FresnelCurve::schlick, 32), all);
 }
 
-TEST_P(EnvBrdfLut, holdsShares) {
+TEST_P(EnvBrdfLut, HoldsShares) {
   const base::Image lut = makeEnvBrdfLut(GetParam(), FresnelCurve::schlick, 64);
   for (std::size_t i = 0; i < lut.pixelCount(); ++i) {
     const float* texel = lut.pixels.data() + 4 * i;

@@ -85,7 +85,7 @@ protected:
   Options m_options{.model = {.diffuse = DiffuseLobe::lambert}, .compensation = Compensation::none};
 };
 
-TEST_F(LightCullingTest, leavesThePictureAsItIsToTheLastBit) {
+TEST_F(LightCullingTest, LeavesThePictureAsItIsToTheLastBit) {
   for (const auto& budget : {gpu::PermutationBudget{}, gpu::PermutationBudget{.own = 0, .shares = true}})
     for (const std::size_t count : {9u, 70u, 500u}) {
       const auto lights = makeLights(count, static_cast<std::uint32_t>(count));
@@ -93,7 +93,7 @@ TEST_F(LightCullingTest, leavesThePictureAsItIsToTheLastBit) {
     }
 }
 
-TEST_F(LightCullingTest, leavesThePictureOfOneKindOfLightAsItIs) {
+TEST_F(LightCullingTest, LeavesThePictureOfOneKindOfLightAsItIs) {
   for (const auto kind : {scenes::LightKind::point, scenes::LightKind::spot}) {
     auto lights = makeLights(40, 5);
     for (scenes::Light& light : lights) light.kind = kind;
@@ -103,7 +103,7 @@ TEST_F(LightCullingTest, leavesThePictureOfOneKindOfLightAsItIs) {
 
 // Lights are reordered on their way to the device: each kind is switched by its place in the list that was given, with
 // lists of lights and, of few, without.
-TEST_F(LightCullingTest, aSwitchedLightIsTheOneAskedForAndComesBack) {
+TEST_F(LightCullingTest, ASwitchedLightIsTheOneAskedForAndComesBack) {
   const gpu::SceneBuffers buffers(device(), m_field.scene);
   const gpu::SurfacePass pass(device(), buffers, kCulledSide, kCulledSide);
   const auto surfaces = pass.render(m_field.camera, {0, kCulledSide}, glm::vec2(0.5f));
@@ -142,7 +142,7 @@ TEST_F(LightCullingTest, aSwitchedLightIsTheOneAskedForAndComesBack) {
   }
 }
 
-TEST_F(LightCullingTest, listsWhatReachesAPixelAndLittleElse) {
+TEST_F(LightCullingTest, ListsWhatReachesAPixelAndLittleElse) {
   const gpu::SceneBuffers buffers(device(), m_field.scene);
   const gpu::SurfacePass pass(device(), buffers, kCulledSide, kCulledSide);
   const auto surfaces = pass.render(m_field.camera, {0, kCulledSide}, glm::vec2(0.5f));
@@ -184,7 +184,7 @@ TEST_F(LightCullingTest, listsWhatReachesAPixelAndLittleElse) {
   EXPECT_LT(listed, 3 * reached) << "of " << lights.size() * surface.size();
 }
 
-TEST_F(LightCullingTest, takesAHundredThousandLightsAndSaysWhereTooManyReachAPixel) {
+TEST_F(LightCullingTest, TakesAHundredThousandLightsAndSaysWhereTooManyReachAPixel) {
   const gpu::SceneBuffers buffers(device(), m_field.scene);
   const gpu::SurfacePass pass(device(), buffers, kCulledSide, kCulledSide);
   const auto surfaces = pass.render(m_field.camera, {0, kCulledSide}, glm::vec2(0.5f));
@@ -217,7 +217,7 @@ TEST_F(LightCullingTest, takesAHundredThousandLightsAndSaysWhereTooManyReachAPix
   EXPECT_EQ(refusal(gpu::packLight(light), 1000), "");
 }
 
-TEST_F(LightCullingTest, refusesMoreLightsThatReachEverythingThanALoopMayHave) {
+TEST_F(LightCullingTest, RefusesMoreLightsThatReachEverythingThanALoopMayHave) {
   const gpu::SceneBuffers buffers(device(), m_field.scene);
   const gpu::SurfacePass pass(device(), buffers, kCulledSide, kCulledSide);
   Inputs inputs;

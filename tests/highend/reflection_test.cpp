@@ -15,7 +15,7 @@ using tests::makeLeaningQuad;
 using tests::ShadedPoint;
 namespace f64 = shading::f64;
 
-TEST_F(HighendTest, skyIsFetchedAroundTheReflection) {
+TEST_F(HighendTest, SkyIsFetchedAroundTheReflection) {
   const gpu::EnvironmentMaps environment = tests::makeRedTowardsX(device());
   const base::Image lut = constantLut(0.5f, 0.1f);
   const Inputs inputs{.environment = &environment, .lut = &lut};
@@ -24,7 +24,7 @@ TEST_F(HighendTest, skyIsFetchedAroundTheReflection) {
 }
 
 // A cube array whose level l is of radiance l: what is read is the level itself, between mips too.
-TEST_F(HighendTest, skyIsBlendedFromTheTwoNearestLevels) {
+TEST_F(HighendTest, SkyIsBlendedFromTheTwoNearestLevels) {
   constexpr int kLayers = shading::f32::kPrefilterLayers, kMips = shading::f32::kPrefilterRoughestMip + 1;
   std::vector<std::vector<glm::vec4>> texels(kMips);
   std::vector<std::span<const std::byte>> mips;
@@ -57,7 +57,7 @@ TEST_F(HighendTest, skyIsBlendedFromTheTwoNearestLevels) {
 
 // Under black levels what is left is the panorama's own share: the cell for a mirror, the mean over a box for what is
 // nearly one. A lamp beside the cell that is read must not show.
-TEST_F(HighendTest, mirrorsReadThePanoramasCells) {
+TEST_F(HighendTest, MirrorsReadThePanoramasCells) {
   scenes::Environment panorama;
   panorama.name = "noise";
   panorama.radiance = base::Image(512, 256, 3); // interpolated to cells
@@ -102,7 +102,7 @@ gpu::Buffer uploadLamps(const gpu::Device& device, std::vector<gpu::GpuLamp> lam
 }
 
 // What no level holds is reflected as a directional light of that illuminance.
-TEST_F(HighendTest, compactLampsAreReflectedAsDirectionalLights) {
+TEST_F(HighendTest, CompactLampsAreReflectedAsDirectionalLights) {
   // A + B is a cubic of the cosine.
   const auto albedo = [](float x) { return 0.3f + x * (0.5f + x * (-0.7f + 0.5f * x)); };
   base::Image lut(64, 2, 4);
@@ -138,7 +138,7 @@ TEST_F(HighendTest, compactLampsAreReflectedAsDirectionalLights) {
 }
 
 // What a level holds is taken off again: under a level of light L that is all of one lamp, the true lobe is left.
-TEST_F(HighendTest, wideLampsAddTheDifferenceOfTheLobes) {
+TEST_F(HighendTest, WideLampsAddTheDifferenceOfTheLobes) {
   const base::Image lut = constantLut(0.4f, 0.1f);
   const glm::vec3 towards = glm::normalize(glm::vec3(0.3f, 0.1f, 0.9f)), lux(4, 3, 2);
   const float spread = 1e-4f;
@@ -172,7 +172,7 @@ TEST_F(HighendTest, wideLampsAddTheDifferenceOfTheLobes) {
 
 // A node far from the lobe stands for its leaves; where the lobe is near, the leaves are seen. Padded nodes are never
 // read.
-TEST_F(HighendTest, lampsAreAskedOneByOneOnlyWhereTheyAreNear) {
+TEST_F(HighendTest, LampsAreAskedOneByOneOnlyWhereTheyAreNear) {
   const base::Image lut = constantLut(0.4f, 0.1f);
   const glm::vec3 a = glm::normalize(glm::vec3(0.02f, 0, 1)), b = glm::normalize(glm::vec3(-0.02f, 0, 1));
   const glm::vec3 lightOfLeaves(1, 2, 0), lightOfRoot(0, 0, 5); // by which it is seen who was asked
@@ -199,7 +199,7 @@ TEST_F(HighendTest, lampsAreAskedOneByOneOnlyWhereTheyAreNear) {
   EXPECT_GT(byRoot.z, 10 * sky);
 }
 
-TEST_F(HighendTest, lampsUnderTheHorizonGiveNothing) {
+TEST_F(HighendTest, LampsUnderTheHorizonGiveNothing) {
   const base::Image lut = constantLut(0.4f, 0.1f);
   gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
   scenes::Scene scene = makeLeaningQuad(0.3f);

@@ -19,7 +19,7 @@ struct Case {
 };
 constexpr Case kCases[] = {{0.f, 0.5f, 0.f}, {0.7f, 0.2f, 1.f}, {1.3f, 0.9f, 0.5f}, {0.4f, 0.0f, 1.f}};
 
-TEST_F(HighendTest, directionalLightIsFullGgxWithSchlickAndLambert) {
+TEST_F(HighendTest, DirectionalLightIsFullGgxWithSchlickAndLambert) {
   const glm::vec3 towards = glm::normalize(glm::vec3(0.3f, 0.5f, 0.9f)), lux(4, 3, 2), base(0.8f, 0.5f, 0.2f);
   for (const Case& c : kCases)
     for (const GeometryTerm term : {GeometryTerm::heightCorrelated, GeometryTerm::schlickSmith}) {
@@ -48,7 +48,7 @@ TEST_F(HighendTest, directionalLightIsFullGgxWithSchlickAndLambert) {
     }
 }
 
-TEST_F(HighendTest, pointAndSpotLightsFollowKhrLightsPunctual) {
+TEST_F(HighendTest, PointAndSpotLightsFollowKhrLightsPunctual) {
   scenes::Scene scene = makeLeaningQuad(0);
   scene.materials[0].metallic = 0;
   scenes::Light point;
@@ -76,7 +76,7 @@ TEST_F(HighendTest, pointAndSpotLightsFollowKhrLightsPunctual) {
 }
 
 // A sky of 2 everywhere: A = 0.5, B = 0.1, Eavg = 0.5, so single scattering reflects F0 A + B.
-TEST_F(HighendTest, constantEnvironmentIsReflectedByTheTableAndCompensated) {
+TEST_F(HighendTest, ConstantEnvironmentIsReflectedByTheTableAndCompensated) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 2);
   const base::Image lut = constantLut(0.5f, 0.1f);
   const Inputs inputs{.environment = &environment, .lut = &lut};
@@ -116,7 +116,7 @@ TEST_F(HighendTest, constantEnvironmentIsReflectedByTheTableAndCompensated) {
 
 // A light's share of Kulla and Conty's lobe: Fms (1 - E) (1 - E) / (pi (1 - Eavg)), with E from the table at both
 // cosines. Fdez-Aguera's is Lambert's.
-TEST_F(HighendTest, lightsScatterMoreThanOnceByTheLobeOfTheirModel) {
+TEST_F(HighendTest, LightsScatterMoreThanOnceByTheLobeOfTheirModel) {
   const base::Image lut = constantLut(0.5f, 0.1f);
   scenes::Scene scene = makeLeaningQuad(0.4f);
   scene.materials[0].baseColor = glm::vec4(0.8f, 0.8f, 0.8f, 1);
@@ -138,7 +138,7 @@ TEST_F(HighendTest, lightsScatterMoreThanOnceByTheLobeOfTheirModel) {
   EXPECT_NEAR(specular(Compensation::turquin) / single, 1 + 0.8f * (1 / 0.6f - 1), 1e-4f);
 }
 
-TEST_F(HighendTest, fresnelsCurveIsTheOneAskedFor) {
+TEST_F(HighendTest, FresnelsCurveIsTheOneAskedFor) {
   scenes::Scene scene = makeLeaningQuad(1.2f); // V and L far apart: the curves differ
   scene.materials[0].metallic = 0;
   scene.materials[0].roughness = 0.5f;
@@ -157,7 +157,7 @@ TEST_F(HighendTest, fresnelsCurveIsTheOneAskedFor) {
   EXPECT_GT(std::abs(specular(FresnelCurve::dielectric) / specular(FresnelCurve::schlick) - 1), 0.02);
 }
 
-TEST_F(HighendTest, termsAddUpToTheColour) {
+TEST_F(HighendTest, TermsAddUpToTheColour) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0.7f);
   const base::Image lut = constantLut(0.8f, 0.05f);
   scenes::Scene scene = makeLeaningQuad(0.3f);
@@ -177,7 +177,7 @@ TEST_F(HighendTest, termsAddUpToTheColour) {
     EXPECT_GT(point[t].x, 0) << "every term has a part in this scene";
 }
 
-TEST_F(HighendTest, unlitShowsItsBaseColourAndNothingElse) {
+TEST_F(HighendTest, UnlitShowsItsBaseColourAndNothingElse) {
   scenes::Scene scene = makeLeaningQuad(0);
   scene.materials[0].unlit = true;
   scene.materials[0].baseColor = glm::vec4(0.2f, 0.4f, 0.6f, 1);
@@ -185,7 +185,7 @@ TEST_F(HighendTest, unlitShowsItsBaseColourAndNothingElse) {
   EXPECT_EQ(point.color, glm::vec3(0.2f, 0.4f, 0.6f));
 }
 
-TEST_F(HighendTest, textureOfAMeshWithoutUvsIsReadAtTheOrigin) {
+TEST_F(HighendTest, TextureOfAMeshWithoutUvsIsReadAtTheOrigin) {
   scenes::Scene scene = makeLeaningQuad(0);
   scene.meshes[0].uv0.clear();
   scenes::TextureImage image{"two texels", base::Image8(2, 1, 4, 255)};
@@ -198,7 +198,7 @@ TEST_F(HighendTest, textureOfAMeshWithoutUvsIsReadAtTheOrigin) {
   EXPECT_EQ(shade(scene, {}, kPlain).color, glm::vec3(1, 0, 0));
 }
 
-TEST_F(HighendTest, backLitAndViewOpposedLightsAreFiniteAndDark) {
+TEST_F(HighendTest, BackLitAndViewOpposedLightsAreFiniteAndDark) {
   scenes::Scene scene = makeLeaningQuad(0);
   scene.materials[0].roughness = 0;
   // From behind, and exactly against the view: V = -L has no half vector.
@@ -208,7 +208,7 @@ TEST_F(HighendTest, backLitAndViewOpposedLightsAreFiniteAndDark) {
   EXPECT_EQ(point.color, glm::vec3(0));
 }
 
-TEST_F(HighendTest, normalMapTurnsTheNormalInItsTangentFrame) {
+TEST_F(HighendTest, NormalMapTurnsTheNormalInItsTangentFrame) {
   scenes::Scene scene = tests::makeQuadScene(); // tangent +X, bitangent +Y
   scenes::TextureImage normal{"normal", base::Image8(1, 1, 4, 255)};
   // (0.6, 0, 0.8) encoded: 0.6 -> 204, 0 -> 127.5, 0.8 -> 229.5; rounding moves the angle by at most 0.3 degrees.

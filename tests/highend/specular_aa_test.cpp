@@ -48,7 +48,7 @@ double relMse(const std::vector<double>& test, const std::vector<double>& truth)
 }
 
 // From the middle of the highlight to its flank, over slopes that are as wide as the lobe or wider.
-TEST_F(SpecularAaTest, picturesOfFewPixelsComeCloserToThoseOfMany) {
+TEST_F(SpecularAaTest, PicturesOfFewPixelsComeCloserToThoseOfMany) {
   for (const double deviation : {0.15, 0.3})
     for (const float degrees : {0.f, 20.f, 45.f}) {
       const scenes::Scene scene = tests::makeBumpyQuad(kTexels, deviation, 0.4f);
@@ -64,7 +64,7 @@ TEST_F(SpecularAaTest, picturesOfFewPixelsComeCloserToThoseOfMany) {
 }
 
 // What the path shows of two tilts in turn is a smooth surface of the widened roughness.
-TEST_F(SpecularAaTest, pathSeesTheWidenedRoughness) {
+TEST_F(SpecularAaTest, PathSeesTheWidenedRoughness) {
   scenes::Scene checker = tests::makeQuadScene(), smooth = checker;
   checker.images = {tests::makeChecker(kTexels)};
   checker.materials[0].normalTexture.image = 0;

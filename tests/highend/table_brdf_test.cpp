@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRoughness[] = {0.1, 0.3, 0.5, 0.8, 1}, kCosines[] = {0.08, 0.3, 0.6, 1};
 
-TEST(TableBrdf, isTheIntegralOfEitherGeometryTerm) {
+TEST(TableBrdf, IsTheIntegralOfEitherGeometryTerm) {
   for (const GeometryTerm term : {GeometryTerm::heightCorrelated, GeometryTerm::schlickSmith}) {
     const TableBrdf table({.model = {.geometryTerm = term}});
     for (const double roughness : kRoughness)
@@ -32,7 +32,7 @@ TEST(TableBrdf, isTheIntegralOfEitherGeometryTerm) {
 }
 
 // In a white furnace what is missing once comes back: at F0 = 1 both add up to 1, with Kulla and Conty's on the mean.
-TEST(TableBrdf, multipleScatteringIsApartAndWhatIsMissing) {
+TEST(TableBrdf, MultipleScatteringIsApartAndWhatIsMissing) {
   for (const Compensation compensation : {Compensation::turquin, Compensation::fdezAguera}) {
     const TableBrdf table({.compensation = compensation});
     for (const double roughness : kRoughness)

@@ -34,7 +34,7 @@ protected:
   }
 };
 
-TEST(HighendViews, haveNamesOfTheirOwnAndUnknownOnesAreNone) {
+TEST(HighendViews, HaveNamesOfTheirOwnAndUnknownOnesAreNone) {
   std::map<std::string_view, int> count;
   for (const View& view : views()) {
     EXPECT_EQ(++count[view.name], 1) << view.name;
@@ -45,7 +45,7 @@ TEST(HighendViews, haveNamesOfTheirOwnAndUnknownOnesAreNone) {
 }
 
 // Of either geometry term, with an environment and without any light.
-TEST_F(HighendViewTest, environmentBrdfIsTheIntegral) {
+TEST_F(HighendViewTest, EnvironmentBrdfIsTheIntegral) {
   for (const GeometryTerm term : {GeometryTerm::heightCorrelated, GeometryTerm::schlickSmith})
     for (const Compensation compensation : {Compensation::none, Compensation::kullaConty})
       for (const bool lit : {true, false}) {
@@ -67,7 +67,7 @@ TEST_F(HighendViewTest, environmentBrdfIsTheIntegral) {
 }
 
 // What scatters more than once is apart: at F0 = 1 all that is missing, without compensation nothing.
-TEST_F(HighendViewTest, multipleScatteringIsApart) {
+TEST_F(HighendViewTest, MultipleScatteringIsApart) {
   Options options{.model = {.diffuse = DiffuseLobe::lambert}, .compensation = Compensation::none};
   EXPECT_EQ(show("EnvBRDF.Multiple", options), glm::vec3(0));
   const glm::vec3 once = show("EnvBRDF", options);
@@ -82,7 +82,7 @@ TEST_F(HighendViewTest, multipleScatteringIsApart) {
   }
 }
 
-TEST_F(HighendViewTest, environmentIsShownAsItIsRead) {
+TEST_F(HighendViewTest, EnvironmentIsShownAsItIsRead) {
   tests::expectNear(show("SpecularIBL", {}), glm::vec3(static_cast<float>(kRadiance)), 1e-5f, "radiance");
 }
 

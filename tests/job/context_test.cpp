@@ -13,7 +13,7 @@ void writeConstant(const std::filesystem::path& file, float radiance) {
   base::writeImage(file, base::Image(8, 4, 3, radiance));
 }
 
-TEST(ContextEnvironment, isReadAgainWhenItsFileHasChanged) {
+TEST(ContextEnvironment, IsReadAgainWhenItsFileHasChanged) {
   const base::TempFolder folder;
   const std::string file = (folder / "sky.exr").string();
   writeConstant(file, 1);
@@ -29,7 +29,7 @@ TEST(ContextEnvironment, isReadAgainWhenItsFileHasChanged) {
   EXPECT_NE(context.environment(file, 90), changed) << "turned";
 }
 
-TEST(ContextEnvironment, thatIsNotThereIsAnErrorEachTime) {
+TEST(ContextEnvironment, ThatIsNotThereIsAnErrorEachTime) {
   Context context(Settings{});
   for (int time = 0; time < 2; ++time) EXPECT_THROW(context.environment("no-such.hdr", 0), base::Error);
 }

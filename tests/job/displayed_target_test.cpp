@@ -11,7 +11,7 @@ namespace {
 
 using gpu::OutputTarget;
 
-TEST(DisplayedTarget, itsBitsAreThePicture) {
+TEST(DisplayedTarget, ItsBitsAreThePicture) {
   for (const float exposureEv : {0.f, 0.37f, -3.f})
     for (const OutputTarget target : {OutputTarget::rgba8Srgb, OutputTarget::rgba8Gamma2}) {
       const gpu::TargetCodec codec(target, exposureEv);

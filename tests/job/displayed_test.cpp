@@ -8,7 +8,7 @@
 namespace parity::job {
 namespace {
 
-TEST(Displayed, isTheSrgbEncodedColourInEightBits) {
+TEST(Displayed, IsTheSrgbEncodedColourInEightBits) {
   base::Image color(3, 1, 3);
   color.pixels = {0, 0, 0, 0.5f, 0.5f, 0.5f, 2, 2, 2};
   const Displayed shown = displayImage(color, base::DisplayTransform("sRGB"), 0);
@@ -17,7 +17,7 @@ TEST(Displayed, isTheSrgbEncodedColourInEightBits) {
   EXPECT_TRUE(shown.nonFinite.empty());
 }
 
-TEST(Displayed, neverShowsANonFinitePixelAsAPlainOne) {
+TEST(Displayed, NeverShowsANonFinitePixelAsAPlainOne) {
   constexpr float kInf = std::numeric_limits<float>::infinity(), kNan = std::numeric_limits<float>::quiet_NaN();
   base::Image color(4, 1, 3, 0.2f);
   color.pixels[1] = kInf; // would be displayed as a plain 1
@@ -29,7 +29,7 @@ TEST(Displayed, neverShowsANonFinitePixelAsAPlainOne) {
   EXPECT_EQ(shown.nonFinite, (std::vector<std::uint32_t>{0, 1, 3}));
 }
 
-TEST(Displayed, findsNonFinitePixelsAllOverALargeFrame) {
+TEST(Displayed, FindsNonFinitePixelsAllOverALargeFrame) {
   base::Image color(300, 200, 3, 0.2f);
   std::vector<std::uint32_t> expected;
   for (std::uint32_t pixel = 7; pixel < 60000; pixel += 4999) {

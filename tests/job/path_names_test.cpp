@@ -37,7 +37,7 @@ std::vector<std::string> namingLines(const std::filesystem::path& root) {
   return lines;
 }
 
-TEST(PathNames, standInFewLinesOfWhatWorksOnAnyPath) {
+TEST(PathNames, StandInFewLinesOfWhatWorksOnAnyPath) {
   const std::vector<std::string> lines = namingLines(PARITY_SOURCE_DIR);
   std::string all;
   for (const std::string& line : lines) all += line + "\n";

@@ -34,7 +34,7 @@ gpu::Surface makeSurface(bool blended = false) {
   return surface;
 }
 
-TEST(TermVariants, eachHasTheHighEndTermInPlaceOfItsOwn) {
+TEST(TermVariants, EachHasTheHighEndTermInPlaceOfItsOwn) {
   const gpu::Surface surface = makeSurface();
   const gpu::ShadedSurface highend = makeShaded({0.5f, 0.25f, 4}), mobile = makeShaded({0.125f, 0.25f, 2});
   const TermVariants variants(surface, highend, mobile);
@@ -47,7 +47,7 @@ TEST(TermVariants, eachHasTheHighEndTermInPlaceOfItsOwn) {
   for (const gpu::SwapPlane& plane : planes) EXPECT_EQ(plane.reference[0].x, 4.75f);
 }
 
-TEST(TermVariants, highEndTermsAreTimesTheOpacityWhereMobilesAre) {
+TEST(TermVariants, HighEndTermsAreTimesTheOpacityWhereMobilesAre) {
   const gpu::Surface surface = makeSurface(true);
   const gpu::ShadedSurface highend = makeShaded({0.5f}, 0.25f), mobile = makeShaded({0.0625f, 0.125f}, 0.25f, true);
   const TermVariants variants(surface, highend, mobile);
@@ -55,7 +55,7 @@ TEST(TermVariants, highEndTermsAreTimesTheOpacityWhereMobilesAre) {
   EXPECT_EQ(variants.planes()[1].test[0].w, 0.25f);
 }
 
-TEST(TermVariants, aTermThatIsNaNIsFoundByItsExchange) {
+TEST(TermVariants, ATermThatIsNaNIsFoundByItsExchange) {
   const gpu::Surface surface = makeSurface();
   const gpu::ShadedSurface highend = makeShaded({0.5f, 0.25f}), mobile = makeShaded({kNan, 0.75f});
   const TermVariants variants(surface, highend, mobile);

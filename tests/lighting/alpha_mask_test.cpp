@@ -30,7 +30,7 @@ bool isHoleAt(const scenes::Scene& scene, double u, double v) {
   return !Visibility(scene).isOccluded({2 * u - 1, 2 * v - 1, 1}, {0, 0, -1});
 }
 
-TEST(AlphaMask, raysPassTheTexelsBelowTheCutoff) {
+TEST(AlphaMask, RaysPassTheTexelsBelowTheCutoff) {
   const scenes::Scene scene = makeMaskedQuad(kPattern);
   for (int y = 0; y < 2; ++y)
     for (int x = 0; x < 4; ++x)
@@ -39,7 +39,7 @@ TEST(AlphaMask, raysPassTheTexelsBelowTheCutoff) {
 }
 
 // Each wrap mode against its definition on infinite rows of texels.
-TEST(AlphaMask, uvTransformAndWrapModesAreObeyed) {
+TEST(AlphaMask, UvTransformAndWrapModesAreObeyed) {
   scenes::Scene scene = makeMaskedQuad(kPattern);
   scenes::TextureSlot& slot = scene.materials[0].baseColorTexture;
   slot.uvTransform = {5, 0, -2, 0, 3, -1}; // columns -8..11, rows -2..3
@@ -60,7 +60,7 @@ TEST(AlphaMask, uvTransformAndWrapModesAreObeyed) {
   }
 }
 
-TEST(AlphaMask, linearFilterPutsTheEdgeWhereAlphaCrossesTheCutoff) {
+TEST(AlphaMask, LinearFilterPutsTheEdgeWhereAlphaCrossesTheCutoff) {
   scenes::Scene scene = makeMaskedQuad({0, 0, 255, 255, 0, 0, 255, 255}); // 0 at u = 3/8, 1 at 5/8
   scenes::Material& material = scene.materials[0];
   material.baseColorTexture.sampler.magFilter = scenes::Filter::linear;
@@ -72,7 +72,7 @@ TEST(AlphaMask, linearFilterPutsTheEdgeWhereAlphaCrossesTheCutoff) {
   }
 }
 
-TEST(AlphaMask, materialAndVertexAlphaMultiplyTheTextures) {
+TEST(AlphaMask, MaterialAndVertexAlphaMultiplyTheTextures) {
   scenes::Scene scene = makeMaskedQuad({255, 255, 255, 255, 255, 255, 255, 255});
   scene.meshes[0].colors = {{1, 1, 1, 0}, {1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 0}}; // alpha = u
   scene.materials[0].baseColor.a = 0.8f;                                             // 0.5 at u = 0.625
@@ -83,7 +83,7 @@ TEST(AlphaMask, materialAndVertexAlphaMultiplyTheTextures) {
   EXPECT_FALSE(isHoleAt(scene, 0.63, 0.8));
 }
 
-TEST(AlphaMask, secondUvSetIsReadWhereTheSlotSaysSoAndNoUvIsZero) {
+TEST(AlphaMask, SecondUvSetIsReadWhereTheSlotSaysSoAndNoUvIsZero) {
   scenes::Scene scene = makeMaskedQuad({0, 255, 255, 255, 255, 255, 255, 255});
   scene.meshes[0].uv1.assign(4, glm::vec2(0.9f));
   EXPECT_TRUE(isHoleAt(scene, 0.1, 0.1));
@@ -93,7 +93,7 @@ TEST(AlphaMask, secondUvSetIsReadWhereTheSlotSaysSoAndNoUvIsZero) {
   EXPECT_TRUE(isHoleAt(scene, 0.9, 0.9)) << "the texel at (0, 0)";
 }
 
-TEST(AlphaMask, uvsBeyondAllBoundsReadSomeTexel) {
+TEST(AlphaMask, UvsBeyondAllBoundsReadSomeTexel) {
   scenes::Scene scene = makeMaskedQuad(kPattern);
   for (const float huge : {1e30f, -1e30f, 3e38f, std::numeric_limits<float>::quiet_NaN()}) {
     scene.materials[0].baseColorTexture.uvTransform = {huge, 0, huge, 0, huge, huge};

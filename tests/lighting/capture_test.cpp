@@ -25,7 +25,7 @@ CubeMap makeCube() {
   return cube;
 }
 
-TEST(Capture, holdsTheFirstLayerOfEachMipInTheCubesOrder) {
+TEST(Capture, HoldsTheFirstLayerOfEachMipInTheCubesOrder) {
   const CubeMap cube = makeCube();
   const Capture rgbm = encodeRgbm(cube), half = encodeHalf(cube);
   ASSERT_EQ(rgbm.mips.size(), 2u);
@@ -58,7 +58,7 @@ glm::dvec3 readRgb9e5(const Capture& capture, std::size_t mip, std::size_t texel
   return unit * glm::dvec3(bits & 511, bits >> 9 & 511, bits >> 18 & 511);
 }
 
-TEST(Capture, withASharedExponentIsExactToHalfACode) {
+TEST(Capture, WithASharedExponentIsExactToHalfACode) {
   CubeMap cube = makeCube();
   const glm::vec3 special[] = {{0, 0, 0},     {0.99999f, 0.5f, 0}, {1, 0, 1e-3f},
                                {1e-7f, 0, 0}, {65408, 1, 0},       {0.25f, 300, 7}};
@@ -78,7 +78,7 @@ TEST(Capture, withASharedExponentIsExactToHalfACode) {
   EXPECT_EQ(readRgb9e5(encodeRgb9e5(cube), 0, 0), glm::dvec3(65408, 0, 49920 + 128)) << "saturates";
 }
 
-TEST(Capture, saturatesWhereItsNumbersEnd) {
+TEST(Capture, SaturatesWhereItsNumbersEnd) {
   CubeMap cube;
   cube.faceSize = 1;
   cube.mips = {std::vector<glm::vec4>(6, glm::vec4(1e6f, 0, 0, 1))};

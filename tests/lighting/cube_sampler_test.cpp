@@ -22,7 +22,7 @@ std::vector<glm::vec4> makeNoise(int n) {
   return cube;
 }
 
-TEST(Cube, hasTheFaceOrientationsOfVulkan) {
+TEST(Cube, HasTheFaceOrientationsOfVulkan) {
   // The table of "Cube Map Face Selection" (Vulkan 1.3): per face the axes along which s, t and the major axis grow.
   struct Row {
     glm::dvec3 s, t, major;
@@ -34,7 +34,7 @@ TEST(Cube, hasTheFaceOrientationsOfVulkan) {
     EXPECT_EQ(directionOf({face, 0.25, -0.5}), rows[face].major + 0.25 * rows[face].s - 0.5 * rows[face].t) << face;
 }
 
-TEST(Cube, findsTheFacePointOfEachDirection) {
+TEST(Cube, FindsTheFacePointOfEachDirection) {
   std::mt19937 random(1);
   for (int i = 0; i < 1000; ++i) {
     const glm::dvec3 d = randomDirection(random);
@@ -44,7 +44,7 @@ TEST(Cube, findsTheFacePointOfEachDirection) {
   }
 }
 
-TEST(Cube, texelSolidAnglesSumToTheSphereAndMatchTheirDensity) {
+TEST(Cube, TexelSolidAnglesSumToTheSphereAndMatchTheirDensity) {
   for (const int n : {1, 2, 32, 1024}) {
     double sum = 0;
     for (const double angle : texelSolidAngles(n)) sum += kCubeFaces * angle;
@@ -59,7 +59,7 @@ TEST(Cube, texelSolidAnglesSumToTheSphereAndMatchTheirDensity) {
   }
 }
 
-TEST(Cube, halvingAMipKeepsItsEnergy) {
+TEST(Cube, HalvingAMipKeepsItsEnergy) {
   const std::vector<glm::vec4> cube = makeNoise(16), halved = halveMip(cube, 16);
   const std::vector<double> fine = texelSolidAngles(16), coarse = texelSolidAngles(8);
   double before = 0, after = 0;
@@ -72,7 +72,7 @@ glm::vec3 read(const CubeSampler& sampler, const glm::vec3& direction, float siz
   return sampler.readSum(glm::mat3(1), packReads({{direction, sizeLog2, 1}}));
 }
 
-TEST(CubeSampler, readsATexelAtItsMiddle) {
+TEST(CubeSampler, ReadsATexelAtItsMiddle) {
   constexpr int n = 16;
   const std::vector<glm::vec4> cube = makeNoise(n);
   const CubeSampler sampler(cube, n);
@@ -84,7 +84,7 @@ TEST(CubeSampler, readsATexelAtItsMiddle) {
 }
 
 // Noise has no continuity of its own: what agrees on both sides of an edge does so by the reading alone.
-TEST(CubeSampler, hasNoSeamAtAnyEdgeOrCorner) {
+TEST(CubeSampler, HasNoSeamAtAnyEdgeOrCorner) {
   constexpr int n = 16;
   const CubeSampler sampler(makeNoise(n), n);
   std::mt19937 random(2);
@@ -115,7 +115,7 @@ TEST(CubeSampler, hasNoSeamAtAnyEdgeOrCorner) {
   EXPECT_EQ(edges, 12);
 }
 
-TEST(CubeSampler, readsTheMeanOfTheWholeCubeAtTheLargestSize) {
+TEST(CubeSampler, ReadsTheMeanOfTheWholeCubeAtTheLargestSize) {
   constexpr int n = 8;
   const std::vector<glm::vec4> cube(texelIndex(kCubeFaces, 0, 0, n), glm::vec4(3, 4, 5, 1));
   const CubeSampler sampler(cube, n);
@@ -125,7 +125,7 @@ TEST(CubeSampler, readsTheMeanOfTheWholeCubeAtTheLargestSize) {
       ASSERT_LT(glm::distance(read(sampler, glm::vec3(randomDirection(random)), sizeLog2), glm::vec3(3, 4, 5)), 1e-5f);
 }
 
-TEST(CubeSampler, sumsThousandsOfReadsWithoutDrift) {
+TEST(CubeSampler, SumsThousandsOfReadsWithoutDrift) {
   const CubeSampler sampler(std::vector<glm::vec4>(texelIndex(kCubeFaces, 0, 0, 4), glm::vec4(0.1f)), 4);
   const std::vector<WeightedRead> reads(100003, {glm::vec3(0.6f, 0, 0.8f), 0, 1.f / 100003});
   EXPECT_NEAR(sampler.readSum(glm::mat3(1), packReads(reads)).x, 0.1f, 1e-7);

@@ -27,7 +27,7 @@ scenes::Scene makePanels() {
 // Area times radiance over their sum, 12.
 constexpr double kShares[] = {0, 4 / 12., 2 / 12., 6 / 12.}, kAreas[] = {16, 4, 1, 1};
 
-TEST(Emitters, areSampledByTheirPowerAndEvenlyOverTheirArea) {
+TEST(Emitters, AreSampledByTheirPowerAndEvenlyOverTheirArea) {
   const scenes::Scene scene = makePanels();
   const SurfaceLight surfaces(scene);
   const Emitters emitters(scene, surfaces);
@@ -58,7 +58,7 @@ TEST(Emitters, areSampledByTheirPowerAndEvenlyOverTheirArea) {
   EXPECT_EQ(emitters.pdf({.instance = 0}), 0);
 }
 
-TEST(Emitters, atTheEndsOfTheirRangeGiveTrianglesThatEmit) {
+TEST(Emitters, AtTheEndsOfTheirRangeGiveTrianglesThatEmit) {
   const scenes::Scene scene = makePanels();
   const SurfaceLight surfaces(scene);
   const Emitters emitters(scene, surfaces);
@@ -66,7 +66,7 @@ TEST(Emitters, atTheEndsOfTheirRangeGiveTrianglesThatEmit) {
   EXPECT_EQ(emitters.sample({1 - 1e-12, 0.5}).hit.instance, 3u);
 }
 
-TEST(Emitters, areNoneWithoutPower) {
+TEST(Emitters, AreNoneWithoutPower) {
   scenes::Scene scene;
   addObject(scene, square(2), matte("floor", 0.5f));
   addObject(scene, square(0), matte("point", 0, 5));

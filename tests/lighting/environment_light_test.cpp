@@ -56,7 +56,7 @@ const glm::vec4& texelAt(const EnvironmentLight& light, int mip, const glm::dvec
 
 constexpr PrefilterOptions kSmall{.faceSize = 64, .sampleCount = 128};
 
-TEST(EnvironmentLight, ofACubeIsBitForBitThatOfThePanoramaItCameFrom) {
+TEST(EnvironmentLight, OfACubeIsBitForBitThatOfThePanoramaItCameFrom) {
   const scenes::Environment environment =
       makeEnvironment(64, [](const auto& d) { return glm::dvec3(1 + d.x, 2 + d.y, 30 * (d.z > 0.9)); });
   const PrefilterOptions options{.faceSize = 32, .sampleCount = 16};
@@ -75,7 +75,7 @@ TEST(EnvironmentLight, ofACubeIsBitForBitThatOfThePanoramaItCameFrom) {
   }
 }
 
-TEST(EnvironmentLight, ofAConstantSkyIsThatConstantInEveryMipAndPiTimesItAsIrradiance) {
+TEST(EnvironmentLight, OfAConstantSkyIsThatConstantInEveryMipAndPiTimesItAsIrradiance) {
   const EnvironmentLight light =
       makeEnvironmentLight(makeEnvironment(128, [](const auto&) { return glm::dvec3(0.25, 1, 40); }), kSmall);
   ASSERT_EQ(light.prefiltered.mips.size(), 6u);
@@ -90,7 +90,7 @@ TEST(EnvironmentLight, ofAConstantSkyIsThatConstantInEveryMipAndPiTimesItAsIrrad
     EXPECT_NEAR(irradiance(light, n).y, pi, 1e-4);
 }
 
-TEST(EnvironmentLight, ofALinearGradientHasTheClosedFormIrradiance) {
+TEST(EnvironmentLight, OfALinearGradientHasTheClosedFormIrradiance) {
   const glm::dvec3 g(0.3, -0.5, 0.2);
   const EnvironmentLight light =
       makeEnvironmentLight(makeEnvironment(256, [&](const auto& d) { return glm::dvec3(1 + glm::dot(g, d)); }), kSmall);
@@ -103,7 +103,7 @@ TEST(EnvironmentLight, ofALinearGradientHasTheClosedFormIrradiance) {
   }
 }
 
-TEST(EnvironmentLight, putsEachDirectionOfThePanoramaAtItsAxis) {
+TEST(EnvironmentLight, PutsEachDirectionOfThePanoramaAtItsAxis) {
   // Red grows towards +X, green towards +Y, blue towards +Z.
   const EnvironmentLight light =
       makeEnvironmentLight(makeEnvironment(256, [](const auto& d) { return glm::max(d, 0.0); }), kSmall);
@@ -117,7 +117,7 @@ TEST(EnvironmentLight, putsEachDirectionOfThePanoramaAtItsAxis) {
   }
 }
 
-TEST(EnvironmentLight, turnsWithTheRotationAsGlmRotateDoes) {
+TEST(EnvironmentLight, TurnsWithTheRotationAsGlmRotateDoes) {
   scenes::Environment environment = makeEnvironment(256, [](const auto& d) { return glm::max(d, 0.0); });
   environment.rotationDeg = 90; // +Z goes to +X
   const EnvironmentLight light = makeEnvironmentLight(environment, kSmall);
@@ -126,7 +126,7 @@ TEST(EnvironmentLight, turnsWithTheRotationAsGlmRotateDoes) {
   EXPECT_NEAR(texelAt(light, 0, {0, 1, 0}).y, 1, 0.02);
 }
 
-TEST(EnvironmentLight, keepsTheEnergyOfASingleBrightTexelAnywhere) {
+TEST(EnvironmentLight, KeepsTheEnergyOfASingleBrightTexelAnywhere) {
   for (const auto& [x, y] : {std::pair(300, 100), std::pair(17, 255), std::pair(511, 3), std::pair(200, 1)}) {
     scenes::Environment environment = makeEnvironment(1024, [](const auto&) { return glm::dvec3(0); });
     environment.radiance.at(x, y)[1] = 68000;
@@ -139,7 +139,7 @@ TEST(EnvironmentLight, keepsTheEnergyOfASingleBrightTexelAnywhere) {
   }
 }
 
-TEST(EnvironmentLight, mipsAreTheGgxLobesOfTheirRoughness) {
+TEST(EnvironmentLight, MipsAreTheGgxLobesOfTheirRoughness) {
   const auto radiance = [](const glm::dvec3& d) { return glm::dvec3(1 + 0.8 * d.x, 0.2 + d.y * d.y, std::exp(d.z)); };
   const EnvironmentLight light =
       makeEnvironmentLight(makeEnvironment(512, radiance), {.faceSize = 128, .sampleCount = 128});
@@ -177,7 +177,7 @@ TEST(EnvironmentLight, mipsAreTheGgxLobesOfTheirRoughness) {
   }
 }
 
-TEST(EnvironmentLight, hasNoSeamsBetweenFaces) {
+TEST(EnvironmentLight, HasNoSeamsBetweenFaces) {
   const EnvironmentLight light =
       makeEnvironmentLight(makeEnvironment(256, [](const auto& d) { return glm::dvec3(2 + d.x + d.y * d.z); }), kSmall);
   for (int mip = 0; mip <= f64::kPrefilterRoughestMip; ++mip) {
@@ -200,7 +200,7 @@ TEST(EnvironmentLight, hasNoSeamsBetweenFaces) {
   }
 }
 
-TEST(EnvironmentLight, staysFiniteUnderASunBeyondHalfFloats) {
+TEST(EnvironmentLight, StaysFiniteUnderASunBeyondHalfFloats) {
   scenes::Environment environment = makeEnvironment(256, [](const auto&) { return glm::dvec3(1); });
   for (int c = 0; c < 3; ++c) environment.radiance.at(100, 40)[c] = 3e38f;
   const EnvironmentLight light = makeEnvironmentLight(environment, kSmall);
@@ -209,7 +209,7 @@ TEST(EnvironmentLight, staysFiniteUnderASunBeyondHalfFloats) {
   EXPECT_TRUE(std::isfinite(light.irradianceSh[0].x));
 }
 
-TEST(EnvironmentLight, isBitIdenticalForAnyNumberOfThreads) {
+TEST(EnvironmentLight, IsBitIdenticalForAnyNumberOfThreads) {
   const scenes::Environment environment =
       makeEnvironment(128, [](const auto& d) { return glm::dvec3(1 + d.x, 2 + d.y, std::exp(3 * d.z)); });
   const auto all = toBytes(makeEnvironmentLight(environment, kSmall));
@@ -217,7 +217,7 @@ TEST(EnvironmentLight, isBitIdenticalForAnyNumberOfThreads) {
   EXPECT_EQ(toBytes(makeEnvironmentLight(environment, kSmall)), all);
 }
 
-TEST(EnvironmentLight, comesBackFromItsBytesAndRefusesDamagedOnes) {
+TEST(EnvironmentLight, ComesBackFromItsBytesAndRefusesDamagedOnes) {
   const EnvironmentLight light = makeEnvironmentLight(
       makeEnvironment(64, [](const auto& d) { return glm::dvec3(1 + d.x); }), {.faceSize = 64, .sampleCount = 16});
   std::vector<std::byte> bytes = toBytes(light);
@@ -239,7 +239,7 @@ TEST(EnvironmentLight, comesBackFromItsBytesAndRefusesDamagedOnes) {
 }
 
 // A sky with one lamp of a texel and a bright half.
-TEST(EnvironmentLight, bringsItsLampsAndRefusesThoseThatLeadNowhere) {
+TEST(EnvironmentLight, BringsItsLampsAndRefusesThoseThatLeadNowhere) {
   const glm::dvec3 lamp = glm::normalize(glm::dvec3(1, 0.0061, 0.0061)); // the middle of a cell
   const EnvironmentLight light = makeEnvironmentLight(
       makeEnvironment(

@@ -51,7 +51,7 @@ double solidAngleOfRow(int y, int width, int height) {
 }
 
 // White noise is the hardest panorama: each texel's share in each cube texel must be right.
-TEST(Equirect, texelsAreTheMeansOverTheirSolidAngle) {
+TEST(Equirect, TexelsAreTheMeansOverTheirSolidAngle) {
   constexpr int n = 64, kSteps = 1000;
   const scenes::Environment environment = makeNoise(512, 256);
   const std::vector<glm::vec4> cube = resampleEquirect(environment, n);
@@ -72,7 +72,7 @@ TEST(Equirect, texelsAreTheMeansOverTheirSolidAngle) {
     }
 }
 
-TEST(Equirect, keepsTheEnergyOfASunInPanoramasOfAllSizes) {
+TEST(Equirect, KeepsTheEnergyOfASunInPanoramasOfAllSizes) {
   struct Case {
     int width, height, x, y, faceSize;
   };
@@ -88,7 +88,7 @@ TEST(Equirect, keepsTheEnergyOfASunInPanoramasOfAllSizes) {
   }
 }
 
-TEST(Equirect, putsOneColourToEachSideOfTheWorld) {
+TEST(Equirect, PutsOneColourToEachSideOfTheWorld) {
   // Regions by docs/design.md 8d's mapping: +X at u = 0.5, +Z at 0.75, -X at 0 and 1, -Z at 0.25; +Y at v = 0.
   scenes::Environment environment = makeBlack(64, 32);
   const glm::vec3 colors[kCubeFaces] = {{1, 0, 0}, {0, 1, 1}, {0, 1, 0}, {1, 0, 1}, {0, 0, 1}, {1, 1, 0}};
@@ -103,7 +103,7 @@ TEST(Equirect, putsOneColourToEachSideOfTheWorld) {
     EXPECT_LT(glm::distance(glm::vec3(cube[texelIndex(face, 16, 16, 32)]), colors[face]), 1e-5f) << face;
 }
 
-TEST(Equirect, turnsByWholeColumnsExactlyLikeAShiftedPanorama) {
+TEST(Equirect, TurnsByWholeColumnsExactlyLikeAShiftedPanorama) {
   const scenes::Environment environment = makeNoise(256, 128);
   scenes::Environment turned = environment, shifted = environment;
   turned.rotationDeg = 45; // 32 of 256 columns: what is seen at azimuth a stood at a + 45 degrees
@@ -114,14 +114,14 @@ TEST(Equirect, turnsByWholeColumnsExactlyLikeAShiftedPanorama) {
   for (std::size_t i = 0; i < a.size(); ++i) ASSERT_LT(glm::distance(a[i], b[i]), 1e-5f) << i;
 }
 
-TEST(Equirect, takesAPanoramaOfOneTexel) {
+TEST(Equirect, TakesAPanoramaOfOneTexel) {
   scenes::Environment environment = makeBlack(1, 1);
   environment.radiance.pixels = {1, 2, 3};
   for (const glm::vec4& texel : resampleEquirect(environment, 32))
     ASSERT_LT(glm::distance(texel, glm::vec4(1, 2, 3, 1)), 1e-5f);
 }
 
-TEST(Equirect, refusesWhatIsNoRadiance) {
+TEST(Equirect, RefusesWhatIsNoRadiance) {
   EXPECT_THROW(resampleEquirect(scenes::Environment{}, 32), base::Error);
   EXPECT_THROW(resampleEquirect(makeBlack(8, 4, 4), 32), base::Error);
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1e-3f}) {

@@ -78,7 +78,7 @@ double relativeRmse(const scenes::Environment& environment, int normals) {
   return std::sqrt(error / truth);
 }
 
-TEST(IrradianceCube, ofAConstantSkyIsThatConstantForMapsOfAnySize) {
+TEST(IrradianceCube, OfAConstantSkyIsThatConstantForMapsOfAnySize) {
   for (const auto& [width, height] : {std::pair(1, 1), {3, 7}, {64, 32}, {1023, 511}, {2048, 1024}}) {
     const CubeLevel level = levelOf(makeMap(width, height, [](const auto&) { return glm::dvec3(0.25, 1, 40); }));
     for (const glm::dvec3& n : randomDirections(50))
@@ -86,7 +86,7 @@ TEST(IrradianceCube, ofAConstantSkyIsThatConstantForMapsOfAnySize) {
   }
 }
 
-TEST(IrradianceCube, ofALinearGradientHasTheClosedForm) {
+TEST(IrradianceCube, OfALinearGradientHasTheClosedForm) {
   const glm::dvec3 g(0.3, -0.5, 0.2);
   const auto radiance = [&](const glm::dvec3& d) { return glm::dvec3(1 + glm::dot(g, d)); };
   for (const auto& [width, height] : {std::pair(1024, 512), {1023, 511}, {1600, 900}}) {
@@ -96,7 +96,7 @@ TEST(IrradianceCube, ofALinearGradientHasTheClosedForm) {
   }
 }
 
-TEST(IrradianceCube, turnsWithTheMap) {
+TEST(IrradianceCube, TurnsWithTheMap) {
   scenes::Environment environment = makeMap(512, 256, [](const auto& d) { return glm::max(d, 0.0); });
   environment.rotationDeg = 90; // +Z goes to +X
   const CubeLevel level = levelOf(environment);
@@ -106,7 +106,7 @@ TEST(IrradianceCube, turnsWithTheMap) {
   EXPECT_NEAR(read(level, {0, 1, 0}).y, 2.0 / 3, 1e-3);
 }
 
-TEST(IrradianceCube, ofASingleBrightCellIsItsCosine) {
+TEST(IrradianceCube, OfASingleBrightCellIsItsCosine) {
   for (const auto& [x, y] : {std::pair(300, 200), {17, 255}, {511, 5}, {200, 511}}) {
     scenes::Environment environment = makeMap(1024, 512, [](const auto&) { return glm::dvec3(0); });
     environment.radiance.at(x, y)[1] = 68000;
@@ -114,7 +114,7 @@ TEST(IrradianceCube, ofASingleBrightCellIsItsCosine) {
   }
 }
 
-TEST(IrradianceCube, ofSkiesNearTheLimitOfFloatsIsFinite) {
+TEST(IrradianceCube, OfSkiesNearTheLimitOfFloatsIsFinite) {
   for (const float radiance : {1e30f, std::numeric_limits<float>::max()}) {
     for (const glm::vec4& texel : makeIrradianceCube(makeMap(8, 4, [&](const auto&) { return glm::dvec3(radiance); })))
       for (int c = 0; c < 3; ++c) ASSERT_NEAR(texel[c] / 1e30f, 1, 1e-4); // cut there, as the prefiltered cube is
@@ -124,7 +124,7 @@ TEST(IrradianceCube, ofSkiesNearTheLimitOfFloatsIsFinite) {
   EXPECT_THROW(makeIrradianceCube(makeMap(8, 4, [](const auto&) { return glm::dvec3(-1); })), base::Error);
 }
 
-TEST(IrradianceCube, ofACubeIsThatOfThePanoramaItCameFrom) {
+TEST(IrradianceCube, OfACubeIsThatOfThePanoramaItCameFrom) {
   const scenes::Environment environment = makeMap(
       1024, 512, [](const glm::dvec3& d) { return glm::dvec3(1 + d.x, std::exp(2 * d.y), d.z > 0.9 ? 30 : 0.1); });
   for (const int faceSize : {32, 64, 256}) {

@@ -39,7 +39,7 @@ glm::dvec3 lightOf(const Panorama& p) {
   return sum;
 }
 
-TEST(LampTree, keepsTheLightPerChannel) {
+TEST(LampTree, KeepsTheLightPerChannel) {
   Panorama p = makeLamp(7, {900, 500, 100});
   const glm::dvec3 before = lightOf(p);
   const LampTree tree = takeLamps(p).wide;
@@ -48,7 +48,7 @@ TEST(LampTree, keepsTheLightPerChannel) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(after[c] / before[c], 1, 1e-6) << c;
 }
 
-TEST(LampTree, hasParentsThatAreTheSumOfTheirChildren) {
+TEST(LampTree, HasParentsThatAreTheSumOfTheirChildren) {
   Panorama p = makeLamp(6, {300, 500, 700});
   const LampTree whole = takeLamps(p).wide;
   const LampTree few = pruneLamps(whole, 10);
@@ -83,7 +83,7 @@ TEST(LampTree, hasParentsThatAreTheSumOfTheirChildren) {
 }
 
 // A disc of angular radius r has a mean square distance of r^2 / 2 from its middle; a square of side s s^2 / 6.
-TEST(LampTree, knowsHowFarALampSpreads) {
+TEST(LampTree, KnowsHowFarALampSpreads) {
   scenes::Environment environment = makeGrey(1024, 512, 0.f);
   const double height = pi / 512;
   for (int y = 246; y < 266; ++y)
@@ -95,7 +95,7 @@ TEST(LampTree, knowsHowFarALampSpreads) {
   EXPECT_NEAR(tree.nodes[0].direction.y, 0, 1e-4);
 }
 
-TEST(LampTree, takesNothingWhereNothingStandsOut) {
+TEST(LampTree, TakesNothingWhereNothingStandsOut) {
   for (const float value : {0.f, 1.f, 1e30f}) {
     Panorama p = makePanorama(makeGrey(64, 32, value), 32);
     const Lamps lamps = takeLamps(p);
@@ -104,7 +104,7 @@ TEST(LampTree, takesNothingWhereNothingStandsOut) {
   }
 }
 
-TEST(LampTree, takesOneTexelNearTheFloatLimit) {
+TEST(LampTree, TakesOneTexelNearTheFloatLimit) {
   scenes::Environment environment = makeGrey(1024, 512, 0.f);
   for (int c = 0; c < 3; ++c) environment.radiance.at(3, 200)[c] = 3e38f;
   Panorama p = makePanorama(environment, 256);
@@ -115,7 +115,7 @@ TEST(LampTree, takesOneTexelNearTheFloatLimit) {
 }
 
 // Their centroid is the middle of the sphere, which is no direction.
-TEST(LampTree, holdsLampsThatFaceEachOther) {
+TEST(LampTree, HoldsLampsThatFaceEachOther) {
   scenes::Environment environment = makeGrey(1024, 512, 0.f);
   for (const int x : {200, 712})
     for (const int y : {255, 256})
@@ -127,7 +127,7 @@ TEST(LampTree, holdsLampsThatFaceEachOther) {
 }
 
 // Three lamps of one and two cells and a softbox that is brighter than one of them.
-TEST(LampTree, tellsCompactLampsFromSoftboxes) {
+TEST(LampTree, TellsCompactLampsFromSoftboxes) {
   scenes::Environment environment = makeGrey(1024, 512, 0.1f);
   const auto light = [&](int x0, int y0, int width, int height, float value) {
     for (int y = y0; y < y0 + height; ++y)
@@ -150,7 +150,7 @@ TEST(LampTree, tellsCompactLampsFromSoftboxes) {
 
 // Stars: the brightest are apart, the others stay in the levels.
 // A tube of one cell's height: each part of it has neighbours.
-TEST(LampTree, takesNoPartOfALineForACompactLamp) {
+TEST(LampTree, TakesNoPartOfALineForACompactLamp) {
   scenes::Environment environment = makeGrey(1024, 512, 0.1f);
   for (int x = 300; x < 430; ++x)
     for (int c = 0; c < 3; ++c) environment.radiance.at(x, 200)[c] = 500;
@@ -161,7 +161,7 @@ TEST(LampTree, takesNoPartOfALineForACompactLamp) {
   EXPECT_NEAR(lamps.compact.nodes[0].light.y / lamps.wide.nodes[0].light.y, 1.0 / 130, 2e-4);
 }
 
-TEST(LampTree, boundsTheNumberOfCompactLamps) {
+TEST(LampTree, BoundsTheNumberOfCompactLamps) {
   scenes::Environment environment = makeGrey(1024, 512, 0.f);
   for (int i = 0; i < 400; ++i) environment.radiance.at(50 * (i % 20) + 7, 100 + 15 * (i / 20))[1] = 1 + 0.01f * i;
   Panorama p = makePanorama(environment, 256);
@@ -171,7 +171,7 @@ TEST(LampTree, boundsTheNumberOfCompactLamps) {
 }
 
 // Against the sum over every leaf, as a point where it is far and by an exact mean over its cell where it is near.
-TEST(LampTree, filtersAsItsLeavesDo) {
+TEST(LampTree, FiltersAsItsLeavesDo) {
   Panorama p = makeLamp(24, {50, 50, 50});
   const LampTree tree = takeLamps(p).wide;
   const glm::dvec3 lamp(tree.nodes[0].direction), side = glm::normalize(glm::cross(lamp, glm::dvec3(0, 1, 0)));

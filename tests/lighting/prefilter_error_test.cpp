@@ -26,7 +26,7 @@ void PrintTo(const Map& map, std::ostream* out) { *out << map.name << (map.extra
 class PrefilterError : public testing::TestWithParam<Map> {};
 
 // Measured: docs/environments.md. As mobile reads the medians are 4 (garden), 7 (night) and 21 % (studio).
-TEST_P(PrefilterError, isWithinWhatIsPromised) {
+TEST_P(PrefilterError, IsWithinWhatIsPromised) {
   std::string file = GetParam().name;
   if (!file.starts_with("builtin:")) {
     file = tests::sharedEnvironment(file).string();

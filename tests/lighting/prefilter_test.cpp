@@ -26,7 +26,7 @@ glm::dvec3 energyOf(const std::vector<glm::vec4>& faces, int n) {
   return sum;
 }
 
-TEST(BrightTexels, keepTheEnergyAndLeaveTheRestBelowTheLimit) {
+TEST(BrightTexels, KeepTheEnergyAndLeaveTheRestBelowTheLimit) {
   constexpr int n = 32;
   std::vector<glm::vec4> faces = makeFaces(n, 1);
   std::mt19937 random(4);
@@ -42,7 +42,7 @@ TEST(BrightTexels, keepTheEnergyAndLeaveTheRestBelowTheLimit) {
   for (const glm::vec4& texel : faces) EXPECT_LT(texel.x, 300);
 }
 
-TEST(BrightTexels, areNoneInPlainMapsAndNoMoreThanTheirLimit) {
+TEST(BrightTexels, AreNoneInPlainMapsAndNoMoreThanTheirLimit) {
   std::vector<glm::vec4> faces = makeFaces(32, 3);
   EXPECT_TRUE(takeBrightTexels(faces, 32).fours.empty());
   faces = makeFaces(32, 0);
@@ -53,7 +53,7 @@ TEST(BrightTexels, areNoneInPlainMapsAndNoMoreThanTheirLimit) {
 }
 
 // A naive oracle in double: D_GGX as shading has it, its integral by the midpoint rule.
-TEST(BrightTexels, areFilteredByTheLobe) {
+TEST(BrightTexels, AreFilteredByTheLobe) {
   constexpr int n = 64;
   std::vector<glm::vec4> faces = makeFaces(n, 0);
   const std::size_t lamp = texelIndex(2, 40, 20, n), other = texelIndex(4, 10, 60, n);
@@ -85,7 +85,7 @@ TEST(BrightTexels, areFilteredByTheLobe) {
 
 // Where a smooth function is read between its texels, the fitted ones are nearer: 2.4 times in the limit
 // (sqrt(720 / 120), the errors of interpolation by and projection onto linear splines).
-TEST(FitBilinear, halvesTheErrorOfBilinearReading) {
+TEST(FitBilinear, HalvesTheErrorOfBilinearReading) {
   constexpr int n = 16;
   const auto radianceAt = [](const glm::dvec3& d) {
     return std::exp(4 * glm::dot(d, glm::normalize(glm::dvec3(1, 2, 3))));
@@ -110,7 +110,7 @@ TEST(FitBilinear, halvesTheErrorOfBilinearReading) {
   EXPECT_LT(errorOf(fitted), 0.5 * errorOf(plain));
 }
 
-TEST(FitBilinear, keepsAConstantAndNeverTakesMoreThanHalf) {
+TEST(FitBilinear, KeepsAConstantAndNeverTakesMoreThanHalf) {
   constexpr int n = 8;
   std::vector<glm::vec4> mip = makeFaces(n, 5);
   for (const glm::vec4& texel : fitBilinear(mip, n)) ASSERT_FLOAT_EQ(texel.y, 5);

@@ -87,7 +87,7 @@ float largest(const scenes::Environment& environment) {
 
 class OneDisc : public testing::TestWithParam<Disc> {};
 
-TEST_P(OneDisc, becomesALightOfItsIrradianceAndDirectionAndLeavesTheGround) {
+TEST_P(OneDisc, BecomesALightOfItsIrradianceAndDirectionAndLeavesTheGround) {
   const Disc& disc = GetParam();
   const glm::dvec3 ground(0.2, 0.5, 0.25); // exact in float but for .2
   const scenes::Environment before = paint(512, ground, {disc});
@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(Places, OneDisc,
                                          Disc{-180, 5, 2.4, {400, 500, 300}}, Disc{75, 88.5, 1, {2000, 2000, 900}},
                                          Disc{10, 90, 2, {2000, 2000, 900}}, Disc{-60, -89, 2, {700, 800, 700}}));
 
-TEST(SunExtraction, turnsWithTheEnvironment) {
+TEST(SunExtraction, TurnsWithTheEnvironment) {
   const Disc disc{40, 30, 1, {3000, 2000, 900}};
   scenes::Environment environment = paint(512, glm::dvec3(0.5), {disc});
   environment.rotationDeg = 70;
@@ -135,7 +135,7 @@ TEST(SunExtraction, turnsWithTheEnvironment) {
   EXPECT_LT(degreesBetween(-seen, texelDirection(face, x, y, 64)), 1.5);
 }
 
-TEST(SunExtraction, ofTwoSourcesTheBrighterComesFirst) {
+TEST(SunExtraction, OfTwoSourcesTheBrighterComesFirst) {
   // The fainter light has the higher peak.
   const std::vector<Disc> discs = {{40, 30, 0.5, glm::dvec3(4000)}, {-100, 10, 2, glm::dvec3(1000)}};
   const scenes::Environment before = paint(512, glm::dvec3(0.5), discs);
@@ -147,7 +147,7 @@ TEST(SunExtraction, ofTwoSourcesTheBrighterComesFirst) {
   EXPECT_EQ(extraction.suns[1].light.name, "sun 2 of test");
 }
 
-TEST(SunExtraction, putsBackExactlyWhatItTook) {
+TEST(SunExtraction, PutsBackExactlyWhatItTook) {
   const scenes::Environment before =
       paint(256, glm::dvec3(0.3),
             {{40, 30, 1, glm::dvec3(4000)}, {-100, 10, 2, glm::dvec3(1000)}, {90, 0, 1, glm::dvec3(2000)}});
@@ -159,7 +159,7 @@ TEST(SunExtraction, putsBackExactlyWhatItTook) {
   EXPECT_NEAR(missing.x / extraction.suns[1].light.color.x, 1, 1e-4);
 }
 
-TEST(SunExtraction, keepsToTheNumberThatShadingCanAfford) {
+TEST(SunExtraction, KeepsToTheNumberThatShadingCanAfford) {
   std::vector<Disc> discs;
   for (int i = 0; i < 12; ++i) discs.push_back({30.0 * i - 170, 10, 1, glm::dvec3(1000 + 100 * i)});
   const scenes::Environment before = paint(256, glm::dvec3(0.3), discs);
@@ -171,7 +171,7 @@ TEST(SunExtraction, keepsToTheNumberThatShadingCanAfford) {
 }
 
 // A gradient of 1:3 across the hole.
-TEST(SunExtraction, fillsTheHoleAsItsSurroundingsGo) {
+TEST(SunExtraction, FillsTheHoleAsItsSurroundingsGo) {
   const Disc disc{0, 20, 1.5, glm::dvec3(3000)};
   scenes::Environment sky = paint(512, glm::dvec3(0.5), {});
   scenes::Environment before = paint(512, glm::dvec3(0.5), {disc});
@@ -191,7 +191,7 @@ TEST(SunExtraction, fillsTheHoleAsItsSurroundingsGo) {
   EXPECT_LT(worst, 0.25); // the mean of the rim would be 50 % off
 }
 
-TEST(SunExtraction, takesNeitherPlainMapsNorLargeOrFaintLights) {
+TEST(SunExtraction, TakesNeitherPlainMapsNorLargeOrFaintLights) {
   EXPECT_TRUE(extractSuns(paint(128, glm::dvec3(0), {})).suns.empty());
   EXPECT_TRUE(extractSuns(paint(128, glm::dvec3(7), {})).suns.empty());
   for (const char* name : {"studio", "night", "white"})
@@ -214,7 +214,7 @@ TEST(SunExtraction, takesNeitherPlainMapsNorLargeOrFaintLights) {
   EXPECT_EQ(extractSuns(paint(256, glm::dvec3(0.5), {{40, 30, 0.3, glm::dvec3(50000)}})).suns.size(), 1u);
 }
 
-TEST(SunExtraction, leavesWhatIsNoRadianceToWhoRefusesIt) {
+TEST(SunExtraction, LeavesWhatIsNoRadianceToWhoRefusesIt) {
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1.f}) {
     scenes::Environment environment = paint(64, glm::dvec3(0.5), {});
     environment.radiance.at(3, 9)[1] = bad;
@@ -225,7 +225,7 @@ TEST(SunExtraction, leavesWhatIsNoRadianceToWhoRefusesIt) {
   EXPECT_TRUE(extractSuns({}).suns.empty());
 }
 
-TEST(SunExtraction, takesTheSunOfTheBuiltInSky) {
+TEST(SunExtraction, TakesTheSunOfTheBuiltInSky) {
   const scenes::SkyOptions options;
   const scenes::Environment sky = scenes::makeSky(options);
   const SunExtraction extraction = extractSuns(sky);
@@ -251,7 +251,7 @@ scenes::Environment loadShared(const std::string& file) {
 }
 
 // Frozen where this file was written; the sun's place by eye in the panorama: column 615, row 169 of 1024 x 512.
-TEST(SunExtraction, findsTheSunOfTheGarden) {
+TEST(SunExtraction, FindsTheSunOfTheGarden) {
   const scenes::Environment garden = loadShared("chinese_garden_1k.hdr");
   if (garden.radiance.empty()) GTEST_SKIP() << "no chinese_garden_1k.hdr";
   const SunExtraction extraction = extractSuns(garden);
@@ -263,7 +263,7 @@ TEST(SunExtraction, findsTheSunOfTheGarden) {
   EXPECT_LT(largest(extraction.environment), 10); // of 68,000
 }
 
-TEST(SunExtraction, findsTheLampsOfTheNightAndNoneInTheStudio) {
+TEST(SunExtraction, FindsTheLampsOfTheNightAndNoneInTheStudio) {
   const scenes::Environment night = loadShared("st_peters_square_night_1k.hdr"),
                             studio = loadShared("studio_small_05_1k.hdr");
   if (night.radiance.empty() || studio.radiance.empty()) GTEST_SKIP() << "no st_peters_square_night_1k.hdr or studio";

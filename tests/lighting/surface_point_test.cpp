@@ -17,7 +17,7 @@ using namespace parity::tests;
 // A chord's point is as far below the circle as its sagitta: on a cylinder of radius 1 with facets of angle 2 a the
 // middle of a facet is 1 - cos a below, and the tangent planes there are at height sin a tan a above it, whose normals
 // lean by a.
-TEST(SurfacePoint, liftReachesTheTangentPlanesOfConvexFacetsAlone) {
+TEST(SurfacePoint, LiftReachesTheTangentPlanesOfConvexFacetsAlone) {
   const float a = 0.3f;
   scenes::Scene scene;
   scenes::Mesh facet;
@@ -50,7 +50,7 @@ TEST(SurfacePoint, liftReachesTheTangentPlanesOfConvexFacetsAlone) {
 }
 
 // Everywhere on a coarse sphere, scaled and mirrored: rays above the horizon begin outside of the convex mesh.
-TEST(SurfacePoint, raysFromALiftedPointLeaveAConvexMesh) {
+TEST(SurfacePoint, RaysFromALiftedPointLeaveAConvexMesh) {
   scenes::Scene scene;
   addObject(scene, scenes::makeSphere(1, 10, 6), matte("ball", 0.5f),
             glm::scale(glm::translate(glm::mat4(1.f), glm::vec3(5, 0, 0)), glm::vec3(-2, 2, 2)));
@@ -75,7 +75,7 @@ TEST(SurfacePoint, raysFromALiftedPointLeaveAConvexMesh) {
 }
 
 // A quad of every texture, each half another value, read in the middle of a half.
-TEST(SurfaceMaterial, isFactorsTimesTexturesAtThePoint) {
+TEST(SurfaceMaterial, IsFactorsTimesTexturesAtThePoint) {
   scenes::Scene scene = makeQuadScene();
   const auto addTexture = [&](std::array<std::uint8_t, 4> left, std::array<std::uint8_t, 4> right) {
     scenes::TextureImage image{"halves", base::Image8(2, 1, 4)};

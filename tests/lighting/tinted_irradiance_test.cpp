@@ -51,7 +51,7 @@ Coefficients makeCoefficients(const glm::vec3& tint, const glm::vec3& other) {
   return c;
 }
 
-TEST(TintedIrradiance, isThatOfNineCoefficientsWhereTheSecondBandHasOneTint) {
+TEST(TintedIrradiance, IsThatOfNineCoefficientsWhereTheSecondBandHasOneTint) {
   const Coefficients c = makeCoefficients({1, 0.5f, -0.25f}, glm::vec3(0));
   const TintedIrradiance tinted = tintIrradiance(c);
   forNormals([&](const glm::dvec3& n, double) {
@@ -62,7 +62,7 @@ TEST(TintedIrradiance, isThatOfNineCoefficientsWhereTheSecondBandHasOneTint) {
 
 // The second singular value is what is lost: sigma2^2 + sigma3^2, from the eigenvalues of the 3x3 Gram matrix, by the
 // characteristic polynomial.
-TEST(TintedIrradiance, losesNoMoreThanTheOtherSingularValues) {
+TEST(TintedIrradiance, LosesNoMoreThanTheOtherSingularValues) {
   const Coefficients c = makeCoefficients({1, 0.5f, 0.25f}, {0.2f, -0.1f, 0.6f});
   const TintedIrradiance tinted = tintIrradiance(c);
   double lost = 0;
@@ -85,7 +85,7 @@ TEST(TintedIrradiance, losesNoMoreThanTheOtherSingularValues) {
   EXPECT_NEAR(lost, t - x, 0.01 * (t - x));
 }
 
-TEST(TintedIrradiance, isFiniteForBlackAndForTheBrightest) {
+TEST(TintedIrradiance, IsFiniteForBlackAndForTheBrightest) {
   EXPECT_EQ(evaluate(tintIrradiance({}), {0, 0, 1}), glm::dvec3(0));
   Coefficients bright = makeCoefficients(glm::vec3(1), glm::vec3(0));
   for (glm::vec3& each : bright) each *= 1e30f;

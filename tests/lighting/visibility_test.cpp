@@ -71,7 +71,7 @@ bool isOccludedNaively(const std::vector<Triangle>& triangles, const Ray& ray, d
   return false;
 }
 
-TEST(Visibility, isWhatEveryTriangleInTurnSays) {
+TEST(Visibility, IsWhatEveryTriangleInTurnSays) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform;
   for (const char* name : {"spheres", "lamps", "lights", "materials"}) {
@@ -95,7 +95,7 @@ TEST(Visibility, isWhatEveryTriangleInTurnSays) {
   }
 }
 
-TEST(Visibility, firstHitIsTheNearestTriangleAndItsSide) {
+TEST(Visibility, FirstHitIsTheNearestTriangleAndItsSide) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> uniform;
   for (const char* name : {"lamps", "materials"}) {
@@ -145,7 +145,7 @@ TEST(Visibility, firstHitIsTheNearestTriangleAndItsSide) {
 }
 
 // The plane y = 0 under a sphere: in shadow where the way to the sun passes the centre within the radius.
-TEST(Visibility, shadowOfASphereIsACylinder) {
+TEST(Visibility, ShadowOfASphereIsACylinder) {
   const double radius = 0.7;
   const scenes::Scene scene = makeScene(scenes::makeSphere(radius, 512, 256), tests::translation(2, 3, -1));
   const Visibility visibility(scene);
@@ -165,7 +165,7 @@ TEST(Visibility, shadowOfASphereIsACylinder) {
   EXPECT_GT(shadowed, 200);
 }
 
-TEST(Visibility, lightInAClosedBoxIsSeenFromWithinAlone) {
+TEST(Visibility, LightInAClosedBoxIsSeenFromWithinAlone) {
   const scenes::Scene scene = makeScene(scenes::makeRoundedBox(glm::dvec3(1), 0.1, 3));
   const Visibility visibility(scene);
   const glm::dvec3 light(0.3, -0.2, 0.1);
@@ -180,7 +180,7 @@ TEST(Visibility, lightInAClosedBoxIsSeenFromWithinAlone) {
 }
 
 // Points interpolated in 32 bits as the surface pass does, far from the origin too.
-TEST(Visibility, convexSurfacesDoNotShadowThemselvesAtGrazingLight) {
+TEST(Visibility, ConvexSurfacesDoNotShadowThemselvesAtGrazingLight) {
   std::mt19937 random(11);
   std::uniform_real_distribution<float> uniform;
   for (const float away : {0.f, 50.f, 3000.f})
@@ -207,7 +207,7 @@ TEST(Visibility, convexSurfacesDoNotShadowThemselvesAtGrazingLight) {
     }
 }
 
-TEST(Visibility, bothSidesOccludeAndBlendedAndUnlitMaterialsDoNot) {
+TEST(Visibility, BothSidesOccludeAndBlendedAndUnlitMaterialsDoNot) {
   scenes::Scene scene = makeScene(tests::makeQuad(0));
   scene.materials[0].doubleSided = false;
   for (const double side : {1.0, -1.0}) EXPECT_TRUE(Visibility(scene).isOccluded({0.2, 0.1, side}, {0, 0, -side}));
@@ -218,7 +218,7 @@ TEST(Visibility, bothSidesOccludeAndBlendedAndUnlitMaterialsDoNot) {
   EXPECT_FALSE(Visibility(scene).isOccluded({0.2, 0.1, 1}, {0, 0, -1}));
 }
 
-TEST(Visibility, nothingAndTrianglesOfNoUseOccludeNothing) {
+TEST(Visibility, NothingAndTrianglesOfNoUseOccludeNothing) {
   EXPECT_FALSE(Visibility(scenes::Scene()).isOccluded({0, 0, 0}, {0, 0, 1}));
   scenes::Scene scene = makeScene(tests::makeQuad(0));
   scene.meshes[0].positions = {{-1, -1, 0}, {1, 1, 0}, {1, 1, 0}, {3, 3, 0}};
@@ -234,13 +234,13 @@ TEST(Visibility, nothingAndTrianglesOfNoUseOccludeNothing) {
   EXPECT_FALSE(half.isOccluded({-0.5, 0.5, 1}, {0, 0, -1}));
 }
 
-TEST(Visibility, moreTrianglesThanItTakesAreRefusedInWords) {
+TEST(Visibility, MoreTrianglesThanItTakesAreRefusedInWords) {
   scenes::Scene scene = makeScene(scenes::makeFloor(1, 1, 512)); // 2^19 triangles
   scene.instances.assign(17, scene.instances[0]);
   base::expectError([&] { const Visibility visibility(scene); }, {"triangles in all instances"});
 }
 
-TEST(Visibility, answersAllThreadsAlike) {
+TEST(Visibility, AnswersAllThreadsAlike) {
   const scenes::Scene scene = scenes::makeBuiltinScene("lamps");
   const Visibility visibility(scene);
   std::mt19937 random(1);
@@ -255,7 +255,7 @@ TEST(Visibility, answersAllThreadsAlike) {
   EXPECT_EQ(alone, together);
 }
 
-TEST(Visibility, hashCoversWhatDecidesAndNothingElse) {
+TEST(Visibility, HashCoversWhatDecidesAndNothingElse) {
   scenes::Scene scene = makeScene(tests::makeQuad(0));
   scene.images.resize(1);
   scene.images[0].pixels = base::Image8(2, 2, 4, 255);

@@ -17,7 +17,7 @@ double articleAt(double R, double N, double F0) {
   return F0 * (rz - 1.04 * a004) + 1.04 * a004 + rw;
 }
 
-TEST(ApproximateBrdf, isThePresetsOwn) {
+TEST(ApproximateBrdf, IsThePresetsOwn) {
   const ApproximateBrdf karis(presetByName("karis2014")), ue4(presetByName("ue4-2020"));
   for (const double roughness : kRoughness)
     for (const double NoV : kCosines) {
@@ -37,7 +37,7 @@ TEST(ApproximateBrdf, isThePresetsOwn) {
   EXPECT_NEAR(refit.once(0.8, 0.5, glm::dvec3(1)).x + refit.multiple(0.8, 0.5, glm::dvec3(1)).x, 1, 1e-9);
 }
 
-TEST(ApproximateBrdf, ofAMaterialTakesTheFormThatThePathTakes) {
+TEST(ApproximateBrdf, OfAMaterialTakesTheFormThatThePathTakes) {
   const ApproximateBrdf ue4(presetByName("ue4-2020"));
   paths::EnvBrdfMaterial m{.baseColor = {0.5, 0.25, 1}, .metallic = 0, .roughness = 0.5};
   EXPECT_NEAR(ue4.once(m, 0.4).x, articleAt(0.5, 0.4, 0.04), 1e-6);

@@ -87,7 +87,7 @@ protected:
   }
 };
 
-TEST_F(BakedTest, lightmapGivesItsRadianceInEachPresetUpToTheBordersOfThePage) {
+TEST_F(BakedTest, LightmapGivesItsRadianceInEachPresetUpToTheBordersOfThePage) {
   const HostPages pages = lightmapOf(kLog, kSh);
   const scenes::LightmapUvs uvs = tests::wholePage();
   const gpu::BakedContent content{.lightmap = pages.view(), .scales = {&kScales, 1}};
@@ -114,7 +114,7 @@ TEST_F(BakedTest, lightmapGivesItsRadianceInEachPresetUpToTheBordersOfThePage) {
   }
 }
 
-TEST_F(BakedTest, theShadingNormalIsReadInTheOrderOfTheSource) {
+TEST_F(BakedTest, TheShadingNormalIsReadInTheOrderOfTheSource) {
   scenes::Scene scene = makeScene(0);
   const glm::dvec3 n = tests::leanByNormalMap(scene, 204, 150, 230);
   const scenes::LightmapUvs uvs = tests::wholePage();
@@ -129,7 +129,7 @@ TEST_F(BakedTest, theShadingNormalIsReadInTheOrderOfTheSource) {
 }
 
 // Scales, adds and pages of two objects; one without a lightmap looks as without bake.
-TEST_F(BakedTest, objectsReadTheirPagesAndScalesAndThoseWithoutALightmapLookAsUnbaked) {
+TEST_F(BakedTest, ObjectsReadTheirPagesAndScalesAndThoseWithoutALightmapLookAsUnbaked) {
   scenes::Scene scene = tests::makeTwoQuads();
   for (scenes::Material& material : scene.materials) {
     material.baseColor = glm::vec4(kBakedBase, 1);
@@ -173,7 +173,7 @@ TEST_F(BakedTest, objectsReadTheirPagesAndScalesAndThoseWithoutALightmapLookAsUn
   }
 }
 
-TEST_F(BakedTest, viewsShowWhatTheLightmapAndTheDistanceFieldGive) {
+TEST_F(BakedTest, ViewsShowWhatTheLightmapAndTheDistanceFieldGive) {
   scenes::Scene scene = makeScene(0);
   const HostPages pages = lightmapOf(kLog, kSh), shadow = tests::makeShadowPages(4, 1, [](auto) { return 100; });
   const scenes::LightmapUvs uvs = tests::wholePage();
@@ -196,7 +196,7 @@ TEST_F(BakedTest, viewsShowWhatTheLightmapAndTheDistanceFieldGive) {
 
 // With a map of the sun's, too: where nothing stands before anything the map lets all light through, and the baked
 // shadow stays. The shadow is the darker of the two, as tests/mobile/sun_shadow_test.cpp has the map's alone.
-TEST_F(BakedTest, theDistanceFieldsShadowStaysBesideAMapsOfTheSun) {
+TEST_F(BakedTest, TheDistanceFieldsShadowStaysBesideAMapsOfTheSun) {
   scenes::Scene scene = makeScene(0);
   const HostPages pages = lightmapOf(kLog, kSh), shadow = tests::makeShadowPages(4, 1, [](auto) { return 100; });
   const scenes::LightmapUvs uvs = tests::wholePage();
@@ -226,7 +226,7 @@ TEST_F(BakedTest, theDistanceFieldsShadowStaysBesideAMapsOfTheSun) {
 }
 
 // The back of a double-sided object turns its normal round, as the source's two-sided sign does.
-TEST_F(BakedTest, aBackReadsTheFrontsLightmapAtItsOwnNormal) {
+TEST_F(BakedTest, ABackReadsTheFrontsLightmapAtItsOwnNormal) {
   scenes::Scene scene = makeScene(0);
   scene.instances[0].toWorld[0].x = -1;
   scene.instances[0].toWorld[2].z = -1;
@@ -241,7 +241,7 @@ TEST_F(BakedTest, aBackReadsTheFrontsLightmapAtItsOwnNormal) {
 }
 
 // Each object takes its own capture whole, without parallax, in the scale that its average brightness gives.
-TEST_F(BakedTest, anObjectTakesTheCaptureThatItNamesInTheScaleOfTheLightmap) {
+TEST_F(BakedTest, AnObjectTakesTheCaptureThatItNamesInTheScaleOfTheLightmap) {
   scenes::Scene scene = tests::makeTwoQuads();
   for (scenes::Material& material : scene.materials) {
     material.metallic = 1;
@@ -274,7 +274,7 @@ TEST_F(BakedTest, anObjectTakesTheCaptureThatItNamesInTheScaleOfTheLightmap) {
     }
 }
 
-TEST_F(BakedTest, whatBakedLightFetchesCounts) {
+TEST_F(BakedTest, WhatBakedLightFetchesCounts) {
   const scenes::Scene scene = makeScene();
   const HostPages pages = lightmapOf(kLog, kSh), shadow = tests::makeShadowPages(4, 1, [](auto) { return 100; });
   const scenes::LightmapUvs uvs = tests::wholePage();

@@ -17,7 +17,7 @@ namespace {
 using MobileCostTest = tests::DeviceTest;
 
 // The widest permutation, which serves all materials of a scene, reads whatever an exact one would.
-TEST_F(MobileCostTest, everyPermutationOfEveryBuiltInSceneHasAtMostEightSamplers) {
+TEST_F(MobileCostTest, EveryPermutationOfEveryBuiltInSceneHasAtMostEightSamplers) {
   constexpr std::uint32_t kSize = 16;
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
   std::map<std::vector<std::uint32_t>, gpu::ShaderCost> costs; // scenes share permutations
@@ -55,7 +55,7 @@ TEST_F(MobileCostTest, everyPermutationOfEveryBuiltInSceneHasAtMostEightSamplers
 
 // The preset refit against the base pass, permutation by permutation, each with and without sun, lamp and environment.
 // Under an environment alone the base pass has no mixing weight to compute: a skylight's reflection has none.
-TEST_F(MobileCostTest, refitTakesNoMoreFetchesAndAboutAQuarterMoreOperationsThanUe4) {
+TEST_F(MobileCostTest, RefitTakesNoMoreFetchesAndAboutAQuarterMoreOperationsThanUe4) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
   const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
   for (const bool nonmetal : {false, true})
@@ -89,7 +89,7 @@ TEST_F(MobileCostTest, refitTakesNoMoreFetchesAndAboutAQuarterMoreOperationsThan
 }
 
 // The environment is bound by the others, and read by none of these.
-TEST_F(MobileCostTest, aFullyRoughMaterialPaysForNoEnvironmentFetch) {
+TEST_F(MobileCostTest, AFullyRoughMaterialPaysForNoEnvironmentFetch) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
   const auto costOf = [&](bool fullyRough) {
     scenes::Scene scene = tests::makeQuadScene();

@@ -102,13 +102,13 @@ protected:
   }
 };
 
-TEST_F(FogTest, highendEvaluatesItAtThePixel) {
+TEST_F(FogTest, HighendEvaluatesItAtThePixel) {
   for (const SeenPoint& point : shadeHighend(makeWall(1), makeCamera()))
     expectFog(point, transmittanceAt({point.place, 0}));
 }
 
 // Two triangles, (-,-) (+,-) (+,+) and (-,-) (+,+) (-,+): what the vertices have, linear over the plane between them.
-TEST_F(FogTest, mobileInterpolatesThatOfTheVertices) {
+TEST_F(FogTest, MobileInterpolatesThatOfTheVertices) {
   const auto atCorner = [](double x, double y) { return transmittanceAt({x * kHalf, y * kHalf, 0}); };
   const double a = atCorner(-1, -1), b = atCorner(1, -1), c = atCorner(1, 1), d = atCorner(-1, 1);
   double largest = 0;
@@ -121,12 +121,12 @@ TEST_F(FogTest, mobileInterpolatesThatOfTheVertices) {
   EXPECT_GT(largest, 0.3) << "a coarse mesh shows it coarsely";
 }
 
-TEST_F(FogTest, aFineMeshShowsTheSameInBothPaths) {
+TEST_F(FogTest, AFineMeshShowsTheSameInBothPaths) {
   for (const SeenPoint& point : shadeMobile(makeWall(64), makeCamera()))
     EXPECT_NEAR(point.shaded[Term::fog].x, kFog.color.x * (1 - transmittanceAt({point.place, 0})), 2e-3);
 }
 
-TEST_F(FogTest, ofAnOrthographicCameraBeginsAtItsPlane) {
+TEST_F(FogTest, OfAnOrthographicCameraBeginsAtItsPlane) {
   const double expected = f64::heightFogTransmittance({kFog.density, 0, 0, kFog.startDistance, 1}, 0, 0, kDistance);
   scenes::Scene scene = makeWall(1);
   scene.fog->heightFalloff = 0;
@@ -134,7 +134,7 @@ TEST_F(FogTest, ofAnOrthographicCameraBeginsAtItsPlane) {
     for (const SeenPoint& point : points) expectFog(point, expected);
 }
 
-TEST_F(FogTest, unlitSurfacesHaveItToo) {
+TEST_F(FogTest, UnlitSurfacesHaveItToo) {
   scenes::Scene scene = makeWall(64);
   scene.materials[0].unlit = true;
   scene.materials[0].baseColor = {1, 2, 3, 1};
@@ -146,7 +146,7 @@ TEST_F(FogTest, unlitSurfacesHaveItToo) {
 }
 
 // All that is lit and glows, with and without: each term but the fog's keeps the same share.
-TEST_F(FogTest, takesTheSameShareOfEveryTerm) {
+TEST_F(FogTest, TakesTheSameShareOfEveryTerm) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
   scenes::Light lamp;
   lamp.position = {0.3f, 0, 1};
@@ -184,7 +184,7 @@ TEST_F(FogTest, takesTheSameShareOfEveryTerm) {
   });
 }
 
-TEST_F(FogTest, aSceneWithoutFogHasNoBufferOfIt) {
+TEST_F(FogTest, ASceneWithoutFogHasNoBufferOfIt) {
   scenes::Scene scene = makeWall(1);
   const auto bytesOfFog = [&] {
     const gpu::SceneBuffers buffers(device(), scene);

@@ -21,7 +21,7 @@ scenes::Light makeLight(scenes::LightKind kind, float intensity, const glm::vec3
   return light;
 }
 
-TEST(LightChoice, countsBrightnessAtTheObjectNotAtTheLight) {
+TEST(LightChoice, CountsBrightnessAtTheObjectNotAtTheLight) {
   const scenes::Scene scene = tests::makeQuadScene(); // sphere of radius sqrt(2)
   std::vector<scenes::Light> lights = {makeLight(scenes::LightKind::point, 100, {0, 0, 100}),
                                        makeLight(scenes::LightKind::point, 1, {0, 0, 2})};
@@ -30,14 +30,14 @@ TEST(LightChoice, countsBrightnessAtTheObjectNotAtTheLight) {
 }
 
 // 23 equal lights and a brighter one: which of the equal ones are taken must not depend on how they are sorted.
-TEST(LightChoice, takesTheLowerIndicesAmongEqualLights) {
+TEST(LightChoice, TakesTheLowerIndicesAmongEqualLights) {
   const scenes::Scene scene = tests::makeQuadScene();
   std::vector<scenes::Light> lights(24, makeLight(scenes::LightKind::point, 10));
   lights[17] = makeLight(scenes::LightKind::point, 20);
   EXPECT_EQ(chooseLocalLights(scene, lights)[0], (std::array<std::uint32_t, 4>{17, 0, 1, 2}));
 }
 
-TEST(LightChoice, leavesOutLightsWhoseRangeOrConeDoesNotReach) {
+TEST(LightChoice, LeavesOutLightsWhoseRangeOrConeDoesNotReach) {
   const scenes::Scene scene = tests::makeQuadScene();
   std::vector<scenes::Light> lights = {makeLight(scenes::LightKind::point, 100, {0, 0, 10}),
                                        makeLight(scenes::LightKind::spot, 100, {0, 0, 10}),
@@ -52,7 +52,7 @@ TEST(LightChoice, leavesOutLightsWhoseRangeOrConeDoesNotReach) {
 
 // Three lights of 10 at 5 m, so 3.59 m from the sphere, range 4: by windows 1 - .65 = .35 and .35^2 over d^2 = 12.9, by
 // the exponent (1 - .81)^e of the light itself.
-TEST(LightChoice, ranksEachLightByItsOwnFalloff) {
+TEST(LightChoice, RanksEachLightByItsOwnFalloff) {
   const scenes::Scene scene = tests::makeQuadScene();
   std::vector<scenes::Light> lights(3, makeLight(scenes::LightKind::point, 10));
   for (scenes::Light& light : lights) light.range = 4;
@@ -67,7 +67,7 @@ TEST(LightChoice, ranksEachLightByItsOwnFalloff) {
   EXPECT_NEAR(countLightUse(scene, lights, false, pixels)[2].effect, 3 * 10 * std::pow(1 - share * share, 4.4), 1e-4);
 }
 
-TEST(LightChoice, isMadePerObject) {
+TEST(LightChoice, IsMadePerObject) {
   scenes::Scene scene = tests::makeQuadScene();
   scene.instances.push_back({0, tests::translation(100, 0, 0), "far right"});
   std::vector<scenes::Light> lights;
@@ -78,7 +78,7 @@ TEST(LightChoice, isMadePerObject) {
 }
 
 // Seven of nine lights reach; each of the five that are left over is dropped by the object it is left over at.
-TEST(LightUse, droppedAreThoseBeyondFourThatReach) {
+TEST(LightUse, DroppedAreThoseBeyondFourThatReach) {
   scenes::Scene scene = tests::makeQuadScene();
   scene.instances.push_back({0, tests::translation(100, 0, 0), "far right"});
   std::vector<scenes::Light> lights(7, makeLight(scenes::LightKind::point, 10));
@@ -108,7 +108,7 @@ TEST(LightUse, droppedAreThoseBeyondFourThatReach) {
 }
 
 // The same rule as the shaders' slots: who is in an object's four is not dropped by it, whoever else is asked about.
-TEST(LightUse, agreesWithWhatEachObjectIsGiven) {
+TEST(LightUse, AgreesWithWhatEachObjectIsGiven) {
   scenes::Scene scene = tests::makeQuadScene();
   for (int i = 1; i < 5; ++i)
     scene.instances.push_back({0, tests::translation(static_cast<float>(3 * i), 0, 0), "one of a row"});
@@ -133,7 +133,7 @@ TEST(LightUse, agreesWithWhatEachObjectIsGiven) {
   }
 }
 
-TEST(LightUse, allSunsButOneAreDroppedAndBakedLightsWithoutException) {
+TEST(LightUse, AllSunsButOneAreDroppedAndBakedLightsWithoutException) {
   using enum scenes::LightKind;
   const scenes::Scene scene = tests::makeQuadScene();
   const std::vector<scenes::Light> lights = {makeLight(directional, 2), makeLight(directional, 3), makeLight(point, 5),
@@ -153,7 +153,7 @@ TEST(LightUse, allSunsButOneAreDroppedAndBakedLightsWithoutException) {
 }
 
 // Within an object's sphere the rank is that of the light itself: it would outweigh all that other objects lack.
-TEST(LightUse, theEffectOfALightWithinAnObjectIsBounded) {
+TEST(LightUse, TheEffectOfALightWithinAnObjectIsBounded) {
   const scenes::Scene scene = tests::makeQuadScene();
   std::vector<scenes::Light> lights(2, makeLight(scenes::LightKind::point, 3, {0, 0, 0.2f}));
   lights[1].range = 0.3f; // fades before it lights all of the object
@@ -162,7 +162,7 @@ TEST(LightUse, theEffectOfALightWithinAnObjectIsBounded) {
     EXPECT_NEAR(use.effect, 3 / 0.5 * 5, 1e-3); // half the radius of sqrt(2), squared
 }
 
-TEST(LightUse, nothingCanBeDroppedOfFewLights) {
+TEST(LightUse, NothingCanBeDroppedOfFewLights) {
   using enum scenes::LightKind;
   std::vector<scenes::Light> lights(4, makeLight(point, 5));
   lights.push_back(makeLight(directional, 1));
@@ -175,7 +175,7 @@ TEST(LightUse, nothingCanBeDroppedOfFewLights) {
   EXPECT_TRUE(mayDropLights(lights, true));
 }
 
-TEST(Presets, theReflectionIsScaledByWhatTheCubeIs) {
+TEST(Presets, TheReflectionIsScaledByWhatTheCubeIs) {
   using enum CaptureScale;
   EXPECT_EQ(captureScaleOf(presetByName("ue4-2020"), true), mixing);
   EXPECT_EQ(captureScaleOf(presetByName("ue4-2020"), false), sky);
@@ -186,7 +186,7 @@ TEST(Presets, theReflectionIsScaledByWhatTheCubeIs) {
   EXPECT_EQ(captureScaleNames()[static_cast<std::size_t>(mixing)], "mixing");
 }
 
-TEST(Presets, areFoundByNameAndUnknownOnesNameTheKnown) {
+TEST(Presets, AreFoundByNameAndUnknownOnesNameTheKnown) {
   for (const std::string& name : presetNames()) EXPECT_EQ(presetByName(name).preset, name);
   EXPECT_EQ(presetByName("karis2014").environmentBrdf, EnvironmentBrdf::karis2014);
   EXPECT_EQ(presetByName("ue4-2020").roughnessFloor, 0.015625f);

@@ -47,7 +47,7 @@ protected:
       highend::makeEnvBrdfLut(highend::GeometryTerm::heightCorrelated, highend::FresnelCurve::schlick, 32);
 };
 
-TEST_F(LightScalesTest, skyLightColorScalesTheSkysLightAndNoOther) {
+TEST_F(LightScalesTest, SkyLightColorScalesTheSkysLightAndNoOther) {
   scenes::Scene scene = makeHalfMetal();
   scene.materials[0].emissive = {1, 1, 1};
   const auto lights = makeLights(1, 1);
@@ -67,7 +67,7 @@ TEST_F(LightScalesTest, skyLightColorScalesTheSkysLightAndNoOther) {
 }
 
 // In every preset, and by any of the scales of the capture: grey, coloured, black.
-TEST_F(LightScalesTest, skyLightColorReachesTheReflectionOfEveryPreset) {
+TEST_F(LightScalesTest, SkyLightColorReachesTheReflectionOfEveryPreset) {
   for (const char* preset : {"karis2014", "ue4-2020", "refit"})
     for (const glm::vec3 color : {glm::vec3(0.25f), glm::vec3(0.5f, 2, 0), glm::vec3(0)}) {
       scenes::Scene scene = makeHalfMetal();
@@ -79,7 +79,7 @@ TEST_F(LightScalesTest, skyLightColorReachesTheReflectionOfEveryPreset) {
     }
 }
 
-TEST_F(LightScalesTest, specularScaleOfALightScalesItsSpecularLightAlone) {
+TEST_F(LightScalesTest, SpecularScaleOfALightScalesItsSpecularLightAlone) {
   const scenes::Scene scene = makeHalfMetal();
   const auto check = [](const ShadedPoint& plain, const ShadedPoint& scaled) {
     EXPECT_GT(plain[Term::sunSpecular].x, 0);
@@ -95,7 +95,7 @@ TEST_F(LightScalesTest, specularScaleOfALightScalesItsSpecularLightAlone) {
 }
 
 // The same glass by both ways of blending: mobile's own (premultiplied), and its opaque twin blended by the CPU.
-TEST_F(LightScalesTest, premultipliedGlassIsThePictureThatBlendingAfterwardsGives) {
+TEST_F(LightScalesTest, PremultipliedGlassIsThePictureThatBlendingAfterwardsGives) {
   constexpr float kOpacity = 0.3f;
   scenes::Scene glass = makeHalfMetal();
   glass.materials[0].emissive = {1, 2, 3};
@@ -139,7 +139,7 @@ TEST_F(LightScalesTest, premultipliedGlassIsThePictureThatBlendingAfterwardsGive
   }
 }
 
-TEST_F(LightScalesTest, mobileMarksItsColourAsPremultipliedAndHighendDoesNot) {
+TEST_F(LightScalesTest, MobileMarksItsColourAsPremultipliedAndHighendDoesNot) {
   const scenes::Scene scene = tests::makeQuadScene();
   const gpu::SceneBuffers buffers(device(), scene);
   const gpu::SurfacePass pass(device(), buffers, 4, 4);

@@ -77,7 +77,7 @@ protected:
   }
 };
 
-TEST_F(OcclusionTest, highendTakesItFromTheEnvironmentDiffuseAndSpecular) {
+TEST_F(OcclusionTest, HighendTakesItFromTheEnvironmentDiffuseAndSpecular) {
   const ShadedPixel occluded = shadeHighend(true), open = shadeHighend(false);
   const glm::vec3 diffuse = kSky * kOccludedBase * (1 - kOccludedMetallic),
                   specular = kSky * (specularColor() * kA + kB);
@@ -90,7 +90,7 @@ TEST_F(OcclusionTest, highendTakesItFromTheEnvironmentDiffuseAndSpecular) {
 
 // Seed 002: Color *= MaterialAO before the lights are added; the sky light times MaterialAO; IndirectIrradiance *=
 // MaterialAO, which the reflection reads where a weight scales it.
-TEST_F(OcclusionTest, mobileTakesItFromTheSkyLightAndFromTheReflectionAsItsScaleSays) {
+TEST_F(OcclusionTest, MobileTakesItFromTheSkyLightAndFromTheReflectionAsItsScaleSays) {
   struct Case {
     const char* preset;
     CaptureScale scale;
@@ -126,7 +126,7 @@ TEST_F(OcclusionTest, mobileTakesItFromTheSkyLightAndFromTheReflectionAsItsScale
     }
 }
 
-TEST_F(OcclusionTest, bothTakeItFromTheLightmapAndMobileFromTheMixingWeight) {
+TEST_F(OcclusionTest, BothTakeItFromTheLightmapAndMobileFromTheMixingWeight) {
   const scenes::LightmapUvs uvs = tests::wholePage();
   const auto texelOf = [](std::uint32_t, bool lower, auto...) { return lower ? glm::vec4(0.5f) : glm::vec4(0.6f); };
   const tests::HostPages floats = tests::makeLightmapPages(vk::Format::eR16G16B16A16Sfloat, 4, 1, texelOf),

@@ -57,7 +57,7 @@ glm::dvec3 toGlm(const f64::real3& v) { return {v.x, v.y, v.z}; }
 f64::real3 fromGlm(const glm::dvec3& v) { return f64::real3(v.x, v.y, v.z); }
 
 // Its own textures make the picture, whatever the scene's hold.
-TEST_F(MobileTest, readsTheTexturesThatItIsGiven) {
+TEST_F(MobileTest, ReadsTheTexturesThatItIsGiven) {
   const auto makeTextured = [](std::uint8_t value) {
     scenes::Scene scene = makeLeaningQuad(0.4f);
     scene.images.push_back({"paint", base::Image8(8, 8, 4, value)});
@@ -77,7 +77,7 @@ TEST_F(MobileTest, readsTheTexturesThatItIsGiven) {
   EXPECT_NE(color, shade(white, lit, kUe42020).color);
 }
 
-TEST_F(MobileTest, sunOfKaris2014IsEnvBrdfTimesDApproxAroundTheReflection) {
+TEST_F(MobileTest, SunOfKaris2014IsEnvBrdfTimesDApproxAroundTheReflection) {
   const glm::vec3 lux(4, 3, 2), towards = glm::normalize(glm::vec3(0.9f, 0.2f, 0.9f));
   for (const float roughness : {0.2f, 0.5f, 1.f}) {
     const scenes::Scene scene = makeMetal(0.4f, roughness);
@@ -94,7 +94,7 @@ TEST_F(MobileTest, sunOfKaris2014IsEnvBrdfTimesDApproxAroundTheReflection) {
   }
 }
 
-TEST_F(MobileTest, sunByPhongApproxIsFiniteWhereTheArticlesLobeIsNot) {
+TEST_F(MobileTest, SunByPhongApproxIsFiniteWhereTheArticlesLobeIsNot) {
   const glm::vec3 mirror = glm::normalize(glm::vec3(std::sin(0.8f), 0, std::cos(0.8f)));
   Options options = kKaris2014;
   options.directLobe = DirectLobe::phongApprox;
@@ -115,7 +115,7 @@ TEST_F(MobileTest, sunByPhongApproxIsFiniteWhereTheArticlesLobeIsNot) {
   }
 }
 
-TEST_F(MobileTest, sunOfUe4IsEnvBrdfTimesCalcSpecularAroundTheHalfVector) {
+TEST_F(MobileTest, SunOfUe4IsEnvBrdfTimesCalcSpecularAroundTheHalfVector) {
   const glm::vec3 lux(4, 3, 2), towards = glm::normalize(glm::vec3(0.5f, 0.3f, 0.9f));
   for (const float roughness : {0.3f, 0.6f, 1.f}) {
     const scenes::Scene scene = makeMetal(0.4f, roughness);
@@ -130,7 +130,7 @@ TEST_F(MobileTest, sunOfUe4IsEnvBrdfTimesCalcSpecularAroundTheHalfVector) {
   }
 }
 
-TEST_F(MobileTest, skyIsOneFetchTimesEnvBrdf) {
+TEST_F(MobileTest, SkyIsOneFetchTimesEnvBrdf) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1.5f);
   const scenes::Scene scene = makeMetal(0.6f, 0.35f);
   const double NoV = std::cos(0.6f);
@@ -145,7 +145,7 @@ TEST_F(MobileTest, skyIsOneFetchTimesEnvBrdf) {
                     "diffuse");
 }
 
-TEST_F(MobileTest, skyIsFetchedAroundTheReflection) {
+TEST_F(MobileTest, SkyIsFetchedAroundTheReflection) {
   const gpu::EnvironmentMaps environment = tests::makeRedTowardsX(device());
   // Leaning by 45 degrees towards +X, the quad reflects +X; upright it reflects +Z.
   EXPECT_GT(shade(makeMetal(0.7853982f, 0.5f), {.environment = &environment}, kUe42020)[Term::skySpecular].x, 0.2f);
@@ -154,7 +154,7 @@ TEST_F(MobileTest, skyIsFetchedAroundTheReflection) {
 
 // A black cube under a sky of 1: what is left of the reflection is the wide part of the lobe, and what scatters more
 // than once.
-TEST_F(MobileTest, refitTakesTheWidePartOfTheLobeFromTheIrradiance) {
+TEST_F(MobileTest, RefitTakesTheWidePartOfTheLobeFromTheIrradiance) {
   gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0);
   environment.tintedSky[0] = glm::vec4(1);
   for (const float metallic : {1.f, 0.f})
@@ -171,7 +171,7 @@ TEST_F(MobileTest, refitTakesTheWidePartOfTheLobeFromTheIrradiance) {
     }
 }
 
-TEST_F(MobileTest, nonmetalUsesItsOwnFunction) {
+TEST_F(MobileTest, NonmetalUsesItsOwnFunction) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
   scenes::Scene scene = makeLeaningQuad(1.2f);
   scene.materials[0].metallic = 0;
@@ -187,7 +187,7 @@ TEST_F(MobileTest, nonmetalUsesItsOwnFunction) {
   EXPECT_NEAR(shade(scene, {.environment = &environment}, kUe42020)[Term::skySpecular].x, general, 5e-6);
 }
 
-TEST_F(MobileTest, fullyRoughMovesSpecularIntoDiffuseAndFetchesNoEnvironment) {
+TEST_F(MobileTest, FullyRoughMovesSpecularIntoDiffuseAndFetchesNoEnvironment) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
   for (const Options& preset : {kKaris2014, kUe42020}) {
     scenes::Scene scene = makeMetal(0.4f, 0.2f);
@@ -202,7 +202,7 @@ TEST_F(MobileTest, fullyRoughMovesSpecularIntoDiffuseAndFetchesNoEnvironment) {
   }
 }
 
-TEST_F(MobileTest, roughnessFloorKeepsUe4FiniteWhereKaris2014Fails) {
+TEST_F(MobileTest, RoughnessFloorKeepsUe4FiniteWhereKaris2014Fails) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 1);
   const scenes::Scene scene = makeMetal(0, 0);
   const Inputs inputs{.environment = &environment, .lights = {makeDirectional({0, 0, 1}, glm::vec3(2))}};
@@ -216,7 +216,7 @@ TEST_F(MobileTest, roughnessFloorKeepsUe4FiniteWhereKaris2014Fails) {
       << "the article prints no floor: 1/R^4 is infinite, and the picture must show it";
 }
 
-TEST_F(MobileTest, localLightsAreTheFourBrightestAndNoneWhereTheyAreBaked) {
+TEST_F(MobileTest, LocalLightsAreTheFourBrightestAndNoneWhereTheyAreBaked) {
   scenes::Scene scene = makeLeaningQuad(0);
   scene.materials[0].metallic = 0;
   std::vector<scenes::Light> lights;
@@ -227,7 +227,7 @@ TEST_F(MobileTest, localLightsAreTheFourBrightestAndNoneWhereTheyAreBaked) {
   EXPECT_EQ(shade(scene, {.lights = lights}, kKaris2014).color, glm::vec3(0)) << "baked there";
 }
 
-TEST_F(MobileTest, eachLocalLightIsClampedAt65000WithItsPartsInProportion) {
+TEST_F(MobileTest, EachLocalLightIsClampedAt65000WithItsPartsInProportion) {
   scenes::Scene scene = makeMetal(0.1f, 0.5f);
   const glm::vec3 position(0, 0, 2000);
   const ShadedPoint dim = shade(scene, {.lights = {makePoint(position, 1e6f)}}, kUe42020);
@@ -237,7 +237,7 @@ TEST_F(MobileTest, eachLocalLightIsClampedAt65000WithItsPartsInProportion) {
               dim[Term::localDiffuse].x / dim[Term::localSpecular].x, 1e-3);
 }
 
-TEST_F(MobileTest, termsAddUpToTheColourInEveryPresetAndPrecision) {
+TEST_F(MobileTest, TermsAddUpToTheColourInEveryPresetAndPrecision) {
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0.7f);
   for (const float metallic : {0.7f, 0.f}) { // refit has a shader of its own for nonmetals
     scenes::Scene scene = makeMetal(0.3f, 0.4f);
@@ -261,7 +261,7 @@ TEST_F(MobileTest, termsAddUpToTheColourInEveryPresetAndPrecision) {
 }
 
 // Half rounds: what both precisions show of a material that is not smooth differs by little.
-TEST_F(MobileTest, halfShowsWhatSingleShows) {
+TEST_F(MobileTest, HalfShowsWhatSingleShows) {
   if (!device().report().float16) GTEST_SKIP() << "no shaderFloat16";
   const gpu::EnvironmentMaps environment = tests::makeConstantEnvironment(device(), 0.7f);
   for (Options options : {kKaris2014, kUe42020, kRefit}) {
@@ -275,7 +275,7 @@ TEST_F(MobileTest, halfShowsWhatSingleShows) {
 }
 
 // A sun's scale of 1000 on a peak of half's size: beyond half before the light, within it after.
-TEST_F(MobileTest, aStrongSpecularScaleUnderADimSunStaysWhatItIs) {
+TEST_F(MobileTest, AStrongSpecularScaleUnderADimSunStaysWhatItIs) {
   if (!device().report().float16) GTEST_SKIP() << "no shaderFloat16";
   scenes::Light sun = makeDirectional({0, 0, 1}, glm::vec3(0.01f, 0, 0.01f));
   sun.specularScale = 1000;
@@ -288,7 +288,7 @@ TEST_F(MobileTest, aStrongSpecularScaleUnderADimSunStaysWhatItIs) {
 }
 
 // What the path shows of two tilts in turn is a smooth surface of the widened roughness (tests/highend has the same).
-TEST_F(MobileTest, specularAaWidensTheRoughnessThatThePathSees) {
+TEST_F(MobileTest, SpecularAaWidensTheRoughnessThatThePathSees) {
   scenes::Scene checker = tests::makeQuadScene(), smooth = checker;
   checker.images = {tests::makeChecker(256)};
   checker.materials[0].normalTexture.image = 0;
@@ -309,7 +309,7 @@ TEST_F(MobileTest, specularAaWidensTheRoughnessThatThePathSees) {
   }
 }
 
-TEST_F(MobileTest, rendererSaysWhatItLeavesOut) {
+TEST_F(MobileTest, RendererSaysWhatItLeavesOut) {
   const scenes::Scene scene = makeMetal(0, 0.5f);
   const gpu::SceneBuffers buffers(device(), scene);
   const gpu::SurfacePass pass(device(), buffers, 8, 8);

@@ -18,7 +18,7 @@ scenes::Material makeFull() {
   return m;
 }
 
-TEST(SamplerRule, countsTheEnvironmentWhereItIsFetched) {
+TEST(SamplerRule, CountsTheEnvironmentWhereItIsFetched) {
   scenes::Material m = makeFull();
   EXPECT_EQ(countSamplers(m, {.environment = false}), 7u);
   EXPECT_EQ(countSamplers(m, {.environment = true}), 8u);
@@ -26,7 +26,7 @@ TEST(SamplerRule, countsTheEnvironmentWhereItIsFetched) {
   EXPECT_EQ(countSamplers(m, {.environment = true}), 7u);
 }
 
-TEST(SamplerRule, countsBakedLightForAllButUnlitMaterials) {
+TEST(SamplerRule, CountsBakedLightForAllButUnlitMaterials) {
   scenes::Material m = makeFull();
   EXPECT_EQ(countSamplers(m, {.environment = true, .lightmap = true}), 9u);
   EXPECT_EQ(countSamplers(m, {.environment = true, .lightmap = true, .sunShadow = true}), 10u);
@@ -38,7 +38,7 @@ TEST(SamplerRule, countsBakedLightForAllButUnlitMaterials) {
   EXPECT_EQ(countSamplers(m, {.lightmap = true, .sunShadow = true}), 1u);
 }
 
-TEST(SamplerRule, countsAPairOfImageAndSamplerOnce) {
+TEST(SamplerRule, CountsAPairOfImageAndSamplerOnce) {
   scenes::Material m = makeFull();
   m.occlusionTexture.image = m.metallicRoughnessTexture.image; // as glTF packs them
   EXPECT_EQ(countSamplers(m, {}), 6u);
@@ -51,20 +51,20 @@ TEST(SamplerRule, countsAPairOfImageAndSamplerOnce) {
   EXPECT_EQ(countSamplers(m, {}), 5u);
 }
 
-TEST(SamplerRule, aNormalMapWithItsSpreadIsAViewOfItsOwn) {
+TEST(SamplerRule, ANormalMapWithItsSpreadIsAViewOfItsOwn) {
   scenes::Material m = makeFull();
   m.normalTexture.image = m.occlusionTexture.image;
   EXPECT_EQ(countSamplers(m, {.normalVariance = false}), 6u);
   EXPECT_EQ(countSamplers(m, {.normalVariance = true}), 7u);
 }
 
-TEST(SamplerRule, anUnlitMaterialReadsItsColourAlone) {
+TEST(SamplerRule, AnUnlitMaterialReadsItsColourAlone) {
   scenes::Material m = makeFull();
   m.unlit = true;
   EXPECT_EQ(countSamplers(m, {.environment = true}), 1u);
 }
 
-TEST(SamplerRule, saysWhichMaterialExceedsTheLimit) {
+TEST(SamplerRule, SaysWhichMaterialExceedsTheLimit) {
   const SamplerInputs inputs{.environment = true};
   EXPECT_EQ(describeExcess(makeFull(), inputs), "") << "8 are allowed";
   EXPECT_EQ(describeExcess(scenes::Material{}, inputs, 7), "");

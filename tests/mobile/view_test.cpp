@@ -42,7 +42,7 @@ protected:
   static std::uint32_t numberOf(const std::string& name) { return paths::placeOf(views(), name).value(); }
 };
 
-TEST(Views, haveNamesOfTheirOwnAndUnknownOnesAreNone) {
+TEST(Views, HaveNamesOfTheirOwnAndUnknownOnesAreNone) {
   std::map<std::string_view, int> count;
   for (const View& view : views()) {
     EXPECT_EQ(++count[view.name], 1) << view.name;
@@ -52,7 +52,7 @@ TEST(Views, haveNamesOfTheirOwnAndUnknownOnesAreNone) {
   EXPECT_FALSE(paths::placeOf(views(), "lit").has_value());
 }
 
-TEST_F(ViewTest, eachShowsWhatItsNameSays) {
+TEST_F(ViewTest, EachShowsWhatItsNameSays) {
   const Options options = tests::inFp32("ue4-2020");
   const double NoV = std::cos(kAngle), c = 0.25;
   const glm::dvec3 base(0.9, 0.6, 0.3), F0 = 0.04 * c + kMetallic * base;

@@ -48,7 +48,7 @@ protected:
                                          {{0, 0, 1, 5}, glm::vec4(-99, -99, -99, 1), glm::vec4(99)}};
 };
 
-TEST_F(CaptureUploadTest, theHighEndPathReadsTheLevelsOfTheCaptureThatReachesAPoint) {
+TEST_F(CaptureUploadTest, TheHighEndPathReadsTheLevelsOfTheCaptureThatReachesAPoint) {
   const gpu::EnvironmentMaps maps = highend::uploadCaptures(device(), m_pointers, m_sky);
   EXPECT_EQ(maps.cube.shape().arraySize, 3u * shading::f32::kPrefilterLayers);
   const gpu::BakedMaps baked = gpu::makeBakedMaps(device(), {.captures = m_captures});
@@ -74,7 +74,7 @@ TEST_F(CaptureUploadTest, theHighEndPathReadsTheLevelsOfTheCaptureThatReachesAPo
   tests::expectNear(pixels[0][Term::skyDiffuse], {0.5f, 1, 2}, 1e-5f, "irradiance of the sky");
 }
 
-TEST_F(CaptureUploadTest, theMobilePathReadsTheCaptureOfTheObjectInEveryEncoding) {
+TEST_F(CaptureUploadTest, TheMobilePathReadsTheCaptureOfTheObjectInEveryEncoding) {
   const gpu::BakedMaps baked = gpu::makeBakedMaps(device(), {.captures = m_captures});
   const scenes::LightmapUvs uvs{{}, {{.page = -1, .capture = 1}}};
   using enum mobile::CaptureEncoding;
@@ -92,7 +92,7 @@ TEST_F(CaptureUploadTest, theMobilePathReadsTheCaptureOfTheObjectInEveryEncoding
   }
 }
 
-TEST_F(CaptureUploadTest, theMobilePathHasTheSkysIrradianceInItsOwnForm) {
+TEST_F(CaptureUploadTest, TheMobilePathHasTheSkysIrradianceInItsOwnForm) {
   lighting::EnvironmentLight sky = m_sky;
   for (std::size_t i = 0; i < 9; ++i) sky.irradianceSh[i] = glm::vec3(i == 0 ? 9.f : 0.3f * static_cast<float>(i));
   const gpu::EnvironmentMaps maps =

@@ -16,7 +16,7 @@ namespace parity::reference {
 namespace {
 
 // Between the table's nodes. Observed: 1.5e-5 at worst; the average 5.3e-6.
-TEST(DirectionalAlbedo, isTheIntegralToFourDigitsForBothGeometryTerms) {
+TEST(DirectionalAlbedo, IsTheIntegralToFourDigitsForBothGeometryTerms) {
   for (const GeometryTerm term : {GeometryTerm::heightCorrelated, GeometryTerm::schlickSmith}) {
     const DirectionalAlbedo table(term);
     const auto geometry =
@@ -41,7 +41,7 @@ TEST(DirectionalAlbedo, isTheIntegralToFourDigitsForBothGeometryTerms) {
 
 // The mean of Fresnel's weight, by Schlick's curve the share B of the environment BRDF. Observed: 1e-5 at worst, but
 // 1e-4 at mu = 0.003 of a smooth surface.
-TEST(DirectionalAlbedo, weighsFresnelsCurvesAsTheIntegralDoes) {
+TEST(DirectionalAlbedo, WeighsFresnelsCurvesAsTheIntegralDoes) {
   using Choice = std::pair<GeometryTerm, FresnelCurve>;
   for (const auto& [term, curve] : {Choice(GeometryTerm::heightCorrelated, FresnelCurve::schlick),
                                     Choice(GeometryTerm::heightCorrelated, FresnelCurve::dielectric),
@@ -70,14 +70,14 @@ TEST(DirectionalAlbedo, weighsFresnelsCurvesAsTheIntegralDoes) {
 
 // alpha = 1: D = 1/pi, and height-correlated V = 1/2 / (NoL + NoV), so E = integral of l / (l + mu) dl = 1 - mu ln(1 +
 // 1/mu). Schlick-Smith has the same V at mu = 1: docs/shading.md 1a's 1 - ln 2.
-TEST(DirectionalAlbedo, atRoughnessOneHasItsClosedForm) {
+TEST(DirectionalAlbedo, AtRoughnessOneHasItsClosedForm) {
   const AlbedoRow row = DirectionalAlbedo(GeometryTerm::heightCorrelated).row(1);
   for (const double mu : {0.01, 0.05, 0.2, 0.4, 0.8, 1.0})
     EXPECT_NEAR(row.at(mu), 1 - mu * std::log1p(1 / mu), 2e-6) << mu;
   EXPECT_NEAR(DirectionalAlbedo(GeometryTerm::schlickSmith).row(1).at(1), 1 - std::log(2.0), 1e-7);
 }
 
-TEST(DirectionalAlbedo, isTheSameAfterTheCache) {
+TEST(DirectionalAlbedo, IsTheSameAfterTheCache) {
   const DirectionalAlbedo table(GeometryTerm::schlickSmith);
   const std::vector<std::byte> bytes = table.toBytes();
   const auto kept = DirectionalAlbedo::fromBytes(bytes);
@@ -90,7 +90,7 @@ TEST(DirectionalAlbedo, isTheSameAfterTheCache) {
   EXPECT_FALSE(DirectionalAlbedo::fromBytes(std::span(bytes).first(bytes.size() - 1)).has_value());
 }
 
-TEST(DirectionalAlbedo, neverExceedsOne) {
+TEST(DirectionalAlbedo, NeverExceedsOne) {
   const DirectionalAlbedo table(GeometryTerm::heightCorrelated);
   for (int r = 0; r <= 200; ++r) {
     const AlbedoRow row = table.row(r / 200.0);
@@ -105,7 +105,7 @@ TEST(DirectionalAlbedo, neverExceedsOne) {
 
 // What multiple scattering adds to a coloured metal: bounce after bounce, with Fresnel's mean by quadrature instead of
 // its closed form.
-TEST(Lobes, multipleScatteringIsTheSumOfItsBounces) {
+TEST(Lobes, MultipleScatteringIsTheSumOfItsBounces) {
   const DirectionalAlbedo table(GeometryTerm::heightCorrelated);
   SurfaceSample sample;
   sample.baseColor = {0.2f, 0.5f, 0.9f};

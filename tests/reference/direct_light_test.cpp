@@ -21,7 +21,7 @@ scenes::Light makeSun(const glm::vec3& towards, const glm::vec3& lux) {
   return light;
 }
 
-TEST(DirectLight, sunIsTheClosedFormForBothGeometryTerms) {
+TEST(DirectLight, SunIsTheClosedFormForBothGeometryTerms) {
   const scenes::Light sun = makeSun({0.3f, 0.8f, 0.4f}, {3, 2, 1});
   for (const GeometryTerm term : {GeometryTerm::heightCorrelated, GeometryTerm::schlickSmith})
     for (const float roughness : {0.1f, 0.5f, 1.f}) {
@@ -49,7 +49,7 @@ TEST(DirectLight, sunIsTheClosedFormForBothGeometryTerms) {
     }
 }
 
-TEST(DirectLight, specularScaleOfALightIsOfItsSpecularLightAlone) {
+TEST(DirectLight, SpecularScaleOfALightIsOfItsSpecularLightAlone) {
   scenes::Light sun = makeSun({0.3f, 0.8f, 0.4f}, {3, 2, 1}), lamp;
   lamp.position = {0.4f, 1, 0.3f};
   const SurfaceSample sample = tests::makePoint(0.6, 0.5f, 0.25f);
@@ -67,7 +67,7 @@ TEST(DirectLight, specularScaleOfALightIsOfItsSpecularLightAlone) {
 }
 
 // What Kulla and Conty add, with the albedos by quadrature instead of the table; at F0 = 1 Fms is 1.
-TEST(DirectLight, multipleScatteringAddsKullaAndContysLobe) {
+TEST(DirectLight, MultipleScatteringAddsKullaAndContysLobe) {
   const DirectionalAlbedo table(GeometryTerm::heightCorrelated);
   const scenes::Light sun = makeSun({-0.5f, 0.7f, 0.2f}, glm::vec3(pi));
   for (const float roughness : {0.4f, 0.8f}) {
@@ -89,7 +89,7 @@ TEST(DirectLight, multipleScatteringAddsKullaAndContysLobe) {
   }
 }
 
-TEST(DirectLight, pointAndSpotFollowKhrLightsPunctual) {
+TEST(DirectLight, PointAndSpotFollowKhrLightsPunctual) {
   SurfaceSample sample = tests::makePoint(1, 0.5f, 0);
   scenes::Light light;
   light.position = {0, 2, 0};
@@ -110,7 +110,7 @@ TEST(DirectLight, pointAndSpotFollowKhrLightsPunctual) {
   EXPECT_NEAR(spot.x / point.x, x * x, 1e-6);
 }
 
-TEST(DirectLight, fadesAsTheLightSays) {
+TEST(DirectLight, FadesAsTheLightSays) {
   const SurfaceSample sample = tests::makePoint(1, 0.5f, 0);
   scenes::Light light;
   light.position = {0, 2, 0};
@@ -125,7 +125,7 @@ TEST(DirectLight, fadesAsTheLightSays) {
               1e-12);
 }
 
-TEST(DirectLight, fromBehindIsDarkAndAtTheLightFinite) {
+TEST(DirectLight, FromBehindIsDarkAndAtTheLightFinite) {
   SurfaceSample sample = tests::makePoint(0.5, 0, 1);
   EXPECT_EQ(shadeDirect(sample, {makeSun({0, -1, 0}, glm::vec3(5))}, tests::plainModel(), nullptr).sunSpecular,
             glm::dvec3(0));

@@ -18,7 +18,7 @@ namespace {
 using std::numbers::pi;
 using tests::cellDirection;
 
-TEST(EnvironmentSampler, densityIntegratesToOneAndFollowsLuminance) {
+TEST(EnvironmentSampler, DensityIntegratesToOneAndFollowsLuminance) {
   const EnvironmentSampler sampler(tests::makeSunnyPanorama());
   double total = 0, light = 0;
   for (int y = 0; y < tests::kPanoramaHeight; ++y) {
@@ -37,7 +37,7 @@ TEST(EnvironmentSampler, densityIntegratesToOneAndFollowsLuminance) {
 
 // What sample() returns is what evaluate() says of its direction, and blocks of 32 x 32 cells are met as often as the
 // density says: chi^2 within 5 sigma.
-TEST(EnvironmentSampler, samplesFollowTheDensityThatTheyCarry) {
+TEST(EnvironmentSampler, SamplesFollowTheDensityThatTheyCarry) {
   scenes::Environment environment = tests::makeSunnyPanorama();
   environment.rotationDeg = 37;
   const EnvironmentSampler sampler(environment);
@@ -74,7 +74,7 @@ TEST(EnvironmentSampler, samplesFollowTheDensityThatTheyCarry) {
   EXPECT_LT(std::abs(chi2 - cells), 5 * std::sqrt(2.0 * cells)) << cells;
 }
 
-TEST(EnvironmentSampler, turnsThePanoramaAsGlmRotateDoes) {
+TEST(EnvironmentSampler, TurnsThePanoramaAsGlmRotateDoes) {
   // Red towards +Z; turned by 90 degrees about +Y it is seen towards +X.
   scenes::Environment environment =
       tests::makePanorama([](const glm::dvec3& d) { return glm::vec3(d.z > 0.9 ? 1 : 0, 0, 1); });
@@ -86,7 +86,7 @@ TEST(EnvironmentSampler, turnsThePanoramaAsGlmRotateDoes) {
   EXPECT_EQ(sampler.evaluate(glm::dvec3(0, 0, 1)).radiance.x, 0);
 }
 
-TEST(EnvironmentSampler, smallPanoramaIsInterpolatedAndKeepsItsConstant) {
+TEST(EnvironmentSampler, SmallPanoramaIsInterpolatedAndKeepsItsConstant) {
   scenes::Environment environment;
   environment.radiance = base::Image(2, 1, 3, 0.75f);
   const EnvironmentSampler sampler(environment);
@@ -95,7 +95,7 @@ TEST(EnvironmentSampler, smallPanoramaIsInterpolatedAndKeepsItsConstant) {
   EXPECT_NEAR(sampler.evaluate(glm::dvec3(0, 0, 1)).pdf, 1 / (4 * pi), 1e-6);
 }
 
-TEST(EnvironmentSampler, blackIsToldAndWhatIsNotFiniteRefused) {
+TEST(EnvironmentSampler, BlackIsToldAndWhatIsNotFiniteRefused) {
   scenes::Environment environment;
   environment.radiance = base::Image(8, 4, 3, 0.f);
   EXPECT_TRUE(EnvironmentSampler(environment).isBlack());

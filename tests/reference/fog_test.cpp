@@ -15,19 +15,19 @@ scenes::Camera makeCamera(bool orthographic) {
   return camera;
 }
 
-TEST(FogBetween, eyeAndPlaceLiesTheirDistanceOfIt) {
+TEST(FogBetween, EyeAndPlaceLiesTheirDistanceOfIt) {
   const FogBetween fog = fogBetween(kFog, makeCamera(false), {1 + 3, 2, 3 - 4});
   EXPECT_NEAR(fog.transmittance, std::exp(-0.1 * (5 - 1)), 1e-7);
   EXPECT_NEAR(fog.inscattered.z, 4 * (1 - fog.transmittance), 1e-12);
   EXPECT_EQ(fogBetween(kFog, makeCamera(false), {1e4, 0, 0}).transmittance, 0.25);
 }
 
-TEST(FogBetween, orthographicPlaneAndPlaceLiesTheirDepthOfIt) {
+TEST(FogBetween, OrthographicPlaneAndPlaceLiesTheirDepthOfIt) {
   EXPECT_NEAR(fogBetween(kFog, makeCamera(true), {100, -50, 3 - 4}).transmittance, std::exp(-0.1 * (4 - 1)), 1e-7);
   EXPECT_EQ(fogBetween(kFog, makeCamera(true), {100, -50, 10}).transmittance, 1) << "behind the plane";
 }
 
-TEST(SeenThrough, termsAndErrorKeepTheirShareOfTheLight) {
+TEST(SeenThrough, TermsAndErrorKeepTheirShareOfTheLight) {
   ShadedSample point;
   point.terms[0] = {1, 2, 3};
   point.terms[5] = {3, 2, 1};

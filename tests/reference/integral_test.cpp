@@ -25,7 +25,7 @@ protected:
   }
 };
 
-TEST_F(IntegralTest, whiteMetalInAWhiteFurnaceIsWhiteToFourDigits) {
+TEST_F(IntegralTest, WhiteMetalInAWhiteFurnaceIsWhiteToFourDigits) {
   for (const GeometryTerm term : {GeometryTerm::heightCorrelated, GeometryTerm::schlickSmith})
     for (const float roughness : {0.f, 0.02f, 0.1f, 0.25f, 0.5f, 0.75f, 1.f})
       for (const double NoV : {0.05, 0.4, 1.0}) {
@@ -40,7 +40,7 @@ TEST_F(IntegralTest, whiteMetalInAWhiteFurnaceIsWhiteToFourDigits) {
 }
 
 // Diffuse light is what the specular lobe leaves: a white dielectric sends out all that it receives, and no more.
-TEST_F(IntegralTest, whiteDielectricInAWhiteFurnaceIsWhite) {
+TEST_F(IntegralTest, WhiteDielectricInAWhiteFurnaceIsWhite) {
   for (const FresnelCurve curve : {FresnelCurve::schlick, FresnelCurve::dielectric}) {
     const Model model{.surface = {.fresnel = curve}};
     const DirectionalAlbedo table(model.surface.geometryTerm, curve);
@@ -58,7 +58,7 @@ TEST_F(IntegralTest, whiteDielectricInAWhiteFurnaceIsWhite) {
 }
 
 // Without it, what is lost is 1 - E: height-correlated at roughness 1, E(1) = 1 - ln 2.
-TEST_F(IntegralTest, singleScatteringLosesWhatTheAlbedoSays) {
+TEST_F(IntegralTest, SingleScatteringLosesWhatTheAlbedoSays) {
   const SurfaceSample sample = tests::makePoint(1, 1, 1);
   const Lobes lobes(sample, tests::plainModel(), 1, nullptr);
   const Integral result = integrateEnvironment(sample, lobes, white(), glm::dvec3(0), fixed(1 << 16));
@@ -66,7 +66,7 @@ TEST_F(IntegralTest, singleScatteringLosesWhatTheAlbedoSays) {
 }
 
 // N = +Y, radiance 1 + y: irradiance / pi = 1 + 2/3. Cells of half a degree leave 1e-5.
-TEST_F(IntegralTest, diffuseUnderAConstantAndACosineIsTheClosedForm) {
+TEST_F(IntegralTest, DiffuseUnderAConstantAndACosineIsTheClosedForm) {
   SurfaceSample sample = tests::makePoint(0.7, 0.5f, 0);
   sample.baseColor = {0.8f, 0.5f, 0.25f};
   const Lobes lobes(sample, tests::plainModel(), 0.5, nullptr);
@@ -79,7 +79,7 @@ TEST_F(IntegralTest, diffuseUnderAConstantAndACosineIsTheClosedForm) {
   }
 }
 
-TEST_F(IntegralTest, mirrorShowsTheEnvironmentTimesFresnel) {
+TEST_F(IntegralTest, MirrorShowsTheEnvironmentTimesFresnel) {
   const EnvironmentSampler sky(tests::makeSunnyPanorama());
   for (const double NoV : {0.2, 0.9}) {
     SurfaceSample sample = tests::makePoint(NoV, 0, 1);
@@ -101,7 +101,7 @@ TEST_F(IntegralTest, mirrorShowsTheEnvironmentTimesFresnel) {
   }
 }
 
-TEST_F(IntegralTest, stopsAtTheWantedErrorAndSaysWhatItReached) {
+TEST_F(IntegralTest, StopsAtTheWantedErrorAndSaysWhatItReached) {
   const EnvironmentSampler sky(tests::makeSunnyPanorama());
   const SurfaceSample sample = tests::makePoint(0.6, 0.4f, 0);
   const Lobes lobes(sample, tests::plainModel(), 0.4, nullptr);
@@ -121,7 +121,7 @@ TEST_F(IntegralTest, stopsAtTheWantedErrorAndSaysWhatItReached) {
   EXPECT_GT(capped.standardError.x, 0);
 }
 
-TEST_F(IntegralTest, nothingOfAnyMaterialIsNanOrNegative) {
+TEST_F(IntegralTest, NothingOfAnyMaterialIsNanOrNegative) {
   scenes::Environment environment = tests::makeSunnyPanorama();
   environment.radiance.pixels[3000] = 1e30f;
   const EnvironmentSampler sky(environment);
@@ -151,7 +151,7 @@ TEST_F(IntegralTest, nothingOfAnyMaterialIsNanOrNegative) {
   }
 }
 
-TEST_F(IntegralTest, doesNotDependOnThreadsOrNeighbours) {
+TEST_F(IntegralTest, DoesNotDependOnThreadsOrNeighbours) {
   const EnvironmentSampler sky(tests::makeSunnyPanorama());
   std::vector<SurfaceSample> samples;
   for (std::uint32_t i = 0; i < 100; ++i) {
@@ -175,7 +175,7 @@ TEST_F(IntegralTest, doesNotDependOnThreadsOrNeighbours) {
   EXPECT_TRUE(same(alone[0], all[57]));
 }
 
-TEST_F(IntegralTest, occlusionDimsTheSkyAloneAndUnlitShowsItsColour) {
+TEST_F(IntegralTest, OcclusionDimsTheSkyAloneAndUnlitShowsItsColour) {
   SurfaceSample sample = tests::makePoint(0.8, 0.6f, 0), dimmed = sample, unlit = sample;
   dimmed.occlusion = 0.25f;
   unlit.unlit = 1;

@@ -69,7 +69,7 @@ ShadedSample shadeOne(const SurfaceSample& sample, const Inputs& inputs, const O
 }
 
 // In a closed box of albedo rho and emitted radiance 1 every direction shows the same: sum of rho^k, k = 0 .. N.
-TEST(Interreflection, closedBoxOfGlowingWallsIsAGeometricSeries) {
+TEST(Interreflection, ClosedBoxOfGlowingWallsIsAGeometricSeries) {
   for (const float albedo : {0.2f, 0.8f}) {
     scenes::Scene scene;
     addObject(scene, tests::insideOfBox(1), lambert("walls", albedo, 1));
@@ -86,7 +86,7 @@ TEST(Interreflection, closedBoxOfGlowingWallsIsAGeometricSeries) {
 }
 
 // The same of all materials that lose nothing, whatever their lobes: 1 + N.
-TEST(Interreflection, closedBoxOfWhiteSurfacesKeepsAllItsLight) {
+TEST(Interreflection, ClosedBoxOfWhiteSurfacesKeepsAllItsLight) {
   const Model model; // balanced, with light between microfacets
   const DirectionalAlbedo albedo(model.surface.geometryTerm, model.surface.fresnel);
   for (const float metallic : {0.f, 1.f})
@@ -115,7 +115,7 @@ TEST(Interreflection, closedBoxOfWhiteSurfacesKeepsAllItsLight) {
 
 // An integrating sphere of albedo rho with a lamp of I candela at its centre: the wall's direct irradiance is E = I /
 // R^2, and what comes by way of the wall is the same everywhere, E rho + ... + E rho^N.
-TEST(Interreflection, integratingSphereIsLitEvenlyByItsWall) {
+TEST(Interreflection, IntegratingSphereIsLitEvenlyByItsWall) {
   constexpr float kRadius = 2, kAlbedo = 0.7f, kCandela = 8;
   scenes::Scene scene;
   scenes::Material wall = lambert("wall", kAlbedo);
@@ -168,7 +168,7 @@ scenes::Scene makeStudio() {
 
 // A mirror shows, times Fresnel's reflectance, what the reference shows of the point that it mirrors with one bounce
 // less: colour by colour, light by light.
-TEST(Interreflection, mirrorShowsWhatTheReferenceShowsThere) {
+TEST(Interreflection, MirrorShowsWhatTheReferenceShowsThere) {
   scenes::Scene scene = makeStudio();
   const Rays rays(scene);
   const EnvironmentSampler sky(tests::makeSunnyPanorama());
@@ -215,7 +215,7 @@ TEST(Interreflection, mirrorShowsWhatTheReferenceShowsThere) {
 }
 
 // 5 % of the light, by three seeds: what they say of their errors is so.
-TEST(Interreflection, errorsAreAsLargeAsTheySay) {
+TEST(Interreflection, ErrorsAreAsLargeAsTheySay) {
   const scenes::Scene scene = makeStudio();
   const Rays rays(scene);
   const EnvironmentSampler sky(tests::makePanorama([](const glm::dvec3& d) { return glm::vec3(1 + d.y); }));
@@ -250,7 +250,7 @@ TEST(Interreflection, errorsAreAsLargeAsTheySay) {
   for (const ShadedSample& shaded : shade(samples, inputs, wanted)) EXPECT_LE(shaded.relativeError, 0.03f);
 }
 
-TEST(Interreflection, noBouncesAreTheShadowsAlone) {
+TEST(Interreflection, NoBouncesAreTheShadowsAlone) {
   const scenes::Scene scene = makeStudio();
   const Rays rays(scene);
   const EnvironmentSampler sky(tests::makeSunnyPanorama());
@@ -264,7 +264,7 @@ TEST(Interreflection, noBouncesAreTheShadowsAlone) {
             colorOf(shadeOne(sample, shadows, options(0, 1024))).x);
 }
 
-TEST(Interreflection, doesNotDependOnThreadsOrNeighbours) {
+TEST(Interreflection, DoesNotDependOnThreadsOrNeighbours) {
   const scenes::Scene scene = makeStudio();
   const Rays rays(scene);
   const EnvironmentSampler sky(tests::makeSunnyPanorama());
@@ -283,7 +283,7 @@ TEST(Interreflection, doesNotDependOnThreadsOrNeighbours) {
 }
 
 // The back of what has but one side is black; holes of masks are open; what is blended or unlit is not there.
-TEST(Interreflection, onlySidesAndPartsThatAreSeenSendLight) {
+TEST(Interreflection, OnlySidesAndPartsThatAreSeenSendLight) {
   const auto lightFrom = [](const std::function<void(scenes::Material&)>& change, bool turned) {
     scenes::Scene scene;
     addObject(scene, tests::square(1), lambert("floor", 0.5f));

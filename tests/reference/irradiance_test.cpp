@@ -38,7 +38,7 @@ glm::dvec3 sumOverCells(const scenes::Environment& environment, const glm::dvec3
   return sum;
 }
 
-TEST(IrradianceSums, ofAConstantIsPiAndOfAGradientItsClosedForm) {
+TEST(IrradianceSums, OfAConstantIsPiAndOfAGradientItsClosedForm) {
   const EnvironmentSampler white(tests::makeWhitePanorama());
   const EnvironmentSampler sky(tests::makePanorama([](const glm::dvec3& d) { return glm::vec3(1 + d.y); }));
   for (const glm::dvec3& v : {glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0), glm::dvec3(1, 0, 0), glm::dvec3(-1, 0, 1e-9),
@@ -52,7 +52,7 @@ TEST(IrradianceSums, ofAConstantIsPiAndOfAGradientItsClosedForm) {
 }
 
 // Any normal, and those whose horizon passes through the sun; the error is of what faces the sun.
-TEST(IrradianceSums, isTheSumOverAllCells) {
+TEST(IrradianceSums, IsTheSumOverAllCells) {
   const scenes::Environment environment = tests::makeSunnyPanorama();
   const EnvironmentSampler sky(environment);
   const glm::dvec3 sun = glm::normalize(glm::dvec3(0.4, 0.7, 0.5));
@@ -69,7 +69,7 @@ TEST(IrradianceSums, isTheSumOverAllCells) {
 }
 
 // Neighbouring cells differ a hundredfold, single ones hold up to a 400th of all light: patches are nowhere even.
-TEST(IrradianceSums, isTheSumOverCellsThatHaveNothingInCommon) {
+TEST(IrradianceSums, IsTheSumOverCellsThatHaveNothingInCommon) {
   std::uint32_t seed = 1;
   const scenes::Environment environment = tests::makePanorama([&](const glm::dvec3&) {
     glm::vec3 cell;
@@ -89,7 +89,7 @@ TEST(IrradianceSums, isTheSumOverCellsThatHaveNothingInCommon) {
   }
 }
 
-TEST(IrradianceSums, turnsWithThePanorama) {
+TEST(IrradianceSums, TurnsWithThePanorama) {
   scenes::Environment environment = tests::makeSunnyPanorama();
   const glm::dvec3 N = glm::normalize(glm::dvec3(0.8, 0.1, -0.5));
   const glm::dvec3 before = EnvironmentSampler(environment).irradiance(N);
@@ -101,7 +101,7 @@ TEST(IrradianceSums, turnsWithThePanorama) {
 }
 
 // Sizes that 2 and the blocks of prefix sums do not divide; one cell that holds all the light.
-TEST(IrradianceSums, doesNotMindOddSizesAndSingleTexels) {
+TEST(IrradianceSums, DoesNotMindOddSizesAndSingleTexels) {
   scenes::Environment environment;
   environment.radiance = base::Image(1537, 769, 3, 2.f);
   EXPECT_NEAR(EnvironmentSampler(environment).irradiance(glm::normalize(glm::dvec3(-0.9, 0.2, -0.1))).x / (2 * pi), 1,

@@ -64,7 +64,7 @@ double meanOf(const std::vector<glm::vec4>& faces, int n) {
 }
 
 // E(n) = L omega n.l: of the reference by its samples, whose density is the light's.
-TEST(OddMaps, oneBrightTexelGivesItsIrradianceAndKeepsItsEnergyAtEveryLevel) {
+TEST(OddMaps, OneBrightTexelGivesItsIrradianceAndKeepsItsEnergyAtEveryLevel) {
   constexpr int kWidth = 1024, kHeight = 512, kX = 700, kY = 150;
   scenes::Environment environment = makeMap(kWidth, kHeight, 0);
   environment.radiance.at(kX, kY)[1] = 5000;
@@ -115,7 +115,7 @@ TEST(OddMaps, oneBrightTexelGivesItsIrradianceAndKeepsItsEnergyAtEveryLevel) {
   EXPECT_GT(glm::dot(-glm::dvec3(extraction.suns[0].light.direction), L), std::cos(1e-3));
 }
 
-TEST(OddMaps, aBlackMapIsBlackAndFiniteEverywhere) {
+TEST(OddMaps, ABlackMapIsBlackAndFiniteEverywhere) {
   const scenes::Environment environment = makeMap(64, 32, 0);
   EXPECT_TRUE(EnvironmentSampler(environment).isBlack());
   EXPECT_TRUE(lighting::extractSuns(environment).suns.empty());
@@ -126,7 +126,7 @@ TEST(OddMaps, aBlackMapIsBlackAndFiniteEverywhere) {
   }
 }
 
-TEST(OddMaps, oneTexelIsAWhiteFurnace) {
+TEST(OddMaps, OneTexelIsAWhiteFurnace) {
   const scenes::Environment environment = makeMap(1, 1, 1);
   for (const lighting::EnvironmentLight& light : lightsOf(environment)) {
     for (const auto& mip : light.prefiltered.mips)
@@ -143,7 +143,7 @@ TEST(OddMaps, oneTexelIsAWhiteFurnace) {
 }
 
 // Filtered at roughness .5, against the sum over what the reference reads.
-TEST(OddMaps, ofOddSizesAreFilteredAsTheReferenceReadsThem) {
+TEST(OddMaps, OfOddSizesAreFilteredAsTheReferenceReadsThem) {
   const std::vector<glm::dvec3> sphere = makeSphere(200000);
   const int level = static_cast<int>(std::lround(f64::kPrefilterLayers * f64::mipFromRoughness(0.5)));
   const double roughness = f64::roughnessFromMip(1. * level / f64::kPrefilterLayers), a2 = std::pow(roughness, 4);
@@ -173,7 +173,7 @@ TEST(OddMaps, ofOddSizesAreFilteredAsTheReferenceReadsThem) {
   }
 }
 
-TEST(OddMaps, theFloatLimitStaysFinite) {
+TEST(OddMaps, TheFloatLimitStaysFinite) {
   scenes::Environment environment = makeMap(64, 32, std::numeric_limits<float>::max());
   for (const bool isOneTexel : {false, true}) {
     if (isOneTexel) {

@@ -46,7 +46,7 @@ struct Size {
 };
 class PanoramaOfAnySize : public testing::TestWithParam<Size> {};
 
-TEST_P(PanoramaOfAnySize, isReadByMirrorsAsTheReferenceReadsIt) {
+TEST_P(PanoramaOfAnySize, IsReadByMirrorsAsTheReferenceReadsIt) {
   const auto [width, height, rotationDeg] = GetParam();
   const scenes::Environment environment = makeNoise(width, height, rotationDeg);
   const EnvironmentSampler truth(environment);
@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, PanoramaOfAnySize,
                                          Size{1024, 512, 33}, Size{1024, 512, -721}));
 
 // Against the mean of readings without a box, away from the poles.
-TEST(PanoramaCells, aBoxIsTheMeanOfWhatLiesInIt) {
+TEST(PanoramaCells, ABoxIsTheMeanOfWhatLiesInIt) {
   const scenes::Environment environment = makeNoise(1024, 512, 20);
   const lighting::PanoramaCells cells = lighting::makePanoramaCells(environment);
   const double cell = pi / 512;
@@ -84,7 +84,7 @@ TEST(PanoramaCells, aBoxIsTheMeanOfWhatLiesInIt) {
     }
 }
 
-TEST(PanoramaCells, coarserMipsKeepTheEnergyOfOddSizesToo) {
+TEST(PanoramaCells, CoarserMipsKeepTheEnergyOfOddSizesToo) {
   const scenes::Environment environment = makeNoise(1023, 2047);
   const lighting::PanoramaCells cells = lighting::makePanoramaCells(environment);
   ASSERT_GE(cells.mips.size(), 2u);
@@ -100,7 +100,7 @@ TEST(PanoramaCells, coarserMipsKeepTheEnergyOfOddSizesToo) {
   for (int mip = 1; mip < static_cast<int>(cells.mips.size()); ++mip) EXPECT_NEAR(energyOf(mip) / energyOf(0), 1, 1e-6);
 }
 
-TEST(PanoramaCells, aLampBesideTheCellThatIsReadDoesNotLeak) {
+TEST(PanoramaCells, ALampBesideTheCellThatIsReadDoesNotLeak) {
   scenes::Environment environment = makeNoise(1024, 512);
   const auto at = [&](int x, int y) { return scenes::directionAt((x + 0.5) / 1024, (y + 0.5) / 512); };
   const glm::vec3 before = lighting::readCells(lighting::makePanoramaCells(environment), at(300, 200), 0);
@@ -108,7 +108,7 @@ TEST(PanoramaCells, aLampBesideTheCellThatIsReadDoesNotLeak) {
   EXPECT_EQ(lighting::readCells(lighting::makePanoramaCells(environment), at(300, 200), 0), before);
 }
 
-TEST(PanoramaCells, hugeRadianceStaysFinite) {
+TEST(PanoramaCells, HugeRadianceStaysFinite) {
   scenes::Environment environment = makeNoise(1024, 512);
   for (float& value : environment.radiance.pixels) value = std::numeric_limits<float>::max();
   const lighting::PanoramaCells cells = lighting::makePanoramaCells(environment);

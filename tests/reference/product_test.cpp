@@ -22,7 +22,7 @@ std::vector<double> evenRows(int height) {
   return rows;
 }
 
-TEST(LightPyramid, addsUpToTheWholeForAnySize) {
+TEST(LightPyramid, AddsUpToTheWholeForAnySize) {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> uniform;
   for (const auto& [width, height] : {std::pair(1, 1), std::pair(7, 5), std::pair(16, 8), std::pair(33, 16)}) {
@@ -41,7 +41,7 @@ TEST(LightPyramid, addsUpToTheWholeForAnySize) {
   }
 }
 
-TEST(LightPyramid, noDirectionOfABlockIsFartherFromItsMiddleThanItsRadius) {
+TEST(LightPyramid, NoDirectionOfABlockIsFartherFromItsMiddleThanItsRadius) {
   constexpr int kWidth = 37, kHeight = 18;
   const std::vector<glm::vec4> cells(kWidth * kHeight, glm::vec4(1));
   const LightPyramid light(kWidth, kHeight, cells, evenRows(kHeight));
@@ -64,7 +64,7 @@ TEST(LightPyramid, noDirectionOfABlockIsFartherFromItsMiddleThanItsRadius) {
 }
 
 // Of a sky whose radiance is a linear function: the moments of blocks of any level are the sums of their parts'.
-TEST(LightPyramid, momentsAreIntegralsOfRadianceTimesDirection) {
+TEST(LightPyramid, MomentsAreIntegralsOfRadianceTimesDirection) {
   constexpr int kWidth = 16, kHeight = 8;
   const std::vector<double> rows = evenRows(kHeight);
   std::vector<glm::vec4> cells;
@@ -103,7 +103,7 @@ ProductLobe makeLobe(double NoV, double alpha, double lambert) {
 
 // Of samples in blocks of 16 x 16 cells: chi^2 within 5 sigma; the density integrates to 1; every sample lies in its
 // cell.
-TEST(ProductSampler, samplesFollowTheDensityThatTheyCarry) {
+TEST(ProductSampler, SamplesFollowTheDensityThatTheyCarry) {
   const EnvironmentSampler sky(tests::makeSunnyPanorama());
   constexpr int kBlock = 16, kColumns = tests::kPanoramaWidth / kBlock, kRows = tests::kPanoramaHeight / kBlock;
   constexpr int kCount = 200000;
@@ -152,7 +152,7 @@ TEST(ProductSampler, samplesFollowTheDensityThatTheyCarry) {
 }
 
 // What it is for: of points taken by it, hardly any two count differently.
-TEST(ProductSampler, samplesCountNearlyAlike) {
+TEST(ProductSampler, SamplesCountNearlyAlike) {
   const EnvironmentSampler sky(tests::makeSunnyPanorama());
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> uniform;
@@ -190,7 +190,7 @@ template <typename Lobe> LinearControl::Lobe inFours(const Lobe& lobe) {
 }
 
 // What decides where samples go and what the control is, against the lobe itself.
-TEST(LinearControl, fitsToWhatTheLobeIs) {
+TEST(LinearControl, FitsToWhatTheLobeIs) {
   for (const auto& [term, curve] : {std::pair(GeometryTerm::heightCorrelated, FresnelCurve::schlick),
                                     std::pair(GeometryTerm::schlickSmith, FresnelCurve::dielectric)}) {
     const Model model{.surface = {.geometryTerm = term, .fresnel = curve}};
@@ -225,7 +225,7 @@ TEST(LinearControl, fitsToWhatTheLobeIs) {
 
 // Of a lobe that is linear, the control is the lobe wherever it is fitted, and its integral is that of light times
 // control: by sampling.
-TEST(LinearControl, knowsItsIntegral) {
+TEST(LinearControl, KnowsItsIntegral) {
   const EnvironmentSampler sky(tests::makeSunnyPanorama());
   for (const double alpha : {0.01, 0.2, 1.0}) {
     const ProductLobe lobe = makeLobe(0.7, alpha, 0);
@@ -259,7 +259,7 @@ TEST(LinearControl, knowsItsIntegral) {
   }
 }
 
-TEST(ProductSampler, tellsThatNothingIsAboveTheHorizon) {
+TEST(ProductSampler, TellsThatNothingIsAboveTheHorizon) {
   const EnvironmentSampler below(
       tests::makePanorama([](const glm::dvec3& d) { return d.y < -0.5 ? glm::vec3(1) : glm::vec3(0); }));
   EXPECT_TRUE(ProductSampler(below.light(), makeLobe(0.5, 0.5, 0.5)).isBlack());

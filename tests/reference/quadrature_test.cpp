@@ -116,7 +116,7 @@ void expectAgreement(const scenes::Environment& environment, const std::vector<C
 const glm::dvec3 kSun = glm::normalize(glm::dvec3(0.4, 0.7, 0.5)), kMirrored(-kSun.x, kSun.y, -kSun.z);
 
 // Rough and smooth, metal and plastic, the lobe beside and on the bright source.
-TEST(EnvironmentIntegral, agreesWithASumOverAllCells) {
+TEST(EnvironmentIntegral, AgreesWithASumOverAllCells) {
   const Case cases[] = {{{0.6, 0.8, 0}, 0.15f, 1}, {{0.6, 0.8, 0}, 0.35f, 0},
                         {{0.6, 0.8, 0}, 0.9f, 0},  {{0.95, 0.31, 0}, 0.5f, 1},
                         {kMirrored, 0.15f, 1},     {kMirrored, 0.2f, 0},
@@ -125,7 +125,7 @@ TEST(EnvironmentIntegral, agreesWithASumOverAllCells) {
 }
 
 // Light that scatters more than once, and the diffuse lobe that the specular one leaves, both in part in closed form.
-TEST(EnvironmentIntegral, agreesWithASumOverAllCellsForTheWholeModel) {
+TEST(EnvironmentIntegral, AgreesWithASumOverAllCellsForTheWholeModel) {
   const Case cases[] = {{{0.6, 0.8, 0}, 0.2f, 1}, {{0.6, 0.8, 0}, 1.f, 1},     {{0.98, 0.2, 0}, 0.7f, 1},
                         {kMirrored, 0.5f, 1},     {{0.6, 0.8, 0}, 0.1f, 0},    {{0.98, 0.2, 0}, 0.4f, 0},
                         {kMirrored, 0.8f, 0},     {{0.3, 0.95, 0}, 0.6f, 0.5f}};
@@ -134,7 +134,7 @@ TEST(EnvironmentIntegral, agreesWithASumOverAllCellsForTheWholeModel) {
 }
 
 // A dim room with softboxes, strips and lamps of few texels, one of them a single one.
-TEST(EnvironmentIntegral, agreesWithASumOverAllCellsAmongLamps) {
+TEST(EnvironmentIntegral, AgreesWithASumOverAllCellsAmongLamps) {
   const DirectionalAlbedo table(GeometryTerm::heightCorrelated);
   scenes::Environment room = tests::makePanorama([](const glm::dvec3& d) {
     const float wall = 0.05f + 0.03f * static_cast<float>(std::sin(9 * d.x) * std::sin(7 * d.z));

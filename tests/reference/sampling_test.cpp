@@ -22,7 +22,7 @@ using std::numbers::pi;
 
 // A (0,2)-sequence: the first 2^k points put exactly one into each elementary interval of area 2^-k (Sobol 1967), which
 // Owen's scrambling keeps.
-TEST(Sobol, firstPointsFillEveryElementaryIntervalOnce) {
+TEST(Sobol, FirstPointsFillEveryElementaryIntervalOnce) {
   for (const std::uint32_t seed : {0u, 1u, 77u, 0xdeadbeefu})
     for (const int k : {1, 4, 10}) {
       const std::uint32_t count = 1u << k;
@@ -40,7 +40,7 @@ TEST(Sobol, firstPointsFillEveryElementaryIntervalOnce) {
 }
 
 // Direction numbers of Sobol's second dimension, v_k = v_(k-1) ^ v_(k-1) >> 1, added bit by bit.
-TEST(Sobol, secondDimensionIsThatOfTheDirectionNumbers) {
+TEST(Sobol, SecondDimensionIsThatOfTheDirectionNumbers) {
   for (const std::uint32_t index : {0u, 1u, 2u, 3u, 4u, 5u, 100u, 65535u, 0x12345678u, 0xffffffffu}) {
     std::uint32_t direction = 0x80000000u, expected = 0;
     for (std::uint32_t bits = index; bits != 0; bits >>= 1, direction ^= direction >> 1)
@@ -51,7 +51,7 @@ TEST(Sobol, secondDimensionIsThatOfTheDirectionNumbers) {
 
 // The third coordinate of Sobol's first eight points in Gray code's order, as published with the direction numbers of
 // Joe and Kuo (2008).
-TEST(Sobol, thirdDimensionIsThatOfThePublishedPoints) {
+TEST(Sobol, ThirdDimensionIsThatOfThePublishedPoints) {
   const double published[] = {0, 0.5, 0.25, 0.75, 0.625, 0.125, 0.875, 0.375};
   for (std::uint32_t n = 0; n < 8; ++n) EXPECT_EQ(sobolThird(n ^ (n >> 1)) * 0x1p-32, published[n]) << n;
 }
@@ -73,7 +73,7 @@ bool areEven(const std::vector<glm::dvec3>& points, const std::array<int, D>& ax
 // A (t,s)-sequence in base 2: of any 2^k points from a multiple of that, each elementary box of volume 2^(t-k) holds
 // 2^t (Niederreiter 1987). Of Sobol's, t is the sum of the polynomials' degrees less one each: those of the first two
 // dimensions have 0, the third's has 1. Owen's scrambling keeps it.
-TEST(Sobol, threeDimensionsAreStratifiedTogetherAndByPairs) {
+TEST(Sobol, ThreeDimensionsAreStratifiedTogetherAndByPairs) {
   for (const std::uint32_t seed : {0u, 1u, 77u, 0xdeadbeefu})
     for (const int k : {1, 2, 5, 8, 10})
       for (const std::uint32_t block : {0u, 1u, 6u}) {
@@ -97,7 +97,7 @@ TEST(Sobol, threeDimensionsAreStratifiedTogetherAndByPairs) {
 }
 
 // Scrambled numbers are uniform and independent between seeds: mean and correlation over 4096 seeds, 5 sigma.
-TEST(Sobol, scramblingsAreUniformAndIndependent) {
+TEST(Sobol, ScramblingsAreUniformAndIndependent) {
   constexpr int kSeeds = 4096;
   double sumX = 0, sumY = 0, sumXY = 0, sumNext = 0, previous = 0.5;
   for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
@@ -156,14 +156,14 @@ void expectDensity(const Sample& sample, const Pdf& pdf, double total, double sl
   EXPECT_LT(std::abs(chi2 - cells), 5 * std::sqrt(2.0 * cells)) << cells << " cells";
 }
 
-TEST(Cosine, followsItsDensity) {
+TEST(Cosine, FollowsItsDensity) {
   expectDensity(
       sampleCosine, [](const glm::dvec3& d) { return pdfCosine(d.z); }, 1, 1e-4);
 }
 
 // Some reflections point below the surface: the density over the upper hemisphere integrates to the share of those that
 // do not, which is counted here.
-TEST(VisibleNormals, reflectionsFollowTheirDensity) {
+TEST(VisibleNormals, ReflectionsFollowTheirDensity) {
   for (const double alpha : {0.25, 0.6, 1.0})
     for (const double NoV : {0.15, 0.6, 1.0}) {
       const glm::dvec3 view(std::sqrt(1 - NoV * NoV), 0, NoV);
@@ -188,7 +188,7 @@ TEST(VisibleNormals, reflectionsFollowTheirDensity) {
 }
 
 // Over half vectors the density D G1 v.h / NoV integrates to 1 (Heitz 2018, eq. 2): every normal that is seen.
-TEST(VisibleNormals, densityOfHalfVectorsIntegratesToOne) {
+TEST(VisibleNormals, DensityOfHalfVectorsIntegratesToOne) {
   for (const double alpha : {0.1, 0.5, 1.0})
     for (const double NoV : {0.1, 0.5, 0.95}) {
       const double sinV = std::sqrt(1 - NoV * NoV);

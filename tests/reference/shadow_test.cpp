@@ -72,7 +72,7 @@ protected:
 
 // Form factors of a point on the floor, Howell's catalogue: endless upright wall B-4, (1 - d / sqrt(d^2 + h^2)) / 2;
 // disk above it B-13, r^2 / (r^2 + h^2).
-TEST_F(ShadowTest, irradianceUnderAWhiteSkyIsOneLessTheOccludersFormFactor) {
+TEST_F(ShadowTest, IrradianceUnderAWhiteSkyIsOneLessTheOccludersFormFactor) {
   const SurfaceSample floor = makeFloorPoint(0.5f, 0);
   const struct {
     const char* name;
@@ -90,7 +90,7 @@ TEST_F(ShadowTest, irradianceUnderAWhiteSkyIsOneLessTheOccludersFormFactor) {
   }
 }
 
-TEST_F(ShadowTest, smoothAndRoughLobesLoseWhatLiesInTheirWay) {
+TEST_F(ShadowTest, SmoothAndRoughLobesLoseWhatLiesInTheirWay) {
   // The wall fills the side that the view's mirror image looks at.
   for (const float roughness : {0.f, 0.1f}) {
     const SurfaceSample mirror = makeFloorPoint(roughness, 1); // V leans to +X
@@ -111,7 +111,7 @@ DirectLight directLight(const scenes::Scene& scene, const SurfaceSample& sample,
   return shadeDirect(sample, {light}, tests::plainModel(), nullptr, PointVisibility(&visibility, sample));
 }
 
-TEST_F(ShadowTest, sunIsAllOrNothing) {
+TEST_F(ShadowTest, SunIsAllOrNothing) {
   const SurfaceSample floor = makeFloorPoint(0.5f, 0);
   const scenes::Scene wall = makeWall(1, 1); // hides what is lower than 45 degrees towards +X
   for (const float elevation : {0.9f, 1.1f}) {
@@ -124,7 +124,7 @@ TEST_F(ShadowTest, sunIsAllOrNothing) {
   EXPECT_GT(directLight(wall, floor, makeSun({-1, 0.5f, 0})).sunDiffuse.x, 0) << "from the other side";
 }
 
-TEST_F(ShadowTest, lampIsHiddenByWhatStandsBeforeItAlone) {
+TEST_F(ShadowTest, LampIsHiddenByWhatStandsBeforeItAlone) {
   const SurfaceSample floor = makeFloorPoint(0.5f, 0);
   scenes::Light lamp;
   lamp.position = {0.1f, 2, 0};
@@ -140,7 +140,7 @@ TEST_F(ShadowTest, lampIsHiddenByWhatStandsBeforeItAlone) {
 }
 
 // The shading normal leans to +X, so that it sees a sun that the floor does not.
-TEST_F(ShadowTest, whatIsBelowTheGeometricSurfaceIsHidden) {
+TEST_F(ShadowTest, WhatIsBelowTheGeometricSurfaceIsHidden) {
   SurfaceSample sample = makeFloorPoint(0.5f, 0);
   sample.normal = glm::normalize(glm::vec3(1, 1, 0));
   const scenes::Light low = makeSun({1, -0.05f, 0}), high = makeSun({1, 0.05f, 0});
@@ -169,7 +169,7 @@ scenes::Scene makeGround() {
 
 // A normal map on flat metal: the reflection dips below the ground where the normal leans away from the eye. The lobe
 // keeps its energy, so the metal is as bright as without shadows, and it never sees what lies below the ground.
-TEST_F(ShadowTest, normalMappedMetalAloneIsAsBrightAsWithoutShadows) {
+TEST_F(ShadowTest, NormalMappedMetalAloneIsAsBrightAsWithoutShadows) {
   const EnvironmentSampler brightBelow(
       tests::makePanorama([](const glm::dvec3& d) { return glm::vec3(d.y > 0 ? 1 : 5); }));
   int dips = 0;
@@ -198,7 +198,7 @@ TEST_F(ShadowTest, normalMappedMetalAloneIsAsBrightAsWithoutShadows) {
 }
 
 // The diffuse lobe is not folded: what a normal of 45 degrees sees of the lower half is dark, (1 + cos 45) / 2 is left.
-TEST_F(ShadowTest, diffuseLightFromBelowTheGroundIsHidden) {
+TEST_F(ShadowTest, DiffuseLightFromBelowTheGroundIsHidden) {
   SurfaceSample sample = makeFloorPoint(0.5f, 0);
   sample.normal = glm::normalize(glm::vec3(1, 1, 0));
   EXPECT_NEAR(skyShare(makeGround(), sample).diffuse.x, 0.5 * (1 + std::sqrt(0.5)), 1e-3);
@@ -229,7 +229,7 @@ std::vector<SurfaceSample> samplesOf(const scenes::Mesh& mesh, std::uint32_t per
 
 // A sphere of 12 x 6 facets in the sun is lit where its normals are: facets that turn away and neighbours that rise
 // before a point take no light from it.
-TEST_F(ShadowTest, coarseSmoothSphereHasASmoothTerminator) {
+TEST_F(ShadowTest, CoarseSmoothSphereHasASmoothTerminator) {
   scenes::Scene scene = makeOccluder({});
   scene.meshes[0] = scenes::makeSphere(1, 12, 6);
   const lighting::Visibility visibility(scene);
@@ -247,7 +247,7 @@ TEST_F(ShadowTest, coarseSmoothSphereHasASmoothTerminator) {
 }
 
 // Rays begin above the facet only where nothing lies between it and the smooth surface.
-TEST_F(ShadowTest, whatLiesCloseToAFacetStillHidesTheSky) {
+TEST_F(ShadowTest, WhatLiesCloseToAFacetStillHidesTheSky) {
   scenes::Scene scene = makeOccluder({});
   scene.meshes[0] = scenes::makeSphere(1, 12, 6);
   SurfaceSample sample = samplesOf(scene.meshes[0], 1)[40];

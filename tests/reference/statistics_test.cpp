@@ -43,7 +43,7 @@ double tailOfStudent(double t, int n) {
   return 1 - 2 * sum * std::abs(t) / kSteps / 3;
 }
 
-TEST(Student, tailIsThatOfTheTables) {
+TEST(Student, TailIsThatOfTheTables) {
   // Abramowitz and Stegun, table 26.10: t of 30 degrees beyond 2.042 and 2.750.
   EXPECT_NEAR(tailOfStudent(2.042, 30), 0.05, 1e-4);
   EXPECT_NEAR(tailOfStudent(2.750, 30), 0.01, 1e-4);
@@ -51,7 +51,7 @@ TEST(Student, tailIsThatOfTheTables) {
 
 // Two seeds differ by no more than their errors say: Welch's t at every point, Holm's correction over all points (its
 // first step is Bonferroni's) at 1 %. Each error has 15 degrees of freedom, their sum 15 to 30: the fewest are taken.
-TEST_F(StatisticsTest, seedsAgreeWithinTheirErrorsAtEveryPoint) {
+TEST_F(StatisticsTest, SeedsAgreeWithinTheirErrorsAtEveryPoint) {
   std::vector<double> tails;
   double squares = 0;
   for (const SurfaceSample& sample : m_samples) {
@@ -72,7 +72,7 @@ TEST_F(StatisticsTest, seedsAgreeWithinTheirErrorsAtEveryPoint) {
 // Stopping when the estimated error looks small enough picks, now and then, an estimate that is luckier than it should
 // be. All in all the error is what was asked for, and nothing is biased: 1 % wanted; 60 points, so 3 sigma of the mean
 // of errors of 1 % is 0.4 %.
-TEST_F(StatisticsTest, stoppingEarlyNeitherBiasesNorUnderstatesTheError) {
+TEST_F(StatisticsTest, StoppingEarlyNeitherBiasesNorUnderstatesTheError) {
   double squares = 0, sum = 0;
   int count = 0;
   for (std::size_t i = 0; i < m_samples.size(); i += 4, ++count) {
@@ -87,7 +87,7 @@ TEST_F(StatisticsTest, stoppingEarlyNeitherBiasesNorUnderstatesTheError) {
   EXPECT_LT(std::abs(sum / count), 0.004);
 }
 
-TEST_F(StatisticsTest, errorFallsFasterThanThatOfRandomPoints) {
+TEST_F(StatisticsTest, ErrorFallsFasterThanThatOfRandomPoints) {
   std::vector<double> truth;
   for (std::size_t i = 0; i < m_samples.size(); i += 4) truth.push_back(green(integrate(m_samples[i], 1 << 16, 9)));
   std::vector<double> errors;

@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kWords = "cost of a pixel: high-end 900 scalar operations and 11.0 texture fetches, mobile 375 "
                                "and 4.5: 0.42 of the operations, 0.41 of the fetches";
 
-TEST(PermutationCosts, areMeansOverThePixelsOfEachPath) {
+TEST(PermutationCosts, AreMeansOverThePixelsOfEachPath) {
   const std::vector<PathCost> paths = costsByPath(makeSampleReport().scenes[0].permutations);
   ASSERT_EQ(paths.size(), 2u);
   EXPECT_EQ(paths[0].path, "highend");
@@ -23,7 +23,7 @@ TEST(PermutationCosts, areMeansOverThePixelsOfEachPath) {
   EXPECT_EQ(paths[1].samplers, 6u);
 }
 
-TEST(PermutationCosts, areSaidOnlyWhereBothPathsAreKnown) {
+TEST(PermutationCosts, AreSaidOnlyWhereBothPathsAreKnown) {
   std::vector<PermutationResult> permutations = makeSampleReport().scenes[0].permutations;
   EXPECT_EQ(describeCosts(permutations), kWords);
   permutations.push_back({"third", "none", "none", 100, 0, PermutationCost{.fp32 = 450, .fetches = 11}});
@@ -36,7 +36,7 @@ TEST(PermutationCosts, areSaidOnlyWhereBothPathsAreKnown) {
   EXPECT_EQ(describeCosts({}), "");
 }
 
-TEST(PermutationCosts, standInTheJsonWithTheirPermutation) {
+TEST(PermutationCosts, StandInTheJsonWithTheirPermutation) {
   const auto document = nlohmann::json::parse(toJson(makeSampleReport()));
   const auto& permutations = document.at("scenes").at(0).at("permutations");
   ASSERT_EQ(permutations.size(), 3u);
@@ -51,7 +51,7 @@ TEST(PermutationCosts, standInTheJsonWithTheirPermutation) {
   EXPECT_FALSE(nlohmann::json::parse(toJson(plain)).at("/scenes/0/permutations/2"_json_pointer).contains("cost"));
 }
 
-TEST(PermutationCosts, standInTheTable) {
+TEST(PermutationCosts, StandInTheTable) {
   const Report report = makeSampleReport();
   EXPECT_NE(toTable(report, false).find(std::string("Lamp: ") + kWords), std::string::npos);
   Report plain = report;

@@ -25,13 +25,13 @@ Report makeStaged(const StageResult& glass, const StageResult& whole) {
 }
 Report makeReport(double glass, double whole) { return makeStaged(makeEncoding(glass), makeEncoding(whole)); }
 
-TEST(EncodingStage, isShownWhereThreeDigitsShowIt) {
+TEST(EncodingStage, IsShownWhereThreeDigitsShowIt) {
   EXPECT_FALSE(isShown(makeEncoding(0.0004)));
   EXPECT_TRUE(isShown(makeEncoding(0.0006)));
   EXPECT_TRUE(isShown(makeEncoding(NAN)));
 }
 
-TEST(Stages, standInTheJsonByMaterialAndWhole) {
+TEST(Stages, StandInTheJsonByMaterialAndWhole) {
   for (const auto& [stage, through] : {std::pair(kEncodingStage, "rgba8-gamma2"), std::pair(kTexturesStage, "astc6x6"),
                                        std::pair("upscaling", "a bicubic of half size")}) {
     const Report report = makeStaged(makeStage(stage, through, 0.04), makeStage(stage, through, 0.02));
@@ -46,7 +46,7 @@ TEST(Stages, standInTheJsonByMaterialAndWhole) {
   }
 }
 
-TEST(EncodingStage, isAColumnOfTheTableWhereItIsNotable) {
+TEST(EncodingStage, IsAColumnOfTheTableWhereItIsNotable) {
   const std::string table = toTable(makeReport(0.037, 0.021), false);
   EXPECT_NE(table.find(" target "), std::string::npos) << table;
   EXPECT_NE(table.find("storing the colour of mobile in rgba8-gamma2"), std::string::npos);
@@ -61,7 +61,7 @@ TEST(EncodingStage, isAColumnOfTheTableWhereItIsNotable) {
 }
 
 // Whoever asks what compression costs wants to see that it costs nothing, too.
-TEST(TexturesStage, isAColumnOfTheTableWhateverItIs) {
+TEST(TexturesStage, IsAColumnOfTheTableWhateverItIs) {
   for (const double mean : {0.037, 0.0}) {
     const StageResult stage = makeStage(kTexturesStage, "astc6x6", mean);
     const std::string table = toTable(makeStaged(stage, stage), false);
@@ -75,7 +75,7 @@ TEST(TexturesStage, isAColumnOfTheTableWhateverItIs) {
 }
 
 // A third stage needs no words of its own.
-TEST(Stages, oneThatNobodyNamedIsAColumnBesideTheOthers) {
+TEST(Stages, OneThatNobodyNamedIsAColumnBesideTheOthers) {
   Report report = makeReport(0.037, 0.021);
   for (std::vector<StageResult>* stages :
        {&report.scenes[0].views[0].materials[0].stages, &report.scenes[0].views[0].stages})

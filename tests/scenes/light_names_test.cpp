@@ -6,7 +6,7 @@
 namespace parity::scenes {
 namespace {
 
-TEST(LightNames, areTheirOwnOrTheirKindAndPlaceAndNeverTwice) {
+TEST(LightNames, AreTheirOwnOrTheirKindAndPlaceAndNeverTwice) {
   std::vector<Light> lights(6);
   lights[0].name = lights[2].name = "lamp";
   lights[1].kind = LightKind::spot;

@@ -35,7 +35,7 @@ double furnaceLossPercent(Geometry geometry, double roughness) {
   return 100 * (1 - kept);
 }
 
-TEST(DGgx, projectedAreaIntegratesToOne) {
+TEST(DGgx, ProjectedAreaIntegratesToOne) {
   for (const double alpha : {0.0025, 0.01, 0.1, 0.5, 1.0}) {
     // tan(theta) = alpha tan(psi) spreads the peak; integral of D NoH over the hemisphere.
     const PanelRule psi({0.0, 0.5, 1.0, 1.4, 1.55, 1.568, pi / 2}, 24);
@@ -49,20 +49,20 @@ TEST(DGgx, projectedAreaIntegratesToOne) {
   }
 }
 
-TEST(DGgx, isTheTextbookForm) {
+TEST(DGgx, IsTheTextbookForm) {
   for (const double alpha : {0.01, 0.3, 1.0})
     for (const double NoH : {0.0, 0.3, 0.9, 0.999, 1.0})
       EXPECT_NEAR(f64::D_GGX(alpha, NoH) / distribution(alpha, NoH), 1, 1e-9);
   EXPECT_DOUBLE_EQ(f64::D_GGX(0.5, 1.0), 4 / pi); // peak: 1 / (pi alpha^2)
 }
 
-TEST(DGgx, isFiniteWhereTheMirrorsPeakIsZeroOverZero) {
+TEST(DGgx, IsFiniteWhereTheMirrorsPeakIsZeroOverZero) {
   EXPECT_EQ(f64::D_GGX(0, 1), 0);
   EXPECT_EQ(f32::D_GGX(0, 1), 0);
   EXPECT_EQ(float(shading::f16::D_GGX(shading::Half(0), shading::Half(1))), 0);
 }
 
-TEST(Visibility, isMaskingShadowingOverFourCosines) {
+TEST(Visibility, IsMaskingShadowingOverFourCosines) {
   for (const double alpha : {0.01, 0.25, 1.0})
     for (const double NoV : {0.02, 0.4, 1.0})
       for (const double NoL : {0.05, 0.7, 1.0}) {
@@ -76,7 +76,7 @@ TEST(Visibility, isMaskingShadowingOverFourCosines) {
 
 // Heitz 2014, eq. 14: the projected area of the visible microfacets is the projected area of the surface. With the
 // light along the normal nothing is shadowed, so G1(v) = 4 NoV V(v, n).
-TEST(Visibility, smithMaskingConservesProjectedArea) {
+TEST(Visibility, SmithMaskingConservesProjectedArea) {
   for (const double alpha : {0.1, 0.5, 1.0})
     for (const double NoV : {0.2, 0.6, 0.95}) {
       const double G1 = 4 * NoV * f64::V_SmithGGXCorrelated(alpha, NoV, 1);
@@ -93,7 +93,7 @@ TEST(Visibility, smithMaskingConservesProjectedArea) {
     }
 }
 
-TEST(Visibility, isFiniteAtGrazingAndZeroAlphaInEveryPrecision) {
+TEST(Visibility, IsFiniteAtGrazingAndZeroAlphaInEveryPrecision) {
   for (const double alpha : {0.0, 0.01, 1.0})
     for (const double cosine : {0.0, 1.0}) {
       EXPECT_TRUE(std::isfinite(f64::V_SmithGGXCorrelated(alpha, 0, cosine)));
@@ -107,12 +107,12 @@ TEST(Visibility, isFiniteAtGrazingAndZeroAlphaInEveryPrecision) {
 }
 
 // docs/shading.md 1a: in closed form for Schlick-Smith, where D and G cancel at alpha = 1.
-TEST(WhiteFurnace, roughestSurfaceSeenHeadOnReflectsOneMinusLn2) {
+TEST(WhiteFurnace, RoughestSurfaceSeenHeadOnReflectsOneMinusLn2) {
   EXPECT_NEAR(albedo(Geometry::schlickSmith, 1, 1), 1 - std::numbers::ln2, 1e-12);
 }
 
 // docs/shading.md 5, single scattering. Its figures are printed to 0.1 and are up to 0.12 off these converged ones.
-TEST(WhiteFurnace, losesWhatIsKnownOfBothGeometryTerms) {
+TEST(WhiteFurnace, LosesWhatIsKnownOfBothGeometryTerms) {
   struct Loss {
     double roughness, schlickSmith, heightCorrelated;
   };
@@ -123,7 +123,7 @@ TEST(WhiteFurnace, losesWhatIsKnownOfBothGeometryTerms) {
   }
 }
 
-TEST(EnergyCompensation, restoresAWhiteMetalExactly) {
+TEST(EnergyCompensation, RestoresAWhiteMetalExactly) {
   for (const double roughness : {0.3, 1.0}) {
     const EnvBrdf e = integrateEnvBrdf(Geometry::heightCorrelated, roughness, 0.5);
     const f64::real3 factor = f64::energyCompensation({1, 1, 1}, {e.A, e.B});
@@ -133,7 +133,7 @@ TEST(EnergyCompensation, restoresAWhiteMetalExactly) {
   EXPECT_TRUE(std::isfinite(f32::energyCompensation({1, 1, 1}, {0, 0}).z));
 }
 
-TEST(FSchlick, runsFromF0ToOne) {
+TEST(FSchlick, RunsFromF0ToOne) {
   const f64::real3 F0(0.04, 0.5, 1);
   const f64::real3 head = f64::F_Schlick(F0, 1), graze = f64::F_Schlick(F0, 0), between = f64::F_Schlick(F0, 0.5);
   EXPECT_EQ(head.x, 0.04);
@@ -145,7 +145,7 @@ TEST(FSchlick, runsFromF0ToOne) {
 }
 
 // By Snell's law and the amplitudes of both polarisations.
-TEST(FresnelWeights, dielectricIsFresnelsReflectanceOfIndexOneAndAHalf) {
+TEST(FresnelWeights, DielectricIsFresnelsReflectanceOfIndexOneAndAHalf) {
   for (const double c : {0.0, 0.05, 0.3, 0.7, 1.0}) {
     const double t = std::sqrt(1 - (1 - c * c) / 2.25);
     const double s = (c - 1.5 * t) / (c + 1.5 * t), p = (1.5 * c - t) / (1.5 * c + t);
@@ -153,7 +153,7 @@ TEST(FresnelWeights, dielectricIsFresnelsReflectanceOfIndexOneAndAHalf) {
   }
 }
 
-TEST(FresnelWeights, runFromOneToNearlyZeroAndStayCloseToSchlick) {
+TEST(FresnelWeights, RunFromOneToNearlyZeroAndStayCloseToSchlick) {
   for (int i = 0; i <= 1000; ++i) {
     const double c = i / 1000.0, schlick = std::pow(1 - c, 5);
     EXPECT_NEAR(f64::schlickWeight(c), schlick, 1e-15);
@@ -166,7 +166,7 @@ TEST(FresnelWeights, runFromOneToNearlyZeroAndStayCloseToSchlick) {
   EXPECT_NEAR(f64::dielectricWeight(1), 0, 1e-15);
 }
 
-TEST(FresnelWeights, meansAreTheCosineWeightedIntegrals) {
+TEST(FresnelWeights, MeansAreTheCosineWeightedIntegrals) {
   const GaussRule rule(64);
   double schlick = 0, gaussian = 0, dielectric = 0;
   for (int i = 0; i < 64; ++i) {
@@ -180,7 +180,7 @@ TEST(FresnelWeights, meansAreTheCosineWeightedIntegrals) {
   EXPECT_NEAR(f64::dielectricMean(), dielectric, 1e-9);
 }
 
-TEST(AlbedoScaling, leavesWhatIsNotReflectedAndIsNeverNegative) {
+TEST(AlbedoScaling, LeavesWhatIsNotReflectedAndIsNeverNegative) {
   const f64::real3 rest = f64::albedoScaling({0.25, 1.0, 1.0000001});
   EXPECT_EQ(rest.x, 0.75);
   EXPECT_EQ(rest.y, 0);
@@ -188,7 +188,7 @@ TEST(AlbedoScaling, leavesWhatIsNotReflectedAndIsNeverNegative) {
 }
 
 // Both models of multiple scattering close the furnace of a white metal, whatever the roughness.
-TEST(MultipleScattering, givesAWhiteMetalWhatSingleScatteringLoses) {
+TEST(MultipleScattering, GivesAWhiteMetalWhatSingleScatteringLoses) {
   for (const double roughness : {0.2, 0.6, 1.0}) {
     const EnvBrdf e = integrateEnvBrdf(Geometry::heightCorrelated, roughness, 0.4);
     const double Eavg = 1 - furnaceLossPercent(Geometry::heightCorrelated, roughness) / 100;
@@ -202,7 +202,7 @@ TEST(MultipleScattering, givesAWhiteMetalWhatSingleScatteringLoses) {
 }
 
 // The lobe sends out, over all lights, what the albedo says: integral of lobe NoL over the hemisphere is 1.
-TEST(MultipleScattering, lobeOfKullaAndContyIntegratesToOne) {
+TEST(MultipleScattering, LobeOfKullaAndContyIntegratesToOne) {
   constexpr double kRoughness = 0.7;
   const double Eavg = 1 - furnaceLossPercent(Geometry::heightCorrelated, kRoughness) / 100;
   const GaussRule rule(48);
@@ -216,7 +216,7 @@ TEST(MultipleScattering, lobeOfKullaAndContyIntegratesToOne) {
 }
 
 // Few bounces, summed one by one: each reflects Favg, a share Eavg of which leaves.
-TEST(MultipleScattering, colouredBouncesAddUp) {
+TEST(MultipleScattering, ColouredBouncesAddUp) {
   constexpr double kF = 0.6, kE = 0.55, kEavg = 0.5;
   double sum = 0, onItsWay = (1 - kE) * kF * kF;
   for (int i = 0; i < 100; ++i, onItsWay *= kF * (1 - kEavg)) sum += onItsWay * kEavg;
@@ -227,7 +227,7 @@ TEST(MultipleScattering, colouredBouncesAddUp) {
               (0.5 * 0.4 + 0.9 * 0.15) * kF * 0.45 / (1 - kF * 0.45), 1e-12);
 }
 
-TEST(FdLambert, reflectsAWhiteSkyWhole) { EXPECT_NEAR(f64::Fd_Lambert() * pi, 1, 1e-15); }
+TEST(FdLambert, ReflectsAWhiteSkyWhole) { EXPECT_NEAR(f64::Fd_Lambert() * pi, 1, 1e-15); }
 
 } // namespace
 } // namespace parity::tests

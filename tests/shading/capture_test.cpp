@@ -33,7 +33,7 @@ Vector firstWall(const Vector& from, const Vector& direction, const Vector& lowe
   return at(inside);
 }
 
-TEST(Capture, parallaxPointsToWhatTheWallShows) {
+TEST(Capture, ParallaxPointsToWhatTheWallShows) {
   std::mt19937 random(7);
   const auto between = [&](double low, double high) { return low + (high - low) * (random() * 0x1p-32); };
   int alongAxes = 0;
@@ -72,7 +72,7 @@ TEST(Capture, parallaxPointsToWhatTheWallShows) {
   EXPECT_EQ(alongAxes, 250);
 }
 
-TEST(Capture, outsideOfItsBoxAndAtItsOriginNothingIsCorrected) {
+TEST(Capture, OutsideOfItsBoxAndAtItsOriginNothingIsCorrected) {
   const f64::real32x3 d{0.6, 0, -0.8}, lower{-1, -1, -1}, upper{1, 1, 1};
   const f64::real32x3 outside = f64::boxParallax({1.01, 0, 0}, d, lower, upper, {0, 0, 0});
   EXPECT_EQ(outside.x, d.x);
@@ -85,7 +85,7 @@ TEST(Capture, outsideOfItsBoxAndAtItsOriginNothingIsCorrected) {
   EXPECT_EQ(corner.x, 1);
 }
 
-TEST(Capture, weightsFallToNothingAtTheRadiusAndStayFinite) {
+TEST(Capture, WeightsFallToNothingAtTheRadiusAndStayFinite) {
   EXPECT_NEAR(f64::captureWeight(1, 4), std::pow((4 - 1) / (4.0 * 1), 2), 1e-12);
   EXPECT_NEAR(f64::captureWeight(2, 3), std::pow((3 - 2) / (3.0 * 2), 2), 1e-12);
   EXPECT_EQ(f64::captureWeight(4, 4), 0);

@@ -66,16 +66,16 @@ protected:
   }
 };
 
-TEST_F(ShadingOnDevice, agreesWithTheCpuInFp32) { compare(Precision::f32); }
+TEST_F(ShadingOnDevice, AgreesWithTheCpuInFp32) { compare(Precision::f32); }
 
-TEST_F(ShadingOnDevice, agreesWithTheCpuInFp16) {
+TEST_F(ShadingOnDevice, AgreesWithTheCpuInFp16) {
   if (!device().report().float16) GTEST_SKIP() << device().report().name << " has no shaderFloat16";
   compare(Precision::f16);
 }
 
 // The layer listens, and whoever runs rows hears it: the shader reads a binding that no layout has. A device of its
 // own, because a refused pipeline leaves its message behind.
-TEST_F(ShadingOnDevice, aValidationMessageFailsTheRun) {
+TEST_F(ShadingOnDevice, AValidationMessageFailsTheRun) {
   const gpu::Device other(gpu::DeviceOptions{.name = "", .validation = true});
   EXPECT_THROW(DeviceRows(other, kUnboundBufferComp, 0), base::Error);
 }

@@ -46,7 +46,7 @@ CoreDeviations deviationsFrom(Geometry geometry) {
 
 constexpr double kPrinted = 6e-4; // half a unit of docs/shading.md 2b's last digit, and the grid
 
-TEST(EnvBrdfApprox, deviatesFromSchlickSmithAsPublished) {
+TEST(EnvBrdfApprox, DeviatesFromSchlickSmithAsPublished) {
   const CoreDeviations core = deviationsFrom(Geometry::schlickSmith);
   EXPECT_NEAR(core.dielectric.max, 0.161, kPrinted);
   EXPECT_NEAR(core.dielectric.rms(), 0.024, kPrinted);
@@ -56,7 +56,7 @@ TEST(EnvBrdfApprox, deviatesFromSchlickSmithAsPublished) {
   EXPECT_NEAR(core.nonmetal.rms(), 0.024, kPrinted);
 }
 
-TEST(EnvBrdfApprox, deviatesFromHeightCorrelatedSmithAsPublished) {
+TEST(EnvBrdfApprox, DeviatesFromHeightCorrelatedSmithAsPublished) {
   const CoreDeviations core = deviationsFrom(Geometry::heightCorrelated);
   EXPECT_NEAR(core.dielectric.max, 0.084, kPrinted);
   EXPECT_NEAR(core.dielectric.rms(), 0.020, kPrinted);
@@ -70,11 +70,11 @@ TEST(EnvBrdfApprox, deviatesFromHeightCorrelatedSmithAsPublished) {
 
 // The article: EnvBRDFApprox(SpecularColor, 1, 1) == SpecularColor * 0.4524 - 0.0024. It rounds: the second term is
 // 1.04 * 0.015 + 0.022 - 0.04 = -0.0024 exactly, the first -1.04 * 0.015 + 1.04 - 0.572 = 0.4524 exactly.
-TEST(EnvBrdfApprox, meetsTheArticlesOwnCheckAtFullRoughness) {
+TEST(EnvBrdfApprox, MeetsTheArticlesOwnCheckAtFullRoughness) {
   for (const double S : {0.0, 0.04, 0.5, 1.0}) EXPECT_NEAR(approx(S, 1, 1), S * 0.4524 - 0.0024, 1e-12);
 }
 
-TEST(EnvBrdfApprox, sumOfAAndBFallsLinearlyWithRoughnessWhateverTheView) {
+TEST(EnvBrdfApprox, SumOfAAndBFallsLinearlyWithRoughnessWhateverTheView) {
   for (const double R : {0.0, 0.3, 0.8, 1.0})
     for (const double N : {0.0, 0.1, 0.5, 1.0}) {
       const f64::real2 AB = f64::EnvBRDFApproxAB(R, N);
@@ -82,14 +82,14 @@ TEST(EnvBrdfApprox, sumOfAAndBFallsLinearlyWithRoughnessWhateverTheView) {
     }
 }
 
-TEST(EnvBrdfApprox, givesEachChannelItsOwnColour) {
+TEST(EnvBrdfApprox, GivesEachChannelItsOwnColour) {
   const f64::real3 E = f64::EnvBRDFApprox({0.1, 0.5, 0.9}, 0.4, 0.3);
   EXPECT_EQ(E.x, approx(0.1, 0.4, 0.3));
   EXPECT_EQ(E.y, approx(0.5, 0.4, 0.3));
   EXPECT_EQ(E.z, approx(0.9, 0.4, 0.3));
 }
 
-TEST(EnvBrdfApproxUE4, isIdenticalFromTwoPercentOnAndOffAtZero) {
+TEST(EnvBrdfApproxUE4, IsIdenticalFromTwoPercentOnAndOffAtZero) {
   for (const double R : {0.0, 0.5, 1.0})
     for (const double N : {0.0, 0.4, 1.0}) {
       for (const double F0 : {0.02, 0.04, 1.0})
@@ -102,7 +102,7 @@ TEST(EnvBrdfApproxUE4, isIdenticalFromTwoPercentOnAndOffAtZero) {
 }
 
 // The article: "Same as EnvBRDFApprox(0.04, Roughness, NoV)". It drops a term, which is worth up to 1.53e-3.
-TEST(EnvBrdfApproxNonmetal, standsForApproxAtFourPercent) {
+TEST(EnvBrdfApproxNonmetal, StandsForApproxAtFourPercent) {
   double worst = 0;
   for (int i = 0; i <= 400; ++i)
     for (int k = 0; k <= 400; ++k) {
@@ -113,7 +113,7 @@ TEST(EnvBrdfApproxNonmetal, standsForApproxAtFourPercent) {
   EXPECT_GT(worst, 1.4e-3);
 }
 
-TEST(FullyRough, movesFortyFivePercentOfSpecularIntoDiffuse) {
+TEST(FullyRough, MovesFortyFivePercentOfSpecularIntoDiffuse) {
   f64::real3 diffuse(0.2, 0, 1), specular(0.04, 1, 0.5);
   f64::FullyRough(diffuse, specular);
   EXPECT_DOUBLE_EQ(diffuse.x, 0.2 + 0.04 * 0.45);
@@ -123,7 +123,7 @@ TEST(FullyRough, movesFortyFivePercentOfSpecularIntoDiffuse) {
 }
 
 // docs/shading.md 2c: 0.45 F0 in place of the integral at R = 1, F0 = 1, over N in [0, 1]. Converged: .0893 and .1739.
-TEST(FullyRough, deviatesFromBothIntegralsAsPublished) {
+TEST(FullyRough, DeviatesFromBothIntegralsAsPublished) {
   const PanelRule views({0.0, 0.01, 0.1, 0.3, 1.0}, 12);
   for (const auto& [geometry, rms] : {std::pair{Geometry::schlickSmith, 0.090}, {Geometry::heightCorrelated, 0.175}}) {
     double squares = 0, width = 0;

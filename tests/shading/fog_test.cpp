@@ -33,7 +33,7 @@ struct Way {
 constexpr Way kWays[] = {{1.7, 0, 40},  {1.7, -1.7, 12}, {30, -28, 60},  {-5, 4, 9},   {2, 90, 95},
                          {2, 1e-5, 50}, {50, -55, 80},   {3, 0.004, 30}, {12, 11, 11}, {0, -3, 25}};
 
-TEST(HeightFog, isTheIntegralOfTheExtinctionAlongTheWay) {
+TEST(HeightFog, IsTheIntegralOfTheExtinctionAlongTheWay) {
   for (const double falloff : {0.0, 1e-4, 0.02, 0.3, 1.5})
     for (const double start : {0.0, 8.0})
       for (const Way& way : kWays) {
@@ -45,7 +45,7 @@ TEST(HeightFog, isTheIntegralOfTheExtinctionAlongTheWay) {
 }
 
 // Where Taylor's form takes over from the quotient (a fall of 0.05 / falloff), and on both sides of level.
-TEST(HeightFog, hasNoStepWhereTheSeriesBegins) {
+TEST(HeightFog, HasNoStepWhereTheSeriesBegins) {
   const f32::HeightFog fog{0.05f, 0.5f, 0.f, 0.f, 1.f};
   const f64::HeightFog exact{0.05, 0.5, 0, 0, 1};
   for (double rise = -0.2; rise <= 0.2; rise += 0.0005) {
@@ -54,7 +54,7 @@ TEST(HeightFog, hasNoStepWhereTheSeriesBegins) {
   }
 }
 
-TEST(HeightFog, withoutFalloffIsDistanceFog) {
+TEST(HeightFog, WithoutFalloffIsDistanceFog) {
   for (const double distance : {0.0, 1.0, 25.0, 400.0})
     for (const double rise : {-0.7, 0.0, 0.9})
       EXPECT_NEAR(f64::heightFogTransmittance({0.01, 0, 5, 0, 1}, 3, rise * distance, distance),
@@ -64,7 +64,7 @@ TEST(HeightFog, withoutFalloffIsDistanceFog) {
 // HeightFogCommon.ush, 4.2x: Falloff = max(-127, FogHeightFalloff * RayDirectionZ); LineIntegral = (1 - exp2(-Falloff))
 // / Falloff; RayOriginTerms = FogDensity * exp2(-FogHeightFalloff * (z - FogHeight)); ExpFogFactor =
 // max(saturate(exp2(-RayOriginTerms * LineIntegral * RayLength)), MinFogOpacity).
-TEST(HeightFog, isUnrealsWithItsDensityTimesLn2Squared) {
+TEST(HeightFog, IsUnrealsWithItsDensityTimesLn2Squared) {
   constexpr double kFalloff = 0.2, kDensity = 0.04, kHeight = 0.5, kMinFogOpacity = 0.1;
   const double ln2 = std::log(2.0);
   for (const Way& way : kWays) {
@@ -77,7 +77,7 @@ TEST(HeightFog, isUnrealsWithItsDensityTimesLn2Squared) {
   }
 }
 
-TEST(HeightFog, startsAtItsDistanceAndEndsAtItsOpacity) {
+TEST(HeightFog, StartsAtItsDistanceAndEndsAtItsOpacity) {
   const f64::HeightFog fog{0.5, 0, 0, 10, 0.75};
   EXPECT_EQ(f64::heightFogTransmittance(fog, 0, 0, 10), 1);
   EXPECT_NEAR(f64::heightFogTransmittance(fog, 0, 0, 11), std::exp(-0.5), 1e-12);
@@ -86,7 +86,7 @@ TEST(HeightFog, startsAtItsDistanceAndEndsAtItsOpacity) {
 }
 
 // Camera above and below, distances and falloffs without bound: never NaN, never outside [1 - maxOpacity, 1].
-TEST(HeightFog, isFiniteForEveryFiniteInput) {
+TEST(HeightFog, IsFiniteForEveryFiniteInput) {
   constexpr float kMost = std::numeric_limits<float>::max();
   const float sizes[] = {0, std::numeric_limits<float>::min(), 1e-3f, 1, 1e4f, 1e19f, 1e30f, kMost};
   for (const float density : sizes)
@@ -108,7 +108,7 @@ TEST(HeightFog, isFiniteForEveryFiniteInput) {
               }
 }
 
-TEST(HeightFog, isThickBelowTheLayerAndNoneFarAboveIt) {
+TEST(HeightFog, IsThickBelowTheLayerAndNoneFarAboveIt) {
   const f32::HeightFog fog{0.01f, 1.f, 0.f, 0.f, 1.f};
   EXPECT_LT(f32::heightFogTransmittance(fog, -500.f, 0.f, 1.f), 1e-30f);
   EXPECT_EQ(f32::heightFogTransmittance(fog, 500.f, 0.f, 1000.f), 1.f);

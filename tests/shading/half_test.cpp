@@ -24,7 +24,7 @@ double valueByTheStandard(unsigned bits) {
                        : sign * std::ldexp(1024 + fraction, static_cast<int>(exponent) - 25);
 }
 
-TEST(Half, everyPatternMeansWhatTheStandardSaysAndComesBack) {
+TEST(Half, EveryPatternMeansWhatTheStandardSaysAndComesBack) {
   for (unsigned bits = 0; bits < 65536; ++bits) {
     const Half h = Half::fromBits(static_cast<std::uint16_t>(bits));
     const double expected = valueByTheStandard(bits);
@@ -39,7 +39,7 @@ TEST(Half, everyPatternMeansWhatTheStandardSaysAndComesBack) {
 }
 
 // Between any two neighbours: below the middle goes down, above goes up, the middle goes to the even pattern.
-TEST(Half, roundsToNearestWithTiesToEven) {
+TEST(Half, RoundsToNearestWithTiesToEven) {
   for (unsigned bits = 0; bits < 0x7bff; ++bits) {
     const double low = valueByTheStandard(bits), high = valueByTheStandard(bits + 1), middle = (low + high) / 2;
     EXPECT_EQ(Half(middle).bits(), bits + (bits & 1u));
@@ -55,7 +55,7 @@ TEST(Half, roundsToNearestWithTiesToEven) {
 
 // Sums and products of two halves are exact in double, so this is rounding once. Quotients and roots are not: there the
 // double's own rounding is 2^42 times finer than the half's.
-TEST(Half, operationsAreRoundedOnce) {
+TEST(Half, OperationsAreRoundedOnce) {
   std::mt19937 random(1);
   for (int i = 0; i < 200000; ++i) {
     const Half a = Half::fromBits(static_cast<std::uint16_t>(random() & 0xffffu));
@@ -76,7 +76,7 @@ TEST(Half, operationsAreRoundedOnce) {
 }
 
 #ifdef __FLT16_MANT_DIG__
-TEST(Half, agreesWithTheCompilersOwnHalf) {
+TEST(Half, AgreesWithTheCompilersOwnHalf) {
   std::mt19937_64 random(2);
   for (int i = 0; i < 200000; ++i) {
     const auto value =
@@ -86,7 +86,7 @@ TEST(Half, agreesWithTheCompilersOwnHalf) {
 }
 #endif
 
-TEST(Half, limitsOfEachPrecisionAreItsNormalRange) {
+TEST(Half, LimitsOfEachPrecisionAreItsNormalRange) {
   EXPECT_EQ(float(shading::kSmallestNormal<Half>), 0x1p-14f);
   EXPECT_EQ(float(shading::kLargestFinite<Half>), 65504.0f);
   // What real.glsl relies on: 1/kSmallest is finite.

@@ -27,7 +27,7 @@ double lobeOf(double a2, double u, double spread = 0) {
   return f64::prefilteredLobe(a2, f64::prefilteredLobeIntegral(a2), u, spread);
 }
 
-TEST(PrefilteredLobe, integratesToOne) {
+TEST(PrefilteredLobe, IntegratesToOne) {
   for (double roughness = 0.06; roughness <= 1.0001; roughness += 0.01) {
     const double a2 = std::min(1.0, std::pow(roughness, 4));
     const auto lobe = [&](double u) { return lobeOf(a2, u); };
@@ -41,7 +41,7 @@ TEST(PrefilteredLobe, integratesToOne) {
 }
 
 // It is D_GGX cos / 4 for N = V, to a factor that does not depend on the direction.
-TEST(PrefilteredLobe, isThatOfGgx) {
+TEST(PrefilteredLobe, IsThatOfGgx) {
   for (const double alpha : {0.01, 0.1, 0.5, 1.0}) {
     double first = 0;
     for (const double u : {0.0, 1e-4, 0.01, 0.1, 0.4}) {
@@ -55,7 +55,7 @@ TEST(PrefilteredLobe, isThatOfGgx) {
 }
 
 // The mean over a disc of radius r, whose mean square distance is r^2 / 2, by rings and sectors.
-TEST(PrefilteredLobe, takesTheMeanOverASpread) {
+TEST(PrefilteredLobe, TakesTheMeanOverASpread) {
   for (const double a2 : {1e-4, 0.01})
     for (const double angle : {0.0, 0.1, 0.3, 0.7}) {
       const double r = 0.15 * std::sqrt(4 * (a2 + std::pow(std::sin(angle / 2), 2)));
@@ -75,7 +75,7 @@ TEST(PrefilteredLobe, takesTheMeanOverASpread) {
 }
 
 // Of D over a disc of lights about L, by sums in double; V and L in the plane x = 0 and out of it.
-TEST(MeanOfGgx, isTheMeanOverADiscOfLights) {
+TEST(MeanOfGgx, IsTheMeanOverADiscOfLights) {
   const glm::dvec3 N(0, 0, 1);
   const auto unit = [](double x, double y, double z) { return glm::normalize(glm::dvec3(x, y, z)); };
   for (const double alpha : {0.0041, 0.05, 0.3})
@@ -103,7 +103,7 @@ TEST(MeanOfGgx, isTheMeanOverADiscOfLights) {
       }
 }
 
-TEST(LampShare, runsFromNoneToAll) {
+TEST(LampShare, RunsFromNoneToAll) {
   EXPECT_LT(f64::lampShare(0.1, 1.0), 0.001);
   EXPECT_GT(f64::lampShare(30.0, 1.0), 0.98);
   EXPECT_EQ(f64::lobeScale(0.25, 1.0, 1.0), 1.0);

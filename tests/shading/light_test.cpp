@@ -17,7 +17,7 @@ using shading::Half;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // KHR_lights_punctual: attenuation = max( min( 1.0 - ( current_distance / range )^4, 1 ), 0 ) / current_distance^2
-TEST(SquareFalloff, isTheExtensionsFormula) {
+TEST(SquareFalloff, IsTheExtensionsFormula) {
   for (const double range : {0.5, 3.0, 100.0})
     for (const double d : {0.02, 0.4, 1.0, 2.9, 50.0, 200.0}) {
       const double expected = std::max(std::min(1.0 - std::pow(d / range, 4), 1.0), 0.0) / (d * d);
@@ -25,13 +25,13 @@ TEST(SquareFalloff, isTheExtensionsFormula) {
     }
 }
 
-TEST(SquareFalloff, withoutRangeIsTheInverseSquare) {
+TEST(SquareFalloff, WithoutRangeIsTheInverseSquare) {
   EXPECT_DOUBLE_EQ(f64::squareFalloff(9, 0), 1.0 / 9);
   EXPECT_DOUBLE_EQ(f64::squareFalloff(9, kInfinity), 1.0 / 9);
   EXPECT_FLOAT_EQ(f32::squareFalloff(9, std::numeric_limits<float>::infinity()), 1.0f / 9);
 }
 
-TEST(SquareFalloff, isFiniteAtTheLightAndZeroAtTheRange) {
+TEST(SquareFalloff, IsFiniteAtTheLightAndZeroAtTheRange) {
   EXPECT_DOUBLE_EQ(f64::squareFalloff(0, 5), 1e4); // 1 / (1 cm)^2
   EXPECT_NEAR(f64::squareFalloff(1e-6, 5), 1e4, 1e-9);
   EXPECT_NEAR(float(f16::squareFalloff(0, 5)), 1e4, 8); // fits in half
@@ -39,13 +39,13 @@ TEST(SquareFalloff, isFiniteAtTheLightAndZeroAtTheRange) {
   EXPECT_EQ(f64::squareFalloff(26, 5), 0);
 }
 
-TEST(SquareFalloff, keepsDistancesBeyond256MetresInHalfPrecision) {
+TEST(SquareFalloff, KeepsDistancesBeyond256MetresInHalfPrecision) {
   EXPECT_NEAR(float(f16::squareFalloff(90000, 0)), 1.0 / 90000, 1e-7); // 300 m: d^2 would be inf in half
   EXPECT_GT(float(f16::squareFalloff(90000, 1000)), 0);
 }
 
 // Karis 2013, eq. 9: saturate(1 - (d/r)^4)^2 / (d^2 + 1) in centimetres, so per cm^2.
-TEST(SquareFalloffUE4, isTheCoursesFormulaInMetres) {
+TEST(SquareFalloffUE4, IsTheCoursesFormulaInMetres) {
   for (const double rangeCm : {50.0, 1000.0})
     for (const double dCm : {0.0, 1.0, 30.0, 400.0, 1001.0}) {
       const double window = std::min(std::max(1 - std::pow(dCm / rangeCm, 4), 0.0), 1.0);
@@ -57,7 +57,7 @@ TEST(SquareFalloffUE4, isTheCoursesFormulaInMetres) {
 
 // DynamicLightingCommon.ush: pow(1 - saturate(dot(WorldLightVector, WorldLightVector)), FalloffExponent), the vector in
 // units of the radius.
-TEST(ExponentFalloff, isTheEnginesRadialAttenuation) {
+TEST(ExponentFalloff, IsTheEnginesRadialAttenuation) {
   for (const double range : {0.5, 7.0, 300.0})
     for (const double exponent : {0.5, 2.0, 8.0, 16.0})
       for (const double share : {0.0, 0.1, 0.5, 0.99, 1.0, 1.5}) {
@@ -69,14 +69,14 @@ TEST(ExponentFalloff, isTheEnginesRadialAttenuation) {
   EXPECT_DOUBLE_EQ(f64::exponentFalloff(4, 4, 2), 0.5625); // half way: (3/4)^2
 }
 
-TEST(ExponentFalloff, isFiniteWhateverTheRange) {
+TEST(ExponentFalloff, IsFiniteWhateverTheRange) {
   EXPECT_EQ(f64::exponentFalloff(0, 0, 8), 0);
   EXPECT_EQ(f64::exponentFalloff(1, 0, 8), 0);
   EXPECT_EQ(f64::exponentFalloff(1e30, 1e-3, 8), 0);
   EXPECT_EQ(float(f16::exponentFalloff(250000, 1000, 1)), 0.75f) << "500 m: d^2 would be inf in half";
 }
 
-TEST(DistanceFalloff, isThatOfTheNumber) {
+TEST(DistanceFalloff, IsThatOfTheNumber) {
   EXPECT_EQ(f64::distanceFalloff(f64::kFalloffKhr, 4, 3, 8), f64::squareFalloff(4, 3));
   EXPECT_EQ(f64::distanceFalloff(f64::kFalloffUE4, 4, 3, 8), f64::squareFalloffUE4(4, 3));
   EXPECT_EQ(f64::distanceFalloff(f64::kFalloffExponent, 4, 3, 8), f64::exponentFalloff(4, 3, 8));
@@ -91,7 +91,7 @@ double spotByTheExtension(double cd, double cosInner, double cosOuter) {
   return angularAttenuation * angularAttenuation;
 }
 
-TEST(SpotAttenuation, isTheExtensionsFormula) {
+TEST(SpotAttenuation, IsTheExtensionsFormula) {
   for (const double outer : {0.1, 0.5, 1.2})
     for (const double inner : {0.0, 0.05, 0.09})
       for (double angle = 0; angle < 1.6; angle += 0.01)
@@ -99,13 +99,13 @@ TEST(SpotAttenuation, isTheExtensionsFormula) {
                     spotByTheExtension(std::cos(angle), std::cos(inner), std::cos(outer)), 1e-11);
 }
 
-TEST(SpotAttenuation, isOneInsideZeroOutsideAndSquaredBetween) {
+TEST(SpotAttenuation, IsOneInsideZeroOutsideAndSquaredBetween) {
   EXPECT_EQ(f64::spotAttenuation(0.95, 0.9, 0.7), 1);
   EXPECT_EQ(f64::spotAttenuation(0.6, 0.9, 0.7), 0);
   EXPECT_NEAR(f64::spotAttenuation(0.8, 0.9, 0.7), 0.25, 1e-12);
 }
 
-TEST(SpotAttenuation, stepsWhereInnerEqualsOuter) {
+TEST(SpotAttenuation, StepsWhereInnerEqualsOuter) {
   EXPECT_EQ(f64::spotAttenuation(0.802, 0.8, 0.8), 1);
   EXPECT_EQ(f64::spotAttenuation(0.8, 0.8, 0.8), 0);
   EXPECT_EQ(f32::spotAttenuation(0.79f, 0.8f, 0.8f), 0);
@@ -113,7 +113,7 @@ TEST(SpotAttenuation, stepsWhereInnerEqualsOuter) {
   EXPECT_EQ(float(f16::spotAttenuation(inside, edge, edge)), 1);
 }
 
-TEST(ClampContribution65000, cutsEachChannelOnItsOwn) {
+TEST(ClampContribution65000, CutsEachChannelOnItsOwn) {
   const f64::real3 c = f64::clampContribution65000({1e6, 65000, 3});
   EXPECT_EQ(c.x, 65000);
   EXPECT_EQ(c.y, 65000);
@@ -121,7 +121,7 @@ TEST(ClampContribution65000, cutsEachChannelOnItsOwn) {
 }
 
 // docs/shading.md 4: "min(65000, x) stores 64992, and two such lights add up to inf".
-TEST(ClampContribution65000, letsTwoLightsOverflowHalf) {
+TEST(ClampContribution65000, LetsTwoLightsOverflowHalf) {
   const Half huge = Half(65504.0);
   const Half one = f16::clampContribution65000({huge, huge, huge}).x;
   EXPECT_EQ(float(one), 64992);

@@ -85,7 +85,7 @@ f64::real4 readLq(const f64::real32x3& irradianceOverPi, const Baked& baked, con
 double stored(double value) { return std::floor(std::clamp(value, 0.0, 1.0) * 255 + 0.5) / 255; }
 
 // docs/shading.md 7a: a step of LogL is 4.5 % of L + 2^-8, so that half a step is 2.3 %.
-TEST(Lightmap, eightBitsKeepGreysWithinHalfAStepOver16Stops) {
+TEST(Lightmap, EightBitsKeepGreysWithinHalfAStepOver16Stops) {
   double worst = 0, worstHalf = 0;
   for (double stop = -8; stop <= 8; stop += 1.0 / 64) {
     const double L = std::min(std::exp2(stop), 255.99); // LogL is 1 there
@@ -108,7 +108,7 @@ TEST(Lightmap, eightBitsKeepGreysWithinHalfAStepOver16Stops) {
   EXPECT_LT(worstHalf, 0.012) << "16 ln 2 times the luminance's roundings (3 * 2^-12) and the exponent's (2^-8)";
 }
 
-TEST(Lightmap, blackStaysBlackAndNothingIsNegative) {
+TEST(Lightmap, BlackStaysBlackAndNothingIsNegative) {
   const f64::real32x3 black = f64::encodeLightmapLogRgb({0, 0, 0});
   EXPECT_EQ(black.x + black.y + black.z, 0);
   const f64::real32x3 negative = f64::encodeLightmapLogRgb({-1, 0, 0.5});
@@ -129,7 +129,7 @@ TEST(Lightmap, blackStaysBlackAndNothingIsNegative) {
   }
 }
 
-TEST(Lightmap, theMobileTexelIsExactAtTheBakedNormal) {
+TEST(Lightmap, TheMobileTexelIsExactAtTheBakedNormal) {
   const Direction N0 = leaning(0.3);
   const f64::real32x3 E{0.7, 1.9, 0.02};
   for (const Baked& baked : {makeDelta(leaning(1.1)), makeDelta(leaning(-0.4)), makeCap(pi / 2), makeCap(0.4)}) {
@@ -142,7 +142,7 @@ TEST(Lightmap, theMobileTexelIsExactAtTheBakedNormal) {
 }
 
 // dot(SH, (N.yzx, 1)) is S(N) / l0: the order in which the components are stored and read.
-TEST(Lightmap, theMobileTexelIsLinearShElsewhere) {
+TEST(Lightmap, TheMobileTexelIsLinearShElsewhere) {
   const Baked baked = makeCap(pi / 2); // its irradiance is of order 1: (1 + cos) / 2
   for (const double angle : {0.0, 0.5, 1.5, 2.5}) {
     const f64::real4 read = readLq({1, 1, 1}, baked, {0, 0, 1}, leaning(angle));
@@ -157,7 +157,7 @@ TEST(Lightmap, theMobileTexelIsLinearShElsewhere) {
     }
 }
 
-TEST(Lightmap, lightFromBelowTheNormalIsNotScaledWithoutBound) {
+TEST(Lightmap, LightFromBelowTheNormalIsNotScaledWithoutBound) {
   const f64::LightmapSh below = f64::encodeLightmapSh(1, {0, 0, -1.7320508});
   EXPECT_EQ(f64::flatNormalScale(below, {0, 0, 1}), 64);
   EXPECT_NEAR(f64::flatNormalScale(f64::encodeLightmapSh(0, {0, 0, 0}), {0, 0, 1}), 1 / 0.2820948, 1e-5);
@@ -169,7 +169,7 @@ TEST(Lightmap, lightFromBelowTheNormalIsNotScaledWithoutBound) {
   EXPECT_NEAR(clamped.z, 0.8, 1e-12);
 }
 
-TEST(Lightmap, theHighEndRatioIsOneAtTheBakedNormalAndWithoutADirection) {
+TEST(Lightmap, TheHighEndRatioIsOneAtTheBakedNormalAndWithoutADirection) {
   const Direction n = leaning(0.9), N0 = leaning(0.2);
   EXPECT_NEAR(f64::directionalLightmapRatio({0, 0, 0}, vec(n), vec(N0)), 1, 1e-15);
   EXPECT_NEAR(f64::directionalLightmapRatio({0.3, -0.2, 0.6}, vec(N0), vec(N0)), 1, 1e-15);
@@ -179,7 +179,7 @@ TEST(Lightmap, theHighEndRatioIsOneAtTheBakedNormalAndWithoutADirection) {
 }
 
 // The mean over all normals is the irradiance of the same light from everywhere (Hazel 2015: what the model conserves).
-TEST(Lightmap, theHighEndFormConservesTheMean) {
+TEST(Lightmap, TheHighEndFormConservesTheMean) {
   const GaussRule rule(64);
   for (const double length : {0.0, 0.25, 0.5, 1.0}) {
     double sum = 0;
@@ -192,7 +192,7 @@ TEST(Lightmap, theHighEndFormConservesTheMean) {
 
 // Irradiance at shading normals that lean from the baked one by up to 60 degrees: E(N0) R(n)/R(N0) against the linear
 // form, E(N0) max(0, S(n))/S(N0). A hemisphere's irradiance is of order 1: there the linear form is exact.
-TEST(Lightmap, theNonlinearFormIsNearerToTheTruthThanTheLinearOneForLightFromFewDirections) {
+TEST(Lightmap, TheNonlinearFormIsNearerToTheTruthThanTheLinearOneForLightFromFewDirections) {
   struct Case {
     const char* name;
     Baked baked;
@@ -230,7 +230,7 @@ TEST(Lightmap, theNonlinearFormIsNearerToTheTruthThanTheLinearOneForLightFromFew
   }
 }
 
-TEST(Lightmap, theDistanceFieldShadowIsSquaredAboutTheEdge) {
+TEST(Lightmap, TheDistanceFieldShadowIsSquaredAboutTheEdge) {
   EXPECT_NEAR(f64::distanceFieldShadow(0.5, 8), 0.25, 1e-15) << "the edge, whatever T is";
   EXPECT_NEAR(f64::distanceFieldShadow(0.5, 2), 0.25, 1e-15);
   EXPECT_EQ(f64::distanceFieldShadow(1, 4), 1);

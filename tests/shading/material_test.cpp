@@ -11,7 +11,7 @@ namespace {
 
 namespace f64 = shading::f64;
 
-TEST(Material, dielectricsReflectTheirSpecularAndKeepTheirColour) {
+TEST(Material, DielectricsReflectTheirSpecularAndKeepTheirColour) {
   EXPECT_DOUBLE_EQ(f64::dielectricSpecular(0.5), 0.04); // glTF's default, index of refraction 1.5: ((n-1)/(n+1))^2
   EXPECT_DOUBLE_EQ(f64::dielectricSpecular(0.5), std::pow(0.5 / 2.5, 2));
   const f64::real3 F0(0.04, 0.05, 0.06), base(0.8, 0.2, 0.1);
@@ -22,7 +22,7 @@ TEST(Material, dielectricsReflectTheirSpecularAndKeepTheirColour) {
   EXPECT_EQ(diffuse.y, 0.2);
 }
 
-TEST(Material, metalsReflectTheirColourAndDiffuseNothing) {
+TEST(Material, MetalsReflectTheirColourAndDiffuseNothing) {
   const f64::real3 F0(0.04, 0.04, 0.04), base(0.9, 0.6, 0.2);
   EXPECT_EQ(f64::specularColor(F0, base, 1).x, 0.9);
   EXPECT_EQ(f64::specularColor(F0, base, 1).z, 0.2);
@@ -32,7 +32,7 @@ TEST(Material, metalsReflectTheirColourAndDiffuseNothing) {
   EXPECT_EQ(shading::f32::specularColor({0.04f, 0.04f, 0.04f}, {0, 0, 0}, 1).y, 0);
 }
 
-TEST(Material, halfMetalIsTheMixOfBoth) {
+TEST(Material, HalfMetalIsTheMixOfBoth) {
   const f64::real3 specular = f64::specularColor({0.04, 0.04, 0.04}, {1, 0.5, 0}, 0.5);
   EXPECT_DOUBLE_EQ(specular.x, 0.52);
   EXPECT_DOUBLE_EQ(specular.y, 0.27);
@@ -40,13 +40,13 @@ TEST(Material, halfMetalIsTheMixOfBoth) {
   EXPECT_DOUBLE_EQ(f64::diffuseColor({1, 0.5, 0}, 0.5).y, 0.25);
 }
 
-TEST(Mips, roughnessOneIsTheRoughestMipAndEachHalvingIs1Point2MipsLess) {
+TEST(Mips, RoughnessOneIsTheRoughestMipAndEachHalvingIs1Point2MipsLess) {
   EXPECT_DOUBLE_EQ(f64::mipFromRoughness(1), f64::kPrefilterRoughestMip);
   EXPECT_DOUBLE_EQ(f64::mipFromRoughness(0.5), 5 - 1.2);
   EXPECT_DOUBLE_EQ(f64::mipFromRoughness(0.25), 5 - 2.4);
 }
 
-TEST(Mips, smoothSurfacesReadTheSharpestMip) {
+TEST(Mips, SmoothSurfacesReadTheSharpestMip) {
   EXPECT_EQ(f64::mipFromRoughness(0), 0);
   EXPECT_EQ(f64::mipFromRoughness(0.05), 0);
   EXPECT_GT(f64::mipFromRoughness(0.06), 0);
@@ -54,7 +54,7 @@ TEST(Mips, smoothSurfacesReadTheSharpestMip) {
 }
 
 // The blend of the two levels' mips, as layer j of mip m stands for mip m + j / layers, is the mip of the roughness.
-TEST(Mips, levelsBetweenMipsEncloseTheRoughness) {
+TEST(Mips, LevelsBetweenMipsEncloseTheRoughness) {
   constexpr int kLast = f64::kPrefilterLayers * f64::kPrefilterRoughestMip;
   for (double R = 0; R <= 1; R += 0.001) {
     const f64::PrefilterBlend blend = f64::prefilterBlend(f64::mipFromRoughness(R));
@@ -73,7 +73,7 @@ TEST(Mips, levelsBetweenMipsEncloseTheRoughness) {
   EXPECT_EQ(f64::prefilterBlend(f64::mipFromRoughness(1)).upperShare, 1);
 }
 
-TEST(Mips, fineLevelsEncloseTheRoughnessFromTheSharpestOn) {
+TEST(Mips, FineLevelsEncloseTheRoughnessFromTheSharpestOn) {
   constexpr int kLast = f64::kPrefilterLayers * f64::kPrefilterRoughestMip;
   for (double R = 0; R <= 1; R += 0.001) {
     const double mip = f64::unclampedMip(R);
@@ -87,7 +87,7 @@ TEST(Mips, fineLevelsEncloseTheRoughnessFromTheSharpestOn) {
 
 // D of a < a1 is (a / a1)^2 that of a1, far out, and a core: by quadrature of the small-angle lobes 1 / (pi b^2) / (1 +
 // theta^2 / b^2)^2, b = 2 a.
-TEST(Mips, sharpLobesHaveTheTailOfLevelOneAndTheVarianceOfTheRest) {
+TEST(Mips, SharpLobesHaveTheTailOfLevelOneAndTheVarianceOfTheRest) {
   const double sharpest = f64::kSharpestPrefilteredMip, alpha1 = std::pow(f64::roughnessFromMip(sharpest), 2);
   const auto lobe = [](double alpha, double theta) {
     const double b2 = 4 * alpha * alpha;
@@ -110,7 +110,7 @@ TEST(Mips, sharpLobesHaveTheTailOfLevelOneAndTheVarianceOfTheRest) {
   EXPECT_LT(f64::sharpLobe(f64::unclampedMip(0)).width, 1e-4) << "a mirror reads a cell";
 }
 
-TEST(Mips, mappingAndInverseAgree) {
+TEST(Mips, MappingAndInverseAgree) {
   for (int mip = 0; mip <= 5; ++mip) EXPECT_NEAR(f64::mipFromRoughness(f64::roughnessFromMip(mip)), mip, 1e-12);
   for (double R = 0.06; R <= 1; R += 0.05) EXPECT_NEAR(f64::roughnessFromMip(f64::mipFromRoughness(R)), R, 1e-12);
 }

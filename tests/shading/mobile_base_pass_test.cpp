@@ -28,7 +28,7 @@ f64::MobileMaterial copper() {
   return m;
 }
 
-TEST(Narrow, saturatesAtTheLargestHalfAndKeepsNan) {
+TEST(Narrow, SaturatesAtTheLargestHalfAndKeepsNan) {
   EXPECT_EQ(float(f16::narrow(1e6f)), 65504);
   EXPECT_EQ(float(f16::narrow(kInf)), 65504);
   EXPECT_TRUE(std::isnan(float(f16::narrow(kNan))));
@@ -38,7 +38,7 @@ TEST(Narrow, saturatesAtTheLargestHalfAndKeepsNan) {
 }
 
 // UE4, MobileShadingModels.ush: the three colours of the context.
-TEST(MobileShadingModelContext, hasTheColoursOfTheSource) {
+TEST(MobileShadingModelContext, HasTheColoursOfTheSource) {
   const f64::MobileMaterial m = copper();
   const double NoV = 0.6;
   const f64::MobileShadingModelContext c = f64::initShadingModelContext(f64::kEnvironmentBrdfUE4, false, false, m, NoV);
@@ -49,7 +49,7 @@ TEST(MobileShadingModelContext, hasTheColoursOfTheSource) {
   EXPECT_NEAR(c.SpecularColor.z, c.SpecPreEnvBrdf.z * (-1.04 * a004 + rz) + (1.04 * a004 + rw), 1e-15);
 }
 
-TEST(MobileShadingModelContext, nonmetalAndFullyRoughTakeTheirShortcuts) {
+TEST(MobileShadingModelContext, NonmetalAndFullyRoughTakeTheirShortcuts) {
   const f64::MobileMaterial m = copper();
   const auto nonmetal = f64::initShadingModelContext(f64::kEnvironmentBrdfUE4, true, false, m, 0.3);
   EXPECT_EQ(nonmetal.SpecularColor.x, f64::EnvBRDFApproxNonmetal(0.4, 0.3));
@@ -60,7 +60,7 @@ TEST(MobileShadingModelContext, nonmetalAndFullyRoughTakeTheirShortcuts) {
 }
 
 // Below 2 % the UE4 form fades specular out: at 0 it is off, where Karis 2014 leaves B.
-TEST(MobileShadingModelContext, specularOfZeroIsOffInUe4Alone) {
+TEST(MobileShadingModelContext, SpecularOfZeroIsOffInUe4Alone) {
   f64::MobileMaterial black = copper();
   black.BaseColor = {0, 0, 0};
   black.Metallic = 1;
@@ -69,7 +69,7 @@ TEST(MobileShadingModelContext, specularOfZeroIsOffInUe4Alone) {
             0.02);
 }
 
-TEST(MobileIntegrateBxDF, isSpecularColorTimesNoLTimesTheLobe) {
+TEST(MobileIntegrateBxDF, IsSpecularColorTimesNoLTimesTheLobe) {
   f64::MobileShadingModelContext c =
       f64::initShadingModelContext(f64::kEnvironmentBrdfUE4, false, false, copper(), 0.8);
   const f64::MobileFrame frame = f64::mobileFrame({0, 0, 1}, {0.6, 0, 0.8});
@@ -89,7 +89,7 @@ TEST(MobileIntegrateBxDF, isSpecularColorTimesNoLTimesTheLobe) {
 }
 
 // The engine cuts R.L off at 0, the article does not: beyond a right angle its lobe goes no lower.
-TEST(MobileIntegrateBxDF, givesPhongApproxNoCosineBelowZero) {
+TEST(MobileIntegrateBxDF, GivesPhongApproxNoCosineBelowZero) {
   f64::MobileMaterial rough = copper();
   rough.Roughness = 1;
   const f64::MobileShadingModelContext c = f64::initShadingModelContext(0, false, false, rough, 0.28);
@@ -101,7 +101,7 @@ TEST(MobileIntegrateBxDF, givesPhongApproxNoCosineBelowZero) {
 }
 
 // What --term EnvBRDF.A and .B show is what the lobe is made of, preset by preset.
-TEST(EnvironmentBrdfAB, isWhatSpecularColorIsMadeOf) {
+TEST(EnvironmentBrdfAB, IsWhatSpecularColorIsMadeOf) {
   for (const int form : {f64::kEnvironmentBrdfKaris2014, f64::kEnvironmentBrdfUE4, f64::kEnvironmentBrdfRefit})
     for (const double roughness : {0.1, 0.5, 1.0})
       for (const double NoV : {0.1, 0.6, 1.0}) {
@@ -117,7 +117,7 @@ TEST(EnvironmentBrdfAB, isWhatSpecularColorIsMadeOf) {
 }
 
 // docs/shading.md 8: N flipped, direct light 0; V = -L, H = N.
-TEST(MobileIntegrateBxDF, givesNothingFromBehindAndSurvivesLightAgainstTheView) {
+TEST(MobileIntegrateBxDF, GivesNothingFromBehindAndSurvivesLightAgainstTheView) {
   const f64::MobileShadingModelContext c = f64::initShadingModelContext(1, false, false, copper(), 1);
   const f64::MobileFrame frame = f64::mobileFrame({0, 0, 1}, {0, 0, 1});
   const f64::real3 L(0, 0, -1);
@@ -126,7 +126,7 @@ TEST(MobileIntegrateBxDF, givesNothingFromBehindAndSurvivesLightAgainstTheView) 
   EXPECT_EQ(f64::halfVector(frame.N, frame.V, L).z, 1);
 }
 
-TEST(LightWith, saturatesInHalf) {
+TEST(LightWith, SaturatesInHalf) {
   f16::MobileDirectLighting lighting;
   lighting.Diffuse = {Half(0.5), Half(0.5), Half(0)};
   lighting.Specular = {Half(100), Half(0), Half(0)};
@@ -138,14 +138,14 @@ TEST(LightWith, saturatesInHalf) {
 
 const f64::MixingRange kMixing = f64::mixingRange(f64::kMixingBegin, f64::kMixingEnd, f64::kMixingLargest);
 
-TEST(CaptureScale, isOneOfTheSkylightTheWholeWeightOfKarisAndOcclusionOfOurs) {
+TEST(CaptureScale, IsOneOfTheSkylightTheWholeWeightOfKarisAndOcclusionOfOurs) {
   EXPECT_EQ(f64::captureScale(f64::kCaptureScaleSky, 0.1, 5, 1, 0.7, kMixing), 1);
   EXPECT_DOUBLE_EQ(f64::captureScale(f64::kCaptureScaleFull, 0.5, 2, 0.1, 0.7, kMixing), 0.25);
   EXPECT_EQ(f64::captureScale(f64::kCaptureScaleOcclusion, 0.5, 2, 0.5, 0.7, kMixing), 0.7);
 }
 
 // docs/shading.md 7d, by the engine's own steps, in numbers: scale 5, bias -.5.
-TEST(CaptureScale, mixingIsWholeFromTheEndOnAndAbsentUpToTheBegin) {
+TEST(CaptureScale, MixingIsWholeFromTheEndOnAndAbsentUpToTheBegin) {
   EXPECT_NEAR(kMixing.scale, 5, 1e-12);
   EXPECT_NEAR(kMixing.bias, -0.5, 1e-12);
   const auto weight = [](double R) { return f64::captureScale(f64::kCaptureScaleMixing, 0.5, 2, R, 0.7, kMixing); };
@@ -156,7 +156,7 @@ TEST(CaptureScale, mixingIsWholeFromTheEndOnAndAbsentUpToTheBegin) {
   EXPECT_NEAR(weight(0.2), 1 - 0.75 * 0.5, 1e-12);
 }
 
-TEST(CaptureScale, mixingObeysItsRangeAndItsLargestWeight) {
+TEST(CaptureScale, MixingObeysItsRangeAndItsLargestWeight) {
   const f64::MixingRange wide = f64::mixingRange(0, 1, 3);
   EXPECT_NEAR(f64::captureScale(f64::kCaptureScaleMixing, 0.5, 2, 0.5, 1, wide), 0.625, 1e-12); // smoothstep(R)
   EXPECT_NEAR(f64::captureScale(f64::kCaptureScaleMixing, 8, 2, 1, 1, wide), 3, 1e-12) << "of 4";
@@ -166,7 +166,7 @@ TEST(CaptureScale, mixingObeysItsRangeAndItsLargestWeight) {
 
 // In half the weight is what double makes of it, to the half's own steps: of the roughness (5 / 2^12 of the step's
 // argument, times its steepest slope of 1.5) and of the weight.
-TEST(CaptureScale, mixingInHalfIsWithinItsRounding) {
+TEST(CaptureScale, MixingInHalfIsWithinItsRounding) {
   const f16::MixingRange mixing = f16::mixingRange(0.1f, 0.3f, 10000);
   for (double R = 0; R <= 1; R += 1.0 / 64)
     for (const double irradiance : {0.25, 1.0, 6.0}) {
@@ -177,7 +177,7 @@ TEST(CaptureScale, mixingInHalfIsWithinItsRounding) {
 }
 
 // docs/shading.md 8: "Average brightness 0: guarded", and what is black stays black.
-TEST(CaptureScale, ofABlackCaptureIsFiniteAndItsReflectionBlack) {
+TEST(CaptureScale, OfABlackCaptureIsFiniteAndItsReflectionBlack) {
   const Half scale = f16::captureScale(f16::kCaptureScaleFull, Half(60000), 0, Half(1), Half(1), {});
   EXPECT_EQ(float(scale), 65504);
   const f16::real3 ibl = f16::specularIBL({Half(0), Half(200), Half(1)}, scale);
@@ -186,13 +186,13 @@ TEST(CaptureScale, ofABlackCaptureIsFiniteAndItsReflectionBlack) {
   EXPECT_EQ(float(f16::modulate(ibl, {Half(1), Half(0), Half(1)}).y), 0) << "0 times what saturated";
 }
 
-TEST(LuminanceUE4, hasTheEnginesWeights) {
+TEST(LuminanceUE4, HasTheEnginesWeights) {
   EXPECT_NEAR(f64::luminanceUE4({1, 0, 0}), 0.3, 1e-15);
   EXPECT_NEAR(f64::luminanceUE4({0, 1, 0}), 0.59, 1e-15);
   EXPECT_NEAR(f64::luminanceUE4({1, 1, 1}), 1, 1e-15);
 }
 
-TEST(LocalLightAt, attenuatesBySquareWindowConeAndPi) {
+TEST(LocalLightAt, AttenuatesBySquareWindowConeAndPi) {
   const double pi = 3.14159265358979324, cosInner = std::cos(0.3), cosOuter = std::cos(0.5);
   const auto light = f64::localLightAt(f64::kFalloffUE4, {0, 0, 2}, {10, 20, 30}, 4, 0, true,
                                        {std::sin(0.4), 0, -std::cos(0.4)}, cosInner, cosOuter);

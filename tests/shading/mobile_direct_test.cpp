@@ -46,7 +46,7 @@ void expectPrinted(double actual, double printed, int decimals) {
 }
 
 // docs/shading.md 3.
-TEST(DApprox, reflectsAgainstTheTruthAsPublished) {
+TEST(DApprox, ReflectsAgainstTheTruthAsPublished) {
   const std::array<std::pair<double, std::array<double, 5>>, 3> rows = {
       {{0.1, {.38, .95, 1.89, 2.84, 3.78}}, {0.5, {.57, .90, 1.48, 2.08, 2.69}}, {1, {.31, .42, .63, .87, 1.15}}}};
   for (const auto& [R, printed] : rows)
@@ -55,7 +55,7 @@ TEST(DApprox, reflectsAgainstTheTruthAsPublished) {
 }
 
 // docs/shading.md 3a: "its smooth-lobe ratio is about 4N; exitance reaches 3.89", over roughness >= 0.05.
-TEST(DApprox, lacksTheQuarterOfTheMicrofacetDenominator) {
+TEST(DApprox, LacksTheQuarterOfTheMicrofacetDenominator) {
   for (const double N : kViews) // 1 - 0.55 R is EnvBRDFApprox at F0 = 1
     EXPECT_NEAR(reflectanceOfDApprox(0.05, N) / truth(0.05, N), 4 * N * (1 - 0.55 * 0.05), 0.01 * N);
   double most = 0;
@@ -66,7 +66,7 @@ TEST(DApprox, lacksTheQuarterOfTheMicrofacetDenominator) {
 
 // The steps of the article: Blinn's exponent 2/alpha^2 - 2 seen from r is a quarter of it, and the Gaussian stands for
 // x^n as e^((n + 0.775)(x - 1)), so c ln 2 = n + 0.775 with n = 1/(2 alpha^2) - 1/2.
-TEST(DApprox, isTheArticlesSphericalGaussian) {
+TEST(DApprox, IsTheArticlesSphericalGaussian) {
   for (const double R : {0.2, 0.5, 1.0})
     for (const double RoL : {0.5, 0.9, 1.0}) {
       const double a2 = std::pow(R, 4), n = 0.5 / a2 - 0.5;
@@ -76,7 +76,7 @@ TEST(DApprox, isTheArticlesSphericalGaussian) {
 }
 
 // Below roughness sqrt(.008) = .0894 the floor, beyond it the article's Gaussian; the exponentials written out here.
-TEST(PhongApprox, isTheArticlesGaussianWithAFloorUnderItsWidth) {
+TEST(PhongApprox, IsTheArticlesGaussianWithAFloorUnderItsWidth) {
   for (const double R : {0.0, 0.05, 0.089, 0.0895, 0.2, 0.5, 1.0})
     for (const double RoL : {0.0, 0.5, 0.99, 0.9999, 1.0}) {
       const double a = std::max(R * R, 0.008), n = 0.5 / (a * a) - 0.5;
@@ -86,7 +86,7 @@ TEST(PhongApprox, isTheArticlesGaussianWithAFloorUnderItsWidth) {
   EXPECT_EQ(f64::PhongApprox(0.5, 0.9), f64::D_Approx(0.5, 0.9));
 }
 
-TEST(PhongApprox, hasItsPeakAtOneAlsoWhereACosineRoundsToAbove) {
+TEST(PhongApprox, HasItsPeakAtOneAlsoWhereACosineRoundsToAbove) {
   for (const double R : {0.0, 0.1, 0.5})
     for (const double above : {1 + 1e-7, 1.001, 1.1}) {
       EXPECT_EQ(f64::PhongApprox(R, above), f64::PhongApprox(R, 1));
@@ -95,7 +95,7 @@ TEST(PhongApprox, hasItsPeakAtOneAlsoWhereACosineRoundsToAbove) {
 }
 
 // What the floor is there for: in half 1 / a^2 stays finite, and is no quotient of a denormal.
-TEST(PhongApprox, isFiniteInHalfAtEveryRoughness) {
+TEST(PhongApprox, IsFiniteInHalfAtEveryRoughness) {
   using shading::Half;
   EXPECT_GE(float(Half(0.008) * Half(0.008)), 0x1p-14);
   for (std::uint16_t bits = 0; bits <= Half(1).bits(); ++bits)
@@ -105,7 +105,7 @@ TEST(PhongApprox, isFiniteInHalfAtEveryRoughness) {
     }
 }
 
-TEST(GgxMobile, isPiTimesGgxBelowTheClamp) {
+TEST(GgxMobile, IsPiTimesGgxBelowTheClamp) {
   for (const double R : {0.2, 0.5, 1.0})
     for (const double NoH : {0.0, 0.5, 0.9, 1.0}) {
       const double unclamped = pi * distribution(R * R, NoH);
@@ -114,7 +114,7 @@ TEST(GgxMobile, isPiTimesGgxBelowTheClamp) {
 }
 
 // 1/alpha^2 > 2048 where roughness < 2048^(-1/4) = 0.1487.
-TEST(GgxMobile, isClampedAt2048FromRoughness0149Down) {
+TEST(GgxMobile, IsClampedAt2048FromRoughness0149Down) {
   EXPECT_LT(f64::GGX_Mobile(0.149, 1), 2048);
   EXPECT_EQ(f64::GGX_Mobile(0.1486, 1), 2048);
   EXPECT_EQ(f64::GGX_Mobile(0.015625, 1), 2048);
@@ -124,7 +124,7 @@ TEST(GgxMobile, isClampedAt2048FromRoughness0149Down) {
 
 // docs/shading.md 3b: "leaves 70 % of the energy at R=.1, 21 % at R=.05": of the projected area that D NoH integrates
 // to.
-TEST(GgxMobile, clampLeavesTheShareOfEnergyThatIsPublished) {
+TEST(GgxMobile, ClampLeavesTheShareOfEnergyThatIsPublished) {
   for (const auto& [R, percent] : {std::pair{0.1, 70.0}, {0.05, 21.0}, {0.2, 100.0}}) {
     const double kept = integrateLobe(R * R, 1, 20, [&](const Cosines& cosines) {
       return f64::GGX_Mobile(R, cosines.NoH) / pi * cosines.NoH / (4 * cosines.VoH);
@@ -135,7 +135,7 @@ TEST(GgxMobile, clampLeavesTheShareOfEnergyThatIsPublished) {
 
 // docs/shading.md 3b. Its row R = .1 is before the clamp; with it, .70 of that is left (.72 at N = .1, where part of
 // the lobe is below the horizon).
-TEST(CalcSpecular, reflectsAgainstTheTruthAsPublished) {
+TEST(CalcSpecular, ReflectsAgainstTheTruthAsPublished) {
   const std::array<std::pair<double, std::array<double, 5>>, 2> rows = {
       {{0.5, {.11, .18, .35, .58, .91}}, {1, {.30, .38, .50, .62, .73}}}};
   for (const auto& [R, printed] : rows)
@@ -159,7 +159,7 @@ TEST(CalcSpecular, reflectsAgainstTheTruthAsPublished) {
   }
 }
 
-TEST(CalcSpecular, scalesTheDistributionByAQuarterToAHalf) {
+TEST(CalcSpecular, ScalesTheDistributionByAQuarterToAHalf) {
   EXPECT_DOUBLE_EQ(f64::CalcSpecular(1, 0.5), 0.5 * f64::GGX_Mobile(1, 0.5));
   EXPECT_DOUBLE_EQ(f64::CalcSpecular(0.4, 0.9), 0.35 * f64::GGX_Mobile(0.4, 0.9));
 }

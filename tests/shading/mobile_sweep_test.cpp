@@ -58,19 +58,19 @@ protected:
   bool hasHalf() const { return device().report().float16; }
 };
 
-TEST_F(MobileSweep, ue42020IsFiniteAndNotNegativeInSingle) { expectClean(kUe42020, false); }
-TEST_F(MobileSweep, refitIsFiniteAndNotNegativeInSingle) { expectClean(kRefit, false); }
-TEST_F(MobileSweep, ue42020IsFiniteAndNotNegativeInHalf) {
+TEST_F(MobileSweep, Ue42020IsFiniteAndNotNegativeInSingle) { expectClean(kUe42020, false); }
+TEST_F(MobileSweep, RefitIsFiniteAndNotNegativeInSingle) { expectClean(kRefit, false); }
+TEST_F(MobileSweep, Ue42020IsFiniteAndNotNegativeInHalf) {
   if (!hasHalf()) GTEST_SKIP() << "no shaderFloat16";
   expectClean(kUe42020, true);
 }
-TEST_F(MobileSweep, refitIsFiniteAndNotNegativeInHalf) {
+TEST_F(MobileSweep, RefitIsFiniteAndNotNegativeInHalf) {
   if (!hasHalf()) GTEST_SKIP() << "no shaderFloat16";
   expectClean(kRefit, true);
 }
 
 // With the engine's form of the lobe nothing is infinite; B of EnvBRDFApprox stays negative where it was.
-TEST_F(MobileSweep, phongApproxMendsWhatDApproxFailsAt) {
+TEST_F(MobileSweep, PhongApproxMendsWhatDApproxFailsAt) {
   for (const bool half : {false, true}) {
     if (half && !hasHalf()) GTEST_SKIP() << "no shaderFloat16";
     const Findings found = sweep(kPhongApprox, half);
@@ -81,7 +81,7 @@ TEST_F(MobileSweep, phongApproxMendsWhatDApproxFailsAt) {
 }
 
 // docs/shading.md 4: 1/R^4 is infinite at R = 0 in single; and B falls to -0.0024 at R = 1, which F0 = 0 does not hide.
-TEST_F(MobileSweep, karis2014FailsInSingleOnlyWhereItsFormulasDo) {
+TEST_F(MobileSweep, Karis2014FailsInSingleOnlyWhereItsFormulasDo) {
   const Findings found = sweep(kKaris2014, false);
   EXPECT_GT(found.notANumber, 0);
   EXPECT_EQ(found.greatestRoughness, 0);
@@ -91,7 +91,7 @@ TEST_F(MobileSweep, karis2014FailsInSingleOnlyWhereItsFormulasDo) {
 }
 
 // "D_Approx with the article's types: inf for R <= .0625 at RoL = 1, NaN for R <= .0574".
-TEST_F(MobileSweep, karis2014FailsInHalfOnlyWhereItsFormulasDo) {
+TEST_F(MobileSweep, Karis2014FailsInHalfOnlyWhereItsFormulasDo) {
   if (!hasHalf()) GTEST_SKIP() << "no shaderFloat16";
   const Findings found = sweep(kKaris2014, true);
   EXPECT_GT(found.notANumber, 0);

@@ -116,7 +116,7 @@ double errorOf(const std::function<std::vector<f64::LobeTap>(double NoV, double 
 }
 
 // Observed: 23.7, 10.4, 5.2, 3.7, 2.8 %.
-TEST(OffSpecular, eachRemedyIsBetterThanTheOneBefore) {
+TEST(OffSpecular, EachRemedyIsBetterThanTheOneBefore) {
   const double none = errorOf([](double, double R) {
     return std::vector<f64::LobeTap>{{1, f64::mipFromRoughness(R), 1}};
   });
@@ -141,7 +141,7 @@ TEST(OffSpecular, eachRemedyIsBetterThanTheOneBefore) {
   EXPECT_LT(three, 0.85 * two);
 }
 
-TEST(OffSpecular, weightsAddUpToOneAndMipsExist) {
+TEST(OffSpecular, WeightsAddUpToOneAndMipsExist) {
   for (int r = 0; r <= 20; ++r)
     for (int n = 0; n <= 20; ++n) {
       const double R = r / 20.0, N = n / 20.0;
@@ -165,7 +165,7 @@ TEST(OffSpecular, weightsAddUpToOneAndMipsExist) {
 
 // The mobile path's one read, trilinear, with its share of the irradiance: between the dominant direction and two reads
 // of the layered cube.
-TEST(RefitTap, isBetterThanADominantReadOfTheSameCube) {
+TEST(RefitTap, IsBetterThanADominantReadOfTheSameCube) {
   const auto at = [](double blend, double mip) { return std::vector<f64::LobeTap>{{blend, mip, 1}}; };
   const double none = errorOf([&](double, double R) { return at(1, f64::mipFromRoughness(R)); }, false);
   const double dominant =
@@ -182,7 +182,7 @@ TEST(RefitTap, isBetterThanADominantReadOfTheSameCube) {
 }
 
 // Lagarde and de Rousiers' listing: a mirror at 1, the normal at full roughness.
-TEST(OffSpecular, dominantDirectionRunsFromMirrorToNormal) {
+TEST(OffSpecular, DominantDirectionRunsFromMirrorToNormal) {
   EXPECT_EQ(f64::dominantBlend(0), 1);
   EXPECT_EQ(f64::dominantBlend(1), 0);
   EXPECT_NEAR(f64::dominantBlend(0.5), 0.5 * (std::sqrt(0.5) + 0.5), 1e-15);

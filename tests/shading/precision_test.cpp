@@ -26,7 +26,7 @@ template <typename F> void forHalvesBetween(double low, double high, F f) {
 }
 
 // fp32 differs from fp64 by rounding alone. Where the conditioning is worse than that, the table says what is lost.
-TEST(Fp32, agreesWithFp64OnEveryFunction) {
+TEST(Fp32, AgreesWithFp64OnEveryFunction) {
   struct Loss {
     int id;
     double relative; // of max(|value|, 1)
@@ -74,7 +74,7 @@ TEST(Fp32, agreesWithFp64OnEveryFunction) {
 }
 
 // "D_Approx with the article's types: inf for R <= .0625 at RoL=1, NaN for R <= .0574 (c*RoL-c = inf-inf)".
-TEST(Fp16, dApproxOverflowsWhereTheArticlesTypesDo) {
+TEST(Fp16, DApproxOverflowsWhereTheArticlesTypesDo) {
   forHalvesBetween(1e-3, 0.0574, [](double R) { EXPECT_TRUE(std::isnan(dApproxHalf(R, 1))) << R; });
   forHalvesBetween(0.0576, 0.0625, [](double R) { EXPECT_TRUE(std::isinf(dApproxHalf(R, 1))) << R; });
   forHalvesBetween(0.0626, 1, [](double R) { EXPECT_TRUE(std::isfinite(dApproxHalf(R, 1))) << R; });
@@ -82,7 +82,7 @@ TEST(Fp16, dApproxOverflowsWhereTheArticlesTypesDo) {
 }
 
 // "half RoL: banding: adjacent-step ratio 11.5 at R=.1, 1.62 at .15, 1.165 at .2, 1.03 at .3"
-TEST(Fp16, halfReflectionCosinesBandASmoothHighlight) {
+TEST(Fp16, HalfReflectionCosinesBandASmoothHighlight) {
   struct Step {
     double roughness, ratio, tolerance;
   };
@@ -92,7 +92,7 @@ TEST(Fp16, halfReflectionCosinesBandASmoothHighlight) {
 }
 
 // "GGX, fp32 NoH, the rest half: fine for R >= .08; inf for R <= .06": the clamp turns inf into 2048.
-TEST(Fp16, ggxMobileWithAFullPrecisionCosineIsFineFromRoughness008) {
+TEST(Fp16, GgxMobileWithAFullPrecisionCosineIsFineFromRoughness008) {
   double worst = 0;
   forHalvesBetween(0.08, 1, [&](double R) {
     for (int i = 0; i <= 40; ++i) { // across the lobe: 1 - NoH in units of its width
@@ -106,7 +106,7 @@ TEST(Fp16, ggxMobileWithAFullPrecisionCosineIsFineFromRoughness008) {
 }
 
 // "R=0, NoH=1: 0/0; min(NaN, 2048) is 2048 only where min drops NaN": GLSL's definition of min keeps it.
-TEST(Fp16, ggxMobileOfAMirrorIsNanWithoutTheRoughnessFloor) {
+TEST(Fp16, GgxMobileOfAMirrorIsNanWithoutTheRoughnessFloor) {
   EXPECT_TRUE(std::isnan(float(f16::GGX_Mobile(Half(0), 1))));
   EXPECT_TRUE(std::isnan(f64::GGX_Mobile(0, 1)));
   EXPECT_EQ(f64::GGX_Mobile(0.015625, 1), 2048);
@@ -114,7 +114,7 @@ TEST(Fp16, ggxMobileOfAMirrorIsNanWithoutTheRoughnessFloor) {
 
 // "EnvBRDFApprox: safe, <= .5 % relative". A dielectric, where B can be negative (-0.0024), is held to the same of
 // 0.04.
-TEST(Fp16, envBrdfApproxIsSafeEverywhere) {
+TEST(Fp16, EnvBrdfApproxIsSafeEverywhere) {
   double worstMetal = 0, worstDielectric = 0;
   for (int i = 0; i <= 200; ++i)
     for (int k = 0; k <= 200; ++k) {
@@ -133,7 +133,7 @@ TEST(Fp16, envBrdfApproxIsSafeEverywhere) {
 
 // "Smith visibility * NoL: inf/NaN where both cosines <= .03" for the plain form; ours is guarded. Roughness from the
 // half floor of alpha^2 (0.088) on keeps the peak, below it D_GGX is low but finite.
-TEST(Fp16, microfacetFunctionsAreFiniteOverTheirWholeDomain) {
+TEST(Fp16, MicrofacetFunctionsAreFiniteOverTheirWholeDomain) {
   for (int i = 0; i <= 64; ++i)
     for (int k = 0; k <= 64; ++k)
       for (int m = 0; m <= 64; ++m) {

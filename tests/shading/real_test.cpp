@@ -19,7 +19,7 @@ double decodeByTheStandard(double s) {
   return s <= 0.04045 ? s / 12.92 : std::exp(2.4 * std::log((s + 0.055) / 1.055));
 }
 
-TEST(Srgb, decodesAsTheStandardSays) {
+TEST(Srgb, DecodesAsTheStandardSays) {
   for (int code = 0; code <= 255; ++code) {
     const double s = code / 255.0;
     EXPECT_NEAR(f64::srgbToLinear(s), decodeByTheStandard(s), 1e-14) << code;
@@ -28,7 +28,7 @@ TEST(Srgb, decodesAsTheStandardSays) {
   EXPECT_NEAR(f64::srgbToLinear(0.5), 0.21404114048223255, 1e-15); // the standard's formula at 40 digits, rounded
 }
 
-TEST(Srgb, encodingUndoesDecoding) {
+TEST(Srgb, EncodingUndoesDecoding) {
   for (int code = 0; code <= 255; ++code) {
     const double s = code / 255.0;
     EXPECT_NEAR(f64::linearToSrgb(f64::srgbToLinear(s)), s, 1e-7); // the standard's two branches meet within that
@@ -40,14 +40,14 @@ TEST(Srgb, encodingUndoesDecoding) {
   EXPECT_NEAR(encoded.z, 1, 1e-12);
 }
 
-TEST(Luminance, weighsAsRec709) {
+TEST(Luminance, WeighsAsRec709) {
   EXPECT_DOUBLE_EQ(f64::luminance({1, 0, 0}), 0.2126);
   EXPECT_DOUBLE_EQ(f64::luminance({0, 1, 0}), 0.7152);
   EXPECT_DOUBLE_EQ(f64::luminance({0, 0, 1}), 0.0722);
   EXPECT_DOUBLE_EQ(f64::luminance({2, 2, 2}), 2);
 }
 
-TEST(SafeNormalize, givesUnitLengthAtAnyLengthInEveryPrecision) {
+TEST(SafeNormalize, GivesUnitLengthAtAnyLengthInEveryPrecision) {
   for (const double length : {1e-300, 1e-20, 1.0, 1e20, 1e38}) {
     const f64::real3 n = f64::safeNormalize({length * 1, length * -2, length * 2}, {0, 0, 1});
     EXPECT_NEAR(n.x, 1.0 / 3, 1e-15);
@@ -66,7 +66,7 @@ TEST(SafeNormalize, givesUnitLengthAtAnyLengthInEveryPrecision) {
   }
 }
 
-TEST(SafeNormalize, fallsBackForZeroNanAndInfinity) {
+TEST(SafeNormalize, FallsBackForZeroNanAndInfinity) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   for (const f64::real3& v : {f64::real3(0, 0, 0), f64::real3(nan, 1, 1), f64::real3(1, nan, 1), f64::real3(1, 1, nan),
                               f64::real3(inf, 0, 0), f64::real3(0, -inf, 1)}) {
@@ -77,7 +77,7 @@ TEST(SafeNormalize, fallsBackForZeroNanAndInfinity) {
   }
 }
 
-TEST(Saturate, clampsToTheUnitInterval) {
+TEST(Saturate, ClampsToTheUnitInterval) {
   const f64::real3 v = f64::saturate(f64::real3(-1, 0.3, 7));
   EXPECT_EQ(v.x, 0);
   EXPECT_EQ(v.y, 0.3);

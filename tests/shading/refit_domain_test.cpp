@@ -108,7 +108,7 @@ template <typename Sweep> void expectSound(const char* precision, Sweep sweep) {
   EXPECT_GT(count, 500000u);
 }
 
-TEST(Refit, isSoundOverItsWholeDomainInEveryPrecision) {
+TEST(Refit, IsSoundOverItsWholeDomainInEveryPrecision) {
   expectSound("f64", PARITY_SWEEP(f64, double, double));
   expectSound("f32", PARITY_SWEEP(f32, float, float));
   expectSound("f16", PARITY_SWEEP(f16, shading::Half, float));
@@ -116,7 +116,7 @@ TEST(Refit, isSoundOverItsWholeDomainInEveryPrecision) {
 }
 
 // What half costs, as a result: against f64 at the same halves, of what is above 1/1024 and not cut off.
-TEST(Refit, losesLittleInHalf) {
+TEST(Refit, LosesLittleInHalf) {
   double lobes = 0, lights = 0;
   for (int i = 6; i <= 64; ++i)
     for (int k = 1; k <= 32; ++k)

@@ -66,7 +66,7 @@ double total16(double F0, double R, double N) {
 }
 
 // Over the full domain of docs/shading.md 2a: NoV >= 1/256, roughness >= 1/64. Wanted: .01 at F0 = .04, .02 at F0 = 1.
-TEST(RefitLobe, reflectsWhatTheCompensatedHighEndLobeDoes) {
+TEST(RefitLobe, ReflectsWhatTheCompensatedHighEndLobeDoes) {
   constexpr std::array kF0 = {0.02, 0.04, 0.5, 0.75, 1.0};
   std::array<RefitDeviation, kF0.size()> exact, half;
   RefitDeviation multiple;
@@ -97,7 +97,7 @@ TEST(RefitLobe, reflectsWhatTheCompensatedHighEndLobeDoes) {
   EXPECT_LE(multiple.rms(), 0.025);
 }
 
-TEST(RefitLobe, givesEachChannelItsOwnColourAndFollowsF90) {
+TEST(RefitLobe, GivesEachChannelItsOwnColourAndFollowsF90) {
   const f64::RefitLobe lobe = f64::refitLobe({0.1, 0.5, 0.9}, 1, 0.4, 0.3);
   EXPECT_EQ(lobe.single.x + lobe.multiple.x, total64(0.1, 0.4, 0.3));
   EXPECT_EQ(lobe.single.y + lobe.multiple.y, total64(0.5, 0.4, 0.3));
@@ -113,7 +113,7 @@ TEST(RefitLobe, givesEachChannelItsOwnColourAndFollowsF90) {
 }
 
 // A half metal's diffuse light is dimmed channel by channel, by what its own F0 sends back.
-TEST(RefitLobe, dimsDiffuseLightChannelByChannel) {
+TEST(RefitLobe, DimsDiffuseLightChannelByChannel) {
   const f64::real3 base(0.9, 0.5, 0.1), F0 = f64::refitSpecularColor({0.04, 0.04, 0.04}, base, 0.5);
   EXPECT_NEAR(F0.x, f64::specularColor({0.04, 0.04, 0.04}, base, 0.5).x, 1e-15);
   const f64::real3 diffuse = f64::refitDiffuseColor(base, 0.5, {0.5, 0.75, 1});
@@ -134,7 +134,7 @@ void expectSameNonmetal(Lobe makeLobe, Nonmetal makeNonmetal, Light light, Nonme
       EXPECT_EQ(light(general, Real(0.7), {0.9, 0.6}).z, nonmetalLight(nonmetal, Real(0.7), {0.9, 0.6}));
     }
 }
-TEST(RefitNonmetal, isTheGeneralFormBitForBit) {
+TEST(RefitNonmetal, IsTheGeneralFormBitForBit) {
   namespace f32 = shading::f32;
   expectSameNonmetal<double>(f64::refitLobe, f64::refitNonmetalLobe, f64::refitLight, f64::refitNonmetalLight);
   expectSameNonmetal<float>(f32::refitLobe, f32::refitNonmetalLobe, f32::refitLight, f32::refitNonmetalLight);
@@ -143,7 +143,7 @@ TEST(RefitNonmetal, isTheGeneralFormBitForBit) {
 
 // Light from everywhere at F0 = 1, and at F0 = .04: what leaves over what should. Wanted: rms log ratio <= .2, exitance
 // <= 1.05.
-TEST(RefitLight, reflectsWhatTheCompensatedHighEndLightDoes) {
+TEST(RefitLight, ReflectsWhatTheCompensatedHighEndLightDoes) {
   for (const double F0 : {0.04, 1.0}) {
     RefitDeviation logs;
     double least = 10, most = 0, exitance = 0;
@@ -172,7 +172,7 @@ TEST(RefitLight, reflectsWhatTheCompensatedHighEndLightDoes) {
 
 // Highlights have the high-end path's shape: the single lobe is its own, times pi NoL, wherever the peak is below
 // 65000.
-TEST(RefitLight, isTheHighEndLobeWhereNothingScattersTwice) {
+TEST(RefitLight, IsTheHighEndLobeWhereNothingScattersTwice) {
   for (const double R : {0.1, 0.3, 0.6, 1.0})
     for (const double N : {0.05, 0.4, 1.0})
       for (const double L : {0.03, 0.5, 0.95})
@@ -190,7 +190,7 @@ TEST(RefitLight, isTheHighEndLobeWhereNothingScattersTwice) {
 
 // What scatters more than once spreads as Kulla and Conty's lobe does, to within a third where it is a tenth of the
 // light or more; its integral is kept.
-TEST(RefitLight, spreadsMultipleScatteringWide) {
+TEST(RefitLight, SpreadsMultipleScatteringWide) {
   double integral = 0;
   const PanelRule cosines({0.0, 1.0}, 8);
   for (const double R : {0.7, 0.85, 1.0}) {
@@ -206,7 +206,7 @@ TEST(RefitLight, spreadsMultipleScatteringWide) {
   }
 }
 
-TEST(RefitHalfVector, hasTheCosinesOfTheHalfVector) {
+TEST(RefitHalfVector, HasTheCosinesOfTheHalfVector) {
   const f64::real3 N(0, 0, 1), V(0.6, 0, 0.8), L(-0.48, 0.64, 0.6);
   const f64::RefitHalfVector cosines = f64::refitHalfVector(N, V, L);
   const double length = std::sqrt(0.12 * 0.12 + 0.64 * 0.64 + 1.4 * 1.4);
@@ -217,7 +217,7 @@ TEST(RefitHalfVector, hasTheCosinesOfTheHalfVector) {
   EXPECT_EQ(behind.VoH, 0);
 }
 
-TEST(RefitDirection, isTheMirrorDirectionPlusTheNormal) {
+TEST(RefitDirection, IsTheMirrorDirectionPlusTheNormal) {
   const f64::real3 N(0, 0.6, 0.8), V(0.6, 0, 0.8);
   const double twice = 2 * 0.64;
   const f64::real3 d = f64::refitDirection(N, V, 0.64, 0.5);

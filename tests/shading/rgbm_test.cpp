@@ -19,7 +19,7 @@ f32::real3 roundTrip(const f32::real3& radiance) {
   return f32::decodeRgbm({stored(m.r), stored(m.g), stored(m.b)}, stored(m.a));
 }
 
-TEST(Rgbm, decodesToTheSquareOfRgbTimesAlphaTimesSixteen) {
+TEST(Rgbm, DecodesToTheSquareOfRgbTimesAlphaTimesSixteen) {
   const f32::real3 radiance = f32::decodeRgbm({1, 0.5f, 0}, 0.25f);
   EXPECT_EQ(radiance.x, 16);
   EXPECT_EQ(radiance.y, 4);
@@ -28,7 +28,7 @@ TEST(Rgbm, decodesToTheSquareOfRgbTimesAlphaTimesSixteen) {
 
 // docs/shading.md 7c: "8-bit error .4 % rms", here over greys of a uniform logarithm from 2^-4 to 2^8 and tinted
 // colours.
-TEST(Rgbm, loses04PercentRmsInEightBits) {
+TEST(Rgbm, Loses04PercentRmsInEightBits) {
   double sum = 0, worst = 0;
   int count = 0;
   for (double exponent = -4; exponent <= 8; exponent += 1.0 / 512) {
@@ -44,7 +44,7 @@ TEST(Rgbm, loses04PercentRmsInEightBits) {
   EXPECT_LT(worst, 0.025);
 }
 
-TEST(Rgbm, saturatesAt256AndKeepsBlackBlack) {
+TEST(Rgbm, SaturatesAt256AndKeepsBlackBlack) {
   const f32::real3 sun = roundTrip({65504, 256, 0});
   EXPECT_EQ(sun.x, 256);
   EXPECT_EQ(sun.y, 256);
@@ -56,7 +56,7 @@ TEST(Rgbm, saturatesAt256AndKeepsBlackBlack) {
   EXPECT_EQ(roundTrip({-1, 0, 4}).x, 0);
 }
 
-TEST(Rgbm, codesStayInTheUnitInterval) {
+TEST(Rgbm, CodesStayInTheUnitInterval) {
   for (double exponent = -20; exponent <= 16; exponent += 0.01) {
     const auto L = static_cast<float>(std::exp2(exponent));
     const f32::Rgbm m = f32::encodeRgbm({L, 0.3f * L, 0});

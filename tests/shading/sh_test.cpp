@@ -60,7 +60,7 @@ template <typename L> f64::IrradianceSh project(L radiance) {
   return sh;
 }
 
-TEST(ShBasis, isOrthonormalOverTheSphere) {
+TEST(ShBasis, IsOrthonormalOverTheSphere) {
   for (int i = 0; i < 9; ++i)
     for (int k = 0; k < 9; ++k) {
       const double product = integrateSphere([&](const real3& w) {
@@ -71,7 +71,7 @@ TEST(ShBasis, isOrthonormalOverTheSphere) {
     }
 }
 
-TEST(ShBasis, ordersItsLobesAsDocumented) {
+TEST(ShBasis, OrdersItsLobesAsDocumented) {
   // The axes each lobe is positive along: l = 1 is y, z, x; 3z^2-1 is 6, xy, yz, xz are 4, 5, 7, x^2-y^2 is 8.
   EXPECT_GT(f64::shBasis({0, 1, 0}).y[1], 0);
   EXPECT_GT(f64::shBasis({0, 0, 1}).y[2], 0);
@@ -85,7 +85,7 @@ TEST(ShBasis, ordersItsLobesAsDocumented) {
 }
 
 // A_l = 2 pi integral of c P_l(c) dc over [0, 1], with Legendre's polynomials.
-TEST(ShCosineKernel, isTheZonalProjectionOfTheClampedCosine) {
+TEST(ShCosineKernel, IsTheZonalProjectionOfTheClampedCosine) {
   const PanelRule cosine({0.0, 1.0}, 8);
   double a[3] = {0, 0, 0};
   for (std::size_t i = 0; i < cosine.nodes.size(); ++i) {
@@ -98,7 +98,7 @@ TEST(ShCosineKernel, isTheZonalProjectionOfTheClampedCosine) {
 }
 
 // Radiance of degree 2 has nothing in the bands that order 2 drops, so irradiance comes out exactly.
-TEST(EvalIrradianceSH, equalsTheHemisphereIntegralForQuadraticRadiance) {
+TEST(EvalIrradianceSH, EqualsTheHemisphereIntegralForQuadraticRadiance) {
   const auto radiance = [](const real3& w) {
     return 2 + 0.3 * w.x - 0.7 * w.y + 0.4 * w.z + 0.5 * w.x * w.y - 0.6 * w.y * w.z + 0.2 * w.z * w.z +
            0.3 * w.x * w.z - 0.4 * (w.x * w.x - w.y * w.y);
@@ -116,12 +116,12 @@ TEST(EvalIrradianceSH, equalsTheHemisphereIntegralForQuadraticRadiance) {
   }
 }
 
-TEST(EvalIrradianceSH, ofAUniformSkyIsPiTimesItsRadiance) {
+TEST(EvalIrradianceSH, OfAUniformSkyIsPiTimesItsRadiance) {
   const f64::IrradianceSh sh = project([](const real3&) { return 0.8; });
   EXPECT_NEAR(f64::evalIrradianceSH(sh, {0, 0.6, 0.8}).x, 0.8 * pi, 1e-12);
 }
 
-TEST(EvalIrradianceSH, isNeverNegativeBehindASmallSource) {
+TEST(EvalIrradianceSH, IsNeverNegativeBehindASmallSource) {
   f64::IrradianceSh sh; // a point source along z: each coefficient is the kernel times the basis at z
   for (int i = 0; i < 9; ++i) {
     const double c = f64::shCosineKernel(i == 0 ? 0 : i < 4 ? 1 : 2) * f64::shBasis({0, 0, 1}).y[i];

@@ -22,7 +22,7 @@ f64::real3 direction(double z, double phi) {
   return {s * std::cos(phi), s * std::sin(phi), z};
 }
 
-TEST(SkySh, nineCoefficientsAreTheIrradianceOverPi) {
+TEST(SkySh, NineCoefficientsAreTheIrradianceOverPi) {
   const f64::IrradianceSh sh = someCoefficients();
   const f64::SkySh sky = f64::packSkySh(sh, 9);
   for (double z = -1; z <= 1; z += 0.125)
@@ -35,7 +35,7 @@ TEST(SkySh, nineCoefficientsAreTheIrradianceOverPi) {
 }
 
 // A sky of radiance 1 + n.a: its first two bands are all of it, and the cosine kernel turns 1 + n.a into 1 + 2/3 n.a.
-TEST(SkySh, fourCoefficientsAreExactForALinearSky) {
+TEST(SkySh, FourCoefficientsAreExactForALinearSky) {
   const double Y0 = 0.282094791773878143, Y1 = 0.488602511902919921;
   const f64::real3 a(0.3, -0.2, 0.5);
   f64::IrradianceSh sh{};
@@ -59,7 +59,7 @@ TEST(SkySh, fourCoefficientsAreExactForALinearSky) {
 
 // docs/shading.md 7e: W = C0 V0 - C3 V6, V6 of 3 z^2 - 1 with Z up. A sky of radiance 1 + a (3 up^2 - 1) has V6 = a
 // times the basis function's norm; the constant loses C3 V6, although nothing else of the band is read.
-TEST(SkySh, fourCoefficientsKeepTheSecondBandsPartOfTheConstant) {
+TEST(SkySh, FourCoefficientsKeepTheSecondBandsPartOfTheConstant) {
   // 3 y^2 - 1 in the basis of shading/sh.glsl: -1/2 of its sixth over .3154, -3/2 of x^2 - y^2 over .5463.
   const double a = 0.2, Y0 = 0.282094791773878143, Y6 = 0.315391565252520006, Y8 = 0.546274215296039535;
   f64::IrradianceSh sh{};
@@ -74,7 +74,7 @@ TEST(SkySh, fourCoefficientsKeepTheSecondBandsPartOfTheConstant) {
 }
 
 // "SH normalised so that L0 = .282095 and the linear factor is .325735" (docs/shading.md 7b), for projected radiance.
-TEST(SkySh, factorsOfTheFirstTwoBandsAreThoseOfTheEngine) {
+TEST(SkySh, FactorsOfTheFirstTwoBandsAreThoseOfTheEngine) {
   f64::IrradianceSh sh{};
   sh.c[0] = {f64::shCosineKernel(0), 0, 0};
   sh.c[3] = {f64::shCosineKernel(1), 0, 0};
@@ -83,7 +83,7 @@ TEST(SkySh, factorsOfTheFirstTwoBandsAreThoseOfTheEngine) {
   EXPECT_NEAR(sky.c[1].x, 0.325735, 1e-6);
 }
 
-TEST(SkySh, isNeverNegativeBehindASmallSource) {
+TEST(SkySh, IsNeverNegativeBehindASmallSource) {
   f64::IrradianceSh sh{};
   sh.c[0] = {1, 1, 1};
   sh.c[2] = {3, 3, 3};

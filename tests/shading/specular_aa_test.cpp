@@ -24,7 +24,7 @@ double meanOverSlopes(double deviation, const std::function<double(double)>& f) 
   return sum;
 }
 
-TEST(SpecularAa, lengthOfTheMeanNormalTellsTheVarianceOfSlopes) {
+TEST(SpecularAa, LengthOfTheMeanNormalTellsTheVarianceOfSlopes) {
   // |n| = E[1 / sqrt(1 + x^2 + y^2)]: Toksvig's estimate of sigma^2 is exact for small slopes and falls short of wide
   // ones, whose normals are spread less than their slopes.
   const struct { double deviation, tolerance; } cases[] = {{0.01, 0.001}, {0.1, 0.03}, {0.3, 0.2}};
@@ -46,7 +46,7 @@ double slopeDensity(double alpha, double slope) {
   return std::exp(-slope * slope / (alpha * alpha)) / (alpha * std::sqrt(std::numbers::pi));
 }
 
-TEST(SpecularAa, widenedLobeIsTheMeanOfLobesOverTheNormals) {
+TEST(SpecularAa, WidenedLobeIsTheMeanOfLobesOverTheNormals) {
   for (const double roughness : {0.3, 0.5, 0.7})
     for (const double deviation : {0.02, 0.1, 0.25}) {
       const double wider = f64::widenRoughness(roughness, 2 * deviation * deviation);
@@ -59,7 +59,7 @@ TEST(SpecularAa, widenedLobeIsTheMeanOfLobesOverTheNormals) {
     }
 }
 
-TEST(SpecularAa, roughnessNeverFallsAndIsUntouchedWithoutVariance) {
+TEST(SpecularAa, RoughnessNeverFallsAndIsUntouchedWithoutVariance) {
   for (int i = 0; i <= 1000; ++i) {
     const float R = static_cast<float>(i) / 1000;
     EXPECT_EQ(shading::f32::widenRoughness(R, 0), R);

@@ -14,7 +14,7 @@ namespace glsl {
 
 using shading::Term;
 
-TEST(Terms, glslHasTheIdsOfCpp) {
+TEST(Terms, GlslHasTheIdsOfCpp) {
   constexpr std::array<std::pair<int, Term>, shading::kTermCount> ids = {{
       {glsl::kTermSunDiffuse, Term::sunDiffuse},
       {glsl::kTermSunSpecular, Term::sunSpecular},
@@ -30,7 +30,7 @@ TEST(Terms, glslHasTheIdsOfCpp) {
   EXPECT_EQ(glsl::kTermCount, static_cast<int>(shading::kTermCount));
 }
 
-TEST(Terms, namesAndIdsMatchBothWays) {
+TEST(Terms, NamesAndIdsMatchBothWays) {
   for (std::size_t i = 0; i < shading::kTermCount; ++i)
     EXPECT_EQ(static_cast<std::size_t>(*shading::termByName(shading::kTermNames[i])), i);
   EXPECT_EQ(shading::kTermNames[static_cast<std::size_t>(Term::skySpecular)], "skySpecular");

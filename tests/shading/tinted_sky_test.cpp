@@ -8,7 +8,7 @@ namespace {
 
 namespace f64 = shading::f64;
 
-TEST(TintedSky, isTheFormChannelByChannelAndNotNegative) {
+TEST(TintedSky, IsTheFormChannelByChannelAndNotNegative) {
   f64::TintedSky sky;
   sky.c[0] = {1, 2, -0.5};
   sky.c[1] = {0.5, 0, 0};

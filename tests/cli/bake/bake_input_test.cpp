@@ -25,7 +25,7 @@ protected:
   }
 };
 
-TEST_F(BakeInputTest, meshesWithoutAreaAreRefusedUnlessOthersHaveOne) {
+TEST_F(BakeInputTest, MeshesWithoutAreaAreRefusedUnlessOthersHaveOne) {
   GltfFile flat = makeLitCorner();
   useCorners(flat, {0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0}); // a line: of the first mesh, which is the floor
   const RunResult result = tryBake({write(flat)}, "line");
@@ -46,7 +46,7 @@ TEST_F(BakeInputTest, meshesWithoutAreaAreRefusedUnlessOthersHaveOne) {
   EXPECT_FALSE(std::filesystem::exists(m_folder / "far"));
 }
 
-TEST_F(BakeInputTest, piecesThatNoPageHoldsAreRefused) {
+TEST_F(BakeInputTest, PiecesThatNoPageHoldsAreRefused) {
   GltfFile file = makeLitCorner();
   file.json["meshes"][0]["name"] = "ground"; // 2 m wide
   const std::string scene = write(std::move(file));
@@ -55,7 +55,7 @@ TEST_F(BakeInputTest, piecesThatNoPageHoldsAreRefused) {
   EXPECT_FALSE(std::filesystem::exists(m_folder / "out"));
 }
 
-TEST_F(BakeInputTest, uvsOfTheFileAreTakenWhereTheyServe) {
+TEST_F(BakeInputTest, UvsOfTheFileAreTakenWhereTheyServe) {
   const auto noteOf = [&](const std::vector<float>& uv1, const std::string& name) {
     GltfFile file = makeLitCorner();
     if (!uv1.empty()) file.primitive()["attributes"]["TEXCOORD_1"] = file.add<float>(uv1, "VEC2");
@@ -74,7 +74,7 @@ TEST_F(BakeInputTest, uvsOfTheFileAreTakenWhereTheyServe) {
 }
 
 // Thousands of objects of one mesh: 20,000 here, a texel or two each.
-TEST_F(BakeInputTest, manyObjects) {
+TEST_F(BakeInputTest, ManyObjects) {
   GltfFile file = makeCorner();
   json &nodes = file.json["nodes"], &roots = file.json["scenes"][0]["nodes"];
   for (int i = 0; i < 20000; ++i) {
@@ -91,7 +91,7 @@ TEST_F(BakeInputTest, manyObjects) {
   EXPECT_LT(result.peakMiB, 2048);
 }
 
-TEST_F(BakeInputTest, lightWithinAWallLightsNothing) {
+TEST_F(BakeInputTest, LightWithinAWallLightsNothing) {
   GltfFile file = makeCorner();
   // Two more quads close the wall to a box without ends, 2 cm thick; the lamp is between them.
   file.json["nodes"].push_back({{"mesh", 1}, {"translation", {-1, 0, -1.02}}, {"scale", {2, 2, 2}}});
@@ -107,7 +107,7 @@ TEST_F(BakeInputTest, lightWithinAWallLightsNothing) {
   EXPECT_EQ(floor, 0);
 }
 
-TEST_F(BakeInputTest, withASunAloneTheLightmapHoldsItsBounces) {
+TEST_F(BakeInputTest, WithASunAloneTheLightmapHoldsItsBounces) {
   const std::string scene = write(makeCorner());
   double before = -1;
   for (const std::string bounces : {"0", "1", "3"}) {
@@ -123,7 +123,7 @@ TEST_F(BakeInputTest, withASunAloneTheLightmapHoldsItsBounces) {
   }
 }
 
-TEST_F(BakeInputTest, withoutAnyLightIsRefused) {
+TEST_F(BakeInputTest, WithoutAnyLightIsRefused) {
   expectRefused(tryBake({write(makeCorner())}, "dark", {"-q"}), 4, {"no light and no environment"});
   GltfFile unlit = makeLitCorner();
   unlit.json["extensionsUsed"].push_back("KHR_materials_unlit");
@@ -135,7 +135,7 @@ TEST_F(BakeInputTest, withoutAnyLightIsRefused) {
   EXPECT_EQ(entries().size(), 3u) << "the cache, the scene and one folder";
 }
 
-TEST_F(BakeInputTest, scenesThatCannotBeReadDoNotStopTheOthers) {
+TEST_F(BakeInputTest, ScenesThatCannotBeReadDoNotStopTheOthers) {
   const std::string scene = write(makeLitCorner());
   const RunResult result = tryBake({path("none.gltf"), scene}, "all");
   EXPECT_TRUE(exitedWith(4, result));
@@ -144,7 +144,7 @@ TEST_F(BakeInputTest, scenesThatCannotBeReadDoNotStopTheOthers) {
   expectRefused(tryBake({scene, scene}, "twice"), 64, {"two scenes have this name"});
 }
 
-TEST_F(BakeInputTest, wrongOptionsAreUsage) {
+TEST_F(BakeInputTest, WrongOptionsAreUsage) {
   const auto refused = [&](const std::vector<std::string>& words, const std::vector<std::string>& parts) {
     const RunResult result = run(join({{"bake"}, words}));
     EXPECT_TRUE(exitedWith(64, result));

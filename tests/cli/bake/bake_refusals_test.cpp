@@ -23,7 +23,7 @@ protected:
   }
 };
 
-TEST_F(StaleBakeTest, namesWhatIsNotAsItWas) {
+TEST_F(StaleBakeTest, NamesWhatIsNotAsItWas) {
   GltfFile file = makeLitCorner();
   const std::string scene = writeEmbedded(m_folder, file);
   const std::vector<std::string> sky = {"--env", "builtin:studio"};
@@ -51,7 +51,7 @@ TEST_F(StaleBakeTest, namesWhatIsNotAsItWas) {
   EXPECT_TRUE(exitedWith(0, renderWith(writeEmbedded(m_folder, file, "named"), join({sky, {"--exposure", "1"}}))));
 }
 
-TEST_F(StaleBakeTest, foreignFoldersAreRefused) {
+TEST_F(StaleBakeTest, ForeignFoldersAreRefused) {
   const std::string scene = writeEmbedded(m_folder, makeLitCorner());
   const auto refused = [&](const std::vector<std::string>& parts) { expectRefused(renderWith(scene, {}), 4, parts); };
   refused({path("baked"), "is not a folder of baked light"});
@@ -74,7 +74,7 @@ TEST_F(StaleBakeTest, foreignFoldersAreRefused) {
   refused({manifest, "version: is 2, but this program reads 1; bake again"});
 }
 
-TEST_F(StaleBakeTest, damagedFilesAreNamed) {
+TEST_F(StaleBakeTest, DamagedFilesAreNamed) {
   GltfFile file = makeLitCorner();
   const std::string scene = writeEmbedded(m_folder, file);
   const std::filesystem::path folder = m_folder / "baked";
@@ -128,7 +128,7 @@ protected:
   std::string m_scene = writeEmbedded(m_folder, makeLitCorner());
 };
 
-TEST_F(BakeOutputTest, takesThePlaceOfAnEarlierBakeAndOfNothingElse) {
+TEST_F(BakeOutputTest, TakesThePlaceOfAnEarlierBakeAndOfNothingElse) {
   const std::filesystem::path folder = m_folder / "out";
   std::filesystem::create_directory(folder);
   bake({m_scene}, "out"); // into an empty one
@@ -153,7 +153,7 @@ TEST_F(BakeOutputTest, takesThePlaceOfAnEarlierBakeAndOfNothingElse) {
   expectRefused(run(join({{"bake", m_scene, "-o", m_folder.path().string()}, kQuickBake})), 4, {"that no bake wrote"});
 }
 
-TEST_F(BakeOutputTest, goesWhereALinkLeads) {
+TEST_F(BakeOutputTest, GoesWhereALinkLeads) {
   std::filesystem::create_directory(m_folder / "real");
   std::filesystem::create_directory_symlink("real", m_folder / "link");
   bake({m_scene}, "link");
@@ -161,7 +161,7 @@ TEST_F(BakeOutputTest, goesWhereALinkLeads) {
   EXPECT_TRUE(std::filesystem::exists(m_folder / "real" / "manifest.json"));
 }
 
-TEST_F(BakeOutputTest, leavesNothingWhereItCannotBeWritten) {
+TEST_F(BakeOutputTest, LeavesNothingWhereItCannotBeWritten) {
   for (const std::string folder : {"/dev/full/out", "/dev/null", "/proc/out"}) {
     SCOPED_TRACE(folder);
     const RunResult result = run(join({{"bake", m_scene, "-q", "-o", folder}, kQuickBake}));
@@ -200,7 +200,7 @@ protected:
   }
 };
 
-TEST_F(BakeCancelTest, leavesNothingAndGoesOnFromItsCache) {
+TEST_F(BakeCancelTest, LeavesNothingAndGoesOnFromItsCache) {
   RunOptions options;
   options.terminal = true; // where progress is shown
   options.interruptAt = "gathering";

@@ -22,7 +22,7 @@ protected:
   }
 };
 
-TEST_F(BakeSuiteTest, bakesWhatNamesAFolderAndReportsByIt) {
+TEST_F(BakeSuiteTest, BakesWhatNamesAFolderAndReportsByIt) {
   writeEmbedded(m_folder, makeLitCorner(), "a");
   writeEmbedded(m_folder, makeLitCorner(), "b");
   writeSuite(R"(
@@ -65,7 +65,7 @@ baked = "light/b"
   EXPECT_FALSE(readReport(m_folder / "report").at("scenes")[0].at("views").empty());
 }
 
-TEST_F(BakeSuiteTest, keysThatMakeNoSenseNameTheLine) {
+TEST_F(BakeSuiteTest, KeysThatMakeNoSenseNameTheLine) {
   const std::string head = "[[scene]]\nfile = \"builtin:room\"\n";
   const auto refused = [&](const std::string& text, const std::vector<std::string>& parts) {
     SCOPED_TRACE(text);

@@ -42,7 +42,7 @@ const json& passOf(const json& scene, const std::string& name) {
   throw std::out_of_range(name);
 }
 
-TEST_F(BakedTest, scenesBakedTogetherAreReportedTogether) {
+TEST_F(BakedTest, ScenesBakedTogetherAreReportedTogether) {
   const RunResult baked = run(join({{"bake", "builtin:room", "builtin:courtyard", "-o", path("two")}, kCapturedBake}));
   ASSERT_TRUE(exitedWith(0, baked));
   for (const std::string part : {"room: ", "courtyard: ", "1 environment capture", "million rays"})
@@ -75,7 +75,7 @@ TEST_F(BakedTest, scenesBakedTogetherAreReportedTogether) {
             there)));
 }
 
-TEST_F(BakedTest, lightIsInTheTermsOfBothPaths) {
+TEST_F(BakedTest, LightIsInTheTermsOfBothPaths) {
   const std::string scene = "builtin:courtyard", folder = path("baked");
   ASSERT_TRUE(exitedWith(0, run(join({{"bake", scene, "-o", folder}, kCapturedBake}))));
   for (const std::string& by : kPaths) {
@@ -106,7 +106,7 @@ TEST_F(BakedTest, lightIsInTheTermsOfBothPaths) {
   EXPECT_LT(sumOf(shadow, 0), 0.99 * sumOf(open, 0)) << "the distance field takes sun away";
 }
 
-TEST_F(BakedTest, lampsAreBakedForBothPathsOrForMobileAlone) {
+TEST_F(BakedTest, LampsAreBakedForBothPathsOrForMobileAlone) {
   const std::string scene = writeEmbedded(m_folder, makeLitCorner());
   const std::string fixed = bake({scene}, "static"),
                     stationary = bake({scene}, "own", {"--local-lights", "stationary"});
@@ -126,7 +126,7 @@ TEST_F(BakedTest, lampsAreBakedForBothPathsOrForMobileAlone) {
   EXPECT_LT(sumOfTerm(render(scene, "highend", {"--baked", stationary}), Term::lightmap), 0.7 * whole);
 }
 
-TEST_F(BakedTest, truthKnowsOfNoBakedLight) {
+TEST_F(BakedTest, TruthKnowsOfNoBakedLight) {
   const std::string scene = writeEmbedded(m_folder, makeLitCorner()), folder = bake({scene}, "baked");
   const std::vector<std::string> with = {"--baked", folder};
   for (const std::vector<std::string>& words :
@@ -141,7 +141,7 @@ TEST_F(BakedTest, truthKnowsOfNoBakedLight) {
   EXPECT_FALSE(std::filesystem::exists(m_folder / "a.exr"));
 }
 
-TEST_F(BakedTest, resultsComeFromTheCacheUnlessTheBakeIsAnother) {
+TEST_F(BakedTest, ResultsComeFromTheCacheUnlessTheBakeIsAnother) {
   const std::string scene = writeEmbedded(m_folder, makeLitCorner()), folder = bake({scene}, "baked");
   const auto isCached = [&] {
     report({scene, "--baked", folder});
@@ -157,7 +157,7 @@ TEST_F(BakedTest, resultsComeFromTheCacheUnlessTheBakeIsAnother) {
   EXPECT_FALSE(isCached());
 }
 
-TEST_F(BakedTest, nothingIsRecalledWhereAFileOfTheBakeIsMissingOrDamaged) {
+TEST_F(BakedTest, NothingIsRecalledWhereAFileOfTheBakeIsMissingOrDamaged) {
   const std::string scene = writeEmbedded(m_folder, makeLitCorner()), folder = bake({scene}, "baked");
   const auto tryReport = [&] {
     return run(join({{"report", scene, "--baked", folder, "-o", path("report"), "--size", "64x64"}}));
@@ -184,7 +184,7 @@ TEST_F(BakedTest, nothingIsRecalledWhereAFileOfTheBakeIsMissingOrDamaged) {
 
 using BakeRepeatTest = BakeTest;
 
-TEST_F(BakeRepeatTest, isTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed) {
+TEST_F(BakeRepeatTest, IsTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed) {
   GltfFile file = makeLitCorner();
   file.material()["emissiveFactor"] = {0.5, 0.4, 0.3}; // sampled, unlike the lamp
   const std::string scene = writeEmbedded(m_folder, std::move(file));
@@ -200,7 +200,7 @@ TEST_F(BakeRepeatTest, isTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed) {
   EXPECT_NE(one.at("lightmap-0.exr"), other.at("lightmap-0.exr"));
 }
 
-TEST_F(BakeRepeatTest, capturesAreTheSameEachTime) {
+TEST_F(BakeRepeatTest, CapturesAreTheSameEachTime) {
   if (const std::string missing = missingDriver(); !missing.empty()) GTEST_SKIP() << missing;
   const std::string scene = writeEmbedded(m_folder, makeLitCorner());
   for (const std::string name : {"one", "two"})
@@ -210,7 +210,7 @@ TEST_F(BakeRepeatTest, capturesAreTheSameEachTime) {
   EXPECT_TRUE(readFolder(m_folder / "one") == readFolder(m_folder / "two"));
 }
 
-TEST_F(BakeRepeatTest, notesOfManyMeshesAreCutShortUnlessAskedFor) {
+TEST_F(BakeRepeatTest, NotesOfManyMeshesAreCutShortUnlessAskedFor) {
   GltfFile file = makeLitCorner();
   const json mesh = file.json["meshes"][0];
   for (int i = 0; i < 30; ++i) {

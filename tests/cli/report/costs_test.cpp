@@ -7,7 +7,7 @@ namespace {
 using nlohmann::json;
 using CostsTest = RenderingTest;
 
-TEST_F(CostsTest, tellWhatAPixelOfEachPathTakes) {
+TEST_F(CostsTest, TellWhatAPixelOfEachPathTakes) {
   const std::string file = (m_folder / "report.json").string();
   const RunResult run = runParity(
       join({{"diff", "builtin:materials", "--env", "builtin:studio", "--costs", "--json", file}, kSmall, kSun}));
@@ -32,7 +32,7 @@ TEST_F(CostsTest, tellWhatAPixelOfEachPathTakes) {
   EXPECT_LT(fetches[1], fetches[0]);
 }
 
-TEST_F(CostsTest, areCountedOnlyWhereTheyAreAskedFor) {
+TEST_F(CostsTest, AreCountedOnlyWhereTheyAreAskedFor) {
   const std::string file = (m_folder / "report.json").string();
   const RunResult run = runParity(join({{"diff", "builtin:spheres", "--json", file}, kSmall, kSun}));
   EXPECT_FALSE(contains(run.out, "scalar operations")) << run.out;

@@ -25,7 +25,7 @@ const json& encodingOf(const json& region) {
 }
 double meanFlipOf(const json& stage) { return stage.at("figures").at("metrics").at("flip.mean"); }
 
-TEST_F(TargetTest, gammaTwoIsAStageOfItsOwn) {
+TEST_F(TargetTest, GammaTwoIsAStageOfItsOwn) {
   const RunResult result = diff("builtin:materials", "rgba8-gamma2");
   EXPECT_TRUE(contains(result.out, " target ")) << result.out;
   EXPECT_TRUE(contains(result.out, "storing the colour of mobile in rgba8-gamma2")) << result.out;
@@ -46,14 +46,14 @@ TEST_F(TargetTest, gammaTwoIsAStageOfItsOwn) {
   EXPECT_EQ(readWholeFile(report()), first) << "the same on one thread";
 }
 
-TEST_F(TargetTest, whatSrgbDoesIsWhatTheScreenDoesAnyway) {
+TEST_F(TargetTest, WhatSrgbDoesIsWhatTheScreenDoesAnyway) {
   const RunResult result = diff("builtin:spheres", "rgba8-srgb");
   const json whole = encodingOf(view().at("whole"));
   EXPECT_EQ(whole.at("figures").at("metrics").at("flip.max"), 0) << "opaque, one sample: the same bits";
   EXPECT_FALSE(contains(result.out, " target ")) << result.out;
 }
 
-TEST_F(TargetTest, floatTargetsCostLittleAndMoreWithFewerBits) {
+TEST_F(TargetTest, FloatTargetsCostLittleAndMoreWithFewerBits) {
   diff("builtin:spheres", "rgba16f");
   const double half = meanFlipOf(encodingOf(view().at("whole")));
   diff("builtin:spheres", "r11g11b10f");
@@ -64,7 +64,7 @@ TEST_F(TargetTest, floatTargetsCostLittleAndMoreWithFewerBits) {
 }
 
 // A mirror by the article's sun is infinite: an 8-bit store would make it white.
-TEST_F(TargetTest, noneHidesAPixelThatIsNotFinite) {
+TEST_F(TargetTest, NoneHidesAPixelThatIsNotFinite) {
   GltfFile file = makeQuad();
   file.material()["pbrMetallicRoughness"] = {{"metallicFactor", 1}, {"roughnessFactor", 0}};
   const std::string scene = writeGlb(m_folder, file, "mirror");

@@ -69,7 +69,7 @@ const json& passOf(const json& scene, const std::string& name) {
   throw std::out_of_range(name);
 }
 
-TEST_F(TexturesTest, theirCostIsTheFlipOfTwoPicturesOfMobile) {
+TEST_F(TexturesTest, TheirCostIsTheFlipOfTwoPicturesOfMobile) {
   const std::string scene = writeLeaves();
   double before = 0;
   for (const std::string block : {"astc4x4", "astc6x6"}) {
@@ -89,7 +89,7 @@ TEST_F(TexturesTest, theirCostIsTheFlipOfTwoPicturesOfMobile) {
 }
 
 // The other codec, whose blocks lose more than ASTC's of the same size.
-TEST_F(TexturesTest, goThroughEtc2Too) {
+TEST_F(TexturesTest, GoThroughEtc2Too) {
   const std::string scene = writeLeaves();
   const json result = diff(scene, "etc2", kNear), stage = stageOf(result);
   EXPECT_EQ(stage.at("through"), "etc2");
@@ -97,21 +97,21 @@ TEST_F(TexturesTest, goThroughEtc2Too) {
   EXPECT_EQ(passOf(result, "texture compression").at("count"), 2);
 }
 
-TEST_F(TexturesTest, ofASceneWithoutAnyCostNothing) {
+TEST_F(TexturesTest, OfASceneWithoutAnyCostNothing) {
   const json result = diff(writeEmbedded(m_folder, makeQuad()), "astc6x6", {"--attribution", "none"});
   EXPECT_EQ(stageOf(result).at("figures").at("metrics").at("flip.max"), 0);
   EXPECT_EQ(passOf(result, "texture compression").at("skipped"), "no visible material has one");
   EXPECT_EQ(passOf(result, "shade mobile").at("count"), passOf(result, "surface").at("count")) << "shaded once";
 }
 
-TEST_F(TexturesTest, areNoPartOfAReportThatDidNotAsk) {
+TEST_F(TexturesTest, AreNoPartOfAReportThatDidNotAsk) {
   const json result = diff(writeLeaves(), "none");
   EXPECT_EQ(result.at("views").at(0).at("whole").at("stages").size(), 1u) << "the target";
   EXPECT_EQ(result.at("views").at(0).at("materials").at(0).at("stages").size(), 1u);
   EXPECT_EQ(passOf(result, "texture compression").at("skipped"), "not requested");
 }
 
-TEST_F(TexturesTest, standInTheTableAndTheSettings) {
+TEST_F(TexturesTest, StandInTheTableAndTheSettings) {
   const RunResult result = runParity(join({{"diff", writeLeaves(), "--mobile-textures", "astc6x6"}, kSmall, kSun}));
   EXPECT_TRUE(contains(result.out, " textures ")) << result.out;
   EXPECT_TRUE(contains(result.out, "the textures of mobile as astc6x6")) << result.out;
@@ -123,7 +123,7 @@ TEST_F(TexturesTest, standInTheTableAndTheSettings) {
   EXPECT_EQ(std::count(settings.begin(), settings.end(), expected), 1) << settings;
 }
 
-TEST_F(TexturesTest, areTheMobilePathsAlone) {
+TEST_F(TexturesTest, AreTheMobilePathsAlone) {
   const std::string scene = writeLeaves();
   for (const std::string path : {"highend", "mobile"}) {
     const bool same = readWholeFile(render(scene, path, "none", "before.exr")) ==
@@ -134,7 +134,7 @@ TEST_F(TexturesTest, areTheMobilePathsAlone) {
 
 // Alpha is compressed, too, but what is seen is decided by the textures as they are, and so is a blended material's
 // share of a pixel.
-TEST_F(TexturesTest, decideNeitherWhatIsSeenNorHowMuchOfIt) {
+TEST_F(TexturesTest, DecideNeitherWhatIsSeenNorHowMuchOfIt) {
   for (const std::string mode : {"MASK", "BLEND"}) {
     const std::string scene = writeLeaves(mode);
     const json plain = diff(scene, "none", kNear), compressed = diff(scene, "astc6x6", kNear);
@@ -148,7 +148,7 @@ TEST_F(TexturesTest, decideNeitherWhatIsSeenNorHowMuchOfIt) {
   }
 }
 
-TEST_F(TexturesTest, areTheSameFromTheCacheAndOnOneThread) {
+TEST_F(TexturesTest, AreTheSameFromTheCacheAndOnOneThread) {
   const std::string scene = writeLeaves(), cache = (m_folder / "cache").string();
   const std::vector<std::string> with = {"--cache", cache};
   const auto bytes = [&](const std::vector<std::string>& more) {

@@ -59,12 +59,12 @@ FlipMaps mapsOf(const std::string& pair, float ppd) {
 
 class FlipGolden : public ::testing::TestWithParam<GoldenCase> {};
 
-TEST_P(FlipGolden, everyPixelIsTheReferenceToolsWithin1e4) {
+TEST_P(FlipGolden, EveryPixelIsTheReferenceToolsWithin1e4) {
   const GoldenCase& c = GetParam();
   EXPECT_TRUE(test::matchesGolden(mapsOf(c.pair, c.ppd).flip, c.map, kPixelTolerance));
 }
 
-TEST_P(FlipGolden, pooledFiguresAreWhatTheReferenceToolPrints) {
+TEST_P(FlipGolden, PooledFiguresAreWhatTheReferenceToolPrints) {
   const GoldenCase& c = GetParam();
   const Pooling pooled = poolMap(mapsOf(c.pair, c.ppd).flip);
   const bool isFlat = c.pair == "ldrext64" || c.pair == "ldrtiny1x1";
@@ -83,7 +83,7 @@ TEST_P(FlipGolden, pooledFiguresAreWhatTheReferenceToolPrints) {
 
 // The pooling alone, on the tool's own map. Its running sums are float32 and drift (docs/flip-metric.md 9a): they stop
 // up to 2.9e-5 from where exact ones do.
-TEST_P(FlipGolden, poolingOfTheToolsOwnMapGivesTheDigitsItPrinted) {
+TEST_P(FlipGolden, PoolingOfTheToolsOwnMapGivesTheDigitsItPrinted) {
   const GoldenCase& c = GetParam();
   const Pooling pooled = poolMap(base::readPfm(test::goldenFolder() / (c.map + ".pfm")));
   EXPECT_NEAR(pooled.mean, c.mean, 1e-9);
@@ -100,7 +100,7 @@ TEST_P(FlipGolden, poolingOfTheToolsOwnMapGivesTheDigitsItPrinted) {
 }
 
 // Without the tool's float noise in between: every pair, flat ones too.
-TEST_P(FlipGolden, meanIsTheDoublePrecisionOraclesWithin1e6) {
+TEST_P(FlipGolden, MeanIsTheDoublePrecisionOraclesWithin1e6) {
   const GoldenCase& c = GetParam();
   const base::Image reference = base::readImage(test::goldenFolder() / (c.pair + ".ref.png"));
   const base::Image test = base::readImage(test::goldenFolder() / (c.pair + ".test.png"));
@@ -116,12 +116,12 @@ INSTANTIATE_TEST_SUITE_P(Pairs, FlipGolden, ::testing::ValuesIn(kGoldenCases), [
   return name;
 });
 
-TEST(FlipGoldenParts, colorDifferenceIsTheReferenceToolsWithin1e4) {
+TEST(FlipGoldenParts, ColorDifferenceIsTheReferenceToolsWithin1e4) {
   EXPECT_TRUE(
       test::matchesGolden(mapsOf("ldrsyn256", kDefaultPixelsPerDegree).color, "ldrsyn256.colordiff", kPixelTolerance));
 }
 
-TEST(FlipGoldenFailure, leavesActualExpectedAndDifferenceAndTheCommandToUpdate) {
+TEST(FlipGoldenFailure, LeavesActualExpectedAndDifferenceAndTheCommandToUpdate) {
   base::Image wrong = base::readPfm(test::goldenFolder() / "ldrtiny3x2.flip.pfm");
   wrong.pixels[4] += 0.01f;
   const std::filesystem::path folder = test::testOutput() / "wrong-on-purpose";
@@ -138,7 +138,7 @@ TEST(FlipGoldenFailure, leavesActualExpectedAndDifferenceAndTheCommandToUpdate) 
   std::filesystem::remove_all(folder);
 }
 
-TEST(FlipGoldenFailure, aNanInTheMapFails) {
+TEST(FlipGoldenFailure, ANanInTheMapFails) {
   base::Image wrong = base::readPfm(test::goldenFolder() / "ldrtiny3x2.flip.pfm");
   wrong.pixels[0] = std::numeric_limits<float>::quiet_NaN();
   const std::filesystem::path folder = test::testOutput() / "nan-on-purpose";

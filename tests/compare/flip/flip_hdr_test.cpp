@@ -78,12 +78,12 @@ protected:
   }
 };
 
-TEST_P(HdrFlipGolden, everyPixelIsTheReferenceToolsWithin1e4) {
+TEST_P(HdrFlipGolden, EveryPixelIsTheReferenceToolsWithin1e4) {
   EXPECT_TRUE(test::matchesGolden(compute().flip, "hdrsyn256." + GetParam().map + ".flip", 1e-4));
 }
 
 // Where two exposures come out within the tolerance of each other, either may be named: the error must then be equal.
-TEST_P(HdrFlipGolden, exposuresAreTheReferenceToolsButForTies) {
+TEST_P(HdrFlipGolden, ExposuresAreTheReferenceToolsButForTies) {
   const HdrFlip found = compute();
   const base::Image expected = base::readPfm(test::goldenFolder() / ("hdrsyn256." + GetParam().map + ".exposure.pfm"));
   std::size_t different = 0;
@@ -92,7 +92,7 @@ TEST_P(HdrFlipGolden, exposuresAreTheReferenceToolsButForTies) {
   EXPECT_LE(different, expected.pixels.size() / 1000);
 }
 
-TEST_P(HdrFlipGolden, theRangeAndThePooledFiguresAreWhatTheToolPrints) {
+TEST_P(HdrFlipGolden, TheRangeAndThePooledFiguresAreWhatTheToolPrints) {
   const HdrCase& c = GetParam();
   const HdrFlip found = compute();
   EXPECT_NEAR(found.range.start, c.range.start, 2e-6f);
@@ -111,7 +111,7 @@ TEST_P(HdrFlipGolden, theRangeAndThePooledFiguresAreWhatTheToolPrints) {
 INSTANTIATE_TEST_SUITE_P(Maps, HdrFlipGolden, ::testing::ValuesIn(kHdrCases),
                          [](const auto& instance) { return instance.param.map; });
 
-TEST(HdrFlip, theBrightestExposedValueComesOutAsPoint85) {
+TEST(HdrFlip, TheBrightestExposedValueComesOutAsPoint85) {
   EXPECT_NEAR(brightestExposed(Tonemapper::aces), 2.11887232, 1e-6); // docs/flip-metric.md 6a
   EXPECT_NEAR(brightestExposed(Tonemapper::hable), 3.12774928, 1e-5);
   EXPECT_NEAR(brightestExposed(Tonemapper::reinhard), 5.66666667, 1e-7);
@@ -123,7 +123,7 @@ protected:
   void TearDown() override { useSimdLevel(""); }
 };
 
-TEST_P(HdrFlipOracle, randomImagesMatchWithEveryToneCurve) {
+TEST_P(HdrFlipOracle, RandomImagesMatchWithEveryToneCurve) {
   unsigned seed = 100;
   for (const auto& [width, height] : {std::pair{1, 1}, {5, 3}, {41, 30}, {63, 9}})
     for (Tonemapper tonemapper : {Tonemapper::aces, Tonemapper::hable, Tonemapper::reinhard})
@@ -141,7 +141,7 @@ TEST_P(HdrFlipOracle, randomImagesMatchWithEveryToneCurve) {
 INSTANTIATE_TEST_SUITE_P(SimdLevels, HdrFlipOracle, ::testing::ValuesIn(simdLevels()),
                          [](const auto& instance) { return instance.param; });
 
-TEST(HdrFlip, identicalImagesGiveExactlyZeroAtAnyExposure) {
+TEST(HdrFlip, IdenticalImagesGiveExactlyZeroAtAnyExposure) {
   const base::Image image = makeHdrImage(40, 30, 1);
   const HdrFlip found = flipHdr(image, image);
   for (std::size_t i = 0; i < found.flip.pixels.size(); ++i) {
@@ -151,7 +151,7 @@ TEST(HdrFlip, identicalImagesGiveExactlyZeroAtAnyExposure) {
 }
 
 // The reference tool takes the median over all pixels: log2(x/0) = infinity, no exposures, mean 0, "identical".
-TEST(HdrFlip, aMostlyBlackPairThatDiffersIsNotIdentical) {
+TEST(HdrFlip, AMostlyBlackPairThatDiffersIsNotIdentical) {
   base::Image reference(64, 64, 3), test(64, 64, 3);
   for (int y = 0; y < 20; ++y)
     for (int x = 0; x < 20; ++x)
@@ -163,7 +163,7 @@ TEST(HdrFlip, aMostlyBlackPairThatDiffersIsNotIdentical) {
   EXPECT_GT(poolMap(found.flip).mean, 0.01);
 }
 
-TEST(HdrFlip, aBlackReferenceTakesTheTestsExposuresAndSaysSo) {
+TEST(HdrFlip, ABlackReferenceTakesTheTestsExposuresAndSaysSo) {
   const base::Image black(32, 32, 3), lit(32, 32, 3, 0.3f);
   const HdrFlip found = flipHdr(black, lit);
   EXPECT_NE(found.range.note, "");
@@ -172,7 +172,7 @@ TEST(HdrFlip, aBlackReferenceTakesTheTestsExposuresAndSaysSo) {
 }
 
 // A denormal luminance asks for more exposure than a float holds: 0 times infinity would make both images white.
-TEST(HdrFlip, aReferenceOfDenormalsIsBlackAndNotIdenticalToAnything) {
+TEST(HdrFlip, AReferenceOfDenormalsIsBlackAndNotIdenticalToAnything) {
   const base::Image lit(32, 32, 3, 0.3f);
   base::Image onePixel(32, 32, 3);
   *onePixel.at(5, 5) = 1e-40f;
@@ -188,7 +188,7 @@ TEST(HdrFlip, aReferenceOfDenormalsIsBlackAndNotIdenticalToAnything) {
   }
 }
 
-TEST(HdrFlip, twoBlackImagesAreIdenticalAndSaidToBeBlack) {
+TEST(HdrFlip, TwoBlackImagesAreIdenticalAndSaidToBeBlack) {
   const base::Image black(8, 8, 3);
   const HdrFlip found = flipHdr(black, black);
   EXPECT_EQ(found.range.note, "both images are black");
@@ -204,13 +204,13 @@ base::ExitCode codeOf(const base::Image& reference, const base::Image& test, con
   return base::ExitCode::withinBudget;
 }
 
-TEST(HdrFlip, imagesWithoutLightThatDifferAreNotComparable) {
+TEST(HdrFlip, ImagesWithoutLightThatDifferAreNotComparable) {
   const base::Image black(8, 8, 3), negative(8, 8, 3, -1.f);
   EXPECT_EQ(codeOf(black, negative), base::ExitCode::notComparable);
   EXPECT_EQ(codeOf(black, negative, {.start = -2.f, .stop = 2.f}), base::ExitCode::withinBudget);
 }
 
-TEST(HdrFlip, aHugeRangeIsBoundedAndNoted) {
+TEST(HdrFlip, AHugeRangeIsBoundedAndNoted) {
   base::Image reference(16, 16, 3, 1e-30f);
   *reference.at(0, 0) = 1e30f;
   const HdrFlip found = flipHdr(reference, base::Image(16, 16, 3, 1.f));
@@ -218,7 +218,7 @@ TEST(HdrFlip, aHugeRangeIsBoundedAndNoted) {
   EXPECT_NE(found.range.note, "");
 }
 
-TEST(HdrFlip, nanAndInfinityAreErrorsInEitherImage) {
+TEST(HdrFlip, NanAndInfinityAreErrorsInEitherImage) {
   const base::Image good = makeHdrImage(20, 20, 1);
   for (float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     base::Image broken = good;
@@ -228,7 +228,7 @@ TEST(HdrFlip, nanAndInfinityAreErrorsInEitherImage) {
   }
 }
 
-TEST(HdrFlip, optionsOutOfRangeAreAUsageError) {
+TEST(HdrFlip, OptionsOutOfRangeAreAUsageError) {
   const base::Image image = makeHdrImage(8, 8, 1);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const HdrFlipOptions& options : {HdrFlipOptions{.start = 3.f, .stop = 2.f}, HdrFlipOptions{.exposures = 1},
@@ -237,12 +237,12 @@ TEST(HdrFlip, optionsOutOfRangeAreAUsageError) {
     EXPECT_EQ(codeOf(image, image, options), base::ExitCode::usage);
 }
 
-TEST(HdrFlip, bytesAreNotComparable) {
+TEST(HdrFlip, BytesAreNotComparable) {
   const base::Image8 bytes(4, 4, 3);
   EXPECT_THROW(flipHdr(bytes, bytes), base::Error);
 }
 
-TEST(HdrFlip, theMapDoesNotDependOnThreads) {
+TEST(HdrFlip, TheMapDoesNotDependOnThreads) {
   const base::Image a = makeHdrImage(530, 270, 1), b = makeHdrImage(530, 270, 3);
   base::Image first;
   for (int threads : {1, 2, 5}) {

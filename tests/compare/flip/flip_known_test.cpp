@@ -38,14 +38,14 @@ base::Image makeNoise(int width, int height, unsigned seed) {
 
 using base::errorOf;
 
-TEST(Flip, identicalImagesGiveExactlyZero) {
+TEST(Flip, IdenticalImagesGiveExactlyZero) {
   for (const base::Image& image : {makeNoise(67, 45, 1), makeFlat(20, 20, 0, 0, 0), makeFlat(20, 20, 1, 1, 1)})
     for (float ppd : {10.f, kDefaultPixelsPerDegree, 200.f})
       for (float v : flipMap(image, image, {.ppd = ppd}).pixels) ASSERT_EQ(v, 0.f);
 }
 
 // Pure green against pure blue is what the colour difference is scaled by; flat fields have no features.
-TEST(Flip, pureGreenAgainstPureBlueIsTheLargestDifference) {
+TEST(Flip, PureGreenAgainstPureBlueIsTheLargestDifference) {
   const FlipMaps maps = flipMaps(makeFlat(31, 31, 0, 1, 0), makeFlat(31, 31, 0, 0, 1));
   for (std::size_t i = 0; i < maps.flip.pixels.size(); ++i) {
     EXPECT_NEAR(maps.flip.pixels[i], 1.f, 1e-5f);
@@ -56,17 +56,17 @@ TEST(Flip, pureGreenAgainstPureBlueIsTheLargestDifference) {
 
 // Black against white: HyAB is 100 (no chroma), so c = 100^0.7 = 25.1188643, above the knee p = 16.5104385:
 // 0.95 + 0.05 (25.1188643 - 16.5104385) / (41.2760963 - 16.5104385) = 0.967380.
-TEST(Flip, blackAgainstWhiteHasItsClosedForm) {
+TEST(Flip, BlackAgainstWhiteHasItsClosedForm) {
   for (float v : flipMap(makeFlat(25, 25, 0, 0, 0), makeFlat(25, 25, 1, 1, 1)).pixels) EXPECT_NEAR(v, 0.967380f, 2e-6f);
 }
 
-TEST(Flip, swappedImagesGiveTheSameMap) {
+TEST(Flip, SwappedImagesGiveTheSameMap) {
   const base::Image a = makeNoise(70, 41, 2), b = makeNoise(70, 41, 3);
   const base::Image there = flipMap(a, b), back = flipMap(b, a);
   for (std::size_t i = 0; i < there.pixels.size(); ++i) ASSERT_NEAR(there.pixels[i], back.pixels[i], 1e-6f) << i;
 }
 
-TEST(Flip, oneDifferingPixelReachesJustAsFarAsTheFilterRadius) {
+TEST(Flip, OneDifferingPixelReachesJustAsFarAsTheFilterRadius) {
   for (float ppd : {20.f, kDefaultPixelsPerDegree}) {
     const int radius = colorFilterRadius(ppd), centre = 2 * radius, size = 2 * centre + 1;
     const base::Image reference = makeNoise(size, size, 4);
@@ -87,7 +87,7 @@ TEST(Flip, oneDifferingPixelReachesJustAsFarAsTheFilterRadius) {
   }
 }
 
-TEST(Flip, mirroredImagesGiveTheMirroredMap) {
+TEST(Flip, MirroredImagesGiveTheMirroredMap) {
   const auto mirror = [](const base::Image& image) {
     base::Image out = image;
     for (int y = 0; y < image.height; ++y)
@@ -99,7 +99,7 @@ TEST(Flip, mirroredImagesGiveTheMirroredMap) {
   EXPECT_EQ(flipMap(mirror(a), mirror(b)), mirror(flipMap(a, b)));
 }
 
-TEST(Flip, theMapDoesNotDependOnThreadsOrRepetition) {
+TEST(Flip, TheMapDoesNotDependOnThreadsOrRepetition) {
   const base::Image a = makeNoise(600, 530, 7), b = makeNoise(600, 530, 8); // 9 tiles
   base::Image first;
   for (int threads : {1, 2, 3, 8, 1}) {
@@ -110,7 +110,7 @@ TEST(Flip, theMapDoesNotDependOnThreadsOrRepetition) {
   }
 }
 
-TEST(Flip, unlikeImagesAreNotComparable) {
+TEST(Flip, UnlikeImagesAreNotComparable) {
   const base::Image image(8, 8, 3);
   for (const base::Image& other :
        {base::Image(8, 9, 3), base::Image(9, 8, 3), base::Image(8, 8, 4), base::Image(8, 8, 1), base::Image()}) {
@@ -123,7 +123,7 @@ TEST(Flip, unlikeImagesAreNotComparable) {
   }
 }
 
-TEST(Flip, nonFinitePixelsAreAnErrorWithCountAndFirstPosition) {
+TEST(Flip, NonFinitePixelsAreAnErrorWithCountAndFirstPosition) {
   const base::Image good = makeFlat(8, 8, 0, 0, 0);
   for (float bad : {kNan, kInf, -kInf}) {
     base::Image image = good;
@@ -138,7 +138,7 @@ TEST(Flip, nonFinitePixelsAreAnErrorWithCountAndFirstPosition) {
   }
 }
 
-TEST(Flip, distancesOutsideTheRangeAreAUsageError) {
+TEST(Flip, DistancesOutsideTheRangeAreAUsageError) {
   const base::Image image(4, 4, 3);
   for (float ppd : {0.f, -1.f, 0.99f, 1001.f, kNan, kInf}) {
     EXPECT_EQ(errorOf([&] { flipMap(image, image, {.ppd = ppd}); }).code(), base::ExitCode::usage) << ppd;
@@ -147,7 +147,7 @@ TEST(Flip, distancesOutsideTheRangeAreAUsageError) {
   EXPECT_EQ(errorOf([] { pixelsPerDegree(kNan, 100.f, 0.7f); }).code(), base::ExitCode::usage);
 }
 
-TEST(Flip, bothEndsOfTheDistanceRangeGiveFiniteMaps) {
+TEST(Flip, BothEndsOfTheDistanceRangeGiveFiniteMaps) {
   const base::Image a = makeNoise(12, 9, 9), b = makeNoise(12, 9, 10);
   for (float ppd : {kMinPixelsPerDegree, kMaxPixelsPerDegree})
     for (float v : flipMap(a, b, {.ppd = ppd}).pixels) ASSERT_TRUE(v >= 0.f && v <= 1.f) << ppd;

@@ -34,7 +34,7 @@ base::Image crop(const base::Image8& image, const Rect& rect) {
   return out;
 }
 
-TEST(FlipLarge, windowsOfAn8kPairAreTheOracles) {
+TEST(FlipLarge, WindowsOfAn8kPairAreTheOracles) {
   constexpr int kWidth = 7680, kHeight = 4320, kSide = 24;
   const base::Image8 reference = makeImage(kWidth, kHeight, 1), test = makeImage(kWidth, kHeight, 2);
   const base::Image map = flipMap(reference, test);

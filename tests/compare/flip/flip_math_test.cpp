@@ -18,7 +18,7 @@ template <typename Function> double evaluate(Function function, float x) {
   return static_cast<double>(hn::GetLane(function(d, hn::Set(d, x))));
 }
 
-TEST(FlipMath, cubeRootsStayWithinTheStatedError) {
+TEST(FlipMath, CubeRootsStayWithinTheStatedError) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> exponent(std::log2(1e-3), 1);
   for (int i = 0; i < 200000; ++i) {
@@ -28,7 +28,7 @@ TEST(FlipMath, cubeRootsStayWithinTheStatedError) {
   }
 }
 
-TEST(FlipMath, logarithmsStayWithinTheStatedError) {
+TEST(FlipMath, LogarithmsStayWithinTheStatedError) {
   std::mt19937 random(12);
   std::uniform_real_distribution<double> exponent(-125, 125);
   for (int i = 0; i < 200000; ++i) {
@@ -39,7 +39,7 @@ TEST(FlipMath, logarithmsStayWithinTheStatedError) {
   }
 }
 
-TEST(FlipMath, powersOfTwoStayWithinTheStatedError) {
+TEST(FlipMath, PowersOfTwoStayWithinTheStatedError) {
   std::mt19937 random(13);
   std::uniform_real_distribution<float> exponent(-126, 126);
   for (int i = 0; i < 200000; ++i) {

@@ -39,7 +39,7 @@ protected:
   void TearDown() override { useSimdLevel(""); }
 };
 
-TEST_P(FlipOracle, randomImagesOfOddSizesAtAllDistancesMatch) {
+TEST_P(FlipOracle, RandomImagesOfOddSizesAtAllDistancesMatch) {
   constexpr int kSizes[][2] = {{1, 1}, {1, 9}, {9, 1}, {2, 3}, {7, 5}, {8, 8}, {31, 17}, {33, 64}, {65, 23}};
   unsigned seed = 0;
   for (const auto& size : kSizes)
@@ -54,7 +54,7 @@ TEST_P(FlipOracle, randomImagesOfOddSizesAtAllDistancesMatch) {
 }
 
 // Sizes and distances drawn at random: nothing about them is special.
-TEST_P(FlipOracle, sizesAndDistancesDrawnAtRandomMatch) {
+TEST_P(FlipOracle, SizesAndDistancesDrawnAtRandomMatch) {
   std::mt19937 random(2020);
   for (unsigned round = 0; round < 40; ++round) {
     const int width = 1 + static_cast<int>(random() % 70), height = 1 + static_cast<int>(random() % 40);
@@ -66,13 +66,13 @@ TEST_P(FlipOracle, sizesAndDistancesDrawnAtRandomMatch) {
 }
 
 // Tiles are 256 pixels wide and high: a seam would show here.
-TEST_P(FlipOracle, imagesOfSeveralTilesMatchAcrossTheSeams) {
+TEST_P(FlipOracle, ImagesOfSeveralTilesMatchAcrossTheSeams) {
   expectOracle(makeImage(Kind::noise, 530, 40, 1), makeImage(Kind::noise, 530, 40, 2), 67.f, "wide");
   expectOracle(makeImage(Kind::noise8, 30, 521, 3), makeImage(Kind::noise8, 30, 521, 4), 90.f, "high");
   expectOracle(makeImage(Kind::smooth, 257, 259, 5), makeImage(Kind::smooth, 257, 259, 6), 67.f, "one over");
 }
 
-TEST_P(FlipOracle, valuesOutsideTheRangeCountAsClamped) {
+TEST_P(FlipOracle, ValuesOutsideTheRangeCountAsClamped) {
   base::Image wide = makeImage(Kind::noise, 20, 20, 7), other = makeImage(Kind::noise, 20, 20, 8);
   for (std::size_t i = 0; i < wide.pixels.size(); i += 7) wide.pixels[i] = i % 2 == 0 ? -3.f : 1e30f;
   base::Image clamped = wide;
@@ -82,7 +82,7 @@ TEST_P(FlipOracle, valuesOutsideTheRangeCountAsClamped) {
 
 // Fields of pure colours, which the filters of different widths carry out of [0,1], with a few values a step away:
 // where both images are clamped to the same side, the little that differs must survive.
-TEST_P(FlipOracle, smallDifferencesOfClampedColorsMatch) {
+TEST_P(FlipOracle, SmallDifferencesOfClampedColorsMatch) {
   std::mt19937 random(77);
   for (unsigned round = 0; round < 6; ++round) {
     base::Image reference(48, 32, 3);
@@ -100,7 +100,7 @@ TEST_P(FlipOracle, smallDifferencesOfClampedColorsMatch) {
 }
 
 // Two levels may round differently, by no more than float does.
-TEST_P(FlipOracle, theBestLevelGivesTheSameWithinFloatRounding) {
+TEST_P(FlipOracle, TheBestLevelGivesTheSameWithinFloatRounding) {
   const base::Image a = makeImage(Kind::noise, 200, 90, 11), b = makeImage(Kind::noise, 200, 90, 12);
   const base::Image here = flipMap(a, b);
   useSimdLevel("");

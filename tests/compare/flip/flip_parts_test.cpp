@@ -18,11 +18,11 @@
 namespace parity::compare {
 namespace {
 
-TEST(FlipParts, theLargestColorDifferenceIsGreenAgainstBlue) {
+TEST(FlipParts, TheLargestColorDifferenceIsGreenAgainstBlue) {
   EXPECT_NEAR(static_cast<double>(flip_constants::kMaxColorDifference), oracle::largestColorDifference(), 1e-5);
 }
 
-TEST(FlipParts, filtersSumToWhatTheyMust) {
+TEST(FlipParts, FiltersSumToWhatTheyMust) {
   const auto sum = [](const std::vector<float>& half) {
     double total = static_cast<double>(half[0]);
     for (std::size_t i = 1; i < half.size(); ++i) total += 2 * static_cast<double>(half[i]);
@@ -47,13 +47,13 @@ TEST(FlipParts, filtersSumToWhatTheyMust) {
   }
 }
 
-TEST(FlipParts, theFilterRadiusIsTenAtTheDefaultDistance) {
+TEST(FlipParts, TheFilterRadiusIsTenAtTheDefaultDistance) {
   EXPECT_EQ(flipFilterRadius({}), 10);
   EXPECT_EQ(makeFlipFilters(kDefaultPixelsPerDegree).gauss.size(), 10u); // radius 9
   EXPECT_EQ(flipFilterRadius({.ppd = 120}), 17);                         // ceil(0.13505 * 120 = 16.2)
 }
 
-TEST(FlipParts, pixelsPerDegreeOfTheDefaultScreen) {
+TEST(FlipParts, PixelsPerDegreeOfTheDefaultScreen) {
   EXPECT_FLOAT_EQ(pixelsPerDegree(0.7f, 3840.f, 0.7f), kDefaultPixelsPerDegree);
 }
 
@@ -83,7 +83,7 @@ protected:
   }
 };
 
-TEST_P(FlipDecoding, srgbIsTheStandardsTransferFunction) {
+TEST_P(FlipDecoding, SrgbIsTheStandardsTransferFunction) {
   const base::Image ramp = [] {
     base::Image image(1000, 1, 3);
     for (int x = 0; x < 1000; ++x)
@@ -95,7 +95,7 @@ TEST_P(FlipDecoding, srgbIsTheStandardsTransferFunction) {
   });
 }
 
-TEST_P(FlipDecoding, bytesAndTheirFloatsAreDecodedToTheSameBits) {
+TEST_P(FlipDecoding, BytesAndTheirFloatsAreDecodedToTheSameBits) {
   base::Image8 bytes(300, 1, 3);
   for (std::size_t i = 0; i < bytes.pixels.size(); ++i) bytes.pixels[i] = static_cast<std::uint8_t>(i * 7);
   base::Image floats(300, 1, 3);
@@ -108,7 +108,7 @@ TEST_P(FlipDecoding, bytesAndTheirFloatsAreDecodedToTheSameBits) {
     for (std::size_t p = 0; p < 3; ++p) ASSERT_EQ(a[400 * p + i], b[400 * p + i]) << i;
 }
 
-TEST_P(FlipDecoding, toneCurvesAreTheDefinitions) {
+TEST_P(FlipDecoding, ToneCurvesAreTheDefinitions) {
   const base::Image image = test::makeHdrImage(500, 1, 3);
   for (Tonemapper tonemapper : {Tonemapper::aces, Tonemapper::hable, Tonemapper::reinhard})
     for (float exposure : {0.01f, 1.f, 40.f}) {
@@ -124,7 +124,7 @@ TEST_P(FlipDecoding, toneCurvesAreTheDefinitions) {
 }
 
 // Where a value overflows when exposed, or is negative: still numbers; and black stays black.
-TEST_P(FlipDecoding, noValueBecomesNanAtAnyExposure) {
+TEST_P(FlipDecoding, NoValueBecomesNanAtAnyExposure) {
   base::Image image(64, 1, 3);
   const float values[] = {0, -0.f, 1e-40f, 3e38f, -3e38f, -1, 1e10f};
   for (std::size_t i = 3; i < image.pixels.size(); ++i) image.pixels[i] = values[(i * i + i / 3) % 7];
@@ -142,7 +142,7 @@ TEST_P(FlipDecoding, noValueBecomesNanAtAnyExposure) {
 INSTANTIATE_TEST_SUITE_P(SimdLevels, FlipDecoding, ::testing::ValuesIn(simdLevels()),
                          [](const auto& instance) { return instance.param; });
 
-TEST(FlipParts, anUnknownSimdLevelIsAUsageError) {
+TEST(FlipParts, AnUnknownSimdLevelIsAUsageError) {
   EXPECT_THROW(useSimdLevel("AVX9"), base::Error);
   EXPECT_FALSE(simdLevels().empty());
 }

@@ -36,7 +36,7 @@ std::uint64_t countBeyondReach(const base::Image& image, const base::Image& othe
   return count;
 }
 
-TEST(FlipSkip, equalPartsAreNotFilteredAndTheRestIsTheOracles) {
+TEST(FlipSkip, EqualPartsAreNotFilteredAndTheRestIsTheOracles) {
   const base::Image reference = makeImage(Kind::noise, 300, 120, 1);
   base::Image test = reference;
   for (int y = 40; y < 60; ++y)
@@ -55,7 +55,7 @@ TEST(FlipSkip, equalPartsAreNotFilteredAndTheRestIsTheOracles) {
 }
 
 // Few changes at random, in corners, and where blocks and tiles meet: none is overlooked.
-TEST(FlipSkip, sparseChangesAnywhereGiveTheOraclesMap) {
+TEST(FlipSkip, SparseChangesAnywhereGiveTheOraclesMap) {
   std::mt19937 random(31);
   const int sizes[][2] = {{600, 9}, {257, 40}, {33, 70}, {64, 64}, {300, 20}};
   for (unsigned round = 0; round < 40; ++round) {
@@ -80,7 +80,7 @@ TEST(FlipSkip, sparseChangesAnywhereGiveTheOraclesMap) {
   }
 }
 
-TEST(FlipSkip, aRegionIsTheWholesPixelsAndNothingElse) {
+TEST(FlipSkip, ARegionIsTheWholesPixelsAndNothingElse) {
   const base::Image reference = makeImage(Kind::noise, 301, 280, 5), test = makeImage(Kind::noise, 301, 280, 6);
   const base::Image hdrReference = test::makeHdrImage(301, 280, 7), hdrTest = test::makeHdrImage(301, 280, 9);
   const base::Image whole = flipMap(reference, test);
@@ -101,7 +101,7 @@ TEST(FlipSkip, aRegionIsTheWholesPixelsAndNothingElse) {
   }
 }
 
-TEST(FlipSkip, aRegionThatIsEmptyOrLeavesTheImageIsAUsageError) {
+TEST(FlipSkip, ARegionThatIsEmptyOrLeavesTheImageIsAUsageError) {
   const base::Image image(20, 10, 3);
   for (const Rect& region :
        {Rect{0, 0, 0, 5}, Rect{0, 0, 5, -1}, Rect{-1, 0, 5, 5}, Rect{0, 6, 5, 5}, Rect{16, 0, 5, 5},
@@ -111,7 +111,7 @@ TEST(FlipSkip, aRegionThatIsEmptyOrLeavesTheImageIsAUsageError) {
   }
 }
 
-TEST(FlipSkip, aNanInEqualPartsIsStillFound) {
+TEST(FlipSkip, ANanInEqualPartsIsStillFound) {
   base::Image image = makeImage(Kind::noise, 100, 60, 8);
   image.at(77, 41)[2] = std::numeric_limits<float>::quiet_NaN();
   const auto messageOf = [](auto call) { return base::expectError(call, {}); };
@@ -124,7 +124,7 @@ TEST(FlipSkip, aNanInEqualPartsIsStillFound) {
 }
 
 // Rows further apart than they are long, upside down, and a fourth channel: only the pixels count.
-TEST(FlipSkip, stridesAndAFourthChannelChangeNothing) {
+TEST(FlipSkip, StridesAndAFourthChannelChangeNothing) {
   const base::Image a = makeImage(Kind::noise8, 67, 35, 10), b = makeImage(Kind::noise8, 67, 35, 11);
   const base::Image expected = flipMap(a, b);
   const auto widen = [](const base::Image& image, float filler) {

@@ -87,24 +87,24 @@ void expectAsWhole(const base::BasicImage<T>& reference, const base::BasicImage<
   }
 }
 
-TEST(FlipSwap, bytesAreAsInTheWholePicture) {
+TEST(FlipSwap, BytesAreAsInTheWholePicture) {
   for (const test::Kind kind : {test::Kind::smooth, test::Kind::noise8, test::Kind::dark})
     expectAsWhole(toBytes(test::makeImage(kind, kWidth, kHeight, 1)),
                   toBytes(test::makeImage(kind, kWidth, kHeight, 2)), kDefaultPixelsPerDegree);
 }
 
-TEST(FlipSwap, floatsAreAsInTheWholePicture) {
+TEST(FlipSwap, FloatsAreAsInTheWholePicture) {
   expectAsWhole(test::makeImage(test::Kind::smooth, kWidth, kHeight, 3),
                 test::makeImage(test::Kind::noise, kWidth, kHeight, 4), kDefaultPixelsPerDegree);
 }
 
-TEST(FlipSwap, otherFilterSizesAreAsInTheWholePicture) {
+TEST(FlipSwap, OtherFilterSizesAreAsInTheWholePicture) {
   for (const float ppd : {20.f, 160.f})
     expectAsWhole(toBytes(test::makeImage(test::Kind::smooth, kWidth, kHeight, 5)),
                   toBytes(test::makeImage(test::Kind::noise8, kWidth, kHeight, 6)), ppd);
 }
 
-TEST(FlipSwap, everyInstructionSetIsAsItsOwnWholePicture) {
+TEST(FlipSwap, EveryInstructionSetIsAsItsOwnWholePicture) {
   for (const std::string& level : simdLevels()) {
     useSimdLevel(level);
     expectAsWhole(toBytes(test::makeImage(test::Kind::smooth, kWidth, kHeight, 7)),
@@ -113,7 +113,7 @@ TEST(FlipSwap, everyInstructionSetIsAsItsOwnWholePicture) {
   useSimdLevel("");
 }
 
-TEST(FlipSwap, whatIsEqualIsZeroHoweverManyOthersDiffer) {
+TEST(FlipSwap, WhatIsEqualIsZeroHoweverManyOthersDiffer) {
   const base::Image8 reference = toBytes(test::makeImage(test::Kind::smooth, kWidth, kHeight, 9));
   const base::Image8 other = toBytes(test::makeImage(test::Kind::noise8, kWidth, kHeight, 10));
   const std::vector<std::uint32_t> even = everyNth(2, 0), odd = everyNth(2, 1);
@@ -125,7 +125,7 @@ TEST(FlipSwap, whatIsEqualIsZeroHoweverManyOthersDiffer) {
 }
 
 // Its neighbours in the list are equal, but within the filters' reach: also across blocks, batches and tiles.
-TEST(FlipSwap, onePixelThatDiffersReachesAllAroundIt) {
+TEST(FlipSwap, OnePixelThatDiffersReachesAllAroundIt) {
   const base::Image8 reference = toBytes(test::makeImage(test::Kind::smooth, kWidth, kHeight, 17));
   const std::vector<std::uint32_t> all = everyNth(1, 0);
   for (const std::uint32_t pixel : {64u * kWidth + 64, 63u * kWidth + 95, 256u * kWidth + 256, 255u * kWidth + 255}) {
@@ -137,7 +137,7 @@ TEST(FlipSwap, onePixelThatDiffersReachesAllAroundIt) {
   }
 }
 
-TEST(FlipSwap, doesNotDependOnTheNumberOfThreads) {
+TEST(FlipSwap, DoesNotDependOnTheNumberOfThreads) {
   const base::Image8 reference = toBytes(test::makeImage(test::Kind::noise8, kWidth, kHeight, 11)),
                      other = toBytes(test::makeImage(test::Kind::noise8, kWidth, kHeight, 12));
   const std::vector<std::uint32_t> pixels = everyNth(3, 0);
@@ -148,7 +148,7 @@ TEST(FlipSwap, doesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(flipSwaps(reference, {&swap, 1}, kDefaultPixelsPerDegree), many);
 }
 
-TEST(FlipSwap, hdrIsAsInTheWholePicture) {
+TEST(FlipSwap, HdrIsAsInTheWholePicture) {
   const base::Image reference = test::makeHdrImage(kWidth, kHeight, 13),
                     other = test::makeHdrImage(kWidth, kHeight, 15);
   const std::vector<std::uint32_t> box = boxOf(30, 40, 120, 90), scattered = everyNth(53, 1);
@@ -162,7 +162,7 @@ TEST(FlipSwap, hdrIsAsInTheWholePicture) {
   }
 }
 
-TEST(FlipSwap, hdrOfABlackReferenceHasTheExposuresOfTheSwap) {
+TEST(FlipSwap, HdrOfABlackReferenceHasTheExposuresOfTheSwap) {
   const base::Image black(64, 48, 3);
   const std::vector<std::uint32_t> pixels = {100, 101, 102, 164, 165};
   base::Image colors = base::makeGathered<float>(pixels.size(), 3);
@@ -172,7 +172,7 @@ TEST(FlipSwap, hdrOfABlackReferenceHasTheExposuresOfTheSwap) {
   for (const float value : found[0]) EXPECT_GT(value, 0.1f);
 }
 
-TEST(FlipSwap, refusesWhatDoesNotFit) {
+TEST(FlipSwap, RefusesWhatDoesNotFit) {
   const base::Image8 reference(64, 48, 3, 100);
   const std::vector<std::uint32_t> pixels = {5, 6}, beyond = {5, 64 * 48}, backwards = {6, 5};
   const base::Image8 colors = base::makeGathered<std::uint8_t>(2, 3), few = base::makeGathered<std::uint8_t>(1, 3);

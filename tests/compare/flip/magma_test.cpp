@@ -12,14 +12,14 @@ namespace {
 
 // matplotlib 3.6, cm.magma.colors: (0.001462, 0.000466, 0.013866), (0.716387, 0.214982, 0.475290), (0.987053, 0.991438,
 // 0.749504).
-TEST(Magma, endsAndMiddleAreThePublishedColors) {
+TEST(Magma, EndsAndMiddleAreThePublishedColors) {
   EXPECT_EQ(magmaColor(0), (std::array<std::uint8_t, 3>{0, 0, 4}));
   EXPECT_EQ(magmaColor(128), (std::array<std::uint8_t, 3>{183, 55, 121}));
   EXPECT_EQ(magmaColor(255), (std::array<std::uint8_t, 3>{252, 253, 191}));
 }
 
 // Over all 256 entries of matplotlib's table, each value times 255 and rounded: the sums of red, green and blue.
-TEST(Magma, allEntriesAddUpToThePublishedTables) {
+TEST(Magma, AllEntriesAddUpToThePublishedTables) {
   std::array<int, 3> sum{};
   for (int i = 0; i < 256; ++i)
     for (std::size_t c = 0; c < 3; ++c) sum[c] += magmaColor(i)[c];
@@ -27,7 +27,7 @@ TEST(Magma, allEntriesAddUpToThePublishedTables) {
 }
 
 // The map is made to be perceptually even: lightness rises throughout, in steps of at most 2 of 255.
-TEST(Magma, getsBrighterFromEntryToEntry) {
+TEST(Magma, GetsBrighterFromEntryToEntry) {
   const auto luma = [](int i) {
     const auto c = magmaColor(i);
     return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
@@ -38,7 +38,7 @@ TEST(Magma, getsBrighterFromEntryToEntry) {
   }
 }
 
-TEST(Magma, valuesTakeTheNearestEntryAndAreClamped) {
+TEST(Magma, ValuesTakeTheNearestEntryAndAreClamped) {
   base::Image map(6, 1, 1);
   map.pixels = {0.f, 1.f, -2.f, 3.f, 0.4999f / 255.f, 127.5f / 255.f};
   const base::Image shown = magmaImage(map);

@@ -61,7 +61,7 @@ struct AttributedPictures {
   }
 };
 
-TEST(Attribution, theTermThatMakesThePictureTheReferenceExplainsAll) {
+TEST(Attribution, TheTermThatMakesThePictureTheReferenceExplainsAll) {
   const AttributedPictures pictures;
   const base::PixelList list = box("m", 8, 8, 80, 70);
   const AttributionInput input{swapOf(list, pictures.mobile), {{"skySpecular", swapOf(list, pictures.reference)}}};
@@ -73,7 +73,7 @@ TEST(Attribution, theTermThatMakesThePictureTheReferenceExplainsAll) {
   EXPECT_EQ(found[0].terms[0].flip, 0);
 }
 
-TEST(Attribution, theTermThatChangesNothingExplainsNothing) {
+TEST(Attribution, TheTermThatChangesNothingExplainsNothing) {
   const AttributedPictures pictures;
   const base::PixelList list = box("m", 8, 8, 80, 60);
   const AttributionInput input{swapOf(list, pictures.mobile), {{"fog", swapOf(list, pictures.mobile)}}};
@@ -81,7 +81,7 @@ TEST(Attribution, theTermThatChangesNothingExplainsNothing) {
   EXPECT_EQ(found[0].terms.at(0).flip, found[0].flip);
 }
 
-TEST(Attribution, figuresAreThoseOfPicturesInWhichTheOneMaterialIsSwapped) {
+TEST(Attribution, FiguresAreThoseOfPicturesInWhichTheOneMaterialIsSwapped) {
   const AttributedPictures pictures;
   base::PixelList weighted = box("weighted", 30, 20, 90, 60);
   for (std::size_t i = 0; i < weighted.pixels.size(); ++i)
@@ -109,7 +109,7 @@ TEST(Attribution, figuresAreThoseOfPicturesInWhichTheOneMaterialIsSwapped) {
 }
 
 // What another material's terms are is not seen: each is swapped alone.
-TEST(Attribution, aNeighbourChangesNothing) {
+TEST(Attribution, ANeighbourChangesNothing) {
   const AttributedPictures pictures;
   const base::PixelList left = box("left", 0, 0, 40, kAttributedHeight),
                         right = box("right", 40, 0, kAttributedWidth, kAttributedHeight);
@@ -123,7 +123,7 @@ TEST(Attribution, aNeighbourChangesNothing) {
   EXPECT_EQ(attributeTerms({pictures.reference}, beside)[0].flip, 0);
 }
 
-TEST(Attribution, nonFinitePixelsCountAsTheWorstValueAndNoFigureIsNan) {
+TEST(Attribution, NonFinitePixelsCountAsTheWorstValueAndNoFigureIsNan) {
   const AttributedPictures pictures;
   const base::PixelList list = box("m", 8, 8, 80, 70);
   AttributionInput input = pictures.of(list);
@@ -148,7 +148,7 @@ TEST(Attribution, nonFinitePixelsCountAsTheWorstValueAndNoFigureIsNan) {
   EXPECT_NEAR(hopeless.terms.at(0).flip, 1 / pixels, 1e-9) << "of the material that pixel alone";
 }
 
-TEST(Attribution, aMaterialWithoutPixelsHasNothingToExplain) {
+TEST(Attribution, AMaterialWithoutPixelsHasNothingToExplain) {
   const AttributedPictures pictures;
   base::PixelList empty{"empty", {}, {}}, weightless = box("weightless", 4, 4, 6, 6),
                                           thin = box("thin", 50, 10, 55, 12);
@@ -165,7 +165,7 @@ TEST(Attribution, aMaterialWithoutPixelsHasNothingToExplain) {
   EXPECT_TRUE(attributeTerms({pictures.reference}, {}).empty());
 }
 
-TEST(Attribution, resultDoesNotDependOnTheThreads) {
+TEST(Attribution, ResultDoesNotDependOnTheThreads) {
   const AttributedPictures pictures;
   const base::PixelList left = box("a", 0, 0, 40, 70), right = box("b", 40, 0, 96, 80);
   const auto run = [&](int threads) {
@@ -182,7 +182,7 @@ TEST(Attribution, resultDoesNotDependOnTheThreads) {
   EXPECT_EQ(run(1).size(), 6u);
 }
 
-TEST(Attribution, picturesThatDoNotFitAreRefused) {
+TEST(Attribution, PicturesThatDoNotFitAreRefused) {
   const AttributedPictures pictures;
   const base::PixelList list = box("m", 8, 8, 80, 70), other = box("m", 8, 8, 20, 20),
                         outside{"outside", {kAttributedWidth * kAttributedHeight}, {}};

@@ -101,7 +101,7 @@ double difference(const Lab& x, const Lab& y) {
   return static_cast<double>(out);
 }
 
-TEST(Ciede2000, isThePublishedValueOfAll34PairsEitherWayRound) {
+TEST(Ciede2000, IsThePublishedValueOfAll34PairsEitherWayRound) {
   for (const Published& pair : kPublished) {
     EXPECT_NEAR(formula(pair.first, pair.second), pair.difference, 5e-5); // the oracle itself
     EXPECT_NEAR(difference(pair.first, pair.second), pair.difference, 1e-4) << pair.first.a << ", " << pair.first.b;
@@ -109,7 +109,7 @@ TEST(Ciede2000, isThePublishedValueOfAll34PairsEitherWayRound) {
   }
 }
 
-TEST(Ciede2000, isTheFormulaInDoublePrecisionOnRandomColours) {
+TEST(Ciede2000, IsTheFormulaInDoublePrecisionOnRandomColours) {
   std::mt19937 random(21);
   std::uniform_real_distribution<double> lightness(0, 100), chroma(-110, 110), close(-2, 2);
   for (int i = 0; i < 200000; ++i) {
@@ -124,14 +124,14 @@ TEST(Ciede2000, isTheFormulaInDoublePrecisionOnRandomColours) {
   }
 }
 
-TEST(Ciede2000, isZeroForEqualColoursAndTheLightnessForGreys) {
+TEST(Ciede2000, IsZeroForEqualColoursAndTheLightnessForGreys) {
   EXPECT_EQ(difference({50, 20, -30}, {50, 20, -30}), 0);
   EXPECT_EQ(difference({0, 0, 0}, {0, 0, 0}), 0);
   EXPECT_NEAR(difference({0, 0, 0}, {100, 0, 0}), 100, 1e-4); // SL = 1 at L = 50
 }
 
 // Of the sRGB primaries by the exact matrix of IEC 61966-2-1's chromaticities (B. Lindbloom's calculator, D65).
-TEST(Lab, ofKnownColoursIsThePublishedOne) {
+TEST(Lab, OfKnownColoursIsThePublishedOne) {
   struct Known {
     float rgb[3];
     double l, a, b;
@@ -147,7 +147,7 @@ TEST(Lab, ofKnownColoursIsThePublishedOne) {
   }
 }
 
-TEST(DeltaE, poolsTheDifferencesOfDisplayedPixels) {
+TEST(DeltaE, PoolsTheDifferencesOfDisplayedPixels) {
   base::Image reference(4, 1, 3, 0.f), test(4, 1, 3, 0.f);
   for (int c = 0; c < 3; ++c) test.at(3, 0)[c] = 1.f;
   const base::PixelList list{"m", {0, 1, 2, 3}, {}};
@@ -161,7 +161,7 @@ TEST(DeltaE, poolsTheDifferencesOfDisplayedPixels) {
 }
 
 // What a pixel that is not finite enters as has to be more than any two displayed colours differ by.
-TEST(DeltaE, noTwoDisplayedColoursAreAsFarApartAsTheWorst) {
+TEST(DeltaE, NoTwoDisplayedColoursAreAsFarApartAsTheWorst) {
   std::vector<float> linear;
   for (int i = 0; i < 9 * 9 * 9; ++i)
     for (const int k : {i % 9, i / 9 % 9, i / 81}) linear.push_back(std::pow(static_cast<float>(k) / 8.f, 2.2f));

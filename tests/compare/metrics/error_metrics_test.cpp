@@ -17,7 +17,7 @@ Figures measureWhole(const ImagePair& pair, const std::vector<std::string>& metr
       .regions[0];
 }
 
-TEST(RelMse, dividesTheSquaredErrorByTheReferencesSquare) {
+TEST(RelMse, DividesTheSquaredErrorByTheReferencesSquare) {
   base::Image display(2, 1, 3, 0.5f), reference(2, 1, 3, 2.f), test(2, 1, 3, 2.f);
   test.at(1, 0)[0] = 3.f; // an error of 1 where 2 was due, in one channel of six
   const double expected = 1 / (4 + 0.01) / 6;
@@ -25,19 +25,19 @@ TEST(RelMse, dividesTheSquaredErrorByTheReferencesSquare) {
 }
 
 // Squares of 1e20 are no floats: the figure is still a number. (0.5e20)^2 / (1e20)^2 = 0.25.
-TEST(RelMse, lightOf1e20IsComparedAsAnyOther) {
+TEST(RelMse, LightOf1e20IsComparedAsAnyOther) {
   const base::Image display(4, 4, 3, 1.f), reference(4, 4, 3, 1e20f), test(4, 4, 3, 0.5e20f);
   EXPECT_NEAR(measureWhole({display, display, &reference, &test}, {"relmse"}).find("relmse").value(), 0.25, 1e-7);
 }
 
-TEST(RelMse, decodesDisplayedImagesWhereThereAreNoLinearOnes) {
+TEST(RelMse, DecodesDisplayedImagesWhereThereAreNoLinearOnes) {
   const base::Image reference(2, 2, 3, 188 / 255.f), test(2, 2, 3, 1.f);
   const double r = std::pow((188 / 255. + 0.055) / 1.055, 2.4); // IEC 61966-2-1
   EXPECT_NEAR(measureWhole({reference, test}, {"relmse"}).find("relmse").value(), (1 - r) * (1 - r) / (r * r + 0.01),
               1e-5);
 }
 
-TEST(Rmse, andPsnrOfAConstantOffsetAndOfOneWrongChannel) {
+TEST(Rmse, AndPsnrOfAConstantOffsetAndOfOneWrongChannel) {
   const base::Image a(7, 5, 3, 0.25f), b(7, 5, 3, 0.75f), black(4, 4, 3);
   base::Image one = black;
   one.at(2, 1)[0] = 1.f;
@@ -49,12 +49,12 @@ TEST(Rmse, andPsnrOfAConstantOffsetAndOfOneWrongChannel) {
   EXPECT_EQ(measureWhole({one, one}, {"rmse", "psnr"}).find("psnr"), std::numeric_limits<double>::infinity());
 }
 
-TEST(Rmse, isOfDisplayedImagesWhateverTheLinearOnes) {
+TEST(Rmse, IsOfDisplayedImagesWhateverTheLinearOnes) {
   const base::Image display(3, 3, 3, 0.5f), reference(3, 3, 3, 1.f), test(3, 3, 3, 9.f);
   EXPECT_EQ(measureWhole({display, display, &reference, &test}, {"rmse"}).find("rmse"), 0);
 }
 
-TEST(Bias, ofHalfTheLightIsMinusOneEv) {
+TEST(Bias, OfHalfTheLightIsMinusOneEv) {
   const base::Image display(4, 4, 3, 0.5f);
   base::Image reference(4, 4, 3, 1.f), test(4, 4, 3, 0.5f);
   const auto ev = [&] { return measureWhole({display, display, &reference, &test}, {"bias"}).find("bias.ev").value(); };
@@ -68,7 +68,7 @@ TEST(Bias, ofHalfTheLightIsMinusOneEv) {
   EXPECT_NEAR(ev(), std::log2((0.5 + 0.7152) / 0.5), 1e-3);
 }
 
-TEST(Bias, ofBlackIsFiniteAndOfTwoBlacksNone) {
+TEST(Bias, OfBlackIsFiniteAndOfTwoBlacksNone) {
   const base::Image black(4, 4, 3, 0.f), white(4, 4, 3, 1.f);
   EXPECT_EQ(measureWhole({black, black}, {"bias"}).find("bias.ev"), 0);
   EXPECT_NEAR(measureWhole({black, white}, {"bias"}).find("bias.ev").value(), std::log2(8193.), 1e-6);
@@ -77,7 +77,7 @@ TEST(Bias, ofBlackIsFiniteAndOfTwoBlacksNone) {
 }
 
 // L* = 116 Y^(1/3) - 16; a warmer test has more b*, a redder one more a*.
-TEST(Bias, ofLabIsTestMinusReferenceAndErrorsCancel) {
+TEST(Bias, OfLabIsTestMinusReferenceAndErrorsCancel) {
   const base::Image grey(2, 1, 3, 0.5f);
   base::Image test = grey;
   const double y = std::pow((0.5 + 0.055) / 1.055, 2.4), brighter = std::pow((0.6 + 0.055) / 1.055, 2.4);
@@ -101,14 +101,14 @@ TEST(Bias, ofLabIsTestMinusReferenceAndErrorsCancel) {
   for (const Figure& figure : f.values) EXPECT_NEAR(figure.value, 0, 1e-5) << figure.name;
 }
 
-TEST(Bias, ofDisplayedLabGoesWithTheDisplayAndEvWithTheLight) {
+TEST(Bias, OfDisplayedLabGoesWithTheDisplayAndEvWithTheLight) {
   const base::Image grey(2, 2, 3, 0.5f), bright(2, 2, 3, 4.f), brighter(2, 2, 3, 16.f);
   const Figures f = measureWhole({grey, grey, &bright, &brighter}, {"bias"}); // both clipped to the same white, say
   EXPECT_EQ(f.find("bias.dl"), 0);
   EXPECT_NEAR(f.find("bias.ev").value(), 2, 1e-3);
 }
 
-TEST(HdrFlip, needsLinearImagesAndSaysSo) {
+TEST(HdrFlip, NeedsLinearImagesAndSaysSo) {
   const base::Image grey(32, 32, 3, 0.5f);
   EXPECT_EQ(test::codeOf([&] { measureWhole({grey, grey}, {"hdrflip"}); }), base::ExitCode::notComparable);
   EXPECT_EQ(test::codeOf([&] {
@@ -117,7 +117,7 @@ TEST(HdrFlip, needsLinearImagesAndSaysSo) {
             base::ExitCode::notComparable);
 }
 
-TEST(HdrFlip, seesADifferenceThatTheDisplayClipsAndNotesItsExposures) {
+TEST(HdrFlip, SeesADifferenceThatTheDisplayClipsAndNotesItsExposures) {
   std::mt19937 random(3);
   base::Image reference(48, 48, 3), test(48, 48, 3);
   for (float& v : reference.pixels) v = 1.f + static_cast<float>(random() % 1000) / 100.f;

@@ -62,7 +62,7 @@ std::vector<std::string> allMetrics() {
   return names;
 }
 
-TEST(MeasureSwaps, everyMetricIsThatOfThePictureWithTheOneMaterialSwapped) {
+TEST(MeasureSwaps, EveryMetricIsThatOfThePictureWithTheOneMaterialSwapped) {
   const SwapPictures pictures;
   const base::PixelList lists[] = {box(20, 30, 90, 110, true), box(100, 5, 103, 190),
                                    box(0, 0, kSwapWidth, kSwapHeight)};
@@ -90,7 +90,7 @@ TEST(MeasureSwaps, everyMetricIsThatOfThePictureWithTheOneMaterialSwapped) {
   }
 }
 
-TEST(MeasureSwaps, aMaterialThatIsEqualHasNoErrorBesideOneThatDiffers) {
+TEST(MeasureSwaps, AMaterialThatIsEqualHasNoErrorBesideOneThatDiffers) {
   const SwapPictures pictures;
   const base::PixelList equal = box(40, 40, 80, 80), differs = box(80, 40, 120, 80);
   const std::vector<Swap> swaps = {{&equal, gather(pictures.shown[0], equal), gather(pictures.linear[0], equal), {}},
@@ -104,7 +104,7 @@ TEST(MeasureSwaps, aMaterialThatIsEqualHasNoErrorBesideOneThatDiffers) {
   EXPECT_GT(found.figures[1].find("flip.mean").value(), 0.05);
 }
 
-TEST(MeasureSwaps, oneThatCoversEverythingHasTheWholeImagesFigures) {
+TEST(MeasureSwaps, OneThatCoversEverythingHasTheWholeImagesFigures) {
   const SwapPictures pictures;
   const base::PixelList all = wholeImage(kSwapWidth, kSwapHeight);
   const Swap swap = pictures.swap(all);
@@ -120,7 +120,7 @@ TEST(MeasureSwaps, oneThatCoversEverythingHasTheWholeImagesFigures) {
   EXPECT_EQ(one.find("flip.max"), whole.find("flip.max"));
 }
 
-TEST(MeasureSwaps, pixelsThatAreNotFiniteCountAsTheWorstAndAreCounted) {
+TEST(MeasureSwaps, PixelsThatAreNotFiniteCountAsTheWorstAndAreCounted) {
   SwapPictures pictures;
   const base::PixelList list = box(10, 10, 20, 20), other = box(30, 10, 40, 20);
   Swap swap = pictures.swap(list);
@@ -140,7 +140,7 @@ TEST(MeasureSwaps, pixelsThatAreNotFiniteCountAsTheWorstAndAreCounted) {
   EXPECT_LT(found.figures[1].find("flip.max").value(), 1);
 }
 
-TEST(MeasureSwaps, clippedPixelsAreCountedWhereBothPicturesShowTheSameEnd) {
+TEST(MeasureSwaps, ClippedPixelsAreCountedWhereBothPicturesShowTheSameEnd) {
   SwapPictures pictures;
   std::ranges::fill(pictures.shown[0].pixels, 255);
   const base::PixelList list = box(0, 0, 40, 10);
@@ -155,7 +155,7 @@ TEST(MeasureSwaps, clippedPixelsAreCountedWhereBothPicturesShowTheSameEnd) {
   EXPECT_NEAR(found.clipped(), 299. / 400, 1e-12);
 }
 
-TEST(MeasureSwaps, aMaterialWithoutPixelsHasNoFigures) {
+TEST(MeasureSwaps, AMaterialWithoutPixelsHasNoFigures) {
   const SwapPictures pictures;
   const base::PixelList none{"none", {}, {}}, weightless{"weightless", {7}, {0.f}};
   const std::vector<Swap> swaps = {{&none, {}, {}, {}}, pictures.swap(weightless)};
@@ -165,7 +165,7 @@ TEST(MeasureSwaps, aMaterialWithoutPixelsHasNoFigures) {
   }
 }
 
-TEST(MeasureSwaps, refusesListsAndMetricsThatDoNotFit) {
+TEST(MeasureSwaps, RefusesListsAndMetricsThatDoNotFit) {
   const SwapPictures pictures;
   const base::PixelList beyond{"beyond", {kSwapWidth * kSwapHeight}, {}}, list = box(0, 0, 2, 2);
   Swap swap = pictures.swap(list);

@@ -41,7 +41,7 @@ double valueOf(const Figures& figures, const std::string& name) {
   return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-TEST(Measure, errorsOfARegionAreTheirClosedForms) {
+TEST(Measure, ErrorsOfARegionAreTheirClosedForms) {
   Pair p;
   for (int x = 0; x < 2; ++x)
     for (int c = 0; c < 3; ++c) p.test.at(x, 0)[c] = 0.75f;
@@ -55,7 +55,7 @@ TEST(Measure, errorsOfARegionAreTheirClosedForms) {
   EXPECT_NEAR(f.testLuma, 0.625, 1e-7);
 }
 
-TEST(Measure, pixelWeightsCountAsSharesOfAPixel) {
+TEST(Measure, PixelWeightsCountAsSharesOfAPixel) {
   Pair p;
   p.test.at(1, 0)[1] = 1.f;
   const Figures f = figuresOf(p.images(), {"m", {0, 1, 2}, {1.f, 0.25f, 0.f}}, {"rmse"});
@@ -64,7 +64,7 @@ TEST(Measure, pixelWeightsCountAsSharesOfAPixel) {
   EXPECT_NEAR(f.testLuma, 0.5 + 0.2 * 0.5 * 0.7152, 1e-7);
 }
 
-TEST(Measure, figuresComeInTheRegistrysOrderWhateverTheRequests) {
+TEST(Measure, FiguresComeInTheRegistrysOrderWhateverTheRequests) {
   const Pair p;
   const Measurement m =
       measureRegions(p.images(), {{"m", {1, 2}, {}}},
@@ -77,7 +77,7 @@ TEST(Measure, figuresComeInTheRegistrysOrderWhateverTheRequests) {
   EXPECT_TRUE(m.maps.empty());
 }
 
-TEST(Measure, onlyNamedFiguresOfAMetricThatIsNotAskedFor) {
+TEST(Measure, OnlyNamedFiguresOfAMetricThatIsNotAskedFor) {
   const Pair p;
   const Measurement m =
       measureRegions(p.images(), {{"m", {1}, {}}}, {.statistics = {"flip.p95"}, .keepMaps = {"flip"}});
@@ -88,7 +88,7 @@ TEST(Measure, onlyNamedFiguresOfAMetricThatIsNotAskedFor) {
   EXPECT_EQ(m.findMap("rmse"), nullptr);
 }
 
-TEST(Measure, anEmptyRegionHasNoPixelsAndNoFigures) {
+TEST(Measure, AnEmptyRegionHasNoPixelsAndNoFigures) {
   const Pair p;
   for (const base::PixelList& list : {base::PixelList{"none", {}, {}}, base::PixelList{"weightless", {1, 2}, {0, 0}}}) {
     const Figures f = figuresOf(p.images(), list, allDisplayed());
@@ -98,7 +98,7 @@ TEST(Measure, anEmptyRegionHasNoPixelsAndNoFigures) {
   }
 }
 
-TEST(Measure, identicalRegionsHaveNoErrorInAnyMetric) {
+TEST(Measure, IdenticalRegionsHaveNoErrorInAnyMetric) {
   std::mt19937 random(1);
   base::Image image(64, 48, 3);
   for (float& v : image.pixels) v = static_cast<float>(random() % 256) / 255.f;
@@ -111,7 +111,7 @@ TEST(Measure, identicalRegionsHaveNoErrorInAnyMetric) {
 }
 
 // Each way of not being finite, in each image; every figure is then a number, and no better than of a sane pixel.
-TEST(Measure, nonFinitePixelsAreCountedAndEnterAsTheWorstErrorOfEveryMetric) {
+TEST(Measure, NonFinitePixelsAreCountedAndEnterAsTheWorstErrorOfEveryMetric) {
   const int size = 48;
   base::Image reference(size, size, 3, 0.5f), test(size, size, 3, 0.52f), linearReference(size, size, 3, 0.2f),
       linearTest(size, size, 3, 0.21f);
@@ -148,7 +148,7 @@ TEST(Measure, nonFinitePixelsAreCountedAndEnterAsTheWorstErrorOfEveryMetric) {
   EXPECT_EQ(*kept.findMap("flip")->at(9, 3), 1.f);
 }
 
-TEST(Measure, theExposureMapIsKeptBesideHdrFlip) {
+TEST(Measure, TheExposureMapIsKeptBesideHdrFlip) {
   Pair p;
   for (std::size_t i = 0; i < p.test.pixels.size(); ++i) p.test.pixels[i] = 0.3f + 0.4f * static_cast<float>(i);
   const Measurement kept = measureRegions({p.reference, p.test, &p.test, &p.reference}, {}, {.keepMaps = {"hdrflip"}});
@@ -159,7 +159,7 @@ TEST(Measure, theExposureMapIsKeptBesideHdrFlip) {
   EXPECT_EQ(kept.findMap("hdrflip", 2), nullptr);
 }
 
-TEST(Measure, sharesOfPixelsByTheirLargestDifferenceAreCounted) {
+TEST(Measure, SharesOfPixelsByTheirLargestDifferenceAreCounted) {
   Pair p;
   p.test.at(0, 0)[1] = 0.75f, p.test.at(1, 0)[2] = 0.375f; // differences of 1/4 and 1/8, of 8 pixels
   const Measurement m =
@@ -170,7 +170,7 @@ TEST(Measure, sharesOfPixelsByTheirLargestDifferenceAreCounted) {
   EXPECT_EQ(valueOf(m.regions[0], "maxabs.fraction_over(0.125)"), 0.125) << "strictly above";
 }
 
-TEST(Measure, aRegionOfNothingButNonFinitePixelsHasTheWorstFigures) {
+TEST(Measure, ARegionOfNothingButNonFinitePixelsHasTheWorstFigures) {
   Pair p;
   p.reference.at(0, 0)[0] = kNan;
   const Figures f = figuresOf(p.images(), {"m", {0}, {}}, allDisplayed());
@@ -180,7 +180,7 @@ TEST(Measure, aRegionOfNothingButNonFinitePixelsHasTheWorstFigures) {
   EXPECT_NE(valueOf(f, "bias.ev"), 0);
 }
 
-TEST(Measure, bytesAndTheSameValuesAsFloatsGiveTheSameFigures) {
+TEST(Measure, BytesAndTheSameValuesAsFloatsGiveTheSameFigures) {
   std::mt19937 random(2);
   base::Image8 reference(70, 50, 3), test(70, 50, 3);
   for (std::uint8_t& v : reference.pixels) v = static_cast<std::uint8_t>(random());
@@ -200,7 +200,7 @@ TEST(Measure, bytesAndTheSameValuesAsFloatsGiveTheSameFigures) {
         << bytes.values[i].name;
 }
 
-TEST(Measure, onlyTheBoxIsNeededAndTheFiguresAreTheSame) {
+TEST(Measure, OnlyTheBoxIsNeededAndTheFiguresAreTheSame) {
   std::mt19937 random(3);
   base::Image reference(120, 90, 3), test(120, 90, 3);
   for (float& v : reference.pixels) v = static_cast<float>(random() % 256) / 255.f;
@@ -225,7 +225,7 @@ TEST(Measure, onlyTheBoxIsNeededAndTheFiguresAreTheSame) {
   EXPECT_EQ(test::codeOf([&] { measureRegions({reference, test}, {}, request); }), base::ExitCode::failed);
 }
 
-TEST(Measure, manyRegionsAreMeasuredAsEachAlone) {
+TEST(Measure, ManyRegionsAreMeasuredAsEachAlone) {
   std::mt19937 random(4);
   base::Image reference(64, 64, 3), test(64, 64, 3);
   for (float& v : reference.pixels) v = static_cast<float>(random() % 256) / 255.f;
@@ -242,7 +242,7 @@ TEST(Measure, manyRegionsAreMeasuredAsEachAlone) {
   }
 }
 
-TEST(Measure, malformedRegionsUnlikeImagesAndUnknownNamesAreErrors) {
+TEST(Measure, MalformedRegionsUnlikeImagesAndUnknownNamesAreErrors) {
   using base::ExitCode;
   const Pair p;
   const auto code = [&](const base::PixelList& list) {
@@ -276,7 +276,7 @@ TEST(Measure, malformedRegionsUnlikeImagesAndUnknownNamesAreErrors) {
 
 // Two materials side by side; only the right one differs between the images. The left one's FLIP sees it through the
 // filters: why materials are measured by the swap (measure_swaps_test.cpp) and not as parts of a picture.
-TEST(Measure, aNeighboursErrorBleedsIntoFilteredFiguresOfAPicture) {
+TEST(Measure, ANeighboursErrorBleedsIntoFilteredFiguresOfAPicture) {
   const int size = 64, border = 32;
   std::mt19937 random(8);
   base::Image reference(size, size, 3);
@@ -299,7 +299,7 @@ TEST(Measure, aNeighboursErrorBleedsIntoFilteredFiguresOfAPicture) {
 }
 
 // Pixels where both pictures are at the same end of the display's range: no metric of them can tell a difference.
-TEST(Measure, clippedPixelsAreThoseAtTheSameEndInBothPictures) {
+TEST(Measure, ClippedPixelsAreThoseAtTheSameEndInBothPictures) {
   Pair p; // 8 pixels of 0.5
   const auto set = [](base::Image& image, int x, int y, std::array<float, 3> rgb) {
     std::ranges::copy(rgb, image.at(x, y));
@@ -329,7 +329,7 @@ TEST(Measure, clippedPixelsAreThoseAtTheSameEndInBothPictures) {
 }
 
 // Weights whose sums round: a share of all is 1, not one beside it.
-TEST(Measure, allOfARegionIsAShareOfOneWhateverItsWeights) {
+TEST(Measure, AllOfARegionIsAShareOfOneWhateverItsWeights) {
   std::mt19937 random(12);
   base::Image black(64, 64, 3), white(64, 64, 3, 1.f);
   base::PixelList list = wholeImage(64, 64);
@@ -340,7 +340,7 @@ TEST(Measure, allOfARegionIsAShareOfOneWhateverItsWeights) {
   EXPECT_LE(figuresOf({white, white}, list, {"rmse"}).clippedWhite, 1);
 }
 
-TEST(Measure, luminancesAreOfTheLightBeforeItIsClipped) {
+TEST(Measure, LuminancesAreOfTheLightBeforeItIsClipped) {
   Pair p;
   const base::Image shown(4, 2, 3, 1.f);
   base::Image reference(4, 2, 3, 2.f), test(4, 2, 3, 8.f);
@@ -357,7 +357,7 @@ TEST(Measure, luminancesAreOfTheLightBeforeItIsClipped) {
   EXPECT_NEAR(figuresOf(p.images(), list, {"rmse"}).referenceLuminance, decoded, 1e-6);
 }
 
-TEST(Measure, pixelsThatAreNotFiniteAreNeitherClippedNorLight) {
+TEST(Measure, PixelsThatAreNotFiniteAreNeitherClippedNorLight) {
   Pair p;
   for (base::Image* image : {&p.reference, &p.test}) std::ranges::fill(image->pixels, 0.f);
   p.test.at(1, 0)[0] = kNan;

@@ -11,7 +11,7 @@ namespace {
 
 using tests::kInf, tests::kNan;
 
-TEST(NonFinite, isCountedPerPixelWithTheFirstInRowOrder) {
+TEST(NonFinite, IsCountedPerPixelWithTheFirstInRowOrder) {
   base::Image image(300, 4, 3, -1e38f);
   EXPECT_EQ(countNonFinite(image).count, 0u);
   image.at(7, 3)[0] = kNan;

@@ -36,7 +36,7 @@ float sortedPercentile(const std::vector<float>& values, const std::vector<float
   return values[order.back()];
 }
 
-TEST(Percentiles, ofOneToAHundredAreTheFirstWhoseRankExceedsTheShare) {
+TEST(Percentiles, OfOneToAHundredAreTheFirstWhoseRankExceedsTheShare) {
   std::vector<float> values(100);
   std::iota(values.begin(), values.end(), 1.f);
   std::shuffle(values.begin(), values.end(), std::mt19937(3));
@@ -47,14 +47,14 @@ TEST(Percentiles, ofOneToAHundredAreTheFirstWhoseRankExceedsTheShare) {
   EXPECT_EQ(percentile(values, {}, 1), 100.f);
 }
 
-TEST(Percentiles, weightsShiftThem) {
+TEST(Percentiles, WeightsShiftThem) {
   EXPECT_EQ(percentile({1, 2, 3}, {1, 1, 6}, 0.5), 3.f);
   EXPECT_EQ(percentile({1, 2, 3}, {6, 1, 1}, 0.5), 1.f);
   EXPECT_EQ(percentile({3, 1, 2}, {0, 1, 1}, 1), 2.f); // a value of no weight is never the answer
   EXPECT_EQ(percentile({7}, {0.125f}, 0.95), 7.f);
 }
 
-TEST(Percentiles, selectionGivesTheValueThatSortingGives) {
+TEST(Percentiles, SelectionGivesTheValueThatSortingGives) {
   std::mt19937 random(17);
   std::uniform_real_distribution<float> uniform(-1.f, 1.f);
   for (int round = 0; round < 200; ++round) {
@@ -68,7 +68,7 @@ TEST(Percentiles, selectionGivesTheValueThatSortingGives) {
   }
 }
 
-TEST(Percentiles, nothingToRankIsAnError) {
+TEST(Percentiles, NothingToRankIsAnError) {
   using base::ExitCode;
   EXPECT_EQ(test::codeOf([] { percentile({}, {}, 0.5); }), ExitCode::failed);
   EXPECT_EQ(test::codeOf([] { percentile({1, kNan}, {}, 0.5); }), ExitCode::failed);
@@ -79,7 +79,7 @@ TEST(Percentiles, nothingToRankIsAnError) {
   EXPECT_EQ(test::codeOf([] { percentile({1, 2}, {}, 1.5); }), ExitCode::failed);
 }
 
-TEST(Pooling, percentilesAreWeightedByTheValuesThemselves) {
+TEST(Pooling, PercentilesAreWeightedByTheValuesThemselves) {
   base::Image map(2, 2, 1);
   map.pixels = {0.4f, 0.1f, 0.2f, 0.1f}; // running sums 0.1 0.2 0.4 0.8
   const Pooling pooled = poolMap(map);
@@ -91,7 +91,7 @@ TEST(Pooling, percentilesAreWeightedByTheValuesThemselves) {
   EXPECT_EQ(pooled.max, static_cast<double>(0.4f));
 }
 
-TEST(Pooling, theHistogramCountsHundredthsAndPutsOneIntoTheLast) {
+TEST(Pooling, TheHistogramCountsHundredthsAndPutsOneIntoTheLast) {
   base::Image map(8, 1, 1);
   map.pixels = {0.f, 0.005f, 0.01f, 0.5f, 0.504f, 0.989f, 0.995f, 1.f};
   const Pooling pooled = poolMap(map);
@@ -104,12 +104,12 @@ TEST(Pooling, theHistogramCountsHundredthsAndPutsOneIntoTheLast) {
 }
 
 // Float sums stall: the reference tool's mean is off by 1e-3 at this size (docs/flip-metric.md 9a).
-TEST(Pooling, theMeanOfA4kMapDoesNotDrift) {
+TEST(Pooling, TheMeanOfA4kMapDoesNotDrift) {
   const base::Image map(3840, 2160, 1, 0.1f);
   EXPECT_NEAR(poolMap(map).mean, static_cast<double>(0.1f), 1e-9);
 }
 
-TEST(Pooling, anAllZeroMapPoolsToZeroAndABadOneIsRefused) {
+TEST(Pooling, AnAllZeroMapPoolsToZeroAndABadOneIsRefused) {
   const Pooling pooled = poolMap(base::Image(3, 3, 1));
   EXPECT_EQ(pooled.mean, 0);
   EXPECT_EQ(pooled.weightedQ3, 0);
@@ -121,7 +121,7 @@ TEST(Pooling, anAllZeroMapPoolsToZeroAndABadOneIsRefused) {
 }
 
 // A 4K map of uneven values against long double sums and sorting.
-TEST(Pooling, ofA4kMapIsWhatSortingInLongDoubleGives) {
+TEST(Pooling, OfA4kMapIsWhatSortingInLongDoubleGives) {
   base::Image map(3840, 2160, 1);
   std::mt19937 random(4);
   for (float& v : map.pixels) {
@@ -167,7 +167,7 @@ Sample makeSample(bool weighted, float least, float most) {
   return sample;
 }
 
-TEST(PoolPlane, overARegionIsWhatSortingItsValuesGives) {
+TEST(PoolPlane, OverARegionIsWhatSortingItsValuesGives) {
   for (const bool weighted : {false, true})
     for (const float most : {1.f, 100.f, 1e-5f, 3000.f}) { // within the histogram's range, below and above it
       const Sample sample = makeSample(weighted, most > 1.5f ? 0.f : -most, most);
@@ -197,7 +197,7 @@ TEST(PoolPlane, overARegionIsWhatSortingItsValuesGives) {
     }
 }
 
-TEST(PoolPlane, doesNotDependOnTheNumberOfThreads) {
+TEST(PoolPlane, DoesNotDependOnTheNumberOfThreads) {
   base::Image plane(1024, 512, 1);
   std::mt19937 random(12);
   for (float& v : plane.pixels) v = static_cast<float>(random() >> 8) / 16777216.f;

@@ -10,14 +10,14 @@
 namespace parity::compare {
 namespace {
 
-TEST(WholeImage, isEveryPixelOnce) {
+TEST(WholeImage, IsEveryPixelOnce) {
   const base::PixelList list = wholeImage(5, 3);
   ASSERT_EQ(list.pixels.size(), 15u);
   for (std::uint32_t i = 0; i < 15; ++i) EXPECT_EQ(list.pixels[i], i);
   EXPECT_TRUE(list.weights.empty());
 }
 
-TEST(Runs, areNeighboursOfOneRow) {
+TEST(Runs, AreNeighboursOfOneRow) {
   const RegionRuns runs = runsOf({"m", {1, 2, 3, 4, 5, 9, 11, 12}, {}}, 5, 3);
   ASSERT_EQ(runs.runs.size(), 4u) << "1..4, 5, 9, 11..12";
   EXPECT_EQ(runs.runs[0].first, 1u);
@@ -31,7 +31,7 @@ TEST(Runs, areNeighboursOfOneRow) {
 }
 
 // On random lists: the runs hold each pixel of weight above 0 with its own weight, in order, and nothing else.
-TEST(Runs, holdEachPixelWithItsWeight) {
+TEST(Runs, HoldEachPixelWithItsWeight) {
   std::mt19937 random(5);
   std::size_t held = 0;
   for (int round = 0; round < 200; ++round) {
@@ -61,13 +61,13 @@ TEST(Runs, holdEachPixelWithItsWeight) {
   EXPECT_GT(held, 5000u);
 }
 
-TEST(Runs, malformedListsAreErrors) {
+TEST(Runs, MalformedListsAreErrors) {
   EXPECT_THROW(runsOf({"m", {4}, {}}, 2, 2), base::Error);
   EXPECT_THROW(runsOf({"m", {3, 1}, {}}, 2, 2), base::Error);
   EXPECT_TRUE(runsOf({"m", {}, {}}, 2, 2).runs.empty());
 }
 
-TEST(Bounds, holdAllListsAndTheMarginWithinTheImage) {
+TEST(Bounds, HoldAllListsAndTheMarginWithinTheImage) {
   const base::PixelList a{"a", {12, 33}, {}}, b{"b", {57}, {}}, none{"none", {}, {}};
   const base::PixelList *both[] = {&a, &none, &b}, *nothing[] = {&none};
   EXPECT_EQ(boundsOf(both, 10, 10), (Rect{2, 1, 6, 5}));

@@ -14,7 +14,7 @@ namespace {
 
 double relativeError(float actual, double exact) { return std::fabs(static_cast<double>(actual) / exact - 1); }
 
-TEST(RowMath, rootsAndPowersAreWithinWhatTheyPromise) {
+TEST(RowMath, RootsAndPowersAreWithinWhatTheyPromise) {
   for (float x = 1e-3f; x <= 2.f; x *= 1.0003f) {
     ASSERT_LT(relativeError(fastCbrt(x), std::cbrt(static_cast<double>(x))), 4e-7) << x;
     ASSERT_LT(relativeError(fastPow(x, 2.4f), std::pow(static_cast<double>(x), static_cast<double>(2.4f))),
@@ -30,7 +30,7 @@ public:
   ~BestSimdLevelAgain() { useSimdLevel(""); }
 };
 
-TEST(RowMath, theFiguresAreTheSameToTheLastBitByEveryInstructionSet) {
+TEST(RowMath, TheFiguresAreTheSameToTheLastBitByEveryInstructionSet) {
   const BestSimdLevelAgain again;
   std::mt19937 random(6);
   base::Image reference(203, 97, 3), test(203, 97, 3);

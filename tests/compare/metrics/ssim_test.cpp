@@ -72,7 +72,7 @@ base::Image rgbOf(const base::Image& luma) {
   return out;
 }
 
-TEST(Ssim, isTheDefinitionInEveryPixelOfAnySize) {
+TEST(Ssim, IsTheDefinitionInEveryPixelOfAnySize) {
   for (const auto& [width, height] :
        {std::pair{1, 1}, std::pair{3, 2}, std::pair{11, 11}, std::pair{40, 7}, std::pair{207, 83}}) {
     const base::Image a = randomLuma(width, height, 1), b = randomLuma(width, height, 2);
@@ -88,7 +88,7 @@ TEST(Ssim, isTheDefinitionInEveryPixelOfAnySize) {
 }
 
 // Flat and nearly flat images: the variances cancel to nothing there.
-TEST(Ssim, keepsItsDigitsInFlatFields) {
+TEST(Ssim, KeepsItsDigitsInFlatFields) {
   base::Image a(40, 40, 1, 0.9f), b = a;
   std::mt19937 random(3);
   for (float& v : b.pixels) v += static_cast<float>(random() % 3) / 255.f - 1.f / 255.f;
@@ -98,13 +98,13 @@ TEST(Ssim, keepsItsDigitsInFlatFields) {
     EXPECT_NEAR(static_cast<double>(*maps.ssim.at(i, i)), compareWindow(pa, pb, i, i).ssim, 1e-4);
 }
 
-TEST(Ssim, ofConstantImagesIsTheLuminanceTerm) {
+TEST(Ssim, OfConstantImagesIsTheLuminanceTerm) {
   const base::Image a(20, 20, 1, 0.25f), b(20, 20, 1, 0.75f);
   const double expected = (2 * 0.25 * 0.75 + kC1) / (0.25 * 0.25 + 0.75 * 0.75 + kC1);
   for (const float v : ssimMaps(a, b, {0, 0, 20, 20}).ssim.pixels) EXPECT_NEAR(static_cast<double>(v), expected, 1e-6);
 }
 
-TEST(Ssim, ofANegativeIsNegativeAndOfIdenticalImagesExactlyOne) {
+TEST(Ssim, OfANegativeIsNegativeAndOfIdenticalImagesExactlyOne) {
   const base::Image a = randomLuma(64, 64, 4);
   base::Image negative = a;
   for (float& v : negative.pixels) v = 1.f - v;
@@ -113,7 +113,7 @@ TEST(Ssim, ofANegativeIsNegativeAndOfIdenticalImagesExactlyOne) {
   EXPECT_LT(measureRegions({ra, rn}, {wholeImage(64, 64)}, {.metrics = {"ssim"}}).regions[0].find("ssim.mean"), -0.2);
 }
 
-TEST(Ssim, regionsPoolTheMapOfLuma) {
+TEST(Ssim, RegionsPoolTheMapOfLuma) {
   const base::Image a = randomLuma(60, 50, 5), b = randomLuma(60, 50, 6), ra = rgbOf(a), rb = rgbOf(b);
   const base::PixelList list{"m", {1, 2, 700, 2999}, {1.f, 0.5f, 0.25f, 1.f}};
   const Figures f = measureRegions({ra, rb}, {list}, {.metrics = {"ssim"}}).regions[0];
@@ -167,7 +167,7 @@ struct Size {
   std::size_t scales;
 };
 
-TEST(MsSsim, isTheDefinitionAtFiveScalesAndAtTheFewerThatFit) {
+TEST(MsSsim, IsTheDefinitionAtFiveScalesAndAtTheFewerThatFit) {
   for (const Size& size : {Size{181, 177, 5}, Size{176, 176, 5}, Size{175, 190, 4}, Size{50, 45, 3}, Size{23, 22, 2},
                            Size{21, 30, 1}, Size{2, 5, 1}}) {
     const base::Image a = randomLuma(size.width, size.height, 7), b = randomLuma(size.width, size.height, 8);
@@ -180,7 +180,7 @@ TEST(MsSsim, isTheDefinitionAtFiveScalesAndAtTheFewerThatFit) {
   }
 }
 
-TEST(MsSsim, ofARegionWeighsEachScaleByTheRegionsShareOfItsPixels) {
+TEST(MsSsim, OfARegionWeighsEachScaleByTheRegionsShareOfItsPixels) {
   const int width = 95, height = 93;
   const base::Image a = randomLuma(width, height, 9), b = randomLuma(width, height, 10), ra = rgbOf(a), rb = rgbOf(b);
   std::mt19937 random(11);
@@ -200,7 +200,7 @@ TEST(MsSsim, ofARegionWeighsEachScaleByTheRegionsShareOfItsPixels) {
   }
 }
 
-TEST(MsSsim, ofIdenticalImagesIsOneAndOfANegativeZero) {
+TEST(MsSsim, OfIdenticalImagesIsOneAndOfANegativeZero) {
   const base::Image a = randomLuma(180, 180, 12), ra = rgbOf(a);
   base::Image negative = ra;
   for (float& v : negative.pixels) v = 1.f - v;

@@ -11,7 +11,7 @@
 namespace parity::compare {
 namespace {
 
-TEST(Statistic, everyRegisteredFigureIsFoundByItsNameAndSaysHowToReadIt) {
+TEST(Statistic, EveryRegisteredFigureIsFoundByItsNameAndSaysHowToReadIt) {
   std::set<std::string> names;
   for (const Metric& metric : metricRegistry()) {
     EXPECT_FALSE(metric.description.empty());
@@ -32,7 +32,7 @@ TEST(Statistic, everyRegisteredFigureIsFoundByItsNameAndSaysHowToReadIt) {
     EXPECT_TRUE(names.count(name)) << name;
 }
 
-TEST(Statistic, fractionOverIsKnownForAnyThresholdInRangeInOneSpelling) {
+TEST(Statistic, FractionOverIsKnownForAnyThresholdInRangeInOneSpelling) {
   for (const char* spelling : {"flip.fraction_over(0.1)", "flip.fraction_over(0.10)", "flip.fraction_over(1e-1)"}) {
     const std::optional<Statistic> found = statisticByName(spelling);
     ASSERT_TRUE(found) << spelling;
@@ -49,7 +49,7 @@ TEST(Statistic, fractionOverIsKnownForAnyThresholdInRangeInOneSpelling) {
     EXPECT_FALSE(statisticByName(wrong)) << wrong;
 }
 
-TEST(Statistic, aLimitAtTheEndOfTheRangeCanNotBeBeyond) {
+TEST(Statistic, ALimitAtTheEndOfTheRangeCanNotBeBeyond) {
   const auto can = [](const char* name, double limit) { return canBeBeyond(*statisticByName(name), limit); };
   EXPECT_FALSE(can("flip.mean", 1));
   EXPECT_TRUE(can("flip.mean", 0.9999));
@@ -63,21 +63,21 @@ TEST(Statistic, aLimitAtTheEndOfTheRangeCanNotBeBeyond) {
   EXPECT_FALSE(can("bias.dl", 100));
 }
 
-TEST(Statistic, anUnknownNameIsToldTheNearestKnownOne) {
+TEST(Statistic, AnUnknownNameIsToldTheNearestKnownOne) {
   base::expectError([] { requireStatistic("flip.men", "budgets.toml"); }, {"budgets.toml: ", "'flip.mean'"},
                     base::ExitCode::usage);
   const std::vector<std::string> known = knownStatistics();
   EXPECT_NE(std::find(known.begin(), known.end(), "flip.fraction_over(X)"), known.end());
 }
 
-TEST(MetricNames, areParsedIntoTheRegistrysOrderEachOnce) {
+TEST(MetricNames, AreParsedIntoTheRegistrysOrderEachOnce) {
   EXPECT_EQ(parseMetricNames("psnr,flip,psnr", "--metrics"), (std::vector<std::string>{"flip", "psnr"}));
   for (const char* wrong : {"", ",", "flip,", ",flip", "flip,,psnr", "flip psnr", "Flip"})
     EXPECT_EQ(test::codeOf([&] { parseMetricNames(wrong, "--metrics"); }), base::ExitCode::usage) << wrong;
   base::expectError([] { parseMetricNames("flip,pnsr", "--metrics"); }, {"'psnr'"}, base::ExitCode::usage);
 }
 
-TEST(Figures, areFoundByName) {
+TEST(Figures, AreFoundByName) {
   Figures figures;
   figures.values = {{"flip.mean", 0.25}, {"psnr", 30}};
   EXPECT_EQ(figures.find("psnr"), 30);

@@ -32,7 +32,7 @@ LobeAlbedo shaderLobe(double F0, double R, double N) {
 }
 
 // Rosenbrock 1960: a curved valley with its end at (1, 1).
-TEST(Minimise, findsTheEndOfACurvedValley) {
+TEST(Minimise, FindsTheEndOfACurvedValley) {
   const Minimum best = minimise(
       [](const Unknowns& x) { return 100 * std::pow(x[1] - x[0] * x[0], 2) + std::pow(1 - x[0], 2); }, {-1.2, 1});
   EXPECT_NEAR(best.x[0], 1, 1e-3);
@@ -40,14 +40,14 @@ TEST(Minimise, findsTheEndOfACurvedValley) {
   EXPECT_LT(best.value, 1e-7);
 }
 
-TEST(Minimise, neverLeavesTheStartForWorse) {
+TEST(Minimise, NeverLeavesTheStartForWorse) {
   const Minimum best = minimise([](const Unknowns& x) { return x[0] > 0 ? NAN : x[0] * x[0]; }, {0});
   EXPECT_EQ(best.x[0], 0);
   EXPECT_EQ(best.value, 0);
 }
 
 // Against Gauss quadrature over half vectors (tests/shading), at points of the core.
-TEST(Truth, isTheAlbedoOfTheTextbookLobeAndIsCompensatedToOne) {
+TEST(Truth, IsTheAlbedoOfTheTextbookLobeAndIsCompensatedToOne) {
   for (const auto& [truth, geometry] :
        {std::pair{&correlated(), Geometry::heightCorrelated}, {&schlickSmith(), Geometry::schlickSmith}})
     for (const Point& p : truth->pointsOf(Domain::core, 4)) {
@@ -65,7 +65,7 @@ TEST(Truth, isTheAlbedoOfTheTextbookLobeAndIsCompensatedToOne) {
 }
 
 // The constants of shading/refit.glsl are those that the program finds from its start: neither is better.
-TEST(LobeFit, shaderHoldsTheConstantsOfTheFitAndMeetsItsTargets) {
+TEST(LobeFit, ShaderHoldsTheConstantsOfTheFitAndMeetsItsTargets) {
   const Truth& truth = correlated();
   const std::vector<LobeTarget> targets = lobeTargetsOf(truth);
   const LobeConstants c = fitLobe(truth);
@@ -102,7 +102,7 @@ TEST(LobeFit, shaderHoldsTheConstantsOfTheFitAndMeetsItsTargets) {
 // Other settings of the high-end path are fitted as well: within 2 % of the light. Observed with Schlick-Smith: albedo
 // .018 at F0 = .5, direct light .085 and up to 1.103, because what it loses grows steeply towards grazing; with others
 // at most .020, .028 and 1.052.
-TEST(LobeFit, followsTheSettings) {
+TEST(LobeFit, FollowsTheSettings) {
   for (const Truth& truth : {schlickSmith(), correlated().with(Compensation::none),
                              correlated().with(Compensation::turquin), correlated().with(Compensation::fdezAguera)}) {
     const LobeConstants c = fitLobe(truth);

@@ -60,19 +60,19 @@ void expectPublished(const Truth& truth, const LobeModel& model, const Published
 Truth truthOf(GeometryTerm term) { return Truth({term, FresnelCurve::schlick, Compensation::none}); }
 
 // Karis' constants are the shader's.
-TEST(KarisForm, isEnvBRDFApproxWithHisConstants) {
+TEST(KarisForm, IsEnvBRDFApproxWithHisConstants) {
   for (const double R : {0.1, 0.5, 0.9})
     for (const double N : {0.1, 0.9})
       EXPECT_NEAR(karisForm(kKaris)(0.3, R, N).single, f64::EnvBRDFApprox({0.3, 0.3, 0.3}, R, N).x, 1e-12);
 }
 
-TEST(PublishedForms, deviateFromSchlickSmithAsPublished) {
+TEST(PublishedForms, DeviateFromSchlickSmithAsPublished) {
   const Truth truth = truthOf(GeometryTerm::schlickSmith);
   expectPublished(truth, karisForm(kKaris), {.282, .029, .340, .079});
   expectPublished(truth, karisForm(kRefitSchlickSmith), {.115, .015, .194, .062});
 }
 
-TEST(PublishedForms, deviateFromHeightCorrelatedSmithAsPublished) {
+TEST(PublishedForms, DeviateFromHeightCorrelatedSmithAsPublished) {
   const Truth truth = truthOf(GeometryTerm::heightCorrelated);
   expectPublished(truth, karisForm(kKaris), {.084, .023, .528, .136});
   expectPublished(truth, karisForm(kRefitCorrelated), {.069, .017, .364, .088});

@@ -22,7 +22,7 @@ Refit sample() {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-TEST(RefitText, givesEachLanguageItsArrays) {
+TEST(RefitText, GivesEachLanguageItsArrays) {
   const std::string glsl = formatShader(sample(), Language::glsl), hlsl = formatShader(sample(), Language::hlsl);
   EXPECT_TRUE(has(glsl, "const float kRefitB[7] = float[7](-1.5, 2.0, 3.0, 4.0, 5.0, 6.0, -7.25);\n")) << glsl;
   EXPECT_TRUE(has(glsl, "const float kRefitLoss[3] = float[3](0.5, 0.25, 1e-07);\n")) << glsl;
@@ -33,7 +33,7 @@ TEST(RefitText, givesEachLanguageItsArrays) {
       EXPECT_TRUE(has(text, part)) << part;
 }
 
-TEST(RefitText, leavesOutWhatTheSettingsDoNotHave) {
+TEST(RefitText, LeavesOutWhatTheSettingsDoNotHave) {
   Refit none = sample();
   none.settings.compensation = Compensation::none;
   none.spread = 0;
@@ -43,7 +43,7 @@ TEST(RefitText, leavesOutWhatTheSettingsDoNotHave) {
   EXPECT_TRUE(has(text, "M = 0"));
 }
 
-TEST(RefitText, jsonHoldsTheSameNumbers) {
+TEST(RefitText, JsonHoldsTheSameNumbers) {
   const nlohmann::json json = nlohmann::json::parse(formatJson(sample()));
   EXPECT_EQ(json["constants"]["B"][6], -7.25);
   EXPECT_EQ(json["constants"]["loss"][2], 1e-7);
@@ -53,7 +53,7 @@ TEST(RefitText, jsonHoldsTheSameNumbers) {
   EXPECT_EQ(json["errors"]["direct"]["exitanceMax"], 1.03);
 }
 
-TEST(RoundConstant, keepsSixDigits) {
+TEST(RoundConstant, KeepsSixDigits) {
   EXPECT_EQ(roundConstant(1.23456789), 1.23457);
   EXPECT_EQ(roundConstant(-0.0001234567), -0.000123457);
   EXPECT_EQ(roundConstant(5), 5);

@@ -15,7 +15,7 @@ namespace f64 = shading::f64;
 using namespace fit;
 
 // The addition theorem: sum over m of the products of two directions' harmonics is (2 l + 1) / (4 pi) P_l.
-TEST(Harmonics, meetTheAdditionTheorem) {
+TEST(Harmonics, MeetTheAdditionTheorem) {
   const Harmonics a = harmonicsAt(0.3), b = harmonicsAt(-0.8);
   const double cosine = -0.3 * 0.8 + std::sqrt(1 - 0.09) * std::sqrt(1 - 0.64);
   for (const int l : {1, 2, 7, kBands}) {
@@ -26,14 +26,14 @@ TEST(Harmonics, meetTheAdditionTheorem) {
 }
 
 // Seen along the normal and smooth, the lobe is what N = V = R takes it for.
-TEST(Harmonics, ofASmoothLobeAlongTheNormalAreThoseOfItsMip) {
+TEST(Harmonics, OfASmoothLobeAlongTheNormalAreThoseOfItsMip) {
   const Harmonics lobe = projectLobe(GeometryTerm::heightCorrelated, 0.2, 1);
   const Zonal mip = dampingOf(0.2);
   const Harmonics up = harmonicsAt(1);
   for (int l = 0; l <= kBands; ++l) EXPECT_NEAR(lobe[indexOf(l, 0)], mip[l] * up[indexOf(l, 0)], 0.02);
 }
 
-TEST(TapFit, shaderHoldsTheConstantsOfTheFitAndLeansBetterThanTheDominantDirection) {
+TEST(TapFit, ShaderHoldsTheConstantsOfTheFitAndLeansBetterThanTheDominantDirection) {
   const TapFit taps(GeometryTerm::heightCorrelated);
   const TapConstants c = taps.fit();
   const double best = taps.errorOf([&](double R, double N) { return evaluateTap(c, R, N); });
@@ -56,7 +56,7 @@ TEST(TapFit, shaderHoldsTheConstantsOfTheFitAndLeansBetterThanTheDominantDirecti
   EXPECT_LT(held, 0.6 * dominant);
 }
 
-TEST(TapFit, doesNotDependOnTheNumberOfThreads) {
+TEST(TapFit, DoesNotDependOnTheNumberOfThreads) {
   const auto error = [] {
     return TapFit(GeometryTerm::schlickSmith, {12, 8}).errorOf([](double R, double N) {
       return Tap{1 - 0.5 * R * N, 5 * R};

@@ -30,7 +30,7 @@ Box inkOf(const Canvas& canvas) {
   return box;
 }
 
-TEST(Canvas, lettersStandOnTheirLineAndAreAsWideAsIsSaid) {
+TEST(Canvas, LettersStandOnTheirLineAndAreAsWideAsIsSaid) {
   for (const Align align : {Align::left, Align::middle, Align::right}) {
     Canvas canvas(200, 60, kWhite);
     canvas.text(100, 40, "HxH", Font::body, kBlack, align);
@@ -45,7 +45,7 @@ TEST(Canvas, lettersStandOnTheirLineAndAreAsWideAsIsSaid) {
   }
 }
 
-TEST(Canvas, upwardsIsTheSameTurned) {
+TEST(Canvas, UpwardsIsTheSameTurned) {
   Canvas flat(80, 80, kWhite), turned(80, 80, kWhite);
   flat.text(10, 40, "roughness", Font::small, kBlack, Align::left);
   turned.textUpwards(40, 70, "roughness", Font::small, kBlack, Align::left);
@@ -53,7 +53,7 @@ TEST(Canvas, upwardsIsTheSameTurned) {
     for (int x = 10; x < 80; ++x) ASSERT_EQ(flat.image().at(x, y)[0], turned.image().at(y, 80 - x)[0]) << x << " " << y;
 }
 
-TEST(Canvas, linesAreAsLongAndThickAsAskedFor) {
+TEST(Canvas, LinesAreAsLongAndThickAsAskedFor) {
   Canvas canvas(60, 60, kWhite);
   canvas.line(10, 30, 50, 30, 2, kBlack);
   double ink = 0;
@@ -63,7 +63,7 @@ TEST(Canvas, linesAreAsLongAndThickAsAskedFor) {
   EXPECT_EQ(canvas.image().at(30, 29)[0], 0);
 }
 
-TEST(Canvas, leavesOutWhatLiesBeyondThePicture) {
+TEST(Canvas, LeavesOutWhatLiesBeyondThePicture) {
   Canvas canvas(20, 20, kWhite);
   canvas.fill(-5, -5, 100, 10, kBlack);
   canvas.line(-50, -50, 70, 70, 3, kBlack);
@@ -73,7 +73,7 @@ TEST(Canvas, leavesOutWhatLiesBeyondThePicture) {
   EXPECT_EQ(Canvas::widthOf("\xc3", Font::small), Canvas::widthOf("?", Font::small));
 }
 
-TEST(ColorScale, isWhiteAtNothingAndRedWhereThereIsMore) {
+TEST(ColorScale, IsWhiteAtNothingAndRedWhereThereIsMore) {
   const ColorScale scale = scaleAbout0(0.083);
   EXPECT_DOUBLE_EQ(scale.low, -0.1);
   EXPECT_DOUBLE_EQ(scale.high, 0.1);

@@ -14,7 +14,7 @@ namespace parity::plot {
 namespace {
 
 // docs/shading.md 2b: over the core, max and rms of EnvBRDFApprox against either truth.
-TEST(Deviation, isWhatIsPublished) {
+TEST(Deviation, IsWhatIsPublished) {
   struct Published {
     highend::GeometryTerm term;
     double F0, max, rms;
@@ -29,7 +29,7 @@ TEST(Deviation, isWhatIsPublished) {
   }
 }
 
-TEST(EnvBrdfCsv, hasALineForEachPlaceThatAddsUp) {
+TEST(EnvBrdfCsv, HasALineForEachPlaceThatAddsUp) {
   std::istringstream text(envBrdfCsv(pairWith("karis2014")));
   std::string line;
   std::getline(text, line);
@@ -51,7 +51,7 @@ TEST(EnvBrdfCsv, hasALineForEachPlaceThatAddsUp) {
 }
 
 // The order of the paths is who is held against whom.
-TEST(PlottedPair, isAsTheyAreNamed) {
+TEST(PlottedPair, IsAsTheyAreNamed) {
   const PlottedPair pair = pairWith("ue4-2020"), turned = pairOf({&mobile::path(), &highend::path()}, {});
   EXPECT_EQ(turned.reference.title, "mobile");
   EXPECT_EQ(turned.test.words.label, "table");

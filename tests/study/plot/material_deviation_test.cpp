@@ -23,7 +23,7 @@ scenes::Scene makeScene() {
   return scene;
 }
 
-TEST(MaterialDeviation, isTheMeanOverASpheresNoV) {
+TEST(MaterialDeviation, IsTheMeanOverASpheresNoV) {
   const scenes::Scene scene = makeScene();
   const auto deviations = deviationsOf(scene, pairWith("karis2014"));
   ASSERT_EQ(deviations.size(), 1u);
@@ -55,7 +55,7 @@ TEST(MaterialDeviation, isTheMeanOverASpheresNoV) {
   EXPECT_EQ(d.testMultiple, 0);
 }
 
-TEST(MaterialDeviation, followsTheTexturesOverTheSurface) {
+TEST(MaterialDeviation, FollowsTheTexturesOverTheSurface) {
   scenes::Scene scene = makeScene();
   // Metallic-roughness: the left half smooth, the right half rough, both of metal.
   scenes::TextureImage image{"halves", base::Image8(64, 4, 4, 255)};
@@ -79,7 +79,7 @@ TEST(MaterialDeviation, followsTheTexturesOverTheSurface) {
   EXPECT_NEAR(both.mean, mean, 0.02 * mean);
 }
 
-TEST(MaterialDeviation, takesNonmetalsAndFullyRoughOnesByTheirOwnFormsAndLeavesUnlitOnesOut) {
+TEST(MaterialDeviation, TakesNonmetalsAndFullyRoughOnesByTheirOwnFormsAndLeavesUnlitOnesOut) {
   scenes::Scene scene = makeScene();
   scene.materials.resize(4, scene.materials[0]);
   scene.materials[1].metallic = 0;
@@ -94,7 +94,7 @@ TEST(MaterialDeviation, takesNonmetalsAndFullyRoughOnesByTheirOwnFormsAndLeavesU
 }
 
 // The preset that is fitted to this table is nearer to it.
-TEST(MaterialDeviation, ofRefitIsSmaller) {
+TEST(MaterialDeviation, OfRefitIsSmaller) {
   const scenes::Scene scene = makeScene();
   const double refit = deviationsOf(scene, pairWith("refit"))[0].mean;
   const double ue4 = deviationsOf(scene, pairWith("ue4-2020"))[0].mean;

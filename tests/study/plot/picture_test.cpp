@@ -11,7 +11,7 @@
 namespace parity::plot {
 namespace {
 
-TEST(Panel, showsEachPlaceInTheColourOfItsValue) {
+TEST(Panel, ShowsEachPlaceInTheColourOfItsValue) {
   Canvas canvas(600, 400, {255, 255, 255});
   const ColorScale scale = scaleUpTo(1);
   drawPanel(canvas, {.x = 100,
@@ -30,7 +30,7 @@ TEST(Panel, showsEachPlaceInTheColourOfItsValue) {
   }
 }
 
-TEST(Panel, linesOfEqualValueLieWhereTheValueIsEqual) {
+TEST(Panel, LinesOfEqualValueLieWhereTheValueIsEqual) {
   const auto draw = [](bool contours) {
     Canvas canvas(600, 400, {255, 255, 255});
     drawPanel(canvas, {.x = 100,
@@ -61,7 +61,7 @@ TEST(Panel, linesOfEqualValueLieWhereTheValueIsEqual) {
   }
 }
 
-TEST(EnvBrdfPicture, growsWithTheMaterialsThatItListsUpToTwelve) {
+TEST(EnvBrdfPicture, GrowsWithTheMaterialsThatItListsUpToTwelve) {
   const PlottedPair ue4 = pairWith("ue4-2020");
   std::vector<MaterialDeviation> materials(30);
   for (std::size_t k = 0; k < materials.size(); ++k) {

@@ -13,7 +13,7 @@ namespace {
 
 using namespace stress;
 
-TEST(StressAt, givesBackTheWorstErrorBitForBit) {
+TEST(StressAt, GivesBackTheWorstErrorBitForBit) {
   for (const char* name : {"D_GGX", "mobileIntegrateBxDF", "squareFalloff", "refitLobe", "halfVector"}) {
     const FunctionCase function = functionsNamed(name).front();
     const FunctionResult result = stressFunction(function, {.points = 3000, .devicePoints = 0}, nullptr);
@@ -33,7 +33,7 @@ TEST(StressAt, givesBackTheWorstErrorBitForBit) {
   }
 }
 
-TEST(StressAt, numbersReadBackAsTheyWereWritten) {
+TEST(StressAt, NumbersReadBackAsTheyWereWritten) {
   for (const double x : {0.1, 0x1p-149, 1 / 3.0, 65504.0, std::numeric_limits<double>::infinity(), -0.0}) {
     const At at = parseAt("sqr:" + formatExactly(x));
     EXPECT_EQ(at.row[0], x);
@@ -42,7 +42,7 @@ TEST(StressAt, numbersReadBackAsTheyWereWritten) {
   EXPECT_TRUE(std::isnan(parseAt("sqr:nan").row[0]));
 }
 
-TEST(StressAt, refusesWhatIsNoInput) {
+TEST(StressAt, RefusesWhatIsNoInput) {
   for (const char* text :
        {"D_GGX", "D_GGX:1", "D_GGX:1,2,3", "D_GGX:1,x", "D_GGX:1,", "nothing:1", "D_*:1,1", "D_GGX:1 ,2"}) {
     SCOPED_TRACE(text);
@@ -50,7 +50,7 @@ TEST(StressAt, refusesWhatIsNoInput) {
   }
 }
 
-TEST(StressAt, saysWhatLiesOutside) {
+TEST(StressAt, SaysWhatLiesOutside) {
   EXPECT_EQ(describeAt(parseAt("D_GGX:0.5,1"), nullptr).find("outside"), std::string::npos);
   EXPECT_NE(describeAt(parseAt("D_GGX:0.5,2"), nullptr).find("outside"), std::string::npos);
 }

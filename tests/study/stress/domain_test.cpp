@@ -13,7 +13,7 @@ namespace {
 
 using namespace stress;
 
-TEST(StressDomain, pointsLieWithinAndReachBothEnds) {
+TEST(StressDomain, PointsLieWithinAndReachBothEnds) {
   Domain domain;
   domain.inputs = {unit(0, "u"), cosine(1, "c"), within(2, "w", -3, 5), powers(3, "p", 0, 1e6, 1e-6, 1e6),
                    direction(4, "d")};
@@ -31,7 +31,7 @@ TEST(StressDomain, pointsLieWithinAndReachBothEnds) {
 }
 
 // Half of a unit input evenly, the rest by powers of two towards both ends; 1/64 at each end.
-TEST(StressDomain, unitInputsCrowdTowardsBothEnds) {
+TEST(StressDomain, UnitInputsCrowdTowardsBothEnds) {
   Domain domain;
   domain.inputs = {unit(0, "u")};
   constexpr int kPoints = 1 << 14;
@@ -48,7 +48,7 @@ TEST(StressDomain, unitInputsCrowdTowardsBothEnds) {
 }
 
 // The first 2^k points are stratified in each dimension, also where the dimensions are many.
-TEST(StressDomain, pointsAreOfLowDiscrepancyInEveryDimension) {
+TEST(StressDomain, PointsAreOfLowDiscrepancyInEveryDimension) {
   Domain domain;
   for (int k = 0; k < 20; ++k) domain.inputs.push_back(within(k, "x", 0, 1));
   constexpr std::uint32_t kPoints = 256;
@@ -62,7 +62,7 @@ TEST(StressDomain, pointsAreOfLowDiscrepancyInEveryDimension) {
   }
 }
 
-TEST(StressDomain, theGridHoldsEachSpecialValueOfEachInputAndAllPairs) {
+TEST(StressDomain, TheGridHoldsEachSpecialValueOfEachInputAndAllPairs) {
   Domain domain;
   domain.inputs = {unit(0, "a"), within(1, "b", -2, 3), direction(2, "d")};
   const SpecialGrid grid(domain);
@@ -83,7 +83,7 @@ TEST(StressDomain, theGridHoldsEachSpecialValueOfEachInputAndAllPairs) {
   EXPECT_TRUE(pairs.count({"65504.000000", "-inf"}));
 }
 
-TEST(StressDomain, specialValuesAreThoseOfBothFormats) {
+TEST(StressDomain, SpecialValuesAreThoseOfBothFormats) {
   const std::vector<double>& values = specialValues();
   const auto has = [&](double x) { return std::find(values.begin(), values.end(), x) != values.end(); };
   for (const double x : {0.0, 0x1p-149, 0x1.fffffcp-127, 0x1p-126, 0x1p-24, 0x1p-14 - 0x1p-24, 0x1p-14, 1 - 0x1p-24,
@@ -92,7 +92,7 @@ TEST(StressDomain, specialValuesAreThoseOfBothFormats) {
   EXPECT_TRUE(std::any_of(values.begin(), values.end(), [](double x) { return std::isnan(x); }));
 }
 
-TEST(StressDomain, roundsToHalfButForWideInputs) {
+TEST(StressDomain, RoundsToHalfButForWideInputs) {
   Domain domain;
   domain.inputs = {unit(0, "half"), wide(unit(1, "single"))};
   const Row row = roundTo(Precision::f16, domain, Row{0.1, 0.1});
@@ -101,7 +101,7 @@ TEST(StressDomain, roundsToHalfButForWideInputs) {
   EXPECT_EQ(roundTo(Precision::f64, domain, Row{0.1, 0.1})[0], static_cast<double>(0.1f)) << "the rows of fp32";
 }
 
-TEST(StressDomain, aSettledPointKeepsItsConstraint) {
+TEST(StressDomain, ASettledPointKeepsItsConstraint) {
   int constrained = 0;
   for (const FunctionCase& function : functionTable()) {
     if (!function.domain.holds) continue;

@@ -24,7 +24,7 @@ Expectation nanBelow(double r) {
           Row{}};
 }
 
-TEST(Finder, saysNothingOfAFunctionWithoutFaults) {
+TEST(Finder, SaysNothingOfAFunctionWithoutFaults) {
   FunctionCase function = makePlanted();
   function.increases("r").increases("c").sameSwapping("r", "c");
   const FunctionResult result = run(function, [](double r, double c) { return r * c; });
@@ -33,7 +33,7 @@ TEST(Finder, saysNothingOfAFunctionWithoutFaults) {
   EXPECT_EQ(result.columns[0].tally.worstError, std::nullopt) << "fp64 is its own reference";
 }
 
-TEST(Finder, findsARegionOfNan) {
+TEST(Finder, FindsARegionOfNan) {
   const FunctionResult result =
       run(makePlanted(), [](double r, double c) { return r < 0.2 && c > 0.9 ? kNan64 : r + c; });
   const std::vector<Finding> found = unexpectedOf(result);
@@ -42,14 +42,14 @@ TEST(Finder, findsARegionOfNan) {
   EXPECT_GT(found[0].count, 100u);
 }
 
-TEST(Finder, findsASingleInfinityAtTheEdgeOfTheDomain) {
+TEST(Finder, FindsASingleInfinityAtTheEdgeOfTheDomain) {
   const std::vector<Finding> found = unexpectedOf(run(
       makePlanted(), [](double r, double c) { return r == 0 && c == 1 ? 1 / 0.0 : c; }, 0));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].reproduce, "--at planted:0,1");
 }
 
-TEST(Finder, findsNegativeValuesAndThoseAboveOne) {
+TEST(Finder, FindsNegativeValuesAndThoseAboveOne) {
   FunctionCase function = makePlanted();
   function.gives(1, 1, 1);
   const std::vector<Finding> found = unexpectedOf(run(function, [](double r, double c) { return r + c - 0.5; }));
@@ -60,7 +60,7 @@ TEST(Finder, findsNegativeValuesAndThoseAboveOne) {
   EXPECT_NEAR(found[1].magnitude, 1.5, 0);
 }
 
-TEST(Finder, findsADecreaseThatMayNotBe) {
+TEST(Finder, FindsADecreaseThatMayNotBe) {
   FunctionCase function = makePlanted();
   function.increases("r");
   // Falls by a tenth between .5 and .6.
@@ -73,7 +73,7 @@ TEST(Finder, findsADecreaseThatMayNotBe) {
   EXPECT_EQ(unexpectedOf(run(function, [](double r, double) { return 1 - r; })).size(), 0u);
 }
 
-TEST(Finder, findsWhatIsNotReciprocal) {
+TEST(Finder, FindsWhatIsNotReciprocal) {
   FunctionCase function = makePlanted();
   function.sameSwapping("r", "c");
   EXPECT_EQ(unexpectedOf(run(function, [](double r, double c) { return r + c; })).size(), 0u);
@@ -82,7 +82,7 @@ TEST(Finder, findsWhatIsNotReciprocal) {
   EXPECT_EQ(found[0].fault, "not reciprocal");
 }
 
-TEST(Finder, toleratesRoundingOfTheClaimsButNoMore) {
+TEST(Finder, ToleratesRoundingOfTheClaimsButNoMore) {
   FunctionCase function = makePlanted();
   function.gives(1).increases("r");
   const auto shaken = [](double r, double c, double ulps) { // in units of half at values of about 1
@@ -92,7 +92,7 @@ TEST(Finder, toleratesRoundingOfTheClaimsButNoMore) {
   EXPECT_EQ(unexpectedOf(run(function, [&](double r, double c) { return shaken(r, c, 40); })).size(), 1u);
 }
 
-TEST(Finder, aKnownFailureIsExpectedInsideItsRegionAlone) {
+TEST(Finder, AKnownFailureIsExpectedInsideItsRegionAlone) {
   FunctionCase function = makePlanted();
   function.expect(nanBelow(0.25));
   const auto failing = [](double r, double) { return r < 0.2 ? kNan64 : r; };
@@ -108,7 +108,7 @@ TEST(Finder, aKnownFailureIsExpectedInsideItsRegionAlone) {
   EXPECT_EQ(beyond[0].fault, "not finite");
 }
 
-TEST(Finder, aKnownFailureThatVanishedIsAFinding) {
+TEST(Finder, AKnownFailureThatVanishedIsAFinding) {
   FunctionCase function = makePlanted();
   function.expect(nanBelow(0.25));
   const std::vector<Finding> found = unexpectedOf(run(function, [](double r, double) { return r; }));
@@ -118,7 +118,7 @@ TEST(Finder, aKnownFailureThatVanishedIsAFinding) {
   EXPECT_EQ(unexpectedOf(run(function, [](double r, double) { return r - 0.1; })).size(), 2u);
 }
 
-TEST(Finder, aWitnessIsTriedHoweverFewPointsThereAre) {
+TEST(Finder, AWitnessIsTriedHoweverFewPointsThereAre) {
   FunctionCase function = makePlanted();
   Expectation expectation = nanBelow(0.25);
   expectation.witness[0] = 0.15625; // exact in half; no special value
@@ -129,7 +129,7 @@ TEST(Finder, aWitnessIsTriedHoweverFewPointsThereAre) {
             0u);
 }
 
-TEST(Finder, outsideOfTheDomainOnlyAContractFails) {
+TEST(Finder, OutsideOfTheDomainOnlyAContractFails) {
   FunctionCase function = makePlanted();
   const auto strict = [](double r, double c) { return r > 1 || r < 0 ? kNan64 : c * r + 1; };
   const FunctionResult result = run(function, strict);
@@ -141,7 +141,7 @@ TEST(Finder, outsideOfTheDomainOnlyAContractFails) {
   EXPECT_EQ(found[0].fault, "contract broken");
 }
 
-TEST(Finder, theErrorIsRelativeToTheReferenceOrItsScale) {
+TEST(Finder, TheErrorIsRelativeToTheReferenceOrItsScale) {
   // Off by 1e-3 everywhere but in fp64; relative to max(value, 1).
   FunctionCase function = makePlanted();
   function.gives(1).relativeTo(1);
@@ -153,7 +153,7 @@ TEST(Finder, theErrorIsRelativeToTheReferenceOrItsScale) {
   EXPECT_EQ(result.columns[0].tally.errors.percentile(0.999), 0);
 }
 
-TEST(Finder, thePercentileIsThatOfTheErrorsThatWereCounted) {
+TEST(Finder, ThePercentileIsThatOfTheErrorsThatWereCounted) {
   ErrorHistogram histogram;
   for (int i = 0; i < 990; ++i) histogram.add(0);
   for (int i = 0; i < 9; ++i) histogram.add(1e-3);
@@ -163,7 +163,7 @@ TEST(Finder, thePercentileIsThatOfTheErrorsThatWereCounted) {
   EXPECT_NEAR(histogram.percentile(0.9999), 1, 0.05);
 }
 
-TEST(Finder, resultsDoNotDependOnTheNumberOfThreads) {
+TEST(Finder, ResultsDoNotDependOnTheNumberOfThreads) {
   const auto runWith = [](int threads) {
     const base::ThreadLimit limit(threads);
     Report report;

@@ -41,12 +41,12 @@ SceneFrames makeFrames(PathFrame path) {
   return frames;
 }
 
-TEST(FrameChecks, aGoodFrameHasNoFindings) {
+TEST(FrameChecks, AGoodFrameHasNoFindings) {
   for (const char* preset : {"", "ue4-2020", "karis2014"})
     EXPECT_TRUE(checkFrames(makeScene(0.5f), makeFrames(makeFrame(preset, true)), nullptr).empty());
 }
 
-TEST(FrameChecks, aPlantedNanIsFoundWithItsPixel) {
+TEST(FrameChecks, APlantedNanIsFoundWithItsPixel) {
   for (const bool inTerm : {false, true}) {
     PathFrame path = makeFrame("ue4-2020", true);
     (inTerm ? path.frame.terms[3] : path.frame.color).pixels[3 * 6 + 1] = kNan;
@@ -58,7 +58,7 @@ TEST(FrameChecks, aPlantedNanIsFoundWithItsPixel) {
   }
 }
 
-TEST(FrameChecks, infinityOfKaris2014IsExpectedOnSmoothMaterialsAlone) {
+TEST(FrameChecks, InfinityOfKaris2014IsExpectedOnSmoothMaterialsAlone) {
   const auto findingsAt = [](std::size_t pixel, float roughness, bool half) {
     PathFrame path = makeFrame("karis2014", half);
     path.frame.color.pixels[3 * pixel] = std::numeric_limits<float>::infinity();
@@ -70,7 +70,7 @@ TEST(FrameChecks, infinityOfKaris2014IsExpectedOnSmoothMaterialsAlone) {
   EXPECT_FALSE(findingsAt(6, 0.05f, true).at(0).expected) << "no such material at that pixel";
 }
 
-TEST(FrameChecks, aKnownFailureThatVanishedIsFound) {
+TEST(FrameChecks, AKnownFailureThatVanishedIsFound) {
   StressScene scene = makeScene(0);
   scene.karisMustFail = true;
   const std::vector<Finding> found = checkFrames(scene, makeFrames(makeFrame("karis2014", true)), nullptr);
@@ -80,7 +80,7 @@ TEST(FrameChecks, aKnownFailureThatVanishedIsFound) {
   EXPECT_TRUE(checkFrames(scene, makeFrames(makeFrame("refit", true)), nullptr).empty());
 }
 
-TEST(FrameChecks, termsThatDoNotAddUpAreFoundAtTheirTolerance) {
+TEST(FrameChecks, TermsThatDoNotAddUpAreFoundAtTheirTolerance) {
   const auto count = [](const char* preset, bool half, float off) {
     PathFrame path = makeFrame(preset, half);
     path.frame.terms[0].pixels[7] += off;
@@ -93,7 +93,7 @@ TEST(FrameChecks, termsThatDoNotAddUpAreFoundAtTheirTolerance) {
   EXPECT_EQ(count("refit", false, 0.0035f), 1u);
 }
 
-TEST(FrameChecks, aColourThatSaturatedMayBeLessThanItsTermsButNotMore) {
+TEST(FrameChecks, AColourThatSaturatedMayBeLessThanItsTermsButNotMore) {
   const auto count = [](float color, float term) {
     PathFrame path = makeFrame("ue4-2020", true);
     std::fill(path.frame.terms[0].pixels.begin(), path.frame.terms[0].pixels.end(), term);
@@ -108,7 +108,7 @@ TEST(FrameChecks, aColourThatSaturatedMayBeLessThanItsTermsButNotMore) {
   EXPECT_EQ(count(30000, 31000), 1u) << "no saturation there: not all of it is half opaque";
 }
 
-TEST(FrameChecks, theScenesOwnCheckSpeaks) {
+TEST(FrameChecks, TheScenesOwnCheckSpeaks) {
   StressScene scene = makeScene(0.5f);
   scene.check = [](const SceneFrames&, const SceneFrames*) { return std::vector<std::string>{"no"}; };
   const std::vector<Finding> found = checkFrames(scene, makeFrames(makeFrame("", false)), nullptr);
@@ -116,14 +116,14 @@ TEST(FrameChecks, theScenesOwnCheckSpeaks) {
   EXPECT_EQ(found[0].example, "no");
 }
 
-TEST(FrameChecks, nothingRenderedIsAFinding) {
+TEST(FrameChecks, NothingRenderedIsAFinding) {
   EXPECT_EQ(checkFrames(makeScene(1), {}, nullptr).size(), 1u);
   PathFrame withoutTerms = makeFrame("", false);
   withoutTerms.frame.terms.clear();
   EXPECT_EQ(checkFrames(makeScene(1), makeFrames(std::move(withoutTerms)), nullptr).size(), 1u);
 }
 
-TEST(FrameChecks, twoRenderingsAreHeldTogetherBitByBit) {
+TEST(FrameChecks, TwoRenderingsAreHeldTogetherBitByBit) {
   const PathFrame first = makeFrame("", false);
   PathFrame second = first;
   EXPECT_TRUE(checkSame(makeScene(1), first, second).empty());

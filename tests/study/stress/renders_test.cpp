@@ -16,7 +16,7 @@ protected:
   }
 };
 
-TEST_F(StressRenders, everyNamedSceneComesOutAsItMust) {
+TEST_F(StressRenders, EveryNamedSceneComesOutAsItMust) {
   RenderStress stress(small({"ue4-2020"}));
   const std::vector<StressScene> scenes = namedScenes();
   EXPECT_GE(scenes.size(), 20u);
@@ -28,7 +28,7 @@ TEST_F(StressRenders, everyNamedSceneComesOutAsItMust) {
   }
 }
 
-TEST_F(StressRenders, karis2014FailsWhereItMustAndNowhereElse) {
+TEST_F(StressRenders, Karis2014FailsWhereItMustAndNowhereElse) {
   RenderStress stress(small({"karis2014"}));
   const std::vector<StressScene> scenes = surfaceScenes();
   const std::vector<Finding> smooth = stress.stress(scenes.front()).findings; // roughness-0
@@ -40,7 +40,7 @@ TEST_F(StressRenders, karis2014FailsWhereItMustAndNowhereElse) {
   for (const Finding& finding : stress.stress(mended).findings) EXPECT_FALSE(finding.expected);
 }
 
-TEST_F(StressRenders, aNanPlantedInARenderIsFound) {
+TEST_F(StressRenders, ANanPlantedInARenderIsFound) {
   RenderStress stress(small({"ue4-2020"}));
   StressScene scene = surfaceScenes().at(1); // roughness-above-1
   scene.twin = nullptr;
@@ -54,7 +54,7 @@ TEST_F(StressRenders, aNanPlantedInARenderIsFound) {
   }
 }
 
-TEST_F(StressRenders, aTwinThatDiffersIsFound) {
+TEST_F(StressRenders, ATwinThatDiffersIsFound) {
   RenderStress stress(small({"none"}));
   EXPECT_EQ(stress.stress(surfaceScenes().at(1)).paths, std::vector<std::string>{"highend"}) << "no preset";
   RenderStress both(small({"ue4-2020"}));
@@ -65,7 +65,7 @@ TEST_F(StressRenders, aTwinThatDiffersIsFound) {
   EXPECT_FALSE(both.stress(scene).findings.empty());
 }
 
-TEST_F(StressRenders, aRandomSceneIsMadeAgainFromItsSeed) {
+TEST_F(StressRenders, ARandomSceneIsMadeAgainFromItsSeed) {
   const StressScene a = randomScene(7), b = randomScene(7), c = randomScene(8);
   ASSERT_EQ(a.scene.materials.size(), b.scene.materials.size());
   for (std::size_t m = 0; m < a.scene.materials.size(); ++m)
@@ -77,7 +77,7 @@ TEST_F(StressRenders, aRandomSceneIsMadeAgainFromItsSeed) {
 }
 
 // The materials that karis2014 may fail on are known by their least roughness: it must be theirs.
-TEST_F(StressRenders, randomScenesKnowTheLeastRoughnessOfEachMaterial) {
+TEST_F(StressRenders, RandomScenesKnowTheLeastRoughnessOfEachMaterial) {
   int textured = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const StressScene s = randomScene(seed);

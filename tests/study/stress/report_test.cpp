@@ -31,7 +31,7 @@ Report makeReport() {
   return report;
 }
 
-TEST(StressReport, jsonHoldsFindingsFiguresAndWhatWasSkipped) {
+TEST(StressReport, JsonHoldsFindingsFiguresAndWhatWasSkipped) {
   const nlohmann::json json = nlohmann::json::parse(formatJson(makeReport()));
   EXPECT_EQ(json["unexpected"], 3);
   EXPECT_EQ(json["expected"], 0);
@@ -53,7 +53,7 @@ TEST(StressReport, jsonHoldsFindingsFiguresAndWhatWasSkipped) {
   EXPECT_EQ(json["scenes"][0]["paths"][0], "highend");
 }
 
-TEST(StressReport, thePageHoldsTheReportAndItsTimesAndIsEscaped) {
+TEST(StressReport, ThePageHoldsTheReportAndItsTimesAndIsEscaped) {
   Report report = makeReport();
   report.functionsMs = 1500;
   const std::string page = formatPage(report);
@@ -69,7 +69,7 @@ TEST(StressReport, thePageHoldsTheReportAndItsTimesAndIsEscaped) {
   EXPECT_NE(page.find("<h1>3 unexpected, 0 expected findings</h1>"), std::string::npos);
 }
 
-TEST(StressReport, theTerminalHearsOfWhatIsUnexpectedAndHowToRepeatIt) {
+TEST(StressReport, TheTerminalHearsOfWhatIsUnexpectedAndHowToRepeatIt) {
   const std::string text = formatReport(makeReport());
   EXPECT_EQ(text.find("UNEXPECTED"), 0u);
   EXPECT_NE(text.find("parity stress --at planted<&>:"), std::string::npos) << text;
@@ -77,7 +77,7 @@ TEST(StressReport, theTerminalHearsOfWhatIsUnexpectedAndHowToRepeatIt) {
   EXPECT_NE(text.find("3 unexpected, 0 expected"), std::string::npos);
 }
 
-TEST(StressReport, unexpectedFindingsComeFirst) {
+TEST(StressReport, UnexpectedFindingsComeFirst) {
   std::vector<Finding> findings(3);
   findings[0].subject = "b", findings[0].expected = true;
   findings[1].subject = "z";
@@ -87,7 +87,7 @@ TEST(StressReport, unexpectedFindingsComeFirst) {
   EXPECT_EQ(findings[1].subject, "a");
 }
 
-TEST(StressReport, aGlobThatMatchesNothingIsRefused) {
+TEST(StressReport, AGlobThatMatchesNothingIsRefused) {
   Options options;
   options.points = {.points = 0, .devicePoints = 0};
   options.renders = false;

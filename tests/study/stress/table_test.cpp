@@ -17,7 +17,7 @@ namespace {
 
 using namespace stress;
 
-TEST(StressTable, hasOneEntryForEachIdInOrder) {
+TEST(StressTable, HasOneEntryForEachIdInOrder) {
   const std::vector<FunctionCase> table = functionTable();
   ASSERT_EQ(table.size(), static_cast<std::size_t>(kFunctionCount));
   std::set<std::string> names;
@@ -29,7 +29,7 @@ TEST(StressTable, hasOneEntryForEachIdInOrder) {
 }
 
 // Every FN of the sources that takes part in a picture is called by evaluate*.glsl, itself or by what it is part of.
-TEST(StressTable, evaluatesEveryPublicFunctionOfTheSources) {
+TEST(StressTable, EvaluatesEveryPublicFunctionOfTheSources) {
   const std::filesystem::path root = PARITY_SOURCE_DIR;
   std::string text;
   for (const char* file : {"study/stress/shaders/evaluate.glsl", "study/stress/shaders/evaluate_base_pass.glsl",
@@ -70,7 +70,7 @@ TEST(StressTable, evaluatesEveryPublicFunctionOfTheSources) {
 }
 
 // The ranges that the comments of shading/*.glsl state, by the sentence that states them.
-TEST(StressTable, domainsLieWithinWhatTheSourcesDocument) {
+TEST(StressTable, DomainsLieWithinWhatTheSourcesDocument) {
   struct Documented {
     const char *file, *sentence, *function, *input;
     double low, high;
@@ -109,7 +109,7 @@ TEST(StressTable, domainsLieWithinWhatTheSourcesDocument) {
   }
 }
 
-TEST(StressTable, everyWitnessShowsItsFailure) {
+TEST(StressTable, EveryWitnessShowsItsFailure) {
   int witnesses = 0;
   for (const FunctionCase& function : functionTable()) {
     if (function.expected.empty()) continue;
@@ -132,7 +132,7 @@ TEST(StressTable, everyWitnessShowsItsFailure) {
   EXPECT_GT(witnesses, 30);
 }
 
-TEST(StressTable, nothingUnexpectedInAShortRun) {
+TEST(StressTable, NothingUnexpectedInAShortRun) {
   for (const FunctionCase& function : functionTable()) {
     if (function.domain.numbers() > 20) continue; // grids of 10^5 rows: parity stress itself
     const FunctionResult result = stressFunction(function, {.points = 2000, .devicePoints = 0}, nullptr);
@@ -143,7 +143,7 @@ TEST(StressTable, nothingUnexpectedInAShortRun) {
   }
 }
 
-TEST(StressTable, anUnknownFunctionIsRefusedWithTheNearestName) {
+TEST(StressTable, AnUnknownFunctionIsRefusedWithTheNearestName) {
   base::expectError([] { functionsNamed("D_GXG"); }, {"D_GGX"}, base::ExitCode::usage);
 }
 

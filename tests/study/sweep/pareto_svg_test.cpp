@@ -18,7 +18,7 @@ ParetoDot dot(const std::string& path, const std::string& name, double time, dou
   return {.path = path, .name = name, .details = "", .time = time, .error = error, .dominated = dominated};
 }
 
-TEST(ParetoSvg, plotsTheSettingsOfAStageThatHaveATimeAndAnError) {
+TEST(ParetoSvg, PlotsTheSettingsOfAStageThatHaveATimeAndAnError) {
   VariantResult table = makeVariant("highend", "lut-size 8", 0, 0.5);
   table.stage = Stage::preparation;
   table.prepareMs = {3, 4, 5};
@@ -34,7 +34,7 @@ TEST(ParetoSvg, plotsTheSettingsOfAStageThatHaveATimeAndAnError) {
   EXPECT_EQ(toSvg(plotOf(scene, Stage::preparation, Against::truth, "flip.mean")), "") << "one is no picture";
 }
 
-TEST(ParetoSvg, hasADotASettingAFrontAPathAndNamesOfTheFronts) {
+TEST(ParetoSvg, HasADotASettingAFrontAPathAndNamesOfTheFronts) {
   ParetoPlot plot{.timeTitle = "time", .timeUnit = "ms", .errorTitle = "FLIP", .dots = {}};
   plot.dots = {dot("highend", "default", 10, 0.2), dot("mobile", "default", 5, 0.3), dot("mobile", "x", 6, 0.4, true)};
   const std::string svg = toSvg(plot);
@@ -49,7 +49,7 @@ TEST(ParetoSvg, hasADotASettingAFrontAPathAndNamesOfTheFronts) {
   EXPECT_EQ(count(toSvg(plot), "class=\"label "), 3u);
 }
 
-TEST(ParetoSvg, hasTicksAlsoWithinAFractionOfADecade) {
+TEST(ParetoSvg, HasTicksAlsoWithinAFractionOfADecade) {
   const ParetoPlot plot{.timeTitle = "time",
                         .timeUnit = "",
                         .errorTitle = "FLIP",
@@ -59,7 +59,7 @@ TEST(ParetoSvg, hasTicksAlsoWithinAFractionOfADecade) {
     EXPECT_EQ(count(svg, tick), tick == std::string(">7.5<") ? 0u : 1u) << tick << svg;
 }
 
-TEST(ParetoSvg, escapesNamesAndKeepsThemApartAndWithin) {
+TEST(ParetoSvg, EscapesNamesAndKeepsThemApartAndWithin) {
   const std::string evil = "</title><b>";
   const ParetoPlot plot{.timeTitle = evil,
                         .timeUnit = "",

@@ -12,7 +12,7 @@ namespace {
 
 const std::string kFlip = "flip.mean";
 
-TEST(Pareto, dominatedIsWhatAnotherBeatsInBoth) {
+TEST(Pareto, DominatedIsWhatAnotherBeatsInBoth) {
   const SceneSweep scene = makeSceneSweep(
       "s", {makeVariant("mobile", "default", 10, 0.2), makeVariant("mobile", "slow and bad", 12, 0.3),
             makeVariant("mobile", "slow and good", 20, 0.1), makeVariant("mobile", "as fast, worse", 10, 0.25),
@@ -21,19 +21,19 @@ TEST(Pareto, dominatedIsWhatAnotherBeatsInBoth) {
       << "the other path is no rival";
 }
 
-TEST(Pareto, equalsDominateNeitherOfThem) {
+TEST(Pareto, EqualsDominateNeitherOfThem) {
   const SceneSweep scene =
       makeSceneSweep("s", {makeVariant("mobile", "default", 10, 0.2), makeVariant("mobile", "twin", 10, 0.2)});
   EXPECT_EQ(findDominated(scene, Against::truth, kFlip), (std::vector<bool>{false, false}));
 }
 
-TEST(Pareto, anErrorThatIsNoNumberIsDominated) {
+TEST(Pareto, AnErrorThatIsNoNumberIsDominated) {
   const SceneSweep scene = makeSceneSweep(
       "s", {makeVariant("mobile", "default", 10, 0.2), makeVariant("mobile", "broken", 1, std::nan(""))});
   EXPECT_EQ(findDominated(scene, Against::truth, kFlip), (std::vector<bool>{false, true}));
 }
 
-TEST(Pareto, preparationIsComparedWithPreparationAndStorageWithNothing) {
+TEST(Pareto, PreparationIsComparedWithPreparationAndStorageWithNothing) {
   VariantResult table = makeVariant("highend", "lut-size 8", 0, 0.5), stored = makeVariant("highend", "8 bits", 0, 0.9);
   table.stage = Stage::preparation;
   table.prepareMs = {3, 4, 5};
@@ -43,7 +43,7 @@ TEST(Pareto, preparationIsComparedWithPreparationAndStorageWithNothing) {
   EXPECT_EQ(findDominated(scene, Against::truth, kFlip), (std::vector<bool>{false, false, false}));
 }
 
-TEST(Pareto, everywhereMeansInEachSceneThatHasIt) {
+TEST(Pareto, EverywhereMeansInEachSceneThatHasIt) {
   SweepReport report;
   report.scenes = {
       makeSceneSweep("a", {makeVariant("mobile", "default", 10, 0.2), makeVariant("mobile", "x", 11, 0.3),
@@ -52,7 +52,7 @@ TEST(Pareto, everywhereMeansInEachSceneThatHasIt) {
   EXPECT_EQ(dominatedEverywhere(report, Against::truth, kFlip), std::vector<std::string>{"mobile: y"});
 }
 
-TEST(Budget, isReadOrRefused) {
+TEST(Budget, IsReadOrRefused) {
   EXPECT_EQ(parseErrorBudget("flip.p95=0.25").figure, "flip.p95");
   EXPECT_EQ(parseErrorBudget("flip.p95=0.25").limit, 0.25);
   for (const char* bad : {"", "flip.mean", "flip.mean=", "flip.mean=x", "flip.mean=0", "flip.mean=-1", "ssim=0.5",
@@ -60,7 +60,7 @@ TEST(Budget, isReadOrRefused) {
     EXPECT_THROW(parseErrorBudget(bad), base::Error) << bad;
 }
 
-TEST(Budget, theFastestWithinItIsNamedSceneBySceneAndForAll) {
+TEST(Budget, TheFastestWithinItIsNamedSceneBySceneAndForAll) {
   SweepReport report;
   report.scenes = {
       makeSceneSweep("a", {makeVariant("mobile", "default", 10, 0.2), makeVariant("mobile", "fast", 5, 0.09),
@@ -76,7 +76,7 @@ TEST(Budget, theFastestWithinItIsNamedSceneBySceneAndForAll) {
 }
 
 // 4 ms a round of 1000 samples are 4000 ms a million.
-TEST(Purchases, areFromTheFasterToTheSlowerValueBestFirst) {
+TEST(Purchases, AreFromTheFasterToTheSlowerValueBestFirst) {
   SweepReport report;
   report.scenes = {makeSceneSweep(
       "a", {makeVariant("mobile", "default", 10, 0.2), makeVariant("mobile", "worse and faster", 6, 0.6),
@@ -98,7 +98,7 @@ TEST(Purchases, areFromTheFasterToTheSlowerValueBestFirst) {
   EXPECT_LT(all[3].perMs, 0);
 }
 
-TEST(Against, isTheTruthOnlyWhereAllHaveIt) {
+TEST(Against, IsTheTruthOnlyWhereAllHaveIt) {
   SweepReport report;
   report.scenes = {makeSceneSweep("a", {makeVariant("mobile", "default", 10, 0.2)})};
   EXPECT_EQ(bestKnown(report), Against::truth);

@@ -21,7 +21,7 @@ SweepReport makeReport(double slowdown) {
   return report;
 }
 
-TEST(Ratios, onlyWhatIsSlowerIsCalledSo) {
+TEST(Ratios, OnlyWhatIsSlowerIsCalledSo) {
   const SweepRatios same = compareSweeps(makeReport(1), makeReport(1));
   EXPECT_FALSE(same.anySlower());
   EXPECT_EQ(same.variants.size(), 3u);
@@ -35,7 +35,7 @@ TEST(Ratios, onlyWhatIsSlowerIsCalledSo) {
   EXPECT_FALSE(compareSweeps(makeReport(1.2), makeReport(1)).anySlower());
 }
 
-TEST(Ratios, whatOnlyOneHasAndWhatDiffersIsSaid) {
+TEST(Ratios, WhatOnlyOneHasAndWhatDiffersIsSaid) {
   SweepReport before = makeReport(1), now = makeReport(1);
   before.machine.processor = "old";
   now.machine.processor = "new";
@@ -48,7 +48,7 @@ TEST(Ratios, whatOnlyOneHasAndWhatDiffersIsSaid) {
   EXPECT_EQ(ratios.notes[2], "b: not in the earlier sweep");
 }
 
-TEST(Ratios, anotherSettingOfTheSameNameIsLeftOut) {
+TEST(Ratios, AnotherSettingOfTheSameNameIsLeftOut) {
   SweepReport before = makeReport(1), now = makeReport(1.2);
   before.scenes[0].variants[1].knobs = {{"preset", "another"}};
   before.scenes[0].variants.push_back(makeVariant("mobile", "old one", 3, 0.1));
@@ -64,7 +64,7 @@ TEST(Ratios, anotherSettingOfTheSameNameIsLeftOut) {
 }
 
 // Three times against three lie apart by chance once in ten.
-TEST(Ratios, fewRoundsAreNotJudged) {
+TEST(Ratios, FewRoundsAreNotJudged) {
   SweepReport before = makeReport(1), now = makeReport(2);
   for (SweepReport* report : {&before, &now})
     for (VariantResult& v : report->scenes[0].variants)
@@ -76,7 +76,7 @@ TEST(Ratios, fewRoundsAreNotJudged) {
 }
 
 // Sixty settings that are what they were: how often is any called slower? Wanted: at most one sweep in twenty.
-TEST(Ratios, chanceAloneIsSeldomCalledASlowDown) {
+TEST(Ratios, ChanceAloneIsSeldomCalledASlowDown) {
   std::mt19937 random(7);
   std::normal_distribution<double> noise(1, 0.05);
   const auto make = [&] {
@@ -94,7 +94,7 @@ TEST(Ratios, chanceAloneIsSeldomCalledASlowDown) {
   EXPECT_LE(called, 3);
 }
 
-TEST(Ratios, nothingInCommonIsAnError) {
+TEST(Ratios, NothingInCommonIsAnError) {
   SweepReport now = makeReport(1);
   now.scenes[0].pixels = 999;
   EXPECT_THROW(compareSweeps(makeReport(1), now), base::Error);

@@ -18,7 +18,7 @@ protected:
   std::filesystem::path m_folder = std::filesystem::path(testing::TempDir()) / "parity-scaling";
 };
 
-TEST_F(ScalingScene, hasWhatItsSizeSays) {
+TEST_F(ScalingScene, HasWhatItsSizeSays) {
   const scenes::Scene scene = scenes::loadScene(
       writeScalingScene(m_folder, {.triangles = 800, .materials = 4, .textures = 3, .textureSide = 16, .lights = 5})
           .string());
@@ -29,11 +29,11 @@ TEST_F(ScalingScene, hasWhatItsSizeSays) {
   EXPECT_TRUE(scene.warnings.empty());
 }
 
-TEST_F(ScalingScene, aSeriesThatIsUnknownIsAnError) {
+TEST_F(ScalingScene, ASeriesThatIsUnknownIsAnError) {
   EXPECT_THROW(measureScaling({}, {.series = {"shadows"}}, {}), base::Error);
 }
 
-TEST_F(ScalingScene, aSeriesHasAnExponentForEachStage) {
+TEST_F(ScalingScene, ASeriesHasAnExponentForEachStage) {
   job::Settings settings;
   settings.of<mobile::Options>().precision = mobile::Precision::fp32;
   settings.device.validation = true;

@@ -10,7 +10,7 @@
 namespace parity::sweep {
 namespace {
 
-TEST(Quantile, isLinearBetweenNeighbours) {
+TEST(Quantile, IsLinearBetweenNeighbours) {
   // R: quantile(c(3, 1, 4, 1, 5), c(0, .25, .5, .9, 1)), type 7
   const std::vector<double> values = {3, 1, 4, 1, 5};
   EXPECT_DOUBLE_EQ(quantileOf(values, 0), 1);
@@ -21,7 +21,7 @@ TEST(Quantile, isLinearBetweenNeighbours) {
   EXPECT_DOUBLE_EQ(quantileOf({7}, 0.3), 7);
 }
 
-TEST(Quantile, spreadOfNothingIsZero) {
+TEST(Quantile, SpreadOfNothingIsZero) {
   EXPECT_EQ(spreadOf({}).median, 0);
   const Spread spread = spreadOf({1, 2, 3, 4, 5});
   EXPECT_EQ(spread.low, 2);
@@ -38,7 +38,7 @@ std::vector<double> drawTimes(std::mt19937& random, std::size_t count, double sc
 }
 
 // At least nearly as often as promised. Medians of few values are coarse, so some percent are lost.
-TEST(Bootstrap, intervalHoldsTheTrueRatioAsOftenAsItSays) {
+TEST(Bootstrap, IntervalHoldsTheTrueRatioAsOftenAsItSays) {
   for (const double truth : {1.0, 1.3}) {
     std::mt19937 random(7);
     int held = 0;
@@ -53,7 +53,7 @@ TEST(Bootstrap, intervalHoldsTheTrueRatioAsOftenAsItSays) {
   }
 }
 
-TEST(Bootstrap, twiceTheTimeIsSlowerAndTheSameTimesAreNeither) {
+TEST(Bootstrap, TwiceTheTimeIsSlowerAndTheSameTimesAreNeither) {
   std::mt19937 random(3);
   const std::vector<double> before = drawTimes(random, 9, 1);
   std::vector<double> twice = before;
@@ -67,7 +67,7 @@ TEST(Bootstrap, twiceTheTimeIsSlowerAndTheSameTimesAreNeither) {
   EXPECT_FALSE(same.isSlower() || same.isFaster());
 }
 
-TEST(Bootstrap, isTheSameForTheSameSeedAndRefusesWhatIsNoTime) {
+TEST(Bootstrap, IsTheSameForTheSameSeedAndRefusesWhatIsNoTime) {
   const std::vector<double> a = {1, 2, 3, 4}, b = {2, 3, 4, 5};
   EXPECT_EQ(bootstrapRatio(a, b, 0.9).low, bootstrapRatio(a, b, 0.9).low);
   EXPECT_THROW(bootstrapRatio({1}, b, 0.9), base::Error);
@@ -75,7 +75,7 @@ TEST(Bootstrap, isTheSameForTheSameSeedAndRefusesWhatIsNoTime) {
   EXPECT_THROW(bootstrapRatio(a, {1, std::nan("")}, 0.9), base::Error);
 }
 
-TEST(PowerLaw, findsTheExponentOfAnExactOne) {
+TEST(PowerLaw, FindsTheExponentOfAnExactOne) {
   std::vector<double> n, t;
   for (const double each : {1., 4., 16., 64.}) {
     n.push_back(each);

@@ -21,7 +21,7 @@ SweepReport makeSummedReport() {
   return report;
 }
 
-TEST(Summary, holdsMedianAndWorstOfTheScenesThatHaveASetting) {
+TEST(Summary, HoldsMedianAndWorstOfTheScenesThatHaveASetting) {
   const std::vector<SettingSummary> all = summarise(makeSummedReport());
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].id, "highend: default");
@@ -36,14 +36,14 @@ TEST(Summary, holdsMedianAndWorstOfTheScenesThatHaveASetting) {
   EXPECT_DOUBLE_EQ(all[1].fromFirstOfParts.worst, 0.6);
 }
 
-TEST(Summary, aFigureThatIsNoNumberIsTheWorst) {
+TEST(Summary, AFigureThatIsNoNumberIsTheWorst) {
   SweepReport report = makeSummedReport();
   report.scenes[0].variants[1].whole.truth->relMse = std::nan("");
   EXPECT_TRUE(std::isnan(summarise(report)[1].relMse.worst));
   EXPECT_FALSE(std::isnan(summarise(report)[0].relMse.worst));
 }
 
-TEST(Summary, notesSayWhatLimitsIt) {
+TEST(Summary, NotesSayWhatLimitsIt) {
   SweepReport report = makeSummedReport();
   report.scenes[3].scene = "gone";
   report.scenes[0].variants[0].knobs = {{"lut-size", "32"}};
@@ -62,7 +62,7 @@ TEST(Summary, notesSayWhatLimitsIt) {
   EXPECT_TRUE(notesOf(report).empty());
 }
 
-TEST(Summary, isATableWithAColumnAScene) {
+TEST(Summary, IsATableWithAColumnAScene) {
   SweepReport report = makeSummedReport();
   const std::string text = toMarkdown(report);
   EXPECT_TRUE(holds(text, "| highend: x | 2 | 1.25 | 0.4000 | 0.6000 |")) << text;

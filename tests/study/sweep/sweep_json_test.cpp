@@ -43,7 +43,7 @@ protected:
   std::filesystem::path m_folder = std::filesystem::path(testing::TempDir()) / "parity-sweep-files";
 };
 
-TEST_F(SweepFiles, whatIsWrittenReadsBack) {
+TEST_F(SweepFiles, WhatIsWrittenReadsBack) {
   const SweepReport report = makeWholeReport();
   const std::string text = toJson(report, conclude(report, std::nullopt));
   base::writeText(m_folder / "bench.json", text);
@@ -53,7 +53,7 @@ TEST_F(SweepFiles, whatIsWrittenReadsBack) {
   EXPECT_EQ(read.scenes[1].failure, report.scenes[1].failure);
 }
 
-TEST_F(SweepFiles, conclusionsAreInTheFile) {
+TEST_F(SweepFiles, ConclusionsAreInTheFile) {
   const SweepReport report = makeWholeReport();
   const auto json = nlohmann::json::parse(toJson(report, conclude(report, ErrorBudget{"flip.mean", 0.25})));
   const auto& c = json.at("conclusions");
@@ -64,7 +64,7 @@ TEST_F(SweepFiles, conclusionsAreInTheFile) {
   EXPECT_EQ(json.at("scenes").at(0).at("variants").at(2).at("dominated"), true);
 }
 
-TEST_F(SweepFiles, malformedOnesAreErrorsWithTheFilesName) {
+TEST_F(SweepFiles, MalformedOnesAreErrorsWithTheFilesName) {
   const auto readText = [&](const std::string& text) {
     base::writeText(m_folder / "bad.json", text);
     return std::string(base::errorOf([&] { readSweep(m_folder / "bad.json"); }).what());
@@ -76,7 +76,7 @@ TEST_F(SweepFiles, malformedOnesAreErrorsWithTheFilesName) {
   EXPECT_NE(readText(text).find("unknown stage"), std::string::npos);
 }
 
-TEST_F(SweepFiles, csvHasALineForEachRegionAndAsManyFieldsAsItsHead) {
+TEST_F(SweepFiles, CsvHasALineForEachRegionAndAsManyFieldsAsItsHead) {
   const std::string csv = toCsv(makeWholeReport());
   std::vector<std::string> lines;
   for (std::size_t at = 0, end; (end = csv.find("\r\n", at)) != std::string::npos; at = end + 2)
@@ -95,7 +95,7 @@ TEST_F(SweepFiles, csvHasALineForEachRegionAndAsManyFieldsAsItsHead) {
   EXPECT_NE(csv.find("\"brass, \"\"old\"\"\""), std::string::npos);
 }
 
-TEST_F(SweepFiles, theFigureOfAnEarlierOneIsKeptAndMustBeKnown) {
+TEST_F(SweepFiles, TheFigureOfAnEarlierOneIsKeptAndMustBeKnown) {
   std::string text = toJson(makeWholeReport(), conclude(makeWholeReport(), ErrorBudget{"relmse", 0.1}));
   base::writeText(m_folder / "bench.json", text);
   EXPECT_EQ(readSweep(m_folder / "bench.json").figure, "relmse");
@@ -104,7 +104,7 @@ TEST_F(SweepFiles, theFigureOfAnEarlierOneIsKeptAndMustBeKnown) {
   EXPECT_THROW(readSweep(m_folder / "bench.json"), base::Error);
 }
 
-TEST_F(SweepFiles, thePageHoldsTheSweepAndAPictureOfEachStageThatHasOne) {
+TEST_F(SweepFiles, ThePageHoldsTheSweepAndAPictureOfEachStageThatHasOne) {
   SweepReport report = makeWholeReport();
   report.scenes[0].variants.push_back(makeVariant("highend", "lut-size 9", 0, 0.4));
   report.scenes[0].variants.back().stage = Stage::preparation;

@@ -37,7 +37,7 @@ job::SceneRequest request(const std::string& scene, const char* environment, boo
   return request;
 }
 
-TEST(Trial, measuresEverySettingOverTheSameSurfaces) {
+TEST(Trial, MeasuresEverySettingOverTheSameSurfaces) {
   job::Context context(smallSettings());
   TrialOptions options;
   options.rounds = 2;
@@ -75,7 +75,7 @@ TEST(Trial, measuresEverySettingOverTheSameSurfaces) {
             findVariant(sweep, "mobile: default")->whole.first.flipMean);
 }
 
-TEST(Trial, whatTheSceneDoesNotNeedIsNotTried) {
+TEST(Trial, WhatTheSceneDoesNotNeedIsNotTried) {
   job::Context context(smallSettings());
   TrialOptions options;
   options.rounds = 2;
@@ -97,7 +97,7 @@ TEST(Trial, whatTheSceneDoesNotNeedIsNotTried) {
   EXPECT_NE(std::ranges::find(sweep.skipped, "mobile mobile-textures: no texture"), sweep.skipped.end());
 }
 
-TEST(Trial, everyNameIsGivenOnceAndEveryKnobChangesWhatItSays) {
+TEST(Trial, EveryNameIsGivenOnceAndEveryKnobChangesWhatItSays) {
   const std::vector<Variant> all = makeVariants(job::Settings{});
   EXPECT_EQ(all[0].id(), "highend: default");
   EXPECT_EQ(all[1].id(), "mobile: default");
@@ -118,7 +118,7 @@ TEST(Trial, everyNameIsGivenOnceAndEveryKnobChangesWhatItSays) {
 }
 
 // The sky light's colour scales every setting's picture once.
-TEST(Trial, anotherPrefilterHasTheSkyLightsColourOnce) {
+TEST(Trial, AnotherPrefilterHasTheSkyLightsColourOnce) {
   job::SceneRequest colored = request("builtin:spheres", "builtin:sky", false);
   colored.settings.scene.lightScales.skyLightColor = {0.25f, 0.5f, 1};
   job::Context context(colored.settings);
@@ -134,14 +134,14 @@ TEST(Trial, anotherPrefilterHasTheSkyLightsColourOnce) {
   EXPECT_GT(other->whole.first.relMse, 0) << "it is another prefilter";
 }
 
-TEST(Trial, theFirstPathIsTheFirstOfAll) {
+TEST(Trial, TheFirstPathIsTheFirstOfAll) {
   job::Settings turned;
   turned.pathNames = {"mobile", "highend"};
   EXPECT_THROW(makeVariants(turned), base::Error);
 }
 
 // What a scene's own values are equal to keeps its name.
-TEST(Trial, namesDependOnNoValues) {
+TEST(Trial, NamesDependOnNoValues) {
   job::Settings other;
   other.of<mobile::Options>() = mobile::presetByName("refit");
   const auto idsOf = [](const job::Settings& settings) {
@@ -156,7 +156,7 @@ TEST(Trial, namesDependOnNoValues) {
   EXPECT_TRUE(ids.contains("mobile: mobile-preset refit") || ids.contains("mobile: environment-brdf refit"));
 }
 
-TEST(Trial, globThatMatchesNothingIsAnError) {
+TEST(Trial, GlobThatMatchesNothingIsAnError) {
   job::Context context(smallSettings());
   TrialOptions options;
   options.settings = {"mobile: sky*", "desktop*"};
