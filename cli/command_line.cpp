@@ -44,7 +44,7 @@ void requireValues(const CLI::App& app) {
 // -v: of every subcommand that runs something.
 void addVerbose(CLI::App& app, bool& verbose) {
   const std::vector<CLI::App*> below = app.get_subcommands([](const CLI::App*) { return true; });
-  if (below.empty()) app.add_flag("-v,--verbose", verbose, "Say what is done, and with what, on stderr");
+  if (below.empty()) app.add_flag("-v,--verbose", verbose, "Print to stderr what is done, and with what");
   for (CLI::App* each : below) addVerbose(*each, verbose);
 }
 
