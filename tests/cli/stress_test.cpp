@@ -48,7 +48,7 @@ TEST(Stress, ListNamesFunctionsAndScenes) {
 TEST(Stress, RefusesWhatItDoesNotKnow) {
   expectRefused(runParity({"stress", "--functions", "D_GXG", "--only", "functions", "--device-points", "0"}), 64,
                 {"D_GXG", "D_GGX"});
-  expectRefused(runParity({"stress", "--at", "D_GGX:1"}), 64, {"D_GGX", "takes 2: alpha, NoH"});
+  expectRefused(runParity({"stress", "--at", "D_GGX:1"}), 64, {"D_GGX", "needs 2: alpha, NoH"});
   expectRefused(runParity({"stress", "--only", "renders", "--renders", "nothing"}), 64, {"nothing"});
   EXPECT_TRUE(exitedWith(64, runParity({"stress", "--only", "everything"})));
   EXPECT_TRUE(exitedWith(64, runParity({"stress", "--seconds", "1", "--scenes", "2"})));

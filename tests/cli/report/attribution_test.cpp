@@ -49,7 +49,7 @@ TEST_F(AttributionTest, ALightThatMobileLacksIsNamedAsTheCause) {
                       kSmall,
                       {"-o", folder.string()}}));
   EXPECT_TRUE(exitedWith(2, result));
-  const std::string cause = "localDiffuse: FLIP ";
+  const std::string cause = "localDiffuse (diffuse light of local lights): FLIP ";
   bool said = false, annotated = false;
   for (const std::string& line : linesOf(result.out)) {
     said |= contains(line, "white ball") && contains(line, "; " + cause) && contains(line, " with the high-end term");
