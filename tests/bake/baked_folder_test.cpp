@@ -183,7 +183,9 @@ TEST(BakedFolder, IsWholeWhileAllThatIsReadIsWhatTheManifestLists) {
     EXPECT_EQ(isWhole(folder), !isRead) << name << " is missing";
     fs::copy_file(temp / "aside", file);
     std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(20).put('\x7e').put('\x7d');
-    if (name != kManifestFile) EXPECT_EQ(isWhole(folder), !isRead) << name << " is damaged";
+    if (name != kManifestFile) {
+      EXPECT_EQ(isWhole(folder), !isRead) << name << " is damaged";
+    }
     fs::rename(temp / "aside", file);
     EXPECT_TRUE(isWhole(folder));
   }

@@ -68,7 +68,9 @@ TEST(LampTree, HasParentsThatAreTheSumOfTheirChildren) {
       int children = 0;
       for (; child < node.next; child = tree.nodes[child].next, ++children) {
         light += tree.nodes[child].light;
-        if (&tree != &whole && !tree.isLeaf(child)) EXPECT_LT(4 * tree.nodes[child].spread, node.spread);
+        if (&tree != &whole && !tree.isLeaf(child)) {
+          EXPECT_LT(4 * tree.nodes[child].spread, node.spread);
+        }
       }
       EXPECT_EQ(child, node.next);
       EXPECT_GE(children, 2);
