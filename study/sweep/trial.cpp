@@ -141,7 +141,9 @@ private:
     const std::set<std::string> has = haves(m_prepared);
     std::set<std::string> skipped;
     const std::vector<Variant> all = makeVariants(m_prepared.settings);
-    requireMatches(all, m_options.settings);
+    for (const std::string& glob : m_options.settings)
+      if (std::ranges::none_of(all, [&](const Variant& v) { return base::matchesGlob(glob, v.id()); }))
+        m_sweep.skipped.push_back(glob + ": this scene's options allow no such setting");
     for (const Variant& v : all) {
       if (!isWanted(v)) continue;
       if (!v.sameAs.empty()) { // the default's own values are told of only where the user named them
