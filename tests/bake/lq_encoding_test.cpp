@@ -49,9 +49,9 @@ double largestError(const std::vector<LightmapPage>& pages, const LqLightmap& li
 }
 
 TEST(LqEncoding, KeepsGreysOverSixteenStopsWithinHalfAStep) {
-  constexpr int kCount = 1024;
-  std::vector<LightmapPage> pages = {makePage(kCount, 1)};
-  for (int x = 0; x < kCount; ++x) setEven(pages[0], x, 0, 0, dvec3(luminanceAt(16.0 * x / (kCount - 1))));
+  constexpr int kWide = 1024;
+  std::vector<LightmapPage> pages = {makePage(kWide, 1)};
+  for (int x = 0; x < kWide; ++x) setEven(pages[0], x, 0, 0, dvec3(luminanceAt(16.0 * x / (kWide - 1))));
   const LqLightmap lightmap = encodeLq(pages, 1, kPlain);
   const double largest = largestError(pages, lightmap);
   EXPECT_LE(largest, kHalfStep);

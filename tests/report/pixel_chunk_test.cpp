@@ -157,22 +157,22 @@ TEST(PixelChunk, IsAStatementAroundAnObject) {
   };
   const std::string object(chunkObject(chunk));
   EXPECT_EQ(textOf(chunk), "parityChunk(" + object + ");\n");
-  nlohmann::json json = nlohmann::json::parse(object);
-  EXPECT_EQ(json["file"], "pixels/0-a_0-b.js");
-  EXPECT_EQ(json["format"], 1);
-  EXPECT_EQ(json["width"], 2);
-  EXPECT_EQ(json["height"], 3);
-  EXPECT_EQ(json["minLog2"], -12);
-  ASSERT_EQ(json["planes"].size(), 2u);
-  EXPECT_EQ(json["planes"][0]["name"], "highend");
-  EXPECT_EQ(json["planes"][0]["kind"], "rgb16f");
-  EXPECT_EQ(json["planes"][1]["kind"], "unorm16");
-  EXPECT_EQ(decode(json["planes"][1]["data"], 2, 3, 1), std::vector<std::uint16_t>(6, 65535));
+  nlohmann::json parsed = nlohmann::json::parse(object);
+  EXPECT_EQ(parsed["file"], "pixels/0-a_0-b.js");
+  EXPECT_EQ(parsed["format"], 1);
+  EXPECT_EQ(parsed["width"], 2);
+  EXPECT_EQ(parsed["height"], 3);
+  EXPECT_EQ(parsed["minLog2"], -12);
+  ASSERT_EQ(parsed["planes"].size(), 2u);
+  EXPECT_EQ(parsed["planes"][0]["name"], "highend");
+  EXPECT_EQ(parsed["planes"][0]["kind"], "rgb16f");
+  EXPECT_EQ(parsed["planes"][1]["kind"], "unorm16");
+  EXPECT_EQ(decode(parsed["planes"][1]["data"], 2, 3, 1), std::vector<std::uint16_t>(6, 65535));
 
   for (const char* name : {"pixels/12-another-scene_3-longer.js", "pixels/1.js"}) {
     renameChunk(chunk, name);
-    json["file"] = name;
-    EXPECT_EQ(nlohmann::json::parse(chunkObject(chunk)), json);
+    parsed["file"] = name;
+    EXPECT_EQ(nlohmann::json::parse(chunkObject(chunk)), parsed);
     EXPECT_EQ(textOf(chunk), textOf(makeChunk(name, 2, 3, planes, members)));
   }
 }

@@ -23,8 +23,11 @@ TEST(FlipMemory, GrowsWithFloatsAlphaMasksAndMetrics) {
   const std::size_t least = estimateFlipBytes(rgb, rgb, {});
   EXPECT_GT(estimateFlipBytes(rgba, rgba, {}), least);
   EXPECT_GT(estimateFlipBytes(floats, floats, {}), least);
-  EXPECT_GT(estimateFlipBytes(rgb, rgb, {.metrics = {"ssim"}}), least);
-  EXPECT_GT(estimateFlipBytes(rgb, rgb, {.range = DynamicRange::hdr}), least);
+  FlipRequest similar, hdr;
+  similar.metrics = {"ssim"};
+  hdr.range = DynamicRange::hdr;
+  EXPECT_GT(estimateFlipBytes(rgb, rgb, similar), least);
+  EXPECT_GT(estimateFlipBytes(rgb, rgb, hdr), least);
   FlipRequest masked;
   masked.mask.file = "mask.png";
   EXPECT_GT(estimateFlipBytes(rgb, rgb, masked), least);

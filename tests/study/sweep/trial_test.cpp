@@ -143,7 +143,7 @@ TEST(Trial, TheFirstPathIsTheFirstOfAll) {
 // What a scene's own values are equal to keeps its name.
 TEST(Trial, NamesDependOnNoValues) {
   job::Settings other;
-  other.of<mobile::Options>() = mobile::presetByName("refit");
+  other.of<mobile::Options>().precision = mobile::Precision::fp32;
   const auto idsOf = [](const job::Settings& settings) {
     std::set<std::string> ids;
     for (const Variant& v : makeVariants(settings)) ids.insert(v.id());
@@ -153,15 +153,27 @@ TEST(Trial, NamesDependOnNoValues) {
   std::vector<std::string> differing;
   std::ranges::set_symmetric_difference(idsOf(other), ids, std::back_inserter(differing));
   EXPECT_EQ(differing, std::vector<std::string>());
-  EXPECT_TRUE(ids.contains("mobile: mobile-preset refit") || ids.contains("mobile: environment-brdf refit"));
+  EXPECT_TRUE(ids.contains("mobile: precision fp32"));
 }
 
 TEST(Trial, GlobThatMatchesNothingIsAnError) {
-  job::Context context(smallSettings());
+  const std::vector<Variant> all = makeVariants(job::Settings{});
+  base::expectError([&] { requireMatches(all, {"mobile: sky*", "desktop*"}); }, {"desktop*"}, base::ExitCode::usage);
+}
+
+// The preset refit allows no other lobe.
+TEST(Trial, WhatASceneDoesNotAllowIsSkipped) {
+  job::SceneRequest refit = request("builtin:furnace", "", true);
+  refit.settings.of<mobile::Options>() = mobile::presetByName("refit");
+  job::Context context(refit.settings);
   TrialOptions options;
-  options.settings = {"mobile: sky*", "desktop*"};
-  base::expectError([&] { runTrial(context, request("builtin:furnace", "", true), options, {}); }, {"desktop*"},
-                    base::ExitCode::usage);
+  options.rounds = 2;
+  options.truth = false;
+  options.settings = {"mobile: direct-lobe d-approx"};
+  const SceneSweep sweep = runTrial(context, refit, options, {});
+  EXPECT_EQ(sweep.variants.size(), 2u);
+  EXPECT_EQ(
+      std::ranges::count(sweep.skipped, "mobile: direct-lobe d-approx: this scene's options allow no such setting"), 1);
 }
 
 } // namespace
