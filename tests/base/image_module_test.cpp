@@ -133,7 +133,7 @@ TEST(ImageModule, IsFoundWhereItMayLieAndItsAbsenceSaysWhatToDo) {
   const auto [withoutPassed, without] = runCopy(folder);
   EXPECT_FALSE(withoutPassed);
   EXPECT_NE(without.find("parity_imageio.so: not found"), std::string::npos) << without;
-  EXPECT_NE(without.find("build the target parity_imageio or install it"), std::string::npos) << without;
+  EXPECT_NE(without.find("build the target parity_imageio, or install it"), std::string::npos) << without;
 
   writeText(folder / "bin/parity_imageio.so", "no library");
   const auto [damagedPassed, damaged] = runCopy(folder);

@@ -118,7 +118,9 @@ TEST(WrongCommandLine, Exits64WithTheReasonOnStderrAndWritesNothing) {
       {{}, "subcommand"},
       {{"diff", "builtin:furnace", "--colour"}, "--colour"},
       {{"report", "builtin:furnace", "-o", "out", "--size", "0x10"}, "--size"},
-      {{"flip", "a.png", "b.png", "-o", "map.tga"}, "map.tga"}};
+      {{"flip", "a.png", "b.png", "-o", "map.tga"}, "map.tga"},
+      {{"render", "builtin:furnace", "-o", "o.png", "--path", "mobile", "--terms"}, "--terms"},
+      {{"render", "builtin:furnace", "--path", "highend", "-o", "o.exr", "--term", "NoL"}, "path mobile"}};
   for (const auto& [arguments, part] : rows) {
     const RunResult result = runParity(arguments, options);
     EXPECT_TRUE(exitedWith(64, result));

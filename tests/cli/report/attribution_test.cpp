@@ -269,8 +269,8 @@ TEST_F(AttributionTest, ReportsDoNotDependOnWhatTheCacheHolds) {
 TEST_F(AttributionTest, AnAttributionThatTheCacheLacksIsRendered) {
   const std::string quad = writeMetal(0.6);
   const auto run = [&](const std::string& limits) {
-    const RunResult result = runParity(join({{"diff", quad, "--size", "48x48", "--json", "-", "--cache", path("cache"),
-                                              "--budgets", writeBudgets(m_folder, limits)},
+    const RunResult result = runParity(join({{"diff", quad, "--size", "48x48", "--json", "-", "-v", "--cache",
+                                              path("cache"), "--budgets", writeBudgets(m_folder, limits)},
                                              kSun}));
     return std::pair(sceneOf(result), contains(result.err, "taken from the cache"));
   };

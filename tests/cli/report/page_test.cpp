@@ -44,7 +44,7 @@ protected:
     const nlohmann::json machine = {{"processor", "p"},  {"device", "d"}, {"driver", "r"},
                                     {"deviceKind", "k"}, {"simd", "s"},   {"threads", 2}};
     const nlohmann::json bench = {{"tool", "parity bench"},
-                                  {"schema", 1},
+                                  {"schema", 2},
                                   {"version", "0"},
                                   {"commandLine", "parity bench '</script><b>.glb'"},
                                   {"startedAt", "now"},
