@@ -150,7 +150,7 @@ describe("what is neither a plain pass nor a plain failure", () => {
 
   it("says how many pixels are too few, and that no check counts", async () => {
     const text = await open(1);
-    expect(text).toMatch(/12 pixels, fewer than the 64/);
+    expect(text).toMatch(/12 pixels, fewer than min_pixels = 64/);
     expect(text).toMatch(/no check counts/);
   });
 
@@ -167,7 +167,7 @@ describe("what is neither a plain pass nor a plain failure", () => {
   it("says which check could not be judged, and why", async () => {
     const text = await open(5);
     expect(text).toMatch(/not judged/);
-    expect(text).toMatch(/too dark for a difference of exposure/);
+    expect(text).toMatch(/too dark to measure a difference of exposure/);
   });
 
   it("shows the whole pictures' FLIP map where a material's own has no values, and says so", async () => {
