@@ -61,7 +61,7 @@ const BadUsage kBadUsages[] = {
      {"--capture-scale", "did you mean 'mixing'?"}},
     {"CaptureScaleThatWasReplaced",
      {"diff", "builtin:furnace", "--capture-scale", "by-roughness"},
-     {"--capture-scale", "'by-roughness' is replaced by 'mixing'", "--mixing-begin"}},
+     {"--capture-scale", "'by-roughness' is no longer known: use 'mixing'", "--mixing-begin"}},
     {"MixingBackwards",
      {"diff", "builtin:furnace", "--mixing-begin", "0.5", "--mixing-end", "0.4"},
      {"--mixing-begin", "0.5 is not below --mixing-end", "0.4"}},
