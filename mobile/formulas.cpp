@@ -1,8 +1,5 @@
 #include "mobile/formulas.h"
 
-#include <algorithm>
-#include <stdexcept>
-
 namespace parity::mobile {
 
 namespace {
@@ -22,10 +19,6 @@ Added& added() {
 } // namespace
 
 bool addPreset(Options options, const Formula& formula) {
-  const bool isTaken = options.preset == "karis2014" || options.preset == Options{}.preset ||
-                       options.preset == "refit" ||
-                       std::ranges::count(added().presets, options.preset, &Options::preset) > 0;
-  if (isTaken) throw std::logic_error("addPreset: the name is taken: " + options.preset);
   options.environmentBrdf = static_cast<EnvironmentBrdf>(kBuiltIn + added().formulas.size());
   added().presets.push_back(std::move(options));
   added().formulas.push_back(formula);

@@ -17,7 +17,8 @@ struct Formula {
 };
 
 // options: those of the preset, with its name; the formula takes that name and the place of options.environmentBrdf.
-// Before main: the table of knobs is made once. Returns true. Throws std::logic_error for a name that is taken.
+// Before main: the table of knobs is made once. Returns true. Two presets of one name are a std::logic_error at the
+// first use of any.
 bool addPreset(Options options, const Formula& formula);
 // In the order in which they were added. The environment BRDF of the first is EnvironmentBrdf::refit + 1.
 const std::vector<Options>& addedPresets();

@@ -1,6 +1,7 @@
 #include "mobile/options.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -27,7 +28,11 @@ const std::vector<Options>& presets() {
                                      .capture = CaptureEncoding::rgb9e5,
                                      .sky = SkyForm::tinted,
                                      .roughnessFloor = 0}};
-    presets.insert(presets.end(), addedPresets().begin(), addedPresets().end());
+    for (const Options& added : addedPresets()) {
+      if (std::ranges::count(presets, added.preset, &Options::preset) > 0)
+        throw std::logic_error("two mobile presets are called " + added.preset);
+      presets.push_back(added);
+    }
     return presets;
   }();
   return all;
