@@ -99,6 +99,17 @@ TEST(ReportTable, ATruthAddsTwoColumnsAndMarksWhatItsNoiseHides) {
   EXPECT_EQ(toTable(makeSampleReport(), false).find("truth"), std::string::npos);
 }
 
+TEST(ReportTable, ColumnsOfTheTruthTellPathsApartWhoseNamesBeginAlike) {
+  Report report = makeSampleReportWithTruth();
+  for (SceneResult& scene : report.scenes)
+    for (ViewResult& view : scene.views) view.reference = "mono";
+  const std::string table = toTable(report, false);
+  const auto lines = linesOf(table);
+  EXPECT_EQ(endOf(lines[3], "0.090       0.270"), endOf(lines[1], "mob/truth")) << table;
+  EXPECT_NE(lines[1].find("mon/truth"), std::string::npos) << table;
+  EXPECT_NE(table.find("mon/truth, mob/truth: "), std::string::npos) << table;
+}
+
 TEST(ReportTable, AWholeImageThatDecidesIsCounted) {
   Report report = makeSampleReport();
   report.scenes.pop_back();
