@@ -3,14 +3,18 @@ import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 
 import { filterOf, matches, sortRows } from "./data/filter";
+import { groupingsOf, groupRows, type Group } from "./data/groups";
 import type { Page } from "./data/page";
 import { makeRows, type Row } from "./data/rows";
+import { barScale } from "./data/scale";
 import { fromHash, isSameItem, openItem, toHash, type State } from "./data/state";
 import { PageElement } from "./element";
 import { HelpPopover } from "./help_popover";
 import { actionOf, shortcutsDialog, type Action } from "./keys";
-import { header } from "./overview/header";
+import { kPhone, Media } from "./media";
 import { filters, kCategories } from "./overview/filters";
+import { kBarFigures } from "./overview/head";
+import { header } from "./overview/header";
 import "./overview/list";
 import type { ParityList } from "./overview/list";
 import "./item/item";
@@ -27,8 +31,11 @@ export class ParityApp extends PageElement {
   @query("#search") private search!: HTMLInputElement | null;
 
   private rows: Row[] = [];
-  private shown: Row[] = [];
+  private scales: Readonly<Record<string, number>> = {};
+  private groups: Group[] = [];
+  private shown: Row[] = []; // of the groups, in their order
   private shownKey = "";
+  private readonly phone = new Media(this, kPhone);
   private hashTimer = 0;
   private readonly theme = new Theme(() => this.requestUpdate());
   private readonly helpPopover = new HelpPopover();
@@ -36,6 +43,7 @@ export class ParityApp extends PageElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.rows = makeRows(this.page.report);
+    this.scales = Object.fromEntries(kBarFigures.map((name) => [name, barScale(this.rows, name)]));
     window.addEventListener("hashchange", this.onHash);
     window.addEventListener("keydown", this.onKey);
     window.addEventListener("keyup", this.onKeyUp);
@@ -81,13 +89,15 @@ export class ParityApp extends PageElement {
     }
   }
 
-  /** The rows that pass the filter, sorted: made anew only when these change. */
+  /** The rows that pass the filter, sorted and grouped: made anew only when these change. */
   private visibleRows(): Row[] {
-    const { list, query: words, verdicts, causedBy, preset, sort, ascending } = this.state;
-    const key = JSON.stringify([list, words, verdicts, causedBy, preset, sort, ascending]);
+    const { list, query: words, verdicts, changes, causedBy, preset, group, sort, ascending } = this.state;
+    const key = JSON.stringify([list, words, verdicts, changes, causedBy, preset, group, sort, ascending]);
     if (key !== this.shownKey) {
       const filter = filterOf(this.state);
-      this.shown = sortRows(this.rows.filter((row) => matches(row, filter)), sort, ascending);
+      const sorted = sortRows(this.rows.filter((row) => matches(row, filter)), sort, ascending);
+      this.groups = groupRows(sorted, groupingsOf(list).includes(group) ? group : "none");
+      this.shown = this.groups.flatMap((each) => each.rows);
       this.shownKey = key;
     }
     return this.shown;
@@ -174,17 +184,28 @@ export class ParityApp extends PageElement {
     const rows = this.visibleRows();
     const open = this.openRow();
     const { report, run } = this.page;
+    const { scene, view, material } = this.state;
     return html`
-      ${header(report, run, open !== null, this.theme, () => this.shortcuts.showModal())}
+      ${header({
+        report,
+        run,
+        rows: this.rows,
+        isBrief: open !== null,
+        isPhone: this.phone.matches,
+        lost: open === null ? [scene, view, material].filter((each) => each !== "").join(" · ").slice(0, 200) : "",
+        theme: this.theme,
+        openKeys: () => this.shortcuts.showModal(),
+      })}
       <div class="layout ${open ? "with-item" : ""}">
         <section class="overview" aria-label="Overview">
-          ${filters(report, this.rows, rows.length, this.state, (patch) => this.set(patch))}
-          <parity-list .report=${report} .rows=${rows} .state=${this.state} .compact=${open !== null}></parity-list>
+          ${filters({ report, rows: this.rows, shown: rows.length, state: this.state, isPhone: this.phone.matches, set: (patch) => this.set(patch) })}
+          <parity-list .report=${report} .groups=${this.groups} .scales=${this.scales} .state=${this.state} .open=${open} .compact=${open !== null}></parity-list>
         </section>
         ${
           open
             ? html`<parity-item
                 .page=${this.page}
+                .scales=${this.scales}
                 .row=${open}
                 .state=${this.state}
                 .place=${`${rows.indexOf(open) + 1} of ${rows.length}`}

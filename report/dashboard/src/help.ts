@@ -42,7 +42,11 @@ export const kHelp = {
   showTerm: "Shows only one term of the light, for both paths. The colour is the sum of all terms.",
   showTruth: "Also shows the ground truth. If two pictures share a pane, the truth replaces the reference path.",
   dimOthers: "Darkens all other materials.",
-  magma: "Black: identical. Bright yellow: largest difference. Grey: below the threshold.",
+  magma: "Black: identical. Bright yellow: the end of the range and all above it. Grey: below the threshold. The automatic range holds 99.5 % of the pixels that are looked at; the fixed range is 0 to 1, as in the report's pictures.",
+  differenceLegend: "Difference of the displayed values, test path minus reference path, in steps of 255. Grey: equal. Brighter than grey: the test path is brighter. Each colour channel counts by itself, so a red pixel means more red.",
+  falseColor: "Shows the luminance of the unclipped values in colours that stand for EV steps. 0 EV is middle grey, 18 % of white after exposure. +1 EV is twice the light, −1 EV is half of it. White is at +2.5 EV. Below −6 EV: black. Above +6 EV: white.",
+  autoRange: "On: the range of a map holds 99.5 % of the pixels that are looked at. Off: FLIP from 0 to 1, and differences enlarged by the gain, so that maps of different items compare. The legend says the range.",
+  change: "Change of mean FLIP since the baseline. Above 0 the paths are further apart than then.",
 } as const;
 export type Topic = keyof typeof kHelp;
 

@@ -2,7 +2,9 @@
 import "./style/tokens.css";
 import "./style/base.css";
 import "./style/frame.css";
+import "./style/filters.css";
 import "./style/list.css";
+import "./style/row.css";
 import "./style/beside.css";
 import "./style/item.css";
 import "./style/study.css";

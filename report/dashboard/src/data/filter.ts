@@ -5,13 +5,14 @@ import type { List, State } from "./state";
 export interface Filter {
   list: List;
   query: string;
-  verdicts: readonly string[]; // "new" too; empty: all
+  verdicts: readonly string[]; // empty: all
+  changes: readonly string[]; // since the baseline; empty: all
   term: string;
   preset: string;
 }
 
 export function filterOf(state: State): Filter {
-  return { list: state.list, query: state.query, verdicts: state.verdicts, term: state.causedBy, preset: state.preset };
+  return { list: state.list, query: state.query, verdicts: state.verdicts, changes: state.changes, term: state.causedBy, preset: state.preset };
 }
 
 /** Scenes that failed are in both lists. */
@@ -22,8 +23,8 @@ export function isListed(row: Row, list: List): boolean {
 /** Every word of the query has to be in the row's text. */
 export function matches(row: Row, filter: Filter): boolean {
   if (!isListed(row, filter.list)) return false;
-  if (filter.verdicts.length > 0 && !filter.verdicts.includes(row.verdict) && !(filter.verdicts.includes("new") && row.isNew))
-    return false;
+  if (filter.verdicts.length > 0 && !filter.verdicts.includes(row.verdict)) return false;
+  if (filter.changes.length > 0 && !row.changes.some((change) => filter.changes.includes(change))) return false;
   if (filter.term !== "" && row.cause?.term !== filter.term) return false;
   if (filter.preset !== "" && row.preset !== filter.preset) return false;
   return filter.query.toLowerCase().split(/\s+/).every((word) => row.text.includes(word));
@@ -34,7 +35,7 @@ export function sortValue(row: Row, key: string): number | string | null {
   switch (key) {
     case "gravity": return row.gravity;
     case "name": return row.name.toLowerCase();
-    case "place": return row.place.toLowerCase();
+    case "place": return `${row.link.scene} ${row.link.view}`.toLowerCase();
     case "pixels": return row.pixels;
     case "cause": return row.cause ? row.cause.before - row.cause.after : null;
     case "change": return row.change;
@@ -67,12 +68,9 @@ export function sortRows(rows: readonly Row[], key: string, ascending: boolean):
   return keyed.map((each) => each.row);
 }
 
-/** How many rows have each verdict, and how many are new. */
+/** How many rows have each verdict. */
 export function countRows(rows: readonly Row[]): Record<string, number> {
   const counts: Record<string, number> = {};
-  for (const row of rows) {
-    counts[row.verdict] = (counts[row.verdict] ?? 0) + 1;
-    if (row.isNew) counts["new"] = (counts["new"] ?? 0) + 1;
-  }
+  for (const row of rows) counts[row.verdict] = (counts[row.verdict] ?? 0) + 1;
   return counts;
 }

@@ -1,4 +1,5 @@
 // The report as a flat list: a row for each material in each view, for each whole image, for each scene that failed.
+import { changesOf, flipChangeOf, type ChangeKind } from "./changes";
 import type { Judged } from "./judged";
 import type { Item } from "./state";
 import type { Attribution, Check, Material, Report, Scene, Verdict, View } from "./types";
@@ -12,8 +13,8 @@ export interface Row {
   material: number;
   link: Item; // the same by name: what a link says
   order: number; // in the report
-  name: string; // of the material, or what the row is
-  place: string; // scene and view
+  name: string; // of the material, the scene and view, or the scene
+  place: string; // scene and view of a material; else what the row is
   reference: string; // paths, by name; "" where none was rendered
   test: string;
   verdict: Verdict;
@@ -25,7 +26,8 @@ export interface Row {
   cause: Cause | null;
   preset: string; // of budgets
   notModelled: readonly string[]; // parts of the material that no path models: only its base layer is judged
-  isNew: boolean;
+  isAttributed: boolean; // the report looked for its cause
+  changes: readonly ChangeKind[]; // since the baseline
   change: number | null; // of mean FLIP since the baseline
   text: string; // what a search looks at, in lower case
 }
@@ -67,10 +69,6 @@ export function checkOf(row: Row, metric: string): Check | null {
   return row.judged?.checks.find((check) => check.metric === metric && !check.regress) ?? null;
 }
 
-function changeOf({ baseline }: Judged): number | null {
-  return !baseline || baseline.new ? null : (baseline.changes["flip.mean"] ?? null);
-}
-
 /** "base layer only: no path models clearcoat, sheen"; "" where all is modelled. */
 export function baseLayerText(notModelled: readonly string[]): string {
   return notModelled.length === 0 ? "" : `base layer only: no path models ${notModelled.join(", ")}`;
@@ -81,7 +79,7 @@ type Judgement = Omit<Row, "scene" | "view" | "material" | "link" | "order">;
 function judgedRow(kind: Kind, scene: Scene, view: View, judged: Judged, name: string): Judgement {
   const { attribution, notModelled = [] } = judged as Partial<Material>;
   const cause = causeOf(attribution);
-  const place = kind === "whole" ? scene.name : `${scene.name} · ${view.name}`;
+  const place = kind === "whole" ? `whole view, ${view.width} × ${view.height} pixels` : `${scene.name} · ${view.name}`;
   return {
     kind,
     name,
@@ -97,8 +95,9 @@ function judgedRow(kind: Kind, scene: Scene, view: View, judged: Judged, name: s
     cause,
     preset: judged.budget.preset ?? "",
     notModelled,
-    isNew: judged.baseline?.new ?? false,
-    change: changeOf(judged),
+    isAttributed: attribution !== undefined,
+    changes: changesOf(judged),
+    change: flipChangeOf(judged),
     text: `${name} ${place} ${judged.reason} ${cause?.term ?? ""} ${baseLayerText(notModelled)}`.toLowerCase(),
   };
 }
@@ -126,7 +125,7 @@ export function makeRows(report: Report): Row[] {
       rows.push({
         kind: "scene", scene: s, view: -1, material: -1, link, order: rows.length, name: scene.name, place: scene.source, reference: "", test: "",
         verdict: "error", gravity: gravityOf("error"), reason: scene.error.message, bias: "", pixels: 0,
-        judged: null, cause: null, preset: "", notModelled: [], isNew: false, change: null,
+        judged: null, cause: null, preset: "", notModelled: [], isAttributed: false, changes: [], change: null,
         text: `${scene.name} ${scene.source} ${scene.error.message}`.toLowerCase(),
       });
     scene.views.forEach((view, v) => {
@@ -136,7 +135,7 @@ export function makeRows(report: Report): Row[] {
         if (material.seenElsewhere) return;
         rows.push({ scene: s, view: v, material: m, link: { ...ofView, material: materialLinks[m] ?? "" }, order: rows.length, ...judgedRow("material", scene, view, material, material.name) });
       });
-      rows.push({ scene: s, view: v, material: -1, link: ofView, order: rows.length, ...judgedRow("whole", scene, view, view.whole, view.name) });
+      rows.push({ scene: s, view: v, material: -1, link: ofView, order: rows.length, ...judgedRow("whole", scene, view, view.whole, `${scene.name} · ${view.name}`) });
     });
   });
   return rows;

@@ -5,6 +5,8 @@ export type Mode = (typeof kModes)[number];
 export const kTabs = ["compare", "terms", "numbers"] as const;
 export const kLists = ["materials", "views"] as const;
 export type List = (typeof kLists)[number];
+export const kGroupings = ["none", "material", "scene", "cause"] as const;
+export type Grouping = (typeof kGroupings)[number];
 export type Tab = (typeof kTabs)[number];
 
 /** The comparison view's part of the state. */
@@ -12,7 +14,8 @@ export interface ViewerState {
   mode: Mode;
   exposure: number; // EV, on top of the scene's; 0: the pictures as the report judged them
   threshold: number; // FLIP below it is shown as alike; 0: all of the map
-  gain: number; // of the difference
+  autoRange: boolean; // of FLIP and difference maps: what their pixels need; else all of FLIP, and the gain
+  gain: number; // of the difference, where its range is fixed
   split: number; // of the slider, 0..1 of the pane's width
   opacity: number; // of mobile in the onion skin, 0..1
   zoom: number; // 1: the picture fits its pane
@@ -21,6 +24,7 @@ export interface ViewerState {
   pixelX: number; // inspected pixel; -1: none
   pixelY: number;
   term: string; // "": the colour; else the term whose images are shown
+  falseColor: boolean; // luminance in place of colours
   showTruth: boolean;
   dimOthers: boolean; // all but the chosen material
 }
@@ -37,8 +41,11 @@ export interface State extends ViewerState, Item {
   list: List;
   query: string;
   verdicts: string[]; // shown; empty: all
+  changes: string[]; // shown since the baseline; empty: all
   causedBy: string; // the overview's filter: only rows that this term explains; "": all
   preset: string; // "": all
+  group: Grouping;
+  folded: boolean; // groups show their heads alone
   sort: string; // "gravity", "name", "order", or a column's figure: "flip.mean"
   ascending: boolean;
 }
@@ -47,6 +54,7 @@ export const kDefaultState: Readonly<State> = {
   mode: "side",
   exposure: 0,
   threshold: 0,
+  autoRange: true,
   gain: 4,
   split: 0.5,
   opacity: 0.5,
@@ -56,6 +64,7 @@ export const kDefaultState: Readonly<State> = {
   pixelX: -1,
   pixelY: -1,
   term: "",
+  falseColor: false,
   showTruth: false,
   dimOthers: true,
   scene: "",
@@ -65,8 +74,11 @@ export const kDefaultState: Readonly<State> = {
   list: "materials",
   query: "",
   verdicts: [],
+  changes: [],
   causedBy: "",
   preset: "",
+  group: "none",
+  folded: false,
   sort: "gravity",
   ascending: false,
 };
@@ -84,6 +96,8 @@ const kBounds: Partial<Record<keyof State, Bounds>> = {
   pixelX: [-1, 65535],
   pixelY: [-1, 65535],
 };
+/** Keys whose value is one of these words. */
+const kWords: Partial<Record<keyof State, readonly string[]>> = { mode: kModes, list: kLists, tab: kTabs, group: kGroupings };
 const kWhole = new Set<keyof State>(["pixelX", "pixelY"]);
 
 /** What an item shows when it is opened: how it is compared stays, where one looked and what was pointed at does not. */
@@ -114,7 +128,7 @@ export function toHash(state: State): string {
 /** What the hash does not say, or says wrongly, is as by default. */
 export function fromHash(hash: string): State {
   const parameters = new URLSearchParams(hash.replace(/^#/, ""));
-  const state: State = { ...kDefaultState, verdicts: [] };
+  const state: State = { ...kDefaultState, verdicts: [], changes: [] };
   const target = state as unknown as Record<string, unknown>;
   for (const key of Object.keys(kDefaultState) as (keyof State)[]) {
     const text = parameters.get(key);
@@ -127,13 +141,7 @@ export function fromHash(hash: string): State {
       const [least, most] = kBounds[key] ?? [-Infinity, Infinity];
       if (Number.isFinite(value) && value >= least && value <= most && (!kWhole.has(key) || Number.isInteger(value)))
         target[key] = value;
-    } else if (key === "mode") {
-      if ((kModes as readonly string[]).includes(text)) target[key] = text;
-    } else if (key === "list") {
-      if ((kLists as readonly string[]).includes(text)) target[key] = text;
-    } else if (key === "tab") {
-      if ((kTabs as readonly string[]).includes(text)) target[key] = text;
-    } else target[key] = text;
+    } else if (kWords[key]?.includes(text) ?? true) target[key] = text;
   }
   return state;
 }

@@ -17,7 +17,13 @@ export function limitsOf(check: Check, report: Report): string {
   return [limit("warns", check.warn), limit("fails", check.fail)].filter((each) => each !== "").join(", ");
 }
 
-export function checkTable(judged: Judged, report: Report): TemplateResult {
+/** What a full bar means: the scale of the list where it has one, else a quarter more than the limit. */
+function scaleOf(check: Check, scales: Readonly<Record<string, number>>): number {
+  const scale = check.regress ? undefined : scales[check.metric];
+  return scale ?? Math.max(Math.abs(check.value ?? 0), 1.25 * (check.fail ?? check.warn ?? 0));
+}
+
+export function checkTable(judged: Judged, report: Report, scales: Readonly<Record<string, number>>): TemplateResult {
   const { budget } = judged;
   if (judged.checks.length === 0) return html`<p class="aside">No budget was checked.</p>`;
   return html`<section class="checks">
@@ -30,7 +36,7 @@ export function checkTable(judged: Judged, report: Report): TemplateResult {
         return html`<tr>
           <th scope="row">${statistic?.label ?? check.metric}${check.regress ? ", against the baseline" : ""}</th>
           <td class="number">${value}</td>
-          <td class="limits">${check.value === null || statistic?.better === "higher" ? nothing : bar(Math.max(0, check.regress ? check.value : Math.abs(check.value)), check)}<small>${limitsOf(check, report)}${check.note === "" ? nothing : html` (${check.note})`}</small></td>
+          <td class="limits">${check.value === null || statistic?.better === "higher" ? nothing : bar(Math.max(0, check.regress ? check.value : Math.abs(check.value)), check, scaleOf(check, scales))}<small>${limitsOf(check, report)}${check.note === "" ? nothing : html` (${check.note})`}</small></td>
           <td>${badge(check.verdict)}</td></tr>`;
       })}</tbody></table></div>
     ${judged.verdict === "too small" ? html`<p class="aside">The material has fewer than ${budget.minPixels} pixels (<code>min_pixels</code> of its budget), so no check counts.</p>` : nothing}

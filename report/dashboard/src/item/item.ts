@@ -1,16 +1,17 @@
 // One row opened: what was decided and why, and three tabs of evidence.
-import { html, nothing, type TemplateResult } from "lit";
+import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 
 import type { Page } from "../data/page";
 import { clippingText } from "../data/clipping";
 import { pathWord } from "../data/paths";
 import type { Row } from "../data/rows";
-import { kTabs, type State, type Tab } from "../data/state";
+import { isSameItem, kTabs, type State, type Tab } from "../data/state";
 import type { Material } from "../data/types";
 import { PageElement } from "../element";
 import { count, figure, figureIn } from "../format";
 import { help } from "../help";
+import { kPhone, Media } from "../media";
 import { badge, baseLayerBadge } from "../parts";
 import { termLabel } from "../viewer/terms";
 import "../viewer/viewer";
@@ -27,8 +28,19 @@ export class ParityItem extends PageElement {
   @property({ attribute: false }) page!: Page;
   @property({ attribute: false }) row!: Row;
   @property({ attribute: false }) state!: State;
+  @property({ attribute: false }) scales: Readonly<Record<string, number>> = {}; // of bars, by figure
   @property() place = "";
   @query("parity-viewer") private viewer!: ParityViewer | null;
+  @query("#panel") private panel!: HTMLElement | null;
+  private readonly phone = new Media(this, kPhone);
+
+  /** Another item, or another tab, is read from its top. */
+  protected override updated(changed: PropertyValues<this>): void {
+    const row = changed.get("row");
+    const before = changed.get("state") as State | undefined;
+    const isOther = (row && !isSameItem(row.link, this.row.link)) || (before && before.tab !== this.state.tab);
+    if (isOther) this.panel?.scrollTo(0, 0);
+  }
 
   /** Whether the comparison view took the key. */
   handleKey(event: KeyboardEvent): boolean {
@@ -47,17 +59,18 @@ export class ParityItem extends PageElement {
     const { row, state } = this;
     const scene = this.page.report.scenes[row.scene];
     const step = (by: number) => (): boolean => this.dispatchEvent(new CustomEvent("parity-step", { detail: by }));
+    const name = row.name === "" ? "(no name)" : row.name;
     return html`<article class="item" aria-labelledby="item-title">
-      <nav class="item-nav" aria-label="Items">
-        <button type="button" @click=${() => this.dispatchEvent(new CustomEvent("parity-close"))} title="Esc">← Overview</button>
-        <span class="place">${this.place}</span>
-        <button type="button" @click=${step(-1)} title="Key ↑" aria-label="Previous item">↑</button>
-        <button type="button" @click=${step(1)} title="Key ↓" aria-label="Next item">↓</button>
-      </nav>
       <header class="item-head">
-        <h2 id="item-title" tabindex="-1">${badge(row.verdict)} ${baseLayerBadge(row.notModelled)} <bdi>${row.name === "" ? "(no name)" : row.name}</bdi></h2>
+        <nav class="item-nav" aria-label="Items">
+          <button type="button" @click=${() => this.dispatchEvent(new CustomEvent("parity-close"))} title="Esc">← Overview</button>
+          <span class="place">${this.place}</span>
+          <button type="button" @click=${step(-1)} title="Key ↑" aria-label="Previous item">↑</button>
+          <button type="button" @click=${step(1)} title="Key ↓" aria-label="Next item">↓</button>
+        </nav>
+        <h2 id="item-title" tabindex="-1" title=${name.slice(0, 400)}>${badge(row.verdict)} ${baseLayerBadge(row.notModelled)} <bdi>${name}</bdi></h2>
         <p class="place"><bdi>${row.place}</bdi>${scene ? html` · <bdi>${scene.environment}</bdi>${scene.sun === "none" ? nothing : html` · sun <bdi>${scene.sun}</bdi>`}` : nothing}</p>
-        ${row.reason === "" ? nothing : html`<p class="reason">${row.reason}</p>`}
+        ${row.reason === "" ? nothing : html`<p class="reason" title=${row.reason}>${row.reason}</p>`}
       </header>
       ${row.judged ? this.renderTabs(state.tab) : html`<p class="notice error" role="alert"><b>Not compared:</b> ${row.reason}</p>`}
     </article>`;
@@ -78,32 +91,39 @@ export class ParityItem extends PageElement {
         ${kTabs.map((each) => html`<button type="button" role="tab" id="tab-${each}" aria-controls="panel" aria-selected=${each === tab ? "true" : "false"}
           tabindex=${each === tab ? 0 : -1} @click=${() => this.set({ tab: each })}>${kTabNames[each]}</button>`)}
       </div>
-      <div role="tabpanel" id="panel" aria-labelledby="tab-${tab}">${tab === "compare" ? this.renderCompare() : tab === "terms" ? this.renderTerms() : this.renderNumbers()}</div>
+      <div role="tabpanel" id="panel" class="item-panel" aria-labelledby="tab-${tab}">${tab === "compare" ? this.renderCompare() : tab === "terms" ? this.renderTerms() : this.renderNumbers()}</div>
     `;
   }
 
   private renderCompare(): TemplateResult {
     const { report } = this.page;
     const { row } = this;
+    const notes = row.kind === "material" ? (row.judged as Material).notes : [];
+    const isPhone = this.phone.matches; // there the pictures come first
+    return html`
+      <parity-viewer .report=${report} .scene=${row.scene} .view=${row.view} .material=${row.material} .state=${this.state} .lead=${isPhone ? nothing : this.renderFacts()}></parity-viewer>
+      ${isPhone ? this.renderFacts() : nothing}
+      ${row.judged ? checkTable(row.judged, report, this.scales) : nothing}
+      ${notes.length > 0 ? html`<ul class="notes">${notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
+    `;
+  }
+
+  private renderFacts(): TemplateResult {
+    const { report } = this.page;
+    const { row } = this;
     const figures = row.judged?.figures ?? null;
     const value = (name: string): string => figureIn(figures, name, report.statistics);
     const clipped = clippingText(figures);
-    const notes = row.kind === "material" ? (row.judged as Material).notes : [];
-    return html`
-      <p class="facts">
-        <b>${row.bias === "" ? "No pixel of this view shows it." : row.bias}</b>${row.bias === "" ? nothing : help("bias")}
-        ${figures
-          ? html`<span>FLIP${help(row.kind === "material" ? "materialFlip" : "wholeFlip")} mean ${value("flip.mean")}${help("mean")}, p95 ${value("flip.p95")}${help("p95")}, max ${value("flip.max")}${help("max")} over ${count(row.pixels)} pixel${row.pixels === 1 ? "" : "s"}${help("pixels")}</span>`
-          : nothing}
-        ${clipped === "" ? nothing : html`<span class="caution">Clipped in both pictures: <b>${clipped}</b>${help("clipping")}</span>`}
-        ${row.notModelled.length === 0 ? nothing : html`<span class="caution">No path models these parts: <b><bdi>${row.notModelled.join(", ")}</bdi></b>${help("baseLayer")}</span>`}
-        ${row.cause ? html`<span>Cause: <b>${row.cause.term}</b> (${termLabel(row.cause.term)}), FLIP ${figure(row.cause.before, report.statistics["flip.mean"])} → ${figure(row.cause.after, report.statistics["flip.mean"])} with the ${pathWord(row.reference)} term${help("worstTerm")}</span>` : nothing}
-        ${this.renderDropped()}
-      </p>
-      <parity-viewer .report=${report} .scene=${row.scene} .view=${row.view} .material=${row.material} .state=${this.state}></parity-viewer>
-      ${row.judged ? checkTable(row.judged, report) : nothing}
-      ${notes.length > 0 ? html`<ul class="notes">${notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
-    `;
+    return html`<p class="facts">
+      <b>${row.bias === "" ? "No pixel of this view shows it." : row.bias}</b>${row.bias === "" ? nothing : help("bias")}
+      ${figures
+        ? html`<span>FLIP${help(row.kind === "material" ? "materialFlip" : "wholeFlip")} mean ${value("flip.mean")}${help("mean")}, p95 ${value("flip.p95")}${help("p95")}, max ${value("flip.max")}${help("max")} over ${count(row.pixels)} pixel${row.pixels === 1 ? "" : "s"}${help("pixels")}</span>`
+        : nothing}
+      ${clipped === "" ? nothing : html`<span class="caution">Clipped in both pictures: <b>${clipped}</b>${help("clipping")}</span>`}
+      ${row.notModelled.length === 0 ? nothing : html`<span class="caution">No path models these parts: <b><bdi>${row.notModelled.join(", ")}</bdi></b>${help("baseLayer")}</span>`}
+      ${row.cause ? html`<span>Cause: <b>${row.cause.term}</b> (${termLabel(row.cause.term)}), FLIP ${figure(row.cause.before, report.statistics["flip.mean"])} → ${figure(row.cause.after, report.statistics["flip.mean"])} with the ${pathWord(row.reference)} term${help("worstTerm")}</span>` : nothing}
+      ${this.renderDropped()}
+    </p>`;
   }
 
   /** One light's effect in a line; all of them stand by the terms. */

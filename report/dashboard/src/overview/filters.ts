@@ -1,13 +1,17 @@
-// What narrows the list down: words, verdicts, budgets' presets, terms.
+// What narrows the list down and orders it: words, verdicts, changes, budgets' presets, terms, groups.
 import { html, nothing, type TemplateResult } from "lit";
 
+import { countChanges, kChanges, type ChangeKind } from "../data/changes";
 import { countRows, isListed, sortsUpAtFirst } from "../data/filter";
+import { groupingsOf } from "../data/groups";
 import type { Row } from "../data/rows";
-import type { List, State } from "../data/state";
+import type { Grouping, List, State } from "../data/state";
 import type { Report } from "../data/types";
 import { count } from "../format";
+import { termLabel } from "../viewer/terms";
+import { hasBaseline } from "./since";
 
-/** In the order of the keys 1 to 9; "": all. */
+/** In the order of the keys 1 to 8; "": all. */
 export const kCategories = [
   { verdict: "", label: "All" },
   { verdict: "fail", label: "Failed" },
@@ -17,8 +21,12 @@ export const kCategories = [
   { verdict: "too small", label: "Too small" },
   { verdict: "not seen", label: "Not seen" },
   { verdict: "pass", label: "Passed" },
-  { verdict: "new", label: "New" },
 ] as const;
+
+const kChangeNames: Readonly<Record<ChangeKind, string>> = {
+  new: "New failures", fixed: "Fixed", worse: "Worse", better: "Better", added: "Not in the baseline", "not comparable": "Not comparable",
+};
+const kGroupNames: Readonly<Record<Grouping, string>> = { none: "nothing", material: "material", scene: "scene", cause: "cause" };
 
 function select(
   label: string,
@@ -48,49 +56,98 @@ const kSorts: readonly (readonly [string, string])[] = [
 
 /** Every number of the rows, by the names that the report gives its figures. */
 export function sortsOf(report: Report): (readonly [string, string])[] {
-  const usual = kSorts.filter(([key]) => key !== "change" || report.baseline);
+  const usual = kSorts.filter(([key]) => key !== "change" || hasBaseline(report));
   const others = Object.entries(report.statistics).filter(([key]) => !kSorts.some(([each]) => each === key));
   return [...usual, ...others.map(([key, { label }]) => [key, label] as const)];
 }
 
-export function filters(report: Report, rows: readonly Row[], shown: number, state: State, set: (patch: Partial<State>) => void): TemplateResult {
-  const listed = rows.filter((row) => isListed(row, state.list));
+/** Whether a value is in a list, and what the list is with it taken out or put in. */
+function toggled(values: readonly string[], value: string): string[] {
+  return values.includes(value) ? values.filter((each) => each !== value) : [...values, value];
+}
+
+function verdictChips(listed: readonly Row[], state: State, set: (patch: Partial<State>) => void): TemplateResult {
   const counts = countRows(listed);
+  return html`<div class="chips" role="group" aria-label="Verdicts">
+    ${kCategories.map(({ verdict, label }, index) => {
+      const all = verdict === "";
+      const number = all ? listed.length : (counts[verdict] ?? 0);
+      if (!all && number === 0) return nothing;
+      const pressed = all ? state.verdicts.length === 0 : state.verdicts.includes(verdict);
+      return html`<button type="button" class="chip ${verdict.replace(" ", "-")}" aria-pressed=${pressed ? "true" : "false"}
+        title=${`Key ${index + 1}`} @click=${() => set({ verdicts: all ? [] : toggled(state.verdicts, verdict) })}>${label} <b>${count(number)}</b></button>`;
+    })}
+  </div>`;
+}
+
+function changeChips(listed: readonly Row[], state: State, set: (patch: Partial<State>) => void): TemplateResult {
+  const counts = countChanges(listed);
+  return html`<div class="chips changes" role="group" aria-label="Since the baseline"><span class="chips-name" aria-hidden="true">Since the baseline</span>
+    ${kChanges.map((change) => {
+      const pressed = state.changes.includes(change);
+      if (counts[change] === 0 && !pressed) return nothing;
+      return html`<button type="button" class="chip ${change.replace(" ", "-")}" aria-pressed=${pressed ? "true" : "false"}
+        @click=${() => set({ changes: toggled(state.changes, change) })}>${kChangeNames[change]} <b>${count(counts[change])}</b></button>`;
+    })}
+  </div>`;
+}
+
+function groupChoice(state: State, set: (patch: Partial<State>) => void): TemplateResult {
+  const groupings = groupingsOf(state.list);
+  const shown = groupings.includes(state.group) ? state.group : "none";
+  return html`<label class="select">Group by
+      <select class="grouping" @change=${(event: Event) => set({ group: (event.target as HTMLSelectElement).value as Grouping })}>
+        ${groupings.map((each) => html`<option value=${each} ?selected=${each === shown}>${kGroupNames[each]}</option>`)}
+      </select></label>
+    ${shown === "none" ? nothing : html`<button type="button" class="fold-all" @click=${() => set({ folded: !state.folded })}>${state.folded ? "Show all rows" : "Totals only"}</button>`}`;
+}
+
+function sortChoice(report: Report, state: State, set: (patch: Partial<State>) => void): TemplateResult {
+  return html`<label class="select">Sort
+    <select @change=${(event: Event) => {
+      const sort = (event.target as HTMLSelectElement).value;
+      set({ sort, ascending: sortsUpAtFirst(sort) });
+    }}>
+      ${sortsOf(report).map(([key, label]) => html`<option value=${key} ?selected=${key === state.sort}>${label}</option>`)}
+    </select></label>`;
+}
+
+export interface FilterScene {
+  report: Report;
+  rows: readonly Row[]; // all
+  shown: number;
+  state: State;
+  isPhone: boolean; // all but the search folds away
+  set: (patch: Partial<State>) => void;
+}
+
+export function filters({ report, rows, shown, state, isPhone, set }: FilterScene): TemplateResult {
+  const listed = rows.filter((row) => isListed(row, state.list));
   const list = (each: List, label: string): TemplateResult => {
     const of = rows.filter((row) => isListed(row, each));
     const over = of.filter((row) => row.verdict === "fail" || row.verdict === "error").length;
     return html`<button type="button" aria-pressed=${state.list === each ? "true" : "false"} @click=${() => set({ list: each })}>${label} <b>${count(of.length)}</b>${over > 0 ? html`<span class="over" title="failed or errors">✕ ${count(over)}<span class="sr"> failed or errors</span></span>` : nothing}</button>`;
   };
-  const toggle = (verdict: string): void => {
-    if (verdict === "") return set({ verdicts: [] });
-    const has = state.verdicts.includes(verdict);
-    set({ verdicts: has ? state.verdicts.filter((each) => each !== verdict) : [...state.verdicts, verdict] });
-  };
+  const active = [state.verdicts.length > 0, state.changes.length > 0, state.causedBy !== "", state.preset !== "", state.group !== "none"].filter(Boolean).length;
+  const causes = distinct(listed.map((row) => row.cause?.term ?? ""));
+  const causeName = (term: string): string => `${term}: ${termLabel(term)} (${count(listed.filter((row) => row.cause?.term === term).length)})`;
   return html`<div class="filters" role="search">
     <div class="lists" role="group" aria-label="List">${list("materials", "Materials")}${list("views", "Views")}</div>
     <input
       id="search" type="search" placeholder="Search materials, scenes, reasons" aria-label="Search materials, scenes, reasons"
       .value=${state.query} @input=${(event: Event) => set({ query: (event.target as HTMLInputElement).value })}
     />
-    <div class="chips" role="group" aria-label="Verdicts">
-      ${kCategories.map(({ verdict, label }, index) => {
-        const all = verdict === "";
-        const number = all ? listed.length : (counts[verdict] ?? 0);
-        if (!all && number === 0) return nothing;
-        const pressed = all ? state.verdicts.length === 0 : state.verdicts.includes(verdict);
-        return html`<button type="button" class="chip ${verdict.replace(" ", "-")}" aria-pressed=${pressed ? "true" : "false"}
-          title=${`Key ${index + 1}`} @click=${() => toggle(verdict)}>${label} <b>${count(number)}</b></button>`;
-      })}
-    </div>
-    ${select("Cause", state.causedBy, distinct(listed.map((row) => row.cause?.term ?? "")), (term) => term, (causedBy) => set({ causedBy }))}
-    ${select("Budget", state.preset, distinct(listed.map((row) => row.preset)), (preset) => preset, (preset) => set({ preset }))}
-    <label class="select">Sort
-      <select @change=${(event: Event) => {
-        const sort = (event.target as HTMLSelectElement).value;
-        set({ sort, ascending: sortsUpAtFirst(sort) });
-      }}>
-        ${sortsOf(report).map(([key, label]) => html`<option value=${key} ?selected=${key === state.sort}>${label}</option>`)}
-      </select></label>
     <span class="shown" role="status">${shown === listed.length ? `${count(shown)} rows` : `${count(shown)} of ${count(listed.length)} rows`}</span>
+    <details class="more-filters" ?open=${!isPhone}>
+      <summary>Filter, group, sort${active > 0 ? ` (${active})` : ""}</summary>
+      <div class="filter-line">
+        ${verdictChips(listed, state, set)}
+        ${hasBaseline(report) ? changeChips(listed, state, set) : nothing}
+        ${select("Cause", state.causedBy, causes, causeName, (causedBy) => set({ causedBy }))}
+        ${select("Budget", state.preset, distinct(listed.map((row) => row.preset)), (preset) => preset, (preset) => set({ preset }))}
+        ${groupChoice(state, set)}
+        ${sortChoice(report, state, set)}
+      </div>
+    </details>
   </div>`;
 }

@@ -2,13 +2,16 @@
 import { html, nothing, type TemplateResult } from "lit";
 
 import { isWhole } from "../data/embedded";
+import type { Row } from "../data/rows";
 import type { Report, Run } from "../data/types";
 import { badge, definitions } from "../parts";
 import { themeButton, type Theme } from "../theme";
+import { causesNotice } from "./causes";
+import { sinceBaseline } from "./since";
 
-function warnings(title: string, texts: readonly string[]): TemplateResult | typeof nothing {
+function warnings(title: string, texts: readonly string[], isFolded = false): TemplateResult | typeof nothing {
   if (texts.length === 0) return nothing;
-  return html`<details class="notice" ?open=${texts.length <= 3}>
+  return html`<details class="notice" ?open=${texts.length <= 3 && !isFolded}>
     <summary>${title} (${texts.length})</summary>
     <ul>${texts.map((text) => html`<li><bdi>${text}</bdi></li>`)}</ul>
   </details>`;
@@ -29,9 +32,21 @@ function baselineNotice(report: Report): TemplateResult | typeof nothing {
   `;
 }
 
-/** brief: beside an open item, without what concerns the whole run. */
-export function header(report: Report, run: Run | null, brief: boolean, theme: Theme, openKeys: () => void): TemplateResult {
-  return html`<header class="page-head ${report.verdict.replace(" ", "-")}">
+export interface HeaderScene {
+  report: Report;
+  run: Run | null;
+  rows: readonly Row[];
+  isBrief: boolean; // beside an open item: without what concerns the whole run
+  isPhone: boolean; // what is long is folded
+  lost: string; // what a link names, but this report does not have; "": nothing
+  theme: Theme;
+  openKeys: () => void;
+}
+
+export function header(scene: HeaderScene): TemplateResult {
+  const { report, run, isBrief, theme, openKeys } = scene;
+  const when = run && run.startedAt !== "" ? html` · <time datetime=${run.startedAt}>${run.startedAt.replace("T", " ").replace("Z", " UTC")}</time>` : nothing;
+  return html`<header class="page-head ${report.verdict.replace(" ", "-")} ${isBrief ? "brief" : ""}">
     <div class="head-line">
       <h1>${badge(report.verdict)} <span>${report.headline}</span></h1>
       <div class="head-buttons">
@@ -39,14 +54,16 @@ export function header(report: Report, run: Run | null, brief: boolean, theme: T
         <button type="button" @click=${openKeys} aria-label="Keys, and how to read this page">? keys</button>
       </div>
     </div>
-    <p class="sub">${report.device}${run && run.startedAt !== "" ? html` · <time datetime=${run.startedAt}>${run.startedAt.replace("T", " ").replace("Z", " UTC")}</time>` : nothing} · ${report.tool} ${report.version}${isWhole() ? nothing : html` · <a href="report.json">report.json</a>`}</p>
-    ${brief ? nothing : notices(report)}
+    ${isBrief ? nothing : html`${sinceBaseline(report, scene.rows)}
+      <p class="sub">${report.device}${when} · ${report.tool} ${report.version}${isWhole() ? nothing : html` · <a href="report.json">report.json</a>`}</p>
+      ${notices(scene)}`}
   </header>`;
 }
 
-function notices(report: Report): TemplateResult {
+function notices({ report, rows, isPhone, lost }: HeaderScene): TemplateResult {
   const problems = (report.problems ?? []).map(({ verdict, reason }) => html`<p class="notice error" role="alert"><b>${verdict}:</b> <bdi>${reason}</bdi></p>`);
-  return html`${problems}${baselineNotice(report)}${warnings("Warnings", allWarnings(report))}
+  return html`${lost === "" ? nothing : html`<p class="notice error" role="alert">The link leads to <bdi>${lost}</bdi>, which this report does not have.</p>`}
+    ${problems}${baselineNotice(report)}${causesNotice(report, rows, !isPhone)}${warnings("Warnings", allWarnings(report), isPhone)}
     <details class="notice quiet">
       <summary>Settings</summary>
       ${definitions([

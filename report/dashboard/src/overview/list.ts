@@ -4,44 +4,35 @@ import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { createRef, ref } from "lit/directives/ref.js";
 
-import { sortsUpAtFirst } from "../data/filter";
+import { entriesOf, type Entry, type Group } from "../data/groups";
 import type { Row } from "../data/rows";
 import { isSameItem, openItem, toHash, type Item, type State } from "../data/state";
 import type { Report } from "../data/types";
 import { PageElement } from "../element";
-import { help, type Topic } from "../help";
-import { compactRow, fullRow } from "./row";
+import { kPhone, Media } from "../media";
+import { groupHead } from "./group";
+import { listHead, listNote } from "./head";
+import { compactRow, fullRow, type RowScene } from "./row";
+import { hasBaseline } from "./since";
 
-interface Column {
-  key: string;
-  label: string;
-  topic?: Topic;
-}
-
-const kColumns: readonly Column[] = [
-  { key: "gravity", label: "Verdict" },
-  { key: "name", label: "Material" },
-  { key: "flip.mean", label: "Mean FLIP", topic: "mean" },
-  { key: "flip.p95", label: "p95", topic: "p95" },
-  { key: "flip.max", label: "Max", topic: "max" },
-  { key: "bias", label: "Bias", topic: "bias" },
-  { key: "cause", label: "Cause", topic: "worstTerm" },
-  { key: "pixels", label: "Pixels", topic: "pixels" },
-];
 const kPrintedRows = 500;
 
-/** Heights that style/list.css gives the rows, in px. */
-const kRowHeight = { wide: 76, narrow: 132, compact: 58 } as const;
+/** Heights that style/list.css gives the lines, in px. */
+const kRowHeight = { wide: 84, narrow: 152, compact: 58 } as const;
+const kGroupHeight = { wide: 40, narrow: 84, compact: 52 } as const;
 
 @customElement("parity-list")
 export class ParityList extends PageElement {
   @property({ attribute: false }) report!: Report;
-  @property({ attribute: false }) rows: readonly Row[] = []; // as sorted and filtered
+  @property({ attribute: false }) groups: readonly Group[] = []; // as sorted and filtered
+  @property({ attribute: false }) scales: Readonly<Record<string, number>> = {}; // of bars, by figure
   @property({ attribute: false }) state!: State;
+  @property({ attribute: false }) open: Row | null = null;
   @property({ type: Boolean }) compact = false;
-  @state() private printing = false;
-  @state() private narrow = false;
+  @state() private toggled: ReadonlySet<string> = new Set(); // groups that are not as state.folded says
 
+  private entries: readonly Entry[] = [];
+  private starts: readonly number[] = []; // of the entries, in px; one more for the end
   private readonly scroller = createRef<HTMLElement>();
   private readonly virtualizer = new VirtualizerController<HTMLElement, HTMLElement>(this, {
     getScrollElement: () => this.scroller.value ?? null,
@@ -49,113 +40,140 @@ export class ParityList extends PageElement {
     estimateSize: () => kRowHeight.wide,
     overscan: 6,
   });
-  private readonly narrowQuery = window.matchMedia("(max-width: 760px)");
-  private readonly printQuery = window.matchMedia("print");
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.narrow = this.narrowQuery.matches;
-    this.narrowQuery.addEventListener("change", this.onMedia);
-    this.printQuery.addEventListener("change", this.onMedia);
-  }
+  private readonly phone = new Media(this, kPhone);
+  private readonly print = new Media(this, "print", () => {
+    this.requestUpdate();
+    if (this.print.matches) this.performUpdate(); // the browser prints what is there now
+  });
+  private readonly resizing = new ResizeObserver(() => this.keepInSight());
+  private observed: HTMLElement | null = null;
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.narrowQuery.removeEventListener("change", this.onMedia);
-    this.printQuery.removeEventListener("change", this.onMedia);
+    this.resizing.disconnect();
+    this.observed = null;
   }
 
-  private readonly onMedia = (): void => {
-    this.narrow = this.narrowQuery.matches;
-    this.printing = this.printQuery.matches;
-    if (this.printing) this.performUpdate(); // the browser prints what is there now
-  };
-
-  private get rowHeight(): number {
-    if (this.compact) return kRowHeight.compact;
-    return this.narrow ? kRowHeight.narrow : kRowHeight.wide;
+  private heightOf(entry: Entry | undefined): number {
+    const heights = entry?.kind === "group" ? kGroupHeight : kRowHeight;
+    if (this.compact) return heights.compact;
+    return this.phone.matches ? heights.narrow : heights.wide;
   }
 
   protected override willUpdate(changed: PropertyValues): void {
+    const before = changed.get("state") as State | undefined;
+    if (before && (before.folded !== this.state.folded || before.group !== this.state.group)) this.toggled = new Set();
+    this.entries = entriesOf(this.groups, (key) => this.state.folded !== this.toggled.has(key), this.open);
+    const starts = [0];
+    for (const entry of this.entries) starts.push((starts.at(-1) ?? 0) + this.heightOf(entry));
+    const isOther = starts.length !== this.starts.length || starts.some((start, i) => start !== this.starts[i]);
+    this.starts = starts;
+    if (!isOther) return;
     const virtualizer = this.virtualizer.getVirtualizer();
-    const height = this.rowHeight;
-    const resized = virtualizer.options.estimateSize(0) !== height;
-    if (changed.has("rows") || resized)
-      virtualizer.setOptions({ ...virtualizer.options, count: this.rows.length, estimateSize: () => height });
-    if (resized) virtualizer.measure();
+    const { entries } = this;
+    virtualizer.setOptions({ ...virtualizer.options, count: entries.length, estimateSize: (i) => this.heightOf(entries[i]) });
+    virtualizer.measure();
+  }
+
+  protected override updated(): void {
+    const scroller = this.scroller.value ?? null;
+    if (scroller === this.observed) return;
+    this.resizing.disconnect();
+    if (scroller) this.resizing.observe(scroller);
+    this.observed = scroller;
+  }
+
+  private indexOf(item: Item): number {
+    return this.entries.findIndex((entry) => entry.kind === "row" && isSameItem(entry.row.link, item));
+  }
+
+  /** The open row stays in sight when the list gets another size. */
+  private keepInSight(): void {
+    if (this.open) this.bringIntoSight(this.indexOf(this.open.link));
+  }
+
+  private bringIntoSight(index: number): void {
+    const scroller = this.scroller.value;
+    if (index < 0 || !scroller) return;
+    const start = this.starts[index] ?? 0;
+    const end = this.starts[index + 1] ?? start;
+    if (start < scroller.scrollTop) scroller.scrollTop = start;
+    else if (end > scroller.scrollTop + scroller.clientHeight) scroller.scrollTop = end - scroller.clientHeight;
   }
 
   /** Brings the row of an item into sight, and its link into focus where that is wanted. */
   async reveal(item: Item, withFocus: boolean): Promise<void> {
-    const index = this.rows.findIndex((row) => isSameItem(row.link, item));
-    if (index < 0) return;
-    this.virtualizer.getVirtualizer().scrollToIndex(index, { align: "auto" });
+    this.bringIntoSight(this.indexOf(item));
+    await new Promise((done) => requestAnimationFrame(done)); // the list may have got another width and height
+    await this.updateComplete;
+    const index = this.indexOf(item);
+    this.bringIntoSight(index);
     if (!withFocus) return;
     await new Promise((done) => requestAnimationFrame(done));
     await this.updateComplete;
     this.querySelector<HTMLElement>(`[aria-rowindex="${index + 2}"] a.name`)?.focus({ preventScroll: true });
   }
 
-  private isOpen(row: Row): boolean {
-    return isSameItem(row.link, this.state);
-  }
-
   private renderNothing(): TemplateResult {
-    const all = toHash({ ...this.state, query: "", verdicts: [], causedBy: "", preset: "" });
+    const all = toHash({ ...this.state, query: "", verdicts: [], changes: [], causedBy: "", preset: "" });
     return html`<p class="nothing">${this.report.scenes.length === 0 ? "Nothing was compared." : html`Nothing matches. <a href=${all === "" ? "#" : all}>Show all</a>`}</p>`;
   }
 
   protected override render(): TemplateResult {
-    if (this.rows.length === 0) return this.renderNothing();
+    if (this.entries.length === 0) return this.renderNothing();
     const virtualizer = this.virtualizer.getVirtualizer();
-    const height = this.rowHeight;
-    const shown = this.printing
-      ? this.rows.slice(0, kPrintedRows).map((_row, index) => ({ index, start: index * height }))
+    const printing = this.print.matches;
+    const shown = printing
+      ? this.entries.slice(0, kPrintedRows).map((_entry, index) => ({ index, start: this.starts[index] ?? 0 }))
       : virtualizer.getVirtualItems();
-    const total = this.printing ? shown.length * height : virtualizer.getTotalSize();
+    const total = this.starts[shown.length > 0 && printing ? shown.length : this.entries.length] ?? 0;
+    const brief = this.compact || this.phone.matches;
     return html`
-      <div class="list ${this.compact ? "compact" : ""}" role="table" aria-label=${this.state.list === "views" ? "Views" : "Materials"} aria-rowcount=${this.rows.length + 1}>
-        ${this.compact ? nothing : this.renderHead()}
+      ${brief ? listNote(this.report, this.scales, this.compact) : nothing}
+      <div class="list ${this.compact ? "compact" : ""} ${hasBaseline(this.report) ? "with-change" : ""}" role="table" aria-label=${this.state.list === "views" ? "Views" : "Materials"} aria-rowcount=${this.entries.length + 1}>
+        ${this.compact ? nothing : listHead(this.report, this.state, this.scales, (patch) => this.set(patch))}
         <div class="list-scroll" role="rowgroup" tabindex="0" ${ref(this.scroller)} aria-label="Rows">
           <div class="list-all" role="presentation" .style=${`height:${total}px`}>
             ${shown.map(({ index, start }) => {
-              const row = this.rows[index];
-              return row ? this.renderRow(row, index, start) : nothing;
+              const entry = this.entries[index];
+              return entry ? this.renderEntry(entry, index, start) : nothing;
             })}
           </div>
         </div>
-        ${this.printing && this.rows.length > kPrintedRows ? html`<p>The first ${kPrintedRows} of ${this.rows.length} rows.</p>` : nothing}
+        ${printing && this.entries.length > kPrintedRows ? html`<p>The first ${kPrintedRows} of ${this.entries.length} rows.</p>` : nothing}
       </div>
     `;
   }
 
-  private renderHead(): TemplateResult {
-    const { sort, ascending } = this.state;
-    return html`<div class="list-head" role="rowgroup"><div class="row-grid" role="row" aria-rowindex="1">
-      <span role="columnheader" class="cell-pictures">Pictures</span>
-      ${kColumns.map(({ key, label, topic }) => {
-        const order = sort !== key ? "none" : ascending ? "ascending" : "descending";
-        return html`<span role="columnheader" class=${"cell-" + key.replace(".", "-")} aria-sort=${order}>
-          <button type="button" class="sort" @click=${() => this.sortBy(key)}>
-            ${key === "name" && this.state.list === "views" ? "View" : label}<span aria-hidden="true" class="arrow">${order === "none" ? "" : ascending ? " ▲" : " ▼"}</span>
-          </button>${topic ? help(topic) : nothing}</span>`;
-      })}</div></div>`;
+  private set(patch: Partial<State>): void {
+    this.dispatchEvent(new CustomEvent("parity-state", { bubbles: true, detail: patch }));
   }
 
-  private sortBy(key: string): void {
-    const ascending = this.state.sort === key ? !this.state.ascending : sortsUpAtFirst(key);
-    this.dispatchEvent(new CustomEvent("parity-state", { bubbles: true, detail: { sort: key, ascending } }));
+  private toggle(key: string): void {
+    const toggled = new Set(this.toggled);
+    if (!toggled.delete(key)) toggled.add(key);
+    this.toggled = toggled;
   }
 
-  private renderRow(row: Row, index: number, start: number): TemplateResult {
-    const open = this.isOpen(row);
+  private renderEntry(entry: Entry, index: number, start: number): TemplateResult {
+    const style = `transform:translateY(${start}px)`;
+    const hashOf = (row: Row): string => toHash(openItem(this.state, row.link));
+    if (entry.kind === "group") {
+      const { group, isFolded } = entry;
+      return html`<div role="row" class="row group" aria-rowindex=${index + 2} .style=${style}>
+        ${groupHead(group, this.state.group, this.report, isFolded, () => this.toggle(group.key), hashOf)}
+      </div>`;
+    }
+    const { row } = entry;
+    const isOpen = row === this.open;
+    const scene: RowScene = { report: this.report, hash: hashOf(row), scales: this.scales, withChange: hasBaseline(this.report) };
     return html`<div
-      class="row-grid row ${row.verdict.replace(" ", "-")} ${open ? "open" : ""}"
       role="row"
+      class="row row-grid ${row.verdict.replace(" ", "-")} ${isOpen ? "open" : ""}"
       aria-rowindex=${index + 2}
-      .style=${`transform:translateY(${start}px)`}
+      .style=${style}
     >
-      ${this.compact ? compactRow(row, this.report, toHash(openItem(this.state, row.link)), open) : fullRow(row, this.report, toHash(openItem(this.state, row.link)))}
+      ${this.compact ? compactRow(row, scene, isOpen) : fullRow(row, scene)}
     </div>`;
   }
 }

@@ -1,13 +1,22 @@
 // What one row of the list shows.
 import { html, nothing, type TemplateResult } from "lit";
 
+import { kLeastChange } from "../data/changes";
 import { imageSource } from "../data/images";
 import { pathTitle } from "../data/paths";
 import { checkOf, figureOf, type Row } from "../data/rows";
+import { barShares } from "../data/scale";
 import type { Check, Images, Report } from "../data/types";
-import { count, figure } from "../format";
+import { change, count, figure } from "../format";
 import { badge, baseLayerBadge } from "../parts";
 import { termLabel } from "../viewer/terms";
+
+export interface RowScene {
+  report: Report;
+  hash: string; // of the link
+  scales: Readonly<Record<string, number>>; // of bars, by figure
+  withChange: boolean; // there is a baseline
+}
 
 /** The pictures of a row; materials have crops, whole images the view's. */
 export function imagesOf(row: Row, report: Report): Images | null {
@@ -22,18 +31,15 @@ function thumbnail(path: string, what: string, name: string): TemplateResult {
   return html`<img class="thumb" src=${imageSource(path)} alt=${`${what} of ${name}`} loading="lazy" decoding="async" @error=${onError} />`;
 }
 
+/** Each with what it shows below it. */
 export function thumbnails(row: Row, report: Report): TemplateResult {
   const images = imagesOf(row, report);
   if (!images || images.reference === "") return html`<span class="no-picture">no picture</span>`;
   const name = row.name.slice(0, 200);
-  return html`${thumbnail(images.reference, `${pathTitle(row.reference)} picture`, name)}${thumbnail(images.test, `${pathTitle(row.test)} picture`, name)}${thumbnail(images.flip, "FLIP map", name)}`;
-}
-
-/** Shares of a bar's width, 0..100, for a value and its limits. */
-export function barShares(value: number, check: Check): { value: number; warn: number | null; fail: number | null } {
-  const most = Math.max(value, (check.fail ?? check.warn ?? value) * 1.25, 1e-9);
-  const share = (x: number | null): number | null => (x === null ? null : Math.min(100, Math.max(0, (x / most) * 100)));
-  return { value: share(value) ?? 0, warn: share(check.warn), fail: share(check.fail) };
+  const labelled = (path: string, label: string, what: string): TemplateResult =>
+    html`<span class="labelled">${thumbnail(path, what, name)}<small aria-hidden="true">${label}</small></span>`;
+  const [reference, test] = [pathTitle(row.reference), pathTitle(row.test)];
+  return html`${labelled(images.reference, reference, `${reference} picture`)}${labelled(images.test, test, `${test} picture`)}${labelled(images.flip, "FLIP", "FLIP map")}`;
 }
 
 /** The value against its limits: "0.142, warns above 0.1, fails above 0.2". */
@@ -42,8 +48,9 @@ export function describeLimits(check: Check): string {
   return limits.filter((each) => each !== "").join(", ");
 }
 
-export function bar(value: number, check: Check): TemplateResult {
-  const shares = barShares(Math.abs(value), check);
+/** most: what a full bar means. */
+export function bar(value: number, check: Check, most: number): TemplateResult {
+  const shares = barShares(Math.abs(value), check, most);
   const mark = (kind: string, share: number | null): TemplateResult | typeof nothing =>
     share === null ? nothing : html`<i class="mark ${kind}" .style=${`left:${share}%`}></i>`;
   return html`<span class="bar" title=${describeLimits(check)} aria-hidden="true">
@@ -51,25 +58,46 @@ export function bar(value: number, check: Check): TemplateResult {
   </span>`;
 }
 
-function figureCell(row: Row, report: Report, name: string): TemplateResult {
+function figureCell(row: Row, { report, scales }: RowScene, name: string): TemplateResult {
   const value = figureOf(row, name);
-  const check = checkOf(row, name);
+  const check: Check = checkOf(row, name) ?? { metric: name, regress: false, value, warn: null, fail: null, verdict: "not judged", note: "" };
   return html`<span role="cell" class="cell-${name.replace(".", "-")} number">
     <span class="value">${figure(value ?? undefined, report.statistics[name])}</span>
-    ${value !== null && check ? html`${bar(value, check)}<span class="sr">${describeLimits(check)}</span>` : nothing}
+    ${value === null ? nothing : html`${bar(value, check, scales[name] ?? 1)}<span class="sr">${describeLimits(check)}</span>`}
   </span>`;
 }
 
-export function fullRow(row: Row, report: Report, hash: string): TemplateResult {
+const kChangeTags = { new: "new failure", fixed: "fixed", added: "not in the baseline", "not comparable": "not comparable" } as const;
+
+/** What has changed since the baseline in words, besides the figure. */
+function changeTags(row: Row): TemplateResult {
+  const tags = (Object.keys(kChangeTags) as (keyof typeof kChangeTags)[]).filter((each) => row.changes.includes(each));
+  const title = row.judged?.baseline?.notComparable ?? "";
+  return html`${tags.map((tag) => html`<span class="tag ${tag.replace(" ", "-")}" title=${tag === "not comparable" ? title : ""}>${kChangeTags[tag]}</span>`)}`;
+}
+
+function changeCell(row: Row, report: Report): TemplateResult {
+  const isChanged = row.change !== null && Math.abs(row.change) >= kLeastChange;
+  const kind = !isChanged || row.change === null ? "" : row.change > 0 ? "worse" : "better";
+  const sign = kind === "worse" ? "▲ " : kind === "better" ? "▼ " : "";
+  const text = row.change === null ? "" : isChanged ? change(row.change, report.statistics["flip.mean"]) : "no change";
+  return html`<span role="cell" class="cell-change number">
+    ${text === "" ? nothing : html`<span class="value ${kind}"><span aria-hidden="true">${sign}</span>${text}</span>`}${changeTags(row)}
+  </span>`;
+}
+
+export function fullRow(row: Row, scene: RowScene): TemplateResult {
+  const { report, hash } = scene;
   return html`
     <span role="cell" class="cell-pictures">${thumbnails(row, report)}</span>
-    <span role="cell" class="cell-gravity">${badge(row.verdict)}${baseLayerBadge(row.notModelled)}${row.isNew ? html`<span class="tag">new</span>` : nothing}</span>
+    <span role="cell" class="cell-gravity">${badge(row.verdict)}${baseLayerBadge(row.notModelled)}</span>
     <span role="cell" class="cell-name">
       <a class="name" href=${hash}><bdi>${row.name === "" ? "(no name)" : row.name}</bdi></a>
       <small class="place"><bdi>${row.place}</bdi></small>
       ${row.reason === "" ? nothing : html`<small class="reason" title=${row.reason}>${row.reason}</small>`}
     </span>
-    ${figureCell(row, report, "flip.mean")}${figureCell(row, report, "flip.p95")}${figureCell(row, report, "flip.max")}
+    ${figureCell(row, scene, "flip.mean")}${figureCell(row, scene, "flip.p95")}${figureCell(row, scene, "flip.max")}
+    ${scene.withChange ? changeCell(row, report) : nothing}
     <span role="cell" class="cell-bias">${row.bias}</span>
     <span role="cell" class="cell-cause">${
       row.cause
@@ -80,7 +108,7 @@ export function fullRow(row: Row, report: Report, hash: string): TemplateResult 
   `;
 }
 
-export function compactRow(row: Row, report: Report, hash: string, open: boolean): TemplateResult {
+export function compactRow(row: Row, { report, hash }: RowScene, open: boolean): TemplateResult {
   const images = imagesOf(row, report);
   return html`
     <span role="cell" class="cell-pictures">${images ? thumbnail(images.test, `${pathTitle(row.test)} picture`, row.name.slice(0, 200)) : nothing}</span>

@@ -1,10 +1,12 @@
 // Which panes a mode has and what each shows: image files, or jobs for canvases once values are needed.
 import type { Plane } from "../data/chunk";
 import { pathTitle, pathWord } from "../data/paths";
+import { kFullSteps } from "../data/range";
 import type { ViewerState } from "../data/state";
 import type { View } from "../data/types";
 import type { Layer } from "./pane";
 import type { Job } from "./paint";
+import { autoGain, autoMost } from "./ranges";
 import { messageOf, valueOf, type Loaded, type PixelSource } from "./source";
 import { termLabel } from "./terms";
 
@@ -13,6 +15,7 @@ export interface Scenery {
   material: number; // place in the view; -1: the whole view is looked at
   state: ViewerState;
   source: PixelSource;
+  materials: Plane | null; // which material is where, once it is known
   isAtRest: boolean; // until then only image files are shown, where these do
   missing: ReadonlySet<string>; // image files that could not be loaded
   showsTest: boolean; // in the flicker
@@ -28,7 +31,14 @@ export interface PaneModel {
   layers: Layer[];
   filter: string;
   split: number | null;
+  legend: Legend | null; // of the colours that are no picture's
 }
+
+/** What the colours of a pane mean. isAuto: the range is what the pixels need. */
+export type Legend =
+  | { kind: "flip"; most: number; threshold: number; isAuto: boolean }
+  | { kind: "difference"; steps: number; test: string; base: string; isAuto: boolean } // steps of 255 on either side
+  | { kind: "luminance" };
 
 type Picture = "reference" | "test" | "truth";
 
@@ -77,13 +87,17 @@ function missingText(scenery: Scenery, image: string, message: string): string {
 function makePicture(scenery: Scenery, picture: Picture): Part {
   const { state, source, view } = scenery;
   const image = state.term === "" ? imageOf(scenery, picture) : "";
-  const needsValues = state.exposure !== 0 || image === "" || scenery.missing.has(image);
+  const needsValues = state.exposure !== 0 || state.falseColor || image === "" || scenery.missing.has(image);
   const layer: Layer = { key: picture, label: labelOf(scenery, picture), image, job: null };
   if (!needsValues) return makePart(scenery, layer, false, null, "");
   const plane = planeOf(scenery, picture);
   const exposureEv = view.exposureEv + state.exposure;
   const [values, display] = [valueOf(plane), valueOf(source.display)];
-  const job: Job | null = values && display ? { kind: "display", plane: values, display, exposureEv } : null;
+  let job: Job | null = values && display ? { kind: "display", plane: values, display, exposureEv } : null;
+  if (state.falseColor) {
+    layer.image = ""; // no other colours pass for these
+    job = values && { kind: "luminance", plane: values, exposureEv };
+  }
   const message = messageOf(plane) || messageOf(source.display);
   return makePart(
     scenery,
@@ -104,15 +118,23 @@ export function flipPlaneOf(material: number): "materialFlip" | "flip" {
   return material < 0 ? "flip" : "materialFlip";
 }
 
+/** The job of a FLIP map, in the range that is asked for. */
+function flipJob({ state, materials, material }: Scenery, plane: Plane): Job {
+  const most = state.autoRange ? autoMost(plane, materials, material) : 1;
+  return { kind: "flip", plane, threshold: state.threshold, most };
+}
+
+/** The whole pictures' map: the image file, which has the full range, until values say a better one. */
 function makeFlip(scenery: Scenery): Part {
-  const { state, source, view } = scenery;
+  const { state, source, view, isAtRest } = scenery;
   const image = view.images.flip;
   const layer: Layer = { key: "flip", label: "FLIP map", image, job: null };
-  if (state.threshold === 0 && image !== "" && !scenery.missing.has(image))
-    return makePart(scenery, layer, false, null, "");
+  const needsValues = state.threshold !== 0 || image === "" || scenery.missing.has(image);
+  if (!needsValues && !(state.autoRange && isAtRest)) return makePart(scenery, layer, false, null, "");
   const plane = source.color("flip");
   const values = valueOf(plane);
-  const job: Job | null = values && { kind: "flip", plane: values, threshold: state.threshold };
+  const job = values && flipJob(scenery, values);
+  if (!needsValues) return { layer: { ...layer, job }, message: "", isWaiting: false };
   const message = messageOf(plane);
   return makePart(scenery, layer, true, job, message && missingText(scenery, image, message));
 }
@@ -121,17 +143,20 @@ function makeFlip(scenery: Scenery): Part {
 function flipPane(scenery: Scenery): PaneModel {
   const { state, source, material } = scenery;
   const exposure = exposureText(state.exposure) && "at the report's exposure";
-  const whole = (note: string): PaneModel =>
-    onePane("flip", "FLIP map", [note, exposure].filter(Boolean).join(", "), [makeFlip(scenery)]);
+  const pane = (note: string, part: Part): PaneModel => {
+    const { job } = part.layer;
+    const [most, isAuto] = job?.kind === "flip" ? [job.most, state.autoRange] : [1, false];
+    const legend: Legend = { kind: "flip", most, threshold: state.threshold, isAuto };
+    return onePane("flip", "FLIP map", [note, exposure].filter(Boolean).join(", "), [part], { legend });
+  };
+  const whole = (note: string): PaneModel => pane(note, makeFlip(scenery));
   if (material < 0) return whole("");
   const plane: Loaded<Plane> = scenery.isAtRest ? source.color(flipPlaneOf(material)) : { waiting: true };
   if (messageOf(plane) !== "") return whole("of the whole pictures; the own map of each material needs pixel values");
   const values = valueOf(plane);
-  const job: Job | null = values && { kind: "flip", plane: values, threshold: state.threshold };
+  const job = values && flipJob(scenery, values);
   const layer: Layer = { key: "flip", label: "FLIP map", image: "", job };
-  return onePane("flip", "FLIP map", ["own map of each material", exposure].filter(Boolean).join(", "), [
-    { layer, message: "", isWaiting: job === null },
-  ]);
+  return pane("own map of each material", { layer, message: "", isWaiting: job === null });
 }
 
 /** What stands at the reference's place where two pictures share a pane. */
@@ -150,6 +175,7 @@ function onePane(key: string, label: string, note: string, parts: Part[], more: 
     layers: parts.map((part) => part.layer),
     filter: "",
     split: null,
+    legend: null,
     ...more,
   };
 }
@@ -160,21 +186,31 @@ function differencePane(scenery: Scenery): PaneModel {
   const base = baseOf(scenery);
   const [first, second] = [planeOf(scenery, base), planeOf(scenery, "test")];
   const [reference, test, display] = [valueOf(first), valueOf(second), valueOf(source.display)];
-  const label = `Difference × ${state.gain}`;
+  const label = "Difference";
+  const legendOf = (gain: number, isAuto: boolean): Legend => ({
+    kind: "difference",
+    steps: kFullSteps / gain,
+    test: view.test,
+    base: pathOf(view, base),
+    isAuto,
+  });
   const note = [`${pathWord(view.test)} minus ${pathWord(pathOf(view, base))}`, exposureText(state.exposure)];
   const exposureEv = view.exposureEv + state.exposure;
-  const job: Job | null =
-    reference && test && display
-      ? { kind: "difference", reference, test, display, exposureEv, gain: state.gain }
-      : null;
+  let job: Job | null = null;
+  if (reference && test && display) {
+    const pair = { reference, test, display, exposureEv };
+    const gain = state.autoRange ? autoGain(pair, scenery.materials, scenery.material) : state.gain;
+    job = { kind: "difference", ...pair, gain };
+  }
   const layer: Layer = { key: "difference", label, image: "", job };
   const message = messageOf(first) || messageOf(second) || messageOf(source.display);
   const images = [imageOf(scenery, base), imageOf(scenery, "test")];
   const hasImages = images.every((image) => image !== "" && !scenery.missing.has(image));
-  if (job !== null || state.exposure !== 0 || state.term !== "" || !hasImages)
-    return onePane("difference", label, note.filter(Boolean).join(", "), [
-      { layer, message, isWaiting: job === null && message === "" },
-    ]);
+  if (job !== null || state.exposure !== 0 || state.term !== "" || !hasImages) {
+    const part = { layer, message, isWaiting: job === null && message === "" };
+    const legend = job?.kind === "difference" ? legendOf(job.gain, state.autoRange) : null;
+    return onePane("difference", label, note.filter(Boolean).join(", "), [part], { legend });
+  }
   // Half of the one over the inverted other is grey where they are alike; the contrast enlarges what is not.
   const layers: Layer[] = [
     { key: "base", label: pathTitle(pathOf(view, base)), image: images[0]!, job: null, filter: "invert(1)" },
@@ -184,6 +220,7 @@ function differencePane(scenery: Scenery): PaneModel {
     layers,
     filter: `contrast(${2 * state.gain})`,
     isWaiting: message === "",
+    legend: legendOf(state.gain, false),
   });
 }
 
@@ -191,8 +228,9 @@ function differencePane(scenery: Scenery): PaneModel {
 export function arrange(scenery: Scenery): PaneModel[] {
   const { state, view } = scenery;
   const exposure = exposureText(state.exposure);
+  const legend: Legend | null = state.falseColor ? { kind: "luminance" } : null;
   const pane = (picture: Picture): PaneModel =>
-    onePane(picture, labelOf(scenery, picture), exposure, [makePicture(scenery, picture)]);
+    onePane(picture, labelOf(scenery, picture), exposure, [makePicture(scenery, picture)], { legend });
   const base = baseOf(scenery);
   const pair = (
     key: string,
@@ -202,7 +240,7 @@ export function arrange(scenery: Scenery): PaneModel[] {
   ) => {
     const test = makePicture(scenery, "test");
     test.layer = { ...test.layer, ...change(test.layer) };
-    return [onePane(key, label, exposure, [makePicture(scenery, base), test], more)];
+    return [onePane(key, label, exposure, [makePicture(scenery, base), test], { legend, ...more })];
   };
   switch (state.mode) {
     case "side": {

@@ -1,12 +1,12 @@
-// The buttons and sliders above the comparison: those that its mode has use for.
+// The buttons and sliders above the comparison: those that its mode has use for. What is needed less often folds away.
 import { html, nothing, type TemplateResult } from "lit";
-import { live } from "lit/directives/live.js";
 
-import { kModes, type Mode, type ViewerState } from "../data/state";
-import { help, type Topic } from "../help";
-import { exposureText } from "./arrange";
 import { pathTitle, pathWord } from "../data/paths";
+import { kDefaultState, kModes, type Mode, type ViewerState } from "../data/state";
+import { help } from "../help";
+import { exposureText } from "./arrange";
 import { kExposureStep, kMostExposure } from "./keys";
+import { check, range } from "./range_control";
 import { kTermNames, termLabel } from "./terms";
 
 export interface ControlScene {
@@ -21,6 +21,9 @@ export interface ControlScene {
   set: (change: Partial<ViewerState>) => void;
   zoomBy: (factor: number) => void;
   holdTest: (event: Event) => void; // of the flicker's button
+  isPhone: boolean; // modes are a list of choices, and zooming, which fingers do, folds away
+  isFolded: boolean;
+  fold: (isFolded: boolean) => void;
 }
 
 const kModeNames: Readonly<Record<Mode, { name: string; key: string }>> = {
@@ -32,61 +35,15 @@ const kModeNames: Readonly<Record<Mode, { name: string; key: string }>> = {
   flip: { name: "FLIP map", key: "H" },
 };
 
-interface Range {
-  id: string;
-  label: string;
-  topic: Topic;
-  value: number;
-  text: string;
-  least: number;
-  most: number;
-  step: number;
-  usual: number; // what the reset button sets
-  set(value: number): void;
-}
-
-function range(r: Range): TemplateResult {
-  const id = "viewer-" + r.id;
-  return html`<div class="range">
-    <label for=${id}>${r.label}</label>${help(r.topic)}
-    <input
-      id=${id}
-      type="range"
-      min=${r.least}
-      max=${r.most}
-      step=${r.step}
-      .value=${live(String(r.value))}
-      aria-valuetext=${r.text}
-      @input=${(event: Event) => r.set(Number((event.target as HTMLInputElement).value))}
-    />
-    <output for=${id}>${r.text}</output>
-    <button
-      type="button"
-      class="reset"
-      ?disabled=${r.value === r.usual}
-      aria-label=${`${r.label}: reset`}
-      title="Reset"
-      @click=${() => r.set(r.usual)}
+function modeButtons({ state, set, isPhone }: ControlScene): TemplateResult {
+  if (isPhone)
+    return html`<select
+      class="mode"
+      aria-label="How to compare"
+      @change=${(event: Event) => set({ mode: (event.target as HTMLSelectElement).value as Mode })}
     >
-      ↺
-    </button>
-  </div>`;
-}
-
-function check(label: TemplateResult, topic: Topic, isOn: boolean, set: (isOn: boolean) => void): TemplateResult {
-  return html`<span class="check"
-    ><label
-      ><input
-        type="checkbox"
-        .checked=${live(isOn)}
-        @change=${(event: Event) => set((event.target as HTMLInputElement).checked)}
-      />
-      ${label}</label
-    >${help(topic)}</span
-  >`;
-}
-
-function modeButtons({ state, set }: ControlScene): TemplateResult {
+      ${kModes.map((mode) => html`<option value=${mode} .selected=${state.mode === mode}>${kModeNames[mode].name}</option>`)}
+    </select>`;
   return html`<div class="modes" role="group" aria-label="How to compare">
     ${kModes.map(
       (mode) =>
@@ -183,46 +140,89 @@ function thresholdRange({ state, set, above }: ControlScene): TemplateResult {
   });
 }
 
+/** What the pictures and maps are made of in this state. */
+function shows({ state }: ControlScene): { pictures: boolean; flip: boolean; difference: boolean } {
+  const isSide = state.mode === "side";
+  return {
+    pictures: state.mode !== "difference" && state.mode !== "flip",
+    flip: state.mode === "flip" || (isSide && state.term === ""),
+    difference: state.mode === "difference" || (isSide && state.term !== ""),
+  };
+}
+
+/** How many of the folded controls are not as at first: the button says so. */
+export function changedCount(state: ViewerState): number {
+  const keys = ["exposure", "threshold", "autoRange", "term", "falseColor", "showTruth", "dimOthers"] as const;
+  return keys.filter((key) => state[key] !== kDefaultState[key]).length;
+}
+
+function foldButton({ state, isFolded, fold }: ControlScene): TemplateResult {
+  const changed = isFolded ? changedCount(state) : 0;
+  return html`<button
+    type="button"
+    class="fold"
+    aria-expanded=${isFolded ? "false" : "true"}
+    aria-controls="viewer-more"
+    @click=${() => fold(!isFolded)}
+  >
+    Adjust${changed > 0 ? ` (${changed})` : ""} <span aria-hidden="true">${isFolded ? "▾" : "▴"}</span>
+  </button>`;
+}
+
+function mapControls(scene: ControlScene): TemplateResult {
+  const { state, set } = scene;
+  const { flip, difference } = shows(scene);
+  return html`${flip || difference
+    ? check(html`Automatic range`, "autoRange", state.autoRange, (autoRange) => set({ autoRange }))
+    : nothing}
+  ${difference && !state.autoRange
+    ? range({
+        id: "gain",
+        label: "Gain",
+        topic: "gain",
+        value: state.gain,
+        text: `× ${state.gain}`,
+        least: 1,
+        most: 64,
+        step: 1,
+        usual: 4,
+        set: (gain) => set({ gain }),
+      })
+    : nothing}
+  ${flip ? thresholdRange(scene) : nothing}`;
+}
+
 /** The whole tool bar. */
 export function controls(scene: ControlScene): TemplateResult {
-  const { state, set } = scene;
-  const showsFlip = state.mode === "flip" || (state.mode === "side" && state.term === "");
-  const showsDifference = state.mode === "difference" || (state.mode === "side" && state.term !== "");
+  const { state, set, isPhone } = scene;
   return html`<div class="tools" role="group" aria-label="Comparison">
-    ${modeButtons(scene)} ${zoomButtons(scene)} ${modeControl(scene)}
-    ${range({
-      id: "exposure",
-      label: "Exposure",
-      topic: "exposure",
-      value: state.exposure,
-      text: exposureText(state.exposure) || "0 EV",
-      least: -kMostExposure,
-      most: kMostExposure,
-      step: kExposureStep,
-      usual: 0,
-      set: (exposure) => set({ exposure }),
-    })}
-    ${showsFlip ? thresholdRange(scene) : nothing}
-    ${showsDifference
-      ? range({
-          id: "gain",
-          label: "Gain",
-          topic: "gain",
-          value: state.gain,
-          text: `× ${state.gain}`,
-          least: 1,
-          most: 64,
-          step: 1,
-          usual: 4,
-          set: (gain) => set({ gain }),
-        })
-      : nothing}
-    ${termChoice(scene)}
-    ${scene.hasTruth ? check(html`Truth`, "showTruth", state.showTruth, (showTruth) => set({ showTruth })) : nothing}
-    ${scene.material === null
-      ? nothing
-      : check(html`Dim all but <bdi>${scene.material}</bdi>`, "dimOthers", state.dimOthers, (dimOthers) =>
-          set({ dimOthers }),
-        )}
+    <div class="tool-line">
+      ${modeButtons(scene)} ${modeControl(scene)} ${isPhone ? nothing : zoomButtons(scene)} ${foldButton(scene)}
+    </div>
+    <div class="tool-line" id="viewer-more" ?hidden=${scene.isFolded}>
+      ${isPhone ? zoomButtons(scene) : nothing} ${termChoice(scene)}
+      ${shows(scene).pictures
+        ? check(html`False colours`, "falseColor", state.falseColor, (falseColor) => set({ falseColor }))
+        : nothing}
+      ${range({
+        id: "exposure",
+        label: "Exposure",
+        topic: "exposure",
+        value: state.exposure,
+        text: exposureText(state.exposure) || "0 EV",
+        least: -kMostExposure,
+        most: kMostExposure,
+        step: kExposureStep,
+        usual: 0,
+        set: (exposure) => set({ exposure }),
+      })}
+      ${mapControls(scene)}
+      ${scene.hasTruth ? check(html`Truth`, "showTruth", state.showTruth, (showTruth) => set({ showTruth })) : nothing}
+      ${scene.material === null
+        ? nothing
+        : check(html`Dim all but <bdi>${scene.material}</bdi>`, "dimOthers", state.dimOthers, (dimOthers) =>
+            set({ dimOthers }),
+          )}
+    </div>
   </div>`;
 }

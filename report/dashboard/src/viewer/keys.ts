@@ -73,6 +73,10 @@ export function changeOf(event: KeyboardEvent, scene: KeyScene): Partial<ViewerS
       return { mode: "difference" };
     case "h":
       return { mode: "flip" };
+    case "v":
+      return { falseColor: !state.falseColor };
+    case "a":
+      return { autoRange: !state.autoRange };
     case "[":
       return { exposure: exposedBy(state.exposure, -kExposureStep) };
     case "]":

@@ -2,13 +2,15 @@
 // was opened from a folder, so whatever depends on values is painted from pixel files.
 import type { Plane } from "../data/chunk";
 import { paintDisplay, type Display } from "../data/display";
+import { paintLuminance } from "../data/false_color";
 import { leastAt } from "../data/histogram";
 import { magmaColor } from "../data/magma";
 
 export type Job =
   | { kind: "display"; plane: Plane; display: Display; exposureEv: number }
   | { kind: "difference"; reference: Plane; test: Plane; display: Display; exposureEv: number; gain: number }
-  | { kind: "flip"; plane: Plane; threshold: number }
+  | { kind: "luminance"; plane: Plane; exposureEv: number }
+  | { kind: "flip"; plane: Plane; threshold: number; most: number } // most: of the brightest colour
   | { kind: "others"; plane: Plane; material: number }; // -1: all that is none of the view's materials
 
 const kAlike = 0xff3a3a3a; // below the threshold: a grey that magma does not have
@@ -19,12 +21,12 @@ export function sizeOf(job: Job): { width: number; height: number } {
   return job.kind === "difference" ? job.reference : job.plane;
 }
 
-/** 0..65535 of FLIP 0..1 to screen colours, 0xffBBGGRR. */
-function heatTable(threshold: number): Uint32Array {
+/** 0..65535 of FLIP 0..1 to screen colours, 0xffBBGGRR; `most` and what is above it are the brightest. */
+function heatTable(threshold: number, most: number): Uint32Array {
   const colors = new Uint32Array(65536);
   const least = leastAt(threshold);
   for (let value = 0; value < 65536; ++value) {
-    const rgb = magmaColor(Math.floor((255 * value) / 65535 + 0.5));
+    const rgb = magmaColor(Math.floor((255 * value) / (65535 * most) + 0.5));
     colors[value] = value < least ? kAlike : 0xff000000 | ((rgb & 255) << 16) | (rgb & 0xff00) | (rgb >> 16);
   }
   return colors;
@@ -58,8 +60,11 @@ export function paintJob(job: Job, out: Uint32Array): void {
       paintDisplay(job.test, job.display, job.exposureEv, scratch);
       subtract(scratch, job.gain, out);
       break;
+    case "luminance":
+      paintLuminance(job.plane, job.exposureEv, out);
+      break;
     case "flip": {
-      const colors = heatTable(job.threshold);
+      const colors = heatTable(job.threshold, job.most);
       const { values } = job.plane;
       for (let i = 0; i < out.length; ++i) out[i] = colors[values[i]!]!;
       break;

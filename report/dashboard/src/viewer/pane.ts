@@ -225,17 +225,15 @@ export class ParityPane extends PageElement {
 
   protected override render(): TemplateResult {
     const placement = this.placement;
-    const aspect = `${this.picture.width} / ${this.picture.height}`;
     return html`<figure class="pane">
       <figcaption>
         <strong>${this.label}</strong>
-        ${this.note === "" ? nothing : html`<span class="note">${this.note}</span>`}
+        ${this.note === "" ? nothing : html`<span class="note" title=${this.note}>${this.note}</span>`}
         ${this.isWaiting ? html`<span class="note" role="status">loading values…</span>` : nothing}
         ${this.right === "" ? nothing : html`<strong class="right">${this.right}</strong>`}
       </figcaption>
       <div
         class="stage"
-        .style=${styleText({ "--aspect": aspect })}
         tabindex="0"
         role="application"
         data-keys="own"

@@ -1,25 +1,28 @@
 // The comparison of one view or one of its materials: panes, controls, the pixel's values and how FLIP is spread.
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { customElement, property, state } from "lit/decorators.js";
+import { customElement, property, query, state } from "lit/decorators.js";
 
 import type { Plane } from "../data/chunk";
 import { countFrom } from "../data/histogram";
-import { pathTitle } from "../data/paths";
 import { kDefaultState, type ViewerState } from "../data/state";
 import type { Judged } from "../data/judged";
 import type { Report, View } from "../data/types";
 import { PageElement } from "../element";
+import { kPhone, Media } from "../media";
 import { arrange, flipPlaneOf, type PaneModel } from "./arrange";
 import { controls } from "./controls";
 import "./flip_histogram";
+import { inspect } from "./inspect";
 import "./inspector";
-import type { Inspected } from "./inspector";
 import { changeOf, isForControl } from "./keys";
-import { legend } from "./legend";
+import { bestColumns } from "./layout";
+import { legendsOf, legendView } from "./legend";
 import type { Job } from "./paint";
 import "./pane";
 import { isUsual, type Point } from "./pane";
+import { readout } from "./readout";
 import { messageOf, PixelSource, valueOf } from "./source";
+import { styleText } from "./style_text";
 import { boundsOf, clampLook, fitScale, lookAt, type Box, type Look, type Size } from "./transform";
 import "./values.css";
 import "./viewer.css";
@@ -35,10 +38,19 @@ export class ParityViewer extends PageElement {
   @property({ attribute: false }) view = -1;
   @property({ attribute: false }) material = -1; // -1: the whole view
   @property({ attribute: false }) state: ViewerState = kDefaultState;
+  /** Stands above the tool bar; pictures and legends get the height that is left. */
+  @property({ attribute: false }) lead: TemplateResult | typeof nothing = nothing;
   @state() private hover: Point | null = null;
   @state() private showsTest = false;
   @state() private isAtRest = false;
   @state() private paneSize: Size = { width: 0, height: 0 };
+  @state() private area: Size = { width: 0, height: 0 }; // of all panes
+  @state() private isFolded: boolean | null = null; // the tool bar; null: as suits the screen
+  @query(".panes") private panes!: HTMLElement | null;
+  private readonly phone = new Media(this, kPhone);
+  private readonly resizing = new ResizeObserver(([entry]) => {
+    if (entry) this.area = { width: entry.contentRect.width, height: entry.contentRect.height };
+  });
   private readonly source = new PixelSource(this);
   private missing: ReadonlySet<string> = new Set();
   private restTimer = 0;
@@ -62,6 +74,7 @@ export class ParityViewer extends PageElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     window.removeEventListener("blur", this.onBlur);
+    this.resizing.disconnect();
     clearTimeout(this.restTimer);
   }
 
@@ -138,6 +151,7 @@ export class ParityViewer extends PageElement {
   }
 
   protected override updated(): void {
+    if (this.panes) this.resizing.observe(this.panes);
     this.source.dropUnused();
   }
 
@@ -167,39 +181,6 @@ export class ParityViewer extends PageElement {
     const { pixelX: x, pixelY: y } = this.state;
     const view = this.shownView;
     return view !== null && x >= 0 && y >= 0 && x < view.width && y < view.height ? { x, y } : null;
-  }
-
-  /** What the inspector shows, once its planes are there; a message where they will not be. */
-  private inspect(view: View): { inspected: Inspected | null; message: string } {
-    const pixel = this.hover ?? this.pinned;
-    if (pixel === null) return { inspected: null, message: "" };
-    const { source } = this;
-    const names = [
-      [view.reference, pathTitle(view.reference)],
-      [view.test, pathTitle(view.test)],
-      ...(view.whole.truth ? [["truth", "Truth"]] : []),
-    ] as const;
-    const loaded = names.map(([plane, name]) => ({ name, loaded: source.color(plane) }));
-    const pictures = loaded.flatMap(({ name, loaded: each }) => {
-      const plane = valueOf(each);
-      return plane === null ? [] : [{ name, plane }];
-    });
-    if (pictures.length === 0) return { inspected: null, message: messageOf(loaded[0]!.loaded) || "Loading values…" };
-    const at = pixel.y * view.width + pixel.x;
-    const flip = valueOf(source.color(flipPlaneOf(this.material)))?.values[at];
-    const material = valueOf(source.color("material"))?.values[at] ?? 0;
-    const inspected: Inspected = {
-      pixel,
-      isPinned: this.hover === null,
-      pictures,
-      flip: flip === undefined || (material === 0 && (this.material >= 0 || this.isRestricted)) ? null : flip / 65535,
-      material: material === 0 ? null : (view.materials[material - 1]?.name ?? null),
-      display: valueOf(source.display),
-      exposureEv: view.exposureEv + this.state.exposure,
-      termsFile: view.pixels.terms,
-      paths: [view.reference, view.test],
-    };
-    return { inspected, message: "" };
   }
 
   /** Whether the run was asked for some materials only: nothing is known of the other pixels. */
@@ -256,27 +237,43 @@ export class ParityViewer extends PageElement {
     const subject = this.subjectIn(materials);
     const cover = materials && this.coverOf(materials);
     const { material, isAtRest, missing, showsTest } = this;
-    const panes = arrange({ view, material, state, source, isAtRest, missing, showsTest });
-    const { inspected, message } = this.inspect(view);
+    const panes = arrange({ view, material, materials, state, source, isAtRest, missing, showsTest });
+    const { inspected, message } = inspect({
+      view,
+      source,
+      pixel: this.hover ?? this.pinned,
+      isPinned: this.hover === null,
+      material,
+      exposure: state.exposure,
+      isRestricted: this.isRestricted,
+    });
     const zoom = `${Math.round(100 * fitScale(this.paneSize, view) * this.look(view).zoom)} %`;
+    const columns = bestColumns(panes.length, this.area, view);
+    const rows = Math.ceil(panes.length / columns);
     return html`<div class="viewer">
-      ${controls({
-        state,
-        hasTruth: view.whole.truth !== undefined,
-        hasTerms: view.pixels.terms !== "",
-        material: view.materials[this.material]?.name ?? null,
-        above: this.aboveText(flipPlane, materials),
-        zoom,
-        showsTest: this.showsTest,
-        test: view.test,
-        set: (change) => this.set(change),
-        zoomBy: (factor) => this.zoomBy(factor, view),
-        holdTest: this.holdTest,
-      })}
-      <div class="panes" data-count=${panes.length}>
-        ${panes.map((model) => this.renderPane(model, view, subject, cover))}
+      <div class="first">
+        ${this.lead}
+        ${controls({
+          state,
+          hasTruth: view.whole.truth !== undefined,
+          hasTerms: view.pixels.terms !== "",
+          material: view.materials[this.material]?.name ?? null,
+          above: this.aboveText(flipPlane, materials),
+          zoom,
+          showsTest: this.showsTest,
+          test: view.test,
+          set: (change) => this.set(change),
+          zoomBy: (factor) => this.zoomBy(factor, view),
+          holdTest: this.holdTest,
+          isPhone: this.phone.matches,
+          isFolded: this.isFolded ?? this.phone.matches,
+          fold: (isFolded) => (this.isFolded = isFolded),
+        })}
+        <div class="panes" data-count=${panes.length} .style=${styleText({ "--columns": String(columns), "--rows": String(rows) })}>
+          ${panes.map((model) => this.renderPane(model, view, subject, cover))}
+        </div>
+        <div class="legends">${readout(inspected, state.falseColor)} ${legendsOf(panes).map(legendView)}</div>
       </div>
-      ${panes.some((pane) => pane.layers.some((layer) => layer.key === "flip")) ? legend(state.threshold) : nothing}
       <div class="values">
         <parity-inspector
           .inspected=${inspected}

@@ -3,7 +3,8 @@ import { describe, expect, it } from "vitest";
 import type { Plane } from "../../src/data/chunk";
 import { kDefaultState, kModes, type ViewerState } from "../../src/data/state";
 import type { View } from "../../src/data/types";
-import { arrange, type PaneModel } from "../../src/viewer/arrange";
+import { kFullSteps } from "../../src/data/range";
+import { arrange, type Legend, type PaneModel } from "../../src/viewer/arrange";
 import type { Loaded, PixelSource } from "../../src/viewer/source";
 import { makeView } from "./sample";
 
@@ -41,6 +42,7 @@ function panes(
     ...of,
     state: { ...kDefaultState, ...state },
     source,
+    materials: null,
     missing: new Set(missing),
     showsTest: false,
   };
@@ -54,7 +56,7 @@ const jobs = (models: PaneModel[]): (string | undefined)[] =>
 describe("panes of the comparison", () => {
   it("shows image files, and asks for no values, as the report judged them", () => {
     for (const mode of kModes.filter((each) => each !== "difference")) {
-      const { models, asked } = panes({ mode }, "none");
+      const { models, asked } = panes({ mode, autoRange: false }, "none");
       expect(asked).toEqual([]);
       expect(models.every((model) => model.message === "" && model.layers.every((layer) => layer.image !== ""))).toBe(
         true,
@@ -117,6 +119,52 @@ describe("panes of the comparison", () => {
     ]);
     const slider = panes({ showTruth: true, mode: "slider" }, "none", [], view).models[0]!;
     expect([slider.label, slider.right]).toEqual(["Truth", "Mobile"]);
+  });
+});
+
+describe("the legend", () => {
+  const legends = (state: Partial<ViewerState>, planes: readonly string[] | string): (Legend | null)[] =>
+    panes(state, planes).models.map((model) => model.legend);
+  const flip = (most: number, isAuto: boolean): Legend => ({ kind: "flip", most, threshold: 0, isAuto });
+
+  it("says the range of the map that is shown: the full one of an image file, the automatic one of values", () => {
+    expect(legends({ mode: "flip" }, "no values")).toEqual([flip(1, false)]);
+    expect(legends({ mode: "flip" }, [])).toEqual([flip(1, false)]);
+    expect(legends({ mode: "flip" }, ["flip"])).toEqual([flip(0.02, true)]); // no pixel differs
+    expect(legends({ mode: "flip", autoRange: false, threshold: 0.1 }, ["flip"])).toEqual([{ ...flip(1, false), threshold: 0.1 }]);
+  });
+
+  it("keeps the image file of the whole map until values say a better range, and does not call that waiting", () => {
+    const model = panes({ mode: "flip" }, []).models[0]!;
+    expect([model.isWaiting, model.layers[0]!.image]).toEqual([false, "images/f.png"]);
+    const passing = panes({ mode: "flip" }, ["flip"], [], makePictured(), { material: -1, isAtRest: false });
+    expect([passing.asked, jobs(passing.models)]).toEqual([[], [undefined]]);
+  });
+
+  it("of a difference says how many steps of 255 it spans, and of which paths", () => {
+    const of = (gain: number, isAuto: boolean) => [
+      { kind: "difference", steps: kFullSteps / gain, test: "mobile", base: "highend", isAuto },
+    ];
+    expect(legends({ mode: "difference", gain: 8 }, "no values")).toEqual(of(8, false));
+    expect(legends({ mode: "difference", autoRange: false, gain: 8 }, ["highend", "mobile"])).toEqual(of(8, false));
+    expect(legends({ mode: "difference" }, ["highend", "mobile"])).toEqual(of(kFullSteps / 2, true)); // equal pictures
+    expect(legends({ mode: "difference", exposure: 1 }, "no values")).toEqual([null]);
+  });
+
+  it("of false colours stands for pictures alone", () => {
+    expect(legends({ falseColor: true, autoRange: false }, "none").map((each) => each?.kind)).toEqual(["luminance", "luminance", "flip"]);
+    expect(legends({ falseColor: true, mode: "slider" }, "none")).toEqual([{ kind: "luminance" }]);
+    expect(legends({}, "none").map((each) => each?.kind)).toEqual([undefined, undefined, "flip"]);
+  });
+});
+
+describe("false colours", () => {
+  it("are painted from values, and no picture stands in for them", () => {
+    const ready = panes({ falseColor: true, mode: "slider" }, ["highend", "mobile"]);
+    expect(jobs(ready.models)).toEqual(["luminance", "luminance"]);
+    const waiting = panes({ falseColor: true, mode: "slider" }, []).models[0]!;
+    expect([waiting.isWaiting, waiting.layers.map((layer) => layer.image)]).toEqual([true, ["", ""]]);
+    expect(panes({ falseColor: true, mode: "slider" }, "no values").models[0]!.message).toContain("no values");
   });
 });
 

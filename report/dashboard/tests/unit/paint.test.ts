@@ -40,11 +40,23 @@ describe("painting", () => {
       magmaColor(index) & 255,
       255,
     ];
-    expect(paint({ kind: "flip", plane, threshold: 0 }, 4)).toEqual([rgb(0), rgb(77), rgb(128), rgb(255)]);
-    const cut = paint({ kind: "flip", plane, threshold: 0.4 }, 4);
+    expect(paint({ kind: "flip", plane, threshold: 0, most: 1 }, 4)).toEqual([rgb(0), rgb(77), rgb(128), rgb(255)]);
+    const cut = paint({ kind: "flip", plane, threshold: 0.4, most: 1 }, 4);
     expect(cut.slice(2)).toEqual([rgb(128), rgb(255)]);
     expect(cut[0]).toEqual(cut[1]);
     expect(new Set(cut[0]!.slice(0, 3)).size).toBe(1);
+    expect(paint({ kind: "flip", plane, threshold: 0, most: 0.5 }, 4)).toEqual([rgb(0), rgb(153), rgb(255), rgb(255)]);
+  });
+
+  it("shows luminance by its distance from middle grey, whatever its colour", () => {
+    const shown = (r: number, g: number, b: number, exposureEv = 0): number[] =>
+      paint({ kind: "luminance", plane: linear(r, g, b), exposureEv }, 1)[0]!;
+    expect(shown(0, 0.36 / 0.7152, 0)).toEqual(shown(0.36, 0.36, 0.36));
+    expect(shown(0.18, 0.18, 0.18, 1)).toEqual(shown(0.36, 0.36, 0.36));
+    expect(shown(0.18, 0.18, 0.18)).not.toEqual(shown(0.36, 0.36, 0.36));
+    expect(shown(0, 0, 0)).toEqual([0, 0, 0, 255]);
+    expect(shown(NaN, 1, 1)).toEqual([0, 0, 0, 255]);
+    expect(shown(100, 100, 100)).toEqual([255, 255, 255, 255]);
   });
 
   it("covers all but the chosen material", () => {
@@ -56,7 +68,7 @@ describe("painting", () => {
 
   it("knows jobs apart by what they paint", () => {
     const plane = makePlane("unorm16", [0]);
-    const job: Job = { kind: "flip", plane, threshold: 0.1 };
+    const job = { kind: "flip", plane, threshold: 0.1, most: 1 } as const;
     expect(isSameJob(job, { ...job })).toBe(true);
     expect(isSameJob(job, { ...job, threshold: 0.2 })).toBe(false);
     expect(isSameJob(job, { ...job, plane: { ...plane } })).toBe(false);

@@ -24,7 +24,7 @@ const shown = (patch: object): string[] => rows.filter((row) => matches(row, fil
 describe("rows", () => {
   it("has one for each material that counts, each whole image and each scene that failed", () => {
     expect(rows.map((row) => [row.kind, row.name])).toEqual([
-      ["material", "Gold"], ["material", "Wood"], ["material", "Inside"], ["whole", "front"], ["scene", "Broken"],
+      ["material", "Gold"], ["material", "Wood"], ["material", "Inside"], ["whole", "Desk · front"], ["scene", "Broken"],
     ]);
   });
 
@@ -36,9 +36,9 @@ describe("rows", () => {
   it("says since the baseline what there is to compare with, and what is new", () => {
     const since = (patch: object) => makeRows(makeReport([makeScene("Desk", [makeView("front", [makeMaterial("Gold", "pass", 0.1, patch)])])]))[0];
     const changes = { "flip.mean": 0.03 };
-    expect(since({ baseline: { new: false, verdict: "pass", changes } })).toMatchObject({ change: 0.03, isNew: false });
-    expect(since({ baseline: { new: true, verdict: null, changes: {} } })).toMatchObject({ change: null, isNew: true });
-    expect(since({})).toMatchObject({ change: null, isNew: false });
+    expect(since({ baseline: { new: false, verdict: "pass", notComparable: "", changes } })).toMatchObject({ change: 0.03, changes: ["worse"] });
+    expect(since({ baseline: { new: true, verdict: null, notComparable: "", changes: {} } })).toMatchObject({ change: null, changes: ["added"] });
+    expect(since({})).toMatchObject({ change: null, changes: [] });
   });
 });
 
@@ -95,7 +95,7 @@ describe("the cause", () => {
 describe("the filter", () => {
   it("shows materials or views, and scenes that failed in both", () => {
     expect(shown({})).toEqual(["Gold", "Wood", "Inside", "Broken"]);
-    expect(shown({ list: "views" })).toEqual(["front", "Broken"]);
+    expect(shown({ list: "views" })).toEqual(["Desk · front", "Broken"]);
   });
 
   it("needs every word, in the name, the place, the reason or the cause", () => {
@@ -121,16 +121,16 @@ describe("the order", () => {
   const names = (key: string, ascending = false): string[] => sortRows(rows, key, ascending).map((row) => row.name);
 
   it("has the gravest first, and the worse FLIP first among equals", () => {
-    expect(names("gravity")).toEqual(["Broken", "Gold", "Inside", "Wood", "front"]);
+    expect(names("gravity")).toEqual(["Broken", "Gold", "Inside", "Wood", "Desk · front"]);
   });
 
   it("has what is not known last, whichever way", () => {
-    expect(names("flip.mean").slice(0, 3)).toEqual(["Gold", "Wood", "front"]);
-    expect(names("flip.mean", true).slice(0, 3)).toEqual(["front", "Wood", "Gold"]);
+    expect(names("flip.mean").slice(0, 3)).toEqual(["Gold", "Wood", "Desk · front"]);
+    expect(names("flip.mean", true).slice(0, 3)).toEqual(["Desk · front", "Wood", "Gold"]);
   });
 
   it("sorts names by letter and keeps the list it was given", () => {
-    expect(names("name", true)).toEqual(["Broken", "front", "Gold", "Inside", "Wood"]);
+    expect(names("name", true)).toEqual(["Broken", "Desk · front", "Gold", "Inside", "Wood"]);
     expect(rows[0]?.name).toBe("Gold");
   });
 });

@@ -1,0 +1,25 @@
+// What makes the rows that failed or warned differ: totals by cause, with the worst offenders.
+import { html, nothing, type TemplateResult } from "lit";
+
+import { groupRows, type Group } from "../data/groups";
+import { isOver } from "../data/changes";
+import type { Row } from "../data/rows";
+import { kDefaultState, openItem, toHash } from "../data/state";
+import type { Report } from "../data/types";
+import { groupLabel, troubleText, worstLinks } from "./group";
+
+/** Of materials that failed or warned; the cause of most failures first. */
+export function causeTotals(rows: readonly Row[]): Group[] {
+  const troubled = rows.filter((row) => row.kind === "material" && (isOver(row.verdict) || row.verdict === "warn"));
+  return groupRows(troubled, "cause").sort((a, b) => b.over - a.over || b.rows.length - a.rows.length);
+}
+
+export function causesNotice(report: Report, rows: readonly Row[], isOpen: boolean): TemplateResult | typeof nothing {
+  const groups = causeTotals(rows);
+  if (groups.length === 0) return nothing;
+  const hashOf = (row: Row): string => toHash(openItem({ ...kDefaultState }, row.link));
+  return html`<details class="notice causes" ?open=${isOpen}>
+    <summary>Causes of what failed or warned (<a href=${toHash({ ...kDefaultState, group: "cause" })}>group by cause</a>)</summary>
+    <ul>${groups.map((group) => html`<li><b>${groupLabel(group, "cause")}</b>: ${troubleText(group)}. Worst: ${worstLinks(group, "cause", report, hashOf, 3)}</li>`)}</ul>
+  </details>`;
+}

@@ -1,0 +1,47 @@
+// The head of a group of rows: what it adds up to, and its worst offenders as links.
+import { html, nothing, type TemplateResult } from "lit";
+
+import { kNoCause, kUnknownCause, type Group } from "../data/groups";
+import { figureOf, type Row } from "../data/rows";
+import type { Grouping } from "../data/state";
+import type { Report } from "../data/types";
+import { count, figure } from "../format";
+import { termLabel } from "../viewer/terms";
+
+/** "5 failed, 2 warned"; "" where none did. */
+export function troubleText({ over, warned }: Group): string {
+  return [over > 0 ? `${count(over)} failed` : "", warned > 0 ? `${count(warned)} warned` : ""].filter((each) => each !== "").join(", ");
+}
+
+/** A cause in words with its term; the name of a material or a scene as it is. */
+export function groupLabel({ label }: Group, by: Grouping): TemplateResult {
+  const isTerm = by === "cause" && label !== kNoCause && label !== kUnknownCause;
+  if (isTerm) return html`${termLabel(label)} <small>${label}</small>`;
+  return html`<bdi>${label === "" ? "(no name)" : label}</bdi>`;
+}
+
+/** Links to the worst rows, each with its mean FLIP. */
+export function worstLinks(group: Group, by: Grouping, report: Report, hashOf: (row: Row) => string, most: number): TemplateResult {
+  const nameOf = (row: Row): string => (by === "material" ? row.place : row.name === "" ? "(no name)" : row.name).slice(0, 200);
+  return html`${group.worst.slice(0, most).map(
+    (row, i) => html`${i > 0 ? ", " : ""}<a href=${hashOf(row)} title=${row.place}><bdi>${nameOf(row)}</bdi></a> <span class="number">${figure(figureOf(row, "flip.mean") ?? undefined, report.statistics["flip.mean"])}</span>`,
+  )}`;
+}
+
+export function groupHead(
+  group: Group,
+  by: Grouping,
+  report: Report,
+  isFolded: boolean,
+  toggle: () => void,
+  hashOf: (row: Row) => string,
+): TemplateResult {
+  const trouble = troubleText(group);
+  return html`<span role="cell" class="cell-group">
+    <button type="button" aria-expanded=${isFolded ? "false" : "true"} @click=${toggle}>
+      <span aria-hidden="true">${isFolded ? "▸" : "▾"}</span> ${groupLabel(group, by)}
+    </button>
+    <span class="total">${count(group.rows.length)} row${group.rows.length === 1 ? "" : "s"}${trouble === "" ? nothing : html`, <b class=${group.over > 0 ? "over" : "caution"}>${trouble}</b>`}</span>
+    <span class="worst">Worst: ${worstLinks(group, by, report, hashOf, 3)}</span>
+  </span>`;
+}

@@ -1,0 +1,77 @@
+import { describe, expect, it } from "vitest";
+
+import { changesOf, changeText, countChanges } from "../../src/data/changes";
+import { filterOf, matches } from "../../src/data/filter";
+import { makeRows } from "../../src/data/rows";
+import { kDefaultState } from "../../src/data/state";
+import type { Change, Material, Verdict } from "../../src/data/types";
+import { saidChanges } from "../../src/overview/since";
+import { makeJudged, makeMaterial, makeReport, makeScene, makeView } from "./sample";
+
+function since(before: Verdict | null, change: number | null, notComparable = ""): Change {
+  return { new: before === null, verdict: before, notComparable, changes: notComparable === "" && before !== null ? { "flip.mean": change } : {} };
+}
+const changes = (verdict: Verdict, before: Verdict | null, change: number | null, notComparable = ""): readonly string[] =>
+  changesOf(makeJudged(verdict, 0.1, { baseline: since(before, change, notComparable) }));
+
+describe("changes since the baseline", () => {
+  it("are new failures and what was fixed, by the verdicts", () => {
+    expect(changes("fail", "warn", 0.1)).toEqual(["new", "worse"]);
+    expect(changes("error", "pass", null)).toEqual(["new", "worse"]);
+    expect(changes("warn", "fail", -0.1)).toEqual(["fixed", "better"]);
+    expect(changes("fail", "fail", 0.1)).toEqual(["worse"]);
+    expect(changes("fail", "error", -0.1)).toEqual(["better"]);
+  });
+
+  it("are worse or better by mean FLIP, and none where the change reads 0.000", () => {
+    expect(changes("pass", "pass", 0.0005)).toEqual(["worse"]);
+    expect(changes("pass", "pass", -0.0005)).toEqual(["better"]);
+    expect(changes("pass", "pass", 0.0004)).toEqual([]);
+    expect(changes("pass", "pass", null)).toEqual([]);
+  });
+
+  it("are told of what the baseline lacks, which may be a new failure, and never of what does not compare", () => {
+    expect(changes("pass", null, null)).toEqual(["added"]);
+    expect(changes("fail", null, null)).toEqual(["new", "added"]);
+    expect(changes("fail", "pass", null, "size")).toEqual(["not comparable"]);
+    expect(changesOf(makeJudged("fail", 0.3))).toEqual([]);
+  });
+});
+
+describe("the headline of the changes", () => {
+  const material = (name: string, verdict: Verdict, before: Verdict | null, change: number): Material =>
+    makeMaterial(name, verdict, 0.2, { baseline: since(before, change) });
+  const rows = makeRows(
+    makeReport([
+      makeScene("Desk", [
+        makeView("front", [
+          material("Gold", "fail", "pass", 0.2),
+          material("Iron", "fail", "pass", 0.1),
+          material("Wood", "pass", "fail", -0.2),
+          material("Wax", "warn", "warn", -0.01),
+        ]),
+      ]),
+    ]),
+  );
+  const counts = countChanges(rows);
+
+  it("counts each kind", () => {
+    expect(counts).toEqual({ new: 2, fixed: 1, worse: 2, better: 2, added: 0, "not comparable": 0 });
+    expect(saidChanges(counts)).toEqual(["new", "fixed", "worse", "better"]);
+    expect(saidChanges({ ...counts, new: 0, fixed: 0, worse: 0, better: 0 })).toEqual(["new", "fixed"]);
+  });
+
+  it("reads as a sentence", () => {
+    expect([changeText("new", 3), changeText("new", 1), changeText("new", 0)]).toEqual(["+3 new failures", "+1 new failure", "no new failure"]);
+    expect([changeText("fixed", 12), changeText("added", 1), changeText("not comparable", 2)]).toEqual(["12 fixed", "1 not in the baseline", "2 not comparable"]);
+  });
+
+  it("leads to the rows that it counts: any of the chosen changes", () => {
+    const shown = (...chosen: string[]): string[] =>
+      rows.filter((row) => matches(row, filterOf({ ...kDefaultState, changes: chosen }))).map((row) => row.name);
+    expect(shown("new")).toEqual(["Gold", "Iron"]);
+    expect(shown("new", "fixed")).toEqual(["Gold", "Iron", "Wood"]);
+    expect(shown("better")).toEqual(["Wood", "Wax"]);
+    expect(shown("added")).toEqual([]);
+  });
+});
