@@ -25,6 +25,7 @@ import { Theme } from "./theme";
 export class ParityApp extends PageElement {
   @property({ attribute: false }) page!: Page;
   @state() private state: State = fromHash(location.hash);
+  @state() private isFolded = true; // the filters, on a phone and beside an item
   @query("parity-list") private list!: ParityList;
   @query("parity-item") private item!: ParityItem | null;
   @query("#shortcuts") private shortcuts!: HTMLDialogElement;
@@ -198,7 +199,7 @@ export class ParityApp extends PageElement {
       })}
       <div class="layout ${open ? "with-item" : ""}">
         <section class="overview" aria-label="Overview">
-          ${filters({ report, rows: this.rows, shown: rows.length, state: this.state, isPhone: this.phone.matches, set: (patch) => this.set(patch) })}
+          ${filters({ report, rows: this.rows, shown: rows.length, state: this.state, fold: open !== null || this.phone.matches ? { isFolded: this.isFolded, toggle: () => (this.isFolded = !this.isFolded) } : null, set: (patch) => this.set(patch) })}
           <parity-list .report=${report} .groups=${this.groups} .scales=${this.scales} .state=${this.state} .open=${open} .compact=${open !== null}></parity-list>
         </section>
         ${

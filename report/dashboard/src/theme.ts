@@ -37,6 +37,6 @@ export class Theme {
 
 export function themeButton(theme: Theme): TemplateResult {
   return html`<button type="button" @click=${() => theme.next()} aria-label=${`Colours: ${theme.choice}. Change`}>
-    ${theme.choice === "dark" ? "☾ dark" : theme.choice === "light" ? "☀ light" : "◐ auto"}
+    ${theme.choice === "dark" ? "☾" : theme.choice === "light" ? "☀" : "◐"}<span class="word"> ${theme.choice}</span>
   </button>`;
 }

@@ -61,13 +61,13 @@ export class ParityItem extends PageElement {
     const step = (by: number) => (): boolean => this.dispatchEvent(new CustomEvent("parity-step", { detail: by }));
     const name = row.name === "" ? "(no name)" : row.name;
     return html`<article class="item" aria-labelledby="item-title">
+      <nav class="item-nav" aria-label="Items">
+        <button type="button" @click=${() => this.dispatchEvent(new CustomEvent("parity-close"))} title="Esc">← Overview</button>
+        <span class="place">${this.place}</span>
+        <button type="button" @click=${step(-1)} title="Key ↑" aria-label="Previous item">↑</button>
+        <button type="button" @click=${step(1)} title="Key ↓" aria-label="Next item">↓</button>
+      </nav>
       <header class="item-head">
-        <nav class="item-nav" aria-label="Items">
-          <button type="button" @click=${() => this.dispatchEvent(new CustomEvent("parity-close"))} title="Esc">← Overview</button>
-          <span class="place">${this.place}</span>
-          <button type="button" @click=${step(-1)} title="Key ↑" aria-label="Previous item">↑</button>
-          <button type="button" @click=${step(1)} title="Key ↓" aria-label="Next item">↓</button>
-        </nav>
         <h2 id="item-title" tabindex="-1" title=${name.slice(0, 400)}>${badge(row.verdict)} ${baseLayerBadge(row.notModelled)} <bdi>${name}</bdi></h2>
         <p class="place"><bdi>${row.place}</bdi>${scene ? html` · <bdi>${scene.environment}</bdi>${scene.sun === "none" ? nothing : html` · sun <bdi>${scene.sun}</bdi>`}` : nothing}</p>
         ${row.reason === "" ? nothing : html`<p class="reason" title=${row.reason}>${row.reason}</p>`}
@@ -115,7 +115,7 @@ export class ParityItem extends PageElement {
     const value = (name: string): string => figureIn(figures, name, report.statistics);
     const clipped = clippingText(figures);
     return html`<p class="facts">
-      <b>${row.bias === "" ? "No pixel of this view shows it." : row.bias}</b>${row.bias === "" ? nothing : help("bias")}
+      <span><b>${row.bias === "" ? "No pixel of this view shows it." : row.bias}</b>${row.bias === "" ? nothing : help("bias")}</span>
       ${figures
         ? html`<span>FLIP${help(row.kind === "material" ? "materialFlip" : "wholeFlip")} mean ${value("flip.mean")}${help("mean")}, p95 ${value("flip.p95")}${help("p95")}, max ${value("flip.max")}${help("max")} over ${count(row.pixels)} pixel${row.pixels === 1 ? "" : "s"}${help("pixels")}</span>`
         : nothing}

@@ -80,12 +80,13 @@ function verdictChips(listed: readonly Row[], state: State, set: (patch: Partial
   </div>`;
 }
 
-function changeChips(listed: readonly Row[], state: State, set: (patch: Partial<State>) => void): TemplateResult {
+function changeChips(listed: readonly Row[], state: State, set: (patch: Partial<State>) => void): TemplateResult | typeof nothing {
   const counts = countChanges(listed);
+  const shown = kChanges.filter((change) => counts[change] > 0 || state.changes.includes(change));
+  if (shown.length === 0) return nothing;
   return html`<div class="chips changes" role="group" aria-label="Since the baseline"><span class="chips-name" aria-hidden="true">Since the baseline</span>
-    ${kChanges.map((change) => {
+    ${shown.map((change) => {
       const pressed = state.changes.includes(change);
-      if (counts[change] === 0 && !pressed) return nothing;
       return html`<button type="button" class="chip ${change.replace(" ", "-")}" aria-pressed=${pressed ? "true" : "false"}
         @click=${() => set({ changes: toggled(state.changes, change) })}>${kChangeNames[change]} <b>${count(counts[change])}</b></button>`;
     })}
@@ -117,11 +118,16 @@ export interface FilterScene {
   rows: readonly Row[]; // all
   shown: number;
   state: State;
-  isPhone: boolean; // all but the search folds away
+  fold: Fold | null; // all but the search folds away; null: there is room for all
   set: (patch: Partial<State>) => void;
 }
 
-export function filters({ report, rows, shown, state, isPhone, set }: FilterScene): TemplateResult {
+export interface Fold {
+  isFolded: boolean;
+  toggle: () => void;
+}
+
+export function filters({ report, rows, shown, state, fold, set }: FilterScene): TemplateResult {
   const listed = rows.filter((row) => isListed(row, state.list));
   const list = (each: List, label: string): TemplateResult => {
     const of = rows.filter((row) => isListed(row, each));
@@ -137,17 +143,14 @@ export function filters({ report, rows, shown, state, isPhone, set }: FilterScen
       id="search" type="search" placeholder="Search materials, scenes, reasons" aria-label="Search materials, scenes, reasons"
       .value=${state.query} @input=${(event: Event) => set({ query: (event.target as HTMLInputElement).value })}
     />
+    ${fold === null ? nothing : html`<button type="button" class="fold" aria-expanded=${fold.isFolded ? "false" : "true"} aria-controls="filter-choices" @click=${fold.toggle}>
+      Filter, group, sort${active > 0 ? ` (${active})` : ""} <span aria-hidden="true">${fold.isFolded ? "▾" : "▴"}</span></button>`}
+    <div class="choices" id="filter-choices" ?hidden=${fold?.isFolded ?? false}>
+      ${select("Cause", state.causedBy, causes, causeName, (causedBy) => set({ causedBy }))}
+      ${select("Budget", state.preset, distinct(listed.map((row) => row.preset)), (preset) => preset, (preset) => set({ preset }))}
+      ${groupChoice(state, set)} ${sortChoice(report, state, set)} ${verdictChips(listed, state, set)}
+      ${hasBaseline(report) ? changeChips(listed, state, set) : nothing}
+    </div>
     <span class="shown" role="status">${shown === listed.length ? `${count(shown)} rows` : `${count(shown)} of ${count(listed.length)} rows`}</span>
-    <details class="more-filters" ?open=${!isPhone}>
-      <summary>Filter, group, sort${active > 0 ? ` (${active})` : ""}</summary>
-      <div class="filter-line">
-        ${verdictChips(listed, state, set)}
-        ${hasBaseline(report) ? changeChips(listed, state, set) : nothing}
-        ${select("Cause", state.causedBy, causes, causeName, (causedBy) => set({ causedBy }))}
-        ${select("Budget", state.preset, distinct(listed.map((row) => row.preset)), (preset) => preset, (preset) => set({ preset }))}
-        ${groupChoice(state, set)}
-        ${sortChoice(report, state, set)}
-      </div>
-    </details>
   </div>`;
 }

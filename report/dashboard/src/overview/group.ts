@@ -20,11 +20,19 @@ export function groupLabel({ label }: Group, by: Grouping): TemplateResult {
   return html`<bdi>${label === "" ? "(no name)" : label}</bdi>`;
 }
 
-/** Links to the worst rows, each with its mean FLIP. */
+const kLongestName = 28;
+
+function shortName({ name }: Row): string {
+  if (name === "") return "(no name)";
+  const letters = [...name];
+  return letters.length > kLongestName ? `${letters.slice(0, kLongestName - 1).join("")}…` : name;
+}
+
+/** Links to the worst rows, each with its scene and its mean FLIP. */
 export function worstLinks(group: Group, by: Grouping, report: Report, hashOf: (row: Row) => string, most: number): TemplateResult {
-  const nameOf = (row: Row): string => (by === "material" ? row.place : row.name === "" ? "(no name)" : row.name).slice(0, 200);
+  const nameOf = (row: Row): string => (by === "material" ? row.place : by === "cause" ? `${shortName(row)} · ${row.link.scene}` : shortName(row)).slice(0, 200);
   return html`${group.worst.slice(0, most).map(
-    (row, i) => html`${i > 0 ? ", " : ""}<a href=${hashOf(row)} title=${row.place}><bdi>${nameOf(row)}</bdi></a> <span class="number">${figure(figureOf(row, "flip.mean") ?? undefined, report.statistics["flip.mean"])}</span>`,
+    (row, i) => html`${i > 0 ? ", " : ""}<a href=${hashOf(row)} title=${`${row.name.slice(0, 400)}, ${row.place}`}><bdi>${nameOf(row)}</bdi></a> <span class="number">${figure(figureOf(row, "flip.mean") ?? undefined, report.statistics["flip.mean"])}</span>`,
   )}`;
 }
 

@@ -22,13 +22,13 @@ function allWarnings(report: Report): string[] {
   return [...report.warnings, ...report.scenes.flatMap((scene) => scene.warnings.map((text) => `${scene.name}: ${text}`))];
 }
 
-function baselineNotice(report: Report): TemplateResult | typeof nothing {
+function baselineNotice(report: Report, isFolded: boolean): TemplateResult | typeof nothing {
   const baseline = report.baseline;
   if (!baseline) return nothing;
   const gone = baseline.gone.map(({ scene, view, material }) => [material, view, scene].filter((each) => each !== "").join(", in "));
   return html`
     ${baseline.error === "" ? nothing : html`<p class="notice error" role="alert"><b>The baseline was not used:</b> ${baseline.error}</p>`}
-    ${warnings("Gone since the baseline", gone)}
+    ${warnings("Gone since the baseline", gone, isFolded)}
   `;
 }
 
@@ -51,7 +51,7 @@ export function header(scene: HeaderScene): TemplateResult {
       <h1>${badge(report.verdict)} <span>${report.headline}</span></h1>
       <div class="head-buttons">
         ${themeButton(theme)}
-        <button type="button" @click=${openKeys} aria-label="Keys, and how to read this page">? keys</button>
+        <button type="button" @click=${openKeys} aria-label="Keys, and how to read this page">?<span class="word"> keys</span></button>
       </div>
     </div>
     ${isBrief ? nothing : html`${sinceBaseline(report, scene.rows)}
@@ -63,12 +63,13 @@ export function header(scene: HeaderScene): TemplateResult {
 function notices({ report, rows, isPhone, lost }: HeaderScene): TemplateResult {
   const problems = (report.problems ?? []).map(({ verdict, reason }) => html`<p class="notice error" role="alert"><b>${verdict}:</b> <bdi>${reason}</bdi></p>`);
   return html`${lost === "" ? nothing : html`<p class="notice error" role="alert">The link leads to <bdi>${lost}</bdi>, which this report does not have.</p>`}
-    ${problems}${baselineNotice(report)}${causesNotice(report, rows, !isPhone)}${warnings("Warnings", allWarnings(report), isPhone)}
+    ${problems}
+    <div class="notices">${causesNotice(report, rows, !isPhone)}${baselineNotice(report, isPhone)}${warnings("Warnings", allWarnings(report), isPhone)}
     <details class="notice quiet">
       <summary>Settings</summary>
       ${definitions([
         ...report.settings.map(({ name, value }) => [name, value] as const),
         ["baseline", report.baseline ? `${report.baseline.source} (${report.baseline.version}, ${report.baseline.device})` : ""],
       ])}
-    </details>`;
+    </details></div>`;
 }

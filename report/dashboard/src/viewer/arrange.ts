@@ -156,7 +156,7 @@ function flipPane(scenery: Scenery): PaneModel {
   const values = valueOf(plane);
   const job = values && flipJob(scenery, values);
   const layer: Layer = { key: "flip", label: "FLIP map", image: "", job };
-  return pane("own map of each material", { layer, message: "", isWaiting: job === null });
+  return pane("by material", { layer, message: "", isWaiting: job === null });
 }
 
 /** What stands at the reference's place where two pictures share a pane. */

@@ -197,7 +197,10 @@ export function controls(scene: ControlScene): TemplateResult {
   const { state, set, isPhone } = scene;
   return html`<div class="tools" role="group" aria-label="Comparison">
     <div class="tool-line">
-      ${modeButtons(scene)} ${modeControl(scene)} ${isPhone ? nothing : zoomButtons(scene)} ${foldButton(scene)}
+      ${modeButtons(scene)}
+      ${isPhone
+        ? html`${foldButton(scene)} ${modeControl(scene)}`
+        : html`${zoomButtons(scene)} ${modeControl(scene)} ${foldButton(scene)}`}
     </div>
     <div class="tool-line" id="viewer-more" ?hidden=${scene.isFolded}>
       ${isPhone ? zoomButtons(scene) : nothing} ${termChoice(scene)}

@@ -84,7 +84,7 @@ function luminanceScale(): Scale {
     kind: "luminance",
     name: "Luminance",
     topic: "falseColor",
-    note: "EV from middle grey (18 % of white); +1 EV is twice the light",
+    note: "EV from middle grey, 18 % of white",
     gradient: `linear-gradient(to right, ${bands.join(", ")})`,
     ticks: evs.map((ev) => ({ at: (ev - kLeastEv) / span, text: signedText(ev) })),
     words: `Luminance in EV steps from middle grey, 18 % of white as exposed: from ${kLeastEv} EV (dark blue; black below) over 0 (green) to +${kMostEv} EV (dark red; white above)`,

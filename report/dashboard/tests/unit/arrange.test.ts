@@ -176,7 +176,7 @@ describe("the FLIP map of a material", () => {
     const { models, asked } = ofMaterial({}, ["flip", "materialFlip"]);
     expect(asked).toEqual(["materialFlip"]);
     const layer = models[0]!.layers[0]!;
-    expect([layer.image, layer.job?.kind, models[0]!.note]).toEqual(["", "flip", "own map of each material"]);
+    expect([layer.image, layer.job?.kind, models[0]!.note]).toEqual(["", "flip", "by material"]);
     expect(layer.job?.kind === "flip" && layer.job.plane.name).toBe("materialFlip");
     expect(panes({ mode: "flip", threshold: 0.1 }, ["flip", "materialFlip"]).asked).toEqual(["flip"]);
   });
@@ -199,7 +199,7 @@ describe("the FLIP map of a material", () => {
 
   it("says that it is not at the exposure of the pictures beside it", () => {
     expect(ofMaterial({ exposure: 1 }, ["materialFlip"]).models[0]!.note).toBe(
-      "own map of each material, at the report's exposure",
+      "by material, at the report's exposure",
     );
   });
 });
