@@ -40,12 +40,6 @@ export function countChanges(rows: readonly { changes: readonly ChangeKind[] }[]
 
 /** "+3 new failures", "12 fixed", "1 not in the baseline" */
 export function changeText(change: ChangeKind, count: number): string {
-  switch (change) {
-    case "new":
-      return count === 0 ? "no new failure" : `+${count} new failure${count === 1 ? "" : "s"}`;
-    case "added":
-      return `${count} not in the baseline`;
-    default:
-      return `${count} ${change}`;
-  }
+  if (change === "new") return count === 0 ? "no new failure" : `+${count} new failure${count === 1 ? "" : "s"}`;
+  return change === "added" ? `${count} not in the baseline` : `${count} ${change}`;
 }

@@ -37,7 +37,7 @@ export class ParityItem extends PageElement {
   /** Another item, or another tab, is read from its top. */
   protected override updated(changed: PropertyValues<this>): void {
     const row = changed.get("row");
-    const before = changed.get("state") as State | undefined;
+    const before = changed.get("state");
     const isOther = (row && !isSameItem(row.link, this.row.link)) || (before && before.tab !== this.state.tab);
     if (isOther) this.panel?.scrollTo(0, 0);
   }

@@ -107,7 +107,7 @@ function percent(share: number): string {
 }
 
 function tickClass(at: number): string {
-  return at <= 0 ? "tick first" : at >= 1 ? "tick last" : "tick";
+  return at <= 0 ? "tick at-start" : at >= 1 ? "tick at-end" : "tick";
 }
 
 export function legendView(legend: Legend): TemplateResult {

@@ -251,7 +251,7 @@ export class ParityViewer extends PageElement {
     const columns = bestColumns(panes.length, this.area, view);
     const rows = Math.ceil(panes.length / columns);
     return html`<div class="viewer">
-      <div class="first">
+      <div class="first-screen">
         ${this.lead}
         ${controls({
           state,

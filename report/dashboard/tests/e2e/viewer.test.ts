@@ -217,7 +217,7 @@ describe("FLIP", () => {
       const { page } = await openReport(browser, reportFolder("real"), `${hashOfItem("real", place, 1)}&pixelX=${x}&pixelY=${y}&mode=flip`);
       const expected = (plane[at]! / 65535).toFixed(3);
       await expect.poll(() => page.textContent(".pixel-head"), { timeout: 10000 }).toMatch(new RegExp(`FLIP\\s+${expected}`));
-      expect(await page.locator("parity-pane .note").allTextContents()).toEqual(place < 0 ? [] : ["own map of each material"]);
+      expect(await page.locator("parity-pane .note").allTextContents()).toEqual(place < 0 ? [] : ["by material"]);
       await page.waitForFunction(() => document.querySelector(".histogram p.aside")?.textContent?.includes("pixels"));
       const counted = material.reduce((sum, each) => sum + Number(place < 0 ? each !== 0 : each === place + 1), 0);
       const mean = plane.reduce((sum, value, i) => sum + ((place < 0 ? material[i] !== 0 : material[i] === place + 1) ? value : 0), 0) / counted / 65535;
