@@ -2,12 +2,12 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 
-import { filterOf, matches, sortRows } from "./data/filter";
+import { filterOf, isListed, matches, sortRows } from "./data/filter";
 import { groupingsOf, groupRows, type Group } from "./data/groups";
 import type { Page } from "./data/page";
 import { makeRows, type Row } from "./data/rows";
 import { barScale } from "./data/scale";
-import { fromHash, isSameItem, openItem, toHash, type State } from "./data/state";
+import { fromHash, isSameItem, kDefaultState, openItem, toHash, type State } from "./data/state";
 import { PageElement } from "./element";
 import { HelpPopover } from "./help_popover";
 import { actionOf, shortcutsDialog, type Action } from "./keys";
@@ -24,7 +24,7 @@ import { Theme } from "./theme";
 @customElement("parity-app")
 export class ParityApp extends PageElement {
   @property({ attribute: false }) page!: Page;
-  @state() private state: State = fromHash(location.hash);
+  @state() private state: State = kDefaultState;
   @state() private isFolded = true; // the filters, on a phone and beside an item
   @query("parity-list") private list!: ParityList;
   @query("parity-item") private item!: ParityItem | null;
@@ -45,6 +45,7 @@ export class ParityApp extends PageElement {
     super.connectedCallback();
     this.rows = makeRows(this.page.report);
     this.scales = Object.fromEntries(kBarFigures.map((name) => [name, barScale(this.rows, name)]));
+    this.read(location.hash);
     window.addEventListener("hashchange", this.onHash);
     window.addEventListener("keydown", this.onKey);
     window.addEventListener("keyup", this.onKeyUp);
@@ -60,8 +61,15 @@ export class ParityApp extends PageElement {
     this.helpPopover.stop();
   }
 
+  /** A link to an item opens the list that has its row. */
+  private read(hash: string): void {
+    this.state = fromHash(hash);
+    const open = this.openRow();
+    if (open && !isListed(open, this.state.list)) this.state = { ...this.state, list: open.kind === "whole" ? "views" : "materials" };
+  }
+
   private readonly onHash = (): void => {
-    if (location.hash !== toHash(this.state)) this.state = fromHash(location.hash);
+    if (location.hash !== toHash(this.state)) this.read(location.hash);
   };
 
   private readonly onState = (event: CustomEvent<Partial<State>>): void => this.set(event.detail);
@@ -209,7 +217,7 @@ export class ParityApp extends PageElement {
                 .scales=${this.scales}
                 .row=${open}
                 .state=${this.state}
-                .place=${`${rows.indexOf(open) + 1} of ${rows.length}`}
+                .place=${rows.includes(open) ? `${rows.indexOf(open) + 1} of ${rows.length}` : "not in the list"}
                 @parity-step=${(event: CustomEvent<number>) => this.step(event.detail)}
                 @parity-close=${() => this.act({ kind: "close" })}
               ></parity-item>`

@@ -79,7 +79,7 @@ type Judgement = Omit<Row, "scene" | "view" | "material" | "link" | "order">;
 function judgedRow(kind: Kind, scene: Scene, view: View, judged: Judged, name: string): Judgement {
   const { attribution, notModelled = [] } = judged as Partial<Material>;
   const cause = causeOf(attribution);
-  const place = kind === "whole" ? `whole view, ${view.width} × ${view.height} pixels` : `${scene.name} · ${view.name}`;
+  const place = kind === "whole" ? `whole view, ${view.width} × ${view.height}` : `${scene.name} · ${view.name}`;
   return {
     kind,
     name,

@@ -19,7 +19,8 @@ export function causesNotice(report: Report, rows: readonly Row[], isOpen: boole
   if (groups.length === 0) return nothing;
   const hashOf = (row: Row): string => toHash(openItem({ ...kDefaultState }, row.link));
   return html`<details class="notice causes" ?open=${isOpen}>
-    <summary>Causes of what failed or warned (<a href=${toHash({ ...kDefaultState, group: "cause" })}>group by cause</a>)</summary>
-    <ul>${groups.map((group) => html`<li><b>${groupLabel(group, "cause")}</b>: ${troubleText(group)}. Worst: ${worstLinks(group, "cause", report, hashOf, 3)}</li>`)}</ul>
+    <summary>Causes of what failed or warned</summary>
+    <ul>${groups.map((group) => html`<li><b>${groupLabel(group, "cause")}</b>: ${troubleText(group)}. Worst: ${worstLinks(group, "cause", report, hashOf, 3)}</li>`)}
+      <li><a class="all" href=${toHash({ ...kDefaultState, group: "cause" })}>All rows by cause</a></li></ul>
   </details>`;
 }

@@ -100,7 +100,7 @@ function groupChoice(state: State, set: (patch: Partial<State>) => void): Templa
       <select class="grouping" @change=${(event: Event) => set({ group: (event.target as HTMLSelectElement).value as Grouping })}>
         ${groupings.map((each) => html`<option value=${each} ?selected=${each === shown}>${kGroupNames[each]}</option>`)}
       </select></label>
-    ${shown === "none" ? nothing : html`<button type="button" class="fold-all" @click=${() => set({ folded: !state.folded })}>${state.folded ? "Show all rows" : "Totals only"}</button>`}`;
+    ${shown === "none" ? nothing : html`<button type="button" class="fold-all" aria-pressed=${state.folded ? "true" : "false"} @click=${() => set({ folded: !state.folded })}>Totals only</button>`}`;
 }
 
 function sortChoice(report: Report, state: State, set: (patch: Partial<State>) => void): TemplateResult {

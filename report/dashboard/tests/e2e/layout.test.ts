@@ -127,6 +127,14 @@ describe("the row of the open item", () => {
     await page.context().close();
   });
 
+  it("is in sight where a link leads to a view and does not say which list", async () => {
+    const { page } = await openReport(browser, reportFolder("many"), hashOfItem("many", -1, 7, 2), { viewport: { width: 1440, height: 900 } });
+    await page.waitForSelector(openRow);
+    await expect.poll(() => outOfSight(page, [openRow]), { timeout: 10000 }).toEqual([]);
+    expect(await page.textContent(`${openRow} .name`)).toBe("Scene 8 · view 3");
+    await page.context().close();
+  });
+
   it("is in sight in a group that was folded", async () => {
     const { page } = await openReport(browser, reportFolder("many"), `${hashOfItem("many", 9, 9, 4)}&group=scene&folded=true&sort=order&ascending=true`, { viewport: { width: 1440, height: 900 } });
     await page.waitForSelector(openRow);
