@@ -1,7 +1,7 @@
 // One scale for the bars of a figure, so that bars of different rows compare.
 import { checkOf, figureOf, type Row } from "./rows";
 
-const kSteps = [1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10];
+const kSteps = [1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 10];
 
 /** The least round number that is not below the value; 0 for nothing above 0. */
 export function roundUp(value: number): number {

@@ -8,6 +8,8 @@ import { kDefaultState, openItem, toHash } from "../data/state";
 import type { Report } from "../data/types";
 import { groupLabel, troubleText, worstLinks } from "./group";
 
+const kWorst = 2; // of each cause: a line each; the groups of the list name one more
+
 /** Of materials that failed or warned; the cause of most failures first. */
 export function causeTotals(rows: readonly Row[]): Group[] {
   const troubled = rows.filter((row) => row.kind === "material" && (isOver(row.verdict) || row.verdict === "warn"));
@@ -20,7 +22,7 @@ export function causesNotice(report: Report, rows: readonly Row[], isOpen: boole
   const hashOf = (row: Row): string => toHash(openItem({ ...kDefaultState }, row.link));
   return html`<details class="notice causes" ?open=${isOpen}>
     <summary>Causes of what failed or warned</summary>
-    <ul>${groups.map((group) => html`<li><b>${groupLabel(group, "cause")}</b>: ${troubleText(group)}. Worst: ${worstLinks(group, "cause", report, hashOf, 3)}</li>`)}
+    <ul>${groups.map((group) => html`<li><b>${groupLabel(group, "cause")}</b>: ${troubleText(group)}. Worst: ${worstLinks(group, "cause", report, hashOf, kWorst)}</li>`)}
       <li><a class="all" href=${toHash({ ...kDefaultState, group: "cause" })}>All rows by cause</a></li></ul>
   </details>`;
 }
