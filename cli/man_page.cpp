@@ -72,7 +72,7 @@ std::string synopsisOf(const CommandText& command) {
   return text;
 }
 
-std::string optionsOf(const CommandText& command) {
+std::string optionSections(const CommandText& command) {
   std::string text;
   if (!command.positionals.empty()) {
     text += ".SS Arguments\n";
@@ -121,12 +121,12 @@ std::string manPage(const CommandText& program, const std::string& command) {
     for (const CommandText& each : program.commands)
       page += fmt::format(".TP\n.B {}\n{}.\n", roff(each.name), roff(firstLine(each.help)));
   }
-  page += ".SH OPTIONS\n" + optionsOf(text) + tailOf(help);
+  page += ".SH OPTIONS\n" + optionSections(text) + tailOf(help);
   if (!command.empty())
     for (const CommandText& below : text.commands) {
       page +=
           fmt::format(".SH PARITY {}\n", roff(below.name)) + synopsisOf(below) + ".PP\n" + paragraphs(below.help + ".");
-      page += optionsOf(below);
+      page += optionSections(below);
       for (const Example& example : helpOf(below.name).examples)
         page += fmt::format(".SS Example\n.TP\n.B {}\n{}.\n", roff(example.line), roff(example.what));
     }

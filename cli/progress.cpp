@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kBarColumns = 24, kNarrow = 72; // below the latter the bar is half as wide
 
 // "0:07", "12:40", "1:02:03".
-std::string clock(double seconds) {
+std::string clockText(double seconds) {
   const auto whole = static_cast<long long>(std::llround(std::clamp(seconds, 0.0, 359'999.0)));
   const long long hours = whole / 3600, minutes = whole / 60 % 60;
   return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60)
@@ -30,7 +30,7 @@ std::string clock(double seconds) {
 std::string remaining(double done, double elapsedS) {
   constexpr double kLeastS = 2, kLeastDone = 0.02;
   if (elapsedS < kLeastS || done < kLeastDone || done >= 1) return {};
-  return fmt::format(", about {} left", clock(elapsedS * (1 - done) / done));
+  return fmt::format(", about {} left", clockText(elapsedS * (1 - done) / done));
 }
 
 } // namespace
@@ -41,7 +41,7 @@ std::string describeProgress(const std::string& what, double done, double elapse
   const auto filled = static_cast<std::size_t>(std::llround(share * static_cast<double>(width)));
   std::string line;
   for (std::size_t i = 0; i < width; ++i) line += i < filled ? "█" : "░";
-  line += fmt::format(" {:3.0f} % {}{}  {}", share * 100, clock(elapsedS), remaining(share, elapsedS),
+  line += fmt::format(" {:3.0f} % {}{}  {}", share * 100, clockText(elapsedS), remaining(share, elapsedS),
                       base::plainLine(what));
   return base::displayWidth(line) <= columns ? line : base::fitColumns(line, std::max<std::size_t>(columns, 1));
 }

@@ -211,16 +211,15 @@ const CommandHelp& helpOf(std::string_view command) {
 }
 
 std::string introduction() {
-  std::vector<std::string> scenes;
-  for (const std::string& scene : scenes::builtinSceneNames()) scenes.push_back("builtin:" + scene);
-  std::string text = fmt::format("{}\nScenes are .gltf or .glb files, or {}.", kIntro, fmt::join(scenes, ", "));
-  for (std::size_t begin = text.rfind("\nScenes") + 1, last = begin;
-       (last = text.find(' ', last)) != std::string::npos;) {
-    constexpr std::size_t kColumns = 120;
-    if (last - begin >= kColumns) text[last] = '\n', begin = last;
-    ++last;
+  constexpr std::size_t kColumns = 120;
+  std::string text = kIntro, line = "Scenes are .gltf or .glb files, or";
+  for (const std::string& scene : scenes::builtinSceneNames()) {
+    const std::string word = fmt::format(" builtin:{},", scene);
+    if (line.size() + word.size() > kColumns) text += "\n" + line, line.clear();
+    line += line.empty() ? word.substr(1) : word;
   }
-  return text;
+  line.back() = '.';
+  return text + "\n" + line;
 }
 
 void addHelp(CLI::App& app) {

@@ -17,7 +17,7 @@ std::vector<const CLI::App*> commandsOf(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App* each) { return !each->get_name().empty(); });
 }
 
-std::string describeCommand(const CLI::App& app, const std::string& name) {
+std::string sayUnknownCommand(const CLI::App& app, const std::string& name) {
   std::vector<std::string> names;
   for (const CLI::App* each : commandsOf(app)) names.push_back(each->get_name());
   const std::vector<std::string_view> known(names.begin(), names.end());
@@ -48,7 +48,7 @@ std::vector<std::string> ownersOf(const CLI::App& app, const CLI::App& root, con
   return owners;
 }
 
-std::string describeOption(const CLI::App& app, const std::string& given) {
+std::string sayUnknownOption(const CLI::App& app, const std::string& given) {
   const std::string name = given.substr(0, given.find('='));
   const std::size_t dashes = std::min(name.find_first_not_of('-'), name.size());
   const std::vector<std::string> names = optionNames(app);
@@ -80,8 +80,8 @@ std::string describeMistyped(const CLI::App& app) {
   const CLI::App& chosen = chosenOf(app);
   const std::vector<std::string> remaining = chosen.remaining();
   for (const std::string& each : remaining)
-    if (each.size() > 1 && each.front() == '-' && each != "--") return describeOption(chosen, each);
-  if (!remaining.empty() && !commandsOf(chosen).empty()) return describeCommand(chosen, remaining.front());
+    if (each.size() > 1 && each.front() == '-' && each != "--") return sayUnknownOption(chosen, each);
+  if (!remaining.empty() && !commandsOf(chosen).empty()) return sayUnknownCommand(chosen, remaining.front());
   return {};
 }
 
