@@ -46,14 +46,17 @@ function __parity_at # COMMAND: whether it is the one that was given
     set -l given
     set -l words (commandline -opc)
     for word in $words[2..-1]
-        contains -- (string join ' ' $given $word) {}; and set -a given $word
+        contains -- (string join -- ' ' $given $word) {}; and set -a given $word
     end
     test "$given" = "$argv"
 end
 function __parity_files # KINDS
+    set -l word (commandline -ct)
+    set -l files $word*/
     for kind in $argv
-        __fish_complete_suffix .$kind
+        set -a files $word*.$kind
     end
+    printf '%s\n' $files
 end
 complete -c parity -f
 )fish",
