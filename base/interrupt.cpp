@@ -7,6 +7,7 @@
 #include <deque>
 #include <mutex>
 
+#include "base/terminal.h"
 #include "base/text/shown_text.h"
 
 namespace parity::base {
@@ -39,7 +40,7 @@ void setInterruptNote(const std::string& line) {
   const std::lock_guard lock(mutex);
   static const bool listens = (listen(), true);
   static_cast<void>(listens);
-  const char* wipe = isatty(STDERR_FILENO) ? "\r\x1b[K" : ""; // a progress bar
+  const std::string wipe = wipeLine(readTerminal(STDERR_FILENO)); // a progress bar
   current = &texts.emplace_back(wipe + shownText("error: " + line) + "\n");
 }
 

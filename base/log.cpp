@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include "base/terminal.h"
 #include "base/text/shown_text.h"
 
 namespace parity::base {
@@ -17,7 +18,7 @@ std::atomic<LogLevel> level = LogLevel::normal; // of the process, as stderr is
 
 void writeLine(std::string_view prefix, const std::string& message) {
   // On a terminal a progress bar may stand on the line: wipe it first.
-  static const std::string_view kWipe = isatty(STDERR_FILENO) ? "\r\x1b[K" : "";
+  static const std::string kWipe = wipeLine(readTerminal(STDERR_FILENO));
   std::string lines(kWipe);
   for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
     end = message.find('\n', begin);

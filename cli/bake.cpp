@@ -11,8 +11,10 @@
 #include "base/log.h"
 #include "base/parallel.h"
 #include "base/text/error_words.h"
+#include "cli/input_list.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
+#include "cli/progress.h"
 #include "cli/requests.h"
 #include "job/context.h"
 
@@ -65,10 +67,11 @@ std::vector<Task> tasksOf(const BakeCommand& command) {
                             "no scene has this key; it names the scene's folder of baked light");
     return tasks;
   }
-  for (const std::string& scene : command.scenes) {
+  const std::vector<std::string> scenes = withListed(command.scenes, "scene");
+  for (const std::string& scene : scenes) {
     const job::SceneRequest request = sceneRequest(command.common, scene);
     const std::filesystem::path folder = command.folder;
-    tasks.push_back({request, command.scenes.size() > 1 ? folder / folderName(request.name) : folder});
+    tasks.push_back({request, scenes.size() > 1 ? folder / folderName(request.name) : folder});
   }
   for (std::size_t i = 0; i < tasks.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -127,11 +130,13 @@ int runBakeCommand(const BakeCommand& command) {
   if (!command.common.settings.device.name.empty() || std::ranges::any_of(tasks, hasCaptures))
     context.deviceReport(); // captures need a device: refuse a wrong one before the minutes that follow
   int exitCode = 0;
-  for (const Task& task : tasks) {
+  const job::Progress progress = makeProgress(command.common.quiet);
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const Task& task = tasks[i];
     try {
       const base::Stopwatch watch(nullptr, "bake");
       const job::BakeResult result =
-          job::bakeScene(context, task.request, command.options, makeProgress(command.common.quiet),
+          job::bakeScene(context, task.request, command.options, progressOfScene(progress, i, tasks.size()),
                          [] { return g_isCancelled.load(); });
       printNotes(task.request.name, result.notes);
       bake::writeBaked(task.folder, result.light);

@@ -13,8 +13,10 @@
 #include "base/text/error_words.h"
 #include "base/text/text.h"
 #include "base/version.h"
+#include "cli/input_list.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
+#include "cli/progress.h"
 #include "cli/requests.h"
 #include "gpu/device/device_report.h"
 #include "job/context.h"
@@ -60,7 +62,7 @@ int runScaling(const BenchCommand& command) {
 
 // A view of a scene each.
 RunRequest requestOf(const BenchCommand& command) {
-  RunRequest run = runRequest(command.common, command.scenes, command.suite);
+  RunRequest run = runRequest(command.common, withListed(command.scenes, "scene"), command.suite);
   std::vector<job::SceneRequest> views;
   for (const job::SceneRequest& scene : run.scenes)
     for (const scenes::ViewRequest& view : scene.views) {
@@ -102,7 +104,9 @@ sweep::SweepReport measure(const BenchCommand& command, const RunRequest& run, c
   const job::Progress progress = makeProgress(command.common.quiet);
   for (const job::SceneRequest& request : run.scenes) {
     try {
-      report.scenes.push_back(sweep::runTrial(context, request, command.trial, progress));
+      const std::size_t index = report.scenes.size();
+      report.scenes.push_back(
+          sweep::runTrial(context, request, command.trial, progressOfScene(progress, index, run.scenes.size())));
     } catch (const std::exception& error) {
       // What was measured so far is not lost. A wrong command line is refused at the first scene; a suite's scenes have
       // options of their own, so that the others still run.

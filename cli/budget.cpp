@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "base/text/text.h"
 #include "cli/file_conflicts.h"
+#include "cli/input_list.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
 #include "compare/verdict/budget.h"
@@ -13,11 +14,12 @@
 namespace parity::cli {
 
 int runBudgetSuggestCommand(const BudgetSuggestCommand& command) {
+  const std::vector<std::string> reports = withListed(command.reports, "report");
   std::vector<NamedFile> inputs;
-  for (const std::string& file : command.reports) inputs.push_back({"a report", report::reportFileOf(file)});
+  for (const std::string& file : reports) inputs.push_back({"a report", report::reportFileOf(file)});
   requireSeparate({{"-o", command.output}}, inputs);
   std::vector<report::ObservedRun> runs;
-  for (const std::string& file : command.reports) {
+  for (const std::string& file : reports) {
     runs.push_back({file, report::readReport(file)});
     base::logDetail(fmt::format("read {}: {} scenes, by parity {} on {}", report::reportFileOf(file).string(),
                                 runs.back().report.scenes.size(), runs.back().report.version,

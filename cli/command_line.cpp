@@ -2,36 +2,30 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <sstream>
+
+#include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/log.h"
-#include "base/text/nearest.h"
-#include "base/version.h"
 #include "cli/invocation.h"
 #include "cli/options/bake_options.h"
 #include "cli/options/bench_options.h"
 #include "cli/options/budget_options.h"
 #include "cli/options/cache_options.h"
+#include "cli/options/command_help.h"
 #include "cli/options/common_options.h"
 #include "cli/options/fit_options.h"
 #include "cli/options/flip_options.h"
+#include "cli/options/guide_options.h"
+#include "cli/options/mistyped.h"
 #include "cli/options/option_parts.h"
 #include "cli/options/plot_options.h"
+#include "cli/options/render_options.h"
 #include "cli/options/stress_options.h"
-#include "cli/output.h"
 
 namespace parity::cli {
 
 namespace {
-
-// CLI11 would only say that a subcommand is required.
-void requireKnownSubcommand(const CLI::App& app, int argc, const char* const* argv) {
-  const auto known = app.get_subcommands([](const CLI::App*) { return true; });
-  if (argc > 1 && argv[1][0] != '-' &&
-      std::none_of(known.begin(), known.end(), [&](const CLI::App* s) { return s->check_name(argv[1]); }))
-    throw CLI::ValidationError(argv[1], "unknown subcommand; 'parity --help' lists them");
-}
 
 // An empty value is a variable of a script that is not set: nothing that can be meant.
 void requireValues(const CLI::App& app) {
@@ -44,7 +38,8 @@ void requireValues(const CLI::App& app) {
 // -v: of every subcommand that runs something.
 void addVerbose(CLI::App& app, bool& verbose) {
   const std::vector<CLI::App*> below = app.get_subcommands([](const CLI::App*) { return true; });
-  if (below.empty()) app.add_flag("-v,--verbose", verbose, "Print to stderr what is done, and with what");
+  if (below.empty())
+    app.add_flag("-v,--verbose", verbose, "Print to stderr what is done, and with what")->group(kGeneralGroup);
   for (CLI::App* each : below) addVerbose(*each, verbose);
 }
 
@@ -67,112 +62,81 @@ const std::vector<std::string> kNotRead = {"env",
                                            "baked",
                                            "subject"};
 
-constexpr const char* kIntro = R"(parity: does a material look the same on two shading paths?
-
-Renders a glTF scene by a high-end path (full GGX, tabulated environment BRDF, all lights) and by a mobile path (Karis 2014, UE4's
-base pass), compares them per material by FLIP, and judges them against budgets.
-
-  parity report scene.glb --env studio.hdr --sun 30,50,4 -o out      report with pictures: out/index.html
-  parity diff   scene.glb --env studio.hdr                           table with one row for each material
-  parity flip   reference.png test.png -o map.exr                    compare any two images
-  parity budget suggest out/report.json -o budgets.toml              suggest limits from observed figures
-  parity fit --geometry-term schlick-smith --format hlsl             fit the preset refit to your own path
-  parity plot env-brdf scene.glb -o plot                             error of EnvBRDFApprox against the table
-  parity bench scene.glb --env studio.hdr --budget flip.mean=0.02 -o out   time and error of each setting
-  parity bake scene.glb --env studio.hdr -o baked                    bake all light except the sun's, for --baked baked
-  parity stress -o stress                                            find results that are not finite, negative or wrong
-)";
-
-constexpr const char* kFooter = R"(
-Exit codes: 0 within budget; 1 warnings only (with --warn-exit); 2 over budget (stress: a new finding; bench: a setting is slower,
-or none is within the budget); 3 not comparable (sizes, channels, layers, or a metric that does not apply); 4 a file is missing or
-not finite, a step failed (read, render, judge, write), or no material was compared; 64 wrong usage. The highest code wins. If a
-scene fails, the others still run. Scenes are .gltf or .glb files, or builtin:materials, builtin:spheres, builtin:lights,
-builtin:lamps, builtin:shadows, builtin:room, builtin:courtyard, builtin:furnace.)";
+// What a command line that was refused is told: what CLI11 says, unless a name is not known at all.
+Parsed refuse(const CLI::App& app, const CLI::ParseError& error) {
+  std::string text = describeMistyped(app);
+  if (text.empty()) text = error.what();
+  return {.command = {},
+          .text = fmt::format("{}\nRun '{} --help' for more information.\n", text, fullName(chosenOf(app))),
+          .exitCode = static_cast<int>(base::ExitCode::usage)};
+}
 
 } // namespace
 
 // NOLINTNEXTLINE(readability-function-size): a list, read from top to bottom
 Parsed parseCommandLine(int argc, const char* const* argv) {
-  CLI::App app(kIntro, "parity");
-  app.footer(kFooter);
+  CLI::App app(introduction(), "parity");
   app.require_subcommand(1);
-  app.set_version_flag("--version", std::string("parity ") + base::kVersion);
-  app.get_formatter()->column_width(34);
+  bool version = false, listTerms = false; // asked for: they need nothing else
+  app.add_flag_callback(
+         "--version",
+         [&version] {
+           version = true;
+           throw CLI::Success();
+         },
+         "Print version, build and Vulkan device")
+      ->group(kGeneralGroup);
 
   RawOptions raw;
   ReportCommand report;
   DiffCommand diff;
   CLI::App& reportApp =
       *app.add_subcommand("report", "Compare scenes and write a report: index.html, report.json, junit.xml, images");
-  reportApp.add_option("scenes", report.scenes, "Scene files or builtin:NAME");
-  CLI::Option* suite = reportApp.add_option("--suite", report.suite,
-                                            "Suite file (TOML): many scenes, with their views, light and budgets");
-  suite->excludes(reportApp.get_option("scenes"));
-  reportApp.add_option("-o,--output", report.folder, "Folder for the report")->required();
+  reportApp.add_option("scenes", report.scenes, "Scene files or builtin:NAME; -: one a line from standard input")
+      ->type_name(kSceneFile);
+  reportApp.add_option("--suite", report.suite, "Suite file (TOML): many scenes, with their views, light and budgets")
+      ->type_name(kFile)
+      ->group(kInputGroup)
+      ->excludes(reportApp.get_option("scenes"));
+  report.folder = "parity-report";
+  reportApp.add_option("-o,--output", report.folder, "Folder for the report")
+      ->type_name(kFolder)
+      ->group(kOutputGroup)
+      ->capture_default_str();
   addPageOptions(reportApp, report, raw);
   addVerdictOptions(reportApp, report.verdict);
-  reportApp.add_option("--json", report.common.json, "Also write report.json to this file; - for stdout");
+  reportApp.add_option("--json", report.common.json, "Also write report.json to this file; - for stdout")
+      ->type_name(kFile)
+      ->group(kOutputGroup);
+  addCsvOption(reportApp, report.csv);
   for (job::Settings* settings : {&report.common.settings, &diff.common.settings}) {
     settings->attribution = job::Attribution::overBudget;
     settings->droppedLights = 8;
   }
-  addKnobs(reportApp, report.common, raw, kCompared);
+  addKnobs(reportApp, report.common, raw, kCompared, {"env"});
+  addEnvironments(reportApp, raw);
   addViewKnobs(reportApp, raw);
   addRunOptions(reportApp, report.common, raw);
   addBudgetsOption(reportApp, report.common);
 
   CLI::App& diffApp = *app.add_subcommand("diff", "Compare one scene and print a table with one row for each material");
-  diffApp.add_option("scene", diff.scene, "Scene file or builtin:NAME")->required();
+  diffApp.add_option("scene", diff.scene, "Scene file or builtin:NAME")->required()->type_name(kSceneFile);
   addVerdictOptions(diffApp, diff.verdict);
-  diffApp.add_option("--json", diff.common.json,
-                     "Write the result as JSON to this file; - for stdout, instead of the table");
-  addKnobs(diffApp, diff.common, raw, kCompared);
+  diffApp
+      .add_option("--json", diff.common.json,
+                  "Write the result as JSON to this file; - for stdout, instead of the table")
+      ->type_name(kFile)
+      ->group(kOutputGroup);
+  addCsvOption(diffApp, diff.csv);
+  addKnobs(diffApp, diff.common, raw, kCompared, {"env"});
+  addEnvironments(diffApp, raw);
   addViewKnobs(diffApp, raw);
   addRunOptions(diffApp, diff.common, raw);
   addBudgetsOption(diffApp, diff.common);
 
   RenderCommand render;
   CLI::App& renderApp = *app.add_subcommand("render", "Render one scene with one path");
-  renderApp.add_option("scene", render.scene, "Scene file or builtin:NAME")->required();
-  std::vector<std::string> renderedPaths = job::pathNames();
-  renderedPaths.insert(renderedPaths.end(), {"truth", "reference"}); // the older name of it
-  renderApp
-      .add_option(
-          "--path", render.path,
-          fmt::format("Path: {} or truth (ground truth: exact integrals, slow)", fmt::join(job::pathNames(), ", ")))
-      ->required()
-      ->check(CLI::IsMember(renderedPaths));
-  renderApp
-      .add_option("-o,--output", render.output,
-                  "Picture to write. .exr, .pfm, .hdr: linear scene-referred values; .png: as displayed")
-      ->required()
-      ->check(fileOfKind({".exr", ".pfm", ".hdr", ".png"}));
-  renderApp.add_flag("--terms", render.common.settings.terms,
-                     "Also write the terms of light, as layers of the .exr file");
-  renderApp
-      .add_option("--term", render.term,
-                  "Write one term, or one intermediate of the path's shader, instead of the colour (--list-terms)")
-      ->check(CLI::Validator(
-          [](const std::string& name) {
-            const std::vector<std::string> names = termNames();
-            const std::vector<std::string_view> known(names.begin(), names.end());
-            return std::find(known.begin(), known.end(), name) != known.end()
-                       ? std::string()
-                       : name + ": unknown term; " + base::describeNearest(name, known);
-          },
-          "NAME"));
-  bool listTerms = false;
-  renderApp.add_flag_callback(
-      "--list-terms",
-      [&listTerms] {
-        listTerms = true;
-        throw CLI::Success(); // needs no scene
-      },
-      "List the values of --term");
-  renderApp.add_option("--error-map", render.errorMap, "Write the relative standard error of each pixel to this file")
-      ->check(fileOfKind({".exr", ".pfm"}))
-      ->group("Truth");
+  addRenderOptions(renderApp, render, listTerms);
   addKnobs(renderApp, render.common, raw, {"Scene", "Picture", "Paths", "Truth"}, {"truth", "costs", "paths"});
   addViewKnobs(renderApp, raw);
   addRunOptions(renderApp, render.common, raw);
@@ -216,14 +180,21 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
 
   DevicesCommand devices;
   CLI::App& devicesApp = *app.add_subcommand("devices", "List Vulkan devices, and the reason why each is used or not");
-  devicesApp.add_option("--device", devices.device.name, "Show which device this option selects");
-  devicesApp.add_option("--json", devices.json, "Write the list as JSON to this file; - for stdout");
+  devicesApp.add_option("--device", devices.device.name, "Show which device this option selects")
+      ->type_name("DEVICE")
+      ->group(kMachineGroup);
+  devicesApp.add_option("--json", devices.json, "Write the list as JSON to this file; - for stdout")
+      ->type_name(kFile)
+      ->group(kOutputGroup);
 
   InfoCommand info;
   CLI::App& infoApp = *app.add_subcommand("info", "Show the content of a scene's file, and its errors");
-  infoApp.add_option("file", info.scene, "Scene file or builtin:NAME")->required();
-  infoApp.add_option("--json", info.common.json,
-                     "Write the content as JSON to this file; - for stdout, instead of the text");
+  infoApp.add_option("file", info.scene, "Scene file or builtin:NAME")->required()->type_name(kSceneFile);
+  infoApp
+      .add_option("--json", info.common.json,
+                  "Write the content as JSON to this file; - for stdout, instead of the text")
+      ->type_name(kFile)
+      ->group(kOutputGroup);
   addKnobs(infoApp, info.common, raw, {"Scene"}, kNotRead);
 
   const CLI::App& knobsApp = *app.add_subcommand(
@@ -236,10 +207,15 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   bool verbose = false;
   addVerbose(app, verbose);
 
+  RawGuideOptions rawGuide;
+  addGuideOptions(app, rawGuide);
+  addHelp(app);
+
+  std::vector<std::string> arguments = expandHelp({argv + 1, argv + argc});
+  std::reverse(arguments.begin(), arguments.end()); // as CLI11 wants them
   Parsed parsed;
   try {
-    requireKnownSubcommand(app, argc, argv);
-    app.parse(argc, argv);
+    app.parse(arguments);
     if (verbose) base::setLogLevel(base::LogLevel::verbose); // -q, which is asked later, goes first
     requireValues(app);
     if (reportApp.parsed()) {
@@ -247,11 +223,13 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       if (!report.suite.empty()) requireNoneOfScene(raw);
       settle(reportApp, report.common, raw, !report.suite.empty());
       requireSizeFits(report.common, kComparedPixelBytes);
+      requireOneOnStdout(report.common.json, report.csv);
       report.pixelData = raw.pixelData == "all";
       parsed.command = report;
     } else if (diffApp.parsed()) {
       settle(diffApp, diff.common, raw);
       requireSizeFits(diff.common, kComparedPixelBytes);
+      requireOneOnStdout(diff.common.json, diff.csv);
       parsed.command = diff;
     } else if (renderApp.parsed()) {
       settle(renderApp, render.common, raw);
@@ -285,18 +263,19 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = KnobsCommand();
     } else if (cacheApp.parsed()) {
       parsed.command = settleCache(cacheApp, rawCache);
-    } else {
+    } else if (devicesApp.parsed()) {
       parsed.command = devices;
+    } else {
+      parsed.command = settleGuide(app, rawGuide);
     }
   } catch (const CLI::ParseError& error) {
-    if (listTerms) {
+    if (error.get_exit_code() != 0) return refuse(app, error);
+    if (version)
+      parsed.command = VersionCommand();
+    else if (listTerms)
       parsed.command = ListTermsCommand();
-      return parsed;
-    }
-    std::ostringstream out, err;
-    const bool asked = app.exit(error, out, err) == 0; // --help, --version
-    parsed.text = asked ? out.str() : err.str();
-    parsed.exitCode = asked ? 0 : static_cast<int>(base::ExitCode::usage);
+    else
+      parsed.text = app.help();
   }
   return parsed;
 }

@@ -13,6 +13,7 @@
 #include "cli/file_conflicts.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
+#include "cli/progress.h"
 #include "compare/images/flip_files.h"
 #include "compare/images/flip_text.h"
 

@@ -25,7 +25,8 @@ struct CommonOptions {
   base::GivenKnobs given;
   scenes::ViewRequest view;
   int threads = 0;
-  std::string json; // file, "-" for stdout, "" for none
+  std::vector<std::string> environments; // each --env; at most one is in the settings
+  std::string json;                      // file, "-" for stdout, "" for none
   bool timings = false, quiet = false;
 };
 
@@ -41,6 +42,7 @@ struct ReportCommand {
   VerdictOptions verdict;
   std::vector<std::string> scenes;
   std::string suite, folder;
+  std::string csv; // file, "-" for stdout, "" for none
   bool singleFile = false, pixelData = true;
   std::string bench; // bench.json of `parity bench` or its folder; empty: none
 };
@@ -49,6 +51,7 @@ struct DiffCommand {
   CommonOptions common;
   VerdictOptions verdict;
   std::string scene;
+  std::string csv; // file, "-" for stdout, "" for none
 };
 
 struct RenderCommand {
@@ -134,17 +137,28 @@ struct DevicesCommand {
 // parity knobs.
 struct KnobsCommand {};
 
+// parity --version.
+struct VersionCommand {};
+
+// parity completion and man: a text to print, or files by name.
+struct GuideCommand {
+  std::string text;
+  std::vector<std::pair<std::string, std::string>> files;
+  std::string folder;
+};
+
 struct CacheCommand {
   bool clear = false; // else it is described
   std::filesystem::path folder;
   std::string json;
 };
 
-using Invocation = std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand,
-                                BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand, StressCommand,
-                                BakeCommand, DevicesCommand, InfoCommand, CacheCommand, PlotCommand, KnobsCommand>;
+using Invocation =
+    std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand, BudgetSuggestCommand,
+                 BudgetCheckCommand, FitCommand, BenchCommand, StressCommand, BakeCommand, DevicesCommand, InfoCommand,
+                 CacheCommand, PlotCommand, KnobsCommand, VersionCommand, GuideCommand>;
 
-// What parsing led to: a command to run, or text that was asked for or is due (help, version, a usage error) with its
+// What parsing led to: a command to run, or text that was asked for or is due (help, a usage error) with its
 // exit code.
 struct Parsed {
   std::optional<Invocation> command;
@@ -176,5 +190,7 @@ int runDevicesCommand(const DevicesCommand& command);
 int runInfoCommand(const InfoCommand& command);
 int runCacheCommand(const CacheCommand& command);
 int runKnobsCommand();
+int runVersionCommand();
+int runGuideCommand(const GuideCommand& command);
 
 } // namespace parity::cli

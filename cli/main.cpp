@@ -1,5 +1,4 @@
 // parity: one line of error and the exit code of docs/design.md 8a, whatever happens.
-#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -13,6 +12,7 @@
 #include "base/text/error_words.h"
 #include "base/text/shown_text.h"
 #include "cli/invocation.h"
+#include "cli/output.h"
 
 namespace {
 
@@ -33,20 +33,16 @@ std::string joinCommandLine(int argc, char** argv) {
   return line;
 }
 
-// What was printed has to have arrived (exit 4), except where the reader has gone, as a pager does.
-void requireStdoutWritten() {
-  errno = 0;
-  if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && errno != EPIPE)
-    throw parity::base::fileError("stdout", "", "could not be written");
-}
-
 template <typename... F> struct Overloaded : F... { using F::operator()...; };
 
 int run(int argc, char** argv) {
   using namespace parity::cli;
   const Parsed parsed = parseCommandLine(argc, argv);
   if (!parsed.command) {
-    std::fputs(parity::base::shownText(parsed.text).c_str(), parsed.exitCode == 0 ? stdout : stderr);
+    if (parsed.exitCode == 0)
+      printText(parsed.text);
+    else
+      std::fputs(parity::base::shownText(parsed.text).c_str(), stderr);
     return parsed.exitCode;
   }
   const std::string line = joinCommandLine(argc, argv);
@@ -67,7 +63,9 @@ int run(int argc, char** argv) {
                                [](const InfoCommand& c) { return runInfoCommand(c); },
                                [](const CacheCommand& c) { return runCacheCommand(c); },
                                [](const PlotCommand& c) { return runPlotCommand(c); },
-                               [](const KnobsCommand&) { return runKnobsCommand(); }},
+                               [](const KnobsCommand&) { return runKnobsCommand(); },
+                               [](const VersionCommand&) { return runVersionCommand(); },
+                               [](const GuideCommand& c) { return runGuideCommand(c); }},
                     *parsed.command);
 }
 
@@ -77,7 +75,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN); // a closed pager is not a crash
   try {
     const int exitCode = run(argc, argv);
-    requireStdoutWritten();
+    parity::cli::finishStdout();
     return exitCode;
   } catch (const parity::base::Error& error) {
     parity::base::logError(error.what());

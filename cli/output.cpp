@@ -1,10 +1,10 @@
 #include "cli/output.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cctype>
 #include <cerrno>
-#include <cmath>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -12,40 +12,59 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/terminal.h"
 #include "report/dashboard_files.h"
 
 namespace parity::cli {
 
-job::Progress makeProgress(bool quiet) {
-  if (quiet || !isatty(STDERR_FILENO)) return {};
-  return [](const std::string& what, double done) {
-    constexpr int kWidth = 24;
-    const int filled = static_cast<int>(std::lround(done * kWidth));
-    std::string bar;
-    for (int i = 0; i < kWidth; ++i) bar += i < filled ? "█" : "░";
-    fmt::print(stderr, "\r\x1b[K{} {:3.0f} % {}", bar, done * 100, base::plainLine(what));
-    if (done >= 1) fmt::print(stderr, "\r\x1b[K");
-    std::fflush(stderr);
-  };
+namespace {
+
+// The reader has gone, as `head` and pagers do: that is no error. What is still to come goes nowhere.
+void closeStdout() {
+  if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
+    dup2(nowhere, STDOUT_FILENO);
+    close(nowhere);
+  }
+  std::clearerr(stdout);
+}
+
+// errno says why, after fwrite or fflush has failed.
+void requireNoFault(bool isGood) {
+  if (isGood) return;
+  if (errno != EPIPE) throw base::fileError("stdout", "", "could not be written");
+  closeStdout();
+}
+
+void writeStdout(const std::string& text) {
+  errno = 0;
+  requireNoFault(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
+}
+
+} // namespace
+
+void finishStdout() {
+  errno = 0;
+  requireNoFault(std::fflush(stdout) == 0 && std::ferror(stdout) == 0);
 }
 
 void printTimings(const std::vector<std::pair<std::string, double>>& timings) {
-  for (const auto& [stage, timeMs] : timings) fmt::print(stderr, "{:>9.1f} ms  {}\n", timeMs, stage);
+  std::string lines;
+  for (const auto& [stage, timeMs] : timings) lines += fmt::format("{:>9.1f} ms  {}\n", timeMs, stage);
+  std::fputs(lines.c_str(), stderr);
 }
 
-void printText(const std::string& text, base::Colors colors) {
-  const std::string shown = base::shownText(text, colors);
-  if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size() && errno != EPIPE)
-    throw base::fileError("stdout", "", "could not be written");
-}
+void printText(const std::string& text, base::Colors colors) { writeStdout(base::shownText(text, colors)); }
 
 void printTable(const report::Report& report) {
-  const bool color = isatty(STDOUT_FILENO) != 0;
+  const bool color = base::usesColors(base::readTerminal(STDOUT_FILENO));
   printText(report::toTable(report, color) + "\n", color ? base::Colors::ours : base::Colors::none);
 }
 
 void printCommands(const std::string& commands, bool stdoutTaken) {
-  fmt::print(stdoutTaken ? stderr : stdout, "{}", commands);
+  if (stdoutTaken)
+    std::fwrite(commands.data(), 1, commands.size(), stderr);
+  else
+    writeStdout(commands);
 }
 
 std::string dumpJson(const nlohmann::ordered_json& json) {
@@ -55,7 +74,16 @@ std::string dumpJson(const nlohmann::ordered_json& json) {
 void writeJson(const std::string& target, const std::string& text) {
   if (target != "-") return base::writeText(target, text);
   printText(base::shownStrings(text));
-  if (std::fflush(stdout) != 0 && errno != EPIPE) throw base::fileError("stdout", "", "could not be written");
+  finishStdout();
+}
+
+void writeCsv(const std::string& target, const report::Report& report) {
+  if (target.empty()) return;
+  const std::string csv = report::toCsv(report);
+  if (target == "-")
+    printText(csv);
+  else
+    base::writeText(target, csv);
 }
 
 void writePage(const std::filesystem::path& folder, const std::string& html) {

@@ -1,4 +1,4 @@
-// What subcommands print: progress, timings, JSON to a file or stdout.
+// What subcommands print: text, timings, JSON to a file or stdout.
 #pragma once
 
 #include <filesystem>
@@ -15,9 +15,6 @@
 
 namespace parity::cli {
 
-// A bar on stderr where that is a terminal and nobody asked for quiet; else nothing. Erases itself at 1.
-job::Progress makeProgress(bool quiet);
-
 // Stage by stage, to stderr.
 void printTimings(const std::vector<std::pair<std::string, double>>& timings);
 
@@ -28,7 +25,10 @@ template <typename... Parts> void print(fmt::format_string<Parts...> format, Par
   printText(fmt::format(format, std::forward<Parts>(parts)...));
 }
 
-// report::toTable(), in colours where stdout is a terminal.
+// What was printed has to have arrived: at the end of a run. Throws Error (exit 4), except where the reader has gone.
+void finishStdout();
+
+// report::toTable(), in colours where stdout takes them (base/terminal.h).
 void printTable(const report::Report& report);
 
 // Indented, with a line feed behind it. What is no UTF-8 becomes U+FFFD.
@@ -36,6 +36,9 @@ std::string dumpJson(const nlohmann::ordered_json& json);
 
 // Writes JSON to stdout for "-" (base::shownStrings()), else to the file. Throws Error (exit 4).
 void writeJson(const std::string& target, const std::string& text);
+
+// report::toCsv() likewise; nothing for "".
+void writeCsv(const std::string& target, const report::Report& report);
 
 // index.html; nothing where the build has no page and `html` is empty. Throws Error (exit 4).
 void writePage(const std::filesystem::path& folder, const std::string& html);

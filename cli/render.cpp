@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
+#include "cli/progress.h"
 #include "cli/requests.h"
 #include "compare/metrics/metrics.h"
 #include "job/scene/material_choice.h"

@@ -3,8 +3,10 @@
 #include "base/file.h"
 #include "base/log.h"
 #include "base/parallel.h"
+#include "cli/input_list.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
+#include "cli/progress.h"
 #include "cli/requests.h"
 #include "job/context.h"
 #include "job/report_folder.h"
@@ -31,9 +33,10 @@ void requireSeparateFiles(const ReportCommand& command, const job::ReportRequest
   inputs.push_back({"--bench", benchFile(command)});
   std::vector<NamedFile> outputs;
   for (const char* file : job::kReportFiles) outputs.push_back({"-o", request.folder / file});
-  outputs.push_back({"--json", command.common.json});
+  const std::vector<NamedFile> single = {{"--json", command.common.json}, {"--csv", command.csv}};
+  outputs.insert(outputs.end(), single.begin(), single.end());
   requireSeparate(outputs, inputs);
-  requireSeparate({outputs.back()}, inputFiles(command.common, command.verdict, {}));
+  requireSeparate(single, inputFiles(command.common, command.verdict, {}));
 }
 
 // What it is is known here, and anything else refused, before anything is rendered.
@@ -50,7 +53,7 @@ report::Bench readBench(const ReportCommand& command) {
 
 int runReportCommand(const ReportCommand& command, const std::string& commandLine) {
   const base::ThreadLimit threads(command.common.threads);
-  RunRequest run = runRequest(command.common, command.scenes, command.suite);
+  RunRequest run = runRequest(command.common, withListed(command.scenes, "scene"), command.suite);
   job::ReportRequest request;
   request.scenes = std::move(run.scenes);
   request.suiteBudgets = run.suiteBudgets;
@@ -66,11 +69,13 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
   job::Context context(run.settings);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
   if (!command.common.json.empty()) writeJson(command.common.json, report::toJson(result.report));
-  if (command.common.json != "-" && !command.common.quiet) {
+  writeCsv(command.csv, result.report);
+  const bool stdoutTaken = command.common.json == "-" || command.csv == "-";
+  if (!stdoutTaken && !command.common.quiet) {
     printTable(result.report);
     printPage(request.folder, "report.json");
   }
-  printAnnotations(command.verdict.annotate, result.report, command.common.json == "-");
+  printAnnotations(command.verdict.annotate, result.report, stdoutTaken);
   if (command.common.timings) printTimings(result.run.timings);
   return report::exitCode(result.report, command.verdict.warnExit);
 }

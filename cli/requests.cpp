@@ -11,11 +11,32 @@
 
 namespace parity::cli {
 
-job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& scene) {
+namespace {
+
+// "builtin:sky" as "sky", a file as its stem.
+std::string stemOf(const std::string& input) {
   constexpr std::string_view kBuiltin = "builtin:";
+  return scenes::cleanName(input.starts_with(kBuiltin) ? input.substr(kBuiltin.size())
+                                                       : std::filesystem::path(input).stem().string());
+}
+
+// Of several environments the scene's name says which: "bottle, studio".
+std::vector<job::SceneRequest> inEachEnvironment(const CommonOptions& common, const job::SceneRequest& scene) {
+  if (common.environments.size() < 2) return {scene};
+  std::vector<job::SceneRequest> all;
+  for (const std::string& environment : common.environments) {
+    job::SceneRequest& entry = all.emplace_back(scene);
+    entry.name = scenes::cleanName(fmt::format("{}, {}", scene.name, stemOf(environment)));
+    entry.settings.scene.environment = environment;
+  }
+  return all;
+}
+
+} // namespace
+
+job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& scene) {
   job::SceneRequest request;
-  request.name = scenes::cleanName(scene.starts_with(kBuiltin) ? scene.substr(kBuiltin.size())
-                                                               : std::filesystem::path(scene).stem().string());
+  request.name = stemOf(scene);
   request.scene = scene;
   request.settings = common.settings;
   request.settings.scene.baked = bakedFolder(common.settings.scene.baked, request.name);
@@ -31,11 +52,12 @@ RunRequest runRequest(const CommonOptions& common, const std::vector<std::string
   }
   RunRequest run{common.settings, {}, std::nullopt};
   std::set<std::string> names;
-  for (const std::string& scene : scenes) {
-    job::SceneRequest& entry = run.scenes.emplace_back(sceneRequest(common, scene));
-    const std::string stem = entry.name;
-    for (int copy = 2; !names.insert(entry.name).second; ++copy) entry.name = fmt::format("{} ({})", stem, copy);
-  }
+  for (const std::string& scene : scenes)
+    for (job::SceneRequest& entry : inEachEnvironment(common, sceneRequest(common, scene))) {
+      const std::string stem = entry.name;
+      for (int copy = 2; !names.insert(entry.name).second; ++copy) entry.name = fmt::format("{} ({})", stem, copy);
+      run.scenes.push_back(std::move(entry));
+    }
   return run;
 }
 

@@ -20,8 +20,9 @@ struct RunRequest {
   std::vector<job::SceneRequest> scenes;
   std::optional<std::string> suiteBudgets; // path of the suite's budget file
 };
-// Of a suite, or, where that is empty, of the scenes of the command line, of which each gets a name of its own: "bottle
-// (2)" for the second bottle. Throws Error (failed) with file, line and reason for a suite that is refused.
+// Of a suite, or, where that is empty, of the scenes of the command line, in each of
+// the environments; each gets a name of its own: "bottle (2)" for the second bottle. Throws Error (failed) with file,
+// line and reason for a suite that is refused.
 RunRequest runRequest(const CommonOptions& common, const std::vector<std::string>& scenes, const std::string& suite);
 
 // A scene's name as a folder's: letters, digits and '-' stay, the rest becomes '_'.

@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
+#include "cli/progress.h"
 #include "gpu/device/device.h"
 
 namespace parity::cli {

@@ -72,8 +72,23 @@ add_custom_target(parity_changelog ALL
   DEPENDS ${CMAKE_BINARY_DIR}/install/changelog.gz ${CMAKE_BINARY_DIR}/install/changelog.Debian.gz)
 install(FILES ${CMAKE_BINARY_DIR}/install/changelog.gz ${CMAKE_BINARY_DIR}/install/changelog.Debian.gz DESTINATION ${documents})
 
+# Manual pages and shell completion, which the program writes itself.
+set(guide ${CMAKE_BINARY_DIR}/install/guide)
+add_custom_command(
+  OUTPUT ${guide}/done
+  COMMAND ${CMAKE_COMMAND} -D OUT=${guide} -D PARITY=$<TARGET_FILE:parity> -D GZIP=${GZIP_PROGRAM} -P ${CMAKE_SOURCE_DIR}/cmake/Guide.cmake
+  DEPENDS parity cmake/Guide.cmake
+  COMMENT "Manual pages and shell completion"
+  VERBATIM)
+add_custom_target(parity_guide ALL DEPENDS ${guide}/done)
+install(DIRECTORY ${guide}/man1 DESTINATION ${CMAKE_INSTALL_DATADIR}/man)
+install(FILES ${guide}/parity.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME parity)
+install(FILES ${guide}/parity.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions RENAME _parity)
+install(FILES ${guide}/parity.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+
 # All that is installed: what scripts/package builds.
-add_custom_target(parity_installed DEPENDS parity parity_draco parity_imageio parity_etc2 parity_notices parity_changelog)
+add_custom_target(parity_installed
+  DEPENDS parity parity_draco parity_imageio parity_etc2 parity_notices parity_changelog parity_guide)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME parity)

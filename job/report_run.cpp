@@ -115,7 +115,9 @@ private:
     if (!m_progress) return;
     const std::lock_guard lock(m_mutex);
     m_done[scene] = std::min(done, 0.999);
-    m_progress(fmt::format("{}: {}", m_request.scenes[scene].name, what),
+    const auto finished = std::ranges::count(m_done, 1.0);
+    const std::string count = m_done.size() > 1 ? fmt::format("{} of {} done, ", finished, m_done.size()) : "";
+    m_progress(fmt::format("{}{}: {}", count, m_request.scenes[scene].name, what),
                std::accumulate(m_done.begin(), m_done.end(), 0.0) / static_cast<double>(m_done.size()));
   }
 

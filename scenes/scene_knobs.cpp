@@ -88,7 +88,7 @@ void addLoading(KnobTable<SceneSettings>& t) {
 
 void addSky(KnobTable<SceneSettings>& t) {
   using S = SceneSettings;
-  t.file<&S::environment>("env", "FILE", "not given",
+  t.file<&S::environment>("env", "ENVIRONMENT", "not given",
                           "HDR environment: .hdr, .exr or .pfm file, or builtin:sky, studio, night, white")
       .alias("environment")
       .titled("environment")

@@ -7,9 +7,9 @@
 #include <limits>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/text/nearest.h"
 
 namespace parity::scenes {
 namespace {
@@ -87,11 +87,10 @@ std::size_t findCamera(const Scene& scene, const std::string& wanted) {
   const char* end = wanted.data() + wanted.size();
   const auto parsed = std::from_chars(wanted.data(), end, index);
   if (parsed.ec == std::errc{} && parsed.ptr == end && index < scene.cameras.size()) return index;
-  std::vector<std::string> known = {"auto"};
-  for (std::size_t i = 0; i < scene.cameras.size(); ++i)
-    known.push_back(fmt::format("'{}' ({})", scene.cameras[i].name, i));
-  throw usageError("--camera",
-                   fmt::format("scene '{}' has no camera '{}'; known: {}", scene.name, wanted, fmt::join(known, ", ")));
+  std::vector<std::string_view> known = {"auto"};
+  for (const Camera& camera : scene.cameras) known.push_back(camera.name);
+  throw usageError("--camera", fmt::format("scene '{}' has no camera '{}'; {}", scene.name, wanted,
+                                           base::describeNearest(wanted, known)));
 }
 
 } // namespace

@@ -45,11 +45,18 @@ int parseCaptures(const std::string& text) {
 
 void addBakeOptions(CLI::App& app, BakeCommand& command, RawBakeOptions& raw) {
   job::BakeOptions& o = command.options;
-  app.add_option("scenes", command.scenes, "Scene files or builtin:NAME");
+  app.add_option("scenes", command.scenes, "Scene files or builtin:NAME; -: one a line from standard input")
+      ->type_name(kSceneFile);
   app.add_option("--suite", command.suite,
                  "Suite file (TOML): bakes each scene that has the key `baked`, into the folder it names")
+      ->type_name(kFile)
+      ->group(kInputGroup)
       ->excludes("scenes");
-  app.add_option("-o,--output", command.folder, "Folder for the bake. Each of several scenes gets a folder inside it");
+  command.folder = "parity-bake";
+  app.add_option("-o,--output", command.folder, "Folder for the bake. Each of several scenes gets a folder inside it")
+      ->type_name(kFolder)
+      ->group(kOutputGroup)
+      ->capture_default_str();
 
   app.add_option("--bounces", o.integrate.bounces, "Bounces of diffuse light between surfaces")
       ->check(CLI::Range(0, bake::kMaxBounces))
@@ -66,10 +73,10 @@ void addBakeOptions(CLI::App& app, BakeCommand& command, RawBakeOptions& raw) {
   app.add_option("--seed", o.integrate.seed, "Seed of the random samples: the same seed gives the same bake")
       ->group("Light")
       ->capture_default_str();
-  app.add_option("--local-lights", raw.localLights,
-                 "Point and spot lights. static: baked for both paths, without highlights;\n"
-                 "stationary: the high-end path shades them")
-      ->check(CLI::IsMember({"static", "stationary"}))
+  choose(app.add_option("--local-lights", raw.localLights,
+                        "Point and spot lights. static: baked for both paths, without highlights;\n"
+                        "stationary: the high-end path shades them"),
+         {"static", "stationary"})
       ->group("Light")
       ->capture_default_str();
 
@@ -82,8 +89,9 @@ void addBakeOptions(CLI::App& app, BakeCommand& command, RawBakeOptions& raw) {
       ->check(powerOfTwo(64, 8192))
       ->group("Textures")
       ->capture_default_str();
-  app.add_option("--astc", raw.astc, "Blocks of the encoded lightmap: 4x4, 6x6, or none (8 bits, not compressed)")
-      ->check(CLI::IsMember({"4x4", "6x6", "none"}))
+  choose(
+      app.add_option("--astc", raw.astc, "Blocks of the encoded lightmap: 4x4, 6x6, or none (8 bits, not compressed)"),
+      {"4x4", "6x6", "none"})
       ->group("Textures")
       ->capture_default_str();
   app.add_option("--captures", raw.captures, "Number of environment captures, or auto. A suite can set their places")
@@ -98,7 +106,7 @@ void addBakeOptions(CLI::App& app, BakeCommand& command, RawBakeOptions& raw) {
 BakeCommand settleBake(const BakeCommand& given, const RawBakeOptions& raw, const CLI::App& app) {
   BakeCommand command = given;
   if (command.scenes.empty() && command.suite.empty()) throw CLI::RequiredError("bake: SCENE or --suite");
-  if (command.suite.empty() && command.folder.empty()) throw CLI::RequiredError("--output");
+  if (command.suite.empty() && command.folder.empty()) throw CLI::ValidationError("--output", "names no folder");
   if (!command.suite.empty()) {
     if (app.count("--output") > 0) throw CLI::ExcludesError("--suite", "--output");
   }

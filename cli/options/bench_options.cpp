@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "cli/options/option_parts.h"
 #include "job/knobs.h"
 
 namespace parity::cli {
@@ -13,25 +14,34 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
   s.width = s.height = 256;
   s.reference.integral.relativeError = 0.02;
   job::knobs().find("precision")->set(s, {"fp32"}); // a software device emulates half; every preset is tried in both
-  app.add_option("scenes", bench.scenes, "Scene files or builtin:NAME");
+  app.add_option("scenes", bench.scenes, "Scene files or builtin:NAME; -: one a line from standard input")
+      ->type_name(kSceneFile);
   app.add_option("--suite", bench.suite, "Suite file (TOML): many scenes, with their views and light")
+      ->type_name(kFile)
+      ->group(kInputGroup)
       ->excludes("scenes");
   app.add_option("-o,--output", bench.folder,
                  "Folder for index.html, bench.json, bench.csv, bench.md (one table of all scenes) and pictures")
+      ->type_name(kFolder)
       ->group("Output");
   app.add_option("--json", bench.common.json, "Write bench.json to this file; - for stdout, instead of the table")
+      ->type_name(kFile)
       ->group("Output");
   app.add_option("--csv", bench.csv, "Write bench.csv to this file; - for stdout, instead of the table")
+      ->type_name(kFile)
       ->group("Output");
   app.add_option("--budget", raw.budget,
                  "NAME=LIMIT (flip.mean, flip.p95, relmse): name the fastest setting within it; exit 2 if none is")
+      ->type_name("NAME=LIMIT")
       ->group("Bench");
   app.add_option("--compare", bench.compare,
                  "Earlier bench.json: show time ratios with confidence intervals; exit 2 if a setting is slower")
+      ->type_name(kFile)
       ->group("Bench");
-  app.add_option("--settings", bench.trial.settings,
-                 "Only these settings and the defaults (repeatable): globs such as '*: refit*';\n"
-                 "with --scaling such as 'lights'")
+  repeat(app.add_option("--settings", bench.trial.settings,
+                        "Only these settings and the defaults (repeatable): globs such as '*: refit*';\n"
+                        "with --scaling such as 'lights'"))
+      ->type_name("GLOB")
       ->group("Bench");
   app.add_flag("--list", bench.list, "List the settings")->group("Bench");
   app.add_option("--rounds", bench.trial.rounds, "Timed rounds, in random order. An untimed round compiles first")
@@ -73,8 +83,7 @@ BenchCommand settleBench(const CLI::App& app, const RawBenchOptions& raw) {
   requireSizeFits(command.common, kComparedPixelBytes);
   command.common.settings.costs = command.common.plain.costs = true;
   command.trial.truth = !raw.noTruth && !raw.noReference;
-  if (command.common.json == "-" && command.csv == "-")
-    throw CLI::ValidationError("--csv", "stdout already takes the JSON; give a file");
+  requireOneOnStdout(command.common.json, command.csv);
   if (!raw.budget.empty()) {
     try {
       command.budget = sweep::parseErrorBudget(raw.budget);

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/file.h"
+#include "cli/options/option_parts.h"
 
 namespace parity::cli {
 
@@ -11,8 +12,12 @@ void addCacheOptions(CLI::App& app, RawCacheOptions& raw) {
   app.require_subcommand(1);
   for (CLI::App* each : {app.add_subcommand("info", "Show the cache's folder, and what it holds of each kind"),
                          app.add_subcommand("clear", "Remove all entries of the cache, and nothing else")}) {
-    each->add_option("--cache", raw.folder, "Cache folder. Default: $XDG_CACHE_HOME/parity");
-    each->add_option("--json", raw.json, "Write the contents as JSON to this file; - for stdout");
+    each->add_option("--cache", raw.folder, "Cache folder. Default: $XDG_CACHE_HOME/parity")
+        ->type_name(kFolder)
+        ->group(kCacheGroup);
+    each->add_option("--json", raw.json, "Write the contents as JSON to this file; - for stdout")
+        ->type_name(kFile)
+        ->group(kOutputGroup);
   }
 }
 

@@ -25,25 +25,49 @@ void addViewKnobs(CLI::App& app, RawOptions& raw) {
   addKnobOptions<scenes::ViewRequest>(app, scenes::viewKnobs(), {}, raw.views, [](const base::Knob&) { return true; });
 }
 
+void addEnvironments(CLI::App& app, RawOptions& raw) {
+  addRepeatableKnob(app, job::knobs().find("env")->knob, raw.knobs, raw.environments);
+}
+
+void addCsvOption(CLI::App& app, std::string& csv) {
+  app.add_option("--csv", csv, "Write all figures as CSV, one line for each material of each view; - for stdout")
+      ->type_name(kFile)
+      ->group(kOutputGroup);
+}
+
+void requireOneOnStdout(const std::string& json, const std::string& csv) {
+  if (json == "-" && csv == "-") throw CLI::ValidationError("--csv", "stdout already takes the JSON; give a file");
+}
+
 void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   app.add_option("--device", common.settings.device.name,
-                 "Vulkan device: part of its name, or its number from 'parity devices'. Default: the software device");
+                 "Vulkan device: part of its name, or its number from 'parity devices'. Default: the software device")
+      ->type_name("DEVICE")
+      ->group(kMachineGroup);
   app.add_flag("--validation", raw.validation,
-               "Run with the Khronos validation layer; each of its messages is an error");
+               "Run with the Khronos validation layer; each of its messages is an error")
+      ->group(kMachineGroup);
   app.add_option("--threads", common.threads, "CPU threads; 0: all cores")
+      ->group(kMachineGroup)
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  app.add_option("--cache", raw.cache, "Cache folder. Default: $XDG_CACHE_HOME/parity");
+  app.add_option("--cache", raw.cache, "Cache folder. Default: $XDG_CACHE_HOME/parity")
+      ->type_name(kFolder)
+      ->group(kCacheGroup);
   app.add_option("--cache-size", raw.cacheSize,
                  "Largest size of the cache, such as 500M or 4G. The entries used longest ago are removed first")
+      ->type_name("BYTES")
+      ->group(kCacheGroup)
       ->capture_default_str();
-  app.add_flag("--no-cache", raw.noCache, "Do not use the cache");
-  app.add_flag("--timings", common.timings, "Print the time of each stage to stderr");
-  app.add_flag("-q,--quiet", raw.quiet, "Print errors only, no table; the exit code is the verdict");
+  app.add_flag("--no-cache", raw.noCache, "Do not use the cache")->group(kCacheGroup);
+  app.add_flag("--timings", common.timings, "Print the time of each stage to stderr")->group(kGeneralGroup);
+  app.add_flag("-q,--quiet", raw.quiet, "Print errors only, no table; the exit code is the verdict")
+      ->group(kGeneralGroup);
 }
 
 void addBudgetsOption(CLI::App& app, CommonOptions& common) {
   app.add_option("--budgets", common.settings.budgets, "Budget file (TOML) instead of the built-in budgets")
+      ->type_name(kFile)
       ->group("Verdict");
 }
 
@@ -51,12 +75,13 @@ void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw) {
   app.add_flag("--single-file", report.singleFile,
                "Put pictures, values and script into index.html, so that you can send this one file")
       ->group("Page");
-  app.add_option("--pixel-data", raw.pixelData,
-                 "all: also write the pixel values; the page's inspector, exposure and threshold need them")
-      ->check(CLI::IsMember({"all", "none"}))
+  choose(app.add_option("--pixel-data", raw.pixelData,
+                        "all: also write the pixel values; the page's inspector, exposure and threshold need them"),
+         {"all", "none"})
       ->group("Page")
       ->capture_default_str();
   app.add_option("--bench", report.bench, "Add the plot of error over time from this bench.json, or from its folder")
+      ->type_name(kFile)
       ->group("Page");
 }
 
@@ -77,6 +102,7 @@ void settle(const CLI::App& app, CommonOptions& common, const RawOptions& raw, b
   if (!raw.noCache) s.cacheFolder = raw.cache.empty() ? base::defaultCacheFolder() : std::filesystem::path(raw.cache);
   s.cacheBytes = readOption("--cache-size", base::readBytes, raw.cacheSize);
   common.quiet = raw.quiet;
+  common.environments = raw.environments;
   common.plain = s;
   common.given = raw.knobs;
   try {

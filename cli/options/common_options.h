@@ -13,6 +13,7 @@ namespace parity::cli {
 // What CLI11 fills in, of the one subcommand that is parsed; turned into CommonOptions when all is known.
 struct RawOptions {
   base::GivenKnobs knobs, views;
+  std::vector<std::string> environments; // each --env of what takes several
   std::string cache, cacheSize = "4G";
   std::string pixelData = "all";
   bool noCache = false, quiet = false, validation = false;
@@ -23,6 +24,12 @@ struct RawOptions {
 void addKnobs(CLI::App& app, CommonOptions& common, RawOptions& raw, const std::vector<std::string>& groups,
               const std::vector<std::string>& without = {});
 void addViewKnobs(CLI::App& app, RawOptions& raw);
+// --env, as often as one likes: each scene is compared in each.
+void addEnvironments(CLI::App& app, RawOptions& raw);
+// --csv of what compares.
+void addCsvOption(CLI::App& app, std::string& csv);
+// Throws CLI::ValidationError where JSON and CSV are both to go to stdout.
+void requireOneOnStdout(const std::string& json, const std::string& csv);
 
 // Device, threads, cache, verbosity.
 void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);

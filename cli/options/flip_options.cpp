@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/image/color.h"
 #include "base/log.h"
+#include "cli/options/common_options.h"
 #include "cli/options/option_parts.h"
 #include "compare/flip/flip.h"
 #include "compare/flip/flip_hdr.h"
@@ -18,31 +19,6 @@
 namespace parity::cli {
 
 namespace {
-
-constexpr const char* kFlipFooter = R"(
-Pictures in two folders are matched by relative path, or by stem if only one file has it. A picture without counterpart fails
-(exit 4); the others still run. Other files are skipped with a warning. Each line of a list has two paths, relative to the list's
-folder; put "..." around a path with spaces, and # before a comment.
-
-Colour: integers are sRGB and floats are linear Rec.709, unless the file or --colorspace says otherwise. A pair is HDR if both files
-hold floats and any value is above 1; then hdrflip replaces flip. Grey is copied to R, G and B. Both files need the same channels.
-Files are not comparable if they differ in layers, further images, orientation, or the position of the pixels in a larger picture;
---ignore-layers compares only the colour and alpha of the first image.
-Alpha: both are composited over --background, always in linear Rec.709: C + (1-a) B if the colour is multiplied by alpha
-(OpenEXR, some TIFF), a C + (1-a) B if not (PNG). With --alpha channel, colour is compared as stored, and alpha as a separate
-grey picture.
-
-A limit belongs to the --metric before it. Without --metric it belongs to FLIP, pixel by pixel.
-  --metric flip.mean --fail 0.05             a pooled figure: fails above 0.05 (psnr, ssim...: below; bias: absolute value)
-  --metric flip --fail 0.2 --failpercent 1   pixel by pixel, as idiff: fails if more than 1 % of the pixels are over 0.2
-  --metric maxabs --fail 0.01 --failpercent 1  the same with the largest difference of R, G, B, as in idiff
-  --metric flip --hardfail 0.9               fails if any pixel is over 0.9
-  --fail 0.2                                 the same as --metric flip --fail 0.2 --failpercent 0
---warn, --warnpercent and --hardwarn warn in the same way. Every region must hold all limits. A limit that no value can exceed is
-an error. Budgets: [[whole]] rules judge a pair without a mask; [[material]] rules judge each region of a mask. Without limits
-nothing is judged: any two finite pictures of the same size exit with 0. Pixels that are NaN or infinite never pass.
-Exit codes: 0 within limits; 1 warnings only (with --warn-exit); 2 over a limit; 3 not comparable; 4 unreadable, missing or not
-finite; 64 wrong usage. The highest code wins.)";
 
 // A limit with its name and the place in Threshold that it goes to.
 struct LimitOption {
@@ -74,15 +50,17 @@ void addPictureOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
   compare::FlipRequest& request = flip.request;
   std::vector<std::string> spaces = {"auto", "raw"};
   spaces.insert(spaces.end(), base::colorSpaceNames().begin(), base::colorSpaceNames().end());
-  app.add_option("--colorspace", request.image.colorSpace, "Colour space of both files; raw: show the values as stored")
-      ->check(CLI::IsMember(spaces))
+  choose(app.add_option("--colorspace", request.image.colorSpace,
+                        "Colour space of both files; raw: show the values as stored"),
+         spaces)
       ->group("Pictures")
       ->capture_default_str();
-  app.add_option("--alpha", raw.alpha, "Composite over --background, compare as a separate channel, or ignore")
-      ->check(CLI::IsMember(strings(compare::kAlphaModeNames)))
+  choose(app.add_option("--alpha", raw.alpha, "Composite over --background, compare as a separate channel, or ignore"),
+         strings(compare::kAlphaModeNames))
       ->group("Pictures")
       ->capture_default_str();
   app.add_option("--background", raw.background, "Colour behind alpha, linear Rec.709 R,G,B. Default 0,0,0")
+      ->type_name("R,G,B")
       ->group("Pictures");
   CLI::Option* hdr = app.add_flag("--hdr", raw.hdr, "Compare as HDR, whatever the files hold")->group("Pictures");
   app.add_flag("--ldr", raw.ldr, "Compare as displayed (sRGB, clamped), whatever the files hold")
@@ -93,27 +71,32 @@ void addPictureOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
       ->group("Pictures");
   app.add_option("--mask", raw.mask,
                  "Compare by region. The mask holds ids (32-bit floats) or weights (white is inside)")
+      ->type_name(kFile)
       ->group("Pictures");
-  app.add_option("--mask-kind", raw.maskKind, "Content of the mask")
-      ->check(CLI::IsMember(strings(compare::kMaskKindNames)))
+  choose(app.add_option("--mask-kind", raw.maskKind, "Content of the mask"), strings(compare::kMaskKindNames))
       ->group("Pictures")
       ->capture_default_str();
-  app.add_option("--ignore-id", request.mask.ignoredIds, "Ignore this id of the mask (repeatable)")
-      ->allow_extra_args(false)
+  repeat(app.add_option("--ignore-id", request.mask.ignoredIds, "Ignore this id of the mask (repeatable)"))
+
       ->group("Pictures");
-  app.add_option("--region", raw.region, "X,Y,WIDTH,HEIGHT: compare only this area")->group("Pictures");
-  app.add_option("--non-finite", raw.nonFinite,
-                 "NaN and infinity. error: the pair is an error; worst: count them as the worst error, and fail")
-      ->check(CLI::IsMember({"error", "worst"}))
+  app.add_option("--region", raw.region, "X,Y,WIDTH,HEIGHT: compare only this area")
+      ->type_name("X,Y,WIDTH,HEIGHT")
+      ->group("Pictures");
+  choose(
+      app.add_option("--non-finite", raw.nonFinite,
+                     "NaN and infinity. error: the pair is an error; worst: count them as the worst error, and fail"),
+      {"error", "worst"})
       ->group("Pictures")
       ->capture_default_str();
 }
 
 void addSizeOptions(CLI::App& app, RawFlipOptions& raw) {
   app.add_option("--max-image", raw.maxImage, "SIDE or SIDE,MEGAPIXELS: largest picture. Default 16384,256")
+      ->type_name("SIDE[,MEGAPIXELS]")
       ->group("Pictures");
   app.add_option("--max-memory", raw.maxMemory,
                  "Memory limit for one pair, computed from its headers, such as 512M. Default 6G")
+      ->type_name("BYTES")
       ->group("Pictures");
 }
 
@@ -139,6 +122,7 @@ void addMetricOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
                  fmt::format("Metrics to measure. Default {}; for HDR pairs {}.\nAll: {}",
                              listNames(compare::defaultFlipMetrics(false)),
                              listNames(compare::defaultFlipMetrics(true)), listNames(names)))
+      ->type_name("NAME,...")
       ->group("Metrics");
   CLI::Option* ppd = app.add_option("--ppd", raw.ppd, "Pixels per degree. Default 67.0206")
                          ->check(within(compare::kMinPixelsPerDegree, compare::kMaxPixelsPerDegree))
@@ -150,8 +134,8 @@ void addMetricOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
           "Distance from the eye to the screen, metres. Use with the next two instead of --ppd");
   viewing("--resolution-x", raw.resolutionX, "Width of the screen in pixels");
   viewing("--screen-width", raw.screenWidth, "Width of the screen, metres");
-  app.add_option("--tonemapper", raw.tonemapper, "Tone curve of HDR-FLIP. Default aces")
-      ->check(CLI::IsMember(strings(compare::kTonemapperNames)))
+  choose(app.add_option("--tonemapper", raw.tonemapper, "Tone curve of HDR-FLIP. Default aces"),
+         strings(compare::kTonemapperNames))
       ->group("Metrics");
   compare::HdrFlipOptions& hdr = flip.request.metric.hdr;
   app.add_option("--start-exposure", hdr.start, "First exposure of HDR-FLIP, EV. Default: from the reference")
@@ -166,31 +150,41 @@ void addMetricOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
 }
 
 void addLimitOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
-  app.add_option("--metric", raw.metric, "Figure (flip.mean) or metric (flip) for the limits after it (repeatable)")
-      ->allow_extra_args(false)
+  repeat(app.add_option("--metric", raw.metric,
+                        "Figure (flip.mean) or metric (flip) for the limits after it (repeatable)"))
+      ->type_name("NAME")
+
       ->group("Verdict");
   for (const LimitOption& limit : kLimits)
-    app.add_option(limit.name, raw.*limit.values, limit.help)->allow_extra_args(false)->group("Verdict");
+    repeat(app.add_option(limit.name, raw.*limit.values, limit.help))->group("Verdict");
   app.add_option("--budgets", flip.budgets, "Budget file (TOML): its materials are regions, its scenes are pairs")
+      ->type_name(kFile)
       ->group("Verdict");
   app.add_flag("--warn-exit", flip.warnExit, "Exit with 1 if there are only warnings")->group("Verdict");
 }
 
 void addOutputOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
   app.add_option("-o,--output", raw.map, "FLIP map: .exr or .pfm (values), .png (magma); a folder for many pairs")
+      ->type_name(kFile)
       ->group("Output");
   app.add_option("--exposure-map", raw.exposureMap, "Map of the worst exposure of an HDR pair, in the same formats")
+      ->type_name(kFile)
       ->group("Output");
-  app.add_option("--histogram", raw.histogram, "Histogram of the map: .svg; a folder for many pairs")->group("Output");
-  app.add_option("--map-kind", raw.mapKind, "Format of the maps in a folder")
-      ->check(CLI::IsMember({"png", "exr", "pfm"}))
+  app.add_option("--histogram", raw.histogram, "Histogram of the map: .svg; a folder for many pairs")
+      ->type_name(kFile)
+      ->group("Output");
+  choose(app.add_option("--map-kind", raw.mapKind, "Format of the maps in a folder"), {"png", "exr", "pfm"})
       ->group("Output")
       ->capture_default_str();
-  app.add_option("--json", flip.json, "Write the result as JSON to this file; - for stdout")->group("Output");
-  app.add_option("--csv", flip.csv, "Write the result as CSV, one line for each region; - for stdout")->group("Output");
-  app.add_option("--junit", flip.junit, "Write the result as JUnit XML")->group("Output");
-  app.add_option("--annotate", raw.annotate, "github: print failures as annotations of GitHub Actions")
-      ->check(CLI::IsMember({"github"}))
+  app.add_option("--json", flip.json, "Write the result as JSON to this file; - for stdout")
+      ->type_name(kFile)
+      ->group("Output");
+  app.add_option("--csv", flip.csv, "Write the result as CSV, one line for each region; - for stdout")
+      ->type_name(kFile)
+      ->group("Output");
+  app.add_option("--junit", flip.junit, "Write the result as JUnit XML")->type_name(kFile)->group("Output");
+  choose(app.add_option("--annotate", raw.annotate, "github: print failures as annotations of GitHub Actions"),
+         {"github"})
       ->group("Output");
 }
 
@@ -254,27 +248,29 @@ void requireFiles(const FlipCommand& flip) {
   if (flip.pairList.empty() && !two)
     throw CLI::ValidationError(flip.reference.empty() ? "reference" : "test",
                                "is missing: give a reference and a test image, two folders, or --pairs LIST");
-  if (flip.json == "-" && flip.csv == "-")
-    throw CLI::ValidationError("--csv", "stdout already takes the JSON; give a file");
+  requireOneOnStdout(flip.json, flip.csv);
   if (flip.junit == "-") throw CLI::ValidationError("--junit", "needs a file, not stdout");
 }
 
 } // namespace
 
 void addFlipOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
-  app.footer(kFlipFooter);
-  app.add_option("reference", flip.reference, "Reference image or folder");
-  app.add_option("test", flip.test, "Test image or folder");
-  app.add_option("--pairs", flip.pairList, "List of pairs, instead of two images or folders");
+  app.add_option("reference", flip.reference, "Reference image or folder")->type_name(kFile);
+  app.add_option("test", flip.test, "Test image or folder")->type_name(kFile);
+  app.add_option("--pairs", flip.pairList, "List of pairs, instead of two images or folders; - for standard input")
+      ->type_name(kFile)
+      ->group(kInputGroup);
   addPictureOptions(app, flip, raw);
   addSizeOptions(app, raw);
   addMetricOptions(app, flip, raw);
   addLimitOptions(app, flip, raw);
   addOutputOptions(app, flip, raw);
   app.add_option("--threads", flip.threads, "CPU threads; 0: all cores")
+      ->group(kMachineGroup)
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  app.add_flag("-q,--quiet", raw.quiet, "Print errors only, no table; the exit code is the verdict");
+  app.add_flag("-q,--quiet", raw.quiet, "Print errors only, no table; the exit code is the verdict")
+      ->group(kGeneralGroup);
 }
 
 void settleFlip(const CLI::App& app, FlipCommand& flip, const RawFlipOptions& raw) {

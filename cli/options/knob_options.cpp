@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/options/option_parts.h"
 #include "job/knobs.h"
 
 namespace parity::cli {
@@ -33,6 +34,12 @@ std::string helpOf(const base::Knob& knob) {
   return knob.help + (knob.otherwise == "set by the preset" ? ". Default: set by the preset" : "");
 }
 
+// Settings of one path alone have a heading of their own.
+std::string groupOf(const base::Knob& knob) {
+  if (knob.group != "Paths" || knob.paths.empty()) return knob.group;
+  return fmt::format("{} {}", knob.paths.size() == 1 ? "Path" : "Paths", fmt::join(knob.paths, " and "));
+}
+
 // Sets what is given.
 class Taker {
 public:
@@ -60,10 +67,10 @@ private:
 // One name; the first of a knob is shown in --help.
 void addName(CLI::App& app, const base::Knob& knob, const std::string& name, bool isShown,
              const std::string& defaultText, const Taker& taker) {
-  const std::string group = isShown ? knob.group : "";
+  const std::string group = isShown ? groupOf(knob) : "";
   if (knob.type == base::KnobType::texts) {
-    app.add_option_function<std::vector<std::string>>(
-           "--" + name, [taker](const std::vector<std::string>& values) { taker.take(values); }, helpOf(knob))
+    repeat(app.add_option_function<std::vector<std::string>>(
+               "--" + name, [taker](const std::vector<std::string>& values) { taker.take(values); }, helpOf(knob)))
         ->type_name(typeOf(knob))
         ->group(group);
     return;
@@ -95,9 +102,24 @@ void addKnobOption(CLI::App& app, const base::Knob& knob, const std::string& def
       app.add_flag_callback(
              "--" + option, [taker, value] { taker.take({value ? "on" : "off"}); },
              (isOn ? "Switch off: " : "") + helpOf(knob))
-          ->group(isFirst && value != isOn ? knob.group : "");
+          ->group(isFirst && value != isOn ? groupOf(knob) : "");
     }
   }
+}
+
+void addRepeatableKnob(CLI::App& app, const base::Knob& knob, base::GivenKnobs& given, std::vector<std::string>& all) {
+  std::vector<std::string> names = {knob.id};
+  names.insert(names.end(), knob.aliases.begin(), knob.aliases.end());
+  for (const std::string& name : names)
+    repeat(app.add_option_function<std::vector<std::string>>(
+               "--" + name,
+               [&knob, &given, &all, name](const std::vector<std::string>& values) {
+                 all.insert(all.end(), values.begin(), values.end());
+                 given[knob.id] = {{all.front()}, "--" + name};
+               },
+               helpOf(knob) + " (repeatable)"))
+        ->type_name(typeOf(knob))
+        ->group(name == knob.id ? groupOf(knob) : "");
 }
 
 void addFormulaKnobs(CLI::App& app, const std::vector<std::string>& ids, base::GivenKnobs& given) {

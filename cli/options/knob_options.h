@@ -17,6 +17,10 @@ namespace parity::cli {
 void addKnobOption(CLI::App& app, const base::Knob& knob, const std::string& defaultText,
                    const std::function<void(const base::KnobValue&)>& check, base::GivenKnobs& given);
 
+// The same of a knob that is a file and that a command takes several of: `all` holds each in its order, `given` the
+// first.
+void addRepeatableKnob(CLI::App& app, const base::Knob& knob, base::GivenKnobs& given, std::vector<std::string>& all);
+
 // Options of all rows that are some, and are wanted. defaults: what holds where nothing is given.
 template <typename T> void addKnobOptions(CLI::App& app, const base::KnobTable<T>& table, const T& defaults,
                                           base::GivenKnobs& given,

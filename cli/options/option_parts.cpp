@@ -10,6 +10,22 @@
 
 namespace parity::cli {
 
+CLI::Option* choose(CLI::Option* option, const std::vector<std::string>& choices) {
+  return option->type_name(fmt::format("{{{}}}", fmt::join(choices, ",")))
+      ->check(CLI::Validator(
+          [choices](const std::string& text) {
+            try {
+              base::readChoice(text, choices);
+            } catch (const base::KnobError& error) {
+              return error.reason;
+            }
+            return std::string();
+          },
+          ""));
+}
+
+CLI::Option* repeat(CLI::Option* option) { return option->allow_extra_args(false); }
+
 CLI::ValidationError invalid(const std::string& option, const std::string& value, const std::string& wanted) {
   return CLI::ValidationError(option, fmt::format("'{}' is not {}", value, wanted));
 }
@@ -30,7 +46,7 @@ CLI::Validator fileOfKind(const std::vector<std::string>& extensions) {
             if (std::count(extensions.begin(), extensions.end(), extensionOf(file)) > 0) return std::string();
             return fmt::format("'{}' is not a file of the kinds {}", file, fmt::join(extensions, ", "));
           },
-          "FILE"};
+          ""};
 }
 
 } // namespace parity::cli

@@ -13,6 +13,20 @@
 
 namespace parity::cli {
 
+// Headings of --help that several subcommands have; those of knobs are in their tables.
+inline constexpr const char *kInputGroup = "Input", *kOutputGroup = "Output", *kMachineGroup = "Machine",
+                            *kCacheGroup = "Cache", *kGeneralGroup = "General";
+
+// The names of values that are paths: --help shows them, and shells complete them (cli/completion.cpp).
+inline constexpr const char *kFile = "FILE", *kFolder = "FOLDER", *kSceneFile = "SCENE",
+                            *kEnvironmentFile = "ENVIRONMENT";
+
+// The option takes one of these. A wrong one is told the nearest.
+CLI::Option* choose(CLI::Option* option, const std::vector<std::string>& choices);
+
+// The option is repeatable, and takes one value each time: what stands behind it is never swallowed.
+CLI::Option* repeat(CLI::Option* option);
+
 // "--option: 'value' is not WANTED".
 CLI::ValidationError invalid(const std::string& option, const std::string& value, const std::string& wanted);
 

@@ -9,14 +9,19 @@ namespace parity::cli {
 
 void addStressOptions(CLI::App& app, RawStressOptions& raw) {
   stress::Options& options = raw.stress.options;
-  app.add_option("--only", raw.only, "Part to run: functions or renders. Default: both")
-      ->check(CLI::IsMember({"functions", "renders"}));
-  app.add_flag("--list", raw.stress.list, "List the functions with their inputs and requirements, and the scenes");
+  choose(app.add_option("--only", raw.only, "Part to run: functions or renders. Default: both"),
+         {"functions", "renders"})
+      ->group("Parts");
+  app.add_flag("--list", raw.stress.list, "List the functions with their inputs and requirements, and the scenes")
+      ->group("Parts");
   app.add_option("--at", raw.stress.at,
                  "FUNCTION:in1,in2,...: evaluate one input in every precision, on CPU and device, and print all bits")
+      ->type_name("FUNCTION:VALUES")
+      ->group("Parts")
       ->excludes("--list");
 
   app.add_option("--functions", options.functionGlob, "Run only functions whose names match this glob")
+      ->type_name("GLOB")
       ->capture_default_str()
       ->group("Functions");
   app.add_option("--points", options.points.points,
@@ -31,6 +36,7 @@ void addStressOptions(CLI::App& app, RawStressOptions& raw) {
       ->group("Functions");
 
   app.add_option("--renders", options.renderGlob, "Run only scenes whose names match this glob, such as random-SEED")
+      ->type_name("GLOB")
       ->capture_default_str()
       ->group("Renders");
   app.add_option("--scenes", options.scenes, "Number of random scenes")
@@ -45,16 +51,24 @@ void addStressOptions(CLI::App& app, RawStressOptions& raw) {
       ->excludes("--scenes")
       ->group("Renders");
 
-  app.add_option("-o,--output", raw.stress.folder, "Folder for index.html and stress.json");
-  app.add_option("--json", raw.stress.json, "Write stress.json to this file; - for stdout, instead of the tables");
+  app.add_option("-o,--output", raw.stress.folder, "Folder for index.html and stress.json")
+      ->type_name(kFolder)
+      ->group(kOutputGroup);
+  app.add_option("--json", raw.stress.json, "Write stress.json to this file; - for stdout, instead of the tables")
+      ->type_name(kFile)
+      ->group(kOutputGroup);
   app.add_option("--device", options.render.device.name,
-                 "Vulkan device: part of its name, or its number from 'parity devices'. Default: the software device");
+                 "Vulkan device: part of its name, or its number from 'parity devices'. Default: the software device")
+      ->type_name("DEVICE")
+      ->group(kMachineGroup);
   app.add_flag("--no-validation", raw.noValidation,
-               "Run without the Khronos validation layer. With it, each of its messages fails the run");
+               "Run without the Khronos validation layer. With it, each of its messages fails the run")
+      ->group(kMachineGroup);
   app.add_option("--threads", raw.stress.threads, "CPU threads; 0: all cores. The result does not depend on it")
+      ->group(kMachineGroup)
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  app.add_flag("-q,--quiet", raw.stress.quiet, "Print errors only");
+  app.add_flag("-q,--quiet", raw.stress.quiet, "Print errors only")->group(kGeneralGroup);
 }
 
 StressCommand settleStress(const RawStressOptions& raw) {

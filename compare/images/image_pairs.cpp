@@ -192,7 +192,9 @@ FilePairs findPairs(const fs::path& reference, const fs::path& test) {
 FilePairs readPairList(const fs::path& list) {
   constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
   constexpr std::string_view kMark = "\xef\xbb\xbf"; // Windows programs begin UTF-8 with it
-  const std::string text = base::readText(list, kMaxBytes);
+  const bool isStdin = list == "-";
+  const std::string name = isStdin ? "stdin" : list.string();
+  const std::string text = isStdin ? base::readStdin(kMaxBytes) : base::readText(list, kMaxBytes);
   std::istringstream lines(text.starts_with(kMark) ? text.substr(kMark.size()) : text);
   FilePairs result;
   result.many = true;
@@ -201,11 +203,11 @@ FilePairs readPairList(const fs::path& list) {
   for (std::string line; std::getline(lines, line);) {
     ++number;
     const auto refuse = [&](const std::string& reason) {
-      throw base::fileError(list.string(), fmt::format("line {}", number), reason);
+      throw base::fileError(name, fmt::format("line {}", number), reason);
     };
     std::vector<std::string> paths;
     std::size_t at = 0;
-    while (const auto path = nextPath(line, at, list.string(), number)) paths.push_back(*path);
+    while (const auto path = nextPath(line, at, name, number)) paths.push_back(*path);
     if (paths.empty()) continue;
     if (paths.size() != 2)
       refuse(fmt::format("has {} path{}, expected two (put \"...\" around a path with spaces)", paths.size(),
@@ -221,7 +223,7 @@ FilePairs readPairList(const fs::path& list) {
     }
     result.pairs.push_back(pair);
   }
-  if (result.pairs.empty()) throw base::fileError(list.string(), "", "has no pairs");
+  if (result.pairs.empty()) throw base::fileError(name, "", "has no pairs");
   makeUnique(result.pairs);
   return result;
 }

@@ -75,8 +75,8 @@ const Metric* findMetric(std::string_view name);
 // Throws Error (usage) naming `subject` and the nearest known name.
 const Metric& requireMetric(std::string_view name, const std::string& subject);
 
-// "flip,ssim,deltae" as names, in the registry's order and each once. Throws Error (usage) for an empty list or part,
-// and for an unknown name, with the nearest known one; `subject` is named.
+// "flip,ssim,deltae" as names, in the registry's order and each once; a figure ("flip.mean") names its metric. Throws
+// as parseFigures() (compare/pooling/statistic.h).
 std::vector<std::string> parseMetricNames(std::string_view commaSeparated, const std::string& subject);
 
 } // namespace parity::compare

@@ -31,19 +31,10 @@ const Metric& requireMetric(std::string_view name, const std::string& subject) {
 }
 
 std::vector<std::string> parseMetricNames(std::string_view commaSeparated, const std::string& subject) {
-  std::vector<std::string_view> wanted;
-  for (std::size_t begin = 0; begin <= commaSeparated.size();) {
-    const std::size_t end = std::min(commaSeparated.find(',', begin), commaSeparated.size());
-    const std::string_view part = commaSeparated.substr(begin, end - begin);
-    if (part.empty())
-      throw base::Error(base::ExitCode::usage, subject, "'" + std::string(commaSeparated) + "'",
-                        "give names of metrics, separated by commas");
-    wanted.push_back(requireMetric(part, subject).name);
-    begin = end + 1;
-  }
+  const std::vector<Statistic> wanted = parseFigures(commaSeparated, subject);
   std::vector<std::string> names;
   for (const Metric& metric : metricRegistry())
-    if (std::find(wanted.begin(), wanted.end(), metric.name) != wanted.end()) names.push_back(metric.name);
+    if (std::ranges::find(wanted, metric.name, &Statistic::metric) != wanted.end()) names.push_back(metric.name);
   return names;
 }
 

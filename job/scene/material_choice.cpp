@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/text/glob.h"
+#include "base/text/nearest.h"
 
 namespace parity::job {
 
@@ -37,11 +38,17 @@ void blend(base::Image& image, const std::vector<float>& shares, const glm::vec3
 
 } // namespace
 
+std::string describeUnmatched(const scenes::Scene& scene, const std::string& glob) {
+  std::vector<std::string_view> names;
+  for (const scenes::Material& material : scene.materials) names.push_back(material.name);
+  return "no material has this name; " + base::describeNearestToGlob(glob, names);
+}
+
 void requireMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs) {
   for (const std::string& glob : globs)
     if (std::ranges::none_of(scene.materials, [&](const auto& m) { return base::matchesGlob(glob, m.name); }))
       throw base::Error(base::ExitCode::failed, scene.name, fmt::format("--material '{}'", glob),
-                        "no material has this name");
+                        describeUnmatched(scene, glob));
 }
 
 void keepMaterials(base::Frame& frame, const scenes::Scene& scene, const std::vector<std::string>& globs,

@@ -9,6 +9,9 @@
 
 namespace parity::job {
 
+// What to say of a glob that no material of the scene matches: with the nearest name.
+std::string describeUnmatched(const scenes::Scene& scene, const std::string& glob);
+
 // Throws Error (exit 4) for a glob that no material of the scene matches.
 void requireMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs);
 

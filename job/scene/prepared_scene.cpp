@@ -12,6 +12,7 @@
 #include "base/parallel.h"
 #include "base/text/glob.h"
 #include "job/scene/baked_scene.h"
+#include "job/scene/material_choice.h"
 #include "lighting/environment/sun_extraction.h"
 #include "scenes/brightest_light.h"
 #include "scenes/builtin/material_balls.h"
@@ -30,7 +31,7 @@ void applyFullyRough(scenes::Scene& scene, const std::vector<std::string>& globs
       if (base::matchesGlob(glob, material.name)) material.fullyRough = matched = true;
     if (!matched)
       throw base::Error(base::ExitCode::usage, scene.name, fmt::format("fully rough '{}'", glob),
-                        "no material has this name");
+                        describeUnmatched(scene, glob));
   }
 }
 

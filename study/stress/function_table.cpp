@@ -100,7 +100,7 @@ std::vector<FunctionCase> functionsNamed(const std::string& glob) {
   }
   if (chosen.empty())
     throw base::Error(base::ExitCode::usage, "--functions", glob,
-                      "unknown function; " + base::describeNearest(glob, names));
+                      "unknown function; " + base::describeNearestToGlob(glob, names));
   return chosen;
 }
 

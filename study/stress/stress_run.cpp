@@ -9,6 +9,7 @@
 #include "base/stopwatch.h"
 #include "base/text/error_words.h"
 #include "base/text/glob.h"
+#include "base/text/nearest.h"
 #include "base/version.h"
 #include "gpu/device/device.h"
 
@@ -20,8 +21,11 @@ namespace {
 class SceneSource {
 public:
   explicit SceneSource(const Options& options) : m_options(options) {
-    for (StressScene& scene : namedScenes())
+    std::vector<std::string> names;
+    for (StressScene& scene : namedScenes()) {
+      names.push_back(scene.name);
       if (base::matchesGlob(options.renderGlob, scene.name)) m_named.push_back(std::move(scene));
+    }
     // A random scene is named by its seed: the glob picks out of those that are due.
     for (std::uint32_t i = 0; i < options.scenes && options.seconds <= 0; ++i)
       if (isWanted(options.seed + i)) m_seeds.push_back(options.seed + i);
@@ -32,7 +36,9 @@ public:
     }();
     if (m_named.empty() && m_seeds.empty() && !soaks)
       throw base::Error(base::ExitCode::usage, "--renders", options.renderGlob,
-                        "unknown scene; parity stress --list lists them");
+                        fmt::format("unknown scene; {}; 'parity stress --list' lists them",
+                                    base::describeNearestToGlob(options.renderGlob, std::vector<std::string_view>(
+                                                                                        names.begin(), names.end()))));
   }
   // Whether the glob names the random scene of this seed.
   bool isWanted(std::uint64_t seed) const {

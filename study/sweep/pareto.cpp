@@ -6,7 +6,11 @@
 #include <limits>
 #include <map>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "base/error.h"
+#include "compare/pooling/statistic.h"
 #include "study/sweep/statistics.h"
 
 namespace parity::sweep {
@@ -92,14 +96,19 @@ std::vector<std::string> dominatedEverywhere(const SweepReport& report, Against 
 ErrorBudget parseErrorBudget(const std::string& text) {
   const auto equals = text.find('=');
   ErrorBudget budget;
-  budget.figure = text.substr(0, equals);
   const char* end = text.data() + text.size();
   const char* begin = equals == std::string::npos ? end : text.data() + equals + 1;
   const auto [stop, error] = std::from_chars(begin, end, budget.limit);
-  if (std::ranges::find(errorNames(), budget.figure) == errorNames().end() || error != std::errc() || stop != end ||
-      !(budget.limit > 0) || !std::isfinite(budget.limit))
-    throw base::Error(base::ExitCode::usage, "bench", "--budget " + text,
-                      "is not NAME=LIMIT with flip.mean, flip.p95 or relmse and a positive number");
+  const std::string place = "--budget " + text;
+  if (error != std::errc() || stop != end || !(budget.limit > 0) || !std::isfinite(budget.limit))
+    throw base::Error(base::ExitCode::usage, "bench", place,
+                      fmt::format("is not NAME=LIMIT with {} and a positive number", fmt::join(errorNames(), ", ")));
+  const std::vector<compare::Statistic> figures = compare::parseFigures(text.substr(0, equals), "bench");
+  budget.figure = figures.front().name;
+  if (figures.size() != 1 || std::ranges::find(errorNames(), budget.figure) == errorNames().end())
+    throw base::Error(
+        base::ExitCode::usage, "bench", place,
+        fmt::format("'{}' is not measured; give one of {}", text.substr(0, equals), fmt::join(errorNames(), ", ")));
   return budget;
 }
 

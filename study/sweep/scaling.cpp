@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/text/glob.h"
 #include "base/text/json_writer.h"
+#include "base/text/nearest.h"
 #include "base/version.h"
 #include "compare/metrics/measure.h"
 #include "job/report_run.h"
@@ -170,6 +171,9 @@ std::vector<ScalingSeries> measureScaling(const job::Settings& settings, const S
                                           const job::Progress& progress) {
   std::vector<ScalingSeries> all;
   std::vector<Plan> todo = plans(options.side);
+  std::vector<std::string> grows;
+  for (const Plan& plan : todo) grows.push_back(plan.grows);
+  const std::vector<std::string_view> names(grows.begin(), grows.end());
   std::erase_if(todo, [&](const Plan& plan) {
     return !options.series.empty() && std::ranges::none_of(options.series, [&](const std::string& glob) {
       return base::matchesGlob(glob, plan.grows);
@@ -177,7 +181,7 @@ std::vector<ScalingSeries> measureScaling(const job::Settings& settings, const S
   });
   if (todo.empty())
     throw base::Error(base::ExitCode::usage, "bench", "--settings",
-                      "no series has this name; names are pixels, triangles...");
+                      "no series has this name; " + base::describeNearestToGlob(options.series.front(), names));
   for (const Plan& plan : todo) {
     ScalingSeries& series = all.emplace_back();
     series.grows = plan.grows;

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/text/glob.h"
+#include "base/text/nearest.h"
 #include "job/knobs.h"
 
 namespace parity::sweep {
@@ -85,6 +88,12 @@ private:
   std::vector<Variant>& m_all;
 };
 
+std::string describeNearestIn(const std::vector<Variant>& variants, const std::string& glob) {
+  std::vector<std::string> ids;
+  for (const Variant& v : variants) ids.push_back(v.id());
+  return base::describeNearestToGlob(glob, std::vector<std::string_view>(ids.begin(), ids.end()));
+}
+
 } // namespace
 
 const std::vector<std::string>& stageKinds() {
@@ -119,7 +128,8 @@ std::vector<Variant> makeVariants(const job::Settings& settings) {
 void requireMatches(const std::vector<Variant>& variants, const std::vector<std::string>& globs) {
   for (const std::string& glob : globs)
     if (std::ranges::none_of(variants, [&](const Variant& v) { return base::matchesGlob(glob, v.id()); }))
-      throw base::Error(base::ExitCode::usage, "bench", "--settings " + glob, "no setting matches; --list lists them");
+      throw base::Error(base::ExitCode::usage, "bench", "--settings " + glob,
+                        fmt::format("no setting matches; {}; --list lists them", describeNearestIn(variants, glob)));
 }
 
 } // namespace parity::sweep

@@ -1,6 +1,7 @@
 // Edit distances by known answers, and the name that a user is told.
 #include <array>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -44,6 +45,27 @@ TEST(NearestName, IsProposedOnlyWhereItIsNear) {
   EXPECT_EQ(describeNearest("nope", kKnown), "known: flip, rmse, psnr") << "3 of 4 letters differ from rmse";
   EXPECT_EQ(describeNearest("nope", kKnown, "builtin:"), "known: builtin:flip, builtin:rmse, builtin:psnr");
   EXPECT_EQ(describeNearest("", {}), "known:");
+}
+
+TEST(DescribeNearest, AsksOrListsTheFirstNames) {
+  constexpr std::array<std::string_view, 3> kKnown = {"flip", "rmse", "psnr"};
+  EXPECT_EQ(askNearest("flop", kKnown), "did you mean 'flip'?");
+  EXPECT_EQ(askNearest("nope", kKnown), "");
+  const std::vector<std::string_view> many(30, "name");
+  const std::string list = describeNearest("x", many);
+  EXPECT_TRUE(list.ends_with(", name and 6 more")) << list;
+}
+
+TEST(DescribeNearest, OfAGlobTheNameThatNearlyMatches) {
+  constexpr std::array<std::string_view, 3> kMaterials = {"metal 0.3", "gold", "plaster"};
+  EXPECT_EQ(describeNearestToGlob("metl*", kMaterials), "did you mean 'metal 0.3'?");
+  EXPECT_EQ(describeNearestToGlob("*platser", kMaterials), "did you mean 'plaster'?");
+  EXPECT_EQ(describeNearestToGlob("[gh]old?", kMaterials), "did you mean 'gold'?");
+  EXPECT_EQ(describeNearestToGlob("Gold", kMaterials), "did you mean 'gold'?")
+      << "globs tell letters of either case apart";
+  EXPECT_EQ(describeNearestToGlob("glod", kMaterials), "did you mean 'gold'?");
+  EXPECT_EQ(describeNearestToGlob("zz*", kMaterials), "known: metal 0.3, gold, plaster");
+  EXPECT_EQ(describeNearestToGlob("*", {}), "known:");
 }
 
 } // namespace

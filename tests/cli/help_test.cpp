@@ -107,13 +107,48 @@ TEST(Help, OfEachSubcommandNamesItsOptions) {
   expectHelp({"cache", "--help"}, {"info", "clear"});
   expectHelp({"cache", "clear", "--help"}, {"--cache", "--json"});
   expectHelp({"devices", "--help"}, {"--device", "--json"});
+  expectHelp({"completion", "--help"}, {"bash", "zsh", "fish"});
+  expectHelp({"man", "--help"}, {"--output"});
 }
 
-TEST(Help, VersionIsNameAndNumber) {
+TEST(Help, VersionIsNameAndNumberThenBuildAndDevice) {
   const RunResult result = runParity({"--version"});
   EXPECT_TRUE(exitedWith(0, result));
-  EXPECT_TRUE(std::regex_match(result.out, std::regex("parity [0-9]+\\.[0-9]+\\.[0-9]+\n"))) << result.out;
+  const std::vector<std::string> lines = linesOf(result.out);
+  ASSERT_EQ(lines.size(), 3u) << result.out;
+  EXPECT_TRUE(std::regex_match(lines[0], std::regex("parity [0-9]+\\.[0-9]+\\.[0-9]+"))) << result.out;
+  EXPECT_TRUE(std::regex_match(lines[1], std::regex("build: (GCC|Clang) [0-9.]+.*"))) << result.out;
+  EXPECT_TRUE(lines[2].starts_with(missingDriver().empty() ? "device: " : "no Vulkan device: ")) << result.out;
   EXPECT_EQ(result.err, "");
+}
+
+TEST(Help, VersionWithoutADriverSaysSo) {
+  RunOptions options; // the loader finds no driver there
+  for (const char* variable : {"VK_ICD_FILENAMES", "VK_DRIVER_FILES"})
+    options.environment.emplace_back(variable, "/nowhere/no-driver.json");
+  const RunResult result = runParity({"--version"}, options);
+  EXPECT_TRUE(exitedWith(0, result));
+  ASSERT_EQ(linesOf(result.out).size(), 3u) << result.out;
+  EXPECT_TRUE(linesOf(result.out)[2].starts_with("no Vulkan device: ")) << result.out;
+}
+
+TEST(Help, IsTheSameByTheCommandHelp) {
+  EXPECT_EQ(runParity({"help"}).out, runParity({"--help"}).out);
+  EXPECT_EQ(runParity({"help", "report"}).out, runParity({"report", "--help"}).out);
+  EXPECT_EQ(runParity({"help", "budget", "suggest"}).out, runParity({"budget", "suggest", "--help"}).out);
+  EXPECT_FALSE(runParity({"help", "report"}).out.empty());
+}
+
+TEST(Help, HasNoGroupOfManyOptionsAndOnlyTheExitCodesOfTheCommand) {
+  for (const char* command : {"report", "diff", "render", "flip", "bench", "bake", "stress", "fit", "plot", "info"}) {
+    const std::string help = runParity({command, "--help"}).out;
+    EXPECT_FALSE(contains(help, "\nOptions:")) << command << ": options without a heading";
+    EXPECT_TRUE(contains(help, "\nExamples:\n  parity " + std::string(command))) << help;
+    EXPECT_TRUE(contains(help, "\nExit codes:\n    0  ")) << help;
+  }
+  EXPECT_FALSE(contains(runParity({"fit", "--help"}).out, "over budget"));
+  EXPECT_FALSE(contains(runParity({"report", "--help"}).out, "a new finding"));
+  EXPECT_TRUE(contains(runParity({"stress", "--help"}).out, "2  a new finding"));
 }
 
 class StreamsTest : public RenderingTest {};
@@ -151,13 +186,53 @@ TEST_F(StreamsTest, ReportPrintsItsTableAndWhereThePageLies) {
   EXPECT_FALSE(contains(result.out, "\x1b[")) << "colours are for terminals";
 }
 
+TEST_F(StreamsTest, ColoursAndBarGoByTheEnvironment) {
+  const std::vector<std::string> command = join({{"diff", "builtin:furnace"}, kSmall});
+  RunOptions forced;
+  forced.environment = {{"CLICOLOR_FORCE", "1"}};
+  EXPECT_TRUE(contains(runParity(command, forced).out, "\x1b[")) << "colours are forced";
+  forced.environment.emplace_back("NO_COLOR", "1");
+  EXPECT_FALSE(contains(runParity(command, forced).out, "\x1b["));
+  RunOptions terminal;
+  terminal.terminal = true;
+  terminal.environment = {{"TERM", "dumb"}};
+  EXPECT_EQ(runParity(command, terminal).err, "") << "no line can be drawn over";
+  terminal.environment = {{"NO_COLOR", "1"}, {"TERM", "xterm"}};
+  const RunResult plain = runParity(command, terminal);
+  EXPECT_TRUE(contains(plain.err, "furnace")) << plain.err;
+  EXPECT_FALSE(contains(plain.err, "\x1b")) << "no escapes at all";
+  EXPECT_TRUE(plain.err.ends_with(" \r")) << "the bar is left standing";
+}
+
+TEST_F(StreamsTest, AReaderThatHasGoneIsNoError) {
+  RunOptions closed;
+  closed.closesOutput = true;
+  const std::vector<std::vector<std::string>> commands = {
+      {"--help"}, {"knobs"}, {"report", "--help"}, {"completion", "bash"}, {"--version"}, {"stress", "--list"}};
+  for (const std::vector<std::string>& command : commands) {
+    const RunResult result = runParity(command, closed);
+    EXPECT_TRUE(exitedWith(0, result));
+    EXPECT_EQ(result.err, "") << result.commandLine;
+  }
+  const std::string budgets = writeBudgets(m_folder, "fail = 0.999");
+  for (const char* json : {"-", "out.json"}) {
+    const RunResult result =
+        runParity(join({{"diff", "builtin:furnace", "--budgets", budgets, "--annotate", "github", "--json"},
+                        {json == std::string("-") ? json : path(json)},
+                        kSmall}),
+                  closed);
+    EXPECT_TRUE(exitedWith(0, result)) << "the verdict's";
+    EXPECT_EQ(result.err, "");
+  }
+}
+
 TEST_F(StreamsTest, ProgressIsDrawnOnATerminalOnStderrAndWipedAtTheEnd) {
   RunOptions terminal;
   terminal.terminal = true;
   const std::vector<std::string> command = join({{"diff", "builtin:furnace", "--json", "-"}, kSmall});
   const RunResult shown = runParity(command, terminal);
   EXPECT_TRUE(contains(shown.err, "furnace")) << shown.err;
-  EXPECT_TRUE(contains(shown.err, " %")) << shown.err;
+  EXPECT_TRUE(contains(shown.err, " % 0:0")) << "share and elapsed time: " << shown.err;
   EXPECT_TRUE(shown.err.ends_with("\r\x1b[K")) << "the bar is left standing: " << shown.err;
   EXPECT_TRUE(nlohmann::json::accept(shown.out)) << shown.out;
   EXPECT_EQ(runParity(join({command, {"-q"}}), terminal).err, "") << "-q asks for errors only";

@@ -96,21 +96,24 @@ RunResult runParity(const std::vector<std::string>& arguments, const RunOptions&
 
   RunResult result;
   for (const std::string& argument : arguments) result.commandLine += " " + argument;
-  Channel out(false), err(options.terminal);
+  Channel in(false), out(false), err(options.terminal);
+  if (write(in.ends[1], options.input.data(), options.input.size()) != static_cast<ssize_t>(options.input.size()))
+    throw std::runtime_error("the input does not fit into a pipe");
+  in.closeEnd(1);
+  if (options.closesOutput) out.closeEnd(0);
   const auto start = std::chrono::steady_clock::now();
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("fork failed");
   if (child == 0) { // only calls that are safe between fork and exec
-    const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
     const bool placed = options.workingFolder.empty() || chdir(options.workingFolder.c_str()) == 0;
-    if (placed && dup2(nothing, 0) >= 0 && dup2(out.ends[1], 1) >= 0 && dup2(err.ends[1], 2) >= 0)
+    if (placed && dup2(in.ends[0], 0) >= 0 && dup2(out.ends[1], 1) >= 0 && dup2(err.ends[1], 2) >= 0)
       execve(executable.c_str(), argv.data(), envp.data());
     _exit(127);
   }
   out.closeEnd(1);
   err.closeEnd(1);
 
-  bool open[2] = {true, true}, interrupts = !options.interruptAt.empty();
+  bool open[2] = {!options.closesOutput, true}, interrupts = !options.interruptAt.empty();
   while (open[0] || open[1]) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     const double leftMs = (options.timeoutS - passed.count()) * 1000;

@@ -13,6 +13,8 @@ namespace parity::tests {
 struct RunOptions {
   std::vector<std::pair<std::string, std::string>> environment; // added to, or in place of, the test's own
   std::filesystem::path workingFolder;                          // empty: the test's own
+  std::string input;                                            // on stdin; at most what a pipe holds
+  bool closesOutput = false;                                    // stdout has no reader, as after `| head -0`
   bool terminal = false;   // stderr is a terminal (a pseudo-terminal), as for a user who sends stdout to a file
   std::string interruptAt; // the signal is sent, once, when stderr holds this; empty: never
   int interruptBy = SIGINT;

@@ -75,6 +75,20 @@ TEST(MetricNames, AreParsedIntoTheRegistrysOrderEachOnce) {
   for (const char* wrong : {"", ",", "flip,", ",flip", "flip,,psnr", "flip psnr", "Flip"})
     EXPECT_EQ(test::codeOf([&] { parseMetricNames(wrong, "--metrics"); }), base::ExitCode::usage) << wrong;
   base::expectError([] { parseMetricNames("flip,pnsr", "--metrics"); }, {"'psnr'"}, base::ExitCode::usage);
+  EXPECT_EQ(parseMetricNames("ssim.mean,flip.p95,flip.fraction_over(0.1)", "--metrics"),
+            (std::vector<std::string>{"flip", "ssim"}))
+      << "a figure names its metric";
+}
+
+TEST(FigureNames, AreParsedInTheirOrderAndAMetricStandsForItsFirstFigure) {
+  std::vector<std::string> names;
+  for (const Statistic& figure : parseFigures("psnr,flip,flip.p95,flip.fraction_over(0.10)", "--metrics"))
+    names.push_back(figure.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"psnr", "flip.mean", "flip.p95", "flip.fraction_over(0.1)"}));
+  base::expectError([] { parseFigures("flip,flip.men", "--metrics"); }, {"--metrics", "did you mean 'flip.mean'?"},
+                    base::ExitCode::usage);
+  base::expectError([] { parseFigures("nothing.at.all", "--metrics"); }, {"known: flip, hdrflip"},
+                    base::ExitCode::usage);
 }
 
 TEST(Figures, AreFoundByName) {

@@ -55,8 +55,9 @@ TEST(Pareto, EverywhereMeansInEachSceneThatHasIt) {
 TEST(Budget, IsReadOrRefused) {
   EXPECT_EQ(parseErrorBudget("flip.p95=0.25").figure, "flip.p95");
   EXPECT_EQ(parseErrorBudget("flip.p95=0.25").limit, 0.25);
+  EXPECT_EQ(parseErrorBudget("flip=0.25").figure, "flip.mean") << "a metric stands for its first figure";
   for (const char* bad : {"", "flip.mean", "flip.mean=", "flip.mean=x", "flip.mean=0", "flip.mean=-1", "ssim=0.5",
-                          "flip.mean=0.1x", "flip.mean=nan", "flip.mean=inf"})
+                          "flip,relmse=0.5", "flop=0.5", "flip.mean=0.1x", "flip.mean=nan", "flip.mean=inf"})
     EXPECT_THROW(parseErrorBudget(bad), base::Error) << bad;
 }
 

@@ -35,7 +35,7 @@ export function globOf(name: string): string {
 
 const kLongest = 400;
 // Options that only a whole report has, or that would hide the table or choose other materials.
-const kWithValue = ["-o", "--output", "--json", "--bench", "--pixel-data", "--annotate", "--material"];
+const kWithValue = ["-o", "--output", "--json", "--csv", "--bench", "--pixel-data", "--annotate", "--material"];
 const kAlone = ["--single-file", "-q", "--quiet"];
 
 /**
@@ -51,11 +51,15 @@ export function diffCommand(commandLine: string, scene: Scene, row: Row): string
   const source = sources[0];
   if (source === undefined || sources.length > 1) return null;
   const isScene = (word: string): boolean => /\.(gltf|glb)$/i.test(word) || word.startsWith("builtin:");
+  // Of several environments only the scene's own.
+  const several = words.filter((word) => word === "--env" || word.startsWith("--env=")).length > 1;
+  const isOther = (value: string): boolean => several && value !== scene.environment && fileOf(value) !== scene.environment;
   const kept: string[] = [...words.slice(0, at), "diff", source];
   for (let i = at + 1; i < words.length; ++i) {
     const word = words[i] ?? "";
     const previous = words[i - 1] ?? "";
-    if (kWithValue.includes(word)) ++i;
+    if (kWithValue.includes(word) || (word === "--env" && isOther(words[i + 1] ?? ""))) ++i;
+    else if (word.startsWith("--env=") && isOther(word.slice(6))) continue;
     else if (kAlone.includes(word) || word.startsWith("-o") || kWithValue.some((each) => word.startsWith(each + "="))) continue;
     else if (isScene(word) && previous !== "--env") continue;
     else kept.push(word);

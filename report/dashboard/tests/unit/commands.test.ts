@@ -29,6 +29,13 @@ describe("the command for a row", () => {
     expect(diffCommand(line, scene, material)).toBe("parity diff 'a b/Desk.glb' --env sky.hdr --size 64x64 --material 'Gold ?1??'");
   });
 
+  it("has the scene's own environment where the report had several", () => {
+    const night = { ...scene, environment: "night.hdr" };
+    const line = "parity report 'a b/Desk.glb' --env sky.hdr --env=lights/night.hdr --csv x.csv";
+    expect(diffCommand(line, night, whole)).toBe("parity diff 'a b/Desk.glb' --env=lights/night.hdr");
+    expect(diffCommand(line, { ...scene, environment: "sky.hdr" }, whole)).toBe("parity diff 'a b/Desk.glb' --env sky.hdr");
+  });
+
   it("is none where the line does not say which file it is", () => {
     expect(diffCommand("parity report --suite a.toml -o out", scene, whole)).toBeNull();
     expect(diffCommand("parity report other.glb -o out", scene, whole)).toBeNull();

@@ -1,0 +1,231 @@
+// A table of texts, read from top to bottom, and how CLI11 is to show them.
+#include "cli/options/command_help.h"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/options/app_description.h"
+#include "cli/options/option_parts.h"
+#include "scenes/builtin/builtin.h"
+
+namespace parity::cli {
+
+namespace {
+
+constexpr const char* kIntro = R"(parity: does a material look the same on two shading paths?
+
+Renders a glTF scene by a high-end path (full GGX, tabulated environment BRDF, all lights) and by a mobile path (Karis 2014, UE4's
+base pass), compares them per material by FLIP, and judges them against budgets.
+)";
+
+constexpr const char* kFlipNotes =
+    R"(Pictures in two folders are matched by relative path, or by stem if only one file has it. A picture without counterpart fails
+(exit 4); the others still run. Other files are skipped with a warning. Each line of a list has two paths, relative to the list's
+folder; put "..." around a path with spaces, and # before a comment.
+
+Colour: integers are sRGB and floats are linear Rec.709, unless the file or --colorspace says otherwise. A pair is HDR if both files
+hold floats and any value is above 1; then hdrflip replaces flip. Grey is copied to R, G and B. Both files need the same channels.
+Files are not comparable if they differ in layers, further images, orientation, or the position of the pixels in a larger picture;
+--ignore-layers compares only the colour and alpha of the first image.
+Alpha: both are composited over --background, always in linear Rec.709: C + (1-a) B if the colour is multiplied by alpha
+(OpenEXR, some TIFF), a C + (1-a) B if not (PNG). With --alpha channel, colour is compared as stored, and alpha as a separate
+grey picture.
+
+A limit belongs to the --metric before it. Without --metric it belongs to FLIP, pixel by pixel.
+  --metric flip.mean --fail 0.05             a pooled figure: fails above 0.05 (psnr, ssim...: below; bias: absolute value)
+  --metric flip --fail 0.2 --failpercent 1   pixel by pixel, as idiff: fails if more than 1 % of the pixels are over 0.2
+  --metric maxabs --fail 0.01 --failpercent 1  the same with the largest difference of R, G, B, as in idiff
+  --metric flip --hardfail 0.9               fails if any pixel is over 0.9
+  --fail 0.2                                 the same as --metric flip --fail 0.2 --failpercent 0
+--warn, --warnpercent and --hardwarn warn in the same way. Every region must hold all limits. A limit that no value can exceed is
+an error. Budgets: [[whole]] rules judge a pair without a mask; [[material]] rules judge each region of a mask. Without limits
+nothing is judged: any two finite pictures of the same size exit with 0. Pixels that are NaN or infinite never pass.)";
+
+constexpr ExitCodeText kDone = {0, "done"}, kFailed = {4, "a file is missing or damaged, or a step failed"},
+                       kUsage = {64, "wrong usage"}, kWithin = {0, "within budget"},
+                       kWarned = {1, "warnings only (with --warn-exit)"}, kOver = {2, "over budget"},
+                       kNotComparable = {3, "not comparable: sizes, channels, or a metric that does not apply"},
+                       kNoResult = {4, "a scene failed, a figure is not finite, or no material was compared"};
+
+const std::vector<CommandHelp>& table() {
+  static const std::vector<CommandHelp> kTable = {
+      {"",
+       "",
+       {{"parity report scene.glb --env studio.hdr --sun 30,50,4 -o out", "report with pictures: out/index.html"},
+        {"parity diff scene.glb --env studio.hdr", "table with one row for each material"},
+        {"parity flip reference.png test.png -o map.exr", "compare any two images"},
+        {"parity budget suggest out/report.json -o budgets.toml", "suggest limits from observed figures"},
+        {"parity help report", "the options of a command"}},
+       {{0, "within budget, done"},
+        kWarned,
+        kOver,
+        {3, "not comparable"},
+        {4, "a file is missing or not finite, or a step failed"},
+        kUsage}},
+      {"report",
+       "If a scene fails, the others still run. The highest exit code wins. A scene is a .gltf or .glb file, or "
+       "builtin:NAME;\n- reads more of them from standard input, one a line.",
+       {{"parity report scene.glb", "writes parity-report/index.html"},
+        {"parity report a.glb b.glb --env studio.hdr --env builtin:sky -o out", "each scene in each environment"},
+        {"parity report --suite nightly.toml --budgets budgets.toml --annotate github", "in CI"},
+        {"parity report scene.glb --material 'metal*' --csv figures.csv", "some materials, also as a table"},
+        {"parity report - --baseline main/report.json", "scenes from standard input, against an earlier report"}},
+       {kWithin, kWarned, kOver, kNotComparable, kNoResult, kUsage}},
+      {"diff",
+       "",
+       {{"parity diff scene.glb --env studio.hdr --sun 30,50,4", "a table"},
+        {"parity diff scene.glb --material gold --truth", "one material, both paths against the ground truth"},
+        {"parity diff scene.glb --csv - -q", "figures for a spreadsheet"}},
+       {kWithin, kWarned, kOver, kNotComparable, kNoResult, kUsage}},
+      {"render",
+       "",
+       {{"parity render scene.glb --path truth -o truth.png", "the picture as displayed"},
+        {"parity render scene.glb --path truth --terms -o terms.exr", "all terms of light as layers"},
+        {"parity render --list-terms", "what --term takes"}},
+       {kDone, kFailed, kUsage}},
+      {"flip",
+       kFlipNotes,
+       {{"parity flip reference.png test.png -o map.png", "two images, and a map of their difference"},
+        {"parity flip old new --metric flip.mean --fail 0.05 --junit flip.xml", "two folders, judged"},
+        {"parity flip --pairs - --csv figures.csv", "a list of pairs from standard input"}},
+       {{0, "within limits"},
+        kWarned,
+        {2, "over a limit"},
+        kNotComparable,
+        {4, "unreadable, missing or not finite"},
+        kUsage}},
+      {"budget", "", {}, {kDone, kFailed, kUsage}},
+      {"budget suggest",
+       "",
+       {{"parity budget suggest out -o budgets.toml", "from the report in out"},
+        {"parity budget suggest run1 run2 run3 --metrics flip,ssim --margin 0.2", "from several runs"}},
+       {kDone, kFailed, kUsage}},
+      {"budget check",
+       "",
+       {{"parity budget check budgets.toml", "its rules, or what is wrong"}},
+       {kDone, kFailed, kUsage}},
+      {"fit",
+       "",
+       {{"parity fit --geometry-term schlick-smith --format hlsl", "constants for your own path"}},
+       {kDone, kFailed, kUsage}},
+      {"plot",
+       "",
+       {{"parity plot env-brdf scene.glb -o plot", "error of EnvBRDFApprox against the table"}},
+       {kDone, kFailed, kUsage}},
+      {"bench",
+       "",
+       {{"parity bench scene.glb --env studio.hdr --budget flip=0.02 -o out", "time and error of each setting"},
+        {"parity bench scene.glb --settings '*: refit*' --no-truth", "some settings"},
+        {"parity bench --scaling -o scaling", "time over size"}},
+       {{0, "done, and a setting is within --budget"},
+        {2, "no setting is within --budget, or one is slower than in --compare"},
+        kFailed,
+        kUsage}},
+      {"stress",
+       "",
+       {{"parity stress -o stress", "all functions, and renders at the edges"},
+        {"parity stress --functions 'D_*' --points 100000", "some functions, more points"},
+        {"parity stress --only renders --seconds 600", "a soak test"}},
+       {{0, "nothing new was found"}, {2, "a new finding"}, kFailed, kUsage}},
+      {"bake",
+       "If a scene fails, the others are still baked. - reads more scenes from standard input, one a line.",
+       {{"parity bake scene.glb --env studio.hdr -o baked",
+         "then: parity report scene.glb --env studio.hdr --baked baked"},
+        {"parity bake --suite demo.toml", "each scene of the suite that has the key baked"}},
+       {kDone, kFailed, kUsage}},
+      {"devices",
+       "",
+       {{"parity devices --device nvidia", "which one this name selects"}},
+       {kDone, {4, "no device can be used"}, kUsage}},
+      {"info", "", {{"parity info scene.glb", "materials, lights, cameras"}}, {kDone, kFailed, kUsage}},
+      {"knobs", "", {{"parity knobs | less", "all settings"}}, {kDone, kUsage}},
+      {"cache", "", {}, {kDone, kFailed, kUsage}},
+      {"cache info", "", {{"parity cache info", "what it holds"}}, {kDone, kFailed, kUsage}},
+      {"cache clear", "", {{"parity cache clear", "removes all entries"}}, {kDone, kFailed, kUsage}},
+      {"help", "", {{"parity help budget suggest", "the same as parity budget suggest --help"}}, {kDone, kUsage}},
+      {"completion",
+       "The Debian package and `cmake --install` put these scripts where the shells look for them.",
+       {{"source <(parity completion bash)", "for this shell (bash)"},
+        {"parity completion fish > ~/.config/fish/completions/parity.fish", "for good (fish)"},
+        {"parity completion zsh > ~/.zfunc/_parity", "for good (zsh); ~/.zfunc must be in fpath"}},
+       {kDone, kUsage}},
+      {"man",
+       "",
+       {{"parity man report | man -l -", "reads it"}, {"parity man -o man1", "writes the pages of all commands"}},
+       {kDone, kFailed, kUsage}},
+  };
+  return kTable;
+}
+
+std::string footerOf(const CommandHelp& help) {
+  std::string text;
+  if (!help.notes.empty()) text += fmt::format("{}\n", help.notes);
+  std::size_t width = 0;
+  for (const Example& example : help.examples) width = std::max(width, example.line.size());
+  if (!help.examples.empty()) text += text.empty() ? "Examples:\n" : "\nExamples:\n";
+  constexpr std::size_t kColumns = 130;
+  for (const Example& example : help.examples) {
+    const bool fits = 4 + width + example.what.size() <= kColumns;
+    text += fits ? fmt::format("  {:<{}}  {}\n", example.line, width, example.what)
+                 : fmt::format("  {}\n      {}\n", example.line, example.what);
+  }
+  text += text.empty() ? "Exit codes:\n" : "\nExit codes:\n";
+  for (const ExitCodeText& each : help.exitCodes) text += fmt::format("  {:>3}  {}\n", each.code, each.meaning);
+  text.pop_back(); // CLI11 ends the line
+  return text;
+}
+
+// Headings in one order, and whether an option is repeatable in plain words.
+class HelpFormatter : public CLI::Formatter {
+public:
+  std::string make_groups(const CLI::App* app, CLI::AppFormatMode) const override {
+    std::string text;
+    for (const std::string& title : groupTitles(*app)) {
+      const std::vector<const CLI::Option*> options =
+          app->get_options([&](const CLI::Option* o) { return o->get_group() == title && o->nonpositional(); });
+      if (!options.empty()) text += make_group(title, false, options);
+    }
+    return text;
+  }
+};
+
+void addHelpTo(CLI::App& app, const std::string& name, const std::shared_ptr<HelpFormatter>& formatter) {
+  app.formatter(formatter);
+  app.footer(footerOf(helpOf(name)));
+  app.get_help_ptr()->group(kGeneralGroup);
+  for (CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; }))
+    addHelpTo(*below, name.empty() ? below->get_name() : name + " " + below->get_name(), formatter);
+}
+
+} // namespace
+
+const CommandHelp& helpOf(std::string_view command) {
+  const auto found = std::ranges::find(table(), command, &CommandHelp::command);
+  if (found == table().end()) throw std::out_of_range("no help of " + std::string(command));
+  return *found;
+}
+
+std::string introduction() {
+  constexpr std::size_t kColumns = 120;
+  std::string text = kIntro, line = "Scenes are .gltf or .glb files, or";
+  for (const std::string& scene : scenes::builtinSceneNames()) {
+    const std::string word = fmt::format(" builtin:{},", scene);
+    if (line.size() + word.size() > kColumns) text += "\n" + line, line.clear();
+    line += line.empty() ? word.substr(1) : word;
+  }
+  line.back() = '.';
+  return text + "\n" + line;
+}
+
+void addHelp(CLI::App& app) {
+  const auto formatter = std::make_shared<HelpFormatter>();
+  formatter->column_width(34);
+  addHelpTo(app, "", formatter);
+}
+
+} // namespace parity::cli
