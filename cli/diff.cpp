@@ -1,4 +1,4 @@
-// parity diff: one scene, a table with one row a material.
+// parity diff: one scene, or the chosen ones of a suite: a table with one row a material.
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -11,19 +11,39 @@
 
 namespace parity::cli {
 
+namespace {
+
+// So few rows are shown whatever their verdicts are: who compares one scene wants to see its figures.
+constexpr std::size_t kRowsOfAScreen = 24;
+
+std::size_t countRows(const report::Report& report) {
+  return report::countVerdicts(report).total() + report::countWholes(report).total();
+}
+
+} // namespace
+
 int runDiffCommand(const DiffCommand& command, const std::string& commandLine) {
   const base::ThreadLimit threads(command.common.threads);
+  std::vector<std::string> scenes;
+  if (command.suite.empty()) scenes.push_back(command.scene);
+  RunRequest run = runRequest(command.common, scenes, command.suite);
   job::ReportRequest request;
-  request.scenes = {sceneRequest(command.common, command.scene)};
+  request.scenes = std::move(run.scenes);
+  request.suiteBudgets = run.suiteBudgets;
+  request.only = command.common.only;
   request.commandLine = commandLine;
   request.oneOfMany = true;
   request.baseline = command.verdict.baseline;
-  requireSeparate({{"--json", command.common.json}}, inputFiles(command.common, command.verdict, request.scenes));
-  job::Context context(command.common.settings);
+  std::vector<NamedFile> inputs = inputFiles(command.common, command.verdict, request.scenes);
+  inputs.push_back({"the suite", command.suite});
+  inputs.push_back({"the suite's budgets", request.suiteBudgets.value_or("")});
+  requireSeparate({{"--json", command.common.json}}, inputs);
+  job::Context context(run.settings);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
   if (!command.common.json.empty()) writeJson(command.common.json, report::toJson(result.report));
-  if (command.common.json != "-" && !command.common.quiet && result.report.scenes.front().error.empty())
-    printTable(result.report);
+  const bool isSaid = request.scenes.size() == 1 && !result.report.scenes.front().error.empty(); // its one error
+  if (command.common.json != "-" && !command.common.quiet && !isSaid)
+    printTable(result.report, result.run, command.verdict.allRows || countRows(result.report) <= kRowsOfAScreen);
   printAnnotations(command.verdict.annotate, result.report, command.common.json == "-");
   if (command.common.timings) printTimings(result.run.timings);
   return report::exitCode(result.report, command.verdict.warnExit);

@@ -24,6 +24,7 @@ struct CommonOptions {
   job::Settings plain;    // without: what a suite's scenes begin with
   base::GivenKnobs given;
   scenes::ViewRequest view;
+  std::vector<std::string> only; // globs of views (report/view_choice.h); none: all
   int threads = 0;
   std::string json; // file, "-" for stdout, "" for none
   bool timings = false, quiet = false;
@@ -34,6 +35,7 @@ struct VerdictOptions {
   bool warnExit = false;
   std::string baseline; // earlier report.json or its folder; empty: none
   std::string annotate; // "github", or empty
+  bool allRows = false; // of the table, also those that pass
 };
 
 struct ReportCommand {
@@ -43,12 +45,13 @@ struct ReportCommand {
   std::string suite, folder;
   bool singleFile = false, pixelData = true;
   std::string bench; // bench.json of `parity bench` or its folder; empty: none
+  std::vector<std::string> kept; // words of the command line that `parity diff` takes for the same result
 };
 
 struct DiffCommand {
   CommonOptions common;
   VerdictOptions verdict;
-  std::string scene;
+  std::string scene, suite; // either
 };
 
 struct RenderCommand {

@@ -1,7 +1,9 @@
 #include "cli/output.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cmath>
@@ -15,6 +17,19 @@
 #include "report/dashboard_files.h"
 
 namespace parity::cli {
+
+namespace {
+
+// Of the terminal that stdout is; 0: it is none, so that a row stays one line, which grep finds whole.
+std::size_t terminalColumns() {
+  constexpr std::size_t kUsual = 80, kLeast = 60;
+  if (isatty(STDOUT_FILENO) == 0) return 0;
+  winsize size{};
+  const bool isKnown = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return std::max(isKnown ? std::size_t{size.ws_col} : kUsual, kLeast);
+}
+
+} // namespace
 
 job::Progress makeProgress(bool quiet) {
   if (quiet || !isatty(STDERR_FILENO)) return {};
@@ -39,9 +54,10 @@ void printText(const std::string& text, base::Colors colors) {
     throw base::fileError("stdout", "", "could not be written");
 }
 
-void printTable(const report::Report& report) {
+void printTable(const report::Report& report, const report::RunInfo& run, bool allRows) {
   const bool color = isatty(STDOUT_FILENO) != 0;
-  printText(report::toTable(report, color) + "\n", color ? base::Colors::ours : base::Colors::none);
+  const report::TableOptions options{.color = color, .columns = terminalColumns(), .all = allRows};
+  printText(report::toTable(report, run, options) + "\n", color ? base::Colors::ours : base::Colors::none);
 }
 
 void printCommands(const std::string& commands, bool stdoutTaken) {

@@ -28,8 +28,9 @@ template <typename... Parts> void print(fmt::format_string<Parts...> format, Par
   printText(fmt::format(format, std::forward<Parts>(parts)...));
 }
 
-// report::toTable(), in colours where stdout is a terminal.
-void printTable(const report::Report& report);
+// report::toTable(): where stdout is a terminal in colours and wrapped to its width, else a line a row. allRows: also
+// those that pass.
+void printTable(const report::Report& report, const report::RunInfo& run, bool allRows);
 
 // Indented, with a line feed behind it. What is no UTF-8 becomes U+FFFD.
 std::string dumpJson(const nlohmann::ordered_json& json);

@@ -16,6 +16,7 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
   app.add_option("scenes", bench.scenes, "Scene files or builtin:NAME");
   app.add_option("--suite", bench.suite, "Suite file (TOML): many scenes, with their views and light")
       ->excludes("scenes");
+  addOnlyOption(app, bench.common);
   app.add_option("-o,--output", bench.folder,
                  "Folder for index.html, bench.json, bench.csv, bench.md (one table of all scenes) and pictures")
       ->group("Output");

@@ -42,6 +42,14 @@ void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
   app.add_flag("-q,--quiet", raw.quiet, "Print errors only, no table; the exit code is the verdict");
 }
 
+void addOnlyOption(CLI::App& app, CommonOptions& common) {
+  app.add_option("--only", common.only,
+                 "Only these views of the scenes (glob SCENE/VIEW, or SCENE for all of its views; repeatable)")
+      ->type_name("GLOB")
+      ->allow_extra_args(false)
+      ->group("Scene");
+}
+
 void addBudgetsOption(CLI::App& app, CommonOptions& common) {
   app.add_option("--budgets", common.settings.budgets, "Budget file (TOML) instead of the built-in budgets")
       ->group("Verdict");

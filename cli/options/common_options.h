@@ -26,6 +26,8 @@ void addViewKnobs(CLI::App& app, RawOptions& raw);
 
 // Device, threads, cache, verbosity.
 void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
+// --only.
+void addOnlyOption(CLI::App& app, CommonOptions& common);
 void addBudgetsOption(CLI::App& app, CommonOptions& common);
 // What a report's page holds: --single-file, --pixel-data, --bench.
 void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw);

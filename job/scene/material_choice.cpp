@@ -37,6 +37,12 @@ void blend(base::Image& image, const std::vector<float>& shares, const glm::vec3
 
 } // namespace
 
+bool hasAnyMaterial(const scenes::Scene& scene, const std::vector<std::string>& globs) {
+  return globs.empty() || std::ranges::any_of(globs, [&](const std::string& glob) {
+           return std::ranges::any_of(scene.materials, [&](const auto& m) { return base::matchesGlob(glob, m.name); });
+         });
+}
+
 void requireMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs) {
   for (const std::string& glob : globs)
     if (std::ranges::none_of(scene.materials, [&](const auto& m) { return base::matchesGlob(glob, m.name); }))

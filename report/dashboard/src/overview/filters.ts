@@ -7,7 +7,7 @@ import type { List, State } from "../data/state";
 import type { Report } from "../data/types";
 import { count } from "../format";
 
-/** In the order of the keys 1 to 9; "": all. */
+/** In the order of the keys 1 to 9, the last has none; "": all. */
 export const kCategories = [
   { verdict: "", label: "All" },
   { verdict: "fail", label: "Failed" },
@@ -18,6 +18,7 @@ export const kCategories = [
   { verdict: "not seen", label: "Not seen" },
   { verdict: "pass", label: "Passed" },
   { verdict: "new", label: "New" },
+  { verdict: "not run", label: "Not run" },
 ] as const;
 
 function select(
@@ -79,7 +80,7 @@ export function filters(report: Report, rows: readonly Row[], shown: number, sta
         if (!all && number === 0) return nothing;
         const pressed = all ? state.verdicts.length === 0 : state.verdicts.includes(verdict);
         return html`<button type="button" class="chip ${verdict.replace(" ", "-")}" aria-pressed=${pressed ? "true" : "false"}
-          title=${`Key ${index + 1}`} @click=${() => toggle(verdict)}>${label} <b>${count(number)}</b></button>`;
+          title=${index < 9 ? `Key ${index + 1}` : ""} @click=${() => toggle(verdict)}>${label} <b>${count(number)}</b></button>`;
       })}
     </div>
     ${select("Cause", state.causedBy, distinct(listed.map((row) => row.cause?.term ?? "")), (term) => term, (causedBy) => set({ causedBy }))}
