@@ -1,7 +1,8 @@
 // parity diff: one scene, or the chosen ones of a suite: a table with one row a material.
-#include <fmt/format.h>
+#include <optional>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 #include "base/parallel.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
@@ -38,7 +39,12 @@ int runDiffCommand(const DiffCommand& command, const std::string& commandLine) {
   inputs.push_back({"the suite", command.suite});
   inputs.push_back({"the suite's budgets", request.suiteBudgets.value_or("")});
   requireSeparate({{"--json", command.common.json}}, inputs);
+  // Of one scene nothing is finished before it is.
+  std::optional<base::StopSignal> stop;
+  if (!command.suite.empty())
+    stop.emplace("interrupted: the table shows what is finished; another signal ends the program at once");
   job::Context context(run.settings);
+  if (stop) context.stopWhen(base::StopSignal::received);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
   if (!command.common.json.empty()) writeJson(command.common.json, report::toJson(result.report));
   const bool isSaid = request.scenes.size() == 1 && !result.report.scenes.front().error.empty(); // its one error
