@@ -12,8 +12,8 @@ namespace parity::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> kNotKept = {"suite",    "only", "material", "json",    "annotate",
-                                                       "all",      "csv",  "quiet",    "timings", "verbose"};
+constexpr std::array<std::string_view, 10> kNotKept = {"suite", "only", "material", "json",    "annotate",
+                                                       "all",   "csv",  "quiet",    "timings", "verbose"};
 
 // What begins with '-' would be an option of its own.
 void add(std::vector<std::string>& words, const std::string& option, const std::string& value) {

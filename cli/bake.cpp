@@ -111,8 +111,7 @@ int runBakeCommand(const BakeCommand& command) {
     try {
       const base::Stopwatch watch(nullptr, "bake");
       const job::BakeResult result =
-          job::bakeScene(context, task.request, command.options, makeProgress(command.common.quiet),
-                         isCancelled);
+          job::bakeScene(context, task.request, command.options, makeProgress(command.common.quiet), isCancelled);
       printNotes(task.request.name, result.notes);
       bake::writeBaked(task.folder, result.light);
       if (!command.common.quiet) printSummary(task, result, watch.elapsedMs() * 1e-3);

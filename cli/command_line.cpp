@@ -87,8 +87,9 @@ base pass), compares them per material by FLIP, and judges them against budgets.
 constexpr const char* kFooter = R"(
 Exit codes: 0 within budget; 1 warnings only (with --warn-exit); 2 over budget (stress: a new finding; bench: a setting is slower,
 or none is within the budget); 3 not comparable (sizes, channels, layers, or a metric that does not apply); 4 a file is missing or
-not finite, a step failed (read, render, judge, write), or no material was compared; 64 wrong usage; 130 or 143 SIGINT or
-SIGTERM interrupted a report, which holds what was finished. The highest code wins. If a scene fails, the others still run. Scenes are .gltf or .glb files, or builtin:materials, builtin:spheres, builtin:lights,
+not finite, a step failed (read, render, judge, write), or no material was compared; 64 wrong usage; 130, 143 SIGINT or
+SIGTERM interrupted a report, which holds what was finished. The highest code wins. If a scene fails, the others still run. Scenes
+are .gltf or .glb files, or builtin:materials, builtin:spheres, builtin:lights,
 builtin:lamps, builtin:shadows, builtin:room, builtin:courtyard, builtin:furnace.)";
 
 } // namespace
@@ -126,9 +127,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
 
   CLI::App& diffApp = *app.add_subcommand("diff", "Compare one scene and print a table with one row for each material");
   diffApp.add_option("scene", diff.scene, "Scene file or builtin:NAME");
-  diffApp
-      .add_option("--suite", diff.suite,
-                  "Suite file (TOML) in place of a scene; --only chooses its views")
+  diffApp.add_option("--suite", diff.suite, "Suite file (TOML) in place of a scene; --only chooses its views")
       ->excludes("scene");
   addVerdictOptions(diffApp, diff.verdict,
                     "Show all rows of the table. Default: all of up to 24, else those that failed or warned");

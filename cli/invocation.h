@@ -44,7 +44,7 @@ struct ReportCommand {
   std::vector<std::string> scenes;
   std::string suite, folder;
   bool singleFile = false, pixelData = true;
-  std::string bench; // bench.json of `parity bench` or its folder; empty: none
+  std::string bench;             // bench.json of `parity bench` or its folder; empty: none
   std::vector<std::string> kept; // words of the command line that `parity diff` takes for the same result
 };
 

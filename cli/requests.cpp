@@ -61,8 +61,8 @@ std::vector<job::SceneRequest> chooseViews(std::vector<job::SceneRequest> scenes
   const std::vector<std::string_view> known(names.begin(), names.end());
   for (const std::string& glob : only)
     if (std::ranges::none_of(scenes, [&](const job::SceneRequest& scene) {
-          return std::ranges::any_of(
-              scene.views, [&](const auto& view) { return report::isChosen({glob}, scene.name, view.name); });
+          return std::ranges::any_of(scene.views,
+                                     [&](const auto& view) { return report::isChosen({glob}, scene.name, view.name); });
         }))
       throw base::Error(base::ExitCode::usage, "--only", "'" + glob + "'",
                         "no scene or view has this name; " + base::describeNearest(glob, known));
@@ -73,8 +73,8 @@ std::vector<job::SceneRequest> chooseViews(std::vector<job::SceneRequest> scenes
     std::erase_if(scene.views, [&](const auto& view) { return !report::isChosen(only, scene.name, view.name); });
   }
   std::erase_if(scenes, [](const job::SceneRequest& scene) { return scene.views.empty(); });
-  base::logInfo(fmt::format("--only: {} of {} scenes, {} of {} views", scenes.size(), sceneCount, count(scenes),
-                            viewCount));
+  base::logInfo(
+      fmt::format("--only: {} of {} scenes, {} of {} views", scenes.size(), sceneCount, count(scenes), viewCount));
   return scenes;
 }
 

@@ -33,8 +33,9 @@ Context::Context(const Settings& settings)
 }
 
 Context::Context(const Context& first, ForAnotherThread)
-    : m_settings(first.m_settings), m_isStopped(first.m_isStopped), m_display(first.m_settings.display), m_cache(first.m_cache),
-      m_buildId(first.m_buildId), m_deviceReport(first.m_deviceReport), m_lights(first.m_lights) {}
+    : m_settings(first.m_settings), m_isStopped(first.m_isStopped), m_display(first.m_settings.display),
+      m_cache(first.m_cache), m_buildId(first.m_buildId), m_deviceReport(first.m_deviceReport),
+      m_lights(first.m_lights) {}
 
 void Context::take(const Context& other) {
   for (const auto& [stage, timeMs] : other.m_timings.stages()) m_timings.add(stage, timeMs);

@@ -192,10 +192,9 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   holdBudgets(context.settings(), request, result.report);
   report::settleVerdicts(result.report);
   if (baseline)
-    report::compareWithBaseline(
-        result.report, *baseline,
-        {report::reportFileOf(request.baseline).string(), context.settings().materials,
-         request.oneOfMany, request.only});
+    report::compareWithBaseline(result.report, *baseline,
+                                {report::reportFileOf(request.baseline).string(), context.settings().materials,
+                                 request.oneOfMany, request.only});
   base::logRunWarnings(result.report.warnings);
   if (const std::string line = report::describeNotRun(result.report); !line.empty()) base::logError(line);
   for (const report::RunProblem& problem : report::problemsOf(result.report)) base::logError(problem.reason);

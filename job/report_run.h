@@ -15,16 +15,16 @@ namespace parity::job {
 class Context;
 
 struct ReportRequest {
-  std::vector<SceneRequest> scenes;        // in order; each is tried, whatever becomes of the others
-  std::optional<std::string> suiteBudgets; // the suite file's own default
-  std::filesystem::path folder;            // empty: nothing is written
-  std::filesystem::path baseline;          // an earlier report.json or its folder; empty: none
-  std::vector<std::string> only = {};      // globs by which its views were chosen of more; empty: these are all
-  bool oneOfMany = false;                  // scenes of the baseline that this run does not show are not gone
-  bool pixelData = true;                   // the values behind the pictures are written, too: pixels/
-  bool singleFile = false;                 // index.html holds everything that it shows
-  report::Bench bench;                     // for the page and the folder
-  std::string commandLine;                 // for run.json
+  std::vector<SceneRequest> scenes;             // in order; each is tried, whatever becomes of the others
+  std::optional<std::string> suiteBudgets;      // the suite file's own default
+  std::filesystem::path folder;                 // empty: nothing is written
+  std::filesystem::path baseline;               // an earlier report.json or its folder; empty: none
+  std::vector<std::string> only = {};           // globs by which its views were chosen of more; empty: these are all
+  bool oneOfMany = false;                       // scenes of the baseline that this run does not show are not gone
+  bool pixelData = true;                        // the values behind the pictures are written, too: pixels/
+  bool singleFile = false;                      // index.html holds everything that it shows
+  report::Bench bench;                          // for the page and the folder
+  std::string commandLine;                      // for run.json
   std::vector<report::AgainCommand> again = {}; // for run.json
 };
 

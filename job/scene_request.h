@@ -22,7 +22,7 @@ struct SceneRequest {
   Settings settings;
   std::vector<glm::vec3> captures; // where `parity bake` puts environment captures; none: it finds places
   std::vector<scenes::ViewRequest> views;
-  std::optional<std::string> budgets; // path of a budget file for this scene
+  std::optional<std::string> budgets;  // path of a budget file for this scene
   std::optional<WholeRun> partOf = {}; // none: the run is whole
 };
 

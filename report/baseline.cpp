@@ -238,7 +238,8 @@ void compareWithBaseline(Report& report, const Report& baseline, const BaselineO
     for (const ViewResult& view : before.views) collectGone(view, *now, options, summary.gone);
   }
   // What an interrupted run did not get to may well be there.
-  if (summary.common == 0 && countNotRun(report) == 0) summary.error = "no material of this run is visible in the baseline";
+  if (summary.common == 0 && countNotRun(report) == 0)
+    summary.error = "no material of this run is visible in the baseline";
   if (std::string other = others.describe(summary.notComparable); !other.empty())
     report.warnings.push_back(std::move(other));
   report.baseline = std::move(summary);

@@ -15,7 +15,8 @@ namespace parity::report {
 namespace {
 
 bool anyCheckFound(const MaterialResult& material) {
-  return std::ranges::any_of(material.checks, [](const auto& check) { return check.verdict >= compare::Verdict::warn; });
+  return std::ranges::any_of(material.checks,
+                             [](const auto& check) { return check.verdict >= compare::Verdict::warn; });
 }
 
 std::string causeIn(const MaterialResult& material) {

@@ -10,8 +10,8 @@
 namespace parity::report {
 
 struct CauseTotal {
-  std::string words;         // "skySpecular (reflections of the environment)"
-  std::size_t materials = 0; // of scenes: one that several views show counts once
+  std::string words;                  // "skySpecular (reflections of the environment)"
+  std::size_t materials = 0;          // of scenes: one that several views show counts once
   const SceneResult* scene = nullptr; // where its mean FLIP is largest
   const ViewResult* view = nullptr;
   const MaterialResult* worst = nullptr;

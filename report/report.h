@@ -110,8 +110,8 @@ struct SceneResult {
   std::vector<compare::Condition> conditions; // its light, what of the file is shown, ...
 };
 
-// A scene that was not done when a signal ended the run: its error says so, its exit code is 128 and the signal's number,
-// its verdict is notRun.
+// A scene that was not done when a signal ended the run: its error says so, its exit code is 128 and the signal's
+// number, its verdict is notRun.
 void setNotRun(SceneResult& scene, int signal);
 int stoppedBy(const SceneResult& scene); // that signal; 0: none
 bool isNotRun(const SceneResult& scene);
@@ -192,9 +192,9 @@ void settleMaterial(MaterialResult& material, bool seenElsewhere);
 
 // Sets every verdict above the checks' from its parts, also the materials' by settleMaterial (another view of the scene
 // may show what this one does not: same place in the list, same name). A scene that was not run is `notRun`; one with
-// another error, or with no view, is `error`; so are a view with no materials, a report with no scenes, and one whose baseline has an error. A problem of
-// the run (problemsOf) is what it says; a warning of the run, and rows that are gone since the baseline, are at least a
-// warning. Idempotent.
+// another error, or with no view, is `error`; so are a view with no materials, a report with no scenes, and one whose
+// baseline has an error. A problem of the run (problemsOf) is what it says; a warning of the run, and rows that are
+// gone since the baseline, are at least a warning. Idempotent.
 void settleVerdicts(Report& report);
 
 // The problems of a settled report as a whole, the gravest first: an error where scenes were compared, but no material

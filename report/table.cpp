@@ -172,7 +172,8 @@ private:
       }
       if (const std::string costs = describeCosts(scene.permutations); !costs.empty())
         addText(scene.name + ": " + costs), m_out += "\n";
-      if (!scene.error.empty() && !isNotRun(scene)) addLine(compare::Verdict::error, scene.name, scene.error), m_out += "\n";
+      if (!scene.error.empty() && !isNotRun(scene))
+        addLine(compare::Verdict::error, scene.name, scene.error), m_out += "\n";
     }
     if (hidden > 0)
       addText(fmt::format("{} {} nothing that failed or warned: --all shows {}", hidden,
@@ -188,8 +189,7 @@ private:
     const std::size_t shown = m_options.all ? baseline.gone.size() : std::min(baseline.gone.size(), kMostGone);
     for (std::size_t i = 0; i < shown; ++i) addLine(compare::Verdict::warn, "", describeGone(baseline.gone[i]));
     if (shown < baseline.gone.size())
-      addLine(compare::Verdict::warn, "",
-              fmt::format("gone: {} more: --all shows them", baseline.gone.size() - shown));
+      addLine(compare::Verdict::warn, "", fmt::format("gone: {} more: --all shows them", baseline.gone.size() - shown));
   }
 
   // Of one material its row says it.
@@ -227,9 +227,10 @@ private:
   void addExplanations() {
     const std::string tests = joined({m_paths.begin() + 1, m_paths.end()}, " or ", titleOf),
                       first = titleOf(m_paths.front());
-    addText(fmt::format("mean, p95, max: FLIP, 0 (identical) to 1. A material's row: only this material has the colours "
-                        "of {}, all others those of {}.",
-                        tests, first));
+    addText(
+        fmt::format("mean, p95, max: FLIP, 0 (identical) to 1. A material's row: only this material has the colours "
+                    "of {}, all others those of {}.",
+                    tests, first));
     addText(stageLines(m_report));
     if (hasTruth(m_report))
       addText(fmt::format(

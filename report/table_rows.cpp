@@ -143,7 +143,6 @@ std::string formatCell(const Column& column, const Row& row) {
   return std::isnan(*value) ? "NaN" : compare::formatFigure(column.metric, *value);
 }
 
-
 constexpr std::size_t kVerdictColumns = 10, kPixelColumns = 9;
 constexpr std::size_t kTextIndent = 2 + kVerdictColumns + 2; // below the material's name
 

@@ -19,8 +19,7 @@ bool means(std::string_view glob, std::string_view scene, std::string_view view)
 } // namespace
 
 bool isChosen(const std::vector<std::string>& globs, std::string_view scene, std::string_view view) {
-  return globs.empty() ||
-         std::ranges::any_of(globs, [&](const std::string& glob) { return means(glob, scene, view); });
+  return globs.empty() || std::ranges::any_of(globs, [&](const std::string& glob) { return means(glob, scene, view); });
 }
 
 std::string globOf(std::string_view name) {

@@ -19,7 +19,8 @@ std::string titleOf(const std::string& path);
 
 inline constexpr const char* kNoSingleTerm = "no single term explains it";
 
-// The term that lowers the mean FLIP the most once it is the reference path's. Nothing where none takes a tenth of it off.
+// The term that lowers the mean FLIP the most once it is the reference path's. Nothing where none takes a tenth of it
+// off.
 std::optional<compare::TermEffect> findCause(const compare::Attribution& attribution);
 
 // Which term is the cause: "skySpecular (reflections of the environment): FLIP 0.142 -> 0.031 with the high-end term",

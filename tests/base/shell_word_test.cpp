@@ -18,7 +18,8 @@ TEST(ShellWord, IsQuotedOnlyWhereItHasToBe) {
 }
 
 TEST(ShellWord, AShellReadsItBack) {
-  for (const std::string word : {"two words", "it's", "\"$(echo x)\"", "`id`", "a\\b", "*", "~", "a\nb", "!x", "#", "ü&;|<>"}) {
+  for (const std::string word :
+       {"two words", "it's", "\"$(echo x)\"", "`id`", "a\\b", "*", "~", "a\nb", "!x", "#", "ü&;|<>"}) {
     const std::string command = "printf '%s.' " + shellWord(word);
     FILE* pipe = popen(command.c_str(), "r");
     ASSERT_NE(pipe, nullptr);

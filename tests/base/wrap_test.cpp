@@ -28,7 +28,8 @@ TEST(Wrap, LeavesTextAsItIsWithoutColumns) {
 }
 
 TEST(Wrap, NoLineIsWiderThanItsColumnsWhateverTheWordsAre) {
-  const std::string text = "a " + std::string(90, 'y') + " 日本語のとても長い名前はここにあります b é́ " + std::string(33, 'z');
+  const std::string text =
+      "a " + std::string(90, 'y') + " 日本語のとても長い名前はここにあります b é́ " + std::string(33, 'z');
   for (std::size_t columns = 20; columns < 60; ++columns) {
     const std::string wrapped = wrapText(text, columns, 7, 4);
     const auto lines = tests::linesOf(wrapped);
@@ -41,7 +42,8 @@ TEST(Wrap, NoLineIsWiderThanItsColumnsWhateverTheWordsAre) {
 }
 
 TEST(Wrap, ACommandIsBrokenOutsideOfQuotesAndStaysTheSame) {
-  const std::string command = R"(parity diff --suite 'my suite.toml' --only 'Lamp post/front view' --material 'it'\''s gold')";
+  const std::string command =
+      R"(parity diff --suite 'my suite.toml' --only 'Lamp post/front view' --material 'it'\''s gold')";
   for (std::size_t columns = 24; columns < 100; ++columns) {
     const std::string wrapped = wrapCommand(command, columns, 2);
     const auto lines = tests::linesOf(wrapped);

@@ -119,7 +119,8 @@ TEST(Baseline, WithoutOneRegressionsAreNotJudgedAndSaySo) {
   EXPECT_FALSE(check.judged());
   EXPECT_EQ(check.unjudged, "no baseline");
   EXPECT_EQ(materialOf(report).verdict, compare::Verdict::pass) << "its level was judged";
-  EXPECT_NE(toTable(report, {}, {.all = true}).find("regressions not judged: 1 (no --baseline was given)"), std::string::npos);
+  EXPECT_NE(toTable(report, {}, {.all = true}).find("regressions not judged: 1 (no --baseline was given)"),
+            std::string::npos);
   EXPECT_NE(toJson(report).find("\"verdict\": \"not judged\""), std::string::npos);
 }
 
@@ -188,7 +189,8 @@ TEST(Baseline, NothingInCommonIsAnError) {
   EXPECT_EQ(report.verdict, compare::Verdict::error);
   EXPECT_NE(report.baseline->error.find("no material of this run is visible in the baseline"), std::string::npos);
   EXPECT_EQ(exitCode(report, false), 4);
-  EXPECT_NE(toTable(report, {}, {.all = true}).find("error: baseline: no material of this run is visible"), std::string::npos);
+  EXPECT_NE(toTable(report, {}, {.all = true}).find("error: baseline: no material of this run is visible"),
+            std::string::npos);
   EXPECT_EQ(hold(makeRun({{"a", 0.10}}), Report{}).verdict, compare::Verdict::error) << "a baseline without scenes";
 
   Report unseen = makeRun({{"a", 0.10}});
@@ -312,8 +314,9 @@ TEST(Baseline, OtherConditionsOnAnyLevelAreNotComparableAndNeitherRegressionNorP
     EXPECT_EQ(exitCode(report, false), 0);
     EXPECT_EQ(exitCode(report, true), 1);
     EXPECT_NE(toGithubAnnotations(report, ".").find("not comparable to the baseline: " + sentence), std::string::npos);
-    EXPECT_NE(toTable(report, {}, {.all = true}).find("regressions not judged: 2 (the baseline has no comparable figures"),
-              std::string::npos);
+    EXPECT_NE(
+        toTable(report, {}, {.all = true}).find("regressions not judged: 2 (the baseline has no comparable figures"),
+        std::string::npos);
     // The same again, better than the baseline: no more comparable, so no pass either.
     Report better = makeRunUnder(now.conditions, now.scenes[0].conditions, now.scenes[0].views[0].conditions, 0.01);
     EXPECT_EQ(materialOf(hold(better, before)).verdict, compare::Verdict::warn) << sentence;

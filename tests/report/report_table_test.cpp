@@ -95,8 +95,9 @@ TEST(ReportTable, ATruthAddsTwoColumnsAndMarksWhatItsNoiseHides) {
   EXPECT_NE(lines[2].find("0.010~"), std::string::npos) << lines[2];
   EXPECT_EQ(lines[2].find("0.030~"), std::string::npos) << "mobile is further away: " << lines[2];
   EXPECT_EQ(lines[3].find('~'), std::string::npos) << lines[3];
-  EXPECT_NE(toTable(makeSampleReportWithTruth(), {}, {.all = true}).find("~ marks a difference within 2 standard errors"),
-            std::string::npos);
+  EXPECT_NE(
+      toTable(makeSampleReportWithTruth(), {}, {.all = true}).find("~ marks a difference within 2 standard errors"),
+      std::string::npos);
   EXPECT_EQ(toTable(makeSampleReport(), {}, {.all = true}).find("truth"), std::string::npos);
 }
 
@@ -120,7 +121,8 @@ TEST(ReportTable, AWholeImageThatDecidesIsCounted) {
   view.whole = makeFigures(0.3, 4000);
   judgeWhole(view, compare::defaultBudgets(), "Lamp");
   settleVerdicts(report);
-  EXPECT_EQ(linesOf(toTable(report, {}, {.all = true})).back(), "verdict: fail (materials: 1 pass; whole images: 1 fail)");
+  EXPECT_EQ(linesOf(toTable(report, {}, {.all = true})).back(),
+            "verdict: fail (materials: 1 pass; whole images: 1 fail)");
 }
 
 TEST(ReportTable, ShowsTheFiguresThatWereMeasured) {
@@ -218,9 +220,10 @@ TEST(ReportTable, FiguresWithoutRoomForAColumnAreInTheText) {
 
 TEST(ReportTable, SaysTheTotalsByCauseWhereSeveralMaterialsHaveOne) {
   const std::string table = toTable(makeSampleReport(), {}, {});
-  EXPECT_NE(table.find("causes:\n  skySpecular (reflections of the environment): 1 material, worst Rough metal in scene "
-                       "Lamp, view front: mean FLIP 0.270\n"),
-            std::string::npos)
+  EXPECT_NE(
+      table.find("causes:\n  skySpecular (reflections of the environment): 1 material, worst Rough metal in scene "
+                 "Lamp, view front: mean FLIP 0.270\n"),
+      std::string::npos)
       << table;
   EXPECT_EQ(toTable(reportOf(0.01), {}, {}).find("causes"), std::string::npos);
 }
@@ -267,7 +270,8 @@ TEST(ReportTable, OfWhatIsGoneOnlyTheFirstAreLines) {
 }
 
 TEST(ReportTable, ErrorsAndEmptyReportsAreSaid) {
-  EXPECT_NE(toTable(makeSampleReport(), {}, {.all = true}).find("Broken: error: assets/Broken.glb: chunk 0"), std::string::npos);
+  EXPECT_NE(toTable(makeSampleReport(), {}, {.all = true}).find("Broken: error: assets/Broken.glb: chunk 0"),
+            std::string::npos);
   Report empty;
   settleVerdicts(empty);
   EXPECT_NE(toTable(empty, {}, {.all = true}).find("verdict: error (nothing was compared)"), std::string::npos);

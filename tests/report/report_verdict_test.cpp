@@ -98,8 +98,9 @@ TEST(Verdict, ASceneThatWasNotRunIsNoPassAndHasTheSignalsExitCode) {
   EXPECT_EQ(exitCode(withError(report, 3), false), 143) << "the highest";
   EXPECT_EQ(withError(report, 3).verdict, compare::Verdict::error);
   EXPECT_EQ(headline(withError(report, 3)), "1 scene could not be compared; 1 scene not run");
-  EXPECT_NE(toJunit(report, {}).find("<skipped message=\"not run: SIGTERM interrupted the run before this scene was "
-                                     "done\"/>"),
+  EXPECT_NE(toJunit(report, {})
+                .find("<skipped message=\"not run: SIGTERM interrupted the run before this scene was "
+                      "done\"/>"),
             std::string::npos);
   EXPECT_NE(toGithubAnnotations(report, "/").find("not run: 1 of 2 scenes (SIGTERM interrupted the run)%3A Desk"),
             std::string::npos)

@@ -73,21 +73,23 @@ file = "builtin:spheres"
 }
 
 TEST_F(AgainTest, ACommandOfScenesGivesTheSameRows) {
-  ASSERT_TRUE(isReported(runParity(join({{"report", "builtin:spheres", "builtin:materials", "--env", "builtin:studio",
-                                          "--sun", "30,50,4", "--no-sun-extraction", "--orbit", "30,60,0", "--annotate",
-                                          "github", "--all", "-o", path("out")},
-                                         kSmall}))));
+  ASSERT_TRUE(isReported(
+      runParity(join({{"report", "builtin:spheres", "builtin:materials", "--env", "builtin:studio", "--sun", "30,50,4",
+                       "--no-sun-extraction", "--orbit", "30,60,0", "--annotate", "github", "--all", "-o", path("out")},
+                      kSmall}))));
   expectSameRows(readReport(m_folder / "out"));
 }
 
 TEST_F(AgainTest, AMaterialsCommandShowsItsRowAlone) {
-  const std::vector<std::string> command = {"report", "builtin:materials", "--env", "builtin:studio", "-o", path("out")};
+  const std::vector<std::string> command = {"report", "builtin:materials", "--env", "builtin:studio",
+                                            "-o",     path("out")};
   const RunResult result = runParity(join({command, kSmall}));
   ASSERT_TRUE(isReported(result));
   const nlohmann::json materials = readReport(m_folder / "out")["scenes"][0]["views"][0]["materials"];
   // What the terminal was given.
   std::smatch found;
-  ASSERT_TRUE(std::regex_search(result.out, found, std::regex("to see it again:\n  (parity diff [^\n]*--material [^\n]*)\n")))
+  ASSERT_TRUE(
+      std::regex_search(result.out, found, std::regex("to see it again:\n  (parity diff [^\n]*--material [^\n]*)\n")))
       << result.out;
   const nlohmann::json again = runByShell(found[1])["scenes"][0]["views"][0]["materials"];
   ASSERT_EQ(again.size(), 1u) << found[1];
@@ -98,7 +100,8 @@ TEST_F(AgainTest, AMaterialsCommandShowsItsRowAlone) {
   EXPECT_EQ(again[0]["verdict"], (*row)["verdict"]);
   EXPECT_EQ(again[0]["reason"], (*row)["reason"]);
   EXPECT_NE(again[0]["verdict"], "pass") << "the worst row";
-  EXPECT_TRUE(contains(readWholeFile(m_folder / "out" / "junit.xml"), "to see it again: parity diff builtin:materials "));
+  EXPECT_TRUE(
+      contains(readWholeFile(m_folder / "out" / "junit.xml"), "to see it again: parity diff builtin:materials "));
 }
 
 } // namespace

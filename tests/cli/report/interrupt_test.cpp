@@ -8,8 +8,8 @@ namespace {
 class InterruptTest : public RenderingTest {
 protected:
   RunResult reportSlowly(const RunOptions& options, const std::vector<std::string>& more = {}) const {
-    return runParity(join({{"report", "builtin:spheres", "builtin:furnace", "builtin:lights", "-o", path("out"), "--truth",
-                            "--error", "0.01%", "--threads", "1", "--no-cache"},
+    return runParity(join({{"report", "builtin:spheres", "builtin:furnace", "builtin:lights", "-o", path("out"),
+                            "--truth", "--error", "0.01%", "--threads", "1", "--no-cache"},
                            {"--size", "128x128", "--env", "builtin:studio"},
                            more}),
                      options);
@@ -29,7 +29,8 @@ TEST_F(InterruptTest, WritesAWholeReportWhoseOtherScenesAreNotRun) {
     const RunResult result = reportSlowly(at("truth", signal));
     EXPECT_TRUE(exitedWith(128 + signal, result));
     EXPECT_TRUE(contains(result.err, "interrupted: the report is written with what is finished")) << result.err;
-    EXPECT_TRUE(contains(result.err, "error: not run: 3 of 3 scenes (" + name + " interrupted the run): ")) << result.err;
+    EXPECT_TRUE(contains(result.err, "error: not run: 3 of 3 scenes (" + name + " interrupted the run): "))
+        << result.err;
     EXPECT_TRUE(contains(result.out, "not run: 3 of 3 scenes")) << result.out;
     EXPECT_TRUE(contains(result.out, "verdict: not run")) << result.out;
     const nlohmann::json report = readReport(m_folder / "out");
@@ -57,8 +58,8 @@ environment = "builtin:studio"
 file = "builtin:lights"
 )");
   // The first scene, which has no light but white, is quickly done; the second one is not.
-  const std::vector<std::string> command = {"report",  "--suite",   suite, "-o",     path("out"), "--truth", "--error",
-                                            "0.01%",   "--threads", "1",   "--size", "96x96",     "--no-cache"};
+  const std::vector<std::string> command = {"report", "--suite",   suite, "-o",     path("out"), "--truth",   "--error",
+                                            "0.01%",  "--threads", "1",   "--size", "96x96",     "--no-cache"};
   const RunResult result = runParity(command, at("spheres: auto, truth", SIGINT));
   EXPECT_TRUE(exitedWith(130, result));
   const nlohmann::json report = readReport(m_folder / "out");
@@ -81,7 +82,8 @@ TEST_F(InterruptTest, ASecondSignalEndsTheProgramAtOnce) {
 }
 
 TEST_F(InterruptTest, ABaselineDoesNotCallWhatWasNotRunGone) {
-  ASSERT_TRUE(isReported(runParity(join({{"report", "builtin:spheres", "builtin:furnace", "-o", path("old")}, kSmall}))));
+  ASSERT_TRUE(
+      isReported(runParity(join({{"report", "builtin:spheres", "builtin:furnace", "-o", path("old")}, kSmall}))));
   const RunResult result = reportSlowly(at("truth", SIGINT), {"--baseline", path("old")});
   EXPECT_TRUE(exitedWith(130, result));
   EXPECT_TRUE(readReport(m_folder / "out")["baseline"]["gone"].empty());

@@ -1,4 +1,5 @@
-// --only and --material over several scenes: what matches is compared, what does not is left out, a mistake is an error.
+// --only and --material over several scenes: what matches is compared, what does not is left out, a mistake is an
+// error.
 #include "cli/checks.h"
 
 namespace parity::tests {
@@ -49,8 +50,9 @@ TEST_F(OnlyTest, ComparesTheViewsThatAreMeant) {
 }
 
 TEST_F(OnlyTest, AGlobThatMeansNothingIsRefusedWithTheNearestName) {
-  expectRefused(report("out", {"--only", "materials/left"}), 64,
-                {"--only", "'materials/left'", "no scene or view has this name", "did you mean 'materials/left side'?"});
+  expectRefused(
+      report("out", {"--only", "materials/left"}), 64,
+      {"--only", "'materials/left'", "no scene or view has this name", "did you mean 'materials/left side'?"});
   expectRefused(report("out", {"--only", "balls", "--only", "material"}), 64, {"did you mean 'materials'?"});
   EXPECT_FALSE(std::filesystem::exists(m_folder / "out")) << "before anything is written";
 }
