@@ -1,13 +1,11 @@
 // parity bake: scenes in, folders of baked light out.
 #include <algorithm>
-#include <array>
-#include <atomic>
-#include <csignal>
 
 #include <fmt/format.h>
 
 #include "bake/baked_folder.h"
 #include "base/error.h"
+#include "base/interrupt.h"
 #include "base/log.h"
 #include "base/parallel.h"
 #include "base/text/error_words.h"
@@ -22,26 +20,6 @@ namespace parity::cli {
 
 namespace {
 
-// Set by SIGINT, SIGTERM and SIGHUP while something is baked: it ends, and leaves nothing behind but its cache.
-std::atomic<bool> g_isCancelled = false;
-
-class CancelOnSignal {
-public:
-  CancelOnSignal() {
-    for (std::size_t i = 0; i < kSignals.size(); ++i) {
-      m_before[i] = std::signal(kSignals[i], [](int) { g_isCancelled = true; });
-      if (m_before[i] == SIG_IGN) std::signal(kSignals[i], SIG_IGN); // as a job in the background
-    }
-  }
-  ~CancelOnSignal() {
-    for (std::size_t i = 0; i < kSignals.size(); ++i) std::signal(kSignals[i], m_before[i]);
-  }
-
-private:
-  static constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
-  std::array<void (*)(int), 3> m_before{};
-};
-
 // A scene and its folder.
 struct Task {
   job::SceneRequest request;
@@ -52,7 +30,8 @@ std::vector<Task> tasksOf(const BakeCommand& command) {
   std::vector<Task> tasks;
   if (!command.suite.empty()) {
     const scenes::Suite suite = scenes::loadSuite(command.suite, job::suiteKnobs());
-    for (job::SceneRequest& entry : job::requestsOf(suite, command.common.plain, command.common.given)) {
+    for (job::SceneRequest& entry :
+         chooseViews(job::requestsOf(suite, command.common.plain, command.common.given), command.common.only)) {
       const std::string& folder = entry.settings.scene.baked;
       if (folder.empty()) continue;
       for (const Task& task : tasks)
@@ -122,7 +101,8 @@ int runBakeCommand(const BakeCommand& command) {
             base::ExitCode::usage, "-o", task.folder.string(),
             fmt::format("{} lies in this folder, which the bake replaces; give another folder", input.name));
   }
-  const CancelOnSignal onSignal;
+  const base::StopSignal stop; // it ends, and leaves nothing behind but its cache
+  const auto isCancelled = [] { return base::StopSignal::received() != 0; };
   job::Context context(command.common.settings);
   const auto hasCaptures = [&](const Task& task) {
     return command.options.captures != 0 || !task.request.captures.empty();
@@ -136,14 +116,13 @@ int runBakeCommand(const BakeCommand& command) {
     try {
       const base::Stopwatch watch(nullptr, "bake");
       const job::BakeResult result =
-          job::bakeScene(context, task.request, command.options, progressOfScene(progress, i, tasks.size()),
-                         [] { return g_isCancelled.load(); });
+          job::bakeScene(context, task.request, command.options, progressOfScene(progress, i, tasks.size()), isCancelled);
       printNotes(task.request.name, result.notes);
       bake::writeBaked(task.folder, result.light);
       if (!command.common.quiet) printSummary(task, result, watch.elapsedMs() * 1e-3);
     } catch (const base::Error& error) {
       // The others are still baked, unless all is cancelled.
-      if (g_isCancelled || tasks.size() == 1) throw;
+      if (isCancelled() || tasks.size() == 1) throw;
       base::logError(error.what());
       exitCode = std::max(exitCode, static_cast<int>(error.code()));
     } catch (const std::exception& error) {

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "cli/again.h"
 #include "cli/invocation.h"
 #include "cli/options/bake_options.h"
 #include "cli/options/bench_options.h"
@@ -104,7 +105,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       ->group(kOutputGroup)
       ->capture_default_str();
   addPageOptions(reportApp, report, raw);
-  addVerdictOptions(reportApp, report.verdict);
+  addVerdictOptions(reportApp, report.verdict, "Show all rows of the table. Default: those that failed or warned");
+  addOnlyOption(reportApp, report.common);
   reportApp.add_option("--json", report.common.json, "Also write report.json to this file; - for stdout")
       ->type_name(kFile)
       ->group(kOutputGroup);
@@ -120,8 +122,14 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addBudgetsOption(reportApp, report.common);
 
   CLI::App& diffApp = *app.add_subcommand("diff", "Compare one scene and print a table with one row for each material");
-  diffApp.add_option("scene", diff.scene, "Scene file or builtin:NAME")->required()->type_name(kSceneFile);
-  addVerdictOptions(diffApp, diff.verdict);
+  diffApp.add_option("scene", diff.scene, "Scene file or builtin:NAME")->type_name(kSceneFile);
+  diffApp.add_option("--suite", diff.suite, "Suite file (TOML) in place of a scene; --only chooses its views")
+      ->type_name(kFile)
+      ->group(kInputGroup)
+      ->excludes("scene");
+  addVerdictOptions(diffApp, diff.verdict,
+                    "Show all rows of the table. Default: all of up to 24, else those that failed or warned");
+  addOnlyOption(diffApp, diff.common);
   diffApp
       .add_option("--json", diff.common.json,
                   "Write the result as JSON to this file; - for stdout, instead of the table")
@@ -175,6 +183,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   CLI::App& bakeApp = *app.add_subcommand(
       "bake", "Bake the light of static scenes: lightmaps for both paths, the sun's shadow, environment captures");
   addBakeOptions(bakeApp, bake, rawBake);
+  addOnlyOption(bakeApp, bake.common);
   addKnobs(bakeApp, bake.common, raw, {"Scene"}, {"fully-rough", "baked"});
   addRunOptions(bakeApp, bake.common, raw);
 
@@ -225,9 +234,12 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       requireSizeFits(report.common, kComparedPixelBytes);
       requireOneOnStdout(report.common.json, report.csv);
       report.pixelData = raw.pixelData == "all";
+      report.kept = keptWords(reportApp, diffApp);
       parsed.command = report;
     } else if (diffApp.parsed()) {
-      settle(diffApp, diff.common, raw);
+      if (diff.scene.empty() && diff.suite.empty()) throw CLI::RequiredError("diff: SCENE or --suite");
+      if (!diff.suite.empty()) requireNoneOfScene(raw);
+      settle(diffApp, diff.common, raw, !diff.suite.empty());
       requireSizeFits(diff.common, kComparedPixelBytes);
       requireOneOnStdout(diff.common.json, diff.csv);
       parsed.command = diff;

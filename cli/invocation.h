@@ -24,6 +24,7 @@ struct CommonOptions {
   job::Settings plain;    // without: what a suite's scenes begin with
   base::GivenKnobs given;
   scenes::ViewRequest view;
+  std::vector<std::string> only; // globs of views (report/view_choice.h); none: all
   int threads = 0;
   std::vector<std::string> environments; // each --env; at most one is in the settings
   std::string json;                      // file, "-" for stdout, "" for none
@@ -35,6 +36,7 @@ struct VerdictOptions {
   bool warnExit = false;
   std::string baseline; // earlier report.json or its folder; empty: none
   std::string annotate; // "github", or empty
+  bool allRows = false; // of the table, also those that pass
 };
 
 struct ReportCommand {
@@ -44,14 +46,15 @@ struct ReportCommand {
   std::string suite, folder;
   std::string csv; // file, "-" for stdout, "" for none
   bool singleFile = false, pixelData = true;
-  std::string bench; // bench.json of `parity bench` or its folder; empty: none
+  std::string bench;             // bench.json of `parity bench` or its folder; empty: none
+  std::vector<std::string> kept; // words of the command line that `parity diff` takes for the same result
 };
 
 struct DiffCommand {
   CommonOptions common;
   VerdictOptions verdict;
-  std::string scene;
-  std::string csv; // file, "-" for stdout, "" for none
+  std::string scene, suite; // either
+  std::string csv;          // file, "-" for stdout, "" for none
 };
 
 struct RenderCommand {

@@ -10,6 +10,7 @@
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/text/error_words.h"
+#include "base/text/shell_word.h"
 #include "base/text/shown_text.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
@@ -19,17 +20,7 @@ namespace {
 // As a shell would take it again, program name without its folder: for run.json.
 std::string joinCommandLine(int argc, char** argv) {
   std::string line = "parity";
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view argument = argv[i];
-    line += ' ';
-    if (!argument.empty() && argument.find_first_of(" \t\n'\"$`\\*?[]()<>|&;#~!") == std::string_view::npos) {
-      line += argument;
-      continue;
-    }
-    line += '\'';
-    for (const char c : argument) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    line += '\'';
-  }
+  for (int i = 1; i < argc; ++i) line += ' ' + parity::base::shellWord(argv[i]);
   return line;
 }
 

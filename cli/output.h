@@ -28,8 +28,9 @@ template <typename... Parts> void print(fmt::format_string<Parts...> format, Par
 // What was printed has to have arrived: at the end of a run. Throws Error (exit 4), except where the reader has gone.
 void finishStdout();
 
-// report::toTable(), in colours where stdout takes them (base/terminal.h).
-void printTable(const report::Report& report);
+// report::toTable(), in colours where stdout takes them (base/terminal.h), wrapped to its width where it is a terminal,
+// else a line a row. allRows: also those that pass.
+void printTable(const report::Report& report, const report::RunInfo& run, bool allRows);
 
 // Indented, with a line feed behind it. What is no UTF-8 becomes U+FFFD.
 std::string dumpJson(const nlohmann::ordered_json& json);

@@ -1,8 +1,10 @@
 // parity report: scenes or a suite in, a folder with the report out.
 #include "base/error.h"
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "base/log.h"
 #include "base/parallel.h"
+#include "cli/again.h"
 #include "cli/input_list.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
@@ -59,6 +61,8 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
   request.suiteBudgets = run.suiteBudgets;
   request.folder = command.folder;
   request.commandLine = commandLine;
+  request.only = command.common.only;
+  request.again = againCommands(request.scenes, command.suite, command.kept);
   request.baseline = command.verdict.baseline;
   request.singleFile = command.singleFile;
   request.pixelData = command.pixelData && report::hasDashboard(); // which alone reads them
@@ -66,13 +70,16 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
     throw base::Error(base::ExitCode::usage, "--single-file", "", "this build of parity has no page index.html");
   requireSeparateFiles(command, request);
   request.bench = readBench(command);
+  const base::StopSignal stop("interrupted: the report is written with what is finished; another signal ends the "
+                              "program at once");
   job::Context context(run.settings);
+  context.stopWhen(base::StopSignal::received);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
   if (!command.common.json.empty()) writeJson(command.common.json, report::toJson(result.report));
   writeCsv(command.csv, result.report);
   const bool stdoutTaken = command.common.json == "-" || command.csv == "-";
   if (!stdoutTaken && !command.common.quiet) {
-    printTable(result.report);
+    printTable(result.report, result.run, command.verdict.allRows);
     printPage(request.folder, "report.json");
   }
   printAnnotations(command.verdict.annotate, result.report, stdoutTaken);

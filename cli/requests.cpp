@@ -1,12 +1,17 @@
 #include "cli/requests.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "bake/baked_folder.h"
+#include "base/error.h"
+#include "base/log.h"
+#include "base/text/nearest.h"
 #include "report/reader.h"
+#include "report/view_choice.h"
 #include "scenes/names.h"
 
 namespace parity::cli {
@@ -47,8 +52,8 @@ job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& s
 RunRequest runRequest(const CommonOptions& common, const std::vector<std::string>& scenes, const std::string& suite) {
   if (!suite.empty()) {
     const scenes::Suite loaded = scenes::loadSuite(suite, job::suiteKnobs());
-    return {job::defaultsOf(loaded, common.plain, common.given), job::requestsOf(loaded, common.plain, common.given),
-            loaded.budgets};
+    return {job::defaultsOf(loaded, common.plain, common.given),
+            chooseViews(job::requestsOf(loaded, common.plain, common.given), common.only), loaded.budgets};
   }
   RunRequest run{common.settings, {}, std::nullopt};
   std::set<std::string> names;
@@ -58,7 +63,41 @@ RunRequest runRequest(const CommonOptions& common, const std::vector<std::string
       for (int copy = 2; !names.insert(entry.name).second; ++copy) entry.name = fmt::format("{} ({})", stem, copy);
       run.scenes.push_back(std::move(entry));
     }
+  run.scenes = chooseViews(std::move(run.scenes), common.only);
   return run;
+}
+
+std::vector<job::SceneRequest> chooseViews(std::vector<job::SceneRequest> scenes,
+                                           const std::vector<std::string>& only) {
+  if (only.empty()) return scenes;
+  std::vector<std::string> names;
+  const auto count = [](const std::vector<job::SceneRequest>& list) {
+    std::size_t views = 0;
+    for (const job::SceneRequest& scene : list) views += scene.views.size();
+    return views;
+  };
+  for (const job::SceneRequest& scene : scenes) {
+    names.push_back(scene.name);
+    for (const scenes::ViewRequest& view : scene.views) names.push_back(scene.name + "/" + view.name);
+  }
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  for (const std::string& glob : only)
+    if (std::ranges::none_of(scenes, [&](const job::SceneRequest& scene) {
+          return std::ranges::any_of(scene.views,
+                                     [&](const auto& view) { return report::isChosen({glob}, scene.name, view.name); });
+        }))
+      throw base::Error(base::ExitCode::usage, "--only", "'" + glob + "'",
+                        "no scene or view has this name; " + base::describeNearest(glob, known));
+  const std::size_t sceneCount = scenes.size(), viewCount = count(scenes);
+  for (std::size_t i = 0; i < sceneCount; ++i) {
+    job::SceneRequest& scene = scenes[i];
+    scene.partOf = job::WholeRun{i, sceneCount, scene.views.size()};
+    std::erase_if(scene.views, [&](const auto& view) { return !report::isChosen(only, scene.name, view.name); });
+  }
+  std::erase_if(scenes, [](const job::SceneRequest& scene) { return scene.views.empty(); });
+  base::logInfo(
+      fmt::format("--only: {} of {} scenes, {} of {} views", scenes.size(), sceneCount, count(scenes), viewCount));
+  return scenes;
 }
 
 std::string folderName(const std::string& scene) {

@@ -20,10 +20,14 @@ struct RunRequest {
   std::vector<job::SceneRequest> scenes;
   std::optional<std::string> suiteBudgets; // path of the suite's budget file
 };
-// Of a suite, or, where that is empty, of the scenes of the command line, in each of
-// the environments; each gets a name of its own: "bottle (2)" for the second bottle. Throws Error (failed) with file,
-// line and reason for a suite that is refused.
+// Of a suite, or, where that is empty, of the scenes of the command line, in each of the environments; each gets a name
+// of its own: "bottle (2)" for the second bottle. Of these what --only means. Throws Error (failed) with file, line and
+// reason for a suite that is refused.
 RunRequest runRequest(const CommonOptions& common, const std::vector<std::string>& scenes, const std::string& suite);
+
+// Leaves the views that any of the globs means (report/view_choice.h), and says how many of how many; no globs: all.
+// Throws Error (usage) for a glob that means none.
+std::vector<job::SceneRequest> chooseViews(std::vector<job::SceneRequest> scenes, const std::vector<std::string>& only);
 
 // A scene's name as a folder's: letters, digits and '-' stay, the rest becomes '_'.
 std::string folderName(const std::string& scene);

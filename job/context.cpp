@@ -9,6 +9,7 @@
 #include "base/image/image_io.h"
 #include "base/log.h"
 #include "base/member_count.h"
+#include "job/stopped.h"
 #include "scenes/load.h"
 
 namespace parity::job {
@@ -32,12 +33,17 @@ Context::Context(const Settings& settings)
 }
 
 Context::Context(const Context& first, ForAnotherThread)
-    : m_settings(first.m_settings), m_display(first.m_settings.display), m_cache(first.m_cache),
-      m_buildId(first.m_buildId), m_deviceReport(first.m_deviceReport), m_lights(first.m_lights) {}
+    : m_settings(first.m_settings), m_isStopped(first.m_isStopped), m_display(first.m_settings.display),
+      m_cache(first.m_cache), m_buildId(first.m_buildId), m_deviceReport(first.m_deviceReport),
+      m_lights(first.m_lights) {}
 
 void Context::take(const Context& other) {
   for (const auto& [stage, timeMs] : other.m_timings.stages()) m_timings.add(stage, timeMs);
   m_takenShaders.merge(other.compiledShaders());
+}
+
+void Context::requireGoesOn() const {
+  if (const int signal = stoppedBy(); signal != 0) throw Stopped{signal};
 }
 
 std::set<gpu::PipelineStore::Key> Context::compiledShaders() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -30,6 +31,12 @@ public:
   Context(const Context& first, ForAnotherThread);
   // Adds what another thread's has timed and compiled.
   void take(const Context& other);
+
+  // isStopped: gives the number of the signal that tells the run to stop, 0 as long as there is none. Thread-safe.
+  void stopWhen(std::function<int()> isStopped) { m_isStopped = std::move(isStopped); }
+  int stoppedBy() const { return m_isStopped ? m_isStopped() : 0; }
+  // Between pieces of work: throws Stopped once the run is told to stop.
+  void requireGoesOn() const;
 
   // Of scenes that say nothing else.
   const Settings& settings() const { return m_settings; }
@@ -72,6 +79,7 @@ public:
 
 private:
   Settings m_settings;
+  std::function<int()> m_isStopped; // empty: nothing stops it
   base::Timings m_timings;
   base::DisplayTransform m_display;
   base::Cache m_cache;

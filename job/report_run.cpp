@@ -11,11 +11,13 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/error.h"
-#include "base/interrupt.h"
 #include "base/log.h"
 #include "base/parallel.h"
+#include "base/text/glob.h"
+#include "base/text/nearest.h"
 #include "base/version.h"
 #include "compare/verdict/budget.h"
 #include "job/conditions.h"
@@ -27,6 +29,7 @@
 #include "report/baseline.h"
 #include "report/judge.h"
 #include "report/reader.h"
+#include "report/wording.h"
 
 namespace parity::job {
 
@@ -38,9 +41,9 @@ RunBudgets loadRunBudgets(const Settings& settings, const std::optional<std::str
 }
 
 // Sets what budgets require and no scene has, and warns of rules that judged nothing, a line a budget file. With
-// --material nobody knows what they could have judged.
+// --material and --only nobody knows what they could have judged.
 void holdBudgets(const Settings& settings, const ReportRequest& request, report::Report& report) {
-  if (!settings.materials.empty()) return;
+  if (!settings.materials.empty() || !request.only.empty()) return;
   std::map<std::string, std::vector<const report::SceneResult*>> files; // and whom each judges
   for (std::size_t i = 0; i < request.scenes.size(); ++i)
     for (const std::optional<std::string>& file : {settings.budgets, request.scenes[i].budgets, request.suiteBudgets}) {
@@ -60,15 +63,31 @@ void holdBudgets(const Settings& settings, const ReportRequest& request, report:
   }
 }
 
-// What SIGINT and SIGTERM say of this run from now on.
-void noteForInterrupt(const Context& context, const ReportRequest& request, std::size_t compared) {
-  std::string text = fmt::format("interrupted: {} of {} scenes {} compared", compared, request.scenes.size(),
-                                 compared == 1 ? "is" : "are");
-  if (compared > 0 && !context.cache().enabled()) text += ", and lost, because there is no cache";
-  if (compared > 0 && context.cache().enabled()) text += " and stay in the cache for the next run";
-  if (!request.folder.empty())
-    text += fmt::format("; {} holds no report, and the next run removes its pictures", request.folder.string());
-  base::setInterruptNote(text);
+// Takes the scenes out that show nothing that --material asks for, and says which. A glob that matches in no scene is a
+// mistake: nothing would tell it from a material that passes.
+void leaveOut(std::vector<ComparedScene>& scenes, const std::vector<std::string>& globs, report::Report& report) {
+  std::vector<std::string_view> known, without;
+  bool isAllKnown = true;
+  for (const ComparedScene& scene : scenes) {
+    isAllKnown = isAllKnown && scene.result.error.empty();
+    known.insert(known.end(), scene.materials.begin(), scene.materials.end());
+    if (scene.isLeftOut) without.push_back(scene.result.name);
+    for (const report::ViewResult& view : scene.result.views)
+      for (const report::MaterialResult& material : view.materials) known.push_back(material.name);
+  }
+  std::ranges::sort(known);
+  known.erase(std::unique(known.begin(), known.end()), known.end());
+  for (const std::string& glob : globs)
+    if (isAllKnown && std::ranges::none_of(known, [&](auto name) { return base::matchesGlob(glob, name); }))
+      report.lost.push_back({compare::Verdict::error,
+                             fmt::format("--material '{}': no scene has a material of this name; {}", glob,
+                                         base::describeNearest(glob, known)),
+                             "", 0});
+  if (!without.empty())
+    base::logInfo(fmt::format("--material: {} of {} scenes {} skipped, because they have no such material: {}",
+                              without.size(), scenes.size(), without.size() == 1 ? "is" : "are",
+                              fmt::join(without, ", ")));
+  std::erase_if(scenes, &ComparedScene::isLeftOut);
 }
 
 // The scenes of a run, two at a time where there are threads: the driver compiles shaders on one core, and each has its
@@ -79,7 +98,7 @@ public:
       : m_context(context), m_request(request), m_budgets(std::move(budgets)), m_progress(progress),
         m_scenes(request.scenes.size()), m_done(request.scenes.size()) {}
 
-  // Once. In the order of the request.
+  // Once. In the order of the request; those that an interrupted run did not begin are not run.
   std::vector<ComparedScene> compareScenes() {
     if (m_scenes.size() > 1 && base::threadCount() > 1) {
       Context second(m_context, Context::ForAnotherThread{});
@@ -90,6 +109,8 @@ public:
     } else {
       takeScenes(m_context);
     }
+    for (std::size_t i = 0; i < m_scenes.size(); ++i)
+      if (m_done[i] != 1) m_scenes[i] = notRunScene(m_request.scenes[i], m_context.stoppedBy());
     return std::move(m_scenes);
   }
 
@@ -102,13 +123,12 @@ private:
       m_scenes[i] = std::move(scene);
       m_done[i] = 1;
       for (; m_logged < m_scenes.size() && m_done[m_logged] == 1; ++m_logged) log(m_scenes[m_logged]);
-      noteForInterrupt(m_context, m_request, static_cast<std::size_t>(std::ranges::count(m_done, 1.0)));
     }
   }
 
   std::size_t take() {
     const std::lock_guard lock(m_mutex);
-    return m_next++;
+    return m_context.stoppedBy() == 0 ? m_next++ : m_scenes.size();
   }
 
   void tell(std::size_t scene, double done, const std::string& what) {
@@ -146,6 +166,7 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   ReportResult result;
   result.run.startedAt = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   result.run.commandLine = request.commandLine;
+  result.run.again = request.again;
   result.report.version = base::kVersion;
 
   // What concerns the whole run comes first: without it nothing is rendered, and an older report stays.
@@ -157,10 +178,11 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   result.report.settings = describeSettings(context.settings(), context.deviceReport());
   result.report.conditions = reported(runConditions(context.settings(), context.deviceReport()));
   if (!request.folder.empty()) prepareReportFolder(request.folder, request.singleFile);
-  noteForInterrupt(context, request, 0);
   Run run(context, request, std::move(budgets), progress);
   std::vector<EncodedPicture> pictures; // not written yet
-  for (ComparedScene& scene : run.compareScenes()) {
+  std::vector<ComparedScene> scenes = run.compareScenes();
+  if (scenes.size() > 1) leaveOut(scenes, context.settings().materials, result.report);
+  for (ComparedScene& scene : scenes) {
     std::ranges::move(scene.pictures, std::back_inserter(pictures));
     if (scene.isCached) result.run.cachedScenes.push_back(scene.result.name);
     result.report.scenes.push_back(std::move(scene.result));
@@ -172,10 +194,11 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   holdBudgets(context.settings(), request, result.report);
   report::settleVerdicts(result.report);
   if (baseline)
-    report::compareWithBaseline(
-        result.report, *baseline,
-        {report::reportFileOf(request.baseline).string(), context.settings().materials, request.oneOfMany});
+    report::compareWithBaseline(result.report, *baseline,
+                                {report::reportFileOf(request.baseline).string(), context.settings().materials,
+                                 request.oneOfMany, request.only});
   base::logRunWarnings(result.report.warnings);
+  if (const std::string line = report::describeNotRun(result.report); !line.empty()) base::logError(line);
   for (const report::RunProblem& problem : report::problemsOf(result.report)) base::logError(problem.reason);
   if (result.report.baseline && !result.report.baseline->error.empty())
     base::logError(fmt::format("{}: {}", request.baseline.string(), result.report.baseline->error));

@@ -15,15 +15,17 @@ namespace parity::job {
 class Context;
 
 struct ReportRequest {
-  std::vector<SceneRequest> scenes;        // in order; each is tried, whatever becomes of the others
-  std::optional<std::string> suiteBudgets; // the suite file's own default
-  std::filesystem::path folder;            // empty: nothing is written
-  std::filesystem::path baseline;          // an earlier report.json or its folder; empty: none
-  bool oneOfMany = false;                  // scenes of the baseline that this run does not show are not gone
-  bool pixelData = true;                   // the values behind the pictures are written, too: pixels/
-  bool singleFile = false;                 // index.html holds everything that it shows
-  report::Bench bench;                     // for the page and the folder
-  std::string commandLine;                 // for run.json
+  std::vector<SceneRequest> scenes;             // in order; each is tried, whatever becomes of the others
+  std::optional<std::string> suiteBudgets;      // the suite file's own default
+  std::filesystem::path folder;                 // empty: nothing is written
+  std::filesystem::path baseline;               // an earlier report.json or its folder; empty: none
+  std::vector<std::string> only = {};           // globs by which its views were chosen of more; empty: these are all
+  bool oneOfMany = false;                       // scenes of the baseline that this run does not show are not gone
+  bool pixelData = true;                        // the values behind the pictures are written, too: pixels/
+  bool singleFile = false;                      // index.html holds everything that it shows
+  report::Bench bench;                          // for the page and the folder
+  std::string commandLine;                      // for run.json
+  std::vector<report::AgainCommand> again = {}; // for run.json
 };
 
 struct ReportResult {
@@ -32,7 +34,9 @@ struct ReportResult {
 };
 
 // Compares every view of every scene. A scene that fails is an error in the report, with its reason, and the next one
-// runs. With a folder: what job/report_folder.h says is written there, whatever the
+// runs. Once the context is told to stop, the scenes that are not done are `not run`, and the report is finished. Of
+// several scenes those without a material that was asked for are not in the report; a glob that matches in none of them
+// is a problem of the run. With a folder: what job/report_folder.h says is written there, whatever the
 // verdict. A baseline may lie in that same folder: it is read first. Throws Error for what concerns the whole run: no
 // device, a budget file or a baseline that cannot be used, a folder that cannot be written.
 ReportResult runReport(Context& context, const ReportRequest& request, const Progress& progress);

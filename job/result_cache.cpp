@@ -34,7 +34,7 @@ std::string contentKey(const std::string& key, const SceneRequest& request,
 
 } // namespace
 
-static_assert(base::memberCount<ResultWish>() == 4 && base::memberCount<gpu::PermutationBudget>() == 2,
+static_assert(base::memberCount<ResultWish>() == 5 && base::memberCount<gpu::PermutationBudget>() == 2,
               "a new member goes into the key, or is named here with the reason why not");
 
 std::optional<std::string> resultKey(Context& context, const Conditions& conditions, const ResultWish& wish) {
@@ -49,6 +49,7 @@ std::optional<std::string> resultKey(Context& context, const Conditions& conditi
   for (const std::string& statistic : wish.statistics) hasher.add(statistic);
   hasher.addValue(wish.pictures).addValue(wish.pixelData);
   hasher.addValue(static_cast<std::uint64_t>(wish.permutations.own)).addValue(wish.permutations.shares);
+  hasher.addValue(static_cast<std::uint64_t>(wish.views));
   return hasher.hex();
 }
 

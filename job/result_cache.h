@@ -18,6 +18,7 @@ struct ResultWish {
   bool pictures = false;
   bool pixelData = false;              // beside the pictures
   gpu::PermutationBudget permutations; // specialised shaders need not round alike
+  std::size_t views = 1;               // by how many they are chosen
 };
 
 // The key of all that decides the result but the content of the files that the scene is read from: build, device and

@@ -10,6 +10,7 @@
 #include "base/text/glob.h"
 #include "compare/pooling/statistic.h"
 #include "compare/verdict/budget.h"
+#include "report/view_choice.h"
 
 namespace parity::report {
 namespace {
@@ -201,15 +202,17 @@ void holdScene(SceneResult& scene, const Report& report, const SceneResult* befo
   }
 }
 
+bool isAskedFor(const BaselineOptions& options, const std::string& scene, const ViewResult& view) {
+  return isChosen(options.only, scene, view.name) &&
+         (view.materials.empty() ||
+          std::ranges::any_of(view.materials, [&](const auto& m) { return isAskedFor(options, m.name); }));
+}
+
 void collectGone(const ViewResult& before, const SceneResult& scene, const BaselineOptions& options,
                  std::vector<GoneRow>& gone) {
+  if (!isAskedFor(options, scene.name, before)) return;
   const ViewResult* now = findByName(scene.views, before.name);
-  if (!now) {
-    if (before.materials.empty() ||
-        std::ranges::any_of(before.materials, [&](const auto& m) { return isAskedFor(options, m.name); }))
-      gone.push_back({scene.name, before.name, ""});
-    return;
-  }
+  if (!now) return gone.push_back({scene.name, before.name, ""});
   for (std::size_t i = 0; i < before.materials.size(); ++i)
     if (isAskedFor(options, before.materials[i].name) && !findNamesake(now->materials, before.materials, i))
       gone.push_back({scene.name, before.name, before.materials[i].name});
@@ -228,11 +231,15 @@ void compareWithBaseline(Report& report, const Report& baseline, const BaselineO
     holdScene(scene, report, findByName(baseline.scenes, scene.name), baseline, others, summary);
   for (const SceneResult& before : baseline.scenes) {
     const SceneResult* now = findByName(report.scenes, before.name);
-    if (!now && !options.sameScenesOnly && before.error.empty()) summary.gone.push_back({before.name, "", ""});
+    const auto isAsked = [&](const ViewResult& view) { return isAskedFor(options, before.name, view); };
+    if (!now && !options.sameScenesOnly && before.error.empty() && std::ranges::any_of(before.views, isAsked))
+      summary.gone.push_back({before.name, "", ""});
     if (!now || !now->error.empty()) continue; // what a scene that failed shows is not known
     for (const ViewResult& view : before.views) collectGone(view, *now, options, summary.gone);
   }
-  if (summary.common == 0) summary.error = "no material of this run is visible in the baseline";
+  // What an interrupted run did not get to may well be there.
+  if (summary.common == 0 && countNotRun(report) == 0)
+    summary.error = "no material of this run is visible in the baseline";
   if (std::string other = others.describe(summary.notComparable); !other.empty())
     report.warnings.push_back(std::move(other));
   report.baseline = std::move(summary);

@@ -12,6 +12,7 @@ struct BaselineOptions {
   std::string source; // the baseline's file as given; of an absolute path the report says the name alone
   std::vector<std::string> materials; // globs: only these were asked for, so others are not gone; empty: all
   bool sameScenesOnly = false;        // other scenes are not gone: this run was never to show them
+  std::vector<std::string> only = {}; // globs of views (report/view_choice.h): only these were asked for; empty: all
 };
 
 // Scenes, views and materials are counterparts by their names (materials of one name by their order). Fills `baseline`

@@ -50,7 +50,8 @@ std::vector<Annotation> collect(const Report& report) {
     all.push_back({problem.verdict, "parity", problem.reason, problem.file, problem.line});
   for (const std::string& warning : report.warnings) all.push_back({compare::Verdict::warn, "parity", warning});
   for (const SceneResult& scene : report.scenes) {
-    if (!scene.error.empty()) all.push_back({compare::Verdict::error, "parity: " + scene.name, scene.error});
+    if (!scene.error.empty() && !isNotRun(scene))
+      all.push_back({compare::Verdict::error, "parity: " + scene.name, scene.error});
     for (const ViewResult& view : scene.views) {
       const std::string place = fmt::format("{}, view {}", scene.name, view.name);
       if (view.wholeVerdict != compare::Verdict::pass)
@@ -65,6 +66,7 @@ std::vector<Annotation> collect(const Report& report) {
                material.rule.file, material.rule.line});
     }
   }
+  if (countNotRun(report) > 0) all.push_back({compare::Verdict::notRun, "parity", describeNotRun(report)});
   std::ranges::stable_sort(all, std::ranges::greater{}, &Annotation::verdict);
   return all;
 }

@@ -22,7 +22,7 @@ std::string plural(std::size_t count, const char* one, const char* many) {
 
 std::string headline(const Report& report) {
   const VerdictCounts counts = countVerdicts(report);
-  const auto broken = std::ranges::count_if(report.scenes, [](const SceneResult& s) { return !s.error.empty(); });
+  const std::size_t broken = countBroken(report), notRun = countNotRun(report);
   const std::string rows = countViews(report) > 1 ? "material views" : "materials";
   const std::string over = fmt::format("{} of {} {} over budget", counts.fail, counts.total(), rows);
   switch (report.verdict) {
@@ -52,19 +52,27 @@ std::string headline(const Report& report) {
                ? "A whole image is over budget"
                : fmt::format("{} that a budget requires",
                              plural(report.lost.size(), "material is missing", "materials are missing"));
+  case compare::Verdict::notRun: {
+    const std::string first =
+        fmt::format("Interrupted: {} of {} were not run", notRun, plural(report.scenes.size(), "scene", "scenes"));
+    return counts.fail > 0 ? first + "; " + over : first;
+  }
   case compare::Verdict::error:
     break;
   }
   const std::vector<RunProblem> problems = problemsOf(report);
-  if (report.scenes.empty() || (!problems.empty() && problems.front().verdict == compare::Verdict::error))
-    return "Nothing was compared";
+  if (report.scenes.empty() || counts.total() == counts.notSeen + counts.tooSmall + counts.notJudged)
+    if (report.scenes.empty() || !problems.empty()) return "Nothing was compared";
+  if (broken == 0 && counts.error == 0 && !problems.empty() && problems.front().verdict == compare::Verdict::error)
+    return "A material that was asked for is in no scene";
   if (broken == 0 && counts.error == 0 && report.baseline && !report.baseline->error.empty())
     return "The baseline could not be used";
   const std::string first = broken > 0 ? fmt::format("{} could not be compared", plural(broken, "scene", "scenes"))
                             : counts.error > 0
                                 ? fmt::format("{} of {} {} could not be judged", counts.error, counts.total(), rows)
                                 : "A whole image could not be judged";
-  return counts.fail > 0 ? first + "; " + over : first;
+  return first + (counts.fail > 0 ? "; " + over : "") +
+         (notRun > 0 ? fmt::format("; {} not run", plural(notRun, "scene", "scenes")) : "");
 }
 
 } // namespace parity::report

@@ -5,6 +5,7 @@
 
 #include "base/text/text.h"
 #include "compare/verdict/wording.h"
+#include "report/again.h"
 #include "report/report.h"
 #include "report/wording.h"
 
@@ -81,6 +82,7 @@ void addCase(Suite& suite, const std::string& className, const std::string& name
   case compare::Verdict::notSeen:
   case compare::Verdict::tooSmall:
   case compare::Verdict::notJudged:
+  case compare::Verdict::notRun:
     ++suite.tally.skipped;
     suite.cases += fmt::format("      <skipped message=\"{}: {}\"/>\n", nameOf(verdict), base::escapeMarkup(reason));
     break;
@@ -100,6 +102,11 @@ void addCase(Suite& suite, const std::string& className, const std::string& name
   suite.cases += "    </testcase>\n";
 }
 
+// How to see a row again that is not well.
+std::string againLine(compare::Verdict verdict, const std::string& command) {
+  return verdict < compare::Verdict::warn || command.empty() ? "" : "to see it again: " + command + "\n";
+}
+
 std::string materialDetails(const MaterialResult& material, const std::string& reference) {
   std::string details = figureLines(material.figures, material.test, material.checks);
   const std::string cause = material.attribution ? describeCause(*material.attribution, reference) : "";
@@ -108,16 +115,18 @@ std::string materialDetails(const MaterialResult& material, const std::string& r
   return details + baselineLines(material.baseline) + ruleLines(material.rule);
 }
 
-Suite makeSuite(const SceneResult& scene) {
+Suite makeSuite(const SceneResult& scene, const RunInfo& run) {
   Suite suite{scene.name, "", {}};
-  if (!scene.error.empty()) addCase(suite, scene.name, "scene", compare::Verdict::error, scene.error, "");
+  if (!scene.error.empty()) addCase(suite, scene.name, "scene", ownVerdict(scene), scene.error, "");
   for (const ViewResult& view : scene.views) {
     const std::string className = scene.name + "." + view.name;
     addCase(suite, className, "(whole image)", view.wholeVerdict, view.reason,
-            figureLines(view.whole, view.test, view.checks) + baselineLines(view.baseline) + ruleLines(view.rule));
+            figureLines(view.whole, view.test, view.checks) + baselineLines(view.baseline) + ruleLines(view.rule) +
+                againLine(view.wholeVerdict, againCommand(run, scene, view, nullptr)));
     for (const MaterialResult& material : view.materials)
       addCase(suite, className, material.name, material.verdict, material.reason,
-              materialDetails(material, view.reference));
+              materialDetails(material, view.reference) +
+                  againLine(material.verdict, againCommand(run, scene, view, &material)));
   }
   return suite;
 }
@@ -145,7 +154,7 @@ Suite makeBaselineSuite(const BaselineSummary& baseline) {
 
 std::string toJunit(const Report& report, const RunInfo& run) {
   std::vector<Suite> suites;
-  for (const SceneResult& scene : report.scenes) suites.push_back(makeSuite(scene));
+  for (const SceneResult& scene : report.scenes) suites.push_back(makeSuite(scene, run));
   if (suites.empty()) {
     suites.push_back({"report", "", {}});
     addCase(suites.back(), "report", "report", compare::Verdict::error, "the report holds no scene", "");

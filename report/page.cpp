@@ -24,7 +24,7 @@ std::string tableRow(compare::Verdict verdict, const SceneResult& scene, std::st
 std::vector<std::string> rowsOverBudget(const Report& report) {
   std::vector<std::string> rows;
   for (const SceneResult& scene : report.scenes) {
-    if (!scene.error.empty()) rows.push_back(tableRow(compare::Verdict::error, scene, "", "", scene.error));
+    if (!scene.error.empty()) rows.push_back(tableRow(ownVerdict(scene), scene, "", "", scene.error));
     for (const ViewResult& view : scene.views) {
       if (view.wholeVerdict >= compare::Verdict::fail)
         rows.push_back(tableRow(view.wholeVerdict, scene, view.name, "whole image", view.reason));

@@ -105,10 +105,18 @@ struct SceneResult {
   std::vector<PassResult> passes;              // in the order of the work, over all views
   std::vector<PermutationResult> permutations; // that made the pictures, by path, in order of first use
   std::string error; // not empty: the scene could not be compared, this line says why; views hold what was done before
-  int errorExitCode = 0; // 3 or 4 where there is an error (settleVerdicts makes 4 of anything else)
+  int errorExitCode = 0; // 3 or 4 where there is an error, or that of notRun (settleVerdicts makes 4 of anything else)
   compare::Verdict verdict = compare::Verdict::pass;
   std::vector<compare::Condition> conditions; // its light, what of the file is shown, ...
 };
+
+// A scene that was not done when a signal ended the run: its error says so, its exit code is 128 and the signal's
+// number, its verdict is notRun.
+void setNotRun(SceneResult& scene, int signal);
+int stoppedBy(const SceneResult& scene); // that signal; 0: none
+bool isNotRun(const SceneResult& scene);
+// What its error is: notRun or error; pass where there is none.
+compare::Verdict ownVerdict(const SceneResult& scene);
 
 // What the baseline shows and this run does not: a material, a whole view (material empty) or a whole scene (both).
 struct GoneRow {
@@ -145,6 +153,11 @@ struct Report {
   compare::Verdict verdict = compare::Verdict::pass;
 };
 
+// A command that compares a view once more and prints its rows: a line for a POSIX shell, without its materials.
+struct AgainCommand {
+  std::string scene, view, command;
+};
+
 // What differs from run to run, kept out of the report so that it is byte-identical.
 struct RunInfo {
   std::string startedAt; // ISO 8601, UTC
@@ -152,6 +165,7 @@ struct RunInfo {
   std::vector<std::pair<std::string, double>> timings; // stage, ms
   std::size_t compiledShaders = 0;                     // of all paths, the same one once
   std::vector<std::string> cachedScenes;               // whose results were taken from the cache, unchanged
+  std::vector<AgainCommand> again = {};                // of the views that were asked for
 };
 
 // How many rows have each verdict.
@@ -161,6 +175,8 @@ struct VerdictCounts {
 };
 VerdictCounts countVerdicts(const Report& report); // material x view; those not seen here but elsewhere are left out
 VerdictCounts countWholes(const Report& report);   // whole images
+std::size_t countNotRun(const Report& report);     // scenes
+std::size_t countBroken(const Report& report);     // scenes with any other error
 
 // Whether any view was held against the ground truth.
 bool hasTruth(const Report& report);
@@ -175,10 +191,10 @@ bool hasTruth(const Report& report);
 void settleMaterial(MaterialResult& material, bool seenElsewhere);
 
 // Sets every verdict above the checks' from its parts, also the materials' by settleMaterial (another view of the scene
-// may show what this one does not: same place in the list, same name). A scene with an error, or with no view, is
-// `error`; so are a view with no materials, a report with no scenes, and one whose baseline has an error. A problem of
-// the run (problemsOf) is what it says; a warning of the run, and rows that are gone since the baseline, are at least a
-// warning. Idempotent.
+// may show what this one does not: same place in the list, same name). A scene that was not run is `notRun`; one with
+// another error, or with no view, is `error`; so are a view with no materials, a report with no scenes, and one whose
+// baseline has an error. A problem of the run (problemsOf) is what it says; a warning of the run, and rows that are
+// gone since the baseline, are at least a warning. Idempotent.
 void settleVerdicts(Report& report);
 
 // The problems of a settled report as a whole, the gravest first: an error where scenes were compared, but no material
@@ -186,8 +202,8 @@ void settleVerdicts(Report& report);
 std::vector<RunProblem> problemsOf(const Report& report);
 
 // The exit code of a settled report (docs/design.md 8a): 0, 1 (only with warnExit; notSeen and the run's own warnings
-// count), 2, or the scenes' own 3 or 4 (4 for any other errorExitCode, and for a verdict `error`); the highest that
-// applies.
+// count), 2, the scenes' own 3 or 4 (4 for any other errorExitCode, and for a verdict `error`), or that of scenes that
+// were not run; the highest that applies.
 int exitCode(const Report& report, bool warnExit);
 
 // The whole report in a sentence: "3 of 40 materials over budget".
@@ -202,8 +218,14 @@ std::string toJson(const Report& report, base::JsonLayout layout = base::JsonLay
 std::string toJson(const RunInfo& run, base::JsonLayout layout = base::JsonLayout::indented);
 // JUnit: a testcase per scene x material; failures and errors with their figures.
 std::string toJunit(const Report& report, const RunInfo& run);
-// Per-material table for a terminal (parity diff), one row a material and view. color: ANSI.
-std::string toTable(const Report& report, bool color);
+struct TableOptions {
+  bool color = false;      // ANSI
+  std::size_t columns = 0; // of the terminal, to which lines are wrapped; 0: each row is one line
+  bool all = false;        // also what passes; else it is counted
+};
+// For a terminal: the rows of materials and whole images that failed, warned or could not be judged, view by view; what
+// is wrong with the run; totals by cause; commands that show the worst rows again (where `run` has them); the verdict.
+std::string toTable(const Report& report, const RunInfo& run, const TableOptions& options);
 // RFC 4180, UTF-8: a line for the whole image of each view (kind "whole"), for each material of it ("material"), and
 // for each scene that failed ("scene"). Columns: scene, view, environment, reference, test (paths), kind, material,
 // verdict, pixels, non_finite, one for each figure that any line has, those of both paths against the truth

@@ -6,12 +6,15 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 #include "compare/pooling/statistic.h"
 #include "compare/verdict/wording.h"
 #include "report/report.h"
 
 namespace parity::report {
 namespace {
+
+constexpr int kFirstSignal = 128; // as a shell tells that a signal ended a program
 
 compare::Verdict worse(compare::Verdict a, compare::Verdict b) { return std::max(a, b); }
 
@@ -150,9 +153,10 @@ void settleScene(SceneResult& scene) {
     scene.error = "no view was compared";
     scene.errorExitCode = static_cast<int>(base::ExitCode::failed);
   }
-  if (!scene.error.empty() && scene.errorExitCode != static_cast<int>(base::ExitCode::notComparable))
+  if (!scene.error.empty() && !isNotRun(scene) &&
+      scene.errorExitCode != static_cast<int>(base::ExitCode::notComparable))
     scene.errorExitCode = static_cast<int>(base::ExitCode::failed);
-  scene.verdict = scene.error.empty() ? compare::Verdict::pass : compare::Verdict::error;
+  scene.verdict = ownVerdict(scene);
   for (ViewResult& view : scene.views) {
     settleView(scene, view);
     scene.verdict = worse(scene.verdict, view.verdict);
@@ -179,6 +183,7 @@ void count(VerdictCounts& counts, compare::Verdict verdict) {
   case compare::Verdict::fail:
     ++counts.fail;
     break;
+  case compare::Verdict::notRun: // no row is
   case compare::Verdict::error:
     ++counts.error;
     break;
@@ -191,6 +196,22 @@ compare::Verdict verdictOf(const BaselineSummary& baseline) {
 }
 
 } // namespace
+
+void setNotRun(SceneResult& scene, int signal) {
+  scene.error = fmt::format("{} interrupted the run before this scene was done", base::signalName(signal));
+  scene.errorExitCode = kFirstSignal + signal;
+}
+
+int stoppedBy(const SceneResult& scene) {
+  return scene.error.empty() ? 0 : std::max(scene.errorExitCode - kFirstSignal, 0);
+}
+
+bool isNotRun(const SceneResult& scene) { return stoppedBy(scene) > 0; }
+
+compare::Verdict ownVerdict(const SceneResult& scene) {
+  if (scene.error.empty()) return compare::Verdict::pass;
+  return isNotRun(scene) ? compare::Verdict::notRun : compare::Verdict::error;
+}
 
 VerdictCounts countVerdicts(const Report& report) {
   VerdictCounts counts;
@@ -206,6 +227,15 @@ VerdictCounts countWholes(const Report& report) {
   for (const SceneResult& scene : report.scenes)
     for (const ViewResult& view : scene.views) count(counts, view.wholeVerdict);
   return counts;
+}
+
+std::size_t countNotRun(const Report& report) {
+  return static_cast<std::size_t>(std::ranges::count_if(report.scenes, isNotRun));
+}
+
+std::size_t countBroken(const Report& report) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      report.scenes, [](const SceneResult& scene) { return !scene.error.empty() && !isNotRun(scene); }));
 }
 
 bool hasTruth(const Report& report) {
@@ -249,8 +279,8 @@ void settleVerdicts(Report& report) {
 
 int exitCode(const Report& report, bool warnExit) {
   using base::ExitCode;
-  ExitCode code = ExitCode::withinBudget;
-  const auto raise = [&](ExitCode other) { code = std::max(code, other); };
+  int code = 0;
+  const auto raise = [&](ExitCode other) { code = std::max(code, static_cast<int>(other)); };
   if (report.scenes.empty()) raise(ExitCode::failed);
   if (report.baseline && verdictOf(*report.baseline) == compare::Verdict::error) raise(ExitCode::failed);
   if (report.baseline && warnExit && verdictOf(*report.baseline) == compare::Verdict::warn)
@@ -259,7 +289,9 @@ int exitCode(const Report& report, bool warnExit) {
   for (const RunProblem& problem : problemsOf(report))
     raise(problem.verdict == compare::Verdict::error ? ExitCode::failed : ExitCode::overBudget);
   for (const SceneResult& scene : report.scenes) {
-    if (!scene.error.empty())
+    if (isNotRun(scene))
+      code = std::max(code, scene.errorExitCode);
+    else if (!scene.error.empty())
       raise(scene.errorExitCode == static_cast<int>(ExitCode::notComparable) ? ExitCode::notComparable
                                                                              : ExitCode::failed);
     // A scene's own verdict is `error` also for its error line, whose code stands above; its views tell the rest.
@@ -270,7 +302,7 @@ int exitCode(const Report& report, bool warnExit) {
       if (warnExit && view.verdict != compare::Verdict::pass) raise(ExitCode::warningsOnly);
     }
   }
-  return static_cast<int>(code);
+  return code;
 }
 
 } // namespace parity::report

@@ -12,7 +12,7 @@
 
 namespace parity::cli {
 
-void addVerdictOptions(CLI::App& app, VerdictOptions& verdict) {
+void addVerdictOptions(CLI::App& app, VerdictOptions& verdict, const std::string& tableHelp) {
   app.add_flag("--warn-exit", verdict.warnExit, "Exit with 1 if there are only warnings")->group("Verdict");
   app.add_option("--baseline", verdict.baseline,
                  "Earlier report.json or its folder: show what changed, and judge regressions")
@@ -22,6 +22,7 @@ void addVerdictOptions(CLI::App& app, VerdictOptions& verdict) {
                         "github: also print failures and warnings as annotations of GitHub Actions"),
          {"github"})
       ->group("Verdict");
+  app.add_flag("--all", verdict.allRows, tableHelp)->group("Verdict");
 }
 
 void addBudgetOptions(CLI::App& app, RawBudgetOptions& raw) {

@@ -12,7 +12,8 @@ class App;
 namespace parity::cli {
 
 // --warn-exit, --baseline and --annotate. `verdict` must outlive the parsing.
-void addVerdictOptions(CLI::App& app, VerdictOptions& verdict);
+// tableHelp: of --all.
+void addVerdictOptions(CLI::App& app, VerdictOptions& verdict, const std::string& tableHelp);
 
 // What CLI11 fills in for parity budget.
 struct RawBudgetOptions {

@@ -65,6 +65,14 @@ void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->group(kGeneralGroup);
 }
 
+void addOnlyOption(CLI::App& app, CommonOptions& common) {
+  app.add_option("--only", common.only,
+                 "Only these views of the scenes (glob SCENE/VIEW, or SCENE for all of its views; repeatable)")
+      ->type_name("GLOB")
+      ->allow_extra_args(false)
+      ->group("Scene");
+}
+
 void addBudgetsOption(CLI::App& app, CommonOptions& common) {
   app.add_option("--budgets", common.settings.budgets, "Budget file (TOML) instead of the built-in budgets")
       ->type_name(kFile)

@@ -112,6 +112,7 @@ int exitCode(const FlipPair& pair, bool warnExit) {
     return warnExit ? static_cast<int>(base::ExitCode::warningsOnly) : 0;
   case Verdict::fail:
     return static_cast<int>(base::ExitCode::overBudget);
+  case Verdict::notRun: // of a report's scenes
   case Verdict::error:
     break;
   }

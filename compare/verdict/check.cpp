@@ -16,6 +16,8 @@ const char* nameOf(Verdict verdict) {
     return "warn";
   case Verdict::fail:
     return "fail";
+  case Verdict::notRun:
+    return "not run";
   case Verdict::error:
     return "error";
   }

@@ -8,9 +8,9 @@
 namespace parity::compare {
 
 // In order of gravity; the worst of its parts is the verdict of a whole.
-enum class Verdict { pass, notSeen, tooSmall, notJudged, warn, fail, error };
+enum class Verdict { pass, notSeen, tooSmall, notJudged, warn, fail, notRun, error };
 // "pass", "not seen", "too small" (fewer pixels than the budget's min_pixels), "not judged" (most pixels are clipped in
-// both pictures), "warn", "fail", "error".
+// both pictures), "warn", "fail", "not run" (a scene that an interrupted run did not finish), "error".
 const char* nameOf(Verdict verdict);
 
 // One budget check: `metric` names a figure ("flip.mean", "psnr", ...; compare/pooling/statistic.h).

@@ -44,6 +44,12 @@ std::string describeUnmatched(const scenes::Scene& scene, const std::string& glo
   return "no material has this name; " + base::describeNearestToGlob(glob, names);
 }
 
+bool hasAnyMaterial(const scenes::Scene& scene, const std::vector<std::string>& globs) {
+  return globs.empty() || std::ranges::any_of(globs, [&](const std::string& glob) {
+           return std::ranges::any_of(scene.materials, [&](const auto& m) { return base::matchesGlob(glob, m.name); });
+         });
+}
+
 void requireMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs) {
   for (const std::string& glob : globs)
     if (std::ranges::none_of(scene.materials, [&](const auto& m) { return base::matchesGlob(glob, m.name); }))

@@ -11,6 +11,8 @@ namespace parity::job {
 
 // What to say of a glob that no material of the scene matches: with the nearest name.
 std::string describeUnmatched(const scenes::Scene& scene, const std::string& glob);
+// Whether any of these globs matches a material of the scene; no globs: true.
+bool hasAnyMaterial(const scenes::Scene& scene, const std::vector<std::string>& globs);
 
 // Throws Error (exit 4) for a glob that no material of the scene matches.
 void requireMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs);

@@ -15,6 +15,7 @@
 #include "job/result_cache.h"
 #include "job/scene/dropped_lights.h"
 #include "job/scene/material_choice.h"
+#include "job/stopped.h"
 #include "job/view/view_attribution.h"
 #include "job/view/view_comparison.h"
 #include "report/judge.h"
@@ -55,6 +56,7 @@ public:
     ComparedScene scene;
     report::SceneResult& result = scene.result = startScene(request);
     Conditions conditions;
+    std::optional<compare::Budgets> budgets; // once they are known
     const auto setError = [&](const std::string& message, base::ExitCode code) {
       scene.error = fmt::format("{}: {}", result.name, message); // several problems are several lines
       for (std::size_t at = scene.error.find('\n'); at != std::string::npos; at = scene.error.find('\n', at + 1))
@@ -64,10 +66,10 @@ public:
     };
     try {
       conditions = conditionsNow(request);
-      const compare::Budgets budgets = budgetsFor(request);
-      const Judges judges{budgets, m_budgets.baseline, request.name, conditions,
+      budgets = budgetsFor(request);
+      const Judges judges{*budgets, m_budgets.baseline, request.name, conditions,
                           m_context.deviceReport().description()};
-      const ResultWish wish = wishFor(index, budgets);
+      const ResultWish wish = wishFor(index, *budgets);
       const std::optional<std::string> key = resultKey(m_context, conditions, wish);
       if (std::optional<SceneRecord> cached = key ? recall(*key, index, judges) : std::nullopt) {
         result = std::move(cached->result);
@@ -77,21 +79,31 @@ public:
         measureScene(index, wish, key, judges, scene);
       }
       result.passes.push_back(attributionPass(request.settings.attribution, result));
-      for (report::ViewResult& view : result.views) {
-        for (report::MaterialResult& material : view.materials) report::judgeMaterial(material, budgets, request.name);
-        report::judgeWhole(view, budgets, request.name);
-      }
+    } catch (const Stopped& stopped) {
+      report::setNotRun(result, stopped.signal);
     } catch (const base::Error& error) {
       // One catch at the boundary of each scene: the others still run.
       setError(error.what(), error.code());
     } catch (const std::exception& error) {
       setError(base::wordsOf(error), base::ExitCode::failed);
     }
+    // The views that were done, whatever became of the others.
+    for (report::ViewResult& view : result.views) {
+      for (report::MaterialResult& material : view.materials) report::judgeMaterial(material, *budgets, request.name);
+      report::judgeWhole(view, *budgets, request.name);
+    }
     result.conditions = reported(conditions.scene);
     for (std::string& warning : result.warnings) {
       scene.warnings.push_back(fmt::format("{}: {}", result.name, warning));
       warning = withoutFolders(std::move(warning), request);
     }
+    return scene;
+  }
+
+  static ComparedScene notRun(const SceneRequest& request, int signal) {
+    ComparedScene scene;
+    scene.result = startScene(request);
+    report::setNotRun(scene.result, signal);
     return scene;
   }
 
@@ -178,8 +190,10 @@ private:
   }
 
   ResultWish wishFor(std::size_t index, const compare::Budgets& budgets) const {
+    const SceneRequest& request = m_request.scenes[index];
+    const WholeRun whole = request.partOf.value_or(WholeRun{index, m_request.scenes.size(), request.views.size()});
     return {compare::requiredStatistics(budgets), !m_request.folder.empty(), m_request.pixelData,
-            gpu::shareOf(index, m_request.scenes.size())};
+            gpu::shareOf(whole.place, whole.scenes), whole.views};
   }
 
   // Fills the result, view by view: what was done before an error stays. Keeps it for later runs.
@@ -187,6 +201,7 @@ private:
                     const Judges& judges, ComparedScene& scene) {
     const SceneRequest& request = m_request.scenes[index];
     report::SceneResult& result = scene.result;
+    m_context.requireGoesOn();
     m_tell(0, "loading");
     const PathChoice paths = pathsOf(request.settings);
     PreparedScene prepared = prepareScene(m_context, request, paths);
@@ -200,8 +215,14 @@ private:
         if (const std::string words = path->describeLight(request.settings.options, hasCaptures); !words.empty())
           addLight(words);
     result.warnings = prepared.scene.warnings;
-    requireMaterials(prepared.scene, request.settings.materials);
-    SceneRenderer renderer(m_context, prepared, prepared.settings, paths, request.views.size(), wish.permutations,
+    if (m_request.scenes.size() > 1 && !hasAnyMaterial(prepared.scene, request.settings.materials)) {
+      scene.isLeftOut = true;
+      for (const scenes::Material& material : prepared.scene.materials) scene.materials.push_back(material.name);
+      return;
+    }
+    if (m_request.scenes.size() == 1) requireMaterials(prepared.scene, request.settings.materials);
+    m_context.requireGoesOn();
+    SceneRenderer renderer(m_context, prepared, prepared.settings, paths, wish.views, wish.permutations,
                            imageRelease(prepared, paths));
     for (std::string& note : renderer.notes()) result.warnings.push_back(std::move(note));
     for (std::size_t i = 0; i < paths.chosen.size(); ++i)
@@ -222,12 +243,13 @@ private:
         frames = renderView(request, v, prepared, renderer);
       }
       const scenes::Camera camera = cameraOf(request, v, prepared);
+      m_context.requireGoesOn();
       ComparedView compared = compareOne(index, view, prepared, renderer, frames, wish);
       comparedPixels += compared.view.whole.pixels;
       compared.view.conditions = reported(judges.conditions.views[v]);
       compared.view.droppedLights = measureDroppedLights(m_context, prepared, renderer, camera, frames, compared);
       if (key) plainViews.push_back(compared.view);
-      keepPictures(std::move(compared.pictures), scene, key ? &plainPictures : nullptr);
+      std::vector<EncodedPicture> termPictures;
       attributed.push_back(materialsToAttribute(request.settings.attribution, compared.view, judges));
       if (!attributed[row].empty()) {
         const bool isLate = !request.settings.terms; // compareView had none to write
@@ -239,14 +261,16 @@ private:
         attributeView(m_context, frames, attributed[row], request.settings, *paths.chosen[view.test], compared);
         if (isLate && wish.pictures && wish.pixelData) {
           const base::Stopwatch watch(&m_context.timings(), "encode images");
-          keepPictures(encodeTerms(compared.view, termPlanesOf(frames, paths, view.test), prefixesOf(index)[row]),
-                       scene, key ? &addedPictures : nullptr);
+          termPictures = encodeTerms(compared.view, termPlanesOf(frames, paths, view.test), prefixesOf(index)[row]);
         }
         if (isLate) { // the next row is compared as if this one had none
           frames.paths.front().frame.terms.clear();
           frames.paths[view.test].frame.terms.clear();
         }
       }
+      // Last: a view that is given up leaves no pictures.
+      keepPictures(std::move(compared.pictures), scene, key ? &plainPictures : nullptr);
+      keepPictures(std::move(termPictures), scene, key ? &addedPictures : nullptr);
       result.views.push_back(std::move(compared.view));
     });
     for (std::string& warning : renderer.warnings()) result.warnings.push_back(std::move(warning));
@@ -282,8 +306,13 @@ private:
   }
 
   compare::Budgets budgetsFor(const SceneRequest& request) const {
-    if (m_budgets.first) return *m_budgets.first;
-    return request.budgets ? compare::loadBudgets(*request.budgets) : m_budgets.otherwise;
+    compare::Budgets budgets = m_budgets.first   ? *m_budgets.first
+                               : request.budgets ? compare::loadBudgets(*request.budgets)
+                                                 : m_budgets.otherwise;
+    // A view that was not asked for may show what these do not.
+    if (request.partOf && request.partOf->views > request.views.size())
+      for (compare::BudgetRule& rule : budgets.materials) rule.requireSeen = false;
+    return budgets;
   }
 
   scenes::Camera cameraOf(const SceneRequest& request, std::size_t view, const PreparedScene& prepared) const {
@@ -335,5 +364,7 @@ ComparedScene compareScene(Context& context, const ReportRequest& request, std::
                            const Tell& tell) {
   return SceneComparison(context, request, budgets, tell).run(index);
 }
+
+ComparedScene notRunScene(const SceneRequest& request, int signal) { return SceneComparison::notRun(request, signal); }
 
 } // namespace parity::job

@@ -24,6 +24,8 @@ struct ComparedScene {
   report::SceneResult result;
   std::vector<EncodedPicture> pictures; // for a report in a single file; else they are written already
   bool isCached = false;                // taken from the cache, unchanged
+  bool isLeftOut = false;               // one of several of which no material was asked for: it is not in the report
+  std::vector<std::string> materials;   // of one that is left out: their names
   std::string error;                    // for the log; empty: none
   std::vector<std::string> warnings;    // for the log, as the result has them but with the folders of files
 };
@@ -31,9 +33,13 @@ struct ComparedScene {
 // Told how much of the scene is done, 0..1, and what comes next.
 using Tell = std::function<void(double done, const std::string& what)>;
 
-// The scene at this place of the request. What goes wrong is the result's error. Pictures are written to the request's
+// The scene at this place of the request. What goes wrong is the result's error; a scene that the context tells to stop
+// is not run, and keeps the views that are done. Pictures are written to the request's
 // folder, unless it wants a single file.
 ComparedScene compareScene(Context& context, const ReportRequest& request, std::size_t index, const RunBudgets& budgets,
                            const Tell& tell);
+
+// One that an interrupted run did not begin.
+ComparedScene notRunScene(const SceneRequest& request, int signal);
 
 } // namespace parity::job

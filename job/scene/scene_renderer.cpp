@@ -100,6 +100,7 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
   std::size_t part = 0;
   for (const gpu::Tile& tile : tiles)
     for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
+      m_context.requireGoesOn();
       const gpu::VisibleLayers visible = rasterise(camera, tile, sample);
       cutPixels.insert(visible.cutPixels.begin(), visible.cutPixels.end());
       m_scene.requireTextures(visible);
@@ -116,6 +117,7 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
         // Apart from each other, and the nearest layer's the same however many lie behind.
         const std::size_t fromFront = layerCount - 1 - k, stream = 2 * part + (k == 0 ? 0 : 1 + 2 * parts * fromFront);
         const auto told = [&](double done) {
+          m_context.requireGoesOn();
           const double share = (static_cast<double>(k) + done) / static_cast<double>(layerCount);
           if (progress) progress("truth", (static_cast<double>(part) + share) / static_cast<double>(parts));
         };
@@ -212,6 +214,7 @@ void SceneRenderer::layAgain(const scenes::Camera& camera, Work& work, const Com
   for (const gpu::Tile& tile :
        gpu::makeTiles(static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height)))
     for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
+      m_context.requireGoesOn();
       composition.begin(tile);
       if (!m_kept.empty()) {
         for (const gpu::Surface& surface : m_kept) composition.lay(surface);

@@ -18,7 +18,7 @@ namespace parity::report {
 
 template <> struct Names<compare::Verdict> {
   using enum compare::Verdict;
-  static constexpr std::array values = {pass, notSeen, tooSmall, notJudged, warn, fail, error};
+  static constexpr std::array values = {pass, notSeen, tooSmall, notJudged, warn, fail, notRun, error};
   static constexpr std::string_view name = "verdict", refusal = "'{}' is not a verdict",
                                     words = "In order of severity; a whole has the worst verdict of its parts";
   static std::string nameOf(compare::Verdict value) { return compare::nameOf(value); }

@@ -183,7 +183,8 @@ template <> inline constexpr auto kRecord<SceneResult> = record<SceneResult>(
     groupOrNull("error", "Reason why the scene could not be compared; the views hold the part done before. null: it was compared",
                 [](const SceneResult& scene) { return scene.error.empty(); },
         field("message", &SceneResult::error, "", {.kept = false, .read = true, .filled = true}),
-        field("exitCode", &SceneResult::errorExitCode, "", {.kept = false, .least = 3, .most = 4})),
+        field("exitCode", &SceneResult::errorExitCode, "128 and more: a signal ended the run before the scene was done",
+              {.kept = false, .least = 3, .most = 255})),
     field("warnings", &SceneResult::warnings),
     field("views", &SceneResult::views, "", {.read = true}),
     field("passes", &SceneResult::passes, "Work done for the scene in all views, and skipped work"),
@@ -272,6 +273,12 @@ template <> inline constexpr auto kRecord<Report> = record<Report>(
              "Label, unit and digits of each figure in 'metrics' and 'checks', by its name"),
     field("scenes", &Report::scenes, "", {.read = true}));
 
+template <> inline constexpr auto kRecord<AgainCommand> = record<AgainCommand>(
+    "againCommand", "A command line that compares one view again and prints its rows",
+    field("scene", &AgainCommand::scene),
+    field("view", &AgainCommand::view),
+    field("command", &AgainCommand::command, "For a POSIX shell; --material GLOB chooses a material"));
+
 template <> inline constexpr auto kRecord<RunInfo> = record<RunInfo>(
     "run", "Data that differs from run to run, so that it is not in the report",
     computed("schema", [](const RunInfo&) { return Schema(); }),
@@ -279,7 +286,8 @@ template <> inline constexpr auto kRecord<RunInfo> = record<RunInfo>(
     field("commandLine", &RunInfo::commandLine),
     field("timings", &RunInfo::timings),
     field("compiledShaders", &RunInfo::compiledShaders, "Shaders of all paths; equal shaders count once"),
-    field("cachedScenes", &RunInfo::cachedScenes, "Scenes whose unchanged results came from the cache"));
+    field("cachedScenes", &RunInfo::cachedScenes, "Scenes whose unchanged results came from the cache"),
+    field("again", &RunInfo::again, "For each view that was asked for"));
 
 // clang-format on
 } // namespace parity::report

@@ -113,7 +113,9 @@ RunResult runParity(const std::vector<std::string>& arguments, const RunOptions&
   out.closeEnd(1);
   err.closeEnd(1);
 
-  bool open[2] = {!options.closesOutput, true}, interrupts = !options.interruptAt.empty();
+  bool open[2] = {!options.closesOutput, true};
+  int signalsLeft = options.interruptAt.empty() ? 0 : options.signals;
+  std::string awaited = options.interruptAt;
   while (open[0] || open[1]) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     const double leftMs = (options.timeoutS - passed.count()) * 1000;
@@ -125,8 +127,9 @@ RunResult runParity(const std::vector<std::string>& arguments, const RunOptions&
     }
     if (polled[0].revents) open[0] = readSome(out.ends[0], result.out);
     if (polled[1].revents) open[1] = readSome(err.ends[0], result.err);
-    if (interrupts && result.err.find(options.interruptAt) != std::string::npos) {
-      interrupts = false;
+    if (signalsLeft > 0 && result.err.find(awaited) != std::string::npos) {
+      --signalsLeft;
+      awaited = "interrupted"; // what the program says to the first
       kill(child, options.interruptBy);
     }
   }

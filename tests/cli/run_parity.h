@@ -18,6 +18,7 @@ struct RunOptions {
   bool terminal = false;   // stderr is a terminal (a pseudo-terminal), as for a user who sends stdout to a file
   std::string interruptAt; // the signal is sent, once, when stderr holds this; empty: never
   int interruptBy = SIGINT;
+  int signals = 1; // so many of them, the others as soon as the first was answered on stderr
   double timeoutS = 120;
 };
 

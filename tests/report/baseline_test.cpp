@@ -2,6 +2,7 @@
 // it.
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 
 #include <gtest/gtest.h>
 
@@ -118,7 +119,8 @@ TEST(Baseline, WithoutOneRegressionsAreNotJudgedAndSaySo) {
   EXPECT_FALSE(check.judged());
   EXPECT_EQ(check.unjudged, "no baseline");
   EXPECT_EQ(materialOf(report).verdict, compare::Verdict::pass) << "its level was judged";
-  EXPECT_NE(toTable(report, false).find("regressions not judged: 1 (no --baseline was given)"), std::string::npos);
+  EXPECT_NE(toTable(report, {}, {.all = true}).find("regressions not judged: 1 (no --baseline was given)"),
+            std::string::npos);
   EXPECT_NE(toJson(report).find("\"verdict\": \"not judged\""), std::string::npos);
 }
 
@@ -151,7 +153,7 @@ TEST(Baseline, WhatIsGoneIsAWarningAtLeast) {
   EXPECT_EQ(report.verdict, compare::Verdict::warn);
   EXPECT_EQ(exitCode(report, false), 0);
   EXPECT_EQ(exitCode(report, true), 1);
-  EXPECT_NE(toTable(report, false).find("warning: gone: material 'b', scene s, view v"), std::string::npos);
+  EXPECT_NE(toTable(report, {}, {.all = true}).find("warning: gone: material 'b', scene s, view v"), std::string::npos);
 }
 
 TEST(Baseline, ViewsAndScenesGoToo) {
@@ -187,7 +189,8 @@ TEST(Baseline, NothingInCommonIsAnError) {
   EXPECT_EQ(report.verdict, compare::Verdict::error);
   EXPECT_NE(report.baseline->error.find("no material of this run is visible in the baseline"), std::string::npos);
   EXPECT_EQ(exitCode(report, false), 4);
-  EXPECT_NE(toTable(report, false).find("error: baseline: no material of this run is visible"), std::string::npos);
+  EXPECT_NE(toTable(report, {}, {.all = true}).find("error: baseline: no material of this run is visible"),
+            std::string::npos);
   EXPECT_EQ(hold(makeRun({{"a", 0.10}}), Report{}).verdict, compare::Verdict::error) << "a baseline without scenes";
 
   Report unseen = makeRun({{"a", 0.10}});
@@ -311,12 +314,49 @@ TEST(Baseline, OtherConditionsOnAnyLevelAreNotComparableAndNeitherRegressionNorP
     EXPECT_EQ(exitCode(report, false), 0);
     EXPECT_EQ(exitCode(report, true), 1);
     EXPECT_NE(toGithubAnnotations(report, ".").find("not comparable to the baseline: " + sentence), std::string::npos);
-    EXPECT_NE(toTable(report, false).find("regressions not judged: 2 (the baseline has no comparable figures"),
-              std::string::npos);
+    EXPECT_NE(
+        toTable(report, {}, {.all = true}).find("regressions not judged: 2 (the baseline has no comparable figures"),
+        std::string::npos);
     // The same again, better than the baseline: no more comparable, so no pass either.
     Report better = makeRunUnder(now.conditions, now.scenes[0].conditions, now.scenes[0].views[0].conditions, 0.01);
     EXPECT_EQ(materialOf(hold(better, before)).verdict, compare::Verdict::warn) << sentence;
   }
+}
+
+TEST(Baseline, WhatOnlyDidNotAskForIsNotGone) {
+  Report before = makeRun({{"a", 0.1}});
+  before.scenes[0].views.push_back(before.scenes[0].views[0]);
+  before.scenes[0].views[1].name = "w";
+  before.scenes.push_back(before.scenes[0]);
+  before.scenes[1].name = "t";
+  const Report now = makeRun({{"a", 0.1}});
+  const auto goneWith = [&](const std::vector<std::string>& only) {
+    return hold(now, before, {.source = "", .materials = {}, .only = only}).baseline->gone.size();
+  };
+  EXPECT_EQ(goneWith({}), 2u) << "the view and the scene";
+  EXPECT_EQ(goneWith({"s/v"}), 0u);
+  EXPECT_EQ(goneWith({"s"}), 1u) << "its other view was asked for";
+  EXPECT_EQ(goneWith({"s/v", "t/w"}), 1u) << "the scene was asked for";
+}
+
+TEST(Baseline, ASceneWithoutAMaterialThatWasAskedForIsNotGone) {
+  Report before = makeRun({{"a", 0.1}, {"b", 0.1}});
+  before.scenes.push_back(makeRun({{"b", 0.1}}).scenes[0]);
+  before.scenes[1].name = "t";
+  const Report now = makeRun({{"a", 0.1}});
+  EXPECT_TRUE(hold(now, before, {.source = "", .materials = {"a"}}).baseline->gone.empty());
+  EXPECT_EQ(hold(now, before, {.source = "", .materials = {"*"}}).baseline->gone.size(), 2u);
+}
+
+TEST(Baseline, WhatAnInterruptedRunDidNotGetToIsNotGone) {
+  const Report before = makeRun({{"a", 0.1}});
+  Report now = makeRun({{"a", 0.1}});
+  now.scenes[0].views.clear();
+  setNotRun(now.scenes[0], SIGINT);
+  now = hold(now, before);
+  EXPECT_TRUE(now.baseline->gone.empty());
+  EXPECT_EQ(now.baseline->error, "");
+  EXPECT_EQ(now.verdict, compare::Verdict::notRun);
 }
 
 TEST(Baseline, ARuleOfRegressionsAloneWarnsWhereNothingIsComparable) {

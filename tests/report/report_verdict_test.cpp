@@ -1,5 +1,6 @@
 // Verdicts of wholes from their parts, and exit codes.
 #include <cmath>
+#include <csignal>
 
 #include <gtest/gtest.h>
 
@@ -64,7 +65,7 @@ TEST(Verdict, ARunThatComparedNoMaterialIsAnErrorWithTheReason) {
     EXPECT_EQ(exitCode(report, false), 4) << reason;
     ASSERT_EQ(problemsOf(report).size(), 1u) << reason;
     EXPECT_EQ(problemsOf(report)[0].reason, std::string("no material was compared: ") + reason);
-    EXPECT_NE(toTable(report, false).find(reason), std::string::npos);
+    EXPECT_NE(toTable(report, {}, {.all = true}).find(reason), std::string::npos);
     EXPECT_NE(toJunit(report, {}).find("<error type=\"error\" message=\"no material was compared: "),
               std::string::npos);
     EXPECT_NE(toGithubAnnotations(report, "/").find("::error title=parity::no material"), std::string::npos);
@@ -81,6 +82,47 @@ TEST(Verdict, ARunThatComparedNoMaterialIsAnErrorWithTheReason) {
   EXPECT_TRUE(problemsOf(withError(notSeen, 3)).empty()) << "that has a reason and an exit code of its own";
   EXPECT_EQ(exitCode(withError(notSeen, 3), false), 3);
   EXPECT_TRUE(problemsOf(reportOf(0.25)).empty()) << "what failed was compared";
+}
+
+TEST(Verdict, ASceneThatWasNotRunIsNoPassAndHasTheSignalsExitCode) {
+  Report report = reportOf(0.05);
+  SceneResult& scene = report.scenes.emplace_back();
+  scene.name = "Desk";
+  setNotRun(scene, SIGTERM);
+  settleVerdicts(report);
+  settleVerdicts(report); // idempotent
+  EXPECT_EQ(report.scenes[1].verdict, compare::Verdict::notRun);
+  EXPECT_EQ(report.verdict, compare::Verdict::notRun);
+  EXPECT_EQ(exitCode(report, false), 143);
+  EXPECT_EQ(headline(report), "Interrupted: 1 of 2 scenes were not run");
+  EXPECT_EQ(exitCode(withError(report, 3), false), 143) << "the highest";
+  EXPECT_EQ(withError(report, 3).verdict, compare::Verdict::error);
+  EXPECT_EQ(headline(withError(report, 3)), "1 scene could not be compared; 1 scene not run");
+  EXPECT_NE(toJunit(report, {})
+                .find("<skipped message=\"not run: SIGTERM interrupted the run before this scene was "
+                      "done\"/>"),
+            std::string::npos);
+  EXPECT_NE(toGithubAnnotations(report, "/").find("not run: 1 of 2 scenes (SIGTERM interrupted the run)%3A Desk"),
+            std::string::npos)
+      << toGithubAnnotations(report, "/");
+  Report failed = reportOf(0.25);
+  setNotRun(failed.scenes.emplace_back(), SIGINT);
+  settleVerdicts(failed);
+  EXPECT_EQ(failed.verdict, compare::Verdict::notRun);
+  EXPECT_EQ(exitCode(failed, false), 130);
+  EXPECT_EQ(headline(failed), "Interrupted: 1 of 2 scenes were not run; 1 of 1 materials over budget");
+}
+
+TEST(Verdict, AGlobThatMatchesInNoSceneIsAnErrorOfTheRun) {
+  Report report = reportOf(0.05);
+  report.lost = {{compare::Verdict::error, "--material 'gild': no scene has a material of this name", "", 0}};
+  settleVerdicts(report);
+  EXPECT_EQ(report.verdict, compare::Verdict::error);
+  EXPECT_EQ(exitCode(report, false), 4);
+  EXPECT_EQ(headline(report), "A material that was asked for is in no scene");
+  report.scenes.clear();
+  settleVerdicts(report);
+  EXPECT_EQ(headline(report), "Nothing was compared");
 }
 
 TEST(Verdict, AWarningOfTheRunIsAWarning) {
@@ -105,7 +147,7 @@ TEST(Verdict, WhatIsLostFails) {
             std::string::npos);
   EXPECT_NE(toGithubAnnotations(report, "/").find("::error file=b.toml,line=3,title=parity::no scene has 'Hero'"),
             std::string::npos);
-  EXPECT_NE(toTable(report, false).find("fail: no scene has 'Hero'"), std::string::npos);
+  EXPECT_NE(toTable(report, {}, {.all = true}).find("fail: no scene has 'Hero'"), std::string::npos);
 }
 
 TEST(Verdict, TheWorstPartIsTheVerdictOfTheWhole) {
@@ -242,8 +284,8 @@ TEST(Verdict, BothAllBlackIsIdenticalAndJudgesNothingAndSaysSo) {
   EXPECT_EQ(view.reason, why);
   EXPECT_EQ(report.scenes[0].verdict, compare::Verdict::warn);
   EXPECT_EQ(report.verdict, compare::Verdict::error) << "no material was compared";
-  EXPECT_NE(toTable(report, false).find("identical  both are black; 100.0 %"), std::string::npos)
-      << toTable(report, false);
+  EXPECT_NE(toTable(report, {}, {.all = true}).find("identical  both are black; 100.0 %"), std::string::npos)
+      << toTable(report, {}, {.all = true});
   EXPECT_NE(toJson(report).find("\"bias\": \"both are black\""), std::string::npos);
 }
 

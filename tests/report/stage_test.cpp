@@ -47,7 +47,7 @@ TEST(Stages, StandInTheJsonByMaterialAndWhole) {
 }
 
 TEST(EncodingStage, IsAColumnOfTheTableWhereItIsNotable) {
-  const std::string table = toTable(makeReport(0.037, 0.021), false);
+  const std::string table = toTable(makeReport(0.037, 0.021), {}, {.all = true});
   EXPECT_NE(table.find(" target "), std::string::npos) << table;
   EXPECT_NE(table.find("storing the colour of mobile in rgba8-gamma2"), std::string::npos);
   const auto lineOf = [&](const char* name) {
@@ -57,21 +57,21 @@ TEST(EncodingStage, IsAColumnOfTheTableWhereItIsNotable) {
   EXPECT_NE(lineOf("Glass").find(" 0.037 "), std::string::npos) << lineOf("Glass");
   EXPECT_NE(lineOf("whole image").find(" 0.021 "), std::string::npos) << lineOf("whole image");
   EXPECT_NE(lineOf("Rough metal").find("     - "), std::string::npos) << "not measured: " << lineOf("Rough metal");
-  EXPECT_EQ(toTable(makeReport(0.0001, 0), false), toTable(makeSampleReport(), false));
+  EXPECT_EQ(toTable(makeReport(0.0001, 0), {}, {.all = true}), toTable(makeSampleReport(), {}, {.all = true}));
 }
 
 // Whoever asks what compression costs wants to see that it costs nothing, too.
 TEST(TexturesStage, IsAColumnOfTheTableWhateverItIs) {
   for (const double mean : {0.037, 0.0}) {
     const StageResult stage = makeStage(kTexturesStage, "astc6x6", mean);
-    const std::string table = toTable(makeStaged(stage, stage), false);
+    const std::string table = toTable(makeStaged(stage, stage), {}, {.all = true});
     EXPECT_NE(table.find("  textures  "), std::string::npos) << table;
     EXPECT_NE(table.find("the textures of mobile as astc6x6"), std::string::npos) << table;
     const std::size_t at = table.find("Glass");
     EXPECT_NE(table.substr(at, table.find('\n', at) - at).find(mean > 0 ? "   0.037 " : "   0.000 "), std::string::npos)
         << table;
   }
-  EXPECT_EQ(toTable(makeSampleReport(), false).find("textures"), std::string::npos);
+  EXPECT_EQ(toTable(makeSampleReport(), {}, {.all = true}).find("textures"), std::string::npos);
 }
 
 // A third stage needs no words of its own.
@@ -80,7 +80,7 @@ TEST(Stages, OneThatNobodyNamedIsAColumnBesideTheOthers) {
   for (std::vector<StageResult>* stages :
        {&report.scenes[0].views[0].materials[0].stages, &report.scenes[0].views[0].stages})
     stages->push_back(makeStage("upscaling", "a bicubic of half size", 0.052));
-  const std::string table = toTable(report, false);
+  const std::string table = toTable(report, {}, {.all = true});
   EXPECT_NE(table.find("  target  upscaling  "), std::string::npos) << table;
   EXPECT_NE(table.find("upscaling: mean FLIP caused only by a bicubic of half size.\n"), std::string::npos);
   const std::size_t at = table.find("Glass");

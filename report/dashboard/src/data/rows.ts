@@ -1,4 +1,4 @@
-// The report as a flat list: a row for each material in each view, for each whole image, for each scene that failed.
+// The report as a flat list: a row for each material in each view, for each whole image, for each scene that failed or was not run.
 import { changesOf, flipChangeOf, type ChangeKind } from "./changes";
 import type { Judged } from "./judged";
 import type { Item } from "./state";
@@ -39,7 +39,7 @@ export interface Cause {
   after: number;
 }
 
-const kVerdicts: readonly Verdict[] = ["pass", "not seen", "too small", "not judged", "warn", "fail", "error"]; // by gravity
+const kVerdicts: readonly Verdict[] = ["pass", "not seen", "too small", "not judged", "warn", "fail", "not run", "error"]; // by gravity
 /** A swap that lowers FLIP by less than this share explains nothing (compare/verdict/wording.h says the same). */
 export const kLeastShare = 0.1;
 const kLeastFlip = 0.0005; // below it reads 0.000: there is nothing to explain
@@ -67,6 +67,11 @@ export function figureOf(row: Row, name: string): number | null {
 /** The check that judges a figure itself, not its regression. */
 export function checkOf(row: Row, metric: string): Check | null {
   return row.judged?.checks.find((check) => check.metric === metric && !check.regress) ?? null;
+}
+
+/** Of a scene that has one: "not run" where a signal ended the run before it was done. */
+function ownVerdict({ exitCode }: NonNullable<Scene["error"]>): Verdict {
+  return exitCode > 128 ? "not run" : "error";
 }
 
 /** "base layer only: no path models clearcoat, sheen"; "" where all is modelled. */
@@ -124,7 +129,7 @@ export function makeRows(report: Report): Row[] {
     if (scene.error)
       rows.push({
         kind: "scene", scene: s, view: -1, material: -1, link, order: rows.length, name: scene.name, place: scene.source, reference: "", test: "",
-        verdict: "error", gravity: gravityOf("error"), reason: scene.error.message, bias: "", pixels: 0,
+        verdict: ownVerdict(scene.error), gravity: gravityOf(ownVerdict(scene.error)), reason: scene.error.message, bias: "", pixels: 0,
         judged: null, cause: null, preset: "", notModelled: [], isAttributed: false, changes: [], change: null,
         text: `${scene.name} ${scene.source} ${scene.error.message}`.toLowerCase(),
       });

@@ -6,14 +6,14 @@ import type { Judged } from "../data/judged";
 import type { Page } from "../data/page";
 import { pathTitle, pathWord } from "../data/paths";
 import type { Row } from "../data/rows";
-import type { Report, Scene, Truth } from "../data/types";
+import type { Report, Run, Scene, Truth } from "../data/types";
 import { PageElement } from "../element";
 import { change, count, duration, figure, figureIn, fixed } from "../format";
 import { help } from "../help";
 import { copyable, definitions } from "../parts";
 import { sceneNamed } from "../study/scene";
 import { termLabel } from "../viewer/terms";
-import { acceptCommands, diffCommand } from "./commands";
+import { acceptCommands, againCommand } from "./commands";
 import { stageLine } from "./stages";
 
 function figureTable({ figures, baseline }: Judged, { kind, reference, test }: Row, report: Report): TemplateResult {
@@ -93,7 +93,7 @@ export class ParityNumbers extends PageElement {
       ${bench ? html`<section><h3>Error against time ${help("pareto")}</h3>${sceneNamed(bench, scene.name, scene.views[this.row.view]?.name ?? "")}</section>` : nothing}
       <section><h3>Repeat the comparison</h3>
         ${run && run.commandLine !== "" ? html`<p>The whole report:</p>${copyable(run.commandLine, "the command of the report")}` : nothing}
-        ${run ? diffPart(run.commandLine, scene, this.row) : nothing}
+        ${run ? againPart(run, scene, this.row) : nothing}
         <p>Accept the result:</p>${acceptCommands().map(({ what, command }) => html`<p class="aside">${what}</p>${copyable(command, what)}`)}
       </section>
       ${passTable(scene)}${permutationTable(scene)}
@@ -110,7 +110,7 @@ export class ParityNumbers extends PageElement {
   }
 }
 
-function diffPart(commandLine: string, scene: Scene, of: Row): TemplateResult | typeof nothing {
-  const command = diffCommand(commandLine, scene, of);
-  return command === null ? nothing : html`<p>This ${of.kind === "material" ? "material" : "scene"} alone, as a table:</p>${copyable(command, "the command for this row")}`;
+function againPart(run: Run, scene: Scene, of: Row): TemplateResult | typeof nothing {
+  const command = againCommand(run, scene, of);
+  return command === null ? nothing : html`<p>To see this ${of.kind === "material" ? "material" : "view"} again, as a table:</p>${copyable(command, "the command for this row")}`;
 }

@@ -11,7 +11,7 @@ import { count } from "../format";
 import { termLabel } from "../viewer/terms";
 import { hasBaseline } from "./since";
 
-/** In the order of the keys 1 to 8; "": all. */
+/** In the order of the keys 1 to 9; "": all. */
 export const kCategories = [
   { verdict: "", label: "All" },
   { verdict: "fail", label: "Failed" },
@@ -21,6 +21,7 @@ export const kCategories = [
   { verdict: "too small", label: "Too small" },
   { verdict: "not seen", label: "Not seen" },
   { verdict: "pass", label: "Passed" },
+  { verdict: "not run", label: "Not run" },
 ] as const;
 
 const kChangeNames: Readonly<Record<ChangeKind, string>> = {
@@ -75,7 +76,7 @@ function verdictChips(listed: readonly Row[], state: State, set: (patch: Partial
       if (!all && number === 0) return nothing;
       const pressed = all ? state.verdicts.length === 0 : state.verdicts.includes(verdict);
       return html`<button type="button" class="chip ${verdict.replace(" ", "-")}" aria-pressed=${pressed ? "true" : "false"}
-        title=${`Key ${index + 1}`} @click=${() => set({ verdicts: all ? [] : toggled(state.verdicts, verdict) })}>${label} <b>${count(number)}</b></button>`;
+        title=${index < 9 ? `Key ${index + 1}` : ""} @click=${() => set({ verdicts: all ? [] : toggled(state.verdicts, verdict) })}>${label} <b>${count(number)}</b></button>`;
     })}
   </div>`;
 }

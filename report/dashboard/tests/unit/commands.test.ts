@@ -2,7 +2,8 @@ import { execFileSync } from "node:child_process";
 import { describe, expect, it } from "vitest";
 
 import { makeRows } from "../../src/data/rows";
-import { diffCommand, globOf, shellWord, splitWords } from "../../src/item/commands";
+import { againCommand, globOf, shellWord } from "../../src/item/commands";
+import type { Run } from "../../src/data/types";
 import { makeMaterial, makeReport, makeScene, makeView } from "./sample";
 
 const evil = ["plain", "two words", "it's", '"$(touch /tmp/x)"', "`id`", "a\\b", "*", "ünïcödé 🎨", "-n"];
@@ -12,10 +13,6 @@ describe("shell words", () => {
   it("come out of a shell as they went in", () => {
     expect(byShell(evil.map(shellWord).join(" "))).toEqual(evil);
   });
-
-  it("are split as a shell does", () => {
-    for (const line of [evil.map(shellWord).join(" "), `a  "b c"'d' e\\ f '' "x\\"y"`]) expect(splitWords(line)).toEqual(byShell(line));
-  });
 });
 
 describe("the command for a row", () => {
@@ -23,27 +20,28 @@ describe("the command for a row", () => {
   const [material, whole] = makeRows(makeReport([scene]));
   if (!material || !whole) throw new Error("two rows");
 
-  it("is the report's for one scene and material, without what only a report has", () => {
-    const line = "parity report other.glb 'a b/Desk.glb' --env sky.hdr -o out --size 64x64 --json x.json --single-file -q --material Old --bench=b.json";
-    expect(diffCommand(line, scene, whole)).toBe("parity diff 'a b/Desk.glb' --env sky.hdr --size 64x64");
-    expect(diffCommand(line, scene, material)).toBe("parity diff 'a b/Desk.glb' --env sky.hdr --size 64x64 --material 'Gold ?1??'");
+  const makeRun = (again: Run["again"]): Run => ({ schema: 4, startedAt: "", commandLine: "", timings: [], compiledShaders: 0, cachedScenes: [], again });
+  const line = "parity diff 'a b/Desk.glb' --size 64x64";
+
+  it("is the view's, with the material behind it", () => {
+    const run = makeRun([{ scene: "Other", view: "front", command: "no" }, { scene: "Desk", view: "back", command: "no" }, { scene: "Desk", view: "front", command: line }]);
+    expect(againCommand(run, scene, whole)).toBe(line);
+    expect(againCommand(run, scene, material)).toBe(`${line} --material 'Gold ?1]?'`);
+    expect(againCommand(run, scene, { ...material, name: "-n" })).toBe(`${line} --material=-n`);
   });
 
-  it("has the scene's own environment where the report had several", () => {
-    const night = { ...scene, environment: "night.hdr" };
-    const line = "parity report 'a b/Desk.glb' --env sky.hdr --env=lights/night.hdr --csv x.csv";
-    expect(diffCommand(line, night, whole)).toBe("parity diff 'a b/Desk.glb' --env=lights/night.hdr");
-    expect(diffCommand(line, { ...scene, environment: "sky.hdr" }, whole)).toBe("parity diff 'a b/Desk.glb' --env sky.hdr");
+  it("is the view's for each path that it was compared with", () => {
+    const further = makeScene("Desk", [{ ...makeView("front (third)", []), test: "third" }]);
+    expect(againCommand(makeRun([{ scene: "Desk", view: "front", command: line }]), further, whole)).toBe(line);
   });
 
-  it("is none where the line does not say which file it is", () => {
-    expect(diffCommand("parity report --suite a.toml -o out", scene, whole)).toBeNull();
-    expect(diffCommand("parity report other.glb -o out", scene, whole)).toBeNull();
-    expect(diffCommand("parity report a/Desk.glb b/Desk.glb -o out", scene, whole)).toBeNull();
-    expect(diffCommand("", scene, whole)).toBeNull();
+  it("is none where the run does not have it", () => {
+    expect(againCommand(makeRun([]), scene, whole)).toBeNull();
+    expect(againCommand(makeRun([{ scene: "Desk", view: "front", command: line }]), makeScene("Desk", []), whole)).toBeNull();
   });
 
-  it("matches wildcards by any one character", () => {
-    expect(globOf("a*b?[c]\\")).toBe("a?b??c??");
+  it("matches wildcards, and what a terminal must not get, by any one character", () => {
+    expect(globOf("a*b?[c]\\")).toBe("a?b??c]\\");
+    expect(globOf("a\u001b\u202eb\n")).toBe("a??b?");
   });
 });

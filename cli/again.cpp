@@ -1,0 +1,61 @@
+#include "cli/again.h"
+
+#include <algorithm>
+#include <array>
+
+#include <CLI/CLI.hpp>
+
+#include "base/text/shell_word.h"
+#include "report/view_choice.h"
+
+namespace parity::cli {
+
+namespace {
+
+constexpr std::array<std::string_view, 10> kNotKept = {"suite", "only", "material", "json",    "annotate",
+                                                       "all",   "csv",  "quiet",    "timings", "verbose"};
+
+// What begins with '-' would be an option of its own.
+void add(std::vector<std::string>& words, const std::string& option, const std::string& value) {
+  if (value.starts_with('-')) return words.push_back(option + "=" + value);
+  words.push_back(option);
+  words.push_back(value);
+}
+
+} // namespace
+
+std::vector<std::string> keptWords(const CLI::App& parsed, const CLI::App& other) {
+  std::vector<std::string> words;
+  for (const CLI::Option* option : parsed.get_options()) {
+    if (option->count() == 0 || option->get_lnames().empty()) continue;
+    const std::string& name = option->get_lnames().front();
+    if (std::ranges::count(kNotKept, name) > 0 || !other.get_option_no_throw("--" + name)) continue;
+    if (option->get_items_expected_max() == 0) {
+      words.push_back("--" + name);
+      continue;
+    }
+    for (const std::string& value : option->results()) add(words, "--" + name, value);
+  }
+  return words;
+}
+
+std::vector<report::AgainCommand> againCommands(const std::vector<job::SceneRequest>& scenes, const std::string& suite,
+                                                const std::vector<std::string>& kept) {
+  std::vector<report::AgainCommand> commands;
+  for (const job::SceneRequest& scene : scenes)
+    for (const scenes::ViewRequest& view : scene.views) {
+      std::vector<std::string> words = {"parity", "diff"};
+      if (suite.empty())
+        words.push_back(scene.scene);
+      else
+        add(words, "--suite", suite);
+      words.insert(words.end(), kept.begin(), kept.end());
+      if (!suite.empty()) add(words, "--only", report::globOf(scene.name) + "/" + report::globOf(view.name));
+      std::string line;
+      for (const std::string& word : words) line += (line.empty() ? "" : " ") + base::shellWord(word);
+      commands.push_back({scene.name, view.name, line});
+    }
+  return commands;
+}
+
+} // namespace parity::cli
