@@ -12,7 +12,8 @@ namespace parity::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> kNotKept = {"suite", "only", "material", "json",    "annotate",
+// "env": a scene has its own of several.
+constexpr std::array<std::string_view, 11> kNotKept = {"suite", "only", "material", "env",     "json",   "annotate",
                                                        "all",   "csv",  "quiet",    "timings", "verbose"};
 
 // What begins with '-' would be an option of its own.
@@ -45,10 +46,10 @@ std::vector<report::AgainCommand> againCommands(const std::vector<job::SceneRequ
   for (const job::SceneRequest& scene : scenes)
     for (const scenes::ViewRequest& view : scene.views) {
       std::vector<std::string> words = {"parity", "diff"};
-      if (suite.empty())
-        words.push_back(scene.scene);
-      else
-        add(words, "--suite", suite);
+      const std::string& environment = scene.settings.scene.environment;
+      if (!suite.empty()) add(words, "--suite", suite);
+      if (suite.empty()) words.push_back(scene.scene);
+      if (suite.empty() && !environment.empty()) add(words, "--env", environment);
       words.insert(words.end(), kept.begin(), kept.end());
       if (!suite.empty()) add(words, "--only", report::globOf(scene.name) + "/" + report::globOf(view.name));
       std::string line;
