@@ -204,11 +204,6 @@ std::string toJson(const RunInfo& run, base::JsonLayout layout = base::JsonLayou
 std::string toJunit(const Report& report, const RunInfo& run);
 // Per-material table for a terminal (parity diff), one row a material and view. color: ANSI.
 std::string toTable(const Report& report, bool color);
-// RFC 4180, UTF-8: a line for the whole image of each view (kind "whole"), for each material of it ("material"), and
-// for each scene that failed ("scene"). Columns: scene, view, environment, reference, test (paths), kind, material,
-// verdict, pixels, non_finite, one for each figure that any line has, those of both paths against the truth
-// ("reference_to_truth.flip.mean"), cause, reason.
-std::string toCsv(const Report& report);
 // Workflow commands of GitHub Actions: "::error ..." for each row that failed or could not be judged, "::warning ..."
 // for each warning, the gravest first (only the first ten of a kind are shown), each with the place of its budget rule.
 // Files below `root` (the checkout) are named relative to it. Ends with a line feed, or is empty.
