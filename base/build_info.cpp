@@ -8,8 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "base/version.h"
-
 namespace parity::base {
 
 namespace {
@@ -54,7 +52,7 @@ std::string describeBuild() {
   std::string id;
   dl_iterate_phdr(readBuildId, &id);
   std::string text;
-  for (const std::string& part : {compiler(), std::string(kBuildType), id.empty() ? "" : "build " + id})
+  for (const std::string& part : {compiler(), std::string(PARITY_BUILD_TYPE), id.empty() ? "" : "build " + id})
     if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
   return text;
 }

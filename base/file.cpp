@@ -1,7 +1,6 @@
 // Reading and writing whole files: limits before memory is taken, no half-written results.
 #include "base/file.h"
 
-#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <system_error>
@@ -115,19 +114,6 @@ std::vector<std::byte> readFile(const fs::path& file, std::size_t maxBytes) {
 }
 
 std::string readText(const fs::path& file, std::size_t maxBytes) { return readWhole<std::string>(file, maxBytes); }
-
-std::string readStdin(std::size_t maxBytes) {
-  std::string text;
-  std::array<char, 1 << 16> part{};
-  for (;;) {
-    const ssize_t count = ::read(STDIN_FILENO, part.data(), part.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw fileError("stdin", "cannot be read", reasonOf(errno));
-    if (count == 0) return text;
-    text.append(part.data(), static_cast<std::size_t>(count));
-    if (text.size() > maxBytes) throw fileError("stdin", "", fmt::format("is larger than {} bytes", maxBytes));
-  }
-}
 
 void writeAtomically(const fs::path& file, const std::function<void(const fs::path&)>& write) {
   std::error_code error;

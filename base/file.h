@@ -21,9 +21,6 @@ std::uintmax_t regularFileSize(const std::filesystem::path& file);
 std::vector<std::byte> readFile(const std::filesystem::path& file, std::size_t maxBytes = kMaxFileBytes);
 std::string readText(const std::filesystem::path& file, std::size_t maxBytes = kMaxFileBytes);
 
-// All of standard input. Throws Error (exit 4) where it cannot be read or is larger.
-std::string readStdin(std::size_t maxBytes);
-
 // Calls `write` with a temporary path beside `file` (same extension), then renames it; removes it if `write` throws.
 // Makes the parent folder; a link is followed. Throws Error (exit 4), and what `write` throws.
 void writeAtomically(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& write);

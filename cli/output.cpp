@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/terminal.h"
+#include "report/csv.h"
 #include "report/dashboard_files.h"
 
 namespace parity::cli {

@@ -1,9 +1,9 @@
-// The report as a table for spreadsheets: a line for each whole image and for each material of it.
+#include "report/csv.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "report/report.h"
 #include "report/wording.h"
 
 namespace parity::report {

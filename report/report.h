@@ -226,11 +226,6 @@ struct TableOptions {
 // For a terminal: the rows of materials and whole images that failed, warned or could not be judged, view by view; what
 // is wrong with the run; totals by cause; commands that show the worst rows again (where `run` has them); the verdict.
 std::string toTable(const Report& report, const RunInfo& run, const TableOptions& options);
-// RFC 4180, UTF-8: a line for the whole image of each view (kind "whole"), for each material of it ("material"), and
-// for each scene that failed ("scene"). Columns: scene, view, environment, reference, test (paths), kind, material,
-// verdict, pixels, non_finite, one for each figure that any line has, those of both paths against the truth
-// ("reference_to_truth.flip.mean"), cause, reason.
-std::string toCsv(const Report& report);
 // Workflow commands of GitHub Actions: "::error ..." for each row that failed or could not be judged, "::warning ..."
 // for each warning, the gravest first (only the first ten of a kind are shown), each with the place of its budget rule.
 // Files below `root` (the checkout) are named relative to it. Ends with a line feed, or is empty.

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "cli/options/option_parts.h"
+#include "compare/pooling/figure_list.h"
 
 namespace parity::cli {
 

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/standard_input.h"
 
 namespace parity::compare {
 

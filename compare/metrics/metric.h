@@ -14,7 +14,7 @@
 #include "compare/metrics/metric_input.h"
 #include "compare/pooling/pixel_view.h"
 #include "compare/pooling/region_runs.h"
-#include "compare/pooling/statistic.h"
+#include "compare/pooling/figure_list.h"
 
 namespace parity::compare {
 

@@ -5,6 +5,7 @@
 #include "base/text/nearest.h"
 #include "compare/metrics/metric.h"
 #include "compare/metrics/metric_makers.h"
+#include "compare/pooling/figure_list.h"
 
 namespace parity::compare {
 

@@ -39,9 +39,4 @@ std::vector<std::string> knownStatistics();
 // As statisticByName, but throws Error (usage) naming `subject` and the nearest known name, or all where none is near.
 Statistic requireStatistic(std::string_view name, const std::string& subject);
 
-// What a list separated by commas names: each part a figure ("flip.p95"), or a metric ("flip"), which stands for its
-// first figure. Throws Error (usage) naming `subject` for an empty list or part, and for an unknown name, with the
-// nearest known one. The one reader of --metrics and of all that is written like it.
-std::vector<Statistic> parseFigures(std::string_view commaSeparated, const std::string& subject);
-
 } // namespace parity::compare

@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
-#include "compare/pooling/statistic.h"
+#include "compare/pooling/figure_list.h"
 #include "study/sweep/statistics.h"
 
 namespace parity::sweep {

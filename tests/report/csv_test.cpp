@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/lines_of.h"
+#include "report/csv.h"
 #include "report/sample_report.h"
 
 namespace parity::report {
