@@ -212,16 +212,17 @@ private:
   void addCommands() {
     if (m_run.again.empty()) return;
     constexpr std::size_t kMostCommands = 3;
-    const std::vector<Worst> rows = worstRows(m_report);
-    const std::size_t shown = m_options.all ? rows.size() : std::min(rows.size(), kMostCommands);
+    std::vector<std::string> commands;
+    for (const Worst& row : worstRows(m_report))
+      if (std::string command = againCommand(m_run, *row.scene, *row.view, row.material); !command.empty())
+        commands.push_back(std::move(command));
+    const std::size_t shown = m_options.all ? commands.size() : std::min(commands.size(), kMostCommands);
     if (shown == 0) return;
     m_out += "to see it again:\n";
-    for (std::size_t i = 0; i < shown; ++i) {
-      const std::string command = againCommand(m_run, *rows[i].scene, *rows[i].view, rows[i].material);
-      m_out += base::wrapCommand(base::plainLine(command), m_options.columns, 2) + "\n";
-    }
-    if (shown < rows.size())
-      addText(fmt::format("  {} more: --all, junit.xml and the page have the commands", rows.size() - shown));
+    for (std::size_t i = 0; i < shown; ++i)
+      m_out += base::wrapCommand(base::plainLine(commands[i]), m_options.columns, 2) + "\n";
+    if (shown < commands.size())
+      addText(fmt::format("  {} more: --all, junit.xml and the page have the commands", commands.size() - shown));
   }
 
   void addExplanations() {

@@ -181,7 +181,9 @@ std::string trimmed(const std::string& text) {
 std::string wordsOf(const Row& row, const Layout& layout) {
   std::string figures, words;
   for (const Column& column : layout.inText)
-    if (const std::string cell = trimmed(formatCell(column, row)); cell != "-")
+    if (column.metric == "bias.ev")
+      continue; // the words of the bias say it
+    else if (const std::string cell = trimmed(formatCell(column, row)); cell != "-")
       figures += fmt::format("{}{} {}", figures.empty() ? "" : ", ", trimmed(column.title), cell);
   const std::string bias = row.figures.pixels > 0 ? compare::describeBias(row.figures, row.test) : "";
   for (const std::string& more : {figures, bias, row.reason, row.cause})
@@ -243,8 +245,10 @@ std::string formatView(const SceneResult& scene, const ViewResult& view, const s
                       view.reason, ""},
                      layout, options);
   if (const VerdictCounts hidden = countHidden(view); !options.all && hidden.total() > 0)
-    out += fmt::format("  {} more material{} ({}): --all shows {}\n", hidden.total(), hidden.total() == 1 ? "" : "s",
-                       formatCounts(hidden), hidden.total() == 1 ? "it" : "them");
+    out +=
+        indented(fmt::format("{} more material{} ({}): --all shows {}", hidden.total(), hidden.total() == 1 ? "" : "s",
+                             formatCounts(hidden), hidden.total() == 1 ? "it" : "them"),
+                 options);
   if (view.truth)
     for (const std::string& note : view.truth->notes) out += indented(note, options);
   if (view.droppedLights) out += indented(describe(*view.droppedLights, view.reference, view.test), options);

@@ -23,10 +23,11 @@ bool isChosen(const std::vector<std::string>& globs, std::string_view scene, std
 }
 
 std::string globOf(std::string_view name) {
-  // A glob's '?' is one character, and a byte that belongs to none is a character.
   std::string glob;
   base::forEachCode(base::plainLine(name), [&](std::uint32_t code) {
-    if (code == '*' || code == '[' || code == base::kReplacement)
+    if (code == base::kReplacement)
+      glob += '*'; // of how many bytes it stands for is not known
+    else if (code == '*' || code == '[')
       glob += '?';
     else
       base::appendUtf8(glob, code);

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { baseLayerText } from "./data/rows";
 import type { Verdict } from "./data/types";
 
-const kSigns: Record<Verdict, string> = { pass: "✓", "not seen": "○", "too small": "▫", "not judged": "–", warn: "!", fail: "✕", error: "⚠" };
+const kSigns: Record<Verdict, string> = { pass: "✓", "not seen": "○", "too small": "▫", "not judged": "–", warn: "!", fail: "✕", "not run": "…", error: "⚠" };
 
 /** A verdict as a sign and its name: never colour alone. */
 export function badge(verdict: Verdict, short = false): TemplateResult {

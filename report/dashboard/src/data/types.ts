@@ -37,7 +37,7 @@ export interface Report {
 }
 
 /** In order of severity; a whole has the worst verdict of its parts */
-export type Verdict = "pass" | "not seen" | "too small" | "not judged" | "warn" | "fail" | "error";
+export type Verdict = "pass" | "not seen" | "too small" | "not judged" | "warn" | "fail" | "not run" | "error";
 
 /** counts: rows (material x view) by verdict, without materials that only another view shows; wholeCounts: whole images */
 export interface Counts {
@@ -102,7 +102,7 @@ export interface Scene {
   /** Reason why the scene could not be compared; the views hold the part done before. null: it was compared */
   error: {
     message: string;
-    exitCode: number;
+    exitCode: number; // 128 and more: a signal ended the run before the scene was done
   } | null;
   warnings: string[];
   views: View[];
@@ -331,9 +331,17 @@ export interface Run {
   timings: Timing[];
   compiledShaders: number; // Shaders of all paths; equal shaders count once
   cachedScenes: string[]; // Scenes whose unchanged results came from the cache
+  again: AgainCommand[]; // For each view that was asked for
 }
 
 export interface Timing {
   stage: string;
   timeMs: number | null;
+}
+
+/** A command line that compares one view again and prints its rows */
+export interface AgainCommand {
+  scene: string;
+  view: string;
+  command: string; // For a POSIX shell; --material GLOB chooses a material
 }

@@ -8,12 +8,12 @@ export function shellWord(text: string): string {
 }
 
 /**
- * A name as a glob (base/text/glob.h) that means it, as report/view_choice.h makes it: what would be a wildcard, and what
- * a terminal must not get, becomes "?".
+ * A name as a glob (base/text/glob.h) that means it, as report/view_choice.h makes it: what would be a wildcard becomes
+ * "?", and what a terminal must not get "*".
  */
 export function globOf(name: string): string {
   // eslint-disable-next-line no-control-regex -- these are what is looked for
-  return name.replace(/[*?[\u0000-\u001f\u007f-\u009f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufffd]/gu, "?");
+  return name.replace(/[*?[]/g, "?").replace(/[\u0000-\u001f\u007f-\u009f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufffd]/gu, "*");
 }
 
 /** The command for this row alone, from those of run.json; null where there is none. */

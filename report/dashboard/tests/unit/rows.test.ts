@@ -136,7 +136,7 @@ describe("the order", () => {
 });
 
 describe("what is neither passed nor failed", () => {
-  const graver: Verdict[] = ["pass", "not seen", "too small", "not judged", "warn", "fail", "error"];
+  const graver: Verdict[] = ["pass", "not seen", "too small", "not judged", "warn", "fail", "not run", "error"];
   const materials = [
     makeMaterial("Seen", "pass", 0.01),
     makeMaterial("Hidden", "not seen", null),
@@ -151,6 +151,12 @@ describe("what is neither passed nor failed", () => {
   it("weighs between what is seen and what is warned of, in the order of the report's verdicts", () => {
     for (let i = 1; i < graver.length; ++i) expect(gravityOf(graver[i]!), graver[i]).toBeGreaterThan(gravityOf(graver[i - 1]!));
     expect(sortRows(small, "gravity", false).map((row) => row.name)).toEqual(["Bad", "Coat", "Lamp", "Speck", "Hidden", "Seen"]);
+  });
+
+  it("of a scene that a signal kept from being done is not run", () => {
+    const broken = makeScene("Desk", [], "it is broken");
+    const stopped = { ...broken, error: { message: "SIGINT interrupted the run", exitCode: 130 } };
+    expect(makeRows(makeReport([broken, stopped])).map(({ verdict }) => verdict)).toEqual(["error", "not run"]);
   });
 
   it("is as grave as an error where the page does not know the verdict", () => {
