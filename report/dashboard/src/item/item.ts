@@ -13,6 +13,7 @@ import { count, figure, figureIn } from "../format";
 import { help } from "../help";
 import { kPhone, Media } from "../media";
 import { badge, baseLayerBadge } from "../parts";
+import { isForControl } from "../viewer/keys";
 import { termLabel } from "../viewer/terms";
 import "../viewer/viewer";
 import type { ParityViewer } from "../viewer/viewer";
@@ -42,9 +43,19 @@ export class ParityItem extends PageElement {
     if (isOther) this.panel?.scrollTo(0, 0);
   }
 
-  /** Whether the comparison view took the key. */
+  /** Whether the key did something here. */
   handleKey(event: KeyboardEvent): boolean {
-    return this.viewer?.handleKey(event) ?? false;
+    return this.scrollByKey(event) || (this.viewer?.handleKey(event) ?? false);
+  }
+
+  /** The panel scrolls, not the page: also where the focus is on the title above it, or on nothing. */
+  private scrollByKey(event: KeyboardEvent): boolean {
+    const { panel } = this;
+    const by = event.key === "PageDown" ? 1 : event.key === "PageUp" ? -1 : 0;
+    const target = event.target instanceof Element ? event.target : null;
+    if (by === 0 || !panel || isForControl(event) || target?.closest("#panel, .list-scroll")) return false;
+    panel.scrollBy({ top: by * 0.9 * panel.clientHeight });
+    return true;
   }
 
   handleKeyUp(event: KeyboardEvent): void {

@@ -269,7 +269,7 @@ export class ParityViewer extends PageElement {
           isFolded: this.isFolded ?? this.phone.matches,
           fold: (isFolded) => (this.isFolded = isFolded),
         })}
-        <div class="panes" data-count=${panes.length} .style=${styleText({ "--columns": String(columns), "--rows": String(rows) })}>
+        <div class="panes" .style=${styleText({ "--columns": String(columns), "--rows": String(rows) })}>
           ${panes.map((model) => this.renderPane(model, view, subject, cover))}
         </div>
         <div class="legends">${readout(inspected, state.falseColor)} ${legendsOf(panes).map(legendView)}</div>

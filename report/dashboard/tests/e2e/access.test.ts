@@ -117,6 +117,17 @@ describe("by keyboard alone", () => {
 });
 
 describe("on paper", () => {
+  it.each([["many", ""], ["many", "#group=scene"], ["real", hashOfItem("real", 0)]])("%s %s fits A4 and keeps the names of columns and groups", async (report, hash) => {
+    const { page } = await openReport(browser, reportFolder(report), hash);
+    await page.emulateMedia({ media: "print" });
+    await page.setViewportSize({ width: 794, height: 1123 });
+    await page.waitForTimeout(300);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(794);
+    if (hash === "" || hash.startsWith("#group")) expect(await page.isVisible(".list-head .sort >> nth=0")).toBe(true);
+    if (hash.startsWith("#group")) expect(await page.isVisible(".row.group button >> nth=0")).toBe(true);
+    await page.context().close();
+  });
+
   it("the overview prints its rows in full, without controls", async () => {
     const { page } = await openReport(browser, reportFolder("many"), "#sort=order&ascending=true");
     await page.emulateMedia({ media: "print" });

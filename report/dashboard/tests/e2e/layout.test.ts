@@ -94,6 +94,17 @@ describe.each(kScreens)("an item at %s", (_name, viewport) => {
     await page.context().close();
   });
 
+  it("scrolls to its values and its budget by keys, and another item starts at its top", async () => {
+    const page = await open();
+    const top = (): Promise<number> => page.evaluate(() => document.querySelector("#panel")!.scrollTop);
+    await page.keyboard.press("PageDown");
+    await expect.poll(top).toBeGreaterThan(100);
+    expect((await outOfSight(page, ["#item-title", "[role=tab]"]))).toEqual([]);
+    await page.keyboard.press("j");
+    await expect.poll(top).toBe(0);
+    await page.context().close();
+  });
+
   it("is no wider than its place in any tab", async () => {
     const page = await open();
     for (const key of ["c", "t", "n"]) {
