@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 #include <numeric>
+#include <set>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -158,8 +159,10 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   noteForInterrupt(context, request, 0);
   Run run(context, request, std::move(budgets), progress);
   std::vector<EncodedPicture> pictures; // not written yet
+  std::set<std::string> names;          // of those
   for (ComparedScene& scene : run.compareScenes()) {
-    std::ranges::move(scene.pictures, std::back_inserter(pictures));
+    for (EncodedPicture& picture : scene.pictures) // scenes may share textures
+      if (names.insert(picture.file).second) pictures.push_back(std::move(picture));
     if (scene.isCached) result.run.cachedScenes.push_back(scene.result.name);
     result.report.scenes.push_back(std::move(scene.result));
   }

@@ -163,11 +163,13 @@ std::string formatView(const SceneResult& scene, const ViewResult& view, const s
                      "pixels");
   for (const Column& column : columns) out += fmt::format("  {:>{}}", column.title, column.width);
   out += "\n";
-  for (const MaterialResult& material : view.materials)
+  for (const MaterialResult& material : view.materials) {
     out += formatRow({material.name, material.test, material.verdict, material.figures, material.baseline,
                       material.truth, material.stages, material.reason,
                       material.attribution ? describeCause(*material.attribution, view.reference) : ""},
                      nameColumns, columns, color);
+    if (!material.whatIf.empty()) out += fmt::format("      {}\n", base::plainLine(describeWhatIfs(material)));
+  }
   out += formatRow({"whole image", view.test, view.wholeVerdict, view.whole, view.baseline, view.truth, view.stages,
                     view.reason, ""},
                    nameColumns, columns, color);

@@ -5,6 +5,7 @@ import "./style/frame.css";
 import "./style/list.css";
 import "./style/beside.css";
 import "./style/item.css";
+import "./style/card.css";
 import "./style/study.css";
 import "./style/print.css";
 import "./app";

@@ -17,6 +17,7 @@ import "../viewer/viewer";
 import type { ParityViewer } from "../viewer/viewer";
 import { checkTable } from "./checks";
 import { describeDropped, lightsOf } from "./dropped_lights";
+import { materialCard } from "./material_card";
 import "./numbers";
 import "./terms";
 
@@ -103,6 +104,7 @@ export class ParityItem extends PageElement {
       <parity-viewer .report=${report} .scene=${row.scene} .view=${row.view} .material=${row.material} .state=${this.state}></parity-viewer>
       ${row.judged ? checkTable(row.judged, report) : nothing}
       ${notes.length > 0 ? html`<ul class="notes">${notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
+      ${materialCard(report, row)}
     `;
   }
 
