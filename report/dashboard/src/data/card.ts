@@ -56,10 +56,10 @@ function valueWords(input: CardInput): string[] {
   return [short(input.value[0] ?? 0)];
 }
 
-/** "R 12–250, G 3–240, B 0–200", as bytes of sRGB. */
+/** "sRGB R 12–250, G 3–240, B 0–200", of 255. */
 function channelRanges({ least, most }: CardTexture): string {
   const byte = (value: number): number => toByte(encodeSrgb(Math.min(Math.max(value, 0), 1)));
-  return ["R", "G", "B"].map((name, i) => `${name} ${byte(least[i] ?? 0)}–${byte(most[i] ?? 0)}`).join(", ");
+  return "sRGB " + ["R", "G", "B"].map((name, i) => `${name} ${byte(least[i] ?? 0)}–${byte(most[i] ?? 0)}`).join(", ");
 }
 
 function rangeWords(input: CardInput, texture: CardTexture): string[] {
@@ -70,7 +70,7 @@ function rangeWords(input: CardInput, texture: CardTexture): string[] {
     const brightest = Math.max(...most);
     return isSame ? [`${mean.map(short).join(", ")} everywhere (linear)`] : [`up to ${short(brightest)}, mean ${mean.map(short).join(", ")} (linear)`];
   }
-  if (isColor(input)) return isSame ? [`${hexOf(mean)} everywhere`] : [`mean ${hexOf(mean)}`, `${channelRanges(texture)} of 255`];
+  if (isColor(input)) return isSame ? [`${hexOf(mean)} everywhere`] : [`mean ${hexOf(mean)}`, channelRanges(texture)];
   return isSame ? [`${short(mean[0] ?? 0)} everywhere`] : [`${short(least[0] ?? 0)} to ${short(most[0] ?? 0)}`, `mean ${short(mean[0] ?? 0)}`];
 }
 
@@ -88,12 +88,22 @@ export function inputLines(input: CardInput): string[] {
   return [...rangeWords(input, input.texture), factorWords(input)].filter((line) => line !== "");
 }
 
-/** "wood.png, green, 2048 × 2048"; source: the scene's file. */
-export function textureWords(texture: CardTexture, source: string): string {
-  const where = texture.file !== "" ? texture.file : source.startsWith("builtin:") ? `${texture.name}, made by the program` : `${texture.name}, in ${source}`;
+/** Where a texture comes from; source: the scene's file. */
+export function textureFile(texture: CardTexture, source: string): string {
+  if (texture.file !== "") return texture.file;
+  return source.startsWith("builtin:") ? `${texture.name}, made by the program` : `${texture.name}, in ${source}`;
+}
+
+/** "2048 × 2048, green" */
+export function textureFacts(texture: CardTexture): string {
   const channel: Record<CardTexture["channels"], string> = { rgb: "", r: ", red", g: ", green", b: ", blue", a: ", alpha" };
-  const size = texture.width === 0 ? ", not read: no mesh shows the material" : `, ${texture.width} × ${texture.height}`;
-  return `${where}${channel[texture.channels] ?? ""}${size}${texture.texCoord > 0 ? `, UV set ${texture.texCoord}` : ""}`;
+  const size = texture.width === 0 ? "not read: no mesh shows the material" : `${texture.width} × ${texture.height}`;
+  return `${size}${channel[texture.channels] ?? ""}${texture.texCoord > 0 ? `, UV set ${texture.texCoord}` : ""}`;
+}
+
+/** Where a line may break in a name of a file: behind what separates its words. */
+export function partsOfName(name: string): string[] {
+  return name.split(/(?<=[_\-./ ])|(?<=[a-z])(?=[A-Z])/);
 }
 
 /** What else is said of the material, in words. */

@@ -105,6 +105,7 @@ export interface Scene {
     exitCode: number;
   } | null;
   warnings: string[];
+  materials?: MaterialCard[];
   views: View[];
   passes: Pass[]; // Work done for the scene in all views, and skipped work
   permutations: Permutation[]; // The specialised shaders of the pictures, by path, in order of their first use
@@ -228,6 +229,48 @@ export interface Stage {
   figures: Figures | null; // null: no pixel
 }
 
+/** What the figures and the verdict of a material would be with another preset of the test path */
+export interface WhatIf {
+  preset: string;
+  words: string; // All of it in a sentence
+  verdict: Verdict;
+  reason: string; // Reason of the verdict; empty for a pass
+  figures: Figures;
+}
+
+export interface CardTexture {
+  name: string;
+  file: string;
+  channels: "rgb" | "r" | "g" | "b" | "a";
+  width: number;
+  height: number;
+  texCoord: number;
+  picture: string;
+  least: number[];
+  most: number[];
+  mean: number[];
+}
+
+export interface CardInput {
+  name: "baseColor" | "opacity" | "metallic" | "roughness" | "normal" | "occlusion" | "emissive" | "specular" | "specularColor";
+  value: number[];
+  texture?: CardTexture;
+}
+
+export interface MaterialCard {
+  name: string;
+  inputs: CardInput[];
+  alphaMode: "opaque" | "mask" | "blend";
+  alphaCutoff?: number;
+  doubleSided: boolean;
+  unlit: boolean;
+  nonmetal: boolean;
+  fullyRough: boolean;
+  vertexColors: boolean;
+  f0: number[];
+  notModelled: string[];
+}
+
 export interface Material {
   name: string;
   verdict: Verdict;
@@ -244,6 +287,7 @@ export interface Material {
   crops: Images;
   truth?: Truth;
   stages: Stage[];
+  whatIf?: WhatIf[];
   attribution?: Attribution;
 }
 

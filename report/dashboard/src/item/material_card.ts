@@ -1,10 +1,10 @@
 // The card of a material: what it is made of, with small pictures of its textures, and what other presets would give.
 import { html, nothing, type TemplateResult } from "lit";
 
-import { cardOf, colorOf, flagsOf, hexOf, inputLines, textureWords, titleOf } from "../data/card";
+import { cardOf, colorOf, flagsOf, hexOf, inputLines, partsOfName, textureFacts, textureFile, titleOf } from "../data/card";
 import { imageSource } from "../data/images";
 import type { Row } from "../data/rows";
-import type { CardInput, Material, MaterialCard, Report } from "../data/types";
+import type { CardInput, CardTexture, Material, MaterialCard, Report } from "../data/types";
 import { badge } from "../parts";
 
 function sample(input: CardInput): TemplateResult {
@@ -17,13 +17,19 @@ function sample(input: CardInput): TemplateResult {
   return html`<span class="card-sample level" aria-hidden="true">${isShare ? html`<i .style=${`height:${value * 100}%`}></i>` : nothing}</span>`;
 }
 
+function textureLines(texture: CardTexture, source: string): TemplateResult {
+  const name = partsOfName(textureFile(texture, source)).map((part, i) => html`${i > 0 ? html`<wbr />` : nothing}${part}`);
+  return html`<p class="aside"><bdi>${name}</bdi></p>
+    <p class="aside">${textureFacts(texture)}</p>`;
+}
+
 function inputCell(input: CardInput, source: string): TemplateResult {
   return html`<li>
     ${sample(input)}
     <div>
       <h4>${titleOf(input)}</h4>
       ${inputLines(input).map((line) => html`<p>${line}</p>`)}
-      ${input.texture ? html`<p class="aside"><bdi>${textureWords(input.texture, source)}</bdi></p>` : nothing}
+      ${input.texture ? textureLines(input.texture, source) : nothing}
     </div>
   </li>`;
 }
@@ -38,7 +44,7 @@ function inputs(card: MaterialCard, source: string): TemplateResult {
 function whatIfs(material: Material): TemplateResult | typeof nothing {
   if (!material.whatIf) return nothing;
   return html`<section class="what-ifs"><h3>With another preset</h3>
-    <ul>${material.whatIf.map((each) => html`<li>${badge(each.verdict)} ${each.words}${each.reason === "" ? nothing : html`<br /><small>${each.reason}</small>`}</li>`)}</ul></section>`;
+    <ul>${material.whatIf.map((each) => html`<li>${badge(each.verdict, true)} ${each.words}${each.reason === "" ? nothing : html`<br /><small>${each.reason}</small>`}</li>`)}</ul></section>`;
 }
 
 /** Nothing for what is no material, and in reports that do not know what it is made of. */

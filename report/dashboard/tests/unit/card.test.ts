@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { cardOf, colorOf, flagsOf, hexOf, inputLines, textureWords, titleOf } from "../../src/data/card";
+import { cardOf, colorOf, flagsOf, hexOf, inputLines, partsOfName, textureFacts, textureFile, titleOf } from "../../src/data/card";
 import type { CardInput, CardTexture, MaterialCard, Report } from "../../src/data/types";
 
 const kTexture: CardTexture = {
@@ -25,7 +25,7 @@ describe("a material's card", () => {
 
   it("says plain values", () => {
     expect(inputLines(input("roughness", [0.35]))).toEqual(["0.35"]);
-    expect(inputLines(input("baseColor", [1, 0.21404114, 0]))).toEqual(["#ff8000", "linear 1, 0.214, 0"]);
+    expect(inputLines(input("baseColor", [1, 0.2158605, 0]))).toEqual(["#ff8000", "linear 1, 0.216, 0"]);
     expect(inputLines(input("emissive", [0, 2.5, 5]))).toEqual(["0, 2.5, 5 (linear)"]);
     expect(titleOf(input("specularColor", [1, 1, 1]))).toBe("Specular colour");
   });
@@ -36,8 +36,8 @@ describe("a material's card", () => {
     expect(inputLines(input("metallic", [1], { least: [1], most: [1], mean: [1] }))).toEqual(["1 everywhere"]);
     expect(inputLines(input("occlusion", [0.5], {})).at(-1)).toBe("strength 0.5");
     expect(inputLines(input("normal", [2], { least: [], most: [], mean: [] }))).toEqual(["scale 2"]);
-    const color = input("baseColor", [1, 1, 1], { channels: "rgb", least: [0, 0, 0], most: [1, 0.21404114, 1], mean: [1, 0, 0] });
-    expect(inputLines(color)).toEqual(["mean #ff0000", "R 0–255, G 0–128, B 0–255 of 255"]);
+    const color = input("baseColor", [1, 1, 1], { channels: "rgb", least: [0, 0, 0], most: [1, 0.2158605, 1], mean: [1, 0, 0] });
+    expect(inputLines(color)).toEqual(["mean #ff0000", "sRGB R 0–255, G 0–128, B 0–255"]);
     const grey = input("baseColor", [1, 1, 0.5], { channels: "rgb", least: [1, 1, 0.5], most: [1, 1, 0.5], mean: [1, 1, 0.5] });
     expect(inputLines(grey)).toEqual(["#ffffbc everywhere", "texture × (1, 1, 0.5)"]);
     expect(inputLines(input("emissive", [3, 3, 3], { channels: "rgb", least: [0, 0, 0], most: [3, 2, 1], mean: [1, 0.5, 0] }))).toEqual([
@@ -46,10 +46,13 @@ describe("a material's card", () => {
   });
 
   it("names the file, the channel and the size of a texture", () => {
-    expect(textureWords(kTexture, "Wood.glb")).toBe("wood.png, green, 2048 × 1024");
-    expect(textureWords({ ...kTexture, file: "", channels: "rgb", texCoord: 1 }, "Wood.glb")).toBe("wood, in Wood.glb, 2048 × 1024, UV set 1");
-    expect(textureWords({ ...kTexture, file: "" }, "builtin:spheres")).toBe("wood, made by the program, green, 2048 × 1024");
-    expect(textureWords({ ...kTexture, width: 0, height: 0 }, "Wood.glb")).toBe("wood.png, green, not read: no mesh shows the material");
+    expect(textureFile(kTexture, "Wood.glb")).toBe("wood.png");
+    expect(textureFile({ ...kTexture, file: "" }, "Wood.glb")).toBe("wood, in Wood.glb");
+    expect(textureFile({ ...kTexture, file: "" }, "builtin:spheres")).toBe("wood, made by the program");
+    expect(textureFacts(kTexture)).toBe("2048 × 1024, green");
+    expect(textureFacts({ ...kTexture, channels: "rgb", texCoord: 1 })).toBe("2048 × 1024, UV set 1");
+    expect(textureFacts({ ...kTexture, width: 0, height: 0 })).toBe("not read: no mesh shows the material, green");
+    expect(partsOfName("Bottle_baseColor.png")).toEqual(["Bottle_", "base", "Color.", "png"]);
   });
 
   it("shows a colour only of what has one", () => {
