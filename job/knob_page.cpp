@@ -38,6 +38,7 @@ std::string valuesOf(const Knob& knob) {
   case KnobType::choice:
     return fmt::format("{}", fmt::join(knob.choices, ", "));
   case KnobType::texts:
+    if (!knob.choices.empty()) return fmt::format("list of {}", fmt::join(knob.choices, ", "));
     return "list of globs";
   case KnobType::numbers:
   case KnobType::text:

@@ -9,6 +9,7 @@
 #include "base/member_count.h"
 #include "job/condition_text.h"
 #include "job/paths.h"
+#include "job/what_if.h"
 
 namespace parity::job {
 
@@ -21,7 +22,7 @@ static_assert(base::memberCount<gpu::ShadowOptions>() == 3 && base::memberCount<
                   base::memberCount<reference::IntegralOptions>() == 4 && base::memberCount<reference::Model>() == 2,
               "a new member needs a row");
 // Without a row: budgets, which judge afterwards, and what is of the machine: device, cacheFolder, cacheBytes.
-static_assert(base::memberCount<S>() == 25, "a new member needs a row, or a reason to have none");
+static_assert(base::memberCount<S>() == 26, "a new member needs a row, or a reason to have none");
 
 constexpr int kMaxInterreflection = 64;
 
@@ -212,6 +213,15 @@ void addVerdict(KnobTable<S>& t) {
        "Lights to measure in each view among those that a path drops, the brightest first; 0: none")
       .actsOn(ActsOn::nothing)
       .notInSuite();
+  base::KnobRow<S>& whatIf =
+      t.special(
+           KnobType::texts, "what-if", "PRESET", "Also measure what this preset would give (repeatable, or a list)",
+           [](S& s, const std::string& text) { setWhatIfs(s, {text}); }, whatIfText)
+          .otherwise("none")
+          .actsOn(ActsOn::nothing)
+          .notInSuite();
+  whatIf.set = setWhatIfs;
+  whatIf.knob.choices = presetsOfPaths();
   t.flag<&S::terms>("terms", "Also measure each term of the light: sun, sky, lights (diffuse and specular) and others")
       .actsOn(ActsOn::nothing)
       .notInSuite();
@@ -279,8 +289,11 @@ bool isActive(const base::Knob& knob, const Settings& settings) {
 }
 
 Settings withKnobs(Settings settings, const base::GivenKnobs& given) {
+  const Settings plain = settings;
   knobs().apply(settings, given);
   settings = derived(settings);
+  deriveWhatIfs(settings, plain, given);
+  requireWhatIfs(settings);
   for (const paths::Path* path : allPaths()) path->requireSense(settings.options, settings.display);
   const paths::Path& first = pathByName(settings.pathNames.front());
   if (const auto target = first.target(settings.options, {}, 0); target && target->isDisplayed())
@@ -295,7 +308,9 @@ Settings withKnobs(Settings settings, const base::GivenKnobs& given) {
 
 Settings defaultsOf(const scenes::Suite& suite, const Settings& settings, const base::GivenKnobs& commandLine) {
   Settings all = settings;
-  knobs().apply(all, base::merged(suite.given, commandLine)); // a scene may say what makes it go together
+  const base::GivenKnobs given = base::merged(suite.given, commandLine);
+  knobs().apply(all, given); // a scene may say what makes it go together
+  deriveWhatIfs(all, settings, given);
   return derived(all);
 }
 

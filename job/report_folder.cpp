@@ -11,6 +11,7 @@
 #include "base/file.h"
 #include "base/temporary_name.h"
 #include "job/paths.h"
+#include "job/scene/material_cards.h"
 #include "job/view/display_table.h"
 #include "report/dashboard_files.h"
 
@@ -31,12 +32,12 @@ bool isOfAView(std::string_view name) {
   return digits > 0 && name.substr(digits).starts_with('-');
 }
 
-// Whether a report could have given this name to a picture: "0-scene_0-view_m3_flip.png".
+// Whether a report could have given this name to a picture: "0-scene_0-view_m3_flip.png", or one of a texture.
 bool isPictureOfAReport(std::string_view name) {
   std::vector<std::string> kinds = pathNames();
   kinds.insert(kinds.end(), {"flip", "truth"});
-  return isOfAView(name) &&
-         std::ranges::any_of(kinds, [&](const std::string& kind) { return name.ends_with("_" + kind + ".png"); });
+  const auto isOfKind = [&](const std::string& kind) { return name.ends_with("_" + kind + ".png"); };
+  return isCardPicture(name) || (isOfAView(name) && std::ranges::any_of(kinds, isOfKind));
 }
 
 // The same of a pixel file: "0-scene_0-view.js".

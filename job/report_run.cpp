@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 #include <numeric>
+#include <set>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -182,8 +183,10 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   std::vector<EncodedPicture> pictures; // not written yet
   std::vector<ComparedScene> scenes = run.compareScenes();
   if (scenes.size() > 1) leaveOut(scenes, context.settings().materials, result.report);
+  std::set<std::string> names; // of the pictures
   for (ComparedScene& scene : scenes) {
-    std::ranges::move(scene.pictures, std::back_inserter(pictures));
+    for (EncodedPicture& picture : scene.pictures) // scenes may share textures
+      if (names.insert(picture.file).second) pictures.push_back(std::move(picture));
     if (scene.isCached) result.run.cachedScenes.push_back(scene.result.name);
     result.report.scenes.push_back(std::move(scene.result));
   }

@@ -27,6 +27,12 @@ namespace parity::job {
 enum class Attribution { none, overBudget, all };
 inline constexpr std::array<const char*, 3> kAttributionNames = {"none", "over-budget", "all"};
 
+// A preset of a path that is measured, too, as if the run had been asked for it.
+struct WhatIfPreset {
+  std::string preset, path; // its name, and the path's
+  paths::Options options;   // as that run's
+};
+
 struct Settings {
   scenes::SceneSettings scene;
   int width = 1024, height = 1024;
@@ -41,7 +47,8 @@ struct Settings {
   bool coverage = false;                       // of each view's materials, also where one path alone is rendered
   Attribution attribution = Attribution::none; // `all` needs the terms
   int droppedLights = 0; // of each view, the lights dropped by a path whose effect is measured; 0: not looked at
-  bool costs = false;    // count what each permutation costs
+  std::vector<WhatIfPreset> whatIfs; // each once
+  bool costs = false;                // count what each permutation costs
   bool truth = false;    // also hold the paths against the ground truth; needs the terms
   // Names (job/paths.h), two at least: the others are compared with the first.
   std::vector<std::string> pathNames = {"highend", "mobile"};

@@ -81,6 +81,7 @@ public:
     static const base::KnobTable<paths::Options> table = paths::knobsOf(mobile::knobs());
     return table;
   }
+  std::string presetKnob() const override { return "mobile-preset"; }
   void requireSense(const paths::Options& options, const std::string& display) const override {
     mobile::requireSense(options.of<Options>(), display);
   }

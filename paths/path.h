@@ -38,6 +38,7 @@ struct LightNeeds {
   bool cells = false;     // lighting::PanoramaCells, beside fine levels
   bool hasOneSun = false; // a sun that was extracted stays in the environment unless it is the brightest light of all
   bool bakesLocalLights = false; // where light is baked, stationary local lights are in its lightmap
+  bool operator==(const LightNeeds&) const = default;
 };
 
 // The light as one path has it.
@@ -117,6 +118,8 @@ public:
   virtual const std::string& name() const = 0;  // "mobile": in --path, reports, names of files
   virtual const std::string& title() const = 0; // in sentences
   virtual const base::KnobTable<Options>& knobs() const = 0;
+  // The id of the knob whose choices are the path's presets; empty: it has none.
+  virtual std::string presetKnob() const { return {}; }
   // Throws Error (usage) for options that do not go together. display: base::DisplayTransform's name.
   virtual void requireSense(const Options&, const std::string& /*display*/) const {}
   // Sets what the device makes of the options. Returns why, after a value: "as the device has no shaderFloat16"; empty:

@@ -170,6 +170,9 @@ void holdView(ViewResult& view, const ViewResult* before, const std::vector<comp
     const MaterialResult* then = before ? findNamesake(before->materials, view.materials, i) : nullptr;
     material.baseline = hold(material.figures, material.checks, then ? &then->figures : nullptr,
                              then ? then->verdict : compare::Verdict::pass, notComparable, summary);
+    for (WhatIf& each : material.whatIf)
+      for (compare::CheckResult& check : each.checks)
+        judgeRegression(check, then ? &then->figures : nullptr, each.figures, notComparable);
     if (then && then->figures.pixels > 0 && material.figures.pixels > 0) ++summary.common;
   }
 }

@@ -28,7 +28,9 @@ bool hasMaterial(const SceneResult& scene, const std::string& glob) {
 } // namespace
 
 void judgeMaterial(MaterialResult& material, const compare::Budgets& budgets, std::string_view scene) {
-  apply(compare::findMaterialRule(budgets, scene, material.name), material.figures, material.checks, material.rule);
+  const compare::BudgetRule* rule = compare::findMaterialRule(budgets, scene, material.name);
+  apply(rule, material.figures, material.checks, material.rule);
+  for (WhatIf& each : material.whatIf) apply(rule, each.figures, each.checks, material.rule);
   settleMaterial(material, false);
 }
 

@@ -16,9 +16,11 @@
 #include "compare/pooling/figures.h"
 #include "compare/verdict/check.h"
 #include "report/dropped_lights.h"
+#include "report/material_card.h"
 #include "report/pass.h"
 #include "report/permutation.h"
 #include "report/stage.h"
+#include "report/what_if.h"
 
 namespace parity::report {
 
@@ -73,6 +75,7 @@ struct MaterialResult {
   std::optional<compare::Truth> truth;             // only with --truth
   std::vector<StageResult> stages;                 // in the order of the table's columns
   std::optional<compare::Attribution> attribution; // of a material over budget, or as the run was asked
+  std::vector<WhatIf> whatIf;                      // of a material that is seen, as --what-if asks
   bool seenElsewhere = false; // set by settleVerdicts: not seen here, but in another view, so it does not count
 };
 
@@ -101,6 +104,7 @@ struct SceneResult {
   std::string name, source, environment, sun; // as the user wrote them: no absolute paths
   std::string light;                          // its scales and fog in words; empty: the defaults
   std::vector<std::string> warnings;
+  std::vector<MaterialCard> materials; // that the report is about, in the scene's order
   std::vector<ViewResult> views;
   std::vector<PassResult> passes;              // in the order of the work, over all views
   std::vector<PermutationResult> permutations; // that made the pictures, by path, in order of first use

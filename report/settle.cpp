@@ -107,6 +107,18 @@ bool isSeen(const MaterialResult& material) {
          (material.figures.pixels >= material.rule.minPixels || material.figures.nonFinite > 0);
 }
 
+// As the material itself is judged, by its own figures.
+void settleWhatIf(const MaterialResult& material, WhatIf& whatIf) {
+  Judgement judgement{material.verdict, material.reason};
+  if (isSeen(material))
+    judgement = withBaseline(
+        withTruth(judgeSeen(whatIf.figures, whatIf.checks, material.notModelled, true), material.truth),
+        material.baseline);
+  whatIf.verdict = judgement.verdict;
+  whatIf.reason = std::move(judgement.reason);
+  whatIf.words = describe(whatIf, material.figures);
+}
+
 // The name of another view of the scene that shows enough of the material; empty if there is none.
 std::string findOtherView(const SceneResult& scene, const ViewResult& here, std::size_t index) {
   for (const ViewResult& view : scene.views)
@@ -264,6 +276,7 @@ void settleMaterial(MaterialResult& material, bool seenElsewhere) {
   }
   material.verdict = judgement.verdict;
   material.reason = std::move(judgement.reason);
+  for (WhatIf& each : material.whatIf) settleWhatIf(material, each);
 }
 
 void settleVerdicts(Report& report) {

@@ -9,6 +9,7 @@
 #include "base/text/text.h"
 #include "base/text/wrap.h"
 #include "compare/verdict/wording.h"
+#include "report/what_if.h"
 #include "report/wording.h"
 
 namespace parity::report {
@@ -234,12 +235,14 @@ std::string formatView(const SceneResult& scene, const ViewResult& view, const s
                      base::fitColumns("material", layout.name), "pixels", kPixelColumns);
   for (const Column& column : layout.columns) out += fmt::format("  {:>{}}", column.title, column.width);
   out += "\n";
-  for (const MaterialResult& material : view.materials)
-    if (isShown(material))
-      out += formatRow({material.name, material.test, material.verdict, material.figures, material.baseline,
-                        material.truth, material.stages, material.reason,
-                        material.attribution ? describeCause(*material.attribution, view.reference) : ""},
-                       layout, options);
+  for (const MaterialResult& material : view.materials) {
+    if (!isShown(material)) continue;
+    out += formatRow({material.name, material.test, material.verdict, material.figures, material.baseline,
+                      material.truth, material.stages, material.reason,
+                      material.attribution ? describeCause(*material.attribution, view.reference) : ""},
+                     layout, options);
+    if (!material.whatIf.empty()) out += "    " + indented(describeWhatIfs(material), options);
+  }
   if (showsWhole)
     out += formatRow({"whole image", view.test, view.wholeVerdict, view.whole, view.baseline, view.truth, view.stages,
                       view.reason, ""},

@@ -97,6 +97,7 @@ struct Material {
 struct TextureImage {
   std::string name;
   base::Image8 pixels; // 4 channels
+  std::string file{};  // that it was read from, without its folder; empty: within the scene's file, or made in code
 };
 
 // ---- light

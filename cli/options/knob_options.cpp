@@ -21,7 +21,7 @@ std::string typeOf(const base::Knob& knob) {
   case base::KnobType::choice:
     return fmt::format("{{{}}}", fmt::join(knob.choices, ","));
   case base::KnobType::texts:
-    return "GLOB";
+    return knob.form.empty() ? "GLOB" : knob.form;
   case base::KnobType::numbers:
   case base::KnobType::text:
   case base::KnobType::file:

@@ -27,6 +27,7 @@ std::vector<report::PassResult> describePasses(const Work& work, const NoNeed& w
   add("environment captures", "captures", work.captures, why.captures);
   add("choice of local lights", "objects", work.lightChoices, why.lightChoice);
   for (const auto& [path, samples] : work.shadedSamples) add("shade " + path, "samples", samples, "");
+  add("shade what-ifs", "samples", work.whatIfSamples, why.whatIfs);
   add("terms", "samples", work.termSamples, why.terms);
   add("truth materials", "samples", work.resolvedSamples, why.truth);
   add("truth integrals", "samples", work.integratedSamples, why.truth);

@@ -27,6 +27,7 @@ struct Work {
   std::uint64_t lightmapPages = 0, captures = 0;                    // baked, read by the paths
   std::uint64_t lightChoices = 0;                                   // objects for which local lights were chosen
   std::vector<std::pair<std::string, std::uint64_t>> shadedSamples; // by path, in the order of the paths
+  std::uint64_t whatIfSamples = 0;                                  // shaded by presets that the run asks about
   std::uint64_t termSamples = 0;                                    // shaded with their terms written, over all paths
   std::uint64_t resolvedSamples = 0, integratedSamples = 0;         // by the truth
   std::uint64_t occluderMeshes = 0;                                 // built for the truth's shadows
@@ -38,7 +39,7 @@ struct Work {
 // Why there was no such work; each is empty where there may have been.
 struct NoNeed {
   std::string environment, suns, table, texture, variance, compression, blended, fog, directional, local, lightLists,
-      shadows, baked, captures, lightChoice, terms, truth, occluders, droppedLights, costs;
+      shadows, baked, captures, lightChoice, terms, truth, occluders, droppedLights, costs, whatIfs;
 };
 
 // In the order of the work. A count of 0 has a reason.

@@ -14,6 +14,7 @@
 #include "job/report_folder.h"
 #include "job/result_cache.h"
 #include "job/scene/dropped_lights.h"
+#include "job/scene/material_cards.h"
 #include "job/scene/material_choice.h"
 #include "job/stopped.h"
 #include "job/view/view_attribution.h"
@@ -222,6 +223,15 @@ private:
     }
     if (m_request.scenes.size() == 1) requireMaterials(prepared.scene, request.settings.materials);
     m_context.requireGoesOn();
+    // As if nothing were attributed, and what attribution adds: another run's budgets may ask for the one alone.
+    std::vector<report::ViewResult> plainViews;
+    std::vector<EncodedPicture> plainPictures, addedPictures;
+    { // before the first image is freed
+      const base::Stopwatch watch(&m_context.timings(), "material cards");
+      MaterialCards cards = describeMaterials(prepared.scene, request.settings.materials, wish.pictures);
+      result.materials = std::move(cards.cards);
+      keepPictures(std::move(cards.pictures), scene, key ? &plainPictures : nullptr);
+    }
     SceneRenderer renderer(m_context, prepared, prepared.settings, paths, wish.views, wish.permutations,
                            imageRelease(prepared, paths));
     for (std::string& note : renderer.notes()) result.warnings.push_back(std::move(note));
@@ -229,9 +239,6 @@ private:
       for (const scenes::Material& material : prepared.scene.materials)
         if (const std::string excess = renderer.renderer(i).describeExcess(material); !excess.empty())
           result.warnings.push_back(fmt::format("material '{}' {}", material.name, excess));
-    // As if nothing were attributed, and what attribution adds: another run's budgets may ask for the one alone.
-    std::vector<report::ViewResult> plainViews;
-    std::vector<EncodedPicture> plainPictures, addedPictures;
     MaterialsByView attributed;
     std::uint64_t comparedPixels = 0;
     ViewFrames frames;

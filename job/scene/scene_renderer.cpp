@@ -39,6 +39,11 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
   for (std::size_t i = 1; i < m_paths.size(); ++i) // those that are compared with the first
     if (m_scene.hasOwnTextures(*m_paths[i].path, settings.options))
       m_paths[i].ofOriginals = makeRenderer(*m_paths[i].path, {.originalTextures = true}, views);
+  if (paths.compares())
+    for (const WhatIfPreset& each : settings.whatIfs) {
+      const paths::Path& path = pathByName(each.path);
+      m_whatIfs.push_back({&path, makeRenderer(path, each.options, {}, views), {}, {}, {}});
+    }
   if (paths.truth) {
     m_truth.emplace(context, prepared, settings, m_scene.buffers(), m_scene.surfacePass().binKinds(),
                     pixelsOf(settings, views), gpu::Compilation{budget, &context.pipelines()});
@@ -58,9 +63,14 @@ bool SceneRenderer::mayDropLights() const {
 
 std::unique_ptr<paths::Renderer> SceneRenderer::makeRenderer(const paths::Path& path, SceneOnDevice::RendererWish wish,
                                                              std::size_t views) {
+  return makeRenderer(path, m_settings.options, wish, views);
+}
+
+std::unique_ptr<paths::Renderer> SceneRenderer::makeRenderer(const paths::Path& path, const paths::Options& options,
+                                                             SceneOnDevice::RendererWish wish, std::size_t views) {
   wish.expectedPixels = pixelsOf(m_settings, views);
   wish.budget = m_budget;
-  return m_scene.makeRenderer(path, m_settings.options, wish);
+  return m_scene.makeRenderer(path, options, wish);
 }
 
 gpu::VisibleLayers SceneRenderer::rasterise(const scenes::Camera& camera, const gpu::Tile& tile,
@@ -89,6 +99,10 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
     if (m_choice.intermediate == 0) // others are looked at as they were computed
       plan.target = each.path->target(settings.options, m_context.device().report(), settings.exposureEv);
   }
+  for (std::size_t i = 0; i < m_whatIfs.size(); ++i)
+    plans.push_back({.target = m_whatIfs[i].path->target(settings.whatIfs[i].options, m_context.device().report(),
+                                                         settings.exposureEv),
+                     .isWhatIf = true});
   ViewBuilder view(settings, plans, m_truth.has_value(), m_scene.buffers());
   std::set<std::uint32_t> cutPixels;
   m_kept.clear();
@@ -146,6 +160,11 @@ void SceneRenderer::shade(const gpu::Surface& surface, const scenes::Camera& cam
     const base::Stopwatch watch = begin("shade " + each.path->name());
     ShadedByPath& by = shaded.emplace_back(each.plain->shade(surface, camera), std::nullopt);
     if (each.ofOriginals) by.ofOriginals = each.ofOriginals->shade(surface, camera);
+  }
+  for (const PathState& each : m_whatIfs) {
+    const base::Stopwatch watch(&m_context.timings(), "shade what-ifs");
+    shaded.push_back({each.plain->shade(surface, camera), std::nullopt});
+    m_work.whatIfSamples += surface.size();
   }
   std::optional<ReferenceSurface> truth;
   if (m_truth) {

@@ -60,6 +60,8 @@ private:
   };
   std::unique_ptr<paths::Renderer> makeRenderer(const paths::Path& path, SceneOnDevice::RendererWish wish,
                                                 std::size_t views);
+  std::unique_ptr<paths::Renderer> makeRenderer(const paths::Path& path, const paths::Options& options,
+                                                SceneOnDevice::RendererWish wish, std::size_t views);
   bool mayDropLights() const;
   gpu::VisibleLayers rasterise(const scenes::Camera& camera, const gpu::Tile& tile, const glm::vec2& sample);
   gpu::Surface resolve(const gpu::VisibleLayers& visible, std::size_t layer, const scenes::Camera& camera);
@@ -89,7 +91,8 @@ private:
   bool m_mayDropLights = false;     // and the run wants to know what they do
   std::vector<std::uint64_t> m_seenSamples;
   std::uint64_t m_cutPixels = 0;  // of all views, with more blended layers than are shown
-  std::vector<PathState> m_paths; // as chosen
+  std::vector<PathState> m_paths;   // as chosen
+  std::vector<PathState> m_whatIfs; // as in the settings
   std::optional<ReferencePath> m_truth;
 };
 

@@ -125,7 +125,7 @@ NoNeed SceneRenderer::reasons() const {
     why.local = "they are baked";
   why.lightChoice = work().localLights == 0 ? why.local : "the preset expects them baked";
   why.droppedLights = settings.droppedLights > 0 ? "no light of a visible object is dropped" : "not requested";
-  why.terms = why.occluders = why.costs = "not requested";
+  why.terms = why.occluders = why.costs = why.whatIfs = "not requested";
   why.truth = settings.truth ? why.environment : "not requested";
   return why;
 }

@@ -20,9 +20,21 @@ ViewBuilder::ViewBuilder(const Settings& settings, const std::vector<PathPlan>& 
                  std::vector<glm::vec3>(planes, background), codec);
   };
   const bool compares = plans.size() > 1;
+  const auto makeWhatIf = [&](PathBuilders& path, const std::optional<gpu::TargetCodec>& target) {
+    path.isWhatIf = true;
+    path.frame = makeFrame(false, target);
+    makeSwap(path.swap, 1, settings.background, target);
+    if (!target || !target->isDisplayed()) return;
+    path.beforeTarget = makeFrame(false, std::nullopt);
+    makeSwap(path.swapLight, 1, settings.background, std::nullopt);
+  };
   for (std::size_t i = 0; i < plans.size(); ++i) {
     PathBuilders& path = m_paths[i];
-    const auto& [target, ofOriginals] = plans[i];
+    const auto& [target, ofOriginals, isWhatIf] = plans[i];
+    if (isWhatIf) {
+      makeWhatIf(path, target);
+      continue;
+    }
     path.frame = makeFrame(settings.terms, target);
     if (compares && truth) makeSwap(path.truthSwap, 1, settings.background, target);
     if (compares && truth && settings.terms)
@@ -80,7 +92,7 @@ void ViewBuilder::lay(const gpu::Surface& surface, const std::vector<ShadedByPat
     laySwap(builders.swapLight, first, shaded);
     if (builders.termVariants)
       builders.termVariants->lay(surface, first, shaded, TermVariants(surface, first, shaded).planes());
-    if (!truth) continue;
+    if (!truth || builders.isWhatIf) continue;
     laySwap(builders.truthSwap, truth->shaded, shaded);
     if (!builders.truthTermSwap) continue;
     std::vector<gpu::SwapPlane> planes;
@@ -99,12 +111,14 @@ void ViewBuilder::lay(const gpu::Surface& surface, const std::vector<ShadedByPat
 // The opacity is the same in every path: it comes from the shared material, unless a path's is compressed.
 void ViewBuilder::layCoverage(const gpu::Surface& surface, const std::vector<ShadedByPath>& paths,
                               const ReferenceSurface* truth) {
-  if (paths.empty())
+  std::size_t count = paths.size(); // without the what-ifs, which have no originals
+  while (count > 0 && m_paths[count - 1].isWhatIf) --count;
+  if (count == 0)
     m_coverage->lay(surface, truth->shaded);
-  else if (paths.back().ofOriginals)
-    m_coverage->lay(surface, *paths.back().ofOriginals);
+  else if (paths[count - 1].ofOriginals)
+    m_coverage->lay(surface, *paths[count - 1].ofOriginals);
   else
-    m_coverage->lay(surface, paths.back().shaded);
+    m_coverage->lay(surface, paths[count - 1].shaded);
 }
 
 void ViewBuilder::end() {
@@ -129,7 +143,7 @@ ViewFrames ViewBuilder::take() {
     return finished ? swap->take(frames.coverage, std::array{finished}) : swap->take(frames.coverage, {});
   };
   for (PathBuilders& builders : m_paths) {
-    PathFrames& path = frames.paths.emplace_back();
+    PathFrames& path = (builders.isWhatIf ? frames.whatIfs : frames.paths).emplace_back();
     path.frame = builders.frame->take();
     if (builders.beforeTarget) path.beforeTarget = builders.beforeTarget->take().color;
     if (builders.ofOriginals) path.ofOriginals = builders.ofOriginals->take().color;

@@ -24,15 +24,16 @@ public:
   struct PathPlan {
     std::optional<gpu::TargetCodec> target; // that its colour is stored in
     bool ofOriginals = false;               // it is shaded twice, its textures compressed and as they are
+    bool isWhatIf = false;                  // ViewFrames::whatIfs
   };
-  // plans: of each path.
+  // plans: of each path, then of each of the settings' what-ifs.
   ViewBuilder(const Settings& settings, const std::vector<PathPlan>& plans, bool truth,
               const gpu::SceneBuffers& buffers);
 
   // One (tile, sample), its layers from the back to the front, each by every path; tiles in order of rows, all samples
   // of one before the next.
   void begin(const gpu::Tile& tile);
-  // truth: null where there is none.
+  // paths: one for each plan. truth: null where there is none.
   void lay(const gpu::Surface& surface, const std::vector<ShadedByPath>& paths, const ReferenceSurface* truth);
   void end();
 
@@ -45,6 +46,7 @@ private:
   struct PathBuilders {
     std::optional<gpu::FrameBuilder> frame, beforeTarget, ofOriginals;
     std::optional<gpu::SwapBuilder> swap, swapLight, truthSwap, truthTermSwap, termVariants;
+    bool isWhatIf = false;
   };
   template <typename Do> void forEachFrame(const Do& act);
   template <typename Do> void forEachSwap(const Do& act);

@@ -126,31 +126,69 @@ struct ViewMeasurement {
   compare::SwapMeasurement materials;
 };
 
-ViewMeasurement measureView(Context& context, const ViewFrames& frames, const Displayed& reference,
-                            const Displayed& test, const Subject& subject, const ViewComparisonRequest& request) {
-  std::vector<std::uint32_t> invalid = reference.nonFinite;
-  invalid.insert(invalid.end(), test.nonFinite.begin(), test.nonFinite.end());
+// The materials as this path's colours make them; a picture of it as displayed.
+std::vector<compare::Swap> swapsOf(Context& context, const ViewFrames& frames, const PathFrames& path,
+                                   const Displayed& test, const Subject& subject, float exposureEv) {
   // A target that is displayed cuts light off above white: figures of linear light are of what the shader made.
-  const PathFrames& path = frames.paths[request.test];
   const bool isCut = !path.swapLight.empty();
-  const Exposed referenceLight(frames.first().frame.color, request.settings.exposureEv),
-      testLight(isCut ? path.beforeTarget : path.frame.color, request.settings.exposureEv);
-  compare::MeasureRequest measure;
-  measure.metrics = request.settings.metrics;
-  measure.statistics = request.statistics;
-  measure.options.box = subject.box;
-  if (request.pictures) measure.keepMaps = {"flip"}; // for the pictures
   std::vector<compare::Swap> swaps(subject.materials.size());
   base::parallelFor(swaps.size(), 1, [&](std::size_t i, std::size_t) {
     const base::PixelList& list = *subject.materials[i];
     const std::size_t material = static_cast<std::size_t>(&list - frames.coverage.data());
-    swaps[i] = displaySwap(context, list, path.swap[material], 0, request.settings.exposureEv, &test);
+    swaps[i] = displaySwap(context, list, path.swap[material], 0, exposureEv, &test);
     if (isCut && !list.pixels.empty())
-      swaps[i].linear = Exposed(path.swapLight[material].planes[0], request.settings.exposureEv).image();
+      swaps[i].linear = Exposed(path.swapLight[material].planes[0], exposureEv).image();
   });
+  return swaps;
+}
+
+compare::MeasureRequest wishOf(const Subject& subject, const ViewComparisonRequest& request) {
+  compare::MeasureRequest measure;
+  measure.metrics = request.settings.metrics;
+  measure.statistics = request.statistics;
+  measure.options.box = subject.box;
+  return measure;
+}
+
+ViewMeasurement measureView(Context& context, const ViewFrames& frames, const Displayed& reference,
+                            const Displayed& test, const Subject& subject, const ViewComparisonRequest& request) {
+  std::vector<std::uint32_t> invalid = reference.nonFinite;
+  invalid.insert(invalid.end(), test.nonFinite.begin(), test.nonFinite.end());
+  const PathFrames& path = frames.paths[request.test];
+  const Exposed referenceLight(frames.first().frame.color, request.settings.exposureEv),
+      testLight(path.swapLight.empty() ? path.frame.color : path.beforeTarget, request.settings.exposureEv);
+  compare::MeasureRequest measure = wishOf(subject, request);
+  if (request.pictures) measure.keepMaps = {"flip"}; // for the pictures
+  const std::vector<compare::Swap> swaps =
+      swapsOf(context, frames, path, test, subject, request.settings.exposureEv);
   return {compare::measureRegions({reference.pixels, test.pixels, &referenceLight.image(), &testLight.image(), invalid},
                                   {subject.whole}, measure),
           compare::measureSwaps(referenceOf(reference, referenceLight.image()), swaps, measure)};
+}
+
+// Of each material that is seen, what each preset of this path would give.
+std::vector<std::vector<report::WhatIf>> measureWhatIfs(Context& context, const ViewFrames& frames,
+                                                        const Displayed& reference, const Subject& subject,
+                                                        const ViewComparisonRequest& request) {
+  std::vector<std::vector<report::WhatIf>> all(subject.materials.size());
+  const Settings& settings = request.settings;
+  const Exposed referenceLight(frames.first().frame.color, settings.exposureEv);
+  for (std::size_t k = 0; k < frames.whatIfs.size(); ++k) {
+    if (settings.whatIfs[k].path != request.paths.chosen[request.test]->name()) continue;
+    const base::Stopwatch watch(&context.timings(), "compare what-ifs");
+    const PathFrames& path = frames.whatIfs[k];
+    const Displayed shown = displayImage(path.frame.color, context.display(), settings.exposureEv);
+    const std::vector<compare::Swap> swaps = swapsOf(context, frames, path, shown, subject, settings.exposureEv);
+    std::vector<compare::Figures> figures =
+        compare::measureSwaps(referenceOf(reference, referenceLight.image()), swaps, wishOf(subject, request)).figures;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (figures[i].pixels > 0) {
+        report::WhatIf& whatIf = all[i].emplace_back();
+        whatIf.preset = settings.whatIfs[k].preset;
+        whatIf.figures = std::move(figures[i]);
+      }
+  }
+  return all;
 }
 
 } // namespace
@@ -187,6 +225,8 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
     subject = makeSubject(frames, chosen, !settings.materials.empty());
     measured = measureView(context, frames, reference, test, subject, request);
   }
+
+  std::vector<std::vector<report::WhatIf>> whatIfs = measureWhatIfs(context, frames, reference, subject, request);
 
   const auto measureSince = [&](const base::Image& before) {
     return measureStage(context, {before, tested.frame.color, test, subject.whole, subject.materials, subject.box,
@@ -230,6 +270,7 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
     if (std::string excess = request.renderer.describeExcess(scene.materials[chosen[i]]); !excess.empty())
       material.notes.push_back(std::move(excess));
     material.terms = termFigures(frames, request.test, list);
+    material.whatIf = std::move(whatIfs[i]);
     if (!encoding.empty()) material.stages.push_back({report::kEncodingStage, target, std::move(encoding[i + 1])});
     if (!textures.empty()) material.stages.push_back({report::kTexturesStage, block, std::move(textures[i + 1])});
     if (truth) material.truth = truth->materials[i];

@@ -26,6 +26,7 @@ struct PathFrames {
 
 struct ViewFrames {
   std::vector<PathFrames> paths;         // in the order of the choice
+  std::vector<PathFrames> whatIfs;       // of each preset in settings.whatIfs what swaps of materials are made of
   base::Frame truth;                     // empty where not asked for, as the next three
   base::Image truthError;                // relative standard error of each pixel (job/scene/reference_path.h)
   base::Image truthTaken;                // samples of each pixel, of the environment, for each way of sampling

@@ -63,6 +63,55 @@ template <> inline constexpr auto kRecord<StageResult> = record<StageResult>(
     field("through", &StageResult::through, "Format of the stage: rgba8-gamma2, astc6x6"),
     field("figures", &StageResult::figures, "null: no pixel", {.ifEmpty = IfEmpty::null}));
 
+template <> inline constexpr auto kRecord<WhatIf> = record<WhatIf>(
+    "whatIf", "What the figures and the verdict of a material would be with another preset of the test path",
+    field("preset", &WhatIf::preset, "", {.filled = true}),
+    field("words", &WhatIf::words, "All of it in a sentence", {.kept = false}),
+    field("verdict", &WhatIf::verdict, "", {.kept = false}),
+    field("reason", &WhatIf::reason, "Reason of the verdict; empty for a pass", {.kept = false}),
+    field("figures", &WhatIf::figures),
+    hidden(&WhatIf::checks, {.kept = false}));
+template <> struct Emptiness<std::vector<WhatIf>> {
+  static bool isEmpty(const std::vector<WhatIf>& list) { return list.empty(); }
+};
+
+template <> inline constexpr auto kRecord<CardTexture> = record<CardTexture>(
+    "cardTexture", "Texture of an input. least, most and mean: of each channel over the texels, times the factor, colours linear; empty: not decoded, or a normal map",
+    field("name", &CardTexture::name),
+    field("file", &CardTexture::file, "Empty: within the scene's own file, or made by the program"),
+    field("channels", &CardTexture::channels, "Channels that the input reads", {.oneOf = "rgb|r|g|b|a"}),
+    field("width", &CardTexture::width, "0: not decoded, because no mesh shows the material", {.least = 0}),
+    field("height", &CardTexture::height, "", {.least = 0}),
+    field("texCoord", &CardTexture::texCoord, "Number of the set of texture coordinates", {.least = 0}),
+    field("picture", &CardTexture::picture, "A small picture of these channels, relative to the report's folder; empty: none"),
+    field("least", &CardTexture::least, "", {.finite = true}),
+    field("most", &CardTexture::most, "", {.finite = true}),
+    field("mean", &CardTexture::mean, "", {.finite = true}));
+
+template <> inline constexpr auto kRecord<CardInput> = record<CardInput>(
+    "cardInput", "",
+    field("name", &CardInput::name, "", {.oneOf = kCardInputs}),
+    field("value", &CardInput::value, "Linear colour or number; the factor if there is a texture", {.finite = true}),
+    field("texture", &CardInput::texture, "absent: none"));
+
+template <> inline constexpr auto kRecord<MaterialCard> = record<MaterialCard>(
+    "materialCard", "What a material is made of",
+    field("name", &MaterialCard::name),
+    field("inputs", &MaterialCard::inputs,
+          "Base colour, metallic and roughness; other inputs only if they differ from glTF's default"),
+    field("alphaMode", &MaterialCard::alphaMode, "", {.oneOf = "opaque|mask|blend"}),
+    field("alphaCutoff", &MaterialCard::alphaCutoff, "Only of a mask", {.finite = true}),
+    field("doubleSided", &MaterialCard::doubleSided),
+    field("unlit", &MaterialCard::unlit),
+    field("nonmetal", &MaterialCard::nonmetal, "Found: metallic is 0 everywhere and F0 is 0.04"),
+    field("fullyRough", &MaterialCard::fullyRough, "As requested"),
+    field("vertexColors", &MaterialCard::vertexColors, "Colours of vertices multiply base colour and opacity"),
+    field("f0", &MaterialCard::f0, "Reflectance at normal incidence of a dielectric, before textures", {.finite = true}),
+    field("notModelled", &MaterialCard::notModelled, "Parts that no path models"));
+template <> struct Emptiness<std::vector<MaterialCard>> {
+  static bool isEmpty(const std::vector<MaterialCard>& list) { return list.empty(); }
+};
+
 template <> inline constexpr auto kRecord<MaterialResult> = record<MaterialResult>(
     "material", "",
     field("name", &MaterialResult::name, "", {.read = true}),
@@ -86,6 +135,7 @@ template <> inline constexpr auto kRecord<MaterialResult> = record<MaterialResul
     field("crops", &MaterialResult::crops),
     field("truth", &MaterialResult::truth),
     field("stages", &MaterialResult::stages),
+    field("whatIf", &MaterialResult::whatIf, "Only with --what-if", {.ifEmpty = IfEmpty::absent}),
     field("attribution", &MaterialResult::attribution));
 
 template <> inline constexpr auto kRecord<LightEffect> = record<LightEffect>(
@@ -186,6 +236,8 @@ template <> inline constexpr auto kRecord<SceneResult> = record<SceneResult>(
         field("exitCode", &SceneResult::errorExitCode, "128 and more: a signal ended the run before the scene was done",
               {.kept = false, .least = 3, .most = 255})),
     field("warnings", &SceneResult::warnings),
+    field("materials", &SceneResult::materials, "What its materials are made of; absent: not known",
+          {.ifEmpty = IfEmpty::absent}),
     field("views", &SceneResult::views, "", {.read = true}),
     field("passes", &SceneResult::passes, "Work done for the scene in all views, and skipped work"),
     field("permutations", &SceneResult::permutations,

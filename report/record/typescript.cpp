@@ -59,7 +59,7 @@ private:
       if constexpr (IsByName<Element>)
         return "Record<string, number | null>";
       else
-        return typeOf<Element>(Rule()) + "[]";
+        return typeOf<Element>(Rule{.finite = rule.finite}) + "[]";
     } else {
       return named<T>(rule);
     }

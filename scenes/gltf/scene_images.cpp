@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "scenes/gltf/image.h"
+#include "scenes/names.h"
 
 namespace parity::scenes {
 namespace {
@@ -71,11 +72,15 @@ std::vector<SourceFile> readSceneImages(const GltfDocument& document, const std:
     return pixels.empty() ? nullptr : &pixels; // a problem of its own
   };
 
+  const auto fileOf = [&](int image) {
+    return cleanName(document.images[static_cast<std::size_t>(image)].named.filename().string());
+  };
   std::size_t derivedTexels = 0;
   for (const int image : used) {
     TextureImage& out = scene.images.emplace_back();
     if (image < ownCount) {
       out.name = document.images[static_cast<std::size_t>(image)].name;
+      out.file = fileOf(image);
       continue;
     }
     const DerivedImage& recipe = recipeOf(image);
@@ -83,6 +88,7 @@ std::vector<SourceFile> readSceneImages(const GltfDocument& document, const std:
     const int source = isRoughness || recipe.diffuse < 0 ? recipe.specularGlossiness : recipe.diffuse;
     out.name = fmt::format("{} ({})", document.images[static_cast<std::size_t>(source)].name,
                            isRoughness ? "roughness of glossiness" : "diffuse less specular");
+    out.file = fileOf(source);
     if (!contains(read, image)) continue;
     const base::Image8 *packed = pixelsOf(recipe.specularGlossiness), *diffuse = pixelsOf(recipe.diffuse);
     problems.attempt([&] {

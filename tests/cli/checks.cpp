@@ -85,11 +85,16 @@ std::vector<std::string> listPictures(const nlohmann::json& report) {
     for (const char* key : {"reference", "test", "flip"})
       if (images[key] != "") pictures.insert(images[key].get<std::string>());
   };
-  for (const nlohmann::json& scene : report["scenes"])
+  for (const nlohmann::json& scene : report["scenes"]) {
     for (const nlohmann::json& view : scene["views"]) {
       addAll(view["images"]);
       for (const nlohmann::json& material : view["materials"]) addAll(material["crops"]);
     }
+    for (const nlohmann::json& material : scene.value("materials", nlohmann::json::array()))
+      for (const nlohmann::json& input : material["inputs"])
+        if (input.contains("texture")) pictures.insert(input["texture"]["picture"].get<std::string>());
+  }
+  pictures.erase("");
   return {pictures.begin(), pictures.end()};
 }
 

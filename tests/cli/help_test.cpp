@@ -60,7 +60,7 @@ const std::vector<std::string> kCommon = {"--size",
                                           "--off-specular"};
 const std::vector<std::string> kVerdict = {"--material", "--budgets",     "--json",          "--warn-exit",
                                            "--terms",    "--baseline",    "--annotate",      "--metrics",
-                                           "--costs",    "--attribution", "--dropped-lights"};
+                                           "--costs",    "--attribution", "--dropped-lights", "--what-if"};
 
 void expectHelp(const std::vector<std::string>& arguments, const std::vector<std::string>& mentioned) {
   const RunResult result = runParity(arguments);

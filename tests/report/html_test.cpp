@@ -46,6 +46,7 @@ TEST(Html, EveryTextOfAReportIsEscaped) {
       scene.name = scene.source = scene.environment = scene.sun = scene.error = text;
       scene.warnings = {text};
       scene.passes = {{text, text, 0, text}};
+      scene.materials = {makeCard(text, text)};
       for (ViewResult& view : scene.views) {
         view.name = view.reason = text;
         view.images = {text, text, text};
@@ -61,6 +62,8 @@ TEST(Html, EveryTextOfAReportIsEscaped) {
           material.truth = view.truth;
           material.attribution = compare::Attribution{1, {{text, 2}}};
           material.crops = {text, text, text};
+          material.whatIf = {makeWhatIf(text, 0.1)};
+          material.whatIf[0].words = material.whatIf[0].reason = text;
           for (compare::CheckResult& check : material.checks) check.metric = check.note = check.unjudged = text;
         }
       }

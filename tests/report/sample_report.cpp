@@ -204,6 +204,26 @@ RunInfo makeSampleRun() {
   return {"2024-05-01T12:00:00Z", "parity report Lamp.gltf -o out", {{"load", 120.5}, {"render", 830}}, 0, {}};
 }
 
+MaterialCard makeCard(const std::string& material, const std::string& texture) {
+  MaterialCard card;
+  card.name = material;
+  card.inputs = {{"baseColor", {0.8, 0.2, 0.1}, std::nullopt}, {"metallic", {1}, std::nullopt}};
+  card.inputs.push_back({"roughness", {0.5}, CardTexture{texture, texture, "g", 8, 4, 1, texture, {0.1}, {0.5}, {0.2}}});
+  std::swap(card.inputs[0], card.inputs[2]);
+  card.alphaMode = "mask";
+  card.alphaCutoff = 0.5;
+  card.f0 = {0.04, 0.04, 0.04};
+  card.notModelled = {texture};
+  return card;
+}
+
+WhatIf makeWhatIf(const std::string& preset, double mean) {
+  WhatIf whatIf;
+  whatIf.preset = preset;
+  whatIf.figures = makeFigures(mean, 120000, 0.99);
+  return whatIf;
+}
+
 DroppedLights makeDroppedLights(const std::string& light, const std::string& material, const std::string& more) {
   DroppedLights dropped{.lights = 5, .measured = {}, .notMeasured = {light + " 3", light + " 4"}};
   dropped.measured = {{light + " 1", "spot", 0, 2, {{material, 0.02}, {more, 0.031}}},

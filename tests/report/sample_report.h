@@ -30,6 +30,10 @@ Report makeSampleReportSince(const std::vector<std::string>& names = {}, const s
 Report makeSampleReportWithTruth(const std::vector<std::string>& names = {});
 RunInfo makeSampleRun();
 
+// A mask, whose roughness has a texture of that name.
+MaterialCard makeCard(const std::string& material, const std::string& texture);
+WhatIf makeWhatIf(const std::string& preset, double mean);
+
 // Four of five lights, of which two were measured over these two materials; not ranked yet: the other one of each two
 // does more.
 DroppedLights makeDroppedLights(const std::string& light = "lamp", const std::string& material = "Glass",

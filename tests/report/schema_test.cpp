@@ -99,7 +99,8 @@ void expectEachKeyMatters(const json& schema, const json& document, const json::
       less.at(where).erase(key);
       const bool optional = (key == "truth" && child.contains("images")) || // not the luminance, not the image
                             key == "cost" || key == "light" || key == "words" || key == "attribution" ||
-                            key == "droppedLights" || name == "/statistics";
+                            key == "droppedLights" || name == "/statistics" || key == "whatIf" ||
+                            key == "texture" || key == "alphaCutoff" || name + "/" + key == "/scenes/0/materials";
       EXPECT_EQ(validate(schema, less).empty(), optional) << where.to_string() << "/" << key;
       json other = document;
       other.at(where)[key] = json::array({"wrong"});
@@ -129,6 +130,8 @@ TEST(Schema, EachKeyIsRequiredTypedAndNoOtherIsAllowed) {
   report.scenes[0].views[0].stages = {{kTexturesStage, "etc2", makeFigures(0.01, 9000)}};
   report.scenes[0].views[0].droppedLights = makeDroppedLights();
   materials[0].notModelled = {"clearcoat"};
+  materials[0].whatIf = {makeWhatIf("refit", 0.02)};
+  report.scenes[0].materials = {makeCard("metal", "rough.png")};
   settleVerdicts(report);
   const json schema = loadSchema(), document = json::parse(toJson(report));
   ASSERT_EQ(join(validate(schema, document)), "");

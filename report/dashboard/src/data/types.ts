@@ -105,9 +105,45 @@ export interface Scene {
     exitCode: number; // 128 and more: a signal ended the run before the scene was done
   } | null;
   warnings: string[];
+  materials?: MaterialCard[]; // What its materials are made of; absent: not known
   views: View[];
   passes: Pass[]; // Work done for the scene in all views, and skipped work
   permutations: Permutation[]; // The specialised shaders of the pictures, by path, in order of their first use
+}
+
+/** What a material is made of */
+export interface MaterialCard {
+  name: string;
+  inputs: CardInput[]; // Base colour, metallic and roughness; other inputs only if they differ from glTF's default
+  alphaMode: "opaque" | "mask" | "blend";
+  alphaCutoff?: number; // Only of a mask
+  doubleSided: boolean;
+  unlit: boolean;
+  nonmetal: boolean; // Found: metallic is 0 everywhere and F0 is 0.04
+  fullyRough: boolean; // As requested
+  vertexColors: boolean; // Colours of vertices multiply base colour and opacity
+  f0: number[]; // Reflectance at normal incidence of a dielectric, before textures
+  notModelled: string[]; // Parts that no path models
+}
+
+export interface CardInput {
+  name: "baseColor" | "opacity" | "metallic" | "roughness" | "normal" | "occlusion" | "emissive" | "specular" | "specularColor";
+  value: number[]; // Linear colour or number; the factor if there is a texture
+  texture?: CardTexture; // absent: none
+}
+
+/** Texture of an input. least, most and mean: of each channel over the texels, times the factor, colours linear; empty: not decoded, or a normal map */
+export interface CardTexture {
+  name: string;
+  file: string; // Empty: within the scene's own file, or made by the program
+  channels: "rgb" | "r" | "g" | "b" | "a"; // Channels that the input reads
+  width: number; // 0: not decoded, because no mesh shows the material
+  height: number;
+  texCoord: number; // Number of the set of texture coordinates
+  picture: string; // A small picture of these channels, relative to the report's folder; empty: none
+  least: number[];
+  most: number[];
+  mean: number[];
 }
 
 export interface View {
@@ -244,6 +280,7 @@ export interface Material {
   crops: Images;
   truth?: Truth;
   stages: Stage[];
+  whatIf?: WhatIf[]; // Only with --what-if
   attribution?: Attribution;
 }
 
@@ -259,6 +296,15 @@ export interface Images {
   reference: string;
   test: string;
   flip: string;
+}
+
+/** What the figures and the verdict of a material would be with another preset of the test path */
+export interface WhatIf {
+  preset: string;
+  words: string; // All of it in a sentence
+  verdict: Verdict;
+  reason: string; // Reason of the verdict; empty for a pass
+  figures: Figures;
 }
 
 /** The term that makes the material differ; only for materials over budget, or as --attribution requests */

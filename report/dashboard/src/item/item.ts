@@ -19,6 +19,7 @@ import "../viewer/viewer";
 import type { ParityViewer } from "../viewer/viewer";
 import { checkTable } from "./checks";
 import { describeDropped, lightsOf } from "./dropped_lights";
+import { materialCard } from "./material_card";
 import "./numbers";
 import "./terms";
 
@@ -116,6 +117,7 @@ export class ParityItem extends PageElement {
       ${isPhone ? this.renderFacts() : nothing}
       ${row.judged ? checkTable(row.judged, report, this.scales) : nothing}
       ${notes.length > 0 ? html`<ul class="notes">${notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
+      ${materialCard(report, row)}
     `;
   }
 

@@ -1,0 +1,91 @@
+#include "job/what_if.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "job/knobs.h"
+#include "job/paths.h"
+
+namespace parity::job {
+
+namespace {
+
+constexpr const char* kOption = "--what-if";
+
+std::vector<std::string> presetsOf(const paths::Path& path) {
+  const std::string knob = path.presetKnob();
+  return knob.empty() ? std::vector<std::string>() : path.knobs().find(knob)->knob.choices;
+}
+
+} // namespace
+
+const paths::Path* pathOfPreset(const std::string& preset) {
+  for (const paths::Path* path : allPaths())
+    if (std::ranges::count(presetsOf(*path), preset) > 0) return path;
+  return nullptr;
+}
+
+std::vector<std::string> presetsOfPaths() {
+  std::vector<std::string> all;
+  for (const paths::Path* path : allPaths())
+    for (const std::string& preset : presetsOf(*path)) all.push_back(preset);
+  return all;
+}
+
+void setWhatIfs(Settings& settings, const base::KnobValue& value) {
+  settings.whatIfs.clear();
+  const std::vector<std::string> known = presetsOfPaths();
+  for (const std::string& text : value)
+    for (std::size_t at = 0; at <= text.size();) {
+      const std::size_t end = std::min(text.find(',', at), text.size());
+      const std::string& name = known[base::readChoice(text.substr(at, end - at), known)];
+      if (std::ranges::count(settings.whatIfs, name, &WhatIfPreset::preset) == 0)
+        settings.whatIfs.push_back({name, pathOfPreset(name)->name(), {}});
+      at = end + 1;
+    }
+}
+
+std::string whatIfText(const Settings& settings) {
+  std::vector<std::string> all;
+  for (const WhatIfPreset& each : settings.whatIfs) {
+    std::string text = each.preset;
+    for (const auto& row : pathByName(each.path).knobs().rows())
+      text += fmt::format(" {}={}", row.knob.id, row.text(each.options));
+    all.push_back(std::move(text));
+  }
+  return all.empty() ? "none" : fmt::format("{}", fmt::join(all, "; "));
+}
+
+void deriveWhatIfs(Settings& settings, const Settings& plain, const base::GivenKnobs& given) {
+  for (WhatIfPreset& each : settings.whatIfs) {
+    Settings other = plain;
+    knobs().apply(other, base::merged(given, {{pathByName(each.path).presetKnob(), {{each.preset}, kOption}}}));
+    each.options = other.options;
+  }
+}
+
+void requireWhatIfs(const Settings& settings) {
+  for (const auto& [preset, name, options] : settings.whatIfs) {
+    const auto refuse = [&](const std::string& reason) {
+      throw base::Error(base::ExitCode::usage, kOption, preset, reason);
+    };
+    const std::vector<std::string>& compared = settings.pathNames;
+    if (std::find(compared.begin() + 1, compared.end(), name) == compared.end())
+      refuse(fmt::format("is a preset of the path '{}', which is not compared with '{}'", name, compared.front()));
+    const paths::Path& path = pathByName(name);
+    try {
+      path.requireSense(options, settings.display);
+    } catch (const base::Error& error) {
+      refuse("does not go together with other options: " + error.reason());
+    }
+    if (path.lightNeeds(options) != path.lightNeeds(settings.options))
+      refuse("needs the light in another form than this run; compare it in a run of its own");
+    if (path.textureBlock(options) != path.textureBlock(settings.options))
+      refuse("needs other textures than this run; compare it in a run of its own");
+  }
+}
+
+} // namespace parity::job
