@@ -24,9 +24,11 @@ using Names = std::span<const std::string_view>;
 
 constexpr std::string_view kRootKeys[] = {"preset", "material", "whole"};
 constexpr std::string_view kPresetKeys[] = {"checks", "regress"};
-constexpr std::string_view kMaterialKeys[] = {"name",         "scene",      "preset", "checks", "regress",
-                                              "require_seen", "min_pixels", "reason", "owner"};
-constexpr std::string_view kWholeKeys[] = {"scene", "preset", "checks", "regress", "reason", "owner"};
+constexpr std::string_view kMaterialKeys[] = {"name",    "scene",        "preset",        "checks",
+                                              "regress", "require_seen", "min_pixels",    "reason",
+                                              "owner",   "accept",       "max_non_finite"};
+constexpr std::string_view kWholeKeys[] = {"scene",  "preset", "checks", "regress",
+                                           "reason", "owner",  "accept", "max_non_finite"};
 constexpr std::string_view kCheckKeys[] = {"metric", "warn", "fail"};
 
 // Either kind of rule takes its own limits of a built-in preset.
@@ -163,12 +165,58 @@ private:
     rule.origin = fmt::format("{}, line {}", m_short, rule.line);
     rule.file = m_file;
     rule.preset = textOf(table, "preset", "");
+    readAccepted(table, kind, rule);
     const Checks* preset = presetOf(table, kind);
     const bool hasOwn = table.contains("checks") || table.contains("regress");
-    const Checks own = hasOwn || !preset ? readChecks(table, "the rule") : Checks{};
+    const bool needsNone = preset || std::ranges::count(rule.accept, Accept::noLimit) > 0;
+    const Checks own = hasOwn || !needsNone ? readChecks(table, "the rule") : Checks{};
     rule.checks = preset ? merge(own.levels, preset->levels) : own.levels;
     rule.regress = preset ? merge(own.regress, preset->regress) : own.regress;
     return rule;
+  }
+
+  // What is accepted is named, one by one, and has a reason.
+  void readAccepted(const toml::table& table, RuleKind kind, BudgetRule& rule) const {
+    if (const toml::node* node = table.get("accept")) {
+      const toml::array* list = node->as_array();
+      if (!list || list->empty()) refuse(node->source(), "'accept' must be a list of what is accepted: [\"not seen\"]");
+      for (const toml::node& each : *list) rule.accept.push_back(readAccept(each, kind, rule.accept));
+      if (rule.reason.empty()) refuse(node->source(), "'accept' needs a 'reason'; reports show it");
+    }
+    const auto accepts = [&](Accept what) { return std::ranges::count(rule.accept, what) > 0; };
+    const toml::node* most = table.get("max_non_finite");
+    if (accepts(Accept::nonFinite) != (most != nullptr))
+      refuse(most ? most->source() : table.get("accept")->source(),
+             most ? "'max_non_finite' needs 'accept' with \"non-finite\""
+                  : "'accept' of \"non-finite\" needs 'max_non_finite', the most such pixels in a view");
+    if (most) rule.maxNonFinite = readPixels(*most, "max_non_finite", "");
+    if (accepts(Accept::noLimit))
+      for (const char* key : {"checks", "regress", "preset"})
+        if (const toml::node* node = table.get(key))
+          refuse(node->source(), fmt::format("'accept' of \"no limit\" contradicts '{}'", key));
+  }
+
+  Accept readAccept(const toml::node& node, RuleKind kind, const std::vector<Accept>& before) const {
+    if (!node.is_string()) refuse(node.source(), "an entry of 'accept' is not a string");
+    const std::string& name = node.as_string()->get();
+    const std::optional<Accept> known = acceptByName(name);
+    if (!known)
+      refuse(node.source(),
+             fmt::format("'accept' does not know '{}'; {}", name, base::describeNearest(name, acceptNames())));
+    if (kind == RuleKind::whole && !isOfWholes(*known))
+      refuse(node.source(), fmt::format("whole images are never '{}', so there is nothing to accept", name));
+    if (std::ranges::count(before, *known) > 0) refuse(node.source(), fmt::format("'{}' is accepted twice", name));
+    return *known;
+  }
+
+  // A number of pixels; hint: what the least one means.
+  std::uint64_t readPixels(const toml::node& node, const char* key, const char* hint) const {
+    if (!node.is_integer()) refuse(node.source(), fmt::format("'{}' must be a whole number", key));
+    const std::int64_t count = node.as_integer()->get();
+    if (count < 1 || count > static_cast<std::int64_t>(base::kMaxImagePixels))
+      refuse(node.source(),
+             fmt::format("'{}' is {}, outside the range 1..{}{}", key, count, base::kMaxImagePixels, hint));
+    return static_cast<std::uint64_t>(count);
   }
 
   BudgetRule materialRule(const toml::table& table) const {
@@ -180,16 +228,13 @@ private:
       if (!node->is_boolean()) refuse(node->source(), "'require_seen' must be true or false");
       rule.requireSeen = node->as_boolean()->get();
     }
-    if (const toml::node* node = table.get("min_pixels")) {
-      if (!node->is_integer()) refuse(node->source(), "'min_pixels' must be a whole number");
-      const std::int64_t count = node->as_integer()->get();
-      if (count < 1 || count > static_cast<std::int64_t>(base::kMaxImagePixels))
-        refuse(node->source(),
-               fmt::format("'min_pixels' is {}, outside the range 1..{}: 1 judges every material that is "
-                           "seen",
-                           count, base::kMaxImagePixels));
-      rule.minPixels = static_cast<std::uint64_t>(count);
-    }
+    if (rule.requireSeen)
+      for (const Accept each : {Accept::notSeen, Accept::tooSmall})
+        if (std::ranges::count(rule.accept, each) > 0)
+          refuse(table.get("accept")->source(),
+                 fmt::format("'accept' of \"{}\" contradicts 'require_seen'", nameOf(each)));
+    if (const toml::node* node = table.get("min_pixels"))
+      rule.minPixels = readPixels(*node, "min_pixels", ": 1 judges every material that is seen");
     return rule;
   }
 
