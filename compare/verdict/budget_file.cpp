@@ -3,7 +3,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,15 +11,14 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/image/image.h"
 #include "base/text/nearest.h"
 #include "compare/verdict/budget.h"
+#include "compare/verdict/budget_keys.h"
 
 namespace parity::compare {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
-using Names = std::span<const std::string_view>;
 
 constexpr std::string_view kRootKeys[] = {"preset", "material", "whole"};
 constexpr std::string_view kPresetKeys[] = {"checks", "regress"};
@@ -49,9 +47,9 @@ std::vector<BudgetCheck> merge(std::vector<BudgetCheck> own, const std::vector<B
   return own;
 }
 
-class Reader {
+class Reader : public BudgetKeys {
 public:
-  explicit Reader(const std::filesystem::path& file) : m_file(file.string()), m_short(file.filename().string()) {}
+  using BudgetKeys::BudgetKeys;
 
   Budgets read(const toml::table& root) {
     refuseUnknown(root, kRootKeys);
@@ -62,14 +60,10 @@ public:
     if (const toml::node* rules = root.get("whole"))
       for (const toml::table* rule : tablesOf(*rules, "whole")) budgets.wholes.push_back(wholeRule(*rule));
     if (budgets.materials.empty() && budgets.wholes.empty())
-      throw base::fileError(m_file, "", "has no rules; add a [[material]] or [[whole]]");
+      throw base::fileError(fileName(), "", "has no rules; add a [[material]] or [[whole]]");
     refuseHidden(budgets.materials);
     refuseHidden(budgets.wholes);
     return budgets;
-  }
-
-  [[noreturn]] void refuse(const toml::source_region& where, const std::string& reason) const {
-    throw base::fileError(m_file, fmt::format("line {}", where.begin.line), reason);
   }
 
 private:
@@ -130,40 +124,14 @@ private:
     return list;
   }
 
-  void refuseUnknown(const toml::table& table, Names known) const {
-    for (const auto& [key, node] : table)
-      if (std::ranges::find(known, key.str()) == known.end())
-        refuse(key.source(), fmt::format("unknown key '{}'; {}", key.str(), base::describeNearest(key.str(), known)));
-  }
-
-  std::vector<const toml::table*> tablesOf(const toml::node& node, std::string_view key) const {
-    const toml::array* array = node.as_array();
-    if (!array) refuse(node.source(), fmt::format("'{0}' must be an array of tables: [[{0}]]", key));
-    std::vector<const toml::table*> tables;
-    for (const toml::node& element : *array) {
-      if (!element.is_table()) refuse(element.source(), fmt::format("an entry of '{}' is not a table", key));
-      tables.push_back(element.as_table());
-    }
-    return tables;
-  }
-
-  std::string textOf(const toml::table& table, std::string_view key, std::string fallback) const {
-    const toml::node* node = table.get(key);
-    if (!node) return fallback;
-    const auto* text = node->as_string();
-    if (!text) refuse(node->source(), fmt::format("'{}' must be a string", key));
-    if (text->get().empty()) refuse(node->source(), fmt::format("'{}' is empty", key));
-    return text->get();
-  }
-
   BudgetRule commonRule(const toml::table& table, RuleKind kind) const {
     BudgetRule rule;
     rule.scene = textOf(table, "scene", "*");
     rule.reason = textOf(table, "reason", "");
     rule.owner = textOf(table, "owner", "");
     rule.line = static_cast<int>(table.source().begin.line);
-    rule.origin = fmt::format("{}, line {}", m_short, rule.line);
-    rule.file = m_file;
+    rule.origin = fmt::format("{}, line {}", shortName(), rule.line);
+    rule.file = fileName();
     rule.preset = textOf(table, "preset", "");
     readAccepted(table, kind, rule);
     const Checks* preset = presetOf(table, kind);
@@ -207,16 +175,6 @@ private:
       refuse(node.source(), fmt::format("whole images are never '{}', so there is nothing to accept", name));
     if (std::ranges::count(before, *known) > 0) refuse(node.source(), fmt::format("'{}' is accepted twice", name));
     return *known;
-  }
-
-  // A number of pixels; hint: what the least one means.
-  std::uint64_t readPixels(const toml::node& node, const char* key, const char* hint) const {
-    if (!node.is_integer()) refuse(node.source(), fmt::format("'{}' must be a whole number", key));
-    const std::int64_t count = node.as_integer()->get();
-    if (count < 1 || count > static_cast<std::int64_t>(base::kMaxImagePixels))
-      refuse(node.source(),
-             fmt::format("'{}' is {}, outside the range 1..{}{}", key, count, base::kMaxImagePixels, hint));
-    return static_cast<std::uint64_t>(count);
   }
 
   BudgetRule materialRule(const toml::table& table) const {
@@ -299,13 +257,12 @@ private:
         };
         if (takes(rules[earlier].material, rules[later].material) && takes(rules[earlier].scene, rules[later].scene))
           throw base::fileError(
-              m_file, rules[later].origin.substr(m_short.size() + 2),
+              fileName(), rules[later].origin.substr(shortName().size() + 2),
               fmt::format("the rule of {} already matches everything that this rule matches; put this rule first",
-                          rules[earlier].origin.substr(m_short.size() + 2)));
+                          rules[earlier].origin.substr(shortName().size() + 2)));
       }
   }
 
-  std::string m_file, m_short;
   std::map<std::string, Checks> m_presets[2]; // of each RuleKind
 };
 
