@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -187,7 +190,7 @@ private:
                                                        : fmt::format("{} in {}", sentence, describeScenes(subjects)));
   }
 
-  template <typename Value> Value most(Value ObservedSubject::*member) const {
+  template <typename Value> Value mostOf(Value ObservedSubject::*member) const {
     Value value = {};
     for (const ObservedSubject* each : m_group.subjects) value = std::max(value, each->*member);
     return value;
@@ -202,12 +205,12 @@ private:
            fmt::format("fewer than {} pixels show it", compare::kDefaultMinPixels));
     accept(Accept::notJudged, where([](const ObservedSubject& each) { return each.mostlyClipped > 0; }),
            fmt::format("up to {:.1f} % of its pixels are black or white in both pictures",
-                       100 * most(&ObservedSubject::mostlyClipped)));
+                       100 * mostOf(&ObservedSubject::mostlyClipped)));
     accept(Accept::notJudged, where([&](const ObservedSubject& each) { return hasLimits && isTooDark(each); }),
            "both pictures are too dark for its limits");
     accept(Accept::clipped, where([](const ObservedSubject& each) { return each.clipped > 0; }),
            fmt::format("up to {:.1f} % of the pixels are black or white in both pictures",
-                       100 * most(&ObservedSubject::clipped)));
+                       100 * mostOf(&ObservedSubject::clipped)));
     std::set<std::string> parts;
     for (const ObservedSubject* each : m_group.subjects)
       parts.insert(each->notModelled.begin(), each->notModelled.end());

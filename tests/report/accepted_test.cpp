@@ -100,7 +100,7 @@ TEST(Accepted, LimitsStillFailWhatIsAccepted) {
 TEST(Accepted, NonFinitePixelsUpToTheirNumber) {
   const compare::Budgets budgets = load(ruleOf("[\"non-finite\"]\nmax_non_finite = 5\n") + kLimit);
   MaterialResult material = makeMaterial("m", 1, 4000);
-  for (const std::uint64_t count : {5, 6}) {
+  for (const std::uint64_t count : {std::uint64_t{5}, std::uint64_t{6}}) {
     material.figures.nonFinite = count;
     const Report report = judged(reportOf(material), budgets);
     EXPECT_EQ(exitCode(report, true), count == 5 ? 0 : 2);
