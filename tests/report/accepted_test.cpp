@@ -13,7 +13,7 @@
 namespace parity::report {
 namespace {
 
-compare::Budgets load(const std::string& rule) {
+compare::Budgets loadRule(const std::string& rule) {
   const base::TempFolder folder;
   base::writeText(folder / "b.toml", rule);
   return compare::loadBudgets(folder / "b.toml");
@@ -66,7 +66,7 @@ TEST(Accepted, EachConditionPassesWithItsReasonAndNoOtherDoes) {
     row.change(material);
     for (const Case& accepted : kCases) {
       const std::string list = std::string("[\"") + accepted.accept + "\"]\n";
-      const Report report = judged(reportOf(material), load(ruleOf(list) + kLimit));
+      const Report report = judged(reportOf(material), loadRule(ruleOf(list) + kLimit));
       const MaterialResult& found = report.scenes[0].views[0].materials[0];
       if (row.accept != accepted.accept) {
         EXPECT_EQ(found.verdict, row.otherwise) << row.accept << " by " << accepted.accept;
@@ -92,13 +92,13 @@ TEST(Accepted, LimitsStillFailWhatIsAccepted) {
   MaterialResult material = makeMaterial("m", 0.3, 4000);
   material.figures.clippedWhite = 0.8;
   material.notModelled = {"sheen"};
-  const Report report = judged(reportOf(material), load(ruleOf("[\"not judged\", \"base layer only\"]\n") + kLimit));
+  const Report report = judged(reportOf(material), loadRule(ruleOf("[\"not judged\", \"base layer only\"]\n") + kLimit));
   EXPECT_EQ(report.scenes[0].views[0].materials[0].verdict, compare::Verdict::fail);
   EXPECT_EQ(exitCode(report, false), 2);
 }
 
 TEST(Accepted, NonFinitePixelsUpToTheirNumber) {
-  const compare::Budgets budgets = load(ruleOf("[\"non-finite\"]\nmax_non_finite = 5\n") + kLimit);
+  const compare::Budgets budgets = loadRule(ruleOf("[\"non-finite\"]\nmax_non_finite = 5\n") + kLimit);
   MaterialResult material = makeMaterial("m", 1, 4000);
   for (const std::uint64_t count : {std::uint64_t{5}, std::uint64_t{6}}) {
     material.figures.nonFinite = count;
@@ -109,11 +109,11 @@ TEST(Accepted, NonFinitePixelsUpToTheirNumber) {
     EXPECT_EQ(found.accepted.find("5 of 4000 pixels are NaN or infinite") != std::string::npos, count == 5);
   }
   material.figures.nonFinite = 5;
-  EXPECT_EQ(exitCode(judged(reportOf(material), load(ruleOf("[\"clipped\"]\n") + kLimit)), true), 2);
+  EXPECT_EQ(exitCode(judged(reportOf(material), loadRule(ruleOf("[\"clipped\"]\n") + kLimit)), true), 2);
 }
 
 TEST(Accepted, NoLimitJudgesNothingButErrorsStay) {
-  const compare::Budgets budgets = load(ruleOf("[\"no limit\"]\n"));
+  const compare::Budgets budgets = loadRule(ruleOf("[\"no limit\"]\n"));
   MaterialResult material = makeMaterial("m", 1, 4000);
   EXPECT_EQ(exitCode(judged(reportOf(material), budgets), true), 0);
   setFigure(material.figures, "rmse", NAN);
@@ -129,7 +129,7 @@ TEST(Accepted, NoLimitJudgesNothingButErrorsStay) {
 TEST(Accepted, ARunThatComparedNothingStaysAnError) {
   Report report = reportOf(makeMaterial("m", 0, 0));
   report.scenes[0].views[0].materials.pop_back();
-  const Report unseen = judged(report, load(ruleOf("[\"not seen\"]\n") + kLimit));
+  const Report unseen = judged(report, loadRule(ruleOf("[\"not seen\"]\n") + kLimit));
   EXPECT_EQ(exitCode(unseen, false), 4);
   EXPECT_EQ(problemsOf(unseen).at(0).reason, "no material was compared: 1 accepted without being judged");
 }
@@ -138,8 +138,8 @@ TEST(Accepted, OfAWholeImage) {
   Report report = reportOf(makeMaterial("m", 0.05, 4000));
   report.scenes[0].views[0].whole.clippedBlack = 0.3;
   const std::string rule = "[[whole]]\nreason = \"night\"\npreset = \"default\"\n";
-  EXPECT_EQ(exitCode(judged(report, load(rule)), true), 1);
-  const Report accepted = judged(report, load(rule + "accept = [\"clipped\"]\n"));
+  EXPECT_EQ(exitCode(judged(report, loadRule(rule)), true), 1);
+  const Report accepted = judged(report, loadRule(rule + "accept = [\"clipped\"]\n"));
   EXPECT_EQ(exitCode(accepted, true), 0);
   EXPECT_EQ(headline(accepted), "All 2 materials are within budget, with accepted exceptions for 1 whole image");
 }

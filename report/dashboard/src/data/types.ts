@@ -168,7 +168,12 @@ export interface Rule {
   owner: string;
   requireSeen: boolean;
   minPixels: number; // A material with fewer pixels is too small to be judged
+  accept?: Accept[]; // What the rule accepts for its reason; absent: nothing
+  maxNonFinite?: number; // The most NaN or infinite pixels in a view that the rule accepts; absent: none
 }
+
+/** What a budget accepts although it is no pass */
+export type Accept = "not seen" | "too small" | "not judged" | "clipped" | "base layer only" | "non-finite" | "no limit";
 
 export interface Change {
   new: boolean; // The baseline does not have it
