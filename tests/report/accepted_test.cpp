@@ -92,7 +92,8 @@ TEST(Accepted, LimitsStillFailWhatIsAccepted) {
   MaterialResult material = makeMaterial("m", 0.3, 4000);
   material.figures.clippedWhite = 0.8;
   material.notModelled = {"sheen"};
-  const Report report = judged(reportOf(material), loadRule(ruleOf("[\"not judged\", \"base layer only\"]\n") + kLimit));
+  const Report report =
+      judged(reportOf(material), loadRule(ruleOf("[\"not judged\", \"base layer only\"]\n") + kLimit));
   EXPECT_EQ(report.scenes[0].views[0].materials[0].verdict, compare::Verdict::fail);
   EXPECT_EQ(exitCode(report, false), 2);
 }

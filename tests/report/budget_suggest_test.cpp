@@ -169,7 +169,8 @@ TEST(BudgetSuggest, WithRegressAnUnchangedRunPassesAgainstAnyOfTheRuns) {
       for (ViewResult& view : scene.views)
         for (MaterialResult& material : view.materials)
           if (material.figures.find("flip.mean"))
-            setFigure(material.figures, "flip.mean", *material.figures.find("flip.mean") * (1 - 0.1 * static_cast<double>(i)));
+            setFigure(material.figures, "flip.mean",
+                      *material.figures.find("flip.mean") * (1 - 0.1 * static_cast<double>(i)));
   const SuggestedBudgets suggested = suggestBudgets(runs, {0, {"flip.mean", "bias.ev"}, false, true});
   EXPECT_EQ(suggested.text.find("checks"), std::string::npos);
   for (const ObservedRun& run : runs)

@@ -64,8 +64,14 @@ TEST_F(SuggestTest, TheLastOfSeveralRunsPasses) {
 TEST_F(SuggestTest, InfinitePixelsAreAcceptedLoudlyAndNoMoreOfThem) {
   GltfFile file = makeQuad();
   file.material()["pbrMetallicRoughness"] = {{"metallicFactor", 1}, {"roughnessFactor", 0}};
-  const std::vector<std::string> scenes = {writeGlb(m_folder, file, "mirror"), "builtin:furnace",
-                                           "--mobile-preset", "karis2014", "--orbit", "0,90,0", "--sun", "90,0,3"};
+  const std::vector<std::string> scenes = {writeGlb(m_folder, file, "mirror"),
+                                           "builtin:furnace",
+                                           "--mobile-preset",
+                                           "karis2014",
+                                           "--orbit",
+                                           "0,90,0",
+                                           "--sun",
+                                           "90,0,3"};
   ASSERT_TRUE(exitedWith(2, report("first", scenes)));
   const RunResult suggested = runParity({"budget", "suggest", path("first"), "-o", path("b.toml")});
   EXPECT_TRUE(exitedWith(0, suggested));
