@@ -233,7 +233,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       settle(reportApp, report.common, raw, !report.suite.empty());
       requireSizeFits(report.common, kComparedPixelBytes);
       requireOneOnStdout(report.common.json, report.csv);
-      report.pixelData = raw.pixelData == "all";
+      report.pixelData = raw.pixelData.empty() ? !report.singleFile : raw.pixelData == "all";
       report.kept = keptWords(reportApp, diffApp);
       parsed.command = report;
     } else if (diffApp.parsed()) {

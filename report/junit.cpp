@@ -68,7 +68,7 @@ std::string figureLines(const compare::Figures& figures, const std::string& test
 }
 
 void addCase(Suite& suite, const std::string& className, const std::string& name, compare::Verdict verdict,
-             const std::string& reason, const std::string& details) {
+             const std::string& reason, const std::string& details, const std::string& accepted = {}) {
   ++suite.tally.tests;
   suite.cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\">\n", base::escapeMarkup(className),
                              base::escapeMarkup(name));
@@ -77,7 +77,10 @@ void addCase(Suite& suite, const std::string& className, const std::string& name
                                base::escapeMarkup(reason), base::escapeMarkup(details));
   };
   switch (verdict) {
-  case compare::Verdict::pass:
+  case compare::Verdict::pass: // what the budget accepts is said
+    if (!accepted.empty())
+      suite.cases += fmt::format("      <system-out>{}</system-out>\n",
+                                 base::escapeMarkup(fmt::format("accepted: {}\n{}", accepted, details)));
     break;
   case compare::Verdict::notSeen:
   case compare::Verdict::tooSmall:
@@ -122,11 +125,13 @@ Suite makeSuite(const SceneResult& scene, const RunInfo& run) {
     const std::string className = scene.name + "." + view.name;
     addCase(suite, className, "(whole image)", view.wholeVerdict, view.reason,
             figureLines(view.whole, view.test, view.checks) + baselineLines(view.baseline) + ruleLines(view.rule) +
-                againLine(view.wholeVerdict, againCommand(run, scene, view, nullptr)));
+                againLine(view.wholeVerdict, againCommand(run, scene, view, nullptr)),
+            view.accepted);
     for (const MaterialResult& material : view.materials)
       addCase(suite, className, material.name, material.verdict, material.reason,
               materialDetails(material, view.reference) +
-                  againLine(material.verdict, againCommand(run, scene, view, &material)));
+                  againLine(material.verdict, againCommand(run, scene, view, &material)),
+              material.accepted);
   }
   return suite;
 }

@@ -35,6 +35,9 @@ std::string summary(const Report& report) {
       materials.total() + wholes.total() == 0
           ? "nothing was compared"
           : fmt::format("materials: {}; whole images: {}", formatCounts(materials), formatCounts(wholes));
+  const auto [acceptedMaterials, acceptedWholes] = countAccepted(report);
+  if (acceptedMaterials + acceptedWholes > 0)
+    text += fmt::format("; of these pass by accepted exceptions: {}", acceptedMaterials + acceptedWholes);
   if (const std::size_t broken = countBroken(report); broken > 0)
     text += fmt::format("; scenes not compared: {}", broken);
   if (const std::size_t notRun = countNotRun(report); notRun > 0) text += fmt::format("; scenes not run: {}", notRun);

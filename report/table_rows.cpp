@@ -115,6 +115,7 @@ struct Row {
   const std::vector<StageResult>& stages;
   const std::string& reason;
   std::string cause; // in words; empty where it was not looked for
+  std::string accepted = {};
 };
 
 std::string formatCell(const Column& column, const Row& row) {
@@ -189,6 +190,7 @@ std::string wordsOf(const Row& row, const Layout& layout) {
   const std::string bias = row.figures.pixels > 0 ? compare::describeBias(row.figures, row.test) : "";
   for (const std::string& more : {figures, bias, row.reason, row.cause})
     if (!more.empty()) words += (words.empty() ? "" : "; ") + base::plainLine(more);
+  if (!row.accepted.empty()) words += (words.empty() ? "accepted: " : "; accepted: ") + base::plainLine(row.accepted);
   return words;
 }
 
@@ -239,13 +241,14 @@ std::string formatView(const SceneResult& scene, const ViewResult& view, const s
     if (!isShown(material)) continue;
     out += formatRow({material.name, material.test, material.verdict, material.figures, material.baseline,
                       material.truth, material.stages, material.reason,
-                      material.attribution ? describeCause(*material.attribution, view.reference) : ""},
+                      material.attribution ? describeCause(*material.attribution, view.reference) : "",
+                      material.accepted},
                      layout, options);
     if (!material.whatIf.empty()) out += "    " + indented(describeWhatIfs(material), options);
   }
   if (showsWhole)
     out += formatRow({"whole image", view.test, view.wholeVerdict, view.whole, view.baseline, view.truth, view.stages,
-                      view.reason, ""},
+                      view.reason, "", view.accepted},
                      layout, options);
   if (const VerdictCounts hidden = countHidden(view); !options.all && hidden.total() > 0)
     out +=

@@ -15,7 +15,7 @@ struct RawOptions {
   base::GivenKnobs knobs, views;
   std::vector<std::string> environments; // each --env of what takes several
   std::string cache, cacheSize = "4G";
-  std::string pixelData = "all";
+  std::string pixelData; // empty: not given
   bool noCache = false, quiet = false, validation = false;
 };
 

@@ -26,6 +26,7 @@ export interface ViewerState {
   term: string; // "": the colour; else the term whose images are shown
   falseColor: boolean; // luminance in place of colours
   showTruth: boolean;
+  showBaseline: boolean; // its pictures, where they are not as in this run
   dimOthers: boolean; // all but the chosen material
 }
 
@@ -66,6 +67,7 @@ export const kDefaultState: Readonly<State> = {
   term: "",
   falseColor: false,
   showTruth: false,
+  showBaseline: false,
   dimOthers: true,
   scene: "",
   view: "",

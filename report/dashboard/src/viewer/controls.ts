@@ -12,6 +12,7 @@ import { kTermNames, termLabel } from "./terms";
 export interface ControlScene {
   state: ViewerState;
   hasTruth: boolean;
+  hasBaseline: boolean; // pictures of it that are not as in this run
   hasTerms: boolean;
   material: string | null; // the chosen one's name; null: the whole picture
   above: string; // how many pixels the threshold leaves; "": not known
@@ -152,7 +153,7 @@ function shows({ state }: ControlScene): { pictures: boolean; flip: boolean; dif
 
 /** How many of the folded controls are not as at first: the button says so. */
 export function changedCount(state: ViewerState): number {
-  const keys = ["exposure", "threshold", "autoRange", "term", "falseColor", "showTruth", "dimOthers"] as const;
+  const keys = ["exposure", "threshold", "autoRange", "term", "falseColor", "showTruth", "showBaseline", "dimOthers"] as const;
   return keys.filter((key) => state[key] !== kDefaultState[key]).length;
 }
 
@@ -220,6 +221,9 @@ export function controls(scene: ControlScene): TemplateResult {
         set: (exposure) => set({ exposure }),
       })}
       ${mapControls(scene)}
+      ${scene.hasBaseline
+        ? check(html`Baseline`, "showBaseline", state.showBaseline, (showBaseline) => set({ showBaseline }))
+        : nothing}
       ${scene.hasTruth ? check(html`Truth`, "showTruth", state.showTruth, (showTruth) => set({ showTruth })) : nothing}
       ${scene.material === null
         ? nothing

@@ -9,7 +9,7 @@ import type { Judged } from "../data/judged";
 import type { Report, View } from "../data/types";
 import { PageElement } from "../element";
 import { kPhone, Media } from "../media";
-import { arrange, flipPlaneOf, type PaneModel } from "./arrange";
+import { arrange, baselinePictures, flipPlaneOf, type PaneModel } from "./arrange";
 import { controls } from "./controls";
 import "./flip_histogram";
 import { inspect } from "./inspect";
@@ -256,6 +256,7 @@ export class ParityViewer extends PageElement {
         ${controls({
           state,
           hasTruth: view.whole.truth !== undefined,
+          hasBaseline: baselinePictures(view).length > 0,
           hasTerms: view.pixels.terms !== "",
           material: view.materials[this.material]?.name ?? null,
           above: this.aboveText(flipPlane, materials),
