@@ -14,7 +14,7 @@
 #include "compare/metrics/metric_input.h"
 #include "compare/pooling/pixel_view.h"
 #include "compare/pooling/region_runs.h"
-#include "compare/pooling/figure_list.h"
+#include "compare/pooling/statistic.h"
 
 namespace parity::compare {
 
@@ -76,7 +76,7 @@ const Metric* findMetric(std::string_view name);
 const Metric& requireMetric(std::string_view name, const std::string& subject);
 
 // "flip,ssim,deltae" as names, in the registry's order and each once; a figure ("flip.mean") names its metric. Throws
-// as parseFigures() (compare/pooling/statistic.h).
+// as parseFigures() (compare/pooling/figure_list.h).
 std::vector<std::string> parseMetricNames(std::string_view commaSeparated, const std::string& subject);
 
 } // namespace parity::compare
