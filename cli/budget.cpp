@@ -1,6 +1,7 @@
 // parity budget: limits proposed from what was observed, and what a budget file says.
 #include <fmt/format.h>
 
+#include "base/error.h"
 #include "base/file.h"
 #include "base/log.h"
 #include "base/text/text.h"
@@ -24,12 +25,14 @@ int runBudgetSuggestCommand(const BudgetSuggestCommand& command) {
                                 runs.back().report.device));
   }
   const report::SuggestedBudgets suggested = report::suggestBudgets(runs, command.options);
-  for (const std::string& each : suggested.leftOut) base::logWarning("left out: " + base::plainLine(each));
+  for (const std::string& each : suggested.notes) base::logWarning(base::plainLine(each));
+  for (const std::string& each : suggested.accepted) base::logWarning("accepted: " + base::plainLine(each));
+  for (const std::string& each : suggested.errors) base::logError(base::plainLine(each));
   if (command.output.empty())
     printText(base::shownStrings(suggested.text));
   else
     base::writeText(command.output, suggested.text);
-  return 0;
+  return static_cast<int>(suggested.errors.empty() ? base::ExitCode::withinBudget : base::ExitCode::failed);
 }
 
 int runBudgetCheckCommand(const BudgetCheckCommand& command) {

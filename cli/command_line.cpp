@@ -247,7 +247,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       if (!report.suite.empty()) requireNoneOfScene(raw);
       settle(reportApp, report.common, raw, !report.suite.empty());
       requireSizeFits(report.common, kComparedPixelBytes);
-      report.pixelData = raw.pixelData == "all";
+      report.pixelData = raw.pixelData.empty() ? !report.singleFile : raw.pixelData == "all";
       parsed.command = report;
     } else if (diffApp.parsed()) {
       settle(diffApp, diff.common, raw);

@@ -62,9 +62,9 @@ void writePage(const std::filesystem::path& folder, const std::string& html) {
   if (!html.empty()) base::writeText(folder / "index.html", html);
 }
 
-void printPage(const std::filesystem::path& folder, const char* data) {
+void printPage(const std::filesystem::path& folder, const char* data, const std::string& note) {
   if (report::hasDashboard())
-    print("{}\n", (folder / "index.html").string());
+    print("{}{}\n", (folder / "index.html").string(), note.empty() ? "" : fmt::format(" ({})", note));
   else
     print("{} (this build of parity has no page index.html)\n", (folder / data).string());
 }

@@ -40,7 +40,8 @@ void writeJson(const std::string& target, const std::string& text);
 // index.html; nothing where the build has no page and `html` is empty. Throws Error (exit 4).
 void writePage(const std::filesystem::path& folder, const std::string& html);
 // To stdout: where it is, or where that file with the same data is, and why.
-void printPage(const std::filesystem::path& folder, const char* data);
+// note: on the same line, in brackets; empty: none.
+void printPage(const std::filesystem::path& folder, const char* data, const std::string& note = {});
 
 // The extension in lower case, with its dot: as base::writeImage chooses the format.
 std::string extensionOf(const std::string& file);

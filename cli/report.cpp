@@ -1,4 +1,8 @@
 // parity report: scenes or a suite in, a folder with the report out.
+#include <cstdint>
+
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/file.h"
 #include "base/log.h"
@@ -46,6 +50,22 @@ report::Bench readBench(const ReportCommand& command) {
   return {std::move(text), sweep::paretoJson(sweep, sweep::bestKnown(sweep), sweep.figure)};
 }
 
+// What a mail server or a chat still takes; a browser opens more, but slowly.
+constexpr std::uintmax_t kNotableBytes = 20'000'000;
+
+std::string formatMegabytes(std::uintmax_t bytes) { return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6); }
+
+// The size of the one file that is sent on, and how to make it smaller.
+std::string describeSingleFile(const std::filesystem::path& page, const job::ReportRequest& request) {
+  const std::uintmax_t bytes = base::regularFileSize(page);
+  const std::string size = formatMegabytes(bytes);
+  if (bytes <= kNotableBytes) return size;
+  const std::string how = request.pixelData ? "leave out --pixel-data all, or make the pictures smaller with --size"
+                                            : "make the pictures smaller with --size, or give fewer scenes";
+  base::logWarning(fmt::format("{} is {}; to make it smaller, {}", page.string(), size, how));
+  return fmt::format("{}: larger than {}; to make it smaller, {}", size, formatMegabytes(kNotableBytes), how);
+}
+
 } // namespace
 
 int runReportCommand(const ReportCommand& command, const std::string& commandLine) {
@@ -65,10 +85,12 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
   request.bench = readBench(command);
   job::Context context(run.settings);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));
+  const std::string singleFile =
+      command.singleFile ? describeSingleFile(request.folder / "index.html", request) : std::string();
   if (!command.common.json.empty()) writeJson(command.common.json, report::toJson(result.report));
   if (command.common.json != "-" && !command.common.quiet) {
     printTable(result.report);
-    printPage(request.folder, "report.json");
+    printPage(request.folder, "report.json", singleFile);
   }
   printAnnotations(command.verdict.annotate, result.report, command.common.json == "-");
   if (command.common.timings) printTimings(result.run.timings);

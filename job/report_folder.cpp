@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/temporary_name.h"
+#include "job/baseline_pictures.h"
 #include "job/paths.h"
 #include "job/view/display_table.h"
 #include "report/dashboard_files.h"
@@ -86,6 +87,7 @@ void prepareReportFolder(const std::filesystem::path& folder, bool singleFile) {
   error = clean(folder, isReportFile);
   if (!error) error = cleanOwn(folder / "images", isPictureOfAReport);
   if (!error) error = cleanOwn(folder / "pixels", isPixelFileOfAReport);
+  if (!error) error = cleanOwn(folder / "baseline", isBaselinePicture);
   if (error) throw base::fileError(folder.string(), "", "an older report cannot be removed: " + error.message());
   // What is in the way of the pictures is said before anything is rendered.
   if (!singleFile) std::filesystem::create_directories(folder / "images", error);

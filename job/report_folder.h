@@ -17,7 +17,7 @@ namespace parity::job {
 std::string imagePrefix(std::size_t sceneIndex, const std::string& scene, std::size_t viewIndex,
                         const std::string& view);
 
-// What a report's folder may hold besides images/ and pixels/.
+// What a report's folder may hold besides images/, pixels/ and baseline/.
 inline constexpr std::array<const char*, 7> kReportFiles = {"report.json",  "run.json",      "junit.xml", "index.html",
                                                             "dashboard.js", "dashboard.css", "bench.json"};
 

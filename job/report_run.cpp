@@ -13,11 +13,13 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/parallel.h"
 #include "base/version.h"
 #include "compare/verdict/budget.h"
+#include "job/baseline_pictures.h"
 #include "job/conditions.h"
 #include "job/context.h"
 #include "job/report_folder.h"
@@ -58,6 +60,34 @@ void holdBudgets(const Settings& settings, const ReportRequest& request, report:
       // A scene's own file that cannot be used is that scene's error already.
     }
   }
+}
+
+// The pictures of the baseline that this run's report shows, too: written, or put with those of a single file.
+void keepBaselinePictures(const BaselinePictures& baseline, const ReportRequest& request, report::Report& report,
+                          std::vector<EncodedPicture>& pictures) {
+  std::vector<EncodedPicture> kept = baseline.keepChanged(report, [&](const std::string& file) {
+    if (!request.singleFile) return base::readFile(request.folder / file);
+    const auto found = std::ranges::find(pictures, file, &EncodedPicture::file);
+    return found == pictures.end() ? std::vector<std::byte>() : found->bytes;
+  });
+  if (request.singleFile)
+    std::ranges::move(kept, std::back_inserter(pictures));
+  else
+    writePictures(kept, request.folder);
+}
+
+// NaN that a budget accepts are a fault all the same: nobody should have to look for them.
+void logAccepted(const report::Report& report) {
+  for (const report::SceneResult& scene : report.scenes)
+    for (const report::ViewResult& view : scene.views) {
+      const auto tell = [&](const std::string& name, const compare::Figures& figures, const std::string& accepted) {
+        if (figures.nonFinite > 0 && !accepted.empty())
+          base::logWarning(fmt::format("{}, view {}, {}: accepted: {}", scene.name, view.name, name, accepted));
+      };
+      tell("whole image", view.whole, view.accepted);
+      for (const report::MaterialResult& material : view.materials)
+        tell("material " + material.name, material.figures, material.accepted);
+    }
 }
 
 // What SIGINT and SIGTERM say of this run from now on.
@@ -154,6 +184,9 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   result.report.device = context.deviceReport().description();
   result.report.settings = describeSettings(context.settings(), context.deviceReport());
   result.report.conditions = reported(runConditions(context.settings(), context.deviceReport()));
+  std::optional<BaselinePictures> baselinePictures;
+  if (baseline && !request.folder.empty())
+    baselinePictures.emplace(*baseline, report::reportFileOf(request.baseline), request.folder);
   if (!request.folder.empty()) prepareReportFolder(request.folder, request.singleFile);
   noteForInterrupt(context, request, 0);
   Run run(context, request, std::move(budgets), progress);
@@ -173,6 +206,8 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
     report::compareWithBaseline(
         result.report, *baseline,
         {report::reportFileOf(request.baseline).string(), context.settings().materials, request.oneOfMany});
+  if (baselinePictures) keepBaselinePictures(*baselinePictures, request, result.report, pictures);
+  logAccepted(result.report);
   base::logRunWarnings(result.report.warnings);
   for (const report::RunProblem& problem : report::problemsOf(result.report)) base::logError(problem.reason);
   if (result.report.baseline && !result.report.baseline->error.empty())

@@ -4,36 +4,32 @@
 #include <string>
 #include <vector>
 
-#include "report/report.h"
+#include "report/budget_observation.h"
 
 namespace parity::report {
 
 struct SuggestOptions {
   double margin = 0.25;                                      // share of the observed error, 0..10
   std::vector<std::string> figures{"flip.mean", "flip.p95"}; // names of statistics
-};
-
-struct ObservedRun {
-  std::string source; // the report's file, for messages
-  Report report;      // readReport (report/reader.h)
+  bool perScene = false;                                     // a rule for each scene and material
+  bool regress = false; // limits on how much worse than in a baseline, in place of limits on the figures
 };
 
 struct SuggestedBudgets {
-  std::string text;                 // a budget file (TOML)
-  std::vector<std::string> leftOut; // what it does not limit and why, one line each; also in the text, as comments
+  std::string text;                  // a budget file (TOML)
+  std::vector<std::string> notes;    // what it does not limit and why, one line each; also in the text, as comments
+  std::vector<std::string> accepted; // what its rules accept although it is no pass: the same
+  std::vector<std::string> errors;   // what no rule can accept: an unchanged run is an error again. The same
 };
 
-// A budget file for loadBudgets: a [[material]] rule for each material of each scene and a [[whole]] rule for
-// each scene, in the order of the runs, with their exact names. Of each figure a run counts with its worst over the
-// views; of the runs' values the 95th percentile towards the worse
-// counts, which is the largest for fewer than 20 runs. `warn` is that plus the margin, `fail` plus twice the margin;
-// the margin is a share of the error: of the figure where 0 is best, of its distance to the best where there is one
-// (ssim), 20 log10(1 + margin) for dB. Rounded away from the best to the digits that people read. Each rule says in a
-// comment and in its reason how many runs it rests on. Equal reports count as one run. Left out, and said: scenes that
-// could not be compared, materials that no view shows, materials and whole images with NaN or infinite pixels in any
-// run, figures that were infinite (identical images) in most runs, and limits at the end of a figure's range, which
-// nothing could be beyond. Throws Error (failed) where there is no run, a figure was not measured or is no number, or
-// nothing is left to suggest; (usage) for an unknown figure, none at all, or a margin out of range.
+// A budget file for loadBudgets, under which each of these runs, unchanged, passes: a [[material]] rule for each
+// material, and a [[whole]] rule, with limits that hold in all scenes (budget_limits.h, from the worst scene and view
+// of each run); perScene: for each scene, too. What warns, and what no limit can hold, is accepted by name and with a
+// reason (compare/verdict/accept.h). NaN pixels and figures without any limit are accepted of the one scene that has
+// them. A material of which nothing is known (not seen, too small, NaN in all views) gets the built-in limits. Each
+// rule says in a comment and in its reason how many runs it rests on. Equal reports count as one run. Throws Error
+// (failed) where there is no run, a figure was not measured or is no number, or no material was compared in any run;
+// (usage) for an unknown figure, none at all, or a margin out of range.
 SuggestedBudgets suggestBudgets(const std::vector<ObservedRun>& runs, const SuggestOptions& options);
 
 } // namespace parity::report

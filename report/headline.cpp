@@ -18,6 +18,17 @@ std::string plural(std::size_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
+// ", with exceptions accepted for 2 materials and a whole image"; empty where there is none.
+std::string describeAccepted(const Report& report) {
+  const auto [materials, wholes] = countAccepted(report);
+  if (materials + wholes == 0) return {};
+  const char* row = countViews(report) > 1 ? "material view" : "material";
+  std::string text = ", with accepted exceptions for ";
+  if (materials > 0) text += plural(materials, row, fmt::format("{}s", row).c_str());
+  if (materials > 0 && wholes > 0) text += " and ";
+  return text + (wholes > 0 ? plural(wholes, "whole image", "whole images") : "");
+}
+
 } // namespace
 
 std::string headline(const Report& report) {
@@ -27,7 +38,7 @@ std::string headline(const Report& report) {
   const std::string over = fmt::format("{} of {} {} over budget", counts.fail, counts.total(), rows);
   switch (report.verdict) {
   case compare::Verdict::pass:
-    return fmt::format("All {} {} are within budget", counts.total(), rows);
+    return fmt::format("All {} {} are within budget", counts.total(), rows) + describeAccepted(report);
   case compare::Verdict::notSeen:
   case compare::Verdict::tooSmall:
   case compare::Verdict::notJudged: {

@@ -13,9 +13,7 @@ namespace {
 void apply(const compare::BudgetRule* rule, const compare::Figures& figures, std::vector<compare::CheckResult>& checks,
            compare::AppliedRule& applied) {
   checks = rule ? compare::runChecks(*rule, figures) : std::vector<compare::CheckResult>{};
-  applied = rule ? compare::AppliedRule{rule->origin,    rule->reason, rule->owner, rule->requireSeen,
-                                        rule->minPixels, rule->file,   rule->line,  rule->preset}
-                 : compare::AppliedRule{};
+  applied = rule ? compare::appliedOf(*rule) : compare::AppliedRule{};
 }
 
 bool hasMaterial(const SceneResult& scene, const std::string& glob) {

@@ -67,7 +67,7 @@ std::string figureLines(const compare::Figures& figures, const std::string& test
 }
 
 void addCase(Suite& suite, const std::string& className, const std::string& name, compare::Verdict verdict,
-             const std::string& reason, const std::string& details) {
+             const std::string& reason, const std::string& details, const std::string& accepted = {}) {
   ++suite.tally.tests;
   suite.cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\">\n", base::escapeMarkup(className),
                              base::escapeMarkup(name));
@@ -76,7 +76,10 @@ void addCase(Suite& suite, const std::string& className, const std::string& name
                                base::escapeMarkup(reason), base::escapeMarkup(details));
   };
   switch (verdict) {
-  case compare::Verdict::pass:
+  case compare::Verdict::pass: // what the budget accepts is said
+    if (!accepted.empty())
+      suite.cases += fmt::format("      <system-out>{}</system-out>\n",
+                                 base::escapeMarkup(fmt::format("accepted: {}\n{}", accepted, details)));
     break;
   case compare::Verdict::notSeen:
   case compare::Verdict::tooSmall:
@@ -114,10 +117,11 @@ Suite makeSuite(const SceneResult& scene) {
   for (const ViewResult& view : scene.views) {
     const std::string className = scene.name + "." + view.name;
     addCase(suite, className, "(whole image)", view.wholeVerdict, view.reason,
-            figureLines(view.whole, view.test, view.checks) + baselineLines(view.baseline) + ruleLines(view.rule));
+            figureLines(view.whole, view.test, view.checks) + baselineLines(view.baseline) + ruleLines(view.rule),
+            view.accepted);
     for (const MaterialResult& material : view.materials)
       addCase(suite, className, material.name, material.verdict, material.reason,
-              materialDetails(material, view.reference));
+              materialDetails(material, view.reference), material.accepted);
   }
   return suite;
 }

@@ -1,6 +1,8 @@
 // report.json back as a Report: every value that is read is there and of its type, or the place of it is named.
 #include "report/reader.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -68,6 +70,10 @@ template <Described T> void readRecord(const Node& node, T& record);
 // What a row that is read may hold.
 void readValue(const Node& node, std::string& value) { value = node.text(); }
 void readValue(const Node& node, std::uint64_t& value) { value = node.count(); }
+void readValue(const Node& node, double& value) { value = node.isNull() ? NAN : node.number(); }
+void readValue(const Node& node, std::vector<std::string>& list) {
+  for (const Node& each : node.items()) list.push_back(each.text());
+}
 template <Named T> void readValue(const Node& node, T& value) {
   const std::string name = node.text();
   for (const T each : Names<T>::values)
@@ -75,6 +81,7 @@ template <Named T> void readValue(const Node& node, T& value) {
   node.refuse(fmt::format(fmt::runtime(Names<T>::refusal), name));
 }
 template <Described T> void readValue(const Node& node, T& value) { readRecord(node, value); }
+template <Described T> void readValue(const Node& node, std::optional<T>& value) { readRecord(node, value.emplace()); }
 template <typename T>
 requires(Described<T> && !IsByName<T>) void readValue(const Node& node, std::vector<T>& list) {
   for (const Node& each : node.items()) readRecord(each, list.emplace_back());
@@ -105,6 +112,9 @@ constexpr bool isReadable(const Group<IsNull, Rows...>& group) {
   return std::apply([](const Rows&... rows) { return (isReadable<Owner>(rows) && ...); }, group.rows);
 }
 
+template <typename Owner, typename Row> using MemberType =
+    std::remove_cvref_t<decltype(std::declval<Owner&>().*std::declval<Row>().member)>;
+
 template <typename Owner, typename... Rows>
 void readRows(const Node& node, Owner& owner, const std::tuple<Rows...>& rows) {
   forEachRow(rows, [&]<typename Row>(const Row& row) {
@@ -114,7 +124,8 @@ void readRows(const Node& node, Owner& owner, const std::tuple<Rows...>& rows) {
       const Node child = node.at(key);
       if (std::is_null_pointer_v<decltype(row.isNull)> || !child.isNull()) readRows(child, owner, row.rows);
     } else if constexpr (Readable<Owner, Row>) {
-      if (row.rule.ifEmpty == IfEmpty::absent && !node.has(key)) return;
+      const bool mayLack = row.rule.mayLack || ifEmpty<MemberType<Owner, Row>>(row.rule) == IfEmpty::absent;
+      if (mayLack && !node.has(key)) return;
       const Node child = node.at(key);
       if (row.rule.ifEmpty != IfEmpty::null || !child.isNull()) readValue(child, owner.*row.member);
     }

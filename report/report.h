@@ -29,6 +29,11 @@ struct FigureChange {
   double change() const { return before == now ? 0 : now - before; } // also of infinities
 };
 
+// The baseline's pictures where they differ from this run's: paths as in ImageSet; empty where there is none.
+struct BaselineImages {
+  std::string reference, test;
+};
+
 // How a material or a whole image compares to the baseline's of the same name.
 struct BaselineChange {
   bool isNew = false;                               // the baseline does not show it: all else is empty
@@ -36,6 +41,7 @@ struct BaselineChange {
   std::vector<FigureChange> changes;                // of figures that both have, in this report's order; empty without
                                                     // pixels, and where the baseline's were NaN or infinite
   std::string notComparable = {}; // not empty: the conditions of its figures differ, these do; there are no changes
+  BaselineImages images = {};
 };
 
 // Paths relative to the report folder, '/'-separated; empty where there is none.
@@ -64,6 +70,7 @@ struct MaterialResult {
   std::vector<compare::CheckResult> checks;
   compare::Verdict verdict = compare::Verdict::pass;
   std::string reason;                   // all that decided the verdict; empty on a pass
+  std::string accepted;                 // what its budget accepts although it is no pass, and why; empty: nothing
   std::vector<std::string> notModelled; // parts of it that no path models ("clearcoat"): only its base layer is judged
   std::vector<std::string> notes;       // permutation ("nonmetal", "fully rough"), sampler excess, tinted F0, ...
   std::vector<TermFigures> terms;
@@ -89,6 +96,7 @@ struct ViewResult {
   compare::Verdict verdict = compare::Verdict::pass;      // of the view: its whole image and its materials
   compare::Verdict wholeVerdict = compare::Verdict::pass; // of the whole image alone
   std::string reason;                                     // all that decided wholeVerdict; empty on a pass
+  std::string accepted;                                   // of the whole image, as of a material
   std::vector<MaterialResult> materials;                  // in the scene's order
   ImageSet images;
   PixelFiles pixels;
@@ -161,6 +169,14 @@ struct VerdictCounts {
 };
 VerdictCounts countVerdicts(const Report& report); // material x view; those not seen here but elsewhere are left out
 VerdictCounts countWholes(const Report& report);   // whole images
+// How many materials (as countVerdicts has them) and whole images pass only because their budget accepts something.
+struct AcceptedCounts {
+  std::size_t materials = 0, wholes = 0;
+};
+AcceptedCounts countAccepted(const Report& report);
+
+// The name of a figure that is no number, which is an error whatever the budget; empty if there is none.
+std::string findUnsound(const compare::Figures& figures);
 
 // Whether any view was held against the ground truth.
 bool hasTruth(const Report& report);
@@ -171,7 +187,8 @@ bool hasTruth(const Report& report);
 // judged, a figure that is NaN or a truth that is not finite = error; else the worst check. (A rule of regressions
 // alone, for a material that the baseline does not have: warn, as it is new.) Where no check fails: notJudged above
 // kMostClipping, at least warn from kNotableClipping on and for parts that no path models. The reason names all checks
-// and conditions that have the verdict. What is not comparable to the baseline is at least a warning.
+// and conditions that have the verdict. What is not comparable to the baseline is at least a warning. What its budget
+// accepts (compare/verdict/accept.h) does not count, and `accepted` says so: no error is ever accepted.
 void settleMaterial(MaterialResult& material, bool seenElsewhere);
 
 // Sets every verdict above the checks' from its parts, also the materials' by settleMaterial (another view of the scene

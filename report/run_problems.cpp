@@ -17,6 +17,22 @@ bool hasOwnError(const Report& report) {
          });
 }
 
+// Whether the budget accepts a material of which too little was there to compare.
+bool isAcceptedUncompared(const MaterialResult& material) {
+  const compare::Figures& figures = material.figures;
+  if (material.verdict != compare::Verdict::pass || material.accepted.empty() || figures.nonFinite > 0) return false;
+  return figures.pixels < std::max<std::uint64_t>(material.rule.minPixels, 1) ||
+         figures.clipped() > compare::kMostClipping;
+}
+
+std::size_t countAcceptedUncompared(const Report& report) {
+  std::size_t count = 0;
+  for (const SceneResult& scene : report.scenes)
+    for (const ViewResult& view : scene.views)
+      count += static_cast<std::size_t>(std::ranges::count_if(view.materials, isAcceptedUncompared));
+  return count;
+}
+
 // "3 not seen, 1 too small" where that is all there is; empty where any material was compared.
 std::string describeNothingCompared(const Report& report) {
   if (hasOwnError(report)) return {};
@@ -26,7 +42,9 @@ std::string describeNothingCompared(const Report& report) {
                                        {counts.tooSmall, compare::Verdict::tooSmall},
                                        {counts.notJudged, compare::Verdict::notJudged}})
     if (count > 0) parts.push_back(fmt::format("{} {}", count, nameOf(verdict)));
-  if (counts.notSeen + counts.tooSmall + counts.notJudged < counts.total()) return {};
+  const std::size_t accepted = countAcceptedUncompared(report);
+  if (accepted > 0) parts.push_back(fmt::format("{} accepted without being judged", accepted));
+  if (counts.notSeen + counts.tooSmall + counts.notJudged + accepted < counts.total()) return {};
   return fmt::format("no material was compared: {}", fmt::join(parts, ", "));
 }
 

@@ -22,30 +22,27 @@ bool isSound(const compare::Figure& figure) {
   return figure.value == INFINITY && statistic && statistic->better == compare::Better::higher;
 }
 
-// The name of a figure that is no number; empty if there is none.
-std::string findUnsound(const compare::Figures& figures) {
-  if (!std::isfinite(figures.referenceLuma) || !std::isfinite(figures.testLuma)) return "luma";
-  if (!std::isfinite(figures.referenceLuminance) || !std::isfinite(figures.testLuminance)) return "luminance";
-  if (!std::isfinite(figures.clipped())) return "share of clipped pixels";
-  const auto unsound = std::ranges::find_if_not(figures.values, isSound);
-  return unsound == figures.values.end() ? "" : unsound->name;
-}
-
 struct Judgement {
   compare::Verdict verdict = compare::Verdict::pass;
-  std::string reason;
+  std::string reason, accepted;
 
   void add(const std::string& sentence) { reason += (reason.empty() ? "" : "; ") + sentence; }
+  // Whether the rule accepts what the sentence says, which then is no reason for a verdict.
+  bool accept(const compare::AppliedRule& rule, compare::Accept what, const std::string& sentence) {
+    if (!rule.accepts(what)) return false;
+    accepted += (accepted.empty() ? "" : "; ") + sentence;
+    return true;
+  }
 };
 
 // The worst verdict of the checks that could be judged, and all sentences that have it.
 Judgement judgeChecks(const std::vector<compare::CheckResult>& checks) {
-  if (checks.empty()) return {compare::Verdict::error, "no budget check applies"};
+  if (checks.empty()) return {compare::Verdict::error, "no budget check applies", {}};
   const bool anyJudged = std::ranges::any_of(checks, &compare::CheckResult::judged);
   Judgement judgement;
   for (const compare::CheckResult& check : checks) {
     if (anyJudged && !check.judged()) continue;
-    if (check.verdict > judgement.verdict) judgement = {check.verdict, {}};
+    if (check.verdict > judgement.verdict) judgement = {check.verdict, {}, {}};
     if (check.verdict == judgement.verdict && check.verdict != compare::Verdict::pass)
       judgement.add(compare::describeCheck(check));
   }
@@ -53,29 +50,56 @@ Judgement judgeChecks(const std::vector<compare::CheckResult>& checks) {
   return judgement;
 }
 
+// By the checks, unless the rule says that nothing limits it, or accepts that none of them could be judged.
+Judgement judgeByRule(const std::vector<compare::CheckResult>& checks, const compare::AppliedRule& rule) {
+  Judgement judgement;
+  if (checks.empty() && judgement.accept(rule, compare::Accept::noLimit, "no limit judges it")) return judgement;
+  Judgement byChecks = judgeChecks(checks);
+  const bool anyJudged = std::ranges::any_of(checks, &compare::CheckResult::judged);
+  if (!anyJudged && byChecks.verdict == compare::Verdict::warn &&
+      judgement.accept(rule, compare::Accept::notJudged, byChecks.reason))
+    return judgement;
+  return byChecks;
+}
+
+// Of pixels that are NaN or infinite nothing is judged: their number is accepted, or they fail.
+Judgement judgeNonFinite(const compare::Figures& figures, const compare::AppliedRule& rule) {
+  Judgement judgement;
+  const std::string sentence =
+      fmt::format("{} of {} pixels are NaN or infinite in one of the two renders", figures.nonFinite, figures.pixels);
+  const std::uint64_t most = rule.maxNonFinite.value_or(0);
+  if (figures.nonFinite <= most && judgement.accept(rule, compare::Accept::nonFinite, sentence)) return judgement;
+  judgement.verdict = compare::Verdict::fail;
+  judgement.reason = sentence;
+  if (most > 0) judgement.reason += fmt::format(", more than max_non_finite = {} of its budget", most);
+  return judgement;
+}
+
 // What holds for a material and for a whole image alike, once there is a pixel. isMaterial: most of a material may be
 // clipped, so that it cannot be judged; a whole image only warns of it.
 Judgement judgeSeen(const compare::Figures& figures, const std::vector<compare::CheckResult>& checks,
-                    const std::vector<std::string>& notModelled, bool isMaterial) {
-  if (figures.nonFinite > 0)
-    return {compare::Verdict::fail, fmt::format("{} of {} pixels are NaN or infinite in one of the two renders",
-                                                figures.nonFinite, figures.pixels)};
+                    const compare::AppliedRule& rule, const std::vector<std::string>& notModelled, bool isMaterial) {
+  if (figures.nonFinite > 0) return judgeNonFinite(figures, rule);
   if (const std::string unsound = findUnsound(figures); !unsound.empty())
-    return {compare::Verdict::error, fmt::format("a figure is not a number: {}", unsound)};
-  if (figures.values.empty()) return {compare::Verdict::error, "no figure was measured"};
+    return {compare::Verdict::error, fmt::format("a figure is not a number: {}", unsound), {}};
+  if (figures.values.empty()) return {compare::Verdict::error, "no figure was measured", {}};
 
-  Judgement judgement = judgeChecks(checks);
+  Judgement judgement = judgeByRule(checks, rule);
   if (judgement.verdict == compare::Verdict::error) return judgement;
   // Of what fails they are no reason, but its reader should know.
-  const auto warn = [&](const std::string& why) {
-    if (why.empty()) return;
+  const auto warn = [&](compare::Accept what, const std::string& why) {
+    if (why.empty() || judgement.accept(rule, what, why)) return;
     judgement.verdict = std::max(judgement.verdict, compare::Verdict::warn);
     judgement.add(why);
   };
-  warn(compare::describeClipping(figures));
-  if (!notModelled.empty()) warn(fmt::format("base layer only: no path models {}", fmt::join(notModelled, ", ")));
+  const bool isMostlyClipped = isMaterial && figures.clipped() > compare::kMostClipping;
+  const compare::Accept clipping = isMostlyClipped ? compare::Accept::notJudged : compare::Accept::clipped;
+  warn(clipping, compare::describeClipping(figures));
+  if (!notModelled.empty())
+    warn(compare::Accept::baseLayerOnly,
+         fmt::format("base layer only: no path models {}", fmt::join(notModelled, ", ")));
   // What warns of a material that is clipped for the most part is said, too: it is no verdict on it.
-  if (judgement.verdict < compare::Verdict::fail && isMaterial && figures.clipped() > compare::kMostClipping)
+  if (judgement.verdict < compare::Verdict::fail && isMostlyClipped && !rule.accepts(clipping))
     judgement.verdict = compare::Verdict::notJudged;
   return judgement;
 }
@@ -86,7 +110,7 @@ Judgement withTruth(Judgement judgement, const std::optional<compare::Truth>& tr
   std::string reason = fmt::format("{} of {} pixels of the truth are NaN or infinite", truth->figures.nonFinite,
                                    truth->figures.reference.pixels);
   if (!judgement.reason.empty()) reason += "; " + judgement.reason;
-  return {worse(judgement.verdict, compare::Verdict::error), std::move(reason)};
+  return {worse(judgement.verdict, compare::Verdict::error), std::move(reason), std::move(judgement.accepted)};
 }
 
 // What the baseline shows under other conditions was not held against it: that is no pass.
@@ -119,16 +143,31 @@ std::string describeSize(const MaterialResult& material) {
                      material.figures.pixels == 1 ? "" : "s", material.rule.minPixels);
 }
 
+// What has no or too few pixels, unless its budget accepts that.
+Judgement judgeUnseen(const compare::AppliedRule& rule, compare::Accept what, const std::string& sentence) {
+  Judgement judgement;
+  if (judgement.accept(rule, what, sentence)) return judgement;
+  const bool isSmall = what == compare::Accept::tooSmall;
+  return {isSmall ? compare::Verdict::tooSmall : compare::Verdict::notSeen, sentence, {}};
+}
+
+// What is accepted, with the reason that its budget gives; empty: nothing is.
+std::string withReason(std::string accepted, const compare::AppliedRule& rule) {
+  return accepted.empty() ? accepted : fmt::format("{} (reason: {})", accepted, rule.reason);
+}
+
 void settleWhole(ViewResult& view) {
   Judgement judgement;
   if (view.materials.empty())
-    judgement = {compare::Verdict::error, "the view holds no material to compare"};
+    judgement = {compare::Verdict::error, "the view holds no material to compare", {}};
   else if (view.whole.pixels == 0)
-    judgement = {compare::Verdict::notSeen, "no pixel of this view shows a material"};
+    judgement = judgeUnseen(view.rule, compare::Accept::notSeen, "no pixel of this view shows a material");
   else
-    judgement = withBaseline(withTruth(judgeSeen(view.whole, view.checks, {}, false), view.truth), view.baseline);
+    judgement =
+        withBaseline(withTruth(judgeSeen(view.whole, view.checks, view.rule, {}, false), view.truth), view.baseline);
   view.wholeVerdict = judgement.verdict;
   view.reason = std::move(judgement.reason);
+  view.accepted = withReason(std::move(judgement.accepted), view.rule);
 }
 
 void settleView(const SceneResult& scene, ViewResult& view) {
@@ -159,32 +198,6 @@ void settleScene(SceneResult& scene) {
   }
 }
 
-void count(VerdictCounts& counts, compare::Verdict verdict) {
-  switch (verdict) {
-  case compare::Verdict::pass:
-    ++counts.pass;
-    break;
-  case compare::Verdict::notSeen:
-    ++counts.notSeen;
-    break;
-  case compare::Verdict::tooSmall:
-    ++counts.tooSmall;
-    break;
-  case compare::Verdict::notJudged:
-    ++counts.notJudged;
-    break;
-  case compare::Verdict::warn:
-    ++counts.warn;
-    break;
-  case compare::Verdict::fail:
-    ++counts.fail;
-    break;
-  case compare::Verdict::error:
-    ++counts.error;
-    break;
-  }
-}
-
 compare::Verdict verdictOf(const BaselineSummary& baseline) {
   if (!baseline.error.empty()) return compare::Verdict::error;
   return baseline.gone.empty() ? compare::Verdict::pass : compare::Verdict::warn;
@@ -192,26 +205,12 @@ compare::Verdict verdictOf(const BaselineSummary& baseline) {
 
 } // namespace
 
-VerdictCounts countVerdicts(const Report& report) {
-  VerdictCounts counts;
-  for (const SceneResult& scene : report.scenes)
-    for (const ViewResult& view : scene.views)
-      for (const MaterialResult& material : view.materials)
-        if (!material.seenElsewhere) count(counts, material.verdict);
-  return counts;
-}
-
-VerdictCounts countWholes(const Report& report) {
-  VerdictCounts counts;
-  for (const SceneResult& scene : report.scenes)
-    for (const ViewResult& view : scene.views) count(counts, view.wholeVerdict);
-  return counts;
-}
-
-bool hasTruth(const Report& report) {
-  return std::ranges::any_of(report.scenes, [](const SceneResult& scene) {
-    return std::ranges::any_of(scene.views, [](const ViewResult& view) { return view.truth.has_value(); });
-  });
+std::string findUnsound(const compare::Figures& figures) {
+  if (!std::isfinite(figures.referenceLuma) || !std::isfinite(figures.testLuma)) return "luma";
+  if (!std::isfinite(figures.referenceLuminance) || !std::isfinite(figures.testLuminance)) return "luminance";
+  if (!std::isfinite(figures.clipped())) return "share of clipped pixels";
+  const auto unsound = std::ranges::find_if_not(figures.values, isSound);
+  return unsound == figures.values.end() ? "" : unsound->name;
 }
 
 void settleMaterial(MaterialResult& material, bool seenElsewhere) {
@@ -219,21 +218,25 @@ void settleMaterial(MaterialResult& material, bool seenElsewhere) {
   Judgement judgement;
   const bool isSmall = material.figures.pixels > 0;
   if (isSeen(material)) {
-    judgement = withBaseline(
-        withTruth(judgeSeen(material.figures, material.checks, material.notModelled, true), material.truth),
-        material.baseline);
+    judgement =
+        withBaseline(withTruth(judgeSeen(material.figures, material.checks, material.rule, material.notModelled, true),
+                               material.truth),
+                     material.baseline);
   } else {
-    judgement = {isSmall ? compare::Verdict::tooSmall : compare::Verdict::notSeen,
-                 isSmall ? describeSize(material) : "no view shows it"};
+    // Another view that shows it is why this one does not count, so that there is nothing to accept.
+    judgement = judgeUnseen(seenElsewhere ? compare::AppliedRule{} : material.rule,
+                            isSmall ? compare::Accept::tooSmall : compare::Accept::notSeen,
+                            isSmall ? describeSize(material) : "no view shows it");
     if (seenElsewhere) {
       material.seenElsewhere = true;
       judgement.add("another view shows it");
     } else if (material.rule.requireSeen) {
-      judgement = {compare::Verdict::fail, judgement.reason + ", but its budget requires that it is seen"};
+      judgement = {compare::Verdict::fail, judgement.reason + ", but its budget requires that it is seen", {}};
     }
   }
   material.verdict = judgement.verdict;
   material.reason = std::move(judgement.reason);
+  material.accepted = withReason(std::move(judgement.accepted), material.rule);
 }
 
 void settleVerdicts(Report& report) {

@@ -97,6 +97,7 @@ struct Row {
   const std::vector<StageResult>& stages;
   const std::string& reason;
   std::string cause; // in words; empty where it was not looked for
+  std::string accepted = {};
 };
 
 std::string formatCell(const Column& column, const Row& row) {
@@ -133,6 +134,7 @@ std::string formatRow(const Row& row, std::size_t nameColumns, const std::vector
   std::string words = row.figures.pixels > 0 ? compare::describeBias(row.figures, row.test) : "";
   for (const std::string& more : {row.reason, row.cause})
     if (!more.empty()) words += (words.empty() ? "" : "; ") + base::plainLine(more);
+  if (!row.accepted.empty()) words += (words.empty() ? "accepted: " : "; accepted: ") + base::plainLine(row.accepted);
   return line + (words.empty() ? "" : "  " + words) + "\n";
 }
 
@@ -164,12 +166,13 @@ std::string formatView(const SceneResult& scene, const ViewResult& view, const s
   for (const Column& column : columns) out += fmt::format("  {:>{}}", column.title, column.width);
   out += "\n";
   for (const MaterialResult& material : view.materials)
-    out += formatRow({material.name, material.test, material.verdict, material.figures, material.baseline,
-                      material.truth, material.stages, material.reason,
-                      material.attribution ? describeCause(*material.attribution, view.reference) : ""},
-                     nameColumns, columns, color);
+    out +=
+        formatRow({material.name, material.test, material.verdict, material.figures, material.baseline, material.truth,
+                   material.stages, material.reason,
+                   material.attribution ? describeCause(*material.attribution, view.reference) : "", material.accepted},
+                  nameColumns, columns, color);
   out += formatRow({"whole image", view.test, view.wholeVerdict, view.whole, view.baseline, view.truth, view.stages,
-                    view.reason, ""},
+                    view.reason, "", view.accepted},
                    nameColumns, columns, color);
   if (view.truth)
     for (const std::string& note : view.truth->notes) out += fmt::format("  {}\n", base::plainLine(note));
@@ -198,6 +201,9 @@ std::string summary(const Report& report) {
       materials.total() + wholes.total() == 0
           ? "nothing was compared"
           : fmt::format("materials: {}; whole images: {}", formatCounts(materials), formatCounts(wholes));
+  const auto [acceptedMaterials, acceptedWholes] = countAccepted(report);
+  if (acceptedMaterials + acceptedWholes > 0)
+    text += fmt::format("; of these pass by accepted exceptions: {}", acceptedMaterials + acceptedWholes);
   const auto broken = std::ranges::count_if(report.scenes, [](const SceneResult& s) { return !s.error.empty(); });
   if (broken > 0) text += fmt::format("; scenes not compared: {}", broken);
   if (report.baseline && !report.baseline->error.empty()) text += "; the baseline could not be used";

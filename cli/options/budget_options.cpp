@@ -37,6 +37,12 @@ void addBudgetOptions(CLI::App& app, RawBudgetOptions& raw) {
   raw.metrics = fmt::format("{}", fmt::join(raw.suggest.options.figures, ","));
   suggest.add_option("--metrics", raw.metrics, "Figures to limit, named as in budgets: flip.mean,ssim.mean,...")
       ->capture_default_str();
+  suggest.add_flag("--per-scene", raw.suggest.options.perScene,
+                   "Write a rule for each material of each scene. Default: one rule for each material, which holds in "
+                   "all scenes");
+  suggest.add_flag("--regress", raw.suggest.options.regress,
+                   "Limit how much worse than in the baseline a figure may be, instead of the figure itself. Runs with "
+                   "these budgets need --baseline");
   CLI::App& check = *app.add_subcommand("check", "Read a budget file and print its rules");
   check.add_option("file", raw.check.file, "Budget file (TOML)")->required();
 }

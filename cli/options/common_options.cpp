@@ -49,13 +49,13 @@ void addBudgetsOption(CLI::App& app, CommonOptions& common) {
 
 void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw) {
   app.add_flag("--single-file", report.singleFile,
-               "Put pictures, values and script into index.html, so that you can send this one file")
+               "Put pictures and script into index.html, so that you can send this one file")
       ->group("Page");
   app.add_option("--pixel-data", raw.pixelData,
-                 "all: also write the pixel values; the page's inspector, exposure and threshold need them")
+                 "all: also write the pixel values; the page's inspector, exposure and threshold need them. Default: "
+                 "all, but none with --single-file, which they make large")
       ->check(CLI::IsMember({"all", "none"}))
-      ->group("Page")
-      ->capture_default_str();
+      ->group("Page");
   app.add_option("--bench", report.bench, "Add the plot of error over time from this bench.json, or from its folder")
       ->group("Page");
 }

@@ -14,7 +14,7 @@ namespace parity::cli {
 struct RawOptions {
   base::GivenKnobs knobs, views;
   std::string cache, cacheSize = "4G";
-  std::string pixelData = "all";
+  std::string pixelData; // empty: not given
   bool noCache = false, quiet = false, validation = false;
 };
 

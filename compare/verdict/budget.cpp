@@ -39,6 +39,11 @@ bool isUsed(const BudgetRule& rule, bool ofWholes, const std::vector<JudgedScene
 
 } // namespace
 
+AppliedRule appliedOf(const BudgetRule& rule) {
+  return {rule.origin, rule.reason, rule.owner,  rule.requireSeen, rule.minPixels,
+          rule.file,   rule.line,   rule.preset, rule.accept,      rule.maxNonFinite};
+}
+
 std::string describeTooDark(std::string_view metric, const Figures& figures) {
   const double brighter = std::max(figures.referenceLuminance, figures.testLuminance);
   if (metric != "bias.ev" || !(brighter < kLeastLuminance)) return {};

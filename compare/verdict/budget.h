@@ -23,17 +23,22 @@ struct BudgetCheck {
 
 // The limits for all materials (or whole images) whose names match. All of them have to hold.
 struct BudgetRule {
-  std::string material = "*", scene = "*";     // globs (base/text/glob.h); `material` is not used for whole images
-  std::vector<BudgetCheck> checks;             // on the figures themselves
-  std::vector<BudgetCheck> regress;            // against a baseline; in a loaded file the two are never both empty
-  bool requireSeen = false;                    // a material that no view shows, or only too small, fails
+  std::string material = "*", scene = "*"; // globs (base/text/glob.h); `material` is not used for whole images
+  std::vector<BudgetCheck> checks;         // on the figures themselves
+  std::vector<BudgetCheck> regress; // against a baseline; in a loaded file the two are both empty only with noLimit
+  bool requireSeen = false;         // a material that no view shows, or only too small, fails
   std::uint64_t minPixels = kDefaultMinPixels; // a material of fewer pixels in a view is too small to be judged there
   std::string reason, owner;                   // why these limits, and whom to ask; shown in the report
   std::string origin;                          // "built-in", or "budgets.toml, line 12"
   std::string file;                            // as it was given to loadBudgets; empty: built-in
   int line = 0;
-  std::string preset = {}; // whose limits it took; empty: none
+  std::string preset = {};                        // whose limits it took; empty: none
+  std::vector<Accept> accept = {};                // what is accepted for `reason`, which then is not empty
+  std::optional<std::uint64_t> maxNonFinite = {}; // set where nonFinite is accepted
 };
+
+// The rule as a report tells it.
+AppliedRule appliedOf(const BudgetRule& rule);
 
 // The first rule that matches judges; a name that none matches cannot be judged, which is an error and never a pass.
 struct Budgets {
@@ -62,7 +67,8 @@ const std::vector<BudgetPreset>& builtInPresets();
 // matches. Throws Error (exit 4) "file: line N: reason" for: a syntax error; an unknown key, metric, region or preset
 // (with the nearest known name); a wrong type; no rules; a rule without checks; a check without limit; the same check
 // twice; a limit that is NaN, infinite, outside its figure's range or so at its end that no value is beyond it; warn
-// beyond fail; a rule that an earlier one hides wholly.
+// beyond fail; a rule that an earlier one hides wholly; something accepted without a reason, or that contradicts the
+// rule.
 Budgets loadBudgets(const std::filesystem::path& file);
 
 // The rules in words, one a line in the order in which they are tried, their limits below them: parity budget check.

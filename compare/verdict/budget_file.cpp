@@ -3,7 +3,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,21 +11,22 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/image/image.h"
 #include "base/text/nearest.h"
 #include "compare/verdict/budget.h"
+#include "compare/verdict/budget_keys.h"
 
 namespace parity::compare {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
-using Names = std::span<const std::string_view>;
 
 constexpr std::string_view kRootKeys[] = {"preset", "material", "whole"};
 constexpr std::string_view kPresetKeys[] = {"checks", "regress"};
-constexpr std::string_view kMaterialKeys[] = {"name",         "scene",      "preset", "checks", "regress",
-                                              "require_seen", "min_pixels", "reason", "owner"};
-constexpr std::string_view kWholeKeys[] = {"scene", "preset", "checks", "regress", "reason", "owner"};
+constexpr std::string_view kMaterialKeys[] = {"name",    "scene",        "preset",        "checks",
+                                              "regress", "require_seen", "min_pixels",    "reason",
+                                              "owner",   "accept",       "max_non_finite"};
+constexpr std::string_view kWholeKeys[] = {"scene",  "preset", "checks", "regress",
+                                           "reason", "owner",  "accept", "max_non_finite"};
 constexpr std::string_view kCheckKeys[] = {"metric", "warn", "fail"};
 
 // Either kind of rule takes its own limits of a built-in preset.
@@ -47,9 +47,9 @@ std::vector<BudgetCheck> merge(std::vector<BudgetCheck> own, const std::vector<B
   return own;
 }
 
-class Reader {
+class Reader : public BudgetKeys {
 public:
-  explicit Reader(const std::filesystem::path& file) : m_file(file.string()), m_short(file.filename().string()) {}
+  using BudgetKeys::BudgetKeys;
 
   Budgets read(const toml::table& root) {
     refuseUnknown(root, kRootKeys);
@@ -60,14 +60,10 @@ public:
     if (const toml::node* rules = root.get("whole"))
       for (const toml::table* rule : tablesOf(*rules, "whole")) budgets.wholes.push_back(wholeRule(*rule));
     if (budgets.materials.empty() && budgets.wholes.empty())
-      throw base::fileError(m_file, "", "has no rules; add a [[material]] or [[whole]]");
+      throw base::fileError(fileName(), "", "has no rules; add a [[material]] or [[whole]]");
     refuseHidden(budgets.materials);
     refuseHidden(budgets.wholes);
     return budgets;
-  }
-
-  [[noreturn]] void refuse(const toml::source_region& where, const std::string& reason) const {
-    throw base::fileError(m_file, fmt::format("line {}", where.begin.line), reason);
   }
 
 private:
@@ -128,47 +124,57 @@ private:
     return list;
   }
 
-  void refuseUnknown(const toml::table& table, Names known) const {
-    for (const auto& [key, node] : table)
-      if (std::ranges::find(known, key.str()) == known.end())
-        refuse(key.source(), fmt::format("unknown key '{}'; {}", key.str(), base::describeNearest(key.str(), known)));
-  }
-
-  std::vector<const toml::table*> tablesOf(const toml::node& node, std::string_view key) const {
-    const toml::array* array = node.as_array();
-    if (!array) refuse(node.source(), fmt::format("'{0}' must be an array of tables: [[{0}]]", key));
-    std::vector<const toml::table*> tables;
-    for (const toml::node& element : *array) {
-      if (!element.is_table()) refuse(element.source(), fmt::format("an entry of '{}' is not a table", key));
-      tables.push_back(element.as_table());
-    }
-    return tables;
-  }
-
-  std::string textOf(const toml::table& table, std::string_view key, std::string fallback) const {
-    const toml::node* node = table.get(key);
-    if (!node) return fallback;
-    const auto* text = node->as_string();
-    if (!text) refuse(node->source(), fmt::format("'{}' must be a string", key));
-    if (text->get().empty()) refuse(node->source(), fmt::format("'{}' is empty", key));
-    return text->get();
-  }
-
   BudgetRule commonRule(const toml::table& table, RuleKind kind) const {
     BudgetRule rule;
     rule.scene = textOf(table, "scene", "*");
     rule.reason = textOf(table, "reason", "");
     rule.owner = textOf(table, "owner", "");
     rule.line = static_cast<int>(table.source().begin.line);
-    rule.origin = fmt::format("{}, line {}", m_short, rule.line);
-    rule.file = m_file;
+    rule.origin = fmt::format("{}, line {}", shortName(), rule.line);
+    rule.file = fileName();
     rule.preset = textOf(table, "preset", "");
+    readAccepted(table, kind, rule);
     const Checks* preset = presetOf(table, kind);
     const bool hasOwn = table.contains("checks") || table.contains("regress");
-    const Checks own = hasOwn || !preset ? readChecks(table, "the rule") : Checks{};
+    const bool needsNone = preset || std::ranges::count(rule.accept, Accept::noLimit) > 0;
+    const Checks own = hasOwn || !needsNone ? readChecks(table, "the rule") : Checks{};
     rule.checks = preset ? merge(own.levels, preset->levels) : own.levels;
     rule.regress = preset ? merge(own.regress, preset->regress) : own.regress;
     return rule;
+  }
+
+  // What is accepted is named, one by one, and has a reason.
+  void readAccepted(const toml::table& table, RuleKind kind, BudgetRule& rule) const {
+    if (const toml::node* node = table.get("accept")) {
+      const toml::array* list = node->as_array();
+      if (!list || list->empty()) refuse(node->source(), "'accept' must be a list of what is accepted: [\"not seen\"]");
+      for (const toml::node& each : *list) rule.accept.push_back(readAccept(each, kind, rule.accept));
+      if (rule.reason.empty()) refuse(node->source(), "'accept' needs a 'reason'; reports show it");
+    }
+    const auto accepts = [&](Accept what) { return std::ranges::count(rule.accept, what) > 0; };
+    const toml::node* most = table.get("max_non_finite");
+    if (accepts(Accept::nonFinite) != (most != nullptr))
+      refuse(most ? most->source() : table.get("accept")->source(),
+             most ? "'max_non_finite' needs 'accept' with \"non-finite\""
+                  : "'accept' of \"non-finite\" needs 'max_non_finite', the most such pixels in a view");
+    if (most) rule.maxNonFinite = readPixels(*most, "max_non_finite", "");
+    if (accepts(Accept::noLimit))
+      for (const char* key : {"checks", "regress", "preset"})
+        if (const toml::node* node = table.get(key))
+          refuse(node->source(), fmt::format("'accept' of \"no limit\" contradicts '{}'", key));
+  }
+
+  Accept readAccept(const toml::node& node, RuleKind kind, const std::vector<Accept>& before) const {
+    if (!node.is_string()) refuse(node.source(), "an entry of 'accept' is not a string");
+    const std::string& name = node.as_string()->get();
+    const std::optional<Accept> known = acceptByName(name);
+    if (!known)
+      refuse(node.source(),
+             fmt::format("'accept' does not know '{}'; {}", name, base::describeNearest(name, acceptNames())));
+    if (kind == RuleKind::whole && !isOfWholes(*known))
+      refuse(node.source(), fmt::format("whole images are never '{}', so there is nothing to accept", name));
+    if (std::ranges::count(before, *known) > 0) refuse(node.source(), fmt::format("'{}' is accepted twice", name));
+    return *known;
   }
 
   BudgetRule materialRule(const toml::table& table) const {
@@ -180,16 +186,13 @@ private:
       if (!node->is_boolean()) refuse(node->source(), "'require_seen' must be true or false");
       rule.requireSeen = node->as_boolean()->get();
     }
-    if (const toml::node* node = table.get("min_pixels")) {
-      if (!node->is_integer()) refuse(node->source(), "'min_pixels' must be a whole number");
-      const std::int64_t count = node->as_integer()->get();
-      if (count < 1 || count > static_cast<std::int64_t>(base::kMaxImagePixels))
-        refuse(node->source(),
-               fmt::format("'min_pixels' is {}, outside the range 1..{}: 1 judges every material that is "
-                           "seen",
-                           count, base::kMaxImagePixels));
-      rule.minPixels = static_cast<std::uint64_t>(count);
-    }
+    if (rule.requireSeen)
+      for (const Accept each : {Accept::notSeen, Accept::tooSmall})
+        if (std::ranges::count(rule.accept, each) > 0)
+          refuse(table.get("accept")->source(),
+                 fmt::format("'accept' of \"{}\" contradicts 'require_seen'", nameOf(each)));
+    if (const toml::node* node = table.get("min_pixels"))
+      rule.minPixels = readPixels(*node, "min_pixels", ": 1 judges every material that is seen");
     return rule;
   }
 
@@ -254,13 +257,12 @@ private:
         };
         if (takes(rules[earlier].material, rules[later].material) && takes(rules[earlier].scene, rules[later].scene))
           throw base::fileError(
-              m_file, rules[later].origin.substr(m_short.size() + 2),
+              fileName(), rules[later].origin.substr(shortName().size() + 2),
               fmt::format("the rule of {} already matches everything that this rule matches; put this rule first",
-                          rules[earlier].origin.substr(m_short.size() + 2)));
+                          rules[earlier].origin.substr(shortName().size() + 2)));
       }
   }
 
-  std::string m_file, m_short;
   std::map<std::string, Checks> m_presets[2]; // of each RuleKind
 };
 

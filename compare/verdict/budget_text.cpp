@@ -27,6 +27,10 @@ std::string describeRule(const BudgetRule& rule, const std::string& subject) {
   if (!rule.owner.empty()) text += ", owner " + base::plainLine(rule.owner);
   if (!rule.reason.empty()) text += ": " + base::plainLine(rule.reason);
   text += "\n";
+  for (const Accept each : rule.accept)
+    text +=
+        fmt::format("    accepts: {}{}\n", nameOf(each),
+                    each == Accept::nonFinite ? fmt::format(", at most {} pixels in a view", *rule.maxNonFinite) : "");
   for (const BudgetCheck& check : rule.checks) text += describeLimits(check, false);
   for (const BudgetCheck& check : rule.regress) text += describeLimits(check, true);
   return text;

@@ -1,5 +1,7 @@
 #include "compare/verdict/check.h"
 
+#include <algorithm>
+
 namespace parity::compare {
 
 const char* nameOf(Verdict verdict) {
@@ -21,5 +23,7 @@ const char* nameOf(Verdict verdict) {
   }
   return "error";
 }
+
+bool AppliedRule::accepts(Accept what) const { return std::ranges::find(accept, what) != accept.end(); }
 
 } // namespace parity::compare

@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "compare/verdict/accept.h"
 
 namespace parity::compare {
 
@@ -35,9 +38,12 @@ struct AppliedRule {
   std::string reason, owner; // why these limits, and whose they are; may be empty
   bool requireSeen = false;
   std::uint64_t minPixels = kDefaultMinPixels; // a material of fewer is too small to be judged
-  std::string file;        // as the user named it, for annotations: may be absolute, so it is in no report
-  int line = 0;            // in it; 0: the rule stands in no file
-  std::string preset = {}; // whose limits it took; empty: none, all are its own
+  std::string file;                // as the user named it, for annotations: may be absolute, so it is in no report
+  int line = 0;                    // in it; 0: the rule stands in no file
+  std::string preset = {};         // whose limits it took; empty: none, all are its own
+  std::vector<Accept> accept = {}; // what of it is accepted for that reason
+  std::optional<std::uint64_t> maxNonFinite = {}; // NaN and infinite pixels in a view that are accepted
+  bool accepts(Accept what) const;
 };
 
 // From which share of clipped pixels (Figures::clipped) on a row warns, and above which a material is not judged.

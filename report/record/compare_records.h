@@ -31,6 +31,13 @@ template <> struct Names<compare::ActsOn> {
   static std::string nameOf(compare::ActsOn value) { return compare::nameOf(value); }
 };
 
+template <> struct Names<compare::Accept> {
+  static constexpr const auto& values = compare::kAccepts;
+  static constexpr std::string_view name = "accept", refusal = "'{}' cannot be accepted",
+                                    words = "What a budget accepts although it is no pass";
+  static std::string nameOf(compare::Accept value) { return compare::nameOf(value); }
+};
+
 // A row is a line.
 // clang-format off
 template <> inline constexpr auto kRecord<compare::Figure> = record<compare::Figure>(
@@ -67,15 +74,19 @@ template <> inline constexpr auto kRecord<compare::Figures> = record<compare::Fi
           "By the name of the figure: flip.mean, flip.fraction_over(0.1), psnr, bias.ev, ... (compare/pooling/statistic.h)",
           {.read = true}),
     field("clippedBlack", &compare::Figures::clippedBlack,
-          "Share of pixels that are black in both displayed images, so that they show no difference", {.least = 0, .most = 1}),
+          "Share of pixels that are black in both displayed images, so that they show no difference",
+          {.read = true, .mayLack = true, .least = 0, .most = 1}),
     field("clippedWhite", &compare::Figures::clippedWhite,
-          "Share of pixels that are white in both displayed images, so that they show no difference", {.least = 0, .most = 1}),
+          "Share of pixels that are white in both displayed images, so that they show no difference",
+          {.read = true, .mayLack = true, .least = 0, .most = 1}),
     field("referenceLuma", &compare::Figures::referenceLuma, "Mean Rec.709 luma of the displayed reference",
-          {.least = 0, .most = 1}),
-    field("testLuma", &compare::Figures::testLuma, "The same for the test", {.least = 0, .most = 1}),
+          {.read = true, .mayLack = true, .least = 0, .most = 1}),
+    field("testLuma", &compare::Figures::testLuma, "The same for the test",
+          {.read = true, .mayLack = true, .least = 0, .most = 1}),
     field("referenceLuminance", &compare::Figures::referenceLuminance,
-          "Mean linear luminance of the reference as exposed, before clipping; 1 is white"),
-    field("testLuminance", &compare::Figures::testLuminance, "The same for the test"));
+          "Mean linear luminance of the reference as exposed, before clipping; 1 is white",
+          {.read = true, .mayLack = true}),
+    field("testLuminance", &compare::Figures::testLuminance, "The same for the test", {.read = true, .mayLack = true}));
 // Without pixels all else is meaningless: a zero there would read as "alike".
 template <> struct Emptiness<compare::Figures> {
   static bool isEmpty(const compare::Figures& figures) { return figures.pixels == 0; }
@@ -112,6 +123,10 @@ template <> inline constexpr auto kRecord<compare::AppliedRule> = record<compare
     field("requireSeen", &compare::AppliedRule::requireSeen),
     field("minPixels", &compare::AppliedRule::minPixels, "A material with fewer pixels is too small to be judged",
           {.least = 1}),
+    field("accept", &compare::AppliedRule::accept, "What the rule accepts for its reason; absent: nothing",
+          {.ifEmpty = IfEmpty::absent}),
+    field("maxNonFinite", &compare::AppliedRule::maxNonFinite,
+          "The most NaN or infinite pixels in a view that the rule accepts; absent: none", {.least = 1}),
     hidden(&compare::AppliedRule::file),
     hidden(&compare::AppliedRule::line));
 
@@ -137,7 +152,7 @@ template <> inline constexpr auto kRecord<compare::TruthError> = record<compare:
 template <> inline constexpr auto kRecord<compare::TruthFigures> = record<compare::TruthFigures>(
     "truthFigures", "",
     field("nonFinite", &compare::TruthFigures::nonFinite,
-          "Pixels where the truth itself is NaN or infinite; the verdict then is 'error'"),
+          "Pixels where the truth itself is NaN or infinite; the verdict then is 'error'", {.read = true, .mayLack = true}),
     field("reference", &compare::TruthFigures::reference, "Figures of the reference against the truth"),
     field("test", &compare::TruthFigures::test, "Figures of the test against the truth"),
     field("error", &compare::TruthFigures::error));
@@ -168,7 +183,8 @@ template <> inline constexpr auto kRecord<compare::TruthImages> = record<compare
 
 template <> inline constexpr auto kRecord<compare::Truth> = record<compare::Truth>(
     "truth", "Both paths against the ground truth; only with --truth. It does not change verdicts",
-    field("figures", &compare::Truth::figures, "null: no pixel", {.ifEmpty = IfEmpty::null}),
+    field("figures", &compare::Truth::figures, "null: no pixel",
+          {.read = true, .mayLack = true, .ifEmpty = IfEmpty::null}),
     field("terms", &compare::Truth::terms, "Without terms that are black in the truth and in both paths"),
     field("notes", &compare::Truth::notes, "Cautions about these figures"),
     field("images", &compare::Truth::images));

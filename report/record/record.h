@@ -26,8 +26,9 @@ namespace parity::report {
 enum class IfEmpty { written, null, absent };
 
 struct Rule {
-  bool kept = true;  // in the archive; not what judging sets, nor what the archive's key holds
-  bool read = false; // from the JSON of an earlier report
+  bool kept = true;     // in the archive; not what judging sets, nor what the archive's key holds
+  bool read = false;    // from the JSON of an earlier report
+  bool mayLack = false; // of what is read: where it is absent, it is as by default
   IfEmpty ifEmpty = IfEmpty::written;
   bool finite = false;         // of a real: it is never null
   bool filled = false;         // of a text: it is never empty
@@ -129,7 +130,7 @@ template <typename T> inline constexpr bool kIsMap<std::map<std::string, T>> = t
 template <typename T> struct Emptiness {
   static bool isEmpty(const T& value) {
     if constexpr (kIsOptional<T>) return !value.has_value();
-    if constexpr (std::is_same_v<T, std::string>) return value.empty();
+    if constexpr (std::is_same_v<T, std::string> || kIsList<T>) return value.empty();
     return false;
   }
 };

@@ -24,6 +24,16 @@ template <> struct ByName<FigureChange> {
   static double valueOf(const FigureChange& change) { return change.change(); }
 };
 
+template <> inline constexpr auto kRecord<BaselineImages> = record<BaselineImages>(
+    "baselineImages",
+    "Copies of the baseline's pictures that are not as in this run, relative to the report's folder; empty: as in this run, "
+    "or the baseline has none of this size",
+    field("reference", &BaselineImages::reference),
+    field("test", &BaselineImages::test));
+template <> struct Emptiness<BaselineImages> {
+  static bool isEmpty(const BaselineImages& images) { return images.reference.empty() && images.test.empty(); }
+};
+
 template <> inline constexpr auto kRecord<BaselineChange> = record<BaselineChange>(
     "change", "",
     field("new", &BaselineChange::isNew, "The baseline does not have it"),
@@ -35,12 +45,14 @@ template <> inline constexpr auto kRecord<BaselineChange> = record<BaselineChang
     field("notComparable", &BaselineChange::notComparable,
           "The conditions that differ, in words; then there are no changes and the verdict is at least warn; empty: no "
           "condition differs"),
-    field("changes", &BaselineChange::changes, "Figure of this run minus figure of the baseline; null: from or to infinite"));
+    field("changes", &BaselineChange::changes, "Figure of this run minus figure of the baseline; null: from or to infinite"),
+    field("images", &BaselineChange::images, "absent: no picture of it changed, or the baseline has none",
+          {.ifEmpty = IfEmpty::absent}));
 
 template <> inline constexpr auto kRecord<ImageSet> = record<ImageSet>(
     "images", "Paths relative to the report's folder, '/'-separated; empty: none",
-    field("reference", &ImageSet::reference),
-    field("test", &ImageSet::test),
+    field("reference", &ImageSet::reference, "", {.read = true, .mayLack = true}),
+    field("test", &ImageSet::test, "", {.read = true, .mayLack = true}),
     field("flip", &ImageSet::flip));
 
 template <> inline constexpr auto kRecord<TermFigures> = record<TermFigures>(
@@ -69,6 +81,9 @@ template <> inline constexpr auto kRecord<MaterialResult> = record<MaterialResul
     hidden(&MaterialResult::test),
     field("verdict", &MaterialResult::verdict, "", {.kept = false, .read = true}),
     field("reason", &MaterialResult::reason, "Reason of the verdict; empty for a pass", {.kept = false}),
+    field("accepted", &MaterialResult::accepted,
+          "What its budget accepts although it is no pass, with the budget's reason; absent: nothing",
+          {.kept = false, .ifEmpty = IfEmpty::absent}),
     field("seenElsewhere", &MaterialResult::seenElsewhere,
           "Not seen or too small in this view, but seen in another view; the row does not count", {.kept = false}),
     computed("bias", [](const MaterialResult& material) { return biasOf(material.figures, material.test); },
@@ -80,11 +95,12 @@ template <> inline constexpr auto kRecord<MaterialResult> = record<MaterialResul
     field("baseline", &MaterialResult::baseline, "null: there is no baseline",
           {.kept = false, .ifEmpty = IfEmpty::null}),
     field("notModelled", &MaterialResult::notModelled,
-          "Parts that no path models; then only the base layer is judged, and the verdict is at least warn"),
+          "Parts that no path models; then only the base layer is judged, and the verdict is at least warn",
+          {.read = true, .mayLack = true}),
     field("notes", &MaterialResult::notes, "Permutation, sampler excess, tinted F0, ..."),
     field("terms", &MaterialResult::terms),
-    field("crops", &MaterialResult::crops),
-    field("truth", &MaterialResult::truth),
+    field("crops", &MaterialResult::crops, "", {.read = true, .mayLack = true}),
+    field("truth", &MaterialResult::truth, "", {.read = true, .mayLack = true}),
     field("stages", &MaterialResult::stages),
     field("attribution", &MaterialResult::attribution));
 
@@ -124,6 +140,9 @@ template <> inline constexpr auto kRecord<ViewResult> = record<ViewResult>(
     group("whole", "All pixels that show a material",
         field("verdict", &ViewResult::wholeVerdict, "", {.kept = false, .read = true}),
         field("reason", &ViewResult::reason, "Reason of the verdict; empty for a pass", {.kept = false}),
+        field("accepted", &ViewResult::accepted,
+              "What its budget accepts although it is no pass, with the budget's reason; absent: nothing",
+              {.kept = false, .ifEmpty = IfEmpty::absent}),
         computed("bias", [](const ViewResult& view) { return biasOf(view.whole, view.test); },
                  "Difference of light and tint in words; empty without pixels"),
         field("figures", &ViewResult::whole, "null: no pixel",
@@ -132,10 +151,10 @@ template <> inline constexpr auto kRecord<ViewResult> = record<ViewResult>(
         field("budget", &ViewResult::rule, "", {.kept = false}),
         field("baseline", &ViewResult::baseline, "null: there is no baseline",
               {.kept = false, .ifEmpty = IfEmpty::null}),
-        field("truth", &ViewResult::truth),
+        field("truth", &ViewResult::truth, "", {.read = true, .mayLack = true}),
         field("stages", &ViewResult::stages)),
     field("materials", &ViewResult::materials, "In the order of the scene", {.read = true}),
-    field("images", &ViewResult::images),
+    field("images", &ViewResult::images, "", {.read = true, .mayLack = true}),
     field("exposureEv", &ViewResult::exposureEv, "Exposure of the pictures; apply it to the values of 'pixels'",
           {.finite = true}),
     field("pixels", &ViewResult::pixels),

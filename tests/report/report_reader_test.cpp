@@ -75,12 +75,38 @@ TEST(ReportReader, ConditionsSurviveOnEveryLevel) {
   EXPECT_EQ(read.conditions.back().actsOn, compare::ActsOn::truth);
 }
 
-TEST(ReportReader, ATruthIsPassedOver) {
-  const Report with = readText(toJson(makeSampleReportWithTruth())), without = readText(toJson(makeSampleReport()));
+TEST(ReportReader, OfATruthOnlyWhetherItIsANumber) {
+  Report written = makeSampleReportWithTruth();
+  written.scenes[0].views[0].materials[1].truth->figures.nonFinite = 3;
+  const Report with = readText(toJson(written)), without = readText(toJson(makeSampleReport()));
   const MaterialResult& metal = with.scenes[0].views[0].materials[1];
   EXPECT_EQ(metal.figures.find("flip.mean"), 0.27) << "not a truth's";
   EXPECT_EQ(metal.figures.find("relmse"), without.scenes[0].views[0].materials[1].figures.find("relmse"));
-  EXPECT_FALSE(metal.truth);
+  ASSERT_TRUE(metal.truth);
+  EXPECT_EQ(metal.truth->figures.nonFinite, 3u);
+  EXPECT_TRUE(metal.truth->figures.test.values.empty());
+  EXPECT_FALSE(without.scenes[0].views[0].materials[1].truth);
+}
+
+// What later versions read more of an earlier report may be absent in one of an earlier version.
+TEST(ReportReader, PicturesAndClippingAreReadWhereTheyAreThere) {
+  Report report = makeSampleReport();
+  report.scenes[0].views[0].materials[2].figures.clippedBlack = 0.25;
+  nlohmann::json json = nlohmann::json::parse(toJson(report));
+  const Report full = readText(json.dump());
+  EXPECT_EQ(full.scenes[0].views[0].images.test, "images/lamp_test.png");
+  EXPECT_EQ(full.scenes[0].views[0].materials[1].crops.reference, "images/metal_ref.png");
+  EXPECT_EQ(full.scenes[0].views[0].materials[2].notModelled, std::vector<std::string>{"sheen"});
+  EXPECT_EQ(full.scenes[0].views[0].materials[2].figures.clippedBlack, 0.25);
+  nlohmann::json& view = json["scenes"][0]["views"][0];
+  view.erase("images");
+  view["materials"][1].erase("crops");
+  view["materials"][2].erase("notModelled");
+  view["materials"][2]["figures"].erase("clippedBlack");
+  const Report bare = readText(json.dump());
+  EXPECT_EQ(bare.scenes[0].views[0].images.test, "");
+  EXPECT_EQ(bare.scenes[0].views[0].materials[1].crops.reference, "");
+  EXPECT_TRUE(bare.scenes[0].views[0].materials[2].notModelled.empty());
 }
 
 TEST(ReportReader, ANullThatIsNotIdentityIsNotANumber) {

@@ -41,6 +41,7 @@ export const kHelp = {
   flicker: "Shows the pictures in turn at the same place, which makes the smallest change visible. Hold the button or the key F, or press once to stay.",
   showTerm: "Shows only one term of the light, for both paths. The colour is the sum of all terms.",
   showTruth: "Also shows the ground truth. If two pictures share a pane, the truth replaces the reference path.",
+  showBaseline: "Also shows the pictures of the baseline that are not as in this run. If two pictures share a pane, the test path's picture in the baseline replaces the reference path.",
   dimOthers: "Darkens all other materials.",
   magma: "Black: identical. Bright yellow: largest difference. Grey: below the threshold.",
 } as const;

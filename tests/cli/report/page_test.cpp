@@ -63,7 +63,7 @@ TEST_F(PageTest, ASingleFileHoldsAllThatAFolderHolds) {
   const std::vector<std::string> options = {"--display", "ACES SDR", "--attribution",
                                             "all",       "--bench",  writeBench("bench.json")};
   EXPECT_NE(report("folder", options).exitCode, 4);
-  EXPECT_NE(report("single", join({options, {"--single-file"}})).exitCode, 4);
+  EXPECT_NE(report("single", join({options, {"--single-file", "--pixel-data", "all"}})).exitCode, 4);
   EXPECT_EQ(listFiles(m_folder / "single"), kSingle);
   EXPECT_FALSE(std::filesystem::exists(m_folder / "single" / "images"));
   EXPECT_TRUE(text("single/report.json") == text("folder/report.json"));
@@ -104,6 +104,31 @@ TEST_F(PageTest, ASingleFileFromTheCacheIsTheSame) {
     return std::string(page).replace(page.find(run), run.size(), "");
   };
   EXPECT_TRUE(withoutRun("first/index.html") == withoutRun("again/index.html"));
+}
+
+TEST_F(PageTest, ASingleFileHoldsPixelValuesOnlyOnRequestAndTellsItsSize) {
+  const RunResult plain = report("plain", {"--single-file"});
+  EXPECT_EQ(listPixelFiles(readReport(m_folder / "plain")), std::vector<std::string>{});
+  EXPECT_EQ(listPictures(readReport(m_folder / "plain")).size(), 3u * (1 + 11));
+  EXPECT_TRUE(contains(plain.out, "plain/index.html (")) << plain.out;
+  EXPECT_TRUE(contains(plain.out, " MB)")) << plain.out;
+  EXPECT_FALSE(contains(plain.err, "to make it smaller")) << plain.err;
+  const RunResult full = report("full", {"--single-file", "--pixel-data", "all"});
+  EXPECT_EQ(listPixelFiles(readReport(m_folder / "full")).size(), 1u);
+  EXPECT_FALSE(contains(report("folder").out, " MB)")) << "a folder has no one size";
+}
+
+TEST_F(PageTest, ALargeSingleFileWarnsAndSaysWhatHelps) {
+  nlohmann::json bench = nlohmann::json::parse(readWholeFile(writeBench("bench.json")));
+  bench["commandLine"] = std::string(21'000'000, 'x');
+  const std::string large = write("large.json", bench.dump());
+  const RunResult result = report("out", {"--single-file", "--bench", large});
+  EXPECT_NE(result.exitCode, 4) << result.err;
+  EXPECT_TRUE(contains(result.err, "warning: " + path("out/index.html") + " is 2")) << result.err;
+  EXPECT_TRUE(contains(result.err, "to make it smaller, make the pictures smaller with --size")) << result.err;
+  EXPECT_TRUE(contains(result.out, "larger than 20.0 MB")) << result.out;
+  const RunResult values = report("out", {"--single-file", "--bench", large, "--pixel-data", "all"});
+  EXPECT_TRUE(contains(values.err, "leave out --pixel-data all")) << values.err;
 }
 
 TEST_F(PageTest, EachFormReplacesTheOther) {

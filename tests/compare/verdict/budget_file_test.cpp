@@ -293,5 +293,49 @@ TEST(BudgetFile, SyntaxErrorsAndMissingFilesAreOneLine) {
   base::expectError([&] { loadBudgets(folder / "none.toml"); }, "none.toml", "");
 }
 
+TEST(BudgetFile, WhatIsAcceptedIsNamedAndHasAReason) {
+  const Budgets budgets = load(R"([[material]]
+name = "a"
+reason = "known"
+accept = ["not seen", "non-finite"]
+max_non_finite = 5
+preset = "default"
+[[material]]
+name = "b"
+reason = "any"
+accept = ["no limit"]
+[[whole]]
+reason = "night"
+accept = ["clipped"]
+preset = "default"
+)");
+  EXPECT_EQ(budgets.materials[0].accept, (std::vector{Accept::notSeen, Accept::nonFinite}));
+  EXPECT_EQ(budgets.materials[0].maxNonFinite, std::uint64_t{5});
+  EXPECT_TRUE(budgets.materials[1].checks.empty());
+  EXPECT_EQ(budgets.wholes[0].accept, std::vector{Accept::clipped});
+  const std::string text = describeBudgets(budgets);
+  EXPECT_NE(text.find("    accepts: non-finite, at most 5 pixels in a view\n"), std::string::npos) << text;
+  for (const Accept each : kAccepts) EXPECT_EQ(acceptByName(nameOf(each)), each);
+}
+
+TEST(BudgetFile, RefusesWhatCannotBeAccepted) {
+  const std::string rule = "[[material]]\nname = \"*\"\nreason = \"r\"\n";
+  const auto accepting = [&](const std::string& list) { return rule + "accept = " + list + "\n"; };
+  expectRefusal(accepting("[\"not sen\"]") + kCheck, "line 4", "does not know 'not sen'");
+  expectRefusal(accepting("[]") + kCheck, "line 4", "must be a list");
+  expectRefusal(accepting("\"not seen\"") + kCheck, "line 4", "must be a list");
+  expectRefusal(accepting("[1]") + kCheck, "line 4", "is not a string");
+  expectRefusal(accepting("[\"clipped\", \"clipped\"]") + kCheck, "line 4", "accepted twice");
+  expectRefusal(accepting("[\"clipped\"]"), "line 1", "needs 'checks' or 'regress'");
+  expectRefusal(accepting("[\"no limit\"]") + kCheck, "line 5", "contradicts 'checks'");
+  expectRefusal(accepting("[\"non-finite\"]") + kCheck, "line 4", "needs 'max_non_finite'");
+  expectRefusal(rule + "max_non_finite = 3\n" + kCheck, "line 4", "needs 'accept'");
+  expectRefusal(accepting("[\"non-finite\"]") + "max_non_finite = 0\n" + kCheck, "line 5", "outside the range 1..");
+  expectRefusal(accepting("[\"not seen\"]") + "require_seen = true\n" + kCheck, "line 4", "contradicts 'require_seen'");
+  expectRefusal("[[material]]\nname = \"*\"\naccept = [\"clipped\"]\n" + kCheck, "line 3", "needs a 'reason'");
+  expectRefusal("[[whole]]\nreason = \"r\"\naccept = [\"too small\"]\n" + kCheck, "line 3",
+                "whole images are never 'too small'");
+}
+
 } // namespace
 } // namespace parity::compare

@@ -90,7 +90,7 @@ function judgedRow(kind: Kind, scene: Scene, view: View, judged: Judged, name: s
     test: view.test,
     verdict: judged.verdict,
     gravity: gravityOf(judged.verdict),
-    reason: judged.reason,
+    reason: [judged.reason, judged.accepted && `accepted: ${judged.accepted}`].filter(Boolean).join("; "),
     bias: judged.bias,
     pixels: judged.figures?.pixels ?? 0,
     judged,
@@ -99,7 +99,7 @@ function judgedRow(kind: Kind, scene: Scene, view: View, judged: Judged, name: s
     notModelled,
     isNew: judged.baseline?.new ?? false,
     change: changeOf(judged),
-    text: `${name} ${place} ${judged.reason} ${cause?.term ?? ""} ${baseLayerText(notModelled)}`.toLowerCase(),
+    text: `${name} ${place} ${judged.reason} ${judged.accepted ? "accepted" : ""} ${judged.accepted ?? ""} ${cause?.term ?? ""} ${baseLayerText(notModelled)}`.toLowerCase(),
   };
 }
 

@@ -22,6 +22,7 @@ export interface ViewerState {
   pixelY: number;
   term: string; // "": the colour; else the term whose images are shown
   showTruth: boolean;
+  showBaseline: boolean; // its pictures, where they are not as in this run
   dimOthers: boolean; // all but the chosen material
 }
 
@@ -57,6 +58,7 @@ export const kDefaultState: Readonly<State> = {
   pixelY: -1,
   term: "",
   showTruth: false,
+  showBaseline: false,
   dimOthers: true,
   scene: "",
   view: "",

@@ -122,6 +122,7 @@ export interface View {
   whole: {
     verdict: Verdict;
     reason: string; // Reason of the verdict; empty for a pass
+    accepted?: string; // What its budget accepts although it is no pass, with the budget's reason; absent: nothing
     bias: string; // Difference of light and tint in words; empty without pixels
     figures: Figures | null; // null: no pixel
     checks: Check[];
@@ -167,13 +168,25 @@ export interface Rule {
   owner: string;
   requireSeen: boolean;
   minPixels: number; // A material with fewer pixels is too small to be judged
+  accept?: Accept[]; // What the rule accepts for its reason; absent: nothing
+  maxNonFinite?: number; // The most NaN or infinite pixels in a view that the rule accepts; absent: none
 }
+
+/** What a budget accepts although it is no pass */
+export type Accept = "not seen" | "too small" | "not judged" | "clipped" | "base layer only" | "non-finite" | "no limit";
 
 export interface Change {
   new: boolean; // The baseline does not have it
   verdict: Verdict | null; // Verdict in the baseline; null: new
   notComparable: string; // The conditions that differ, in words; then there are no changes and the verdict is at least warn; empty: no condition differs
   changes: Record<string, number | null>; // Figure of this run minus figure of the baseline; null: from or to infinite
+  images?: BaselineImages; // absent: no picture of it changed, or the baseline has none
+}
+
+/** Copies of the baseline's pictures that are not as in this run, relative to the report's folder; empty: as in this run, or the baseline has none of this size */
+export interface BaselineImages {
+  reference: string;
+  test: string;
 }
 
 /** Both paths against the ground truth; only with --truth. It does not change verdicts */
@@ -232,6 +245,7 @@ export interface Material {
   name: string;
   verdict: Verdict;
   reason: string; // Reason of the verdict; empty for a pass
+  accepted?: string; // What its budget accepts although it is no pass, with the budget's reason; absent: nothing
   seenElsewhere: boolean; // Not seen or too small in this view, but seen in another view; the row does not count
   bias: string; // Difference of light and tint in words; empty without pixels
   figures: Figures | null; // null: no pixel

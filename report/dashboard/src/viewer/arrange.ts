@@ -30,11 +30,31 @@ export interface PaneModel {
   split: number | null;
 }
 
-type Picture = "reference" | "test" | "truth";
+/** "was...": in the baseline. */
+type Picture = "reference" | "test" | "truth" | "wasReference" | "wasTest";
+
+function isOfBaseline(picture: Picture): picture is "wasReference" | "wasTest" {
+  return picture === "wasReference" || picture === "wasTest";
+}
 
 /** The name of the picture's path; of the truth its own. */
 function pathOf(view: View, picture: Picture): string {
+  if (isOfBaseline(picture)) return view[picture === "wasTest" ? "test" : "reference"];
   return picture === "truth" ? "truth" : view[picture];
+}
+
+/** The same within a sentence. */
+function wordOf(view: View, picture: Picture): string {
+  const path = pathWord(pathOf(view, picture));
+  return isOfBaseline(picture) ? `${path} in the baseline` : path;
+}
+
+/** The baseline's pictures that are not as in this run. */
+export function baselinePictures(view: View): ("wasReference" | "wasTest")[] {
+  const images = view.whole.baseline?.images;
+  return (["wasReference", "wasTest"] as const).filter((each) =>
+    each === "wasTest" ? images?.test : images?.reference,
+  );
 }
 
 interface Part {
@@ -50,10 +70,13 @@ export function exposureText(exposure: number): string {
 
 function imageOf({ view }: Scenery, picture: Picture): string {
   if (picture === "truth") return view.whole.truth?.images.truth ?? "";
+  if (isOfBaseline(picture))
+    return view.whole.baseline?.images?.[picture === "wasTest" ? "test" : "reference"] ?? "";
   return view.images[picture];
 }
 
 function planeOf({ view, state, source }: Scenery, picture: Picture): ReturnType<PixelSource["color"]> {
+  if (isOfBaseline(picture)) return { message: "The report does not hold the pixel values of the baseline." };
   if (state.term === "") return source.color(pathOf(view, picture));
   if (picture === "truth") return { message: "The report does not hold the terms of the truth." };
   return source.term(`${pathOf(view, picture)}.${state.term}`);
@@ -77,7 +100,8 @@ function missingText(scenery: Scenery, image: string, message: string): string {
 function makePicture(scenery: Scenery, picture: Picture): Part {
   const { state, source, view } = scenery;
   const image = state.term === "" ? imageOf(scenery, picture) : "";
-  const needsValues = state.exposure !== 0 || image === "" || scenery.missing.has(image);
+  const needsValues =
+    (state.exposure !== 0 && !isOfBaseline(picture)) || image === "" || scenery.missing.has(image);
   const layer: Layer = { key: picture, label: labelOf(scenery, picture), image, job: null };
   if (!needsValues) return makePart(scenery, layer, false, null, "");
   const plane = planeOf(scenery, picture);
@@ -95,7 +119,7 @@ function makePicture(scenery: Scenery, picture: Picture): Part {
 }
 
 function labelOf({ view, state }: Scenery, picture: Picture): string {
-  const title = pathTitle(pathOf(view, picture));
+  const title = pathTitle(pathOf(view, picture)) + (isOfBaseline(picture) ? " in the baseline" : "");
   return state.term === "" ? title : `${title}, ${termLabel(state.term)}`;
 }
 
@@ -136,7 +160,16 @@ function flipPane(scenery: Scenery): PaneModel {
 
 /** What stands at the reference's place where two pictures share a pane. */
 function baseOf({ view, state }: Scenery): Picture {
+  if (state.showBaseline && baselinePictures(view).includes("wasTest")) return "wasTest";
   return state.showTruth && view.whole.truth !== undefined ? "truth" : "reference";
+}
+
+/** What a pane says of its picture. */
+function noteOf({ view, state }: Scenery, picture: Picture): string {
+  if (!isOfBaseline(picture)) return exposureText(state.exposure);
+  const differs = view.whole.baseline?.notComparable ?? "";
+  const notes = [exposureText(state.exposure) && "at the report's exposure", differs && `not comparable: ${differs}`];
+  return notes.filter(Boolean).join(", ");
 }
 
 function onePane(key: string, label: string, note: string, parts: Part[], more: Partial<PaneModel> = {}): PaneModel {
@@ -161,7 +194,7 @@ function differencePane(scenery: Scenery): PaneModel {
   const [first, second] = [planeOf(scenery, base), planeOf(scenery, "test")];
   const [reference, test, display] = [valueOf(first), valueOf(second), valueOf(source.display)];
   const label = `Difference × ${state.gain}`;
-  const note = [`${pathWord(view.test)} minus ${pathWord(pathOf(view, base))}`, exposureText(state.exposure)];
+  const note = [`${pathWord(view.test)} minus ${wordOf(view, base)}`, exposureText(state.exposure)];
   const exposureEv = view.exposureEv + state.exposure;
   const job: Job | null =
     reference && test && display
@@ -177,7 +210,7 @@ function differencePane(scenery: Scenery): PaneModel {
     ]);
   // Half of the one over the inverted other is grey where they are alike; the contrast enlarges what is not.
   const layers: Layer[] = [
-    { key: "base", label: pathTitle(pathOf(view, base)), image: images[0]!, job: null, filter: "invert(1)" },
+    { key: "base", label: labelOf(scenery, base), image: images[0]!, job: null, filter: "invert(1)" },
     { key: "test", label: pathTitle(view.test), image: images[1]!, job: null, opacity: 0.5 },
   ];
   return onePane("difference", label, note[0]!, [], {
@@ -192,7 +225,7 @@ export function arrange(scenery: Scenery): PaneModel[] {
   const { state, view } = scenery;
   const exposure = exposureText(state.exposure);
   const pane = (picture: Picture): PaneModel =>
-    onePane(picture, labelOf(scenery, picture), exposure, [makePicture(scenery, picture)]);
+    onePane(picture, labelOf(scenery, picture), noteOf(scenery, picture), [makePicture(scenery, picture)]);
   const base = baseOf(scenery);
   const pair = (
     key: string,
@@ -207,7 +240,8 @@ export function arrange(scenery: Scenery): PaneModel[] {
   switch (state.mode) {
     case "side": {
       const truth = state.showTruth && view.whole.truth !== undefined ? [pane("truth")] : [];
-      return [pane("reference"), pane("test"), ...truth, state.term === "" ? flipPane(scenery) : differencePane(scenery)];
+      const before = state.showBaseline ? baselinePictures(view).map(pane) : [];
+      return [pane("reference"), pane("test"), ...before, ...truth, state.term === "" ? flipPane(scenery) : differencePane(scenery)];
     }
     case "slider":
       return pair("slider", labelOf(scenery, base), () => ({ isRight: true }), {

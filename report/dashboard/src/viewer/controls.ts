@@ -12,6 +12,7 @@ import { kTermNames, termLabel } from "./terms";
 export interface ControlScene {
   state: ViewerState;
   hasTruth: boolean;
+  hasBaseline: boolean; // pictures of it that are not as in this run
   hasTerms: boolean;
   material: string | null; // the chosen one's name; null: the whole picture
   above: string; // how many pixels the threshold leaves; "": not known
@@ -218,6 +219,9 @@ export function controls(scene: ControlScene): TemplateResult {
         })
       : nothing}
     ${termChoice(scene)}
+    ${scene.hasBaseline
+      ? check(html`Baseline`, "showBaseline", state.showBaseline, (showBaseline) => set({ showBaseline }))
+      : nothing}
     ${scene.hasTruth ? check(html`Truth`, "showTruth", state.showTruth, (showTruth) => set({ showTruth })) : nothing}
     ${scene.material === null
       ? nothing

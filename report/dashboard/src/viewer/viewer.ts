@@ -9,7 +9,7 @@ import { kDefaultState, type ViewerState } from "../data/state";
 import type { Judged } from "../data/judged";
 import type { Report, View } from "../data/types";
 import { PageElement } from "../element";
-import { arrange, flipPlaneOf, type PaneModel } from "./arrange";
+import { arrange, baselinePictures, flipPlaneOf, type PaneModel } from "./arrange";
 import { controls } from "./controls";
 import "./flip_histogram";
 import "./inspector";
@@ -263,6 +263,7 @@ export class ParityViewer extends PageElement {
       ${controls({
         state,
         hasTruth: view.whole.truth !== undefined,
+        hasBaseline: baselinePictures(view).length > 0,
         hasTerms: view.pixels.terms !== "",
         material: view.materials[this.material]?.name ?? null,
         above: this.aboveText(flipPlane, materials),

@@ -118,6 +118,34 @@ describe("panes of the comparison", () => {
     const slider = panes({ showTruth: true, mode: "slider" }, "none", [], view).models[0]!;
     expect([slider.label, slider.right]).toEqual(["Truth", "Mobile"]);
   });
+
+  it("has the baseline's pictures only where they are not as in this run", () => {
+    expect(labels(panes({ showBaseline: true }, "none").models)).toEqual(["High-end", "Mobile", "FLIP map"]);
+    const view = makePictured();
+    const images = { reference: "", test: "baseline/a.png" };
+    view.whole.baseline = { new: false, verdict: "pass", notComparable: "", changes: {}, images };
+    expect(labels(panes({}, "none", [], view).models)).toEqual(["High-end", "Mobile", "FLIP map"]);
+    const side = panes({ showBaseline: true }, "none", [], view).models;
+    expect(labels(side)).toEqual(["High-end", "Mobile", "Mobile in the baseline", "FLIP map"]);
+    expect(side[2]!.layers[0]!.image).toBe("baseline/a.png");
+    const slider = panes({ showBaseline: true, mode: "slider" }, "none", [], view).models[0]!;
+    expect([slider.label, slider.right]).toEqual(["Mobile in the baseline", "Mobile"]);
+    const difference = panes({ showBaseline: true, mode: "difference" }, "none", [], view).models[0]!;
+    expect([difference.message, difference.note]).toEqual(["", "mobile minus mobile in the baseline"]);
+    images.reference = "baseline/b.png";
+    view.whole.baseline.notComparable = "device was a, is b";
+    const both = panes({ showBaseline: true, exposure: 1 }, ["highend", "mobile", "flip"], [], view).models;
+    expect(labels(both)).toEqual([
+      "High-end",
+      "Mobile",
+      "High-end in the baseline",
+      "Mobile in the baseline",
+      "FLIP map",
+    ]);
+    expect(both[3]!.note).toBe("at the report's exposure, not comparable: device was a, is b");
+    const term = panes({ showBaseline: true, term: "fog" }, "none", [], view).models[3]!;
+    expect(term.message).toBe("The report does not hold the pixel values of the baseline.");
+  });
 });
 
 describe("the FLIP map of a material", () => {
