@@ -65,8 +65,8 @@ std::string synopsisOf(const CommandText& command) {
   if (!command.groups.empty()) text += "[\\fIOPTIONS\\fR]\n";
   for (const OptionText& positional : command.positionals) {
     const std::string dots = positional.isRepeatable ? "..." : "";
-    text += fmt::format(positional.isRequired ? "\\fI{}\\fR{}\n" : "[\\fI{}\\fR{}]\n", roff(positional.names.front()),
-                        dots);
+    const std::string entry = fmt::format("\\fI{}\\fR{}", roff(positional.names.front()), dots);
+    text += positional.isRequired ? entry + "\n" : "[" + entry + "]\n";
   }
   if (!command.commands.empty()) text += "\\fICOMMAND\\fR\n";
   return text;

@@ -183,7 +183,14 @@ std::string footerOf(const CommandHelp& help) {
 // Headings in one order, and whether an option is repeatable in plain words.
 class HelpFormatter : public CLI::Formatter {
 public:
-  std::string make_groups(const CLI::App* app, CLI::AppFormatMode) const override {
+  // As CLI11's own, whose make_groups() is not virtual.
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    return make_description(app) + make_usage(app, std::move(name)) + make_positionals(app) + groupsOf(app) +
+           make_subcommands(app, mode) + '\n' + make_footer(app);
+  }
+
+private:
+  std::string groupsOf(const CLI::App* app) const {
     std::string text;
     for (const std::string& title : groupTitles(*app)) {
       const std::vector<const CLI::Option*> options =

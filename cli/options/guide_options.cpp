@@ -40,8 +40,9 @@ GuideCommand settleGuide(const CLI::App& app, const RawGuideOptions& raw) {
     return {.text = completionScript(raw.shell, {program,
                                                  {builtins(scenes::builtinSceneNames()), {"gltf", "glb"}},
                                                  {builtins(scenes::builtinEnvironmentNames()), {"hdr", "exr", "pfm"}}}),
-            .files = {}};
-  if (raw.manFolder.empty()) return {.text = manPage(program, raw.manOf), .files = {}};
+            .files = {},
+            .folder = {}};
+  if (raw.manFolder.empty()) return {.text = manPage(program, raw.manOf), .files = {}, .folder = {}};
   return {.text = {}, .files = manPages(program), .folder = raw.manFolder};
 }
 
