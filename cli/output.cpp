@@ -1,7 +1,6 @@
 #include "cli/output.h"
 
 #include <fcntl.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -43,15 +42,6 @@ void writeStdout(const std::string& text) {
   requireNoFault(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
 }
 
-// Of the terminal that stdout is; 0: it is none, so that a row stays one line, which grep finds whole.
-std::size_t terminalColumns() {
-  constexpr std::size_t kUsual = 80, kLeast = 60;
-  if (isatty(STDOUT_FILENO) == 0) return 0;
-  winsize size{};
-  const bool isKnown = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return std::max(isKnown ? std::size_t{size.ws_col} : kUsual, kLeast);
-}
-
 } // namespace
 
 void finishStdout() {
@@ -68,8 +58,12 @@ void printTimings(const std::vector<std::pair<std::string, double>>& timings) {
 void printText(const std::string& text, base::Colors colors) { writeStdout(base::shownText(text, colors)); }
 
 void printTable(const report::Report& report, const report::RunInfo& run, bool allRows) {
-  const bool color = base::usesColors(base::readTerminal(STDOUT_FILENO));
-  const report::TableOptions options{.color = color, .columns = terminalColumns(), .all = allRows};
+  constexpr std::size_t kLeast = 60;
+  const base::TerminalFacts terminal = base::readTerminal(STDOUT_FILENO);
+  const bool color = base::usesColors(terminal);
+  // Not a terminal: a row stays one line, which grep finds whole.
+  const std::size_t columns = terminal.isTerminal ? std::max(terminal.columns, kLeast) : 0;
+  const report::TableOptions options{.color = color, .columns = columns, .all = allRows};
   printText(report::toTable(report, run, options) + "\n", color ? base::Colors::ours : base::Colors::none);
 }
 

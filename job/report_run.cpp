@@ -112,7 +112,7 @@ void leaveOut(std::vector<ComparedScene>& scenes, const std::vector<std::string>
     if (isAllKnown && std::ranges::none_of(known, [&](auto name) { return base::matchesGlob(glob, name); }))
       report.lost.push_back({compare::Verdict::error,
                              fmt::format("--material '{}': no scene has a material of this name; {}", glob,
-                                         base::describeNearest(glob, known)),
+                                         base::describeNearestToGlob(glob, known)),
                              "", 0});
   if (!without.empty())
     base::logInfo(fmt::format("--material: {} of {} scenes {} skipped, because they have no such material: {}",

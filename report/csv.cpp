@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/shown_text.h"
 #include "report/wording.h"
 
 namespace parity::report {

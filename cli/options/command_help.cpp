@@ -50,6 +50,7 @@ constexpr ExitCodeText kDone = {0, "done"}, kFailed = {4, "a file is missing or 
                        kUsage = {64, "wrong usage"}, kWithin = {0, "within budget"},
                        kWarned = {1, "warnings only (with --warn-exit)"}, kOver = {2, "over budget"},
                        kNotComparable = {3, "not comparable: sizes, channels, or a metric that does not apply"},
+                       kStopped = {130, "SIGINT interrupted the run (SIGTERM: 143); what is finished is written"},
                        kNoResult = {4, "a scene failed, a figure is not finite, or no material was compared"};
 
 const std::vector<CommandHelp>& table() {
@@ -75,7 +76,7 @@ const std::vector<CommandHelp>& table() {
         {"parity report --suite nightly.toml --budgets budgets.toml --annotate github", "in CI"},
         {"parity report scene.glb --material 'metal*' --csv figures.csv", "some materials, also as a table"},
         {"parity report - --baseline main/report.json", "scenes from standard input, against an earlier report"}},
-       {kWithin, kWarned, kOver, kNotComparable, kNoResult, kUsage}},
+       {kWithin, kWarned, kOver, kNotComparable, kNoResult, kUsage, kStopped}},
       {"diff",
        "",
        {{"parity diff scene.glb --env studio.hdr --sun 30,50,4", "a table"},
