@@ -33,7 +33,7 @@ std::string causeIn(const MaterialResult& material) {
     if (!compare::describeClipping(material.figures).empty()) return "black or white in both pictures";
     if (material.baseline && !material.baseline->notComparable.empty()) return "not comparable to the baseline";
   }
-  return "cause not measured (--attribution all measures warnings, too)";
+  return kNotMeasured;
 }
 
 double flipOf(const MaterialResult& material) { return material.figures.find("flip.mean").value_or(-1); }
@@ -59,7 +59,10 @@ std::vector<CauseTotal> totalsByCause(const Report& report) {
         if (flipOf(material) > flipOf(*total->worst))
           total->scene = &scene, total->view = &view, total->worst = &material;
       }
-  std::ranges::stable_sort(totals, std::ranges::greater(), &CauseTotal::materials);
+  // What is not known helps least.
+  std::ranges::stable_sort(totals, [](const CauseTotal& a, const CauseTotal& b) {
+    return std::pair(a.words != kNotMeasured, a.materials) > std::pair(b.words != kNotMeasured, b.materials);
+  });
   return totals;
 }
 

@@ -37,7 +37,7 @@ export interface PaneModel {
 /** What the colours of a pane mean. isAuto: the range is what the pixels need. */
 export type Legend =
   | { kind: "flip"; most: number; threshold: number; isAuto: boolean }
-  | { kind: "difference"; steps: number; test: string; base: string; isAuto: boolean } // steps of 255 on either side
+  | { kind: "difference"; steps: number; test: string; base: string; isAuto: boolean } // steps of 255 on either side; names in words
   | { kind: "luminance" };
 
 /** "was...": in the baseline. */
@@ -223,7 +223,7 @@ function differencePane(scenery: Scenery): PaneModel {
   const legendOf = (gain: number, isAuto: boolean): Legend => ({
     kind: "difference",
     steps: kFullSteps / gain,
-    test: view.test,
+    test: wordOf(view, "test"),
     base: wordOf(view, base),
     isAuto,
   });

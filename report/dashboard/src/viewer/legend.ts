@@ -3,7 +3,6 @@ import { html, nothing, type TemplateResult } from "lit";
 
 import { bandColors, kLeastEv, kMostEv } from "../data/false_color";
 import { magmaCss } from "../data/magma";
-import { pathWord } from "../data/paths";
 import { help, type Topic } from "../help";
 import type { Legend } from "./arrange";
 import { styleText } from "./style_text";
@@ -67,11 +66,11 @@ function differenceScale({ steps, test, base, isAuto }: Legend & { kind: "differ
     note,
     gradient: kGreys,
     ticks: [
-      { at: 0, text: `${low}: ${pathWord(test)} darker` },
+      { at: 0, text: `${low}: ${test} darker` },
       { at: 0.5, text: "0: equal" },
       { at: 1, text: `${high}: brighter` },
     ],
-    words: `Difference of the displayed values, ${pathWord(test)} minus ${pathWord(base)}: from ${low} (black, darker) over 0 (grey, equal) to ${high} (white, brighter), ${note}`,
+    words: `Difference of the displayed values, ${test} minus ${base}: from ${low} (black, darker) over 0 (grey, equal) to ${high} (white, brighter), ${note}`,
   };
 }
 

@@ -171,7 +171,7 @@ describe("the legend", () => {
 
   it("of a difference says how many steps of 255 it spans, and of which paths", () => {
     const of = (gain: number, isAuto: boolean) => [
-      { kind: "difference", steps: kFullSteps / gain, test: "mobile", base: "highend", isAuto },
+      { kind: "difference", steps: kFullSteps / gain, test: "mobile", base: "high-end", isAuto },
     ];
     expect(legends({ mode: "difference", gain: 8 }, "no values")).toEqual(of(8, false));
     expect(legends({ mode: "difference", autoRange: false, gain: 8 }, ["highend", "mobile"])).toEqual(of(8, false));
