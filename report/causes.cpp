@@ -14,6 +14,8 @@
 namespace parity::report {
 namespace {
 
+constexpr const char* kNotMeasured = "cause not measured (--attribution all measures warnings, too)";
+
 bool anyCheckFound(const MaterialResult& material) {
   return std::ranges::any_of(material.checks,
                              [](const auto& check) { return check.verdict >= compare::Verdict::warn; });
