@@ -105,7 +105,7 @@ Report rerun(Report report, const std::string& text) {
 }
 
 void expectPass(const Report& report, const std::string& text) {
-  EXPECT_EQ(exitCode(report, true), 0) << headline(report) << "\n" << text << toTable(report, false);
+  EXPECT_EQ(exitCode(report, true), 0) << headline(report) << "\n" << text << toTable(report, {}, {.all = true});
 }
 
 // A scene with one of everything that is no pass, beside one that is well.

@@ -92,18 +92,18 @@ TEST(ReportReader, OfATruthOnlyWhetherItIsANumber) {
 TEST(ReportReader, PicturesAndClippingAreReadWhereTheyAreThere) {
   Report report = makeSampleReport();
   report.scenes[0].views[0].materials[2].figures.clippedBlack = 0.25;
-  nlohmann::json json = nlohmann::json::parse(toJson(report));
-  const Report full = readText(json.dump());
+  nlohmann::json document = nlohmann::json::parse(toJson(report));
+  const Report full = readText(document.dump());
   EXPECT_EQ(full.scenes[0].views[0].images.test, "images/lamp_test.png");
   EXPECT_EQ(full.scenes[0].views[0].materials[1].crops.reference, "images/metal_ref.png");
   EXPECT_EQ(full.scenes[0].views[0].materials[2].notModelled, std::vector<std::string>{"sheen"});
   EXPECT_EQ(full.scenes[0].views[0].materials[2].figures.clippedBlack, 0.25);
-  nlohmann::json& view = json["scenes"][0]["views"][0];
+  nlohmann::json& view = document["scenes"][0]["views"][0];
   view.erase("images");
   view["materials"][1].erase("crops");
   view["materials"][2].erase("notModelled");
   view["materials"][2]["figures"].erase("clippedBlack");
-  const Report bare = readText(json.dump());
+  const Report bare = readText(document.dump());
   EXPECT_EQ(bare.scenes[0].views[0].images.test, "");
   EXPECT_EQ(bare.scenes[0].views[0].materials[1].crops.reference, "");
   EXPECT_TRUE(bare.scenes[0].views[0].materials[2].notModelled.empty());

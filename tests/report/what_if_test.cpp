@@ -71,7 +71,7 @@ TEST(WhatIf, StandsUnderTheRowOfItsMaterial) {
   metal.whatIf = {makeWhatIf("refit", 0.02)};
   judgeMaterial(metal, compare::defaultBudgets(), "Lamp");
   settleVerdicts(report);
-  const std::string table = toTable(report, false);
+  const std::string table = toTable(report, {}, {.all = true});
   EXPECT_NE(table.find("\n      with refit: FLIP 0.020 instead of 0.270, "), std::string::npos) << table;
   const auto json = nlohmann::json::parse(toJson(report));
   EXPECT_EQ(json["scenes"][0]["views"][0]["materials"][1]["whatIf"][0]["verdict"], "pass");
