@@ -89,8 +89,11 @@ std::size_t findCamera(const Scene& scene, const std::string& wanted) {
   if (parsed.ec == std::errc{} && parsed.ptr == end && index < scene.cameras.size()) return index;
   std::vector<std::string_view> known = {"auto"};
   for (const Camera& camera : scene.cameras) known.push_back(camera.name);
-  throw usageError("--camera", fmt::format("scene '{}' has no camera '{}'; {}", scene.name, wanted,
-                                           base::describeNearest(wanted, known)));
+  const std::string ask = base::askNearest(wanted, known);
+  std::string list = "auto"; // with numbers, which are names, too
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i) list += fmt::format(", '{}' ({})", scene.cameras[i].name, i);
+  throw usageError("--camera", fmt::format("scene '{}' has no camera '{}'; {}known: {}", scene.name, wanted,
+                                           ask.empty() ? "" : ask + "; ", list));
 }
 
 } // namespace
