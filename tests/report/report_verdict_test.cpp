@@ -102,7 +102,7 @@ TEST(Verdict, ASceneThatWasNotRunIsNoPassAndHasTheSignalsExitCode) {
                 .find("<skipped message=\"not run: SIGTERM interrupted the run before this scene was "
                       "done\"/>"),
             std::string::npos);
-  EXPECT_NE(toGithubAnnotations(report, "/").find("not run: 1 of 2 scenes (SIGTERM interrupted the run)%3A Desk"),
+  EXPECT_NE(toGithubAnnotations(report, "/").find("not run: 1 of 2 scenes (SIGTERM interrupted the run): Desk"),
             std::string::npos)
       << toGithubAnnotations(report, "/");
   Report failed = reportOf(0.25);
@@ -453,7 +453,8 @@ TEST(Verdict, WhatNoPathModelsIsNeverAPlainPass) {
 }
 
 TEST(Verdict, GravityIsInTheOrderOfTheNames) {
-  const std::vector<std::string> names = {"pass", "not seen", "too small", "not judged", "warn", "fail", "error"};
+  const std::vector<std::string> names = {"pass", "not seen", "too small", "not judged", "warn",
+                                          "fail", "not run",  "error"};
   for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(nameOf(static_cast<compare::Verdict>(i)), names[i]);
 }
 
