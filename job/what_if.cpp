@@ -70,11 +70,11 @@ void deriveWhatIfs(Settings& settings, const Settings& plain, const base::GivenK
 void requireWhatIfs(const Settings& settings) {
   for (const auto& [preset, name, options] : settings.whatIfs) {
     const auto refuse = [&](const std::string& reason) {
-      throw base::Error(base::ExitCode::usage, kOption, preset, reason);
+      throw base::Error(base::ExitCode::usage, kOption, "", fmt::format("'{}' {}", preset, reason));
     };
     const std::vector<std::string>& compared = settings.pathNames;
     if (std::find(compared.begin() + 1, compared.end(), name) == compared.end())
-      refuse(fmt::format("is a preset of the path '{}', which is not compared with '{}'", name, compared.front()));
+      refuse(fmt::format("is a preset of '{}', which is not a test path here", name));
     const paths::Path& path = pathByName(name);
     try {
       path.requireSense(options, settings.display);

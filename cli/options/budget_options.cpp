@@ -47,15 +47,14 @@ void addBudgetOptions(CLI::App& app, RawBudgetOptions& raw) {
   suggest
       .add_option(
           "--metrics", raw.metrics,
-          "Figures to limit, named as in budgets: flip.mean,ssim.mean,... A metric (flip) stands for its first figure")
+          "Figures to limit, named as in budgets: flip.mean,ssim.mean,... A metric (flip)\nstands for its first figure")
       ->type_name("NAME,...")
       ->group("Limits")
       ->capture_default_str();
   suggest.add_flag("--per-scene", raw.suggest.options.perScene,
-                   "Write a rule for each material of each scene. Default: one rule for each material, which holds in "
-                   "all scenes");
+                   "Write a rule for each material of each scene. Default: one for each material, for all scenes");
   suggest.add_flag("--regress", raw.suggest.options.regress,
-                   "Limit how much worse than in the baseline a figure may be, instead of the figure itself. Runs with "
+                   "Limit how much worse than in the baseline a figure may be, instead of the figure itself.\nRuns with "
                    "these budgets need --baseline");
   CLI::App& check = *app.add_subcommand("check", "Read a budget file and print its rules");
   check.add_option("file", raw.check.file, "Budget file (TOML)")->type_name(kFile)->required();

@@ -84,7 +84,7 @@ void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw) {
                "Put pictures and script into index.html, so that you can send this one file")
       ->group("Page");
   choose(app.add_option("--pixel-data", raw.pixelData,
-                        "all: also write the pixel values; the page's inspector, exposure and threshold need them. "
+                        "all: also write the pixel values; the page's inspector, exposure and threshold need them.\n"
                         "Default: all, but none with --single-file, which they make large"),
          {"all", "none"})
       ->group("Page");

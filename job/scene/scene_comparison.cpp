@@ -226,11 +226,10 @@ private:
     // As if nothing were attributed, and what attribution adds: another run's budgets may ask for the one alone.
     std::vector<report::ViewResult> plainViews;
     std::vector<EncodedPicture> plainPictures, addedPictures;
+    MaterialCards cards;
     { // before the first image is freed
       const base::Stopwatch watch(&m_context.timings(), "material cards");
-      MaterialCards cards = describeMaterials(prepared.scene, request.settings.materials, wish.pictures);
-      result.materials = std::move(cards.cards);
-      keepPictures(std::move(cards.pictures), scene, key ? &plainPictures : nullptr);
+      cards = describeMaterials(prepared.scene, request.settings.materials, wish.pictures);
     }
     SceneRenderer renderer(m_context, prepared, prepared.settings, paths, wish.views, wish.permutations,
                            imageRelease(prepared, paths));
@@ -275,7 +274,11 @@ private:
           frames.paths[view.test].frame.terms.clear();
         }
       }
-      // Last: a view that is given up leaves no pictures.
+      // Last: a view that is given up leaves no pictures, and a scene without any view no cards.
+      if (result.views.empty()) {
+        result.materials = std::move(cards.cards);
+        keepPictures(std::move(cards.pictures), scene, key ? &plainPictures : nullptr);
+      }
       keepPictures(std::move(compared.pictures), scene, key ? &plainPictures : nullptr);
       keepPictures(std::move(termPictures), scene, key ? &addedPictures : nullptr);
       result.views.push_back(std::move(compared.view));

@@ -18,7 +18,8 @@ protected:
   }
   std::vector<std::string> sceneNames() const {
     std::vector<std::string> names;
-    for (const auto& scene : readReport(m_folder / "parity-report")["scenes"]) names.push_back(scene["name"]);
+    const nlohmann::json report = readReport(m_folder / "parity-report");
+    for (const auto& scene : report["scenes"]) names.push_back(scene["name"]);
     return names;
   }
 };

@@ -23,6 +23,14 @@ TEST_F(OutputTest, ReportHoldsWhatItNamesAndNothingElse) {
   EXPECT_EQ(listFiles(folder), expected);
 }
 
+TEST_F(OutputTest, TableOfManyMaterialsShowsThoseThatPassWhereItIsAskedTo) {
+  const RunResult some = runParity(join({{"diff", "builtin:spheres"}, kSmall}));
+  const RunResult all = runParity(join({{"diff", "builtin:spheres", "--all"}, kSmall}));
+  EXPECT_TRUE(contains(some.out, "--all shows")) << some.out;
+  EXPECT_FALSE(contains(all.out, "--all shows")) << all.out;
+  EXPECT_GT(linesOf(all.out).size(), linesOf(some.out).size());
+}
+
 TEST_F(OutputTest, ReportReplacesAnOlderOneAndSparesWhatIsNotItsOwn) {
   const std::filesystem::path folder = m_folder / "out";
   EXPECT_NE(reportInto(folder, "builtin:spheres").exitCode, 4);
