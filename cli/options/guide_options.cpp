@@ -25,15 +25,12 @@ void addGuideOptions(CLI::App& app, RawGuideOptions& raw) {
   std::vector<std::string> commands;
   for (const CLI::App* each : app.get_subcommands([](const CLI::App*) { return true; }))
     commands.push_back(each->get_name());
-  choose(help.add_option("command", raw.helpOf, "Command, such as report, or budget suggest"), commands)
-      ->type_name("COMMAND");
+  choose(help.add_option("command", raw.helpOf, "Command, such as report, or budget suggest"), commands);
   choose(completion.add_option("shell", raw.shell, "Shell"), kShells)->required();
-  CLI::Option* which = choose(man.add_option("command", raw.manOf, "Command. Default: the program itself"), commands)
-                           ->type_name("COMMAND");
+  choose(man.add_option("command", raw.manOf, "Command. Default: the program itself"), commands);
   man.add_option("-o,--output", raw.manFolder, "Write the pages of all commands to this folder")
       ->type_name(kFolder)
-      ->group(kOutputGroup)
-      ->excludes(which);
+      ->group(kOutputGroup);
 }
 
 GuideCommand settleGuide(const CLI::App& app, const RawGuideOptions& raw) {
@@ -45,6 +42,7 @@ GuideCommand settleGuide(const CLI::App& app, const RawGuideOptions& raw) {
             .files = {},
             .folder = {}};
   if (raw.manFolder.empty()) return {.text = manPage(program, raw.manOf), .files = {}, .folder = {}};
+  if (!raw.manOf.empty()) throw CLI::ExcludesError("--output", "command");
   return {.text = {}, .files = manPages(program), .folder = raw.manFolder};
 }
 
