@@ -286,6 +286,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = VersionCommand();
     else if (listTerms)
       parsed.command = ListTermsCommand();
+    else if (!describeMistyped(app).empty())
+      return refuse(app, error); // help of what is no command
     else
       parsed.text = app.help();
   }
