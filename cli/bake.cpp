@@ -115,8 +115,8 @@ int runBakeCommand(const BakeCommand& command) {
     const Task& task = tasks[i];
     try {
       const base::Stopwatch watch(nullptr, "bake");
-      const job::BakeResult result =
-          job::bakeScene(context, task.request, command.options, progressOfScene(progress, i, tasks.size()), isCancelled);
+      const job::BakeResult result = job::bakeScene(context, task.request, command.options,
+                                                    progressOfScene(progress, i, tasks.size()), isCancelled);
       printNotes(task.request.name, result.notes);
       bake::writeBaked(task.folder, result.light);
       if (!command.common.quiet) printSummary(task, result, watch.elapsedMs() * 1e-3);

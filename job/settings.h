@@ -49,7 +49,7 @@ struct Settings {
   int droppedLights = 0; // of each view, the lights dropped by a path whose effect is measured; 0: not looked at
   std::vector<WhatIfPreset> whatIfs; // each once
   bool costs = false;                // count what each permutation costs
-  bool truth = false;    // also hold the paths against the ground truth; needs the terms
+  bool truth = false;                // also hold the paths against the ground truth; needs the terms
   // Names (job/paths.h), two at least: the others are compared with the first.
   std::vector<std::string> pathNames = {"highend", "mobile"};
   paths::Options options;                            // of every path

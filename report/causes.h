@@ -17,7 +17,8 @@ struct CauseTotal {
   const MaterialResult* worst = nullptr;
 };
 
-// Of the materials with a verdict of at least warn, the most frequent first, what was not measured last. They point into the report.
+// Of the materials with a verdict of at least warn, the most frequent first, what was not measured last. They point
+// into the report.
 std::vector<CauseTotal> totalsByCause(const Report& report);
 
 } // namespace parity::report

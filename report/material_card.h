@@ -9,9 +9,9 @@
 namespace parity::report {
 
 struct CardTexture {
-  std::string name;         // the image's
-  std::string file;         // that it was read from; empty: within the scene's own file, or made in code
-  std::string channels;     // that the input reads: "rgb", "g"
+  std::string name;          // the image's
+  std::string file;          // that it was read from; empty: within the scene's own file, or made in code
+  std::string channels;      // that the input reads: "rgb", "g"
   int width = 0, height = 0; // texels; 0: not decoded, as no mesh shows the material
   int texCoord = 0;
   std::string picture; // a small one of these channels, relative to the report's folder; empty: none

@@ -239,11 +239,11 @@ std::string formatView(const SceneResult& scene, const ViewResult& view, const s
   out += "\n";
   for (const MaterialResult& material : view.materials) {
     if (!isShown(material)) continue;
-    out += formatRow({material.name, material.test, material.verdict, material.figures, material.baseline,
-                      material.truth, material.stages, material.reason,
-                      material.attribution ? describeCause(*material.attribution, view.reference) : "",
-                      material.accepted},
-                     layout, options);
+    out +=
+        formatRow({material.name, material.test, material.verdict, material.figures, material.baseline, material.truth,
+                   material.stages, material.reason,
+                   material.attribution ? describeCause(*material.attribution, view.reference) : "", material.accepted},
+                  layout, options);
     if (!material.whatIf.empty()) out += "    " + indented(describeWhatIfs(material), options);
   }
   if (showsWhole)

@@ -64,7 +64,8 @@ std::size_t distanceOf(const std::vector<Part>& a, std::string_view b) {
         continue;
       }
       row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (part.is(b[j - 1]) ? 0 : 1)});
-      if (i > 1 && j > 1 && part.is(b[j - 2]) && a[i - 2].is(b[j - 1])) row[j] = std::min(row[j], beforeLast[j - 2] + 1);
+      if (i > 1 && j > 1 && part.is(b[j - 2]) && a[i - 2].is(b[j - 1]))
+        row[j] = std::min(row[j], beforeLast[j - 2] + 1);
     }
   }
   return row[b.size()];

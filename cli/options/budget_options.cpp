@@ -53,9 +53,10 @@ void addBudgetOptions(CLI::App& app, RawBudgetOptions& raw) {
       ->capture_default_str();
   suggest.add_flag("--per-scene", raw.suggest.options.perScene,
                    "Write a rule for each material of each scene. Default: one for each material, for all scenes");
-  suggest.add_flag("--regress", raw.suggest.options.regress,
-                   "Limit how much worse than in the baseline a figure may be, instead of the figure itself.\nRuns with "
-                   "these budgets need --baseline");
+  suggest.add_flag(
+      "--regress", raw.suggest.options.regress,
+      "Limit how much worse than in the baseline a figure may be, instead of the figure itself.\nRuns with "
+      "these budgets need --baseline");
   CLI::App& check = *app.add_subcommand("check", "Read a budget file and print its rules");
   check.add_option("file", raw.check.file, "Budget file (TOML)")->type_name(kFile)->required();
 }

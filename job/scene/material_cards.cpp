@@ -43,9 +43,9 @@ struct PictureKey {
 struct Slot {
   const TextureSlot& texture;
   const char* channels;
-  bool isColor = false;   // stored by the sRGB transfer function
-  bool isNormal = false;  // directions: its values have no range
-  bool fromOne = false;   // the factor scales what is missing to 1: 1 + factor * (texel - 1)
+  bool isColor = false;  // stored by the sRGB transfer function
+  bool isNormal = false; // directions: its values have no range
+  bool fromOne = false;  // the factor scales what is missing to 1: 1 + factor * (texel - 1)
 };
 
 class CardMaker {
@@ -156,8 +156,7 @@ private:
     base::parallelFor(all.size(), 1, [&](std::size_t i, std::size_t) {
       const auto& [key, place] = all[i];
       const base::Image8& image = m_scene.images[static_cast<std::size_t>(key.image)].pixels;
-      std::vector<std::byte> bytes =
-          base::encodeImage8("texture.png", makeThumbnail(image, key.channels, key.isColor));
+      std::vector<std::byte> bytes = base::encodeImage8("texture.png", makeThumbnail(image, key.channels, key.isColor));
       const std::string hash = base::Hasher().add(bytes).hex().substr(0, kHashDigits);
       made[place] = {fmt::format("images/{}{}{}", kPrefix, hash, kEnd), std::move(bytes)};
     });
@@ -177,9 +176,8 @@ private:
 MaterialCards describeMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs, bool pictures) {
   std::vector<const Material*> chosen;
   for (const Material& material : scene.materials)
-    if (globs.empty() || std::ranges::any_of(globs, [&](const std::string& glob) {
-          return base::matchesGlob(glob, material.name);
-        }))
+    if (globs.empty() ||
+        std::ranges::any_of(globs, [&](const std::string& glob) { return base::matchesGlob(glob, material.name); }))
       chosen.push_back(&material);
   return CardMaker(scene, std::move(chosen)).take(pictures);
 }

@@ -90,7 +90,7 @@ private:
   std::vector<gpu::Surface> m_kept; // all of the last view, where it may be shaded again: a picture in one part
   bool m_mayDropLights = false;     // and the run wants to know what they do
   std::vector<std::uint64_t> m_seenSamples;
-  std::uint64_t m_cutPixels = 0;  // of all views, with more blended layers than are shown
+  std::uint64_t m_cutPixels = 0;    // of all views, with more blended layers than are shown
   std::vector<PathState> m_paths;   // as chosen
   std::vector<PathState> m_whatIfs; // as in the settings
   std::optional<ReferencePath> m_truth;

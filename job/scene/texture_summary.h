@@ -31,8 +31,8 @@ ValueRange rangeOf(const ValueCounts& counts, bool isColor);
 // At most so many texels a side.
 inline constexpr int kThumbnailSide = 96;
 
-// channels: "rgb", or one of "r", "g", "b", "a", which makes a grey picture. Each of its pixels is the mean over at most
-// 4 x 4 texels that are spread over its place, isColor: in linear light.
+// channels: "rgb", or one of "r", "g", "b", "a", which makes a grey picture. Each of its pixels is the mean over at
+// most 4 x 4 texels that are spread over its place, isColor: in linear light.
 base::Image8 makeThumbnail(const base::Image8& image, std::string_view channels, bool isColor);
 
 } // namespace parity::job

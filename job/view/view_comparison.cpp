@@ -159,8 +159,7 @@ ViewMeasurement measureView(Context& context, const ViewFrames& frames, const Di
       testLight(path.swapLight.empty() ? path.frame.color : path.beforeTarget, request.settings.exposureEv);
   compare::MeasureRequest measure = wishOf(subject, request);
   if (request.pictures) measure.keepMaps = {"flip"}; // for the pictures
-  const std::vector<compare::Swap> swaps =
-      swapsOf(context, frames, path, test, subject, request.settings.exposureEv);
+  const std::vector<compare::Swap> swaps = swapsOf(context, frames, path, test, subject, request.settings.exposureEv);
   return {compare::measureRegions({reference.pixels, test.pixels, &referenceLight.image(), &testLight.image(), invalid},
                                   {subject.whole}, measure),
           compare::measureSwaps(referenceOf(reference, referenceLight.image()), swaps, measure)};

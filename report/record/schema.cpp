@@ -65,7 +65,8 @@ private:
         return fmt::format("\"type\": \"object\"{}, \"additionalProperties\": {{{}}}", description,
                            schemaOf<double>(Rule(), ""));
       else
-        return fmt::format("\"type\": \"array\"{}, \"items\": {{{}}}", description, schemaOf<Element>(Rule{.finite = rule.finite}, ""));
+        return fmt::format("\"type\": \"array\"{}, \"items\": {{{}}}", description,
+                           schemaOf<Element>(Rule{.finite = rule.finite}, ""));
     } else {
       const std::string whole = named<T>(rule);
       return isNullable ? fmt::format("\"anyOf\": [{{\"type\": \"null\"}}, {{{}}}]{}", whole, description)

@@ -58,8 +58,8 @@ const std::vector<std::string> kCommon = {"--size",
                                           "--diffuse",
                                           "--compensation",
                                           "--off-specular"};
-const std::vector<std::string> kVerdict = {"--material", "--budgets",     "--json",          "--warn-exit",
-                                           "--terms",    "--baseline",    "--annotate",      "--metrics",
+const std::vector<std::string> kVerdict = {"--material", "--budgets",     "--json",           "--warn-exit",
+                                           "--terms",    "--baseline",    "--annotate",       "--metrics",
                                            "--costs",    "--attribution", "--dropped-lights", "--what-if"};
 
 void expectHelp(const std::vector<std::string>& arguments, const std::vector<std::string>& mentioned) {

@@ -78,8 +78,8 @@ TEST(MaterialCards, MeasureTexturesTimesTheirFactors) {
   m.normalTexture.texCoord = 1;
   m.normalScale = 2;
   const MaterialCard card = describeMaterials(scene, {}, true).cards.at(0);
-  EXPECT_EQ(namesOf(card), (std::vector<std::string>{"baseColor", "opacity", "metallic", "roughness", "normal",
-                                                     "occlusion"}));
+  EXPECT_EQ(namesOf(card),
+            (std::vector<std::string>{"baseColor", "opacity", "metallic", "roughness", "normal", "occlusion"}));
   const report::CardTexture& base = *find(card, "baseColor")->texture;
   EXPECT_EQ(base.name, "wood");
   EXPECT_EQ(base.file, "wood.png");

@@ -58,8 +58,7 @@ TEST(WhatIf, RefusesWhatCannotBeMeasured) {
   EXPECT_NE(unknown.find("'refitt' is unknown; did you mean 'refit'?"), std::string::npos) << unknown;
   EXPECT_NE(refusalOf(given({{"what-if", {"refit,"}}})), "");
   const std::string first = refusalOf(given({{"what-if", {"refit"}}, {"paths", {"mobile,highend"}}}));
-  EXPECT_NE(first.find("'refit' is a preset of 'mobile', which is not a test path here"), std::string::npos)
-      << first;
+  EXPECT_NE(first.find("'refit' is a preset of 'mobile', which is not a test path here"), std::string::npos) << first;
   const std::string lobe = refusalOf(given({{"what-if", {"refit"}}, {"direct-lobe", {"phong-approx"}}}));
   EXPECT_NE(lobe.find("--what-if: 'refit' does not go together with other options"), std::string::npos) << lobe;
   EXPECT_EQ(refusalOf(given({{"what-if", {"refit"}}})), "");

@@ -453,8 +453,8 @@ TEST(Verdict, WhatNoPathModelsIsNeverAPlainPass) {
 }
 
 TEST(Verdict, GravityIsInTheOrderOfTheNames) {
-  const std::vector<std::string> names = {"pass", "not seen", "too small", "not judged", "warn",
-                                          "fail", "not run",  "error"};
+  const std::vector<std::string> names = {"pass", "not seen", "too small", "not judged",
+                                          "warn", "fail",     "not run",   "error"};
   for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(nameOf(static_cast<compare::Verdict>(i)), names[i]);
 }
 

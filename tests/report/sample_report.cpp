@@ -208,7 +208,8 @@ MaterialCard makeCard(const std::string& material, const std::string& texture) {
   MaterialCard card;
   card.name = material;
   card.inputs = {{"baseColor", {0.8, 0.2, 0.1}, std::nullopt}, {"metallic", {1}, std::nullopt}};
-  card.inputs.push_back({"roughness", {0.5}, CardTexture{texture, texture, "g", 8, 4, 1, texture, {0.1}, {0.5}, {0.2}}});
+  card.inputs.push_back(
+      {"roughness", {0.5}, CardTexture{texture, texture, "g", 8, 4, 1, texture, {0.1}, {0.5}, {0.2}}});
   std::swap(card.inputs[0], card.inputs[2]);
   card.alphaMode = "mask";
   card.alphaCutoff = 0.5;

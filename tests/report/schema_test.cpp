@@ -98,9 +98,10 @@ void expectEachKeyMatters(const json& schema, const json& document, const json::
       json less = document;
       less.at(where).erase(key);
       const bool optional = (key == "truth" && child.contains("images")) || // not the luminance, not the image
-                            key == "cost" || key == "light" || (key == "words" && name.find("/whatIf/") == std::string::npos) || key == "attribution" ||
-                            key == "droppedLights" || name == "/statistics" || key == "whatIf" ||
-                            key == "texture" || key == "alphaCutoff" || name + "/" + key == "/scenes/0/materials";
+                            key == "cost" || key == "light" ||
+                            (key == "words" && name.find("/whatIf/") == std::string::npos) || key == "attribution" ||
+                            key == "droppedLights" || name == "/statistics" || key == "whatIf" || key == "texture" ||
+                            key == "alphaCutoff" || name + "/" + key == "/scenes/0/materials";
       EXPECT_EQ(validate(schema, less).empty(), optional) << where.to_string() << "/" << key;
       json other = document;
       other.at(where)[key] = json::array({"wrong"});

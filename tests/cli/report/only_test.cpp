@@ -103,7 +103,8 @@ TEST_F(OnlyTest, AMaterialThatASceneLacksSkipsTheSceneWithALine) {
 TEST_F(OnlyTest, AMaterialThatNoSceneHasIsAnErrorWithTheNearestName) {
   const RunResult none = report("none", {"--material", "glazed ceramik"});
   EXPECT_TRUE(exitedWith(4, none));
-  EXPECT_TRUE(contains(none.err, "--material 'glazed ceramik': no scene has a material of this name; did you mean 'glazed ceramic'?"))
+  EXPECT_TRUE(contains(
+      none.err, "--material 'glazed ceramik': no scene has a material of this name; did you mean 'glazed ceramic'?"))
       << none.err;
   EXPECT_EQ(readReport(m_folder / "none")["verdict"], "error");
   const RunResult oneOfTwo = report("two", {"--material", "glazed ceramic", "--material", "glazed ceramik"});

@@ -13,8 +13,8 @@ class WhatIfTest : public RenderingTest {
 protected:
   json diff(const std::vector<std::string>& more, const std::vector<std::string>& scene = {"builtin:spheres"}) {
     const std::string file = path("diff.json");
-    const RunResult result = runParity(
-        join({{"diff"}, scene, {"--json", file, "--attribution", "none"}, kSmall, kSun, {"--env", "builtin:sky"}, more}));
+    const RunResult result = runParity(join(
+        {{"diff"}, scene, {"--json", file, "--attribution", "none"}, kSmall, kSun, {"--env", "builtin:sky"}, more}));
     EXPECT_TRUE(isReported(result)) << result.err;
     m_out = result.out;
     return json::parse(readWholeFile(file)).at("scenes").at(0);
@@ -42,10 +42,9 @@ protected:
 };
 
 TEST_F(WhatIfTest, IsToTheLastBitARunWithThatPreset) {
-  for (const std::vector<std::string>& more :
-       {std::vector<std::string>{},
-        {"--mobile-target", "rgba8-srgb", "--samples", "2"},
-        {"--terms", "--sky-sh", "9", "--metrics", "flip,psnr,bias,ssim"}}) {
+  for (const std::vector<std::string>& more : {std::vector<std::string>{},
+                                               {"--mobile-target", "rgba8-srgb", "--samples", "2"},
+                                               {"--terms", "--sky-sh", "9", "--metrics", "flip,psnr,bias,ssim"}}) {
     const json asked = diff(join({{"--what-if", "refit"}, more}));
     EXPECT_TRUE(contains(m_out, "with refit: FLIP ")) << m_out;
     expectSame(asked, diff(join({{"--mobile-preset", "refit"}, more})), "refit");
@@ -78,7 +77,8 @@ TEST_F(WhatIfTest, IsKeptInTheCacheByAllThatThePresetSets) {
   const auto report = [&](const std::string& folder, const std::vector<std::string>& more) {
     const RunResult result = runParity(join({{"report", "builtin:spheres", "--cache", path("cache"), "--size", "48x48",
                                               "--what-if", "refit", "-q", "-o", path(folder)},
-                                             kSun, more}));
+                                             kSun,
+                                             more}));
     EXPECT_TRUE(isReported(result)) << result.err;
     return json::parse(readWholeFile(m_folder / folder / "run.json"))["cachedScenes"].size();
   };
@@ -98,8 +98,7 @@ TEST_F(WhatIfTest, AnUnknownPresetIsRefusedWithTheNearest) {
   const RunResult unknown = runParity({"diff", "builtin:spheres", "--what-if", "refitt"});
   EXPECT_TRUE(exitedWith(64, unknown));
   EXPECT_TRUE(contains(unknown.err, "--what-if: 'refitt' is unknown; did you mean 'refit'?")) << unknown.err;
-  const RunResult reference =
-      runParity({"diff", "builtin:spheres", "--what-if", "refit", "--paths", "mobile,highend"});
+  const RunResult reference = runParity({"diff", "builtin:spheres", "--what-if", "refit", "--paths", "mobile,highend"});
   EXPECT_TRUE(exitedWith(64, reference));
   EXPECT_TRUE(contains(reference.err, "--what-if: 'refit' is a preset of 'mobile', which is not a test path here"))
       << reference.err;

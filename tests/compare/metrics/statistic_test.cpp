@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "base/expect_error.h"
-#include "compare/pooling/figure_list.h"
 #include "compare/metrics/metric.h"
+#include "compare/pooling/figure_list.h"
 #include "compare/pooling/figures.h"
 #include "error_code.h"
 
