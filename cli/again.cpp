@@ -12,9 +12,10 @@ namespace parity::cli {
 
 namespace {
 
-// "env": a scene has its own of several.
-constexpr std::array<std::string_view, 11> kNotKept = {"suite", "only", "material", "env",     "json",   "annotate",
-                                                       "all",   "csv",  "quiet",    "timings", "verbose"};
+// "env": a scene has its own of several. The last ones change no figure.
+constexpr std::array<std::string_view, 15> kNotKept = {"suite",    "only",    "material", "env",      "json",
+                                                       "annotate", "all",     "csv",      "quiet",    "timings",
+                                                       "verbose",  "threads", "cache",    "no-cache", "cache-size"};
 
 // What begins with '-' would be an option of its own.
 void add(std::vector<std::string>& words, const std::string& option, const std::string& value) {

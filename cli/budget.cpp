@@ -28,7 +28,11 @@ int runBudgetSuggestCommand(const BudgetSuggestCommand& command) {
   }
   const report::SuggestedBudgets suggested = report::suggestBudgets(runs, command.options);
   for (const std::string& each : suggested.notes) base::logWarning(base::plainLine(each));
-  for (const std::string& each : suggested.accepted) base::logWarning("accepted: " + base::plainLine(each));
+  for (const std::string& each : suggested.faults) base::logWarning("accepted: " + base::plainLine(each));
+  for (const std::string& each : suggested.accepted) base::logDetail("accepted: " + base::plainLine(each));
+  if (const std::size_t count = suggested.accepted.size(); count > 0)
+    base::logInfo(fmt::format("{} rule{} also accept{} what is no pass; the file says what (-v lists it here)", count,
+                              count == 1 ? "" : "s", count == 1 ? "s" : ""));
   for (const std::string& each : suggested.errors) base::logError(base::plainLine(each));
   if (command.output.empty())
     printText(base::shownStrings(suggested.text));

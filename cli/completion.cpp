@@ -51,18 +51,25 @@ std::string commandNames(const CommandText& program) {
   return fmt::format("{}", fmt::join(names, "|"));
 }
 
+// The lines of _parity_words(): for each command its options and the commands below it, each as `entry` writes it.
+template <typename Entry> std::string commandLines(const CommandText& program, const Entry& entry) {
+  std::string lines;
+  for (const CommandText* command : flatten(program)) {
+    std::vector<std::string> names, below;
+    for (const OptionText& option : optionsOf(*command))
+      for (const std::string& name : option.names) names.push_back(entry(name, option.help));
+    for (const CommandText& each : command->commands) below.push_back(entry(lastWord(each.name), each.help));
+    lines += fmt::format("    {}) optionlist=({}) commandlist=({}) ;;\n", quoted(command->name), fmt::join(names, " "),
+                         fmt::join(below, " "));
+  }
+  return lines;
+}
+
 } // namespace
 
 std::string bashScript(const CompletionInput& input) {
-  std::string words;
-  for (const CommandText* command : flatten(input.program)) {
-    std::vector<std::string> names, below;
-    for (const OptionText& option : optionsOf(*command))
-      for (const std::string& name : option.names) names.push_back(name);
-    for (const CommandText& each : command->commands) below.push_back(lastWord(each.name));
-    words += fmt::format("    {}) optionlist=({}) commandlist=({}) ;;\n", quoted(command->name), fmt::join(names, " "),
-                         fmt::join(below, " "));
-  }
+  const std::string words =
+      commandLines(input.program, [](const std::string& name, const std::string&) { return name; });
   return fmt::format(R"sh(# bash completion of parity, made by `parity completion bash`.
 _parity_words() {{ # COMMAND: its options and the commands below it
   optionlist=() commandlist=()
@@ -132,18 +139,9 @@ complete -F _parity parity
 }
 
 std::string zshScript(const CompletionInput& input) {
-  std::string words;
-  for (const CommandText* command : flatten(input.program)) {
-    const auto described = [](const std::string& name, const std::string& help) {
-      return quoted(name + ":" + summaryOf(help));
-    };
-    std::vector<std::string> names, below;
-    for (const OptionText& option : optionsOf(*command))
-      for (const std::string& name : option.names) names.push_back(described(name, option.help));
-    for (const CommandText& each : command->commands) below.push_back(described(lastWord(each.name), each.help));
-    words += fmt::format("    {}) optionlist=({}) commandlist=({}) ;;\n", quoted(command->name), fmt::join(names, " "),
-                         fmt::join(below, " "));
-  }
+  const std::string words = commandLines(input.program, [](const std::string& name, const std::string& help) {
+    return quoted(name + ":" + summaryOf(help));
+  });
   return fmt::format(R"sh(#compdef parity
 # zsh completion of parity, made by `parity completion zsh`.
 _parity_words() {{ # COMMAND: its options and the commands below it, each with what it does

@@ -70,7 +70,8 @@ void holdBudgets(const Settings& settings, const ReportRequest& request, report:
 void keepBaselinePictures(const BaselinePictures& baseline, const ReportRequest& request, report::Report& report,
                           std::vector<EncodedPicture>& pictures) {
   std::vector<EncodedPicture> kept = baseline.keepChanged(report, [&](const std::string& file) {
-    if (!request.singleFile) return base::readFile(request.folder / file);
+    if (!request.singleFile && std::filesystem::exists(request.folder / file))
+      return base::readFile(request.folder / file);
     const auto found = std::ranges::find(pictures, file, &EncodedPicture::file);
     return found == pictures.end() ? std::vector<std::byte>() : found->bytes;
   });

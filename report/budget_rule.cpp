@@ -216,9 +216,11 @@ private:
       parts.insert(each->notModelled.begin(), each->notModelled.end());
     accept(Accept::baseLayerOnly, where([](const ObservedSubject& each) { return !each.notModelled.empty(); }),
            fmt::format("base layer only: no path models {}", fmt::join(parts, ", ")));
-    accept(Accept::nonFinite, where([](const ObservedSubject& each) { return each.nonFinite > 0; }),
+    const Subjects broken = where([](const ObservedSubject& each) { return each.nonFinite > 0; });
+    accept(Accept::nonFinite, broken,
            fmt::format("{} NaN OR INFINITE in a view, which is a fault of a renderer and not a matter of limits",
                        mostNonFinite() == 1 ? "1 pixel is" : fmt::format("up to {} pixels are", mostNonFinite())));
+    if (!broken.empty()) m_result.faults.push_back(fmt::format("{}: {}", m_name, m_sentences.back()));
     if (hasLimits) return;
     if (where([](const ObservedSubject& each) { return !each.judgeable.empty(); }).empty())
       m_preset = "default"; // once it is seen, or its NaN are gone

@@ -19,6 +19,7 @@ struct SuggestedBudgets {
   std::string text;                  // a budget file (TOML)
   std::vector<std::string> notes;    // what it does not limit and why, one line each; also in the text, as comments
   std::vector<std::string> accepted; // what its rules accept although it is no pass: the same
+  std::vector<std::string> faults;   // of these: NaN, which is a fault of a renderer and has to be said aloud
   std::vector<std::string> errors;   // what no rule can accept: an unchanged run is an error again. The same
 };
 

@@ -11,34 +11,20 @@
 #include "compare/verdict/budget.h"
 #include "job/conditions.h"
 #include "job/context.h"
-#include "job/report_folder.h"
 #include "job/result_cache.h"
 #include "job/scene/dropped_lights.h"
 #include "job/scene/material_cards.h"
 #include "job/scene/material_choice.h"
+#include "job/scene/scene_start.h"
+#include "job/scene/view_rows.h"
 #include "job/stopped.h"
 #include "job/view/view_attribution.h"
 #include "job/view/view_comparison.h"
 #include "report/judge.h"
-#include "scenes/names.h"
 
 namespace parity::job {
 
 namespace {
-
-// A message without the folders of the scene's files: a report does not say where on this machine they lie.
-std::string withoutFolders(std::string text, const SceneRequest& request) {
-  for (const std::string& file : {request.scene, request.settings.scene.environment, request.budgets.value_or("")}) {
-    const std::string folder = (std::filesystem::path(file).parent_path() / "").string();
-    if (folder.empty()) continue;
-    for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at))
-      if (at == 0 || text[at - 1] == ' ' || text[at - 1] == '\n' || text[at - 1] == '\'')
-        text.erase(at, folder.size());
-      else
-        ++at; // the end of another path
-  }
-  return text;
-}
 
 // For each view the materials that are attributed.
 using MaterialsByView = std::vector<std::vector<std::size_t>>;
@@ -101,61 +87,10 @@ public:
     return scene;
   }
 
-  static ComparedScene notRun(const SceneRequest& request, int signal) {
-    ComparedScene scene;
-    scene.result = startScene(request);
-    report::setNotRun(scene.result, signal);
-    return scene;
-  }
-
 private:
   // With the files as they are now.
   Conditions conditionsNow(const SceneRequest& request) const {
     return conditionsOf(m_context.settings(), request, m_context.deviceReport());
-  }
-
-  static report::SceneResult startScene(const SceneRequest& request) {
-    const scenes::SceneSettings& settings = request.settings.scene;
-    report::SceneResult result;
-    result.name = request.name;
-    result.source = scenes::cleanName(std::filesystem::path(request.scene).filename().string());
-    result.environment = settings.environment.empty()
-                             ? "none"
-                             : scenes::cleanName(std::filesystem::path(settings.environment).filename().string());
-    result.sun = "none";
-    result.light = scenes::describe(settings.lightScales, settings.fog, settings.falloff);
-    const auto add = [&](const std::string& text) { result.light += (result.light.empty() ? "" : "; ") + text; };
-    if (request.settings.shadows) add("shadows");
-    const int bounces = request.settings.reference.bounces;
-    if (request.settings.truth && bounces > 0)
-      add(fmt::format("{} bounce{} between surfaces in the truth", bounces, bounces > 1 ? "s" : ""));
-    return result;
-  }
-
-  std::vector<std::string> prefixesOf(std::size_t index) const {
-    const SceneRequest& request = m_request.scenes[index];
-    std::vector<std::string> prefixes;
-    forEachView(request, [&](const ViewOfPath& view) {
-      prefixes.push_back(imagePrefix(index, request.name, prefixes.size(), viewName(request, view)));
-    });
-    return prefixes;
-  }
-
-  // A view by one of the paths that are compared with the first: each is a row of the report.
-  struct ViewOfPath {
-    std::size_t view = 0, test = 1; // places in the request, and in the choice of paths
-  };
-  static void forEachView(const SceneRequest& request, auto&& act) {
-    for (std::size_t v = 0; v < request.views.size(); ++v)
-      for (std::size_t test = 1; test < request.settings.pathNames.size(); ++test) act(ViewOfPath{v, test});
-  }
-  static std::size_t rowOf(const SceneRequest& request, const ViewOfPath& view) {
-    return view.view * (request.settings.pathNames.size() - 1) + view.test - 1;
-  }
-  // The first of the paths needs no name of its own.
-  static std::string viewName(const SceneRequest& request, const ViewOfPath& view) {
-    const std::string& name = request.views[view.view].name;
-    return view.test == 1 ? name : fmt::format("{} ({})", name, request.settings.pathNames[view.test]);
   }
 
   static void setConditions(const SceneRequest& request, report::SceneResult& result, const Conditions& conditions) {
@@ -175,7 +110,7 @@ private:
     setConditions(m_request.scenes[index], record->result, judges.conditions);
     for (const report::ViewResult& view : record->result.views)
       attributed.push_back(materialsToAttribute(m_request.scenes[index].settings.attribution, view, judges));
-    const std::vector<std::string> prefixes = prefixesOf(index);
+    const std::vector<std::string> prefixes = prefixesOf(m_request.scenes[index], index);
     renamePictures(*record, prefixes);
     if (!isEmpty(attributed)) {
       std::optional<SceneRecord> more =
@@ -267,7 +202,8 @@ private:
         attributeView(m_context, frames, attributed[row], request.settings, *paths.chosen[view.test], compared);
         if (isLate && wish.pictures && wish.pixelData) {
           const base::Stopwatch watch(&m_context.timings(), "encode images");
-          termPictures = encodeTerms(compared.view, termPlanesOf(frames, paths, view.test), prefixesOf(index)[row]);
+          termPictures =
+              encodeTerms(compared.view, termPlanesOf(frames, paths, view.test), prefixesOf(request, index)[row]);
         }
         if (isLate) { // the next row is compared as if this one had none
           frames.paths.front().frame.terms.clear();
@@ -295,7 +231,7 @@ private:
     // The same key again: the environment is still what it was when the scene was lit by it.
     if (!key || resultKey(m_context, conditionsNow(request), wish) != key) return;
     const base::Stopwatch watch(&m_context.timings(), "keep results");
-    SceneRecord plain{result, prefixesOf(index), std::move(plainPictures)};
+    SceneRecord plain{result, prefixesOf(request, index), std::move(plainPictures)};
     plain.result.views = std::move(plainViews);
     plain.result.passes = passesOf(renderer.work());
     storeResult(m_context.cache(), *key, request, prepared.scene.sources, plain);
@@ -359,7 +295,7 @@ private:
                         .statistics = wish.statistics,
                         .pictures = wish.pictures,
                         .pixelData = wish.pixelData,
-                        .imagePrefix = prefixesOf(sceneIndex)[rowOf(request, view)]});
+                        .imagePrefix = prefixesOf(request, sceneIndex)[rowOf(request, view)]});
   }
 
   Context& m_context;
@@ -375,6 +311,11 @@ ComparedScene compareScene(Context& context, const ReportRequest& request, std::
   return SceneComparison(context, request, budgets, tell).run(index);
 }
 
-ComparedScene notRunScene(const SceneRequest& request, int signal) { return SceneComparison::notRun(request, signal); }
+ComparedScene notRunScene(const SceneRequest& request, int signal) {
+  ComparedScene scene;
+  scene.result = startScene(request);
+  report::setNotRun(scene.result, signal);
+  return scene;
+}
 
 } // namespace parity::job

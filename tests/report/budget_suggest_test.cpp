@@ -258,6 +258,7 @@ TEST(BudgetSuggest, WhatIsTooSmallInAViewIsNotLookedAtThere) {
   SuggestedBudgets suggested = suggestBudgets({run}, {0.5, {"flip.mean"}});
   EXPECT_NEAR(*checkOf(load(suggested.text)).warn, 0.15, 1e-9);
   EXPECT_TRUE(suggested.accepted.empty()) << suggested.accepted[0];
+  EXPECT_TRUE(suggested.faults.empty());
   views[1].materials[0].figures = makeFigures(0.30, 4000);
   views[1].materials[0].figures.clippedWhite = 0.8;
   suggested = suggestBudgets({run}, {0.5, {"flip.mean"}});
@@ -311,6 +312,7 @@ TEST(BudgetSuggest, NonFinitePixelsMakeNoLimitsAndAreAcceptedLoudly) {
     const SuggestedBudgets suggested = suggestBudgets(runs, {0.5, {"flip.mean"}});
     EXPECT_NEAR(*checkOf(load(suggested.text)).warn, 0.15, 1e-9);
     ASSERT_EQ(suggested.accepted.size(), 1u);
+    EXPECT_EQ(suggested.faults, suggested.accepted) << "a fault, too";
     EXPECT_EQ(suggested.accepted[0], "'a' of scene 's': up to 5 pixels are NaN OR INFINITE in a view, which is a fault "
                                      "of a renderer and not a matter of limits");
     EXPECT_NE(suggested.text.find("# Accepted: up to 5 pixels are NaN OR INFINITE"), std::string::npos);

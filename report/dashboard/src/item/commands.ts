@@ -31,6 +31,6 @@ export function againCommand(run: Run, scene: Scene, row: Row): string | null {
 export function acceptCommands(): { what: string; command: string }[] {
   return [
     { what: "Make new limits from the figures of this report:", command: "parity budget suggest report.json -o budgets.toml" },
-    { what: "Keep this report as the baseline of later runs:", command: "cp report.json baseline.json && parity report ... --baseline baseline.json" },
+    { what: "Keep this report as the baseline of later runs:", command: "cp -r . ../baseline && parity report ... --baseline ../baseline" },
   ];
 }
