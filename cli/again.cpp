@@ -13,7 +13,7 @@ namespace parity::cli {
 namespace {
 
 // "env": a scene has its own of several. The last ones change no figure.
-constexpr std::array<std::string_view, 15> kNotKept = {"suite",    "only",    "material", "env",      "json",
+constexpr std::array<std::string_view, 14> kNotKept = {"suite",    "only",    "env",      "json",
                                                        "annotate", "all",     "csv",      "quiet",    "timings",
                                                        "verbose",  "threads", "cache",    "no-cache", "cache-size"};
 
@@ -49,7 +49,7 @@ std::vector<report::AgainCommand> againCommands(const std::vector<job::SceneRequ
       std::vector<std::string> words = {"parity", "diff"};
       const std::string& environment = scene.settings.scene.environment;
       if (!suite.empty()) add(words, "--suite", suite);
-      if (suite.empty()) words.push_back(scene.scene);
+      if (suite.empty()) words.push_back(scene.scene.starts_with('-') ? "./" + scene.scene : scene.scene);
       if (suite.empty() && !environment.empty()) add(words, "--env", environment);
       words.insert(words.end(), kept.begin(), kept.end());
       if (!suite.empty()) add(words, "--only", report::globOf(scene.name) + "/" + report::globOf(view.name));

@@ -47,11 +47,12 @@ std::vector<Task> tasksOf(const BakeCommand& command) {
     return tasks;
   }
   const std::vector<std::string> scenes = withListed(command.scenes, "scene");
-  for (const std::string& scene : scenes) {
-    const job::SceneRequest request = sceneRequest(command.common, scene);
-    const std::filesystem::path folder = command.folder;
+  std::vector<job::SceneRequest> requests;
+  for (const std::string& scene : scenes) requests.push_back(sceneRequest(command.common, scene));
+  // The folder is that of the whole bake, whatever --only leaves of it.
+  const std::filesystem::path folder = command.folder;
+  for (const job::SceneRequest& request : chooseViews(std::move(requests), command.common.only))
     tasks.push_back({request, scenes.size() > 1 ? folder / folderName(request.name) : folder});
-  }
   for (std::size_t i = 0; i < tasks.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (tasks[i].folder == tasks[j].folder)

@@ -18,7 +18,9 @@ std::string againCommand(const RunInfo& run, const SceneResult& scene, const Vie
   };
   const auto found = std::ranges::find_if(run.again, isOf);
   if (found == run.again.end()) return {};
-  if (!material || material->name.empty()) return found->command;
+  // The run's own --material stays: what else it shows is part of the picture.
+  if (!material || material->name.empty() || found->command.find(" --material") != std::string::npos)
+    return found->command;
   const std::string glob = globOf(material->name);
   return found->command + (glob.starts_with('-') ? " --material=" : " --material ") + base::shellWord(glob);
 }

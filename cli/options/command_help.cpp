@@ -50,7 +50,7 @@ constexpr ExitCodeText kDone = {0, "done"}, kFailed = {4, "a file is missing or 
                        kUsage = {64, "wrong usage"}, kWithin = {0, "within budget"},
                        kWarned = {1, "warnings only (with --warn-exit)"}, kOver = {2, "over budget"},
                        kNotComparable = {3, "not comparable: sizes, channels, or a metric that does not apply"},
-                       kStopped = {130, "SIGINT interrupted the run (SIGTERM: 143); what is finished is written"},
+                       kStopped = {130, "interrupted by SIGINT (SIGHUP: 129, SIGTERM: 143); the result has what was finished"},
                        kNoResult = {4, "a scene failed, a figure is not finite, or no material was compared"};
 
 const std::vector<CommandHelp>& table() {
@@ -82,7 +82,7 @@ const std::vector<CommandHelp>& table() {
        {{"parity diff scene.glb --env studio.hdr --sun 30,50,4", "a table"},
         {"parity diff scene.glb --material gold --truth", "one material, both paths against the ground truth"},
         {"parity diff scene.glb --csv - -q", "figures for a spreadsheet"}},
-       {kWithin, kWarned, kOver, kNotComparable, kNoResult, kUsage}},
+       {kWithin, kWarned, kOver, kNotComparable, kNoResult, kUsage, kStopped}},
       {"render",
        "",
        {{"parity render scene.glb --path truth -o truth.png", "the picture as displayed"},

@@ -29,7 +29,7 @@ export function actionOf(event: KeyboardEvent): Action | null {
   }
   if (isTaken(event)) return null;
   if (event.shiftKey && event.key !== "?") return null;
-  if (event.key >= "1" && event.key <= "8") return { kind: "category", index: Number(event.key) - 1 };
+  if (event.key >= "1" && event.key <= "9") return { kind: "category", index: Number(event.key) - 1 };
   switch (event.key) {
     case "?": return { kind: "help" };
     case "/": return { kind: "search" };
@@ -45,7 +45,7 @@ export function actionOf(event: KeyboardEvent): Action | null {
 
 const kShortcuts: readonly (readonly [string, string])[] = [
   ["↑ ↓ or k j", "previous, next item"],
-  ["1 – 8", "all, failed, warned, errors, not judged, too small, not seen, passed"],
+  ["1 – 9", "all, failed, warned, errors, not judged, too small, not seen, passed, not run"],
   ["/", "search"],
   ["C T N", "compare, terms, numbers"],
   ["S", "side by side or slider"],

@@ -80,6 +80,13 @@ TEST_F(AgainTest, ACommandOfScenesGivesTheSameRows) {
   expectSameRows(readReport(m_folder / "out"));
 }
 
+TEST_F(AgainTest, ACommandOfChosenMaterialsGivesTheSameRows) {
+  ASSERT_TRUE(isReported(runParity(join({{"report", "builtin:materials", "--env", "builtin:studio", "--material", "g*",
+                                          "--material", "rubber", "-o", path("out")},
+                                         kSmall}))));
+  expectSameRows(readReport(m_folder / "out"));
+}
+
 TEST_F(AgainTest, AMaterialsCommandShowsItsRowAlone) {
   const std::vector<std::string> command = {"report", "builtin:materials", "--env", "builtin:studio",
                                             "-o",     path("out")};

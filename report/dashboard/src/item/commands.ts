@@ -22,7 +22,8 @@ export function againCommand(run: Run, scene: Scene, row: Row): string | null {
   // A view by a further path has that path's name behind its own.
   const found = view && run.again.find((each) => each.scene === scene.name && (each.view === view.name || `${each.view} (${view.test})` === view.name));
   if (!found) return null;
-  if (row.kind !== "material" || row.name === "") return found.command;
+  // The run's own --material stays: what else it shows is part of the picture.
+  if (row.kind !== "material" || row.name === "" || found.command.includes(" --material")) return found.command;
   const glob = globOf(row.name);
   return `${found.command} --material${glob.startsWith("-") ? "=" : " "}${shellWord(glob)}`;
 }

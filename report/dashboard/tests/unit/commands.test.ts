@@ -28,6 +28,8 @@ describe("the command for a row", () => {
     expect(againCommand(run, scene, whole)).toBe(line);
     expect(againCommand(run, scene, material)).toBe(`${line} --material 'Gold ?1]?'`);
     expect(againCommand(run, scene, { ...material, name: "-n" })).toBe(`${line} --material=-n`);
+    const chosen = `${line} --material 'G*'`; // what the run itself was given stays
+    expect(againCommand(makeRun([{ scene: "Desk", view: "front", command: chosen }]), scene, material)).toBe(chosen);
   });
 
   it("is the view's for each path that it was compared with", () => {
