@@ -13,15 +13,34 @@ namespace parity::cli {
 namespace {
 
 // "env": a scene has its own of several. The last ones change no figure.
-constexpr std::array<std::string_view, 14> kNotKept = {"suite",    "only",    "env",      "json",
-                                                       "annotate", "all",     "csv",      "quiet",    "timings",
-                                                       "verbose",  "threads", "cache",    "no-cache", "cache-size"};
+constexpr std::array<std::string_view, 14> kNotKept = {"suite",   "only",  "env",      "json",      "annotate",
+                                                       "all",     "csv",   "quiet",    "timings",   "verbose",
+                                                       "threads", "cache", "no-cache", "cache-size"};
 
 // What begins with '-' would be an option of its own.
 void add(std::vector<std::string>& words, const std::string& option, const std::string& value) {
   if (value.starts_with('-')) return words.push_back(option + "=" + value);
   words.push_back(option);
   words.push_back(value);
+}
+
+// "bottle (2)": alone it is called "bottle".
+bool isCopy(const job::SceneRequest& scene, const std::vector<job::SceneRequest>& scenes) {
+  return std::ranges::any_of(scenes, [&](const job::SceneRequest& other) {
+    return scene.name.starts_with(other.name + " (") && scene.scene != other.scene;
+  });
+}
+
+// Without what knows scenes by their names.
+std::vector<std::string> withoutNames(const std::vector<std::string>& kept) {
+  std::vector<std::string> rest;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (kept[i] == "--baseline" || kept[i] == "--budgets")
+      ++i; // its value
+    else if (!kept[i].starts_with("--baseline=") && !kept[i].starts_with("--budgets="))
+      rest.push_back(kept[i]);
+  }
+  return rest;
 }
 
 } // namespace
@@ -41,18 +60,26 @@ std::vector<std::string> keptWords(const CLI::App& parsed, const CLI::App& other
   return words;
 }
 
-std::vector<report::AgainCommand> againCommands(const std::vector<job::SceneRequest>& scenes, const std::string& suite,
+std::vector<report::AgainCommand> againCommands(const std::vector<job::SceneRequest>& scenes, const SceneSource& source,
                                                 const std::vector<std::string>& kept) {
   std::vector<report::AgainCommand> commands;
   for (const job::SceneRequest& scene : scenes)
     for (const scenes::ViewRequest& view : scene.views) {
       std::vector<std::string> words = {"parity", "diff"};
       const std::string& environment = scene.settings.scene.environment;
-      if (!suite.empty()) add(words, "--suite", suite);
-      if (suite.empty()) words.push_back(scene.scene.starts_with('-') ? "./" + scene.scene : scene.scene);
-      if (suite.empty() && !environment.empty()) add(words, "--env", environment);
-      words.insert(words.end(), kept.begin(), kept.end());
-      if (!suite.empty()) add(words, "--only", report::globOf(scene.name) + "/" + report::globOf(view.name));
+      const bool isOfMany = !source.suite.empty() || source.environments.size() > 1;
+      if (!source.suite.empty())
+        add(words, "--suite", source.suite);
+      else
+        words.push_back(scene.scene.starts_with('-') ? "./" + scene.scene : scene.scene);
+      // All of several, whose names are the scenes': a baseline and budgets know them by these.
+      for (const std::string& each : source.environments.size() > 1                 ? source.environments
+                                     : source.suite.empty() && !environment.empty() ? std::vector{environment}
+                                                                                    : std::vector<std::string>())
+        add(words, "--env", each);
+      const std::vector<std::string> rest = isCopy(scene, scenes) ? withoutNames(kept) : kept;
+      words.insert(words.end(), rest.begin(), rest.end());
+      if (isOfMany) add(words, "--only", report::globOf(scene.name) + "/" + report::globOf(view.name));
       std::string line;
       for (const std::string& word : words) line += (line.empty() ? "" : " ") + base::shellWord(word);
       commands.push_back({scene.name, view.name, line});

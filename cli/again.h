@@ -17,8 +17,14 @@ namespace parity::cli {
 // scenes, views and materials, not what is written, and where.
 std::vector<std::string> keptWords(const CLI::App& parsed, const CLI::App& other);
 
-// `parity diff` for each view of these scenes. suite: the file that they are from; empty: each is a scene of its own.
-std::vector<report::AgainCommand> againCommands(const std::vector<job::SceneRequest>& scenes, const std::string& suite,
+// Where the scenes of a run are from: a suite's file, or else the command line with its environments.
+struct SceneSource {
+  std::string suite;
+  std::vector<std::string> environments;
+};
+
+// `parity diff` for each view of these scenes.
+std::vector<report::AgainCommand> againCommands(const std::vector<job::SceneRequest>& scenes, const SceneSource& source,
                                                 const std::vector<std::string>& kept);
 
 } // namespace parity::cli

@@ -82,7 +82,7 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
   request.folder = command.folder;
   request.commandLine = commandLine;
   request.only = command.common.only;
-  request.again = againCommands(request.scenes, command.suite, command.kept);
+  request.again = againCommands(request.scenes, {command.suite, command.common.environments}, command.kept);
   request.baseline = command.verdict.baseline;
   request.singleFile = command.singleFile;
   request.pixelData = command.pixelData && report::hasDashboard(); // which alone reads them

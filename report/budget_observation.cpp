@@ -17,6 +17,13 @@ bool isSeenWell(const compare::Figures& figures) {
   return figures.pixels >= compare::kDefaultMinPixels || (figures.pixels > 0 && figures.nonFinite > 0);
 }
 
+// Whether no pixel differs, as any figure says that does say so.
+bool isIdentical(const compare::Figures& figures) {
+  for (const char* name : {"flip.max", "rmse", "maxabs"})
+    if (figures.find(name) == std::optional(0.0)) return true;
+  return figures.find("psnr") == std::optional(double{INFINITY});
+}
+
 class Observer {
 public:
   Observer(const std::vector<ObservedRun>& runs, const std::vector<compare::Statistic>& figures)
@@ -70,6 +77,8 @@ private:
         const std::string place = fmt::format("scene {}, view {}, material {}", scene.name, view.name, name);
         subject.notModelled.insert(row.notModelled.begin(), row.notModelled.end());
         addRow(subject, place, row.figures, row.truth);
+        // Accepted NaN do not make it larger.
+        subject.isTooSmall = subject.isTooSmall || row.figures.pixels < compare::kDefaultMinPixels;
       } else if (!isSeen) { // a view that shows more of it says all that there is to say
         (row.figures.pixels == 0 ? subject.isNotSeen : subject.isTooSmall) = true;
       }
@@ -90,7 +99,7 @@ private:
     else if (figures.clipped() >= compare::kNotableClipping)
       subject.clipped = std::max(subject.clipped, figures.clipped());
     m_result.isAnyCompared = m_result.isAnyCompared || (!subject.whole && !isMostly);
-    subject.isIdentical = subject.isIdentical && figures.find("flip.max") == std::optional(0.0);
+    subject.isIdentical = subject.isIdentical && isIdentical(figures);
     addFigures(subject, place, figures);
     if (const std::string unsound = findUnsound(figures); !unsound.empty())
       refuse(fmt::format("{}: {} is not a number", place, unsound));

@@ -26,7 +26,7 @@ struct ObservedSubject {
   std::vector<std::vector<double>> errors;
   std::set<std::vector<bool>> judgeable; // rows by which figures can be judged: bias.ev is not where it is too dark
   bool isSeen = false, isNotSeen = false, isTooSmall = false; // in some run
-  bool isIdentical = true;                                    // no pixel differs in any row, as flip.max says
+  bool isIdentical = true;                                    // no pixel differs in any row
   double clipped = 0, mostlyClipped = 0; // the largest shares of rows that warn of it, and that it keeps from judging
   std::uint64_t nonFinite = 0;           // the most NaN and infinite pixels in a row
   std::set<std::string> notModelled;

@@ -128,18 +128,7 @@ private:
   }
 
   // Of each run that says something its worst over the scenes.
-  std::vector<double> errorsOf(std::size_t figure) const {
-    std::vector<double> errors;
-    for (std::size_t run = 0; run < m_runs; ++run) {
-      double worst = NAN;
-      for (const ObservedSubject* each : m_group.subjects) {
-        const double error = each->errors[figure][run];
-        if (!std::isnan(error)) worst = std::isnan(worst) ? error : std::max(worst, error);
-      }
-      if (!std::isnan(worst)) errors.push_back(worst);
-    }
-    return errors;
-  }
+  std::vector<double> errorsOf(std::size_t figure) const { return worstErrors(m_group, figure, m_runs); }
 
   // "flip.mean 0.010 (scene 'night') to 0.120 (scene 'studio')", figure by figure.
   std::string describeSpread() const {
@@ -171,8 +160,7 @@ private:
       const std::vector<double> errors = errorsOf(i);
       m_isLimited.push_back(false);
       if (std::ranges::none_of(errors, [](double error) { return std::isfinite(error); })) continue;
-      const std::string limits = m_options.regress ? suggestRegression(figure, errors, m_options.margin)
-                                                   : suggestLimits(figure, errors, m_options.margin);
+      const std::string limits = suggestFor(figure, errors, m_options);
       if (limits.find("fail") == std::string::npos)
         m_result.notes.push_back(fmt::format(
             "{}: no {} of {} is suggested, because no value can exceed it (observed: {})", m_name,
@@ -227,7 +215,14 @@ private:
     else if (std::ranges::all_of(m_group.subjects, [](const auto* each) { return each->isIdentical; }))
       m_preset = "identical";
     else
-      accept(Accept::noLimit, m_group.subjects, "nothing limits it, because no value can exceed a limit");
+      accept(Accept::noLimit, m_group.subjects,
+             std::ranges::all_of(m_group.subjects, [&](const auto* each) { return isNeverJudgeable(*each); })
+                 ? "nothing limits it, because both pictures are too dark for its figures"
+                 : "nothing limits it, because no value can exceed a limit");
+  }
+
+  static bool isNeverJudgeable(const ObservedSubject& subject) {
+    return std::ranges::all_of(subject.judgeable, [](const auto& row) { return std::ranges::count(row, true) == 0; });
   }
 
   // Whether no limit of the rule can be judged in some row.
@@ -251,6 +246,26 @@ private:
 };
 
 } // namespace
+
+std::vector<double> worstErrors(const RuleGroup& group, std::size_t figure, std::size_t runs) {
+  std::vector<double> errors;
+  for (std::size_t run = 0; run < runs; ++run) {
+    double worst = NAN;
+    for (const ObservedSubject* each : group.subjects) {
+      const double error = each->errors[figure][run];
+      if (!std::isnan(error)) worst = std::isnan(worst) ? error : std::max(worst, error);
+    }
+    if (!std::isnan(worst)) errors.push_back(worst);
+  }
+  return errors;
+}
+
+std::string suggestFor(const compare::Statistic& figure, const std::vector<double>& errors,
+                       const SuggestOptions& options) {
+  if (std::ranges::none_of(errors, [](double error) { return std::isfinite(error); })) return {};
+  return options.regress ? suggestRegression(figure, errors, options.margin)
+                         : suggestLimits(figure, errors, options.margin);
+}
 
 std::string formatRule(const RuleGroup& group, const std::vector<compare::Statistic>& figures,
                        const SuggestOptions& options, std::size_t runs, SuggestedBudgets& result) {

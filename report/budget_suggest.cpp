@@ -35,30 +35,26 @@ std::vector<ObservedRun> dropRepeated(const std::vector<ObservedRun>& runs, std:
   return once;
 }
 
-// Whether it was judged, but no figure of it can have a limit: that must not loosen what other scenes share.
-bool isWithoutLimit(const ObservedSubject& subject, const std::vector<compare::Statistic>& figures,
-                    const SuggestOptions& options) {
-  if (subject.judgeable.empty() || subject.isIdentical) return false;
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    std::vector<double> errors;
-    std::ranges::copy_if(subject.errors[i], std::back_inserter(errors),
-                         [](double error) { return !std::isnan(error); });
-    if (std::ranges::any_of(errors, [](double error) { return std::isfinite(error); }) &&
-        !(options.regress ? suggestRegression(figures[i], errors, options.margin)
-                          : suggestLimits(figures[i], errors, options.margin))
-             .empty())
-      return false;
-  }
+// Whether these were judged, but no figure of theirs can have a limit that holds for all: that must not loosen what
+// other scenes share.
+bool isWithoutLimit(const RuleGroup& group, const std::vector<compare::Statistic>& figures,
+                    const SuggestOptions& options, std::size_t runs) {
+  const auto wasJudged = [](const ObservedSubject* each) { return !each->judgeable.empty(); };
+  const auto isIdentical = [](const ObservedSubject* each) { return each->isIdentical; };
+  if (std::ranges::none_of(group.subjects, wasJudged) || std::ranges::all_of(group.subjects, isIdentical)) return false;
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    if (!suggestFor(figures[i], worstErrors(group, i, runs), options).empty()) return false;
   return true;
 }
 
 // The rules to write, those of one scene before those that scenes share.
 std::vector<RuleGroup> groupSubjects(const Observation& observation, const std::vector<compare::Statistic>& figures,
-                                     const SuggestOptions& options) {
+                                     const SuggestOptions& options, std::size_t runs) {
   std::vector<RuleGroup> own, shared;
   for (const ObservedSubject& subject : observation.subjects) {
-    if (options.perScene || subject.nonFinite > 0 || isWithoutLimit(subject, figures, options)) {
-      own.push_back({{&subject}, true});
+    RuleGroup alone = {{&subject}, true};
+    if (options.perScene || subject.nonFinite > 0 || isWithoutLimit(alone, figures, options, runs)) {
+      own.push_back(std::move(alone));
       continue;
     }
     const auto group = std::ranges::find_if(shared, [&](const RuleGroup& each) {
@@ -69,7 +65,12 @@ std::vector<RuleGroup> groupSubjects(const Observation& observation, const std::
     else
       group->subjects.push_back(&subject);
   }
-  own.insert(own.end(), shared.begin(), shared.end());
+  for (RuleGroup& group : shared)
+    // The worst of each figure may be another scene's, so that they have limits one by one and none together.
+    if (group.subjects.size() > 1 && isWithoutLimit(group, figures, options, runs))
+      for (const ObservedSubject* each : group.subjects) own.push_back({{each}, true});
+    else
+      own.push_back(std::move(group));
   return own;
 }
 
@@ -120,7 +121,7 @@ SuggestedBudgets suggestBudgets(const std::vector<ObservedRun>& given, const Sug
                               : fmt::format("nothing to suggest: {}", fmt::join(result.errors, "; ")));
 
   std::string rules, wholes;
-  for (const RuleGroup& group : groupSubjects(observation, figures, options))
+  for (const RuleGroup& group : groupSubjects(observation, figures, options, runs.size()))
     (group.subjects.front()->whole ? wholes : rules) += formatRule(group, figures, options, runs.size(), result);
   result.text = headOf(runs, options);
   for (const std::string& each : result.errors)

@@ -71,6 +71,11 @@ public:
   }
 
 private:
+  static std::string whyOf(const std::string& reason, const std::string& accepted) {
+    if (accepted.empty()) return reason;
+    return (reason.empty() ? "accepted: " : reason + "; accepted: ") + accepted;
+  }
+
   static std::vector<Line> linesOf(const ViewResult& view) {
     std::vector<Line> lines = {{.kind = "whole",
                                 .material = "",
@@ -78,7 +83,7 @@ private:
                                 .figures = view.whole,
                                 .truth = view.truth,
                                 .cause = "",
-                                .reason = view.reason}};
+                                .reason = whyOf(view.reason, view.accepted)}};
     for (const MaterialResult& each : view.materials)
       lines.push_back({.kind = "material",
                        .material = each.name,
@@ -86,7 +91,7 @@ private:
                        .figures = each.figures,
                        .truth = each.truth,
                        .cause = each.attribution ? describeCause(*each.attribution, view.reference) : "",
-                       .reason = each.reason});
+                       .reason = whyOf(each.reason, each.accepted)});
     return lines;
   }
 

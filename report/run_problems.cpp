@@ -20,8 +20,8 @@ bool hasOwnError(const Report& report) {
 // Whether the budget accepts a material of which too little was there to compare.
 bool isAcceptedUncompared(const MaterialResult& material) {
   const compare::Figures& figures = material.figures;
-  if (material.verdict != compare::Verdict::pass || material.accepted.empty() || figures.nonFinite > 0) return false;
-  return figures.pixels < std::max<std::uint64_t>(material.rule.minPixels, 1) ||
+  if (material.verdict != compare::Verdict::pass || material.accepted.empty()) return false;
+  return figures.nonFinite > 0 || figures.pixels < std::max<std::uint64_t>(material.rule.minPixels, 1) ||
          figures.clipped() > compare::kMostClipping;
 }
 

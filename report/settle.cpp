@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "compare/pooling/statistic.h"
+#include "compare/verdict/budget.h"
 #include "compare/verdict/wording.h"
 #include "report/report.h"
 
@@ -54,12 +55,16 @@ Judgement judgeChecks(const std::vector<compare::CheckResult>& checks) {
 }
 
 // By the checks, unless the rule says that nothing limits it, or accepts that none of them could be judged.
-Judgement judgeByRule(const std::vector<compare::CheckResult>& checks, const compare::AppliedRule& rule) {
+Judgement judgeByRule(const compare::Figures& figures, const std::vector<compare::CheckResult>& checks,
+                      const compare::AppliedRule& rule) {
   Judgement judgement;
   if (checks.empty() && judgement.accept(rule, compare::Accept::noLimit, "no limit judges it")) return judgement;
   Judgement byChecks = judgeChecks(checks);
-  const bool anyJudged = std::ranges::any_of(checks, &compare::CheckResult::judged);
-  if (!anyJudged && byChecks.verdict == compare::Verdict::warn &&
+  // What a baseline does not show is not judged either, but that is nothing to accept.
+  const bool isTooDark = std::ranges::all_of(checks, [&](const compare::CheckResult& check) {
+    return !check.judged() && !compare::describeTooDark(check.metric, figures).empty();
+  });
+  if (isTooDark && byChecks.verdict == compare::Verdict::warn &&
       judgement.accept(rule, compare::Accept::notJudged, byChecks.reason))
     return judgement;
   return byChecks;
@@ -82,25 +87,32 @@ Judgement judgeNonFinite(const compare::Figures& figures, const compare::Applied
 // clipped, so that it cannot be judged; a whole image only warns of it.
 Judgement judgeSeen(const compare::Figures& figures, const std::vector<compare::CheckResult>& checks,
                     const compare::AppliedRule& rule, const std::vector<std::string>& notModelled, bool isMaterial) {
-  if (figures.nonFinite > 0) return judgeNonFinite(figures, rule);
-  if (const std::string unsound = findUnsound(figures); !unsound.empty())
-    return {compare::Verdict::error, fmt::format("a figure is not a number: {}", unsound), {}};
-  if (figures.values.empty()) return {compare::Verdict::error, "no figure was measured", {}};
-
-  Judgement judgement = judgeByRule(checks, rule);
-  if (judgement.verdict == compare::Verdict::error) return judgement;
   // Of what fails they are no reason, but its reader should know.
-  const auto warn = [&](compare::Accept what, const std::string& why) {
+  const auto warn = [&](Judgement& judgement, compare::Accept what, const std::string& why) {
     if (why.empty() || judgement.accept(rule, what, why)) return;
     judgement.verdict = std::max(judgement.verdict, compare::Verdict::warn);
     judgement.add(why);
   };
+  const auto warnOfParts = [&](Judgement& judgement) {
+    if (!notModelled.empty())
+      warn(judgement, compare::Accept::baseLayerOnly,
+           fmt::format("base layer only: no path models {}", fmt::join(notModelled, ", ")));
+  };
+  if (figures.nonFinite > 0) {
+    Judgement judgement = judgeNonFinite(figures, rule);
+    warnOfParts(judgement);
+    return judgement;
+  }
+  if (const std::string unsound = findUnsound(figures); !unsound.empty())
+    return {compare::Verdict::error, fmt::format("a figure is not a number: {}", unsound), {}};
+  if (figures.values.empty()) return {compare::Verdict::error, "no figure was measured", {}};
+
+  Judgement judgement = judgeByRule(figures, checks, rule);
+  if (judgement.verdict == compare::Verdict::error) return judgement;
   const bool isMostlyClipped = isMaterial && figures.clipped() > compare::kMostClipping;
   const compare::Accept clipping = isMostlyClipped ? compare::Accept::notJudged : compare::Accept::clipped;
-  warn(clipping, compare::describeClipping(figures));
-  if (!notModelled.empty())
-    warn(compare::Accept::baseLayerOnly,
-         fmt::format("base layer only: no path models {}", fmt::join(notModelled, ", ")));
+  warn(judgement, clipping, compare::describeClipping(figures));
+  warnOfParts(judgement);
   // What warns of a material that is clipped for the most part is said, too: it is no verdict on it.
   if (judgement.verdict < compare::Verdict::fail && isMostlyClipped && !rule.accepts(clipping))
     judgement.verdict = compare::Verdict::notJudged;
@@ -125,16 +137,17 @@ Judgement withBaseline(Judgement judgement, const std::optional<BaselineChange>&
   return judgement;
 }
 
-// Whether so much of the material is seen that it can be judged. NaN is never too small.
-bool isSeen(const MaterialResult& material) {
-  return material.figures.pixels > 0 &&
-         (material.figures.pixels >= material.rule.minPixels || material.figures.nonFinite > 0);
+// Whether so much of a material is seen that it can be judged. NaN that the rule does not accept is never too small.
+bool isSeen(const compare::Figures& figures, const compare::AppliedRule& rule) {
+  const std::uint64_t accepted = rule.accepts(compare::Accept::nonFinite) ? rule.maxNonFinite.value_or(0) : 0;
+  return figures.pixels > 0 && (figures.pixels >= rule.minPixels || figures.nonFinite > accepted);
 }
+bool isSeen(const MaterialResult& material) { return isSeen(material.figures, material.rule); }
 
 // As the material itself is judged, by its own figures.
 void settleWhatIf(const MaterialResult& material, WhatIf& whatIf) {
   Judgement judgement{material.verdict, material.reason, {}};
-  if (isSeen(material))
+  if (isSeen(whatIf.figures, material.rule))
     judgement = withBaseline(
         withTruth(judgeSeen(whatIf.figures, whatIf.checks, material.rule, material.notModelled, true), material.truth),
         material.baseline);

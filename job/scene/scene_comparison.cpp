@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "base/text/error_words.h"
+#include "base/text/glob.h"
 #include "compare/verdict/budget.h"
 #include "job/conditions.h"
 #include "job/context.h"
@@ -31,6 +32,14 @@ using MaterialsByView = std::vector<std::vector<std::size_t>>;
 
 bool isEmpty(const MaterialsByView& materials) {
   return std::ranges::all_of(materials, [](const auto& list) { return list.empty(); });
+}
+
+// Whether each glob matches a material of the result, which has those alone that any of them matches.
+bool hasEach(const SceneRecord& record, const std::vector<std::string>& globs) {
+  return std::ranges::all_of(globs, [&](const std::string& glob) {
+    return std::ranges::any_of(record.result.materials,
+                               [&](const auto& each) { return base::matchesGlob(glob, each.name); });
+  });
 }
 
 class SceneComparison {
@@ -105,7 +114,9 @@ private:
   std::optional<SceneRecord> recall(const std::string& key, std::size_t index, const Judges& judges) {
     const base::Stopwatch watch(&m_context.timings(), "recall results");
     std::optional<SceneRecord> record = findResult(m_context.cache(), key, m_request.scenes[index]);
-    if (!record) return std::nullopt;
+    // A result of a run over several scenes is kept although another scene alone has a material of some glob.
+    if (!record || (m_request.scenes.size() == 1 && !hasEach(*record, m_request.scenes[index].settings.materials)))
+      return std::nullopt;
     MaterialsByView attributed;
     setConditions(m_request.scenes[index], record->result, judges.conditions);
     for (const report::ViewResult& view : record->result.views)

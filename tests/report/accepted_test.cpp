@@ -113,6 +113,40 @@ TEST(Accepted, NonFinitePixelsUpToTheirNumber) {
   EXPECT_EQ(exitCode(judged(reportOf(material), loadRule(ruleOf("[\"clipped\"]\n") + kLimit)), true), 2);
 }
 
+TEST(Accepted, NonFinitePixelsHideNothingElse) {
+  const compare::Budgets budgets = loadRule(ruleOf("[\"non-finite\"]\nmax_non_finite = 5\n") + kLimit);
+  MaterialResult material = makeMaterial("m", 0.05, 10);
+  material.figures.nonFinite = 1;
+  EXPECT_EQ(judged(reportOf(material), budgets).scenes[0].views[0].materials[0].verdict, compare::Verdict::tooSmall);
+  material.figures.nonFinite = 6;
+  EXPECT_EQ(judged(reportOf(material), budgets).scenes[0].views[0].materials[0].verdict, compare::Verdict::fail);
+  material = makeMaterial("m", 0.05, 4000);
+  material.figures.nonFinite = 1;
+  material.notModelled = {"sheen"};
+  EXPECT_EQ(judged(reportOf(material), budgets).scenes[0].views[0].materials[0].verdict, compare::Verdict::warn);
+  material.notModelled.clear();
+  Report alone = reportOf(material);
+  alone.scenes[0].views[0].materials.pop_back();
+  EXPECT_EQ(exitCode(judged(alone, budgets), false), 4) << "no limit judged anything";
+}
+
+TEST(Accepted, NotJudgedIsNoAcceptanceOfWhatTheBaselineDoesNotShow) {
+  const compare::AppliedRule rule{.reason = "known", .accept = {compare::Accept::notJudged}};
+  MaterialResult material = makeMaterial("m", 0.3, 4000);
+  material.rule = rule;
+  material.checks = {{.metric = "flip.mean",
+                      .regress = true,
+                      .verdict = compare::Verdict::warn,
+                      .unjudged = "new: the baseline does not have it"}};
+  settleMaterial(material, false);
+  EXPECT_EQ(material.verdict, compare::Verdict::warn);
+  EXPECT_EQ(material.accepted, "");
+  material.checks[0].metric = "bias.ev";
+  material.figures.referenceLuminance = material.figures.testLuminance = 1e-4;
+  settleMaterial(material, false);
+  EXPECT_EQ(material.verdict, compare::Verdict::pass) << "it is too dark for it: " << material.reason;
+}
+
 TEST(Accepted, NoLimitJudgesNothingButErrorsStay) {
   const compare::Budgets budgets = loadRule(ruleOf("[\"no limit\"]\n"));
   MaterialResult material = makeMaterial("m", 1, 4000);

@@ -1,6 +1,8 @@
 // Suggested budgets: the percentile and the margin on known values, files that loadBudgets reads, and what is refused.
 #include <cmath>
 
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "base/expect_error.h"
@@ -218,6 +220,39 @@ TEST(BudgetSuggest, WhatNoLimitHoldsLoosensNoOtherScene) {
   expectPass(rerun(run.report, suggested.text), suggested.text);
   ++run.report.scenes[2].views[0].materials[0].figures.nonFinite;
   EXPECT_EQ(exitCode(rerun(run.report, suggested.text), false), 2) << "one more than was accepted";
+}
+
+// The worst of each figure is another scene's, and at the end of its range: together they have no limit.
+TEST(BudgetSuggest, ScenesThatHaveNoLimitTogetherHaveTheirOwn) {
+  ObservedRun run = runOf(0.1, "a", "one"), other = runOf(0.1, "a", "two");
+  setFigure(run.report.scenes[0].views[0].materials[0].figures, "flip.max", 0.95);
+  setFigure(run.report.scenes[0].views[0].materials[0].figures, "flip.fraction_over(0.1)", 0.01);
+  setFigure(other.report.scenes[0].views[0].materials[0].figures, "flip.max", 0.30);
+  setFigure(other.report.scenes[0].views[0].materials[0].figures, "flip.fraction_over(0.1)", 0.90);
+  for (ObservedRun* each : {&run, &other}) {
+    setFigure(each->report.scenes[0].views[0].whole, "flip.max", 0.5);
+    setFigure(each->report.scenes[0].views[0].whole, "flip.fraction_over(0.1)", 0.1);
+  }
+  run.report.scenes.push_back(other.report.scenes[0]);
+  const compare::Budgets budgets = load(suggestBudgets({run}, {0.25, {"flip.max", "flip.fraction_over(0.1)"}}).text);
+  std::set<std::string> scenes;
+  for (const compare::BudgetRule& rule : budgets.materials)
+    if (rule.material == "a") {
+      scenes.insert(rule.scene);
+      EXPECT_FALSE(rule.checks.empty()) << rule.scene;
+      EXPECT_TRUE(rule.accept.empty()) << rule.scene;
+    }
+  EXPECT_EQ(scenes, (std::set<std::string>{"one", "two"}));
+}
+
+TEST(BudgetSuggest, WhatIsIdenticalByAnotherFigureIsSo) {
+  ObservedRun run = runOf(0);
+  for (compare::Figures* each :
+       {&run.report.scenes[0].views[0].materials[0].figures, &run.report.scenes[0].views[0].whole}) {
+    std::erase_if(each->values, [](const compare::Figure& figure) { return figure.name != "flip.mean"; });
+    setFigure(*each, "psnr", INFINITY);
+  }
+  EXPECT_EQ(load(suggestBudgets({run}, {0.25, {"psnr"}}).text).materials.at(0).preset, "identical");
 }
 
 TEST(BudgetSuggest, ErrorsAreNeverAcceptedAndSaid) {

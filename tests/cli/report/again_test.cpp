@@ -87,6 +87,18 @@ TEST_F(AgainTest, ACommandOfChosenMaterialsGivesTheSameRows) {
   expectSameRows(readReport(m_folder / "out"));
 }
 
+TEST_F(AgainTest, ACommandOfSeveralEnvironmentsFindsTheRowsOfTheBaseline) {
+  const std::vector<std::string> scenes = {"report",      "builtin:furnace", "--env",
+                                           "builtin:sky", "--env",           "builtin:studio"};
+  ASSERT_TRUE(isReported(runParity(join({scenes, kSmall, {"-o", path("before")}}))));
+  ASSERT_TRUE(isReported(runParity(join({scenes, kSmall, {"-o", path("out"), "--baseline", path("before")}}))));
+  const nlohmann::json report = readReport(m_folder / "out");
+  expectSameRows(report);
+  const nlohmann::json again = runByShell(runInfo()["again"][1]["command"].get<std::string>());
+  EXPECT_EQ(again["baseline"]["error"], "") << runInfo()["again"][1];
+  EXPECT_EQ(again["scenes"][0]["name"], report["scenes"][1]["name"]);
+}
+
 TEST_F(AgainTest, AMaterialsCommandShowsItsRowAlone) {
   const std::vector<std::string> command = {"report", "builtin:materials", "--env", "builtin:studio",
                                             "-o",     path("out")};

@@ -112,7 +112,22 @@ TEST_F(OnlyTest, AMaterialThatNoSceneHasIsAnErrorWithTheNearestName) {
   EXPECT_EQ(viewsOf(readReport(m_folder / "two")).size(), 2u);
 }
 
+// The whole run keeps results of scenes that have a material of some glob; one scene alone needs one of each.
+TEST_F(OnlyTest, AMaterialThatASceneLacksIsAnErrorAlsoOfAKeptResult) {
+  const auto diff = [&](const std::vector<std::string>& more) {
+    return runParity(join(
+        {{"diff", "--suite", m_suite, "--cache", path("cache"), "--material", "gold", "--material", "glazed ceramic"},
+         kSmall,
+         more}));
+  };
+  EXPECT_NE(diff({}).exitCode, 4);
+  EXPECT_TRUE(exitedWith(4, diff({"--only", "balls"})));
+  EXPECT_NE(diff({"--only", "materials"}).exitCode, 4) << "it has both";
+}
+
 TEST_F(OnlyTest, BakeAndBenchTakeIt) {
+  expectRefused(runParity({"bake", "builtin:room", "--only", "hall", "-o", path("baked")}), 64,
+                {"--only", "'hall'", "no scene or view has this name"});
   expectRefused(runParity({"bake", "--suite", m_suite, "--only", "ball"}), 64, {"--only", "did you mean 'balls'?"});
   expectRefused(runParity({"bench", "--suite", m_suite, "--only", "ball", "--list"}), 64,
                 {"--only", "did you mean 'balls'?"});
