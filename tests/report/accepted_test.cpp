@@ -131,13 +131,15 @@ TEST(Accepted, NonFinitePixelsHideNothingElse) {
 }
 
 TEST(Accepted, NotJudgedIsNoAcceptanceOfWhatTheBaselineDoesNotShow) {
-  const compare::AppliedRule rule{.reason = "known", .accept = {compare::Accept::notJudged}};
   MaterialResult material = makeMaterial("m", 0.3, 4000);
-  material.rule = rule;
-  material.checks = {{.metric = "flip.mean",
-                      .regress = true,
-                      .verdict = compare::Verdict::warn,
-                      .unjudged = "new: the baseline does not have it"}};
+  material.rule.reason = "known";
+  material.rule.accept = {compare::Accept::notJudged};
+  compare::CheckResult check;
+  check.metric = "flip.mean";
+  check.regress = true;
+  check.verdict = compare::Verdict::warn;
+  check.unjudged = "new: the baseline does not have it";
+  material.checks = {check};
   settleMaterial(material, false);
   EXPECT_EQ(material.verdict, compare::Verdict::warn);
   EXPECT_EQ(material.accepted, "");

@@ -1,7 +1,7 @@
 // What makes the rows that failed or warned differ: totals by cause, with the worst offenders.
 import { html, nothing, type TemplateResult } from "lit";
 
-import { groupRows, type Group } from "../data/groups";
+import { groupRows, kUnknownCause, type Group } from "../data/groups";
 import { isOver } from "../data/changes";
 import type { Row } from "../data/rows";
 import { kDefaultState, openItem, toHash } from "../data/state";
@@ -13,7 +13,10 @@ const kWorst = 2; // of each cause: a line each; the groups of the list name one
 /** Of materials that failed or warned; the cause of most failures first. */
 export function causeTotals(rows: readonly Row[]): Group[] {
   const troubled = rows.filter((row) => row.kind === "material" && (isOver(row.verdict) || row.verdict === "warn"));
-  return groupRows(troubled, "cause").sort((a, b) => b.over - a.over || b.rows.length - a.rows.length);
+  return groupRows(troubled, "cause").sort(
+    // What is not known helps least, as in the terminal's table.
+    (a, b) => Number(a.label === kUnknownCause) - Number(b.label === kUnknownCause) || b.over - a.over || b.rows.length - a.rows.length,
+  );
 }
 
 export function causesNotice(report: Report, rows: readonly Row[], isOpen: boolean): TemplateResult | typeof nothing {
