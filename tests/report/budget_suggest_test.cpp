@@ -340,10 +340,14 @@ TEST(BudgetSuggest, WhatWasIdenticalStaysSoWherePsnrHasNoLimit) {
 
 // A run with NaN pixels holds their worst value: its limits would let through what they are to stop.
 TEST(BudgetSuggest, NonFinitePixelsMakeNoLimitsAndAreAcceptedLoudly) {
-  ObservedRun broken = runOf(0.9, "a");
+  ObservedRun broken = runOf(0.9, "a"), sound = runOf(0.1, "a");
   broken.source = "nan.json";
   broken.report.scenes[0].views[0].materials[0].figures.nonFinite = 5;
-  for (const std::vector<ObservedRun>& runs : {std::vector{runOf(0.1), broken}, {broken, runOf(0.1)}}) {
+  const std::string nothing = suggestBudgets({broken, sound}, {0.5, {"flip.mean"}}).text;
+  EXPECT_EQ(exitCode(rerun(broken.report, nothing), false), 4) << "nothing else was compared in that run";
+  for (ObservedRun* each : {&broken, &sound})
+    each->report.scenes[0].views[0].materials.push_back(makeMaterial("well", 0.1, 4000));
+  for (const std::vector<ObservedRun>& runs : {std::vector{sound, broken}, {broken, sound}}) {
     const SuggestedBudgets suggested = suggestBudgets(runs, {0.5, {"flip.mean"}});
     EXPECT_NEAR(*checkOf(load(suggested.text)).warn, 0.15, 1e-9);
     ASSERT_EQ(suggested.accepted.size(), 1u);
