@@ -161,7 +161,6 @@ TEST_F(BakeInputTest, WrongOptionsAreUsage) {
       {"--seed", "-1"},          {"--astc", "8x8"},           {"--local-lights", "movable"}};
   for (const auto& option : wrong) refused(join({good, option}), {option[0]});
   refused({"-o", path("out")}, {"SCENE"});
-  refused({"builtin:room"}, {"--output"});
   writeFile(m_folder / "suite.toml", std::string("[[scene]]\nfile = \"builtin:room\"\nbaked = \"out\"\n"));
   refused({"--suite", path("suite.toml"), "builtin:room"}, {"--suite"});
   for (const std::vector<std::string>& option :
