@@ -43,7 +43,8 @@ TEST_F(ThirdPath, HasARowOfItsOwnInReportAndPage) {
     hasAttribution |= material.contains("attribution");
   }
   EXPECT_TRUE(hasAttribution);
-  EXPECT_TRUE(contains(result.out, "whole image compares high-end with mobile or lambert.")) << result.out;
+  EXPECT_TRUE(contains(result.out, "has the colours of mobile or lambert, all others those of high-end."))
+      << result.out;
   EXPECT_TRUE(contains(result.out, "hi/truth, mo/truth, la/truth: mean FLIP of high-end and of mobile and of lambert"));
   std::set<std::string> names;
   for (std::size_t i : {0, 1})
