@@ -72,6 +72,7 @@ std::vector<std::byte> toBytes(const EnvironmentLight& light) {
   std::vector<std::byte> bytes(size);
   std::byte* to = bytes.data();
   const auto append = [&to](const void* from, std::size_t count) {
+    if (count == 0) return; // of an empty list there may be no address
     std::memcpy(to, from, count);
     to += count;
   };
