@@ -125,7 +125,7 @@ EnvironmentLight environmentLightFromBytes(std::span<const std::byte> bytes) {
   }
   const auto readLamps = [&from](LampTree& tree, std::size_t count) {
     tree.nodes.resize(count);
-    std::memcpy(tree.nodes.data(), from, count * sizeof(LampNode));
+    if (count > 0) std::memcpy(tree.nodes.data(), from, count * sizeof(LampNode));
     from += count * sizeof(LampNode);
     checkLamps(tree);
   };
