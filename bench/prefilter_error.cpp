@@ -95,7 +95,7 @@ public:
         "| faces | samples | footprint, log2 | median, %% | worst, %% | CPU time, s |\n|---|---|---|---|---|---|\n");
     const lighting::PrefilterOptions chosen = lighting::kFinePrefilter;
     printSetting(chosen);
-    for (const int count : {32, 64, 256}) {
+    for (const int count : {64, 256}) {
       lighting::PrefilterOptions options = chosen;
       options.sampleCount = count;
       printSetting(options);
