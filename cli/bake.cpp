@@ -30,8 +30,9 @@ std::vector<Task> tasksOf(const BakeCommand& command) {
   std::vector<Task> tasks;
   if (!command.suite.empty()) {
     const scenes::Suite suite = scenes::loadSuite(command.suite, job::suiteKnobs());
-    for (job::SceneRequest& entry :
-         chooseViews(job::requestsOf(suite, command.common.plain, command.common.given), command.common.only)) {
+    std::vector<job::SceneRequest> all = job::requestsOf(suite, command.common.plain, command.common.given);
+    const std::vector<std::string> only = withoutTags(command.common.only, all);
+    for (job::SceneRequest& entry : chooseViews(std::move(all), only)) {
       const std::string& folder = entry.settings.scene.baked;
       if (folder.empty()) continue;
       for (const Task& task : tasks)
@@ -51,7 +52,8 @@ std::vector<Task> tasksOf(const BakeCommand& command) {
   for (const std::string& scene : scenes) requests.push_back(sceneRequest(command.common, scene));
   // The folder is that of the whole bake, whatever --only leaves of it.
   const std::filesystem::path folder = command.folder;
-  for (const job::SceneRequest& request : chooseViews(std::move(requests), command.common.only))
+  const std::vector<std::string> only = withoutTags(command.common.only, requests);
+  for (const job::SceneRequest& request : chooseViews(std::move(requests), only))
     tasks.push_back({request, scenes.size() > 1 ? folder / folderName(request.name) : folder});
   for (std::size_t i = 0; i < tasks.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)

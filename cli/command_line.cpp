@@ -23,6 +23,7 @@
 #include "cli/options/plot_options.h"
 #include "cli/options/render_options.h"
 #include "cli/options/stress_options.h"
+#include "cli/options/suite_options.h"
 
 namespace parity::cli {
 
@@ -106,7 +107,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       ->capture_default_str();
   addPageOptions(reportApp, report, raw);
   addVerdictOptions(reportApp, report.verdict, "Show all rows of the table. Default: those that failed or warned");
-  addOnlyOption(reportApp, report.common);
+  addOnlyOption(reportApp, report.common.only);
   reportApp.add_option("--json", report.common.json, "Also write report.json to this file; - for stdout")
       ->type_name(kFile)
       ->group(kOutputGroup);
@@ -129,7 +130,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       ->excludes("scene");
   addVerdictOptions(diffApp, diff.verdict,
                     "Show all rows of the table. Default: all of up to 24, else those that failed or warned");
-  addOnlyOption(diffApp, diff.common);
+  addOnlyOption(diffApp, diff.common.only);
   diffApp
       .add_option("--json", diff.common.json,
                   "Write the result as JSON to this file; - for stdout, instead of the table")
@@ -183,7 +184,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   CLI::App& bakeApp = *app.add_subcommand(
       "bake", "Bake the light of static scenes: lightmaps for both paths, the sun's shadow, environment captures");
   addBakeOptions(bakeApp, bake, rawBake);
-  addOnlyOption(bakeApp, bake.common);
+  addOnlyOption(bakeApp, bake.common.only);
   addKnobs(bakeApp, bake.common, raw, {"Scene"}, {"fully-rough", "baked"});
   addRunOptions(bakeApp, bake.common, raw);
 
@@ -212,6 +213,10 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   RawCacheOptions rawCache;
   CLI::App& cacheApp = *app.add_subcommand("cache", "Show or remove what is kept between runs");
   addCacheOptions(cacheApp, rawCache);
+
+  RawSuiteOptions rawSuite;
+  CLI::App& suiteApp = *app.add_subcommand("suite", "Show what a suite file means");
+  addSuiteOptions(suiteApp, rawSuite);
 
   bool verbose = false;
   addVerbose(app, verbose);
@@ -275,6 +280,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = KnobsCommand();
     } else if (cacheApp.parsed()) {
       parsed.command = settleCache(cacheApp, rawCache);
+    } else if (suiteApp.parsed()) {
+      parsed.command = settleSuite(rawSuite);
     } else if (devicesApp.parsed()) {
       parsed.command = devices;
     } else {

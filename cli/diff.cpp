@@ -33,7 +33,8 @@ int runDiffCommand(const DiffCommand& command, const std::string& commandLine) {
   job::ReportRequest request;
   request.scenes = std::move(run.scenes);
   request.suiteBudgets = run.suiteBudgets;
-  request.only = command.common.only;
+  request.only = run.only;
+  request.suite = run.suite;
   request.commandLine = commandLine;
   request.oneOfMany = true;
   request.baseline = command.verdict.baseline;

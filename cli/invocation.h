@@ -11,7 +11,7 @@
 #include "job/bake_run.h"
 #include "job/knobs.h"
 #include "report/budget_suggest.h"
-#include "scenes/suite.h"
+#include "scenes/suite/suite.h"
 #include "study/fit/truth.h"
 #include "study/stress/stress_run.h"
 #include "study/sweep/pareto.h"
@@ -156,10 +156,16 @@ struct CacheCommand {
   std::string json;
 };
 
+struct SuiteListCommand {
+  std::string suite, json;
+  std::vector<std::string> only;
+  std::filesystem::path cacheFolder;
+};
+
 using Invocation =
     std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand, BudgetSuggestCommand,
                  BudgetCheckCommand, FitCommand, BenchCommand, StressCommand, BakeCommand, DevicesCommand, InfoCommand,
-                 CacheCommand, PlotCommand, KnobsCommand, VersionCommand, GuideCommand>;
+                 CacheCommand, SuiteListCommand, PlotCommand, KnobsCommand, VersionCommand, GuideCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, a usage error) with its
 // exit code.
@@ -192,6 +198,7 @@ int runBakeCommand(const BakeCommand& command);
 int runDevicesCommand(const DevicesCommand& command);
 int runInfoCommand(const InfoCommand& command);
 int runCacheCommand(const CacheCommand& command);
+int runSuiteListCommand(const SuiteListCommand& command);
 int runKnobsCommand();
 int runVersionCommand();
 int runGuideCommand(const GuideCommand& command);

@@ -53,6 +53,7 @@ int run(int argc, char** argv) {
                                [](const DevicesCommand& c) { return runDevicesCommand(c); },
                                [](const InfoCommand& c) { return runInfoCommand(c); },
                                [](const CacheCommand& c) { return runCacheCommand(c); },
+                               [](const SuiteListCommand& c) { return runSuiteListCommand(c); },
                                [](const PlotCommand& c) { return runPlotCommand(c); },
                                [](const KnobsCommand&) { return runKnobsCommand(); },
                                [](const VersionCommand&) { return runVersionCommand(); },

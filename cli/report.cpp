@@ -81,7 +81,8 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
   request.suiteBudgets = run.suiteBudgets;
   request.folder = command.folder;
   request.commandLine = commandLine;
-  request.only = command.common.only;
+  request.only = run.only;
+  request.suite = run.suite;
   request.again = againCommands(request.scenes, {command.suite, command.common.environments}, command.kept);
   request.baseline = command.verdict.baseline;
   request.singleFile = command.singleFile;

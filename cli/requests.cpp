@@ -18,20 +18,13 @@ namespace parity::cli {
 
 namespace {
 
-// "builtin:sky" as "sky", a file as its stem.
-std::string stemOf(const std::string& input) {
-  constexpr std::string_view kBuiltin = "builtin:";
-  return scenes::cleanName(input.starts_with(kBuiltin) ? input.substr(kBuiltin.size())
-                                                       : std::filesystem::path(input).stem().string());
-}
-
 // Of several environments the scene's name says which: "bottle, studio".
 std::vector<job::SceneRequest> inEachEnvironment(const CommonOptions& common, const job::SceneRequest& scene) {
   if (common.environments.size() < 2) return {scene};
   std::vector<job::SceneRequest> all;
   for (const std::string& environment : common.environments) {
     job::SceneRequest& entry = all.emplace_back(scene);
-    entry.name = scenes::cleanName(fmt::format("{}, {}", scene.name, stemOf(environment)));
+    entry.name = scenes::cleanName(fmt::format("{}, {}", scene.name, scenes::stemOf(environment)));
     entry.settings.scene.environment = environment;
   }
   return all;
@@ -41,7 +34,7 @@ std::vector<job::SceneRequest> inEachEnvironment(const CommonOptions& common, co
 
 job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& scene) {
   job::SceneRequest request;
-  request.name = stemOf(scene);
+  request.name = scenes::cleanName(scenes::stemOf(scene));
   request.scene = scene;
   request.settings = common.settings;
   request.settings.scene.baked = bakedFolder(common.settings.scene.baked, request.name);
@@ -50,21 +43,52 @@ job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& s
 }
 
 RunRequest runRequest(const CommonOptions& common, const std::vector<std::string>& scenes, const std::string& suite) {
+  RunRequest run;
   if (!suite.empty()) {
     const scenes::Suite loaded = scenes::loadSuite(suite, job::suiteKnobs());
-    return {job::defaultsOf(loaded, common.plain, common.given),
-            chooseViews(job::requestsOf(loaded, common.plain, common.given), common.only), loaded.budgets};
+    run.settings = job::defaultsOf(loaded, common.plain, common.given);
+    run.scenes = job::requestsOf(loaded, common.plain, common.given);
+    run.suite = loaded.name;
+    run.suiteBudgets = loaded.budgets;
+  } else {
+    run.settings = common.settings;
+    std::set<std::string> names;
+    for (const std::string& scene : scenes)
+      for (job::SceneRequest& entry : inEachEnvironment(common, sceneRequest(common, scene))) {
+        const std::string stem = entry.name;
+        for (int copy = 2; !names.insert(entry.name).second; ++copy) entry.name = fmt::format("{} ({})", stem, copy);
+        run.scenes.push_back(std::move(entry));
+      }
   }
-  RunRequest run{common.settings, {}, std::nullopt};
-  std::set<std::string> names;
-  for (const std::string& scene : scenes)
-    for (job::SceneRequest& entry : inEachEnvironment(common, sceneRequest(common, scene))) {
-      const std::string stem = entry.name;
-      for (int copy = 2; !names.insert(entry.name).second; ++copy) entry.name = fmt::format("{} ({})", stem, copy);
-      run.scenes.push_back(std::move(entry));
-    }
-  run.scenes = chooseViews(std::move(run.scenes), common.only);
+  run.only = withoutTags(common.only, run.scenes);
+  run.scenes = chooseViews(std::move(run.scenes), run.only);
   return run;
+}
+
+std::vector<std::string> withoutTags(const std::vector<std::string>& only,
+                                     const std::vector<job::SceneRequest>& scenes) {
+  constexpr std::string_view kTag = "tag:";
+  std::vector<std::string> globs;
+  for (const std::string& glob : only) {
+    if (!glob.starts_with(kTag)) {
+      globs.push_back(glob);
+      continue;
+    }
+    std::set<std::string_view> known;
+    bool isKnown = false;
+    for (const job::SceneRequest& scene : scenes) {
+      known.insert(scene.tags.begin(), scene.tags.end());
+      if (std::ranges::find(scene.tags, glob.substr(kTag.size())) == scene.tags.end()) continue;
+      globs.push_back(report::globOf(scene.name));
+      isKnown = true;
+    }
+    if (isKnown) continue;
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    throw base::Error(base::ExitCode::usage, "--only", "'" + glob + "'",
+                      names.empty() ? "no scene has a tag"
+                                    : "no scene has this tag; " + base::describeNearest(glob.substr(kTag.size()), names));
+  }
+  return globs;
 }
 
 std::vector<job::SceneRequest> chooseViews(std::vector<job::SceneRequest> scenes,

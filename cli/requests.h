@@ -18,12 +18,19 @@ job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& s
 struct RunRequest {
   job::Settings settings; // of scenes that say nothing else
   std::vector<job::SceneRequest> scenes;
+  std::string suite;                       // its name; empty: there is none
   std::optional<std::string> suiteBudgets; // path of the suite's budget file
+  std::vector<std::string> only;           // --only, in names of scenes and views alone
 };
 // Of a suite, or, where that is empty, of the scenes of the command line, in each of the environments; each gets a name
 // of its own: "bottle (2)" for the second bottle. Of these what --only means. Throws Error (failed) with file, line and
 // reason for a suite that is refused.
 RunRequest runRequest(const CommonOptions& common, const std::vector<std::string>& scenes, const std::string& suite);
+
+// The globs of --only with the names of the scenes that have the tag for each "tag:NAME". Throws Error (usage) for a tag
+// that no scene has.
+std::vector<std::string> withoutTags(const std::vector<std::string>& only,
+                                     const std::vector<job::SceneRequest>& scenes);
 
 // Leaves the views that any of the globs means (report/view_choice.h), and says how many of how many; no globs: all.
 // Throws Error (usage) for a glob that means none.

@@ -15,7 +15,7 @@ set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
 # Unity builds (the presets turn them on): this many sources are compiled as one unit. Whoever changes one of them compiles
 # all of them again.
 if(NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
-  set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 24)
 endif()
 
 find_program(CCACHE_PROGRAM ccache)

@@ -58,7 +58,7 @@ std::vector<Condition> allConditions(const Settings& settings, const gpu::Device
     if (!why.empty() && condition.value != row.text(settings)) condition.words = condition.value + ", " + why;
     const std::string path = row.path ? row.path(settings) : "";
     if (path.empty()) continue;
-    if (path.starts_with("builtin:")) {
+    if (scenes::isBuiltin(path)) {
       condition.value = path;
       continue;
     }

@@ -316,13 +316,14 @@ Settings defaultsOf(const scenes::Suite& suite, const Settings& settings, const 
 
 std::vector<SceneRequest> requestsOf(const scenes::Suite& suite, const Settings& settings,
                                      const base::GivenKnobs& commandLine) {
-  const base::GivenKnobs ofAll = base::merged(suite.given, commandLine);
   std::vector<SceneRequest> requests;
   for (const scenes::SuiteEntry& entry : suite.entries) {
     SceneRequest& request =
         requests.emplace_back(SceneRequest{entry.name, entry.scene, {}, entry.captures, entry.views, entry.budgets});
+    request.tags = entry.tags;
     try {
-      request.settings = withKnobs(settings, base::merged(ofAll, entry.given));
+      const base::GivenKnobs defaults = base::merged(suite.given, entry.defaults);
+      request.settings = withKnobs(settings, base::merged(base::merged(defaults, commandLine), entry.given));
       requireNeeds(request.settings, entry.given);
     } catch (const base::Error& error) {
       throw base::Error(base::ExitCode::failed, fmt::format("scene '{}'", entry.name), error.subject(), error.reason());

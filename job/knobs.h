@@ -7,7 +7,7 @@
 #include "base/knob/table.h"
 #include "job/scene_request.h"
 #include "job/settings.h"
-#include "scenes/suite.h"
+#include "scenes/suite/suite.h"
 
 namespace parity::job {
 

@@ -28,6 +28,7 @@
 #include "job/report_folder.h"
 #include "job/scene/passes.h"
 #include "job/scene/scene_comparison.h"
+#include "job/scene_times.h"
 #include "job/view/display_table.h"
 #include "report/baseline.h"
 #include "report/judge.h"
@@ -150,7 +151,11 @@ private:
   void takeScenes(Context& context) {
     for (std::size_t i = take(); i < m_scenes.size(); i = take()) {
       const Tell tellOne = [&](double done, const std::string& what) { tell(i, done, what); };
+      const auto start = std::chrono::steady_clock::now();
       ComparedScene scene = compareScene(context, m_request, i, m_budgets, tellOne);
+      if (!scene.isCached && scene.result.error.empty())
+        keepSceneTime(context.cache(), m_request.scenes[i],
+                      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
       const std::lock_guard lock(m_mutex);
       m_scenes[i] = std::move(scene);
       m_done[i] = 1;
@@ -200,6 +205,7 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   result.run.commandLine = request.commandLine;
   result.run.again = request.again;
   result.report.version = base::kVersion;
+  result.report.suite = request.suite;
 
   // What concerns the whole run comes first: without it nothing is rendered, and an older report stays.
   RunBudgets budgets = loadRunBudgets(context.settings(), request.suiteBudgets);

@@ -16,6 +16,7 @@ class Context;
 
 struct ReportRequest {
   std::vector<SceneRequest> scenes;             // in order; each is tried, whatever becomes of the others
+  std::string suite = {};                       // its name; empty: none
   std::optional<std::string> suiteBudgets;      // the suite file's own default
   std::filesystem::path folder;                 // empty: nothing is written
   std::filesystem::path baseline;               // an earlier report.json or its folder; empty: none

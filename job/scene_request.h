@@ -23,6 +23,7 @@ struct SceneRequest {
   std::vector<glm::vec3> captures; // where `parity bake` puts environment captures; none: it finds places
   std::vector<scenes::ViewRequest> views;
   std::optional<std::string> budgets;  // path of a budget file for this scene
+  std::vector<std::string> tags = {};  // of the suite
   std::optional<WholeRun> partOf = {}; // none: the run is whole
 };
 

@@ -32,6 +32,7 @@ void addLook(base::KnobTable<Options>& t) {
        },
        [](const Options& o) { return o.preset; })
       .costs(KnobStage::shading)
+      .listedAs("presets")
       .knob.choices = presetNames();
   t.choice<&Options::environmentBrdf>("environment-brdf", environmentBrdfNames(), "Mobile path: the environment BRDF")
       .titled("mobile environment BRDF")

@@ -22,7 +22,6 @@ namespace {
 
 constexpr std::size_t kMostScenesNamed = 3;
 using Subjects = std::vector<const ObservedSubject*>;
-using Group = RuleGroup;
 
 std::string quoteToml(std::string_view text) {
   std::string out = "\"";
@@ -75,7 +74,7 @@ std::string describeScenes(const Subjects& subjects) {
 // The rule of a group, in parts.
 class RuleWriter {
 public:
-  RuleWriter(const Group& group, const std::vector<compare::Statistic>& figures, const SuggestOptions& options,
+  RuleWriter(const RuleGroup& group, const std::vector<compare::Statistic>& figures, const SuggestOptions& options,
              std::size_t runs, SuggestedBudgets& result)
       : m_group(group), m_first(*group.subjects.front()), m_figures(figures), m_options(options), m_runs(runs),
         m_result(result) {
@@ -234,7 +233,7 @@ private:
     });
   }
 
-  const Group& m_group;
+  const RuleGroup& m_group;
   const ObservedSubject& m_first;
   const std::vector<compare::Statistic>& m_figures;
   const SuggestOptions& m_options;

@@ -57,7 +57,7 @@ std::string toHtml(const Report& report, const RunInfo& run, const PageRequest& 
   const std::string reportJson = toJson(report, base::JsonLayout::compact);
   const std::string runJson = toJson(run, base::JsonLayout::compact);
   DataPage page{.tool = report.tool,
-                .title = headline(report),
+                .title = (report.suite.empty() ? "" : report.suite + ": ") + headline(report),
                 .verdict = nameOf(report.verdict),
                 .sub = report.device,
                 .plain = plainPage(report),

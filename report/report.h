@@ -154,6 +154,7 @@ struct RunProblem {
 
 struct Report {
   std::string tool = "parity", version;
+  std::string suite;                                         // its name; empty: the run had none
   std::string device;                                        // Vulkan device name and driver
   std::vector<std::pair<std::string, std::string>> settings; // name, value, in a fixed order: for people
   std::vector<compare::Condition> conditions;                // of every scene; the device is one more

@@ -132,10 +132,9 @@ Environment loadEnvironment(const std::string& fileOrBuiltin, float rotationDeg,
                             const LoadOptions& options) {
   if (!std::isfinite(rotationDeg))
     throw base::Error(base::ExitCode::usage, "--env-rotation", "", "not a finite number of degrees");
-  constexpr std::string_view kBuiltin = "builtin:";
   Environment environment;
-  if (fileOrBuiltin.starts_with(kBuiltin))
-    environment = makeBuiltinEnvironment(fileOrBuiltin.substr(kBuiltin.size()));
+  if (isBuiltin(fileOrBuiltin))
+    environment = makeBuiltinEnvironment(fileOrBuiltin.substr(kBuiltinPrefix.size()));
   else {
     const std::filesystem::path file(fileOrBuiltin);
     const base::ImageLimits limits{.maxSide = options.maxImageSide, .maxBytes = options.maxMemoryBytes};

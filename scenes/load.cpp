@@ -14,14 +14,13 @@ namespace parity::scenes {
 namespace {
 
 Scene readScene(const std::string& fileOrBuiltin, const LoadOptions& options) {
-  constexpr std::string_view kBuiltin = "builtin:";
-  if (fileOrBuiltin.starts_with(kBuiltin)) {
+  if (isBuiltin(fileOrBuiltin)) {
     for (const auto& [option, value] : {std::pair("--scene", &options.scene), std::pair("--variant", &options.variant),
                                         std::pair("--animation", &options.animation)})
       if (!value->empty() && !(value == &options.animation && *value == kNoAnimation))
         throw base::Error(base::ExitCode::usage, option, "",
                           fmt::format("'{}' is unknown: {} has none", cleanName(*value), fileOrBuiltin));
-    return makeBuiltinScene(fileOrBuiltin.substr(kBuiltin.size()));
+    return makeBuiltinScene(fileOrBuiltin.substr(kBuiltinPrefix.size()));
   }
   return loadGltf(fileOrBuiltin, options);
 }

@@ -1,6 +1,8 @@
 // Names from files, made fit for reports.
 #include "scenes/names.h"
 
+#include <filesystem>
+
 #include <fmt/format.h>
 
 namespace parity::scenes {
@@ -19,6 +21,13 @@ std::string cleanName(std::string_view name) {
   const std::size_t first = clean.find_first_not_of(' ');
   if (first == std::string::npos) return {};
   return clean.substr(first, clean.find_last_not_of(' ') - first + 1);
+}
+
+bool isBuiltin(std::string_view fileOrBuiltin) { return fileOrBuiltin.starts_with(kBuiltinPrefix); }
+
+std::string stemOf(const std::string& fileOrBuiltin) {
+  return isBuiltin(fileOrBuiltin) ? fileOrBuiltin.substr(kBuiltinPrefix.size())
+                                  : std::filesystem::path(fileOrBuiltin).stem().string();
 }
 
 std::string UniqueNames::make(std::string_view name, std::string_view fallback) {

@@ -8,6 +8,12 @@
 
 namespace parity::scenes {
 
+// Before the name of a scene or an environment that is built in.
+inline constexpr std::string_view kBuiltinPrefix = "builtin:";
+bool isBuiltin(std::string_view fileOrBuiltin);
+// "sky" of "builtin:sky", the stem of a file.
+std::string stemOf(const std::string& fileOrBuiltin);
+
 // Control characters become spaces; what is longer than 128 bytes is cut between UTF-8 characters and ends in "...".
 std::string cleanName(std::string_view name);
 

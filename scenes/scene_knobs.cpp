@@ -91,6 +91,7 @@ void addSky(KnobTable<SceneSettings>& t) {
   t.file<&S::environment>("env", "ENVIRONMENT", "not given",
                           "HDR environment: .hdr, .exr or .pfm file, or builtin:sky, studio, night, white")
       .alias("environment")
+      .listedAs("environments")
       .titled("environment")
       .ofScene();
   t.number<&S::environmentRotationDeg>("env-rotation", -3600, 3600, "Rotation of the environment about +Y, degrees")

@@ -20,7 +20,7 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
       ->type_name(kFile)
       ->group(kInputGroup)
       ->excludes("scenes");
-  addOnlyOption(app, bench.common);
+  addOnlyOption(app, bench.common.only);
   app.add_option("-o,--output", bench.folder,
                  "Folder for index.html, bench.json, bench.csv, bench.md (one table of all scenes) and pictures")
       ->type_name(kFolder)

@@ -65,9 +65,10 @@ void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->group(kGeneralGroup);
 }
 
-void addOnlyOption(CLI::App& app, CommonOptions& common) {
-  app.add_option("--only", common.only,
-                 "Only these views of the scenes (glob SCENE/VIEW, or SCENE for all of its views; repeatable)")
+void addOnlyOption(CLI::App& app, std::vector<std::string>& only) {
+  app.add_option("--only", only,
+                 "Only these views of the scenes: a glob SCENE/VIEW, or SCENE for all of its views, or\n"
+                 "tag:NAME for the scenes of a suite with this tag; repeatable")
       ->type_name("GLOB")
       ->allow_extra_args(false)
       ->group("Scene");

@@ -34,7 +34,7 @@ void requireOneOnStdout(const std::string& json, const std::string& csv);
 // Device, threads, cache, verbosity.
 void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
 // --only.
-void addOnlyOption(CLI::App& app, CommonOptions& common);
+void addOnlyOption(CLI::App& app, std::vector<std::string>& only);
 void addBudgetsOption(CLI::App& app, CommonOptions& common);
 // What a report's page holds: --single-file, --pixel-data, --bench.
 void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw);

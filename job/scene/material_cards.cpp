@@ -22,7 +22,7 @@ using report::CardInput, report::CardTexture, report::MaterialCard;
 using scenes::AlphaMode, scenes::Material, scenes::TextureSlot;
 
 constexpr std::string_view kPrefix = "texture-", kEnd = ".png";
-constexpr std::size_t kHashDigits = 16;
+constexpr std::size_t kThumbnailDigits = 16;
 
 // The shortest number that reads back as this float, as the file will have had it: 0.8, not 0.800000011920929.
 double shortest(float value) { return std::stod(fmt::format("{}", value)); }
@@ -157,7 +157,7 @@ private:
       const auto& [key, place] = all[i];
       const base::Image8& image = m_scene.images[static_cast<std::size_t>(key.image)].pixels;
       std::vector<std::byte> bytes = base::encodeImage8("texture.png", makeThumbnail(image, key.channels, key.isColor));
-      const std::string hash = base::Hasher().add(bytes).hex().substr(0, kHashDigits);
+      const std::string hash = base::Hasher().add(bytes).hex().substr(0, kThumbnailDigits);
       made[place] = {fmt::format("images/{}{}{}", kPrefix, hash, kEnd), std::move(bytes)};
     });
     for (const Pending& each : m_pending) inputOf(each).texture->picture = made[places.at(keyOf(each.slot))].file;
@@ -185,7 +185,7 @@ MaterialCards describeMaterials(const scenes::Scene& scene, const std::vector<st
 bool isCardPicture(std::string_view name) {
   if (!name.starts_with(kPrefix) || !name.ends_with(kEnd)) return false;
   const std::string_view hash = name.substr(kPrefix.size(), name.size() - kPrefix.size() - kEnd.size());
-  return hash.size() == kHashDigits && hash.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+  return hash.size() == kThumbnailDigits && hash.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
 } // namespace parity::job

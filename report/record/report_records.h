@@ -326,6 +326,7 @@ template <> inline constexpr auto kRecord<Report> = record<Report>(
     computed("schema", [](const Report&) { return Schema(); }, "Version of this format"),
     field("tool", &Report::tool),
     field("version", &Report::version, "", {.read = true}),
+    field("suite", &Report::suite, "Name of the suite; empty: the run had none"),
     field("device", &Report::device, "Vulkan device name and driver", {.read = true}),
     field("verdict", &Report::verdict, "", {.read = true}),
     computed("headline", [](const Report& report) { return headline(report); }, "The whole report in a sentence"),
