@@ -155,12 +155,15 @@ void printConclusions(const sweep::Conclusions& c) {
       print("{}: {} {} (time x {:.3f}, confidence interval {:.3f} to {:.3f})\n",
             v.time.isSlower() ? "slower" : "faster", base::plainLine(v.scene), v.id, v.time.ratio, v.time.low,
             v.time.high);
-  if (std::ranges::none_of(c.ratios->variants, [](const auto& v) { return v.time.isSlower() || v.time.isFaster(); }))
+  if (c.ratios->variants.empty())
+    print("no setting could be judged against the earlier sweep\n");
+  else if (std::ranges::none_of(c.ratios->variants, [](const auto& v) { return v.time.isSlower() || v.time.isFaster(); }))
     print("none of the {} settings is slower or faster than before\n", c.ratios->variants.size());
 }
 
 int exitCodeOf(const sweep::SweepReport& report, const sweep::Conclusions& c) {
-  const bool failed = std::ranges::any_of(report.scenes, [](const auto& scene) { return !scene.failure.empty(); });
+  const bool failed = std::ranges::any_of(report.scenes, [](const auto& scene) { return !scene.failure.empty(); }) ||
+                      (c.ratios && c.ratios->variants.empty()); // what judged nothing is no pass
   const bool over = (c.ratios && c.ratios->anySlower()) ||
                     std::ranges::any_of(c.cheapest, [](const auto& each) { return !each.setting; });
   return static_cast<int>(failed ? base::ExitCode::failed

@@ -80,7 +80,8 @@ void printList(const RunRequest& run, const job::SceneTimes& times) {
     total += fmt::format("; about {} here{}", describeTime(runSeconds(times)),
                          times.known == run.scenes.size()
                              ? ""
-                             : fmt::format(" ({} scenes are timed; the others count as the median)", times.known));
+                             : fmt::format(" ({} of {} scenes timed; the others count as the median)", times.known,
+                                           run.scenes.size()));
   print("{}\n", total);
 }
 

@@ -52,6 +52,7 @@ std::string keysOf(const Knob& knob) {
   if (!knob.inSuite) return "";
   std::string keys = "`" + base::keyOf(knob.id) + "`";
   for (const std::string& alias : knob.aliases) keys += ", `" + base::keyOf(alias) + "`";
+  if (!knob.listKey.empty()) keys += ", or a list `" + knob.listKey + "`";
   return keys;
 }
 

@@ -3,18 +3,27 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
+#include <span>
 
 #include "base/hash.h"
 #include "job/knobs.h"
+#include "scenes/names.h"
 
 namespace parity::job {
 namespace {
 
+// The same file from whatever folder the program is started.
+std::string wholePath(const std::string& file) {
+  std::error_code none;
+  return file.empty() || scenes::isBuiltin(file) ? file : std::filesystem::weakly_canonical(file, none).string();
+}
+
 std::string keyOf(const SceneRequest& request) {
   base::Hasher hasher;
-  hasher.add(request.scene).addValue(static_cast<std::uint64_t>(request.views.size()));
+  hasher.add(wholePath(request.scene)).addValue(static_cast<std::uint64_t>(request.views.size()));
   for (const auto& row : knobs().rows())
-    if (row.knob.ofScene) hasher.add(row.knob.id).add(row.text(request.settings));
+    if (row.knob.ofScene) hasher.add(row.knob.id).add(row.path ? wholePath(row.path(request.settings)) : row.text(request.settings));
   return "time-" + hasher.hex();
 }
 

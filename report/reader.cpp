@@ -150,7 +150,7 @@ Report readReport(const std::filesystem::path& fileOrFolder) {
   try {
     document = json::parse(text);
   } catch (const json::parse_error& error) {
-    throw base::fileError(path.string(), fmt::format("byte {}", error.byte), "is not JSON");
+    throw base::fileError(path.string(), fmt::format("byte {}", error.byte), "is not JSON, so it is not a report.json");
   }
   const Node root(document, path.string(), "");
   const std::uint64_t schema = root.at("schema").count();

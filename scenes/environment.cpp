@@ -143,6 +143,10 @@ Environment loadEnvironment(const std::string& fileOrBuiltin, float rotationDeg,
       environment.radiance =
           toPanorama(base::decodeRadiance(base::readFile(file), fileOrBuiltin, limits), fileOrBuiltin);
     } catch (const base::Error& error) { // the reader may know the file by another name
+      const std::vector<std::string> names = builtinEnvironmentNames();
+      if (std::find(names.begin(), names.end(), fileOrBuiltin) != names.end())
+        throw base::fileError(fileOrBuiltin, "environment",
+                              fmt::format("is no file; did you mean 'builtin:{}'?", fileOrBuiltin));
       throw base::fileError(fileOrBuiltin, error.place(), error.reason());
     }
     const CleanedCounts counts = cleanRadiance(environment.radiance, fileOrBuiltin);

@@ -125,7 +125,7 @@ const std::vector<CommandHelp>& table() {
         {"parity bench --scaling -o scaling", "time over size"}},
        {{0, "done, and a setting is within --budget"},
         {2, "no setting is within --budget, or one is slower than in --compare"},
-        kFailed,
+        {4, "a scene failed, or no setting could be judged against --compare"},
         kUsage}},
       {"stress",
        "",

@@ -1,5 +1,7 @@
 #include "cli/options/knob_options.h"
 
+#include <cctype>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -32,6 +34,14 @@ std::string typeOf(const base::Knob& knob) {
 
 std::string helpOf(const base::Knob& knob) {
   return knob.help + (knob.otherwise == "set by the preset" ? ". Default: set by the preset" : "");
+}
+
+// "Do not turn ..." of "Turn ...", "Mobile path: do not shade ..." of "Mobile path: shade ...".
+std::string negated(std::string help) {
+  constexpr std::string_view kPrefix = " path: ";
+  const std::size_t colon = help.find(kPrefix), begin = colon == std::string::npos ? 0 : colon + kPrefix.size();
+  help[begin] = static_cast<char>(std::tolower(static_cast<unsigned char>(help[begin])));
+  return help.insert(begin, begin == 0 ? "Do not " : "do not ");
 }
 
 // Settings of one path alone have a heading of their own.
@@ -101,7 +111,7 @@ void addKnobOption(CLI::App& app, const base::Knob& knob, const std::string& def
       const Taker taker(knob, option, check, given);
       app.add_flag_callback(
              "--" + option, [taker, value] { taker.take({value ? "on" : "off"}); },
-             (isOn ? "Switch off: " : "") + helpOf(knob))
+             isOn ? negated(helpOf(knob)) : helpOf(knob))
           ->group(isFirst && value != isOn ? groupOf(knob) : "");
     }
   }

@@ -212,6 +212,9 @@ private:
     const std::string metric = textOf(table, "metric", "");
     std::optional<Statistic> known = statisticByName(metric);
     if (!known) {
+      if (const std::optional<Statistic> first = statisticByName(metric + ".mean"))
+        refuse(table.get("metric")->source(),
+               fmt::format("unknown metric '{}'; did you mean '{}'?", metric, first->name));
       const std::vector<std::string> names = knownStatistics();
       refuse(table.get("metric")->source(),
              fmt::format("unknown metric '{}'; {}", metric,

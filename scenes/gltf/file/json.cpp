@@ -41,6 +41,11 @@ void checkLimits(std::string_view text, const std::string& label) {
 } // namespace
 
 nlohmann::json parseGltfJson(std::string_view text, const std::string& label) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  if (first == std::string_view::npos || text[first] != '{')
+    throw base::fileError(label, "",
+                          label.ends_with(".toml") ? "is not a glTF scene; give a suite with --suite"
+                                                   : "is not a glTF scene: it is no JSON object and no .glb file");
   checkLimits(text, label);
   try {
     return nlohmann::json::parse(text);
