@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
 
 import { countRows, filterOf, matches, sortRows } from "../../src/data/filter";
-import { baseLayerText, causeOf, checkOf, figureOf, gravityOf, linkNames, makeRows } from "../../src/data/rows";
+import { gravityOf } from "../../src/data/gravity";
+import { baseLayerText, causeOf, checkOf, figureOf, linkNames, makeRows } from "../../src/data/rows";
 import { kDefaultState } from "../../src/data/state";
 import type { Check, Material, Verdict } from "../../src/data/types";
 import { makeFigures, makeMaterial, makeReport, makeScene, makeView } from "./sample";
