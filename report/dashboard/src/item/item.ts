@@ -82,7 +82,7 @@ export class ParityItem extends PageElement {
       </nav>
       <header class="item-head">
         <h2 id="item-title" tabindex="-1" title=${name.slice(0, 400)}>${rowBadge(row)} ${baseLayerBadge(row.notModelled)} <bdi>${name}</bdi></h2>
-        ${row.accepted === "" ? nothing : html`<p class="accepted">Accepted: ${row.accepted}${this.renderNonFinite("; ")}</p>`}
+        ${row.accepted === "" ? nothing : html`<p class="accepted">Accepted: ${row.accepted}</p>`}
         <p class="place"><bdi>${row.place}</bdi>${scene ? html` · <bdi>${scene.environment}</bdi>${scene.sun === "none" ? nothing : html` · sun <bdi>${scene.sun}</bdi>`}` : nothing}</p>
         ${row.reason === "" || row.judged === null ? nothing : html`<p class="reason">${row.reason}</p>`}
         ${this.renderCause()}
@@ -95,15 +95,8 @@ export class ParityItem extends PageElement {
   private renderCause(): TemplateResult {
     const { cause, help: better, reference } = this.row;
     const flip = (value: number | null | undefined): string => figure(value ?? undefined, this.page.report.statistics["flip.mean"]);
-    return html`${cause ? html`<p class="cause">Cause: <b>${cause.term}</b> (${termLabel(cause.term)}), FLIP ${flip(cause.before)} → ${flip(cause.after)} with the ${pathWord(reference)} term${help("worstTerm")}</p>` : nothing}
+    return html`${cause ? html`<p class="cause">Cause: <b>${cause.term}</b> (${termLabel(cause.term)}), FLIP ${flip(cause.before)} → ${flip(cause.after)}<span class="word"> with the ${pathWord(reference)} term</span>${help("worstTerm")}</p>` : nothing}
       ${better ? html`<p class="would-help">Would help: preset <b>${better.preset}</b> (FLIP ${flip(better.figures.metrics["flip.mean"])}, ${better.verdict})</p>` : nothing}`;
-  }
-
-  /** "2 of 15,189 pixels are NaN or infinite", behind this; "" where all are finite. */
-  private renderNonFinite(before: string): string {
-    const figures = this.row.judged?.figures;
-    if (!figures || figures.nonFinite === 0) return "";
-    return `${before}${count(figures.nonFinite)} of ${countOf(figures.pixels, "pixels")} ${figures.nonFinite === 1 ? "is" : "are"} NaN or infinite`;
   }
 
   private renderTabs(tab: Tab): TemplateResult {
@@ -150,7 +143,7 @@ export class ParityItem extends PageElement {
       ${figures
         ? html`<span>FLIP${help(row.kind === "material" ? "materialFlip" : "wholeFlip")} mean ${value("flip.mean")}${help("mean")}, p95 ${value("flip.p95")}${help("p95")}, max ${value("flip.max")}${help("max")} over ${countOf(row.pixels, "pixels")}${help("pixels")}</span>`
         : nothing}
-      ${row.accepted === "" && figures && figures.nonFinite > 0 ? html`<span class="caution">${this.renderNonFinite("")}</span>` : nothing}
+      ${figures && figures.nonFinite > 0 ? html`<span class="caution"><b>${count(figures.nonFinite)}</b> of ${countOf(figures.pixels, "pixels")} ${figures.nonFinite === 1 ? "is" : "are"} NaN or infinite</span>` : nothing}
       ${clipped === "" ? nothing : html`<span class="caution">Clipped in both pictures: <b>${clipped}</b>${help("clipping")}</span>`}
       ${row.notModelled.length === 0 ? nothing : html`<span class="caution">No path models these parts: <b><bdi>${row.notModelled.join(", ")}</bdi></b>${help("baseLayer")}</span>`}
       ${this.renderDropped()}

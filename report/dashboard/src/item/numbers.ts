@@ -45,7 +45,7 @@ function figureTable(judged: Judged, { kind, reference, test }: Row, report: Rep
   ];
   return html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
     <caption>${kind === "material" ? html`The ${pathWord(reference)} picture against a copy in which only this material has the colours of ${pathWord(test)}${help("materialFlip")}` : html`${pathTitle(test)} against ${pathWord(reference)}${help("wholeFlip")}`}</caption>
-    <thead><tr><th scope="col">figure</th><th scope="col">value</th><th scope="col">limits</th>${since ? html`<th scope="col">since the baseline${help("baseline")}</th>` : nothing}</tr></thead>
+    <thead><tr><th scope="col">figure</th><th scope="col">value</th><th scope="col">verdict and limits</th>${since ? html`<th scope="col">since the baseline${help("baseline")}</th>` : nothing}</tr></thead>
     <tbody>
       ${Object.keys(figures.metrics).map((name) => html`<tr><th scope="row">${report.statistics[name]?.label ?? name} <code>${name}</code></th>
         <td class="number">${figureIn(figures, name, report.statistics)}</td>

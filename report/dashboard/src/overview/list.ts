@@ -18,7 +18,7 @@ import { hasBaseline } from "./since";
 const kPrintedRows = 500;
 
 /** Heights that style/list.css gives the lines, in px. */
-const kRowHeight = { wide: 84, narrow: 168, compact: 58 } as const;
+const kRowHeight = { wide: 84, narrow: 172, compact: 58 } as const;
 const kGroupHeight = { wide: 40, narrow: 84, compact: 52 } as const;
 
 @customElement("parity-list")

@@ -97,8 +97,8 @@ function causeCell({ cause, help }: Row, report: Report): TemplateResult {
   const flip = (value: number | null | undefined): string => figure(value ?? undefined, report.statistics["flip.mean"]);
   const then = help ? flip(help.figures.metrics["flip.mean"]) : "";
   return html`<span role="cell" class="cell-cause">
-    ${cause ? html`<b title=${termLabel(cause.term)}>${cause.term}</b><small>${flip(cause.before)} → ${flip(cause.after)}</small>` : nothing}
-    ${help ? html`<small class="would-help" title=${`Would help: preset ${help.preset} (FLIP ${then}, ${help.verdict})`}>${help.preset} → ${then}</small>` : nothing}
+    ${cause ? html`<small class="word">Cause</small><b title=${termLabel(cause.term)}>${cause.term}</b><small>${flip(cause.before)} → ${flip(cause.after)}</small>` : nothing}
+    ${help ? html`<small class="would-help" title=${`Would help: preset ${help.preset} (FLIP ${then}, ${help.verdict})`}>with ${help.preset} ${then}</small>` : nothing}
   </span>`;
 }
 

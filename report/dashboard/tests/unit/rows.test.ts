@@ -58,6 +58,17 @@ describe("the names of links", () => {
   });
 });
 
+describe("a row's words", () => {
+  it("have real minus signs, are found with either, and leave what is accepted to itself", () => {
+    const reason = "mean exposure difference -0.28 EV is beyond ±0.25 EV";
+    const [row] = makeRows(makeReport([makeScene("Desk", [makeView("front", [makeMaterial("Gold", "warn", 0.1, { reason, accepted: "2 pixels are NaN" })])])]));
+    if (!row) throw new Error("a row");
+    expect(row.reason).toBe("mean exposure difference \u22120.28 EV is beyond ±0.25 EV");
+    expect(row.accepted).toBe("2 pixels are NaN");
+    for (const query of ["-0.28", "\u22120.28", "accepted"]) expect(matches(row, filterOf({ ...kDefaultState, query })), query).toBe(true);
+  });
+});
+
 describe("a row's figures", () => {
   const check = (metric: string, value: number | null, regress: boolean): Check => ({ metric, regress, value, warn: 0.1, fail: 0.2, verdict: "pass", note: "" });
   const checks = [check("flip.mean", 0.01, true), check("flip.mean", 0.15, false), check("bias.ev", -0.3, false)];
