@@ -1,7 +1,8 @@
 // What one row of the list shows.
 import { html, nothing, type TemplateResult } from "lit";
 
-import { kLeastChange } from "../data/changes";
+import { isOver, kLeastChange } from "../data/changes";
+import { kNoCause, kUnknownCause } from "../data/groups";
 import { imageSource } from "../data/images";
 import { pathTitle } from "../data/paths";
 import { checkOf, figureOf, type Row } from "../data/rows";
@@ -92,12 +93,14 @@ function whyOf({ reason, accepted }: Row): string {
   return [accepted === "" ? "" : `accepted: ${accepted}`, reason].filter((each) => each !== "").join("; ");
 }
 
-/** The cause, and the preset that would help most. */
-function causeCell({ cause, help }: Row, report: Report): TemplateResult {
+/** The cause, or why a material that failed or warned has none; and the preset that would help most. */
+function causeCell({ cause, help, kind, verdict, isAttributed }: Row, report: Report): TemplateResult {
   const flip = (value: number | null | undefined): string => figure(value ?? undefined, report.statistics["flip.mean"]);
+  const isTroubled = kind === "material" && (isOver(verdict) || verdict === "warn");
+  const none = isTroubled ? html`<small>${isAttributed ? kNoCause : kUnknownCause}</small>` : nothing;
   const then = help ? flip(help.figures.metrics["flip.mean"]) : "";
   return html`<span role="cell" class="cell-cause">
-    ${cause ? html`<small class="word">Cause</small><b title=${termLabel(cause.term)}>${cause.term}</b><small>${flip(cause.before)} → ${flip(cause.after)}</small>` : nothing}
+    ${cause ? html`<small class="word">Cause</small><b title=${termLabel(cause.term)}>${cause.term}</b><small>${flip(cause.before)} → ${flip(cause.after)}</small>` : none}
     ${help ? html`<small class="would-help" title=${`Would help: preset ${help.preset} (FLIP ${then}, ${help.verdict})`}>with ${help.preset} ${then}</small>` : nothing}
   </span>`;
 }
