@@ -1,10 +1,18 @@
 // Small pieces that every part of the page uses.
 import { html, nothing, type TemplateResult } from "lit";
 
-import { baseLayerText } from "./data/rows";
+import { baseLayerText, type Row } from "./data/rows";
 import type { Verdict } from "./data/types";
 
 const kSigns: Record<Verdict, string> = { pass: "✓", "not seen": "○", "too small": "▫", "not judged": "–", warn: "!", fail: "✕", "not run": "…", error: "⚠" };
+
+/** A row's verdict; one that passes only because its budget accepts something says so. */
+export function rowBadge({ verdict, accepted }: Pick<Row, "verdict" | "accepted">, short = false): TemplateResult {
+  if (verdict !== "pass" || accepted === "") return badge(verdict, short);
+  return html`<span class="badge accepted" title=${`accepted: ${accepted}`}
+    ><span aria-hidden="true">✓</span>${short ? html`<span class="sr">pass (accepted)</span>` : " pass (accepted)"}</span
+  >`;
+}
 
 /** A verdict as a sign and its name: never colour alone. */
 export function badge(verdict: Verdict, short = false): TemplateResult {

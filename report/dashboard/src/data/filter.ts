@@ -20,14 +20,14 @@ export function isListed(row: Row, list: List): boolean {
   return row.kind === "scene" || (row.kind === "material") === (list === "materials");
 }
 
-/** Every word of the query has to be in the row's text. */
+/** Every word of the query has to be in the row's text, which has plain minus signs. */
 export function matches(row: Row, filter: Filter): boolean {
   if (!isListed(row, filter.list)) return false;
   if (filter.verdicts.length > 0 && !filter.verdicts.includes(row.verdict)) return false;
   if (filter.changes.length > 0 && !row.changes.some((change) => filter.changes.includes(change))) return false;
   if (filter.term !== "" && row.cause?.term !== filter.term) return false;
   if (filter.preset !== "" && row.preset !== filter.preset) return false;
-  return filter.query.toLowerCase().split(/\s+/).every((word) => row.text.includes(word));
+  return filter.query.toLowerCase().replaceAll("\u2212", "-").split(/\s+/).every((word) => row.text.includes(word));
 }
 
 /** What a column sorts by; null sorts last, whichever way. */

@@ -1,8 +1,11 @@
 // The report as a flat list: a row for each material in each view, for each whole image, for each scene that failed or was not run.
 import { changesOf, flipChangeOf, type ChangeKind } from "./changes";
+import { gravityOf } from "./gravity";
 import type { Judged } from "./judged";
 import type { Item } from "./state";
-import type { Attribution, Check, Material, Report, Scene, Verdict, View } from "./types";
+import type { Attribution, Check, Material, Report, Scene, Verdict, View, WhatIf } from "./types";
+import { bestWhatIf } from "./what_if";
+import { typeset } from "./wording";
 
 export type Kind = "material" | "whole" | "scene";
 
@@ -20,10 +23,12 @@ export interface Row {
   verdict: Verdict;
   gravity: number; // larger is graver
   reason: string;
+  accepted: string; // what its budget accepts although it is no pass; "": nothing
   bias: string;
   pixels: number;
   judged: Judged | null; // null: a scene that failed
   cause: Cause | null;
+  help: WhatIf | null; // the preset of the test path that would help most, if the run has measured one
   preset: string; // of budgets
   notModelled: readonly string[]; // parts of the material that no path models: only its base layer is judged
   isAttributed: boolean; // the report looked for its cause
@@ -39,15 +44,9 @@ export interface Cause {
   after: number;
 }
 
-const kVerdicts: readonly Verdict[] = ["pass", "not seen", "too small", "not judged", "warn", "fail", "not run", "error"]; // by gravity
 /** A swap that lowers FLIP by less than this share explains nothing (compare/verdict/wording.h says the same). */
 export const kLeastShare = 0.1;
 const kLeastFlip = 0.0005; // below it reads 0.000: there is nothing to explain
-
-export function gravityOf(verdict: Verdict): number {
-  const place = kVerdicts.indexOf(verdict);
-  return place < 0 ? kVerdicts.length - 1 : place;
-}
 
 /** The term that lowers FLIP most, where it does so by a tenth at least. */
 export function causeOf(attribution: Attribution | undefined): Cause | null {
@@ -93,11 +92,13 @@ function judgedRow(kind: Kind, scene: Scene, view: View, judged: Judged, name: s
     test: view.test,
     verdict: judged.verdict,
     gravity: gravityOf(judged.verdict),
-    reason: [judged.reason, judged.accepted && `accepted: ${judged.accepted}`].filter(Boolean).join("; "),
-    bias: judged.bias,
+    reason: typeset(judged.reason),
+    accepted: typeset(judged.accepted ?? ""),
+    bias: typeset(judged.bias),
     pixels: judged.figures?.pixels ?? 0,
     judged,
     cause,
+    help: kind === "material" ? bestWhatIf(judged as Material) : null,
     preset: judged.budget.preset ?? "",
     notModelled,
     isAttributed: attribution !== undefined,
@@ -129,8 +130,8 @@ export function makeRows(report: Report): Row[] {
     if (scene.error)
       rows.push({
         kind: "scene", scene: s, view: -1, material: -1, link, order: rows.length, name: scene.name, place: scene.source, reference: "", test: "",
-        verdict: ownVerdict(scene.error), gravity: gravityOf(ownVerdict(scene.error)), reason: scene.error.message, bias: "", pixels: 0,
-        judged: null, cause: null, preset: "", notModelled: [], isAttributed: false, changes: [], change: null,
+        verdict: ownVerdict(scene.error), gravity: gravityOf(ownVerdict(scene.error)), reason: scene.error.message, accepted: "", bias: "", pixels: 0,
+        judged: null, cause: null, help: null, preset: "", notModelled: [], isAttributed: false, changes: [], change: null,
         text: `${scene.name} ${scene.source} ${scene.error.message}`.toLowerCase(),
       });
     scene.views.forEach((view, v) => {

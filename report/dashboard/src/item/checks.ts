@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 
 import type { Judged } from "../data/judged";
 import type { Check, Report } from "../data/types";
+import { countOf, typeset } from "../data/wording";
 import { change, figure } from "../format";
 import { help } from "../help";
 import { bar } from "../overview/row";
@@ -36,10 +37,10 @@ export function checkTable(judged: Judged, report: Report, scales: Readonly<Reco
         return html`<tr>
           <th scope="row">${statistic?.label ?? check.metric}${check.regress ? ", against the baseline" : ""}</th>
           <td class="number">${value}</td>
-          <td class="limits">${check.value === null || statistic?.better === "higher" ? nothing : bar(Math.max(0, check.regress ? check.value : Math.abs(check.value)), check, scaleOf(check, scales))}<small>${limitsOf(check, report)}${check.note === "" ? nothing : html` (${check.note})`}</small></td>
+          <td class="limits">${check.value === null || statistic?.better === "higher" ? nothing : bar(Math.max(0, check.regress ? check.value : Math.abs(check.value)), check, scaleOf(check, scales))}<small>${limitsOf(check, report)}${check.note === "" ? nothing : html` (${typeset(check.note)})`}</small></td>
           <td>${badge(check.verdict)}</td></tr>`;
       })}</tbody></table></div>
-    ${judged.verdict === "too small" ? html`<p class="aside">The material has fewer than ${budget.minPixels} pixels (<code>min_pixels</code> of its budget), so no check counts.</p>` : nothing}
+    ${judged.verdict === "too small" ? html`<p class="aside">The material has fewer than ${countOf(budget.minPixels, "pixels")} (<code>min_pixels</code> of its budget), so no check counts.</p>` : nothing}
     ${judged.verdict === "not judged" ? html`<p class="aside">Most of its pixels are clipped in both pictures, so a check that passes means nothing.</p>` : nothing}
     <p class="aside">${budget.rule === "" ? "No rule matched." : html`Rule: <bdi>${budget.rule}</bdi>`}${budget.preset === "" ? nothing : html`, preset <bdi>${budget.preset}</bdi>`}${budget.reason === "" ? nothing : html`. Reason: <bdi>${budget.reason}</bdi>`}${budget.owner === "" ? nothing : html`. Owner: <bdi>${budget.owner}</bdi>`}</p>
   </section>`;

@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 
 import { pathTitle, pathWord } from "../data/paths";
 import type { DroppedLight, DroppedLights, Report, View } from "../data/types";
+import { countOf } from "../data/wording";
 import { figure } from "../format";
 import { help } from "../help";
 
@@ -17,7 +18,7 @@ export function lightsOf(dropped: DroppedLights, material: string): { light: Dro
 
 /** "Mobile drops 5 of 9 lights." */
 export function describeDropped(dropped: DroppedLights, path: string): string {
-  return `${pathTitle(path)} drops ${dropped.measured.length + dropped.notMeasured.length} of ${dropped.lights} light${dropped.lights === 1 ? "" : "s"}`;
+  return `${pathTitle(path)} drops ${dropped.measured.length + dropped.notMeasured.length} of ${countOf(dropped.lights, "lights")}`;
 }
 
 /** material: its name; null: of the whole view. Nothing where its test path drops none of its lights. */
@@ -38,8 +39,8 @@ export function droppedLights(view: View | undefined, material: string | null, r
       <tbody>${rows.map(({ light, flip }) => html`<tr>
         <th scope="row"><bdi>${light.name}</bdi></th>
         <td>${light.kind}</td>
-        <td class="number">${objects(light.keptBy)}</td>
-        <td class="number">${objects(light.droppedBy)}</td>
+        <td class="number">${countOf(light.keptBy, "objects")}</td>
+        <td class="number">${countOf(light.droppedBy, "objects")}</td>
         <td class="effect"><span class="bar"><i class="fill now" .style=${`width:${(flip / most) * 100}%`}></i></span></td>
         <td class=${material === null ? "" : "number"}>${material === null ? changed(light) : figure(flip, statistic)}</td></tr>`)}</tbody>
     </table></div>`}
@@ -47,8 +48,4 @@ export function droppedLights(view: View | undefined, material: string | null, r
       <p class="aside">Their estimated effect is smaller; <code>--dropped-lights</code> sets the number of lights to measure.</p>
       <ul>${dropped.notMeasured.map((name) => html`<li><bdi>${name}</bdi></li>`)}</ul></details>`}
   </section>`;
-}
-
-function objects(number: number): string {
-  return `${number} object${number === 1 ? "" : "s"}`;
 }

@@ -8,11 +8,12 @@ import { pathWord } from "../data/paths";
 import type { Row } from "../data/rows";
 import { isSameItem, kTabs, type State, type Tab } from "../data/state";
 import type { Material } from "../data/types";
+import { countOf } from "../data/wording";
 import { PageElement } from "../element";
 import { count, figure, figureIn } from "../format";
 import { help } from "../help";
 import { kPhone, Media } from "../media";
-import { badge, baseLayerBadge } from "../parts";
+import { baseLayerBadge, rowBadge } from "../parts";
 import { isForControl } from "../viewer/keys";
 import { termLabel } from "../viewer/terms";
 import "../viewer/viewer";
@@ -80,12 +81,22 @@ export class ParityItem extends PageElement {
         <button type="button" @click=${step(1)} title="Key ↓" aria-label="Next item">↓</button>
       </nav>
       <header class="item-head">
-        <h2 id="item-title" tabindex="-1" title=${name.slice(0, 400)}>${badge(row.verdict)} ${baseLayerBadge(row.notModelled)} <bdi>${name}</bdi></h2>
+        <h2 id="item-title" tabindex="-1" title=${name.slice(0, 400)}>${rowBadge(row)} ${baseLayerBadge(row.notModelled)} <bdi>${name}</bdi></h2>
+        ${row.accepted === "" ? nothing : html`<p class="accepted">Accepted: ${row.accepted}</p>`}
         <p class="place"><bdi>${row.place}</bdi>${scene ? html` · <bdi>${scene.environment}</bdi>${scene.sun === "none" ? nothing : html` · sun <bdi>${scene.sun}</bdi>`}` : nothing}</p>
-        ${row.reason === "" ? nothing : html`<p class="reason" title=${row.reason}>${row.reason}</p>`}
+        ${row.reason === "" || row.judged === null ? nothing : html`<p class="reason">${row.reason}</p>`}
+        ${this.renderCause()}
       </header>
       ${row.judged ? this.renderTabs(state.tab) : html`<p class="notice error" role="alert"><b>Not compared:</b> ${row.reason}</p>`}
     </article>`;
+  }
+
+  /** What makes it differ, and the preset that would help most: above the pictures on every screen. */
+  private renderCause(): TemplateResult {
+    const { cause, help: better, reference } = this.row;
+    const flip = (value: number | null | undefined): string => figure(value ?? undefined, this.page.report.statistics["flip.mean"]);
+    return html`${cause ? html`<p class="cause">Cause: <b>${cause.term}</b> (${termLabel(cause.term)}), FLIP ${flip(cause.before)} → ${flip(cause.after)}<span class="word"> with the ${pathWord(reference)} term</span>${help("worstTerm")}</p>` : nothing}
+      ${better ? html`<p class="would-help">Would help: preset <b>${better.preset}</b> (FLIP ${flip(better.figures.metrics["flip.mean"])}, ${better.verdict})</p>` : nothing}`;
   }
 
   private renderTabs(tab: Tab): TemplateResult {
@@ -130,11 +141,11 @@ export class ParityItem extends PageElement {
     return html`<p class="facts">
       <span><b>${row.bias === "" ? "No pixel of this view shows it." : row.bias}</b>${row.bias === "" ? nothing : help("bias")}</span>
       ${figures
-        ? html`<span>FLIP${help(row.kind === "material" ? "materialFlip" : "wholeFlip")} mean ${value("flip.mean")}${help("mean")}, p95 ${value("flip.p95")}${help("p95")}, max ${value("flip.max")}${help("max")} over ${count(row.pixels)} pixel${row.pixels === 1 ? "" : "s"}${help("pixels")}</span>`
+        ? html`<span>FLIP${help(row.kind === "material" ? "materialFlip" : "wholeFlip")} mean ${value("flip.mean")}${help("mean")}, p95 ${value("flip.p95")}${help("p95")}, max ${value("flip.max")}${help("max")} over ${countOf(row.pixels, "pixels")}${help("pixels")}</span>`
         : nothing}
+      ${figures && figures.nonFinite > 0 ? html`<span class="caution"><b>${count(figures.nonFinite)}</b> of ${countOf(figures.pixels, "pixels")} ${figures.nonFinite === 1 ? "is" : "are"} NaN or infinite</span>` : nothing}
       ${clipped === "" ? nothing : html`<span class="caution">Clipped in both pictures: <b>${clipped}</b>${help("clipping")}</span>`}
       ${row.notModelled.length === 0 ? nothing : html`<span class="caution">No path models these parts: <b><bdi>${row.notModelled.join(", ")}</bdi></b>${help("baseLayer")}</span>`}
-      ${row.cause ? html`<span>Cause: <b>${row.cause.term}</b> (${termLabel(row.cause.term)}), FLIP ${figure(row.cause.before, report.statistics["flip.mean"])} → ${figure(row.cause.after, report.statistics["flip.mean"])} with the ${pathWord(row.reference)} term${help("worstTerm")}</span>` : nothing}
       ${this.renderDropped()}
     </p>`;
   }

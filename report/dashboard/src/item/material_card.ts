@@ -5,6 +5,8 @@ import { cardOf, colorOf, flagsOf, hexOf, inputLines, partsOfName, textureFacts,
 import { imageSource } from "../data/images";
 import type { Row } from "../data/rows";
 import type { CardInput, CardTexture, Material, MaterialCard, Report } from "../data/types";
+import { wordsWithoutVerdict } from "../data/what_if";
+import { typeset } from "../data/wording";
 import { badge } from "../parts";
 
 function sample(input: CardInput): TemplateResult {
@@ -44,7 +46,7 @@ function inputs(card: MaterialCard, source: string): TemplateResult {
 function whatIfs(material: Material): TemplateResult | typeof nothing {
   if (!material.whatIf) return nothing;
   return html`<section class="what-ifs"><h3>With another preset</h3>
-    <ul>${material.whatIf.map((each) => html`<li>${badge(each.verdict, true)} ${each.words}${each.reason === "" ? nothing : html`<br /><small>${each.reason}</small>`}</li>`)}</ul></section>`;
+    <ul>${material.whatIf.map((each) => html`<li>${badge(each.verdict)} ${typeset(wordsWithoutVerdict(each))}${each.reason === "" ? nothing : html`<br /><small>${typeset(each.reason)}</small>`}</li>`)}</ul></section>`;
 }
 
 /** Nothing for what is no material, and in reports that do not know what it is made of. */

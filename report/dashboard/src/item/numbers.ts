@@ -6,23 +6,36 @@ import type { Judged } from "../data/judged";
 import type { Page } from "../data/page";
 import { pathTitle, pathWord } from "../data/paths";
 import type { Row } from "../data/rows";
-import type { Report, Run, Scene, Truth } from "../data/types";
+import { countOf } from "../data/wording";
+import type { Check, Report, Run, Scene, Truth } from "../data/types";
 import { PageElement } from "../element";
 import { change, count, duration, figure, figureIn, fixed } from "../format";
 import { help } from "../help";
-import { copyable, definitions } from "../parts";
+import { badge, copyable, definitions } from "../parts";
 import { sceneNamed } from "../study/scene";
 import { termLabel } from "../viewer/terms";
+import { limitsOf } from "./checks";
 import { acceptCommands, againCommand } from "./commands";
 import { stageLine } from "./stages";
 
-function figureTable({ figures, baseline }: Judged, { kind, reference, test }: Row, report: Report): TemplateResult {
+/** The limits of a figure and what its checks came to; of its change since the baseline, too. */
+function limitCell(checks: readonly Check[], metric: string, report: Report): TemplateResult {
+  return html`<td class="limits">${checks.filter((check) => check.metric === metric).map((check) => html`<div>${badge(check.verdict)} ${check.regress ? "against the baseline: " : ""}${limitsOf(check, report)}</div>`)}</td>`;
+}
+
+/** Of the pixels that are NaN or infinite: how many the budget accepts. */
+function nonFiniteLimit({ budget }: Judged): string {
+  return budget.maxNonFinite === undefined ? "" : `its budget accepts at most ${count(budget.maxNonFinite)}`;
+}
+
+function figureTable(judged: Judged, { kind, reference, test }: Row, report: Report): TemplateResult {
+  const { figures, baseline, checks } = judged;
   if (!figures) return html`<p class="aside">There are no figures, because no pixel of this view shows it.</p>`;
   const since = baseline && !baseline.new ? baseline.changes : null;
   const share = (value: number | null): string => (value === null ? "–" : `${fixed(100 * value, 1)} %`);
-  const further: [string, string][] = [
+  const further: [string, string, string?][] = [
     ["pixels", count(figures.pixels)],
-    ["pixels that are not finite", count(figures.nonFinite)],
+    ["pixels that are NaN or infinite", count(figures.nonFinite), nonFiniteLimit(judged)],
     ["white in both pictures", share(figures.clippedWhite)],
     ["black in both pictures", share(figures.clippedBlack)],
     [`mean luma of ${pathWord(reference)}, displayed`, fixed(figures.referenceLuma, 4)],
@@ -32,12 +45,13 @@ function figureTable({ figures, baseline }: Judged, { kind, reference, test }: R
   ];
   return html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
     <caption>${kind === "material" ? html`The ${pathWord(reference)} picture against a copy in which only this material has the colours of ${pathWord(test)}${help("materialFlip")}` : html`${pathTitle(test)} against ${pathWord(reference)}${help("wholeFlip")}`}</caption>
-    <thead><tr><th scope="col">figure</th><th scope="col">value</th>${since ? html`<th scope="col">since the baseline${help("baseline")}</th>` : nothing}</tr></thead>
+    <thead><tr><th scope="col">figure</th><th scope="col">value</th><th scope="col">verdict and limits</th>${since ? html`<th scope="col">since the baseline${help("baseline")}</th>` : nothing}</tr></thead>
     <tbody>
       ${Object.keys(figures.metrics).map((name) => html`<tr><th scope="row">${report.statistics[name]?.label ?? name} <code>${name}</code></th>
         <td class="number">${figureIn(figures, name, report.statistics)}</td>
+        ${limitCell(checks, name, report)}
         ${since ? html`<td class="number">${change(since[name], report.statistics[name])}</td>` : nothing}</tr>`)}
-      ${further.map(([name, value]) => html`<tr><th scope="row">${name}</th><td class="number">${value}</td>${since ? html`<td></td>` : nothing}</tr>`)}
+      ${further.map(([name, value, limit = ""]) => html`<tr><th scope="row">${name}</th><td class="number">${value}</td><td class="limits">${limit}</td>${since ? html`<td></td>` : nothing}</tr>`)}
     </tbody></table></div>`;
 }
 
@@ -51,7 +65,7 @@ function truthTables(truth: Truth, { reference, test }: Row, report: Report): Te
       <thead><tr><th scope="col">figure</th><th scope="col">${pathWord(reference)}</th><th scope="col">${pathWord(test)}</th></tr></thead>
       <tbody>${names.map((name) => html`<tr><th scope="row">${report.statistics[name]?.label ?? name}</th><td class="number">${figureIn(figures.reference, name, report.statistics)}</td><td class="number">${figureIn(figures.test, name, report.statistics)}</td></tr>`)}</tbody>
     </table></div>
-    <p class="aside">Standard error of the truth's pixels: median ${fixed((figures.error.median ?? NaN) * 100, 2)} %, worst ${fixed((figures.error.worst ?? NaN) * 100, 2)} %${figures.nonFinite > 0 ? html`; <b>${figures.nonFinite} of its pixels are not finite</b>` : nothing}.</p>
+    <p class="aside">Standard error of the truth's pixels: median ${fixed((figures.error.median ?? NaN) * 100, 2)} %, worst ${fixed((figures.error.worst ?? NaN) * 100, 2)} %${figures.nonFinite > 0 ? html`; <b>${figures.nonFinite} of its pixels ${figures.nonFinite === 1 ? "is" : "are"} NaN or infinite</b>` : nothing}.</p>
     ${truth.terms.length === 0 ? nothing : html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
       <caption>Mean light by term${help("termLight")}</caption>
       <thead><tr><th scope="col">term</th><th scope="col">truth</th><th scope="col">${pathWord(reference)}</th><th scope="col">${pathWord(test)}</th><th scope="col">FLIP ${pathWord(reference)}</th><th scope="col">FLIP ${pathWord(test)}</th></tr></thead>
@@ -64,7 +78,7 @@ function truthTables(truth: Truth, { reference, test }: Row, report: Report): Te
 function passTable(scene: Scene): TemplateResult {
   return html`<section><h3>Passes done and skipped ${help("skipped")}</h3><div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
     <thead><tr><th scope="col">pass</th><th scope="col">done</th><th scope="col">reason for skipping</th></tr></thead>
-    <tbody>${scene.passes.map((pass) => html`<tr class=${pass.skipped === null ? "" : "skipped"}><th scope="row">${pass.name}</th><td class="number">${pass.skipped === null ? `${count(pass.count)} ${pass.unit}` : "–"}</td><td>${pass.skipped ?? ""}</td></tr>`)}</tbody>
+    <tbody>${scene.passes.map((pass) => html`<tr class=${pass.skipped === null ? "" : "skipped"}><th scope="row">${pass.name}</th><td class="number">${pass.skipped === null ? countOf(pass.count, pass.unit) : "–"}</td><td>${pass.skipped ?? ""}</td></tr>`)}</tbody>
   </table></div></section>`;
 }
 
@@ -92,9 +106,11 @@ export class ParityNumbers extends PageElement {
       ${judged.truth ? truthTables(judged.truth, this.row, report) : nothing}
       ${bench ? html`<section><h3>Error against time ${help("pareto")}</h3>${sceneNamed(bench, scene.name, scene.views[this.row.view]?.name ?? "")}</section>` : nothing}
       <section><h3>Repeat the comparison</h3>
+        ${run ? html`<p class="aside">Run these commands in the folder where parity ran.</p>` : nothing}
         ${run && run.commandLine !== "" ? html`<p>The whole report:</p>${copyable(run.commandLine, "the command of the report")}` : nothing}
         ${run ? againPart(run, scene, this.row) : nothing}
-        <p>Accept the result:</p>${acceptCommands().map(({ what, command }) => html`<p class="aside">${what}</p>${copyable(command, what)}`)}
+        <h3>Accept the result</h3>
+        <p class="aside">Run these commands in the folder of this report, which has report.json.</p>${acceptCommands().map(({ what, command }) => html`<p class="aside">${what}</p>${copyable(command, what)}`)}
       </section>
       ${passTable(scene)}${permutationTable(scene)}
       <section><h3>The run</h3>

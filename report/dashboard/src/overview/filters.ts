@@ -7,6 +7,7 @@ import { groupingsOf } from "../data/groups";
 import type { Row } from "../data/rows";
 import type { Grouping, List, State } from "../data/state";
 import type { Report } from "../data/types";
+import { countOf } from "../data/wording";
 import { count } from "../format";
 import { termLabel } from "../viewer/terms";
 import { hasBaseline } from "./since";
@@ -152,6 +153,6 @@ export function filters({ report, rows, shown, state, fold, set }: FilterScene):
       ${groupChoice(state, set)} ${sortChoice(report, state, set)} ${verdictChips(listed, state, set)}
       ${hasBaseline(report) ? changeChips(listed, state, set) : nothing}
     </div>
-    <span class="shown" role="status">${shown === listed.length ? `${count(shown)} rows` : `${count(shown)} of ${count(listed.length)} rows`}</span>
+    <span class="shown" role="status">${shown === listed.length ? countOf(shown, "rows") : `${count(shown)} of ${countOf(listed.length, "rows")}`}</span>
   </div>`;
 }

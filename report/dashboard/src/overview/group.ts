@@ -5,6 +5,7 @@ import { kNoCause, kUnknownCause, type Group } from "../data/groups";
 import { figureOf, type Row } from "../data/rows";
 import type { Grouping } from "../data/state";
 import type { Report } from "../data/types";
+import { countOf } from "../data/wording";
 import { count, figure } from "../format";
 import { termLabel } from "../viewer/terms";
 
@@ -49,7 +50,7 @@ export function groupHead(
     <button type="button" aria-expanded=${isFolded ? "false" : "true"} @click=${toggle}>
       <span aria-hidden="true">${isFolded ? "▸" : "▾"}</span> ${groupLabel(group, by)}
     </button>
-    <span class="total">${count(group.rows.length)} row${group.rows.length === 1 ? "" : "s"}${trouble === "" ? nothing : html`, <b class=${group.over > 0 ? "over" : "caution"}>${trouble}</b>`}</span>
+    <span class="total">${countOf(group.rows.length, "rows")}${trouble === "" ? nothing : html`, <b class=${group.over > 0 ? "over" : "caution"}>${trouble}</b>`}</span>
     <span class="worst">Worst: ${worstLinks(group, by, report, hashOf, 3)}</span>
   </span>`;
 }

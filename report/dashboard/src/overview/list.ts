@@ -18,7 +18,7 @@ import { hasBaseline } from "./since";
 const kPrintedRows = 500;
 
 /** Heights that style/list.css gives the lines, in px. */
-const kRowHeight = { wide: 84, narrow: 140, compact: 58 } as const;
+const kRowHeight = { wide: 84, narrow: 172, compact: 58 } as const;
 const kGroupHeight = { wide: 40, narrow: 84, compact: 52 } as const;
 
 @customElement("parity-list")
@@ -169,7 +169,7 @@ export class ParityList extends PageElement {
     const scene: RowScene = { report: this.report, hash: hashOf(row), scales: this.scales, withChange: hasBaseline(this.report) };
     return html`<div
       role="row"
-      class="row row-grid ${row.verdict.replace(" ", "-")} ${isOpen ? "open" : ""}"
+      class="row row-grid ${row.verdict.replace(" ", "-")} ${row.verdict === "pass" && row.accepted !== "" ? "accepted" : ""} ${isOpen ? "open" : ""}"
       aria-rowindex=${index + 2}
       .style=${style}
     >

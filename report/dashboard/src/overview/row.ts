@@ -1,14 +1,16 @@
 // What one row of the list shows.
 import { html, nothing, type TemplateResult } from "lit";
 
-import { kLeastChange } from "../data/changes";
+import { isOver, kLeastChange } from "../data/changes";
+import { kNoCause, kUnknownCause } from "../data/groups";
 import { imageSource } from "../data/images";
 import { pathTitle } from "../data/paths";
 import { checkOf, figureOf, type Row } from "../data/rows";
 import { barShares } from "../data/scale";
 import type { Check, Images, Report } from "../data/types";
+import { countOf } from "../data/wording";
 import { change, count, figure } from "../format";
-import { badge, baseLayerBadge } from "../parts";
+import { baseLayerBadge, rowBadge } from "../parts";
 import { termLabel } from "../viewer/terms";
 
 export interface RowScene {
@@ -86,24 +88,39 @@ function changeCell(row: Row, report: Report): TemplateResult {
   </span>`;
 }
 
+/** What is accepted comes first, because it is what makes the row pass. */
+function whyOf({ reason, accepted }: Row): string {
+  return [accepted === "" ? "" : `accepted: ${accepted}`, reason].filter((each) => each !== "").join("; ");
+}
+
+/** The cause, or why a material that failed or warned has none; and the preset that would help most. */
+function causeCell({ cause, help, kind, verdict, isAttributed }: Row, report: Report): TemplateResult {
+  const flip = (value: number | null | undefined): string => figure(value ?? undefined, report.statistics["flip.mean"]);
+  const isTroubled = kind === "material" && (isOver(verdict) || verdict === "warn");
+  const none = isTroubled ? html`<small>${isAttributed ? kNoCause : kUnknownCause}</small>` : nothing;
+  const then = help ? flip(help.figures.metrics["flip.mean"]) : "";
+  return html`<span role="cell" class="cell-cause">
+    ${cause ? html`<small class="word">Cause</small><b title=${termLabel(cause.term)}>${cause.term}</b><small>${flip(cause.before)} → ${flip(cause.after)}</small>` : none}
+    ${help ? html`<small class="would-help" title=${`Would help: preset ${help.preset} (FLIP ${then}, ${help.verdict})`}>with ${help.preset} ${then}</small>` : nothing}
+  </span>`;
+}
+
 export function fullRow(row: Row, scene: RowScene): TemplateResult {
   const { report, hash } = scene;
+  const why = whyOf(row);
+  const nonFinite = row.judged?.figures?.nonFinite ?? 0;
   return html`
     <span role="cell" class="cell-pictures">${thumbnails(row, report)}</span>
-    <span role="cell" class="cell-gravity">${badge(row.verdict)}${baseLayerBadge(row.notModelled)}</span>
+    <span role="cell" class="cell-gravity">${rowBadge(row)}${baseLayerBadge(row.notModelled)}${nonFinite === 0 ? nothing : html`<small class="non-finite">${countOf(nonFinite, "pixels")} NaN</small>`}</span>
     <span role="cell" class="cell-name">
       <a class="name" href=${hash}><bdi>${row.name === "" ? "(no name)" : row.name}</bdi></a>
       <small class="place"><bdi>${row.place}</bdi></small>
-      ${row.reason === "" ? nothing : html`<small class="reason" title=${row.reason}>${row.reason}</small>`}
+      ${why === "" ? nothing : html`<small class="reason" title=${why}>${why}</small>`}
     </span>
     ${figureCell(row, scene, "flip.mean")}${figureCell(row, scene, "flip.p95")}${figureCell(row, scene, "flip.max")}
     ${scene.withChange ? changeCell(row, report) : nothing}
     <span role="cell" class="cell-bias">${row.bias}</span>
-    <span role="cell" class="cell-cause">${
-      row.cause
-        ? html`<b title=${termLabel(row.cause.term)}>${row.cause.term}</b><small>${figure(row.cause.before, report.statistics["flip.mean"])} → ${figure(row.cause.after, report.statistics["flip.mean"])}</small>`
-        : nothing
-    }</span>
+    ${causeCell(row, report)}
     <span role="cell" class="cell-pixels number">${row.judged ? count(row.pixels) : ""}</span>
   `;
 }
@@ -116,6 +133,6 @@ export function compactRow(row: Row, { report, hash }: RowScene, open: boolean):
       <a class="name" href=${hash} aria-current=${open ? "true" : "false"}><bdi>${row.name === "" ? "(no name)" : row.name}</bdi></a>
       <small class="place"><bdi>${row.place}</bdi></small>
     </span>
-    <span role="cell" class="cell-gravity">${badge(row.verdict, true)}<span class="value">${figure(figureOf(row, "flip.mean") ?? undefined, report.statistics["flip.mean"])}</span></span>
+    <span role="cell" class="cell-gravity">${rowBadge(row, true)}<span class="value">${figure(figureOf(row, "flip.mean") ?? undefined, report.statistics["flip.mean"])}</span></span>
   `;
 }

@@ -5,6 +5,7 @@ import { changeText, countChanges, kChanges, type ChangeKind } from "../data/cha
 import type { Row } from "../data/rows";
 import { kDefaultState, toHash } from "../data/state";
 import type { Report } from "../data/types";
+import { countOf } from "../data/wording";
 
 /** Whether the rows were held against a baseline. */
 export function hasBaseline(report: Report): boolean {
@@ -16,13 +17,26 @@ export function saidChanges(counts: Readonly<Record<ChangeKind, number>>): Chang
   return kChanges.filter((change) => change === "new" || change === "fixed" || counts[change] > 0);
 }
 
+/** Whether the baseline has any of these rows under the same conditions; where it has none of them at all, nothing says otherwise. */
+export function isComparable(rows: readonly Row[]): boolean {
+  const common = rows.filter(({ judged }) => judged?.baseline && !judged.baseline.new);
+  return common.length === 0 || common.some((row) => !row.changes.includes("not comparable"));
+}
+
 export function sinceBaseline(report: Report, rows: readonly Row[]): TemplateResult | typeof nothing {
   if (!hasBaseline(report)) return nothing;
-  const counts = countChanges(rows.filter((row) => row.kind === "material"));
+  const materials = rows.filter((row) => row.kind === "material");
+  const counts = countChanges(materials);
+  const link = (change: ChangeKind, text: string): TemplateResult => html`<a class=${change.replace(" ", "-")} href=${toHash({ ...kDefaultState, changes: [change] })}>${text}</a>`;
   const part = (change: ChangeKind): TemplateResult => {
     const text = changeText(change, counts[change]);
     if (counts[change] === 0) return html`<span>${text}</span>`;
-    return html`<a class=${change.replace(" ", "-")} href=${toHash({ ...kDefaultState, changes: [change] })}>${text}</a>`;
+    return link(change, text);
   };
+  if (!isComparable(materials)) {
+    const number = counts["not comparable"];
+    const others = saidChanges(counts).filter((change) => change !== "not comparable" && counts[change] > 0);
+    return html`<p class="since"><span>Nothing can be compared with the baseline:</span> ${link("not comparable", `${countOf(number, "rows")} ${number === 1 ? "was" : "were"} made under other conditions`)}${others.map((change) => html`, ${part(change)}`)}</p>`;
+  }
   return html`<p class="since"><span>Since the baseline</span> ${saidChanges(counts).map((change, i) => html`${i > 0 ? ", " : ""}${part(change)}`)}</p>`;
 }

@@ -2,7 +2,8 @@
 import { html, nothing, type TemplateResult } from "lit";
 
 import { errorsOf, wordsOf, type Against, type Bench, type Conclusions, type Figure, type MeasuredScene, type Plot, type Region, type Spread, type Stage, type Sweep, type Variant } from "../data/bench";
-import { count, fixed, significant } from "../format";
+import { countOf } from "../data/wording";
+import { fixed, significant } from "../format";
 import "./pareto";
 import { table, type Column } from "./table";
 
@@ -12,7 +13,7 @@ const kSetting: Column<Variant> = {
   label: "setting",
   isText: true,
   value: idOf,
-  show: (variant) => html`${idOf(variant)}${variant.dominated ? html` <small>dominated</small>` : nothing}`,
+  show: (variant) => html`${idOf(variant)}${variant.dominated ? html` <small>dominated</small>` : variant.stage === "storage" ? nothing : html` <small class="on-front">on the front</small>`}`,
 };
 
 function spreadColumns(label: string, of: (variant: Variant) => Spread | undefined): Column<Variant>[] {
@@ -49,17 +50,19 @@ function errorColumns(against: Against): Column<Variant>[] {
   }));
 }
 
-function variantTable(scene: MeasuredScene, stage: Stage): TemplateResult | typeof nothing {
+function variantTable(scene: MeasuredScene, stage: Stage, { against, figure }: Conclusions): TemplateResult | typeof nothing {
   const variants = scene.variants.filter((variant) => variant.stage === stage), first = scene.variants[0]?.path;
   if (variants.length === 0 || first === undefined) return nothing;
   const nonFinite = ({ error }: Variant) => errorsOf(error, first)?.nonFinite;
-  return table(`Settings, ${stage}`, variants, [
+  return html`<h3>Settings of each path: ${stage}</h3>
+    ${stage === "storage" ? nothing : html`<p class="sub">On the front: no other setting of the same path${stage === "preparation" ? ", of the same knob," : ""} is both faster and better, by ${figure} against ${wordsOf(against)}.</p>`}
+    ${table(`Settings, ${stage}`, variants, [
     kSetting,
     ...timeColumns(stage),
     ...(variants.some((variant) => variant.error.truth) ? errorColumns("truth") : []),
     ...errorColumns(first),
     { label: "NaN", value: nonFinite, show: (variant) => nonFinite(variant) || "" },
-  ], (variant) => (variant.name === "default" ? "plain" : variant.dominated ? "dominated" : ""));
+  ], (variant) => (variant.name === "default" ? "plain" : variant.dominated ? "dominated" : ""))}`;
 }
 
 /** The figure that is judged by, of every material by every setting. */
@@ -79,10 +82,10 @@ const pictures = (plots: readonly Plot[], stage: Stage): TemplateResult => html`
 
 /** All that is known of a scene by the place it has in the sweep. */
 export function sceneParts(scene: MeasuredScene, plots: readonly Plot[], conclusions: Conclusions): TemplateResult {
-  return html`<p class="sub">environment <bdi>${scene.environment}</bdi>, sun ${scene.sun}; ${scene.width}×${scene.height}, ${count(scene.pixels)} surface samples${scene.truthError > 0 ? `; the error of the truth is ${significant(100 * scene.truthError, 2)} % (median pixel)` : ""}</p>
-    ${pictures(plots, "shading")}${variantTable(scene, "shading")}
-    ${pictures(plots, "preparation")}${variantTable(scene, "preparation")}
-    ${variantTable(scene, "storage")}
+  return html`<p class="sub">environment <bdi>${scene.environment}</bdi>, sun ${scene.sun}; ${scene.width}×${scene.height}, ${countOf(scene.pixels, "surface samples")}${scene.truthError > 0 ? `; the error of the truth is ${significant(100 * scene.truthError, 2)} % (median pixel)` : ""}</p>
+    ${pictures(plots, "shading")}${variantTable(scene, "shading", conclusions)}
+    ${pictures(plots, "preparation")}${variantTable(scene, "preparation", conclusions)}
+    ${variantTable(scene, "storage", conclusions)}
     ${materialTable(scene, conclusions)}
     ${scene.skipped.length === 0 ? nothing : html`<p class="sub">Not measured, because the scene does not need it:</p><ul class="notes">${scene.skipped.map((each) => html`<li>${each}</li>`)}</ul>`}`;
 }

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 
 import { causesOf, type Cause, type Column as Side, type Finding, type Stress, type StressFunction, type StressTimes } from "../data/stress";
+import { countOf } from "../data/wording";
 import { count, significant } from "../format";
 import { help } from "../help";
 import { copyable } from "../parts";
@@ -10,7 +11,7 @@ import { table, type Column } from "./table";
 
 function unexpectedCard(finding: Finding): TemplateResult {
   return html`<article class="finding">
-    <p><b>${finding.subject}</b> ${finding.place} <span class="badge fail">✕ unexpected</span> ${finding.fault}${finding.count > 0 ? `, ${count(finding.count)} times` : ""}</p>
+    <p><b>${finding.subject}</b> ${finding.place} <span class="badge fail">✕ unexpected</span> ${finding.fault}${finding.count > 0 ? `, ${countOf(finding.count, "times")}` : ""}</p>
     ${finding.region === "" ? nothing : html`<p>The table expected it where ${finding.region}: ${finding.reason}</p>`}
     ${finding.example === "" ? nothing : html`<p class="aside">Worst: ${finding.example}</p>`}
     ${copyable(`parity stress ${finding.reproduce}`, `the command for ${finding.subject}`)}
@@ -89,14 +90,13 @@ function scenesPart({ scenes, findings }: Stress): TemplateResult | typeof nothi
     ])}</section>`;
 }
 
-const several = (number: number, what: string): string => `${number} ${what}${number === 1 ? "" : "s"}`;
 const seconds = (timeMs: number | undefined): string => (timeMs === undefined ? "" : ` (${(timeMs / 1000).toFixed(0)} s)`);
 
 export function stressParts(stress: Stress, times: StressTimes | null): TemplateResult {
   const unexpected = stress.findings.filter((each) => !each.expected);
   return html`<section>
-      ${stress.functions.length === 0 ? nothing : html`<p>${several(stress.functions.length, "function")}, ${count(stress.points)} points each on the CPU, ${count(stress.devicePoints)} on the device, in addition to special values${seconds(times?.functionsMs)}.</p>`}
-      ${stress.scenes.length === 0 ? nothing : html`<p>${several(stress.scenes.length, "scene")} rendered twice by every path, with the validation layers${seconds(times?.rendersMs)}.</p>`}
+      ${stress.functions.length === 0 ? nothing : html`<p>${countOf(stress.functions.length, "functions")}, ${countOf(stress.points, "points")} each on the CPU, ${count(stress.devicePoints)} on the device, in addition to special values${seconds(times?.functionsMs)}.</p>`}
+      ${stress.scenes.length === 0 ? nothing : html`<p>${countOf(stress.scenes.length, "scenes")} rendered twice by every path, with the validation layers${seconds(times?.rendersMs)}.</p>`}
       ${stress.failure === null ? nothing : html`<p class="notice error" role="alert">Stopped early: ${stress.failure}</p>`}
       ${stress.fp16Skipped === null ? nothing : html`<p class="caution">Skipped: fp16 on the device: ${stress.fp16Skipped}</p>`}
     </section>

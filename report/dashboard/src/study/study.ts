@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 
 import type { Study } from "../data/study";
+import { countOf } from "../data/wording";
 import { PageElement } from "../element";
 import { HelpPopover } from "../help_popover";
 import { actionOf } from "../keys";
@@ -24,7 +25,7 @@ function headOf(study: Study): Head {
     return { tool: "parity bench", title: "Error against time", verdict: null, sub: [machine.device, startedAt.replace("T", " ").replace("Z", " UTC"), `parity ${version}`] };
   }
   const { unexpected, expected, device, version } = study.stress;
-  return { tool: "parity stress", title: `${unexpected} unexpected, ${expected} expected findings`, verdict: unexpected > 0 ? "fail" : "pass", sub: [device, `parity ${version}`] };
+  return { tool: "parity stress", title: `${unexpected} unexpected, ${countOf(expected, "expected findings")}`, verdict: unexpected > 0 ? "fail" : "pass", sub: [device, `parity ${version}`] };
 }
 
 @customElement("parity-study")

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 
 import { wordsOf, type Bench, type Conclusions, type Purchase, type Ratio, type Sweep } from "../data/bench";
+import { countOf } from "../data/wording";
 import { fixed, significant, signed } from "../format";
 import { help } from "../help";
 import { copyable, definitions } from "../parts";
@@ -17,7 +18,7 @@ function comparedPart({ compared }: Conclusions): TemplateResult | typeof nothin
   return html`<section><h2>Comparison with the earlier sweep</h2>
     <p class="sub">Ratio of the time now to the earlier time, with an interval of ${fixed(100 * compared.confidence, 2)} % confidence (95 % for all together).</p>
     ${compared.notes.length > 0 ? list(compared.notes) : nothing}
-    <details ?open=${compared.variants.some((each) => each.verdict !== "the same")}><summary>${compared.variants.length} settings</summary>
+    <details ?open=${compared.variants.some((each) => each.verdict !== "the same")}><summary>${countOf(compared.variants.length, "settings")}</summary>
     ${table<Ratio>("Comparison with the earlier sweep", compared.variants, [
       { label: "setting", isText: true, value: (each) => each.id },
       { label: "scene", isText: true, value: (each) => each.scene },
@@ -61,7 +62,7 @@ function runPart({ machine, rounds, commandLine }: Bench): TemplateResult {
     ["Processor", machine.processor],
     ["Device", `${machine.device} (${machine.deviceKind}, driver ${machine.driver})`],
     ["Threads, SIMD", `${machine.threads}, ${machine.simd}`],
-    ["Times", `medians of ${rounds} rounds in random order, without compilation`],
+    ["Times", `medians of ${countOf(rounds, "rounds")} in random order, without compilation`],
   ])}${copyable(commandLine, "the command of this sweep")}</section>`;
 }
 

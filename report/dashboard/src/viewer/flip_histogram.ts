@@ -7,6 +7,7 @@ import "uplot/dist/uPlot.min.css";
 import type { Plane } from "../data/chunk";
 import { makeHistogram, type Histogram } from "../data/histogram";
 import type { Check } from "../data/types";
+import { countOf } from "../data/wording";
 import { PageElement } from "../element";
 import { count, fixed } from "../format";
 import { help } from "../help";
@@ -179,7 +180,7 @@ export class ParityFlipHistogram extends PageElement {
   private get summary(): string {
     const h = this.histogram;
     if (h === null || h.total === 0) return "No pixel counts.";
-    return `${count(h.total)} pixels: median ${fixed(h.median, 3)}, p95 ${fixed(h.p95, 3)}, max ${fixed(h.max, 3)}, mean ${fixed(h.mean, 3)}.`;
+    return `${countOf(h.total, "pixels")}: median ${fixed(h.median, 3)}, p95 ${fixed(h.p95, 3)}, max ${fixed(h.max, 3)}, mean ${fixed(h.mean, 3)}.`;
   }
 
   protected override render(): TemplateResult {

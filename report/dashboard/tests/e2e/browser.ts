@@ -51,6 +51,19 @@ export function changedReport(name: string, change: (html: string) => string): s
   return folder;
 }
 
+const kBlock = /(<script type="application\/json" id="report">)([\s\S]*?)(<\/script>)/;
+
+/** The folder of a copy of a report, the data of its page changed. */
+export function changedData(name: string, change: (report: Report) => void): string {
+  return changedReport(name, (html) =>
+    html.replace(kBlock, (_all, open: string, json: string, close: string) => {
+      const report = JSON.parse(json) as Report;
+      change(report);
+      return open + JSON.stringify(report).replaceAll("<", "\\u003c") + close;
+    }),
+  );
+}
+
 export function removeChanged(): void {
   for (const folder of changedFolders.splice(0)) rmSync(folder, { recursive: true, force: true });
 }

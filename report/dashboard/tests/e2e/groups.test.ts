@@ -3,8 +3,8 @@ import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
 import { makeRows } from "../../src/data/rows";
-import type { Change, Report } from "../../src/data/types";
-import { changedReport, hashOfItem, openReport, readReport, removeChanged, reportFolder, startBrowser } from "./browser";
+import type { Change } from "../../src/data/types";
+import { changedData, hashOfItem, openReport, readReport, removeChanged, reportFolder, startBrowser } from "./browser";
 
 let browser: Browser;
 beforeAll(async () => (browser = await startBrowser()));
@@ -12,8 +12,6 @@ afterAll(async () => {
   removeChanged();
   await browser.close();
 });
-
-const kBlock = /(<script type="application\/json" id="report">)([\s\S]*?)(<\/script>)/;
 
 /** What the first materials of each view were in the baseline. */
 function beforeOf(place: number, verdict: string): Change | null {
@@ -30,15 +28,11 @@ function beforeOf(place: number, verdict: string): Change | null {
 
 /** "many" held against a baseline. */
 function withBaseline(): string {
-  return changedReport("many", (html) =>
-    html.replace(kBlock, (_all, open: string, json: string, close: string) => {
-      const report = JSON.parse(json) as Report;
-      report.baseline = { source: "before.json", version: "0", device: "d", common: 450, notComparable: 50, gone: [], error: "" };
-      for (const view of report.scenes.flatMap((scene) => scene.views))
-        view.materials.forEach((material, i) => (material.baseline = beforeOf(i, material.verdict)));
-      return open + JSON.stringify(report).replaceAll("<", "\\u003c") + close;
-    }),
-  );
+  return changedData("many", (report) => {
+    report.baseline = { source: "before.json", version: "0", device: "d", common: 450, notComparable: 50, gone: [], error: "" };
+    for (const view of report.scenes.flatMap((scene) => scene.views))
+      view.materials.forEach((material, i) => (material.baseline = beforeOf(i, material.verdict)));
+  });
 }
 
 const shown = (page: Page): Promise<string | null> => page.textContent(".shown");

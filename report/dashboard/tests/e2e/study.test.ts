@@ -44,6 +44,13 @@ describe("a sweep", () => {
     expect(await page.textContent('[aria-label="Comparison with the earlier sweep"]')).toContain("slower");
   });
 
+  it("says which settings are on the front of their path", async () => {
+    const { page } = await openReport(browser, reportFolder("sweep"));
+    expect(await page.locator("h3", { hasText: "Settings of each path: shading" }).count()).toBeGreaterThan(0);
+    const rows = page.locator('[aria-label="Settings, shading"]').first().locator("tbody tr");
+    for (const text of await rows.locator("th").allTextContents()) expect(text).toMatch(/(dominated|on the front)$/);
+  });
+
   it("sorts its settings up, down and back", async () => {
     const { page } = await openReport(browser, reportFolder("sweep"));
     const first = page.locator('[aria-label="Settings, shading"]').first();
@@ -71,7 +78,7 @@ describe("a sweep", () => {
 describe("a stress run", () => {
   it("shows what is new with its command, what is known, maps, functions and scenes", async () => {
     const { page } = await openReport(browser, reportFolder("stress"));
-    expect(await page.textContent("h1")).toMatch(/fail.*6 unexpected, 1 expected findings/s);
+    expect(await page.textContent("h1")).toMatch(/fail.*6 unexpected, 1 expected finding/s);
     expect(await page.locator(".finding .command code").first().textContent()).toContain("parity stress --");
     expect(await namesIn(page, "Known findings")).toEqual(["scene"]);
     expect(await namesIn(page, "Functions")).toContain("planted");

@@ -5,7 +5,7 @@ import { filterOf, matches } from "../../src/data/filter";
 import { makeRows } from "../../src/data/rows";
 import { kDefaultState } from "../../src/data/state";
 import type { Change, Material, Verdict } from "../../src/data/types";
-import { saidChanges } from "../../src/overview/since";
+import { isComparable, saidChanges } from "../../src/overview/since";
 import { makeJudged, makeMaterial, makeReport, makeScene, makeView } from "./sample";
 
 function since(before: Verdict | null, change: number | null, notComparable = ""): Change {
@@ -59,6 +59,14 @@ describe("the headline of the changes", () => {
     expect(counts).toEqual({ new: 2, fixed: 1, worse: 2, better: 2, added: 0, "not comparable": 0 });
     expect(saidChanges(counts)).toEqual(["new", "fixed", "worse", "better"]);
     expect(saidChanges({ ...counts, new: 0, fixed: 0, worse: 0, better: 0 })).toEqual(["new", "fixed"]);
+  });
+
+  it("knows where nothing can be compared", () => {
+    const of = (...baselines: (Change | null)[]) =>
+      makeRows(makeReport([makeScene("Desk", [makeView("front", baselines.map((baseline, i) => makeMaterial(String(i), "fail", 0.2, { baseline })))])])).filter((row) => row.kind === "material");
+    expect(isComparable(of(since("pass", null, "size"), since("fail", null, "size"), since(null, null)))).toBe(false);
+    expect(isComparable(of(since("pass", null, "size"), since("fail", 0.1)))).toBe(true);
+    expect(isComparable(of(since(null, null)))).toBe(true);
   });
 
   it("reads as a sentence", () => {

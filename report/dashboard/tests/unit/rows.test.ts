@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
 
 import { countRows, filterOf, matches, sortRows } from "../../src/data/filter";
-import { baseLayerText, causeOf, checkOf, figureOf, gravityOf, linkNames, makeRows } from "../../src/data/rows";
+import { gravityOf } from "../../src/data/gravity";
+import { baseLayerText, causeOf, checkOf, figureOf, linkNames, makeRows } from "../../src/data/rows";
 import { kDefaultState } from "../../src/data/state";
 import type { Check, Material, Verdict } from "../../src/data/types";
 import { makeFigures, makeMaterial, makeReport, makeScene, makeView } from "./sample";
@@ -54,6 +55,17 @@ describe("the names of links", () => {
     const linkOf = (materials: Material[]) => makeRows(makeReport([makeScene("Desk", [makeView("front", materials)])])).find((row) => row.name === "Gold")?.link;
     expect(linkOf([gold])).toEqual({ scene: "Desk", view: "front", material: "Gold" });
     expect(linkOf([makeMaterial("Iron", "pass", 0.1), gold])).toEqual(linkOf([gold]));
+  });
+});
+
+describe("a row's words", () => {
+  it("have real minus signs, are found with either, and leave what is accepted to itself", () => {
+    const reason = "mean exposure difference -0.28 EV is beyond ±0.25 EV";
+    const [row] = makeRows(makeReport([makeScene("Desk", [makeView("front", [makeMaterial("Gold", "warn", 0.1, { reason, accepted: "2 pixels are NaN" })])])]));
+    if (!row) throw new Error("a row");
+    expect(row.reason).toBe("mean exposure difference \u22120.28 EV is beyond ±0.25 EV");
+    expect(row.accepted).toBe("2 pixels are NaN");
+    for (const query of ["-0.28", "\u22120.28", "accepted"]) expect(matches(row, filterOf({ ...kDefaultState, query })), query).toBe(true);
   });
 });
 
