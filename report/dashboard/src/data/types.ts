@@ -21,6 +21,7 @@ export interface Report {
   schema: number; // Version of this format
   tool: string;
   version: string;
+  suite: string; // Name of the suite; empty: the run had none
   device: string; // Vulkan device name and driver
   verdict: Verdict;
   headline: string; // The whole report in a sentence
