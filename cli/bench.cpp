@@ -157,7 +157,8 @@ void printConclusions(const sweep::Conclusions& c) {
             v.time.high);
   if (c.ratios->variants.empty())
     print("no setting could be judged against the earlier sweep\n");
-  else if (std::ranges::none_of(c.ratios->variants, [](const auto& v) { return v.time.isSlower() || v.time.isFaster(); }))
+  else if (std::ranges::none_of(c.ratios->variants,
+                                [](const auto& v) { return v.time.isSlower() || v.time.isFaster(); }))
     print("none of the {} settings is slower or faster than before\n", c.ratios->variants.size());
 }
 

@@ -122,7 +122,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addRunOptions(reportApp, report.common, raw);
   addBudgetsOption(reportApp, report.common);
 
-  CLI::App& diffApp = *app.add_subcommand("diff", "Compare one scene, or those of a suite, and print a table with one row for each material");
+  CLI::App& diffApp = *app.add_subcommand(
+      "diff", "Compare one scene, or those of a suite, and print a table with one row for each material");
   diffApp.add_option("scene", diff.scene, "Scene file or builtin:NAME")->type_name(kSceneFile);
   diffApp.add_option("--suite", diff.suite, "Suite file (TOML) in place of a scene; --only chooses its views")
       ->type_name(kFile)

@@ -85,8 +85,9 @@ std::vector<std::string> withoutTags(const std::vector<std::string>& only,
     if (isKnown) continue;
     const std::vector<std::string_view> names(known.begin(), known.end());
     throw base::Error(base::ExitCode::usage, "--only", "'" + glob + "'",
-                      names.empty() ? "no scene has a tag"
-                                    : "no scene has this tag; " + base::describeNearest(glob.substr(kTag.size()), names));
+                      names.empty()
+                          ? "no scene has a tag"
+                          : "no scene has this tag; " + base::describeNearest(glob.substr(kTag.size()), names));
   }
   return globs;
 }

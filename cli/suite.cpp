@@ -77,11 +77,11 @@ void printList(const RunRequest& run, const job::SceneTimes& times) {
   if (times.seconds.empty())
     total += "; no scene has been timed yet, so there is no estimate";
   else
-    total += fmt::format("; about {} here{}", describeTime(runSeconds(times)),
-                         times.known == run.scenes.size()
-                             ? ""
-                             : fmt::format(" ({} of {} scenes timed; the others count as the median)", times.known,
-                                           run.scenes.size()));
+    total += fmt::format(
+        "; about {} here{}", describeTime(runSeconds(times)),
+        times.known == run.scenes.size()
+            ? ""
+            : fmt::format(" ({} of {} scenes timed; the others count as the median)", times.known, run.scenes.size()));
   print("{}\n", total);
 }
 

@@ -23,7 +23,8 @@ std::string keyOf(const SceneRequest& request) {
   base::Hasher hasher;
   hasher.add(wholePath(request.scene)).addValue(static_cast<std::uint64_t>(request.views.size()));
   for (const auto& row : knobs().rows())
-    if (row.knob.ofScene) hasher.add(row.knob.id).add(row.path ? wholePath(row.path(request.settings)) : row.text(request.settings));
+    if (row.knob.ofScene)
+      hasher.add(row.knob.id).add(row.path ? wholePath(row.path(request.settings)) : row.text(request.settings));
   return "time-" + hasher.hex();
 }
 

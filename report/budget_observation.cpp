@@ -89,13 +89,16 @@ private:
               const std::optional<compare::Truth>& truth) {
     if (truth && truth->figures.nonFinite > 0) refuse(place + ": pixels of the truth are NaN or infinite");
     subject.isSeen = true;
-    subject.nonFinite = std::max(subject.nonFinite, figures.nonFinite); // the figures are the finite pixels'
+    if (figures.nonFinite > 0) {
+      subject.nonFinite = std::max(subject.nonFinite, figures.nonFinite);
+      return;
+    }
     const bool isMostly = !subject.whole && figures.clipped() > compare::kMostClipping;
     if (isMostly)
       subject.mostlyClipped = std::max(subject.mostlyClipped, figures.clipped());
     else if (figures.clipped() >= compare::kNotableClipping)
       subject.clipped = std::max(subject.clipped, figures.clipped());
-    m_result.isAnyCompared = m_result.isAnyCompared || (!subject.whole && !isMostly && figures.nonFinite == 0);
+    m_result.isAnyCompared = m_result.isAnyCompared || (!subject.whole && !isMostly);
     subject.isIdentical = subject.isIdentical && isIdentical(figures);
     addFigures(subject, place, figures);
     if (const std::string unsound = findUnsound(figures); !unsound.empty())

@@ -210,7 +210,7 @@ private:
     if (!broken.empty()) m_result.faults.push_back(fmt::format("{}: {}", m_name, m_sentences.back()));
     if (hasLimits) return;
     if (where([](const ObservedSubject& each) { return !each.judgeable.empty(); }).empty())
-      m_preset = "default"; // once it is seen
+      m_preset = "default"; // once it is seen, or its NaN are gone
     else if (std::ranges::all_of(m_group.subjects, [](const auto* each) { return each->isIdentical; }))
       m_preset = "identical";
     else

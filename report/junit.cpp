@@ -182,7 +182,8 @@ std::string toJunit(const Report& report, const RunInfo& run) {
       run.startedAt.empty() ? "" : fmt::format(" timestamp=\"{}\"", base::escapeMarkup(run.startedAt));
 
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-  xml += fmt::format("<testsuites name=\"{}\" {}>\n", base::escapeMarkup(report.suite.empty() ? report.tool : report.suite), total.attributes());
+  xml += fmt::format("<testsuites name=\"{}\" {}>\n",
+                     base::escapeMarkup(report.suite.empty() ? report.tool : report.suite), total.attributes());
   for (const Suite& suite : suites)
     xml += fmt::format("  <testsuite name=\"{}\" {}{}>\n    <properties>\n{}    </properties>\n{}  </testsuite>\n",
                        base::escapeMarkup(suite.name), suite.tally.attributes(), timestamp, properties, suite.cases);

@@ -70,7 +70,7 @@ Judgement judgeByRule(const compare::Figures& figures, const std::vector<compare
   return byChecks;
 }
 
-// The number of pixels that are NaN or infinite is accepted, or it fails.
+// Of pixels that are NaN or infinite nothing is judged: their number is accepted, or they fail.
 Judgement judgeNonFinite(const compare::Figures& figures, const compare::AppliedRule& rule) {
   Judgement judgement;
   const std::string sentence =
@@ -98,22 +98,16 @@ Judgement judgeSeen(const compare::Figures& figures, const std::vector<compare::
       warn(judgement, compare::Accept::baseLayerOnly,
            fmt::format("base layer only: no path models {}", fmt::join(notModelled, ", ")));
   };
-  Judgement nonFinite;
   if (figures.nonFinite > 0) {
-    nonFinite = judgeNonFinite(figures, rule);
-    if (nonFinite.verdict != compare::Verdict::pass) {
-      warnOfParts(nonFinite);
-      return nonFinite;
-    }
+    Judgement judgement = judgeNonFinite(figures, rule);
+    warnOfParts(judgement);
+    return judgement;
   }
   if (const std::string unsound = findUnsound(figures); !unsound.empty())
     return {compare::Verdict::error, fmt::format("a figure is not a number: {}", unsound), {}};
   if (figures.values.empty()) return {compare::Verdict::error, "no figure was measured", {}};
 
-  // Where NaN are accepted, the limits judge the finite pixels: the figures are theirs.
   Judgement judgement = judgeByRule(figures, checks, rule);
-  if (!nonFinite.accepted.empty())
-    judgement.accepted = nonFinite.accepted + (judgement.accepted.empty() ? "" : "; " + judgement.accepted);
   if (judgement.verdict == compare::Verdict::error) return judgement;
   const bool isMostlyClipped = isMaterial && figures.clipped() > compare::kMostClipping;
   const compare::Accept clipping = isMostlyClipped ? compare::Accept::notJudged : compare::Accept::clipped;

@@ -55,11 +55,11 @@ struct Knob {
   KnobStage stage = KnobStage::none;
   std::string needsKnob{};  // id of a knob without which it does nothing
   std::string needsScene{}; // what a scene must have for it to do anything: "environment"; empty: nothing
-  std::string listKey{};    // in suite files: key of a list of its values, a scene for each ("environments"); empty: none
-  bool isCondition = true;  // of a result: not what only judges it afterwards
-  bool isOption = true;     // on the command line
-  bool inSuite = true;      // in suite files
-  bool ofScene = false;     // says what a scene is: listed with each scene, and no option beside a suite
+  std::string listKey{}; // in suite files: key of a list of its values, a scene for each ("environments"); empty: none
+  bool isCondition = true; // of a result: not what only judges it afterwards
+  bool isOption = true;    // on the command line
+  bool inSuite = true;     // in suite files
+  bool ofScene = false;    // says what a scene is: listed with each scene, and no option beside a suite
 };
 
 // Thrown by what reads a value: why it is refused, as "'x' is not a number from 0 to 1".

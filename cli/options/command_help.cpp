@@ -50,7 +50,8 @@ constexpr ExitCodeText kDone = {0, "done"}, kFailed = {4, "a file is missing or 
                        kUsage = {64, "wrong usage"}, kWithin = {0, "within budget"},
                        kWarned = {1, "warnings only (with --warn-exit)"}, kOver = {2, "over budget"},
                        kNotComparable = {3, "not comparable: sizes, channels, or a metric that does not apply"},
-                       kStopped = {130, "interrupted by SIGINT (SIGHUP: 129, SIGTERM: 143); the result has what was finished"},
+                       kStopped =
+                           {130, "interrupted by SIGINT (SIGHUP: 129, SIGTERM: 143); the result has what was finished"},
                        kNoResult = {4, "a scene failed, a figure is not finite, or no material was compared"};
 
 const std::vector<CommandHelp>& table() {

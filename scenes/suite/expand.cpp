@@ -22,7 +22,8 @@ base::Error errorAt(const std::string& where, const std::string& reason) {
 }
 
 std::string wordOf(const base::Knob& knob, const base::GivenKnob& given) {
-  return knob.type == base::KnobType::file ? stemOf(given.value.at(0)) : fmt::format("{}", fmt::join(given.value, ", "));
+  return knob.type == base::KnobType::file ? stemOf(given.value.at(0))
+                                           : fmt::format("{}", fmt::join(given.value, ", "));
 }
 
 // "environment" for the list `environments`.
@@ -41,7 +42,8 @@ std::string fillIn(const std::string& text, const Placeholders& values, const st
     if (found == values.end()) {
       std::vector<std::string_view> known;
       for (const auto& [each, value] : values) known.push_back(each);
-      throw errorAt(where, fmt::format("'{{{}}}' has no value here; {}", cleanName(key), base::describeNearest(key, known)));
+      throw errorAt(where,
+                    fmt::format("'{{{}}}' has no value here; {}", cleanName(key), base::describeNearest(key, known)));
     }
     name += found->second;
     at = close + 1;
@@ -73,9 +75,15 @@ public:
 
 private:
   SuiteEntry entryOf(const std::string& file, std::size_t number) const {
-    SuiteEntry entry{.name = {}, .scene = file, .defaults = {}, .given = m_table.words.given,
-                     .captures = m_table.captures, .views = m_table.views, .budgets = m_table.budgets,
-                     .tags = m_table.tags, .where = m_table.where};
+    SuiteEntry entry{.name = {},
+                     .scene = file,
+                     .defaults = {},
+                     .given = m_table.words.given,
+                     .captures = m_table.captures,
+                     .views = m_table.views,
+                     .budgets = m_table.budgets,
+                     .tags = m_table.tags,
+                     .where = m_table.where};
     Placeholders words = {{"stem", stemOf(file)},
                           {"file", std::filesystem::path(file).filename().string()},
                           {"folder", std::filesystem::path(file).parent_path().filename().string()}};
@@ -161,11 +169,10 @@ void requireDifferentNames(const std::vector<SuiteEntry>& entries) {
     if (isNew) continue;
     const SuiteEntry& first = *place->second;
     const bool isOneTable = first.where == entry.where;
-    throw errorAt(entry.where,
-                  fmt::format("two scenes have the name '{}': {} and {}{}; {}", entry.name, first.scene, entry.scene,
-                              isOneTable ? "" : fmt::format(" ({})", first.where),
-                              isOneTable ? "make 'name' tell them apart, as name = \"{folder}, {stem}\""
-                                         : "give each its own name"));
+    throw errorAt(entry.where, fmt::format("two scenes have the name '{}': {} and {}{}; {}", entry.name, first.scene,
+                                           entry.scene, isOneTable ? "" : fmt::format(" ({})", first.where),
+                                           isOneTable ? "make 'name' tell them apart, as name = \"{folder}, {stem}\""
+                                                      : "give each its own name"));
   }
 }
 

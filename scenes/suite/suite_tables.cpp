@@ -72,10 +72,19 @@ private:
         m_label, table, "a scene",
         keysOf(m_knobs.knobs,
                {"name", "file", "files", "exclude", "captures", "budgets", "tags", "views", "view", "fog"}, true));
-    SceneTable scene{.where = reader.place(), .filesWhere = {}, .files = readFiles(reader), .name = {},
-                     .nameWhere = {}, .words = readWords(reader), .listed = {}, .captures = {}, .views = {}, .budgets = {},
+    SceneTable scene{.where = reader.place(),
+                     .filesWhere = {},
+                     .files = readFiles(reader),
+                     .name = {},
+                     .nameWhere = {},
+                     .words = readWords(reader),
+                     .listed = {},
+                     .captures = {},
+                     .views = {},
+                     .budgets = {},
                      .tags = readTags(reader)};
-    std::ranges::copy_if(m_knobs.knobs, std::back_inserter(scene.listed), [](const base::Knob& knob) { return !knob.listKey.empty(); });
+    std::ranges::copy_if(m_knobs.knobs, std::back_inserter(scene.listed),
+                         [](const base::Knob& knob) { return !knob.listKey.empty(); });
     scene.filesWhere = reader.placeOf(reader.has("files") ? "files" : "file");
     if ((scene.name = reader.text("name"))) scene.nameWhere = reader.placeOf("name");
     scene.captures = reader.points("captures", kMaxCapturePlaces);
@@ -130,8 +139,9 @@ private:
     std::vector<std::string> tags = reader.texts("tags");
     for (const std::string& tag : tags)
       if (tag != cleanName(tag) || tag.find_first_of("*?[]/ ") != std::string::npos)
-        throw reader.errorAt("tags", fmt::format("'{}' holds a character that a tag may not have (* ? [ ] / or a blank)",
-                                                 cleanName(tag)));
+        throw reader.errorAt(
+            "tags",
+            fmt::format("'{}' holds a character that a tag may not have (* ? [ ] / or a blank)", cleanName(tag)));
     std::ranges::sort(tags);
     const auto twice = std::ranges::unique(tags);
     tags.erase(twice.begin(), twice.end());
@@ -189,8 +199,8 @@ private:
       });
       requireOneCamera(row, view);
       view.name = cleanName(row.text("name").value_or(!view.camera.empty() ? view.camera
-                                                      : view.orbit ? fmt::format("view {}", views.size() + 1)
-                                                                   : std::string("auto")));
+                                                      : view.orbit         ? fmt::format("view {}", views.size() + 1)
+                                                                           : std::string("auto")));
       if (std::ranges::find(views, view.name, &ViewRequest::name) != views.end())
         throw reader.errorAt(*table, "view", fmt::format("two views of {} have the name '{}'", of, view.name));
       views.push_back(std::move(view));
@@ -234,8 +244,8 @@ private:
     for (const base::Knob& knob : m_knobs.knobs) {
       if (knob.listKey.empty() || !reader.has(knob.listKey)) continue;
       if (words.given.contains(knob.id))
-        throw reader.errorAt(knob.listKey, fmt::format("cannot be combined with a single value ({})",
-                                                       words.given.at(knob.id).where));
+        throw reader.errorAt(knob.listKey,
+                             fmt::format("cannot be combined with a single value ({})", words.given.at(knob.id).where));
       KnobList list{.knob = knob, .values = {}};
       for (const base::KnobValue& value : reader.values(knob.listKey, knob))
         list.values.push_back(checked(reader, knob.listKey, knob, value, m_knobs.check));
@@ -264,8 +274,8 @@ private:
       const auto knob = std::find_if(m_knobs.knobs.begin(), m_knobs.knobs.end(),
                                      [id = id](const base::Knob& each) { return each.id == id; });
       if (knob == m_knobs.knobs.end() || !fog.has(key)) continue;
-      given[knob->id] = checked(fog, key, *knob,
-                                knob->id == "fog" ? base::KnobValue{numbers} : *fog.value(key, *knob), m_knobs.check);
+      given[knob->id] = checked(fog, key, *knob, knob->id == "fog" ? base::KnobValue{numbers} : *fog.value(key, *knob),
+                                m_knobs.check);
     }
     return given;
   }

@@ -28,8 +28,8 @@ struct SceneWords {
 };
 
 struct SceneTable {
-  std::string where, filesWhere;  // as messages name the table, and its key `file` or `files`
-  std::vector<std::string> files; // at least one
+  std::string where, filesWhere;   // as messages name the table, and its key `file` or `files`
+  std::vector<std::string> files;  // at least one
   std::optional<std::string> name; // may hold {stem}, {folder}, {file}, {environment}, {preset}
   std::string nameWhere;
   SceneWords words;

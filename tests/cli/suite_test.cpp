@@ -14,9 +14,10 @@ using nlohmann::json;
 class SuiteCommand : public testing::Test {
 protected:
   SuiteCommand() {
-    base::writeText(m_folder / "n.toml", "name = \"night <1>\"\n[[view]]\nname = \"front\"\n[[view]]\nname = \"side\"\n"
-                                         "orbit = [90, 80, 0]\n[[scene]]\nfiles = [\"builtin:spheres\", \"builtin:lights\"]\n"
-                                         "[[override]]\nscenes = [\"lights\"]\ntags = [\"hero\"]\n");
+    base::writeText(m_folder / "n.toml",
+                    "name = \"night <1>\"\n[[view]]\nname = \"front\"\n[[view]]\nname = \"side\"\n"
+                    "orbit = [90, 80, 0]\n[[scene]]\nfiles = [\"builtin:spheres\", \"builtin:lights\"]\n"
+                    "[[override]]\nscenes = [\"lights\"]\ntags = [\"hero\"]\n");
   }
   std::string path(const std::string& file) const { return (m_folder / file).string(); }
   base::TempFolder m_folder;

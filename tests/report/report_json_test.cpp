@@ -33,7 +33,7 @@ TEST(ReportJson, KeysStandInAFixedOrder) {
     return names;
   };
   EXPECT_EQ(keys(document),
-            "schema tool version device verdict headline counts wholeCounts displayTable problems warnings "
+            "schema tool version suite device verdict headline counts wholeCounts displayTable problems warnings "
             "baseline settings conditions statistics scenes");
   EXPECT_EQ(keys(document["scenes"][0]),
             "name source environment sun light conditions verdict error warnings views passes permutations");

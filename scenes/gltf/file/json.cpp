@@ -1,6 +1,10 @@
 // The JSON of a glTF file: parsed with limits.
 #include "scenes/gltf/file/json.h"
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -41,11 +45,13 @@ void checkLimits(std::string_view text, const std::string& label) {
 } // namespace
 
 nlohmann::json parseGltfJson(std::string_view text, const std::string& label) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-  if (first == std::string_view::npos || text[first] != '{')
+  // Of a file of another kind the place where it stops being JSON says nothing.
+  std::string ending = std::filesystem::path(label).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (ending != ".gltf" && ending != ".glb" && !text.starts_with('{'))
     throw base::fileError(label, "",
-                          label.ends_with(".toml") ? "is not a glTF scene; give a suite with --suite"
-                                                   : "is not a glTF scene: it is no JSON object and no .glb file");
+                          ending == ".toml" ? "is not a glTF scene; give a suite with --suite"
+                                            : "is not a glTF scene (.gltf or .glb)");
   checkLimits(text, label);
   try {
     return nlohmann::json::parse(text);
