@@ -37,7 +37,7 @@ export function makeScene(name: string, views: View[], error: string | null = nu
 export function makeReport(scenes: Scene[]): Report {
   const counts = { pass: 0, notSeen: 0, tooSmall: 0, notJudged: 0, warn: 0, fail: 0, error: 0 };
   return {
-    schema: kSchema, tool: "parity", version: "0", device: "device", verdict: "pass", headline: "", displayTable: "", counts, wholeCounts: counts,
+    schema: kSchema, tool: "parity", version: "0", suite: "", device: "device", verdict: "pass", headline: "", displayTable: "", counts, wholeCounts: counts,
     problems: [], warnings: [], baseline: null, settings: [], conditions: [], statistics: {}, scenes,
   };
 }
