@@ -9,6 +9,7 @@
 #include "bake/baked_folder.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "base/text/glob.h"
 #include "base/text/nearest.h"
 #include "report/reader.h"
 #include "report/view_choice.h"
@@ -79,7 +80,7 @@ std::vector<std::string> withoutTags(const std::vector<std::string>& only,
     for (const job::SceneRequest& scene : scenes) {
       known.insert(scene.tags.begin(), scene.tags.end());
       if (std::ranges::find(scene.tags, glob.substr(kTag.size())) == scene.tags.end()) continue;
-      globs.push_back(report::globOf(scene.name));
+      globs.push_back(base::exactGlob(scene.name));
       isKnown = true;
     }
     if (isKnown) continue;

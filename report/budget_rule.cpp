@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/text/glob.h"
 #include "base/text/text.h"
 #include "compare/verdict/budget.h"
 #include "compare/verdict/wording.h"
@@ -35,22 +36,6 @@ std::string quoteToml(std::string_view text) {
       out += c;
   }
   return out + "\"";
-}
-
-// A glob that matches this name alone; where the report could not show a byte of it, any character.
-std::string exactGlob(std::string_view name) {
-  constexpr std::string_view kUnknown = "\xef\xbf\xbd";
-  std::string glob;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const char c = name[i];
-    if (name.substr(i).starts_with(kUnknown)) {
-      glob += '?';
-      i += kUnknown.size() - 1;
-    } else {
-      glob += c == '*' || c == '?' || c == '[' ? fmt::format("[{}]", c) : std::string(1, c);
-    }
-  }
-  return glob;
 }
 
 std::string countText(std::size_t count, const char* what) {
@@ -101,8 +86,8 @@ public:
       rule += "# Accepted: " + base::plainLine(sentence) + "\n";
     }
     rule += m_first.whole ? "[[whole]]\n"
-                          : fmt::format("[[material]]\nname = {}\n", quoteToml(exactGlob(m_first.material)));
-    if (m_group.namesScene) rule += fmt::format("scene = {}\n", quoteToml(exactGlob(m_first.scene)));
+                          : fmt::format("[[material]]\nname = {}\n", quoteToml(base::exactGlob(m_first.material)));
+    if (m_group.namesScene) rule += fmt::format("scene = {}\n", quoteToml(base::exactGlob(m_first.scene)));
     rule +=
         fmt::format("reason = {}\n", quoteToml(reason.empty() ? "identical in " + countText(m_runs, "run") : reason));
     if (accepts) rule += fmt::format("accept = [{}]\n", fmt::join(m_accept, ", "));

@@ -90,4 +90,21 @@ bool matchesGlob(std::string_view glob, std::string_view text) {
   return g == glob.size();
 }
 
+std::string exactGlob(std::string_view name) {
+  constexpr std::string_view kUnknown = "\xef\xbf\xbd";
+  std::string glob;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const char c = name[i];
+    if (name.substr(i).starts_with(kUnknown)) {
+      glob += '?';
+      i += kUnknown.size() - 1;
+    } else if (c == '*' || c == '?' || c == '[') {
+      glob.append({'[', c, ']'});
+    } else {
+      glob += c;
+    }
+  }
+  return glob;
+}
+
 } // namespace parity::base

@@ -74,6 +74,16 @@ TEST(Glob, InvalidUtf8IsMatchedByteByByte) {
 }
 
 // Backtracking into every star would take 2^28 steps and more; one remembered star takes |glob| x |text|.
+TEST(Glob, AnExactOneMatchesItsNameAlone) {
+  for (const std::string name : {"plain", "a [x]", "a*b?", "[!a]", "\xc3\xa9*"}) {
+    EXPECT_TRUE(matchesGlob(exactGlob(name), name)) << name;
+    EXPECT_FALSE(matchesGlob(exactGlob(name), name + "x")) << name;
+  }
+  EXPECT_FALSE(matchesGlob(exactGlob("a [x]"), "a (x)"));
+  EXPECT_FALSE(matchesGlob(exactGlob("a*"), "ab"));
+  EXPECT_TRUE(matchesGlob(exactGlob("a\xef\xbf\xbd"), "a\xff")) << "a byte that a report could not show";
+}
+
 TEST(Glob, ManyStarsDoNotTakeExponentialTime) {
   std::string glob;
   for (int i = 0; i < 30; ++i) glob += "a*";

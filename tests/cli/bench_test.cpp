@@ -44,6 +44,20 @@ TEST_F(BenchOnDevice, WritesItsFilesAndAJudgementOfAnEarlierRun) {
   }
 }
 
+// Of one round each nothing can be told: that is no pass.
+TEST_F(BenchOnDevice, AComparisonThatJudgesNothingFails) {
+  ASSERT_TRUE(exitedWith(0, runParity(join({kShort, {"-o", path("a")}}))));
+  nlohmann::json json = nlohmann::json::parse(readWholeFile(m_folder / "a" / "bench.json"));
+  for (nlohmann::json& variant : json["scenes"][0]["variants"]) {
+    nlohmann::json& rounds = variant["timeMs"]["device"]["rounds"];
+    rounds = {rounds[0]};
+  }
+  base::writeText(path("once.json"), json.dump());
+  const RunResult result = runParity(join({kShort, {"--compare", path("once.json")}}));
+  EXPECT_TRUE(exitedWith(4, result));
+  EXPECT_TRUE(contains(result.out, "no setting could be judged")) << result.out;
+}
+
 // The keys of a suite's scenes are options of each alone.
 TEST_F(BenchOnDevice, ABrokenFirstSceneOfASuiteStopsNoOther) {
   const std::string suite = write("suite.toml", R"(

@@ -106,6 +106,8 @@ TEST(Help, OfEachSubcommandNamesItsOptions) {
               "--seed", "--seconds", "--output", "--json", "--no-validation"});
   expectHelp({"cache", "--help"}, {"info", "clear"});
   expectHelp({"cache", "clear", "--help"}, {"--cache", "--json"});
+  expectHelp({"suite", "list", "--help"}, {"--only", "tag:NAME", "--cache", "--json"});
+  expectHelp({"report", "--help"}, {"Do not turn small bright sources", "Mobile path: do not shade"});
   expectHelp({"devices", "--help"}, {"--device", "--json"});
   expectHelp({"completion", "--help"}, {"bash", "zsh", "fish"});
   expectHelp({"man", "--help"}, {"--output"});

@@ -35,6 +35,10 @@ TEST_F(SuiteCommand, ListsWhatWouldRun) {
   EXPECT_EQ(part.at("scenes")[0].at("file"), "builtin:lights");
   EXPECT_EQ(part.at("scenes")[0].at("tags"), json({"hero"}));
   EXPECT_TRUE(part.at("seconds").is_null());
+  base::writeText(m_folder / "b.toml", "[[scene]]\nname = \"a [x]\"\nfile = \"builtin:lights\"\ntags = [\"t\"]\n"
+                                       "[[scene]]\nname = \"a (x)\"\nfile = \"builtin:lights\"\n");
+  const json exact = json::parse(runParity({"suite", "list", path("b.toml"), "--only", "tag:t", "--json", "-"}).out);
+  EXPECT_EQ(exact.at("scenes").size(), 1u) << "a tag means its scenes and no others of a like name";
   const RunResult unknown = runParity({"suite", "list", path("n.toml"), "--only", "tag:hera"});
   EXPECT_EQ(unknown.exitCode, 64);
   EXPECT_NE(unknown.err.find("--only: 'tag:hera': no scene has this tag; did you mean 'hero'?"), std::string::npos)
@@ -54,6 +58,10 @@ TEST_F(SuiteCommand, NameAndTimesOfARunAreKept) {
   EXPECT_EQ(report.at("scenes")[1].at("views").size(), 1u);
   const std::string junit = base::readText(m_folder / "out/junit.xml");
   EXPECT_NE(junit.find("<testsuites name=\"night &lt;1&gt;\""), std::string::npos) << junit.substr(0, 300);
+#ifdef PARITY_DASHBOARD
+  const std::string page = base::readText(m_folder / "out/index.html");
+  EXPECT_NE(page.find("<title>parity: night &lt;1&gt;: "), std::string::npos) << page.substr(0, 600);
+#endif
   const std::string list = runParity({"suite", "list", path("n.toml"), "--cache", path("cache")}).out;
   EXPECT_NE(list.find("; about "), std::string::npos) << list;
   EXPECT_NE(list.find("(1 of 2 scenes timed"), std::string::npos) << "the other one had but one of its views: " << list;

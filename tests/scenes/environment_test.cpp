@@ -79,6 +79,9 @@ TEST(Environment, FindsColoursByTheirNamesAndRefusesOthers) {
   refuses({"Z"}, "Z");
   refuses({"diffuse.R", "diffuse.G", "diffuse.B"}, "diffuse.R");
   expectError([] { scenes::toPanorama({}, "x.exr"); }, {"x.exr", "no pixels"});
+  std::vector<std::string> warnings;
+  expectError([&] { scenes::loadEnvironment("studio", 0, warnings); },
+              {"studio: environment: is no file; did you mean 'builtin:studio'?"});
 }
 
 TEST(Environment, RefusesCubeMapsPartsAndOtherShapes) {

@@ -4,7 +4,7 @@ import { customElement, property, query, state } from "lit/decorators.js";
 
 import { filterOf, isListed, matches, sortRows } from "./data/filter";
 import { groupingsOf, groupRows, type Group } from "./data/groups";
-import { suiteOf, type Page } from "./data/page";
+import type { Page } from "./data/page";
 import { makeRows, type Row } from "./data/rows";
 import { barScale } from "./data/scale";
 import { fromHash, isSameItem, kDefaultState, openItem, toHash, type State } from "./data/state";
@@ -169,7 +169,7 @@ export class ParityApp extends PageElement {
 
   protected override willUpdate(): void {
     const { report } = this.page;
-    document.title = [report.tool, suiteOf(report), this.openRow()?.name.slice(0, 80) ?? report.headline].filter((each) => each !== "").join(": ");
+    document.title = [report.tool, report.suite, this.openRow()?.name.slice(0, 80) ?? report.headline].filter((each) => each !== "").join(": ");
   }
 
   protected override updated(changed: PropertyValues): void {

@@ -153,6 +153,8 @@ TEST(BudgetFile, UnknownNamesAreRefusedWithTheNearestKnownOne) {
                 "unknown key 'wran'; did you mean 'warn'?");
   expectRefusal(head + "checks = [\n  { metric = \"flip.meen\", warn = 0.1 },\n]", "line 4",
                 "unknown metric 'flip.meen'; did you mean 'flip.mean'?");
+  expectRefusal(head + "checks = [ { metric = \"flip\", warn = 0.1 } ]", "line 3",
+                "unknown metric 'flip'; did you mean 'flip.mean'?");
   expectRefusal(head + "checks = [ { metric = \"flip.fraction_over(7)\", warn = 0.1 } ]", "line 3",
                 "did you mean 'flip.fraction_over(X)'?");
   expectRefusal(head + "checks = [ { metric = \"vmaf\", warn = 0.1 } ]", "line 3",

@@ -37,6 +37,11 @@ TEST(BadInput, MissingFileFolderAndEmptyFile) {
   expectError([&] { scenes::loadScene((folder / "none.gltf").string()); }, {"none.gltf"});
   expectError([&] { scenes::loadScene(folder.path().string()); }, {folder.path().string()});
   expectTextRefused("", {"the file is empty"});
+  for (const auto& [file, reason] : {std::pair("suite.toml", "is not a glTF scene; give a suite with --suite"),
+                                     {"picture.png", "is not a glTF scene (.gltf or .glb)"}}) {
+    writeFile(folder / file, "[[scene]]\n");
+    expectError([&] { scenes::loadScene((folder / file).string()); }, {std::string(file) + ": " + reason});
+  }
   expectError([] { scenes::loadScene("builtin:sphere"); }, {"builtin:sphere", "did you mean 'builtin:spheres'?"});
 }
 

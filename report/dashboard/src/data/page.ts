@@ -45,11 +45,6 @@ export function readPage(document: Document): Page | Problem {
   return { report: report as Report, run: isObject(run) ? (run as unknown as Run) : null, bench: sweepOf(optional("bench"), optional("bench-plots")) };
 }
 
-/** The name of the suite that the report is of; "": none. */
-export function suiteOf(report: Report): string {
-  return (report as { suite?: string }).suite ?? "";
-}
-
 /** Why it is no report that this page can show; "" if it is one. */
 export function problemOf(report: unknown): string {
   if (!isObject(report)) return "This page holds no report.";

@@ -2,7 +2,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 
 import { isWhole } from "../data/embedded";
-import { suiteOf } from "../data/page";
 import type { Row } from "../data/rows";
 import type { Report, Run } from "../data/types";
 import { badge, definitions } from "../parts";
@@ -46,10 +45,9 @@ export interface HeaderScene {
 
 export function header(scene: HeaderScene): TemplateResult {
   const { report, run, isBrief, theme, openKeys } = scene;
-  const suite = suiteOf(report);
   const when = run && run.startedAt !== "" ? html` · <time datetime=${run.startedAt}>${run.startedAt.replace("T", " ").replace("Z", " UTC")}</time>` : nothing;
   return html`<header class="page-head ${report.verdict.replace(" ", "-")} ${isBrief ? "brief" : ""}">
-    ${suite === "" || isBrief ? nothing : html`<p class="suite">Suite <bdi>${suite}</bdi></p>`}
+    ${report.suite === "" || isBrief ? nothing : html`<p class="suite">Suite <bdi>${report.suite}</bdi></p>`}
     <div class="head-line">
       <h1>${badge(report.verdict)} <span>${report.headline}</span></h1>
       <div class="head-buttons">

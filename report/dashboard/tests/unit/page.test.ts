@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { problemOf, suiteOf } from "../../src/data/page";
+import { problemOf } from "../../src/data/page";
 import { kSchema } from "../../src/data/types";
 import { makeReport } from "./sample";
 
@@ -9,11 +9,6 @@ describe("a report that the page reads", () => {
     expect(problemOf(makeReport([]))).toBe("");
     expect(problemOf({ ...makeReport([]), schema: 2 })).toContain(`schema version 2; this page reads version ${kSchema}.`);
     expect(problemOf({ ...makeReport([]), schema: undefined })).toMatch(/schema version unknown/);
-  });
-
-  it("may be of a suite", () => {
-    expect(suiteOf(makeReport([]))).toBe("");
-    expect(suiteOf(Object.assign(makeReport([]), { suite: "nightly" }))).toBe("nightly");
   });
 
   it("is whole", () => {
