@@ -261,7 +261,7 @@ TEST_F(ResultCacheTest, WhateverIsWrongWithTheCacheIsOneWarning) {
 TEST_F(ResultCacheTest, CacheThatIsFullOrNoFolderIsOneWarning) {
   const std::vector<std::string> scenes = {writeQuad()};
   const Report first = report(scenes, {"--no-cache"});
-  const Report small = report(scenes, {"--cache-size", "100"});
+  const Report small = report(scenes, {"--cache-size", "50"});
   EXPECT_TRUE(small.files == first.files);
   EXPECT_EQ(small.run.exitCode, first.run.exitCode);
   EXPECT_TRUE(contains(small.run.err, "warning: cache: ")) << small.run.err;
@@ -308,7 +308,7 @@ TEST_F(ResultCacheTest, InfoCountsAndClearEmpties) {
   EXPECT_EQ(info["entries"], listFiles(cache()).size() - 1);
   std::map<std::string, int> kinds;
   for (const nlohmann::json& kind : info["kinds"]) kinds[kind["kind"]] = kind["entries"];
-  EXPECT_EQ(kinds, (std::map<std::string, int>{{"files", 1}, {"lut", 1}, {"scene", 1}}));
+  EXPECT_EQ(kinds, (std::map<std::string, int>{{"files", 1}, {"lut", 1}, {"scene", 1}, {"time", 1}}));
   EXPECT_EQ(run("clear")["bytes"], info["bytes"]);
   EXPECT_EQ(listFiles(cache()), std::vector<std::string>{"notes.txt"});
   const RunResult refused = runParity({"cache", "info", "--cache", (cache() / "notes.txt").string()});
