@@ -128,8 +128,7 @@ void apply(OverrideTable& over, SuiteEntry& entry) {
   if (over.budgets) entry.budgets = over.budgets;
   entry.tags.insert(entry.tags.end(), over.tags.begin(), over.tags.end());
   std::ranges::sort(entry.tags);
-  const auto twice = std::ranges::unique(entry.tags);
-  entry.tags.erase(twice.begin(), twice.end());
+  entry.tags.erase(std::unique(entry.tags.begin(), entry.tags.end()), entry.tags.end());
   for (ViewOverride& view : over.views)
     for (ViewRequest& each : entry.views) {
       if (!base::matchesGlob(view.name, each.name)) continue;

@@ -88,8 +88,8 @@ std::pair<fs::path, std::vector<std::string>> split(const fs::path& folder, cons
   fs::path start = folder;
   for (auto part = parts.begin(); part != first; ++part) start /= *part;
   parts.erase(parts.begin(), first);
-  const auto twice = std::ranges::unique(parts, [](const auto& a, const auto& b) { return a == "**" && b == "**"; });
-  parts.erase(twice.begin(), twice.end());
+  const auto isTwice = [](const std::string& a, const std::string& b) { return a == "**" && b == "**"; };
+  parts.erase(std::unique(parts.begin(), parts.end(), isTwice), parts.end());
   return {start.empty() ? fs::path(".") : start, parts};
 }
 

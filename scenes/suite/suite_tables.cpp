@@ -143,8 +143,7 @@ private:
             "tags",
             fmt::format("'{}' holds a character that a tag may not have (* ? [ ] / or a blank)", cleanName(tag)));
     std::ranges::sort(tags);
-    const auto twice = std::ranges::unique(tags);
-    tags.erase(twice.begin(), twice.end());
+    tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
     return tags;
   }
 
