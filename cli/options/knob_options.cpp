@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/log.h"
 #include "cli/options/option_parts.h"
 #include "job/knobs.h"
 

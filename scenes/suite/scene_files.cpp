@@ -1,6 +1,7 @@
 #include "scenes/suite/scene_files.h"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 #include <stdexcept>
 
