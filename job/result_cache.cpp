@@ -61,7 +61,8 @@ std::string attributedKey(const std::string& key, const std::vector<std::vector<
   return hasher.hex();
 }
 
-std::optional<SceneRecord> findResult(const base::Cache& cache, const std::string& key, const SceneRequest& request) {
+std::optional<SceneRecord> findResult(const base::Cache& cache, const std::string& key, const SceneRequest& request,
+                                      std::vector<scenes::SourceFile>* filesRead) {
   const auto manifest = cache.find("files-" + key);
   if (!manifest) return std::nullopt;
   // The key holds what the bake's manifest says; its files may be others by now, or gone.
@@ -78,6 +79,7 @@ std::optional<SceneRecord> findResult(const base::Cache& cache, const std::strin
     return std::nullopt;
   }
   const auto bytes = cache.find(wanted);
+  if (filesRead) *filesRead = std::move(sources);
   return bytes ? recordFromBytes(*bytes) : std::nullopt;
 }
 
