@@ -164,6 +164,7 @@ ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Prog
   report.device = m_facts.device;
   report.settings = m_facts.settings;
   report.conditions = m_facts.conditions;
+  report.warnings = m_warnings;
   if (m_scenes.size() > 1) leaveOut(m_scenes, context.settings().materials, report);
   std::vector<EncodedPicture> pictures; // not written yet
   std::set<std::string> names;          // of the pictures
@@ -187,6 +188,7 @@ ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Prog
                                  m_request.oneOfMany, m_request.only});
   if (m_baselinePictures) keepBaselinePictures(report, pictures);
   logAccepted(report);
+  for (const std::string& incident : result.run.incidents) base::logWarning(incident);
   base::logRunWarnings(report.warnings);
   if (const std::string line = report::describeNotRun(report); !line.empty()) base::logError(line);
   for (const report::RunProblem& problem : report::problemsOf(report)) base::logError(problem.reason);

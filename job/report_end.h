@@ -40,6 +40,8 @@ public:
   void add(std::size_t index, ComparedScene scene);
 
   const RunFacts& facts() const { return m_facts; }
+  // Of the whole run: it makes the verdict a warning at least.
+  void warn(const std::string& words) { m_warnings.push_back(words); }
 
   // Once. A scene that was not added is not run, as the context was told to stop. run: what others have timed,
   // compiled and noticed; the context adds its own.
@@ -57,6 +59,7 @@ private:
   std::optional<BaselinePictures> m_baselinePictures;
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
   std::string m_startedAt;
+  std::vector<std::string> m_warnings;
   std::mutex m_mutex; // of all below
   std::vector<ComparedScene> m_scenes;
   std::vector<bool> m_isAdded;

@@ -32,6 +32,7 @@ public:
   // Once. Those that an interrupted run did not begin are not added.
   void compareScenes() {
     if (m_done.size() > 1 && base::threadCount() > 1) {
+      if (m_context.cache().enabled()) m_context.numerics(); // once for both
       Context second(m_context, Context::ForAnotherThread{});
       std::future<void> other = std::async(std::launch::async, [&] { takeScenes(second); });
       takeScenes(m_context);

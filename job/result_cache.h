@@ -22,7 +22,7 @@ struct ResultWish {
 };
 
 // The key of all that decides the result but the content of the files that the scene is read from: build, device and
-// driver, the CPU's instruction sets, every condition. Budgets are not in it: they judge afterwards. Nothing where
+// driver, how they round (job/numerics.h), every condition. Budgets are not in it: they judge afterwards. Nothing where
 // results are not kept (no cache, the validation layer).
 std::optional<std::string> resultKey(Context& context, const Conditions& conditions, const ResultWish& wish);
 
