@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -13,6 +14,7 @@
 
 #include "base/error.h"
 #include "base/temporary_name.h"
+#include "base/write_pieces.h"
 
 namespace parity::base {
 
@@ -150,15 +152,19 @@ void writeAtomically(const fs::path& file, const std::function<void(const fs::pa
 
 void writeText(const fs::path& file, std::string_view text) { writeBytes(file, std::as_bytes(std::span{text})); }
 
-void writeBytes(const fs::path& file, std::span<const std::byte> bytes) {
+void writePieces(const fs::path& file, const std::function<void(const TextSink&)>& write) {
   writeAtomically(file, [&](const fs::path& temporary) {
-    try {
-      OpenFile open(temporary, O_WRONLY | O_CREAT | O_EXCL);
-      open.write(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-      open.close();
-    } catch (const Error& error) { // the reader knows the final name only
-      throw Error(error.code(), file.string(), error.place(), error.reason());
-    }
+    const auto named = [&](const auto& step) {
+      try {
+        step();
+      } catch (const Error& error) { // the reader knows the final name only
+        throw Error(error.code(), file.string(), error.place(), error.reason());
+      }
+    };
+    std::optional<OpenFile> open;
+    named([&] { open.emplace(temporary, O_WRONLY | O_CREAT | O_EXCL); });
+    write([&](std::string_view piece) { named([&] { open->write(piece.data(), piece.size()); }); });
+    named([&] { open->close(); });
   });
 }
 
@@ -188,6 +194,10 @@ bool writeOnce(const fs::path& file, std::span<const std::byte> bytes) {
     ::close(folder);
   }
   return true;
+}
+
+void writeBytes(const fs::path& file, std::span<const std::byte> bytes) {
+  writePieces(file, [&](const TextSink& sink) { sink({reinterpret_cast<const char*>(bytes.data()), bytes.size()}); });
 }
 
 fs::path defaultCacheFolder() {
