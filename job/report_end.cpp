@@ -24,6 +24,7 @@
 #include "report/baseline.h"
 #include "report/judge.h"
 #include "report/reader.h"
+#include "report/trim.h"
 #include "report/wording.h"
 
 namespace parity::job {
@@ -111,6 +112,7 @@ void ReportEnd::add(std::size_t index, ComparedScene scene) {
     }
     scene.pictures.clear();
   }
+  report::trim(scene.result);
   const std::lock_guard lock(m_mutex);
   m_scenes[index] = std::move(scene);
   m_isAdded[index] = true;
@@ -172,6 +174,7 @@ ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Prog
     for (EncodedPicture& picture : scene.pictures) // scenes may share textures
       if (names.insert(picture.file).second) pictures.push_back(std::move(picture));
     if (scene.isCached) result.run.cachedScenes.push_back(scene.result.name);
+    if (scene.seconds > 0) result.run.sceneTimes.push_back({scene.result.name, scene.seconds});
     report.scenes.push_back(std::move(scene.result));
   }
   m_scenes.clear();

@@ -186,7 +186,7 @@ struct RunInfo {
   std::vector<std::string> cachedScenes;               // whose results were taken from the cache, unchanged
   std::vector<AgainCommand> again = {};                // of the views that were asked for
   std::vector<std::string> incidents = {};             // what a worker did not survive and the next one did
-  std::vector<SceneTime> sceneTimes = {};              // of the scenes that were done, in no fixed order
+  std::vector<SceneTime> sceneTimes = {};              // of the scenes that were done, in their order
 };
 
 // How many rows have each verdict.
