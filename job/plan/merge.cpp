@@ -118,7 +118,6 @@ private:
   ComparedScene take(std::size_t index, ReportEnd& end) {
     Unit unit = m_store.read(index);
     ComparedScene scene = std::move(unit.scene);
-    scene.seconds = unit.run.seconds;
     if (!scene.result.views.empty()) report::judgeScene(scene.result, m_budgets.of(m_request.scenes[index]));
     for (const UnitFile& file : unit.files)
       if (m_request.singleFile)
