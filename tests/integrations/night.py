@@ -2,7 +2,11 @@
 import filecmp
 import os
 import pathlib
+import shutil
 import subprocess
+import sys
+import tempfile
+import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 INTEGRATIONS = ROOT / "integrations"
@@ -38,14 +42,36 @@ def write_suite(file, scenes):
     (file.parent / "triangle.gltf").write_text(TRIANGLE, encoding="utf-8")
 
 
-def make_environment(folder, program):
-    """With a folder for the program on the PATH, as `parity`, and a cache of its own."""
+# What the commands in integrations/ do not say, so that pictures are small.
+SMALL = ["--size", "96x96", "--pixel-data", "none"]
+
+# In place of the program: ends as a test wants it to (fail_work), else becomes the program.
+STAND_IN = """#!/bin/sh
+codes={folder}/codes-${{PARITY_SHARD-${{JOB_COMPLETION_INDEX-${{CI_NODE_INDEX-}}}}}}
+if [ "$1" = work ] && [ "$3" = --shard ] && [ -s "$codes" ]; then
+  code=$(head -n 1 "$codes")
+  sed -i 1d "$codes"
+  exit "$code"
+fi
+[ "$1" != plan ] || set -- "$@" {options}
+exec {program} "$@"
+"""
+
+
+def make_environment(folder, program, options=()):
+    """With a folder for the program on the PATH, as `parity`, and a cache of its own. The options are for `parity plan`."""
     bin_folder = folder / "bin"
     bin_folder.mkdir(parents=True)
-    (bin_folder / "parity").symlink_to(program)
+    (bin_folder / "parity").write_text(STAND_IN.format(folder=folder, program=program, options=" ".join(options)), encoding="utf-8")
+    (bin_folder / "parity").chmod(0o755)
     kept = {name: os.environ[name] for name in ("HOME", "LANG", "VK_ICD_FILENAMES", "VK_DRIVER_FILES") if name in os.environ}
     return dict(kept, PATH=f"{bin_folder}:/usr/sbin:/usr/bin:/sbin:/bin", XDG_CACHE_HOME=str(folder / "cache"),
                 ASAN_OPTIONS="detect_leaks=0")
+
+
+def fail_work(folder, index, codes):
+    """`parity work` of the shard with this index, as the engine counts, does nothing and ends with these codes, a call each."""
+    (folder / f"codes-{index}").write_text("".join(f"{code}\n" for code in codes), encoding="utf-8")
 
 
 def run(command, folder, environment, expected=(0,)):
@@ -73,3 +99,40 @@ def differences(report, reference):
 
 def pictures(report):
     return len([name for name in files_of(report) if name.endswith(".png")])
+
+
+class Night(unittest.TestCase):
+    """A test case with a folder, a repository that holds the suite ci/nightly.toml, and the report of one machine."""
+
+    PROGRAM = ""
+    SCENES = 9
+
+    @classmethod
+    def setUpClass(cls):
+        cls.made = pathlib.Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.made)
+        write_suite(cls.made / "repository" / "ci" / "nightly.toml", cls.SCENES)
+        cls.reference = cls.made / "reference"
+        run(["parity", "report", "--suite", "ci/nightly.toml", *SMALL, "-o", cls.reference], cls.made / "repository",
+            make_environment(cls.made / "alone", cls.PROGRAM), expected=(2,))
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.environment = make_environment(self.folder, self.PROGRAM, SMALL)
+        self.environment["XDG_CACHE_HOME"] = str(self.made / "cache")
+
+    def checkout(self, name):
+        """A folder of its own for a job, with the repository in it."""
+        folder = pathlib.Path(tempfile.mkdtemp(prefix=f"{name}-", dir=self.folder))
+        return pathlib.Path(shutil.copytree(self.made / "repository", folder, dirs_exist_ok=True))
+
+    def assert_same(self, report):
+        self.assertEqual(differences(report, self.reference), [])
+        self.assertGreaterEqual(pictures(report), self.SCENES)
+
+
+def main(case):
+    """Runs the tests of the program that the command line names first."""
+    Night.PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
+    unittest.main(module=case)
