@@ -82,6 +82,8 @@ def kill_a_node_at_work(cluster, node, job):
 
 def test(program, folder):
     environment = make_environment(folder, program)
+    for words in ([], ["night"], ["-x", "night", "out"], ["night", "out", "--suite", "assets/night.toml"]):
+        run([SUBMIT, *words], folder, environment, expected=(64,))
     write_suite(folder / "assets" / "night.toml", SCENES)
     alone = make_environment(folder / "alone", program) # another cache: nothing of the cluster's is recalled
     run(["parity", "report", *OPTIONS, "-o", "reference"], folder, alone, expected=(2,))
