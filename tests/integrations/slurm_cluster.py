@@ -21,8 +21,17 @@ CPUS = 4 # of a node: what integrations/slurm/work.sbatch asks for, so a node ru
 LIBC = ctypes.CDLL(None, use_errno=True)
 
 
-def missing_programs():
-    return [name for name in PROGRAMS if not shutil.which(name, path="/usr/sbin:/usr/bin")]
+def user():
+    """The name of this user, or nothing: a container may give a number alone, which Slurm does not take."""
+    try:
+        return pwd.getpwuid(os.getuid()).pw_name
+    except KeyError:
+        return ""
+
+
+def what_is_missing():
+    missing = [name for name in PROGRAMS if not shutil.which(name, path="/usr/sbin:/usr/bin")]
+    return missing + ([] if user() else ["a name of this user"])
 
 
 def free_ports(count):
@@ -117,12 +126,11 @@ class Cluster:
 
     def configure(self):
         host = socket.gethostname().split(".")[0]
-        user = pwd.getpwuid(os.getuid()).pw_name
         control, *ports = free_ports(1 + len(self.nodes))
         lines = [
             "ClusterName=parity",
             f"SlurmctldHost={host}(127.0.0.1)", f"SlurmctldPort={control}",
-            f"SlurmUser={user}", f"SlurmdUser={user}",
+            f"SlurmUser={user()}", f"SlurmdUser={user()}",
             # cred_expire is also how long a task that is requeued waits.
             "AuthType=auth/munge", "CredType=cred/munge", f"AuthInfo=socket={self.socket},cred_expire=10",
             "ProctrackType=proctrack/linuxproc", "TaskPlugin=task/none", "JobAcctGatherType=jobacct_gather/none",

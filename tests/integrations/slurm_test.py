@@ -14,7 +14,7 @@ import tempfile
 import time
 
 from night import INTEGRATIONS, differences, make_environment, pictures, run, write_suite
-from slurm_cluster import Cluster, missing_programs
+from slurm_cluster import Cluster, what_is_missing
 
 SCENES, SHARDS, LIMIT_S = 24, 12, 420
 SUBMIT = INTEGRATIONS / "slurm" / "submit"
@@ -137,15 +137,16 @@ def compare(folder):
 
 
 def main():
-    if missing := missing_programs():
-        print(f"skipped: {', '.join(missing)} not found (packages slurm-wlm and munge)")
+    if missing := what_is_missing():
+        print(f"skipped: there is not {', nor '.join(missing)} (packages slurm-wlm and munge)")
         return 77
 
-    def out_of_time(*_):
-        raise TimeoutError(f"{LIMIT_S} s are over")
+    def give_up(number, _):
+        raise TimeoutError(f"ended by {signal.Signals(number).name}; {LIMIT_S} s are allowed")
 
-    signal.signal(signal.SIGALRM, out_of_time)
-    signal.alarm(LIMIT_S) # before ctest ends this process and would leave the cluster's
+    for number in (signal.SIGALRM, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, give_up) # so that the cluster is ended, too
+    signal.alarm(LIMIT_S) # before ctest kills this process, which then could not
     # A short name, as munge's socket lies in it.
     folder = pathlib.Path(tempfile.mkdtemp(prefix="parity-"))
     try:
