@@ -23,7 +23,8 @@ def run_pod(spec, index):
     environment = dict(os.environ, **{each["name"]: each["value"].replace(mount, VOLUME) for each in container["env"]})
     if index is not None:
         environment["JOB_COMPLETION_INDEX"] = str(index) # the Job controller's own variable
-    done = subprocess.run(["parity", *container["args"]], cwd=container["workingDir"].replace(mount, VOLUME), env=environment,
+    command = container.get("command", ["parity"]) # the image's own entry point
+    done = subprocess.run([*command, *container["args"]], cwd=container["workingDir"].replace(mount, VOLUME), env=environment,
                           stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
     return done.returncode, done.stdout
 

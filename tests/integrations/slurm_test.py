@@ -123,8 +123,8 @@ def test(program, folder):
 
 
 def lose_a_unit(folder):
-    units = sorted((folder / "night" / "units").iterdir())
-    check(len(units) >= SCENES, f"{len(units)} units of {SCENES} scenes")
+    units = sorted((folder / "night" / "units").glob("*.unit"))
+    check(len(units) == SCENES, f"{len(units)} units of {SCENES} scenes")
     units[len(units) // 2].unlink()
 
 
