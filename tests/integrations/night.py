@@ -47,7 +47,7 @@ SMALL = ["--size", "96x96", "--pixel-data", "none"]
 
 # In place of the program: ends as a test wants it to (fail_work), else becomes the program.
 STAND_IN = """#!/bin/sh
-codes={folder}/codes-${{PARITY_SHARD-${{JOB_COMPLETION_INDEX-${{CI_NODE_INDEX-}}}}}}
+codes={folder}/codes-${{PARITY_SHARD-${{SLURM_ARRAY_TASK_ID-${{JOB_COMPLETION_INDEX-${{CI_NODE_INDEX-}}}}}}}}
 if [ "$1" = work ] && [ "$3" = --shard ] && [ -s "$codes" ]; then
   code=$(head -n 1 "$codes")
   sed -i 1d "$codes"
