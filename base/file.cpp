@@ -68,6 +68,11 @@ public:
     }
   }
 
+  // Until it is on the disk.
+  void sync() const {
+    if (::fsync(m_descriptor) != 0 && errno != EINVAL) fail("cannot be written", errno);
+  }
+
   // Some file systems report a full disk only here.
   void close() {
     const int descriptor = std::exchange(m_descriptor, -1);
@@ -155,6 +160,34 @@ void writeBytes(const fs::path& file, std::span<const std::byte> bytes) {
       throw Error(error.code(), file.string(), error.place(), error.reason());
     }
   });
+}
+
+bool writeOnce(const fs::path& file, std::span<const std::byte> bytes) {
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  if (error) throw fileError(file.string(), "its folder cannot be created", error.message());
+  if (fs::exists(file, error)) return false;
+  const fs::path temporary = file.parent_path() / temporaryNameOf(file.filename().string());
+  try {
+    OpenFile open(temporary, O_WRONLY | O_CREAT | O_EXCL);
+    open.write(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    open.sync();
+    open.close();
+  } catch (const Error& failure) {
+    fs::remove(temporary, error);
+    throw Error(failure.code(), file.string(), failure.place(), failure.reason());
+  }
+  int number = ::link(temporary.c_str(), file.c_str()) == 0 ? 0 : errno;
+  if (number == EPERM || number == EOPNOTSUPP || number == ENOSYS) // a file system without links: the last one wins
+    number = ::rename(temporary.c_str(), file.c_str()) == 0 ? 0 : errno;
+  fs::remove(temporary, error);
+  if (number == EEXIST) return false;
+  if (number != 0) throw fileError(file.string(), "cannot be written", reasonOf(number));
+  if (const int folder = ::open(file.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); folder >= 0) {
+    ::fsync(folder); // the name, too; not every file system can
+    ::close(folder);
+  }
+  return true;
 }
 
 fs::path defaultCacheFolder() {

@@ -179,6 +179,7 @@ struct RunInfo {
   std::size_t compiledShaders = 0;                     // of all paths, the same one once
   std::vector<std::string> cachedScenes;               // whose results were taken from the cache, unchanged
   std::vector<AgainCommand> again = {};                // of the views that were asked for
+  std::vector<std::string> incidents = {};             // what a worker did not survive and the next one did
 };
 
 // How many rows have each verdict.

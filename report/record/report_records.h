@@ -359,7 +359,8 @@ template <> inline constexpr auto kRecord<RunInfo> = record<RunInfo>(
     field("timings", &RunInfo::timings),
     field("compiledShaders", &RunInfo::compiledShaders, "Shaders of all paths; equal shaders count once"),
     field("cachedScenes", &RunInfo::cachedScenes, "Scenes whose unchanged results came from the cache"),
-    field("again", &RunInfo::again, "For each view that was asked for"));
+    field("again", &RunInfo::again, "For each view that was asked for"),
+    field("incidents", &RunInfo::incidents, "Crashes of workers after which a second try succeeded"));
 
 // clang-format on
 } // namespace parity::report
