@@ -10,8 +10,7 @@ namespace {
 
 template <typename Member> inline constexpr bool kIsOfScenes =
     std::is_same_v<Member, std::vector<SceneResult> Report::*> ||
-    std::is_same_v<Member, std::vector<AgainCommand> RunInfo::*> ||
-    std::is_same_v<Member, std::vector<SceneTime> RunInfo::*>;
+    std::is_same_v<Member, std::vector<AgainCommand> RunInfo::*>;
 
 class RecordWriter {
 public:

@@ -246,7 +246,7 @@ inline constexpr int kReportSchema = 4;
 // reports. A report of many scenes has a gigabyte of it: writeJson holds a piece of it at a time.
 void writeJson(const Report& report, const base::TextSink& sink, base::JsonLayout layout = base::JsonLayout::indented);
 std::string toJson(const Report& report, base::JsonLayout layout = base::JsonLayout::indented);
-// The same, compact, without what there is of each scene ("scenes"; "again" and "sceneTimes" of a run); and that.
+// The same, compact, without what a page loads scene by scene ("scenes", and "again" of a run); and that.
 std::string headJson(const Report& report);
 std::string headJson(const RunInfo& run);
 std::string toJson(const SceneResult& scene);

@@ -15,7 +15,6 @@ std::string ownLine(std::string json) {
 
 SceneFiles::SceneFiles(const Report& report, const RunInfo& run) : m_scenes(report.scenes) {
   for (const AgainCommand& each : run.again) m_again[each.scene].push_back(&each);
-  for (const SceneTime& each : run.sceneTimes) m_seconds.emplace(each.scene, each.seconds);
 }
 
 std::string SceneFiles::nameOf(std::size_t place) { return fmt::format("scenes/{}.js", place); }
@@ -25,10 +24,8 @@ std::string SceneFiles::object(std::size_t place) const {
   std::string again;
   if (const auto found = m_again.find(scene.name); found != m_again.end())
     for (const AgainCommand* each : found->second) again += (again.empty() ? "" : ",") + ownLine(toJson(*each));
-  const auto seconds = m_seconds.find(scene.name);
-  return fmt::format("{{\"file\":\"{}\",\"format\":1,\"scene\":{},\"again\":[{}],\"seconds\":{}}}", nameOf(place),
-                     ownLine(toJson(scene)), again,
-                     seconds == m_seconds.end() ? "null" : fmt::format("{}", seconds->second));
+  return fmt::format("{{\"file\":\"{}\",\"format\":1,\"scene\":{},\"again\":[{}]}}", nameOf(place),
+                     ownLine(toJson(scene)), again);
 }
 
 std::string SceneFiles::script(std::size_t place) const { return fmt::format("parityScene({});\n", object(place)); }

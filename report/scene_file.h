@@ -20,8 +20,9 @@ public:
   // "scenes/12.js", relative to the report's folder.
   static std::string nameOf(std::size_t place);
 
-  // {"file":FILE,"format":1,"scene":{...},"again":[...],"seconds":N}: the scene as report.json has it; the commands of
-  // its views and its time, null where the run has none, as run.json has them. Several threads may ask at a time.
+  // {"file":FILE,"format":1,"scene":{...},"again":[...]}: the scene as report.json has it, and the commands of its
+  // views as run.json has them; no times, so that the same scenes give the same bytes. Several threads may ask at a
+  // time.
   std::string object(std::size_t place) const;
 
   // The file's text: parityScene(OBJECT);
@@ -30,7 +31,6 @@ public:
 private:
   const std::vector<SceneResult>& m_scenes;
   std::unordered_map<std::string_view, std::vector<const AgainCommand*>> m_again; // by scene
-  std::unordered_map<std::string_view, double> m_seconds;                         // by scene; of namesakes the first
 };
 
 } // namespace parity::report

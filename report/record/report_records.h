@@ -354,7 +354,7 @@ template <> inline constexpr auto kRecord<AgainCommand> = record<AgainCommand>(
 template <> inline constexpr auto kRecord<SceneTime> = record<SceneTime>(
     "sceneTime", "Wall time of a scene, from its file or the cache to its figures and pictures",
     field("scene", &SceneTime::scene),
-    field("seconds", &SceneTime::seconds));
+    field("seconds", &SceneTime::seconds, "", {.finite = true, .least = 0}));
 
 template <> inline constexpr auto kRecord<RunInfo> = record<RunInfo>(
     "run", "Data that differs from run to run, so that it is not in the report",

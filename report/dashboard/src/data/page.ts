@@ -4,9 +4,9 @@ import { sweepOf, type Sweep } from "./bench";
 import { Overview, type PackedOverview } from "./overview";
 import { kSchema, type Report, type Run } from "./types";
 
-/** The report and its run without their scenes, whose details lie in files of their own (data/scenes). */
+/** The report without its scenes, and its run without their commands, which lie in files of their own (data/scenes). */
 export type Head = Omit<Report, "scenes">;
-export type RunHead = Omit<Run, "again" | "sceneTimes">;
+export type RunHead = Omit<Run, "again">;
 
 export interface Page {
   report: Head;

@@ -7,7 +7,6 @@ import type { AgainCommand, Scene } from "./types";
 export interface SceneDetails {
   scene: Scene;
   again: AgainCommand[]; // of its views
-  seconds: number | null; // that it took
 }
 
 const kFormat = 1;
@@ -28,8 +27,8 @@ export function checkScene(value: unknown, file: string, name: string): SceneDet
   if (value["file"] !== file || !isObject(scene)) throw new Error(`${file} holds no scene, or that of another file`);
   if (scene["name"] !== name) throw new Error(`${file} is of another report: it holds the scene ${String(scene["name"]).slice(0, 200)}`);
   if (!Array.isArray(scene["views"])) throw new Error(`${file} is damaged: its scene has no views`);
-  const { again, seconds } = value;
-  return { scene: scene as unknown as Scene, again: Array.isArray(again) ? (again as AgainCommand[]) : [], seconds: typeof seconds === "number" ? seconds : null };
+  const { again } = value;
+  return { scene: scene as unknown as Scene, again: Array.isArray(again) ? (again as AgainCommand[]) : [] };
 }
 
 /** The scene at that place of the report, if it is there already. */

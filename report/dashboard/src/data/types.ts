@@ -393,6 +393,7 @@ export interface Run {
   compiledShaders: number; // Shaders of all paths; equal shaders count once
   cachedScenes: string[]; // Scenes whose unchanged results came from the cache
   again: AgainCommand[]; // For each view that was asked for
+  incidents: string[]; // Crashes of workers after which a second try succeeded
   sceneTimes: SceneTime[]; // Of each scene that was done; several scenes may run at a time
 }
 
@@ -411,5 +412,5 @@ export interface AgainCommand {
 /** Wall time of a scene, from its file or the cache to its figures and pictures */
 export interface SceneTime {
   scene: string;
-  seconds: number | null;
+  seconds: number;
 }

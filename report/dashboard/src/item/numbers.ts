@@ -101,7 +101,8 @@ export class ParityNumbers extends PageElement {
   protected override render(): TemplateResult {
     const { report, run, bench } = this.page;
     const { judged } = this;
-    const { scene, seconds } = this.details;
+    const { scene } = this.details;
+    const seconds = run?.sceneTimes?.find((each) => each.scene === scene.name)?.seconds;
     return html`<div class="numbers">
       ${figureTable(judged, this.row, report)}
       ${judged.stages.map((stage) => stageLine(stage, this.row.test, report))}
@@ -121,7 +122,7 @@ export class ParityNumbers extends PageElement {
           ["Device", report.device], ["Version", `${report.tool} ${report.version}`], ["Started", run?.startedAt ?? ""],
           ["Shaders compiled", run ? String(run.compiledShaders) : ""],
           ["From the cache", run && run.cachedScenes.includes(scene.name) ? "this scene, unchanged" : ""],
-          ["Time of this scene", seconds === null ? "" : duration(1000 * seconds)],
+          ["Time of this scene", seconds === undefined ? "" : duration(1000 * seconds)],
         ])}
         ${run ? html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table><caption>Times${help("timings")}</caption><thead><tr><th scope="col">stage</th><th scope="col">time</th></tr></thead><tbody>${run.timings.map(({ stage, timeMs }) => html`<tr><th scope="row">${stage}</th><td class="number">${duration(timeMs)}</td></tr>`)}</tbody></table></div>` : nothing}
       </section>

@@ -62,7 +62,7 @@ export function changedData(name: string, change: (report: Report) => void): str
   );
   scenes.forEach((scene, i) => {
     const file = `scenes/${i}.js`;
-    writeFileSync(join(folder, file), `parityScene(${JSON.stringify({ file, format: 1, scene, again: [], seconds: null })});\n`);
+    writeFileSync(join(folder, file), `parityScene(${JSON.stringify({ file, format: 1, scene, again: [] })});\n`);
   });
   return folder;
 }

@@ -9,8 +9,8 @@ const check = (patch: object): unknown => checkScene({ ...whole, ...patch }, "sc
 
 describe("the file of a scene", () => {
   it("hands over the scene that the list names", () => {
-    expect(check({})).toEqual({ scene, again: [], seconds: null });
-    expect(check({ again: [{ scene: "Desk", view: "front", command: "parity" }], seconds: 2 })).toMatchObject({ again: [{ command: "parity" }], seconds: 2 });
+    expect(check({})).toEqual({ scene, again: [] });
+    expect(check({ again: [{ scene: "Desk", view: "front", command: "parity" }] })).toMatchObject({ again: [{ command: "parity" }] });
   });
 
   it("that is another one, or damaged, is refused in words", () => {
