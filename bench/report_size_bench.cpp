@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-double peakMegabytes() {
+double peakMebibytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024; // from kB
@@ -37,7 +37,7 @@ void measure(const char* what, const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  std::cout << fmt::format("{:32} {:7.2f} s, peak {:7.0f} MB\n", what, time.count(), peakMegabytes()) << std::flush;
+  std::cout << fmt::format("{:32} {:7.2f} s, peak {:7.0f} MiB\n", what, time.count(), peakMebibytes()) << std::flush;
 }
 
 std::uintmax_t bytesIn(const fs::path& fileOrFolder) {
@@ -50,8 +50,8 @@ std::uintmax_t bytesIn(const fs::path& fileOrFolder) {
 report::Report makeReport(const ReportSize& size) {
   report::Report report;
   measure("made", [&] { report = makeSyntheticReport(size); });
-  std::cout << fmt::format("{} scenes, {} rows of materials, {} MB of rows in memory\n", report.scenes.size(),
-                           report::countVerdicts(report).total(), static_cast<int>(peakMegabytes()));
+  std::cout << fmt::format("{} scenes, {} rows of materials, {} MiB of rows in memory\n", report.scenes.size(),
+                           report::countVerdicts(report).total(), static_cast<int>(peakMebibytes()));
   return report;
 }
 

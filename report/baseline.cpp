@@ -51,6 +51,7 @@ const MaterialResult* findNamesake(const std::vector<MaterialResult>& list, cons
 std::vector<FigureChange> changesOf(const compare::Figures& before, const compare::Figures& now) {
   std::vector<FigureChange> changes;
   if (before.pixels == 0 || now.pixels == 0 || before.nonFinite > 0) return changes;
+  changes.reserve(now.values.size());
   for (const compare::Figure& figure : now.values)
     if (const std::optional<double> then = before.find(figure.name))
       changes.push_back({figure.name, *then, figure.value});
