@@ -37,10 +37,17 @@ class Pipeline(Night):
                 {"CI_NODE_INDEX": str(index), "CI_NODE_TOTAL": str(job["parallel"])} if index else {}))
             for variable, value in job["variables"].items():
                 environment[variable] = re.sub(r"\$(\w+)", lambda match: environment[match.group(1)], value)
+            caches = self.made / "caches" / str(index)
+            for path in job.get("cache", {}).get("paths", []):
+                if (caches / path).exists():
+                    shutil.copytree(caches / path, folder / path)
             done = subprocess.run(["bash", "-eo", "pipefail", "-c", "\n".join(job["script"])], cwd=folder, env=environment,
                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                   timeout=300, check=False)
             self.said = done.stdout
+            for path in job.get("cache", {}).get("paths", []):
+                if (folder / path).exists():
+                    shutil.copytree(folder / path, caches / path, dirs_exist_ok=True)
             if done.returncode == 0 or job["artifacts"].get("when") == "always":
                 kept = self.folder / "artifacts" / f"{name}-{index}"
                 shutil.rmtree(kept, ignore_errors=True)
