@@ -16,6 +16,8 @@ enum class ExitCode : int {
   notComparable = 3,
   failed = 4, // something could not be read, rendered or written
   usage = 64,
+  incomplete = 75, // `parity work`: try again (EX_TEMPFAIL)
+  otherPlan = 78,  // another plan, build or machine (EX_CONFIG)
 };
 
 // Thrown for whatever can fail at run time. what() is one line, "subject: place: reason" (of an ErrorList: several).

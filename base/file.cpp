@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -13,6 +14,7 @@
 
 #include "base/error.h"
 #include "base/temporary_name.h"
+#include "base/write_pieces.h"
 
 namespace parity::base {
 
@@ -66,6 +68,11 @@ public:
       else if (errno != EINTR)
         fail("cannot be written", errno);
     }
+  }
+
+  // Until it is on the disk.
+  void sync() const {
+    if (::fsync(m_descriptor) != 0 && errno != EINVAL) fail("cannot be written", errno);
   }
 
   // Some file systems report a full disk only here.
@@ -145,16 +152,52 @@ void writeAtomically(const fs::path& file, const std::function<void(const fs::pa
 
 void writeText(const fs::path& file, std::string_view text) { writeBytes(file, std::as_bytes(std::span{text})); }
 
-void writeBytes(const fs::path& file, std::span<const std::byte> bytes) {
+void writePieces(const fs::path& file, const std::function<void(const TextSink&)>& write) {
   writeAtomically(file, [&](const fs::path& temporary) {
-    try {
-      OpenFile open(temporary, O_WRONLY | O_CREAT | O_EXCL);
-      open.write(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-      open.close();
-    } catch (const Error& error) { // the reader knows the final name only
-      throw Error(error.code(), file.string(), error.place(), error.reason());
-    }
+    const auto named = [&](const auto& step) {
+      try {
+        step();
+      } catch (const Error& error) { // the reader knows the final name only
+        throw Error(error.code(), file.string(), error.place(), error.reason());
+      }
+    };
+    std::optional<OpenFile> open;
+    named([&] { open.emplace(temporary, O_WRONLY | O_CREAT | O_EXCL); });
+    write([&](std::string_view piece) { named([&] { open->write(piece.data(), piece.size()); }); });
+    named([&] { open->close(); });
   });
+}
+
+bool writeOnce(const fs::path& file, std::span<const std::byte> bytes) {
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  if (error) throw fileError(file.string(), "its folder cannot be created", error.message());
+  if (fs::exists(file, error)) return false;
+  const fs::path temporary = file.parent_path() / temporaryNameOf(file.filename().string());
+  try {
+    OpenFile open(temporary, O_WRONLY | O_CREAT | O_EXCL);
+    open.write(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    open.sync();
+    open.close();
+  } catch (const Error& failure) {
+    fs::remove(temporary, error);
+    throw Error(failure.code(), file.string(), failure.place(), failure.reason());
+  }
+  int number = ::link(temporary.c_str(), file.c_str()) == 0 ? 0 : errno;
+  if (number == EPERM || number == EOPNOTSUPP || number == ENOSYS) // a file system without links: the last one wins
+    number = ::rename(temporary.c_str(), file.c_str()) == 0 ? 0 : errno;
+  fs::remove(temporary, error);
+  if (number == EEXIST) return false;
+  if (number != 0) throw fileError(file.string(), "cannot be written", reasonOf(number));
+  if (const int folder = ::open(file.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); folder >= 0) {
+    ::fsync(folder); // the name, too; not every file system can
+    ::close(folder);
+  }
+  return true;
+}
+
+void writeBytes(const fs::path& file, std::span<const std::byte> bytes) {
+  writePieces(file, [&](const TextSink& sink) { sink({reinterpret_cast<const char*>(bytes.data()), bytes.size()}); });
 }
 
 fs::path defaultCacheFolder() {

@@ -27,6 +27,11 @@ void writeAtomically(const std::filesystem::path& file, const std::function<void
 void writeText(const std::filesystem::path& file, std::string_view text);
 void writeBytes(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
+// Writes a file that is not there yet, and returns true once it is on the disk, whole; false where one of that name is
+// there, which stays. Of several writers, also on other machines, one wins. Makes the parent folder. Throws Error (exit
+// 4).
+bool writeOnce(const std::filesystem::path& file, std::span<const std::byte> bytes);
+
 // $XDG_CACHE_HOME/parity, or ~/.cache/parity. Throws Error (exit 4) where neither variable is set.
 std::filesystem::path defaultCacheFolder();
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstring>
 #include <deque>
 #include <mutex>
 
@@ -88,16 +89,8 @@ StopSignal::~StopSignal() {
 int StopSignal::received() { return stopNumber; }
 
 std::string signalName(int number) {
-  switch (number) {
-  case SIGINT:
-    return "SIGINT";
-  case SIGTERM:
-    return "SIGTERM";
-  case SIGHUP:
-    return "SIGHUP";
-  default:
-    return "signal " + std::to_string(number);
-  }
+  const char* name = ::sigabbrev_np(number);
+  return name ? std::string("SIG") + name : "signal " + std::to_string(number);
 }
 
 } // namespace parity::base

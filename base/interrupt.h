@@ -23,7 +23,7 @@ public:
   static int received(); // the number of the signal; 0: none since the last one was made
 };
 
-// "SIGINT", "SIGTERM", "SIGHUP"; "signal 9" for others.
+// "SIGINT"; "signal 99" for one without a name.
 std::string signalName(int number);
 
 } // namespace parity::base

@@ -53,4 +53,6 @@ void logRunWarnings(const std::vector<std::string>& messages) {
 
 void logError(const std::string& message) { writeLine("error: ", message); }
 
+void logPlain(const std::string& message) { writeLine("", message); }
+
 } // namespace parity::base

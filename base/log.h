@@ -16,5 +16,6 @@ void logWarning(const std::string& message); // "warning: ..."; not with -q
 // Of a whole run: a warning each; with -q all of them in one line.
 void logRunWarnings(const std::vector<std::string>& messages);
 void logError(const std::string& message); // "error: ..."; always
+void logPlain(const std::string& message); // as it is; always
 
 } // namespace parity::base

@@ -1,9 +1,8 @@
 #include "base/temporary_name.h"
 
-#include <unistd.h>
-
 #include <atomic>
 #include <filesystem>
+#include <random>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -19,13 +18,15 @@ bool isDigits(std::string_view text) {
 } // namespace
 
 std::string temporaryNameOf(const std::string& fileName) {
+  // Not the process id: two machines that share a folder may have the same.
+  static const unsigned process = std::random_device{}();
   static std::atomic<unsigned> counter = 0;
   const std::filesystem::path file = fileName;
-  return fmt::format(".{}.{}-{}{}", file.stem().string(), ::getpid(), counter++, file.extension().string());
+  return fmt::format(".{}.{}-{}{}", file.stem().string(), process, counter++, file.extension().string());
 }
 
 std::optional<std::string> ownNameOf(const std::string& temporaryName) {
-  // ".stem.PID-N" and an extension, or none, which then is what PID-N looks like.
+  // ".stem.ID-N" and an extension, or none, which then is what ID-N looks like.
   const std::string extension = std::filesystem::path(temporaryName).extension().string();
   for (const std::string& last : {extension, std::string()}) {
     const std::string inner = temporaryName.substr(0, temporaryName.size() - last.size());

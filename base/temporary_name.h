@@ -6,7 +6,7 @@
 
 namespace parity::base {
 
-// ".stem.PID-N.ext" for "stem.ext", another one each time: hidden, unique to the process, of the same extension.
+// ".stem.ID-N.ext" for "stem.ext", another one each time: hidden, unique to the process, of the same extension.
 std::string temporaryNameOf(const std::string& fileName);
 
 // The file's own name, where this is one that temporaryNameOf() gives: of a process that writes it, or was killed.

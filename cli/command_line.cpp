@@ -20,6 +20,7 @@
 #include "cli/options/guide_options.h"
 #include "cli/options/mistyped.h"
 #include "cli/options/option_parts.h"
+#include "cli/options/plan_options.h"
 #include "cli/options/plot_options.h"
 #include "cli/options/render_options.h"
 #include "cli/options/stress_options.h"
@@ -94,25 +95,25 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   DiffCommand diff;
   CLI::App& reportApp =
       *app.add_subcommand("report", "Compare scenes and write a report: index.html, report.json, junit.xml, images");
-  reportApp.add_option("scenes", report.scenes, "Scene files or builtin:NAME; -: one a line from standard input")
-      ->type_name(kSceneFile);
-  reportApp.add_option("--suite", report.suite, "Suite file (TOML): many scenes, with their views, light and budgets")
-      ->type_name(kFile)
-      ->group(kInputGroup)
-      ->excludes(reportApp.get_option("scenes"));
+  addSceneList(reportApp, report);
   report.folder = "parity-report";
   reportApp.add_option("-o,--output", report.folder, "Folder for the report")
       ->type_name(kFolder)
       ->group(kOutputGroup)
       ->capture_default_str();
   addPageOptions(reportApp, report, raw);
+  addBenchOption(reportApp, report.bench);
   addVerdictOptions(reportApp, report.verdict, "Show all rows of the table. Default: those that failed or warned");
-  addOnlyOption(reportApp, report.common.only);
+  RawWorkers rawWorkers;
+  addWorkerOptions(reportApp, report.workers, rawWorkers,
+                   "Compare scenes in this many worker processes: a crash costs one scene. Default: in this process");
   reportApp.add_option("--json", report.common.json, "Also write report.json to this file; - for stdout")
       ->type_name(kFile)
       ->group(kOutputGroup);
   addCsvOption(reportApp, report.csv);
-  for (job::Settings* settings : {&report.common.settings, &diff.common.settings}) {
+  PlanCommand plan;
+  for (job::Settings* settings :
+       {&report.common.settings, &plan.report.common.settings, &diff.common.settings}) {
     settings->attribution = job::Attribution::overBudget;
     settings->droppedLights = 8;
   }
@@ -121,6 +122,24 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addViewKnobs(reportApp, raw);
   addRunOptions(reportApp, report.common, raw);
   addBudgetsOption(reportApp, report.common);
+
+  CLI::App& planApp = *app.add_subcommand("plan", "Freeze a report over many machines: its scenes, settings and shards");
+  addSceneList(planApp, plan.report);
+  addPlanOptions(planApp, plan);
+  addPageOptions(planApp, plan.report, raw);
+  addKnobs(planApp, plan.report.common, raw, kCompared, {"env"});
+  addEnvironments(planApp, raw);
+  addViewKnobs(planApp, raw);
+  addRunOptions(planApp, plan.report.common, raw);
+  addBudgetsOption(planApp, plan.report.common);
+
+  RawWork rawWork;
+  CLI::App& workApp = *app.add_subcommand("work", "Compare the scenes of a plan, or of one of its shards");
+  addWorkOptions(workApp, rawWork);
+
+  RawMerge rawMerge;
+  CLI::App& mergeApp = *app.add_subcommand("merge", "Write the report of a plan from what its shards have done");
+  addMergeOptions(mergeApp, rawMerge);
 
   CLI::App& diffApp = *app.add_subcommand(
       "diff", "Compare one scene, or those of a suite, and print a table with one row for each material");
@@ -239,9 +258,23 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       settle(reportApp, report.common, raw, !report.suite.empty());
       requireSizeFits(report.common, kComparedPixelBytes);
       requireOneOnStdout(report.common.json, report.csv);
-      report.pixelData = raw.pixelData.empty() ? !report.singleFile : raw.pixelData == "all";
+      settleWorkers(report.workers, rawWorkers);
+      settlePage(report, raw);
       report.kept = keptWords(reportApp, diffApp);
       parsed.command = report;
+    } else if (planApp.parsed()) {
+      ReportCommand& planned = plan.report;
+      if (planned.scenes.empty() && planned.suite.empty()) throw CLI::RequiredError("plan: SCENE or --suite");
+      if (!planned.suite.empty()) requireNoneOfScene(raw);
+      settle(planApp, planned.common, raw, !planned.suite.empty());
+      requireSizeFits(planned.common, kComparedPixelBytes);
+      settlePage(planned, raw);
+      planned.kept = keptWords(planApp, diffApp);
+      parsed.command = plan;
+    } else if (workApp.parsed()) {
+      parsed.command = settleWork(rawWork);
+    } else if (mergeApp.parsed()) {
+      parsed.command = settleMerge(rawMerge);
     } else if (diffApp.parsed()) {
       if (diff.scene.empty() && diff.suite.empty()) throw CLI::RequiredError("diff: SCENE or --suite");
       if (!diff.suite.empty()) requireNoneOfScene(raw);

@@ -10,6 +10,7 @@
 #include "compare/images/flip_run.h"
 #include "job/bake_run.h"
 #include "job/knobs.h"
+#include "job/report_run.h"
 #include "report/budget_suggest.h"
 #include "scenes/suite/suite.h"
 #include "study/fit/truth.h"
@@ -39,6 +40,13 @@ struct VerdictOptions {
   bool allRows = false; // of the table, also those that pass
 };
 
+// Worker processes of a run.
+struct WorkerOptions {
+  int jobs = 0;                // at a time; 0: none, the run is done in this process
+  double timeoutS = 300;       // that a scene may take
+  std::size_t memoryBytes = 0; // that a worker may hold; 0: any
+};
+
 struct ReportCommand {
   CommonOptions common;
   VerdictOptions verdict;
@@ -46,8 +54,36 @@ struct ReportCommand {
   std::string suite, folder;
   std::string csv; // file, "-" for stdout, "" for none
   bool singleFile = false, pixelData = true;
-  std::string bench;             // bench.json of `parity bench` or its folder; empty: none
+  job::Pictures pictures = job::Pictures::all;
+  std::string bench; // bench.json of `parity bench` or its folder; empty: none
+  WorkerOptions workers;
   std::vector<std::string> kept; // words of the command line that `parity diff` takes for the same result
+};
+
+struct PlanCommand {
+  ReportCommand report; // its folder is the plan's
+  std::size_t shards = 1;
+};
+
+struct WorkCommand {
+  std::string folder;
+  std::string shard;              // a number from 0, "auto", or empty for all
+  std::vector<std::size_t> units; // to be done in this process; empty: those of the shard, by workers
+  bool missing = false;           // only print the shards with units that are missing
+  int supervisor = 0;             // process id of a worker's, which tells what to do by standard input; 0: no worker
+  WorkerOptions workers{.jobs = 1};
+  std::optional<std::string> cacheFolder; // in place of the plan's; empty: no cache
+  std::optional<std::uintmax_t> cacheBytes;
+  int threads = 0;
+  bool quiet = false;
+};
+
+struct MergeCommand {
+  std::string plan, folder;
+  bool reportsIncomplete = false;
+  VerdictOptions verdict; // the baseline is the plan's
+  std::string json, csv, bench;
+  bool timings = false, quiet = false;
 };
 
 struct DiffCommand {
@@ -163,7 +199,7 @@ struct SuiteListCommand {
 };
 
 using Invocation =
-    std::variant<ReportCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand, BudgetSuggestCommand,
+    std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand, BudgetSuggestCommand,
                  BudgetCheckCommand, FitCommand, BenchCommand, StressCommand, BakeCommand, DevicesCommand, InfoCommand,
                  CacheCommand, SuiteListCommand, PlotCommand, KnobsCommand, VersionCommand, GuideCommand>;
 
@@ -184,6 +220,9 @@ std::vector<std::string> termNames();
 
 // The subcommands. Each returns its exit code and throws base::Error for what it could not do.
 int runReportCommand(const ReportCommand& command, const std::string& commandLine);
+int runPlanCommand(const PlanCommand& command, const std::string& commandLine);
+int runWorkCommand(const WorkCommand& command);
+int runMergeCommand(const MergeCommand& command);
 int runDiffCommand(const DiffCommand& command, const std::string& commandLine);
 int runRenderCommand(const RenderCommand& command);
 int runListTermsCommand();

@@ -40,6 +40,9 @@ int run(int argc, char** argv) {
   parity::base::setInterruptNote(std::string(argv[1]) +
                                  ": interrupted: no output was written; the cache keeps its entries");
   return std::visit(Overloaded{[&](const ReportCommand& c) { return runReportCommand(c, line); },
+                               [&](const PlanCommand& c) { return runPlanCommand(c, line); },
+                               [](const WorkCommand& c) { return runWorkCommand(c); },
+                               [](const MergeCommand& c) { return runMergeCommand(c); },
                                [&](const DiffCommand& c) { return runDiffCommand(c, line); },
                                [](const RenderCommand& c) { return runRenderCommand(c); },
                                [](const ListTermsCommand&) { return runListTermsCommand(); },

@@ -27,6 +27,7 @@ std::vector<job::SceneRequest> inEachEnvironment(const CommonOptions& common, co
     job::SceneRequest& entry = all.emplace_back(scene);
     entry.name = scenes::cleanName(fmt::format("{}, {}", scene.name, scenes::stemOf(environment)));
     entry.settings.scene.environment = environment;
+    entry.given["env"] = {{environment}, "--env"};
   }
   return all;
 }
@@ -39,6 +40,8 @@ job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& s
   request.scene = scene;
   request.settings = common.settings;
   request.settings.scene.baked = bakedFolder(common.settings.scene.baked, request.name);
+  request.given = common.given;
+  if (!request.settings.scene.baked.empty()) request.given["baked"].value = {request.settings.scene.baked};
   request.views = {common.view};
   return request;
 }
@@ -47,12 +50,14 @@ RunRequest runRequest(const CommonOptions& common, const std::vector<std::string
   RunRequest run;
   if (!suite.empty()) {
     const scenes::Suite loaded = scenes::loadSuite(suite, job::suiteKnobs());
-    run.settings = job::defaultsOf(loaded, common.plain, common.given);
+    run.settings = job::defaultsOf(loaded.given, common.plain, common.given);
+    run.given = base::merged(loaded.given, common.given);
     run.scenes = job::requestsOf(loaded, common.plain, common.given);
     run.suite = loaded.name;
     run.suiteBudgets = loaded.budgets;
   } else {
     run.settings = common.settings;
+    run.given = common.given;
     std::set<std::string> names;
     for (const std::string& scene : scenes)
       for (job::SceneRequest& entry : inEachEnvironment(common, sceneRequest(common, scene))) {

@@ -17,6 +17,7 @@ job::SceneRequest sceneRequest(const CommonOptions& common, const std::string& s
 // What a run over scenes is asked for.
 struct RunRequest {
   job::Settings settings; // of scenes that say nothing else
+  base::GivenKnobs given; // what those were made of
   std::vector<job::SceneRequest> scenes;
   std::string suite;                       // its name; empty: there is none
   std::optional<std::string> suiteBudgets; // path of the suite's budget file

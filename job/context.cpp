@@ -9,12 +9,11 @@
 #include "base/image/image_io.h"
 #include "base/log.h"
 #include "base/member_count.h"
+#include "job/numerics.h"
 #include "job/stopped.h"
 #include "scenes/load.h"
 
 namespace parity::job {
-
-namespace {
 
 std::string hashOfThisBuild() {
   base::Hasher hasher;
@@ -22,8 +21,6 @@ std::string hashOfThisBuild() {
   if (const auto module = base::imageModuleFile(); !module.empty()) hasher.add(base::readFile(module));
   return hasher.hex();
 }
-
-} // namespace
 
 Context::Context(const Settings& settings)
     : m_settings(settings), m_display(settings.display),
@@ -34,7 +31,8 @@ Context::Context(const Settings& settings)
 
 Context::Context(const Context& first, ForAnotherThread)
     : m_settings(first.m_settings), m_isStopped(first.m_isStopped), m_display(first.m_settings.display),
-      m_cache(first.m_cache), m_buildId(first.m_buildId), m_deviceReport(first.m_deviceReport),
+      m_cache(first.m_cache), m_buildId(first.m_buildId), m_numerics(first.m_numerics),
+      m_deviceReport(first.m_deviceReport),
       m_lights(first.m_lights) {}
 
 void Context::take(const Context& other) {
@@ -59,6 +57,14 @@ gpu::Device& Context::device() {
     m_device->setTimings(&m_timings);
   }
   return *m_device;
+}
+
+const std::string& Context::numerics() {
+  if (m_numerics.empty()) {
+    const base::Stopwatch watch(&m_timings, "numerics");
+    m_numerics = numericsId(*this);
+  }
+  return m_numerics;
 }
 
 const gpu::DeviceReport& Context::deviceReport() {

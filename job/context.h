@@ -22,6 +22,9 @@
 
 namespace parity::job {
 
+// Of the running binary and of its module of the image files: a hash.
+std::string hashOfThisBuild();
+
 // Made once a run; what it holds is made on first use.
 class Context {
 public:
@@ -60,6 +63,8 @@ public:
   // cache is disabled.
   const base::Cache& cache() const { return m_cache; }
   const std::string& buildId() const { return m_buildId; }
+  // How this machine rounds (job/numerics.h); made on first use. Throws Error (exit 4).
+  const std::string& numerics();
 
   // The environment of a file as it is now, with the warnings that reading it gave; the last one that the run has read
   // is at hand, known by its content. Thread-safe. Throws Error as scenes::loadEnvironment does.
@@ -83,7 +88,7 @@ private:
   base::Timings m_timings;
   base::DisplayTransform m_display;
   base::Cache m_cache;
-  std::string m_buildId;
+  std::string m_buildId, m_numerics;
   std::unique_ptr<gpu::Device> m_device;
   gpu::PipelineStore m_pipelines; // ends before the device
   std::optional<gpu::DeviceReport> m_deviceReport;

@@ -306,9 +306,9 @@ Settings withKnobs(Settings settings, const base::GivenKnobs& given) {
   return settings;
 }
 
-Settings defaultsOf(const scenes::Suite& suite, const Settings& settings, const base::GivenKnobs& commandLine) {
+Settings defaultsOf(const base::GivenKnobs& ofSuite, const Settings& settings, const base::GivenKnobs& commandLine) {
   Settings all = settings;
-  const base::GivenKnobs given = base::merged(suite.given, commandLine);
+  const base::GivenKnobs given = base::merged(ofSuite, commandLine);
   knobs().apply(all, given); // a scene may say what makes it go together
   deriveWhatIfs(all, settings, given);
   return derived(all);
@@ -323,7 +323,8 @@ std::vector<SceneRequest> requestsOf(const scenes::Suite& suite, const Settings&
     request.tags = entry.tags;
     try {
       const base::GivenKnobs defaults = base::merged(suite.given, entry.defaults);
-      request.settings = withKnobs(settings, base::merged(base::merged(defaults, commandLine), entry.given));
+      request.given = base::merged(base::merged(defaults, commandLine), entry.given);
+      request.settings = withKnobs(settings, request.given);
       requireNeeds(request.settings, entry.given);
     } catch (const base::Error& error) {
       throw base::Error(base::ExitCode::failed, fmt::format("scene '{}'", entry.name), error.subject(), error.reason());

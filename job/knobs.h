@@ -21,7 +21,7 @@ Settings withKnobs(Settings settings, const base::GivenKnobs& given);
 
 // What holds for the scenes of a suite that say nothing else. Each scene is asked by requestsOf
 // whether it goes together.
-Settings defaultsOf(const scenes::Suite& suite, const Settings& settings, const base::GivenKnobs& commandLine);
+Settings defaultsOf(const base::GivenKnobs& ofSuite, const Settings& settings, const base::GivenKnobs& commandLine);
 
 // The scenes of a suite. What a scene says goes before the command line, the command line before [defaults]. settings:
 // of the run, without any of its knobs. Throws Error (failed) with the scene, as withKnobs does.

@@ -9,12 +9,15 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/parallel.h"
 #include "base/temporary_name.h"
+#include "base/write_pieces.h"
 #include "job/baseline_pictures.h"
 #include "job/paths.h"
 #include "job/scene/material_cards.h"
 #include "job/view/display_table.h"
 #include "report/dashboard_files.h"
+#include "report/scene_file.h"
 
 namespace parity::job {
 
@@ -44,6 +47,11 @@ bool isPictureOfAReport(std::string_view name) {
 // The same of a pixel file: "0-scene_0-view.js".
 bool isPixelFileOfAReport(std::string_view name) {
   return (isOfAView(name) && name.ends_with(".js")) || "pixels/" + std::string(name) == kDisplayTableFile;
+}
+
+// The same of a scene's details: "12.js".
+bool isSceneFile(std::string_view name) {
+  return name.find_first_not_of("0123456789") == name.size() - 3 && name.size() > 3 && name.ends_with(".js");
 }
 
 bool isReportFile(std::string_view name) { return std::ranges::find(kReportFiles, name) != std::end(kReportFiles); }
@@ -88,6 +96,7 @@ void prepareReportFolder(const std::filesystem::path& folder, bool singleFile) {
   error = clean(folder, isReportFile);
   if (!error) error = cleanOwn(folder / "images", isPictureOfAReport);
   if (!error) error = cleanOwn(folder / "pixels", isPixelFileOfAReport);
+  if (!error) error = cleanOwn(folder / "scenes", isSceneFile);
   if (!error) error = cleanOwn(folder / "baseline", isBaselinePicture);
   if (error) throw base::fileError(folder.string(), "", "an older report cannot be removed: " + error.message());
   // What is in the way of the pictures is said before anything is rendered.
@@ -97,9 +106,9 @@ void prepareReportFolder(const std::filesystem::path& folder, bool singleFile) {
 
 void writeReport(const std::filesystem::path& folder, const report::Report& report, const report::RunInfo& run,
                  const ReportParts& parts) {
-  base::writeText(folder / "report.json", report::toJson(report));
+  base::writePieces(folder / "report.json", [&](const base::TextSink& sink) { report::writeJson(report, sink); });
   base::writeText(folder / "run.json", report::toJson(run));
-  base::writeText(folder / "junit.xml", report::toJunit(report, run));
+  base::writePieces(folder / "junit.xml", [&](const base::TextSink& sink) { report::writeJunit(report, run, sink); });
   if (!parts.bench.json.empty() && !parts.singleFile) base::writeText(folder / "bench.json", parts.bench.json);
   if (!report::hasDashboard()) return;
   report::PageRequest page{.bench = parts.bench, .singleFile = parts.singleFile, .files = {}};
@@ -108,8 +117,14 @@ void writeReport(const std::filesystem::path& folder, const report::Report& repo
   if (!parts.singleFile) {
     base::writeText(folder / "dashboard.js", report::dashboardScript().text);
     base::writeText(folder / "dashboard.css", report::dashboardStyle().text);
+    const report::SceneFiles scenes(report, run);
+    base::parallelFor(report.scenes.size(), 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        base::writeText(folder / report::SceneFiles::nameOf(i), scenes.script(i));
+    });
   }
-  base::writeText(folder / "index.html", report::toHtml(report, run, page));
+  base::writePieces(folder / "index.html",
+                    [&](const base::TextSink& sink) { report::writeHtml(report, run, page, sink); });
 }
 
 } // namespace parity::job

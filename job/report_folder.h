@@ -17,7 +17,7 @@ namespace parity::job {
 std::string imagePrefix(std::size_t sceneIndex, const std::string& scene, std::size_t viewIndex,
                         const std::string& view);
 
-// What a report's folder may hold besides images/, pixels/ and baseline/.
+// What a report's folder may hold besides images/, pixels/, scenes/ and baseline/.
 inline constexpr std::array<const char*, 7> kReportFiles = {"report.json",  "run.json",      "junit.xml", "index.html",
                                                             "dashboard.js", "dashboard.css", "bench.json"};
 
@@ -32,8 +32,9 @@ struct ReportParts {
   const std::vector<EncodedPicture>& pictures; // of a single file
 };
 
-// report.json, run.json, junit.xml and, where the build has the page, index.html with dashboard.js and dashboard.css;
-// bench.json where there is one. Throws Error (exit 4).
+// report.json, run.json, junit.xml and, where the build has the page, index.html with dashboard.js, dashboard.css and
+// scenes/; bench.json where there is one. Of a long report it holds pieces at a time, and of its rows the overview
+// (report/overview.h). Throws Error (exit 4).
 void writeReport(const std::filesystem::path& folder, const report::Report& report, const report::RunInfo& run,
                  const ReportParts& parts);
 

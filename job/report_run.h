@@ -1,6 +1,7 @@
 // A whole run: scenes in, report out.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,6 +15,10 @@ namespace parity::job {
 
 class Context;
 
+// Which views' pictures a report has, and the values behind them: of all, of those with a row that is no pass, of none.
+enum class Pictures { all, notPassed, none };
+inline constexpr std::array<const char*, 3> kPicturesNames = {"all", "not-passed", "none"};
+
 struct ReportRequest {
   std::vector<SceneRequest> scenes;             // in order; each is tried, whatever becomes of the others
   std::string suite = {};                       // its name; empty: none
@@ -22,6 +27,7 @@ struct ReportRequest {
   std::filesystem::path baseline;               // an earlier report.json or its folder; empty: none
   std::vector<std::string> only = {};           // globs by which its views were chosen of more; empty: these are all
   bool oneOfMany = false;                       // scenes of the baseline that this run does not show are not gone
+  Pictures pictures = Pictures::all;            // none where there is no folder
   bool pixelData = true;                        // the values behind the pictures are written, too: pixels/
   bool singleFile = false;                      // index.html holds everything that it shows
   report::Bench bench;                          // for the page and the folder

@@ -2,8 +2,6 @@
 // that key and the content of those files.
 #include "job/result_cache.h"
 
-#include <hwy/targets.h>
-
 #include "bake/baked_folder.h"
 #include "base/file.h"
 #include "base/hash.h"
@@ -43,7 +41,7 @@ std::optional<std::string> resultKey(Context& context, const Conditions& conditi
   base::Hasher hasher;
   hasher.add(base::kVersion).add(context.buildId());
   for (const std::string& text : {device.name, device.driver, device.build}) hasher.add(text);
-  hasher.addValue(static_cast<std::int64_t>(hwy::SupportedTargets())); // what the metrics run on
+  hasher.add(context.numerics());
   hasher.add(hashOf(conditions));
   hasher.addValue(wish.statistics.size());
   for (const std::string& statistic : wish.statistics) hasher.add(statistic);
@@ -61,7 +59,8 @@ std::string attributedKey(const std::string& key, const std::vector<std::vector<
   return hasher.hex();
 }
 
-std::optional<SceneRecord> findResult(const base::Cache& cache, const std::string& key, const SceneRequest& request) {
+std::optional<SceneRecord> findResult(const base::Cache& cache, const std::string& key, const SceneRequest& request,
+                                      std::vector<scenes::SourceFile>* filesRead) {
   const auto manifest = cache.find("files-" + key);
   if (!manifest) return std::nullopt;
   // The key holds what the bake's manifest says; its files may be others by now, or gone.
@@ -78,6 +77,7 @@ std::optional<SceneRecord> findResult(const base::Cache& cache, const std::strin
     return std::nullopt;
   }
   const auto bytes = cache.find(wanted);
+  if (filesRead) *filesRead = std::move(sources);
   return bytes ? recordFromBytes(*bytes) : std::nullopt;
 }
 

@@ -22,7 +22,7 @@ struct ResultWish {
 };
 
 // The key of all that decides the result but the content of the files that the scene is read from: build, device and
-// driver, the CPU's instruction sets, every condition. Budgets are not in it: they judge afterwards. Nothing where
+// driver, how they round (job/numerics.h), every condition. Budgets are not in it: they judge afterwards. Nothing where
 // results are not kept (no cache, the validation layer).
 std::optional<std::string> resultKey(Context& context, const Conditions& conditions, const ResultWish& wish);
 
@@ -31,8 +31,9 @@ std::optional<std::string> resultKey(Context& context, const Conditions& conditi
 std::string attributedKey(const std::string& key, const std::vector<std::vector<std::size_t>>& materials);
 
 // The result of that key, if the scene's files are what they were: all that its first run has read, by content; those
-// of baked light by the checksums of its manifest.
-std::optional<SceneRecord> findResult(const base::Cache& cache, const std::string& key, const SceneRequest& request);
+// of baked light by the checksums of its manifest. filesRead: not null: becomes those files.
+std::optional<SceneRecord> findResult(const base::Cache& cache, const std::string& key, const SceneRequest& request,
+                                      std::vector<scenes::SourceFile>* filesRead = nullptr);
 
 // sources: the files that the scene was read from. Without effect where one of them is out of reach by now.
 void storeResult(const base::Cache& cache, const std::string& key, const SceneRequest& request,

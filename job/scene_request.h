@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/knob/knob.h"
 #include "job/settings.h"
 #include "scenes/view.h"
 
@@ -25,6 +26,7 @@ struct SceneRequest {
   std::optional<std::string> budgets;  // path of a budget file for this scene
   std::vector<std::string> tags = {};  // of the suite
   std::optional<WholeRun> partOf = {}; // none: the run is whole
+  base::GivenKnobs given = {};         // what its settings were made of: withKnobs
 };
 
 } // namespace parity::job

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <unordered_map>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,6 +22,21 @@ template <typename Named> const Named* findByName(const std::vector<Named>& list
   return found == list.end() ? nullptr : &*found;
 }
 
+// The scenes of a report by their names; of namesakes the first. The report must outlive it.
+class ScenesByName {
+public:
+  explicit ScenesByName(const std::vector<SceneResult>& scenes) {
+    for (const SceneResult& scene : scenes) m_scenes.emplace(scene.name, &scene);
+  }
+  const SceneResult* find(const std::string& name) const {
+    const auto found = m_scenes.find(name);
+    return found == m_scenes.end() ? nullptr : found->second;
+  }
+
+private:
+  std::unordered_map<std::string_view, const SceneResult*> m_scenes;
+};
+
 // The material of that name which has as many namesakes before it; null if there is none.
 const MaterialResult* findNamesake(const std::vector<MaterialResult>& list, const std::vector<MaterialResult>& own,
                                    std::size_t index) {
@@ -34,6 +51,7 @@ const MaterialResult* findNamesake(const std::vector<MaterialResult>& list, cons
 std::vector<FigureChange> changesOf(const compare::Figures& before, const compare::Figures& now) {
   std::vector<FigureChange> changes;
   if (before.pixels == 0 || now.pixels == 0 || before.nonFinite > 0) return changes;
+  changes.reserve(now.values.size());
   for (const compare::Figure& figure : now.values)
     if (const std::optional<double> then = before.find(figure.name))
       changes.push_back({figure.name, *then, figure.value});
@@ -230,10 +248,10 @@ void compareWithBaseline(Report& report, const Report& baseline, const BaselineO
   summary.version = baseline.version;
   summary.device = baseline.device;
   OtherConditions others;
-  for (SceneResult& scene : report.scenes)
-    holdScene(scene, report, findByName(baseline.scenes, scene.name), baseline, others, summary);
+  const ScenesByName own(report.scenes), then(baseline.scenes);
+  for (SceneResult& scene : report.scenes) holdScene(scene, report, then.find(scene.name), baseline, others, summary);
   for (const SceneResult& before : baseline.scenes) {
-    const SceneResult* now = findByName(report.scenes, before.name);
+    const SceneResult* now = own.find(before.name);
     const auto isAsked = [&](const ViewResult& view) { return isAskedFor(options, before.name, view); };
     if (!now && !options.sameScenesOnly && before.error.empty() && std::ranges::any_of(before.views, isAsked))
       summary.gone.push_back({before.name, "", ""});

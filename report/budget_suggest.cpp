@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "base/text/text.h"
 #include "report/budget_limits.h"
 #include "report/budget_rule.h"
@@ -20,16 +23,18 @@ namespace {
 // A report that is given twice is one run, as it says nothing new.
 std::vector<ObservedRun> dropRepeated(const std::vector<ObservedRun>& runs, std::vector<std::string>& notes) {
   std::vector<ObservedRun> once;
-  std::vector<std::string> texts;
+  std::vector<std::string> hashes; // of their JSON
   for (const ObservedRun& run : runs) {
-    std::string text = toJson(run.report);
-    const auto same = std::ranges::find(texts, text);
-    if (same == texts.end()) {
-      texts.push_back(std::move(text));
+    base::Hasher hasher;
+    writeJson(run.report, [&](std::string_view piece) { hasher.add(std::as_bytes(std::span(piece))); });
+    std::string hash = hasher.hex();
+    const auto same = std::ranges::find(hashes, hash);
+    if (same == hashes.end()) {
+      hashes.push_back(std::move(hash));
       once.push_back(run);
     } else {
       notes.push_back(fmt::format("{} is the same run as {}, so it counts once", run.source,
-                                  once[static_cast<std::size_t>(same - texts.begin())].source));
+                                  once[static_cast<std::size_t>(same - hashes.begin())].source));
     }
   }
   return once;

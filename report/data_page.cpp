@@ -55,16 +55,25 @@ std::string escapeJson(std::string_view json) {
   return out;
 }
 
-std::string dataBlock(const DataBlock& block) {
-  return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", block.id, escapeJson(block.json));
+constexpr const char* kEndBlock = "</script>\n";
+
+void writeJsonBlock(const std::string& attribute, const std::string& value, std::string_view json,
+                    const base::TextSink& sink) {
+  sink(fmt::format("<script type=\"application/json\" {}=\"{}\">", attribute, base::escapeMarkup(value)));
+  sink(escapeJson(json));
+  sink(kEndBlock);
 }
 
-std::string fileBlock(const PageFile& file) {
+void writeFileBlock(const PageFile& file, const base::TextSink& sink) {
   const std::string name = base::escapeMarkup(file.file);
-  if (file.file.ends_with(".js"))
-    return fmt::format("<script type=\"application/json\" data-file=\"{}\">{}</script>\n", name,
-                       chunkObject(file.bytes)); // base64 and safe names
-  return fmt::format("<script type=\"text/plain\" data-file=\"{}\">{}</script>\n", name, toBase64(file.bytes));
+  if (file.file.ends_with(".js")) {
+    sink(fmt::format("<script type=\"application/json\" data-file=\"{}\">", name));
+    sink(chunkObject(file.bytes)); // base64 and safe names
+  } else {
+    sink(fmt::format("<script type=\"text/plain\" data-file=\"{}\">", name));
+    sink(toBase64(file.bytes));
+  }
+  sink(kEndBlock);
 }
 
 std::string cssClass(std::string name) {
@@ -74,7 +83,7 @@ std::string cssClass(std::string name) {
 
 } // namespace
 
-std::string toHtml(const DataPage& page) {
+void writeHtml(const DataPage& page, const base::TextSink& sink) {
   const std::string title = base::escapeMarkup(page.title), verdict = cssClass(page.verdict);
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta "
@@ -91,10 +100,18 @@ std::string toHtml(const DataPage& page) {
     html += fmt::format("<p class=\"badge {}\">{}</p>\n", verdict, base::escapeMarkup(page.verdict));
   html += fmt::format("<h1>{}</h1>\n<p class=\"device\">{}</p>\n</header>\n<noscript>\n{}</noscript>\n</main>\n", title,
                       base::escapeMarkup(page.sub), page.plain);
-  for (const DataBlock& block : page.blocks) html += dataBlock(block);
-  for (const PageFile& file : page.files) html += fileBlock(file);
-  if (page.singleFile) html += fmt::format("<script>{}</script>\n", dashboardScript().text);
-  return html + "</body>\n</html>\n";
+  sink(html);
+  for (const DataBlock& block : page.blocks) writeJsonBlock("id", block.id, block.json, sink);
+  for (const MadeFile& file : page.made) writeJsonBlock("data-file", file.file, file.object(), sink);
+  for (const PageFile& file : page.files) writeFileBlock(file, sink);
+  if (page.singleFile) sink(fmt::format("<script>{}</script>\n", dashboardScript().text));
+  sink("</body>\n</html>\n");
+}
+
+std::string toHtml(const DataPage& page) {
+  std::string html;
+  writeHtml(page, [&](std::string_view piece) { html += piece; });
+  return html;
 }
 
 } // namespace parity::report

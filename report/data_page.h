@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "base/text/text_sink.h"
 
 namespace parity::report {
 
@@ -21,16 +24,25 @@ struct DataBlock {
   std::string_view json;
 };
 
+// A file of JSON (.js, report/scene_file.h) by its name, made when its turn comes: many need not be held at once.
+struct MadeFile {
+  std::string file;
+  std::function<std::string()> object;
+};
+
 struct DataPage {
   std::string tool, title, verdict, sub; // of the head that is seen at once; verdict: may be empty
   std::string plain;                     // markup, for readers without scripts
   std::vector<DataBlock> blocks;
-  bool singleFile = true;      // else dashboard.js, dashboard.css and all that the data names lie beside the page
-  std::vector<PageFile> files; // that a single file holds
+  bool singleFile = true;          // else dashboard.js, dashboard.css and all that the data names lie beside the page
+  std::vector<PageFile> files;     // that a single file holds
+  std::vector<MadeFile> made = {}; // these, too
 };
 
-// UTF-8. Works from file:// and under a policy that forbids scripts in the page: it has none, only blocks of data; a
-// single file's one script and one style are allowed by their hashes. All texts but `plain` are escaped.
+// UTF-8, piece by piece. Works from file:// and under a policy that forbids scripts in the page: it has none, only
+// blocks of data; a single file's one script and one style are allowed by their hashes. All texts but `plain` are
+// escaped.
+void writeHtml(const DataPage& page, const base::TextSink& sink);
 std::string toHtml(const DataPage& page);
 
 } // namespace parity::report

@@ -1,4 +1,6 @@
 // report.json (report/report.schema.json) and run.json: the rows of their records as JSON.
+#include <utility>
+
 #include "base/text/json_writer.h"
 #include "report/record/report_records.h"
 #include "report/report.h"
@@ -6,9 +8,15 @@
 namespace parity::report {
 namespace {
 
+template <typename Member> inline constexpr bool kIsOfScenes =
+    std::is_same_v<Member, std::vector<SceneResult> Report::*> ||
+    std::is_same_v<Member, std::vector<AgainCommand> RunInfo::*>;
+
 class RecordWriter {
 public:
-  explicit RecordWriter(base::JsonLayout layout) : m_json(layout) {}
+  // isHead: without what a page has scene by scene.
+  explicit RecordWriter(base::JsonLayout layout, base::TextSink sink = {}, bool isHead = false)
+      : m_json(layout, std::move(sink)), m_isHead(isHead) {}
 
   template <typename T> void write(const T& value) {
     if constexpr (std::is_same_v<T, bool>)
@@ -58,6 +66,8 @@ private:
   template <typename Owner, typename Member, typename Show>
   void writeRow(const Owner& owner, const Row<Member, Show>& row) {
     if constexpr (kIsShown<Show>) {
+      if constexpr (kIsOfScenes<Member>)
+        if (m_isHead) return;
       const auto& value = std::invoke(row.show, owner);
       using Value = std::remove_cvref_t<decltype(value)>;
       const IfEmpty rule = ifEmpty<Value>(row.rule);
@@ -79,17 +89,28 @@ private:
   }
 
   base::JsonWriter m_json;
+  bool m_isHead;
 };
 
-template <typename T> std::string written(const T& record, base::JsonLayout layout) {
-  RecordWriter writer(layout);
+template <typename T> std::string written(const T& record, base::JsonLayout layout, bool isHead = false) {
+  RecordWriter writer(layout, {}, isHead);
   writer.write(record);
   return writer.finish();
 }
 
 } // namespace
 
+void writeJson(const Report& report, const base::TextSink& sink, base::JsonLayout layout) {
+  RecordWriter writer(layout, sink);
+  writer.write(report);
+  writer.finish();
+}
+
 std::string toJson(const Report& report, base::JsonLayout layout) { return written(report, layout); }
 std::string toJson(const RunInfo& run, base::JsonLayout layout) { return written(run, layout); }
+std::string headJson(const Report& report) { return written(report, base::JsonLayout::compact, true); }
+std::string headJson(const RunInfo& run) { return written(run, base::JsonLayout::compact, true); }
+std::string toJson(const AgainCommand& command) { return written(command, base::JsonLayout::compact); }
+std::string toJson(const SceneResult& scene) { return written(scene, base::JsonLayout::compact); }
 
 } // namespace parity::report

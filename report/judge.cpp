@@ -36,6 +36,13 @@ void judgeWhole(ViewResult& view, const compare::Budgets& budgets, std::string_v
   apply(compare::findWholeRule(budgets, scene), view.whole, view.checks, view.rule);
 }
 
+void judgeScene(SceneResult& scene, const compare::Budgets& budgets) {
+  for (ViewResult& view : scene.views) {
+    for (MaterialResult& material : view.materials) judgeMaterial(material, budgets, scene.name);
+    judgeWhole(view, budgets, scene.name);
+  }
+}
+
 std::string describeUnusedRules(const compare::Budgets& budgets, const Report& report) {
   std::vector<compare::JudgedScene> scenes;
   for (const SceneResult& scene : report.scenes) {

@@ -17,6 +17,9 @@ void judgeMaterial(MaterialResult& material, const compare::Budgets& budgets, st
 // Fills the checks and the rule of the view's whole image. settleVerdicts sets the verdicts.
 void judgeWhole(ViewResult& view, const compare::Budgets& budgets, std::string_view scene);
 
+// Both for every view of the scene.
+void judgeScene(SceneResult& scene, const compare::Budgets& budgets);
+
 // The rules that judged nothing in this report, in a line (compare/verdict/budget.h).
 std::string describeUnusedRules(const compare::Budgets& budgets, const Report& report);
 

@@ -1,5 +1,9 @@
 // junit.xml: what CI servers show. A suite a scene, a testcase a view x material and one for each whole image.
 #include <cmath>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,6 +19,26 @@ namespace {
 struct Tally {
   std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
 
+  void add(compare::Verdict verdict) {
+    ++tests;
+    switch (verdict) {
+    case compare::Verdict::pass:
+    case compare::Verdict::warn: // JUnit knows no warnings: the case passes
+      break;
+    case compare::Verdict::notSeen:
+    case compare::Verdict::tooSmall:
+    case compare::Verdict::notJudged:
+    case compare::Verdict::notRun:
+      ++skipped;
+      break;
+    case compare::Verdict::fail:
+      ++failures;
+      break;
+    case compare::Verdict::error:
+      ++errors;
+      break;
+    }
+  }
   void add(const Tally& other) {
     tests += other.tests;
     failures += other.failures;
@@ -29,6 +53,7 @@ struct Tally {
 struct Suite {
   std::string name, cases;
   Tally tally;
+  std::optional<double> seconds = {};
 };
 
 std::string ruleLines(const compare::AppliedRule& rule) {
@@ -69,7 +94,7 @@ std::string figureLines(const compare::Figures& figures, const std::string& test
 
 void addCase(Suite& suite, const std::string& className, const std::string& name, compare::Verdict verdict,
              const std::string& reason, const std::string& details, const std::string& accepted = {}) {
-  ++suite.tally.tests;
+  suite.tally.add(verdict);
   suite.cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\">\n", base::escapeMarkup(className),
                              base::escapeMarkup(name));
   const auto element = [&](const char* tag, const char* type) {
@@ -86,19 +111,16 @@ void addCase(Suite& suite, const std::string& className, const std::string& name
   case compare::Verdict::tooSmall:
   case compare::Verdict::notJudged:
   case compare::Verdict::notRun:
-    ++suite.tally.skipped;
     suite.cases += fmt::format("      <skipped message=\"{}: {}\"/>\n", nameOf(verdict), base::escapeMarkup(reason));
     break;
-  case compare::Verdict::warn: // JUnit knows no warnings: the case passes and says so
+  case compare::Verdict::warn: // the case passes and says so
     suite.cases += fmt::format("      <system-out>{}</system-out>\n",
                                base::escapeMarkup(fmt::format("warning: {}\n{}", reason, details)));
     break;
   case compare::Verdict::fail:
-    ++suite.tally.failures;
     element("failure", "budget");
     break;
   case compare::Verdict::error:
-    ++suite.tally.errors;
     element("error", "error");
     break;
   }
@@ -118,19 +140,29 @@ std::string materialDetails(const MaterialResult& material, const std::string& r
   return details + baselineLines(material.baseline) + ruleLines(material.rule);
 }
 
-Suite makeSuite(const SceneResult& scene, const RunInfo& run) {
+// The cases that makeSuite has.
+Tally tallyOf(const SceneResult& scene) {
+  Tally tally;
+  if (!scene.error.empty()) tally.add(ownVerdict(scene));
+  for (const ViewResult& view : scene.views) {
+    tally.add(view.wholeVerdict);
+    for (const MaterialResult& material : view.materials) tally.add(material.verdict);
+  }
+  return tally;
+}
+
+Suite makeSuite(const SceneResult& scene, const AgainCommands& again) {
   Suite suite{scene.name, "", {}};
   if (!scene.error.empty()) addCase(suite, scene.name, "scene", ownVerdict(scene), scene.error, "");
   for (const ViewResult& view : scene.views) {
     const std::string className = scene.name + "." + view.name;
     addCase(suite, className, "(whole image)", view.wholeVerdict, view.reason,
             figureLines(view.whole, view.test, view.checks) + baselineLines(view.baseline) + ruleLines(view.rule) +
-                againLine(view.wholeVerdict, againCommand(run, scene, view, nullptr)),
+                againLine(view.wholeVerdict, again.of(scene, view, nullptr)),
             view.accepted);
     for (const MaterialResult& material : view.materials)
       addCase(suite, className, material.name, material.verdict, material.reason,
-              materialDetails(material, view.reference) +
-                  againLine(material.verdict, againCommand(run, scene, view, &material)),
+              materialDetails(material, view.reference) + againLine(material.verdict, again.of(scene, view, &material)),
               material.accepted);
   }
   return suite;
@@ -155,21 +187,20 @@ Suite makeBaselineSuite(const BaselineSummary& baseline) {
   return suite;
 }
 
-} // namespace
-
-std::string toJunit(const Report& report, const RunInfo& run) {
+// What stands in the file besides the scenes' suites: of a report without scenes, of the run, of the baseline.
+std::vector<Suite> makeOtherSuites(const Report& report) {
   std::vector<Suite> suites;
-  for (const SceneResult& scene : report.scenes) suites.push_back(makeSuite(scene, run));
-  if (suites.empty()) {
+  if (report.scenes.empty()) {
     suites.push_back({"report", "", {}});
     addCase(suites.back(), "report", "report", compare::Verdict::error, "the report holds no scene", "");
   }
   const std::vector<RunProblem> problems = problemsOf(report);
   if (!problems.empty() || !report.warnings.empty()) suites.push_back(makeRunSuite(report, problems));
   if (report.baseline) suites.push_back(makeBaselineSuite(*report.baseline));
-  Tally total;
-  for (const Suite& suite : suites) total.add(suite.tally);
+  return suites;
+}
 
+std::string propertiesOf(const Report& report) {
   std::string properties;
   const auto property = [&](const std::string& name, const std::string& value) {
     properties += fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", base::escapeMarkup(name),
@@ -178,16 +209,57 @@ std::string toJunit(const Report& report, const RunInfo& run) {
   property("version", report.version);
   property("device", report.device);
   for (const auto& [name, value] : report.settings) property(name, value);
+  return properties;
+}
+
+// By scene; of those with one name the first.
+std::unordered_map<std::string_view, double> timesOf(const RunInfo& run) {
+  std::unordered_map<std::string_view, double> times;
+  for (const SceneTime& each : run.sceneTimes) times.emplace(each.scene, each.seconds);
+  return times;
+}
+
+std::string timeAttribute(std::optional<double> seconds) {
+  return seconds ? fmt::format(" time=\"{:.3f}\"", *seconds) : "";
+}
+
+} // namespace
+
+void writeJunit(const Report& report, const RunInfo& run, const base::TextSink& sink) {
+  const std::vector<Suite> others = makeOtherSuites(report);
+  const std::unordered_map<std::string_view, double> times = timesOf(run);
+  Tally total;
+  std::optional<double> seconds;
+  for (const SceneResult& scene : report.scenes) total.add(tallyOf(scene));
+  for (const Suite& suite : others) total.add(suite.tally);
+  for (const SceneTime& each : run.sceneTimes) seconds = seconds.value_or(0) + each.seconds;
+
+  const std::string properties = propertiesOf(report);
   const std::string timestamp =
       run.startedAt.empty() ? "" : fmt::format(" timestamp=\"{}\"", base::escapeMarkup(run.startedAt));
+  sink("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+  sink(fmt::format("<testsuites name=\"{}\" {}{}>\n",
+                   base::escapeMarkup(report.suite.empty() ? report.tool : report.suite), total.attributes(),
+                   timeAttribute(seconds)));
+  const auto write = [&](const Suite& suite) {
+    sink(fmt::format("  <testsuite name=\"{}\" {}{}{}>\n    <properties>\n{}    </properties>\n{}  </testsuite>\n",
+                     base::escapeMarkup(suite.name), suite.tally.attributes(), timeAttribute(suite.seconds), timestamp,
+                     properties, suite.cases));
+  };
+  const AgainCommands again(run);
+  for (const SceneResult& scene : report.scenes) {
+    Suite suite = makeSuite(scene, again);
+    if (const auto time = times.find(scene.name); time != times.end()) suite.seconds = time->second;
+    write(suite);
+  }
+  for (const Suite& suite : others) write(suite);
+  sink("</testsuites>\n");
+}
 
-  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-  xml += fmt::format("<testsuites name=\"{}\" {}>\n",
-                     base::escapeMarkup(report.suite.empty() ? report.tool : report.suite), total.attributes());
-  for (const Suite& suite : suites)
-    xml += fmt::format("  <testsuite name=\"{}\" {}{}>\n    <properties>\n{}    </properties>\n{}  </testsuite>\n",
-                       base::escapeMarkup(suite.name), suite.tally.attributes(), timestamp, properties, suite.cases);
-  return xml + "</testsuites>\n";
+std::string toJunit(const Report& report, const RunInfo& run) {
+  std::string xml;
+  writeJunit(report, run, [&](std::string_view piece) { xml += piece; });
+  return xml;
 }
 
 } // namespace parity::report

@@ -7,6 +7,8 @@
 
 #include "base/text/text.h"
 #include "compare/verdict/wording.h"
+#include "report/overview.h"
+#include "report/scene_file.h"
 
 namespace parity::report {
 namespace {
@@ -53,20 +55,31 @@ std::string plainPage(const Report& report) {
 
 } // namespace
 
-std::string toHtml(const Report& report, const RunInfo& run, const PageRequest& request) {
-  const std::string reportJson = toJson(report, base::JsonLayout::compact);
-  const std::string runJson = toJson(run, base::JsonLayout::compact);
+void writeHtml(const Report& report, const RunInfo& run, const PageRequest& request, const base::TextSink& sink) {
+  const std::string head = headJson(report), runJson = headJson(run);
+  std::string overview;
+  writeOverview(report, [&](std::string_view piece) { overview += piece; });
   DataPage page{.tool = report.tool,
                 .title = (report.suite.empty() ? "" : report.suite + ": ") + headline(report),
                 .verdict = nameOf(report.verdict),
                 .sub = report.device,
                 .plain = plainPage(report),
-                .blocks = {{"report", reportJson}, {"run", runJson}},
+                .blocks = {{"report", head}, {"overview", overview}, {"run", runJson}},
                 .singleFile = request.singleFile,
                 .files = request.files};
   if (!request.bench.json.empty()) page.blocks.push_back({"bench", request.bench.json});
   if (!request.bench.plots.empty()) page.blocks.push_back({"bench-plots", request.bench.plots});
-  return toHtml(page);
+  const SceneFiles scenes(report, run);
+  if (request.singleFile)
+    for (std::size_t i = 0; i < report.scenes.size(); ++i)
+      page.made.push_back({SceneFiles::nameOf(i), [&scenes, i] { return scenes.object(i); }});
+  writeHtml(page, sink);
+}
+
+std::string toHtml(const Report& report, const RunInfo& run, const PageRequest& request) {
+  std::string html;
+  writeHtml(report, run, request, [&](std::string_view piece) { html += piece; });
+  return html;
 }
 
 } // namespace parity::report

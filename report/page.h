@@ -1,4 +1,5 @@
-// index.html: what a reader sees at once, and the data that the dashboard (report/dashboard) makes the rest of.
+// index.html: what a reader sees at once, and the data that the dashboard (report/dashboard) makes the rest of: the
+// report and the run without their scenes, and the list of all rows (report/overview.h).
 #pragma once
 
 #include <string>
@@ -17,11 +18,13 @@ struct Bench {
 
 struct PageRequest {
   const Bench& bench;
-  bool singleFile = false;     // else dashboard.js, dashboard.css and all that the report names lie beside the page
+  bool singleFile = false;     // else dashboard.js, dashboard.css, the scenes' files (report/scene_file.h) and all that
+                               // the report names lie beside the page
   std::vector<PageFile> files; // that a single file holds
 };
 
-// Without scripts it shows the verdict and a table of what is over budget.
+// Piece by piece. Without scripts it shows the verdict and a table of what is over budget.
+void writeHtml(const Report& report, const RunInfo& run, const PageRequest& request, const base::TextSink& sink);
 std::string toHtml(const Report& report, const RunInfo& run, const PageRequest& request);
 
 } // namespace parity::report

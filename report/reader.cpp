@@ -1,21 +1,22 @@
-// report.json back as a Report: every value that is read is there and of its type, or the place of it is named.
+// report.json back as a Report, scene by scene: every value that is read is there and of its type, or the place of it
+// is named.
 #include "report/reader.h"
 
 #include <cmath>
+#include <exception>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "base/file.h"
 #include "report/record/report_records.h"
+#include "report/streamed_json.h"
+#include "report/trim.h"
 
 namespace parity::report {
 namespace {
 
 using nlohmann::json;
-
-constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
 
 // A value and the way to it.
 class Node {
@@ -136,6 +137,31 @@ template <Described T> void readRecord(const Node& node, T& record) {
   readRows(node, record, kRecord<T>.rows);
 }
 
+// What stands in a list or in an optional; else the type itself.
+template <typename T> struct Within { using Type = T; };
+template <typename T> struct Within<std::vector<T>> { using Type = T; };
+template <typename T> struct Within<std::optional<T>> { using Type = T; };
+
+template <typename T> Wanted wantedOf();
+template <typename Owner, typename... Rows> void addWanted(Wanted& wanted, const std::tuple<Rows...>& rows) {
+  forEachRow(rows, [&]<typename Row>(const Row& row) {
+    if (!isRead(row)) return;
+    if constexpr (kIsGroup<Row>)
+      addWanted<Owner>(wanted.keys[std::string(row.key)], row.rows);
+    else if constexpr (Readable<Owner, Row>)
+      wanted.keys[std::string(row.key)] = wantedOf<typename Within<MemberType<Owner, Row>>::Type>();
+  });
+}
+// The keys that are read of a record; all of what is none.
+template <typename T> Wanted wantedOf() {
+  Wanted wanted;
+  if constexpr (Described<T> && !IsByName<T>)
+    addWanted<T>(wanted, kRecord<T>.rows);
+  else
+    wanted.all = true;
+  return wanted;
+}
+
 } // namespace
 
 std::filesystem::path reportFileOf(const std::filesystem::path& fileOrFolder) {
@@ -145,14 +171,22 @@ std::filesystem::path reportFileOf(const std::filesystem::path& fileOrFolder) {
 
 Report readReport(const std::filesystem::path& fileOrFolder) {
   const std::filesystem::path path = reportFileOf(fileOrFolder);
-  const std::string text = base::readText(path, kMaxBytes);
-  json document;
-  try {
-    document = json::parse(text);
-  } catch (const json::parse_error& error) {
-    throw base::fileError(path.string(), fmt::format("byte {}", error.byte), "is not JSON, so it is not a report.json");
-  }
-  const Node root(document, path.string(), "");
+  const std::string file = path.string();
+  Wanted wanted = wantedOf<Report>();
+  wanted.keys["schema"].all = true;
+  std::vector<SceneResult> scenes;
+  std::exception_ptr fault; // of the first scene that has one: what is wrong with the report as a whole is said before
+  const auto take = [&](const json& element, std::size_t index) {
+    if (fault) return;
+    try {
+      readRecord(Node(element, file, fmt::format("/scenes/{}", index)), scenes.emplace_back());
+      trim(scenes.back());
+    } catch (const base::Error&) {
+      fault = std::current_exception();
+    }
+  };
+  const json document = readWanted(path, wanted, {"scenes", take}, "is not JSON, so it is not a report.json");
+  const Node root(document, file, "");
   const std::uint64_t schema = root.at("schema").count();
   if (schema < kOldestRead || schema > kReportSchema)
     root.at("schema").refuse(
@@ -160,6 +194,8 @@ Report readReport(const std::filesystem::path& fileOrFolder) {
                     schema > kReportSchema ? "a newer" : "an older", kOldestRead, kReportSchema));
   Report report;
   readRecord(root, report);
+  if (fault) std::rethrow_exception(fault);
+  report.scenes = std::move(scenes);
   return report;
 }
 

@@ -14,11 +14,10 @@ inline constexpr int kOldestRead = 3; // what is asked of a report is the same s
 
 // What later runs ask of an earlier one: version, device, settings; of each scene name, environment, sun and whether it
 // failed; of each view and material name, verdict, figures, pictures, what no path models, and whether its truth is a
-// number; all conditions. All else stays empty. May be given the
-// report's folder.
-// An infinite psnr, null in the file, is infinite again; any other null is NaN. Throws Error (exit 4) "file:
-// /json/pointer: reason" where it cannot be read, is no JSON, lacks something or holds a wrong type, or is of a
-// schema version that is not kOldestRead to kReportSchema.
+// number; all conditions. All else stays empty, and takes no memory while the file is read, scene by scene. May be
+// given the report's folder. An infinite psnr, null in the file, is infinite again; any other null is NaN. Throws Error
+// (exit 4) "file: /json/pointer: reason" where it cannot be read, is no JSON, lacks something or holds a wrong type, or
+// is of a schema version that is not kOldestRead to kReportSchema.
 Report readReport(const std::filesystem::path& fileOrFolder);
 
 } // namespace parity::report

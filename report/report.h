@@ -171,6 +171,12 @@ struct AgainCommand {
   std::string scene, view, command;
 };
 
+// How long a scene took, from its file (or the cache) to its figures and pictures; several scenes may run at a time.
+struct SceneTime {
+  std::string scene;
+  double seconds = 0;
+};
+
 // What differs from run to run, kept out of the report so that it is byte-identical.
 struct RunInfo {
   std::string startedAt; // ISO 8601, UTC
@@ -179,6 +185,8 @@ struct RunInfo {
   std::size_t compiledShaders = 0;                     // of all paths, the same one once
   std::vector<std::string> cachedScenes;               // whose results were taken from the cache, unchanged
   std::vector<AgainCommand> again = {};                // of the views that were asked for
+  std::vector<std::string> incidents = {};             // what a worker did not survive and the next one did
+  std::vector<SceneTime> sceneTimes = {};              // of the scenes that were done, in their order
 };
 
 // How many rows have each verdict.
@@ -235,10 +243,18 @@ std::string headline(const Report& report);
 inline constexpr int kReportSchema = 4;
 
 // JSON by report/report.schema.json, UTF-8, keys in fixed order, no times: byte-identical for equal
-// reports.
+// reports. A report of many scenes has a gigabyte of it: writeJson holds a piece of it at a time.
+void writeJson(const Report& report, const base::TextSink& sink, base::JsonLayout layout = base::JsonLayout::indented);
 std::string toJson(const Report& report, base::JsonLayout layout = base::JsonLayout::indented);
+// The same, compact, without what a page loads scene by scene ("scenes", and "again" of a run); and that.
+std::string headJson(const Report& report);
+std::string headJson(const RunInfo& run);
+std::string toJson(const SceneResult& scene);
+std::string toJson(const AgainCommand& command);
 std::string toJson(const RunInfo& run, base::JsonLayout layout = base::JsonLayout::indented);
-// JUnit: a testcase per scene x material; failures and errors with their figures.
+// JUnit: a testsuite a scene, with its time where the run has it, a testcase per view x material; failures and errors
+// with their figures. writeJunit holds one scene's at a time.
+void writeJunit(const Report& report, const RunInfo& run, const base::TextSink& sink);
 std::string toJunit(const Report& report, const RunInfo& run);
 struct TableOptions {
   bool color = false;      // ANSI

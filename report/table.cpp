@@ -215,9 +215,10 @@ private:
   void addCommands() {
     if (m_run.again.empty()) return;
     constexpr std::size_t kMostCommands = 3;
+    const AgainCommands again(m_run);
     std::vector<std::string> commands;
     for (const Worst& row : worstRows(m_report))
-      if (std::string command = againCommand(m_run, *row.scene, *row.view, row.material); !command.empty())
+      if (std::string command = again.of(*row.scene, *row.view, row.material); !command.empty())
         commands.push_back(std::move(command));
     const std::size_t shown = m_options.all ? commands.size() : std::min(commands.size(), kMostCommands);
     if (shown == 0) return;

@@ -27,4 +27,9 @@ std::string describe(const WhatIf& whatIf, const compare::Figures& now);
 // The same of all of a material's, one behind the other; empty where there is none.
 std::string describeWhatIfs(const MaterialResult& material);
 
+// The one that would help a material most: the best verdict of pass, warn and fail, then the least mean FLIP. Null
+// where none has a better verdict than the material, or the same one with a FLIP that is less by a tenth. It points
+// into the material.
+const WhatIf* bestWhatIf(const MaterialResult& material);
+
 } // namespace parity::report

@@ -93,6 +93,20 @@ double readShare(const std::string& text) {
   return share;
 }
 
+double readSeconds(const std::string& text) {
+  const auto refuse = [&] { return KnobError{"'" + text + "' is not a time such as 300s, 5m or 2h"}; };
+  const std::size_t digits = std::min(text.find_first_of("smh"), text.size());
+  if (digits + 1 < text.size()) throw refuse();
+  const double unit = digits == text.size() || text[digits] == 's' ? 1 : text[digits] == 'm' ? 60 : 3600;
+  try {
+    constexpr double kMost = 1e6;
+    const double value = readNumber(text.substr(0, digits), 0, kMost);
+    if (value > 0) return value * unit;
+  } catch (const KnobError&) {
+  }
+  throw refuse();
+}
+
 std::size_t readBytes(const std::string& text) {
   constexpr std::string_view kUnits = "KMGT";
   const char* const end = text.data() + text.size();

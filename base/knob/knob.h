@@ -87,6 +87,7 @@ long long readWhole(const std::string& text, double least, double most);        
 std::vector<float> readNumbers(const std::string& text, const std::string& form); // as many as the form names, finite
 std::size_t readChoice(const std::string& text, const std::vector<std::string>& choices); // its place
 double readShare(const std::string& text);      // "0.5%" or "0.005": from 1e-6 to 1
+double readSeconds(const std::string& text);    // "300", "300s", "5m", "2h": above 0
 std::size_t readBytes(const std::string& text); // "500M", "4G", "1048576": powers of 1024, at least 1
 
 // Numbers as the shortest text that reads back as the very same.

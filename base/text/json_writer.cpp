@@ -10,7 +10,17 @@
 
 namespace parity::base {
 
+namespace {
+
+constexpr std::size_t kPiece = 64 * 1024; // bytes that a sink gets at once
+
+} // namespace
+
 void JsonWriter::beforeValue() {
+  if (m_sink && m_out.size() >= kPiece) {
+    m_sink(m_out);
+    m_out.clear();
+  }
   if (m_afterKey) {
     m_afterKey = false;
     return;
@@ -84,7 +94,9 @@ void JsonWriter::appendQuoted(std::string_view value) {
 std::string JsonWriter::finish() {
   assert(m_filled.empty() && !m_afterKey);
   m_out += '\n';
-  return std::move(m_out);
+  if (!m_sink) return std::move(m_out);
+  m_sink(m_out);
+  return {};
 }
 
 } // namespace parity::base

@@ -4,7 +4,10 @@
 #include <concepts>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "base/text/text_sink.h"
 
 namespace parity::base {
 
@@ -18,7 +21,9 @@ enum class JsonLayout {
 // shortest, so their text could change with its version.)
 class JsonWriter {
 public:
-  explicit JsonWriter(JsonLayout layout = JsonLayout::indented) : m_layout(layout) {}
+  // sink: gets the document in pieces of some ten kilobytes, each of whole values; empty: finish() returns it.
+  explicit JsonWriter(JsonLayout layout = JsonLayout::indented, TextSink sink = {})
+      : m_layout(layout), m_sink(std::move(sink)) {}
 
   void beginObject() { begin('{'); }
   void endObject() { end('}'); }
@@ -32,12 +37,13 @@ public:
   void integer(std::integral auto value) { raw(std::to_string(value)); }
   void boolean(bool value) { raw(value ? "true" : "false"); }
   void null() { raw("null"); }
+  void raw(std::string_view value); // a value that is JSON already, on one line
 
-  // The document, ended by a line feed. Every object and array must have been ended.
+  // The document, ended by a line feed; with a sink its end goes there, and nothing is returned. Every object and array
+  // must have been ended.
   std::string finish();
 
 private:
-  void raw(std::string_view value);
   void begin(char bracket);
   void end(char bracket);
   void beforeValue();
@@ -45,7 +51,8 @@ private:
   void appendQuoted(std::string_view value);
 
   JsonLayout m_layout;
-  std::string m_out;
+  TextSink m_sink;
+  std::string m_out;          // what the sink has not had yet
   std::vector<bool> m_filled; // for each open object or array: whether it holds anything yet
   bool m_afterKey = false;
 };

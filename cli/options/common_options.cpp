@@ -89,9 +89,23 @@ void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw) {
                         "Default: all, but none with --single-file, which they make large"),
          {"all", "none"})
       ->group("Page");
-  app.add_option("--bench", report.bench, "Add the plot of error over time from this bench.json, or from its folder")
+  choose(app.add_option("--pictures", raw.pictures,
+                        "Views whose pictures and pixel values are kept: all, those that do not pass, or none"),
+         {job::kPicturesNames.begin(), job::kPicturesNames.end()})
+      ->group("Page")
+      ->capture_default_str();
+}
+
+void addBenchOption(CLI::App& app, std::string& bench) {
+  app.add_option("--bench", bench, "Add the plot of error over time from this bench.json, or from its folder")
       ->type_name(kFile)
       ->group("Page");
+}
+
+void settlePage(ReportCommand& report, const RawOptions& raw) {
+  report.pixelData = raw.pixelData.empty() ? !report.singleFile : raw.pixelData == "all";
+  const auto chosen = std::ranges::find(job::kPicturesNames, raw.pictures);
+  report.pictures = static_cast<job::Pictures>(chosen - job::kPicturesNames.begin());
 }
 
 void requireNoneOfScene(const RawOptions& raw) {

@@ -16,6 +16,7 @@ struct RawOptions {
   std::vector<std::string> environments; // each --env of what takes several
   std::string cache, cacheSize = "4G";
   std::string pixelData; // empty: not given
+  std::string pictures = job::kPicturesNames.front();
   bool noCache = false, quiet = false, validation = false;
 };
 
@@ -36,8 +37,10 @@ void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
 // --only.
 void addOnlyOption(CLI::App& app, std::vector<std::string>& only);
 void addBudgetsOption(CLI::App& app, CommonOptions& common);
-// What a report's page holds: --single-file, --pixel-data, --bench.
+// What a report's page holds: --single-file, --pixel-data, --pictures.
 void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw);
+void settlePage(ReportCommand& report, const RawOptions& raw);
+void addBenchOption(CLI::App& app, std::string& bench);
 
 // Checks what CLI11 has filled in, and turns it into settings: beside a suite, whose scenes say more, each value alone.
 // Throws CLI::ValidationError.

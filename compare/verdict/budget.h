@@ -70,6 +70,8 @@ const std::vector<BudgetPreset>& builtInPresets();
 // beyond fail; a rule that an earlier one hides wholly; something accepted without a reason, or that contradicts the
 // rule.
 Budgets loadBudgets(const std::filesystem::path& file);
+// The same of the text of that file, which is not read.
+Budgets readBudgets(std::string_view text, const std::filesystem::path& file);
 
 // The rules in words, one a line in the order in which they are tried, their limits below them: parity budget check.
 std::string describeBudgets(const Budgets& budgets);

@@ -271,12 +271,13 @@ private:
 
 } // namespace
 
-Budgets loadBudgets(const std::filesystem::path& file) {
-  const std::string text = base::readText(file, kMaxBytes);
+Budgets loadBudgets(const std::filesystem::path& file) { return readBudgets(base::readText(file, kMaxBytes), file); }
+
+Budgets readBudgets(std::string_view text, const std::filesystem::path& file) {
   Reader reader(file);
   toml::table root;
   try {
-    root = toml::parse(std::string_view(text), file.string());
+    root = toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
     reader.refuse(error.source(), std::string(error.description()));
   }

@@ -62,14 +62,14 @@ public:
     };
     try {
       conditions = conditionsNow(request);
-      budgets = budgetsFor(request);
-      const Judges judges{*budgets, m_budgets.baseline, request.name, conditions,
+      budgets = m_budgets.of(request);
+      const Judges judges{*budgets, m_budgets.baseline(), request.name, conditions,
                           m_context.deviceReport().description()};
       const ResultWish wish = wishFor(index, *budgets);
       const std::optional<std::string> key = resultKey(m_context, conditions, wish);
-      if (std::optional<SceneRecord> cached = key ? recall(*key, index, judges) : std::nullopt) {
+      if (std::optional<SceneRecord> cached = key ? recall(*key, index, judges, scene.inputs) : std::nullopt) {
         result = std::move(cached->result);
-        if (m_request.singleFile) scene.pictures = std::move(cached->pictures);
+        scene.pictures = std::move(cached->pictures);
         scene.isCached = true;
       } else {
         measureScene(index, wish, key, judges, scene);
@@ -83,11 +83,7 @@ public:
     } catch (const std::exception& error) {
       setError(base::wordsOf(error), base::ExitCode::failed);
     }
-    // The views that were done, whatever became of the others.
-    for (report::ViewResult& view : result.views) {
-      for (report::MaterialResult& material : view.materials) report::judgeMaterial(material, *budgets, request.name);
-      report::judgeWhole(view, *budgets, request.name);
-    }
+    if (budgets) report::judgeScene(result, *budgets); // the views that were done, whatever became of the others
     result.conditions = reported(conditions.scene);
     for (std::string& warning : result.warnings) {
       scene.warnings.push_back(fmt::format("{}: {}", result.name, warning));
@@ -111,9 +107,10 @@ private:
 
   // The scene as an earlier run has left it, its pictures written: with the attributions that this run's judges ask
   // for, and no others.
-  std::optional<SceneRecord> recall(const std::string& key, std::size_t index, const Judges& judges) {
+  std::optional<SceneRecord> recall(const std::string& key, std::size_t index, const Judges& judges,
+                                    std::vector<scenes::SourceFile>& inputs) {
     const base::Stopwatch watch(&m_context.timings(), "recall results");
-    std::optional<SceneRecord> record = findResult(m_context.cache(), key, m_request.scenes[index]);
+    std::optional<SceneRecord> record = findResult(m_context.cache(), key, m_request.scenes[index], &inputs);
     // A result of a run over several scenes is kept although another scene alone has a material of some glob.
     if (!record || (m_request.scenes.size() == 1 && !hasEach(*record, m_request.scenes[index].settings.materials)))
       return std::nullopt;
@@ -132,14 +129,14 @@ private:
       setConditions(m_request.scenes[index], record->result, judges.conditions);
       std::ranges::move(more->pictures, std::back_inserter(record->pictures));
     }
-    if (!m_request.singleFile) writePictures(record->pictures, m_request.folder);
     return record;
   }
 
   ResultWish wishFor(std::size_t index, const compare::Budgets& budgets) const {
     const SceneRequest& request = m_request.scenes[index];
     const WholeRun whole = request.partOf.value_or(WholeRun{index, m_request.scenes.size(), request.views.size()});
-    return {compare::requiredStatistics(budgets), !m_request.folder.empty(), m_request.pixelData,
+    return {compare::requiredStatistics(budgets), !m_request.folder.empty() && m_request.pictures != Pictures::none,
+            m_request.pixelData,
             gpu::shareOf(whole.place, whole.scenes), whole.views};
   }
 
@@ -152,6 +149,7 @@ private:
     m_tell(0, "loading");
     const PathChoice paths = pathsOf(request.settings);
     PreparedScene prepared = prepareScene(m_context, request, paths);
+    scene.inputs = prepared.scene.sources;
     result.environment = prepared.environmentName;
     result.sun = prepared.sunText;
     const auto addLight = [&](const std::string& text) { result.light += (result.light.empty() ? "" : "; ") + text; };
@@ -251,25 +249,11 @@ private:
                   {result, plain.prefixes, std::move(addedPictures)});
   }
 
-  // Writes them, or leaves them with the scene for a single file; and puts them with what is to be kept.
-  void keepPictures(std::vector<EncodedPicture> pictures, ComparedScene& scene, std::vector<EncodedPicture>* kept) {
-    if (m_request.singleFile) {
-      scene.pictures.insert(scene.pictures.end(), pictures.begin(), pictures.end());
-    } else {
-      const base::Stopwatch watch(&m_context.timings(), "write images");
-      writePictures(pictures, m_request.folder);
-    }
+  // Puts them with the scene, and with what is to be kept.
+  static void keepPictures(std::vector<EncodedPicture> pictures, ComparedScene& scene,
+                           std::vector<EncodedPicture>* kept) {
+    scene.pictures.insert(scene.pictures.end(), pictures.begin(), pictures.end());
     if (kept) std::ranges::move(pictures, std::back_inserter(*kept));
-  }
-
-  compare::Budgets budgetsFor(const SceneRequest& request) const {
-    compare::Budgets budgets = m_budgets.first   ? *m_budgets.first
-                               : request.budgets ? compare::loadBudgets(*request.budgets)
-                                                 : m_budgets.otherwise;
-    // A view that was not asked for may show what these do not.
-    if (request.partOf && request.partOf->views > request.views.size())
-      for (compare::BudgetRule& rule : budgets.materials) rule.requireSeen = false;
-    return budgets;
   }
 
   scenes::Camera cameraOf(const SceneRequest& request, std::size_t view, const PreparedScene& prepared) const {

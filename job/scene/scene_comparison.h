@@ -6,23 +6,19 @@
 #include <string>
 #include <vector>
 
-#include "compare/verdict/budget.h"
 #include "job/report_run.h"
+#include "job/run_budgets.h"
 #include "job/view/view_pictures.h"
 #include "report/report.h"
+#include "scenes/scene.h"
 
 namespace parity::job {
 
-// Budgets that go before a scene's own, and those that stand in where it has none.
-struct RunBudgets {
-  std::optional<compare::Budgets> first;
-  compare::Budgets otherwise;
-  const report::Report* baseline = nullptr; // that the run will be held against; null: none
-};
-
 struct ComparedScene {
   report::SceneResult result;
-  std::vector<EncodedPicture> pictures; // for a report in a single file; else they are written already
+  std::vector<EncodedPicture> pictures; // that the result names: they are not written yet
+  std::vector<scenes::SourceFile> inputs; // that it was read from, as far as it came
+  double seconds = 0;                   // that it took
   bool isCached = false;                // taken from the cache, unchanged
   bool isLeftOut = false;               // one of several of which no material was asked for: it is not in the report
   std::vector<std::string> materials;   // of one that is left out: their names
@@ -34,8 +30,7 @@ struct ComparedScene {
 using Tell = std::function<void(double done, const std::string& what)>;
 
 // The scene at this place of the request. What goes wrong is the result's error; a scene that the context tells to stop
-// is not run, and keeps the views that are done. Pictures are written to the request's
-// folder, unless it wants a single file.
+// is not run, and keeps the views that are done. Writes nothing but the cache.
 ComparedScene compareScene(Context& context, const ReportRequest& request, std::size_t index, const RunBudgets& budgets,
                            const Tell& tell);
 

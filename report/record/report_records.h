@@ -351,6 +351,11 @@ template <> inline constexpr auto kRecord<AgainCommand> = record<AgainCommand>(
     field("view", &AgainCommand::view),
     field("command", &AgainCommand::command, "For a POSIX shell; --material GLOB chooses a material"));
 
+template <> inline constexpr auto kRecord<SceneTime> = record<SceneTime>(
+    "sceneTime", "Wall time of a scene, from its file or the cache to its figures and pictures",
+    field("scene", &SceneTime::scene),
+    field("seconds", &SceneTime::seconds, "", {.finite = true, .least = 0}));
+
 template <> inline constexpr auto kRecord<RunInfo> = record<RunInfo>(
     "run", "Data that differs from run to run, so that it is not in the report",
     computed("schema", [](const RunInfo&) { return Schema(); }),
@@ -359,7 +364,9 @@ template <> inline constexpr auto kRecord<RunInfo> = record<RunInfo>(
     field("timings", &RunInfo::timings),
     field("compiledShaders", &RunInfo::compiledShaders, "Shaders of all paths; equal shaders count once"),
     field("cachedScenes", &RunInfo::cachedScenes, "Scenes whose unchanged results came from the cache"),
-    field("again", &RunInfo::again, "For each view that was asked for"));
+    field("again", &RunInfo::again, "For each view that was asked for"),
+    field("incidents", &RunInfo::incidents, "Crashes of workers after which a second try succeeded"),
+    field("sceneTimes", &RunInfo::sceneTimes, "Of each scene that was done; several scenes may run at a time"));
 
 // clang-format on
 } // namespace parity::report

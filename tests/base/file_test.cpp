@@ -1,6 +1,7 @@
 // Reading and writing whole files: what is refused, and that nothing is left half-written.
 #include "base/file.h"
 #include "base/temporary_name.h"
+#include "base/write_pieces.h"
 
 #include <cstdlib>
 #include <fstream>
@@ -167,6 +168,27 @@ TEST(WriteText, TakesManyWritersOfOneFile) {
   const std::string text = readText(folder / "one");
   EXPECT_EQ(text, std::string(10000, text[0])); // whose it is does not matter; that it is one's does
   EXPECT_EQ(folder.entries(), std::vector<std::string>{"one"});
+}
+
+TEST(WritePieces, ArePutOneBehindTheOther) {
+  const TempFolder folder;
+  writePieces(folder / "a.txt", [](const TextSink& sink) { sink("one "), sink(""), sink("two"); });
+  EXPECT_EQ(readText(folder / "a.txt"), "one two");
+}
+
+TEST(WritePieces, LeaveTheOldFileWhereOneFails) {
+  const TempFolder folder;
+  writeText(folder / "a.txt", "old");
+  const auto fail = [](const TextSink& sink) {
+    sink("new");
+    throw std::runtime_error("the next piece");
+  };
+  EXPECT_THROW(writePieces(folder / "a.txt", fail), std::runtime_error);
+  EXPECT_EQ(readText(folder / "a.txt"), "old");
+  const FileSizeLimit limit(100);
+  expectError([&] { writePieces(folder / "a.txt", [](const TextSink& sink) { sink(std::string(1000, 'x')); }); },
+              "a.txt: cannot be written", "");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
 }
 
 TEST(DefaultCacheFolder, FollowsTheDesktopSpecification) {

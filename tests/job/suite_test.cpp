@@ -209,7 +209,7 @@ TEST(Suite, WhatTheCommandLineSaysIsHeldAgainstEachScene) {
   const base::GivenKnobs lobe = {{"direct-lobe", {{"refit"}, "--direct-lobe"}}};
   const std::string refit = "[[scene]]\nfile = \"builtin:spheres\"\nmobile_preset = \"refit\"\n";
   EXPECT_EQ(requests(refit, lobe).at(0).settings.of<mobile::Options>().directLobe, mobile::DirectLobe::refit);
-  EXPECT_EQ(defaultsOf(load(refit), {}, lobe).of<mobile::Options>().directLobe, mobile::DirectLobe::refit);
+  EXPECT_EQ(defaultsOf(load(refit).given, {}, lobe).of<mobile::Options>().directLobe, mobile::DirectLobe::refit);
   expectError([&] { requests(refit + "[[scene]]\nfile = \"builtin:lamps\"\n", lobe); },
               {"scene 'lamps': --direct-lobe: 'refit' cannot be combined with the preset ue4-2020"});
 }

@@ -4,9 +4,11 @@
 
 #include "report/dashboard_files.h"
 #include "report/html_reader.h"
+#include "report/overview.h"
 #include "report/page.h"
 #include "report/pixel_chunk.h"
 #include "report/sample_report.h"
+#include "report/scene_file.h"
 
 namespace parity::report {
 namespace {
@@ -14,6 +16,12 @@ namespace {
 using nlohmann::json;
 
 const base::Image kGrey(2, 2, 3, 0.5f);
+
+std::string overviewText(const Report& report) {
+  std::string text;
+  writeOverview(report, [&](std::string_view piece) { text += piece; });
+  return text;
+}
 
 // With every kind of file.
 std::string page(const Report& report, bool singleFile = false, std::string_view bench = {}) {
@@ -90,12 +98,13 @@ TEST(Html, AFolderPageHasNoScriptNorStyleOfItsOwn) {
       select(document, "//meta[@http-equiv='Content-Security-Policy']/@content").at(0).attribute().value(),
       "default-src 'none'; script-src 'self' file:; style-src 'self' file:; img-src 'self' file: data: blob:; base-uri "
       "'none'; form-action 'none'");
+  EXPECT_EQ(select(document, "//script[starts-with(@data-file,'scenes/')]").size(), 0u) << "they lie beside it";
   const std::string html = page(makeSampleReport());
   for (const char* word : {"http:", "https:", "url(", "@import", "src=\"//"})
     EXPECT_EQ(html.find(word), std::string::npos) << word;
 }
 
-TEST(Html, TheDataBlocksAreTheReportAndTheRun) {
+TEST(Html, TheDataBlocksAreTheReportWithoutItsScenesTheListOfItsRowsAndTheRun) {
   std::vector<std::string> names = hostileNames();
   names[3] = "line\xe2\x80\xa8paragraph\xe2\x80\xa9 \xe2\x80\xa7 \xe2";
   const Report report = makeSampleReport(names);
@@ -103,10 +112,13 @@ TEST(Html, TheDataBlocksAreTheReportAndTheRun) {
   const std::string html = page(report, false, bench);
   const auto document = parse(html);
   const std::string block = textAt(document, "//script[@id='report']");
-  EXPECT_EQ(json::parse(block), json::parse(toJson(report)));
+  json head = json::parse(toJson(report));
+  head.erase("scenes");
+  EXPECT_EQ(json::parse(block), head);
+  EXPECT_EQ(json::parse(textAt(document, "//script[@id='overview']")), json::parse(overviewText(report)));
   for (const char* part : {"<", ">", "&", "\xe2\x80\xa8", "\xe2\x80\xa9", "\n "})
     EXPECT_EQ(block.find(part), std::string::npos) << part;
-  EXPECT_EQ(json::parse(textAt(document, "//script[@id='run']")), json::parse(toJson(makeSampleRun())));
+  EXPECT_EQ(json::parse(textAt(document, "//script[@id='run']")), json::parse(headJson(makeSampleRun())));
   EXPECT_EQ(json::parse(textAt(document, "//script[@id='bench']")), json::parse(bench));
   EXPECT_EQ(textAt(document, "//script[@id='bench-plots']"), "[[]]");
   EXPECT_EQ(html.find("</script><b>"), std::string::npos);
@@ -114,9 +126,15 @@ TEST(Html, TheDataBlocksAreTheReportAndTheRun) {
   EXPECT_EQ(select(without, "//script[starts-with(@id,'bench')]").size(), 0u);
 }
 
-TEST(Html, ASingleFileHoldsPicturesValuesScriptAndStyle) {
+TEST(Html, ASingleFileHoldsScenesPicturesValuesScriptAndStyle) {
   const std::string html = page(makeSampleReport(), true);
   const auto document = parse(html);
+  const json scenes = json::parse(toJson(makeSampleReport()))["scenes"];
+  for (const std::size_t i : {0, 1}) {
+    const std::string file = SceneFiles::nameOf(i);
+    const json scene = json::parse(textAt(document, ("//script[@data-file='" + file + "']").c_str()));
+    EXPECT_EQ(scene, (json{{"file", file}, {"format", 1}, {"scene", scenes[i]}, {"again", json::array()}}));
+  }
   EXPECT_EQ(textAt(document, "//script[@type='text/plain'][@data-file='images/\"<a>.png']"), "AP88");
   const json chunk =
       json::parse(textAt(document, "//script[@type='application/json'][@data-file='pixels/0-a_0-b.js']"));
@@ -129,6 +147,25 @@ TEST(Html, ASingleFileHoldsPicturesValuesScriptAndStyle) {
   const std::string policy =
       select(document, "//meta[@http-equiv='Content-Security-Policy']/@content").at(0).attribute().value();
   for (const char* word : {"unsafe", "self", "file:", "http"}) EXPECT_EQ(policy.find(word), std::string::npos) << word;
+}
+
+TEST(Html, ASceneHasItsCommandsAndNoTime) {
+  const Report report = makeSampleReport();
+  RunInfo run = makeSampleRun();
+  run.again = {{"Lamp", "front", "parity diff 'a'"}, {"Other", "front", "b"}, {"Lamp", "behind", "c"}};
+  run.sceneTimes = {{"Other", 1}, {"Lamp", 2.5}};
+  const SceneFiles files(report, run);
+  const std::string script = files.script(0);
+  EXPECT_EQ(script, "parityScene(" + files.object(0) + ");\n");
+  const json lamp = json::parse(files.object(0)), broken = json::parse(files.object(1));
+  EXPECT_FALSE(lamp.contains("seconds"));
+  EXPECT_EQ(lamp["again"], json::parse(toJson(run))["again"].patch(json::parse(R"([{"op": "remove", "path": "/1"}])")));
+  EXPECT_EQ(broken["again"], json::array());
+  EXPECT_EQ(broken["file"], "scenes/1.js");
+  const json head = json::parse(headJson(run));
+  EXPECT_FALSE(head.contains("again"));
+  EXPECT_EQ(head["sceneTimes"].size(), 2u);
+  EXPECT_EQ(head["startedAt"], run.startedAt);
 }
 
 TEST(Html, WithoutScriptsItShowsTheVerdictAndWhatIsOverBudget) {

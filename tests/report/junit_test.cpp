@@ -161,6 +161,25 @@ TEST(Junit, HostileNamesAreOnlyEverNames) {
   EXPECT_TRUE(findCase(document, names[0] + ".bell\uFFFD zero\uFFFD escape\uFFFD[31m", names[1]));
 }
 
+TEST(Junit, SaysHowLongAScenesTestsTookWhereTheRunKnows) {
+  RunInfo run = makeSampleRun();
+  EXPECT_EQ(toJunit(makeSampleReport(), run).find(" time="), std::string::npos);
+  run.sceneTimes = {{"Lamp", 12.34567}, {"Sofa", 1}};
+  const auto document = parse(toJunit(makeSampleReport(), run));
+  const auto suites = document.child("testsuites");
+  EXPECT_STREQ(suites.attribute("time").value(), "13.346");
+  EXPECT_STREQ(suites.find_child_by_attribute("testsuite", "name", "Lamp").attribute("time").value(), "12.346");
+  EXPECT_FALSE(suites.find_child_by_attribute("testsuite", "name", "Broken").attribute("time"));
+}
+
+TEST(Junit, IsTheSameInPieces) {
+  std::string pieces;
+  std::size_t count = 0;
+  writeJunit(makeSampleReport(), makeSampleRun(), [&](std::string_view piece) { pieces += piece, ++count; });
+  EXPECT_EQ(pieces, toJunit(makeSampleReport(), makeSampleRun()));
+  EXPECT_GE(count, 4u) << "a scene at a time";
+}
+
 // XML 1.0, production 2: no control characters but tab, line feed, carriage return; pugixml lets others pass.
 TEST(Junit, HoldsNoCharacterThatXmlForbids) {
   Report report = makeSampleReport(hostileNames());

@@ -1,4 +1,5 @@
 // report.json and run.json: order, numbers, nulls, names; and that equal reports are equal bytes.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -23,6 +24,32 @@ std::string numberText(double value) {
 TEST(ReportJson, EqualReportsAreEqualBytes) {
   EXPECT_EQ(toJson(makeSampleReport()), toJson(makeSampleReport()));
   EXPECT_NE(toJson(makeSampleReport()), toJson(makeSampleReport({"Another name"})));
+}
+
+TEST(ReportJson, PiecesAreTheSameBytes) {
+  Report report = makeSampleReport();
+  while (report.scenes.size() < 40) report.scenes.push_back(report.scenes.front());
+  for (const base::JsonLayout layout : {base::JsonLayout::indented, base::JsonLayout::compact}) {
+    std::string text;
+    std::size_t longest = 0, count = 0;
+    const auto sink = [&](std::string_view piece) {
+      text += piece;
+      longest = std::max(longest, piece.size());
+      ++count;
+    };
+    writeJson(report, sink, layout);
+    EXPECT_EQ(text, toJson(report, layout));
+    EXPECT_GT(count, 5u);
+    EXPECT_LT(longest, 70000u);
+  }
+}
+
+TEST(ReportJson, TheHeadAndTheScenesAreTheReport) {
+  const Report report = makeSampleReport();
+  ordered_json document = ordered_json::parse(headJson(report));
+  EXPECT_FALSE(document.contains("scenes"));
+  for (const SceneResult& scene : report.scenes) document["scenes"].push_back(ordered_json::parse(toJson(scene)));
+  EXPECT_EQ(document, ordered_json::parse(toJson(report)));
 }
 
 TEST(ReportJson, KeysStandInAFixedOrder) {
@@ -153,6 +180,10 @@ TEST(ReportJson, RunInfoHoldsTimesAndNothingElseDoes) {
   EXPECT_EQ(run["commandLine"], "parity report Lamp.gltf -o out");
   EXPECT_EQ(run["timings"][0]["stage"], "load");
   EXPECT_EQ(run["timings"][0]["timeMs"], 120.5);
+  EXPECT_EQ(run["sceneTimes"], ordered_json::array());
+  RunInfo timed = makeSampleRun();
+  timed.sceneTimes = {{"Lamp", 1.5}};
+  EXPECT_EQ(ordered_json::parse(toJson(timed))["sceneTimes"].dump(), R"([{"scene":"Lamp","seconds":1.5}])");
   EXPECT_EQ(toJson(makeSampleReport()).find("2024-05-01"), std::string::npos);
 }
 

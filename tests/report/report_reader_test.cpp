@@ -175,6 +175,33 @@ TEST(ReportReader, EveryFaultIsNamedWithItsPlace) {
                 "'taste' is not what a condition acts on");
 }
 
+// What is wrong with the whole report is said before what is wrong with a scene, wherever they stand in the file.
+TEST(ReportReader, TheOrderOfKeysDoesNotMatter) {
+  nlohmann::ordered_json document = nlohmann::ordered_json::parse(toJson(makeSampleReport())), turned;
+  for (auto item = document.rbegin(); item != document.rend(); ++item) turned[item.key()] = item.value();
+  ASSERT_EQ(turned.begin().key(), "scenes");
+  EXPECT_EQ(readText(turned.dump()).scenes.size(), 2u);
+  turned["scenes"][0]["name"] = 7;
+  base::expectError([&] { readText(turned.dump()); }, "report.json: /scenes/0/name", "is not a string");
+  turned["schema"] = 2;
+  base::expectError([&] { readText(turned.dump()); }, "report.json: /schema", "is 2");
+}
+
+TEST(ReportReader, ScenesThatAreNoListAreRefused) {
+  expectRefusal([](json& d) { d["scenes"] = 3; }, "/scenes", "is not a list");
+  expectRefusal([](json& d) { d["scenes"] = json::object(); }, "/scenes", "is not a list");
+  expectRefusal([](json& d) { d.erase("scenes"); }, "/", "lacks 'scenes'");
+  expectRefusal([](json& d) { d["scenes"][1] = json::array(); }, "/scenes/1", "is not an object");
+}
+
+TEST(ReportReader, WhatIsNotReadMayBeAnything) {
+  json document = json::parse(toJson(makeSampleReport()));
+  document["warnings"] = {{"scenes", {1, {2}}}};
+  document["further"] = {{{"deep", {{"name", {}}}}}, 3};
+  document["scenes"][0]["views"][0]["materials"][0]["notes"] = {{"name", 3}};
+  EXPECT_EQ(readText(document.dump()).scenes.size(), 2u);
+}
+
 TEST(ReportReader, WhatIsNoReportIsRefused) {
   base::expectError([] { readText("{ \"schema\": "); }, "report.json: byte 13", "is not JSON");
   base::expectError([] { readText(""); }, "report.json: byte 1", "is not JSON");

@@ -65,6 +65,26 @@ TEST(WhatIf, IsHeldAgainstTheBaselineByRegressions) {
   EXPECT_NE(glass.whatIf[1].reason.find("worse than in the baseline"), std::string::npos) << glass.whatIf[1].reason;
 }
 
+TEST(WhatIf, TheBestOneHasTheBestVerdictThenTheLeastFlip) {
+  using enum Verdict;
+  const auto best = [](Verdict now, double flip, const std::vector<std::pair<Verdict, double>>& others) {
+    MaterialResult material = makeMaterial("metal", flip, 90000);
+    material.verdict = now;
+    for (const auto& [verdict, mean] : others) {
+      material.whatIf.push_back(makeWhatIf(std::to_string(material.whatIf.size()), mean));
+      material.whatIf.back().verdict = verdict;
+    }
+    const WhatIf* found = bestWhatIf(material);
+    return found ? found->preset : "none";
+  };
+  EXPECT_EQ(best(fail, 0.3, {{warn, 0.1}, {pass, 0.12}, {pass, 0.11}}), "2");
+  EXPECT_EQ(best(fail, 0.3, {{fail, 0.25}, {fail, 0.21}}), "1");
+  EXPECT_EQ(best(warn, 0.1, {{fail, 0.05}}), "none") << "a graver verdict";
+  EXPECT_EQ(best(warn, 0.1, {{warn, 0.095}}), "none") << "less than a tenth";
+  EXPECT_EQ(best(warn, 0.1, {{notJudged, 0.01}}), "none") << "it judges less";
+  EXPECT_EQ(best(fail, 0.3, {}), "none");
+}
+
 TEST(WhatIf, StandsUnderTheRowOfItsMaterial) {
   Report report = makeSampleReport();
   MaterialResult& metal = report.scenes[0].views[0].materials[1];

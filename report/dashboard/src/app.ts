@@ -2,13 +2,17 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 
-import { filterOf, isListed, matches, sortRows } from "./data/filter";
+import { factsOf, type Facts } from "./data/facts";
+import { filterOf, isListed, matcherOf, sortRows } from "./data/filter";
 import { groupingsOf, groupRows, type Group } from "./data/groups";
 import type { Page } from "./data/page";
-import { makeRows, type Row } from "./data/rows";
+import { reasonOf } from "./data/reason";
+import { findRow, makeRows, type Row } from "./data/rows";
 import { barScale } from "./data/scale";
-import { fromHash, isSameItem, kDefaultState, openItem, toHash, type State } from "./data/state";
+import { keptScene, loadScene, type SceneDetails } from "./data/scenes";
+import { fromHash, isSameItem, kDefaultState, openItem, toHash, type Item, type State } from "./data/state";
 import { PageElement } from "./element";
+import { count } from "./format";
 import { HelpPopover } from "./help_popover";
 import { actionOf, shortcutsDialog, type Action } from "./keys";
 import { kPhone, Media } from "./media";
@@ -31,7 +35,13 @@ export class ParityApp extends PageElement {
   @query("#shortcuts") private shortcuts!: HTMLDialogElement;
   @query("#search") private search!: HTMLInputElement | null;
 
+  /** What is known of the open row's scene; null: nothing is open. */
+  @state() private opened: { place: number; details: SceneDetails | null; problem: string } | null = null;
+
   private rows: Row[] = [];
+  private facts!: Facts;
+  private warnings: readonly string[] = []; // of the run, and of each scene
+  private tests: readonly string[] = []; // paths
   private scales: Readonly<Record<string, number>> = {};
   private groups: Group[] = [];
   private shown: Row[] = []; // of the groups, in their order
@@ -43,7 +53,11 @@ export class ParityApp extends PageElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.rows = makeRows(this.page.report);
+    const { report, overview } = this.page;
+    this.rows = makeRows(overview);
+    this.facts = factsOf(this.rows);
+    this.warnings = [...report.warnings, ...overview.warnings()];
+    this.tests = overview.tests();
     this.scales = Object.fromEntries(kBarFigures.map((name) => [name, barScale(this.rows, name)]));
     this.read(location.hash);
     window.addEventListener("hashchange", this.onHash);
@@ -103,17 +117,40 @@ export class ParityApp extends PageElement {
     const { list, query: words, verdicts, changes, causedBy, preset, group, sort, ascending } = this.state;
     const key = JSON.stringify([list, words, verdicts, changes, causedBy, preset, group, sort, ascending]);
     if (key !== this.shownKey) {
-      const filter = filterOf(this.state);
-      const sorted = sortRows(this.rows.filter((row) => matches(row, filter)), sort, ascending);
+      const sorted = sortRows(this.rows.filter(matcherOf(this.page.overview, filterOf(this.state))), sort, ascending);
       this.groups = groupRows(sorted, groupingsOf(list).includes(group) ? group : "none");
-      this.shown = this.groups.flatMap((each) => each.rows);
+      this.shown = this.groups.length === 1 ? this.groups[0]!.rows : this.groups.flatMap((each) => each.rows);
       this.shownKey = key;
     }
     return this.shown;
   }
 
+  private rowOf(item: Item): Row | null {
+    return findRow(this.page.overview, this.rows, item);
+  }
+
   private openRow(): Row | null {
-    return this.rows.find((row) => isSameItem(row.link, this.state)) ?? null;
+    return this.rowOf(this.state);
+  }
+
+  /** Asks for the details of a row's scene, unless they are here or on their way. */
+  private loadDetails({ scene: place, sceneName }: Row): void {
+    if (this.opened?.place === place) return;
+    const opened = { place, details: keptScene(place), problem: "" };
+    this.opened = opened;
+    if (opened.details) return;
+    const settle = (patch: { details: SceneDetails } | { problem: string }): void => {
+      if (this.opened?.place === place) this.opened = { ...opened, ...patch };
+    };
+    loadScene(place, sceneName).then((details) => settle({ details }), (error: unknown) => settle({ problem: reasonOf(error) }));
+  }
+
+  /** Of the rows beside the open one, so that the keys step to them without waiting. */
+  private loadBeside(open: Row): void {
+    const rows = this.visibleRows();
+    const at = rows.indexOf(open);
+    for (const row of at < 0 ? [] : [rows[at - 1], rows[at + 1]])
+      if (row && row.scene !== open.scene) void loadScene(row.scene, row.sceneName).catch(() => undefined); // it says so when it is opened
   }
 
   private open(row: Row | undefined): void {
@@ -155,7 +192,7 @@ export class ParityApp extends PageElement {
         return category !== undefined;
       }
       case "tab":
-        if (this.openRow()?.judged) this.set({ tab: action.tab });
+        if (this.openRow()?.isJudged) this.set({ tab: action.tab });
         return this.openRow() !== null;
       case "close":
         if (!this.openRow()) return false;
@@ -169,12 +206,17 @@ export class ParityApp extends PageElement {
 
   protected override willUpdate(): void {
     const { report } = this.page;
-    document.title = [report.tool, report.suite, this.openRow()?.name.slice(0, 80) ?? report.headline].filter((each) => each !== "").join(": ");
+    const open = this.openRow();
+    document.title = [report.tool, report.suite, open?.name.slice(0, 80) ?? report.headline].filter((each) => each !== "").join(": ");
+    if (open) this.loadDetails(open);
+    else this.opened = null;
   }
 
   protected override updated(changed: PropertyValues): void {
     const before = changed.get("state") as State | undefined;
     if (before && !isSameItem(before, this.state)) this.moveFocus(before);
+    const open = changed.has("opened") && this.opened?.details ? this.openRow() : null;
+    if (open) this.loadBeside(open);
   }
 
   /** Where the reader goes on: at the title of what was opened, at the row of what was closed. */
@@ -186,7 +228,7 @@ export class ParityApp extends PageElement {
         window.scrollTo(0, 0);
         this.querySelector<HTMLElement>("#item-title")?.focus({ preventScroll: true });
       }
-      await this.list?.reveal(isOpen ? this.state : before, !isOpen);
+      await this.list?.reveal(this.rowOf(isOpen ? this.state : before), !isOpen);
     });
   }
 
@@ -199,7 +241,8 @@ export class ParityApp extends PageElement {
       ${header({
         report,
         run,
-        rows: this.rows,
+        facts: this.facts,
+        warnings: this.warnings,
         isBrief: open !== null,
         isPhone: this.phone.matches,
         lost: open === null ? [scene, view, material].filter((each) => each !== "").join(" · ").slice(0, 200) : "",
@@ -208,8 +251,8 @@ export class ParityApp extends PageElement {
       })}
       <div class="layout ${open ? "with-item" : ""}">
         <section class="overview" aria-label="Overview">
-          ${filters({ report, rows: this.rows, shown: rows.length, state: this.state, fold: open !== null || this.phone.matches ? { isFolded: this.isFolded, toggle: () => (this.isFolded = !this.isFolded) } : null, set: (patch) => this.set(patch) })}
-          <parity-list .report=${report} .groups=${this.groups} .scales=${this.scales} .state=${this.state} .open=${open} .compact=${open !== null}></parity-list>
+          ${filters({ report, facts: this.facts, shown: rows.length, state: this.state, fold: open !== null || this.phone.matches ? { isFolded: this.isFolded, toggle: () => (this.isFolded = !this.isFolded) } : null, set: (patch) => this.set(patch) })}
+          <parity-list .report=${report} .tests=${this.tests} .isEmpty=${this.rows.length === 0} .groups=${this.groups} .scales=${this.scales} .state=${this.state} .open=${open} .compact=${open !== null}></parity-list>
         </section>
         ${
           open
@@ -217,8 +260,10 @@ export class ParityApp extends PageElement {
                 .page=${this.page}
                 .scales=${this.scales}
                 .row=${open}
+                .details=${this.opened?.details ?? null}
+                .problem=${this.opened?.problem ?? ""}
                 .state=${this.state}
-                .place=${rows.includes(open) ? `${rows.indexOf(open) + 1} of ${rows.length}` : "not in the list"}
+                .place=${rows.includes(open) ? `${count(rows.indexOf(open) + 1)} of ${count(rows.length)}` : "not in the list"}
                 @parity-step=${(event: CustomEvent<number>) => this.step(event.detail)}
                 @parity-close=${() => this.act({ kind: "close" })}
               ></parity-item>`

@@ -85,6 +85,15 @@ TEST_F(PageTest, ASingleFileHoldsAllThatAFolderHolds) {
                     ");\n" ==
                 text("folder/" + file))
         << file;
+  for (std::size_t i = 0; i < json["scenes"].size(); ++i) {
+    const std::string file = "scenes/" + std::to_string(i) + ".js", script = text("folder/" + file);
+    const nlohmann::json scene = nlohmann::json::parse(between(script, "parityScene(", ");\n"));
+    EXPECT_EQ(scene["scene"], json["scenes"][i]);
+    EXPECT_EQ(nlohmann::json::parse(
+                  between(page, "<script type=\"application/json\" data-file=\"" + file + "\">", "</script>")),
+              scene);
+  }
+  EXPECT_FALSE(std::filesystem::exists(m_folder / "single" / "scenes"));
   EXPECT_EQ(nlohmann::json::parse(between(page, "id=\"bench\">", "</script>")),
             nlohmann::json::parse(text("bench.json")));
   EXPECT_TRUE(between(page, "<script>", "</script>") == text("folder/dashboard.js"));

@@ -1,6 +1,6 @@
 // What a material's card says of each input, in words: its value, or the range of its texture.
 import { encodeSrgb, toByte } from "./display";
-import type { CardInput, CardTexture, MaterialCard, Report } from "./types";
+import type { CardInput, CardTexture, MaterialCard, Scene } from "./types";
 
 const kTitles: Record<CardInput["name"], string> = {
   baseColor: "Base colour",
@@ -16,9 +16,9 @@ const kTitles: Record<CardInput["name"], string> = {
 const kDefaultF0 = 0.04;
 const kColors: readonly CardInput["name"][] = ["baseColor", "emissive", "specularColor"];
 
-/** The card of a material, by the place of its scene and its name. */
-export function cardOf(report: Report, scene: number, name: string): MaterialCard | null {
-  return report.scenes[scene]?.materials?.find((card) => card.name === name) ?? null;
+/** The card of a material, by its name. */
+export function cardOf(scene: Scene, name: string): MaterialCard | null {
+  return scene.materials?.find((card) => card.name === name) ?? null;
 }
 
 export function titleOf(input: CardInput): string {

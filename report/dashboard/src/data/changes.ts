@@ -1,10 +1,11 @@
 // What has changed since the baseline: which rows fail anew, are fixed, are worse or better.
-import type { Judged } from "./judged";
 import type { Verdict } from "./types";
 
 /** In the order of the page. A new failure is worse too, and what is fixed is better too. */
 export const kChanges = ["new", "fixed", "worse", "better", "added", "not comparable"] as const;
 export type ChangeKind = (typeof kChanges)[number];
+
+export const kNoChange: readonly ChangeKind[] = [];
 
 /** A change of FLIP below it reads 0.000. */
 export const kLeastChange = 0.0005;
@@ -14,20 +15,17 @@ export function isOver(verdict: Verdict | null): boolean {
   return verdict === "fail" || verdict === "error";
 }
 
-/** Of mean FLIP since the baseline; null where the baseline has nothing to compare with. */
-export function flipChangeOf({ baseline }: Judged): number | null {
-  return !baseline || baseline.new ? null : (baseline.changes["flip.mean"] ?? null);
-}
-
-export function changesOf(judged: Judged): ChangeKind[] {
-  const { baseline, verdict } = judged;
-  if (!baseline) return [];
-  if (baseline.new) return isOver(verdict) ? ["new", "added"] : ["added"];
-  if (baseline.notComparable !== "") return ["not comparable"];
-  if (isOver(verdict) !== isOver(baseline.verdict)) return isOver(verdict) ? ["new", "worse"] : ["fixed", "better"];
-  const change = flipChangeOf(judged) ?? 0;
-  if (Math.abs(change) < kLeastChange) return [];
-  return [change > 0 ? "worse" : "better"];
+/**
+ * before: the verdict in the baseline, "new" where it has no such row; null: there is no baseline. change: of mean FLIP.
+ * notComparable: the conditions that differ.
+ */
+export function changesOf(verdict: Verdict, before: Verdict | "new" | null, change: number | null, notComparable: string): readonly ChangeKind[] {
+  if (before === null) return kNoChange;
+  if (before === "new") return isOver(verdict) ? ["new", "added"] : ["added"];
+  if (notComparable !== "") return ["not comparable"];
+  if (isOver(verdict) !== isOver(before)) return isOver(verdict) ? ["new", "worse"] : ["fixed", "better"];
+  if (Math.abs(change ?? 0) < kLeastChange) return kNoChange;
+  return [(change ?? 0) > 0 ? "worse" : "better"];
 }
 
 export type ChangeCounts = Record<ChangeKind, number>;

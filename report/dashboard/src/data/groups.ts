@@ -1,6 +1,7 @@
 // Rows gathered by material, scene or cause, with what each group adds up to.
 import { isOver } from "./changes";
-import { figureOf, type Row } from "./rows";
+import { flipOf } from "./filter";
+import type { Row } from "./rows";
 import { kGroupings, type Grouping, type List } from "./state";
 
 export interface Group {
@@ -23,19 +24,27 @@ export function groupingsOf(list: List): readonly Grouping[] {
 
 /** What the cause is called where it is no term. */
 function causeKey(row: Row): string {
-  if (row.cause) return row.cause.term;
+  if (row.causeTerm !== "") return row.causeTerm;
   return row.isAttributed ? kNoCause : kUnknownCause;
 }
 
 function labelOf(row: Row, by: Grouping): string {
-  if (by === "scene") return row.link.scene;
+  if (by === "scene") return row.sceneLink;
   return by === "material" ? row.name : causeKey(row);
 }
 
 /** The gravest verdict first, then the largest mean FLIP. */
 export function worstOf(rows: readonly Row[], count: number): Row[] {
-  const flip = (row: Row): number => figureOf(row, "flip.mean") ?? -1;
-  return [...rows].sort((a, b) => b.gravity - a.gravity || flip(b) - flip(a) || a.order - b.order).slice(0, count);
+  const isWorse = (a: Row, b: Row): boolean => (b.gravity - a.gravity || flipOf(b) - flipOf(a) || a.order - b.order) < 0;
+  const worst: Row[] = [];
+  for (const row of rows) {
+    const last = worst[count - 1];
+    if (last && !isWorse(row, last)) continue;
+    const place = worst.findIndex((each) => isWorse(row, each));
+    worst.splice(place < 0 ? worst.length : place, 0, row);
+    worst.length = Math.min(worst.length, count);
+  }
+  return worst;
 }
 
 function makeGroup(key: string, label: string, rows: Row[]): Group {
@@ -51,7 +60,7 @@ function makeGroup(key: string, label: string, rows: Row[]): Group {
 
 /** Groups stand in the order of their first rows, so the sort key of the rows decides it. */
 export function groupRows(rows: readonly Row[], by: Grouping): Group[] {
-  if (by === "none") return [makeGroup("", "", [...rows])];
+  if (by === "none") return [{ key: "", label: "", rows: [...rows], over: 0, warned: 0, worst: [] }]; // it has no head
   const groups = new Map<string, { label: string; rows: Row[] }>();
   for (const row of rows) {
     const label = labelOf(row, by);
@@ -63,15 +72,16 @@ export function groupRows(rows: readonly Row[], by: Grouping): Group[] {
   return [...groups].map(([key, { label, rows: all }]) => makeGroup(key, label, all));
 }
 
-/** A line of the list. */
-export type Entry = { kind: "group"; group: Group; isFolded: boolean } | { kind: "row"; row: Row };
+/** A line of the list: the head of a group, or a row. */
+export type Entry = { kind: "group"; group: Group; isFolded: boolean } | Row;
 
 /** The lines that are shown: of a folded group only its head, unless it holds what is open. */
-export function entriesOf(groups: readonly Group[], isFolded: (key: string) => boolean, open: Row | null): Entry[] {
-  return groups.flatMap((group): Entry[] => {
-    const rows = group.rows.map((row): Entry => ({ kind: "row", row }));
-    if (group.key === "") return rows;
+export function entriesOf(groups: readonly Group[], isFolded: (key: string) => boolean, open: Row | null): readonly Entry[] {
+  const [first] = groups;
+  if (groups.length === 1 && first?.key === "") return first.rows;
+  return groups.flatMap((group): readonly Entry[] => {
     const hides = isFolded(group.key) && !(open !== null && group.rows.includes(open));
-    return [{ kind: "group", group, isFolded: hides }, ...(hides ? [] : rows)];
+    const head: Entry = { kind: "group", group, isFolded: hides };
+    return hides ? [head] : [head, ...group.rows];
   });
 }

@@ -1,11 +1,17 @@
 // The data blocks of index.html, checked as far as the page relies on them.
 import { reasonOf } from "./reason";
 import { sweepOf, type Sweep } from "./bench";
+import { Overview, type PackedOverview } from "./overview";
 import { kSchema, type Report, type Run } from "./types";
 
+/** The report without its scenes, and its run without their commands, which lie in files of their own (data/scenes). */
+export type Head = Omit<Report, "scenes">;
+export type RunHead = Omit<Run, "again">;
+
 export interface Page {
-  report: Report;
-  run: Run | null;
+  report: Head;
+  overview: Overview;
+  run: RunHead | null;
   bench: Sweep | null;
 }
 export type Problem = { problem: string };
@@ -26,13 +32,21 @@ function isObject(value: unknown): value is Record<string, unknown> {
 /** The report of this page, or why it cannot be shown. A run or a bench that cannot be read is left out. */
 export function readPage(document: Document): Page | Problem {
   let report: unknown;
+  let packed: unknown;
   try {
     report = parseBlock(document, "report");
+    packed = parseBlock(document, "overview");
   } catch (error) {
     return { problem: `Its data is damaged: ${reasonOf(error)}.` };
   }
-  const problem = problemOf(report);
+  const problem = problemOf(report, packed);
   if (problem !== "") return { problem };
+  let overview: Overview;
+  try {
+    overview = new Overview(packed as PackedOverview);
+  } catch (error) {
+    return { problem: `The list of its rows is damaged: ${reasonOf(error)}.` };
+  }
   const optional = (id: string): unknown => {
     try {
       return parseBlock(document, id);
@@ -40,17 +54,22 @@ export function readPage(document: Document): Page | Problem {
       return null;
     }
   };
-  (report as Report).statistics ??= {};
+  (report as Head).statistics ??= {};
   const run = optional("run");
-  return { report: report as Report, run: isObject(run) ? (run as unknown as Run) : null, bench: sweepOf(optional("bench"), optional("bench-plots")) };
+  return { report: report as Head, overview, run: isObject(run) ? (run as unknown as RunHead) : null, bench: sweepOf(optional("bench"), optional("bench-plots")) };
+}
+
+function isTable(value: unknown): boolean {
+  return isObject(value) && typeof value["count"] === "number" && isObject(value["columns"]);
 }
 
 /** Why it is no report that this page can show; "" if it is one. */
-export function problemOf(report: unknown): string {
+export function problemOf(report: unknown, overview: unknown): string {
   if (!isObject(report)) return "This page holds no report.";
   if (report["schema"] !== kSchema)
     return `It has schema version ${JSON.stringify(report["schema"]) ?? "unknown"}; this page reads version ${kSchema}. Open it with the version of parity that wrote it.`;
-  if (!Array.isArray(report["scenes"]) || !Array.isArray(report["settings"]) || !isObject(report["counts"]))
-    return "Its data is not complete.";
+  if (!Array.isArray(report["settings"]) || !isObject(report["counts"])) return "Its data is not complete.";
+  if (!isObject(overview) || !["verdicts", "texts", "lists", "limits"].every((key) => Array.isArray(overview[key])) || !["scenes", "views", "rows"].every((key) => isTable(overview[key])))
+    return "The list of its rows is not complete.";
   return "";
 }

@@ -1,41 +1,14 @@
-// The report as a flat list: a row for each material in each view, for each whole image, for each scene that failed or was not run.
-import { changesOf, flipChangeOf, type ChangeKind } from "./changes";
+// The report as a flat list: a row for each material in each view, for each whole image, for each scene that failed or
+// was not run.
+import { changesOf, kNoChange, type ChangeKind } from "./changes";
+import { realOf } from "./columns";
 import { gravityOf } from "./gravity";
-import type { Judged } from "./judged";
+import type { Limit, Overview } from "./overview";
 import type { Item } from "./state";
-import type { Attribution, Check, Material, Report, Scene, Verdict, View, WhatIf } from "./types";
-import { bestWhatIf } from "./what_if";
+import type { Images, Verdict } from "./types";
 import { typeset } from "./wording";
 
 export type Kind = "material" | "whole" | "scene";
-
-export interface Row {
-  kind: Kind;
-  scene: number; // places in the report; -1 where there is none
-  view: number;
-  material: number;
-  link: Item; // the same by name: what a link says
-  order: number; // in the report
-  name: string; // of the material, the scene and view, or the scene
-  place: string; // scene and view of a material; else what the row is
-  reference: string; // paths, by name; "" where none was rendered
-  test: string;
-  verdict: Verdict;
-  gravity: number; // larger is graver
-  reason: string;
-  accepted: string; // what its budget accepts although it is no pass; "": nothing
-  bias: string;
-  pixels: number;
-  judged: Judged | null; // null: a scene that failed
-  cause: Cause | null;
-  help: WhatIf | null; // the preset of the test path that would help most, if the run has measured one
-  preset: string; // of budgets
-  notModelled: readonly string[]; // parts of the material that no path models: only its base layer is judged
-  isAttributed: boolean; // the report looked for its cause
-  changes: readonly ChangeKind[]; // since the baseline
-  change: number | null; // of mean FLIP since the baseline
-  text: string; // what a search looks at, in lower case
-}
 
 /** The one term whose swap helps most. */
 export interface Cause {
@@ -44,33 +17,189 @@ export interface Cause {
   after: number;
 }
 
-/** A swap that lowers FLIP by less than this share explains nothing (compare/verdict/wording.h says the same). */
-export const kLeastShare = 0.1;
-const kLeastFlip = 0.0005; // below it reads 0.000: there is nothing to explain
+/** The preset of the test path that would help most, and what it gives. */
+export interface Better {
+  preset: string;
+  verdict: Verdict;
+  flip: number | null; // mean
+}
 
-/** The term that lowers FLIP most, where it does so by a tenth at least. */
-export function causeOf(attribution: Attribution | undefined): Cause | null {
-  if (!attribution || attribution.flip === null || attribution.flip < kLeastFlip) return null;
-  let best: Cause | null = null;
-  for (const each of attribution.terms)
-    if (each.flip !== null && each.flip <= attribution.flip * (1 - kLeastShare) && (!best || each.flip < best.after))
-      best = { term: each.term, before: attribution.flip, after: each.flip };
-  return best;
+/** What the overview says of it; all else is in its scene's details. */
+export class Row {
+  constructor(
+    private readonly all: Overview,
+    readonly kind: Kind,
+    readonly scene: number, // places in the report; -1 where there is none
+    readonly view: number,
+    readonly material: number,
+    readonly order: number, // in the list
+    private readonly at: number, // its place in the overview's rows; of a scene -1
+    private readonly viewAt: number, // of its view in the overview's views; of a scene -1
+  ) {}
+
+  /** The same by name: what a link says. */
+  get link(): Item {
+    const links = this.kind === "material" ? this.all.linksOfMaterials(this.viewAt) : [];
+    return { scene: this.sceneLink, view: this.viewLink, material: links[this.material] ?? "" };
+  }
+  get sceneLink(): string {
+    return this.all.sceneLinks[this.scene] ?? "";
+  }
+  get viewLink(): string {
+    return this.view < 0 ? "" : (this.all.linksOfViews(this.scene)[this.view] ?? "");
+  }
+
+  /** Of the material, the scene and view, or the scene. */
+  get name(): string {
+    if (this.kind === "material") return this.all.text(this.all.rows.name[this.at]);
+    return this.kind === "whole" ? `${this.sceneName} · ${this.viewName}` : this.sceneName;
+  }
+  /** Scene and view of a material; else what the row is. */
+  get place(): string {
+    if (this.kind === "material") return `${this.sceneName} · ${this.viewName}`;
+    return this.kind === "whole" ? `whole view, ${this.all.views.width[this.viewAt]} × ${this.all.views.height[this.viewAt]}` : this.all.text(this.all.scenes.source[this.scene]);
+  }
+  get sceneName(): string {
+    return this.all.text(this.all.scenes.name[this.scene]);
+  }
+  private get viewName(): string {
+    return this.all.text(this.all.views.name[this.viewAt]);
+  }
+
+  /** Paths, by name; "" where none was rendered. */
+  get reference(): string {
+    return this.viewAt < 0 ? "" : this.all.text(this.all.views.reference[this.viewAt]);
+  }
+  get test(): string {
+    return this.viewAt < 0 ? "" : this.all.text(this.all.views.test[this.viewAt]);
+  }
+
+  /** Whether it was compared: a scene that failed was not. */
+  get isJudged(): boolean {
+    return this.at >= 0;
+  }
+  get verdict(): Verdict {
+    return this.all.verdicts[this.verdictPlace] ?? "error";
+  }
+  /** Larger is graver. */
+  get gravity(): number {
+    return this.all.gravities[this.verdictPlace] ?? gravityOf("error");
+  }
+  private get verdictPlace(): number {
+    return this.at < 0 ? this.all.scenes.verdict[this.scene]! : this.all.rows.verdict[this.at]!;
+  }
+  get reason(): string {
+    return this.at < 0 ? this.all.text(this.all.scenes.error[this.scene]) : typeset(this.all.text(this.all.rows.reason[this.at]));
+  }
+  /** What its budget accepts although it is no pass; "": nothing. */
+  get accepted(): string {
+    return typeset(this.textOf("accepted"));
+  }
+  get bias(): string {
+    return typeset(this.textOf("bias"));
+  }
+  /** Of budgets. */
+  get preset(): string {
+    return this.textOf("preset");
+  }
+  get pixels(): number {
+    return this.at < 0 ? 0 : this.all.rows.pixels[this.at]!;
+  }
+  /** Of these, how many are NaN or infinite. */
+  get nonFinite(): number {
+    return this.at < 0 ? 0 : this.all.rows.nonFinite[this.at]!;
+  }
+  /** Parts of the material that no path models: only its base layer is judged. */
+  get notModelled(): readonly string[] {
+    return this.at < 0 ? [] : this.all.list(this.all.rows.notModelled[this.at]);
+  }
+  /** The checks of its figures, not those of regressions. */
+  get limits(): readonly Limit[] {
+    return this.at < 0 ? [] : (this.all.limits[this.all.rows.limits[this.at]!] ?? []);
+  }
+  /** Materials have crops, whole images the view's pictures; null: a scene. */
+  get images(): Images | null {
+    if (this.at < 0) return null;
+    const prefix = this.all.text(this.all.views.prefix[this.viewAt]);
+    const [reference = "", test = "", flip = ""] = this.all.list(this.all.rows.images[this.at]).map((end) => (end === "" ? "" : prefix + end));
+    return { reference, test, flip };
+  }
+
+  get cause(): Cause | null {
+    const term = this.causeTerm;
+    if (term === "") return null;
+    return { term, before: realOf(this.all.rows.causeBefore[this.at]) ?? 0, after: realOf(this.all.rows.causeAfter[this.at]) ?? 0 };
+  }
+  /** "": there is none, or it is not known. */
+  get causeTerm(): string {
+    return this.textOf("cause");
+  }
+  /** The report looked for its cause. */
+  get isAttributed(): boolean {
+    return this.at >= 0 && this.all.rows.attributed[this.at] === 1;
+  }
+  /** Null: none would help, or the run has measured none. */
+  get help(): Better | null {
+    const preset = this.textOf("better");
+    if (preset === "") return null;
+    return { preset, verdict: this.all.verdicts[this.all.rows.betterVerdict[this.at]!] ?? "error", flip: realOf(this.all.rows.betterFlip[this.at]) };
+  }
+
+  /** The verdict that it had in the baseline; "new": the baseline does not have it; null: there is no baseline. */
+  private get before(): Verdict | "new" | null {
+    const before = this.at < 0 ? 0 : this.all.rows.before[this.at]!;
+    return before === 0 ? null : before === 1 ? "new" : (this.all.verdicts[before - 2] ?? "error");
+  }
+  /** Whether the baseline has it. */
+  get isInBaseline(): boolean {
+    return this.before !== null && this.before !== "new";
+  }
+  /** Since the baseline. */
+  get changes(): readonly ChangeKind[] {
+    if (this.before === null) return kNoChange;
+    return changesOf(this.verdict, this.before, this.change, this.notComparable);
+  }
+  /** Of mean FLIP since the baseline. */
+  get change(): number | null {
+    return this.at < 0 ? null : realOf(this.all.rows.change[this.at]);
+  }
+  /** The conditions that differ from the baseline's; "": none. */
+  get notComparable(): string {
+    return this.textOf("notComparable");
+  }
+
+  /** NaN where it is not known. As it is packed: for sorting; figureOf gives what is shown. */
+  packedFigure(name: string): number {
+    return this.at < 0 ? NaN : (this.all.figure(name)?.[this.at] ?? NaN);
+  }
+
+  /** The places of its texts that a search looks at. */
+  get searched(): readonly number[] {
+    const { scenes, views, rows } = this.all;
+    const scene = scenes.name[this.scene]!;
+    if (this.at < 0) return [scene, scenes.source[this.scene]!, scenes.error[this.scene]!];
+    return [scene, views.name[this.viewAt]!, rows.name[this.at]!, rows.reason[this.at]!, rows.accepted[this.at]!, rows.cause[this.at]!];
+  }
+  /** What a search looks at besides, in lower case. */
+  get searchedWords(): string {
+    if (this.at < 0) return "";
+    const own = this.kind === "whole" ? `· ${this.place}` : "·";
+    return `${own} ${this.all.rows.accepted[this.at] === 0 ? "" : "accepted"} ${baseLayerText(this.notModelled)}`.toLowerCase();
+  }
+
+  private textOf(column: "accepted" | "bias" | "preset" | "cause" | "better" | "notComparable"): string {
+    return this.at < 0 ? "" : this.all.text(this.all.rows[column][this.at]);
+  }
 }
 
 /** A figure of a row, or null where it is not known. */
 export function figureOf(row: Row, name: string): number | null {
-  return row.judged?.figures?.metrics[name] ?? null;
+  return realOf(row.packedFigure(name));
 }
 
 /** The check that judges a figure itself, not its regression. */
-export function checkOf(row: Row, metric: string): Check | null {
-  return row.judged?.checks.find((check) => check.metric === metric && !check.regress) ?? null;
-}
-
-/** Of a scene that has one: "not run" where a signal ended the run before it was done. */
-function ownVerdict({ exitCode }: NonNullable<Scene["error"]>): Verdict {
-  return exitCode > 128 ? "not run" : "error";
+export function checkOf(row: Row, metric: string): Limit | null {
+  return row.limits.find((check) => check.metric === metric) ?? null;
 }
 
 /** "base layer only: no path models clearcoat, sheen"; "" where all is modelled. */
@@ -78,71 +207,37 @@ export function baseLayerText(notModelled: readonly string[]): string {
   return notModelled.length === 0 ? "" : `base layer only: no path models ${notModelled.join(", ")}`;
 }
 
-type Judgement = Omit<Row, "scene" | "view" | "material" | "link" | "order">;
-
-function judgedRow(kind: Kind, scene: Scene, view: View, judged: Judged, name: string): Judgement {
-  const { attribution, notModelled = [] } = judged as Partial<Material>;
-  const cause = causeOf(attribution);
-  const place = kind === "whole" ? `whole view, ${view.width} × ${view.height}` : `${scene.name} · ${view.name}`;
-  return {
-    kind,
-    name,
-    place,
-    reference: view.reference,
-    test: view.test,
-    verdict: judged.verdict,
-    gravity: gravityOf(judged.verdict),
-    reason: typeset(judged.reason),
-    accepted: typeset(judged.accepted ?? ""),
-    bias: typeset(judged.bias),
-    pixels: judged.figures?.pixels ?? 0,
-    judged,
-    cause,
-    help: kind === "material" ? bestWhatIf(judged as Material) : null,
-    preset: judged.budget.preset ?? "",
-    notModelled,
-    isAttributed: attribution !== undefined,
-    changes: changesOf(judged),
-    change: flipChangeOf(judged),
-    text: `${name} ${place} ${judged.reason} ${judged.accepted ? "accepted" : ""} ${judged.accepted ?? ""} ${cause?.term ?? ""} ${baseLayerText(notModelled)}`.toLowerCase(),
-  };
-}
-
-/** What links call them: their names; of those alike the second has " (2)" behind it, and so on. Never "". */
-export function linkNames(named: readonly { name: string }[]): string[] {
-  const taken = new Set<string>();
-  return named.map(({ name }) => {
-    const plain = name === "" ? "(no name)" : name;
-    let link = plain;
-    for (let n = 2; taken.has(link); ++n) link = `${plain} (${n})`;
-    taken.add(link);
-    return link;
-  });
-}
-
 /** Materials not seen in a view but in another one do not count, and have no row. */
-export function makeRows(report: Report): Row[] {
+export function makeRows(all: Overview): Row[] {
   const rows: Row[] = [];
-  const sceneLinks = linkNames(report.scenes);
-  report.scenes.forEach((scene, s) => {
-    const link: Item = { scene: sceneLinks[s] ?? "", view: "", material: "" };
-    const viewLinks = linkNames(scene.views);
-    if (scene.error)
-      rows.push({
-        kind: "scene", scene: s, view: -1, material: -1, link, order: rows.length, name: scene.name, place: scene.source, reference: "", test: "",
-        verdict: ownVerdict(scene.error), gravity: gravityOf(ownVerdict(scene.error)), reason: scene.error.message, accepted: "", bias: "", pixels: 0,
-        judged: null, cause: null, help: null, preset: "", notModelled: [], isAttributed: false, changes: [], change: null,
-        text: `${scene.name} ${scene.source} ${scene.error.message}`.toLowerCase(),
-      });
-    scene.views.forEach((view, v) => {
-      const ofView = { ...link, view: viewLinks[v] ?? "" };
-      const materialLinks = linkNames(view.materials);
-      view.materials.forEach((material, m) => {
-        if (material.seenElsewhere) return;
-        rows.push({ scene: s, view: v, material: m, link: { ...ofView, material: materialLinks[m] ?? "" }, order: rows.length, ...judgedRow("material", scene, view, material, material.name) });
-      });
-      rows.push({ scene: s, view: v, material: -1, link: ofView, order: rows.length, ...judgedRow("whole", scene, view, view.whole, `${scene.name} · ${view.name}`) });
-    });
-  });
+  const { seenElsewhere } = all.rows;
+  for (let scene = 0; scene < all.sceneCount; ++scene) {
+    if (all.scenes.error[scene] !== 0) rows.push(new Row(all, "scene", scene, -1, -1, rows.length, -1, -1));
+    const first = all.viewStarts[scene]!;
+    for (let view = first; view < all.viewStarts[scene + 1]!; ++view) {
+      const begin = all.rowStarts[view]!;
+      const whole = all.rowStarts[view + 1]! - 1;
+      for (let at = begin; at < whole; ++at)
+        if (seenElsewhere[at] === 0) rows.push(new Row(all, "material", scene, view - first, at - begin, rows.length, at, view));
+      rows.push(new Row(all, "whole", scene, view - first, -1, rows.length, whole, view));
+    }
+  }
   return rows;
+}
+
+/** The row that a link leads to; null: there is none. rows: all, in their order. */
+export function findRow(all: Overview, rows: readonly Row[], item: Item): Row | null {
+  const scene = item.scene === "" ? -1 : all.sceneOfLink(item.scene);
+  if (scene < 0) return null;
+  let low = 0; // the first row of the scene
+  for (let high = rows.length; low < high; ) {
+    const middle = (low + high) >> 1;
+    if (rows[middle]!.scene < scene) low = middle + 1;
+    else high = middle;
+  }
+  for (let i = low; rows[i]?.scene === scene; ++i) {
+    const row = rows[i]!;
+    if (row.viewLink === item.view && (row.kind === "material") === (item.material !== "") && row.link.material === item.material) return row;
+  }
+  return null;
 }

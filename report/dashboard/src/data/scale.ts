@@ -1,5 +1,7 @@
 // One scale for the bars of a figure, so that bars of different rows compare.
-import { checkOf, figureOf, type Row } from "./rows";
+import { realOf } from "./columns";
+import type { Limit } from "./overview";
+import { checkOf, type Row } from "./rows";
 
 const kSteps = [1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 10];
 
@@ -13,12 +15,17 @@ export function roundUp(value: number): number {
 
 /** What a full bar means: the largest value of the rows and of the limits that judge them, rounded up; never 0. */
 export function barScale(rows: readonly Row[], metric: string): number {
-  let most = 0;
+  let [figure, limit] = [0, 0];
+  const seen = new Set<readonly Limit[]>(); // rows with the same limits share them
   for (const row of rows) {
+    const value = Math.abs(row.packedFigure(metric)); // or NaN
+    if (value > figure) figure = value;
+    if (seen.has(row.limits)) continue;
+    seen.add(row.limits);
     const check = checkOf(row, metric);
-    most = Math.max(most, Math.abs(figureOf(row, metric) ?? 0), check?.fail ?? check?.warn ?? 0);
+    limit = Math.max(limit, check?.fail ?? check?.warn ?? 0);
   }
-  return roundUp(most) || 1;
+  return roundUp(Math.max(realOf(figure) ?? 0, limit)) || 1;
 }
 
 /** Shares of a bar's width, 0..100, for a value and its limits. */

@@ -393,6 +393,8 @@ export interface Run {
   compiledShaders: number; // Shaders of all paths; equal shaders count once
   cachedScenes: string[]; // Scenes whose unchanged results came from the cache
   again: AgainCommand[]; // For each view that was asked for
+  incidents: string[]; // Crashes of workers after which a second try succeeded
+  sceneTimes: SceneTime[]; // Of each scene that was done; several scenes may run at a time
 }
 
 export interface Timing {
@@ -405,4 +407,10 @@ export interface AgainCommand {
   scene: string;
   view: string;
   command: string; // For a POSIX shell; --material GLOB chooses a material
+}
+
+/** Wall time of a scene, from its file or the cache to its figures and pictures */
+export interface SceneTime {
+  scene: string;
+  seconds: number;
 }

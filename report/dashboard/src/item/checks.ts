@@ -2,7 +2,8 @@
 import { html, nothing, type TemplateResult } from "lit";
 
 import type { Judged } from "../data/judged";
-import type { Check, Report } from "../data/types";
+import type { Head } from "../data/page";
+import type { Check } from "../data/types";
 import { countOf, typeset } from "../data/wording";
 import { change, figure } from "../format";
 import { help } from "../help";
@@ -10,7 +11,7 @@ import { bar } from "../overview/row";
 import { badge } from "../parts";
 
 /** Limits as the figure reads: "warns above 0.100, fails above 0.200"; below for a figure of which more is better. */
-export function limitsOf(check: Check, report: Report): string {
+export function limitsOf(check: Check, report: Head): string {
   const statistic = report.statistics[check.metric];
   const beyond = statistic?.better === "higher" && !check.regress ? "below" : statistic?.better === "near zero" ? "beyond ±" : "above";
   const limit = (verb: string, value: number | null): string =>
@@ -24,7 +25,7 @@ function scaleOf(check: Check, scales: Readonly<Record<string, number>>): number
   return scale ?? Math.max(Math.abs(check.value ?? 0), 1.25 * (check.fail ?? check.warn ?? 0));
 }
 
-export function checkTable(judged: Judged, report: Report, scales: Readonly<Record<string, number>>): TemplateResult {
+export function checkTable(judged: Judged, report: Head, scales: Readonly<Record<string, number>>): TemplateResult {
   const { budget } = judged;
   if (judged.checks.length === 0) return html`<p class="aside">No budget was checked.</p>`;
   return html`<section class="checks">

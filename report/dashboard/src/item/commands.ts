@@ -1,6 +1,6 @@
 // Commands to copy: the same comparison again, and how to accept what it found.
 import type { Row } from "../data/rows";
-import type { Run, Scene } from "../data/types";
+import type { AgainCommand, Scene } from "../data/types";
 
 /** A word as a POSIX shell takes it. */
 export function shellWord(text: string): string {
@@ -16,11 +16,11 @@ export function globOf(name: string): string {
   return name.replace(/[*?[]/g, "?").replace(/[\u0000-\u001f\u007f-\u009f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufffd]/gu, "*");
 }
 
-/** The command for this row alone, from those of run.json; null where there is none. */
-export function againCommand(run: Run, scene: Scene, row: Row): string | null {
+/** The command for this row alone, from those of its scene; null where there is none. */
+export function againCommand(again: readonly AgainCommand[], scene: Scene, row: Pick<Row, "kind" | "name" | "view">): string | null {
   const view = scene.views[row.view];
   // A view by a further path has that path's name behind its own.
-  const found = view && run.again.find((each) => each.scene === scene.name && (each.view === view.name || `${each.view} (${view.test})` === view.name));
+  const found = view && again.find((each) => each.scene === scene.name && (each.view === view.name || `${each.view} (${view.test})` === view.name));
   if (!found) return null;
   // The run's own --material stays: what else it shows is part of the picture.
   if (row.kind !== "material" || row.name === "" || found.command.includes(" --material")) return found.command;

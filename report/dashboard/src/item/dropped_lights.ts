@@ -2,7 +2,8 @@
 import { html, nothing, type TemplateResult } from "lit";
 
 import { pathTitle, pathWord } from "../data/paths";
-import type { DroppedLight, DroppedLights, Report, View } from "../data/types";
+import type { Head } from "../data/page";
+import type { DroppedLight, DroppedLights, View } from "../data/types";
 import { countOf } from "../data/wording";
 import { figure } from "../format";
 import { help } from "../help";
@@ -22,7 +23,7 @@ export function describeDropped(dropped: DroppedLights, path: string): string {
 }
 
 /** material: its name; null: of the whole view. Nothing where its test path drops none of its lights. */
-export function droppedLights(view: View | undefined, material: string | null, report: Report): TemplateResult | typeof nothing {
+export function droppedLights(view: View | undefined, material: string | null, report: Head): TemplateResult | typeof nothing {
   const dropped = view?.droppedLights;
   if (!dropped) return nothing;
   const statistic = report.statistics["flip.mean"];

@@ -6,8 +6,10 @@ import type { Page } from "../data/page";
 import { clippingText } from "../data/clipping";
 import { pathWord } from "../data/paths";
 import type { Row } from "../data/rows";
+import type { SceneDetails } from "../data/scenes";
 import { isSameItem, kTabs, type State, type Tab } from "../data/state";
-import type { Material } from "../data/types";
+import type { Judged } from "../data/judged";
+import type { Material, Scene, View } from "../data/types";
 import { countOf } from "../data/wording";
 import { PageElement } from "../element";
 import { count, figure, figureIn } from "../format";
@@ -30,12 +32,26 @@ const kTabNames: Record<Tab, string> = { compare: "Compare", terms: "Terms", num
 export class ParityItem extends PageElement {
   @property({ attribute: false }) page!: Page;
   @property({ attribute: false }) row!: Row;
+  @property({ attribute: false }) details: SceneDetails | null = null; // of its scene; null: they are not here yet
+  @property() problem = ""; // why they will not come; "": they may
   @property({ attribute: false }) state!: State;
   @property({ attribute: false }) scales: Readonly<Record<string, number>> = {}; // of bars, by figure
   @property() place = "";
   @query("parity-viewer") private viewer!: ParityViewer | null;
   @query("#panel") private panel!: HTMLElement | null;
   private readonly phone = new Media(this, kPhone);
+
+  private get shownView(): View | null {
+    return this.details?.scene.views[this.row.view] ?? null;
+  }
+
+  private get material(): Material | null {
+    return this.row.kind === "material" ? (this.shownView?.materials[this.row.material] ?? null) : null;
+  }
+
+  private get judged(): Judged | null {
+    return this.row.kind === "material" ? this.material : (this.shownView?.whole ?? null);
+  }
 
   /** Another item, or another tab, is read from its top. */
   protected override updated(changed: PropertyValues<this>): void {
@@ -70,7 +86,7 @@ export class ParityItem extends PageElement {
 
   protected override render(): TemplateResult {
     const { row, state } = this;
-    const scene = this.page.report.scenes[row.scene];
+    const scene = this.details?.scene;
     const step = (by: number) => (): boolean => this.dispatchEvent(new CustomEvent("parity-step", { detail: by }));
     const name = row.name === "" ? "(no name)" : row.name;
     return html`<article class="item" aria-labelledby="item-title">
@@ -84,10 +100,10 @@ export class ParityItem extends PageElement {
         <h2 id="item-title" tabindex="-1" title=${name.slice(0, 400)}>${rowBadge(row)} ${baseLayerBadge(row.notModelled)} <bdi>${name}</bdi></h2>
         ${row.accepted === "" ? nothing : html`<p class="accepted">Accepted: ${row.accepted}</p>`}
         <p class="place"><bdi>${row.place}</bdi>${scene ? html` · <bdi>${scene.environment}</bdi>${scene.sun === "none" ? nothing : html` · sun <bdi>${scene.sun}</bdi>`}` : nothing}</p>
-        ${row.reason === "" || row.judged === null ? nothing : html`<p class="reason">${row.reason}</p>`}
+        ${row.reason === "" || !row.isJudged ? nothing : html`<p class="reason">${row.reason}</p>`}
         ${this.renderCause()}
       </header>
-      ${row.judged ? this.renderTabs(state.tab) : html`<p class="notice error" role="alert"><b>Not compared:</b> ${row.reason}</p>`}
+      ${row.isJudged ? this.renderTabs(state.tab) : html`<p class="notice error" role="alert"><b>Not compared:</b> ${row.reason}</p>`}
     </article>`;
   }
 
@@ -96,7 +112,7 @@ export class ParityItem extends PageElement {
     const { cause, help: better, reference } = this.row;
     const flip = (value: number | null | undefined): string => figure(value ?? undefined, this.page.report.statistics["flip.mean"]);
     return html`${cause ? html`<p class="cause">Cause: <b>${cause.term}</b> (${termLabel(cause.term)}), FLIP ${flip(cause.before)} → ${flip(cause.after)}<span class="word"> with the ${pathWord(reference)} term</span>${help("worstTerm")}</p>` : nothing}
-      ${better ? html`<p class="would-help">Would help: preset <b>${better.preset}</b> (FLIP ${flip(better.figures.metrics["flip.mean"])}, ${better.verdict})</p>` : nothing}`;
+      ${better ? html`<p class="would-help">Would help: preset <b>${better.preset}</b> (FLIP ${flip(better.flip)}, ${better.verdict})</p>` : nothing}`;
   }
 
   private renderTabs(tab: Tab): TemplateResult {
@@ -114,28 +130,36 @@ export class ParityItem extends PageElement {
         ${kTabs.map((each) => html`<button type="button" role="tab" id="tab-${each}" aria-controls="panel" aria-selected=${each === tab ? "true" : "false"}
           tabindex=${each === tab ? 0 : -1} @click=${() => this.set({ tab: each })}>${kTabNames[each]}</button>`)}
       </div>
-      <div role="tabpanel" id="panel" class="item-panel" aria-labelledby="tab-${tab}">${tab === "compare" ? this.renderCompare() : tab === "terms" ? this.renderTerms() : this.renderNumbers()}</div>
+      <div role="tabpanel" id="panel" class="item-panel" aria-labelledby="tab-${tab}">${this.renderPanel(tab)}</div>
     `;
   }
 
-  private renderCompare(): TemplateResult {
+  private renderPanel(tab: Tab): TemplateResult {
+    const { details, shownView: view, judged } = this;
+    if (this.problem !== "") return html`<p class="notice error" role="alert"><b>Its details cannot be shown:</b> <bdi>${this.problem}</bdi></p>`;
+    if (details === null) return html`<p class="aside" role="status">Loading …</p>`;
+    if (view === null || judged === null) return html`<p class="notice error" role="alert"><b>Its details cannot be shown:</b> the file of its scene does not have it.</p>`;
+    return tab === "compare" ? this.renderCompare(details.scene, view, judged) : tab === "terms" ? this.renderTerms(details.scene) : this.renderNumbers(details, judged);
+  }
+
+  private renderCompare(scene: Scene, view: View, judged: Judged): TemplateResult {
     const { report } = this.page;
     const { row } = this;
-    const notes = row.kind === "material" ? (row.judged as Material).notes : [];
+    const notes = this.material?.notes ?? [];
     const isPhone = this.phone.matches; // there the pictures come first
     return html`
-      <parity-viewer .report=${report} .scene=${row.scene} .view=${row.view} .material=${row.material} .state=${this.state} .lead=${isPhone ? nothing : this.renderFacts()}></parity-viewer>
-      ${isPhone ? this.renderFacts() : nothing}
-      ${row.judged ? checkTable(row.judged, report, this.scales) : nothing}
+      <parity-viewer .report=${report} .view=${view} .material=${row.material} .state=${this.state} .lead=${isPhone ? nothing : this.renderFacts(view, judged)}></parity-viewer>
+      ${isPhone ? this.renderFacts(view, judged) : nothing}
+      ${checkTable(judged, report, this.scales)}
       ${notes.length > 0 ? html`<ul class="notes">${notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
-      ${materialCard(report, row)}
+      ${materialCard(scene, row)}
     `;
   }
 
-  private renderFacts(): TemplateResult {
+  private renderFacts(view: View, judged: Judged): TemplateResult {
     const { report } = this.page;
     const { row } = this;
-    const figures = row.judged?.figures ?? null;
+    const { figures } = judged;
     const value = (name: string): string => figureIn(figures, name, report.statistics);
     const clipped = clippingText(figures);
     return html`<p class="facts">
@@ -146,15 +170,14 @@ export class ParityItem extends PageElement {
       ${figures && figures.nonFinite > 0 ? html`<span class="caution"><b>${count(figures.nonFinite)}</b> of ${countOf(figures.pixels, "pixels")} ${figures.nonFinite === 1 ? "is" : "are"} NaN or infinite</span>` : nothing}
       ${clipped === "" ? nothing : html`<span class="caution">Clipped in both pictures: <b>${clipped}</b>${help("clipping")}</span>`}
       ${row.notModelled.length === 0 ? nothing : html`<span class="caution">No path models these parts: <b><bdi>${row.notModelled.join(", ")}</bdi></b>${help("baseLayer")}</span>`}
-      ${this.renderDropped()}
+      ${this.renderDropped(view)}
     </p>`;
   }
 
   /** One light's effect in a line; all of them stand by the terms. */
-  private renderDropped(): TemplateResult | typeof nothing {
+  private renderDropped({ droppedLights: dropped }: View): TemplateResult | typeof nothing {
     const { report } = this.page;
     const { row } = this;
-    const dropped = report.scenes[row.scene]?.views[row.view]?.droppedLights;
     if (!dropped) return nothing;
     const flip = (value: number): string => figure(value, report.statistics["flip.mean"]);
     if (row.kind !== "material") return html`<span>${describeDropped(dropped, row.test)}${help("droppedLights")}</span>`;
@@ -162,11 +185,11 @@ export class ParityItem extends PageElement {
     return first ? html`<span>Dropped light: <b><bdi>${first.light.name}</bdi></b>, FLIP ${flip(first.flip)} without it${help("droppedLights")}</span>` : nothing;
   }
 
-  private renderTerms(): TemplateResult {
-    return html`<parity-terms .report=${this.page.report} .row=${this.row} .state=${this.state}></parity-terms>`;
+  private renderTerms(scene: Scene): TemplateResult {
+    return html`<parity-terms .report=${this.page.report} .scene=${scene} .row=${this.row} .state=${this.state}></parity-terms>`;
   }
 
-  private renderNumbers(): TemplateResult {
-    return html`<parity-numbers .page=${this.page} .row=${this.row}></parity-numbers>`;
+  private renderNumbers(details: SceneDetails, judged: Judged): TemplateResult {
+    return html`<parity-numbers .page=${this.page} .details=${details} .judged=${judged} .row=${this.row}></parity-numbers>`;
   }
 }

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { cardOf, colorOf, flagsOf, hexOf, inputLines, partsOfName, textureFacts, textureFile, titleOf } from "../data/card";
 import { imageSource } from "../data/images";
 import type { Row } from "../data/rows";
-import type { CardInput, CardTexture, Material, MaterialCard, Report } from "../data/types";
+import type { CardInput, CardTexture, Material, MaterialCard, Scene } from "../data/types";
 import { wordsWithoutVerdict } from "../data/what_if";
 import { typeset } from "../data/wording";
 import { badge } from "../parts";
@@ -50,11 +50,10 @@ function whatIfs(material: Material): TemplateResult | typeof nothing {
 }
 
 /** Nothing for what is no material, and in reports that do not know what it is made of. */
-export function materialCard(report: Report, row: Row): TemplateResult | typeof nothing {
+export function materialCard(scene: Scene, row: Row): TemplateResult | typeof nothing {
   if (row.kind !== "material") return nothing;
-  const scene = report.scenes[row.scene];
-  const material = scene?.views[row.view]?.materials[row.material];
-  const card = cardOf(report, row.scene, row.name);
+  const material = scene.views[row.view]?.materials[row.material];
+  const card = cardOf(scene, row.name);
   return html`${material ? whatIfs(material) : nothing}
-    ${card === null ? nothing : html`<section class="material-card"><h3>Material</h3>${inputs(card, scene?.source ?? "")}</section>`}`;
+    ${card === null ? nothing : html`<section class="material-card"><h3>Material</h3>${inputs(card, scene.source)}</section>`}`;
 }

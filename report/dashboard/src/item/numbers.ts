@@ -3,11 +3,12 @@ import { html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 
 import type { Judged } from "../data/judged";
-import type { Page } from "../data/page";
+import type { Head, Page } from "../data/page";
 import { pathTitle, pathWord } from "../data/paths";
 import type { Row } from "../data/rows";
+import type { SceneDetails } from "../data/scenes";
 import { countOf } from "../data/wording";
-import type { Check, Report, Run, Scene, Truth } from "../data/types";
+import type { Check, Scene, Truth } from "../data/types";
 import { PageElement } from "../element";
 import { change, count, duration, figure, figureIn, fixed } from "../format";
 import { help } from "../help";
@@ -19,7 +20,7 @@ import { acceptCommands, againCommand } from "./commands";
 import { stageLine } from "./stages";
 
 /** The limits of a figure and what its checks came to; of its change since the baseline, too. */
-function limitCell(checks: readonly Check[], metric: string, report: Report): TemplateResult {
+function limitCell(checks: readonly Check[], metric: string, report: Head): TemplateResult {
   return html`<td class="limits">${checks.filter((check) => check.metric === metric).map((check) => html`<div>${badge(check.verdict)} ${check.regress ? "against the baseline: " : ""}${limitsOf(check, report)}</div>`)}</td>`;
 }
 
@@ -28,7 +29,7 @@ function nonFiniteLimit({ budget }: Judged): string {
   return budget.maxNonFinite === undefined ? "" : `its budget accepts at most ${count(budget.maxNonFinite)}`;
 }
 
-function figureTable(judged: Judged, { kind, reference, test }: Row, report: Report): TemplateResult {
+function figureTable(judged: Judged, { kind, reference, test }: Row, report: Head): TemplateResult {
   const { figures, baseline, checks } = judged;
   if (!figures) return html`<p class="aside">There are no figures, because no pixel of this view shows it.</p>`;
   const since = baseline && !baseline.new ? baseline.changes : null;
@@ -55,7 +56,7 @@ function figureTable(judged: Judged, { kind, reference, test }: Row, report: Rep
     </tbody></table></div>`;
 }
 
-function truthTables(truth: Truth, { reference, test }: Row, report: Report): TemplateResult {
+function truthTables(truth: Truth, { reference, test }: Row, report: Head): TemplateResult {
   const { figures } = truth;
   if (!figures) return html`<p class="aside">The truth is unknown here, because there are no pixels.</p>`;
   const names = [...new Set([...Object.keys(figures.reference.metrics), ...Object.keys(figures.test.metrics)])];
@@ -93,13 +94,15 @@ function permutationTable(scene: Scene): TemplateResult {
 @customElement("parity-numbers")
 export class ParityNumbers extends PageElement {
   @property({ attribute: false }) page!: Page;
+  @property({ attribute: false }) details!: SceneDetails;
+  @property({ attribute: false }) judged!: Judged;
   @property({ attribute: false }) row!: Row;
 
   protected override render(): TemplateResult {
     const { report, run, bench } = this.page;
-    const { judged } = this.row;
-    const scene = report.scenes[this.row.scene];
-    if (!scene || !judged) return html``;
+    const { judged } = this;
+    const { scene } = this.details;
+    const seconds = run?.sceneTimes?.find((each) => each.scene === scene.name)?.seconds;
     return html`<div class="numbers">
       ${figureTable(judged, this.row, report)}
       ${judged.stages.map((stage) => stageLine(stage, this.row.test, report))}
@@ -108,7 +111,7 @@ export class ParityNumbers extends PageElement {
       <section><h3>Repeat the comparison</h3>
         ${run ? html`<p class="aside">Run these commands in the folder where parity ran.</p>` : nothing}
         ${run && run.commandLine !== "" ? html`<p>The whole report:</p>${copyable(run.commandLine, "the command of the report")}` : nothing}
-        ${run ? againPart(run, scene, this.row) : nothing}
+        ${againPart(this.details, this.row)}
         <h3>Accept the result</h3>
         <p class="aside">Run these commands in the folder of this report, which has report.json.</p>${acceptCommands().map(({ what, command }) => html`<p class="aside">${what}</p>${copyable(command, what)}`)}
       </section>
@@ -119,6 +122,7 @@ export class ParityNumbers extends PageElement {
           ["Device", report.device], ["Version", `${report.tool} ${report.version}`], ["Started", run?.startedAt ?? ""],
           ["Shaders compiled", run ? String(run.compiledShaders) : ""],
           ["From the cache", run && run.cachedScenes.includes(scene.name) ? "this scene, unchanged" : ""],
+          ["Time of this scene", seconds === undefined ? "" : duration(1000 * seconds)],
         ])}
         ${run ? html`<div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table><caption>Times${help("timings")}</caption><thead><tr><th scope="col">stage</th><th scope="col">time</th></tr></thead><tbody>${run.timings.map(({ stage, timeMs }) => html`<tr><th scope="row">${stage}</th><td class="number">${duration(timeMs)}</td></tr>`)}</tbody></table></div>` : nothing}
       </section>
@@ -126,7 +130,7 @@ export class ParityNumbers extends PageElement {
   }
 }
 
-function againPart(run: Run, scene: Scene, of: Row): TemplateResult | typeof nothing {
-  const command = againCommand(run, scene, of);
+function againPart({ again, scene }: SceneDetails, of: Row): TemplateResult | typeof nothing {
+  const command = againCommand(again, scene, of);
   return command === null ? nothing : html`<p>To see this ${of.kind === "material" ? "material" : "view"} again, as a table:</p>${copyable(command, "the command for this row")}`;
 }

@@ -2,7 +2,8 @@
 import { html, nothing, type TemplateResult } from "lit";
 
 import { pathWord } from "../data/paths";
-import type { Report, Stage } from "../data/types";
+import type { Head } from "../data/page";
+import type { Stage } from "../data/types";
 import { figureIn } from "../format";
 import { help, type Topic } from "../help";
 
@@ -17,7 +18,7 @@ export function wordsOf(stage: string): string {
 }
 
 /** path: its name. */
-export function stageLine({ stage, through, figures }: Stage, path: string, report: Report): TemplateResult {
+export function stageLine({ stage, through, figures }: Stage, path: string, report: Head): TemplateResult {
   const topic = kStages[stage]?.topic;
   return html`<p>${wordsOf(stage)} <code>${through}</code> alone causes FLIP ${figureIn(figures, "flip.mean", report.statistics)} in the picture of ${pathWord(path)}.${topic ? help(topic) : nothing}</p>`;
 }

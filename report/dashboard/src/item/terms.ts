@@ -7,7 +7,8 @@ import { repeat } from "lit/directives/repeat.js";
 import { pathTitle, pathWord } from "../data/paths";
 import type { Row } from "../data/rows";
 import { toHash, type State } from "../data/state";
-import type { Attribution, Material, Report } from "../data/types";
+import type { Head } from "../data/page";
+import type { Attribution, Material, Scene, View } from "../data/types";
 import { PageElement } from "../element";
 import { figure, fixed, signed } from "../format";
 import { help } from "../help";
@@ -18,12 +19,17 @@ import { describeTerm, effectOf } from "./term_words";
 
 @customElement("parity-terms")
 export class ParityTerms extends PageElement {
-  @property({ attribute: false }) report!: Report;
+  @property({ attribute: false }) report!: Head;
+  @property({ attribute: false }) scene!: Scene;
   @property({ attribute: false }) row!: Row;
   @property({ attribute: false }) state!: State;
 
+  private get shownView(): View | undefined {
+    return this.scene.views[this.row.view];
+  }
+
   private get material(): Material | null {
-    return this.report.scenes[this.row.scene]?.views[this.row.view]?.materials[this.row.material] ?? null;
+    return this.shownView?.materials[this.row.material] ?? null;
   }
 
   protected override render(): TemplateResult {
@@ -31,7 +37,7 @@ export class ParityTerms extends PageElement {
     return html`<section class="terms">
       <p class="bias-words"><b>${row.bias === "" ? "No pixel of this view shows it." : row.bias}</b>${row.bias === "" ? nothing : help("bias")}</p>
       ${material?.attribution ? this.renderAttribution(material.attribution) : this.renderWhyNone(material)}
-      ${droppedLights(this.report.scenes[row.scene]?.views[row.view], row.kind === "material" ? row.name : null, this.report)}
+      ${droppedLights(this.shownView, row.kind === "material" ? row.name : null, this.report)}
       ${this.renderTerms(material)}
     </section>`;
   }
@@ -64,7 +70,7 @@ export class ParityTerms extends PageElement {
   }
 
   private renderTerms(material: Material | null): TemplateResult | typeof nothing {
-    const view = this.report.scenes[this.row.scene]?.views[this.row.view];
+    const view = this.shownView;
     if (!view) return nothing;
     const lights = material?.terms ?? [];
     const names = lights.filter((each) => describeTerm(each, view.test) !== "black in both").map((each) => each.term);
@@ -75,7 +81,7 @@ export class ParityTerms extends PageElement {
         const light = lights.find((each) => each.term === term);
         const hash = toHash({ ...this.state, term, tab: "compare", mode: "side" });
         const image = (path: string, light: number | null | undefined): TemplateResult => html`<figure>
-          <parity-term-image .report=${this.report} .scene=${this.row.scene} .view=${this.row.view} .material=${this.row.material} .plane=${`${path}.${term}`} .exposure=${this.state.exposure} .label=${`${pathTitle(path)} ${term}`}></parity-term-image>
+          <parity-term-image .report=${this.report} .view=${view} .material=${this.row.material} .plane=${`${path}.${term}`} .exposure=${this.state.exposure} .label=${`${pathTitle(path)} ${term}`}></parity-term-image>
           <figcaption>${pathTitle(path)} ${light !== undefined ? html`<span class="number">${fixed(light, 4)}</span>` : nothing}</figcaption></figure>`;
         return html`<section class="term"><h4><a href=${hash} title=${termLabel(term)}>${term}</a>${light ? html` <small>${describeTerm(light, view.test)}</small>` : nothing}</h4>
           ${view.pixels.terms === "" ? html`<p class="aside">${light ? `${pathWord(view.reference)} ${fixed(light.reference, 4)}, ${pathWord(view.test)} ${fixed(light.test, 4)}` : ""}</p>` : html`<div class="pair">${image(view.reference, light?.reference)}${image(view.test, light?.test)}</div>`}</section>`;

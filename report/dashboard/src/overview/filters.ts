@@ -1,12 +1,12 @@
 // What narrows the list down and orders it: words, verdicts, changes, budgets' presets, terms, groups.
 import { html, nothing, type TemplateResult } from "lit";
 
-import { countChanges, kChanges, type ChangeKind } from "../data/changes";
-import { countRows, isListed, sortsUpAtFirst } from "../data/filter";
+import { kChanges, type ChangeCounts, type ChangeKind } from "../data/changes";
+import type { Facts, ListFacts } from "../data/facts";
+import { sortsUpAtFirst } from "../data/filter";
 import { groupingsOf } from "../data/groups";
-import type { Row } from "../data/rows";
+import type { Head } from "../data/page";
 import type { Grouping, List, State } from "../data/state";
-import type { Report } from "../data/types";
 import { countOf } from "../data/wording";
 import { count } from "../format";
 import { termLabel } from "../viewer/terms";
@@ -46,10 +46,6 @@ function select(
     </select></label>`;
 }
 
-function distinct(values: Iterable<string>): string[] {
-  return [...new Set(values)].filter((each) => each !== "").sort();
-}
-
 const kSorts: readonly (readonly [string, string])[] = [
   ["gravity", "verdict"], ["flip.mean", "mean FLIP"], ["flip.p95", "p95 FLIP"], ["flip.max", "max FLIP"],
   ["bias", "brightness difference"], ["cause", "share that the cause explains"], ["pixels", "pixels"],
@@ -57,7 +53,7 @@ const kSorts: readonly (readonly [string, string])[] = [
 ];
 
 /** Every number of the rows, by the names that the report gives its figures. */
-export function sortsOf(report: Report): (readonly [string, string])[] {
+export function sortsOf(report: Head): (readonly [string, string])[] {
   const usual = kSorts.filter(([key]) => key !== "change" || hasBaseline(report));
   const others = Object.entries(report.statistics).filter(([key]) => !kSorts.some(([each]) => each === key));
   return [...usual, ...others.map(([key, { label }]) => [key, label] as const)];
@@ -68,12 +64,11 @@ function toggled(values: readonly string[], value: string): string[] {
   return values.includes(value) ? values.filter((each) => each !== value) : [...values, value];
 }
 
-function verdictChips(listed: readonly Row[], state: State, set: (patch: Partial<State>) => void): TemplateResult {
-  const counts = countRows(listed);
+function verdictChips(listed: ListFacts, state: State, set: (patch: Partial<State>) => void): TemplateResult {
   return html`<div class="chips" role="group" aria-label="Verdicts">
     ${kCategories.map(({ verdict, label }, index) => {
       const all = verdict === "";
-      const number = all ? listed.length : (counts[verdict] ?? 0);
+      const number = all ? listed.rows : (listed.verdicts[verdict] ?? 0);
       if (!all && number === 0) return nothing;
       const pressed = all ? state.verdicts.length === 0 : state.verdicts.includes(verdict);
       return html`<button type="button" class="chip ${verdict.replace(" ", "-")}" aria-pressed=${pressed ? "true" : "false"}
@@ -82,8 +77,7 @@ function verdictChips(listed: readonly Row[], state: State, set: (patch: Partial
   </div>`;
 }
 
-function changeChips(listed: readonly Row[], state: State, set: (patch: Partial<State>) => void): TemplateResult | typeof nothing {
-  const counts = countChanges(listed);
+function changeChips(counts: ChangeCounts, state: State, set: (patch: Partial<State>) => void): TemplateResult | typeof nothing {
   const shown = kChanges.filter((change) => counts[change] > 0 || state.changes.includes(change));
   if (shown.length === 0) return nothing;
   return html`<div class="chips changes" role="group" aria-label="Since the baseline"><span class="chips-name" aria-hidden="true">Since the baseline</span>
@@ -105,7 +99,7 @@ function groupChoice(state: State, set: (patch: Partial<State>) => void): Templa
     ${shown === "none" ? nothing : html`<button type="button" class="fold-all" aria-pressed=${state.folded ? "true" : "false"} @click=${() => set({ folded: !state.folded })}>Totals only</button>`}`;
 }
 
-function sortChoice(report: Report, state: State, set: (patch: Partial<State>) => void): TemplateResult {
+function sortChoice(report: Head, state: State, set: (patch: Partial<State>) => void): TemplateResult {
   return html`<label class="select">Sort
     <select @change=${(event: Event) => {
       const sort = (event.target as HTMLSelectElement).value;
@@ -116,8 +110,8 @@ function sortChoice(report: Report, state: State, set: (patch: Partial<State>) =
 }
 
 export interface FilterScene {
-  report: Report;
-  rows: readonly Row[]; // all
+  report: Head;
+  facts: Facts;
   shown: number;
   state: State;
   fold: Fold | null; // all but the search folds away; null: there is room for all
@@ -129,16 +123,14 @@ export interface Fold {
   toggle: () => void;
 }
 
-export function filters({ report, rows, shown, state, fold, set }: FilterScene): TemplateResult {
-  const listed = rows.filter((row) => isListed(row, state.list));
+export function filters({ report, facts, shown, state, fold, set }: FilterScene): TemplateResult {
+  const listed = facts.lists[state.list];
   const list = (each: List, label: string): TemplateResult => {
-    const of = rows.filter((row) => isListed(row, each));
-    const over = of.filter((row) => row.verdict === "fail" || row.verdict === "error").length;
-    return html`<button type="button" aria-pressed=${state.list === each ? "true" : "false"} @click=${() => set({ list: each })}>${label} <b>${count(of.length)}</b>${over > 0 ? html`<span class="over" title="failed or errors">✕ ${count(over)}<span class="sr"> failed or errors</span></span>` : nothing}</button>`;
+    const { rows, over } = facts.lists[each];
+    return html`<button type="button" aria-pressed=${state.list === each ? "true" : "false"} @click=${() => set({ list: each })}>${label} <b>${count(rows)}</b>${over > 0 ? html`<span class="over" title="failed or errors">✕ ${count(over)}<span class="sr"> failed or errors</span></span>` : nothing}</button>`;
   };
   const active = [state.verdicts.length > 0, state.changes.length > 0, state.causedBy !== "", state.preset !== "", state.group !== "none"].filter(Boolean).length;
-  const causes = distinct(listed.map((row) => row.cause?.term ?? ""));
-  const causeName = (term: string): string => `${term}: ${termLabel(term)} (${count(listed.filter((row) => row.cause?.term === term).length)})`;
+  const causeName = (term: string): string => `${term}: ${termLabel(term)} (${count(listed.causes.get(term) ?? 0)})`;
   return html`<div class="filters" role="search">
     <div class="lists" role="group" aria-label="List">${list("materials", "Materials")}${list("views", "Views")}</div>
     <input
@@ -148,11 +140,11 @@ export function filters({ report, rows, shown, state, fold, set }: FilterScene):
     ${fold === null ? nothing : html`<button type="button" class="fold" aria-expanded=${fold.isFolded ? "false" : "true"} aria-controls="filter-choices" @click=${fold.toggle}>
       Filter, group, sort${active > 0 ? ` (${active})` : ""} <span aria-hidden="true">${fold.isFolded ? "▾" : "▴"}</span></button>`}
     <div class="choices" id="filter-choices" ?hidden=${fold?.isFolded ?? false}>
-      ${select("Cause", state.causedBy, causes, causeName, (causedBy) => set({ causedBy }))}
-      ${select("Budget", state.preset, distinct(listed.map((row) => row.preset)), (preset) => preset, (preset) => set({ preset }))}
+      ${select("Cause", state.causedBy, [...listed.causes.keys()], causeName, (causedBy) => set({ causedBy }))}
+      ${select("Budget", state.preset, listed.presets, (preset) => preset, (preset) => set({ preset }))}
       ${groupChoice(state, set)} ${sortChoice(report, state, set)} ${verdictChips(listed, state, set)}
-      ${hasBaseline(report) ? changeChips(listed, state, set) : nothing}
+      ${hasBaseline(report) ? changeChips(listed.changes, state, set) : nothing}
     </div>
-    <span class="shown" role="status">${shown === listed.length ? countOf(shown, "rows") : `${count(shown)} of ${countOf(listed.length, "rows")}`}</span>
+    <span class="shown" role="status">${shown === listed.rows ? countOf(shown, "rows") : `${count(shown)} of ${countOf(listed.rows, "rows")}`}</span>
   </div>`;
 }

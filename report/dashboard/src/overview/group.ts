@@ -2,9 +2,9 @@
 import { html, nothing, type TemplateResult } from "lit";
 
 import { kNoCause, kUnknownCause, type Group } from "../data/groups";
+import type { Head } from "../data/page";
 import { figureOf, type Row } from "../data/rows";
 import type { Grouping } from "../data/state";
-import type { Report } from "../data/types";
 import { countOf } from "../data/wording";
 import { count, figure } from "../format";
 import { termLabel } from "../viewer/terms";
@@ -30,8 +30,8 @@ function shortName({ name }: Row): string {
 }
 
 /** Links to the worst rows, each with its scene and its mean FLIP. */
-export function worstLinks(group: Group, by: Grouping, report: Report, hashOf: (row: Row) => string, most: number): TemplateResult {
-  const nameOf = (row: Row): string => (by === "material" ? row.place : by === "cause" ? `${shortName(row)} · ${row.link.scene}` : shortName(row)).slice(0, 200);
+export function worstLinks(group: Group, by: Grouping, report: Head, hashOf: (row: Row) => string, most: number): TemplateResult {
+  const nameOf = (row: Row): string => (by === "material" ? row.place : by === "cause" ? `${shortName(row)} · ${row.sceneLink}` : shortName(row)).slice(0, 200);
   return html`${group.worst.slice(0, most).map(
     (row, i) => html`${i > 0 ? ", " : ""}<a href=${hashOf(row)} title=${`${row.name.slice(0, 400)}, ${row.place}`}><bdi>${nameOf(row)}</bdi></a> <span class="number">${figure(figureOf(row, "flip.mean") ?? undefined, report.statistics["flip.mean"])}</span>`,
   )}`;
@@ -40,7 +40,7 @@ export function worstLinks(group: Group, by: Grouping, report: Report, hashOf: (
 export function groupHead(
   group: Group,
   by: Grouping,
-  report: Report,
+  report: Head,
   isFolded: boolean,
   toggle: () => void,
   hashOf: (row: Row) => string,

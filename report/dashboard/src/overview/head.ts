@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { sortsUpAtFirst } from "../data/filter";
 import { pathTitle } from "../data/paths";
 import type { State } from "../data/state";
-import type { Report } from "../data/types";
+import type { Head } from "../data/page";
 import { help, type Topic } from "../help";
 import { hasBaseline } from "./since";
 
@@ -30,7 +30,7 @@ const kColumns: readonly Column[] = [
 export const kBarFigures: readonly string[] = ["flip.mean", "flip.p95", "flip.max"];
 
 export function listHead(
-  report: Report,
+  report: Head,
   { sort, ascending, list }: State,
   scales: Readonly<Record<string, number>>,
   set: (patch: Partial<State>) => void,
@@ -50,9 +50,8 @@ export function listHead(
     })}</div></div>`;
 }
 
-/** What a head of columns would say, where there is no room for one. */
-export function listNote(report: Report, scales: Readonly<Record<string, number>>, compact: boolean): TemplateResult {
-  const tests = [...new Set(report.scenes.flatMap((scene) => scene.views.map((view) => pathTitle(view.test))))];
+/** tests: the paths that are tested. What a head of columns would say, where there is no room for one. */
+export function listNote(tests: readonly string[], scales: Readonly<Record<string, number>>, compact: boolean): TemplateResult {
   const most = scales["flip.mean"];
-  return html`<p class="list-note">${compact ? `Picture: ${tests.join(" or ")}. Number: mean FLIP.` : `Number and bar: mean FLIP${most === undefined ? "" : `, 0 to ${most}`}.`}</p>`;
+  return html`<p class="list-note">${compact ? `Picture: ${tests.map(pathTitle).join(" or ")}. Number: mean FLIP.` : `Number and bar: mean FLIP${most === undefined ? "" : `, 0 to ${most}`}.`}</p>`;
 }

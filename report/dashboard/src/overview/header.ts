@@ -2,27 +2,26 @@
 import { html, nothing, type TemplateResult } from "lit";
 
 import { isWhole } from "../data/embedded";
-import type { Row } from "../data/rows";
-import type { Report, Run } from "../data/types";
+import type { Facts } from "../data/facts";
+import type { Head, RunHead } from "../data/page";
+import { count } from "../format";
 import { badge, definitions } from "../parts";
 import { themeButton, type Theme } from "../theme";
 import { causesNotice } from "./causes";
 import { sinceBaseline } from "./since";
 
+const kMostLines = 200; // of thousands nobody reads more
+
 function warnings(title: string, texts: readonly string[], isFolded = false): TemplateResult | typeof nothing {
   if (texts.length === 0) return nothing;
   return html`<details class="notice" ?open=${texts.length <= 3 && !isFolded}>
     <summary>${title} (${texts.length})</summary>
-    <ul>${texts.map((text) => html`<li><bdi>${text}</bdi></li>`)}</ul>
+    <ul>${texts.slice(0, kMostLines).map((text) => html`<li><bdi>${text}</bdi></li>`)}</ul>
+    ${texts.length > kMostLines ? html`<p>and ${count(texts.length - kMostLines)} more in report.json</p>` : nothing}
   </details>`;
 }
 
-/** Warnings of the run and of each scene, with its name. */
-function allWarnings(report: Report): string[] {
-  return [...report.warnings, ...report.scenes.flatMap((scene) => scene.warnings.map((text) => `${scene.name}: ${text}`))];
-}
-
-function baselineNotice(report: Report, isFolded: boolean): TemplateResult | typeof nothing {
+function baselineNotice(report: Head, isFolded: boolean): TemplateResult | typeof nothing {
   const baseline = report.baseline;
   if (!baseline) return nothing;
   const gone = baseline.gone.map(({ scene, view, material }) => [material, view, scene].filter((each) => each !== "").join(", in "));
@@ -33,9 +32,10 @@ function baselineNotice(report: Report, isFolded: boolean): TemplateResult | typ
 }
 
 export interface HeaderScene {
-  report: Report;
-  run: Run | null;
-  rows: readonly Row[];
+  report: Head;
+  run: RunHead | null;
+  facts: Facts;
+  warnings: readonly string[]; // of the run, and of each scene, with its name
   isBrief: boolean; // beside an open item: without what concerns the whole run
   isPhone: boolean; // what is long is folded
   lost: string; // what a link names, but this report does not have; "": nothing
@@ -55,17 +55,17 @@ export function header(scene: HeaderScene): TemplateResult {
         <button type="button" @click=${openKeys} aria-label="Keys, and how to read this page">?<span class="word"> keys</span></button>
       </div>
     </div>
-    ${isBrief ? nothing : html`${sinceBaseline(report, scene.rows)}
+    ${isBrief ? nothing : html`${sinceBaseline(report, scene.facts)}
       <p class="sub">${report.device}${when} · ${report.tool} ${report.version}${isWhole() ? nothing : html` · <a href="report.json">report.json</a>`}</p>
       ${notices(scene)}`}
   </header>`;
 }
 
-function notices({ report, rows, isPhone, lost }: HeaderScene): TemplateResult {
+function notices({ report, facts, warnings: texts, isPhone, lost }: HeaderScene): TemplateResult {
   const problems = (report.problems ?? []).map(({ verdict, reason }) => html`<p class="notice error" role="alert"><b>${verdict}:</b> <bdi>${reason}</bdi></p>`);
   return html`${lost === "" ? nothing : html`<p class="notice error" role="alert">The link leads to <bdi>${lost}</bdi>, which this report does not have.</p>`}
     ${problems}
-    <div class="notices">${causesNotice(report, rows, !isPhone)}${baselineNotice(report, isPhone)}${warnings("Warnings", allWarnings(report), isPhone)}
+    <div class="notices">${causesNotice(report, facts.causes, !isPhone)}${baselineNotice(report, isPhone)}${warnings("Warnings", texts, isPhone)}
     <details class="notice quiet">
       <summary>Settings</summary>
       ${definitions([

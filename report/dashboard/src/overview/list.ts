@@ -5,13 +5,15 @@ import { customElement, property, state } from "lit/decorators.js";
 import { createRef, ref } from "lit/directives/ref.js";
 
 import { entriesOf, type Entry, type Group } from "../data/groups";
+import type { Head } from "../data/page";
 import type { Row } from "../data/rows";
-import { isSameItem, openItem, toHash, type Item, type State } from "../data/state";
-import type { Report } from "../data/types";
+import { openItem, toHash, type State } from "../data/state";
 import { PageElement } from "../element";
+import { count } from "../format";
 import { kPhone, Media } from "../media";
 import { groupHead } from "./group";
 import { listHead, listNote } from "./head";
+import { layLines } from "./lines";
 import { compactRow, fullRow, type RowScene } from "./row";
 import { hasBaseline } from "./since";
 
@@ -23,7 +25,9 @@ const kGroupHeight = { wide: 40, narrow: 84, compact: 52 } as const;
 
 @customElement("parity-list")
 export class ParityList extends PageElement {
-  @property({ attribute: false }) report!: Report;
+  @property({ attribute: false }) report!: Head;
+  @property({ attribute: false }) tests: readonly string[] = []; // the paths that are tested
+  @property({ type: Boolean }) isEmpty = false; // the report has no row at all
   @property({ attribute: false }) groups: readonly Group[] = []; // as sorted and filtered
   @property({ attribute: false }) scales: Readonly<Record<string, number>> = {}; // of bars, by figure
   @property({ attribute: false }) state!: State;
@@ -31,7 +35,9 @@ export class ParityList extends PageElement {
   @property({ type: Boolean }) compact = false;
   @state() private toggled: ReadonlySet<string> = new Set(); // groups that are not as state.folded says
 
+  private inputs: readonly unknown[] = []; // that the entries were made of
   private entries: readonly Entry[] = [];
+  private left = 0; // lines that have no room
   private starts: readonly number[] = []; // of the entries, in px; one more for the end
   private readonly scroller = createRef<HTMLElement>();
   private readonly virtualizer = new VirtualizerController<HTMLElement, HTMLElement>(this, {
@@ -54,24 +60,22 @@ export class ParityList extends PageElement {
     this.observed = null;
   }
 
-  private heightOf(entry: Entry | undefined): number {
-    const heights = entry?.kind === "group" ? kGroupHeight : kRowHeight;
-    if (this.compact) return heights.compact;
-    return this.phone.matches ? heights.narrow : heights.wide;
-  }
-
   protected override willUpdate(changed: PropertyValues): void {
     const before = changed.get("state") as State | undefined;
     if (before && (before.folded !== this.state.folded || before.group !== this.state.group)) this.toggled = new Set();
-    this.entries = entriesOf(this.groups, (key) => this.state.folded !== this.toggled.has(key), this.open);
-    const starts = [0];
-    for (const entry of this.entries) starts.push((starts.at(-1) ?? 0) + this.heightOf(entry));
+    const inputs = [this.groups, this.toggled, this.state.folded, this.open, this.compact, this.phone.matches];
+    if (inputs.every((input, i) => input === this.inputs[i])) return; // it scrolls
+    this.inputs = inputs;
+    const all = entriesOf(this.groups, (key) => this.state.folded !== this.toggled.has(key), this.open);
+    const size = this.compact ? "compact" : this.phone.matches ? "narrow" : "wide";
+    const { entries, starts, left } = layLines(all, kGroupHeight[size], kRowHeight[size]);
+    this.entries = entries;
+    this.left = left;
     const isOther = starts.length !== this.starts.length || starts.some((start, i) => start !== this.starts[i]);
     this.starts = starts;
     if (!isOther) return;
     const virtualizer = this.virtualizer.getVirtualizer();
-    const { entries } = this;
-    virtualizer.setOptions({ ...virtualizer.options, count: entries.length, estimateSize: (i) => this.heightOf(entries[i]) });
+    virtualizer.setOptions({ ...virtualizer.options, count: entries.length, estimateSize: (i) => starts[i + 1]! - starts[i]! });
     virtualizer.measure();
   }
 
@@ -83,13 +87,13 @@ export class ParityList extends PageElement {
     this.observed = scroller;
   }
 
-  private indexOf(item: Item): number {
-    return this.entries.findIndex((entry) => entry.kind === "row" && isSameItem(entry.row.link, item));
+  private indexOf(row: Row | null): number {
+    return row === null ? -1 : this.entries.indexOf(row);
   }
 
   /** The open row stays in sight when the list gets another size. */
   private keepInSight(): void {
-    if (this.open) this.bringIntoSight(this.indexOf(this.open.link));
+    if (this.open) this.bringIntoSight(this.indexOf(this.open));
   }
 
   private bringIntoSight(index: number): void {
@@ -101,14 +105,14 @@ export class ParityList extends PageElement {
     else if (end > scroller.scrollTop + scroller.clientHeight) scroller.scrollTop = end - scroller.clientHeight;
   }
 
-  /** Brings the row of an item into sight, and its link into focus where that is wanted. */
-  async reveal(item: Item, withFocus: boolean): Promise<void> {
-    this.bringIntoSight(this.indexOf(item));
+  /** Brings a row into sight, and its link into focus where that is wanted. */
+  async reveal(row: Row | null, withFocus: boolean): Promise<void> {
+    this.bringIntoSight(this.indexOf(row));
     await new Promise((done) => requestAnimationFrame(done)); // the list may have got another width and height
     await this.updateComplete;
-    const index = this.indexOf(item);
+    const index = this.indexOf(row);
     this.bringIntoSight(index);
-    if (!withFocus) return;
+    if (!withFocus || index < 0) return;
     await new Promise((done) => requestAnimationFrame(done));
     await this.updateComplete;
     this.querySelector<HTMLElement>(`[aria-rowindex="${index + 2}"] a.name`)?.focus({ preventScroll: true });
@@ -116,7 +120,7 @@ export class ParityList extends PageElement {
 
   private renderNothing(): TemplateResult {
     const all = toHash({ ...this.state, query: "", verdicts: [], changes: [], causedBy: "", preset: "" });
-    return html`<p class="nothing">${this.report.scenes.length === 0 ? "Nothing was compared." : html`Nothing matches. <a href=${all === "" ? "#" : all}>Show all</a>`}</p>`;
+    return html`<p class="nothing">${this.isEmpty ? "Nothing was compared." : html`Nothing matches. <a href=${all === "" ? "#" : all}>Show all</a>`}</p>`;
   }
 
   protected override render(): TemplateResult {
@@ -129,7 +133,7 @@ export class ParityList extends PageElement {
     const total = this.starts[shown.length > 0 && printing ? shown.length : this.entries.length] ?? 0;
     const brief = this.compact || this.phone.matches;
     return html`
-      ${brief ? listNote(this.report, this.scales, this.compact) : nothing}
+      ${brief ? listNote(this.tests, this.scales, this.compact) : nothing}
       <div class="list ${this.compact ? "compact" : ""} ${hasBaseline(this.report) ? "with-change" : ""}" role="table" aria-label=${this.state.list === "views" ? "Views" : "Materials"} aria-rowcount=${this.entries.length + 1}>
         ${this.compact ? nothing : listHead(this.report, this.state, this.scales, (patch) => this.set(patch))}
         <div class="list-scroll" role="rowgroup" tabindex="0" ${ref(this.scroller)} aria-label="Rows">
@@ -140,7 +144,8 @@ export class ParityList extends PageElement {
             })}
           </div>
         </div>
-        ${printing && this.entries.length > kPrintedRows ? html`<p>The first ${kPrintedRows} of ${this.entries.length} rows.</p>` : nothing}
+        ${printing && this.entries.length > kPrintedRows ? html`<p>The first ${kPrintedRows} of ${this.entries.length + this.left} rows.</p>` : nothing}
+        ${this.left > 0 && !printing ? html`<p class="list-rest" role="note">${count(this.left)} more rows have no room here. Search or filter to see them.</p>` : nothing}
       </div>
     `;
   }
@@ -164,7 +169,7 @@ export class ParityList extends PageElement {
         ${groupHead(group, this.state.group, this.report, isFolded, () => this.toggle(group.key), hashOf)}
       </div>`;
     }
-    const { row } = entry;
+    const row = entry;
     const isOpen = row === this.open;
     const scene: RowScene = { report: this.report, hash: hashOf(row), scales: this.scales, withChange: hasBaseline(this.report) };
     return html`<div

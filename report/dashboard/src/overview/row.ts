@@ -7,24 +7,18 @@ import { imageSource } from "../data/images";
 import { pathTitle } from "../data/paths";
 import { checkOf, figureOf, type Row } from "../data/rows";
 import { barShares } from "../data/scale";
-import type { Check, Images, Report } from "../data/types";
+import type { Limit } from "../data/overview";
+import type { Head } from "../data/page";
 import { countOf } from "../data/wording";
 import { change, count, figure } from "../format";
 import { baseLayerBadge, rowBadge } from "../parts";
 import { termLabel } from "../viewer/terms";
 
 export interface RowScene {
-  report: Report;
+  report: Head;
   hash: string; // of the link
   scales: Readonly<Record<string, number>>; // of bars, by figure
   withChange: boolean; // there is a baseline
-}
-
-/** The pictures of a row; materials have crops, whole images the view's. */
-export function imagesOf(row: Row, report: Report): Images | null {
-  const view = report.scenes[row.scene]?.views[row.view];
-  if (!view) return null;
-  return row.kind === "material" ? (view.materials[row.material]?.crops ?? null) : view.images;
 }
 
 function thumbnail(path: string, what: string, name: string): TemplateResult {
@@ -34,8 +28,8 @@ function thumbnail(path: string, what: string, name: string): TemplateResult {
 }
 
 /** Each with what it shows below it. */
-export function thumbnails(row: Row, report: Report): TemplateResult {
-  const images = imagesOf(row, report);
+export function thumbnails(row: Row): TemplateResult {
+  const { images } = row;
   if (!images || images.reference === "") return html`<span class="no-picture">no picture</span>`;
   const name = row.name.slice(0, 200);
   const labelled = (path: string, label: string, what: string): TemplateResult =>
@@ -45,13 +39,13 @@ export function thumbnails(row: Row, report: Report): TemplateResult {
 }
 
 /** The value against its limits: "0.142, warns above 0.1, fails above 0.2". */
-export function describeLimits(check: Check): string {
+export function describeLimits(check: Pick<Limit, "warn" | "fail">): string {
   const limits = [check.warn === null ? "" : `warns at ${check.warn}`, check.fail === null ? "" : `fails at ${check.fail}`];
   return limits.filter((each) => each !== "").join(", ");
 }
 
 /** most: what a full bar means. */
-export function bar(value: number, check: Check, most: number): TemplateResult {
+export function bar(value: number, check: Limit, most: number): TemplateResult {
   const shares = barShares(Math.abs(value), check, most);
   const mark = (kind: string, share: number | null): TemplateResult | typeof nothing =>
     share === null ? nothing : html`<i class="mark ${kind}" .style=${`left:${share}%`}></i>`;
@@ -62,7 +56,7 @@ export function bar(value: number, check: Check, most: number): TemplateResult {
 
 function figureCell(row: Row, { report, scales }: RowScene, name: string): TemplateResult {
   const value = figureOf(row, name);
-  const check: Check = checkOf(row, name) ?? { metric: name, regress: false, value, warn: null, fail: null, verdict: "not judged", note: "" };
+  const check: Limit = checkOf(row, name) ?? { metric: name, warn: null, fail: null, verdict: "not judged" };
   return html`<span role="cell" class="cell-${name.replace(".", "-")} number">
     <span class="value">${figure(value ?? undefined, report.statistics[name])}</span>
     ${value === null ? nothing : html`${bar(value, check, scales[name] ?? 1)}<span class="sr">${describeLimits(check)}</span>`}
@@ -74,11 +68,11 @@ const kChangeTags = { new: "new failure", fixed: "fixed", added: "not in the bas
 /** What has changed since the baseline in words, besides the figure. */
 function changeTags(row: Row): TemplateResult {
   const tags = (Object.keys(kChangeTags) as (keyof typeof kChangeTags)[]).filter((each) => row.changes.includes(each));
-  const title = row.judged?.baseline?.notComparable ?? "";
+  const title = row.notComparable;
   return html`${tags.map((tag) => html`<span class="tag ${tag.replace(" ", "-")}" title=${tag === "not comparable" ? title : ""}>${kChangeTags[tag]}</span>`)}`;
 }
 
-function changeCell(row: Row, report: Report): TemplateResult {
+function changeCell(row: Row, report: Head): TemplateResult {
   const isChanged = row.change !== null && Math.abs(row.change) >= kLeastChange;
   const kind = !isChanged || row.change === null ? "" : row.change > 0 ? "worse" : "better";
   const sign = kind === "worse" ? "▲ " : kind === "better" ? "▼ " : "";
@@ -94,11 +88,11 @@ function whyOf({ reason, accepted }: Row): string {
 }
 
 /** The cause, or why a material that failed or warned has none; and the preset that would help most. */
-function causeCell({ cause, help, kind, verdict, isAttributed }: Row, report: Report): TemplateResult {
+function causeCell({ cause, help, kind, verdict, isAttributed }: Row, report: Head): TemplateResult {
   const flip = (value: number | null | undefined): string => figure(value ?? undefined, report.statistics["flip.mean"]);
   const isTroubled = kind === "material" && (isOver(verdict) || verdict === "warn");
   const none = isTroubled ? html`<small>${isAttributed ? kNoCause : kUnknownCause}</small>` : nothing;
-  const then = help ? flip(help.figures.metrics["flip.mean"]) : "";
+  const then = help ? flip(help.flip) : "";
   return html`<span role="cell" class="cell-cause">
     ${cause ? html`<small class="word">Cause</small><b title=${termLabel(cause.term)}>${cause.term}</b><small>${flip(cause.before)} → ${flip(cause.after)}</small>` : none}
     ${help ? html`<small class="would-help" title=${`Would help: preset ${help.preset} (FLIP ${then}, ${help.verdict})`}>with ${help.preset} ${then}</small>` : nothing}
@@ -108,9 +102,9 @@ function causeCell({ cause, help, kind, verdict, isAttributed }: Row, report: Re
 export function fullRow(row: Row, scene: RowScene): TemplateResult {
   const { report, hash } = scene;
   const why = whyOf(row);
-  const nonFinite = row.judged?.figures?.nonFinite ?? 0;
+  const { nonFinite } = row;
   return html`
-    <span role="cell" class="cell-pictures">${thumbnails(row, report)}</span>
+    <span role="cell" class="cell-pictures">${thumbnails(row)}</span>
     <span role="cell" class="cell-gravity">${rowBadge(row)}${baseLayerBadge(row.notModelled)}${nonFinite === 0 ? nothing : html`<small class="non-finite">${countOf(nonFinite, "pixels")} NaN</small>`}</span>
     <span role="cell" class="cell-name">
       <a class="name" href=${hash}><bdi>${row.name === "" ? "(no name)" : row.name}</bdi></a>
@@ -121,12 +115,12 @@ export function fullRow(row: Row, scene: RowScene): TemplateResult {
     ${scene.withChange ? changeCell(row, report) : nothing}
     <span role="cell" class="cell-bias">${row.bias}</span>
     ${causeCell(row, report)}
-    <span role="cell" class="cell-pixels number">${row.judged ? count(row.pixels) : ""}</span>
+    <span role="cell" class="cell-pixels number">${row.isJudged ? count(row.pixels) : ""}</span>
   `;
 }
 
 export function compactRow(row: Row, { report, hash }: RowScene, open: boolean): TemplateResult {
-  const images = imagesOf(row, report);
+  const { images } = row;
   return html`
     <span role="cell" class="cell-pictures">${images ? thumbnail(images.test, `${pathTitle(row.test)} picture`, row.name.slice(0, 200)) : nothing}</span>
     <span role="cell" class="cell-name">

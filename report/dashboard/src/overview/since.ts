@@ -1,14 +1,14 @@
 // What has changed since the baseline, in a line whose parts are links to the rows that they count.
 import { html, nothing, type TemplateResult } from "lit";
 
-import { changeText, countChanges, kChanges, type ChangeKind } from "../data/changes";
-import type { Row } from "../data/rows";
+import { changeText, kChanges, type ChangeKind } from "../data/changes";
+import type { Facts } from "../data/facts";
+import type { Head } from "../data/page";
 import { kDefaultState, toHash } from "../data/state";
-import type { Report } from "../data/types";
 import { countOf } from "../data/wording";
 
 /** Whether the rows were held against a baseline. */
-export function hasBaseline(report: Report): boolean {
+export function hasBaseline(report: Head): boolean {
   return report.baseline !== null && report.baseline !== undefined && report.baseline.error === "";
 }
 
@@ -17,23 +17,15 @@ export function saidChanges(counts: Readonly<Record<ChangeKind, number>>): Chang
   return kChanges.filter((change) => change === "new" || change === "fixed" || counts[change] > 0);
 }
 
-/** Whether the baseline has any of these rows under the same conditions; where it has none of them at all, nothing says otherwise. */
-export function isComparable(rows: readonly Row[]): boolean {
-  const common = rows.filter(({ judged }) => judged?.baseline && !judged.baseline.new);
-  return common.length === 0 || common.some((row) => !row.changes.includes("not comparable"));
-}
-
-export function sinceBaseline(report: Report, rows: readonly Row[]): TemplateResult | typeof nothing {
+export function sinceBaseline(report: Head, { materials: counts, isComparable }: Facts): TemplateResult | typeof nothing {
   if (!hasBaseline(report)) return nothing;
-  const materials = rows.filter((row) => row.kind === "material");
-  const counts = countChanges(materials);
   const link = (change: ChangeKind, text: string): TemplateResult => html`<a class=${change.replace(" ", "-")} href=${toHash({ ...kDefaultState, changes: [change] })}>${text}</a>`;
   const part = (change: ChangeKind): TemplateResult => {
     const text = changeText(change, counts[change]);
     if (counts[change] === 0) return html`<span>${text}</span>`;
     return link(change, text);
   };
-  if (!isComparable(materials)) {
+  if (!isComparable) {
     const number = counts["not comparable"];
     const others = saidChanges(counts).filter((change) => change !== "not comparable" && counts[change] > 0);
     return html`<p class="since"><span>Nothing can be compared with the baseline:</span> ${link("not comparable", `${countOf(number, "rows")} ${number === 1 ? "was" : "were"} made under other conditions`)}${others.map((change) => html`, ${part(change)}`)}</p>`;

@@ -6,7 +6,8 @@ import { reasonOf } from "../data/reason";
 import type { Plane } from "../data/chunk";
 import { readDisplayTable, type Display } from "../data/display";
 import { loadChunk, loadPlane } from "../data/pixels";
-import type { Report, View } from "../data/types";
+import type { Head } from "../data/page";
+import type { View } from "../data/types";
 
 /** There, on its way, or why it will not come. */
 export type Loaded<T> = { value: T } | { waiting: true } | { message: string };
@@ -20,7 +21,7 @@ export function messageOf<T>(loaded: Loaded<T>): string {
 }
 
 /** How the report displays linear values: the display setting, by its table where it is no formula. */
-export async function loadDisplay(report: Report): Promise<Display> {
+export async function loadDisplay(report: Head): Promise<Display> {
   const name = report.settings.find((setting) => setting.name === "display")?.value ?? "sRGB";
   if (name === "sRGB" || name === "raw") return { kind: name };
   if (report.displayTable === "") throw new Error(`this report has no table for its display transform "${name}"`);
@@ -30,7 +31,7 @@ export async function loadDisplay(report: Report): Promise<Display> {
 
 export class PixelSource {
   private view: View | null = null;
-  private report: Report | null = null;
+  private report: Head | null = null;
   private planes = new Map<string, Loaded<Plane>>(); // by file and name
   private asked = new Set<string>(); // in this rendering
   private shownDisplay: Loaded<Display> = kWaiting;
@@ -38,7 +39,7 @@ export class PixelSource {
   constructor(private readonly host: ReactiveControllerHost) {}
 
   /** What the next planes are of. */
-  show(report: Report, view: View): void {
+  show(report: Head, view: View): void {
     if (this.report !== report) {
       this.report = report;
       this.shownDisplay = kWaiting;

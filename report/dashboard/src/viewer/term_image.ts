@@ -4,7 +4,8 @@ import { customElement, property, query, state } from "lit/decorators.js";
 
 import { reasonOf } from "../data/reason";
 import { loadChunk, loadPlane } from "../data/pixels";
-import type { Report, View } from "../data/types";
+import type { Head } from "../data/page";
+import type { View } from "../data/types";
 import { PageElement } from "../element";
 import { paintCanvas, type Job } from "./paint";
 import { loadDisplay } from "./source";
@@ -31,9 +32,8 @@ async function boxOf(view: View, material: number): Promise<Box> {
 
 @customElement("parity-term-image")
 export class ParityTermImage extends PageElement {
-  @property({ attribute: false }) report!: Report;
-  @property({ attribute: false }) scene = -1; // places in the report
-  @property({ attribute: false }) view = -1;
+  @property({ attribute: false }) report!: Head;
+  @property({ attribute: false }) view!: View;
   @property({ attribute: false }) material = -1; // -1: the whole view
   @property({ attribute: false }) plane = ""; // "highend.skySpecular"
   @property({ attribute: false }) exposure = 0; // EV, on top of the scene's
@@ -63,15 +63,14 @@ export class ParityTermImage extends PageElement {
   }
 
   protected override updated(changed: PropertyValues): void {
-    const isOther = ["report", "scene", "view", "material", "plane", "exposure"].some((key) => changed.has(key));
+    const isOther = ["report", "view", "material", "plane", "exposure"].some((key) => changed.has(key));
     if (!this.isSeen || !isOther) return;
     const ask = ++this.wanted;
     turn = turn.then(() => (ask === this.wanted ? this.paint(ask) : undefined));
   }
 
   private async paint(ask: number): Promise<void> {
-    const view = this.report.scenes[this.scene]?.views[this.view];
-    if (view === undefined) return;
+    const { view } = this;
     try {
       const chunk = await loadChunk(view.pixels.terms);
       if (!chunk.planes.some((plane) => plane.name === this.plane)) throw new Error("Black in both paths.");

@@ -6,7 +6,8 @@ import type { Plane } from "../data/chunk";
 import { countFrom } from "../data/histogram";
 import { kDefaultState, type ViewerState } from "../data/state";
 import type { Judged } from "../data/judged";
-import type { Report, View } from "../data/types";
+import type { Head } from "../data/page";
+import type { View } from "../data/types";
 import { PageElement } from "../element";
 import { kPhone, Media } from "../media";
 import { arrange, baselinePictures, flipPlaneOf, type PaneModel } from "./arrange";
@@ -33,9 +34,8 @@ const kHoldMs = 350; // a press that is longer shows the second picture only as 
 /** Event: "parity-state" (Partial<ViewerState>), bubbling. */
 @customElement("parity-viewer")
 export class ParityViewer extends PageElement {
-  @property({ attribute: false }) report!: Report;
-  @property({ attribute: false }) scene = -1; // places in the report
-  @property({ attribute: false }) view = -1;
+  @property({ attribute: false }) report!: Head;
+  @property({ attribute: false }) view!: View;
   @property({ attribute: false }) material = -1; // -1: the whole view
   @property({ attribute: false }) state: ViewerState = kDefaultState;
   /** Stands above the tool bar; pictures and legends get the height that is left. */
@@ -80,8 +80,8 @@ export class ParityViewer extends PageElement {
 
   /** Whether the key did something here. */
   handleKey(event: KeyboardEvent): boolean {
-    const shown = this.shownView;
-    if (shown === null || isForControl(event) || event.ctrlKey || event.metaKey || event.altKey) return false;
+    const shown = this.view;
+    if (isForControl(event) || event.ctrlKey || event.metaKey || event.altKey) return false;
     if (event.key.toLowerCase() === "f") {
       if (!event.repeat) this.flick(true);
       return true;
@@ -124,10 +124,6 @@ export class ParityViewer extends PageElement {
     }
   };
 
-  private get shownView(): View | null {
-    return this.report.scenes[this.scene]?.views[this.view] ?? null;
-  }
-
   private set(change: Partial<ViewerState>): void {
     this.state = { ...this.state, ...change };
     this.dispatchEvent(new CustomEvent("parity-state", { detail: change, bubbles: true }));
@@ -140,14 +136,12 @@ export class ParityViewer extends PageElement {
   }
 
   protected override willUpdate(changed: PropertyValues<this>): void {
-    const shown = this.shownView;
-    if (shown === null) return;
-    if (changed.has("report") || changed.has("scene") || changed.has("view")) {
+    if (changed.has("report") || changed.has("view")) {
       this.hover = null;
       this.missing = new Set();
       this.rest();
     }
-    this.source.show(this.report, shown);
+    this.source.show(this.report, this.view);
   }
 
   protected override updated(): void {
@@ -179,8 +173,8 @@ export class ParityViewer extends PageElement {
 
   private get pinned(): Point | null {
     const { pixelX: x, pixelY: y } = this.state;
-    const view = this.shownView;
-    return view !== null && x >= 0 && y >= 0 && x < view.width && y < view.height ? { x, y } : null;
+    const { view } = this;
+    return x >= 0 && y >= 0 && x < view.width && y < view.height ? { x, y } : null;
   }
 
   /** Whether the run was asked for some materials only: nothing is known of the other pixels. */
@@ -226,10 +220,8 @@ export class ParityViewer extends PageElement {
     ></parity-pane>`;
   }
 
-  protected override render(): TemplateResult | typeof nothing {
-    const view = this.shownView;
-    if (view === null) return nothing;
-    const { source, state } = this;
+  protected override render(): TemplateResult {
+    const { view, source, state } = this;
     const row: Judged = view.materials[this.material] ?? view.whole;
     const materials = this.materialPlane();
     const flip = this.isAtRest ? source.color(flipPlaneOf(this.material)) : null;

@@ -3,7 +3,7 @@ import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
 
-import { changedReport, openReport, realProblems, removeChanged, reportFolder, startBrowser } from "./browser";
+import { changedReport, openReport, readReport, realProblems, removeChanged, reportFolder, startBrowser } from "./browser";
 
 let browser: Browser;
 beforeAll(async () => (browser = await startBrowser()));
@@ -78,7 +78,12 @@ describe("figures that are not known", () => {
     for (const name of ["broken", "evil", "empty"]) {
       const html = readFileSync(join(reportFolder(name), "index.html"), "utf8");
       const block = /<script type="application\/json" id="report">([\s\S]*?)<\/script>/.exec(html)?.[1] ?? "";
-      expect(JSON.parse(block)).toEqual(JSON.parse(readFileSync(join(reportFolder(name), "report.json"), "utf8")));
+      const { scenes, ...head } = readReport(name);
+      expect(JSON.parse(block)).toEqual(head);
+      scenes.forEach((scene, i) => {
+        const script = readFileSync(join(reportFolder(name), "scenes", `${i}.js`), "utf8");
+        expect(JSON.parse(/^parityScene\((.*)\);\n$/s.exec(script)?.[1] ?? "")).toMatchObject({ file: `scenes/${i}.js`, scene });
+      });
     }
   });
 });

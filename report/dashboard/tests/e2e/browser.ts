@@ -5,9 +5,9 @@ import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
 
-import { makeRows } from "../../src/data/rows";
 import { kDefaultState, toHash } from "../../src/data/state";
 import type { Report } from "../../src/data/types";
+import { packOverview, rowsOf } from "../pack_overview";
 
 const kPrograms = [process.env["PARITY_CHROMIUM"] ?? "", "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 
@@ -31,7 +31,7 @@ export function readReport(name: string): Report {
 
 /** The hash of what stands at these places of a report, by its names. material: -1: the whole image. */
 export function hashOfItem(name: string, material = 0, scene = 0, view = 0): string {
-  const row = makeRows(readReport(name)).find((each) => each.scene === scene && each.view === view && each.material === material);
+  const row = rowsOf(readReport(name)).find((each) => each.scene === scene && each.view === view && each.material === material);
   if (!row) throw new Error(`${name} has no such item`);
   return toHash({ ...kDefaultState, ...row.link });
 }
@@ -51,17 +51,20 @@ export function changedReport(name: string, change: (html: string) => string): s
   return folder;
 }
 
-const kBlock = /(<script type="application\/json" id="report">)([\s\S]*?)(<\/script>)/;
-
-/** The folder of a copy of a report, the data of its page changed. */
+/** The folder of a copy of a report, its data changed: that of its page, and of its scenes' files. */
 export function changedData(name: string, change: (report: Report) => void): string {
-  return changedReport(name, (html) =>
-    html.replace(kBlock, (_all, open: string, json: string, close: string) => {
-      const report = JSON.parse(json) as Report;
-      change(report);
-      return open + JSON.stringify(report).replaceAll("<", "\\u003c") + close;
-    }),
+  const report = readReport(name);
+  change(report);
+  const { scenes, ...head } = report;
+  const blocks: Record<string, unknown> = { report: head, overview: packOverview(report) };
+  const folder = changedReport(name, (html) =>
+    html.replace(/(<script type="application\/json" id="(report|overview)">)[\s\S]*?(<\/script>)/g, (_all, open: string, id: string, close: string) => open + JSON.stringify(blocks[id]).replaceAll("<", "\\u003c") + close),
   );
+  scenes.forEach((scene, i) => {
+    const file = `scenes/${i}.js`;
+    writeFileSync(join(folder, file), `parityScene(${JSON.stringify({ file, format: 1, scene, again: [] })});\n`);
+  });
+  return folder;
 }
 
 export function removeChanged(): void {

@@ -2,9 +2,9 @@
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
-import { makeRows } from "../../src/data/rows";
 import type { Change } from "../../src/data/types";
 import { changedData, hashOfItem, openReport, readReport, removeChanged, reportFolder, startBrowser } from "./browser";
+import { rowsOf } from "../pack_overview";
 
 let browser: Browser;
 beforeAll(async () => (browser = await startBrowser()));
@@ -39,7 +39,7 @@ const shown = (page: Page): Promise<string | null> => page.textContent(".shown")
 const waitForShown = (page: Page, count: number): Promise<void> => expect.poll(() => shown(page), { timeout: 10000 }).toBe(`${count} of 500 rows`);
 
 describe("since a baseline", () => {
-  const rows = makeRows(readReport("many")).filter((row) => row.kind === "material");
+  const rows = rowsOf(readReport("many")).filter((row) => row.kind === "material");
   const failing = (place: number): number => rows.filter((row) => row.material === place && row.verdict === "fail").length;
   const failsNow = failing(0);
   const newFailures = failsNow + failing(3); // also of what the baseline does not have
@@ -87,7 +87,7 @@ describe("groups", () => {
     await page.waitForSelector(".row.group");
     await page.click(".fold-all");
     await expect.poll(() => page.locator(".list .row:not(.group)").count(), { timeout: 10000 }).toBe(0);
-    const rows = makeRows(readReport("many")).filter((row) => row.kind === "material" && row.cause?.term === "skySpecular");
+    const rows = rowsOf(readReport("many")).filter((row) => row.kind === "material" && row.cause?.term === "skySpecular");
     const head = page.locator(".row.group", { hasText: "skySpecular" });
     expect(await head.textContent()).toContain(`${rows.length} rows`);
     const worst = await head.locator(".worst a").first().textContent();

@@ -1,8 +1,8 @@
 import type { Browser } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it, vi } from "vitest";
 
-import { makeRows } from "../../src/data/rows";
 import { hashOfItem, openReport, readReport, reportFolder, startBrowser } from "./browser";
+import { rowsOf } from "../pack_overview";
 
 let browser: Browser;
 beforeAll(async () => (browser = await startBrowser()));
@@ -44,7 +44,7 @@ describe("the overview of 500 materials", () => {
 
   it("finds by words, filters by verdict and cause, and says how many are left", async () => {
     const { page } = await openReport(browser, reportFolder("many"));
-    const caused = makeRows(readReport("many")).filter((row) => row.cause?.term === "skySpecular").length;
+    const caused = rowsOf(readReport("many")).filter((row) => row.cause?.term === "skySpecular").length;
     expect(caused).toBeGreaterThan(10);
     await page.fill("#search", "skyspec material");
     await page.waitForFunction((count) => document.querySelector(".shown")?.textContent === `${count} of 500 rows`, caused);

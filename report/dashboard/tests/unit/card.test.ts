@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
 
 import { cardOf, colorOf, flagsOf, hexOf, inputLines, partsOfName, textureFacts, textureFile, titleOf } from "../../src/data/card";
-import type { CardInput, CardTexture, MaterialCard, Report } from "../../src/data/types";
+import type { CardInput, CardTexture, MaterialCard } from "../../src/data/types";
+import { makeScene } from "./sample";
 
 const kTexture: CardTexture = {
   name: "wood", file: "wood.png", channels: "g", width: 2048, height: 1024, texCoord: 0,
@@ -16,11 +17,10 @@ const input = (name: CardInput["name"], value: number[], texture?: Partial<CardT
 
 describe("a material's card", () => {
   it("belongs to a material of a scene, where the report has one", () => {
-    const report = { scenes: [{ materials: [kCard] }, {}] } as unknown as Report;
-    expect(cardOf(report, 0, "wood")).toBe(kCard);
-    expect(cardOf(report, 0, "metal")).toBeNull();
-    expect(cardOf(report, 1, "wood")).toBeNull();
-    expect(cardOf(report, 2, "wood")).toBeNull();
+    const scene = makeScene("Desk", []);
+    expect(cardOf({ ...scene, materials: [kCard] }, "wood")).toBe(kCard);
+    expect(cardOf({ ...scene, materials: [kCard] }, "metal")).toBeNull();
+    expect(cardOf(scene, "wood")).toBeNull();
   });
 
   it("says plain values", () => {

@@ -1,18 +1,19 @@
 import { describe, expect, it } from "vitest";
 
 import { changesOf, changeText, countChanges } from "../../src/data/changes";
-import { filterOf, matches } from "../../src/data/filter";
-import { makeRows } from "../../src/data/rows";
+import { isComparable } from "../../src/data/facts";
+import { filterOf, matcherOf } from "../../src/data/filter";
 import { kDefaultState } from "../../src/data/state";
 import type { Change, Material, Verdict } from "../../src/data/types";
-import { isComparable, saidChanges } from "../../src/overview/since";
-import { makeJudged, makeMaterial, makeReport, makeScene, makeView } from "./sample";
+import { saidChanges } from "../../src/overview/since";
+import { overviewOf, rowsOf } from "../pack_overview";
+import { makeMaterial, makeReport, makeScene, makeView } from "./sample";
 
 function since(before: Verdict | null, change: number | null, notComparable = ""): Change {
   return { new: before === null, verdict: before, notComparable, changes: notComparable === "" && before !== null ? { "flip.mean": change } : {} };
 }
 const changes = (verdict: Verdict, before: Verdict | null, change: number | null, notComparable = ""): readonly string[] =>
-  changesOf(makeJudged(verdict, 0.1, { baseline: since(before, change, notComparable) }));
+  changesOf(verdict, before ?? "new", change, notComparable);
 
 describe("changes since the baseline", () => {
   it("are new failures and what was fixed, by the verdicts", () => {
@@ -34,25 +35,24 @@ describe("changes since the baseline", () => {
     expect(changes("pass", null, null)).toEqual(["added"]);
     expect(changes("fail", null, null)).toEqual(["new", "added"]);
     expect(changes("fail", "pass", null, "size")).toEqual(["not comparable"]);
-    expect(changesOf(makeJudged("fail", 0.3))).toEqual([]);
+    expect(changesOf("fail", null, null, "")).toEqual([]);
   });
 });
 
 describe("the headline of the changes", () => {
   const material = (name: string, verdict: Verdict, before: Verdict | null, change: number): Material =>
     makeMaterial(name, verdict, 0.2, { baseline: since(before, change) });
-  const rows = makeRows(
-    makeReport([
-      makeScene("Desk", [
-        makeView("front", [
-          material("Gold", "fail", "pass", 0.2),
-          material("Iron", "fail", "pass", 0.1),
-          material("Wood", "pass", "fail", -0.2),
-          material("Wax", "warn", "warn", -0.01),
-        ]),
+  const report = makeReport([
+    makeScene("Desk", [
+      makeView("front", [
+        material("Gold", "fail", "pass", 0.2),
+        material("Iron", "fail", "pass", 0.1),
+        material("Wood", "pass", "fail", -0.2),
+        material("Wax", "warn", "warn", -0.01),
       ]),
     ]),
-  );
+  ]);
+  const rows = rowsOf(report);
   const counts = countChanges(rows);
 
   it("counts each kind", () => {
@@ -63,7 +63,7 @@ describe("the headline of the changes", () => {
 
   it("knows where nothing can be compared", () => {
     const of = (...baselines: (Change | null)[]) =>
-      makeRows(makeReport([makeScene("Desk", [makeView("front", baselines.map((baseline, i) => makeMaterial(String(i), "fail", 0.2, { baseline })))])])).filter((row) => row.kind === "material");
+      rowsOf(makeReport([makeScene("Desk", [makeView("front", baselines.map((baseline, i) => makeMaterial(String(i), "fail", 0.2, { baseline })))])])).filter((row) => row.kind === "material");
     expect(isComparable(of(since("pass", null, "size"), since("fail", null, "size"), since(null, null)))).toBe(false);
     expect(isComparable(of(since("pass", null, "size"), since("fail", 0.1)))).toBe(true);
     expect(isComparable(of(since(null, null)))).toBe(true);
@@ -76,7 +76,7 @@ describe("the headline of the changes", () => {
 
   it("leads to the rows that it counts: any of the chosen changes", () => {
     const shown = (...chosen: string[]): string[] =>
-      rows.filter((row) => matches(row, filterOf({ ...kDefaultState, changes: chosen }))).map((row) => row.name);
+      rows.filter(matcherOf(overviewOf(report), filterOf({ ...kDefaultState, changes: chosen }))).map((row) => row.name);
     expect(shown("new")).toEqual(["Gold", "Iron"]);
     expect(shown("new", "fixed")).toEqual(["Gold", "Iron", "Wood"]);
     expect(shown("better")).toEqual(["Wood", "Wax"]);

@@ -1,10 +1,9 @@
 import { execFileSync } from "node:child_process";
 import { describe, expect, it } from "vitest";
 
-import { makeRows } from "../../src/data/rows";
 import { againCommand, globOf, shellWord } from "../../src/item/commands";
-import type { Run } from "../../src/data/types";
 import { makeMaterial, makeReport, makeScene, makeView } from "./sample";
+import { rowsOf } from "../pack_overview";
 
 const evil = ["plain", "two words", "it's", '"$(touch /tmp/x)"', "`id`", "a\\b", "*", "ünïcödé 🎨", "-n"];
 const byShell = (line: string): string[] => execFileSync("sh", ["-c", `printf '%s\\0' ${line}`]).toString().split("\0").slice(0, -1);
@@ -17,29 +16,28 @@ describe("shell words", () => {
 
 describe("the command for a row", () => {
   const scene = makeScene("Desk", [makeView("front", [makeMaterial("Gold [1]*", "fail", 0.4)])]);
-  const [material, whole] = makeRows(makeReport([scene]));
+  const [material, whole] = rowsOf(makeReport([scene]));
   if (!material || !whole) throw new Error("two rows");
 
-  const makeRun = (again: Run["again"]): Run => ({ schema: 4, startedAt: "", commandLine: "", timings: [], compiledShaders: 0, cachedScenes: [], again });
   const line = "parity diff 'a b/Desk.glb' --size 64x64";
 
   it("is the view's, with the material behind it", () => {
-    const run = makeRun([{ scene: "Other", view: "front", command: "no" }, { scene: "Desk", view: "back", command: "no" }, { scene: "Desk", view: "front", command: line }]);
+    const run = [{ scene: "Other", view: "front", command: "no" }, { scene: "Desk", view: "back", command: "no" }, { scene: "Desk", view: "front", command: line }];
     expect(againCommand(run, scene, whole)).toBe(line);
     expect(againCommand(run, scene, material)).toBe(`${line} --material 'Gold ?1]?'`);
-    expect(againCommand(run, scene, { ...material, name: "-n" })).toBe(`${line} --material=-n`);
+    expect(againCommand(run, scene, { kind: "material", view: material.view, name: "-n" })).toBe(`${line} --material=-n`);
     const chosen = `${line} --material 'G*'`; // what the run itself was given stays
-    expect(againCommand(makeRun([{ scene: "Desk", view: "front", command: chosen }]), scene, material)).toBe(chosen);
+    expect(againCommand([{ scene: "Desk", view: "front", command: chosen }], scene, material)).toBe(chosen);
   });
 
   it("is the view's for each path that it was compared with", () => {
     const further = makeScene("Desk", [{ ...makeView("front (third)", []), test: "third" }]);
-    expect(againCommand(makeRun([{ scene: "Desk", view: "front", command: line }]), further, whole)).toBe(line);
+    expect(againCommand([{ scene: "Desk", view: "front", command: line }], further, whole)).toBe(line);
   });
 
   it("is none where the run does not have it", () => {
-    expect(againCommand(makeRun([]), scene, whole)).toBeNull();
-    expect(againCommand(makeRun([{ scene: "Desk", view: "front", command: line }]), makeScene("Desk", []), whole)).toBeNull();
+    expect(againCommand([], scene, whole)).toBeNull();
+    expect(againCommand([{ scene: "Desk", view: "front", command: line }], makeScene("Desk", []), whole)).toBeNull();
   });
 
   it("matches wildcards, and what a terminal must not get, by any one character", () => {

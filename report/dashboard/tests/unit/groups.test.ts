@@ -1,10 +1,11 @@
 import { describe, expect, it } from "vitest";
 
 import { entriesOf, groupingsOf, groupRows, kNoCause, kUnknownCause } from "../../src/data/groups";
-import { makeRows } from "../../src/data/rows";
-import { causeTotals } from "../../src/overview/causes";
+import { causeTotals } from "../../src/data/facts";
 import { troubleText } from "../../src/overview/group";
+import { layLines } from "../../src/overview/lines";
 import { makeMaterial, makeReport, makeScene, makeView } from "./sample";
+import { rowsOf } from "../pack_overview";
 
 const by = (term: string, flip: number) => ({ attribution: { flip, terms: [{ term, flip: flip / 4 }] } });
 const unclear = { attribution: { flip: 0.3, terms: [{ term: "fog", flip: 0.29 }] } };
@@ -20,7 +21,7 @@ const report = makeReport([
   ]),
   makeScene("Lamp", [makeView("front", [makeMaterial("Gold", "warn", 0.2, by("skySpecular", 0.2))])]),
 ]);
-const rows = makeRows(report).filter((row) => row.kind === "material");
+const rows = rowsOf(report).filter((row) => row.kind === "material");
 const labels = (grouping: Parameters<typeof groupRows>[1]): string[] => groupRows(rows, grouping).map(({ label, rows: all }) => `${label} ${all.length}`);
 
 describe("groups", () => {
@@ -44,14 +45,14 @@ describe("groups", () => {
 
   it("is one without a head where nothing is grouped", () => {
     const entries = entriesOf(groupRows(rows, "none"), () => true, null);
-    expect(entries.map((entry) => entry.kind)).toEqual(rows.map(() => "row"));
+    expect(entries).toEqual(rows);
   });
 });
 
 describe("the lines of a grouped list", () => {
   const groups = groupRows(rows, "scene");
   const lines = (folded: string[], open: number | null = null): string[] =>
-    entriesOf(groups, (key) => folded.includes(key), open === null ? null : rows[open]!).map((entry) => (entry.kind === "row" ? entry.row.name : `[${entry.group.label}${entry.isFolded ? " …" : ""}]`));
+    entriesOf(groups, (key) => folded.includes(key), open === null ? null : rows[open]!).map((entry) => (entry.kind === "group" ? `[${entry.group.label}${entry.isFolded ? " …" : ""}]` : entry.name));
 
   it("are a head and its rows; of a folded group the head alone", () => {
     expect(lines([])).toEqual(["[Desk]", "Gold", "Iron", "Wood", "Wax", "Clay", "[Lamp]", "Gold"]);
@@ -60,6 +61,19 @@ describe("the lines of a grouped list", () => {
 
   it("always hold the row that is open", () => {
     expect(lines(["scene Desk", "scene Lamp"], 1)).toEqual(["[Desk]", "Gold", "Iron", "Wood", "Wax", "Clay", "[Lamp …]"]);
+  });
+});
+
+describe("the place of the lines", () => {
+  const lay = (highest?: number) => layLines(entriesOf(groupRows(rows, "scene"), () => false, null), 40, 84, highest);
+
+  it("is below one another, heads of groups by their own height", () => {
+    expect(lay()).toMatchObject({ starts: [0, 40, 124, 208, 292, 376, 460, 500, 584], left: 0 });
+  });
+
+  it("ends where a browser has no more room, and says how many are left", () => {
+    const { entries, starts, left } = lay(300);
+    expect([entries.length, starts.at(-1), left]).toEqual([4, 292, 4]);
   });
 });
 

@@ -2,17 +2,21 @@ import { describe, expect, it } from "vitest";
 
 import { problemOf } from "../../src/data/page";
 import { kSchema } from "../../src/data/types";
+import { packOverview } from "../pack_overview";
 import { makeReport } from "./sample";
+
+const list = packOverview(makeReport([]));
 
 describe("a report that the page reads", () => {
   it("is of this page's schema version: an older one is refused in words that name both", () => {
-    expect(problemOf(makeReport([]))).toBe("");
-    expect(problemOf({ ...makeReport([]), schema: 2 })).toContain(`schema version 2; this page reads version ${kSchema}.`);
-    expect(problemOf({ ...makeReport([]), schema: undefined })).toMatch(/schema version unknown/);
+    expect(problemOf(makeReport([]), list)).toBe("");
+    expect(problemOf({ ...makeReport([]), schema: 2 }, list)).toContain(`schema version 2; this page reads version ${kSchema}.`);
+    expect(problemOf({ ...makeReport([]), schema: undefined }, list)).toMatch(/schema version unknown/);
   });
 
   it("is whole", () => {
-    expect(problemOf(null)).toMatch(/no report/);
-    expect(problemOf({ ...makeReport([]), scenes: {} })).toMatch(/not complete/);
+    expect(problemOf(null, list)).toMatch(/no report/);
+    expect(problemOf({ ...makeReport([]), settings: {} }, list)).toMatch(/not complete/);
+    for (const broken of [null, {}, { ...list, texts: 3 }, { ...list, rows: { count: 1 } }]) expect(problemOf(makeReport([]), broken)).toMatch(/list of its rows is not complete/);
   });
 });

@@ -100,7 +100,7 @@ describe("loading pixel files", () => {
   it("runs no script from elsewhere", async () => {
     const { loadChunk } = await load();
     for (const file of ["https://a.example/x.js", "//a.example/x.js", "pixels/../../x.js", "x.js", "pixels/x.html", ""])
-      await expect(loadChunk(file)).rejects.toThrow("is not a pixel file of this report");
+      await expect(loadChunk(file)).rejects.toThrow("is not a file of this report's pixels");
     expect(loads).toEqual([]);
   });
 

@@ -2,8 +2,8 @@ import { describe, expect, it } from "vitest";
 
 import { differenceRange, flipRange, kFullSteps } from "../../src/data/range";
 import { barScale, barShares, roundUp } from "../../src/data/scale";
-import { makeRows } from "../../src/data/rows";
 import { makeMaterial, makeReport, makeScene, makeView } from "./sample";
+import { rowsOf } from "../pack_overview";
 
 const flip = (...values: number[]): Uint16Array => Uint16Array.from(values.map((value) => Math.round(value * 65535)));
 const repeat = (value: number, count: number): number[] => Array.from({ length: count }, () => value);
@@ -48,7 +48,7 @@ describe("the automatic range of a difference", () => {
 describe("the scale of bars", () => {
   const check = (fail: number) => [{ metric: "flip.mean", regress: false, value: 0, warn: 0.1, fail, verdict: "fail" as const, note: "" }];
   const scaleOf = (...flips: number[]): number =>
-    barScale(makeRows(makeReport([makeScene("S", [makeView("v", flips.map((value, i) => makeMaterial(`m${i}`, "fail", value, { checks: check(0.2) })))])])), "flip.mean");
+    barScale(rowsOf(makeReport([makeScene("S", [makeView("v", flips.map((value, i) => makeMaterial(`m${i}`, "fail", value, { checks: check(0.2) })))])])), "flip.mean");
 
   it("is one for all rows, so that .27 and .85 look apart", () => {
     const most = scaleOf(0.27, 0.85, 0.02);

@@ -1,11 +1,13 @@
 import { describe, expect, it } from "vitest";
 
-import { countRows, filterOf, matches, sortRows } from "../../src/data/filter";
+import { countRows, filterOf, matcherOf, sortRows } from "../../src/data/filter";
 import { gravityOf } from "../../src/data/gravity";
-import { baseLayerText, causeOf, checkOf, figureOf, linkNames, makeRows } from "../../src/data/rows";
+import { linkNames } from "../../src/data/overview";
+import { baseLayerText, checkOf, figureOf, findRow } from "../../src/data/rows";
 import { kDefaultState } from "../../src/data/state";
-import type { Check, Material, Verdict } from "../../src/data/types";
+import type { Check, Material, Report, Verdict } from "../../src/data/types";
 import { makeFigures, makeMaterial, makeReport, makeScene, makeView } from "./sample";
+import { overviewOf, rowsOf } from "../pack_overview";
 
 const attribution = { flip: 0.4, terms: [{ term: "skySpecular", flip: 0.1 }, { term: "sunDiffuse", flip: 0.39 }] };
 const report = makeReport([
@@ -19,8 +21,9 @@ const report = makeReport([
   ]),
   makeScene("Broken", [], "is not a glTF"),
 ]);
-const rows = makeRows(report);
-const shown = (patch: object): string[] => rows.filter((row) => matches(row, filterOf({ ...kDefaultState, ...patch }))).map((row) => row.name);
+const rows = rowsOf(report);
+const shownOf = (of: Report, patch: object): string[] => rowsOf(of).filter(matcherOf(overviewOf(of), filterOf({ ...kDefaultState, ...patch }))).map((row) => row.name);
+const shown = (patch: object): string[] => shownOf(report, patch);
 
 describe("rows", () => {
   it("has one for each material that counts, each whole image and each scene that failed", () => {
@@ -35,7 +38,7 @@ describe("rows", () => {
   });
 
   it("says since the baseline what there is to compare with, and what is new", () => {
-    const since = (patch: object) => makeRows(makeReport([makeScene("Desk", [makeView("front", [makeMaterial("Gold", "pass", 0.1, patch)])])]))[0];
+    const since = (patch: object) => rowsOf(makeReport([makeScene("Desk", [makeView("front", [makeMaterial("Gold", "pass", 0.1, patch)])])]))[0];
     const changes = { "flip.mean": 0.03 };
     expect(since({ baseline: { new: false, verdict: "pass", notComparable: "", changes } })).toMatchObject({ change: 0.03, changes: ["worse"] });
     expect(since({ baseline: { new: true, verdict: null, notComparable: "", changes: {} } })).toMatchObject({ change: null, changes: ["added"] });
@@ -44,7 +47,7 @@ describe("rows", () => {
 });
 
 describe("the names of links", () => {
-  const linksOf = (names: string[]): string[] => linkNames(names.map((name) => ({ name })));
+  const linksOf = linkNames;
 
   it("tell apart what is called the same, and are never empty", () => {
     expect(linksOf(["gold", "gold", "", "gold (2)", "gold"])).toEqual(["gold", "gold (2)", "(no name)", "gold (2) (2)", "gold (3)"]);
@@ -52,29 +55,43 @@ describe("the names of links", () => {
 
   it("stay where something else comes before: a link leads to the same material of another run", () => {
     const gold = makeMaterial("Gold", "pass", 0.1);
-    const linkOf = (materials: Material[]) => makeRows(makeReport([makeScene("Desk", [makeView("front", materials)])])).find((row) => row.name === "Gold")?.link;
+    const linkOf = (materials: Material[]) => rowsOf(makeReport([makeScene("Desk", [makeView("front", materials)])])).find((row) => row.name === "Gold")?.link;
     expect(linkOf([gold])).toEqual({ scene: "Desk", view: "front", material: "Gold" });
     expect(linkOf([makeMaterial("Iron", "pass", 0.1), gold])).toEqual(linkOf([gold]));
+  });
+});
+
+describe("a link", () => {
+  const find = (scene: string, view = "", material = ""): string | undefined => findRow(overviewOf(report), rows, { scene, view, material })?.name;
+
+  it("leads to the row of a material, a whole image or a scene that failed", () => {
+    expect([find("Desk", "front", "Gold"), find("Desk", "front"), find("Broken")]).toEqual(["Gold", "Desk · front", "Broken"]);
+    for (const row of rows) expect(findRow(overviewOf(report), rows, row.link)).toBe(row);
+  });
+
+  it("leads nowhere where the report does not have it, or no row shows it", () => {
+    for (const names of [["Sofa"], ["Desk"], ["Desk", "back"], ["Desk", "front", "Tin"], ["Desk", "front", "Elsewhere"], ["", "front"]] as const) expect(find(...(names as [string])), names.join()).toBeUndefined();
   });
 });
 
 describe("a row's words", () => {
   it("have real minus signs, are found with either, and leave what is accepted to itself", () => {
     const reason = "mean exposure difference -0.28 EV is beyond ±0.25 EV";
-    const [row] = makeRows(makeReport([makeScene("Desk", [makeView("front", [makeMaterial("Gold", "warn", 0.1, { reason, accepted: "2 pixels are NaN" })])])]));
+    const report = makeReport([makeScene("Desk", [makeView("front", [makeMaterial("Gold", "warn", 0.1, { reason, accepted: "2 pixels are NaN" })])])]);
+    const [row] = rowsOf(report);
     if (!row) throw new Error("a row");
     expect(row.reason).toBe("mean exposure difference \u22120.28 EV is beyond ±0.25 EV");
     expect(row.accepted).toBe("2 pixels are NaN");
-    for (const query of ["-0.28", "\u22120.28", "accepted"]) expect(matches(row, filterOf({ ...kDefaultState, query })), query).toBe(true);
+    for (const query of ["-0.28", "\u22120.28", "accepted"]) expect(shownOf(report, { query }), query).toEqual(["Gold"]);
   });
 });
 
 describe("a row's figures", () => {
-  const check = (metric: string, value: number | null, regress: boolean): Check => ({ metric, regress, value, warn: 0.1, fail: 0.2, verdict: "pass", note: "" });
+  const check = (metric: string, value: number | null, regress: boolean): Check => ({ metric, regress, value, warn: 0.1, fail: 0.2, verdict: regress ? "pass" : "warn", note: "" });
   const checks = [check("flip.mean", 0.01, true), check("flip.mean", 0.15, false), check("bias.ev", -0.3, false)];
   const view = makeView("front", [makeMaterial("Gold", "pass", 0, { figures: makeFigures(0.15), checks })]);
   Object.assign(view.whole, { figures: makeFigures(0.05), checks: [] });
-  const [material, whole] = makeRows(makeReport([makeScene("Desk", [view])]));
+  const [material, whole] = rowsOf(makeReport([makeScene("Desk", [view])]));
   if (!material || !whole) throw new Error("two rows");
 
   it("are the material's and the whole image's", () => {
@@ -84,8 +101,8 @@ describe("a row's figures", () => {
   });
 
   it("are held against the check of the figure, never against that of its regression", () => {
-    expect(checkOf(material, "flip.mean")?.value).toBe(0.15);
-    expect(checkOf(material, "bias.ev")?.value).toBe(-0.3);
+    expect(checkOf(material, "flip.mean")).toEqual({ metric: "flip.mean", warn: 0.1, fail: 0.2, verdict: "warn" });
+    expect(checkOf(material, "bias.ev")?.metric).toBe("bias.ev");
     expect(checkOf(whole, "flip.mean")).toBeNull();
   });
 });
@@ -95,12 +112,9 @@ describe("the cause", () => {
     expect(rows[0]?.cause).toEqual({ term: "skySpecular", before: 0.4, after: 0.1 });
   });
 
-  it("is none where no swap lowers FLIP by a tenth, or nothing is known", () => {
-    expect(causeOf({ ...attribution, terms: [{ term: "fog", flip: 0.361 }] })).toBeNull();
-    expect(causeOf({ ...attribution, terms: [{ term: "fog", flip: 0.36 }] })?.term).toBe("fog");
-    expect(causeOf({ ...attribution, flip: null })).toBeNull();
-    expect(causeOf(undefined)).toBeNull();
-    expect(causeOf({ flip: 0, terms: [{ term: "emissive", flip: 0 }] })).toBeNull();
+  it("is none where the report did not look for it, or found none", () => {
+    expect(rows.map((row) => row.isAttributed)).toEqual([true, false, false, false, false]);
+    expect(rows.slice(1).map((row) => row.cause)).toEqual([null, null, null, null]);
   });
 });
 
@@ -157,8 +171,9 @@ describe("what is neither passed nor failed", () => {
     makeMaterial("Coat", "warn", 0.03, { notModelled: ["clearcoat", "sheen"] }),
     makeMaterial("Bad", "fail", 0.3, { notModelled: ["clearcoat"], reason: "mean FLIP is above" }),
   ];
-  const small = makeRows(makeReport([makeScene("Desk", [makeView("front", materials)])])).filter((row) => row.kind === "material");
-  const found = (patch: object): string[] => small.filter((row) => matches(row, filterOf({ ...kDefaultState, ...patch }))).map((row) => row.name);
+  const desk = makeReport([makeScene("Desk", [makeView("front", materials)])]);
+  const small = rowsOf(desk).filter((row) => row.kind === "material");
+  const found = (patch: object): string[] => shownOf(desk, patch);
 
   it("weighs between what is seen and what is warned of, in the order of the report's verdicts", () => {
     for (let i = 1; i < graver.length; ++i) expect(gravityOf(graver[i]!), graver[i]).toBeGreaterThan(gravityOf(graver[i - 1]!));
@@ -168,7 +183,7 @@ describe("what is neither passed nor failed", () => {
   it("of a scene that a signal kept from being done is not run", () => {
     const broken = makeScene("Desk", [], "it is broken");
     const stopped = { ...broken, error: { message: "SIGINT interrupted the run", exitCode: 130 } };
-    expect(makeRows(makeReport([broken, stopped])).map(({ verdict }) => verdict)).toEqual(["error", "not run"]);
+    expect(rowsOf(makeReport([broken, stopped])).map(({ verdict }) => verdict)).toEqual(["error", "not run"]);
   });
 
   it("is as grave as an error where the page does not know the verdict", () => {

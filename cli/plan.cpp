@@ -1,0 +1,31 @@
+// parity plan: what a run over many machines does, frozen in a folder.
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "cli/input_list.h"
+#include "cli/invocation.h"
+#include "cli/output.h"
+#include "cli/report_parts.h"
+#include "cli/requests.h"
+#include "job/context.h"
+#include "job/plan/plan.h"
+
+namespace parity::cli {
+
+int runPlanCommand(const PlanCommand& command, const std::string& commandLine) {
+  const ReportCommand& report = command.report;
+  const base::ThreadLimit threads(report.common.threads);
+  const RunRequest run = runRequest(report.common, withListed(report.scenes, "scene"), report.suite);
+  job::Context context(run.settings);
+  job::Plan plan = job::makePlan(context, reportRequest(report, run, commandLine), report.common.plain, run.given,
+                                 command.shards);
+  job::writePlan(plan, report.folder);
+  if (!report.common.quiet)
+    print("{}: {} scene{} in {} shard{} (0 to {}); next: parity work {} --shard N, then parity merge {} -o FOLDER\n",
+          report.folder, plan.request.scenes.size(), plan.request.scenes.size() == 1 ? "" : "s", plan.shards.size(),
+          plan.shards.size() == 1 ? "" : "s", plan.shards.size() - 1, report.folder, report.folder);
+  return 0;
+}
+
+} // namespace parity::cli

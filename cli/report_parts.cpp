@@ -1,0 +1,85 @@
+#include "cli/report_parts.h"
+
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/log.h"
+#include "cli/again.h"
+#include "cli/output.h"
+#include "report/dashboard_files.h"
+#include "study/sweep/pareto_svg.h"
+#include "study/sweep/sweep_json.h"
+
+namespace parity::cli {
+
+namespace {
+
+// What a mail server or a chat still takes; a browser opens more, but slowly.
+constexpr std::uintmax_t kNotableBytes = 20'000'000;
+
+std::string formatMegabytes(std::uintmax_t bytes) { return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6); }
+
+// The size of the one file that is sent on, and how to make it smaller.
+std::string describeSingleFile(const std::filesystem::path& page, bool hasPixelData) {
+  const std::uintmax_t bytes = base::regularFileSize(page);
+  const std::string size = formatMegabytes(bytes);
+  if (bytes <= kNotableBytes) return size;
+  const std::string how = hasPixelData ? "leave out --pixel-data all, or make the pictures smaller with --size"
+                                            : "make the pictures smaller with --size, or give fewer scenes";
+  base::logWarning(fmt::format("{} is {}; to make it smaller, {}", page.string(), size, how));
+  return fmt::format("{}: larger than {}; to make it smaller, {}", size, formatMegabytes(kNotableBytes), how);
+}
+
+} // namespace
+
+std::filesystem::path benchFile(const std::string& bench) {
+  const std::filesystem::path file = bench;
+  std::error_code none;
+  return std::filesystem::is_directory(file, none) ? file / "bench.json" : file;
+}
+
+report::Bench readBench(const std::string& bench) {
+  if (bench.empty()) return {};
+  constexpr std::size_t kMaxBytes = std::size_t{64} << 20; // the page carries it
+  std::string text = base::readText(benchFile(bench), kMaxBytes);
+  const sweep::SweepReport sweep = sweep::readSweep(benchFile(bench));
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3); // a mark of the byte order, which JSON has none of
+  return {std::move(text), sweep::paretoJson(sweep, sweep::bestKnown(sweep), sweep.figure)};
+}
+
+job::ReportRequest reportRequest(const ReportCommand& command, const RunRequest& run, const std::string& commandLine) {
+  if (command.singleFile && !report::hasDashboard())
+    throw base::Error(base::ExitCode::usage, "--single-file", "", "this build of parity has no page index.html");
+  job::ReportRequest request;
+  request.scenes = run.scenes;
+  request.suite = run.suite;
+  request.suiteBudgets = run.suiteBudgets;
+  request.baseline = command.verdict.baseline;
+  request.only = run.only;
+  request.pictures = command.pictures;
+  request.pixelData = command.pixelData && report::hasDashboard(); // which alone reads them
+  request.singleFile = command.singleFile;
+  request.commandLine = commandLine;
+  request.again = againCommands(request.scenes, {command.suite, command.common.environments}, command.kept);
+  return request;
+}
+
+int tellReport(const job::ReportResult& result, const ReportTargets& targets) {
+  const std::string singleFile =
+      targets.singleFile ? describeSingleFile(targets.folder / "index.html", targets.pixelData) : std::string();
+  if (!targets.json.empty()) writeJson(targets.json, report::toJson(result.report));
+  writeCsv(targets.csv, result.report);
+  const bool stdoutTaken = targets.json == "-" || targets.csv == "-";
+  if (!stdoutTaken && !targets.quiet) {
+    printTable(result.report, result.run, targets.verdict.allRows);
+    printPage(targets.folder, "report.json", singleFile);
+  }
+  printAnnotations(targets.verdict.annotate, result.report, stdoutTaken);
+  if (targets.timings) printTimings(result.run.timings);
+  return report::exitCode(result.report, targets.verdict.warnExit);
+}
+
+} // namespace parity::cli

@@ -1,0 +1,34 @@
+// What `parity report`, `plan` and `merge` have in common: the request of a report, and how its result is told.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "cli/invocation.h"
+#include "cli/requests.h"
+#include "job/report_run.h"
+
+namespace parity::cli {
+
+// All that is asked for but the folder and the bench. run: as runRequest gives it.
+job::ReportRequest reportRequest(const ReportCommand& command, const RunRequest& run, const std::string& commandLine);
+
+// bench.json itself, of its file or its folder.
+std::filesystem::path benchFile(const std::string& bench);
+// The bench that goes with the page: bench.json or its folder; empty: none. What it is is known here, and anything else
+// refused, before anything is rendered. Throws Error (exit 4).
+report::Bench readBench(const std::string& bench);
+
+// Where a result goes besides its folder.
+struct ReportTargets {
+  std::filesystem::path folder;
+  bool singleFile = false, pixelData = true;
+  std::string json, csv; // file, "-" for stdout, "" for none
+  bool timings = false, quiet = false;
+  const VerdictOptions& verdict;
+};
+
+// Table, JSON, CSV, annotations. Returns the exit code.
+int tellReport(const job::ReportResult& result, const ReportTargets& targets);
+
+} // namespace parity::cli

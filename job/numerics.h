@@ -1,0 +1,15 @@
+// The numerics id: how this machine rounds. Figures of two machines are the same bytes only where it is the same.
+#pragma once
+
+#include <string>
+
+namespace parity::job {
+
+class Context;
+
+// A hash, 32 hexadecimal digits, over bits of the C library's mathematics, of the vectorised metrics and of the device
+// (gpu/device/numerics.h), on fixed inputs. Makes the device, unless the cache knows the id by build, device, processor
+// and C library. Throws Error (exit 4) where there is no device.
+std::string numericsId(Context& context);
+
+} // namespace parity::job

@@ -1,0 +1,166 @@
+#include "job/plan/merge.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "base/error.h"
+#include "job/context.h"
+#include "job/plan/unit_store.h"
+#include "job/scene/scene_start.h"
+#include "report/judge.h"
+
+namespace parity::job {
+
+namespace {
+
+// One merge of a plan at a time.
+class Lock {
+public:
+  explicit Lock(const std::filesystem::path& folder)
+      : m_descriptor(::open((folder / kPlanFile).c_str(), O_RDONLY | O_CLOEXEC)) {
+    if (m_descriptor >= 0 && ::flock(m_descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+      throw base::Error(base::ExitCode::incomplete, folder.string(), "",
+                        "another merge of this plan is running; try again when it is done");
+  }
+  ~Lock() {
+    if (m_descriptor >= 0) ::close(m_descriptor);
+  }
+  Lock(const Lock&) = delete;
+  Lock& operator=(const Lock&) = delete;
+
+private:
+  int m_descriptor;
+};
+
+std::size_t shardOf(const Plan& plan, std::size_t unit) {
+  const auto holds = [&](const std::vector<std::size_t>& shard) { return std::ranges::count(shard, unit) > 0; };
+  return static_cast<std::size_t>(std::ranges::find_if(plan.shards, holds) - plan.shards.begin());
+}
+
+// The first ones by name.
+std::string describeMissing(const Plan& plan, const std::vector<std::size_t>& units) {
+  constexpr std::size_t kNamed = 5;
+  std::vector<std::string> names;
+  std::set<std::size_t> shards;
+  for (const std::size_t unit : units) {
+    shards.insert(shardOf(plan, unit));
+    if (names.size() < kNamed) names.push_back(fmt::format("'{}'", plan.request.scenes[unit].name));
+  }
+  return fmt::format("{} of {} scenes {} no result: {}{}; do the shards {}, or give --incomplete report", units.size(),
+                     plan.request.scenes.size(), units.size() == 1 ? "has" : "have", fmt::join(names, ", "),
+                     units.size() > kNamed ? ", ..." : "", fmt::join(shards, ","));
+}
+
+class Merge {
+public:
+  Merge(const Plan& plan, const std::filesystem::path& folder, const MergeOptions& options)
+      : m_plan(plan), m_store(folder, plan), m_request(plan.request), m_context(plan.settings()),
+        m_budgets(plan.plain.budgets, plan.request.suiteBudgets, plan.budgets),
+        m_baseline(plan.request.baseline.empty() ? std::filesystem::path() : baselineOf(folder)) {
+    m_request.folder = options.folder;
+    m_request.bench = options.bench;
+    m_stoppedBy = options.stoppedBy;
+    m_context.stopWhen([this] { return m_stoppedBy; });
+  }
+
+  ReportResult run(Incomplete incomplete, const Progress& progress) {
+    for (std::size_t i = 0; i < m_request.scenes.size(); ++i) {
+      if (std::string fault = m_store.findFault(i); !fault.empty()) {
+        requireOwn(i);
+        m_missing.push_back(i);
+      }
+    }
+    if (!m_missing.empty() && incomplete == Incomplete::error && m_stoppedBy == 0)
+      throw base::fileError(m_request.folder.string(), "is not written", describeMissing(m_plan, m_missing));
+    ReportEnd end(m_request, m_budgets, m_plan.facts, m_baseline);
+    for (std::size_t i = 0; i < m_request.scenes.size(); ++i) {
+      if (progress)
+        progress("merging " + m_request.scenes[i].name,
+                 static_cast<double>(i) / static_cast<double>(m_request.scenes.size()));
+      if (!std::ranges::binary_search(m_missing, i))
+        end.add(i, take(i, end));
+      else if (m_stoppedBy == 0)
+        end.add(i, missingScene(i));
+    }
+    report::RunInfo run;
+    run.compiledShaders = m_shaders.size();
+    run.timings = m_timings;
+    run.incidents = m_incidents;
+    return end.finish(m_context, std::move(run), progress);
+  }
+
+private:
+  // Of another plan or machine: that is no gap to be filled, but a mistake.
+  void requireOwn(std::size_t unit) const {
+    try {
+      m_store.read(unit);
+    } catch (const base::Error& error) {
+      if (error.code() == base::ExitCode::otherPlan) throw;
+    }
+  }
+
+  ComparedScene missingScene(std::size_t index) const {
+    ComparedScene scene;
+    scene.result = startScene(m_request.scenes[index]);
+    scene.result.error = fmt::format("has no result: shard {} did not finish it", shardOf(m_plan, index));
+    scene.result.errorExitCode = static_cast<int>(base::ExitCode::failed);
+    scene.error = fmt::format("{}: {}", scene.result.name, scene.result.error);
+    return scene;
+  }
+
+  ComparedScene take(std::size_t index, ReportEnd& end) {
+    Unit unit = m_store.read(index);
+    ComparedScene scene = std::move(unit.scene);
+    if (!scene.result.views.empty()) report::judgeScene(scene.result, m_budgets.of(m_request.scenes[index]));
+    for (const UnitFile& file : unit.files)
+      if (m_request.singleFile)
+        scene.pictures.push_back({file.file, m_store.contentOf(file)});
+      else
+        m_store.place(file, m_request.folder);
+    if (m_store.differs(index))
+      end.warn(fmt::format("scene '{}' came out in two ways (nondeterminism): two workers that did the same work got "
+                           "different figures; the report has those of the first",
+                           scene.result.name));
+    if (const std::string crash = m_store.crashOf(index); !crash.empty() && scene.result.error.empty())
+      m_incidents.push_back(
+          fmt::format("{}: flaky crash: a worker {}; the second try succeeded", scene.result.name, crash));
+    m_shaders.insert(unit.run.shaders.begin(), unit.run.shaders.end());
+    for (const auto& [stage, timeMs] : unit.run.timings) {
+      const auto known = std::ranges::find(m_timings, stage, [](const auto& each) { return each.first; });
+      if (known == m_timings.end())
+        m_timings.emplace_back(stage, timeMs);
+      else
+        known->second += timeMs;
+    }
+    return scene;
+  }
+
+  const Plan& m_plan;
+  const UnitStore m_store;
+  ReportRequest m_request;
+  Context m_context;
+  RunBudgets m_budgets;
+  std::filesystem::path m_baseline;
+  int m_stoppedBy = 0;
+  std::vector<std::size_t> m_missing; // in order
+  std::set<std::string> m_shaders;
+  std::vector<std::pair<std::string, double>> m_timings;
+  std::vector<std::string> m_incidents;
+};
+
+} // namespace
+
+ReportResult mergePlan(const Plan& plan, const std::filesystem::path& folder, const MergeOptions& options,
+                       const Progress& progress) {
+  const Lock lock(folder);
+  return Merge(plan, folder, options).run(options.incomplete, progress);
+}
+
+} // namespace parity::job

@@ -1,0 +1,26 @@
+// The end of a plan: its units in, the report out.
+#pragma once
+
+#include <filesystem>
+
+#include "job/plan/plan.h"
+
+namespace parity::job {
+
+enum class Incomplete { error, report };
+
+struct MergeOptions {
+  std::filesystem::path folder;                // of the report
+  Incomplete incomplete = Incomplete::error;   // what becomes of units that are missing
+  int stoppedBy = 0;                           // not 0: they were not run, because of this signal
+  report::Bench bench;                         // for the page
+};
+
+// Writes the report that runReport would have written for the plan's request, byte for byte. A unit that is missing is
+// an error of its scene, or of the merge. Needs no device. Throws Error: (exit 4) naming the units that are missing, and
+// what runReport throws; (exit 78) for a unit of another plan, build or machine; (exit 75) while another merge of the
+// plan runs. The plan's folder is only read.
+ReportResult mergePlan(const Plan& plan, const std::filesystem::path& folder, const MergeOptions& options,
+                       const Progress& progress);
+
+} // namespace parity::job

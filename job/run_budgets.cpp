@@ -1,0 +1,34 @@
+#include "job/run_budgets.h"
+
+#include <utility>
+
+namespace parity::job {
+
+RunBudgets::RunBudgets(std::optional<std::string> ofRun, std::optional<std::string> ofSuite, FrozenFiles frozen)
+    : m_ofRun(std::move(ofRun)), m_ofSuite(std::move(ofSuite)), m_frozen(std::move(frozen)) {
+  if (const auto& first = m_ofRun ? m_ofRun : m_ofSuite) ofFile(*first);
+}
+
+std::optional<std::string> RunBudgets::fileOf(const SceneRequest& request) const {
+  return m_ofRun ? m_ofRun : request.budgets ? request.budgets : m_ofSuite;
+}
+
+const compare::Budgets& RunBudgets::ofFile(const std::string& file) const {
+  const std::lock_guard lock(m_mutex);
+  if (const auto found = m_read.find(file); found != m_read.end()) return found->second;
+  const auto frozen = m_frozen.find(file);
+  return m_read
+      .emplace(file, frozen == m_frozen.end() ? compare::loadBudgets(file) : compare::readBudgets(frozen->second, file))
+      .first->second;
+}
+
+compare::Budgets RunBudgets::of(const SceneRequest& request) const {
+  const std::optional<std::string> file = fileOf(request);
+  compare::Budgets budgets = file ? ofFile(*file) : compare::defaultBudgets();
+  // A view that was not asked for may show what these do not.
+  if (request.partOf && request.partOf->views > request.views.size())
+    for (compare::BudgetRule& rule : budgets.materials) rule.requireSeen = false;
+  return budgets;
+}
+
+} // namespace parity::job
