@@ -131,8 +131,7 @@ std::optional<std::vector<std::byte>> Cache::find(const std::string& key) const 
     return std::nullopt;
   }
   if (!isWhole(key, bytes)) {
-    reportOnce("cache: a damaged entry was removed: " + file.string());
-    fs::remove(file, error);
+    reportOnce("cache: a damaged entry is not used: " + file.string());
     return std::nullopt;
   }
   fs::last_write_time(file, fs::file_time_type::clock::now(), error); // a folder that is read-only still serves

@@ -41,7 +41,8 @@ public:
   const std::filesystem::path& folder() const { return m_folder; }
 
   // The bytes stored under this key, which count as used now; nothing where there are none. An entry that is damaged or
-  // belongs to another key is removed. key: 1 to 128 of [0-9a-zA-Z_-], as base::Hasher::hex() makes it.
+  // belongs to another key is nothing, and stays until store() replaces it: on a network file system a whole entry may
+  // look empty while another machine renames it. key: 1 to 128 of [0-9a-zA-Z_-], as base::Hasher::hex() makes it.
   std::optional<std::vector<std::byte>> find(const std::string& key) const;
 
   // Keeps the bytes, then removes the entries used longest ago until the folder is within maxBytes. More bytes than

@@ -25,6 +25,7 @@ namespace parity::base {
 namespace {
 
 constexpr int kInheritedNumber = 3;
+constexpr std::size_t kLongestLine = 1 << 20; // what is longer comes in parts
 
 [[noreturn]] void fail(const std::string& program, const char* what, int number) {
   throw fileError(program, what, std::generic_category().message(number));
@@ -142,7 +143,7 @@ std::vector<std::string> ChildProcess::read(Pipe& pipe) const {
     begin = end + 1;
   }
   pipe.rest.erase(0, begin);
-  if (m_end && !pipe.rest.empty()) lines.push_back(std::exchange(pipe.rest, {}));
+  if ((m_end || pipe.rest.size() > kLongestLine) && !pipe.rest.empty()) lines.push_back(std::exchange(pipe.rest, {}));
   return lines;
 }
 

@@ -1,4 +1,4 @@
-// parity devices: what Vulkan offers, and why each device is taken or not.
+// parity devices: what Vulkan offers, why each device is taken or not, and how the one that is taken rounds.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -8,14 +8,29 @@
 #include "base/error.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
+#include "job/context.h"
 
 namespace parity::cli {
 
+namespace {
+
+// Of the device that is taken; the cache holds it from the second time on.
+std::string numericsOf(const gpu::DeviceOptions& device) {
+  job::Settings settings;
+  settings.device = device;
+  settings.cacheFolder = base::defaultCacheFolder();
+  return job::Context(settings).numerics();
+}
+
+} // namespace
+
 int runDevicesCommand(const DevicesCommand& command) {
   const std::vector<gpu::DeviceReport> reports = gpu::listDevices(command.device);
+  const bool isAnyTaken = std::ranges::any_of(reports, &gpu::DeviceReport::taken);
+  const std::string numerics = isAnyTaken ? numericsOf(command.device) : std::string();
   if (!command.json.empty()) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const gpu::DeviceReport& r : reports)
+    for (const gpu::DeviceReport& r : reports) {
       list.push_back({{"name", r.name},
                       {"driver", r.driver},
                       {"kind", r.kind},
@@ -23,6 +38,8 @@ int runDevicesCommand(const DevicesCommand& command) {
                       {"fp16", r.float16},
                       {"taken", r.taken},
                       {"reason", r.reason}});
+      if (r.taken) list.back()["numerics"] = numerics;
+    }
     writeJson(command.json, dumpJson(list));
   }
   if (command.json != "-")
@@ -30,8 +47,9 @@ int runDevicesCommand(const DevicesCommand& command) {
       const gpu::DeviceReport& r = reports[i];
       print("{} {} {}\n    {}, Vulkan {}, {}, {}\n    {}\n", r.taken ? "*" : " ", i, r.name, r.kind, r.apiVersion,
             r.driver, r.float16 ? "fp16" : "no fp16", r.reason);
+      if (r.taken) print("    numerics id {}\n", numerics);
     }
-  if (std::none_of(reports.begin(), reports.end(), [](const auto& r) { return r.taken; }))
+  if (!isAnyTaken)
     throw base::Error(
         base::ExitCode::failed, "Vulkan", "device",
         !reports.empty() && !command.device.name.empty()

@@ -3,6 +3,7 @@
 #include "base/temporary_name.h"
 #include "base/write_pieces.h"
 
+#include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
@@ -168,6 +169,31 @@ TEST(WriteText, TakesManyWritersOfOneFile) {
   const std::string text = readText(folder / "one");
   EXPECT_EQ(text, std::string(10000, text[0])); // whose it is does not matter; that it is one's does
   EXPECT_EQ(folder.entries(), std::vector<std::string>{"one"});
+}
+
+TEST(WriteOnce, TheFirstOfManyWritersStaysAndNothingElse) {
+  const TempFolder folder;
+  std::vector<std::thread> writers;
+  std::atomic<int> written = 0;
+  for (int i = 0; i < 8; ++i)
+    writers.emplace_back([&, i] {
+      const std::string text(10000, static_cast<char>('a' + i));
+      if (writeOnce(folder / "units/one", std::as_bytes(std::span{text}))) written += 1 + i * 100;
+    });
+  for (std::thread& writer : writers) writer.join();
+  EXPECT_EQ(written % 100, 1) << "one alone wrote it";
+  EXPECT_EQ(readText(folder / "units/one"), std::string(10000, static_cast<char>('a' + written / 100)));
+  EXPECT_FALSE(writeOnce(folder / "units/one", {}));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "units"), {}), 1);
+}
+
+TEST(WriteOnce, LeavesNothingOnAFullDisk) {
+  const TempFolder folder;
+  const FileSizeLimit limit(100);
+  const std::string text(1000, 'x');
+  expectError([&] { writeOnce(folder / "new", std::as_bytes(std::span{text})); }, (folder / "new").string(),
+              "File too large");
+  EXPECT_TRUE(folder.entries().empty());
 }
 
 TEST(WritePieces, ArePutOneBehindTheOther) {

@@ -137,6 +137,12 @@ TEST(Knob, SharesAndBytes) {
   EXPECT_EQ(readBytes("17"), 17u);
   for (const char* text : {"0", "M", "-1", "1.5G", "99999999999T", "1GB", ""})
     EXPECT_THROW(readBytes(text), KnobError) << text;
+  EXPECT_EQ(readSeconds("300"), 300);
+  EXPECT_EQ(readSeconds("0.5s"), 0.5);
+  EXPECT_EQ(readSeconds("5m"), 300);
+  EXPECT_EQ(readSeconds("2h"), 7200);
+  for (const char* text : {"0", "-1s", "m", "5 m", "1d", "nan", "inf", ""})
+    EXPECT_THROW(readSeconds(text), KnobError) << text;
 }
 
 TEST(Knob, AKnobIsFoundByAnOlderName) {

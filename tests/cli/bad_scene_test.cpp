@@ -115,7 +115,7 @@ TEST_P(BadSceneTest, IsAnErrorInAReportThatIsWhole) {
   const RunResult result = runParity(join({{"report", scene, "-o", folder.string()}, kSun, kSmall}));
   EXPECT_TRUE(exitedWith(4, result));
   EXPECT_EQ(linesOf(result.err).size(), 1u) << result.err;
-  EXPECT_EQ(listFiles(folder), reportFiles());
+  EXPECT_EQ(listFiles(folder), reportFiles(1));
 
   const nlohmann::json report = readReport(folder);
   EXPECT_EQ(report["verdict"], "error");

@@ -76,8 +76,8 @@ inline constexpr bool kHasPage = true;
 inline constexpr bool kHasPage = false;
 #endif
 
-// What a report's folder holds besides pictures and values, sorted.
-std::vector<std::string> reportFiles();
+// What the folder of a report of so many scenes holds besides pictures and values, sorted.
+std::vector<std::string> reportFiles(std::size_t scenes);
 
 // A budget file that judges everything, materials of any size, by its mean FLIP alone; `limits` as in "warn = 0.1, fail
 // = 0.2".

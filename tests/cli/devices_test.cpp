@@ -1,4 +1,6 @@
 // Devices: which there are, which is taken and why; and what is said where there is none.
+#include <set>
+
 #include "cli/checks.h"
 
 namespace parity::tests {
@@ -16,6 +18,25 @@ TEST_F(DevicesTest, AreListedWithReasons) {
     EXPECT_NE(device["reason"], "") << device;
   }
   EXPECT_EQ(taken, 1) << devices;
+}
+
+// The id of the device that is taken; the same with and without what the cache holds, and in a plan.
+TEST_F(DevicesTest, TheOneThatIsTakenHasANumericsId) {
+  RunOptions alone;
+  alone.environment = {{"XDG_CACHE_HOME", path("cache")}};
+  std::set<std::string> ids;
+  for (int i = 0; i < 2; ++i) // measured, then from the cache
+    for (const nlohmann::json& device : nlohmann::json::parse(runParity({"devices", "--json", "-"}, alone).out)) {
+      EXPECT_EQ(device.contains("numerics"), device["taken"].get<bool>());
+      if (device["taken"]) ids.insert(device["numerics"].get<std::string>());
+    }
+  ASSERT_EQ(ids.size(), 1u);
+  const std::string id = *ids.begin();
+  EXPECT_EQ(id.size(), 32u);
+  EXPECT_EQ(id.find_first_not_of("0123456789abcdef"), std::string::npos) << id;
+  EXPECT_TRUE(contains(runParity({"devices"}, alone).out, "numerics id " + id + "\n"));
+  ASSERT_TRUE(exitedWith(0, runParity({"plan", "builtin:furnace", "--no-cache", "-o", path("night")})));
+  EXPECT_EQ(nlohmann::json::parse(readWholeFile(m_folder / "night" / "plan.json"))["numerics"], id);
 }
 
 TEST_F(DevicesTest, SoftwareDeviceIsTheDefault) {

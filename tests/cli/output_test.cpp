@@ -18,7 +18,7 @@ TEST_F(OutputTest, ReportHoldsWhatItNamesAndNothingElse) {
   EXPECT_NE(reportInto(folder, "builtin:furnace").exitCode, 4);
   std::vector<std::string> expected = listPictures(readReport(folder));
   EXPECT_EQ(expected.size(), 3u * (1 + 11)) << "of the view and of each material";
-  expected = join({expected, listPixelFiles(readReport(folder)), reportFiles()});
+  expected = join({expected, listPixelFiles(readReport(folder)), reportFiles(1)});
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(listFiles(folder), expected);
 }
@@ -41,7 +41,7 @@ TEST_F(OutputTest, ReportReplacesAnOlderOneAndSparesWhatIsNotItsOwn) {
   const nlohmann::json report = readReport(folder);
   EXPECT_EQ(report["scenes"][0]["name"], "furnace");
   std::vector<std::string> expected =
-      join({listPictures(report), listPixelFiles(report), reportFiles(), {"notes.txt", "images/mine.png"}});
+      join({listPictures(report), listPixelFiles(report), reportFiles(1), {"notes.txt", "images/mine.png"}});
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(listFiles(folder), expected) << "pictures of the older report are left";
 }

@@ -1,0 +1,121 @@
+// Plan, work and merge give the bytes that `report` gives, for every number of shards and workers.
+#include <algorithm>
+#include <set>
+
+#include "cli/nightly/night.h"
+
+namespace parity::tests {
+namespace {
+
+class ShardsTest : public NightTest {
+protected:
+  // Does all shards, each by a process of its own, as machines would; the report in `to`.
+  void doShards(int shards, int jobs, const std::string& to) const {
+    plan(shards);
+    for (int shard = 0; shard < shards; ++shard)
+      EXPECT_TRUE(exitedWith(0, work({"--shard", std::to_string(shard), "--jobs", std::to_string(jobs)})));
+    EXPECT_TRUE(isReported(merge(to)));
+  }
+};
+
+TEST_F(ShardsTest, AnyNumberOfShardsAndWorkersGivesTheSameBytes) {
+  writeScenes(24);
+  const Files expected = reportHere();
+  ASSERT_TRUE(expected.contains("report.json"));
+  EXPECT_GE(expected.size(), 24u * 3) << "three pictures a scene and more";
+  // Each number of shards and of workers, and the extremes of both together.
+  for (const auto& [shards, jobs] : {std::pair{1, 1}, {1, 4}, {2, 4}, {3, 1}, {7, 4}, {24, 1}}) {
+    const std::string to = "merged-" + std::to_string(shards) + "-" + std::to_string(jobs);
+    doShards(shards, jobs, to);
+    EXPECT_TRUE(sameFiles(reportIn(to), expected)) << shards << " shards, " << jobs << " workers";
+  }
+}
+
+TEST_F(ShardsTest, ReportOfSeveralWorkersIsTheReportOfOneProcess) {
+  writeScenes(6);
+  const Files expected = reportHere();
+  EXPECT_TRUE(isReported(runParity(join({{"report", "-o", path("many"), "--jobs", "2"}, options()}))));
+  EXPECT_TRUE(sameFiles(reportIn("many"), expected));
+  EXPECT_FALSE(std::filesystem::exists(m_folder / "many" / ".work"));
+}
+
+TEST_F(ShardsTest, BaselineAndBudgetsAreThoseOfThePlan) {
+  writeScenes(3);
+  const std::string budgets = writeBudgets(m_folder, "warn = 0.0, fail = 1.0");
+  const std::vector<std::string> judged = {"--budgets", budgets, "--baseline", path("old")};
+  ASSERT_TRUE(isReported(runParity(join({{"report", "-o", path("old"), "--exposure", "1"}, options()}))));
+  EXPECT_TRUE(isReported(runParity(join({{"report", "-o", path("plain")}, options(), judged}))));
+  plan(2, judged);
+  writeBudgets(m_folder, "warn = 0.5, fail = 0.0001");
+  std::filesystem::remove_all(m_folder / "old");
+  EXPECT_TRUE(exitedWith(0, work()));
+  EXPECT_TRUE(isReported(merge("merged")));
+  EXPECT_TRUE(sameFiles(reportIn("merged"), reportIn("plain")));
+}
+
+TEST_F(ShardsTest, PicturesOfWhatPassedCanBeLeftOut) {
+  writeScenes(3);
+  for (const std::string kept : {"not-passed", "none"}) {
+    EXPECT_TRUE(isReported(runParity(join({{"report", "-o", path("plain"), "--pictures", kept}, options()}))));
+    plan(2, {"--pictures", kept});
+    EXPECT_TRUE(exitedWith(0, work()));
+    EXPECT_TRUE(isReported(merge("merged-" + kept)));
+    EXPECT_TRUE(sameFiles(reportIn("merged-" + kept), reportIn("plain"))) << kept;
+    std::filesystem::remove_all(m_folder / "plain");
+  }
+  EXPECT_TRUE(listPictures(readReport(m_folder / "merged-none")).empty());
+}
+
+TEST_F(ShardsTest, EachSceneIsInOneShard) {
+  writeScenes(10);
+  plan(3);
+  std::multiset<std::size_t> places;
+  const nlohmann::json shards = planFile()["shards"];
+  ASSERT_EQ(shards.size(), 3u);
+  for (const nlohmann::json& shard : shards)
+    for (const nlohmann::json& place : shard) places.insert(place.get<std::size_t>());
+  ASSERT_EQ(places.size(), 10u);
+  for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(places.count(i), 1u) << i;
+}
+
+TEST_F(ShardsTest, MissingUnitsAreNamedAndDoneAgain) {
+  writeScenes(4);
+  const Files expected = reportHere();
+  plan(2);
+  EXPECT_EQ(runParity({"work", path("night"), "--missing"}).out, "0,1\n");
+  EXPECT_TRUE(exitedWith(0, work({"--shard", "1"})));
+  EXPECT_EQ(runParity({"work", path("night"), "--missing"}).out, "0\n");
+  EXPECT_TRUE(exitedWith(0, work()));
+  EXPECT_EQ(runParity({"work", path("night"), "--missing"}).out, "\n");
+
+  std::filesystem::remove(m_folder / "night" / "units" / "000002.unit");
+  const RunResult refused = merge("merged");
+  EXPECT_TRUE(exitedWith(4, refused));
+  EXPECT_TRUE(contains(refused.err, "1 of 4 scenes has no result: '02'")) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(m_folder / "merged" / "report.json"));
+
+  EXPECT_TRUE(exitedWith(4, merge("incomplete", {"--incomplete", "report"})));
+  const nlohmann::json report = readReport(m_folder / "incomplete");
+  EXPECT_TRUE(contains(report["scenes"][2]["error"]["message"], "has no result")) << report["scenes"][2]["error"];
+  EXPECT_TRUE(report["scenes"][1]["error"].is_null());
+
+  std::filesystem::remove(m_folder / "begun.txt");
+  EXPECT_TRUE(exitedWith(0, work({}, failing("", false))));
+  EXPECT_EQ(begun().size(), 1u) << "only what was missing";
+  EXPECT_TRUE(isReported(merge("merged")));
+  EXPECT_TRUE(sameFiles(reportIn("merged"), expected));
+}
+
+TEST_F(ShardsTest, ClocksMayJump) {
+  writeScenes(3);
+  const Files expected = reportHere();
+  plan(2);
+  RunOptions jumping = failing("", false);
+  jumping.environment.emplace_back("PARITY_FAULTS_CLOCK", "1");
+  EXPECT_TRUE(exitedWith(0, work({"--jobs", "2"}, jumping)));
+  EXPECT_TRUE(isReported(merge("merged", {}, jumping)));
+  EXPECT_TRUE(sameFiles(reportIn("merged"), expected));
+}
+
+} // namespace
+} // namespace parity::tests
