@@ -25,6 +25,8 @@ namespace parity::base {
 namespace {
 
 constexpr int kInheritedNumber = 3;
+constexpr int kLongestDeath = 2000; // milliseconds
+constexpr std::size_t kMostBytes = 1 << 16; // a call: a process that writes without end holds nobody up
 constexpr std::size_t kLongestLine = 1 << 20; // what is longer comes in parts
 
 [[noreturn]] void fail(const std::string& program, const char* what, int number) {
@@ -51,7 +53,7 @@ public:
     sigset_t all, none;
     ::sigemptyset(&none);
     ::sigemptyset(&all);
-    for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) ::sigaddset(&all, number);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGCHLD}) ::sigaddset(&all, number);
     ::posix_spawnattr_setsigdefault(&m_attributes, &all);
     ::posix_spawnattr_setsigmask(&m_attributes, &none);
     ::posix_spawnattr_setflags(&m_attributes,
@@ -76,6 +78,7 @@ private:
 
 ChildProcess::ChildProcess(const std::vector<std::string>& arguments, int inherited) {
   const std::string& program = arguments.at(0);
+  std::signal(SIGCHLD, SIG_DFL); // where it is ignored nobody learns how a process ended
   const PipeEnds input = makePipe(program), output = makePipe(program), error = makePipe(program);
   SpawnActions actions;
   actions.give(input.reading, STDIN_FILENO);
@@ -102,9 +105,8 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments, int inheri
 ChildProcess::~ChildProcess() {
   if (!m_end) {
     signal(SIGKILL);
-    int status = 0;
-    while (::waitpid(m_id, &status, 0) < 0 && errno == EINTR) {
-    }
+    // One that hangs in the kernel cannot be killed.
+    for (int i = 0; i < kLongestDeath && !end(); ++i) ::usleep(1000);
   }
   closeInput();
   for (const Pipe* pipe : {&m_output, &m_error})
@@ -129,10 +131,10 @@ void ChildProcess::closeInput() {
 
 std::vector<std::string> ChildProcess::read(Pipe& pipe) const {
   std::array<char, 4096> bytes{};
-  for (;;) {
+  for (std::size_t total = 0; total < kMostBytes || m_end;) {
     const ssize_t got = ::read(pipe.descriptor, bytes.data(), bytes.size());
     if (got > 0)
-      pipe.rest.append(bytes.data(), static_cast<std::size_t>(got));
+      pipe.rest.append(bytes.data(), static_cast<std::size_t>(got)), total += static_cast<std::size_t>(got);
     else if (got == 0 || errno != EINTR)
       break;
   }
@@ -153,6 +155,8 @@ std::optional<ProcessEnd> ChildProcess::end() {
   const pid_t ended = ::waitpid(m_id, &status, WNOHANG);
   if (ended == m_id)
     m_end = WIFSIGNALED(status) ? ProcessEnd{0, WTERMSIG(status)} : ProcessEnd{WEXITSTATUS(status), 0};
+  else if (ended < 0 && errno == ECHILD) // somebody else has asked for its end
+    m_end = ProcessEnd{1, 0};
   return m_end;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_map>
 
 #include <CLI/CLI.hpp>
 
@@ -24,11 +25,15 @@ void add(std::vector<std::string>& words, const std::string& option, const std::
   words.push_back(value);
 }
 
+using FilesByName = std::unordered_multimap<std::string, std::string>;
+
 // "bottle (2)": alone it is called "bottle".
-bool isCopy(const job::SceneRequest& scene, const std::vector<job::SceneRequest>& scenes) {
-  return std::ranges::any_of(scenes, [&](const job::SceneRequest& other) {
-    return scene.name.starts_with(other.name + " (") && scene.scene != other.scene;
-  });
+bool isCopy(const job::SceneRequest& scene, const FilesByName& files) {
+  for (std::size_t at = scene.name.find(" ("); at != std::string::npos; at = scene.name.find(" (", at + 1)) {
+    const auto [begin, end] = files.equal_range(scene.name.substr(0, at));
+    if (std::any_of(begin, end, [&](const auto& other) { return other.second != scene.scene; })) return true;
+  }
+  return false;
 }
 
 // Without what knows scenes by their names.
@@ -63,7 +68,10 @@ std::vector<std::string> keptWords(const CLI::App& parsed, const CLI::App& other
 std::vector<report::AgainCommand> againCommands(const std::vector<job::SceneRequest>& scenes, const SceneSource& source,
                                                 const std::vector<std::string>& kept) {
   std::vector<report::AgainCommand> commands;
-  for (const job::SceneRequest& scene : scenes)
+  FilesByName files;
+  for (const job::SceneRequest& scene : scenes) files.emplace(scene.name, scene.scene);
+  for (const job::SceneRequest& scene : scenes) {
+    const std::vector<std::string> rest = isCopy(scene, files) ? withoutNames(kept) : kept;
     for (const scenes::ViewRequest& view : scene.views) {
       std::vector<std::string> words = {"parity", "diff"};
       const std::string& environment = scene.settings.scene.environment;
@@ -77,13 +85,13 @@ std::vector<report::AgainCommand> againCommands(const std::vector<job::SceneRequ
                                      : source.suite.empty() && !environment.empty() ? std::vector{environment}
                                                                                     : std::vector<std::string>())
         add(words, "--env", each);
-      const std::vector<std::string> rest = isCopy(scene, scenes) ? withoutNames(kept) : kept;
       words.insert(words.end(), rest.begin(), rest.end());
       if (isOfMany) add(words, "--only", report::globOf(scene.name) + "/" + report::globOf(view.name));
       std::string line;
       for (const std::string& word : words) line += (line.empty() ? "" : " ") + base::shellWord(word);
       commands.push_back({scene.name, view.name, line});
     }
+  }
   return commands;
 }
 

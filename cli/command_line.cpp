@@ -107,6 +107,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   RawWorkers rawWorkers;
   addWorkerOptions(reportApp, report.workers, rawWorkers,
                    "Compare scenes in this many worker processes: a crash costs one scene. Default: in this process");
+  for (const char* option : {"--timeout", "--memory"}) reportApp.get_option(option)->needs(reportApp.get_option("--jobs"));
   reportApp.add_option("--json", report.common.json, "Also write report.json to this file; - for stdout")
       ->type_name(kFile)
       ->group(kOutputGroup);

@@ -8,6 +8,7 @@ namespace parity::cli {
 
 int runMergeCommand(const MergeCommand& command) {
   const job::Plan plan = job::readPlan(command.plan);
+  const job::PlanLock lock(command.plan);
   const job::ReportResult result = job::mergePlan(
       plan, command.plan,
       {.folder = command.folder,

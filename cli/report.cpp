@@ -1,5 +1,8 @@
 // parity report: scenes or a suite in, a folder with the report out.
+#include <fmt/format.h>
+
 #include "base/interrupt.h"
+#include "base/log.h"
 #include "base/parallel.h"
 #include "cli/input_list.h"
 #include "cli/invocation.h"
@@ -9,6 +12,7 @@
 #include "cli/workers.h"
 #include "job/context.h"
 #include "job/plan/merge.h"
+#include "job/plan/unit_store.h"
 #include "job/report_folder.h"
 
 namespace parity::cli {
@@ -33,21 +37,26 @@ void requireSeparateFiles(const ReportCommand& command, const job::ReportRequest
 // whole, so that the same command goes on with what an earlier one has left.
 job::ReportResult reportByWorkers(const ReportCommand& command, job::Context& context, const RunRequest& run,
                                   const job::ReportRequest& request) {
-  const std::filesystem::path folder = request.folder / ".work";
+  const std::filesystem::path folder = request.folder / job::kWorkFolder;
+  job::requireReportFolder(request.folder);
   job::Plan plan = job::makePlan(context, request, command.common.plain, run.given, 1);
+  std::error_code none;
+  std::filesystem::create_directories(folder, none); // what fails is said by the plan
+  const job::PlanLock lock(folder);
   job::writePlanAnew(plan, folder);
   const job::Progress progress = makeProgress(command.common.quiet);
   const job::SuperviseResult work =
       runWorkers(plan, folder, job::UnitStore(folder, plan).missing(),
                  {.workers = command.workers, .threads = command.common.threads, .showErrors = false}, progress);
+  if (work.missing > 0) base::logError(fmt::format("{} scenes are not done: {}", work.missing, work.why));
   const job::ReportResult result =
       job::mergePlan(plan, folder,
                      {.folder = request.folder,
                       .incomplete = job::Incomplete::report,
                       .stoppedBy = base::StopSignal::received(),
+                      .whyMissing = work.why,
                       .bench = request.bench},
                      progress);
-  std::error_code none;
   if (work.missing == 0) std::filesystem::remove_all(folder, none);
   return result;
 }

@@ -43,7 +43,8 @@ std::size_t readIndex(const std::string& text, const std::string& where, std::si
 std::size_t shardIndex(const std::string& shard, std::size_t count) {
   if (shard != "auto") return readIndex(shard, "--shard", 0, count);
   for (const Variable& variable : kVariables)
-    if (const char* value = std::getenv(variable.name)) return readIndex(value, variable.name, variable.first, count);
+    if (const char* value = std::getenv(variable.name); value && *value)
+      return readIndex(value, variable.name, variable.first, count);
   std::string names;
   for (const Variable& variable : kVariables) names += (names.empty() ? "" : ", ") + std::string(variable.name);
   throw base::Error(base::ExitCode::usage, "--shard auto", "",

@@ -15,7 +15,9 @@
 #include "cli/shard_index.h"
 #include "cli/workers.h"
 #include "job/context.h"
+#include "job/plan/unit_store.h"
 #include "job/plan/worker.h"
+#include "scenes/names.h"
 
 namespace parity::cli {
 
@@ -74,15 +76,12 @@ int runHere(const WorkCommand& command, const job::Plan& plan) {
 }
 
 // A folder where no scene is to be found is the wrong place, not a suite whose every scene is lost.
-void requireScenes(const job::Plan& plan, const std::vector<std::size_t>& units) {
+void requireScenes(const job::Plan& plan) {
   std::error_code none;
-  for (const std::size_t unit : units) {
-    const std::string& file = plan.request.scenes[unit].scene;
-    if (file.starts_with("builtin:") || std::filesystem::exists(file, none)) return;
-  }
-  if (units.empty()) return;
-  throw base::Error(base::ExitCode::otherPlan, plan.request.scenes[units.front()].scene, "",
-                    "is not here, nor is any other scene of the shard; start in the folder where the plan was made");
+  for (const job::SceneRequest& scene : plan.request.scenes)
+    if (scenes::isBuiltin(scene.scene) || std::filesystem::exists(scene.scene, none)) return;
+  throw base::Error(base::ExitCode::otherPlan, plan.request.scenes.front().scene, "",
+                    "is not here, nor is any other scene of the plan; start in the folder where the plan was made");
 }
 
 } // namespace
@@ -92,6 +91,8 @@ int runWorkCommand(const WorkCommand& command) {
   if (command.missing) return printMissing(plan, command.folder);
   if (command.supervisor > 0) return runAsWorker(command, plan);
   if (!command.units.empty()) return runHere(command, plan);
+  const base::StopSignal stop("interrupted: what is done stays; the same command goes on from there");
+  requireScenes(plan);
   const job::UnitStore store(command.folder, plan);
   std::vector<std::size_t> units;
   std::size_t all = plan.request.scenes.size();
@@ -105,8 +106,6 @@ int runWorkCommand(const WorkCommand& command) {
     all = plan.shards[shard].size();
     which = fmt::format("shard {}", shard);
   }
-  requireScenes(plan, units);
-  const base::StopSignal stop("interrupted: what is done stays; the same command goes on from there");
   const job::SuperviseResult result =
       runWorkers(plan, command.folder, units,
                  {.workers = command.workers, .threads = command.threads, .showErrors = true, .words = cacheWords(command)},

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <unordered_map>
+#include <unordered_set>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -151,31 +153,39 @@ std::vector<std::byte> BaselinePictures::read(const std::string& name, std::size
   }
 }
 
-std::string BaselinePictures::keepIfChanged(const std::string& before, const std::string& now, const OwnPicture& own,
-                                            std::vector<EncodedPicture>& files) const {
+std::vector<std::byte> BaselinePictures::readIfChanged(const std::string& before, const std::string& now,
+                                                       const OwnPicture& own) const {
   if (before.empty() || now.empty()) return {};
   const std::vector<std::byte> shown = own(now);
   const std::optional<PngSize> size = sizeOf(shown);
   if (!size) return {};
   std::vector<std::byte> bytes = read(before, size->mostBytes());
   if (bytes == shown || sizeOf(bytes) != size || showTheSame(bytes, shown, *size).value_or(true)) return {};
-  std::string file = fmt::format("{}{}{}", kFolder, base::Hasher().add(bytes).hex(), kEnding);
-  if (std::ranges::find(files, file, &EncodedPicture::file) == files.end()) files.push_back({file, std::move(bytes)});
-  return file;
+  return bytes;
 }
 
-std::vector<EncodedPicture> BaselinePictures::keepChanged(report::Report& report, const OwnPicture& own) const {
-  std::vector<EncodedPicture> files;
-  if (m_folder.empty()) return files;
+void BaselinePictures::keepChanged(report::Report& report, const OwnPicture& own, const Keep& keepFile) const {
+  if (m_folder.empty()) return;
+  std::unordered_set<std::string> files;
+  const auto keepIfChanged = [&](const std::string& before, const std::string& now) {
+    std::vector<std::byte> bytes = readIfChanged(before, now, own);
+    if (bytes.empty()) return std::string();
+    std::string file = fmt::format("{}{}{}", kFolder, base::Hasher().add(bytes).hex(), kEnding);
+    if (files.insert(file).second) keepFile({file, std::move(bytes)});
+    return file;
+  };
   const auto keep = [&](std::optional<report::BaselineChange>& change, const report::ImageSet& before,
                         const report::ImageSet& now) {
     if (!change) return;
-    change->images.reference = keepIfChanged(before.reference, now.reference, own, files);
-    change->images.test = keepIfChanged(before.test, now.test, own, files);
+    change->images.reference = keepIfChanged(before.reference, now.reference);
+    change->images.test = keepIfChanged(before.test, now.test);
   };
+  std::unordered_map<std::string_view, const report::SceneResult*> scenes; // the first of a name
+  for (const report::SceneResult& scene : m_baseline.scenes) scenes.try_emplace(scene.name, &scene);
   for (report::SceneResult& scene : report.scenes) {
-    const report::SceneResult* sceneBefore = findNamed(m_baseline.scenes, scene.name);
-    if (!sceneBefore) continue;
+    const auto found = scenes.find(scene.name);
+    if (found == scenes.end()) continue;
+    const report::SceneResult* sceneBefore = found->second;
     for (report::ViewResult& view : scene.views) {
       const report::ViewResult* before = findNamed(sceneBefore->views, view.name);
       if (!before) continue;
@@ -185,7 +195,6 @@ std::vector<EncodedPicture> BaselinePictures::keepChanged(report::Report& report
           keep(material.baseline, then->crops, material.crops);
     }
   }
-  return files;
 }
 
 } // namespace parity::job

@@ -23,16 +23,19 @@ public:
   // The bytes of a picture of this run, by its name in the report.
   using OwnPicture = std::function<std::vector<std::byte>(const std::string& file)>;
 
+  // Takes a file to write.
+  using Keep = std::function<void(EncodedPicture picture)>;
+
   // Names in the report, which was compared with the baseline, each picture of it that this run shows otherwise, and
-  // returns the files to write: baseline/HASH.png, each content once. None for a picture that is missing, damaged, of
+  // gives the files to write, one by one: baseline/HASH.png, each content once. None for a picture that is missing, damaged, of
   // another size, or not below the baseline's folder; that is no error.
-  std::vector<EncodedPicture> keepChanged(report::Report& report, const OwnPicture& own) const;
+  void keepChanged(report::Report& report, const OwnPicture& own, const Keep& keep) const;
 
   static constexpr std::size_t kMostHeldBytes = std::size_t{512} << 20;
 
 private:
-  std::string keepIfChanged(const std::string& before, const std::string& now, const OwnPicture& own,
-                            std::vector<EncodedPicture>& files) const;
+  // The bytes of the baseline's picture, where they show something else; else nothing.
+  std::vector<std::byte> readIfChanged(const std::string& before, const std::string& now, const OwnPicture& own) const;
   std::vector<std::byte> read(const std::string& name, std::size_t maxBytes) const;
   void holdAll();
 

@@ -25,7 +25,7 @@ std::string hashOfThisBuild() {
 Context::Context(const Settings& settings)
     : m_settings(settings), m_display(settings.display),
       m_cache(settings.cacheFolder ? base::Cache(*settings.cacheFolder, settings.cacheBytes) : base::Cache::disabled()),
-      m_buildId(settings.cacheFolder ? hashOfThisBuild() : std::string()) {
+      m_buildId(settings.cacheFolder ? base::Hasher().add(hashOfThisBuild()).add(hostNumerics()).hex() : std::string()) {
   base::logDetail(m_cache.enabled() ? fmt::format("cache: {}", m_cache.folder().string()) : "cache: off");
 }
 

@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <span>
 
-#include <gnu/libc-version.h>
-#include <hwy/targets.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
 
 #include "base/hash.h"
 #include "compare/flip/flip.h"
@@ -54,31 +56,51 @@ std::string processor() {
   return text;
 }
 
-std::string measure(Context& context) {
+// What the environment tells Mesa and its compiler, sorted.
+std::string driverVariables() {
+  std::set<std::string> told;
+  for (char** entry = environ; *entry; ++entry)
+    for (const char* prefix : {"LP_", "GALLIVM_", "MESA_", "LIBGL_", "VK_"})
+      if (const std::string text = *entry; text.starts_with(prefix) && !text.starts_with("MESA_SHADER_CACHE"))
+        told.insert(text);
+  return fmt::format("{}", fmt::join(told, "\n"));
+}
+
+std::string measureDevice(Context& context) {
+  const std::vector<std::uint32_t> words = gpu::numericsOf(context.device());
+  return base::Hasher().add(std::as_bytes(std::span{words})).hex();
+}
+
+std::string deviceNumerics(Context& context) {
+  if (!context.cache().enabled()) return measureDevice(context);
+  const gpu::DeviceReport& device = context.deviceReport();
   base::Hasher hasher;
-  addLibm<float>(hasher);
-  addLibm<double>(hasher);
-  addSimd(hasher);
-  const std::vector<std::uint32_t> device = gpu::numericsOf(context.device());
-  hasher.add(std::as_bytes(std::span{device}));
-  return hasher.hex();
+  for (const std::string& text :
+       {context.buildId(), device.name, device.driver, device.build, processor(), driverVariables()})
+    hasher.add(text);
+  const std::string key = "numerics-" + hasher.hex();
+  if (const auto bytes = context.cache().find(key))
+    return {reinterpret_cast<const char*>(bytes->data()), bytes->size()};
+  const std::string id = measureDevice(context);
+  context.cache().store(key, std::as_bytes(std::span{id}));
+  return id;
 }
 
 } // namespace
 
-std::string numericsId(Context& context) {
-  if (!context.cache().enabled()) return measure(context);
-  const gpu::DeviceReport& device = context.deviceReport();
-  base::Hasher hasher;
-  for (const std::string& text : {context.buildId(), device.name, device.driver, device.build, processor(),
-                                  std::string(gnu_get_libc_version())})
-    hasher.add(text);
-  const std::string key = "numerics-" + hasher.addValue(static_cast<std::int64_t>(hwy::SupportedTargets())).hex();
-  if (const auto bytes = context.cache().find(key))
-    return {reinterpret_cast<const char*>(bytes->data()), bytes->size()};
-  const std::string id = measure(context);
-  context.cache().store(key, std::as_bytes(std::span{id}));
+const std::string& hostNumerics() {
+  static const std::string id = [] {
+    base::Hasher hasher;
+    addLibm<float>(hasher);
+    addLibm<double>(hasher);
+    addSimd(hasher);
+    return hasher.hex();
+  }();
   return id;
+}
+
+std::string numericsId(Context& context) {
+  return base::Hasher().add(hostNumerics()).add(deviceNumerics(context)).hex();
 }
 
 } // namespace parity::job

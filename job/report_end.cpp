@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/hash.h"
 #include "base/log.h"
 #include "base/text/glob.h"
 #include "base/text/nearest.h"
@@ -97,8 +98,17 @@ ReportEnd::ReportEnd(const ReportRequest& request, RunBudgets& budgets, RunFacts
   if (!m_baselineFile.empty()) m_baseline = report::readReport(m_baselineFile);
   if (m_baseline) m_budgets.setBaseline(&*m_baseline);
   if (request.folder.empty()) return;
-  if (m_baseline) m_baselinePictures.emplace(*m_baseline, report::reportFileOf(request.baseline), request.folder);
+  if (m_baseline && isBaselineInPlace()) m_baselinePictures.emplace(*m_baseline, report::reportFileOf(request.baseline), request.folder);
   prepareReportFolder(request.folder, request.singleFile);
+}
+
+// Of a frozen one the pictures may be gone, or of a later run.
+bool ReportEnd::isBaselineInPlace() const {
+  const std::filesystem::path original = report::reportFileOf(m_request.baseline);
+  if (m_baselineFile == m_request.baseline) return true;
+  std::error_code none;
+  return std::filesystem::is_regular_file(original, none) &&
+         base::hashOfFile(original) == base::hashOfFile(m_baselineFile);
 }
 
 void ReportEnd::add(std::size_t index, ComparedScene scene) {
@@ -141,16 +151,20 @@ void ReportEnd::holdBudgets(const Settings& settings, report::Report& report) co
 
 // The pictures of the baseline that this run's report shows, too: written, or put with those of a single file.
 void ReportEnd::keepBaselinePictures(report::Report& report, std::vector<EncodedPicture>& pictures) const {
-  std::vector<EncodedPicture> kept = m_baselinePictures->keepChanged(report, [&](const std::string& file) {
+  const auto own = [&](const std::string& file) {
     if (!m_request.singleFile && std::filesystem::exists(m_request.folder / file))
       return base::readFile(m_request.folder / file);
     const auto found = std::ranges::find(pictures, file, &EncodedPicture::file);
     return found == pictures.end() ? std::vector<std::byte>() : found->bytes;
+  };
+  std::vector<EncodedPicture> kept; // of one file
+  m_baselinePictures->keepChanged(report, own, [&](EncodedPicture picture) {
+    if (m_request.singleFile)
+      kept.push_back(std::move(picture));
+    else
+      writePictures({std::move(picture)}, m_request.folder);
   });
-  if (m_request.singleFile)
-    std::ranges::move(kept, std::back_inserter(pictures));
-  else
-    writePictures(kept, m_request.folder);
+  std::ranges::move(kept, std::back_inserter(pictures));
 }
 
 ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Progress& progress) {

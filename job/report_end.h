@@ -48,6 +48,7 @@ public:
   ReportResult finish(Context& context, report::RunInfo run, const Progress& progress);
 
 private:
+  bool isBaselineInPlace() const;
   void holdBudgets(const Settings& settings, report::Report& report) const;
   void keepBaselinePictures(report::Report& report, std::vector<EncodedPicture>& pictures) const;
 

@@ -86,14 +86,17 @@ std::string imagePrefix(std::size_t sceneIndex, const std::string& scene, std::s
   return safeFileName(sceneIndex, scene) + "_" + safeFileName(viewIndex, view);
 }
 
-void prepareReportFolder(const std::filesystem::path& folder, bool singleFile) {
+void requireReportFolder(const std::filesystem::path& folder) {
   std::error_code error;
   if (std::filesystem::exists(folder / "index.html", error) && !std::filesystem::exists(folder / "report.json", error))
     throw base::fileError(folder.string(), "index.html", "was not written by a report; give another folder");
   std::filesystem::create_directories(folder, error);
   if (error) throw base::fileError(folder.string(), "", "cannot be created as a folder: " + error.message());
+}
 
-  error = clean(folder, isReportFile);
+void prepareReportFolder(const std::filesystem::path& folder, bool singleFile) {
+  requireReportFolder(folder);
+  std::error_code error = clean(folder, isReportFile);
   if (!error) error = cleanOwn(folder / "images", isPictureOfAReport);
   if (!error) error = cleanOwn(folder / "pixels", isPixelFileOfAReport);
   if (!error) error = cleanOwn(folder / "scenes", isSceneFile);

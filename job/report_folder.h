@@ -21,7 +21,10 @@ std::string imagePrefix(std::size_t sceneIndex, const std::string& scene, std::s
 inline constexpr std::array<const char*, 7> kReportFiles = {"report.json",  "run.json",      "junit.xml", "index.html",
                                                             "dashboard.js", "dashboard.css", "bench.json"};
 
-// Makes the folder, and removes what an older report has left in it: a run that dies midway leaves no old verdict
+// Makes the folder. Throws Error (exit 4), also where it holds a page that no report has written.
+void requireReportFolder(const std::filesystem::path& folder);
+
+// The same; and removes what an older report has left in it: a run that dies midway leaves no old verdict
 // beside new pictures. Files that no report writes stay. singleFile: images/ and pixels/ are not needed. Throws Error
 // (exit 4).
 void prepareReportFolder(const std::filesystem::path& folder, bool singleFile);

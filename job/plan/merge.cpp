@@ -4,11 +4,8 @@
 #include <map>
 #include <set>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include "base/error.h"
 #include "job/context.h"
@@ -19,25 +16,6 @@
 namespace parity::job {
 
 namespace {
-
-// One merge of a plan at a time.
-class Lock {
-public:
-  explicit Lock(const std::filesystem::path& folder)
-      : m_descriptor(::open((folder / kPlanFile).c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (m_descriptor >= 0 && ::flock(m_descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-      throw base::Error(base::ExitCode::incomplete, folder.string(), "",
-                        "another merge of this plan is running; try again when it is done");
-  }
-  ~Lock() {
-    if (m_descriptor >= 0) ::close(m_descriptor);
-  }
-  Lock(const Lock&) = delete;
-  Lock& operator=(const Lock&) = delete;
-
-private:
-  int m_descriptor;
-};
 
 std::size_t shardOf(const Plan& plan, std::size_t unit) {
   const auto holds = [&](const std::vector<std::size_t>& shard) { return std::ranges::count(shard, unit) > 0; };
@@ -63,10 +41,11 @@ public:
   Merge(const Plan& plan, const std::filesystem::path& folder, const MergeOptions& options)
       : m_plan(plan), m_store(folder, plan), m_request(plan.request), m_context(plan.settings()),
         m_budgets(plan.plain.budgets, plan.request.suiteBudgets, plan.budgets),
-        m_baseline(plan.request.baseline.empty() ? std::filesystem::path() : baselineOf(folder)) {
+        m_baseline(plan.request.baseline.empty() ? std::filesystem::path() : baselineOf(plan, folder)) {
     m_request.folder = options.folder;
     m_request.bench = options.bench;
     m_stoppedBy = options.stoppedBy;
+    m_whyMissing = options.whyMissing;
     m_context.stopWhen([this] { return m_stoppedBy; });
   }
 
@@ -109,7 +88,9 @@ private:
   ComparedScene missingScene(std::size_t index) const {
     ComparedScene scene;
     scene.result = startScene(m_request.scenes[index]);
-    scene.result.error = fmt::format("has no result: shard {} did not finish it", shardOf(m_plan, index));
+    scene.result.error = !m_whyMissing.empty() ? "was not done: " + m_whyMissing
+                                               : fmt::format("has no result: shard {} did not finish it",
+                                                             shardOf(m_plan, index));
     scene.result.errorExitCode = static_cast<int>(base::ExitCode::failed);
     scene.error = fmt::format("{}: {}", scene.result.name, scene.result.error);
     return scene;
@@ -119,11 +100,22 @@ private:
     Unit unit = m_store.read(index);
     ComparedScene scene = std::move(unit.scene);
     if (!scene.result.views.empty()) report::judgeScene(scene.result, m_budgets.of(m_request.scenes[index]));
-    for (const UnitFile& file : unit.files)
-      if (m_request.singleFile)
-        scene.pictures.push_back({file.file, m_store.contentOf(file)});
-      else
-        m_store.place(file, m_request.folder);
+    try {
+      for (const UnitFile& file : unit.files)
+        if (m_request.singleFile)
+          scene.pictures.push_back({file.file, m_store.contentOf(file)});
+        else
+          m_store.place(file, m_request.folder);
+    } catch (const base::Error& error) { // as where `report` cannot write a picture
+      scene.error += (scene.error.empty() ? "" : "\n") + fmt::format("{}: {}", scene.result.name, error.what());
+      scene.result.error = error.what();
+      scene.result.errorExitCode = static_cast<int>(error.code());
+    }
+    for (const scenes::SourceFile& input : scene.inputs)
+      if (const auto known = m_inputs.try_emplace(input.file.string(), input.hash).first; known->second != input.hash)
+        end.warn(fmt::format("file '{}' changed while the scenes of the plan were compared: scene '{}' has another "
+                             "content of it than the scenes before",
+                             input.file.filename().string(), scene.result.name));
     if (m_store.differs(index))
       end.warn(fmt::format("scene '{}' came out in two ways (nondeterminism): two workers that did the same work got "
                            "different figures; the report has those of the first",
@@ -149,6 +141,8 @@ private:
   RunBudgets m_budgets;
   std::filesystem::path m_baseline;
   int m_stoppedBy = 0;
+  std::string m_whyMissing;
+  std::map<std::string, std::string> m_inputs; // files that scenes were read from, and their hashes
   std::vector<std::size_t> m_missing; // in order
   std::set<std::string> m_shaders;
   std::vector<std::pair<std::string, double>> m_timings;
@@ -159,7 +153,6 @@ private:
 
 ReportResult mergePlan(const Plan& plan, const std::filesystem::path& folder, const MergeOptions& options,
                        const Progress& progress) {
-  const Lock lock(folder);
   return Merge(plan, folder, options).run(options.incomplete, progress);
 }
 

@@ -1,19 +1,26 @@
 #include "job/plan/plan.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <numeric>
 #include <system_error>
+#include <unordered_map>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include "base/error.h"
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/text/error_words.h"
 #include "base/version.h"
+#include "base/write_pieces.h"
 #include "job/context.h"
 #include "job/knobs.h"
 #include "job/plan/plan_json.h"
+#include "job/plan/unit_store.h"
 #include "job/scene_times.h"
 #include "report/reader.h"
 
@@ -22,6 +29,8 @@ namespace parity::job {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kBaselineFile = "baseline.json";
 
 // Not of what run.json alone says: another number of shards is the same plan.
 std::string digestOf(Plan plan) {
@@ -56,12 +65,31 @@ bool holdsAnother(Plan& plan, const fs::path& folder) {
   }
 }
 
+fs::path baselineFile(const fs::path& folder, std::size_t scene) {
+  return folder / "baseline" / fmt::format("{:06}.json", scene);
+}
+
+// Workers read what it says of their scenes alone: all of it may be a gigabyte.
+void writeBaseline(const Plan& plan, const fs::path& folder) {
+  const std::vector<std::byte> bytes = base::readFile(plan.request.baseline);
+  base::writeBytes(folder / kBaselineFile, bytes);
+  report::Report baseline = report::readReport(folder / kBaselineFile);
+  std::unordered_map<std::string, std::vector<report::SceneResult>> scenes;
+  for (report::SceneResult& scene : baseline.scenes) scenes[scene.name].push_back(std::move(scene));
+  for (std::size_t i = 0; i < plan.request.scenes.size(); ++i) {
+    const auto found = scenes.find(plan.request.scenes[i].name);
+    if (found == scenes.end()) continue;
+    baseline.scenes = std::move(found->second);
+    base::writePieces(baselineFile(folder, i), [&](const base::TextSink& sink) { report::writeJson(baseline, sink); });
+  }
+}
+
 void write(const Plan& plan, const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw base::fileError(folder.string(), "", "cannot be created as a folder: " + error.message());
-  if (!plan.request.baseline.empty())
-    base::writeBytes(baselineOf(folder), base::readFile(report::reportFileOf(plan.request.baseline)));
+  if (!plan.request.baseline.empty()) writeBaseline(plan, folder);
+  if (fs::exists(folder / kPlanFile, error)) UnitStore(folder, plan).dropOutdated();
   base::writeText(folder / kPlanFile, planText(plan, true)); // the last: whoever sees it may begin
 }
 
@@ -73,7 +101,10 @@ Plan makePlan(Context& context, ReportRequest request, const Settings& plain, co
               std::size_t shards) {
   Plan plan{base::kVersion, hashOfThisBuild(), context.numerics(), factsOf(context), plain, given, {}, {}, {}, {}, {}};
   plan.budgets = freezeBudgets(request, context.settings());
-  if (!request.baseline.empty()) plan.baseline = base::hashOfFile(report::reportFileOf(request.baseline));
+  if (!request.baseline.empty()) {
+    request.baseline = report::reportFileOf(request.baseline); // as it is named now: at the merge it may be gone
+    plan.baseline = base::hashOfFile(request.baseline);
+  }
   plan.shards = packShards(request.scenes.size(), estimateTimes(context.cache(), request.scenes).seconds, shards);
   plan.request = std::move(request);
   return plan;
@@ -95,7 +126,31 @@ std::vector<std::vector<std::size_t>> packShards(std::size_t scenes, const std::
   return packed;
 }
 
-fs::path baselineOf(const fs::path& folder) { return folder / "baseline.json"; }
+fs::path baselineOf(const Plan& plan, const fs::path& folder) {
+  fs::path file = folder / kBaselineFile;
+  if (base::hashOfFile(file) != plan.baseline)
+    throw base::Error(base::ExitCode::otherPlan, file.string(), "", "is not the baseline of the plan");
+  return file;
+}
+
+fs::path baselineOf(const fs::path& folder, std::size_t scene) {
+  fs::path file = baselineFile(folder, scene);
+  std::error_code none;
+  return fs::exists(file, none) ? file : fs::path();
+}
+
+PlanLock::PlanLock(const fs::path& folder)
+    : m_descriptor(::open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+  if (m_descriptor >= 0 && ::flock(m_descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(m_descriptor);
+    throw base::Error(base::ExitCode::incomplete, folder.string(), "",
+                      "another process merges this plan; try again when it is done");
+  }
+}
+
+PlanLock::~PlanLock() {
+  if (m_descriptor >= 0) ::close(m_descriptor);
+}
 
 void writePlan(Plan& plan, const fs::path& folder) {
   if (holdsAnother(plan, folder))

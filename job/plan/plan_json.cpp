@@ -170,7 +170,8 @@ void requireShards(const Plan& plan) {
   std::vector<int> count(plan.request.scenes.size());
   for (const std::vector<std::size_t>& shard : plan.shards)
     for (const std::size_t scene : shard) ++count.at(scene);
-  if (plan.shards.empty() || plan.request.scenes.empty() || std::ranges::any_of(count, [](int n) { return n != 1; }))
+  if (plan.request.scenes.empty()) throw std::runtime_error("it has no scene");
+  if (plan.shards.empty() || std::ranges::any_of(count, [](int n) { return n != 1; }))
     throw std::runtime_error("its shards do not hold each scene once");
 }
 

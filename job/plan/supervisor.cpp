@@ -31,6 +31,8 @@ using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
 constexpr double kMostBatchS = 60, kGraceS = 5, kLookS = 0.05;
+constexpr double kMostStartS = 120; // until a worker is ready, where a scene may take less
+constexpr double kMostDeathS = 10;  // after SIGKILL: one that hangs in the kernel is given up
 constexpr int kMostStarts = 3; // that fail in a row
 constexpr std::size_t kMostLines = 8, kMostLineBytes = 300;
 
@@ -79,8 +81,10 @@ private:
   void step(Slot& slot) {
     if (!slot.process && !m_isOver) start(slot);
     if (!slot.process) return;
-    const std::optional<base::ProcessEnd> end = slot.process->end(); // first: what is read then is all
+    std::optional<base::ProcessEnd> end = slot.process->end(); // first: what is read then is all
     listen(slot);
+    if (!end && slot.isKilled && Seconds(Clock::now() - slot.killAt).count() > kMostDeathS)
+      end = base::ProcessEnd{0, SIGKILL};
     if (end)
       bury(slot, *end);
     else if (slot.isReady && !slot.unit)
@@ -93,14 +97,19 @@ private:
     const bool isAlone = !m_again.empty();
     if (!isAlone && m_queue.empty()) return;
     slot = {};
-    slot.page = std::make_unique<StagePage>();
-    slot.process = std::make_unique<base::ChildProcess>(m_options.command, slot.page->descriptor());
+    try {
+      slot.page = std::make_unique<StagePage>();
+      slot.process = std::make_unique<base::ChildProcess>(m_options.command, slot.page->descriptor());
+    } catch (const base::Error& error) { // too many processes or open files
+      m_isDead = true;
+      return stopAll(error.what());
+    }
     slot.isAlone = isAlone;
     slot.born = slot.since = Clock::now();
   }
 
   void giveNext(Slot& slot) {
-    if (slot.isRetiring) return watch(slot);
+    if (slot.isRetiring || !slot.fault.empty()) return watch(slot);
     std::deque<std::size_t>& queue = slot.isAlone ? m_again : m_queue;
     const bool isFull = slot.isAlone ? slot.scenes > 0
                                      : slot.scenes >= kMostScenes || Seconds(Clock::now() - slot.born).count() > kMostBatchS;
@@ -114,6 +123,7 @@ private:
     queue.pop_front();
     ++slot.scenes;
     slot.since = Clock::now();
+    m_store.noteBegun(*slot.unit);
     slot.process->send(std::to_string(*slot.unit));
   }
 
@@ -139,6 +149,7 @@ private:
 
   void finish(Slot& slot) {
     ++m_result.done;
+    m_store.forgetBegun(*slot.unit);
     keepFailures();
     base::logDetail(fmt::format("{}: done in {:.1f} s", nameOf(*slot.unit), Seconds(Clock::now() - slot.since).count()));
     if (const auto crash = m_attempts.find(*slot.unit); crash != m_attempts.end())
@@ -157,7 +168,7 @@ private:
       if (elapsed > kGraceS) slot.process->signal(SIGKILL);
       return;
     }
-    if (elapsed > m_options.timeoutS)
+    if (elapsed > (slot.isReady ? m_options.timeoutS : std::max(m_options.timeoutS, kMostStartS)))
       slot.fault = fmt::format("took longer than {:g} s (--timeout)", m_options.timeoutS);
     else if (const std::size_t bytes = residentBytes(slot); m_options.memoryBytes > 0 && bytes > m_options.memoryBytes)
       slot.fault = fmt::format("took more than {} MiB of memory (--memory)", m_options.memoryBytes >> 20);
@@ -176,19 +187,29 @@ private:
     const std::optional<std::size_t> unit = slot.unit;
     const auto isCode = [&](base::ExitCode code) { return end.signal == 0 && end.exitCode == static_cast<int>(code); };
     const std::string words = describe(slot, end);
-    const bool wasReady = slot.isReady, isAlone = slot.isAlone;
+    const bool wasReady = slot.isReady, isAlone = slot.isAlone, wasToldToEnd = slot.fault.empty() && isBySignal(end);
     const std::string lastLine = slot.lastLines.empty() ? words : slot.lastLines.back();
     slot = {};
     if (isCode(base::ExitCode::otherPlan) || isCode(base::ExitCode::incomplete)) {
-      m_result.otherPlan = isCode(base::ExitCode::otherPlan);
+      m_result.otherPlan |= isCode(base::ExitCode::otherPlan);
       stopAll(lastLine);
     } else if (!wasReady) {
-      if (++m_failedStarts >= kMostStarts) stopAll("no worker can start: " + lastLine);
+      if (++m_failedStarts < kMostStarts) return;
+      m_isDead = true;
+      stopAll("no worker can start: " + lastLine);
+    } else if (unit && wasToldToEnd) { // as a scheduler tells all processes of a job: nothing is wrong with the scene
+      (isAlone ? m_again : m_queue).push_front(*unit);
     } else if (unit) {
       fail(*unit, words, isAlone);
     } else if (end.signal != 0 || end.exitCode != 0) {
       base::logDetail("a worker ended badly after its work was done: " + words);
     }
+  }
+
+  // The exit code of a worker that was told to end and did.
+  static bool isBySignal(const base::ProcessEnd& end) {
+    constexpr int kOfSignals = 128;
+    return end.signal == 0 && (end.exitCode == kOfSignals + SIGTERM || end.exitCode == kOfSignals + SIGINT);
   }
 
   std::string describe(const Slot& slot, const base::ProcessEnd& end) const {
@@ -221,13 +242,17 @@ private:
   void keepFailures() {
     m_failuresInARow = 0;
     for (const auto& [unit, words] : std::exchange(m_failures, {})) {
+      if (m_store.findFault(unit).empty()) { // another machine could, or the worker crashed behind its record
+        ++m_result.done;
+        continue;
+      }
       const SceneRequest& request = m_plan.request.scenes[unit];
       ComparedScene scene;
       scene.result = startScene(request);
       scene.result.error = "its worker failed twice: it " + words;
       scene.result.errorExitCode = static_cast<int>(base::ExitCode::failed);
       scene.error = fmt::format("{}: {}", request.name, scene.result.error);
-      if (!tryToWrite([&] { m_store.put(unit, std::move(scene), {}); })) return;
+      if (!tryToWrite([&] { m_store.put(unit, std::move(scene), {.isGivenUp = true}); })) return;
       ++m_result.done;
       ++m_result.crashed;
     }
@@ -251,11 +276,14 @@ private:
 
   void endAll() {
     for (const Slot& slot : m_slots)
-      if (slot.process) slot.process->signal(SIGTERM);
+      if (slot.process) slot.process->closeInput(), slot.process->signal(SIGTERM);
     const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(Seconds(kGraceS));
     while (Clock::now() < deadline &&
-           std::ranges::any_of(m_slots, [](const Slot& slot) { return slot.process && !slot.process->end(); }))
+           std::ranges::any_of(m_slots, [](const Slot& slot) { return slot.process && !slot.process->end(); })) {
+      for (Slot& slot : m_slots)
+        if (slot.process) listen(slot);
       wait();
+    }
     m_slots.clear(); // kills what still runs
   }
 

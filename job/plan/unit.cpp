@@ -45,6 +45,7 @@ struct RunPart {
   bool isCached = false;
   std::vector<StageTime> timings;
   std::vector<std::string> shaders;
+  bool isGivenUp = false;
 };
 
 constexpr std::string_view kMagic = "PARITYU1";
@@ -70,7 +71,8 @@ template <> inline constexpr auto kRecord<job::Content> = record<job::Content>("
     hidden(&job::Content::result), hidden(&job::Content::leftOut), hidden(&job::Content::files), hidden(&job::Content::inputs),
     hidden(&job::Content::isLeftOut), hidden(&job::Content::materials), hidden(&job::Content::error), hidden(&job::Content::warnings));
 template <> inline constexpr auto kRecord<job::RunPart> = record<job::RunPart>("", "",
-    hidden(&job::RunPart::seconds), hidden(&job::RunPart::isCached), hidden(&job::RunPart::timings), hidden(&job::RunPart::shaders));
+    hidden(&job::RunPart::seconds), hidden(&job::RunPart::isCached), hidden(&job::RunPart::timings), hidden(&job::RunPart::shaders),
+    hidden(&job::RunPart::isGivenUp));
 template <> inline constexpr auto kRecord<job::UnitOrigin> = record<job::UnitOrigin>("", "",
     hidden(&job::UnitOrigin::plan), hidden(&job::UnitOrigin::build), hidden(&job::UnitOrigin::numerics), hidden(&job::UnitOrigin::index));
 // clang-format on
@@ -105,7 +107,7 @@ Content contentOf(const Unit& unit) {
 }
 
 RunPart runOf(const UnitRun& run) {
-  RunPart kept{run.seconds, run.isCached, {}, run.shaders};
+  RunPart kept{run.seconds, run.isCached, {}, run.shaders, run.isGivenUp};
   for (const auto& [stage, timeMs] : run.timings) kept.timings.push_back({stage, timeMs});
   return kept;
 }
@@ -129,6 +131,7 @@ Unit unitOf(Content content, RunPart run) {
   scene.isCached = unit.run.isCached = run.isCached;
   for (const StageTime& time : run.timings) unit.run.timings.emplace_back(time.stage, time.timeMs);
   unit.run.shaders = std::move(run.shaders);
+  unit.run.isGivenUp = run.isGivenUp;
   return unit;
 }
 

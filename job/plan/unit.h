@@ -16,8 +16,9 @@ namespace parity::job {
 struct UnitRun {
   double seconds = 0;
   bool isCached = false;
-  std::vector<std::pair<std::string, double>> timings; // stage, ms
-  std::vector<std::string> shaders;                    // that it was the first of its worker to compile
+  std::vector<std::pair<std::string, double>> timings = {}; // stage, ms
+  std::vector<std::string> shaders = {};                    // that it was the first of its worker to compile
+  bool isGivenUp = false; // no worker survived it: the scene is an error, until a worker does
 };
 
 // A picture or pixel file, whose content lies among the plan's blobs.

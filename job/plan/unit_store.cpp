@@ -1,6 +1,8 @@
 #include "job/plan/unit_store.h"
 
 #include <algorithm>
+#include <fstream>
+#include <map>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -16,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char *kUnit = "unit", *kOther = "other", *kCrash = "crash";
+constexpr const char *kUnit = "unit", *kOther = "other", *kCrash = "crash", *kBegun = "begun";
 
 } // namespace
 
@@ -35,7 +37,8 @@ UnitFile UnitStore::keep(const EncodedPicture& picture) const {
   UnitFile file{picture.file, base::Hasher().add(picture.bytes).hex(), picture.bytes.size()};
   const fs::path blob = blobOf(file.hash);
   std::error_code none;
-  if (!fs::exists(blob, none) || fs::file_size(blob, none) != file.bytes) base::writeBytes(blob, picture.bytes);
+  if (fs::exists(blob, none) && fs::file_size(blob, none) != file.bytes) fs::remove(blob, none);
+  base::writeOnce(blob, picture.bytes);
   return file;
 }
 
@@ -70,34 +73,83 @@ std::vector<std::size_t> UnitStore::missing() const {
   std::vector<std::size_t> list;
   for (std::size_t i = 0; i < m_plan.request.scenes.size(); ++i)
     if (!findFault(i).empty()) list.push_back(i);
+  sortByBegun(list);
   return list;
 }
 
 std::vector<std::size_t> UnitStore::missing(std::size_t shard) const {
   std::vector<std::size_t> list = m_plan.shards.at(shard);
   std::erase_if(list, [&](std::size_t i) { return findFault(i).empty(); });
+  sortByBegun(list);
   return list;
+}
+
+void UnitStore::sortByBegun(std::vector<std::size_t>& units) const {
+  std::map<std::size_t, std::uintmax_t> times; // a byte each
+  for (const std::size_t unit : units) {
+    std::error_code error;
+    const std::uintmax_t bytes = fs::file_size(fileOf(unit, kBegun), error);
+    times[unit] = error ? 0 : bytes;
+  }
+  std::ranges::stable_sort(units, {}, [&](std::size_t unit) { return times[unit]; });
+}
+
+void UnitStore::noteBegun(std::size_t index) const {
+  std::error_code none;
+  fs::create_directories(m_folder / "units", none);
+  std::ofstream(fileOf(index, kBegun), std::ios::app) << '.';
+}
+
+void UnitStore::forgetBegun(std::size_t index) const {
+  std::error_code none;
+  fs::remove(fileOf(index, kBegun), none);
+}
+
+void UnitStore::dropOutdated() const {
+  std::map<fs::path, std::string> hashes; // of files as they are now; empty: not there
+  const auto hashOf = [&](const fs::path& file) -> const std::string& {
+    const auto [entry, isNew] = hashes.try_emplace(file);
+    try {
+      if (isNew) entry->second = base::hashOfFile(file);
+    } catch (const base::Error& error) {
+      base::logDetail(error.what());
+    }
+    return entry->second;
+  };
+  for (std::size_t i = 0; i < m_plan.request.scenes.size(); ++i) {
+    try {
+      const ComparedScene scene = read(i).scene;
+      const auto isSame = [&](const scenes::SourceFile& input) { return hashOf(input.file) == input.hash; };
+      if (scene.result.error.empty() && std::ranges::all_of(scene.inputs, isSame)) continue;
+    } catch (const base::Error& error) { // it is done anew anyway
+      base::logDetail(error.what());
+    }
+    std::error_code none;
+    for (const char* ending : {kUnit, kOther, kCrash, kBegun}) fs::remove(fileOf(i, ending), none);
+  }
 }
 
 void UnitStore::put(std::size_t index, ComparedScene scene, UnitRun run) const {
   Unit unit{.scene = {}, .files = {}, .run = std::move(run)};
   for (const EncodedPicture& picture : scene.pictures) unit.files.push_back(keep(picture));
   scene.pictures.clear();
+  const bool isGivenUp = unit.run.isGivenUp;
   unit.scene = std::move(scene);
   const std::vector<std::byte> bytes = toBytes(unit, {m_plan.digest, m_plan.build, m_plan.numerics, index});
   const fs::path file = fileOf(index, kUnit);
   if (base::writeOnce(file, bytes)) return;
-  try {
+  if (findFault(index).empty()) {
+    if (isGivenUp) return; // who could do it is right
     const ReadUnit before = readWhole(file);
-    if (before.content == unitFromBytes(bytes, m_plan.build)->content && findFault(index).empty()) return;
-    if (findFault(index).empty()) {
-      base::writeOnce(fileOf(index, kOther), bytes);
+    if (!before.unit->run.isGivenUp) {
+      if (before.content != unitFromBytes(bytes, m_plan.build)->content) base::writeOnce(fileOf(index, kOther), bytes);
       return;
     }
-  } catch (const base::Error& error) {
-    base::logDetail(fmt::format("{}: is replaced", error.what()));
   }
-  base::writeBytes(file, bytes);
+  base::logDetail(fmt::format("{}: is replaced", file.string()));
+  std::error_code none;
+  fs::remove(file, none);
+  base::writeOnce(file, bytes);
 }
 
 Unit UnitStore::read(std::size_t index) const {
@@ -134,9 +186,10 @@ void UnitStore::place(const UnitFile& file, const fs::path& folder) const {
   const fs::path to = folder / file.file;
   std::error_code error;
   fs::create_directories(to.parent_path(), error);
+  fs::remove(to, error); // never written over: it may be a link to another picture, or another scene's same texture
   fs::create_hard_link(blobOf(file.hash), to, error);
-  if (!error || fs::exists(to, error)) return; // scenes may share textures
-  fs::copy_file(blobOf(file.hash), to, fs::copy_options::overwrite_existing, error);
+  if (!error) return;
+  fs::copy_file(blobOf(file.hash), to, error);
   if (error) throw base::fileError(to.string(), "cannot be written", error.message());
 }
 

@@ -4,10 +4,14 @@
 #include <chrono>
 #include <cstdio>
 #include <iostream>
+#include <memory>
 #include <set>
+#include <system_error>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include "bake/baked_folder.h"
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/log.h"
@@ -32,14 +36,11 @@ public:
                         fmt::format("was made on a machine that rounds otherwise (numerics id {}, here {}), so figures "
                                     "would differ; 'parity devices' prints the id",
                                     plan.numerics.substr(0, 8), m_context.numerics().substr(0, 8)));
-    if (!plan.request.baseline.empty()) {
-      m_baseline = report::readReport(baselineOf(folder));
-      m_budgets.setBaseline(&*m_baseline);
-    }
   }
 
   // False where the run was told to stop: nothing is kept then.
   bool doUnit(std::size_t index, const Tell& tell) {
+    takeBaseline(index);
     const auto before = m_context.timings().stages();
     const auto start = std::chrono::steady_clock::now();
     ComparedScene scene = compareScene(m_context, m_request, index, m_budgets, tell);
@@ -47,6 +48,7 @@ public:
     scene.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!scene.isCached && scene.result.error.empty())
       keepSceneTime(m_context.cache(), m_request.scenes[index], scene.seconds);
+    noteInputs(m_request.scenes[index].settings.scene, scene.inputs);
     dropPictures(scene, m_request.pictures, m_budgets.baseline(), m_plan.facts);
     if (!scene.error.empty()) base::logError(scene.error);
     UnitRun run{scene.seconds, scene.isCached, timingsSince(before), newShaders()};
@@ -59,6 +61,23 @@ public:
   }
 
 private:
+  // The scene may be new since the baseline: then that knows nothing of it, but there is one.
+  void takeBaseline(std::size_t index) {
+    if (m_plan.request.baseline.empty()) return;
+    const std::filesystem::path file = baselineOf(m_request.folder, index);
+    m_baseline = file.empty() ? report::Report() : report::readReport(file);
+    m_budgets.setBaseline(&*m_baseline);
+  }
+
+  // What the scene was read from besides its own files.
+  static void noteInputs(const scenes::SceneSettings& settings, std::vector<scenes::SourceFile>& inputs) {
+    for (const std::filesystem::path& file :
+         {std::filesystem::path(settings.environment), std::filesystem::path(settings.baked) / bake::kManifestFile}) {
+      std::error_code none;
+      if (std::filesystem::is_regular_file(file, none)) inputs.push_back({file, base::hashOfFile(file)});
+    }
+  }
+
   std::vector<std::pair<std::string, double>> timingsSince(const std::vector<std::pair<std::string, double>>& before) {
     std::vector<std::pair<std::string, double>> added;
     for (const auto& [stage, timeMs] : m_context.timings().stages()) {
@@ -98,10 +117,13 @@ std::string doneLine(std::size_t unit) { return fmt::format("done {}", unit); }
 
 int runWorker(Context& context, const Plan& plan, const std::filesystem::path& folder, StagePage& page) {
   page.set("starting");
+  // Nobody but this function may speak to the supervisor: drivers print, too.
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> answers(::fdopen(::dup(STDOUT_FILENO), "w"), std::fclose);
+  ::dup2(STDERR_FILENO, STDOUT_FILENO);
   Worker worker(context, plan, folder);
-  const auto say = [](const std::string& line) {
-    fmt::print("{}\n", line);
-    std::fflush(stdout);
+  const auto say = [&](const std::string& line) {
+    fmt::print(answers.get(), "{}\n", line);
+    std::fflush(answers.get());
   };
   say(kReadyLine);
   for (std::string line; context.stoppedBy() == 0 && std::getline(std::cin, line);) {

@@ -37,7 +37,7 @@ private:
   Page* m_page = nullptr;
 };
 
-// What a worker prints to its supervisor.
+// What a worker writes to its supervisor on the standard output that it was started with.
 inline constexpr const char* kReadyLine = "ready";
 std::string doneLine(std::size_t unit);
 

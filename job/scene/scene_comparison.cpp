@@ -72,6 +72,7 @@ public:
         scene.pictures = std::move(cached->pictures);
         scene.isCached = true;
       } else {
+        scene.inputs.clear(); // recalling has read some
         measureScene(index, wish, key, judges, scene);
       }
       result.passes.push_back(attributionPass(request.settings.attribution, result));

@@ -10,8 +10,10 @@
 #include "base/expect_error.h"
 #include "base/file.h"
 #include "base/temp_folder.h"
+#include "base/version.h"
 #include "job/context.h"
 #include "job/plan/plan_json.h"
+#include "job/plan/unit_store.h"
 
 namespace parity::job {
 namespace {
@@ -37,7 +39,7 @@ Plan makePlanOfEverything() {
   plan.request.pixelData = false;
   plan.request.singleFile = true;
   plan.request.commandLine = "parity plan";
-  plan.request.again = {{0, 0, "parity diff Desk.glb"}};
+  plan.request.again = {{"Desk", "front", "parity diff Desk.glb"}};
   SceneRequest desk{.name = "Desk", .scene = "Desk.glb", .settings = {}, .captures = {glm::vec3(1, 2, 3)}, .views = {},
                     .budgets = "desk.toml"};
   desk.given = {{"exposure", {{"1.5"}, {}}}};
@@ -106,7 +108,7 @@ TEST(Plan, EditedTextIsRefused) {
   };
   EXPECT_NO_THROW(planFromText(text));
   EXPECT_ANY_THROW(planFromText(edited("\"plan\": 1", "\"plan\": 2")));
-  EXPECT_ANY_THROW(planFromText(edited("\"exposure\": \"1.5\"", "\"exposure\": \"bright\"")));
+  EXPECT_ANY_THROW(planFromText(edited("\"1.5\"", "\"bright\"")));
   EXPECT_ANY_THROW(planFromText(edited("not-passed", "some")));
   EXPECT_ANY_THROW(planFromText(edited("\"scenes\":", "\"scenery\":")));
   Plan plan = makePlanOfEverything();
@@ -121,17 +123,21 @@ TEST(Plan, FolderOfAnotherPlanIsKeptUnlessItIsTheProgramsOwn) {
   const TempFolder folder;
   Plan plan = makePlanOfEverything();
   plan.request.baseline.clear();
+  plan.version = base::kVersion, plan.build = hashOfThisBuild();
   writePlan(plan, folder / "night");
-  base::writeText(folder / "night/units/000000.unit", "done");
+  const UnitStore store(folder / "night", plan);
+  ComparedScene scene;
+  scene.result.name = "Desk";
+  store.put(0, scene, {});
   Plan other = plan;
   other.request.suite = "day";
   base::expectError([&] { writePlan(other, folder / "night"); }, (folder / "night").string(), "holds another plan",
                     base::ExitCode::usage);
-  EXPECT_TRUE(std::filesystem::exists(folder / "night/units/000000.unit"));
+  EXPECT_EQ(store.findFault(0), "");
   writePlan(plan, folder / "night");
-  EXPECT_TRUE(std::filesystem::exists(folder / "night/units/000000.unit")) << "the same plan goes on";
+  EXPECT_EQ(store.findFault(0), "") << "the same plan goes on";
   writePlanAnew(other, folder / "night");
-  EXPECT_FALSE(std::filesystem::exists(folder / "night/units/000000.unit"));
+  EXPECT_NE(store.findFault(0), "");
 }
 
 TEST(PackShards, EachSceneOnceTheLongestFirst) {

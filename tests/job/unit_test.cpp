@@ -7,6 +7,7 @@
 
 #include "base/expect_error.h"
 #include "base/file.h"
+#include "base/hash.h"
 #include "base/temp_folder.h"
 #include "job/plan/unit_store.h"
 
@@ -27,9 +28,9 @@ Plan makePlan() {
   return plan;
 }
 
-ComparedScene makeScene(const std::string& picture = "pixels of a picture") {
+ComparedScene makeScene(const std::string& picture = "pixels of a picture", const std::string& name = "Desk") {
   ComparedScene scene;
-  scene.result.name = "Desk";
+  scene.result.name = name;
   scene.result.error = "it failed";
   scene.result.errorExitCode = 4;
   scene.result.conditions = {{"exposure", "1", compare::ActsOn::figures, "the exposure"}};
@@ -126,15 +127,62 @@ TEST(UnitStore, KeepsTheFirstOfTwoAndSaysWhetherTheyDiffer) {
   EXPECT_EQ(store.missing(1), std::vector<std::size_t>{1});
 }
 
+TEST(UnitStore, ResultReplacesWhatWasGivenUpAndNeverTheOtherWayRound) {
+  const TempFolder folder;
+  const Plan plan = makePlan();
+  const UnitStore store(folder.path(), plan);
+  ComparedScene failed;
+  failed.result.name = "Desk", failed.result.error = "its worker failed twice";
+  store.put(0, failed, {.isGivenUp = true});
+  EXPECT_EQ(store.read(0).scene.result.error, "its worker failed twice");
+  store.put(0, makeScene(), {.seconds = 1});
+  EXPECT_EQ(store.read(0).run.seconds, 1);
+  store.put(0, failed, {.isGivenUp = true});
+  EXPECT_EQ(store.read(0).run.seconds, 1);
+  EXPECT_FALSE(store.differs(0)) << "a crash is no other figure";
+}
+
+TEST(UnitStore, WhatWasBegunMostOftenComesLast) {
+  const TempFolder folder;
+  const Plan plan = makePlan();
+  const UnitStore store(folder.path(), plan);
+  for (const std::size_t unit : {0u, 1u, 0u}) store.noteBegun(unit);
+  EXPECT_EQ(store.missing(), (std::vector<std::size_t>{2, 1, 0}));
+  EXPECT_EQ(store.missing(0), (std::vector<std::size_t>{2, 0}));
+  store.forgetBegun(0);
+  EXPECT_EQ(store.missing(), (std::vector<std::size_t>{0, 2, 1}));
+}
+
+TEST(UnitStore, OutdatedAreErrorsAndScenesWhoseFilesHaveChanged) {
+  const TempFolder folder;
+  const Plan plan = makePlan();
+  const UnitStore store(folder / "night", plan);
+  base::writeText(folder / "Desk.glb", "a desk");
+  const std::string names[] = {"Desk", "Chair", "Lamp"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    ComparedScene scene = makeScene();
+    scene.result.name = names[i];
+    scene.inputs = {{folder / "Desk.glb", base::hashOfFile(folder / "Desk.glb")}};
+    if (i != 1) scene.result.error.clear();
+    if (i == 2) scene.inputs.push_back({folder / "gone.png", "hash"});
+    store.put(i, std::move(scene), {});
+  }
+  store.dropOutdated();
+  EXPECT_EQ(store.missing(), (std::vector<std::size_t>{1, 2})) << "an error, and a file that is gone";
+  base::writeText(folder / "Desk.glb", "another desk");
+  store.dropOutdated();
+  EXPECT_EQ(store.missing(), (std::vector<std::size_t>{0, 1, 2}));
+}
+
 TEST(UnitStore, OneWithoutItsPicturesIsMissing) {
   const TempFolder folder;
   const Plan plan = makePlan();
   const UnitStore store(folder.path(), plan);
-  store.put(1, makeScene(), {});
+  store.put(1, makeScene("pixels", "Chair"), {});
   EXPECT_EQ(store.findFault(1), "");
   std::filesystem::remove_all(folder / "pictures");
   EXPECT_NE(store.findFault(1), "");
-  store.put(1, makeScene(), {});
+  store.put(1, makeScene("pixels", "Chair"), {});
   EXPECT_EQ(store.findFault(1), "") << "done again";
 }
 
@@ -144,14 +192,14 @@ TEST(UnitStore, OneOfAnotherPlanBuildMachineOrPlaceIsRefused) {
   otherPlan.digest[0] = 'x', otherBuild.build[0] = 'x', otherMachine.numerics[0] = 'x';
   for (const Plan* other : {&otherPlan, &otherBuild, &otherMachine}) {
     const TempFolder folder;
-    UnitStore(folder.path(), *other).put(1, makeScene(), {});
+    UnitStore(folder.path(), *other).put(1, makeScene("pixels", "Chair"), {});
     const UnitStore store(folder.path(), plan);
     EXPECT_NE(store.findFault(1), "");
     base::expectError([&] { store.read(1); }, {"000001.unit", "is of another"}, base::ExitCode::otherPlan);
   }
   const TempFolder folder;
   const UnitStore store(folder.path(), plan);
-  store.put(1, makeScene(), {});
+  store.put(1, makeScene("pixels", "Chair"), {});
   std::filesystem::rename(folder / "units/000001.unit", folder / "units/000002.unit");
   EXPECT_NE(store.findFault(2), "");
 }

@@ -87,6 +87,28 @@ TEST_F(CrashTest, SecondTryThatSucceedsIsAFlakyCrash) {
   EXPECT_TRUE(contains(info["incidents"][0], "01: flaky crash: a worker crashed with SIGSEGV")) << info["incidents"];
 }
 
+// On another machine, or by hand.
+TEST_F(CrashTest, SceneThatCrashedTwiceCanBeDoneLater) {
+  writeScenes(2);
+  const Files expected = reportHere();
+  plan(1);
+  EXPECT_TRUE(exitedWith(0, work({}, failing("segv 01.gltf", false))));
+  EXPECT_TRUE(exitedWith(0, work({"--unit", "1"})));
+  EXPECT_TRUE(isReported(merge("merged")));
+  EXPECT_TRUE(sameFiles(reportIn("merged"), expected));
+}
+
+TEST_F(CrashTest, WorkersThatATaskManagerEndsBlameNoScene) {
+  writeScenes(3);
+  const Files expected = reportHere();
+  plan(1);
+  const RunResult run = work({}, failing("term 01.gltf", true));
+  EXPECT_TRUE(exitedWith(0, run));
+  EXPECT_FALSE(contains(run.err, "crash")) << run.err;
+  EXPECT_TRUE(isReported(merge("merged")));
+  EXPECT_TRUE(sameFiles(reportIn("merged"), expected));
+}
+
 TEST_F(CrashTest, CrashAfterTheWorkCostsNothing) {
   writeScenes(3);
   const Files expected = reportHere();

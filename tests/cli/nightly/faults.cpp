@@ -3,7 +3,7 @@
 // PARITY_FAULTS: "KIND PATTERN" pairs, separated by ';'. A fault happens when a file whose name matches the pattern (of
 // fnmatch) is opened:
 //   segv, abort, exit   ends the worker
-//   kill                ends it by SIGKILL; parent: its supervisor
+//   kill, term          ends it by SIGKILL or SIGTERM; parent: its supervisor by SIGKILL
 //   stop                stops it, as SIGSTOP does
 //   memory              takes memory until somebody ends the worker
 //   full                the pattern is the name of a folder: no file can be created below it
@@ -66,6 +66,8 @@ void happen(std::string_view kind) {
     ::_exit(3);
   } else if (kind == "kill") {
     std::raise(SIGKILL);
+  } else if (kind == "term") {
+    std::raise(SIGTERM);
   } else if (kind == "parent") {
     ::kill(::getppid(), SIGKILL);
     ::pause();

@@ -51,6 +51,15 @@ TEST_F(RefusalsTest, UnitsOfAnotherPlan) {
   expectRefused(merge("merged"), 78, {"000001.unit", "is of another plan"});
 }
 
+TEST_F(RefusalsTest, BaselineThatIsNotThePlansOwn) {
+  writeScenes(1);
+  ASSERT_TRUE(isReported(runParity(join({{"report", "-o", path("old")}, options()}))));
+  plan(1, {"--baseline", path("old")});
+  EXPECT_TRUE(exitedWith(0, work()));
+  writeFile(night() / "baseline.json", readWholeFile(night() / "baseline.json") + " ");
+  expectRefused(merge("merged"), 78, {"baseline.json", "is not the baseline of the plan"});
+}
+
 TEST_F(RefusalsTest, EditedUnitsAreDoneAgain) {
   writeScenes(2);
   const Files expected = reportHere();
@@ -70,6 +79,7 @@ TEST_F(RefusalsTest, ForeignFilesInTheFolderAreLeftAlone) {
   writeScenes(2);
   const Files expected = reportHere();
   plan(1);
+  std::filesystem::create_directory(night() / "units");
   writeFile(night() / "units" / "notes.txt", std::string("mine"));
   writeFile(night() / "units" / "999999.unit", std::string("mine"));
   EXPECT_TRUE(exitedWith(0, work()));
@@ -82,9 +92,9 @@ TEST_F(RefusalsTest, SecondMergeAtTheSameTime) {
   writeScenes(1);
   plan(1);
   EXPECT_TRUE(exitedWith(0, work()));
-  const int file = ::open((night() / "plan.json").c_str(), O_RDONLY | O_CLOEXEC);
+  const int file = ::open((night() / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   ASSERT_EQ(::flock(file, LOCK_EX), 0);
-  expectRefused(merge("merged"), 75, {"another merge of this plan is running"});
+  expectRefused(merge("merged"), 75, {"another process merges this plan"});
   ::close(file);
   EXPECT_TRUE(isReported(merge("merged")));
 }
@@ -138,6 +148,7 @@ TEST_F(RefusalsTest, PlansThatCannotBe) {
   write("none.toml", "name = \"none\"\n");
   expectRefused(runParity({"plan", "-o", path("empty"), "--suite", path("none.toml")}), 4, {"none.toml"});
   EXPECT_FALSE(std::filesystem::exists(m_folder / "empty"));
+  EXPECT_TRUE(exitedWith(64, runParity({"report", "builtin:furnace", "--timeout", "3s"}))) << "without --jobs";
   expectRefused(work({"--shard", "1"}), 64, {"--shard", "there is no shard 1: the plan has 1 (0 to 0)"});
   RunOptions array;
   array.environment = {{"SLURM_ARRAY_TASK_ID", "7"}};

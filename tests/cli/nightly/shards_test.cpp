@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/image/image_io.h"
 #include "cli/nightly/night.h"
 
 namespace parity::tests {
@@ -36,18 +37,17 @@ TEST_F(ShardsTest, ReportOfSeveralWorkersIsTheReportOfOneProcess) {
   const Files expected = reportHere();
   EXPECT_TRUE(isReported(runParity(join({{"report", "-o", path("many"), "--jobs", "2"}, options()}))));
   EXPECT_TRUE(sameFiles(reportIn("many"), expected));
-  EXPECT_FALSE(std::filesystem::exists(m_folder / "many" / ".work"));
+  EXPECT_FALSE(std::filesystem::exists(m_folder / "many" / ".parity-work"));
 }
 
 TEST_F(ShardsTest, BaselineAndBudgetsAreThoseOfThePlan) {
   writeScenes(3);
-  const std::string budgets = writeBudgets(m_folder, "warn = 0.0, fail = 1.0");
+  const std::string budgets = writeBudgets(m_folder, "warn = 0.0001, fail = 0.99");
   const std::vector<std::string> judged = {"--budgets", budgets, "--baseline", path("old")};
   ASSERT_TRUE(isReported(runParity(join({{"report", "-o", path("old"), "--exposure", "1"}, options()}))));
   EXPECT_TRUE(isReported(runParity(join({{"report", "-o", path("plain")}, options(), judged}))));
   plan(2, judged);
-  writeBudgets(m_folder, "warn = 0.5, fail = 0.0001");
-  std::filesystem::remove_all(m_folder / "old");
+  writeBudgets(m_folder, "fail = 0.0001");
   EXPECT_TRUE(exitedWith(0, work()));
   EXPECT_TRUE(isReported(merge("merged")));
   EXPECT_TRUE(sameFiles(reportIn("merged"), reportIn("plain")));
@@ -104,6 +104,38 @@ TEST_F(ShardsTest, MissingUnitsAreNamedAndDoneAgain) {
   EXPECT_EQ(begun().size(), 1u) << "only what was missing";
   EXPECT_TRUE(isReported(merge("merged")));
   EXPECT_TRUE(sameFiles(reportIn("merged"), expected));
+}
+
+// The folder of last night's plan: what has changed since is done again, and nothing else.
+TEST_F(ShardsTest, PlanMadeAgainSeesChangedFiles) {
+  writeScenes(3);
+  plan(1);
+  EXPECT_TRUE(exitedWith(0, work()));
+  GltfFile other = makeQuad();
+  other.material()["pbrMetallicRoughness"]["roughnessFactor"] = 0.9;
+  std::filesystem::rename(writeEmbedded(m_folder, std::move(other), "other"), m_folder / "01.gltf");
+  EXPECT_TRUE(exitedWith(0, runParity(join({{"plan", "-o", path("night")}, options()}))));
+  std::filesystem::remove(m_folder / "begun.txt");
+  EXPECT_TRUE(exitedWith(0, work({}, failing("", false))));
+  EXPECT_EQ(begun().size(), 1u);
+  EXPECT_TRUE(isReported(merge("merged")));
+  EXPECT_TRUE(sameFiles(reportIn("merged"), reportHere()));
+}
+
+TEST_F(ShardsTest, FileThatChangesBetweenShardsIsTold) {
+  writeScenes(2);
+  GltfFile file = makeQuad();
+  file.json["images"] = {{{"uri", "paint.png"}}};
+  file.json["textures"] = {{{"source", 0}}};
+  file.material()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  for (const char* name : {"00", "01"}) writeExternal(m_folder, file, name);
+  base::writeImage8(m_folder / "paint.png", base::Image8(4, 4, 3, 90));
+  plan(2);
+  EXPECT_TRUE(exitedWith(0, work({"--shard", "0"})));
+  base::writeImage8(m_folder / "paint.png", base::Image8(4, 4, 3, 200));
+  EXPECT_TRUE(exitedWith(0, work({"--shard", "1"})));
+  const RunResult merged = merge("merged");
+  EXPECT_TRUE(contains(merged.err, "file 'paint.png' changed while the scenes of the plan were compared")) << merged.err;
 }
 
 TEST_F(ShardsTest, ClocksMayJump) {
