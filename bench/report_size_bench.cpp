@@ -2,6 +2,8 @@
 //   build/bench_report_size write FOLDER [SCENES [VIEWS [MATERIALS]]]   makes one up and writes it (10000 3 5)
 //   build/bench_report_size read FOLDER                                 reads its report.json as a baseline is read
 //   build/bench_report_size since FOLDER                                both: makes it up, and holds it against FOLDER
+//   build/bench_report_size units FOLDER [SCENES [VIEWS [MATERIALS [PICTURES]]]]  a plan with all its units; no pictures
+//   build/bench_report_size merge FOLDER                                merges them
 // The peak of resident memory is that of the process so far. The page of the folder: node bench/large_page.mjs FOLDER.
 #include <charconv>
 #include <chrono>
@@ -17,6 +19,7 @@
 #include <sys/resource.h>
 
 #include "base/error.h"
+#include "bench/synthetic_plan.h"
 #include "bench/synthetic_report.h"
 #include "job/report_folder.h"
 #include "report/baseline.h"
@@ -99,18 +102,24 @@ int main(int argc, char** argv) {
   using namespace parity;
   const std::vector<std::string_view> arguments(argv + 1, argv + argc);
   if (arguments.size() < 2) {
-    std::cerr << "bench_report_size write|read|since FOLDER [SCENES [VIEWS [MATERIALS]]]\n";
+    std::cerr << "bench_report_size write|read|since|units|merge FOLDER [SCENES [VIEWS [MATERIALS [PICTURES]]]]\n";
     return 64;
   }
   bench::ReportSize size;
   bench::take(arguments, 2, size.scenes);
   bench::take(arguments, 3, size.views);
   bench::take(arguments, 4, size.materials);
+  int pictures = 0; // of a scene
+  bench::take(arguments, 5, pictures);
   try {
     if (arguments[0] == "read")
       bench::read(arguments[1]);
     else if (arguments[0] == "since")
       bench::compare(arguments[1], size);
+    else if (arguments[0] == "units")
+      bench::measure("units written", [&] { bench::writeSyntheticUnits(arguments[1], size, pictures); });
+    else if (arguments[0] == "merge")
+      bench::measure("merged", [&] { bench::mergeSyntheticUnits(arguments[1]); });
     else
       bench::write(arguments[1], size);
   } catch (const base::Error& error) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/log.h"
 #include "base/parallel.h"
 #include "cli/input_list.h"
 #include "cli/invocation.h"
@@ -13,6 +14,12 @@
 
 namespace parity::cli {
 
+namespace {
+
+constexpr double kGibibyte = 1 << 30;
+
+} // namespace
+
 int runPlanCommand(const PlanCommand& command, const std::string& commandLine) {
   const ReportCommand& report = command.report;
   const base::ThreadLimit threads(report.common.threads);
@@ -21,6 +28,12 @@ int runPlanCommand(const PlanCommand& command, const std::string& commandLine) {
   job::Plan plan = job::makePlan(context, reportRequest(report, run, commandLine), report.common.plain, run.given,
                                  command.shards);
   job::writePlan(plan, report.folder);
+  if (const std::uintmax_t bytes = job::expectedCacheBytes(plan.request);
+      context.cache().enabled() && bytes > run.settings.cacheBytes)
+    base::logWarning(fmt::format("the results of this run will take some {:.1f} GiB of the cache, which may hold {:.1f} "
+                                 "(--cache-size): the next run will find few of them",
+                                 static_cast<double>(bytes) / kGibibyte,
+                                 static_cast<double>(run.settings.cacheBytes) / kGibibyte));
   if (!report.common.quiet)
     print("{}: {} scene{} in {} shard{} (0 to {}); next: parity work {} --shard N, then parity merge {} -o FOLDER\n",
           report.folder, plan.request.scenes.size(), plan.request.scenes.size() == 1 ? "" : "s", plan.shards.size(),

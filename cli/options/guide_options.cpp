@@ -25,9 +25,11 @@ void addGuideOptions(CLI::App& app, RawGuideOptions& raw) {
   std::vector<std::string> commands;
   for (const CLI::App* each : app.get_subcommands([](const CLI::App*) { return true; }))
     commands.push_back(each->get_name());
-  choose(help.add_option("command", raw.helpOf, "Command, such as report, or budget suggest"), commands);
+  choose(help.add_option("command", raw.helpOf, "Command, such as report, or budget suggest"), commands)
+      ->option_text("COMMAND ..."); // their list would be wider than a line
   choose(completion.add_option("shell", raw.shell, "Shell"), kShells)->required();
-  choose(man.add_option("command", raw.manOf, "Command. Default: the program itself"), commands);
+  choose(man.add_option("command", raw.manOf, "Command. Default: the program itself"), commands)
+      ->option_text("COMMAND");
   man.add_option("-o,--output", raw.manFolder, "Write the pages of all commands to this folder")
       ->type_name(kFolder)
       ->group(kOutputGroup);

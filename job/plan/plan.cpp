@@ -110,6 +110,16 @@ Plan makePlan(Context& context, ReportRequest request, const Settings& plain, co
   return plan;
 }
 
+std::uintmax_t expectedCacheBytes(const ReportRequest& request) {
+  constexpr std::uintmax_t kBytesAPixel = 12;
+  if (request.pictures == Pictures::none) return 0;
+  std::uintmax_t pixels = 0;
+  for (const SceneRequest& scene : request.scenes)
+    pixels += static_cast<std::uintmax_t>(scene.settings.width) * static_cast<std::uintmax_t>(scene.settings.height) *
+              scene.views.size();
+  return pixels * kBytesAPixel;
+}
+
 std::vector<std::vector<std::size_t>> packShards(std::size_t scenes, const std::vector<double>& seconds,
                                                  std::size_t shards) {
   std::vector<std::size_t> order(scenes);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -37,6 +38,10 @@ struct Plan {
 // of fewer scenes than that some are empty. Throws Error for what concerns the whole run.
 Plan makePlan(Context& context, ReportRequest request, const Settings& plain, const base::GivenKnobs& given,
               std::size_t shards);
+
+// What the cache will take for the results of all scenes, bytes, about: 12 for each pixel of each view, as a view of five
+// materials took at 768x768; without pictures next to nothing.
+std::uintmax_t expectedCacheBytes(const ReportRequest& request);
 
 // Puts the scenes into shards, the longest first, each where the least is to do. seconds: of each scene; empty: all are
 // taken as equal.

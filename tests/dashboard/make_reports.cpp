@@ -71,11 +71,13 @@ void addEvidence(report::MaterialResult& material) {
     material.attribution = {flip, {{"skySpecular", flip / 4}, {"sunDiffuse", flip * 0.97}}};
 }
 
-void write(const fs::path& folder, report::Report& report, const std::string& commandLine) {
+void write(const fs::path& folder, report::Report& report, const std::string& commandLine,
+           std::vector<std::string> incidents = {}) {
   report::settleVerdicts(report);
   report::RunInfo run;
   run.startedAt = "2026-01-02T03:04:05Z";
   run.commandLine = commandLine;
+  run.incidents = std::move(incidents);
   run.timings = {{"surface", 12.5}, {"total", 1234}};
   job::writeReport(folder, report, run, {.bench = {}, .pictures = {}});
 }
@@ -166,7 +168,7 @@ void writeEvil(const fs::path& folder) {
   failed.error = attack;
   failed.errorExitCode = 4;
   report.scenes = {std::move(scene), std::move(failed)};
-  write(folder, report, "parity report '" + attack + "' -o out");
+  write(folder, report, "parity report '" + attack + "' -o out", {"a scene: flaky crash: a worker crashed with " + attack});
 }
 
 // Figures that are not finite, materials that nothing shows, files that are missing.

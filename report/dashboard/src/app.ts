@@ -40,7 +40,7 @@ export class ParityApp extends PageElement {
 
   private rows: Row[] = [];
   private facts!: Facts;
-  private warnings: readonly string[] = []; // of the run, and of each scene
+  private warnings: readonly string[] = []; // of the run, also crashes that it survived, and of each scene
   private tests: readonly string[] = []; // paths
   private scales: Readonly<Record<string, number>> = {};
   private groups: Group[] = [];
@@ -53,10 +53,10 @@ export class ParityApp extends PageElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    const { report, overview } = this.page;
+    const { report, overview, run } = this.page;
     this.rows = makeRows(overview);
     this.facts = factsOf(this.rows);
-    this.warnings = [...report.warnings, ...overview.warnings()];
+    this.warnings = [...report.warnings, ...(run?.incidents ?? []), ...overview.warnings()];
     this.tests = overview.tests();
     this.scales = Object.fromEntries(kBarFigures.map((name) => [name, barScale(this.rows, name)]));
     this.read(location.hash);

@@ -139,6 +139,14 @@ TEST_F(RefusalsTest, DifferentFiguresOfTwoWorkersAreTold) {
       << "the first one stays";
 }
 
+TEST_F(RefusalsTest, CacheThatIsTooSmallForTheResultsIsToldByThePlan) {
+  const std::vector<std::string> command = {"plan",          "builtin:furnace", "--size", "1024x1024",   "--cache",
+                                            path("cache"),   "-o",              path("night"), "--cache-size"};
+  EXPECT_TRUE(contains(runParity(join({command, {"5M"}})).err, "(--cache-size): the next run will find few of them"));
+  std::filesystem::remove_all(night());
+  EXPECT_EQ(runParity(join({command, {"5G"}})).err, "");
+}
+
 TEST_F(RefusalsTest, PlansThatCannotBe) {
   writeScenes(1);
   plan(1);

@@ -69,7 +69,7 @@ file = "builtin:lights"
   EXPECT_EQ(report["scenes"][1]["verdict"], "not run");
   EXPECT_EQ(report["scenes"][2]["verdict"], "not run");
   const std::vector<std::string> files = listFiles(m_folder / "out");
-  for (const std::string& file : join({listPictures(report), listPixelFiles(report), reportFiles()}))
+  for (const std::string& file : join({listPictures(report), listPixelFiles(report), reportFiles(3)}))
     EXPECT_EQ(std::ranges::count(files, file), 1) << file;
   for (const std::string& file : files)
     EXPECT_FALSE(contains(file, "1-spheres") || contains(file, "2-lights")) << "of a scene that was given up: " << file;

@@ -25,6 +25,7 @@ describe("names that try to break out", () => {
       for (const name of await page.locator(".list .row .name").allTextContents()) names.add(name);
     }
     for (const name of ["<script>window.broken = 1</script>", "🎨🧑‍🎨 emoji", "خشب لامع", "(no name)", "twice", "x".repeat(10000)]) expect(names.has(name), name.slice(0, 40)).toBe(true);
+    expect(await page.textContent(".notices"), "what the run survived").toContain("flaky crash: a worker crashed with");
     expect(await isBroken(page)).toBeUndefined();
     expect(realProblems(opened)).toEqual([]);
   });
