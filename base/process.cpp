@@ -25,8 +25,8 @@ namespace parity::base {
 namespace {
 
 constexpr int kInheritedNumber = 3;
-constexpr int kLongestDeath = 2000; // milliseconds
-constexpr std::size_t kMostBytes = 1 << 16; // a call: a process that writes without end holds nobody up
+constexpr int kLongestDeath = 2000;           // milliseconds
+constexpr std::size_t kMostBytes = 1 << 16;   // a call: a process that writes without end holds nobody up
 constexpr std::size_t kLongestLine = 1 << 20; // what is longer comes in parts
 
 [[noreturn]] void fail(const std::string& program, const char* what, int number) {
@@ -56,8 +56,7 @@ public:
     for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGCHLD}) ::sigaddset(&all, number);
     ::posix_spawnattr_setsigdefault(&m_attributes, &all);
     ::posix_spawnattr_setsigmask(&m_attributes, &none);
-    ::posix_spawnattr_setflags(&m_attributes,
-                               POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+    ::posix_spawnattr_setflags(&m_attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
   }
   ~SpawnActions() {
     ::posix_spawn_file_actions_destroy(&m_actions);

@@ -15,8 +15,8 @@ struct ProcessEnd {
   int exitCode = 0, signal = 0; // signal: 0 where it ended by itself
 };
 
-// A process of its own group: what it starts ends with it. Not copyable; the destructor kills what still runs, and waits
-// two seconds at most for its end.
+// A process of its own group: what it starts ends with it. Not copyable; the destructor kills what still runs, and
+// waits two seconds at most for its end.
 class ChildProcess {
 public:
   // arguments: the program's path, then its arguments. inherited: a descriptor that it gets as number 3; -1: none.
@@ -30,8 +30,8 @@ public:
   // To its standard input; without effect where it no longer reads.
   void send(const std::string& line);
   void closeInput();
-  // Whole lines that it has written since the last call, without their ends; never waits. A call takes some 64 KiB, after
-  // its end all that is left, also what lacks a line feed.
+  // Whole lines that it has written since the last call, without their ends; never waits. A call takes some 64 KiB,
+  // after its end all that is left, also what lacks a line feed.
   std::vector<std::string> readOutput() { return read(m_output); }
   std::vector<std::string> readError() { return read(m_error); }
   // Descriptors to wait for with poll().

@@ -107,14 +107,14 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   RawWorkers rawWorkers;
   addWorkerOptions(reportApp, report.workers, rawWorkers,
                    "Compare scenes in this many worker processes: a crash costs one scene. Default: in this process");
-  for (const char* option : {"--timeout", "--memory"}) reportApp.get_option(option)->needs(reportApp.get_option("--jobs"));
+  for (const char* option : {"--timeout", "--memory"})
+    reportApp.get_option(option)->needs(reportApp.get_option("--jobs"));
   reportApp.add_option("--json", report.common.json, "Also write report.json to this file; - for stdout")
       ->type_name(kFile)
       ->group(kOutputGroup);
   addCsvOption(reportApp, report.csv);
   PlanCommand plan;
-  for (job::Settings* settings :
-       {&report.common.settings, &plan.report.common.settings, &diff.common.settings}) {
+  for (job::Settings* settings : {&report.common.settings, &plan.report.common.settings, &diff.common.settings}) {
     settings->attribution = job::Attribution::overBudget;
     settings->droppedLights = 8;
   }
@@ -124,7 +124,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addRunOptions(reportApp, report.common, raw);
   addBudgetsOption(reportApp, report.common);
 
-  CLI::App& planApp = *app.add_subcommand("plan", "Freeze a report over many machines: its scenes, settings and shards");
+  CLI::App& planApp =
+      *app.add_subcommand("plan", "Freeze a report over many machines: its scenes, settings and shards");
   addSceneList(planApp, plan.report);
   addPlanOptions(planApp, plan);
   addPageOptions(planApp, plan.report, raw);

@@ -198,10 +198,10 @@ struct SuiteListCommand {
   std::filesystem::path cacheFolder;
 };
 
-using Invocation =
-    std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand, ListTermsCommand, FlipCommand, BudgetSuggestCommand,
-                 BudgetCheckCommand, FitCommand, BenchCommand, StressCommand, BakeCommand, DevicesCommand, InfoCommand,
-                 CacheCommand, SuiteListCommand, PlotCommand, KnobsCommand, VersionCommand, GuideCommand>;
+using Invocation = std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand,
+                                ListTermsCommand, FlipCommand, BudgetSuggestCommand, BudgetCheckCommand, FitCommand,
+                                BenchCommand, StressCommand, BakeCommand, DevicesCommand, InfoCommand, CacheCommand,
+                                SuiteListCommand, PlotCommand, KnobsCommand, VersionCommand, GuideCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, a usage error) with its
 // exit code.

@@ -1,20 +1,20 @@
 // parity merge: the units of a plan in, the report out.
+#include "job/plan/merge.h"
 #include "cli/invocation.h"
 #include "cli/progress.h"
 #include "cli/report_parts.h"
-#include "job/plan/merge.h"
 
 namespace parity::cli {
 
 int runMergeCommand(const MergeCommand& command) {
   const job::Plan plan = job::readPlan(command.plan);
   const job::PlanLock lock(command.plan);
-  const job::ReportResult result = job::mergePlan(
-      plan, command.plan,
-      {.folder = command.folder,
-       .incomplete = command.reportsIncomplete ? job::Incomplete::report : job::Incomplete::error,
-       .bench = readBench(command.bench)},
-      makeProgress(command.quiet));
+  const job::ReportResult result =
+      job::mergePlan(plan, command.plan,
+                     {.folder = command.folder,
+                      .incomplete = command.reportsIncomplete ? job::Incomplete::report : job::Incomplete::error,
+                      .bench = readBench(command.bench)},
+                     makeProgress(command.quiet));
   return tellReport(result, {.folder = command.folder,
                              .singleFile = plan.request.singleFile,
                              .pixelData = plan.request.pixelData,

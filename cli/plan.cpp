@@ -25,15 +25,15 @@ int runPlanCommand(const PlanCommand& command, const std::string& commandLine) {
   const base::ThreadLimit threads(report.common.threads);
   const RunRequest run = runRequest(report.common, withListed(report.scenes, "scene"), report.suite);
   job::Context context(run.settings);
-  job::Plan plan = job::makePlan(context, reportRequest(report, run, commandLine), report.common.plain, run.given,
-                                 command.shards);
+  job::Plan plan =
+      job::makePlan(context, reportRequest(report, run, commandLine), report.common.plain, run.given, command.shards);
   job::writePlan(plan, report.folder);
   if (const std::uintmax_t bytes = job::expectedCacheBytes(plan.request);
       context.cache().enabled() && bytes > run.settings.cacheBytes)
-    base::logWarning(fmt::format("the results of this run will take some {:.1f} GiB of the cache, which may hold {:.1f} "
-                                 "(--cache-size): the next run will find few of them",
-                                 static_cast<double>(bytes) / kGibibyte,
-                                 static_cast<double>(run.settings.cacheBytes) / kGibibyte));
+    base::logWarning(
+        fmt::format("the results of this run will take some {:.1f} GiB of the cache, which may hold {:.1f} "
+                    "(--cache-size): the next run will find few of them",
+                    static_cast<double>(bytes) / kGibibyte, static_cast<double>(run.settings.cacheBytes) / kGibibyte));
   if (!report.common.quiet)
     print("{}: {} scene{} in {} shard{} (0 to {}); next: parity work {} --shard N, then parity merge {} -o FOLDER\n",
           report.folder, plan.request.scenes.size(), plan.request.scenes.size() == 1 ? "" : "s", plan.shards.size(),

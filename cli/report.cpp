@@ -49,14 +49,13 @@ job::ReportResult reportByWorkers(const ReportCommand& command, job::Context& co
       runWorkers(plan, folder, job::UnitStore(folder, plan).missing(),
                  {.workers = command.workers, .threads = command.common.threads, .showErrors = false}, progress);
   if (work.missing > 0) base::logError(fmt::format("{} scenes are not done: {}", work.missing, work.why));
-  const job::ReportResult result =
-      job::mergePlan(plan, folder,
-                     {.folder = request.folder,
-                      .incomplete = job::Incomplete::report,
-                      .stoppedBy = base::StopSignal::received(),
-                      .whyMissing = work.why,
-                      .bench = request.bench},
-                     progress);
+  const job::ReportResult result = job::mergePlan(plan, folder,
+                                                  {.folder = request.folder,
+                                                   .incomplete = job::Incomplete::report,
+                                                   .stoppedBy = base::StopSignal::received(),
+                                                   .whyMissing = work.why,
+                                                   .bench = request.bench},
+                                                  progress);
   if (work.missing == 0) std::filesystem::remove_all(folder, none);
   return result;
 }

@@ -28,7 +28,7 @@ std::string describeSingleFile(const std::filesystem::path& page, bool hasPixelD
   const std::string size = formatMegabytes(bytes);
   if (bytes <= kNotableBytes) return size;
   const std::string how = hasPixelData ? "leave out --pixel-data all, or make the pictures smaller with --size"
-                                            : "make the pictures smaller with --size, or give fewer scenes";
+                                       : "make the pictures smaller with --size, or give fewer scenes";
   base::logWarning(fmt::format("{} is {}; to make it smaller, {}", page.string(), size, how));
   return fmt::format("{}: larger than {}; to make it smaller, {}", size, formatMegabytes(kNotableBytes), how);
 }

@@ -32,9 +32,9 @@ std::size_t readIndex(const std::string& text, const std::string& where, std::si
   if (error != std::errc() || end != text.data() + text.size() || text.empty())
     throw base::Error(base::ExitCode::usage, where, "", "'" + text + "' is not the number of a shard");
   if (index < first || index - first >= count)
-    throw base::Error(base::ExitCode::usage, where, "",
-                      fmt::format("there is no shard {}: the plan has {} ({} to {})", text, count, first,
-                                  first + count - 1));
+    throw base::Error(
+        base::ExitCode::usage, where, "",
+        fmt::format("there is no shard {}: the plan has {} ({} to {})", text, count, first, first + count - 1));
   return index - first;
 }
 

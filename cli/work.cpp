@@ -106,10 +106,10 @@ int runWorkCommand(const WorkCommand& command) {
     all = plan.shards[shard].size();
     which = fmt::format("shard {}", shard);
   }
-  const job::SuperviseResult result =
-      runWorkers(plan, command.folder, units,
-                 {.workers = command.workers, .threads = command.threads, .showErrors = true, .words = cacheWords(command)},
-                 makeProgress(command.quiet));
+  const job::SuperviseResult result = runWorkers(
+      plan, command.folder, units,
+      {.workers = command.workers, .threads = command.threads, .showErrors = true, .words = cacheWords(command)},
+      makeProgress(command.quiet));
   if (result.crashed > 0)
     base::logWarning(fmt::format("{} of the scenes crashed twice: the report has them as errors", result.crashed));
   if (!command.quiet)

@@ -16,10 +16,13 @@ job::SuperviseResult runWorkers(const job::Plan& plan, const std::filesystem::pa
                                 const job::Progress& progress) {
   const int jobs = std::max(request.workers.jobs, 1);
   const int threads = request.threads > 0 ? request.threads : std::max(base::threadCount() / jobs, 1);
-  std::vector<std::string> command = {base::ownProgram(), "work",
+  std::vector<std::string> command = {base::ownProgram(),
+                                      "work",
                                       std::filesystem::absolute(folder).string(), // no option, whatever its name
-                                      "--worker",         std::to_string(::getpid()),
-                                      "--threads",        std::to_string(threads)};
+                                      "--worker",
+                                      std::to_string(::getpid()),
+                                      "--threads",
+                                      std::to_string(threads)};
   command.insert(command.end(), request.words.begin(), request.words.end());
   if (base::logLevel() == base::LogLevel::verbose) command.push_back("--verbose");
   if (base::logLevel() == base::LogLevel::quiet) command.push_back("--quiet");

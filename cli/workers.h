@@ -14,8 +14,8 @@ namespace parity::cli {
 
 struct WorkersRequest {
   WorkerOptions workers;
-  int threads = 0;                // of each worker; 0: the cores, shared among them
-  bool showErrors = true;         // what they write to stderr is shown
+  int threads = 0;                     // of each worker; 0: the cores, shared among them
+  bool showErrors = true;              // what they write to stderr is shown
   std::vector<std::string> words = {}; // more of their command line
 };
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <system_error>
 #include <unordered_map>
 #include <unordered_set>
-#include <system_error>
 
 #include <fmt/format.h>
 

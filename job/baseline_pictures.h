@@ -27,8 +27,8 @@ public:
   using Keep = std::function<void(EncodedPicture picture)>;
 
   // Names in the report, which was compared with the baseline, each picture of it that this run shows otherwise, and
-  // gives the files to write, one by one: baseline/HASH.png, each content once. None for a picture that is missing, damaged, of
-  // another size, or not below the baseline's folder; that is no error.
+  // gives the files to write, one by one: baseline/HASH.png, each content once. None for a picture that is missing,
+  // damaged, of another size, or not below the baseline's folder; that is no error.
   void keepChanged(report::Report& report, const OwnPicture& own, const Keep& keep) const;
 
   static constexpr std::size_t kMostHeldBytes = std::size_t{512} << 20;

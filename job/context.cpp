@@ -25,15 +25,15 @@ std::string hashOfThisBuild() {
 Context::Context(const Settings& settings)
     : m_settings(settings), m_display(settings.display),
       m_cache(settings.cacheFolder ? base::Cache(*settings.cacheFolder, settings.cacheBytes) : base::Cache::disabled()),
-      m_buildId(settings.cacheFolder ? base::Hasher().add(hashOfThisBuild()).add(hostNumerics()).hex() : std::string()) {
+      m_buildId(settings.cacheFolder ? base::Hasher().add(hashOfThisBuild()).add(hostNumerics()).hex()
+                                     : std::string()) {
   base::logDetail(m_cache.enabled() ? fmt::format("cache: {}", m_cache.folder().string()) : "cache: off");
 }
 
 Context::Context(const Context& first, ForAnotherThread)
     : m_settings(first.m_settings), m_isStopped(first.m_isStopped), m_display(first.m_settings.display),
       m_cache(first.m_cache), m_buildId(first.m_buildId), m_numerics(first.m_numerics),
-      m_deviceReport(first.m_deviceReport),
-      m_lights(first.m_lights) {}
+      m_deviceReport(first.m_deviceReport), m_lights(first.m_lights) {}
 
 void Context::take(const Context& other) {
   for (const auto& [stage, timeMs] : other.m_timings.stages()) m_timings.add(stage, timeMs);

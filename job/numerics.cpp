@@ -25,8 +25,9 @@ constexpr int kInputs = 512;
 // As the compiler cannot fold it.
 template <typename T> void addLibm(base::Hasher& hasher) {
   using Function = T (*)(T);
-  static constexpr std::array<Function, 12> kFunctions = {std::sin,  std::cos,  std::tan,   std::asin,  std::acos, std::atan,
-                                                          std::exp,  std::exp2, std::log,   std::log2,  std::log10, std::cbrt};
+  static constexpr std::array<Function, 12> kFunctions = {std::sin,  std::cos,  std::tan,   std::asin,
+                                                          std::acos, std::atan, std::exp,   std::exp2,
+                                                          std::log,  std::log2, std::log10, std::cbrt};
   volatile T step = T(1) / kInputs;
   for (int i = 0; i < kInputs; ++i) {
     const T x = (static_cast<T>(i) + T(0.37)) * step; // ]0,1[
@@ -41,7 +42,8 @@ void addSimd(base::Hasher& hasher) {
   std::array<base::Image, 2> images = {base::Image(kSide, kSide, 3), base::Image(kSide, kSide, 3)};
   std::uint32_t state = 1;
   for (base::Image& image : images)
-    for (float& value : image.pixels) value = static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) * 0x1p-24f;
+    for (float& value : image.pixels)
+      value = static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) * 0x1p-24f;
   const base::Image map = compare::flipMap(images[0], images[1]);
   hasher.add(std::as_bytes(std::span{map.pixels}));
 }

@@ -92,13 +92,14 @@ RunFacts factsOf(Context& context) {
 ReportEnd::ReportEnd(const ReportRequest& request, RunBudgets& budgets, RunFacts facts,
                      const std::filesystem::path& baselineFile)
     : m_request(request), m_budgets(budgets), m_facts(std::move(facts)),
-      m_baselineFile(baselineFile.empty() ? request.baseline : baselineFile), 
-      m_startedAt(fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))), m_scenes(request.scenes.size()),
-      m_isAdded(request.scenes.size()) {
+      m_baselineFile(baselineFile.empty() ? request.baseline : baselineFile),
+      m_startedAt(fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))),
+      m_scenes(request.scenes.size()), m_isAdded(request.scenes.size()) {
   if (!m_baselineFile.empty()) m_baseline = report::readReport(m_baselineFile);
   if (m_baseline) m_budgets.setBaseline(&*m_baseline);
   if (request.folder.empty()) return;
-  if (m_baseline && isBaselineInPlace()) m_baselinePictures.emplace(*m_baseline, report::reportFileOf(request.baseline), request.folder);
+  if (m_baseline && isBaselineInPlace())
+    m_baselinePictures.emplace(*m_baseline, report::reportFileOf(request.baseline), request.folder);
   prepareReportFolder(request.folder, request.singleFile);
 }
 

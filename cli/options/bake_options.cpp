@@ -59,7 +59,7 @@ void addBakeOptions(CLI::App& app, BakeCommand& command, RawBakeOptions& raw) {
       ->capture_default_str();
 
   app.add_option("--bounces", o.integrate.bounces, "Bounces of diffuse light between surfaces")
-      ->check(CLI::Range(0, bake::kMaxBounces))
+      ->check(wholeWithin(0, bake::kMaxBounces))
       ->group("Light")
       ->capture_default_str();
   app.add_option("--error", raw.error, "Relative error at which a texel is done: 19 of 20 texels are within it")

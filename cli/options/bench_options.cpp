@@ -46,12 +46,12 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
       ->group("Bench");
   app.add_flag("--list", bench.list, "List the settings")->group("Bench");
   app.add_option("--rounds", bench.trial.rounds, "Timed rounds, in random order. An untimed round compiles first")
-      ->check(CLI::Range(2, 1000))
+      ->check(wholeWithin(2, 1000))
       ->group("Bench")
       ->capture_default_str();
   app.add_option("--preparation-rounds", bench.trial.preparationRounds,
                  "Timed rounds of what is prepared once, such as tables; --compare needs about 9 to judge")
-      ->check(CLI::Range(2, 1000))
+      ->check(wholeWithin(2, 1000))
       ->group("Bench")
       ->capture_default_str();
   app.add_flag("--no-truth", raw.noTruth, "Do not measure errors against the truth; that takes most of the time")

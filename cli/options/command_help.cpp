@@ -84,7 +84,8 @@ const std::vector<CommandHelp>& table() {
        {{"parity plan --suite nightly.toml --shards 64 -o night", "night/plan.json"}},
        {kDone, kFailed, kUsage}},
       {"work",
-       "What is done is not done again. A worker process that crashes, takes too long or takes too much memory costs one\n"
+       "What is done is not done again. A worker process that crashes, takes too long or takes too much memory costs "
+       "one\n"
        "scene: it is tried once more alone, and then it is an error of the report.",
        {{"parity work night --shard 7 --jobs 4", "a shard, in four worker processes"},
         {"parity work night --shard auto", "the shard that the scheduler says"},
@@ -236,10 +237,19 @@ private:
   }
 };
 
+// CLI11 tells INT, UINT and FLOAT apart, which is of use to nobody: the range says what is taken.
+void nameNumbers(CLI::App& app) {
+  for (CLI::Option* option : app.get_options([](CLI::Option*) { return true; }))
+    for (const std::string type : {"INT", "UINT", "FLOAT"})
+      if (const std::string shown = option->get_type_name(); shown == type || shown.starts_with(type + ":"))
+        option->type_name("NUMBER");
+}
+
 void addHelpTo(CLI::App& app, const std::string& name, const std::shared_ptr<HelpFormatter>& formatter) {
   app.formatter(formatter);
   app.footer(footerOf(helpOf(name)));
   app.get_help_ptr()->group(kGeneralGroup);
+  nameNumbers(app);
   for (CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; }))
     addHelpTo(*below, name.empty() ? below->get_name() : name + " " + below->get_name(), formatter);
 }

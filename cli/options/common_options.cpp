@@ -49,7 +49,7 @@ void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw) {
       ->group(kMachineGroup);
   app.add_option("--threads", common.threads, "CPU threads; 0: all cores")
       ->group(kMachineGroup)
-      ->check(CLI::Range(0, 1024))
+      ->check(wholeWithin(0, 1024))
       ->capture_default_str();
   app.add_option("--cache", raw.cache, "Cache folder. Default: $XDG_CACHE_HOME/parity")
       ->type_name(kFolder)

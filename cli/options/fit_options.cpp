@@ -20,7 +20,7 @@ void addFitOptions(CLI::App& app, RawFitOptions& raw) {
       ->group(kOutputGroup);
   app.add_option("--threads", raw.fit.threads, "CPU threads; 0: all cores. The result does not depend on it")
       ->group(kMachineGroup)
-      ->check(CLI::Range(0, 1024))
+      ->check(wholeWithin(0, 1024))
       ->capture_default_str();
   app.add_flag("-q,--quiet", raw.fit.quiet, "Print errors only")->group(kGeneralGroup);
 }

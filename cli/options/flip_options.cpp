@@ -145,7 +145,7 @@ void addMetricOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
       ->check(within(-compare::kMaxExposureEv, compare::kMaxExposureEv))
       ->group("Metrics");
   app.add_option("--exposures", hdr.exposures, "Number of exposures, first and last included. Default: one for each EV")
-      ->check(CLI::Range(2, compare::kMaxExposures))
+      ->check(wholeWithin(2, compare::kMaxExposures))
       ->group("Metrics");
 }
 
@@ -267,7 +267,7 @@ void addFlipOptions(CLI::App& app, FlipCommand& flip, RawFlipOptions& raw) {
   addOutputOptions(app, flip, raw);
   app.add_option("--threads", flip.threads, "CPU threads; 0: all cores")
       ->group(kMachineGroup)
-      ->check(CLI::Range(0, 1024))
+      ->check(wholeWithin(0, 1024))
       ->capture_default_str();
   app.add_flag("-q,--quiet", raw.quiet, "Print errors only, no table; the exit code is the verdict")
       ->group(kGeneralGroup);

@@ -1,7 +1,9 @@
 #include "cli/options/option_parts.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -37,6 +39,18 @@ CLI::Validator within(double least, double most) {
             const double value = std::strtod(text.c_str(), &end);
             const bool good = !text.empty() && *end == '\0' && value >= least && value <= most;
             return good ? std::string() : fmt::format("'{}' is not a number from {}", text, range);
+          },
+          range};
+}
+
+CLI::Validator wholeWithin(std::uint64_t least, std::uint64_t most) {
+  const std::string range = fmt::format("{} to {}", least, most);
+  return {[=](std::string& text) {
+            std::uint64_t value = 0;
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+            const bool good =
+                error == std::errc() && end == text.data() + text.size() && value >= least && value <= most;
+            return good ? std::string() : fmt::format("'{}' is not a whole number from {}", text, range);
           },
           range};
 }

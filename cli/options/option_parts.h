@@ -40,8 +40,9 @@ auto readOption(const std::string& option, const Reader& read, const std::string
   }
 }
 
-// As CLI::Range, but NaN lies in no range.
+// A number of this range, which --help shows.
 CLI::Validator within(double least, double most);
+CLI::Validator wholeWithin(std::uint64_t least, std::uint64_t most);
 
 // A file that can only be written as one of these kinds (extensions with their dots, in lower case).
 CLI::Validator fileOfKind(const std::vector<std::string>& extensions);

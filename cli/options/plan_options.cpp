@@ -15,7 +15,7 @@ constexpr const char* kPlanFolder = "Folder of the plan";
 } // namespace
 
 void addWorkerOptions(CLI::App& app, WorkerOptions& workers, RawWorkers& raw, const std::string& jobsHelp) {
-  app.add_option("--jobs", workers.jobs, jobsHelp)->group(kMachineGroup)->check(CLI::Range(1, 1024));
+  app.add_option("--jobs", workers.jobs, jobsHelp)->group(kMachineGroup)->check(wholeWithin(1, 1024));
   app.add_option("--timeout", raw.timeout, "Time that a scene may take in a worker process, such as 300s, 5m or 2h")
       ->type_name("TIME")
       ->group(kMachineGroup)
@@ -44,7 +44,7 @@ void addPlanOptions(CLI::App& app, PlanCommand& plan) {
   app.add_option("-o,--output", plan.report.folder, kPlanFolder)->type_name(kFolder)->group(kOutputGroup)->required();
   app.add_option("--shards", plan.shards, "Number of shards, one for each machine or job of a scheduler")
       ->group(kOutputGroup)
-      ->check(CLI::Range(std::size_t{1}, job::kMostShards))
+      ->check(wholeWithin(1, job::kMostShards))
       ->capture_default_str();
   app.add_option("--baseline", plan.report.verdict.baseline,
                  "Earlier report.json or its folder: show what changed, and judge regressions")
@@ -70,7 +70,7 @@ void addWorkOptions(CLI::App& app, RawWork& raw) {
   addWorkerOptions(app, command.workers, raw.workers, "Number of worker processes at a time. Default: 1");
   app.add_option("--threads", command.threads, "CPU threads of each worker; 0: the cores, shared among the workers")
       ->group(kMachineGroup)
-      ->check(CLI::Range(0, 1024))
+      ->check(wholeWithin(0, 1024))
       ->capture_default_str();
   app.add_option("--worker", command.supervisor)->group(""); // of the workers that it starts itself
   app.add_option("--cache", raw.cache, "Cache folder. Default: that of the plan")

@@ -27,7 +27,7 @@ void addPlotOptions(CLI::App& app, RawPlotOptions& raw) {
   addFormulaKnobs(app, knobs, raw.given);
   app.add_option("--threads", plot.threads, "CPU threads; 0: all cores")
       ->group(kMachineGroup)
-      ->check(CLI::Range(0, 1024))
+      ->check(wholeWithin(0, 1024))
       ->capture_default_str();
   app.add_flag("-q,--quiet", plot.quiet, "Print errors only, no table")->group(kGeneralGroup);
 }

@@ -26,12 +26,12 @@ void addStressOptions(CLI::App& app, RawStressOptions& raw) {
       ->group("Functions");
   app.add_option("--points", options.points.points,
                  "Low-discrepancy points for each function, in addition to the special values")
-      ->check(CLI::Range(0u, 4'000'000'000u))
+      ->check(wholeWithin(0, 4'000'000'000))
       ->capture_default_str()
       ->group("Functions");
   app.add_option("--device-points", options.points.devicePoints,
                  "Points for each function on the device; a software device is slow. 0: do not run on the device")
-      ->check(CLI::Range(0u, 4'000'000'000u))
+      ->check(wholeWithin(0, 4'000'000'000))
       ->capture_default_str()
       ->group("Functions");
 
@@ -40,7 +40,7 @@ void addStressOptions(CLI::App& app, RawStressOptions& raw) {
       ->capture_default_str()
       ->group("Renders");
   app.add_option("--scenes", options.scenes, "Number of random scenes")
-      ->check(CLI::Range(0u, 1'000'000u))
+      ->check(wholeWithin(0, 1'000'000))
       ->capture_default_str()
       ->group("Renders");
   app.add_option("--seed", options.seed, "Seed of the first random scene; each next scene adds 1")
@@ -66,7 +66,7 @@ void addStressOptions(CLI::App& app, RawStressOptions& raw) {
       ->group(kMachineGroup);
   app.add_option("--threads", raw.stress.threads, "CPU threads; 0: all cores. The result does not depend on it")
       ->group(kMachineGroup)
-      ->check(CLI::Range(0, 1024))
+      ->check(wholeWithin(0, 1024))
       ->capture_default_str();
   app.add_flag("-q,--quiet", raw.stress.quiet, "Print errors only")->group(kGeneralGroup);
 }

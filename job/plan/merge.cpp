@@ -88,9 +88,9 @@ private:
   ComparedScene missingScene(std::size_t index) const {
     ComparedScene scene;
     scene.result = startScene(m_request.scenes[index]);
-    scene.result.error = !m_whyMissing.empty() ? "was not done: " + m_whyMissing
-                                               : fmt::format("has no result: shard {} did not finish it",
-                                                             shardOf(m_plan, index));
+    scene.result.error = !m_whyMissing.empty()
+                             ? "was not done: " + m_whyMissing
+                             : fmt::format("has no result: shard {} did not finish it", shardOf(m_plan, index));
     scene.result.errorExitCode = static_cast<int>(base::ExitCode::failed);
     scene.error = fmt::format("{}: {}", scene.result.name, scene.result.error);
     return scene;
@@ -143,7 +143,7 @@ private:
   int m_stoppedBy = 0;
   std::string m_whyMissing;
   std::map<std::string, std::string> m_inputs; // files that scenes were read from, and their hashes
-  std::vector<std::size_t> m_missing; // in order
+  std::vector<std::size_t> m_missing;          // in order
   std::set<std::string> m_shaders;
   std::vector<std::pair<std::string, double>> m_timings;
   std::vector<std::string> m_incidents;

@@ -10,17 +10,17 @@ namespace parity::job {
 enum class Incomplete { error, report };
 
 struct MergeOptions {
-  std::filesystem::path folder;                // of the report
-  Incomplete incomplete = Incomplete::error;   // what becomes of units that are missing
-  int stoppedBy = 0;                           // not 0: they were not run, because of this signal
-  std::string whyMissing = {};                 // for their errors; empty: their shard did not finish them
-  report::Bench bench;                         // for the page
+  std::filesystem::path folder;              // of the report
+  Incomplete incomplete = Incomplete::error; // what becomes of units that are missing
+  int stoppedBy = 0;                         // not 0: they were not run, because of this signal
+  std::string whyMissing = {};               // for their errors; empty: their shard did not finish them
+  report::Bench bench;                       // for the page
 };
 
 // Writes the report that runReport would have written for the plan's request, byte for byte. A unit that is missing is
-// an error of its scene, or of the merge. Needs no device. Throws Error: (exit 4) naming the units that are missing, and
-// what runReport throws; (exit 78) for a unit of another plan, build or machine. The plan's folder is only read; its lock is
-// the caller's matter.
+// an error of its scene, or of the merge. Needs no device. Throws Error: (exit 4) naming the units that are missing,
+// and what runReport throws; (exit 78) for a unit of another plan, build or machine. The plan's folder is only read;
+// its lock is the caller's matter.
 ReportResult mergePlan(const Plan& plan, const std::filesystem::path& folder, const MergeOptions& options,
                        const Progress& progress);
 

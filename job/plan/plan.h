@@ -23,11 +23,11 @@ inline constexpr std::size_t kMostShards = 1000;
 struct Plan {
   std::string version, build, numerics; // of parity, of the binary, of the machine (job/numerics.h)
   RunFacts facts;
-  Settings plain;         // of the run, without its knobs
-  base::GivenKnobs given; // its knobs
-  ReportRequest request;  // without folder and bench
-  FrozenFiles budgets;    // the text of each budget file
-  std::string baseline;   // content of the baseline's report.json: its hash; empty: none
+  Settings plain;                               // of the run, without its knobs
+  base::GivenKnobs given;                       // its knobs
+  ReportRequest request;                        // without folder and bench
+  FrozenFiles budgets;                          // the text of each budget file
+  std::string baseline;                         // content of the baseline's report.json: its hash; empty: none
   std::vector<std::vector<std::size_t>> shards; // places of scenes, the longest first; together each once
   std::string digest; // hash of what decides the report: not of the shards; set by writePlan and readPlan
 
@@ -39,8 +39,8 @@ struct Plan {
 Plan makePlan(Context& context, ReportRequest request, const Settings& plain, const base::GivenKnobs& given,
               std::size_t shards);
 
-// What the cache will take for the results of all scenes, bytes, about: 12 for each pixel of each view, as a view of five
-// materials took at 768x768; without pictures next to nothing.
+// What the cache will take for the results of all scenes, bytes, about: 12 for each pixel of each view, as a view of
+// five materials took at 768x768; without pictures next to nothing.
 std::uintmax_t expectedCacheBytes(const ReportRequest& request);
 
 // Puts the scenes into shards, the longest first, each where the least is to do. seconds: of each scene; empty: all are
@@ -48,8 +48,9 @@ std::uintmax_t expectedCacheBytes(const ReportRequest& request);
 std::vector<std::vector<std::size_t>> packShards(std::size_t scenes, const std::vector<double>& seconds,
                                                  std::size_t shards);
 
-// Writes plan.json, and the baseline beside it; sets the digest. A folder that holds the same plan keeps what was done for
-// it, but for scenes that failed or whose files have changed since. Throws Error: usage where the folder holds another plan; (exit 4) where it cannot be written.
+// Writes plan.json, and the baseline beside it; sets the digest. A folder that holds the same plan keeps what was done
+// for it, but for scenes that failed or whose files have changed since. Throws Error: usage where the folder holds
+// another plan; (exit 4) where it cannot be written.
 void writePlan(Plan& plan, const std::filesystem::path& folder);
 
 // The same for a folder that nobody else uses: what an other plan has left there goes.

@@ -66,9 +66,7 @@ Settings plainFrom(const ordered_json& json) {
   return plain;
 }
 
-ordered_json toJson(const std::optional<glm::vec3>& v) {
-  return v ? ordered_json{v->x, v->y, v->z} : ordered_json();
-}
+ordered_json toJson(const std::optional<glm::vec3>& v) { return v ? ordered_json{v->x, v->y, v->z} : ordered_json(); }
 std::optional<glm::vec3> vectorFrom(const ordered_json& json) {
   if (json.is_null()) return std::nullopt;
   return glm::vec3(json.at(0).get<float>(), json.at(1).get<float>(), json.at(2).get<float>());
@@ -103,8 +101,8 @@ ordered_json toJson(const SceneRequest& scene) {
   return json;
 }
 SceneRequest sceneFrom(const ordered_json& json, const Settings& plain) {
-  SceneRequest scene{.name = json.at("name"), .scene = json.at("file"), .settings = {}, .captures = {}, .views = {},
-                     .budgets = {}};
+  SceneRequest scene{
+      .name = json.at("name"), .scene = json.at("file"), .settings = {}, .captures = {}, .views = {}, .budgets = {}};
   scene.given = givenFrom(json.at("given"));
   scene.settings = withKnobs(plain, scene.given);
   for (const ordered_json& view : json.at("views")) scene.views.push_back(viewFrom(view));
@@ -135,10 +133,17 @@ ordered_json toJson(const ReportRequest& request) {
           {"again", again}};
 }
 ReportRequest requestFrom(const ordered_json& json) {
-  ReportRequest request{.scenes = {}, .suite = json.at("suite"), .suiteBudgets = textOrNone(json.at("suiteBudgets")),
-                        .folder = {}, .baseline = json.at("baseline").get<std::string>(), .only = json.at("only"),
-                        .oneOfMany = json.at("oneOfMany"), .pixelData = json.at("pixelData"),
-                        .singleFile = json.at("singleFile"), .bench = {}, .commandLine = json.at("commandLine")};
+  ReportRequest request{.scenes = {},
+                        .suite = json.at("suite"),
+                        .suiteBudgets = textOrNone(json.at("suiteBudgets")),
+                        .folder = {},
+                        .baseline = json.at("baseline").get<std::string>(),
+                        .only = json.at("only"),
+                        .oneOfMany = json.at("oneOfMany"),
+                        .pixelData = json.at("pixelData"),
+                        .singleFile = json.at("singleFile"),
+                        .bench = {},
+                        .commandLine = json.at("commandLine")};
   const std::vector<std::string> names(kPicturesNames.begin(), kPicturesNames.end());
   try {
     request.pictures = static_cast<Pictures>(base::readChoice(json.at("pictures"), names));

@@ -1,53 +1,30 @@
 #include "job/plan/supervisor.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <csignal>
 #include <deque>
 #include <map>
-#include <memory>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <poll.h>
 
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "base/log.h"
-#include "base/process.h"
-#include "base/text/shown_text.h"
 #include "job/plan/unit_store.h"
-#include "job/plan/worker.h"
+#include "job/plan/worker_slot.h"
 #include "job/scene/scene_start.h"
 
 namespace parity::job {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-using Seconds = std::chrono::duration<double>;
-
-constexpr double kMostBatchS = 60, kGraceS = 5, kLookS = 0.05;
-constexpr double kMostStartS = 120; // until a worker is ready, where a scene may take less
-constexpr double kMostDeathS = 10;  // after SIGKILL: one that hangs in the kernel is given up
-constexpr int kMostStarts = 3; // that fail in a row
-constexpr std::size_t kMostLines = 8, kMostLineBytes = 300;
-
-// One worker, and what it is at.
-struct Slot {
-  std::unique_ptr<StagePage> page;
-  std::unique_ptr<base::ChildProcess> process;
-  std::optional<std::size_t> unit; // that it has been given and not finished
-  bool isReady = false, isAlone = false, isRetiring = false, isKilled = false;
-  int scenes = 0;
-  Clock::time_point born, since; // since: of the unit, or of the start
-  Clock::time_point killAt;      // after SIGTERM
-  std::string fault;             // why it is ended: "took longer than ..."
-  std::deque<std::string> lastLines;
-};
+constexpr double kMostBatchS = 60, kLookS = 0.05;
+constexpr std::chrono::seconds kGraceS{5}; // for the workers' end
+constexpr int kMostStarts = 3;             // that fail in a row
 
 class Supervisor {
 public:
@@ -63,7 +40,7 @@ public:
         m_result.why = fmt::format("{} ended the work", base::signalName(m_options.stoppedBy()));
         break;
       }
-      for (Slot& slot : m_slots) step(slot);
+      for (WorkerSlot& slot : m_slots) step(slot);
       wait();
     }
     endAll();
@@ -75,68 +52,49 @@ public:
 private:
   bool isBusy() const {
     return !m_queue.empty() || !m_again.empty() ||
-           std::ranges::any_of(m_slots, [](const Slot& slot) { return slot.process != nullptr; });
+           std::ranges::any_of(m_slots, [](const WorkerSlot& slot) { return slot.process != nullptr; });
   }
 
-  void step(Slot& slot) {
+  void step(WorkerSlot& slot) {
     if (!slot.process && !m_isOver) start(slot);
     if (!slot.process) return;
-    std::optional<base::ProcessEnd> end = slot.process->end(); // first: what is read then is all
+    const std::optional<base::ProcessEnd> end = slot.end(); // first: what is read then is all
     listen(slot);
-    if (!end && slot.isKilled && Seconds(Clock::now() - slot.killAt).count() > kMostDeathS)
-      end = base::ProcessEnd{0, SIGKILL};
     if (end)
       bury(slot, *end);
     else if (slot.isReady && !slot.unit)
       giveNext(slot);
     else
-      watch(slot);
+      slot.watch(m_options);
   }
 
-  void start(Slot& slot) {
+  void start(WorkerSlot& slot) {
     const bool isAlone = !m_again.empty();
     if (!isAlone && m_queue.empty()) return;
-    slot = {};
     try {
-      slot.page = std::make_unique<StagePage>();
-      slot.process = std::make_unique<base::ChildProcess>(m_options.command, slot.page->descriptor());
+      slot.start(m_options, isAlone);
     } catch (const base::Error& error) { // too many processes or open files
       m_isDead = true;
-      return stopAll(error.what());
+      stopAll(error.what());
     }
-    slot.isAlone = isAlone;
-    slot.born = slot.since = Clock::now();
   }
 
-  void giveNext(Slot& slot) {
-    if (slot.isRetiring || !slot.fault.empty()) return watch(slot);
+  void giveNext(WorkerSlot& slot) {
+    if (slot.isRetiring || !slot.fault.empty()) return slot.watch(m_options);
     std::deque<std::size_t>& queue = slot.isAlone ? m_again : m_queue;
-    const bool isFull = slot.isAlone ? slot.scenes > 0
-                                     : slot.scenes >= kMostScenes || Seconds(Clock::now() - slot.born).count() > kMostBatchS;
-    if (queue.empty() || isFull) {
-      slot.isRetiring = true;
-      slot.since = Clock::now();
-      slot.process->closeInput();
-      return;
-    }
-    slot.unit = queue.front();
+    const bool isFull =
+        slot.isAlone ? slot.scenes > 0 : slot.scenes >= kMostScenes || slot.secondsOf(slot.born) > kMostBatchS;
+    if (queue.empty() || isFull) return slot.retire();
+    m_store.noteBegun(queue.front());
+    slot.give(queue.front());
     queue.pop_front();
-    ++slot.scenes;
-    slot.since = Clock::now();
-    m_store.noteBegun(*slot.unit);
-    slot.process->send(std::to_string(*slot.unit));
   }
 
-  void listen(Slot& slot) {
-    for (const std::string& line : slot.process->readError()) {
-      slot.lastLines.push_back(base::shownText(line).substr(0, kMostLineBytes));
-      if (slot.lastLines.size() > kMostLines) slot.lastLines.pop_front();
-      if (m_options.showErrors || base::logLevel() == base::LogLevel::verbose) base::logPlain(line);
-    }
-    for (const std::string& line : slot.process->readOutput()) {
+  void listen(WorkerSlot& slot) {
+    for (const std::string& line : slot.listen(m_options.showErrors)) {
       if (line == kReadyLine) {
         slot.isReady = true;
-        slot.since = Clock::now();
+        slot.since = WorkerSlot::Clock::now();
         m_failedStarts = 0;
       } else if (slot.unit && line == doneLine(*slot.unit)) {
         finish(slot);
@@ -147,48 +105,22 @@ private:
                  static_cast<double>(m_result.done) / static_cast<double>(m_total));
   }
 
-  void finish(Slot& slot) {
+  void finish(WorkerSlot& slot) {
     ++m_result.done;
     m_store.forgetBegun(*slot.unit);
     keepFailures();
-    base::logDetail(fmt::format("{}: done in {:.1f} s", nameOf(*slot.unit), Seconds(Clock::now() - slot.since).count()));
+    base::logDetail(fmt::format("{}: done in {:.1f} s", nameOf(*slot.unit), slot.secondsOf(slot.since)));
     if (const auto crash = m_attempts.find(*slot.unit); crash != m_attempts.end())
       base::logWarning(fmt::format("{}: flaky crash: {}; the second try succeeded", nameOf(*slot.unit), crash->second));
     slot.unit.reset();
   }
 
-  // Ends a worker that takes too long or too much.
-  void watch(Slot& slot) {
-    const double elapsed = Seconds(Clock::now() - slot.since).count();
-    if (!slot.fault.empty()) {
-      if (Clock::now() >= slot.killAt && !std::exchange(slot.isKilled, true)) slot.process->signal(SIGKILL);
-      return;
-    }
-    if (slot.isRetiring) { // a driver that hangs at its end has done its work
-      if (elapsed > kGraceS) slot.process->signal(SIGKILL);
-      return;
-    }
-    if (elapsed > (slot.isReady ? m_options.timeoutS : std::max(m_options.timeoutS, kMostStartS)))
-      slot.fault = fmt::format("took longer than {:g} s (--timeout)", m_options.timeoutS);
-    else if (const std::size_t bytes = residentBytes(slot); m_options.memoryBytes > 0 && bytes > m_options.memoryBytes)
-      slot.fault = fmt::format("took more than {} MiB of memory (--memory)", m_options.memoryBytes >> 20);
-    if (slot.fault.empty()) return;
-    slot.killAt = Clock::now() + std::chrono::duration_cast<Clock::duration>(Seconds(2));
-    slot.process->signal(SIGTERM);
-    slot.process->signal(SIGCONT); // one that is stopped would not hear it
-  }
-
-  std::size_t residentBytes(const Slot& slot) {
-    if (m_options.memoryBytes == 0) return 0;
-    return slot.process->residentBytes();
-  }
-
-  void bury(Slot& slot, const base::ProcessEnd& end) {
+  void bury(WorkerSlot& slot, const base::ProcessEnd& end) {
     const std::optional<std::size_t> unit = slot.unit;
     const auto isCode = [&](base::ExitCode code) { return end.signal == 0 && end.exitCode == static_cast<int>(code); };
-    const std::string words = describe(slot, end);
-    const bool wasReady = slot.isReady, isAlone = slot.isAlone, wasToldToEnd = slot.fault.empty() && isBySignal(end);
-    const std::string lastLine = slot.lastLines.empty() ? words : slot.lastLines.back();
+    const std::string words = slot.describe(end);
+    const bool wasReady = slot.isReady, isAlone = slot.isAlone, wasToldToEnd = slot.wasToldToEnd(end);
+    const std::string lastLine = slot.lastLine().empty() ? words : slot.lastLine();
     slot = {};
     if (isCode(base::ExitCode::otherPlan) || isCode(base::ExitCode::incomplete)) {
       m_result.otherPlan |= isCode(base::ExitCode::otherPlan);
@@ -204,22 +136,6 @@ private:
     } else if (end.signal != 0 || end.exitCode != 0) {
       base::logDetail("a worker ended badly after its work was done: " + words);
     }
-  }
-
-  // The exit code of a worker that was told to end and did.
-  static bool isBySignal(const base::ProcessEnd& end) {
-    constexpr int kOfSignals = 128;
-    return end.signal == 0 && (end.exitCode == kOfSignals + SIGTERM || end.exitCode == kOfSignals + SIGINT);
-  }
-
-  std::string describe(const Slot& slot, const base::ProcessEnd& end) const {
-    std::string words = !slot.fault.empty() ? slot.fault
-                        : end.signal != 0   ? "crashed with " + base::signalName(end.signal)
-                                            : fmt::format("ended with exit code {}", end.exitCode);
-    if (const std::string stage = slot.page->get(); !stage.empty())
-      words += fmt::format(" at '{}'", base::shownText(stage));
-    if (!slot.lastLines.empty()) words += fmt::format("; its last lines: {}", fmt::join(slot.lastLines, " | "));
-    return words;
   }
 
   void fail(std::size_t unit, const std::string& words, bool wasAlone) {
@@ -275,12 +191,12 @@ private:
   }
 
   void endAll() {
-    for (const Slot& slot : m_slots)
+    for (const WorkerSlot& slot : m_slots)
       if (slot.process) slot.process->closeInput(), slot.process->signal(SIGTERM);
-    const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(Seconds(kGraceS));
-    while (Clock::now() < deadline &&
-           std::ranges::any_of(m_slots, [](const Slot& slot) { return slot.process && !slot.process->end(); })) {
-      for (Slot& slot : m_slots)
+    const auto begin = WorkerSlot::Clock::now();
+    while (WorkerSlot::Clock::now() - begin < kGraceS &&
+           std::ranges::any_of(m_slots, [](const WorkerSlot& slot) { return slot.process && !slot.process->end(); })) {
+      for (WorkerSlot& slot : m_slots)
         if (slot.process) listen(slot);
       wait();
     }
@@ -290,7 +206,7 @@ private:
   // Until a worker says something, and not long.
   void wait() const {
     std::vector<pollfd> descriptors;
-    for (const Slot& slot : m_slots)
+    for (const WorkerSlot& slot : m_slots)
       if (slot.process)
         for (const int descriptor : {slot.process->outputDescriptor(), slot.process->errorDescriptor()})
           descriptors.push_back({descriptor, POLLIN, 0});
@@ -307,7 +223,7 @@ private:
   const Progress& m_progress;
   std::deque<std::size_t> m_queue, m_again; // not begun; to be tried once more, alone
   std::size_t m_total;
-  std::vector<Slot> m_slots;
+  std::vector<WorkerSlot> m_slots;
   std::map<std::size_t, std::string> m_attempts;               // what the first worker of a unit came to
   std::vector<std::pair<std::size_t, std::string>> m_failures; // of second tries, since the last success
   int m_failuresInARow = 0, m_failedStarts = 0;

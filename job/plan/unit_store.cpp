@@ -19,6 +19,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char *kUnit = "unit", *kOther = "other", *kCrash = "crash", *kBegun = "begun";
+constexpr std::size_t kDigits = 32; // of base::Hasher
+
+// Below the folder, wherever it is put: a unit that somebody wrote by hand must not reach other files.
+bool isSafe(const UnitFile& file) {
+  const fs::path name = file.file;
+  return !name.empty() && name.is_relative() && name.has_filename() &&
+         std::ranges::none_of(name, [](const fs::path& part) { return part == ".."; }) && file.hash.size() == kDigits &&
+         file.hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
 
 } // namespace
 
@@ -29,9 +38,7 @@ fs::path UnitStore::fileOf(std::size_t index, const char* ending) const {
 }
 
 // Folders of at most 256 names: tens of thousands in one are slow on network file systems.
-fs::path UnitStore::blobOf(const std::string& hash) const {
-  return m_folder / "pictures" / hash.substr(0, 2) / hash;
-}
+fs::path UnitStore::blobOf(const std::string& hash) const { return m_folder / "pictures" / hash.substr(0, 2) / hash; }
 
 UnitFile UnitStore::keep(const EncodedPicture& picture) const {
   UnitFile file{picture.file, base::Hasher().add(picture.bytes).hex(), picture.bytes.size()};
@@ -154,9 +161,10 @@ void UnitStore::put(std::size_t index, ComparedScene scene, UnitRun run) const {
 
 Unit UnitStore::read(std::size_t index) const {
   ReadUnit unit = readWhole(fileOf(index, kUnit));
-  if (unit.origin.index != index || !unit.unit ||
-      unit.unit->scene.result.name != m_plan.request.scenes.at(index).name)
+  if (unit.origin.index != index || !unit.unit || unit.unit->scene.result.name != m_plan.request.scenes.at(index).name)
     throw base::fileError(fileOf(index, kUnit).string(), "", "is the unit of another scene");
+  if (!std::ranges::all_of(unit.unit->files, isSafe))
+    throw base::fileError(fileOf(index, kUnit).string(), "", "is damaged: it names files elsewhere");
   return std::move(*unit.unit);
 }
 

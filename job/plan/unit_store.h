@@ -22,9 +22,9 @@ public:
   std::vector<std::size_t> missing() const;
   std::vector<std::size_t> missing(std::size_t shard) const;
 
-  // Keeps a scene: first its pictures, then the unit, which is on the disk when this returns. Where a whole unit of this
-  // plan is there, that stays, unless it was given up; one of other content is put beside it, for differs(). Throws Error
-  // (exit 4).
+  // Keeps a scene: first its pictures, then the unit, which is on the disk when this returns. Where a whole unit of
+  // this plan is there, that stays, unless it was given up; one of other content is put beside it, for differs().
+  // Throws Error (exit 4).
   void put(std::size_t index, ComparedScene scene, UnitRun run) const;
   // Throws Error: exit 78 for a unit of another plan, build or machine; exit 4 for one that is missing or damaged.
   Unit read(std::size_t index) const;

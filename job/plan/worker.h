@@ -41,10 +41,10 @@ private:
 inline constexpr const char* kReadyLine = "ready";
 std::string doneLine(std::size_t unit);
 
-// Reads the numbers of units from standard input, a line each, and prints doneLine() once a unit is on the disk. First of
-// all it prints kReadyLine. At the end of the input it ends. Returns the exit code: 0; 128 and a signal's number where
-// it was told to stop. Throws Error: exit 78 where this machine rounds otherwise than that of the plan; exit 75 where a
-// unit cannot be written.
+// Reads the numbers of units from standard input, a line each, and prints doneLine() once a unit is on the disk. First
+// of all it prints kReadyLine. At the end of the input it ends. Returns the exit code: 0; 128 and a signal's number
+// where it was told to stop. Throws Error: exit 78 where this machine rounds otherwise than that of the plan; exit 75
+// where a unit cannot be written.
 int runWorker(Context& context, const Plan& plan, const std::filesystem::path& folder, StagePage& page);
 
 // Does these units, and prints their errors.

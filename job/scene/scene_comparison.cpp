@@ -137,8 +137,7 @@ private:
     const SceneRequest& request = m_request.scenes[index];
     const WholeRun whole = request.partOf.value_or(WholeRun{index, m_request.scenes.size(), request.views.size()});
     return {compare::requiredStatistics(budgets), !m_request.folder.empty() && m_request.pictures != Pictures::none,
-            m_request.pixelData,
-            gpu::shareOf(whole.place, whole.scenes), whole.views};
+            m_request.pixelData, gpu::shareOf(whole.place, whole.scenes), whole.views};
   }
 
   // Fills the result, view by view: what was done before an error stays. Keeps it for later runs.

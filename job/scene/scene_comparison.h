@@ -16,14 +16,14 @@ namespace parity::job {
 
 struct ComparedScene {
   report::SceneResult result;
-  std::vector<EncodedPicture> pictures; // that the result names: they are not written yet
+  std::vector<EncodedPicture> pictures;   // that the result names: they are not written yet
   std::vector<scenes::SourceFile> inputs; // that it was read from, as far as it came
-  double seconds = 0;                   // that it took
-  bool isCached = false;                // taken from the cache, unchanged
-  bool isLeftOut = false;               // one of several of which no material was asked for: it is not in the report
-  std::vector<std::string> materials;   // of one that is left out: their names
-  std::string error;                    // for the log; empty: none
-  std::vector<std::string> warnings;    // for the log, as the result has them but with the folders of files
+  double seconds = 0;                     // that it took
+  bool isCached = false;                  // taken from the cache, unchanged
+  bool isLeftOut = false;                 // one of several of which no material was asked for: it is not in the report
+  std::vector<std::string> materials;     // of one that is left out: their names
+  std::string error;                      // for the log; empty: none
+  std::vector<std::string> warnings;      // for the log, as the result has them but with the folders of files
 };
 
 // Told how much of the scene is done, 0..1, and what comes next.

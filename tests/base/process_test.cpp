@@ -56,7 +56,8 @@ TEST(ChildProcess, TellsExitCodeAndSignalApart) {
 }
 
 TEST(ChildProcess, MoreThanAPipeHoldsComesThroughAndNothingWaits) {
-  const auto process = shell("i=0; while [ $i -lt 20000 ]; do echo 0123456789012345678901234567890123456789; i=$((i+1)); done");
+  const auto process =
+      shell("i=0; while [ $i -lt 20000 ]; do echo 0123456789012345678901234567890123456789; i=$((i+1)); done");
   std::size_t lines = 0;
   std::optional<ProcessEnd> end;
   EXPECT_TRUE(holdsSoon([&] {

@@ -109,7 +109,8 @@ std::vector<std::string> listPixelFiles(const nlohmann::json& report) {
 
 std::vector<std::string> reportFiles(std::size_t scenes) {
   if (!kHasPage) return {"junit.xml", "report.json", "run.json"};
-  std::vector<std::string> files = {"dashboard.css", "dashboard.js", "index.html", "junit.xml", "report.json", "run.json"};
+  std::vector<std::string> files = {"dashboard.css", "dashboard.js", "index.html",
+                                    "junit.xml",     "report.json",  "run.json"};
   for (std::size_t i = 0; i < scenes; ++i) files.push_back("scenes/" + std::to_string(i) + ".js");
   std::sort(files.begin(), files.end());
   return files;

@@ -308,7 +308,7 @@ TEST_F(ResultCacheTest, InfoCountsAndClearEmpties) {
   EXPECT_EQ(info["entries"], listFiles(cache()).size() - 1);
   std::map<std::string, int> kinds;
   for (const nlohmann::json& kind : info["kinds"]) kinds[kind["kind"]] = kind["entries"];
-  EXPECT_EQ(kinds, (std::map<std::string, int>{{"files", 1}, {"lut", 1}, {"scene", 1}, {"time", 1}}));
+  EXPECT_EQ(kinds, (std::map<std::string, int>{{"files", 1}, {"lut", 1}, {"numerics", 1}, {"scene", 1}, {"time", 1}}));
   EXPECT_EQ(run("clear")["bytes"], info["bytes"]);
   EXPECT_EQ(listFiles(cache()), std::vector<std::string>{"notes.txt"});
   const RunResult refused = runParity({"cache", "info", "--cache", (cache() / "notes.txt").string()});

@@ -10,8 +10,9 @@
 namespace parity::cli {
 namespace {
 
-constexpr const char* kAll[] = {"PARITY_SHARD",           "SLURM_ARRAY_TASK_ID", "JOB_COMPLETION_INDEX", "CI_NODE_INDEX",
-                                "BUILDKITE_PARALLEL_JOB", "CIRCLE_NODE_INDEX",   "TEST_SHARD_INDEX",     "PARALLEL_SEQ"};
+constexpr const char* kAll[] = {
+    "PARITY_SHARD",           "SLURM_ARRAY_TASK_ID", "JOB_COMPLETION_INDEX", "CI_NODE_INDEX",
+    "BUILDKITE_PARALLEL_JOB", "CIRCLE_NODE_INDEX",   "TEST_SHARD_INDEX",     "PARALLEL_SEQ"};
 
 // An environment of no scheduler, and what a test sets of one.
 class ShardIndexTest : public testing::Test {

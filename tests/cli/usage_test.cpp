@@ -26,7 +26,7 @@ const BadUsage kBadUsages[] = {
     {"MistypedOptionOfOneDash", {"diff", "builtin:furnace", "-matrial", "a"}, {"did you mean '--material'?"}},
     {"OptionOfAnotherCommand",
      {"diff", "builtin:furnace", "--single-file"},
-     {"--single-file", "'parity report'", "has it"}},
+     {"--single-file", "'parity report'", "'parity report', 'parity plan' have it"}},
     {"SceneAndSuiteOfDiff", {"diff", "builtin:furnace", "--suite", "s.toml"}, {"--suite"}},
     {"MistypedPreset", {"diff", "builtin:furnace", "--mobile-preset", "refti"}, {"did you mean 'refit'?"}},
     {"MistypedChoice", {"flip", "a.png", "b.png", "--alpha", "compsite"}, {"did you mean 'composite'?"}},

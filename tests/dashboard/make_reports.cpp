@@ -168,7 +168,8 @@ void writeEvil(const fs::path& folder) {
   failed.error = attack;
   failed.errorExitCode = 4;
   report.scenes = {std::move(scene), std::move(failed)};
-  write(folder, report, "parity report '" + attack + "' -o out", {"a scene: flaky crash: a worker crashed with " + attack});
+  write(folder, report, "parity report '" + attack + "' -o out",
+        {"a scene: flaky crash: a worker crashed with " + attack});
 }
 
 // Figures that are not finite, materials that nothing shows, files that are missing.

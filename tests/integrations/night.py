@@ -1,7 +1,7 @@
 """A small night for the tests of integrations/: a suite, the program on the PATH, and what `parity report` makes of it."""
-import filecmp
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -87,12 +87,18 @@ def files_of(folder):
     return {str(file.relative_to(folder)) for file in folder.rglob("*") if file.is_file()}
 
 
+def content_of(file):
+    """The file's bytes; of a scene's details without the commands, which name the suite by the path that was given."""
+    content = file.read_bytes()
+    return re.sub(rb'"again":\[.*\]}\);\n$', b"", content, flags=re.DOTALL) if file.parent.name == "scenes" else content
+
+
 def differences(report, reference):
     """Files of a report that are not, byte for byte, those of the other; what is missing or too much, too."""
     ours, theirs = files_of(report), files_of(reference)
     found = [f"{name}: missing" for name in theirs - ours] + [f"{name}: too much" for name in ours - theirs]
     for name in sorted(ours & theirs):
-        if name not in NOT_REPEATED and not filecmp.cmp(report / name, reference / name, shallow=False):
+        if name not in NOT_REPEATED and content_of(report / name) != content_of(reference / name):
             found.append(f"{name}: other bytes")
     return sorted(found)
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -40,15 +41,19 @@ Plan makePlanOfEverything() {
   plan.request.singleFile = true;
   plan.request.commandLine = "parity plan";
   plan.request.again = {{"Desk", "front", "parity diff Desk.glb"}};
-  SceneRequest desk{.name = "Desk", .scene = "Desk.glb", .settings = {}, .captures = {glm::vec3(1, 2, 3)}, .views = {},
+  SceneRequest desk{.name = "Desk",
+                    .scene = "Desk.glb",
+                    .settings = {},
+                    .captures = {glm::vec3(1, 2, 3)},
+                    .views = {},
                     .budgets = "desk.toml"};
   desk.given = {{"exposure", {{"1.5"}, {}}}};
   desk.views.emplace_back().orbit = glm::vec3(30, 70, 2);
   desk.views[0].name = "front", desk.views[0].camera = "Camera 1", desk.views[0].target = glm::vec3(0.1f);
   desk.views[0].fovYDeg = 33.3f;
   desk.partOf = WholeRun{3, 9, 2};
-  plan.request.scenes = {desk, {.name = "Chair", .scene = "Chair.glb", .settings = {}, .captures = {}, .views = {},
-                                .budgets = {}}};
+  plan.request.scenes = {
+      desk, {.name = "Chair", .scene = "Chair.glb", .settings = {}, .captures = {}, .views = {}, .budgets = {}}};
   plan.budgets = {{"run.toml", "[[rule]]\n\"\t"}};
   plan.baseline = std::string(32, 'c');
   plan.shards = {{1}, {}, {0}};
@@ -117,6 +122,29 @@ TEST(Plan, EditedTextIsRefused) {
     plan.shards = shards;
     EXPECT_ANY_THROW(planFromText(planText(plan, true)));
   }
+}
+
+// Whatever stands in the file: it is read, or an exception says why not.
+TEST(Plan, DamagedTextIsReadWithoutHarm) {
+  const std::string whole = planText(makePlanOfEverything(), true);
+  std::mt19937 random(1);
+  int refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = whole;
+    const std::size_t at = random() % text.size(), length = 1 + random() % 40;
+    if (i % 3 == 0)
+      text[at] = static_cast<char>(random() % 256);
+    else if (i % 3 == 1)
+      text.erase(at, length);
+    else
+      text.insert(at, text.substr(random() % text.size(), length));
+    try {
+      planFromText(text);
+    } catch (const std::exception&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 1000);
 }
 
 TEST(Plan, FolderOfAnotherPlanIsKeptUnlessItIsTheProgramsOwn) {

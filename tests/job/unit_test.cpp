@@ -1,6 +1,7 @@
 // Units of a plan: what a worker found comes back whole or not at all, and the first of two stays.
 #include "job/plan/unit.h"
 
+#include <algorithm>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -22,8 +23,12 @@ Plan makePlan() {
   Plan plan;
   plan.build = kBuild, plan.numerics = std::string(32, 'n'), plan.digest = std::string(32, 'd');
   for (const char* name : {"Desk", "Chair", "Lamp"})
-    plan.request.scenes.push_back({.name = name, .scene = std::string(name) + ".glb", .settings = {}, .captures = {},
-                                   .views = {}, .budgets = {}});
+    plan.request.scenes.push_back({.name = name,
+                                   .scene = std::string(name) + ".glb",
+                                   .settings = {},
+                                   .captures = {},
+                                   .views = {},
+                                   .budgets = {}});
   plan.shards = {{2, 0}, {1}};
   return plan;
 }
@@ -104,6 +109,44 @@ TEST(Unit, EachDamagedByteIsSeen) {
     bytes[i] ^= std::byte{4};
     EXPECT_FALSE(unitFromBytes(bytes, kBuild)) << "byte " << i;
     EXPECT_FALSE(unitFromBytes(std::span(whole).first(i), kBuild)) << i << " bytes";
+  }
+}
+
+// With a checksum that is right, as of somebody who means harm: no crash, and no memory beyond what the bytes can hold.
+TEST(Unit, ForgedBytesAreReadWithoutHarm) {
+  constexpr std::size_t kMagic = 8, kChecksum = 32;
+  const std::vector<std::byte> whole = toBytes(makeUnit(), kOrigin);
+  std::mt19937 random(1);
+  int read = 0;
+  for (int i = 0; i < 5000; ++i) {
+    std::vector<std::byte> bytes = whole;
+    const std::size_t body = bytes.size() - kMagic - kChecksum;
+    for (int k = 0; k < 4; ++k) bytes[kMagic + kChecksum + random() % body] = static_cast<std::byte>(random() % 256);
+    const std::string checksum = base::Hasher().add(std::span(bytes).subspan(kMagic + kChecksum)).hex();
+    std::ranges::transform(checksum, bytes.begin() + kMagic, [](char c) { return static_cast<std::byte>(c); });
+    read += unitFromBytes(bytes, kBuild).has_value();
+  }
+  EXPECT_GT(read, 100) << "the checksums were right";
+}
+
+TEST(UnitStore, UnitThatNamesFilesElsewhereIsDamaged) {
+  const Plan plan = makePlan();
+  const UnitOrigin origin{plan.digest, plan.build, plan.numerics, 0};
+  const std::string hash(32, '0');
+  const std::vector<std::pair<std::string, std::string>> bad = {{"../0.png", hash},
+                                                                {"/tmp/0.png", hash},
+                                                                {"images/../../0.png", hash},
+                                                                {"", hash},
+                                                                {"images/", hash},
+                                                                {"images/0.png", "../" + std::string(29, '0')},
+                                                                {"images/0.png", "00"}};
+  for (const auto& [file, content] : bad) {
+    const TempFolder folder;
+    Unit unit = makeUnit();
+    unit.files = {{file, content, 3}};
+    const std::vector<std::byte> bytes = toBytes(unit, origin);
+    base::writeBytes(folder / "units/000000.unit", bytes);
+    base::expectError([&] { UnitStore(folder.path(), plan).read(0); }, {"000000.unit", "names files elsewhere"});
   }
 }
 

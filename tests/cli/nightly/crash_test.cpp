@@ -50,8 +50,7 @@ TEST_F(CrashTest, OneSceneThatAlwaysCrashesCostsThatScene) {
 TEST_F(CrashTest, EachKindOfFaultIsNamed) {
   writeScenes(3);
   reportHere();
-  for (const auto& [fault, words, more] :
-       std::vector<std::tuple<std::string, std::string, std::vector<std::string>>>{
+  for (const auto& [fault, words, more] : std::vector<std::tuple<std::string, std::string, std::vector<std::string>>>{
            {"abort", "crashed with SIGABRT", {}},
            {"exit", "ended with exit code 3", {}},
            {"stop", "took longer than 3 s (--timeout)", {"--timeout", "3s"}},

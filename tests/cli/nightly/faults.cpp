@@ -131,7 +131,7 @@ int openBy(const char* function, const char* file, int flags, mode_t mode) {
 } // namespace
 
 #define PARITY_OPEN(NAME)                                                                                              \
-  extern "C" int NAME(const char* file, int flags, ...) {                                                             \
+  extern "C" int NAME(const char* file, int flags, ...) {                                                              \
     va_list rest;                                                                                                      \
     va_start(rest, flags);                                                                                             \
     const mode_t mode = (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(rest, mode_t) : 0;                               \

@@ -40,8 +40,7 @@ Files NightTest::reportHere() const {
 
 RunResult NightTest::plan(int shards, const std::vector<std::string>& more) const {
   std::filesystem::remove_all(m_folder / "night");
-  RunResult run = runParity(
-      join({{"plan", "-o", path("night"), "--shards", std::to_string(shards)}, options(), more}));
+  RunResult run = runParity(join({{"plan", "-o", path("night"), "--shards", std::to_string(shards)}, options(), more}));
   EXPECT_TRUE(exitedWith(0, run));
   return run;
 }
@@ -59,9 +58,8 @@ RunResult NightTest::merge(const std::string& to, const std::vector<std::string>
 
 RunOptions NightTest::failing(const std::string& faults, bool once) const {
   RunOptions options;
-  options.environment = {{"LD_PRELOAD", PARITY_FAULTS_LIBRARY},
-                         {"PARITY_FAULTS", faults},
-                         {"PARITY_FAULTS_LOG", path("begun.txt")}};
+  options.environment = {
+      {"LD_PRELOAD", PARITY_FAULTS_LIBRARY}, {"PARITY_FAULTS", faults}, {"PARITY_FAULTS_LOG", path("begun.txt")}};
   if (once) {
     std::filesystem::create_directories(m_folder / "faults");
     options.environment.emplace_back("PARITY_FAULTS_ONCE", path("faults"));

@@ -26,7 +26,8 @@ protected:
 
   RunResult plan(int shards, const std::vector<std::string>& more = {}) const;
   RunResult work(const std::vector<std::string>& more = {}, const RunOptions& options = {}) const;
-  RunResult merge(const std::string& to, const std::vector<std::string>& more = {}, const RunOptions& options = {}) const;
+  RunResult merge(const std::string& to, const std::vector<std::string>& more = {},
+                  const RunOptions& options = {}) const;
 
   // The environment in which processes fail; `faults` as PARITY_FAULTS of faults.cpp. once: each happens one time.
   RunOptions failing(const std::string& faults, bool once) const;

@@ -1,4 +1,5 @@
-// What plan, work and merge refuse: in one line, with the exit code of docs/nightly.md, and nothing that was done is lost.
+// What plan, work and merge refuse: in one line, with the exit code of docs/nightly.md, and nothing that was done is
+// lost.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -140,8 +141,8 @@ TEST_F(RefusalsTest, DifferentFiguresOfTwoWorkersAreTold) {
 }
 
 TEST_F(RefusalsTest, CacheThatIsTooSmallForTheResultsIsToldByThePlan) {
-  const std::vector<std::string> command = {"plan",          "builtin:furnace", "--size", "1024x1024",   "--cache",
-                                            path("cache"),   "-o",              path("night"), "--cache-size"};
+  const std::vector<std::string> command = {
+      "plan", "builtin:furnace", "--size", "1024x1024", "--cache", path("cache"), "-o", path("night"), "--cache-size"};
   EXPECT_TRUE(contains(runParity(join({command, {"5M"}})).err, "(--cache-size): the next run will find few of them"));
   std::filesystem::remove_all(night());
   EXPECT_EQ(runParity(join({command, {"5G"}})).err, "");

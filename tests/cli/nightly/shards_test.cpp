@@ -135,7 +135,8 @@ TEST_F(ShardsTest, FileThatChangesBetweenShardsIsTold) {
   base::writeImage8(m_folder / "paint.png", base::Image8(4, 4, 3, 200));
   EXPECT_TRUE(exitedWith(0, work({"--shard", "1"})));
   const RunResult merged = merge("merged");
-  EXPECT_TRUE(contains(merged.err, "file 'paint.png' changed while the scenes of the plan were compared")) << merged.err;
+  EXPECT_TRUE(contains(merged.err, "file 'paint.png' changed while the scenes of the plan were compared"))
+      << merged.err;
 }
 
 TEST_F(ShardsTest, ClocksMayJump) {

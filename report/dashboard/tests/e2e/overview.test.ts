@@ -125,9 +125,11 @@ describe("the overview of 500 materials", () => {
 });
 
 describe("what is neither a plain pass nor a plain failure", () => {
-  const open = async (material: number, tab = ""): Promise<string> => {
+  // until: what the item says once its values are looked for.
+  const open = async (material: number, tab = "", until = ""): Promise<string> => {
     const { page, problems } = await openReport(browser, reportFolder("states"), hashOfItem("states", material) + tab);
     await page.waitForSelector("parity-item h2");
+    await page.waitForFunction((words) => (document.querySelector("parity-item") as HTMLElement).innerText.includes(words), until);
     const text = await page.innerText("parity-item");
     expect(problems).toEqual([]);
     await page.context().close();
@@ -171,7 +173,8 @@ describe("what is neither a plain pass nor a plain failure", () => {
   });
 
   it("shows the whole pictures' FLIP map where a material's own has no values, and says so", async () => {
-    expect(await open(0)).toContain("of the whole pictures; the own map of each material needs pixel values");
+    const words = "of the whole pictures; the own map of each material needs pixel values";
+    expect(await open(0, "", words)).toContain(words);
     expect(await open(-1)).not.toContain("the own map of each material needs pixel values");
   });
 });
