@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <functional>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -168,11 +169,15 @@ void writePieces(const fs::path& file, const std::function<void(const TextSink&)
   });
 }
 
-bool writeOnce(const fs::path& file, std::span<const std::byte> bytes) {
+namespace {
+
+// Writes the bytes to a temporary file beside this one, until they are on the disk, gives it to `place`, which answers
+// with an errno or 0, and removes what is left of it. Returns the answer.
+int writeAndPlace(const fs::path& file, std::span<const std::byte> bytes,
+                  const std::function<int(const fs::path& temporary)>& place) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (error) throw fileError(file.string(), "its folder cannot be created", error.message());
-  if (fs::exists(file, error)) return false;
   const fs::path temporary = file.parent_path() / temporaryNameOf(file.filename().string());
   try {
     OpenFile open(temporary, O_WRONLY | O_CREAT | O_EXCL);
@@ -183,17 +188,31 @@ bool writeOnce(const fs::path& file, std::span<const std::byte> bytes) {
     fs::remove(temporary, error);
     throw Error(failure.code(), file.string(), failure.place(), failure.reason());
   }
-  int number = ::link(temporary.c_str(), file.c_str()) == 0 ? 0 : errno;
-  if (number == EPERM || number == EOPNOTSUPP || number == ENOSYS) // a file system without links: the last one wins
-    number = ::rename(temporary.c_str(), file.c_str()) == 0 ? 0 : errno;
+  const int answer = place(temporary);
   fs::remove(temporary, error);
-  if (number == EEXIST) return false;
-  if (number != 0) throw fileError(file.string(), "cannot be written", reasonOf(number));
+  if (answer != 0 && answer != EEXIST) throw fileError(file.string(), "cannot be written", reasonOf(answer));
   if (const int folder = ::open(file.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); folder >= 0) {
     ::fsync(folder); // the name, too; not every file system can
     ::close(folder);
   }
-  return true;
+  return answer;
+}
+
+} // namespace
+
+bool writeOnce(const fs::path& file, std::span<const std::byte> bytes) {
+  std::error_code error;
+  if (fs::exists(file, error)) return false;
+  return writeAndPlace(file, bytes, [&](const fs::path& temporary) {
+           const int number = ::link(temporary.c_str(), file.c_str()) == 0 ? 0 : errno;
+           if (number != EPERM && number != EOPNOTSUPP && number != ENOSYS) return number;
+           return ::rename(temporary.c_str(), file.c_str()) == 0 ? 0 : errno; // without links: the last one wins
+         }) == 0;
+}
+
+void replaceDurably(const fs::path& file, std::span<const std::byte> bytes) {
+  writeAndPlace(file, bytes,
+                [&](const fs::path& temporary) { return ::rename(temporary.c_str(), file.c_str()) == 0 ? 0 : errno; });
 }
 
 void writeBytes(const fs::path& file, std::span<const std::byte> bytes) {

@@ -31,6 +31,8 @@ void writeBytes(const std::filesystem::path& file, std::span<const std::byte> by
 // there, which stays. Of several writers, also on other machines, one wins. Makes the parent folder. Throws Error (exit
 // 4).
 bool writeOnce(const std::filesystem::path& file, std::span<const std::byte> bytes);
+// The same in place of a file of that name.
+void replaceDurably(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
 // $XDG_CACHE_HOME/parity, or ~/.cache/parity. Throws Error (exit 4) where neither variable is set.
 std::filesystem::path defaultCacheFolder();

@@ -25,8 +25,9 @@ namespace parity::base {
 namespace {
 
 constexpr int kInheritedNumber = 3;
-constexpr int kLongestDeath = 2000;           // milliseconds
-constexpr std::size_t kMostBytes = 1 << 16;   // a call: a process that writes without end holds nobody up
+constexpr int kLongestDeath = 2000;         // milliseconds
+constexpr std::size_t kMostBytes = 1 << 16; // a call: a process that writes without end holds nobody up
+constexpr std::size_t kMostAtEnd = 1 << 21;
 constexpr std::size_t kLongestLine = 1 << 20; // what is longer comes in parts
 
 [[noreturn]] void fail(const std::string& program, const char* what, int number) {
@@ -130,7 +131,7 @@ void ChildProcess::closeInput() {
 
 std::vector<std::string> ChildProcess::read(Pipe& pipe) const {
   std::array<char, 4096> bytes{};
-  for (std::size_t total = 0; total < kMostBytes || m_end;) {
+  for (std::size_t total = 0; total < (m_end ? kMostAtEnd : kMostBytes);) {
     const ssize_t got = ::read(pipe.descriptor, bytes.data(), bytes.size());
     if (got > 0)
       pipe.rest.append(bytes.data(), static_cast<std::size_t>(got)), total += static_cast<std::size_t>(got);
@@ -152,10 +153,12 @@ std::optional<ProcessEnd> ChildProcess::end() {
   if (m_end) return m_end;
   int status = 0;
   const pid_t ended = ::waitpid(m_id, &status, WNOHANG);
-  if (ended == m_id)
+  if (ended == m_id) {
+    ::kill(-m_id, SIGKILL); // what it has started: its group's number is not taken anew while one of them lives
     m_end = WIFSIGNALED(status) ? ProcessEnd{0, WTERMSIG(status)} : ProcessEnd{WEXITSTATUS(status), 0};
-  else if (ended < 0 && errno == ECHILD) // somebody else has asked for its end
+  } else if (ended < 0 && errno == ECHILD) { // somebody else has asked for its end
     m_end = ProcessEnd{1, 0};
+  }
   return m_end;
 }
 

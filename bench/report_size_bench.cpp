@@ -2,8 +2,8 @@
 //   build/bench_report_size write FOLDER [SCENES [VIEWS [MATERIALS]]]   makes one up and writes it (10000 3 5)
 //   build/bench_report_size read FOLDER                                 reads its report.json as a baseline is read
 //   build/bench_report_size since FOLDER                                both: makes it up, and holds it against FOLDER
-//   build/bench_report_size units FOLDER [SCENES [VIEWS [MATERIALS [PICTURES]]]]  a plan with all its units; no
-//   pictures build/bench_report_size merge FOLDER                                merges them
+//   build/bench_report_size units FOLDER [SCENES [VIEWS [MATERIALS [PICTURES]]]]  a plan with its units
+//   build/bench_report_size merge FOLDER                                merges them
 // The peak of resident memory is that of the process so far. The page of the folder: node bench/large_page.mjs FOLDER.
 #include <charconv>
 #include <chrono>

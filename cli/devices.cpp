@@ -14,12 +14,19 @@ namespace parity::cli {
 
 namespace {
 
-// Of the device that is taken; the cache holds it from the second time on.
-std::string numericsOf(const gpu::DeviceOptions& device) {
-  job::Settings settings;
-  settings.device = device;
-  settings.cacheFolder = base::defaultCacheFolder();
-  return job::Context(settings).numerics();
+// Of the device that is taken; the cache holds it from the second time on. A device that fails is listed all the same.
+struct Numerics {
+  std::string id, reason; // one is empty
+};
+Numerics numericsOf(const gpu::DeviceOptions& device) {
+  try {
+    job::Settings settings;
+    settings.device = device;
+    settings.cacheFolder = base::defaultCacheFolder();
+    return {job::Context(settings).numerics(), {}};
+  } catch (const base::Error& error) {
+    return {{}, error.what()};
+  }
 }
 
 } // namespace
@@ -27,7 +34,7 @@ std::string numericsOf(const gpu::DeviceOptions& device) {
 int runDevicesCommand(const DevicesCommand& command) {
   const std::vector<gpu::DeviceReport> reports = gpu::listDevices(command.device);
   const bool isAnyTaken = std::ranges::any_of(reports, &gpu::DeviceReport::taken);
-  const std::string numerics = isAnyTaken ? numericsOf(command.device) : std::string();
+  const Numerics numerics = isAnyTaken ? numericsOf(command.device) : Numerics();
   if (!command.json.empty()) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const gpu::DeviceReport& r : reports) {
@@ -38,7 +45,7 @@ int runDevicesCommand(const DevicesCommand& command) {
                       {"fp16", r.float16},
                       {"taken", r.taken},
                       {"reason", r.reason}});
-      if (r.taken) list.back()["numerics"] = numerics;
+      if (r.taken && !numerics.id.empty()) list.back()["numerics"] = numerics.id;
     }
     writeJson(command.json, dumpJson(list));
   }
@@ -47,7 +54,8 @@ int runDevicesCommand(const DevicesCommand& command) {
       const gpu::DeviceReport& r = reports[i];
       print("{} {} {}\n    {}, Vulkan {}, {}, {}\n    {}\n", r.taken ? "*" : " ", i, r.name, r.kind, r.apiVersion,
             r.driver, r.float16 ? "fp16" : "no fp16", r.reason);
-      if (r.taken) print("    numerics id {}\n", numerics);
+      if (r.taken && numerics.reason.empty()) print("    numerics id {}\n", numerics.id);
+      if (r.taken && !numerics.reason.empty()) print("    numerics id unknown: {}\n", numerics.reason);
     }
   if (!isAnyTaken)
     throw base::Error(

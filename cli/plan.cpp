@@ -1,4 +1,9 @@
 // parity plan: what a run over many machines does, frozen in a folder.
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -11,12 +16,34 @@
 #include "cli/requests.h"
 #include "job/context.h"
 #include "job/plan/plan.h"
+#include "scenes/builtin/builtin.h"
+#include "scenes/names.h"
 
 namespace parity::cli {
 
 namespace {
 
 constexpr double kGibibyte = 1 << 30;
+
+// A typing error should not cost a night: what is not there is told now. At the time of the work it is an error of its
+// scene, unless it has come by then.
+void warnOfMissing(const job::ReportRequest& request) {
+  std::set<std::string> missing;
+  const auto look = [&](const std::string& name, const std::vector<std::string>& builtins) {
+    std::error_code none;
+    const bool isThere = scenes::isBuiltin(name)
+                             ? std::ranges::count(builtins, name.substr(std::string_view("builtin:").size())) > 0
+                             : name.empty() || std::filesystem::exists(name, none);
+    if (!isThere) missing.insert(name);
+  };
+  for (const job::SceneRequest& scene : request.scenes) {
+    look(scene.scene, scenes::builtinSceneNames());
+    look(scene.settings.scene.environment, scenes::builtinEnvironmentNames());
+    look(scene.settings.scene.baked, {});
+  }
+  for (const std::string& name : missing)
+    base::logWarning(name + ": is not there; the scenes that need it will be errors of the report");
+}
 
 } // namespace
 
@@ -27,6 +54,7 @@ int runPlanCommand(const PlanCommand& command, const std::string& commandLine) {
   job::Context context(run.settings);
   job::Plan plan =
       job::makePlan(context, reportRequest(report, run, commandLine), report.common.plain, run.given, command.shards);
+  warnOfMissing(plan.request);
   job::writePlan(plan, report.folder);
   if (const std::uintmax_t bytes = job::expectedCacheBytes(plan.request);
       context.cache().enabled() && bytes > run.settings.cacheBytes)

@@ -48,7 +48,8 @@ job::ReportResult reportByWorkers(const ReportCommand& command, job::Context& co
   const job::SuperviseResult work =
       runWorkers(plan, folder, job::UnitStore(folder, plan).missing(),
                  {.workers = command.workers, .threads = command.common.threads, .showErrors = false}, progress);
-  if (work.missing > 0) base::logError(fmt::format("{} scenes are not done: {}", work.missing, work.why));
+  if (work.missing > 0)
+    base::logError(fmt::format("{} scene{} not done: {}", work.missing, work.missing == 1 ? " is" : "s are", work.why));
   const job::ReportResult result = job::mergePlan(plan, folder,
                                                   {.folder = request.folder,
                                                    .incomplete = job::Incomplete::report,

@@ -1,4 +1,7 @@
 // parity work: the units of a plan, by worker processes.
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
 #include <set>
 
 #include <fmt/format.h>
@@ -55,7 +58,7 @@ int printMissing(const job::Plan& plan, const std::filesystem::path& folder) {
 int runAsWorker(const WorkCommand& command, const job::Plan& plan) {
   const base::ThreadLimit threads(command.threads);
   if (!base::dieWithParent(command.supervisor)) return 0;
-  const base::StopSignal stop;
+  const base::StopSignal stop(""); // the supervisor says it
   job::Context context(settingsOf(command, plan));
   context.stopWhen(base::StopSignal::received);
   constexpr int kStageDescriptor = 3; // as base::ChildProcess gives it
@@ -72,6 +75,8 @@ int runHere(const WorkCommand& command, const job::Plan& plan) {
                                     plan.request.scenes.size() - 1));
   job::Context context(settingsOf(command, plan));
   job::doUnits(context, plan, command.folder, command.units, makeProgress(command.quiet));
+  if (!command.quiet)
+    for (const std::size_t unit : command.units) print("unit {} ({}): done\n", unit, plan.request.scenes[unit].name);
   return 0;
 }
 
@@ -82,6 +87,23 @@ void requireScenes(const job::Plan& plan) {
     if (scenes::isBuiltin(scene.scene) || std::filesystem::exists(scene.scene, none)) return;
   throw base::Error(base::ExitCode::otherPlan, plan.request.scenes.front().scene, "",
                     "is not here, nor is any other scene of the plan; start in the folder where the plan was made");
+}
+
+// Units that are errors of their scenes, among those that are there.
+std::size_t countErrors(const std::vector<std::size_t>& units, const job::UnitStore& store) {
+  return static_cast<std::size_t>(std::ranges::count_if(units, [&](std::size_t unit) {
+    try {
+      return !store.read(unit).scene.result.error.empty();
+    } catch (const base::Error&) { // it is missing
+      return false;
+    }
+  }));
+}
+
+// Those that are there and of no use: a disk that damages files should not go unseen.
+void warnOfFaults(const std::vector<std::size_t>& units, const job::UnitStore& store) {
+  for (const std::size_t unit : units)
+    if (store.has(unit)) base::logWarning(store.findFault(unit) + "; the scene is done again");
 }
 
 } // namespace
@@ -95,7 +117,8 @@ int runWorkCommand(const WorkCommand& command) {
   requireScenes(plan);
   const job::UnitStore store(command.folder, plan);
   std::vector<std::size_t> units;
-  std::size_t all = plan.request.scenes.size();
+  std::vector<std::size_t> whole(plan.request.scenes.size());
+  std::iota(whole.begin(), whole.end(), std::size_t{0});
   std::string which = "the plan";
   if (command.shard.empty()) {
     units = store.missing();
@@ -103,18 +126,28 @@ int runWorkCommand(const WorkCommand& command) {
     const std::size_t shard = shardIndex(command.shard, plan.shards.size());
     tellSharded();
     units = store.missing(shard);
-    all = plan.shards[shard].size();
+    whole = plan.shards[shard];
     which = fmt::format("shard {}", shard);
   }
+  warnOfFaults(units, store);
+  const std::size_t all = whole.size();
   const job::SuperviseResult result = runWorkers(
       plan, command.folder, units,
       {.workers = command.workers, .threads = command.threads, .showErrors = true, .words = cacheWords(command)},
       makeProgress(command.quiet));
   if (result.crashed > 0)
-    base::logWarning(fmt::format("{} of the scenes crashed twice: the report has them as errors", result.crashed));
-  if (!command.quiet)
-    print("{}: {} of {} scene{} done here, {} before\n", which, result.done, all, all == 1 ? "" : "s",
-          all - units.size());
+    base::logWarning(fmt::format("the workers of {} scene{} failed twice, so {} of the report; the last one is {}",
+                                 result.crashed, result.crashed == 1 ? "" : "s",
+                                 result.crashed == 1 ? "it is an error" : "they are errors", result.lastCrash));
+  if (!command.quiet) {
+    const std::size_t errors = countErrors(whole, store);
+    print("{}: {} of {} scene{} done here, {} before{}\n", which, result.done, all, all == 1 ? "" : "s",
+          all - units.size(),
+          errors == 0
+              ? ""
+              : fmt::format("; {} of them {} of the report", errors, errors == 1 ? "is an error" : "are errors"));
+    std::fflush(stdout); // before what is wrong
+  }
   if (result.missing == 0) return 0;
   base::logError(fmt::format("{}: {} scene{} not done: {}", command.folder, result.missing,
                              result.missing == 1 ? " is" : "s are", result.why));

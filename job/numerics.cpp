@@ -62,7 +62,8 @@ std::string processor() {
 std::string driverVariables() {
   std::set<std::string> told;
   for (char** entry = environ; *entry; ++entry)
-    for (const char* prefix : {"LP_", "GALLIVM_", "MESA_", "LIBGL_", "VK_"})
+    for (const char* prefix : {"LP_", "GALLIVM_", "MESA_", "LIBGL_", "VK_", "RADV_", "AMD_", "ACO_", "NIR_", "INTEL_",
+                               "ANV_", "NVK_", "__GL_"})
       if (const std::string text = *entry; text.starts_with(prefix) && !text.starts_with("MESA_SHADER_CACHE"))
         told.insert(text);
   return fmt::format("{}", fmt::join(told, "\n"));

@@ -23,7 +23,7 @@ std::size_t shardOf(const Plan& plan, std::size_t unit) {
 }
 
 // The first ones by name.
-std::string describeMissing(const Plan& plan, const std::vector<std::size_t>& units) {
+std::string describeMissing(const Plan& plan, const std::vector<std::size_t>& units, const std::string& fault) {
   constexpr std::size_t kNamed = 5;
   std::vector<std::string> names;
   std::set<std::size_t> shards;
@@ -31,9 +31,11 @@ std::string describeMissing(const Plan& plan, const std::vector<std::size_t>& un
     shards.insert(shardOf(plan, unit));
     if (names.size() < kNamed) names.push_back(fmt::format("'{}'", plan.request.scenes[unit].name));
   }
-  return fmt::format("{} of {} scenes {} no result: {}{}; do the shards {}, or give --incomplete report", units.size(),
-                     plan.request.scenes.size(), units.size() == 1 ? "has" : "have", fmt::join(names, ", "),
-                     units.size() > kNamed ? ", ..." : "", fmt::join(shards, ","));
+  const std::size_t all = plan.request.scenes.size();
+  return fmt::format("{} of {} scene{} {} no result: {}{}{}; do shard{} {}, or give --incomplete report", units.size(),
+                     all, all == 1 ? "" : "s", units.size() == 1 ? "has" : "have", fmt::join(names, ", "),
+                     units.size() > kNamed ? ", ..." : "", fault.empty() ? "" : " (" + fault + ")",
+                     shards.size() == 1 ? "" : "s", fmt::join(shards, ","));
 }
 
 class Merge {
@@ -54,10 +56,11 @@ public:
       if (std::string fault = m_store.findFault(i); !fault.empty()) {
         requireOwn(i);
         m_missing.push_back(i);
+        if (m_fault.empty() && m_store.has(i)) m_fault = std::move(fault);
       }
     }
     if (!m_missing.empty() && incomplete == Incomplete::error && m_stoppedBy == 0)
-      throw base::fileError(m_request.folder.string(), "is not written", describeMissing(m_plan, m_missing));
+      throw base::fileError(m_request.folder.string(), "is not written", describeMissing(m_plan, m_missing, m_fault));
     ReportEnd end(m_request, m_budgets, m_plan.facts, m_baseline);
     for (std::size_t i = 0; i < m_request.scenes.size(); ++i) {
       if (progress)
@@ -140,6 +143,7 @@ private:
   Context m_context;
   RunBudgets m_budgets;
   std::filesystem::path m_baseline;
+  std::string m_fault; // of the first missing unit that is there, of no use
   int m_stoppedBy = 0;
   std::string m_whyMissing;
   std::map<std::string, std::string> m_inputs; // files that scenes were read from, and their hashes

@@ -28,6 +28,7 @@ struct Plan {
   ReportRequest request;                        // without folder and bench
   FrozenFiles budgets;                          // the text of each budget file
   std::string baseline;                         // content of the baseline's report.json: its hash; empty: none
+  std::vector<std::string> sceneBaselines;      // hash of what the baseline says of each scene; empty: nothing
   std::vector<std::vector<std::size_t>> shards; // places of scenes, the longest first; together each once
   std::string digest; // hash of what decides the report: not of the shards; set by writePlan and readPlan
 
@@ -59,10 +60,10 @@ void writePlanAnew(Plan& plan, const std::filesystem::path& folder);
 // Throws Error (exit 4) for a file that is missing or no plan; (exit 78) for one of another version or build.
 Plan readPlan(const std::filesystem::path& folder);
 
-// The copy of the baseline's report.json, and what it says of the scene at this place: empty where that is nothing.
-// Throws Error (exit 78) where the copy is not the one that was planned.
+// The copy of the baseline's report.json, and what it says of the scene at this place: an empty path where that is
+// nothing. Throws Error (exit 78) where the copy is not the one that was planned, or not there.
 std::filesystem::path baselineOf(const Plan& plan, const std::filesystem::path& folder);
-std::filesystem::path baselineOf(const std::filesystem::path& folder, std::size_t scene);
+std::filesystem::path baselineOf(const Plan& plan, const std::filesystem::path& folder, std::size_t scene);
 
 // One process at a time merges a plan. On a folder that is read-only there is no lock.
 class PlanLock {

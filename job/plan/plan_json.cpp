@@ -196,7 +196,7 @@ std::string planText(const Plan& plan, bool withShards) {
                        {"baseline", plan.baseline},
                        {"budgets", plan.budgets},
                        {"scenes", scenes}};
-  if (withShards) json["shards"] = plan.shards;
+  if (withShards) json["sceneBaselines"] = plan.sceneBaselines, json["shards"] = plan.shards;
   try {
     return json.dump(1) + "\n";
   } catch (const ordered_json::type_error&) {
@@ -207,7 +207,7 @@ std::string planText(const Plan& plan, bool withShards) {
 Plan planFromText(std::string_view text) {
   const ordered_json json = ordered_json::parse(text);
   if (json.at("plan") != kFormat) throw std::runtime_error("its format is of another version");
-  Plan plan{json.at("version"), json.at("build"), json.at("numerics"), {}, {}, {}, {}, {}, {}, {}, {}};
+  Plan plan{json.at("version"), json.at("build"), json.at("numerics"), {}, {}, {}, {}, {}, {}, {}, {}, {}};
   plan.facts = factsFrom(json.at("facts"));
   plan.plain = plainFrom(json.at("plain"));
   plan.given = givenFrom(json.at("given"));
@@ -215,6 +215,9 @@ Plan planFromText(std::string_view text) {
   plan.baseline = json.at("baseline");
   plan.budgets = json.at("budgets").get<FrozenFiles>();
   for (const ordered_json& scene : json.at("scenes")) plan.request.scenes.push_back(sceneFrom(scene, plan.plain));
+  plan.sceneBaselines = json.at("sceneBaselines").get<std::vector<std::string>>();
+  if (!plan.baseline.empty() && plan.sceneBaselines.size() != plan.request.scenes.size())
+    throw std::runtime_error("it does not say the baseline of each scene");
   plan.shards = json.at("shards").get<std::vector<std::vector<std::size_t>>>();
   requireShards(plan);
   return plan;

@@ -25,14 +25,16 @@ namespace {
 constexpr double kMostBatchS = 60, kLookS = 0.05;
 constexpr std::chrono::seconds kGraceS{5}; // for the workers' end
 constexpr int kMostStarts = 3;             // that fail in a row
+constexpr int kMostTold = 2; // times that somebody else ends the workers of a unit before that counts as a crash
 
 class Supervisor {
 public:
   Supervisor(const Plan& plan, const std::filesystem::path& folder, const std::vector<std::size_t>& units,
              const SuperviseOptions& options, const Progress& progress)
-      : m_plan(plan), m_store(folder, plan), m_options(options), m_progress(progress),
-        m_queue(units.begin(), units.end()), m_total(units.size()),
-        m_slots(static_cast<std::size_t>(std::max(options.jobs, 1))) {}
+      : m_plan(plan), m_store(folder, plan), m_options(options), m_progress(progress), m_total(units.size()),
+        m_slots(static_cast<std::size_t>(std::max(options.jobs, 1))) {
+    for (const std::size_t unit : units) (m_store.wasBegun(unit) ? m_begun : m_queue).push_back(unit);
+  }
 
   SuperviseResult run() {
     while (!m_isOver && isBusy()) {
@@ -44,14 +46,14 @@ public:
       wait();
     }
     endAll();
-    if (!m_isDead) keepFailures();
+    if (!m_isDead && m_result.why.empty()) keepFailures();
     m_result.missing = m_total - m_result.done;
     return m_result;
   }
 
 private:
   bool isBusy() const {
-    return !m_queue.empty() || !m_again.empty() ||
+    return !m_queue.empty() || !m_again.empty() || !m_begun.empty() ||
            std::ranges::any_of(m_slots, [](const WorkerSlot& slot) { return slot.process != nullptr; });
   }
 
@@ -69,21 +71,32 @@ private:
   }
 
   void start(WorkerSlot& slot) {
-    const bool isAlone = !m_again.empty();
-    if (!isAlone && m_queue.empty()) return;
+    const auto count = [&](auto holds) { return static_cast<std::size_t>(std::ranges::count_if(m_slots, holds)); };
+    // Those that are there already for what is to be tried again.
+    const std::size_t others = count([](const WorkerSlot& s) { return s.process && s.isAlone && s.scenes == 0; });
+    // What was begun before and not finished may have taken the whole machine down: it has it for itself, at the end.
+    const bool isAnyBusy = count([](const WorkerSlot& s) { return s.process != nullptr; }) > 0;
+    const bool isAlone = m_again.size() > others, isCareful = !isAlone && m_queue.empty() && !m_begun.empty();
+    if (isCareful ? isAnyBusy : !isAlone && m_queue.empty()) return;
     try {
       slot.start(m_options, isAlone);
+      slot.isCareful = isCareful;
     } catch (const base::Error& error) { // too many processes or open files
       m_isDead = true;
       stopAll(error.what());
     }
   }
 
+  std::deque<std::size_t>& queueOf(const WorkerSlot& slot) {
+    return slot.isAlone ? m_again : slot.isCareful ? m_begun : m_queue;
+  }
+
   void giveNext(WorkerSlot& slot) {
     if (slot.isRetiring || !slot.fault.empty()) return slot.watch(m_options);
-    std::deque<std::size_t>& queue = slot.isAlone ? m_again : m_queue;
-    const bool isFull =
-        slot.isAlone ? slot.scenes > 0 : slot.scenes >= kMostScenes || slot.secondsOf(slot.born) > kMostBatchS;
+    std::deque<std::size_t>& queue = queueOf(slot);
+    const bool isFull = slot.isAlone || slot.isCareful
+                            ? slot.scenes > 0
+                            : slot.scenes >= kMostScenes || slot.secondsOf(slot.born) > kMostBatchS;
     if (queue.empty() || isFull) return slot.retire();
     m_store.noteBegun(queue.front());
     slot.give(queue.front());
@@ -95,7 +108,6 @@ private:
       if (line == kReadyLine) {
         slot.isReady = true;
         slot.since = WorkerSlot::Clock::now();
-        m_failedStarts = 0;
       } else if (slot.unit && line == doneLine(*slot.unit)) {
         finish(slot);
       }
@@ -107,6 +119,7 @@ private:
 
   void finish(WorkerSlot& slot) {
     ++m_result.done;
+    m_failedStarts = 0;
     m_store.forgetBegun(*slot.unit);
     keepFailures();
     base::logDetail(fmt::format("{}: done in {:.1f} s", nameOf(*slot.unit), slot.secondsOf(slot.since)));
@@ -119,21 +132,24 @@ private:
     const std::optional<std::size_t> unit = slot.unit;
     const auto isCode = [&](base::ExitCode code) { return end.signal == 0 && end.exitCode == static_cast<int>(code); };
     const std::string words = slot.describe(end);
-    const bool wasReady = slot.isReady, isAlone = slot.isAlone, wasToldToEnd = slot.wasToldToEnd(end);
+    const bool isBad = end.signal != 0 || end.exitCode != 0, isAlone = slot.isAlone;
+    const bool hasStarted = slot.scenes > 0 || (slot.isReady && !isBad);
+    const bool wasToldToEnd = slot.wasToldToEnd(end), wasEnded = !slot.fault.empty();
+    std::deque<std::size_t>& queue = queueOf(slot);
     const std::string lastLine = slot.lastLine().empty() ? words : slot.lastLine();
     slot = {};
     if (isCode(base::ExitCode::otherPlan) || isCode(base::ExitCode::incomplete)) {
       m_result.otherPlan |= isCode(base::ExitCode::otherPlan);
       stopAll(lastLine);
-    } else if (!wasReady) {
+    } else if (!hasStarted) {
       if (++m_failedStarts < kMostStarts) return;
       m_isDead = true;
-      stopAll("no worker can start: " + lastLine);
-    } else if (unit && wasToldToEnd) { // as a scheduler tells all processes of a job: nothing is wrong with the scene
-      (isAlone ? m_again : m_queue).push_front(*unit);
+      stopAll("no worker can start: " + (wasEnded ? "it " + words : lastLine));
+    } else if (unit && wasToldToEnd && ++m_told[*unit] <= kMostTold) { // as a scheduler tells all processes of a job
+      queue.push_front(*unit);
     } else if (unit) {
       fail(*unit, words, isAlone);
-    } else if (end.signal != 0 || end.exitCode != 0) {
+    } else if (isBad) {
       base::logDetail("a worker ended badly after its work was done: " + words);
     }
   }
@@ -169,8 +185,10 @@ private:
       scene.result.errorExitCode = static_cast<int>(base::ExitCode::failed);
       scene.error = fmt::format("{}: {}", request.name, scene.result.error);
       if (!tryToWrite([&] { m_store.put(unit, std::move(scene), {.isGivenUp = true}); })) return;
+      m_store.forgetBegun(unit);
       ++m_result.done;
       ++m_result.crashed;
+      m_result.lastCrash = fmt::format("{}: it {}", request.name, words);
     }
   }
 
@@ -187,7 +205,7 @@ private:
 
   void stopAll(std::string why) {
     m_isOver = true;
-    m_result.why = std::move(why);
+    if (m_result.why.empty()) m_result.why = std::move(why);
   }
 
   void endAll() {
@@ -200,7 +218,9 @@ private:
         if (slot.process) listen(slot);
       wait();
     }
-    m_slots.clear(); // kills what still runs
+    for (WorkerSlot& slot : m_slots)
+      if (slot.process) listen(slot); // a unit may be done
+    m_slots.clear();                  // kills what still runs
   }
 
   // Until a worker says something, and not long.
@@ -221,7 +241,9 @@ private:
   const UnitStore m_store;
   const SuperviseOptions& m_options;
   const Progress& m_progress;
-  std::deque<std::size_t> m_queue, m_again; // not begun; to be tried once more, alone
+  std::deque<std::size_t> m_queue, m_again; // to be tried; to be tried once more, alone
+  std::deque<std::size_t> m_begun;          // that an earlier run began: the last, one at a time
+  std::map<std::size_t, int> m_told;        // how often somebody else ended a unit's worker
   std::size_t m_total;
   std::vector<WorkerSlot> m_slots;
   std::map<std::size_t, std::string> m_attempts;               // what the first worker of a unit came to

@@ -23,6 +23,7 @@ struct SuperviseOptions {
 struct SuperviseResult {
   std::size_t done = 0;    // units that are there now and were not before
   std::size_t crashed = 0; // of them: units that no worker survived; they are errors of the report
+  std::string lastCrash;   // what became of the last one of these
   std::size_t missing = 0; // units that are still to be done
   std::string why;         // of what is missing: a line
   bool otherPlan = false;  // a worker refused the plan (exit 78)

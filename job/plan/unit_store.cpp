@@ -1,7 +1,6 @@
 #include "job/plan/unit_store.h"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <system_error>
 
@@ -62,13 +61,18 @@ ReadUnit UnitStore::readWhole(const fs::path& file) const {
   return std::move(*unit);
 }
 
+bool UnitStore::has(std::size_t index) const {
+  std::error_code none;
+  return fs::exists(fileOf(index, kUnit), none);
+}
+
 std::string UnitStore::findFault(std::size_t index) const {
   try {
     const Unit unit = read(index);
     for (const UnitFile& file : unit.files) {
       std::error_code error;
       if (const std::uintmax_t size = fs::file_size(blobOf(file.hash), error); error || size != file.bytes)
-        return fmt::format("its picture {} is missing or damaged", file.file);
+        return fmt::format("{}: its picture {} is missing or damaged", fileOf(index, kUnit).string(), file.file);
     }
     return {};
   } catch (const base::Error& error) {
@@ -91,20 +95,28 @@ std::vector<std::size_t> UnitStore::missing(std::size_t shard) const {
   return list;
 }
 
+std::uintmax_t UnitStore::timesBegun(std::size_t index) const {
+  std::error_code error;
+  const std::uintmax_t bytes = fs::file_size(fileOf(index, kBegun), error); // a byte each
+  return error ? 0 : bytes;
+}
+
+bool UnitStore::wasBegun(std::size_t index) const { return timesBegun(index) > 0; }
+
 void UnitStore::sortByBegun(std::vector<std::size_t>& units) const {
-  std::map<std::size_t, std::uintmax_t> times; // a byte each
-  for (const std::size_t unit : units) {
-    std::error_code error;
-    const std::uintmax_t bytes = fs::file_size(fileOf(unit, kBegun), error);
-    times[unit] = error ? 0 : bytes;
-  }
+  std::map<std::size_t, std::uintmax_t> times;
+  for (const std::size_t unit : units) times[unit] = timesBegun(unit);
   std::ranges::stable_sort(units, {}, [&](std::size_t unit) { return times[unit]; });
 }
 
 void UnitStore::noteBegun(std::size_t index) const {
-  std::error_code none;
-  fs::create_directories(m_folder / "units", none);
-  std::ofstream(fileOf(index, kBegun), std::ios::app) << '.';
+  const fs::path file = fileOf(index, kBegun);
+  const std::string text(static_cast<std::size_t>(timesBegun(index) + 1), '.');
+  try {
+    base::replaceDurably(file, std::as_bytes(std::span{text})); // the machine may go down at once
+  } catch (const base::Error& error) {
+    base::logDetail(error.what());
+  }
 }
 
 void UnitStore::forgetBegun(std::size_t index) const {
@@ -113,6 +125,8 @@ void UnitStore::forgetBegun(std::size_t index) const {
 }
 
 void UnitStore::dropOutdated() const {
+  std::error_code none;
+  if (!fs::exists(m_folder / "units", none)) return;
   std::map<fs::path, std::string> hashes; // of files as they are now; empty: not there
   const auto hashOf = [&](const fs::path& file) -> const std::string& {
     const auto [entry, isNew] = hashes.try_emplace(file);
@@ -131,7 +145,6 @@ void UnitStore::dropOutdated() const {
     } catch (const base::Error& error) { // it is done anew anyway
       base::logDetail(error.what());
     }
-    std::error_code none;
     for (const char* ending : {kUnit, kOther, kCrash, kBegun}) fs::remove(fileOf(i, ending), none);
   }
 }
@@ -154,9 +167,7 @@ void UnitStore::put(std::size_t index, ComparedScene scene, UnitRun run) const {
     }
   }
   base::logDetail(fmt::format("{}: is replaced", file.string()));
-  std::error_code none;
-  fs::remove(file, none);
-  base::writeOnce(file, bytes);
+  base::replaceDurably(file, bytes);
 }
 
 Unit UnitStore::read(std::size_t index) const {

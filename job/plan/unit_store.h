@@ -15,6 +15,8 @@ class UnitStore {
 public:
   UnitStore(std::filesystem::path folder, const Plan& plan);
 
+  // Whether there is a file of it.
+  bool has(std::size_t index) const;
   // Why there is no use in a unit; empty: it is there, whole, with all its pictures.
   std::string findFault(std::size_t index) const;
   // Those with a fault, in order, but those last that workers began most often: a scene that ends the whole machine
@@ -38,6 +40,7 @@ public:
   // A worker has begun the unit, and has done it. Without effect where nothing can be written.
   void noteBegun(std::size_t index) const;
   void forgetBegun(std::size_t index) const;
+  bool wasBegun(std::size_t index) const;
   // A worker that did not finish the unit: what happened, for people. It stays when another try succeeds.
   void noteCrash(std::size_t index, const std::string& words) const;
   std::string crashOf(std::size_t index) const; // empty: none
@@ -50,6 +53,7 @@ private:
   std::filesystem::path fileOf(std::size_t index, const char* ending) const;
   std::filesystem::path blobOf(const std::string& hash) const;
   UnitFile keep(const EncodedPicture& picture) const;
+  std::uintmax_t timesBegun(std::size_t index) const;
   void sortByBegun(std::vector<std::size_t>& units) const;
   // Throws Error as read does.
   ReadUnit readWhole(const std::filesystem::path& file) const;

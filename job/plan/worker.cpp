@@ -1,9 +1,11 @@
 #include "job/plan/worker.h"
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <system_error>
@@ -20,6 +22,7 @@
 #include "job/plan/unit_store.h"
 #include "job/scene_times.h"
 #include "report/reader.h"
+#include "scenes/names.h"
 
 namespace parity::job {
 
@@ -41,6 +44,7 @@ public:
   // False where the run was told to stop: nothing is kept then.
   bool doUnit(std::size_t index, const Tell& tell) {
     takeBaseline(index);
+    std::vector<scenes::SourceFile> others = otherInputs(m_request.scenes[index].settings.scene);
     const auto before = m_context.timings().stages();
     const auto start = std::chrono::steady_clock::now();
     ComparedScene scene = compareScene(m_context, m_request, index, m_budgets, tell);
@@ -48,7 +52,7 @@ public:
     scene.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!scene.isCached && scene.result.error.empty())
       keepSceneTime(m_context.cache(), m_request.scenes[index], scene.seconds);
-    noteInputs(m_request.scenes[index].settings.scene, scene.inputs);
+    std::ranges::move(others, std::back_inserter(scene.inputs));
     dropPictures(scene, m_request.pictures, m_budgets.baseline(), m_plan.facts);
     if (!scene.error.empty()) base::logError(scene.error);
     UnitRun run{scene.seconds, scene.isCached, timingsSince(before), newShaders()};
@@ -64,18 +68,24 @@ private:
   // The scene may be new since the baseline: then that knows nothing of it, but there is one.
   void takeBaseline(std::size_t index) {
     if (m_plan.request.baseline.empty()) return;
-    const std::filesystem::path file = baselineOf(m_request.folder, index);
+    const std::filesystem::path file = baselineOf(m_plan, m_request.folder, index);
     m_baseline = file.empty() ? report::Report() : report::readReport(file);
     m_budgets.setBaseline(&*m_baseline);
   }
 
-  // What the scene was read from besides its own files.
-  static void noteInputs(const scenes::SceneSettings& settings, std::vector<scenes::SourceFile>& inputs) {
-    for (const std::filesystem::path& file :
-         {std::filesystem::path(settings.environment), std::filesystem::path(settings.baked) / bake::kManifestFile}) {
-      std::error_code none;
-      if (std::filesystem::is_regular_file(file, none)) inputs.push_back({file, base::hashOfFile(file)});
-    }
+  // What the scene is read from besides its own files. One that cannot be read is an error of the scene.
+  static std::vector<scenes::SourceFile> otherInputs(const scenes::SceneSettings& settings) {
+    std::vector<scenes::SourceFile> inputs;
+    const auto add = [&](const std::filesystem::path& file) {
+      try {
+        inputs.push_back({file, base::hashOfFile(file)});
+      } catch (const base::Error& error) {
+        base::logDetail(error.what());
+      }
+    };
+    if (!settings.environment.empty() && !scenes::isBuiltin(settings.environment)) add(settings.environment);
+    if (!settings.baked.empty()) add(std::filesystem::path(settings.baked) / bake::kManifestFile);
+    return inputs;
   }
 
   std::vector<std::pair<std::string, double>> timingsSince(const std::vector<std::pair<std::string, double>>& before) {

@@ -19,8 +19,8 @@ namespace parity::job {
 namespace {
 
 constexpr double kMostStartS = 120;                // until it is ready, where a scene may take less
-constexpr double kLateS = 5;                      // for its end, after its work
-constexpr std::chrono::seconds kTermTime{2};          // from SIGTERM to SIGKILL
+constexpr double kLateS = 5;                       // for its end, after its work
+constexpr std::chrono::seconds kTermTime{2};       // from SIGTERM to SIGKILL
 constexpr double kMostDeathS = 10;                 // after SIGKILL: one that hangs in the kernel is given up
 constexpr std::string_view kErrorMark = "error: "; // which its supervisor's message has, too
 constexpr std::size_t kMostLines = 8, kMostLineBytes = 300;
@@ -103,7 +103,8 @@ std::string WorkerSlot::describe(const base::ProcessEnd& end) const {
 bool WorkerSlot::wasToldToEnd(const base::ProcessEnd& end) const {
   constexpr int kOfSignals = 128;
   return fault.empty() && end.signal == 0 &&
-         (end.exitCode == kOfSignals + SIGTERM || end.exitCode == kOfSignals + SIGINT);
+         (end.exitCode == kOfSignals + SIGTERM || end.exitCode == kOfSignals + SIGINT ||
+          end.exitCode == kOfSignals + SIGHUP);
 }
 
 } // namespace parity::job

@@ -23,7 +23,7 @@ struct WorkerSlot {
   std::unique_ptr<StagePage> page;
   std::unique_ptr<base::ChildProcess> process;
   std::optional<std::size_t> unit; // that it has been given and not finished
-  bool isReady = false, isAlone = false, isRetiring = false;
+  bool isReady = false, isAlone = false, isCareful = false, isRetiring = false;
   int scenes = 0;          // that it has been given
   Clock::time_point born;  // when it was started
   Clock::time_point since; // when it was given the unit, was ready, or was told to end

@@ -187,6 +187,15 @@ TEST(WriteOnce, TheFirstOfManyWritersStaysAndNothingElse) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder / "units"), {}), 1);
 }
 
+TEST(ReplaceDurably, ReplacesAndLeavesNothingElse) {
+  const TempFolder folder;
+  for (const std::string text : {"one", "two"}) {
+    replaceDurably(folder / "units/a", std::as_bytes(std::span{text}));
+    EXPECT_EQ(readText(folder / "units/a"), text);
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "units"), {}), 1);
+}
+
 TEST(WriteOnce, LeavesNothingOnAFullDisk) {
   const TempFolder folder;
   const FileSizeLimit limit(100);

@@ -79,6 +79,20 @@ TEST(ChildProcess, ASignalReachesItsWholeGroup) {
   EXPECT_TRUE(holdsSoon([&] { return !runs(grandchild); }));
 }
 
+TEST(ChildProcess, WhatItLeavesBehindEndsWithIt) {
+  const auto process = shell("yes & echo $!; exit 0");
+  std::vector<std::string> lines;
+  ASSERT_TRUE(holdsSoon([&] { return !(lines = process->readOutput()).empty(); }));
+  EXPECT_EQ(endOf(*process).exitCode, 0);
+  process->readOutput(); // comes to an end
+  EXPECT_TRUE(holdsSoon([&] { return !runs(std::stoi(lines.front())); }));
+}
+
+TEST(ChildProcess, IgnoredSignalsOfTheParentDoNotHideItsEnd) {
+  std::signal(SIGCHLD, SIG_IGN);
+  EXPECT_EQ(endOf(*shell("exit 3")).exitCode, 3);
+}
+
 TEST(ChildProcess, IsKilledWithItsObject) {
   pid_t id = 0;
   {

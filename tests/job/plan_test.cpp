@@ -56,6 +56,7 @@ Plan makePlanOfEverything() {
       desk, {.name = "Chair", .scene = "Chair.glb", .settings = {}, .captures = {}, .views = {}, .budgets = {}}};
   plan.budgets = {{"run.toml", "[[rule]]\n\"\t"}};
   plan.baseline = std::string(32, 'c');
+  plan.sceneBaselines = {"", std::string(32, 'e')};
   plan.shards = {{1}, {}, {0}};
   return plan;
 }
@@ -98,6 +99,7 @@ TEST(Plan, DigestSeesWhatDecidesTheReportAndNothingElse) {
       [](Plan& p) { p.baseline[0] = 'x'; },
   };
   for (std::size_t i = 0; i < others.size(); ++i) EXPECT_NE(digestOf(others[i]), digest) << "change " << i;
+  EXPECT_EQ(digestOf([](Plan& p) { p.sceneBaselines.clear(); }), digest) << "it follows from the baseline";
   EXPECT_EQ(digestOf([](Plan& p) { p.shards = {{0, 1}}; }), digest);
   EXPECT_EQ(digestOf([](Plan& p) { p.request.commandLine = "other"; }), digest);
   EXPECT_EQ(digestOf([](Plan& p) { p.request.again.clear(); }), digest);

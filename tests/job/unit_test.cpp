@@ -192,6 +192,8 @@ TEST(UnitStore, WhatWasBegunMostOftenComesLast) {
   for (const std::size_t unit : {0u, 1u, 0u}) store.noteBegun(unit);
   EXPECT_EQ(store.missing(), (std::vector<std::size_t>{2, 1, 0}));
   EXPECT_EQ(store.missing(0), (std::vector<std::size_t>{2, 0}));
+  EXPECT_TRUE(store.wasBegun(1));
+  EXPECT_FALSE(store.wasBegun(2));
   store.forgetBegun(0);
   EXPECT_EQ(store.missing(), (std::vector<std::size_t>{0, 2, 1}));
 }

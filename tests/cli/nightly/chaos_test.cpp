@@ -1,4 +1,5 @@
 // Workers, supervisors and the disk fail at random; the work goes on until it is done, and gives the same bytes.
+#include <algorithm>
 #include <cstdlib>
 #include <random>
 
@@ -13,6 +14,13 @@ namespace {
 int rounds() {
   const char* asked = std::getenv("PARITY_CHAOS_ROUNDS");
   return asked ? std::atoi(asked) : 5;
+}
+
+std::vector<std::string> listFolders(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    names.push_back(entry.path().filename().string());
+  return names;
 }
 
 class ChaosTest : public NightTest {};
@@ -44,6 +52,8 @@ TEST_F(ChaosTest, WhateverFailsTheWorkEndsWithTheSameBytes) {
       EXPECT_TRUE(run.exitCode == 0 || run.exitCode == 75 || run.signal == SIGKILL) << faults << "\n" << run.err;
     }
     EXPECT_GE(ends, 2) << "the supervisor was killed once";
+    EXPECT_EQ(listFolders(m_folder / "faults").size(), 1 + std::ranges::count(faults, ';'))
+        << "each happened: " << faults;
     EXPECT_LE(begun().size(), kScenes + kinds.size() - 1 + static_cast<std::size_t>(kJobs * (ends - 1)))
         << "no more is done again than what ran when something was killed: " << faults;
     EXPECT_TRUE(isReported(merge(fmt::format("merged-{}", round))));

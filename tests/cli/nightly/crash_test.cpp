@@ -30,7 +30,7 @@ TEST_F(CrashTest, OneSceneThatAlwaysCrashesCostsThatScene) {
   plan(1);
   const RunResult run = work({"--jobs", "2"}, failing("segv 07.gltf", false));
   EXPECT_TRUE(exitedWith(0, run));
-  EXPECT_TRUE(contains(run.err, "crashed twice")) << run.err;
+  EXPECT_TRUE(contains(run.err, "failed twice")) << run.err;
   const RunResult merged = merge("merged");
   EXPECT_TRUE(exitedWith(4, merged));
   const std::string error = onlyErrorIs(readReport(m_folder / "merged"), 7);
@@ -106,6 +106,24 @@ TEST_F(CrashTest, WorkersThatATaskManagerEndsBlameNoScene) {
   EXPECT_FALSE(contains(run.err, "crash")) << run.err;
   EXPECT_TRUE(isReported(merge("merged")));
   EXPECT_TRUE(sameFiles(reportIn("merged"), expected));
+}
+
+// Something that ends the workers of one scene each time, such as a guard of the machine's memory.
+TEST_F(CrashTest, WorkersOfOneSceneThatAreEndedAgainAndAgainAreItsError) {
+  writeScenes(2);
+  reportHere();
+  plan(1);
+  EXPECT_TRUE(exitedWith(0, work({}, failing("term 01.gltf", false))));
+  EXPECT_TRUE(exitedWith(4, merge("merged")));
+  EXPECT_TRUE(contains(onlyErrorIs(readReport(m_folder / "merged"), 1), "ended with exit code 143"));
+}
+
+// A scene that takes the whole machine down, the supervisor too, is never noted as a crash.
+TEST_F(CrashTest, SceneThatEndsTheWholeMachineKeepsNoOtherFromBeingDone) {
+  writeScenes(4);
+  plan(1);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(work({"--jobs", "2"}, failing("parent 00.gltf", false)).signal, SIGKILL);
+  EXPECT_EQ(units(), (std::vector<std::string>{"units/000001.unit", "units/000002.unit", "units/000003.unit"}));
 }
 
 TEST_F(CrashTest, CrashAfterTheWorkCostsNothing) {

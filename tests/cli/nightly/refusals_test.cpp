@@ -56,6 +56,13 @@ TEST_F(RefusalsTest, BaselineThatIsNotThePlansOwn) {
   writeScenes(1);
   ASSERT_TRUE(isReported(runParity(join({{"report", "-o", path("old")}, options()}))));
   plan(1, {"--baseline", path("old")});
+  const std::filesystem::path part = night() / "baseline" / "000000.json";
+  const std::string whole = readWholeFile(part);
+  writeFile(part, whole + " ");
+  const RunResult run = work();
+  EXPECT_TRUE(exitedWith(78, run));
+  EXPECT_TRUE(contains(run.err, "000000.json: is not the baseline of the plan")) << run.err;
+  writeFile(part, whole);
   EXPECT_TRUE(exitedWith(0, work()));
   writeFile(night() / "baseline.json", readWholeFile(night() / "baseline.json") + " ");
   expectRefused(merge("merged"), 78, {"baseline.json", "is not the baseline of the plan"});
@@ -98,6 +105,18 @@ TEST_F(RefusalsTest, SecondMergeAtTheSameTime) {
   expectRefused(merge("merged"), 75, {"another process merges this plan"});
   ::close(file);
   EXPECT_TRUE(isReported(merge("merged")));
+}
+
+// Also with other options, of which the second one would begin anew.
+TEST_F(RefusalsTest, SecondReportIntoTheSameFolderAtTheSameTime) {
+  writeScenes(1);
+  std::filesystem::create_directories(m_folder / "out" / ".parity-work");
+  const int file = ::open((m_folder / "out" / ".parity-work" / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  ASSERT_EQ(::flock(file, LOCK_EX), 0);
+  expectRefused(runParity(join({{"report", "-o", path("out"), "--jobs", "1"}, options()})), 75,
+                {"another process merges this plan"});
+  ::close(file);
+  EXPECT_TRUE(isReported(runParity(join({{"report", "-o", path("out"), "--jobs", "1"}, options()}))));
 }
 
 TEST_F(RefusalsTest, FullDiskInEachStep) {
@@ -148,6 +167,15 @@ TEST_F(RefusalsTest, CacheThatIsTooSmallForTheResultsIsToldByThePlan) {
   EXPECT_EQ(runParity(join({command, {"5G"}})).err, "");
 }
 
+TEST_F(RefusalsTest, WhatIsNotThereIsToldByThePlan) {
+  const RunResult result = runParity(
+      {"plan", "builtin:furnace", "builtin:furnce", "gone.glb", "--env", "builtin:studoi", "-o", path("night")});
+  EXPECT_TRUE(exitedWith(0, result));
+  for (const std::string name : {"builtin:furnce", "gone.glb", "builtin:studoi"})
+    EXPECT_TRUE(contains(result.err, "warning: " + name + ": is not there")) << result.err;
+  EXPECT_EQ(linesOf(result.err).size(), 3u) << result.err;
+}
+
 TEST_F(RefusalsTest, PlansThatCannotBe) {
   writeScenes(1);
   plan(1);
@@ -164,7 +192,7 @@ TEST_F(RefusalsTest, PlansThatCannotBe) {
   expectRefused(work({"--shard", "auto"}, array), 64, {"SLURM_ARRAY_TASK_ID", "there is no shard 7"});
   expectRefused(runParity({"work", path("nothing")}), 4, {"plan.json", "does not exist"});
   writeFile(night() / "plan.json", std::string("{\"format\": 1"));
-  expectRefused(work(), 4, {"plan.json", "is not a plan of this version"});
+  expectRefused(work(), 4, {"plan.json", "is damaged, or a plan of another version"});
 }
 
 } // namespace

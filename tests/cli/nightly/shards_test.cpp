@@ -1,5 +1,6 @@
 // Plan, work and merge give the bytes that `report` gives, for every number of shards and workers.
 #include <algorithm>
+#include <regex>
 #include <set>
 
 #include "base/image/image_io.h"
@@ -40,16 +41,26 @@ TEST_F(ShardsTest, ReportOfSeveralWorkersIsTheReportOfOneProcess) {
   EXPECT_FALSE(std::filesystem::exists(m_folder / "many" / ".parity-work"));
 }
 
+// A baseline with other figures, which the budgets judge: what is measured further depends on both.
 TEST_F(ShardsTest, BaselineAndBudgetsAreThoseOfThePlan) {
   writeScenes(3);
-  const std::string budgets = writeBudgets(m_folder, "warn = 0.0001, fail = 0.99");
-  const std::vector<std::string> judged = {"--budgets", budgets, "--baseline", path("old")};
-  ASSERT_TRUE(isReported(runParity(join({{"report", "-o", path("old"), "--exposure", "1"}, options()}))));
-  EXPECT_TRUE(isReported(runParity(join({{"report", "-o", path("plain")}, options(), judged}))));
+  const std::string budgets = write("budgets.toml", "[[material]]\nname = \"*\"\nmin_pixels = 1\n"
+                                                    "regress = [ { metric = \"flip.mean\", fail = 0.0001 } ]\n");
+  ASSERT_TRUE(isReported(runParity(join({{"report", "-o", path("old")}, options()}))));
+  std::string text = readWholeFile(m_folder / "old" / "report.json"); // as if it had been far better
+  text = std::regex_replace(text, std::regex("\"flip.mean\": ?[0-9.e-]+"), "\"flip.mean\":0");
+  std::filesystem::create_directory(m_folder / "before");
+  writeFile(m_folder / "before" / "report.json", text);
+  const std::vector<std::string> judged = {"--budgets",    budgets,         "--baseline",
+                                           path("before"), "--attribution", "over-budget"};
+  const RunResult plain = runParity(join({{"report", "-o", path("plain")}, options(), judged}));
+  ASSERT_TRUE(exitedWith(2, plain)) << "all regressed";
+  EXPECT_TRUE(contains(reportIn("plain").at("report.json"), "\"attribution\": {"));
   plan(2, judged);
-  writeBudgets(m_folder, "fail = 0.0001");
+  writeBudgets(m_folder, "fail = 0.9");
+  std::filesystem::remove_all(m_folder / "before");
   EXPECT_TRUE(exitedWith(0, work()));
-  EXPECT_TRUE(isReported(merge("merged")));
+  EXPECT_TRUE(exitedWith(2, merge("merged")));
   EXPECT_TRUE(sameFiles(reportIn("merged"), reportIn("plain")));
 }
 
