@@ -109,6 +109,7 @@ void warnOfFaults(const std::vector<std::size_t>& units, const job::UnitStore& s
 } // namespace
 
 int runWorkCommand(const WorkCommand& command) {
+  if (command.supervisor > 0) base::setInterruptNote("the worker was ended before it could begin");
   const job::Plan plan = job::readPlan(command.folder);
   if (command.missing) return printMissing(plan, command.folder);
   if (command.supervisor > 0) return runAsWorker(command, plan);
