@@ -4,7 +4,8 @@
 //   build/bench_report_size since FOLDER                                both: makes it up, and holds it against FOLDER
 //   build/bench_report_size units FOLDER [SCENES [VIEWS [MATERIALS [PICTURES]]]]  a plan with its units
 //   build/bench_report_size merge FOLDER                                merges them
-// The peak of resident memory is that of the process so far. The page of the folder: node bench/large_page.mjs FOLDER.
+// The peak of resident memory is that of the process so far. The page of the folder:
+// node report/dashboard/bench/large_page.mjs FOLDER.
 #include <charconv>
 #include <chrono>
 #include <cstdint>

@@ -1,44 +1,16 @@
 // What a report's page costs in headless Chromium: time to first paint and until it can be used, and memory.
-//   node bench/page.mjs FOLDER [ROUNDS]     FOLDER: of a report, as build/dashboard_reports/many
+//   node report/dashboard/bench/page.mjs FOLDER [ROUNDS]     FOLDER: of a report, as build/dashboard_reports/many
 // Each round is a new browser with an empty cache. Memory: of the page's process, after scrolling through every row and opening ten items.
-import { readFileSync } from "node:fs";
-import { join, resolve } from "node:path";
-import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { openReport, residentMegabytes } from "./opened.mjs";
 
 const [folder, rounds = "5"] = process.argv.slice(2);
 if (!folder) {
-  console.error("node bench/page.mjs FOLDER [ROUNDS]");
+  console.error("node report/dashboard/bench/page.mjs FOLDER [ROUNDS]");
   process.exit(64);
 }
-const url = pathToFileURL(join(resolve(folder), "index.html")).href;
-const launch = () => chromium.launch({ executablePath: process.env.PARITY_CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-background-networking"] });
-
-async function load() {
-  const browser = await launch();
-  const page = await browser.newPage({ viewport: { width: 1400, height: 900 } });
-  await page.goto(url);
-  await page.waitForFunction(() => performance.getEntriesByName("parity-interactive").length > 0 && performance.getEntriesByName("first-contentful-paint").length > 0);
-  const times = await page.evaluate(() => ({
-    paint: performance.getEntriesByName("first-contentful-paint")[0].startTime,
-    interactive: performance.getEntriesByName("parity-interactive")[0].startTime,
-  }));
-  return { browser, page, times };
-}
-
-/** Of the page's process, MB; the browser's own code, which all processes share, counts too. */
-async function residentMegabytes(browser) {
-  const session = await browser.newBrowserCDPSession();
-  const { processInfo } = await session.send("SystemInfo.getProcessInfo");
-  const sizes = processInfo
-    .filter((each) => each.type === "renderer")
-    .map((each) => Number(/VmRSS:\s+(\d+) kB/.exec(readFileSync(`/proc/${each.id}/status`, "utf8"))?.[1] ?? 0) / 1024);
-  return Math.max(...sizes);
-}
-
 const paints = [], interactives = [];
 for (let i = 0; i < Number(rounds); ++i) {
-  const { browser, times } = await load();
+  const { browser, times } = await openReport(folder);
   paints.push(times.paint);
   interactives.push(times.interactive);
   await browser.close();
@@ -48,7 +20,7 @@ const line = (what, values) => console.log(`${what}: median ${median(values).toF
 line("first contentful paint", paints);
 line("interactive", interactives);
 
-const { browser, page } = await load();
+const { browser, page } = await openReport(folder);
 const session = await page.context().newCDPSession(page);
 await session.send("Performance.enable");
 const before = await residentMegabytes(browser);

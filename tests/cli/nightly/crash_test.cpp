@@ -79,8 +79,7 @@ TEST_F(CrashTest, SecondTryThatSucceedsIsAFlakyCrash) {
   const RunResult run = work({}, failing("segv 01.gltf", true));
   EXPECT_TRUE(exitedWith(0, run));
   EXPECT_TRUE(contains(run.err, "warning: 01: flaky crash: crashed with SIGSEGV")) << run.err;
-  EXPECT_TRUE(isReported(merge("merged")));
-  EXPECT_TRUE(sameFiles(reportIn("merged"), expected));
+  expectMerged(expected);
   const nlohmann::json info = nlohmann::json::parse(readWholeFile(m_folder / "merged" / "run.json"));
   ASSERT_EQ(info["incidents"].size(), 1u);
   EXPECT_TRUE(contains(info["incidents"][0], "01: flaky crash: a worker crashed with SIGSEGV")) << info["incidents"];
@@ -93,8 +92,7 @@ TEST_F(CrashTest, SceneThatCrashedTwiceCanBeDoneLater) {
   plan(1);
   EXPECT_TRUE(exitedWith(0, work({}, failing("segv 01.gltf", false))));
   EXPECT_TRUE(exitedWith(0, work({"--unit", "1"})));
-  EXPECT_TRUE(isReported(merge("merged")));
-  EXPECT_TRUE(sameFiles(reportIn("merged"), expected));
+  expectMerged(expected);
 }
 
 TEST_F(CrashTest, WorkersThatATaskManagerEndsBlameNoScene) {
@@ -104,8 +102,7 @@ TEST_F(CrashTest, WorkersThatATaskManagerEndsBlameNoScene) {
   const RunResult run = work({}, failing("term 01.gltf", true));
   EXPECT_TRUE(exitedWith(0, run));
   EXPECT_FALSE(contains(run.err, "crash")) << run.err;
-  EXPECT_TRUE(isReported(merge("merged")));
-  EXPECT_TRUE(sameFiles(reportIn("merged"), expected));
+  expectMerged(expected);
 }
 
 // Something that ends the workers of one scene each time, such as a guard of the machine's memory.
@@ -133,8 +130,7 @@ TEST_F(CrashTest, CrashAfterTheWorkCostsNothing) {
   const RunResult run = work({}, failing("late 02.gltf", false));
   EXPECT_TRUE(exitedWith(0, run));
   EXPECT_FALSE(contains(run.err, "crash")) << run.err;
-  EXPECT_TRUE(isReported(merge("merged")));
-  EXPECT_TRUE(sameFiles(reportIn("merged"), expected));
+  expectMerged(expected);
 }
 
 TEST_F(CrashTest, OrdinaryErrorIsNotTriedAgain) {

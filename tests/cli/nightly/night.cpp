@@ -56,6 +56,11 @@ RunResult NightTest::merge(const std::string& to, const std::vector<std::string>
   return runParity(join({{"merge", path("night"), "-o", path(to)}, more}), options);
 }
 
+void NightTest::expectMerged(const Files& expected, const std::string& to) const {
+  EXPECT_TRUE(isReported(merge(to)));
+  EXPECT_TRUE(sameFiles(reportIn(to), expected));
+}
+
 RunOptions NightTest::failing(const std::string& faults, bool once) const {
   RunOptions options;
   options.environment = {

@@ -29,6 +29,9 @@ protected:
   RunResult merge(const std::string& to, const std::vector<std::string>& more = {},
                   const RunOptions& options = {}) const;
 
+  // Merges the plan, and expects a report of these files.
+  void expectMerged(const Files& expected, const std::string& to = "merged") const;
+
   // The environment in which processes fail; `faults` as PARITY_FAULTS of faults.cpp. once: each happens one time.
   RunOptions failing(const std::string& faults, bool once) const;
   // The scenes that workers began, as "PID FILE", each once; of processes that failing() surrounds.

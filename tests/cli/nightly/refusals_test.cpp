@@ -79,8 +79,7 @@ TEST_F(RefusalsTest, EditedUnitsAreDoneAgain) {
   writeFile(unit, bytes);
   expectRefused(merge("merged"), 4, {"1 of 2 scenes has no result: '01'"});
   EXPECT_TRUE(exitedWith(0, work()));
-  EXPECT_TRUE(isReported(merge("merged")));
-  EXPECT_TRUE(sameFiles(reportIn("merged"), expected));
+  expectMerged(expected);
 }
 
 TEST_F(RefusalsTest, ForeignFilesInTheFolderAreLeftAlone) {
@@ -91,8 +90,7 @@ TEST_F(RefusalsTest, ForeignFilesInTheFolderAreLeftAlone) {
   writeFile(night() / "units" / "notes.txt", std::string("mine"));
   writeFile(night() / "units" / "999999.unit", std::string("mine"));
   EXPECT_TRUE(exitedWith(0, work()));
-  EXPECT_TRUE(isReported(merge("merged")));
-  EXPECT_TRUE(sameFiles(reportIn("merged"), expected));
+  expectMerged(expected);
   EXPECT_EQ(readWholeFile(night() / "units" / "notes.txt"), "mine");
 }
 
@@ -136,8 +134,7 @@ TEST_F(RefusalsTest, FullDiskInEachStep) {
   const RunResult merged = merge("merged", {}, failing("full merged", false));
   EXPECT_TRUE(exitedWith(4, merged));
   EXPECT_TRUE(contains(merged.err, "No space left on device")) << merged.err;
-  EXPECT_TRUE(isReported(merge("merged")));
-  EXPECT_TRUE(sameFiles(reportIn("merged"), expected));
+  expectMerged(expected);
 }
 
 TEST_F(RefusalsTest, DifferentFiguresOfTwoWorkersAreTold) {

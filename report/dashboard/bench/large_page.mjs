@@ -1,21 +1,14 @@
 // What the page of a large report costs in headless Chromium: until it can be used, a sort, a filter, a search, groups,
 // scrolling, opening items.
-//   node bench/large_page.mjs FOLDER [ROUNDS]     FOLDER: of build/bench_report_size write FOLDER
+//   node report/dashboard/bench/large_page.mjs FOLDER [ROUNDS]     FOLDER: of build/bench_report_size write FOLDER
 // Each round is a new browser with an empty cache. A time ends when the page is drawn anew.
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { join, resolve } from "node:path";
-import { fileURLToPath, pathToFileURL } from "node:url";
-
-const require = createRequire(fileURLToPath(new URL("../report/dashboard/package.json", import.meta.url)));
-const { chromium } = require("playwright-core");
+import { openReport, residentMegabytes } from "./opened.mjs";
 
 const [folder, rounds = "3"] = process.argv.slice(2);
 if (!folder) {
-  console.error("node bench/large_page.mjs FOLDER [ROUNDS]");
+  console.error("node report/dashboard/bench/large_page.mjs FOLDER [ROUNDS]");
   process.exit(64);
 }
-const url = pathToFileURL(join(resolve(folder), "index.html")).href;
 const kDrawn = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
 const times = new Map(); // by what is done
 
@@ -39,15 +32,6 @@ async function measure(page, what, work, argument, isDone = () => true) {
   note(what, ms);
 }
 
-async function residentMegabytes(browser) {
-  const session = await browser.newBrowserCDPSession();
-  const { processInfo } = await session.send("SystemInfo.getProcessInfo");
-  const sizes = processInfo
-    .filter((each) => each.type === "renderer")
-    .map((each) => Number(/VmRSS:\s+(\d+) kB/.exec(readFileSync(`/proc/${each.id}/status`, "utf8"))?.[1] ?? 0) / 1024);
-  return Math.max(...sizes);
-}
-
 const click = (selector) => document.querySelector(selector).click();
 const search = (words) => {
   const input = document.querySelector("#search");
@@ -63,13 +47,9 @@ const press = (key) => document.body.dispatchEvent(new KeyboardEvent("keydown", 
 const isOpen = () => document.querySelector("parity-item .checks, parity-item .notice.error") !== null;
 
 for (let round = 0; round < Number(rounds); ++round) {
-  const browser = await chromium.launch({ executablePath: process.env.PARITY_CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-background-networking"] });
-  const page = await browser.newPage({ viewport: { width: 1400, height: 900 } });
-  page.on("pageerror", (error) => console.error(String(error)));
-  await page.goto(url);
-  await page.waitForFunction(() => performance.getEntriesByName("parity-interactive").length > 0 && performance.getEntriesByName("first-contentful-paint").length > 0);
-  note("first contentful paint", await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0].startTime));
-  note("interactive", await page.evaluate(() => performance.getEntriesByName("parity-interactive")[0].startTime));
+  const { browser, page, times: loading } = await openReport(folder);
+  note("first contentful paint", loading.paint);
+  note("interactive", loading.interactive);
   note("memory after loading, MB", await residentMegabytes(browser));
   if (round === 0) console.log(await page.textContent(".shown"));
 
