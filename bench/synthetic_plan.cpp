@@ -7,7 +7,7 @@
 #include "base/version.h"
 #include "job/context.h"
 #include "job/plan/merge.h"
-#include "job/plan/plan.h"
+#include "job/plan/plan_folder.h"
 #include "job/plan/unit_store.h"
 
 namespace parity::bench {

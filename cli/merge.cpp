@@ -3,6 +3,7 @@
 #include "cli/invocation.h"
 #include "cli/progress.h"
 #include "cli/report_parts.h"
+#include "job/plan/plan_folder.h"
 
 namespace parity::cli {
 

@@ -15,7 +15,7 @@
 #include "cli/report_parts.h"
 #include "cli/requests.h"
 #include "job/context.h"
-#include "job/plan/plan.h"
+#include "job/plan/plan_folder.h"
 #include "scenes/builtin/builtin.h"
 #include "scenes/names.h"
 

@@ -12,6 +12,7 @@
 #include "cli/workers.h"
 #include "job/context.h"
 #include "job/plan/merge.h"
+#include "job/plan/plan_folder.h"
 #include "job/plan/unit_store.h"
 #include "job/report_folder.h"
 

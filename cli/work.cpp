@@ -18,6 +18,7 @@
 #include "cli/shard_index.h"
 #include "cli/workers.h"
 #include "job/context.h"
+#include "job/plan/plan_folder.h"
 #include "job/plan/unit_store.h"
 #include "job/plan/worker.h"
 #include "scenes/names.h"

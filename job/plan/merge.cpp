@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "job/context.h"
+#include "job/plan/plan_folder.h"
 #include "job/plan/unit_store.h"
 #include "job/scene/scene_start.h"
 #include "report/judge.h"

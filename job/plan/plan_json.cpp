@@ -1,4 +1,5 @@
 #include "job/plan/plan_json.h"
+#include "job/plan/plan_folder.h"
 
 #include <algorithm>
 #include <array>

@@ -19,6 +19,7 @@
 #include "base/log.h"
 #include "job/context.h"
 #include "job/kept_pictures.h"
+#include "job/plan/plan_folder.h"
 #include "job/plan/unit_store.h"
 #include "job/scene_times.h"
 #include "report/reader.h"

@@ -13,6 +13,7 @@
 #include "base/temp_folder.h"
 #include "base/version.h"
 #include "job/context.h"
+#include "job/plan/plan_folder.h"
 #include "job/plan/plan_json.h"
 #include "job/plan/unit_store.h"
 
