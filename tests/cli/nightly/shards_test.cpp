@@ -45,11 +45,16 @@ TEST_F(ShardsTest, ReportOfSeveralWorkersIsTheReportOfOneProcess) {
   EXPECT_FALSE(std::filesystem::exists(m_folder / "many" / ".parity-work"));
 }
 
-// A baseline with other figures, which the budgets judge: what is measured further depends on both.
+// A baseline with other figures, which the budgets judge: no row is over its limit, all have regressed. So what is
+// measured further depends on both.
 TEST_F(ShardsTest, BaselineAndBudgetsAreThoseOfThePlan) {
   writeScenes(3);
-  const std::string budgets = write("budgets.toml", "[[material]]\nname = \"*\"\nmin_pixels = 1\n"
-                                                    "regress = [ { metric = \"flip.mean\", fail = 0.0001 } ]\n");
+  const std::string budgets = write("budgets.toml", R"([[material]]
+name = "*"
+min_pixels = 1
+checks = [ { metric = "flip.mean", fail = 0.99 } ]
+regress = [ { metric = "flip.mean", fail = 0.0001 } ]
+)");
   ASSERT_TRUE(isReported(runParity(join({{"report", "-o", path("old")}, options()}))));
   std::string text = readWholeFile(m_folder / "old" / "report.json"); // as if it had been far better
   text = std::regex_replace(text, std::regex("\"flip.mean\": ?[0-9.e-]+"), "\"flip.mean\":0");
