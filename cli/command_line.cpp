@@ -96,14 +96,15 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   CLI::App& reportApp =
       *app.add_subcommand("report", "Compare scenes and write a report: index.html, report.json, junit.xml, images");
   addSceneList(reportApp, report);
-  report.folder = "parity-report";
+  report.folder = kDefaultReportFolder;
   reportApp.add_option("-o,--output", report.folder, "Folder for the report")
       ->type_name(kFolder)
       ->group(kOutputGroup)
       ->capture_default_str();
   addPageOptions(reportApp, report, raw);
   addBenchOption(reportApp, report.bench);
-  addVerdictOptions(reportApp, report.verdict, "Show all rows of the table. Default: those that failed or warned");
+  addVerdictOptions(reportApp, report.verdict,
+                    "Show all rows of the table. Default: those that failed, warned or could not be judged");
   RawWorkers rawWorkers;
   addWorkerOptions(reportApp, report.workers, rawWorkers,
                    "Compare scenes in this many worker processes: a crash costs one scene. Default: in this process");
@@ -150,8 +151,9 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       ->type_name(kFile)
       ->group(kInputGroup)
       ->excludes("scene");
-  addVerdictOptions(diffApp, diff.verdict,
-                    "Show all rows of the table. Default: all of up to 24, else those that failed or warned");
+  addVerdictOptions(
+      diffApp, diff.verdict,
+      "Show all rows of the table. Default: all of up to 24, else those that failed, warned or could not be judged");
   addOnlyOption(diffApp, diff.common.only);
   diffApp
       .add_option("--json", diff.common.json,

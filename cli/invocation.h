@@ -47,6 +47,8 @@ struct WorkerOptions {
   std::size_t memoryBytes = 0; // that a worker may hold; 0: any
 };
 
+inline constexpr const char* kDefaultReportFolder = "parity-report";
+
 struct ReportCommand {
   CommonOptions common;
   VerdictOptions verdict;

@@ -14,7 +14,8 @@ int runMergeCommand(const MergeCommand& command) {
       job::mergePlan(plan, command.plan,
                      {.folder = command.folder,
                       .incomplete = command.reportsIncomplete ? job::Incomplete::report : job::Incomplete::error,
-                      .bench = readBench(command.bench)},
+                      .bench = readBench(command.bench),
+                      .warningsFail = command.verdict.warnExit},
                      makeProgress(command.quiet));
   return tellReport(result, {.folder = command.folder,
                              .singleFile = plan.request.singleFile,

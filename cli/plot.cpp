@@ -29,7 +29,7 @@ int runPlotCommand(const PlotCommand& command) {
   std::vector<plot::MaterialDeviation> materials;
   std::string name;
   if (!command.scene.empty()) {
-    const scenes::Scene scene = scenes::loadScene(command.scene);
+    const scenes::Scene scene = scenes::loadScene(command.scene, command.settings.scene.load);
     for (const std::string& warning : scene.warnings) base::logWarning(warning);
     name = scene.name;
     materials = plot::deviationsOf(scene, pair);

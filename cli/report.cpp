@@ -1,6 +1,10 @@
 // parity report: scenes or a suite in, a folder with the report out.
+#include <algorithm>
+#include <filesystem>
+
 #include <fmt/format.h>
 
+#include "base/error.h"
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/parallel.h"
@@ -15,6 +19,7 @@
 #include "job/plan/plan_folder.h"
 #include "job/plan/unit_store.h"
 #include "job/report_folder.h"
+#include "scenes/names.h"
 
 namespace parity::cli {
 
@@ -32,6 +37,19 @@ void requireSeparateFiles(const ReportCommand& command, const job::ReportRequest
   outputs.insert(outputs.end(), single.begin(), single.end());
   requireSeparate(outputs, inputs);
   requireSeparate(single, inputFiles(command.common, command.verdict, {}));
+}
+
+// Names that nobody meant should not cost the report that the default folder has.
+void requireAnyScene(const ReportCommand& command, const job::ReportRequest& request) {
+  std::error_code none;
+  const auto isMissing = [&](const job::SceneRequest& each) {
+    return !each.scene.starts_with(scenes::kBuiltinPrefix) && !std::filesystem::exists(each.scene, none);
+  };
+  if (!command.suite.empty() || command.folder != kDefaultReportFolder || request.scenes.empty() ||
+      !std::filesystem::exists(request.folder / "report.json", none) || !std::ranges::all_of(request.scenes, isMissing))
+    return;
+  throw base::fileError(request.scenes.front().scene, "",
+                        fmt::format("does not exist; the report in {} stays as it is", command.folder));
 }
 
 // By worker processes: plan, work and merge on this machine. The plan lies in the report's folder until the report is
@@ -56,7 +74,8 @@ job::ReportResult reportByWorkers(const ReportCommand& command, job::Context& co
                                                    .incomplete = job::Incomplete::report,
                                                    .stoppedBy = base::StopSignal::received(),
                                                    .whyMissing = work.why,
-                                                   .bench = request.bench},
+                                                   .bench = request.bench,
+                                                   .warningsFail = request.warningsFail},
                                                   progress);
   if (work.missing == 0) std::filesystem::remove_all(folder, none);
   return result;
@@ -70,6 +89,7 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
   job::ReportRequest request = reportRequest(command, run, commandLine);
   request.folder = command.folder;
   requireSeparateFiles(command, request);
+  requireAnyScene(command, request);
   request.bench = readBench(command.bench);
   const base::StopSignal stop("interrupted: the report is written with what is finished; another signal ends the "
                               "program at once");

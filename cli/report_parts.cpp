@@ -63,6 +63,7 @@ job::ReportRequest reportRequest(const ReportCommand& command, const RunRequest&
   request.pixelData = command.pixelData && report::hasDashboard(); // which alone reads them
   request.singleFile = command.singleFile;
   request.commandLine = commandLine;
+  request.warningsFail = command.verdict.warnExit;
   request.again = againCommands(request.scenes, {command.suite, command.common.environments}, command.kept);
   return request;
 }

@@ -25,7 +25,8 @@ namespace {
 
 // Rings of texels beside the charts: what bilinear reading reaches, and a phone's blocks.
 constexpr int kDilation = 4;
-constexpr double kFloorPerCapture = 30; // square metres
+constexpr double kFloorPerCapture = 30;     // square metres
+constexpr std::size_t kBytesPerTexel = 256; // of the lightmap's pages, all stages together (docs/limits.md)
 // Shares of the whole, for progress.
 constexpr double kIntegrated = 0.85, kEncoded = 0.9;
 
@@ -56,6 +57,7 @@ public:
     light.hashes = bake::hashScene(prepared.scene, lights);
 
     const bake::Atlas atlas = makeAtlas(prepared.scene);
+    requireRoom(atlas);
     result.notes.insert(result.notes.end(), atlas.notes.begin(), atlas.notes.end());
     light.pageSide = atlas.pageSide;
     light.uvs = atlas.uvs;
@@ -90,6 +92,18 @@ private:
   bake::Atlas makeAtlas(const scenes::Scene& scene) {
     const base::Stopwatch watch(&m_context.timings(), "lightmap uvs");
     return bake::makeAtlas(scene, m_options.atlas);
+  }
+  // Throws Error where the texels would take more than --max-memory.
+  void requireRoom(const bake::Atlas& atlas) const {
+    const std::size_t side = static_cast<std::size_t>(atlas.pageSide);
+    const std::size_t bytes = side * side * static_cast<std::size_t>(atlas.pageCount) * kBytesPerTexel,
+                      limit = m_request.settings.scene.load.maxMemoryBytes;
+    if (bytes > limit)
+      throw base::fileError(m_request.scene, "",
+                            fmt::format("its lightmap of {} page{} of {}x{} texels needs about {} MiB; the limit is {} "
+                                        "MiB (--max-memory); lower --texels-per-metre",
+                                        atlas.pageCount, atlas.pageCount == 1 ? "" : "s", side, side, bytes >> 20,
+                                        limit >> 20));
   }
   bake::TexelGrid makeGrid(const scenes::Scene& scene, const bake::Atlas& atlas) {
     const base::Stopwatch watch(&m_context.timings(), "lightmap texels");

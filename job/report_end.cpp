@@ -174,6 +174,7 @@ ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Prog
   result.run.startedAt = m_startedAt;
   result.run.commandLine = m_request.commandLine;
   result.run.again = m_request.again;
+  result.run.warningsFail = m_request.warningsFail;
   for (std::size_t i = 0; i < m_scenes.size(); ++i)
     if (!m_isAdded[i]) m_scenes[i] = notRunScene(m_request.scenes[i], context.stoppedBy());
   report.version = base::kVersion;

@@ -88,6 +88,7 @@ private:
 
 ReportResult runReport(Context& context, const ReportRequest& request, const Progress& progress) {
   RunBudgets budgets(context.settings().budgets, request.suiteBudgets);
+  if (request.baseline.empty()) budgets.requireLevels();
   ReportEnd end(request, budgets, factsOf(context));
   Run(context, request, budgets, end, progress).compareScenes();
   return end.finish(context, {}, progress);

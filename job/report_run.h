@@ -33,6 +33,7 @@ struct ReportRequest {
   report::Bench bench;                          // for the page and the folder
   std::string commandLine;                      // for run.json
   std::vector<report::AgainCommand> again = {}; // for run.json
+  bool warningsFail = false;                    // for run.json and junit.xml
 };
 
 struct ReportResult {

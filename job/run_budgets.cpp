@@ -1,8 +1,24 @@
 #include "job/run_budgets.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
+
+#include "base/error.h"
 
 namespace parity::job {
+
+namespace {
+
+// Whether there are rules of the file, each with limits on regressions alone. The built-in ones stand behind them.
+bool limitsOnlyRegressions(const std::vector<compare::BudgetRule>& rules) {
+  const auto isOfFile = [](const compare::BudgetRule& rule) { return rule.line > 0; };
+  return std::ranges::any_of(rules, isOfFile) && std::ranges::all_of(rules, [&](const compare::BudgetRule& rule) {
+           return !isOfFile(rule) || (rule.checks.empty() && !rule.regress.empty());
+         });
+}
+
+} // namespace
 
 RunBudgets::RunBudgets(std::optional<std::string> ofRun, std::optional<std::string> ofSuite, FrozenFiles frozen)
     : m_ofRun(std::move(ofRun)), m_ofSuite(std::move(ofSuite)), m_frozen(std::move(frozen)) {
@@ -20,6 +36,15 @@ const compare::Budgets& RunBudgets::ofFile(const std::string& file) const {
   return m_read
       .emplace(file, frozen == m_frozen.end() ? compare::loadBudgets(file) : compare::readBudgets(frozen->second, file))
       .first->second;
+}
+
+void RunBudgets::requireLevels() const {
+  const auto& first = m_ofRun ? m_ofRun : m_ofSuite;
+  if (!first) return;
+  const compare::Budgets& budgets = ofFile(*first);
+  if (limitsOnlyRegressions(budgets.materials) || limitsOnlyRegressions(budgets.wholes))
+    throw base::fileError(*first, "",
+                          "limits only regressions, so the run needs --baseline; a run without --budgets makes one");
 }
 
 compare::Budgets RunBudgets::of(const SceneRequest& request) const {

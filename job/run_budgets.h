@@ -30,6 +30,10 @@ public:
   // Throws Error as compare::loadBudgets does.
   const compare::Budgets& ofFile(const std::string& file) const;
 
+  // Throws Error where a file of the constructor limits only regressions of its materials or its whole images: without
+  // a baseline nothing could judge them, and that should not be told at the end of the run.
+  void requireLevels() const;
+
   void setBaseline(const report::Report* baseline) { m_baseline = baseline; }
   const report::Report* baseline() const { return m_baseline; } // null: none
 

@@ -121,7 +121,7 @@ std::vector<compare::Condition> conditionsOfRun(const Report& report) {
 // notComparable: as in BaselineChange.
 void judgeRegression(compare::CheckResult& check, const compare::Figures* before, const compare::Figures& now,
                      const std::string& notComparable) {
-  if (!check.regress || check.judged()) return;
+  if (!check.regress || check.judged() || now.nonFinite > 0) return;
   if (before && !notComparable.empty()) {
     check.verdict = compare::Verdict::warn;
     check.unjudged = "not comparable: " + notComparable;

@@ -14,33 +14,46 @@
 namespace parity::report {
 namespace {
 
-constexpr const char* kNotMeasured = "cause not measured (--attribution all measures warnings, too)";
+constexpr double kLeastFlip = 0.0005; // below it reads 0.000: there is no cause to name
 
 bool anyCheckFound(const MaterialResult& material) {
   return std::ranges::any_of(material.checks,
                              [](const auto& check) { return check.verdict >= compare::Verdict::warn; });
 }
 
-std::string causeIn(const MaterialResult& material) {
+// Whether FLIP says something of a term at all.
+bool hasFlipToExplain(const MaterialResult& material) {
+  return material.figures.pixels > 0 && material.figures.nonFinite == 0 && material.verdict != compare::Verdict::error;
+}
+
+std::string wordsOf(const MaterialResult& material) {
+  const std::optional<compare::TermEffect> cause = causeOf(material);
+  return cause ? termWithWords(cause->term) : describeNoCause(material);
+}
+
+double flipOf(const MaterialResult& material) { return material.figures.find("flip.mean").value_or(-1); }
+
+} // namespace
+
+std::optional<compare::TermEffect> causeOf(const MaterialResult& material) {
+  if (!hasFlipToExplain(material) || !material.attribution || material.attribution->flip < kLeastFlip) return {};
+  return findCause(*material.attribution);
+}
+
+std::string describeNoCause(const MaterialResult& material) {
+  if (material.seenElsewhere) return "another view shows it";
   if (material.figures.pixels == 0) return "not seen in any view";
   if (material.figures.nonFinite > 0) return "NaN or infinite pixels";
   if (material.verdict == compare::Verdict::error) return "could not be judged";
-  if (material.attribution) {
-    const std::optional<compare::TermEffect> cause = findCause(*material.attribution);
-    return cause ? termWithWords(cause->term) : kNoSingleTerm;
-  }
+  if (material.attribution) return kNoSingleTerm;
   if (!anyCheckFound(material)) {
     if (!material.notModelled.empty())
       return fmt::format("base layer only: no path models {}", fmt::join(material.notModelled, ", "));
     if (!compare::describeClipping(material.figures).empty()) return "black or white in both pictures";
     if (material.baseline && !material.baseline->notComparable.empty()) return "not comparable to the baseline";
   }
-  return kNotMeasured;
+  return kCauseNotMeasured;
 }
-
-double flipOf(const MaterialResult& material) { return material.figures.find("flip.mean").value_or(-1); }
-
-} // namespace
 
 std::vector<CauseTotal> totalsByCause(const Report& report) {
   std::vector<CauseTotal> totals;
@@ -50,7 +63,7 @@ std::vector<CauseTotal> totalsByCause(const Report& report) {
       for (std::size_t i = 0; i < view.materials.size(); ++i) {
         const MaterialResult& material = view.materials[i];
         if (material.verdict < compare::Verdict::warn || material.seenElsewhere) continue;
-        const std::string words = causeIn(material);
+        const std::string words = wordsOf(material);
         auto total = std::ranges::find(totals, words, &CauseTotal::words);
         if (total == totals.end()) total = totals.insert(total, {words, 0, &scene, &view, &material});
         // The same place in each view of a scene is the same material.
@@ -63,7 +76,7 @@ std::vector<CauseTotal> totalsByCause(const Report& report) {
       }
   // What is not known helps least.
   std::ranges::stable_sort(totals, [](const CauseTotal& a, const CauseTotal& b) {
-    return std::pair(a.words != kNotMeasured, a.materials) > std::pair(b.words != kNotMeasured, b.materials);
+    return std::pair(a.words != kCauseNotMeasured, a.materials) > std::pair(b.words != kCauseNotMeasured, b.materials);
   });
   return totals;
 }

@@ -2,12 +2,21 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "report/report.h"
 
 namespace parity::report {
+
+inline constexpr const char* kCauseNotMeasured = "cause not measured";
+
+// The term that makes the material differ; nothing: none does alone, or none is known.
+std::optional<compare::TermEffect> causeOf(const MaterialResult& material);
+
+// Why there is no such term, in words: "NaN or infinite pixels", kNoSingleTerm, kCauseNotMeasured.
+std::string describeNoCause(const MaterialResult& material);
 
 struct CauseTotal {
   std::string words;                  // "skySpecular (reflections of the environment)"

@@ -16,28 +16,42 @@
 namespace parity::report {
 namespace {
 
+// What a case is to a CI server. JUnit knows no warnings: such a case passes, unless warnings fail the run.
+enum class Outcome { passed, warned, skipped, failed, failedByWarning, broken };
+
+Outcome outcomeOf(compare::Verdict verdict, bool warningsFail) {
+  switch (verdict) {
+  case compare::Verdict::pass:
+    return Outcome::passed;
+  case compare::Verdict::warn:
+    return warningsFail ? Outcome::failedByWarning : Outcome::warned;
+  case compare::Verdict::notSeen:
+  case compare::Verdict::tooSmall:
+  case compare::Verdict::notJudged:
+    return warningsFail ? Outcome::failedByWarning : Outcome::skipped;
+  case compare::Verdict::notRun:
+    return Outcome::skipped;
+  case compare::Verdict::fail:
+    return Outcome::failed;
+  case compare::Verdict::error:
+    break;
+  }
+  return Outcome::broken;
+}
+
+// Another view judges a material that this one does not show: that fails no run.
+Outcome outcomeOf(const MaterialResult& material, bool warningsFail) {
+  return outcomeOf(material.verdict, warningsFail && !material.seenElsewhere);
+}
+
 struct Tally {
   std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
 
-  void add(compare::Verdict verdict) {
+  void add(Outcome outcome) {
     ++tests;
-    switch (verdict) {
-    case compare::Verdict::pass:
-    case compare::Verdict::warn: // JUnit knows no warnings: the case passes
-      break;
-    case compare::Verdict::notSeen:
-    case compare::Verdict::tooSmall:
-    case compare::Verdict::notJudged:
-    case compare::Verdict::notRun:
-      ++skipped;
-      break;
-    case compare::Verdict::fail:
-      ++failures;
-      break;
-    case compare::Verdict::error:
-      ++errors;
-      break;
-    }
+    failures += outcome == Outcome::failed || outcome == Outcome::failedByWarning;
+    errors += outcome == Outcome::broken;
+    skipped += outcome == Outcome::skipped;
   }
   void add(const Tally& other) {
     tests += other.tests;
@@ -92,35 +106,44 @@ std::string figureLines(const compare::Figures& figures, const std::string& test
   return lines;
 }
 
-void addCase(Suite& suite, const std::string& className, const std::string& name, compare::Verdict verdict,
-             const std::string& reason, const std::string& details, const std::string& accepted = {}) {
-  suite.tally.add(verdict);
-  suite.cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\">\n", base::escapeMarkup(className),
-                             base::escapeMarkup(name));
+// One case and its words.
+struct Case {
+  std::string className, name;
+  compare::Verdict verdict = compare::Verdict::pass;
+  Outcome outcome = Outcome::passed;
+  std::string reason, details = {}, accepted = {};
+};
+
+void addCase(Suite& suite, const Case& each) {
+  suite.tally.add(each.outcome);
+  suite.cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\">\n", base::escapeMarkup(each.className),
+                             base::escapeMarkup(each.name));
   const auto element = [&](const char* tag, const char* type) {
     suite.cases += fmt::format("      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n", tag, type,
-                               base::escapeMarkup(reason), base::escapeMarkup(details));
+                               base::escapeMarkup(each.reason), base::escapeMarkup(each.details));
   };
-  switch (verdict) {
-  case compare::Verdict::pass: // what the budget accepts is said
-    if (!accepted.empty())
-      suite.cases += fmt::format("      <system-out>{}</system-out>\n",
-                                 base::escapeMarkup(fmt::format("accepted: {}\n{}", accepted, details)));
-    break;
-  case compare::Verdict::notSeen:
-  case compare::Verdict::tooSmall:
-  case compare::Verdict::notJudged:
-  case compare::Verdict::notRun:
-    suite.cases += fmt::format("      <skipped message=\"{}: {}\"/>\n", nameOf(verdict), base::escapeMarkup(reason));
-    break;
-  case compare::Verdict::warn: // the case passes and says so
+  const auto say = [&](const char* what, const std::string& words) {
     suite.cases += fmt::format("      <system-out>{}</system-out>\n",
-                               base::escapeMarkup(fmt::format("warning: {}\n{}", reason, details)));
+                               base::escapeMarkup(fmt::format("{}: {}\n{}", what, words, each.details)));
+  };
+  switch (each.outcome) {
+  case Outcome::passed: // what the budget accepts is said
+    if (!each.accepted.empty()) say("accepted", each.accepted);
     break;
-  case compare::Verdict::fail:
+  case Outcome::warned:
+    say("warning", each.reason);
+    break;
+  case Outcome::skipped:
+    suite.cases +=
+        fmt::format("      <skipped message=\"{}: {}\"/>\n", nameOf(each.verdict), base::escapeMarkup(each.reason));
+    break;
+  case Outcome::failed:
     element("failure", "budget");
     break;
-  case compare::Verdict::error:
+  case Outcome::failedByWarning:
+    element("failure", "warning");
+    break;
+  case Outcome::broken:
     element("error", "error");
     break;
   }
@@ -141,64 +164,73 @@ std::string materialDetails(const MaterialResult& material, const std::string& r
 }
 
 // The cases that makeSuite has.
-Tally tallyOf(const SceneResult& scene) {
+Tally tallyOf(const SceneResult& scene, bool warningsFail) {
   Tally tally;
-  if (!scene.error.empty()) tally.add(ownVerdict(scene));
+  if (!scene.error.empty()) tally.add(outcomeOf(ownVerdict(scene), warningsFail));
   for (const ViewResult& view : scene.views) {
-    tally.add(view.wholeVerdict);
-    for (const MaterialResult& material : view.materials) tally.add(material.verdict);
+    tally.add(outcomeOf(view.wholeVerdict, warningsFail));
+    for (const MaterialResult& material : view.materials) tally.add(outcomeOf(material, warningsFail));
   }
   return tally;
 }
 
-Suite makeSuite(const SceneResult& scene, const AgainCommands& again) {
+Suite makeSuite(const SceneResult& scene, const AgainCommands& again, bool warningsFail) {
   Suite suite{scene.name, "", {}};
-  if (!scene.error.empty()) addCase(suite, scene.name, "scene", ownVerdict(scene), scene.error, "");
+  if (!scene.error.empty())
+    addCase(suite, {scene.name, "scene", ownVerdict(scene), outcomeOf(ownVerdict(scene), warningsFail), scene.error});
   for (const ViewResult& view : scene.views) {
     const std::string className = scene.name + "." + view.name;
-    addCase(suite, className, "(whole image)", view.wholeVerdict, view.reason,
-            figureLines(view.whole, view.test, view.checks) + baselineLines(view.baseline) + ruleLines(view.rule) +
-                againLine(view.wholeVerdict, again.of(scene, view, nullptr)),
-            view.accepted);
+    addCase(suite,
+            {className, "(whole image)", view.wholeVerdict, outcomeOf(view.wholeVerdict, warningsFail), view.reason,
+             figureLines(view.whole, view.test, view.checks) + baselineLines(view.baseline) + ruleLines(view.rule) +
+                 againLine(view.wholeVerdict, again.of(scene, view, nullptr)),
+             view.accepted});
     for (const MaterialResult& material : view.materials)
-      addCase(suite, className, material.name, material.verdict, material.reason,
-              materialDetails(material, view.reference) + againLine(material.verdict, again.of(scene, view, &material)),
-              material.accepted);
+      addCase(suite, {className, material.name, material.verdict, outcomeOf(material, warningsFail), material.reason,
+                      materialDetails(material, view.reference) +
+                          againLine(material.verdict, again.of(scene, view, &material)),
+                      material.accepted});
   }
   return suite;
 }
 
-// What concerns the run as a whole. CI servers follow cases by name, so that a name holds no figures.
-Suite makeRunSuite(const Report& report, const std::vector<RunProblem>& problems) {
-  Suite suite{"run", "", {}};
-  for (std::size_t i = 0; i < problems.size(); ++i)
-    addCase(suite, "run", fmt::format("problem {}", i + 1), problems[i].verdict, problems[i].reason, "");
-  for (std::size_t i = 0; i < report.warnings.size(); ++i)
-    addCase(suite, "run", fmt::format("warning {}", i + 1), compare::Verdict::warn, report.warnings[i], "");
-  return suite;
-}
+// What stands in the file besides the scenes' suites.
+class OtherSuites {
+public:
+  explicit OtherSuites(bool warningsFail) : m_warningsFail(warningsFail) {}
 
-Suite makeBaselineSuite(const BaselineSummary& baseline) {
-  Suite suite{"baseline", "", {}};
-  addCase(suite, "baseline", baseline.source, baseline.error.empty() ? compare::Verdict::pass : compare::Verdict::error,
-          baseline.error, "");
-  for (const GoneRow& row : baseline.gone)
-    addCase(suite, "baseline", describeGone(row), compare::Verdict::warn, describeGone(row), "");
-  return suite;
-}
-
-// What stands in the file besides the scenes' suites: of a report without scenes, of the run, of the baseline.
-std::vector<Suite> makeOtherSuites(const Report& report) {
-  std::vector<Suite> suites;
-  if (report.scenes.empty()) {
-    suites.push_back({"report", "", {}});
-    addCase(suites.back(), "report", "report", compare::Verdict::error, "the report holds no scene", "");
+  std::vector<Suite> of(const Report& report) {
+    if (report.scenes.empty()) {
+      m_suites.push_back({"report", "", {}});
+      add("report", compare::Verdict::error, "the report holds no scene");
+    }
+    const std::vector<RunProblem> problems = problemsOf(report);
+    if (!problems.empty() || !report.warnings.empty()) addRun(problems, report.warnings);
+    if (report.baseline) addBaseline(*report.baseline);
+    return std::move(m_suites);
   }
-  const std::vector<RunProblem> problems = problemsOf(report);
-  if (!problems.empty() || !report.warnings.empty()) suites.push_back(makeRunSuite(report, problems));
-  if (report.baseline) suites.push_back(makeBaselineSuite(*report.baseline));
-  return suites;
-}
+
+private:
+  void add(const std::string& name, compare::Verdict verdict, const std::string& reason) {
+    addCase(m_suites.back(), {m_suites.back().name, name, verdict, outcomeOf(verdict, m_warningsFail), reason});
+  }
+  // What concerns the run as a whole. CI servers follow cases by name, so that a name holds no figures.
+  void addRun(const std::vector<RunProblem>& problems, const std::vector<std::string>& warnings) {
+    m_suites.push_back({"run", "", {}});
+    for (std::size_t i = 0; i < problems.size(); ++i)
+      add(fmt::format("problem {}", i + 1), problems[i].verdict, problems[i].reason);
+    for (std::size_t i = 0; i < warnings.size(); ++i)
+      add(fmt::format("warning {}", i + 1), compare::Verdict::warn, warnings[i]);
+  }
+  void addBaseline(const BaselineSummary& baseline) {
+    m_suites.push_back({"baseline", "", {}});
+    add(baseline.source, baseline.error.empty() ? compare::Verdict::pass : compare::Verdict::error, baseline.error);
+    for (const GoneRow& row : baseline.gone) add(describeGone(row), compare::Verdict::warn, describeGone(row));
+  }
+
+  bool m_warningsFail;
+  std::vector<Suite> m_suites;
+};
 
 std::string propertiesOf(const Report& report) {
   std::string properties;
@@ -226,11 +258,11 @@ std::string timeAttribute(std::optional<double> seconds) {
 } // namespace
 
 void writeJunit(const Report& report, const RunInfo& run, const base::TextSink& sink) {
-  const std::vector<Suite> others = makeOtherSuites(report);
+  const std::vector<Suite> others = OtherSuites(run.warningsFail).of(report);
   const std::unordered_map<std::string_view, double> times = timesOf(run);
   Tally total;
   std::optional<double> seconds;
-  for (const SceneResult& scene : report.scenes) total.add(tallyOf(scene));
+  for (const SceneResult& scene : report.scenes) total.add(tallyOf(scene, run.warningsFail));
   for (const Suite& suite : others) total.add(suite.tally);
   for (const SceneTime& each : run.sceneTimes) seconds = seconds.value_or(0) + each.seconds;
 
@@ -248,7 +280,7 @@ void writeJunit(const Report& report, const RunInfo& run, const base::TextSink& 
   };
   const AgainCommands again(run);
   for (const SceneResult& scene : report.scenes) {
-    Suite suite = makeSuite(scene, again);
+    Suite suite = makeSuite(scene, again, run.warningsFail);
     if (const auto time = times.find(scene.name); time != times.end()) suite.seconds = time->second;
     write(suite);
   }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/text/json_writer.h"
+#include "report/causes.h"
 #include "report/column.h"
 #include "report/record/derived.h"
 #include "report/record/report_records.h"
@@ -21,7 +22,6 @@ namespace parity::report {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-constexpr double kLeastFlip = 0.0005; // below it reads 0.000: there is no cause to name
 
 std::uint32_t limitedCount(std::uint64_t value) {
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(value, std::numeric_limits<std::uint32_t>::max()));
@@ -154,14 +154,14 @@ private:
     const WhatIf* better = nullptr;
     if (material) {
       for (const std::string& part : material->notModelled) notModelled.push_back(m_texts.place(part));
-      if (material->attribution && material->attribution->flip >= kLeastFlip) cause = findCause(*material->attribution);
+      cause = causeOf(*material);
       better = bestWhatIf(*material);
     }
     m_rows.whole("name").push_back(m_texts.place(material ? material->name : ""));
     m_rows.whole("seenElsewhere").push_back(material && material->seenElsewhere ? 1 : 0);
     m_rows.whole("notModelled").push_back(m_lists.place(notModelled));
-    m_rows.whole("attributed").push_back(material && material->attribution ? 1 : 0);
     m_rows.whole("cause").push_back(m_texts.place(cause ? cause->term : ""));
+    m_rows.whole("noCause").push_back(m_texts.place(material && !cause ? describeNoCause(*material) : ""));
     m_rows.real("causeBefore").push_back(cause ? static_cast<float>(material->attribution->flip) : kNone);
     m_rows.real("causeAfter").push_back(cause ? static_cast<float>(cause->flip) : kNone);
     m_rows.whole("better").push_back(m_texts.place(better ? better->preset : ""));

@@ -187,6 +187,7 @@ struct RunInfo {
   std::vector<AgainCommand> again = {};                // of the views that were asked for
   std::vector<std::string> incidents = {};             // what a worker did not survive and the next one did
   std::vector<SceneTime> sceneTimes = {};              // of the scenes that were done, in their order
+  bool warningsFail = false;                           // as --warn-exit asks
 };
 
 // How many rows have each verdict.

@@ -48,12 +48,30 @@ std::string describeNothingCompared(const Report& report) {
   return fmt::format("no material was compared: {}", fmt::join(parts, ", "));
 }
 
+// Empty where any limit was judged, or no row is a warning because the baseline allows none to be.
+std::string describeNothingJudged(const Report& report) {
+  if (hasOwnError(report) || !report.baseline || !report.baseline->error.empty()) return {};
+  bool isAnyLeft = false, isAnyJudged = false;
+  const auto add = [&](compare::Verdict verdict, const std::vector<compare::CheckResult>& checks) {
+    isAnyJudged = isAnyJudged || std::ranges::any_of(checks, &compare::CheckResult::judged);
+    isAnyLeft = isAnyLeft || (verdict == compare::Verdict::warn && !checks.empty() &&
+                              std::ranges::all_of(checks, &compare::CheckResult::regress));
+  };
+  for (const SceneResult& scene : report.scenes)
+    for (const ViewResult& view : scene.views) {
+      add(view.wholeVerdict, view.checks);
+      for (const MaterialResult& material : view.materials) add(material.verdict, material.checks);
+    }
+  if (isAnyJudged || !isAnyLeft) return {};
+  return "no limit was judged: the budgets limit only regressions, and the baseline has no comparable figures";
+}
+
 } // namespace
 
 std::vector<RunProblem> problemsOf(const Report& report) {
   std::vector<RunProblem> problems = report.lost;
-  if (std::string reason = describeNothingCompared(report); !reason.empty())
-    problems.insert(problems.begin(), {compare::Verdict::error, std::move(reason), "", 0});
+  for (std::string reason : {describeNothingCompared(report), describeNothingJudged(report)})
+    if (!reason.empty()) problems.insert(problems.begin(), {compare::Verdict::error, std::move(reason), "", 0});
   return problems;
 }
 

@@ -84,8 +84,9 @@ Judgement judgeNonFinite(const compare::Figures& figures, const compare::Applied
 }
 
 // What holds for a material and for a whole image alike, once there is a pixel. isMaterial: most of a material may be
-// clipped, so that it cannot be judged; a whole image only warns of it.
-Judgement judgeSeen(const compare::Figures& figures, const std::vector<compare::CheckResult>& checks,
+// clipped, so that it cannot be judged; a whole image only warns of it. checks: no longer judged where accepted pixels
+// are NaN or infinite, because their figures hold the worst value there.
+Judgement judgeSeen(const compare::Figures& figures, std::vector<compare::CheckResult>& checks,
                     const compare::AppliedRule& rule, const std::vector<std::string>& notModelled, bool isMaterial) {
   // Of what fails they are no reason, but its reader should know.
   const auto warn = [&](Judgement& judgement, compare::Accept what, const std::string& why) {
@@ -100,6 +101,8 @@ Judgement judgeSeen(const compare::Figures& figures, const std::vector<compare::
   };
   if (figures.nonFinite > 0) {
     Judgement judgement = judgeNonFinite(figures, rule);
+    if (judgement.verdict == compare::Verdict::pass)
+      for (compare::CheckResult& check : checks) check.unjudged = compare::kNonFinitePixels;
     warnOfParts(judgement);
     return judgement;
   }

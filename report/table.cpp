@@ -52,14 +52,15 @@ std::string summary(const Report& report) {
 // What the checks left open, so that nobody takes a regression for judged that was not.
 std::string unjudgedLine(const Report& report) {
   std::size_t count = 0;
-  const auto add = [&](const std::vector<compare::CheckResult>& checks) {
+  const auto add = [&](const std::vector<compare::CheckResult>& checks, const compare::Figures& figures) {
+    if (figures.nonFinite > 0) return; // that says why
     count += static_cast<std::size_t>(std::ranges::count_if(
         checks, [](const compare::CheckResult& check) { return check.regress && !check.judged(); }));
   };
   for (const SceneResult& scene : report.scenes)
     for (const ViewResult& view : scene.views) {
-      add(view.checks);
-      for (const MaterialResult& material : view.materials) add(material.checks);
+      add(view.checks, view.whole);
+      for (const MaterialResult& material : view.materials) add(material.checks, material.figures);
     }
   if (count == 0) return {};
   return fmt::format("regressions not judged: {} ({})\n", count,
@@ -179,7 +180,7 @@ private:
         addLine(compare::Verdict::error, scene.name, scene.error), m_out += "\n";
     }
     if (hidden > 0)
-      addText(fmt::format("{} {} nothing that failed or warned: --all shows {}", hidden,
+      addText(fmt::format("{} {} nothing that failed, warned or could not be judged: --all shows {}", hidden,
                           hidden == 1 ? "view has" : "views have", hidden == 1 ? "it" : "them"));
     return anyShown;
   }
@@ -204,8 +205,9 @@ private:
     m_out += "causes:\n";
     for (const CauseTotal& total : totals) {
       const std::optional<double> flip = total.worst->figures.find("flip.mean");
+      const char* const hint = total.words == kCauseNotMeasured ? " (--attribution all measures warnings, too)" : "";
       const std::string line =
-          fmt::format("{}: {} material{}, worst {} in scene {}, view {}{}", total.words, total.materials,
+          fmt::format("{}{}: {} material{}, worst {} in scene {}, view {}{}", total.words, hint, total.materials,
                       total.materials == 1 ? "" : "s", total.worst->name, total.scene->name, total.view->name,
                       flip ? ": mean FLIP " + compare::formatFigure("flip.mean", *flip) : "");
       m_out += "  " + base::wrapText(base::plainLine(line), m_options.columns, 2, 4) + "\n";

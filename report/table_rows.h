@@ -15,7 +15,7 @@ std::string paint(compare::Verdict verdict, const std::string& text, bool color)
 std::string formatCounts(const VerdictCounts& counts);
 
 // Whether the table shows a row of this verdict: one that failed, warned or could not be judged.
-inline bool isShownRow(compare::Verdict verdict, bool all) { return all || verdict >= compare::Verdict::warn; }
+inline bool isShownRow(compare::Verdict verdict, bool all) { return all || verdict >= compare::Verdict::notJudged; }
 
 bool showsStage(const ViewResult& view, const std::string& stage);
 

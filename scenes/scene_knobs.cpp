@@ -77,8 +77,8 @@ void addLoading(KnobTable<SceneSettings>& t) {
       .otherwise("16384,512");
   t.special(
        KnobType::text, "max-memory", "BYTES",
-       "Memory limit for loading a scene (files, meshes and images together), and for the pictures\n"
-       "of --size; such as 512M. Default 4G",
+       "Memory limit for loading a scene (files, meshes and images together), for the pictures of --size,\n"
+       "and for the texels of a bake; such as 512M. Default 4G",
        [](S& s, const std::string& text) { s.load.maxMemoryBytes = base::readBytes(text); },
        [](const S& s) { return std::to_string(s.load.maxMemoryBytes); })
       .titled("limit of memory")

@@ -98,7 +98,7 @@ WorkCommand settleWork(const RawWork& raw) {
 void addMergeOptions(CLI::App& app, RawMerge& raw) {
   MergeCommand& command = raw.command;
   app.add_option("plan", command.plan, kPlanFolder)->type_name(kFolder)->required();
-  command.folder = "parity-report";
+  command.folder = kDefaultReportFolder;
   app.add_option("-o,--output", command.folder, "Folder for the report")
       ->type_name(kFolder)
       ->group(kOutputGroup)
@@ -118,7 +118,8 @@ void addMergeOptions(CLI::App& app, RawMerge& raw) {
                         "github: also print failures and warnings as annotations of GitHub Actions"),
          {"github"})
       ->group("Verdict");
-  app.add_flag("--all", command.verdict.allRows, "Show all rows of the table. Default: those that failed or warned")
+  app.add_flag("--all", command.verdict.allRows,
+               "Show all rows of the table. Default: those that failed, warned or could not be judged")
       ->group("Verdict");
   app.add_flag("--timings", command.timings, "Print the time of each stage to stderr")->group(kGeneralGroup);
   app.add_flag("-q,--quiet", command.quiet, "Print errors only, no table; the exit code is the verdict")

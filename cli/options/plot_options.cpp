@@ -21,7 +21,7 @@ void addPlotOptions(CLI::App& app, RawPlotOptions& raw) {
       ->type_name(kFolder)
       ->group(kOutputGroup)
       ->capture_default_str();
-  std::vector<std::string> knobs = {"paths"};
+  std::vector<std::string> knobs = {"paths", "max-image", "max-memory"};
   for (const paths::Path* path : job::allPaths())
     for (const std::string& id : path->environmentBrdfKnobs()) knobs.push_back(id);
   addFormulaKnobs(app, knobs, raw.given);

@@ -100,7 +100,7 @@ std::vector<CheckResult> runChecks(const BudgetRule& rule, const Figures& figure
     result.regress = true;
     result.verdict = Verdict::error; // what it is worth where nothing else judges
     // A figure that is not known cannot be judged whatever the baseline says: that is an error already.
-    if (!std::isnan(result.value)) result.unjudged = "no baseline";
+    if (!std::isnan(result.value)) result.unjudged = figures.nonFinite > 0 ? kNonFinitePixels : "no baseline";
     result.value = NAN;
     results.push_back(std::move(result));
   }

@@ -29,6 +29,9 @@ struct CheckResult {
   bool judged() const { return unjudged.empty(); }
 };
 
+// Why a check is not judged: its figures hold the worst value at such pixels.
+inline constexpr const char* kNonFinitePixels = "some of its pixels are NaN or infinite";
+
 // FLIP's filters are 21 pixels wide: of fewer pixels than these its mean says little.
 inline constexpr std::uint64_t kDefaultMinPixels = 64;
 

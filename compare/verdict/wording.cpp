@@ -171,6 +171,8 @@ std::string describeCheck(const CheckResult& check) {
 std::string describeClipping(const Figures& figures) {
   if (figures.pixels == 0 || figures.clipped() < kNotableClipping) return {};
   const auto share = [](double value) { return fmt::format("{:.1f} %", 100 * value); };
+  if (figures.clippedBlack == 1 && figures.referenceLuminance == 0 && figures.testLuminance == 0)
+    return "all pixels are black in both pictures, because neither path renders any light there";
   constexpr double kSaid = 0.0005; // less would be said to be 0.0 %
   const bool isBlack = figures.clippedBlack >= kSaid, isWhite = figures.clippedWhite >= kSaid;
   if (isBlack && isWhite)

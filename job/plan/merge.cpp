@@ -47,6 +47,7 @@ public:
         m_baseline(plan.request.baseline.empty() ? std::filesystem::path() : baselineOf(plan, folder)) {
     m_request.folder = options.folder;
     m_request.bench = options.bench;
+    m_request.warningsFail = options.warningsFail;
     m_stoppedBy = options.stoppedBy;
     m_whyMissing = options.whyMissing;
     m_context.stopWhen([this] { return m_stoppedBy; });

@@ -20,6 +20,7 @@ namespace {
 FrozenFiles freezeBudgets(const ReportRequest& request, const Settings& settings) {
   FrozenFiles frozen;
   const RunBudgets budgets(settings.budgets, request.suiteBudgets);
+  if (request.baseline.empty()) budgets.requireLevels();
   for (const SceneRequest& scene : request.scenes)
     if (const std::optional<std::string> file = budgets.fileOf(scene); file && !frozen.contains(*file)) {
       try {

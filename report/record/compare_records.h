@@ -108,7 +108,8 @@ template <> inline constexpr auto kRecord<compare::CheckResult> = record<compare
           [](const compare::CheckResult& check) {
             return check.judged() ? check.verdict : compare::Verdict::notJudged;
           },
-          "not judged: a regression whose baseline has no counterpart, or has other conditions",
+          "not judged: a regression whose baseline has no counterpart, or has other conditions; a figure of accepted NaN; "
+          "an exposure of two pictures too dark to measure it",
           {.oneOf = "pass|warn|fail|error|not judged"}),
     shown("note", &compare::CheckResult::note,
           [](const compare::CheckResult& check) { return check.judged() ? check.note : check.unjudged; }),

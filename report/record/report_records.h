@@ -366,7 +366,9 @@ template <> inline constexpr auto kRecord<RunInfo> = record<RunInfo>(
     field("cachedScenes", &RunInfo::cachedScenes, "Scenes whose unchanged results came from the cache"),
     field("again", &RunInfo::again, "For each view that was asked for"),
     field("incidents", &RunInfo::incidents, "Crashes of workers after which a second try succeeded"),
-    field("sceneTimes", &RunInfo::sceneTimes, "Of each scene that was done; several scenes may run at a time"));
+    field("sceneTimes", &RunInfo::sceneTimes, "Of each scene that was done; several scenes may run at a time"),
+    field("warningsFail", &RunInfo::warningsFail,
+          "true: a warning alone makes the exit code 1 (--warn-exit), and its case in junit.xml fails"));
 
 // clang-format on
 } // namespace parity::report

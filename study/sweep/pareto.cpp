@@ -47,9 +47,11 @@ Against bestKnown(const SweepReport& report) {
   return std::ranges::all_of(report.scenes, hasTruth) ? Against::truth : Against::first;
 }
 
-double timeOf(const VariantResult& v) {
-  return spreadOf(v.stage == Stage::preparation ? v.prepareMs : v.times.deviceMs).median;
+const std::vector<double>& timesOf(const VariantResult& v) {
+  return v.stage == Stage::preparation ? v.prepareMs : v.times.deviceMs;
 }
+
+double timeOf(const VariantResult& v) { return spreadOf(timesOf(v)).median; }
 
 namespace {
 
@@ -63,7 +65,8 @@ double errorOrInfinite(const VariantResult& v, Against against, const std::strin
 std::vector<bool> findDominated(const SceneSweep& scene, Against against, const std::string& figure) {
   std::vector<bool> dominated;
   for (const VariantResult& v : scene.variants) {
-    const double time = timeOf(v), error = errorOrInfinite(v, against, figure);
+    const Spread times = spreadOf(timesOf(v));
+    const double error = errorOrInfinite(v, against, figure);
     if (v.stage == Stage::storage) {
       dominated.push_back(false);
       continue;
@@ -71,8 +74,10 @@ std::vector<bool> findDominated(const SceneSweep& scene, Against against, const 
     dominated.push_back(std::isinf(error) || std::ranges::any_of(scene.variants, [&](const VariantResult& other) {
                           if (other.path != v.path || other.stage != v.stage) return false;
                           if (v.stage == Stage::preparation && other.knob != v.knob) return false; // another work
-                          const double t = timeOf(other), e = errorOrInfinite(other, against, figure);
-                          return t <= time && e <= error && (t < time || e < error);
+                          const Spread others = spreadOf(timesOf(other));
+                          const double e = errorOrInfinite(other, against, figure);
+                          const bool isFaster = others.high<times.low, isSlower = others.low> times.high;
+                          return isFaster ? e <= error : !isSlower && e < error;
                         }));
   }
   return dominated;

@@ -16,11 +16,15 @@ std::optional<double> errorOf(const RegionErrors& region, Against against, const
 // The truth where every scene has one.
 Against bestKnown(const SweepReport& report);
 
+// Device times in ms, or those of preparation where the knob costs there; none of the stage storage.
+const std::vector<double>& timesOf(const VariantResult& v);
+
 // Median of the device time, or of preparation where the knob costs there; 0 of the stage storage.
 double timeOf(const VariantResult& v);
 
-// Whether another setting of the same path and stage is as fast and as right, and better in one of the two. Of a NaN
-// error: true. Of the stage storage: false, as its time is not known.
+// Whether another setting of the same path and stage is as fast and as right, and better in one of the two. It is as
+// fast where the quartiles of the two times overlap, so that noise decides nothing. Of a NaN error: true. Of the stage
+// storage: false, as its time is not known.
 std::vector<bool> findDominated(const SceneSweep& scene, Against against, const std::string& figure);
 
 // Ids of settings that are dominated in every scene that has them.

@@ -6,14 +6,11 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "study/sweep/pareto.h"
 
 namespace parity::sweep {
 
 namespace {
-
-const std::vector<double>& timesOf(const VariantResult& v) {
-  return v.stage == Stage::preparation ? v.prepareMs : v.times.deviceMs;
-}
 
 const SceneSweep* findScene(const SweepReport& report, const SceneSweep& like) {
   const auto found = std::ranges::find_if(report.scenes, [&](const SceneSweep& s) {

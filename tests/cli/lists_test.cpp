@@ -55,6 +55,19 @@ TEST_F(ListsTest, PairsAndReportsAreReadFromStandardInput) {
   EXPECT_EQ(suggest.out, runHere({"budget", "suggest", "parity-report"}).out);
 }
 
+TEST_F(ListsTest, AMistypedSceneDoesNotReplaceTheReportOfTheDefaultFolder) {
+  ASSERT_TRUE(isReported(runHere(join({{"report", "builtin:spheres"}, kSun, kSmall}))));
+  const std::string before = readWholeFile(m_folder / "parity-report" / "report.json");
+  expectRefused(runHere({"report", "typo.glb"}), 4, {"typo.glb", "does not exist", "parity-report", "stays"});
+  EXPECT_EQ(readWholeFile(m_folder / "parity-report" / "report.json"), before);
+  // A folder that was asked for tells a CI server what was missing.
+  EXPECT_TRUE(exitedWith(4, runHere({"report", "typo.glb", "-o", "nightly"})));
+  EXPECT_TRUE(contains(readWholeFile(m_folder / "nightly" / "junit.xml"), "does not exist"));
+  // Beside a scene that is there, one that is missing is an error of the report.
+  EXPECT_TRUE(exitedWith(4, runHere(join({{"report", "builtin:spheres", "typo.glb"}, kSun, kSmall}))));
+  EXPECT_EQ(readReport(m_folder / "parity-report")["scenes"].size(), 2u);
+}
+
 TEST_F(ListsTest, EachSceneIsComparedInEachEnvironment) {
   const Words quick = {"--prefilter-size", "64", "--prefilter-samples", "8"};
   const Words lit = {"--env", "builtin:white", "--env", "builtin:night"};

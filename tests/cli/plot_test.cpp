@@ -53,6 +53,19 @@ TEST_F(PlotTest, SaysHowFarTheApproximationIsOnTheMaterialsOfAScene) {
   EXPECT_EQ(runParity({"plot", "env-brdf", "builtin:materials", "-q", "-o", folder.string()}).out, "");
 }
 
+TEST_F(PlotTest, LoadsItsSceneWithinTheLimits) {
+  base::writeImage8(path("paint.png"), base::Image8(64, 32, 3, 100));
+  GltfFile file = makeQuad();
+  file.json["images"] = {{{"uri", "paint.png"}}};
+  file.json["textures"] = {{{"source", 0}}};
+  file.material()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  const std::vector<std::string> plot = {"plot", "env-brdf", writeExternal(m_folder, file, "painted"),
+                                         "-q",   "-o",       path("plot")};
+  EXPECT_TRUE(exitedWith(0, runParity(plot)));
+  expectRefused(runParity(join({plot, {"--max-image", "32"}})), 4, {"paint.png", "64", "--max-image"});
+  expectRefused(runParity(join({plot, {"--max-memory", "1K"}})), 4, {"painted", "--max-memory"});
+}
+
 TEST_F(PlotTest, HoldsTheSecondPathAgainstTheFirst) {
   const std::filesystem::path folder = m_folder / "plot";
   const RunResult result = runParity({"plot", "env-brdf", "-o", folder.string(), "--paths", "mobile,highend"});

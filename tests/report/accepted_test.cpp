@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "base/temp_folder.h"
 #include "compare/verdict/budget.h"
+#include "report/baseline.h"
 #include "report/judge.h"
 #include "report/sample_report.h"
 
@@ -111,6 +112,23 @@ TEST(Accepted, NonFinitePixelsUpToTheirNumber) {
   }
   material.figures.nonFinite = 5;
   EXPECT_EQ(exitCode(judged(reportOf(material), loadRule(ruleOf("[\"clipped\"]\n") + kLimit)), true), 2);
+}
+
+TEST(Accepted, NoCheckFailsByTheFiguresOfAcceptedNonFinitePixels) {
+  const std::string limits = kLimit + "regress = [ { metric = \"flip.mean\", fail = 0.1 } ]\n";
+  const compare::Budgets budgets = loadRule(ruleOf("[\"non-finite\"]\nmax_non_finite = 5\n") + limits);
+  MaterialResult material = makeMaterial("m", 1, 4000); // of which FLIP fails
+  const Report baseline = judged(reportOf(makeMaterial("m", 0.01, 4000)), budgets);
+  for (const std::uint64_t count : {std::uint64_t{5}, std::uint64_t{6}}) {
+    material.figures.nonFinite = count;
+    Report report = judged(reportOf(material), budgets);
+    compareWithBaseline(report, baseline, {"old", {}, false});
+    const MaterialResult& found = report.scenes[0].views[0].materials[0];
+    ASSERT_EQ(found.checks.size(), 2u);
+    EXPECT_EQ(found.checks[0].judged(), count == 6) << "above the limit the figure is told beside the reason";
+    EXPECT_EQ(found.checks[1].unjudged, compare::kNonFinitePixels);
+    EXPECT_EQ(found.verdict, count == 5 ? compare::Verdict::pass : compare::Verdict::fail) << found.reason;
+  }
 }
 
 TEST(Accepted, NonFinitePixelsHideNothingElse) {

@@ -323,6 +323,24 @@ TEST(Baseline, OtherConditionsOnAnyLevelAreNotComparableAndNeitherRegressionNorP
   }
 }
 
+TEST(Baseline, ARunOfWhichNoLimitCouldBeJudgedIsAnError) {
+  compare::Budgets regressions = makeBudgets();
+  regressions.materials[0].checks.clear();
+  regressions.wholes[0].checks.clear();
+  regressions.wholes[0].regress = regressions.materials[0].regress;
+  const auto run = [](const char* samples, const compare::Budgets& budgets) {
+    return makeRunUnder({{"samples", samples}}, {}, {}, 0.1, budgets);
+  };
+  const Report none = hold(run("4", regressions), run("1", regressions));
+  EXPECT_EQ(exitCode(none, false), 4);
+  EXPECT_EQ(problemsOf(none).at(0).reason,
+            "no limit was judged: the budgets limit only regressions, and the baseline has no comparable figures");
+  EXPECT_EQ(exitCode(hold(run("4", regressions), run("4", regressions)), true), 0);
+  compare::Budgets ofWholes = regressions;
+  ofWholes.wholes = makeBudgets().wholes;
+  EXPECT_EQ(exitCode(hold(run("4", ofWholes), run("1", ofWholes)), false), 0) << "the whole image is judged";
+}
+
 TEST(Baseline, WhatOnlyDidNotAskForIsNotGone) {
   Report before = makeRun({{"a", 0.1}});
   before.scenes[0].views.push_back(before.scenes[0].views[0]);

@@ -90,6 +90,29 @@ TEST(Junit, VerdictsBecomeFailuresErrorsAndSkips) {
                "assets/Broken.glb: chunk 0: length 4096 runs past the end of the file");
 }
 
+TEST(Junit, WarningsAreFailuresWhereTheyFailTheRun) {
+  RunInfo run = makeSampleRun();
+  run.warningsFail = true;
+  Report report = makeSampleReport();
+  report.warnings = {"a rule judges nothing"};
+  const auto document = parse(toJunit(report, run));
+  expectCountsFit(document);
+  const auto warning = findCase(document, "Lamp.front", "Shade, cloth").child("failure");
+  EXPECT_STREQ(warning.attribute("type").value(), "warning");
+  EXPECT_EQ(std::string(warning.attribute("message").value()).find("mean FLIP 0.140"), 0u);
+  for (const char* name : {"Screw", "Rivet", "Lit panel"}) // exit 1, too
+    EXPECT_STREQ(findCase(document, "Lamp.front", name).child("failure").attribute("type").value(), "warning") << name;
+  EXPECT_STREQ(findCase(document, "run", "warning 1").child("failure").attribute("message").value(),
+               "a rule judges nothing");
+  EXPECT_FALSE(findCase(document, "Lamp.front", "Glass").first_child());
+
+  MaterialResult& elsewhere = report.scenes[0].views[0].materials[0];
+  elsewhere.figures.pixels = 0;
+  settleVerdicts(report);
+  ASSERT_TRUE(elsewhere.seenElsewhere);
+  EXPECT_TRUE(findCase(parse(toJunit(report, run)), "Lamp.front", "Glass").child("skipped")) << "another view shows it";
+}
+
 TEST(Junit, ClippingAndWhatADarkMaterialLeavesOpenAreToldBesideAFailure) {
   Report report = makeSampleReport();
   MaterialResult& metal = report.scenes[0].views[0].materials[1];

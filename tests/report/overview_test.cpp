@@ -1,4 +1,5 @@
 // The list of index.html, unpacked: its rows are the report's.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -6,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/again.h"
+#include "report/causes.h"
 #include "report/column.h"
 #include "report/overview.h"
 #include "report/sample_report.h"
@@ -180,8 +182,13 @@ TEST(Overview, HasTheCauseTheLimitsAndWhatWouldHelp) {
   EXPECT_EQ(rows.texts("cause")[1], "skySpecular");
   EXPECT_FLOAT_EQ(static_cast<float>(rows.column("causeBefore")[1]), 0.27f);
   EXPECT_FLOAT_EQ(static_cast<float>(rows.column("causeAfter")[1]), 0.061f);
-  EXPECT_EQ(rows.column("attributed")[1], 1);
+  EXPECT_EQ(rows.texts("noCause")[1], "");
   EXPECT_EQ(rows.texts("cause")[0], "");
+  for (const CauseTotal& total : totalsByCause(report)) // the terminal and the page say the same of each
+    if (!causeOf(*total.worst)) {
+      const std::vector<std::string> texts = rows.texts("noCause");
+      EXPECT_NE(std::ranges::find(texts, total.words), texts.end()) << total.words;
+    }
   EXPECT_EQ(rows.texts("better")[1], "refit");
   EXPECT_FLOAT_EQ(static_cast<float>(rows.column("betterFlip")[1]), 0.02f);
   const json& limits = overview["limits"][static_cast<std::size_t>(rows.column("limits")[1])];

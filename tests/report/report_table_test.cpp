@@ -172,15 +172,16 @@ Report reportOf(double mean) {
   return report;
 }
 
-TEST(ReportTable, WithoutAllOnlyWhatFailedOrWarnedIsARowAndTheRestIsCounted) {
+TEST(ReportTable, WithoutAllOnlyWhatFailedWarnedOrCouldNotBeJudgedIsARowAndTheRestIsCounted) {
   const std::string table = toTable(makeSampleReport(), {}, {});
   const auto lines = linesOf(table);
   EXPECT_EQ(lines[0], "Lamp, view front (1024x1024)");
   EXPECT_EQ(lines[2].find("  fail        Rough metal"), 0u) << table;
   EXPECT_EQ(lines[3].find("  warn        Shade, cloth"), 0u) << table;
-  EXPECT_EQ(lines[4].find("  5 more materials ("), 0u) << table;
-  EXPECT_TRUE(lines[4].ends_with("): --all shows them")) << lines[4];
-  EXPECT_EQ(lines[5], "");
+  EXPECT_EQ(lines[4].find("  not judged  Lit panel"), 0u) << "--warn-exit ends with 1 because of it: " << table;
+  EXPECT_EQ(lines[5].find("  4 more materials ("), 0u) << table;
+  EXPECT_TRUE(lines[5].ends_with("): --all shows them")) << lines[5];
+  EXPECT_EQ(lines[6], "");
   for (const char* name : {"  Glass ", "  Bulb ", "  whole image "}) EXPECT_EQ(table.find(name), std::string::npos);
   EXPECT_EQ(lines.back(), linesOf(toTable(makeSampleReport(), {}, {.all = true})).back());
 }
@@ -188,7 +189,7 @@ TEST(ReportTable, WithoutAllOnlyWhatFailedOrWarnedIsARowAndTheRestIsCounted) {
 TEST(ReportTable, ARunWhereAllPassesSaysSoInFewLines) {
   const auto lines = linesOf(toTable(reportOf(0.01), {}, {}));
   ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[0], "2 views have nothing that failed or warned: --all shows them");
+  EXPECT_EQ(lines[0], "2 views have nothing that failed, warned or could not be judged: --all shows them");
   EXPECT_EQ(lines[1], "verdict: pass (materials: 4 pass; whole images: 2 pass)");
   EXPECT_NE(toTable(reportOf(0.01), {}, {.all = true}).find("  Gold "), std::string::npos);
 }
@@ -235,7 +236,7 @@ TEST(ReportTable, ShowsTheWorstRowsAgainByTheirCommands) {
   run.again = {{"Lamp", "front", "parity diff Lamp.glb"}, {"Lamp", "back", "parity diff back.glb"}};
   const std::string table = toTable(report, run, {});
   EXPECT_NE(table.find("to see it again:\n  parity diff Lamp.glb --material 'Rough metal'\n  parity diff back.glb "
-                       "--material 'Rough metal'\n  parity diff Lamp.glb --material 'Shade, cloth'\n  1 more: "),
+                       "--material 'Rough metal'\n  parity diff Lamp.glb --material 'Shade, cloth'\n  3 more: "),
             std::string::npos)
       << table;
   EXPECT_NE(toTable(report, run, {.all = true}).find("  parity diff back.glb --material 'Shade, cloth'\n"),

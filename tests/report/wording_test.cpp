@@ -98,6 +98,12 @@ TEST(Wording, ClippingIsSaidWithWhatWouldHelp) {
       "3.0 % of the pixels are black in both pictures and 10.0 % are white; a lower --exposure shows more of them");
   EXPECT_EQ(say(0.0004, 0.229), "22.9 % of the pixels are white in both pictures; lower --exposure");
   EXPECT_EQ(compare::describeClipping(compare::Figures{}), "") << "of nothing";
+  compare::Figures unlit = makeFigures(0, 4000);
+  unlit.clippedBlack = 1;
+  unlit.referenceLuminance = unlit.testLuminance = 0;
+  EXPECT_EQ(compare::describeClipping(unlit),
+            "all pixels are black in both pictures, because neither path renders any light there")
+      << "no exposure helps";
 }
 
 TEST(Wording, FewHighlightsDoNotMakeADarkerImageBrighter) {

@@ -34,6 +34,25 @@ function causeOf(attribution: Attribution | undefined): TermEffect | null {
   return best && (best.flip ?? Infinity) <= attribution.flip * (1 - kLeastShare) ? best : null;
 }
 
+function hasFlipToExplain({ figures, verdict }: Material): boolean {
+  return figures !== null && figures.nonFinite === 0 && verdict !== "error";
+}
+
+function noCauseOf(material: Material): string {
+  const { figures, verdict, checks, baseline } = material;
+  if (material.seenElsewhere) return "another view shows it";
+  if (figures === null) return "not seen in any view";
+  if (figures.nonFinite > 0) return "NaN or infinite pixels";
+  if (verdict === "error") return "could not be judged";
+  if (material.attribution) return "no single term explains it";
+  if (!checks.some((check) => ["warn", "fail", "error"].includes(check.verdict))) {
+    if ((material.notModelled ?? []).length > 0) return `base layer only: no path models ${(material.notModelled ?? []).join(", ")}`;
+    if ((figures.clippedBlack ?? 0) + (figures.clippedWhite ?? 0) >= 0.05) return "black or white in both pictures";
+    if ((baseline?.notComparable ?? "") !== "") return "not comparable to the baseline";
+  }
+  return "cause not measured";
+}
+
 function bestOf(material: Material): WhatIf | null {
   const flip = ({ figures }: Pick<Material, "figures">): number => figures?.metrics["flip.mean"] ?? Infinity;
   const gravity = (verdict: Verdict): number => kVerdicts.indexOf(verdict);
@@ -56,7 +75,7 @@ export function packOverview(report: Report): PackedOverview {
 
   const rowOf = (judged: Judged, material: Material | null, images: Images): Record<string, number | null> => {
     const { baseline } = judged;
-    const cause = causeOf(material?.attribution);
+    const cause = material && hasFlipToExplain(material) ? causeOf(material.attribution) : null;
     const better = material && bestOf(material);
     figures.push(judged.figures);
     return {
@@ -65,7 +84,7 @@ export function packOverview(report: Report): PackedOverview {
       nonFinite: judged.figures?.nonFinite ?? 0, preset: texts.of(judged.budget.preset), images: paths(images), notModelled: list(material?.notModelled ?? []),
       limits: limits.of(judged.checks.filter((check) => !check.regress).map(({ metric, warn, fail, verdict }) => ({ metric, warn, fail, verdict }))),
       before: !baseline ? 0 : baseline.new ? 1 : 2 + kVerdicts.indexOf(baseline.verdict ?? "pass"), notComparable: texts.of(baseline?.notComparable ?? ""),
-      change: baseline?.changes["flip.mean"] ?? null, attributed: Number(material?.attribution !== undefined),
+      change: baseline?.changes["flip.mean"] ?? null, noCause: texts.of(material && !cause ? noCauseOf(material) : ""),
       cause: texts.of(cause?.term ?? ""), causeBefore: cause ? (material?.attribution?.flip ?? null) : null, causeAfter: cause?.flip ?? null,
       better: texts.of(better?.preset ?? ""), betterVerdict: better ? kVerdicts.indexOf(better.verdict) : 0, betterFlip: better?.figures?.metrics["flip.mean"] ?? null,
     };
@@ -80,7 +99,7 @@ export function packOverview(report: Report): PackedOverview {
     name: texts.of(scene.name), source: texts.of(scene.source), error: texts.of(scene.error?.message ?? ""), views: scene.views.length, warnings: list(scene.warnings),
     verdict: scene.error === null ? 0 : kVerdicts.indexOf(scene.error.exitCode > 128 ? "not run" : "error"),
   }));
-  const whole = ["name", "verdict", "seenElsewhere", "reason", "accepted", "bias", "pixels", "nonFinite", "preset", "images", "notModelled", "limits", "before", "notComparable", "attributed", "cause", "better", "betterVerdict"];
+  const whole = ["name", "verdict", "seenElsewhere", "reason", "accepted", "bias", "pixels", "nonFinite", "preset", "images", "notModelled", "limits", "before", "notComparable", "cause", "noCause", "better", "betterVerdict"];
   const reals = ["change", "causeBefore", "causeAfter", "betterFlip"];
   return {
     verdicts: kVerdicts, texts: texts.values, lists: lists.values, limits: limits.values,

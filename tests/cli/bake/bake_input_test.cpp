@@ -46,6 +46,15 @@ TEST_F(BakeInputTest, MeshesWithoutAreaAreRefusedUnlessOthersHaveOne) {
   EXPECT_FALSE(std::filesystem::exists(m_folder / "far"));
 }
 
+TEST_F(BakeInputTest, TexelsBeyondTheMemoryAreRefusedBeforeTheyAreTaken) {
+  const std::string scene = write(makeLitCorner());
+  const std::vector<std::string> fine = {"bake", scene, "-q", "-o", path("out"), "--texels-per-metre", "500"};
+  const RunResult refused = run(join({fine, {"--max-memory", "300M"}}));
+  expectRefused(refused, 4, {"lightmap", "MiB", "--max-memory", "--texels-per-metre"});
+  EXPECT_LT(refused.peakMiB, 300) << "nothing was taken yet";
+  EXPECT_FALSE(std::filesystem::exists(m_folder / "out"));
+}
+
 TEST_F(BakeInputTest, PiecesThatNoPageHoldsAreRefused) {
   GltfFile file = makeLitCorner();
   file.json["meshes"][0]["name"] = "ground"; // 2 m wide

@@ -18,7 +18,9 @@ name = "*"
 regress = [ { metric = "flip.mean", fail = 0 }, { metric = "psnr", fail = 0 } ]
 [[whole]]
 checks = [ { metric = "flip.mean", fail = 0.999 } ])");
-  ASSERT_TRUE(exitedWith(4, report("old", {"--budgets", budgets}))) << "nothing else judges without a baseline";
+  expectRefused(report("old", {"--budgets", budgets}), 4, {"b.toml", "limits only regressions", "--baseline"});
+  EXPECT_FALSE(std::filesystem::exists(m_folder / "old")) << "refused before anything is rendered";
+  ASSERT_NE(report("old").exitCode, 4);
   EXPECT_TRUE(exitedWith(0, report("new", {"--budgets", budgets, "--baseline", path("old")})));
   const nlohmann::json now = readReport(m_folder / "new");
   EXPECT_EQ(now["baseline"]["source"], "report.json");

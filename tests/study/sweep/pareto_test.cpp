@@ -27,6 +27,18 @@ TEST(Pareto, EqualsDominateNeitherOfThem) {
   EXPECT_EQ(findDominated(scene, Against::truth, kFlip), (std::vector<bool>{false, false}));
 }
 
+TEST(Pareto, TimesThatNoiseCannotTellApartDecideNothing) {
+  VariantResult first = makeVariant("mobile", "default", 10, 0.2), second = makeVariant("mobile", "twin", 10, 0.2);
+  first.times.deviceMs = {9, 10, 11, 12};
+  second.times.deviceMs = {9.5, 10.5, 11.5, 12.5};
+  const auto dominated = [&] { return findDominated(makeSceneSweep("s", {first, second}), Against::truth, kFlip); };
+  EXPECT_EQ(dominated(), (std::vector<bool>{false, false})) << "the median of one is 5 % less";
+  second.whole.truth->flipMean = 0.1;
+  EXPECT_EQ(dominated(), (std::vector<bool>{true, false})) << "as fast, and better";
+  for (double& time : second.times.deviceMs) time += 10;
+  EXPECT_EQ(dominated(), (std::vector<bool>{false, false})) << "better, but slower";
+}
+
 TEST(Pareto, AnErrorThatIsNoNumberIsDominated) {
   const SceneSweep scene = makeSceneSweep(
       "s", {makeVariant("mobile", "default", 10, 0.2), makeVariant("mobile", "broken", 1, std::nan(""))});

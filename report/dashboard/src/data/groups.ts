@@ -6,7 +6,7 @@ import { kGroupings, type Grouping, type List } from "./state";
 
 export interface Group {
   key: string; // tells it from the other groups; "" where nothing is grouped
-  label: string; // name of the material or the scene; the cause's term, "" where there is none
+  label: string; // name of the material or the scene; the cause's term, or why there is none
   rows: Row[];
   over: number; // rows that fail or are errors
   warned: number;
@@ -14,23 +14,17 @@ export interface Group {
 }
 
 const kWorst = 3;
-export const kNoCause = "no single term";
-export const kUnknownCause = "cause not measured";
+export const kUnknownCause = "cause not measured"; // as the program has it
+const kNotCompared = "scene not compared";
 
 /** Views have neither a material nor a cause: they are grouped by scene alone. */
 export function groupingsOf(list: List): readonly Grouping[] {
   return list === "views" ? ["none", "scene"] : kGroupings;
 }
 
-/** What the cause is called where it is no term. */
-function causeKey(row: Row): string {
-  if (row.causeTerm !== "") return row.causeTerm;
-  return row.isAttributed ? kNoCause : kUnknownCause;
-}
-
 function labelOf(row: Row, by: Grouping): string {
   if (by === "scene") return row.sceneLink;
-  return by === "material" ? row.name : causeKey(row);
+  return by === "material" ? row.name : row.causeTerm || row.noCause || kNotCompared;
 }
 
 /** The gravest verdict first, then the largest mean FLIP. */

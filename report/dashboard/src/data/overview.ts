@@ -21,7 +21,7 @@ const kSceneColumns = ["name", "source", "error", "verdict", "warnings", "views"
 const kViewColumns = ["name", "reference", "test", "width", "height", "prefix", "materials"] as const;
 const kRowColumns = [
   "name", "verdict", "seenElsewhere", "reason", "accepted", "bias", "pixels", "nonFinite", "limits", "preset", "images", "notModelled", "before",
-  "notComparable", "change", "attributed", "cause", "causeBefore", "causeAfter", "better", "betterVerdict", "betterFlip",
+  "notComparable", "change", "cause", "noCause", "causeBefore", "causeAfter", "better", "betterVerdict", "betterFlip",
 ] as const;
 
 /** What links call them: their names; of those alike the second has " (2)" behind it, and so on. Never "". */

@@ -134,9 +134,9 @@ export class Row {
   get causeTerm(): string {
     return this.textOf("cause");
   }
-  /** The report looked for its cause. */
-  get isAttributed(): boolean {
-    return this.at >= 0 && this.all.rows.attributed[this.at] === 1;
+  /** Of a material without a cause: why it has none. */
+  get noCause(): string {
+    return this.textOf("noCause");
   }
   /** Null: none would help, or the run has measured none. */
   get help(): Better | null {
@@ -187,7 +187,7 @@ export class Row {
     return `${own} ${this.all.rows.accepted[this.at] === 0 ? "" : "accepted"} ${baseLayerText(this.notModelled)}`.toLowerCase();
   }
 
-  private textOf(column: "accepted" | "bias" | "preset" | "cause" | "better" | "notComparable"): string {
+  private textOf(column: "accepted" | "bias" | "preset" | "cause" | "noCause" | "better" | "notComparable"): string {
     return this.at < 0 ? "" : this.all.text(this.all.rows[column][this.at]);
   }
 }

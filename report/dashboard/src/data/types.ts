@@ -193,7 +193,7 @@ export interface Check {
   value: number | null; // null: infinite, not a number, or unknown
   warn: number | null; // Limit of the verdict warn: an upper limit, or a lower limit if more is better (psnr, ssim); of the absolute value if the figure has a sign; null: no limit
   fail: number | null; // Limit of the verdict fail: an upper limit, or a lower limit if more is better (psnr, ssim); of the absolute value if the figure has a sign; null: no limit
-  verdict: "pass" | "warn" | "fail" | "error" | "not judged"; // not judged: a regression whose baseline has no counterpart, or has other conditions
+  verdict: "pass" | "warn" | "fail" | "error" | "not judged"; // not judged: a regression whose baseline has no counterpart, or has other conditions; a figure of accepted NaN; an exposure of two pictures too dark to measure it
   note: string;
 }
 
@@ -395,6 +395,7 @@ export interface Run {
   again: AgainCommand[]; // For each view that was asked for
   incidents: string[]; // Crashes of workers after which a second try succeeded
   sceneTimes: SceneTime[]; // Of each scene that was done; several scenes may run at a time
+  warningsFail: boolean; // true: a warning alone makes the exit code 1 (--warn-exit), and its case in junit.xml fails
 }
 
 export interface Timing {

@@ -1,7 +1,7 @@
 // The head of a group of rows: what it adds up to, and its worst offenders as links.
 import { html, nothing, type TemplateResult } from "lit";
 
-import { kNoCause, kUnknownCause, type Group } from "../data/groups";
+import type { Group } from "../data/groups";
 import type { Head } from "../data/page";
 import { figureOf, type Row } from "../data/rows";
 import type { Grouping } from "../data/state";
@@ -15,9 +15,8 @@ export function troubleText({ over, warned }: Group): string {
 }
 
 /** A cause in words with its term; the name of a material or a scene as it is. */
-export function groupLabel({ label }: Group, by: Grouping): TemplateResult {
-  const isTerm = by === "cause" && label !== kNoCause && label !== kUnknownCause;
-  if (isTerm) return html`${termLabel(label)} <small>${label}</small>`;
+export function groupLabel({ label, rows }: Group, by: Grouping): TemplateResult {
+  if (by === "cause" && rows[0]?.causeTerm === label) return html`${termLabel(label)} <small>${label}</small>`;
   return html`<bdi>${label === "" ? "(no name)" : label}</bdi>`;
 }
 

@@ -2,7 +2,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 
 import { isOver, kLeastChange } from "../data/changes";
-import { kNoCause, kUnknownCause } from "../data/groups";
 import { imageSource } from "../data/images";
 import { pathTitle } from "../data/paths";
 import { checkOf, figureOf, type Row } from "../data/rows";
@@ -88,10 +87,10 @@ function whyOf({ reason, accepted }: Row): string {
 }
 
 /** The cause, or why a material that failed or warned has none; and the preset that would help most. */
-function causeCell({ cause, help, kind, verdict, isAttributed }: Row, report: Head): TemplateResult {
+function causeCell({ cause, help, kind, verdict, noCause }: Row, report: Head): TemplateResult {
   const flip = (value: number | null | undefined): string => figure(value ?? undefined, report.statistics["flip.mean"]);
   const isTroubled = kind === "material" && (isOver(verdict) || verdict === "warn");
-  const none = isTroubled ? html`<small>${isAttributed ? kNoCause : kUnknownCause}</small>` : nothing;
+  const none = isTroubled ? html`<small class="none">${noCause}</small>` : nothing;
   const then = help ? flip(help.flip) : "";
   return html`<span role="cell" class="cell-cause">
     ${cause ? html`<small class="word">Cause</small><b title=${termLabel(cause.term)}>${cause.term}</b><small>${flip(cause.before)} → ${flip(cause.after)}</small>` : none}

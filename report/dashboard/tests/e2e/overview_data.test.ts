@@ -16,7 +16,7 @@ function writtenOverview(name: string): Overview {
 
 const kParts = [
   "kind", "scene", "view", "material", "order", "link", "name", "place", "reference", "test", "isJudged", "verdict", "gravity", "reason", "accepted", "bias", "preset", "pixels",
-  "nonFinite", "notModelled", "limits", "images", "cause", "isAttributed", "help", "isInBaseline", "changes", "change", "notComparable",
+  "nonFinite", "notModelled", "limits", "images", "cause", "noCause", "help", "isInBaseline", "changes", "change", "notComparable",
 ] as const;
 
 describe.each(["many", "evil", "broken", "states", "empty", "real", "single", "restricted"])("the list of %s", (name) => {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { entriesOf, groupingsOf, groupRows, kNoCause, kUnknownCause } from "../../src/data/groups";
+import { entriesOf, groupingsOf, groupRows, kUnknownCause } from "../../src/data/groups";
 import { causeTotals } from "../../src/data/facts";
 import { troubleText } from "../../src/overview/group";
 import { layLines } from "../../src/overview/lines";
@@ -8,6 +8,7 @@ import { makeMaterial, makeReport, makeScene, makeView } from "./sample";
 import { rowsOf } from "../pack_overview";
 
 const by = (term: string, flip: number) => ({ attribution: { flip, terms: [{ term, flip: flip / 4 }] } });
+const kNoCause = "no single term explains it";
 const unclear = { attribution: { flip: 0.3, terms: [{ term: "fog", flip: 0.29 }] } };
 const report = makeReport([
   makeScene("Desk", [

@@ -113,7 +113,7 @@ describe("the cause", () => {
   });
 
   it("is none where the report did not look for it, or found none", () => {
-    expect(rows.map((row) => row.isAttributed)).toEqual([true, false, false, false, false]);
+    expect(rows.map((row) => row.noCause)).toEqual(["", "cause not measured", "not seen in any view", "", ""]);
     expect(rows.slice(1).map((row) => row.cause)).toEqual([null, null, null, null]);
   });
 });
