@@ -108,6 +108,15 @@ struct ViewResult {
   std::vector<compare::Condition> conditions; // its camera
 };
 
+// What decides a scene's figures besides the settings of the run, as digests of 12 hexadecimal digits: who compares two
+// runs learns which of them is another one. Names and places of files do not count, their content does.
+struct SceneInputs {
+  std::string asset;       // the scene's file, its buffers and its images
+  std::string environment; // empty: none
+  std::string request;     // what is asked of the scene otherwise than of the run, and its views
+  std::string bake;        // its baked light; empty: none
+};
+
 struct SceneResult {
   std::string name, source, environment, sun; // as the user wrote them: no absolute paths
   std::string light;                          // its scales and fog in words; empty: the defaults
@@ -120,6 +129,7 @@ struct SceneResult {
   int errorExitCode = 0; // 3 or 4 where there is an error, or that of notRun (settleVerdicts makes 4 of anything else)
   compare::Verdict verdict = compare::Verdict::pass;
   std::vector<compare::Condition> conditions; // its light, what of the file is shown, ...
+  std::optional<SceneInputs> inputs;          // none: its files could not be read
 };
 
 // A scene that was not done when a signal ended the run: its error says so, its exit code is 128 and the signal's

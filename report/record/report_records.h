@@ -237,6 +237,14 @@ template <> inline constexpr auto kRecord<PermutationResult> = record<Permutatio
           "Number of samplers that it binds: textures of its materials, and other inputs of the path"),
     field("cost", &PermutationResult::cost));
 
+template <> inline constexpr auto kRecord<SceneInputs> = record<SceneInputs>(
+    "sceneInputs",
+    "What decides the figures besides the settings of the run, as digests of 12 hexadecimal digits: equal content, equal digest",
+    field("asset", &SceneInputs::asset, "The scene's file, its buffers and its images", {.read = true}),
+    field("environment", &SceneInputs::environment, "Empty: none", {.read = true}),
+    field("request", &SceneInputs::request, "What is asked of the scene otherwise than of the run, and its views", {.read = true}),
+    field("bake", &SceneInputs::bake, "Its baked light; empty: none", {.read = true}));
+
 // Scenes with an error are not kept; the conditions are in the archive's key.
 template <> inline constexpr auto kRecord<SceneResult> = record<SceneResult>(
     "scene", "",
@@ -248,6 +256,7 @@ template <> inline constexpr auto kRecord<SceneResult> = record<SceneResult>(
           {.read = true, .ifEmpty = IfEmpty::absent}),
     field("conditions", &SceneResult::conditions, "Conditions of the scene: its light, the shown part of the file, ...",
           {.kept = false, .read = true}),
+    field("inputs", &SceneResult::inputs, "Absent: the scene's files could not be read", {.read = true, .mayLack = true}),
     field("verdict", &SceneResult::verdict, "", {.kept = false, .read = true}),
     groupOrNull("error", "Reason why the scene could not be compared; the views hold the part done before. null: it was compared",
                 [](const SceneResult& scene) { return scene.error.empty(); },

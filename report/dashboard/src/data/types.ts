@@ -99,6 +99,7 @@ export interface Scene {
   sun: string; // In words, or 'none'
   light?: string; // Scales of light, and fog, in words; absent: the defaults
   conditions: Condition[]; // Conditions of the scene: its light, the shown part of the file, ...
+  inputs?: SceneInputs; // Absent: the scene's files could not be read
   verdict: Verdict;
   /** Reason why the scene could not be compared; the views hold the part done before. null: it was compared */
   error: {
@@ -110,6 +111,14 @@ export interface Scene {
   views: View[];
   passes: Pass[]; // Work done for the scene in all views, and skipped work
   permutations: Permutation[]; // The specialised shaders of the pictures, by path, in order of their first use
+}
+
+/** What decides the figures besides the settings of the run, as digests of 12 hexadecimal digits: equal content, equal digest */
+export interface SceneInputs {
+  asset: string; // The scene's file, its buffers and its images
+  environment: string; // Empty: none
+  request: string; // What is asked of the scene otherwise than of the run, and its views
+  bake: string; // Its baked light; empty: none
 }
 
 /** What a material is made of */
