@@ -90,7 +90,9 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   RunBudgets budgets(context.settings().budgets, request.suiteBudgets);
   ReportEnd end(request, budgets, factsOf(context));
   Run(context, request, budgets, end, progress).compareScenes();
-  return end.finish(context, {}, progress);
+  report::RunInfo run;
+  if (!request.folder.empty()) run.numerics = context.numerics();
+  return end.finish(context, std::move(run), progress);
 }
 
 } // namespace parity::job

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "compare/verdict/approval.h"
 #include "compare/verdict/budget.h"
 #include "job/scene_request.h"
 #include "report/report.h"
@@ -29,6 +30,9 @@ public:
   std::optional<std::string> fileOf(const SceneRequest& request) const;
   // Throws Error as compare::loadBudgets does.
   const compare::Budgets& ofFile(const std::string& file) const;
+
+  // A file of approvals. Throws Error as compare::loadApprovals does.
+  compare::Approvals approvalsOf(const std::string& file) const;
 
   void setBaseline(const report::Report* baseline) { m_baseline = baseline; }
   const report::Report* baseline() const { return m_baseline; } // null: none
