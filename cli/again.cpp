@@ -14,9 +14,10 @@ namespace parity::cli {
 namespace {
 
 // "env": a scene has its own of several. The last ones change no figure.
-constexpr std::array<std::string_view, 14> kNotKept = {"suite",   "only",  "env",      "json",      "annotate",
-                                                       "all",     "csv",   "quiet",    "timings",   "verbose",
-                                                       "threads", "cache", "no-cache", "cache-size"};
+constexpr std::array<std::string_view, 18> kNotKept = {
+    "suite",    "only",       "env",     "json",           "annotate",     "all",
+    "csv",      "quiet",      "timings", "verbose",        "threads",      "cache",
+    "no-cache", "cache-size", "summary", "summary-format", "pictures-url", "fail-on"};
 
 // What begins with '-' would be an option of its own.
 void add(std::vector<std::string>& words, const std::string& option, const std::string& value) {
@@ -40,10 +41,12 @@ bool isCopy(const job::SceneRequest& scene, const FilesByName& files) {
 std::vector<std::string> withoutNames(const std::vector<std::string>& kept) {
   std::vector<std::string> rest;
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (kept[i] == "--baseline" || kept[i] == "--budgets")
-      ++i; // its value
-    else if (!kept[i].starts_with("--baseline=") && !kept[i].starts_with("--budgets="))
+    constexpr std::array<std::string_view, 3> kOfNames = {"--baseline", "--budgets", "--approvals"};
+    const std::string_view option = std::string_view(kept[i]).substr(0, kept[i].find('='));
+    if (std::ranges::count(kOfNames, option) == 0)
       rest.push_back(kept[i]);
+    else if (option == kept[i])
+      ++i; // its value
   }
   return rest;
 }
@@ -80,7 +83,7 @@ std::vector<report::AgainCommand> againCommands(const std::vector<job::SceneRequ
         add(words, "--suite", source.suite);
       else
         words.push_back(scene.scene.starts_with('-') ? "./" + scene.scene : scene.scene);
-      // All of several, whose names are the scenes': a baseline and budgets know them by these.
+      // All of several, whose names are the scenes': baseline, budgets and approvals know them by these.
       for (const std::string& each : source.environments.size() > 1                 ? source.environments
                                      : source.suite.empty() && !environment.empty() ? std::vector{environment}
                                                                                     : std::vector<std::string>())

@@ -9,6 +9,7 @@
 #include "base/log.h"
 #include "cli/again.h"
 #include "cli/invocation.h"
+#include "cli/options/approve_options.h"
 #include "cli/options/bake_options.h"
 #include "cli/options/bench_options.h"
 #include "cli/options/budget_options.h"
@@ -103,7 +104,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       ->capture_default_str();
   addPageOptions(reportApp, report, raw);
   addBenchOption(reportApp, report.bench);
-  addVerdictOptions(reportApp, report.verdict,
+  RawOutcome rawOutcome;
+  addVerdictOptions(reportApp, report.verdict, rawOutcome,
                     "Show all rows of the table. Default: those that failed, warned or could not be judged");
   RawWorkers rawWorkers;
   addWorkerOptions(reportApp, report.workers, rawWorkers,
@@ -151,9 +153,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       ->type_name(kFile)
       ->group(kInputGroup)
       ->excludes("scene");
-  addVerdictOptions(
-      diffApp, diff.verdict,
-      "Show all rows of the table. Default: all of up to 24, else those that failed, warned or could not be judged");
+  addVerdictOptions(diffApp, diff.verdict, rawOutcome,
+                    "Show all rows of the table. Default: all of up to 24, else those that failed, warned or could not be judged");
   addOnlyOption(diffApp, diff.common.only);
   diffApp
       .add_option("--json", diff.common.json,
@@ -178,6 +179,11 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   RawFlipOptions rawFlip;
   CLI::App& flipApp = *app.add_subcommand("flip", "Compare any two images, two folders of images, or a list of pairs");
   addFlipOptions(flipApp, flip, rawFlip);
+
+  RawApprove rawApprove;
+  CLI::App& approveApp =
+      *app.add_subcommand("approve", "Accept figures of a report that are over budget, until a day, for a reason");
+  addApproveOptions(approveApp, rawApprove);
 
   RawBudgetOptions budget;
   CLI::App& budgetApp = *app.add_subcommand("budget", "Propose a budget file from earlier reports, or check one");
@@ -264,6 +270,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       requireOneOnStdout(report.common.json, report.csv);
       settleWorkers(report.workers, rawWorkers);
       settlePage(report, raw);
+      settleOutcome(report.verdict, rawOutcome);
+      requireBaseline(report.verdict);
       report.kept = keptWords(reportApp, diffApp);
       parsed.command = report;
     } else if (planApp.parsed()) {
@@ -285,6 +293,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       settle(diffApp, diff.common, raw, !diff.suite.empty());
       requireSizeFits(diff.common, kComparedPixelBytes);
       requireOneOnStdout(diff.common.json, diff.csv);
+      settleOutcome(diff.verdict, rawOutcome);
+      requireBaseline(diff.verdict);
       parsed.command = diff;
     } else if (renderApp.parsed()) {
       settle(renderApp, render.common, raw);
@@ -297,6 +307,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
     } else if (flipApp.parsed()) {
       settleFlip(flipApp, flip, rawFlip);
       parsed.command = flip;
+    } else if (approveApp.parsed()) {
+      parsed.command = settleApprove(rawApprove);
     } else if (budgetApp.parsed()) {
       parsed.command = settleBudget(budgetApp, budget);
     } else if (fitApp.parsed()) {

@@ -8,6 +8,7 @@
 #include "cli/invocation.h"
 #include "cli/output.h"
 #include "cli/progress.h"
+#include "cli/report_parts.h"
 #include "cli/requests.h"
 #include "job/context.h"
 #include "job/report_run.h"
@@ -38,10 +39,13 @@ int runDiffCommand(const DiffCommand& command, const std::string& commandLine) {
   request.commandLine = commandLine;
   request.oneOfMany = true;
   request.baseline = command.verdict.baseline;
+  request.approvals = command.verdict.approvals;
+  request.asOf = command.verdict.asOf;
   std::vector<NamedFile> inputs = inputFiles(command.common, command.verdict, request.scenes);
   inputs.push_back({"the suite", command.suite});
   inputs.push_back({"the suite's budgets", request.suiteBudgets.value_or("")});
-  requireSeparate({{"--json", command.common.json}, {"--csv", command.csv}}, inputs);
+  requireSeparate(
+      {{"--json", command.common.json}, {"--csv", command.csv}, {"--summary", command.verdict.summary.file}}, inputs);
   // Of one scene nothing is finished before it is.
   std::optional<base::StopSignal> stop;
   if (request.scenes.size() > 1)
@@ -54,11 +58,12 @@ int runDiffCommand(const DiffCommand& command, const std::string& commandLine) {
   const bool stdoutTaken = command.common.json == "-" || command.csv == "-";
   const auto hasFailed = [](const report::SceneResult& scene) { return !scene.error.empty(); };
   const bool isSaid = std::ranges::all_of(result.report.scenes, hasFailed); // by the error lines
-  if (!stdoutTaken && !command.common.quiet && !isSaid)
+  const bool isShown = !stdoutTaken && !command.common.quiet && !isSaid;
+  if (isShown)
     printTable(result.report, result.run, command.verdict.allRows || countRows(result.report) <= kRowsOfAScreen);
   printAnnotations(command.verdict.annotate, result.report, stdoutTaken);
   if (command.common.timings) printTimings(result.run.timings);
-  return report::exitCode(result.report, command.verdict.warnExit);
+  return tellOutcome(result, command.verdict, isShown);
 }
 
 } // namespace parity::cli

@@ -11,7 +11,9 @@
 #include "job/bake_run.h"
 #include "job/knobs.h"
 #include "job/report_run.h"
+#include "report/approvals.h"
 #include "report/budget_suggest.h"
+#include "report/summary/summary.h"
 #include "scenes/suite/suite.h"
 #include "study/fit/truth.h"
 #include "study/stress/stress_run.h"
@@ -33,10 +35,20 @@ struct CommonOptions {
 };
 
 // What a verdict is held against, and how it is told.
+// Where a summary goes; a copy of GitHub's goes to the file that $GITHUB_STEP_SUMMARY names.
+struct SummaryTarget {
+  std::string file; // empty: there is none
+  report::SummaryFormat format = report::SummaryFormat::github;
+  std::string picturesUrl; // of the report's folder; empty: no pictures
+};
+
 struct VerdictOptions {
   bool warnExit = false;
-  std::string baseline; // earlier report.json or its folder; empty: none
-  std::string annotate; // "github", or empty
+  std::string baseline;        // earlier report.json or its folder; empty: none
+  std::string annotate;        // "github", or empty
+  std::string approvals, asOf; // a file of approvals, and the day for them (ISO 8601); empty: none, today
+  report::FailOn failOn = report::FailOn::any;
+  SummaryTarget summary;
   bool allRows = false; // of the table, also those that pass
 };
 
@@ -115,6 +127,11 @@ struct FlipCommand {
   int threads = 0;
 };
 
+struct ApproveCommand {
+  std::string report, output = "approvals.toml"; // folder; file
+  report::ApproveRequest request;
+  bool isMany = false; // more rows than a few are meant
+};
 struct BudgetSuggestCommand {
   std::vector<std::string> reports;
   std::string output; // empty: stdout
@@ -200,10 +217,11 @@ struct SuiteListCommand {
   std::filesystem::path cacheFolder;
 };
 
-using Invocation = std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand,
-                                ListTermsCommand, FlipCommand, BudgetSuggestCommand, BudgetCheckCommand, FitCommand,
-                                BenchCommand, StressCommand, BakeCommand, DevicesCommand, InfoCommand, CacheCommand,
-                                SuiteListCommand, PlotCommand, KnobsCommand, VersionCommand, GuideCommand>;
+using Invocation =
+    std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand, ListTermsCommand,
+                 FlipCommand, ApproveCommand, BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand,
+                 StressCommand, BakeCommand, DevicesCommand, InfoCommand, CacheCommand, SuiteListCommand, PlotCommand,
+                 KnobsCommand, VersionCommand, GuideCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, a usage error) with its
 // exit code.
@@ -229,6 +247,7 @@ int runDiffCommand(const DiffCommand& command, const std::string& commandLine);
 int runRenderCommand(const RenderCommand& command);
 int runListTermsCommand();
 int runFlipCommand(const FlipCommand& command);
+int runApproveCommand(const ApproveCommand& command);
 int runBudgetSuggestCommand(const BudgetSuggestCommand& command);
 int runBudgetCheckCommand(const BudgetCheckCommand& command);
 int runFitCommand(const FitCommand& command);

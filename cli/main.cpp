@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
                                [](const RenderCommand& c) { return runRenderCommand(c); },
                                [](const ListTermsCommand&) { return runListTermsCommand(); },
                                [](const FlipCommand& c) { return runFlipCommand(c); },
+                               [](const ApproveCommand& c) { return runApproveCommand(c); },
                                [](const BudgetSuggestCommand& c) { return runBudgetSuggestCommand(c); },
                                [](const BudgetCheckCommand& c) { return runBudgetCheckCommand(c); },
                                [](const FitCommand& c) { return runFitCommand(c); },

@@ -1,5 +1,6 @@
 // parity merge: the units of a plan in, the report out.
 #include "job/plan/merge.h"
+#include "base/error.h"
 #include "cli/invocation.h"
 #include "cli/progress.h"
 #include "cli/report_parts.h"
@@ -9,13 +10,18 @@ namespace parity::cli {
 
 int runMergeCommand(const MergeCommand& command) {
   const job::Plan plan = job::readPlan(command.plan);
+  if (command.verdict.failOn == report::FailOn::isNew && plan.request.baseline.empty())
+    throw base::Error(base::ExitCode::usage, "--fail-on", "'new'",
+                      "needs a plan with --baseline, which says what failed before");
   const job::PlanLock lock(command.plan);
   const job::ReportResult result =
       job::mergePlan(plan, command.plan,
                      {.folder = command.folder,
                       .incomplete = command.reportsIncomplete ? job::Incomplete::report : job::Incomplete::error,
                       .bench = readBench(command.bench),
-                      .warningsFail = command.verdict.warnExit},
+                      .warningsFail = command.verdict.warnExit,
+                      .approvals = command.verdict.approvals,
+                      .asOf = command.verdict.asOf},
                      makeProgress(command.quiet));
   return tellReport(result, {.folder = command.folder,
                              .singleFile = plan.request.singleFile,

@@ -33,7 +33,8 @@ void requireSeparateFiles(const ReportCommand& command, const job::ReportRequest
   inputs.push_back({"--bench", benchFile(command.bench)});
   std::vector<NamedFile> outputs;
   for (const char* file : job::kReportFiles) outputs.push_back({"-o", request.folder / file});
-  const std::vector<NamedFile> single = {{"--json", command.common.json}, {"--csv", command.csv}};
+  const std::vector<NamedFile> single = {
+      {"--json", command.common.json}, {"--csv", command.csv}, {"--summary", command.verdict.summary.file}};
   outputs.insert(outputs.end(), single.begin(), single.end());
   requireSeparate(outputs, inputs);
   requireSeparate(single, inputFiles(command.common, command.verdict, {}));

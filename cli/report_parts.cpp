@@ -1,6 +1,8 @@
 #include "cli/report_parts.h"
 
 #include <cstdint>
+#include <cstdlib>
+#include <fstream>
 
 #include <fmt/format.h>
 
@@ -10,6 +12,8 @@
 #include "cli/again.h"
 #include "cli/output.h"
 #include "report/dashboard_files.h"
+#include "report/standing.h"
+#include "report/summary/summary.h"
 #include "study/sweep/pareto_svg.h"
 #include "study/sweep/sweep_json.h"
 
@@ -58,6 +62,8 @@ job::ReportRequest reportRequest(const ReportCommand& command, const RunRequest&
   request.suite = run.suite;
   request.suiteBudgets = run.suiteBudgets;
   request.baseline = command.verdict.baseline;
+  request.approvals = command.verdict.approvals;
+  request.asOf = command.verdict.asOf;
   request.only = run.only;
   request.pictures = command.pictures;
   request.pixelData = command.pixelData && report::hasDashboard(); // which alone reads them
@@ -66,6 +72,43 @@ job::ReportRequest reportRequest(const ReportCommand& command, const RunRequest&
   request.warningsFail = command.verdict.warnExit;
   request.again = againCommands(request.scenes, {command.suite, command.common.environments}, command.kept);
   return request;
+}
+
+namespace {
+
+// GitHub shows what a step appends to that file.
+void appendStepSummary(const std::string& text) {
+  const char* file = std::getenv("GITHUB_STEP_SUMMARY");
+  if (!file || !*file) return;
+  std::ofstream out(file, std::ios::app | std::ios::binary);
+  out << text << '\n';
+  out.flush();
+  if (!out) throw base::fileError(file, "", "the summary cannot be appended");
+}
+
+void writeSummary(const SummaryTarget& target, const job::ReportResult& result) {
+  if (target.file.empty()) return;
+  const report::Summary summary = report::summarize(result.report, result.run);
+  report::SummaryOptions options{.mostBytes = report::kMostCommentBytes, .picturesUrl = target.picturesUrl};
+  base::writeText(target.file, report::toSummary(summary, target.format, options));
+  options.mostBytes = report::kMostStepSummaryBytes;
+  if (target.format == report::SummaryFormat::github)
+    appendStepSummary(report::toSummary(summary, target.format, options));
+}
+
+} // namespace
+
+int tellOutcome(const job::ReportResult& result, const VerdictOptions& verdict, bool isShown) {
+  if (verdict.failOn == report::FailOn::isNew) {
+    if (const std::string why = report::whyNewIsUnknown(result.report); !why.empty())
+      base::logError("--fail-on new: nobody can tell which failures are new, because " + why);
+    const report::FailureCounts counts = report::countFailures(result.report);
+    if (isShown)
+      print("{} new failure{}, {} still failing, not counted\n", counts.isNew, counts.isNew == 1 ? "" : "s",
+            counts.still);
+  }
+  writeSummary(verdict.summary, result);
+  return report::exitCode(result.report, verdict.warnExit, verdict.failOn);
 }
 
 int tellReport(const job::ReportResult& result, const ReportTargets& targets) {
@@ -80,7 +123,7 @@ int tellReport(const job::ReportResult& result, const ReportTargets& targets) {
   }
   printAnnotations(targets.verdict.annotate, result.report, stdoutTaken);
   if (targets.timings) printTimings(result.run.timings);
-  return report::exitCode(result.report, targets.verdict.warnExit);
+  return tellOutcome(result, targets.verdict, !stdoutTaken && !targets.quiet);
 }
 
 } // namespace parity::cli

@@ -28,7 +28,11 @@ struct ReportTargets {
   const VerdictOptions& verdict;
 };
 
-// Table, JSON, CSV, annotations. Returns the exit code.
+// Table, JSON, CSV, summary, annotations. Returns the exit code.
 int tellReport(const job::ReportResult& result, const ReportTargets& targets);
+
+// What the verdict options ask for besides the table, which was shown where isShown: the summary, and which failures
+// count. Returns the exit code.
+int tellOutcome(const job::ReportResult& result, const VerdictOptions& verdict, bool isShown);
 
 } // namespace parity::cli

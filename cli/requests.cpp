@@ -160,6 +160,7 @@ std::vector<NamedFile> inputFiles(const CommonOptions& common, const std::vector
 std::vector<NamedFile> inputFiles(const CommonOptions& common, const VerdictOptions& verdict,
                                   const std::vector<job::SceneRequest>& scenes) {
   std::vector<NamedFile> files = inputFiles(common, scenes);
+  files.push_back({"the approvals", verdict.approvals});
   if (!verdict.baseline.empty()) files.push_back({"the baseline", report::reportFileOf(verdict.baseline)});
   return files;
 }

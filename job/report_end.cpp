@@ -22,6 +22,7 @@
 #include "job/report_folder.h"
 #include "job/scene/passes.h"
 #include "job/view/display_table.h"
+#include "report/approvals.h"
 #include "report/baseline.h"
 #include "report/judge.h"
 #include "report/reader.h"
@@ -93,8 +94,10 @@ ReportEnd::ReportEnd(const ReportRequest& request, RunBudgets& budgets, RunFacts
                      const std::filesystem::path& baselineFile)
     : m_request(request), m_budgets(budgets), m_facts(std::move(facts)),
       m_baselineFile(baselineFile.empty() ? request.baseline : baselineFile),
+      m_asOf(request.asOf.empty() ? base::today() : base::dayFrom(request.asOf).value()),
       m_startedAt(fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))),
       m_scenes(request.scenes.size()), m_isAdded(request.scenes.size()) {
+  if (!request.approvals.empty()) m_approvals = budgets.approvalsOf(request.approvals);
   if (!m_baselineFile.empty()) m_baseline = report::readReport(m_baselineFile);
   if (m_baseline) m_budgets.setBaseline(&*m_baseline);
   if (request.folder.empty()) return;
@@ -150,6 +153,15 @@ void ReportEnd::holdBudgets(const Settings& settings, report::Report& report) co
   }
 }
 
+// Which rows there are is known only where the run is whole, and `diff` shows a scene of many.
+void ReportEnd::holdApprovals(const Settings& settings, report::Report& report) const {
+  const bool isPart = !settings.materials.empty() || !m_request.only.empty();
+  report::applyApprovals(report, m_approvals, m_asOf,
+                         isPart                ? report::EntriesFor::none
+                         : m_request.oneOfMany ? report::EntriesFor::scenes
+                                               : report::EntriesFor::all);
+}
+
 // The pictures of the baseline that this run's report shows, too: written, or put with those of a single file.
 void ReportEnd::keepBaselinePictures(report::Report& report, std::vector<EncodedPicture>& pictures) const {
   const auto own = [&](const std::string& file) {
@@ -179,6 +191,7 @@ ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Prog
     if (!m_isAdded[i]) m_scenes[i] = notRunScene(m_request.scenes[i], context.stoppedBy());
   report.version = base::kVersion;
   report.suite = m_request.suite;
+  report.only = m_request.only;
   report.device = m_facts.device;
   report.settings = m_facts.settings;
   report.conditions = m_facts.conditions;
@@ -200,6 +213,7 @@ ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Prog
     base::logInfo(
         fmt::format("{} of {} scenes are unchanged and come from the cache", cached, m_request.scenes.size()));
   holdBudgets(context.settings(), report);
+  holdApprovals(context.settings(), report);
   report::settleVerdicts(report);
   if (m_baseline)
     report::compareWithBaseline(report, *m_baseline,

@@ -50,6 +50,7 @@ public:
 private:
   bool isBaselineInPlace() const;
   void holdBudgets(const Settings& settings, report::Report& report) const;
+  void holdApprovals(const Settings& settings, report::Report& report) const;
   void keepBaselinePictures(report::Report& report, std::vector<EncodedPicture>& pictures) const;
 
   const ReportRequest& m_request;
@@ -57,6 +58,8 @@ private:
   RunFacts m_facts;
   std::filesystem::path m_baselineFile;
   std::optional<report::Report> m_baseline;
+  compare::Approvals m_approvals;
+  base::Day m_asOf; // of them
   std::optional<BaselinePictures> m_baselinePictures;
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
   std::string m_startedAt;

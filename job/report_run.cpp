@@ -91,7 +91,9 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   if (request.baseline.empty()) budgets.requireLevels();
   ReportEnd end(request, budgets, factsOf(context));
   Run(context, request, budgets, end, progress).compareScenes();
-  return end.finish(context, {}, progress);
+  report::RunInfo run;
+  if (!request.folder.empty()) run.numerics = context.numerics();
+  return end.finish(context, std::move(run), progress);
 }
 
 } // namespace parity::job

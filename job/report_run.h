@@ -25,6 +25,8 @@ struct ReportRequest {
   std::optional<std::string> suiteBudgets;      // the suite file's own default
   std::filesystem::path folder;                 // empty: nothing is written
   std::filesystem::path baseline;               // an earlier report.json or its folder; empty: none
+  std::string approvals = {};                   // a file of approvals; empty: none
+  std::string asOf = {};                        // the day for them, ISO 8601; empty: today
   std::vector<std::string> only = {};           // globs by which its views were chosen of more; empty: these are all
   bool oneOfMany = false;                       // scenes of the baseline that this run does not show are not gone
   Pictures pictures = Pictures::all;            // none where there is no folder

@@ -47,6 +47,11 @@ void RunBudgets::requireLevels() const {
                           "limits only regressions, so the run needs --baseline; a run without --budgets makes one");
 }
 
+compare::Approvals RunBudgets::approvalsOf(const std::string& file) const {
+  const auto frozen = m_frozen.find(file);
+  return frozen == m_frozen.end() ? compare::loadApprovals(file) : compare::readApprovals(frozen->second, file);
+}
+
 compare::Budgets RunBudgets::of(const SceneRequest& request) const {
   const std::optional<std::string> file = fileOf(request);
   compare::Budgets budgets = file ? ofFile(*file) : compare::defaultBudgets();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "compare/verdict/approval.h"
 #include "compare/verdict/budget.h"
 #include "job/scene_request.h"
 #include "report/report.h"
@@ -33,6 +34,8 @@ public:
   // Throws Error where a file of the constructor limits only regressions of its materials or its whole images: without
   // a baseline nothing could judge them, and that should not be told at the end of the run.
   void requireLevels() const;
+  // A file of approvals. Throws Error as compare::loadApprovals does.
+  compare::Approvals approvalsOf(const std::string& file) const;
 
   void setBaseline(const report::Report* baseline) { m_baseline = baseline; }
   const report::Report* baseline() const { return m_baseline; } // null: none

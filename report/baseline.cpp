@@ -247,6 +247,7 @@ void compareWithBaseline(Report& report, const Report& baseline, const BaselineO
   summary.source = (source.is_absolute() ? source.filename() : source).generic_string();
   summary.version = baseline.version;
   summary.device = baseline.device;
+  summary.notWhole = whyNotWhole(baseline);
   OtherConditions others;
   const ScenesByName own(report.scenes), then(baseline.scenes);
   for (SceneResult& scene : report.scenes) holdScene(scene, report, then.find(scene.name), baseline, others, summary);

@@ -14,6 +14,7 @@
 
 #include "base/text/glob.h"
 #include "base/text/text.h"
+#include "base/text/toml_string.h"
 #include "compare/verdict/budget.h"
 #include "compare/verdict/wording.h"
 #include "report/budget_limits.h"
@@ -23,20 +24,6 @@ namespace {
 
 constexpr std::size_t kMostScenesNamed = 3;
 using Subjects = std::vector<const ObservedSubject*>;
-
-std::string quoteToml(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : base::cleanUtf8(text)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\')
-      (out += '\\') += c;
-    else if (byte < 0x20 || byte == 0x7F)
-      out += fmt::format("\\u{:04X}", byte);
-    else
-      out += c;
-  }
-  return out + "\"";
-}
 
 std::string countText(std::size_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
@@ -85,11 +72,12 @@ public:
       m_result.accepted.push_back(fmt::format("{}: {}", m_name, sentence));
       rule += "# Accepted: " + base::plainLine(sentence) + "\n";
     }
-    rule += m_first.whole ? "[[whole]]\n"
-                          : fmt::format("[[material]]\nname = {}\n", quoteToml(base::exactGlob(m_first.material)));
-    if (m_group.namesScene) rule += fmt::format("scene = {}\n", quoteToml(base::exactGlob(m_first.scene)));
-    rule +=
-        fmt::format("reason = {}\n", quoteToml(reason.empty() ? "identical in " + countText(m_runs, "run") : reason));
+    rule += m_first.whole
+                ? "[[whole]]\n"
+                : fmt::format("[[material]]\nname = {}\n", base::tomlString(base::exactGlob(m_first.material)));
+    if (m_group.namesScene) rule += fmt::format("scene = {}\n", base::tomlString(base::exactGlob(m_first.scene)));
+    rule += fmt::format("reason = {}\n",
+                        base::tomlString(reason.empty() ? "identical in " + countText(m_runs, "run") : reason));
     if (accepts) rule += fmt::format("accept = [{}]\n", fmt::join(m_accept, ", "));
     if (const std::uint64_t most = mostNonFinite(); most > 0) rule += fmt::format("max_non_finite = {}\n", most);
     if (!m_preset.empty()) rule += fmt::format("preset = \"{}\"\n", m_preset);
@@ -150,14 +138,15 @@ private:
             "{}: no {} of {} is suggested, because no value can exceed it (observed: {})", m_name,
             limits.empty() ? "limit" : "'fail'", figure.name, formatError(figure, std::ranges::max(errors))));
       m_isLimited.back() = !limits.empty();
-      if (!limits.empty()) text += fmt::format("  {{ metric = {}, {} }},\n", quoteToml(figure.name), limits);
+      if (!limits.empty()) text += fmt::format("  {{ metric = {}, {} }},\n", base::tomlString(figure.name), limits);
     }
     return text;
   }
 
   void accept(compare::Accept what, const Subjects& subjects, const std::string& sentence) {
     if (subjects.empty()) return;
-    if (std::ranges::count(m_accept, quoteToml(nameOf(what))) == 0) m_accept.push_back(quoteToml(nameOf(what)));
+    if (std::ranges::count(m_accept, base::tomlString(nameOf(what))) == 0)
+      m_accept.push_back(base::tomlString(nameOf(what)));
     m_sentences.push_back(m_group.subjects.size() == 1 ? sentence
                                                        : fmt::format("{} in {}", sentence, describeScenes(subjects)));
   }

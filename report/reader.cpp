@@ -21,8 +21,8 @@ using nlohmann::json;
 // A value and the way to it.
 class Node {
 public:
-  Node(const json& value, std::string file, std::string place)
-      : m_value(value), m_file(std::move(file)), m_place(std::move(place)) {}
+  Node(const json& value, std::string file, std::string place, ReadDepth depth)
+      : m_value(value), m_file(std::move(file)), m_place(std::move(place)), m_depth(depth) {}
 
   [[noreturn]] void refuse(const std::string& reason) const {
     throw base::fileError(m_file, m_place.empty() ? "/" : m_place, reason);
@@ -31,23 +31,25 @@ public:
     if (!m_value.is_object()) refuse("is not an object");
     const auto found = m_value.find(key);
     if (found == m_value.end()) refuse(fmt::format("lacks '{}'", key));
-    return {*found, m_file, m_place + "/" + key};
+    return {*found, m_file, m_place + "/" + key, m_depth};
   }
   bool has(const std::string& key) const { return m_value.is_object() && m_value.contains(key); }
   std::vector<Node> items() const {
     if (!m_value.is_array()) refuse("is not a list");
     std::vector<Node> nodes;
     for (std::size_t i = 0; i < m_value.size(); ++i)
-      nodes.emplace_back(m_value[i], m_file, m_place + "/" + std::to_string(i));
+      nodes.emplace_back(m_value[i], m_file, m_place + "/" + std::to_string(i), m_depth);
     return nodes;
   }
   std::vector<std::pair<std::string, Node>> members() const {
     if (!m_value.is_object()) refuse("is not an object");
     std::vector<std::pair<std::string, Node>> nodes;
-    for (const auto& [key, value] : m_value.items()) nodes.emplace_back(key, Node(value, m_file, m_place + "/" + key));
+    for (const auto& [key, value] : m_value.items())
+      nodes.emplace_back(key, Node(value, m_file, m_place + "/" + key, m_depth));
     return nodes;
   }
   bool isNull() const { return m_value.is_null(); }
+  ReadDepth depth() const { return m_depth; }
   std::string text() const {
     if (!m_value.is_string()) refuse("is not a string");
     return m_value.get<std::string>();
@@ -64,6 +66,7 @@ public:
 private:
   const json& m_value;
   std::string m_file, m_place;
+  ReadDepth m_depth;
 };
 
 template <Described T> void readRecord(const Node& node, T& record);
@@ -94,9 +97,11 @@ void readValue(const Node& node, std::vector<T>& list) {
     list.push_back(ByName<T>::make(name, value.isNull() ? std::nullopt : std::optional(value.number())));
 }
 
-template <typename Member, typename Show> bool isRead(const Row<Member, Show>& row) { return row.rule.read; }
-template <typename IsNull, typename... Rows> bool isRead(const Group<IsNull, Rows...>& group) {
-  return std::apply([](const Rows&... rows) { return (isRead(rows) || ...); }, group.rows);
+template <typename Member, typename Show> bool isRead(const Row<Member, Show>& row, ReadDepth depth) {
+  return row.rule.read || (row.rule.readDeep && depth == ReadDepth::checks);
+}
+template <typename IsNull, typename... Rows> bool isRead(const Group<IsNull, Rows...>& group, ReadDepth depth) {
+  return std::apply([&](const Rows&... rows) { return (isRead(rows, depth) || ...); }, group.rows);
 }
 
 template <typename Owner, typename Row>
@@ -106,7 +111,7 @@ concept Readable = requires(const Node& node, Owner& owner, const Row& row) {
 
 // Whether a row that is read is of a type that can be.
 template <typename Owner, typename Member, typename Show> constexpr bool isReadable(const Row<Member, Show>& row) {
-  return !row.rule.read || Readable<Owner, Row<Member, Show>>;
+  return (!row.rule.read && !row.rule.readDeep) || Readable<Owner, Row<Member, Show>>;
 }
 template <typename Owner, typename IsNull, typename... Rows>
 constexpr bool isReadable(const Group<IsNull, Rows...>& group) {
@@ -119,7 +124,7 @@ template <typename Owner, typename Row> using MemberType =
 template <typename Owner, typename... Rows>
 void readRows(const Node& node, Owner& owner, const std::tuple<Rows...>& rows) {
   forEachRow(rows, [&]<typename Row>(const Row& row) {
-    if (!isRead(row)) return;
+    if (!isRead(row, node.depth())) return;
     const std::string key(row.key);
     if constexpr (kIsGroup<Row>) {
       const Node child = node.at(key);
@@ -142,21 +147,22 @@ template <typename T> struct Within { using Type = T; };
 template <typename T> struct Within<std::vector<T>> { using Type = T; };
 template <typename T> struct Within<std::optional<T>> { using Type = T; };
 
-template <typename T> Wanted wantedOf();
-template <typename Owner, typename... Rows> void addWanted(Wanted& wanted, const std::tuple<Rows...>& rows) {
+template <typename T> Wanted wantedOf(ReadDepth depth);
+template <typename Owner, typename... Rows>
+void addWanted(Wanted& wanted, const std::tuple<Rows...>& rows, ReadDepth depth) {
   forEachRow(rows, [&]<typename Row>(const Row& row) {
-    if (!isRead(row)) return;
+    if (!isRead(row, depth)) return;
     if constexpr (kIsGroup<Row>)
-      addWanted<Owner>(wanted.keys[std::string(row.key)], row.rows);
+      addWanted<Owner>(wanted.keys[std::string(row.key)], row.rows, depth);
     else if constexpr (Readable<Owner, Row>)
-      wanted.keys[std::string(row.key)] = wantedOf<typename Within<MemberType<Owner, Row>>::Type>();
+      wanted.keys[std::string(row.key)] = wantedOf<typename Within<MemberType<Owner, Row>>::Type>(depth);
   });
 }
 // The keys that are read of a record; all of what is none.
-template <typename T> Wanted wantedOf() {
+template <typename T> Wanted wantedOf(ReadDepth depth) {
   Wanted wanted;
   if constexpr (Described<T> && !IsByName<T>)
-    addWanted<T>(wanted, kRecord<T>.rows);
+    addWanted<T>(wanted, kRecord<T>.rows, depth);
   else
     wanted.all = true;
   return wanted;
@@ -169,24 +175,24 @@ std::filesystem::path reportFileOf(const std::filesystem::path& fileOrFolder) {
   return std::filesystem::is_directory(fileOrFolder, ignored) ? fileOrFolder / "report.json" : fileOrFolder;
 }
 
-Report readReport(const std::filesystem::path& fileOrFolder) {
+Report readReport(const std::filesystem::path& fileOrFolder, ReadDepth depth) {
   const std::filesystem::path path = reportFileOf(fileOrFolder);
   const std::string file = path.string();
-  Wanted wanted = wantedOf<Report>();
+  Wanted wanted = wantedOf<Report>(depth);
   wanted.keys["schema"].all = true;
   std::vector<SceneResult> scenes;
   std::exception_ptr fault; // of the first scene that has one: what is wrong with the report as a whole is said before
   const auto take = [&](const json& element, std::size_t index) {
     if (fault) return;
     try {
-      readRecord(Node(element, file, fmt::format("/scenes/{}", index)), scenes.emplace_back());
+      readRecord(Node(element, file, fmt::format("/scenes/{}", index), depth), scenes.emplace_back());
       trim(scenes.back());
     } catch (const base::Error&) {
       fault = std::current_exception();
     }
   };
   const json document = readWanted(path, wanted, {"scenes", take}, "is not JSON, so it is not a report.json");
-  const Node root(document, file, "");
+  const Node root(document, file, "", depth);
   const std::uint64_t schema = root.at("schema").count();
   if (schema < kOldestRead || schema > kReportSchema)
     root.at("schema").refuse(
@@ -197,6 +203,15 @@ Report readReport(const std::filesystem::path& fileOrFolder) {
   if (fault) std::rethrow_exception(fault);
   report.scenes = std::move(scenes);
   return report;
+}
+
+RunInfo readRunInfo(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / "run.json";
+  const json document =
+      readWanted(path, wantedOf<RunInfo>(ReadDepth::figures), {}, "is not JSON, so it is not a run.json");
+  RunInfo run;
+  readRecord(Node(document, path.string(), "", ReadDepth::figures), run);
+  return run;
 }
 
 } // namespace parity::report

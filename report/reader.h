@@ -18,6 +18,11 @@ inline constexpr int kOldestRead = 3; // what is asked of a report is the same s
 // given the report's folder. An infinite psnr, null in the file, is infinite again; any other null is NaN. Throws Error
 // (exit 4) "file: /json/pointer: reason" where it cannot be read, is no JSON, lacks something or holds a wrong type, or
 // is of a schema version that is not kOldestRead to kReportSchema.
-Report readReport(const std::filesystem::path& fileOrFolder);
+// checks: also the metric and the verdict of each check.
+enum class ReadDepth { figures, checks };
+Report readReport(const std::filesystem::path& fileOrFolder, ReadDepth depth = ReadDepth::figures);
+
+// Of run.json of a report's folder: the numerics id. Throws Error as readReport does.
+RunInfo readRunInfo(const std::filesystem::path& folder);
 
 } // namespace parity::report

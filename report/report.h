@@ -108,6 +108,15 @@ struct ViewResult {
   std::vector<compare::Condition> conditions; // its camera
 };
 
+// What decides a scene's figures besides the settings of the run, as digests of 12 hexadecimal digits: who compares two
+// runs learns which of them is another one. Names and places of files do not count, their content does.
+struct SceneInputs {
+  std::string asset;       // the scene's file, its buffers and its images
+  std::string environment; // empty: none
+  std::string request;     // what is asked of the scene otherwise than of the run, and its views
+  std::string bake;        // its baked light; empty: none
+};
+
 struct SceneResult {
   std::string name, source, environment, sun; // as the user wrote them: no absolute paths
   std::string light;                          // its scales and fog in words; empty: the defaults
@@ -120,6 +129,7 @@ struct SceneResult {
   int errorExitCode = 0; // 3 or 4 where there is an error, or that of notRun (settleVerdicts makes 4 of anything else)
   compare::Verdict verdict = compare::Verdict::pass;
   std::vector<compare::Condition> conditions; // its light, what of the file is shown, ...
+  std::optional<SceneInputs> inputs;          // none: its files could not be read
 };
 
 // A scene that was not done when a signal ended the run: its error says so, its exit code is 128 and the signal's
@@ -142,6 +152,13 @@ struct BaselineSummary {
   std::vector<GoneRow> gone;           // not empty: at least a warning
   std::string error;                   // not empty: it could not be used, this line says why
   std::size_t notComparable = 0;       // rows that both show, under other conditions; not 0: at least a warning
+  std::string notWhole = {};           // why it does not say what was failing then (whyNotWhole); empty: it does
+};
+
+// The approvals that a run was judged by (report/approvals.h).
+struct ApprovalSummary {
+  std::string source, asOf; // the file as given (without its folder, if that is absolute); the day, ISO 8601
+  std::size_t entries = 0;
 };
 
 // Why a run as a whole is no pass, whatever its rows say.
@@ -162,6 +179,8 @@ struct Report {
   std::vector<std::string> warnings;                         // of the whole run: a rule that judges nothing, ...
   std::vector<RunProblem> lost;                              // what budgets require and no scene has (findLost)
   std::optional<BaselineSummary> baseline;
+  std::optional<ApprovalSummary> approvals = {}; // only where there are entries
+  std::vector<std::string> only = {};            // globs of its views (--only); empty: all
   std::vector<SceneResult> scenes;
   compare::Verdict verdict = compare::Verdict::pass;
 };
@@ -188,6 +207,7 @@ struct RunInfo {
   std::vector<std::string> incidents = {};             // what a worker did not survive and the next one did
   std::vector<SceneTime> sceneTimes = {};              // of the scenes that were done, in their order
   bool warningsFail = false;                           // as --warn-exit asks
+  std::string numerics = {};                           // how the machine rounds: an id (docs/nightly.md)
 };
 
 // How many rows have each verdict.
@@ -228,14 +248,23 @@ void settleMaterial(MaterialResult& material, bool seenElsewhere);
 // gone since the baseline, are at least a warning. Idempotent.
 void settleVerdicts(Report& report);
 
+// Why a report does not say all of its scenes: it is of a part of them (--only, --material), or lacks results; empty:
+// it is whole.
+std::string whyNotWhole(const Report& report);
+
 // The problems of a settled report as a whole, the gravest first: an error where scenes were compared, but no material
 // of theirs (all are not seen, too small or not judged), and what is lost.
 std::vector<RunProblem> problemsOf(const Report& report);
 
+// Which failures count. isNew: those that the baseline does not have (report/standing.h); where nobody can tell, the
+// exit code is 4. Errors count all the same.
+enum class FailOn { any, isNew };
+inline constexpr const char* kFailOnNames[] = {"any", "new"};
+
 // The exit code of a settled report (docs/design.md 8a): 0, 1 (only with warnExit; notSeen and the run's own warnings
 // count), 2, the scenes' own 3 or 4 (4 for any other errorExitCode, and for a verdict `error`), or that of scenes that
 // were not run; the highest that applies.
-int exitCode(const Report& report, bool warnExit);
+int exitCode(const Report& report, bool warnExit, FailOn failOn = FailOn::any);
 
 // The whole report in a sentence: "3 of 40 materials over budget".
 std::string headline(const Report& report);

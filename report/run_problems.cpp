@@ -1,4 +1,4 @@
-// What makes a run as a whole no pass.
+// What makes a run as a whole no pass, or no whole run.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -67,6 +67,24 @@ std::string describeNothingJudged(const Report& report) {
 }
 
 } // namespace
+
+std::string whyNotWhole(const Report& report) {
+  if (!report.only.empty()) return "it shows a part of the views (--only)";
+  for (const compare::Condition& condition : report.conditions)
+    if (condition.name == "materials" && condition.value != "all")
+      return "it shows a part of the materials (--material)";
+  std::size_t count = 0;
+  const SceneResult* first = nullptr;
+  for (const SceneResult& scene : report.scenes)
+    if (!scene.error.empty() || scene.views.empty()) {
+      first = first ? first : &scene;
+      ++count;
+    }
+  if (report.scenes.empty()) return "it has no scene";
+  if (count == 0) return {};
+  return fmt::format("{} of {} scenes {} no result: '{}'{}", count, report.scenes.size(), count == 1 ? "has" : "have",
+                     first->name, first->error.empty() ? "" : ": " + first->error);
+}
 
 std::vector<RunProblem> problemsOf(const Report& report) {
   std::vector<RunProblem> problems = report.lost;

@@ -8,9 +8,11 @@
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "compare/pooling/statistic.h"
+#include "compare/verdict/approval.h"
 #include "compare/verdict/budget.h"
 #include "compare/verdict/wording.h"
 #include "report/report.h"
+#include "report/standing.h"
 
 namespace parity::report {
 namespace {
@@ -28,7 +30,8 @@ bool isSound(const compare::Figure& figure) {
 
 struct Judgement {
   compare::Verdict verdict = compare::Verdict::pass;
-  std::string reason, accepted;
+  std::string reason, accepted; // accepted: by its rule
+  std::string approved = {};    // by approvals
 
   void add(const std::string& sentence) { reason += (reason.empty() ? "" : "; ") + sentence; }
   // Whether the rule accepts what the sentence says, which then is no reason for a verdict.
@@ -39,6 +42,29 @@ struct Judgement {
   }
 };
 
+// What one check is worth with its approval.
+struct JudgedCheck {
+  compare::Verdict verdict;
+  std::string sentence, approved; // why it has the verdict; what its approval covers
+};
+JudgedCheck judgeCheck(const compare::CheckResult& check) {
+  using compare::ApprovalState, compare::Verdict;
+  JudgedCheck judged{check.verdict, compare::describeCheck(check), {}};
+  if (!check.approval) return judged;
+  const compare::AppliedApproval& approval = *check.approval;
+  const bool isOver = check.verdict == Verdict::warn || check.verdict == Verdict::fail;
+  const bool isLoose = approval.state == ApprovalState::loose; // that is worth a word whatever the limits say
+  if (!isOver && !(isLoose && check.verdict == Verdict::pass)) return judged;
+  if (approval.state == ApprovalState::lapsed) {
+    judged.sentence += fmt::format("; its approval ({}) does not hold: {}", approval.origin, approval.words);
+    return judged;
+  }
+  if (isOver) judged.approved = fmt::format("{}, {}", judged.sentence, compare::describeApproval(approval));
+  judged.verdict = approval.state == ApprovalState::holds ? Verdict::pass : Verdict::warn;
+  judged.sentence = fmt::format("{} ({})", approval.words, approval.origin);
+  return judged;
+}
+
 // The worst verdict of the checks that could be judged, and all sentences that have it.
 Judgement judgeChecks(const std::vector<compare::CheckResult>& checks) {
   if (checks.empty()) return {compare::Verdict::error, "no budget check applies", {}};
@@ -46,9 +72,12 @@ Judgement judgeChecks(const std::vector<compare::CheckResult>& checks) {
   Judgement judgement;
   for (const compare::CheckResult& check : checks) {
     if (anyJudged && !check.judged()) continue;
-    if (check.verdict > judgement.verdict) judgement = {check.verdict, {}, {}};
-    if (check.verdict == judgement.verdict && check.verdict != compare::Verdict::pass)
-      judgement.add(compare::describeCheck(check));
+    const JudgedCheck judged = judgeCheck(check);
+    if (judged.verdict > judgement.verdict) judgement.verdict = judged.verdict, judgement.reason.clear();
+    if (judged.verdict == judgement.verdict && judged.verdict != compare::Verdict::pass &&
+        judgement.reason.find(judged.sentence) == std::string::npos) // a limit and a regression of the same figure
+      judgement.add(judged.sentence);
+    if (!judged.approved.empty()) judgement.approved += (judgement.approved.empty() ? "" : "; ") + judged.approved;
   }
   if (!anyJudged) judgement.reason = "no check of its budget could be judged: " + judgement.reason;
   return judgement;
@@ -128,7 +157,9 @@ Judgement withTruth(Judgement judgement, const std::optional<compare::Truth>& tr
   std::string reason = fmt::format("{} of {} pixels of the truth are NaN or infinite", truth->figures.nonFinite,
                                    truth->figures.reference.pixels);
   if (!judgement.reason.empty()) reason += "; " + judgement.reason;
-  return {worse(judgement.verdict, compare::Verdict::error), std::move(reason), std::move(judgement.accepted)};
+  judgement.verdict = worse(judgement.verdict, compare::Verdict::error);
+  judgement.reason = std::move(reason);
+  return judgement;
 }
 
 // What the baseline shows under other conditions was not held against it: that is no pass.
@@ -182,9 +213,11 @@ Judgement judgeUnseen(const compare::AppliedRule& rule, compare::Accept what, co
   return {isSmall ? compare::Verdict::tooSmall : compare::Verdict::notSeen, sentence, {}};
 }
 
-// What is accepted, with the reason that its budget gives; empty: nothing is.
-std::string withReason(std::string accepted, const compare::AppliedRule& rule) {
-  return accepted.empty() ? accepted : fmt::format("{} (reason: {})", accepted, rule.reason);
+// What is accepted: by its budget, with the reason that gives, and by approvals, with theirs; empty: nothing is.
+std::string acceptedOf(const Judgement& judgement, const compare::AppliedRule& rule) {
+  if (judgement.accepted.empty()) return judgement.approved;
+  return fmt::format("{} (reason: {}){}{}", judgement.accepted, rule.reason, judgement.approved.empty() ? "" : "; ",
+                     judgement.approved);
 }
 
 void settleWhole(ViewResult& view) {
@@ -198,7 +231,7 @@ void settleWhole(ViewResult& view) {
         withBaseline(withTruth(judgeSeen(view.whole, view.checks, view.rule, {}, false), view.truth), view.baseline);
   view.wholeVerdict = judgement.verdict;
   view.reason = std::move(judgement.reason);
-  view.accepted = withReason(std::move(judgement.accepted), view.rule);
+  view.accepted = acceptedOf(judgement, view.rule);
 }
 
 void settleView(const SceneResult& scene, ViewResult& view) {
@@ -284,7 +317,7 @@ void settleMaterial(MaterialResult& material, bool seenElsewhere) {
   }
   material.verdict = judgement.verdict;
   material.reason = std::move(judgement.reason);
-  material.accepted = withReason(std::move(judgement.accepted), material.rule);
+  material.accepted = acceptedOf(judgement, material.rule);
   for (WhatIf& each : material.whatIf) settleWhatIf(material, each);
 }
 
@@ -299,7 +332,7 @@ void settleVerdicts(Report& report) {
   for (const RunProblem& problem : problemsOf(report)) report.verdict = worse(report.verdict, problem.verdict);
 }
 
-int exitCode(const Report& report, bool warnExit) {
+int exitCode(const Report& report, bool warnExit, FailOn failOn) {
   using base::ExitCode;
   int code = 0;
   const auto raise = [&](ExitCode other) { code = std::max(code, static_cast<int>(other)); };
@@ -320,10 +353,12 @@ int exitCode(const Report& report, bool warnExit) {
     if (scene.error.empty() && scene.views.empty()) raise(ExitCode::failed);
     for (const ViewResult& view : scene.views) {
       if (view.verdict == compare::Verdict::error) raise(ExitCode::failed);
-      if (view.verdict == compare::Verdict::fail) raise(ExitCode::overBudget);
+      if (view.verdict == compare::Verdict::fail && failOn == FailOn::any) raise(ExitCode::overBudget);
       if (warnExit && view.verdict != compare::Verdict::pass) raise(ExitCode::warningsOnly);
     }
   }
+  if (failOn == FailOn::isNew && countFailures(report).isNew > 0) raise(ExitCode::overBudget);
+  if (failOn == FailOn::isNew && !whyNewIsUnknown(report).empty()) raise(ExitCode::failed);
   return code;
 }
 

@@ -2,6 +2,7 @@
 #include "cli/options/budget_options.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -13,7 +14,68 @@
 
 namespace parity::cli {
 
-void addVerdictOptions(CLI::App& app, VerdictOptions& verdict, const std::string& tableHelp) {
+namespace {
+
+// A URL in a page and in JSON; what would end it there is in none.
+std::string whyNoUrl(const std::string& url) {
+  const bool isUrl = (url.starts_with("https://") || url.starts_with("http://")) &&
+                     std::ranges::all_of(url, [](char c) { return c > ' ' && c < '\x7F' && c != '"' && c != '<'; });
+  return isUrl ? "" : "'" + url + "' is not an address that begins with https:// or http://";
+}
+
+template <std::size_t count> std::size_t placeOf(const char* const (&names)[count], const std::string& name) {
+  return static_cast<std::size_t>(std::ranges::find(names, name) - std::begin(names));
+}
+
+} // namespace
+
+void addApprovalOptions(CLI::App& app, VerdictOptions& verdict) {
+  app.add_option("--approvals", verdict.approvals,
+                 "Approvals (TOML): figures beyond a limit that somebody accepts until a day (parity approve)")
+      ->type_name(kFile)
+      ->group("Verdict");
+  app.add_option("--as-of", verdict.asOf, "The day for approvals, such as 2027-02-01. Default: today, in UTC")
+      ->type_name("DATE")
+      ->check(dayValidator())
+      ->group("Verdict");
+}
+
+void addOutcomeOptions(CLI::App& app, VerdictOptions& verdict, RawOutcome& raw) {
+  choose(app.add_option("--fail-on", raw.failOn,
+                        "Failures that give the exit code 2: any, or only those that are new since the baseline"),
+         {std::begin(report::kFailOnNames), std::end(report::kFailOnNames)})
+      ->group("Verdict")
+      ->capture_default_str();
+  CLI::Option* summary =
+      app.add_option("--summary", verdict.summary.file,
+                     "Also write a summary to this file: what is new, still failing, fixed, gone, ending.\n"
+                     "That of GitHub is also appended to the file that GITHUB_STEP_SUMMARY names");
+  summary->type_name(kFile)->group(kOutputGroup);
+  choose(app.add_option("--summary-format", raw.summaryFormat,
+                        "Markdown of github or gitlab, or a message of slack (JSON)"),
+         {std::begin(report::kSummaryFormats), std::end(report::kSummaryFormats)})
+      ->group(kOutputGroup)
+      ->needs(summary)
+      ->capture_default_str();
+  app.add_option("--pictures-url", verdict.summary.picturesUrl,
+                 "Address of the report's folder: the summary shows pictures from there. Default: no pictures")
+      ->type_name("URL")
+      ->check(CLI::Validator([](const std::string& url) { return whyNoUrl(url); }, "", ""))
+      ->group(kOutputGroup)
+      ->needs(summary);
+}
+
+void settleOutcome(VerdictOptions& verdict, const RawOutcome& raw) {
+  verdict.failOn = static_cast<report::FailOn>(placeOf(report::kFailOnNames, raw.failOn));
+  verdict.summary.format = static_cast<report::SummaryFormat>(placeOf(report::kSummaryFormats, raw.summaryFormat));
+}
+
+void requireBaseline(const VerdictOptions& verdict) {
+  if (verdict.failOn == report::FailOn::isNew && verdict.baseline.empty())
+    throw CLI::ValidationError("--fail-on", "'new' needs --baseline, which says what failed before");
+}
+
+void addVerdictOptions(CLI::App& app, VerdictOptions& verdict, RawOutcome& raw, const std::string& tableHelp) {
   app.add_flag("--warn-exit", verdict.warnExit, "Exit with 1 if there are only warnings")->group("Verdict");
   app.add_option("--baseline", verdict.baseline,
                  "Earlier report.json or its folder: show what changed, and judge regressions")
@@ -24,6 +86,8 @@ void addVerdictOptions(CLI::App& app, VerdictOptions& verdict, const std::string
          {"github"})
       ->group("Verdict");
   app.add_flag("--all", verdict.allRows, tableHelp)->group("Verdict");
+  addApprovalOptions(app, verdict);
+  addOutcomeOptions(app, verdict, raw);
 }
 
 void addBudgetOptions(CLI::App& app, RawBudgetOptions& raw) {

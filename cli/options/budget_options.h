@@ -11,9 +11,19 @@ class App;
 
 namespace parity::cli {
 
-// --warn-exit, --baseline and --annotate. `verdict` must outlive the parsing.
+// --warn-exit, --baseline, --annotate, approvals and outcome. `verdict` and `raw` must outlive the parsing.
 // tableHelp: of --all.
-void addVerdictOptions(CLI::App& app, VerdictOptions& verdict, const std::string& tableHelp);
+struct RawOutcome {
+  std::string failOn = report::kFailOnNames[0], summaryFormat = report::kSummaryFormats[0];
+};
+void addVerdictOptions(CLI::App& app, VerdictOptions& verdict, RawOutcome& raw, const std::string& tableHelp);
+// --approvals and --as-of.
+void addApprovalOptions(CLI::App& app, VerdictOptions& verdict);
+// --fail-on and what concerns a summary.
+void addOutcomeOptions(CLI::App& app, VerdictOptions& verdict, RawOutcome& raw);
+void settleOutcome(VerdictOptions& verdict, const RawOutcome& raw);
+// Of a run whose baseline is its own matter: only a baseline tells what is new. Throws CLI::ValidationError.
+void requireBaseline(const VerdictOptions& verdict);
 
 // What CLI11 fills in for parity budget.
 struct RawBudgetOptions {

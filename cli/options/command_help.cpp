@@ -130,6 +130,13 @@ const std::vector<CommandHelp>& table() {
         kNotComparable,
         {4, "unreadable, missing or not finite"},
         kUsage}},
+      {"approve",
+       "The report has to be whole: all scenes compared, without --only and --material. Review the file's changes as\n"
+       "code; `parity report --approvals FILE` judges by it.",
+       {{"parity approve out --material 'Chrome*' --reason 'refit in sprint 12' --owner characters --until 2027-02-01",
+         "writes approvals.toml"},
+        {"parity report --suite nightly.toml --approvals approvals.toml -o out", "accepted rows pass, and are shown"}},
+       {kDone, {4, "nothing to approve, or the report is not whole"}, kUsage}},
       {"budget", "", {}, {kDone, kFailed, kUsage}},
       {"budget suggest",
        "",

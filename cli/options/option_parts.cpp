@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/day.h"
 #include "cli/output.h"
 
 namespace parity::cli {
@@ -53,6 +54,13 @@ CLI::Validator wholeWithin(std::uint64_t least, std::uint64_t most) {
             return good ? std::string() : fmt::format("'{}' is not a whole number from {}", text, range);
           },
           range};
+}
+
+CLI::Validator dayValidator() {
+  return {[](const std::string& text) {
+            return base::dayFrom(text) ? std::string() : "'" + text + "' is not a day such as 2027-02-01";
+          },
+          "", ""};
 }
 
 CLI::Validator fileOfKind(const std::vector<std::string>& extensions) {

@@ -50,6 +50,7 @@ void addPlanOptions(CLI::App& app, PlanCommand& plan) {
                  "Earlier report.json or its folder: show what changed, and judge regressions")
       ->type_name(kFile)
       ->group("Verdict");
+  addApprovalOptions(app, plan.report.verdict);
 }
 
 void addWorkOptions(CLI::App& app, RawWork& raw) {
@@ -121,6 +122,8 @@ void addMergeOptions(CLI::App& app, RawMerge& raw) {
   app.add_flag("--all", command.verdict.allRows,
                "Show all rows of the table. Default: those that failed, warned or could not be judged")
       ->group("Verdict");
+  addApprovalOptions(app, command.verdict);
+  addOutcomeOptions(app, command.verdict, raw.outcome);
   app.add_flag("--timings", command.timings, "Print the time of each stage to stderr")->group(kGeneralGroup);
   app.add_flag("-q,--quiet", command.quiet, "Print errors only, no table; the exit code is the verdict")
       ->group(kGeneralGroup);
@@ -130,6 +133,7 @@ MergeCommand settleMerge(const RawMerge& raw) {
   MergeCommand command = raw.command;
   if (command.quiet) base::setLogLevel(base::LogLevel::quiet);
   requireOneOnStdout(command.json, command.csv);
+  settleOutcome(command.verdict, raw.outcome);
   command.reportsIncomplete = raw.incomplete == "report";
   return command;
 }

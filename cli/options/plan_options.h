@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/invocation.h"
+#include "cli/options/budget_options.h"
 #include "cli/options/common_options.h"
 
 namespace parity::cli {
@@ -23,6 +24,7 @@ struct RawWork {
 struct RawMerge {
   MergeCommand command;
   std::string incomplete = "error";
+  RawOutcome outcome;
 };
 
 // --jobs, --timeout, --memory. jobsHelp: of --jobs.

@@ -51,7 +51,8 @@ class Reader : public BudgetKeys {
 public:
   using BudgetKeys::BudgetKeys;
 
-  Budgets read(const toml::table& root) {
+  Budgets read(std::string_view text) {
+    const toml::table root = parse(text);
     refuseUnknown(root, kRootKeys);
     readPresets(root);
     Budgets budgets;
@@ -274,14 +275,7 @@ private:
 Budgets loadBudgets(const std::filesystem::path& file) { return readBudgets(base::readText(file, kMaxBytes), file); }
 
 Budgets readBudgets(std::string_view text, const std::filesystem::path& file) {
-  Reader reader(file);
-  toml::table root;
-  try {
-    root = toml::parse(text, file.string());
-  } catch (const toml::parse_error& error) {
-    reader.refuse(error.source(), std::string(error.description()));
-  }
-  Budgets budgets = reader.read(root);
+  Budgets budgets = Reader(file).read(text);
   const Budgets& builtIn = defaultBudgets();
   budgets.materials.insert(budgets.materials.end(), builtIn.materials.begin(), builtIn.materials.end());
   budgets.wholes.insert(budgets.wholes.end(), builtIn.wholes.begin(), builtIn.wholes.end());

@@ -10,6 +10,37 @@
 
 namespace parity::compare {
 
+namespace {
+
+// A line that a merge has left, and its number; 0: there is none.
+std::pair<std::size_t, std::string> findConflictMarker(std::string_view text) {
+  constexpr std::string_view kMarkers[] = {"<<<<<<<", "|||||||", "=======", ">>>>>>>"};
+  std::size_t number = 1;
+  for (std::size_t at = 0; at < text.size(); ++number) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::string_view line = text.substr(at, end - at);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    for (const std::string_view marker : kMarkers)
+      if (line.starts_with(marker) && (line.size() == marker.size() || line[marker.size()] == ' '))
+        return {number, std::string(line)};
+    at = end + 1;
+  }
+  return {0, {}};
+}
+
+} // namespace
+
+toml::table BudgetKeys::parse(std::string_view text) const {
+  try {
+    return toml::parse(text, m_file);
+  } catch (const toml::parse_error& error) {
+    if (const auto [line, marker] = findConflictMarker(text); line > 0)
+      throw base::fileError(m_file, fmt::format("line {}", line),
+                            fmt::format("a merge conflict marker ('{}'): resolve the conflict", marker));
+    refuse(error.source(), std::string(error.description()));
+  }
+}
+
 void BudgetKeys::refuse(const toml::source_region& where, const std::string& reason) const {
   throw base::fileError(m_file, fmt::format("line {}", where.begin.line), reason);
 }

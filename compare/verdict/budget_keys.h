@@ -1,4 +1,5 @@
-// The keys of a budget file by their types; whatever is wrong is refused with file and line. Only for readers of TOML.
+// The keys of a budget file, and of approvals, by their types; whatever is wrong is refused with file and line. Only
+// for readers of TOML.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +21,8 @@ public:
   [[noreturn]] void refuse(const toml::source_region& where, const std::string& reason) const;
 
 protected:
+  // The whole file. A conflict marker that a merge has left in it is called so.
+  toml::table parse(std::string_view text) const;
   void refuseUnknown(const toml::table& table, std::span<const std::string_view> known) const;
   std::vector<const toml::table*> tablesOf(const toml::node& node, std::string_view key) const;
   // Never empty, unless that is the fallback.

@@ -26,6 +26,20 @@ const char* nameOf(Verdict verdict) {
   return "error";
 }
 
+const char* nameOf(ApprovalState state) {
+  switch (state) {
+  case ApprovalState::holds:
+    return "holds";
+  case ApprovalState::loose:
+    return "loose";
+  case ApprovalState::expired:
+    return "expired";
+  case ApprovalState::lapsed:
+    return "lapsed";
+  }
+  return "lapsed";
+}
+
 bool AppliedRule::accepts(Accept what) const { return std::ranges::find(accept, what) != accept.end(); }
 
 } // namespace parity::compare

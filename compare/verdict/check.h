@@ -16,6 +16,26 @@ enum class Verdict { pass, notSeen, tooSmall, notJudged, warn, fail, notRun, err
 // both pictures), "warn", "fail", "not run" (a scene that an interrupted run did not finish), "error".
 const char* nameOf(Verdict verdict);
 
+// What an approval is worth for a figure on the day of the run.
+enum class ApprovalState {
+  holds,   // it covers the figure
+  loose,   // the same, but the figure is far better by now: a warning
+  expired, // it covers it for some days more: a warning
+  lapsed   // it does not cover it
+};
+const char* nameOf(ApprovalState state); // as above
+
+// An approval (compare/verdict/approval.h) of the figure of a check.
+struct AppliedApproval {
+  std::string origin = {}; // "approvals.toml, line 12"
+  ApprovalState state = ApprovalState::holds;
+  double value = 0, slack = 0; // what is approved, and how much worse the figure may be
+  std::string until = {};      // ISO 8601
+  int daysLeft = 0;            // until then; negative: days since
+  std::string owner = {}, reason = {};
+  std::string words = {}; // why it warns or does not hold; empty: it holds
+};
+
 // One budget check: `metric` names a figure ("flip.mean", "psnr", ...; compare/pooling/statistic.h).
 struct CheckResult {
   std::string metric;
@@ -26,6 +46,7 @@ struct CheckResult {
   std::string note;     // not empty where the value is not known: why
   std::string unjudged; // not empty: there was nothing to judge by (a regression without a baseline), this says why;
                         // the verdict then is what that is worth where nothing else judges
+  std::optional<AppliedApproval> approval = {}; // of its figure; the verdict here is that of the limits alone
   bool judged() const { return unjudged.empty(); }
 };
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The second step of the action: runs `parity report`, writes the job's summary, says what came of it.
-# PARITY_SCENES or PARITY_SUITE, PARITY_BUDGETS, PARITY_BASELINE, PARITY_ARGS, PARITY_FAIL_ON, PARITY_REPORT,
-# PARITY_ANNOTATE. The exit code is parity's where it is at least what PARITY_FAIL_ON names, else 0.
+# PARITY_SCENES or PARITY_SUITE, PARITY_BUDGETS, PARITY_BASELINE, PARITY_APPROVALS, PARITY_ARGS, PARITY_FAIL_ON,
+# PARITY_REPORT, PARITY_ANNOTATE. The exit code is parity's where it is at least what PARITY_FAIL_ON names, else 0.
 set -uo pipefail
 fail() { echo "::error title=parity::$*" && exit 64; }
 
@@ -25,6 +25,7 @@ add_lines() { # each line that is not blank is one word
 [ -z "$PARITY_SUITE" ] || words+=("--suite=$PARITY_SUITE")
 [ -z "$PARITY_BUDGETS" ] || words+=("--budgets=$PARITY_BUDGETS")
 [ -z "$PARITY_BASELINE" ] || words+=("--baseline=$PARITY_BASELINE")
+[ -z "$PARITY_APPROVALS" ] || words+=("--approvals=$PARITY_APPROVALS")
 [ "$PARITY_ANNOTATE" = false ] || words+=(--annotate=github)
 [ "$PARITY_FAIL_ON" != warning ] || words+=(--warn-exit)
 add_lines "$PARITY_ARGS"
@@ -37,8 +38,9 @@ elif [ -z "$PARITY_SUITE" ]; then
 fi
 
 said=$(mktemp)
-trap 'rm -f "$said"' EXIT
-parity report "--output=$PARITY_REPORT" "${words[@]}" 2>&1 | tee "$said"
+trap 'rm -f "$said" "$said.md"' EXIT
+# parity appends the summary to $GITHUB_STEP_SUMMARY itself; the file here tells whether it came to that.
+parity report "--output=$PARITY_REPORT" "--summary=$said.md" "${words[@]}" 2>&1 | tee "$said"
 code=${PIPESTATUS[0]}
 
 case $code in
@@ -50,8 +52,8 @@ esac
 # Without --warn-exit 0 says nothing of warnings; the report does.
 if [ "$code" = 0 ] && grep -q '^  "verdict": "warn"' "$PARITY_REPORT/report.json" 2>/dev/null; then verdict=warn; fi
 
-# The table of the run as it stands. An indented block holds any text: nothing in it ends the block. GitHub takes 1 MiB.
-{
+# Without a summary: what was printed. An indented block holds any text: nothing in it ends the block. GitHub takes 1 MiB.
+[ -s "$said.md" ] || {
   echo "## parity: $verdict"
   echo
   grep -v '^::' "$said" | head -c 900000 | sed 's/^/    /'

@@ -39,15 +39,24 @@ std::string describeMissing(const Plan& plan, const std::vector<std::size_t>& un
                      shards.size() == 1 ? "" : "s", fmt::join(shards, ","));
 }
 
+// What the plan has frozen; not of approvals that the merge is given anew, as the same file may have changed.
+FrozenFiles frozenOf(const Plan& plan, const MergeOptions& options) {
+  FrozenFiles frozen = plan.budgets;
+  frozen.erase(options.approvals);
+  return frozen;
+}
+
 class Merge {
 public:
   Merge(const Plan& plan, const std::filesystem::path& folder, const MergeOptions& options)
       : m_plan(plan), m_store(folder, plan), m_request(plan.request), m_context(plan.settings()),
-        m_budgets(plan.plain.budgets, plan.request.suiteBudgets, plan.budgets),
+        m_budgets(plan.plain.budgets, plan.request.suiteBudgets, frozenOf(plan, options)),
         m_baseline(plan.request.baseline.empty() ? std::filesystem::path() : baselineOf(plan, folder)) {
     m_request.folder = options.folder;
     m_request.bench = options.bench;
     m_request.warningsFail = options.warningsFail;
+    if (!options.approvals.empty()) m_request.approvals = options.approvals;
+    if (!options.asOf.empty()) m_request.asOf = options.asOf;
     m_stoppedBy = options.stoppedBy;
     m_whyMissing = options.whyMissing;
     m_context.stopWhen([this] { return m_stoppedBy; });
@@ -77,6 +86,7 @@ public:
     run.compiledShaders = m_shaders.size();
     run.timings = m_timings;
     run.incidents = m_incidents;
+    run.numerics = m_plan.numerics;
     return end.finish(m_context, std::move(run), progress);
   }
 

@@ -16,6 +16,8 @@ struct MergeOptions {
   std::string whyMissing = {};               // for their errors; empty: their shard did not finish them
   report::Bench bench;                       // for the page
   bool warningsFail = false;                 // as in ReportRequest
+  std::string approvals = {};                // instead of the plan's; empty: the plan's
+  std::string asOf = {};                     // the same of the day for them
 };
 
 // Writes the report that runReport would have written for the plan's request, byte for byte. A unit that is missing is

@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/version.h"
+#include "compare/verdict/approval.h"
 #include "job/context.h"
 #include "job/knobs.h"
 #include "job/scene_times.h"
@@ -16,7 +17,7 @@ namespace parity::job {
 
 namespace {
 
-// A file that cannot be read is the scene's own error when its turn comes, or that of the run.
+// A budget file that cannot be read is the scene's own error when its turn comes, or that of the run.
 FrozenFiles freezeBudgets(const ReportRequest& request, const Settings& settings) {
   FrozenFiles frozen;
   const RunBudgets budgets(settings.budgets, request.suiteBudgets);
@@ -28,6 +29,10 @@ FrozenFiles freezeBudgets(const ReportRequest& request, const Settings& settings
       } catch (const base::Error&) {
       }
     }
+  if (!request.approvals.empty()) {
+    frozen[request.approvals] = base::readText(request.approvals);
+    compare::readApprovals(frozen[request.approvals], request.approvals); // what is wrong with it is said now
+  }
   return frozen;
 }
 

@@ -22,7 +22,7 @@ struct Plan {
   Settings plain;                               // of the run, without its knobs
   base::GivenKnobs given;                       // its knobs
   ReportRequest request;                        // without folder and bench
-  FrozenFiles budgets;                          // the text of each budget file
+  FrozenFiles budgets;                          // the text of each budget file, and of the approvals
   std::string baseline;                         // content of the baseline's report.json: its hash; empty: none
   std::vector<std::string> sceneBaselines;      // hash of what the baseline says of each scene; empty: nothing
   std::vector<std::vector<std::size_t>> shards; // places of scenes, the longest first; together each once

@@ -118,13 +118,15 @@ SceneRequest sceneFrom(const ordered_json& json, const Settings& plain) {
 }
 
 // Without what the merge is told: folder, bench and warningsFail.
-static_assert(base::memberCount<ReportRequest>() == 14, "a new member goes into the plan, or is named here");
+static_assert(base::memberCount<ReportRequest>() == 16, "a new member goes into the plan, or is named here");
 ordered_json toJson(const ReportRequest& request) {
   ordered_json again = ordered_json::array();
   for (const report::AgainCommand& each : request.again) again.push_back({each.scene, each.view, each.command});
   return {{"suite", request.suite},
           {"suiteBudgets", toJson(request.suiteBudgets)},
           {"baseline", request.baseline.string()},
+          {"approvals", request.approvals},
+          {"asOf", request.asOf},
           {"only", request.only},
           {"oneOfMany", request.oneOfMany},
           {"pictures", kPicturesNames.at(static_cast<std::size_t>(request.pictures))},
@@ -139,6 +141,8 @@ ReportRequest requestFrom(const ordered_json& json) {
                         .suiteBudgets = textOrNone(json.at("suiteBudgets")),
                         .folder = {},
                         .baseline = json.at("baseline").get<std::string>(),
+                        .approvals = json.at("approvals"),
+                        .asOf = json.at("asOf"),
                         .only = json.at("only"),
                         .oneOfMany = json.at("oneOfMany"),
                         .pixelData = json.at("pixelData"),

@@ -16,6 +16,7 @@
 #include "job/scene/dropped_lights.h"
 #include "job/scene/material_cards.h"
 #include "job/scene/material_choice.h"
+#include "job/scene/scene_inputs.h"
 #include "job/scene/scene_start.h"
 #include "job/scene/view_rows.h"
 #include "job/stopped.h"
@@ -86,6 +87,7 @@ public:
     }
     if (budgets) report::judgeScene(result, *budgets); // the views that were done, whatever became of the others
     result.conditions = reported(conditions.scene);
+    result.inputs = inputsOf(request, conditions, scene.inputs);
     for (std::string& warning : result.warnings) {
       scene.warnings.push_back(fmt::format("{}: {}", result.name, warning));
       warning = withoutFolders(std::move(warning), request);

@@ -38,6 +38,13 @@ template <> struct Names<compare::Accept> {
   static std::string nameOf(compare::Accept value) { return compare::nameOf(value); }
 };
 
+template <> struct Names<compare::ApprovalState> {
+  using enum compare::ApprovalState;
+  static constexpr std::array values = {holds, loose, expired, lapsed};
+  static constexpr std::string_view name = "", refusal = "'{}' is not a state of an approval", words = "";
+  static std::string nameOf(compare::ApprovalState value) { return compare::nameOf(value); }
+};
+
 // A row is a line.
 // clang-format off
 template <> inline constexpr auto kRecord<compare::Figure> = record<compare::Figure>(
@@ -92,9 +99,22 @@ template <> struct Emptiness<compare::Figures> {
   static bool isEmpty(const compare::Figures& figures) { return figures.pixels == 0; }
 };
 
+template <> inline constexpr auto kRecord<compare::AppliedApproval> = record<compare::AppliedApproval>(
+    "approval", "An approval of the figure, as it stands on the day 'asOf' of the report",
+    field("origin", &compare::AppliedApproval::origin, "Place of the entry"),
+    field("state", &compare::AppliedApproval::state,
+          "holds: it covers the figure; loose and expired: the same with a warning; lapsed: it does not"),
+    field("value", &compare::AppliedApproval::value, "The figure that was approved", {.finite = true}),
+    field("slack", &compare::AppliedApproval::slack, "How much worse the figure may be", {.finite = true, .least = 0}),
+    field("until", &compare::AppliedApproval::until, "The last day on which it holds, ISO 8601"),
+    field("daysLeft", &compare::AppliedApproval::daysLeft, "Until that day; negative: days since"),
+    field("owner", &compare::AppliedApproval::owner),
+    field("reason", &compare::AppliedApproval::reason),
+    field("words", &compare::AppliedApproval::words, "Why it warns or does not hold; empty: it holds"));
+
 template <> inline constexpr auto kRecord<compare::CheckResult> = record<compare::CheckResult>(
     "check", "",
-    field("metric", &compare::CheckResult::metric, "A name in 'metrics'", {.filled = true}),
+    field("metric", &compare::CheckResult::metric, "A name in 'metrics'", {.readDeep = true, .filled = true}),
     field("regress", &compare::CheckResult::regress,
           "true: the value is not the figure, but its loss against the baseline"),
     field("value", &compare::CheckResult::value, "null: infinite, not a number, or unknown"),
@@ -110,10 +130,11 @@ template <> inline constexpr auto kRecord<compare::CheckResult> = record<compare
           },
           "not judged: a regression whose baseline has no counterpart, or has other conditions; a figure of accepted NaN; "
           "an exposure of two pictures too dark to measure it",
-          {.oneOf = "pass|warn|fail|error|not judged"}),
+          {.readDeep = true, .oneOf = "pass|warn|fail|error|not judged"}),
     shown("note", &compare::CheckResult::note,
           [](const compare::CheckResult& check) { return check.judged() ? check.note : check.unjudged; }),
-    hidden(&compare::CheckResult::unjudged));
+    hidden(&compare::CheckResult::unjudged),
+    field("approval", &compare::CheckResult::approval, "absent: none"));
 
 template <> inline constexpr auto kRecord<compare::AppliedRule> = record<compare::AppliedRule>(
     "rule", "The budget rule that judged it",

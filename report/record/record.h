@@ -26,9 +26,10 @@ namespace parity::report {
 enum class IfEmpty { written, null, absent };
 
 struct Rule {
-  bool kept = true;     // in the archive; not what judging sets, nor what the archive's key holds
-  bool read = false;    // from the JSON of an earlier report
-  bool mayLack = false; // of what is read: where it is absent, it is as by default
+  bool kept = true;      // in the archive; not what judging sets, nor what the archive's key holds
+  bool read = false;     // from the JSON of an earlier report
+  bool readDeep = false; // the same, but only where more is asked for (report/reader.h)
+  bool mayLack = false;  // of what is read: where it is absent, it is as by default
   IfEmpty ifEmpty = IfEmpty::written;
   bool finite = false;         // of a real: it is never null
   bool filled = false;         // of a text: it is never empty
@@ -63,7 +64,7 @@ template <typename Owner, typename Value>
 constexpr auto field(std::string_view key, Value Owner::*member, std::string_view words = {}, Rule rule = {}) {
   return Row{key, member, member, words, rule};
 }
-// A member of which JSON shows something else: it is written, never read.
+// A member of which JSON shows something else; what is read is what is shown.
 template <typename Owner, typename Value, typename Show> constexpr auto
 shown(std::string_view key, Value Owner::*member, Show show, std::string_view words = {}, Rule rule = {}) {
   return Row{key, member, show, words, rule};

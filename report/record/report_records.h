@@ -131,7 +131,7 @@ template <> inline constexpr auto kRecord<MaterialResult> = record<MaterialResul
     field("verdict", &MaterialResult::verdict, "", {.kept = false, .read = true}),
     field("reason", &MaterialResult::reason, "Reason of the verdict; empty for a pass", {.kept = false}),
     field("accepted", &MaterialResult::accepted,
-          "What its budget accepts although it is no pass, with the budget's reason; absent: nothing",
+          "What its budget or an approval accepts although it is no pass, with the reason; absent: nothing",
           {.kept = false, .ifEmpty = IfEmpty::absent}),
     field("seenElsewhere", &MaterialResult::seenElsewhere,
           "Not seen or too small in this view, but seen in another view; the row does not count", {.kept = false}),
@@ -139,7 +139,7 @@ template <> inline constexpr auto kRecord<MaterialResult> = record<MaterialResul
              "Difference of light and tint in words; empty without pixels"),
     field("figures", &MaterialResult::figures, "null: no pixel",
           {.read = true, .ifEmpty = IfEmpty::null}),
-    field("checks", &MaterialResult::checks, "Empty if the material is not seen", {.kept = false}),
+    field("checks", &MaterialResult::checks, "Empty if the material is not seen", {.kept = false, .readDeep = true}),
     field("budget", &MaterialResult::rule, "", {.kept = false}),
     field("baseline", &MaterialResult::baseline, "null: there is no baseline",
           {.kept = false, .ifEmpty = IfEmpty::null}),
@@ -191,13 +191,13 @@ template <> inline constexpr auto kRecord<ViewResult> = record<ViewResult>(
         field("verdict", &ViewResult::wholeVerdict, "", {.kept = false, .read = true}),
         field("reason", &ViewResult::reason, "Reason of the verdict; empty for a pass", {.kept = false}),
         field("accepted", &ViewResult::accepted,
-              "What its budget accepts although it is no pass, with the budget's reason; absent: nothing",
+              "What its budget or an approval accepts although it is no pass, with the reason; absent: nothing",
               {.kept = false, .ifEmpty = IfEmpty::absent}),
         computed("bias", [](const ViewResult& view) { return biasOf(view.whole, view.test); },
                  "Difference of light and tint in words; empty without pixels"),
         field("figures", &ViewResult::whole, "null: no pixel",
               {.read = true, .ifEmpty = IfEmpty::null}),
-        field("checks", &ViewResult::checks, "", {.kept = false}),
+        field("checks", &ViewResult::checks, "", {.kept = false, .readDeep = true}),
         field("budget", &ViewResult::rule, "", {.kept = false}),
         field("baseline", &ViewResult::baseline, "null: there is no baseline",
               {.kept = false, .ifEmpty = IfEmpty::null}),
@@ -237,6 +237,14 @@ template <> inline constexpr auto kRecord<PermutationResult> = record<Permutatio
           "Number of samplers that it binds: textures of its materials, and other inputs of the path"),
     field("cost", &PermutationResult::cost));
 
+template <> inline constexpr auto kRecord<SceneInputs> = record<SceneInputs>(
+    "sceneInputs",
+    "What decides the figures besides the settings of the run, as digests of 12 hexadecimal digits: equal content, equal digest",
+    field("asset", &SceneInputs::asset, "The scene's file, its buffers and its images", {.read = true}),
+    field("environment", &SceneInputs::environment, "Empty: none", {.read = true}),
+    field("request", &SceneInputs::request, "What is asked of the scene otherwise than of the run, and its views", {.read = true}),
+    field("bake", &SceneInputs::bake, "Its baked light; empty: none", {.read = true}));
+
 // Scenes with an error are not kept; the conditions are in the archive's key.
 template <> inline constexpr auto kRecord<SceneResult> = record<SceneResult>(
     "scene", "",
@@ -248,6 +256,7 @@ template <> inline constexpr auto kRecord<SceneResult> = record<SceneResult>(
           {.read = true, .ifEmpty = IfEmpty::absent}),
     field("conditions", &SceneResult::conditions, "Conditions of the scene: its light, the shown part of the file, ...",
           {.kept = false, .read = true}),
+    field("inputs", &SceneResult::inputs, "Absent: the scene's files could not be read", {.read = true, .mayLack = true}),
     field("verdict", &SceneResult::verdict, "", {.kept = false, .read = true}),
     groupOrNull("error", "Reason why the scene could not be compared; the views hold the part done before. null: it was compared",
                 [](const SceneResult& scene) { return scene.error.empty(); },
@@ -277,7 +286,16 @@ template <> inline constexpr auto kRecord<BaselineSummary> = record<BaselineSumm
     field("notComparable", &BaselineSummary::notComparable,
           "Number of material views and whole images in both reports with different conditions; at least a warning"),
     field("gone", &BaselineSummary::gone, "Rows of the baseline that this run does not have; at least a warning"),
-    field("error", &BaselineSummary::error, "Reason why it could not be used (then the verdict is 'error'); empty: it was used"));
+    field("error", &BaselineSummary::error, "Reason why it could not be used (then the verdict is 'error'); empty: it was used"),
+    field("notWhole", &BaselineSummary::notWhole,
+          "Why nobody can tell by it which failures are new: it is of a part of the scenes, or lacks results; absent: it is whole",
+          {.ifEmpty = IfEmpty::absent}));
+
+template <> inline constexpr auto kRecord<ApprovalSummary> = record<ApprovalSummary>(
+    "approvals", "",
+    field("source", &ApprovalSummary::source, "The file as given; without its folder if the path is absolute"),
+    field("asOf", &ApprovalSummary::asOf, "The day of the run for approvals, ISO 8601"),
+    field("entries", &ApprovalSummary::entries, "", {.least = 1}));
 
 template <> inline constexpr auto kRecord<RunProblem> = record<RunProblem>(
     "problem", "",
@@ -339,6 +357,9 @@ template <> inline constexpr auto kRecord<Report> = record<Report>(
     field("warnings", &Report::warnings, "Warnings about the whole run"),
     field("baseline", &Report::baseline, "The earlier report that this run was compared with",
           {.ifEmpty = IfEmpty::null}),
+    field("approvals", &Report::approvals, "The approvals that the run was judged by (--approvals); absent: it had none"),
+    field("only", &Report::only, "Globs of the views that were asked for (--only); absent: all",
+          {.read = true, .ifEmpty = IfEmpty::absent}),
     field("settings", &Report::settings, "Settings of the run, in a fixed order", {.read = true}),
     field("conditions", &Report::conditions, "Conditions of every scene; the device is one more condition", {.read = true}),
     computed("statistics", [](const Report& report) { return figureWordsOf(report); },
@@ -361,6 +382,7 @@ template <> inline constexpr auto kRecord<RunInfo> = record<RunInfo>(
     computed("schema", [](const RunInfo&) { return Schema(); }),
     field("startedAt", &RunInfo::startedAt, "ISO 8601, UTC"),
     field("commandLine", &RunInfo::commandLine),
+    field("numerics", &RunInfo::numerics, "Numerics id: how the machine rounds", {.read = true, .mayLack = true}),
     field("timings", &RunInfo::timings),
     field("compiledShaders", &RunInfo::compiledShaders, "Shaders of all paths; equal shaders count once"),
     field("cachedScenes", &RunInfo::cachedScenes, "Scenes whose unchanged results came from the cache"),

@@ -60,7 +60,8 @@ const std::vector<std::string> kCommon = {"--size",
                                           "--off-specular"};
 const std::vector<std::string> kVerdict = {"--material", "--budgets",     "--json",           "--warn-exit",
                                            "--terms",    "--baseline",    "--annotate",       "--metrics",
-                                           "--costs",    "--attribution", "--dropped-lights", "--what-if"};
+                                           "--costs",    "--attribution", "--dropped-lights", "--what-if",
+                                           "--approvals", "--as-of",       "--fail-on",        "--summary"};
 
 void expectHelp(const std::vector<std::string>& arguments, const std::vector<std::string>& mentioned) {
   const RunResult result = runParity(arguments);
@@ -93,6 +94,7 @@ TEST(Help, OfEachSubcommandNamesItsOptions) {
                                   ".exr",       ".pfm",         ".png",         "--pairs",        "--mask",
                                   "--alpha",    "--background", "--colorspace", "--fail",         "--failpercent",
                                   "--hardfail", "--metric",     "--tonemapper", "linear Rec.709", "fails above 0.05"});
+  expectHelp({"approve", "--help"}, {"--material", "--reason", "--owner", "--until", "--yes", "approvals.toml"});
   expectHelp({"budget", "--help"}, {"suggest", "check"});
   expectHelp({"budget", "suggest", "--help"}, {"reports", "--output", "--margin", "--metrics"});
   expectHelp({"fit", "--help"}, {"--geometry-term", "--fresnel", "--compensation", "--format", "hlsl", "--output"});

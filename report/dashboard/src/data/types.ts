@@ -31,6 +31,8 @@ export interface Report {
   problems: Problem[]; // Reasons why the whole run does not pass: no material was compared, or a material that a budget requires is missing
   warnings: string[]; // Warnings about the whole run
   baseline: Baseline | null; // The earlier report that this run was compared with
+  approvals?: Approvals; // The approvals that the run was judged by (--approvals); absent: it had none
+  only?: string[]; // Globs of the views that were asked for (--only); absent: all
   settings: Setting[]; // Settings of the run, in a fixed order
   conditions: Condition[]; // Conditions of every scene; the device is one more condition
   statistics: Record<string, Statistic>; // Label, unit and digits of each figure in 'metrics' and 'checks', by its name
@@ -64,12 +66,19 @@ export interface Baseline {
   notComparable: number; // Number of material views and whole images in both reports with different conditions; at least a warning
   gone: GoneRow[]; // Rows of the baseline that this run does not have; at least a warning
   error: string; // Reason why it could not be used (then the verdict is 'error'); empty: it was used
+  notWhole?: string; // Why nobody can tell by it which failures are new: it is of a part of the scenes, or lacks results; absent: it is whole
 }
 
 export interface GoneRow {
   scene: string;
   view: string; // Empty: the whole scene is gone
   material: string; // Empty: the whole view is gone
+}
+
+export interface Approvals {
+  source: string; // The file as given; without its folder if the path is absolute
+  asOf: string; // The day of the run for approvals, ISO 8601
+  entries: number;
 }
 
 export interface Setting {
@@ -99,6 +108,7 @@ export interface Scene {
   sun: string; // In words, or 'none'
   light?: string; // Scales of light, and fog, in words; absent: the defaults
   conditions: Condition[]; // Conditions of the scene: its light, the shown part of the file, ...
+  inputs?: SceneInputs; // Absent: the scene's files could not be read
   verdict: Verdict;
   /** Reason why the scene could not be compared; the views hold the part done before. null: it was compared */
   error: {
@@ -110,6 +120,14 @@ export interface Scene {
   views: View[];
   passes: Pass[]; // Work done for the scene in all views, and skipped work
   permutations: Permutation[]; // The specialised shaders of the pictures, by path, in order of their first use
+}
+
+/** What decides the figures besides the settings of the run, as digests of 12 hexadecimal digits: equal content, equal digest */
+export interface SceneInputs {
+  asset: string; // The scene's file, its buffers and its images
+  environment: string; // Empty: none
+  request: string; // What is asked of the scene otherwise than of the run, and its views
+  bake: string; // Its baked light; empty: none
 }
 
 /** What a material is made of */
@@ -159,7 +177,7 @@ export interface View {
   whole: {
     verdict: Verdict;
     reason: string; // Reason of the verdict; empty for a pass
-    accepted?: string; // What its budget accepts although it is no pass, with the budget's reason; absent: nothing
+    accepted?: string; // What its budget or an approval accepts although it is no pass, with the reason; absent: nothing
     bias: string; // Difference of light and tint in words; empty without pixels
     figures: Figures | null; // null: no pixel
     checks: Check[];
@@ -195,6 +213,20 @@ export interface Check {
   fail: number | null; // Limit of the verdict fail: an upper limit, or a lower limit if more is better (psnr, ssim); of the absolute value if the figure has a sign; null: no limit
   verdict: "pass" | "warn" | "fail" | "error" | "not judged"; // not judged: a regression whose baseline has no counterpart, or has other conditions; a figure of accepted NaN; an exposure of two pictures too dark to measure it
   note: string;
+  approval?: Approval; // absent: none
+}
+
+/** An approval of the figure, as it stands on the day 'asOf' of the report */
+export interface Approval {
+  origin: string; // Place of the entry
+  state: "holds" | "loose" | "expired" | "lapsed"; // holds: it covers the figure; loose and expired: the same with a warning; lapsed: it does not
+  value: number; // The figure that was approved
+  slack: number; // How much worse the figure may be
+  until: string; // The last day on which it holds, ISO 8601
+  daysLeft: number; // Until that day; negative: days since
+  owner: string;
+  reason: string;
+  words: string; // Why it warns or does not hold; empty: it holds
 }
 
 /** The budget rule that judged it */
@@ -282,7 +314,7 @@ export interface Material {
   name: string;
   verdict: Verdict;
   reason: string; // Reason of the verdict; empty for a pass
-  accepted?: string; // What its budget accepts although it is no pass, with the budget's reason; absent: nothing
+  accepted?: string; // What its budget or an approval accepts although it is no pass, with the reason; absent: nothing
   seenElsewhere: boolean; // Not seen or too small in this view, but seen in another view; the row does not count
   bias: string; // Difference of light and tint in words; empty without pixels
   figures: Figures | null; // null: no pixel
@@ -389,6 +421,7 @@ export interface Run {
   schema: number;
   startedAt: string; // ISO 8601, UTC
   commandLine: string;
+  numerics: string; // Numerics id: how the machine rounds
   timings: Timing[];
   compiledShaders: number; // Shaders of all paths; equal shaders count once
   cachedScenes: string[]; // Scenes whose unchanged results came from the cache

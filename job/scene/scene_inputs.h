@@ -1,0 +1,18 @@
+// What decides a scene's figures, as digests: so that a figure that changed can name what did.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "job/conditions.h"
+#include "report/report.h"
+#include "scenes/scene.h"
+
+namespace parity::job {
+
+// sources: the files that the scene was read from, its own first. Nothing where it has not been read: a built-in scene
+// has no files, and counts by its name.
+std::optional<report::SceneInputs> inputsOf(const SceneRequest& request, const Conditions& conditions,
+                                            const std::vector<scenes::SourceFile>& sources);
+
+} // namespace parity::job
