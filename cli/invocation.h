@@ -8,6 +8,11 @@
 #include <vector>
 
 #include "compare/images/flip_run.h"
+#include "history/baseline.h"
+#include "history/pictures.h"
+#include "history/run.h"
+#include "history/step.h"
+#include "history/subject.h"
 #include "job/bake_run.h"
 #include "job/knobs.h"
 #include "job/report_run.h"
@@ -57,6 +62,8 @@ struct ReportCommand {
   job::Pictures pictures = job::Pictures::all;
   std::string bench; // bench.json of `parity bench` or its folder; empty: none
   WorkerOptions workers;
+  bool sentinel = false;         // compare some scenes anew although the cache has them
+  std::string asOf;              // date that chooses them, YYYY-MM-DD; empty: today
   std::vector<std::string> kept; // words of the command line that `parity diff` takes for the same result
 };
 
@@ -198,10 +205,61 @@ struct SuiteListCommand {
   std::filesystem::path cacheFolder;
 };
 
-using Invocation = std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand,
-                                ListTermsCommand, FlipCommand, BudgetSuggestCommand, BudgetCheckCommand, FitCommand,
-                                BenchCommand, StressCommand, BakeCommand, DevicesCommand, InfoCommand, CacheCommand,
-                                SuiteListCommand, PlotCommand, KnobsCommand, VersionCommand, GuideCommand>;
+struct HistoryAddCommand {
+  std::string report, folder = "history";
+  std::string suite;          // empty: the report's
+  history::CommitInfo commit; // as far as it is given
+  std::string repository = ".";
+  history::KeptPictures pictures = history::KeptPictures::notPassed;
+};
+
+struct HistoryRebuildCommand {
+  std::string folder = "history";
+};
+
+struct HistoryShowCommand {
+  std::string folder = "history", subject; // subject: empty: the runs
+  history::Where where;
+  std::size_t last = 30; // 0: all
+  bool timings = false;  // steps in the times of scenes, not the runs
+  std::string json;
+};
+
+struct HistoryBlameCommand {
+  std::string folder = "history", subject;
+  std::string metric; // empty: any
+  history::Where where;
+  std::string json;
+};
+
+struct HistoryStepCommand {
+  std::string report;
+  std::vector<history::StepLimit> limits;
+  history::StepChoice choice;
+  std::vector<std::string> command; // that makes the report first; empty: it is there
+};
+
+struct HistoryGcCommand {
+  std::string folder = "history";
+  int days = 30;    // pictures of runs that are not older are kept
+  std::string asOf; // date, YYYY-MM-DD; empty: today
+  bool isTrial = false;
+};
+
+struct HistoryBaselineCommand {
+  std::string folder = "history", repository = ".";
+  history::BaselineQuestion question;
+  std::string print = "both"; // or "run", "report"
+};
+
+using HistoryCommand = std::variant<HistoryAddCommand, HistoryRebuildCommand, HistoryShowCommand, HistoryBlameCommand,
+                                    HistoryStepCommand, HistoryGcCommand, HistoryBaselineCommand>;
+
+using Invocation =
+    std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand, ListTermsCommand,
+                 FlipCommand, BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand, StressCommand,
+                 BakeCommand, DevicesCommand, InfoCommand, CacheCommand, SuiteListCommand, PlotCommand, KnobsCommand,
+                 VersionCommand, GuideCommand, HistoryCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, a usage error) with its
 // exit code.
@@ -238,6 +296,7 @@ int runDevicesCommand(const DevicesCommand& command);
 int runInfoCommand(const InfoCommand& command);
 int runCacheCommand(const CacheCommand& command);
 int runSuiteListCommand(const SuiteListCommand& command);
+int runHistoryCommand(const HistoryCommand& command);
 int runKnobsCommand();
 int runVersionCommand();
 int runGuideCommand(const GuideCommand& command);

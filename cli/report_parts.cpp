@@ -1,7 +1,9 @@
 #include "cli/report_parts.h"
 
 #include <cstdint>
+#include <ctime>
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -9,6 +11,7 @@
 #include "base/log.h"
 #include "cli/again.h"
 #include "cli/output.h"
+#include "job/sentinels.h"
 #include "report/dashboard_files.h"
 #include "study/sweep/pareto_svg.h"
 #include "study/sweep/sweep_json.h"
@@ -64,6 +67,10 @@ job::ReportRequest reportRequest(const ReportCommand& command, const RunRequest&
   request.singleFile = command.singleFile;
   request.commandLine = commandLine;
   request.again = againCommands(request.scenes, {command.suite, command.common.environments}, command.kept);
+  if (command.sentinel)
+    request.sentinels = job::chooseSentinels(
+        request.scenes,
+        command.asOf.empty() ? fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))) : command.asOf);
   return request;
 }
 

@@ -33,6 +33,7 @@ struct ReportRequest {
   report::Bench bench;                          // for the page and the folder
   std::string commandLine;                      // for run.json
   std::vector<report::AgainCommand> again = {}; // for run.json
+  std::vector<std::size_t> sentinels = {}; // places of scenes that are compared although the cache has them, in order
 };
 
 struct ReportResult {

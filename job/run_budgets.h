@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "compare/verdict/budget.h"
 #include "job/scene_request.h"
@@ -29,6 +30,8 @@ public:
   std::optional<std::string> fileOf(const SceneRequest& request) const;
   // Throws Error as compare::loadBudgets does.
   const compare::Budgets& ofFile(const std::string& file) const;
+  // Of the texts of the files that judge these scenes, 32 hexadecimal digits; empty where none does.
+  std::string digestOf(const std::vector<SceneRequest>& requests) const;
 
   void setBaseline(const report::Report* baseline) { m_baseline = baseline; }
   const report::Report* baseline() const { return m_baseline; } // null: none
@@ -38,6 +41,7 @@ private:
   FrozenFiles m_frozen;
   const report::Report* m_baseline = nullptr;
   mutable std::mutex m_mutex; // of what is read
+  mutable std::map<std::string, std::string> m_texts;
   mutable std::map<std::string, compare::Budgets> m_read;
 };
 

@@ -108,6 +108,15 @@ struct ViewResult {
   std::vector<compare::Condition> conditions; // its camera
 };
 
+// What a scene is made from, by content: 32 hexadecimal digits each. Where its figures changed, one of these did, or
+// something of the whole run (Report, RunInfo). Empty: there is none of it, or the scene failed before it was read.
+struct SceneInputs {
+  std::string asset;       // its files, by name and content; of a built-in scene its name
+  std::string environment; // its file, by content; of a built-in one its name
+  std::string request;     // its own settings, and its views
+  std::string bake;        // its baked light, by the manifest that names every file by content
+};
+
 struct SceneResult {
   std::string name, source, environment, sun; // as the user wrote them: no absolute paths
   std::string light;                          // its scales and fog in words; empty: the defaults
@@ -120,6 +129,7 @@ struct SceneResult {
   int errorExitCode = 0; // 3 or 4 where there is an error, or that of notRun (settleVerdicts makes 4 of anything else)
   compare::Verdict verdict = compare::Verdict::pass;
   std::vector<compare::Condition> conditions; // its light, what of the file is shown, ...
+  SceneInputs inputs;
 };
 
 // A scene that was not done when a signal ended the run: its error says so, its exit code is 128 and the signal's
@@ -144,6 +154,12 @@ struct BaselineSummary {
   std::size_t notComparable = 0;       // rows that both show, under other conditions; not 0: at least a warning
 };
 
+// What decides the figures and verdicts of every scene, by content: 32 hexadecimal digits each.
+struct RunDigests {
+  std::string settings; // of scenes that say nothing else
+  std::string budgets;  // the text of the budget files; empty: the built-in ones
+};
+
 // Why a run as a whole is no pass, whatever its rows say.
 struct RunProblem {
   compare::Verdict verdict = compare::Verdict::error; // or fail
@@ -158,9 +174,10 @@ struct Report {
   std::string device;                                        // Vulkan device name and driver
   std::vector<std::pair<std::string, std::string>> settings; // name, value, in a fixed order: for people
   std::vector<compare::Condition> conditions;                // of every scene; the device is one more
-  std::string displayTable;                                  // file of the display transform as a table (PixelFiles)
-  std::vector<std::string> warnings;                         // of the whole run: a rule that judges nothing, ...
-  std::vector<RunProblem> lost;                              // what budgets require and no scene has (findLost)
+  RunDigests digests;
+  std::string displayTable;          // file of the display transform as a table (PixelFiles)
+  std::vector<std::string> warnings; // of the whole run: a rule that judges nothing, ...
+  std::vector<RunProblem> lost;      // what budgets require and no scene has (findLost)
   std::optional<BaselineSummary> baseline;
   std::vector<SceneResult> scenes;
   compare::Verdict verdict = compare::Verdict::pass;
@@ -175,6 +192,19 @@ struct AgainCommand {
 struct SceneTime {
   std::string scene;
   double seconds = 0;
+  double cpuSeconds = 0;    // of all threads; 0: not known, because several scenes ran at a time in one process
+  std::string machine = {}; // its processor; empty: the run's
+};
+
+// What made a run: with the report's digests and the inputs of its scenes all that decides figures.
+struct RunOrigin {
+  std::string build;      // hash of the program
+  std::string driver;     // of the device: name and version
+  std::string numerics;   // how it rounds (job/numerics.h); empty: not known
+  std::string machine;    // name of the processor; empty: not known
+  bool isWhole = true;    // all views and materials of its scenes; not with --only or --material
+  bool isComplete = true; // all scenes were done, though some may have errors
+  double cpuSeconds = 0;  // of this process and of the worker processes, all threads
 };
 
 // What differs from run to run, kept out of the report so that it is byte-identical.
@@ -187,6 +217,7 @@ struct RunInfo {
   std::vector<AgainCommand> again = {};                // of the views that were asked for
   std::vector<std::string> incidents = {};             // what a worker did not survive and the next one did
   std::vector<SceneTime> sceneTimes = {};              // of the scenes that were done, in their order
+  RunOrigin origin = {};
 };
 
 // How many rows have each verdict.

@@ -96,6 +96,23 @@ void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw) {
       ->capture_default_str();
 }
 
+void addSentinelOptions(CLI::App& app, ReportCommand& report) {
+  CLI::Option* sentinel =
+      app.add_flag("--sentinel", report.sentinel,
+                   "Compare eight scenes, or 1 % of them, although the cache has their results: others "
+                   "each day.\nOne that comes out otherwise is an error");
+  sentinel->group(kCacheGroup);
+  app.add_option("--as-of", report.asOf, "Date that counts as today, such as 2026-11-25. Default: today")
+      ->type_name("DATE")
+      ->group(kCacheGroup)
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            return isDate(text) ? std::string() : "'" + text + "' is not a date such as 2026-11-25";
+          },
+          ""))
+      ->needs(sentinel);
+}
+
 void addBenchOption(CLI::App& app, std::string& bench) {
   app.add_option("--bench", bench, "Add the plot of error over time from this bench.json, or from its folder")
       ->type_name(kFile)

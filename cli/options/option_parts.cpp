@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <ctime>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -61,6 +62,13 @@ CLI::Validator fileOfKind(const std::vector<std::string>& extensions) {
             return fmt::format("'{}' is not a file of the kinds {}", file, fmt::join(extensions, ", "));
           },
           ""};
+}
+
+bool isDate(const std::string& text) {
+  constexpr std::size_t kLength = 10;
+  std::tm time{};
+  const char* end = ::strptime(text.c_str(), "%Y-%m-%d", &time);
+  return end && *end == '\0' && text.size() == kLength;
 }
 
 } // namespace parity::cli

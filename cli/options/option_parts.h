@@ -44,6 +44,9 @@ auto readOption(const std::string& option, const Reader& read, const std::string
 CLI::Validator within(double least, double most);
 CLI::Validator wholeWithin(std::uint64_t least, std::uint64_t most);
 
+// Whether it is a date as YYYY-MM-DD.
+bool isDate(const std::string& text);
+
 // A file that can only be written as one of these kinds (extensions with their dots, in lower case).
 CLI::Validator fileOfKind(const std::vector<std::string>& extensions);
 

@@ -18,6 +18,8 @@
 #include "job/scene/material_choice.h"
 #include "job/scene/scene_start.h"
 #include "job/scene/view_rows.h"
+#include "job/scene_inputs.h"
+#include "job/sentinels.h"
 #include "job/stopped.h"
 #include "job/view/view_attribution.h"
 #include "job/view/view_comparison.h"
@@ -67,13 +69,15 @@ public:
                           m_context.deviceReport().description()};
       const ResultWish wish = wishFor(index, *budgets);
       const std::optional<std::string> key = resultKey(m_context, conditions, wish);
-      if (std::optional<SceneRecord> cached = key ? recall(*key, index, judges, scene.inputs) : std::nullopt) {
+      std::optional<SceneRecord> cached = key ? recall(*key, index, judges, scene.inputs) : std::nullopt;
+      if (cached && !std::ranges::binary_search(m_request.sentinels, index)) {
         result = std::move(cached->result);
         scene.pictures = std::move(cached->pictures);
         scene.isCached = true;
       } else {
         scene.inputs.clear(); // recalling has read some
         measureScene(index, wish, key, judges, scene);
+        if (cached) requireSame(*cached, {result, prefixesOf(request, index), scene.pictures});
       }
       result.passes.push_back(attributionPass(request.settings.attribution, result));
     } catch (const Stopped& stopped) {
@@ -86,6 +90,7 @@ public:
     }
     if (budgets) report::judgeScene(result, *budgets); // the views that were done, whatever became of the others
     result.conditions = reported(conditions.scene);
+    result.inputs = inputsOf(request, conditions, scene.inputs);
     for (std::string& warning : result.warnings) {
       scene.warnings.push_back(fmt::format("{}: {}", result.name, warning));
       warning = withoutFolders(std::move(warning), request);
