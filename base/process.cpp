@@ -3,13 +3,17 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -171,6 +175,62 @@ std::size_t ChildProcess::residentBytes() const {
   std::size_t all = 0, resident = 0;
   if (!(file >> all >> resident)) return 0;
   return resident * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+std::optional<std::string> findProgram(const std::string& name) {
+  const auto isProgram = [](const std::filesystem::path& file) {
+    std::error_code none;
+    return std::filesystem::is_regular_file(file, none) && ::access(file.c_str(), X_OK) == 0;
+  };
+  if (name.find('/') != std::string::npos) return isProgram(name) ? std::optional(name) : std::nullopt;
+  const char* path = std::getenv("PATH");
+  std::stringstream folders(path ? path : "/usr/bin:/bin");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (const std::filesystem::path file = std::filesystem::path(folder.empty() ? "." : folder) / name; isProgram(file))
+      return file.string();
+  return std::nullopt;
+}
+
+ProcessOutput runToEnd(const std::vector<std::string>& arguments) {
+  ChildProcess process(arguments);
+  process.closeInput();
+  ProcessOutput output;
+  const auto take = [&] {
+    for (std::string& line : process.readOutput()) output.lines.push_back(std::move(line));
+    for (std::string& line : process.readError()) output.errors.push_back(std::move(line));
+  };
+  constexpr int kPauseMs = 20; // its end is no event of a pipe
+  for (std::optional<ProcessEnd> end; !end;) {
+    std::array<pollfd, 2> pipes = {{{process.outputDescriptor(), POLLIN, 0}, {process.errorDescriptor(), POLLIN, 0}}};
+    ::poll(pipes.data(), pipes.size(), kPauseMs);
+    take();
+    end = process.end();
+    if (end) output.end = *end;
+  }
+  for (std::size_t before = SIZE_MAX; before != output.lines.size() + output.errors.size();) {
+    before = output.lines.size() + output.errors.size();
+    take();
+  }
+  return output;
+}
+
+ProcessEnd runInForeground(const std::vector<std::string>& arguments) {
+  const std::string& program = arguments.at(0);
+  posix_spawn_file_actions_t actions{};
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+  std::vector<char*> words;
+  for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str())); // NOLINT: as POSIX has it
+  words.push_back(nullptr);
+  pid_t id = -1;
+  std::signal(SIGCHLD, SIG_DFL);
+  const int failure = ::posix_spawn(&id, program.c_str(), &actions, nullptr, words.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (failure != 0) fail(program, "cannot be started", failure);
+  int status = 0;
+  while (::waitpid(id, &status, 0) < 0)
+    if (errno != EINTR) fail(program, "cannot be waited for", errno);
+  return WIFSIGNALED(status) ? ProcessEnd{0, WTERMSIG(status)} : ProcessEnd{WEXITSTATUS(status), 0};
 }
 
 bool dieWithParent(pid_t parent) {

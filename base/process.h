@@ -57,6 +57,20 @@ private:
   std::optional<ProcessEnd> m_end;
 };
 
+// The program of that name in the folders of PATH, or as it is where it has a '/'; nothing where there is none.
+std::optional<std::string> findProgram(const std::string& name);
+
+struct ProcessOutput {
+  ProcessEnd end;
+  std::vector<std::string> lines, errors; // of stdout and of stderr
+};
+// Runs it to its end, without input. arguments: as of ChildProcess. Throws Error (exit 4) where it cannot be started.
+ProcessOutput runToEnd(const std::vector<std::string>& arguments);
+
+// Runs it in the foreground: it has this process's stdin and stderr, and writes to stderr what it writes to stdout.
+// Throws Error (exit 4) where it cannot be started.
+ProcessEnd runInForeground(const std::vector<std::string>& arguments);
+
 // In a child: it is killed when the process that started it dies. Returns false where that is dead already.
 bool dieWithParent(pid_t parent);
 

@@ -55,7 +55,7 @@ int runApproveCommand(const ApproveCommand& command) {
   const report::Report result = report::readReport(file, report::ReadDepth::checks);
   if (const std::string why = report::whyNotWhole(result); !why.empty())
     throw base::fileError(file.string(), "", "nothing of it is approved: " + why);
-  const std::string numerics = report::readRunInfo(folder).numerics;
+  const std::string numerics = report::readRun(folder).origin.numerics;
   if (numerics.empty())
     throw base::fileError((folder / "run.json").string(), "", "does not have the numerics id; make the report again");
   if (!approvals.numerics.empty() && approvals.numerics != numerics)

@@ -19,6 +19,7 @@
 #include "cli/options/fit_options.h"
 #include "cli/options/flip_options.h"
 #include "cli/options/guide_options.h"
+#include "cli/options/history_options.h"
 #include "cli/options/mistyped.h"
 #include "cli/options/option_parts.h"
 #include "cli/options/plan_options.h"
@@ -66,13 +67,17 @@ const std::vector<std::string> kNotRead = {"env",
                                            "baked",
                                            "subject"};
 
+// git bisect takes 64 for "bad": a mistyped option would name a commit that is not to blame.
+constexpr int kStopsBisect = 128;
+bool isForBisect(const CLI::App& app) { return fullName(app) == "parity history step"; }
+
 // What a command line that was refused is told: what CLI11 says, unless a name is not known at all.
 Parsed refuse(const CLI::App& app, const CLI::ParseError& error) {
   std::string text = describeMistyped(app);
   if (text.empty()) text = error.what();
   return {.command = {},
           .text = fmt::format("{}\nRun '{} --help' for more information.\n", text, fullName(chosenOf(app))),
-          .exitCode = static_cast<int>(base::ExitCode::usage)};
+          .exitCode = isForBisect(chosenOf(app)) ? kStopsBisect : static_cast<int>(base::ExitCode::usage)};
 }
 
 } // namespace
@@ -103,6 +108,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       ->group(kOutputGroup)
       ->capture_default_str();
   addPageOptions(reportApp, report, raw);
+  addSentinelOption(reportApp, report);
   addBenchOption(reportApp, report.bench);
   RawOutcome rawOutcome;
   addVerdictOptions(reportApp, report.verdict, rawOutcome,
@@ -132,6 +138,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addSceneList(planApp, plan.report);
   addPlanOptions(planApp, plan);
   addPageOptions(planApp, plan.report, raw);
+  addSentinelOption(planApp, plan.report);
   addKnobs(planApp, plan.report.common, raw, kCompared, {"env"});
   addEnvironments(planApp, raw);
   addViewKnobs(planApp, raw);
@@ -248,6 +255,11 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   CLI::App& suiteApp = *app.add_subcommand("suite", "Show what a suite file means");
   addSuiteOptions(suiteApp, rawSuite);
 
+  RawHistoryOptions rawHistory;
+  CLI::App& historyApp =
+      *app.add_subcommand("history", "Keep the figures of each night: what changed, when, since which commit, and why");
+  addHistoryOptions(historyApp, rawHistory);
+
   bool verbose = false;
   addVerbose(app, verbose);
 
@@ -332,6 +344,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = settleCache(cacheApp, rawCache);
     } else if (suiteApp.parsed()) {
       parsed.command = settleSuite(rawSuite);
+    } else if (historyApp.parsed()) {
+      parsed.command = settleHistory(historyApp, rawHistory);
     } else if (devicesApp.parsed()) {
       parsed.command = devices;
     } else {

@@ -8,6 +8,11 @@
 #include <vector>
 
 #include "compare/images/flip_run.h"
+#include "history/baseline.h"
+#include "history/pictures.h"
+#include "history/run.h"
+#include "history/step.h"
+#include "history/subject.h"
 #include "job/bake_run.h"
 #include "job/knobs.h"
 #include "job/report_run.h"
@@ -46,7 +51,7 @@ struct VerdictOptions {
   bool warnExit = false;
   std::string baseline;        // earlier report.json or its folder; empty: none
   std::string annotate;        // "github", or empty
-  std::string approvals, asOf; // a file of approvals, and the day for them (ISO 8601); empty: none, today
+  std::string approvals, asOf; // a file of approvals, and the day that counts (ISO 8601); empty: none, today
   report::FailOn failOn = report::FailOn::any;
   SummaryTarget summary;
   bool allRows = false; // of the table, also those that pass
@@ -71,6 +76,7 @@ struct ReportCommand {
   job::Pictures pictures = job::Pictures::all;
   std::string bench; // bench.json of `parity bench` or its folder; empty: none
   WorkerOptions workers;
+  bool sentinel = false;         // compare some scenes anew although the cache has them: others each day
   std::vector<std::string> kept; // words of the command line that `parity diff` takes for the same result
 };
 
@@ -217,11 +223,61 @@ struct SuiteListCommand {
   std::filesystem::path cacheFolder;
 };
 
+struct HistoryAddCommand {
+  std::string report, folder = "history";
+  std::string suite;          // empty: the report's
+  history::CommitInfo commit; // as far as it is given
+  std::string repository = ".";
+  history::KeptPictures pictures = history::KeptPictures::notPassed;
+};
+
+struct HistoryRebuildCommand {
+  std::string folder = "history";
+};
+
+struct HistoryShowCommand {
+  std::string folder = "history", subject; // subject: empty: the runs
+  history::Where where;
+  std::size_t last = 30; // 0: all
+  bool timings = false;  // steps in the times of scenes, not the runs
+  std::string json;
+};
+
+struct HistoryBlameCommand {
+  std::string folder = "history", subject;
+  std::string metric; // empty: any
+  history::Where where;
+  std::string json;
+};
+
+struct HistoryStepCommand {
+  std::string report;
+  std::vector<history::StepLimit> limits;
+  history::StepChoice choice;
+  std::vector<std::string> command; // that makes the report first; empty: it is there
+};
+
+struct HistoryGcCommand {
+  std::string folder = "history";
+  int days = 30;    // pictures of runs that are not older are kept
+  std::string asOf; // date, YYYY-MM-DD; empty: today
+  bool isTrial = false;
+};
+
+struct HistoryBaselineCommand {
+  std::string folder = "history", repository = ".";
+  history::BaselineQuestion question;
+  std::string print = "both"; // or "run", "report"
+};
+
+using HistoryCommand = std::variant<HistoryAddCommand, HistoryRebuildCommand, HistoryShowCommand, HistoryBlameCommand,
+                                    HistoryStepCommand, HistoryGcCommand, HistoryBaselineCommand>;
+
 using Invocation =
     std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand, ListTermsCommand,
-                 FlipCommand, ApproveCommand, BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand,
-                 StressCommand, BakeCommand, DevicesCommand, InfoCommand, CacheCommand, SuiteListCommand, PlotCommand,
-                 KnobsCommand, VersionCommand, GuideCommand>;
+                 FlipCommand, ApproveCommand, BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand, StressCommand,
+                 BakeCommand, DevicesCommand, InfoCommand, CacheCommand, SuiteListCommand, PlotCommand, KnobsCommand,
+                 VersionCommand, GuideCommand, HistoryCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, a usage error) with its
 // exit code.
@@ -259,6 +315,7 @@ int runDevicesCommand(const DevicesCommand& command);
 int runInfoCommand(const InfoCommand& command);
 int runCacheCommand(const CacheCommand& command);
 int runSuiteListCommand(const SuiteListCommand& command);
+int runHistoryCommand(const HistoryCommand& command);
 int runKnobsCommand();
 int runVersionCommand();
 int runGuideCommand(const GuideCommand& command);

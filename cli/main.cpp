@@ -61,7 +61,8 @@ int run(int argc, char** argv) {
                                [](const PlotCommand& c) { return runPlotCommand(c); },
                                [](const KnobsCommand&) { return runKnobsCommand(); },
                                [](const VersionCommand&) { return runVersionCommand(); },
-                               [](const GuideCommand& c) { return runGuideCommand(c); }},
+                               [](const GuideCommand& c) { return runGuideCommand(c); },
+                               [](const HistoryCommand& c) { return runHistoryCommand(c); }},
                     *parsed.command);
 }
 

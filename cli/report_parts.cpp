@@ -6,11 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "base/day.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/log.h"
 #include "cli/again.h"
 #include "cli/output.h"
+#include "job/sentinels.h"
 #include "report/dashboard_files.h"
 #include "report/standing.h"
 #include "report/summary/summary.h"
@@ -71,6 +73,9 @@ job::ReportRequest reportRequest(const ReportCommand& command, const RunRequest&
   request.commandLine = commandLine;
   request.warningsFail = command.verdict.warnExit;
   request.again = againCommands(request.scenes, {command.suite, command.common.environments}, command.kept);
+  if (command.sentinel)
+    request.sentinels = job::chooseSentinels(
+        request.scenes, request.asOf.empty() ? base::textOf(base::today()) : request.asOf);
   return request;
 }
 

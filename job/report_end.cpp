@@ -14,6 +14,7 @@
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/log.h"
+#include "base/machine.h"
 #include "base/text/glob.h"
 #include "base/text/nearest.h"
 #include "base/version.h"
@@ -21,6 +22,7 @@
 #include "job/context.h"
 #include "job/report_folder.h"
 #include "job/scene/passes.h"
+#include "job/scene/scene_inputs.h"
 #include "job/view/display_table.h"
 #include "report/approvals.h"
 #include "report/baseline.h"
@@ -86,8 +88,8 @@ void logScene(const ComparedScene& scene) {
 
 RunFacts factsOf(Context& context) {
   const gpu::DeviceReport& device = context.deviceReport();
-  return {device.description(), describeSettings(context.settings(), device),
-          reported(runConditions(context.settings(), device))};
+  return {device.description(), device.driver + (device.build.empty() ? "" : ", " + device.build),
+          describeSettings(context.settings(), device), reported(runConditions(context.settings(), device))};
 }
 
 ReportEnd::ReportEnd(const ReportRequest& request, RunBudgets& budgets, RunFacts facts,
@@ -180,6 +182,21 @@ void ReportEnd::keepBaselinePictures(report::Report& report, std::vector<Encoded
   std::ranges::move(kept, std::back_inserter(pictures));
 }
 
+// A machine whose device is gone by now has its report all the same.
+void ReportEnd::setOrigin(Context& context, report::RunOrigin& origin) const {
+  origin.build = m_facts.build.empty() ? hashOfThisBuild() : m_facts.build;
+  origin.driver = m_facts.driver;
+  origin.numerics = m_facts.numerics;
+  try {
+    if (origin.numerics.empty() && !m_request.folder.empty()) origin.numerics = context.numerics();
+  } catch (const base::Error& error) {
+    base::logDetail(fmt::format("the numerics id is not known: {}", error.what()));
+  }
+  origin.machine = base::processorName();
+  origin.isWhole = m_request.only.empty() && context.settings().materials.empty();
+  origin.cpuSeconds += base::cpuSeconds(true);
+}
+
 ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Progress& progress) {
   ReportResult result{.report = {}, .run = std::move(run)};
   report::Report& report = result.report;
@@ -195,6 +212,8 @@ ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Prog
   report.device = m_facts.device;
   report.settings = m_facts.settings;
   report.conditions = m_facts.conditions;
+  report.digests = {digestOf(m_facts.conditions), m_budgets.digestOf(m_request.scenes)};
+  setOrigin(context, result.run.origin);
   report.warnings = m_warnings;
   if (m_scenes.size() > 1) leaveOut(m_scenes, context.settings().materials, report);
   std::vector<EncodedPicture> pictures; // not written yet
@@ -202,8 +221,11 @@ ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Prog
   for (ComparedScene& scene : m_scenes) {
     for (EncodedPicture& picture : scene.pictures) // scenes may share textures
       if (names.insert(picture.file).second) pictures.push_back(std::move(picture));
+    if (scene.isMissing || report::isNotRun(scene.result)) result.run.origin.isComplete = false;
     if (scene.isCached) result.run.cachedScenes.push_back(scene.result.name);
-    if (scene.seconds > 0) result.run.sceneTimes.push_back({scene.result.name, scene.seconds});
+    if (scene.seconds > 0)
+      result.run.sceneTimes.push_back({scene.result.name, scene.seconds, scene.cpuSeconds,
+                                       scene.machine == result.run.origin.machine ? "" : scene.machine});
     report.scenes.push_back(std::move(scene.result));
   }
   m_scenes.clear();

@@ -21,8 +21,10 @@ namespace parity::job {
 // What is the same for every scene of a run, as the report says it.
 struct RunFacts {
   std::string device; // its description
+  std::string driver; // with what tells its builds apart
   std::vector<std::pair<std::string, std::string>> settings;
   std::vector<compare::Condition> conditions;
+  std::string build = {}, numerics = {}; // of the binary and of the machine; empty: they are asked for at the end
 };
 // Makes no device.
 RunFacts factsOf(Context& context);
@@ -49,6 +51,7 @@ public:
 
 private:
   bool isBaselineInPlace() const;
+  void setOrigin(Context& context, report::RunOrigin& origin) const;
   void holdBudgets(const Settings& settings, report::Report& report) const;
   void holdApprovals(const Settings& settings, report::Report& report) const;
   void keepBaselinePictures(report::Report& report, std::vector<EncodedPicture>& pictures) const;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/machine.h"
 #include "base/parallel.h"
 #include "job/context.h"
 #include "job/kept_pictures.h"
@@ -33,6 +34,7 @@ public:
   void compareScenes() {
     if (m_done.size() > 1 && base::threadCount() > 1) {
       if (m_context.cache().enabled()) m_context.numerics(); // once for both
+      m_isShared = true;
       Context second(m_context, Context::ForAnotherThread{});
       std::future<void> other = std::async(std::launch::async, [&] { takeScenes(second); });
       takeScenes(m_context);
@@ -48,8 +50,10 @@ private:
     for (std::size_t i = take(); i < m_done.size(); i = take()) {
       const Tell tellOne = [&](double done, const std::string& what) { tell(i, done, what); };
       const auto start = std::chrono::steady_clock::now();
+      const double cpuStart = base::cpuSeconds();
       ComparedScene scene = compareScene(context, m_request, i, m_budgets, tellOne);
       scene.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      if (!m_isShared) scene.cpuSeconds = base::cpuSeconds() - cpuStart;
       if (!scene.isCached && scene.result.error.empty())
         keepSceneTime(context.cache(), m_request.scenes[i], scene.seconds);
       dropPictures(scene, m_request.pictures, m_budgets.baseline(), m_end.facts());
@@ -79,6 +83,7 @@ private:
   const RunBudgets& m_budgets;
   ReportEnd& m_end;
   const Progress& m_progress;
+  bool m_isShared = false;    // two scenes at a time
   std::mutex m_mutex;         // of all below
   std::vector<double> m_done; // how much of each; 1: all
   std::size_t m_next = 0;
@@ -92,7 +97,6 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   ReportEnd end(request, budgets, factsOf(context));
   Run(context, request, budgets, end, progress).compareScenes();
   report::RunInfo run;
-  if (!request.folder.empty()) run.numerics = context.numerics();
   return end.finish(context, std::move(run), progress);
 }
 

@@ -1,10 +1,12 @@
 #include "job/run_budgets.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
+#include "base/hash.h"
 
 namespace parity::job {
 
@@ -33,9 +35,26 @@ const compare::Budgets& RunBudgets::ofFile(const std::string& file) const {
   const std::lock_guard lock(m_mutex);
   if (const auto found = m_read.find(file); found != m_read.end()) return found->second;
   const auto frozen = m_frozen.find(file);
-  return m_read
-      .emplace(file, frozen == m_frozen.end() ? compare::loadBudgets(file) : compare::readBudgets(frozen->second, file))
-      .first->second;
+  const std::string& text =
+      m_texts.insert_or_assign(file, frozen == m_frozen.end() ? compare::readBudgetText(file) : frozen->second)
+          .first->second;
+  return m_read.emplace(file, compare::readBudgets(text, file)).first->second;
+}
+
+std::string RunBudgets::digestOf(const std::vector<SceneRequest>& requests) const {
+  std::set<std::string> known;
+  base::Hasher hasher;
+  for (const SceneRequest& request : requests)
+    if (const std::optional<std::string> file = fileOf(request); file && known.insert(*file).second) {
+      try {
+        ofFile(*file);
+      } catch (const base::Error&) { // the error of the scenes that it would judge
+      }
+      const std::lock_guard lock(m_mutex);
+      const auto text = m_texts.find(*file);
+      hasher.add(text == m_texts.end() ? "not readable" : text->second);
+    }
+  return known.empty() ? std::string() : hasher.hex();
 }
 
 void RunBudgets::requireLevels() const {

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "compare/verdict/approval.h"
 #include "compare/verdict/budget.h"
@@ -30,6 +31,8 @@ public:
   std::optional<std::string> fileOf(const SceneRequest& request) const;
   // Throws Error as compare::loadBudgets does.
   const compare::Budgets& ofFile(const std::string& file) const;
+  // Of the texts of the files that judge these scenes, 32 hexadecimal digits; empty where none does.
+  std::string digestOf(const std::vector<SceneRequest>& requests) const;
 
   // Throws Error where a file of the constructor limits only regressions of its materials or its whole images: without
   // a baseline nothing could judge them, and that should not be told at the end of the run.
@@ -45,6 +48,7 @@ private:
   FrozenFiles m_frozen;
   const report::Report* m_baseline = nullptr;
   mutable std::mutex m_mutex; // of what is read
+  mutable std::map<std::string, std::string> m_texts;
   mutable std::map<std::string, compare::Budgets> m_read;
 };
 

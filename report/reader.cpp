@@ -2,13 +2,13 @@
 // is named.
 #include "report/reader.h"
 
-#include <cmath>
 #include <exception>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "report/record/record_reader.h"
 #include "report/record/report_records.h"
 #include "report/streamed_json.h"
 #include "report/trim.h"
@@ -17,130 +17,6 @@ namespace parity::report {
 namespace {
 
 using nlohmann::json;
-
-// A value and the way to it.
-class Node {
-public:
-  Node(const json& value, std::string file, std::string place, ReadDepth depth)
-      : m_value(value), m_file(std::move(file)), m_place(std::move(place)), m_depth(depth) {}
-
-  [[noreturn]] void refuse(const std::string& reason) const {
-    throw base::fileError(m_file, m_place.empty() ? "/" : m_place, reason);
-  }
-  Node at(const std::string& key) const {
-    if (!m_value.is_object()) refuse("is not an object");
-    const auto found = m_value.find(key);
-    if (found == m_value.end()) refuse(fmt::format("lacks '{}'", key));
-    return {*found, m_file, m_place + "/" + key, m_depth};
-  }
-  bool has(const std::string& key) const { return m_value.is_object() && m_value.contains(key); }
-  std::vector<Node> items() const {
-    if (!m_value.is_array()) refuse("is not a list");
-    std::vector<Node> nodes;
-    for (std::size_t i = 0; i < m_value.size(); ++i)
-      nodes.emplace_back(m_value[i], m_file, m_place + "/" + std::to_string(i), m_depth);
-    return nodes;
-  }
-  std::vector<std::pair<std::string, Node>> members() const {
-    if (!m_value.is_object()) refuse("is not an object");
-    std::vector<std::pair<std::string, Node>> nodes;
-    for (const auto& [key, value] : m_value.items())
-      nodes.emplace_back(key, Node(value, m_file, m_place + "/" + key, m_depth));
-    return nodes;
-  }
-  bool isNull() const { return m_value.is_null(); }
-  ReadDepth depth() const { return m_depth; }
-  std::string text() const {
-    if (!m_value.is_string()) refuse("is not a string");
-    return m_value.get<std::string>();
-  }
-  double number() const {
-    if (!m_value.is_number()) refuse("is not a number");
-    return m_value.get<double>();
-  }
-  std::uint64_t count() const {
-    if (!m_value.is_number_unsigned()) refuse("is not a whole number of at least 0");
-    return m_value.get<std::uint64_t>();
-  }
-
-private:
-  const json& m_value;
-  std::string m_file, m_place;
-  ReadDepth m_depth;
-};
-
-template <Described T> void readRecord(const Node& node, T& record);
-
-// What a row that is read may hold.
-void readValue(const Node& node, std::string& value) { value = node.text(); }
-void readValue(const Node& node, std::uint64_t& value) { value = node.count(); }
-void readValue(const Node& node, double& value) { value = node.isNull() ? NAN : node.number(); }
-void readValue(const Node& node, std::vector<std::string>& list) {
-  for (const Node& each : node.items()) list.push_back(each.text());
-}
-template <Named T> void readValue(const Node& node, T& value) {
-  const std::string name = node.text();
-  for (const T each : Names<T>::values)
-    if (name == Names<T>::nameOf(each)) return static_cast<void>(value = each);
-  node.refuse(fmt::format(fmt::runtime(Names<T>::refusal), name));
-}
-template <Described T> void readValue(const Node& node, T& value) { readRecord(node, value); }
-template <Described T> void readValue(const Node& node, std::optional<T>& value) { readRecord(node, value.emplace()); }
-template <typename T>
-requires(Described<T> && !IsByName<T>) void readValue(const Node& node, std::vector<T>& list) {
-  for (const Node& each : node.items()) readRecord(each, list.emplace_back());
-}
-template <IsByName T>
-requires requires { &ByName<T>::make; }
-void readValue(const Node& node, std::vector<T>& list) {
-  for (const auto& [name, value] : node.members())
-    list.push_back(ByName<T>::make(name, value.isNull() ? std::nullopt : std::optional(value.number())));
-}
-
-template <typename Member, typename Show> bool isRead(const Row<Member, Show>& row, ReadDepth depth) {
-  return row.rule.read || (row.rule.readDeep && depth == ReadDepth::checks);
-}
-template <typename IsNull, typename... Rows> bool isRead(const Group<IsNull, Rows...>& group, ReadDepth depth) {
-  return std::apply([&](const Rows&... rows) { return (isRead(rows, depth) || ...); }, group.rows);
-}
-
-template <typename Owner, typename Row>
-concept Readable = requires(const Node& node, Owner& owner, const Row& row) {
-  readValue(node, owner.*row.member);
-};
-
-// Whether a row that is read is of a type that can be.
-template <typename Owner, typename Member, typename Show> constexpr bool isReadable(const Row<Member, Show>& row) {
-  return (!row.rule.read && !row.rule.readDeep) || Readable<Owner, Row<Member, Show>>;
-}
-template <typename Owner, typename IsNull, typename... Rows>
-constexpr bool isReadable(const Group<IsNull, Rows...>& group) {
-  return std::apply([](const Rows&... rows) { return (isReadable<Owner>(rows) && ...); }, group.rows);
-}
-
-template <typename Owner, typename Row> using MemberType =
-    std::remove_cvref_t<decltype(std::declval<Owner&>().*std::declval<Row>().member)>;
-
-template <typename Owner, typename... Rows>
-void readRows(const Node& node, Owner& owner, const std::tuple<Rows...>& rows) {
-  forEachRow(rows, [&]<typename Row>(const Row& row) {
-    if (!isRead(row, node.depth())) return;
-    const std::string key(row.key);
-    if constexpr (kIsGroup<Row>) {
-      const Node child = node.at(key);
-      if (std::is_null_pointer_v<decltype(row.isNull)> || !child.isNull()) readRows(child, owner, row.rows);
-    } else if constexpr (Readable<Owner, Row>) {
-      const bool mayLack = row.rule.mayLack || ifEmpty<MemberType<Owner, Row>>(row.rule) == IfEmpty::absent;
-      if (mayLack && !node.has(key)) return;
-      const Node child = node.at(key);
-      if (row.rule.ifEmpty != IfEmpty::null || !child.isNull()) readValue(child, owner.*row.member);
-    }
-  });
-}
-template <Described T> void readRecord(const Node& node, T& record) {
-  static_assert(std::apply([](const auto&... rows) { return (isReadable<T>(rows) && ...); }, kRecord<T>.rows));
-  readRows(node, record, kRecord<T>.rows);
-}
 
 // What stands in a list or in an optional; else the type itself.
 template <typename T> struct Within { using Type = T; };
@@ -205,12 +81,15 @@ Report readReport(const std::filesystem::path& fileOrFolder, ReadDepth depth) {
   return report;
 }
 
-RunInfo readRunInfo(const std::filesystem::path& folder) {
+RunInfo readRun(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / "run.json";
-  const json document =
-      readWanted(path, wantedOf<RunInfo>(ReadDepth::figures), {}, "is not JSON, so it is not a run.json");
+  Wanted wanted = wantedOf<RunInfo>(ReadDepth::figures);
+  wanted.keys["schema"].all = true;
+  const json document = readWanted(path, wanted, {"", {}}, "is not JSON, so it is not a run.json");
+  const Node root(document, path.string(), "");
+  root.at("schema").count();
   RunInfo run;
-  readRecord(Node(document, path.string(), "", ReadDepth::figures), run);
+  readRecord(root, run);
   return run;
 }
 

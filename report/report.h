@@ -161,6 +161,12 @@ struct ApprovalSummary {
   std::size_t entries = 0;
 };
 
+// What decides the figures and verdicts of every scene, by content: hexadecimal digits.
+struct RunDigests {
+  std::string settings; // of scenes that say nothing else
+  std::string budgets;  // the text of the budget files; empty: the built-in ones
+};
+
 // Why a run as a whole is no pass, whatever its rows say.
 struct RunProblem {
   compare::Verdict verdict = compare::Verdict::error; // or fail
@@ -175,9 +181,10 @@ struct Report {
   std::string device;                                        // Vulkan device name and driver
   std::vector<std::pair<std::string, std::string>> settings; // name, value, in a fixed order: for people
   std::vector<compare::Condition> conditions;                // of every scene; the device is one more
-  std::string displayTable;                                  // file of the display transform as a table (PixelFiles)
-  std::vector<std::string> warnings;                         // of the whole run: a rule that judges nothing, ...
-  std::vector<RunProblem> lost;                              // what budgets require and no scene has (findLost)
+  RunDigests digests;
+  std::string displayTable;          // file of the display transform as a table (PixelFiles)
+  std::vector<std::string> warnings; // of the whole run: a rule that judges nothing, ...
+  std::vector<RunProblem> lost;      // what budgets require and no scene has (findLost)
   std::optional<BaselineSummary> baseline;
   std::optional<ApprovalSummary> approvals = {}; // only where there are entries
   std::vector<std::string> only = {};            // globs of its views (--only); empty: all
@@ -194,6 +201,19 @@ struct AgainCommand {
 struct SceneTime {
   std::string scene;
   double seconds = 0;
+  double cpuSeconds = 0;    // of all threads; 0: not known, because several scenes ran at a time in one process
+  std::string machine = {}; // its processor; empty: the run's
+};
+
+// What made a run: with the report's digests and the inputs of its scenes all that decides figures.
+struct RunOrigin {
+  std::string build;      // hash of the program
+  std::string driver;     // of the device: name and version
+  std::string numerics;   // how it rounds (job/numerics.h); empty: not known
+  std::string machine;    // name of the processor; empty: not known
+  bool isWhole = true;    // all views and materials of its scenes; not with --only or --material
+  bool isComplete = true; // all scenes were done, though some may have errors
+  double cpuSeconds = 0;  // of this process and of the worker processes, all threads
 };
 
 // What differs from run to run, kept out of the report so that it is byte-identical.
@@ -207,7 +227,7 @@ struct RunInfo {
   std::vector<std::string> incidents = {};             // what a worker did not survive and the next one did
   std::vector<SceneTime> sceneTimes = {};              // of the scenes that were done, in their order
   bool warningsFail = false;                           // as --warn-exit asks
-  std::string numerics = {};                           // how the machine rounds: an id (docs/nightly.md)
+  RunOrigin origin = {};
 };
 
 // How many rows have each verdict.

@@ -34,7 +34,7 @@ void addApprovalOptions(CLI::App& app, VerdictOptions& verdict) {
                  "Approvals (TOML): figures beyond a limit that somebody accepts until a day (parity approve)")
       ->type_name(kFile)
       ->group("Verdict");
-  app.add_option("--as-of", verdict.asOf, "The day for approvals, such as 2027-02-01. Default: today, in UTC")
+  app.add_option("--as-of", verdict.asOf, "The day that counts, such as 2027-02-01. Default: today, in UTC")
       ->type_name("DATE")
       ->check(dayValidator())
       ->group("Verdict");

@@ -52,7 +52,8 @@ constexpr ExitCodeText kDone = {0, "done"}, kFailed = {4, "a file is missing or 
                        kNotComparable = {3, "not comparable: sizes, channels, or a metric that does not apply"},
                        kStopped =
                            {130, "interrupted by SIGINT (SIGHUP: 129, SIGTERM: 143); the result has what was finished"},
-                       kNoResult = {4, "a scene failed, a figure is not finite, or no material was compared"};
+                       kNoResult = {4, "a scene failed, a figure is not finite, or no material was compared"},
+                       kWriting = {75, "another process writes the history: try again"};
 
 const std::vector<CommandHelp>& table() {
   static const std::vector<CommandHelp> kTable = {
@@ -190,6 +191,49 @@ const std::vector<CommandHelp>& table() {
        "",
        {{"parity suite list nightly.toml --only tag:hero", "the scenes with a tag, with views and times"}},
        {kDone, kFailed, kUsage}},
+      {"history",
+       "A folder with one file a run, which is the truth, and an index, which is made from them and may be removed.",
+       {},
+       {kDone, kFailed, kUsage, kWriting}},
+      {"history add",
+       "Commit, its time and branch come from the options, else from the environment of GitHub, GitLab, Buildkite or\n"
+       "CircleCI (or PARITY_COMMIT, PARITY_BRANCH, PARITY_COMMIT_TIME), else from git. The same run again changes "
+       "nothing.",
+       {{"parity history add out --history /srv/parity", "what is new, worse, better or gone since the run before"}},
+       {{0, "done, whatever changed"}, kFailed, kUsage, kWriting}},
+      {"history rebuild",
+       "",
+       {{"parity history rebuild --history /srv/parity", "the same index as before"}},
+       {kDone, kFailed, kUsage, kWriting}},
+      {"history show",
+       "",
+       {{"parity history show", "the last 30 runs"},
+        {"parity history show 'Hero/front/Chrome'", "all its values, each with its runs"}},
+       {kDone, kFailed, {64, "wrong usage, or the history has no such row"}, kWriting}},
+      {"history blame",
+       "Figures have no noise. What changed is due to an input, the build, the driver or a setting that changed, too;\n"
+       "if none of them did, it is nondeterminism.",
+       {{"parity history blame 'Hero/front/Chrome' --metric flip.mean", "since which run and commit, and why"}},
+       {kDone, kFailed, {64, "wrong usage, or the history has no such row or figure"}, kWriting}},
+      {"history step",
+       "Other failures end with 125, too, and wrong usage with 128, which stops git bisect: it takes 64 for bad.\n"
+       "A report that was there before the command ran is not judged.",
+       {{"parity history step out --at-most flip.mean=.062 --material Chrome", "a report that is there"},
+        {"git bisect run parity history step out --at-most flip.mean=.062 -- ./night.sh", "each commit's own"}},
+       {{0, "good: all rows are within the limits"},
+        {1, "bad: a row is beyond a limit"},
+        {125, "skip: no report was made, a row could not be judged, or there is none"},
+        {128, "wrong usage"}}},
+      {"history gc",
+       "It keeps pictures of recent runs, and of the first and last run of each interval of a row's verdict. It "
+       "removes no\n"
+       "figures.",
+       {{"parity history gc --days 90 --dry-run", "what would be removed"}},
+       {kDone, kFailed, kUsage, kWriting}},
+      {"history baseline",
+       "It goes back from the merge base to the newest commit that has a whole and complete run.",
+       {{"parity report --suite nightly.toml --baseline \"$(parity history baseline --print report)\"", "on a branch"}},
+       {kDone, {4, "there is no such run, or git knows no such commits"}, kUsage, kWriting}},
       {"help", "", {{"parity help budget suggest", "the same as parity budget suggest --help"}}, {kDone, kUsage}},
       {"completion",
        "The Debian package and `cmake --install` put these scripts where the shells look for them.",

@@ -96,6 +96,13 @@ void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw) {
       ->capture_default_str();
 }
 
+void addSentinelOption(CLI::App& app, ReportCommand& report) {
+  app.add_flag("--sentinel", report.sentinel,
+               "Compare eight scenes, or 1 % of them, although the cache has their results: others each day\n"
+               "(--as-of). One that comes out otherwise is an error")
+      ->group(kCacheGroup);
+}
+
 void addBenchOption(CLI::App& app, std::string& bench) {
   app.add_option("--bench", bench, "Add the plot of error over time from this bench.json, or from its folder")
       ->type_name(kFile)

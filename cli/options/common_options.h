@@ -40,6 +40,7 @@ void addBudgetsOption(CLI::App& app, CommonOptions& common);
 // What a report's page holds: --single-file, --pixel-data, --pictures.
 void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw);
 void settlePage(ReportCommand& report, const RawOptions& raw);
+void addSentinelOption(CLI::App& app, ReportCommand& report);
 void addBenchOption(CLI::App& app, std::string& bench);
 
 // Checks what CLI11 has filled in, and turns it into settings: beside a suite, whose scenes say more, each value alone.

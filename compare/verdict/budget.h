@@ -70,6 +70,8 @@ const std::vector<BudgetPreset>& builtInPresets();
 // beyond fail; a rule that an earlier one hides wholly; something accepted without a reason, or that contradicts the
 // rule.
 Budgets loadBudgets(const std::filesystem::path& file);
+// The text of such a file, within the limit of its size. Throws Error (exit 4).
+std::string readBudgetText(const std::filesystem::path& file);
 // The same of the text of that file, which is not read.
 Budgets readBudgets(std::string_view text, const std::filesystem::path& file);
 

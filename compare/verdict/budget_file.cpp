@@ -272,7 +272,9 @@ private:
 
 } // namespace
 
-Budgets loadBudgets(const std::filesystem::path& file) { return readBudgets(base::readText(file, kMaxBytes), file); }
+std::string readBudgetText(const std::filesystem::path& file) { return base::readText(file, kMaxBytes); }
+
+Budgets loadBudgets(const std::filesystem::path& file) { return readBudgets(readBudgetText(file), file); }
 
 Budgets readBudgets(std::string_view text, const std::filesystem::path& file) {
   Budgets budgets = Reader(file).read(text);

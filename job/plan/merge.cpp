@@ -86,7 +86,7 @@ public:
     run.compiledShaders = m_shaders.size();
     run.timings = m_timings;
     run.incidents = m_incidents;
-    run.numerics = m_plan.numerics;
+    run.origin.cpuSeconds = m_workerSeconds;
     return end.finish(m_context, std::move(run), progress);
   }
 
@@ -108,6 +108,7 @@ private:
                              : fmt::format("has no result: shard {} did not finish it", shardOf(m_plan, index));
     scene.result.errorExitCode = static_cast<int>(base::ExitCode::failed);
     scene.error = fmt::format("{}: {}", scene.result.name, scene.result.error);
+    scene.isMissing = true;
     return scene;
   }
 
@@ -138,6 +139,7 @@ private:
     if (const std::string crash = m_store.crashOf(index); !crash.empty() && scene.result.error.empty())
       m_incidents.push_back(
           fmt::format("{}: flaky crash: a worker {}; the second try succeeded", scene.result.name, crash));
+    m_workerSeconds += unit.run.cpuSeconds;
     m_shaders.insert(unit.run.shaders.begin(), unit.run.shaders.end());
     for (const auto& [stage, timeMs] : unit.run.timings) {
       const auto known = std::ranges::find(m_timings, stage, [](const auto& each) { return each.first; });
@@ -163,6 +165,7 @@ private:
   std::set<std::string> m_shaders;
   std::vector<std::pair<std::string, double>> m_timings;
   std::vector<std::string> m_incidents;
+  double m_workerSeconds = 0; // of CPU
 };
 
 } // namespace

@@ -1,14 +1,9 @@
 #include "job/plan/plan_folder.h"
 
-#include <cerrno>
 #include <system_error>
 #include <unordered_map>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -51,15 +46,6 @@ bool holdsAnother(Plan& plan, const fs::path& folder) {
 
 fs::path baselineFile(const fs::path& folder, std::size_t scene) {
   return folder / "baseline" / fmt::format("{:06}.json", scene);
-}
-
-int openLock(const fs::path& file) { return ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666); }
-
-bool isSameFile(int descriptor, const fs::path& file) {
-  struct stat opened {
-  }, named{};
-  return ::fstat(descriptor, &opened) == 0 && ::stat(file.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
-         opened.st_ino == named.st_ino;
 }
 
 fs::path requireHash(const fs::path& file, const std::string& hash) {
@@ -110,23 +96,8 @@ fs::path baselineOf(const Plan& plan, const fs::path& folder, std::size_t scene)
   return hash.empty() ? fs::path() : requireHash(baselineFile(folder, scene), hash);
 }
 
-PlanLock::PlanLock(const fs::path& folder) : m_descriptor(openLock(folder / kLockFile)) {
-  while (m_descriptor >= 0) {
-    if (::flock(m_descriptor, LOCK_EX | LOCK_NB) != 0) {
-      if (errno != EWOULDBLOCK) return; // a file system without locks
-      ::close(m_descriptor);
-      throw base::Error(base::ExitCode::incomplete, folder.string(), "",
-                        "another process merges this plan; try again when it is done");
-    }
-    if (isSameFile(m_descriptor, folder / kLockFile)) return;
-    ::close(m_descriptor); // its owner has removed it just now
-    m_descriptor = openLock(folder / kLockFile);
-  }
-}
-
-PlanLock::~PlanLock() {
-  if (m_descriptor >= 0) ::close(m_descriptor);
-}
+PlanLock::PlanLock(const fs::path& folder)
+    : m_lock(folder / kLockFile, folder.string(), "another process merges this plan; try again when it is done") {}
 
 void writePlan(Plan& plan, const fs::path& folder) {
   if (holdsAnother(plan, folder))

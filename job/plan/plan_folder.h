@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 
+#include "base/file_lock.h"
 #include "job/plan/plan.h"
 
 namespace parity::job {
@@ -33,12 +34,9 @@ class PlanLock {
 public:
   // Throws Error (exit 75) where another process holds it.
   explicit PlanLock(const std::filesystem::path& folder);
-  ~PlanLock();
-  PlanLock(const PlanLock&) = delete;
-  PlanLock& operator=(const PlanLock&) = delete;
 
 private:
-  int m_descriptor;
+  base::FileLock m_lock;
 };
 
 } // namespace parity::job

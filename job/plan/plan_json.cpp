@@ -118,7 +118,7 @@ SceneRequest sceneFrom(const ordered_json& json, const Settings& plain) {
 }
 
 // Without what the merge is told: folder, bench and warningsFail.
-static_assert(base::memberCount<ReportRequest>() == 16, "a new member goes into the plan, or is named here");
+static_assert(base::memberCount<ReportRequest>() == 17, "a new member goes into the plan, or is named here");
 ordered_json toJson(const ReportRequest& request) {
   ordered_json again = ordered_json::array();
   for (const report::AgainCommand& each : request.again) again.push_back({each.scene, each.view, each.command});
@@ -133,7 +133,8 @@ ordered_json toJson(const ReportRequest& request) {
           {"pixelData", request.pixelData},
           {"singleFile", request.singleFile},
           {"commandLine", request.commandLine},
-          {"again", again}};
+          {"again", again},
+          {"sentinels", request.sentinels}};
 }
 ReportRequest requestFrom(const ordered_json& json) {
   ReportRequest request{.scenes = {},
@@ -155,6 +156,7 @@ ReportRequest requestFrom(const ordered_json& json) {
   } catch (const base::KnobError& error) {
     throw std::runtime_error(error.reason);
   }
+  request.sentinels = json.at("sentinels").get<std::vector<std::size_t>>();
   for (const ordered_json& each : json.at("again")) request.again.push_back({each.at(0), each.at(1), each.at(2)});
   return request;
 }
@@ -163,10 +165,10 @@ ordered_json toJson(const RunFacts& facts) {
   ordered_json conditions = ordered_json::array();
   for (const compare::Condition& c : facts.conditions)
     conditions.push_back({c.name, c.value, static_cast<int>(c.actsOn), c.words});
-  return {{"device", facts.device}, {"settings", facts.settings}, {"conditions", conditions}};
+  return {{"device", facts.device}, {"driver", facts.driver}, {"settings", facts.settings}, {"conditions", conditions}};
 }
 RunFacts factsFrom(const ordered_json& json) {
-  RunFacts facts{json.at("device"), json.at("settings"), {}};
+  RunFacts facts{json.at("device"), json.at("driver"), json.at("settings"), {}};
   for (const ordered_json& c : json.at("conditions")) {
     const int actsOn = c.at(2);
     if (actsOn < 0 || actsOn > static_cast<int>(compare::ActsOn::nothing)) throw std::runtime_error("a condition");
@@ -214,6 +216,7 @@ Plan planFromText(std::string_view text) {
   if (json.at("plan") != kFormat) throw std::runtime_error("its format is of another version");
   Plan plan{json.at("version"), json.at("build"), json.at("numerics"), {}, {}, {}, {}, {}, {}, {}, {}, {}};
   plan.facts = factsFrom(json.at("facts"));
+  plan.facts.build = plan.build, plan.facts.numerics = plan.numerics;
   plan.plain = plainFrom(json.at("plain"));
   plan.given = givenFrom(json.at("given"));
   plan.request = requestFrom(json.at("report"));

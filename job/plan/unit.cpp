@@ -41,7 +41,8 @@ struct Content {
 };
 
 struct RunPart {
-  double seconds = 0;
+  double seconds = 0, cpuSeconds = 0;
+  std::string machine;
   bool isCached = false;
   std::vector<StageTime> timings;
   std::vector<std::string> shaders;
@@ -71,7 +72,7 @@ template <> inline constexpr auto kRecord<job::Content> = record<job::Content>("
     hidden(&job::Content::result), hidden(&job::Content::leftOut), hidden(&job::Content::files), hidden(&job::Content::inputs),
     hidden(&job::Content::isLeftOut), hidden(&job::Content::materials), hidden(&job::Content::error), hidden(&job::Content::warnings));
 template <> inline constexpr auto kRecord<job::RunPart> = record<job::RunPart>("", "",
-    hidden(&job::RunPart::seconds), hidden(&job::RunPart::isCached), hidden(&job::RunPart::timings), hidden(&job::RunPart::shaders),
+    hidden(&job::RunPart::seconds), hidden(&job::RunPart::cpuSeconds), hidden(&job::RunPart::machine), hidden(&job::RunPart::isCached), hidden(&job::RunPart::timings), hidden(&job::RunPart::shaders),
     hidden(&job::RunPart::isGivenUp));
 template <> inline constexpr auto kRecord<job::UnitOrigin> = record<job::UnitOrigin>("", "",
     hidden(&job::UnitOrigin::plan), hidden(&job::UnitOrigin::build), hidden(&job::UnitOrigin::numerics), hidden(&job::UnitOrigin::index));
@@ -107,7 +108,7 @@ Content contentOf(const Unit& unit) {
 }
 
 RunPart runOf(const UnitRun& run) {
-  RunPart kept{run.seconds, run.isCached, {}, run.shaders, run.isGivenUp};
+  RunPart kept{run.seconds, run.cpuSeconds, run.machine, run.isCached, {}, run.shaders, run.isGivenUp};
   for (const auto& [stage, timeMs] : run.timings) kept.timings.push_back({stage, timeMs});
   return kept;
 }
@@ -128,6 +129,8 @@ Unit unitOf(Content content, RunPart run) {
   scene.error = std::move(content.error);
   scene.warnings = std::move(content.warnings);
   scene.seconds = unit.run.seconds = run.seconds;
+  scene.cpuSeconds = unit.run.cpuSeconds = run.cpuSeconds;
+  scene.machine = unit.run.machine = run.machine;
   scene.isCached = unit.run.isCached = run.isCached;
   for (const StageTime& time : run.timings) unit.run.timings.emplace_back(time.stage, time.timeMs);
   unit.run.shaders = std::move(run.shaders);

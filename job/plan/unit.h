@@ -14,7 +14,8 @@ namespace parity::job {
 
 // What differs from run to run: it is kept for run.json and never compared.
 struct UnitRun {
-  double seconds = 0;
+  double seconds = 0, cpuSeconds = 0;
+  std::string machine = {}; // its processor
   bool isCached = false;
   std::vector<std::pair<std::string, double>> timings = {}; // stage, ms
   std::vector<std::string> shaders = {};                    // that it was the first of its worker to compile

@@ -17,6 +17,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/log.h"
+#include "base/machine.h"
 #include "job/context.h"
 #include "job/kept_pictures.h"
 #include "job/plan/plan_folder.h"
@@ -48,15 +49,22 @@ public:
     std::vector<scenes::SourceFile> others = otherInputs(m_request.scenes[index].settings.scene);
     const auto before = m_context.timings().stages();
     const auto start = std::chrono::steady_clock::now();
+    const double cpuStart = base::cpuSeconds();
     ComparedScene scene = compareScene(m_context, m_request, index, m_budgets, tell);
     if (m_context.stoppedBy() != 0) return false;
     scene.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    scene.cpuSeconds = base::cpuSeconds() - cpuStart;
     if (!scene.isCached && scene.result.error.empty())
       keepSceneTime(m_context.cache(), m_request.scenes[index], scene.seconds);
     std::ranges::move(others, std::back_inserter(scene.inputs));
     dropPictures(scene, m_request.pictures, m_budgets.baseline(), m_plan.facts);
     if (!scene.error.empty()) base::logError(scene.error);
-    UnitRun run{scene.seconds, scene.isCached, timingsSince(before), newShaders()};
+    UnitRun run{.seconds = scene.seconds,
+                .cpuSeconds = scene.cpuSeconds,
+                .machine = base::processorName(),
+                .isCached = scene.isCached,
+                .timings = timingsSince(before),
+                .shaders = newShaders()};
     try {
       m_store.put(index, std::move(scene), std::move(run));
     } catch (const base::Error& error) { // a full disk: nothing of the scene's

@@ -19,6 +19,7 @@
 #include "job/scene/scene_inputs.h"
 #include "job/scene/scene_start.h"
 #include "job/scene/view_rows.h"
+#include "job/sentinels.h"
 #include "job/stopped.h"
 #include "job/view/view_attribution.h"
 #include "job/view/view_comparison.h"
@@ -68,13 +69,15 @@ public:
                           m_context.deviceReport().description()};
       const ResultWish wish = wishFor(index, *budgets);
       const std::optional<std::string> key = resultKey(m_context, conditions, wish);
-      if (std::optional<SceneRecord> cached = key ? recall(*key, index, judges, scene.inputs) : std::nullopt) {
+      std::optional<SceneRecord> cached = key ? recall(*key, index, judges, scene.inputs) : std::nullopt;
+      if (cached && !std::ranges::binary_search(m_request.sentinels, index)) {
         result = std::move(cached->result);
         scene.pictures = std::move(cached->pictures);
         scene.isCached = true;
       } else {
         scene.inputs.clear(); // recalling has read some
         measureScene(index, wish, key, judges, scene);
+        if (cached) requireSame(*cached, {result, prefixesOf(request, index), scene.pictures});
       }
       result.passes.push_back(attributionPass(request.settings.attribution, result));
     } catch (const Stopped& stopped) {

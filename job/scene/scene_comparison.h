@@ -19,7 +19,10 @@ struct ComparedScene {
   std::vector<EncodedPicture> pictures;   // that the result names: they are not written yet
   std::vector<scenes::SourceFile> inputs; // that it was read from, as far as it came
   double seconds = 0;                     // that it took
+  double cpuSeconds = 0;                  // of all threads; 0: not known
+  std::string machine = {};               // that compared it: its processor; empty: this one
   bool isCached = false;                  // taken from the cache, unchanged
+  bool isMissing = false;                 // nobody has compared it: its error says why
   bool isLeftOut = false;                 // one of several of which no material was asked for: it is not in the report
   std::vector<std::string> materials;     // of one that is left out: their names
   std::string error;                      // for the log; empty: none

@@ -60,6 +60,13 @@ std::string requestDigest(const SceneRequest& request, const Conditions& conditi
 
 } // namespace
 
+std::string digestOf(std::vector<compare::Condition> conditions) {
+  std::ranges::sort(conditions, {}, &compare::Condition::name);
+  base::Hasher hasher;
+  for (const compare::Condition& condition : conditions) hasher.add(condition.name).add(condition.value);
+  return digestOf(hasher);
+}
+
 std::optional<report::SceneInputs> inputsOf(const SceneRequest& request, const Conditions& conditions,
                                             const std::vector<scenes::SourceFile>& sources) {
   if (sources.empty() && !scenes::isBuiltin(request.scene)) return std::nullopt;

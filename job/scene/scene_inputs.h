@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "job/conditions.h"
@@ -14,5 +15,8 @@ namespace parity::job {
 // has no files, and counts by its name.
 std::optional<report::SceneInputs> inputsOf(const SceneRequest& request, const Conditions& conditions,
                                             const std::vector<scenes::SourceFile>& sources);
+
+// Of the conditions of a run: names and values, whatever their order. 12 hexadecimal digits.
+std::string digestOf(std::vector<compare::Condition> conditions);
 
 } // namespace parity::job

@@ -8,6 +8,7 @@
 
 #include "report/record/compare_records.h"
 #include "report/record/derived.h"
+#include "report/record/record_writer.h"
 #include "report/report.h"
 
 namespace parity::report {
@@ -53,7 +54,7 @@ template <> inline constexpr auto kRecord<ImageSet> = record<ImageSet>(
     "images", "Paths relative to the report's folder, '/'-separated; empty: none",
     field("reference", &ImageSet::reference, "", {.read = true, .mayLack = true}),
     field("test", &ImageSet::test, "", {.read = true, .mayLack = true}),
-    field("flip", &ImageSet::flip));
+    field("flip", &ImageSet::flip, "", {.read = true, .mayLack = true}));
 
 template <> inline constexpr auto kRecord<TermFigures> = record<TermFigures>(
     "termLight", "Mean scene-referred luminance over the material's pixels",
@@ -129,7 +130,8 @@ template <> inline constexpr auto kRecord<MaterialResult> = record<MaterialResul
     field("name", &MaterialResult::name, "", {.read = true}),
     hidden(&MaterialResult::test),
     field("verdict", &MaterialResult::verdict, "", {.kept = false, .read = true}),
-    field("reason", &MaterialResult::reason, "Reason of the verdict; empty for a pass", {.kept = false}),
+    field("reason", &MaterialResult::reason, "Reason of the verdict; empty for a pass",
+          {.kept = false, .read = true, .mayLack = true}),
     field("accepted", &MaterialResult::accepted,
           "What its budget or an approval accepts although it is no pass, with the reason; absent: nothing",
           {.kept = false, .ifEmpty = IfEmpty::absent}),
@@ -189,7 +191,8 @@ template <> inline constexpr auto kRecord<ViewResult> = record<ViewResult>(
     field("verdict", &ViewResult::verdict, "", {.kept = false, .read = true}),
     group("whole", "All pixels that show a material",
         field("verdict", &ViewResult::wholeVerdict, "", {.kept = false, .read = true}),
-        field("reason", &ViewResult::reason, "Reason of the verdict; empty for a pass", {.kept = false}),
+        field("reason", &ViewResult::reason, "Reason of the verdict; empty for a pass",
+              {.kept = false, .read = true, .mayLack = true}),
         field("accepted", &ViewResult::accepted,
               "What its budget or an approval accepts although it is no pass, with the reason; absent: nothing",
               {.kept = false, .ifEmpty = IfEmpty::absent}),
@@ -269,7 +272,13 @@ template <> inline constexpr auto kRecord<SceneResult> = record<SceneResult>(
     field("views", &SceneResult::views, "", {.read = true}),
     field("passes", &SceneResult::passes, "Work done for the scene in all views, and skipped work"),
     field("permutations", &SceneResult::permutations,
-          "The specialised shaders of the pictures, by path, in order of their first use"));
+          "The specialised shaders of the pictures, by path, in order of their first use"),
+    field("inputs", &SceneResult::inputs, "", {.read = true, .mayLack = true}));
+
+template <> inline constexpr auto kRecord<RunDigests> = record<RunDigests>(
+    "runDigests", "What decides the figures and verdicts of every scene: digests, in hexadecimal digits",
+    field("settings", &RunDigests::settings, "Of scenes that have no settings of their own", {.read = true}),
+    field("budgets", &RunDigests::budgets, "Of the text of the budget files; empty: the built-in ones", {.read = true}));
 
 template <> inline constexpr auto kRecord<GoneRow> = record<GoneRow>(
     "goneRow", "",
@@ -331,8 +340,8 @@ template <> inline constexpr auto kRecord<Setting> = record<Setting>(
 using Timing = std::pair<std::string, double>;
 template <> inline constexpr auto kRecord<Timing> = record<Timing>(
     "timing", "",
-    field("stage", &Timing::first),
-    field("timeMs", &Timing::second));
+    field("stage", &Timing::first, "", {.read = true}),
+    field("timeMs", &Timing::second, "", {.read = true}));
 
 using Schema = std::integral_constant<int, kReportSchema>;
 
@@ -344,7 +353,7 @@ template <> inline constexpr auto kRecord<Report> = record<Report>(
     computed("schema", [](const Report&) { return Schema(); }, "Version of this format"),
     field("tool", &Report::tool),
     field("version", &Report::version, "", {.read = true}),
-    field("suite", &Report::suite, "Name of the suite; empty: the run had none"),
+    field("suite", &Report::suite, "Name of the suite; empty: the run had none", {.read = true, .mayLack = true}),
     field("device", &Report::device, "Vulkan device name and driver", {.read = true}),
     field("verdict", &Report::verdict, "", {.read = true}),
     computed("headline", [](const Report& report) { return headline(report); }, "The whole report in a sentence"),
@@ -362,6 +371,7 @@ template <> inline constexpr auto kRecord<Report> = record<Report>(
           {.read = true, .ifEmpty = IfEmpty::absent}),
     field("settings", &Report::settings, "Settings of the run, in a fixed order", {.read = true}),
     field("conditions", &Report::conditions, "Conditions of every scene; the device is one more condition", {.read = true}),
+    field("digests", &Report::digests, "", {.read = true, .mayLack = true}),
     computed("statistics", [](const Report& report) { return figureWordsOf(report); },
              "Label, unit and digits of each figure in 'metrics' and 'checks', by its name"),
     field("scenes", &Report::scenes, "", {.read = true}));
@@ -374,23 +384,45 @@ template <> inline constexpr auto kRecord<AgainCommand> = record<AgainCommand>(
 
 template <> inline constexpr auto kRecord<SceneTime> = record<SceneTime>(
     "sceneTime", "Wall time of a scene, from its file or the cache to its figures and pictures",
-    field("scene", &SceneTime::scene),
-    field("seconds", &SceneTime::seconds, "", {.finite = true, .least = 0}));
+    field("scene", &SceneTime::scene, "", {.read = true}),
+    field("seconds", &SceneTime::seconds, "", {.read = true, .finite = true, .least = 0}),
+    field("cpuSeconds", &SceneTime::cpuSeconds,
+          "CPU time of all threads; 0: not known, because several scenes ran at a time in one process",
+          {.read = true, .mayLack = true, .finite = true, .least = 0}),
+    field("machine", &SceneTime::machine, "Processor; absent: that of 'origin'",
+          {.read = true, .ifEmpty = IfEmpty::absent}));
+
+template <> inline constexpr auto kRecord<RunOrigin> = record<RunOrigin>(
+    "origin", "What made the run",
+    field("build", &RunOrigin::build, "Hash of the program", {.read = true}),
+    field("driver", &RunOrigin::driver, "Driver of the device, with its version", {.read = true}),
+    field("numerics", &RunOrigin::numerics, "Numerics id: how the machine rounds; empty: not known", {.read = true}),
+    field("machine", &RunOrigin::machine, "Name of the processor; empty: not known", {.read = true}),
+    field("whole", &RunOrigin::isWhole, "false: with --only or --material", {.read = true}),
+    field("complete", &RunOrigin::isComplete, "false: a scene was not run, or has no result", {.read = true}),
+    field("cpuSeconds", &RunOrigin::cpuSeconds, "CPU time of this process and of its workers, all threads",
+          {.read = true, .finite = true, .least = 0}));
 
 template <> inline constexpr auto kRecord<RunInfo> = record<RunInfo>(
     "run", "Data that differs from run to run, so that it is not in the report",
     computed("schema", [](const RunInfo&) { return Schema(); }),
-    field("startedAt", &RunInfo::startedAt, "ISO 8601, UTC"),
+    field("startedAt", &RunInfo::startedAt, "ISO 8601, UTC", {.read = true}),
     field("commandLine", &RunInfo::commandLine),
-    field("numerics", &RunInfo::numerics, "Numerics id: how the machine rounds", {.read = true, .mayLack = true}),
-    field("timings", &RunInfo::timings),
+    field("timings", &RunInfo::timings, "", {.read = true, .mayLack = true}),
     field("compiledShaders", &RunInfo::compiledShaders, "Shaders of all paths; equal shaders count once"),
-    field("cachedScenes", &RunInfo::cachedScenes, "Scenes whose unchanged results came from the cache"),
+    field("cachedScenes", &RunInfo::cachedScenes, "Scenes whose unchanged results came from the cache", {.read = true}),
     field("again", &RunInfo::again, "For each view that was asked for"),
-    field("incidents", &RunInfo::incidents, "Crashes of workers after which a second try succeeded"),
-    field("sceneTimes", &RunInfo::sceneTimes, "Of each scene that was done; several scenes may run at a time"),
+    field("incidents", &RunInfo::incidents, "Crashes of workers after which a second try succeeded",
+          {.read = true, .mayLack = true}),
+    field("sceneTimes", &RunInfo::sceneTimes, "Of each scene that was done; several scenes may run at a time",
+          {.read = true, .mayLack = true}),
     field("warningsFail", &RunInfo::warningsFail,
-          "true: a warning alone makes the exit code 1 (--warn-exit), and its case in junit.xml fails"));
+          "true: a warning alone makes the exit code 1 (--warn-exit), and its case in junit.xml fails"),
+    field("origin", &RunInfo::origin, "", {.read = true, .mayLack = true}));
 
 // clang-format on
+
+template <> inline constexpr bool kIsOfScenes<std::vector<SceneResult> Report::*> = true;
+template <> inline constexpr bool kIsOfScenes<std::vector<AgainCommand> RunInfo::*> = true;
+
 } // namespace parity::report

@@ -1,0 +1,64 @@
+// What the index knows of a subject over the runs: its name, the lanes that follow one another, what it was in each.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "history/database.h"
+
+namespace parity::history {
+
+// A material of a view, a whole image (ordinal kWhole) or a scene (kScene, of history/index.h).
+struct SubjectRef {
+  std::int64_t id = 0, sceneId = 0;
+  std::string suite, scene, view, material;
+  int ordinal = 0;          // of a material: its number among namesakes of the view, from 0
+  std::string path() const; // "SCENE/VIEW/MATERIAL", "SCENE/VIEW" or "SCENE"; the second of a name: "MATERIAL (2)"
+};
+
+struct RunRef {
+  std::int64_t id = 0;
+  std::string name, started, branch, commit, verdict;
+};
+
+// Which runs are asked about. Empty: those of the newest run.
+struct Where {
+  std::optional<std::string> suite, branch;
+};
+
+// By its path. Throws Error (usage) with the nearest names where there is none.
+SubjectRef findSubject(const Database& index, const std::string& path, const Where& where);
+
+RunRef findRun(const Database& index, std::int64_t id);
+
+// A lane, and its last run that counts: what came later is in the lane that stands before it.
+struct LaneSpan {
+  std::int64_t lane = 0, lastRun = 0;
+};
+// The lane of the newest whole run of this suite and branch, then the one that it went on from, and so on. Empty: there
+// is none.
+std::vector<LaneSpan> lanesOf(const Database& index, const std::string& suite,
+                              const std::optional<std::string>& branch);
+
+// A value or a verdict from its first run to its last one, over all lanes.
+struct Interval {
+  std::int64_t firstRun = 0, lastRun = 0; // the last one that showed it
+  bool isNow = false;                     // the newest run of the lane still has it
+  double value = 0;
+  std::string verdict, reason, rule;
+};
+// metric: its id in the index. Oldest first; neighbours differ, or something was missing between them.
+std::vector<Interval> valuesOf(const Database& index, const std::vector<LaneSpan>& lanes, std::int64_t subject,
+                               std::int64_t metric);
+std::vector<Interval> statesOf(const Database& index, const std::vector<LaneSpan>& lanes, std::int64_t subject);
+
+struct MetricRef {
+  std::int64_t id = 0;
+  std::string name;
+};
+// That the subject has in any of these lanes, in the order in which they came up.
+std::vector<MetricRef> metricsOf(const Database& index, const std::vector<LaneSpan>& lanes, std::int64_t subject);
+
+} // namespace parity::history
