@@ -10,9 +10,11 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/log.h"
+#include "base/text/text.h"
 #include "cli/again.h"
 #include "cli/output.h"
 #include "job/sentinels.h"
+#include "report/approvals.h"
 #include "report/dashboard_files.h"
 #include "report/standing.h"
 #include "report/summary/summary.h"
@@ -101,6 +103,17 @@ void writeSummary(const SummaryTarget& target, const job::ReportResult& result) 
     appendStepSummary(report::toSummary(summary, target.format, options));
 }
 
+// Their rows pass, so that the table does not show them.
+void printExpiring(const report::Report& report) {
+  const std::vector<report::ExpiringApproval> expiring = report::expiringApprovals(report);
+  if (expiring.empty()) return;
+  const report::ExpiringApproval& first = expiring.front();
+  print("approvals that end within {} days, or have ended: {}; the first: {} of {} ({}, view {}), until {}, owner {}\n",
+        compare::kToldDaysBefore, expiring.size(), first.metric,
+        first.material.empty() ? "the whole image" : base::plainLine(first.material), first.scene, first.view,
+        first.approval->until, base::plainLine(first.approval->owner));
+}
+
 } // namespace
 
 int tellOutcome(const job::ReportResult& result, const VerdictOptions& verdict, bool isShown) {
@@ -112,6 +125,7 @@ int tellOutcome(const job::ReportResult& result, const VerdictOptions& verdict, 
       print("{} new failure{}, {} still failing, not counted\n", counts.isNew, counts.isNew == 1 ? "" : "s",
             counts.still);
   }
+  if (isShown) printExpiring(result.report);
   writeSummary(verdict.summary, result);
   return report::exitCode(result.report, verdict.warnExit, verdict.failOn);
 }

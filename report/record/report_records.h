@@ -272,8 +272,7 @@ template <> inline constexpr auto kRecord<SceneResult> = record<SceneResult>(
     field("views", &SceneResult::views, "", {.read = true}),
     field("passes", &SceneResult::passes, "Work done for the scene in all views, and skipped work"),
     field("permutations", &SceneResult::permutations,
-          "The specialised shaders of the pictures, by path, in order of their first use"),
-    field("inputs", &SceneResult::inputs, "", {.read = true, .mayLack = true}));
+          "The specialised shaders of the pictures, by path, in order of their first use"));
 
 template <> inline constexpr auto kRecord<RunDigests> = record<RunDigests>(
     "runDigests", "What decides the figures and verdicts of every scene: digests, in hexadecimal digits",

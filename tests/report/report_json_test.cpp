@@ -63,7 +63,7 @@ TEST(ReportJson, KeysStandInAFixedOrder) {
             "schema tool version suite device verdict headline counts wholeCounts displayTable problems warnings "
             "baseline settings conditions statistics scenes");
   EXPECT_EQ(keys(document["scenes"][0]),
-            "name source environment sun light conditions verdict error warnings views passes permutations");
+            "name source environment sun light conditions inputs verdict error warnings views passes permutations");
   EXPECT_EQ(keys(document["scenes"][0]["views"][0]),
             "name reference test width height conditions verdict whole materials images exposureEv pixels");
   EXPECT_EQ(

@@ -101,7 +101,8 @@ void expectEachKeyMatters(const json& schema, const json& document, const json::
                             key == "cost" || key == "light" ||
                             (key == "words" && name.find("/whatIf/") == std::string::npos) || key == "attribution" ||
                             key == "droppedLights" || name == "/statistics" || key == "whatIf" || key == "texture" ||
-                            key == "alphaCutoff" || name + "/" + key == "/scenes/0/materials";
+                            key == "alphaCutoff" || key == "notWhole" || name + "/" + key == "/scenes/0/materials" ||
+                            name + "/" + key == "/scenes/0/inputs";
       EXPECT_EQ(validate(schema, less).empty(), optional) << where.to_string() << "/" << key;
       json other = document;
       other.at(where)[key] = json::array({"wrong"});

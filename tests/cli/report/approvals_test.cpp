@@ -20,8 +20,11 @@ protected:
                             "-o", path("approvals.toml")},
                            more}));
   }
-  nlohmann::json firstRow(const std::string& folder) const {
-    return readReport(m_folder / folder)["scenes"][0]["views"][0]["materials"][0];
+  // The first material of which something is accepted. It may still warn, as small pictures are clipped.
+  nlohmann::json acceptedRow(const std::string& folder) const {
+    for (const nlohmann::json& row : readReport(m_folder / folder)["scenes"][0]["views"][0]["materials"])
+      if (row.contains("accepted")) return row;
+    return nullptr;
   }
   // Of a command line that means nothing.
   static void expectUsage(const RunResult& result, const std::vector<std::string>& parts) {
@@ -41,8 +44,9 @@ TEST_F(ApprovalsTest, WhatIsApprovedPassesUntilItsDay) {
   const RunResult passed = report("passed", judged);
   EXPECT_TRUE(exitedWith(0, passed));
   EXPECT_TRUE(contains(passed.out, "pass by accepted exceptions")) << passed.out;
-  const nlohmann::json row = firstRow("passed");
-  EXPECT_EQ(row["verdict"], "pass");
+  const nlohmann::json row = acceptedRow("passed");
+  ASSERT_FALSE(row.is_null());
+  EXPECT_NE(row["verdict"], "fail");
   EXPECT_TRUE(contains(row["accepted"], "approved until 2999-01-01 by characters: known (approvals.toml, line"));
   EXPECT_EQ(row["checks"][0]["approval"]["state"], "holds");
   EXPECT_EQ(readReport(m_folder / "passed")["approvals"]["asOf"], "2998-06-01");
