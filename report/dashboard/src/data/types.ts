@@ -33,6 +33,7 @@ export interface Report {
   baseline: Baseline | null; // The earlier report that this run was compared with
   settings: Setting[]; // Settings of the run, in a fixed order
   conditions: Condition[]; // Conditions of every scene; the device is one more condition
+  digests: RunDigests;
   statistics: Record<string, Statistic>; // Label, unit and digits of each figure in 'metrics' and 'checks', by its name
   scenes: Scene[];
 }
@@ -85,6 +86,12 @@ export interface Condition {
   words?: string; // The value in words; absent: the same as the value
 }
 
+/** What decides the figures and verdicts of every scene: hashes of 32 hexadecimal digits */
+export interface RunDigests {
+  settings: string; // Of scenes that have no settings of their own
+  budgets: string; // Of the text of the budget files; empty: the built-in ones
+}
+
 export interface Statistic {
   label: string; // Name in a sentence
   unit: string; // %: a share, which is 0 to 1 in this file
@@ -110,6 +117,7 @@ export interface Scene {
   views: View[];
   passes: Pass[]; // Work done for the scene in all views, and skipped work
   permutations: Permutation[]; // The specialised shaders of the pictures, by path, in order of their first use
+  inputs: Inputs;
 }
 
 /** What a material is made of */
@@ -384,6 +392,14 @@ export interface PermutationCost {
   openLoops: number; // Number of loops with unknown iteration count; their bodies count once
 }
 
+/** What the scene is made from: hashes of 32 hexadecimal digits; empty: there is none of it, or it was not read */
+export interface Inputs {
+  asset: string; // Files of the scene, by name and content; of a built-in scene its name
+  environment: string; // Content of the environment's file; of a built-in one its name
+  request: string; // Settings of the scene, and its views
+  bake: string; // Baked light
+}
+
 /** Data that differs from run to run, so that it is not in the report */
 export interface Run {
   schema: number;
@@ -395,6 +411,7 @@ export interface Run {
   again: AgainCommand[]; // For each view that was asked for
   incidents: string[]; // Crashes of workers after which a second try succeeded
   sceneTimes: SceneTime[]; // Of each scene that was done; several scenes may run at a time
+  origin: Origin;
 }
 
 export interface Timing {
@@ -413,4 +430,17 @@ export interface AgainCommand {
 export interface SceneTime {
   scene: string;
   seconds: number;
+  cpuSeconds: number; // CPU time of all threads; 0: not known, because several scenes ran at a time in one process
+  machine?: string; // Processor; absent: that of 'origin'
+}
+
+/** What made the run */
+export interface Origin {
+  build: string; // Hash of the program
+  driver: string; // Driver of the device, with its version
+  numerics: string; // Numerics id: how the machine rounds; empty: not known
+  machine: string; // Name of the processor; empty: not known
+  whole: boolean; // false: with --only or --material
+  complete: boolean; // false: a scene was not run, or has no result
+  cpuSeconds: number; // CPU time of this process and of its workers, all threads
 }
