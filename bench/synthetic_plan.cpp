@@ -29,7 +29,7 @@ void writeSyntheticUnits(const std::filesystem::path& folder, const ReportSize& 
   plan.version = base::kVersion;
   plan.build = job::hashOfThisBuild();
   plan.numerics = std::string(32, '0');
-  plan.facts = {report.device, report.settings, report.conditions};
+  plan.facts = {report.device, "driver", report.settings, report.conditions};
   plan.request.again = makeSyntheticRun(size).again;
   plan.shards.resize(1);
   for (std::size_t i = 0; i < report.scenes.size(); ++i) {

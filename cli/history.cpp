@@ -69,10 +69,9 @@ void tellAdded(const Store& store, const history::RunRecord& record, const histo
   const std::vector<history::Night> nights = history::nightsOf(store.index(), {}, 0);
   const auto night = std::ranges::find(nights, added.id, [](const history::Night& each) { return each.run.name; });
   if (night == nights.end()) return;
-  std::string what = !night->isWhole ? "a part of the scenes (--only or --material): it is kept, and not compared"
-                     : !store.index().number(fmt::format("SELECT before FROM run WHERE id={}", night->run.id))
-                         ? "the first run of its suite and branch"
-                         : describeEvents(night->events);
+  std::string what = !night->isWhole  ? "a part of the scenes (--only or --material): it is kept, and not compared"
+                     : night->isFirst ? "the first run of its suite and branch"
+                                      : describeEvents(night->events);
   if (!record.isComplete) what += "; it is incomplete: what was not done counts as unchanged";
   print("{}: {} rows; {}\n", added.id, night->rows, what);
   constexpr std::size_t kShown = 24;

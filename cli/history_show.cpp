@@ -41,7 +41,10 @@ void printNights(const std::vector<history::Night>& nights) {
     const std::string kind = !night.isWhole ? "a part; " : !night.isComplete ? "incomplete; " : "";
     print("{}  {:<12} {:<10} {:<6} {:>6} rows {:>5} fail {:>5} warn  {}{}\n", night.run.name,
           shownCommit(night.run.commit), base::plainLine(night.run.branch), night.run.verdict, night.rows, night.failed,
-          night.warned, kind, night.isWhole ? describeEvents(night.events) : "not compared");
+          night.warned, kind,
+          !night.isWhole  ? "not compared"
+          : night.isFirst ? "first of its suite and branch"
+                          : describeEvents(night.events));
   }
 }
 

@@ -337,8 +337,6 @@ struct Index::Adding {
       close(id, row->second, goneAfter(each.ordinal == kScene ? id : each.sceneId));
       now->rows.erase(row);
     }
-    for (const std::int64_t id : gone)
-      if (subject(id).ordinal == kScene) now->scenes.erase(id);
   }
   // A scene that was compared by this run has it as its last one already.
   std::int64_t goneAfter(std::int64_t sceneId) const {

@@ -7,7 +7,7 @@ namespace parity::history {
 std::vector<Night> nightsOf(const Database& index, const Where& where, std::size_t most) {
   Statement all =
       index.prepare("SELECT id, name, started, branch, commit_id, verdict, suite, machine, complete, whole, row_count, "
-                    "failed, warned FROM run "
+                    "failed, warned, before IS NULL FROM run "
                     "WHERE (?1 IS NULL OR suite=?2) AND (?3 IS NULL OR branch=?4) ORDER BY id DESC LIMIT ?5");
   const auto given = [](const std::optional<std::string>& text) {
     return text ? std::optional<std::int64_t>(1) : std::nullopt;
@@ -22,6 +22,7 @@ std::vector<Night> nightsOf(const Database& index, const Where& where, std::size
     night.isComplete = all.integer(8) != 0, night.isWhole = all.integer(9) != 0;
     night.rows = static_cast<std::size_t>(all.integer(10)), night.failed = static_cast<std::size_t>(all.integer(11));
     night.warned = static_cast<std::size_t>(all.integer(12));
+    night.isFirst = all.integer(13) != 0;
   }
   std::ranges::reverse(nights);
   Statement events = index.prepare("SELECT kind, count(*) FROM event WHERE run=? GROUP BY kind");

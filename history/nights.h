@@ -14,6 +14,7 @@ struct Night {
   RunRef run;
   std::string suite, machine;
   bool isComplete = true, isWhole = true;
+  bool isFirst = false; // there was no run that it could be compared with
   std::size_t rows = 0, failed = 0, warned = 0;
   std::map<std::string, std::size_t> events; // by kind
 };

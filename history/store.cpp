@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/log.h"
+#include "base/temporary_name.h"
 #include "history/index.h"
 #include "history/run_file.h"
 #include "history/schema.h"
@@ -85,6 +86,16 @@ void removeIndex(const fs::path& file) {
   for (const char* end : {"", "-journal", "-wal", "-shm"}) fs::remove(file.string() + end, none);
 }
 
+// What a killed process has not given its name yet; nobody else writes.
+void removeLeftovers(const fs::path& folder) {
+  std::error_code none;
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / kRunFolder, none))
+    if (base::ownNameOf(entry.path().filename().string())) files.push_back(entry.path());
+  for (const fs::path& file : files) fs::remove(file, none);
+  removeIndex(folder / kNewIndex);
+}
+
 } // namespace
 
 Store::Store(const fs::path& folder, For purpose) : m_folder(folder) {
@@ -97,6 +108,7 @@ Store::Store(const fs::path& folder, For purpose) : m_folder(folder) {
                           "is no history: it has no folder 'runs'; 'parity history add' makes one");
   }
   if (purpose != For::reading) m_lock.emplace(folder / kLockFile, folder.string(), kIsWritten);
+  if (m_lock) removeLeftovers(folder);
   if (purpose != For::rebuilding) update();
 }
 
@@ -155,6 +167,7 @@ void Store::makeIndex(const std::vector<std::string>& runs) {
   std::error_code error;
   fs::rename(made, file, error);
   if (error) throw base::fileError(file.string(), "cannot be written", error.message());
+  removeIndex(made); // its journal
 }
 
 Added Store::add(const RunRecord& record) {

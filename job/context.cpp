@@ -16,10 +16,13 @@
 namespace parity::job {
 
 std::string hashOfThisBuild() {
-  base::Hasher hasher;
-  hasher.add(base::readFile("/proc/self/exe"));
-  if (const auto module = base::imageModuleFile(); !module.empty()) hasher.add(base::readFile(module));
-  return hasher.hex();
+  static const std::string kHash = [] { // tens of megabytes: once
+    base::Hasher hasher;
+    hasher.add(base::readFile("/proc/self/exe"));
+    if (const auto module = base::imageModuleFile(); !module.empty()) hasher.add(base::readFile(module));
+    return hasher.hex();
+  }();
+  return kHash;
 }
 
 Context::Context(const Settings& settings)

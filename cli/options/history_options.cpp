@@ -116,8 +116,7 @@ void addHistoryOptions(CLI::App& app, RawHistoryOptions& raw) {
   add.add_option("--commit", raw.add.commit.commit, "Commit of the run" + otherwise)
       ->type_name("COMMIT")
       ->group(kInputGroup);
-  add.add_option("--commit-time", raw.add.commit.commitTime,
-                 "Time of the commit, such as 2026-11-25T03:00:12Z" + otherwise)
+  add.add_option("--commit-time", raw.add.commit.commitTime, "Time of the commit (2026-11-25T03:00:12Z)" + otherwise)
       ->type_name("TIME")
       ->group(kInputGroup);
   add.add_option("--repository", raw.add.repository, "Folder of the work tree that git is asked in")
@@ -143,8 +142,9 @@ void addHistoryOptions(CLI::App& app, RawHistoryOptions& raw) {
       ->group(kOutputGroup)
       ->check(wholeWithin(0, 1'000'000))
       ->capture_default_str();
-  show.add_flag("--timings", raw.show.timings,
-                "Show where the CPU time of a scene went up or down in the newest 100 runs, for each kind of processor")
+  show.add_flag(
+          "--timings", raw.show.timings,
+          "Show where the CPU time of a scene went up or down in the newest 100 runs,\nfor each kind of processor")
       ->group(kOutputGroup)
       ->excludes("subject");
   addJson(show, raw.show.json);

@@ -129,5 +129,25 @@ TEST(ChildProcess, AProgramThatIsNotThereIsAnError) {
 
 TEST(ChildProcess, AParentThatIsDeadIsTold) { EXPECT_FALSE(dieWithParent(1 << 30)); }
 
+TEST(RunToEnd, GivesOutputErrorsAndTheExitCode) {
+  const auto shell = findProgram("sh");
+  ASSERT_TRUE(shell);
+  const ProcessOutput output = runToEnd({*shell, "-c", "echo one; echo two >&2; printf three; exit 5"});
+  EXPECT_EQ(output.end.exitCode, 5);
+  EXPECT_EQ(output.lines, (std::vector<std::string>{"one", "three"}));
+  EXPECT_EQ(output.errors, std::vector<std::string>{"two"});
+  EXPECT_EQ(runToEnd({*shell, "-c", "kill -KILL $$"}).end.signal, SIGKILL);
+  std::size_t bytes = 0;
+  for (const std::string& line : runToEnd({*shell, "-c", "seq 200000"}).lines) bytes += line.size() + 1;
+  EXPECT_EQ(bytes, 1'288'895u) << "all of a long output";
+}
+
+TEST(FindProgram, LooksInPathAndTakesAPathAsItIs) {
+  EXPECT_FALSE(findProgram("no program has this name"));
+  EXPECT_FALSE(findProgram("/no/program"));
+  EXPECT_FALSE(findProgram("/"));
+  EXPECT_EQ(findProgram(findProgram("sh").value()), findProgram("sh"));
+}
+
 } // namespace
 } // namespace parity::base

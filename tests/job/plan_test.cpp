@@ -26,7 +26,7 @@ using base::TempFolder;
 Plan makePlanOfEverything() {
   Plan plan;
   plan.version = "1", plan.build = std::string(32, 'b'), plan.numerics = std::string(32, 'n');
-  plan.facts = {"llvmpipe", {{"size", "64x64"}}, {{"exposure", "1", compare::ActsOn::figures, "the exposure"}}};
+  plan.facts = {"llvmpipe", "Mesa", {{"size", "64x64"}}, {{"exposure", "1", compare::ActsOn::figures, "the exposure"}}};
   plan.plain.budgets = "run.toml";
   plan.plain.device = {"llvm", true};
   plan.plain.cacheFolder = "cache";
@@ -87,6 +87,8 @@ TEST(Plan, DigestSeesWhatDecidesTheReportAndNothingElse) {
       [](Plan& p) { p.build[0] = 'x'; },
       [](Plan& p) { p.numerics[0] = 'x'; },
       [](Plan& p) { p.facts.device += "2"; },
+      [](Plan& p) { p.facts.driver += "2"; },
+      [](Plan& p) { p.request.sentinels.push_back(0); },
       [](Plan& p) { p.plain.budgets.reset(); },
       [](Plan& p) { p.given.clear(); },
       [](Plan& p) { p.request.suite = "day"; },

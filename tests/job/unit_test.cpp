@@ -54,7 +54,12 @@ ComparedScene makeScene(const std::string& picture = "pixels of a picture", cons
 Unit makeUnit() {
   Unit unit{.scene = makeScene(), .files = {{"images/0-desk.png", std::string(32, 'p'), 19}}, .run = {}};
   unit.scene.pictures.clear();
-  unit.run = {1.5, true, {{"surface", 20}}, {"shader"}};
+  unit.run = {.seconds = 1.5,
+              .cpuSeconds = 2.5,
+              .machine = "a processor",
+              .isCached = true,
+              .timings = {{"surface", 20}},
+              .shaders = {"shader"}};
   return unit;
 }
 const UnitOrigin kOrigin{std::string(32, 'd'), kBuild, std::string(32, 'n'), 7};
@@ -89,7 +94,7 @@ TEST(Unit, ContentIsWhatTwoWorkersMustAgreeOn) {
   const auto contentOf = [](const Unit& unit) { return unitFromBytes(toBytes(unit, kOrigin), kBuild)->content; };
   const Unit unit = makeUnit();
   Unit slower = unit, other = unit;
-  slower.run = {9, false, {}, {}};
+  slower.run = {.seconds = 9};
   other.scene.result.views[0].name = "back";
   EXPECT_EQ(contentOf(slower), contentOf(unit));
   EXPECT_NE(contentOf(other), contentOf(unit));

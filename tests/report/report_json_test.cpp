@@ -61,7 +61,7 @@ TEST(ReportJson, KeysStandInAFixedOrder) {
   };
   EXPECT_EQ(keys(document),
             "schema tool version suite device verdict headline counts wholeCounts displayTable problems warnings "
-            "baseline settings conditions statistics scenes");
+            "baseline settings conditions digests statistics scenes");
   EXPECT_EQ(keys(document["scenes"][0]),
             "name source environment sun light conditions inputs verdict error warnings views passes permutations");
   EXPECT_EQ(keys(document["scenes"][0]["views"][0]),
@@ -183,7 +183,7 @@ TEST(ReportJson, RunInfoHoldsTimesAndNothingElseDoes) {
   EXPECT_EQ(run["sceneTimes"], ordered_json::array());
   RunInfo timed = makeSampleRun();
   timed.sceneTimes = {{"Lamp", 1.5}};
-  EXPECT_EQ(ordered_json::parse(toJson(timed))["sceneTimes"].dump(), R"([{"scene":"Lamp","seconds":1.5}])");
+  EXPECT_EQ(ordered_json::parse(toJson(timed))["sceneTimes"].dump(), R"([{"scene":"Lamp","seconds":1.5,"cpuSeconds":0}])");
   EXPECT_EQ(toJson(makeSampleReport()).find("2024-05-01"), std::string::npos);
 }
 

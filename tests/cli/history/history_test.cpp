@@ -146,7 +146,7 @@ TEST_F(HistoryCommandTest, TwoWritersAndAFullDiskAreTold) {
   ::close(lock);
   RunOptions full = failing("full runs", false);
   setStarted("2026-11-03T03:00:00Z");
-  expectRefused(history({"add", path("out")}, full), 4, {"runs", "cannot be written"});
+  expectRefused(history({"add", path("out")}, full), 4, {"runs", "No space left on device"});
   EXPECT_FALSE(contains(history({"show"}).out, "20261103"));
   EXPECT_TRUE(exitedWith(0, history({"add", path("out")})));
   EXPECT_TRUE(contains(history({"show"}).out, "20261103"));
@@ -172,6 +172,27 @@ TEST_F(HistoryCommandTest, PicturesOfStatesAreKeptAndCollected) {
   EXPECT_TRUE(exitedWith(0, history({"gc", "--as-of", "2026-11-25"})));
   EXPECT_EQ(pictures(), all) << "each run begins a lane of its own settings: all are first and last ones";
   EXPECT_TRUE(exitedWith(64, history({"gc", "--as-of", "tomorrow"})));
+}
+
+// One that differs: tests/job/sentinels_test.cpp.
+TEST_F(HistoryCommandTest, SentinelsAreComparedAnewAndEqualOnesChangeNothing) {
+  writeScenes(2);
+  const std::vector<std::string> cached = {"--suite", path("night.toml"), "--size", "32x32", "--cache", path("cache")};
+  const auto run = [&](const std::string& to, const std::vector<std::string>& more = {}) {
+    return runParity(join({{"report", "-o", path(to)}, cached, more}));
+  };
+  ASSERT_TRUE(isReported(run("first")));
+  ASSERT_TRUE(isReported(run("second", {"--sentinel", "--as-of", "2026-11-25"})));
+  EXPECT_TRUE(sameFiles(reportIn("second"), reportIn("first")));
+  const auto cachedScenes = [&](const std::string& folder) {
+    return nlohmann::json::parse(readWholeFile(m_folder / folder / "run.json"))["cachedScenes"].size();
+  };
+  EXPECT_EQ(cachedScenes("second"), 0u) << "both were compared";
+  ASSERT_TRUE(isReported(run("third")));
+  EXPECT_EQ(cachedScenes("third"), 2u);
+  ASSERT_TRUE(isReported(run("jobs", {"--jobs", "1", "--sentinel"})));
+  EXPECT_TRUE(sameFiles(reportIn("jobs"), reportIn("first")));
+  EXPECT_TRUE(exitedWith(64, run("wrong", {"--sentinel", "--as-of", "25.11.2026"})));
 }
 
 } // namespace

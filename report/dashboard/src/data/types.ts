@@ -35,6 +35,7 @@ export interface Report {
   only?: string[]; // Globs of the views that were asked for (--only); absent: all
   settings: Setting[]; // Settings of the run, in a fixed order
   conditions: Condition[]; // Conditions of every scene; the device is one more condition
+  digests: RunDigests;
   statistics: Record<string, Statistic>; // Label, unit and digits of each figure in 'metrics' and 'checks', by its name
   scenes: Scene[];
 }
@@ -94,6 +95,12 @@ export interface Condition {
   words?: string; // The value in words; absent: the same as the value
 }
 
+/** What decides the figures and verdicts of every scene: hashes of 32 hexadecimal digits */
+export interface RunDigests {
+  settings: string; // Of scenes that have no settings of their own
+  budgets: string; // Of the text of the budget files; empty: the built-in ones
+}
+
 export interface Statistic {
   label: string; // Name in a sentence
   unit: string; // %: a share, which is 0 to 1 in this file
@@ -120,6 +127,7 @@ export interface Scene {
   views: View[];
   passes: Pass[]; // Work done for the scene in all views, and skipped work
   permutations: Permutation[]; // The specialised shaders of the pictures, by path, in order of their first use
+  inputs: Inputs;
 }
 
 /** What decides the figures besides the settings of the run, as digests of 12 hexadecimal digits: equal content, equal digest */
@@ -416,6 +424,14 @@ export interface PermutationCost {
   openLoops: number; // Number of loops with unknown iteration count; their bodies count once
 }
 
+/** What the scene is made from: hashes of 32 hexadecimal digits; empty: there is none of it, or it was not read */
+export interface Inputs {
+  asset: string; // Files of the scene, by name and content; of a built-in scene its name
+  environment: string; // Content of the environment's file; of a built-in one its name
+  request: string; // Settings of the scene, and its views
+  bake: string; // Baked light
+}
+
 /** Data that differs from run to run, so that it is not in the report */
 export interface Run {
   schema: number;
@@ -429,6 +445,7 @@ export interface Run {
   incidents: string[]; // Crashes of workers after which a second try succeeded
   sceneTimes: SceneTime[]; // Of each scene that was done; several scenes may run at a time
   warningsFail: boolean; // true: a warning alone makes the exit code 1 (--warn-exit), and its case in junit.xml fails
+  origin: Origin;
 }
 
 export interface Timing {
@@ -447,4 +464,17 @@ export interface AgainCommand {
 export interface SceneTime {
   scene: string;
   seconds: number;
+  cpuSeconds: number; // CPU time of all threads; 0: not known, because several scenes ran at a time in one process
+  machine?: string; // Processor; absent: that of 'origin'
+}
+
+/** What made the run */
+export interface Origin {
+  build: string; // Hash of the program
+  driver: string; // Driver of the device, with its version
+  numerics: string; // Numerics id: how the machine rounds; empty: not known
+  machine: string; // Name of the processor; empty: not known
+  whole: boolean; // false: with --only or --material
+  complete: boolean; // false: a scene was not run, or has no result
+  cpuSeconds: number; // CPU time of this process and of its workers, all threads
 }
