@@ -22,7 +22,8 @@ protected:
   }
   // The first material of which something is accepted. It may still warn, as small pictures are clipped.
   nlohmann::json acceptedRow(const std::string& folder) const {
-    for (const nlohmann::json& row : readReport(m_folder / folder)["scenes"][0]["views"][0]["materials"])
+    const nlohmann::json report = readReport(m_folder / folder);
+    for (const nlohmann::json& row : report["scenes"][0]["views"][0]["materials"])
       if (row.contains("accepted")) return row;
     return nullptr;
   }
