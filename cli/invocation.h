@@ -275,9 +275,9 @@ using HistoryCommand = std::variant<HistoryAddCommand, HistoryRebuildCommand, Hi
 
 using Invocation =
     std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand, ListTermsCommand,
-                 FlipCommand, ApproveCommand, BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand, StressCommand,
-                 BakeCommand, DevicesCommand, InfoCommand, CacheCommand, SuiteListCommand, PlotCommand, KnobsCommand,
-                 VersionCommand, GuideCommand, HistoryCommand>;
+                 FlipCommand, ApproveCommand, BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand,
+                 StressCommand, BakeCommand, DevicesCommand, InfoCommand, CacheCommand, SuiteListCommand, PlotCommand,
+                 KnobsCommand, VersionCommand, GuideCommand, HistoryCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, a usage error) with its
 // exit code.

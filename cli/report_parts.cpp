@@ -76,8 +76,8 @@ job::ReportRequest reportRequest(const ReportCommand& command, const RunRequest&
   request.warningsFail = command.verdict.warnExit;
   request.again = againCommands(request.scenes, {command.suite, command.common.environments}, command.kept);
   if (command.sentinel)
-    request.sentinels = job::chooseSentinels(
-        request.scenes, request.asOf.empty() ? base::textOf(base::today()) : request.asOf);
+    request.sentinels =
+        job::chooseSentinels(request.scenes, request.asOf.empty() ? base::textOf(base::today()) : request.asOf);
   return request;
 }
 

@@ -44,7 +44,8 @@ public:
   std::vector<std::pair<std::string, Node>> members() const {
     if (!m_value.is_object()) refuse("is not an object");
     std::vector<std::pair<std::string, Node>> nodes;
-    for (const auto& [key, value] : m_value.items()) nodes.emplace_back(key, Node(value, m_file, m_place + "/" + key, m_depth));
+    for (const auto& [key, value] : m_value.items())
+      nodes.emplace_back(key, Node(value, m_file, m_place + "/" + key, m_depth));
     return nodes;
   }
   bool isNull() const { return m_value.is_null(); }

@@ -58,9 +58,9 @@ const std::vector<std::string> kCommon = {"--size",
                                           "--diffuse",
                                           "--compensation",
                                           "--off-specular"};
-const std::vector<std::string> kVerdict = {"--material", "--budgets",     "--json",           "--warn-exit",
-                                           "--terms",    "--baseline",    "--annotate",       "--metrics",
-                                           "--costs",    "--attribution", "--dropped-lights", "--what-if",
+const std::vector<std::string> kVerdict = {"--material",  "--budgets",     "--json",           "--warn-exit",
+                                           "--terms",     "--baseline",    "--annotate",       "--metrics",
+                                           "--costs",     "--attribution", "--dropped-lights", "--what-if",
                                            "--approvals", "--as-of",       "--fail-on",        "--summary"};
 
 void expectHelp(const std::vector<std::string>& arguments, const std::vector<std::string>& mentioned) {

@@ -146,14 +146,15 @@ TEST(Approve, ChecksAreReadOnlyWhereTheyAreAskedFor) {
   const base::TempFolder folder;
   base::writeText(folder / "report.json", toJson(report));
   RunInfo run;
-  run.numerics = std::string(32, 'a');
+  run.startedAt = "2026-11-25T03:00:12Z";
+  run.origin.numerics = std::string(32, 'a');
   base::writeText(folder / "run.json", toJson(run));
   EXPECT_TRUE(readReport(folder.path()).scenes[0].views[0].materials[0].checks.empty());
   const Report read = readReport(folder.path(), ReadDepth::checks);
   ASSERT_FALSE(read.scenes[0].views[0].checks.empty());
   EXPECT_EQ(read.scenes[0].views[0].checks[0].metric, "flip.mean");
   EXPECT_EQ(read.scenes[0].views[0].checks[0].verdict, compare::Verdict::fail);
-  EXPECT_EQ(readRunInfo(folder.path()).numerics, run.numerics);
+  EXPECT_EQ(readRun(folder.path()).origin.numerics, run.origin.numerics);
 }
 
 } // namespace

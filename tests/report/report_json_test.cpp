@@ -183,7 +183,8 @@ TEST(ReportJson, RunInfoHoldsTimesAndNothingElseDoes) {
   EXPECT_EQ(run["sceneTimes"], ordered_json::array());
   RunInfo timed = makeSampleRun();
   timed.sceneTimes = {{"Lamp", 1.5}};
-  EXPECT_EQ(ordered_json::parse(toJson(timed))["sceneTimes"].dump(), R"([{"scene":"Lamp","seconds":1.5,"cpuSeconds":0}])");
+  EXPECT_EQ(ordered_json::parse(toJson(timed))["sceneTimes"].dump(),
+            R"([{"scene":"Lamp","seconds":1.5,"cpuSeconds":0}])");
   EXPECT_EQ(toJson(makeSampleReport()).find("2024-05-01"), std::string::npos);
 }
 

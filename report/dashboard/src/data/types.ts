@@ -95,7 +95,7 @@ export interface Condition {
   words?: string; // The value in words; absent: the same as the value
 }
 
-/** What decides the figures and verdicts of every scene: hashes of 32 hexadecimal digits */
+/** What decides the figures and verdicts of every scene: digests, in hexadecimal digits */
 export interface RunDigests {
   settings: string; // Of scenes that have no settings of their own
   budgets: string; // Of the text of the budget files; empty: the built-in ones
@@ -127,7 +127,6 @@ export interface Scene {
   views: View[];
   passes: Pass[]; // Work done for the scene in all views, and skipped work
   permutations: Permutation[]; // The specialised shaders of the pictures, by path, in order of their first use
-  inputs: Inputs;
 }
 
 /** What decides the figures besides the settings of the run, as digests of 12 hexadecimal digits: equal content, equal digest */
@@ -424,20 +423,11 @@ export interface PermutationCost {
   openLoops: number; // Number of loops with unknown iteration count; their bodies count once
 }
 
-/** What the scene is made from: hashes of 32 hexadecimal digits; empty: there is none of it, or it was not read */
-export interface Inputs {
-  asset: string; // Files of the scene, by name and content; of a built-in scene its name
-  environment: string; // Content of the environment's file; of a built-in one its name
-  request: string; // Settings of the scene, and its views
-  bake: string; // Baked light
-}
-
 /** Data that differs from run to run, so that it is not in the report */
 export interface Run {
   schema: number;
   startedAt: string; // ISO 8601, UTC
   commandLine: string;
-  numerics: string; // Numerics id: how the machine rounds
   timings: Timing[];
   compiledShaders: number; // Shaders of all paths; equal shaders count once
   cachedScenes: string[]; // Scenes whose unchanged results came from the cache
