@@ -6,19 +6,6 @@
 
 namespace parity::base {
 
-namespace {
-
-double secondsOf(int who) {
-  rusage usage{};
-  getrusage(who, &usage);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-} // namespace
-
 std::string processorName() {
   std::ifstream in("/proc/cpuinfo");
   for (std::string line; std::getline(in, line);)
@@ -27,8 +14,13 @@ std::string processorName() {
   return {};
 }
 
-double cpuSeconds(bool withChildren) {
-  return secondsOf(RUSAGE_SELF) + (withChildren ? secondsOf(RUSAGE_CHILDREN) : 0);
+double cpuSeconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 } // namespace parity::base

@@ -8,7 +8,7 @@ namespace parity::base {
 // The processor's name for people, "AMD EPYC 7763 64-Core Processor"; empty where the system does not tell.
 std::string processorName();
 
-// CPU time of all threads of this process so far, seconds; with children: and of child processes that have ended.
-double cpuSeconds(bool withChildren = false);
+// CPU time of all threads of this process so far, seconds.
+double cpuSeconds();
 
 } // namespace parity::base

@@ -108,9 +108,8 @@ int run(const HistoryRebuildCommand& command) {
 int run(const HistoryGcCommand& command) {
   const base::Day today = command.asOf.empty() ? base::today() : base::dayFrom(command.asOf).value();
   const std::string since = base::textOf(today - std::chrono::days(command.days)) + "T00:00:00Z";
-  const Store store(command.folder, Store::For::writing);
-  const history::Collected collected =
-      history::collectPictures(store.index(), store.folder(), since, {}, command.isTrial);
+  const Store store(command.folder, Store::For::collecting);
+  const history::Collected collected = history::collectPictures(store.index(), store.folder(), since, command.isTrial);
   constexpr double kMegabyte = 1e6;
   print("{}: {} pictures ({:.1f} MB) {}removed, {} ({:.1f} MB) kept\n", command.folder, collected.removed,
         static_cast<double>(collected.removedBytes) / kMegabyte, command.isTrial ? "would be " : "", collected.kept,
@@ -126,6 +125,11 @@ int run(const HistoryBaselineCommand& command) {
     throw base::fileError(command.folder, "",
                           fmt::format("has no whole, complete run of a commit that '{}' and '{}' have in common",
                                       command.question.into, command.question.commit));
+  if (command.print != "run" && report::readRun(found->report).startedAt != found->run.started)
+    throw base::fileError(found->report, "",
+                          fmt::format("holds another run by now; {} was here when it was added (--print run prints "
+                                      "its name)",
+                                      found->run.name));
   if (command.print != "report") print("{}\n", found->run.name);
   if (command.print != "run") print("{}\n", found->report);
   return 0;

@@ -133,13 +133,15 @@ void printTimings(const std::vector<history::TimingStep>& steps) {
 int showHistory(const HistoryShowCommand& command) {
   const Store store(command.folder, Store::For::reading);
   if (command.timings) {
-    const std::vector<history::TimingStep> steps = history::timingSteps(store.index(), command.where, kTimedRuns);
+    const std::vector<history::TimingStep> steps =
+        history::timingSteps(store.index(), history::settled(store.index(), command.where), kTimedRuns);
     if (!command.json.empty()) writeJson(command.json, timingsJson(steps));
     if (command.json != "-") printTimings(steps);
     return 0;
   }
   if (command.subject.empty()) {
-    const std::vector<history::Night> nights = history::nightsOf(store.index(), command.where, command.last);
+    const std::vector<history::Night> nights =
+        history::nightsOf(store.index(), history::settled(store.index(), command.where), command.last);
     if (!command.json.empty()) writeJson(command.json, nightsJson(nights));
     if (command.json != "-") printNights(nights);
     return 0;
@@ -178,8 +180,9 @@ std::string blameJson(const history::Blame& blame) {
 
 // Digests by their first digits.
 std::string shownInput(const std::string& text) {
-  constexpr std::size_t kDigest = 32, kShown = 8;
-  const bool isDigest = text.size() == kDigest && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+  constexpr std::size_t kInputs = 12, kDigest = 32, kShown = 8; // of a scene's inputs; of a build
+  const bool isDigest = (text.size() == kInputs || text.size() == kDigest) &&
+                        text.find_first_not_of("0123456789abcdef") == std::string::npos;
   return text.empty() ? "none" : isDigest ? text.substr(0, kShown) : base::plainLine(text);
 }
 

@@ -1,4 +1,5 @@
 // parity history step: a commit judged for git bisect.
+#include <exception>
 #include <optional>
 #include <utility>
 
@@ -65,8 +66,8 @@ int stepHistory(const HistoryStepCommand& command) {
     return verdict.kind == history::StepVerdict::good  ? kGood
            : verdict.kind == history::StepVerdict::bad ? kBad
                                                        : kSkip;
-  } catch (const base::Error& error) {
-    base::logError(std::string("skip: ") + error.what());
+  } catch (const std::exception& error) { // any other exit code names a commit
+    base::logError("skip: " + base::wordsOf(error));
     return kSkip;
   }
 }

@@ -15,6 +15,7 @@ find_package(draco REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(SPIRV-Tools-opt REQUIRED)
 find_package(astcenc REQUIRED)
+find_package(SQLite3 REQUIRED)
 
 # NLopt's config names its C library only; the C++ one holds both.
 find_path(NLOPT_INCLUDE_DIR nlopt.hpp REQUIRED)

@@ -240,9 +240,11 @@ struct Index::Adding {
       ++changed;
       if (!told || values[i].metric == index.metricOf(kMainFigure)) told = i, then = at->value;
     }
-    if (changed > 0 || old->verdict != verdict) {
-      const std::string why = changed > 0 ? cause : judgingCause(makers(sceneId), index.makersOf(run));
-      const std::string kind = kindOf(changed > 0, why, old->verdict, verdict);
+    // A row that is seen now and was not, or the other way about, has no common figure.
+    const bool hasChanged = changed > 0 || old->values.empty() != values.empty();
+    if (hasChanged || old->verdict != verdict) {
+      const std::string why = hasChanged ? cause : judgingCause(makers(sceneId), index.makersOf(run));
+      const std::string kind = kindOf(hasChanged, why, old->verdict, verdict);
       if (told)
         event(id, kind, why, values[*told].metric, then, values[*told].value, changed);
       else
@@ -334,7 +336,8 @@ struct Index::Adding {
     for (const std::int64_t id : gone) {
       const Subject& each = subject(id);
       const auto row = now->rows.find(id);
-      close(id, row->second, goneAfter(each.ordinal == kScene ? id : each.sceneId));
+      const bool wasError = each.ordinal == kScene && row->second.verdict == nameOf(compare::Verdict::error);
+      close(id, row->second, wasError ? previous : goneAfter(each.ordinal == kScene ? id : each.sceneId));
       now->rows.erase(row);
     }
   }

@@ -1,6 +1,7 @@
 #include "history/pictures.h"
 
 #include <functional>
+#include <set>
 #include <system_error>
 
 #include "base/error.h"
@@ -49,7 +50,7 @@ void addHashes(std::set<std::string>& to, const PictureHashes& hashes) {
     if (!hash->empty()) to.insert(*hash);
 }
 
-// Calls visit(scene, view, material or "", ordinal, row).
+// Calls visit(scene, view, row); a whole image is a row, too.
 void forEachRow(const RunRecord& record,
                 const std::function<void(const SceneRecord&, const ViewRecord&, const RowRecord&)>& visit) {
   for (const SceneRecord& scene : record.scenes)
@@ -64,10 +65,9 @@ std::set<std::string> hashesInUse(const Database& index, const fs::path& history
   std::set<std::string> used;
   Statement first = index.prepare("SELECT reference, test, flip FROM state");
   while (first.step()) addHashes(used, {first.text(0), first.text(1), first.text(2)});
-  Statement runs =
-      index.prepare("SELECT id, name, started>=?1, lane IS NULL FROM run WHERE started>=?1 OR lane IS NULL OR "
-                    "id IN (SELECT last_run FROM state WHERE last_run IS NOT NULL) OR "
-                    "id IN (SELECT max(id) FROM run GROUP BY lane) ORDER BY id");
+  Statement runs = index.prepare("SELECT id, name, started>=?1 FROM run WHERE started>=?1 OR "
+                                 "id IN (SELECT last_run FROM state WHERE last_run IS NOT NULL) OR "
+                                 "id IN (SELECT max(id) FROM run GROUP BY lane) ORDER BY id");
   Statement ends =
       index.prepare("SELECT scene, view, material FROM state JOIN subject ON subject.id=subject WHERE last_run=?1 "
                     "OR (last_run IS NULL AND lane=(SELECT lane FROM run WHERE id=?1) AND "
@@ -106,10 +106,8 @@ void keepPictures(const fs::path& history, const fs::path& reportFolder, const r
     }
 }
 
-Collected collectPictures(const Database& index, const fs::path& history, const std::string& since,
-                          const std::set<std::string>& kept, bool isTrial) {
-  std::set<std::string> used = hashesInUse(index, history, since);
-  used.insert(kept.begin(), kept.end());
+Collected collectPictures(const Database& index, const fs::path& history, const std::string& since, bool isTrial) {
+  const std::set<std::string> used = hashesInUse(index, history, since);
   Collected collected;
   std::error_code error;
   const fs::path folder = history / kFolder;

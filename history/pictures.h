@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <set>
 #include <string>
 
 #include "history/database.h"
@@ -25,8 +24,8 @@ struct Collected {
 };
 
 // Removes pictures, but for those of runs since `since` (ISO 8601, UTC), and of the first and the last run of each
-// interval of a row's verdict; and `kept`. The history must be locked. isTrial: removes nothing. Throws Error.
+// interval of a row's verdict. The history must be locked. isTrial: removes nothing. Throws Error.
 Collected collectPictures(const Database& index, const std::filesystem::path& history, const std::string& since,
-                          const std::set<std::string>& kept, bool isTrial);
+                          bool isTrial);
 
 } // namespace parity::history

@@ -98,6 +98,31 @@ void removeLeftovers(const fs::path& folder) {
 
 } // namespace
 
+namespace {
+
+// What a run says of itself, whatever was told when it was added.
+std::string contentOf(RunRecord record) {
+  record.report.clear(), record.branch.clear(), record.commit.clear(), record.commitTime.clear();
+  for (SceneRecord& scene : record.scenes)
+    for (ViewRecord& view : scene.views) {
+      view.whole.pictures = {};
+      for (RowRecord& row : view.materials) row.pictures = {};
+    }
+  return encodeRun(record).id;
+}
+
+// A run of the same second with the same content: it was added by another command, or from another folder.
+std::optional<std::string> findSame(const fs::path& folder, const std::vector<std::string>& runs,
+                                    const RunRecord& record, const std::string& id) {
+  const std::string second = id.substr(0, id.find('-') + 1);
+  for (const std::string& each : runs)
+    if (each.starts_with(second) && each != id && contentOf(readRunFile(runFile(folder, each))) == contentOf(record))
+      return each;
+  return std::nullopt;
+}
+
+} // namespace
+
 Store::Store(const fs::path& folder, For purpose) : m_folder(folder) {
   std::error_code error;
   if (purpose == For::writing) {
@@ -114,7 +139,7 @@ Store::Store(const fs::path& folder, For purpose) : m_folder(folder) {
 
 // A reader of an index that is up to date takes no lock, and writes nothing.
 void Store::update() {
-  const std::vector<std::string> runs = listRuns(m_folder);
+  std::vector<std::string> runs = listRuns(m_folder);
   const fs::path file = m_folder / kIndexFile;
   std::error_code none;
   if (fs::exists(file, none) && !hasJournal(file)) {
@@ -126,7 +151,10 @@ void Store::update() {
     }
   }
   std::optional<base::FileLock> lock;
-  if (!m_lock) lockPatiently(lock, m_folder);
+  if (!m_lock) {
+    lockPatiently(lock, m_folder);
+    runs = listRuns(m_folder); // another process may have added one meanwhile
+  }
   const bool isThere = fs::exists(file, none);
   std::optional<std::size_t> known;
   if (isThere) {
@@ -173,6 +201,7 @@ void Store::makeIndex(const std::vector<std::string>& runs) {
 Added Store::add(const RunRecord& record) {
   const EncodedRun run = encodeRun(record);
   const std::vector<std::string> runs = listRuns(m_folder);
+  if (const std::optional<std::string> known = findSame(m_folder, runs, record, run.id)) return {*known, true};
   if (!base::writeOnce(runFile(m_folder, run.id), run.bytes)) return {run.id, true};
   try {
     if (runs.empty() || runs.back() < run.id) {

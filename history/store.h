@@ -23,8 +23,9 @@ struct Added {
 // schema is made, and that is said. One process at a time writes.
 class Store {
 public:
-  enum class For { reading, writing, rebuilding };
-  // `writing` makes the folder; `rebuilding` does not look at the index that is there. Throws Error: (exit 4) where
+  enum class For { reading, writing, collecting, rebuilding };
+  // `writing` makes the folder; `collecting` takes the lock of a history that is there; `rebuilding` does the same and
+  // does not look at the index. Throws Error: (exit 4) where
   // there is no history, or an index is damaged or of a newer version of parity, or it cannot be made; (exit 75) where
   // another process writes.
   Store(const std::filesystem::path& folder, For purpose);

@@ -69,6 +69,14 @@ std::string SubjectRef::path() const {
   return fmt::format("{}/{}/{}{}", scene, view, material, ordinal > 0 ? fmt::format(" ({})", ordinal + 1) : "");
 }
 
+Where settled(const Database& index, const Where& where) {
+  Where settled{where.suite ? *where.suite : newestSuite(index), where.branch};
+  if (settled.branch) return settled;
+  Statement newest = index.prepare("SELECT branch FROM run WHERE suite=? ORDER BY id DESC LIMIT 1");
+  if (newest.bind(*settled.suite).step()) settled.branch = newest.text(0);
+  return settled;
+}
+
 SubjectRef findSubject(const Database& index, const std::string& path, const Where& where) {
   const std::string suite = where.suite ? *where.suite : newestSuite(index);
   Statement find = index.prepare(

@@ -28,6 +28,9 @@ struct Where {
   std::optional<std::string> suite, branch;
 };
 
+// With what is empty filled in: the suite of the newest run, the branch of that suite's newest run.
+Where settled(const Database& index, const Where& where);
+
 // By its path. Throws Error (usage) with the nearest names where there is none.
 SubjectRef findSubject(const Database& index, const std::string& path, const Where& where);
 

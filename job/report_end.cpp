@@ -194,7 +194,7 @@ void ReportEnd::setOrigin(Context& context, report::RunOrigin& origin) const {
   }
   origin.machine = base::processorName();
   origin.isWhole = m_request.only.empty() && context.settings().materials.empty();
-  origin.cpuSeconds += base::cpuSeconds(true);
+  origin.cpuSeconds += base::cpuSeconds();
 }
 
 ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Progress& progress) {

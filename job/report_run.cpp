@@ -96,8 +96,7 @@ ReportResult runReport(Context& context, const ReportRequest& request, const Pro
   if (request.baseline.empty()) budgets.requireLevels();
   ReportEnd end(request, budgets, factsOf(context));
   Run(context, request, budgets, end, progress).compareScenes();
-  report::RunInfo run;
-  return end.finish(context, std::move(run), progress);
+  return end.finish(context, {}, progress);
 }
 
 } // namespace parity::job

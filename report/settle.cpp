@@ -50,7 +50,7 @@ struct JudgedCheck {
 JudgedCheck judgeCheck(const compare::CheckResult& check) {
   using compare::ApprovalState, compare::Verdict;
   JudgedCheck judged{check.verdict, compare::describeCheck(check), {}};
-  if (!check.approval) return judged;
+  if (!check.approval || !check.judged()) return judged;
   const compare::AppliedApproval& approval = *check.approval;
   const bool isOver = check.verdict == Verdict::warn || check.verdict == Verdict::fail;
   const bool isLoose = approval.state == ApprovalState::loose; // that is worth a word whatever the limits say

@@ -12,6 +12,7 @@
 #include "base/file_size_limit.h"
 #include "history/history_folder.h"
 #include "history/nights.h"
+#include "history/pictures.h"
 #include "history/run_file.h"
 #include "history/synthetic_nights.h"
 
@@ -64,7 +65,67 @@ TEST_F(StoreTest, TheSameRunAgainChangesNothing) {
   EXPECT_FALSE(store.add(record).isKnown);
   const std::string before = dumpOf(index());
   EXPECT_TRUE(store.add(record).isKnown);
+  history::RunRecord again = record; // from another folder, after a commit, with pictures
+  again.report = "elsewhere", again.commit = "another", again.scenes[0].views[0].whole.pictures.flip = "picture";
+  EXPECT_TRUE(store.add(again).isKnown);
   EXPECT_EQ(dumpOf(index()), before);
+  again.scenes[0].views[0].whole.reason = "another";
+  EXPECT_FALSE(store.add(again).isKnown) << "another run of the same second";
+}
+
+TEST_F(StoreTest, OnlyPicturesOfIntervalsAndOfRecentRunsStay) {
+  Nights nights({});
+  Store store = writer();
+  const auto pictureOf = [&](char digit) {
+    return folder() / "pictures" / std::string(2, digit) / (std::string(32, digit) + ".png");
+  };
+  for (const char digit : {'a', 'b', 'c', 'd', 'e'}) { // of one state
+    nights.state().scenes[0].views[0].whole.pictures.flip = std::string(32, digit);
+    fs::create_directories(pictureOf(digit).parent_path());
+    base::writeText(pictureOf(digit), "a picture");
+    store.add(nights.next());
+  }
+  const std::string since = "2026-01-04T00:00:00Z"; // the night of 'd'
+  const history::Collected trial = history::collectPictures(store.index(), folder(), since, true);
+  EXPECT_EQ(trial.removed, 2u);
+  EXPECT_EQ(trial.removedBytes, 18u);
+  EXPECT_TRUE(fs::exists(pictureOf('b')));
+  EXPECT_EQ(history::collectPictures(store.index(), folder(), since, false).removed, 2u);
+  for (const char digit : {'a', 'b', 'c', 'd', 'e'})
+    EXPECT_EQ(fs::exists(pictureOf(digit)), digit != 'b' && digit != 'c') << digit;
+}
+
+TEST_F(StoreTest, CollectingMakesNoHistory) {
+  base::expectError([&] { Store(folder(), Store::For::collecting); }, folder().string(), "is no history");
+  EXPECT_FALSE(fs::exists(folder()));
+}
+
+TEST_F(StoreTest, ASceneThatIsGoneAfterAnErrorLeavesNoIntervalThatEndsBeforeItBegins) {
+  Nights nights({});
+  Store store = writer();
+  for (int i = 0; i < 3; ++i) store.add(nights.next());
+  history::SceneRecord& scene = nights.state().scenes.back();
+  scene.error = "cannot be read", scene.verdict = compare::Verdict::error, scene.views.clear();
+  for (int i = 0; i < 2; ++i) store.add(nights.next());
+  nights.state().scenes.pop_back();
+  store.add(nights.next());
+  for (const char* table : {"state", "value"})
+    EXPECT_EQ(store.index().number("SELECT count(*) FROM " + std::string(table) + " WHERE last_run<first_run"), 0);
+  expectSameWhenRebuilt(store);
+}
+
+TEST_F(StoreTest, ARowThatVanishesNamesTheInputThatChanged) {
+  Nights nights({});
+  Store store = writer();
+  store.add(nights.next());
+  nights.state().scenes[0].inputs.asset = "another";
+  history::RowRecord& row = nights.state().scenes[0].views[0].materials[0];
+  row.figures.clear(), row.verdict = compare::Verdict::notSeen;
+  store.add(nights.next());
+  const auto run = history::nightsOf(store.index(), {}, 1).back().run.id;
+  const std::vector<history::Event> events = history::eventsOf(store.index(), run);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].cause, "asset");
 }
 
 TEST_F(StoreTest, AnOlderRunIsPutInItsPlace) {

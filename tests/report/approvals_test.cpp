@@ -135,6 +135,20 @@ TEST(Approvals, EachRuleOfTheVerdictHolds) {
   }
 }
 
+TEST(Approvals, ACheckThatCouldNotBeJudgedIsNotCovered) {
+  MaterialResult row;
+  row.figures = makeFigures(0.25, 4000);
+  compare::CheckResult& check = row.checks.emplace_back();
+  check.metric = "flip.mean", check.regress = true, check.verdict = Verdict::warn;
+  check.approval.emplace().words = "";
+  settleMaterial(row, false);
+  EXPECT_EQ(row.verdict, Verdict::pass) << "it was judged: " << row.reason;
+  check.unjudged = "new: the baseline does not have it";
+  settleMaterial(row, false);
+  EXPECT_EQ(row.verdict, Verdict::warn);
+  EXPECT_NE(row.reason.find("no check of its budget could be judged"), std::string::npos) << row.reason;
+}
+
 TEST(Approvals, WholeImagesHaveEntriesOfTheirOwn) {
   Report report = makeReport(0.01);
   report.scenes[0].views[0].whole = makeFigures(0.25, 9000);

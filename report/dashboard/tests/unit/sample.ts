@@ -38,6 +38,6 @@ export function makeReport(scenes: Scene[]): Report {
   const counts = { pass: 0, notSeen: 0, tooSmall: 0, notJudged: 0, warn: 0, fail: 0, error: 0 };
   return {
     schema: kSchema, tool: "parity", version: "0", suite: "", device: "device", verdict: "pass", headline: "", displayTable: "", counts, wholeCounts: counts,
-    problems: [], warnings: [], baseline: null, settings: [], conditions: [], statistics: {}, scenes,
+    problems: [], warnings: [], baseline: null, settings: [], conditions: [], digests: { settings: "", budgets: "" }, statistics: {}, scenes,
   };
 }
