@@ -160,9 +160,8 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       ->type_name(kFile)
       ->group(kInputGroup)
       ->excludes("scene");
-  addVerdictOptions(
-      diffApp, diff.verdict, rawOutcome,
-      "Show all rows of the table. Default: all of up to 24, else those that failed, warned or could not be judged");
+  addVerdictOptions(diffApp, diff.verdict, rawOutcome,
+                    "Show all rows. Default: all of up to 24, else those that failed, warned or could not be judged");
   addOnlyOption(diffApp, diff.common.only);
   diffApp
       .add_option("--json", diff.common.json,

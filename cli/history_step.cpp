@@ -10,6 +10,7 @@
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/process.h"
+#include "base/text/error_words.h"
 #include "base/text/text.h"
 #include "cli/history_parts.h"
 #include "cli/output.h"

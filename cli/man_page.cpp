@@ -46,11 +46,21 @@ std::string paragraphs(std::string_view text) {
   return out;
 }
 
+// A list of choices may be longer than a line.
+std::string breakable(const std::string& value) {
+  std::string text;
+  for (const char c : value) {
+    text += c;
+    if (c == ',') text += "\\:";
+  }
+  return text;
+}
+
 std::string optionEntry(const OptionText& option) {
   std::vector<std::string> names;
   for (const std::string& name : option.names) names.push_back(fmt::format("\\fB{}\\fR", roff(name)));
   std::string text = fmt::format(".TP\n{}", fmt::join(names, ", "));
-  if (!option.value.empty()) text += fmt::format(" \\fI{}\\fR", roff(option.value));
+  if (!option.value.empty()) text += fmt::format(" \\fI{}\\fR", breakable(roff(option.value)));
   text += "\n" + paragraphs(option.help + ".");
   std::vector<std::string> more;
   if (option.isRequired) more.emplace_back("Required.");

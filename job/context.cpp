@@ -1,9 +1,13 @@
 #include "job/context.h"
 
 #include <filesystem>
+#include <fstream>
+#include <span>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "base/error.h"
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/image/image_io.h"
@@ -15,11 +19,25 @@
 
 namespace parity::job {
 
+namespace {
+
+// In pieces: glibc's allocator learns from the largest buffer that is freed. After one of 17 MB it would keep textures
+// of 2048 x 2048 in its heap instead of giving their memory back.
+void addFile(base::Hasher& hasher, const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::vector<char> piece(std::size_t{1} << 20);
+  while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())) || in.gcount() > 0)
+    hasher.add(std::as_bytes(std::span(piece).first(static_cast<std::size_t>(in.gcount()))));
+  if (!in.eof()) throw base::fileError(file.string(), "", "cannot be read");
+}
+
+} // namespace
+
 std::string hashOfThisBuild() {
   static const std::string kHash = [] { // tens of megabytes: once
     base::Hasher hasher;
-    hasher.add(base::readFile("/proc/self/exe"));
-    if (const auto module = base::imageModuleFile(); !module.empty()) hasher.add(base::readFile(module));
+    addFile(hasher, "/proc/self/exe");
+    if (const auto module = base::imageModuleFile(); !module.empty()) addFile(hasher, module);
     return hasher.hex();
   }();
   return kHash;

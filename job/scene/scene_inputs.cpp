@@ -61,6 +61,9 @@ std::string requestDigest(const SceneRequest& request, const Conditions& conditi
 } // namespace
 
 std::string digestOf(std::vector<compare::Condition> conditions) {
+  std::erase_if(conditions, [](const compare::Condition& each) {
+    return each.actsOn != compare::ActsOn::figures && each.actsOn != compare::ActsOn::wholes;
+  });
   std::ranges::sort(conditions, {}, &compare::Condition::name);
   base::Hasher hasher;
   for (const compare::Condition& condition : conditions) hasher.add(condition.name).add(condition.value);

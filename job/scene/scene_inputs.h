@@ -16,7 +16,7 @@ namespace parity::job {
 std::optional<report::SceneInputs> inputsOf(const SceneRequest& request, const Conditions& conditions,
                                             const std::vector<scenes::SourceFile>& sources);
 
-// Of the conditions of a run: names and values, whatever their order. 12 hexadecimal digits.
+// Of those conditions of a run that act on figures: names and values, whatever their order. 12 hexadecimal digits.
 std::string digestOf(std::vector<compare::Condition> conditions);
 
 } // namespace parity::job

@@ -97,7 +97,8 @@ TEST_F(ExitCodeTest, Is2WhereAnAssetHasLostAMaterialThatHasToBeSeen) {
   EXPECT_TRUE(exitedWith(1, warned));
   ASSERT_EQ(linesOf(warned.err).size(), 1u) << warned.err;
   EXPECT_TRUE(warned.err.starts_with("warning: hero.toml: a rule judges nothing")) << warned.err;
-  EXPECT_TRUE(contains(readWholeFile(folder / "junit.xml"), "<system-out>warning: hero.toml: a rule judges nothing"));
+  EXPECT_TRUE(contains(readWholeFile(folder / "junit.xml"),
+                       "<failure type=\"warning\" message=\"hero.toml: a rule judges nothing"));
 }
 
 // The highest that applies wins.

@@ -140,6 +140,16 @@ TEST_F(ApprovalsTest, SummaryGoesToItsFileAndToTheStepsOwn) {
   expectUsage(report("out", {"--summary-format", "slack"}), {"--summary"});
 }
 
+TEST_F(ApprovalsTest, SummaryOfADiff) {
+  const std::string url = "https://example.com/out";
+  const RunResult result = runParity({"diff", "builtin:spheres", "--sun", "30,50,4", "--size", "64x64", "--summary",
+                                      path("diff.json"), "--summary-format", "slack", "--pictures-url", url});
+  EXPECT_TRUE(result.exitCode == 0 || result.exitCode == 2) << result.err;
+  EXPECT_TRUE(nlohmann::json::parse(readWholeFile(m_folder / "diff.json"))["blocks"].is_array());
+  expectUsage(runParity({"diff", "builtin:spheres", "--summary", path("s.md"), "--pictures-url", "javascript:x"}),
+              {"--pictures-url"});
+}
+
 TEST_F(ApprovalsTest, FailOnNewCountsOnlyWhatTheBaselineDoesNotHave) {
   ASSERT_TRUE(exitedWith(2, report("old")));
   const RunResult same = report("out", {"--baseline", path("old"), "--fail-on", "new"});

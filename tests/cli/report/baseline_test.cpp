@@ -106,7 +106,8 @@ TEST_F(BaselineTest, OfASuiteSceneByScene) {
     return report(folder, join({{"--suite", path("suite.toml")}, more}));
   };
   const std::vector<std::string> held = {"--baseline", path("old"), "--warn-exit"};
-  ASSERT_EQ(run("old", "", "orbit = [0, 80, 2]\n", {}).exitCode, 4);
+  ASSERT_EQ(run("old", "", "orbit = [0, 80, 2]\n", {}).exitCode, 4) << "regressions alone, and no baseline";
+  ASSERT_NE(runParity(join({{"report", "--suite", path("suite.toml")}, kSmall, {"-o", path("old")}})).exitCode, 4);
   EXPECT_TRUE(exitedWith(0, run("new", "", "orbit = [0, 80, 2]\n", held)));
   expectNotComparable(run("new", "", "orbit = [0, 80, 2.5]\n", held), "new", "orbit was 0,80,2, is 0,80,2.5");
   const json two = readReport(m_folder / "new")["scenes"][1]["views"][0];
