@@ -14,10 +14,10 @@ namespace parity::cli {
 namespace {
 
 // "env": a scene has its own of several. The last ones change no figure.
-constexpr std::array<std::string_view, 18> kNotKept = {
-    "suite",    "only",       "env",     "json",           "annotate",     "all",
-    "csv",      "quiet",      "timings", "verbose",        "threads",      "cache",
-    "no-cache", "cache-size", "summary", "summary-format", "pictures-url", "fail-on"};
+constexpr std::array<std::string_view, 19> kNotKept = {
+    "suite",   "only",           "env",          "json",    "annotate", "all",      "csv",
+    "quiet",   "timings",        "verbose",      "threads", "cache",    "no-cache", "cache-size",
+    "summary", "summary-format", "pictures-url", "fail-on", "history"};
 
 // What begins with '-' would be an option of its own.
 void add(std::vector<std::string>& words, const std::string& option, const std::string& value) {

@@ -122,9 +122,10 @@ int run(const HistoryBaselineCommand& command) {
   const std::optional<history::BaselineRun> found =
       history::findBaseline(store.index(), history::Git(command.repository), command.question);
   if (!found)
-    throw base::fileError(command.folder, "",
-                          fmt::format("has no whole, complete run of a commit that '{}' and '{}' have in common",
-                                      command.question.into, command.question.commit));
+    throw base::fileError(
+        command.folder, "",
+        fmt::format("has no whole, complete run without an error of a commit that '{}' and '{}' have in common",
+                    command.question.into, command.question.commit));
   if (command.print != "run" && report::readRun(found->report).startedAt != found->run.started)
     throw base::fileError(found->report, "",
                           fmt::format("holds another run by now; {} was here when it was added (--print run prints "

@@ -45,6 +45,7 @@ struct SummaryTarget {
   std::string file; // empty: there is none
   report::SummaryFormat format = report::SummaryFormat::github;
   std::string picturesUrl; // of the report's folder; empty: no pictures
+  std::string history;     // folder; empty: the baseline says what is new
 };
 
 struct VerdictOptions {

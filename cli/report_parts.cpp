@@ -13,6 +13,8 @@
 #include "base/text/text.h"
 #include "cli/again.h"
 #include "cli/output.h"
+#include "history/row_history.h"
+#include "history/store.h"
 #include "job/sentinels.h"
 #include "report/approvals.h"
 #include "report/dashboard_files.h"
@@ -93,9 +95,24 @@ void appendStepSummary(const std::string& text) {
   if (!out) throw base::fileError(file, "", "the summary cannot be appended");
 }
 
+// A history that cannot be used costs nothing that was computed: then the baseline says what is new.
+report::Summary summarize(const SummaryTarget& target, const job::ReportResult& result) {
+  if (!target.history.empty()) try {
+      const history::Store store(target.history, history::Store::For::reading);
+      const history::RowHistory rows(store.index(), result.report, result.run.startedAt);
+      return report::summarize(result.report, result.run,
+                               [&](const auto& scene, const auto& view, const report::MaterialResult* material) {
+                                 return rows.of(scene, view, material);
+                               });
+    } catch (const base::Error& error) {
+      base::logWarning(fmt::format("the summary is made without the history: {}", error.what()));
+    }
+  return report::summarize(result.report, result.run);
+}
+
 void writeSummary(const SummaryTarget& target, const job::ReportResult& result) {
   if (target.file.empty()) return;
-  const report::Summary summary = report::summarize(result.report, result.run);
+  const report::Summary summary = summarize(target, result);
   report::SummaryOptions options{.mostBytes = report::kMostCommentBytes, .picturesUrl = target.picturesUrl};
   base::writeText(target.file, report::toSummary(summary, target.format, options));
   options.mostBytes = report::kMostStepSummaryBytes;

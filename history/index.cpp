@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
 #include <utility>
 
 #include "compare/pooling/statistic.h"
+#include "history/run_adding.h"
 
 namespace parity::history {
 
 namespace {
 
-constexpr const char *kMainFigure = "flip.mean", *kSceneStage = "scene";
-
-bool isFailing(const std::string& verdict) {
-  return verdict == nameOf(compare::Verdict::fail) || verdict == nameOf(compare::Verdict::error);
-}
-
-bool isSame(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+constexpr const char* kSceneStage = "scene";
 
 std::string keyOf(const std::string& scene, const std::string& view, const std::string& material, int ordinal) {
   return scene + '\0' + view + '\0' + material + '\0' + std::to_string(ordinal);
@@ -25,14 +19,6 @@ std::string keyOf(const std::string& scene, const std::string& view, const std::
 
 std::string nameOfBetter(compare::Better better) {
   return better == compare::Better::lower ? "lower" : better == compare::Better::higher ? "higher" : "near zero";
-}
-
-// Of the events, the one that says most about a row.
-std::string kindOf(bool hasChanged, const std::string& cause, const std::string& before, const std::string& now) {
-  if (hasChanged && cause.empty()) return "nondeterministic";
-  if (isFailing(now) && !isFailing(before)) return "regressed";
-  if (isFailing(before) && !isFailing(now)) return "fixed";
-  return "changed";
 }
 
 } // namespace
@@ -138,239 +124,22 @@ const Makers& Index::makersOf(std::int64_t run) {
   return m_makers.emplace(run, std::move(makers)).first->second;
 }
 
-// One run on its way into the index.
-struct Index::Adding {
-  Index& index;
-  const RunRecord& record;
-  std::int64_t run = 0, previous = 0;                         // previous: that it is compared with
-  Lane* before = nullptr;                                     // null: the first of its suite and branch
-  Lane* now = nullptr;                                        // may be the same
-  std::unordered_set<std::int64_t> compared = {}, known = {}; // scenes: that were compared, that the run has
-  std::vector<std::int64_t> added = {};                       // subjects that are new
-
-  const Subject& subject(std::int64_t id) const { return index.m_subjects.at(id); }
-
-  void event(std::int64_t about, const std::string& kind, const std::string& cause,
-             const std::optional<std::int64_t>& metric = {}, double then = NAN, double here = NAN,
-             std::size_t changed = 0) {
-    index.m_insertEvent.run(run, about, kind, cause, metric, then, here, changed);
-  }
-
-  void insertState(std::int64_t id, Row& row, const std::string& verdict, const std::string& reason,
-                   const std::string& rule, const PictureHashes& pictures) {
-    row.firstRun = run, row.verdict = verdict, row.rule = rule;
-    index.m_insertState.run(now->id, id, run, verdict, reason, rule, pictures.reference, pictures.test, pictures.flip);
-  }
-
-  // lastSeen: the run that showed the subject last.
-  void close(std::int64_t id, const Row& row, std::int64_t lastSeen) {
-    index.m_closeState.run(lastSeen, now->id, id, row.firstRun);
-    for (const OpenValue& value : row.values)
-      index.m_closeValue.run(lastSeen, now->id, id, value.metric, value.firstRun);
-  }
-
-  // Of a scene: that it could be compared, or why not.
-  void addSceneState(std::int64_t id, const SceneRecord& scene, const std::string& cause) {
-    const std::string verdict = nameOf(scene.error.empty() ? compare::Verdict::pass : compare::Verdict::error);
-    const Row* old = findOld(id);
-    const char* worse = scene.error.starts_with("its worker failed") ? "crashed"
-                        : scene.error.starts_with("sentinel:")       ? "nondeterministic"
-                                                                     : "regressed";
-    if (old && old->verdict != verdict)
-      event(id, scene.error.empty() ? "fixed" : worse, cause);
-    else if (!old && before && !scene.error.empty())
-      event(id, worse, cause);
-    if (!old) added.push_back(id);
-    if (old && before == now && old->verdict == verdict) return;
-    if (old && before == now)
-      index.m_closeState.run(old->verdict == nameOf(compare::Verdict::error) ? previous : lastSeenOf(id), now->id, id,
-                             old->firstRun);
-    Row& row = now->rows[id];
-    row.seenBy = run;
-    insertState(id, row, verdict, scene.error, "", {});
-  }
-
-  // Its own last run: while the scene has errors nothing of it is seen.
-  std::int64_t lastSeenOf(std::int64_t sceneId) const {
-    const auto found = before->scenes.find(sceneId);
-    return found == before->scenes.end() ? previous : found->second.lastRun;
-  }
-
-  // What it was before; counted as seen.
-  const Row* findOld(std::int64_t id) const {
-    if (!before) return nullptr;
-    const auto found = before->rows.find(id);
-    if (found == before->rows.end()) return nullptr;
-    found->second.seenBy = run;
-    return &found->second;
-  }
-
-  void addRow(std::int64_t id, std::int64_t sceneId, const RowRecord& record_, const std::string& cause,
-              std::int64_t lastSeen) {
-    const std::string verdict = nameOf(record_.verdict);
-    std::vector<OpenValue> values;
-    values.reserve(record_.figures.size());
-    for (const compare::Figure& figure : record_.figures)
-      values.push_back({index.metricOf(figure.name), run, figure.value});
-    std::ranges::sort(values, {}, &OpenValue::metric);
-    const Row* old = findOld(id);
-    if (!old) {
-      added.push_back(id);
-      Row& row = now->rows[id];
-      row.seenBy = run;
-      insertState(id, row, verdict, record_.reason, record_.rule, record_.pictures);
-      for (const OpenValue& value : values) index.m_insertValue.run(now->id, id, value.metric, run, value.value);
-      row.values = std::move(values);
-      return;
-    }
-    // What both have, and what one alone has: --metrics may be another list.
-    std::optional<std::size_t> told;
-    std::size_t changed = 0;
-    double then = NAN;
-    std::vector<bool> isKept(values.size());
-    auto at = old->values.begin();
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      while (at != old->values.end() && at->metric < values[i].metric) ++at;
-      if (at == old->values.end() || at->metric != values[i].metric) continue;
-      if (isSame(at->value, values[i].value)) {
-        isKept[i] = before == now;
-        if (isKept[i]) values[i].firstRun = at->firstRun;
-        continue;
-      }
-      ++changed;
-      if (!told || values[i].metric == index.metricOf(kMainFigure)) told = i, then = at->value;
-    }
-    // A row that is seen now and was not, or the other way about, has no common figure.
-    const bool hasChanged = changed > 0 || old->values.empty() != values.empty();
-    if (hasChanged || old->verdict != verdict) {
-      const std::string why = hasChanged ? cause : judgingCause(makers(sceneId), index.makersOf(run));
-      const std::string kind = kindOf(hasChanged, why, old->verdict, verdict);
-      if (told)
-        event(id, kind, why, values[*told].metric, then, values[*told].value, changed);
-      else
-        event(id, kind, why);
-    }
-    Row& row = now->rows[id]; // may be *old
-    const bool hasSameState = before == now && old->verdict == verdict && old->rule == record_.rule;
-    row.seenBy = run;
-    if (before == now)
-      for (const OpenValue& value : old->values) {
-        const auto same = std::ranges::find(values, value.metric, &OpenValue::metric);
-        if (same == values.end() || same->firstRun == run)
-          index.m_closeValue.run(lastSeen, now->id, id, value.metric, value.firstRun);
-      }
-    if (!hasSameState) {
-      if (before == now) index.m_closeState.run(lastSeen, now->id, id, old->firstRun);
-      insertState(id, row, verdict, record_.reason, record_.rule, record_.pictures);
-    }
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (!isKept[i]) index.m_insertValue.run(now->id, id, values[i].metric, run, values[i].value);
-    row.values = std::move(values);
-  }
-
-  const Makers& makers(std::int64_t sceneId) const { return index.makersOf(lastSeenOf(sceneId)); }
-
-  void addScene(const SceneRecord& scene) {
-    if (scene.verdict == compare::Verdict::notRun) return known.insert(sceneIdOf(scene)), void();
-    const std::int64_t sceneId = sceneIdOf(scene);
-    known.insert(sceneId);
-    std::string cause;
-    const bool wasSeen = before && before->scenes.contains(sceneId);
-    if (wasSeen)
-      cause = causesOf(makers(sceneId), before->scenes.at(sceneId).inputs, index.makersOf(run), scene.inputs);
-    const std::int64_t lastSeen = wasSeen ? lastSeenOf(sceneId) : previous;
-    addSceneState(sceneId, scene, cause);
-    if (!scene.error.empty()) return; // what a scene that failed shows is not known
-    compared.insert(sceneId);
-    for (const ViewRecord& view : scene.views) {
-      Subject whole{scene.name, view.name, "", kWhole, sceneId, 0};
-      const std::int64_t wholeId = index.subjectOf(record.suite, whole);
-      addRow(wholeId, sceneId, view.whole, cause, lastSeen);
-      std::unordered_map<std::string, int> namesakes;
-      for (const RowRecord& material : view.materials) {
-        const Subject subject_{scene.name, view.name, material.name, namesakes[material.name]++, sceneId, wholeId};
-        addRow(index.subjectOf(record.suite, subject_), sceneId, material, cause, lastSeen);
-      }
-    }
-    addInputs(sceneId, scene.inputs);
-  }
-
-  std::int64_t sceneIdOf(const SceneRecord& scene) const {
-    return index.subjectOf(record.suite, {scene.name, "", "", kScene, 0, 0});
-  }
-
-  void addInputs(std::int64_t sceneId, const report::SceneInputs& inputs) {
-    SceneNow& scene = now->scenes[sceneId];
-    const report::SceneInputs& old = scene.inputs;
-    const bool isSameAsBefore = scene.firstRun != 0 && old.asset == inputs.asset &&
-                                old.environment == inputs.environment && old.request == inputs.request &&
-                                old.bake == inputs.bake;
-    scene.previousRun = std::exchange(scene.lastRun, run);
-    if (isSameAsBefore) return index.m_extendInput.run(run, now->id, sceneId, scene.firstRun);
-    scene.inputs = inputs, scene.firstRun = run;
-    index.m_insertInput.run(now->id, sceneId, run, run, inputs.asset, inputs.environment, inputs.request, inputs.bake);
-  }
-
-  // One event for a whole scene or view.
-  void addNewAndGone() {
-    if (!before) return;
-    const auto tell = [&](const std::vector<std::int64_t>& ids, const std::string& kind) {
-      const std::unordered_set<std::int64_t> all(ids.begin(), ids.end());
-      for (const std::int64_t id : ids) {
-        const Subject& each = subject(id);
-        if (all.contains(each.sceneId) || (each.ordinal != kWhole && all.contains(each.wholeId))) continue;
-        event(id, kind, "");
-      }
-    };
-    tell(added, "new");
-    std::vector<std::int64_t> gone;
-    for (const auto& [id, row] : before->rows) {
-      if (row.seenBy == run) continue;
-      const Subject& each = subject(id);
-      const std::int64_t sceneId = each.ordinal == kScene ? id : each.sceneId;
-      if (compared.contains(sceneId) || (!known.contains(sceneId) && record.isComplete)) gone.push_back(id);
-    }
-    std::ranges::sort(gone);
-    tell(gone, "gone");
-    if (before != now) return;
-    for (const std::int64_t id : gone) {
-      const Subject& each = subject(id);
-      const auto row = now->rows.find(id);
-      const bool wasError = each.ordinal == kScene && row->second.verdict == nameOf(compare::Verdict::error);
-      close(id, row->second, wasError ? previous : goneAfter(each.ordinal == kScene ? id : each.sceneId));
-      now->rows.erase(row);
-    }
-  }
-  // A scene that was compared by this run has it as its last one already.
-  std::int64_t goneAfter(std::int64_t sceneId) const {
-    const std::int64_t last = lastSeenOf(sceneId);
-    return last == run ? before->scenes.at(sceneId).previousRun : last;
-  }
-
-  void addCrashes() {
-    for (const std::string& incident : record.incidents)
-      for (const SceneRecord& scene : record.scenes)
-        if (incident.starts_with(scene.name + ": flaky crash")) {
-          event(sceneIdOf(scene), "crashed", "flaky");
-          break;
-        }
-  }
-};
-
 std::int64_t Index::insertRun(const RunRecord& record, const std::string& name, std::optional<std::int64_t> lane,
                               std::optional<std::int64_t> before) {
-  std::int64_t rows = 0, failed = 0, warned = 0;
-  for (const SceneRecord& scene : record.scenes)
+  std::int64_t rows = 0, failed = 0, warned = 0, broken = 0;
+  for (const SceneRecord& scene : record.scenes) {
+    broken += scene.error.empty() ? 0 : 1;
     for (const ViewRecord& view : scene.views)
       for (const RowRecord& row : view.materials) {
         ++rows;
         failed += row.verdict == compare::Verdict::fail || row.verdict == compare::Verdict::error ? 1 : 0;
         warned += row.verdict == compare::Verdict::warn ? 1 : 0;
       }
+  }
   m_database.prepare("INSERT INTO run VALUES(NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")
       .run(name, record.started, record.suite, record.branch, record.commit, record.commitTime, record.version,
            record.build, record.device, record.driver, record.numerics, record.machine, record.settings, record.budgets,
-           record.report, record.isComplete, record.isWhole, nameOf(record.verdict), rows, failed, warned, lane,
+           record.report, record.isComplete, record.isWhole, nameOf(record.verdict), rows, failed, warned, broken, lane,
            before);
   return m_database.lastId();
 }
@@ -384,6 +153,21 @@ void Index::insertTimings(Adding& adding) {
                          scene.isCached, scene.machine.empty() ? adding.record.machine : scene.machine);
   for (const auto& [stage, timeMs] : adding.record.stages)
     m_insertTiming.run(adding.run, 0, stage, NAN, timeMs, false, adding.record.machine);
+}
+
+// Whether the run has compared a scene that the index knows and this lane does not: it failed in the lane's first run.
+bool Index::lacksAny(const Lane& lane, const RunRecord& record) const {
+  return std::ranges::any_of(record.scenes, [&](const SceneRecord& scene) {
+    const auto known = m_ids.find(keyOf(scene.name, "", "", kScene));
+    return scene.error.empty() && known != m_ids.end() && !lane.scenes.contains(known->second);
+  });
+}
+
+std::optional<std::int64_t> Index::laneBefore(std::int64_t lane) const {
+  Statement first = m_database.prepare(
+      "SELECT (SELECT lane FROM run AS b WHERE b.id=run.before) FROM run WHERE lane=? ORDER BY id LIMIT 1");
+  if (!first.bind(lane).step() || first.isNull(0)) return std::nullopt;
+  return first.integer(0);
 }
 
 void Index::add(const RunRecord& record, const std::string& name) {
@@ -404,13 +188,15 @@ void Index::add(const RunRecord& record, const std::string& name) {
   }
   const std::int64_t run = insertRun(record, name, lane, before);
   Adding adding{*this, record, run, before.value_or(0)};
-  std::optional<Lane> other, fresh;
+  std::optional<Lane> other, fresh, older;
   if (before && beforeLane == lane) {
     adding.before = adding.now = &load(lane);
   } else {
     if (before) adding.before = &other.emplace(read(beforeLane));
     adding.now = &fresh.emplace(Lane{lane, {}, {}});
   }
+  if (adding.before && lacksAny(*adding.before, record))
+    if (const std::optional<std::int64_t> from = laneBefore(beforeLane)) adding.older = &older.emplace(read(*from));
   for (const SceneRecord& scene : record.scenes) adding.addScene(scene);
   adding.addNewAndGone();
   adding.addCrashes();

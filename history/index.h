@@ -49,7 +49,7 @@ private:
     std::unordered_map<std::int64_t, Row> rows;        // by subject
     std::unordered_map<std::int64_t, SceneNow> scenes; // by subject
   };
-  struct Adding; // of one run (index.cpp)
+  struct Adding; // of one run (history/run_adding.h)
 
   std::int64_t laneOf(const RunRecord& record);
   std::int64_t metricOf(const std::string& name);
@@ -58,6 +58,8 @@ private:
   Lane read(std::int64_t lane) const;
   const Makers& makersOf(std::int64_t run);
   void loadSubjects(const std::string& suite);
+  bool lacksAny(const Lane& lane, const RunRecord& record) const;
+  std::optional<std::int64_t> laneBefore(std::int64_t lane) const; // the one that it went on from
   std::int64_t insertRun(const RunRecord& record, const std::string& name, std::optional<std::int64_t> lane,
                          std::optional<std::int64_t> before);
   void insertTimings(Adding& adding);

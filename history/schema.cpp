@@ -21,7 +21,8 @@ CREATE TABLE run(id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, started TEXT
   branch TEXT NOT NULL, commit_id TEXT NOT NULL, commit_time TEXT NOT NULL, version TEXT NOT NULL, build TEXT NOT NULL,
   device TEXT NOT NULL, driver TEXT NOT NULL, numerics TEXT NOT NULL, machine TEXT NOT NULL, settings TEXT NOT NULL,
   budgets TEXT NOT NULL, report TEXT NOT NULL, complete INTEGER NOT NULL, whole INTEGER NOT NULL, verdict TEXT NOT NULL,
-  row_count INTEGER NOT NULL, failed INTEGER NOT NULL, warned INTEGER NOT NULL, lane INTEGER, before INTEGER);
+  row_count INTEGER NOT NULL, failed INTEGER NOT NULL, warned INTEGER NOT NULL, broken INTEGER NOT NULL,
+  lane INTEGER, before INTEGER);
 CREATE INDEX run_of_lane ON run(lane, id);
 CREATE INDEX run_of_commit ON run(commit_id);
 CREATE TABLE subject(id INTEGER PRIMARY KEY, suite TEXT NOT NULL, scene TEXT NOT NULL, view TEXT NOT NULL,

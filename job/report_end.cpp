@@ -188,7 +188,7 @@ void ReportEnd::setOrigin(Context& context, report::RunOrigin& origin) const {
   origin.driver = m_facts.driver;
   origin.numerics = m_facts.numerics;
   try {
-    if (origin.numerics.empty() && !m_request.folder.empty()) origin.numerics = context.numerics();
+    if (origin.numerics.empty()) origin.numerics = context.numerics();
   } catch (const base::Error& error) {
     base::logDetail(fmt::format("the numerics id is not known: {}", error.what()));
   }
@@ -213,7 +213,7 @@ ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Prog
   report.settings = m_facts.settings;
   report.conditions = m_facts.conditions;
   report.digests = {digestOf(m_facts.conditions), m_budgets.digestOf(m_request.scenes)};
-  setOrigin(context, result.run.origin);
+  if (!m_request.folder.empty()) setOrigin(context, result.run.origin);
   report.warnings = m_warnings;
   if (m_scenes.size() > 1) leaveOut(m_scenes, context.settings().materials, report);
   std::vector<EncodedPicture> pictures; // not written yet

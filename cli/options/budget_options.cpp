@@ -57,6 +57,12 @@ void addOutcomeOptions(CLI::App& app, VerdictOptions& verdict, RawOutcome& raw) 
       ->group(kOutputGroup)
       ->needs(summary)
       ->capture_default_str();
+  app.add_option("--history", verdict.summary.history,
+                 "Folder of parity history: the summary says by its runs what is new, fixed and flaky, and for how\n"
+                 "many nights a row fails. Default: by --baseline")
+      ->type_name(kFolder)
+      ->group(kOutputGroup)
+      ->needs(summary);
   app.add_option("--pictures-url", verdict.summary.picturesUrl,
                  "Address of the report's folder: the summary shows pictures from there. Default: no pictures")
       ->type_name("URL")

@@ -86,6 +86,8 @@ private:
     if (baseline && baseline->isNew && !(material && material->seenElsewhere)) m_new.push_back(line);
     const RowStanding row = m_find ? m_find(scene, view, material) : standingOf(view, material);
     if (row.standing == Standing::none) return;
+    m_knowsBefore = m_knowsBefore || row.standing == Standing::isNew || row.standing == Standing::still ||
+                    row.standing == Standing::fixed;
     const bool isOver = isFailure(material ? material->verdict : view.wholeVerdict);
     const std::string& accepted = material ? material->accepted : view.accepted;
     line.why = row.standing == Standing::accepted ? accepted : material ? material->reason : view.reason;

@@ -58,6 +58,9 @@ TEST_F(GitTest, ABranchIsHeldAgainstTheNewestWholeRunThatItHasInCommonWithItsTar
   add(commits[3], true, false); // a part
   add(commits[4], true, true);  // is not in the branch
   add(own, true, true);         // is not in its target
+  history::RunRecord broken = nights.next();
+  broken.commit = commits[2], broken.scenes[0].error = "cannot be read";
+  store.add(broken);
   const auto found = history::findBaseline(store.index(), git, {});
   ASSERT_TRUE(found);
   EXPECT_EQ(found->run.name, wanted);

@@ -1,6 +1,7 @@
 // A history's folder: what is killed, damaged, removed or in use at the same time.
 #include <csignal>
 #include <fstream>
+#include <map>
 
 #include <sqlite3.h>
 #include <sys/wait.h>
@@ -112,6 +113,33 @@ TEST_F(StoreTest, ASceneThatIsGoneAfterAnErrorLeavesNoIntervalThatEndsBeforeItBe
   for (const char* table : {"state", "value"})
     EXPECT_EQ(store.index().number("SELECT count(*) FROM " + std::string(table) + " WHERE last_run<first_run"), 0);
   expectSameWhenRebuilt(store);
+}
+
+TEST_F(StoreTest, ASceneThatFailedInTheFirstRunOfALaneIsComparedWithTheLaneBefore) {
+  Nights nights({});
+  Store store = writer();
+  for (int i = 0; i < 2; ++i) store.add(nights.next());
+  const history::SceneRecord whole = nights.state().scenes.back();
+  nights.state().settings = std::string(12, 'f');
+  history::SceneRecord& scene = nights.state().scenes.back();
+  scene.error = "cannot be read", scene.verdict = compare::Verdict::error, scene.views.clear();
+  store.add(nights.next());
+  nights.state().scenes.back() = whole;
+  history::RowRecord& row = nights.state().scenes.back().views[0].materials[0];
+  row.verdict = compare::Verdict::fail, figureOf(row, "flip.mean") = 0.5;
+  nights.state().scenes.back().views[0].materials.pop_back(); // which the lane before has
+  store.add(nights.next());
+  std::map<std::string, int> kinds;
+  for (const history::Event& event :
+       history::eventsOf(store.index(), history::nightsOf(store.index(), {}, 1).back().run.id)) {
+    ++kinds[event.kind];
+    if (event.kind == "regressed") EXPECT_EQ(event.cause, "settings");
+  }
+  EXPECT_EQ(kinds, (std::map<std::string, int>{{"fixed", 1}, {"regressed", 1}, {"gone", 1}}))
+      << "the scene can be compared again; a row is worse than in the lane before, and one is missing";
+  expectSameWhenRebuilt(store);
+  store.add(nights.next());
+  EXPECT_TRUE(history::eventsOf(store.index(), history::nightsOf(store.index(), {}, 1).back().run.id).empty());
 }
 
 TEST_F(StoreTest, ARowThatVanishesNamesTheInputThatChanged) {

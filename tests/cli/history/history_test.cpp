@@ -91,6 +91,25 @@ TEST_F(HistoryCommandTest, RequestAndSettingsAreCauses) {
   EXPECT_EQ(causes(blame(row)), std::vector<std::string>{"settings"});
 }
 
+TEST_F(HistoryCommandTest, ASummaryCountsTheNightsOfARow) {
+  writeScenes(1);
+  write("zero.toml",
+        "[[material]]\nname = \"*\"\nmin_pixels = 1\nchecks = [ { metric = \"flip.mean\", fail = 1e-6 } ]\n");
+  const std::vector<std::string> strict = {"--budgets", path("zero.toml")};
+  for (const int night : {1, 2}) {
+    report(strict);
+    addNight(night);
+  }
+  report(join({strict, {"--summary", path("s.md"), "--history", path("history")}}));
+  const std::string summary = readWholeFile(m_folder / "s.md");
+  EXPECT_TRUE(contains(summary, "### Still failing")) << summary;
+  EXPECT_TRUE(contains(summary, "3 nights")) << summary;
+  const RunResult none = runParity(join(
+      {{"report", "-o", path("out")}, options(), strict, {"--summary", path("s.md"), "--history", path("nowhere")}}));
+  EXPECT_TRUE(contains(none.err, "the summary is made without the history")) << none.err;
+  EXPECT_TRUE(contains(readWholeFile(m_folder / "s.md"), "### Failures"));
+}
+
 TEST_F(HistoryCommandTest, InputsAreTheSameHoweverTheReportWasMade) {
   writeScenes(3);
   const Files expected = reportHere();
