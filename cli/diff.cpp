@@ -41,6 +41,7 @@ int runDiffCommand(const DiffCommand& command, const std::string& commandLine) {
   request.baseline = command.verdict.baseline;
   request.approvals = command.verdict.approvals;
   request.asOf = command.verdict.asOf;
+  request.findEarlier = findEarlierRuns(command.verdict.history);
   std::vector<NamedFile> inputs = inputFiles(command.common, command.verdict, request.scenes);
   inputs.push_back({"the suite", command.suite});
   inputs.push_back({"the suite's budgets", request.suiteBudgets.value_or("")});

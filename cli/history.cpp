@@ -8,6 +8,7 @@
 
 #include "base/day.h"
 #include "base/error.h"
+#include "base/file.h"
 #include "base/log.h"
 #include "base/text/text.h"
 #include "cli/commit_info.h"
@@ -15,7 +16,9 @@
 #include "cli/invocation.h"
 #include "cli/output.h"
 #include "history/nights.h"
+#include "history/nights_page.h"
 #include "history/store.h"
+#include "report/dashboard_files.h"
 #include "report/reader.h"
 
 namespace parity::cli {
@@ -24,7 +27,7 @@ std::string shownValue(double value) { return std::isnan(value) ? "no number" : 
 
 std::string describeEvents(const std::map<std::string, std::size_t>& events) {
   std::vector<std::string> parts;
-  for (const char* kind : kEventKinds)
+  for (const char* kind : history::kEventKinds)
     if (const auto found = events.find(kind); found != events.end())
       parts.push_back(fmt::format("{} {}", found->second, kind));
   return parts.empty() ? "nothing changed" : fmt::format("{}", fmt::join(parts, ", "));
@@ -77,7 +80,7 @@ void tellAdded(const Store& store, const history::RunRecord& record, const histo
   constexpr std::size_t kShown = 24;
   std::size_t shown = 0;
   const std::vector<history::Event> events = history::eventsOf(store.index(), night->run.id);
-  for (const char* kind : kEventKinds)
+  for (const char* kind : history::kEventKinds)
     for (const history::Event& event : events)
       if (event.kind == kind && shown++ < kShown) print("  {}\n", base::plainLine(describeEvent(event)));
   if (shown > kShown) print("  and {} more\n", shown - kShown);
@@ -109,7 +112,9 @@ int run(const HistoryGcCommand& command) {
   const base::Day today = command.asOf.empty() ? base::today() : base::dayFrom(command.asOf).value();
   const std::string since = base::textOf(today - std::chrono::days(command.days)) + "T00:00:00Z";
   const Store store(command.folder, Store::For::collecting);
-  const history::Collected collected = history::collectPictures(store.index(), store.folder(), since, command.isTrial);
+  const history::Collected collected = history::collectPictures(
+      store.index(), store.folder(), since,
+      command.approvals.empty() ? compare::Approvals() : compare::loadApprovals(command.approvals), command.isTrial);
   constexpr double kMegabyte = 1e6;
   print("{}: {} pictures ({:.1f} MB) {}removed, {} ({:.1f} MB) kept\n", command.folder, collected.removed,
         static_cast<double>(collected.removedBytes) / kMegabyte, command.isTrial ? "would be " : "", collected.kept,
@@ -133,6 +138,21 @@ int run(const HistoryBaselineCommand& command) {
                                       found->run.name));
   if (command.print != "report") print("{}\n", found->run.name);
   if (command.print != "run") print("{}\n", found->report);
+  return 0;
+}
+
+int run(const HistoryPageCommand& command) {
+  if (!report::hasDashboard())
+    throw base::Error(base::ExitCode::usage, "history page", "", "this build of parity has no page index.html");
+  const Store store(command.folder, Store::For::reading);
+  const std::filesystem::path folder = command.output;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw base::fileError(command.output, "", "cannot be created as a folder: " + error.message());
+  if (std::filesystem::exists(folder / "report.json", error))
+    throw base::fileError(command.output, "report.json", "a report lies here, whose page would be lost; give another folder");
+  base::writeText(folder / "index.html", history::toNightsPage(store.index(), command.where, command.last));
+  print("{}\n", (folder / "index.html").string());
   return 0;
 }
 

@@ -13,9 +13,6 @@ int showHistory(const HistoryShowCommand& command);
 int blameHistory(const HistoryBlameCommand& command);
 int stepHistory(const HistoryStepCommand& command);
 
-// Kinds of events, the gravest first.
-inline constexpr const char* kEventKinds[] = {"nondeterministic", "crashed", "regressed", "fixed",
-                                              "changed",          "new",     "gone"};
 std::string describeEvents(const std::map<std::string, std::size_t>& events); // "2 regressed, 1 fixed"
 std::string shownValue(double value);
 

@@ -10,6 +10,7 @@
 #include "cli/output.h"
 #include "history/blame.h"
 #include "history/nights.h"
+#include "history/nights_page.h"
 #include "history/store.h"
 #include "history/timing_steps.h"
 
@@ -61,50 +62,42 @@ std::string nightsJson(const std::vector<history::Night>& nights) {
   return dumpJson(list);
 }
 
-// Of a row, each figure and its verdicts over the runs.
-struct Course {
-  std::string what;
-  std::vector<history::Interval> intervals;
-};
-
-std::string describe(const Course& course, const history::Interval& each) {
-  return course.what == "verdict" ? each.verdict : shownValue(each.value);
+std::string describe(const history::Course& course, const history::Interval& each) {
+  return course.name == "verdict" ? each.verdict : shownValue(each.value);
 }
 
 void printCourses(const history::Database& index, const history::SubjectRef& subject,
-                  const std::vector<Course>& courses) {
+                  const std::vector<history::Course>& courses) {
   print("{}\n", base::plainLine(subject.path()));
-  for (const Course& course : courses)
-    for (const history::Interval& each : course.intervals) {
-      const bool isFirst = &each == &course.intervals.front();
+  for (const history::Course& course : courses)
+    for (const history::Interval& each : course.values) {
+      const bool isFirst = &each == &course.values.front();
       const history::RunRef first = history::findRun(index, each.firstRun),
                             last = history::findRun(index, each.lastRun);
-      print("  {:<24} {:<10} {} .. {}{}\n", isFirst ? course.what : "", describe(course, each), first.started,
+      print("  {:<24} {:<10} {} .. {}{}\n", isFirst ? course.name : "", describe(course, each), first.started,
             each.isNow ? "now" : last.started, each.reason.empty() ? "" : "  " + base::plainLine(each.reason));
     }
 }
 
 std::string coursesJson(const history::Database& index, const history::SubjectRef& subject,
-                        const std::vector<Course>& courses) {
+                        const std::vector<history::Course>& courses) {
   ordered_json json = {{"subject", subject.path()}, {"suite", subject.suite}, {"courses", ordered_json::object()}};
-  for (const Course& course : courses) {
+  for (const history::Course& course : courses) {
     ordered_json list = ordered_json::array();
-    for (const history::Interval& each : course.intervals) {
+    for (const history::Interval& each : course.values) {
       ordered_json interval = {{"first", toJson(history::findRun(index, each.firstRun))},
                                {"last", toJson(history::findRun(index, each.lastRun))},
                                {"now", each.isNow}};
-      if (course.what == "verdict")
+      if (course.name == "verdict")
         interval["verdict"] = each.verdict, interval["reason"] = each.reason, interval["rule"] = each.rule;
       else
         interval["value"] = jsonValue(each.value);
       list.push_back(std::move(interval));
     }
-    json["courses"][course.what] = std::move(list);
+    json["courses"][course.name] = std::move(list);
   }
   return dumpJson(json);
 }
-
-constexpr std::size_t kTimedRuns = 100;
 
 std::string timingsJson(const std::vector<history::TimingStep>& steps) {
   ordered_json list = ordered_json::array();
@@ -134,7 +127,7 @@ int showHistory(const HistoryShowCommand& command) {
   const Store store(command.folder, Store::For::reading);
   if (command.timings) {
     const std::vector<history::TimingStep> steps =
-        history::timingSteps(store.index(), history::settled(store.index(), command.where), kTimedRuns);
+        history::timingSteps(store.index(), history::settled(store.index(), command.where), history::kMostTimedRuns);
     if (!command.json.empty()) writeJson(command.json, timingsJson(steps));
     if (command.json != "-") printTimings(steps);
     return 0;
@@ -148,9 +141,8 @@ int showHistory(const HistoryShowCommand& command) {
   }
   const history::SubjectRef subject = history::findSubject(store.index(), command.subject, command.where);
   const std::vector<history::LaneSpan> lanes = history::lanesOf(store.index(), subject.suite, command.where.branch);
-  std::vector<Course> courses = {{"verdict", history::statesOf(store.index(), lanes, subject.id)}};
-  for (const history::MetricRef& metric : history::metricsOf(store.index(), lanes, subject.id))
-    courses.push_back({metric.name, history::valuesOf(store.index(), lanes, subject.id, metric.id)});
+  std::vector<history::Course> courses = history::coursesOf(store.index(), lanes, subject.id);
+  courses.insert(courses.begin(), {0, "verdict", history::statesOf(store.index(), lanes, subject.id)});
   if (!command.json.empty()) writeJson(command.json, coursesJson(store.index(), subject, courses));
   if (command.json != "-") printCourses(store.index(), subject, courses);
   return 0;

@@ -45,7 +45,6 @@ struct SummaryTarget {
   std::string file; // empty: there is none
   report::SummaryFormat format = report::SummaryFormat::github;
   std::string picturesUrl; // of the report's folder; empty: no pictures
-  std::string history;     // folder; empty: the baseline says what is new
 };
 
 struct VerdictOptions {
@@ -53,6 +52,7 @@ struct VerdictOptions {
   std::string baseline;        // earlier report.json or its folder; empty: none
   std::string annotate;        // "github", or empty
   std::string approvals, asOf; // a file of approvals, and the day that counts (ISO 8601); empty: none, today
+  std::string history;         // folder of the runs that say what is new; empty: the baseline does
   report::FailOn failOn = report::FailOn::any;
   SummaryTarget summary;
   bool allRows = false; // of the table, also those that pass
@@ -262,6 +262,7 @@ struct HistoryGcCommand {
   std::string folder = "history";
   int days = 30;    // pictures of runs that are not older are kept
   std::string asOf; // date, YYYY-MM-DD; empty: today
+  std::string approvals; // file; empty: none
   bool isTrial = false;
 };
 
@@ -271,8 +272,14 @@ struct HistoryBaselineCommand {
   std::string print = "both"; // or "run", "report"
 };
 
+struct HistoryPageCommand {
+  std::string folder = "history", output; // output: folder of the page
+  history::Where where;
+  std::size_t last = 400; // runs; 0: all
+};
+
 using HistoryCommand = std::variant<HistoryAddCommand, HistoryRebuildCommand, HistoryShowCommand, HistoryBlameCommand,
-                                    HistoryStepCommand, HistoryGcCommand, HistoryBaselineCommand>;
+                                    HistoryStepCommand, HistoryGcCommand, HistoryBaselineCommand, HistoryPageCommand>;
 
 using Invocation =
     std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand, ListTermsCommand,

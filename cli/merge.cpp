@@ -10,9 +10,10 @@ namespace parity::cli {
 
 int runMergeCommand(const MergeCommand& command) {
   const job::Plan plan = job::readPlan(command.plan);
-  if (command.verdict.failOn == report::FailOn::isNew && plan.request.baseline.empty())
+  if (command.verdict.failOn == report::FailOn::isNew && plan.request.baseline.empty() &&
+      command.verdict.history.empty())
     throw base::Error(base::ExitCode::usage, "--fail-on", "'new'",
-                      "needs a plan with --baseline, which says what failed before");
+                      "needs --history, or a plan with --baseline, which says what failed before");
   const job::PlanLock lock(command.plan);
   const job::ReportResult result =
       job::mergePlan(plan, command.plan,
@@ -21,7 +22,8 @@ int runMergeCommand(const MergeCommand& command) {
                       .bench = readBench(command.bench),
                       .warningsFail = command.verdict.warnExit,
                       .approvals = command.verdict.approvals,
-                      .asOf = command.verdict.asOf},
+                      .asOf = command.verdict.asOf,
+                      .findEarlier = findEarlierRuns(command.verdict.history)},
                      makeProgress(command.quiet));
   return tellReport(result, {.folder = command.folder,
                              .singleFile = plan.request.singleFile,

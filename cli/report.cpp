@@ -76,7 +76,8 @@ job::ReportResult reportByWorkers(const ReportCommand& command, job::Context& co
                                                    .stoppedBy = base::StopSignal::received(),
                                                    .whyMissing = work.why,
                                                    .bench = request.bench,
-                                                   .warningsFail = request.warningsFail},
+                                                   .warningsFail = request.warningsFail,
+                                                   .findEarlier = request.findEarlier},
                                                   progress);
   if (work.missing == 0) std::filesystem::remove_all(folder, none);
   return result;

@@ -13,11 +13,11 @@
 #include "base/text/text.h"
 #include "cli/again.h"
 #include "cli/output.h"
-#include "history/row_history.h"
-#include "history/store.h"
+#include "history/report_history.h"
 #include "job/sentinels.h"
 #include "report/approvals.h"
 #include "report/dashboard_files.h"
+#include "report/earlier_runs.h"
 #include "report/standing.h"
 #include "report/summary/summary.h"
 #include "study/sweep/pareto_svg.h"
@@ -60,6 +60,23 @@ report::Bench readBench(const std::string& bench) {
   return {std::move(text), sweep::paretoJson(sweep, sweep::bestKnown(sweep), sweep.figure)};
 }
 
+report::FindEarlierRuns findEarlierRuns(const std::string& folder) {
+  if (folder.empty()) return {};
+  return [folder](const report::Report& report,
+                  const report::RunInfo& run) -> std::shared_ptr<const report::EarlierRuns> {
+    try {
+      auto history = std::make_shared<const history::ReportHistory>(folder, report, run.startedAt);
+      if (!history->knowsAny())
+        base::logWarning(fmt::format("{}: the history has no earlier run of {}", folder,
+                                     report.suite.empty() ? "a report without a suite" : "this suite"));
+      return history;
+    } catch (const base::Error& error) {
+      base::logWarning(fmt::format("the history cannot be used: {}", error.what()));
+      return nullptr;
+    }
+  };
+}
+
 job::ReportRequest reportRequest(const ReportCommand& command, const RunRequest& run, const std::string& commandLine) {
   if (command.singleFile && !report::hasDashboard())
     throw base::Error(base::ExitCode::usage, "--single-file", "", "this build of parity has no page index.html");
@@ -76,6 +93,7 @@ job::ReportRequest reportRequest(const ReportCommand& command, const RunRequest&
   request.singleFile = command.singleFile;
   request.commandLine = commandLine;
   request.warningsFail = command.verdict.warnExit;
+  request.findEarlier = findEarlierRuns(command.verdict.history);
   request.again = againCommands(request.scenes, {command.suite, command.common.environments}, command.kept);
   if (command.sentinel)
     request.sentinels =
@@ -95,24 +113,10 @@ void appendStepSummary(const std::string& text) {
   if (!out) throw base::fileError(file, "", "the summary cannot be appended");
 }
 
-// A history that cannot be used costs nothing that was computed: then the baseline says what is new.
-report::Summary summarize(const SummaryTarget& target, const job::ReportResult& result) {
-  if (!target.history.empty()) try {
-      const history::Store store(target.history, history::Store::For::reading);
-      const history::RowHistory rows(store.index(), result.report, result.run.startedAt);
-      return report::summarize(result.report, result.run,
-                               [&](const auto& scene, const auto& view, const report::MaterialResult* material) {
-                                 return rows.of(scene, view, material);
-                               });
-    } catch (const base::Error& error) {
-      base::logWarning(fmt::format("the summary is made without the history: {}", error.what()));
-    }
-  return report::summarize(result.report, result.run);
-}
-
 void writeSummary(const SummaryTarget& target, const job::ReportResult& result) {
   if (target.file.empty()) return;
-  const report::Summary summary = summarize(target, result);
+  const report::Summary summary =
+      report::summarize(result.report, result.run, report::standingBy(result.earlier.get()));
   report::SummaryOptions options{.mostBytes = report::kMostCommentBytes, .picturesUrl = target.picturesUrl};
   base::writeText(target.file, report::toSummary(summary, target.format, options));
   options.mostBytes = report::kMostStepSummaryBytes;
@@ -135,16 +139,16 @@ void printExpiring(const report::Report& report) {
 
 int tellOutcome(const job::ReportResult& result, const VerdictOptions& verdict, bool isShown) {
   if (verdict.failOn == report::FailOn::isNew) {
-    if (const std::string why = report::whyNewIsUnknown(result.report); !why.empty())
+    if (const std::string why = report::whyNewIsUnknown(result.report, result.earlier.get()); !why.empty())
       base::logError("--fail-on new: nobody can tell which failures are new, because " + why);
-    const report::FailureCounts counts = report::countFailures(result.report);
+    const report::FailureCounts counts = report::countFailures(result.report, report::standingBy(result.earlier.get()));
     if (isShown)
       print("{} new failure{}, {} still failing, not counted\n", counts.isNew, counts.isNew == 1 ? "" : "s",
             counts.still);
   }
   if (isShown) printExpiring(result.report);
   writeSummary(verdict.summary, result);
-  return report::exitCode(result.report, verdict.warnExit, verdict.failOn);
+  return report::exitCode(result.report, verdict.warnExit, verdict.failOn, result.earlier.get());
 }
 
 int tellReport(const job::ReportResult& result, const ReportTargets& targets) {

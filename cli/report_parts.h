@@ -10,6 +10,10 @@
 
 namespace parity::cli {
 
+// Opens that folder's history for a report; one that cannot be used is a warning, because it costs nothing that was
+// computed. folder empty: nothing.
+report::FindEarlierRuns findEarlierRuns(const std::string& folder);
+
 // All that is asked for but the folder and the bench. run: as runRequest gives it.
 job::ReportRequest reportRequest(const ReportCommand& command, const RunRequest& run, const std::string& commandLine);
 

@@ -28,14 +28,14 @@ const Interval* at(const std::vector<Interval>& intervals, std::int64_t run) {
   return nullptr;
 }
 
-std::vector<MetricRef> chosenMetrics(const Database& index, const std::vector<LaneSpan>& lanes, std::int64_t subject,
-                                     const std::string& metric) {
-  std::vector<MetricRef> metrics = metricsOf(index, lanes, subject);
-  if (metric.empty()) return metrics;
-  const auto found = std::ranges::find(metrics, metric, &MetricRef::name);
-  if (found != metrics.end()) return {*found};
+std::vector<Course> chosenCourses(const Database& index, const std::vector<LaneSpan>& lanes, std::int64_t subject,
+                                  const std::string& metric) {
+  std::vector<Course> courses = coursesOf(index, lanes, subject);
+  if (metric.empty()) return courses;
+  const auto found = std::ranges::find(courses, metric, &Course::name);
+  if (found != courses.end()) return {*found};
   std::vector<std::string_view> known;
-  for (const MetricRef& each : metrics) known.push_back(each.name);
+  for (const Course& each : courses) known.push_back(each.name);
   throw base::Error(base::ExitCode::usage, "--metric", metric,
                     "the history has no such figure of it; " + base::describeNearest(metric, known));
 }
@@ -97,20 +97,17 @@ Blame blame(const Database& index, const std::string& path, const std::string& m
                                   where.branch ? "branch '" + *where.branch + "'" : "the newest branch"));
   blame.first = findRun(index, states.front().firstRun);
   blame.newest = findRun(index, states.back().lastRun);
-  const std::vector<MetricRef> metrics = chosenMetrics(index, lanes, blame.subject.id, metric);
-  std::vector<std::vector<Interval>> values;
+  const std::vector<Course> courses = chosenCourses(index, lanes, blame.subject.id, metric);
   Place place = metric.empty() ? lastChangeOf(states) : Place{};
-  for (const MetricRef& each : metrics) {
-    values.push_back(valuesOf(index, lanes, blame.subject.id, each.id));
-    if (const Place other = lastChangeOf(values.back()); other.now > place.now) place = other;
-  }
+  for (const Course& each : courses)
+    if (const Place other = lastChangeOf(each.values); other.now > place.now) place = other;
   blame.isChanged = place.now != 0;
   blame.runs = countRuns(index, lanes, blame.isChanged ? place.now : blame.first.id, blame.newest.id);
   if (!blame.isChanged) return blame;
   blame.before = findRun(index, place.before), blame.now = findRun(index, place.now);
-  for (std::size_t i = 0; i < metrics.size(); ++i) {
-    const Interval *then = at(values[i], place.before), *here = at(values[i], place.now);
-    if (then && here && then != here) blame.figures.push_back({metrics[i].name, then->value, here->value});
+  for (const Course& each : courses) {
+    const Interval *then = at(each.values, place.before), *here = at(each.values, place.now);
+    if (then && here && then != here) blame.figures.push_back({each.name, then->value, here->value});
   }
   if (const Interval* then = at(states, place.before)) blame.verdictBefore = then->verdict;
   if (const Interval* here = at(states, place.now)) blame.verdictNow = here->verdict;

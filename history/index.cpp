@@ -136,7 +136,7 @@ std::int64_t Index::insertRun(const RunRecord& record, const std::string& name, 
         warned += row.verdict == compare::Verdict::warn ? 1 : 0;
       }
   }
-  m_database.prepare("INSERT INTO run VALUES(NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")
+  m_database.prepare("INSERT INTO run VALUES(NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")
       .run(name, record.started, record.suite, record.branch, record.commit, record.commitTime, record.version,
            record.build, record.device, record.driver, record.numerics, record.machine, record.settings, record.budgets,
            record.report, record.isComplete, record.isWhole, nameOf(record.verdict), rows, failed, warned, broken, lane,

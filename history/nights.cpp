@@ -7,7 +7,7 @@ namespace parity::history {
 std::vector<Night> nightsOf(const Database& index, const Where& where, std::size_t most) {
   Statement all =
       index.prepare("SELECT id, name, started, branch, commit_id, verdict, suite, machine, complete, whole, row_count, "
-                    "failed, warned, before IS NULL FROM run "
+                    "failed, warned, before IS NULL, version, build, device FROM run "
                     "WHERE (?1 IS NULL OR suite=?2) AND (?3 IS NULL OR branch=?4) ORDER BY id DESC LIMIT ?5");
   const auto given = [](const std::optional<std::string>& text) {
     return text ? std::optional<std::int64_t>(1) : std::nullopt;
@@ -23,10 +23,20 @@ std::vector<Night> nightsOf(const Database& index, const Where& where, std::size
     night.rows = static_cast<std::size_t>(all.integer(10)), night.failed = static_cast<std::size_t>(all.integer(11));
     night.warned = static_cast<std::size_t>(all.integer(12));
     night.isFirst = all.integer(13) != 0;
+    night.version = all.text(14), night.build = all.text(15), night.device = all.text(16);
   }
   std::ranges::reverse(nights);
   Statement events = index.prepare("SELECT kind, count(*) FROM event WHERE run=? GROUP BY kind");
+  Statement times = index.prepare("SELECT count(*), sum(cached), sum(CASE WHEN cached THEN NULL ELSE cpu_ms END), "
+                                  "sum(CASE WHEN cached THEN NULL ELSE wall_ms END) FROM timing WHERE run=? AND "
+                                  "stage='scene'");
+  constexpr double kMs = 1000;
   for (Night& night : nights) {
+    times.bind(night.run.id);
+    times.step();
+    night.scenes = static_cast<std::size_t>(times.integer(0));
+    night.cachedScenes = static_cast<std::size_t>(times.integer(1));
+    night.cpuS = times.real(2) / kMs, night.wallS = times.real(3) / kMs;
     events.bind(night.run.id);
     while (events.step()) night.events[events.text(0)] = static_cast<std::size_t>(events.integer(1));
   }

@@ -7,6 +7,8 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/hash.h"
+#include "history/approved_states.h"
+#include "history/index.h"
 #include "history/run_file.h"
 
 namespace parity::history {
@@ -32,7 +34,7 @@ private:
     if (file.empty() || !fs::is_regular_file(m_report / file, none)) return {};
     const std::vector<std::byte> bytes = base::readFile(m_report / file);
     std::string hash = base::Hasher().add(bytes).hex();
-    base::writeOnce(m_history / kFolder / hash.substr(0, 2) / (hash + fs::path(file).extension().string()), bytes);
+    base::writeOnce(pictureFile(m_history, hash), bytes);
     return hash;
   }
 
@@ -92,6 +94,10 @@ std::set<std::string> hashesInUse(const Database& index, const fs::path& history
 
 } // namespace
 
+fs::path pictureFile(const fs::path& history, const std::string& hash) {
+  return history / kFolder / hash.substr(0, 2) / (hash + ".png");
+}
+
 void keepPictures(const fs::path& history, const fs::path& reportFolder, const report::Report& report,
                   KeptPictures which, RunRecord& record) {
   if (which == KeptPictures::none) return;
@@ -106,8 +112,14 @@ void keepPictures(const fs::path& history, const fs::path& reportFolder, const r
     }
 }
 
-Collected collectPictures(const Database& index, const fs::path& history, const std::string& since, bool isTrial) {
-  const std::set<std::string> used = hashesInUse(index, history, since);
+Collected collectPictures(const Database& index, const fs::path& history, const std::string& since,
+                          const compare::Approvals& approvals, bool isTrial) {
+  std::set<std::string> used = hashesInUse(index, history, since);
+  ApprovedStates states(index, history);
+  for (const compare::Approval& each : approvals.entries)
+    for (const ApprovedState& state : states.find(
+             {each.scene, each.view, each.material, each.material.empty() ? kWhole : 0}, each.metric, each.value))
+      addHashes(used, state.pictures);
   Collected collected;
   std::error_code error;
   const fs::path folder = history / kFolder;

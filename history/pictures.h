@@ -6,10 +6,14 @@
 #include <filesystem>
 #include <string>
 
+#include "compare/verdict/approval.h"
 #include "history/database.h"
 #include "history/run.h"
 
 namespace parity::history {
+
+// The file of a picture by its hash. Reports make no other pictures than PNG.
+std::filesystem::path pictureFile(const std::filesystem::path& history, const std::string& hash);
 
 enum class KeptPictures { all, notPassed, none }; // of which rows
 
@@ -23,9 +27,10 @@ struct Collected {
   std::uintmax_t keptBytes = 0, removedBytes = 0;
 };
 
-// Removes pictures, but for those of runs since `since` (ISO 8601, UTC), and of the first and the last run of each
-// interval of a row's verdict. The history must be locked. isTrial: removes nothing. Throws Error.
+// Removes pictures, but for those of runs since `since` (ISO 8601, UTC), of the first and the last run of each interval
+// of a row's verdict, and of the states that are approved. The history must be locked. isTrial: removes nothing. Throws
+// Error.
 Collected collectPictures(const Database& index, const std::filesystem::path& history, const std::string& since,
-                          bool isTrial);
+                          const compare::Approvals& approvals, bool isTrial);
 
 } // namespace parity::history

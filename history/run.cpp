@@ -74,4 +74,8 @@ RunRecord makeRecord(const report::Report& report, const report::RunInfo& run, c
   return record;
 }
 
+bool isFailing(const std::string& verdict) {
+  return verdict == nameOf(compare::Verdict::fail) || verdict == nameOf(compare::Verdict::error);
+}
+
 } // namespace parity::history

@@ -11,6 +11,9 @@
 
 namespace parity::history {
 
+// Whether a verdict, by its name, is one of a failure: fail or error.
+bool isFailing(const std::string& verdict);
+
 // Pictures of a row by their content (history/pictures.h): 32 hexadecimal digits; empty: not kept.
 struct PictureHashes {
   std::string reference, test, flip;

@@ -12,10 +12,6 @@ namespace {
 
 constexpr const char* kMainFigure = "flip.mean";
 
-bool isFailing(const std::string& verdict) {
-  return verdict == nameOf(compare::Verdict::fail) || verdict == nameOf(compare::Verdict::error);
-}
-
 bool isSame(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 // Of the events, the one that says most about a row.
@@ -57,13 +53,13 @@ void Index::Adding::addSceneState(std::int64_t id, const SceneRecord& scene, con
   else if (!old && before && !scene.error.empty())
     event(id, worse, cause);
   if (!old) added.push_back(id);
-  if (old && before == now && old->verdict == verdict) return;
+  if (old && before == now && old->verdict == verdict && old->rule == scene.error) return;
   if (old && before == now)
     index.m_closeState.run(old->verdict == nameOf(compare::Verdict::error) ? previous : lastSeenOf(id), now->id, id,
                            old->firstRun);
   Row& row = now->rows[id];
   row.seenBy = run;
-  insertState(id, row, verdict, scene.error, "", {});
+  insertState(id, row, verdict, scene.error, scene.error, {}); // another error begins another state
 }
 
 Index::Lane* Index::Adding::laneOf(std::int64_t sceneId) const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -95,19 +97,11 @@ RunRef findRun(const Database& index, std::int64_t id) {
   return {id, find.text(0), find.text(1), find.text(2), find.text(3), find.text(4)};
 }
 
-std::vector<LaneSpan> lanesOf(const Database& index, const std::string& suite,
-                              const std::optional<std::string>& branch) {
+std::vector<LaneSpan> lanesUpTo(const Database& index, std::int64_t run) {
   std::vector<LaneSpan> lanes;
-  Statement newest = branch ? index.prepare("SELECT id, lane FROM run WHERE suite=? AND branch=? AND lane IS NOT NULL "
-                                            "ORDER BY id DESC LIMIT 1")
-                            : index.prepare("SELECT id, lane FROM run WHERE suite=? AND lane IS NOT NULL ORDER BY id "
-                                            "DESC LIMIT 1");
-  if (branch)
-    newest.bind(suite, *branch);
-  else
-    newest.bind(suite);
-  if (!newest.step()) return lanes;
-  lanes.push_back({newest.integer(1), newest.integer(0)});
+  Statement lane = index.prepare("SELECT lane FROM run WHERE id=? AND lane IS NOT NULL");
+  if (!lane.bind(run).step()) return lanes;
+  lanes.push_back({lane.integer(0), run});
   Statement first =
       index.prepare("SELECT before, (SELECT lane FROM run AS b WHERE b.id=run.before) FROM run WHERE lane=? "
                     "ORDER BY id LIMIT 1");
@@ -119,16 +113,12 @@ std::vector<LaneSpan> lanesOf(const Database& index, const std::string& suite,
   }
 }
 
-std::vector<Interval> valuesOf(const Database& index, const std::vector<LaneSpan>& lanes, std::int64_t subject,
-                               std::int64_t metric) {
-  Statement all = index.prepare(
-      "SELECT first_run, last_run, v FROM value WHERE lane=? AND subject=? AND metric=? ORDER BY first_run");
-  return intervals(lanes, [&](std::int64_t lane) {
-    std::vector<Interval> some;
-    all.bind(lane, subject, metric);
-    while (all.step()) some.push_back({all.integer(0), all.integer(1), false, all.real(2), {}, {}, {}});
-    return some;
-  });
+std::vector<LaneSpan> lanesOf(const Database& index, const std::string& suite,
+                              const std::optional<std::string>& branch) {
+  Statement newest = index.prepare("SELECT id FROM run WHERE suite=?1 AND (?2 IS NULL OR branch=?3) AND lane IS NOT "
+                                   "NULL ORDER BY id DESC LIMIT 1");
+  newest.bind(suite, branch ? std::optional<std::int64_t>(1) : std::nullopt, branch.value_or(""));
+  return newest.step() ? lanesUpTo(index, newest.integer(0)) : std::vector<LaneSpan>();
 }
 
 std::vector<Interval> statesOf(const Database& index, const std::vector<LaneSpan>& lanes, std::int64_t subject) {
@@ -143,18 +133,24 @@ std::vector<Interval> statesOf(const Database& index, const std::vector<LaneSpan
   });
 }
 
-std::vector<MetricRef> metricsOf(const Database& index, const std::vector<LaneSpan>& lanes, std::int64_t subject) {
-  std::vector<MetricRef> metrics;
-  Statement all = index.prepare(
-      "SELECT DISTINCT metric, name FROM value JOIN metric ON metric.id=value.metric WHERE lane=? AND subject=?");
+std::vector<Course> coursesOf(const Database& index, const std::vector<LaneSpan>& lanes, std::int64_t subject) {
+  using Values = std::map<std::int64_t, std::vector<Interval>>; // by lane
+  std::map<std::int64_t, std::pair<std::string, Values>> figures;  // by metric
+  Statement all = index.prepare("SELECT metric, name, first_run, last_run, v FROM value JOIN metric ON "
+                                "metric.id=value.metric WHERE lane=? AND subject=? ORDER BY metric, first_run");
   for (const LaneSpan& span : lanes) {
     all.bind(span.lane, subject);
-    while (all.step())
-      if (std::ranges::none_of(metrics, [&](const MetricRef& each) { return each.id == all.integer(0); }))
-        metrics.push_back({all.integer(0), all.text(1)});
+    while (all.step()) {
+      auto& [name, values] = figures[all.integer(0)];
+      name = all.text(1);
+      values[span.lane].push_back({all.integer(2), all.integer(3), false, all.real(4), {}, {}, {}});
+    }
   }
-  std::ranges::sort(metrics, {}, &MetricRef::id);
-  return metrics;
+  std::vector<Course> courses;
+  for (auto& [metric, figure] : figures)
+    courses.push_back({metric, figure.first,
+                       intervals(lanes, [&](std::int64_t lane) { return std::move(figure.second[lane]); })});
+  return courses;
 }
 
 } // namespace parity::history

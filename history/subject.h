@@ -40,8 +40,9 @@ RunRef findRun(const Database& index, std::int64_t id);
 struct LaneSpan {
   std::int64_t lane = 0, lastRun = 0;
 };
-// The lane of the newest whole run of this suite and branch, then the one that it went on from, and so on. Empty: there
-// is none.
+// The lane of that run, up to it, then the one that the lane went on from, and so on.
+std::vector<LaneSpan> lanesUpTo(const Database& index, std::int64_t run);
+// The same for the newest whole run of this suite and branch. Empty: there is none.
 std::vector<LaneSpan> lanesOf(const Database& index, const std::string& suite,
                               const std::optional<std::string>& branch);
 
@@ -52,16 +53,15 @@ struct Interval {
   double value = 0;
   std::string verdict, reason, rule;
 };
-// metric: its id in the index. Oldest first; neighbours differ, or something was missing between them.
-std::vector<Interval> valuesOf(const Database& index, const std::vector<LaneSpan>& lanes, std::int64_t subject,
-                               std::int64_t metric);
+// Oldest first; neighbours differ, or something was missing between them.
 std::vector<Interval> statesOf(const Database& index, const std::vector<LaneSpan>& lanes, std::int64_t subject);
 
-struct MetricRef {
-  std::int64_t id = 0;
+struct Course {
+  std::int64_t metric = 0; // its id in the index
   std::string name;
+  std::vector<Interval> values; // as the intervals of statesOf
 };
-// That the subject has in any of these lanes, in the order in which they came up.
-std::vector<MetricRef> metricsOf(const Database& index, const std::vector<LaneSpan>& lanes, std::int64_t subject);
+// All figures that the subject has in any of these lanes, in the order in which the index got to know them.
+std::vector<Course> coursesOf(const Database& index, const std::vector<LaneSpan>& lanes, std::int64_t subject);
 
 } // namespace parity::history

@@ -182,6 +182,22 @@ void ReportEnd::keepBaselinePictures(report::Report& report, std::vector<Encoded
   std::ranges::move(kept, std::back_inserter(pictures));
 }
 
+// The pictures of approved states that the history has: written, or put with those of a single file.
+void ReportEnd::keepApprovedPictures(const report::EarlierRuns& earlier, std::vector<EncodedPicture>& pictures) const {
+  if (m_request.pictures == Pictures::none) return;
+  std::vector<EncodedPicture> kept;
+  for (const report::ApprovedPicture& each : earlier.approvedPictures())
+    try {
+      kept.push_back({each.file, base::readFile(each.source)});
+    } catch (const base::Error& error) {
+      base::logWarning(fmt::format("the picture of an approved state is not shown: {}", error.what()));
+    }
+  if (m_request.singleFile)
+    std::ranges::move(kept, std::back_inserter(pictures));
+  else
+    writePictures(kept, m_request.folder);
+}
+
 // A machine whose device is gone by now has its report all the same.
 void ReportEnd::setOrigin(Context& context, report::RunOrigin& origin) const {
   origin.build = m_facts.build.empty() ? hashOfThisBuild() : m_facts.build;
@@ -261,8 +277,11 @@ ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Prog
   for (const auto& stage : context.timings().stages()) result.run.timings.push_back(stage);
   const std::chrono::duration<double, std::milli> total = std::chrono::steady_clock::now() - m_start;
   result.run.timings.emplace_back("total", total.count());
-  if (!m_request.folder.empty())
-    writeReport(m_request.folder, report, result.run, {m_request.bench, m_request.singleFile, pictures});
+  if (m_request.findEarlier) result.earlier = m_request.findEarlier(report, result.run);
+  if (m_request.folder.empty()) return result;
+  if (result.earlier) keepApprovedPictures(*result.earlier, pictures);
+  writeReport(m_request.folder, report, result.run,
+              {m_request.bench, m_request.singleFile, pictures, result.earlier.get()});
   return result;
 }
 

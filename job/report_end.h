@@ -55,6 +55,7 @@ private:
   void holdBudgets(const Settings& settings, report::Report& report) const;
   void holdApprovals(const Settings& settings, report::Report& report) const;
   void keepBaselinePictures(report::Report& report, std::vector<EncodedPicture>& pictures) const;
+  void keepApprovedPictures(const report::EarlierRuns& earlier, std::vector<EncodedPicture>& pictures) const;
 
   const ReportRequest& m_request;
   RunBudgets& m_budgets;

@@ -54,6 +54,12 @@ bool isSceneFile(std::string_view name) {
   return name.find_first_not_of("0123456789") == name.size() - 3 && name.size() > 3 && name.ends_with(".js");
 }
 
+// The same of a picture of an approved state: "9f3c....png", by its content.
+bool isApprovedPicture(std::string_view name) {
+  constexpr std::size_t kHash = 32; // digits
+  return name.find_first_not_of("0123456789abcdef") == kHash && name.substr(kHash) == ".png";
+}
+
 bool isReportFile(std::string_view name) { return std::ranges::find(kReportFiles, name) != std::end(kReportFiles); }
 
 // Removes the files that reports have left in a folder, also under the temporary names of a run that was killed.
@@ -101,6 +107,7 @@ void prepareReportFolder(const std::filesystem::path& folder, bool singleFile) {
   if (!error) error = cleanOwn(folder / "pixels", isPixelFileOfAReport);
   if (!error) error = cleanOwn(folder / "scenes", isSceneFile);
   if (!error) error = cleanOwn(folder / "baseline", isBaselinePicture);
+  if (!error) error = cleanOwn(folder / "approved", isApprovedPicture);
   if (error) throw base::fileError(folder.string(), "", "an older report cannot be removed: " + error.message());
   // What is in the way of the pictures is said before anything is rendered.
   if (!singleFile) std::filesystem::create_directories(folder / "images", error);
@@ -114,13 +121,14 @@ void writeReport(const std::filesystem::path& folder, const report::Report& repo
   base::writePieces(folder / "junit.xml", [&](const base::TextSink& sink) { report::writeJunit(report, run, sink); });
   if (!parts.bench.json.empty() && !parts.singleFile) base::writeText(folder / "bench.json", parts.bench.json);
   if (!report::hasDashboard()) return;
-  report::PageRequest page{.bench = parts.bench, .singleFile = parts.singleFile, .files = {}};
+  report::PageRequest page{
+      .bench = parts.bench, .singleFile = parts.singleFile, .files = {}, .earlier = parts.earlier};
   if (parts.singleFile)
     for (const EncodedPicture& picture : parts.pictures) page.files.push_back({picture.file, picture.bytes});
   if (!parts.singleFile) {
     base::writeText(folder / "dashboard.js", report::dashboardScript().text);
     base::writeText(folder / "dashboard.css", report::dashboardStyle().text);
-    const report::SceneFiles scenes(report, run);
+    const report::SceneFiles scenes(report, run, parts.earlier);
     base::parallelFor(report.scenes.size(), 16, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         base::writeText(folder / report::SceneFiles::nameOf(i), scenes.script(i));

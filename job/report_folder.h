@@ -17,7 +17,7 @@ namespace parity::job {
 std::string imagePrefix(std::size_t sceneIndex, const std::string& scene, std::size_t viewIndex,
                         const std::string& view);
 
-// What a report's folder may hold besides images/, pixels/, scenes/ and baseline/.
+// What a report's folder may hold besides images/, pixels/, scenes/, baseline/ and approved/.
 inline constexpr std::array<const char*, 7> kReportFiles = {"report.json",  "run.json",      "junit.xml", "index.html",
                                                             "dashboard.js", "dashboard.css", "bench.json"};
 
@@ -33,6 +33,7 @@ struct ReportParts {
   const report::Bench& bench;
   bool singleFile = false;                     // index.html holds the bench, the pictures, script and style
   const std::vector<EncodedPicture>& pictures; // of a single file
+  const report::EarlierRuns* earlier = nullptr; // null: no earlier run is known
 };
 
 // report.json, run.json, junit.xml and, where the build has the page, index.html with dashboard.js, dashboard.css and

@@ -36,12 +36,14 @@ struct ReportRequest {
   std::string commandLine;                      // for run.json
   std::vector<report::AgainCommand> again = {}; // for run.json
   bool warningsFail = false;                    // for run.json and junit.xml
+  report::FindEarlierRuns findEarlier = {}; // for the page; empty: no history
   std::vector<std::size_t> sentinels = {}; // places of scenes that are compared although the cache has them, in order
 };
 
 struct ReportResult {
   report::Report report;
   report::RunInfo run;
+  std::shared_ptr<const report::EarlierRuns> earlier = {}; // what the request's findEarlier has found
 };
 
 // Compares every view of every scene. A scene that fails is an error in the report, with its reason, and the next one

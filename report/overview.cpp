@@ -62,6 +62,8 @@ struct JudgedRow {
 
 class OverviewTables {
 public:
+  explicit OverviewTables(const FindStanding& find) : m_find(find) {}
+
   void add(const SceneResult& scene) {
     std::vector<std::uint32_t> warnings;
     for (const std::string& each : scene.warnings) warnings.push_back(m_texts.place(each));
@@ -71,7 +73,7 @@ public:
     m_scenes.whole("verdict").push_back(static_cast<std::uint32_t>(ownVerdict(scene)));
     m_scenes.whole("warnings").push_back(m_lists.place(warnings));
     m_scenes.whole("views").push_back(limitedCount(scene.views.size()));
-    for (const ViewResult& view : scene.views) add(view);
+    for (const ViewResult& view : scene.views) add(scene, view);
   }
 
   void write(base::JsonWriter& json) const {
@@ -98,7 +100,7 @@ public:
   }
 
 private:
-  void add(const ViewResult& view) {
+  void add(const SceneResult& scene, const ViewResult& view) {
     const std::string_view prefix = prefixOf(view);
     m_views.whole("name").push_back(m_texts.place(view.name));
     m_views.whole("reference").push_back(m_texts.place(view.reference));
@@ -112,10 +114,12 @@ private:
            material.accepted, material.crops},
           prefix, biasOf(material.figures, material.test));
       addOfMaterial(&material);
+      addStanding(scene, view, &material);
     }
     add({view.whole, view.checks, view.rule, view.baseline, view.wholeVerdict, view.reason, view.accepted, view.images},
         prefix, biasOf(view.whole, view.test));
     addOfMaterial(nullptr);
+    addStanding(scene, view, nullptr);
   }
 
   void add(const JudgedRow& judged, std::string_view prefix, const std::string& bias) {
@@ -145,6 +149,13 @@ private:
     m_rows.whole("before").push_back(before);
     m_rows.whole("notComparable").push_back(m_texts.place(baseline ? baseline->notComparable : ""));
     m_rows.real("change").push_back(change);
+  }
+
+  void addStanding(const SceneResult& scene, const ViewResult& view, const MaterialResult* material) {
+    const RowStanding row = m_find ? m_find(scene, view, material) : standingOf(view, material);
+    m_rows.whole("standing").push_back(static_cast<std::uint32_t>(row.standing));
+    m_rows.whole("nights").push_back(limitedCount(row.nights));
+    m_rows.whole("owner").push_back(m_texts.place(row.owner));
   }
 
   // What whole images have none of. material: null of these.
@@ -220,6 +231,7 @@ private:
     json.endObject();
   }
 
+  const FindStanding& m_find;
   TextTable m_texts;
   ListTable m_lists;
   std::unordered_map<std::string, std::uint32_t> m_limits; // by their JSON
@@ -231,8 +243,8 @@ private:
 
 } // namespace
 
-void writeOverview(const Report& report, const base::TextSink& sink) {
-  OverviewTables overview;
+void writeOverview(const Report& report, const FindStanding& find, const base::TextSink& sink) {
+  OverviewTables overview(find);
   for (const SceneResult& scene : report.scenes) overview.add(scene);
   base::JsonWriter json(base::JsonLayout::compact, sink);
   overview.write(json);

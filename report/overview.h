@@ -4,6 +4,7 @@
 
 #include "base/text/text_sink.h"
 #include "report/report.h"
+#include "report/standing.h"
 
 namespace parity::report {
 
@@ -14,6 +15,7 @@ namespace parity::report {
 //   of no rows. The rows of a view are its materials, then its whole image; "figures" of rows: a column for each
 //   figure, by its name.
 // A row's pictures are its view's "prefix" and, behind it, the three texts of its list "images"; "": none.
-void writeOverview(const Report& report, const base::TextSink& sink);
+// find: the standing of a row; empty: standingOf (report/standing.h).
+void writeOverview(const Report& report, const FindStanding& find, const base::TextSink& sink);
 
 } // namespace parity::report

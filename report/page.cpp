@@ -58,7 +58,7 @@ std::string plainPage(const Report& report) {
 void writeHtml(const Report& report, const RunInfo& run, const PageRequest& request, const base::TextSink& sink) {
   const std::string head = headJson(report), runJson = headJson(run);
   std::string overview;
-  writeOverview(report, [&](std::string_view piece) { overview += piece; });
+  writeOverview(report, standingBy(request.earlier), [&](std::string_view piece) { overview += piece; });
   DataPage page{.tool = report.tool,
                 .title = (report.suite.empty() ? "" : report.suite + ": ") + headline(report),
                 .verdict = nameOf(report.verdict),
@@ -69,7 +69,9 @@ void writeHtml(const Report& report, const RunInfo& run, const PageRequest& requ
                 .files = request.files};
   if (!request.bench.json.empty()) page.blocks.push_back({"bench", request.bench.json});
   if (!request.bench.plots.empty()) page.blocks.push_back({"bench-plots", request.bench.plots});
-  const SceneFiles scenes(report, run);
+  const std::string history = request.earlier && request.earlier->knowsAny() ? request.earlier->runsJson() : "";
+  if (!history.empty()) page.blocks.push_back({"history", history});
+  const SceneFiles scenes(report, run, request.earlier);
   if (request.singleFile)
     for (std::size_t i = 0; i < report.scenes.size(); ++i)
       page.made.push_back({SceneFiles::nameOf(i), [&scenes, i] { return scenes.object(i); }});

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "report/data_page.h"
+#include "report/earlier_runs.h"
 #include "report/report.h"
 
 namespace parity::report {
@@ -21,6 +22,7 @@ struct PageRequest {
   bool singleFile = false;     // else dashboard.js, dashboard.css, the scenes' files (report/scene_file.h) and all that
                                // the report names lie beside the page
   std::vector<PageFile> files; // that a single file holds
+  const EarlierRuns* earlier = nullptr; // null: no earlier run is known
 };
 
 // Piece by piece. Without scripts it shows the verdict and a table of what is over budget.

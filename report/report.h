@@ -276,7 +276,9 @@ std::string whyNotWhole(const Report& report);
 // of theirs (all are not seen, too small or not judged), and what is lost.
 std::vector<RunProblem> problemsOf(const Report& report);
 
-// Which failures count. isNew: those that the baseline does not have (report/standing.h); where nobody can tell, the
+class EarlierRuns;
+
+// Which failures count. isNew: those that the baseline or the history does not have (report/standing.h); where nobody can tell, the
 // exit code is 4. Errors count all the same.
 enum class FailOn { any, isNew };
 inline constexpr const char* kFailOnNames[] = {"any", "new"};
@@ -284,7 +286,8 @@ inline constexpr const char* kFailOnNames[] = {"any", "new"};
 // The exit code of a settled report (docs/design.md 8a): 0, 1 (only with warnExit; notSeen and the run's own warnings
 // count), 2, the scenes' own 3 or 4 (4 for any other errorExitCode, and for a verdict `error`), or that of scenes that
 // were not run; the highest that applies.
-int exitCode(const Report& report, bool warnExit, FailOn failOn = FailOn::any);
+// earlier: the runs that say which failures are new (report/earlier_runs.h); null: the baseline does.
+int exitCode(const Report& report, bool warnExit, FailOn failOn = FailOn::any, const EarlierRuns* earlier = nullptr);
 
 // The whole report in a sentence: "3 of 40 materials over budget".
 std::string headline(const Report& report);

@@ -8,20 +8,22 @@
 #include <unordered_map>
 #include <vector>
 
+#include "report/earlier_runs.h"
 #include "report/report.h"
 
 namespace parity::report {
 
-// Of all scenes of a report, each by its place there. Both must outlive it.
+// Of all scenes of a report, each by its place there. All must outlive it.
 class SceneFiles {
 public:
-  SceneFiles(const Report& report, const RunInfo& run);
+  // earlier: null: no earlier run is known.
+  SceneFiles(const Report& report, const RunInfo& run, const EarlierRuns* earlier);
 
   // "scenes/12.js", relative to the report's folder.
   static std::string nameOf(std::size_t place);
 
-  // {"file":FILE,"format":1,"scene":{...},"again":[...]}: the scene as report.json has it, and the commands of its
-  // views as run.json has them; no times, so that the same scenes give the same bytes. Several threads may ask at a
+  // {"file":FILE,"format":1,"scene":{...},"again":[...],"history":{...}}: the scene as report.json has it, the commands
+  // of its views as run.json has them, and what earlier runs know of its rows, where there are some; no times, so that the same scenes give the same bytes. Several threads may ask at a
   // time.
   std::string object(std::size_t place) const;
 
@@ -30,6 +32,7 @@ public:
 
 private:
   const std::vector<SceneResult>& m_scenes;
+  const EarlierRuns* m_earlier;
   std::unordered_map<std::string_view, std::vector<const AgainCommand*>> m_again; // by scene
 };
 

@@ -11,6 +11,7 @@
 #include "compare/verdict/approval.h"
 #include "compare/verdict/budget.h"
 #include "compare/verdict/wording.h"
+#include "report/earlier_runs.h"
 #include "report/report.h"
 #include "report/standing.h"
 
@@ -332,7 +333,7 @@ void settleVerdicts(Report& report) {
   for (const RunProblem& problem : problemsOf(report)) report.verdict = worse(report.verdict, problem.verdict);
 }
 
-int exitCode(const Report& report, bool warnExit, FailOn failOn) {
+int exitCode(const Report& report, bool warnExit, FailOn failOn, const EarlierRuns* earlier) {
   using base::ExitCode;
   int code = 0;
   const auto raise = [&](ExitCode other) { code = std::max(code, static_cast<int>(other)); };
@@ -357,8 +358,10 @@ int exitCode(const Report& report, bool warnExit, FailOn failOn) {
       if (warnExit && view.verdict != compare::Verdict::pass) raise(ExitCode::warningsOnly);
     }
   }
-  if (failOn == FailOn::isNew && countFailures(report).isNew > 0) raise(ExitCode::overBudget);
-  if (failOn == FailOn::isNew && !whyNewIsUnknown(report).empty()) raise(ExitCode::failed);
+  if (failOn == FailOn::isNew) {
+    if (countFailures(report, standingBy(earlier)).isNew > 0) raise(ExitCode::overBudget);
+    if (!whyNewIsUnknown(report, earlier).empty()) raise(ExitCode::failed);
+  }
   return code;
 }
 

@@ -1,5 +1,7 @@
 #include "report/standing.h"
 
+#include "report/earlier_runs.h"
+
 namespace parity::report {
 namespace {
 
@@ -56,21 +58,30 @@ RowStanding standingOf(const ViewResult& view, const MaterialResult* material) {
   return standingOf(material->verdict, material->accepted, material->rule, material->checks, material->baseline);
 }
 
-FailureCounts countFailures(const Report& report) {
+FailureCounts countFailures(const Report& report, const FindStanding& find) {
   FailureCounts counts{report.lost.size(), 0};
   const auto add = [&](const RowStanding& row) {
     counts.isNew += row.standing == Standing::isNew || row.standing == Standing::unknown;
-    counts.still += row.standing == Standing::still;
+    counts.still += row.standing == Standing::still || row.standing == Standing::flaky;
   };
   for (const SceneResult& scene : report.scenes)
     for (const ViewResult& view : scene.views) {
-      add(standingOf(view, nullptr));
-      for (const MaterialResult& material : view.materials) add(standingOf(view, &material));
+      add(find ? find(scene, view, nullptr) : standingOf(view, nullptr));
+      for (const MaterialResult& material : view.materials)
+        add(find ? find(scene, view, &material) : standingOf(view, &material));
     }
   return counts;
 }
 
-std::string whyNewIsUnknown(const Report& report) {
+FindStanding standingBy(const EarlierRuns* earlier) {
+  if (!earlier) return {};
+  return [earlier](const SceneResult& scene, const ViewResult& view, const MaterialResult* material) {
+    return earlier->standingOf(scene, view, material);
+  };
+}
+
+std::string whyNewIsUnknown(const Report& report, const EarlierRuns* earlier) {
+  if (earlier && earlier->knowsAny()) return "";
   if (!report.baseline) return "there is no baseline";
   if (!report.baseline->error.empty()) return "the baseline cannot be used: " + report.baseline->error;
   return report.baseline->notWhole.empty() ? "" : "the baseline is not complete: " + report.baseline->notWhole;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 
 #include "report/report.h"
@@ -25,15 +26,21 @@ bool isFailure(compare::Verdict verdict); // fail or error
 // conditions is held to the verdict that it had there.
 RowStanding standingOf(const ViewResult& view, const MaterialResult* material);
 
-// How many rows of a report fail for the first time, and again. What budgets require and no scene has (Report::lost)
-// counts as new: no report says since when.
+// What is known of a row: by default standingOf, else by a history (report/earlier_runs.h). material null: the whole
+// image.
+using FindStanding = std::function<RowStanding(const SceneResult&, const ViewResult&, const MaterialResult*)>;
+
+// How many rows of a report fail for the first time, and again. A failure that is flaky is not new. What budgets require
+// and no scene has (Report::lost) counts as new: no report says since when.
 struct FailureCounts {
   std::size_t isNew = 0, still = 0;
 };
-FailureCounts countFailures(const Report& report);
+FailureCounts countFailures(const Report& report, const FindStanding& find = {});
 
-// Why nobody can say which failures of a settled report are new: there is no baseline, it could not be used, or it is
-// of a part of the scenes or lacks results; empty: one can.
-std::string whyNewIsUnknown(const Report& report);
+class EarlierRuns;
+
+// Why nobody can say which failures of a settled report are new: no earlier run is known, and there is no baseline, it
+// could not be used, or it is of a part of the scenes or lacks results; empty: one can. earlier: may be null.
+std::string whyNewIsUnknown(const Report& report, const EarlierRuns* earlier = nullptr);
 
 } // namespace parity::report

@@ -42,10 +42,16 @@ void addApprovalOptions(CLI::App& app, VerdictOptions& verdict) {
 
 void addOutcomeOptions(CLI::App& app, VerdictOptions& verdict, RawOutcome& raw) {
   choose(app.add_option("--fail-on", raw.failOn,
-                        "Failures that give the exit code 2: any, or only those that are new since the baseline"),
+                        "Failures that give the exit code 2: any, or only those that are new since the history's last\n"
+                        "run, or since the baseline"),
          {std::begin(report::kFailOnNames), std::end(report::kFailOnNames)})
       ->group("Verdict")
       ->capture_default_str();
+  app.add_option("--history", verdict.history,
+                 "Folder of parity history: its runs say what is new, fixed and flaky, since when a row fails, and\n"
+                 "how its figures went. Default: --baseline says what is new")
+      ->type_name(kFolder)
+      ->group("Verdict");
   CLI::Option* summary =
       app.add_option("--summary", verdict.summary.file,
                      "Also write a summary to this file: what is new, still failing, fixed, gone, ending.\n"
@@ -57,12 +63,6 @@ void addOutcomeOptions(CLI::App& app, VerdictOptions& verdict, RawOutcome& raw) 
       ->group(kOutputGroup)
       ->needs(summary)
       ->capture_default_str();
-  app.add_option("--history", verdict.summary.history,
-                 "Folder of parity history: the summary says by its runs what is new, fixed and flaky, and for how\n"
-                 "many nights a row fails. Default: by --baseline")
-      ->type_name(kFolder)
-      ->group(kOutputGroup)
-      ->needs(summary);
   app.add_option("--pictures-url", verdict.summary.picturesUrl,
                  "Address of the report's folder: the summary shows pictures from there. Default: no pictures")
       ->type_name("URL")
@@ -77,8 +77,8 @@ void settleOutcome(VerdictOptions& verdict, const RawOutcome& raw) {
 }
 
 void requireBaseline(const VerdictOptions& verdict) {
-  if (verdict.failOn == report::FailOn::isNew && verdict.baseline.empty())
-    throw CLI::ValidationError("--fail-on", "'new' needs --baseline, which says what failed before");
+  if (verdict.failOn == report::FailOn::isNew && verdict.baseline.empty() && verdict.history.empty())
+    throw CLI::ValidationError("--fail-on", "'new' needs --history or --baseline, which says what failed before");
 }
 
 void addVerdictOptions(CLI::App& app, VerdictOptions& verdict, RawOutcome& raw, const std::string& tableHelp) {

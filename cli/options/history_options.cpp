@@ -68,7 +68,23 @@ void addGcOptions(CLI::App& gc, HistoryGcCommand& command) {
       ->type_name("DATE")
       ->check(dayValidator())
       ->group(kInputGroup);
+  gc.add_option("--approvals", command.approvals, "Approvals (TOML): keep the pictures of the states that they approve")
+      ->type_name(kFile)
+      ->group(kInputGroup);
   gc.add_flag("--dry-run", command.isTrial, "Remove nothing, only say what would be removed")->group(kOutputGroup);
+}
+
+void addPageOptions(CLI::App& page, RawHistoryOptions& raw) {
+  addFolder(page, raw.page.folder);
+  addWhere(page, raw);
+  page.add_option("--last", raw.page.last, "Number of runs to show, the newest; 0: all")
+      ->group(kOutputGroup)
+      ->check(wholeWithin(0, 1'000'000))
+      ->capture_default_str();
+  page.add_option("-o,--output", raw.page.output, "Folder of the page: index.html")
+      ->type_name(kFolder)
+      ->group(kOutputGroup)
+      ->required();
 }
 
 void addBaselineOptions(CLI::App& baseline, RawHistoryOptions& raw) {
@@ -167,6 +183,8 @@ void addHistoryOptions(CLI::App& app, RawHistoryOptions& raw) {
       *app.add_subcommand("step", "Judge a report for 'git bisect run': exit with 0 (good), 1 (bad) or 125 (skip)"),
       raw);
   addGcOptions(*app.add_subcommand("gc", "Remove pictures that the history no longer needs"), raw.gc);
+  addPageOptions(*app.add_subcommand("page", "Make a page of the runs: counts, worst rows, changes, times, machines"),
+                 raw);
   addBaselineOptions(*app.add_subcommand("baseline", "Print the run that a branch is to be held against"), raw);
 }
 
@@ -186,6 +204,11 @@ HistoryCommand settleHistory(const CLI::App& app, const RawHistoryOptions& raw) 
     HistoryShowCommand show = raw.show;
     show.where = where;
     return show;
+  }
+  if (isGiven("page")) {
+    HistoryPageCommand page = raw.page;
+    page.where = where;
+    return page;
   }
   if (isGiven("gc")) return raw.gc;
   if (isGiven("baseline")) {

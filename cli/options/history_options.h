@@ -20,6 +20,7 @@ struct RawHistoryOptions {
   HistoryBlameCommand blame;
   HistoryStepCommand step;
   HistoryGcCommand gc;
+  HistoryPageCommand page;
   HistoryBaselineCommand baseline;
   std::vector<std::string> limits;
   std::string pictures = "not-passed";

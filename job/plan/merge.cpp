@@ -55,6 +55,7 @@ public:
     m_request.folder = options.folder;
     m_request.bench = options.bench;
     m_request.warningsFail = options.warningsFail;
+    m_request.findEarlier = options.findEarlier;
     if (!options.approvals.empty()) m_request.approvals = options.approvals;
     if (!options.asOf.empty()) m_request.asOf = options.asOf;
     m_stoppedBy = options.stoppedBy;

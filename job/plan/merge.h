@@ -18,6 +18,7 @@ struct MergeOptions {
   bool warningsFail = false;                 // as in ReportRequest
   std::string approvals = {};                // instead of the plan's; empty: the plan's
   std::string asOf = {};                     // the same of the day for them
+  report::FindEarlierRuns findEarlier = {};  // for the page; empty: no history
 };
 
 // Writes the report that runReport would have written for the plan's request, byte for byte. A unit that is missing is

@@ -32,9 +32,7 @@ struct Summary {
   std::vector<SummarySection> sections; // the most important first; none is empty
 };
 
-// What is known of a row: by default standingOf (report/standing.h), else by a history. material null: the whole image.
-using FindStanding = std::function<RowStanding(const SceneResult&, const ViewResult&, const MaterialResult*)>;
-
+// find: empty: standingOf (report/standing.h).
 Summary summarize(const Report& report, const RunInfo& run, const FindStanding& find = {});
 
 enum class SummaryFormat { github, gitlab, slack };

@@ -1,31 +1,12 @@
 // What a history says of the rows of the next report.
 #include "history/history_folder.h"
+#include "history/night_report.h"
 #include "history/row_history.h"
-#include "history/synthetic_nights.h"
 
 namespace parity::tests {
 namespace {
 
 using compare::Verdict, report::Standing;
-
-// The report of the night to come, with the verdicts of the nights' state.
-report::Report reportOf(const history::RunRecord& record) {
-  report::Report report;
-  report.suite = record.suite;
-  for (const history::SceneRecord& each : record.scenes) {
-    report::SceneResult& scene = report.scenes.emplace_back();
-    scene.name = each.name;
-    for (const history::ViewRecord& kept : each.views) {
-      report::ViewResult& view = scene.views.emplace_back();
-      view.name = kept.name, view.wholeVerdict = kept.whole.verdict;
-      for (const history::RowRecord& row : kept.materials) {
-        report::MaterialResult& material = view.materials.emplace_back();
-        material.name = row.name, material.verdict = row.verdict, material.rule.owner = "lighting";
-      }
-    }
-  }
-  return report;
-}
 
 class RowHistoryTest : public HistoryTest {
 protected:
@@ -34,7 +15,8 @@ protected:
     const report::Report report = reportOf(m_nights.state());
     const history::Store store = reader();
     const report::ViewResult& view = report.scenes[0].views[0];
-    return history::RowHistory(store.index(), report, started).of(report.scenes[0], view, &view.materials[material]);
+    return history::RowHistory(store.index(), history::runsBefore(store.index(), report.suite, started))
+        .of(report.scenes[0], view, &view.materials[material]);
   }
   void addNights(int count) {
     history::Store store = writer();

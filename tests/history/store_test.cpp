@@ -87,11 +87,11 @@ TEST_F(StoreTest, OnlyPicturesOfIntervalsAndOfRecentRunsStay) {
     store.add(nights.next());
   }
   const std::string since = "2026-01-04T00:00:00Z"; // the night of 'd'
-  const history::Collected trial = history::collectPictures(store.index(), folder(), since, true);
+  const history::Collected trial = history::collectPictures(store.index(), folder(), since, {}, true);
   EXPECT_EQ(trial.removed, 2u);
   EXPECT_EQ(trial.removedBytes, 18u);
   EXPECT_TRUE(fs::exists(pictureOf('b')));
-  EXPECT_EQ(history::collectPictures(store.index(), folder(), since, false).removed, 2u);
+  EXPECT_EQ(history::collectPictures(store.index(), folder(), since, {}, false).removed, 2u);
   for (const char digit : {'a', 'b', 'c', 'd', 'e'})
     EXPECT_EQ(fs::exists(pictureOf(digit)), digit != 'b' && digit != 'c') << digit;
 }
@@ -133,7 +133,9 @@ TEST_F(StoreTest, ASceneThatFailedInTheFirstRunOfALaneIsComparedWithTheLaneBefor
   for (const history::Event& event :
        history::eventsOf(store.index(), history::nightsOf(store.index(), {}, 1).back().run.id)) {
     ++kinds[event.kind];
-    if (event.kind == "regressed") EXPECT_EQ(event.cause, "settings");
+    if (event.kind == "regressed") {
+      EXPECT_EQ(event.cause, "settings");
+    }
   }
   EXPECT_EQ(kinds, (std::map<std::string, int>{{"fixed", 1}, {"regressed", 1}, {"gone", 1}}))
       << "the scene can be compared again; a row is worse than in the lane before, and one is missing";

@@ -68,6 +68,15 @@ TEST(Approvals, WhatIsApprovedPassesAndIsShownWithOwnerDateAndReason) {
   EXPECT_EQ(standingOf(report.scenes[0].views[0], &chrome(report)).owner, "characters");
 }
 
+// A little worse each night than the night before, which no comparison with that night would call worse.
+TEST(Approvals, CreepIsHeldAgainstTheApprovedValueAndNotAgainstLastNight) {
+  std::vector<Verdict> verdicts;
+  for (const double mean : {0.25, 0.254, 0.258, 0.262, 0.266})
+    verdicts.push_back(chrome(withApprovals(makeReport(mean), makeApprovals())).verdict);
+  EXPECT_EQ(verdicts, (std::vector{Verdict::pass, Verdict::pass, Verdict::pass, Verdict::fail, Verdict::fail}))
+      << "0.25 and a slack of 0.01";
+}
+
 TEST(Approvals, DateIsRecordedOnlyWhereSomethingHasOne) {
   compare::Approvals none = makeApprovals();
   none.entries.clear();

@@ -19,7 +19,7 @@ const base::Image kGrey(2, 2, 3, 0.5f);
 
 std::string overviewText(const Report& report) {
   std::string text;
-  writeOverview(report, [&](std::string_view piece) { text += piece; });
+  writeOverview(report, {}, [&](std::string_view piece) { text += piece; });
   return text;
 }
 
@@ -154,7 +154,7 @@ TEST(Html, ASceneHasItsCommandsAndNoTime) {
   RunInfo run = makeSampleRun();
   run.again = {{"Lamp", "front", "parity diff 'a'"}, {"Other", "front", "b"}, {"Lamp", "behind", "c"}};
   run.sceneTimes = {{"Other", 1}, {"Lamp", 2.5}};
-  const SceneFiles files(report, run);
+  const SceneFiles files(report, run, nullptr);
   const std::string script = files.script(0);
   EXPECT_EQ(script, "parityScene(" + files.object(0) + ");\n");
   const json lamp = json::parse(files.object(0)), broken = json::parse(files.object(1));

@@ -19,7 +19,7 @@ using nlohmann::json;
 
 json parseOverview(const Report& report) {
   std::string text;
-  writeOverview(report, [&](std::string_view piece) { text += piece; });
+  writeOverview(report, {}, [&](std::string_view piece) { text += piece; });
   EXPECT_EQ(text.find('\n'), text.size() - 1) << "one line";
   return json::parse(text);
 }

@@ -106,9 +106,103 @@ TEST_F(HistoryCommandTest, ASummaryCountsTheNightsOfARow) {
   EXPECT_TRUE(contains(summary, "3 nights")) << summary;
   const RunResult none = runParity(join(
       {{"report", "-o", path("out")}, options(), strict, {"--summary", path("s.md"), "--history", path("nowhere")}}));
-  EXPECT_TRUE(contains(none.err, "the summary is made without the history")) << none.err;
+  EXPECT_TRUE(contains(none.err, "the history cannot be used: ")) << none.err;
   EXPECT_TRUE(contains(readWholeFile(m_folder / "s.md"), "### Failures"));
 }
+
+// A block of data of a page.
+nlohmann::json blockOf(const std::string& page, const std::string& id) {
+  const std::string begin = "<script type=\"application/json\" id=\"" + id + "\">";
+  const std::size_t at = page.find(begin);
+  if (at == std::string::npos) return {};
+  const std::size_t from = at + begin.size();
+  return nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+TEST_F(HistoryCommandTest, OnlyFailuresThatTheLastNightDidNotHaveCount) {
+  writeScenes(2);
+  write("one.toml", "[[material]]\nscene = \"00\"\nname = \"*\"\nmin_pixels = 1\n"
+                    "checks = [ { metric = \"flip.mean\", fail = 1e-6 } ]\n");
+  write("all.toml",
+        "[[material]]\nname = \"*\"\nmin_pixels = 1\nchecks = [ { metric = \"flip.mean\", fail = 1e-6 } ]\n");
+  const auto night = [&](const char* budgets, const std::vector<std::string>& more) {
+    return runParity(join({{"report", "-o", path("out")}, options(), {"--budgets", path(budgets)}, more}));
+  };
+  const std::vector<std::string> onlyNew = {"--history", path("history"), "--fail-on", "new"};
+  RunResult run = night("one.toml", onlyNew);
+  EXPECT_TRUE(exitedWith(4, run)) << "there is no history yet";
+  EXPECT_TRUE(contains(run.err, "nobody can tell which failures are new")) << run.err;
+  addNight(1);
+  run = night("one.toml", onlyNew);
+  EXPECT_TRUE(exitedWith(0, run));
+  EXPECT_TRUE(contains(run.out, "0 new failures, 1 still failing, not counted")) << run.out;
+  addNight(2);
+  run = night("all.toml", onlyNew);
+  EXPECT_TRUE(exitedWith(2, run));
+  EXPECT_TRUE(contains(run.out, "1 new failure, 1 still failing, not counted")) << run.out;
+  const Files here = reportIn("out");
+
+  EXPECT_TRUE(exitedWith(0, plan(2, {"--budgets", path("all.toml")})));
+  EXPECT_TRUE(exitedWith(0, work({"--shard", "0"})));
+  EXPECT_TRUE(exitedWith(0, work({"--shard", "1"})));
+  run = merge("merged", onlyNew);
+  EXPECT_TRUE(exitedWith(2, run));
+  EXPECT_TRUE(contains(run.out, "1 new failure, 1 still failing, not counted")) << run.out;
+}
+
+#ifdef PARITY_DASHBOARD
+TEST_F(HistoryCommandTest, PagesShowTheRuns) {
+  writeScenes(1);
+  for (const int night : {1, 2}) {
+    if (night == 2) recolour("00.gltf");
+    report();
+    addNight(night);
+  }
+  report({"--history", path("history")});
+  const std::string page = readWholeFile(m_folder / "out" / "index.html");
+  EXPECT_EQ(blockOf(page, "history")["runs"].size(), 2u);
+  const std::string scene = readWholeFile(m_folder / "out" / "scenes" / "0.js");
+  const nlohmann::json trend =
+      nlohmann::json::parse(scene.substr(scene.find('{'), scene.rfind('}') - scene.find('{') + 1))["history"]["views"][0][0];
+  EXPECT_EQ(trend["figures"]["flip.mean"].size(), 2u) << trend;
+  EXPECT_EQ(trend["changes"][0]["cause"], "asset") << trend;
+  report();
+  EXPECT_TRUE(blockOf(readWholeFile(m_folder / "out" / "index.html"), "history").is_null());
+
+  RunResult run = history({"page", "-o", path("nights")});
+  EXPECT_TRUE(exitedWith(0, run));
+  const nlohmann::json nights = blockOf(readWholeFile(m_folder / "nights" / "index.html"), "nights");
+  EXPECT_EQ(nights["runs"].size(), 2u);
+  EXPECT_GT(nights["rows"].size(), 0u);
+  run = history({"page", "-o", path("out")});
+  EXPECT_TRUE(exitedWith(4, run));
+  EXPECT_TRUE(contains(run.err, "a report lies here, whose page would be lost")) << run.err;
+  EXPECT_TRUE(exitedWith(0, history({"page", "-o", path("last"), "--last", "1", "--branch", "main", "--suite", "night"})));
+  EXPECT_EQ(blockOf(readWholeFile(m_folder / "last" / "index.html"), "nights")["runs"].size(), 1u);
+}
+
+// The states of an approval: the one that was approved, and today's.
+TEST_F(HistoryCommandTest, ThePageShowsTheApprovedStateBesideTodays) {
+  writeScenes(1);
+  write("zero.toml",
+        "[[material]]\nname = \"*\"\nmin_pixels = 1\nchecks = [ { metric = \"flip.mean\", fail = 1e-6 } ]\n");
+  const std::vector<std::string> strict = {"--budgets", path("zero.toml")};
+  report(strict);
+  addNight(1);
+  ASSERT_TRUE(exitedWith(0, runParity({"approve", path("out"), "--material", "*", "--owner", "me", "--reason", "why",
+                                       "--until", "2099-01-01", "-o", path("approvals.toml")})));
+  recolour("00.gltf");
+  report(join({strict, {"--approvals", path("approvals.toml"), "--history", path("history")}}));
+  const auto approved = [&] { return listFiles(m_folder / "out" / "approved").size(); };
+  EXPECT_EQ(approved(), 3u) << "reference, test, FLIP";
+  EXPECT_TRUE(contains(readWholeFile(m_folder / "out" / "scenes" / "0.js"), "\"approved\":{\"run\":0"));
+  EXPECT_TRUE(exitedWith(0, history({"gc", "--approvals", path("approvals.toml")})));
+  write("approvals.toml", "<<<<<<< HEAD\n");
+  EXPECT_TRUE(exitedWith(4, history({"gc", "--approvals", path("approvals.toml")})));
+  report(strict);
+  EXPECT_FALSE(std::filesystem::exists(m_folder / "out" / "approved")) << "an older report's pictures are removed";
+}
+#endif
 
 TEST_F(HistoryCommandTest, InputsAreTheSameHoweverTheReportWasMade) {
   writeScenes(3);
