@@ -150,7 +150,8 @@ int run(const HistoryPageCommand& command) {
   std::filesystem::create_directories(folder, error);
   if (error) throw base::fileError(command.output, "", "cannot be created as a folder: " + error.message());
   if (std::filesystem::exists(folder / "report.json", error))
-    throw base::fileError(command.output, "report.json", "a report lies here, whose page would be lost; give another folder");
+    throw base::fileError(command.output, "report.json",
+                          "a report lies here, whose page would be lost; give another folder");
   base::writeText(folder / "index.html", history::toNightsPage(store.index(), command.where, command.last));
   print("{}\n", (folder / "index.html").string());
   return 0;

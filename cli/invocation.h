@@ -260,8 +260,8 @@ struct HistoryStepCommand {
 
 struct HistoryGcCommand {
   std::string folder = "history";
-  int days = 30;    // pictures of runs that are not older are kept
-  std::string asOf; // date, YYYY-MM-DD; empty: today
+  int days = 30;         // pictures of runs that are not older are kept
+  std::string asOf;      // date, YYYY-MM-DD; empty: today
   std::string approvals; // file; empty: none
   bool isTrial = false;
 };

@@ -62,19 +62,19 @@ report::Bench readBench(const std::string& bench) {
 
 report::FindEarlierRuns findEarlierRuns(const std::string& folder) {
   if (folder.empty()) return {};
-  return [folder](const report::Report& report,
-                  const report::RunInfo& run) -> std::shared_ptr<const report::EarlierRuns> {
-    try {
-      auto history = std::make_shared<const history::ReportHistory>(folder, report, run.startedAt);
-      if (!history->knowsAny())
-        base::logWarning(fmt::format("{}: the history has no earlier run of {}", folder,
-                                     report.suite.empty() ? "a report without a suite" : "this suite"));
-      return history;
-    } catch (const base::Error& error) {
-      base::logWarning(fmt::format("the history cannot be used: {}", error.what()));
-      return nullptr;
-    }
-  };
+  return
+      [folder](const report::Report& report, const report::RunInfo& run) -> std::shared_ptr<const report::EarlierRuns> {
+        try {
+          auto history = std::make_shared<const history::ReportHistory>(folder, report, run.startedAt);
+          if (!history->knowsAny())
+            base::logWarning(fmt::format("{}: the history has no earlier run of {}", folder,
+                                         report.suite.empty() ? "a report without a suite" : "this suite"));
+          return history;
+        } catch (const base::Error& error) {
+          base::logWarning(fmt::format("the history cannot be used: {}", error.what()));
+          return nullptr;
+        }
+      };
 }
 
 job::ReportRequest reportRequest(const ReportCommand& command, const RunRequest& run, const std::string& commandLine) {

@@ -82,7 +82,8 @@ void writeNight(base::JsonWriter& json, const Database& index, const Night& nigh
 // scene are no rows.
 std::vector<SubjectRef> changedRows(const Database& index, const Where& where, const std::vector<std::int64_t>& runs) {
   Statement all = index.prepare(
-      "SELECT s.id, s.scene, s.view, s.material, s.ordinal, c.id FROM (SELECT subject, max(run) AS last FROM event WHERE "
+      "SELECT s.id, s.scene, s.view, s.material, s.ordinal, c.id FROM (SELECT subject, max(run) AS last FROM event "
+      "WHERE "
       "run>=? GROUP BY subject) JOIN subject AS s ON s.id=subject JOIN subject AS c ON c.suite=s.suite AND "
       "c.scene=s.scene AND c.ordinal=-2 WHERE s.suite=? AND s.ordinal!=-2 ORDER BY last DESC, s.id LIMIT ?");
   all.bind(runs.empty() ? std::int64_t{0} : runs.front(), where.suite.value_or(""), kMostRows);
@@ -166,15 +167,15 @@ std::string toNightsPage(const Database& index, const Where& given, std::size_t 
   const std::string json = nightsPageJson(index, where, last);
   const std::vector<Night> newest = nightsOf(index, where, 1);
   const std::string suite = where.suite.value_or("");
-  return report::toHtml(report::DataPage{
-      .tool = "parity history",
-      .title = fmt::format("{}nights{}", suite.empty() ? "" : suite + ": ",
-                           where.branch.value_or("").empty() ? "" : " of " + *where.branch),
-      .verdict = newest.empty() ? "" : newest.front().run.verdict,
-      .sub = newest.empty() ? "no run" : "to " + newest.front().run.started,
-      .plain = "<p>This page needs JavaScript; parity history show prints its runs.</p>\n",
-      .blocks = {{"nights", json}},
-      .files = {}});
+  return report::toHtml(
+      report::DataPage{.tool = "parity history",
+                       .title = fmt::format("{}nights{}", suite.empty() ? "" : suite + ": ",
+                                            where.branch.value_or("").empty() ? "" : " of " + *where.branch),
+                       .verdict = newest.empty() ? "" : newest.front().run.verdict,
+                       .sub = newest.empty() ? "no run" : "to " + newest.front().run.started,
+                       .plain = "<p>This page needs JavaScript; parity history show prints its runs.</p>\n",
+                       .blocks = {{"nights", json}},
+                       .files = {}});
 }
 
 } // namespace parity::history

@@ -8,7 +8,8 @@
 
 namespace parity::history {
 
-inline constexpr std::size_t kMostTimedRuns = 100; // that steps in times are looked for in: `history show --timings`, too
+inline constexpr std::size_t kMostTimedRuns =
+    100; // that steps in times are looked for in: `history show --timings`, too
 
 // The data of the page: the JSON of Nights in report/dashboard/src/data/history.ts. The newest `last` runs (0: all) of
 // the suite and branch; of each run the 200 gravest changes; the 2,000 rows that changed last.

@@ -10,7 +10,6 @@ namespace parity::history {
 
 namespace {
 
-
 std::string fileOf(const std::string& hash) { return hash.empty() ? "" : "approved/" + hash + ".png"; }
 
 // A figure that is approved, whether or not it still is.
@@ -106,7 +105,8 @@ std::string ReportHistory::trendsJson(const report::SceneResult& scene) const {
   json.key("views").beginArray();
   for (const report::ViewResult& view : scene.views) {
     json.beginArray();
-    for (const report::MaterialResult& material : view.materials) writeRow(json, nameOf(scene, view, &material), sceneId);
+    for (const report::MaterialResult& material : view.materials)
+      writeRow(json, nameOf(scene, view, &material), sceneId);
     writeRow(json, nameOf(scene, view, nullptr), sceneId);
     json.endArray();
   }

@@ -134,8 +134,8 @@ std::vector<Interval> statesOf(const Database& index, const std::vector<LaneSpan
 }
 
 std::vector<Course> coursesOf(const Database& index, const std::vector<LaneSpan>& lanes, std::int64_t subject) {
-  using Values = std::map<std::int64_t, std::vector<Interval>>; // by lane
-  std::map<std::int64_t, std::pair<std::string, Values>> figures;  // by metric
+  using Values = std::map<std::int64_t, std::vector<Interval>>;   // by lane
+  std::map<std::int64_t, std::pair<std::string, Values>> figures; // by metric
   Statement all = index.prepare("SELECT metric, name, first_run, last_run, v FROM value JOIN metric ON "
                                 "metric.id=value.metric WHERE lane=? AND subject=? ORDER BY metric, first_run");
   for (const LaneSpan& span : lanes) {
@@ -148,8 +148,8 @@ std::vector<Course> coursesOf(const Database& index, const std::vector<LaneSpan>
   }
   std::vector<Course> courses;
   for (auto& [metric, figure] : figures)
-    courses.push_back({metric, figure.first,
-                       intervals(lanes, [&](std::int64_t lane) { return std::move(figure.second[lane]); })});
+    courses.push_back(
+        {metric, figure.first, intervals(lanes, [&](std::int64_t lane) { return std::move(figure.second[lane]); })});
   return courses;
 }
 

@@ -12,7 +12,8 @@ void writeSpans(base::JsonWriter& json, const std::vector<Interval>& intervals, 
                 const std::function<void(const Interval&)>& writeValue) {
   json.beginArray();
   for (const Interval& each : intervals) {
-    const auto first = std::ranges::lower_bound(runs, each.firstRun), end = std::ranges::upper_bound(runs, each.lastRun);
+    const auto first = std::ranges::lower_bound(runs, each.firstRun),
+               end = std::ranges::upper_bound(runs, each.lastRun);
     if (first >= end) continue;
     json.beginArray();
     json.integer(first - runs.begin());

@@ -10,8 +10,8 @@
 namespace parity::history {
 
 struct WorstRow {
-  std::string row;                // its path; empty: none has the figure
-  double value = 0, mean = 0;     // mean: over the materials that have it
+  std::string row;            // its path; empty: none has the figure
+  double value = 0, mean = 0; // mean: over the materials that have it
 };
 
 // By run: of the whole runs of the suite and branch. metric: a figure of which less is better.

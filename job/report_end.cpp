@@ -186,8 +186,7 @@ void ReportEnd::keepBaselinePictures(report::Report& report, std::vector<Encoded
 void ReportEnd::keepApprovedPictures(const report::EarlierRuns& earlier, std::vector<EncodedPicture>& pictures) const {
   if (m_request.pictures == Pictures::none) return;
   std::vector<EncodedPicture> kept;
-  for (const report::ApprovedPicture& each : earlier.approvedPictures())
-    try {
+  for (const report::ApprovedPicture& each : earlier.approvedPictures()) try {
       kept.push_back({each.file, base::readFile(each.source)});
     } catch (const base::Error& error) {
       base::logWarning(fmt::format("the picture of an approved state is not shown: {}", error.what()));

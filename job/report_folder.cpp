@@ -121,8 +121,7 @@ void writeReport(const std::filesystem::path& folder, const report::Report& repo
   base::writePieces(folder / "junit.xml", [&](const base::TextSink& sink) { report::writeJunit(report, run, sink); });
   if (!parts.bench.json.empty() && !parts.singleFile) base::writeText(folder / "bench.json", parts.bench.json);
   if (!report::hasDashboard()) return;
-  report::PageRequest page{
-      .bench = parts.bench, .singleFile = parts.singleFile, .files = {}, .earlier = parts.earlier};
+  report::PageRequest page{.bench = parts.bench, .singleFile = parts.singleFile, .files = {}, .earlier = parts.earlier};
   if (parts.singleFile)
     for (const EncodedPicture& picture : parts.pictures) page.files.push_back({picture.file, picture.bytes});
   if (!parts.singleFile) {

@@ -31,8 +31,8 @@ void prepareReportFolder(const std::filesystem::path& folder, bool singleFile);
 
 struct ReportParts {
   const report::Bench& bench;
-  bool singleFile = false;                     // index.html holds the bench, the pictures, script and style
-  const std::vector<EncodedPicture>& pictures; // of a single file
+  bool singleFile = false;                      // index.html holds the bench, the pictures, script and style
+  const std::vector<EncodedPicture>& pictures;  // of a single file
   const report::EarlierRuns* earlier = nullptr; // null: no earlier run is known
 };
 

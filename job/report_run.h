@@ -36,7 +36,7 @@ struct ReportRequest {
   std::string commandLine;                      // for run.json
   std::vector<report::AgainCommand> again = {}; // for run.json
   bool warningsFail = false;                    // for run.json and junit.xml
-  report::FindEarlierRuns findEarlier = {}; // for the page; empty: no history
+  report::FindEarlierRuns findEarlier = {};     // for the page; empty: no history
   std::vector<std::size_t> sentinels = {}; // places of scenes that are compared although the cache has them, in order
 };
 

@@ -278,8 +278,8 @@ std::vector<RunProblem> problemsOf(const Report& report);
 
 class EarlierRuns;
 
-// Which failures count. isNew: those that the baseline or the history does not have (report/standing.h); where nobody can tell, the
-// exit code is 4. Errors count all the same.
+// Which failures count. isNew: those that the baseline or the history does not have (report/standing.h); where nobody
+// can tell, the exit code is 4. Errors count all the same.
 enum class FailOn { any, isNew };
 inline constexpr const char* kFailOnNames[] = {"any", "new"};
 

@@ -23,8 +23,8 @@ public:
   static std::string nameOf(std::size_t place);
 
   // {"file":FILE,"format":1,"scene":{...},"again":[...],"history":{...}}: the scene as report.json has it, the commands
-  // of its views as run.json has them, and what earlier runs know of its rows, where there are some; no times, so that the same scenes give the same bytes. Several threads may ask at a
-  // time.
+  // of its views as run.json has them, and what earlier runs know of its rows, where there are some; no times, so that
+  // the same scenes give the same bytes. Several threads may ask at a time.
   std::string object(std::size_t place) const;
 
   // The file's text: parityScene(OBJECT);

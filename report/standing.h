@@ -30,8 +30,8 @@ RowStanding standingOf(const ViewResult& view, const MaterialResult* material);
 // image.
 using FindStanding = std::function<RowStanding(const SceneResult&, const ViewResult&, const MaterialResult*)>;
 
-// How many rows of a report fail for the first time, and again. A failure that is flaky is not new. What budgets require
-// and no scene has (Report::lost) counts as new: no report says since when.
+// How many rows of a report fail for the first time, and again. A failure that is flaky is not new. What budgets
+// require and no scene has (Report::lost) counts as new: no report says since when.
 struct FailureCounts {
   std::size_t isNew = 0, still = 0;
 };

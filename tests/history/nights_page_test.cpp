@@ -78,7 +78,8 @@ TEST_F(NightsPageTest, ARunHasItsChangesAndARowItsTrend) {
   EXPECT_EQ(row["verdicts"], json::parse(R"([[0,1,"pass"],[2,2,"fail"]])"));
   const json newest = page(2); // of the newest two
   EXPECT_EQ(newest["runs"].size(), 2u);
-  EXPECT_EQ(newest["rows"][planted.subject]["figures"]["flip.mean"], json({{0, 0, planted.before}, {1, 1, planted.now}}));
+  EXPECT_EQ(newest["rows"][planted.subject]["figures"]["flip.mean"],
+            json({{0, 0, planted.before}, {1, 1, planted.now}}));
   EXPECT_EQ(newest["rows"][planted.subject]["changes"][0]["run"], 1);
 }
 

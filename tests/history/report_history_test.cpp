@@ -22,7 +22,8 @@ protected:
     history::Store store = writer();
     for (int i = 0; i < count; ++i) store.add(m_nights.next());
   }
-  history::ReportHistory history(const report::Report& report, const std::string& started = "2027-01-01T00:00:00Z") const {
+  history::ReportHistory history(const report::Report& report,
+                                 const std::string& started = "2027-01-01T00:00:00Z") const {
     return {folder(), report, started};
   }
   json trendOf(std::size_t material, const std::string& started = "2027-01-01T00:00:00Z") {
@@ -53,7 +54,8 @@ TEST_F(ReportHistoryTest, ARowIsShownOverTheRunsWithItsChanges) {
   EXPECT_EQ(trend["verdicts"], json::parse(R"([[0,1,"pass"],[2,4,"fail"]])"));
   ASSERT_EQ(trend["changes"].size(), 1u);
   EXPECT_EQ(trend["changes"][0], json::parse(fmt::format(R"({{"run":2,"kind":"regressed","cause":"asset",
-    "metric":"flip.mean","before":{},"after":{},"figures":10}})", asset.before, asset.now)));
+    "metric":"flip.mean","before":{},"after":{},"figures":10}})",
+                                                         asset.before, asset.now)));
   EXPECT_EQ(trendOf(1)["changes"], json::array());
   EXPECT_FALSE(trend.contains("approved"));
   const json early = trendOf(0, "2026-01-02T04:00:00Z"); // as if the report was the third night

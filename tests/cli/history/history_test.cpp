@@ -162,8 +162,8 @@ TEST_F(HistoryCommandTest, PagesShowTheRuns) {
   const std::string page = readWholeFile(m_folder / "out" / "index.html");
   EXPECT_EQ(blockOf(page, "history")["runs"].size(), 2u);
   const std::string scene = readWholeFile(m_folder / "out" / "scenes" / "0.js");
-  const nlohmann::json trend =
-      nlohmann::json::parse(scene.substr(scene.find('{'), scene.rfind('}') - scene.find('{') + 1))["history"]["views"][0][0];
+  const nlohmann::json trend = nlohmann::json::parse(
+      scene.substr(scene.find('{'), scene.rfind('}') - scene.find('{') + 1))["history"]["views"][0][0];
   EXPECT_EQ(trend["figures"]["flip.mean"].size(), 2u) << trend;
   EXPECT_EQ(trend["changes"][0]["cause"], "asset") << trend;
   report();
@@ -177,7 +177,8 @@ TEST_F(HistoryCommandTest, PagesShowTheRuns) {
   run = history({"page", "-o", path("out")});
   EXPECT_TRUE(exitedWith(4, run));
   EXPECT_TRUE(contains(run.err, "a report lies here, whose page would be lost")) << run.err;
-  EXPECT_TRUE(exitedWith(0, history({"page", "-o", path("last"), "--last", "1", "--branch", "main", "--suite", "night"})));
+  EXPECT_TRUE(
+      exitedWith(0, history({"page", "-o", path("last"), "--last", "1", "--branch", "main", "--suite", "night"})));
   EXPECT_EQ(blockOf(readWholeFile(m_folder / "last" / "index.html"), "nights")["runs"].size(), 1u);
 }
 
