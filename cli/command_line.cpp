@@ -16,6 +16,7 @@
 #include "cli/options/cache_options.h"
 #include "cli/options/command_help.h"
 #include "cli/options/common_options.h"
+#include "cli/options/contract_options.h"
 #include "cli/options/fit_options.h"
 #include "cli/options/flip_options.h"
 #include "cli/options/guide_options.h"
@@ -182,6 +183,16 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   addViewKnobs(renderApp, raw);
   addRunOptions(renderApp, render.common, raw);
 
+  ContractCommand contract;
+  CLI::App& contractApp =
+      *app.add_subcommand("contract", "Write what another engine needs to render the views of scenes, as a folder");
+  addContractOptions(contractApp, contract, raw);
+
+  CalibrateCommand calibrate;
+  CLI::App& calibrateApp =
+      *app.add_subcommand("calibrate", "Say what an engine's picture of the calibration scene tells of the engine");
+  addCalibrateOptions(calibrateApp, calibrate);
+
   FlipCommand flip;
   RawFlipOptions rawFlip;
   CLI::App& flipApp = *app.add_subcommand("flip", "Compare any two images, two folders of images, or a list of pairs");
@@ -316,6 +327,14 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
         render.path = "truth";
       }
       parsed.command = render;
+    } else if (contractApp.parsed()) {
+      if (contract.scenes.empty() && contract.suite.empty()) throw CLI::RequiredError("contract: SCENE or --suite");
+      if (!contract.suite.empty()) requireNoneOfScene(raw);
+      settle(contractApp, contract.common, raw, !contract.suite.empty());
+      requireSizeFits(contract.common, kDrawnPixelBytes);
+      parsed.command = contract;
+    } else if (calibrateApp.parsed()) {
+      parsed.command = calibrate;
     } else if (flipApp.parsed()) {
       settleFlip(flipApp, flip, rawFlip);
       parsed.command = flip;

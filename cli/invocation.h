@@ -119,10 +119,21 @@ struct RenderCommand {
   std::string scene, path, output;
   std::string errorMap; // of the reference path; empty: none
   std::string term;     // a term, or an intermediate of the path; empty: the picture
+  std::string ids;      // file for the materials of the pixels; empty: none
 };
 
 // parity render --list-terms.
 struct ListTermsCommand {};
+
+struct ContractCommand {
+  CommonOptions common;
+  std::vector<std::string> scenes;
+  std::string suite, output; // output: a folder
+};
+
+struct CalibrateCommand {
+  std::string picture; // file, or the folder that it is in
+};
 
 struct FlipCommand {
   std::string reference, test, pairList; // the first two, or the last
@@ -285,7 +296,7 @@ using Invocation =
     std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand, ListTermsCommand,
                  FlipCommand, ApproveCommand, BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand,
                  StressCommand, BakeCommand, DevicesCommand, InfoCommand, CacheCommand, SuiteListCommand, PlotCommand,
-                 KnobsCommand, VersionCommand, GuideCommand, HistoryCommand>;
+                 KnobsCommand, VersionCommand, GuideCommand, HistoryCommand, ContractCommand, CalibrateCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, a usage error) with its
 // exit code.
@@ -310,6 +321,8 @@ int runMergeCommand(const MergeCommand& command);
 int runDiffCommand(const DiffCommand& command, const std::string& commandLine);
 int runRenderCommand(const RenderCommand& command);
 int runListTermsCommand();
+int runContractCommand(const ContractCommand& command);
+int runCalibrateCommand(const CalibrateCommand& command);
 int runFlipCommand(const FlipCommand& command);
 int runApproveCommand(const ApproveCommand& command);
 int runBudgetSuggestCommand(const BudgetSuggestCommand& command);

@@ -46,6 +46,8 @@ int run(int argc, char** argv) {
                                [&](const DiffCommand& c) { return runDiffCommand(c, line); },
                                [](const RenderCommand& c) { return runRenderCommand(c); },
                                [](const ListTermsCommand&) { return runListTermsCommand(); },
+                               [](const ContractCommand& c) { return runContractCommand(c); },
+                               [](const CalibrateCommand& c) { return runCalibrateCommand(c); },
                                [](const FlipCommand& c) { return runFlipCommand(c); },
                                [](const ApproveCommand& c) { return runApproveCommand(c); },
                                [](const BudgetSuggestCommand& c) { return runBudgetSuggestCommand(c); },

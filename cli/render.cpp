@@ -14,6 +14,7 @@
 #include "cli/requests.h"
 #include "compare/metrics/metrics.h"
 #include "job/scene/material_choice.h"
+#include "job/scene/material_ids.h"
 #include "job/scene/passes.h"
 #include "job/scene/scene_renderer.h"
 #include "job/view/displayed.h"
@@ -80,7 +81,7 @@ job::PathChoice choiceOf(const RenderCommand& command) {
 // The settings that the command asks for: a term needs all of them, an intermediate is what the shader writes.
 job::Settings settingsOf(const RenderCommand& command) {
   job::Settings settings = command.common.settings;
-  settings.coverage = !settings.materials.empty();
+  settings.coverage = !settings.materials.empty() || !command.ids.empty();
   if (command.term.empty()) return settings;
   settings.background = glm::vec3(0);
   settings.terms = shading::termByName(command.term).has_value();
@@ -130,7 +131,8 @@ int runRenderCommand(const RenderCommand& command) {
 
   job::SceneRequest request = sceneRequest(command.common, command.scene);
   request.settings = settings;
-  requireSeparate({{"-o", command.output}, {"--error-map", command.errorMap}}, inputFiles(command.common, {request}));
+  requireSeparate({{"-o", command.output}, {"--error-map", command.errorMap}, {"--ids", command.ids}},
+                  inputFiles(command.common, {request}));
   const base::ThreadLimit threads(command.common.threads);
   job::Context context(settings);
   job::PreparedScene prepared = job::prepareScene(context, request, paths);
@@ -150,6 +152,7 @@ int runRenderCommand(const RenderCommand& command) {
   const base::Image& color = term ? frame.terms[static_cast<std::size_t>(*term)] : frame.color;
   if (paths.truth) reportError(frames, settings.reference.integral.relativeError);
   if (!command.errorMap.empty()) base::writeImage(command.errorMap, frames.truthError);
+  if (!command.ids.empty()) job::writeMaterialIds(command.ids, frames.coverage, settings.width, settings.height);
 
   if (const compare::NonFinite bad = compare::countNonFinite(color); bad.count > 0)
     base::logWarning(fmt::format("{} of {} pixels are NaN or infinite; the first is at x {}, y {}", bad.count,

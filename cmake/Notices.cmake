@@ -18,6 +18,7 @@ set(packages
   libtbb-dev "oneTBB, headers"
   libtinygltf-dev "tinygltf, a header"
   libfilament-dev "Filament, headers"
+  libkissfft-dev "KISS FFT, a header"
   fonts-dejavu-core "DejaVu Sans, whose letters stand in the pictures of `parity plot`")
 
 file(READ ${LICENCE} text)

@@ -17,6 +17,9 @@ find_package(SPIRV-Tools-opt REQUIRED)
 find_package(astcenc REQUIRED)
 find_package(SQLite3 REQUIRED)
 
+# Of KISS FFT the header in C++ alone, which needs no library.
+find_path(KISSFFT_INCLUDE_DIR kissfft/kissfft.hh REQUIRED)
+
 # NLopt's config names its C library only; the C++ one holds both.
 find_path(NLOPT_INCLUDE_DIR nlopt.hpp REQUIRED)
 find_library(NLOPT_LIBRARY nlopt_cxx REQUIRED)

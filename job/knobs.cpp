@@ -9,6 +9,7 @@
 #include "base/member_count.h"
 #include "job/condition_text.h"
 #include "job/paths.h"
+#include "job/scene/view_rows.h"
 #include "job/what_if.h"
 
 namespace parity::job {
@@ -321,11 +322,13 @@ std::vector<SceneRequest> requestsOf(const scenes::Suite& suite, const Settings&
     SceneRequest& request =
         requests.emplace_back(SceneRequest{entry.name, entry.scene, {}, entry.captures, entry.views, entry.budgets});
     request.tags = entry.tags;
+    request.externals = entry.externals;
     try {
       const base::GivenKnobs defaults = base::merged(suite.given, entry.defaults);
       request.given = base::merged(base::merged(defaults, commandLine), entry.given);
       request.settings = withKnobs(settings, request.given);
       requireNeeds(request.settings, entry.given);
+      requireExternals(request);
     } catch (const base::Error& error) {
       throw base::Error(base::ExitCode::failed, fmt::format("scene '{}'", entry.name), error.subject(), error.reason());
     }

@@ -39,7 +39,7 @@ bool isOfAView(std::string_view name) {
 // Whether a report could have given this name to a picture: "0-scene_0-view_m3_flip.png", or one of a texture.
 bool isPictureOfAReport(std::string_view name) {
   std::vector<std::string> kinds = pathNames();
-  kinds.insert(kinds.end(), {"flip", "truth"});
+  kinds.insert(kinds.end(), {"flip", "truth", kExternal, kExternalReference});
   const auto isOfKind = [&](const std::string& kind) { return name.ends_with("_" + kind + ".png"); };
   return isCardPicture(name) || (isOfAView(name) && std::ranges::any_of(kinds, isOfKind));
 }

@@ -17,6 +17,9 @@ namespace parity::job {
 std::string imagePrefix(std::size_t sceneIndex, const std::string& scene, std::size_t viewIndex,
                         const std::string& view);
 
+// In the names of pictures: of other engines, whatever they are called.
+inline constexpr const char *kExternal = "external", *kExternalReference = "external-reference";
+
 // What a report's folder may hold besides images/, pixels/, scenes/, baseline/ and approved/.
 inline constexpr std::array<const char*, 7> kReportFiles = {"report.json",  "run.json",      "junit.xml", "index.html",
                                                             "dashboard.js", "dashboard.css", "bench.json"};

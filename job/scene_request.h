@@ -7,6 +7,7 @@
 
 #include "base/knob/knob.h"
 #include "job/settings.h"
+#include "scenes/suite/suite.h"
 #include "scenes/view.h"
 
 namespace parity::job {
@@ -27,6 +28,7 @@ struct SceneRequest {
   std::vector<std::string> tags = {};  // of the suite
   std::optional<WholeRun> partOf = {}; // none: the run is whole
   base::GivenKnobs given = {};         // what its settings were made of: withKnobs
+  std::vector<scenes::ExternalPictures> externals = {};
 };
 
 } // namespace parity::job

@@ -53,6 +53,11 @@ void addRenderOptions(CLI::App& app, RenderCommand& render, bool& listTerms) {
          },
          "List the values of --term")
       ->group("Rendered");
+  app.add_option("--ids", render.ids,
+                 "Write which material each pixel shows: channels id, coverage and seen (docs/own-engine.md)")
+      ->check(fileOfKind({".exr"}))
+      ->type_name(kFile)
+      ->group(kOutputGroup);
   app.add_option("--error-map", render.errorMap, "Write the relative standard error of each pixel to this file")
       ->check(fileOfKind({".exr", ".pfm"}))
       ->type_name(kFile)

@@ -86,8 +86,19 @@ scenes::ViewRequest viewFrom(const ordered_json& json) {
           json.at("fov")};
 }
 
+static_assert(base::memberCount<scenes::ExternalPictures>() == 7, "a new member goes into the plan");
+ordered_json toJson(const scenes::ExternalPictures& external) {
+  return {{"name", external.name},         {"test", external.test},         {"reference", external.reference},
+          {"transfer", external.transfer}, {"replaces", external.replaces}, {"calibration", external.calibration},
+          {"where", external.where}};
+}
+scenes::ExternalPictures externalFrom(const ordered_json& json) {
+  return {json.at("name"),     json.at("test"),        json.at("reference"), json.at("transfer"),
+          json.at("replaces"), json.at("calibration"), json.at("where")};
+}
+
 // Without the places of captures, which `parity bake` alone reads; its settings are made of what was given.
-static_assert(base::memberCount<SceneRequest>() == 9 && base::memberCount<WholeRun>() == 3,
+static_assert(base::memberCount<SceneRequest>() == 10 && base::memberCount<WholeRun>() == 3,
               "a new member goes into the plan, or is named here with the reason why not");
 ordered_json toJson(const SceneRequest& scene) {
   ordered_json views = ordered_json::array();
@@ -98,6 +109,7 @@ ordered_json toJson(const SceneRequest& scene) {
     json["captures"] = ordered_json::array();
     for (const glm::vec3& place : scene.captures) json["captures"].push_back(toJson(std::optional(place)));
   }
+  for (const scenes::ExternalPictures& each : scene.externals) json["externals"].push_back(toJson(each));
   if (scene.partOf) json["partOf"] = {scene.partOf->place, scene.partOf->scenes, scene.partOf->views};
   return json;
 }
@@ -110,6 +122,8 @@ SceneRequest sceneFrom(const ordered_json& json, const Settings& plain) {
   if (json.contains("captures"))
     for (const ordered_json& place : json.at("captures")) scene.captures.push_back(vectorFrom(place).value());
   if (json.contains("budgets")) scene.budgets = json.at("budgets");
+  if (json.contains("externals"))
+    for (const ordered_json& each : json.at("externals")) scene.externals.push_back(externalFrom(each));
   if (json.contains("partOf")) {
     const ordered_json& part = json.at("partOf");
     scene.partOf = WholeRun{part.at(0), part.at(1), part.at(2)};

@@ -14,6 +14,7 @@
 #include "job/context.h"
 #include "job/result_cache.h"
 #include "job/scene/dropped_lights.h"
+#include "job/scene/external_pictures.h"
 #include "job/scene/material_cards.h"
 #include "job/scene/material_choice.h"
 #include "job/scene/scene_inputs.h"
@@ -108,8 +109,24 @@ private:
   static void setConditions(const SceneRequest& request, report::SceneResult& result, const Conditions& conditions) {
     std::size_t row = 0;
     forEachView(request, [&](const ViewOfPath& view) {
-      if (row < result.views.size()) result.views[row++].conditions = reported(conditions.views[view.view]);
+      if (row < result.views.size()) result.views[row++].conditions = conditionsOfRow(request, view, conditions);
     });
+  }
+
+  // Pictures of another engine are held to their transfer, too.
+  static std::vector<compare::Condition> conditionsOfRow(const SceneRequest& request, const ViewOfPath& row,
+                                                         const Conditions& conditions) {
+    std::vector<compare::Condition> all = reported(conditions.views[row.view]);
+    const std::vector<Column> columns = columnsOf(request);
+    for (const std::size_t column : {row.reference, row.test})
+      if (const scenes::ExternalPictures* external = columns[column].external)
+        all.push_back({"transfer of " + columns[column].name, external->transfer, compare::ActsOn::figures});
+    return all;
+  }
+
+  // Both are paths, and the reference is the first: there are terms.
+  static bool isOfPaths(const SceneRequest& request, const ViewOfPath& row) {
+    return row.reference == 0 && row.test < request.settings.pathNames.size();
   }
 
   // The scene as an earlier run has left it, its pictures written: with the attributions that this run's judges ask
@@ -123,8 +140,14 @@ private:
       return std::nullopt;
     MaterialsByView attributed;
     setConditions(m_request.scenes[index], record->result, judges.conditions);
-    for (const report::ViewResult& view : record->result.views)
-      attributed.push_back(materialsToAttribute(m_request.scenes[index].settings.attribution, view, judges));
+    const SceneRequest& request = m_request.scenes[index];
+    std::size_t row = 0;
+    forEachView(request, [&](const ViewOfPath& view) {
+      if (row >= record->result.views.size()) return;
+      const report::ViewResult& result = record->result.views[row++];
+      attributed.push_back(isOfPaths(request, view) ? materialsToAttribute(request.settings.attribution, result, judges)
+                                                    : std::vector<std::size_t>());
+    });
     const std::vector<std::string> prefixes = prefixesOf(m_request.scenes[index], index);
     renamePictures(*record, prefixes);
     if (!isEmpty(attributed)) {
@@ -191,22 +214,35 @@ private:
     MaterialsByView attributed;
     std::uint64_t comparedPixels = 0;
     ViewFrames frames;
+    std::vector<std::string> warnings; // of pictures of other engines
+    std::optional<base::Error>
+        problem; // the first of them that cannot be used; the other rows are compared all the same
+    const std::vector<Column> columns = columnsOf(request);
     forEachView(request, [&](const ViewOfPath& view) {
       const std::size_t v = view.view, row = attributed.size();
-      if (view.test == 1) {
+      if (view == rowsOfView(request, v).front()) {
         m_tell(static_cast<double>(v) / static_cast<double>(request.views.size()), request.views[v].name);
         frames = {}; // before the next one takes memory
         frames = renderView(request, v, prepared, renderer);
+        try {
+          addExternalPictures(request, v, frames, warnings, prepared.scene.sources);
+        } catch (const base::Error& error) {
+          if (!problem) problem = error;
+        }
       }
+      const bool isOurs = isOfPaths(request, view);
+      if (std::max(view.test, view.reference) >= frames.paths.size()) return attributed.push_back({}); // not to be had
       const scenes::Camera camera = cameraOf(request, v, prepared);
       m_context.requireGoesOn();
       ComparedView compared = compareOne(index, view, prepared, renderer, frames, wish);
       comparedPixels += compared.view.whole.pixels;
-      compared.view.conditions = reported(judges.conditions.views[v]);
-      compared.view.droppedLights = measureDroppedLights(m_context, prepared, renderer, camera, frames, compared);
+      compared.view.conditions = conditionsOfRow(request, view, judges.conditions);
+      if (isOurs)
+        compared.view.droppedLights = measureDroppedLights(m_context, prepared, renderer, camera, frames, compared);
       if (key) plainViews.push_back(compared.view);
       std::vector<EncodedPicture> termPictures;
-      attributed.push_back(materialsToAttribute(request.settings.attribution, compared.view, judges));
+      attributed.push_back(isOurs ? materialsToAttribute(request.settings.attribution, compared.view, judges)
+                                  : std::vector<std::size_t>());
       if (!attributed[row].empty()) {
         const bool isLate = !request.settings.terms; // compareView had none to write
         if (isLate) {
@@ -218,7 +254,7 @@ private:
         if (isLate && wish.pictures && wish.pixelData) {
           const base::Stopwatch watch(&m_context.timings(), "encode images");
           termPictures =
-              encodeTerms(compared.view, termPlanesOf(frames, paths, view.test), prefixesOf(request, index)[row]);
+              encodeTerms(compared.view, termPlanesOf(frames, columns, view.test), prefixesOf(request, index)[row]);
         }
         if (isLate) { // the next row is compared as if this one had none
           frames.paths.front().frame.terms.clear();
@@ -234,7 +270,10 @@ private:
       keepPictures(std::move(termPictures), scene, key ? &addedPictures : nullptr);
       result.views.push_back(std::move(compared.view));
     });
+    scene.inputs = prepared.scene.sources; // with the pictures
     for (std::string& warning : renderer.warnings()) result.warnings.push_back(std::move(warning));
+    for (std::string& warning : warnings) result.warnings.push_back(std::move(warning));
+    if (problem) throw base::Error(*problem);
     result.permutations = renderer.permutations();
     const auto passesOf = [&](Work work) {
       work.comparedPixels = comparedPixels;
@@ -287,16 +326,19 @@ private:
                           const SceneRenderer& renderer, const ViewFrames& frames, const ResultWish& wish) {
     const SceneRequest& request = m_request.scenes[sceneIndex];
     const std::string name = viewName(request, view);
-    return compareView(m_context, prepared.scene, frames,
-                       {.viewName = name,
-                        .settings = request.settings,
-                        .paths = renderer.paths(),
-                        .test = view.test,
-                        .renderer = renderer.renderer(view.test),
-                        .statistics = wish.statistics,
-                        .pictures = wish.pictures,
-                        .pixelData = wish.pixelData,
-                        .imagePrefix = prefixesOf(request, sceneIndex)[rowOf(request, view)]});
+    return compareView(
+        m_context, prepared.scene, frames,
+        {.viewName = name,
+         .settings = request.settings,
+         .paths = renderer.paths(),
+         .columns = columnsOf(request),
+         .reference = view.reference,
+         .test = view.test,
+         .renderer = view.test < renderer.paths().chosen.size() ? &renderer.renderer(view.test) : nullptr,
+         .statistics = wish.statistics,
+         .pictures = wish.pictures,
+         .pixelData = wish.pixelData,
+         .imagePrefix = prefixesOf(request, sceneIndex)[rowOf(request, view)]});
   }
 
   Context& m_context;

@@ -83,11 +83,11 @@ void addTerm(TruthComparison& comparison, Context& context, const Tested& tested
 
 } // namespace
 
-TruthComparison compareWithTruth(Context& context, const ViewFrames& frames, std::size_t test,
-                                 const TruthRequest& request) {
+TruthComparison compareWithTruth(Context& context, const ViewFrames& frames, const PathFrames& reference,
+                                 const PathFrames& test, const TruthRequest& request) {
   const base::Stopwatch watch(&context.timings(), "compare with the truth");
   const float exposureEv = request.exposureEv;
-  const Tested tested{frames.first(), frames.paths[test], frames, request};
+  const Tested tested{reference, test, frames, request};
   const Prepared truth(frames.truth.color, displayImage(frames.truth.color, context.display(), exposureEv), exposureEv);
   const Prepared referencePicture(tested.reference.frame.color, request.reference, exposureEv);
   const Prepared testPicture(tested.test.frame.color, request.test, exposureEv);
@@ -104,7 +104,8 @@ TruthComparison compareWithTruth(Context& context, const ViewFrames& frames, std
                                                         swapsOf(context, tested, &PathFrames::truthSwap, 0, true),
                                                         measure),
                              std::move(measured.referenceFlip), std::move(measured.testFlip)};
-  for (std::size_t term = 0; term < shading::kTermCount; ++term) addTerm(comparison, context, tested, term);
+  const bool hasTerms = !reference.frame.terms.empty() && !test.frame.terms.empty();
+  for (std::size_t term = 0; hasTerms && term < shading::kTermCount; ++term) addTerm(comparison, context, tested, term);
   return comparison;
 }
 

@@ -30,8 +30,9 @@ struct TruthComparison {
   base::Image referenceFlip, testFlip;   // of each path against the truth; empty unless asked for
 };
 
-// frames: with their terms, and the truth. test: place of the path that is compared with the first.
-TruthComparison compareWithTruth(Context& context, const ViewFrames& frames, std::size_t test,
-                                 const TruthRequest& request);
+// frames: the truth and its terms. reference, test: of the frames, with their swaps of the truth; terms are compared
+// where both have them.
+TruthComparison compareWithTruth(Context& context, const ViewFrames& frames, const PathFrames& reference,
+                                 const PathFrames& test, const TruthRequest& request);
 
 } // namespace parity::job

@@ -10,6 +10,7 @@
 #include "compare/metrics/measure.h"
 #include "compare/metrics/measure_truth.h"
 #include "compare/pooling/region.h"
+#include "job/report_folder.h"
 #include "job/view/displayed.h"
 #include "job/view/material_swaps.h"
 #include "job/view/path_stage.h"
@@ -126,8 +127,24 @@ struct ViewMeasurement {
   compare::SwapMeasurement materials;
 };
 
-// The materials as this path's colours make them; a picture of it as displayed.
-std::vector<compare::Swap> swapsOf(Context& context, const ViewFrames& frames, const PathFrames& path,
+// What a material is swapped by: of a path that is compared with the first what the renderer has gathered, else the
+// pictures themselves.
+struct SwapSource {
+  const std::vector<gpu::SwappedPixels>&swap, &swapLight;
+};
+
+// Of each material the reference's picture with the test's colours, where they are no paths over the same surfaces.
+std::vector<gpu::SwappedPixels> mixedSwaps(const ViewFrames& frames, const ViewComparisonRequest& request) {
+  std::vector<gpu::SwappedPixels> swaps(frames.coverage.size());
+  base::parallelFor(swaps.size(), 1, [&](std::size_t m, std::size_t) {
+    swaps[m] = mixByCoverage(frames.coverage[m], frames.paths[request.reference].frame.color,
+                             frames.paths[request.test].frame.color);
+  });
+  return swaps;
+}
+
+// The materials as the test's colours make them; a picture of it as displayed.
+std::vector<compare::Swap> swapsOf(Context& context, const ViewFrames& frames, const SwapSource& path,
                                    const Displayed& test, const Subject& subject, float exposureEv) {
   // A target that is displayed cuts light off above white: figures of linear light are of what the shader made.
   const bool isCut = !path.swapLight.empty();
@@ -151,18 +168,29 @@ compare::MeasureRequest wishOf(const Subject& subject, const ViewComparisonReque
 }
 
 ViewMeasurement measureView(Context& context, const ViewFrames& frames, const Displayed& reference,
-                            const Displayed& test, const Subject& subject, const ViewComparisonRequest& request) {
+                            const Displayed& test, const Subject& subject, const SwapSource& source,
+                            const ViewComparisonRequest& request) {
   std::vector<std::uint32_t> invalid = reference.nonFinite;
   invalid.insert(invalid.end(), test.nonFinite.begin(), test.nonFinite.end());
   const PathFrames& path = frames.paths[request.test];
-  const Exposed referenceLight(frames.first().frame.color, request.settings.exposureEv),
+  const Exposed referenceLight(frames.paths[request.reference].frame.color, request.settings.exposureEv),
       testLight(path.swapLight.empty() ? path.frame.color : path.beforeTarget, request.settings.exposureEv);
   compare::MeasureRequest measure = wishOf(subject, request);
   if (request.pictures) measure.keepMaps = {"flip"}; // for the pictures
-  const std::vector<compare::Swap> swaps = swapsOf(context, frames, path, test, subject, request.settings.exposureEv);
+  const std::vector<compare::Swap> swaps = swapsOf(context, frames, source, test, subject, request.settings.exposureEv);
   return {compare::measureRegions({reference.pixels, test.pixels, &referenceLight.image(), &testLight.image(), invalid},
                                   {subject.whole}, measure),
           compare::measureSwaps(referenceOf(reference, referenceLight.image()), swaps, measure)};
+}
+
+std::string titleOf(const ViewComparisonRequest& request, std::size_t column) {
+  return column < request.paths.chosen.size() ? request.paths.chosen[column]->title() : request.columns[column].name;
+}
+
+// In names of files an external is what it stands for, whatever it is called.
+std::string fileWord(const ViewComparisonRequest& request, std::size_t column) {
+  if (!request.columns[column].external) return request.columns[column].name;
+  return column == request.reference ? kExternalReference : kExternal;
 }
 
 // Of each material that is seen, what each preset of this path would give.
@@ -172,12 +200,14 @@ std::vector<std::vector<report::WhatIf>> measureWhatIfs(Context& context, const 
   std::vector<std::vector<report::WhatIf>> all(subject.materials.size());
   const Settings& settings = request.settings;
   const Exposed referenceLight(frames.first().frame.color, settings.exposureEv);
+  if (request.isMixed()) return all; // they are swapped into the first path's picture
   for (std::size_t k = 0; k < frames.whatIfs.size(); ++k) {
-    if (settings.whatIfs[k].path != request.paths.chosen[request.test]->name()) continue;
+    if (settings.whatIfs[k].path != request.columns[request.test].name) continue;
     const base::Stopwatch watch(&context.timings(), "compare what-ifs");
     const PathFrames& path = frames.whatIfs[k];
     const Displayed shown = displayImage(path.frame.color, context.display(), settings.exposureEv);
-    const std::vector<compare::Swap> swaps = swapsOf(context, frames, path, shown, subject, settings.exposureEv);
+    const std::vector<compare::Swap> swaps =
+        swapsOf(context, frames, {path.swap, path.swapLight}, shown, subject, settings.exposureEv);
     std::vector<compare::Figures> figures =
         compare::measureSwaps(referenceOf(reference, referenceLight.image()), swaps, wishOf(subject, request)).figures;
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -195,7 +225,7 @@ std::vector<std::vector<report::WhatIf>> measureWhatIfs(Context& context, const 
 std::vector<report::TermFigures> termFigures(const ViewFrames& frames, std::size_t test, const base::PixelList& list) {
   const base::Frame &first = frames.first().frame, &other = frames.paths[test].frame;
   std::vector<report::TermFigures> result;
-  if (first.terms.empty() || list.pixels.empty()) return result;
+  if (first.terms.empty() || other.terms.empty() || list.pixels.empty()) return result;
   for (std::size_t t = 0; t < shading::kTermCount; ++t)
     result.push_back({std::string(shading::kTermNames[t]), compare::meanLuminance(first.terms[t], list),
                       compare::meanLuminance(other.terms[t], list)});
@@ -205,14 +235,20 @@ std::vector<report::TermFigures> termFigures(const ViewFrames& frames, std::size
 ComparedView compareView(Context& context, const scenes::Scene& scene, const ViewFrames& frames,
                          const ViewComparisonRequest& request) {
   const Settings& settings = request.settings;
-  const paths::Path& path = *request.paths.chosen[request.test];
-  const PathFrames& tested = frames.paths[request.test];
+  const paths::Path* path = request.renderer ? request.paths.chosen[request.test] : nullptr;
+  const std::string &referenceName = request.columns[request.reference].name,
+                    &testName = request.columns[request.test].name;
+  const PathFrames &first = frames.paths[request.reference], &tested = frames.paths[request.test];
+  const std::vector<gpu::SwappedPixels> mixed =
+      request.isMixed() ? mixedSwaps(frames, request) : std::vector<gpu::SwappedPixels>();
+  const std::vector<gpu::SwappedPixels> none;
+  const SwapSource source{request.isMixed() ? mixed : tested.swap, request.isMixed() ? none : tested.swapLight};
   ComparedView compared;
   compared.test = request.test;
   Displayed &reference = compared.reference, &test = compared.tested;
   {
     const base::Stopwatch watch(&context.timings(), "display transform");
-    reference = displayImage(frames.first().frame.color, context.display(), settings.exposureEv);
+    reference = displayImage(first.frame.color, context.display(), settings.exposureEv);
     test = displayImage(tested.frame.color, context.display(), settings.exposureEv);
   }
   const std::vector<std::size_t>& chosen = compared.materials =
@@ -222,7 +258,7 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
   {
     const base::Stopwatch watch(&context.timings(), "metrics");
     subject = makeSubject(frames, chosen, !settings.materials.empty());
-    measured = measureView(context, frames, reference, test, subject, request);
+    measured = measureView(context, frames, reference, test, subject, source, request);
   }
 
   std::vector<std::vector<report::WhatIf>> whatIfs = measureWhatIfs(context, frames, reference, subject, request);
@@ -232,24 +268,24 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
                                   settings.exposureEv});
   };
   std::vector<compare::Figures> encoding, textures;
-  const std::string target = path.targetName(settings.options);
+  const std::string target = path ? path->targetName(settings.options) : "";
   if (!target.empty()) encoding = measureSince(tested.beforeTarget);
-  const base::TextureBlock compressed = path.textureBlock(settings.options);
+  const base::TextureBlock compressed = path ? path->textureBlock(settings.options) : base::TextureBlock::none;
   if (compressed != base::TextureBlock::none)
     textures = measureSince(tested.ofOriginals.empty() ? tested.frame.color : tested.ofOriginals);
   const std::string& block = base::textureBlockNames()[static_cast<std::size_t>(compressed)];
 
   std::optional<TruthComparison> truth;
   if (settings.truth)
-    truth = compareWithTruth(context, frames, request.test,
+    truth = compareWithTruth(context, frames, first, tested,
                              {reference, test, subject.whole, subject.materials, subject.box, settings.exposureEv,
                               settings.reference.integral.relativeError, request.pictures,
-                              request.paths.chosen.front()->title(), path.title()});
+                              titleOf(request, request.reference), titleOf(request, request.test)});
 
   report::ViewResult& view = compared.view;
   view.name = request.viewName;
-  view.reference = request.paths.chosen.front()->name();
-  view.test = path.name();
+  view.reference = referenceName;
+  view.test = testName;
   view.width = settings.width;
   view.height = settings.height;
   view.exposureEv = settings.exposureEv;
@@ -262,13 +298,18 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
     const base::PixelList& list = frames.coverage[chosen[i]];
     report::MaterialResult& material = view.materials[i];
     material.name = scene.materials[chosen[i]].name;
-    material.test = path.name();
+    material.test = testName;
     material.figures = measured.materials.figures[i];
     material.notModelled = scene.materials[chosen[i]].notModelled;
-    material.notes = materialNotes(scene.materials[chosen[i]], path, settings.options);
-    if (std::string excess = request.renderer.describeExcess(scene.materials[chosen[i]]); !excess.empty())
-      material.notes.push_back(std::move(excess));
-    material.terms = termFigures(frames, request.test, list);
+    if (path) {
+      material.notes = materialNotes(scene.materials[chosen[i]], *path, settings.options);
+      if (std::string excess = request.renderer->describeExcess(scene.materials[chosen[i]]); !excess.empty())
+        material.notes.push_back(std::move(excess));
+    }
+    if (request.isMixed())
+      material.notes.push_back("a picture of another engine: its terms are not known, so no cause is named");
+    else
+      material.terms = termFigures(frames, request.test, list);
     material.whatIf = std::move(whatIfs[i]);
     if (!encoding.empty()) material.stages.push_back({report::kEncodingStage, target, std::move(encoding[i + 1])});
     if (!textures.empty()) material.stages.push_back({report::kTexturesStage, block, std::move(textures[i + 1])});
@@ -278,8 +319,8 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
 
   const base::Stopwatch watch(&context.timings(), "encode images");
   ViewPictures pictures;
-  pictures.reference = {request.paths.chosen.front()->name(), &reference.pixels};
-  pictures.test = {path.name(), &test.pixels};
+  pictures.reference = {request.isMixed() ? fileWord(request, request.reference) : referenceName, &reference.pixels};
+  pictures.test = {request.isMixed() ? fileWord(request, request.test) : testName, &test.pixels};
   pictures.flip = measured.whole.findMap("flip");
   pictures.materials = subject.materials;
   pictures.materialFlip = &measured.materials.flip;
@@ -289,7 +330,8 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
     pictures.testTruthFlip = &truth->testFlip;
   }
   if (request.pixelData)
-    pictures.planes = planesOf(frames, request.paths, request.test, *pictures.flip, measured.materials.flip, chosen);
+    pictures.planes = planesOf(frames, request.columns, request.reference, request.test, *pictures.flip,
+                               measured.materials.flip, chosen);
   compared.pictures = encodeViewPictures(view, pictures, subject.crops, chosen, request.imagePrefix);
   return compared;
 }

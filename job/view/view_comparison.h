@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "job/scene/scene_renderer.h"
+#include "job/scene/view_rows.h"
 #include "job/view/displayed.h"
 #include "job/view/view_pictures.h"
 #include "report/report.h"
@@ -15,8 +16,12 @@ struct ViewComparisonRequest {
   std::string viewName;
   const Settings& settings; // of the scene
   const PathChoice& paths;
-  std::size_t test = 1;                  // place of the path that is compared with the first
-  const paths::Renderer& renderer;       // that path's
+  // Columns of the view (job/scene/view_rows.h), and what is compared with what.
+  const std::vector<Column>& columns;
+  std::size_t reference = 0, test = 1;
+  const paths::Renderer* renderer = nullptr; // of the test path; null: it is a picture of another engine
+  // Whether one of the two is such a picture, or the reference is not the first path.
+  bool isMixed() const { return !renderer || reference != 0; }
   std::vector<std::string> statistics{}; // wanted by budgets, besides the settings' metrics
   bool pictures = false;
   bool pixelData = false;    // also the values behind the pictures

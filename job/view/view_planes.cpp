@@ -40,30 +40,33 @@ bool isBlack(const base::Image& image) {
 
 } // namespace
 
-std::vector<report::PixelPlane> termPlanesOf(const ViewFrames& frames, const PathChoice& paths, std::size_t test) {
+std::vector<report::PixelPlane> termPlanesOf(const ViewFrames& frames, const std::vector<Column>& columns,
+                                             std::size_t test) {
   const base::Frame &first = frames.first().frame, &other = frames.paths[test].frame;
   std::vector<report::PixelPlane> planes;
+  if (other.terms.empty()) return planes;
   for (std::size_t t = 0; t < first.terms.size(); ++t) {
     if (isBlack(first.terms[t]) && isBlack(other.terms[t])) continue;
     const std::string name = "." + std::string(shading::kTermNames[t]);
-    planes.push_back({paths.chosen.front()->name() + name, report::PlaneKind::rgb16f, &first.terms[t]});
-    planes.push_back({paths.chosen[test]->name() + name, report::PlaneKind::rgb16f, &other.terms[t]});
+    planes.push_back({columns.front().name + name, report::PlaneKind::rgb16f, &first.terms[t]});
+    planes.push_back({columns[test].name + name, report::PlaneKind::rgb16f, &other.terms[t]});
   }
   return planes;
 }
 
-ViewPlanes planesOf(const ViewFrames& frames, const PathChoice& paths, std::size_t test, const base::Image& flip,
-                    const std::vector<std::vector<float>>& materialFlip, const std::vector<std::size_t>& chosen) {
+ViewPlanes planesOf(const ViewFrames& frames, const std::vector<Column>& columns, std::size_t reference,
+                    std::size_t test, const base::Image& flip, const std::vector<std::vector<float>>& materialFlip,
+                    const std::vector<std::size_t>& chosen) {
   using report::PlaneKind;
   ViewPlanes planes;
-  planes.color = {{paths.chosen.front()->name(), PlaneKind::rgb16f, &frames.first().frame.color},
-                  {paths.chosen[test]->name(), PlaneKind::rgb16f, &frames.paths[test].frame.color}};
+  planes.color = {{columns[reference].name, PlaneKind::rgb16f, &frames.paths[reference].frame.color},
+                  {columns[test].name, PlaneKind::rgb16f, &frames.paths[test].frame.color}};
   if (!frames.truth.color.empty()) planes.color.push_back({"truth", PlaneKind::rgb16f, &frames.truth.color});
   planes.color.push_back({"flip", PlaneKind::unorm16, &flip});
   Foremost foremost = findForemost(frames, materialFlip, chosen);
   planes.color.push_back({"materialFlip", PlaneKind::unorm16, &planes.made.emplace_back(std::move(foremost.flip))});
   planes.color.push_back({"material", PlaneKind::uint16, &planes.made.emplace_back(std::move(foremost.number))});
-  planes.terms = termPlanesOf(frames, paths, test);
+  if (reference == 0) planes.terms = termPlanesOf(frames, columns, test);
   return planes;
 }
 

@@ -83,6 +83,7 @@ private:
                      .views = m_table.views,
                      .budgets = m_table.budgets,
                      .tags = m_table.tags,
+                     .externals = m_table.externals,
                      .where = m_table.where};
     Placeholders words = {{"stem", stemOf(file)},
                           {"file", std::filesystem::path(file).filename().string()},

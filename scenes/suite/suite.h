@@ -14,6 +14,18 @@
 
 namespace parity::scenes {
 
+// [[scene.external]]: pictures that another engine has made of the scene's views (docs/own-engine.md).
+struct ExternalPictures {
+  std::string name; // in reports
+  // Files with {scene} and {view} in their paths, or folders, relative to the suite's folder. reference: empty: the
+  // pictures are held against the scene's reference path.
+  std::string test, reference;
+  std::string transfer = "srgb"; // external/transfer.h
+  std::string replaces;          // a path that is not compared beside it, or "reference"; empty: none
+  std::string calibration;       // its picture of calibration.glb; empty: none
+  std::string where;             // of the table, as messages name it
+};
+
 // One scene of a suite. A [[scene]] table makes one for each of its files, in each of its environments, with each of
 // its presets. Paths are relative to the folder of the file that names them; "builtin:NAME" is taken as it is.
 struct SuiteEntry {
@@ -25,6 +37,7 @@ struct SuiteEntry {
   std::vector<ViewRequest> views;     // at least one (auto)
   std::optional<std::string> budgets; // path of a budget file for this scene
   std::vector<std::string> tags;      // sorted, each once
+  std::vector<ExternalPictures> externals = {};
   std::string where;                  // of its table, as messages name it: "nightly.toml: line 12"
 };
 

@@ -71,7 +71,8 @@ private:
     const TableReader reader(
         m_label, table, "a scene",
         keysOf(m_knobs.knobs,
-               {"name", "file", "files", "exclude", "captures", "budgets", "tags", "views", "view", "fog"}, true));
+               {"name", "file", "files", "exclude", "captures", "budgets", "tags", "views", "view", "fog", "external"},
+               true));
     SceneTable scene{.where = reader.place(),
                      .filesWhere = {},
                      .files = readFiles(reader),
@@ -85,6 +86,7 @@ private:
                      .tags = readTags(reader)};
     std::ranges::copy_if(m_knobs.knobs, std::back_inserter(scene.listed),
                          [](const base::Knob& knob) { return !knob.listKey.empty(); });
+    scene.externals = readExternals(reader);
     scene.filesWhere = reader.placeOf(reader.has("files") ? "files" : "file");
     if ((scene.name = reader.text("name"))) scene.nameWhere = reader.placeOf("name");
     scene.captures = reader.points("captures", kMaxCapturePlaces);
@@ -126,6 +128,33 @@ private:
       chosen.push_back(*found);
     }
     return chosen;
+  }
+
+  std::vector<ExternalPictures> readExternals(const TableReader& reader) const {
+    std::vector<ExternalPictures> externals;
+    for (const toml::table* table : reader.tables("external")) {
+      const TableReader row(m_label, *table, "an external",
+                            {"name", "test", "reference", "transfer", "replaces", "calibration"});
+      ExternalPictures& external = externals.emplace_back();
+      const auto fileOf = [&](const char* key) {
+        const auto text = row.text(key);
+        return text ? resolve(*text) : std::string();
+      };
+      external.name = cleanName(row.text("name").value_or(""));
+      if (external.name.empty()) throw row.errorAt("name", "is missing; it stands for the pictures in reports");
+      external.test = fileOf("test");
+      if (external.test.empty())
+        throw row.errorAt("test", "is missing; it is a picture, such as \"shots/{scene}-{view}.png\", or a folder");
+      external.reference = fileOf("reference"), external.calibration = fileOf("calibration");
+      external.transfer = row.text("transfer").value_or(external.transfer);
+      external.replaces = row.text("replaces").value_or("");
+      external.where = row.place();
+      if (!external.reference.empty() && !external.replaces.empty())
+        throw row.errorAt("replaces", "cannot be combined with 'reference': the pictures are held against each other");
+      if (std::ranges::count(externals, external.name, &ExternalPictures::name) > 1)
+        throw row.errorAt("name", fmt::format("two externals of a scene have the name '{}'", external.name));
+    }
+    return externals;
   }
 
   void requireDifferentNames(const TableReader& reader, const std::vector<ViewRequest>& views) const {

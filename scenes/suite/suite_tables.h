@@ -38,6 +38,7 @@ struct SceneTable {
   std::vector<ViewRequest> views;
   std::optional<std::string> budgets;
   std::vector<std::string> tags;
+  std::vector<ExternalPictures> externals = {};
 };
 
 // Changes some settings of a view.

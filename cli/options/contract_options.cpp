@@ -1,0 +1,32 @@
+// By CLI11, as command_line.cpp, which it serves.
+#include "cli/options/contract_options.h"
+
+#include "cli/options/option_parts.h"
+
+namespace parity::cli {
+
+void addContractOptions(CLI::App& app, ContractCommand& contract, RawOptions& raw) {
+  app.add_option("scenes", contract.scenes, "Scene files or builtin:NAME; -: one a line from standard input")
+      ->type_name(kSceneFile);
+  app.add_option("--suite", contract.suite, "Suite file (TOML): many scenes, with their views and light")
+      ->type_name(kFile)
+      ->group(kInputGroup)
+      ->excludes(app.get_option("scenes"));
+  addOnlyOption(app, contract.common.only);
+  app.add_option("-o,--output", contract.output, "Folder to write: contract.json and the files that it names")
+      ->type_name(kFolder)
+      ->group(kOutputGroup)
+      ->required();
+  addKnobs(app, contract.common, raw, {"Scene", "Picture"});
+  addViewKnobs(app, raw);
+  addRunOptions(app, contract.common, raw);
+}
+
+void addCalibrateOptions(CLI::App& app, CalibrateCommand& calibrate) {
+  app.add_option("picture", calibrate.picture,
+                 "Picture of the contract's calibration.glb, or the folder that holds calibration.png")
+      ->type_name(kFile)
+      ->required();
+}
+
+} // namespace parity::cli
