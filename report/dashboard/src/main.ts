@@ -7,6 +7,7 @@ import "./style/list.css";
 import "./style/row.css";
 import "./style/beside.css";
 import "./style/item.css";
+import "./style/runs.css";
 import "./style/card.css";
 import "./style/plot.css";
 import "./style/study.css";

@@ -27,7 +27,7 @@ export class ParityRunChart extends PageElement {
   @property({ attribute: false }) changes: readonly TrendChange[] = [];
   @property({ attribute: false }) limits: ChartLimits | null = null;
   @property() unit = ""; // behind the numbers
-  @property({ attribute: false }) format: (value: number | null) => string = (value) => significant(value, 4);
+  @property({ attribute: false }) format: (value: number | null) => string = (value) => (value === null ? "not a number" : significant(value, 4));
   @query(".plot") private place!: HTMLElement | null;
   @state() private at = -1; // the run that is pointed at; -1: none
 
@@ -80,7 +80,7 @@ export class ParityRunChart extends PageElement {
   }
 
   private text(value: number | null): string {
-    return this.unit === "" ? this.format(value) : `${this.format(value)} ${this.unit}`;
+    return this.unit === "" || value === null ? this.format(value) : `${this.format(value)} ${this.unit}`;
   }
 
   private makePlot(place: HTMLElement): uPlot {
@@ -186,7 +186,7 @@ export class ParityRunChart extends PageElement {
   private readout(run: number): string {
     const values = this.series.map(({ label, spans, today }) => {
       const value = run === this.runs.length ? today : valueAt(spans, run);
-      const text = value === undefined ? "no value" : value === null ? "not a number" : this.text(value);
+      const text = value === undefined ? "no value" : this.text(value);
       return this.series.length > 1 ? `${label} ${text}` : text;
     });
     const changes = this.changes.filter((change) => change.run === run).map(changeWords);
@@ -197,8 +197,8 @@ export class ParityRunChart extends PageElement {
     const day = (run: number): string => runTitle(this.runs[run]);
     const rows = this.series.map(({ label, spans, today }) => {
       const name = this.series.length > 1 ? html`<td>${label}</td>` : nothing;
-      return html`${spans.map(([first, last, value]) => html`<tr><th scope="row">${day(first)}</th><td>${first === last ? "" : day(last)}</td>${name}<td class="number">${last - first + 1}</td><td class="number">${value === null ? "not a number" : this.text(value)}</td></tr>`)}
-        ${today === undefined ? nothing : html`<tr><th scope="row">${kToday}</th><td></td>${name}<td class="number">1</td><td class="number">${today === null ? "not a number" : this.text(today)}</td></tr>`}`;
+      return html`${spans.map(([first, last, value]) => html`<tr><th scope="row">${day(first)}</th><td>${first === last ? "" : day(last)}</td>${name}<td class="number">${last - first + 1}</td><td class="number">${this.text(value)}</td></tr>`)}
+        ${today === undefined ? nothing : html`<tr><th scope="row">${kToday}</th><td></td>${name}<td class="number">1</td><td class="number">${this.text(today)}</td></tr>`}`;
     });
     return html`<details class="chart-table"><summary>The chart as a table</summary><div class="table-scroll" tabindex="0" role="group" aria-label="Table"><table>
       <thead><tr><th scope="col">from</th><th scope="col">to</th>${this.series.length > 1 ? html`<th scope="col">figure</th>` : nothing}<th scope="col">runs</th><th scope="col">value</th></tr></thead>
