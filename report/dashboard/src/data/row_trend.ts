@@ -1,7 +1,7 @@
 // What the earlier runs say of one row: found in its scene's file, and in words.
 import { isOver } from "./changes";
 import type { EarlierRun, RowTrend, SceneTrends, Standing, TrendChange, VerdictSpan } from "./history";
-import { runTitle } from "./trends";
+import { runInText } from "./trends";
 import type { Verdict } from "./types";
 import { countOf } from "./wording";
 
@@ -54,21 +54,21 @@ export function causeAt(changes: readonly TrendChange[], run: number): TrendChan
   return there.find(({ kind, cause }) => cause !== "" && kind !== "changed") ?? there.find(({ cause }) => cause !== "") ?? there[0] ?? null;
 }
 
-/** "Fails for 12 nights, since 2026-11-21, 010e2b14a553; cause: asset." */
+/** "Fails for 12 nights, since 2026-11-21 (010e2b14a553); cause: asset." */
 export function trendSentence(row: { standing: Standing; nights: number; verdict: Verdict }, trend: RowTrend, runs: readonly EarlierRun[]): string {
   const { standing, nights, verdict } = row;
   const since = failsSince(trend.verdicts);
   const last = trend.verdicts.at(-1);
-  const lastSeen = last === undefined ? "" : `, in the run of ${runTitle(runs[last[1]])}`;
+  const lastSeen = last === undefined ? "" : `, in the run of ${runInText(runs[last[1]])}`;
   if (isOver(verdict)) {
     const flaky = standing === "flaky" ? "Flaky: the same inputs gave other results, or crashed, in one of the last runs. " : "";
     if (since < 0) return `${flaky}Fails since this run: ${last === undefined ? "no earlier run has a verdict of it" : `it did not fail before${lastSeen}`}.`;
     const cause = causeAt(trend.changes, since)?.cause ?? "";
     const howLong = nights > 0 ? ` for ${countOf(nights, "nights")}, since` : " since";
-    return `${flaky}Fails${howLong} ${since === 0 ? "the first run that is known, " : ""}${runTitle(runs[since])}${cause === "" ? "" : `; cause: ${cause}`}.`;
+    return `${flaky}Fails${howLong} ${since === 0 ? "the first run that is known, " : ""}${runInText(runs[since])}${cause === "" ? "" : `; cause: ${cause}`}.`;
   }
   if (since >= 0) return standing === "accepted" ? `Accepted now: it failed before${lastSeen}.` : `Does not fail any more: it failed before${lastSeen}.`;
   const change = trend.changes.filter(({ kind }) => kind !== "new").at(-1);
   if (change === undefined) return "Has not changed in the runs that are known.";
-  return `Last change: ${runTitle(runs[change.run])}, ${change.kind}${change.cause === "" ? "" : `, cause: ${change.cause}`}.`;
+  return `Last change: ${runInText(runs[change.run])}, ${change.kind}${change.cause === "" ? "" : `, cause: ${change.cause}`}.`;
 }

@@ -12,6 +12,12 @@ export function runTitle(run: EarlierRun | undefined): string {
   return [dayOf(run), run.commit === "" ? "" : run.commit.slice(0, 12)].filter((each) => each !== "").join(", ") || run.name;
 }
 
+/** "2026-11-21 (010e2b14a553)": the same within a sentence. */
+export function runInText(run: EarlierRun | undefined): string {
+  const [day, commit] = [dayOf(run), run?.commit.slice(0, 12) ?? ""];
+  return day === "" || commit === "" ? runTitle(run) : `${day} (${commit})`;
+}
+
 /** The value in a run; null: not a number; undefined: the run has no value. */
 export function valueAt<Value>(spans: readonly (readonly [number, number, Value])[], run: number): Value | undefined {
   return spans.find(([first, last]) => first <= run && run <= last)?.[2];

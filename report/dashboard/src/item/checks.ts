@@ -25,7 +25,7 @@ export function approvalText({ value, slack, until, daysLeft, owner, reason, sta
   const sign = statistic?.better === "higher" ? -1 : 1;
   const most = statistic?.better === "near zero" ? `±${figure(Math.abs(value) + slack, statistic).replace(/^\+/, "")}` : figure(value + sign * slack, statistic);
   const what = state === "lapsed" ? "approval does not hold" : `approved ${sign < 0 ? "down" : "up"} to ${most}`;
-  return `${what}, by ${owner}, until ${until} (${days}): ${reason}${words === "" ? "" : `. ${typeset(words)}`}`;
+  return `${what}, by ${owner}, until ${until} (${days}): ${reason}${words === "" ? "" : `; ${typeset(words)}`}`;
 }
 
 /** What a full bar means: the scale of the list where it has one, else a quarter more than the limit. */

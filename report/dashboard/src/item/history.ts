@@ -102,20 +102,20 @@ export class ParityHistory extends PageElement {
       </table></div></section>`;
   }
 
-  /** "Approved: 2026-11-02, 010e2b14a553, by characters: refit in sprint 12" */
+  /** "Approved as in the run of 2026-11-02, 010e2b14a553, by characters: refit in sprint 12" */
   private renderApproved({ approved }: RowTrend): TemplateResult | typeof nothing {
     const now = this.row.images;
     if (!approved || now === null) return nothing;
     const approval = this.judged.checks.find((check) => check.approval)?.approval;
     const by = approval ? html`, by <bdi>${approval.owner}</bdi>: <bdi>${approval.reason}</bdi>` : nothing;
-    const trio = (images: Images, when: string): TemplateResult => {
-      const picture = (path: string, what: string): TemplateResult | typeof nothing =>
-        path === "" ? nothing : html`<figure><a href=${imageSource(path)}><img src=${imageSource(path)} alt=${`${what}, ${when}`} loading="lazy" decoding="async" /></a><figcaption>${what}</figcaption></figure>`;
-      return html`<div class="trio">${picture(images.reference, pathTitle(this.row.reference))}${picture(images.test, pathTitle(this.row.test))}${picture(images.flip, "FLIP map")}</div>`;
+    const pictures = (images: Images, when: string): TemplateResult => {
+      const picture = (path: string, what: string): TemplateResult =>
+        path === "" ? html`<span></span>` : html`<figure><a href=${imageSource(path)}><img src=${imageSource(path)} alt=${`${what}, ${when}`} loading="lazy" decoding="async" /></a><figcaption>${what}</figcaption></figure>`;
+      return html`${picture(images.reference, pathTitle(this.row.reference))}${picture(images.test, pathTitle(this.row.test))}${picture(images.flip, "FLIP map")}`;
     };
     return html`<section class="approved"><h3>The approved state</h3>
-      <p>Approved as in the run of ${this.run(approved.run)}${by}</p>${trio(approved.images, "approved")}
-      <p>This run</p>${trio(now, "this run")}</section>`;
+      <div class="pictures"><p>Approved as in the run of ${this.run(approved.run)}${by}</p>${pictures(approved.images, "approved")}
+        <p>This run</p>${pictures(now, "this run")}</div></section>`;
   }
 
   protected override render(): TemplateResult {
@@ -123,7 +123,7 @@ export class ParityHistory extends PageElement {
     const approve = approvePart(row, judged, this.view);
     if (trend === null) return html`<div class="runs"><p class="trend-head">No earlier run has this row.</p>${approve}</div>`;
     return html`<div class="runs">
-      <p class="trend-head">${trendSentence(row, trend, this.history.runs)}${row.owner === "" ? nothing : html` <span class="aside">Owner: <bdi>${row.owner}</bdi></span>`}</p>
+      <p class="trend-head">${trendSentence(row, trend, this.history.runs)}</p>
       ${this.renderChart(trend)}${this.renderApproved(trend)}${this.renderChanges(trend)}${this.renderVerdicts(trend)}${approve}
     </div>`;
   }

@@ -92,7 +92,7 @@ export class ParityRunChart extends PageElement {
       {
         width: Math.max(place.clientWidth, 200),
         height: kHeight,
-        padding: [10, 14, 0, 0],
+        padding: [10, 30, 0, 0],
         scales: { x: { time: false, range: [-0.6, this.places - 0.4] }, y: { range } },
         axes: [
           {
@@ -110,7 +110,7 @@ export class ParityRunChart extends PageElement {
         ],
         legend: { show: false },
         cursor: { y: false, points: { show: false }, drag: { x: false, y: false } },
-        hooks: { drawClear: [(plot) => this.drawMarks(plot, lines)], draw: [(plot) => this.drawToday(plot)], setCursor: [(plot) => this.point(plot)] },
+        hooks: { drawAxes: [(plot) => this.drawMarks(plot, lines)], draw: [(plot) => this.drawToday(plot)], setCursor: [(plot) => this.point(plot)] },
       },
       [x, ...y],
       place,

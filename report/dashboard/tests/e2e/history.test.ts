@@ -4,6 +4,7 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
 import type { EarlierRun, EarlierRuns, RowTrend, SceneTrends } from "../../src/data/history";
 import type { Report } from "../../src/data/types";
+import { violations } from "./axe";
 import { changedData, hashOfItem, openReport, realProblems, removeChanged, startBrowser, type AddedHistory } from "./browser";
 
 const kRuns: EarlierRun[] = Array.from({ length: 30 }, (_, i) => {
@@ -62,6 +63,7 @@ describe.each([["1280x900", { width: 1280, height: 900 }], ["390x844", { width: 
     expect(await page.textContent(".list .row .owner")).toBe("owner characters");
     expect(await page.evaluate(() => { const row = document.querySelector(".list .row")!; return row.scrollHeight - row.clientHeight; })).toBeLessThanOrEqual(0);
     expect(problems()).toEqual([]);
+    expect(await violations(page)).toEqual([]);
     await page.context().close();
   });
 
@@ -69,7 +71,7 @@ describe.each([["1280x900", { width: 1280, height: 900 }], ["390x844", { width: 
     const { page, problems } = await open(`${hashOfItem("real", 2)}&tab=history`);
     await page.waitForSelector("parity-run-chart canvas");
     expect(await page.textContent(".standing-line")).toContain("failing for 12 nights");
-    expect(await page.textContent(".trend-head")).toMatch(/^Fails for 12 nights, since 2026-11-12, \w{12}; cause: asset\./);
+    expect(await page.textContent(".trend-head")).toMatch(/^Fails for 12 nights, since 2026-11-12 \(\w{12}\); cause: asset\./);
     const [newest, , oldest] = await page.locator("parity-history section", { hasText: "Changes" }).locator("tbody tr").allInnerTexts();
     expect(newest).toMatch(/^2026-11-13.*not known$/s);
     expect(oldest).toMatch(/^2026-11-05.*changed.*0.120 → 0.140 and 2 more.*build$/s);
@@ -81,6 +83,7 @@ describe.each([["1280x900", { width: 1280, height: 900 }], ["390x844", { width: 
     expect(await page.innerText("parity-history .approve .command code")).toMatch(/^parity approve \. --scene materials --view auto --material 'brushed steel' --owner WHO/);
     expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
     expect(problems()).toEqual([]);
+    expect(await violations(page)).toEqual([]);
     await page.context().close();
   });
 

@@ -32,17 +32,17 @@ describe("what the runs say of a row", () => {
   });
 
   it("says in a sentence how long it fails, since which run, and why", () => {
-    expect(trendSentence(failing, trend, runs)).toBe("Fails for 3 nights, since 2026-11-21, c2; cause: asset.");
-    expect(trendSentence({ ...failing, nights: 0 }, { ...trend, verdicts: [[0, 3, "fail"]] }, runs)).toBe("Fails since the first run that is known, 2026-11-19, c0.");
+    expect(trendSentence(failing, trend, runs)).toBe("Fails for 3 nights, since 2026-11-21 (c2); cause: asset.");
+    expect(trendSentence({ ...failing, nights: 0 }, { ...trend, verdicts: [[0, 3, "fail"]] }, runs)).toBe("Fails since the first run that is known, 2026-11-19 (c0).");
     expect(trendSentence({ ...failing, standing: "flaky" }, trend, runs)).toMatch(/^Flaky: .* Fails for 3 nights/);
-    expect(trendSentence({ ...failing, standing: "new", nights: 1 }, { ...trend, verdicts: [[0, 3, "pass"]] }, runs)).toBe("Fails since this run: it did not fail before, in the run of 2026-11-22, c3.");
+    expect(trendSentence({ ...failing, standing: "new", nights: 1 }, { ...trend, verdicts: [[0, 3, "pass"]] }, runs)).toBe("Fails since this run: it did not fail before, in the run of 2026-11-22 (c3).");
     expect(trendSentence({ ...failing, standing: "new", nights: 1 }, { ...trend, verdicts: [] }, runs)).toBe("Fails since this run: no earlier run has a verdict of it.");
   });
 
   it("says what became of a row that does not fail", () => {
-    expect(trendSentence({ standing: "fixed", nights: 0, verdict: "pass" }, trend, runs)).toBe("Does not fail any more: it failed before, in the run of 2026-11-22, c3.");
+    expect(trendSentence({ standing: "fixed", nights: 0, verdict: "pass" }, trend, runs)).toBe("Does not fail any more: it failed before, in the run of 2026-11-22 (c3).");
     const fine: RowTrend = { ...trend, verdicts: [[0, 3, "pass"]] };
-    expect(trendSentence({ standing: "", nights: 0, verdict: "pass" }, fine, runs)).toBe("Last change: 2026-11-21, c2, regressed, cause: asset.");
+    expect(trendSentence({ standing: "", nights: 0, verdict: "pass" }, fine, runs)).toBe("Last change: 2026-11-21 (c2), regressed, cause: asset.");
     expect(trendSentence({ standing: "", nights: 0, verdict: "pass" }, { ...fine, changes: [] }, runs)).toBe("Has not changed in the runs that are known.");
     expect(changeWords(regressed)).toBe("regressed, cause: asset");
     expect(changeWords({ ...regressed, cause: "" })).toBe("regressed");

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import type { EarlierRun, ValueSpan } from "../../src/data/history";
-import { dayOf, labelledPlaces, limitLines, placesOf, rangeOfValues, runTitle, stepsOf, valueAt } from "../../src/data/trends";
+import { dayOf, labelledPlaces, limitLines, placesOf, rangeOfValues, runInText, runTitle, stepsOf, valueAt } from "../../src/data/trends";
 
 const spans: ValueSpan[] = [[0, 1, 0.1], [3, 3, 0.2]];
 const run: EarlierRun = { name: "r.json.gz", started: "2026-11-21T01:02:03Z", commit: "010e2b14a5531234", verdict: "pass" };
@@ -10,6 +10,8 @@ describe("a run", () => {
   it("is called by its day and commit, else by its file", () => {
     expect(dayOf(run)).toBe("2026-11-21");
     expect(runTitle(run)).toBe("2026-11-21, 010e2b14a553");
+    expect(runInText(run)).toBe("2026-11-21 (010e2b14a553)");
+    expect(runInText({ ...run, commit: "" })).toBe("2026-11-21");
     expect(runTitle({ ...run, commit: "" })).toBe("2026-11-21");
     expect(runTitle({ ...run, commit: "", started: "" })).toBe("r.json.gz");
     expect(runTitle(undefined)).toBe("unknown run");
