@@ -8,6 +8,7 @@ import "./style/row.css";
 import "./style/beside.css";
 import "./style/item.css";
 import "./style/card.css";
+import "./style/plot.css";
 import "./style/study.css";
 import "./style/print.css";
 import "./app";
