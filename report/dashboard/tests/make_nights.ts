@@ -17,12 +17,18 @@ const kCauses = ["asset", "build", "environment", "request", "build, driver", "b
 const kMachines = ["AMD EPYC 7763", "Intel Xeon Platinum 8370C"];
 const four = (value: number): number => Number(value.toPrecision(4));
 
+/** So many hexadecimal digits, as of a digest. */
+function digitsOf(seed: number, count: number): string {
+  const random = makeRandom(seed);
+  return Array.from({ length: count }, () => Math.floor(16 * random()).toString(16)).join("");
+}
+
 export function makeNight(place: number, fields: Partial<Night> = {}): Night {
   const started = new Date(Date.UTC(2025, 9, 20 + place, 3, 0, 12)).toISOString().replace(/\.\d+Z/, "Z");
   return {
-    name: `${started.replace(/[-:]/g, "")}-${(place * 2654435761 + 0xabc).toString(16).padStart(12, "0").slice(-12)}`,
+    name: `${started.replace(/[-:]/g, "")}-${digitsOf(5000 + place, 12)}`,
     started,
-    commit: (place * 99991 + 0x10e2b14a).toString(16).padStart(40, "c7"),
+    commit: digitsOf(place + 1, 40),
     verdict: "pass",
     rows: 5000,
     failed: 0,
@@ -31,7 +37,7 @@ export function makeNight(place: number, fields: Partial<Night> = {}): Night {
     isWhole: true,
     isFirst: place === 0,
     version: "0.9.0",
-    build: (Math.floor(place / 9) * 7919 + 0x3f9a12c4).toString(16).padStart(64, "0"),
+    build: digitsOf(1000 + Math.floor(place / 9), 64),
     device: "llvmpipe (LLVM 15.0.6, 256 bits)",
     machine: kMachines[0] ?? "",
     cpuS: 600,

@@ -21,10 +21,10 @@ export function figureChange(change: TrendChange, statistics: Nights["statistics
   const { metric, before, after } = change;
   if (metric === "") return nothing;
   const direction = directionOf(change, statistics);
-  return html`<span class="whole">${metric} ${valueOf(before, metric, statistics)} → ${valueOf(after, metric, statistics)}</span>${direction === "" ? nothing : html` <small class=${direction}>${direction}</small>`}`;
+  return html`<span class="whole">${metric} ${valueOf(before, metric, statistics)} → ${valueOf(after, metric, statistics)}${direction === "" ? nothing : html` <small class=${direction}>${direction}</small>`}</span>`;
 }
 
-/** "and 10 other figures" */
+/** "10 figures": how many others changed. */
 export function otherFigures({ figures, metric }: TrendChange): string {
   const others = metric === "" ? figures : figures - 1;
   return others > 0 ? countOf(others, "figures") : "";

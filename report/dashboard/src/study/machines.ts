@@ -19,10 +19,11 @@ function shortTable<Row>(rows: readonly Row[], plural: string, tableOf: (rows: r
 export function machinesPart({ runs, timings }: Nights, shown: Shown): TemplateResult {
   const link = (night: Night | undefined): TemplateResult => (night ? html`<a class="whole" href=${linkOf({ ...shown, night: night.name })}>${dayOf(night)}</a>` : html`–`);
   const name = (text: string): string => (text === "" ? "not known" : text);
+  const whole = (text: string): TemplateResult => html`<span class="whole">${text}</span>`;
   return html`<section><h2>Machines</h2>
       ${shortTable(machinesOf(runs), "machines and builds", (rows) => table<Machine>("Machines", rows, [
-        { label: "machine", isText: true, value: (each) => name(each.machine) },
-        { label: "device", isText: true, value: (each) => name(each.device) },
+        { label: "machine", isText: true, value: (each) => name(each.machine), show: (each) => whole(name(each.machine)) },
+        { label: "device", isText: true, value: (each) => name(each.device), show: (each) => whole(name(each.device)) },
         { label: "build", isText: true, value: (each) => each.build, show: (each) => html`<code>${name(each.build.slice(0, 8))}</code>` },
         { label: "nights", value: (each) => each.nights },
         { label: "first", isText: true, value: (each) => each.first.started, show: (each) => link(each.first) },
@@ -33,7 +34,7 @@ export function machinesPart({ runs, timings }: Nights, shown: Shown): TemplateR
       <p class="sub">CPU time of a scene that went up or down by 5 % or more, on one kind of machine. It changes no verdict.</p>
       ${shortTable(stepsOf(timings), "steps", (rows) => table<Step>("Steps in the time of scenes", rows, [
         { label: "scene", isText: true, value: (each) => each.scene },
-        { label: "machine", isText: true, value: (each) => name(each.machine) },
+        { label: "machine", isText: true, value: (each) => name(each.machine), show: (each) => whole(name(each.machine)) },
         { label: "since", isText: true, value: (each) => each.run, show: (each) => link(runs[each.run]) },
         { label: "before", value: (each) => each.beforeMs, show: (each) => duration(each.beforeMs) },
         { label: "now", value: (each) => each.nowMs, show: (each) => duration(each.nowMs) },

@@ -43,7 +43,7 @@ export class ParityNight extends PageElement {
 
   /** A row that the page has the runs of is a link to them. */
   private rowName(row: string): TemplateResult {
-    return row in this.nights.rows ? html`<a href=${linkOf({ night: this.night.name, row, figure: "" })}>${row}</a>` : html`${row}`;
+    return Object.hasOwn(this.nights.rows, row) ? html`<a href=${linkOf({ night: this.night.name, row, figure: "" })}>${row}</a>` : html`${row}`;
   }
 
   private changes(): TemplateResult {
@@ -69,7 +69,7 @@ export class ParityNight extends PageElement {
     return html`<h2 tabindex="-1">Night of ${timeOf(night)} ${badge(night.verdict)}</h2>
       ${remarksOf(night).map((each) => html`<p class="caution">${each === "first run" ? "The first run of its suite and branch: there was no run to compare it with." : each === "incomplete" ? "Incomplete: it says nothing of the scenes that it lacks." : "A part of the scenes: it is compared with no run."}</p>`)}
       ${definitions([
-        ["Commit", night.commit],
+        ["Commit", night.commit.slice(0, 12)],
         ["Rows", `${count(night.rows)}, ${count(night.failed)} failed, ${count(night.warned)} warned`],
         ["Worst row, by mean FLIP", night.worst ? `${night.worst.row}: ${significant(night.worst.flip, 4)}` : ""],
         ["Cost", night.cpuS === null ? "" : `${fixed(night.cpuS, 1)} s of CPU time${night.wallS === null ? "" : `, ${duration(night.wallS * 1000)} in all`}`],

@@ -27,7 +27,7 @@ export class ParityNightRow extends PageElement {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     const { row, figure } = this.shown;
-    const trend = this.nights.rows[row];
+    const trend = Object.hasOwn(this.nights.rows, row) ? this.nights.rows[row] : undefined; // a link may name anything
     if (changed.has("nights") || trend !== this.trend) this.isAll = false;
     const figures = trend ? figuresOf(trend) : [];
     const chosen = figures.includes(figure) ? figure : (figures[0] ?? "");

@@ -97,9 +97,9 @@ export class ParityNights extends PageElement {
 
   protected override updated(): void {
     if (this.goTo === "") return;
-    const place = this.querySelector<HTMLElement>(this.goTo);
+    const name = this.goTo;
     this.goTo = "";
-    void (place as PageElement | null)?.updateComplete.then(() => this.bringIntoSight(place));
+    requestAnimationFrame(() => this.bringIntoSight(this.querySelector<HTMLElement>(name))); // what is within is drawn by then
   }
 
   private bringIntoSight(place: HTMLElement | null): void {
