@@ -28,6 +28,7 @@ int readBuildId(dl_phdr_info* object, std::size_t, void* id) {
   for (int i = 0; i < object->dlpi_phnum; ++i) {
     const ElfW(Phdr)& header = object->dlpi_phdr[i];
     if (header.p_type != PT_NOTE) continue;
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the loader gives the address as a number
     const auto* at = reinterpret_cast<const unsigned char*>(object->dlpi_addr + header.p_vaddr);
     const unsigned char* const end = at + header.p_memsz;
     while (at + sizeof(ElfW(Nhdr)) <= end) {

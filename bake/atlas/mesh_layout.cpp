@@ -32,9 +32,10 @@ void checkMesh(const scenes::Mesh& mesh) {
 }
 
 void addPiece(FlatChart chart, int padding, MeshLayout& layout) {
+  const double margin = std::floor(0.5 * padding); // of an odd padding the smaller part
   for (std::size_t i = 0; i < chart.faces.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k)
-      layout.corners[3 * std::size_t{chart.faces[i]} + k] = chart.corners[i][k] + static_cast<double>(padding / 2);
+      layout.corners[3 * std::size_t{chart.faces[i]} + k] = chart.corners[i][k] + margin;
   Profile profile = makeProfile(chart, padding);
   layout.pieces.push_back({chart.size + padding, std::move(chart.faces), std::move(profile)});
 }

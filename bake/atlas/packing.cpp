@@ -154,7 +154,9 @@ Packing packTight(const std::vector<Rectangle>& rectangles) {
   Packing best;
   std::int64_t bestCost = std::numeric_limits<std::int64_t>::max();
   int lastWidth = 0;
-  for (double factor = 1; factor < 1.35; factor += 0.02) {
+  constexpr int kWidths = 18;
+  double factor = 1; // of the side of a square
+  for (int i = 0; i < kWidths; ++i, factor += 0.02) {
     const int width = std::max(largestOf(rectangles).x, static_cast<int>(std::ceil(side * factor)));
     if (width == lastWidth) continue;
     lastWidth = width;

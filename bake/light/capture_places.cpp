@@ -151,8 +151,9 @@ CapturePlace placeCapture(const scenes::Scene& scene, const lighting::Visibility
       std::vector<double> distances;
       for (int i = 0; i < kBundleSide * kBundleSide; ++i) {
         glm::dvec3 origin = from;
-        origin[(axis + 1) % 3] += half * (2.0 * (i % kBundleSide) / (kBundleSide - 1) - 1);
-        origin[(axis + 2) % 3] += half * (2.0 * (i / kBundleSide) / (kBundleSide - 1) - 1);
+        const int row = i / kBundleSide, column = i % kBundleSide;
+        origin[(axis + 1) % 3] += half * (2.0 * column / (kBundleSide - 1) - 1);
+        origin[(axis + 2) % 3] += half * (2.0 * row / (kBundleSide - 1) - 1);
         distances.push_back(
             bisect(farthest, [&](double distance) { return !visibility.isOccluded(origin, direction, distance); }));
       }

@@ -192,6 +192,7 @@ export class ParityApp extends PageElement {
         return category !== undefined;
       }
       case "tab":
+        if (action.tab === "history" && this.page.history === null) return false;
         if (this.openRow()?.isJudged) this.set({ tab: action.tab });
         return this.openRow() !== null;
       case "close":
@@ -235,12 +236,13 @@ export class ParityApp extends PageElement {
   protected override render(): TemplateResult {
     const rows = this.visibleRows();
     const open = this.openRow();
-    const { report, run } = this.page;
+    const { report, run, history } = this.page;
     const { scene, view, material } = this.state;
     return html`
       ${header({
         report,
         run,
+        history,
         facts: this.facts,
         warnings: this.warnings,
         isBrief: open !== null,
@@ -251,7 +253,7 @@ export class ParityApp extends PageElement {
       })}
       <div class="layout ${open ? "with-item" : ""}">
         <section class="overview" aria-label="Overview">
-          ${filters({ report, facts: this.facts, shown: rows.length, state: this.state, fold: open !== null || this.phone.matches ? { isFolded: this.isFolded, toggle: () => (this.isFolded = !this.isFolded) } : null, set: (patch) => this.set(patch) })}
+          ${filters({ report, history, facts: this.facts, shown: rows.length, state: this.state, fold: open !== null || this.phone.matches ? { isFolded: this.isFolded, toggle: () => (this.isFolded = !this.isFolded) } : null, set: (patch) => this.set(patch) })}
           <parity-list .report=${report} .tests=${this.tests} .isEmpty=${this.rows.length === 0} .groups=${this.groups} .scales=${this.scales} .state=${this.state} .open=${open} .compact=${open !== null}></parity-list>
         </section>
         ${

@@ -47,6 +47,7 @@ export const kHelp = {
   differenceLegend: "Difference of the displayed values, test path minus reference path, in steps of 255. Grey: equal. Brighter than grey: the test path is brighter. Each colour channel counts by itself, so a red pixel means more red.",
   falseColor: "Shows the luminance of the unclipped values in colours that stand for EV steps. 0 EV is middle grey, 18 % of white after exposure. +1 EV is twice the light, −1 EV is half of it. White is at +2.5 EV. Below −6 EV: black. Above +6 EV: white.",
   autoRange: "On: the range of a map holds 99.5 % of the pixels that are looked at. Off: FLIP from 0 to 1, and differences enlarged by the gain, so that maps of different items compare. The legend says the range.",
+  overRuns: "The figure in each run before this one, and in this run. A line of points marks a run in which something about the row changed. Without a line the same inputs gave the same figure.",
   change: "Change of mean FLIP since the baseline. Above 0 the paths are further apart than then.",
 } as const;
 export type Topic = keyof typeof kHelp;

@@ -38,6 +38,7 @@ export function actionOf(event: KeyboardEvent): Action | null {
     case "c": return { kind: "tab", tab: "compare" };
     case "t": return { kind: "tab", tab: "terms" };
     case "n": return { kind: "tab", tab: "numbers" };
+    case "r": return { kind: "tab", tab: "history" };
     case "l": return { kind: "theme" };
     default: return null;
   }
@@ -47,7 +48,7 @@ const kShortcuts: readonly (readonly [string, string])[] = [
   ["↑ ↓ or k j", "previous, next item"],
   ["1 – 9", "all, failed, warned, errors, not judged, too small, not seen, passed, not run"],
   ["/", "search"],
-  ["C T N", "compare, terms, numbers"],
+  ["C T N R", "compare, terms, numbers, history of the runs"],
   ["S", "side by side or slider"],
   ["O", "onion skin"],
   ["D", "difference"],

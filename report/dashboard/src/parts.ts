@@ -1,6 +1,7 @@
 // Small pieces that every part of the page uses.
 import { html, nothing, type TemplateResult } from "lit";
 
+import { standingWords } from "./data/changes";
 import { baseLayerText, type Row } from "./data/rows";
 import type { Verdict } from "./data/types";
 
@@ -26,6 +27,16 @@ export function baseLayerBadge(notModelled: readonly string[]): TemplateResult |
   return notModelled.length === 0
     ? nothing
     : html`<span class="badge base-layer" title=${baseLayerText(notModelled)}>base layer only</span>`;
+}
+
+/** Where a row stands among the runs, and whom to ask: "failing for 12 nights", "owner characters"; nothing of rows that are as before. */
+export function standingNote({ standing, nights, owner, verdict, accepted }: Pick<Row, "standing" | "nights" | "owner" | "verdict" | "accepted">): TemplateResult | typeof nothing {
+  if (standing === "") return nothing;
+  const isSaid = standing === "accepted" && verdict === "pass" && accepted !== ""; // by its badge
+  const words = isSaid ? "" : standingWords(standing, nights);
+  const asks = owner !== "" && standing !== "fixed";
+  return html`${words === "" ? nothing : html`<small class="standing ${standing}"><span class="word-long">${words.startsWith("failing for ") ? "failing for " : nothing}</span>${words.replace("failing for ", "")}</small>`}
+    ${asks ? html`<small class="owner" title=${`owner ${owner}`}><span class="word-long">owner </span><bdi>${owner}</bdi></small>` : nothing}`;
 }
 
 /** A definition list of what is not empty. */

@@ -1,6 +1,7 @@
 // The list of a report as report/overview.cpp writes it, made from the report itself: for reports made by hand or changed
 // by a test. tests/e2e/overview_data.test.ts holds the two against each other.
 import type { PackedColumn, PackedTable } from "../src/data/columns";
+import { kStandings, type Standing } from "../src/data/history";
 import type { Judged } from "../src/data/judged";
 import { Overview, type Limit, type PackedOverview } from "../src/data/overview";
 import { makeRows, type Row } from "../src/data/rows";
@@ -63,7 +64,27 @@ function bestOf(material: Material): WhatIf | null {
   return (material.whatIf ?? []).filter(helps).sort((a, b) => gravity(a.verdict) - gravity(b.verdict) || flip(a) - flip(b))[0] ?? null;
 }
 
-export function packOverview(report: Report): PackedOverview {
+const isFailure = (verdict: Verdict | null | undefined): boolean => verdict === "fail" || verdict === "error";
+
+/** As report/standing.cpp has it of a report without a history. */
+export function standingOf(judged: Judged): Standing {
+  const { baseline } = judged;
+  if (isFailure(judged.verdict)) return !baseline ? "unknown" : isFailure(baseline.verdict) ? "still" : "new";
+  if ((judged.accepted ?? "") !== "") return "accepted";
+  return isFailure(baseline?.verdict) && ["pass", "warn"].includes(judged.verdict) ? "fixed" : "";
+}
+
+function ownerOf({ checks, budget }: Judged): string {
+  return checks.find(({ approval, verdict }) => approval && ["warn", "fail", "error"].includes(verdict))?.approval?.owner ?? budget.owner;
+}
+
+export interface OverRuns {
+  standing?: Standing;
+  nights?: number;
+}
+
+/** overRuns: what a history says of the rows, by their place among all. */
+export function packOverview(report: Report, overRuns: Readonly<Record<number, OverRuns>> = {}): PackedOverview {
   const texts = new Places<string>();
   const lists = new Places<number[]>();
   const limits = new Places<Limit[]>();
@@ -77,8 +98,10 @@ export function packOverview(report: Report): PackedOverview {
     const { baseline } = judged;
     const cause = material && hasFlipToExplain(material) ? causeOf(material.attribution) : null;
     const better = material && bestOf(material);
+    const over = overRuns[figures.length] ?? {};
     figures.push(judged.figures);
     return {
+      standing: kStandings.indexOf(over.standing ?? standingOf(judged)), nights: over.nights ?? 0, owner: texts.of(ownerOf(judged)),
       name: texts.of(material?.name ?? ""), verdict: kVerdicts.indexOf(judged.verdict), seenElsewhere: Number(material?.seenElsewhere ?? false),
       reason: texts.of(judged.reason), accepted: texts.of(judged.accepted ?? ""), bias: texts.of(judged.bias), pixels: judged.figures?.pixels ?? 0,
       nonFinite: judged.figures?.nonFinite ?? 0, preset: texts.of(judged.budget.preset), images: paths(images), notModelled: list(material?.notModelled ?? []),
@@ -99,7 +122,7 @@ export function packOverview(report: Report): PackedOverview {
     name: texts.of(scene.name), source: texts.of(scene.source), error: texts.of(scene.error?.message ?? ""), views: scene.views.length, warnings: list(scene.warnings),
     verdict: scene.error === null ? 0 : kVerdicts.indexOf(scene.error.exitCode > 128 ? "not run" : "error"),
   }));
-  const whole = ["name", "verdict", "seenElsewhere", "reason", "accepted", "bias", "pixels", "nonFinite", "preset", "images", "notModelled", "limits", "before", "notComparable", "cause", "noCause", "better", "betterVerdict"];
+  const whole = ["name", "verdict", "seenElsewhere", "reason", "accepted", "bias", "pixels", "nonFinite", "preset", "images", "notModelled", "limits", "before", "notComparable", "cause", "noCause", "better", "betterVerdict", "standing", "nights", "owner"];
   const reals = ["change", "causeBefore", "causeAfter", "betterFlip"];
   return {
     verdicts: kVerdicts, texts: texts.values, lists: lists.values, limits: limits.values,
@@ -109,10 +132,10 @@ export function packOverview(report: Report): PackedOverview {
   };
 }
 
-export function overviewOf(report: Report): Overview {
-  return new Overview(packOverview(report));
+export function overviewOf(report: Report, overRuns: Readonly<Record<number, OverRuns>> = {}): Overview {
+  return new Overview(packOverview(report, overRuns));
 }
 
-export function rowsOf(report: Report): Row[] {
-  return makeRows(overviewOf(report));
+export function rowsOf(report: Report, overRuns: Readonly<Record<number, OverRuns>> = {}): Row[] {
+  return makeRows(overviewOf(report, overRuns));
 }

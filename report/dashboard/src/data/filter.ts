@@ -8,7 +8,7 @@ export interface Filter {
   list: List;
   query: string;
   verdicts: readonly string[]; // empty: all
-  changes: readonly string[]; // since the baseline; empty: all
+  changes: readonly string[]; // standings, and changes since the baseline; empty: all
   term: string;
   preset: string;
 }
@@ -50,6 +50,7 @@ export function sortValue(row: Row, key: string): number | string | null {
     case "pixels": return row.pixels;
     case "cause": return row.cause ? row.cause.before - row.cause.after : null;
     case "change": return row.change;
+    case "nights": return row.nights > 0 ? row.nights : null;
     case "order": return row.order;
     case "bias": {
       const ev = figureOf(row, "bias.ev");

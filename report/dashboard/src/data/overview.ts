@@ -22,6 +22,7 @@ const kViewColumns = ["name", "reference", "test", "width", "height", "prefix", 
 const kRowColumns = [
   "name", "verdict", "seenElsewhere", "reason", "accepted", "bias", "pixels", "nonFinite", "limits", "preset", "images", "notModelled", "before",
   "notComparable", "change", "cause", "noCause", "causeBefore", "causeAfter", "better", "betterVerdict", "betterFlip",
+  "standing", "nights", "owner",
 ] as const;
 
 /** What links call them: their names; of those alike the second has " (2)" behind it, and so on. Never "". */

@@ -1,6 +1,7 @@
 // The data blocks of index.html, checked as far as the page relies on them.
 import { reasonOf } from "./reason";
 import { sweepOf, type Sweep } from "./bench";
+import type { EarlierRuns } from "./history";
 import { Overview, type PackedOverview } from "./overview";
 import { kSchema, type Report, type Run } from "./types";
 
@@ -13,6 +14,7 @@ export interface Page {
   overview: Overview;
   run: RunHead | null;
   bench: Sweep | null;
+  history: EarlierRuns | null; // the runs before this one; null: none is known
 }
 export type Problem = { problem: string };
 
@@ -29,7 +31,7 @@ function isObject(value: unknown): value is Record<string, unknown> {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
-/** The report of this page, or why it cannot be shown. A run or a bench that cannot be read is left out. */
+/** The report of this page, or why it cannot be shown. A run, a bench or a history that cannot be read is left out. */
 export function readPage(document: Document): Page | Problem {
   let report: unknown;
   let packed: unknown;
@@ -56,7 +58,15 @@ export function readPage(document: Document): Page | Problem {
   };
   (report as Head).statistics ??= {};
   const run = optional("run");
-  return { report: report as Head, overview, run: isObject(run) ? (run as unknown as RunHead) : null, bench: sweepOf(optional("bench"), optional("bench-plots")) };
+  return { report: report as Head, overview, run: isObject(run) ? (run as unknown as RunHead) : null, bench: sweepOf(optional("bench"), optional("bench-plots")), history: historyOf(optional("history")) };
+}
+
+/** The runs before this one; null where there are none, or they are not of this form. */
+export function historyOf(value: unknown): EarlierRuns | null {
+  if (!isObject(value) || value["format"] !== 1 || !Array.isArray(value["runs"]) || value["runs"].length === 0) return null;
+  const isRun = (run: unknown): boolean => isObject(run) && ["name", "started", "commit", "verdict"].every((key) => typeof run[key] === "string");
+  if (!value["runs"].every(isRun) || typeof value["branch"] !== "string") return null;
+  return value as unknown as EarlierRuns;
 }
 
 function isTable(value: unknown): boolean {

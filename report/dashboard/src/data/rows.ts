@@ -3,6 +3,7 @@
 import { changesOf, kNoChange, type ChangeKind } from "./changes";
 import { realOf } from "./columns";
 import { gravityOf } from "./gravity";
+import { kStandings, type Standing } from "./history";
 import type { Limit, Overview } from "./overview";
 import type { Item } from "./state";
 import type { Images, Verdict } from "./types";
@@ -154,10 +155,23 @@ export class Row {
   get isInBaseline(): boolean {
     return this.before !== null && this.before !== "new";
   }
-  /** Since the baseline. */
+  /** By its standing, and since the baseline. */
   get changes(): readonly ChangeKind[] {
-    if (this.before === null) return kNoChange;
-    return changesOf(this.verdict, this.before, this.change, this.notComparable);
+    const { before, standing } = this;
+    if (before === null && standing === "") return kNoChange;
+    return changesOf(this.verdict, before, this.change, this.notComparable, standing);
+  }
+  /** Among the runs before, or against the baseline; "" for a scene that was not compared. */
+  get standing(): Standing {
+    return this.at < 0 ? "" : (kStandings[this.all.rows.standing[this.at]!] ?? "");
+  }
+  /** For how many runs it fails, this one included; 0: not known. */
+  get nights(): number {
+    return this.at < 0 ? 0 : this.all.rows.nights[this.at]!;
+  }
+  /** Whom to ask: of its approval, else of its budget; "": nobody is named. */
+  get owner(): string {
+    return this.textOf("owner");
   }
   /** Of mean FLIP since the baseline. */
   get change(): number | null {
@@ -178,7 +192,7 @@ export class Row {
     const { scenes, views, rows } = this.all;
     const scene = scenes.name[this.scene]!;
     if (this.at < 0) return [scene, scenes.source[this.scene]!, scenes.error[this.scene]!];
-    return [scene, views.name[this.viewAt]!, rows.name[this.at]!, rows.reason[this.at]!, rows.accepted[this.at]!, rows.cause[this.at]!];
+    return [scene, views.name[this.viewAt]!, rows.name[this.at]!, rows.reason[this.at]!, rows.accepted[this.at]!, rows.cause[this.at]!, rows.owner[this.at]!];
   }
   /** What a search looks at besides, in lower case. */
   get searchedWords(): string {
@@ -187,7 +201,7 @@ export class Row {
     return `${own} ${this.all.rows.accepted[this.at] === 0 ? "" : "accepted"} ${baseLayerText(this.notModelled)}`.toLowerCase();
   }
 
-  private textOf(column: "accepted" | "bias" | "preset" | "cause" | "noCause" | "better" | "notComparable"): string {
+  private textOf(column: "accepted" | "bias" | "preset" | "cause" | "noCause" | "better" | "notComparable" | "owner"): string {
     return this.at < 0 ? "" : this.all.text(this.all.rows[column][this.at]);
   }
 }

@@ -1,12 +1,15 @@
 // The details of a scene, as report.json and run.json have them: loaded when one of its rows is opened, and kept for a
 // while.
+import type { SceneTrends } from "./history";
 import { once, RecentlyUsed } from "./recently_used";
 import { loadScriptFile } from "./script_file";
+import { trendsOf } from "./row_trend";
 import type { AgainCommand, Scene } from "./types";
 
 export interface SceneDetails {
   scene: Scene;
   again: AgainCommand[]; // of its views
+  history: SceneTrends | null; // of its rows over the runs; null: none is known
 }
 
 const kFormat = 1;
@@ -27,8 +30,8 @@ export function checkScene(value: unknown, file: string, name: string): SceneDet
   if (value["file"] !== file || !isObject(scene)) throw new Error(`${file} holds no scene, or that of another file`);
   if (scene["name"] !== name) throw new Error(`${file} is of another report: it holds the scene ${String(scene["name"]).slice(0, 200)}`);
   if (!Array.isArray(scene["views"])) throw new Error(`${file} is damaged: its scene has no views`);
-  const { again } = value;
-  return { scene: scene as unknown as Scene, again: Array.isArray(again) ? (again as AgainCommand[]) : [] };
+  const { again, history } = value;
+  return { scene: scene as unknown as Scene, again: Array.isArray(again) ? (again as AgainCommand[]) : [], history: trendsOf(history) };
 }
 
 /** The scene at that place of the report, if it is there already. */

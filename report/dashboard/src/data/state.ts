@@ -2,7 +2,7 @@
 
 export const kModes = ["side", "slider", "onion", "flicker", "difference", "flip"] as const;
 export type Mode = (typeof kModes)[number];
-export const kTabs = ["compare", "terms", "numbers"] as const;
+export const kTabs = ["compare", "terms", "numbers", "history"] as const; // history: where earlier runs are known
 export const kLists = ["materials", "views"] as const;
 export type List = (typeof kLists)[number];
 export const kGroupings = ["none", "material", "scene", "cause"] as const;
@@ -42,7 +42,7 @@ export interface State extends ViewerState, Item {
   list: List;
   query: string;
   verdicts: string[]; // shown; empty: all
-  changes: string[]; // shown since the baseline; empty: all
+  changes: string[]; // shown: standings, and changes since the baseline; empty: all
   causedBy: string; // the overview's filter: only rows that this term explains; "": all
   preset: string; // "": all
   group: Grouping;

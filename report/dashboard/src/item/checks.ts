@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 
 import type { Judged } from "../data/judged";
 import type { Head } from "../data/page";
-import type { Check } from "../data/types";
+import type { Approval, Check, Statistic } from "../data/types";
 import { countOf, typeset } from "../data/wording";
 import { change, figure } from "../format";
 import { help } from "../help";
@@ -17,6 +17,15 @@ export function limitsOf(check: Check, report: Head): string {
   const limit = (verb: string, value: number | null): string =>
     value === null ? "" : `${verb} ${beyond}${beyond.endsWith("±") ? "" : " "}${figure(value, statistic).replace(/^\+/, "")}`;
   return [limit("warns", check.warn), limit("fails", check.fail)].filter((each) => each !== "").join(", ");
+}
+
+/** "approved up to 0.142 by characters, until 2027-02-01 (68 days left): refit in sprint 12" */
+export function approvalText({ value, slack, until, daysLeft, owner, reason, state, words }: Approval, statistic: Statistic | undefined): string {
+  const days = daysLeft < 0 ? `${countOf(-daysLeft, "days")} ago` : daysLeft === 0 ? "the last day" : `${countOf(daysLeft, "days")} left`;
+  const sign = statistic?.better === "higher" ? -1 : 1;
+  const most = statistic?.better === "near zero" ? `±${figure(Math.abs(value) + slack, statistic).replace(/^\+/, "")}` : figure(value + sign * slack, statistic);
+  const what = state === "lapsed" ? "approval does not hold" : `approved ${sign < 0 ? "down" : "up"} to ${most}`;
+  return `${what}, by ${owner}, until ${until} (${days}): ${reason}${words === "" ? "" : `; ${typeset(words)}`}`;
 }
 
 /** What a full bar means: the scale of the list where it has one, else a quarter more than the limit. */
@@ -38,7 +47,7 @@ export function checkTable(judged: Judged, report: Head, scales: Readonly<Record
         return html`<tr>
           <th scope="row">${statistic?.label ?? check.metric}${check.regress ? ", against the baseline" : ""}</th>
           <td class="number">${value}</td>
-          <td class="limits">${check.value === null || statistic?.better === "higher" ? nothing : bar(Math.max(0, check.regress ? check.value : Math.abs(check.value)), check, scaleOf(check, scales))}<small>${limitsOf(check, report)}${check.note === "" ? nothing : html` (${typeset(check.note)})`}</small></td>
+          <td class="limits">${check.value === null || statistic?.better === "higher" ? nothing : bar(Math.max(0, check.regress ? check.value : Math.abs(check.value)), check, scaleOf(check, scales))}<small>${limitsOf(check, report)}${check.note === "" ? nothing : html` (${typeset(check.note)})`}</small>${check.approval ? html`<small class="approval ${check.approval.state}"><bdi>${approvalText(check.approval, statistic)}</bdi></small>` : nothing}</td>
           <td>${badge(check.verdict)}</td></tr>`;
       })}</tbody></table></div>
     ${judged.verdict === "too small" ? html`<p class="aside">The material has fewer than ${countOf(budget.minPixels, "pixels")} (<code>min_pixels</code> of its budget), so no check counts.</p>` : nothing}

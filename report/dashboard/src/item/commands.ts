@@ -1,4 +1,5 @@
 // Commands to copy: the same comparison again, and how to accept what it found.
+import type { Judged } from "../data/judged";
 import type { Row } from "../data/rows";
 import type { AgainCommand, Scene } from "../data/types";
 
@@ -26,6 +27,26 @@ export function againCommand(again: readonly AgainCommand[], scene: Scene, row: 
   if (row.kind !== "material" || row.name === "" || found.command.includes(" --material")) return found.command;
   const glob = globOf(row.name);
   return `${found.command} --material${glob.startsWith("-") ? "=" : " "}${shellWord(glob)}`;
+}
+
+export interface Approvable extends Pick<Judged, "verdict" | "checks" | "figures">, Pick<Row, "kind" | "name"> {
+  scene: string; // by name
+  view: string;
+}
+
+/**
+ * The command that approves this row with the figures that it has; what is in capitals is for the reader to fill in. null:
+ * no figure of it is beyond a limit, or parity approve refuses it.
+ */
+export function approveCommand({ verdict, checks, figures, kind, name, scene, view }: Approvable): string | null {
+  const isBeyond = (verdict === "fail" || verdict === "warn") && checks.some((check) => check.verdict === "fail" || check.verdict === "warn");
+  if (!isBeyond || (figures?.nonFinite ?? 1) > 0 || kind === "scene" || (kind === "material" && name === "")) return null;
+  const option = (word: string, of: string): string => {
+    const glob = globOf(of);
+    return `${word}${glob.startsWith("-") ? "=" : " "}${shellWord(glob)}`;
+  };
+  const row = kind === "material" ? option("--material", name) : "--whole";
+  return ["parity approve .", option("--scene", scene), option("--view", view), row, ...(verdict === "warn" ? ["--warnings"] : []), "--owner WHO --until DATE --reason 'TEXT' -o approvals.toml"].join(" ");
 }
 
 /** The ways to accept a report as it is. */

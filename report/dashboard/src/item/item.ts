@@ -1,10 +1,11 @@
-// One row opened: what was decided and why, and three tabs of evidence.
+// One row opened: what was decided and why, and its evidence by tabs.
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 
 import type { Page } from "../data/page";
 import { clippingText } from "../data/clipping";
 import { pathWord } from "../data/paths";
+import { rowTrendOf } from "../data/row_trend";
 import type { Row } from "../data/rows";
 import type { SceneDetails } from "../data/scenes";
 import { isSameItem, kTabs, type State, type Tab } from "../data/state";
@@ -15,18 +16,19 @@ import { PageElement } from "../element";
 import { count, figure, figureIn } from "../format";
 import { help } from "../help";
 import { kPhone, Media } from "../media";
-import { baseLayerBadge, rowBadge } from "../parts";
+import { baseLayerBadge, rowBadge, standingNote } from "../parts";
 import { isForControl } from "../viewer/keys";
 import { termLabel } from "../viewer/terms";
 import "../viewer/viewer";
 import type { ParityViewer } from "../viewer/viewer";
 import { checkTable } from "./checks";
 import { describeDropped, lightsOf } from "./dropped_lights";
+import "./history";
 import { materialCard } from "./material_card";
 import "./numbers";
 import "./terms";
 
-const kTabNames: Record<Tab, string> = { compare: "Compare", terms: "Terms", numbers: "Numbers" };
+const kTabNames: Record<Tab, string> = { compare: "Compare", terms: "Terms", numbers: "Numbers", history: "History" };
 
 @customElement("parity-item")
 export class ParityItem extends PageElement {
@@ -80,6 +82,11 @@ export class ParityItem extends PageElement {
     this.viewer?.handleKeyUp(event);
   }
 
+  /** What there is to see: the runs before this one only where they are known. */
+  private get tabs(): readonly Tab[] {
+    return this.page.history === null ? kTabs.filter((tab) => tab !== "history") : kTabs;
+  }
+
   private set(patch: Partial<State>): void {
     this.dispatchEvent(new CustomEvent("parity-state", { bubbles: true, detail: patch }));
   }
@@ -98,13 +105,19 @@ export class ParityItem extends PageElement {
       </nav>
       <header class="item-head">
         <h2 id="item-title" tabindex="-1" title=${name.slice(0, 400)}>${rowBadge(row)} ${baseLayerBadge(row.notModelled)} <bdi>${name}</bdi></h2>
+        ${this.renderStanding()}
         ${row.accepted === "" ? nothing : html`<p class="accepted">Accepted: ${row.accepted}</p>`}
         <p class="place"><bdi>${row.place}</bdi>${scene ? html` · <bdi>${scene.environment}</bdi>${scene.sun === "none" ? nothing : html` · sun <bdi>${scene.sun}</bdi>`}` : nothing}</p>
         ${row.reason === "" || !row.isJudged ? nothing : html`<p class="reason">${row.reason}</p>`}
         ${this.renderCause()}
       </header>
-      ${row.isJudged ? this.renderTabs(state.tab) : html`<p class="notice error" role="alert"><b>Not compared:</b> ${row.reason}</p>`}
+      ${row.isJudged ? this.renderTabs(this.tabs.includes(state.tab) ? state.tab : "compare") : html`<p class="notice error" role="alert"><b>Not compared:</b> ${row.reason}</p>`}
     </article>`;
+  }
+
+  private renderStanding(): TemplateResult | typeof nothing {
+    const note = standingNote(this.row);
+    return note === nothing ? nothing : html`<p class="standing-line">${note}</p>`;
   }
 
   /** What makes it differ, and the preset that would help most: above the pictures on every screen. */
@@ -118,7 +131,8 @@ export class ParityItem extends PageElement {
   private renderTabs(tab: Tab): TemplateResult {
     const onKey = (event: KeyboardEvent): void => {
       const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
-      const next = kTabs[(kTabs.indexOf(tab) + by + kTabs.length) % kTabs.length];
+      const { tabs } = this;
+      const next = tabs[(tabs.indexOf(tab) + by + tabs.length) % tabs.length];
       if (by === 0 || !next) return;
       event.preventDefault();
       event.stopPropagation();
@@ -127,7 +141,7 @@ export class ParityItem extends PageElement {
     };
     return html`
       <div class="tabs" role="tablist" aria-label="Evidence" @keydown=${onKey}>
-        ${kTabs.map((each) => html`<button type="button" role="tab" id="tab-${each}" aria-controls="panel" aria-selected=${each === tab ? "true" : "false"}
+        ${this.tabs.map((each) => html`<button type="button" role="tab" id="tab-${each}" aria-controls="panel" aria-selected=${each === tab ? "true" : "false"}
           tabindex=${each === tab ? 0 : -1} @click=${() => this.set({ tab: each })}>${kTabNames[each]}</button>`)}
       </div>
       <div role="tabpanel" id="panel" class="item-panel" aria-labelledby="tab-${tab}">${this.renderPanel(tab)}</div>
@@ -139,7 +153,14 @@ export class ParityItem extends PageElement {
     if (this.problem !== "") return html`<p class="notice error" role="alert"><b>Its details cannot be shown:</b> <bdi>${this.problem}</bdi></p>`;
     if (details === null) return html`<p class="aside" role="status">Loading …</p>`;
     if (view === null || judged === null) return html`<p class="notice error" role="alert"><b>Its details cannot be shown:</b> the file of its scene does not have it.</p>`;
+    if (tab === "history") return this.renderHistory(details, view, judged);
     return tab === "compare" ? this.renderCompare(details.scene, view, judged) : tab === "terms" ? this.renderTerms(details.scene) : this.renderNumbers(details, judged);
+  }
+
+  private renderHistory(details: SceneDetails, view: View, judged: Judged): TemplateResult {
+    const { row, page } = this;
+    const trend = rowTrendOf(details.history, row.view, row.material, view.materials.length);
+    return html`<parity-history .report=${page.report} .history=${page.history} .trend=${trend} .judged=${judged} .row=${row} .view=${view.name}></parity-history>`;
   }
 
   private renderCompare(scene: Scene, view: View, judged: Judged): TemplateResult {

@@ -16,6 +16,7 @@ import { badge, copyable, definitions } from "../parts";
 import { sceneNamed } from "../study/scene";
 import { termLabel } from "../viewer/terms";
 import { limitsOf } from "./checks";
+import { approvePart } from "./approve";
 import { acceptCommands, againCommand } from "./commands";
 import { stageLine } from "./stages";
 
@@ -115,6 +116,7 @@ export class ParityNumbers extends PageElement {
         <h3>Accept the result</h3>
         <p class="aside">Run these commands in the folder of this report, which has report.json.</p>${acceptCommands().map(({ what, command }) => html`<p class="aside">${what}</p>${copyable(command, what)}`)}
       </section>
+      ${approvePart(this.row, judged, scene.views[this.row.view]?.name ?? "")}
       ${passTable(scene)}${permutationTable(scene)}
       <section><h3>The run</h3>
         ${definitions([

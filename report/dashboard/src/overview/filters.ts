@@ -1,10 +1,11 @@
-// What narrows the list down and orders it: words, verdicts, changes, budgets' presets, terms, groups.
+// What narrows the list down and orders it: words, verdicts, standings, changes, budgets' presets, terms, groups.
 import { html, nothing, type TemplateResult } from "lit";
 
-import { kChanges, type ChangeCounts, type ChangeKind } from "../data/changes";
+import { kBaselineChanges, kChanges, kStandingChanges, type ChangeCounts, type ChangeKind } from "../data/changes";
 import type { Facts, ListFacts } from "../data/facts";
 import { sortsUpAtFirst } from "../data/filter";
 import { groupingsOf } from "../data/groups";
+import type { EarlierRuns } from "../data/history";
 import type { Head } from "../data/page";
 import type { Grouping, List, State } from "../data/state";
 import { countOf } from "../data/wording";
@@ -26,7 +27,7 @@ export const kCategories = [
 ] as const;
 
 const kChangeNames: Readonly<Record<ChangeKind, string>> = {
-  new: "New failures", fixed: "Fixed", worse: "Worse", better: "Better", added: "Not in the baseline", "not comparable": "Not comparable",
+  new: "New failures", fixed: "Fixed", still: "Still failing", flaky: "Flaky", accepted: "Accepted", worse: "Worse", better: "Better", added: "Not in the baseline", "not comparable": "Not comparable",
 };
 const kGroupNames: Readonly<Record<Grouping, string>> = { none: "nothing", material: "material", scene: "scene", cause: "cause" };
 
@@ -49,12 +50,12 @@ function select(
 const kSorts: readonly (readonly [string, string])[] = [
   ["gravity", "verdict"], ["flip.mean", "mean FLIP"], ["flip.p95", "p95 FLIP"], ["flip.max", "max FLIP"],
   ["bias", "brightness difference"], ["cause", "share that the cause explains"], ["pixels", "pixels"],
-  ["change", "change since the baseline"], ["name", "name"], ["place", "scene and view"], ["order", "order in the report"],
+  ["change", "change since the baseline"], ["nights", "nights failing"], ["name", "name"], ["place", "scene and view"], ["order", "order in the report"],
 ];
 
 /** Every number of the rows, by the names that the report gives its figures. */
-export function sortsOf(report: Head): (readonly [string, string])[] {
-  const usual = kSorts.filter(([key]) => key !== "change" || hasBaseline(report));
+export function sortsOf(report: Head, history: EarlierRuns | null): (readonly [string, string])[] {
+  const usual = kSorts.filter(([key]) => (key !== "change" || hasBaseline(report)) && (key !== "nights" || history !== null));
   const others = Object.entries(report.statistics).filter(([key]) => !kSorts.some(([each]) => each === key));
   return [...usual, ...others.map(([key, { label }]) => [key, label] as const)];
 }
@@ -77,16 +78,24 @@ function verdictChips(listed: ListFacts, state: State, set: (patch: Partial<Stat
   </div>`;
 }
 
-function changeChips(counts: ChangeCounts, state: State, set: (patch: Partial<State>) => void): TemplateResult | typeof nothing {
-  const shown = kChanges.filter((change) => counts[change] > 0 || state.changes.includes(change));
+function chipsOf(name: string, of: readonly ChangeKind[], counts: ChangeCounts, state: State, set: (patch: Partial<State>) => void): TemplateResult | typeof nothing {
+  const shown = of.filter((change) => counts[change] > 0 || state.changes.includes(change));
   if (shown.length === 0) return nothing;
-  return html`<div class="chips changes" role="group" aria-label="Since the baseline"><span class="chips-name" aria-hidden="true">Since the baseline</span>
+  return html`<div class="chips changes" role="group" aria-label=${name}><span class="chips-name" aria-hidden="true">${name}</span>
     ${shown.map((change) => {
       const pressed = state.changes.includes(change);
       return html`<button type="button" class="chip ${change.replace(" ", "-")}" aria-pressed=${pressed ? "true" : "false"}
         @click=${() => set({ changes: toggled(state.changes, change) })}>${kChangeNames[change]} <b>${count(counts[change])}</b></button>`;
     })}
   </div>`;
+}
+
+/** With a history and a baseline there are two groups, because they are held against different runs. */
+function changeChips({ report, history, facts, state, set }: FilterScene): TemplateResult {
+  const counts = facts.lists[state.list].changes;
+  const chips = (name: string, of: readonly ChangeKind[]): TemplateResult | typeof nothing => chipsOf(name, of, counts, state, set);
+  if (history !== null) return html`${chips("Over the runs", kStandingChanges)}${chips("Since the baseline", kBaselineChanges)}`;
+  return html`${chips(hasBaseline(report) ? "Since the baseline" : "Standing", kChanges)}`;
 }
 
 function groupChoice(state: State, set: (patch: Partial<State>) => void): TemplateResult {
@@ -99,18 +108,19 @@ function groupChoice(state: State, set: (patch: Partial<State>) => void): Templa
     ${shown === "none" ? nothing : html`<button type="button" class="fold-all" aria-pressed=${state.folded ? "true" : "false"} @click=${() => set({ folded: !state.folded })}>Totals only</button>`}`;
 }
 
-function sortChoice(report: Head, state: State, set: (patch: Partial<State>) => void): TemplateResult {
+function sortChoice({ report, history, state, set }: FilterScene): TemplateResult {
   return html`<label class="select">Sort
     <select @change=${(event: Event) => {
       const sort = (event.target as HTMLSelectElement).value;
       set({ sort, ascending: sortsUpAtFirst(sort) });
     }}>
-      ${sortsOf(report).map(([key, label]) => html`<option value=${key} ?selected=${key === state.sort}>${label}</option>`)}
+      ${sortsOf(report, history).map(([key, label]) => html`<option value=${key} ?selected=${key === state.sort}>${label}</option>`)}
     </select></label>`;
 }
 
 export interface FilterScene {
   report: Head;
+  history: EarlierRuns | null;
   facts: Facts;
   shown: number;
   state: State;
@@ -123,7 +133,8 @@ export interface Fold {
   toggle: () => void;
 }
 
-export function filters({ report, facts, shown, state, fold, set }: FilterScene): TemplateResult {
+export function filters(scene: FilterScene): TemplateResult {
+  const { facts, shown, state, fold, set } = scene;
   const listed = facts.lists[state.list];
   const list = (each: List, label: string): TemplateResult => {
     const { rows, over } = facts.lists[each];
@@ -142,8 +153,8 @@ export function filters({ report, facts, shown, state, fold, set }: FilterScene)
     <div class="choices" id="filter-choices" ?hidden=${fold?.isFolded ?? false}>
       ${select("Cause", state.causedBy, [...listed.causes.keys()], causeName, (causedBy) => set({ causedBy }))}
       ${select("Budget", state.preset, listed.presets, (preset) => preset, (preset) => set({ preset }))}
-      ${groupChoice(state, set)} ${sortChoice(report, state, set)} ${verdictChips(listed, state, set)}
-      ${hasBaseline(report) ? changeChips(listed.changes, state, set) : nothing}
+      ${groupChoice(state, set)} ${sortChoice(scene)} ${verdictChips(listed, state, set)}
+      ${changeChips(scene)}
     </div>
     <span class="shown" role="status">${shown === listed.rows ? countOf(shown, "rows") : `${count(shown)} of ${countOf(listed.rows, "rows")}`}</span>
   </div>`;

@@ -3,12 +3,13 @@ import { html, nothing, type TemplateResult } from "lit";
 
 import { isWhole } from "../data/embedded";
 import type { Facts } from "../data/facts";
+import type { EarlierRuns } from "../data/history";
 import type { Head, RunHead } from "../data/page";
 import { count } from "../format";
 import { badge, definitions } from "../parts";
 import { themeButton, type Theme } from "../theme";
 import { causesNotice } from "./causes";
-import { sinceBaseline } from "./since";
+import { sinceLines } from "./since";
 
 const kMostLines = 200; // of thousands nobody reads more
 
@@ -34,6 +35,7 @@ function baselineNotice(report: Head, isFolded: boolean): TemplateResult | typeo
 export interface HeaderScene {
   report: Head;
   run: RunHead | null;
+  history: EarlierRuns | null;
   facts: Facts;
   warnings: readonly string[]; // of the run, and of each scene, with its name
   isBrief: boolean; // beside an open item: without what concerns the whole run
@@ -55,7 +57,7 @@ export function header(scene: HeaderScene): TemplateResult {
         <button type="button" @click=${openKeys} aria-label="Keys, and how to read this page">?<span class="word"> keys</span></button>
       </div>
     </div>
-    ${isBrief ? nothing : html`${sinceBaseline(report, scene.facts)}
+    ${isBrief ? nothing : html`${sinceLines(report, scene.history, scene.facts)}
       <p class="sub">${report.device}${when} · ${report.tool} ${report.version}${isWhole() ? nothing : html` · <a href="report.json">report.json</a>`}</p>
       ${notices(scene)}`}
   </header>`;

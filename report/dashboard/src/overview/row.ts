@@ -10,7 +10,7 @@ import type { Limit } from "../data/overview";
 import type { Head } from "../data/page";
 import { countOf } from "../data/wording";
 import { change, count, figure } from "../format";
-import { baseLayerBadge, rowBadge } from "../parts";
+import { baseLayerBadge, rowBadge, standingNote } from "../parts";
 import { termLabel } from "../viewer/terms";
 
 export interface RowScene {
@@ -62,9 +62,9 @@ function figureCell(row: Row, { report, scales }: RowScene, name: string): Templ
   </span>`;
 }
 
-const kChangeTags = { new: "new failure", fixed: "fixed", added: "not in the baseline", "not comparable": "not comparable" } as const;
+const kChangeTags = { added: "not in the baseline", "not comparable": "not comparable" } as const;
 
-/** What has changed since the baseline in words, besides the figure. */
+/** What has changed since the baseline in words, besides the figure and the standing. */
 function changeTags(row: Row): TemplateResult {
   const tags = (Object.keys(kChangeTags) as (keyof typeof kChangeTags)[]).filter((each) => row.changes.includes(each));
   const title = row.notComparable;
@@ -104,7 +104,7 @@ export function fullRow(row: Row, scene: RowScene): TemplateResult {
   const { nonFinite } = row;
   return html`
     <span role="cell" class="cell-pictures">${thumbnails(row)}</span>
-    <span role="cell" class="cell-gravity">${rowBadge(row)}${baseLayerBadge(row.notModelled)}${nonFinite === 0 ? nothing : html`<small class="non-finite">${countOf(nonFinite, "pixels")} NaN</small>`}</span>
+    <span role="cell" class="cell-gravity">${rowBadge(row)}${baseLayerBadge(row.notModelled)}${nonFinite === 0 ? nothing : html`<small class="non-finite">${countOf(nonFinite, "pixels")} NaN</small>`}${standingNote(row)}</span>
     <span role="cell" class="cell-name">
       <a class="name" href=${hash}><bdi>${row.name === "" ? "(no name)" : row.name}</bdi></a>
       <small class="place"><bdi>${row.place}</bdi></small>

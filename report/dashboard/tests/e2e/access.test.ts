@@ -1,9 +1,7 @@
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import type { AxeResults } from "axe-core";
-import type { Browser, Page } from "playwright-core";
+import type { Browser } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
+import { violations } from "./axe";
 import { changedReport, hashOfItem, openReport, removeChanged, reportFolder, startBrowser } from "./browser";
 
 let browser: Browser;
@@ -12,20 +10,6 @@ afterAll(async () => {
   removeChanged();
   await browser.close();
 });
-
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-
-/** Rules of axe-core (these; none: all) that are broken seriously or critically, each with the first place. */
-async function violations(page: Page, rules: string[] = []): Promise<string[]> {
-  await page.evaluate(axe);
-  const results = await page.evaluate((only) => {
-    const { axe: program } = window as unknown as { axe: { run(options: object): Promise<AxeResults> } };
-    return program.run(only.length > 0 ? { runOnly: only } : {});
-  }, rules);
-  return results.violations
-    .filter((each) => each.impact === "serious" || each.impact === "critical")
-    .map((each) => `${each.id}: ${each.help}: ${each.nodes[0]?.html.slice(0, 200)} ${each.nodes[0]?.failureSummary ?? ""}`);
-}
 
 const kPages = [
   ["the overview", "many", ""],

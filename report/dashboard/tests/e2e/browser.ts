@@ -5,9 +5,10 @@ import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
 
+import type { EarlierRuns, SceneTrends } from "../../src/data/history";
 import { kDefaultState, toHash } from "../../src/data/state";
 import type { Report } from "../../src/data/types";
-import { packOverview, rowsOf } from "../pack_overview";
+import { packOverview, rowsOf, type OverRuns } from "../pack_overview";
 
 const kPrograms = [process.env["PARITY_CHROMIUM"] ?? "", "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 
@@ -51,18 +52,27 @@ export function changedReport(name: string, change: (html: string) => string): s
   return folder;
 }
 
+/** What a run with --history adds to a report. */
+export interface AddedHistory {
+  history: EarlierRuns;
+  rows: Readonly<Record<number, OverRuns>>; // by their place among all of the report
+  trends: Readonly<Record<number, SceneTrends>>; // by scene
+}
+
 /** The folder of a copy of a report, its data changed: that of its page, and of its scenes' files. */
-export function changedData(name: string, change: (report: Report) => void): string {
+export function changedData(name: string, change: (report: Report) => void, added: AddedHistory | null = null): string {
   const report = readReport(name);
   change(report);
   const { scenes, ...head } = report;
-  const blocks: Record<string, unknown> = { report: head, overview: packOverview(report) };
+  const blocks: Record<string, unknown> = { report: head, overview: packOverview(report, added?.rows) };
+  const block = added === null ? "" : `<script type="application/json" id="history">${JSON.stringify(added.history)}</script>\n`;
   const folder = changedReport(name, (html) =>
-    html.replace(/(<script type="application\/json" id="(report|overview)">)[\s\S]*?(<\/script>)/g, (_all, open: string, id: string, close: string) => open + JSON.stringify(blocks[id]).replaceAll("<", "\\u003c") + close),
+    html.replace(/(<script type="application\/json" id="(report|overview)">)[\s\S]*?(<\/script>)/g, (_all, open: string, id: string, close: string) => open + JSON.stringify(blocks[id]).replaceAll("<", "\\u003c") + close)
+      .replace('<script type="application/json" id="report">', (each) => block + each),
   );
   scenes.forEach((scene, i) => {
     const file = `scenes/${i}.js`;
-    writeFileSync(join(folder, file), `parityScene(${JSON.stringify({ file, format: 1, scene, again: [] })});\n`);
+    writeFileSync(join(folder, file), `parityScene(${JSON.stringify({ file, format: 1, scene, again: [], history: added?.trends[i] })});\n`);
   });
   return folder;
 }

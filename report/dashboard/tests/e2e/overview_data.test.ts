@@ -17,6 +17,7 @@ function writtenOverview(name: string): Overview {
 const kParts = [
   "kind", "scene", "view", "material", "order", "link", "name", "place", "reference", "test", "isJudged", "verdict", "gravity", "reason", "accepted", "bias", "preset", "pixels",
   "nonFinite", "notModelled", "limits", "images", "cause", "noCause", "help", "isInBaseline", "changes", "change", "notComparable",
+  "standing", "nights", "owner",
 ] as const;
 
 describe.each(["many", "evil", "broken", "states", "empty", "real", "single", "restricted"])("the list of %s", (name) => {

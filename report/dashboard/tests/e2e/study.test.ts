@@ -1,8 +1,11 @@
-import { readFileSync } from "node:fs";
+import { copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
+import type { Nights } from "../../src/data/history";
+import { makeNights, nightsPage } from "../make_nights";
 import { openReport, reportFolder, startBrowser } from "./browser";
 
 let browser: Browser;
@@ -88,5 +91,81 @@ describe("a stress run", () => {
     expect(await painted.evaluate((canvas: HTMLCanvasElement) => canvas.getContext("2d")!.getImageData(12, 2, 1, 1).data[3])).toBe(255);
     await painted.hover();
     expect(await page.locator(".map-x", { hasText: ":" }).textContent()).toMatch(/^0\.\d\d, 0\.\d\d: /);
+  });
+});
+
+describe("nightly runs", () => {
+  const folders: string[] = [];
+  afterAll(() => folders.forEach((each) => rmSync(each, { recursive: true, force: true })));
+
+  /** The folder of a page of these nights, with the script and the style of another one. */
+  function folderOf(nights: unknown): string {
+    const folder = mkdtempSync(join(tmpdir(), "parity-nights-"));
+    folders.push(folder);
+    for (const file of ["dashboard.js", "dashboard.css"]) copyFileSync(join(reportFolder("sweep"), file), join(folder, file));
+    writeFileSync(join(folder, "index.html"), nightsPage(nights));
+    return folder;
+  }
+
+  /** 400 nights and 500 rows, one of them named to break out. */
+  function evilNights(): Nights {
+    const nights = makeNights(400, 500, 0.01), evil = '<img src=x onerror="window.broken = 1">';
+    const last = nights.runs.at(-1)!, trend = Object.values(nights.rows)[0]!;
+    const change = { run: 399, kind: "regressed", cause: evil, metric: "flip.mean", before: 0.1763, after: 0.2, figures: 11 } as const;
+    const changes = [{ ...change, row: evil }, ...last.changes];
+    return { ...nights, rows: { ...nights.rows, [evil]: { ...trend, changes: [...trend.changes, change] } }, runs: [...nights.runs.slice(0, -1), { ...last, events: { ...last.events, regressed: 1, changed: 70 }, changes, commit: "1b2c3d4e5f60718293a4b5c6d7e8f90112233445" }] };
+  }
+
+  it("show charts, the last night, its changes with causes, and lead to a row and back", async () => {
+    const { page, problems, requests } = await openReport(browser, folderOf(evilNights()));
+    expect(await page.textContent("h1")).toMatch(/nightly, main: 400 nights; last: 1 new failure, \d+ failing/);
+    expect(await page.locator("parity-night-chart canvas").count()).toBe(3);
+    expect(await page.locator('[aria-label="Nights"] tbody tr').count()).toBe(30);
+    await page.click("text=Show all 400");
+    expect(await page.locator('[aria-label="Nights"] tbody tr').count()).toBe(400);
+
+    const changes = page.locator('[aria-label="Changes of the night"] tbody tr');
+    expect(await changes.first().innerText()).toMatch(/<img src=x.*regressed.*flip\.mean 0\.1763 → 0\.2 worse.*10 figures.*<img/s);
+    expect(await page.textContent("parity-night")).toMatch(/And \d+ more, which this page does not list/);
+    await page.click(".chip.kind-regressed");
+    expect(await changes.count()).toBe(1);
+    await changes.first().locator("a").click();
+    await page.waitForSelector("parity-night-row parity-run-chart canvas");
+    expect(await page.textContent("parity-night-row h3")).toContain("<img src=x");
+    expect(new URL(page.url()).hash).toMatch(/^#night=.*&row=/);
+    await page.selectOption("parity-night-row select", "flip.p95");
+    expect(new URL(page.url()).hash).toMatch(/&figure=flip\.p95$/);
+    await page.reload();
+    await page.waitForSelector("parity-night-row parity-run-chart canvas");
+    expect(await page.inputValue("parity-night-row select")).toBe("flip.p95");
+
+    await page.keyboard.press("/");
+    await page.keyboard.type("chrome 003");
+    for (const name of await page.locator(".night-row-list a").allTextContents()) expect(name).toMatch(/003.*Chrome/);
+    expect(await page.evaluate(() => (window as unknown as { broken?: number }).broken)).toBeUndefined();
+    expect(await page.innerText("parity-study")).not.toMatch(/undefined|\[object|NaN/);
+    expect(await page.locator("img").count()).toBe(0);
+    expect([problems, requests.filter((url) => !/(index\.html|dashboard\.(js|css))(#|$)/.test(url))]).toEqual([[], []]);
+  });
+
+  it("choose the night that is clicked, and are no wider than a phone", async () => {
+    const { page, problems } = await openReport(browser, folderOf(makeNights(400, 500, 0.01)), "", { viewport: { width: 390, height: 800 } });
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+    const before = await page.textContent("parity-night h2");
+    const box = (await page.locator("parity-night-chart .u-over").first().boundingBox())!;
+    await page.mouse.move(box.x + box.width / 2, box.y + 20);
+    const pointed = await page.locator(".night-readout").allTextContents();
+    expect(new Set(pointed.map((each) => each.slice(0, 10))).size, "one cursor for all charts").toBe(1);
+    await page.mouse.click(box.x + box.width / 2, box.y + 20);
+    await page.waitForFunction((text) => document.querySelector("parity-night h2")?.textContent !== text, before);
+    expect(await page.textContent("parity-night h2")).toContain(pointed[0]!.slice(0, 10));
+    expect(problems).toEqual([]);
+  });
+
+  it("that are none, one, or of another format are words", async () => {
+    const text = async (nights: unknown): Promise<string> => (await openReport(browser, folderOf(nights))).page.innerText("#app");
+    expect(await text(makeNights(0, 10))).toContain("no nights yet");
+    expect(await text(makeNights(1, 10))).toContain("nothing to draw yet");
+    expect(await text({ format: 2 })).toContain("this page reads format 1");
   });
 });

@@ -1,8 +1,8 @@
 import { execFileSync } from "node:child_process";
 import { describe, expect, it } from "vitest";
 
-import { againCommand, globOf, shellWord } from "../../src/item/commands";
-import { makeMaterial, makeReport, makeScene, makeView } from "./sample";
+import { againCommand, approveCommand, globOf, shellWord, type Approvable } from "../../src/item/commands";
+import { makeFigures, makeMaterial, makeReport, makeScene, makeView } from "./sample";
 import { rowsOf } from "../pack_overview";
 
 const evil = ["plain", "two words", "it's", '"$(touch /tmp/x)"', "`id`", "a\\b", "*", "ünïcödé 🎨", "-n"];
@@ -43,5 +43,30 @@ describe("the command for a row", () => {
   it("matches wildcards, and what a terminal must not get, by any one character", () => {
     expect(globOf("a*b?[c]\\")).toBe("a?b??c]\\");
     expect(globOf("a\u001b\u202eb\n")).toBe("a**b*");
+  });
+});
+
+describe("the command that approves a row", () => {
+  const check = { metric: "flip.mean", regress: false, value: 0.4, warn: 0.1, fail: 0.2, verdict: "fail" as const, note: "" };
+  const hero: Approvable = { verdict: "fail", checks: [check], figures: makeFigures(0.4), kind: "material", name: "Chrome", scene: "Hero 1", view: "front" };
+  const end = "--owner WHO --until DATE --reason 'TEXT' -o approvals.toml";
+
+  it("names the row, and leaves who, until when and why to the reader", () => {
+    expect(approveCommand(hero)).toBe(`parity approve . --scene 'Hero 1' --view front --material Chrome ${end}`);
+    expect(approveCommand({ ...hero, kind: "whole", name: "" })).toBe(`parity approve . --scene 'Hero 1' --view front --whole ${end}`);
+    expect(approveCommand({ ...hero, verdict: "warn" })).toBe(`parity approve . --scene 'Hero 1' --view front --material Chrome --warnings ${end}`);
+  });
+
+  it("comes out of a shell as globs of these names, whatever they are", () => {
+    const words = byShell(approveCommand({ ...hero, name: "-it's [1]*", view: "$(id)" })!.replace("parity approve . ", ""));
+    expect(words.slice(0, 5)).toEqual(["--scene", "Hero 1", "--view", "$(id)", "--material=-it's ?1]?"]);
+  });
+
+  it("is none where parity approve refuses the row, or has nothing to approve", () => {
+    expect(approveCommand({ ...hero, verdict: "pass" })).toBeNull();
+    expect(approveCommand({ ...hero, verdict: "error" })).toBeNull();
+    expect(approveCommand({ ...hero, checks: [{ ...check, verdict: "pass" }] })).toBeNull();
+    expect(approveCommand({ ...hero, figures: makeFigures(0.4, { nonFinite: 2 }) })).toBeNull();
+    expect(approveCommand({ ...hero, figures: null })).toBeNull();
   });
 });

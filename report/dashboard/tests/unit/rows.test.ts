@@ -46,6 +46,40 @@ describe("rows", () => {
   });
 });
 
+describe("the standing of rows", () => {
+  const approval = { origin: "a.toml:1", state: "holds" as const, value: 0.3, slack: 0, until: "2027-02-01", daysLeft: 9, owner: "characters", reason: "refit", words: "" };
+  const owned = { rule: "b.toml:1", preset: "", reason: "", owner: "props", requireSeen: false, minPixels: 64 };
+  const failing = (name: string): Material => makeMaterial(name, "fail", 0.4, { budget: owned });
+  const over = makeReport([
+    makeScene("Desk", [
+      makeView("front", [
+        failing("Gold"), failing("Iron"), failing("Wax"), makeMaterial("Wood", "pass", 0.1),
+        makeMaterial("Tin", "pass", 0.3, { accepted: "approved", checks: [{ metric: "flip.mean", regress: false, value: 0.3, warn: 0.1, fail: 0.2, verdict: "fail", note: "", approval }] }),
+      ]),
+    ]),
+    makeScene("Broken", [], "is not a glTF"),
+  ]);
+  const runs = { 0: { standing: "new", nights: 1 }, 1: { standing: "still", nights: 12 }, 2: { standing: "flaky", nights: 3 }, 3: { standing: "fixed" } } as const;
+  const all = rowsOf(over, runs);
+
+  it("comes with the nights that it fails for, and with its owner: of its approval, else of its budget", () => {
+    expect(all.map(({ name, standing, nights, owner }) => [name, standing, nights, owner])).toEqual([
+      ["Gold", "new", 1, "props"], ["Iron", "still", 12, "props"], ["Wax", "flaky", 3, "props"], ["Wood", "fixed", 0, ""], ["Tin", "accepted", 0, "characters"],
+      ["Desk · front", "", 0, ""], ["Broken", "", 0, ""],
+    ]);
+    expect(rowsOf(over)[0]).toMatchObject({ standing: "unknown", changes: [] });
+  });
+
+  it("filters and sorts, and its owner is found", () => {
+    const shownOver = (patch: object): string[] => all.filter(matcherOf(overviewOf(over, runs), filterOf({ ...kDefaultState, ...patch }))).map((row) => row.name);
+    expect(shownOver({ changes: ["new", "flaky"] })).toEqual(["Gold", "Wax"]);
+    expect(shownOver({ changes: ["still"] })).toEqual(["Iron"]);
+    expect(shownOver({ changes: ["accepted"] })).toEqual(["Tin"]);
+    expect(shownOver({ query: "characters" })).toEqual(["Tin"]);
+    expect(sortRows(all, "nights", false).map((row) => row.name).slice(0, 3)).toEqual(["Iron", "Wax", "Gold"]);
+  });
+});
+
 describe("the names of links", () => {
   const linksOf = linkNames;
 
