@@ -131,10 +131,22 @@ export const kPatches = [
   { direction: [0, 0, -1], color: [0.5, 0.5, 0], name: "-Z yellow" },
 ];
 
-/** The pixels of a view of the ball (of radius 1, at the origin, orthographic) that reflect the middle of a patch; none behind it. */
-export function reflectedAt({ camera, width, height }, direction) {
-  const half = add(direction, camera.back); // the mirror's normal lies between the ways to the eye and to the patch
-  if (Math.hypot(...half) < 0.5) return null; // right behind the ball
+/** A patch reaches to 37 degrees from its direction: places 31 degrees off have its colour, places 43 degrees off have not. */
+export const kPatchCosine = 0.8;
+export const kRestOfMap = [0.05, 0.05, 0.05];
+
+/** Directions at an angle from an axis of the world, on its four sides. */
+export function directionsBeside(axis, degrees) {
+  const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+  const sides = kPatches.map((each) => each.direction).filter((each) => dot(each, axis) === 0);
+  return sides.map((side) => add(axis.map((each) => c * each), side, s));
+}
+
+/** The pixel of a view of the ball (of radius 1, at the origin, orthographic) that reflects a direction; none where the
+ * normal is more than `most` degrees from the view, for the reflection is small there. */
+export function reflectedAt({ camera, width, height }, direction, most) {
+  const half = add(direction, camera.back); // the mirror's normal lies between the ways to the eye and to the light
+  if (Math.hypot(...half) < 2 * Math.cos((most * Math.PI) / 180)) return null;
   const normal = unit(half);
   return [(width / 2) * (1 + (dot(normal, camera.right) * camera.scale * height) / width), (height / 2) * (1 - dot(normal, camera.above) * camera.scale)].map(Math.floor);
 }
@@ -189,7 +201,7 @@ export function writeTinyContract(folder, samples = 16) {
     makeView("front", "ball", { position: [0, 0, 5], target: [0, 0, 0], halfHeight: 1.25 }, 96, 72, { samples }),
     makeView("side", "ball", { position: [5, 0, 0], target: [0, 0, 0], halfHeight: 1.25 }, 96, 72, { samples }),
   ];
-  writeFileSync(join(folder, "0/patches.hdr"), makeHdr(512, 256, (d) => kPatches.find((each) => dot(each.direction, d) > 0.8)?.color ?? [0.05, 0.05, 0.05]));
+  writeFileSync(join(folder, "0/patches.hdr"), makeHdr(512, 256, (d) => kPatches.find((each) => dot(each.direction, d) > kPatchCosine)?.color ?? kRestOfMap));
   addScene("ball", makeGlb([makeBall()], mirror), ballViews, { environment: { file: "0/patches.hdr" } });
 
   const lights = makeView("above", "lights", { position: [0, 0, 5], target: [0, 0, 0], halfHeight: 2 }, 48, 24);

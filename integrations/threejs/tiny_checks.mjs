@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 
 import { decodePng } from "./png.mjs";
-import { kBackground, kCentres, kColours, kEdges, kPatches, lightsAt, reflectedAt, toCode } from "./tiny.mjs";
+import { directionsBeside, kBackground, kCentres, kColours, kEdges, kPatches, kRestOfMap, lightsAt, reflectedAt, toCode } from "./tiny.mjs";
 
 const kBackgroundCodes = kBackground.map(toCode);
 const read = (shots, picture) => decodePng(readFileSync(join(shots, picture)));
@@ -55,11 +55,15 @@ export function checkBall(shots, contract, slack) {
   for (const view of scene.views) {
     const picture = read(shots, view.picture);
     assertNear(picture.at(0, 0), kBackgroundCodes, 1, "the map lights the ball, and is not seen");
+    const check = (direction, most, color, what) => {
+      const at = reflectedAt(view, direction, most);
+      if (at) assertNear(picture.at(...at), color.map(toCode), slack, `${view.name}, ${what}, pixel ${at}`);
+      return at !== null;
+    };
     for (const { direction, color, name } of kPatches) {
-      const at = reflectedAt(view, direction);
-      if (!at) continue;
-      assertNear(picture.at(...at), color.map(toCode), slack, `${view.name}, ${name}, pixel ${at}`);
-      seen.add(name);
+      if (check(direction, 70, color, name)) seen.add(name);
+      for (const each of directionsBeside(direction, 31)) check(each, 45, color, `inside ${name}`);
+      for (const each of directionsBeside(direction, 43)) check(each, 45, kRestOfMap, `beside ${name}`);
     }
   }
   assert.equal(seen.size, kPatches.length);
